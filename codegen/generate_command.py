@@ -98,6 +98,7 @@ def _scene(options: argparse.Namespace) -> int:
     from coscrew_codegen.mechanics import derive
     from coscrew_codegen.scene_tiers import savings
     from coscrew_codegen.selection import SelectionError
+    from coscrew_codegen.simulate.units import units
 
     given = [name for name in ("family", "language") if getattr(options, name)]
     if options.precision not in (None, *CHOICES):
@@ -123,7 +124,7 @@ def _scene(options: argparse.Namespace) -> int:
     files = scene_files(functions, f"coscrew generate {options.scene.name}{said}", options.many)
     folder = Path(options.output)
     if not options.check:
-        for line in savings(functions):
+        for line in savings(functions, units):
             print(line)
         refuse_others(files, folder)
     return _deliver(f"coscrew generate {options.scene} -o {folder}{said}", files, folder,

@@ -120,7 +120,7 @@ class Signature:
     outputs: Arrays
     words: tuple[str, ...]
     moved: bool = False
-    computes: bool = True  # False if it only returns inputs and constants
+    zero: bool = False  # whether its outputs are zero whatever the inputs
 
     @property
     def read(self) -> Arrays:

@@ -3,7 +3,7 @@
 Steps have no tier: they are sequences of calls, whose error is that of the step, not of rounding.
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from coscrew_codegen.errors import ReportedError
@@ -86,8 +86,10 @@ def _in_tier(plain: Function, tier: Tier, precision: Precision) -> tuple[Program
     return tier.scene(plain.program, precision), ""
 
 
-def savings(scene: SceneFunctions) -> Iterator[str]:
-    """A line for each function of an asked accuracy: what its mixture saves."""
+def savings(scene: SceneFunctions, units: Callable[[SceneFunctions, str], Sequence[str]]
+            ) -> Iterator[str]:
+    """A line for each function of an asked accuracy: what its mixture saves.  `units` tells the
+    units of a function's components."""
     if not any(tier_named(name).asked for name in scene.tiers):
         return
     from coscrew_codegen.mixture.choice import chosen
@@ -95,7 +97,7 @@ def savings(scene: SceneFunctions) -> Iterator[str]:
 
     for f in scene.functions:
         if f.accuracy and not f.internal:
-            yield saving(chosen(f.program, f.accuracy), f)
+            yield saving(chosen(f.program, f.accuracy), f, units(scene, f.name))
 
 
 def _heading(function: Function, place: int) -> str:

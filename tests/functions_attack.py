@@ -3,8 +3,8 @@
 `python -m tests.functions_attack [--outputs N] [--operation NAME …] [--seed S]`, or `make attack`,
 judges them in MPFR (mpfr_motions.py; of rotations that rounding has changed, by the formulas), and
 prints the largest error / bound.  Angles are of all sizes, or next to those where series give way
-to closed forms, to π and to 2π; vectors along axes and nearly so, of all sizes; rotation matrices
-rounded; and the committed cases, moved by some last digits.
+to closed forms, to π and to 2π, or 0; vectors along axes and nearly so, of all sizes; matrices
+of rotations rounded; and the committed cases, moved by some last digits.
 """
 
 import argparse
@@ -50,7 +50,7 @@ def drawn(rng: np.random.Generator, operation: Operation, kind: type[np.floating
         return np.hstack([angles(rng, BATCH, kind) for _ in range(size)])
     if operation.name in ("atan2", "angle_vv"):
         return _two(rng, size // 2, kind)
-    angle, axis = angles(rng, BATCH, kind), axes(rng, BATCH)
+    angle, axis = _turns(rng, kind), axes(rng, BATCH)
     if operation.name.endswith("from_axis_angle"):
         return np.hstack([axis, angle])
     if size in (3, 6):
@@ -63,6 +63,13 @@ def drawn(rng: np.random.Generator, operation: Operation, kind: type[np.floating
         1 + np.finfo(kind).eps * rng.integers(-2, 3, (BATCH, 3, 3)))
     linear = axes(rng, BATCH) * powers(rng, BATCH, kind)
     return np.concatenate([R, linear[:, :, None]], 2)[:, :, :size // 3].reshape(BATCH, size)
+
+
+def _turns(rng: np.random.Generator, kind: type[np.floating]) -> Array:
+    """Angles of rotations; some are 0, or next to 2^-25, where sin θ/2 is divided by θ/2 from."""
+    some, step = rng.random((BATCH, 1)), rng.integers(-40, 41, (BATCH, 1))
+    return np.select([some < 0.05, some < 0.15], [
+        0, 2.0**-25 * (1 + np.finfo(kind).eps * step)], angles(rng, BATCH, kind))
 
 
 def _two(rng: np.random.Generator, size: int, kind: type[np.floating]) -> Array:
@@ -97,8 +104,7 @@ def _screw(displacement: Vector) -> list[mpfr]:
 
 def judged(operation: Operation, given: Array, precision: Precision) -> Found:
     """What is found of these calls."""
-    with np.errstate(all="ignore"):
-        found = joined(gufuncs(coscrew.certified)(operation, precision, split(operation, given)))
+    found = joined(gufuncs(coscrew.certified)(operation, precision, split(operation, given)))
     half, errors, truth = found.shape[1] // 2, [], _truth(operation)
     for row, got in zip(given.tolist(), found.tolist(), strict=True):
         with gmpy2.context(precision=BITS):

@@ -35,6 +35,7 @@ from coscrew_codegen.whole_cost import whole_counts
 
 DRAWN, SEARCHED = 20_000, 4000
 """States; of the first, those where single precision errs most are searched with."""
+_LEAST = 0.01  # of this room; below it, all is in pairs
 SEARCHES = 3
 """Which find no state where the bounds of the mixture do not hold."""
 ROOM = 0.97
@@ -87,14 +88,14 @@ class _Search:
             self._add(self._searched(sizes))
         room = ROOM
         while True:
-            mixture = self._cheapest(room)
-            found = mixed(self.program, mixture)
+            mixture = self._cheapest(room) if room > _LEAST else self._mixture(-1, 0)
+            found = mixed(self.program, mixture) if room > _LEAST else self.pairs
             others = self._others(found)
             if self._units(found, others).max() <= 1:
                 worst = self.sample.joined(first).joined(others).certified(found).max(axis=1)
                 return Choice(found, self.pairs, len(mixture.paired), tuple(worst.tolist()))
             self._add(others.at(_worst(self._units(found, others))))
-            room *= room  # soon little: all is in pairs then
+            room *= room
 
     def _others(self, program: Program) -> Sample:
         """Fresh states: drawn, and those that searches find, until bounds do not hold at one."""

@@ -15,10 +15,11 @@ from functools import cached_property
 
 import sympy as sp
 
-from coscrew_codegen.operations.norm import Let, l2, largest_size, nonzero
+from coscrew_codegen.operations.norm import Let, l2, largest_size
 from coscrew_codegen.operations.operation import LARGE, REDUCING, scaled
 from coscrew_codegen.operations.series import Angle, alternating, beyond, far, taylor
 
+_SMALL = sp.Rational(1, 2**26)  # two terms of sin h / h leave out less than 2^-110 up to it
 _TERMS = 14  # the first that is left out is below 2^-105 of g(4), g(5) and f
 
 
@@ -44,20 +45,21 @@ class HalfAngle:
         s = let("s", sp.Piecewise((REDUCING, largest_size(let, "h", half) > LARGE), (1, True)))
         reduced = let("reduced", half.applyfunc(lambda x: scaled(x, s)))
         up = let("up", sp.Piecewise((1 / REDUCING, s < 1), (sp.Integer(1), True)))
-        return cls._of(let, let("y", half.dot(half)),
-                       let("half_angle", scaled(let("reduced_length", l2(reduced)), up)))
+        h = let("half_angle", scaled(let("reduced_length", l2(reduced)), up))
+        return cls._of(let, let("y", h**2), h)
 
     @classmethod
     def _of(cls, let: Let, y: sp.Expr, h: sp.Expr) -> "HalfAngle":
         sine, c = let("sine", sp.sin(h)), let("c", sp.cos(h))
-        return cls(let, y, sine, _quotient(let, sine, h), c)
+        return cls(let, y, sine, _quotient(let, sine, h, y), c)
 
     @classmethod
     def known(cls, let: Let, theta: sp.Expr, sine: sp.Expr, cosine: sp.Expr) -> "HalfAngle":
         """From a known angle and any common multiple of sin θ/2 and cos θ/2; serves only b."""
         h, length = let("half_angle", theta / 2), let("length", sp.sqrt(sine**2 + cosine**2))
         sine, c = let("sine", sine / length), let("c", cosine / length)
-        return cls(let, let("y", h**2), sine, _quotient(let, sine, h), c)
+        y = let("y", h**2)
+        return cls(let, y, sine, _quotient(let, sine, h, y), c)
 
     def g(self, *orders: int) -> tuple[sp.Expr, ...]:
         """g(k, θ²) for these k from 0 to 3."""
@@ -127,10 +129,16 @@ class HalfAngle:
         return let("f", beyond(self.square, closed, near))
 
 
-def _quotient(let: Let, sine: sp.Expr, half: sp.Expr) -> sp.Expr:
-    """k = sin h / h; 1 where h is 0."""
-    found = let("sinc_quotient", sine / let("sinc_divisor", nonzero(half)))
-    return let("sinc", sp.Piecewise((sp.Integer(1), sp.Eq(half, 0)), (found, True)))
+def _quotient(let: Let, sine: sp.Expr, h: sp.Expr, y: sp.Expr) -> sp.Expr:
+    """k = sin h / h; its series up to h = 2^-26, so that nothing is divided by what may be 0."""
+    quotient = let("sinc_quotient", sine / let("sinc_divisor", _far_from_zero(h, h, _SMALL)))
+    return let("sinc", _far_from_zero(h, quotient, alternating(
+        lambda j: sp.Rational((-1)**j, sp.factorial(2 * j + 1)), y, 2, _SMALL**2)))
+
+
+def _far_from_zero(h: sp.Expr, value: sp.Expr, near: sp.Expr) -> sp.Piecewise:
+    """`near` where h is small, else `value`."""
+    return sp.Piecewise((near, h < _SMALL), (value, True))
 
 
 def angle_of(let: Let, vector: sp.Matrix) -> Angle | HalfAngle:

@@ -116,6 +116,11 @@ class Program:
         """How many instructions of each kind."""
         return Counter(instruction.op for instruction in self.instructions)
 
+    @property
+    def zero(self) -> bool:
+        """Whether all results are zero whatever the inputs."""
+        return all(isinstance(x, Constant) and not (x.double or x.single) for x in self.results)
+
     def used_inputs(self) -> frozenset[Input]:
         """The input components that instructions or results use."""
         operands = [x for instruction in self.instructions for x in instruction.operands]

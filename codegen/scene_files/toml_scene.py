@@ -21,7 +21,7 @@ from coscrew_codegen.scene.rotations import unit
 from coscrew_codegen.scene.scene import Expectation, Run, Scene
 from coscrew_codegen.scene.selected import FunctionsError, resolved
 from coscrew_codegen.scene.tiers import TiersError, asked, selected
-from coscrew_codegen.scene_files.accuracy import read_accuracy
+from coscrew_codegen.scene_files.accuracy import limits_used, read_accuracy
 from coscrew_codegen.scene_files.effect_table import Use
 from coscrew_codegen.scene_files.errors import SceneError, shown
 from coscrew_codegen.scene_files.identifiers import identifier, refused
@@ -99,8 +99,7 @@ def _scene(file: Table, catalogue: tuple[Effect, ...], overrides: SceneOverrides
     effects = read_effects(file.table("effects"), model, catalogue, use)
     scene = Scene(name, model, effects, precision=precision or "double",
                   precisions=_emitted(precision), implausible=implausible,
-                  run=_run(file.table("run")),
-                  unused=unused(model, use.of_model, catalogue, effects))
+                  run=_run(file.table("run")))
     _refuse_unmoved(file.file, model, scene)
     start, outputs = file.table("start"), file.table("outputs")
     start.only(*START.names)
@@ -114,12 +113,13 @@ def _scene(file: Table, catalogue: tuple[Effect, ...], overrides: SceneOverrides
     functions = overrides.functions or functions
     accuracy = tuple(x for x in accuracy if x.function in resolved(scene, functions))
     tiers = selected((*_tiers(file), *(asked() if accuracy else ())))
+    told = unused(model, use.of_model | limits_used(scene, accuracy), catalogue, effects)
     effects = with_reactions(scene, catalogue)
     model, effects, parameters = with_parameters(file, model, effects, catalogue)
     if overrides.tiers:
         tiers = selected(overrides.tiers)
     return _selecting(replace(scene, model=model, effects=effects, parameters=parameters,
-                              accuracy=accuracy, tiers=tiers), functions)
+                              accuracy=accuracy, tiers=tiers, unused=told), functions)
 
 
 def _functions(file: Table, scene: Scene) -> tuple[str, ...]:

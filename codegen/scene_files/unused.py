@@ -32,7 +32,9 @@ def unused(model: Model, used: set[tuple[str, str]], catalogue: tuple[Effect, ..
 
 
 def _line(joint: Joint, what: str, remedy: str) -> str:
-    return f"joint {joint.name}: {what} is not used{': ' if remedy else ''}{remedy}"
+    """Without a remedy no effect of the catalogue takes it."""
+    used = f"is not used: {remedy}" if remedy else "is used by no effect"
+    return f"joint {joint.name}: {what} {used}"
 
 
 def _remedy(joint: Joint, field: str, catalogue: tuple[Effect, ...], acting: tuple[Applied, ...]

@@ -54,7 +54,7 @@ class Alarm:
         its, (q, v) = self.system, self.start
         self._energy = float(sum(its.energies(0.0, q, v)))
         self._momentum = its.call("free_momentum", q=q, v=v) if its.has("free_momentum") else None
-        self._conservative = not its.computes("power")
+        self._conservative = its.zero("power")
 
     def __call__(self, steps: int, t: float, h: float, q: np.ndarray, v: np.ndarray) -> str:
         """The problem at t, or "", after `steps` further steps, the last one of length h."""

@@ -74,7 +74,7 @@ def _balance(system: System, trajectory: Trajectory, among: np.ndarray | None) -
     change = energy - energy[0]
     scale = max(np.max(np.abs(x)) for x in (kinetic, change))
     parts = _parts(system, trajectory)
-    if system.computes("power"):
+    if not system.zero("power"):
         work = _refined(system, trajectory, np.diff(energy), work, scale, parts)
     defect = np.abs(change - work)
     at = largest(defect if among is None else np.where(np.isin(t, among), defect, 0))

@@ -93,6 +93,11 @@ class Along:
                                        and not (self.shrinks or self.as_double))
 
     @property
+    def still(self) -> bool:
+        """Whether nothing moves, so that no energy is exchanged."""
+        return self.coarse.scale == 0
+
+    @property
     def untold(self) -> bool:
         """Whether the rounding error of the potential energy exceeds all energy that was moved, so
         that the balance is meaningless."""

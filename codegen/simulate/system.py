@@ -53,9 +53,9 @@ class System:
         found = self.origin.functions.functions if self.origin else ()
         return {f.name: f.program for f in found if not f.internal}
 
-    def computes(self, name: str) -> bool:
-        """Whether the function computes anything, and does not only return inputs and constants."""
-        return any(x.name == name and x.computes for x in self.functions.signatures)
+    def zero(self, name: str) -> bool:
+        """Whether the scene lacks the function, or its outputs are zero whatever the inputs."""
+        return all(x.zero for x in self.functions.signatures if x.name == name)
 
     def has(self, name: str) -> bool:
         """Whether the scene has this function."""

@@ -151,6 +151,8 @@ def _finer(along: Along) -> str:
 
 def _verdict(along: Along) -> str:
     """The cause of the defect of energy."""
+    if along.still:
+        return "none: nothing moves"
     if along.doubtful:
         return "DOUBTFUL: smaller steps do not help"
     if along.untold:

@@ -76,7 +76,7 @@ def _loops(library: Library, tier: Tier) -> Files:
         gufuncs = [gufunc.gufunc(op, library.precisions, docstrings[op.name], tier.mark)
                    for op in library.having(tier) if op.family == family]
         sources[f"{family}.c"] = render("gufunc/family.c", banner=library.banner,
-                                        family=family, gufuncs=gufuncs)
+                                        family=family, gufuncs=gufuncs, quiet=tier.bounds)
         sources[f"{family}_avx2.c"] = render("gufunc/family_avx2.c", banner=library.banner,
                                              family=family, best=best.best)
     return sources

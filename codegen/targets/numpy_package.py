@@ -87,7 +87,7 @@ def _twin_modules(library: Library, tier: Tier) -> Files:
             modules[f"{precision.name}/{family}.py"] = render(
                 "python/family.py", banner=library.banner, title=family_named(family).title,
                 precision=precision, imports=twins.imports, tier=tier.name,
-                functions=twins.functions,
+                functions=twins.functions, quiet=tier.bounds,
                 kernel="wide_kernel" if twins.wide else f"{precision.name}_kernel")
     return modules
 

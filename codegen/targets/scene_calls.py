@@ -42,7 +42,7 @@ def callables(scene: SceneFunctions) -> tuple[Signature, ...]:
     """All public functions, steps last."""
     found = [Signature(f.name, tuple((a.name, tuple(a.quantity.shape)) for a in f.inputs),
                   tuple((a.name, tuple(a.quantity.shape)) for a in scene_text.outputs(f)),
-                  scene_text.words(f, not scene.mark), computes=bool(f.program.instructions))
+                  scene_text.words(f, not scene.mark), zero=f.program.zero)
              for f in scene.functions if not f.internal]
     shapes = scene_text.step_shapes(scene)
     for step in scene.steps:

@@ -86,7 +86,8 @@ TIER = Tier(
     promise="""\
 A component is within one unit of its last digit as long as its condition is below 1e13; in single
 precision it is the nearest number, except near ties, as long as that is below 1e5.  Measured, not
-proved; nothing is promised where something overflows or a product falls below 2^-968.""",
+proved.  The condition counts the model's decimals among the rounded results.  Nothing is promised
+where something overflows or a product falls below 2^-968.""",
     in_words="""\
 The accurate tier: float64 compensated, intermediate results carried as hi + lo; float32 computed in
 float64 and rounded once.  The same bits as the C kernels, with fma or without.""")

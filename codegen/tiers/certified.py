@@ -50,20 +50,21 @@ _ZERO = Constant(Fraction(0), Fraction(0))
 
 def certified_operation(operation: "Operation") -> "Operation":
     """The operation with its bounds as further outputs; its formula gives the other outputs only.
-    """
+    What is searched of the plain result's error is left out beside bounds that always hold."""
     bounds = bounds_of_outputs(operation.outputs)
     promise = ", ".join(f"|error of {a.name}| <= {b.name}"
                         for a, b in zip(operation.outputs, bounds, strict=True))
     order = (*operation.order, *(b.name for b in bounds)) if operation.order else ()
     return replace(operation, statement=f"{operation.statement}; {promise} unless inf or NaN",
-                   outputs=(*operation.outputs, *bounds), order=order)
+                   outputs=(*operation.outputs, *bounds), order=order, normwise=(), rounding="")
 
 
 def _made(program: Program, precision: Precision) -> Program:
     """The tier's program of an operation."""
     if is_polynomial(program):
         return certified(program, precision)
-    return certified_scene.of_scene(program, precision)
+    # an operation chooses between formulas for the same
+    return certified_scene.of_scene(program, precision, kinks=False)
 
 
 def _has(program: Program) -> bool:
@@ -187,7 +188,7 @@ def _of_scene(program: Program, precision: Precision) -> Program:
 TIER = Tier(
     "certified", 3, "Certified tier: plain results, and bounds on their errors that always hold.",
     ("#00805d", "#3ccf9f"), _made, has=_has,
-    operation=certified_operation, scene=_of_scene,
+    operation=certified_operation, scene=_of_scene, bounds=True,
     promise="""\
 |tau - exact| <= tau_bound for each component of a result tau: exact is what exact arithmetic makes
 of the arguments as they are and of the model's decimals.  Where a bound is infinite or NaN, no

@@ -67,14 +67,16 @@ class NoRuleError(ReportedError, ValueError):
     """A function has an operation whose error the tier cannot bound."""
 
 
-def of_scene(program: Program, precision: Precision) -> Program:
+def of_scene(program: Program, precision: Precision, kinks: bool = True) -> Program:
     """The plain program of a scene's function or an operation, extended by bounds of its results'
     errors.  Raises NoRuleError."""
-    if program.fine is None:
-        return extended(program, Certifier(program, precision))
-    apart = {step.name: f"fine_{step.name}" for step in program.fine.instructions}
-    fine = renamed(program.fine, apart)
-    return extended(fine, Certifier(fine, precision), program)
+    apart = program
+    if program.fine is not None:
+        apart = renamed(program.fine, {step.name: f"fine_{step.name}"
+                                       for step in program.fine.instructions})
+    certifier = Certifier(apart, precision)
+    certifier.kinks = kinks
+    return extended(apart, certifier, None if program.fine is None else program)
 
 
 def extended(program: Program, certifier: "Certifier", plain: Program | None = None) -> Program:

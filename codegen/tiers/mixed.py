@@ -37,11 +37,14 @@ class _Mixed(OfScene):
         super().__init__(program, SINGLE)
         self._mixture = mixture
         self._singles: dict[str, Ref] = {}  # hi + lo rounded, by hi's name
+        self._inside = False  # whether an instruction in pairs is being made of others
 
     def compensate(self, step: Instruction) -> None:
         """Issue the instruction as the mixture says; what does not round passes lo on."""
-        if not step.op.rounds or step.name in self._mixture.paired:
+        if self._inside or not step.op.rounds or step.name in self._mixture.paired:
+            outside, self._inside = self._inside, True
             super().compensate(step)
+            self._inside = outside
             return
         known = tuple(self._normal.get(name_of(x), x) for x in step.operands)
         if step.op is Op.MUL and self._mixture.kept.issuperset((step.name, n) for n in range(2)):

@@ -13,6 +13,6 @@ TIER = Tier(
     ("#8250c4", "#b58cf0"), make=None, scene=in_pairs, precisions=(SINGLE,), header="ksl_exact",
     promise="""\
 A component is within 0.51 units of its last digit as long as its condition is below 1e4, and
-within one below 1e6.  Measured, not proved; nothing is promised where something overflows or
-underflows.""",
+within one below 1e6.  Measured, not proved.  The condition counts the model's decimals among the
+rounded results.  Nothing is promised where something overflows or underflows.""",
     in_words="The pairs tier: float32 compensated, intermediate results carried as hi + lo.")

@@ -25,11 +25,15 @@ u is the unit roundoff, η half the least subnormal number, |fl(z) - z| <= u |fl
                       m = (1 + 2 κ u) max(m_a, m_b) + κ min(k_a, k_b) + 3 max(k_a, k_b) + 2,
                       where |x̂| <= A and |x - x̂| <= κ u A: |d_a d_b| <= κ k_b u² A_a s_b
 
+    c = a b           s = fl(|ĉ| + D / k u + R / m u²), k = WIDE, m = 256 k,
+                      D = |â| B_b + |b̂| B_a, R = |â| C_b + |b̂| C_a + B_a B_b + 4 u D, where
+                      B >= |x - x̂| and C >= |x - x̂ - d|: |d| <= D + u |ĉ|, |d_a d_b| <= B_a B_b
+
 Factors 1 + 64 u cover terms of higher order.  The first rule for products multiplies what sizes are
 too large by; so it is used if one factor has k <= CLOSE, which is a number as it is, a constant, or
-the sine or cosine of one, unless an s contains an error, which may be most of it, as after choices
-and roots.  For the second rule A is fl(|x̂| + B / κ u), B the bound of |x - x̂|; up to κ = SPREAD
-units of relative error it is hardly more than |x̂|.
+the sine or cosine of one.  For the second rule A is fl(|x̂| + B / κ u), B the bound of |x - x̂|; up
+to κ = SPREAD units of relative error it is hardly more than |x̂|.  The third is used where an s
+contains an error, which may be most of it, as after choices and roots of scenes.
 
 Underflow.  Every operation adds h_0 = 16 η / u² to h: m u² h_0 is more than what its own underflows
 and those of d, in which products' errors are computed to 8 η, can lose.  A product would multiply h
@@ -58,6 +62,7 @@ from coscrew_codegen.tiers.errors import ONE, ZERO, Errors, constant
 
 CLOSE = 4
 SPREAD = 64
+WIDE = 4
 TAIL = 2**16  # more than m of a series grows by from its last coefficient to its first
 _BRIEF = Format(24, 0)  # k, m and h are rounded up to so many digits
 
@@ -82,6 +87,7 @@ class Sizes(Errors):
     """Issues sizes and bounds beside values and errors, each once."""
 
     spread = SPREAD  # κ
+    kinks = True  # whether choices may be between values that differ by much more than u
 
     def __init__(self, program: Program, precision: Precision) -> None:
         super().__init__(program, precision)
@@ -142,6 +148,8 @@ class Sizes(Errors):
         a, b = map(self.size, step.operands)
         widened = a.widened or b.widened
         plain = a.exact or b.exact or any(isinstance(x, Constant) for x in step.operands)
+        if widened and not plain and self.kinks:
+            return self._of_wide_product(step)
         if min(a.k, b.k) > CLOSE or widened and not plain:
             return self._of_far_product(*step.operands)
         h, u = self._slack_of_product(a, b), self.u
@@ -167,6 +175,21 @@ class Sizes(Errors):
         k, m = max(a.k, b.k), max(a.m, b.m)
         return Size(self.do(Op.ADD, *terms), (1 + 64 * u) * (k + 1), (1 + 64 * u) * (
             (1 + 2 * self.spread * u) * m + self.spread * min(a.k, b.k) + 3 * k + 2), self.slack)
+
+    def _of_wide_product(self, step: Instruction) -> Size:
+        (x, y), u = step.operands, self.u
+        p, q = map(self.magnitude, (x, y))
+        a, b = map(self.some_bound, (x, y))
+        first = self.do(Op.ADD, self.do(Op.MUL, p, b), self.do(Op.MUL, q, a))
+        second = self.do(Op.ADD, self.do(Op.MUL, p, self._beyond_of(y)),
+                         self.do(Op.MUL, q, self._beyond_of(x)))
+        second = self.do(Op.ADD, second, self.do(Op.MUL, a, b))
+        second = self.do(Op.ADD, second, self.do(Op.MUL, first, constant(4 * u)))
+        k, m = Fraction(WIDE), 256 * Fraction(WIDE)
+        s = self.do(Op.ADD, self.do(Op.MUL, first, self.rounded_up((1 + 32 * u) / (k * u))),
+                    self.do(Op.MUL, second, self.rounded_up((1 + 32 * u) / (m * u**2))))
+        return Size(self.do(Op.ADD, self.do(Op.ABS, Ref(step.name)), s), (1 + 64 * u) * k,
+                    (1 + 64 * u) * m, self.slack, widened=True)
 
     def reach(self, x: Operand) -> Operand:
         """A of an inexact value."""
@@ -209,11 +232,18 @@ class Sizes(Errors):
                         self.rounded_up(1 + 8 * self.u), name="error")
         return self._with_rest(grown, self.padded(x, even_exact=True))
 
-    def _with_rest(self, error: Operand | None, size: Size) -> Operand:
-        """The error and the rest of a bound."""
+    def _beyond_of(self, x: Operand) -> Operand:
+        """C s' >= |x - x̂ - d|."""
+        return self._beyond(self.padded(x))
+
+    def _beyond(self, size: Size) -> Operand:
         rounding = 8 * size.k * self.u**2
         factor = self.rounded_up((1 + 32 * self.u) * (self.covered(size.k, size.m) + rounding))
-        rest = self.do(Op.MUL, factor, size.s, name="rest")
+        return self.do(Op.MUL, factor, size.s, name="rest")
+
+    def _with_rest(self, error: Operand | None, size: Size) -> Operand:
+        """The error and the rest of a bound."""
+        rest = self._beyond(size)
         return rest if error is None else self.do(Op.ADD, error, rest, name="bound")
 
     def first_order(self, x: Operand) -> Operand | None:

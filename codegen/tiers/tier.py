@@ -48,6 +48,7 @@ class Tier:
     operation: Callable[["Operation"], "Operation"] = lambda plain: plain  # may add outputs
     scene: Callable[[Program, Precision], Program] | None = None  # plain program of a scene's
     # function → the tier's, which may have more outputs; None: scenes do not have the tier
+    bounds: bool = False  # whether operations return bounds, of which inf and NaN are no statement
     asked: bool = False  # whether, of scenes, only functions of an asked accuracy have it
     precisions: tuple[Precision, ...] = PRECISIONS  # that it has in scenes
     header: str = "ksl_types"  # that its C functions need; ksl_exact computes rounding errors

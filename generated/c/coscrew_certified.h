@@ -2818,8 +2818,7 @@ static KSL_INLINE float ksl_tanh_errorf(const float x, const float y) {
 /* s = sin x, c = cos x, x in rad; |error of s| <= s_bound, |error of c| <= c_bound unless inf or
      NaN.
    x, c, s_bound, c_bound: number.
-   83 mul, 129 add, 11 product error, 1 div, 5 abs, 1 less, 1 select.
-   Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is subnormal; proved. */
+   83 mul, 129 add, 11 product error, 1 div, 5 abs, 1 less, 1 select. */
 static inline double ksl_sincos_certified(const double x, double *c, double *s_bound,
     double *c_bound) {
   double c_; const double s = ksl_sincos(x, &c_);
@@ -2834,8 +2833,7 @@ static inline double ksl_sincos_certified(const double x, double *c, double *s_b
 
 /* s = sin x, x in rad; |error of s| <= s_bound unless inf or NaN.
    x, s_bound: number.
-   83 mul, 128 add, 11 product error, 1 div, 4 abs, 1 less, 1 select.
-   Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is subnormal; proved. */
+   83 mul, 128 add, 11 product error, 1 div, 4 abs, 1 less, 1 select. */
 static inline double ksl_sin_certified(const double x, double *s_bound) {
   const double s = ksl_sin(x), s_own_error_1 = ksl_sin_error(x, s);
   const double s_error_1 = fabs(s_own_error_1), s_bound_1 = 3.7470896994678994e-30 + s_error_1;
@@ -2845,8 +2843,7 @@ static inline double ksl_sin_certified(const double x, double *s_bound) {
 
 /* c = cos x, x in rad; |error of c| <= c_bound unless inf or NaN.
    x, c_bound: number.
-   83 mul, 128 add, 11 product error, 1 div, 4 abs, 1 less, 1 select.
-   Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is subnormal; proved. */
+   83 mul, 128 add, 11 product error, 1 div, 4 abs, 1 less, 1 select. */
 static inline double ksl_cos_certified(const double x, double *c_bound) {
   const double c = ksl_cos(x), c_own_error_1 = ksl_cos_error(x, c);
   const double c_error_1 = fabs(c_own_error_1), c_bound_1 = 3.7470896994678994e-30 + c_error_1;
@@ -2856,8 +2853,7 @@ static inline double ksl_cos_certified(const double x, double *c_bound) {
 
 /* y = e^x; |error of y| <= y_bound unless inf or NaN.
    x, y_bound: number.
-   82 mul, 149 add, 14 product error, 5 power of two, 2 abs, 7 less, 1 equal, 9 select.
-   Error <= 0.755 ulp, in single precision 0.757 ulp, unless a result is subnormal; proved. */
+   82 mul, 149 add, 14 product error, 5 power of two, 2 abs, 7 less, 1 equal, 9 select. */
 static inline double ksl_exp_certified(const double x, double *y_bound) {
   const double y = ksl_exp(x), y_own_error_1 = ksl_exp_error(x, y);
   const double y_error_1 = fabs(y_own_error_1), y_padded_1 = 1.8051943758648296e-276 + y,
@@ -2869,8 +2865,7 @@ static inline double ksl_exp_certified(const double x, double *y_bound) {
 /* y = tanh x; |error of y| <= y_bound unless inf or NaN.
    x, y_bound: number.
    92 mul, 175 add, 15 product error, 2 div, 2 power of two, 6 abs, 2 copysign, 5 less, 11
-     select.
-   Error <= 0.979 ulp, in single precision 0.967 ulp, unless a result is subnormal; proved. */
+     select. */
 static inline double ksl_tanh_certified(const double x, double *y_bound) {
   const double y = ksl_tanh(x), y_own_error_1 = ksl_tanh_error(x, y), y_size_1 = fabs(y);
   const double y_error_1 = fabs(y_own_error_1), y_padded_1 = 1.8051943758648296e-276 + y_size_1,
@@ -2883,8 +2878,7 @@ static inline double ksl_tanh_certified(const double x, double *y_bound) {
      angle_bound unless inf or NaN.
    y, x, angle_bound: number.
    123 mul, 214 add, 21 product error, 2 div, 1 neg, 10 abs, 4 copysign, 13 less, 3 equal, 23
-     select.
-   Error <= 0.934 ulp, in single precision 0.896 ulp, unless a result is subnormal; proved. */
+     select. */
 static inline double ksl_atan2_certified(const double y, const double x, double *angle_bound) {
   const double angle = ksl_atan2(y, x), angle_own_error_1 = ksl_atan2_error(y, x, angle),
       angle_size_1 = fabs(angle);
@@ -2899,8 +2893,7 @@ static inline double ksl_atan2_certified(const double y, const double x, double 
 /* s = sin x, c = cos x, x in rad; |error of s| <= s_bound, |error of c| <= c_bound unless inf or
      NaN.
    x, c, s_bound, c_bound: number.
-   65 mul, 100 add, 8 product error, 1 div, 5 abs, 1 less, 1 select.
-   Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is subnormal; proved. */
+   65 mul, 100 add, 8 product error, 1 div, 5 abs, 1 less, 1 select. */
 static inline float ksl_sincosf_certified(const float x, float *c, float *s_bound, float *c_bound) {
   float c_; const float s = ksl_sincosf(x, &c_);
   float c_own_error_1; const float s_own_error_1 = ksl_sincos_errorf(x, s, c_, &c_own_error_1);
@@ -2914,8 +2907,7 @@ static inline float ksl_sincosf_certified(const float x, float *c, float *s_boun
 
 /* s = sin x, x in rad; |error of s| <= s_bound unless inf or NaN.
    x, s_bound: number.
-   65 mul, 99 add, 8 product error, 1 div, 4 abs, 1 less, 1 select.
-   Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is subnormal; proved. */
+   65 mul, 99 add, 8 product error, 1 div, 4 abs, 1 less, 1 select. */
 static inline float ksl_sinf_certified(const float x, float *s_bound) {
   const float s = ksl_sinf(x), s_own_error_1 = ksl_sin_errorf(x, s);
   const float s_error_1 = fabsf(s_own_error_1), s_bound_1 = 1.0800312e-12f + s_error_1;
@@ -2925,8 +2917,7 @@ static inline float ksl_sinf_certified(const float x, float *s_bound) {
 
 /* c = cos x, x in rad; |error of c| <= c_bound unless inf or NaN.
    x, c_bound: number.
-   65 mul, 99 add, 8 product error, 1 div, 4 abs, 1 less, 1 select.
-   Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is subnormal; proved. */
+   65 mul, 99 add, 8 product error, 1 div, 4 abs, 1 less, 1 select. */
 static inline float ksl_cosf_certified(const float x, float *c_bound) {
   const float c = ksl_cosf(x), c_own_error_1 = ksl_cos_errorf(x, c);
   const float c_error_1 = fabsf(c_own_error_1), c_bound_1 = 1.0800312e-12f + c_error_1;
@@ -2936,8 +2927,7 @@ static inline float ksl_cosf_certified(const float x, float *c_bound) {
 
 /* y = e^x; |error of y| <= y_bound unless inf or NaN.
    x, y_bound: number.
-   52 mul, 98 add, 8 product error, 5 power of two, 2 abs, 7 less, 1 equal, 9 select.
-   Error <= 0.755 ulp, in single precision 0.757 ulp, unless a result is subnormal; proved. */
+   52 mul, 98 add, 8 product error, 5 power of two, 2 abs, 7 less, 1 equal, 9 select. */
 static inline float ksl_expf_certified(const float x, float *y_bound) {
   const float y = ksl_expf(x), y_own_error_1 = ksl_exp_errorf(x, y);
   const float y_error_1 = fabsf(y_own_error_1), y_padded_1 = 3.3087225e-24f + y,
@@ -2948,8 +2938,7 @@ static inline float ksl_expf_certified(const float x, float *y_bound) {
 
 /* y = tanh x; |error of y| <= y_bound unless inf or NaN.
    x, y_bound: number.
-   60 mul, 122 add, 9 product error, 2 div, 2 power of two, 6 abs, 2 copysign, 5 less, 11 select.
-   Error <= 0.979 ulp, in single precision 0.967 ulp, unless a result is subnormal; proved. */
+   60 mul, 122 add, 9 product error, 2 div, 2 power of two, 6 abs, 2 copysign, 5 less, 11 select. */
 static inline float ksl_tanhf_certified(const float x, float *y_bound) {
   const float y = ksl_tanhf(x), y_own_error_1 = ksl_tanh_errorf(x, y), y_size_1 = fabsf(y);
   const float y_error_1 = fabsf(y_own_error_1), y_padded_1 = 3.3087225e-24f + y_size_1,
@@ -2962,8 +2951,7 @@ static inline float ksl_tanhf_certified(const float x, float *y_bound) {
      angle_bound unless inf or NaN.
    y, x, angle_bound: number.
    89 mul, 155 add, 14 product error, 2 div, 1 neg, 10 abs, 4 copysign, 13 less, 3 equal, 23
-     select.
-   Error <= 0.934 ulp, in single precision 0.896 ulp, unless a result is subnormal; proved. */
+     select. */
 static inline float ksl_atan2f_certified(const float y, const float x, float *angle_bound) {
   const float angle = ksl_atan2f(y, x), angle_own_error_1 = ksl_atan2_errorf(y, x, angle),
       angle_size_1 = fabsf(angle);
@@ -4519,9 +4507,7 @@ static inline void ksl_mat3x3_from_euler_xyz_certified(const ksl_vec3_t *angles,
      [-π/2, π/2]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; angles, angles_bound: vector.
    424 mul, 725 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 4 neg, 59 abs, 12
-     copysign, 50 less, 13 equal, 96 select.
-   The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
-     too; searched, not proved. */
+     copysign, 50 less, 13 equal, 96 select. */
 static inline void ksl_euler_xyz_from_mat3x3_certified(const ksl_mat3x3_t *R, ksl_vec3_t *angles,
     ksl_vec3_t *angles_bound) {
   const double n_a = KSL_MUL(R->m00, R->m00), n_a_size_1 = fabs(R->m00),
@@ -4828,9 +4814,7 @@ static inline void ksl_mat3x3_from_euler_xyx_certified(const ksl_vec3_t *angles,
      π]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; angles, angles_bound: vector.
    424 mul, 725 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 3 neg, 59 abs, 12
-     copysign, 52 less, 13 equal, 98 select.
-   The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
-     too; searched, not proved. */
+     copysign, 52 less, 13 equal, 98 select. */
 static inline void ksl_euler_xyx_from_mat3x3_certified(const ksl_mat3x3_t *R, ksl_vec3_t *angles,
     ksl_vec3_t *angles_bound) {
   const double n_a = KSL_MUL(R->m01, R->m01), n_a_size_1 = fabs(R->m01),
@@ -5025,8 +5009,7 @@ static inline void ksl_euler_xyx_from_mat3x3_certified(const ksl_mat3x3_t *R, ks
 /* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; otherwise R is
      not a rotation; |error of R| <= R_bound unless inf or NaN.
    axis: vector; angle: number; R, R_bound: rotation or other 3×3 matrix.
-   216 mul, 380 add, 26 product error, 18 product rest, 2 div, 24 abs, 4 less, 6 select.
-   Error <= R: 9 u of its largest component for |axis| = 1; searched, not proved. */
+   216 mul, 380 add, 26 product error, 18 product rest, 2 div, 24 abs, 4 less, 6 select. */
 static inline void ksl_mat3x3_from_axis_angle_certified(const ksl_vec3_t *axis,
     const double angle, ksl_mat3x3_t *R, ksl_mat3x3_t *R_bound) {
   const double half = KSL_MUL(0.5, angle), half_size_1 = fabs(angle),
@@ -5202,9 +5185,7 @@ static inline void ksl_mat3x3_from_axis_angle_certified(const ksl_vec3_t *axis,
      |error of angle| <= angle_bound, |error of axis| <= axis_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; axis, axis_bound: vector; angle_bound: number.
    205 mul, 442 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 63 abs, 4
-     copysign, 34 less, 6 equal, 103 select.
-   Error <= angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not
-     proved. */
+     copysign, 34 less, 6 equal, 103 select. */
 static inline double ksl_axis_angle_from_mat3x3_certified(const ksl_mat3x3_t *R, ksl_vec3_t *axis,
     double *angle_bound, ksl_vec3_t *axis_bound) {
   const double p_0 = R->m21 - R->m12, p_right_1 = R->m21 - p_0, p_left_1 = p_0 + p_right_1,
@@ -5841,9 +5822,7 @@ static inline void ksl_mat3x3f_from_euler_xyz_certified(const ksl_vec3f_t *angle
      [-π/2, π/2]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; angles, angles_bound: vector.
    322 mul, 548 add, 45 product error, 6 product rest, 27 div, 2 sqrt, 4 neg, 59 abs, 12
-     copysign, 50 less, 13 equal, 96 select.
-   The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
-     too; searched, not proved. */
+     copysign, 50 less, 13 equal, 96 select. */
 static inline void ksl_euler_xyz_from_mat3x3f_certified(const ksl_mat3x3f_t *R,
     ksl_vec3f_t *angles, ksl_vec3f_t *angles_bound) {
   const float n_a = KSL_MULF(R->m00, R->m00), n_a_size_1 = fabsf(R->m00),
@@ -6151,9 +6130,7 @@ static inline void ksl_mat3x3f_from_euler_xyx_certified(const ksl_vec3f_t *angle
      π]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; angles, angles_bound: vector.
    322 mul, 548 add, 45 product error, 6 product rest, 27 div, 2 sqrt, 3 neg, 59 abs, 12
-     copysign, 52 less, 13 equal, 98 select.
-   The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
-     too; searched, not proved. */
+     copysign, 52 less, 13 equal, 98 select. */
 static inline void ksl_euler_xyx_from_mat3x3f_certified(const ksl_mat3x3f_t *R,
     ksl_vec3f_t *angles, ksl_vec3f_t *angles_bound) {
   const float n_a = KSL_MULF(R->m01, R->m01), n_a_size_1 = fabsf(R->m01),
@@ -6345,8 +6322,7 @@ static inline void ksl_euler_xyx_from_mat3x3f_certified(const ksl_mat3x3f_t *R,
 /* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; otherwise R is
      not a rotation; |error of R| <= R_bound unless inf or NaN.
    axis: vector; angle: number; R, R_bound: rotation or other 3×3 matrix.
-   180 mul, 322 add, 20 product error, 18 product rest, 2 div, 24 abs, 4 less, 6 select.
-   Error <= R: 9 u of its largest component for |axis| = 1; searched, not proved. */
+   180 mul, 322 add, 20 product error, 18 product rest, 2 div, 24 abs, 4 less, 6 select. */
 static inline void ksl_mat3x3f_from_axis_angle_certified(const ksl_vec3f_t *axis,
     const float angle, ksl_mat3x3f_t *R, ksl_mat3x3f_t *R_bound) {
   const float half = KSL_MULF(0.5f, angle), half_size_1 = fabsf(angle),
@@ -6521,9 +6497,7 @@ static inline void ksl_mat3x3f_from_axis_angle_certified(const ksl_vec3f_t *axis
      |error of angle| <= angle_bound, |error of axis| <= axis_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; axis, axis_bound: vector; angle_bound: number.
    171 mul, 383 add, 18 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 63 abs, 4
-     copysign, 34 less, 6 equal, 103 select.
-   Error <= angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not
-     proved. */
+     copysign, 34 less, 6 equal, 103 select. */
 static inline float ksl_axis_angle_from_mat3x3f_certified(const ksl_mat3x3f_t *R,
     ksl_vec3f_t *axis, float *angle_bound, ksl_vec3f_t *axis_bound) {
   const float p_0 = R->m21 - R->m12, p_right_1 = R->m21 - p_0, p_left_1 = p_0 + p_right_1,
@@ -13448,8 +13422,7 @@ static inline void ksl_product_ddtzinvf_certified(const ksl_SE3f_t *D, const flo
 
 /* dc = (sin θ, cos θ), θ in rad; |error of dc| <= dc_bound unless inf or NaN.
    theta: number; dc, dc_bound: (sin θ, cos θ).
-   83 mul, 129 add, 11 product error, 1 div, 5 abs, 1 less, 1 select.
-   Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is subnormal; proved. */
+   83 mul, 129 add, 11 product error, 1 div, 5 abs, 1 less, 1 select. */
 static inline void ksl_dc_certified(const double theta, double dc[2], double dc_bound[2]) {
   double dc_1; const double dc_0 = ksl_sincos(theta, &dc_1);
   double dc_own_error_2; const double dc_own_error_1 = ksl_sincos_error(theta, dc_0, dc_1,
@@ -13464,8 +13437,7 @@ static inline void ksl_dc_certified(const double theta, double dc[2], double dc_
 
 /* dc = (sin θ, cos θ), θ in rad; |error of dc| <= dc_bound unless inf or NaN.
    theta: number; dc, dc_bound: (sin θ, cos θ).
-   65 mul, 100 add, 8 product error, 1 div, 5 abs, 1 less, 1 select.
-   Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is subnormal; proved. */
+   65 mul, 100 add, 8 product error, 1 div, 5 abs, 1 less, 1 select. */
 static inline void ksl_dcf_certified(const float theta, float dc[2], float dc_bound[2]) {
   float dc_1; const float dc_0 = ksl_sincosf(theta, &dc_1);
   float dc_own_error_2; const float dc_own_error_1 = ksl_sincos_errorf(theta, dc_0, dc_1,
@@ -21747,8 +21719,7 @@ static inline void ksl_omega_to_dquaternion_certified(const ksl_vec3_t *w,
 /* qo = (axis sin angle/2; cos angle/2); axis of length 1: with another |qo| is not 1, and its
      rotation is by another angle; |error of qo| <= qo_bound unless inf or NaN.
    axis: vector; angle: number; qo, qo_bound: quaternion (x, y, z, w), the scalar last.
-   98 mul, 139 add, 14 product error, 1 div, 11 abs, 1 less, 1 select.
-   Error <= qo: 3 u of its largest component for |axis| = 1; searched, not proved. */
+   98 mul, 139 add, 14 product error, 1 div, 11 abs, 1 less, 1 select. */
 static inline void ksl_quaternion_from_axis_angle_certified(const ksl_vec3_t *axis,
     const double angle, ksl_quaternion_t *qo, ksl_quaternion_t *qo_bound) {
   const double half = KSL_MUL(0.5, angle), half_size_1 = fabs(angle),
@@ -21791,8 +21762,7 @@ static inline void ksl_quaternion_from_axis_angle_certified(const ksl_vec3_t *ax
      <= axis_bound unless inf or NaN.
    q: quaternion (x, y, z, w), the scalar last; axis, axis_bound: vector; angle_bound: number.
    201 mul, 318 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 5 neg, 50 abs, 4 copysign,
-     35 less, 10 equal, 69 select.
-   Error <= angle: 6 u, axis: 4 u of its largest component; searched, not proved. */
+     35 less, 10 equal, 69 select. */
 static inline double ksl_axis_angle_from_quaternion_certified(const ksl_quaternion_t *q,
     ksl_vec3_t *axis, double *angle_bound, ksl_vec3_t *axis_bound) {
   const double s_size_0 = fabs(q->x);
@@ -22027,10 +21997,8 @@ static inline double ksl_axis_angle_from_quaternion_certified(const ksl_quaterni
 /* qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v; |error of
      qo| <= qo_bound unless inf or NaN.
    v: vector; qo, qo_bound: quaternion (x, y, z, w), the scalar last.
-   256 mul, 331 add, 16 product error, 3 product rest, 11 div, 3 sqrt, 35 abs, 10 less, 2 equal,
-     24 select.
-   Error <= qo: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
-     searched, not proved. */
+   266 mul, 346 add, 17 product error, 4 product rest, 11 div, 3 sqrt, 37 abs, 11 less, 1 equal,
+     24 select. */
 static inline void ksl_quaternion_exp_certified(const ksl_vec3_t *v, ksl_quaternion_t *qo,
     ksl_quaternion_t *qo_bound) {
   const double h_0 = KSL_MUL(0.5, v->x);
@@ -22195,6 +22163,18 @@ static inline void ksl_quaternion_exp_certified(const ksl_vec3_t *v, ksl_quatern
       fine_half_angle_lo = KSL_MUL(fine_half_angle_rest_1, fine_up),
       fine_half_angle_padded_1 = 1.8051943758648296e-276 + fine_reduced_length_size_12,
       fine_half_angle_size_1 = KSL_MUL(fine_half_angle_padded_1, fine_up_size_1);
+  const double fine_y = KSL_MUL(fine_half_angle, fine_half_angle),
+      fine_y_cross1_1 = KSL_MUL(fine_half_angle_lo, fine_half_angle),
+      fine_y_cross2_1 = KSL_MUL(fine_half_angle, fine_half_angle_lo),
+      fine_y_cross_1 = fine_y_cross1_1 + fine_y_cross2_1,
+      fine_y_padded_1 = 1.8051943758648296e-276 + fine_half_angle_size_1,
+      fine_y_size_1 = fabs(fine_half_angle), fine_y_error_1 = fabs(fine_half_angle_lo),
+      fine_y_rest_1 = KSL_MUL(5.7192432555642225e-30, fine_y_padded_1),
+      fine_y_bound_1 = fine_y_error_1 + fine_y_rest_1,
+      fine_y_units_1 = KSL_MUL(140737488355328.0, fine_y_bound_1),
+      fine_y_reach_1 = fine_y_size_1 + fine_y_units_1,
+      fine_y_size_2 = KSL_MUL(fine_y_padded_1, fine_y_reach_1),
+      fine_y_size_3 = fine_y_size_2 + fine_y_size_2;
   double fine_c; const double fine_sine = ksl_sincos(fine_half_angle, &fine_c);
   double fine_c_own_error_1; const double fine_sine_own_error_1 = ksl_sincos_error(fine_half_angle,
       fine_sine, fine_c, &fine_c_own_error_1);
@@ -22207,26 +22187,24 @@ static inline void ksl_quaternion_exp_certified(const ksl_vec3_t *v, ksl_quatern
       fine_sine_slope_1 = fine_sine_slope1_1 - fine_sine_slope2_1,
       fine_sine_more_1 = KSL_MUL(fine_sine_slope_1, fine_sine_twice_1),
       fine_sine_lo = fine_sine_own_error_1 + fine_sine_more_1,
-      fine_sine_padded_1 = 1.8051943758648296e-276 + fine_half_angle_size_1,
-      fine_sine_size_1 = 1.0 + fine_sine_padded_1;
+      fine_sine_size_1 = 1.0 + fine_y_padded_1;
   const double fine_c_slope1_1 = KSL_MUL(fine_sine_half_cos_1, fine_sine),
       fine_c_slope2_1 = KSL_MUL(fine_sine_half_sin_1, fine_c),
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MUL(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const double fine_sinc_divisor = fine_half_angle == 0.0 ? 1.0 : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0 ? 0.0 : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_half_angle_size_1,
-      fine_sinc_divisor_error_1 = fabs(fine_half_angle_lo),
-      fine_sinc_divisor_rest_1 = KSL_MUL(5.7192432555642225e-30, fine_sine_padded_1),
-      fine_sinc_divisor_bound_1 = fine_sinc_divisor_error_1 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0,
+  const double fine_sinc_divisor = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08
+      : fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161193847656e-08 ? 0.0 : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+          fine_half_angle_size_1,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161193847656e-08,
       fine_sinc_divisor_size_3 = fabs(fine_sinc_divisor_size_2),
       fine_sinc_divisor_size_4 = 5e-324 + fine_sinc_divisor_size_3,
-      fine_sinc_divisor_size_6 = 1.0 - fine_half_angle,
+      fine_sinc_divisor_size_6 = 1.4901161193847656e-08 - fine_half_angle,
       fine_sinc_divisor_size_7 = fabs(fine_sinc_divisor_size_6),
-      fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_7,
-      fine_sinc_divisor_size_9 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_4 ? 0.0 :
+      fine_sinc_divisor_size_8 = fine_sinc_divisor_size_7 + fine_y_bound_1,
+      fine_sinc_divisor_size_9 = fine_y_bound_1 < fine_sinc_divisor_size_4 ? 0.0 :
           fine_sinc_divisor_size_8,
       fine_sinc_divisor_size_10 = KSL_MUL(5.762046184631807e+28, fine_sinc_divisor_size_9),
       fine_sinc_divisor_size_11 = fine_sinc_divisor_size_1 + fine_sinc_divisor_size_10;
@@ -22258,28 +22236,49 @@ static inline void ksl_quaternion_exp_certified(const ksl_vec3_t *v, ksl_quatern
       fine_sinc_quotient_size_9 = KSL_MUL(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const double fine_sinc = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0 ? 0.0 : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0 - fine_sinc_quotient, fine_sinc_size_3 = fabs(fine_sinc_size_2),
-      fine_sinc_error_1 = fabs(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MUL(2.755262189115544e-29, fine_sinc_padded_1),
+  const double fine_y_error_2 = ksl_product_error(fine_half_angle, fine_half_angle, fine_y),
+      fine_y_lo = fine_y_error_2 + fine_y_cross_1,
+      fine_sinc_a = KSL_MUL(0.16666666666666666, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MUL(9.25185853854297e-18, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MUL(0.16666666666666666, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MUL(2290649224.7000003, fine_y_size_3),
+      fine_sinc_b = 1.0 - fine_sinc_a, fine_sinc_b_right_1 = 1.0 - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0 - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_rest(0.16666666666666666, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0 + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_lo :
+          fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabs(fine_sinc_size_2), fine_sinc_error_1 = fabs(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MUL(8.201505264386605e-28, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabs(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MUL(2.755262189115544e-29, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_4 ? 0.0 :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MUL(3.7283828633784605e+28, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_y_bound_1 < fine_sinc_divisor_size_4 ? 0.0 : fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MUL(1.2206826306780646e+27, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const double fine_qo_0 = KSL_MUL(fine_h_0, fine_sinc),
       fine_qo_cross2_1 = KSL_MUL(fine_h_0, fine_sinc_lo),
-      fine_qo_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_7,
+      fine_qo_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_8,
       fine_qo_size_1 = fabs(fine_h_0),
       fine_qo_units_1 = KSL_MUL(140737488355328.0, fine_h_size_rest_1),
       fine_qo_reach_1 = fine_qo_size_1 + fine_qo_units_1,
       fine_qo_size_2 = KSL_MUL(fine_qo_padded_1, fine_qo_reach_1), fine_qo_size_3 = fabs(fine_sinc),
       fine_qo_error_1 = fabs(fine_sinc_lo),
-      fine_qo_rest_1 = KSL_MUL(2.765944790253218e-29, fine_qo_padded_1),
+      fine_qo_rest_1 = KSL_MUL(8.201506228291972e-28, fine_qo_padded_1),
       fine_qo_bound_1 = fine_qo_error_1 + fine_qo_rest_1,
       fine_qo_units_2 = KSL_MUL(140737488355328.0, fine_qo_bound_1),
       fine_qo_reach_2 = fine_qo_size_3 + fine_qo_units_2,
@@ -22304,19 +22303,19 @@ static inline void ksl_quaternion_exp_certified(const ksl_vec3_t *v, ksl_quatern
       qo_apart_2 = fine_qo_lo_1 + qo_apart_1, qo_error_1 = fabs(qo_apart_2),
       qo_error_2 = KSL_MUL(1.0000000000000009, qo_error_1),
       qo_padded_1 = 1.8051943758648296e-276 + fine_qo_size_5,
-      qo_rest_1 = KSL_MUL(2.888588319442306e-29, qo_padded_1), qo_bound_1 = qo_error_2 + qo_rest_1,
+      qo_rest_1 = KSL_MUL(8.21414129263252e-28, qo_padded_1), qo_bound_1 = qo_error_2 + qo_rest_1,
       fine_qo_error_3 = ksl_product_error(fine_h_1, fine_sinc, fine_qo_1),
       fine_qo_lo_2 = fine_qo_error_3 + fine_qo_cross2_2, qo_apart_3 = fine_qo_1 - qo_1,
       qo_apart_4 = fine_qo_lo_2 + qo_apart_3, qo_error_3 = fabs(qo_apart_4),
       qo_error_4 = KSL_MUL(1.0000000000000009, qo_error_3),
       qo_padded_2 = 1.8051943758648296e-276 + fine_qo_size_9,
-      qo_rest_2 = KSL_MUL(2.888588319442306e-29, qo_padded_2), qo_bound_2 = qo_error_4 + qo_rest_2,
+      qo_rest_2 = KSL_MUL(8.21414129263252e-28, qo_padded_2), qo_bound_2 = qo_error_4 + qo_rest_2,
       fine_qo_error_4 = ksl_product_error(fine_h_2, fine_sinc, fine_qo_2),
       fine_qo_lo_3 = fine_qo_error_4 + fine_qo_cross2_3, qo_apart_5 = fine_qo_2 - qo_2,
       qo_apart_6 = fine_qo_lo_3 + qo_apart_5, qo_error_5 = fabs(qo_apart_6),
       qo_error_6 = KSL_MUL(1.0000000000000009, qo_error_5),
       qo_padded_3 = 1.8051943758648296e-276 + fine_qo_size_13,
-      qo_rest_3 = KSL_MUL(2.888588319442306e-29, qo_padded_3), qo_bound_3 = qo_error_6 + qo_rest_3,
+      qo_rest_3 = KSL_MUL(8.21414129263252e-28, qo_padded_3), qo_bound_3 = qo_error_6 + qo_rest_3,
       qo_apart_7 = fine_c - qo_3, qo_apart_8 = fine_c_lo + qo_apart_7,
       qo_error_7 = fabs(qo_apart_8), qo_error_8 = KSL_MUL(1.0000000000000009, qo_error_7),
       qo_rest_4 = KSL_MUL(1.0551017099379097e-29, fine_sinc_quotient_padded_1),
@@ -22335,8 +22334,7 @@ static inline void ksl_quaternion_exp_certified(const ksl_vec3_t *v, ksl_quatern
      |error of vo| <= vo_bound unless inf or NaN.
    q: quaternion (x, y, z, w), the scalar last; vo, vo_bound: vector.
    209 mul, 315 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 5 neg, 49 abs, 4 copysign,
-     35 less, 10 equal, 65 select.
-   Error <= vo: 6 u of its largest component; searched, not proved. */
+     35 less, 10 equal, 65 select. */
 static inline void ksl_quaternion_log_certified(const ksl_quaternion_t *q, ksl_vec3_t *vo,
     ksl_vec3_t *vo_bound) {
   const double s_size_0 = fabs(q->x);
@@ -24233,8 +24231,7 @@ static inline void ksl_omega_to_dquaternionf_certified(const ksl_vec3f_t *w,
 /* qo = (axis sin angle/2; cos angle/2); axis of length 1: with another |qo| is not 1, and its
      rotation is by another angle; |error of qo| <= qo_bound unless inf or NaN.
    axis: vector; angle: number; qo, qo_bound: quaternion (x, y, z, w), the scalar last.
-   80 mul, 110 add, 11 product error, 1 div, 11 abs, 1 less, 1 select.
-   Error <= qo: 3 u of its largest component for |axis| = 1; searched, not proved. */
+   80 mul, 110 add, 11 product error, 1 div, 11 abs, 1 less, 1 select. */
 static inline void ksl_quaternionf_from_axis_angle_certified(const ksl_vec3f_t *axis,
     const float angle, ksl_quaternionf_t *qo, ksl_quaternionf_t *qo_bound) {
   const float half = KSL_MULF(0.5f, angle), half_size_1 = fabsf(angle),
@@ -24275,8 +24272,7 @@ static inline void ksl_quaternionf_from_axis_angle_certified(const ksl_vec3f_t *
      <= axis_bound unless inf or NaN.
    q: quaternion (x, y, z, w), the scalar last; axis, axis_bound: vector; angle_bound: number.
    167 mul, 259 add, 18 product error, 3 product rest, 24 div, 2 sqrt, 5 neg, 50 abs, 4 copysign,
-     35 less, 10 equal, 69 select.
-   Error <= angle: 6 u, axis: 4 u of its largest component; searched, not proved. */
+     35 less, 10 equal, 69 select. */
 static inline float ksl_axis_angle_from_quaternionf_certified(const ksl_quaternionf_t *q,
     ksl_vec3f_t *axis, float *angle_bound, ksl_vec3f_t *axis_bound) {
   const float s_size_0 = fabsf(q->x);
@@ -24504,10 +24500,8 @@ static inline float ksl_axis_angle_from_quaternionf_certified(const ksl_quaterni
 /* qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v; |error of
      qo| <= qo_bound unless inf or NaN.
    v: vector; qo, qo_bound: quaternion (x, y, z, w), the scalar last.
-   226 mul, 290 add, 13 product error, 3 product rest, 11 div, 3 sqrt, 35 abs, 10 less, 2 equal,
-     24 select.
-   Error <= qo: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
-     searched, not proved. */
+   236 mul, 305 add, 14 product error, 4 product rest, 11 div, 3 sqrt, 37 abs, 11 less, 1 equal,
+     24 select. */
 static inline void ksl_quaternionf_exp_certified(const ksl_vec3f_t *v, ksl_quaternionf_t *qo,
     ksl_quaternionf_t *qo_bound) {
   const float h_0 = KSL_MULF(0.5f, v->x);
@@ -24671,6 +24665,18 @@ static inline void ksl_quaternionf_exp_certified(const ksl_vec3f_t *v, ksl_quate
       fine_half_angle_lo = KSL_MULF(fine_half_angle_rest_1, fine_up),
       fine_half_angle_padded_1 = 3.3087225e-24f + fine_reduced_length_size_12,
       fine_half_angle_size_1 = KSL_MULF(fine_half_angle_padded_1, fine_up_size_1);
+  const float fine_y = KSL_MULF(fine_half_angle, fine_half_angle),
+      fine_y_cross1_1 = KSL_MULF(fine_half_angle_lo, fine_half_angle),
+      fine_y_cross2_1 = KSL_MULF(fine_half_angle, fine_half_angle_lo),
+      fine_y_cross_1 = fine_y_cross1_1 + fine_y_cross2_1,
+      fine_y_padded_1 = 3.3087225e-24f + fine_half_angle_size_1,
+      fine_y_size_1 = fabsf(fine_half_angle), fine_y_error_1 = fabsf(fine_half_angle_lo),
+      fine_y_rest_1 = KSL_MULF(1.6484983e-12f, fine_y_padded_1),
+      fine_y_bound_1 = fine_y_error_1 + fine_y_rest_1,
+      fine_y_units_1 = KSL_MULF(262144.0f, fine_y_bound_1),
+      fine_y_reach_1 = fine_y_size_1 + fine_y_units_1,
+      fine_y_size_2 = KSL_MULF(fine_y_padded_1, fine_y_reach_1),
+      fine_y_size_3 = fine_y_size_2 + fine_y_size_2;
   float fine_c; const float fine_sine = ksl_sincosf(fine_half_angle, &fine_c);
   float fine_c_own_error_1; const float fine_sine_own_error_1 = ksl_sincos_errorf(fine_half_angle,
       fine_sine, fine_c, &fine_c_own_error_1);
@@ -24683,26 +24689,24 @@ static inline void ksl_quaternionf_exp_certified(const ksl_vec3f_t *v, ksl_quate
       fine_sine_slope_1 = fine_sine_slope1_1 - fine_sine_slope2_1,
       fine_sine_more_1 = KSL_MULF(fine_sine_slope_1, fine_sine_twice_1),
       fine_sine_lo = fine_sine_own_error_1 + fine_sine_more_1,
-      fine_sine_padded_1 = 3.3087225e-24f + fine_half_angle_size_1,
-      fine_sine_size_1 = 1.0f + fine_sine_padded_1;
+      fine_sine_size_1 = 1.0f + fine_y_padded_1;
   const float fine_c_slope1_1 = KSL_MULF(fine_sine_half_cos_1, fine_sine),
       fine_c_slope2_1 = KSL_MULF(fine_sine_half_sin_1, fine_c),
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MULF(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const float fine_sinc_divisor = fine_half_angle == 0.0f ? 1.0f : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0f ? 0.0f : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_half_angle_size_1,
-      fine_sinc_divisor_error_1 = fabsf(fine_half_angle_lo),
-      fine_sinc_divisor_rest_1 = KSL_MULF(1.6484983e-12f, fine_sine_padded_1),
-      fine_sinc_divisor_bound_1 = fine_sinc_divisor_error_1 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0f,
+  const float fine_sinc_divisor = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+      fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161e-08f ? 0.0f : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+          fine_half_angle_size_1,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161e-08f,
       fine_sinc_divisor_size_3 = fabsf(fine_sinc_divisor_size_2),
       fine_sinc_divisor_size_4 = 1e-45f + fine_sinc_divisor_size_3,
-      fine_sinc_divisor_size_6 = 1.0f - fine_half_angle,
+      fine_sinc_divisor_size_6 = 1.4901161e-08f - fine_half_angle,
       fine_sinc_divisor_size_7 = fabsf(fine_sinc_divisor_size_6),
-      fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_7,
-      fine_sinc_divisor_size_9 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_4 ? 0.0f :
+      fine_sinc_divisor_size_8 = fine_sinc_divisor_size_7 + fine_y_bound_1,
+      fine_sinc_divisor_size_9 = fine_y_bound_1 < fine_sinc_divisor_size_4 ? 0.0f :
           fine_sinc_divisor_size_8,
       fine_sinc_divisor_size_10 = KSL_MULF(1.9990821e+11f, fine_sinc_divisor_size_9),
       fine_sinc_divisor_size_11 = fine_sinc_divisor_size_1 + fine_sinc_divisor_size_10;
@@ -24734,27 +24738,46 @@ static inline void ksl_quaternionf_exp_certified(const ksl_vec3f_t *v, ksl_quate
       fine_sinc_quotient_size_9 = KSL_MULF(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const float fine_sinc = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0f ? 0.0f : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0f - fine_sinc_quotient, fine_sinc_size_3 = fabsf(fine_sinc_size_2),
-      fine_sinc_error_1 = fabsf(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MULF(7.941701e-12f, fine_sinc_padded_1),
+  const float fine_y_error_2 = ksl_product_errorf(fine_half_angle, fine_half_angle, fine_y),
+      fine_y_lo = fine_y_error_2 + fine_y_cross_1, fine_sinc_a = KSL_MULF(0.16666667f, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MULF(-4.967054e-09f, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MULF(0.16666667f, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MULF(0.16666669f, fine_y_size_3), fine_sinc_b = 1.0f - fine_sinc_a,
+      fine_sinc_b_right_1 = 1.0f - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0f - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_restf(0.16666667f, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0f + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161e-08f ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_lo : fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabsf(fine_sinc_size_2), fine_sinc_error_1 = fabsf(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MULF(2.3639474e-10f, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabsf(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 3.3087225e-24f + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MULF(7.941701e-12f, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_4 ? 0.0f :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MULF(1.2935218e+11f, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_y_bound_1 < fine_sinc_divisor_size_4 ? 0.0f : fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MULF(4.235067e+09f, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const float fine_qo_0 = KSL_MULF(fine_h_0, fine_sinc),
       fine_qo_cross2_1 = KSL_MULF(fine_h_0, fine_sinc_lo),
-      fine_qo_padded_1 = 3.3087225e-24f + fine_sinc_size_7, fine_qo_size_1 = fabsf(fine_h_0),
+      fine_qo_padded_1 = 3.3087225e-24f + fine_sinc_size_8, fine_qo_size_1 = fabsf(fine_h_0),
       fine_qo_units_1 = KSL_MULF(262144.0f, fine_h_size_rest_1),
       fine_qo_reach_1 = fine_qo_size_1 + fine_qo_units_1,
       fine_qo_size_2 = KSL_MULF(fine_qo_padded_1, fine_qo_reach_1),
       fine_qo_size_3 = fabsf(fine_sinc), fine_qo_error_1 = fabsf(fine_sinc_lo),
-      fine_qo_rest_1 = KSL_MULF(7.972455e-12f, fine_qo_padded_1),
+      fine_qo_rest_1 = KSL_MULF(2.3639482e-10f, fine_qo_padded_1),
       fine_qo_bound_1 = fine_qo_error_1 + fine_qo_rest_1,
       fine_qo_units_2 = KSL_MULF(262144.0f, fine_qo_bound_1),
       fine_qo_reach_2 = fine_qo_size_3 + fine_qo_units_2,
@@ -24778,17 +24801,17 @@ static inline void ksl_quaternionf_exp_certified(const ksl_vec3f_t *v, ksl_quate
       fine_qo_lo_1 = fine_qo_error_2 + fine_qo_cross2_1, qo_apart_1 = fine_qo_0 - qo_0,
       qo_apart_2 = fine_qo_lo_1 + qo_apart_1, qo_error_1 = fabsf(qo_apart_2),
       qo_error_2 = KSL_MULF(1.0000005f, qo_error_1), qo_padded_1 = 3.3087225e-24f + fine_qo_size_5,
-      qo_rest_1 = KSL_MULF(8.326046e-12f, qo_padded_1), qo_bound_1 = qo_error_2 + qo_rest_1,
+      qo_rest_1 = KSL_MULF(2.3676172e-10f, qo_padded_1), qo_bound_1 = qo_error_2 + qo_rest_1,
       fine_qo_error_3 = ksl_product_errorf(fine_h_1, fine_sinc, fine_qo_1),
       fine_qo_lo_2 = fine_qo_error_3 + fine_qo_cross2_2, qo_apart_3 = fine_qo_1 - qo_1,
       qo_apart_4 = fine_qo_lo_2 + qo_apart_3, qo_error_3 = fabsf(qo_apart_4),
       qo_error_4 = KSL_MULF(1.0000005f, qo_error_3), qo_padded_2 = 3.3087225e-24f + fine_qo_size_9,
-      qo_rest_2 = KSL_MULF(8.326046e-12f, qo_padded_2), qo_bound_2 = qo_error_4 + qo_rest_2,
+      qo_rest_2 = KSL_MULF(2.3676172e-10f, qo_padded_2), qo_bound_2 = qo_error_4 + qo_rest_2,
       fine_qo_error_4 = ksl_product_errorf(fine_h_2, fine_sinc, fine_qo_2),
       fine_qo_lo_3 = fine_qo_error_4 + fine_qo_cross2_3, qo_apart_5 = fine_qo_2 - qo_2,
       qo_apart_6 = fine_qo_lo_3 + qo_apart_5, qo_error_5 = fabsf(qo_apart_6),
       qo_error_6 = KSL_MULF(1.0000005f, qo_error_5), qo_padded_3 = 3.3087225e-24f + fine_qo_size_13,
-      qo_rest_3 = KSL_MULF(8.326046e-12f, qo_padded_3), qo_bound_3 = qo_error_6 + qo_rest_3,
+      qo_rest_3 = KSL_MULF(2.3676172e-10f, qo_padded_3), qo_bound_3 = qo_error_6 + qo_rest_3,
       qo_apart_7 = fine_c - qo_3, qo_apart_8 = fine_c_lo + qo_apart_7,
       qo_error_7 = fabsf(qo_apart_8), qo_error_8 = KSL_MULF(1.0000005f, qo_error_7),
       qo_rest_4 = KSL_MULF(3.041182e-12f, fine_sinc_quotient_padded_1),
@@ -24807,8 +24830,7 @@ static inline void ksl_quaternionf_exp_certified(const ksl_vec3f_t *v, ksl_quate
      |error of vo| <= vo_bound unless inf or NaN.
    q: quaternion (x, y, z, w), the scalar last; vo, vo_bound: vector.
    175 mul, 256 add, 19 product error, 3 product rest, 16 div, 2 sqrt, 5 neg, 49 abs, 4 copysign,
-     35 less, 10 equal, 65 select.
-   Error <= vo: 6 u of its largest component; searched, not proved. */
+     35 less, 10 equal, 65 select. */
 static inline void ksl_quaternionf_log_certified(const ksl_quaternionf_t *q, ksl_vec3f_t *vo,
     ksl_vec3f_t *vo_bound) {
   const float s_size_0 = fabsf(q->x);
@@ -25043,10 +25065,8 @@ static inline void ksl_quaternionf_log_certified(const ksl_quaternionf_t *q, ksl
 /* R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|; |error of R| <= R_bound unless
      inf or NaN.
    v: vector; R, R_bound: rotation or other 3×3 matrix.
-   326 mul, 479 add, 16 product error, 21 product rest, 12 div, 3 sqrt, 49 abs, 13 less, 2 equal,
-     29 select.
-   Error <= R: (6 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
-     searched, not proved. */
+   336 mul, 494 add, 17 product error, 22 product rest, 12 div, 3 sqrt, 51 abs, 14 less, 1 equal,
+     29 select. */
 static inline void ksl_SO3_exp_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
     ksl_mat3x3_t *R_bound) {
   const double size_0 = fabs(v->x);
@@ -25231,6 +25251,18 @@ static inline void ksl_SO3_exp_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
       fine_half_angle_lo = KSL_MUL(fine_half_angle_rest_1, fine_up),
       fine_half_angle_padded_1 = 1.8051943758648296e-276 + fine_reduced_length_size_12,
       fine_half_angle_size_1 = KSL_MUL(fine_half_angle_padded_1, fine_up_size_1);
+  const double fine_y = KSL_MUL(fine_half_angle, fine_half_angle),
+      fine_y_cross1_1 = KSL_MUL(fine_half_angle_lo, fine_half_angle),
+      fine_y_cross2_1 = KSL_MUL(fine_half_angle, fine_half_angle_lo),
+      fine_y_cross_1 = fine_y_cross1_1 + fine_y_cross2_1,
+      fine_y_padded_1 = 1.8051943758648296e-276 + fine_half_angle_size_1,
+      fine_y_size_1 = fabs(fine_half_angle), fine_y_error_1 = fabs(fine_half_angle_lo),
+      fine_y_rest_1 = KSL_MUL(5.7192432555642225e-30, fine_y_padded_1),
+      fine_y_bound_1 = fine_y_error_1 + fine_y_rest_1,
+      fine_y_units_1 = KSL_MUL(140737488355328.0, fine_y_bound_1),
+      fine_y_reach_1 = fine_y_size_1 + fine_y_units_1,
+      fine_y_size_2 = KSL_MUL(fine_y_padded_1, fine_y_reach_1),
+      fine_y_size_3 = fine_y_size_2 + fine_y_size_2;
   double fine_c; const double fine_sine = ksl_sincos(fine_half_angle, &fine_c);
   double fine_c_own_error_1; const double fine_sine_own_error_1 = ksl_sincos_error(fine_half_angle,
       fine_sine, fine_c, &fine_c_own_error_1);
@@ -25243,26 +25275,24 @@ static inline void ksl_SO3_exp_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
       fine_sine_slope_1 = fine_sine_slope1_1 - fine_sine_slope2_1,
       fine_sine_more_1 = KSL_MUL(fine_sine_slope_1, fine_sine_twice_1),
       fine_sine_lo = fine_sine_own_error_1 + fine_sine_more_1,
-      fine_sine_padded_1 = 1.8051943758648296e-276 + fine_half_angle_size_1,
-      fine_sine_size_1 = 1.0 + fine_sine_padded_1;
+      fine_sine_size_1 = 1.0 + fine_y_padded_1;
   const double fine_c_slope1_1 = KSL_MUL(fine_sine_half_cos_1, fine_sine),
       fine_c_slope2_1 = KSL_MUL(fine_sine_half_sin_1, fine_c),
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MUL(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const double fine_sinc_divisor = fine_half_angle == 0.0 ? 1.0 : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0 ? 0.0 : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_half_angle_size_1,
-      fine_sinc_divisor_error_1 = fabs(fine_half_angle_lo),
-      fine_sinc_divisor_rest_1 = KSL_MUL(5.7192432555642225e-30, fine_sine_padded_1),
-      fine_sinc_divisor_bound_1 = fine_sinc_divisor_error_1 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0,
+  const double fine_sinc_divisor = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08
+      : fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161193847656e-08 ? 0.0 : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+          fine_half_angle_size_1,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161193847656e-08,
       fine_sinc_divisor_size_3 = fabs(fine_sinc_divisor_size_2),
       fine_sinc_divisor_size_4 = 5e-324 + fine_sinc_divisor_size_3,
-      fine_sinc_divisor_size_6 = 1.0 - fine_half_angle,
+      fine_sinc_divisor_size_6 = 1.4901161193847656e-08 - fine_half_angle,
       fine_sinc_divisor_size_7 = fabs(fine_sinc_divisor_size_6),
-      fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_7,
-      fine_sinc_divisor_size_9 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_4 ? 0.0 :
+      fine_sinc_divisor_size_8 = fine_sinc_divisor_size_7 + fine_y_bound_1,
+      fine_sinc_divisor_size_9 = fine_y_bound_1 < fine_sinc_divisor_size_4 ? 0.0 :
           fine_sinc_divisor_size_8,
       fine_sinc_divisor_size_10 = KSL_MUL(5.762046184631807e+28, fine_sinc_divisor_size_9),
       fine_sinc_divisor_size_11 = fine_sinc_divisor_size_1 + fine_sinc_divisor_size_10;
@@ -25294,22 +25324,43 @@ static inline void ksl_SO3_exp_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
       fine_sinc_quotient_size_9 = KSL_MUL(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const double fine_sinc = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0 ? 0.0 : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0 - fine_sinc_quotient, fine_sinc_size_3 = fabs(fine_sinc_size_2),
-      fine_sinc_error_1 = fabs(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MUL(2.755262189115544e-29, fine_sinc_padded_1),
+  const double fine_y_error_2 = ksl_product_error(fine_half_angle, fine_half_angle, fine_y),
+      fine_y_lo = fine_y_error_2 + fine_y_cross_1,
+      fine_sinc_a = KSL_MUL(0.16666666666666666, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MUL(9.25185853854297e-18, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MUL(0.16666666666666666, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MUL(2290649224.7000003, fine_y_size_3),
+      fine_sinc_b = 1.0 - fine_sinc_a, fine_sinc_b_right_1 = 1.0 - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0 - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_rest(0.16666666666666666, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0 + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_lo :
+          fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabs(fine_sinc_size_2), fine_sinc_error_1 = fabs(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MUL(8.201505264386605e-28, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabs(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MUL(2.755262189115544e-29, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_4 ? 0.0 :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MUL(3.7283828633784605e+28, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_y_bound_1 < fine_sinc_divisor_size_4 ? 0.0 : fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MUL(1.2206826306780646e+27, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const double fine_turning_0 = KSL_MUL(v->x, fine_sinc),
       fine_turning_cross2_1 = KSL_MUL(v->x, fine_sinc_lo),
-      fine_turning_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_7,
+      fine_turning_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_8,
       fine_turning_size_1 = KSL_MUL(fine_halved_size_1, fine_turning_padded_1);
   const double fine_turning_1 = KSL_MUL(v->y, fine_sinc),
       fine_turning_cross2_2 = KSL_MUL(v->y, fine_sinc_lo),
@@ -25339,13 +25390,13 @@ static inline void ksl_SO3_exp_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
       fine_m_padded_1 = 1.8051943758648296e-276 + fine_turning_size_1,
       fine_m_padded_2 = 1.8051943758648296e-276 + fine_beta_v_size_1,
       fine_m_size_1 = fabs(fine_turning_0), fine_m_error_1 = fabs(fine_turning_lo_1),
-      fine_m_rest_1 = KSL_MUL(2.8097022289202044e-29, fine_m_padded_1),
+      fine_m_rest_1 = KSL_MUL(8.20625268358031e-28, fine_m_padded_1),
       fine_m_bound_1 = fine_m_error_1 + fine_m_rest_1,
       fine_m_units_1 = KSL_MUL(140737488355328.0, fine_m_bound_1),
       fine_m_reach_1 = fine_m_size_1 + fine_m_units_1,
       fine_m_size_2 = KSL_MUL(fine_m_padded_2, fine_m_reach_1), fine_m_size_3 = fabs(fine_beta_v_0),
       fine_m_error_2 = fabs(fine_beta_v_cross2_1),
-      fine_m_rest_2 = KSL_MUL(2.857157453080415e-29, fine_m_padded_2),
+      fine_m_rest_2 = KSL_MUL(8.21136891741797e-28, fine_m_padded_2),
       fine_m_bound_2 = fine_m_error_2 + fine_m_rest_2,
       fine_m_units_2 = KSL_MUL(140737488355328.0, fine_m_bound_2),
       fine_m_reach_2 = fine_m_size_3 + fine_m_units_2,
@@ -25358,13 +25409,13 @@ static inline void ksl_SO3_exp_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
       fine_m_padded_3 = 1.8051943758648296e-276 + fine_turning_size_2,
       fine_m_padded_4 = 1.8051943758648296e-276 + fine_beta_v_size_2,
       fine_m_size_6 = fabs(fine_turning_1), fine_m_error_3 = fabs(fine_turning_lo_2),
-      fine_m_rest_3 = KSL_MUL(2.8097022289202044e-29, fine_m_padded_3),
+      fine_m_rest_3 = KSL_MUL(8.20625268358031e-28, fine_m_padded_3),
       fine_m_bound_3 = fine_m_error_3 + fine_m_rest_3,
       fine_m_units_3 = KSL_MUL(140737488355328.0, fine_m_bound_3),
       fine_m_reach_3 = fine_m_size_6 + fine_m_units_3,
       fine_m_size_7 = KSL_MUL(fine_m_padded_4, fine_m_reach_3), fine_m_size_8 = fabs(fine_beta_v_1),
       fine_m_error_4 = fabs(fine_beta_v_cross2_2),
-      fine_m_rest_4 = KSL_MUL(2.857157453080415e-29, fine_m_padded_4),
+      fine_m_rest_4 = KSL_MUL(8.21136891741797e-28, fine_m_padded_4),
       fine_m_bound_4 = fine_m_error_4 + fine_m_rest_4,
       fine_m_units_4 = KSL_MUL(140737488355328.0, fine_m_bound_4),
       fine_m_reach_4 = fine_m_size_8 + fine_m_units_4,
@@ -25377,13 +25428,13 @@ static inline void ksl_SO3_exp_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
       fine_m_padded_5 = 1.8051943758648296e-276 + fine_turning_size_3,
       fine_m_padded_6 = 1.8051943758648296e-276 + fine_beta_v_size_3,
       fine_m_size_11 = fabs(fine_turning_2), fine_m_error_5 = fabs(fine_turning_lo_3),
-      fine_m_rest_5 = KSL_MUL(2.8097022289202044e-29, fine_m_padded_5),
+      fine_m_rest_5 = KSL_MUL(8.20625268358031e-28, fine_m_padded_5),
       fine_m_bound_5 = fine_m_error_5 + fine_m_rest_5,
       fine_m_units_5 = KSL_MUL(140737488355328.0, fine_m_bound_5),
       fine_m_reach_5 = fine_m_size_11 + fine_m_units_5,
       fine_m_size_12 = KSL_MUL(fine_m_padded_6, fine_m_reach_5),
       fine_m_size_13 = fabs(fine_beta_v_2), fine_m_error_6 = fabs(fine_beta_v_cross2_3),
-      fine_m_rest_6 = KSL_MUL(2.857157453080415e-29, fine_m_padded_6),
+      fine_m_rest_6 = KSL_MUL(8.21136891741797e-28, fine_m_padded_6),
       fine_m_bound_6 = fine_m_error_6 + fine_m_rest_6,
       fine_m_units_6 = KSL_MUL(140737488355328.0, fine_m_bound_6),
       fine_m_reach_6 = fine_m_size_13 + fine_m_units_6,
@@ -25537,16 +25588,16 @@ static inline void ksl_SO3_exp_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
       diagonal0_error_1 = fabs(diagonal0_apart_2),
       diagonal0_error_2 = KSL_MUL(1.0000000000000009, diagonal0_error_1),
       diagonal0_padded_1 = 1.8051943758648296e-276 + fine_R_size_1,
-      diagonal0_rest_1 = KSL_MUL(3.9880647483426835e-29, diagonal0_padded_1),
+      diagonal0_rest_1 = KSL_MUL(8.334199917267314e-28, diagonal0_padded_1),
       diagonal0_bound_1 = diagonal0_error_2 + diagonal0_rest_1, R_apart_1 = fine_R_01 - R_01,
       R_apart_2 = R_apart_1 + fine_R_lo_2, R_error_1 = fabs(R_apart_2),
       R_error_2 = KSL_MUL(1.0000000000000009, R_error_1),
       R_padded_1 = 1.8051943758648296e-276 + fine_R_size_2,
-      R_rest_1 = KSL_MUL(3.8191989004883015e-29, R_padded_1), R_bound_1 = R_error_2 + R_rest_1,
+      R_rest_1 = KSL_MUL(8.316572842510914e-28, R_padded_1), R_bound_1 = R_error_2 + R_rest_1,
       R_apart_3 = fine_R_02 - R_02, R_apart_4 = R_apart_3 + fine_R_lo_3,
       R_error_3 = fabs(R_apart_4), R_error_4 = KSL_MUL(1.0000000000000009, R_error_3),
       R_padded_2 = 1.8051943758648296e-276 + fine_R_size_3,
-      R_rest_2 = KSL_MUL(3.8191989004883015e-29, R_padded_2), R_bound_2 = R_error_4 + R_rest_2,
+      R_rest_2 = KSL_MUL(8.316572842510914e-28, R_padded_2), R_bound_2 = R_error_4 + R_rest_2,
       R_apart_5 = fine_R_10 - R_10, R_apart_6 = R_apart_5 + fine_R_lo_4,
       R_error_5 = fabs(R_apart_6), R_error_6 = KSL_MUL(1.0000000000000009, R_error_5),
       R_bound_3 = R_error_6 + R_rest_1, diagonal1_apart_1 = fine_R_11 - diagonal1,
@@ -25554,12 +25605,12 @@ static inline void ksl_SO3_exp_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
       diagonal1_error_1 = fabs(diagonal1_apart_2),
       diagonal1_error_2 = KSL_MUL(1.0000000000000009, diagonal1_error_1),
       diagonal1_padded_1 = 1.8051943758648296e-276 + fine_R_size_4,
-      diagonal1_rest_1 = KSL_MUL(3.9880647483426835e-29, diagonal1_padded_1),
+      diagonal1_rest_1 = KSL_MUL(8.334199917267314e-28, diagonal1_padded_1),
       diagonal1_bound_1 = diagonal1_error_2 + diagonal1_rest_1, R_apart_7 = fine_R_12 - R_12,
       R_apart_8 = R_apart_7 + fine_R_lo_6, R_error_7 = fabs(R_apart_8),
       R_error_8 = KSL_MUL(1.0000000000000009, R_error_7),
       R_padded_3 = 1.8051943758648296e-276 + fine_R_size_5,
-      R_rest_3 = KSL_MUL(3.8191989004883015e-29, R_padded_3), R_bound_4 = R_error_8 + R_rest_3,
+      R_rest_3 = KSL_MUL(8.316572842510914e-28, R_padded_3), R_bound_4 = R_error_8 + R_rest_3,
       R_apart_9 = fine_R_20 - R_20, R_apart_10 = R_apart_9 + fine_R_lo_7,
       R_error_9 = fabs(R_apart_10), R_error_10 = KSL_MUL(1.0000000000000009, R_error_9),
       R_bound_5 = R_error_10 + R_rest_2, R_apart_11 = fine_R_21 - R_21,
@@ -25570,7 +25621,7 @@ static inline void ksl_SO3_exp_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
       diagonal2_error_1 = fabs(diagonal2_apart_2),
       diagonal2_error_2 = KSL_MUL(1.0000000000000009, diagonal2_error_1),
       diagonal2_padded_1 = 1.8051943758648296e-276 + fine_R_size_6,
-      diagonal2_rest_1 = KSL_MUL(3.9880647483426835e-29, diagonal2_padded_1),
+      diagonal2_rest_1 = KSL_MUL(8.334199917267314e-28, diagonal2_padded_1),
       diagonal2_bound_1 = diagonal2_error_2 + diagonal2_rest_1;
   R->m00 = diagonal0;
   R->m01 = R_01;
@@ -25596,8 +25647,7 @@ static inline void ksl_SO3_exp_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
      |error of vo| <= vo_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; vo, vo_bound: vector.
    216 mul, 442 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 65 abs, 4
-     copysign, 34 less, 6 equal, 99 select.
-   Error <= vo: 7 u of its largest component for R a rotation; searched, not proved. */
+     copysign, 34 less, 6 equal, 99 select. */
 static inline void ksl_SO3_log_certified(const ksl_mat3x3_t *R, ksl_vec3_t *vo,
     ksl_vec3_t *vo_bound) {
   const double p_0 = R->m21 - R->m12, p_right_1 = R->m21 - p_0, p_left_1 = p_0 + p_right_1,
@@ -25935,10 +25985,8 @@ static inline void ksl_SO3_log_certified(const ksl_mat3x3_t *R, ksl_vec3_t *vo,
 /* R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|; |error of R| <= R_bound
      unless inf or NaN.
    v: vector; R, R_bound: rotation or other 3×3 matrix.
-   428 mul, 736 add, 21 product error, 42 product rest, 16 div, 3 sqrt, 89 abs, 19 less, 2 equal,
-     45 select.
-   Error <= R: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
-     searched, not proved. */
+   433 mul, 747 add, 21 product error, 43 product rest, 16 div, 3 sqrt, 90 abs, 20 less, 1 equal,
+     45 select. */
 static inline void ksl_SO3_leftJacobian_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
     ksl_mat3x3_t *R_bound) {
   const double size_0 = fabs(v->x);
@@ -26115,14 +26163,16 @@ static inline void ksl_SO3_leftJacobian_certified(const ksl_vec3_t *v, ksl_mat3x
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MUL(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const double fine_sinc_divisor = fine_half_angle == 0.0 ? 1.0 : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0 ? 0.0 : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_half_angle_size_12,
+  const double fine_sinc_divisor = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08
+      : fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161193847656e-08 ? 0.0 : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+          fine_half_angle_size_12,
       fine_sinc_divisor_rest_1 = KSL_MUL(4.240128211918887e-30, fine_sine_padded_1),
       fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161193847656e-08,
       fine_sinc_divisor_size_3 = fabs(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0 - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161193847656e-08 - fine_half_angle,
       fine_sinc_divisor_size_6 = fabs(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6,
       fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
@@ -26157,24 +26207,44 @@ static inline void ksl_SO3_leftJacobian_certified(const ksl_vec3_t *v, ksl_mat3x
       fine_sinc_quotient_size_9 = KSL_MUL(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const double fine_sinc = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0 ? 0.0 : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0 - fine_sinc_quotient, fine_sinc_size_3 = fabs(fine_sinc_size_2),
-      fine_sinc_error_1 = fabs(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MUL(1.8842277118313698e-29, fine_sinc_padded_1),
+  const double fine_sinc_a = KSL_MUL(0.16666666666666666, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MUL(9.25185853854297e-18, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MUL(0.16666666666666666, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MUL(2290649224.7000003, fine_y_size_1),
+      fine_sinc_b = 1.0 - fine_sinc_a, fine_sinc_b_right_1 = 1.0 - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0 - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_rest(0.16666666666666666, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0 + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_lo :
+          fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabs(fine_sinc_size_2), fine_sinc_error_1 = fabs(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MUL(8.120831909935717e-28, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabs(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MUL(1.8842277118313698e-29, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MUL(4.87557780096603e+28, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
+          fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MUL(1.2325982855554354e+27, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const double fine_g1 = KSL_MUL(fine_c, fine_sinc),
       fine_g1_cross1_1 = KSL_MUL(fine_c_lo, fine_sinc),
       fine_g1_cross2_1 = KSL_MUL(fine_c, fine_sinc_lo),
       fine_g1_cross_1 = fine_g1_cross1_1 + fine_g1_cross2_1,
-      fine_g1_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_7, fine_g1_size_1 = fabs(fine_c),
+      fine_g1_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_8, fine_g1_size_1 = fabs(fine_c),
       fine_g1_error_1 = fabs(fine_c_lo),
       fine_g1_rest_1 = KSL_MUL(8.677471603123253e-30, fine_sine_size_1),
       fine_g1_bound_1 = fine_g1_error_1 + fine_g1_rest_1,
@@ -26182,7 +26252,7 @@ static inline void ksl_SO3_leftJacobian_certified(const ksl_vec3_t *v, ksl_mat3x
       fine_g1_reach_1 = fine_g1_size_1 + fine_g1_units_1,
       fine_g1_size_2 = KSL_MUL(fine_g1_padded_1, fine_g1_reach_1), fine_g1_size_3 = fabs(fine_sinc),
       fine_g1_error_2 = fabs(fine_sinc_lo),
-      fine_g1_rest_2 = KSL_MUL(2.1151340779501176e-29, fine_g1_padded_1),
+      fine_g1_rest_2 = KSL_MUL(8.120832873841084e-28, fine_g1_padded_1),
       fine_g1_bound_2 = fine_g1_error_2 + fine_g1_rest_2,
       fine_g1_units_2 = KSL_MUL(140737488355328.0, fine_g1_bound_2),
       fine_g1_reach_2 = fine_g1_size_3 + fine_g1_units_2,
@@ -26568,7 +26638,7 @@ static inline void ksl_SO3_leftJacobian_certified(const ksl_vec3_t *v, ksl_mat3x
       fine_g3_rest_1 = KSL_MUL(9.168316367579732e-28, fine_g3_padded_1),
       fine_g3_bound_1 = fine_g3_error_1 + fine_g3_rest_1, fine_g3_error_2 = fabs(fine_closed3_lo),
       fine_g3_padded_2 = 1.8051943758648296e-276 + fine_closed3_size_11,
-      fine_g3_rest_2 = KSL_MUL(3.7731811836677346e-29, fine_g3_padded_2),
+      fine_g3_rest_2 = KSL_MUL(8.304820816109472e-28, fine_g3_padded_2),
       fine_g3_bound_2 = fine_g3_error_2 + fine_g3_rest_2,
       fine_g3_size_4 = fine_g3_bound_1 + fine_g3_size_3,
       fine_g3_size_5 = fine_g3_bound_2 + fine_g3_size_4,
@@ -26907,10 +26977,8 @@ static inline void ksl_SO3_leftJacobian_certified(const ksl_vec3_t *v, ksl_mat3x
 /* R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|; |error of R| <= R_bound
      unless inf or NaN.
    v: vector; R, R_bound: rotation or other 3×3 matrix.
-   428 mul, 736 add, 21 product error, 42 product rest, 16 div, 3 sqrt, 12 neg, 89 abs, 19 less,
-     2 equal, 45 select.
-   Error <= R: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
-     searched, not proved. */
+   433 mul, 747 add, 21 product error, 43 product rest, 16 div, 3 sqrt, 12 neg, 90 abs, 20 less,
+     1 equal, 45 select. */
 static inline void ksl_SO3_rightJacobian_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
     ksl_mat3x3_t *R_bound) {
   const double size_0 = fabs(v->x);
@@ -27087,14 +27155,16 @@ static inline void ksl_SO3_rightJacobian_certified(const ksl_vec3_t *v, ksl_mat3
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MUL(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const double fine_sinc_divisor = fine_half_angle == 0.0 ? 1.0 : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0 ? 0.0 : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_half_angle_size_12,
+  const double fine_sinc_divisor = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08
+      : fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161193847656e-08 ? 0.0 : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+          fine_half_angle_size_12,
       fine_sinc_divisor_rest_1 = KSL_MUL(4.240128211918887e-30, fine_sine_padded_1),
       fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161193847656e-08,
       fine_sinc_divisor_size_3 = fabs(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0 - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161193847656e-08 - fine_half_angle,
       fine_sinc_divisor_size_6 = fabs(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6,
       fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
@@ -27129,24 +27199,44 @@ static inline void ksl_SO3_rightJacobian_certified(const ksl_vec3_t *v, ksl_mat3
       fine_sinc_quotient_size_9 = KSL_MUL(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const double fine_sinc = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0 ? 0.0 : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0 - fine_sinc_quotient, fine_sinc_size_3 = fabs(fine_sinc_size_2),
-      fine_sinc_error_1 = fabs(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MUL(1.8842277118313698e-29, fine_sinc_padded_1),
+  const double fine_sinc_a = KSL_MUL(0.16666666666666666, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MUL(9.25185853854297e-18, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MUL(0.16666666666666666, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MUL(2290649224.7000003, fine_y_size_1),
+      fine_sinc_b = 1.0 - fine_sinc_a, fine_sinc_b_right_1 = 1.0 - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0 - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_rest(0.16666666666666666, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0 + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_lo :
+          fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabs(fine_sinc_size_2), fine_sinc_error_1 = fabs(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MUL(8.120831909935717e-28, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabs(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MUL(1.8842277118313698e-29, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MUL(4.87557780096603e+28, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
+          fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MUL(1.2325982855554354e+27, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const double fine_g1 = KSL_MUL(fine_c, fine_sinc),
       fine_g1_cross1_1 = KSL_MUL(fine_c_lo, fine_sinc),
       fine_g1_cross2_1 = KSL_MUL(fine_c, fine_sinc_lo),
       fine_g1_cross_1 = fine_g1_cross1_1 + fine_g1_cross2_1,
-      fine_g1_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_7, fine_g1_size_1 = fabs(fine_c),
+      fine_g1_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_8, fine_g1_size_1 = fabs(fine_c),
       fine_g1_error_1 = fabs(fine_c_lo),
       fine_g1_rest_1 = KSL_MUL(8.677471603123253e-30, fine_sine_size_1),
       fine_g1_bound_1 = fine_g1_error_1 + fine_g1_rest_1,
@@ -27154,7 +27244,7 @@ static inline void ksl_SO3_rightJacobian_certified(const ksl_vec3_t *v, ksl_mat3
       fine_g1_reach_1 = fine_g1_size_1 + fine_g1_units_1,
       fine_g1_size_2 = KSL_MUL(fine_g1_padded_1, fine_g1_reach_1), fine_g1_size_3 = fabs(fine_sinc),
       fine_g1_error_2 = fabs(fine_sinc_lo),
-      fine_g1_rest_2 = KSL_MUL(2.1151340779501176e-29, fine_g1_padded_1),
+      fine_g1_rest_2 = KSL_MUL(8.120832873841084e-28, fine_g1_padded_1),
       fine_g1_bound_2 = fine_g1_error_2 + fine_g1_rest_2,
       fine_g1_units_2 = KSL_MUL(140737488355328.0, fine_g1_bound_2),
       fine_g1_reach_2 = fine_g1_size_3 + fine_g1_units_2,
@@ -27540,7 +27630,7 @@ static inline void ksl_SO3_rightJacobian_certified(const ksl_vec3_t *v, ksl_mat3
       fine_g3_rest_1 = KSL_MUL(9.168316367579732e-28, fine_g3_padded_1),
       fine_g3_bound_1 = fine_g3_error_1 + fine_g3_rest_1, fine_g3_error_2 = fabs(fine_closed3_lo),
       fine_g3_padded_2 = 1.8051943758648296e-276 + fine_closed3_size_11,
-      fine_g3_rest_2 = KSL_MUL(3.7731811836677346e-29, fine_g3_padded_2),
+      fine_g3_rest_2 = KSL_MUL(8.304820816109472e-28, fine_g3_padded_2),
       fine_g3_bound_2 = fine_g3_error_2 + fine_g3_rest_2,
       fine_g3_size_4 = fine_g3_bound_1 + fine_g3_size_3,
       fine_g3_size_5 = fine_g3_bound_2 + fine_g3_size_4,
@@ -27891,9 +27981,8 @@ static inline void ksl_SO3_rightJacobian_certified(const ksl_vec3_t *v, ksl_mat3
 /* R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      except 0; |error of R| <= R_bound unless inf or NaN.
    v: vector; R, R_bound: rotation or other 3×3 matrix.
-   415 mul, 735 add, 23 product error, 33 product rest, 23 div, 3 sqrt, 6 neg, 92 abs, 22 less, 2
-     equal, 47 select.
-   Error <= R: 6 u of its largest component for |v| <= π; searched, not proved. */
+   420 mul, 746 add, 23 product error, 34 product rest, 23 div, 3 sqrt, 6 neg, 93 abs, 23 less, 1
+     equal, 47 select. */
 static inline void ksl_SO3_leftJacobianInverse_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
     ksl_mat3x3_t *R_bound) {
   const double size_0 = fabs(v->x);
@@ -28058,14 +28147,16 @@ static inline void ksl_SO3_leftJacobianInverse_certified(const ksl_vec3_t *v, ks
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MUL(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const double fine_sinc_divisor = fine_half_angle == 0.0 ? 1.0 : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0 ? 0.0 : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_half_angle_size_12,
+  const double fine_sinc_divisor = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08
+      : fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161193847656e-08 ? 0.0 : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+          fine_half_angle_size_12,
       fine_sinc_divisor_rest_1 = KSL_MUL(4.240128211918887e-30, fine_sine_padded_1),
       fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161193847656e-08,
       fine_sinc_divisor_size_3 = fabs(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0 - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161193847656e-08 - fine_half_angle,
       fine_sinc_divisor_size_6 = fabs(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6,
       fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
@@ -28100,19 +28191,39 @@ static inline void ksl_SO3_leftJacobianInverse_certified(const ksl_vec3_t *v, ks
       fine_sinc_quotient_size_9 = KSL_MUL(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const double fine_sinc = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0 ? 0.0 : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0 - fine_sinc_quotient, fine_sinc_size_3 = fabs(fine_sinc_size_2),
-      fine_sinc_error_1 = fabs(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MUL(1.8842277118313698e-29, fine_sinc_padded_1),
+  const double fine_sinc_a = KSL_MUL(0.16666666666666666, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MUL(9.25185853854297e-18, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MUL(0.16666666666666666, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MUL(2290649224.7000003, fine_y_size_1),
+      fine_sinc_b = 1.0 - fine_sinc_a, fine_sinc_b_right_1 = 1.0 - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0 - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_rest(0.16666666666666666, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0 + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_lo :
+          fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabs(fine_sinc_size_2), fine_sinc_error_1 = fabs(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MUL(8.120831909935717e-28, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabs(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MUL(1.8842277118313698e-29, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MUL(4.87557780096603e+28, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
+          fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MUL(1.2325982855554354e+27, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const double fine_series_phi_a = KSL_MUL(5.107725174524775e-32, fine_y),
       fine_series_phi_a_cross1_1 = KSL_MUL(4.7410392187559056e-48, fine_y),
       fine_series_phi_a_cross2_1 = KSL_MUL(5.107725174524775e-32, fine_y_lo),
@@ -28442,7 +28553,7 @@ static inline void ksl_SO3_leftJacobianInverse_certified(const ksl_vec3_t *v, ks
       fine_near_f_a_cross1_1 = KSL_MUL(1.850371707708594e-17, fine_sinc),
       fine_near_f_a_cross2_1 = KSL_MUL(0.3333333333333333, fine_sinc_lo),
       fine_near_f_a_cross_1 = fine_near_f_a_cross1_1 + fine_near_f_a_cross2_1,
-      fine_near_f_a_size_1 = KSL_MUL(0.3333333333333333, fine_sinc_size_7),
+      fine_near_f_a_size_1 = KSL_MUL(0.3333333333333333, fine_sinc_size_8),
       fine_f_more_error_3 = ksl_product_error(fine_f_more_a, fine_series_phi, fine_f_more),
       fine_f_more_lo = fine_f_more_error_3 + fine_f_more_cross_1,
       fine_near_f_b = KSL_MUL(0.3333333333333333, fine_f_more),
@@ -28468,7 +28579,7 @@ static inline void ksl_SO3_leftJacobianInverse_certified(const ksl_vec3_t *v, ks
       fine_f_rest_lo1_1 = fine_f_rest_left_rest_1 - fine_f_rest_right_rest_1,
       fine_f_rest_lo2_1 = fine_f_rest_lo1_1 - fine_c_lo,
       fine_f_rest_lo = fine_f_rest_lo2_1 + fine_sinc_lo,
-      fine_f_rest_size_1 = fine_sinc_size_7 + fine_sine_size_1;
+      fine_f_rest_size_1 = fine_sinc_size_8 + fine_sine_size_1;
   const double fine_x = KSL_MUL(4.0, fine_y), fine_x_cross2_1 = KSL_MUL(4.0, fine_y_lo),
       fine_x_size_1 = KSL_MUL(4.0, fine_y_size_1);
   const double fine_far_y = fine_x < 4.0 ? 1.0 : fine_y,
@@ -28520,7 +28631,7 @@ static inline void ksl_SO3_leftJacobianInverse_certified(const ksl_vec3_t *v, ks
       fine_f_rest_1 = KSL_MUL(9.075379655148354e-28, fine_f_padded_1),
       fine_f_bound_1 = fine_f_error_1 + fine_f_rest_1, fine_f_error_2 = fabs(fine_closed_f_lo),
       fine_f_padded_2 = 1.8051943758648296e-276 + fine_closed_f_size_11,
-      fine_f_rest_2 = KSL_MUL(3.185438211824387e-29, fine_f_padded_2),
+      fine_f_rest_2 = KSL_MUL(8.245490617302283e-28, fine_f_padded_2),
       fine_f_bound_2 = fine_f_error_2 + fine_f_rest_2,
       fine_f_size_4 = fine_f_bound_1 + fine_f_size_3,
       fine_f_size_5 = fine_f_bound_2 + fine_f_size_4,
@@ -28529,7 +28640,7 @@ static inline void ksl_SO3_leftJacobianInverse_certified(const ksl_vec3_t *v, ks
       fine_f_size_8 = fine_f_size_1 + fine_f_size_7;
   const double fine_four_k = KSL_MUL(4.0, fine_sinc),
       fine_four_k_cross2_1 = KSL_MUL(4.0, fine_sinc_lo),
-      fine_four_k_size_1 = KSL_MUL(4.0, fine_sinc_size_7);
+      fine_four_k_size_1 = KSL_MUL(4.0, fine_sinc_size_8);
   const double fine_b = fine_f / fine_four_k, fine_b_product_1 = KSL_MUL(fine_b, fine_four_k),
       fine_b_product_error_1 = ksl_product_error(fine_b, fine_four_k, fine_b_product_1),
       fine_b_rest_1 = fine_f - fine_b_product_1,
@@ -28542,7 +28653,7 @@ static inline void ksl_SO3_leftJacobianInverse_certified(const ksl_vec3_t *v, ks
       fine_b_padded_2 = 1.8051943758648296e-276 + fine_four_k_size_1, fine_b_size_1 = fabs(fine_b),
       fine_b_size_2 = fabs(fine_four_k), fine_b_size_3 = KSL_MUL(fine_b_padded_2, fine_b_size_1),
       fine_b_size_4 = fine_b_padded_1 + fine_b_size_3, fine_b_error_1 = fabs(fine_four_k_cross2_1),
-      fine_b_rest_2 = KSL_MUL(2.151495790465403e-29, fine_b_padded_2),
+      fine_b_rest_2 = KSL_MUL(8.125024661305438e-28, fine_b_padded_2),
       fine_b_bound_1 = fine_b_error_1 + fine_b_rest_2, fine_b_size_5 = KSL_MUL(4.0, fine_b_bound_1),
       fine_b_size_7 = fine_b_size_5 < fine_b_size_2 ? fine_b_size_2 : 0.0,
       fine_b_size_8 = fine_b_size_4 / fine_b_size_7,
@@ -28561,12 +28672,12 @@ static inline void ksl_SO3_leftJacobianInverse_certified(const ksl_vec3_t *v, ks
       fine_b_across_cross_1 = KSL_MUL(fine_b_across, fine_sinc_lo),
       fine_b_across_residual_1 = fine_b_across_numerator_1 - fine_b_across_cross_1,
       fine_b_across_lo = fine_b_across_residual_1 / fine_sinc,
-      fine_b_across_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_7,
+      fine_b_across_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_8,
       fine_b_across_size_1 = fabs(fine_b_across), fine_b_across_size_2 = fabs(fine_sinc),
       fine_b_across_size_3 = KSL_MUL(fine_b_across_padded_1, fine_b_across_size_1),
       fine_b_across_size_4 = fine_b_across_size_3 + fine_sinc_quotient_padded_1,
       fine_b_across_error_1 = fabs(fine_sinc_lo),
-      fine_b_across_rest_2 = KSL_MUL(2.1151340779501176e-29, fine_b_across_padded_1),
+      fine_b_across_rest_2 = KSL_MUL(8.120832873841084e-28, fine_b_across_padded_1),
       fine_b_across_bound_1 = fine_b_across_error_1 + fine_b_across_rest_2,
       fine_b_across_size_5 = KSL_MUL(4.0, fine_b_across_bound_1),
       fine_b_across_size_7 = fine_b_across_size_5 < fine_b_across_size_2 ? fine_b_across_size_2 :
@@ -28893,9 +29004,8 @@ static inline void ksl_SO3_leftJacobianInverse_certified(const ksl_vec3_t *v, ks
 /* R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      except 0; |error of R| <= R_bound unless inf or NaN.
    v: vector; R, R_bound: rotation or other 3×3 matrix.
-   415 mul, 735 add, 23 product error, 33 product rest, 23 div, 3 sqrt, 92 abs, 22 less, 2 equal,
-     47 select.
-   Error <= R: 6 u of its largest component for |v| <= π; searched, not proved. */
+   420 mul, 746 add, 23 product error, 34 product rest, 23 div, 3 sqrt, 93 abs, 23 less, 1 equal,
+     47 select. */
 static inline void ksl_SO3_rightJacobianInverse_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
     ksl_mat3x3_t *R_bound) {
   const double size_0 = fabs(v->x);
@@ -29060,14 +29170,16 @@ static inline void ksl_SO3_rightJacobianInverse_certified(const ksl_vec3_t *v, k
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MUL(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const double fine_sinc_divisor = fine_half_angle == 0.0 ? 1.0 : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0 ? 0.0 : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_half_angle_size_12,
+  const double fine_sinc_divisor = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08
+      : fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161193847656e-08 ? 0.0 : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+          fine_half_angle_size_12,
       fine_sinc_divisor_rest_1 = KSL_MUL(4.240128211918887e-30, fine_sine_padded_1),
       fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161193847656e-08,
       fine_sinc_divisor_size_3 = fabs(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0 - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161193847656e-08 - fine_half_angle,
       fine_sinc_divisor_size_6 = fabs(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6,
       fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
@@ -29102,19 +29214,39 @@ static inline void ksl_SO3_rightJacobianInverse_certified(const ksl_vec3_t *v, k
       fine_sinc_quotient_size_9 = KSL_MUL(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const double fine_sinc = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0 ? 0.0 : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0 - fine_sinc_quotient, fine_sinc_size_3 = fabs(fine_sinc_size_2),
-      fine_sinc_error_1 = fabs(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MUL(1.8842277118313698e-29, fine_sinc_padded_1),
+  const double fine_sinc_a = KSL_MUL(0.16666666666666666, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MUL(9.25185853854297e-18, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MUL(0.16666666666666666, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MUL(2290649224.7000003, fine_y_size_1),
+      fine_sinc_b = 1.0 - fine_sinc_a, fine_sinc_b_right_1 = 1.0 - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0 - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_rest(0.16666666666666666, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0 + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_lo :
+          fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabs(fine_sinc_size_2), fine_sinc_error_1 = fabs(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MUL(8.120831909935717e-28, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabs(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MUL(1.8842277118313698e-29, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MUL(4.87557780096603e+28, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
+          fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MUL(1.2325982855554354e+27, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const double fine_series_phi_a = KSL_MUL(5.107725174524775e-32, fine_y),
       fine_series_phi_a_cross1_1 = KSL_MUL(4.7410392187559056e-48, fine_y),
       fine_series_phi_a_cross2_1 = KSL_MUL(5.107725174524775e-32, fine_y_lo),
@@ -29444,7 +29576,7 @@ static inline void ksl_SO3_rightJacobianInverse_certified(const ksl_vec3_t *v, k
       fine_near_f_a_cross1_1 = KSL_MUL(1.850371707708594e-17, fine_sinc),
       fine_near_f_a_cross2_1 = KSL_MUL(0.3333333333333333, fine_sinc_lo),
       fine_near_f_a_cross_1 = fine_near_f_a_cross1_1 + fine_near_f_a_cross2_1,
-      fine_near_f_a_size_1 = KSL_MUL(0.3333333333333333, fine_sinc_size_7),
+      fine_near_f_a_size_1 = KSL_MUL(0.3333333333333333, fine_sinc_size_8),
       fine_f_more_error_3 = ksl_product_error(fine_f_more_a, fine_series_phi, fine_f_more),
       fine_f_more_lo = fine_f_more_error_3 + fine_f_more_cross_1,
       fine_near_f_b = KSL_MUL(0.3333333333333333, fine_f_more),
@@ -29470,7 +29602,7 @@ static inline void ksl_SO3_rightJacobianInverse_certified(const ksl_vec3_t *v, k
       fine_f_rest_lo1_1 = fine_f_rest_left_rest_1 - fine_f_rest_right_rest_1,
       fine_f_rest_lo2_1 = fine_f_rest_lo1_1 - fine_c_lo,
       fine_f_rest_lo = fine_f_rest_lo2_1 + fine_sinc_lo,
-      fine_f_rest_size_1 = fine_sinc_size_7 + fine_sine_size_1;
+      fine_f_rest_size_1 = fine_sinc_size_8 + fine_sine_size_1;
   const double fine_x = KSL_MUL(4.0, fine_y), fine_x_cross2_1 = KSL_MUL(4.0, fine_y_lo),
       fine_x_size_1 = KSL_MUL(4.0, fine_y_size_1);
   const double fine_far_y = fine_x < 4.0 ? 1.0 : fine_y,
@@ -29522,7 +29654,7 @@ static inline void ksl_SO3_rightJacobianInverse_certified(const ksl_vec3_t *v, k
       fine_f_rest_1 = KSL_MUL(9.075379655148354e-28, fine_f_padded_1),
       fine_f_bound_1 = fine_f_error_1 + fine_f_rest_1, fine_f_error_2 = fabs(fine_closed_f_lo),
       fine_f_padded_2 = 1.8051943758648296e-276 + fine_closed_f_size_11,
-      fine_f_rest_2 = KSL_MUL(3.185438211824387e-29, fine_f_padded_2),
+      fine_f_rest_2 = KSL_MUL(8.245490617302283e-28, fine_f_padded_2),
       fine_f_bound_2 = fine_f_error_2 + fine_f_rest_2,
       fine_f_size_4 = fine_f_bound_1 + fine_f_size_3,
       fine_f_size_5 = fine_f_bound_2 + fine_f_size_4,
@@ -29531,7 +29663,7 @@ static inline void ksl_SO3_rightJacobianInverse_certified(const ksl_vec3_t *v, k
       fine_f_size_8 = fine_f_size_1 + fine_f_size_7;
   const double fine_four_k = KSL_MUL(4.0, fine_sinc),
       fine_four_k_cross2_1 = KSL_MUL(4.0, fine_sinc_lo),
-      fine_four_k_size_1 = KSL_MUL(4.0, fine_sinc_size_7);
+      fine_four_k_size_1 = KSL_MUL(4.0, fine_sinc_size_8);
   const double fine_b = fine_f / fine_four_k, fine_b_product_1 = KSL_MUL(fine_b, fine_four_k),
       fine_b_product_error_1 = ksl_product_error(fine_b, fine_four_k, fine_b_product_1),
       fine_b_rest_1 = fine_f - fine_b_product_1,
@@ -29544,7 +29676,7 @@ static inline void ksl_SO3_rightJacobianInverse_certified(const ksl_vec3_t *v, k
       fine_b_padded_2 = 1.8051943758648296e-276 + fine_four_k_size_1, fine_b_size_1 = fabs(fine_b),
       fine_b_size_2 = fabs(fine_four_k), fine_b_size_3 = KSL_MUL(fine_b_padded_2, fine_b_size_1),
       fine_b_size_4 = fine_b_padded_1 + fine_b_size_3, fine_b_error_1 = fabs(fine_four_k_cross2_1),
-      fine_b_rest_2 = KSL_MUL(2.151495790465403e-29, fine_b_padded_2),
+      fine_b_rest_2 = KSL_MUL(8.125024661305438e-28, fine_b_padded_2),
       fine_b_bound_1 = fine_b_error_1 + fine_b_rest_2, fine_b_size_5 = KSL_MUL(4.0, fine_b_bound_1),
       fine_b_size_7 = fine_b_size_5 < fine_b_size_2 ? fine_b_size_2 : 0.0,
       fine_b_size_8 = fine_b_size_4 / fine_b_size_7,
@@ -29563,12 +29695,12 @@ static inline void ksl_SO3_rightJacobianInverse_certified(const ksl_vec3_t *v, k
       fine_b_across_cross_1 = KSL_MUL(fine_b_across, fine_sinc_lo),
       fine_b_across_residual_1 = fine_b_across_numerator_1 - fine_b_across_cross_1,
       fine_b_across_lo = fine_b_across_residual_1 / fine_sinc,
-      fine_b_across_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_7,
+      fine_b_across_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_8,
       fine_b_across_size_1 = fabs(fine_b_across), fine_b_across_size_2 = fabs(fine_sinc),
       fine_b_across_size_3 = KSL_MUL(fine_b_across_padded_1, fine_b_across_size_1),
       fine_b_across_size_4 = fine_b_across_size_3 + fine_sinc_quotient_padded_1,
       fine_b_across_error_1 = fabs(fine_sinc_lo),
-      fine_b_across_rest_2 = KSL_MUL(2.1151340779501176e-29, fine_b_across_padded_1),
+      fine_b_across_rest_2 = KSL_MUL(8.120832873841084e-28, fine_b_across_padded_1),
       fine_b_across_bound_1 = fine_b_across_error_1 + fine_b_across_rest_2,
       fine_b_across_size_5 = KSL_MUL(4.0, fine_b_across_bound_1),
       fine_b_across_size_7 = fine_b_across_size_5 < fine_b_across_size_2 ? fine_b_across_size_2 :
@@ -30270,11 +30402,8 @@ static inline void ksl_mat3x3_orthonormalized_certified(const ksl_mat3x3_t *R, k
 
 /* D = exp s = [exp ω~ | J_l(ω) v]; |error of D| <= D_bound unless inf or NaN.
    s: screw (v in m/s; ω in rad/s); D, D_bound: displacement [R | t], R rotation, t in m.
-   519 mul, 865 add, 24 product error, 57 product rest, 16 div, 3 sqrt, 101 abs, 19 less, 2
-     equal, 46 select.
-   Error <= R: (6 + θ/200) u, t: (14 + θ/200) u of its largest component, or of s.lin if that is
-     larger, for |ω of s| <= 1e13, in single precision 1e5; searched, not proved.  Intermediate
-     sums may overflow where |v|, or |ω| |v|, is above 2e306, in single precision 5e36. */
+   524 mul, 876 add, 24 product error, 58 product rest, 16 div, 3 sqrt, 102 abs, 20 less, 1
+     equal, 46 select. */
 static inline void ksl_SE3_exp_certified(const ksl_screw_t *s, ksl_SE3_t *D, ksl_SE3_t *D_bound) {
   const double size_0 = fabs(s->m3);
   const double size_1 = fabs(s->m4);
@@ -30469,14 +30598,16 @@ static inline void ksl_SE3_exp_certified(const ksl_screw_t *s, ksl_SE3_t *D, ksl
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MUL(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const double fine_sinc_divisor = fine_half_angle == 0.0 ? 1.0 : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0 ? 0.0 : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_half_angle_size_12,
+  const double fine_sinc_divisor = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08
+      : fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161193847656e-08 ? 0.0 : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+          fine_half_angle_size_12,
       fine_sinc_divisor_rest_1 = KSL_MUL(4.240128211918887e-30, fine_sine_padded_1),
       fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161193847656e-08,
       fine_sinc_divisor_size_3 = fabs(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0 - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161193847656e-08 - fine_half_angle,
       fine_sinc_divisor_size_6 = fabs(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6,
       fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
@@ -30511,24 +30642,44 @@ static inline void ksl_SE3_exp_certified(const ksl_screw_t *s, ksl_SE3_t *D, ksl
       fine_sinc_quotient_size_9 = KSL_MUL(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const double fine_sinc = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0 ? 0.0 : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0 - fine_sinc_quotient, fine_sinc_size_3 = fabs(fine_sinc_size_2),
-      fine_sinc_error_1 = fabs(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MUL(1.8842277118313698e-29, fine_sinc_padded_1),
+  const double fine_sinc_a = KSL_MUL(0.16666666666666666, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MUL(9.25185853854297e-18, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MUL(0.16666666666666666, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MUL(2290649224.7000003, fine_y_size_1),
+      fine_sinc_b = 1.0 - fine_sinc_a, fine_sinc_b_right_1 = 1.0 - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0 - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_rest(0.16666666666666666, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0 + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_lo :
+          fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabs(fine_sinc_size_2), fine_sinc_error_1 = fabs(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MUL(8.120831909935717e-28, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabs(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MUL(1.8842277118313698e-29, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MUL(4.87557780096603e+28, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
+          fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MUL(1.2325982855554354e+27, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const double fine_g1 = KSL_MUL(fine_c, fine_sinc),
       fine_g1_cross1_1 = KSL_MUL(fine_c_lo, fine_sinc),
       fine_g1_cross2_1 = KSL_MUL(fine_c, fine_sinc_lo),
       fine_g1_cross_1 = fine_g1_cross1_1 + fine_g1_cross2_1,
-      fine_g1_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_7, fine_g1_size_1 = fabs(fine_c),
+      fine_g1_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_8, fine_g1_size_1 = fabs(fine_c),
       fine_g1_error_1 = fabs(fine_c_lo),
       fine_g1_rest_1 = KSL_MUL(8.677471603123253e-30, fine_sine_size_1),
       fine_g1_bound_1 = fine_g1_error_1 + fine_g1_rest_1,
@@ -30536,7 +30687,7 @@ static inline void ksl_SE3_exp_certified(const ksl_screw_t *s, ksl_SE3_t *D, ksl
       fine_g1_reach_1 = fine_g1_size_1 + fine_g1_units_1,
       fine_g1_size_2 = KSL_MUL(fine_g1_padded_1, fine_g1_reach_1), fine_g1_size_3 = fabs(fine_sinc),
       fine_g1_error_2 = fabs(fine_sinc_lo),
-      fine_g1_rest_2 = KSL_MUL(2.1151340779501176e-29, fine_g1_padded_1),
+      fine_g1_rest_2 = KSL_MUL(8.120832873841084e-28, fine_g1_padded_1),
       fine_g1_bound_2 = fine_g1_error_2 + fine_g1_rest_2,
       fine_g1_units_2 = KSL_MUL(140737488355328.0, fine_g1_bound_2),
       fine_g1_reach_2 = fine_g1_size_3 + fine_g1_units_2,
@@ -30941,7 +31092,7 @@ static inline void ksl_SE3_exp_certified(const ksl_screw_t *s, ksl_SE3_t *D, ksl
       fine_g3_rest_1 = KSL_MUL(9.168316367579732e-28, fine_g3_padded_1),
       fine_g3_bound_1 = fine_g3_error_1 + fine_g3_rest_1, fine_g3_error_2 = fabs(fine_closed3_lo),
       fine_g3_padded_2 = 1.8051943758648296e-276 + fine_closed3_size_11,
-      fine_g3_rest_2 = KSL_MUL(3.7731811836677346e-29, fine_g3_padded_2),
+      fine_g3_rest_2 = KSL_MUL(8.304820816109472e-28, fine_g3_padded_2),
       fine_g3_bound_2 = fine_g3_error_2 + fine_g3_rest_2,
       fine_g3_size_4 = fine_g3_bound_1 + fine_g3_size_3,
       fine_g3_size_5 = fine_g3_bound_2 + fine_g3_size_4,
@@ -31133,11 +31284,11 @@ static inline void ksl_SE3_exp_certified(const ksl_screw_t *s, ksl_SE3_t *D, ksl
           fine_diagonal0a_size_1,
       fine_diagonal0_error_1 = fabs(fine_m_lo_1),
       fine_diagonal0_padded_1 = 1.8051943758648296e-276 + fine_m_size_1,
-      fine_diagonal0_rest_1 = KSL_MUL(2.795527995786577e-29, fine_diagonal0_padded_1),
+      fine_diagonal0_rest_1 = KSL_MUL(8.202927567412116e-28, fine_diagonal0_padded_1),
       fine_diagonal0_bound_1 = fine_diagonal0_error_1 + fine_diagonal0_rest_1,
       fine_diagonal0_error_2 = fabs(fine_others_lo_1),
       fine_diagonal0_padded_2 = 1.8051943758648296e-276 + fine_others_size_1,
-      fine_diagonal0_rest_2 = KSL_MUL(2.949602701668065e-29, fine_diagonal0_padded_2),
+      fine_diagonal0_rest_2 = KSL_MUL(8.219445306520549e-28, fine_diagonal0_padded_2),
       fine_diagonal0_bound_2 = fine_diagonal0_error_2 + fine_diagonal0_rest_2,
       fine_diagonal0_size_2 = fine_diagonal0_bound_1 + fine_diagonal0_bound_2,
       fine_diagonal0_size_3 = fine_m_0 - fine_others_0,
@@ -31146,17 +31297,17 @@ static inline void ksl_SE3_exp_certified(const ksl_screw_t *s, ksl_SE3_t *D, ksl
       fine_diagonal0_size_7 = fabs(fine_diagonal0_size_6),
       fine_diagonal0_error_3 = fabs(fine_diagonal0b_lo),
       fine_diagonal0_padded_3 = 1.8051943758648296e-276 + fine_diagonal0b_size_1,
-      fine_diagonal0_rest_3 = KSL_MUL(2.949602701668065e-29, fine_diagonal0_padded_3),
+      fine_diagonal0_rest_3 = KSL_MUL(8.219445306520549e-28, fine_diagonal0_padded_3),
       fine_diagonal0_bound_3 = fine_diagonal0_error_3 + fine_diagonal0_rest_3,
       fine_diagonal0_error_4 = fabs(fine_diagonal0a_lo),
       fine_diagonal0_padded_4 = 1.8051943758648296e-276 + fine_diagonal0a_size_1,
-      fine_diagonal0_rest_4 = KSL_MUL(3.111072978536e-29, fine_diagonal0_padded_4),
+      fine_diagonal0_rest_4 = KSL_MUL(8.236702602727626e-28, fine_diagonal0_padded_4),
       fine_diagonal0_bound_4 = fine_diagonal0_error_4 + fine_diagonal0_rest_4,
       fine_diagonal0_size_8 = fine_diagonal0_bound_3 + fine_diagonal0_size_7,
       fine_diagonal0_size_9 = fine_diagonal0_bound_4 + fine_diagonal0_size_8,
       fine_diagonal0_size_10 = fine_diagonal0_size_2 < fine_diagonal0_size_4 ? 0.0 :
           fine_diagonal0_size_9,
-      fine_diagonal0_size_11 = KSL_MUL(2.535299653032363e+28, fine_diagonal0_size_10),
+      fine_diagonal0_size_11 = KSL_MUL(1.2161163344889557e+27, fine_diagonal0_size_10),
       fine_diagonal0_size_12 = fine_diagonal0_size_1 + fine_diagonal0_size_11;
   const double fine_diagonal1a = 1.0 - fine_others_1,
       fine_diagonal1a_right_1 = 1.0 - fine_diagonal1a,
@@ -31183,11 +31334,11 @@ static inline void ksl_SE3_exp_certified(const ksl_screw_t *s, ksl_SE3_t *D, ksl
           fine_diagonal1a_size_1,
       fine_diagonal1_error_1 = fabs(fine_m_lo_2),
       fine_diagonal1_padded_1 = 1.8051943758648296e-276 + fine_m_size_2,
-      fine_diagonal1_rest_1 = KSL_MUL(2.795527995786577e-29, fine_diagonal1_padded_1),
+      fine_diagonal1_rest_1 = KSL_MUL(8.202927567412116e-28, fine_diagonal1_padded_1),
       fine_diagonal1_bound_1 = fine_diagonal1_error_1 + fine_diagonal1_rest_1,
       fine_diagonal1_error_2 = fabs(fine_others_lo_2),
       fine_diagonal1_padded_2 = 1.8051943758648296e-276 + fine_others_size_2,
-      fine_diagonal1_rest_2 = KSL_MUL(2.949602701668065e-29, fine_diagonal1_padded_2),
+      fine_diagonal1_rest_2 = KSL_MUL(8.219445306520549e-28, fine_diagonal1_padded_2),
       fine_diagonal1_bound_2 = fine_diagonal1_error_2 + fine_diagonal1_rest_2,
       fine_diagonal1_size_2 = fine_diagonal1_bound_1 + fine_diagonal1_bound_2,
       fine_diagonal1_size_3 = fine_m_1 - fine_others_1,
@@ -31196,17 +31347,17 @@ static inline void ksl_SE3_exp_certified(const ksl_screw_t *s, ksl_SE3_t *D, ksl
       fine_diagonal1_size_7 = fabs(fine_diagonal1_size_6),
       fine_diagonal1_error_3 = fabs(fine_diagonal1b_lo),
       fine_diagonal1_padded_3 = 1.8051943758648296e-276 + fine_diagonal1b_size_1,
-      fine_diagonal1_rest_3 = KSL_MUL(2.949602701668065e-29, fine_diagonal1_padded_3),
+      fine_diagonal1_rest_3 = KSL_MUL(8.219445306520549e-28, fine_diagonal1_padded_3),
       fine_diagonal1_bound_3 = fine_diagonal1_error_3 + fine_diagonal1_rest_3,
       fine_diagonal1_error_4 = fabs(fine_diagonal1a_lo),
       fine_diagonal1_padded_4 = 1.8051943758648296e-276 + fine_diagonal1a_size_1,
-      fine_diagonal1_rest_4 = KSL_MUL(3.111072978536e-29, fine_diagonal1_padded_4),
+      fine_diagonal1_rest_4 = KSL_MUL(8.236702602727626e-28, fine_diagonal1_padded_4),
       fine_diagonal1_bound_4 = fine_diagonal1_error_4 + fine_diagonal1_rest_4,
       fine_diagonal1_size_8 = fine_diagonal1_bound_3 + fine_diagonal1_size_7,
       fine_diagonal1_size_9 = fine_diagonal1_bound_4 + fine_diagonal1_size_8,
       fine_diagonal1_size_10 = fine_diagonal1_size_2 < fine_diagonal1_size_4 ? 0.0 :
           fine_diagonal1_size_9,
-      fine_diagonal1_size_11 = KSL_MUL(2.535299653032363e+28, fine_diagonal1_size_10),
+      fine_diagonal1_size_11 = KSL_MUL(1.2161163344889557e+27, fine_diagonal1_size_10),
       fine_diagonal1_size_12 = fine_diagonal1_size_1 + fine_diagonal1_size_11;
   const double fine_diagonal2a = 1.0 - fine_others_2,
       fine_diagonal2a_right_1 = 1.0 - fine_diagonal2a,
@@ -31233,11 +31384,11 @@ static inline void ksl_SE3_exp_certified(const ksl_screw_t *s, ksl_SE3_t *D, ksl
           fine_diagonal2a_size_1,
       fine_diagonal2_error_1 = fabs(fine_m_lo_3),
       fine_diagonal2_padded_1 = 1.8051943758648296e-276 + fine_m_size_3,
-      fine_diagonal2_rest_1 = KSL_MUL(2.795527995786577e-29, fine_diagonal2_padded_1),
+      fine_diagonal2_rest_1 = KSL_MUL(8.202927567412116e-28, fine_diagonal2_padded_1),
       fine_diagonal2_bound_1 = fine_diagonal2_error_1 + fine_diagonal2_rest_1,
       fine_diagonal2_error_2 = fabs(fine_others_lo_3),
       fine_diagonal2_padded_2 = 1.8051943758648296e-276 + fine_others_size_3,
-      fine_diagonal2_rest_2 = KSL_MUL(2.949602701668065e-29, fine_diagonal2_padded_2),
+      fine_diagonal2_rest_2 = KSL_MUL(8.219445306520549e-28, fine_diagonal2_padded_2),
       fine_diagonal2_bound_2 = fine_diagonal2_error_2 + fine_diagonal2_rest_2,
       fine_diagonal2_size_2 = fine_diagonal2_bound_1 + fine_diagonal2_bound_2,
       fine_diagonal2_size_3 = fine_m_2 - fine_others_2,
@@ -31246,17 +31397,17 @@ static inline void ksl_SE3_exp_certified(const ksl_screw_t *s, ksl_SE3_t *D, ksl
       fine_diagonal2_size_7 = fabs(fine_diagonal2_size_6),
       fine_diagonal2_error_3 = fabs(fine_diagonal2b_lo),
       fine_diagonal2_padded_3 = 1.8051943758648296e-276 + fine_diagonal2b_size_1,
-      fine_diagonal2_rest_3 = KSL_MUL(2.949602701668065e-29, fine_diagonal2_padded_3),
+      fine_diagonal2_rest_3 = KSL_MUL(8.219445306520549e-28, fine_diagonal2_padded_3),
       fine_diagonal2_bound_3 = fine_diagonal2_error_3 + fine_diagonal2_rest_3,
       fine_diagonal2_error_4 = fabs(fine_diagonal2a_lo),
       fine_diagonal2_padded_4 = 1.8051943758648296e-276 + fine_diagonal2a_size_1,
-      fine_diagonal2_rest_4 = KSL_MUL(3.111072978536e-29, fine_diagonal2_padded_4),
+      fine_diagonal2_rest_4 = KSL_MUL(8.236702602727626e-28, fine_diagonal2_padded_4),
       fine_diagonal2_bound_4 = fine_diagonal2_error_4 + fine_diagonal2_rest_4,
       fine_diagonal2_size_8 = fine_diagonal2_bound_3 + fine_diagonal2_size_7,
       fine_diagonal2_size_9 = fine_diagonal2_bound_4 + fine_diagonal2_size_8,
       fine_diagonal2_size_10 = fine_diagonal2_size_2 < fine_diagonal2_size_4 ? 0.0 :
           fine_diagonal2_size_9,
-      fine_diagonal2_size_11 = KSL_MUL(2.535299653032363e+28, fine_diagonal2_size_10),
+      fine_diagonal2_size_11 = KSL_MUL(1.2161163344889557e+27, fine_diagonal2_size_10),
       fine_diagonal2_size_12 = fine_diagonal2_size_1 + fine_diagonal2_size_11;
   const double fine_g1_error_3 = ksl_product_error(fine_c, fine_sinc, fine_g1),
       fine_g1_lo = fine_g1_error_3 + fine_g1_cross_1, fine_alpha_v_0 = KSL_MUL(s->m3, fine_g1),
@@ -31385,16 +31536,16 @@ static inline void ksl_SE3_exp_certified(const ksl_screw_t *s, ksl_SE3_t *D, ksl
       diagonal0_error_1 = fabs(diagonal0_apart_2),
       diagonal0_error_2 = KSL_MUL(1.0000000000000009, diagonal0_error_1),
       diagonal0_padded_1 = 1.8051943758648296e-276 + fine_diagonal0_size_12,
-      diagonal0_rest_1 = KSL_MUL(4.0675668355204354e-29, diagonal0_padded_1),
+      diagonal0_rest_1 = KSL_MUL(8.236703566632994e-28, diagonal0_padded_1),
       diagonal0_bound_1 = diagonal0_error_2 + diagonal0_rest_1, D_apart_1 = fine_D_01 - D_01,
       D_apart_2 = D_apart_1 + fine_D_lo_1, D_error_1 = fabs(D_apart_2),
       D_error_2 = KSL_MUL(1.0000000000000009, D_error_1),
       D_padded_1 = 1.8051943758648296e-276 + fine_D_size_1,
-      D_rest_1 = KSL_MUL(2.949602701668065e-29, D_padded_1), D_bound_1 = D_error_2 + D_rest_1,
+      D_rest_1 = KSL_MUL(8.219445306520549e-28, D_padded_1), D_bound_1 = D_error_2 + D_rest_1,
       D_apart_3 = fine_D_02 - D_02, D_apart_4 = D_apart_3 + fine_D_lo_2,
       D_error_3 = fabs(D_apart_4), D_error_4 = KSL_MUL(1.0000000000000009, D_error_3),
       D_padded_2 = 1.8051943758648296e-276 + fine_D_size_2,
-      D_rest_2 = KSL_MUL(2.949602701668065e-29, D_padded_2), D_bound_2 = D_error_4 + D_rest_2,
+      D_rest_2 = KSL_MUL(8.219445306520549e-28, D_padded_2), D_bound_2 = D_error_4 + D_rest_2,
       D_apart_5 = fine_D_03 - D_03, D_apart_6 = D_apart_5 + fine_D_lo_3,
       D_error_5 = fabs(D_apart_6), D_error_6 = KSL_MUL(1.0000000000000009, D_error_5),
       D_padded_3 = 1.8051943758648296e-276 + fine_D_size_3,
@@ -31406,12 +31557,12 @@ static inline void ksl_SE3_exp_certified(const ksl_screw_t *s, ksl_SE3_t *D, ksl
       diagonal1_error_1 = fabs(diagonal1_apart_2),
       diagonal1_error_2 = KSL_MUL(1.0000000000000009, diagonal1_error_1),
       diagonal1_padded_1 = 1.8051943758648296e-276 + fine_diagonal1_size_12,
-      diagonal1_rest_1 = KSL_MUL(4.0675668355204354e-29, diagonal1_padded_1),
+      diagonal1_rest_1 = KSL_MUL(8.236703566632994e-28, diagonal1_padded_1),
       diagonal1_bound_1 = diagonal1_error_2 + diagonal1_rest_1, D_apart_9 = fine_D_12 - D_12,
       D_apart_10 = D_apart_9 + fine_D_lo_5, D_error_9 = fabs(D_apart_10),
       D_error_10 = KSL_MUL(1.0000000000000009, D_error_9),
       D_padded_4 = 1.8051943758648296e-276 + fine_D_size_4,
-      D_rest_4 = KSL_MUL(2.949602701668065e-29, D_padded_4), D_bound_5 = D_error_10 + D_rest_4,
+      D_rest_4 = KSL_MUL(8.219445306520549e-28, D_padded_4), D_bound_5 = D_error_10 + D_rest_4,
       D_apart_11 = fine_D_13 - D_13, D_apart_12 = D_apart_11 + fine_D_lo_6,
       D_error_11 = fabs(D_apart_12), D_error_12 = KSL_MUL(1.0000000000000009, D_error_11),
       D_padded_5 = 1.8051943758648296e-276 + fine_D_size_5,
@@ -31426,7 +31577,7 @@ static inline void ksl_SE3_exp_certified(const ksl_screw_t *s, ksl_SE3_t *D, ksl
       diagonal2_error_1 = fabs(diagonal2_apart_2),
       diagonal2_error_2 = KSL_MUL(1.0000000000000009, diagonal2_error_1),
       diagonal2_padded_1 = 1.8051943758648296e-276 + fine_diagonal2_size_12,
-      diagonal2_rest_1 = KSL_MUL(4.0675668355204354e-29, diagonal2_padded_1),
+      diagonal2_rest_1 = KSL_MUL(8.236703566632994e-28, diagonal2_padded_1),
       diagonal2_bound_1 = diagonal2_error_2 + diagonal2_rest_1, D_apart_17 = fine_D_23 - D_23,
       D_apart_18 = D_apart_17 + fine_D_lo_9, D_error_17 = fabs(D_apart_18),
       D_error_18 = KSL_MUL(1.0000000000000009, D_error_17),
@@ -31461,10 +31612,8 @@ static inline void ksl_SE3_exp_certified(const ksl_screw_t *s, ksl_SE3_t *D, ksl
 /* so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R; |error of so| <= so_bound unless
      inf or NaN.
    D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s; ω in rad/s).
-   575 mul, 985 add, 36 product error, 35 product rest, 47 div, 5 sqrt, 14 neg, 160 abs, 6
-     copysign, 65 less, 10 equal, 167 select.
-   Error <= lin: 18 u, ang: 8 u of its largest component for R of D a rotation; searched, not
-     proved.  Intermediate sums may overflow where |t| is above 2e306, in single precision 5e36. */
+   580 mul, 996 add, 36 product error, 36 product rest, 47 div, 5 sqrt, 14 neg, 161 abs, 6
+     copysign, 66 less, 9 equal, 167 select. */
 static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
     ksl_screw_t *so_bound) {
   const double p_0 = D->m21 - D->m12;
@@ -32135,12 +32284,15 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       fine_y_reach_1 = fine_y_size_1 + fine_y_units_1,
       fine_y_size_2 = KSL_MUL(fine_y_padded_1, fine_y_reach_1),
       fine_y_size_3 = fine_y_size_2 + fine_y_size_2;
-  const double fine_sinc_divisor = fine_half_angle == 0.0 ? 1.0 : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0 ? 0.0 : fine_half_angle_cross2_1,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_half_angle_size_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0,
+  const double fine_sinc_divisor = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08
+      : fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161193847656e-08 ? 0.0 :
+          fine_half_angle_cross2_1,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+          fine_half_angle_size_1,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161193847656e-08,
       fine_sinc_divisor_size_3 = fabs(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0 - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161193847656e-08 - fine_half_angle,
       fine_sinc_divisor_size_6 = fabs(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_size_6 + fine_y_bound_1,
       fine_sinc_divisor_size_8 = fine_y_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
@@ -32175,21 +32327,41 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       fine_sinc_quotient_size_9 = KSL_MUL(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const double fine_sinc = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0 ? 0.0 : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0 - fine_sinc_quotient, fine_sinc_size_3 = fabs(fine_sinc_size_2),
-      fine_sinc_error_1 = fabs(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MUL(4.0396275823465884e-29, fine_sinc_padded_1),
-      fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
-      fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_y_bound_1 < fine_sinc_divisor_size_3 ? 0.0 : fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MUL(2.5374142281282834e+28, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
   const double fine_y_error_2 = ksl_product_error(fine_half_angle, fine_half_angle, fine_y),
       fine_y_lo = fine_y_error_2 + fine_y_cross_1,
-      fine_series_phi_a = KSL_MUL(5.107725174524775e-32, fine_y),
+      fine_sinc_a = KSL_MUL(0.16666666666666666, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MUL(9.25185853854297e-18, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MUL(0.16666666666666666, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MUL(2290649224.7000003, fine_y_size_3),
+      fine_sinc_b = 1.0 - fine_sinc_a, fine_sinc_b_right_1 = 1.0 - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0 - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_rest(0.16666666666666666, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0 + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_lo :
+          fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabs(fine_sinc_size_2), fine_sinc_error_1 = fabs(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MUL(8.413326746211277e-28, fine_sinc_padded_1),
+      fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabs(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MUL(4.0396275823465884e-29, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
+      fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_y_bound_1 < fine_sinc_divisor_size_3 ? 0.0 : fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MUL(1.1904042348031753e+27, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
+  const double fine_series_phi_a = KSL_MUL(5.107725174524775e-32, fine_y),
       fine_series_phi_a_cross1_1 = KSL_MUL(4.7410392187559056e-48, fine_y),
       fine_series_phi_a_cross2_1 = KSL_MUL(5.107725174524775e-32, fine_y_lo),
       fine_series_phi_a_cross_1 = fine_series_phi_a_cross1_1 + fine_series_phi_a_cross2_1,
@@ -32524,7 +32696,7 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       fine_near_f_a_cross1_1 = KSL_MUL(1.850371707708594e-17, fine_sinc),
       fine_near_f_a_cross2_1 = KSL_MUL(0.3333333333333333, fine_sinc_lo),
       fine_near_f_a_cross_1 = fine_near_f_a_cross1_1 + fine_near_f_a_cross2_1,
-      fine_near_f_a_size_1 = KSL_MUL(0.3333333333333333, fine_sinc_size_7),
+      fine_near_f_a_size_1 = KSL_MUL(0.3333333333333333, fine_sinc_size_8),
       fine_f_more_error_3 = ksl_product_error(fine_f_more_a, fine_series_phi, fine_f_more),
       fine_f_more_lo = fine_f_more_error_3 + fine_f_more_cross_1,
       fine_near_f_b = KSL_MUL(0.3333333333333333, fine_f_more),
@@ -32550,7 +32722,7 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       fine_f_rest_lo1_1 = fine_f_rest_left_rest_1 - fine_f_rest_right_rest_1,
       fine_f_rest_lo2_1 = fine_f_rest_lo1_1 - fine_c_lo,
       fine_f_rest_lo = fine_f_rest_lo2_1 + fine_sinc_lo,
-      fine_f_rest_size_1 = fine_c_size_7 + fine_sinc_size_7;
+      fine_f_rest_size_1 = fine_c_size_7 + fine_sinc_size_8;
   const double fine_x = KSL_MUL(4.0, fine_y), fine_x_cross2_1 = KSL_MUL(4.0, fine_y_lo),
       fine_x_size_1 = KSL_MUL(4.0, fine_y_size_3);
   const double fine_far_y = fine_x < 4.0 ? 1.0 : fine_y,
@@ -32602,7 +32774,7 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       fine_f_rest_1 = KSL_MUL(9.955206102310575e-28, fine_f_padded_1),
       fine_f_bound_1 = fine_f_error_1 + fine_f_rest_1, fine_f_error_2 = fabs(fine_closed_f_lo),
       fine_f_padded_2 = 1.8051943758648296e-276 + fine_closed_f_size_11,
-      fine_f_rest_2 = KSL_MUL(5.52120850280944e-29, fine_f_padded_2),
+      fine_f_rest_2 = KSL_MUL(8.596739798391267e-28, fine_f_padded_2),
       fine_f_bound_2 = fine_f_error_2 + fine_f_rest_2,
       fine_f_size_4 = fine_f_bound_1 + fine_f_size_3,
       fine_f_size_5 = fine_f_bound_2 + fine_f_size_4,
@@ -32611,7 +32783,7 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       fine_f_size_8 = fine_f_size_1 + fine_f_size_7;
   const double fine_four_k = KSL_MUL(4.0, fine_sinc),
       fine_four_k_cross2_1 = KSL_MUL(4.0, fine_sinc_lo),
-      fine_four_k_size_1 = KSL_MUL(4.0, fine_sinc_size_7);
+      fine_four_k_size_1 = KSL_MUL(4.0, fine_sinc_size_8);
   const double fine_b = fine_f / fine_four_k, fine_b_product_1 = KSL_MUL(fine_b, fine_four_k),
       fine_b_product_error_1 = ksl_product_error(fine_b, fine_four_k, fine_b_product_1),
       fine_b_rest_1 = fine_f - fine_b_product_1,
@@ -32624,7 +32796,7 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       fine_b_padded_2 = 1.8051943758648296e-276 + fine_four_k_size_1, fine_b_size_1 = fabs(fine_b),
       fine_b_size_2 = fabs(fine_four_k), fine_b_size_3 = KSL_MUL(fine_b_padded_2, fine_b_size_1),
       fine_b_size_4 = fine_b_padded_1 + fine_b_size_3, fine_b_error_1 = fabs(fine_four_k_cross2_1),
-      fine_b_rest_2 = KSL_MUL(4.088932009583919e-29, fine_b_padded_2),
+      fine_b_rest_2 = KSL_MUL(8.41936839032761e-28, fine_b_padded_2),
       fine_b_bound_1 = fine_b_error_1 + fine_b_rest_2, fine_b_size_5 = KSL_MUL(4.0, fine_b_bound_1),
       fine_b_size_7 = fine_b_size_5 < fine_b_size_2 ? fine_b_size_2 : 0.0,
       fine_b_size_8 = fine_b_size_4 / fine_b_size_7,
@@ -32644,12 +32816,12 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       fine_b_across_residual_1 = fine_b_across_numerator_1 - fine_b_across_cross_1,
       fine_b_across_lo = fine_b_across_residual_1 / fine_sinc,
       fine_b_across_padded_1 = 1.8051943758648296e-276 + fine_c_size_7,
-      fine_b_across_padded_2 = 1.8051943758648296e-276 + fine_sinc_size_7,
+      fine_b_across_padded_2 = 1.8051943758648296e-276 + fine_sinc_size_8,
       fine_b_across_size_1 = fabs(fine_b_across), fine_b_across_size_2 = fabs(fine_sinc),
       fine_b_across_size_3 = KSL_MUL(fine_b_across_padded_2, fine_b_across_size_1),
       fine_b_across_size_4 = fine_b_across_padded_1 + fine_b_across_size_3,
       fine_b_across_error_1 = fabs(fine_sinc_lo),
-      fine_b_across_rest_2 = KSL_MUL(4.039627892677097e-29, fine_b_across_padded_2),
+      fine_b_across_rest_2 = KSL_MUL(8.413327710116644e-28, fine_b_across_padded_2),
       fine_b_across_bound_1 = fine_b_across_error_1 + fine_b_across_rest_2,
       fine_b_across_size_5 = KSL_MUL(4.0, fine_b_across_bound_1),
       fine_b_across_size_7 = fine_b_across_size_5 < fine_b_across_size_2 ? fine_b_across_size_2 :
@@ -32912,10 +33084,8 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
 /* R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|; |error of R| <= R_bound unless
      inf or NaN.
    v: vector; R, R_bound: rotation or other 3×3 matrix.
-   296 mul, 438 add, 13 product error, 21 product rest, 12 div, 3 sqrt, 49 abs, 13 less, 2 equal,
-     29 select.
-   Error <= R: (6 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
-     searched, not proved. */
+   306 mul, 453 add, 14 product error, 22 product rest, 12 div, 3 sqrt, 51 abs, 14 less, 1 equal,
+     29 select. */
 static inline void ksl_SO3_expf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R,
     ksl_mat3x3f_t *R_bound) {
   const float size_0 = fabsf(v->x);
@@ -33101,6 +33271,18 @@ static inline void ksl_SO3_expf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
       fine_half_angle_lo = KSL_MULF(fine_half_angle_rest_1, fine_up),
       fine_half_angle_padded_1 = 3.3087225e-24f + fine_reduced_length_size_12,
       fine_half_angle_size_1 = KSL_MULF(fine_half_angle_padded_1, fine_up_size_1);
+  const float fine_y = KSL_MULF(fine_half_angle, fine_half_angle),
+      fine_y_cross1_1 = KSL_MULF(fine_half_angle_lo, fine_half_angle),
+      fine_y_cross2_1 = KSL_MULF(fine_half_angle, fine_half_angle_lo),
+      fine_y_cross_1 = fine_y_cross1_1 + fine_y_cross2_1,
+      fine_y_padded_1 = 3.3087225e-24f + fine_half_angle_size_1,
+      fine_y_size_1 = fabsf(fine_half_angle), fine_y_error_1 = fabsf(fine_half_angle_lo),
+      fine_y_rest_1 = KSL_MULF(1.6484983e-12f, fine_y_padded_1),
+      fine_y_bound_1 = fine_y_error_1 + fine_y_rest_1,
+      fine_y_units_1 = KSL_MULF(262144.0f, fine_y_bound_1),
+      fine_y_reach_1 = fine_y_size_1 + fine_y_units_1,
+      fine_y_size_2 = KSL_MULF(fine_y_padded_1, fine_y_reach_1),
+      fine_y_size_3 = fine_y_size_2 + fine_y_size_2;
   float fine_c; const float fine_sine = ksl_sincosf(fine_half_angle, &fine_c);
   float fine_c_own_error_1; const float fine_sine_own_error_1 = ksl_sincos_errorf(fine_half_angle,
       fine_sine, fine_c, &fine_c_own_error_1);
@@ -33113,26 +33295,24 @@ static inline void ksl_SO3_expf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
       fine_sine_slope_1 = fine_sine_slope1_1 - fine_sine_slope2_1,
       fine_sine_more_1 = KSL_MULF(fine_sine_slope_1, fine_sine_twice_1),
       fine_sine_lo = fine_sine_own_error_1 + fine_sine_more_1,
-      fine_sine_padded_1 = 3.3087225e-24f + fine_half_angle_size_1,
-      fine_sine_size_1 = 1.0f + fine_sine_padded_1;
+      fine_sine_size_1 = 1.0f + fine_y_padded_1;
   const float fine_c_slope1_1 = KSL_MULF(fine_sine_half_cos_1, fine_sine),
       fine_c_slope2_1 = KSL_MULF(fine_sine_half_sin_1, fine_c),
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MULF(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const float fine_sinc_divisor = fine_half_angle == 0.0f ? 1.0f : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0f ? 0.0f : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_half_angle_size_1,
-      fine_sinc_divisor_error_1 = fabsf(fine_half_angle_lo),
-      fine_sinc_divisor_rest_1 = KSL_MULF(1.6484983e-12f, fine_sine_padded_1),
-      fine_sinc_divisor_bound_1 = fine_sinc_divisor_error_1 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0f,
+  const float fine_sinc_divisor = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+      fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161e-08f ? 0.0f : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+          fine_half_angle_size_1,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161e-08f,
       fine_sinc_divisor_size_3 = fabsf(fine_sinc_divisor_size_2),
       fine_sinc_divisor_size_4 = 1e-45f + fine_sinc_divisor_size_3,
-      fine_sinc_divisor_size_6 = 1.0f - fine_half_angle,
+      fine_sinc_divisor_size_6 = 1.4901161e-08f - fine_half_angle,
       fine_sinc_divisor_size_7 = fabsf(fine_sinc_divisor_size_6),
-      fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_7,
-      fine_sinc_divisor_size_9 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_4 ? 0.0f :
+      fine_sinc_divisor_size_8 = fine_sinc_divisor_size_7 + fine_y_bound_1,
+      fine_sinc_divisor_size_9 = fine_y_bound_1 < fine_sinc_divisor_size_4 ? 0.0f :
           fine_sinc_divisor_size_8,
       fine_sinc_divisor_size_10 = KSL_MULF(1.9990821e+11f, fine_sinc_divisor_size_9),
       fine_sinc_divisor_size_11 = fine_sinc_divisor_size_1 + fine_sinc_divisor_size_10;
@@ -33164,22 +33344,41 @@ static inline void ksl_SO3_expf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
       fine_sinc_quotient_size_9 = KSL_MULF(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const float fine_sinc = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0f ? 0.0f : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0f - fine_sinc_quotient, fine_sinc_size_3 = fabsf(fine_sinc_size_2),
-      fine_sinc_error_1 = fabsf(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MULF(7.941701e-12f, fine_sinc_padded_1),
+  const float fine_y_error_2 = ksl_product_errorf(fine_half_angle, fine_half_angle, fine_y),
+      fine_y_lo = fine_y_error_2 + fine_y_cross_1, fine_sinc_a = KSL_MULF(0.16666667f, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MULF(-4.967054e-09f, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MULF(0.16666667f, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MULF(0.16666669f, fine_y_size_3), fine_sinc_b = 1.0f - fine_sinc_a,
+      fine_sinc_b_right_1 = 1.0f - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0f - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_restf(0.16666667f, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0f + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161e-08f ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_lo : fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabsf(fine_sinc_size_2), fine_sinc_error_1 = fabsf(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MULF(2.3639474e-10f, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabsf(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 3.3087225e-24f + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MULF(7.941701e-12f, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_4 ? 0.0f :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MULF(1.2935218e+11f, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_y_bound_1 < fine_sinc_divisor_size_4 ? 0.0f : fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MULF(4.235067e+09f, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const float fine_turning_0 = KSL_MULF(v->x, fine_sinc),
       fine_turning_cross2_1 = KSL_MULF(v->x, fine_sinc_lo),
-      fine_turning_padded_1 = 3.3087225e-24f + fine_sinc_size_7,
+      fine_turning_padded_1 = 3.3087225e-24f + fine_sinc_size_8,
       fine_turning_size_1 = KSL_MULF(fine_halved_size_1, fine_turning_padded_1);
   const float fine_turning_1 = KSL_MULF(v->y, fine_sinc),
       fine_turning_cross2_2 = KSL_MULF(v->y, fine_sinc_lo),
@@ -33209,13 +33408,13 @@ static inline void ksl_SO3_expf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
       fine_m_padded_1 = 3.3087225e-24f + fine_turning_size_1,
       fine_m_padded_2 = 3.3087225e-24f + fine_beta_v_size_1, fine_m_size_1 = fabsf(fine_turning_0),
       fine_m_error_1 = fabsf(fine_turning_lo_1),
-      fine_m_rest_1 = KSL_MULF(8.098611e-12f, fine_m_padded_1),
+      fine_m_rest_1 = KSL_MULF(2.3653254e-10f, fine_m_padded_1),
       fine_m_bound_1 = fine_m_error_1 + fine_m_rest_1,
       fine_m_units_1 = KSL_MULF(262144.0f, fine_m_bound_1),
       fine_m_reach_1 = fine_m_size_1 + fine_m_units_1,
       fine_m_size_2 = KSL_MULF(fine_m_padded_2, fine_m_reach_1),
       fine_m_size_3 = fabsf(fine_beta_v_0), fine_m_error_2 = fabsf(fine_beta_v_cross2_1),
-      fine_m_rest_2 = KSL_MULF(8.235425e-12f, fine_m_padded_2),
+      fine_m_rest_2 = KSL_MULF(2.366809e-10f, fine_m_padded_2),
       fine_m_bound_2 = fine_m_error_2 + fine_m_rest_2,
       fine_m_units_2 = KSL_MULF(262144.0f, fine_m_bound_2),
       fine_m_reach_2 = fine_m_size_3 + fine_m_units_2,
@@ -33228,13 +33427,13 @@ static inline void ksl_SO3_expf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
       fine_m_padded_3 = 3.3087225e-24f + fine_turning_size_2,
       fine_m_padded_4 = 3.3087225e-24f + fine_beta_v_size_2, fine_m_size_6 = fabsf(fine_turning_1),
       fine_m_error_3 = fabsf(fine_turning_lo_2),
-      fine_m_rest_3 = KSL_MULF(8.098611e-12f, fine_m_padded_3),
+      fine_m_rest_3 = KSL_MULF(2.3653254e-10f, fine_m_padded_3),
       fine_m_bound_3 = fine_m_error_3 + fine_m_rest_3,
       fine_m_units_3 = KSL_MULF(262144.0f, fine_m_bound_3),
       fine_m_reach_3 = fine_m_size_6 + fine_m_units_3,
       fine_m_size_7 = KSL_MULF(fine_m_padded_4, fine_m_reach_3),
       fine_m_size_8 = fabsf(fine_beta_v_1), fine_m_error_4 = fabsf(fine_beta_v_cross2_2),
-      fine_m_rest_4 = KSL_MULF(8.235425e-12f, fine_m_padded_4),
+      fine_m_rest_4 = KSL_MULF(2.366809e-10f, fine_m_padded_4),
       fine_m_bound_4 = fine_m_error_4 + fine_m_rest_4,
       fine_m_units_4 = KSL_MULF(262144.0f, fine_m_bound_4),
       fine_m_reach_4 = fine_m_size_8 + fine_m_units_4,
@@ -33247,13 +33446,13 @@ static inline void ksl_SO3_expf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
       fine_m_padded_5 = 3.3087225e-24f + fine_turning_size_3,
       fine_m_padded_6 = 3.3087225e-24f + fine_beta_v_size_3, fine_m_size_11 = fabsf(fine_turning_2),
       fine_m_error_5 = fabsf(fine_turning_lo_3),
-      fine_m_rest_5 = KSL_MULF(8.098611e-12f, fine_m_padded_5),
+      fine_m_rest_5 = KSL_MULF(2.3653254e-10f, fine_m_padded_5),
       fine_m_bound_5 = fine_m_error_5 + fine_m_rest_5,
       fine_m_units_5 = KSL_MULF(262144.0f, fine_m_bound_5),
       fine_m_reach_5 = fine_m_size_11 + fine_m_units_5,
       fine_m_size_12 = KSL_MULF(fine_m_padded_6, fine_m_reach_5),
       fine_m_size_13 = fabsf(fine_beta_v_2), fine_m_error_6 = fabsf(fine_beta_v_cross2_3),
-      fine_m_rest_6 = KSL_MULF(8.235425e-12f, fine_m_padded_6),
+      fine_m_rest_6 = KSL_MULF(2.366809e-10f, fine_m_padded_6),
       fine_m_bound_6 = fine_m_error_6 + fine_m_rest_6,
       fine_m_units_6 = KSL_MULF(262144.0f, fine_m_bound_6),
       fine_m_reach_6 = fine_m_size_13 + fine_m_units_6,
@@ -33413,14 +33612,14 @@ static inline void ksl_SO3_expf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
       diagonal0_error_1 = fabsf(diagonal0_apart_2),
       diagonal0_error_2 = KSL_MULF(1.0000005f, diagonal0_error_1),
       diagonal0_padded_1 = 3.3087225e-24f + fine_R_size_1,
-      diagonal0_rest_1 = KSL_MULF(1.1495296e-11f, diagonal0_padded_1),
+      diagonal0_rest_1 = KSL_MULF(2.4022587e-10f, diagonal0_padded_1),
       diagonal0_bound_1 = diagonal0_error_2 + diagonal0_rest_1, R_apart_1 = fine_R_01 - R_01,
       R_apart_2 = R_apart_1 + fine_R_lo_2, R_error_1 = fabsf(R_apart_2),
       R_error_2 = KSL_MULF(1.0000005f, R_error_1), R_padded_1 = 3.3087225e-24f + fine_R_size_2,
-      R_rest_1 = KSL_MULF(1.1008521e-11f, R_padded_1), R_bound_1 = R_error_2 + R_rest_1,
+      R_rest_1 = KSL_MULF(2.3971689e-10f, R_padded_1), R_bound_1 = R_error_2 + R_rest_1,
       R_apart_3 = fine_R_02 - R_02, R_apart_4 = R_apart_3 + fine_R_lo_3,
       R_error_3 = fabsf(R_apart_4), R_error_4 = KSL_MULF(1.0000005f, R_error_3),
-      R_padded_2 = 3.3087225e-24f + fine_R_size_3, R_rest_2 = KSL_MULF(1.1008521e-11f, R_padded_2),
+      R_padded_2 = 3.3087225e-24f + fine_R_size_3, R_rest_2 = KSL_MULF(2.3971689e-10f, R_padded_2),
       R_bound_2 = R_error_4 + R_rest_2, R_apart_5 = fine_R_10 - R_10,
       R_apart_6 = R_apart_5 + fine_R_lo_4, R_error_5 = fabsf(R_apart_6),
       R_error_6 = KSL_MULF(1.0000005f, R_error_5), R_bound_3 = R_error_6 + R_rest_1,
@@ -33429,11 +33628,11 @@ static inline void ksl_SO3_expf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
       diagonal1_error_1 = fabsf(diagonal1_apart_2),
       diagonal1_error_2 = KSL_MULF(1.0000005f, diagonal1_error_1),
       diagonal1_padded_1 = 3.3087225e-24f + fine_R_size_4,
-      diagonal1_rest_1 = KSL_MULF(1.1495296e-11f, diagonal1_padded_1),
+      diagonal1_rest_1 = KSL_MULF(2.4022587e-10f, diagonal1_padded_1),
       diagonal1_bound_1 = diagonal1_error_2 + diagonal1_rest_1, R_apart_7 = fine_R_12 - R_12,
       R_apart_8 = R_apart_7 + fine_R_lo_6, R_error_7 = fabsf(R_apart_8),
       R_error_8 = KSL_MULF(1.0000005f, R_error_7), R_padded_3 = 3.3087225e-24f + fine_R_size_5,
-      R_rest_3 = KSL_MULF(1.1008521e-11f, R_padded_3), R_bound_4 = R_error_8 + R_rest_3,
+      R_rest_3 = KSL_MULF(2.3971689e-10f, R_padded_3), R_bound_4 = R_error_8 + R_rest_3,
       R_apart_9 = fine_R_20 - R_20, R_apart_10 = R_apart_9 + fine_R_lo_7,
       R_error_9 = fabsf(R_apart_10), R_error_10 = KSL_MULF(1.0000005f, R_error_9),
       R_bound_5 = R_error_10 + R_rest_2, R_apart_11 = fine_R_21 - R_21,
@@ -33444,7 +33643,7 @@ static inline void ksl_SO3_expf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
       diagonal2_error_1 = fabsf(diagonal2_apart_2),
       diagonal2_error_2 = KSL_MULF(1.0000005f, diagonal2_error_1),
       diagonal2_padded_1 = 3.3087225e-24f + fine_R_size_6,
-      diagonal2_rest_1 = KSL_MULF(1.1495296e-11f, diagonal2_padded_1),
+      diagonal2_rest_1 = KSL_MULF(2.4022587e-10f, diagonal2_padded_1),
       diagonal2_bound_1 = diagonal2_error_2 + diagonal2_rest_1;
   R->m00 = diagonal0;
   R->m01 = R_01;
@@ -33470,8 +33669,7 @@ static inline void ksl_SO3_expf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
      |error of vo| <= vo_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; vo, vo_bound: vector.
    182 mul, 383 add, 19 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 65 abs, 4
-     copysign, 34 less, 6 equal, 99 select.
-   Error <= vo: 7 u of its largest component for R a rotation; searched, not proved. */
+     copysign, 34 less, 6 equal, 99 select. */
 static inline void ksl_SO3_logf_certified(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo,
     ksl_vec3f_t *vo_bound) {
   const float p_0 = R->m21 - R->m12, p_right_1 = R->m21 - p_0, p_left_1 = p_0 + p_right_1,
@@ -33801,10 +33999,8 @@ static inline void ksl_SO3_logf_certified(const ksl_mat3x3f_t *R, ksl_vec3f_t *v
 /* R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|; |error of R| <= R_bound
      unless inf or NaN.
    v: vector; R, R_bound: rotation or other 3×3 matrix.
-   398 mul, 695 add, 18 product error, 42 product rest, 16 div, 3 sqrt, 89 abs, 19 less, 2 equal,
-     45 select.
-   Error <= R: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
-     searched, not proved. */
+   403 mul, 706 add, 18 product error, 43 product rest, 16 div, 3 sqrt, 90 abs, 20 less, 1 equal,
+     45 select. */
 static inline void ksl_SO3_leftJacobianf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R,
     ksl_mat3x3f_t *R_bound) {
   const float size_0 = fabsf(v->x);
@@ -33981,14 +34177,16 @@ static inline void ksl_SO3_leftJacobianf_certified(const ksl_vec3f_t *v, ksl_mat
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MULF(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const float fine_sinc_divisor = fine_half_angle == 0.0f ? 1.0f : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0f ? 0.0f : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_half_angle_size_12,
+  const float fine_sinc_divisor = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+      fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161e-08f ? 0.0f : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+          fine_half_angle_size_12,
       fine_sinc_divisor_rest_1 = KSL_MULF(1.2221551e-12f, fine_sine_padded_1),
       fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0f,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161e-08f,
       fine_sinc_divisor_size_3 = fabsf(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0f - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161e-08f - fine_half_angle,
       fine_sinc_divisor_size_6 = fabsf(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6,
       fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
@@ -34023,24 +34221,43 @@ static inline void ksl_SO3_leftJacobianf_certified(const ksl_vec3f_t *v, ksl_mat
       fine_sinc_quotient_size_9 = KSL_MULF(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const float fine_sinc = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0f ? 0.0f : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0f - fine_sinc_quotient, fine_sinc_size_3 = fabsf(fine_sinc_size_2),
-      fine_sinc_error_1 = fabsf(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MULF(5.43103e-12f, fine_sinc_padded_1),
+  const float fine_sinc_a = KSL_MULF(0.16666667f, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MULF(-4.967054e-09f, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MULF(0.16666667f, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MULF(0.16666669f, fine_y_size_1), fine_sinc_b = 1.0f - fine_sinc_a,
+      fine_sinc_b_right_1 = 1.0f - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0f - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_restf(0.16666667f, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0f + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161e-08f ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_lo : fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabsf(fine_sinc_size_2), fine_sinc_error_1 = fabsf(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MULF(2.3406937e-10f, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabsf(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 3.3087225e-24f + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MULF(5.43103e-12f, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MULF(1.6915353e+11f, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
+          fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MULF(4.276409e+09f, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const float fine_g1 = KSL_MULF(fine_c, fine_sinc),
       fine_g1_cross1_1 = KSL_MULF(fine_c_lo, fine_sinc),
       fine_g1_cross2_1 = KSL_MULF(fine_c, fine_sinc_lo),
       fine_g1_cross_1 = fine_g1_cross1_1 + fine_g1_cross2_1,
-      fine_g1_padded_1 = 3.3087225e-24f + fine_sinc_size_7, fine_g1_size_1 = fabsf(fine_c),
+      fine_g1_padded_1 = 3.3087225e-24f + fine_sinc_size_8, fine_g1_size_1 = fabsf(fine_c),
       fine_g1_error_1 = fabsf(fine_c_lo),
       fine_g1_rest_1 = KSL_MULF(2.5011469e-12f, fine_sine_size_1),
       fine_g1_bound_1 = fine_g1_error_1 + fine_g1_rest_1,
@@ -34048,7 +34265,7 @@ static inline void ksl_SO3_leftJacobianf_certified(const ksl_vec3f_t *v, ksl_mat
       fine_g1_reach_1 = fine_g1_size_1 + fine_g1_units_1,
       fine_g1_size_2 = KSL_MULF(fine_g1_padded_1, fine_g1_reach_1),
       fine_g1_size_3 = fabsf(fine_sinc), fine_g1_error_2 = fabsf(fine_sinc_lo),
-      fine_g1_rest_2 = KSL_MULF(6.0965586e-12f, fine_g1_padded_1),
+      fine_g1_rest_2 = KSL_MULF(2.3406946e-10f, fine_g1_padded_1),
       fine_g1_bound_2 = fine_g1_error_2 + fine_g1_rest_2,
       fine_g1_units_2 = KSL_MULF(262144.0f, fine_g1_bound_2),
       fine_g1_reach_2 = fine_g1_size_3 + fine_g1_units_2,
@@ -34433,7 +34650,7 @@ static inline void ksl_SO3_leftJacobianf_certified(const ksl_vec3f_t *v, ksl_mat
       fine_g3_rest_1 = KSL_MULF(2.6431096e-10f, fine_g3_padded_1),
       fine_g3_bound_1 = fine_g3_error_1 + fine_g3_rest_1, fine_g3_error_2 = fabsf(fine_closed3_lo),
       fine_g3_padded_2 = 3.3087225e-24f + fine_closed3_size_11,
-      fine_g3_rest_2 = KSL_MULF(1.0875817e-11f, fine_g3_padded_2),
+      fine_g3_rest_2 = KSL_MULF(2.3937835e-10f, fine_g3_padded_2),
       fine_g3_bound_2 = fine_g3_error_2 + fine_g3_rest_2,
       fine_g3_size_4 = fine_g3_bound_1 + fine_g3_size_3,
       fine_g3_size_5 = fine_g3_bound_2 + fine_g3_size_4,
@@ -34773,10 +34990,8 @@ static inline void ksl_SO3_leftJacobianf_certified(const ksl_vec3f_t *v, ksl_mat
 /* R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|; |error of R| <= R_bound
      unless inf or NaN.
    v: vector; R, R_bound: rotation or other 3×3 matrix.
-   398 mul, 695 add, 18 product error, 42 product rest, 16 div, 3 sqrt, 12 neg, 89 abs, 19 less,
-     2 equal, 45 select.
-   Error <= R: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
-     searched, not proved. */
+   403 mul, 706 add, 18 product error, 43 product rest, 16 div, 3 sqrt, 12 neg, 90 abs, 20 less,
+     1 equal, 45 select. */
 static inline void ksl_SO3_rightJacobianf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R,
     ksl_mat3x3f_t *R_bound) {
   const float size_0 = fabsf(v->x);
@@ -34953,14 +35168,16 @@ static inline void ksl_SO3_rightJacobianf_certified(const ksl_vec3f_t *v, ksl_ma
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MULF(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const float fine_sinc_divisor = fine_half_angle == 0.0f ? 1.0f : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0f ? 0.0f : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_half_angle_size_12,
+  const float fine_sinc_divisor = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+      fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161e-08f ? 0.0f : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+          fine_half_angle_size_12,
       fine_sinc_divisor_rest_1 = KSL_MULF(1.2221551e-12f, fine_sine_padded_1),
       fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0f,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161e-08f,
       fine_sinc_divisor_size_3 = fabsf(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0f - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161e-08f - fine_half_angle,
       fine_sinc_divisor_size_6 = fabsf(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6,
       fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
@@ -34995,24 +35212,43 @@ static inline void ksl_SO3_rightJacobianf_certified(const ksl_vec3f_t *v, ksl_ma
       fine_sinc_quotient_size_9 = KSL_MULF(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const float fine_sinc = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0f ? 0.0f : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0f - fine_sinc_quotient, fine_sinc_size_3 = fabsf(fine_sinc_size_2),
-      fine_sinc_error_1 = fabsf(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MULF(5.43103e-12f, fine_sinc_padded_1),
+  const float fine_sinc_a = KSL_MULF(0.16666667f, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MULF(-4.967054e-09f, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MULF(0.16666667f, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MULF(0.16666669f, fine_y_size_1), fine_sinc_b = 1.0f - fine_sinc_a,
+      fine_sinc_b_right_1 = 1.0f - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0f - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_restf(0.16666667f, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0f + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161e-08f ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_lo : fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabsf(fine_sinc_size_2), fine_sinc_error_1 = fabsf(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MULF(2.3406937e-10f, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabsf(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 3.3087225e-24f + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MULF(5.43103e-12f, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MULF(1.6915353e+11f, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
+          fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MULF(4.276409e+09f, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const float fine_g1 = KSL_MULF(fine_c, fine_sinc),
       fine_g1_cross1_1 = KSL_MULF(fine_c_lo, fine_sinc),
       fine_g1_cross2_1 = KSL_MULF(fine_c, fine_sinc_lo),
       fine_g1_cross_1 = fine_g1_cross1_1 + fine_g1_cross2_1,
-      fine_g1_padded_1 = 3.3087225e-24f + fine_sinc_size_7, fine_g1_size_1 = fabsf(fine_c),
+      fine_g1_padded_1 = 3.3087225e-24f + fine_sinc_size_8, fine_g1_size_1 = fabsf(fine_c),
       fine_g1_error_1 = fabsf(fine_c_lo),
       fine_g1_rest_1 = KSL_MULF(2.5011469e-12f, fine_sine_size_1),
       fine_g1_bound_1 = fine_g1_error_1 + fine_g1_rest_1,
@@ -35020,7 +35256,7 @@ static inline void ksl_SO3_rightJacobianf_certified(const ksl_vec3f_t *v, ksl_ma
       fine_g1_reach_1 = fine_g1_size_1 + fine_g1_units_1,
       fine_g1_size_2 = KSL_MULF(fine_g1_padded_1, fine_g1_reach_1),
       fine_g1_size_3 = fabsf(fine_sinc), fine_g1_error_2 = fabsf(fine_sinc_lo),
-      fine_g1_rest_2 = KSL_MULF(6.0965586e-12f, fine_g1_padded_1),
+      fine_g1_rest_2 = KSL_MULF(2.3406946e-10f, fine_g1_padded_1),
       fine_g1_bound_2 = fine_g1_error_2 + fine_g1_rest_2,
       fine_g1_units_2 = KSL_MULF(262144.0f, fine_g1_bound_2),
       fine_g1_reach_2 = fine_g1_size_3 + fine_g1_units_2,
@@ -35405,7 +35641,7 @@ static inline void ksl_SO3_rightJacobianf_certified(const ksl_vec3f_t *v, ksl_ma
       fine_g3_rest_1 = KSL_MULF(2.6431096e-10f, fine_g3_padded_1),
       fine_g3_bound_1 = fine_g3_error_1 + fine_g3_rest_1, fine_g3_error_2 = fabsf(fine_closed3_lo),
       fine_g3_padded_2 = 3.3087225e-24f + fine_closed3_size_11,
-      fine_g3_rest_2 = KSL_MULF(1.0875817e-11f, fine_g3_padded_2),
+      fine_g3_rest_2 = KSL_MULF(2.3937835e-10f, fine_g3_padded_2),
       fine_g3_bound_2 = fine_g3_error_2 + fine_g3_rest_2,
       fine_g3_size_4 = fine_g3_bound_1 + fine_g3_size_3,
       fine_g3_size_5 = fine_g3_bound_2 + fine_g3_size_4,
@@ -35757,9 +35993,8 @@ static inline void ksl_SO3_rightJacobianf_certified(const ksl_vec3f_t *v, ksl_ma
 /* R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      except 0; |error of R| <= R_bound unless inf or NaN.
    v: vector; R, R_bound: rotation or other 3×3 matrix.
-   385 mul, 694 add, 20 product error, 33 product rest, 23 div, 3 sqrt, 6 neg, 92 abs, 22 less, 2
-     equal, 47 select.
-   Error <= R: 6 u of its largest component for |v| <= π; searched, not proved. */
+   390 mul, 705 add, 20 product error, 34 product rest, 23 div, 3 sqrt, 6 neg, 93 abs, 23 less, 1
+     equal, 47 select. */
 static inline void ksl_SO3_leftJacobianInversef_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R,
     ksl_mat3x3f_t *R_bound) {
   const float size_0 = fabsf(v->x);
@@ -35923,14 +36158,16 @@ static inline void ksl_SO3_leftJacobianInversef_certified(const ksl_vec3f_t *v, 
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MULF(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const float fine_sinc_divisor = fine_half_angle == 0.0f ? 1.0f : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0f ? 0.0f : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_half_angle_size_12,
+  const float fine_sinc_divisor = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+      fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161e-08f ? 0.0f : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+          fine_half_angle_size_12,
       fine_sinc_divisor_rest_1 = KSL_MULF(1.2221551e-12f, fine_sine_padded_1),
       fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0f,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161e-08f,
       fine_sinc_divisor_size_3 = fabsf(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0f - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161e-08f - fine_half_angle,
       fine_sinc_divisor_size_6 = fabsf(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6,
       fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
@@ -35965,19 +36202,38 @@ static inline void ksl_SO3_leftJacobianInversef_certified(const ksl_vec3f_t *v, 
       fine_sinc_quotient_size_9 = KSL_MULF(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const float fine_sinc = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0f ? 0.0f : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0f - fine_sinc_quotient, fine_sinc_size_3 = fabsf(fine_sinc_size_2),
-      fine_sinc_error_1 = fabsf(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MULF(5.43103e-12f, fine_sinc_padded_1),
+  const float fine_sinc_a = KSL_MULF(0.16666667f, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MULF(-4.967054e-09f, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MULF(0.16666667f, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MULF(0.16666669f, fine_y_size_1), fine_sinc_b = 1.0f - fine_sinc_a,
+      fine_sinc_b_right_1 = 1.0f - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0f - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_restf(0.16666667f, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0f + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161e-08f ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_lo : fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabsf(fine_sinc_size_2), fine_sinc_error_1 = fabsf(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MULF(2.3406937e-10f, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabsf(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 3.3087225e-24f + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MULF(5.43103e-12f, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MULF(1.6915353e+11f, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
+          fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MULF(4.276409e+09f, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const float fine_series_phi_a = KSL_MULF(5.107725e-32f, fine_y),
       fine_series_phi_a_cross1_1 = KSL_MULF(3.51736e-40f, fine_y),
       fine_series_phi_a_cross2_1 = KSL_MULF(5.107725e-32f, fine_y_lo),
@@ -36308,7 +36564,7 @@ static inline void ksl_SO3_leftJacobianInversef_certified(const ksl_vec3f_t *v, 
       fine_near_f_a_cross1_1 = KSL_MULF(-9.934108e-09f, fine_sinc),
       fine_near_f_a_cross2_1 = KSL_MULF(0.33333334f, fine_sinc_lo),
       fine_near_f_a_cross_1 = fine_near_f_a_cross1_1 + fine_near_f_a_cross2_1,
-      fine_near_f_a_size_1 = KSL_MULF(0.33333334f, fine_sinc_size_7),
+      fine_near_f_a_size_1 = KSL_MULF(0.33333334f, fine_sinc_size_8),
       fine_f_more_error_3 = ksl_product_errorf(fine_f_more_a, fine_series_phi, fine_f_more),
       fine_f_more_lo = fine_f_more_error_3 + fine_f_more_cross_1,
       fine_near_f_b = KSL_MULF(0.33333334f, fine_f_more),
@@ -36334,7 +36590,7 @@ static inline void ksl_SO3_leftJacobianInversef_certified(const ksl_vec3f_t *v, 
       fine_f_rest_lo1_1 = fine_f_rest_left_rest_1 - fine_f_rest_right_rest_1,
       fine_f_rest_lo2_1 = fine_f_rest_lo1_1 - fine_c_lo,
       fine_f_rest_lo = fine_f_rest_lo2_1 + fine_sinc_lo,
-      fine_f_rest_size_1 = fine_sinc_size_7 + fine_sine_size_1;
+      fine_f_rest_size_1 = fine_sinc_size_8 + fine_sine_size_1;
   const float fine_x = KSL_MULF(4.0f, fine_y), fine_x_cross2_1 = KSL_MULF(4.0f, fine_y_lo),
       fine_x_size_1 = KSL_MULF(4.0f, fine_y_size_1);
   const float fine_far_y = fine_x < 4.0f ? 1.0f : fine_y,
@@ -36385,7 +36641,7 @@ static inline void ksl_SO3_leftJacobianInversef_certified(const ksl_vec3f_t *v, 
       fine_f_rest_1 = KSL_MULF(2.6163277e-10f, fine_f_padded_1),
       fine_f_bound_1 = fine_f_error_1 + fine_f_rest_1, fine_f_error_2 = fabsf(fine_closed_f_lo),
       fine_f_padded_2 = 3.3087225e-24f + fine_closed_f_size_11,
-      fine_f_rest_2 = KSL_MULF(9.181639e-12f, fine_f_padded_2),
+      fine_f_rest_2 = KSL_MULF(2.3766553e-10f, fine_f_padded_2),
       fine_f_bound_2 = fine_f_error_2 + fine_f_rest_2,
       fine_f_size_4 = fine_f_bound_1 + fine_f_size_3,
       fine_f_size_5 = fine_f_bound_2 + fine_f_size_4,
@@ -36394,7 +36650,7 @@ static inline void ksl_SO3_leftJacobianInversef_certified(const ksl_vec3f_t *v, 
       fine_f_size_8 = fine_f_size_1 + fine_f_size_7;
   const float fine_four_k = KSL_MULF(4.0f, fine_sinc),
       fine_four_k_cross2_1 = KSL_MULF(4.0f, fine_sinc_lo),
-      fine_four_k_size_1 = KSL_MULF(4.0f, fine_sinc_size_7);
+      fine_four_k_size_1 = KSL_MULF(4.0f, fine_sinc_size_8);
   const float fine_b = fine_f / fine_four_k, fine_b_product_1 = KSL_MULF(fine_b, fine_four_k),
       fine_b_product_error_1 = ksl_product_errorf(fine_b, fine_four_k, fine_b_product_1),
       fine_b_rest_1 = fine_f - fine_b_product_1,
@@ -36406,7 +36662,7 @@ static inline void ksl_SO3_leftJacobianInversef_certified(const ksl_vec3f_t *v, 
       fine_b_padded_2 = 3.3087225e-24f + fine_four_k_size_1, fine_b_size_1 = fabsf(fine_b),
       fine_b_size_2 = fabsf(fine_four_k), fine_b_size_3 = KSL_MULF(fine_b_padded_2, fine_b_size_1),
       fine_b_size_4 = fine_b_padded_1 + fine_b_size_3, fine_b_error_1 = fabsf(fine_four_k_cross2_1),
-      fine_b_rest_2 = KSL_MULF(6.2013892e-12f, fine_b_padded_2),
+      fine_b_rest_2 = KSL_MULF(2.3419117e-10f, fine_b_padded_2),
       fine_b_bound_1 = fine_b_error_1 + fine_b_rest_2,
       fine_b_size_5 = KSL_MULF(4.0f, fine_b_bound_1),
       fine_b_size_7 = fine_b_size_5 < fine_b_size_2 ? fine_b_size_2 : 0.0f,
@@ -36426,12 +36682,12 @@ static inline void ksl_SO3_leftJacobianInversef_certified(const ksl_vec3f_t *v, 
       fine_b_across_cross_1 = KSL_MULF(fine_b_across, fine_sinc_lo),
       fine_b_across_residual_1 = fine_b_across_numerator_1 - fine_b_across_cross_1,
       fine_b_across_lo = fine_b_across_residual_1 / fine_sinc,
-      fine_b_across_padded_1 = 3.3087225e-24f + fine_sinc_size_7,
+      fine_b_across_padded_1 = 3.3087225e-24f + fine_sinc_size_8,
       fine_b_across_size_1 = fabsf(fine_b_across), fine_b_across_size_2 = fabsf(fine_sinc),
       fine_b_across_size_3 = KSL_MULF(fine_b_across_padded_1, fine_b_across_size_1),
       fine_b_across_size_4 = fine_b_across_size_3 + fine_sinc_quotient_padded_1,
       fine_b_across_error_1 = fabsf(fine_sinc_lo),
-      fine_b_across_rest_2 = KSL_MULF(6.0965586e-12f, fine_b_across_padded_1),
+      fine_b_across_rest_2 = KSL_MULF(2.3406946e-10f, fine_b_across_padded_1),
       fine_b_across_bound_1 = fine_b_across_error_1 + fine_b_across_rest_2,
       fine_b_across_size_5 = KSL_MULF(4.0f, fine_b_across_bound_1),
       fine_b_across_size_7 = fine_b_across_size_5 < fine_b_across_size_2 ? fine_b_across_size_2 :
@@ -36762,9 +37018,8 @@ static inline void ksl_SO3_leftJacobianInversef_certified(const ksl_vec3f_t *v, 
 /* R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      except 0; |error of R| <= R_bound unless inf or NaN.
    v: vector; R, R_bound: rotation or other 3×3 matrix.
-   385 mul, 694 add, 20 product error, 33 product rest, 23 div, 3 sqrt, 92 abs, 22 less, 2 equal,
-     47 select.
-   Error <= R: 6 u of its largest component for |v| <= π; searched, not proved. */
+   390 mul, 705 add, 20 product error, 34 product rest, 23 div, 3 sqrt, 93 abs, 23 less, 1 equal,
+     47 select. */
 static inline void ksl_SO3_rightJacobianInversef_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R,
     ksl_mat3x3f_t *R_bound) {
   const float size_0 = fabsf(v->x);
@@ -36928,14 +37183,16 @@ static inline void ksl_SO3_rightJacobianInversef_certified(const ksl_vec3f_t *v,
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MULF(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const float fine_sinc_divisor = fine_half_angle == 0.0f ? 1.0f : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0f ? 0.0f : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_half_angle_size_12,
+  const float fine_sinc_divisor = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+      fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161e-08f ? 0.0f : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+          fine_half_angle_size_12,
       fine_sinc_divisor_rest_1 = KSL_MULF(1.2221551e-12f, fine_sine_padded_1),
       fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0f,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161e-08f,
       fine_sinc_divisor_size_3 = fabsf(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0f - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161e-08f - fine_half_angle,
       fine_sinc_divisor_size_6 = fabsf(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6,
       fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
@@ -36970,19 +37227,38 @@ static inline void ksl_SO3_rightJacobianInversef_certified(const ksl_vec3f_t *v,
       fine_sinc_quotient_size_9 = KSL_MULF(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const float fine_sinc = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0f ? 0.0f : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0f - fine_sinc_quotient, fine_sinc_size_3 = fabsf(fine_sinc_size_2),
-      fine_sinc_error_1 = fabsf(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MULF(5.43103e-12f, fine_sinc_padded_1),
+  const float fine_sinc_a = KSL_MULF(0.16666667f, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MULF(-4.967054e-09f, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MULF(0.16666667f, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MULF(0.16666669f, fine_y_size_1), fine_sinc_b = 1.0f - fine_sinc_a,
+      fine_sinc_b_right_1 = 1.0f - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0f - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_restf(0.16666667f, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0f + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161e-08f ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_lo : fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabsf(fine_sinc_size_2), fine_sinc_error_1 = fabsf(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MULF(2.3406937e-10f, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabsf(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 3.3087225e-24f + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MULF(5.43103e-12f, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MULF(1.6915353e+11f, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
+          fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MULF(4.276409e+09f, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const float fine_series_phi_a = KSL_MULF(5.107725e-32f, fine_y),
       fine_series_phi_a_cross1_1 = KSL_MULF(3.51736e-40f, fine_y),
       fine_series_phi_a_cross2_1 = KSL_MULF(5.107725e-32f, fine_y_lo),
@@ -37313,7 +37589,7 @@ static inline void ksl_SO3_rightJacobianInversef_certified(const ksl_vec3f_t *v,
       fine_near_f_a_cross1_1 = KSL_MULF(-9.934108e-09f, fine_sinc),
       fine_near_f_a_cross2_1 = KSL_MULF(0.33333334f, fine_sinc_lo),
       fine_near_f_a_cross_1 = fine_near_f_a_cross1_1 + fine_near_f_a_cross2_1,
-      fine_near_f_a_size_1 = KSL_MULF(0.33333334f, fine_sinc_size_7),
+      fine_near_f_a_size_1 = KSL_MULF(0.33333334f, fine_sinc_size_8),
       fine_f_more_error_3 = ksl_product_errorf(fine_f_more_a, fine_series_phi, fine_f_more),
       fine_f_more_lo = fine_f_more_error_3 + fine_f_more_cross_1,
       fine_near_f_b = KSL_MULF(0.33333334f, fine_f_more),
@@ -37339,7 +37615,7 @@ static inline void ksl_SO3_rightJacobianInversef_certified(const ksl_vec3f_t *v,
       fine_f_rest_lo1_1 = fine_f_rest_left_rest_1 - fine_f_rest_right_rest_1,
       fine_f_rest_lo2_1 = fine_f_rest_lo1_1 - fine_c_lo,
       fine_f_rest_lo = fine_f_rest_lo2_1 + fine_sinc_lo,
-      fine_f_rest_size_1 = fine_sinc_size_7 + fine_sine_size_1;
+      fine_f_rest_size_1 = fine_sinc_size_8 + fine_sine_size_1;
   const float fine_x = KSL_MULF(4.0f, fine_y), fine_x_cross2_1 = KSL_MULF(4.0f, fine_y_lo),
       fine_x_size_1 = KSL_MULF(4.0f, fine_y_size_1);
   const float fine_far_y = fine_x < 4.0f ? 1.0f : fine_y,
@@ -37390,7 +37666,7 @@ static inline void ksl_SO3_rightJacobianInversef_certified(const ksl_vec3f_t *v,
       fine_f_rest_1 = KSL_MULF(2.6163277e-10f, fine_f_padded_1),
       fine_f_bound_1 = fine_f_error_1 + fine_f_rest_1, fine_f_error_2 = fabsf(fine_closed_f_lo),
       fine_f_padded_2 = 3.3087225e-24f + fine_closed_f_size_11,
-      fine_f_rest_2 = KSL_MULF(9.181639e-12f, fine_f_padded_2),
+      fine_f_rest_2 = KSL_MULF(2.3766553e-10f, fine_f_padded_2),
       fine_f_bound_2 = fine_f_error_2 + fine_f_rest_2,
       fine_f_size_4 = fine_f_bound_1 + fine_f_size_3,
       fine_f_size_5 = fine_f_bound_2 + fine_f_size_4,
@@ -37399,7 +37675,7 @@ static inline void ksl_SO3_rightJacobianInversef_certified(const ksl_vec3f_t *v,
       fine_f_size_8 = fine_f_size_1 + fine_f_size_7;
   const float fine_four_k = KSL_MULF(4.0f, fine_sinc),
       fine_four_k_cross2_1 = KSL_MULF(4.0f, fine_sinc_lo),
-      fine_four_k_size_1 = KSL_MULF(4.0f, fine_sinc_size_7);
+      fine_four_k_size_1 = KSL_MULF(4.0f, fine_sinc_size_8);
   const float fine_b = fine_f / fine_four_k, fine_b_product_1 = KSL_MULF(fine_b, fine_four_k),
       fine_b_product_error_1 = ksl_product_errorf(fine_b, fine_four_k, fine_b_product_1),
       fine_b_rest_1 = fine_f - fine_b_product_1,
@@ -37411,7 +37687,7 @@ static inline void ksl_SO3_rightJacobianInversef_certified(const ksl_vec3f_t *v,
       fine_b_padded_2 = 3.3087225e-24f + fine_four_k_size_1, fine_b_size_1 = fabsf(fine_b),
       fine_b_size_2 = fabsf(fine_four_k), fine_b_size_3 = KSL_MULF(fine_b_padded_2, fine_b_size_1),
       fine_b_size_4 = fine_b_padded_1 + fine_b_size_3, fine_b_error_1 = fabsf(fine_four_k_cross2_1),
-      fine_b_rest_2 = KSL_MULF(6.2013892e-12f, fine_b_padded_2),
+      fine_b_rest_2 = KSL_MULF(2.3419117e-10f, fine_b_padded_2),
       fine_b_bound_1 = fine_b_error_1 + fine_b_rest_2,
       fine_b_size_5 = KSL_MULF(4.0f, fine_b_bound_1),
       fine_b_size_7 = fine_b_size_5 < fine_b_size_2 ? fine_b_size_2 : 0.0f,
@@ -37431,12 +37707,12 @@ static inline void ksl_SO3_rightJacobianInversef_certified(const ksl_vec3f_t *v,
       fine_b_across_cross_1 = KSL_MULF(fine_b_across, fine_sinc_lo),
       fine_b_across_residual_1 = fine_b_across_numerator_1 - fine_b_across_cross_1,
       fine_b_across_lo = fine_b_across_residual_1 / fine_sinc,
-      fine_b_across_padded_1 = 3.3087225e-24f + fine_sinc_size_7,
+      fine_b_across_padded_1 = 3.3087225e-24f + fine_sinc_size_8,
       fine_b_across_size_1 = fabsf(fine_b_across), fine_b_across_size_2 = fabsf(fine_sinc),
       fine_b_across_size_3 = KSL_MULF(fine_b_across_padded_1, fine_b_across_size_1),
       fine_b_across_size_4 = fine_b_across_size_3 + fine_sinc_quotient_padded_1,
       fine_b_across_error_1 = fabsf(fine_sinc_lo),
-      fine_b_across_rest_2 = KSL_MULF(6.0965586e-12f, fine_b_across_padded_1),
+      fine_b_across_rest_2 = KSL_MULF(2.3406946e-10f, fine_b_across_padded_1),
       fine_b_across_bound_1 = fine_b_across_error_1 + fine_b_across_rest_2,
       fine_b_across_size_5 = KSL_MULF(4.0f, fine_b_across_bound_1),
       fine_b_across_size_7 = fine_b_across_size_5 < fine_b_across_size_2 ? fine_b_across_size_2 :
@@ -38152,11 +38428,8 @@ static inline void ksl_mat3x3f_orthonormalized_certified(const ksl_mat3x3f_t *R,
 
 /* D = exp s = [exp ω~ | J_l(ω) v]; |error of D| <= D_bound unless inf or NaN.
    s: screw (v in m/s; ω in rad/s); D, D_bound: displacement [R | t], R rotation, t in m.
-   489 mul, 824 add, 21 product error, 57 product rest, 16 div, 3 sqrt, 101 abs, 19 less, 2
-     equal, 46 select.
-   Error <= R: (6 + θ/200) u, t: (14 + θ/200) u of its largest component, or of s.lin if that is
-     larger, for |ω of s| <= 1e13, in single precision 1e5; searched, not proved.  Intermediate
-     sums may overflow where |v|, or |ω| |v|, is above 2e306, in single precision 5e36. */
+   494 mul, 835 add, 21 product error, 58 product rest, 16 div, 3 sqrt, 102 abs, 20 less, 1
+     equal, 46 select. */
 static inline void ksl_SE3f_exp_certified(const ksl_screwf_t *s, ksl_SE3f_t *D,
     ksl_SE3f_t *D_bound) {
   const float size_0 = fabsf(s->m3);
@@ -38352,14 +38625,16 @@ static inline void ksl_SE3f_exp_certified(const ksl_screwf_t *s, ksl_SE3f_t *D,
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MULF(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const float fine_sinc_divisor = fine_half_angle == 0.0f ? 1.0f : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0f ? 0.0f : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_half_angle_size_12,
+  const float fine_sinc_divisor = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+      fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161e-08f ? 0.0f : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+          fine_half_angle_size_12,
       fine_sinc_divisor_rest_1 = KSL_MULF(1.2221551e-12f, fine_sine_padded_1),
       fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0f,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161e-08f,
       fine_sinc_divisor_size_3 = fabsf(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0f - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161e-08f - fine_half_angle,
       fine_sinc_divisor_size_6 = fabsf(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6,
       fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
@@ -38394,24 +38669,43 @@ static inline void ksl_SE3f_exp_certified(const ksl_screwf_t *s, ksl_SE3f_t *D,
       fine_sinc_quotient_size_9 = KSL_MULF(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const float fine_sinc = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0f ? 0.0f : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0f - fine_sinc_quotient, fine_sinc_size_3 = fabsf(fine_sinc_size_2),
-      fine_sinc_error_1 = fabsf(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MULF(5.43103e-12f, fine_sinc_padded_1),
+  const float fine_sinc_a = KSL_MULF(0.16666667f, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MULF(-4.967054e-09f, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MULF(0.16666667f, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MULF(0.16666669f, fine_y_size_1), fine_sinc_b = 1.0f - fine_sinc_a,
+      fine_sinc_b_right_1 = 1.0f - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0f - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_restf(0.16666667f, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0f + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161e-08f ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_lo : fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabsf(fine_sinc_size_2), fine_sinc_error_1 = fabsf(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MULF(2.3406937e-10f, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabsf(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 3.3087225e-24f + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MULF(5.43103e-12f, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MULF(1.6915353e+11f, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
+          fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MULF(4.276409e+09f, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const float fine_g1 = KSL_MULF(fine_c, fine_sinc),
       fine_g1_cross1_1 = KSL_MULF(fine_c_lo, fine_sinc),
       fine_g1_cross2_1 = KSL_MULF(fine_c, fine_sinc_lo),
       fine_g1_cross_1 = fine_g1_cross1_1 + fine_g1_cross2_1,
-      fine_g1_padded_1 = 3.3087225e-24f + fine_sinc_size_7, fine_g1_size_1 = fabsf(fine_c),
+      fine_g1_padded_1 = 3.3087225e-24f + fine_sinc_size_8, fine_g1_size_1 = fabsf(fine_c),
       fine_g1_error_1 = fabsf(fine_c_lo),
       fine_g1_rest_1 = KSL_MULF(2.5011469e-12f, fine_sine_size_1),
       fine_g1_bound_1 = fine_g1_error_1 + fine_g1_rest_1,
@@ -38419,7 +38713,7 @@ static inline void ksl_SE3f_exp_certified(const ksl_screwf_t *s, ksl_SE3f_t *D,
       fine_g1_reach_1 = fine_g1_size_1 + fine_g1_units_1,
       fine_g1_size_2 = KSL_MULF(fine_g1_padded_1, fine_g1_reach_1),
       fine_g1_size_3 = fabsf(fine_sinc), fine_g1_error_2 = fabsf(fine_sinc_lo),
-      fine_g1_rest_2 = KSL_MULF(6.0965586e-12f, fine_g1_padded_1),
+      fine_g1_rest_2 = KSL_MULF(2.3406946e-10f, fine_g1_padded_1),
       fine_g1_bound_2 = fine_g1_error_2 + fine_g1_rest_2,
       fine_g1_units_2 = KSL_MULF(262144.0f, fine_g1_bound_2),
       fine_g1_reach_2 = fine_g1_size_3 + fine_g1_units_2,
@@ -38824,7 +39118,7 @@ static inline void ksl_SE3f_exp_certified(const ksl_screwf_t *s, ksl_SE3f_t *D,
       fine_g3_rest_1 = KSL_MULF(2.6431096e-10f, fine_g3_padded_1),
       fine_g3_bound_1 = fine_g3_error_1 + fine_g3_rest_1, fine_g3_error_2 = fabsf(fine_closed3_lo),
       fine_g3_padded_2 = 3.3087225e-24f + fine_closed3_size_11,
-      fine_g3_rest_2 = KSL_MULF(1.0875817e-11f, fine_g3_padded_2),
+      fine_g3_rest_2 = KSL_MULF(2.3937835e-10f, fine_g3_padded_2),
       fine_g3_bound_2 = fine_g3_error_2 + fine_g3_rest_2,
       fine_g3_size_4 = fine_g3_bound_1 + fine_g3_size_3,
       fine_g3_size_5 = fine_g3_bound_2 + fine_g3_size_4,
@@ -39019,11 +39313,11 @@ static inline void ksl_SE3f_exp_certified(const ksl_screwf_t *s, ksl_SE3f_t *D,
           fine_diagonal0a_size_1,
       fine_diagonal0_error_1 = fabsf(fine_m_lo_1),
       fine_diagonal0_padded_1 = 3.3087225e-24f + fine_m_size_1,
-      fine_diagonal0_rest_1 = KSL_MULF(8.057858e-12f, fine_diagonal0_padded_1),
+      fine_diagonal0_rest_1 = KSL_MULF(2.3644112e-10f, fine_diagonal0_padded_1),
       fine_diagonal0_bound_1 = fine_diagonal0_error_1 + fine_diagonal0_rest_1,
       fine_diagonal0_error_2 = fabsf(fine_others_lo_1),
       fine_diagonal0_padded_2 = 3.3087225e-24f + fine_others_size_1,
-      fine_diagonal0_rest_2 = KSL_MULF(8.5019864e-12f, fine_diagonal0_padded_2),
+      fine_diagonal0_rest_2 = KSL_MULF(2.369181e-10f, fine_diagonal0_padded_2),
       fine_diagonal0_bound_2 = fine_diagonal0_error_2 + fine_diagonal0_rest_2,
       fine_diagonal0_size_2 = fine_diagonal0_bound_1 + fine_diagonal0_bound_2,
       fine_diagonal0_size_3 = fine_m_0 - fine_others_0,
@@ -39032,17 +39326,17 @@ static inline void ksl_SE3f_exp_certified(const ksl_screwf_t *s, ksl_SE3f_t *D,
       fine_diagonal0_size_7 = fabsf(fine_diagonal0_size_6),
       fine_diagonal0_error_3 = fabsf(fine_diagonal0b_lo),
       fine_diagonal0_padded_3 = 3.3087225e-24f + fine_diagonal0b_size_1,
-      fine_diagonal0_rest_3 = KSL_MULF(8.5019864e-12f, fine_diagonal0_padded_3),
+      fine_diagonal0_rest_3 = KSL_MULF(2.369181e-10f, fine_diagonal0_padded_3),
       fine_diagonal0_bound_3 = fine_diagonal0_error_3 + fine_diagonal0_rest_3,
       fine_diagonal0_error_4 = fabsf(fine_diagonal0a_lo),
       fine_diagonal0_padded_4 = 3.3087225e-24f + fine_diagonal0a_size_1,
-      fine_diagonal0_rest_4 = KSL_MULF(8.967433e-12f, fine_diagonal0_padded_4),
+      fine_diagonal0_rest_4 = KSL_MULF(2.374164e-10f, fine_diagonal0_padded_4),
       fine_diagonal0_bound_4 = fine_diagonal0_error_4 + fine_diagonal0_rest_4,
       fine_diagonal0_size_8 = fine_diagonal0_bound_3 + fine_diagonal0_size_7,
       fine_diagonal0_size_9 = fine_diagonal0_bound_4 + fine_diagonal0_size_8,
       fine_diagonal0_size_10 = fine_diagonal0_size_2 < fine_diagonal0_size_4 ? 0.0f :
           fine_diagonal0_size_9,
-      fine_diagonal0_size_11 = KSL_MULF(8.7958766e+10f, fine_diagonal0_size_10),
+      fine_diagonal0_size_11 = KSL_MULF(4.2190973e+09f, fine_diagonal0_size_10),
       fine_diagonal0_size_12 = fine_diagonal0_size_1 + fine_diagonal0_size_11;
   const float fine_diagonal1a = 1.0f - fine_others_1,
       fine_diagonal1a_right_1 = 1.0f - fine_diagonal1a,
@@ -39069,11 +39363,11 @@ static inline void ksl_SE3f_exp_certified(const ksl_screwf_t *s, ksl_SE3f_t *D,
           fine_diagonal1a_size_1,
       fine_diagonal1_error_1 = fabsf(fine_m_lo_2),
       fine_diagonal1_padded_1 = 3.3087225e-24f + fine_m_size_2,
-      fine_diagonal1_rest_1 = KSL_MULF(8.057858e-12f, fine_diagonal1_padded_1),
+      fine_diagonal1_rest_1 = KSL_MULF(2.3644112e-10f, fine_diagonal1_padded_1),
       fine_diagonal1_bound_1 = fine_diagonal1_error_1 + fine_diagonal1_rest_1,
       fine_diagonal1_error_2 = fabsf(fine_others_lo_2),
       fine_diagonal1_padded_2 = 3.3087225e-24f + fine_others_size_2,
-      fine_diagonal1_rest_2 = KSL_MULF(8.5019864e-12f, fine_diagonal1_padded_2),
+      fine_diagonal1_rest_2 = KSL_MULF(2.369181e-10f, fine_diagonal1_padded_2),
       fine_diagonal1_bound_2 = fine_diagonal1_error_2 + fine_diagonal1_rest_2,
       fine_diagonal1_size_2 = fine_diagonal1_bound_1 + fine_diagonal1_bound_2,
       fine_diagonal1_size_3 = fine_m_1 - fine_others_1,
@@ -39082,17 +39376,17 @@ static inline void ksl_SE3f_exp_certified(const ksl_screwf_t *s, ksl_SE3f_t *D,
       fine_diagonal1_size_7 = fabsf(fine_diagonal1_size_6),
       fine_diagonal1_error_3 = fabsf(fine_diagonal1b_lo),
       fine_diagonal1_padded_3 = 3.3087225e-24f + fine_diagonal1b_size_1,
-      fine_diagonal1_rest_3 = KSL_MULF(8.5019864e-12f, fine_diagonal1_padded_3),
+      fine_diagonal1_rest_3 = KSL_MULF(2.369181e-10f, fine_diagonal1_padded_3),
       fine_diagonal1_bound_3 = fine_diagonal1_error_3 + fine_diagonal1_rest_3,
       fine_diagonal1_error_4 = fabsf(fine_diagonal1a_lo),
       fine_diagonal1_padded_4 = 3.3087225e-24f + fine_diagonal1a_size_1,
-      fine_diagonal1_rest_4 = KSL_MULF(8.967433e-12f, fine_diagonal1_padded_4),
+      fine_diagonal1_rest_4 = KSL_MULF(2.374164e-10f, fine_diagonal1_padded_4),
       fine_diagonal1_bound_4 = fine_diagonal1_error_4 + fine_diagonal1_rest_4,
       fine_diagonal1_size_8 = fine_diagonal1_bound_3 + fine_diagonal1_size_7,
       fine_diagonal1_size_9 = fine_diagonal1_bound_4 + fine_diagonal1_size_8,
       fine_diagonal1_size_10 = fine_diagonal1_size_2 < fine_diagonal1_size_4 ? 0.0f :
           fine_diagonal1_size_9,
-      fine_diagonal1_size_11 = KSL_MULF(8.7958766e+10f, fine_diagonal1_size_10),
+      fine_diagonal1_size_11 = KSL_MULF(4.2190973e+09f, fine_diagonal1_size_10),
       fine_diagonal1_size_12 = fine_diagonal1_size_1 + fine_diagonal1_size_11;
   const float fine_diagonal2a = 1.0f - fine_others_2,
       fine_diagonal2a_right_1 = 1.0f - fine_diagonal2a,
@@ -39119,11 +39413,11 @@ static inline void ksl_SE3f_exp_certified(const ksl_screwf_t *s, ksl_SE3f_t *D,
           fine_diagonal2a_size_1,
       fine_diagonal2_error_1 = fabsf(fine_m_lo_3),
       fine_diagonal2_padded_1 = 3.3087225e-24f + fine_m_size_3,
-      fine_diagonal2_rest_1 = KSL_MULF(8.057858e-12f, fine_diagonal2_padded_1),
+      fine_diagonal2_rest_1 = KSL_MULF(2.3644112e-10f, fine_diagonal2_padded_1),
       fine_diagonal2_bound_1 = fine_diagonal2_error_1 + fine_diagonal2_rest_1,
       fine_diagonal2_error_2 = fabsf(fine_others_lo_3),
       fine_diagonal2_padded_2 = 3.3087225e-24f + fine_others_size_3,
-      fine_diagonal2_rest_2 = KSL_MULF(8.5019864e-12f, fine_diagonal2_padded_2),
+      fine_diagonal2_rest_2 = KSL_MULF(2.369181e-10f, fine_diagonal2_padded_2),
       fine_diagonal2_bound_2 = fine_diagonal2_error_2 + fine_diagonal2_rest_2,
       fine_diagonal2_size_2 = fine_diagonal2_bound_1 + fine_diagonal2_bound_2,
       fine_diagonal2_size_3 = fine_m_2 - fine_others_2,
@@ -39132,17 +39426,17 @@ static inline void ksl_SE3f_exp_certified(const ksl_screwf_t *s, ksl_SE3f_t *D,
       fine_diagonal2_size_7 = fabsf(fine_diagonal2_size_6),
       fine_diagonal2_error_3 = fabsf(fine_diagonal2b_lo),
       fine_diagonal2_padded_3 = 3.3087225e-24f + fine_diagonal2b_size_1,
-      fine_diagonal2_rest_3 = KSL_MULF(8.5019864e-12f, fine_diagonal2_padded_3),
+      fine_diagonal2_rest_3 = KSL_MULF(2.369181e-10f, fine_diagonal2_padded_3),
       fine_diagonal2_bound_3 = fine_diagonal2_error_3 + fine_diagonal2_rest_3,
       fine_diagonal2_error_4 = fabsf(fine_diagonal2a_lo),
       fine_diagonal2_padded_4 = 3.3087225e-24f + fine_diagonal2a_size_1,
-      fine_diagonal2_rest_4 = KSL_MULF(8.967433e-12f, fine_diagonal2_padded_4),
+      fine_diagonal2_rest_4 = KSL_MULF(2.374164e-10f, fine_diagonal2_padded_4),
       fine_diagonal2_bound_4 = fine_diagonal2_error_4 + fine_diagonal2_rest_4,
       fine_diagonal2_size_8 = fine_diagonal2_bound_3 + fine_diagonal2_size_7,
       fine_diagonal2_size_9 = fine_diagonal2_bound_4 + fine_diagonal2_size_8,
       fine_diagonal2_size_10 = fine_diagonal2_size_2 < fine_diagonal2_size_4 ? 0.0f :
           fine_diagonal2_size_9,
-      fine_diagonal2_size_11 = KSL_MULF(8.7958766e+10f, fine_diagonal2_size_10),
+      fine_diagonal2_size_11 = KSL_MULF(4.2190973e+09f, fine_diagonal2_size_10),
       fine_diagonal2_size_12 = fine_diagonal2_size_1 + fine_diagonal2_size_11;
   const float fine_g1_error_3 = ksl_product_errorf(fine_c, fine_sinc, fine_g1),
       fine_g1_lo = fine_g1_error_3 + fine_g1_cross_1, fine_alpha_v_0 = KSL_MULF(s->m3, fine_g1),
@@ -39271,14 +39565,14 @@ static inline void ksl_SE3f_exp_certified(const ksl_screwf_t *s, ksl_SE3f_t *D,
       diagonal0_error_1 = fabsf(diagonal0_apart_2),
       diagonal0_error_2 = KSL_MULF(1.0000005f, diagonal0_error_1),
       diagonal0_padded_1 = 3.3087225e-24f + fine_diagonal0_size_12,
-      diagonal0_rest_1 = KSL_MULF(1.1724294e-11f, diagonal0_padded_1),
+      diagonal0_rest_1 = KSL_MULF(2.3741648e-10f, diagonal0_padded_1),
       diagonal0_bound_1 = diagonal0_error_2 + diagonal0_rest_1, D_apart_1 = fine_D_01 - D_01,
       D_apart_2 = D_apart_1 + fine_D_lo_1, D_error_1 = fabsf(D_apart_2),
       D_error_2 = KSL_MULF(1.0000005f, D_error_1), D_padded_1 = 3.3087225e-24f + fine_D_size_1,
-      D_rest_1 = KSL_MULF(8.5019864e-12f, D_padded_1), D_bound_1 = D_error_2 + D_rest_1,
+      D_rest_1 = KSL_MULF(2.369181e-10f, D_padded_1), D_bound_1 = D_error_2 + D_rest_1,
       D_apart_3 = fine_D_02 - D_02, D_apart_4 = D_apart_3 + fine_D_lo_2,
       D_error_3 = fabsf(D_apart_4), D_error_4 = KSL_MULF(1.0000005f, D_error_3),
-      D_padded_2 = 3.3087225e-24f + fine_D_size_2, D_rest_2 = KSL_MULF(8.5019864e-12f, D_padded_2),
+      D_padded_2 = 3.3087225e-24f + fine_D_size_2, D_rest_2 = KSL_MULF(2.369181e-10f, D_padded_2),
       D_bound_2 = D_error_4 + D_rest_2, D_apart_5 = fine_D_03 - D_03,
       D_apart_6 = D_apart_5 + fine_D_lo_3, D_error_5 = fabsf(D_apart_6),
       D_error_6 = KSL_MULF(1.0000005f, D_error_5), D_padded_3 = 3.3087225e-24f + fine_D_size_3,
@@ -39290,11 +39584,11 @@ static inline void ksl_SE3f_exp_certified(const ksl_screwf_t *s, ksl_SE3f_t *D,
       diagonal1_error_1 = fabsf(diagonal1_apart_2),
       diagonal1_error_2 = KSL_MULF(1.0000005f, diagonal1_error_1),
       diagonal1_padded_1 = 3.3087225e-24f + fine_diagonal1_size_12,
-      diagonal1_rest_1 = KSL_MULF(1.1724294e-11f, diagonal1_padded_1),
+      diagonal1_rest_1 = KSL_MULF(2.3741648e-10f, diagonal1_padded_1),
       diagonal1_bound_1 = diagonal1_error_2 + diagonal1_rest_1, D_apart_9 = fine_D_12 - D_12,
       D_apart_10 = D_apart_9 + fine_D_lo_5, D_error_9 = fabsf(D_apart_10),
       D_error_10 = KSL_MULF(1.0000005f, D_error_9), D_padded_4 = 3.3087225e-24f + fine_D_size_4,
-      D_rest_4 = KSL_MULF(8.5019864e-12f, D_padded_4), D_bound_5 = D_error_10 + D_rest_4,
+      D_rest_4 = KSL_MULF(2.369181e-10f, D_padded_4), D_bound_5 = D_error_10 + D_rest_4,
       D_apart_11 = fine_D_13 - D_13, D_apart_12 = D_apart_11 + fine_D_lo_6,
       D_error_11 = fabsf(D_apart_12), D_error_12 = KSL_MULF(1.0000005f, D_error_11),
       D_padded_5 = 3.3087225e-24f + fine_D_size_5, D_rest_5 = KSL_MULF(2.6786656e-10f, D_padded_5),
@@ -39308,7 +39602,7 @@ static inline void ksl_SE3f_exp_certified(const ksl_screwf_t *s, ksl_SE3f_t *D,
       diagonal2_error_1 = fabsf(diagonal2_apart_2),
       diagonal2_error_2 = KSL_MULF(1.0000005f, diagonal2_error_1),
       diagonal2_padded_1 = 3.3087225e-24f + fine_diagonal2_size_12,
-      diagonal2_rest_1 = KSL_MULF(1.1724294e-11f, diagonal2_padded_1),
+      diagonal2_rest_1 = KSL_MULF(2.3741648e-10f, diagonal2_padded_1),
       diagonal2_bound_1 = diagonal2_error_2 + diagonal2_rest_1, D_apart_17 = fine_D_23 - D_23,
       D_apart_18 = D_apart_17 + fine_D_lo_9, D_error_17 = fabsf(D_apart_18),
       D_error_18 = KSL_MULF(1.0000005f, D_error_17), D_padded_6 = 3.3087225e-24f + fine_D_size_6,
@@ -39342,10 +39636,8 @@ static inline void ksl_SE3f_exp_certified(const ksl_screwf_t *s, ksl_SE3f_t *D,
 /* so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R; |error of so| <= so_bound unless
      inf or NaN.
    D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s; ω in rad/s).
-   534 mul, 920 add, 29 product error, 35 product rest, 47 div, 5 sqrt, 14 neg, 160 abs, 6
-     copysign, 65 less, 10 equal, 167 select.
-   Error <= lin: 18 u, ang: 8 u of its largest component for R of D a rotation; searched, not
-     proved.  Intermediate sums may overflow where |t| is above 2e306, in single precision 5e36. */
+   539 mul, 931 add, 29 product error, 36 product rest, 47 div, 5 sqrt, 14 neg, 161 abs, 6
+     copysign, 66 less, 9 equal, 167 select. */
 static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
     ksl_screwf_t *so_bound) {
   const float p_0 = D->m21 - D->m12;
@@ -40007,12 +40299,14 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       fine_y_reach_1 = fine_y_size_1 + fine_y_units_1,
       fine_y_size_2 = KSL_MULF(fine_y_padded_1, fine_y_reach_1),
       fine_y_size_3 = fine_y_size_2 + fine_y_size_2;
-  const float fine_sinc_divisor = fine_half_angle == 0.0f ? 1.0f : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0f ? 0.0f : fine_half_angle_cross2_1,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_half_angle_size_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0f,
+  const float fine_sinc_divisor = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+      fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161e-08f ? 0.0f : fine_half_angle_cross2_1,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+          fine_half_angle_size_1,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161e-08f,
       fine_sinc_divisor_size_3 = fabsf(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0f - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161e-08f - fine_half_angle,
       fine_sinc_divisor_size_6 = fabsf(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_size_6 + fine_y_bound_1,
       fine_sinc_divisor_size_8 = fine_y_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
@@ -40047,21 +40341,39 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       fine_sinc_quotient_size_9 = KSL_MULF(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const float fine_sinc = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0f ? 0.0f : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0f - fine_sinc_quotient, fine_sinc_size_3 = fabsf(fine_sinc_size_2),
-      fine_sinc_error_1 = fabsf(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MULF(1.1643793e-11f, fine_sinc_padded_1),
-      fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
-      fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_y_bound_1 < fine_sinc_divisor_size_3 ? 0.0f : fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MULF(8.803187e+10f, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
   const float fine_y_error_2 = ksl_product_errorf(fine_half_angle, fine_half_angle, fine_y),
-      fine_y_lo = fine_y_error_2 + fine_y_cross_1,
-      fine_series_phi_a = KSL_MULF(5.107725e-32f, fine_y),
+      fine_y_lo = fine_y_error_2 + fine_y_cross_1, fine_sinc_a = KSL_MULF(0.16666667f, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MULF(-4.967054e-09f, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MULF(0.16666667f, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MULF(0.16666669f, fine_y_size_3), fine_sinc_b = 1.0f - fine_sinc_a,
+      fine_sinc_b_right_1 = 1.0f - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0f - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_restf(0.16666667f, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0f + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161e-08f ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_lo : fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabsf(fine_sinc_size_2), fine_sinc_error_1 = fabsf(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MULF(2.4250044e-10f, fine_sinc_padded_1),
+      fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabsf(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 3.3087225e-24f + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MULF(1.1643793e-11f, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
+      fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_y_bound_1 < fine_sinc_divisor_size_3 ? 0.0f : fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MULF(4.1300134e+09f, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
+  const float fine_series_phi_a = KSL_MULF(5.107725e-32f, fine_y),
       fine_series_phi_a_cross1_1 = KSL_MULF(3.51736e-40f, fine_y),
       fine_series_phi_a_cross2_1 = KSL_MULF(5.107725e-32f, fine_y_lo),
       fine_series_phi_a_cross_1 = fine_series_phi_a_cross1_1 + fine_series_phi_a_cross2_1,
@@ -40397,7 +40709,7 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       fine_near_f_a_cross1_1 = KSL_MULF(-9.934108e-09f, fine_sinc),
       fine_near_f_a_cross2_1 = KSL_MULF(0.33333334f, fine_sinc_lo),
       fine_near_f_a_cross_1 = fine_near_f_a_cross1_1 + fine_near_f_a_cross2_1,
-      fine_near_f_a_size_1 = KSL_MULF(0.33333334f, fine_sinc_size_7),
+      fine_near_f_a_size_1 = KSL_MULF(0.33333334f, fine_sinc_size_8),
       fine_f_more_error_3 = ksl_product_errorf(fine_f_more_a, fine_series_phi, fine_f_more),
       fine_f_more_lo = fine_f_more_error_3 + fine_f_more_cross_1,
       fine_near_f_b = KSL_MULF(0.33333334f, fine_f_more),
@@ -40423,7 +40735,7 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       fine_f_rest_lo1_1 = fine_f_rest_left_rest_1 - fine_f_rest_right_rest_1,
       fine_f_rest_lo2_1 = fine_f_rest_lo1_1 - fine_c_lo,
       fine_f_rest_lo = fine_f_rest_lo2_1 + fine_sinc_lo,
-      fine_f_rest_size_1 = fine_c_size_7 + fine_sinc_size_7;
+      fine_f_rest_size_1 = fine_c_size_7 + fine_sinc_size_8;
   const float fine_x = KSL_MULF(4.0f, fine_y), fine_x_cross2_1 = KSL_MULF(4.0f, fine_y_lo),
       fine_x_size_1 = KSL_MULF(4.0f, fine_y_size_3);
   const float fine_far_y = fine_x < 4.0f ? 1.0f : fine_y,
@@ -40474,7 +40786,7 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       fine_f_rest_1 = KSL_MULF(2.8699676e-10f, fine_f_padded_1),
       fine_f_bound_1 = fine_f_error_1 + fine_f_rest_1, fine_f_error_2 = fabsf(fine_closed_f_lo),
       fine_f_padded_2 = 3.3087225e-24f + fine_closed_f_size_11,
-      fine_f_rest_2 = KSL_MULF(1.5914433e-11f, fine_f_padded_2),
+      fine_f_rest_2 = KSL_MULF(2.4779026e-10f, fine_f_padded_2),
       fine_f_bound_2 = fine_f_error_2 + fine_f_rest_2,
       fine_f_size_4 = fine_f_bound_1 + fine_f_size_3,
       fine_f_size_5 = fine_f_bound_2 + fine_f_size_4,
@@ -40483,7 +40795,7 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       fine_f_size_8 = fine_f_size_1 + fine_f_size_7;
   const float fine_four_k = KSL_MULF(4.0f, fine_sinc),
       fine_four_k_cross2_1 = KSL_MULF(4.0f, fine_sinc_lo),
-      fine_four_k_size_1 = KSL_MULF(4.0f, fine_sinc_size_7);
+      fine_four_k_size_1 = KSL_MULF(4.0f, fine_sinc_size_8);
   const float fine_b = fine_f / fine_four_k, fine_b_product_1 = KSL_MULF(fine_b, fine_four_k),
       fine_b_product_error_1 = ksl_product_errorf(fine_b, fine_four_k, fine_b_product_1),
       fine_b_rest_1 = fine_f - fine_b_product_1,
@@ -40495,7 +40807,7 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       fine_b_padded_2 = 3.3087225e-24f + fine_four_k_size_1, fine_b_size_1 = fabsf(fine_b),
       fine_b_size_2 = fabsf(fine_four_k), fine_b_size_3 = KSL_MULF(fine_b_padded_2, fine_b_size_1),
       fine_b_size_4 = fine_b_padded_1 + fine_b_size_3, fine_b_error_1 = fabsf(fine_four_k_cross2_1),
-      fine_b_rest_2 = KSL_MULF(1.1785952e-11f, fine_b_padded_2),
+      fine_b_rest_2 = KSL_MULF(2.4267555e-10f, fine_b_padded_2),
       fine_b_bound_1 = fine_b_error_1 + fine_b_rest_2,
       fine_b_size_5 = KSL_MULF(4.0f, fine_b_bound_1),
       fine_b_size_7 = fine_b_size_5 < fine_b_size_2 ? fine_b_size_2 : 0.0f,
@@ -40516,12 +40828,12 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       fine_b_across_residual_1 = fine_b_across_numerator_1 - fine_b_across_cross_1,
       fine_b_across_lo = fine_b_across_residual_1 / fine_sinc,
       fine_b_across_padded_1 = 3.3087225e-24f + fine_c_size_7,
-      fine_b_across_padded_2 = 3.3087225e-24f + fine_sinc_size_7,
+      fine_b_across_padded_2 = 3.3087225e-24f + fine_sinc_size_8,
       fine_b_across_size_1 = fabsf(fine_b_across), fine_b_across_size_2 = fabsf(fine_sinc),
       fine_b_across_size_3 = KSL_MULF(fine_b_across_padded_2, fine_b_across_size_1),
       fine_b_across_size_4 = fine_b_across_padded_1 + fine_b_across_size_3,
       fine_b_across_error_1 = fabsf(fine_sinc_lo),
-      fine_b_across_rest_2 = KSL_MULF(1.1643796e-11f, fine_b_across_padded_2),
+      fine_b_across_rest_2 = KSL_MULF(2.4250052e-10f, fine_b_across_padded_2),
       fine_b_across_bound_1 = fine_b_across_error_1 + fine_b_across_rest_2,
       fine_b_across_size_5 = KSL_MULF(4.0f, fine_b_across_bound_1),
       fine_b_across_size_7 = fine_b_across_size_5 < fine_b_across_size_2 ? fine_b_across_size_2 :

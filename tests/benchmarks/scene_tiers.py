@@ -9,12 +9,13 @@ from tabulate import tabulate
 
 from coscrew_codegen import load_scene
 from coscrew_codegen.formats import PRECISIONS
-from coscrew_codegen.scene.tiers import known
+from coscrew_codegen.scene.tiers import asked, known
 from tests.support.scenes.tiers import states
 
 SCENE = Path(__file__).parents[2] / "examples" / "scenes" / "arm6.toml"
 NAMES = ("inverse_dynamics", "forward_dynamics", "mass_matrix", "body_poses")
 STATES, ROUNDS = 1000, 100
+TIERS = tuple(name for name in known() if name not in asked())
 
 
 def shortest(calls: list[Callable[[], object]]) -> list[float]:
@@ -30,8 +31,8 @@ def shortest(calls: list[Callable[[], object]]) -> list[float]:
 
 def rows() -> Iterator[tuple[str, ...]]:
     """A line for each function, precision and tier: its time, and the ratio to plain's."""
-    kernels = load_scene(SCENE, tiers=known(), functions=NAMES)
-    tiers = {"plain": kernels, **{name: getattr(kernels, name) for name in known()[1:]}}
+    kernels = load_scene(SCENE, tiers=TIERS, functions=NAMES)
+    tiers = {"plain": kernels, **{name: getattr(kernels, name) for name in TIERS[1:]}}
     for function in kernels.functions.functions:
         for p in PRECISIONS:
             given = states(kernels.functions, function, STATES, p)

@@ -43,6 +43,29 @@ def test_energy_that_overflows_is_no_rounding(tmp_path, capsys, integrator, k, p
         assert "is not kept at" in said or "not finite at" in said or "too large at" in said
 
 
+TURNING = """
+[bodies]
+a = { mass = 1, com = [0, 0, -0.2], inertia = [0.01, 0.01, 0.01] }
+b = { mass = 1, inertia = [0.01, 0.01, 0.01] }
+[joints]
+a = { type = "revolute", child = "a", axis = [0, 1, 0] }
+b = { type = "revolute", child = "b", axis = [0, 1, 0] }
+[run]
+duration = 0.5
+"""
+
+
+@pytest.mark.parametrize("effect", (
+    'actuator.a]\nkind = "torque"\ntorque = 1', 'actuator.a]\nkind = "torque"\ntorque = "1+0*t"',
+    "wrench.a]\nforce = [0, 0, 0]\ntorque = [0, 1, 0]"))
+def test_a_power_that_is_a_velocity_feeds_energy_in(tmp_path, capsys, effect):
+    """A torque of 1 has the power v, which takes no operation."""
+    for command in ("simulate", "check"):
+        status, said = outcome(tmp_path / "one.toml", capsys, command,
+                               f"{TURNING}[effects.{effect}")
+        assert status == 0, said
+
+
 def test_what_only_smaller_steps_show_is_false(tmp_path, capsys):
     """A torque whose period equals the step is zero at the beginning of each step."""
     text = SLIDE + """
@@ -90,6 +113,15 @@ def test_what_double_shows_is_no_rounding_of_single(tmp_path, capsys):
                         "linear-implicit-euler")
     assert status == 1 and said.count("integrator, of order 1.0") == 2
     assert "rounding" not in said
+
+
+@pytest.mark.parametrize("height", (0, 1, 2000))
+def test_what_rests_has_no_error_of_energy(tmp_path, capsys, height):
+    """In both precisions, however much potential energy it has."""
+    status, said = outcome(tmp_path / "rest.toml", capsys, "check",
+                           PENDULUM.format(angle="0", z=height), "--precision", "both")
+    cause = next(x for x in said.splitlines() if x.startswith("cause of this error"))
+    assert status == 0 and cause.count("none: nothing moves") == 2
 
 
 PENDULUM = """

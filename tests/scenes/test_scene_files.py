@@ -269,7 +269,7 @@ def test_numbers_that_nothing_uses_are_told(read):
         "joint shoulder: damping 0.5 N m s/rad is not used: add [effects.viscous]",
         "joint shoulder: friction 0.1 N m is not used: add [effects.stribeck]",
         "joint shoulder: effort 8 N m is not used: add [effects.motor]",
-        "joint shoulder: velocity 3 rad/s is not used",
+        "joint shoulder: velocity 3 rad/s is used by no effect",
         "joint shoulder: lower -1 rad is not used: add [effects.stop]",
         "joint shoulder: upper 2 rad is not used: add [effects.stop]",
         "joint elbow: damping 0.25 N m s/rad is not used: add [effects.viscous]",
@@ -280,7 +280,7 @@ def test_numbers_that_nothing_uses_are_told(read):
         "joint shoulder: damping 0.5 N s/m is not used: add [effects.viscous]",
         "joint shoulder: friction 0.1 N is not used: add [effects.stribeck]",
         "joint shoulder: effort 8 N is not used: add [effects.motor]",
-        "joint shoulder: velocity 3 m/s is not used",
+        "joint shoulder: velocity 3 m/s is used by no effect",
         "joint shoulder: lower -1 m is not used: add [effects.stop]",
         "joint shoulder: upper 2 m is not used: add [effects.stop]")
 
@@ -296,7 +296,7 @@ upper = 1
     assert scene.unused == (
         "joint shoulder: friction 0.1 N m is not used: add [effects.stribeck]",
         "joint shoulder: effort 8 N m is not used: add [effects.motor]",
-        "joint shoulder: velocity 3 rad/s is not used",
+        "joint shoulder: velocity 3 rad/s is used by no effect",
         "joint shoulder: upper 2 rad is not used: [effects.stop] has its own upper",
         "joint elbow: damping 0.25 N m s/rad is not used: [effects.viscous] has its own d")
 

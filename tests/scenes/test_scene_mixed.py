@@ -33,6 +33,7 @@ from coscrew_codegen.mixture.sample import States
 from coscrew_codegen.program import Instruction, Op, Program
 from coscrew_codegen.scene.model import Joint, Kind
 from coscrew_codegen.scene.scene import Scene, Tolerance
+from coscrew_codegen.scene_files.accuracy import OF_POSITIONS
 from coscrew_codegen.scene_files.errors import SceneError
 from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.scene_functions import Function, SceneFunctions
@@ -41,7 +42,9 @@ from coscrew_codegen.simulate import calls, native
 from coscrew_codegen.simulate.load import library_of
 from coscrew_codegen.targets import scene_c_tier, scene_calls
 from coscrew_codegen.tiers import tier_named
+from coscrew_codegen.tiers.accurate_scene import in_pairs
 from coscrew_codegen.tiers.certified_wide import in_double
+from coscrew_codegen.tiers.mixed import Mixture, mixed
 from tests.support.compiled.c_harness import C11, COMPILERS, STRICT, run
 from tests.support.scenes import mechanisms as m
 from tests.support.scenes.arms import arm, inverse
@@ -178,6 +181,29 @@ def test_text_is_the_same_for_every_hash_seed(made):
     assert there == mine
 
 
+TARGET = """[effects.actuator.hinge]
+kind = "pd"
+kp = 300
+kd = 30
+target = "0.5*sin(2.1*pi*t)"
+"""
+
+
+def test_all_in_pairs_is_as_accurate_as_pairs(tmp_path: Path):
+    """Sines of computed angles, which are made of several instructions, too."""
+    file = tmp_path / "rod.toml"
+    file.write_text(HEAD.replace("[accuracy]", TARGET))
+    program = derive(read_scene(file)).named(NAME).program
+    places = [(x.name, n) for x in program.instructions for n in range(len(x.operands))]
+    every = Mixture(frozenset(x.name for x in program.instructions), frozenset(places))
+    rng = np.random.default_rng(6)
+    given = [[rng.uniform(-3, 3, 1000).astype(np.float32)] for _ in program.inputs]
+    found, pairs = (np.stack(evaluator(p, SINGLE)(given))
+                    for p in (mixed(program, every), in_pairs(program, SINGLE)))
+    assert "sin" in {x.op.value for x in program.instructions}
+    assert np.array_equal(found, pairs)
+
+
 def test_an_accuracy_that_pairs_do_not_have_is_refused():
     scene = replace(SCENE, accuracy=(Tolerance(NAME, "tau", 1e-9),))
     with pytest.raises(AccuracyError, match=r"accuracy of inverse_dynamics: 1e-09 is asked of tau; "
@@ -230,9 +256,12 @@ axis = [0, 1, 0]
 
 @pytest.mark.parametrize("line, where, words", [
     ("inverse_dynamic = 1e-5", "accuracy.inverse_dynamic", "did you mean 'inverse_dynamics'?"),
-    ("step_rk4 = 1e-5", "accuracy.step_rk4", "no function 'step_rk4'"),
+    ("step_rk4 = 1e-5", "accuracy.step_rk4", "steps have no tier"),
     ("inverse_dynamics = 0", "accuracy.inverse_dynamics", "0; wanted a positive number"),
     ("energy = { e = -1e-5 }", "accuracy.energy.e", "-1e-05; wanted a positive number"),
+    ("energy = 'small'", "accuracy.energy",
+     "unknown name 'small'; wanted a number, in the unit of the results"),
+    ("energy = '1e-5*t'", "accuracy.energy", "depends on t; wanted a number, in the unit"),
     ("energy = {}", "accuracy.energy", "an empty table"),
     ("energy = true", "accuracy.energy", "the boolean true; wanted a number"),
     ("mass_matrix = 1e-5", "accuracy.mass_matrix", "the function is not selected"),
@@ -243,6 +272,27 @@ def test_errors_name_the_key(tmp_path: Path, line: str, where: str, words: str):
     with pytest.raises(SceneError) as error:
         read_scene(file)
     assert error.value.where == where and words in str(error.value)
+
+
+LIMITS = "limits = { lower = -1, upper = 2, velocity = 3, effort = 8 }"
+
+
+@pytest.mark.parametrize("function, left", [
+    ("", ["effort", "velocity", "lower", "upper"]), ("gravity_torques", ["effort", "velocity"]),
+    ("inverse_dynamics", ["effort"]), ("forward_dynamics", [])])
+def test_limits_between_which_states_are_drawn_are_used(tmp_path: Path, function: str,
+                                                        left: list[str]):
+    file = tmp_path / "rod.toml"
+    text = HEAD.replace('["inverse_dynamics", "energy"]', '["all"]')
+    file.write_text(text.replace("[effects", f"{LIMITS}\n[effects")
+                    + (f"{function} = 1e-3" if function else ""))
+    assert [line.split()[2] for line in read_scene(file).unused] == left
+
+
+@pytest.mark.parametrize("function", OF_POSITIONS)
+def test_functions_of_positions_have_no_other_input(function: str):
+    made = derive(replace(SCENE, functions=(function,), tiers=(), accuracy=()))
+    assert [a.name for a in made.named(function).inputs] == ["q"]
 
 
 def test_a_file_selects_the_tier_by_its_accuracy(tmp_path: Path):
@@ -289,13 +339,14 @@ def test_who_generates_is_told_what_each_mixture_saves(tmp_path: Path,
     assert main(["generate", str(file), "-o", str(tmp_path / "rod")]) == 0
     *lines, written = capsys.readouterr().out.splitlines()
     words = " ".join((tmp_path / "rod" / "rod_mixed.h").read_text().split())
-    for line, name, asked in zip(lines, ("inverse_dynamics", "energy"), ("2e-6", "1.25e-6"),
-                                 strict=True):
+    for line, name, asked, unit in zip(lines, ("inverse_dynamics", "energy"), ("2e-6", "1.25e-6"),
+                                       ("N m", "J"), strict=True):
         mixture, plain, pairs = re.findall(r"([\d,]+) (?:operations|in single|in pairs)", line)
-        moved = re.search(r"rounding was found to move (.* at most \S+ \(asked: (\S+)\))", line)
-        assert line.startswith(f"{name}: ") and moved and moved[2] == asked
-        assert f"rounding moves {moved[1]}" in words
-        assert f"{mixture}; {plain} in single precision, {pairs} in pairs" in words
+        moved = re.search(r"found to move (.* at most \S+) (.+) \(asked: (\S+)\)", line)
+        assert line.startswith(f"{name}: ") and moved and moved[2] == unit and moved[3] == asked
+        assert f"rounding moves {moved[1]} (asked: {asked})" in words
+        assert f"A call takes {mixture} operations, " in words
+        assert f"all in single precision {plain}, all in pairs {pairs}." in words
     assert "files" in written
 
 

@@ -19,14 +19,19 @@ import coscrew_codegen
 from coscrew_codegen.__main__ import main
 from coscrew_codegen.formats import PRECISIONS
 from coscrew_codegen.layout import scene_files
+from coscrew_codegen.mechanics import derive
 from coscrew_codegen.scene.tiers import TiersError, known, selected
 from coscrew_codegen.scene_files.errors import SceneError
+from coscrew_codegen.scene_files.toml_scene import SceneOverrides, read_scene
 from coscrew_codegen.scene_functions import SceneFunctions
-from coscrew_codegen.scene_tiers import NoFunctionsError, in_tier
+from coscrew_codegen.scene_tiers import NoFunctionsError, in_tier, tiers_of
 from coscrew_codegen.simulate import calls, native
 from coscrew_codegen.simulate.load import kernels_of, library_of
 from coscrew_codegen.targets import scene_c_tier, scene_calls
 from coscrew_codegen.tiers import OF_SCENES, Tier, tier_named
+from tests.benchmarks import cortex_m4
+from tests.benchmarks import scene_calls as scene_calls_benchmark
+from tests.benchmarks import scene_tiers as scene_tiers_benchmark
 from tests.support.compiled.c_harness import C11, COMPILERS, CXX17, INCLUDE, STRICT
 from tests.support.compiled.c_harness import run as command
 from tests.support.compiled.flags import FMA, HASWELL, UNHEEDED
@@ -128,6 +133,14 @@ def test_what_is_not_there_is_named(write, capsys: pytest.CaptureFixture[str]):
         alone.accurate
     assert main(["generate", "--tier", "accurate"]) == 2
     assert "--tier selects tiers of a scene, and no scene is given" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("module", (cortex_m4, scene_calls_benchmark, scene_tiers_benchmark),
+                         ids=lambda module: module.__name__.rpartition(".")[2])
+def test_benchmarks_ask_for_tiers_that_scenes_without_an_accuracy_have(write, module):
+    scene = read_scene(write(""), overrides=SceneOverrides(tiers=module.TIERS))
+    assert [x.tier.name for x in tiers_of(derive(scene))] == [x for x in module.TIERS
+                                                              if x != "plain"]
 
 
 def test_plain_is_always_there():

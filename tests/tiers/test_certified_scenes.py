@@ -64,6 +64,14 @@ def _quotient(w: Writer, a: Operand, b: Operand, c: Operand, d: Operand) -> Oper
     return w.do("r", Op.DIV, _close(w, a, b, "x"), _close(w, c, d, "y"))
 
 
+def _wide(w: Writer, a: Operand, b: Operand, c: Operand, d: Operand) -> Operand:
+    """√|x| x (x < 0 ? -v : v), where x may have either sign: errors are most of each factor."""
+    x, v = _difference(w, a, b, c), _close(w, d, b, "v")
+    root = w.do("root", Op.SQRT, w.do("size", Op.ABS, x))
+    signed = w.do("signed", Op.SELECT, w.do("t", Op.LESS, x, "0"), w.do("n", Op.NEG, v), v)
+    return w.do("r", Op.MUL, w.do("elastic", Op.MUL, root, x), signed)
+
+
 def _scale(w: Writer, x: Operand) -> Operand:
     """2^-9 or 2^5."""
     return w.do("s", Op.SELECT, w.do("large", Op.LESS, "2", x), "1/512", "32")
@@ -96,6 +104,9 @@ FORMULAS: dict[str, Build] = {
     "squares": _mean,
     "power": lambda w, a, b, c, d: _power(w, _close(w, a, b, "x"), "p"),
     "far product": _far,
+    "wide product": _wide,
+    "wide square": lambda w, a, b, c, d: _power(w, w.do(
+        "s", Op.ABS, _difference(w, a, b, c)), "p", 1),
     "exact quotient": lambda w, a, b, c, d: w.do("r", Op.DIV, a, b),
     "quotient": _quotient,
     "square of a quotient": lambda w, a, b, c, d: _power(w, _quotient(w, a, b, c, d), "p", 1),
@@ -226,6 +237,11 @@ MUTATIONS = {
                               "if bound := None:", "bearing"),
     "lost by scaling": ("certified_scene", "kept, ZERO, constant(2 * self.precision.eta)",
                         "kept, ZERO, ZERO", "sign of a scaled number"),
+    "both errors": ("sizes", "second = self.do(Op.ADD, second, self.do(Op.MUL, a, b))",
+                    "second = self.do(Op.ADD, second, ZERO)", "wide square"),
+    "rests of both": ("sizes", "self.do(Op.MUL, p, self._beyond_of(y)),\n"
+                      "                         self.do(Op.MUL, q, self._beyond_of(x))",
+                      "ZERO, ZERO", "wide product"),
     "series": ("sizes", "abs(near) + x.tail / (TAIL * self.u**2)", "abs(near)", "series"),
 }
 

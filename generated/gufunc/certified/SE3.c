@@ -2,10 +2,13 @@
 /* SPDX-License-Identifier: MIT */
 /* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
 /* Gufunc loops of the SE3 operations.  NumPy copies operands that overlap, except outputs
-   identical to an input; so no element depends on another. */
+   identical to an input; so no element depends on another.  An inf or NaN bound is an answer, "no
+   statement", and what is not chosen may divide by 0: NumPy finds no floating-point flags and warns
+   of nothing.  C callers of the kernels find the flags of all that is computed. */
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include <fenv.h>
 
 /* (3,4)->(3,4),(3,4) */
 INLINED void SE3_invert_double_over(
@@ -22,6 +25,7 @@ INLINED void SE3_invert_double_over(
     store_SE3_double(&self, p1 + i * step[1], core + 2);
     store_SE3_double(&self_bound, p2 + i * step[2], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void SE3_invert_double(
@@ -51,6 +55,7 @@ INLINED void SE3_invert_single_over(
     store_SE3_single(&self, p1 + i * step[1], core + 2);
     store_SE3_single(&self_bound, p2 + i * step[2], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void SE3_invert_single(
@@ -90,6 +95,7 @@ INLINED void SE3_inverted_double_over(
     store_SE3_double(&Do, p1 + i * step[1], core + 2);
     store_SE3_double(&Do_bound, p2 + i * step[2], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void SE3_inverted_double(
@@ -132,6 +138,7 @@ INLINED void SE3_inverted_single_over(
     store_SE3_single(&Do, p1 + i * step[1], core + 2);
     store_SE3_single(&Do_bound, p2 + i * step[2], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void SE3_inverted_single(

@@ -2,10 +2,13 @@
 /* SPDX-License-Identifier: MIT */
 /* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
 /* Gufunc loops of the coscrew operations.  NumPy copies operands that overlap, except outputs
-   identical to an input; so no element depends on another. */
+   identical to an input; so no element depends on another.  An inf or NaN bound is an answer, "no
+   statement", and what is not chosen may divide by 0: NumPy finds no floating-point flags and warns
+   of nothing.  C callers of the kernels find the flags of all that is computed. */
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include <fenv.h>
 
 /* (6),()->(6),(6) */
 INLINED void coscrew_scale_double_over(
@@ -25,6 +28,7 @@ INLINED void coscrew_scale_double_over(
     store_coscrew_double(&self, p2 + i * step[2], core + 1);
     store_coscrew_double(&self_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void coscrew_scale_double(
@@ -57,6 +61,7 @@ INLINED void coscrew_scale_single_over(
     store_coscrew_single(&self, p2 + i * step[2], core + 1);
     store_coscrew_single(&self_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void coscrew_scale_single(
@@ -101,6 +106,7 @@ INLINED void axpy_cc_double_over(
     store_coscrew_double(&y, p3 + i * step[3], core + 2);
     store_coscrew_double(&y_bound, p4 + i * step[4], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void axpy_cc_double(
@@ -148,6 +154,7 @@ INLINED void axpy_cc_single_over(
     store_coscrew_single(&y, p3 + i * step[3], core + 2);
     store_coscrew_single(&y_bound, p4 + i * step[4], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void axpy_cc_single(
@@ -195,6 +202,7 @@ INLINED void xpy_cc_double_over(
     store_coscrew_double(&y, p2 + i * step[2], core + 2);
     store_coscrew_double(&y_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void xpy_cc_double(
@@ -239,6 +247,7 @@ INLINED void xpy_cc_single_over(
     store_coscrew_single(&y, p2 + i * step[2], core + 2);
     store_coscrew_single(&y_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void xpy_cc_single(
@@ -286,6 +295,7 @@ INLINED void nxpy_cc_double_over(
     store_coscrew_double(&y, p2 + i * step[2], core + 2);
     store_coscrew_double(&y_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void nxpy_cc_double(
@@ -330,6 +340,7 @@ INLINED void nxpy_cc_single_over(
     store_coscrew_single(&y, p2 + i * step[2], core + 2);
     store_coscrew_single(&y_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void nxpy_cc_single(
@@ -378,6 +389,7 @@ INLINED void product_ac_double_over(
     store_coscrew_double(&co, p2 + i * step[2], core + 1);
     store_coscrew_double(&co_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_ac_double(
@@ -423,6 +435,7 @@ INLINED void product_ac_single_over(
     store_coscrew_single(&co, p2 + i * step[2], core + 1);
     store_coscrew_single(&co_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_ac_single(
@@ -471,6 +484,7 @@ INLINED void add_cc_double_over(
     store_coscrew_double(&co, p2 + i * step[2], core + 2);
     store_coscrew_double(&co_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void add_cc_double(
@@ -516,6 +530,7 @@ INLINED void add_cc_single_over(
     store_coscrew_single(&co, p2 + i * step[2], core + 2);
     store_coscrew_single(&co_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void add_cc_single(
@@ -564,6 +579,7 @@ INLINED void subtract_cc_double_over(
     store_coscrew_double(&co, p2 + i * step[2], core + 2);
     store_coscrew_double(&co_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void subtract_cc_double(
@@ -609,6 +625,7 @@ INLINED void subtract_cc_single_over(
     store_coscrew_single(&co, p2 + i * step[2], core + 2);
     store_coscrew_single(&co_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void subtract_cc_single(
@@ -657,6 +674,7 @@ INLINED void add_cct_double_over(
     store_coscrew_double(&co, p2 + i * step[2], core + 2);
     store_coscrew_double(&co_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void add_cct_double(
@@ -702,6 +720,7 @@ INLINED void add_cct_single_over(
     store_coscrew_single(&co, p2 + i * step[2], core + 2);
     store_coscrew_single(&co_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void add_cct_single(
@@ -750,6 +769,7 @@ INLINED void product_CoAdtc_double_over(
     store_coscrew_double(&co, p2 + i * step[2], core + 2);
     store_coscrew_double(&co_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_CoAdtc_double(
@@ -795,6 +815,7 @@ INLINED void product_CoAdtc_single_over(
     store_coscrew_single(&co, p2 + i * step[2], core + 2);
     store_coscrew_single(&co_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_CoAdtc_single(
@@ -843,6 +864,7 @@ INLINED void product_CoAdtinvc_double_over(
     store_coscrew_double(&co, p2 + i * step[2], core + 2);
     store_coscrew_double(&co_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_CoAdtinvc_double(
@@ -888,6 +910,7 @@ INLINED void product_CoAdtinvc_single_over(
     store_coscrew_single(&co, p2 + i * step[2], core + 2);
     store_coscrew_single(&co_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_CoAdtinvc_single(
@@ -936,6 +959,7 @@ INLINED void product_CoAdtcinv_double_over(
     store_coscrew_double(&co, p2 + i * step[2], core + 2);
     store_coscrew_double(&co_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_CoAdtcinv_double(
@@ -981,6 +1005,7 @@ INLINED void product_CoAdtcinv_single_over(
     store_coscrew_single(&co, p2 + i * step[2], core + 2);
     store_coscrew_single(&co_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_CoAdtcinv_single(
@@ -1029,6 +1054,7 @@ INLINED void product_CoAdrc_double_over(
     store_coscrew_double(&co, p2 + i * step[2], core + 3);
     store_coscrew_double(&co_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_CoAdrc_double(
@@ -1074,6 +1100,7 @@ INLINED void product_CoAdrc_single_over(
     store_coscrew_single(&co, p2 + i * step[2], core + 3);
     store_coscrew_single(&co_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_CoAdrc_single(
@@ -1122,6 +1149,7 @@ INLINED void product_CoAdrinvc_double_over(
     store_coscrew_double(&co, p2 + i * step[2], core + 3);
     store_coscrew_double(&co_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_CoAdrinvc_double(
@@ -1167,6 +1195,7 @@ INLINED void product_CoAdrinvc_single_over(
     store_coscrew_single(&co, p2 + i * step[2], core + 3);
     store_coscrew_single(&co_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_CoAdrinvc_single(
@@ -1215,6 +1244,7 @@ INLINED void product_CoAdrcinv_double_over(
     store_coscrew_double(&co, p2 + i * step[2], core + 3);
     store_coscrew_double(&co_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_CoAdrcinv_double(
@@ -1260,6 +1290,7 @@ INLINED void product_CoAdrcinv_single_over(
     store_coscrew_single(&co, p2 + i * step[2], core + 3);
     store_coscrew_single(&co_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_CoAdrcinv_single(
@@ -1308,6 +1339,7 @@ INLINED void product_CoAdc_double_over(
     store_coscrew_double(&co, p2 + i * step[2], core + 3);
     store_coscrew_double(&co_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_CoAdc_double(
@@ -1353,6 +1385,7 @@ INLINED void product_CoAdc_single_over(
     store_coscrew_single(&co, p2 + i * step[2], core + 3);
     store_coscrew_single(&co_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_CoAdc_single(
@@ -1401,6 +1434,7 @@ INLINED void product_CoAdinvc_double_over(
     store_coscrew_double(&co, p2 + i * step[2], core + 3);
     store_coscrew_double(&co_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_CoAdinvc_double(
@@ -1446,6 +1480,7 @@ INLINED void product_CoAdinvc_single_over(
     store_coscrew_single(&co, p2 + i * step[2], core + 3);
     store_coscrew_single(&co_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_CoAdinvc_single(
@@ -1494,6 +1529,7 @@ INLINED void product_CoAdcinv_double_over(
     store_coscrew_double(&co, p2 + i * step[2], core + 3);
     store_coscrew_double(&co_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_CoAdcinv_double(
@@ -1539,6 +1575,7 @@ INLINED void product_CoAdcinv_single_over(
     store_coscrew_single(&co, p2 + i * step[2], core + 3);
     store_coscrew_single(&co_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_CoAdcinv_single(
@@ -1584,6 +1621,7 @@ INLINED void hctx_double_over(
     store_coscrew_double(&co, p1 + i * step[1], core + 2);
     store_coscrew_double(&co_bound, p2 + i * step[2], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void hctx_double(
@@ -1626,6 +1664,7 @@ INLINED void hctx_single_over(
     store_coscrew_single(&co, p1 + i * step[1], core + 2);
     store_coscrew_single(&co_bound, p2 + i * step[2], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void hctx_single(
@@ -1671,6 +1710,7 @@ INLINED void hcty_double_over(
     store_coscrew_double(&co, p1 + i * step[1], core + 2);
     store_coscrew_double(&co_bound, p2 + i * step[2], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void hcty_double(
@@ -1713,6 +1753,7 @@ INLINED void hcty_single_over(
     store_coscrew_single(&co, p1 + i * step[1], core + 2);
     store_coscrew_single(&co_bound, p2 + i * step[2], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void hcty_single(
@@ -1758,6 +1799,7 @@ INLINED void hctz_double_over(
     store_coscrew_double(&co, p1 + i * step[1], core + 2);
     store_coscrew_double(&co_bound, p2 + i * step[2], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void hctz_double(
@@ -1800,6 +1842,7 @@ INLINED void hctz_single_over(
     store_coscrew_single(&co, p1 + i * step[1], core + 2);
     store_coscrew_single(&co_bound, p2 + i * step[2], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void hctz_single(
@@ -1845,6 +1888,7 @@ INLINED void hctxinv_double_over(
     store_coscrew_double(&co, p1 + i * step[1], core + 2);
     store_coscrew_double(&co_bound, p2 + i * step[2], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void hctxinv_double(
@@ -1887,6 +1931,7 @@ INLINED void hctxinv_single_over(
     store_coscrew_single(&co, p1 + i * step[1], core + 2);
     store_coscrew_single(&co_bound, p2 + i * step[2], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void hctxinv_single(
@@ -1932,6 +1977,7 @@ INLINED void hctyinv_double_over(
     store_coscrew_double(&co, p1 + i * step[1], core + 2);
     store_coscrew_double(&co_bound, p2 + i * step[2], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void hctyinv_double(
@@ -1974,6 +2020,7 @@ INLINED void hctyinv_single_over(
     store_coscrew_single(&co, p1 + i * step[1], core + 2);
     store_coscrew_single(&co_bound, p2 + i * step[2], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void hctyinv_single(
@@ -2019,6 +2066,7 @@ INLINED void hctzinv_double_over(
     store_coscrew_double(&co, p1 + i * step[1], core + 2);
     store_coscrew_double(&co_bound, p2 + i * step[2], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void hctzinv_double(
@@ -2061,6 +2109,7 @@ INLINED void hctzinv_single_over(
     store_coscrew_single(&co, p1 + i * step[1], core + 2);
     store_coscrew_single(&co_bound, p2 + i * step[2], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void hctzinv_single(
@@ -2106,6 +2155,7 @@ INLINED void CoAd_double_over(
     store_mat6x6_double(&M, p1 + i * step[1], core + 2);
     store_mat6x6_double(&M_bound, p2 + i * step[2], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void CoAd_double(
@@ -2148,6 +2198,7 @@ INLINED void CoAd_single_over(
     store_mat6x6_single(&M, p1 + i * step[1], core + 2);
     store_mat6x6_single(&M_bound, p2 + i * step[2], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void CoAd_single(
@@ -2196,6 +2247,7 @@ INLINED void reciprocal_product_double_over(
     store_scalar_double(&power, p2 + i * step[2], core + 2);
     store_scalar_double(&power_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void reciprocal_product_double(
@@ -2241,6 +2293,7 @@ INLINED void reciprocal_product_single_over(
     store_scalar_single(&power, p2 + i * step[2], core + 2);
     store_scalar_single(&power_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void reciprocal_product_single(
@@ -2289,6 +2342,7 @@ INLINED void cross_sc_double_over(
     store_coscrew_double(&co, p2 + i * step[2], core + 2);
     store_coscrew_double(&co_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void cross_sc_double(
@@ -2334,6 +2388,7 @@ INLINED void cross_sc_single_over(
     store_coscrew_single(&co, p2 + i * step[2], core + 2);
     store_coscrew_single(&co_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void cross_sc_single(
@@ -2382,6 +2437,7 @@ INLINED void cross_sca_double_over(
     store_coscrew_double(&co, p2 + i * step[2], core + 2);
     store_coscrew_double(&co_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void cross_sca_double(
@@ -2427,6 +2483,7 @@ INLINED void cross_sca_single_over(
     store_coscrew_single(&co, p2 + i * step[2], core + 2);
     store_coscrew_single(&co_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void cross_sca_single(
@@ -2475,6 +2532,7 @@ INLINED void constraint_ctx_double_over(
     store_coscrew_double(&co, p2 + i * step[2], core + 3);
     store_coscrew_double(&co_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void constraint_ctx_double(
@@ -2520,6 +2578,7 @@ INLINED void constraint_ctx_single_over(
     store_coscrew_single(&co, p2 + i * step[2], core + 3);
     store_coscrew_single(&co_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void constraint_ctx_single(
@@ -2568,6 +2627,7 @@ INLINED void constraint_cty_double_over(
     store_coscrew_double(&co, p2 + i * step[2], core + 3);
     store_coscrew_double(&co_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void constraint_cty_double(
@@ -2613,6 +2673,7 @@ INLINED void constraint_cty_single_over(
     store_coscrew_single(&co, p2 + i * step[2], core + 3);
     store_coscrew_single(&co_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void constraint_cty_single(
@@ -2661,6 +2722,7 @@ INLINED void constraint_ctz_double_over(
     store_coscrew_double(&co, p2 + i * step[2], core + 3);
     store_coscrew_double(&co_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void constraint_ctz_double(
@@ -2706,6 +2768,7 @@ INLINED void constraint_ctz_single_over(
     store_coscrew_single(&co, p2 + i * step[2], core + 3);
     store_coscrew_single(&co_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void constraint_ctz_single(
@@ -2754,6 +2817,7 @@ INLINED void constraint_crx_double_over(
     store_coscrew_double(&co, p2 + i * step[2], core + 3);
     store_coscrew_double(&co_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void constraint_crx_double(
@@ -2799,6 +2863,7 @@ INLINED void constraint_crx_single_over(
     store_coscrew_single(&co, p2 + i * step[2], core + 3);
     store_coscrew_single(&co_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void constraint_crx_single(
@@ -2847,6 +2912,7 @@ INLINED void constraint_cry_double_over(
     store_coscrew_double(&co, p2 + i * step[2], core + 3);
     store_coscrew_double(&co_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void constraint_cry_double(
@@ -2892,6 +2958,7 @@ INLINED void constraint_cry_single_over(
     store_coscrew_single(&co, p2 + i * step[2], core + 3);
     store_coscrew_single(&co_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void constraint_cry_single(
@@ -2940,6 +3007,7 @@ INLINED void constraint_crz_double_over(
     store_coscrew_double(&co, p2 + i * step[2], core + 3);
     store_coscrew_double(&co_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void constraint_crz_double(
@@ -2985,6 +3053,7 @@ INLINED void constraint_crz_single_over(
     store_coscrew_single(&co, p2 + i * step[2], core + 3);
     store_coscrew_single(&co_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void constraint_crz_single(
@@ -3033,6 +3102,7 @@ INLINED void working_ctx_double_over(
     store_coscrew_double(&co, p2 + i * step[2], core + 3);
     store_coscrew_double(&co_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void working_ctx_double(
@@ -3078,6 +3148,7 @@ INLINED void working_ctx_single_over(
     store_coscrew_single(&co, p2 + i * step[2], core + 3);
     store_coscrew_single(&co_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void working_ctx_single(
@@ -3126,6 +3197,7 @@ INLINED void working_cty_double_over(
     store_coscrew_double(&co, p2 + i * step[2], core + 3);
     store_coscrew_double(&co_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void working_cty_double(
@@ -3171,6 +3243,7 @@ INLINED void working_cty_single_over(
     store_coscrew_single(&co, p2 + i * step[2], core + 3);
     store_coscrew_single(&co_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void working_cty_single(
@@ -3219,6 +3292,7 @@ INLINED void working_ctz_double_over(
     store_coscrew_double(&co, p2 + i * step[2], core + 3);
     store_coscrew_double(&co_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void working_ctz_double(
@@ -3264,6 +3338,7 @@ INLINED void working_ctz_single_over(
     store_coscrew_single(&co, p2 + i * step[2], core + 3);
     store_coscrew_single(&co_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void working_ctz_single(
@@ -3312,6 +3387,7 @@ INLINED void working_crx_double_over(
     store_coscrew_double(&co, p2 + i * step[2], core + 3);
     store_coscrew_double(&co_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void working_crx_double(
@@ -3357,6 +3433,7 @@ INLINED void working_crx_single_over(
     store_coscrew_single(&co, p2 + i * step[2], core + 3);
     store_coscrew_single(&co_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void working_crx_single(
@@ -3405,6 +3482,7 @@ INLINED void working_cry_double_over(
     store_coscrew_double(&co, p2 + i * step[2], core + 3);
     store_coscrew_double(&co_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void working_cry_double(
@@ -3450,6 +3528,7 @@ INLINED void working_cry_single_over(
     store_coscrew_single(&co, p2 + i * step[2], core + 3);
     store_coscrew_single(&co_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void working_cry_single(
@@ -3498,6 +3577,7 @@ INLINED void working_crz_double_over(
     store_coscrew_double(&co, p2 + i * step[2], core + 3);
     store_coscrew_double(&co_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void working_crz_double(
@@ -3543,6 +3623,7 @@ INLINED void working_crz_single_over(
     store_coscrew_single(&co, p2 + i * step[2], core + 3);
     store_coscrew_single(&co_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void working_crz_single(

@@ -2,10 +2,13 @@
 /* SPDX-License-Identifier: MIT */
 /* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
 /* Gufunc loops of the inertia operations.  NumPy copies operands that overlap, except outputs
-   identical to an input; so no element depends on another. */
+   identical to an input; so no element depends on another.  An inf or NaN bound is an answer, "no
+   statement", and what is not chosen may divide by 0: NumPy finds no floating-point flags and warns
+   of nothing.  C callers of the kernels find the flags of all that is computed. */
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include <fenv.h>
 
 /* (),(3),(),(),(),(),(),()->(10),(10) */
 INLINED void inertia_double_over(
@@ -50,6 +53,7 @@ INLINED void inertia_double_over(
     store_inertia_double(&J, p8 + i * step[8], core + 1);
     store_inertia_double(&J_bound, p9 + i * step[9], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void inertia_double(
@@ -113,6 +117,7 @@ INLINED void inertia_single_over(
     store_inertia_single(&J, p8 + i * step[8], core + 1);
     store_inertia_single(&J_bound, p9 + i * step[9], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void inertia_single(
@@ -161,6 +166,7 @@ INLINED void inertia_rotated_double_over(
     store_inertia_double(&Jo, p2 + i * step[2], core + 3);
     store_inertia_double(&Jo_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void inertia_rotated_double(
@@ -206,6 +212,7 @@ INLINED void inertia_rotated_single_over(
     store_inertia_single(&Jo, p2 + i * step[2], core + 3);
     store_inertia_single(&Jo_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void inertia_rotated_single(
@@ -247,6 +254,7 @@ INLINED void inertia_rotate_double_over(
     store_inertia_double(&self, p2 + i * step[2], core + 3);
     store_inertia_double(&self_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void inertia_rotate_double(
@@ -279,6 +287,7 @@ INLINED void inertia_rotate_single_over(
     store_inertia_single(&self, p2 + i * step[2], core + 3);
     store_inertia_single(&self_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void inertia_rotate_single(
@@ -321,6 +330,7 @@ INLINED void inertia_translated_double_over(
     store_inertia_double(&Jo, p2 + i * step[2], core + 2);
     store_inertia_double(&Jo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void inertia_translated_double(
@@ -366,6 +376,7 @@ INLINED void inertia_translated_single_over(
     store_inertia_single(&Jo, p2 + i * step[2], core + 2);
     store_inertia_single(&Jo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void inertia_translated_single(
@@ -407,6 +418,7 @@ INLINED void inertia_translate_double_over(
     store_inertia_double(&self, p2 + i * step[2], core + 2);
     store_inertia_double(&self_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void inertia_translate_double(
@@ -439,6 +451,7 @@ INLINED void inertia_translate_single_over(
     store_inertia_single(&self, p2 + i * step[2], core + 2);
     store_inertia_single(&self_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void inertia_translate_single(
@@ -481,6 +494,7 @@ INLINED void inertia_transformed_double_over(
     store_inertia_double(&Jo, p2 + i * step[2], core + 3);
     store_inertia_double(&Jo_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void inertia_transformed_double(
@@ -526,6 +540,7 @@ INLINED void inertia_transformed_single_over(
     store_inertia_single(&Jo, p2 + i * step[2], core + 3);
     store_inertia_single(&Jo_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void inertia_transformed_single(
@@ -567,6 +582,7 @@ INLINED void inertia_transform_double_over(
     store_inertia_double(&self, p2 + i * step[2], core + 3);
     store_inertia_double(&self_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void inertia_transform_double(
@@ -599,6 +615,7 @@ INLINED void inertia_transform_single_over(
     store_inertia_single(&self, p2 + i * step[2], core + 3);
     store_inertia_single(&self_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void inertia_transform_single(

@@ -2,10 +2,13 @@
 /* SPDX-License-Identifier: MIT */
 /* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
 /* Gufunc loops of the mat6x6 operations.  NumPy copies operands that overlap, except outputs
-   identical to an input; so no element depends on another. */
+   identical to an input; so no element depends on another.  An inf or NaN bound is an answer, "no
+   statement", and what is not chosen may divide by 0: NumPy finds no floating-point flags and warns
+   of nothing.  C callers of the kernels find the flags of all that is computed. */
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include <fenv.h>
 
 /* (3,3),(6,6)->(6,6),(6,6) */
 INLINED void mat6x6_rotated_double_over(
@@ -32,6 +35,7 @@ INLINED void mat6x6_rotated_double_over(
     store_mat6x6_double(&Mo, p2 + i * step[2], core + 4);
     store_mat6x6_double(&Mo_bound, p3 + i * step[3], core + 6);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void mat6x6_rotated_double(
@@ -77,6 +81,7 @@ INLINED void mat6x6_rotated_single_over(
     store_mat6x6_single(&Mo, p2 + i * step[2], core + 4);
     store_mat6x6_single(&Mo_bound, p3 + i * step[3], core + 6);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void mat6x6_rotated_single(
@@ -125,6 +130,7 @@ INLINED void mat6x6_shifted_double_over(
     store_mat6x6_double(&Mo, p2 + i * step[2], core + 3);
     store_mat6x6_double(&Mo_bound, p3 + i * step[3], core + 5);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void mat6x6_shifted_double(
@@ -170,6 +176,7 @@ INLINED void mat6x6_shifted_single_over(
     store_mat6x6_single(&Mo, p2 + i * step[2], core + 3);
     store_mat6x6_single(&Mo_bound, p3 + i * step[3], core + 5);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void mat6x6_shifted_single(

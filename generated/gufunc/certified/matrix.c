@@ -2,10 +2,13 @@
 /* SPDX-License-Identifier: MIT */
 /* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
 /* Gufunc loops of the matrix operations.  NumPy copies operands that overlap, except outputs
-   identical to an input; so no element depends on another. */
+   identical to an input; so no element depends on another.  An inf or NaN bound is an answer, "no
+   statement", and what is not chosen may divide by 0: NumPy finds no floating-point flags and warns
+   of nothing.  C callers of the kernels find the flags of all that is computed. */
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include <fenv.h>
 
 /* (3,3),(3)->(3),(3) */
 INLINED void product_drv_double_over(
@@ -32,6 +35,7 @@ INLINED void product_drv_double_over(
     store_vec3_double(&vo, p2 + i * step[2], core + 3);
     store_vec3_double(&vo_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_drv_double(
@@ -77,6 +81,7 @@ INLINED void product_drv_single_over(
     store_vec3_single(&vo, p2 + i * step[2], core + 3);
     store_vec3_single(&vo_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_drv_single(
@@ -125,6 +130,7 @@ INLINED void product_drvinv_double_over(
     store_vec3_double(&vo, p2 + i * step[2], core + 3);
     store_vec3_double(&vo_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_drvinv_double(
@@ -170,6 +176,7 @@ INLINED void product_drvinv_single_over(
     store_vec3_single(&vo, p2 + i * step[2], core + 3);
     store_vec3_single(&vo_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_drvinv_single(
@@ -218,6 +225,7 @@ INLINED void product_drinvv_double_over(
     store_vec3_double(&vo, p2 + i * step[2], core + 3);
     store_vec3_double(&vo_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_drinvv_double(
@@ -263,6 +271,7 @@ INLINED void product_drinvv_single_over(
     store_vec3_single(&vo, p2 + i * step[2], core + 3);
     store_vec3_single(&vo_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_drinvv_single(
@@ -311,6 +320,7 @@ INLINED void product_drinvvinv_double_over(
     store_vec3_double(&vo, p2 + i * step[2], core + 3);
     store_vec3_double(&vo_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_drinvvinv_double(
@@ -356,6 +366,7 @@ INLINED void product_drinvvinv_single_over(
     store_vec3_single(&vo, p2 + i * step[2], core + 3);
     store_vec3_single(&vo_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_drinvvinv_single(
@@ -404,6 +415,7 @@ INLINED void product_dv_double_over(
     store_vec3_double(&vo, p2 + i * step[2], core + 3);
     store_vec3_double(&vo_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_dv_double(
@@ -449,6 +461,7 @@ INLINED void product_dv_single_over(
     store_vec3_single(&vo, p2 + i * step[2], core + 3);
     store_vec3_single(&vo_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_dv_single(
@@ -497,6 +510,7 @@ INLINED void product_dinvv_double_over(
     store_vec3_double(&vo, p2 + i * step[2], core + 3);
     store_vec3_double(&vo_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_dinvv_double(
@@ -542,6 +556,7 @@ INLINED void product_dinvv_single_over(
     store_vec3_single(&vo, p2 + i * step[2], core + 3);
     store_vec3_single(&vo_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_dinvv_single(
@@ -590,6 +605,7 @@ INLINED void product_drdr_double_over(
     store_mat3x3_double(&Ro, p2 + i * step[2], core + 4);
     store_mat3x3_double(&Ro_bound, p3 + i * step[3], core + 6);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_drdr_double(
@@ -635,6 +651,7 @@ INLINED void product_drdr_single_over(
     store_mat3x3_single(&Ro, p2 + i * step[2], core + 4);
     store_mat3x3_single(&Ro_bound, p3 + i * step[3], core + 6);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_drdr_single(
@@ -683,6 +700,7 @@ INLINED void product_drdrinv_double_over(
     store_mat3x3_double(&Ro, p2 + i * step[2], core + 4);
     store_mat3x3_double(&Ro_bound, p3 + i * step[3], core + 6);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_drdrinv_double(
@@ -728,6 +746,7 @@ INLINED void product_drdrinv_single_over(
     store_mat3x3_single(&Ro, p2 + i * step[2], core + 4);
     store_mat3x3_single(&Ro_bound, p3 + i * step[3], core + 6);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_drdrinv_single(
@@ -776,6 +795,7 @@ INLINED void product_drinvdr_double_over(
     store_mat3x3_double(&Ro, p2 + i * step[2], core + 4);
     store_mat3x3_double(&Ro_bound, p3 + i * step[3], core + 6);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_drinvdr_double(
@@ -821,6 +841,7 @@ INLINED void product_drinvdr_single_over(
     store_mat3x3_single(&Ro, p2 + i * step[2], core + 4);
     store_mat3x3_single(&Ro_bound, p3 + i * step[3], core + 6);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_drinvdr_single(
@@ -869,6 +890,7 @@ INLINED void product_dd_double_over(
     store_SE3_double(&Do, p2 + i * step[2], core + 4);
     store_SE3_double(&Do_bound, p3 + i * step[3], core + 6);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_dd_double(
@@ -914,6 +936,7 @@ INLINED void product_dd_single_over(
     store_SE3_single(&Do, p2 + i * step[2], core + 4);
     store_SE3_single(&Do_bound, p3 + i * step[3], core + 6);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_dd_single(
@@ -962,6 +985,7 @@ INLINED void product_ddinv_double_over(
     store_SE3_double(&Do, p2 + i * step[2], core + 4);
     store_SE3_double(&Do_bound, p3 + i * step[3], core + 6);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_ddinv_double(
@@ -1007,6 +1031,7 @@ INLINED void product_ddinv_single_over(
     store_SE3_single(&Do, p2 + i * step[2], core + 4);
     store_SE3_single(&Do_bound, p3 + i * step[3], core + 6);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_ddinv_single(
@@ -1055,6 +1080,7 @@ INLINED void product_dinvd_double_over(
     store_SE3_double(&Do, p2 + i * step[2], core + 4);
     store_SE3_double(&Do_bound, p3 + i * step[3], core + 6);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_dinvd_double(
@@ -1100,6 +1126,7 @@ INLINED void product_dinvd_single_over(
     store_SE3_single(&Do, p2 + i * step[2], core + 4);
     store_SE3_single(&Do_bound, p3 + i * step[3], core + 6);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_dinvd_single(
@@ -1148,6 +1175,7 @@ INLINED void product_ddr_double_over(
     store_SE3_double(&Do, p2 + i * step[2], core + 4);
     store_SE3_double(&Do_bound, p3 + i * step[3], core + 6);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_ddr_double(
@@ -1193,6 +1221,7 @@ INLINED void product_ddr_single_over(
     store_SE3_single(&Do, p2 + i * step[2], core + 4);
     store_SE3_single(&Do_bound, p3 + i * step[3], core + 6);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_ddr_single(
@@ -1241,6 +1270,7 @@ INLINED void product_ddrinv_double_over(
     store_SE3_double(&Do, p2 + i * step[2], core + 4);
     store_SE3_double(&Do_bound, p3 + i * step[3], core + 6);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_ddrinv_double(
@@ -1286,6 +1316,7 @@ INLINED void product_ddrinv_single_over(
     store_SE3_single(&Do, p2 + i * step[2], core + 4);
     store_SE3_single(&Do_bound, p3 + i * step[3], core + 6);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_ddrinv_single(
@@ -1334,6 +1365,7 @@ INLINED void product_ddt_double_over(
     store_SE3_double(&Do, p2 + i * step[2], core + 3);
     store_SE3_double(&Do_bound, p3 + i * step[3], core + 5);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_ddt_double(
@@ -1379,6 +1411,7 @@ INLINED void product_ddt_single_over(
     store_SE3_single(&Do, p2 + i * step[2], core + 3);
     store_SE3_single(&Do_bound, p3 + i * step[3], core + 5);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_ddt_single(
@@ -1427,6 +1460,7 @@ INLINED void product_ddtinv_double_over(
     store_SE3_double(&Do, p2 + i * step[2], core + 3);
     store_SE3_double(&Do_bound, p3 + i * step[3], core + 5);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_ddtinv_double(
@@ -1472,6 +1506,7 @@ INLINED void product_ddtinv_single_over(
     store_SE3_single(&Do, p2 + i * step[2], core + 3);
     store_SE3_single(&Do_bound, p3 + i * step[3], core + 5);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_ddtinv_single(
@@ -1520,6 +1555,7 @@ INLINED void product_dinvdt_double_over(
     store_SE3_double(&Do, p2 + i * step[2], core + 3);
     store_SE3_double(&Do_bound, p3 + i * step[3], core + 5);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_dinvdt_double(
@@ -1565,6 +1601,7 @@ INLINED void product_dinvdt_single_over(
     store_SE3_single(&Do, p2 + i * step[2], core + 3);
     store_SE3_single(&Do_bound, p3 + i * step[3], core + 5);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_dinvdt_single(
@@ -1613,6 +1650,7 @@ INLINED void product_drvtx_double_over(
     store_vec3_double(&vo, p2 + i * step[2], core + 2);
     store_vec3_double(&vo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_drvtx_double(
@@ -1658,6 +1696,7 @@ INLINED void product_drvtx_single_over(
     store_vec3_single(&vo, p2 + i * step[2], core + 2);
     store_vec3_single(&vo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_drvtx_single(
@@ -1706,6 +1745,7 @@ INLINED void product_drdrx_double_over(
     store_mat3x3_double(&Ro, p2 + i * step[2], core + 3);
     store_mat3x3_double(&Ro_bound, p3 + i * step[3], core + 5);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_drdrx_double(
@@ -1751,6 +1791,7 @@ INLINED void product_drdrx_single_over(
     store_mat3x3_single(&Ro, p2 + i * step[2], core + 3);
     store_mat3x3_single(&Ro_bound, p3 + i * step[3], core + 5);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_drdrx_single(
@@ -1799,6 +1840,7 @@ INLINED void product_ddrx_double_over(
     store_SE3_double(&Do, p2 + i * step[2], core + 3);
     store_SE3_double(&Do_bound, p3 + i * step[3], core + 5);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_ddrx_double(
@@ -1844,6 +1886,7 @@ INLINED void product_ddrx_single_over(
     store_SE3_single(&Do, p2 + i * step[2], core + 3);
     store_SE3_single(&Do_bound, p3 + i * step[3], core + 5);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_ddrx_single(
@@ -1892,6 +1935,7 @@ INLINED void product_ddtx_double_over(
     store_SE3_double(&Do, p2 + i * step[2], core + 2);
     store_SE3_double(&Do_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_ddtx_double(
@@ -1937,6 +1981,7 @@ INLINED void product_ddtx_single_over(
     store_SE3_single(&Do, p2 + i * step[2], core + 2);
     store_SE3_single(&Do_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_ddtx_single(
@@ -1985,6 +2030,7 @@ INLINED void product_drvtxinv_double_over(
     store_vec3_double(&vo, p2 + i * step[2], core + 2);
     store_vec3_double(&vo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_drvtxinv_double(
@@ -2030,6 +2076,7 @@ INLINED void product_drvtxinv_single_over(
     store_vec3_single(&vo, p2 + i * step[2], core + 2);
     store_vec3_single(&vo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_drvtxinv_single(
@@ -2078,6 +2125,7 @@ INLINED void product_drdrxinv_double_over(
     store_mat3x3_double(&Ro, p2 + i * step[2], core + 3);
     store_mat3x3_double(&Ro_bound, p3 + i * step[3], core + 5);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_drdrxinv_double(
@@ -2123,6 +2171,7 @@ INLINED void product_drdrxinv_single_over(
     store_mat3x3_single(&Ro, p2 + i * step[2], core + 3);
     store_mat3x3_single(&Ro_bound, p3 + i * step[3], core + 5);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_drdrxinv_single(
@@ -2171,6 +2220,7 @@ INLINED void product_ddrxinv_double_over(
     store_SE3_double(&Do, p2 + i * step[2], core + 3);
     store_SE3_double(&Do_bound, p3 + i * step[3], core + 5);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_ddrxinv_double(
@@ -2216,6 +2266,7 @@ INLINED void product_ddrxinv_single_over(
     store_SE3_single(&Do, p2 + i * step[2], core + 3);
     store_SE3_single(&Do_bound, p3 + i * step[3], core + 5);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_ddrxinv_single(
@@ -2264,6 +2315,7 @@ INLINED void product_ddtxinv_double_over(
     store_SE3_double(&Do, p2 + i * step[2], core + 2);
     store_SE3_double(&Do_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_ddtxinv_double(
@@ -2309,6 +2361,7 @@ INLINED void product_ddtxinv_single_over(
     store_SE3_single(&Do, p2 + i * step[2], core + 2);
     store_SE3_single(&Do_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_ddtxinv_single(
@@ -2357,6 +2410,7 @@ INLINED void product_drvty_double_over(
     store_vec3_double(&vo, p2 + i * step[2], core + 2);
     store_vec3_double(&vo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_drvty_double(
@@ -2402,6 +2456,7 @@ INLINED void product_drvty_single_over(
     store_vec3_single(&vo, p2 + i * step[2], core + 2);
     store_vec3_single(&vo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_drvty_single(
@@ -2450,6 +2505,7 @@ INLINED void product_drdry_double_over(
     store_mat3x3_double(&Ro, p2 + i * step[2], core + 3);
     store_mat3x3_double(&Ro_bound, p3 + i * step[3], core + 5);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_drdry_double(
@@ -2495,6 +2551,7 @@ INLINED void product_drdry_single_over(
     store_mat3x3_single(&Ro, p2 + i * step[2], core + 3);
     store_mat3x3_single(&Ro_bound, p3 + i * step[3], core + 5);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_drdry_single(
@@ -2543,6 +2600,7 @@ INLINED void product_ddry_double_over(
     store_SE3_double(&Do, p2 + i * step[2], core + 3);
     store_SE3_double(&Do_bound, p3 + i * step[3], core + 5);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_ddry_double(
@@ -2588,6 +2646,7 @@ INLINED void product_ddry_single_over(
     store_SE3_single(&Do, p2 + i * step[2], core + 3);
     store_SE3_single(&Do_bound, p3 + i * step[3], core + 5);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_ddry_single(
@@ -2636,6 +2695,7 @@ INLINED void product_ddty_double_over(
     store_SE3_double(&Do, p2 + i * step[2], core + 2);
     store_SE3_double(&Do_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_ddty_double(
@@ -2681,6 +2741,7 @@ INLINED void product_ddty_single_over(
     store_SE3_single(&Do, p2 + i * step[2], core + 2);
     store_SE3_single(&Do_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_ddty_single(
@@ -2729,6 +2790,7 @@ INLINED void product_drvtyinv_double_over(
     store_vec3_double(&vo, p2 + i * step[2], core + 2);
     store_vec3_double(&vo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_drvtyinv_double(
@@ -2774,6 +2836,7 @@ INLINED void product_drvtyinv_single_over(
     store_vec3_single(&vo, p2 + i * step[2], core + 2);
     store_vec3_single(&vo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_drvtyinv_single(
@@ -2822,6 +2885,7 @@ INLINED void product_drdryinv_double_over(
     store_mat3x3_double(&Ro, p2 + i * step[2], core + 3);
     store_mat3x3_double(&Ro_bound, p3 + i * step[3], core + 5);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_drdryinv_double(
@@ -2867,6 +2931,7 @@ INLINED void product_drdryinv_single_over(
     store_mat3x3_single(&Ro, p2 + i * step[2], core + 3);
     store_mat3x3_single(&Ro_bound, p3 + i * step[3], core + 5);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_drdryinv_single(
@@ -2915,6 +2980,7 @@ INLINED void product_ddryinv_double_over(
     store_SE3_double(&Do, p2 + i * step[2], core + 3);
     store_SE3_double(&Do_bound, p3 + i * step[3], core + 5);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_ddryinv_double(
@@ -2960,6 +3026,7 @@ INLINED void product_ddryinv_single_over(
     store_SE3_single(&Do, p2 + i * step[2], core + 3);
     store_SE3_single(&Do_bound, p3 + i * step[3], core + 5);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_ddryinv_single(
@@ -3008,6 +3075,7 @@ INLINED void product_ddtyinv_double_over(
     store_SE3_double(&Do, p2 + i * step[2], core + 2);
     store_SE3_double(&Do_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_ddtyinv_double(
@@ -3053,6 +3121,7 @@ INLINED void product_ddtyinv_single_over(
     store_SE3_single(&Do, p2 + i * step[2], core + 2);
     store_SE3_single(&Do_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_ddtyinv_single(
@@ -3101,6 +3170,7 @@ INLINED void product_drvtz_double_over(
     store_vec3_double(&vo, p2 + i * step[2], core + 2);
     store_vec3_double(&vo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_drvtz_double(
@@ -3146,6 +3216,7 @@ INLINED void product_drvtz_single_over(
     store_vec3_single(&vo, p2 + i * step[2], core + 2);
     store_vec3_single(&vo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_drvtz_single(
@@ -3194,6 +3265,7 @@ INLINED void product_drdrz_double_over(
     store_mat3x3_double(&Ro, p2 + i * step[2], core + 3);
     store_mat3x3_double(&Ro_bound, p3 + i * step[3], core + 5);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_drdrz_double(
@@ -3239,6 +3311,7 @@ INLINED void product_drdrz_single_over(
     store_mat3x3_single(&Ro, p2 + i * step[2], core + 3);
     store_mat3x3_single(&Ro_bound, p3 + i * step[3], core + 5);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_drdrz_single(
@@ -3287,6 +3360,7 @@ INLINED void product_ddrz_double_over(
     store_SE3_double(&Do, p2 + i * step[2], core + 3);
     store_SE3_double(&Do_bound, p3 + i * step[3], core + 5);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_ddrz_double(
@@ -3332,6 +3406,7 @@ INLINED void product_ddrz_single_over(
     store_SE3_single(&Do, p2 + i * step[2], core + 3);
     store_SE3_single(&Do_bound, p3 + i * step[3], core + 5);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_ddrz_single(
@@ -3380,6 +3455,7 @@ INLINED void product_ddtz_double_over(
     store_SE3_double(&Do, p2 + i * step[2], core + 2);
     store_SE3_double(&Do_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_ddtz_double(
@@ -3425,6 +3501,7 @@ INLINED void product_ddtz_single_over(
     store_SE3_single(&Do, p2 + i * step[2], core + 2);
     store_SE3_single(&Do_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_ddtz_single(
@@ -3473,6 +3550,7 @@ INLINED void product_drvtzinv_double_over(
     store_vec3_double(&vo, p2 + i * step[2], core + 2);
     store_vec3_double(&vo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_drvtzinv_double(
@@ -3518,6 +3596,7 @@ INLINED void product_drvtzinv_single_over(
     store_vec3_single(&vo, p2 + i * step[2], core + 2);
     store_vec3_single(&vo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_drvtzinv_single(
@@ -3566,6 +3645,7 @@ INLINED void product_drdrzinv_double_over(
     store_mat3x3_double(&Ro, p2 + i * step[2], core + 3);
     store_mat3x3_double(&Ro_bound, p3 + i * step[3], core + 5);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_drdrzinv_double(
@@ -3611,6 +3691,7 @@ INLINED void product_drdrzinv_single_over(
     store_mat3x3_single(&Ro, p2 + i * step[2], core + 3);
     store_mat3x3_single(&Ro_bound, p3 + i * step[3], core + 5);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_drdrzinv_single(
@@ -3659,6 +3740,7 @@ INLINED void product_ddrzinv_double_over(
     store_SE3_double(&Do, p2 + i * step[2], core + 3);
     store_SE3_double(&Do_bound, p3 + i * step[3], core + 5);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_ddrzinv_double(
@@ -3704,6 +3786,7 @@ INLINED void product_ddrzinv_single_over(
     store_SE3_single(&Do, p2 + i * step[2], core + 3);
     store_SE3_single(&Do_bound, p3 + i * step[3], core + 5);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_ddrzinv_single(
@@ -3752,6 +3835,7 @@ INLINED void product_ddtzinv_double_over(
     store_SE3_double(&Do, p2 + i * step[2], core + 2);
     store_SE3_double(&Do_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_ddtzinv_double(
@@ -3797,6 +3881,7 @@ INLINED void product_ddtzinv_single_over(
     store_SE3_single(&Do, p2 + i * step[2], core + 2);
     store_SE3_single(&Do_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_ddtzinv_single(

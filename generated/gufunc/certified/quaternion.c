@@ -2,10 +2,13 @@
 /* SPDX-License-Identifier: MIT */
 /* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
 /* Gufunc loops of the quaternion operations.  NumPy copies operands that overlap, except outputs
-   identical to an input; so no element depends on another. */
+   identical to an input; so no element depends on another.  An inf or NaN bound is an answer, "no
+   statement", and what is not chosen may divide by 0: NumPy finds no floating-point flags and warns
+   of nothing.  C callers of the kernels find the flags of all that is computed. */
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include <fenv.h>
 
 /* (4),()->(4),(4) */
 INLINED void quaternion_scale_double_over(
@@ -25,6 +28,7 @@ INLINED void quaternion_scale_double_over(
     store_quaternion_double(&self, p2 + i * step[2], core + 1);
     store_quaternion_double(&self_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_scale_double(
@@ -57,6 +61,7 @@ INLINED void quaternion_scale_single_over(
     store_quaternion_single(&self, p2 + i * step[2], core + 1);
     store_quaternion_single(&self_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_scale_single(
@@ -101,6 +106,7 @@ INLINED void axpy_qq_double_over(
     store_quaternion_double(&y, p3 + i * step[3], core + 2);
     store_quaternion_double(&y_bound, p4 + i * step[4], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void axpy_qq_double(
@@ -148,6 +154,7 @@ INLINED void axpy_qq_single_over(
     store_quaternion_single(&y, p3 + i * step[3], core + 2);
     store_quaternion_single(&y_bound, p4 + i * step[4], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void axpy_qq_single(
@@ -196,6 +203,7 @@ INLINED void rotate_qv_double_over(
     store_vec3_double(&vo, p2 + i * step[2], core + 2);
     store_vec3_double(&vo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void rotate_qv_double(
@@ -241,6 +249,7 @@ INLINED void rotate_qv_single_over(
     store_vec3_single(&vo, p2 + i * step[2], core + 2);
     store_vec3_single(&vo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void rotate_qv_single(
@@ -289,6 +298,7 @@ INLINED void rotate_qconjv_double_over(
     store_vec3_double(&vo, p2 + i * step[2], core + 2);
     store_vec3_double(&vo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void rotate_qconjv_double(
@@ -334,6 +344,7 @@ INLINED void rotate_qconjv_single_over(
     store_vec3_single(&vo, p2 + i * step[2], core + 2);
     store_vec3_single(&vo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void rotate_qconjv_single(
@@ -382,6 +393,7 @@ INLINED void quaternion_product_qq_double_over(
     store_quaternion_double(&qo, p2 + i * step[2], core + 2);
     store_quaternion_double(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qq_double(
@@ -427,6 +439,7 @@ INLINED void quaternion_product_qq_single_over(
     store_quaternion_single(&qo, p2 + i * step[2], core + 2);
     store_quaternion_single(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qq_single(
@@ -475,6 +488,7 @@ INLINED void quaternion_product_qqconj_double_over(
     store_quaternion_double(&qo, p2 + i * step[2], core + 2);
     store_quaternion_double(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qqconj_double(
@@ -520,6 +534,7 @@ INLINED void quaternion_product_qqconj_single_over(
     store_quaternion_single(&qo, p2 + i * step[2], core + 2);
     store_quaternion_single(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qqconj_single(
@@ -568,6 +583,7 @@ INLINED void quaternion_product_qconjq_double_over(
     store_quaternion_double(&qo, p2 + i * step[2], core + 2);
     store_quaternion_double(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qconjq_double(
@@ -613,6 +629,7 @@ INLINED void quaternion_product_qconjq_single_over(
     store_quaternion_single(&qo, p2 + i * step[2], core + 2);
     store_quaternion_single(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qconjq_single(
@@ -661,6 +678,7 @@ INLINED void quaternion_product_qconjqconj_double_over(
     store_quaternion_double(&qo, p2 + i * step[2], core + 2);
     store_quaternion_double(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qconjqconj_double(
@@ -706,6 +724,7 @@ INLINED void quaternion_product_qconjqconj_single_over(
     store_quaternion_single(&qo, p2 + i * step[2], core + 2);
     store_quaternion_single(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qconjqconj_single(
@@ -754,6 +773,7 @@ INLINED void quaternion_product_qxq_double_over(
     store_quaternion_double(&qo, p2 + i * step[2], core + 2);
     store_quaternion_double(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qxq_double(
@@ -799,6 +819,7 @@ INLINED void quaternion_product_qxq_single_over(
     store_quaternion_single(&qo, p2 + i * step[2], core + 2);
     store_quaternion_single(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qxq_single(
@@ -847,6 +868,7 @@ INLINED void quaternion_product_qxqconj_double_over(
     store_quaternion_double(&qo, p2 + i * step[2], core + 2);
     store_quaternion_double(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qxqconj_double(
@@ -892,6 +914,7 @@ INLINED void quaternion_product_qxqconj_single_over(
     store_quaternion_single(&qo, p2 + i * step[2], core + 2);
     store_quaternion_single(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qxqconj_single(
@@ -940,6 +963,7 @@ INLINED void quaternion_product_qxconjq_double_over(
     store_quaternion_double(&qo, p2 + i * step[2], core + 2);
     store_quaternion_double(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qxconjq_double(
@@ -985,6 +1009,7 @@ INLINED void quaternion_product_qxconjq_single_over(
     store_quaternion_single(&qo, p2 + i * step[2], core + 2);
     store_quaternion_single(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qxconjq_single(
@@ -1033,6 +1058,7 @@ INLINED void quaternion_product_qxconjqconj_double_over(
     store_quaternion_double(&qo, p2 + i * step[2], core + 2);
     store_quaternion_double(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qxconjqconj_double(
@@ -1078,6 +1104,7 @@ INLINED void quaternion_product_qxconjqconj_single_over(
     store_quaternion_single(&qo, p2 + i * step[2], core + 2);
     store_quaternion_single(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qxconjqconj_single(
@@ -1126,6 +1153,7 @@ INLINED void quaternion_product_qqx_double_over(
     store_quaternion_double(&qo, p2 + i * step[2], core + 2);
     store_quaternion_double(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qqx_double(
@@ -1171,6 +1199,7 @@ INLINED void quaternion_product_qqx_single_over(
     store_quaternion_single(&qo, p2 + i * step[2], core + 2);
     store_quaternion_single(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qqx_single(
@@ -1219,6 +1248,7 @@ INLINED void quaternion_product_qqxconj_double_over(
     store_quaternion_double(&qo, p2 + i * step[2], core + 2);
     store_quaternion_double(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qqxconj_double(
@@ -1264,6 +1294,7 @@ INLINED void quaternion_product_qqxconj_single_over(
     store_quaternion_single(&qo, p2 + i * step[2], core + 2);
     store_quaternion_single(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qqxconj_single(
@@ -1312,6 +1343,7 @@ INLINED void quaternion_product_qconjqx_double_over(
     store_quaternion_double(&qo, p2 + i * step[2], core + 2);
     store_quaternion_double(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qconjqx_double(
@@ -1357,6 +1389,7 @@ INLINED void quaternion_product_qconjqx_single_over(
     store_quaternion_single(&qo, p2 + i * step[2], core + 2);
     store_quaternion_single(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qconjqx_single(
@@ -1405,6 +1438,7 @@ INLINED void quaternion_product_qconjqxconj_double_over(
     store_quaternion_double(&qo, p2 + i * step[2], core + 2);
     store_quaternion_double(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qconjqxconj_double(
@@ -1450,6 +1484,7 @@ INLINED void quaternion_product_qconjqxconj_single_over(
     store_quaternion_single(&qo, p2 + i * step[2], core + 2);
     store_quaternion_single(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qconjqxconj_single(
@@ -1498,6 +1533,7 @@ INLINED void quaternion_product_qyq_double_over(
     store_quaternion_double(&qo, p2 + i * step[2], core + 2);
     store_quaternion_double(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qyq_double(
@@ -1543,6 +1579,7 @@ INLINED void quaternion_product_qyq_single_over(
     store_quaternion_single(&qo, p2 + i * step[2], core + 2);
     store_quaternion_single(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qyq_single(
@@ -1591,6 +1628,7 @@ INLINED void quaternion_product_qyqconj_double_over(
     store_quaternion_double(&qo, p2 + i * step[2], core + 2);
     store_quaternion_double(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qyqconj_double(
@@ -1636,6 +1674,7 @@ INLINED void quaternion_product_qyqconj_single_over(
     store_quaternion_single(&qo, p2 + i * step[2], core + 2);
     store_quaternion_single(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qyqconj_single(
@@ -1684,6 +1723,7 @@ INLINED void quaternion_product_qyconjq_double_over(
     store_quaternion_double(&qo, p2 + i * step[2], core + 2);
     store_quaternion_double(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qyconjq_double(
@@ -1729,6 +1769,7 @@ INLINED void quaternion_product_qyconjq_single_over(
     store_quaternion_single(&qo, p2 + i * step[2], core + 2);
     store_quaternion_single(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qyconjq_single(
@@ -1777,6 +1818,7 @@ INLINED void quaternion_product_qyconjqconj_double_over(
     store_quaternion_double(&qo, p2 + i * step[2], core + 2);
     store_quaternion_double(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qyconjqconj_double(
@@ -1822,6 +1864,7 @@ INLINED void quaternion_product_qyconjqconj_single_over(
     store_quaternion_single(&qo, p2 + i * step[2], core + 2);
     store_quaternion_single(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qyconjqconj_single(
@@ -1870,6 +1913,7 @@ INLINED void quaternion_product_qqy_double_over(
     store_quaternion_double(&qo, p2 + i * step[2], core + 2);
     store_quaternion_double(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qqy_double(
@@ -1915,6 +1959,7 @@ INLINED void quaternion_product_qqy_single_over(
     store_quaternion_single(&qo, p2 + i * step[2], core + 2);
     store_quaternion_single(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qqy_single(
@@ -1963,6 +2008,7 @@ INLINED void quaternion_product_qqyconj_double_over(
     store_quaternion_double(&qo, p2 + i * step[2], core + 2);
     store_quaternion_double(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qqyconj_double(
@@ -2008,6 +2054,7 @@ INLINED void quaternion_product_qqyconj_single_over(
     store_quaternion_single(&qo, p2 + i * step[2], core + 2);
     store_quaternion_single(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qqyconj_single(
@@ -2056,6 +2103,7 @@ INLINED void quaternion_product_qconjqy_double_over(
     store_quaternion_double(&qo, p2 + i * step[2], core + 2);
     store_quaternion_double(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qconjqy_double(
@@ -2101,6 +2149,7 @@ INLINED void quaternion_product_qconjqy_single_over(
     store_quaternion_single(&qo, p2 + i * step[2], core + 2);
     store_quaternion_single(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qconjqy_single(
@@ -2149,6 +2198,7 @@ INLINED void quaternion_product_qconjqyconj_double_over(
     store_quaternion_double(&qo, p2 + i * step[2], core + 2);
     store_quaternion_double(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qconjqyconj_double(
@@ -2194,6 +2244,7 @@ INLINED void quaternion_product_qconjqyconj_single_over(
     store_quaternion_single(&qo, p2 + i * step[2], core + 2);
     store_quaternion_single(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qconjqyconj_single(
@@ -2242,6 +2293,7 @@ INLINED void quaternion_product_qzq_double_over(
     store_quaternion_double(&qo, p2 + i * step[2], core + 2);
     store_quaternion_double(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qzq_double(
@@ -2287,6 +2339,7 @@ INLINED void quaternion_product_qzq_single_over(
     store_quaternion_single(&qo, p2 + i * step[2], core + 2);
     store_quaternion_single(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qzq_single(
@@ -2335,6 +2388,7 @@ INLINED void quaternion_product_qzqconj_double_over(
     store_quaternion_double(&qo, p2 + i * step[2], core + 2);
     store_quaternion_double(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qzqconj_double(
@@ -2380,6 +2434,7 @@ INLINED void quaternion_product_qzqconj_single_over(
     store_quaternion_single(&qo, p2 + i * step[2], core + 2);
     store_quaternion_single(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qzqconj_single(
@@ -2428,6 +2483,7 @@ INLINED void quaternion_product_qzconjq_double_over(
     store_quaternion_double(&qo, p2 + i * step[2], core + 2);
     store_quaternion_double(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qzconjq_double(
@@ -2473,6 +2529,7 @@ INLINED void quaternion_product_qzconjq_single_over(
     store_quaternion_single(&qo, p2 + i * step[2], core + 2);
     store_quaternion_single(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qzconjq_single(
@@ -2521,6 +2578,7 @@ INLINED void quaternion_product_qzconjqconj_double_over(
     store_quaternion_double(&qo, p2 + i * step[2], core + 2);
     store_quaternion_double(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qzconjqconj_double(
@@ -2566,6 +2624,7 @@ INLINED void quaternion_product_qzconjqconj_single_over(
     store_quaternion_single(&qo, p2 + i * step[2], core + 2);
     store_quaternion_single(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qzconjqconj_single(
@@ -2614,6 +2673,7 @@ INLINED void quaternion_product_qqz_double_over(
     store_quaternion_double(&qo, p2 + i * step[2], core + 2);
     store_quaternion_double(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qqz_double(
@@ -2659,6 +2719,7 @@ INLINED void quaternion_product_qqz_single_over(
     store_quaternion_single(&qo, p2 + i * step[2], core + 2);
     store_quaternion_single(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qqz_single(
@@ -2707,6 +2768,7 @@ INLINED void quaternion_product_qqzconj_double_over(
     store_quaternion_double(&qo, p2 + i * step[2], core + 2);
     store_quaternion_double(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qqzconj_double(
@@ -2752,6 +2814,7 @@ INLINED void quaternion_product_qqzconj_single_over(
     store_quaternion_single(&qo, p2 + i * step[2], core + 2);
     store_quaternion_single(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qqzconj_single(
@@ -2800,6 +2863,7 @@ INLINED void quaternion_product_qconjqz_double_over(
     store_quaternion_double(&qo, p2 + i * step[2], core + 2);
     store_quaternion_double(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qconjqz_double(
@@ -2845,6 +2909,7 @@ INLINED void quaternion_product_qconjqz_single_over(
     store_quaternion_single(&qo, p2 + i * step[2], core + 2);
     store_quaternion_single(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qconjqz_single(
@@ -2893,6 +2958,7 @@ INLINED void quaternion_product_qconjqzconj_double_over(
     store_quaternion_double(&qo, p2 + i * step[2], core + 2);
     store_quaternion_double(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qconjqzconj_double(
@@ -2938,6 +3004,7 @@ INLINED void quaternion_product_qconjqzconj_single_over(
     store_quaternion_single(&qo, p2 + i * step[2], core + 2);
     store_quaternion_single(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qconjqzconj_single(
@@ -2986,6 +3053,7 @@ INLINED void quaternion_product_qv_double_over(
     store_quaternion_double(&qo, p2 + i * step[2], core + 2);
     store_quaternion_double(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qv_double(
@@ -3031,6 +3099,7 @@ INLINED void quaternion_product_qv_single_over(
     store_quaternion_single(&qo, p2 + i * step[2], core + 2);
     store_quaternion_single(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qv_single(
@@ -3079,6 +3148,7 @@ INLINED void quaternion_product_qconjv_double_over(
     store_quaternion_double(&qo, p2 + i * step[2], core + 2);
     store_quaternion_double(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qconjv_double(
@@ -3124,6 +3194,7 @@ INLINED void quaternion_product_qconjv_single_over(
     store_quaternion_single(&qo, p2 + i * step[2], core + 2);
     store_quaternion_single(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_qconjv_single(
@@ -3172,6 +3243,7 @@ INLINED void quaternion_product_vq_double_over(
     store_quaternion_double(&qo, p2 + i * step[2], core + 2);
     store_quaternion_double(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_vq_double(
@@ -3217,6 +3289,7 @@ INLINED void quaternion_product_vq_single_over(
     store_quaternion_single(&qo, p2 + i * step[2], core + 2);
     store_quaternion_single(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_vq_single(
@@ -3265,6 +3338,7 @@ INLINED void quaternion_product_vqconj_double_over(
     store_quaternion_double(&qo, p2 + i * step[2], core + 2);
     store_quaternion_double(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_vqconj_double(
@@ -3310,6 +3384,7 @@ INLINED void quaternion_product_vqconj_single_over(
     store_quaternion_single(&qo, p2 + i * step[2], core + 2);
     store_quaternion_single(&qo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_product_vqconj_single(
@@ -3358,6 +3433,7 @@ INLINED void dot_qq_double_over(
     store_scalar_double(&dot, p2 + i * step[2], core + 2);
     store_scalar_double(&dot_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void dot_qq_double(
@@ -3403,6 +3479,7 @@ INLINED void dot_qq_single_over(
     store_scalar_single(&dot, p2 + i * step[2], core + 2);
     store_scalar_single(&dot_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void dot_qq_single(
@@ -3450,6 +3527,7 @@ INLINED void add_dpiToq_double_over(
     store_quaternion_double(&qi, p2 + i * step[2], core + 2);
     store_quaternion_double(&qi_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void add_dpiToq_double(
@@ -3494,6 +3572,7 @@ INLINED void add_dpiToq_single_over(
     store_quaternion_single(&qi, p2 + i * step[2], core + 2);
     store_quaternion_single(&qi_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void add_dpiToq_single(
@@ -3541,6 +3620,7 @@ INLINED void subtract_dpiFromq_double_over(
     store_quaternion_double(&qi, p2 + i * step[2], core + 2);
     store_quaternion_double(&qi_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void subtract_dpiFromq_double(
@@ -3585,6 +3665,7 @@ INLINED void subtract_dpiFromq_single_over(
     store_quaternion_single(&qi, p2 + i * step[2], core + 2);
     store_quaternion_single(&qi_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void subtract_dpiFromq_single(
@@ -3633,6 +3714,7 @@ INLINED void omega_to_dquaternion_double_over(
     store_quaternion_double(&dqo, p2 + i * step[2], core + 2);
     store_quaternion_double(&dqo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void omega_to_dquaternion_double(
@@ -3678,6 +3760,7 @@ INLINED void omega_to_dquaternion_single_over(
     store_quaternion_single(&dqo, p2 + i * step[2], core + 2);
     store_quaternion_single(&dqo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void omega_to_dquaternion_single(
@@ -3726,6 +3809,7 @@ INLINED void quaternion_from_axis_angle_double_over(
     store_quaternion_double(&qo, p2 + i * step[2], core + 1);
     store_quaternion_double(&qo_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_from_axis_angle_double(
@@ -3771,6 +3855,7 @@ INLINED void quaternion_from_axis_angle_single_over(
     store_quaternion_single(&qo, p2 + i * step[2], core + 1);
     store_quaternion_single(&qo_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_from_axis_angle_single(
@@ -3822,6 +3907,7 @@ INLINED void axis_angle_from_quaternion_double_over(
     store_scalar_double(&angle_bound, p3 + i * step[3], core + 2);
     store_vec3_double(&axis_bound, p4 + i * step[4], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void axis_angle_from_quaternion_double(
@@ -3870,6 +3956,7 @@ INLINED void axis_angle_from_quaternion_single_over(
     store_scalar_single(&angle_bound, p3 + i * step[3], core + 2);
     store_vec3_single(&axis_bound, p4 + i * step[4], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void axis_angle_from_quaternion_single(
@@ -3915,6 +4002,7 @@ INLINED void quaternion_exp_double_over(
     store_quaternion_double(&qo, p1 + i * step[1], core + 1);
     store_quaternion_double(&qo_bound, p2 + i * step[2], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_exp_double(
@@ -3957,6 +4045,7 @@ INLINED void quaternion_exp_single_over(
     store_quaternion_single(&qo, p1 + i * step[1], core + 1);
     store_quaternion_single(&qo_bound, p2 + i * step[2], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_exp_single(
@@ -4002,6 +4091,7 @@ INLINED void quaternion_log_double_over(
     store_vec3_double(&vo, p1 + i * step[1], core + 1);
     store_vec3_double(&vo_bound, p2 + i * step[2], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_log_double(
@@ -4044,6 +4134,7 @@ INLINED void quaternion_log_single_over(
     store_vec3_single(&vo, p1 + i * step[1], core + 1);
     store_vec3_single(&vo_bound, p2 + i * step[2], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void quaternion_log_single(
@@ -4366,8 +4457,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "\n"
     "(3),()->(4),(4).  axis: vector; angle: number; qo, qo_bound: quaternion (x, y, z, w), the\n"
     "scalar last.\n"
-    "98 mul, 139 add, 14 product error, 1 div, 11 abs, 1 less, 1 select.  Error <= qo: 3 u of its\n"
-    "largest component for |axis| = 1; searched, not proved.\n",
+    "98 mul, 139 add, 14 product error, 1 div, 11 abs, 1 less, 1 select.\n",
    2, 2, quaternion_from_axis_angle_loops},
   {"axis_angle_from_quaternion", "(4)->(),(3),(),(3)",
     "angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) if the\n"
@@ -4377,17 +4467,15 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "(4)->(),(3),(),(3).  q: quaternion (x, y, z, w), the scalar last; angle, angle_bound:\n"
     "number; axis, axis_bound: vector.\n"
     "201 mul, 318 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 5 neg, 50 abs, 4\n"
-    "copysign, 35 less, 10 equal, 69 select.  Error <= angle: 6 u, axis: 4 u of its largest\n"
-    "component; searched, not proved.\n",
+    "copysign, 35 less, 10 equal, 69 select.\n",
    1, 4, axis_angle_from_quaternion_loops},
   {"quaternion_exp", "(3)->(4),(4)",
     "qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v; |error\n"
     "of qo| <= qo_bound unless inf or NaN.\n"
     "\n"
     "(3)->(4),(4).  v: vector; qo, qo_bound: quaternion (x, y, z, w), the scalar last.\n"
-    "256 mul, 331 add, 16 product error, 3 product rest, 11 div, 3 sqrt, 35 abs, 10 less, 2\n"
-    "equal, 24 select.  Error <= qo: (7 + θ/200) u of its largest component for |v| <= 1e13, in\n"
-    "single precision 1e5; searched, not proved.\n",
+    "266 mul, 346 add, 17 product error, 4 product rest, 11 div, 3 sqrt, 37 abs, 11 less, 1\n"
+    "equal, 24 select.\n",
    1, 2, quaternion_exp_loops},
   {"quaternion_log", "(4)->(3),(3)",
     "vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of\n"
@@ -4395,8 +4483,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "\n"
     "(4)->(3),(3).  q: quaternion (x, y, z, w), the scalar last; vo, vo_bound: vector.\n"
     "209 mul, 315 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 5 neg, 49 abs, 4\n"
-    "copysign, 35 less, 10 equal, 65 select.  Error <= vo: 6 u of its largest component;\n"
-    "searched, not proved.\n",
+    "copysign, 35 less, 10 equal, 65 select.\n",
    1, 2, quaternion_log_loops},
   {NULL, NULL, NULL, 0, 0, NULL},
 };

@@ -2,10 +2,13 @@
 /* SPDX-License-Identifier: MIT */
 /* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
 /* Gufunc loops of the screw operations.  NumPy copies operands that overlap, except outputs
-   identical to an input; so no element depends on another. */
+   identical to an input; so no element depends on another.  An inf or NaN bound is an answer, "no
+   statement", and what is not chosen may divide by 0: NumPy finds no floating-point flags and warns
+   of nothing.  C callers of the kernels find the flags of all that is computed. */
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include <fenv.h>
 
 /* (6),()->(6),(6) */
 INLINED void screw_scale_double_over(
@@ -25,6 +28,7 @@ INLINED void screw_scale_double_over(
     store_screw_double(&self, p2 + i * step[2], core + 1);
     store_screw_double(&self_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void screw_scale_double(
@@ -57,6 +61,7 @@ INLINED void screw_scale_single_over(
     store_screw_single(&self, p2 + i * step[2], core + 1);
     store_screw_single(&self_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void screw_scale_single(
@@ -101,6 +106,7 @@ INLINED void axpy_ss_double_over(
     store_screw_double(&y, p3 + i * step[3], core + 2);
     store_screw_double(&y_bound, p4 + i * step[4], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void axpy_ss_double(
@@ -148,6 +154,7 @@ INLINED void axpy_ss_single_over(
     store_screw_single(&y, p3 + i * step[3], core + 2);
     store_screw_single(&y_bound, p4 + i * step[4], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void axpy_ss_single(
@@ -195,6 +202,7 @@ INLINED void xpy_ss_double_over(
     store_screw_double(&y, p2 + i * step[2], core + 2);
     store_screw_double(&y_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void xpy_ss_double(
@@ -239,6 +247,7 @@ INLINED void xpy_ss_single_over(
     store_screw_single(&y, p2 + i * step[2], core + 2);
     store_screw_single(&y_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void xpy_ss_single(
@@ -286,6 +295,7 @@ INLINED void nxpy_ss_double_over(
     store_screw_double(&y, p2 + i * step[2], core + 2);
     store_screw_double(&y_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void nxpy_ss_double(
@@ -330,6 +340,7 @@ INLINED void nxpy_ss_single_over(
     store_screw_single(&y, p2 + i * step[2], core + 2);
     store_screw_single(&y_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void nxpy_ss_single(
@@ -378,6 +389,7 @@ INLINED void product_as_double_over(
     store_screw_double(&so, p2 + i * step[2], core + 1);
     store_screw_double(&so_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_as_double(
@@ -423,6 +435,7 @@ INLINED void product_as_single_over(
     store_screw_single(&so, p2 + i * step[2], core + 1);
     store_screw_single(&so_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_as_single(
@@ -471,6 +484,7 @@ INLINED void add_ss_double_over(
     store_screw_double(&so, p2 + i * step[2], core + 2);
     store_screw_double(&so_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void add_ss_double(
@@ -516,6 +530,7 @@ INLINED void add_ss_single_over(
     store_screw_single(&so, p2 + i * step[2], core + 2);
     store_screw_single(&so_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void add_ss_single(
@@ -564,6 +579,7 @@ INLINED void subtract_ss_double_over(
     store_screw_double(&so, p2 + i * step[2], core + 2);
     store_screw_double(&so_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void subtract_ss_double(
@@ -609,6 +625,7 @@ INLINED void subtract_ss_single_over(
     store_screw_single(&so, p2 + i * step[2], core + 2);
     store_screw_single(&so_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void subtract_ss_single(
@@ -657,6 +674,7 @@ INLINED void add_sst_double_over(
     store_screw_double(&so, p2 + i * step[2], core + 2);
     store_screw_double(&so_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void add_sst_double(
@@ -702,6 +720,7 @@ INLINED void add_sst_single_over(
     store_screw_single(&so, p2 + i * step[2], core + 2);
     store_screw_single(&so_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void add_sst_single(
@@ -750,6 +769,7 @@ INLINED void product_Adts_double_over(
     store_screw_double(&so, p2 + i * step[2], core + 2);
     store_screw_double(&so_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_Adts_double(
@@ -795,6 +815,7 @@ INLINED void product_Adts_single_over(
     store_screw_single(&so, p2 + i * step[2], core + 2);
     store_screw_single(&so_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_Adts_single(
@@ -843,6 +864,7 @@ INLINED void product_Adtinvs_double_over(
     store_screw_double(&so, p2 + i * step[2], core + 2);
     store_screw_double(&so_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_Adtinvs_double(
@@ -888,6 +910,7 @@ INLINED void product_Adtinvs_single_over(
     store_screw_single(&so, p2 + i * step[2], core + 2);
     store_screw_single(&so_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_Adtinvs_single(
@@ -936,6 +959,7 @@ INLINED void product_Adtsinv_double_over(
     store_screw_double(&so, p2 + i * step[2], core + 2);
     store_screw_double(&so_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_Adtsinv_double(
@@ -981,6 +1005,7 @@ INLINED void product_Adtsinv_single_over(
     store_screw_single(&so, p2 + i * step[2], core + 2);
     store_screw_single(&so_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_Adtsinv_single(
@@ -1029,6 +1054,7 @@ INLINED void product_Adrs_double_over(
     store_screw_double(&so, p2 + i * step[2], core + 3);
     store_screw_double(&so_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_Adrs_double(
@@ -1074,6 +1100,7 @@ INLINED void product_Adrs_single_over(
     store_screw_single(&so, p2 + i * step[2], core + 3);
     store_screw_single(&so_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_Adrs_single(
@@ -1122,6 +1149,7 @@ INLINED void product_Adrinvs_double_over(
     store_screw_double(&so, p2 + i * step[2], core + 3);
     store_screw_double(&so_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_Adrinvs_double(
@@ -1167,6 +1195,7 @@ INLINED void product_Adrinvs_single_over(
     store_screw_single(&so, p2 + i * step[2], core + 3);
     store_screw_single(&so_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_Adrinvs_single(
@@ -1215,6 +1244,7 @@ INLINED void product_Adrsinv_double_over(
     store_screw_double(&so, p2 + i * step[2], core + 3);
     store_screw_double(&so_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_Adrsinv_double(
@@ -1260,6 +1290,7 @@ INLINED void product_Adrsinv_single_over(
     store_screw_single(&so, p2 + i * step[2], core + 3);
     store_screw_single(&so_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_Adrsinv_single(
@@ -1308,6 +1339,7 @@ INLINED void product_Ads_double_over(
     store_screw_double(&so, p2 + i * step[2], core + 3);
     store_screw_double(&so_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_Ads_double(
@@ -1353,6 +1385,7 @@ INLINED void product_Ads_single_over(
     store_screw_single(&so, p2 + i * step[2], core + 3);
     store_screw_single(&so_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_Ads_single(
@@ -1401,6 +1434,7 @@ INLINED void product_Adinvs_double_over(
     store_screw_double(&so, p2 + i * step[2], core + 3);
     store_screw_double(&so_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_Adinvs_double(
@@ -1446,6 +1480,7 @@ INLINED void product_Adinvs_single_over(
     store_screw_single(&so, p2 + i * step[2], core + 3);
     store_screw_single(&so_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_Adinvs_single(
@@ -1494,6 +1529,7 @@ INLINED void product_Adsinv_double_over(
     store_screw_double(&so, p2 + i * step[2], core + 3);
     store_screw_double(&so_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_Adsinv_double(
@@ -1539,6 +1575,7 @@ INLINED void product_Adsinv_single_over(
     store_screw_single(&so, p2 + i * step[2], core + 3);
     store_screw_single(&so_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_Adsinv_single(
@@ -1584,6 +1621,7 @@ INLINED void hsrx_double_over(
     store_screw_double(&so, p1 + i * step[1], core + 2);
     store_screw_double(&so_bound, p2 + i * step[2], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void hsrx_double(
@@ -1626,6 +1664,7 @@ INLINED void hsrx_single_over(
     store_screw_single(&so, p1 + i * step[1], core + 2);
     store_screw_single(&so_bound, p2 + i * step[2], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void hsrx_single(
@@ -1671,6 +1710,7 @@ INLINED void hsry_double_over(
     store_screw_double(&so, p1 + i * step[1], core + 2);
     store_screw_double(&so_bound, p2 + i * step[2], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void hsry_double(
@@ -1713,6 +1753,7 @@ INLINED void hsry_single_over(
     store_screw_single(&so, p1 + i * step[1], core + 2);
     store_screw_single(&so_bound, p2 + i * step[2], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void hsry_single(
@@ -1758,6 +1799,7 @@ INLINED void hsrz_double_over(
     store_screw_double(&so, p1 + i * step[1], core + 2);
     store_screw_double(&so_bound, p2 + i * step[2], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void hsrz_double(
@@ -1800,6 +1842,7 @@ INLINED void hsrz_single_over(
     store_screw_single(&so, p1 + i * step[1], core + 2);
     store_screw_single(&so_bound, p2 + i * step[2], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void hsrz_single(
@@ -1845,6 +1888,7 @@ INLINED void hsrxinv_double_over(
     store_screw_double(&so, p1 + i * step[1], core + 2);
     store_screw_double(&so_bound, p2 + i * step[2], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void hsrxinv_double(
@@ -1887,6 +1931,7 @@ INLINED void hsrxinv_single_over(
     store_screw_single(&so, p1 + i * step[1], core + 2);
     store_screw_single(&so_bound, p2 + i * step[2], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void hsrxinv_single(
@@ -1932,6 +1977,7 @@ INLINED void hsryinv_double_over(
     store_screw_double(&so, p1 + i * step[1], core + 2);
     store_screw_double(&so_bound, p2 + i * step[2], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void hsryinv_double(
@@ -1974,6 +2020,7 @@ INLINED void hsryinv_single_over(
     store_screw_single(&so, p1 + i * step[1], core + 2);
     store_screw_single(&so_bound, p2 + i * step[2], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void hsryinv_single(
@@ -2019,6 +2066,7 @@ INLINED void hsrzinv_double_over(
     store_screw_double(&so, p1 + i * step[1], core + 2);
     store_screw_double(&so_bound, p2 + i * step[2], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void hsrzinv_double(
@@ -2061,6 +2109,7 @@ INLINED void hsrzinv_single_over(
     store_screw_single(&so, p1 + i * step[1], core + 2);
     store_screw_single(&so_bound, p2 + i * step[2], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void hsrzinv_single(
@@ -2106,6 +2155,7 @@ INLINED void Ad_double_over(
     store_mat6x6_double(&M, p1 + i * step[1], core + 2);
     store_mat6x6_double(&M_bound, p2 + i * step[2], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void Ad_double(
@@ -2148,6 +2198,7 @@ INLINED void Ad_single_over(
     store_mat6x6_single(&M, p1 + i * step[1], core + 2);
     store_mat6x6_single(&M_bound, p2 + i * step[2], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void Ad_single(
@@ -2196,6 +2247,7 @@ INLINED void dot_cs_double_over(
     store_scalar_double(&power, p2 + i * step[2], core + 2);
     store_scalar_double(&power_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void dot_cs_double(
@@ -2241,6 +2293,7 @@ INLINED void dot_cs_single_over(
     store_scalar_single(&power, p2 + i * step[2], core + 2);
     store_scalar_single(&power_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void dot_cs_single(
@@ -2289,6 +2342,7 @@ INLINED void cross_ss_double_over(
     store_screw_double(&so, p2 + i * step[2], core + 2);
     store_screw_double(&so_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void cross_ss_double(
@@ -2334,6 +2388,7 @@ INLINED void cross_ss_single_over(
     store_screw_single(&so, p2 + i * step[2], core + 2);
     store_screw_single(&so_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void cross_ss_single(
@@ -2382,6 +2437,7 @@ INLINED void cross_sst_double_over(
     store_screw_double(&so, p2 + i * step[2], core + 2);
     store_screw_double(&so_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void cross_sst_double(
@@ -2427,6 +2483,7 @@ INLINED void cross_sst_single_over(
     store_screw_single(&so, p2 + i * step[2], core + 2);
     store_screw_single(&so_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void cross_sst_single(
@@ -2475,6 +2532,7 @@ INLINED void hsra_double_over(
     store_screw_double(&so, p2 + i * step[2], core + 3);
     store_screw_double(&so_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void hsra_double(
@@ -2520,6 +2578,7 @@ INLINED void hsra_single_over(
     store_screw_single(&so, p2 + i * step[2], core + 3);
     store_screw_single(&so_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void hsra_single(
@@ -2568,6 +2627,7 @@ INLINED void hsta_double_over(
     store_screw_double(&so, p2 + i * step[2], core + 3);
     store_screw_double(&so_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void hsta_double(
@@ -2613,6 +2673,7 @@ INLINED void hsta_single_over(
     store_screw_single(&so, p2 + i * step[2], core + 3);
     store_screw_single(&so_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void hsta_single(
@@ -2661,6 +2722,7 @@ INLINED void hsrainv_double_over(
     store_screw_double(&so, p2 + i * step[2], core + 3);
     store_screw_double(&so_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void hsrainv_double(
@@ -2706,6 +2768,7 @@ INLINED void hsrainv_single_over(
     store_screw_single(&so, p2 + i * step[2], core + 3);
     store_screw_single(&so_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void hsrainv_single(
@@ -2754,6 +2817,7 @@ INLINED void hstainv_double_over(
     store_screw_double(&so, p2 + i * step[2], core + 3);
     store_screw_double(&so_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void hstainv_double(
@@ -2799,6 +2863,7 @@ INLINED void hstainv_single_over(
     store_screw_single(&so, p2 + i * step[2], core + 3);
     store_screw_single(&so_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void hstainv_single(

@@ -2,10 +2,13 @@
 /* SPDX-License-Identifier: MIT */
 /* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
 /* Gufunc loops of the spatial_inertia operations.  NumPy copies operands that overlap, except outputs
-   identical to an input; so no element depends on another. */
+   identical to an input; so no element depends on another.  An inf or NaN bound is an answer, "no
+   statement", and what is not chosen may divide by 0: NumPy finds no floating-point flags and warns
+   of nothing.  C callers of the kernels find the flags of all that is computed. */
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include <fenv.h>
 
 /* (10),()->(10),(10) */
 INLINED void spatial_inertia_scale_double_over(
@@ -25,6 +28,7 @@ INLINED void spatial_inertia_scale_double_over(
     store_spatial_inertia_double(&self, p2 + i * step[2], core + 1);
     store_spatial_inertia_double(&self_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void spatial_inertia_scale_double(
@@ -57,6 +61,7 @@ INLINED void spatial_inertia_scale_single_over(
     store_spatial_inertia_single(&self, p2 + i * step[2], core + 1);
     store_spatial_inertia_single(&self_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void spatial_inertia_scale_single(
@@ -99,6 +104,7 @@ INLINED void add_BB_double_over(
     store_spatial_inertia_double(&Bo, p2 + i * step[2], core + 2);
     store_spatial_inertia_double(&Bo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void add_BB_double(
@@ -144,6 +150,7 @@ INLINED void add_BB_single_over(
     store_spatial_inertia_single(&Bo, p2 + i * step[2], core + 2);
     store_spatial_inertia_single(&Bo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void add_BB_single(
@@ -192,6 +199,7 @@ INLINED void subtract_BB_double_over(
     store_spatial_inertia_double(&Bo, p2 + i * step[2], core + 2);
     store_spatial_inertia_double(&Bo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void subtract_BB_double(
@@ -237,6 +245,7 @@ INLINED void subtract_BB_single_over(
     store_spatial_inertia_single(&Bo, p2 + i * step[2], core + 2);
     store_spatial_inertia_single(&Bo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void subtract_BB_single(
@@ -288,6 +297,7 @@ INLINED void spatial_inertia_from_com_double_over(
     store_spatial_inertia_double(&Bo, p3 + i * step[3], core + 3);
     store_spatial_inertia_double(&Bo_bound, p4 + i * step[4], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void spatial_inertia_from_com_double(
@@ -336,6 +346,7 @@ INLINED void spatial_inertia_from_com_single_over(
     store_spatial_inertia_single(&Bo, p3 + i * step[3], core + 3);
     store_spatial_inertia_single(&Bo_bound, p4 + i * step[4], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void spatial_inertia_from_com_single(
@@ -384,6 +395,7 @@ INLINED void product_Bs_double_over(
     store_coscrew_double(&co, p2 + i * step[2], core + 2);
     store_coscrew_double(&co_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_Bs_double(
@@ -429,6 +441,7 @@ INLINED void product_Bs_single_over(
     store_coscrew_single(&co, p2 + i * step[2], core + 2);
     store_coscrew_single(&co_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_Bs_single(
@@ -477,6 +490,7 @@ INLINED void spatial_inertia_energy_double_over(
     store_scalar_double(&energy, p2 + i * step[2], core + 2);
     store_scalar_double(&energy_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void spatial_inertia_energy_double(
@@ -522,6 +536,7 @@ INLINED void spatial_inertia_energy_single_over(
     store_scalar_single(&energy, p2 + i * step[2], core + 2);
     store_scalar_single(&energy_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void spatial_inertia_energy_single(
@@ -573,6 +588,7 @@ INLINED void spatial_inertia_net_wrench_double_over(
     store_coscrew_double(&co, p3 + i * step[3], core + 3);
     store_coscrew_double(&co_bound, p4 + i * step[4], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void spatial_inertia_net_wrench_double(
@@ -621,6 +637,7 @@ INLINED void spatial_inertia_net_wrench_single_over(
     store_coscrew_single(&co, p3 + i * step[3], core + 3);
     store_coscrew_single(&co_bound, p4 + i * step[4], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void spatial_inertia_net_wrench_single(
@@ -669,6 +686,7 @@ INLINED void spatial_inertia_shifted_double_over(
     store_spatial_inertia_double(&Bo, p2 + i * step[2], core + 2);
     store_spatial_inertia_double(&Bo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void spatial_inertia_shifted_double(
@@ -714,6 +732,7 @@ INLINED void spatial_inertia_shifted_single_over(
     store_spatial_inertia_single(&Bo, p2 + i * step[2], core + 2);
     store_spatial_inertia_single(&Bo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void spatial_inertia_shifted_single(
@@ -762,6 +781,7 @@ INLINED void spatial_inertia_transformed_double_over(
     store_spatial_inertia_double(&Bo, p2 + i * step[2], core + 3);
     store_spatial_inertia_double(&Bo_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void spatial_inertia_transformed_double(
@@ -807,6 +827,7 @@ INLINED void spatial_inertia_transformed_single_over(
     store_spatial_inertia_single(&Bo, p2 + i * step[2], core + 3);
     store_spatial_inertia_single(&Bo_bound, p3 + i * step[3], core + 4);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void spatial_inertia_transformed_single(

@@ -2,10 +2,13 @@
 /* SPDX-License-Identifier: MIT */
 /* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
 /* Gufunc loops of the vec3 operations.  NumPy copies operands that overlap, except outputs
-   identical to an input; so no element depends on another. */
+   identical to an input; so no element depends on another.  An inf or NaN bound is an answer, "no
+   statement", and what is not chosen may divide by 0: NumPy finds no floating-point flags and warns
+   of nothing.  C callers of the kernels find the flags of all that is computed. */
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include <fenv.h>
 
 /* (3),()->(3),(3) */
 INLINED void vec3_scale_double_over(
@@ -25,6 +28,7 @@ INLINED void vec3_scale_double_over(
     store_vec3_double(&self, p2 + i * step[2], core + 1);
     store_vec3_double(&self_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void vec3_scale_double(
@@ -57,6 +61,7 @@ INLINED void vec3_scale_single_over(
     store_vec3_single(&self, p2 + i * step[2], core + 1);
     store_vec3_single(&self_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void vec3_scale_single(
@@ -101,6 +106,7 @@ INLINED void axpy_vv_double_over(
     store_vec3_double(&y, p3 + i * step[3], core + 2);
     store_vec3_double(&y_bound, p4 + i * step[4], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void axpy_vv_double(
@@ -148,6 +154,7 @@ INLINED void axpy_vv_single_over(
     store_vec3_single(&y, p3 + i * step[3], core + 2);
     store_vec3_single(&y_bound, p4 + i * step[4], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void axpy_vv_single(
@@ -195,6 +202,7 @@ INLINED void xpy_vv_double_over(
     store_vec3_double(&y, p2 + i * step[2], core + 2);
     store_vec3_double(&y_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void xpy_vv_double(
@@ -239,6 +247,7 @@ INLINED void xpy_vv_single_over(
     store_vec3_single(&y, p2 + i * step[2], core + 2);
     store_vec3_single(&y_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void xpy_vv_single(
@@ -286,6 +295,7 @@ INLINED void nxpy_vv_double_over(
     store_vec3_double(&y, p2 + i * step[2], core + 2);
     store_vec3_double(&y_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void nxpy_vv_double(
@@ -330,6 +340,7 @@ INLINED void nxpy_vv_single_over(
     store_vec3_single(&y, p2 + i * step[2], core + 2);
     store_vec3_single(&y_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void nxpy_vv_single(
@@ -378,6 +389,7 @@ INLINED void product_av_double_over(
     store_vec3_double(&vo, p2 + i * step[2], core + 1);
     store_vec3_double(&vo_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_av_double(
@@ -423,6 +435,7 @@ INLINED void product_av_single_over(
     store_vec3_single(&vo, p2 + i * step[2], core + 1);
     store_vec3_single(&vo_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_av_single(
@@ -471,6 +484,7 @@ INLINED void add_vv_double_over(
     store_vec3_double(&vo, p2 + i * step[2], core + 2);
     store_vec3_double(&vo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void add_vv_double(
@@ -516,6 +530,7 @@ INLINED void add_vv_single_over(
     store_vec3_single(&vo, p2 + i * step[2], core + 2);
     store_vec3_single(&vo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void add_vv_single(
@@ -564,6 +579,7 @@ INLINED void subtract_vv_double_over(
     store_vec3_double(&vo, p2 + i * step[2], core + 2);
     store_vec3_double(&vo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void subtract_vv_double(
@@ -609,6 +625,7 @@ INLINED void subtract_vv_single_over(
     store_vec3_single(&vo, p2 + i * step[2], core + 2);
     store_vec3_single(&vo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void subtract_vv_single(
@@ -657,6 +674,7 @@ INLINED void vec3_scaled_double_over(
     store_vec3_double(&vo, p2 + i * step[2], core + 1);
     store_vec3_double(&vo_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void vec3_scaled_double(
@@ -702,6 +720,7 @@ INLINED void vec3_scaled_single_over(
     store_vec3_single(&vo, p2 + i * step[2], core + 1);
     store_vec3_single(&vo_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void vec3_scaled_single(
@@ -750,6 +769,7 @@ INLINED void angle_vv_double_over(
     store_scalar_double(&angle, p2 + i * step[2], core + 2);
     store_scalar_double(&angle_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void angle_vv_double(
@@ -795,6 +815,7 @@ INLINED void angle_vv_single_over(
     store_scalar_single(&angle, p2 + i * step[2], core + 2);
     store_scalar_single(&angle_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void angle_vv_single(
@@ -843,6 +864,7 @@ INLINED void dot_vv_double_over(
     store_scalar_double(&dot, p2 + i * step[2], core + 2);
     store_scalar_double(&dot_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void dot_vv_double(
@@ -888,6 +910,7 @@ INLINED void dot_vv_single_over(
     store_scalar_single(&dot, p2 + i * step[2], core + 2);
     store_scalar_single(&dot_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void dot_vv_single(
@@ -936,6 +959,7 @@ INLINED void product_avinv_double_over(
     store_vec3_double(&vo, p2 + i * step[2], core + 1);
     store_vec3_double(&vo_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_avinv_double(
@@ -981,6 +1005,7 @@ INLINED void product_avinv_single_over(
     store_vec3_single(&vo, p2 + i * step[2], core + 1);
     store_vec3_single(&vo_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void product_avinv_single(
@@ -1029,6 +1054,7 @@ INLINED void cross_vv_double_over(
     store_vec3_double(&vo, p2 + i * step[2], core + 2);
     store_vec3_double(&vo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void cross_vv_double(
@@ -1074,6 +1100,7 @@ INLINED void cross_vv_single_over(
     store_vec3_single(&vo, p2 + i * step[2], core + 2);
     store_vec3_single(&vo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void cross_vv_single(
@@ -1122,6 +1149,7 @@ INLINED void cross_vvinv_double_over(
     store_vec3_double(&vo, p2 + i * step[2], core + 2);
     store_vec3_double(&vo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void cross_vvinv_double(
@@ -1167,6 +1195,7 @@ INLINED void cross_vvinv_single_over(
     store_vec3_single(&vo, p2 + i * step[2], core + 2);
     store_vec3_single(&vo_bound, p3 + i * step[3], core + 3);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void cross_vvinv_single(
@@ -1215,6 +1244,7 @@ INLINED void add_vvx_double_over(
     store_vec3_double(&vo, p2 + i * step[2], core + 1);
     store_vec3_double(&vo_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void add_vvx_double(
@@ -1260,6 +1290,7 @@ INLINED void add_vvx_single_over(
     store_vec3_single(&vo, p2 + i * step[2], core + 1);
     store_vec3_single(&vo_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void add_vvx_single(
@@ -1308,6 +1339,7 @@ INLINED void add_vvxinv_double_over(
     store_vec3_double(&vo, p2 + i * step[2], core + 1);
     store_vec3_double(&vo_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void add_vvxinv_double(
@@ -1353,6 +1385,7 @@ INLINED void add_vvxinv_single_over(
     store_vec3_single(&vo, p2 + i * step[2], core + 1);
     store_vec3_single(&vo_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void add_vvxinv_single(
@@ -1401,6 +1434,7 @@ INLINED void add_vvy_double_over(
     store_vec3_double(&vo, p2 + i * step[2], core + 1);
     store_vec3_double(&vo_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void add_vvy_double(
@@ -1446,6 +1480,7 @@ INLINED void add_vvy_single_over(
     store_vec3_single(&vo, p2 + i * step[2], core + 1);
     store_vec3_single(&vo_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void add_vvy_single(
@@ -1494,6 +1529,7 @@ INLINED void add_vvyinv_double_over(
     store_vec3_double(&vo, p2 + i * step[2], core + 1);
     store_vec3_double(&vo_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void add_vvyinv_double(
@@ -1539,6 +1575,7 @@ INLINED void add_vvyinv_single_over(
     store_vec3_single(&vo, p2 + i * step[2], core + 1);
     store_vec3_single(&vo_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void add_vvyinv_single(
@@ -1587,6 +1624,7 @@ INLINED void add_vvz_double_over(
     store_vec3_double(&vo, p2 + i * step[2], core + 1);
     store_vec3_double(&vo_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void add_vvz_double(
@@ -1632,6 +1670,7 @@ INLINED void add_vvz_single_over(
     store_vec3_single(&vo, p2 + i * step[2], core + 1);
     store_vec3_single(&vo_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void add_vvz_single(
@@ -1680,6 +1719,7 @@ INLINED void add_vvzinv_double_over(
     store_vec3_double(&vo, p2 + i * step[2], core + 1);
     store_vec3_double(&vo_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void add_vvzinv_double(
@@ -1725,6 +1765,7 @@ INLINED void add_vvzinv_single_over(
     store_vec3_single(&vo, p2 + i * step[2], core + 1);
     store_vec3_single(&vo_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void add_vvzinv_single(

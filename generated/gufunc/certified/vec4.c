@@ -2,10 +2,13 @@
 /* SPDX-License-Identifier: MIT */
 /* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
 /* Gufunc loops of the vec4 operations.  NumPy copies operands that overlap, except outputs
-   identical to an input; so no element depends on another. */
+   identical to an input; so no element depends on another.  An inf or NaN bound is an answer, "no
+   statement", and what is not chosen may divide by 0: NumPy finds no floating-point flags and warns
+   of nothing.  C callers of the kernels find the flags of all that is computed. */
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include <fenv.h>
 
 /* (4),()->(4),(4) */
 INLINED void vec4_scale_double_over(
@@ -25,6 +28,7 @@ INLINED void vec4_scale_double_over(
     store_vec4_double(&self, p2 + i * step[2], core + 1);
     store_vec4_double(&self_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void vec4_scale_double(
@@ -57,6 +61,7 @@ INLINED void vec4_scale_single_over(
     store_vec4_single(&self, p2 + i * step[2], core + 1);
     store_vec4_single(&self_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void vec4_scale_single(
@@ -99,6 +104,7 @@ INLINED void vec4_scaled_double_over(
     store_vec4_double(&vo, p2 + i * step[2], core + 1);
     store_vec4_double(&vo_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void vec4_scaled_double(
@@ -144,6 +150,7 @@ INLINED void vec4_scaled_single_over(
     store_vec4_single(&vo, p2 + i * step[2], core + 1);
     store_vec4_single(&vo_bound, p3 + i * step[3], core + 2);
   }
+  feclearexcept(FE_ALL_EXCEPT);
 }
 
 static void vec4_scaled_single(

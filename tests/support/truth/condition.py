@@ -1,4 +1,5 @@
-"""Conditions of a Program's results: Σ |adjoint · value| / |result| over all results of roundings.
+"""Conditions of a Program's results: Σ |adjoint · value| / |result| over all results of roundings
+and all constants that are rounded.
 
 u times this is how far the roundings of the plain program can move a result, to first order.
 """
@@ -10,7 +11,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from coscrew_codegen.program import Input, Instruction, Op, Program, Ref
+from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
 from coscrew_codegen.program.differentiate import adjoint
 from coscrew_codegen.program.interpreter import Arithmetic, by_operation, exactly
 from tests.support.scenes.generated_scenes import argument
@@ -28,18 +29,25 @@ class Functions:
 
 
 def perturbed(program: Program) -> Program:
-    """The program with every rounded result multiplied by an element of a further input."""
-    rounding = [step for step in program.instructions if step.op.rounds]
-    place, steps = len(program.inputs), []
-    numbers = {step.name: k for k, step in enumerate(rounding)}
+    """The program with every rounded result and constant multiplied by an element of a further
+    input."""
+    rounding = [step.name for step in program.instructions if step.op.rounds]
+    constants = dict.fromkeys(x for step in program.instructions for x in step.operands
+                              if isinstance(x, Constant) and float(x.double) != x.double)
+    place = len(program.inputs)
+    numbers = {name: k for k, name in enumerate(rounding)}
+    near: dict[Operand, Operand] = {x: Ref(f"constant{k}__") for k, x in enumerate(constants)}
+    steps = [Instruction(f"constant{k}__", Op.MUL, (x, Input(place, len(rounding) + k)), "")
+             for k, x in enumerate(constants)]
     for step in program.instructions:
+        step = replace(step, operands=tuple(near.get(x, x) for x in step.operands))
         if step.name not in numbers:
             steps.append(step)
             continue
         steps += [replace(step, name=f"{step.name}__"), Instruction(
             step.name, Op.MUL, (Ref(f"{step.name}__"), Input(place, numbers[step.name])),
             step.component)]
-    return replace(program, inputs=(*program.inputs, argument("by", len(rounding))),
+    return replace(program, inputs=(*program.inputs, argument("by", len(rounding) + len(near))),
                    instructions=tuple(steps))
 
 

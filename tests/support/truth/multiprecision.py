@@ -22,7 +22,7 @@ from gmpy2 import mpfr, mpq
 
 from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.kernel import Kernel
-from coscrew_codegen.operations import OPERATIONS, PER_PRECISION, scaled
+from coscrew_codegen.operations import OPERATIONS, PER_PRECISION, scaled, truncated
 from coscrew_codegen.operations.operation import GRID
 from coscrew_codegen.program import Op
 from tests.support.compiled.c_reader import Arithmetic
@@ -178,7 +178,8 @@ _FUNCTIONS: dict[str, Callable[..., Number]] = {
 _ELEMENTARY = ("sin", "cos", "atan2", "atan2_error")
 
 _SYMPY: dict[type[sp.Basic], Callable[..., Number | bool]] = {
-    sp.Equality: operator.eq, scaled: operator.mul, sp.Abs: _FUNCTIONS["abs"],
+    sp.Equality: operator.eq, scaled: operator.mul, truncated: lambda last, tail: last,
+    sp.Abs: _FUNCTIONS["abs"],
     sp.sin: _FUNCTIONS["sin"], sp.cos: _FUNCTIONS["cos"], sp.atan2: _FUNCTIONS["atan2"]}
 
 

@@ -13,8 +13,7 @@
 /* s = sin x, c = cos x, x in rad; |error of s| <= s_bound, |error of c| <= c_bound unless inf or
      NaN.
    x, c, s_bound, c_bound: number.
-   83 mul, 129 add, 11 product error, 1 div, 5 abs, 1 less, 1 select.
-   Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is subnormal; proved. */
+   83 mul, 129 add, 11 product error, 1 div, 5 abs, 1 less, 1 select. */
 static inline double ksl_sincos_certified(const double x, double *c, double *s_bound,
     double *c_bound) {
   double c_; const double s = ksl_sincos(x, &c_);
@@ -29,8 +28,7 @@ static inline double ksl_sincos_certified(const double x, double *c, double *s_b
 
 /* s = sin x, x in rad; |error of s| <= s_bound unless inf or NaN.
    x, s_bound: number.
-   83 mul, 128 add, 11 product error, 1 div, 4 abs, 1 less, 1 select.
-   Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is subnormal; proved. */
+   83 mul, 128 add, 11 product error, 1 div, 4 abs, 1 less, 1 select. */
 static inline double ksl_sin_certified(const double x, double *s_bound) {
   const double s = ksl_sin(x), s_own_error_1 = ksl_sin_error(x, s);
   const double s_error_1 = fabs(s_own_error_1), s_bound_1 = 3.7470896994678994e-30 + s_error_1;
@@ -40,8 +38,7 @@ static inline double ksl_sin_certified(const double x, double *s_bound) {
 
 /* c = cos x, x in rad; |error of c| <= c_bound unless inf or NaN.
    x, c_bound: number.
-   83 mul, 128 add, 11 product error, 1 div, 4 abs, 1 less, 1 select.
-   Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is subnormal; proved. */
+   83 mul, 128 add, 11 product error, 1 div, 4 abs, 1 less, 1 select. */
 static inline double ksl_cos_certified(const double x, double *c_bound) {
   const double c = ksl_cos(x), c_own_error_1 = ksl_cos_error(x, c);
   const double c_error_1 = fabs(c_own_error_1), c_bound_1 = 3.7470896994678994e-30 + c_error_1;
@@ -51,8 +48,7 @@ static inline double ksl_cos_certified(const double x, double *c_bound) {
 
 /* y = e^x; |error of y| <= y_bound unless inf or NaN.
    x, y_bound: number.
-   82 mul, 149 add, 14 product error, 5 power of two, 2 abs, 7 less, 1 equal, 9 select.
-   Error <= 0.755 ulp, in single precision 0.757 ulp, unless a result is subnormal; proved. */
+   82 mul, 149 add, 14 product error, 5 power of two, 2 abs, 7 less, 1 equal, 9 select. */
 static inline double ksl_exp_certified(const double x, double *y_bound) {
   const double y = ksl_exp(x), y_own_error_1 = ksl_exp_error(x, y);
   const double y_error_1 = fabs(y_own_error_1), y_padded_1 = 1.8051943758648296e-276 + y,
@@ -64,8 +60,7 @@ static inline double ksl_exp_certified(const double x, double *y_bound) {
 /* y = tanh x; |error of y| <= y_bound unless inf or NaN.
    x, y_bound: number.
    92 mul, 175 add, 15 product error, 2 div, 2 power of two, 6 abs, 2 copysign, 5 less, 11
-     select.
-   Error <= 0.979 ulp, in single precision 0.967 ulp, unless a result is subnormal; proved. */
+     select. */
 static inline double ksl_tanh_certified(const double x, double *y_bound) {
   const double y = ksl_tanh(x), y_own_error_1 = ksl_tanh_error(x, y), y_size_1 = fabs(y);
   const double y_error_1 = fabs(y_own_error_1), y_padded_1 = 1.8051943758648296e-276 + y_size_1,
@@ -78,8 +73,7 @@ static inline double ksl_tanh_certified(const double x, double *y_bound) {
      angle_bound unless inf or NaN.
    y, x, angle_bound: number.
    123 mul, 214 add, 21 product error, 2 div, 1 neg, 10 abs, 4 copysign, 13 less, 3 equal, 23
-     select.
-   Error <= 0.934 ulp, in single precision 0.896 ulp, unless a result is subnormal; proved. */
+     select. */
 static inline double ksl_atan2_certified(const double y, const double x, double *angle_bound) {
   const double angle = ksl_atan2(y, x), angle_own_error_1 = ksl_atan2_error(y, x, angle),
       angle_size_1 = fabs(angle);
@@ -94,8 +88,7 @@ static inline double ksl_atan2_certified(const double y, const double x, double 
 /* s = sin x, c = cos x, x in rad; |error of s| <= s_bound, |error of c| <= c_bound unless inf or
      NaN.
    x, c, s_bound, c_bound: number.
-   65 mul, 100 add, 8 product error, 1 div, 5 abs, 1 less, 1 select.
-   Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is subnormal; proved. */
+   65 mul, 100 add, 8 product error, 1 div, 5 abs, 1 less, 1 select. */
 static inline float ksl_sincosf_certified(const float x, float *c, float *s_bound, float *c_bound) {
   float c_; const float s = ksl_sincosf(x, &c_);
   float c_own_error_1; const float s_own_error_1 = ksl_sincos_errorf(x, s, c_, &c_own_error_1);
@@ -109,8 +102,7 @@ static inline float ksl_sincosf_certified(const float x, float *c, float *s_boun
 
 /* s = sin x, x in rad; |error of s| <= s_bound unless inf or NaN.
    x, s_bound: number.
-   65 mul, 99 add, 8 product error, 1 div, 4 abs, 1 less, 1 select.
-   Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is subnormal; proved. */
+   65 mul, 99 add, 8 product error, 1 div, 4 abs, 1 less, 1 select. */
 static inline float ksl_sinf_certified(const float x, float *s_bound) {
   const float s = ksl_sinf(x), s_own_error_1 = ksl_sin_errorf(x, s);
   const float s_error_1 = fabsf(s_own_error_1), s_bound_1 = 1.0800312e-12f + s_error_1;
@@ -120,8 +112,7 @@ static inline float ksl_sinf_certified(const float x, float *s_bound) {
 
 /* c = cos x, x in rad; |error of c| <= c_bound unless inf or NaN.
    x, c_bound: number.
-   65 mul, 99 add, 8 product error, 1 div, 4 abs, 1 less, 1 select.
-   Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is subnormal; proved. */
+   65 mul, 99 add, 8 product error, 1 div, 4 abs, 1 less, 1 select. */
 static inline float ksl_cosf_certified(const float x, float *c_bound) {
   const float c = ksl_cosf(x), c_own_error_1 = ksl_cos_errorf(x, c);
   const float c_error_1 = fabsf(c_own_error_1), c_bound_1 = 1.0800312e-12f + c_error_1;
@@ -131,8 +122,7 @@ static inline float ksl_cosf_certified(const float x, float *c_bound) {
 
 /* y = e^x; |error of y| <= y_bound unless inf or NaN.
    x, y_bound: number.
-   52 mul, 98 add, 8 product error, 5 power of two, 2 abs, 7 less, 1 equal, 9 select.
-   Error <= 0.755 ulp, in single precision 0.757 ulp, unless a result is subnormal; proved. */
+   52 mul, 98 add, 8 product error, 5 power of two, 2 abs, 7 less, 1 equal, 9 select. */
 static inline float ksl_expf_certified(const float x, float *y_bound) {
   const float y = ksl_expf(x), y_own_error_1 = ksl_exp_errorf(x, y);
   const float y_error_1 = fabsf(y_own_error_1), y_padded_1 = 3.3087225e-24f + y,
@@ -143,8 +133,7 @@ static inline float ksl_expf_certified(const float x, float *y_bound) {
 
 /* y = tanh x; |error of y| <= y_bound unless inf or NaN.
    x, y_bound: number.
-   60 mul, 122 add, 9 product error, 2 div, 2 power of two, 6 abs, 2 copysign, 5 less, 11 select.
-   Error <= 0.979 ulp, in single precision 0.967 ulp, unless a result is subnormal; proved. */
+   60 mul, 122 add, 9 product error, 2 div, 2 power of two, 6 abs, 2 copysign, 5 less, 11 select. */
 static inline float ksl_tanhf_certified(const float x, float *y_bound) {
   const float y = ksl_tanhf(x), y_own_error_1 = ksl_tanh_errorf(x, y), y_size_1 = fabsf(y);
   const float y_error_1 = fabsf(y_own_error_1), y_padded_1 = 3.3087225e-24f + y_size_1,
@@ -157,8 +146,7 @@ static inline float ksl_tanhf_certified(const float x, float *y_bound) {
      angle_bound unless inf or NaN.
    y, x, angle_bound: number.
    89 mul, 155 add, 14 product error, 2 div, 1 neg, 10 abs, 4 copysign, 13 less, 3 equal, 23
-     select.
-   Error <= 0.934 ulp, in single precision 0.896 ulp, unless a result is subnormal; proved. */
+     select. */
 static inline float ksl_atan2f_certified(const float y, const float x, float *angle_bound) {
   const float angle = ksl_atan2f(y, x), angle_own_error_1 = ksl_atan2_errorf(y, x, angle),
       angle_size_1 = fabsf(angle);

@@ -12,7 +12,7 @@
 
 /* R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   172 mul, 311 add, 16 product error, 21 product rest, 5 div, 1 sqrt, 7 abs, 5 less, 11 equal,
+   178 mul, 320 add, 17 product error, 22 product rest, 5 div, 1 sqrt, 7 abs, 6 less, 10 equal,
      19 select.
    Error <= R: 1 u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
@@ -86,6 +86,8 @@ static inline void ksl_SO3_exp_accurate(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
       half_angle_lost = half_angle_of_reduced_length - half_angle_back,
       half_angle_rest = half_angle_lost + half_angle_of_reduced_length_lo,
       half_angle_lo = KSL_MUL(half_angle_rest, up);
+  const double y = KSL_MUL(half_angle, half_angle), y_cross1 = KSL_MUL(half_angle_lo, half_angle),
+      y_cross2 = KSL_MUL(half_angle, half_angle_lo), y_cross = y_cross1 + y_cross2;
   const double sine_of_half_angle = half_angle + half_angle_lo,
       sine_of_half_angle_right = sine_of_half_angle - half_angle,
       sine_of_half_angle_left = sine_of_half_angle - sine_of_half_angle_right,
@@ -103,8 +105,9 @@ static inline void ksl_SO3_exp_accurate(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
       c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
       c_lo = c_own_error - c_more;
-  const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
-      sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
+  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      sine_of_half_angle,
+      sinc_divisor_lo = sine_of_half_angle < 1.4901161193847656e-08 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
       sinc_quotient_of_sine_right = sinc_quotient_of_sine - sine,
       sinc_quotient_of_sine_left = sinc_quotient_of_sine - sinc_quotient_of_sine_right,
@@ -130,8 +133,16 @@ static inline void ksl_SO3_exp_accurate(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
       sinc_quotient_cross = KSL_MUL(sinc_quotient, sinc_quotient_of_sinc_divisor_lo),
       sinc_quotient_residual = sinc_quotient_numerator - sinc_quotient_cross,
       sinc_quotient_lo = sinc_quotient_residual / sinc_quotient_of_sinc_divisor;
-  const double sinc = sine_of_half_angle == 0.0 ? 1.0 : sinc_quotient,
-      sinc_lo = sine_of_half_angle == 0.0 ? 0.0 : sinc_quotient_lo;
+  const double y_error = ksl_product_error(half_angle, half_angle, y), y_lo = y_error + y_cross,
+      sinc_a = KSL_MUL(0.16666666666666666, y), sinc_a_cross1 = KSL_MUL(9.25185853854297e-18, y),
+      sinc_a_cross2 = KSL_MUL(0.16666666666666666, y_lo),
+      sinc_a_cross = sinc_a_cross1 + sinc_a_cross2, sinc_b = 1.0 - sinc_a,
+      sinc_b_right = 1.0 - sinc_b, sinc_b_left = sinc_b + sinc_b_right,
+      sinc_b_left_rest = 1.0 - sinc_b_left,
+      sinc_b_right_rest = ksl_product_rest(0.16666666666666666, y, sinc_a, sinc_b_right),
+      sinc_b_lo1 = sinc_b_left_rest - sinc_b_right_rest, sinc_b_lo = sinc_b_lo1 - sinc_a_cross,
+      sinc = sine_of_half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient,
+      sinc_lo = sine_of_half_angle < 1.4901161193847656e-08 ? sinc_b_lo : sinc_quotient_lo;
   const double turning_0 = KSL_MUL(v->x, sinc), turning_0_cross2 = KSL_MUL(v->x, sinc_lo);
   const double turning_1 = KSL_MUL(v->y, sinc), turning_1_cross2 = KSL_MUL(v->y, sinc_lo);
   const double turning_2 = KSL_MUL(v->z, sinc), turning_2_cross2 = KSL_MUL(v->z, sinc_lo);
@@ -527,7 +538,7 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
 
 /* R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   205 mul, 464 add, 21 product error, 42 product rest, 6 div, 1 sqrt, 4 abs, 5 less, 11 equal,
+   208 mul, 471 add, 21 product error, 43 product rest, 6 div, 1 sqrt, 4 abs, 6 less, 10 equal,
      25 select.
    Error <= R: 1 u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
@@ -575,8 +586,9 @@ static inline void ksl_SO3_leftJacobian_accurate(const ksl_vec3_t *v, ksl_mat3x3
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
       c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
       c_lo = c_own_error - c_more;
-  const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
-      sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
+  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      sine_of_half_angle,
+      sinc_divisor_lo = sine_of_half_angle < 1.4901161193847656e-08 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
       sinc_quotient_of_sine_right = sinc_quotient_of_sine - sine,
       sinc_quotient_of_sine_left = sinc_quotient_of_sine - sinc_quotient_of_sine_right,
@@ -602,8 +614,17 @@ static inline void ksl_SO3_leftJacobian_accurate(const ksl_vec3_t *v, ksl_mat3x3
       sinc_quotient_cross = KSL_MUL(sinc_quotient, sinc_quotient_of_sinc_divisor_lo),
       sinc_quotient_residual = sinc_quotient_numerator - sinc_quotient_cross,
       sinc_quotient_lo = sinc_quotient_residual / sinc_quotient_of_sinc_divisor;
-  const double sinc = sine_of_half_angle == 0.0 ? 1.0 : sinc_quotient,
-      sinc_lo = sine_of_half_angle == 0.0 ? 0.0 : sinc_quotient_lo;
+  const double sinc_a = KSL_MUL(0.16666666666666666, half_angle_of_y),
+      sinc_a_cross1 = KSL_MUL(9.25185853854297e-18, half_angle_of_y),
+      sinc_a_cross2 = KSL_MUL(0.16666666666666666, half_angle_of_y_lo),
+      sinc_a_cross = sinc_a_cross1 + sinc_a_cross2, sinc_b = 1.0 - sinc_a,
+      sinc_b_right = 1.0 - sinc_b, sinc_b_left = sinc_b + sinc_b_right,
+      sinc_b_left_rest = 1.0 - sinc_b_left,
+      sinc_b_right_rest = ksl_product_rest(0.16666666666666666, half_angle_of_y, sinc_a,
+          sinc_b_right),
+      sinc_b_lo1 = sinc_b_left_rest - sinc_b_right_rest, sinc_b_lo = sinc_b_lo1 - sinc_a_cross,
+      sinc = sine_of_half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient,
+      sinc_lo = sine_of_half_angle < 1.4901161193847656e-08 ? sinc_b_lo : sinc_quotient_lo;
   const double g1 = KSL_MUL(c, sinc), g1_cross1 = KSL_MUL(c_lo, sinc),
       g1_cross2 = KSL_MUL(c, sinc_lo), g1_cross = g1_cross1 + g1_cross2;
   const double g2a = KSL_MUL(sinc, sinc), g2a_cross1 = KSL_MUL(sinc_lo, sinc),
@@ -926,7 +947,7 @@ static inline void ksl_SO3_leftJacobian_accurate(const ksl_vec3_t *v, ksl_mat3x3
 
 /* R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   205 mul, 464 add, 21 product error, 42 product rest, 6 div, 1 sqrt, 9 neg, 4 abs, 5 less, 11
+   208 mul, 471 add, 21 product error, 43 product rest, 6 div, 1 sqrt, 9 neg, 4 abs, 6 less, 10
      equal, 25 select.
    Error <= R: 1 u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
@@ -974,8 +995,9 @@ static inline void ksl_SO3_rightJacobian_accurate(const ksl_vec3_t *v, ksl_mat3x
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
       c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
       c_lo = c_own_error - c_more;
-  const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
-      sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
+  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      sine_of_half_angle,
+      sinc_divisor_lo = sine_of_half_angle < 1.4901161193847656e-08 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
       sinc_quotient_of_sine_right = sinc_quotient_of_sine - sine,
       sinc_quotient_of_sine_left = sinc_quotient_of_sine - sinc_quotient_of_sine_right,
@@ -1001,8 +1023,17 @@ static inline void ksl_SO3_rightJacobian_accurate(const ksl_vec3_t *v, ksl_mat3x
       sinc_quotient_cross = KSL_MUL(sinc_quotient, sinc_quotient_of_sinc_divisor_lo),
       sinc_quotient_residual = sinc_quotient_numerator - sinc_quotient_cross,
       sinc_quotient_lo = sinc_quotient_residual / sinc_quotient_of_sinc_divisor;
-  const double sinc = sine_of_half_angle == 0.0 ? 1.0 : sinc_quotient,
-      sinc_lo = sine_of_half_angle == 0.0 ? 0.0 : sinc_quotient_lo;
+  const double sinc_a = KSL_MUL(0.16666666666666666, half_angle_of_y),
+      sinc_a_cross1 = KSL_MUL(9.25185853854297e-18, half_angle_of_y),
+      sinc_a_cross2 = KSL_MUL(0.16666666666666666, half_angle_of_y_lo),
+      sinc_a_cross = sinc_a_cross1 + sinc_a_cross2, sinc_b = 1.0 - sinc_a,
+      sinc_b_right = 1.0 - sinc_b, sinc_b_left = sinc_b + sinc_b_right,
+      sinc_b_left_rest = 1.0 - sinc_b_left,
+      sinc_b_right_rest = ksl_product_rest(0.16666666666666666, half_angle_of_y, sinc_a,
+          sinc_b_right),
+      sinc_b_lo1 = sinc_b_left_rest - sinc_b_right_rest, sinc_b_lo = sinc_b_lo1 - sinc_a_cross,
+      sinc = sine_of_half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient,
+      sinc_lo = sine_of_half_angle < 1.4901161193847656e-08 ? sinc_b_lo : sinc_quotient_lo;
   const double g1 = KSL_MUL(c, sinc), g1_cross1 = KSL_MUL(c_lo, sinc),
       g1_cross2 = KSL_MUL(c, sinc_lo), g1_cross = g1_cross1 + g1_cross2;
   const double g2a = KSL_MUL(sinc, sinc), g2a_cross1 = KSL_MUL(sinc_lo, sinc),
@@ -1329,7 +1360,7 @@ static inline void ksl_SO3_rightJacobian_accurate(const ksl_vec3_t *v, ksl_mat3x
 /* R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      except 0.
    v: vector; R: rotation or other 3×3 matrix.
-   205 mul, 495 add, 23 product error, 33 product rest, 10 div, 1 sqrt, 3 neg, 4 abs, 5 less, 11
+   208 mul, 502 add, 23 product error, 34 product rest, 10 div, 1 sqrt, 3 neg, 4 abs, 6 less, 10
      equal, 25 select.
    Error <= R: 1 u of its largest component for |v| <= π; searched, not proved.  Each component
      is within 1 ulp as long as its condition is below 1e13; in single precision it is the
@@ -1376,8 +1407,9 @@ static inline void ksl_SO3_leftJacobianInverse_accurate(const ksl_vec3_t *v, ksl
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
       c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
       c_lo = c_own_error - c_more;
-  const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
-      sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
+  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      sine_of_half_angle,
+      sinc_divisor_lo = sine_of_half_angle < 1.4901161193847656e-08 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
       sinc_quotient_of_sine_right = sinc_quotient_of_sine - sine,
       sinc_quotient_of_sine_left = sinc_quotient_of_sine - sinc_quotient_of_sine_right,
@@ -1403,8 +1435,17 @@ static inline void ksl_SO3_leftJacobianInverse_accurate(const ksl_vec3_t *v, ksl
       sinc_quotient_cross = KSL_MUL(sinc_quotient, sinc_quotient_of_sinc_divisor_lo),
       sinc_quotient_residual = sinc_quotient_numerator - sinc_quotient_cross,
       sinc_quotient_lo = sinc_quotient_residual / sinc_quotient_of_sinc_divisor;
-  const double sinc = sine_of_half_angle == 0.0 ? 1.0 : sinc_quotient,
-      sinc_lo = sine_of_half_angle == 0.0 ? 0.0 : sinc_quotient_lo;
+  const double sinc_a = KSL_MUL(0.16666666666666666, half_angle_of_y),
+      sinc_a_cross1 = KSL_MUL(9.25185853854297e-18, half_angle_of_y),
+      sinc_a_cross2 = KSL_MUL(0.16666666666666666, half_angle_of_y_lo),
+      sinc_a_cross = sinc_a_cross1 + sinc_a_cross2, sinc_b = 1.0 - sinc_a,
+      sinc_b_right = 1.0 - sinc_b, sinc_b_left = sinc_b + sinc_b_right,
+      sinc_b_left_rest = 1.0 - sinc_b_left,
+      sinc_b_right_rest = ksl_product_rest(0.16666666666666666, half_angle_of_y, sinc_a,
+          sinc_b_right),
+      sinc_b_lo1 = sinc_b_left_rest - sinc_b_right_rest, sinc_b_lo = sinc_b_lo1 - sinc_a_cross,
+      sinc = sine_of_half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient,
+      sinc_lo = sine_of_half_angle < 1.4901161193847656e-08 ? sinc_b_lo : sinc_quotient_lo;
   const double series_phi_a = KSL_MUL(5.107725174524775e-32, half_angle_of_y),
       series_phi_a_cross1 = KSL_MUL(4.7410392187559056e-48, half_angle_of_y),
       series_phi_a_cross2 = KSL_MUL(5.107725174524775e-32, half_angle_of_y_lo),
@@ -1790,7 +1831,7 @@ static inline void ksl_SO3_leftJacobianInverse_accurate(const ksl_vec3_t *v, ksl
 /* R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      except 0.
    v: vector; R: rotation or other 3×3 matrix.
-   205 mul, 495 add, 23 product error, 33 product rest, 10 div, 1 sqrt, 4 abs, 5 less, 11 equal,
+   208 mul, 502 add, 23 product error, 34 product rest, 10 div, 1 sqrt, 4 abs, 6 less, 10 equal,
      25 select.
    Error <= R: 1 u of its largest component for |v| <= π; searched, not proved.  Each component
      is within 1 ulp as long as its condition is below 1e13; in single precision it is the
@@ -1837,8 +1878,9 @@ static inline void ksl_SO3_rightJacobianInverse_accurate(const ksl_vec3_t *v, ks
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
       c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
       c_lo = c_own_error - c_more;
-  const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
-      sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
+  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      sine_of_half_angle,
+      sinc_divisor_lo = sine_of_half_angle < 1.4901161193847656e-08 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
       sinc_quotient_of_sine_right = sinc_quotient_of_sine - sine,
       sinc_quotient_of_sine_left = sinc_quotient_of_sine - sinc_quotient_of_sine_right,
@@ -1864,8 +1906,17 @@ static inline void ksl_SO3_rightJacobianInverse_accurate(const ksl_vec3_t *v, ks
       sinc_quotient_cross = KSL_MUL(sinc_quotient, sinc_quotient_of_sinc_divisor_lo),
       sinc_quotient_residual = sinc_quotient_numerator - sinc_quotient_cross,
       sinc_quotient_lo = sinc_quotient_residual / sinc_quotient_of_sinc_divisor;
-  const double sinc = sine_of_half_angle == 0.0 ? 1.0 : sinc_quotient,
-      sinc_lo = sine_of_half_angle == 0.0 ? 0.0 : sinc_quotient_lo;
+  const double sinc_a = KSL_MUL(0.16666666666666666, half_angle_of_y),
+      sinc_a_cross1 = KSL_MUL(9.25185853854297e-18, half_angle_of_y),
+      sinc_a_cross2 = KSL_MUL(0.16666666666666666, half_angle_of_y_lo),
+      sinc_a_cross = sinc_a_cross1 + sinc_a_cross2, sinc_b = 1.0 - sinc_a,
+      sinc_b_right = 1.0 - sinc_b, sinc_b_left = sinc_b + sinc_b_right,
+      sinc_b_left_rest = 1.0 - sinc_b_left,
+      sinc_b_right_rest = ksl_product_rest(0.16666666666666666, half_angle_of_y, sinc_a,
+          sinc_b_right),
+      sinc_b_lo1 = sinc_b_left_rest - sinc_b_right_rest, sinc_b_lo = sinc_b_lo1 - sinc_a_cross,
+      sinc = sine_of_half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient,
+      sinc_lo = sine_of_half_angle < 1.4901161193847656e-08 ? sinc_b_lo : sinc_quotient_lo;
   const double series_phi_a = KSL_MUL(5.107725174524775e-32, half_angle_of_y),
       series_phi_a_cross1 = KSL_MUL(4.7410392187559056e-48, half_angle_of_y),
       series_phi_a_cross2 = KSL_MUL(5.107725174524775e-32, half_angle_of_y_lo),
@@ -2971,7 +3022,7 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
 
 /* D = exp s = [exp ω~ | J_l(ω) v].
    s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
-   243 mul, 546 add, 24 product error, 57 product rest, 6 div, 1 sqrt, 4 abs, 5 less, 14 equal,
+   246 mul, 553 add, 24 product error, 58 product rest, 6 div, 1 sqrt, 4 abs, 6 less, 13 equal,
      28 select.
    Error <= R: 1 u, t: 1 u of its largest component, or of s.lin if that is larger, for |ω of s|
      <= 1e13, in single precision 1e5; searched, not proved.  Each component is within 1 ulp as
@@ -3020,8 +3071,9 @@ static inline void ksl_SE3_exp_accurate(const ksl_screw_t *s, ksl_SE3_t *D) {
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
       c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
       c_lo = c_own_error - c_more;
-  const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
-      sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
+  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      sine_of_half_angle,
+      sinc_divisor_lo = sine_of_half_angle < 1.4901161193847656e-08 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
       sinc_quotient_of_sine_right = sinc_quotient_of_sine - sine,
       sinc_quotient_of_sine_left = sinc_quotient_of_sine - sinc_quotient_of_sine_right,
@@ -3047,8 +3099,17 @@ static inline void ksl_SE3_exp_accurate(const ksl_screw_t *s, ksl_SE3_t *D) {
       sinc_quotient_cross = KSL_MUL(sinc_quotient, sinc_quotient_of_sinc_divisor_lo),
       sinc_quotient_residual = sinc_quotient_numerator - sinc_quotient_cross,
       sinc_quotient_lo = sinc_quotient_residual / sinc_quotient_of_sinc_divisor;
-  const double sinc = sine_of_half_angle == 0.0 ? 1.0 : sinc_quotient,
-      sinc_lo = sine_of_half_angle == 0.0 ? 0.0 : sinc_quotient_lo;
+  const double sinc_a = KSL_MUL(0.16666666666666666, half_angle_of_y),
+      sinc_a_cross1 = KSL_MUL(9.25185853854297e-18, half_angle_of_y),
+      sinc_a_cross2 = KSL_MUL(0.16666666666666666, half_angle_of_y_lo),
+      sinc_a_cross = sinc_a_cross1 + sinc_a_cross2, sinc_b = 1.0 - sinc_a,
+      sinc_b_right = 1.0 - sinc_b, sinc_b_left = sinc_b + sinc_b_right,
+      sinc_b_left_rest = 1.0 - sinc_b_left,
+      sinc_b_right_rest = ksl_product_rest(0.16666666666666666, half_angle_of_y, sinc_a,
+          sinc_b_right),
+      sinc_b_lo1 = sinc_b_left_rest - sinc_b_right_rest, sinc_b_lo = sinc_b_lo1 - sinc_a_cross,
+      sinc = sine_of_half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient,
+      sinc_lo = sine_of_half_angle < 1.4901161193847656e-08 ? sinc_b_lo : sinc_quotient_lo;
   const double g1 = KSL_MUL(c, sinc), g1_cross1 = KSL_MUL(c_lo, sinc),
       g1_cross2 = KSL_MUL(c, sinc_lo), g1_cross = g1_cross1 + g1_cross2;
   const double g2a = KSL_MUL(sinc, sinc), g2a_cross1 = KSL_MUL(sinc_lo, sinc),
@@ -3459,8 +3520,8 @@ static inline void ksl_SE3_exp_accurate(const ksl_screw_t *s, ksl_SE3_t *D) {
 
 /* so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   282 mul, 748 add, 36 product error, 35 product rest, 23 div, 2 sqrt, 11 neg, 14 abs, 4
-     copysign, 31 less, 14 equal, 88 select.
+   285 mul, 755 add, 36 product error, 36 product rest, 23 div, 2 sqrt, 11 neg, 14 abs, 4
+     copysign, 32 less, 13 equal, 88 select.
    Error <= lin: 1 u, ang: 1 u of its largest component for R of D a rotation; searched, not
      proved.  Each component is within 1 ulp as long as its condition is below 1e13; in single
      precision it is the nearest number, except near ties, as long as that is below 1e5;
@@ -3776,8 +3837,10 @@ static inline void ksl_SE3_log_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
           sinc_divisor_a_of_half_angle_right,
       sinc_divisor_a_of_half_angle_lo = sinc_divisor_a_of_half_angle_left_rest +
           sinc_divisor_a_of_half_angle_right_rest,
-      sinc_divisor = sinc_divisor_a_of_half_angle == 0.0 ? 1.0 : sinc_divisor_a_of_half_angle,
-      sinc_divisor_lo = sinc_divisor_a_of_half_angle == 0.0 ? 0.0 : sinc_divisor_a_of_half_angle_lo;
+      sinc_divisor = sinc_divisor_a_of_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08
+          : sinc_divisor_a_of_half_angle,
+      sinc_divisor_lo = sinc_divisor_a_of_half_angle < 1.4901161193847656e-08 ? 0.0 :
+          sinc_divisor_a_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
       sinc_quotient_of_sine_right = sinc_quotient_of_sine - sine,
       sinc_quotient_of_sine_left = sinc_quotient_of_sine - sinc_quotient_of_sine_right,
@@ -3803,10 +3866,18 @@ static inline void ksl_SE3_log_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
       sinc_quotient_cross = KSL_MUL(sinc_quotient, sinc_quotient_of_sinc_divisor_lo),
       sinc_quotient_residual = sinc_quotient_numerator - sinc_quotient_cross,
       sinc_quotient_lo = sinc_quotient_residual / sinc_quotient_of_sinc_divisor;
-  const double sinc = sinc_divisor_a_of_half_angle == 0.0 ? 1.0 : sinc_quotient,
-      sinc_lo = sinc_divisor_a_of_half_angle == 0.0 ? 0.0 : sinc_quotient_lo;
   const double y_error = ksl_product_error(half_angle, half_angle, y), y_lo = y_error + y_cross,
-      series_phi_a = KSL_MUL(5.107725174524775e-32, y),
+      sinc_a = KSL_MUL(0.16666666666666666, y), sinc_a_cross1 = KSL_MUL(9.25185853854297e-18, y),
+      sinc_a_cross2 = KSL_MUL(0.16666666666666666, y_lo),
+      sinc_a_cross = sinc_a_cross1 + sinc_a_cross2, sinc_b = 1.0 - sinc_a,
+      sinc_b_right = 1.0 - sinc_b, sinc_b_left = sinc_b + sinc_b_right,
+      sinc_b_left_rest = 1.0 - sinc_b_left,
+      sinc_b_right_rest = ksl_product_rest(0.16666666666666666, y, sinc_a, sinc_b_right),
+      sinc_b_lo1 = sinc_b_left_rest - sinc_b_right_rest, sinc_b_lo = sinc_b_lo1 - sinc_a_cross,
+      sinc = sinc_divisor_a_of_half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient,
+      sinc_lo = sinc_divisor_a_of_half_angle < 1.4901161193847656e-08 ? sinc_b_lo :
+          sinc_quotient_lo;
+  const double series_phi_a = KSL_MUL(5.107725174524775e-32, y),
       series_phi_a_cross1 = KSL_MUL(4.7410392187559056e-48, y),
       series_phi_a_cross2 = KSL_MUL(5.107725174524775e-32, y_lo),
       series_phi_a_cross = series_phi_a_cross1 + series_phi_a_cross2,
@@ -4138,7 +4209,7 @@ static inline void ksl_SE3_log_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
 
 /* M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   318 mul, 812 add, 31 product error, 86 product rest, 10 div, 1 sqrt, 3 neg, 4 abs, 5 less, 20
+   321 mul, 819 add, 31 product error, 87 product rest, 10 div, 1 sqrt, 3 neg, 4 abs, 6 less, 19
      equal, 38 select.
    Error <= M: 1 u of its largest component for |ω of s| <= π; searched, not proved.  Each
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
@@ -4186,8 +4257,9 @@ static inline void ksl_SE3_leftJacobian_accurate(const ksl_screw_t *s, ksl_mat6x
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
       c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
       c_lo = c_own_error - c_more;
-  const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
-      sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
+  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      sine_of_half_angle,
+      sinc_divisor_lo = sine_of_half_angle < 1.4901161193847656e-08 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
       sinc_quotient_of_sine_right = sinc_quotient_of_sine - sine,
       sinc_quotient_of_sine_left = sinc_quotient_of_sine - sinc_quotient_of_sine_right,
@@ -4213,8 +4285,17 @@ static inline void ksl_SE3_leftJacobian_accurate(const ksl_screw_t *s, ksl_mat6x
       sinc_quotient_cross = KSL_MUL(sinc_quotient, sinc_quotient_of_sinc_divisor_lo),
       sinc_quotient_residual = sinc_quotient_numerator - sinc_quotient_cross,
       sinc_quotient_lo = sinc_quotient_residual / sinc_quotient_of_sinc_divisor;
-  const double sinc = sine_of_half_angle == 0.0 ? 1.0 : sinc_quotient,
-      sinc_lo = sine_of_half_angle == 0.0 ? 0.0 : sinc_quotient_lo;
+  const double sinc_a = KSL_MUL(0.16666666666666666, half_angle_of_y),
+      sinc_a_cross1 = KSL_MUL(9.25185853854297e-18, half_angle_of_y),
+      sinc_a_cross2 = KSL_MUL(0.16666666666666666, half_angle_of_y_lo),
+      sinc_a_cross = sinc_a_cross1 + sinc_a_cross2, sinc_b = 1.0 - sinc_a,
+      sinc_b_right = 1.0 - sinc_b, sinc_b_left = sinc_b + sinc_b_right,
+      sinc_b_left_rest = 1.0 - sinc_b_left,
+      sinc_b_right_rest = ksl_product_rest(0.16666666666666666, half_angle_of_y, sinc_a,
+          sinc_b_right),
+      sinc_b_lo1 = sinc_b_left_rest - sinc_b_right_rest, sinc_b_lo = sinc_b_lo1 - sinc_a_cross,
+      sinc = sine_of_half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient,
+      sinc_lo = sine_of_half_angle < 1.4901161193847656e-08 ? sinc_b_lo : sinc_quotient_lo;
   const double g1 = KSL_MUL(c, sinc), g1_cross1 = KSL_MUL(c_lo, sinc),
       g1_cross2 = KSL_MUL(c, sinc_lo), g1_cross = g1_cross1 + g1_cross2;
   const double g2a = KSL_MUL(sinc, sinc), g2a_cross1 = KSL_MUL(sinc_lo, sinc),
@@ -5033,7 +5114,7 @@ static inline void ksl_SE3_leftJacobian_accurate(const ksl_screw_t *s, ksl_mat6x
 
 /* M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   318 mul, 812 add, 31 product error, 86 product rest, 10 div, 1 sqrt, 36 neg, 4 abs, 5 less, 20
+   321 mul, 819 add, 31 product error, 87 product rest, 10 div, 1 sqrt, 36 neg, 4 abs, 6 less, 19
      equal, 38 select.
    Error <= M: 1 u of its largest component for |ω of s| <= π; searched, not proved.  Each
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
@@ -5081,8 +5162,9 @@ static inline void ksl_SE3_rightJacobian_accurate(const ksl_screw_t *s, ksl_mat6
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
       c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
       c_lo = c_own_error - c_more;
-  const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
-      sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
+  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      sine_of_half_angle,
+      sinc_divisor_lo = sine_of_half_angle < 1.4901161193847656e-08 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
       sinc_quotient_of_sine_right = sinc_quotient_of_sine - sine,
       sinc_quotient_of_sine_left = sinc_quotient_of_sine - sinc_quotient_of_sine_right,
@@ -5108,8 +5190,17 @@ static inline void ksl_SE3_rightJacobian_accurate(const ksl_screw_t *s, ksl_mat6
       sinc_quotient_cross = KSL_MUL(sinc_quotient, sinc_quotient_of_sinc_divisor_lo),
       sinc_quotient_residual = sinc_quotient_numerator - sinc_quotient_cross,
       sinc_quotient_lo = sinc_quotient_residual / sinc_quotient_of_sinc_divisor;
-  const double sinc = sine_of_half_angle == 0.0 ? 1.0 : sinc_quotient,
-      sinc_lo = sine_of_half_angle == 0.0 ? 0.0 : sinc_quotient_lo;
+  const double sinc_a = KSL_MUL(0.16666666666666666, half_angle_of_y),
+      sinc_a_cross1 = KSL_MUL(9.25185853854297e-18, half_angle_of_y),
+      sinc_a_cross2 = KSL_MUL(0.16666666666666666, half_angle_of_y_lo),
+      sinc_a_cross = sinc_a_cross1 + sinc_a_cross2, sinc_b = 1.0 - sinc_a,
+      sinc_b_right = 1.0 - sinc_b, sinc_b_left = sinc_b + sinc_b_right,
+      sinc_b_left_rest = 1.0 - sinc_b_left,
+      sinc_b_right_rest = ksl_product_rest(0.16666666666666666, half_angle_of_y, sinc_a,
+          sinc_b_right),
+      sinc_b_lo1 = sinc_b_left_rest - sinc_b_right_rest, sinc_b_lo = sinc_b_lo1 - sinc_a_cross,
+      sinc = sine_of_half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient,
+      sinc_lo = sine_of_half_angle < 1.4901161193847656e-08 ? sinc_b_lo : sinc_quotient_lo;
   const double g1 = KSL_MUL(c, sinc), g1_cross1 = KSL_MUL(c_lo, sinc),
       g1_cross2 = KSL_MUL(c, sinc_lo), g1_cross = g1_cross1 + g1_cross2;
   const double g2a = KSL_MUL(sinc, sinc), g2a_cross1 = KSL_MUL(sinc_lo, sinc),
@@ -5945,7 +6036,7 @@ static inline void ksl_SE3_rightJacobian_accurate(const ksl_screw_t *s, ksl_mat6
 
 /* M = J_l(s)^-1; singular where |ω| is a multiple of 2π except 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   280 mul, 714 add, 34 product error, 59 product rest, 14 div, 1 sqrt, 9 neg, 4 abs, 5 less, 20
+   283 mul, 721 add, 34 product error, 60 product rest, 14 div, 1 sqrt, 9 neg, 4 abs, 6 less, 19
      equal, 36 select.
    Error <= M: 1 u of its largest component for |ω of s| <= π; searched, not proved.  Each
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
@@ -5993,8 +6084,9 @@ static inline void ksl_SE3_leftJacobianInverse_accurate(const ksl_screw_t *s, ks
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
       c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
       c_lo = c_own_error - c_more;
-  const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
-      sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
+  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      sine_of_half_angle,
+      sinc_divisor_lo = sine_of_half_angle < 1.4901161193847656e-08 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
       sinc_quotient_of_sine_right = sinc_quotient_of_sine - sine,
       sinc_quotient_of_sine_left = sinc_quotient_of_sine - sinc_quotient_of_sine_right,
@@ -6020,8 +6112,17 @@ static inline void ksl_SE3_leftJacobianInverse_accurate(const ksl_screw_t *s, ks
       sinc_quotient_cross = KSL_MUL(sinc_quotient, sinc_quotient_of_sinc_divisor_lo),
       sinc_quotient_residual = sinc_quotient_numerator - sinc_quotient_cross,
       sinc_quotient_lo = sinc_quotient_residual / sinc_quotient_of_sinc_divisor;
-  const double sinc = sine_of_half_angle == 0.0 ? 1.0 : sinc_quotient,
-      sinc_lo = sine_of_half_angle == 0.0 ? 0.0 : sinc_quotient_lo;
+  const double sinc_a = KSL_MUL(0.16666666666666666, half_angle_of_y),
+      sinc_a_cross1 = KSL_MUL(9.25185853854297e-18, half_angle_of_y),
+      sinc_a_cross2 = KSL_MUL(0.16666666666666666, half_angle_of_y_lo),
+      sinc_a_cross = sinc_a_cross1 + sinc_a_cross2, sinc_b = 1.0 - sinc_a,
+      sinc_b_right = 1.0 - sinc_b, sinc_b_left = sinc_b + sinc_b_right,
+      sinc_b_left_rest = 1.0 - sinc_b_left,
+      sinc_b_right_rest = ksl_product_rest(0.16666666666666666, half_angle_of_y, sinc_a,
+          sinc_b_right),
+      sinc_b_lo1 = sinc_b_left_rest - sinc_b_right_rest, sinc_b_lo = sinc_b_lo1 - sinc_a_cross,
+      sinc = sine_of_half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient,
+      sinc_lo = sine_of_half_angle < 1.4901161193847656e-08 ? sinc_b_lo : sinc_quotient_lo;
   const double series_phi_a = KSL_MUL(5.107725174524775e-32, half_angle_of_y),
       series_phi_a_cross1 = KSL_MUL(4.7410392187559056e-48, half_angle_of_y),
       series_phi_a_cross2 = KSL_MUL(5.107725174524775e-32, half_angle_of_y_lo),
@@ -6779,7 +6880,7 @@ static inline void ksl_SE3_leftJacobianInverse_accurate(const ksl_screw_t *s, ks
 
 /* M = J_r(s)^-1; singular where |ω| is a multiple of 2π except 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   280 mul, 714 add, 34 product error, 59 product rest, 14 div, 1 sqrt, 21 neg, 4 abs, 5 less, 20
+   283 mul, 721 add, 34 product error, 60 product rest, 14 div, 1 sqrt, 21 neg, 4 abs, 6 less, 19
      equal, 36 select.
    Error <= M: 1 u of its largest component for |ω of s| <= π; searched, not proved.  Each
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
@@ -6827,8 +6928,9 @@ static inline void ksl_SE3_rightJacobianInverse_accurate(const ksl_screw_t *s, k
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
       c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
       c_lo = c_own_error - c_more;
-  const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
-      sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
+  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      sine_of_half_angle,
+      sinc_divisor_lo = sine_of_half_angle < 1.4901161193847656e-08 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
       sinc_quotient_of_sine_right = sinc_quotient_of_sine - sine,
       sinc_quotient_of_sine_left = sinc_quotient_of_sine - sinc_quotient_of_sine_right,
@@ -6854,8 +6956,17 @@ static inline void ksl_SE3_rightJacobianInverse_accurate(const ksl_screw_t *s, k
       sinc_quotient_cross = KSL_MUL(sinc_quotient, sinc_quotient_of_sinc_divisor_lo),
       sinc_quotient_residual = sinc_quotient_numerator - sinc_quotient_cross,
       sinc_quotient_lo = sinc_quotient_residual / sinc_quotient_of_sinc_divisor;
-  const double sinc = sine_of_half_angle == 0.0 ? 1.0 : sinc_quotient,
-      sinc_lo = sine_of_half_angle == 0.0 ? 0.0 : sinc_quotient_lo;
+  const double sinc_a = KSL_MUL(0.16666666666666666, half_angle_of_y),
+      sinc_a_cross1 = KSL_MUL(9.25185853854297e-18, half_angle_of_y),
+      sinc_a_cross2 = KSL_MUL(0.16666666666666666, half_angle_of_y_lo),
+      sinc_a_cross = sinc_a_cross1 + sinc_a_cross2, sinc_b = 1.0 - sinc_a,
+      sinc_b_right = 1.0 - sinc_b, sinc_b_left = sinc_b + sinc_b_right,
+      sinc_b_left_rest = 1.0 - sinc_b_left,
+      sinc_b_right_rest = ksl_product_rest(0.16666666666666666, half_angle_of_y, sinc_a,
+          sinc_b_right),
+      sinc_b_lo1 = sinc_b_left_rest - sinc_b_right_rest, sinc_b_lo = sinc_b_lo1 - sinc_a_cross,
+      sinc = sine_of_half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient,
+      sinc_lo = sine_of_half_angle < 1.4901161193847656e-08 ? sinc_b_lo : sinc_quotient_lo;
   const double series_phi_a = KSL_MUL(5.107725174524775e-32, half_angle_of_y),
       series_phi_a_cross1 = KSL_MUL(4.7410392187559056e-48, half_angle_of_y),
       series_phi_a_cross2 = KSL_MUL(5.107725174524775e-32, half_angle_of_y_lo),
@@ -7621,8 +7732,8 @@ static inline void ksl_SE3_rightJacobianInverse_accurate(const ksl_screw_t *s, k
 
 /* Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
    D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-   711 mul, 1705 add, 66 product error, 164 product rest, 29 div, 3 sqrt, 11 neg, 18 abs, 4
-     copysign, 36 less, 22 equal, 110 select.
+   717 mul, 1719 add, 66 product error, 166 product rest, 29 div, 3 sqrt, 11 neg, 18 abs, 4
+     copysign, 38 less, 20 equal, 110 select.
    Error <= R: 1 u, t: 1 u of its largest component, or of D1.t or D2.t if that is larger, for R
      of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.  Each
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
@@ -8250,9 +8361,9 @@ static inline void ksl_SE3_interpolated_accurate(const ksl_SE3_t *D1, const ksl_
           log_sinc_divisor_a_of_log_half_angle_right,
       log_sinc_divisor_a_of_log_half_angle_lo = log_sinc_divisor_a_of_log_half_angle_left_rest +
           log_sinc_divisor_a_of_log_half_angle_right_rest,
-      log_sinc_divisor = log_sinc_divisor_a_of_log_half_angle == 0.0 ? 1.0 :
-          log_sinc_divisor_a_of_log_half_angle,
-      log_sinc_divisor_lo = log_sinc_divisor_a_of_log_half_angle == 0.0 ? 0.0 :
+      log_sinc_divisor = log_sinc_divisor_a_of_log_half_angle < 1.4901161193847656e-08 ?
+          1.4901161193847656e-08 : log_sinc_divisor_a_of_log_half_angle,
+      log_sinc_divisor_lo = log_sinc_divisor_a_of_log_half_angle < 1.4901161193847656e-08 ? 0.0 :
           log_sinc_divisor_a_of_log_half_angle_lo;
   const double log_sinc_quotient_of_log_sine = log_sine + log_sine_lo,
       log_sinc_quotient_of_log_sine_right = log_sinc_quotient_of_log_sine - log_sine,
@@ -8284,11 +8395,22 @@ static inline void ksl_SE3_interpolated_accurate(const ksl_SE3_t *D1, const ksl_
           log_sinc_quotient_of_log_sinc_divisor_lo),
       log_sinc_quotient_residual = log_sinc_quotient_numerator - log_sinc_quotient_cross,
       log_sinc_quotient_lo = log_sinc_quotient_residual / log_sinc_quotient_of_log_sinc_divisor;
-  const double log_sinc = log_sinc_divisor_a_of_log_half_angle == 0.0 ? 1.0 : log_sinc_quotient,
-      log_sinc_lo = log_sinc_divisor_a_of_log_half_angle == 0.0 ? 0.0 : log_sinc_quotient_lo;
   const double log_y_error = ksl_product_error(log_half_angle, log_half_angle, log_y),
-      log_y_lo = log_y_error + log_y_cross,
-      log_series_phi_a = KSL_MUL(5.107725174524775e-32, log_y),
+      log_y_lo = log_y_error + log_y_cross, log_sinc_a = KSL_MUL(0.16666666666666666, log_y),
+      log_sinc_a_cross1 = KSL_MUL(9.25185853854297e-18, log_y),
+      log_sinc_a_cross2 = KSL_MUL(0.16666666666666666, log_y_lo),
+      log_sinc_a_cross = log_sinc_a_cross1 + log_sinc_a_cross2, log_sinc_b = 1.0 - log_sinc_a,
+      log_sinc_b_right = 1.0 - log_sinc_b, log_sinc_b_left = log_sinc_b + log_sinc_b_right,
+      log_sinc_b_left_rest = 1.0 - log_sinc_b_left,
+      log_sinc_b_right_rest = ksl_product_rest(0.16666666666666666, log_y, log_sinc_a,
+          log_sinc_b_right),
+      log_sinc_b_lo1 = log_sinc_b_left_rest - log_sinc_b_right_rest,
+      log_sinc_b_lo = log_sinc_b_lo1 - log_sinc_a_cross,
+      log_sinc = log_sinc_divisor_a_of_log_half_angle < 1.4901161193847656e-08 ? log_sinc_b :
+          log_sinc_quotient,
+      log_sinc_lo = log_sinc_divisor_a_of_log_half_angle < 1.4901161193847656e-08 ? log_sinc_b_lo :
+          log_sinc_quotient_lo;
+  const double log_series_phi_a = KSL_MUL(5.107725174524775e-32, log_y),
       log_series_phi_a_cross1 = KSL_MUL(4.7410392187559056e-48, log_y),
       log_series_phi_a_cross2 = KSL_MUL(5.107725174524775e-32, log_y_lo),
       log_series_phi_a_cross = log_series_phi_a_cross1 + log_series_phi_a_cross2,
@@ -8784,9 +8906,10 @@ static inline void ksl_SE3_interpolated_accurate(const ksl_SE3_t *D1, const ksl_
   const double exp_c_slope1 = KSL_MUL(exp_sine_half_cos, exp_sine),
       exp_c_slope2 = KSL_MUL(exp_sine_half_sin, exp_c), exp_c_slope = exp_c_slope1 + exp_c_slope2,
       exp_c_more = KSL_MUL(exp_c_slope, exp_sine_twice), exp_c_lo = exp_c_own_error - exp_c_more;
-  const double exp_sinc_divisor = exp_sine_of_exp_half_angle == 0.0 ? 1.0 :
-      exp_sine_of_exp_half_angle,
-      exp_sinc_divisor_lo = exp_sine_of_exp_half_angle == 0.0 ? 0.0 : exp_sine_of_exp_half_angle_lo;
+  const double exp_sinc_divisor = exp_sine_of_exp_half_angle < 1.4901161193847656e-08 ?
+      1.4901161193847656e-08 : exp_sine_of_exp_half_angle,
+      exp_sinc_divisor_lo = exp_sine_of_exp_half_angle < 1.4901161193847656e-08 ? 0.0 :
+          exp_sine_of_exp_half_angle_lo;
   const double exp_sinc_quotient_of_exp_sine = exp_sine + exp_sine_lo,
       exp_sinc_quotient_of_exp_sine_right = exp_sinc_quotient_of_exp_sine - exp_sine,
       exp_sinc_quotient_of_exp_sine_left = exp_sinc_quotient_of_exp_sine -
@@ -8817,8 +8940,20 @@ static inline void ksl_SE3_interpolated_accurate(const ksl_SE3_t *D1, const ksl_
           exp_sinc_quotient_of_exp_sinc_divisor_lo),
       exp_sinc_quotient_residual = exp_sinc_quotient_numerator - exp_sinc_quotient_cross,
       exp_sinc_quotient_lo = exp_sinc_quotient_residual / exp_sinc_quotient_of_exp_sinc_divisor;
-  const double exp_sinc = exp_sine_of_exp_half_angle == 0.0 ? 1.0 : exp_sinc_quotient,
-      exp_sinc_lo = exp_sine_of_exp_half_angle == 0.0 ? 0.0 : exp_sinc_quotient_lo;
+  const double exp_sinc_a = KSL_MUL(0.16666666666666666, exp_half_angle_of_exp_y),
+      exp_sinc_a_cross1 = KSL_MUL(9.25185853854297e-18, exp_half_angle_of_exp_y),
+      exp_sinc_a_cross2 = KSL_MUL(0.16666666666666666, exp_half_angle_of_exp_y_lo),
+      exp_sinc_a_cross = exp_sinc_a_cross1 + exp_sinc_a_cross2, exp_sinc_b = 1.0 - exp_sinc_a,
+      exp_sinc_b_right = 1.0 - exp_sinc_b, exp_sinc_b_left = exp_sinc_b + exp_sinc_b_right,
+      exp_sinc_b_left_rest = 1.0 - exp_sinc_b_left,
+      exp_sinc_b_right_rest = ksl_product_rest(0.16666666666666666, exp_half_angle_of_exp_y,
+          exp_sinc_a, exp_sinc_b_right),
+      exp_sinc_b_lo1 = exp_sinc_b_left_rest - exp_sinc_b_right_rest,
+      exp_sinc_b_lo = exp_sinc_b_lo1 - exp_sinc_a_cross,
+      exp_sinc = exp_sine_of_exp_half_angle < 1.4901161193847656e-08 ? exp_sinc_b :
+          exp_sinc_quotient,
+      exp_sinc_lo = exp_sine_of_exp_half_angle < 1.4901161193847656e-08 ? exp_sinc_b_lo :
+          exp_sinc_quotient_lo;
   const double exp_g1 = KSL_MUL(exp_c, exp_sinc), exp_g1_cross1 = KSL_MUL(exp_c_lo, exp_sinc),
       exp_g1_cross2 = KSL_MUL(exp_c, exp_sinc_lo), exp_g1_cross = exp_g1_cross1 + exp_g1_cross2;
   const double exp_g2a = KSL_MUL(exp_sinc, exp_sinc),
@@ -9586,7 +9721,7 @@ static inline void ksl_SE3_interpolated_accurate(const ksl_SE3_t *D1, const ksl_
 
 /* R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   53 mul, 47 add, 1 div, 1 sqrt, 4 abs, 4 less, 1 equal, 6 select.
+   55 mul, 48 add, 1 div, 1 sqrt, 4 abs, 5 less, 6 select.
    Error <= R: 1 u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
      single precision it is the nearest number, except near ties, as long as that is below 1e5;
@@ -9612,10 +9747,13 @@ static inline void ksl_SO3_expf_accurate(const ksl_vec3f_t *v, ksl_mat3x3f_t *R)
       reduced_length_e = reduced_length_c + reduced_length_d,
       reduced_length = sqrt(reduced_length_e);
   const double half_angle = KSL_MUL(reduced_length, up);
+  const double y = KSL_MUL(half_angle, half_angle);
   double c; const double sine = ksl_sincos(half_angle, &c);
-  const double sinc_divisor = half_angle == 0.0 ? 1.0 : half_angle;
+  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      half_angle;
   const double sinc_quotient = sine / sinc_divisor;
-  const double sinc = half_angle == 0.0 ? 1.0 : sinc_quotient;
+  const double sinc_a = KSL_MUL(0.16666666666666666, y), sinc_b = 1.0 - sinc_a,
+      sinc = half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient;
   const double turning_0 = KSL_MUL((double)v->x, sinc);
   const double turning_1 = KSL_MUL((double)v->y, sinc);
   const double turning_2 = KSL_MUL((double)v->z, sinc);
@@ -9722,7 +9860,7 @@ static inline void ksl_SO3_logf_accurate(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo
 
 /* R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   64 mul, 65 add, 2 div, 1 sqrt, 1 abs, 4 less, 1 equal, 7 select.
+   65 mul, 66 add, 2 div, 1 sqrt, 1 abs, 5 less, 7 select.
    Error <= R: 1 u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
      single precision it is the nearest number, except near ties, as long as that is below 1e5;
@@ -9735,9 +9873,11 @@ static inline void ksl_SO3_leftJacobianf_accurate(const ksl_vec3f_t *v, ksl_mat3
       y_c = y_a + y_b, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d;
   const double half_angle = sqrt(y);
   double c; const double sine = ksl_sincos(half_angle, &c);
-  const double sinc_divisor = half_angle == 0.0 ? 1.0 : half_angle;
+  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      half_angle;
   const double sinc_quotient = sine / sinc_divisor;
-  const double sinc = half_angle == 0.0 ? 1.0 : sinc_quotient;
+  const double sinc_a = KSL_MUL(0.16666666666666666, y), sinc_b = 1.0 - sinc_a,
+      sinc = half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient;
   const double g1 = KSL_MUL(c, sinc);
   const double g2a = KSL_MUL(sinc, sinc), g2 = KSL_MUL(0.5, g2a);
   const double rest3 = 1.0 - g1;
@@ -9800,7 +9940,7 @@ static inline void ksl_SO3_leftJacobianf_accurate(const ksl_vec3f_t *v, ksl_mat3
 
 /* R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   64 mul, 65 add, 2 div, 1 sqrt, 3 neg, 1 abs, 4 less, 1 equal, 7 select.
+   65 mul, 66 add, 2 div, 1 sqrt, 3 neg, 1 abs, 5 less, 7 select.
    Error <= R: 1 u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
      single precision it is the nearest number, except near ties, as long as that is below 1e5;
@@ -9813,9 +9953,11 @@ static inline void ksl_SO3_rightJacobianf_accurate(const ksl_vec3f_t *v, ksl_mat
       y_c = y_a + y_b, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d;
   const double half_angle = sqrt(y);
   double c; const double sine = ksl_sincos(half_angle, &c);
-  const double sinc_divisor = half_angle == 0.0 ? 1.0 : half_angle;
+  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      half_angle;
   const double sinc_quotient = sine / sinc_divisor;
-  const double sinc = half_angle == 0.0 ? 1.0 : sinc_quotient;
+  const double sinc_a = KSL_MUL(0.16666666666666666, y), sinc_b = 1.0 - sinc_a,
+      sinc = half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient;
   const double g1 = KSL_MUL(c, sinc);
   const double g2a = KSL_MUL(sinc, sinc), g2 = KSL_MUL(0.5, g2a);
   const double rest3 = 1.0 - g1;
@@ -9879,7 +10021,7 @@ static inline void ksl_SO3_rightJacobianf_accurate(const ksl_vec3f_t *v, ksl_mat
 /* R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      except 0.
    v: vector; R: rotation or other 3×3 matrix.
-   62 mul, 65 add, 4 div, 1 sqrt, 3 neg, 1 abs, 4 less, 1 equal, 7 select.
+   63 mul, 66 add, 4 div, 1 sqrt, 3 neg, 1 abs, 5 less, 7 select.
    Error <= R: 1 u of its largest component for |v| <= π; searched, not proved.  Each component
      is within 1 ulp as long as its condition is below 1e13; in single precision it is the
      nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
@@ -9891,9 +10033,11 @@ static inline void ksl_SO3_leftJacobianInversef_accurate(const ksl_vec3f_t *v, k
       y_c = y_a + y_b, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d;
   const double half_angle = sqrt(y);
   double c; const double sine = ksl_sincos(half_angle, &c);
-  const double sinc_divisor = half_angle == 0.0 ? 1.0 : half_angle;
+  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      half_angle;
   const double sinc_quotient = sine / sinc_divisor;
-  const double sinc = half_angle == 0.0 ? 1.0 : sinc_quotient;
+  const double sinc_a = KSL_MUL(0.16666666666666666, y), sinc_b = 1.0 - sinc_a,
+      sinc = half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient;
   const double series_phi_a = KSL_MUL(5.107725174524775e-32, y),
       series_phi_b = 4.116826490666969e-29 - series_phi_a, series_phi_c = KSL_MUL(y, series_phi_b),
       series_phi_d = series_phi_c - 2.86531123750421e-26, series_phi_e = KSL_MUL(y, series_phi_d),
@@ -9960,7 +10104,7 @@ static inline void ksl_SO3_leftJacobianInversef_accurate(const ksl_vec3f_t *v, k
 /* R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      except 0.
    v: vector; R: rotation or other 3×3 matrix.
-   62 mul, 65 add, 4 div, 1 sqrt, 1 abs, 4 less, 1 equal, 7 select.
+   63 mul, 66 add, 4 div, 1 sqrt, 1 abs, 5 less, 7 select.
    Error <= R: 1 u of its largest component for |v| <= π; searched, not proved.  Each component
      is within 1 ulp as long as its condition is below 1e13; in single precision it is the
      nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
@@ -9972,9 +10116,11 @@ static inline void ksl_SO3_rightJacobianInversef_accurate(const ksl_vec3f_t *v, 
       y_c = y_a + y_b, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d;
   const double half_angle = sqrt(y);
   double c; const double sine = ksl_sincos(half_angle, &c);
-  const double sinc_divisor = half_angle == 0.0 ? 1.0 : half_angle;
+  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      half_angle;
   const double sinc_quotient = sine / sinc_divisor;
-  const double sinc = half_angle == 0.0 ? 1.0 : sinc_quotient;
+  const double sinc_a = KSL_MUL(0.16666666666666666, y), sinc_b = 1.0 - sinc_a,
+      sinc = half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient;
   const double series_phi_a = KSL_MUL(5.107725174524775e-32, y),
       series_phi_b = 4.116826490666969e-29 - series_phi_a, series_phi_c = KSL_MUL(y, series_phi_b),
       series_phi_d = series_phi_c - 2.86531123750421e-26, series_phi_e = KSL_MUL(y, series_phi_d),
@@ -10209,7 +10355,7 @@ static inline void ksl_mat3x3f_orthonormalized_accurate(const ksl_mat3x3f_t *R, 
 
 /* D = exp s = [exp ω~ | J_l(ω) v].
    s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
-   85 mul, 77 add, 2 div, 1 sqrt, 1 abs, 4 less, 1 equal, 7 select.
+   86 mul, 78 add, 2 div, 1 sqrt, 1 abs, 5 less, 7 select.
    Error <= R: 1 u, t: 1 u of its largest component, or of s.lin if that is larger, for |ω of s|
      <= 1e13, in single precision 1e5; searched, not proved.  Each component is within 1 ulp as
      long as its condition is below 1e13; in single precision it is the nearest number, except
@@ -10223,9 +10369,11 @@ static inline void ksl_SE3f_exp_accurate(const ksl_screwf_t *s, ksl_SE3f_t *D) {
       y_c = y_a + y_b, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d;
   const double half_angle = sqrt(y);
   double c; const double sine = ksl_sincos(half_angle, &c);
-  const double sinc_divisor = half_angle == 0.0 ? 1.0 : half_angle;
+  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      half_angle;
   const double sinc_quotient = sine / sinc_divisor;
-  const double sinc = half_angle == 0.0 ? 1.0 : sinc_quotient;
+  const double sinc_a = KSL_MUL(0.16666666666666666, y), sinc_b = 1.0 - sinc_a,
+      sinc = half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient;
   const double g1 = KSL_MUL(c, sinc);
   const double g2a = KSL_MUL(sinc, sinc), g2 = KSL_MUL(0.5, g2a);
   const double sine_square = KSL_MUL(sine, sine);
@@ -10315,7 +10463,7 @@ static inline void ksl_SE3f_exp_accurate(const ksl_screwf_t *s, ksl_SE3f_t *D) {
 
 /* so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   82 mul, 79 add, 8 div, 2 sqrt, 4 neg, 6 abs, 2 copysign, 19 less, 3 equal, 42 select.
+   83 mul, 80 add, 8 div, 2 sqrt, 4 neg, 6 abs, 2 copysign, 20 less, 2 equal, 42 select.
    Error <= lin: 1 u, ang: 1 u of its largest component for R of D a rotation; searched, not
      proved.  Each component is within 1 ulp as long as its condition is below 1e13; in single
      precision it is the nearest number, except near ties, as long as that is below 1e5;
@@ -10383,9 +10531,11 @@ static inline void ksl_SE3f_log_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) 
   const double sine = n / length;
   const double c = upper_3 / length;
   const double y = KSL_MUL(half_angle, half_angle);
-  const double sinc_divisor = half_angle == 0.0 ? 1.0 : half_angle;
+  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      half_angle;
   const double sinc_quotient = sine / sinc_divisor;
-  const double sinc = half_angle == 0.0 ? 1.0 : sinc_quotient;
+  const double sinc_a = KSL_MUL(0.16666666666666666, y), sinc_b = 1.0 - sinc_a,
+      sinc = half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient;
   const double series_phi_a = KSL_MUL(5.107725174524775e-32, y),
       series_phi_b = 4.116826490666969e-29 - series_phi_a, series_phi_c = KSL_MUL(y, series_phi_b),
       series_phi_d = series_phi_c - 2.86531123750421e-26, series_phi_e = KSL_MUL(y, series_phi_d),
@@ -10442,7 +10592,7 @@ static inline void ksl_SE3f_log_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) 
 
 /* M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   114 mul, 108 add, 4 div, 1 sqrt, 1 neg, 1 abs, 4 less, 1 equal, 9 select.
+   115 mul, 109 add, 4 div, 1 sqrt, 1 neg, 1 abs, 5 less, 9 select.
    Error <= M: 1 u of its largest component for |ω of s| <= π; searched, not proved.  Each
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
      the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
@@ -10455,9 +10605,11 @@ static inline void ksl_SE3f_leftJacobian_accurate(const ksl_screwf_t *s, ksl_mat
       y_c = y_a + y_b, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d;
   const double half_angle = sqrt(y);
   double c; const double sine = ksl_sincos(half_angle, &c);
-  const double sinc_divisor = half_angle == 0.0 ? 1.0 : half_angle;
+  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      half_angle;
   const double sinc_quotient = sine / sinc_divisor;
-  const double sinc = half_angle == 0.0 ? 1.0 : sinc_quotient;
+  const double sinc_a = KSL_MUL(0.16666666666666666, y), sinc_b = 1.0 - sinc_a,
+      sinc = half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient;
   const double g1 = KSL_MUL(c, sinc);
   const double g2a = KSL_MUL(sinc, sinc), g2 = KSL_MUL(0.5, g2a);
   const double rest3 = 1.0 - g1;
@@ -10625,7 +10777,7 @@ static inline void ksl_SE3f_leftJacobian_accurate(const ksl_screwf_t *s, ksl_mat
 
 /* M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   114 mul, 108 add, 4 div, 1 sqrt, 16 neg, 1 abs, 4 less, 1 equal, 9 select.
+   115 mul, 109 add, 4 div, 1 sqrt, 16 neg, 1 abs, 5 less, 9 select.
    Error <= M: 1 u of its largest component for |ω of s| <= π; searched, not proved.  Each
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
      the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
@@ -10638,9 +10790,11 @@ static inline void ksl_SE3f_rightJacobian_accurate(const ksl_screwf_t *s, ksl_ma
       y_c = y_a + y_b, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d;
   const double half_angle = sqrt(y);
   double c; const double sine = ksl_sincos(half_angle, &c);
-  const double sinc_divisor = half_angle == 0.0 ? 1.0 : half_angle;
+  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      half_angle;
   const double sinc_quotient = sine / sinc_divisor;
-  const double sinc = half_angle == 0.0 ? 1.0 : sinc_quotient;
+  const double sinc_a = KSL_MUL(0.16666666666666666, y), sinc_b = 1.0 - sinc_a,
+      sinc = half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient;
   const double g1 = KSL_MUL(c, sinc);
   const double g2a = KSL_MUL(sinc, sinc), g2 = KSL_MUL(0.5, g2a);
   const double rest3 = 1.0 - g1;
@@ -10814,7 +10968,7 @@ static inline void ksl_SE3f_rightJacobian_accurate(const ksl_screwf_t *s, ksl_ma
 
 /* M = J_l(s)^-1; singular where |ω| is a multiple of 2π except 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   100 mul, 90 add, 6 div, 1 sqrt, 7 neg, 1 abs, 4 less, 1 equal, 8 select.
+   101 mul, 91 add, 6 div, 1 sqrt, 7 neg, 1 abs, 5 less, 8 select.
    Error <= M: 1 u of its largest component for |ω of s| <= π; searched, not proved.  Each
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
      the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
@@ -10827,9 +10981,11 @@ static inline void ksl_SE3f_leftJacobianInverse_accurate(const ksl_screwf_t *s, 
       y_c = y_a + y_b, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d;
   const double half_angle = sqrt(y);
   double c; const double sine = ksl_sincos(half_angle, &c);
-  const double sinc_divisor = half_angle == 0.0 ? 1.0 : half_angle;
+  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      half_angle;
   const double sinc_quotient = sine / sinc_divisor;
-  const double sinc = half_angle == 0.0 ? 1.0 : sinc_quotient;
+  const double sinc_a = KSL_MUL(0.16666666666666666, y), sinc_b = 1.0 - sinc_a,
+      sinc = half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient;
   const double series_phi_a = KSL_MUL(5.107725174524775e-32, y),
       series_phi_b = 4.116826490666969e-29 - series_phi_a, series_phi_c = KSL_MUL(y, series_phi_b),
       series_phi_d = series_phi_c - 2.86531123750421e-26, series_phi_e = KSL_MUL(y, series_phi_d),
@@ -10982,7 +11138,7 @@ static inline void ksl_SE3f_leftJacobianInverse_accurate(const ksl_screwf_t *s, 
 
 /* M = J_r(s)^-1; singular where |ω| is a multiple of 2π except 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   100 mul, 90 add, 6 div, 1 sqrt, 10 neg, 1 abs, 4 less, 1 equal, 8 select.
+   101 mul, 91 add, 6 div, 1 sqrt, 10 neg, 1 abs, 5 less, 8 select.
    Error <= M: 1 u of its largest component for |ω of s| <= π; searched, not proved.  Each
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
      the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
@@ -10995,9 +11151,11 @@ static inline void ksl_SE3f_rightJacobianInverse_accurate(const ksl_screwf_t *s,
       y_c = y_a + y_b, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d;
   const double half_angle = sqrt(y);
   double c; const double sine = ksl_sincos(half_angle, &c);
-  const double sinc_divisor = half_angle == 0.0 ? 1.0 : half_angle;
+  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      half_angle;
   const double sinc_quotient = sine / sinc_divisor;
-  const double sinc = half_angle == 0.0 ? 1.0 : sinc_quotient;
+  const double sinc_a = KSL_MUL(0.16666666666666666, y), sinc_b = 1.0 - sinc_a,
+      sinc = half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient;
   const double series_phi_a = KSL_MUL(5.107725174524775e-32, y),
       series_phi_b = 4.116826490666969e-29 - series_phi_a, series_phi_c = KSL_MUL(y, series_phi_b),
       series_phi_d = series_phi_c - 2.86531123750421e-26, series_phi_e = KSL_MUL(y, series_phi_d),
@@ -11150,7 +11308,7 @@ static inline void ksl_SE3f_rightJacobianInverse_accurate(const ksl_screwf_t *s,
 
 /* Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
    D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-   245 mul, 210 add, 10 div, 3 sqrt, 4 neg, 7 abs, 2 copysign, 23 less, 4 equal, 49 select.
+   247 mul, 212 add, 10 div, 3 sqrt, 4 neg, 7 abs, 2 copysign, 25 less, 2 equal, 49 select.
    Error <= R: 1 u, t: 1 u of its largest component, or of D1.t or D2.t if that is larger, for R
      of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.  Each
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
@@ -11265,9 +11423,11 @@ static inline void ksl_SE3f_interpolated_accurate(const ksl_SE3f_t *D1, const ks
   const double log_sine = log_n / log_length;
   const double log_c = log_upper_3 / log_length;
   const double log_y = KSL_MUL(log_half_angle, log_half_angle);
-  const double log_sinc_divisor = log_half_angle == 0.0 ? 1.0 : log_half_angle;
+  const double log_sinc_divisor = log_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      log_half_angle;
   const double log_sinc_quotient = log_sine / log_sinc_divisor;
-  const double log_sinc = log_half_angle == 0.0 ? 1.0 : log_sinc_quotient;
+  const double log_sinc_a = KSL_MUL(0.16666666666666666, log_y), log_sinc_b = 1.0 - log_sinc_a,
+      log_sinc = log_half_angle < 1.4901161193847656e-08 ? log_sinc_b : log_sinc_quotient;
   const double log_series_phi_a = KSL_MUL(5.107725174524775e-32, log_y),
       log_series_phi_b = 4.116826490666969e-29 - log_series_phi_a,
       log_series_phi_c = KSL_MUL(log_y, log_series_phi_b),
@@ -11343,9 +11503,11 @@ static inline void ksl_SE3f_interpolated_accurate(const ksl_SE3f_t *D1, const ks
       exp_y_d = KSL_MUL(exp_halved_2, exp_halved_2), exp_y = exp_y_c + exp_y_d;
   const double exp_half_angle = sqrt(exp_y);
   double exp_c; const double exp_sine = ksl_sincos(exp_half_angle, &exp_c);
-  const double exp_sinc_divisor = exp_half_angle == 0.0 ? 1.0 : exp_half_angle;
+  const double exp_sinc_divisor = exp_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      exp_half_angle;
   const double exp_sinc_quotient = exp_sine / exp_sinc_divisor;
-  const double exp_sinc = exp_half_angle == 0.0 ? 1.0 : exp_sinc_quotient;
+  const double exp_sinc_a = KSL_MUL(0.16666666666666666, exp_y), exp_sinc_b = 1.0 - exp_sinc_a,
+      exp_sinc = exp_half_angle < 1.4901161193847656e-08 ? exp_sinc_b : exp_sinc_quotient;
   const double exp_g1 = KSL_MUL(exp_c, exp_sinc);
   const double exp_g2a = KSL_MUL(exp_sinc, exp_sinc), exp_g2 = KSL_MUL(0.5, exp_g2a);
   const double exp_sine_square = KSL_MUL(exp_sine, exp_sine);

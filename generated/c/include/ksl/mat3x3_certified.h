@@ -315,9 +315,7 @@ static inline void ksl_mat3x3_from_euler_xyz_certified(const ksl_vec3_t *angles,
      [-π/2, π/2]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; angles, angles_bound: vector.
    424 mul, 725 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 4 neg, 59 abs, 12
-     copysign, 50 less, 13 equal, 96 select.
-   The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
-     too; searched, not proved. */
+     copysign, 50 less, 13 equal, 96 select. */
 static inline void ksl_euler_xyz_from_mat3x3_certified(const ksl_mat3x3_t *R, ksl_vec3_t *angles,
     ksl_vec3_t *angles_bound) {
   const double n_a = KSL_MUL(R->m00, R->m00), n_a_size_1 = fabs(R->m00),
@@ -624,9 +622,7 @@ static inline void ksl_mat3x3_from_euler_xyx_certified(const ksl_vec3_t *angles,
      π]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; angles, angles_bound: vector.
    424 mul, 725 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 3 neg, 59 abs, 12
-     copysign, 52 less, 13 equal, 98 select.
-   The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
-     too; searched, not proved. */
+     copysign, 52 less, 13 equal, 98 select. */
 static inline void ksl_euler_xyx_from_mat3x3_certified(const ksl_mat3x3_t *R, ksl_vec3_t *angles,
     ksl_vec3_t *angles_bound) {
   const double n_a = KSL_MUL(R->m01, R->m01), n_a_size_1 = fabs(R->m01),
@@ -821,8 +817,7 @@ static inline void ksl_euler_xyx_from_mat3x3_certified(const ksl_mat3x3_t *R, ks
 /* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; otherwise R is
      not a rotation; |error of R| <= R_bound unless inf or NaN.
    axis: vector; angle: number; R, R_bound: rotation or other 3×3 matrix.
-   216 mul, 380 add, 26 product error, 18 product rest, 2 div, 24 abs, 4 less, 6 select.
-   Error <= R: 9 u of its largest component for |axis| = 1; searched, not proved. */
+   216 mul, 380 add, 26 product error, 18 product rest, 2 div, 24 abs, 4 less, 6 select. */
 static inline void ksl_mat3x3_from_axis_angle_certified(const ksl_vec3_t *axis,
     const double angle, ksl_mat3x3_t *R, ksl_mat3x3_t *R_bound) {
   const double half = KSL_MUL(0.5, angle), half_size_1 = fabs(angle),
@@ -998,9 +993,7 @@ static inline void ksl_mat3x3_from_axis_angle_certified(const ksl_vec3_t *axis,
      |error of angle| <= angle_bound, |error of axis| <= axis_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; axis, axis_bound: vector; angle_bound: number.
    205 mul, 442 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 63 abs, 4
-     copysign, 34 less, 6 equal, 103 select.
-   Error <= angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not
-     proved. */
+     copysign, 34 less, 6 equal, 103 select. */
 static inline double ksl_axis_angle_from_mat3x3_certified(const ksl_mat3x3_t *R, ksl_vec3_t *axis,
     double *angle_bound, ksl_vec3_t *axis_bound) {
   const double p_0 = R->m21 - R->m12, p_right_1 = R->m21 - p_0, p_left_1 = p_0 + p_right_1,
@@ -1637,9 +1630,7 @@ static inline void ksl_mat3x3f_from_euler_xyz_certified(const ksl_vec3f_t *angle
      [-π/2, π/2]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; angles, angles_bound: vector.
    322 mul, 548 add, 45 product error, 6 product rest, 27 div, 2 sqrt, 4 neg, 59 abs, 12
-     copysign, 50 less, 13 equal, 96 select.
-   The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
-     too; searched, not proved. */
+     copysign, 50 less, 13 equal, 96 select. */
 static inline void ksl_euler_xyz_from_mat3x3f_certified(const ksl_mat3x3f_t *R,
     ksl_vec3f_t *angles, ksl_vec3f_t *angles_bound) {
   const float n_a = KSL_MULF(R->m00, R->m00), n_a_size_1 = fabsf(R->m00),
@@ -1947,9 +1938,7 @@ static inline void ksl_mat3x3f_from_euler_xyx_certified(const ksl_vec3f_t *angle
      π]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; angles, angles_bound: vector.
    322 mul, 548 add, 45 product error, 6 product rest, 27 div, 2 sqrt, 3 neg, 59 abs, 12
-     copysign, 52 less, 13 equal, 98 select.
-   The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
-     too; searched, not proved. */
+     copysign, 52 less, 13 equal, 98 select. */
 static inline void ksl_euler_xyx_from_mat3x3f_certified(const ksl_mat3x3f_t *R,
     ksl_vec3f_t *angles, ksl_vec3f_t *angles_bound) {
   const float n_a = KSL_MULF(R->m01, R->m01), n_a_size_1 = fabsf(R->m01),
@@ -2141,8 +2130,7 @@ static inline void ksl_euler_xyx_from_mat3x3f_certified(const ksl_mat3x3f_t *R,
 /* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; otherwise R is
      not a rotation; |error of R| <= R_bound unless inf or NaN.
    axis: vector; angle: number; R, R_bound: rotation or other 3×3 matrix.
-   180 mul, 322 add, 20 product error, 18 product rest, 2 div, 24 abs, 4 less, 6 select.
-   Error <= R: 9 u of its largest component for |axis| = 1; searched, not proved. */
+   180 mul, 322 add, 20 product error, 18 product rest, 2 div, 24 abs, 4 less, 6 select. */
 static inline void ksl_mat3x3f_from_axis_angle_certified(const ksl_vec3f_t *axis,
     const float angle, ksl_mat3x3f_t *R, ksl_mat3x3f_t *R_bound) {
   const float half = KSL_MULF(0.5f, angle), half_size_1 = fabsf(angle),
@@ -2317,9 +2305,7 @@ static inline void ksl_mat3x3f_from_axis_angle_certified(const ksl_vec3f_t *axis
      |error of angle| <= angle_bound, |error of axis| <= axis_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; axis, axis_bound: vector; angle_bound: number.
    171 mul, 383 add, 18 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 63 abs, 4
-     copysign, 34 less, 6 equal, 103 select.
-   Error <= angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not
-     proved. */
+     copysign, 34 less, 6 equal, 103 select. */
 static inline float ksl_axis_angle_from_mat3x3f_certified(const ksl_mat3x3f_t *R,
     ksl_vec3f_t *axis, float *angle_bound, ksl_vec3f_t *axis_bound) {
   const float p_0 = R->m21 - R->m12, p_right_1 = R->m21 - p_0, p_left_1 = p_0 + p_right_1,

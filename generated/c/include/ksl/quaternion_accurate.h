@@ -2788,7 +2788,7 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
 
 /* qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v.
    v: vector; qo: quaternion (x, y, z, w), the scalar last.
-   139 mul, 222 add, 16 product error, 3 product rest, 5 div, 1 sqrt, 7 abs, 5 less, 6 equal, 14
+   145 mul, 231 add, 17 product error, 4 product rest, 5 div, 1 sqrt, 7 abs, 6 less, 5 equal, 14
      select.
    Error <= qo: 1 u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
@@ -2862,6 +2862,8 @@ static inline void ksl_quaternion_exp_accurate(const ksl_vec3_t *v, ksl_quaterni
       half_angle_lost = half_angle_of_reduced_length - half_angle_back,
       half_angle_rest = half_angle_lost + half_angle_of_reduced_length_lo,
       half_angle_lo = KSL_MUL(half_angle_rest, up);
+  const double y = KSL_MUL(half_angle, half_angle), y_cross1 = KSL_MUL(half_angle_lo, half_angle),
+      y_cross2 = KSL_MUL(half_angle, half_angle_lo), y_cross = y_cross1 + y_cross2;
   const double sine_of_half_angle = half_angle + half_angle_lo,
       sine_of_half_angle_right = sine_of_half_angle - half_angle,
       sine_of_half_angle_left = sine_of_half_angle - sine_of_half_angle_right,
@@ -2879,8 +2881,9 @@ static inline void ksl_quaternion_exp_accurate(const ksl_vec3_t *v, ksl_quaterni
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
       c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
       c_lo = c_own_error - c_more;
-  const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
-      sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
+  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      sine_of_half_angle,
+      sinc_divisor_lo = sine_of_half_angle < 1.4901161193847656e-08 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
       sinc_quotient_of_sine_right = sinc_quotient_of_sine - sine,
       sinc_quotient_of_sine_left = sinc_quotient_of_sine - sinc_quotient_of_sine_right,
@@ -2906,8 +2909,16 @@ static inline void ksl_quaternion_exp_accurate(const ksl_vec3_t *v, ksl_quaterni
       sinc_quotient_cross = KSL_MUL(sinc_quotient, sinc_quotient_of_sinc_divisor_lo),
       sinc_quotient_residual = sinc_quotient_numerator - sinc_quotient_cross,
       sinc_quotient_lo = sinc_quotient_residual / sinc_quotient_of_sinc_divisor;
-  const double sinc = sine_of_half_angle == 0.0 ? 1.0 : sinc_quotient,
-      sinc_lo = sine_of_half_angle == 0.0 ? 0.0 : sinc_quotient_lo;
+  const double y_error = ksl_product_error(half_angle, half_angle, y), y_lo = y_error + y_cross,
+      sinc_a = KSL_MUL(0.16666666666666666, y), sinc_a_cross1 = KSL_MUL(9.25185853854297e-18, y),
+      sinc_a_cross2 = KSL_MUL(0.16666666666666666, y_lo),
+      sinc_a_cross = sinc_a_cross1 + sinc_a_cross2, sinc_b = 1.0 - sinc_a,
+      sinc_b_right = 1.0 - sinc_b, sinc_b_left = sinc_b + sinc_b_right,
+      sinc_b_left_rest = 1.0 - sinc_b_left,
+      sinc_b_right_rest = ksl_product_rest(0.16666666666666666, y, sinc_a, sinc_b_right),
+      sinc_b_lo1 = sinc_b_left_rest - sinc_b_right_rest, sinc_b_lo = sinc_b_lo1 - sinc_a_cross,
+      sinc = sine_of_half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient,
+      sinc_lo = sine_of_half_angle < 1.4901161193847656e-08 ? sinc_b_lo : sinc_quotient_lo;
   const double qo_0 = KSL_MUL(h_0, sinc), qo_0_cross2 = KSL_MUL(h_0, sinc_lo);
   const double qo_1 = KSL_MUL(h_1, sinc), qo_1_cross2 = KSL_MUL(h_1, sinc_lo);
   const double qo_2 = KSL_MUL(h_2, sinc), qo_2_cross2 = KSL_MUL(h_2, sinc_lo);
@@ -3040,8 +3051,8 @@ static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_ve
 
 /* qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
    q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
-   365 mul, 765 add, 45 product error, 38 product rest, 16 div, 2 sqrt, 14 neg, 21 abs, 4
-     copysign, 35 less, 12 equal, 68 select.
+   371 mul, 774 add, 46 product error, 39 product rest, 16 div, 2 sqrt, 14 neg, 21 abs, 4
+     copysign, 36 less, 11 equal, 68 select.
    Error <= qo: 1 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <= 1; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
      single precision it is the nearest number, except near ties, as long as that is below 1e5;
@@ -3479,6 +3490,10 @@ static inline void ksl_quaternion_interpolated_accurate(const ksl_quaternion_t *
       exp_half_angle_lost = exp_half_angle_of_exp_reduced_length - exp_half_angle_back,
       exp_half_angle_rest = exp_half_angle_lost + exp_half_angle_of_exp_reduced_length_lo,
       exp_half_angle_lo = KSL_MUL(exp_half_angle_rest, exp_up);
+  const double exp_y = KSL_MUL(exp_half_angle, exp_half_angle),
+      exp_y_cross1 = KSL_MUL(exp_half_angle_lo, exp_half_angle),
+      exp_y_cross2 = KSL_MUL(exp_half_angle, exp_half_angle_lo),
+      exp_y_cross = exp_y_cross1 + exp_y_cross2;
   const double exp_sine_of_exp_half_angle = exp_half_angle + exp_half_angle_lo,
       exp_sine_of_exp_half_angle_right = exp_sine_of_exp_half_angle - exp_half_angle,
       exp_sine_of_exp_half_angle_left = exp_sine_of_exp_half_angle -
@@ -3502,9 +3517,10 @@ static inline void ksl_quaternion_interpolated_accurate(const ksl_quaternion_t *
   const double exp_c_slope1 = KSL_MUL(exp_sine_half_cos, exp_sine),
       exp_c_slope2 = KSL_MUL(exp_sine_half_sin, exp_c), exp_c_slope = exp_c_slope1 + exp_c_slope2,
       exp_c_more = KSL_MUL(exp_c_slope, exp_sine_twice), exp_c_lo = exp_c_own_error - exp_c_more;
-  const double exp_sinc_divisor = exp_sine_of_exp_half_angle == 0.0 ? 1.0 :
-      exp_sine_of_exp_half_angle,
-      exp_sinc_divisor_lo = exp_sine_of_exp_half_angle == 0.0 ? 0.0 : exp_sine_of_exp_half_angle_lo;
+  const double exp_sinc_divisor = exp_sine_of_exp_half_angle < 1.4901161193847656e-08 ?
+      1.4901161193847656e-08 : exp_sine_of_exp_half_angle,
+      exp_sinc_divisor_lo = exp_sine_of_exp_half_angle < 1.4901161193847656e-08 ? 0.0 :
+          exp_sine_of_exp_half_angle_lo;
   const double exp_sinc_quotient_of_exp_sine = exp_sine + exp_sine_lo,
       exp_sinc_quotient_of_exp_sine_right = exp_sinc_quotient_of_exp_sine - exp_sine,
       exp_sinc_quotient_of_exp_sine_left = exp_sinc_quotient_of_exp_sine -
@@ -3535,8 +3551,21 @@ static inline void ksl_quaternion_interpolated_accurate(const ksl_quaternion_t *
           exp_sinc_quotient_of_exp_sinc_divisor_lo),
       exp_sinc_quotient_residual = exp_sinc_quotient_numerator - exp_sinc_quotient_cross,
       exp_sinc_quotient_lo = exp_sinc_quotient_residual / exp_sinc_quotient_of_exp_sinc_divisor;
-  const double exp_sinc = exp_sine_of_exp_half_angle == 0.0 ? 1.0 : exp_sinc_quotient,
-      exp_sinc_lo = exp_sine_of_exp_half_angle == 0.0 ? 0.0 : exp_sinc_quotient_lo;
+  const double exp_y_error = ksl_product_error(exp_half_angle, exp_half_angle, exp_y),
+      exp_y_lo = exp_y_error + exp_y_cross, exp_sinc_a = KSL_MUL(0.16666666666666666, exp_y),
+      exp_sinc_a_cross1 = KSL_MUL(9.25185853854297e-18, exp_y),
+      exp_sinc_a_cross2 = KSL_MUL(0.16666666666666666, exp_y_lo),
+      exp_sinc_a_cross = exp_sinc_a_cross1 + exp_sinc_a_cross2, exp_sinc_b = 1.0 - exp_sinc_a,
+      exp_sinc_b_right = 1.0 - exp_sinc_b, exp_sinc_b_left = exp_sinc_b + exp_sinc_b_right,
+      exp_sinc_b_left_rest = 1.0 - exp_sinc_b_left,
+      exp_sinc_b_right_rest = ksl_product_rest(0.16666666666666666, exp_y, exp_sinc_a,
+          exp_sinc_b_right),
+      exp_sinc_b_lo1 = exp_sinc_b_left_rest - exp_sinc_b_right_rest,
+      exp_sinc_b_lo = exp_sinc_b_lo1 - exp_sinc_a_cross,
+      exp_sinc = exp_sine_of_exp_half_angle < 1.4901161193847656e-08 ? exp_sinc_b :
+          exp_sinc_quotient,
+      exp_sinc_lo = exp_sine_of_exp_half_angle < 1.4901161193847656e-08 ? exp_sinc_b_lo :
+          exp_sinc_quotient_lo;
   const double power_0 = KSL_MUL(exp_h_size_0_of_step_0, exp_sinc),
       power_0_cross1 = KSL_MUL(exp_h_size_0_of_step_0_lo, exp_sinc),
       power_0_cross2 = KSL_MUL(exp_h_size_0_of_step_0, exp_sinc_lo),
@@ -4857,7 +4886,7 @@ static inline float ksl_axis_angle_from_quaternionf_accurate(const ksl_quaternio
 
 /* qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v.
    v: vector; qo: quaternion (x, y, z, w), the scalar last.
-   41 mul, 35 add, 1 div, 1 sqrt, 4 abs, 4 less, 1 equal, 6 select.
+   43 mul, 36 add, 1 div, 1 sqrt, 4 abs, 5 less, 6 select.
    Error <= qo: 1 u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
      single precision it is the nearest number, except near ties, as long as that is below 1e5;
@@ -4883,10 +4912,13 @@ static inline void ksl_quaternionf_exp_accurate(const ksl_vec3f_t *v, ksl_quater
       reduced_length_e = reduced_length_c + reduced_length_d,
       reduced_length = sqrt(reduced_length_e);
   const double half_angle = KSL_MUL(reduced_length, up);
+  const double y = KSL_MUL(half_angle, half_angle);
   double c; const double sine = ksl_sincos(half_angle, &c);
-  const double sinc_divisor = half_angle == 0.0 ? 1.0 : half_angle;
+  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      half_angle;
   const double sinc_quotient = sine / sinc_divisor;
-  const double sinc = half_angle == 0.0 ? 1.0 : sinc_quotient;
+  const double sinc_a = KSL_MUL(0.16666666666666666, y), sinc_b = 1.0 - sinc_a,
+      sinc = half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient;
   const double qo_0 = KSL_MUL(h_0, sinc);
   const double qo_1 = KSL_MUL(h_1, sinc);
   const double qo_2 = KSL_MUL(h_2, sinc);
@@ -4950,7 +4982,7 @@ static inline void ksl_quaternionf_log_accurate(const ksl_quaternionf_t *q, ksl_
 
 /* qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
    q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
-   112 mul, 96 add, 3 div, 2 sqrt, 5 neg, 10 abs, 2 copysign, 19 less, 3 equal, 32 select.
+   114 mul, 97 add, 3 div, 2 sqrt, 5 neg, 10 abs, 2 copysign, 20 less, 2 equal, 32 select.
    Error <= qo: 1 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <= 1; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
      single precision it is the nearest number, except near ties, as long as that is below 1e5;
@@ -5023,10 +5055,13 @@ static inline void ksl_quaternionf_interpolated_accurate(const ksl_quaternionf_t
       exp_reduced_length_e = exp_reduced_length_c + exp_reduced_length_d,
       exp_reduced_length = sqrt(exp_reduced_length_e);
   const double exp_half_angle = KSL_MUL(exp_reduced_length, exp_up);
+  const double exp_y = KSL_MUL(exp_half_angle, exp_half_angle);
   double exp_c; const double exp_sine = ksl_sincos(exp_half_angle, &exp_c);
-  const double exp_sinc_divisor = exp_half_angle == 0.0 ? 1.0 : exp_half_angle;
+  const double exp_sinc_divisor = exp_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      exp_half_angle;
   const double exp_sinc_quotient = exp_sine / exp_sinc_divisor;
-  const double exp_sinc = exp_half_angle == 0.0 ? 1.0 : exp_sinc_quotient;
+  const double exp_sinc_a = KSL_MUL(0.16666666666666666, exp_y), exp_sinc_b = 1.0 - exp_sinc_a,
+      exp_sinc = exp_half_angle < 1.4901161193847656e-08 ? exp_sinc_b : exp_sinc_quotient;
   const double power_0 = KSL_MUL(step_0, exp_sinc);
   const double power_1 = KSL_MUL(step_1, exp_sinc);
   const double power_2 = KSL_MUL(step_2, exp_sinc);

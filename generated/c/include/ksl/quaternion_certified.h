@@ -1552,8 +1552,7 @@ static inline void ksl_omega_to_dquaternion_certified(const ksl_vec3_t *w,
 /* qo = (axis sin angle/2; cos angle/2); axis of length 1: with another |qo| is not 1, and its
      rotation is by another angle; |error of qo| <= qo_bound unless inf or NaN.
    axis: vector; angle: number; qo, qo_bound: quaternion (x, y, z, w), the scalar last.
-   98 mul, 139 add, 14 product error, 1 div, 11 abs, 1 less, 1 select.
-   Error <= qo: 3 u of its largest component for |axis| = 1; searched, not proved. */
+   98 mul, 139 add, 14 product error, 1 div, 11 abs, 1 less, 1 select. */
 static inline void ksl_quaternion_from_axis_angle_certified(const ksl_vec3_t *axis,
     const double angle, ksl_quaternion_t *qo, ksl_quaternion_t *qo_bound) {
   const double half = KSL_MUL(0.5, angle), half_size_1 = fabs(angle),
@@ -1596,8 +1595,7 @@ static inline void ksl_quaternion_from_axis_angle_certified(const ksl_vec3_t *ax
      <= axis_bound unless inf or NaN.
    q: quaternion (x, y, z, w), the scalar last; axis, axis_bound: vector; angle_bound: number.
    201 mul, 318 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 5 neg, 50 abs, 4 copysign,
-     35 less, 10 equal, 69 select.
-   Error <= angle: 6 u, axis: 4 u of its largest component; searched, not proved. */
+     35 less, 10 equal, 69 select. */
 static inline double ksl_axis_angle_from_quaternion_certified(const ksl_quaternion_t *q,
     ksl_vec3_t *axis, double *angle_bound, ksl_vec3_t *axis_bound) {
   const double s_size_0 = fabs(q->x);
@@ -1832,10 +1830,8 @@ static inline double ksl_axis_angle_from_quaternion_certified(const ksl_quaterni
 /* qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v; |error of
      qo| <= qo_bound unless inf or NaN.
    v: vector; qo, qo_bound: quaternion (x, y, z, w), the scalar last.
-   256 mul, 331 add, 16 product error, 3 product rest, 11 div, 3 sqrt, 35 abs, 10 less, 2 equal,
-     24 select.
-   Error <= qo: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
-     searched, not proved. */
+   266 mul, 346 add, 17 product error, 4 product rest, 11 div, 3 sqrt, 37 abs, 11 less, 1 equal,
+     24 select. */
 static inline void ksl_quaternion_exp_certified(const ksl_vec3_t *v, ksl_quaternion_t *qo,
     ksl_quaternion_t *qo_bound) {
   const double h_0 = KSL_MUL(0.5, v->x);
@@ -2000,6 +1996,18 @@ static inline void ksl_quaternion_exp_certified(const ksl_vec3_t *v, ksl_quatern
       fine_half_angle_lo = KSL_MUL(fine_half_angle_rest_1, fine_up),
       fine_half_angle_padded_1 = 1.8051943758648296e-276 + fine_reduced_length_size_12,
       fine_half_angle_size_1 = KSL_MUL(fine_half_angle_padded_1, fine_up_size_1);
+  const double fine_y = KSL_MUL(fine_half_angle, fine_half_angle),
+      fine_y_cross1_1 = KSL_MUL(fine_half_angle_lo, fine_half_angle),
+      fine_y_cross2_1 = KSL_MUL(fine_half_angle, fine_half_angle_lo),
+      fine_y_cross_1 = fine_y_cross1_1 + fine_y_cross2_1,
+      fine_y_padded_1 = 1.8051943758648296e-276 + fine_half_angle_size_1,
+      fine_y_size_1 = fabs(fine_half_angle), fine_y_error_1 = fabs(fine_half_angle_lo),
+      fine_y_rest_1 = KSL_MUL(5.7192432555642225e-30, fine_y_padded_1),
+      fine_y_bound_1 = fine_y_error_1 + fine_y_rest_1,
+      fine_y_units_1 = KSL_MUL(140737488355328.0, fine_y_bound_1),
+      fine_y_reach_1 = fine_y_size_1 + fine_y_units_1,
+      fine_y_size_2 = KSL_MUL(fine_y_padded_1, fine_y_reach_1),
+      fine_y_size_3 = fine_y_size_2 + fine_y_size_2;
   double fine_c; const double fine_sine = ksl_sincos(fine_half_angle, &fine_c);
   double fine_c_own_error_1; const double fine_sine_own_error_1 = ksl_sincos_error(fine_half_angle,
       fine_sine, fine_c, &fine_c_own_error_1);
@@ -2012,26 +2020,24 @@ static inline void ksl_quaternion_exp_certified(const ksl_vec3_t *v, ksl_quatern
       fine_sine_slope_1 = fine_sine_slope1_1 - fine_sine_slope2_1,
       fine_sine_more_1 = KSL_MUL(fine_sine_slope_1, fine_sine_twice_1),
       fine_sine_lo = fine_sine_own_error_1 + fine_sine_more_1,
-      fine_sine_padded_1 = 1.8051943758648296e-276 + fine_half_angle_size_1,
-      fine_sine_size_1 = 1.0 + fine_sine_padded_1;
+      fine_sine_size_1 = 1.0 + fine_y_padded_1;
   const double fine_c_slope1_1 = KSL_MUL(fine_sine_half_cos_1, fine_sine),
       fine_c_slope2_1 = KSL_MUL(fine_sine_half_sin_1, fine_c),
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MUL(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const double fine_sinc_divisor = fine_half_angle == 0.0 ? 1.0 : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0 ? 0.0 : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_half_angle_size_1,
-      fine_sinc_divisor_error_1 = fabs(fine_half_angle_lo),
-      fine_sinc_divisor_rest_1 = KSL_MUL(5.7192432555642225e-30, fine_sine_padded_1),
-      fine_sinc_divisor_bound_1 = fine_sinc_divisor_error_1 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0,
+  const double fine_sinc_divisor = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08
+      : fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161193847656e-08 ? 0.0 : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+          fine_half_angle_size_1,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161193847656e-08,
       fine_sinc_divisor_size_3 = fabs(fine_sinc_divisor_size_2),
       fine_sinc_divisor_size_4 = 5e-324 + fine_sinc_divisor_size_3,
-      fine_sinc_divisor_size_6 = 1.0 - fine_half_angle,
+      fine_sinc_divisor_size_6 = 1.4901161193847656e-08 - fine_half_angle,
       fine_sinc_divisor_size_7 = fabs(fine_sinc_divisor_size_6),
-      fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_7,
-      fine_sinc_divisor_size_9 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_4 ? 0.0 :
+      fine_sinc_divisor_size_8 = fine_sinc_divisor_size_7 + fine_y_bound_1,
+      fine_sinc_divisor_size_9 = fine_y_bound_1 < fine_sinc_divisor_size_4 ? 0.0 :
           fine_sinc_divisor_size_8,
       fine_sinc_divisor_size_10 = KSL_MUL(5.762046184631807e+28, fine_sinc_divisor_size_9),
       fine_sinc_divisor_size_11 = fine_sinc_divisor_size_1 + fine_sinc_divisor_size_10;
@@ -2063,28 +2069,49 @@ static inline void ksl_quaternion_exp_certified(const ksl_vec3_t *v, ksl_quatern
       fine_sinc_quotient_size_9 = KSL_MUL(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const double fine_sinc = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0 ? 0.0 : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0 - fine_sinc_quotient, fine_sinc_size_3 = fabs(fine_sinc_size_2),
-      fine_sinc_error_1 = fabs(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MUL(2.755262189115544e-29, fine_sinc_padded_1),
+  const double fine_y_error_2 = ksl_product_error(fine_half_angle, fine_half_angle, fine_y),
+      fine_y_lo = fine_y_error_2 + fine_y_cross_1,
+      fine_sinc_a = KSL_MUL(0.16666666666666666, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MUL(9.25185853854297e-18, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MUL(0.16666666666666666, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MUL(2290649224.7000003, fine_y_size_3),
+      fine_sinc_b = 1.0 - fine_sinc_a, fine_sinc_b_right_1 = 1.0 - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0 - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_rest(0.16666666666666666, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0 + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_lo :
+          fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabs(fine_sinc_size_2), fine_sinc_error_1 = fabs(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MUL(8.201505264386605e-28, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabs(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MUL(2.755262189115544e-29, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_4 ? 0.0 :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MUL(3.7283828633784605e+28, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_y_bound_1 < fine_sinc_divisor_size_4 ? 0.0 : fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MUL(1.2206826306780646e+27, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const double fine_qo_0 = KSL_MUL(fine_h_0, fine_sinc),
       fine_qo_cross2_1 = KSL_MUL(fine_h_0, fine_sinc_lo),
-      fine_qo_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_7,
+      fine_qo_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_8,
       fine_qo_size_1 = fabs(fine_h_0),
       fine_qo_units_1 = KSL_MUL(140737488355328.0, fine_h_size_rest_1),
       fine_qo_reach_1 = fine_qo_size_1 + fine_qo_units_1,
       fine_qo_size_2 = KSL_MUL(fine_qo_padded_1, fine_qo_reach_1), fine_qo_size_3 = fabs(fine_sinc),
       fine_qo_error_1 = fabs(fine_sinc_lo),
-      fine_qo_rest_1 = KSL_MUL(2.765944790253218e-29, fine_qo_padded_1),
+      fine_qo_rest_1 = KSL_MUL(8.201506228291972e-28, fine_qo_padded_1),
       fine_qo_bound_1 = fine_qo_error_1 + fine_qo_rest_1,
       fine_qo_units_2 = KSL_MUL(140737488355328.0, fine_qo_bound_1),
       fine_qo_reach_2 = fine_qo_size_3 + fine_qo_units_2,
@@ -2109,19 +2136,19 @@ static inline void ksl_quaternion_exp_certified(const ksl_vec3_t *v, ksl_quatern
       qo_apart_2 = fine_qo_lo_1 + qo_apart_1, qo_error_1 = fabs(qo_apart_2),
       qo_error_2 = KSL_MUL(1.0000000000000009, qo_error_1),
       qo_padded_1 = 1.8051943758648296e-276 + fine_qo_size_5,
-      qo_rest_1 = KSL_MUL(2.888588319442306e-29, qo_padded_1), qo_bound_1 = qo_error_2 + qo_rest_1,
+      qo_rest_1 = KSL_MUL(8.21414129263252e-28, qo_padded_1), qo_bound_1 = qo_error_2 + qo_rest_1,
       fine_qo_error_3 = ksl_product_error(fine_h_1, fine_sinc, fine_qo_1),
       fine_qo_lo_2 = fine_qo_error_3 + fine_qo_cross2_2, qo_apart_3 = fine_qo_1 - qo_1,
       qo_apart_4 = fine_qo_lo_2 + qo_apart_3, qo_error_3 = fabs(qo_apart_4),
       qo_error_4 = KSL_MUL(1.0000000000000009, qo_error_3),
       qo_padded_2 = 1.8051943758648296e-276 + fine_qo_size_9,
-      qo_rest_2 = KSL_MUL(2.888588319442306e-29, qo_padded_2), qo_bound_2 = qo_error_4 + qo_rest_2,
+      qo_rest_2 = KSL_MUL(8.21414129263252e-28, qo_padded_2), qo_bound_2 = qo_error_4 + qo_rest_2,
       fine_qo_error_4 = ksl_product_error(fine_h_2, fine_sinc, fine_qo_2),
       fine_qo_lo_3 = fine_qo_error_4 + fine_qo_cross2_3, qo_apart_5 = fine_qo_2 - qo_2,
       qo_apart_6 = fine_qo_lo_3 + qo_apart_5, qo_error_5 = fabs(qo_apart_6),
       qo_error_6 = KSL_MUL(1.0000000000000009, qo_error_5),
       qo_padded_3 = 1.8051943758648296e-276 + fine_qo_size_13,
-      qo_rest_3 = KSL_MUL(2.888588319442306e-29, qo_padded_3), qo_bound_3 = qo_error_6 + qo_rest_3,
+      qo_rest_3 = KSL_MUL(8.21414129263252e-28, qo_padded_3), qo_bound_3 = qo_error_6 + qo_rest_3,
       qo_apart_7 = fine_c - qo_3, qo_apart_8 = fine_c_lo + qo_apart_7,
       qo_error_7 = fabs(qo_apart_8), qo_error_8 = KSL_MUL(1.0000000000000009, qo_error_7),
       qo_rest_4 = KSL_MUL(1.0551017099379097e-29, fine_sinc_quotient_padded_1),
@@ -2140,8 +2167,7 @@ static inline void ksl_quaternion_exp_certified(const ksl_vec3_t *v, ksl_quatern
      |error of vo| <= vo_bound unless inf or NaN.
    q: quaternion (x, y, z, w), the scalar last; vo, vo_bound: vector.
    209 mul, 315 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 5 neg, 49 abs, 4 copysign,
-     35 less, 10 equal, 65 select.
-   Error <= vo: 6 u of its largest component; searched, not proved. */
+     35 less, 10 equal, 65 select. */
 static inline void ksl_quaternion_log_certified(const ksl_quaternion_t *q, ksl_vec3_t *vo,
     ksl_vec3_t *vo_bound) {
   const double s_size_0 = fabs(q->x);
@@ -4038,8 +4064,7 @@ static inline void ksl_omega_to_dquaternionf_certified(const ksl_vec3f_t *w,
 /* qo = (axis sin angle/2; cos angle/2); axis of length 1: with another |qo| is not 1, and its
      rotation is by another angle; |error of qo| <= qo_bound unless inf or NaN.
    axis: vector; angle: number; qo, qo_bound: quaternion (x, y, z, w), the scalar last.
-   80 mul, 110 add, 11 product error, 1 div, 11 abs, 1 less, 1 select.
-   Error <= qo: 3 u of its largest component for |axis| = 1; searched, not proved. */
+   80 mul, 110 add, 11 product error, 1 div, 11 abs, 1 less, 1 select. */
 static inline void ksl_quaternionf_from_axis_angle_certified(const ksl_vec3f_t *axis,
     const float angle, ksl_quaternionf_t *qo, ksl_quaternionf_t *qo_bound) {
   const float half = KSL_MULF(0.5f, angle), half_size_1 = fabsf(angle),
@@ -4080,8 +4105,7 @@ static inline void ksl_quaternionf_from_axis_angle_certified(const ksl_vec3f_t *
      <= axis_bound unless inf or NaN.
    q: quaternion (x, y, z, w), the scalar last; axis, axis_bound: vector; angle_bound: number.
    167 mul, 259 add, 18 product error, 3 product rest, 24 div, 2 sqrt, 5 neg, 50 abs, 4 copysign,
-     35 less, 10 equal, 69 select.
-   Error <= angle: 6 u, axis: 4 u of its largest component; searched, not proved. */
+     35 less, 10 equal, 69 select. */
 static inline float ksl_axis_angle_from_quaternionf_certified(const ksl_quaternionf_t *q,
     ksl_vec3f_t *axis, float *angle_bound, ksl_vec3f_t *axis_bound) {
   const float s_size_0 = fabsf(q->x);
@@ -4309,10 +4333,8 @@ static inline float ksl_axis_angle_from_quaternionf_certified(const ksl_quaterni
 /* qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v; |error of
      qo| <= qo_bound unless inf or NaN.
    v: vector; qo, qo_bound: quaternion (x, y, z, w), the scalar last.
-   226 mul, 290 add, 13 product error, 3 product rest, 11 div, 3 sqrt, 35 abs, 10 less, 2 equal,
-     24 select.
-   Error <= qo: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
-     searched, not proved. */
+   236 mul, 305 add, 14 product error, 4 product rest, 11 div, 3 sqrt, 37 abs, 11 less, 1 equal,
+     24 select. */
 static inline void ksl_quaternionf_exp_certified(const ksl_vec3f_t *v, ksl_quaternionf_t *qo,
     ksl_quaternionf_t *qo_bound) {
   const float h_0 = KSL_MULF(0.5f, v->x);
@@ -4476,6 +4498,18 @@ static inline void ksl_quaternionf_exp_certified(const ksl_vec3f_t *v, ksl_quate
       fine_half_angle_lo = KSL_MULF(fine_half_angle_rest_1, fine_up),
       fine_half_angle_padded_1 = 3.3087225e-24f + fine_reduced_length_size_12,
       fine_half_angle_size_1 = KSL_MULF(fine_half_angle_padded_1, fine_up_size_1);
+  const float fine_y = KSL_MULF(fine_half_angle, fine_half_angle),
+      fine_y_cross1_1 = KSL_MULF(fine_half_angle_lo, fine_half_angle),
+      fine_y_cross2_1 = KSL_MULF(fine_half_angle, fine_half_angle_lo),
+      fine_y_cross_1 = fine_y_cross1_1 + fine_y_cross2_1,
+      fine_y_padded_1 = 3.3087225e-24f + fine_half_angle_size_1,
+      fine_y_size_1 = fabsf(fine_half_angle), fine_y_error_1 = fabsf(fine_half_angle_lo),
+      fine_y_rest_1 = KSL_MULF(1.6484983e-12f, fine_y_padded_1),
+      fine_y_bound_1 = fine_y_error_1 + fine_y_rest_1,
+      fine_y_units_1 = KSL_MULF(262144.0f, fine_y_bound_1),
+      fine_y_reach_1 = fine_y_size_1 + fine_y_units_1,
+      fine_y_size_2 = KSL_MULF(fine_y_padded_1, fine_y_reach_1),
+      fine_y_size_3 = fine_y_size_2 + fine_y_size_2;
   float fine_c; const float fine_sine = ksl_sincosf(fine_half_angle, &fine_c);
   float fine_c_own_error_1; const float fine_sine_own_error_1 = ksl_sincos_errorf(fine_half_angle,
       fine_sine, fine_c, &fine_c_own_error_1);
@@ -4488,26 +4522,24 @@ static inline void ksl_quaternionf_exp_certified(const ksl_vec3f_t *v, ksl_quate
       fine_sine_slope_1 = fine_sine_slope1_1 - fine_sine_slope2_1,
       fine_sine_more_1 = KSL_MULF(fine_sine_slope_1, fine_sine_twice_1),
       fine_sine_lo = fine_sine_own_error_1 + fine_sine_more_1,
-      fine_sine_padded_1 = 3.3087225e-24f + fine_half_angle_size_1,
-      fine_sine_size_1 = 1.0f + fine_sine_padded_1;
+      fine_sine_size_1 = 1.0f + fine_y_padded_1;
   const float fine_c_slope1_1 = KSL_MULF(fine_sine_half_cos_1, fine_sine),
       fine_c_slope2_1 = KSL_MULF(fine_sine_half_sin_1, fine_c),
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MULF(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const float fine_sinc_divisor = fine_half_angle == 0.0f ? 1.0f : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0f ? 0.0f : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_half_angle_size_1,
-      fine_sinc_divisor_error_1 = fabsf(fine_half_angle_lo),
-      fine_sinc_divisor_rest_1 = KSL_MULF(1.6484983e-12f, fine_sine_padded_1),
-      fine_sinc_divisor_bound_1 = fine_sinc_divisor_error_1 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0f,
+  const float fine_sinc_divisor = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+      fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161e-08f ? 0.0f : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+          fine_half_angle_size_1,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161e-08f,
       fine_sinc_divisor_size_3 = fabsf(fine_sinc_divisor_size_2),
       fine_sinc_divisor_size_4 = 1e-45f + fine_sinc_divisor_size_3,
-      fine_sinc_divisor_size_6 = 1.0f - fine_half_angle,
+      fine_sinc_divisor_size_6 = 1.4901161e-08f - fine_half_angle,
       fine_sinc_divisor_size_7 = fabsf(fine_sinc_divisor_size_6),
-      fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_7,
-      fine_sinc_divisor_size_9 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_4 ? 0.0f :
+      fine_sinc_divisor_size_8 = fine_sinc_divisor_size_7 + fine_y_bound_1,
+      fine_sinc_divisor_size_9 = fine_y_bound_1 < fine_sinc_divisor_size_4 ? 0.0f :
           fine_sinc_divisor_size_8,
       fine_sinc_divisor_size_10 = KSL_MULF(1.9990821e+11f, fine_sinc_divisor_size_9),
       fine_sinc_divisor_size_11 = fine_sinc_divisor_size_1 + fine_sinc_divisor_size_10;
@@ -4539,27 +4571,46 @@ static inline void ksl_quaternionf_exp_certified(const ksl_vec3f_t *v, ksl_quate
       fine_sinc_quotient_size_9 = KSL_MULF(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const float fine_sinc = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0f ? 0.0f : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0f - fine_sinc_quotient, fine_sinc_size_3 = fabsf(fine_sinc_size_2),
-      fine_sinc_error_1 = fabsf(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MULF(7.941701e-12f, fine_sinc_padded_1),
+  const float fine_y_error_2 = ksl_product_errorf(fine_half_angle, fine_half_angle, fine_y),
+      fine_y_lo = fine_y_error_2 + fine_y_cross_1, fine_sinc_a = KSL_MULF(0.16666667f, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MULF(-4.967054e-09f, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MULF(0.16666667f, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MULF(0.16666669f, fine_y_size_3), fine_sinc_b = 1.0f - fine_sinc_a,
+      fine_sinc_b_right_1 = 1.0f - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0f - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_restf(0.16666667f, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0f + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161e-08f ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_lo : fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabsf(fine_sinc_size_2), fine_sinc_error_1 = fabsf(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MULF(2.3639474e-10f, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabsf(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 3.3087225e-24f + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MULF(7.941701e-12f, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_4 ? 0.0f :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MULF(1.2935218e+11f, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_y_bound_1 < fine_sinc_divisor_size_4 ? 0.0f : fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MULF(4.235067e+09f, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const float fine_qo_0 = KSL_MULF(fine_h_0, fine_sinc),
       fine_qo_cross2_1 = KSL_MULF(fine_h_0, fine_sinc_lo),
-      fine_qo_padded_1 = 3.3087225e-24f + fine_sinc_size_7, fine_qo_size_1 = fabsf(fine_h_0),
+      fine_qo_padded_1 = 3.3087225e-24f + fine_sinc_size_8, fine_qo_size_1 = fabsf(fine_h_0),
       fine_qo_units_1 = KSL_MULF(262144.0f, fine_h_size_rest_1),
       fine_qo_reach_1 = fine_qo_size_1 + fine_qo_units_1,
       fine_qo_size_2 = KSL_MULF(fine_qo_padded_1, fine_qo_reach_1),
       fine_qo_size_3 = fabsf(fine_sinc), fine_qo_error_1 = fabsf(fine_sinc_lo),
-      fine_qo_rest_1 = KSL_MULF(7.972455e-12f, fine_qo_padded_1),
+      fine_qo_rest_1 = KSL_MULF(2.3639482e-10f, fine_qo_padded_1),
       fine_qo_bound_1 = fine_qo_error_1 + fine_qo_rest_1,
       fine_qo_units_2 = KSL_MULF(262144.0f, fine_qo_bound_1),
       fine_qo_reach_2 = fine_qo_size_3 + fine_qo_units_2,
@@ -4583,17 +4634,17 @@ static inline void ksl_quaternionf_exp_certified(const ksl_vec3f_t *v, ksl_quate
       fine_qo_lo_1 = fine_qo_error_2 + fine_qo_cross2_1, qo_apart_1 = fine_qo_0 - qo_0,
       qo_apart_2 = fine_qo_lo_1 + qo_apart_1, qo_error_1 = fabsf(qo_apart_2),
       qo_error_2 = KSL_MULF(1.0000005f, qo_error_1), qo_padded_1 = 3.3087225e-24f + fine_qo_size_5,
-      qo_rest_1 = KSL_MULF(8.326046e-12f, qo_padded_1), qo_bound_1 = qo_error_2 + qo_rest_1,
+      qo_rest_1 = KSL_MULF(2.3676172e-10f, qo_padded_1), qo_bound_1 = qo_error_2 + qo_rest_1,
       fine_qo_error_3 = ksl_product_errorf(fine_h_1, fine_sinc, fine_qo_1),
       fine_qo_lo_2 = fine_qo_error_3 + fine_qo_cross2_2, qo_apart_3 = fine_qo_1 - qo_1,
       qo_apart_4 = fine_qo_lo_2 + qo_apart_3, qo_error_3 = fabsf(qo_apart_4),
       qo_error_4 = KSL_MULF(1.0000005f, qo_error_3), qo_padded_2 = 3.3087225e-24f + fine_qo_size_9,
-      qo_rest_2 = KSL_MULF(8.326046e-12f, qo_padded_2), qo_bound_2 = qo_error_4 + qo_rest_2,
+      qo_rest_2 = KSL_MULF(2.3676172e-10f, qo_padded_2), qo_bound_2 = qo_error_4 + qo_rest_2,
       fine_qo_error_4 = ksl_product_errorf(fine_h_2, fine_sinc, fine_qo_2),
       fine_qo_lo_3 = fine_qo_error_4 + fine_qo_cross2_3, qo_apart_5 = fine_qo_2 - qo_2,
       qo_apart_6 = fine_qo_lo_3 + qo_apart_5, qo_error_5 = fabsf(qo_apart_6),
       qo_error_6 = KSL_MULF(1.0000005f, qo_error_5), qo_padded_3 = 3.3087225e-24f + fine_qo_size_13,
-      qo_rest_3 = KSL_MULF(8.326046e-12f, qo_padded_3), qo_bound_3 = qo_error_6 + qo_rest_3,
+      qo_rest_3 = KSL_MULF(2.3676172e-10f, qo_padded_3), qo_bound_3 = qo_error_6 + qo_rest_3,
       qo_apart_7 = fine_c - qo_3, qo_apart_8 = fine_c_lo + qo_apart_7,
       qo_error_7 = fabsf(qo_apart_8), qo_error_8 = KSL_MULF(1.0000005f, qo_error_7),
       qo_rest_4 = KSL_MULF(3.041182e-12f, fine_sinc_quotient_padded_1),
@@ -4612,8 +4663,7 @@ static inline void ksl_quaternionf_exp_certified(const ksl_vec3f_t *v, ksl_quate
      |error of vo| <= vo_bound unless inf or NaN.
    q: quaternion (x, y, z, w), the scalar last; vo, vo_bound: vector.
    175 mul, 256 add, 19 product error, 3 product rest, 16 div, 2 sqrt, 5 neg, 49 abs, 4 copysign,
-     35 less, 10 equal, 65 select.
-   Error <= vo: 6 u of its largest component; searched, not proved. */
+     35 less, 10 equal, 65 select. */
 static inline void ksl_quaternionf_log_certified(const ksl_quaternionf_t *q, ksl_vec3f_t *vo,
     ksl_vec3f_t *vo_bound) {
   const float s_size_0 = fabsf(q->x);

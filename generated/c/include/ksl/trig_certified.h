@@ -12,8 +12,7 @@
 
 /* dc = (sin θ, cos θ), θ in rad; |error of dc| <= dc_bound unless inf or NaN.
    theta: number; dc, dc_bound: (sin θ, cos θ).
-   83 mul, 129 add, 11 product error, 1 div, 5 abs, 1 less, 1 select.
-   Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is subnormal; proved. */
+   83 mul, 129 add, 11 product error, 1 div, 5 abs, 1 less, 1 select. */
 static inline void ksl_dc_certified(const double theta, double dc[2], double dc_bound[2]) {
   double dc_1; const double dc_0 = ksl_sincos(theta, &dc_1);
   double dc_own_error_2; const double dc_own_error_1 = ksl_sincos_error(theta, dc_0, dc_1,
@@ -28,8 +27,7 @@ static inline void ksl_dc_certified(const double theta, double dc[2], double dc_
 
 /* dc = (sin θ, cos θ), θ in rad; |error of dc| <= dc_bound unless inf or NaN.
    theta: number; dc, dc_bound: (sin θ, cos θ).
-   65 mul, 100 add, 8 product error, 1 div, 5 abs, 1 less, 1 select.
-   Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is subnormal; proved. */
+   65 mul, 100 add, 8 product error, 1 div, 5 abs, 1 less, 1 select. */
 static inline void ksl_dcf_certified(const float theta, float dc[2], float dc_bound[2]) {
   float dc_1; const float dc_0 = ksl_sincosf(theta, &dc_1);
   float dc_own_error_2; const float dc_own_error_1 = ksl_sincos_errorf(theta, dc_0, dc_1,

@@ -17,7 +17,7 @@ def SO3_exp(v):
     """R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    172 mul, 311 add, 16 product error, 21 product rest, 5 div, 1 sqrt, 7 abs, 5 less, 11 equal,
+    178 mul, 320 add, 17 product error, 22 product rest, 5 div, 1 sqrt, 7 abs, 6 less, 10 equal,
     19 select.  Error <= R: 1 u of its largest component for |v| <= 1e13, in single precision
     1e5; searched, not proved.  Each component is within 1 ulp as long as its condition is below
     1e13; in single precision it is the nearest number, except near ties, as long as that is
@@ -75,6 +75,7 @@ def SO3_exp(v):
     half_angle_of_reduced_length_lo = half_angle_of_reduced_length_left_rest + half_angle_of_reduced_length_right_rest
     half_angle_lost = half_angle_of_reduced_length - half_angle * (1 / up)
     half_angle_lo = (half_angle_lost + half_angle_of_reduced_length_lo) * up
+    y = half_angle * half_angle
     sine_of_half_angle = half_angle + half_angle_lo
     sine_of_half_angle_right = sine_of_half_angle - half_angle
     sine_of_half_angle_left_rest = half_angle - (sine_of_half_angle - sine_of_half_angle_right)
@@ -87,8 +88,8 @@ def SO3_exp(v):
     sine_twice = sine_half_sin + sine_half_sin
     sine_lo = sine_own_error + (sine_half_cos * c - sine_half_sin * sine) * sine_twice
     c_lo = c_own_error - (sine_half_cos * sine + sine_half_sin * c) * sine_twice
-    sinc_divisor_a = sine_of_half_angle == 0
-    sinc_divisor = where(sinc_divisor_a, 1, sine_of_half_angle)
+    sinc_divisor_a = sine_of_half_angle < 1.4901161193847656e-08
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, sine_of_half_angle)
     sinc_divisor_lo = where(sinc_divisor_a, 0, sine_of_half_angle_lo)
     sinc_quotient_of_sine = sine + sine_lo
     sinc_quotient_of_sine_right = sinc_quotient_of_sine - sine
@@ -108,8 +109,17 @@ def SO3_exp(v):
     sinc_quotient_of_sinc_divisor_lo = sinc_quotient_of_sinc_divisor_left_rest + sinc_quotient_of_sinc_divisor_right_rest
     sinc_quotient_cross = sinc_quotient * sinc_quotient_of_sinc_divisor_lo
     sinc_quotient_residual = sinc_quotient_exact + sinc_quotient_of_sine_lo - sinc_quotient_cross
-    sinc = where(sinc_divisor_a, 1, sinc_quotient)
-    sinc_lo = where(sinc_divisor_a, 0, sinc_quotient_residual / sinc_quotient_of_sinc_divisor)
+    y_cross = half_angle_lo * half_angle + half_angle * half_angle_lo
+    sinc_a = 0.16666666666666666 * y
+    sinc_a_cross2 = 0.16666666666666666 * (product_error(half_angle, half_angle, y) + y_cross)
+    sinc_b = 1 - sinc_a
+    sinc_b_right = 1 - sinc_b
+    sinc_b_right_rest = product_rest(0.16666666666666666, y, sinc_a, sinc_b_right)
+    sinc_b_lo1 = 1 - (sinc_b + sinc_b_right) - sinc_b_right_rest
+    sinc = where(sinc_divisor_a, sinc_b, sinc_quotient)
+    sinc_b_lo = sinc_b_lo1 - (9.25185853854297e-18 * y + sinc_a_cross2)
+    sinc_quotient_lo = sinc_quotient_residual / sinc_quotient_of_sinc_divisor
+    sinc_lo = where(sinc_divisor_a, sinc_b_lo, sinc_quotient_lo)
     turning_0 = v_0 * sinc
     turning_1 = v_1 * sinc
     turning_2 = v_2 * sinc
@@ -445,7 +455,7 @@ def SO3_leftJacobian(v):
     """R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    205 mul, 464 add, 21 product error, 42 product rest, 6 div, 1 sqrt, 4 abs, 5 less, 11 equal,
+    208 mul, 471 add, 21 product error, 43 product rest, 6 div, 1 sqrt, 4 abs, 6 less, 10 equal,
     25 select.  Error <= R: 1 u of its largest component for |v| <= 1e13, in single precision
     1e5; searched, not proved.  Each component is within 1 ulp as long as its condition is below
     1e13; in single precision it is the nearest number, except near ties, as long as that is
@@ -486,8 +496,8 @@ def SO3_leftJacobian(v):
     sine_half_sin, sine_half_cos = elementary.sincos(sine_half)
     sine_twice = sine_half_sin + sine_half_sin
     sine_lo = sine_own_error + (sine_half_cos * c - sine_half_sin * sine) * sine_twice
-    sinc_divisor_a = sine_of_half_angle == 0
-    sinc_divisor = where(sinc_divisor_a, 1, sine_of_half_angle)
+    sinc_divisor_a = sine_of_half_angle < 1.4901161193847656e-08
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, sine_of_half_angle)
     sinc_divisor_lo = where(sinc_divisor_a, 0, sine_of_half_angle_lo)
     sinc_quotient_of_sine = sine + sine_lo
     sinc_quotient_of_sine_right = sinc_quotient_of_sine - sine
@@ -507,8 +517,15 @@ def SO3_leftJacobian(v):
     sinc_quotient_of_sinc_divisor_lo = sinc_quotient_of_sinc_divisor_left_rest + sinc_quotient_of_sinc_divisor_right_rest
     sinc_quotient_cross = sinc_quotient * sinc_quotient_of_sinc_divisor_lo
     sinc_quotient_residual = sinc_quotient_exact + sinc_quotient_of_sine_lo - sinc_quotient_cross
-    sinc = where(sinc_divisor_a, 1, sinc_quotient)
-    sinc_lo = where(sinc_divisor_a, 0, sinc_quotient_residual / sinc_quotient_of_sinc_divisor)
+    sinc_a = 0.16666666666666666 * half_angle_of_y
+    sinc_b = 1 - sinc_a
+    sinc_b_right = 1 - sinc_b
+    sinc_b_right_rest = product_rest(0.16666666666666666, half_angle_of_y, sinc_a, sinc_b_right)
+    sinc_a_cross = 9.25185853854297e-18 * half_angle_of_y + 0.16666666666666666 * half_angle_of_y_lo
+    sinc = where(sinc_divisor_a, sinc_b, sinc_quotient)
+    sinc_b_lo = 1 - (sinc_b + sinc_b_right) - sinc_b_right_rest - sinc_a_cross
+    sinc_quotient_lo = sinc_quotient_residual / sinc_quotient_of_sinc_divisor
+    sinc_lo = where(sinc_divisor_a, sinc_b_lo, sinc_quotient_lo)
     g1 = c * sinc
     g1_cross1 = (c_own_error - (sine_half_cos * sine + sine_half_sin * c) * sine_twice) * sinc
     g1_cross = g1_cross1 + c * sinc_lo
@@ -757,7 +774,7 @@ def SO3_rightJacobian(v):
     """R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    205 mul, 464 add, 21 product error, 42 product rest, 6 div, 1 sqrt, 9 neg, 4 abs, 5 less, 11
+    208 mul, 471 add, 21 product error, 43 product rest, 6 div, 1 sqrt, 9 neg, 4 abs, 6 less, 10
     equal, 25 select.  Error <= R: 1 u of its largest component for |v| <= 1e13, in single
     precision 1e5; searched, not proved.  Each component is within 1 ulp as long as its
     condition is below 1e13; in single precision it is the nearest number, except near ties, as
@@ -798,8 +815,8 @@ def SO3_rightJacobian(v):
     sine_half_sin, sine_half_cos = elementary.sincos(sine_half)
     sine_twice = sine_half_sin + sine_half_sin
     sine_lo = sine_own_error + (sine_half_cos * c - sine_half_sin * sine) * sine_twice
-    sinc_divisor_a = sine_of_half_angle == 0
-    sinc_divisor = where(sinc_divisor_a, 1, sine_of_half_angle)
+    sinc_divisor_a = sine_of_half_angle < 1.4901161193847656e-08
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, sine_of_half_angle)
     sinc_divisor_lo = where(sinc_divisor_a, 0, sine_of_half_angle_lo)
     sinc_quotient_of_sine = sine + sine_lo
     sinc_quotient_of_sine_right = sinc_quotient_of_sine - sine
@@ -819,8 +836,15 @@ def SO3_rightJacobian(v):
     sinc_quotient_of_sinc_divisor_lo = sinc_quotient_of_sinc_divisor_left_rest + sinc_quotient_of_sinc_divisor_right_rest
     sinc_quotient_cross = sinc_quotient * sinc_quotient_of_sinc_divisor_lo
     sinc_quotient_residual = sinc_quotient_exact + sinc_quotient_of_sine_lo - sinc_quotient_cross
-    sinc = where(sinc_divisor_a, 1, sinc_quotient)
-    sinc_lo = where(sinc_divisor_a, 0, sinc_quotient_residual / sinc_quotient_of_sinc_divisor)
+    sinc_a = 0.16666666666666666 * half_angle_of_y
+    sinc_b = 1 - sinc_a
+    sinc_b_right = 1 - sinc_b
+    sinc_b_right_rest = product_rest(0.16666666666666666, half_angle_of_y, sinc_a, sinc_b_right)
+    sinc_a_cross = 9.25185853854297e-18 * half_angle_of_y + 0.16666666666666666 * half_angle_of_y_lo
+    sinc = where(sinc_divisor_a, sinc_b, sinc_quotient)
+    sinc_b_lo = 1 - (sinc_b + sinc_b_right) - sinc_b_right_rest - sinc_a_cross
+    sinc_quotient_lo = sinc_quotient_residual / sinc_quotient_of_sinc_divisor
+    sinc_lo = where(sinc_divisor_a, sinc_b_lo, sinc_quotient_lo)
     g1 = c * sinc
     g1_cross1 = (c_own_error - (sine_half_cos * sine + sine_half_sin * c) * sine_twice) * sinc
     g1_cross = g1_cross1 + c * sinc_lo
@@ -1073,8 +1097,8 @@ def SO3_leftJacobianInverse(v):
     except 0.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    205 mul, 495 add, 23 product error, 33 product rest, 10 div, 1 sqrt, 3 neg, 4 abs, 5 less,
-    11 equal, 25 select.  Error <= R: 1 u of its largest component for |v| <= π; searched, not
+    208 mul, 502 add, 23 product error, 34 product rest, 10 div, 1 sqrt, 3 neg, 4 abs, 6 less,
+    10 equal, 25 select.  Error <= R: 1 u of its largest component for |v| <= π; searched, not
     proved.  Each component is within 1 ulp as long as its condition is below 1e13; in single
     precision it is the nearest number, except near ties, as long as that is below 1e5;
     searched, not proved.
@@ -1115,8 +1139,8 @@ def SO3_leftJacobianInverse(v):
     sine_twice = sine_half_sin + sine_half_sin
     sine_lo = sine_own_error + (sine_half_cos * c - sine_half_sin * sine) * sine_twice
     c_lo = c_own_error - (sine_half_cos * sine + sine_half_sin * c) * sine_twice
-    sinc_divisor_a = sine_of_half_angle == 0
-    sinc_divisor = where(sinc_divisor_a, 1, sine_of_half_angle)
+    sinc_divisor_a = sine_of_half_angle < 1.4901161193847656e-08
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, sine_of_half_angle)
     sinc_divisor_lo = where(sinc_divisor_a, 0, sine_of_half_angle_lo)
     sinc_quotient_of_sine = sine + sine_lo
     sinc_quotient_of_sine_right = sinc_quotient_of_sine - sine
@@ -1136,8 +1160,15 @@ def SO3_leftJacobianInverse(v):
     sinc_quotient_of_sinc_divisor_lo = sinc_quotient_of_sinc_divisor_left_rest + sinc_quotient_of_sinc_divisor_right_rest
     sinc_quotient_cross = sinc_quotient * sinc_quotient_of_sinc_divisor_lo
     sinc_quotient_residual = sinc_quotient_exact + sinc_quotient_of_sine_lo - sinc_quotient_cross
-    sinc = where(sinc_divisor_a, 1, sinc_quotient)
-    sinc_lo = where(sinc_divisor_a, 0, sinc_quotient_residual / sinc_quotient_of_sinc_divisor)
+    sinc_a = 0.16666666666666666 * half_angle_of_y
+    sinc_b = 1 - sinc_a
+    sinc_b_right = 1 - sinc_b
+    sinc_b_right_rest = product_rest(0.16666666666666666, half_angle_of_y, sinc_a, sinc_b_right)
+    sinc_a_cross = 9.25185853854297e-18 * half_angle_of_y + 0.16666666666666666 * half_angle_of_y_lo
+    sinc = where(sinc_divisor_a, sinc_b, sinc_quotient)
+    sinc_b_lo = 1 - (sinc_b + sinc_b_right) - sinc_b_right_rest - sinc_a_cross
+    sinc_quotient_lo = sinc_quotient_residual / sinc_quotient_of_sinc_divisor
+    sinc_lo = where(sinc_divisor_a, sinc_b_lo, sinc_quotient_lo)
     series_phi_a = 5.107725174524775e-32 * half_angle_of_y
     series_phi_a_cross2 = 5.107725174524775e-32 * half_angle_of_y_lo
     series_phi_b = 4.116826490666969e-29 - series_phi_a
@@ -1412,7 +1443,7 @@ def SO3_rightJacobianInverse(v):
     except 0.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    205 mul, 495 add, 23 product error, 33 product rest, 10 div, 1 sqrt, 4 abs, 5 less, 11
+    208 mul, 502 add, 23 product error, 34 product rest, 10 div, 1 sqrt, 4 abs, 6 less, 10
     equal, 25 select.  Error <= R: 1 u of its largest component for |v| <= π; searched, not
     proved.  Each component is within 1 ulp as long as its condition is below 1e13; in single
     precision it is the nearest number, except near ties, as long as that is below 1e5;
@@ -1454,8 +1485,8 @@ def SO3_rightJacobianInverse(v):
     sine_twice = sine_half_sin + sine_half_sin
     sine_lo = sine_own_error + (sine_half_cos * c - sine_half_sin * sine) * sine_twice
     c_lo = c_own_error - (sine_half_cos * sine + sine_half_sin * c) * sine_twice
-    sinc_divisor_a = sine_of_half_angle == 0
-    sinc_divisor = where(sinc_divisor_a, 1, sine_of_half_angle)
+    sinc_divisor_a = sine_of_half_angle < 1.4901161193847656e-08
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, sine_of_half_angle)
     sinc_divisor_lo = where(sinc_divisor_a, 0, sine_of_half_angle_lo)
     sinc_quotient_of_sine = sine + sine_lo
     sinc_quotient_of_sine_right = sinc_quotient_of_sine - sine
@@ -1475,8 +1506,15 @@ def SO3_rightJacobianInverse(v):
     sinc_quotient_of_sinc_divisor_lo = sinc_quotient_of_sinc_divisor_left_rest + sinc_quotient_of_sinc_divisor_right_rest
     sinc_quotient_cross = sinc_quotient * sinc_quotient_of_sinc_divisor_lo
     sinc_quotient_residual = sinc_quotient_exact + sinc_quotient_of_sine_lo - sinc_quotient_cross
-    sinc = where(sinc_divisor_a, 1, sinc_quotient)
-    sinc_lo = where(sinc_divisor_a, 0, sinc_quotient_residual / sinc_quotient_of_sinc_divisor)
+    sinc_a = 0.16666666666666666 * half_angle_of_y
+    sinc_b = 1 - sinc_a
+    sinc_b_right = 1 - sinc_b
+    sinc_b_right_rest = product_rest(0.16666666666666666, half_angle_of_y, sinc_a, sinc_b_right)
+    sinc_a_cross = 9.25185853854297e-18 * half_angle_of_y + 0.16666666666666666 * half_angle_of_y_lo
+    sinc = where(sinc_divisor_a, sinc_b, sinc_quotient)
+    sinc_b_lo = 1 - (sinc_b + sinc_b_right) - sinc_b_right_rest - sinc_a_cross
+    sinc_quotient_lo = sinc_quotient_residual / sinc_quotient_of_sinc_divisor
+    sinc_lo = where(sinc_divisor_a, sinc_b_lo, sinc_quotient_lo)
     series_phi_a = 5.107725174524775e-32 * half_angle_of_y
     series_phi_a_cross2 = 5.107725174524775e-32 * half_angle_of_y_lo
     series_phi_b = 4.116826490666969e-29 - series_phi_a
@@ -2329,7 +2367,7 @@ def SE3_exp(s):
     """D = exp s = [exp ω~ | J_l(ω) v].
 
     (6)->(3,4).  s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
-    243 mul, 546 add, 24 product error, 57 product rest, 6 div, 1 sqrt, 4 abs, 5 less, 14 equal,
+    246 mul, 553 add, 24 product error, 58 product rest, 6 div, 1 sqrt, 4 abs, 6 less, 13 equal,
     28 select.  Error <= R: 1 u, t: 1 u of its largest component, or of s.lin if that is larger,
     for |ω of s| <= 1e13, in single precision 1e5; searched, not proved.  Each component is
     within 1 ulp as long as its condition is below 1e13; in single precision it is the nearest
@@ -2371,8 +2409,8 @@ def SE3_exp(s):
     sine_half_sin, sine_half_cos = elementary.sincos(sine_half)
     sine_twice = sine_half_sin + sine_half_sin
     sine_lo = sine_own_error + (sine_half_cos * c - sine_half_sin * sine) * sine_twice
-    sinc_divisor_a = sine_of_half_angle == 0
-    sinc_divisor = where(sinc_divisor_a, 1, sine_of_half_angle)
+    sinc_divisor_a = sine_of_half_angle < 1.4901161193847656e-08
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, sine_of_half_angle)
     sinc_divisor_lo = where(sinc_divisor_a, 0, sine_of_half_angle_lo)
     sinc_quotient_of_sine = sine + sine_lo
     sinc_quotient_of_sine_right = sinc_quotient_of_sine - sine
@@ -2392,8 +2430,15 @@ def SE3_exp(s):
     sinc_quotient_of_sinc_divisor_lo = sinc_quotient_of_sinc_divisor_left_rest + sinc_quotient_of_sinc_divisor_right_rest
     sinc_quotient_cross = sinc_quotient * sinc_quotient_of_sinc_divisor_lo
     sinc_quotient_residual = sinc_quotient_exact + sinc_quotient_of_sine_lo - sinc_quotient_cross
-    sinc = where(sinc_divisor_a, 1, sinc_quotient)
-    sinc_lo = where(sinc_divisor_a, 0, sinc_quotient_residual / sinc_quotient_of_sinc_divisor)
+    sinc_a = 0.16666666666666666 * half_angle_of_y
+    sinc_b = 1 - sinc_a
+    sinc_b_right = 1 - sinc_b
+    sinc_b_right_rest = product_rest(0.16666666666666666, half_angle_of_y, sinc_a, sinc_b_right)
+    sinc_a_cross = 9.25185853854297e-18 * half_angle_of_y + 0.16666666666666666 * half_angle_of_y_lo
+    sinc = where(sinc_divisor_a, sinc_b, sinc_quotient)
+    sinc_b_lo = 1 - (sinc_b + sinc_b_right) - sinc_b_right_rest - sinc_a_cross
+    sinc_quotient_lo = sinc_quotient_residual / sinc_quotient_of_sinc_divisor
+    sinc_lo = where(sinc_divisor_a, sinc_b_lo, sinc_quotient_lo)
     g1 = c * sinc
     g1_cross1 = (c_own_error - (sine_half_cos * sine + sine_half_sin * c) * sine_twice) * sinc
     g1_cross = g1_cross1 + c * sinc_lo
@@ -2720,8 +2765,8 @@ def SE3_log(D):
     """so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    282 mul, 748 add, 36 product error, 35 product rest, 23 div, 2 sqrt, 11 neg, 14 abs, 4
-    copysign, 31 less, 14 equal, 88 select.  Error <= lin: 1 u, ang: 1 u of its largest
+    285 mul, 755 add, 36 product error, 36 product rest, 23 div, 2 sqrt, 11 neg, 14 abs, 4
+    copysign, 32 less, 13 equal, 88 select.  Error <= lin: 1 u, ang: 1 u of its largest
     component for R of D a rotation; searched, not proved.  Each component is within 1 ulp as
     long as its condition is below 1e13; in single precision it is the nearest number, except
     near ties, as long as that is below 1e5; searched, not proved.  Intermediate sums may
@@ -2976,8 +3021,8 @@ def SE3_log(D):
     sinc_divisor_a_of_half_angle_left = sinc_divisor_a_of_half_angle - sinc_divisor_a_of_half_angle_right
     sinc_divisor_a_of_half_angle_right_rest = half_angle_cross2 - sinc_divisor_a_of_half_angle_right
     sinc_divisor_a_of_half_angle_left_rest = half_angle - sinc_divisor_a_of_half_angle_left
-    sinc_divisor_a = sinc_divisor_a_of_half_angle == 0
-    sinc_divisor = where(sinc_divisor_a, 1, sinc_divisor_a_of_half_angle)
+    sinc_divisor_a = sinc_divisor_a_of_half_angle < 1.4901161193847656e-08
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, sinc_divisor_a_of_half_angle)
     sinc_divisor_a_of_half_angle_lo = sinc_divisor_a_of_half_angle_left_rest + sinc_divisor_a_of_half_angle_right_rest
     sinc_divisor_lo = where(sinc_divisor_a, 0, sinc_divisor_a_of_half_angle_lo)
     sinc_quotient_of_sine = sine + sine_lo
@@ -2998,10 +3043,17 @@ def SE3_log(D):
     sinc_quotient_of_sinc_divisor_lo = sinc_quotient_of_sinc_divisor_left_rest + sinc_quotient_of_sinc_divisor_right_rest
     sinc_quotient_cross = sinc_quotient * sinc_quotient_of_sinc_divisor_lo
     sinc_quotient_residual = sinc_quotient_exact + sinc_quotient_of_sine_lo - sinc_quotient_cross
-    sinc = where(sinc_divisor_a, 1, sinc_quotient)
-    sinc_lo = where(sinc_divisor_a, 0, sinc_quotient_residual / sinc_quotient_of_sinc_divisor)
     y_cross = half_angle_cross2 * half_angle + half_angle * half_angle_cross2
     y_lo = product_error(half_angle, half_angle, y) + y_cross
+    sinc_a = 0.16666666666666666 * y
+    sinc_b = 1 - sinc_a
+    sinc_b_right = 1 - sinc_b
+    sinc_b_right_rest = product_rest(0.16666666666666666, y, sinc_a, sinc_b_right)
+    sinc_a_cross = 9.25185853854297e-18 * y + 0.16666666666666666 * y_lo
+    sinc = where(sinc_divisor_a, sinc_b, sinc_quotient)
+    sinc_b_lo = 1 - (sinc_b + sinc_b_right) - sinc_b_right_rest - sinc_a_cross
+    sinc_quotient_lo = sinc_quotient_residual / sinc_quotient_of_sinc_divisor
+    sinc_lo = where(sinc_divisor_a, sinc_b_lo, sinc_quotient_lo)
     series_phi_a = 5.107725174524775e-32 * y
     series_phi_b = 4.116826490666969e-29 - series_phi_a
     series_phi_b_right = 4.116826490666969e-29 - series_phi_b
@@ -3259,8 +3311,8 @@ def SE3_leftJacobian(s):
     """M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    318 mul, 812 add, 31 product error, 86 product rest, 10 div, 1 sqrt, 3 neg, 4 abs, 5 less,
-    20 equal, 38 select.  Error <= M: 1 u of its largest component for |ω of s| <= π; searched,
+    321 mul, 819 add, 31 product error, 87 product rest, 10 div, 1 sqrt, 3 neg, 4 abs, 6 less,
+    19 equal, 38 select.  Error <= M: 1 u of its largest component for |ω of s| <= π; searched,
     not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
     single precision it is the nearest number, except near ties, as long as that is below 1e5;
     searched, not proved.  Intermediate sums may overflow where |v| is above 2e306, in single
@@ -3301,8 +3353,8 @@ def SE3_leftJacobian(s):
     sine_half_sin, sine_half_cos = elementary.sincos(sine_half)
     sine_twice = sine_half_sin + sine_half_sin
     sine_lo = sine_own_error + (sine_half_cos * c - sine_half_sin * sine) * sine_twice
-    sinc_divisor_a = sine_of_half_angle == 0
-    sinc_divisor = where(sinc_divisor_a, 1, sine_of_half_angle)
+    sinc_divisor_a = sine_of_half_angle < 1.4901161193847656e-08
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, sine_of_half_angle)
     sinc_divisor_lo = where(sinc_divisor_a, 0, sine_of_half_angle_lo)
     sinc_quotient_of_sine = sine + sine_lo
     sinc_quotient_of_sine_right = sinc_quotient_of_sine - sine
@@ -3322,8 +3374,15 @@ def SE3_leftJacobian(s):
     sinc_quotient_of_sinc_divisor_lo = sinc_quotient_of_sinc_divisor_left_rest + sinc_quotient_of_sinc_divisor_right_rest
     sinc_quotient_cross = sinc_quotient * sinc_quotient_of_sinc_divisor_lo
     sinc_quotient_residual = sinc_quotient_exact + sinc_quotient_of_sine_lo - sinc_quotient_cross
-    sinc = where(sinc_divisor_a, 1, sinc_quotient)
-    sinc_lo = where(sinc_divisor_a, 0, sinc_quotient_residual / sinc_quotient_of_sinc_divisor)
+    sinc_a = 0.16666666666666666 * half_angle_of_y
+    sinc_b = 1 - sinc_a
+    sinc_b_right = 1 - sinc_b
+    sinc_b_right_rest = product_rest(0.16666666666666666, half_angle_of_y, sinc_a, sinc_b_right)
+    sinc_a_cross = 9.25185853854297e-18 * half_angle_of_y + 0.16666666666666666 * half_angle_of_y_lo
+    sinc = where(sinc_divisor_a, sinc_b, sinc_quotient)
+    sinc_b_lo = 1 - (sinc_b + sinc_b_right) - sinc_b_right_rest - sinc_a_cross
+    sinc_quotient_lo = sinc_quotient_residual / sinc_quotient_of_sinc_divisor
+    sinc_lo = where(sinc_divisor_a, sinc_b_lo, sinc_quotient_lo)
     g1 = c * sinc
     g1_cross1 = (c_own_error - (sine_half_cos * sine + sine_half_sin * c) * sine_twice) * sinc
     g1_cross = g1_cross1 + c * sinc_lo
@@ -3913,8 +3972,8 @@ def SE3_rightJacobian(s):
     """M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    318 mul, 812 add, 31 product error, 86 product rest, 10 div, 1 sqrt, 36 neg, 4 abs, 5 less,
-    20 equal, 38 select.  Error <= M: 1 u of its largest component for |ω of s| <= π; searched,
+    321 mul, 819 add, 31 product error, 87 product rest, 10 div, 1 sqrt, 36 neg, 4 abs, 6 less,
+    19 equal, 38 select.  Error <= M: 1 u of its largest component for |ω of s| <= π; searched,
     not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
     single precision it is the nearest number, except near ties, as long as that is below 1e5;
     searched, not proved.  Intermediate sums may overflow where |v| is above 2e306, in single
@@ -3955,8 +4014,8 @@ def SE3_rightJacobian(s):
     sine_half_sin, sine_half_cos = elementary.sincos(sine_half)
     sine_twice = sine_half_sin + sine_half_sin
     sine_lo = sine_own_error + (sine_half_cos * c - sine_half_sin * sine) * sine_twice
-    sinc_divisor_a = sine_of_half_angle == 0
-    sinc_divisor = where(sinc_divisor_a, 1, sine_of_half_angle)
+    sinc_divisor_a = sine_of_half_angle < 1.4901161193847656e-08
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, sine_of_half_angle)
     sinc_divisor_lo = where(sinc_divisor_a, 0, sine_of_half_angle_lo)
     sinc_quotient_of_sine = sine + sine_lo
     sinc_quotient_of_sine_right = sinc_quotient_of_sine - sine
@@ -3976,8 +4035,15 @@ def SE3_rightJacobian(s):
     sinc_quotient_of_sinc_divisor_lo = sinc_quotient_of_sinc_divisor_left_rest + sinc_quotient_of_sinc_divisor_right_rest
     sinc_quotient_cross = sinc_quotient * sinc_quotient_of_sinc_divisor_lo
     sinc_quotient_residual = sinc_quotient_exact + sinc_quotient_of_sine_lo - sinc_quotient_cross
-    sinc = where(sinc_divisor_a, 1, sinc_quotient)
-    sinc_lo = where(sinc_divisor_a, 0, sinc_quotient_residual / sinc_quotient_of_sinc_divisor)
+    sinc_a = 0.16666666666666666 * half_angle_of_y
+    sinc_b = 1 - sinc_a
+    sinc_b_right = 1 - sinc_b
+    sinc_b_right_rest = product_rest(0.16666666666666666, half_angle_of_y, sinc_a, sinc_b_right)
+    sinc_a_cross = 9.25185853854297e-18 * half_angle_of_y + 0.16666666666666666 * half_angle_of_y_lo
+    sinc = where(sinc_divisor_a, sinc_b, sinc_quotient)
+    sinc_b_lo = 1 - (sinc_b + sinc_b_right) - sinc_b_right_rest - sinc_a_cross
+    sinc_quotient_lo = sinc_quotient_residual / sinc_quotient_of_sinc_divisor
+    sinc_lo = where(sinc_divisor_a, sinc_b_lo, sinc_quotient_lo)
     g1 = c * sinc
     g1_cross1 = (c_own_error - (sine_half_cos * sine + sine_half_sin * c) * sine_twice) * sinc
     g1_cross = g1_cross1 + c * sinc_lo
@@ -4573,8 +4639,8 @@ def SE3_leftJacobianInverse(s):
     """M = J_l(s)^-1; singular where |ω| is a multiple of 2π except 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    280 mul, 714 add, 34 product error, 59 product rest, 14 div, 1 sqrt, 9 neg, 4 abs, 5 less,
-    20 equal, 36 select.  Error <= M: 1 u of its largest component for |ω of s| <= π; searched,
+    283 mul, 721 add, 34 product error, 60 product rest, 14 div, 1 sqrt, 9 neg, 4 abs, 6 less,
+    19 equal, 36 select.  Error <= M: 1 u of its largest component for |ω of s| <= π; searched,
     not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
     single precision it is the nearest number, except near ties, as long as that is below 1e5;
     searched, not proved.  Intermediate sums may overflow where |v| is above 2e306, in single
@@ -4616,8 +4682,8 @@ def SE3_leftJacobianInverse(s):
     sine_twice = sine_half_sin + sine_half_sin
     sine_lo = sine_own_error + (sine_half_cos * c - sine_half_sin * sine) * sine_twice
     c_lo = c_own_error - (sine_half_cos * sine + sine_half_sin * c) * sine_twice
-    sinc_divisor_a = sine_of_half_angle == 0
-    sinc_divisor = where(sinc_divisor_a, 1, sine_of_half_angle)
+    sinc_divisor_a = sine_of_half_angle < 1.4901161193847656e-08
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, sine_of_half_angle)
     sinc_divisor_lo = where(sinc_divisor_a, 0, sine_of_half_angle_lo)
     sinc_quotient_of_sine = sine + sine_lo
     sinc_quotient_of_sine_right = sinc_quotient_of_sine - sine
@@ -4637,8 +4703,15 @@ def SE3_leftJacobianInverse(s):
     sinc_quotient_of_sinc_divisor_lo = sinc_quotient_of_sinc_divisor_left_rest + sinc_quotient_of_sinc_divisor_right_rest
     sinc_quotient_cross = sinc_quotient * sinc_quotient_of_sinc_divisor_lo
     sinc_quotient_residual = sinc_quotient_exact + sinc_quotient_of_sine_lo - sinc_quotient_cross
-    sinc = where(sinc_divisor_a, 1, sinc_quotient)
-    sinc_lo = where(sinc_divisor_a, 0, sinc_quotient_residual / sinc_quotient_of_sinc_divisor)
+    sinc_a = 0.16666666666666666 * half_angle_of_y
+    sinc_b = 1 - sinc_a
+    sinc_b_right = 1 - sinc_b
+    sinc_b_right_rest = product_rest(0.16666666666666666, half_angle_of_y, sinc_a, sinc_b_right)
+    sinc_a_cross = 9.25185853854297e-18 * half_angle_of_y + 0.16666666666666666 * half_angle_of_y_lo
+    sinc = where(sinc_divisor_a, sinc_b, sinc_quotient)
+    sinc_b_lo = 1 - (sinc_b + sinc_b_right) - sinc_b_right_rest - sinc_a_cross
+    sinc_quotient_lo = sinc_quotient_residual / sinc_quotient_of_sinc_divisor
+    sinc_lo = where(sinc_divisor_a, sinc_b_lo, sinc_quotient_lo)
     series_phi_a = 5.107725174524775e-32 * half_angle_of_y
     series_phi_a_cross2 = 5.107725174524775e-32 * half_angle_of_y_lo
     series_phi_b = 4.116826490666969e-29 - series_phi_a
@@ -5168,8 +5241,8 @@ def SE3_rightJacobianInverse(s):
     """M = J_r(s)^-1; singular where |ω| is a multiple of 2π except 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    280 mul, 714 add, 34 product error, 59 product rest, 14 div, 1 sqrt, 21 neg, 4 abs, 5 less,
-    20 equal, 36 select.  Error <= M: 1 u of its largest component for |ω of s| <= π; searched,
+    283 mul, 721 add, 34 product error, 60 product rest, 14 div, 1 sqrt, 21 neg, 4 abs, 6 less,
+    19 equal, 36 select.  Error <= M: 1 u of its largest component for |ω of s| <= π; searched,
     not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
     single precision it is the nearest number, except near ties, as long as that is below 1e5;
     searched, not proved.  Intermediate sums may overflow where |v| is above 2e306, in single
@@ -5211,8 +5284,8 @@ def SE3_rightJacobianInverse(s):
     sine_twice = sine_half_sin + sine_half_sin
     sine_lo = sine_own_error + (sine_half_cos * c - sine_half_sin * sine) * sine_twice
     c_lo = c_own_error - (sine_half_cos * sine + sine_half_sin * c) * sine_twice
-    sinc_divisor_a = sine_of_half_angle == 0
-    sinc_divisor = where(sinc_divisor_a, 1, sine_of_half_angle)
+    sinc_divisor_a = sine_of_half_angle < 1.4901161193847656e-08
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, sine_of_half_angle)
     sinc_divisor_lo = where(sinc_divisor_a, 0, sine_of_half_angle_lo)
     sinc_quotient_of_sine = sine + sine_lo
     sinc_quotient_of_sine_right = sinc_quotient_of_sine - sine
@@ -5232,8 +5305,15 @@ def SE3_rightJacobianInverse(s):
     sinc_quotient_of_sinc_divisor_lo = sinc_quotient_of_sinc_divisor_left_rest + sinc_quotient_of_sinc_divisor_right_rest
     sinc_quotient_cross = sinc_quotient * sinc_quotient_of_sinc_divisor_lo
     sinc_quotient_residual = sinc_quotient_exact + sinc_quotient_of_sine_lo - sinc_quotient_cross
-    sinc = where(sinc_divisor_a, 1, sinc_quotient)
-    sinc_lo = where(sinc_divisor_a, 0, sinc_quotient_residual / sinc_quotient_of_sinc_divisor)
+    sinc_a = 0.16666666666666666 * half_angle_of_y
+    sinc_b = 1 - sinc_a
+    sinc_b_right = 1 - sinc_b
+    sinc_b_right_rest = product_rest(0.16666666666666666, half_angle_of_y, sinc_a, sinc_b_right)
+    sinc_a_cross = 9.25185853854297e-18 * half_angle_of_y + 0.16666666666666666 * half_angle_of_y_lo
+    sinc = where(sinc_divisor_a, sinc_b, sinc_quotient)
+    sinc_b_lo = 1 - (sinc_b + sinc_b_right) - sinc_b_right_rest - sinc_a_cross
+    sinc_quotient_lo = sinc_quotient_residual / sinc_quotient_of_sinc_divisor
+    sinc_lo = where(sinc_divisor_a, sinc_b_lo, sinc_quotient_lo)
     series_phi_a = 5.107725174524775e-32 * half_angle_of_y
     series_phi_a_cross2 = 5.107725174524775e-32 * half_angle_of_y_lo
     series_phi_b = 4.116826490666969e-29 - series_phi_a
@@ -5760,8 +5840,8 @@ def SE3_interpolated(D1, D2, k):
     """Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
 
     (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-    711 mul, 1705 add, 66 product error, 164 product rest, 29 div, 3 sqrt, 11 neg, 18 abs, 4
-    copysign, 36 less, 22 equal, 110 select.  Error <= R: 1 u, t: 1 u of its largest component,
+    717 mul, 1719 add, 66 product error, 166 product rest, 29 div, 3 sqrt, 11 neg, 18 abs, 4
+    copysign, 38 less, 20 equal, 110 select.  Error <= R: 1 u, t: 1 u of its largest component,
     or of D1.t or D2.t if that is larger, for R of D1 a rotation and R of D2 a rotation and 0 <=
     k <= 1; searched, not proved.  Each component is within 1 ulp as long as its condition is
     below 1e13; in single precision it is the nearest number, except near ties, as long as that
@@ -6245,8 +6325,8 @@ def SE3_interpolated(D1, D2, k):
     log_sinc_divisor_a_of_log_half_angle_left = log_sinc_divisor_a_of_log_half_angle - log_sinc_divisor_a_of_log_half_angle_right
     log_sinc_divisor_a_of_log_half_angle_right_rest = log_half_angle_cross2 - log_sinc_divisor_a_of_log_half_angle_right
     log_sinc_divisor_a_of_log_half_angle_left_rest = log_half_angle - log_sinc_divisor_a_of_log_half_angle_left
-    log_sinc_divisor_a = log_sinc_divisor_a_of_log_half_angle == 0
-    log_sinc_divisor = where(log_sinc_divisor_a, 1, log_sinc_divisor_a_of_log_half_angle)
+    log_sinc_divisor_a = log_sinc_divisor_a_of_log_half_angle < 1.4901161193847656e-08
+    log_sinc_divisor = where(log_sinc_divisor_a, 1.4901161193847656e-08, log_sinc_divisor_a_of_log_half_angle)
     log_sinc_divisor_a_of_log_half_angle_lo = log_sinc_divisor_a_of_log_half_angle_left_rest + log_sinc_divisor_a_of_log_half_angle_right_rest
     log_sinc_divisor_lo = where(log_sinc_divisor_a, 0, log_sinc_divisor_a_of_log_half_angle_lo)
     log_sinc_quotient_of_log_sine = log_sine + log_sine_lo
@@ -6269,11 +6349,17 @@ def SE3_interpolated(D1, D2, k):
     log_sinc_quotient_cross = log_sinc_quotient * log_sinc_quotient_of_log_sinc_divisor_lo
     log_sinc_quotient_numerator = log_sinc_quotient_exact + log_sinc_quotient_of_log_sine_lo
     log_sinc_quotient_residual = log_sinc_quotient_numerator - log_sinc_quotient_cross
-    log_sinc = where(log_sinc_divisor_a, 1, log_sinc_quotient)
-    log_sinc_quotient_lo = log_sinc_quotient_residual / log_sinc_quotient_of_log_sinc_divisor
-    log_sinc_lo = where(log_sinc_divisor_a, 0, log_sinc_quotient_lo)
     log_y_cross = log_half_angle_cross2 * log_half_angle + log_half_angle * log_half_angle_cross2
     log_y_lo = product_error(log_half_angle, log_half_angle, log_y) + log_y_cross
+    log_sinc_a = 0.16666666666666666 * log_y
+    log_sinc_b = 1 - log_sinc_a
+    log_sinc_b_right = 1 - log_sinc_b
+    log_sinc_b_right_rest = product_rest(0.16666666666666666, log_y, log_sinc_a, log_sinc_b_right)
+    log_sinc_a_cross = 9.25185853854297e-18 * log_y + 0.16666666666666666 * log_y_lo
+    log_sinc = where(log_sinc_divisor_a, log_sinc_b, log_sinc_quotient)
+    log_sinc_b_lo = 1 - (log_sinc_b + log_sinc_b_right) - log_sinc_b_right_rest - log_sinc_a_cross
+    log_sinc_quotient_lo = log_sinc_quotient_residual / log_sinc_quotient_of_log_sinc_divisor
+    log_sinc_lo = where(log_sinc_divisor_a, log_sinc_b_lo, log_sinc_quotient_lo)
     log_series_phi_a = 5.107725174524775e-32 * log_y
     log_series_phi_b = 4.116826490666969e-29 - log_series_phi_a
     log_series_phi_b_right = 4.116826490666969e-29 - log_series_phi_b
@@ -6620,8 +6706,8 @@ def SE3_interpolated(D1, D2, k):
     exp_sine_more = (exp_sine_half_cos * exp_c - exp_sine_half_sin * exp_sine) * exp_sine_twice
     exp_sine_lo = exp_sine_own_error + exp_sine_more
     exp_c_more = (exp_sine_half_cos * exp_sine + exp_sine_half_sin * exp_c) * exp_sine_twice
-    exp_sinc_divisor_a = exp_sine_of_exp_half_angle == 0
-    exp_sinc_divisor = where(exp_sinc_divisor_a, 1, exp_sine_of_exp_half_angle)
+    exp_sinc_divisor_a = exp_sine_of_exp_half_angle < 1.4901161193847656e-08
+    exp_sinc_divisor = where(exp_sinc_divisor_a, 1.4901161193847656e-08, exp_sine_of_exp_half_angle)
     exp_sinc_divisor_lo = where(exp_sinc_divisor_a, 0, exp_sine_of_exp_half_angle_lo)
     exp_sinc_quotient_of_exp_sine = exp_sine + exp_sine_lo
     exp_sinc_quotient_of_exp_sine_right = exp_sinc_quotient_of_exp_sine - exp_sine
@@ -6643,9 +6729,16 @@ def SE3_interpolated(D1, D2, k):
     exp_sinc_quotient_cross = exp_sinc_quotient * exp_sinc_quotient_of_exp_sinc_divisor_lo
     exp_sinc_quotient_numerator = exp_sinc_quotient_exact + exp_sinc_quotient_of_exp_sine_lo
     exp_sinc_quotient_residual = exp_sinc_quotient_numerator - exp_sinc_quotient_cross
-    exp_sinc = where(exp_sinc_divisor_a, 1, exp_sinc_quotient)
+    exp_sinc_a = 0.16666666666666666 * exp_half_angle_of_exp_y
+    exp_sinc_a_cross2 = 0.16666666666666666 * exp_half_angle_of_exp_y_lo
+    exp_sinc_b = 1 - exp_sinc_a
+    exp_sinc_b_right = 1 - exp_sinc_b
+    exp_sinc_b_right_rest = product_rest(0.16666666666666666, exp_half_angle_of_exp_y, exp_sinc_a, exp_sinc_b_right)
+    exp_sinc_a_cross = 9.25185853854297e-18 * exp_half_angle_of_exp_y + exp_sinc_a_cross2
+    exp_sinc = where(exp_sinc_divisor_a, exp_sinc_b, exp_sinc_quotient)
+    exp_sinc_b_lo = 1 - (exp_sinc_b + exp_sinc_b_right) - exp_sinc_b_right_rest - exp_sinc_a_cross
     exp_sinc_quotient_lo = exp_sinc_quotient_residual / exp_sinc_quotient_of_exp_sinc_divisor
-    exp_sinc_lo = where(exp_sinc_divisor_a, 0, exp_sinc_quotient_lo)
+    exp_sinc_lo = where(exp_sinc_divisor_a, exp_sinc_b_lo, exp_sinc_quotient_lo)
     exp_g1 = exp_c * exp_sinc
     exp_g1_cross = (exp_c_own_error - exp_c_more) * exp_sinc + exp_c * exp_sinc_lo
     exp_g2a = exp_sinc * exp_sinc

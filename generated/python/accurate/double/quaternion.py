@@ -2676,7 +2676,7 @@ def quaternion_exp(v):
     """qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v.
 
     (3)->(4).  v: vector; qo: quaternion (x, y, z, w), the scalar last.
-    139 mul, 222 add, 16 product error, 3 product rest, 5 div, 1 sqrt, 7 abs, 5 less, 6 equal,
+    145 mul, 231 add, 17 product error, 4 product rest, 5 div, 1 sqrt, 7 abs, 6 less, 5 equal,
     14 select.  Error <= qo: 1 u of its largest component for |v| <= 1e13, in single precision
     1e5; searched, not proved.  Each component is within 1 ulp as long as its condition is below
     1e13; in single precision it is the nearest number, except near ties, as long as that is
@@ -2734,6 +2734,7 @@ def quaternion_exp(v):
     half_angle_of_reduced_length_lo = half_angle_of_reduced_length_left_rest + half_angle_of_reduced_length_right_rest
     half_angle_lost = half_angle_of_reduced_length - half_angle * (1 / up)
     half_angle_lo = (half_angle_lost + half_angle_of_reduced_length_lo) * up
+    y = half_angle * half_angle
     sine_of_half_angle = half_angle + half_angle_lo
     sine_of_half_angle_right = sine_of_half_angle - half_angle
     sine_of_half_angle_left_rest = half_angle - (sine_of_half_angle - sine_of_half_angle_right)
@@ -2745,8 +2746,8 @@ def quaternion_exp(v):
     sine_half_sin, sine_half_cos = elementary.sincos(sine_half)
     sine_twice = sine_half_sin + sine_half_sin
     sine_lo = sine_own_error + (sine_half_cos * c - sine_half_sin * sine) * sine_twice
-    sinc_divisor_a = sine_of_half_angle == 0
-    sinc_divisor = where(sinc_divisor_a, 1, sine_of_half_angle)
+    sinc_divisor_a = sine_of_half_angle < 1.4901161193847656e-08
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, sine_of_half_angle)
     sinc_divisor_lo = where(sinc_divisor_a, 0, sine_of_half_angle_lo)
     sinc_quotient_of_sine = sine + sine_lo
     sinc_quotient_of_sine_right = sinc_quotient_of_sine - sine
@@ -2766,8 +2767,17 @@ def quaternion_exp(v):
     sinc_quotient_of_sinc_divisor_lo = sinc_quotient_of_sinc_divisor_left_rest + sinc_quotient_of_sinc_divisor_right_rest
     sinc_quotient_cross = sinc_quotient * sinc_quotient_of_sinc_divisor_lo
     sinc_quotient_residual = sinc_quotient_exact + sinc_quotient_of_sine_lo - sinc_quotient_cross
-    sinc = where(sinc_divisor_a, 1, sinc_quotient)
-    sinc_lo = where(sinc_divisor_a, 0, sinc_quotient_residual / sinc_quotient_of_sinc_divisor)
+    y_cross = half_angle_lo * half_angle + half_angle * half_angle_lo
+    sinc_a = 0.16666666666666666 * y
+    sinc_a_cross2 = 0.16666666666666666 * (product_error(half_angle, half_angle, y) + y_cross)
+    sinc_b = 1 - sinc_a
+    sinc_b_right = 1 - sinc_b
+    sinc_b_right_rest = product_rest(0.16666666666666666, y, sinc_a, sinc_b_right)
+    sinc_b_lo1 = 1 - (sinc_b + sinc_b_right) - sinc_b_right_rest
+    sinc = where(sinc_divisor_a, sinc_b, sinc_quotient)
+    sinc_b_lo = sinc_b_lo1 - (9.25185853854297e-18 * y + sinc_a_cross2)
+    sinc_quotient_lo = sinc_quotient_residual / sinc_quotient_of_sinc_divisor
+    sinc_lo = where(sinc_divisor_a, sinc_b_lo, sinc_quotient_lo)
     qo_0 = h_0 * sinc
     qo_1 = h_1 * sinc
     qo_2 = h_2 * sinc
@@ -2894,8 +2904,8 @@ def quaternion_interpolated(q1, q2, k):
     """qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
 
     (4),(4),()->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
-    365 mul, 765 add, 45 product error, 38 product rest, 16 div, 2 sqrt, 14 neg, 21 abs, 4
-    copysign, 35 less, 12 equal, 68 select.  Error <= qo: 1 u of its largest component for |q1|
+    371 mul, 774 add, 46 product error, 39 product rest, 16 div, 2 sqrt, 14 neg, 21 abs, 4
+    copysign, 36 less, 11 equal, 68 select.  Error <= qo: 1 u of its largest component for |q1|
     = 1 and |q2| = 1 and 0 <= k <= 1; searched, not proved.  Each component is within 1 ulp as
     long as its condition is below 1e13; in single precision it is the nearest number, except
     near ties, as long as that is below 1e5; searched, not proved.
@@ -3242,6 +3252,7 @@ def quaternion_interpolated(q1, q2, k):
     exp_half_angle_of_exp_reduced_length_lo = exp_half_angle_of_exp_reduced_length_left_rest + exp_half_angle_of_exp_reduced_length_right_rest
     exp_half_angle_lost = exp_half_angle_of_exp_reduced_length - exp_half_angle * (1 / exp_up)
     exp_half_angle_lo = (exp_half_angle_lost + exp_half_angle_of_exp_reduced_length_lo) * exp_up
+    exp_y = exp_half_angle * exp_half_angle
     exp_sine_of_exp_half_angle = exp_half_angle + exp_half_angle_lo
     exp_sine_of_exp_half_angle_right = exp_sine_of_exp_half_angle - exp_half_angle
     exp_sine_of_exp_half_angle_left = exp_sine_of_exp_half_angle - exp_sine_of_exp_half_angle_right
@@ -3257,8 +3268,8 @@ def quaternion_interpolated(q1, q2, k):
     exp_sine_lo = exp_sine_own_error + exp_sine_more
     exp_c_more = (exp_sine_half_cos * exp_sine + exp_sine_half_sin * exp_c) * exp_sine_twice
     exp_c_lo = exp_c_own_error - exp_c_more
-    exp_sinc_divisor_a = exp_sine_of_exp_half_angle == 0
-    exp_sinc_divisor = where(exp_sinc_divisor_a, 1, exp_sine_of_exp_half_angle)
+    exp_sinc_divisor_a = exp_sine_of_exp_half_angle < 1.4901161193847656e-08
+    exp_sinc_divisor = where(exp_sinc_divisor_a, 1.4901161193847656e-08, exp_sine_of_exp_half_angle)
     exp_sinc_divisor_lo = where(exp_sinc_divisor_a, 0, exp_sine_of_exp_half_angle_lo)
     exp_sinc_quotient_of_exp_sine = exp_sine + exp_sine_lo
     exp_sinc_quotient_of_exp_sine_right = exp_sinc_quotient_of_exp_sine - exp_sine
@@ -3280,9 +3291,17 @@ def quaternion_interpolated(q1, q2, k):
     exp_sinc_quotient_cross = exp_sinc_quotient * exp_sinc_quotient_of_exp_sinc_divisor_lo
     exp_sinc_quotient_numerator = exp_sinc_quotient_exact + exp_sinc_quotient_of_exp_sine_lo
     exp_sinc_quotient_residual = exp_sinc_quotient_numerator - exp_sinc_quotient_cross
-    exp_sinc = where(exp_sinc_divisor_a, 1, exp_sinc_quotient)
+    exp_y_cross = exp_half_angle_lo * exp_half_angle + exp_half_angle * exp_half_angle_lo
+    exp_sinc_a = 0.16666666666666666 * exp_y
+    exp_y_lo = product_error(exp_half_angle, exp_half_angle, exp_y) + exp_y_cross
+    exp_sinc_b = 1 - exp_sinc_a
+    exp_sinc_b_right = 1 - exp_sinc_b
+    exp_sinc_b_right_rest = product_rest(0.16666666666666666, exp_y, exp_sinc_a, exp_sinc_b_right)
+    exp_sinc_a_cross = 9.25185853854297e-18 * exp_y + 0.16666666666666666 * exp_y_lo
+    exp_sinc = where(exp_sinc_divisor_a, exp_sinc_b, exp_sinc_quotient)
+    exp_sinc_b_lo = 1 - (exp_sinc_b + exp_sinc_b_right) - exp_sinc_b_right_rest - exp_sinc_a_cross
     exp_sinc_quotient_lo = exp_sinc_quotient_residual / exp_sinc_quotient_of_exp_sinc_divisor
-    exp_sinc_lo = where(exp_sinc_divisor_a, 0, exp_sinc_quotient_lo)
+    exp_sinc_lo = where(exp_sinc_divisor_a, exp_sinc_b_lo, exp_sinc_quotient_lo)
     power_0 = exp_h_size_0_of_step_0 * exp_sinc
     power_1 = exp_h_size_1_of_step_1 * exp_sinc
     power_2 = exp_h_size_2_of_step_2 * exp_sinc

@@ -1764,10 +1764,10 @@ def quaternion_exp(v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArr
     """qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v.
 
     (3)->(4).  v: vector; qo: quaternion (x, y, z, w), the scalar last.
-    41 mul, 35 add, 1 div, 1 sqrt, 4 abs, 4 less, 1 equal, 6 select.  Error <= qo: 1 u of its
-    largest component for |v| <= 1e13, in single precision 1e5; searched, not proved.  Each
-    component is within 1 ulp as long as its condition is below 1e13; in single precision it is
-    the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
+    43 mul, 36 add, 1 div, 1 sqrt, 4 abs, 5 less, 6 select.  Error <= qo: 1 u of its largest
+    component for |v| <= 1e13, in single precision 1e5; searched, not proved.  Each component is
+    within 1 ulp as long as its condition is below 1e13; in single precision it is the nearest
+    number, except near ties, as long as that is below 1e5; searched, not proved.
     """
 
 def quaternion_log(q: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1785,7 +1785,7 @@ def quaternion_interpolated(q1: ArrayLike, q2: ArrayLike, k: ArrayLike, out: NDA
     """qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
 
     (4),(4),()->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
-    112 mul, 96 add, 3 div, 2 sqrt, 5 neg, 10 abs, 2 copysign, 19 less, 3 equal, 32 select.
+    114 mul, 97 add, 3 div, 2 sqrt, 5 neg, 10 abs, 2 copysign, 20 less, 2 equal, 32 select.
     Error <= qo: 1 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <= 1;
     searched, not proved.  Each component is within 1 ulp as long as its condition is below
     1e13; in single precision it is the nearest number, except near ties, as long as that is
@@ -1796,10 +1796,10 @@ def SO3_exp(v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.f
     """R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    53 mul, 47 add, 1 div, 1 sqrt, 4 abs, 4 less, 1 equal, 6 select.  Error <= R: 1 u of its
-    largest component for |v| <= 1e13, in single precision 1e5; searched, not proved.  Each
-    component is within 1 ulp as long as its condition is below 1e13; in single precision it is
-    the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
+    55 mul, 48 add, 1 div, 1 sqrt, 4 abs, 5 less, 6 select.  Error <= R: 1 u of its largest
+    component for |v| <= 1e13, in single precision 1e5; searched, not proved.  Each component is
+    within 1 ulp as long as its condition is below 1e13; in single precision it is the nearest
+    number, except near ties, as long as that is below 1e5; searched, not proved.
     """
 
 def SO3_log(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1816,18 +1816,18 @@ def SO3_leftJacobian(v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDA
     """R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    64 mul, 65 add, 2 div, 1 sqrt, 1 abs, 4 less, 1 equal, 7 select.  Error <= R: 1 u of its
-    largest component for |v| <= 1e13, in single precision 1e5; searched, not proved.  Each
-    component is within 1 ulp as long as its condition is below 1e13; in single precision it is
-    the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
+    65 mul, 66 add, 2 div, 1 sqrt, 1 abs, 5 less, 7 select.  Error <= R: 1 u of its largest
+    component for |v| <= 1e13, in single precision 1e5; searched, not proved.  Each component is
+    within 1 ulp as long as its condition is below 1e13; in single precision it is the nearest
+    number, except near ties, as long as that is below 1e5; searched, not proved.
     """
 
 def SO3_rightJacobian(v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    64 mul, 65 add, 2 div, 1 sqrt, 3 neg, 1 abs, 4 less, 1 equal, 7 select.  Error <= R: 1 u of
-    its largest component for |v| <= 1e13, in single precision 1e5; searched, not proved.  Each
+    65 mul, 66 add, 2 div, 1 sqrt, 3 neg, 1 abs, 5 less, 7 select.  Error <= R: 1 u of its
+    largest component for |v| <= 1e13, in single precision 1e5; searched, not proved.  Each
     component is within 1 ulp as long as its condition is below 1e13; in single precision it is
     the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
     """
@@ -1837,8 +1837,8 @@ def SO3_leftJacobianInverse(v: ArrayLike, out: NDArray[np.float32] | None = ...)
     except 0.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    62 mul, 65 add, 4 div, 1 sqrt, 3 neg, 1 abs, 4 less, 1 equal, 7 select.  Error <= R: 1 u of
-    its largest component for |v| <= π; searched, not proved.  Each component is within 1 ulp as
+    63 mul, 66 add, 4 div, 1 sqrt, 3 neg, 1 abs, 5 less, 7 select.  Error <= R: 1 u of its
+    largest component for |v| <= π; searched, not proved.  Each component is within 1 ulp as
     long as its condition is below 1e13; in single precision it is the nearest number, except
     near ties, as long as that is below 1e5; searched, not proved.
     """
@@ -1848,10 +1848,10 @@ def SO3_rightJacobianInverse(v: ArrayLike, out: NDArray[np.float32] | None = ...
     except 0.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    62 mul, 65 add, 4 div, 1 sqrt, 1 abs, 4 less, 1 equal, 7 select.  Error <= R: 1 u of its
-    largest component for |v| <= π; searched, not proved.  Each component is within 1 ulp as
-    long as its condition is below 1e13; in single precision it is the nearest number, except
-    near ties, as long as that is below 1e5; searched, not proved.
+    63 mul, 66 add, 4 div, 1 sqrt, 1 abs, 5 less, 7 select.  Error <= R: 1 u of its largest
+    component for |v| <= π; searched, not proved.  Each component is within 1 ulp as long as its
+    condition is below 1e13; in single precision it is the nearest number, except near ties, as
+    long as that is below 1e5; searched, not proved.
     """
 
 def mat3x3_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1896,19 +1896,19 @@ def SE3_exp(s: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.f
     """D = exp s = [exp ω~ | J_l(ω) v].
 
     (6)->(3,4).  s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
-    85 mul, 77 add, 2 div, 1 sqrt, 1 abs, 4 less, 1 equal, 7 select.  Error <= R: 1 u, t: 1 u of
-    its largest component, or of s.lin if that is larger, for |ω of s| <= 1e13, in single
-    precision 1e5; searched, not proved.  Each component is within 1 ulp as long as its
-    condition is below 1e13; in single precision it is the nearest number, except near ties, as
-    long as that is below 1e5; searched, not proved.  Intermediate sums may overflow where |v|,
-    or |ω| |v|, is above 2e306, in single precision 5e36.
+    86 mul, 78 add, 2 div, 1 sqrt, 1 abs, 5 less, 7 select.  Error <= R: 1 u, t: 1 u of its
+    largest component, or of s.lin if that is larger, for |ω of s| <= 1e13, in single precision
+    1e5; searched, not proved.  Each component is within 1 ulp as long as its condition is below
+    1e13; in single precision it is the nearest number, except near ties, as long as that is
+    below 1e5; searched, not proved.  Intermediate sums may overflow where |v|, or |ω| |v|, is
+    above 2e306, in single precision 5e36.
     """
 
 def SE3_log(D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    82 mul, 79 add, 8 div, 2 sqrt, 4 neg, 6 abs, 2 copysign, 19 less, 3 equal, 42 select.  Error
+    83 mul, 80 add, 8 div, 2 sqrt, 4 neg, 6 abs, 2 copysign, 20 less, 2 equal, 42 select.  Error
     <= lin: 1 u, ang: 1 u of its largest component for R of D a rotation; searched, not proved.
     Each component is within 1 ulp as long as its condition is below 1e13; in single precision
     it is the nearest number, except near ties, as long as that is below 1e5; searched, not
@@ -1919,10 +1919,10 @@ def SE3_leftJacobian(s: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDA
     """M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    114 mul, 108 add, 4 div, 1 sqrt, 1 neg, 1 abs, 4 less, 1 equal, 9 select.  Error <= M: 1 u
-    of its largest component for |ω of s| <= π; searched, not proved.  Each component is within
-    1 ulp as long as its condition is below 1e13; in single precision it is the nearest number,
-    except near ties, as long as that is below 1e5; searched, not proved.  Intermediate sums may
+    115 mul, 109 add, 4 div, 1 sqrt, 1 neg, 1 abs, 5 less, 9 select.  Error <= M: 1 u of its
+    largest component for |ω of s| <= π; searched, not proved.  Each component is within 1 ulp
+    as long as its condition is below 1e13; in single precision it is the nearest number, except
+    near ties, as long as that is below 1e5; searched, not proved.  Intermediate sums may
     overflow where |v| is above 2e306, in single precision 5e36.
     """
 
@@ -1930,10 +1930,10 @@ def SE3_rightJacobian(s: ArrayLike, out: NDArray[np.float32] | None = ...) -> ND
     """M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    114 mul, 108 add, 4 div, 1 sqrt, 16 neg, 1 abs, 4 less, 1 equal, 9 select.  Error <= M: 1 u
-    of its largest component for |ω of s| <= π; searched, not proved.  Each component is within
-    1 ulp as long as its condition is below 1e13; in single precision it is the nearest number,
-    except near ties, as long as that is below 1e5; searched, not proved.  Intermediate sums may
+    115 mul, 109 add, 4 div, 1 sqrt, 16 neg, 1 abs, 5 less, 9 select.  Error <= M: 1 u of its
+    largest component for |ω of s| <= π; searched, not proved.  Each component is within 1 ulp
+    as long as its condition is below 1e13; in single precision it is the nearest number, except
+    near ties, as long as that is below 1e5; searched, not proved.  Intermediate sums may
     overflow where |v| is above 2e306, in single precision 5e36.
     """
 
@@ -1941,10 +1941,10 @@ def SE3_leftJacobianInverse(s: ArrayLike, out: NDArray[np.float32] | None = ...)
     """M = J_l(s)^-1; singular where |ω| is a multiple of 2π except 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    100 mul, 90 add, 6 div, 1 sqrt, 7 neg, 1 abs, 4 less, 1 equal, 8 select.  Error <= M: 1 u of
-    its largest component for |ω of s| <= π; searched, not proved.  Each component is within 1
-    ulp as long as its condition is below 1e13; in single precision it is the nearest number,
-    except near ties, as long as that is below 1e5; searched, not proved.  Intermediate sums may
+    101 mul, 91 add, 6 div, 1 sqrt, 7 neg, 1 abs, 5 less, 8 select.  Error <= M: 1 u of its
+    largest component for |ω of s| <= π; searched, not proved.  Each component is within 1 ulp
+    as long as its condition is below 1e13; in single precision it is the nearest number, except
+    near ties, as long as that is below 1e5; searched, not proved.  Intermediate sums may
     overflow where |v| is above 2e306, in single precision 5e36.
     """
 
@@ -1952,10 +1952,10 @@ def SE3_rightJacobianInverse(s: ArrayLike, out: NDArray[np.float32] | None = ...
     """M = J_r(s)^-1; singular where |ω| is a multiple of 2π except 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    100 mul, 90 add, 6 div, 1 sqrt, 10 neg, 1 abs, 4 less, 1 equal, 8 select.  Error <= M: 1 u
-    of its largest component for |ω of s| <= π; searched, not proved.  Each component is within
-    1 ulp as long as its condition is below 1e13; in single precision it is the nearest number,
-    except near ties, as long as that is below 1e5; searched, not proved.  Intermediate sums may
+    101 mul, 91 add, 6 div, 1 sqrt, 10 neg, 1 abs, 5 less, 8 select.  Error <= M: 1 u of its
+    largest component for |ω of s| <= π; searched, not proved.  Each component is within 1 ulp
+    as long as its condition is below 1e13; in single precision it is the nearest number, except
+    near ties, as long as that is below 1e5; searched, not proved.  Intermediate sums may
     overflow where |v| is above 2e306, in single precision 5e36.
     """
 
@@ -1963,7 +1963,7 @@ def SE3_interpolated(D1: ArrayLike, D2: ArrayLike, k: ArrayLike, out: NDArray[np
     """Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
 
     (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-    245 mul, 210 add, 10 div, 3 sqrt, 4 neg, 7 abs, 2 copysign, 23 less, 4 equal, 49 select.
+    247 mul, 212 add, 10 div, 3 sqrt, 4 neg, 7 abs, 2 copysign, 25 less, 2 equal, 49 select.
     Error <= R: 1 u, t: 1 u of its largest component, or of D1.t or D2.t if that is larger, for
     R of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.  Each
     component is within 1 ulp as long as its condition is below 1e13; in single precision it is

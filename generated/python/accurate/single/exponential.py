@@ -16,10 +16,10 @@ def SO3_exp(v):
     """R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    53 mul, 47 add, 1 div, 1 sqrt, 4 abs, 4 less, 1 equal, 6 select.  Error <= R: 1 u of its
-    largest component for |v| <= 1e13, in single precision 1e5; searched, not proved.  Each
-    component is within 1 ulp as long as its condition is below 1e13; in single precision it is
-    the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
+    55 mul, 48 add, 1 div, 1 sqrt, 4 abs, 5 less, 6 select.  Error <= R: 1 u of its largest
+    component for |v| <= 1e13, in single precision 1e5; searched, not proved.  Each component is
+    within 1 ulp as long as its condition is below 1e13; in single precision it is the nearest
+    number, except near ties, as long as that is below 1e5; searched, not proved.
     """
     v_0, v_1, v_2 = v
     halved_0 = 0.5 * v_0
@@ -37,11 +37,12 @@ def SO3_exp(v):
     up = where(s < 1, float64(3.6893488147419103e+19), float64(1))
     reduced_length = sqrt(reduced_0 * reduced_0 + reduced_1 * reduced_1 + reduced_2 * reduced_2)
     half_angle = reduced_length * up
+    y = half_angle * half_angle
     sine, c = elementary.sincos(half_angle)
-    sinc_divisor_a = half_angle == 0
-    sinc_divisor = where(sinc_divisor_a, 1, half_angle)
+    sinc_divisor_a = half_angle < 1.4901161193847656e-08
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle)
     sinc_quotient = sine / sinc_divisor
-    sinc = where(sinc_divisor_a, 1, sinc_quotient)
+    sinc = where(sinc_divisor_a, 1 - 0.16666666666666666 * y, sinc_quotient)
     turning_0 = v_0 * sinc
     turning_1 = v_1 * sinc
     turning_2 = v_2 * sinc
@@ -148,10 +149,10 @@ def SO3_leftJacobian(v):
     """R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    64 mul, 65 add, 2 div, 1 sqrt, 1 abs, 4 less, 1 equal, 7 select.  Error <= R: 1 u of its
-    largest component for |v| <= 1e13, in single precision 1e5; searched, not proved.  Each
-    component is within 1 ulp as long as its condition is below 1e13; in single precision it is
-    the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
+    65 mul, 66 add, 2 div, 1 sqrt, 1 abs, 5 less, 7 select.  Error <= R: 1 u of its largest
+    component for |v| <= 1e13, in single precision 1e5; searched, not proved.  Each component is
+    within 1 ulp as long as its condition is below 1e13; in single precision it is the nearest
+    number, except near ties, as long as that is below 1e5; searched, not proved.
     """
     v_0, v_1, v_2 = v
     halved_0 = 0.5 * v_0
@@ -160,10 +161,10 @@ def SO3_leftJacobian(v):
     y = halved_0 * halved_0 + halved_1 * halved_1 + halved_2 * halved_2
     half_angle = sqrt(y)
     sine, c = elementary.sincos(half_angle)
-    sinc_divisor_a = half_angle == 0
-    sinc_divisor = where(sinc_divisor_a, 1, half_angle)
+    sinc_divisor_a = half_angle < 1.4901161193847656e-08
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle)
     sinc_quotient = sine / sinc_divisor
-    sinc = where(sinc_divisor_a, 1, sinc_quotient)
+    sinc = where(sinc_divisor_a, 1 - 0.16666666666666666 * y, sinc_quotient)
     g1 = c * sinc
     g2 = 0.5 * (sinc * sinc)
     rest3 = 1 - g1
@@ -211,8 +212,8 @@ def SO3_rightJacobian(v):
     """R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    64 mul, 65 add, 2 div, 1 sqrt, 3 neg, 1 abs, 4 less, 1 equal, 7 select.  Error <= R: 1 u of
-    its largest component for |v| <= 1e13, in single precision 1e5; searched, not proved.  Each
+    65 mul, 66 add, 2 div, 1 sqrt, 3 neg, 1 abs, 5 less, 7 select.  Error <= R: 1 u of its
+    largest component for |v| <= 1e13, in single precision 1e5; searched, not proved.  Each
     component is within 1 ulp as long as its condition is below 1e13; in single precision it is
     the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
     """
@@ -223,10 +224,10 @@ def SO3_rightJacobian(v):
     y = halved_0 * halved_0 + halved_1 * halved_1 + halved_2 * halved_2
     half_angle = sqrt(y)
     sine, c = elementary.sincos(half_angle)
-    sinc_divisor_a = half_angle == 0
-    sinc_divisor = where(sinc_divisor_a, 1, half_angle)
+    sinc_divisor_a = half_angle < 1.4901161193847656e-08
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle)
     sinc_quotient = sine / sinc_divisor
-    sinc = where(sinc_divisor_a, 1, sinc_quotient)
+    sinc = where(sinc_divisor_a, 1 - 0.16666666666666666 * y, sinc_quotient)
     g1 = c * sinc
     g2 = 0.5 * (sinc * sinc)
     rest3 = 1 - g1
@@ -275,8 +276,8 @@ def SO3_leftJacobianInverse(v):
     except 0.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    62 mul, 65 add, 4 div, 1 sqrt, 3 neg, 1 abs, 4 less, 1 equal, 7 select.  Error <= R: 1 u of
-    its largest component for |v| <= π; searched, not proved.  Each component is within 1 ulp as
+    63 mul, 66 add, 4 div, 1 sqrt, 3 neg, 1 abs, 5 less, 7 select.  Error <= R: 1 u of its
+    largest component for |v| <= π; searched, not proved.  Each component is within 1 ulp as
     long as its condition is below 1e13; in single precision it is the nearest number, except
     near ties, as long as that is below 1e5; searched, not proved.
     """
@@ -287,10 +288,10 @@ def SO3_leftJacobianInverse(v):
     y = halved_0 * halved_0 + halved_1 * halved_1 + halved_2 * halved_2
     half_angle = sqrt(y)
     sine, c = elementary.sincos(half_angle)
-    sinc_divisor_a = half_angle == 0
-    sinc_divisor = where(sinc_divisor_a, 1, half_angle)
+    sinc_divisor_a = half_angle < 1.4901161193847656e-08
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle)
     sinc_quotient = sine / sinc_divisor
-    sinc = where(sinc_divisor_a, 1, sinc_quotient)
+    sinc = where(sinc_divisor_a, 1 - 0.16666666666666666 * y, sinc_quotient)
     series_phi_d = y * (4.116826490666969e-29 - 5.107725174524775e-32 * y) - 2.86531123750421e-26
     series_phi_i = y * (y * (y * series_phi_d + 1.701994875077501e-23) - 8.509974375387505e-21)
     series_phi_m = y * (y * (series_phi_i + 3.523129391410427e-18) - 1.1837714755139035e-15)
@@ -342,10 +343,10 @@ def SO3_rightJacobianInverse(v):
     except 0.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    62 mul, 65 add, 4 div, 1 sqrt, 1 abs, 4 less, 1 equal, 7 select.  Error <= R: 1 u of its
-    largest component for |v| <= π; searched, not proved.  Each component is within 1 ulp as
-    long as its condition is below 1e13; in single precision it is the nearest number, except
-    near ties, as long as that is below 1e5; searched, not proved.
+    63 mul, 66 add, 4 div, 1 sqrt, 1 abs, 5 less, 7 select.  Error <= R: 1 u of its largest
+    component for |v| <= π; searched, not proved.  Each component is within 1 ulp as long as its
+    condition is below 1e13; in single precision it is the nearest number, except near ties, as
+    long as that is below 1e5; searched, not proved.
     """
     v_0, v_1, v_2 = v
     halved_0 = 0.5 * v_0
@@ -354,10 +355,10 @@ def SO3_rightJacobianInverse(v):
     y = halved_0 * halved_0 + halved_1 * halved_1 + halved_2 * halved_2
     half_angle = sqrt(y)
     sine, c = elementary.sincos(half_angle)
-    sinc_divisor_a = half_angle == 0
-    sinc_divisor = where(sinc_divisor_a, 1, half_angle)
+    sinc_divisor_a = half_angle < 1.4901161193847656e-08
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle)
     sinc_quotient = sine / sinc_divisor
-    sinc = where(sinc_divisor_a, 1, sinc_quotient)
+    sinc = where(sinc_divisor_a, 1 - 0.16666666666666666 * y, sinc_quotient)
     series_phi_d = y * (4.116826490666969e-29 - 5.107725174524775e-32 * y) - 2.86531123750421e-26
     series_phi_i = y * (y * (y * series_phi_d + 1.701994875077501e-23) - 8.509974375387505e-21)
     series_phi_m = y * (y * (series_phi_i + 3.523129391410427e-18) - 1.1837714755139035e-15)
@@ -475,12 +476,12 @@ def SE3_exp(s):
     """D = exp s = [exp ω~ | J_l(ω) v].
 
     (6)->(3,4).  s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
-    85 mul, 77 add, 2 div, 1 sqrt, 1 abs, 4 less, 1 equal, 7 select.  Error <= R: 1 u, t: 1 u of
-    its largest component, or of s.lin if that is larger, for |ω of s| <= 1e13, in single
-    precision 1e5; searched, not proved.  Each component is within 1 ulp as long as its
-    condition is below 1e13; in single precision it is the nearest number, except near ties, as
-    long as that is below 1e5; searched, not proved.  Intermediate sums may overflow where |v|,
-    or |ω| |v|, is above 2e306, in single precision 5e36.
+    86 mul, 78 add, 2 div, 1 sqrt, 1 abs, 5 less, 7 select.  Error <= R: 1 u, t: 1 u of its
+    largest component, or of s.lin if that is larger, for |ω of s| <= 1e13, in single precision
+    1e5; searched, not proved.  Each component is within 1 ulp as long as its condition is below
+    1e13; in single precision it is the nearest number, except near ties, as long as that is
+    below 1e5; searched, not proved.  Intermediate sums may overflow where |v|, or |ω| |v|, is
+    above 2e306, in single precision 5e36.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     halved_0 = 0.5 * s_3
@@ -489,10 +490,10 @@ def SE3_exp(s):
     y = halved_0 * halved_0 + halved_1 * halved_1 + halved_2 * halved_2
     half_angle = sqrt(y)
     sine, c = elementary.sincos(half_angle)
-    sinc_divisor_a = half_angle == 0
-    sinc_divisor = where(sinc_divisor_a, 1, half_angle)
+    sinc_divisor_a = half_angle < 1.4901161193847656e-08
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle)
     sinc_quotient = sine / sinc_divisor
-    sinc = where(sinc_divisor_a, 1, sinc_quotient)
+    sinc = where(sinc_divisor_a, 1 - 0.16666666666666666 * y, sinc_quotient)
     g1 = c * sinc
     g2 = 0.5 * (sinc * sinc)
     sine_square = sine * sine
@@ -559,7 +560,7 @@ def SE3_log(D):
     """so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    82 mul, 79 add, 8 div, 2 sqrt, 4 neg, 6 abs, 2 copysign, 19 less, 3 equal, 42 select.  Error
+    83 mul, 80 add, 8 div, 2 sqrt, 4 neg, 6 abs, 2 copysign, 20 less, 2 equal, 42 select.  Error
     <= lin: 1 u, ang: 1 u of its largest component for R of D a rotation; searched, not proved.
     Each component is within 1 ulp as long as its condition is below 1e13; in single precision
     it is the nearest number, except near ties, as long as that is below 1e5; searched, not
@@ -629,10 +630,10 @@ def SE3_log(D):
     sine = n / length
     c = upper_3 / length
     y = half_angle * half_angle
-    sinc_divisor_a = half_angle == 0
-    sinc_divisor = where(sinc_divisor_a, 1, half_angle)
+    sinc_divisor_a = half_angle < 1.4901161193847656e-08
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle)
     sinc_quotient = sine / sinc_divisor
-    sinc = where(sinc_divisor_a, 1, sinc_quotient)
+    sinc = where(sinc_divisor_a, 1 - 0.16666666666666666 * y, sinc_quotient)
     series_phi_d = y * (4.116826490666969e-29 - 5.107725174524775e-32 * y) - 2.86531123750421e-26
     series_phi_i = y * (y * (y * series_phi_d + 1.701994875077501e-23) - 8.509974375387505e-21)
     series_phi_m = y * (y * (series_phi_i + 3.523129391410427e-18) - 1.1837714755139035e-15)
@@ -676,10 +677,10 @@ def SE3_leftJacobian(s):
     """M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    114 mul, 108 add, 4 div, 1 sqrt, 1 neg, 1 abs, 4 less, 1 equal, 9 select.  Error <= M: 1 u
-    of its largest component for |ω of s| <= π; searched, not proved.  Each component is within
-    1 ulp as long as its condition is below 1e13; in single precision it is the nearest number,
-    except near ties, as long as that is below 1e5; searched, not proved.  Intermediate sums may
+    115 mul, 109 add, 4 div, 1 sqrt, 1 neg, 1 abs, 5 less, 9 select.  Error <= M: 1 u of its
+    largest component for |ω of s| <= π; searched, not proved.  Each component is within 1 ulp
+    as long as its condition is below 1e13; in single precision it is the nearest number, except
+    near ties, as long as that is below 1e5; searched, not proved.  Intermediate sums may
     overflow where |v| is above 2e306, in single precision 5e36.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
@@ -689,10 +690,10 @@ def SE3_leftJacobian(s):
     y = halved_0 * halved_0 + halved_1 * halved_1 + halved_2 * halved_2
     half_angle = sqrt(y)
     sine, c = elementary.sincos(half_angle)
-    sinc_divisor_a = half_angle == 0
-    sinc_divisor = where(sinc_divisor_a, 1, half_angle)
+    sinc_divisor_a = half_angle < 1.4901161193847656e-08
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle)
     sinc_quotient = sine / sinc_divisor
-    sinc = where(sinc_divisor_a, 1, sinc_quotient)
+    sinc = where(sinc_divisor_a, 1 - 0.16666666666666666 * y, sinc_quotient)
     g1 = c * sinc
     g2 = 0.5 * (sinc * sinc)
     rest3 = 1 - g1
@@ -787,10 +788,10 @@ def SE3_rightJacobian(s):
     """M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    114 mul, 108 add, 4 div, 1 sqrt, 16 neg, 1 abs, 4 less, 1 equal, 9 select.  Error <= M: 1 u
-    of its largest component for |ω of s| <= π; searched, not proved.  Each component is within
-    1 ulp as long as its condition is below 1e13; in single precision it is the nearest number,
-    except near ties, as long as that is below 1e5; searched, not proved.  Intermediate sums may
+    115 mul, 109 add, 4 div, 1 sqrt, 16 neg, 1 abs, 5 less, 9 select.  Error <= M: 1 u of its
+    largest component for |ω of s| <= π; searched, not proved.  Each component is within 1 ulp
+    as long as its condition is below 1e13; in single precision it is the nearest number, except
+    near ties, as long as that is below 1e5; searched, not proved.  Intermediate sums may
     overflow where |v| is above 2e306, in single precision 5e36.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
@@ -800,10 +801,10 @@ def SE3_rightJacobian(s):
     y = halved_0 * halved_0 + halved_1 * halved_1 + halved_2 * halved_2
     half_angle = sqrt(y)
     sine, c = elementary.sincos(half_angle)
-    sinc_divisor_a = half_angle == 0
-    sinc_divisor = where(sinc_divisor_a, 1, half_angle)
+    sinc_divisor_a = half_angle < 1.4901161193847656e-08
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle)
     sinc_quotient = sine / sinc_divisor
-    sinc = where(sinc_divisor_a, 1, sinc_quotient)
+    sinc = where(sinc_divisor_a, 1 - 0.16666666666666666 * y, sinc_quotient)
     g1 = c * sinc
     g2 = 0.5 * (sinc * sinc)
     rest3 = 1 - g1
@@ -898,10 +899,10 @@ def SE3_leftJacobianInverse(s):
     """M = J_l(s)^-1; singular where |ω| is a multiple of 2π except 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    100 mul, 90 add, 6 div, 1 sqrt, 7 neg, 1 abs, 4 less, 1 equal, 8 select.  Error <= M: 1 u of
-    its largest component for |ω of s| <= π; searched, not proved.  Each component is within 1
-    ulp as long as its condition is below 1e13; in single precision it is the nearest number,
-    except near ties, as long as that is below 1e5; searched, not proved.  Intermediate sums may
+    101 mul, 91 add, 6 div, 1 sqrt, 7 neg, 1 abs, 5 less, 8 select.  Error <= M: 1 u of its
+    largest component for |ω of s| <= π; searched, not proved.  Each component is within 1 ulp
+    as long as its condition is below 1e13; in single precision it is the nearest number, except
+    near ties, as long as that is below 1e5; searched, not proved.  Intermediate sums may
     overflow where |v| is above 2e306, in single precision 5e36.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
@@ -911,10 +912,10 @@ def SE3_leftJacobianInverse(s):
     y = halved_0 * halved_0 + halved_1 * halved_1 + halved_2 * halved_2
     half_angle = sqrt(y)
     sine, c = elementary.sincos(half_angle)
-    sinc_divisor_a = half_angle == 0
-    sinc_divisor = where(sinc_divisor_a, 1, half_angle)
+    sinc_divisor_a = half_angle < 1.4901161193847656e-08
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle)
     sinc_quotient = sine / sinc_divisor
-    sinc = where(sinc_divisor_a, 1, sinc_quotient)
+    sinc = where(sinc_divisor_a, 1 - 0.16666666666666666 * y, sinc_quotient)
     series_phi_d = y * (4.116826490666969e-29 - 5.107725174524775e-32 * y) - 2.86531123750421e-26
     series_phi_i = y * (y * (y * series_phi_d + 1.701994875077501e-23) - 8.509974375387505e-21)
     series_phi_m = y * (y * (series_phi_i + 3.523129391410427e-18) - 1.1837714755139035e-15)
@@ -1003,10 +1004,10 @@ def SE3_rightJacobianInverse(s):
     """M = J_r(s)^-1; singular where |ω| is a multiple of 2π except 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    100 mul, 90 add, 6 div, 1 sqrt, 10 neg, 1 abs, 4 less, 1 equal, 8 select.  Error <= M: 1 u
-    of its largest component for |ω of s| <= π; searched, not proved.  Each component is within
-    1 ulp as long as its condition is below 1e13; in single precision it is the nearest number,
-    except near ties, as long as that is below 1e5; searched, not proved.  Intermediate sums may
+    101 mul, 91 add, 6 div, 1 sqrt, 10 neg, 1 abs, 5 less, 8 select.  Error <= M: 1 u of its
+    largest component for |ω of s| <= π; searched, not proved.  Each component is within 1 ulp
+    as long as its condition is below 1e13; in single precision it is the nearest number, except
+    near ties, as long as that is below 1e5; searched, not proved.  Intermediate sums may
     overflow where |v| is above 2e306, in single precision 5e36.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
@@ -1016,10 +1017,10 @@ def SE3_rightJacobianInverse(s):
     y = halved_0 * halved_0 + halved_1 * halved_1 + halved_2 * halved_2
     half_angle = sqrt(y)
     sine, c = elementary.sincos(half_angle)
-    sinc_divisor_a = half_angle == 0
-    sinc_divisor = where(sinc_divisor_a, 1, half_angle)
+    sinc_divisor_a = half_angle < 1.4901161193847656e-08
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle)
     sinc_quotient = sine / sinc_divisor
-    sinc = where(sinc_divisor_a, 1, sinc_quotient)
+    sinc = where(sinc_divisor_a, 1 - 0.16666666666666666 * y, sinc_quotient)
     series_phi_d = y * (4.116826490666969e-29 - 5.107725174524775e-32 * y) - 2.86531123750421e-26
     series_phi_i = y * (y * (y * series_phi_d + 1.701994875077501e-23) - 8.509974375387505e-21)
     series_phi_m = y * (y * (series_phi_i + 3.523129391410427e-18) - 1.1837714755139035e-15)
@@ -1105,7 +1106,7 @@ def SE3_interpolated(D1, D2, k):
     """Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
 
     (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-    245 mul, 210 add, 10 div, 3 sqrt, 4 neg, 7 abs, 2 copysign, 23 less, 4 equal, 49 select.
+    247 mul, 212 add, 10 div, 3 sqrt, 4 neg, 7 abs, 2 copysign, 25 less, 2 equal, 49 select.
     Error <= R: 1 u, t: 1 u of its largest component, or of D1.t or D2.t if that is larger, for
     R of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.  Each
     component is within 1 ulp as long as its condition is below 1e13; in single precision it is
@@ -1194,10 +1195,10 @@ def SE3_interpolated(D1, D2, k):
     log_sine = log_n / log_length
     log_c = log_upper_3 / log_length
     log_y = log_half_angle * log_half_angle
-    log_sinc_divisor_a = log_half_angle == 0
-    log_sinc_divisor = where(log_sinc_divisor_a, 1, log_half_angle)
+    log_sinc_divisor_a = log_half_angle < 1.4901161193847656e-08
+    log_sinc_divisor = where(log_sinc_divisor_a, 1.4901161193847656e-08, log_half_angle)
     log_sinc_quotient = log_sine / log_sinc_divisor
-    log_sinc = where(log_sinc_divisor_a, 1, log_sinc_quotient)
+    log_sinc = where(log_sinc_divisor_a, 1 - 0.16666666666666666 * log_y, log_sinc_quotient)
     log_series_phi_c = log_y * (4.116826490666969e-29 - 5.107725174524775e-32 * log_y)
     log_series_phi_f = log_y * (log_series_phi_c - 2.86531123750421e-26) + 1.701994875077501e-23
     log_series_phi_i = log_y * (log_y * log_series_phi_f - 8.509974375387505e-21)
@@ -1247,10 +1248,10 @@ def SE3_interpolated(D1, D2, k):
     exp_y = exp_halved_0 * exp_halved_0 + exp_halved_1 * exp_halved_1 + exp_halved_2 * exp_halved_2
     exp_half_angle = sqrt(exp_y)
     exp_sine, exp_c = elementary.sincos(exp_half_angle)
-    exp_sinc_divisor_a = exp_half_angle == 0
-    exp_sinc_divisor = where(exp_sinc_divisor_a, 1, exp_half_angle)
+    exp_sinc_divisor_a = exp_half_angle < 1.4901161193847656e-08
+    exp_sinc_divisor = where(exp_sinc_divisor_a, 1.4901161193847656e-08, exp_half_angle)
     exp_sinc_quotient = exp_sine / exp_sinc_divisor
-    exp_sinc = where(exp_sinc_divisor_a, 1, exp_sinc_quotient)
+    exp_sinc = where(exp_sinc_divisor_a, 1 - 0.16666666666666666 * exp_y, exp_sinc_quotient)
     exp_g1 = exp_c * exp_sinc
     exp_g2 = 0.5 * (exp_sinc * exp_sinc)
     exp_sine_square = exp_sine * exp_sine

@@ -1018,10 +1018,10 @@ def quaternion_exp(v):
     """qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v.
 
     (3)->(4).  v: vector; qo: quaternion (x, y, z, w), the scalar last.
-    41 mul, 35 add, 1 div, 1 sqrt, 4 abs, 4 less, 1 equal, 6 select.  Error <= qo: 1 u of its
-    largest component for |v| <= 1e13, in single precision 1e5; searched, not proved.  Each
-    component is within 1 ulp as long as its condition is below 1e13; in single precision it is
-    the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
+    43 mul, 36 add, 1 div, 1 sqrt, 4 abs, 5 less, 6 select.  Error <= qo: 1 u of its largest
+    component for |v| <= 1e13, in single precision 1e5; searched, not proved.  Each component is
+    within 1 ulp as long as its condition is below 1e13; in single precision it is the nearest
+    number, except near ties, as long as that is below 1e5; searched, not proved.
     """
     v_0, v_1, v_2 = v
     h_0 = 0.5 * v_0
@@ -1039,11 +1039,12 @@ def quaternion_exp(v):
     up = where(s < 1, float64(3.6893488147419103e+19), float64(1))
     reduced_length = sqrt(reduced_0 * reduced_0 + reduced_1 * reduced_1 + reduced_2 * reduced_2)
     half_angle = reduced_length * up
+    y = half_angle * half_angle
     sine, c = elementary.sincos(half_angle)
-    sinc_divisor_a = half_angle == 0
-    sinc_divisor = where(sinc_divisor_a, 1, half_angle)
+    sinc_divisor_a = half_angle < 1.4901161193847656e-08
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle)
     sinc_quotient = sine / sinc_divisor
-    sinc = where(sinc_divisor_a, 1, sinc_quotient)
+    sinc = where(sinc_divisor_a, 1 - 0.16666666666666666 * y, sinc_quotient)
     qo_0 = h_0 * sinc
     qo_1 = h_1 * sinc
     qo_2 = h_2 * sinc
@@ -1110,7 +1111,7 @@ def quaternion_interpolated(q1, q2, k):
     """qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
 
     (4),(4),()->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
-    112 mul, 96 add, 3 div, 2 sqrt, 5 neg, 10 abs, 2 copysign, 19 less, 3 equal, 32 select.
+    114 mul, 97 add, 3 div, 2 sqrt, 5 neg, 10 abs, 2 copysign, 20 less, 2 equal, 32 select.
     Error <= qo: 1 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <= 1;
     searched, not proved.  Each component is within 1 ulp as long as its condition is below
     1e13; in single precision it is the nearest number, except near ties, as long as that is
@@ -1166,11 +1167,12 @@ def quaternion_interpolated(q1, q2, k):
     exp_reduced_length_c = exp_reduced_0 * exp_reduced_0 + exp_reduced_1 * exp_reduced_1
     exp_reduced_length = sqrt(exp_reduced_length_c + exp_reduced_2 * exp_reduced_2)
     exp_half_angle = exp_reduced_length * exp_up
+    exp_y = exp_half_angle * exp_half_angle
     exp_sine, exp_c = elementary.sincos(exp_half_angle)
-    exp_sinc_divisor_a = exp_half_angle == 0
-    exp_sinc_divisor = where(exp_sinc_divisor_a, 1, exp_half_angle)
+    exp_sinc_divisor_a = exp_half_angle < 1.4901161193847656e-08
+    exp_sinc_divisor = where(exp_sinc_divisor_a, 1.4901161193847656e-08, exp_half_angle)
     exp_sinc_quotient = exp_sine / exp_sinc_divisor
-    exp_sinc = where(exp_sinc_divisor_a, 1, exp_sinc_quotient)
+    exp_sinc = where(exp_sinc_divisor_a, 1 - 0.16666666666666666 * exp_y, exp_sinc_quotient)
     power_0 = step_0 * exp_sinc
     power_1 = step_1 * exp_sinc
     power_2 = step_2 * exp_sinc

@@ -8,9 +8,11 @@ In double precision, certified tier.
 
 from numpy import absolute
 from coscrew._kernel import double_kernel as kernel
+from numpy import errstate
 
 
 @kernel("(3,4)->(3,4),(3,4)")
+@errstate(all="ignore")
 def SE3_invert(self):
     """self = self^-1 = [R^T | -R^T t]; |error of self| <= self_bound unless inf or NaN.
 
@@ -46,6 +48,7 @@ def SE3_invert(self):
 
 
 @kernel("(3,4)->(3,4),(3,4)")
+@errstate(all="ignore")
 def SE3_inverted(D):
     """Do = D^-1 = [R^T | -R^T t]; |error of Do| <= Do_bound unless inf or NaN.
 

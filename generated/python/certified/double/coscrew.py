@@ -8,9 +8,11 @@ In double precision, certified tier.
 
 from numpy import absolute
 from coscrew._kernel import double_kernel as kernel
+from numpy import errstate
 
 
 @kernel("(6),()->(6),(6)")
+@errstate(all="ignore")
 def coscrew_scale(self, a):
     """self = a self; |error of self| <= self_bound unless inf or NaN.
 
@@ -42,6 +44,7 @@ def coscrew_scale(self, a):
 
 
 @kernel("(),(6),(6)->(6),(6)")
+@errstate(all="ignore")
 def axpy_cc(a, x, y):
     """y = a x + y; |error of y| <= y_bound unless inf or NaN.
 
@@ -80,6 +83,7 @@ def axpy_cc(a, x, y):
 
 
 @kernel("(6),(6)->(6),(6)")
+@errstate(all="ignore")
 def xpy_cc(x, y):
     """y = x + y; |error of y| <= y_bound unless inf or NaN.
 
@@ -106,6 +110,7 @@ def xpy_cc(x, y):
 
 
 @kernel("(6),(6)->(6),(6)")
+@errstate(all="ignore")
 def nxpy_cc(x, y):
     """y = -x + y; |error of y| <= y_bound unless inf or NaN.
 
@@ -132,6 +137,7 @@ def nxpy_cc(x, y):
 
 
 @kernel("(),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_ac(a, ci):
     """co = a ci; |error of co| <= co_bound unless inf or NaN.
 
@@ -156,6 +162,7 @@ def product_ac(a, ci):
 
 
 @kernel("(6),(6)->(6),(6)")
+@errstate(all="ignore")
 def add_cc(c1, c2):
     """co = c1 + c2; |error of co| <= co_bound unless inf or NaN.
 
@@ -181,6 +188,7 @@ def add_cc(c1, c2):
 
 
 @kernel("(6),(6)->(6),(6)")
+@errstate(all="ignore")
 def subtract_cc(c1, c2):
     """co = c1 - c2; |error of co| <= co_bound unless inf or NaN.
 
@@ -206,6 +214,7 @@ def subtract_cc(c1, c2):
 
 
 @kernel("(6),(6)->(6),(6)")
+@errstate(all="ignore")
 def add_cct(c1, c2):
     """co = (c1.lin + c2.lin ; c1.ang); |error of co| <= co_bound unless inf or NaN.
 
@@ -225,6 +234,7 @@ def add_cct(c1, c2):
 
 
 @kernel("(3),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_CoAdtc(t, ci):
     """co = [Ad]*(t) ci; |error of co| <= co_bound unless inf or NaN.
 
@@ -253,6 +263,7 @@ def product_CoAdtc(t, ci):
 
 
 @kernel("(3),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_CoAdtinvc(t, ci):
     """co = [Ad]*(t)^-1 ci; |error of co| <= co_bound unless inf or NaN.
 
@@ -281,6 +292,7 @@ def product_CoAdtinvc(t, ci):
 
 
 @kernel("(3),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_CoAdtcinv(t, ci):
     """co = [Ad]*(t) (-ci); |error of co| <= co_bound unless inf or NaN.
 
@@ -312,6 +324,7 @@ def product_CoAdtcinv(t, ci):
 
 
 @kernel("(3,3),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_CoAdrc(R, ci):
     """co = [Ad]*(R) ci; |error of co| <= co_bound unless inf or NaN.
 
@@ -362,6 +375,7 @@ def product_CoAdrc(R, ci):
 
 
 @kernel("(3,3),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_CoAdrinvc(R, ci):
     """co = [Ad]*(R)^-1 ci; |error of co| <= co_bound unless inf or NaN.
 
@@ -412,6 +426,7 @@ def product_CoAdrinvc(R, ci):
 
 
 @kernel("(3,3),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_CoAdrcinv(R, ci):
     """co = [Ad]*(R) (-ci); |error of co| <= co_bound unless inf or NaN.
 
@@ -462,6 +477,7 @@ def product_CoAdrcinv(R, ci):
 
 
 @kernel("(3,4),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_CoAdc(D, ci):
     """co = [Ad]*(D) ci = [Ad]*(t) [Ad]*(R) ci; |error of co| <= co_bound unless inf or NaN.
 
@@ -524,6 +540,7 @@ def product_CoAdc(D, ci):
 
 
 @kernel("(3,4),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_CoAdinvc(D, ci):
     """co = [Ad]*(D)^-1 ci = [Ad]*(R^T) [Ad]*(-t) ci; |error of co| <= co_bound unless inf or NaN.
 
@@ -583,6 +600,7 @@ def product_CoAdinvc(D, ci):
 
 
 @kernel("(3,4),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_CoAdcinv(D, ci):
     """co = [Ad]*(D) (-ci); |error of co| <= co_bound unless inf or NaN.
 
@@ -642,6 +660,7 @@ def product_CoAdcinv(D, ci):
 
 
 @kernel("(3,4)->(6),(6)")
+@errstate(all="ignore")
 def hctx(D):
     """co = h_tx: column 0 of [Ad]*(D); |error of co| <= co_bound unless inf or NaN.
 
@@ -670,6 +689,7 @@ def hctx(D):
 
 
 @kernel("(3,4)->(6),(6)")
+@errstate(all="ignore")
 def hcty(D):
     """co = h_ty: column 1 of [Ad]*(D); |error of co| <= co_bound unless inf or NaN.
 
@@ -698,6 +718,7 @@ def hcty(D):
 
 
 @kernel("(3,4)->(6),(6)")
+@errstate(all="ignore")
 def hctz(D):
     """co = h_tz: column 2 of [Ad]*(D); |error of co| <= co_bound unless inf or NaN.
 
@@ -726,6 +747,7 @@ def hctz(D):
 
 
 @kernel("(3,4)->(6),(6)")
+@errstate(all="ignore")
 def hctxinv(D):
     """co = -h_tx: -column 0 of [Ad]*(D); |error of co| <= co_bound unless inf or NaN.
 
@@ -757,6 +779,7 @@ def hctxinv(D):
 
 
 @kernel("(3,4)->(6),(6)")
+@errstate(all="ignore")
 def hctyinv(D):
     """co = -h_ty: -column 1 of [Ad]*(D); |error of co| <= co_bound unless inf or NaN.
 
@@ -788,6 +811,7 @@ def hctyinv(D):
 
 
 @kernel("(3,4)->(6),(6)")
+@errstate(all="ignore")
 def hctzinv(D):
     """co = -h_tz: -column 2 of [Ad]*(D); |error of co| <= co_bound unless inf or NaN.
 
@@ -819,6 +843,7 @@ def hctzinv(D):
 
 
 @kernel("(3,4)->(6,6),(6,6)")
+@errstate(all="ignore")
 def CoAd(D):
     """M = [Ad]*(D); |error of M| <= M_bound unless inf or NaN.
 
@@ -879,6 +904,7 @@ def CoAd(D):
 
 
 @kernel("(6),(6)->(),()")
+@errstate(all="ignore")
 def reciprocal_product(c, x):
     """power = W ⊙ $ = f·v + τ·ω, W = c = (f; τ), $ = x = (ω; v); |error of power| <= power_bound
     unless inf or NaN.
@@ -903,6 +929,7 @@ def reciprocal_product(c, x):
 
 
 @kernel("(6),(6)->(6),(6)")
+@errstate(all="ignore")
 def cross_sc(s, c):
     """co = [ad]*(s) c = (ω×f ; v×f + ω×τ); |error of co| <= co_bound unless inf or NaN.
 
@@ -953,6 +980,7 @@ def cross_sc(s, c):
 
 
 @kernel("(6),(6)->(6),(6)")
+@errstate(all="ignore")
 def cross_sca(s, c):
     """co = (0 ; ω×τ); |error of co| <= co_bound unless inf or NaN.
 
@@ -982,6 +1010,7 @@ def cross_sca(s, c):
 
 
 @kernel("(3,4),(6)->(6),(6)")
+@errstate(all="ignore")
 def constraint_ctx(D, c):
     """co = H̄* c = [Ad]*(D) P c; P clears component 0 of c, given in the frame of a tx joint at D;
     |error of co| <= co_bound unless inf or NaN.
@@ -1042,6 +1071,7 @@ def constraint_ctx(D, c):
 
 
 @kernel("(3,4),(6)->(6),(6)")
+@errstate(all="ignore")
 def constraint_cty(D, c):
     """co = H̄* c = [Ad]*(D) P c; P clears component 1 of c, given in the frame of a ty joint at D;
     |error of co| <= co_bound unless inf or NaN.
@@ -1102,6 +1132,7 @@ def constraint_cty(D, c):
 
 
 @kernel("(3,4),(6)->(6),(6)")
+@errstate(all="ignore")
 def constraint_ctz(D, c):
     """co = H̄* c = [Ad]*(D) P c; P clears component 2 of c, given in the frame of a tz joint at D;
     |error of co| <= co_bound unless inf or NaN.
@@ -1162,6 +1193,7 @@ def constraint_ctz(D, c):
 
 
 @kernel("(3,4),(6)->(6),(6)")
+@errstate(all="ignore")
 def constraint_crx(D, c):
     """co = H̄* c = [Ad]*(D) P c; P clears component 3 of c, given in the frame of a rx joint at D;
     |error of co| <= co_bound unless inf or NaN.
@@ -1222,6 +1254,7 @@ def constraint_crx(D, c):
 
 
 @kernel("(3,4),(6)->(6),(6)")
+@errstate(all="ignore")
 def constraint_cry(D, c):
     """co = H̄* c = [Ad]*(D) P c; P clears component 4 of c, given in the frame of a ry joint at D;
     |error of co| <= co_bound unless inf or NaN.
@@ -1282,6 +1315,7 @@ def constraint_cry(D, c):
 
 
 @kernel("(3,4),(6)->(6),(6)")
+@errstate(all="ignore")
 def constraint_crz(D, c):
     """co = H̄* c = [Ad]*(D) P c; P clears component 5 of c, given in the frame of a rz joint at D;
     |error of co| <= co_bound unless inf or NaN.
@@ -1342,6 +1376,7 @@ def constraint_crz(D, c):
 
 
 @kernel("(3,4),(6)->(6),(6)")
+@errstate(all="ignore")
 def working_ctx(D, c):
     """co = h̄* c = [Ad]*(D) P c; P keeps component 0 of c, given in the frame of a tx joint at D;
     |error of co| <= co_bound unless inf or NaN.
@@ -1378,6 +1413,7 @@ def working_ctx(D, c):
 
 
 @kernel("(3,4),(6)->(6),(6)")
+@errstate(all="ignore")
 def working_cty(D, c):
     """co = h̄* c = [Ad]*(D) P c; P keeps component 1 of c, given in the frame of a ty joint at D;
     |error of co| <= co_bound unless inf or NaN.
@@ -1414,6 +1450,7 @@ def working_cty(D, c):
 
 
 @kernel("(3,4),(6)->(6),(6)")
+@errstate(all="ignore")
 def working_ctz(D, c):
     """co = h̄* c = [Ad]*(D) P c; P keeps component 2 of c, given in the frame of a tz joint at D;
     |error of co| <= co_bound unless inf or NaN.
@@ -1450,6 +1487,7 @@ def working_ctz(D, c):
 
 
 @kernel("(3,4),(6)->(6),(6)")
+@errstate(all="ignore")
 def working_crx(D, c):
     """co = h̄* c = [Ad]*(D) P c; P keeps component 3 of c, given in the frame of a rx joint at D;
     |error of co| <= co_bound unless inf or NaN.
@@ -1470,6 +1508,7 @@ def working_crx(D, c):
 
 
 @kernel("(3,4),(6)->(6),(6)")
+@errstate(all="ignore")
 def working_cry(D, c):
     """co = h̄* c = [Ad]*(D) P c; P keeps component 4 of c, given in the frame of a ry joint at D;
     |error of co| <= co_bound unless inf or NaN.
@@ -1490,6 +1529,7 @@ def working_cry(D, c):
 
 
 @kernel("(3,4),(6)->(6),(6)")
+@errstate(all="ignore")
 def working_crz(D, c):
     """co = h̄* c = [Ad]*(D) P c; P keeps component 5 of c, given in the frame of a rz joint at D;
     |error of co| <= co_bound unless inf or NaN.

@@ -9,16 +9,17 @@ In double precision, certified tier.
 from coscrew import _elementary_double as elementary
 from numpy import absolute
 from coscrew._kernel import double_kernel as kernel
+from numpy import errstate
 
 
 @kernel("()->(),(),(),()")
+@errstate(all="ignore")
 def sincos(x):
     """s = sin x, c = cos x, x in rad; |error of s| <= s_bound, |error of c| <= c_bound unless inf
     or NaN.
 
     ()->(),(),(),().  x, s, c, s_bound, c_bound: number.
-    83 mul, 129 add, 11 product error, 1 div, 5 abs, 1 less, 1 select.  Error <= 0.824 ulp, in
-    single precision 0.85 ulp, unless a result is subnormal; proved.
+    83 mul, 129 add, 11 product error, 1 div, 5 abs, 1 less, 1 select.
     """
     s, c = elementary.sincos(x)
     s_own_error_1, c_own_error_1 = elementary.sincos_error(x, s, c)
@@ -28,12 +29,12 @@ def sincos(x):
 
 
 @kernel("()->(),()")
+@errstate(all="ignore")
 def sin(x):
     """s = sin x, x in rad; |error of s| <= s_bound unless inf or NaN.
 
     ()->(),().  x, s, s_bound: number.
-    83 mul, 128 add, 11 product error, 1 div, 4 abs, 1 less, 1 select.  Error <= 0.824 ulp, in
-    single precision 0.85 ulp, unless a result is subnormal; proved.
+    83 mul, 128 add, 11 product error, 1 div, 4 abs, 1 less, 1 select.
     """
     s = elementary.sin(x)
     s_bound_1 = 3.7470896994678994e-30 + absolute(elementary.sin_error(x, s))
@@ -41,12 +42,12 @@ def sin(x):
 
 
 @kernel("()->(),()")
+@errstate(all="ignore")
 def cos(x):
     """c = cos x, x in rad; |error of c| <= c_bound unless inf or NaN.
 
     ()->(),().  x, c, c_bound: number.
-    83 mul, 128 add, 11 product error, 1 div, 4 abs, 1 less, 1 select.  Error <= 0.824 ulp, in
-    single precision 0.85 ulp, unless a result is subnormal; proved.
+    83 mul, 128 add, 11 product error, 1 div, 4 abs, 1 less, 1 select.
     """
     c = elementary.cos(x)
     c_bound_1 = 3.7470896994678994e-30 + absolute(elementary.cos_error(x, c))
@@ -54,12 +55,12 @@ def cos(x):
 
 
 @kernel("()->(),()")
+@errstate(all="ignore")
 def exp(x):
     """y = e^x; |error of y| <= y_bound unless inf or NaN.
 
     ()->(),().  x, y, y_bound: number.
-    82 mul, 149 add, 14 product error, 5 power of two, 2 abs, 7 less, 1 equal, 9 select.  Error
-    <= 0.755 ulp, in single precision 0.757 ulp, unless a result is subnormal; proved.
+    82 mul, 149 add, 14 product error, 5 power of two, 2 abs, 7 less, 1 equal, 9 select.
     """
     y = elementary.exp(x)
     y_rest_1 = 3.7470896994679e-30 * (1.8051943758648296e-276 + y)
@@ -68,13 +69,13 @@ def exp(x):
 
 
 @kernel("()->(),()")
+@errstate(all="ignore")
 def tanh(x):
     """y = tanh x; |error of y| <= y_bound unless inf or NaN.
 
     ()->(),().  x, y, y_bound: number.
     92 mul, 175 add, 15 product error, 2 div, 2 power of two, 6 abs, 2 copysign, 5 less, 11
-    select.  Error <= 0.979 ulp, in single precision 0.967 ulp, unless a result is subnormal;
-    proved.
+    select.
     """
     y = elementary.tanh(x)
     y_rest_1 = 3.7470896994679e-30 * (1.8051943758648296e-276 + absolute(y))
@@ -83,14 +84,14 @@ def tanh(x):
 
 
 @kernel("(),()->(),()")
+@errstate(all="ignore")
 def atan2(y, x):
     """angle of the vector (x, y) to the x axis, in rad, from -π to π; |error of angle| <=
     angle_bound unless inf or NaN.
 
     (),()->(),().  y, x, angle, angle_bound: number.
     123 mul, 214 add, 21 product error, 2 div, 1 neg, 10 abs, 4 copysign, 13 less, 3 equal, 23
-    select.  Error <= 0.934 ulp, in single precision 0.896 ulp, unless a result is subnormal;
-    proved.
+    select.
     """
     angle = elementary.atan2(y, x)
     angle_rest_1 = 3.7470896994679e-30 * (1.8051943758648296e-276 + absolute(angle))

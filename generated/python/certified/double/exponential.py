@@ -10,17 +10,18 @@ from coscrew import _elementary_double as elementary
 from numpy import absolute, float64, sqrt, where
 from coscrew._exact import product_error, product_rest
 from coscrew._kernel import double_kernel as kernel
+from numpy import errstate
 
 
 @kernel("(3)->(3,3),(3,3)")
+@errstate(all="ignore")
 def SO3_exp(v):
     """R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|; |error of R| <= R_bound unless
     inf or NaN.
 
     (3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.
-    326 mul, 479 add, 16 product error, 21 product rest, 12 div, 3 sqrt, 49 abs, 13 less, 2
-    equal, 29 select.  Error <= R: (6 + θ/200) u of its largest component for |v| <= 1e13, in
-    single precision 1e5; searched, not proved.
+    336 mul, 494 add, 17 product error, 22 product rest, 12 div, 3 sqrt, 51 abs, 14 less, 1
+    equal, 29 select.
     """
     v_0, v_1, v_2 = v
     size_0 = absolute(v_0)
@@ -173,25 +174,27 @@ def SO3_exp(v):
     fine_up_size_1 = where(fine_up_a, float64(2.6815615859885194e+154), float64(1))
     fine_half_angle_padded_1 = 1.8051943758648296e-276 + fine_reduced_length_size_12
     fine_half_angle_size_1 = fine_half_angle_padded_1 * fine_up_size_1
+    fine_y = fine_half_angle * fine_half_angle
+    fine_y_padded_1 = 1.8051943758648296e-276 + fine_half_angle_size_1
+    fine_y_bound_1 = absolute(fine_half_angle_lo) + 5.7192432555642225e-30 * fine_y_padded_1
+    fine_y_size_2 = fine_y_padded_1 * (absolute(fine_half_angle) + 140737488355328 * fine_y_bound_1)
     fine_sine, fine_c = elementary.sincos(fine_half_angle)
     fine_sine_own_error_1, fine_c_own_error_1 = elementary.sincos_error(fine_half_angle, fine_sine, fine_c)
     fine_sine_half_1 = fine_half_angle_lo * 0.5
     fine_sine_half_sin_1, fine_sine_half_cos_1 = elementary.sincos(fine_sine_half_1)
     fine_sine_twice_1 = fine_sine_half_sin_1 + fine_sine_half_sin_1
     fine_sine_slope_1 = fine_sine_half_cos_1 * fine_c - fine_sine_half_sin_1 * fine_sine
-    fine_sine_padded_1 = 1.8051943758648296e-276 + fine_half_angle_size_1
-    fine_sine_size_1 = 1 + fine_sine_padded_1
+    fine_sine_size_1 = 1 + fine_y_padded_1
     fine_c_slope_1 = fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * fine_c
     fine_c_lo = fine_c_own_error_1 - fine_c_slope_1 * fine_sine_twice_1
-    fine_sinc_divisor_a = fine_half_angle == 0
-    fine_sinc_divisor = where(fine_sinc_divisor_a, 1, fine_half_angle)
+    fine_sinc_divisor_a = fine_half_angle < 1.4901161193847656e-08
+    fine_sinc_divisor = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle)
     fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_lo)
-    fine_sinc_divisor_rest_1 = 5.7192432555642225e-30 * fine_sine_padded_1
-    fine_sinc_divisor_bound_1 = absolute(fine_half_angle_lo) + fine_sinc_divisor_rest_1
-    fine_sinc_divisor_size_5 = fine_sinc_divisor_bound_1 < 5e-324 + absolute(fine_half_angle - 0)
-    fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 + absolute(1 - fine_half_angle)
+    fine_sinc_divisor_size_4 = 5e-324 + absolute(fine_half_angle - 1.4901161193847656e-08)
+    fine_sinc_divisor_size_5 = fine_y_bound_1 < fine_sinc_divisor_size_4
+    fine_sinc_divisor_size_8 = absolute(1.4901161193847656e-08 - fine_half_angle) + fine_y_bound_1
     fine_sinc_divisor_size_9 = where(fine_sinc_divisor_size_5, 0, fine_sinc_divisor_size_8)
-    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1, fine_half_angle_size_1)
+    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle_size_1)
     fine_sinc_divisor_size_10 = 5.762046184631807e+28 * fine_sinc_divisor_size_9
     fine_sinc_quotient = fine_sine / fine_sinc_divisor
     fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
@@ -220,15 +223,28 @@ def SO3_exp(v):
     fine_sinc_quotient_size_9 = fine_sinc_quotient_reach_1 * fine_sinc_quotient_size_8
     fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2
     fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10
-    fine_sinc = where(fine_sinc_divisor_a, 1, fine_sinc_quotient)
-    fine_sinc_lo = where(fine_sinc_divisor_a, 0, fine_sinc_quotient_lo)
-    fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11
-    fine_sinc_bound_1 = absolute(fine_sinc_quotient_lo) + 2.755262189115544e-29 * fine_sinc_padded_1
-    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(1 - fine_sinc_quotient)
-    fine_sinc_size_6 = 3.7283828633784605e+28 * where(fine_sinc_divisor_size_5, 0, fine_sinc_size_4)
+    fine_y_cross_1 = fine_half_angle_lo * fine_half_angle + fine_half_angle * fine_half_angle_lo
+    fine_sinc_a = 0.16666666666666666 * fine_y
+    fine_y_lo = product_error(fine_half_angle, fine_half_angle, fine_y) + fine_y_cross_1
+    fine_sinc_b = 1 - fine_sinc_a
+    fine_sinc_b_right_1 = 1 - fine_sinc_b
+    fine_sinc_b_right_rest_1 = product_rest(0.16666666666666666, fine_y, fine_sinc_a, fine_sinc_b_right_1)
+    fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
+    fine_sinc_a_cross_1 = 9.25185853854297e-18 * fine_y + 0.16666666666666666 * fine_y_lo
+    fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1
+    fine_sinc_b_size_1 = 1 + 2290649224.7000003 * (fine_y_size_2 + fine_y_size_2)
+    fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
+    fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
+    fine_sinc_rest_1 = 8.201505264386605e-28 * (1.8051943758648296e-276 + fine_sinc_b_size_1)
+    fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11
+    fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
+    fine_sinc_bound_2 = absolute(fine_sinc_quotient_lo) + 2.755262189115544e-29 * fine_sinc_padded_2
+    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(fine_sinc_b - fine_sinc_quotient)
+    fine_sinc_size_6 = where(fine_sinc_divisor_size_5, 0, fine_sinc_bound_2 + fine_sinc_size_4)
+    fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
     fine_turning_0 = v_0 * fine_sinc
-    fine_sinc_size_7 = where(fine_sinc_divisor_a, 1, fine_sinc_quotient_size_11) + fine_sinc_size_6
-    fine_turning_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_7
+    fine_sinc_size_8 = fine_sinc_size_1 + 1.2206826306780646e+27 * fine_sinc_size_6
+    fine_turning_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_8
     fine_turning_size_1 = fine_halved_size_1 * fine_turning_padded_1
     fine_turning_1 = v_1 * fine_sinc
     fine_turning_size_2 = fine_halved_size_3 * fine_turning_padded_1
@@ -247,27 +263,27 @@ def SO3_exp(v):
     fine_m_cross_1 = fine_turning_lo_1 * fine_beta_v_0 + fine_turning_0 * fine_beta_v_cross2_1
     fine_m_padded_1 = 1.8051943758648296e-276 + fine_turning_size_1
     fine_m_padded_2 = 1.8051943758648296e-276 + 0.5 * fine_turning_size_1
-    fine_m_bound_1 = absolute(fine_turning_lo_1) + 2.8097022289202044e-29 * fine_m_padded_1
+    fine_m_bound_1 = absolute(fine_turning_lo_1) + 8.20625268358031e-28 * fine_m_padded_1
     fine_m_reach_1 = absolute(fine_turning_0) + 140737488355328 * fine_m_bound_1
-    fine_m_bound_2 = absolute(fine_beta_v_cross2_1) + 2.857157453080415e-29 * fine_m_padded_2
+    fine_m_bound_2 = absolute(fine_beta_v_cross2_1) + 8.21136891741797e-28 * fine_m_padded_2
     fine_m_reach_2 = absolute(fine_beta_v_0) + 140737488355328 * fine_m_bound_2
     fine_m_size_5 = fine_m_padded_2 * fine_m_reach_1 + fine_m_padded_1 * fine_m_reach_2
     fine_m_1 = fine_turning_1 * fine_beta_v_1
     fine_m_cross_2 = fine_turning_lo_2 * fine_beta_v_1 + fine_turning_1 * fine_beta_v_cross2_2
     fine_m_padded_3 = 1.8051943758648296e-276 + fine_turning_size_2
     fine_m_padded_4 = 1.8051943758648296e-276 + 0.5 * fine_turning_size_2
-    fine_m_bound_3 = absolute(fine_turning_lo_2) + 2.8097022289202044e-29 * fine_m_padded_3
+    fine_m_bound_3 = absolute(fine_turning_lo_2) + 8.20625268358031e-28 * fine_m_padded_3
     fine_m_reach_3 = absolute(fine_turning_1) + 140737488355328 * fine_m_bound_3
-    fine_m_bound_4 = absolute(fine_beta_v_cross2_2) + 2.857157453080415e-29 * fine_m_padded_4
+    fine_m_bound_4 = absolute(fine_beta_v_cross2_2) + 8.21136891741797e-28 * fine_m_padded_4
     fine_m_reach_4 = absolute(fine_beta_v_1) + 140737488355328 * fine_m_bound_4
     fine_m_size_10 = fine_m_padded_4 * fine_m_reach_3 + fine_m_padded_3 * fine_m_reach_4
     fine_m_2 = fine_turning_2 * fine_beta_v_2
     fine_m_cross_3 = fine_turning_lo_3 * fine_beta_v_2 + fine_turning_2 * fine_beta_v_cross2_3
     fine_m_padded_5 = 1.8051943758648296e-276 + fine_turning_size_3
     fine_m_padded_6 = 1.8051943758648296e-276 + 0.5 * fine_turning_size_3
-    fine_m_bound_5 = absolute(fine_turning_lo_3) + 2.8097022289202044e-29 * fine_m_padded_5
+    fine_m_bound_5 = absolute(fine_turning_lo_3) + 8.20625268358031e-28 * fine_m_padded_5
     fine_m_reach_5 = absolute(fine_turning_2) + 140737488355328 * fine_m_bound_5
-    fine_m_bound_6 = absolute(fine_beta_v_cross2_3) + 2.857157453080415e-29 * fine_m_padded_6
+    fine_m_bound_6 = absolute(fine_beta_v_cross2_3) + 8.21136891741797e-28 * fine_m_padded_6
     fine_m_size_14 = fine_m_padded_5 * (absolute(fine_beta_v_2) + 140737488355328 * fine_m_bound_6)
     fine_m_size_15 = fine_m_padded_6 * fine_m_reach_5 + fine_m_size_14
     fine_m_3 = fine_turning_1 * fine_beta_v_0
@@ -352,45 +368,45 @@ def SO3_exp(v):
     diagonal0_error_2 = 1.0000000000000009 * absolute(fine_R_00 - diagonal0 + fine_R_lo_1)
     fine_R_lo_2 = fine_R_left_rest_2 - fine_R_right_rest_2 + (fine_m_cross_4 - fine_alpha_v_cross_3)
     fine_R_size_2 = fine_alpha_v_size_8 + fine_m_reach_5 * fine_sine_size_1 + fine_m_size_18
-    R_rest_1 = 3.8191989004883015e-29 * (1.8051943758648296e-276 + fine_R_size_2)
+    R_rest_1 = 8.316572842510914e-28 * (1.8051943758648296e-276 + fine_R_size_2)
     fine_R_lo_3 = fine_R_left_rest_3 + fine_R_right_rest_3 + (fine_m_cross_5 + fine_alpha_v_cross_2)
     R_padded_2 = 1.8051943758648296e-276 + (fine_alpha_v_size_7 + fine_m_size_21)
-    R_rest_2 = 3.8191989004883015e-29 * R_padded_2
+    R_rest_2 = 8.316572842510914e-28 * R_padded_2
     fine_R_lo_4 = fine_R_left_rest_4 + fine_R_right_rest_4 + (fine_m_cross_4 + fine_alpha_v_cross_3)
     fine_R_lo_5 = fine_R_lo1_5 - (fine_others_lo1_2 + (fine_m_cross_1 + fine_m_cross_3))
     diagonal1_padded_1 = 1.8051943758648296e-276 + (1 + (fine_m_size_15 + fine_m_size_5))
     diagonal1_error_2 = 1.0000000000000009 * absolute(fine_R_11 - diagonal1 + fine_R_lo_5)
     fine_R_lo_6 = fine_R_left_rest_6 - fine_R_right_rest_6 + (fine_m_cross_6 - fine_alpha_v_cross_1)
     R_padded_3 = 1.8051943758648296e-276 + (fine_alpha_v_size_4 + fine_m_size_24)
-    R_rest_3 = 3.8191989004883015e-29 * R_padded_3
+    R_rest_3 = 8.316572842510914e-28 * R_padded_3
     fine_R_lo_7 = fine_R_left_rest_7 - fine_R_right_rest_7 + (fine_m_cross_5 - fine_alpha_v_cross_2)
     fine_R_lo_8 = fine_R_left_rest_8 + fine_R_right_rest_8 + (fine_m_cross_6 + fine_alpha_v_cross_1)
     fine_R_lo_9 = fine_R_lo1_9 - (fine_others_lo1_3 + (fine_m_cross_1 + fine_m_cross_2))
     diagonal2_padded_1 = 1.8051943758648296e-276 + (1 + (fine_m_size_10 + fine_m_size_5))
     diagonal2_error_2 = 1.0000000000000009 * absolute(fine_R_22 - diagonal2 + fine_R_lo_9)
-    diagonal0_bound_1 = diagonal0_error_2 + 3.9880647483426835e-29 * diagonal0_padded_1
+    diagonal0_bound_1 = diagonal0_error_2 + 8.334199917267314e-28 * diagonal0_padded_1
     R_bound_1 = 1.0000000000000009 * absolute(fine_R_01 - R_01 + fine_R_lo_2) + R_rest_1
     R_bound_2 = 1.0000000000000009 * absolute(fine_R_02 - R_02 + fine_R_lo_3) + R_rest_2
     R_bound_3 = 1.0000000000000009 * absolute(fine_R_10 - R_10 + fine_R_lo_4) + R_rest_1
-    diagonal1_bound_1 = diagonal1_error_2 + 3.9880647483426835e-29 * diagonal1_padded_1
+    diagonal1_bound_1 = diagonal1_error_2 + 8.334199917267314e-28 * diagonal1_padded_1
     R_bound_4 = 1.0000000000000009 * absolute(fine_R_12 - R_12 + fine_R_lo_6) + R_rest_3
     R_bound_5 = 1.0000000000000009 * absolute(fine_R_20 - R_20 + fine_R_lo_7) + R_rest_2
     R_bound_6 = 1.0000000000000009 * absolute(fine_R_21 - R_21 + fine_R_lo_8) + R_rest_3
-    diagonal2_bound_1 = diagonal2_error_2 + 3.9880647483426835e-29 * diagonal2_padded_1
+    diagonal2_bound_1 = diagonal2_error_2 + 8.334199917267314e-28 * diagonal2_padded_1
     return (diagonal0, R_01, R_02, R_10, diagonal1, R_12, R_20, R_21, diagonal2, diagonal0_bound_1,
         R_bound_1, R_bound_2, R_bound_3, diagonal1_bound_1, R_bound_4, R_bound_5, R_bound_6,
         diagonal2_bound_1)
 
 
 @kernel("(3,3)->(3),(3)")
+@errstate(all="ignore")
 def SO3_log(R):
     """vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo;
     |error of vo| <= vo_bound unless inf or NaN.
 
     (3,3)->(3),(3).  R: rotation or other 3×3 matrix; vo, vo_bound: vector.
     216 mul, 442 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 65 abs, 4
-    copysign, 34 less, 6 equal, 99 select.  Error <= vo: 7 u of its largest component for R a
-    rotation; searched, not proved.
+    copysign, 34 less, 6 equal, 99 select.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -635,14 +651,14 @@ def SO3_log(R):
 
 
 @kernel("(3)->(3,3),(3,3)")
+@errstate(all="ignore")
 def SO3_leftJacobian(v):
     """R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|; |error of R| <= R_bound
     unless inf or NaN.
 
     (3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.
-    428 mul, 736 add, 21 product error, 42 product rest, 16 div, 3 sqrt, 89 abs, 19 less, 2
-    equal, 45 select.  Error <= R: (7 + θ/200) u of its largest component for |v| <= 1e13, in
-    single precision 1e5; searched, not proved.
+    433 mul, 747 add, 21 product error, 43 product rest, 16 div, 3 sqrt, 90 abs, 20 less, 1
+    equal, 45 select.
     """
     v_0, v_1, v_2 = v
     size_0 = absolute(v_0)
@@ -780,14 +796,16 @@ def SO3_leftJacobian(v):
     fine_sine_size_1 = 1 + fine_sine_padded_1
     fine_c_slope_1 = fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * fine_c
     fine_c_lo = fine_c_own_error_1 - fine_c_slope_1 * fine_sine_twice_1
-    fine_sinc_divisor_a = fine_half_angle == 0
-    fine_sinc_divisor = where(fine_sinc_divisor_a, 1, fine_half_angle)
+    fine_sinc_divisor_a = fine_half_angle < 1.4901161193847656e-08
+    fine_sinc_divisor = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle)
     fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_lo)
     fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + 4.240128211918887e-30 * fine_sine_padded_1
-    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < absolute(fine_half_angle - 0)
-    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + absolute(1 - fine_half_angle)
+    fine_sinc_divisor_size_3 = absolute(fine_half_angle - 1.4901161193847656e-08)
+    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3
+    fine_sinc_divisor_size_6 = absolute(1.4901161193847656e-08 - fine_half_angle)
+    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6
     fine_sinc_divisor_size_8 = where(fine_sinc_divisor_size_4, 0, fine_sinc_divisor_size_7)
-    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1, fine_half_angle_size_12)
+    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle_size_12)
     fine_sinc_divisor_size_9 = 9.054644677292507e+28 * fine_sinc_divisor_size_8
     fine_sinc_quotient = fine_sine / fine_sinc_divisor
     fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
@@ -816,19 +834,29 @@ def SO3_leftJacobian(v):
     fine_sinc_quotient_size_9 = fine_sinc_quotient_reach_1 * fine_sinc_quotient_size_8
     fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2
     fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10
-    fine_sinc = where(fine_sinc_divisor_a, 1, fine_sinc_quotient)
-    fine_sinc_lo = where(fine_sinc_divisor_a, 0, fine_sinc_quotient_lo)
-    fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11
-    fine_sinc_rest_1 = 1.8842277118313698e-29 * fine_sinc_padded_1
-    fine_sinc_bound_1 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_1
-    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(1 - fine_sinc_quotient)
-    fine_sinc_size_6 = 4.87557780096603e+28 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_4)
+    fine_sinc_a = 0.16666666666666666 * fine_y
+    fine_sinc_b = 1 - fine_sinc_a
+    fine_sinc_b_right_1 = 1 - fine_sinc_b
+    fine_sinc_b_right_rest_1 = product_rest(0.16666666666666666, fine_y, fine_sinc_a, fine_sinc_b_right_1)
+    fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
+    fine_sinc_a_cross_1 = 9.25185853854297e-18 * fine_y + 0.16666666666666666 * fine_y_lo
+    fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1
+    fine_sinc_b_size_1 = 1 + 2290649224.7000003 * fine_y_size_1
+    fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
+    fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
+    fine_sinc_rest_1 = 8.120831909935717e-28 * (1.8051943758648296e-276 + fine_sinc_b_size_1)
+    fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11
+    fine_sinc_rest_2 = 1.8842277118313698e-29 * fine_sinc_padded_2
+    fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
+    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(fine_sinc_b - fine_sinc_quotient)
+    fine_sinc_size_5 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_2 + fine_sinc_size_4
+    fine_sinc_size_7 = 1.2325982855554354e+27 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_5)
+    fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
     fine_g1 = fine_c * fine_sinc
     fine_g1_cross_1 = fine_c_lo * fine_sinc + fine_c * fine_sinc_lo
-    fine_sinc_size_7 = where(fine_sinc_divisor_a, 1, fine_sinc_quotient_size_11) + fine_sinc_size_6
-    fine_g1_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_7
+    fine_g1_padded_1 = 1.8051943758648296e-276 + (fine_sinc_size_1 + fine_sinc_size_7)
     fine_g1_bound_1 = absolute(fine_c_lo) + 8.677471603123253e-30 * fine_sine_size_1
-    fine_g1_bound_2 = absolute(fine_sinc_lo) + 2.1151340779501176e-29 * fine_g1_padded_1
+    fine_g1_bound_2 = absolute(fine_sinc_lo) + 8.120832873841084e-28 * fine_g1_padded_1
     fine_g1_reach_2 = absolute(fine_sinc) + 140737488355328 * fine_g1_bound_2
     fine_g1_size_2 = fine_g1_padded_1 * (absolute(fine_c) + 140737488355328 * fine_g1_bound_1)
     fine_g1_size_5 = fine_g1_size_2 + fine_g1_reach_2 * fine_sine_size_1
@@ -1072,7 +1100,7 @@ def SO3_leftJacobian(v):
     fine_g3 = where(fine_far_x_a, fine_g3b, fine_closed3)
     fine_g3_lo = where(fine_far_x_a, fine_g3b_lo, fine_closed3_lo)
     fine_g3_rest_1 = 9.168316367579732e-28 * (1.8051943758648296e-276 + fine_g3b_size_1)
-    fine_g3_rest_2 = 3.7731811836677346e-29 * (1.8051943758648296e-276 + fine_closed3_size_11)
+    fine_g3_rest_2 = 8.304820816109472e-28 * (1.8051943758648296e-276 + fine_closed3_size_11)
     fine_g3_size_4 = absolute(fine_g3b_lo) + fine_g3_rest_1 + absolute(fine_g3b - fine_closed3)
     fine_g3_size_5 = absolute(fine_closed3_lo) + fine_g3_rest_2 + fine_g3_size_4
     fine_g3_size_7 = 1.0948341329470242e+27 * where(fine_far_x_size_4, 0, fine_g3_size_5)
@@ -1294,14 +1322,14 @@ def SO3_leftJacobian(v):
 
 
 @kernel("(3)->(3,3),(3,3)")
+@errstate(all="ignore")
 def SO3_rightJacobian(v):
     """R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|; |error of R| <= R_bound
     unless inf or NaN.
 
     (3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.
-    428 mul, 736 add, 21 product error, 42 product rest, 16 div, 3 sqrt, 12 neg, 89 abs, 19
-    less, 2 equal, 45 select.  Error <= R: (7 + θ/200) u of its largest component for |v| <=
-    1e13, in single precision 1e5; searched, not proved.
+    433 mul, 747 add, 21 product error, 43 product rest, 16 div, 3 sqrt, 12 neg, 90 abs, 20
+    less, 1 equal, 45 select.
     """
     v_0, v_1, v_2 = v
     size_0 = absolute(v_0)
@@ -1439,14 +1467,16 @@ def SO3_rightJacobian(v):
     fine_sine_size_1 = 1 + fine_sine_padded_1
     fine_c_slope_1 = fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * fine_c
     fine_c_lo = fine_c_own_error_1 - fine_c_slope_1 * fine_sine_twice_1
-    fine_sinc_divisor_a = fine_half_angle == 0
-    fine_sinc_divisor = where(fine_sinc_divisor_a, 1, fine_half_angle)
+    fine_sinc_divisor_a = fine_half_angle < 1.4901161193847656e-08
+    fine_sinc_divisor = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle)
     fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_lo)
     fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + 4.240128211918887e-30 * fine_sine_padded_1
-    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < absolute(fine_half_angle - 0)
-    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + absolute(1 - fine_half_angle)
+    fine_sinc_divisor_size_3 = absolute(fine_half_angle - 1.4901161193847656e-08)
+    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3
+    fine_sinc_divisor_size_6 = absolute(1.4901161193847656e-08 - fine_half_angle)
+    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6
     fine_sinc_divisor_size_8 = where(fine_sinc_divisor_size_4, 0, fine_sinc_divisor_size_7)
-    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1, fine_half_angle_size_12)
+    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle_size_12)
     fine_sinc_divisor_size_9 = 9.054644677292507e+28 * fine_sinc_divisor_size_8
     fine_sinc_quotient = fine_sine / fine_sinc_divisor
     fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
@@ -1475,19 +1505,29 @@ def SO3_rightJacobian(v):
     fine_sinc_quotient_size_9 = fine_sinc_quotient_reach_1 * fine_sinc_quotient_size_8
     fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2
     fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10
-    fine_sinc = where(fine_sinc_divisor_a, 1, fine_sinc_quotient)
-    fine_sinc_lo = where(fine_sinc_divisor_a, 0, fine_sinc_quotient_lo)
-    fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11
-    fine_sinc_rest_1 = 1.8842277118313698e-29 * fine_sinc_padded_1
-    fine_sinc_bound_1 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_1
-    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(1 - fine_sinc_quotient)
-    fine_sinc_size_6 = 4.87557780096603e+28 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_4)
+    fine_sinc_a = 0.16666666666666666 * fine_y
+    fine_sinc_b = 1 - fine_sinc_a
+    fine_sinc_b_right_1 = 1 - fine_sinc_b
+    fine_sinc_b_right_rest_1 = product_rest(0.16666666666666666, fine_y, fine_sinc_a, fine_sinc_b_right_1)
+    fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
+    fine_sinc_a_cross_1 = 9.25185853854297e-18 * fine_y + 0.16666666666666666 * fine_y_lo
+    fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1
+    fine_sinc_b_size_1 = 1 + 2290649224.7000003 * fine_y_size_1
+    fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
+    fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
+    fine_sinc_rest_1 = 8.120831909935717e-28 * (1.8051943758648296e-276 + fine_sinc_b_size_1)
+    fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11
+    fine_sinc_rest_2 = 1.8842277118313698e-29 * fine_sinc_padded_2
+    fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
+    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(fine_sinc_b - fine_sinc_quotient)
+    fine_sinc_size_5 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_2 + fine_sinc_size_4
+    fine_sinc_size_7 = 1.2325982855554354e+27 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_5)
+    fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
     fine_g1 = fine_c * fine_sinc
     fine_g1_cross_1 = fine_c_lo * fine_sinc + fine_c * fine_sinc_lo
-    fine_sinc_size_7 = where(fine_sinc_divisor_a, 1, fine_sinc_quotient_size_11) + fine_sinc_size_6
-    fine_g1_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_7
+    fine_g1_padded_1 = 1.8051943758648296e-276 + (fine_sinc_size_1 + fine_sinc_size_7)
     fine_g1_bound_1 = absolute(fine_c_lo) + 8.677471603123253e-30 * fine_sine_size_1
-    fine_g1_bound_2 = absolute(fine_sinc_lo) + 2.1151340779501176e-29 * fine_g1_padded_1
+    fine_g1_bound_2 = absolute(fine_sinc_lo) + 8.120832873841084e-28 * fine_g1_padded_1
     fine_g1_reach_2 = absolute(fine_sinc) + 140737488355328 * fine_g1_bound_2
     fine_g1_size_2 = fine_g1_padded_1 * (absolute(fine_c) + 140737488355328 * fine_g1_bound_1)
     fine_g1_size_5 = fine_g1_size_2 + fine_g1_reach_2 * fine_sine_size_1
@@ -1731,7 +1771,7 @@ def SO3_rightJacobian(v):
     fine_g3 = where(fine_far_x_a, fine_g3b, fine_closed3)
     fine_g3_lo = where(fine_far_x_a, fine_g3b_lo, fine_closed3_lo)
     fine_g3_rest_1 = 9.168316367579732e-28 * (1.8051943758648296e-276 + fine_g3b_size_1)
-    fine_g3_rest_2 = 3.7731811836677346e-29 * (1.8051943758648296e-276 + fine_closed3_size_11)
+    fine_g3_rest_2 = 8.304820816109472e-28 * (1.8051943758648296e-276 + fine_closed3_size_11)
     fine_g3_size_4 = absolute(fine_g3b_lo) + fine_g3_rest_1 + absolute(fine_g3b - fine_closed3)
     fine_g3_size_5 = absolute(fine_closed3_lo) + fine_g3_rest_2 + fine_g3_size_4
     fine_g3_size_7 = 1.0948341329470242e+27 * where(fine_far_x_size_4, 0, fine_g3_size_5)
@@ -1962,14 +2002,14 @@ def SO3_rightJacobian(v):
 
 
 @kernel("(3)->(3,3),(3,3)")
+@errstate(all="ignore")
 def SO3_leftJacobianInverse(v):
     """R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
     except 0; |error of R| <= R_bound unless inf or NaN.
 
     (3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.
-    415 mul, 735 add, 23 product error, 33 product rest, 23 div, 3 sqrt, 6 neg, 92 abs, 22 less,
-    2 equal, 47 select.  Error <= R: 6 u of its largest component for |v| <= π; searched, not
-    proved.
+    420 mul, 746 add, 23 product error, 34 product rest, 23 div, 3 sqrt, 6 neg, 93 abs, 23 less,
+    1 equal, 47 select.
     """
     v_0, v_1, v_2 = v
     size_0 = absolute(v_0)
@@ -2104,14 +2144,16 @@ def SO3_leftJacobianInverse(v):
     fine_sine_size_1 = 1 + fine_sine_padded_1
     fine_c_slope_1 = fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * fine_c
     fine_c_lo = fine_c_own_error_1 - fine_c_slope_1 * fine_sine_twice_1
-    fine_sinc_divisor_a = fine_half_angle == 0
-    fine_sinc_divisor = where(fine_sinc_divisor_a, 1, fine_half_angle)
+    fine_sinc_divisor_a = fine_half_angle < 1.4901161193847656e-08
+    fine_sinc_divisor = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle)
     fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_lo)
     fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + 4.240128211918887e-30 * fine_sine_padded_1
-    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < absolute(fine_half_angle - 0)
-    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + absolute(1 - fine_half_angle)
+    fine_sinc_divisor_size_3 = absolute(fine_half_angle - 1.4901161193847656e-08)
+    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3
+    fine_sinc_divisor_size_6 = absolute(1.4901161193847656e-08 - fine_half_angle)
+    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6
     fine_sinc_divisor_size_8 = where(fine_sinc_divisor_size_4, 0, fine_sinc_divisor_size_7)
-    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1, fine_half_angle_size_12)
+    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle_size_12)
     fine_sinc_divisor_size_9 = 9.054644677292507e+28 * fine_sinc_divisor_size_8
     fine_sinc_quotient = fine_sine / fine_sinc_divisor
     fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
@@ -2140,14 +2182,25 @@ def SO3_leftJacobianInverse(v):
     fine_sinc_quotient_size_9 = fine_sinc_quotient_reach_1 * fine_sinc_quotient_size_8
     fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2
     fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10
-    fine_sinc = where(fine_sinc_divisor_a, 1, fine_sinc_quotient)
-    fine_sinc_lo = where(fine_sinc_divisor_a, 0, fine_sinc_quotient_lo)
-    fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11
-    fine_sinc_rest_1 = 1.8842277118313698e-29 * fine_sinc_padded_1
-    fine_sinc_bound_1 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_1
-    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(1 - fine_sinc_quotient)
-    fine_sinc_size_6 = 4.87557780096603e+28 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_4)
-    fine_sinc_size_7 = where(fine_sinc_divisor_a, 1, fine_sinc_quotient_size_11) + fine_sinc_size_6
+    fine_sinc_a = 0.16666666666666666 * fine_y
+    fine_sinc_b = 1 - fine_sinc_a
+    fine_sinc_b_right_1 = 1 - fine_sinc_b
+    fine_sinc_b_right_rest_1 = product_rest(0.16666666666666666, fine_y, fine_sinc_a, fine_sinc_b_right_1)
+    fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
+    fine_sinc_a_cross_1 = 9.25185853854297e-18 * fine_y + 0.16666666666666666 * fine_y_lo
+    fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1
+    fine_sinc_b_size_1 = 1 + 2290649224.7000003 * fine_y_size_1
+    fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
+    fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
+    fine_sinc_rest_1 = 8.120831909935717e-28 * (1.8051943758648296e-276 + fine_sinc_b_size_1)
+    fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11
+    fine_sinc_rest_2 = 1.8842277118313698e-29 * fine_sinc_padded_2
+    fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
+    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(fine_sinc_b - fine_sinc_quotient)
+    fine_sinc_size_5 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_2 + fine_sinc_size_4
+    fine_sinc_size_7 = 1.2325982855554354e+27 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_5)
+    fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
+    fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7
     fine_series_phi_a = 5.107725174524775e-32 * fine_y
     fine_series_phi_b = 4.116826490666969e-29 - fine_series_phi_a
     fine_series_phi_b_right_1 = 4.116826490666969e-29 - fine_series_phi_b
@@ -2413,7 +2466,7 @@ def SO3_leftJacobianInverse(v):
     fine_near_f_lo1_1 = fine_near_f_left_rest_1 + fine_near_f_right_rest_1
     fine_near_f_lo = fine_near_f_lo1_1 + (fine_near_f_a_cross_1 + fine_near_f_b_cross_1)
     fine_near_f_b_size_1 = 0.3333333333333333 * (fine_f_more_size_2 + fine_f_more_size_4)
-    fine_near_f_size_1 = 0.3333333333333333 * fine_sinc_size_7 + fine_near_f_b_size_1
+    fine_near_f_size_1 = 0.3333333333333333 * fine_sinc_size_8 + fine_near_f_b_size_1
     fine_f_rest = fine_sinc - fine_c
     fine_f_rest_right_1 = fine_sinc - fine_f_rest
     fine_f_rest_left_rest_1 = fine_sinc - (fine_f_rest + fine_f_rest_right_1)
@@ -2436,7 +2489,7 @@ def SO3_leftJacobianInverse(v):
     fine_closed_f_padded_2 = 1.8051943758648296e-276 + fine_far_y_size_10
     fine_closed_f_size_1 = absolute(fine_closed_f)
     fine_closed_f_size_2 = absolute(fine_far_y)
-    fine_closed_f_padded_1 = 1.8051943758648296e-276 + (fine_sinc_size_7 + fine_sine_size_1)
+    fine_closed_f_padded_1 = 1.8051943758648296e-276 + (fine_sinc_size_8 + fine_sine_size_1)
     fine_closed_f_rest_2 = 1.6270262376793602e-29 * fine_closed_f_padded_2
     fine_closed_f_bound_1 = absolute(fine_far_y_lo) + fine_closed_f_rest_2
     fine_closed_f_size_6 = 4 * fine_closed_f_bound_1 < fine_closed_f_size_2
@@ -2447,7 +2500,7 @@ def SO3_leftJacobianInverse(v):
     fine_closed_f_size_11 = fine_closed_f_size_1 + fine_closed_f_size_9 / fine_closed_f_size_2
     fine_f = where(fine_far_y_a, fine_near_f, fine_closed_f)
     fine_f_rest_1 = 9.075379655148354e-28 * (1.8051943758648296e-276 + fine_near_f_size_1)
-    fine_f_rest_2 = 3.185438211824387e-29 * (1.8051943758648296e-276 + fine_closed_f_size_11)
+    fine_f_rest_2 = 8.245490617302283e-28 * (1.8051943758648296e-276 + fine_closed_f_size_11)
     fine_f_size_4 = absolute(fine_near_f_lo) + fine_f_rest_1 + absolute(fine_near_f - fine_closed_f)
     fine_f_size_5 = absolute(fine_closed_f_lo) + fine_f_rest_2 + fine_f_size_4
     fine_f_size_7 = 1.1062092690083102e+27 * where(fine_far_y_size_4, 0, fine_f_size_5)
@@ -2460,10 +2513,10 @@ def SO3_leftJacobianInverse(v):
     fine_b_numerator_1 = fine_f - fine_b_product_1 - fine_b_product_error_1 + fine_f_lo
     fine_b_lo = (fine_b_numerator_1 - fine_b * fine_four_k_cross2_1) / fine_four_k
     fine_f_size_8 = where(fine_far_y_a, fine_near_f_size_1, fine_closed_f_size_11) + fine_f_size_7
-    fine_b_padded_2 = 1.8051943758648296e-276 + 4 * fine_sinc_size_7
+    fine_b_padded_2 = 1.8051943758648296e-276 + 4 * fine_sinc_size_8
     fine_b_size_1 = absolute(fine_b)
     fine_b_size_2 = absolute(fine_four_k)
-    fine_b_bound_1 = absolute(fine_four_k_cross2_1) + 2.151495790465403e-29 * fine_b_padded_2
+    fine_b_bound_1 = absolute(fine_four_k_cross2_1) + 8.125024661305438e-28 * fine_b_padded_2
     fine_b_size_4 = 1.8051943758648296e-276 + fine_f_size_8 + fine_b_padded_2 * fine_b_size_1
     fine_b_size_8 = fine_b_size_4 / where(4 * fine_b_bound_1 < fine_b_size_2, fine_b_size_2, 0)
     fine_b_size_9 = (fine_b_size_2 + 140737488355328 * fine_b_bound_1) * fine_b_size_8
@@ -2473,11 +2526,11 @@ def SO3_leftJacobianInverse(v):
     fine_b_across_exact_1 = fine_c - fine_b_across_product_1 - fine_b_across_product_error_1
     fine_b_across_residual_1 = fine_b_across_exact_1 + fine_c_lo - fine_b_across * fine_sinc_lo
     fine_b_across_lo = fine_b_across_residual_1 / fine_sinc
-    fine_b_across_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_7
+    fine_b_across_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_8
     fine_b_across_size_1 = absolute(fine_b_across)
     fine_b_across_size_2 = absolute(fine_sinc)
     fine_b_across_size_3 = fine_b_across_padded_1 * fine_b_across_size_1
-    fine_b_across_bound_1 = absolute(fine_sinc_lo) + 2.1151340779501176e-29 * fine_b_across_padded_1
+    fine_b_across_bound_1 = absolute(fine_sinc_lo) + 8.120832873841084e-28 * fine_b_across_padded_1
     fine_b_across_size_6 = 4 * fine_b_across_bound_1 < fine_b_across_size_2
     fine_b_across_size_7 = where(fine_b_across_size_6, fine_b_across_size_2, 0)
     fine_b_across_size_4 = fine_b_across_size_3 + fine_sinc_quotient_padded_1
@@ -2685,14 +2738,14 @@ def SO3_leftJacobianInverse(v):
 
 
 @kernel("(3)->(3,3),(3,3)")
+@errstate(all="ignore")
 def SO3_rightJacobianInverse(v):
     """R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
     except 0; |error of R| <= R_bound unless inf or NaN.
 
     (3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.
-    415 mul, 735 add, 23 product error, 33 product rest, 23 div, 3 sqrt, 92 abs, 22 less, 2
-    equal, 47 select.  Error <= R: 6 u of its largest component for |v| <= π; searched, not
-    proved.
+    420 mul, 746 add, 23 product error, 34 product rest, 23 div, 3 sqrt, 93 abs, 23 less, 1
+    equal, 47 select.
     """
     v_0, v_1, v_2 = v
     size_0 = absolute(v_0)
@@ -2827,14 +2880,16 @@ def SO3_rightJacobianInverse(v):
     fine_sine_size_1 = 1 + fine_sine_padded_1
     fine_c_slope_1 = fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * fine_c
     fine_c_lo = fine_c_own_error_1 - fine_c_slope_1 * fine_sine_twice_1
-    fine_sinc_divisor_a = fine_half_angle == 0
-    fine_sinc_divisor = where(fine_sinc_divisor_a, 1, fine_half_angle)
+    fine_sinc_divisor_a = fine_half_angle < 1.4901161193847656e-08
+    fine_sinc_divisor = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle)
     fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_lo)
     fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + 4.240128211918887e-30 * fine_sine_padded_1
-    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < absolute(fine_half_angle - 0)
-    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + absolute(1 - fine_half_angle)
+    fine_sinc_divisor_size_3 = absolute(fine_half_angle - 1.4901161193847656e-08)
+    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3
+    fine_sinc_divisor_size_6 = absolute(1.4901161193847656e-08 - fine_half_angle)
+    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6
     fine_sinc_divisor_size_8 = where(fine_sinc_divisor_size_4, 0, fine_sinc_divisor_size_7)
-    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1, fine_half_angle_size_12)
+    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle_size_12)
     fine_sinc_divisor_size_9 = 9.054644677292507e+28 * fine_sinc_divisor_size_8
     fine_sinc_quotient = fine_sine / fine_sinc_divisor
     fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
@@ -2863,14 +2918,25 @@ def SO3_rightJacobianInverse(v):
     fine_sinc_quotient_size_9 = fine_sinc_quotient_reach_1 * fine_sinc_quotient_size_8
     fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2
     fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10
-    fine_sinc = where(fine_sinc_divisor_a, 1, fine_sinc_quotient)
-    fine_sinc_lo = where(fine_sinc_divisor_a, 0, fine_sinc_quotient_lo)
-    fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11
-    fine_sinc_rest_1 = 1.8842277118313698e-29 * fine_sinc_padded_1
-    fine_sinc_bound_1 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_1
-    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(1 - fine_sinc_quotient)
-    fine_sinc_size_6 = 4.87557780096603e+28 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_4)
-    fine_sinc_size_7 = where(fine_sinc_divisor_a, 1, fine_sinc_quotient_size_11) + fine_sinc_size_6
+    fine_sinc_a = 0.16666666666666666 * fine_y
+    fine_sinc_b = 1 - fine_sinc_a
+    fine_sinc_b_right_1 = 1 - fine_sinc_b
+    fine_sinc_b_right_rest_1 = product_rest(0.16666666666666666, fine_y, fine_sinc_a, fine_sinc_b_right_1)
+    fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
+    fine_sinc_a_cross_1 = 9.25185853854297e-18 * fine_y + 0.16666666666666666 * fine_y_lo
+    fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1
+    fine_sinc_b_size_1 = 1 + 2290649224.7000003 * fine_y_size_1
+    fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
+    fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
+    fine_sinc_rest_1 = 8.120831909935717e-28 * (1.8051943758648296e-276 + fine_sinc_b_size_1)
+    fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11
+    fine_sinc_rest_2 = 1.8842277118313698e-29 * fine_sinc_padded_2
+    fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
+    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(fine_sinc_b - fine_sinc_quotient)
+    fine_sinc_size_5 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_2 + fine_sinc_size_4
+    fine_sinc_size_7 = 1.2325982855554354e+27 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_5)
+    fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
+    fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7
     fine_series_phi_a = 5.107725174524775e-32 * fine_y
     fine_series_phi_b = 4.116826490666969e-29 - fine_series_phi_a
     fine_series_phi_b_right_1 = 4.116826490666969e-29 - fine_series_phi_b
@@ -3136,7 +3202,7 @@ def SO3_rightJacobianInverse(v):
     fine_near_f_lo1_1 = fine_near_f_left_rest_1 + fine_near_f_right_rest_1
     fine_near_f_lo = fine_near_f_lo1_1 + (fine_near_f_a_cross_1 + fine_near_f_b_cross_1)
     fine_near_f_b_size_1 = 0.3333333333333333 * (fine_f_more_size_2 + fine_f_more_size_4)
-    fine_near_f_size_1 = 0.3333333333333333 * fine_sinc_size_7 + fine_near_f_b_size_1
+    fine_near_f_size_1 = 0.3333333333333333 * fine_sinc_size_8 + fine_near_f_b_size_1
     fine_f_rest = fine_sinc - fine_c
     fine_f_rest_right_1 = fine_sinc - fine_f_rest
     fine_f_rest_left_rest_1 = fine_sinc - (fine_f_rest + fine_f_rest_right_1)
@@ -3159,7 +3225,7 @@ def SO3_rightJacobianInverse(v):
     fine_closed_f_padded_2 = 1.8051943758648296e-276 + fine_far_y_size_10
     fine_closed_f_size_1 = absolute(fine_closed_f)
     fine_closed_f_size_2 = absolute(fine_far_y)
-    fine_closed_f_padded_1 = 1.8051943758648296e-276 + (fine_sinc_size_7 + fine_sine_size_1)
+    fine_closed_f_padded_1 = 1.8051943758648296e-276 + (fine_sinc_size_8 + fine_sine_size_1)
     fine_closed_f_rest_2 = 1.6270262376793602e-29 * fine_closed_f_padded_2
     fine_closed_f_bound_1 = absolute(fine_far_y_lo) + fine_closed_f_rest_2
     fine_closed_f_size_6 = 4 * fine_closed_f_bound_1 < fine_closed_f_size_2
@@ -3170,7 +3236,7 @@ def SO3_rightJacobianInverse(v):
     fine_closed_f_size_11 = fine_closed_f_size_1 + fine_closed_f_size_9 / fine_closed_f_size_2
     fine_f = where(fine_far_y_a, fine_near_f, fine_closed_f)
     fine_f_rest_1 = 9.075379655148354e-28 * (1.8051943758648296e-276 + fine_near_f_size_1)
-    fine_f_rest_2 = 3.185438211824387e-29 * (1.8051943758648296e-276 + fine_closed_f_size_11)
+    fine_f_rest_2 = 8.245490617302283e-28 * (1.8051943758648296e-276 + fine_closed_f_size_11)
     fine_f_size_4 = absolute(fine_near_f_lo) + fine_f_rest_1 + absolute(fine_near_f - fine_closed_f)
     fine_f_size_5 = absolute(fine_closed_f_lo) + fine_f_rest_2 + fine_f_size_4
     fine_f_size_7 = 1.1062092690083102e+27 * where(fine_far_y_size_4, 0, fine_f_size_5)
@@ -3183,10 +3249,10 @@ def SO3_rightJacobianInverse(v):
     fine_b_numerator_1 = fine_f - fine_b_product_1 - fine_b_product_error_1 + fine_f_lo
     fine_b_lo = (fine_b_numerator_1 - fine_b * fine_four_k_cross2_1) / fine_four_k
     fine_f_size_8 = where(fine_far_y_a, fine_near_f_size_1, fine_closed_f_size_11) + fine_f_size_7
-    fine_b_padded_2 = 1.8051943758648296e-276 + 4 * fine_sinc_size_7
+    fine_b_padded_2 = 1.8051943758648296e-276 + 4 * fine_sinc_size_8
     fine_b_size_1 = absolute(fine_b)
     fine_b_size_2 = absolute(fine_four_k)
-    fine_b_bound_1 = absolute(fine_four_k_cross2_1) + 2.151495790465403e-29 * fine_b_padded_2
+    fine_b_bound_1 = absolute(fine_four_k_cross2_1) + 8.125024661305438e-28 * fine_b_padded_2
     fine_b_size_4 = 1.8051943758648296e-276 + fine_f_size_8 + fine_b_padded_2 * fine_b_size_1
     fine_b_size_8 = fine_b_size_4 / where(4 * fine_b_bound_1 < fine_b_size_2, fine_b_size_2, 0)
     fine_b_size_9 = (fine_b_size_2 + 140737488355328 * fine_b_bound_1) * fine_b_size_8
@@ -3196,11 +3262,11 @@ def SO3_rightJacobianInverse(v):
     fine_b_across_exact_1 = fine_c - fine_b_across_product_1 - fine_b_across_product_error_1
     fine_b_across_residual_1 = fine_b_across_exact_1 + fine_c_lo - fine_b_across * fine_sinc_lo
     fine_b_across_lo = fine_b_across_residual_1 / fine_sinc
-    fine_b_across_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_7
+    fine_b_across_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_8
     fine_b_across_size_1 = absolute(fine_b_across)
     fine_b_across_size_2 = absolute(fine_sinc)
     fine_b_across_size_3 = fine_b_across_padded_1 * fine_b_across_size_1
-    fine_b_across_bound_1 = absolute(fine_sinc_lo) + 2.1151340779501176e-29 * fine_b_across_padded_1
+    fine_b_across_bound_1 = absolute(fine_sinc_lo) + 8.120832873841084e-28 * fine_b_across_padded_1
     fine_b_across_size_6 = 4 * fine_b_across_bound_1 < fine_b_across_size_2
     fine_b_across_size_7 = where(fine_b_across_size_6, fine_b_across_size_2, 0)
     fine_b_across_size_4 = fine_b_across_size_3 + fine_sinc_quotient_padded_1
@@ -3408,6 +3474,7 @@ def SO3_rightJacobianInverse(v):
 
 
 @kernel("(3,3)->(3,3),(3,3)")
+@errstate(all="ignore")
 def mat3x3_orthonormalize(self):
     """self = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2; |error of
     self| <= self_bound unless inf or NaN.
@@ -3520,6 +3587,7 @@ def mat3x3_orthonormalize(self):
 
 
 @kernel("(3,3)->(3,3),(3,3)")
+@errstate(all="ignore")
 def mat3x3_orthonormalized(R):
     """Ro = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2; |error of
     Ro| <= Ro_bound unless inf or NaN.
@@ -3627,16 +3695,14 @@ def mat3x3_orthonormalized(R):
 
 
 @kernel("(6)->(3,4),(3,4)")
+@errstate(all="ignore")
 def SE3_exp(s):
     """D = exp s = [exp ω~ | J_l(ω) v]; |error of D| <= D_bound unless inf or NaN.
 
     (6)->(3,4),(3,4).  s: screw (v in m/s; ω in rad/s); D, D_bound: displacement [R | t], R
     rotation, t in m.
-    519 mul, 865 add, 24 product error, 57 product rest, 16 div, 3 sqrt, 101 abs, 19 less, 2
-    equal, 46 select.  Error <= R: (6 + θ/200) u, t: (14 + θ/200) u of its largest component, or
-    of s.lin if that is larger, for |ω of s| <= 1e13, in single precision 1e5; searched, not
-    proved.  Intermediate sums may overflow where |v|, or |ω| |v|, is above 2e306, in single
-    precision 5e36.
+    524 mul, 876 add, 24 product error, 58 product rest, 16 div, 3 sqrt, 102 abs, 20 less, 1
+    equal, 46 select.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     size_0 = absolute(s_3)
@@ -3793,14 +3859,16 @@ def SE3_exp(s):
     fine_sine_size_1 = 1 + fine_sine_padded_1
     fine_c_slope_1 = fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * fine_c
     fine_c_lo = fine_c_own_error_1 - fine_c_slope_1 * fine_sine_twice_1
-    fine_sinc_divisor_a = fine_half_angle == 0
-    fine_sinc_divisor = where(fine_sinc_divisor_a, 1, fine_half_angle)
+    fine_sinc_divisor_a = fine_half_angle < 1.4901161193847656e-08
+    fine_sinc_divisor = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle)
     fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_lo)
     fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + 4.240128211918887e-30 * fine_sine_padded_1
-    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < absolute(fine_half_angle - 0)
-    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + absolute(1 - fine_half_angle)
+    fine_sinc_divisor_size_3 = absolute(fine_half_angle - 1.4901161193847656e-08)
+    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3
+    fine_sinc_divisor_size_6 = absolute(1.4901161193847656e-08 - fine_half_angle)
+    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6
     fine_sinc_divisor_size_8 = where(fine_sinc_divisor_size_4, 0, fine_sinc_divisor_size_7)
-    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1, fine_half_angle_size_12)
+    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle_size_12)
     fine_sinc_divisor_size_9 = 9.054644677292507e+28 * fine_sinc_divisor_size_8
     fine_sinc_quotient = fine_sine / fine_sinc_divisor
     fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
@@ -3828,20 +3896,30 @@ def SE3_exp(s):
     fine_sinc_quotient_size_9 = fine_sinc_quotient_reach_1 * fine_sinc_quotient_size_8
     fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2
     fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10
-    fine_sinc = where(fine_sinc_divisor_a, 1, fine_sinc_quotient)
-    fine_sinc_lo = where(fine_sinc_divisor_a, 0, fine_sinc_quotient_lo)
-    fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11
-    fine_sinc_rest_1 = 1.8842277118313698e-29 * fine_sinc_padded_1
-    fine_sinc_bound_1 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_1
-    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(1 - fine_sinc_quotient)
-    fine_sinc_size_6 = 4.87557780096603e+28 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_4)
+    fine_sinc_a = 0.16666666666666666 * fine_y
+    fine_sinc_b = 1 - fine_sinc_a
+    fine_sinc_b_right_1 = 1 - fine_sinc_b
+    fine_sinc_b_right_rest_1 = product_rest(0.16666666666666666, fine_y, fine_sinc_a, fine_sinc_b_right_1)
+    fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
+    fine_sinc_a_cross_1 = 9.25185853854297e-18 * fine_y + 0.16666666666666666 * fine_y_lo
+    fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1
+    fine_sinc_b_size_1 = 1 + 2290649224.7000003 * fine_y_size_1
+    fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
+    fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
+    fine_sinc_rest_1 = 8.120831909935717e-28 * (1.8051943758648296e-276 + fine_sinc_b_size_1)
+    fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11
+    fine_sinc_rest_2 = 1.8842277118313698e-29 * fine_sinc_padded_2
+    fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
+    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(fine_sinc_b - fine_sinc_quotient)
+    fine_sinc_size_5 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_2 + fine_sinc_size_4
+    fine_sinc_size_7 = 1.2325982855554354e+27 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_5)
+    fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
     fine_g1 = fine_c * fine_sinc
     fine_g1_cross_1 = fine_c_lo * fine_sinc + fine_c * fine_sinc_lo
-    fine_sinc_size_7 = where(fine_sinc_divisor_a, 1, fine_sinc_quotient_size_11) + fine_sinc_size_6
-    fine_g1_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_7
+    fine_g1_padded_1 = 1.8051943758648296e-276 + (fine_sinc_size_1 + fine_sinc_size_7)
     fine_g1_rest_1 = 8.677471603123253e-30 * fine_sine_size_1
     fine_g1_reach_1 = absolute(fine_c) + 140737488355328 * (absolute(fine_c_lo) + fine_g1_rest_1)
-    fine_g1_bound_2 = absolute(fine_sinc_lo) + 2.1151340779501176e-29 * fine_g1_padded_1
+    fine_g1_bound_2 = absolute(fine_sinc_lo) + 8.120832873841084e-28 * fine_g1_padded_1
     fine_g1_reach_2 = absolute(fine_sinc) + 140737488355328 * fine_g1_bound_2
     fine_g1_size_5 = fine_g1_padded_1 * fine_g1_reach_1 + fine_g1_reach_2 * fine_sine_size_1
     fine_g2a = fine_sinc * fine_sinc
@@ -4095,7 +4173,7 @@ def SE3_exp(s):
     fine_g3 = where(fine_far_x_a, fine_g3b, fine_closed3)
     fine_g3_lo = where(fine_far_x_a, fine_g3b_lo, fine_closed3_lo)
     fine_g3_rest_1 = 9.168316367579732e-28 * (1.8051943758648296e-276 + fine_g3b_size_1)
-    fine_g3_rest_2 = 3.7731811836677346e-29 * (1.8051943758648296e-276 + fine_closed3_size_11)
+    fine_g3_rest_2 = 8.304820816109472e-28 * (1.8051943758648296e-276 + fine_closed3_size_11)
     fine_g3_size_4 = absolute(fine_g3b_lo) + fine_g3_rest_1 + absolute(fine_g3b - fine_closed3)
     fine_g3_size_5 = absolute(fine_closed3_lo) + fine_g3_rest_2 + fine_g3_size_4
     fine_g3_size_7 = 1.0948341329470242e+27 * where(fine_far_x_size_4, 0, fine_g3_size_5)
@@ -4218,13 +4296,14 @@ def SE3_exp(s):
     fine_diagonal0b_size_1 = fine_g0_size_1 + fine_m_size_1
     fine_diagonal0c = fine_m_0 < fine_others_0
     fine_diagonal0_error_1 = absolute(product_error(s_3, fine_beta_v_0, fine_m_0) + fine_m_cross2_1)
-    fine_diagonal0_rest_1 = 2.795527995786577e-29 * (1.8051943758648296e-276 + fine_m_size_1)
-    fine_diagonal0_rest_2 = 2.949602701668065e-29 * (1.8051943758648296e-276 + fine_others_size_1)
+    fine_diagonal0_rest_1 = 8.202927567412116e-28 * (1.8051943758648296e-276 + fine_m_size_1)
+    fine_diagonal0_rest_2 = 8.219445306520549e-28 * (1.8051943758648296e-276 + fine_others_size_1)
     fine_diagonal0_bound_2 = absolute(fine_others_lo_1) + fine_diagonal0_rest_2
     fine_diagonal0_size_2 = fine_diagonal0_error_1 + fine_diagonal0_rest_1 + fine_diagonal0_bound_2
     fine_diagonal0_padded_3 = 1.8051943758648296e-276 + fine_diagonal0b_size_1
-    fine_diagonal0_rest_3 = 2.949602701668065e-29 * fine_diagonal0_padded_3
-    fine_diagonal0_rest_4 = 3.111072978536e-29 * (1.8051943758648296e-276 + fine_diagonal0a_size_1)
+    fine_diagonal0_rest_3 = 8.219445306520549e-28 * fine_diagonal0_padded_3
+    fine_diagonal0_padded_4 = 1.8051943758648296e-276 + fine_diagonal0a_size_1
+    fine_diagonal0_rest_4 = 8.236702602727626e-28 * fine_diagonal0_padded_4
     fine_diagonal0_bound_3 = absolute(fine_diagonal0b_lo) + fine_diagonal0_rest_3
     fine_diagonal0_size_8 = fine_diagonal0_bound_3 + absolute(fine_diagonal0b - fine_diagonal0a)
     fine_diagonal0_bound_4 = absolute(fine_diagonal0a_lo) + fine_diagonal0_rest_4
@@ -4247,13 +4326,14 @@ def SE3_exp(s):
     fine_diagonal1b_size_1 = fine_g0_size_1 + fine_m_size_2
     fine_diagonal1c = fine_m_1 < fine_others_1
     fine_diagonal1_error_1 = absolute(product_error(s_4, fine_beta_v_1, fine_m_1) + fine_m_cross2_2)
-    fine_diagonal1_rest_1 = 2.795527995786577e-29 * (1.8051943758648296e-276 + fine_m_size_2)
-    fine_diagonal1_rest_2 = 2.949602701668065e-29 * (1.8051943758648296e-276 + fine_others_size_2)
+    fine_diagonal1_rest_1 = 8.202927567412116e-28 * (1.8051943758648296e-276 + fine_m_size_2)
+    fine_diagonal1_rest_2 = 8.219445306520549e-28 * (1.8051943758648296e-276 + fine_others_size_2)
     fine_diagonal1_bound_2 = absolute(fine_others_lo_2) + fine_diagonal1_rest_2
     fine_diagonal1_size_2 = fine_diagonal1_error_1 + fine_diagonal1_rest_1 + fine_diagonal1_bound_2
     fine_diagonal1_padded_3 = 1.8051943758648296e-276 + fine_diagonal1b_size_1
-    fine_diagonal1_rest_3 = 2.949602701668065e-29 * fine_diagonal1_padded_3
-    fine_diagonal1_rest_4 = 3.111072978536e-29 * (1.8051943758648296e-276 + fine_diagonal1a_size_1)
+    fine_diagonal1_rest_3 = 8.219445306520549e-28 * fine_diagonal1_padded_3
+    fine_diagonal1_padded_4 = 1.8051943758648296e-276 + fine_diagonal1a_size_1
+    fine_diagonal1_rest_4 = 8.236702602727626e-28 * fine_diagonal1_padded_4
     fine_diagonal1_bound_3 = absolute(fine_diagonal1b_lo) + fine_diagonal1_rest_3
     fine_diagonal1_size_8 = fine_diagonal1_bound_3 + absolute(fine_diagonal1b - fine_diagonal1a)
     fine_diagonal1_bound_4 = absolute(fine_diagonal1a_lo) + fine_diagonal1_rest_4
@@ -4276,13 +4356,14 @@ def SE3_exp(s):
     fine_diagonal2b_size_1 = fine_g0_size_1 + fine_m_size_3
     fine_diagonal2c = fine_m_2 < fine_others_2
     fine_diagonal2_error_1 = absolute(product_error(s_5, fine_beta_v_2, fine_m_2) + fine_m_cross2_3)
-    fine_diagonal2_rest_1 = 2.795527995786577e-29 * (1.8051943758648296e-276 + fine_m_size_3)
-    fine_diagonal2_rest_2 = 2.949602701668065e-29 * (1.8051943758648296e-276 + fine_others_size_3)
+    fine_diagonal2_rest_1 = 8.202927567412116e-28 * (1.8051943758648296e-276 + fine_m_size_3)
+    fine_diagonal2_rest_2 = 8.219445306520549e-28 * (1.8051943758648296e-276 + fine_others_size_3)
     fine_diagonal2_bound_2 = absolute(fine_others_lo_3) + fine_diagonal2_rest_2
     fine_diagonal2_size_2 = fine_diagonal2_error_1 + fine_diagonal2_rest_1 + fine_diagonal2_bound_2
     fine_diagonal2_padded_3 = 1.8051943758648296e-276 + fine_diagonal2b_size_1
-    fine_diagonal2_rest_3 = 2.949602701668065e-29 * fine_diagonal2_padded_3
-    fine_diagonal2_rest_4 = 3.111072978536e-29 * (1.8051943758648296e-276 + fine_diagonal2a_size_1)
+    fine_diagonal2_rest_3 = 8.219445306520549e-28 * fine_diagonal2_padded_3
+    fine_diagonal2_padded_4 = 1.8051943758648296e-276 + fine_diagonal2a_size_1
+    fine_diagonal2_rest_4 = 8.236702602727626e-28 * fine_diagonal2_padded_4
     fine_diagonal2_bound_3 = absolute(fine_diagonal2b_lo) + fine_diagonal2_rest_3
     fine_diagonal2_size_8 = fine_diagonal2_bound_3 + absolute(fine_diagonal2b - fine_diagonal2a)
     fine_diagonal2_bound_4 = absolute(fine_diagonal2a_lo) + fine_diagonal2_rest_4
@@ -4372,27 +4453,27 @@ def SE3_exp(s):
     fine_across_axis_size_3 = fine_along_padded_1 * fine_halved_size_5 + fine_turned_size_3
     diagonal0_apart_1 = where(fine_diagonal0c, fine_diagonal0b, fine_diagonal0a) - diagonal0
     fine_diagonal0_lo = where(fine_diagonal0c, fine_diagonal0b_lo, fine_diagonal0a_lo)
-    fine_diagonal0_size_12 = fine_diagonal0_size_1 + 2.535299653032363e+28 * fine_diagonal0_size_10
-    diagonal0_rest_1 = 4.0675668355204354e-29 * (1.8051943758648296e-276 + fine_diagonal0_size_12)
+    fine_diagonal0_size_12 = fine_diagonal0_size_1 + 1.2161163344889557e+27 * fine_diagonal0_size_10
+    diagonal0_rest_1 = 8.236703566632994e-28 * (1.8051943758648296e-276 + fine_diagonal0_size_12)
     diagonal0_error_2 = 1.0000000000000009 * absolute(diagonal0_apart_1 + fine_diagonal0_lo)
     D_apart_2 = fine_D_01 - D_01 + (fine_D_lo1_1 + (fine_m_cross2_4 - fine_alpha_v_cross2_3))
     fine_D_size_1 = fine_alpha_v_size_3 + fine_halved_size_3 * fine_m_padded_1
-    D_rest_1 = 2.949602701668065e-29 * (1.8051943758648296e-276 + fine_D_size_1)
+    D_rest_1 = 8.219445306520549e-28 * (1.8051943758648296e-276 + fine_D_size_1)
     D_apart_4 = fine_D_02 - D_02 + (fine_D_lo1_2 + (fine_m_cross2_5 + fine_alpha_v_cross2_2))
     fine_D_size_2 = fine_alpha_v_size_2 + fine_halved_size_5 * fine_m_padded_1
-    D_rest_2 = 2.949602701668065e-29 * (1.8051943758648296e-276 + fine_D_size_2)
+    D_rest_2 = 8.219445306520549e-28 * (1.8051943758648296e-276 + fine_D_size_2)
     D_apart_6 = fine_D_03 - D_03 + (fine_D_lo1_3 + fine_across_axis_lo_1 + s_0 * fine_g1_lo)
     fine_D_size_3 = fine_alpha_v_padded_1 * fine_u_1a_size_1 + fine_across_axis_size_1
     D_rest_3 = 9.291457458136845e-28 * (1.8051943758648296e-276 + fine_D_size_3)
     D_apart_8 = fine_D_10 - D_10 + (fine_D_lo1_4 + (fine_m_cross2_4 + fine_alpha_v_cross2_3))
     diagonal1_apart_1 = where(fine_diagonal1c, fine_diagonal1b, fine_diagonal1a) - diagonal1
     fine_diagonal1_lo = where(fine_diagonal1c, fine_diagonal1b_lo, fine_diagonal1a_lo)
-    fine_diagonal1_size_12 = fine_diagonal1_size_1 + 2.535299653032363e+28 * fine_diagonal1_size_10
-    diagonal1_rest_1 = 4.0675668355204354e-29 * (1.8051943758648296e-276 + fine_diagonal1_size_12)
+    fine_diagonal1_size_12 = fine_diagonal1_size_1 + 1.2161163344889557e+27 * fine_diagonal1_size_10
+    diagonal1_rest_1 = 8.236703566632994e-28 * (1.8051943758648296e-276 + fine_diagonal1_size_12)
     diagonal1_error_2 = 1.0000000000000009 * absolute(diagonal1_apart_1 + fine_diagonal1_lo)
     D_apart_10 = fine_D_12 - D_12 + (fine_D_lo1_5 + (fine_m_cross2_6 - fine_alpha_v_cross2_1))
     fine_D_size_4 = fine_alpha_v_size_1 + fine_halved_size_5 * fine_m_padded_2
-    D_rest_4 = 2.949602701668065e-29 * (1.8051943758648296e-276 + fine_D_size_4)
+    D_rest_4 = 8.219445306520549e-28 * (1.8051943758648296e-276 + fine_D_size_4)
     D_apart_12 = fine_D_13 - D_13 + (fine_D_lo1_6 + fine_across_axis_lo_2 + s_1 * fine_g1_lo)
     fine_D_size_5 = fine_alpha_v_padded_1 * fine_u_0b_size_1 + fine_across_axis_size_2
     D_rest_5 = 9.291457458136845e-28 * (1.8051943758648296e-276 + fine_D_size_5)
@@ -4400,8 +4481,8 @@ def SE3_exp(s):
     D_apart_16 = fine_D_21 - D_21 + (fine_D_lo1_8 + (fine_m_cross2_6 + fine_alpha_v_cross2_1))
     diagonal2_apart_1 = where(fine_diagonal2c, fine_diagonal2b, fine_diagonal2a) - diagonal2
     fine_diagonal2_lo = where(fine_diagonal2c, fine_diagonal2b_lo, fine_diagonal2a_lo)
-    fine_diagonal2_size_12 = fine_diagonal2_size_1 + 2.535299653032363e+28 * fine_diagonal2_size_10
-    diagonal2_rest_1 = 4.0675668355204354e-29 * (1.8051943758648296e-276 + fine_diagonal2_size_12)
+    fine_diagonal2_size_12 = fine_diagonal2_size_1 + 1.2161163344889557e+27 * fine_diagonal2_size_10
+    diagonal2_rest_1 = 8.236703566632994e-28 * (1.8051943758648296e-276 + fine_diagonal2_size_12)
     diagonal2_error_2 = 1.0000000000000009 * absolute(diagonal2_apart_1 + fine_diagonal2_lo)
     D_apart_18 = fine_D_23 - D_23 + (fine_D_lo1_9 + fine_across_axis_lo_3 + s_2 * fine_g1_lo)
     fine_D_size_6 = fine_alpha_v_padded_1 * fine_u_0a_size_1 + fine_across_axis_size_3
@@ -4424,16 +4505,15 @@ def SE3_exp(s):
 
 
 @kernel("(3,4)->(6),(6)")
+@errstate(all="ignore")
 def SE3_log(D):
     """so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R; |error of so| <= so_bound unless
     inf or NaN.
 
     (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;
     ω in rad/s).
-    575 mul, 985 add, 36 product error, 35 product rest, 47 div, 5 sqrt, 14 neg, 160 abs, 6
-    copysign, 65 less, 10 equal, 167 select.  Error <= lin: 18 u, ang: 8 u of its largest
-    component for R of D a rotation; searched, not proved.  Intermediate sums may overflow where
-    |t| is above 2e306, in single precision 5e36.
+    580 mul, 996 add, 36 product error, 36 product rest, 47 div, 5 sqrt, 14 neg, 161 abs, 6
+    copysign, 66 less, 9 equal, 167 select.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     p_0 = D_21 - D_12
@@ -4886,13 +4966,13 @@ def SE3_log(D):
     fine_y_bound_1 = absolute(fine_half_angle_cross2_1) + 2.357955640370947e-29 * fine_y_padded_1
     fine_y_size_2 = fine_y_padded_1 * (absolute(fine_half_angle) + 140737488355328 * fine_y_bound_1)
     fine_y_size_3 = fine_y_size_2 + fine_y_size_2
-    fine_sinc_divisor_a = fine_half_angle == 0
-    fine_sinc_divisor = where(fine_sinc_divisor_a, 1, fine_half_angle)
+    fine_sinc_divisor_a = fine_half_angle < 1.4901161193847656e-08
+    fine_sinc_divisor = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle)
     fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_cross2_1)
-    fine_sinc_divisor_size_4 = fine_y_bound_1 < absolute(fine_half_angle - 0)
-    fine_sinc_divisor_size_7 = absolute(1 - fine_half_angle) + fine_y_bound_1
+    fine_sinc_divisor_size_4 = fine_y_bound_1 < absolute(fine_half_angle - 1.4901161193847656e-08)
+    fine_sinc_divisor_size_7 = absolute(1.4901161193847656e-08 - fine_half_angle) + fine_y_bound_1
     fine_sinc_divisor_size_8 = where(fine_sinc_divisor_size_4, 0, fine_sinc_divisor_size_7)
-    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1, fine_half_angle_size_1)
+    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle_size_1)
     fine_sinc_divisor_size_9 = 3.5212501748002707e+28 * fine_sinc_divisor_size_8
     fine_sinc_quotient = fine_sine / fine_sinc_divisor
     fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
@@ -4921,16 +5001,27 @@ def SE3_log(D):
     fine_sinc_quotient_size_9 = fine_sinc_quotient_reach_1 * fine_sinc_quotient_size_8
     fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2
     fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10
-    fine_sinc = where(fine_sinc_divisor_a, 1, fine_sinc_quotient)
-    fine_sinc_lo = where(fine_sinc_divisor_a, 0, fine_sinc_quotient_lo)
-    fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11
-    fine_sinc_rest_1 = 4.0396275823465884e-29 * fine_sinc_padded_1
-    fine_sinc_bound_1 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_1
-    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(1 - fine_sinc_quotient)
-    fine_sinc_size_6 = 2.5374142281282834e+28 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_4)
-    fine_sinc_size_7 = where(fine_sinc_divisor_a, 1, fine_sinc_quotient_size_11) + fine_sinc_size_6
     fine_y_cross_1 = fine_y_cross1_1 + fine_half_angle * fine_half_angle_cross2_1
     fine_y_lo = product_error(fine_half_angle, fine_half_angle, fine_y) + fine_y_cross_1
+    fine_sinc_a = 0.16666666666666666 * fine_y
+    fine_sinc_b = 1 - fine_sinc_a
+    fine_sinc_b_right_1 = 1 - fine_sinc_b
+    fine_sinc_b_right_rest_1 = product_rest(0.16666666666666666, fine_y, fine_sinc_a, fine_sinc_b_right_1)
+    fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
+    fine_sinc_a_cross_1 = 9.25185853854297e-18 * fine_y + 0.16666666666666666 * fine_y_lo
+    fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1
+    fine_sinc_b_size_1 = 1 + 2290649224.7000003 * fine_y_size_3
+    fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
+    fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
+    fine_sinc_rest_1 = 8.413326746211277e-28 * (1.8051943758648296e-276 + fine_sinc_b_size_1)
+    fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11
+    fine_sinc_rest_2 = 4.0396275823465884e-29 * fine_sinc_padded_2
+    fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
+    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(fine_sinc_b - fine_sinc_quotient)
+    fine_sinc_size_5 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_2 + fine_sinc_size_4
+    fine_sinc_size_7 = 1.1904042348031753e+27 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_5)
+    fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
+    fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7
     fine_series_phi_a = 5.107725174524775e-32 * fine_y
     fine_series_phi_b = 4.116826490666969e-29 - fine_series_phi_a
     fine_series_phi_b_right_1 = 4.116826490666969e-29 - fine_series_phi_b
@@ -5200,7 +5291,7 @@ def SE3_log(D):
     fine_near_f_lo1_1 = fine_near_f_left_rest_1 + fine_near_f_right_rest_1
     fine_near_f_lo = fine_near_f_lo1_1 + (fine_near_f_a_cross_1 + fine_near_f_b_cross_1)
     fine_near_f_b_size_1 = 0.3333333333333333 * (fine_f_more_size_2 + fine_f_more_size_4)
-    fine_near_f_size_1 = 0.3333333333333333 * fine_sinc_size_7 + fine_near_f_b_size_1
+    fine_near_f_size_1 = 0.3333333333333333 * fine_sinc_size_8 + fine_near_f_b_size_1
     fine_f_rest = fine_sinc - fine_c
     fine_f_rest_right_1 = fine_sinc - fine_f_rest
     fine_f_rest_left_rest_1 = fine_sinc - (fine_f_rest + fine_f_rest_right_1)
@@ -5223,7 +5314,7 @@ def SE3_log(D):
     fine_closed_f_padded_2 = 1.8051943758648296e-276 + fine_far_y_size_10
     fine_closed_f_size_1 = absolute(fine_closed_f)
     fine_closed_f_size_2 = absolute(fine_far_y)
-    fine_closed_f_padded_1 = 1.8051943758648296e-276 + (fine_c_size_7 + fine_sinc_size_7)
+    fine_closed_f_padded_1 = 1.8051943758648296e-276 + (fine_c_size_7 + fine_sinc_size_8)
     fine_closed_f_bound_1 = absolute(fine_far_y_lo) + 3.254053096019738e-29 * fine_closed_f_padded_2
     fine_closed_f_size_6 = 4 * fine_closed_f_bound_1 < fine_closed_f_size_2
     fine_closed_f_size_4 = fine_closed_f_padded_1 + fine_closed_f_padded_2 * fine_closed_f_size_1
@@ -5233,7 +5324,7 @@ def SE3_log(D):
     fine_closed_f_size_11 = fine_closed_f_size_1 + fine_closed_f_size_9 / fine_closed_f_size_2
     fine_f = where(fine_far_y_a, fine_near_f, fine_closed_f)
     fine_f_rest_1 = 9.955206102310575e-28 * (1.8051943758648296e-276 + fine_near_f_size_1)
-    fine_f_rest_2 = 5.52120850280944e-29 * (1.8051943758648296e-276 + fine_closed_f_size_11)
+    fine_f_rest_2 = 8.596739798391267e-28 * (1.8051943758648296e-276 + fine_closed_f_size_11)
     fine_f_size_4 = absolute(fine_near_f_lo) + fine_f_rest_1 + absolute(fine_near_f - fine_closed_f)
     fine_f_size_5 = absolute(fine_closed_f_lo) + fine_f_rest_2 + fine_f_size_4
     fine_f_size_7 = 1.0085955631004589e+27 * where(fine_far_y_size_4, 0, fine_f_size_5)
@@ -5246,10 +5337,10 @@ def SE3_log(D):
     fine_b_numerator_1 = fine_f - fine_b_product_1 - fine_b_product_error_1 + fine_f_lo
     fine_b_lo = (fine_b_numerator_1 - fine_b * fine_four_k_cross2_1) / fine_four_k
     fine_f_size_8 = where(fine_far_y_a, fine_near_f_size_1, fine_closed_f_size_11) + fine_f_size_7
-    fine_b_padded_2 = 1.8051943758648296e-276 + 4 * fine_sinc_size_7
+    fine_b_padded_2 = 1.8051943758648296e-276 + 4 * fine_sinc_size_8
     fine_b_size_1 = absolute(fine_b)
     fine_b_size_2 = absolute(fine_four_k)
-    fine_b_bound_1 = absolute(fine_four_k_cross2_1) + 4.088932009583919e-29 * fine_b_padded_2
+    fine_b_bound_1 = absolute(fine_four_k_cross2_1) + 8.41936839032761e-28 * fine_b_padded_2
     fine_b_size_4 = 1.8051943758648296e-276 + fine_f_size_8 + fine_b_padded_2 * fine_b_size_1
     fine_b_size_8 = fine_b_size_4 / where(4 * fine_b_bound_1 < fine_b_size_2, fine_b_size_2, 0)
     fine_b_size_9 = (fine_b_size_2 + 140737488355328 * fine_b_bound_1) * fine_b_size_8
@@ -5259,11 +5350,11 @@ def SE3_log(D):
     fine_b_across_exact_1 = fine_c - fine_b_across_product_1 - fine_b_across_product_error_1
     fine_b_across_residual_1 = fine_b_across_exact_1 + fine_c_lo - fine_b_across * fine_sinc_lo
     fine_b_across_lo = fine_b_across_residual_1 / fine_sinc
-    fine_b_across_padded_2 = 1.8051943758648296e-276 + fine_sinc_size_7
+    fine_b_across_padded_2 = 1.8051943758648296e-276 + fine_sinc_size_8
     fine_b_across_size_1 = absolute(fine_b_across)
     fine_b_across_size_2 = absolute(fine_sinc)
     fine_b_across_size_3 = fine_b_across_padded_2 * fine_b_across_size_1
-    fine_b_across_bound_1 = absolute(fine_sinc_lo) + 4.039627892677097e-29 * fine_b_across_padded_2
+    fine_b_across_bound_1 = absolute(fine_sinc_lo) + 8.413327710116644e-28 * fine_b_across_padded_2
     fine_b_across_size_6 = 4 * fine_b_across_bound_1 < fine_b_across_size_2
     fine_b_across_size_4 = 1.8051943758648296e-276 + fine_c_size_7 + fine_b_across_size_3
     fine_b_across_size_7 = where(fine_b_across_size_6, fine_b_across_size_2, 0)

@@ -8,9 +8,11 @@ In double precision, certified tier.
 
 from numpy import absolute
 from coscrew._kernel import double_kernel as kernel
+from numpy import errstate
 
 
 @kernel("(),(3),(),(),(),(),(),()->(10),(10)")
+@errstate(all="ignore")
 def inertia(m, t, Ixx, Iyy, Izz, Ixy, Iyz, Izx):
     """J = (m; m t; Ixx, Iyy, Izz, Ixy, Iyz, Izx): mass, centre of mass t in m, entries of the
     moments' matrix about it in kg m^2, Ixy = -∫ x y dm; |error of J| <= J_bound unless inf or
@@ -33,6 +35,7 @@ def inertia(m, t, Ixx, Iyy, Izz, Ixy, Iyz, Izx):
 
 
 @kernel("(10),(3,3)->(10),(10)")
+@errstate(all="ignore")
 def inertia_rotated(Ji, R):
     """Jo = Ji rotated by R: m, R mt, R I R^T; |error of Jo| <= Jo_bound unless inf or NaN.
 
@@ -144,6 +147,7 @@ def inertia_rotated(Ji, R):
 
 
 @kernel("(10),(3,3)->(10),(10)")
+@errstate(all="ignore")
 def inertia_rotate(self, R):
     """self = self rotated by R: m, R mt, R I R^T; |error of self| <= self_bound unless inf or NaN.
 
@@ -257,6 +261,7 @@ def inertia_rotate(self, R):
 
 
 @kernel("(10),(3)->(10),(10)")
+@errstate(all="ignore")
 def inertia_translated(Ji, t):
     """Jo = Ji translated by t: m, mt + m t, I; |error of Jo| <= Jo_bound unless inf or NaN.
 
@@ -283,6 +288,7 @@ def inertia_translated(Ji, t):
 
 
 @kernel("(10),(3)->(10),(10)")
+@errstate(all="ignore")
 def inertia_translate(self, t):
     """self = self translated by t: m, mt + m t, I; |error of self| <= self_bound unless inf or
     NaN.
@@ -311,6 +317,7 @@ def inertia_translate(self, t):
 
 
 @kernel("(10),(3,4)->(10),(10)")
+@errstate(all="ignore")
 def inertia_transformed(Ji, D):
     """Jo = Ji displaced by D = [R | t]: m, R mt + m t, R I R^T; |error of Jo| <= Jo_bound unless
     inf or NaN.
@@ -427,6 +434,7 @@ def inertia_transformed(Ji, D):
 
 
 @kernel("(10),(3,4)->(10),(10)")
+@errstate(all="ignore")
 def inertia_transform(self, D):
     """self = self displaced by D = [R | t]: m, R mt + m t, R I R^T; |error of self| <= self_bound
     unless inf or NaN.

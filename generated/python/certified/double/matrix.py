@@ -8,9 +8,11 @@ In double precision, certified tier.
 
 from numpy import absolute
 from coscrew._kernel import double_kernel as kernel
+from numpy import errstate
 
 
 @kernel("(3,3),(3)->(3),(3)")
+@errstate(all="ignore")
 def product_drv(R, v):
     """vo = R v; |error of vo| <= vo_bound unless inf or NaN.
 
@@ -41,6 +43,7 @@ def product_drv(R, v):
 
 
 @kernel("(3,3),(3)->(3),(3)")
+@errstate(all="ignore")
 def product_drvinv(R, v):
     """vo = R (-v); |error of vo| <= vo_bound unless inf or NaN.
 
@@ -71,6 +74,7 @@ def product_drvinv(R, v):
 
 
 @kernel("(3,3),(3)->(3),(3)")
+@errstate(all="ignore")
 def product_drinvv(R, v):
     """vo = R^T v; |error of vo| <= vo_bound unless inf or NaN.
 
@@ -101,6 +105,7 @@ def product_drinvv(R, v):
 
 
 @kernel("(3,3),(3)->(3),(3)")
+@errstate(all="ignore")
 def product_drinvvinv(R, v):
     """vo = R^T (-v); |error of vo| <= vo_bound unless inf or NaN.
 
@@ -131,6 +136,7 @@ def product_drinvvinv(R, v):
 
 
 @kernel("(3,4),(3)->(3),(3)")
+@errstate(all="ignore")
 def product_dv(D, v):
     """vo = R v + t; |error of vo| <= vo_bound unless inf or NaN.
 
@@ -161,6 +167,7 @@ def product_dv(D, v):
 
 
 @kernel("(3,4),(3)->(3),(3)")
+@errstate(all="ignore")
 def product_dinvv(D, v):
     """vo = R^T (v - t); |error of vo| <= vo_bound unless inf or NaN.
 
@@ -188,6 +195,7 @@ def product_dinvv(D, v):
 
 
 @kernel("(3,3),(3,3)->(3,3),(3,3)")
+@errstate(all="ignore")
 def product_drdr(R1, R2):
     """Ro = R1 R2; |error of Ro| <= Ro_bound unless inf or NaN.
 
@@ -256,6 +264,7 @@ def product_drdr(R1, R2):
 
 
 @kernel("(3,3),(3,3)->(3,3),(3,3)")
+@errstate(all="ignore")
 def product_drdrinv(R1, R2):
     """Ro = R1 R2^T; |error of Ro| <= Ro_bound unless inf or NaN.
 
@@ -324,6 +333,7 @@ def product_drdrinv(R1, R2):
 
 
 @kernel("(3,3),(3,3)->(3,3),(3,3)")
+@errstate(all="ignore")
 def product_drinvdr(R1, R2):
     """Ro = R1^T R2; |error of Ro| <= Ro_bound unless inf or NaN.
 
@@ -392,6 +402,7 @@ def product_drinvdr(R1, R2):
 
 
 @kernel("(3,4),(3,4)->(3,4),(3,4)")
+@errstate(all="ignore")
 def product_dd(D1, D2):
     """Do = D1 D2 = [R1 R2 | R1 t2 + t1]; |error of Do| <= Do_bound unless inf or NaN.
 
@@ -479,6 +490,7 @@ def product_dd(D1, D2):
 
 
 @kernel("(3,4),(3,4)->(3,4),(3,4)")
+@errstate(all="ignore")
 def product_ddinv(D1, D2):
     """Do = D1 D2^-1 = [R | t1 - R t2], R = R1 R2^T; |error of Do| <= Do_bound unless inf or NaN.
 
@@ -572,6 +584,7 @@ def product_ddinv(D1, D2):
 
 
 @kernel("(3,4),(3,4)->(3,4),(3,4)")
+@errstate(all="ignore")
 def product_dinvd(D1, D2):
     """Do = D1^-1 D2 = [R1^T R2 | R1^T (t2 - t1)]; |error of Do| <= Do_bound unless inf or NaN.
 
@@ -656,6 +669,7 @@ def product_dinvd(D1, D2):
 
 
 @kernel("(3,4),(3,3)->(3,4),(3,4)")
+@errstate(all="ignore")
 def product_ddr(D, R):
     """Do = D [R | 0]; |error of Do| <= Do_bound unless inf or NaN.
 
@@ -726,6 +740,7 @@ def product_ddr(D, R):
 
 
 @kernel("(3,4),(3,3)->(3,4),(3,4)")
+@errstate(all="ignore")
 def product_ddrinv(D, R):
     """Do = D [R^T | 0]; |error of Do| <= Do_bound unless inf or NaN.
 
@@ -796,6 +811,7 @@ def product_ddrinv(D, R):
 
 
 @kernel("(3,4),(3)->(3,4),(3,4)")
+@errstate(all="ignore")
 def product_ddt(D, t):
     """Do = D [I | t]; |error of Do| <= Do_bound unless inf or NaN.
 
@@ -828,6 +844,7 @@ def product_ddt(D, t):
 
 
 @kernel("(3,4),(3)->(3,4),(3,4)")
+@errstate(all="ignore")
 def product_ddtinv(D, t):
     """Do = D [I | -t]; |error of Do| <= Do_bound unless inf or NaN.
 
@@ -860,6 +877,7 @@ def product_ddtinv(D, t):
 
 
 @kernel("(3,4),(3)->(3,4),(3,4)")
+@errstate(all="ignore")
 def product_dinvdt(D, t):
     """Do = D^-1 [I | t] = [R^T | R^T (t - t_D)]; |error of Do| <= Do_bound unless inf or NaN.
 
@@ -889,6 +907,7 @@ def product_dinvdt(D, t):
 
 
 @kernel("(3,3),()->(3),(3)")
+@errstate(all="ignore")
 def product_drvtx(R, k):
     """vo = R (k e_x); |error of vo| <= vo_bound unless inf or NaN.
 
@@ -906,6 +925,7 @@ def product_drvtx(R, k):
 
 
 @kernel("(3,3),(2)->(3,3),(3,3)")
+@errstate(all="ignore")
 def product_drdrx(R, dc):
     """Ro = R R_x(θ), dc = (sin θ, cos θ); |error of Ro| <= Ro_bound unless inf or NaN.
 
@@ -950,6 +970,7 @@ def product_drdrx(R, dc):
 
 
 @kernel("(3,4),(2)->(3,4),(3,4)")
+@errstate(all="ignore")
 def product_ddrx(D, dc):
     """Do = D [R_x(θ) | 0], dc = (sin θ, cos θ); |error of Do| <= Do_bound unless inf or NaN.
 
@@ -995,6 +1016,7 @@ def product_ddrx(D, dc):
 
 
 @kernel("(3,4),()->(3,4),(3,4)")
+@errstate(all="ignore")
 def product_ddtx(D, k):
     """Do = D [I | k e_x]; |error of Do| <= Do_bound unless inf or NaN.
 
@@ -1020,6 +1042,7 @@ def product_ddtx(D, k):
 
 
 @kernel("(3,3),()->(3),(3)")
+@errstate(all="ignore")
 def product_drvtxinv(R, k):
     """vo = R (-k e_x); |error of vo| <= vo_bound unless inf or NaN.
 
@@ -1040,6 +1063,7 @@ def product_drvtxinv(R, k):
 
 
 @kernel("(3,3),(2)->(3,3),(3,3)")
+@errstate(all="ignore")
 def product_drdrxinv(R, dc):
     """Ro = R R_x(-θ), dc = (sin θ, cos θ); |error of Ro| <= Ro_bound unless inf or NaN.
 
@@ -1084,6 +1108,7 @@ def product_drdrxinv(R, dc):
 
 
 @kernel("(3,4),(2)->(3,4),(3,4)")
+@errstate(all="ignore")
 def product_ddrxinv(D, dc):
     """Do = D [R_x(-θ) | 0], dc = (sin θ, cos θ); |error of Do| <= Do_bound unless inf or NaN.
 
@@ -1129,6 +1154,7 @@ def product_ddrxinv(D, dc):
 
 
 @kernel("(3,4),()->(3,4),(3,4)")
+@errstate(all="ignore")
 def product_ddtxinv(D, k):
     """Do = D [I | -k e_x]; |error of Do| <= Do_bound unless inf or NaN.
 
@@ -1154,6 +1180,7 @@ def product_ddtxinv(D, k):
 
 
 @kernel("(3,3),()->(3),(3)")
+@errstate(all="ignore")
 def product_drvty(R, k):
     """vo = R (k e_y); |error of vo| <= vo_bound unless inf or NaN.
 
@@ -1171,6 +1198,7 @@ def product_drvty(R, k):
 
 
 @kernel("(3,3),(2)->(3,3),(3,3)")
+@errstate(all="ignore")
 def product_drdry(R, dc):
     """Ro = R R_y(θ), dc = (sin θ, cos θ); |error of Ro| <= Ro_bound unless inf or NaN.
 
@@ -1215,6 +1243,7 @@ def product_drdry(R, dc):
 
 
 @kernel("(3,4),(2)->(3,4),(3,4)")
+@errstate(all="ignore")
 def product_ddry(D, dc):
     """Do = D [R_y(θ) | 0], dc = (sin θ, cos θ); |error of Do| <= Do_bound unless inf or NaN.
 
@@ -1260,6 +1289,7 @@ def product_ddry(D, dc):
 
 
 @kernel("(3,4),()->(3,4),(3,4)")
+@errstate(all="ignore")
 def product_ddty(D, k):
     """Do = D [I | k e_y]; |error of Do| <= Do_bound unless inf or NaN.
 
@@ -1285,6 +1315,7 @@ def product_ddty(D, k):
 
 
 @kernel("(3,3),()->(3),(3)")
+@errstate(all="ignore")
 def product_drvtyinv(R, k):
     """vo = R (-k e_y); |error of vo| <= vo_bound unless inf or NaN.
 
@@ -1305,6 +1336,7 @@ def product_drvtyinv(R, k):
 
 
 @kernel("(3,3),(2)->(3,3),(3,3)")
+@errstate(all="ignore")
 def product_drdryinv(R, dc):
     """Ro = R R_y(-θ), dc = (sin θ, cos θ); |error of Ro| <= Ro_bound unless inf or NaN.
 
@@ -1349,6 +1381,7 @@ def product_drdryinv(R, dc):
 
 
 @kernel("(3,4),(2)->(3,4),(3,4)")
+@errstate(all="ignore")
 def product_ddryinv(D, dc):
     """Do = D [R_y(-θ) | 0], dc = (sin θ, cos θ); |error of Do| <= Do_bound unless inf or NaN.
 
@@ -1394,6 +1427,7 @@ def product_ddryinv(D, dc):
 
 
 @kernel("(3,4),()->(3,4),(3,4)")
+@errstate(all="ignore")
 def product_ddtyinv(D, k):
     """Do = D [I | -k e_y]; |error of Do| <= Do_bound unless inf or NaN.
 
@@ -1419,6 +1453,7 @@ def product_ddtyinv(D, k):
 
 
 @kernel("(3,3),()->(3),(3)")
+@errstate(all="ignore")
 def product_drvtz(R, k):
     """vo = R (k e_z); |error of vo| <= vo_bound unless inf or NaN.
 
@@ -1436,6 +1471,7 @@ def product_drvtz(R, k):
 
 
 @kernel("(3,3),(2)->(3,3),(3,3)")
+@errstate(all="ignore")
 def product_drdrz(R, dc):
     """Ro = R R_z(θ), dc = (sin θ, cos θ); |error of Ro| <= Ro_bound unless inf or NaN.
 
@@ -1480,6 +1516,7 @@ def product_drdrz(R, dc):
 
 
 @kernel("(3,4),(2)->(3,4),(3,4)")
+@errstate(all="ignore")
 def product_ddrz(D, dc):
     """Do = D [R_z(θ) | 0], dc = (sin θ, cos θ); |error of Do| <= Do_bound unless inf or NaN.
 
@@ -1525,6 +1562,7 @@ def product_ddrz(D, dc):
 
 
 @kernel("(3,4),()->(3,4),(3,4)")
+@errstate(all="ignore")
 def product_ddtz(D, k):
     """Do = D [I | k e_z]; |error of Do| <= Do_bound unless inf or NaN.
 
@@ -1550,6 +1588,7 @@ def product_ddtz(D, k):
 
 
 @kernel("(3,3),()->(3),(3)")
+@errstate(all="ignore")
 def product_drvtzinv(R, k):
     """vo = R (-k e_z); |error of vo| <= vo_bound unless inf or NaN.
 
@@ -1570,6 +1609,7 @@ def product_drvtzinv(R, k):
 
 
 @kernel("(3,3),(2)->(3,3),(3,3)")
+@errstate(all="ignore")
 def product_drdrzinv(R, dc):
     """Ro = R R_z(-θ), dc = (sin θ, cos θ); |error of Ro| <= Ro_bound unless inf or NaN.
 
@@ -1614,6 +1654,7 @@ def product_drdrzinv(R, dc):
 
 
 @kernel("(3,4),(2)->(3,4),(3,4)")
+@errstate(all="ignore")
 def product_ddrzinv(D, dc):
     """Do = D [R_z(-θ) | 0], dc = (sin θ, cos θ); |error of Do| <= Do_bound unless inf or NaN.
 
@@ -1659,6 +1700,7 @@ def product_ddrzinv(D, dc):
 
 
 @kernel("(3,4),()->(3,4),(3,4)")
+@errstate(all="ignore")
 def product_ddtzinv(D, k):
     """Do = D [I | -k e_z]; |error of Do| <= Do_bound unless inf or NaN.
 

@@ -10,9 +10,11 @@ from coscrew import _elementary_double as elementary
 from numpy import absolute, float64, sqrt, where
 from coscrew._exact import product_error, product_rest
 from coscrew._kernel import double_kernel as kernel
+from numpy import errstate
 
 
 @kernel("(4),()->(4),(4)")
+@errstate(all="ignore")
 def quaternion_scale(self, a):
     """self = a self; |error of self| <= self_bound unless inf or NaN.
 
@@ -37,6 +39,7 @@ def quaternion_scale(self, a):
 
 
 @kernel("(),(4),(4)->(4),(4)")
+@errstate(all="ignore")
 def axpy_qq(a, x, y):
     """y = a x + y; |error of y| <= y_bound unless inf or NaN.
 
@@ -66,6 +69,7 @@ def axpy_qq(a, x, y):
 
 
 @kernel("(4),(3)->(3),(3)")
+@errstate(all="ignore")
 def rotate_qv(q, v):
     """vo = R(q) v, |q| = 1; |error of vo| <= vo_bound unless inf or NaN.
 
@@ -118,6 +122,7 @@ def rotate_qv(q, v):
 
 
 @kernel("(4),(3)->(3),(3)")
+@errstate(all="ignore")
 def rotate_qconjv(q, v):
     """vo = R(q)^T v, |q| = 1; |error of vo| <= vo_bound unless inf or NaN.
 
@@ -170,6 +175,7 @@ def rotate_qconjv(q, v):
 
 
 @kernel("(4),(4)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qq(q1i, q2i):
     """qo = q1i q2i; |error of qo| <= qo_bound unless inf or NaN.
 
@@ -211,6 +217,7 @@ def quaternion_product_qq(q1i, q2i):
 
 
 @kernel("(4),(4)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qqconj(q1i, q2i):
     """qo = q1i q2i*; |error of qo| <= qo_bound unless inf or NaN.
 
@@ -252,6 +259,7 @@ def quaternion_product_qqconj(q1i, q2i):
 
 
 @kernel("(4),(4)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qconjq(q1i, q2i):
     """qo = q1i* q2i; |error of qo| <= qo_bound unless inf or NaN.
 
@@ -293,6 +301,7 @@ def quaternion_product_qconjq(q1i, q2i):
 
 
 @kernel("(4),(4)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qconjqconj(q1i, q2i):
     """qo = q1i* q2i*; |error of qo| <= qo_bound unless inf or NaN.
 
@@ -334,6 +343,7 @@ def quaternion_product_qconjqconj(q1i, q2i):
 
 
 @kernel("(2),(4)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qxq(dci, qi):
     """qo = (s e_x; c) qi, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -369,6 +379,7 @@ def quaternion_product_qxq(dci, qi):
 
 
 @kernel("(2),(4)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qxqconj(dci, qi):
     """qo = (s e_x; c) qi*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -404,6 +415,7 @@ def quaternion_product_qxqconj(dci, qi):
 
 
 @kernel("(2),(4)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qxconjq(dci, qi):
     """qo = (s e_x; c)* qi, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -439,6 +451,7 @@ def quaternion_product_qxconjq(dci, qi):
 
 
 @kernel("(2),(4)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qxconjqconj(dci, qi):
     """qo = (s e_x; c)* qi*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -474,6 +487,7 @@ def quaternion_product_qxconjqconj(dci, qi):
 
 
 @kernel("(4),(2)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qqx(qi, dci):
     """qo = qi (s e_x; c), dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -509,6 +523,7 @@ def quaternion_product_qqx(qi, dci):
 
 
 @kernel("(4),(2)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qqxconj(qi, dci):
     """qo = qi (s e_x; c)*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -544,6 +559,7 @@ def quaternion_product_qqxconj(qi, dci):
 
 
 @kernel("(4),(2)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qconjqx(qi, dci):
     """qo = qi* (s e_x; c), dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -579,6 +595,7 @@ def quaternion_product_qconjqx(qi, dci):
 
 
 @kernel("(4),(2)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qconjqxconj(qi, dci):
     """qo = qi* (s e_x; c)*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -614,6 +631,7 @@ def quaternion_product_qconjqxconj(qi, dci):
 
 
 @kernel("(2),(4)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qyq(dci, qi):
     """qo = (s e_y; c) qi, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -649,6 +667,7 @@ def quaternion_product_qyq(dci, qi):
 
 
 @kernel("(2),(4)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qyqconj(dci, qi):
     """qo = (s e_y; c) qi*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -684,6 +703,7 @@ def quaternion_product_qyqconj(dci, qi):
 
 
 @kernel("(2),(4)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qyconjq(dci, qi):
     """qo = (s e_y; c)* qi, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -719,6 +739,7 @@ def quaternion_product_qyconjq(dci, qi):
 
 
 @kernel("(2),(4)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qyconjqconj(dci, qi):
     """qo = (s e_y; c)* qi*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -754,6 +775,7 @@ def quaternion_product_qyconjqconj(dci, qi):
 
 
 @kernel("(4),(2)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qqy(qi, dci):
     """qo = qi (s e_y; c), dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -789,6 +811,7 @@ def quaternion_product_qqy(qi, dci):
 
 
 @kernel("(4),(2)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qqyconj(qi, dci):
     """qo = qi (s e_y; c)*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -824,6 +847,7 @@ def quaternion_product_qqyconj(qi, dci):
 
 
 @kernel("(4),(2)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qconjqy(qi, dci):
     """qo = qi* (s e_y; c), dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -859,6 +883,7 @@ def quaternion_product_qconjqy(qi, dci):
 
 
 @kernel("(4),(2)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qconjqyconj(qi, dci):
     """qo = qi* (s e_y; c)*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -894,6 +919,7 @@ def quaternion_product_qconjqyconj(qi, dci):
 
 
 @kernel("(2),(4)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qzq(dci, qi):
     """qo = (s e_z; c) qi, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -929,6 +955,7 @@ def quaternion_product_qzq(dci, qi):
 
 
 @kernel("(2),(4)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qzqconj(dci, qi):
     """qo = (s e_z; c) qi*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -964,6 +991,7 @@ def quaternion_product_qzqconj(dci, qi):
 
 
 @kernel("(2),(4)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qzconjq(dci, qi):
     """qo = (s e_z; c)* qi, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -999,6 +1027,7 @@ def quaternion_product_qzconjq(dci, qi):
 
 
 @kernel("(2),(4)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qzconjqconj(dci, qi):
     """qo = (s e_z; c)* qi*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -1034,6 +1063,7 @@ def quaternion_product_qzconjqconj(dci, qi):
 
 
 @kernel("(4),(2)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qqz(qi, dci):
     """qo = qi (s e_z; c), dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -1069,6 +1099,7 @@ def quaternion_product_qqz(qi, dci):
 
 
 @kernel("(4),(2)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qqzconj(qi, dci):
     """qo = qi (s e_z; c)*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -1104,6 +1135,7 @@ def quaternion_product_qqzconj(qi, dci):
 
 
 @kernel("(4),(2)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qconjqz(qi, dci):
     """qo = qi* (s e_z; c), dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -1139,6 +1171,7 @@ def quaternion_product_qconjqz(qi, dci):
 
 
 @kernel("(4),(2)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qconjqzconj(qi, dci):
     """qo = qi* (s e_z; c)*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -1174,6 +1207,7 @@ def quaternion_product_qconjqzconj(qi, dci):
 
 
 @kernel("(4),(3)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qv(qi, vi):
     """qo = qi (vi; 0); |error of qo| <= qo_bound unless inf or NaN.
 
@@ -1211,6 +1245,7 @@ def quaternion_product_qv(qi, vi):
 
 
 @kernel("(4),(3)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qconjv(qi, vi):
     """qo = qi* (vi; 0); |error of qo| <= qo_bound unless inf or NaN.
 
@@ -1248,6 +1283,7 @@ def quaternion_product_qconjv(qi, vi):
 
 
 @kernel("(3),(4)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_vq(vi, qi):
     """qo = (vi; 0) qi; |error of qo| <= qo_bound unless inf or NaN.
 
@@ -1285,6 +1321,7 @@ def quaternion_product_vq(vi, qi):
 
 
 @kernel("(3),(4)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_vqconj(vi, qi):
     """qo = (vi; 0) qi*; |error of qo| <= qo_bound unless inf or NaN.
 
@@ -1322,6 +1359,7 @@ def quaternion_product_vqconj(vi, qi):
 
 
 @kernel("(4),(4)->(),()")
+@errstate(all="ignore")
 def dot_qq(q1i, q2i):
     """q1i·q2i; |error of dot| <= dot_bound unless inf or NaN.
 
@@ -1341,6 +1379,7 @@ def dot_qq(q1i, q2i):
 
 
 @kernel("(3),(4)->(4),(4)")
+@errstate(all="ignore")
 def add_dpiToq(dpi, qi):
     """qi = qi + qi (dpi; 0) / 2: rotated by the small rotation vector dpi in the rotated frame, to
     first order; not normalized; |error of qi| <= qi_bound unless inf or NaN.
@@ -1381,6 +1420,7 @@ def add_dpiToq(dpi, qi):
 
 
 @kernel("(3),(4)->(4),(4)")
+@errstate(all="ignore")
 def subtract_dpiFromq(dpi, qi):
     """qi = qi - qi (dpi; 0) / 2, the opposite of add_dpiToq to first order; |error of qi| <=
     qi_bound unless inf or NaN.
@@ -1421,6 +1461,7 @@ def subtract_dpiFromq(dpi, qi):
 
 
 @kernel("(3),(4)->(4),(4)")
+@errstate(all="ignore")
 def omega_to_dquaternion(w, qi):
     """dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
     reference frame, rad/s, and a term that draws its norm to 1; |error of dqo| <= dqo_bound
@@ -1469,14 +1510,14 @@ def omega_to_dquaternion(w, qi):
 
 
 @kernel("(3),()->(4),(4)")
+@errstate(all="ignore")
 def quaternion_from_axis_angle(axis, angle):
     """qo = (axis sin angle/2; cos angle/2); axis of length 1: with another |qo| is not 1, and its
     rotation is by another angle; |error of qo| <= qo_bound unless inf or NaN.
 
     (3),()->(4),(4).  axis: vector; angle: number; qo, qo_bound: quaternion (x, y, z, w), the
     scalar last.
-    98 mul, 139 add, 14 product error, 1 div, 11 abs, 1 less, 1 select.  Error <= qo: 3 u of its
-    largest component for |axis| = 1; searched, not proved.
+    98 mul, 139 add, 14 product error, 1 div, 11 abs, 1 less, 1 select.
     """
     axis_0, axis_1, axis_2 = axis
     half = 0.5 * angle
@@ -1497,6 +1538,7 @@ def quaternion_from_axis_angle(axis, angle):
 
 
 @kernel("(4)->(),(3),(),(3)")
+@errstate(all="ignore")
 def axis_angle_from_quaternion(q):
     """angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) if the
     angle is 0; any multiple of a quaternion; |error of angle| <= angle_bound, |error of axis|
@@ -1505,8 +1547,7 @@ def axis_angle_from_quaternion(q):
     (4)->(),(3),(),(3).  q: quaternion (x, y, z, w), the scalar last; angle, angle_bound:
     number; axis, axis_bound: vector.
     201 mul, 318 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 5 neg, 50 abs, 4
-    copysign, 35 less, 10 equal, 69 select.  Error <= angle: 6 u, axis: 4 u of its largest
-    component; searched, not proved.
+    copysign, 35 less, 10 equal, 69 select.
     """
     q_0, q_1, q_2, q_3 = q
     s_size_0 = absolute(q_0)
@@ -1683,14 +1724,14 @@ def axis_angle_from_quaternion(q):
 
 
 @kernel("(3)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_exp(v):
     """qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v; |error
     of qo| <= qo_bound unless inf or NaN.
 
     (3)->(4),(4).  v: vector; qo, qo_bound: quaternion (x, y, z, w), the scalar last.
-    256 mul, 331 add, 16 product error, 3 product rest, 11 div, 3 sqrt, 35 abs, 10 less, 2
-    equal, 24 select.  Error <= qo: (7 + θ/200) u of its largest component for |v| <= 1e13, in
-    single precision 1e5; searched, not proved.
+    266 mul, 346 add, 17 product error, 4 product rest, 11 div, 3 sqrt, 37 abs, 11 less, 1
+    equal, 24 select.
     """
     v_0, v_1, v_2 = v
     h_0 = 0.5 * v_0
@@ -1820,23 +1861,25 @@ def quaternion_exp(v):
     fine_up_size_1 = where(fine_up_a, float64(2.6815615859885194e+154), float64(1))
     fine_half_angle_padded_1 = 1.8051943758648296e-276 + fine_reduced_length_size_12
     fine_half_angle_size_1 = fine_half_angle_padded_1 * fine_up_size_1
+    fine_y = fine_half_angle * fine_half_angle
+    fine_y_padded_1 = 1.8051943758648296e-276 + fine_half_angle_size_1
+    fine_y_bound_1 = absolute(fine_half_angle_lo) + 5.7192432555642225e-30 * fine_y_padded_1
+    fine_y_size_2 = fine_y_padded_1 * (absolute(fine_half_angle) + 140737488355328 * fine_y_bound_1)
     fine_sine, fine_c = elementary.sincos(fine_half_angle)
     fine_sine_own_error_1, fine_c_own_error_1 = elementary.sincos_error(fine_half_angle, fine_sine, fine_c)
     fine_sine_half_1 = fine_half_angle_lo * 0.5
     fine_sine_half_sin_1, fine_sine_half_cos_1 = elementary.sincos(fine_sine_half_1)
     fine_sine_twice_1 = fine_sine_half_sin_1 + fine_sine_half_sin_1
     fine_sine_slope_1 = fine_sine_half_cos_1 * fine_c - fine_sine_half_sin_1 * fine_sine
-    fine_sine_padded_1 = 1.8051943758648296e-276 + fine_half_angle_size_1
     fine_c_slope_1 = fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * fine_c
-    fine_sinc_divisor_a = fine_half_angle == 0
-    fine_sinc_divisor = where(fine_sinc_divisor_a, 1, fine_half_angle)
+    fine_sinc_divisor_a = fine_half_angle < 1.4901161193847656e-08
+    fine_sinc_divisor = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle)
     fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_lo)
-    fine_sinc_divisor_rest_1 = 5.7192432555642225e-30 * fine_sine_padded_1
-    fine_sinc_divisor_bound_1 = absolute(fine_half_angle_lo) + fine_sinc_divisor_rest_1
-    fine_sinc_divisor_size_5 = fine_sinc_divisor_bound_1 < 5e-324 + absolute(fine_half_angle - 0)
-    fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 + absolute(1 - fine_half_angle)
+    fine_sinc_divisor_size_4 = 5e-324 + absolute(fine_half_angle - 1.4901161193847656e-08)
+    fine_sinc_divisor_size_5 = fine_y_bound_1 < fine_sinc_divisor_size_4
+    fine_sinc_divisor_size_8 = absolute(1.4901161193847656e-08 - fine_half_angle) + fine_y_bound_1
     fine_sinc_divisor_size_9 = where(fine_sinc_divisor_size_5, 0, fine_sinc_divisor_size_8)
-    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1, fine_half_angle_size_1)
+    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle_size_1)
     fine_sinc_divisor_size_10 = 5.762046184631807e+28 * fine_sinc_divisor_size_9
     fine_sinc_quotient = fine_sine / fine_sinc_divisor
     fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
@@ -1848,7 +1891,7 @@ def quaternion_exp(v):
     fine_sinc_quotient_cross_1 = fine_sinc_quotient * fine_sinc_divisor_lo
     fine_sinc_quotient_residual_1 = fine_sinc_quotient_numerator_1 - fine_sinc_quotient_cross_1
     fine_sinc_quotient_lo = fine_sinc_quotient_residual_1 / fine_sinc_divisor
-    fine_sinc_quotient_padded_1 = 1.8051943758648296e-276 + (1 + fine_sine_padded_1)
+    fine_sinc_quotient_padded_1 = 1.8051943758648296e-276 + (1 + fine_y_padded_1)
     fine_sinc_divisor_size_11 = fine_sinc_divisor_size_1 + fine_sinc_divisor_size_10
     fine_sinc_quotient_padded_2 = 1.8051943758648296e-276 + fine_sinc_divisor_size_11
     fine_sinc_quotient_size_1 = absolute(fine_sinc_quotient)
@@ -1865,17 +1908,30 @@ def quaternion_exp(v):
     fine_sinc_quotient_size_9 = fine_sinc_quotient_reach_1 * fine_sinc_quotient_size_8
     fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2
     fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10
-    fine_sinc = where(fine_sinc_divisor_a, 1, fine_sinc_quotient)
-    fine_sinc_lo = where(fine_sinc_divisor_a, 0, fine_sinc_quotient_lo)
-    fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11
-    fine_sinc_bound_1 = absolute(fine_sinc_quotient_lo) + 2.755262189115544e-29 * fine_sinc_padded_1
-    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(1 - fine_sinc_quotient)
-    fine_sinc_size_6 = 3.7283828633784605e+28 * where(fine_sinc_divisor_size_5, 0, fine_sinc_size_4)
+    fine_y_cross_1 = fine_half_angle_lo * fine_half_angle + fine_half_angle * fine_half_angle_lo
+    fine_sinc_a = 0.16666666666666666 * fine_y
+    fine_y_lo = product_error(fine_half_angle, fine_half_angle, fine_y) + fine_y_cross_1
+    fine_sinc_b = 1 - fine_sinc_a
+    fine_sinc_b_right_1 = 1 - fine_sinc_b
+    fine_sinc_b_right_rest_1 = product_rest(0.16666666666666666, fine_y, fine_sinc_a, fine_sinc_b_right_1)
+    fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
+    fine_sinc_a_cross_1 = 9.25185853854297e-18 * fine_y + 0.16666666666666666 * fine_y_lo
+    fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1
+    fine_sinc_b_size_1 = 1 + 2290649224.7000003 * (fine_y_size_2 + fine_y_size_2)
+    fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
+    fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
+    fine_sinc_rest_1 = 8.201505264386605e-28 * (1.8051943758648296e-276 + fine_sinc_b_size_1)
+    fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11
+    fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
+    fine_sinc_bound_2 = absolute(fine_sinc_quotient_lo) + 2.755262189115544e-29 * fine_sinc_padded_2
+    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(fine_sinc_b - fine_sinc_quotient)
+    fine_sinc_size_6 = where(fine_sinc_divisor_size_5, 0, fine_sinc_bound_2 + fine_sinc_size_4)
+    fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
     fine_qo_0 = fine_h_0 * fine_sinc
-    fine_sinc_size_7 = where(fine_sinc_divisor_a, 1, fine_sinc_quotient_size_11) + fine_sinc_size_6
-    fine_qo_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_7
+    fine_sinc_size_8 = fine_sinc_size_1 + 1.2206826306780646e+27 * fine_sinc_size_6
+    fine_qo_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_8
     fine_qo_units_1 = 140737488355328 * (1.2325953113446296e-31 * fine_h_size_padded_1)
-    fine_qo_bound_1 = absolute(fine_sinc_lo) + 2.765944790253218e-29 * fine_qo_padded_1
+    fine_qo_bound_1 = absolute(fine_sinc_lo) + 8.201506228291972e-28 * fine_qo_padded_1
     fine_qo_reach_2 = absolute(fine_sinc) + 140737488355328 * fine_qo_bound_1
     fine_qo_size_2 = fine_qo_padded_1 * (absolute(fine_h_0) + fine_qo_units_1)
     fine_qo_1 = fine_h_1 * fine_sinc
@@ -1886,13 +1942,13 @@ def quaternion_exp(v):
     fine_qo_size_11 = fine_qo_padded_1 * (absolute(fine_h_2) + fine_qo_units_4)
     fine_qo_lo_1 = product_error(fine_h_0, fine_sinc, fine_qo_0) + fine_h_0 * fine_sinc_lo
     fine_qo_size_5 = fine_qo_size_2 + fine_h_size_padded_1 * fine_qo_reach_2
-    qo_rest_1 = 2.888588319442306e-29 * (1.8051943758648296e-276 + fine_qo_size_5)
+    qo_rest_1 = 8.21414129263252e-28 * (1.8051943758648296e-276 + fine_qo_size_5)
     fine_qo_lo_2 = product_error(fine_h_1, fine_sinc, fine_qo_1) + fine_h_1 * fine_sinc_lo
     fine_qo_size_9 = fine_qo_size_7 + fine_h_size_padded_2 * fine_qo_reach_2
-    qo_rest_2 = 2.888588319442306e-29 * (1.8051943758648296e-276 + fine_qo_size_9)
+    qo_rest_2 = 8.21414129263252e-28 * (1.8051943758648296e-276 + fine_qo_size_9)
     fine_qo_lo_3 = product_error(fine_h_2, fine_sinc, fine_qo_2) + fine_h_2 * fine_sinc_lo
     fine_qo_size_13 = fine_qo_size_11 + fine_h_size_padded_3 * fine_qo_reach_2
-    qo_rest_3 = 2.888588319442306e-29 * (1.8051943758648296e-276 + fine_qo_size_13)
+    qo_rest_3 = 8.21414129263252e-28 * (1.8051943758648296e-276 + fine_qo_size_13)
     qo_error_7 = absolute(fine_c_own_error_1 - fine_c_slope_1 * fine_sine_twice_1 + (fine_c - qo_3))
     qo_rest_4 = 1.0551017099379097e-29 * fine_sinc_quotient_padded_1
     qo_bound_1 = 1.0000000000000009 * absolute(fine_qo_lo_1 + (fine_qo_0 - qo_0)) + qo_rest_1
@@ -1903,14 +1959,14 @@ def quaternion_exp(v):
 
 
 @kernel("(4)->(3),(3)")
+@errstate(all="ignore")
 def quaternion_log(q):
     """vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of
     it; |error of vo| <= vo_bound unless inf or NaN.
 
     (4)->(3),(3).  q: quaternion (x, y, z, w), the scalar last; vo, vo_bound: vector.
     209 mul, 315 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 5 neg, 49 abs, 4
-    copysign, 35 less, 10 equal, 65 select.  Error <= vo: 6 u of its largest component;
-    searched, not proved.
+    copysign, 35 less, 10 equal, 65 select.
     """
     q_0, q_1, q_2, q_3 = q
     s_size_0 = absolute(q_0)

@@ -8,9 +8,11 @@ In double precision, certified tier.
 
 from numpy import absolute
 from coscrew._kernel import double_kernel as kernel
+from numpy import errstate
 
 
 @kernel("(6),()->(6),(6)")
+@errstate(all="ignore")
 def screw_scale(self, a):
     """self = a self; |error of self| <= self_bound unless inf or NaN.
 
@@ -42,6 +44,7 @@ def screw_scale(self, a):
 
 
 @kernel("(),(6),(6)->(6),(6)")
+@errstate(all="ignore")
 def axpy_ss(a, x, y):
     """y = a x + y; |error of y| <= y_bound unless inf or NaN.
 
@@ -80,6 +83,7 @@ def axpy_ss(a, x, y):
 
 
 @kernel("(6),(6)->(6),(6)")
+@errstate(all="ignore")
 def xpy_ss(x, y):
     """y = x + y; |error of y| <= y_bound unless inf or NaN.
 
@@ -106,6 +110,7 @@ def xpy_ss(x, y):
 
 
 @kernel("(6),(6)->(6),(6)")
+@errstate(all="ignore")
 def nxpy_ss(x, y):
     """y = -x + y; |error of y| <= y_bound unless inf or NaN.
 
@@ -132,6 +137,7 @@ def nxpy_ss(x, y):
 
 
 @kernel("(),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_as(a, si):
     """so = a si; |error of so| <= so_bound unless inf or NaN.
 
@@ -156,6 +162,7 @@ def product_as(a, si):
 
 
 @kernel("(6),(6)->(6),(6)")
+@errstate(all="ignore")
 def add_ss(s1, s2):
     """so = s1 + s2; |error of so| <= so_bound unless inf or NaN.
 
@@ -181,6 +188,7 @@ def add_ss(s1, s2):
 
 
 @kernel("(6),(6)->(6),(6)")
+@errstate(all="ignore")
 def subtract_ss(s1, s2):
     """so = s1 - s2; |error of so| <= so_bound unless inf or NaN.
 
@@ -206,6 +214,7 @@ def subtract_ss(s1, s2):
 
 
 @kernel("(6),(6)->(6),(6)")
+@errstate(all="ignore")
 def add_sst(s1, s2):
     """so = (s1.lin + s2.lin ; s1.ang); |error of so| <= so_bound unless inf or NaN.
 
@@ -225,6 +234,7 @@ def add_sst(s1, s2):
 
 
 @kernel("(3),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_Adts(t, si):
     """so = [Ad](t) si; |error of so| <= so_bound unless inf or NaN.
 
@@ -253,6 +263,7 @@ def product_Adts(t, si):
 
 
 @kernel("(3),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_Adtinvs(t, si):
     """so = [Ad](t)^-1 si; |error of so| <= so_bound unless inf or NaN.
 
@@ -281,6 +292,7 @@ def product_Adtinvs(t, si):
 
 
 @kernel("(3),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_Adtsinv(t, si):
     """so = [Ad](t) (-si); |error of so| <= so_bound unless inf or NaN.
 
@@ -312,6 +324,7 @@ def product_Adtsinv(t, si):
 
 
 @kernel("(3,3),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_Adrs(R, si):
     """so = [Ad](R) si; |error of so| <= so_bound unless inf or NaN.
 
@@ -362,6 +375,7 @@ def product_Adrs(R, si):
 
 
 @kernel("(3,3),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_Adrinvs(R, si):
     """so = [Ad](R)^-1 si; |error of so| <= so_bound unless inf or NaN.
 
@@ -412,6 +426,7 @@ def product_Adrinvs(R, si):
 
 
 @kernel("(3,3),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_Adrsinv(R, si):
     """so = [Ad](R) (-si); |error of so| <= so_bound unless inf or NaN.
 
@@ -462,6 +477,7 @@ def product_Adrsinv(R, si):
 
 
 @kernel("(3,4),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_Ads(D, si):
     """so = [Ad](D) si = [Ad](t) [Ad](R) si; |error of so| <= so_bound unless inf or NaN.
 
@@ -524,6 +540,7 @@ def product_Ads(D, si):
 
 
 @kernel("(3,4),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_Adinvs(D, si):
     """so = [Ad](D)^-1 si = [Ad](R^T) [Ad](-t) si; |error of so| <= so_bound unless inf or NaN.
 
@@ -583,6 +600,7 @@ def product_Adinvs(D, si):
 
 
 @kernel("(3,4),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_Adsinv(D, si):
     """so = [Ad](D) (-si); |error of so| <= so_bound unless inf or NaN.
 
@@ -642,6 +660,7 @@ def product_Adsinv(D, si):
 
 
 @kernel("(3,4)->(6),(6)")
+@errstate(all="ignore")
 def hsrx(D):
     """so = h_rx: column 3 of [Ad](D); |error of so| <= so_bound unless inf or NaN.
 
@@ -670,6 +689,7 @@ def hsrx(D):
 
 
 @kernel("(3,4)->(6),(6)")
+@errstate(all="ignore")
 def hsry(D):
     """so = h_ry: column 4 of [Ad](D); |error of so| <= so_bound unless inf or NaN.
 
@@ -698,6 +718,7 @@ def hsry(D):
 
 
 @kernel("(3,4)->(6),(6)")
+@errstate(all="ignore")
 def hsrz(D):
     """so = h_rz: column 5 of [Ad](D); |error of so| <= so_bound unless inf or NaN.
 
@@ -726,6 +747,7 @@ def hsrz(D):
 
 
 @kernel("(3,4)->(6),(6)")
+@errstate(all="ignore")
 def hsrxinv(D):
     """so = -h_rx: -column 3 of [Ad](D); |error of so| <= so_bound unless inf or NaN.
 
@@ -757,6 +779,7 @@ def hsrxinv(D):
 
 
 @kernel("(3,4)->(6),(6)")
+@errstate(all="ignore")
 def hsryinv(D):
     """so = -h_ry: -column 4 of [Ad](D); |error of so| <= so_bound unless inf or NaN.
 
@@ -788,6 +811,7 @@ def hsryinv(D):
 
 
 @kernel("(3,4)->(6),(6)")
+@errstate(all="ignore")
 def hsrzinv(D):
     """so = -h_rz: -column 5 of [Ad](D); |error of so| <= so_bound unless inf or NaN.
 
@@ -819,6 +843,7 @@ def hsrzinv(D):
 
 
 @kernel("(3,4)->(6,6),(6,6)")
+@errstate(all="ignore")
 def Ad(D):
     """M = [Ad](D); |error of M| <= M_bound unless inf or NaN.
 
@@ -879,6 +904,7 @@ def Ad(D):
 
 
 @kernel("(6),(6)->(),()")
+@errstate(all="ignore")
 def dot_cs(c, s):
     """power = f·v + τ·ω, in W; |error of power| <= power_bound unless inf or NaN.
 
@@ -902,6 +928,7 @@ def dot_cs(c, s):
 
 
 @kernel("(6),(6)->(6),(6)")
+@errstate(all="ignore")
 def cross_ss(s1, s2):
     """so = [ad](s1) s2 = (ω1×v2 + v1×ω2 ; ω1×ω2); |error of so| <= so_bound unless inf or NaN.
     Exactly zero for s1 = s2, unless products overflow.
@@ -952,6 +979,7 @@ def cross_ss(s1, s2):
 
 
 @kernel("(6),(6)->(6),(6)")
+@errstate(all="ignore")
 def cross_sst(s1, s2):
     """so = (ω1×v2 ; 0); |error of so| <= so_bound unless inf or NaN.
 
@@ -980,6 +1008,7 @@ def cross_sst(s1, s2):
 
 
 @kernel("(3,4),(3)->(6),(6)")
+@errstate(all="ignore")
 def hsra(D, axis):
     """so = (t×R a ; R a), a = axis in the body's frame; |error of so| <= so_bound unless inf or
     NaN.
@@ -1028,6 +1057,7 @@ def hsra(D, axis):
 
 
 @kernel("(3,4),(3)->(6),(6)")
+@errstate(all="ignore")
 def hsta(D, axis):
     """so = (R a ; 0), a = axis in the body's frame; |error of so| <= so_bound unless inf or NaN.
 
@@ -1060,6 +1090,7 @@ def hsta(D, axis):
 
 
 @kernel("(3,4),(3)->(6),(6)")
+@errstate(all="ignore")
 def hsrainv(D, axis):
     """so = -(t×R a ; R a), a = axis in the body's frame; |error of so| <= so_bound unless inf or
     NaN.
@@ -1105,6 +1136,7 @@ def hsrainv(D, axis):
 
 
 @kernel("(3,4),(3)->(6),(6)")
+@errstate(all="ignore")
 def hstainv(D, axis):
     """so = -(R a ; 0), a = axis in the body's frame; |error of so| <= so_bound unless inf or NaN.
 

@@ -10,9 +10,11 @@ from coscrew import _elementary_double as elementary
 from numpy import absolute, float64, sqrt, where
 from coscrew._exact import product_error, product_rest
 from coscrew._kernel import double_kernel as kernel
+from numpy import errstate
 
 
 @kernel("(3),()->(3),(3)")
+@errstate(all="ignore")
 def vec3_scale(self, a):
     """self = a self; |error of self| <= self_bound unless inf or NaN.
 
@@ -34,6 +36,7 @@ def vec3_scale(self, a):
 
 
 @kernel("(),(3),(3)->(3),(3)")
+@errstate(all="ignore")
 def axpy_vv(a, x, y):
     """y = a x + y; |error of y| <= y_bound unless inf or NaN.
 
@@ -59,6 +62,7 @@ def axpy_vv(a, x, y):
 
 
 @kernel("(3),(3)->(3),(3)")
+@errstate(all="ignore")
 def xpy_vv(x, y):
     """y = x + y; |error of y| <= y_bound unless inf or NaN.
 
@@ -78,6 +82,7 @@ def xpy_vv(x, y):
 
 
 @kernel("(3),(3)->(3),(3)")
+@errstate(all="ignore")
 def nxpy_vv(x, y):
     """y = -x + y; |error of y| <= y_bound unless inf or NaN.
 
@@ -97,6 +102,7 @@ def nxpy_vv(x, y):
 
 
 @kernel("(),(3)->(3),(3)")
+@errstate(all="ignore")
 def product_av(a, vi):
     """vo = a vi; |error of vo| <= vo_bound unless inf or NaN.
 
@@ -114,6 +120,7 @@ def product_av(a, vi):
 
 
 @kernel("(3),(3)->(3),(3)")
+@errstate(all="ignore")
 def add_vv(v1, v2):
     """vo = v1 + v2; |error of vo| <= vo_bound unless inf or NaN.
 
@@ -132,6 +139,7 @@ def add_vv(v1, v2):
 
 
 @kernel("(3),(3)->(3),(3)")
+@errstate(all="ignore")
 def subtract_vv(v1, v2):
     """vo = v1 - v2; |error of vo| <= vo_bound unless inf or NaN.
 
@@ -150,6 +158,7 @@ def subtract_vv(v1, v2):
 
 
 @kernel("(3),()->(3),(3)")
+@errstate(all="ignore")
 def vec3_scaled(v, k):
     """vo = k v; |error of vo| <= vo_bound unless inf or NaN.
 
@@ -167,6 +176,7 @@ def vec3_scaled(v, k):
 
 
 @kernel("(3),(3)->(),()")
+@errstate(all="ignore")
 def angle_vv(v1, v2):
     """angle = atan2(|v1 × v2|, v1·v2), in [0, π]; |error of angle| <= angle_bound unless inf or
     NaN.
@@ -329,6 +339,7 @@ def angle_vv(v1, v2):
 
 
 @kernel("(3),(3)->(),()")
+@errstate(all="ignore")
 def dot_vv(v1, v2):
     """v1·v2; |error of dot| <= dot_bound unless inf or NaN.
 
@@ -347,6 +358,7 @@ def dot_vv(v1, v2):
 
 
 @kernel("(),(3)->(3),(3)")
+@errstate(all="ignore")
 def product_avinv(k, v):
     """vo = k (-v); |error of vo| <= vo_bound unless inf or NaN.
 
@@ -367,6 +379,7 @@ def product_avinv(k, v):
 
 
 @kernel("(3),(3)->(3),(3)")
+@errstate(all="ignore")
 def cross_vv(v1, v2):
     """vo = v1 × v2; |error of vo| <= vo_bound unless inf or NaN.  Exactly zero for v1 = v2, unless
     products overflow.
@@ -395,6 +408,7 @@ def cross_vv(v1, v2):
 
 
 @kernel("(3),(3)->(3),(3)")
+@errstate(all="ignore")
 def cross_vvinv(v1, v2):
     """vo = v1 × (-v2); |error of vo| <= vo_bound unless inf or NaN.
 
@@ -422,6 +436,7 @@ def cross_vvinv(v1, v2):
 
 
 @kernel("(3),()->(3),(3)")
+@errstate(all="ignore")
 def add_vvx(v, k):
     """vo = v + k e_x; |error of vo| <= vo_bound unless inf or NaN.
 
@@ -435,6 +450,7 @@ def add_vvx(v, k):
 
 
 @kernel("(3),()->(3),(3)")
+@errstate(all="ignore")
 def add_vvxinv(v, k):
     """vo = v - k e_x; |error of vo| <= vo_bound unless inf or NaN.
 
@@ -448,6 +464,7 @@ def add_vvxinv(v, k):
 
 
 @kernel("(3),()->(3),(3)")
+@errstate(all="ignore")
 def add_vvy(v, k):
     """vo = v + k e_y; |error of vo| <= vo_bound unless inf or NaN.
 
@@ -461,6 +478,7 @@ def add_vvy(v, k):
 
 
 @kernel("(3),()->(3),(3)")
+@errstate(all="ignore")
 def add_vvyinv(v, k):
     """vo = v - k e_y; |error of vo| <= vo_bound unless inf or NaN.
 
@@ -474,6 +492,7 @@ def add_vvyinv(v, k):
 
 
 @kernel("(3),()->(3),(3)")
+@errstate(all="ignore")
 def add_vvz(v, k):
     """vo = v + k e_z; |error of vo| <= vo_bound unless inf or NaN.
 
@@ -487,6 +506,7 @@ def add_vvz(v, k):
 
 
 @kernel("(3),()->(3),(3)")
+@errstate(all="ignore")
 def add_vvzinv(v, k):
     """vo = v - k e_z; |error of vo| <= vo_bound unless inf or NaN.
 

@@ -8,9 +8,11 @@ In double precision, certified tier.
 
 from numpy import absolute
 from coscrew._kernel import double_kernel as kernel
+from numpy import errstate
 
 
 @kernel("(4),()->(4),(4)")
+@errstate(all="ignore")
 def vec4_scale(self, a):
     """self = a self; |error of self| <= self_bound unless inf or NaN.
 
@@ -36,6 +38,7 @@ def vec4_scale(self, a):
 
 
 @kernel("(4),()->(4),(4)")
+@errstate(all="ignore")
 def vec4_scaled(v, k):
     """vo = k v; |error of vo| <= vo_bound unless inf or NaN.
 

@@ -9,32 +9,28 @@ def sincos(x: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float
     or NaN.
 
     ()->(),(),(),().  x, s, c, s_bound, c_bound: number.
-    65 mul, 100 add, 8 product error, 1 div, 5 abs, 1 less, 1 select.  Error <= 0.824 ulp, in
-    single precision 0.85 ulp, unless a result is subnormal; proved.
+    65 mul, 100 add, 8 product error, 1 div, 5 abs, 1 less, 1 select.
     """
 
 def sin(x: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
     """s = sin x, x in rad; |error of s| <= s_bound unless inf or NaN.
 
     ()->(),().  x, s, s_bound: number.
-    65 mul, 99 add, 8 product error, 1 div, 4 abs, 1 less, 1 select.  Error <= 0.824 ulp, in
-    single precision 0.85 ulp, unless a result is subnormal; proved.
+    65 mul, 99 add, 8 product error, 1 div, 4 abs, 1 less, 1 select.
     """
 
 def cos(x: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
     """c = cos x, x in rad; |error of c| <= c_bound unless inf or NaN.
 
     ()->(),().  x, c, c_bound: number.
-    65 mul, 99 add, 8 product error, 1 div, 4 abs, 1 less, 1 select.  Error <= 0.824 ulp, in
-    single precision 0.85 ulp, unless a result is subnormal; proved.
+    65 mul, 99 add, 8 product error, 1 div, 4 abs, 1 less, 1 select.
     """
 
 def exp(x: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
     """y = e^x; |error of y| <= y_bound unless inf or NaN.
 
     ()->(),().  x, y, y_bound: number.
-    52 mul, 98 add, 8 product error, 5 power of two, 2 abs, 7 less, 1 equal, 9 select.  Error <=
-    0.755 ulp, in single precision 0.757 ulp, unless a result is subnormal; proved.
+    52 mul, 98 add, 8 product error, 5 power of two, 2 abs, 7 less, 1 equal, 9 select.
     """
 
 def tanh(x: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
@@ -42,8 +38,7 @@ def tanh(x: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32
 
     ()->(),().  x, y, y_bound: number.
     60 mul, 122 add, 9 product error, 2 div, 2 power of two, 6 abs, 2 copysign, 5 less, 11
-    select.  Error <= 0.979 ulp, in single precision 0.967 ulp, unless a result is subnormal;
-    proved.
+    select.
     """
 
 def atan2(y: ArrayLike, x: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
@@ -52,8 +47,7 @@ def atan2(y: ArrayLike, x: ArrayLike, out: tuple[NDArray[np.float32] | None, NDA
 
     (),()->(),().  y, x, angle, angle_bound: number.
     89 mul, 155 add, 14 product error, 2 div, 1 neg, 10 abs, 4 copysign, 13 less, 3 equal, 23
-    select.  Error <= 0.934 ulp, in single precision 0.896 ulp, unless a result is subnormal;
-    proved.
+    select.
     """
 
 def vec3_scale(self: ArrayLike, a: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
@@ -246,8 +240,7 @@ def euler_xyz_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.float32] | None, N
 
     (3,3)->(3),(3).  R: rotation or other 3×3 matrix; angles, angles_bound: vector.
     322 mul, 548 add, 45 product error, 6 product rest, 27 div, 2 sqrt, 4 neg, 59 abs, 12
-    copysign, 50 less, 13 equal, 96 select.  The rotation by these angles differs from R by at
-    most 12 u in each entry, near gimbal lock too; searched, not proved.
+    copysign, 50 less, 13 equal, 96 select.
     """
 
 def mat3x3_from_euler_xyx(angles: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
@@ -263,8 +256,7 @@ def euler_xyx_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.float32] | None, N
 
     (3,3)->(3),(3).  R: rotation or other 3×3 matrix; angles, angles_bound: vector.
     322 mul, 548 add, 45 product error, 6 product rest, 27 div, 2 sqrt, 3 neg, 59 abs, 12
-    copysign, 52 less, 13 equal, 98 select.  The rotation by these angles differs from R by at
-    most 12 u in each entry, near gimbal lock too; searched, not proved.
+    copysign, 52 less, 13 equal, 98 select.
     """
 
 def SE3_invert(self: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
@@ -605,8 +597,7 @@ def dc(theta: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float
     """dc = (sin θ, cos θ), θ in rad; |error of dc| <= dc_bound unless inf or NaN.
 
     ()->(2),(2).  theta: number; dc, dc_bound: (sin θ, cos θ).
-    65 mul, 100 add, 8 product error, 1 div, 5 abs, 1 less, 1 select.  Error <= 0.824 ulp, in
-    single precision 0.85 ulp, unless a result is subnormal; proved.
+    65 mul, 100 add, 8 product error, 1 div, 5 abs, 1 less, 1 select.
     """
 
 def screw_scale(self: ArrayLike, a: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
@@ -1497,8 +1488,7 @@ def quaternion_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: tuple[NDA
 
     (3),()->(4),(4).  axis: vector; angle: number; qo, qo_bound: quaternion (x, y, z, w), the
     scalar last.
-    80 mul, 110 add, 11 product error, 1 div, 11 abs, 1 less, 1 select.  Error <= qo: 3 u of its
-    largest component for |axis| = 1; searched, not proved.
+    80 mul, 110 add, 11 product error, 1 div, 11 abs, 1 less, 1 select.
     """
 
 def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None, NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32], NDArray[np.float32], NDArray[np.float32]]:
@@ -1509,8 +1499,7 @@ def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.float32] | No
     (4)->(),(3),(),(3).  q: quaternion (x, y, z, w), the scalar last; angle, angle_bound:
     number; axis, axis_bound: vector.
     167 mul, 259 add, 18 product error, 3 product rest, 24 div, 2 sqrt, 5 neg, 50 abs, 4
-    copysign, 35 less, 10 equal, 69 select.  Error <= angle: 6 u, axis: 4 u of its largest
-    component; searched, not proved.
+    copysign, 35 less, 10 equal, 69 select.
     """
 
 def quaternion_exp(v: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
@@ -1518,9 +1507,8 @@ def quaternion_exp(v: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[
     of qo| <= qo_bound unless inf or NaN.
 
     (3)->(4),(4).  v: vector; qo, qo_bound: quaternion (x, y, z, w), the scalar last.
-    226 mul, 290 add, 13 product error, 3 product rest, 11 div, 3 sqrt, 35 abs, 10 less, 2
-    equal, 24 select.  Error <= qo: (7 + θ/200) u of its largest component for |v| <= 1e13, in
-    single precision 1e5; searched, not proved.
+    236 mul, 305 add, 14 product error, 4 product rest, 11 div, 3 sqrt, 37 abs, 11 less, 1
+    equal, 24 select.
     """
 
 def quaternion_log(q: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
@@ -1529,8 +1517,7 @@ def quaternion_log(q: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[
 
     (4)->(3),(3).  q: quaternion (x, y, z, w), the scalar last; vo, vo_bound: vector.
     175 mul, 256 add, 19 product error, 3 product rest, 16 div, 2 sqrt, 5 neg, 49 abs, 4
-    copysign, 35 less, 10 equal, 65 select.  Error <= vo: 6 u of its largest component;
-    searched, not proved.
+    copysign, 35 less, 10 equal, 65 select.
     """
 
 def SO3_exp(v: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
@@ -1538,9 +1525,8 @@ def SO3_exp(v: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.floa
     inf or NaN.
 
     (3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.
-    296 mul, 438 add, 13 product error, 21 product rest, 12 div, 3 sqrt, 49 abs, 13 less, 2
-    equal, 29 select.  Error <= R: (6 + θ/200) u of its largest component for |v| <= 1e13, in
-    single precision 1e5; searched, not proved.
+    306 mul, 453 add, 14 product error, 22 product rest, 12 div, 3 sqrt, 51 abs, 14 less, 1
+    equal, 29 select.
     """
 
 def SO3_log(R: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
@@ -1549,8 +1535,7 @@ def SO3_log(R: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.floa
 
     (3,3)->(3),(3).  R: rotation or other 3×3 matrix; vo, vo_bound: vector.
     182 mul, 383 add, 19 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 65 abs, 4
-    copysign, 34 less, 6 equal, 99 select.  Error <= vo: 7 u of its largest component for R a
-    rotation; searched, not proved.
+    copysign, 34 less, 6 equal, 99 select.
     """
 
 def SO3_leftJacobian(v: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
@@ -1558,9 +1543,8 @@ def SO3_leftJacobian(v: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArra
     unless inf or NaN.
 
     (3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.
-    398 mul, 695 add, 18 product error, 42 product rest, 16 div, 3 sqrt, 89 abs, 19 less, 2
-    equal, 45 select.  Error <= R: (7 + θ/200) u of its largest component for |v| <= 1e13, in
-    single precision 1e5; searched, not proved.
+    403 mul, 706 add, 18 product error, 43 product rest, 16 div, 3 sqrt, 90 abs, 20 less, 1
+    equal, 45 select.
     """
 
 def SO3_rightJacobian(v: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
@@ -1568,9 +1552,8 @@ def SO3_rightJacobian(v: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArr
     unless inf or NaN.
 
     (3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.
-    398 mul, 695 add, 18 product error, 42 product rest, 16 div, 3 sqrt, 12 neg, 89 abs, 19
-    less, 2 equal, 45 select.  Error <= R: (7 + θ/200) u of its largest component for |v| <=
-    1e13, in single precision 1e5; searched, not proved.
+    403 mul, 706 add, 18 product error, 43 product rest, 16 div, 3 sqrt, 12 neg, 90 abs, 20
+    less, 1 equal, 45 select.
     """
 
 def SO3_leftJacobianInverse(v: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
@@ -1578,9 +1561,8 @@ def SO3_leftJacobianInverse(v: ArrayLike, out: tuple[NDArray[np.float32] | None,
     except 0; |error of R| <= R_bound unless inf or NaN.
 
     (3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.
-    385 mul, 694 add, 20 product error, 33 product rest, 23 div, 3 sqrt, 6 neg, 92 abs, 22 less,
-    2 equal, 47 select.  Error <= R: 6 u of its largest component for |v| <= π; searched, not
-    proved.
+    390 mul, 705 add, 20 product error, 34 product rest, 23 div, 3 sqrt, 6 neg, 93 abs, 23 less,
+    1 equal, 47 select.
     """
 
 def SO3_rightJacobianInverse(v: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
@@ -1588,9 +1570,8 @@ def SO3_rightJacobianInverse(v: ArrayLike, out: tuple[NDArray[np.float32] | None
     except 0; |error of R| <= R_bound unless inf or NaN.
 
     (3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.
-    385 mul, 694 add, 20 product error, 33 product rest, 23 div, 3 sqrt, 92 abs, 22 less, 2
-    equal, 47 select.  Error <= R: 6 u of its largest component for |v| <= π; searched, not
-    proved.
+    390 mul, 705 add, 20 product error, 34 product rest, 23 div, 3 sqrt, 93 abs, 23 less, 1
+    equal, 47 select.
     """
 
 def mat3x3_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
@@ -1598,8 +1579,7 @@ def mat3x3_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: tuple[NDArray
     not a rotation; |error of R| <= R_bound unless inf or NaN.
 
     (3),()->(3,3),(3,3).  axis: vector; angle: number; R, R_bound: rotation or other 3×3 matrix.
-    180 mul, 322 add, 20 product error, 18 product rest, 2 div, 24 abs, 4 less, 6 select.  Error
-    <= R: 9 u of its largest component for |axis| = 1; searched, not proved.
+    180 mul, 322 add, 20 product error, 18 product rest, 2 div, 24 abs, 4 less, 6 select.
     """
 
 def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None, NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32], NDArray[np.float32], NDArray[np.float32]]:
@@ -1609,8 +1589,7 @@ def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.float32] | None, 
     (3,3)->(),(3),(),(3).  R: rotation or other 3×3 matrix; angle, angle_bound: number; axis,
     axis_bound: vector.
     171 mul, 383 add, 18 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 63 abs, 4
-    copysign, 34 less, 6 equal, 103 select.  Error <= angle: 8 u, axis: 5 u of its largest
-    component for R a rotation; searched, not proved.
+    copysign, 34 less, 6 equal, 103 select.
     """
 
 def mat3x3_orthonormalize(self: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
@@ -1634,11 +1613,8 @@ def SE3_exp(s: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.floa
 
     (6)->(3,4),(3,4).  s: screw (v in m/s; ω in rad/s); D, D_bound: displacement [R | t], R
     rotation, t in m.
-    489 mul, 824 add, 21 product error, 57 product rest, 16 div, 3 sqrt, 101 abs, 19 less, 2
-    equal, 46 select.  Error <= R: (6 + θ/200) u, t: (14 + θ/200) u of its largest component, or
-    of s.lin if that is larger, for |ω of s| <= 1e13, in single precision 1e5; searched, not
-    proved.  Intermediate sums may overflow where |v|, or |ω| |v|, is above 2e306, in single
-    precision 5e36.
+    494 mul, 835 add, 21 product error, 58 product rest, 16 div, 3 sqrt, 102 abs, 20 less, 1
+    equal, 46 select.
     """
 
 def SE3_log(D: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
@@ -1647,10 +1623,8 @@ def SE3_log(D: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.floa
 
     (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;
     ω in rad/s).
-    534 mul, 920 add, 29 product error, 35 product rest, 47 div, 5 sqrt, 14 neg, 160 abs, 6
-    copysign, 65 less, 10 equal, 167 select.  Error <= lin: 18 u, ang: 8 u of its largest
-    component for R of D a rotation; searched, not proved.  Intermediate sums may overflow where
-    |t| is above 2e306, in single precision 5e36.
+    539 mul, 931 add, 29 product error, 36 product rest, 47 div, 5 sqrt, 14 neg, 161 abs, 6
+    copysign, 66 less, 9 equal, 167 select.
     """
 
 def inertia(m: ArrayLike, t: ArrayLike, Ixx: ArrayLike, Iyy: ArrayLike, Izz: ArrayLike, Ixy: ArrayLike, Iyz: ArrayLike, Izx: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:

@@ -8,9 +8,11 @@ In single precision, certified tier.
 
 from numpy import absolute
 from coscrew._kernel import single_kernel as kernel
+from numpy import errstate
 
 
 @kernel("(6),()->(6),(6)")
+@errstate(all="ignore")
 def coscrew_scale(self, a):
     """self = a self; |error of self| <= self_bound unless inf or NaN.
 
@@ -36,6 +38,7 @@ def coscrew_scale(self, a):
 
 
 @kernel("(),(6),(6)->(6),(6)")
+@errstate(all="ignore")
 def axpy_cc(a, x, y):
     """y = a x + y; |error of y| <= y_bound unless inf or NaN.
 
@@ -74,6 +77,7 @@ def axpy_cc(a, x, y):
 
 
 @kernel("(6),(6)->(6),(6)")
+@errstate(all="ignore")
 def xpy_cc(x, y):
     """y = x + y; |error of y| <= y_bound unless inf or NaN.
 
@@ -100,6 +104,7 @@ def xpy_cc(x, y):
 
 
 @kernel("(6),(6)->(6),(6)")
+@errstate(all="ignore")
 def nxpy_cc(x, y):
     """y = -x + y; |error of y| <= y_bound unless inf or NaN.
 
@@ -126,6 +131,7 @@ def nxpy_cc(x, y):
 
 
 @kernel("(),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_ac(a, ci):
     """co = a ci; |error of co| <= co_bound unless inf or NaN.
 
@@ -150,6 +156,7 @@ def product_ac(a, ci):
 
 
 @kernel("(6),(6)->(6),(6)")
+@errstate(all="ignore")
 def add_cc(c1, c2):
     """co = c1 + c2; |error of co| <= co_bound unless inf or NaN.
 
@@ -175,6 +182,7 @@ def add_cc(c1, c2):
 
 
 @kernel("(6),(6)->(6),(6)")
+@errstate(all="ignore")
 def subtract_cc(c1, c2):
     """co = c1 - c2; |error of co| <= co_bound unless inf or NaN.
 
@@ -200,6 +208,7 @@ def subtract_cc(c1, c2):
 
 
 @kernel("(6),(6)->(6),(6)")
+@errstate(all="ignore")
 def add_cct(c1, c2):
     """co = (c1.lin + c2.lin ; c1.ang); |error of co| <= co_bound unless inf or NaN.
 
@@ -219,6 +228,7 @@ def add_cct(c1, c2):
 
 
 @kernel("(3),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_CoAdtc(t, ci):
     """co = [Ad]*(t) ci; |error of co| <= co_bound unless inf or NaN.
 
@@ -247,6 +257,7 @@ def product_CoAdtc(t, ci):
 
 
 @kernel("(3),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_CoAdtinvc(t, ci):
     """co = [Ad]*(t)^-1 ci; |error of co| <= co_bound unless inf or NaN.
 
@@ -275,6 +286,7 @@ def product_CoAdtinvc(t, ci):
 
 
 @kernel("(3),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_CoAdtcinv(t, ci):
     """co = [Ad]*(t) (-ci); |error of co| <= co_bound unless inf or NaN.
 
@@ -306,6 +318,7 @@ def product_CoAdtcinv(t, ci):
 
 
 @kernel("(3,3),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_CoAdrc(R, ci):
     """co = [Ad]*(R) ci; |error of co| <= co_bound unless inf or NaN.
 
@@ -356,6 +369,7 @@ def product_CoAdrc(R, ci):
 
 
 @kernel("(3,3),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_CoAdrinvc(R, ci):
     """co = [Ad]*(R)^-1 ci; |error of co| <= co_bound unless inf or NaN.
 
@@ -406,6 +420,7 @@ def product_CoAdrinvc(R, ci):
 
 
 @kernel("(3,3),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_CoAdrcinv(R, ci):
     """co = [Ad]*(R) (-ci); |error of co| <= co_bound unless inf or NaN.
 
@@ -456,6 +471,7 @@ def product_CoAdrcinv(R, ci):
 
 
 @kernel("(3,4),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_CoAdc(D, ci):
     """co = [Ad]*(D) ci = [Ad]*(t) [Ad]*(R) ci; |error of co| <= co_bound unless inf or NaN.
 
@@ -518,6 +534,7 @@ def product_CoAdc(D, ci):
 
 
 @kernel("(3,4),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_CoAdinvc(D, ci):
     """co = [Ad]*(D)^-1 ci = [Ad]*(R^T) [Ad]*(-t) ci; |error of co| <= co_bound unless inf or NaN.
 
@@ -577,6 +594,7 @@ def product_CoAdinvc(D, ci):
 
 
 @kernel("(3,4),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_CoAdcinv(D, ci):
     """co = [Ad]*(D) (-ci); |error of co| <= co_bound unless inf or NaN.
 
@@ -636,6 +654,7 @@ def product_CoAdcinv(D, ci):
 
 
 @kernel("(3,4)->(6),(6)")
+@errstate(all="ignore")
 def hctx(D):
     """co = h_tx: column 0 of [Ad]*(D); |error of co| <= co_bound unless inf or NaN.
 
@@ -664,6 +683,7 @@ def hctx(D):
 
 
 @kernel("(3,4)->(6),(6)")
+@errstate(all="ignore")
 def hcty(D):
     """co = h_ty: column 1 of [Ad]*(D); |error of co| <= co_bound unless inf or NaN.
 
@@ -692,6 +712,7 @@ def hcty(D):
 
 
 @kernel("(3,4)->(6),(6)")
+@errstate(all="ignore")
 def hctz(D):
     """co = h_tz: column 2 of [Ad]*(D); |error of co| <= co_bound unless inf or NaN.
 
@@ -720,6 +741,7 @@ def hctz(D):
 
 
 @kernel("(3,4)->(6),(6)")
+@errstate(all="ignore")
 def hctxinv(D):
     """co = -h_tx: -column 0 of [Ad]*(D); |error of co| <= co_bound unless inf or NaN.
 
@@ -751,6 +773,7 @@ def hctxinv(D):
 
 
 @kernel("(3,4)->(6),(6)")
+@errstate(all="ignore")
 def hctyinv(D):
     """co = -h_ty: -column 1 of [Ad]*(D); |error of co| <= co_bound unless inf or NaN.
 
@@ -782,6 +805,7 @@ def hctyinv(D):
 
 
 @kernel("(3,4)->(6),(6)")
+@errstate(all="ignore")
 def hctzinv(D):
     """co = -h_tz: -column 2 of [Ad]*(D); |error of co| <= co_bound unless inf or NaN.
 
@@ -813,6 +837,7 @@ def hctzinv(D):
 
 
 @kernel("(3,4)->(6,6),(6,6)")
+@errstate(all="ignore")
 def CoAd(D):
     """M = [Ad]*(D); |error of M| <= M_bound unless inf or NaN.
 
@@ -873,6 +898,7 @@ def CoAd(D):
 
 
 @kernel("(6),(6)->(),()")
+@errstate(all="ignore")
 def reciprocal_product(c, x):
     """power = W ⊙ $ = f·v + τ·ω, W = c = (f; τ), $ = x = (ω; v); |error of power| <= power_bound
     unless inf or NaN.
@@ -897,6 +923,7 @@ def reciprocal_product(c, x):
 
 
 @kernel("(6),(6)->(6),(6)")
+@errstate(all="ignore")
 def cross_sc(s, c):
     """co = [ad]*(s) c = (ω×f ; v×f + ω×τ); |error of co| <= co_bound unless inf or NaN.
 
@@ -947,6 +974,7 @@ def cross_sc(s, c):
 
 
 @kernel("(6),(6)->(6),(6)")
+@errstate(all="ignore")
 def cross_sca(s, c):
     """co = (0 ; ω×τ); |error of co| <= co_bound unless inf or NaN.
 
@@ -976,6 +1004,7 @@ def cross_sca(s, c):
 
 
 @kernel("(3,4),(6)->(6),(6)")
+@errstate(all="ignore")
 def constraint_ctx(D, c):
     """co = H̄* c = [Ad]*(D) P c; P clears component 0 of c, given in the frame of a tx joint at D;
     |error of co| <= co_bound unless inf or NaN.
@@ -1036,6 +1065,7 @@ def constraint_ctx(D, c):
 
 
 @kernel("(3,4),(6)->(6),(6)")
+@errstate(all="ignore")
 def constraint_cty(D, c):
     """co = H̄* c = [Ad]*(D) P c; P clears component 1 of c, given in the frame of a ty joint at D;
     |error of co| <= co_bound unless inf or NaN.
@@ -1096,6 +1126,7 @@ def constraint_cty(D, c):
 
 
 @kernel("(3,4),(6)->(6),(6)")
+@errstate(all="ignore")
 def constraint_ctz(D, c):
     """co = H̄* c = [Ad]*(D) P c; P clears component 2 of c, given in the frame of a tz joint at D;
     |error of co| <= co_bound unless inf or NaN.
@@ -1156,6 +1187,7 @@ def constraint_ctz(D, c):
 
 
 @kernel("(3,4),(6)->(6),(6)")
+@errstate(all="ignore")
 def constraint_crx(D, c):
     """co = H̄* c = [Ad]*(D) P c; P clears component 3 of c, given in the frame of a rx joint at D;
     |error of co| <= co_bound unless inf or NaN.
@@ -1216,6 +1248,7 @@ def constraint_crx(D, c):
 
 
 @kernel("(3,4),(6)->(6),(6)")
+@errstate(all="ignore")
 def constraint_cry(D, c):
     """co = H̄* c = [Ad]*(D) P c; P clears component 4 of c, given in the frame of a ry joint at D;
     |error of co| <= co_bound unless inf or NaN.
@@ -1276,6 +1309,7 @@ def constraint_cry(D, c):
 
 
 @kernel("(3,4),(6)->(6),(6)")
+@errstate(all="ignore")
 def constraint_crz(D, c):
     """co = H̄* c = [Ad]*(D) P c; P clears component 5 of c, given in the frame of a rz joint at D;
     |error of co| <= co_bound unless inf or NaN.
@@ -1336,6 +1370,7 @@ def constraint_crz(D, c):
 
 
 @kernel("(3,4),(6)->(6),(6)")
+@errstate(all="ignore")
 def working_ctx(D, c):
     """co = h̄* c = [Ad]*(D) P c; P keeps component 0 of c, given in the frame of a tx joint at D;
     |error of co| <= co_bound unless inf or NaN.
@@ -1372,6 +1407,7 @@ def working_ctx(D, c):
 
 
 @kernel("(3,4),(6)->(6),(6)")
+@errstate(all="ignore")
 def working_cty(D, c):
     """co = h̄* c = [Ad]*(D) P c; P keeps component 1 of c, given in the frame of a ty joint at D;
     |error of co| <= co_bound unless inf or NaN.
@@ -1408,6 +1444,7 @@ def working_cty(D, c):
 
 
 @kernel("(3,4),(6)->(6),(6)")
+@errstate(all="ignore")
 def working_ctz(D, c):
     """co = h̄* c = [Ad]*(D) P c; P keeps component 2 of c, given in the frame of a tz joint at D;
     |error of co| <= co_bound unless inf or NaN.
@@ -1444,6 +1481,7 @@ def working_ctz(D, c):
 
 
 @kernel("(3,4),(6)->(6),(6)")
+@errstate(all="ignore")
 def working_crx(D, c):
     """co = h̄* c = [Ad]*(D) P c; P keeps component 3 of c, given in the frame of a rx joint at D;
     |error of co| <= co_bound unless inf or NaN.
@@ -1464,6 +1502,7 @@ def working_crx(D, c):
 
 
 @kernel("(3,4),(6)->(6),(6)")
+@errstate(all="ignore")
 def working_cry(D, c):
     """co = h̄* c = [Ad]*(D) P c; P keeps component 4 of c, given in the frame of a ry joint at D;
     |error of co| <= co_bound unless inf or NaN.
@@ -1484,6 +1523,7 @@ def working_cry(D, c):
 
 
 @kernel("(3,4),(6)->(6),(6)")
+@errstate(all="ignore")
 def working_crz(D, c):
     """co = h̄* c = [Ad]*(D) P c; P keeps component 5 of c, given in the frame of a rz joint at D;
     |error of co| <= co_bound unless inf or NaN.

@@ -10,17 +10,18 @@ from coscrew import _elementary_single as elementary
 from numpy import absolute, float32, sqrt, where
 from coscrew._exact import product_error_single as product_error, product_rest_single as product_rest
 from coscrew._kernel import single_kernel as kernel
+from numpy import errstate
 
 
 @kernel("(3)->(3,3),(3,3)")
+@errstate(all="ignore")
 def SO3_exp(v):
     """R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|; |error of R| <= R_bound unless
     inf or NaN.
 
     (3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.
-    296 mul, 438 add, 13 product error, 21 product rest, 12 div, 3 sqrt, 49 abs, 13 less, 2
-    equal, 29 select.  Error <= R: (6 + θ/200) u of its largest component for |v| <= 1e13, in
-    single precision 1e5; searched, not proved.
+    306 mul, 453 add, 14 product error, 22 product rest, 12 div, 3 sqrt, 51 abs, 14 less, 1
+    equal, 29 select.
     """
     v_0, v_1, v_2 = v
     size_0 = absolute(v_0)
@@ -170,25 +171,27 @@ def SO3_exp(v):
     fine_reduced_length_size_12 = fine_reduced_length + fine_reduced_length_size_11
     fine_up_size_1 = where(fine_up_a, float32(3.6893488147419103e+19), float32(1))
     fine_half_angle_size_1 = (3.308722450212111e-24 + fine_reduced_length_size_12) * fine_up_size_1
+    fine_y = fine_half_angle * fine_half_angle
+    fine_y_padded_1 = 3.308722450212111e-24 + fine_half_angle_size_1
+    fine_y_bound_1 = absolute(fine_half_angle_lo) + 1.6484983e-12 * fine_y_padded_1
+    fine_y_size_2 = fine_y_padded_1 * (absolute(fine_half_angle) + 262144 * fine_y_bound_1)
     fine_sine, fine_c = elementary.sincos(fine_half_angle)
     fine_sine_own_error_1, fine_c_own_error_1 = elementary.sincos_error(fine_half_angle, fine_sine, fine_c)
     fine_sine_half_1 = fine_half_angle_lo * 0.5
     fine_sine_half_sin_1, fine_sine_half_cos_1 = elementary.sincos(fine_sine_half_1)
     fine_sine_twice_1 = fine_sine_half_sin_1 + fine_sine_half_sin_1
     fine_sine_slope_1 = fine_sine_half_cos_1 * fine_c - fine_sine_half_sin_1 * fine_sine
-    fine_sine_padded_1 = 3.308722450212111e-24 + fine_half_angle_size_1
-    fine_sine_size_1 = 1 + fine_sine_padded_1
+    fine_sine_size_1 = 1 + fine_y_padded_1
     fine_c_slope_1 = fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * fine_c
     fine_c_lo = fine_c_own_error_1 - fine_c_slope_1 * fine_sine_twice_1
-    fine_sinc_divisor_a = fine_half_angle == 0
-    fine_sinc_divisor = where(fine_sinc_divisor_a, 1, fine_half_angle)
+    fine_sinc_divisor_a = fine_half_angle < 1.4901161193847656e-08
+    fine_sinc_divisor = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle)
     fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_lo)
-    fine_sinc_divisor_bound_1 = absolute(fine_half_angle_lo) + 1.6484983e-12 * fine_sine_padded_1
-    fine_sinc_divisor_size_4 = 1.401298464324817e-45 + absolute(fine_half_angle - 0)
-    fine_sinc_divisor_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_4
-    fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 + absolute(1 - fine_half_angle)
+    fine_sinc_divisor_size_3 = absolute(fine_half_angle - 1.4901161193847656e-08)
+    fine_sinc_divisor_size_5 = fine_y_bound_1 < 1.401298464324817e-45 + fine_sinc_divisor_size_3
+    fine_sinc_divisor_size_8 = absolute(1.4901161193847656e-08 - fine_half_angle) + fine_y_bound_1
     fine_sinc_divisor_size_9 = where(fine_sinc_divisor_size_5, 0, fine_sinc_divisor_size_8)
-    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1, fine_half_angle_size_1)
+    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle_size_1)
     fine_sinc_quotient = fine_sine / fine_sinc_divisor
     fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
     fine_sinc_quotient_product_error_1 = product_error(fine_sinc_quotient, fine_sinc_divisor, fine_sinc_quotient_product_1)
@@ -214,15 +217,26 @@ def SO3_exp(v):
     fine_sinc_quotient_size_9 = fine_sinc_quotient_reach_1 * fine_sinc_quotient_size_8
     fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2
     fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10
-    fine_sinc = where(fine_sinc_divisor_a, 1, fine_sinc_quotient)
-    fine_sinc_lo = where(fine_sinc_divisor_a, 0, fine_sinc_quotient_lo)
-    fine_sinc_rest_1 = 7.941701e-12 * (3.308722450212111e-24 + fine_sinc_quotient_size_11)
-    fine_sinc_bound_1 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_1
-    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(1 - fine_sinc_quotient)
-    fine_sinc_size_6 = 129352179712 * where(fine_sinc_divisor_size_5, 0, fine_sinc_size_4)
+    fine_y_cross_1 = fine_half_angle_lo * fine_half_angle + fine_half_angle * fine_half_angle_lo
+    fine_sinc_a = 0.16666667 * fine_y
+    fine_y_lo = product_error(fine_half_angle, fine_half_angle, fine_y) + fine_y_cross_1
+    fine_sinc_b = 1 - fine_sinc_a
+    fine_sinc_b_right_1 = 1 - fine_sinc_b
+    fine_sinc_b_right_rest_1 = product_rest(0.16666667, fine_y, fine_sinc_a, fine_sinc_b_right_1)
+    fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
+    fine_sinc_b_lo = fine_sinc_b_lo1_1 - (-4.967054e-09 * fine_y + 0.16666667 * fine_y_lo)
+    fine_sinc_b_size_1 = 1 + 0.16666669 * (fine_y_size_2 + fine_y_size_2)
+    fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
+    fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
+    fine_sinc_rest_1 = 2.3639474e-10 * (3.308722450212111e-24 + fine_sinc_b_size_1)
+    fine_sinc_rest_2 = 7.941701e-12 * (3.308722450212111e-24 + fine_sinc_quotient_size_11)
+    fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
+    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(fine_sinc_b - fine_sinc_quotient)
+    fine_sinc_size_5 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_2 + fine_sinc_size_4
+    fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
+    fine_sinc_size_7 = 4235066880 * where(fine_sinc_divisor_size_5, 0, fine_sinc_size_5)
     fine_turning_0 = v_0 * fine_sinc
-    fine_sinc_size_7 = where(fine_sinc_divisor_a, 1, fine_sinc_quotient_size_11) + fine_sinc_size_6
-    fine_turning_padded_1 = 3.308722450212111e-24 + fine_sinc_size_7
+    fine_turning_padded_1 = 3.308722450212111e-24 + (fine_sinc_size_1 + fine_sinc_size_7)
     fine_turning_size_1 = fine_halved_size_1 * fine_turning_padded_1
     fine_turning_1 = v_1 * fine_sinc
     fine_turning_size_2 = fine_halved_size_3 * fine_turning_padded_1
@@ -241,27 +255,27 @@ def SO3_exp(v):
     fine_m_cross_1 = fine_turning_lo_1 * fine_beta_v_0 + fine_turning_0 * fine_beta_v_cross2_1
     fine_m_padded_1 = 3.308722450212111e-24 + fine_turning_size_1
     fine_m_padded_2 = 3.308722450212111e-24 + 0.5 * fine_turning_size_1
-    fine_m_units_1 = 262144 * (absolute(fine_turning_lo_1) + 8.098611e-12 * fine_m_padded_1)
+    fine_m_units_1 = 262144 * (absolute(fine_turning_lo_1) + 2.3653254e-10 * fine_m_padded_1)
     fine_m_reach_1 = absolute(fine_turning_0) + fine_m_units_1
-    fine_m_units_2 = 262144 * (absolute(fine_beta_v_cross2_1) + 8.235425e-12 * fine_m_padded_2)
+    fine_m_units_2 = 262144 * (absolute(fine_beta_v_cross2_1) + 2.366809e-10 * fine_m_padded_2)
     fine_m_reach_2 = absolute(fine_beta_v_0) + fine_m_units_2
     fine_m_size_5 = fine_m_padded_2 * fine_m_reach_1 + fine_m_padded_1 * fine_m_reach_2
     fine_m_1 = fine_turning_1 * fine_beta_v_1
     fine_m_cross_2 = fine_turning_lo_2 * fine_beta_v_1 + fine_turning_1 * fine_beta_v_cross2_2
     fine_m_padded_3 = 3.308722450212111e-24 + fine_turning_size_2
     fine_m_padded_4 = 3.308722450212111e-24 + 0.5 * fine_turning_size_2
-    fine_m_units_3 = 262144 * (absolute(fine_turning_lo_2) + 8.098611e-12 * fine_m_padded_3)
+    fine_m_units_3 = 262144 * (absolute(fine_turning_lo_2) + 2.3653254e-10 * fine_m_padded_3)
     fine_m_reach_3 = absolute(fine_turning_1) + fine_m_units_3
-    fine_m_units_4 = 262144 * (absolute(fine_beta_v_cross2_2) + 8.235425e-12 * fine_m_padded_4)
+    fine_m_units_4 = 262144 * (absolute(fine_beta_v_cross2_2) + 2.366809e-10 * fine_m_padded_4)
     fine_m_reach_4 = absolute(fine_beta_v_1) + fine_m_units_4
     fine_m_size_10 = fine_m_padded_4 * fine_m_reach_3 + fine_m_padded_3 * fine_m_reach_4
     fine_m_2 = fine_turning_2 * fine_beta_v_2
     fine_m_cross_3 = fine_turning_lo_3 * fine_beta_v_2 + fine_turning_2 * fine_beta_v_cross2_3
     fine_m_padded_5 = 3.308722450212111e-24 + fine_turning_size_3
     fine_m_padded_6 = 3.308722450212111e-24 + 0.5 * fine_turning_size_3
-    fine_m_units_5 = 262144 * (absolute(fine_turning_lo_3) + 8.098611e-12 * fine_m_padded_5)
+    fine_m_units_5 = 262144 * (absolute(fine_turning_lo_3) + 2.3653254e-10 * fine_m_padded_5)
     fine_m_reach_5 = absolute(fine_turning_2) + fine_m_units_5
-    fine_m_units_6 = 262144 * (absolute(fine_beta_v_cross2_3) + 8.235425e-12 * fine_m_padded_6)
+    fine_m_units_6 = 262144 * (absolute(fine_beta_v_cross2_3) + 2.366809e-10 * fine_m_padded_6)
     fine_m_size_14 = fine_m_padded_5 * (absolute(fine_beta_v_2) + fine_m_units_6)
     fine_m_size_15 = fine_m_padded_6 * fine_m_reach_5 + fine_m_size_14
     fine_m_3 = fine_turning_1 * fine_beta_v_0
@@ -346,43 +360,43 @@ def SO3_exp(v):
     diagonal0_error_2 = 1.0000005 * absolute(fine_R_00 - diagonal0 + fine_R_lo_1)
     fine_R_lo_2 = fine_R_left_rest_2 - fine_R_right_rest_2 + (fine_m_cross_4 - fine_alpha_v_cross_3)
     fine_R_size_2 = fine_alpha_v_size_8 + fine_m_reach_5 * fine_sine_size_1 + fine_m_size_18
-    R_rest_1 = 1.1008521e-11 * (3.308722450212111e-24 + fine_R_size_2)
+    R_rest_1 = 2.3971689e-10 * (3.308722450212111e-24 + fine_R_size_2)
     fine_R_lo_3 = fine_R_left_rest_3 + fine_R_right_rest_3 + (fine_m_cross_5 + fine_alpha_v_cross_2)
-    R_rest_2 = 1.1008521e-11 * (3.308722450212111e-24 + (fine_alpha_v_size_7 + fine_m_size_21))
+    R_rest_2 = 2.3971689e-10 * (3.308722450212111e-24 + (fine_alpha_v_size_7 + fine_m_size_21))
     fine_R_lo_4 = fine_R_left_rest_4 + fine_R_right_rest_4 + (fine_m_cross_4 + fine_alpha_v_cross_3)
     fine_R_lo_5 = fine_R_lo1_5 - (fine_others_lo1_2 + (fine_m_cross_1 + fine_m_cross_3))
     diagonal1_padded_1 = 3.308722450212111e-24 + (1 + (fine_m_size_15 + fine_m_size_5))
     diagonal1_error_2 = 1.0000005 * absolute(fine_R_11 - diagonal1 + fine_R_lo_5)
     fine_R_lo_6 = fine_R_left_rest_6 - fine_R_right_rest_6 + (fine_m_cross_6 - fine_alpha_v_cross_1)
-    R_rest_3 = 1.1008521e-11 * (3.308722450212111e-24 + (fine_alpha_v_size_4 + fine_m_size_24))
+    R_rest_3 = 2.3971689e-10 * (3.308722450212111e-24 + (fine_alpha_v_size_4 + fine_m_size_24))
     fine_R_lo_7 = fine_R_left_rest_7 - fine_R_right_rest_7 + (fine_m_cross_5 - fine_alpha_v_cross_2)
     fine_R_lo_8 = fine_R_left_rest_8 + fine_R_right_rest_8 + (fine_m_cross_6 + fine_alpha_v_cross_1)
     fine_R_lo_9 = fine_R_lo1_9 - (fine_others_lo1_3 + (fine_m_cross_1 + fine_m_cross_2))
     diagonal2_padded_1 = 3.308722450212111e-24 + (1 + (fine_m_size_10 + fine_m_size_5))
     diagonal2_error_2 = 1.0000005 * absolute(fine_R_22 - diagonal2 + fine_R_lo_9)
-    diagonal0_bound_1 = diagonal0_error_2 + 1.1495296e-11 * diagonal0_padded_1
+    diagonal0_bound_1 = diagonal0_error_2 + 2.4022587e-10 * diagonal0_padded_1
     R_bound_1 = 1.0000005 * absolute(fine_R_01 - R_01 + fine_R_lo_2) + R_rest_1
     R_bound_2 = 1.0000005 * absolute(fine_R_02 - R_02 + fine_R_lo_3) + R_rest_2
     R_bound_3 = 1.0000005 * absolute(fine_R_10 - R_10 + fine_R_lo_4) + R_rest_1
-    diagonal1_bound_1 = diagonal1_error_2 + 1.1495296e-11 * diagonal1_padded_1
+    diagonal1_bound_1 = diagonal1_error_2 + 2.4022587e-10 * diagonal1_padded_1
     R_bound_4 = 1.0000005 * absolute(fine_R_12 - R_12 + fine_R_lo_6) + R_rest_3
     R_bound_5 = 1.0000005 * absolute(fine_R_20 - R_20 + fine_R_lo_7) + R_rest_2
     R_bound_6 = 1.0000005 * absolute(fine_R_21 - R_21 + fine_R_lo_8) + R_rest_3
-    diagonal2_bound_1 = diagonal2_error_2 + 1.1495296e-11 * diagonal2_padded_1
+    diagonal2_bound_1 = diagonal2_error_2 + 2.4022587e-10 * diagonal2_padded_1
     return (diagonal0, R_01, R_02, R_10, diagonal1, R_12, R_20, R_21, diagonal2, diagonal0_bound_1,
         R_bound_1, R_bound_2, R_bound_3, diagonal1_bound_1, R_bound_4, R_bound_5, R_bound_6,
         diagonal2_bound_1)
 
 
 @kernel("(3,3)->(3),(3)")
+@errstate(all="ignore")
 def SO3_log(R):
     """vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo;
     |error of vo| <= vo_bound unless inf or NaN.
 
     (3,3)->(3),(3).  R: rotation or other 3×3 matrix; vo, vo_bound: vector.
     182 mul, 383 add, 19 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 65 abs, 4
-    copysign, 34 less, 6 equal, 99 select.  Error <= vo: 7 u of its largest component for R a
-    rotation; searched, not proved.
+    copysign, 34 less, 6 equal, 99 select.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -621,14 +635,14 @@ def SO3_log(R):
 
 
 @kernel("(3)->(3,3),(3,3)")
+@errstate(all="ignore")
 def SO3_leftJacobian(v):
     """R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|; |error of R| <= R_bound
     unless inf or NaN.
 
     (3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.
-    398 mul, 695 add, 18 product error, 42 product rest, 16 div, 3 sqrt, 89 abs, 19 less, 2
-    equal, 45 select.  Error <= R: (7 + θ/200) u of its largest component for |v| <= 1e13, in
-    single precision 1e5; searched, not proved.
+    403 mul, 706 add, 18 product error, 43 product rest, 16 div, 3 sqrt, 90 abs, 20 less, 1
+    equal, 45 select.
     """
     v_0, v_1, v_2 = v
     size_0 = absolute(v_0)
@@ -761,14 +775,16 @@ def SO3_leftJacobian(v):
     fine_sine_size_1 = 1 + fine_sine_padded_1
     fine_c_slope_1 = fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * fine_c
     fine_c_lo = fine_c_own_error_1 - fine_c_slope_1 * fine_sine_twice_1
-    fine_sinc_divisor_a = fine_half_angle == 0
-    fine_sinc_divisor = where(fine_sinc_divisor_a, 1, fine_half_angle)
+    fine_sinc_divisor_a = fine_half_angle < 1.4901161193847656e-08
+    fine_sinc_divisor = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle)
     fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_lo)
     fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + 1.2221551e-12 * fine_sine_padded_1
-    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < absolute(fine_half_angle - 0)
-    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + absolute(1 - fine_half_angle)
+    fine_sinc_divisor_size_3 = absolute(fine_half_angle - 1.4901161193847656e-08)
+    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3
+    fine_sinc_divisor_size_6 = absolute(1.4901161193847656e-08 - fine_half_angle)
+    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6
     fine_sinc_divisor_size_8 = where(fine_sinc_divisor_size_4, 0, fine_sinc_divisor_size_7)
-    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1, fine_half_angle_size_12)
+    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle_size_12)
     fine_sinc_quotient = fine_sine / fine_sinc_divisor
     fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
     fine_sinc_quotient_product_error_1 = product_error(fine_sinc_quotient, fine_sinc_divisor, fine_sinc_quotient_product_1)
@@ -794,18 +810,27 @@ def SO3_leftJacobian(v):
     fine_sinc_quotient_size_9 = fine_sinc_quotient_reach_1 * fine_sinc_quotient_size_8
     fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2
     fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10
-    fine_sinc = where(fine_sinc_divisor_a, 1, fine_sinc_quotient)
-    fine_sinc_lo = where(fine_sinc_divisor_a, 0, fine_sinc_quotient_lo)
-    fine_sinc_rest_1 = 5.43103e-12 * (3.308722450212111e-24 + fine_sinc_quotient_size_11)
-    fine_sinc_bound_1 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_1
-    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(1 - fine_sinc_quotient)
-    fine_sinc_size_6 = 169153527808 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_4)
+    fine_sinc_a = 0.16666667 * fine_y
+    fine_sinc_b = 1 - fine_sinc_a
+    fine_sinc_b_right_1 = 1 - fine_sinc_b
+    fine_sinc_b_right_rest_1 = product_rest(0.16666667, fine_y, fine_sinc_a, fine_sinc_b_right_1)
+    fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
+    fine_sinc_b_lo = fine_sinc_b_lo1_1 - (-4.967054e-09 * fine_y + 0.16666667 * fine_y_lo)
+    fine_sinc_b_size_1 = 1 + 0.16666669 * fine_y_size_1
+    fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
+    fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
+    fine_sinc_rest_1 = 2.3406937e-10 * (3.308722450212111e-24 + fine_sinc_b_size_1)
+    fine_sinc_rest_2 = 5.43103e-12 * (3.308722450212111e-24 + fine_sinc_quotient_size_11)
+    fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
+    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(fine_sinc_b - fine_sinc_quotient)
+    fine_sinc_size_5 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_2 + fine_sinc_size_4
+    fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
+    fine_sinc_size_7 = 4276409088 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_5)
     fine_g1 = fine_c * fine_sinc
     fine_g1_cross_1 = fine_c_lo * fine_sinc + fine_c * fine_sinc_lo
-    fine_sinc_size_7 = where(fine_sinc_divisor_a, 1, fine_sinc_quotient_size_11) + fine_sinc_size_6
-    fine_g1_padded_1 = 3.308722450212111e-24 + fine_sinc_size_7
+    fine_g1_padded_1 = 3.308722450212111e-24 + (fine_sinc_size_1 + fine_sinc_size_7)
     fine_g1_units_1 = 262144 * (absolute(fine_c_lo) + 2.5011469e-12 * fine_sine_size_1)
-    fine_g1_units_2 = 262144 * (absolute(fine_sinc_lo) + 6.0965586e-12 * fine_g1_padded_1)
+    fine_g1_units_2 = 262144 * (absolute(fine_sinc_lo) + 2.3406946e-10 * fine_g1_padded_1)
     fine_g1_reach_2 = absolute(fine_sinc) + fine_g1_units_2
     fine_g1_size_2 = fine_g1_padded_1 * (absolute(fine_c) + fine_g1_units_1)
     fine_g1_size_5 = fine_g1_size_2 + fine_g1_reach_2 * fine_sine_size_1
@@ -1025,7 +1050,7 @@ def SO3_leftJacobian(v):
     fine_g3 = where(fine_far_x_a, fine_g3b, fine_closed3)
     fine_g3_lo = where(fine_far_x_a, fine_g3b_lo, fine_closed3_lo)
     fine_g3_rest_1 = 2.6431096e-10 * (3.308722450212111e-24 + fine_g3b_size_1)
-    fine_g3_rest_2 = 1.0875817e-11 * (3.308722450212111e-24 + fine_closed3_size_11)
+    fine_g3_rest_2 = 2.3937835e-10 * (3.308722450212111e-24 + fine_closed3_size_11)
     fine_g3_size_4 = absolute(fine_g3b_lo) + fine_g3_rest_1 + absolute(fine_g3b - fine_closed3)
     fine_g3_size_5 = absolute(fine_closed3_lo) + fine_g3_rest_2 + fine_g3_size_4
     fine_g3_size_1 = where(fine_far_x_a, fine_g3b_size_1, fine_closed3_size_11)
@@ -1238,14 +1263,14 @@ def SO3_leftJacobian(v):
 
 
 @kernel("(3)->(3,3),(3,3)")
+@errstate(all="ignore")
 def SO3_rightJacobian(v):
     """R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|; |error of R| <= R_bound
     unless inf or NaN.
 
     (3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.
-    398 mul, 695 add, 18 product error, 42 product rest, 16 div, 3 sqrt, 12 neg, 89 abs, 19
-    less, 2 equal, 45 select.  Error <= R: (7 + θ/200) u of its largest component for |v| <=
-    1e13, in single precision 1e5; searched, not proved.
+    403 mul, 706 add, 18 product error, 43 product rest, 16 div, 3 sqrt, 12 neg, 90 abs, 20
+    less, 1 equal, 45 select.
     """
     v_0, v_1, v_2 = v
     size_0 = absolute(v_0)
@@ -1378,14 +1403,16 @@ def SO3_rightJacobian(v):
     fine_sine_size_1 = 1 + fine_sine_padded_1
     fine_c_slope_1 = fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * fine_c
     fine_c_lo = fine_c_own_error_1 - fine_c_slope_1 * fine_sine_twice_1
-    fine_sinc_divisor_a = fine_half_angle == 0
-    fine_sinc_divisor = where(fine_sinc_divisor_a, 1, fine_half_angle)
+    fine_sinc_divisor_a = fine_half_angle < 1.4901161193847656e-08
+    fine_sinc_divisor = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle)
     fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_lo)
     fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + 1.2221551e-12 * fine_sine_padded_1
-    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < absolute(fine_half_angle - 0)
-    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + absolute(1 - fine_half_angle)
+    fine_sinc_divisor_size_3 = absolute(fine_half_angle - 1.4901161193847656e-08)
+    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3
+    fine_sinc_divisor_size_6 = absolute(1.4901161193847656e-08 - fine_half_angle)
+    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6
     fine_sinc_divisor_size_8 = where(fine_sinc_divisor_size_4, 0, fine_sinc_divisor_size_7)
-    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1, fine_half_angle_size_12)
+    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle_size_12)
     fine_sinc_quotient = fine_sine / fine_sinc_divisor
     fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
     fine_sinc_quotient_product_error_1 = product_error(fine_sinc_quotient, fine_sinc_divisor, fine_sinc_quotient_product_1)
@@ -1411,18 +1438,27 @@ def SO3_rightJacobian(v):
     fine_sinc_quotient_size_9 = fine_sinc_quotient_reach_1 * fine_sinc_quotient_size_8
     fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2
     fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10
-    fine_sinc = where(fine_sinc_divisor_a, 1, fine_sinc_quotient)
-    fine_sinc_lo = where(fine_sinc_divisor_a, 0, fine_sinc_quotient_lo)
-    fine_sinc_rest_1 = 5.43103e-12 * (3.308722450212111e-24 + fine_sinc_quotient_size_11)
-    fine_sinc_bound_1 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_1
-    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(1 - fine_sinc_quotient)
-    fine_sinc_size_6 = 169153527808 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_4)
+    fine_sinc_a = 0.16666667 * fine_y
+    fine_sinc_b = 1 - fine_sinc_a
+    fine_sinc_b_right_1 = 1 - fine_sinc_b
+    fine_sinc_b_right_rest_1 = product_rest(0.16666667, fine_y, fine_sinc_a, fine_sinc_b_right_1)
+    fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
+    fine_sinc_b_lo = fine_sinc_b_lo1_1 - (-4.967054e-09 * fine_y + 0.16666667 * fine_y_lo)
+    fine_sinc_b_size_1 = 1 + 0.16666669 * fine_y_size_1
+    fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
+    fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
+    fine_sinc_rest_1 = 2.3406937e-10 * (3.308722450212111e-24 + fine_sinc_b_size_1)
+    fine_sinc_rest_2 = 5.43103e-12 * (3.308722450212111e-24 + fine_sinc_quotient_size_11)
+    fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
+    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(fine_sinc_b - fine_sinc_quotient)
+    fine_sinc_size_5 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_2 + fine_sinc_size_4
+    fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
+    fine_sinc_size_7 = 4276409088 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_5)
     fine_g1 = fine_c * fine_sinc
     fine_g1_cross_1 = fine_c_lo * fine_sinc + fine_c * fine_sinc_lo
-    fine_sinc_size_7 = where(fine_sinc_divisor_a, 1, fine_sinc_quotient_size_11) + fine_sinc_size_6
-    fine_g1_padded_1 = 3.308722450212111e-24 + fine_sinc_size_7
+    fine_g1_padded_1 = 3.308722450212111e-24 + (fine_sinc_size_1 + fine_sinc_size_7)
     fine_g1_units_1 = 262144 * (absolute(fine_c_lo) + 2.5011469e-12 * fine_sine_size_1)
-    fine_g1_units_2 = 262144 * (absolute(fine_sinc_lo) + 6.0965586e-12 * fine_g1_padded_1)
+    fine_g1_units_2 = 262144 * (absolute(fine_sinc_lo) + 2.3406946e-10 * fine_g1_padded_1)
     fine_g1_reach_2 = absolute(fine_sinc) + fine_g1_units_2
     fine_g1_size_2 = fine_g1_padded_1 * (absolute(fine_c) + fine_g1_units_1)
     fine_g1_size_5 = fine_g1_size_2 + fine_g1_reach_2 * fine_sine_size_1
@@ -1642,7 +1678,7 @@ def SO3_rightJacobian(v):
     fine_g3 = where(fine_far_x_a, fine_g3b, fine_closed3)
     fine_g3_lo = where(fine_far_x_a, fine_g3b_lo, fine_closed3_lo)
     fine_g3_rest_1 = 2.6431096e-10 * (3.308722450212111e-24 + fine_g3b_size_1)
-    fine_g3_rest_2 = 1.0875817e-11 * (3.308722450212111e-24 + fine_closed3_size_11)
+    fine_g3_rest_2 = 2.3937835e-10 * (3.308722450212111e-24 + fine_closed3_size_11)
     fine_g3_size_4 = absolute(fine_g3b_lo) + fine_g3_rest_1 + absolute(fine_g3b - fine_closed3)
     fine_g3_size_5 = absolute(fine_closed3_lo) + fine_g3_rest_2 + fine_g3_size_4
     fine_g3_size_1 = where(fine_far_x_a, fine_g3b_size_1, fine_closed3_size_11)
@@ -1864,14 +1900,14 @@ def SO3_rightJacobian(v):
 
 
 @kernel("(3)->(3,3),(3,3)")
+@errstate(all="ignore")
 def SO3_leftJacobianInverse(v):
     """R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
     except 0; |error of R| <= R_bound unless inf or NaN.
 
     (3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.
-    385 mul, 694 add, 20 product error, 33 product rest, 23 div, 3 sqrt, 6 neg, 92 abs, 22 less,
-    2 equal, 47 select.  Error <= R: 6 u of its largest component for |v| <= π; searched, not
-    proved.
+    390 mul, 705 add, 20 product error, 34 product rest, 23 div, 3 sqrt, 6 neg, 93 abs, 23 less,
+    1 equal, 47 select.
     """
     v_0, v_1, v_2 = v
     size_0 = absolute(v_0)
@@ -2002,14 +2038,16 @@ def SO3_leftJacobianInverse(v):
     fine_sine_size_1 = 1 + fine_sine_padded_1
     fine_c_slope_1 = fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * fine_c
     fine_c_lo = fine_c_own_error_1 - fine_c_slope_1 * fine_sine_twice_1
-    fine_sinc_divisor_a = fine_half_angle == 0
-    fine_sinc_divisor = where(fine_sinc_divisor_a, 1, fine_half_angle)
+    fine_sinc_divisor_a = fine_half_angle < 1.4901161193847656e-08
+    fine_sinc_divisor = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle)
     fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_lo)
     fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + 1.2221551e-12 * fine_sine_padded_1
-    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < absolute(fine_half_angle - 0)
-    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + absolute(1 - fine_half_angle)
+    fine_sinc_divisor_size_3 = absolute(fine_half_angle - 1.4901161193847656e-08)
+    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3
+    fine_sinc_divisor_size_6 = absolute(1.4901161193847656e-08 - fine_half_angle)
+    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6
     fine_sinc_divisor_size_8 = where(fine_sinc_divisor_size_4, 0, fine_sinc_divisor_size_7)
-    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1, fine_half_angle_size_12)
+    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle_size_12)
     fine_sinc_quotient = fine_sine / fine_sinc_divisor
     fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
     fine_sinc_quotient_product_error_1 = product_error(fine_sinc_quotient, fine_sinc_divisor, fine_sinc_quotient_product_1)
@@ -2036,13 +2074,23 @@ def SO3_leftJacobianInverse(v):
     fine_sinc_quotient_size_9 = fine_sinc_quotient_reach_1 * fine_sinc_quotient_size_8
     fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2
     fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10
-    fine_sinc = where(fine_sinc_divisor_a, 1, fine_sinc_quotient)
-    fine_sinc_lo = where(fine_sinc_divisor_a, 0, fine_sinc_quotient_lo)
-    fine_sinc_rest_1 = 5.43103e-12 * (3.308722450212111e-24 + fine_sinc_quotient_size_11)
-    fine_sinc_bound_1 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_1
-    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(1 - fine_sinc_quotient)
-    fine_sinc_size_6 = 169153527808 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_4)
-    fine_sinc_size_7 = where(fine_sinc_divisor_a, 1, fine_sinc_quotient_size_11) + fine_sinc_size_6
+    fine_sinc_a = 0.16666667 * fine_y
+    fine_sinc_b = 1 - fine_sinc_a
+    fine_sinc_b_right_1 = 1 - fine_sinc_b
+    fine_sinc_b_right_rest_1 = product_rest(0.16666667, fine_y, fine_sinc_a, fine_sinc_b_right_1)
+    fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
+    fine_sinc_b_lo = fine_sinc_b_lo1_1 - (-4.967054e-09 * fine_y + 0.16666667 * fine_y_lo)
+    fine_sinc_b_size_1 = 1 + 0.16666669 * fine_y_size_1
+    fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
+    fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
+    fine_sinc_rest_1 = 2.3406937e-10 * (3.308722450212111e-24 + fine_sinc_b_size_1)
+    fine_sinc_rest_2 = 5.43103e-12 * (3.308722450212111e-24 + fine_sinc_quotient_size_11)
+    fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
+    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(fine_sinc_b - fine_sinc_quotient)
+    fine_sinc_size_5 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_2 + fine_sinc_size_4
+    fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
+    fine_sinc_size_7 = 4276409088 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_5)
+    fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7
     fine_series_phi_a = 5.107725e-32 * fine_y
     fine_series_phi_b = 4.1168266e-29 - fine_series_phi_a
     fine_series_phi_b_right_1 = 4.1168266e-29 - fine_series_phi_b
@@ -2269,7 +2317,7 @@ def SO3_leftJacobianInverse(v):
     fine_near_f_left_rest_1 = product_rest(0.33333334, fine_sinc, fine_near_f_a, fine_near_f_left_1)
     fine_near_f_lo1_1 = fine_near_f_left_rest_1 + fine_near_f_right_rest_1
     fine_near_f_lo = fine_near_f_lo1_1 + (fine_near_f_a_cross_1 + fine_near_f_b_cross_1)
-    fine_near_f_size_1 = 0.33333334 * fine_sinc_size_7 + 0.33333334 * fine_f_more_size_5
+    fine_near_f_size_1 = 0.33333334 * fine_sinc_size_8 + 0.33333334 * fine_f_more_size_5
     fine_f_rest = fine_sinc - fine_c
     fine_f_rest_right_1 = fine_sinc - fine_f_rest
     fine_f_rest_left_rest_1 = fine_sinc - (fine_f_rest + fine_f_rest_right_1)
@@ -2291,7 +2339,7 @@ def SO3_leftJacobianInverse(v):
     fine_closed_f_padded_2 = 3.308722450212111e-24 + fine_far_y_size_10
     fine_closed_f_size_1 = absolute(fine_closed_f)
     fine_closed_f_size_2 = absolute(fine_far_y)
-    fine_closed_f_padded_1 = 3.308722450212111e-24 + (fine_sinc_size_7 + fine_sine_size_1)
+    fine_closed_f_padded_1 = 3.308722450212111e-24 + (fine_sinc_size_8 + fine_sine_size_1)
     fine_closed_f_bound_1 = absolute(fine_far_y_lo) + 4.6896445e-12 * fine_closed_f_padded_2
     fine_closed_f_size_6 = 4 * fine_closed_f_bound_1 < fine_closed_f_size_2
     fine_closed_f_size_4 = fine_closed_f_padded_1 + fine_closed_f_padded_2 * fine_closed_f_size_1
@@ -2301,7 +2349,7 @@ def SO3_leftJacobianInverse(v):
     fine_closed_f_size_11 = fine_closed_f_size_1 + fine_closed_f_size_9 / fine_closed_f_size_2
     fine_f = where(fine_far_y_a, fine_near_f, fine_closed_f)
     fine_f_rest_1 = 2.6163277e-10 * (3.308722450212111e-24 + fine_near_f_size_1)
-    fine_f_rest_2 = 9.181639e-12 * (3.308722450212111e-24 + fine_closed_f_size_11)
+    fine_f_rest_2 = 2.3766553e-10 * (3.308722450212111e-24 + fine_closed_f_size_11)
     fine_f_size_4 = absolute(fine_near_f_lo) + fine_f_rest_1 + absolute(fine_near_f - fine_closed_f)
     fine_f_size_5 = absolute(fine_closed_f_lo) + fine_f_rest_2 + fine_f_size_4
     fine_f_size_1 = where(fine_far_y_a, fine_near_f_size_1, fine_closed_f_size_11)
@@ -2314,10 +2362,10 @@ def SO3_leftJacobianInverse(v):
     fine_b_numerator_1 = fine_f - fine_b_product_1 - fine_b_product_error_1 + fine_f_lo
     fine_b_lo = (fine_b_numerator_1 - fine_b * fine_four_k_cross2_1) / fine_four_k
     fine_f_size_8 = fine_f_size_1 + 3837173760 * where(fine_far_y_size_4, 0, fine_f_size_5)
-    fine_b_padded_2 = 3.308722450212111e-24 + 4 * fine_sinc_size_7
+    fine_b_padded_2 = 3.308722450212111e-24 + 4 * fine_sinc_size_8
     fine_b_size_1 = absolute(fine_b)
     fine_b_size_2 = absolute(fine_four_k)
-    fine_b_bound_1 = absolute(fine_four_k_cross2_1) + 6.2013892e-12 * fine_b_padded_2
+    fine_b_bound_1 = absolute(fine_four_k_cross2_1) + 2.3419117e-10 * fine_b_padded_2
     fine_b_size_4 = 3.308722450212111e-24 + fine_f_size_8 + fine_b_padded_2 * fine_b_size_1
     fine_b_size_8 = fine_b_size_4 / where(4 * fine_b_bound_1 < fine_b_size_2, fine_b_size_2, 0)
     fine_b_size_10 = (fine_b_size_2 + 262144 * fine_b_bound_1) * fine_b_size_8 / fine_b_size_2
@@ -2327,11 +2375,11 @@ def SO3_leftJacobianInverse(v):
     fine_b_across_exact_1 = fine_c - fine_b_across_product_1 - fine_b_across_product_error_1
     fine_b_across_residual_1 = fine_b_across_exact_1 + fine_c_lo - fine_b_across * fine_sinc_lo
     fine_b_across_lo = fine_b_across_residual_1 / fine_sinc
-    fine_b_across_padded_1 = 3.308722450212111e-24 + fine_sinc_size_7
+    fine_b_across_padded_1 = 3.308722450212111e-24 + fine_sinc_size_8
     fine_b_across_size_1 = absolute(fine_b_across)
     fine_b_across_size_2 = absolute(fine_sinc)
     fine_b_across_size_3 = fine_b_across_padded_1 * fine_b_across_size_1
-    fine_b_across_bound_1 = absolute(fine_sinc_lo) + 6.0965586e-12 * fine_b_across_padded_1
+    fine_b_across_bound_1 = absolute(fine_sinc_lo) + 2.3406946e-10 * fine_b_across_padded_1
     fine_b_across_size_6 = 4 * fine_b_across_bound_1 < fine_b_across_size_2
     fine_b_across_size_7 = where(fine_b_across_size_6, fine_b_across_size_2, 0)
     fine_b_across_size_4 = fine_b_across_size_3 + fine_sinc_quotient_padded_1
@@ -2530,14 +2578,14 @@ def SO3_leftJacobianInverse(v):
 
 
 @kernel("(3)->(3,3),(3,3)")
+@errstate(all="ignore")
 def SO3_rightJacobianInverse(v):
     """R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
     except 0; |error of R| <= R_bound unless inf or NaN.
 
     (3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.
-    385 mul, 694 add, 20 product error, 33 product rest, 23 div, 3 sqrt, 92 abs, 22 less, 2
-    equal, 47 select.  Error <= R: 6 u of its largest component for |v| <= π; searched, not
-    proved.
+    390 mul, 705 add, 20 product error, 34 product rest, 23 div, 3 sqrt, 93 abs, 23 less, 1
+    equal, 47 select.
     """
     v_0, v_1, v_2 = v
     size_0 = absolute(v_0)
@@ -2668,14 +2716,16 @@ def SO3_rightJacobianInverse(v):
     fine_sine_size_1 = 1 + fine_sine_padded_1
     fine_c_slope_1 = fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * fine_c
     fine_c_lo = fine_c_own_error_1 - fine_c_slope_1 * fine_sine_twice_1
-    fine_sinc_divisor_a = fine_half_angle == 0
-    fine_sinc_divisor = where(fine_sinc_divisor_a, 1, fine_half_angle)
+    fine_sinc_divisor_a = fine_half_angle < 1.4901161193847656e-08
+    fine_sinc_divisor = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle)
     fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_lo)
     fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + 1.2221551e-12 * fine_sine_padded_1
-    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < absolute(fine_half_angle - 0)
-    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + absolute(1 - fine_half_angle)
+    fine_sinc_divisor_size_3 = absolute(fine_half_angle - 1.4901161193847656e-08)
+    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3
+    fine_sinc_divisor_size_6 = absolute(1.4901161193847656e-08 - fine_half_angle)
+    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6
     fine_sinc_divisor_size_8 = where(fine_sinc_divisor_size_4, 0, fine_sinc_divisor_size_7)
-    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1, fine_half_angle_size_12)
+    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle_size_12)
     fine_sinc_quotient = fine_sine / fine_sinc_divisor
     fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
     fine_sinc_quotient_product_error_1 = product_error(fine_sinc_quotient, fine_sinc_divisor, fine_sinc_quotient_product_1)
@@ -2702,13 +2752,23 @@ def SO3_rightJacobianInverse(v):
     fine_sinc_quotient_size_9 = fine_sinc_quotient_reach_1 * fine_sinc_quotient_size_8
     fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2
     fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10
-    fine_sinc = where(fine_sinc_divisor_a, 1, fine_sinc_quotient)
-    fine_sinc_lo = where(fine_sinc_divisor_a, 0, fine_sinc_quotient_lo)
-    fine_sinc_rest_1 = 5.43103e-12 * (3.308722450212111e-24 + fine_sinc_quotient_size_11)
-    fine_sinc_bound_1 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_1
-    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(1 - fine_sinc_quotient)
-    fine_sinc_size_6 = 169153527808 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_4)
-    fine_sinc_size_7 = where(fine_sinc_divisor_a, 1, fine_sinc_quotient_size_11) + fine_sinc_size_6
+    fine_sinc_a = 0.16666667 * fine_y
+    fine_sinc_b = 1 - fine_sinc_a
+    fine_sinc_b_right_1 = 1 - fine_sinc_b
+    fine_sinc_b_right_rest_1 = product_rest(0.16666667, fine_y, fine_sinc_a, fine_sinc_b_right_1)
+    fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
+    fine_sinc_b_lo = fine_sinc_b_lo1_1 - (-4.967054e-09 * fine_y + 0.16666667 * fine_y_lo)
+    fine_sinc_b_size_1 = 1 + 0.16666669 * fine_y_size_1
+    fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
+    fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
+    fine_sinc_rest_1 = 2.3406937e-10 * (3.308722450212111e-24 + fine_sinc_b_size_1)
+    fine_sinc_rest_2 = 5.43103e-12 * (3.308722450212111e-24 + fine_sinc_quotient_size_11)
+    fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
+    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(fine_sinc_b - fine_sinc_quotient)
+    fine_sinc_size_5 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_2 + fine_sinc_size_4
+    fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
+    fine_sinc_size_7 = 4276409088 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_5)
+    fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7
     fine_series_phi_a = 5.107725e-32 * fine_y
     fine_series_phi_b = 4.1168266e-29 - fine_series_phi_a
     fine_series_phi_b_right_1 = 4.1168266e-29 - fine_series_phi_b
@@ -2935,7 +2995,7 @@ def SO3_rightJacobianInverse(v):
     fine_near_f_left_rest_1 = product_rest(0.33333334, fine_sinc, fine_near_f_a, fine_near_f_left_1)
     fine_near_f_lo1_1 = fine_near_f_left_rest_1 + fine_near_f_right_rest_1
     fine_near_f_lo = fine_near_f_lo1_1 + (fine_near_f_a_cross_1 + fine_near_f_b_cross_1)
-    fine_near_f_size_1 = 0.33333334 * fine_sinc_size_7 + 0.33333334 * fine_f_more_size_5
+    fine_near_f_size_1 = 0.33333334 * fine_sinc_size_8 + 0.33333334 * fine_f_more_size_5
     fine_f_rest = fine_sinc - fine_c
     fine_f_rest_right_1 = fine_sinc - fine_f_rest
     fine_f_rest_left_rest_1 = fine_sinc - (fine_f_rest + fine_f_rest_right_1)
@@ -2957,7 +3017,7 @@ def SO3_rightJacobianInverse(v):
     fine_closed_f_padded_2 = 3.308722450212111e-24 + fine_far_y_size_10
     fine_closed_f_size_1 = absolute(fine_closed_f)
     fine_closed_f_size_2 = absolute(fine_far_y)
-    fine_closed_f_padded_1 = 3.308722450212111e-24 + (fine_sinc_size_7 + fine_sine_size_1)
+    fine_closed_f_padded_1 = 3.308722450212111e-24 + (fine_sinc_size_8 + fine_sine_size_1)
     fine_closed_f_bound_1 = absolute(fine_far_y_lo) + 4.6896445e-12 * fine_closed_f_padded_2
     fine_closed_f_size_6 = 4 * fine_closed_f_bound_1 < fine_closed_f_size_2
     fine_closed_f_size_4 = fine_closed_f_padded_1 + fine_closed_f_padded_2 * fine_closed_f_size_1
@@ -2967,7 +3027,7 @@ def SO3_rightJacobianInverse(v):
     fine_closed_f_size_11 = fine_closed_f_size_1 + fine_closed_f_size_9 / fine_closed_f_size_2
     fine_f = where(fine_far_y_a, fine_near_f, fine_closed_f)
     fine_f_rest_1 = 2.6163277e-10 * (3.308722450212111e-24 + fine_near_f_size_1)
-    fine_f_rest_2 = 9.181639e-12 * (3.308722450212111e-24 + fine_closed_f_size_11)
+    fine_f_rest_2 = 2.3766553e-10 * (3.308722450212111e-24 + fine_closed_f_size_11)
     fine_f_size_4 = absolute(fine_near_f_lo) + fine_f_rest_1 + absolute(fine_near_f - fine_closed_f)
     fine_f_size_5 = absolute(fine_closed_f_lo) + fine_f_rest_2 + fine_f_size_4
     fine_f_size_1 = where(fine_far_y_a, fine_near_f_size_1, fine_closed_f_size_11)
@@ -2980,10 +3040,10 @@ def SO3_rightJacobianInverse(v):
     fine_b_numerator_1 = fine_f - fine_b_product_1 - fine_b_product_error_1 + fine_f_lo
     fine_b_lo = (fine_b_numerator_1 - fine_b * fine_four_k_cross2_1) / fine_four_k
     fine_f_size_8 = fine_f_size_1 + 3837173760 * where(fine_far_y_size_4, 0, fine_f_size_5)
-    fine_b_padded_2 = 3.308722450212111e-24 + 4 * fine_sinc_size_7
+    fine_b_padded_2 = 3.308722450212111e-24 + 4 * fine_sinc_size_8
     fine_b_size_1 = absolute(fine_b)
     fine_b_size_2 = absolute(fine_four_k)
-    fine_b_bound_1 = absolute(fine_four_k_cross2_1) + 6.2013892e-12 * fine_b_padded_2
+    fine_b_bound_1 = absolute(fine_four_k_cross2_1) + 2.3419117e-10 * fine_b_padded_2
     fine_b_size_4 = 3.308722450212111e-24 + fine_f_size_8 + fine_b_padded_2 * fine_b_size_1
     fine_b_size_8 = fine_b_size_4 / where(4 * fine_b_bound_1 < fine_b_size_2, fine_b_size_2, 0)
     fine_b_size_10 = (fine_b_size_2 + 262144 * fine_b_bound_1) * fine_b_size_8 / fine_b_size_2
@@ -2993,11 +3053,11 @@ def SO3_rightJacobianInverse(v):
     fine_b_across_exact_1 = fine_c - fine_b_across_product_1 - fine_b_across_product_error_1
     fine_b_across_residual_1 = fine_b_across_exact_1 + fine_c_lo - fine_b_across * fine_sinc_lo
     fine_b_across_lo = fine_b_across_residual_1 / fine_sinc
-    fine_b_across_padded_1 = 3.308722450212111e-24 + fine_sinc_size_7
+    fine_b_across_padded_1 = 3.308722450212111e-24 + fine_sinc_size_8
     fine_b_across_size_1 = absolute(fine_b_across)
     fine_b_across_size_2 = absolute(fine_sinc)
     fine_b_across_size_3 = fine_b_across_padded_1 * fine_b_across_size_1
-    fine_b_across_bound_1 = absolute(fine_sinc_lo) + 6.0965586e-12 * fine_b_across_padded_1
+    fine_b_across_bound_1 = absolute(fine_sinc_lo) + 2.3406946e-10 * fine_b_across_padded_1
     fine_b_across_size_6 = 4 * fine_b_across_bound_1 < fine_b_across_size_2
     fine_b_across_size_7 = where(fine_b_across_size_6, fine_b_across_size_2, 0)
     fine_b_across_size_4 = fine_b_across_size_3 + fine_sinc_quotient_padded_1
@@ -3193,6 +3253,7 @@ def SO3_rightJacobianInverse(v):
 
 
 @kernel("(3,3)->(3,3),(3,3)")
+@errstate(all="ignore")
 def mat3x3_orthonormalize(self):
     """self = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2; |error of
     self| <= self_bound unless inf or NaN.
@@ -3305,6 +3366,7 @@ def mat3x3_orthonormalize(self):
 
 
 @kernel("(3,3)->(3,3),(3,3)")
+@errstate(all="ignore")
 def mat3x3_orthonormalized(R):
     """Ro = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2; |error of
     Ro| <= Ro_bound unless inf or NaN.
@@ -3412,16 +3474,14 @@ def mat3x3_orthonormalized(R):
 
 
 @kernel("(6)->(3,4),(3,4)")
+@errstate(all="ignore")
 def SE3_exp(s):
     """D = exp s = [exp ω~ | J_l(ω) v]; |error of D| <= D_bound unless inf or NaN.
 
     (6)->(3,4),(3,4).  s: screw (v in m/s; ω in rad/s); D, D_bound: displacement [R | t], R
     rotation, t in m.
-    489 mul, 824 add, 21 product error, 57 product rest, 16 div, 3 sqrt, 101 abs, 19 less, 2
-    equal, 46 select.  Error <= R: (6 + θ/200) u, t: (14 + θ/200) u of its largest component, or
-    of s.lin if that is larger, for |ω of s| <= 1e13, in single precision 1e5; searched, not
-    proved.  Intermediate sums may overflow where |v|, or |ω| |v|, is above 2e306, in single
-    precision 5e36.
+    494 mul, 835 add, 21 product error, 58 product rest, 16 div, 3 sqrt, 102 abs, 20 less, 1
+    equal, 46 select.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     size_0 = absolute(s_3)
@@ -3573,14 +3633,16 @@ def SE3_exp(s):
     fine_sine_size_1 = 1 + fine_sine_padded_1
     fine_c_slope_1 = fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * fine_c
     fine_c_lo = fine_c_own_error_1 - fine_c_slope_1 * fine_sine_twice_1
-    fine_sinc_divisor_a = fine_half_angle == 0
-    fine_sinc_divisor = where(fine_sinc_divisor_a, 1, fine_half_angle)
+    fine_sinc_divisor_a = fine_half_angle < 1.4901161193847656e-08
+    fine_sinc_divisor = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle)
     fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_lo)
     fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + 1.2221551e-12 * fine_sine_padded_1
-    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < absolute(fine_half_angle - 0)
-    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + absolute(1 - fine_half_angle)
+    fine_sinc_divisor_size_3 = absolute(fine_half_angle - 1.4901161193847656e-08)
+    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3
+    fine_sinc_divisor_size_6 = absolute(1.4901161193847656e-08 - fine_half_angle)
+    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6
     fine_sinc_divisor_size_8 = where(fine_sinc_divisor_size_4, 0, fine_sinc_divisor_size_7)
-    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1, fine_half_angle_size_12)
+    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle_size_12)
     fine_sinc_quotient = fine_sine / fine_sinc_divisor
     fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
     fine_sinc_quotient_product_error_1 = product_error(fine_sinc_quotient, fine_sinc_divisor, fine_sinc_quotient_product_1)
@@ -3605,19 +3667,28 @@ def SE3_exp(s):
     fine_sinc_quotient_size_9 = fine_sinc_quotient_reach_1 * fine_sinc_quotient_size_8
     fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2
     fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10
-    fine_sinc = where(fine_sinc_divisor_a, 1, fine_sinc_quotient)
-    fine_sinc_lo = where(fine_sinc_divisor_a, 0, fine_sinc_quotient_lo)
-    fine_sinc_rest_1 = 5.43103e-12 * (3.308722450212111e-24 + fine_sinc_quotient_size_11)
-    fine_sinc_bound_1 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_1
-    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(1 - fine_sinc_quotient)
-    fine_sinc_size_6 = 169153527808 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_4)
+    fine_sinc_a = 0.16666667 * fine_y
+    fine_sinc_b = 1 - fine_sinc_a
+    fine_sinc_b_right_1 = 1 - fine_sinc_b
+    fine_sinc_b_right_rest_1 = product_rest(0.16666667, fine_y, fine_sinc_a, fine_sinc_b_right_1)
+    fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
+    fine_sinc_b_lo = fine_sinc_b_lo1_1 - (-4.967054e-09 * fine_y + 0.16666667 * fine_y_lo)
+    fine_sinc_b_size_1 = 1 + 0.16666669 * fine_y_size_1
+    fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
+    fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
+    fine_sinc_rest_1 = 2.3406937e-10 * (3.308722450212111e-24 + fine_sinc_b_size_1)
+    fine_sinc_rest_2 = 5.43103e-12 * (3.308722450212111e-24 + fine_sinc_quotient_size_11)
+    fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
+    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(fine_sinc_b - fine_sinc_quotient)
+    fine_sinc_size_5 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_2 + fine_sinc_size_4
+    fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
+    fine_sinc_size_7 = 4276409088 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_5)
     fine_g1 = fine_c * fine_sinc
     fine_g1_cross_1 = fine_c_lo * fine_sinc + fine_c * fine_sinc_lo
-    fine_sinc_size_7 = where(fine_sinc_divisor_a, 1, fine_sinc_quotient_size_11) + fine_sinc_size_6
-    fine_g1_padded_1 = 3.308722450212111e-24 + fine_sinc_size_7
+    fine_g1_padded_1 = 3.308722450212111e-24 + (fine_sinc_size_1 + fine_sinc_size_7)
     fine_g1_rest_1 = 2.5011469e-12 * fine_sine_size_1
     fine_g1_reach_1 = absolute(fine_c) + 262144 * (absolute(fine_c_lo) + fine_g1_rest_1)
-    fine_g1_units_2 = 262144 * (absolute(fine_sinc_lo) + 6.0965586e-12 * fine_g1_padded_1)
+    fine_g1_units_2 = 262144 * (absolute(fine_sinc_lo) + 2.3406946e-10 * fine_g1_padded_1)
     fine_g1_reach_2 = absolute(fine_sinc) + fine_g1_units_2
     fine_g1_size_5 = fine_g1_padded_1 * fine_g1_reach_1 + fine_g1_reach_2 * fine_sine_size_1
     fine_g2a = fine_sinc * fine_sinc
@@ -3847,7 +3918,7 @@ def SE3_exp(s):
     fine_g3 = where(fine_far_x_a, fine_g3b, fine_closed3)
     fine_g3_lo = where(fine_far_x_a, fine_g3b_lo, fine_closed3_lo)
     fine_g3_rest_1 = 2.6431096e-10 * (3.308722450212111e-24 + fine_g3b_size_1)
-    fine_g3_rest_2 = 1.0875817e-11 * (3.308722450212111e-24 + fine_closed3_size_11)
+    fine_g3_rest_2 = 2.3937835e-10 * (3.308722450212111e-24 + fine_closed3_size_11)
     fine_g3_size_4 = absolute(fine_g3b_lo) + fine_g3_rest_1 + absolute(fine_g3b - fine_closed3)
     fine_g3_size_5 = absolute(fine_closed3_lo) + fine_g3_rest_2 + fine_g3_size_4
     fine_g3_size_1 = where(fine_far_x_a, fine_g3b_size_1, fine_closed3_size_11)
@@ -3968,19 +4039,19 @@ def SE3_exp(s):
     fine_diagonal0b_size_1 = fine_g0_size_1 + fine_m_size_1
     fine_diagonal0c = fine_m_0 < fine_others_0
     fine_diagonal0_error_1 = absolute(product_error(s_3, fine_beta_v_0, fine_m_0) + fine_m_cross2_1)
-    fine_diagonal0_rest_1 = 8.057858e-12 * (3.308722450212111e-24 + fine_m_size_1)
-    fine_diagonal0_rest_2 = 8.5019864e-12 * (3.308722450212111e-24 + fine_others_size_1)
+    fine_diagonal0_rest_1 = 2.3644112e-10 * (3.308722450212111e-24 + fine_m_size_1)
+    fine_diagonal0_rest_2 = 2.369181e-10 * (3.308722450212111e-24 + fine_others_size_1)
     fine_diagonal0_bound_2 = absolute(fine_others_lo_1) + fine_diagonal0_rest_2
     fine_diagonal0_size_2 = fine_diagonal0_error_1 + fine_diagonal0_rest_1 + fine_diagonal0_bound_2
-    fine_diagonal0_rest_3 = 8.5019864e-12 * (3.308722450212111e-24 + fine_diagonal0b_size_1)
-    fine_diagonal0_rest_4 = 8.967433e-12 * (3.308722450212111e-24 + fine_diagonal0a_size_1)
+    fine_diagonal0_rest_3 = 2.369181e-10 * (3.308722450212111e-24 + fine_diagonal0b_size_1)
+    fine_diagonal0_rest_4 = 2.374164e-10 * (3.308722450212111e-24 + fine_diagonal0a_size_1)
     fine_diagonal0_bound_3 = absolute(fine_diagonal0b_lo) + fine_diagonal0_rest_3
     fine_diagonal0_size_8 = fine_diagonal0_bound_3 + absolute(fine_diagonal0b - fine_diagonal0a)
     fine_diagonal0_bound_4 = absolute(fine_diagonal0a_lo) + fine_diagonal0_rest_4
     fine_diagonal0_size_5 = fine_diagonal0_size_2 < absolute(fine_m_0 - fine_others_0)
     fine_diagonal0_size_9 = fine_diagonal0_bound_4 + fine_diagonal0_size_8
     fine_diagonal0_size_1 = where(fine_diagonal0c, fine_diagonal0b_size_1, fine_diagonal0a_size_1)
-    fine_diagonal0_size_11 = 87958765568 * where(fine_diagonal0_size_5, 0, fine_diagonal0_size_9)
+    fine_diagonal0_size_11 = 4219097344 * where(fine_diagonal0_size_5, 0, fine_diagonal0_size_9)
     fine_diagonal1a = 1 - fine_others_1
     fine_diagonal1a_right_1 = 1 - fine_diagonal1a
     fine_diagonal1a_left_rest_1 = 1 - (fine_diagonal1a + fine_diagonal1a_right_1)
@@ -3996,19 +4067,19 @@ def SE3_exp(s):
     fine_diagonal1b_size_1 = fine_g0_size_1 + fine_m_size_2
     fine_diagonal1c = fine_m_1 < fine_others_1
     fine_diagonal1_error_1 = absolute(product_error(s_4, fine_beta_v_1, fine_m_1) + fine_m_cross2_2)
-    fine_diagonal1_rest_1 = 8.057858e-12 * (3.308722450212111e-24 + fine_m_size_2)
-    fine_diagonal1_rest_2 = 8.5019864e-12 * (3.308722450212111e-24 + fine_others_size_2)
+    fine_diagonal1_rest_1 = 2.3644112e-10 * (3.308722450212111e-24 + fine_m_size_2)
+    fine_diagonal1_rest_2 = 2.369181e-10 * (3.308722450212111e-24 + fine_others_size_2)
     fine_diagonal1_bound_2 = absolute(fine_others_lo_2) + fine_diagonal1_rest_2
     fine_diagonal1_size_2 = fine_diagonal1_error_1 + fine_diagonal1_rest_1 + fine_diagonal1_bound_2
-    fine_diagonal1_rest_3 = 8.5019864e-12 * (3.308722450212111e-24 + fine_diagonal1b_size_1)
-    fine_diagonal1_rest_4 = 8.967433e-12 * (3.308722450212111e-24 + fine_diagonal1a_size_1)
+    fine_diagonal1_rest_3 = 2.369181e-10 * (3.308722450212111e-24 + fine_diagonal1b_size_1)
+    fine_diagonal1_rest_4 = 2.374164e-10 * (3.308722450212111e-24 + fine_diagonal1a_size_1)
     fine_diagonal1_bound_3 = absolute(fine_diagonal1b_lo) + fine_diagonal1_rest_3
     fine_diagonal1_size_8 = fine_diagonal1_bound_3 + absolute(fine_diagonal1b - fine_diagonal1a)
     fine_diagonal1_bound_4 = absolute(fine_diagonal1a_lo) + fine_diagonal1_rest_4
     fine_diagonal1_size_5 = fine_diagonal1_size_2 < absolute(fine_m_1 - fine_others_1)
     fine_diagonal1_size_9 = fine_diagonal1_bound_4 + fine_diagonal1_size_8
     fine_diagonal1_size_1 = where(fine_diagonal1c, fine_diagonal1b_size_1, fine_diagonal1a_size_1)
-    fine_diagonal1_size_11 = 87958765568 * where(fine_diagonal1_size_5, 0, fine_diagonal1_size_9)
+    fine_diagonal1_size_11 = 4219097344 * where(fine_diagonal1_size_5, 0, fine_diagonal1_size_9)
     fine_diagonal2a = 1 - fine_others_2
     fine_diagonal2a_right_1 = 1 - fine_diagonal2a
     fine_diagonal2a_left_rest_1 = 1 - (fine_diagonal2a + fine_diagonal2a_right_1)
@@ -4024,19 +4095,19 @@ def SE3_exp(s):
     fine_diagonal2b_size_1 = fine_g0_size_1 + fine_m_size_3
     fine_diagonal2c = fine_m_2 < fine_others_2
     fine_diagonal2_error_1 = absolute(product_error(s_5, fine_beta_v_2, fine_m_2) + fine_m_cross2_3)
-    fine_diagonal2_rest_1 = 8.057858e-12 * (3.308722450212111e-24 + fine_m_size_3)
-    fine_diagonal2_rest_2 = 8.5019864e-12 * (3.308722450212111e-24 + fine_others_size_3)
+    fine_diagonal2_rest_1 = 2.3644112e-10 * (3.308722450212111e-24 + fine_m_size_3)
+    fine_diagonal2_rest_2 = 2.369181e-10 * (3.308722450212111e-24 + fine_others_size_3)
     fine_diagonal2_bound_2 = absolute(fine_others_lo_3) + fine_diagonal2_rest_2
     fine_diagonal2_size_2 = fine_diagonal2_error_1 + fine_diagonal2_rest_1 + fine_diagonal2_bound_2
-    fine_diagonal2_rest_3 = 8.5019864e-12 * (3.308722450212111e-24 + fine_diagonal2b_size_1)
-    fine_diagonal2_rest_4 = 8.967433e-12 * (3.308722450212111e-24 + fine_diagonal2a_size_1)
+    fine_diagonal2_rest_3 = 2.369181e-10 * (3.308722450212111e-24 + fine_diagonal2b_size_1)
+    fine_diagonal2_rest_4 = 2.374164e-10 * (3.308722450212111e-24 + fine_diagonal2a_size_1)
     fine_diagonal2_bound_3 = absolute(fine_diagonal2b_lo) + fine_diagonal2_rest_3
     fine_diagonal2_size_8 = fine_diagonal2_bound_3 + absolute(fine_diagonal2b - fine_diagonal2a)
     fine_diagonal2_bound_4 = absolute(fine_diagonal2a_lo) + fine_diagonal2_rest_4
     fine_diagonal2_size_5 = fine_diagonal2_size_2 < absolute(fine_m_2 - fine_others_2)
     fine_diagonal2_size_9 = fine_diagonal2_bound_4 + fine_diagonal2_size_8
     fine_diagonal2_size_1 = where(fine_diagonal2c, fine_diagonal2b_size_1, fine_diagonal2a_size_1)
-    fine_diagonal2_size_11 = 87958765568 * where(fine_diagonal2_size_5, 0, fine_diagonal2_size_9)
+    fine_diagonal2_size_11 = 4219097344 * where(fine_diagonal2_size_5, 0, fine_diagonal2_size_9)
     fine_g1_lo = product_error(fine_c, fine_sinc, fine_g1) + fine_g1_cross_1
     fine_alpha_v_0 = s_3 * fine_g1
     fine_alpha_v_cross2_1 = s_3 * fine_g1_lo
@@ -4123,10 +4194,10 @@ def SE3_exp(s):
     diagonal0_error_2 = 1.0000005 * absolute(diagonal0_apart_1 + fine_diagonal0_lo)
     D_apart_2 = fine_D_01 - D_01 + (fine_D_lo1_1 + (fine_m_cross2_4 - fine_alpha_v_cross2_3))
     fine_D_size_1 = fine_alpha_v_size_3 + fine_halved_size_3 * fine_m_padded_1
-    D_rest_1 = 8.5019864e-12 * (3.308722450212111e-24 + fine_D_size_1)
+    D_rest_1 = 2.369181e-10 * (3.308722450212111e-24 + fine_D_size_1)
     D_apart_4 = fine_D_02 - D_02 + (fine_D_lo1_2 + (fine_m_cross2_5 + fine_alpha_v_cross2_2))
     fine_D_size_2 = fine_alpha_v_size_2 + fine_halved_size_5 * fine_m_padded_1
-    D_rest_2 = 8.5019864e-12 * (3.308722450212111e-24 + fine_D_size_2)
+    D_rest_2 = 2.369181e-10 * (3.308722450212111e-24 + fine_D_size_2)
     D_apart_6 = fine_D_03 - D_03 + (fine_D_lo1_3 + fine_across_axis_lo_1 + s_0 * fine_g1_lo)
     fine_D_size_3 = fine_alpha_v_padded_1 * fine_u_1a_size_1 + fine_across_axis_size_1
     D_rest_3 = 2.6786656e-10 * (3.308722450212111e-24 + fine_D_size_3)
@@ -4137,7 +4208,7 @@ def SE3_exp(s):
     diagonal1_error_2 = 1.0000005 * absolute(diagonal1_apart_1 + fine_diagonal1_lo)
     D_apart_10 = fine_D_12 - D_12 + (fine_D_lo1_5 + (fine_m_cross2_6 - fine_alpha_v_cross2_1))
     fine_D_size_4 = fine_alpha_v_size_1 + fine_halved_size_5 * fine_m_padded_2
-    D_rest_4 = 8.5019864e-12 * (3.308722450212111e-24 + fine_D_size_4)
+    D_rest_4 = 2.369181e-10 * (3.308722450212111e-24 + fine_D_size_4)
     D_apart_12 = fine_D_13 - D_13 + (fine_D_lo1_6 + fine_across_axis_lo_2 + s_1 * fine_g1_lo)
     fine_D_size_5 = fine_alpha_v_padded_1 * fine_u_0b_size_1 + fine_across_axis_size_2
     D_rest_5 = 2.6786656e-10 * (3.308722450212111e-24 + fine_D_size_5)
@@ -4150,17 +4221,17 @@ def SE3_exp(s):
     D_apart_18 = fine_D_23 - D_23 + (fine_D_lo1_9 + fine_across_axis_lo_3 + s_2 * fine_g1_lo)
     fine_D_size_6 = fine_alpha_v_padded_1 * fine_u_0a_size_1 + fine_across_axis_size_3
     D_rest_6 = 2.6786656e-10 * (3.308722450212111e-24 + fine_D_size_6)
-    diagonal0_bound_1 = diagonal0_error_2 + 1.1724294e-11 * diagonal0_padded_1
+    diagonal0_bound_1 = diagonal0_error_2 + 2.3741648e-10 * diagonal0_padded_1
     D_bound_1 = 1.0000005 * absolute(D_apart_2) + D_rest_1
     D_bound_2 = 1.0000005 * absolute(D_apart_4) + D_rest_2
     D_bound_3 = 1.0000005 * absolute(D_apart_6) + D_rest_3
     D_bound_4 = 1.0000005 * absolute(D_apart_8) + D_rest_1
-    diagonal1_bound_1 = diagonal1_error_2 + 1.1724294e-11 * diagonal1_padded_1
+    diagonal1_bound_1 = diagonal1_error_2 + 2.3741648e-10 * diagonal1_padded_1
     D_bound_5 = 1.0000005 * absolute(D_apart_10) + D_rest_4
     D_bound_6 = 1.0000005 * absolute(D_apart_12) + D_rest_5
     D_bound_7 = 1.0000005 * absolute(D_apart_14) + D_rest_2
     D_bound_8 = 1.0000005 * absolute(D_apart_16) + D_rest_4
-    diagonal2_bound_1 = diagonal2_error_2 + 1.1724294e-11 * diagonal2_padded_1
+    diagonal2_bound_1 = diagonal2_error_2 + 2.3741648e-10 * diagonal2_padded_1
     D_bound_9 = 1.0000005 * absolute(D_apart_18) + D_rest_6
     return (diagonal0, D_01, D_02, D_03, D_10, diagonal1, D_12, D_13, D_20, D_21, diagonal2, D_23,
         diagonal0_bound_1, D_bound_1, D_bound_2, D_bound_3, D_bound_4, diagonal1_bound_1, D_bound_5,
@@ -4168,16 +4239,15 @@ def SE3_exp(s):
 
 
 @kernel("(3,4)->(6),(6)")
+@errstate(all="ignore")
 def SE3_log(D):
     """so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R; |error of so| <= so_bound unless
     inf or NaN.
 
     (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;
     ω in rad/s).
-    534 mul, 920 add, 29 product error, 35 product rest, 47 div, 5 sqrt, 14 neg, 160 abs, 6
-    copysign, 65 less, 10 equal, 167 select.  Error <= lin: 18 u, ang: 8 u of its largest
-    component for R of D a rotation; searched, not proved.  Intermediate sums may overflow where
-    |t| is above 2e306, in single precision 5e36.
+    539 mul, 931 add, 29 product error, 36 product rest, 47 div, 5 sqrt, 14 neg, 161 abs, 6
+    copysign, 66 less, 9 equal, 167 select.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     p_0 = D_21 - D_12
@@ -4621,13 +4691,13 @@ def SE3_log(D):
     fine_y_bound_1 = absolute(fine_half_angle_cross2_1) + 6.7965347e-12 * fine_y_padded_1
     fine_y_size_2 = fine_y_padded_1 * (absolute(fine_half_angle) + 262144 * fine_y_bound_1)
     fine_y_size_3 = fine_y_size_2 + fine_y_size_2
-    fine_sinc_divisor_a = fine_half_angle == 0
-    fine_sinc_divisor = where(fine_sinc_divisor_a, 1, fine_half_angle)
+    fine_sinc_divisor_a = fine_half_angle < 1.4901161193847656e-08
+    fine_sinc_divisor = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle)
     fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_cross2_1)
-    fine_sinc_divisor_size_4 = fine_y_bound_1 < absolute(fine_half_angle - 0)
-    fine_sinc_divisor_size_7 = absolute(1 - fine_half_angle) + fine_y_bound_1
+    fine_sinc_divisor_size_4 = fine_y_bound_1 < absolute(fine_half_angle - 1.4901161193847656e-08)
+    fine_sinc_divisor_size_7 = absolute(1.4901161193847656e-08 - fine_half_angle) + fine_y_bound_1
     fine_sinc_divisor_size_8 = where(fine_sinc_divisor_size_4, 0, fine_sinc_divisor_size_7)
-    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1, fine_half_angle_size_1)
+    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle_size_1)
     fine_sinc_quotient = fine_sine / fine_sinc_divisor
     fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
     fine_sinc_quotient_product_error_1 = product_error(fine_sinc_quotient, fine_sinc_divisor, fine_sinc_quotient_product_1)
@@ -4654,15 +4724,25 @@ def SE3_log(D):
     fine_sinc_quotient_size_9 = fine_sinc_quotient_reach_1 * fine_sinc_quotient_size_8
     fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2
     fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10
-    fine_sinc = where(fine_sinc_divisor_a, 1, fine_sinc_quotient)
-    fine_sinc_lo = where(fine_sinc_divisor_a, 0, fine_sinc_quotient_lo)
-    fine_sinc_rest_1 = 1.1643793e-11 * (3.308722450212111e-24 + fine_sinc_quotient_size_11)
-    fine_sinc_bound_1 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_1
-    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(1 - fine_sinc_quotient)
-    fine_sinc_size_6 = 88031870976 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_4)
-    fine_sinc_size_7 = where(fine_sinc_divisor_a, 1, fine_sinc_quotient_size_11) + fine_sinc_size_6
     fine_y_cross_1 = fine_y_cross1_1 + fine_half_angle * fine_half_angle_cross2_1
     fine_y_lo = product_error(fine_half_angle, fine_half_angle, fine_y) + fine_y_cross_1
+    fine_sinc_a = 0.16666667 * fine_y
+    fine_sinc_b = 1 - fine_sinc_a
+    fine_sinc_b_right_1 = 1 - fine_sinc_b
+    fine_sinc_b_right_rest_1 = product_rest(0.16666667, fine_y, fine_sinc_a, fine_sinc_b_right_1)
+    fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
+    fine_sinc_b_lo = fine_sinc_b_lo1_1 - (-4.967054e-09 * fine_y + 0.16666667 * fine_y_lo)
+    fine_sinc_b_size_1 = 1 + 0.16666669 * fine_y_size_3
+    fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
+    fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
+    fine_sinc_rest_1 = 2.4250044e-10 * (3.308722450212111e-24 + fine_sinc_b_size_1)
+    fine_sinc_rest_2 = 1.1643793e-11 * (3.308722450212111e-24 + fine_sinc_quotient_size_11)
+    fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
+    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(fine_sinc_b - fine_sinc_quotient)
+    fine_sinc_size_5 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_2 + fine_sinc_size_4
+    fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
+    fine_sinc_size_7 = 4130013440 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_5)
+    fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7
     fine_series_phi_a = 5.107725e-32 * fine_y
     fine_series_phi_b = 4.1168266e-29 - fine_series_phi_a
     fine_series_phi_b_right_1 = 4.1168266e-29 - fine_series_phi_b
@@ -4892,7 +4972,7 @@ def SE3_log(D):
     fine_near_f_left_rest_1 = product_rest(0.33333334, fine_sinc, fine_near_f_a, fine_near_f_left_1)
     fine_near_f_lo1_1 = fine_near_f_left_rest_1 + fine_near_f_right_rest_1
     fine_near_f_lo = fine_near_f_lo1_1 + (fine_near_f_a_cross_1 + fine_near_f_b_cross_1)
-    fine_near_f_size_1 = 0.33333334 * fine_sinc_size_7 + 0.33333334 * fine_f_more_size_5
+    fine_near_f_size_1 = 0.33333334 * fine_sinc_size_8 + 0.33333334 * fine_f_more_size_5
     fine_f_rest = fine_sinc - fine_c
     fine_f_rest_right_1 = fine_sinc - fine_f_rest
     fine_f_rest_left_rest_1 = fine_sinc - (fine_f_rest + fine_f_rest_right_1)
@@ -4915,7 +4995,7 @@ def SE3_log(D):
     fine_closed_f_padded_2 = 3.308722450212111e-24 + fine_far_y_size_10
     fine_closed_f_size_1 = absolute(fine_closed_f)
     fine_closed_f_size_2 = absolute(fine_far_y)
-    fine_closed_f_padded_1 = 3.308722450212111e-24 + (fine_c_size_7 + fine_sinc_size_7)
+    fine_closed_f_padded_1 = 3.308722450212111e-24 + (fine_c_size_7 + fine_sinc_size_8)
     fine_closed_f_bound_1 = absolute(fine_far_y_lo) + 9.3794104e-12 * fine_closed_f_padded_2
     fine_closed_f_size_6 = 4 * fine_closed_f_bound_1 < fine_closed_f_size_2
     fine_closed_f_size_4 = fine_closed_f_padded_1 + fine_closed_f_padded_2 * fine_closed_f_size_1
@@ -4925,7 +5005,7 @@ def SE3_log(D):
     fine_closed_f_size_11 = fine_closed_f_size_1 + fine_closed_f_size_9 / fine_closed_f_size_2
     fine_f = where(fine_far_y_a, fine_near_f, fine_closed_f)
     fine_f_rest_1 = 2.8699676e-10 * (3.308722450212111e-24 + fine_near_f_size_1)
-    fine_f_rest_2 = 1.5914433e-11 * (3.308722450212111e-24 + fine_closed_f_size_11)
+    fine_f_rest_2 = 2.4779026e-10 * (3.308722450212111e-24 + fine_closed_f_size_11)
     fine_f_size_4 = absolute(fine_near_f_lo) + fine_f_rest_1 + absolute(fine_near_f - fine_closed_f)
     fine_f_size_5 = absolute(fine_closed_f_lo) + fine_f_rest_2 + fine_f_size_4
     fine_f_size_1 = where(fine_far_y_a, fine_near_f_size_1, fine_closed_f_size_11)
@@ -4938,10 +5018,10 @@ def SE3_log(D):
     fine_b_numerator_1 = fine_f - fine_b_product_1 - fine_b_product_error_1 + fine_f_lo
     fine_b_lo = (fine_b_numerator_1 - fine_b * fine_four_k_cross2_1) / fine_four_k
     fine_f_size_8 = fine_f_size_1 + 3498580480 * where(fine_far_y_size_4, 0, fine_f_size_5)
-    fine_b_padded_2 = 3.308722450212111e-24 + 4 * fine_sinc_size_7
+    fine_b_padded_2 = 3.308722450212111e-24 + 4 * fine_sinc_size_8
     fine_b_size_1 = absolute(fine_b)
     fine_b_size_2 = absolute(fine_four_k)
-    fine_b_bound_1 = absolute(fine_four_k_cross2_1) + 1.1785952e-11 * fine_b_padded_2
+    fine_b_bound_1 = absolute(fine_four_k_cross2_1) + 2.4267555e-10 * fine_b_padded_2
     fine_b_size_4 = 3.308722450212111e-24 + fine_f_size_8 + fine_b_padded_2 * fine_b_size_1
     fine_b_size_8 = fine_b_size_4 / where(4 * fine_b_bound_1 < fine_b_size_2, fine_b_size_2, 0)
     fine_b_size_10 = (fine_b_size_2 + 262144 * fine_b_bound_1) * fine_b_size_8 / fine_b_size_2
@@ -4951,11 +5031,11 @@ def SE3_log(D):
     fine_b_across_exact_1 = fine_c - fine_b_across_product_1 - fine_b_across_product_error_1
     fine_b_across_residual_1 = fine_b_across_exact_1 + fine_c_lo - fine_b_across * fine_sinc_lo
     fine_b_across_lo = fine_b_across_residual_1 / fine_sinc
-    fine_b_across_padded_2 = 3.308722450212111e-24 + fine_sinc_size_7
+    fine_b_across_padded_2 = 3.308722450212111e-24 + fine_sinc_size_8
     fine_b_across_size_1 = absolute(fine_b_across)
     fine_b_across_size_2 = absolute(fine_sinc)
     fine_b_across_size_3 = fine_b_across_padded_2 * fine_b_across_size_1
-    fine_b_across_bound_1 = absolute(fine_sinc_lo) + 1.1643796e-11 * fine_b_across_padded_2
+    fine_b_across_bound_1 = absolute(fine_sinc_lo) + 2.4250052e-10 * fine_b_across_padded_2
     fine_b_across_size_6 = 4 * fine_b_across_bound_1 < fine_b_across_size_2
     fine_b_across_size_4 = 3.308722450212111e-24 + fine_c_size_7 + fine_b_across_size_3
     fine_b_across_size_7 = where(fine_b_across_size_6, fine_b_across_size_2, 0)

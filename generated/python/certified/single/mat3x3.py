@@ -10,9 +10,11 @@ from coscrew import _elementary_single as elementary
 from numpy import absolute, float32, sqrt, where
 from coscrew._exact import product_error_single as product_error, product_rest_single as product_rest
 from coscrew._kernel import single_kernel as kernel
+from numpy import errstate
 
 
 @kernel("(3),(3)->(3,3),(3,3)")
+@errstate(all="ignore")
 def acceleration_tensor(w, dw):
     """Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: the
     acceleration of its point x, less that of its origin, is Ro x; |error of Ro| <= Ro_bound
@@ -68,6 +70,7 @@ def acceleration_tensor(w, dw):
 
 
 @kernel("(3,3)->(),()")
+@errstate(all="ignore")
 def mat3x3_determinant(R):
     """det R; |error of det| <= det_bound unless inf or NaN.
 
@@ -96,6 +99,7 @@ def mat3x3_determinant(R):
 
 
 @kernel("(3),(2)->(3,3),(3,3)")
+@errstate(all="ignore")
 def mat3x3_setFromAxisDC(axis, dc):
     """R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is not a rotation),
     dc = (sin θ, cos θ); |error of R| <= R_bound unless inf or NaN.
@@ -171,6 +175,7 @@ def mat3x3_setFromAxisDC(axis, dc):
 
 
 @kernel("(3)->(3,3),(3,3)")
+@errstate(all="ignore")
 def mat3x3_from_euler_xyz(angles):
     """R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); |error of R| <= R_bound unless inf or NaN.
 
@@ -243,14 +248,14 @@ def mat3x3_from_euler_xyz(angles):
 
 
 @kernel("(3,3)->(3),(3)")
+@errstate(all="ignore")
 def euler_xyz_from_mat3x3(R):
     """angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
     [-π/2, π/2]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
 
     (3,3)->(3),(3).  R: rotation or other 3×3 matrix; angles, angles_bound: vector.
     322 mul, 548 add, 45 product error, 6 product rest, 27 div, 2 sqrt, 4 neg, 59 abs, 12
-    copysign, 50 less, 13 equal, 96 select.  The rotation by these angles differs from R by at
-    most 12 u in each entry, near gimbal lock too; searched, not proved.
+    copysign, 50 less, 13 equal, 96 select.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     n_a = R_00 * R_00
@@ -386,6 +391,7 @@ def euler_xyz_from_mat3x3(R):
 
 
 @kernel("(3)->(3,3),(3,3)")
+@errstate(all="ignore")
 def mat3x3_from_euler_xyx(angles):
     """R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); |error of R| <= R_bound unless inf or NaN.
 
@@ -459,14 +465,14 @@ def mat3x3_from_euler_xyx(angles):
 
 
 @kernel("(3,3)->(3),(3)")
+@errstate(all="ignore")
 def euler_xyx_from_mat3x3(R):
     """angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in
     [0, π]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
 
     (3,3)->(3),(3).  R: rotation or other 3×3 matrix; angles, angles_bound: vector.
     322 mul, 548 add, 45 product error, 6 product rest, 27 div, 2 sqrt, 3 neg, 59 abs, 12
-    copysign, 52 less, 13 equal, 98 select.  The rotation by these angles differs from R by at
-    most 12 u in each entry, near gimbal lock too; searched, not proved.
+    copysign, 52 less, 13 equal, 98 select.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     n_a = R_01 * R_01
@@ -604,13 +610,13 @@ def euler_xyx_from_mat3x3(R):
 
 
 @kernel("(3),()->(3,3),(3,3)")
+@errstate(all="ignore")
 def mat3x3_from_axis_angle(axis, angle):
     """R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; otherwise R is
     not a rotation; |error of R| <= R_bound unless inf or NaN.
 
     (3),()->(3,3),(3,3).  axis: vector; angle: number; R, R_bound: rotation or other 3×3 matrix.
-    180 mul, 322 add, 20 product error, 18 product rest, 2 div, 24 abs, 4 less, 6 select.  Error
-    <= R: 9 u of its largest component for |axis| = 1; searched, not proved.
+    180 mul, 322 add, 20 product error, 18 product rest, 2 div, 24 abs, 4 less, 6 select.
     """
     axis_0, axis_1, axis_2 = axis
     half = 0.5 * angle
@@ -734,6 +740,7 @@ def mat3x3_from_axis_angle(axis, angle):
 
 
 @kernel("(3,3)->(),(3),(),(3)")
+@errstate(all="ignore")
 def axis_angle_from_mat3x3(R):
     """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0;
     |error of angle| <= angle_bound, |error of axis| <= axis_bound unless inf or NaN.
@@ -741,8 +748,7 @@ def axis_angle_from_mat3x3(R):
     (3,3)->(),(3),(),(3).  R: rotation or other 3×3 matrix; angle, angle_bound: number; axis,
     axis_bound: vector.
     171 mul, 383 add, 18 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 63 abs, 4
-    copysign, 34 less, 6 equal, 103 select.  Error <= angle: 8 u, axis: 5 u of its largest
-    component for R a rotation; searched, not proved.
+    copysign, 34 less, 6 equal, 103 select.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12

@@ -8,9 +8,11 @@ In single precision, certified tier.
 
 from numpy import absolute
 from coscrew._kernel import single_kernel as kernel
+from numpy import errstate
 
 
 @kernel("(3,3),(6,6)->(6,6),(6,6)")
+@errstate(all="ignore")
 def mat6x6_rotated(R, M):
     """Mo = [Ad]*(R) M [Ad]^-1(R), the articulated inertia M rotated by R; M is symmetric, only its
     lower triangle is read; |error of Mo| <= Mo_bound unless inf or NaN.
@@ -273,6 +275,7 @@ def mat6x6_rotated(R, M):
 
 
 @kernel("(3),(6,6)->(6,6),(6,6)")
+@errstate(all="ignore")
 def mat6x6_shifted(t, M):
     """Mo = [Ad]*(t) M [Ad]^-1(t), the articulated inertia M shifted by t; M is symmetric, only its
     lower triangle is read; |error of Mo| <= Mo_bound unless inf or NaN.

@@ -10,9 +10,11 @@ from coscrew import _elementary_single as elementary
 from numpy import absolute, float32, sqrt, where
 from coscrew._exact import product_error_single as product_error, product_rest_single as product_rest
 from coscrew._kernel import single_kernel as kernel
+from numpy import errstate
 
 
 @kernel("(4),()->(4),(4)")
+@errstate(all="ignore")
 def quaternion_scale(self, a):
     """self = a self; |error of self| <= self_bound unless inf or NaN.
 
@@ -33,6 +35,7 @@ def quaternion_scale(self, a):
 
 
 @kernel("(),(4),(4)->(4),(4)")
+@errstate(all="ignore")
 def axpy_qq(a, x, y):
     """y = a x + y; |error of y| <= y_bound unless inf or NaN.
 
@@ -62,6 +65,7 @@ def axpy_qq(a, x, y):
 
 
 @kernel("(4),(3)->(3),(3)")
+@errstate(all="ignore")
 def rotate_qv(q, v):
     """vo = R(q) v, |q| = 1; |error of vo| <= vo_bound unless inf or NaN.
 
@@ -114,6 +118,7 @@ def rotate_qv(q, v):
 
 
 @kernel("(4),(3)->(3),(3)")
+@errstate(all="ignore")
 def rotate_qconjv(q, v):
     """vo = R(q)^T v, |q| = 1; |error of vo| <= vo_bound unless inf or NaN.
 
@@ -166,6 +171,7 @@ def rotate_qconjv(q, v):
 
 
 @kernel("(4),(4)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qq(q1i, q2i):
     """qo = q1i q2i; |error of qo| <= qo_bound unless inf or NaN.
 
@@ -207,6 +213,7 @@ def quaternion_product_qq(q1i, q2i):
 
 
 @kernel("(4),(4)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qqconj(q1i, q2i):
     """qo = q1i q2i*; |error of qo| <= qo_bound unless inf or NaN.
 
@@ -248,6 +255,7 @@ def quaternion_product_qqconj(q1i, q2i):
 
 
 @kernel("(4),(4)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qconjq(q1i, q2i):
     """qo = q1i* q2i; |error of qo| <= qo_bound unless inf or NaN.
 
@@ -289,6 +297,7 @@ def quaternion_product_qconjq(q1i, q2i):
 
 
 @kernel("(4),(4)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qconjqconj(q1i, q2i):
     """qo = q1i* q2i*; |error of qo| <= qo_bound unless inf or NaN.
 
@@ -330,6 +339,7 @@ def quaternion_product_qconjqconj(q1i, q2i):
 
 
 @kernel("(2),(4)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qxq(dci, qi):
     """qo = (s e_x; c) qi, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -365,6 +375,7 @@ def quaternion_product_qxq(dci, qi):
 
 
 @kernel("(2),(4)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qxqconj(dci, qi):
     """qo = (s e_x; c) qi*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -399,6 +410,7 @@ def quaternion_product_qxqconj(dci, qi):
 
 
 @kernel("(2),(4)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qxconjq(dci, qi):
     """qo = (s e_x; c)* qi, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -434,6 +446,7 @@ def quaternion_product_qxconjq(dci, qi):
 
 
 @kernel("(2),(4)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qxconjqconj(dci, qi):
     """qo = (s e_x; c)* qi*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -467,6 +480,7 @@ def quaternion_product_qxconjqconj(dci, qi):
 
 
 @kernel("(4),(2)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qqx(qi, dci):
     """qo = qi (s e_x; c), dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -502,6 +516,7 @@ def quaternion_product_qqx(qi, dci):
 
 
 @kernel("(4),(2)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qqxconj(qi, dci):
     """qo = qi (s e_x; c)*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -537,6 +552,7 @@ def quaternion_product_qqxconj(qi, dci):
 
 
 @kernel("(4),(2)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qconjqx(qi, dci):
     """qo = qi* (s e_x; c), dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -571,6 +587,7 @@ def quaternion_product_qconjqx(qi, dci):
 
 
 @kernel("(4),(2)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qconjqxconj(qi, dci):
     """qo = qi* (s e_x; c)*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -604,6 +621,7 @@ def quaternion_product_qconjqxconj(qi, dci):
 
 
 @kernel("(2),(4)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qyq(dci, qi):
     """qo = (s e_y; c) qi, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -639,6 +657,7 @@ def quaternion_product_qyq(dci, qi):
 
 
 @kernel("(2),(4)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qyqconj(dci, qi):
     """qo = (s e_y; c) qi*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -673,6 +692,7 @@ def quaternion_product_qyqconj(dci, qi):
 
 
 @kernel("(2),(4)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qyconjq(dci, qi):
     """qo = (s e_y; c)* qi, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -708,6 +728,7 @@ def quaternion_product_qyconjq(dci, qi):
 
 
 @kernel("(2),(4)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qyconjqconj(dci, qi):
     """qo = (s e_y; c)* qi*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -741,6 +762,7 @@ def quaternion_product_qyconjqconj(dci, qi):
 
 
 @kernel("(4),(2)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qqy(qi, dci):
     """qo = qi (s e_y; c), dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -776,6 +798,7 @@ def quaternion_product_qqy(qi, dci):
 
 
 @kernel("(4),(2)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qqyconj(qi, dci):
     """qo = qi (s e_y; c)*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -811,6 +834,7 @@ def quaternion_product_qqyconj(qi, dci):
 
 
 @kernel("(4),(2)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qconjqy(qi, dci):
     """qo = qi* (s e_y; c), dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -845,6 +869,7 @@ def quaternion_product_qconjqy(qi, dci):
 
 
 @kernel("(4),(2)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qconjqyconj(qi, dci):
     """qo = qi* (s e_y; c)*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -878,6 +903,7 @@ def quaternion_product_qconjqyconj(qi, dci):
 
 
 @kernel("(2),(4)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qzq(dci, qi):
     """qo = (s e_z; c) qi, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -913,6 +939,7 @@ def quaternion_product_qzq(dci, qi):
 
 
 @kernel("(2),(4)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qzqconj(dci, qi):
     """qo = (s e_z; c) qi*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -947,6 +974,7 @@ def quaternion_product_qzqconj(dci, qi):
 
 
 @kernel("(2),(4)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qzconjq(dci, qi):
     """qo = (s e_z; c)* qi, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -982,6 +1010,7 @@ def quaternion_product_qzconjq(dci, qi):
 
 
 @kernel("(2),(4)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qzconjqconj(dci, qi):
     """qo = (s e_z; c)* qi*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -1015,6 +1044,7 @@ def quaternion_product_qzconjqconj(dci, qi):
 
 
 @kernel("(4),(2)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qqz(qi, dci):
     """qo = qi (s e_z; c), dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -1050,6 +1080,7 @@ def quaternion_product_qqz(qi, dci):
 
 
 @kernel("(4),(2)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qqzconj(qi, dci):
     """qo = qi (s e_z; c)*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -1085,6 +1116,7 @@ def quaternion_product_qqzconj(qi, dci):
 
 
 @kernel("(4),(2)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qconjqz(qi, dci):
     """qo = qi* (s e_z; c), dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -1119,6 +1151,7 @@ def quaternion_product_qconjqz(qi, dci):
 
 
 @kernel("(4),(2)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qconjqzconj(qi, dci):
     """qo = qi* (s e_z; c)*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
@@ -1152,6 +1185,7 @@ def quaternion_product_qconjqzconj(qi, dci):
 
 
 @kernel("(4),(3)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qv(qi, vi):
     """qo = qi (vi; 0); |error of qo| <= qo_bound unless inf or NaN.
 
@@ -1189,6 +1223,7 @@ def quaternion_product_qv(qi, vi):
 
 
 @kernel("(4),(3)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_qconjv(qi, vi):
     """qo = qi* (vi; 0); |error of qo| <= qo_bound unless inf or NaN.
 
@@ -1226,6 +1261,7 @@ def quaternion_product_qconjv(qi, vi):
 
 
 @kernel("(3),(4)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_vq(vi, qi):
     """qo = (vi; 0) qi; |error of qo| <= qo_bound unless inf or NaN.
 
@@ -1263,6 +1299,7 @@ def quaternion_product_vq(vi, qi):
 
 
 @kernel("(3),(4)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_product_vqconj(vi, qi):
     """qo = (vi; 0) qi*; |error of qo| <= qo_bound unless inf or NaN.
 
@@ -1300,6 +1337,7 @@ def quaternion_product_vqconj(vi, qi):
 
 
 @kernel("(4),(4)->(),()")
+@errstate(all="ignore")
 def dot_qq(q1i, q2i):
     """q1i·q2i; |error of dot| <= dot_bound unless inf or NaN.
 
@@ -1319,6 +1357,7 @@ def dot_qq(q1i, q2i):
 
 
 @kernel("(3),(4)->(4),(4)")
+@errstate(all="ignore")
 def add_dpiToq(dpi, qi):
     """qi = qi + qi (dpi; 0) / 2: rotated by the small rotation vector dpi in the rotated frame, to
     first order; not normalized; |error of qi| <= qi_bound unless inf or NaN.
@@ -1359,6 +1398,7 @@ def add_dpiToq(dpi, qi):
 
 
 @kernel("(3),(4)->(4),(4)")
+@errstate(all="ignore")
 def subtract_dpiFromq(dpi, qi):
     """qi = qi - qi (dpi; 0) / 2, the opposite of add_dpiToq to first order; |error of qi| <=
     qi_bound unless inf or NaN.
@@ -1399,6 +1439,7 @@ def subtract_dpiFromq(dpi, qi):
 
 
 @kernel("(3),(4)->(4),(4)")
+@errstate(all="ignore")
 def omega_to_dquaternion(w, qi):
     """dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
     reference frame, rad/s, and a term that draws its norm to 1; |error of dqo| <= dqo_bound
@@ -1447,14 +1488,14 @@ def omega_to_dquaternion(w, qi):
 
 
 @kernel("(3),()->(4),(4)")
+@errstate(all="ignore")
 def quaternion_from_axis_angle(axis, angle):
     """qo = (axis sin angle/2; cos angle/2); axis of length 1: with another |qo| is not 1, and its
     rotation is by another angle; |error of qo| <= qo_bound unless inf or NaN.
 
     (3),()->(4),(4).  axis: vector; angle: number; qo, qo_bound: quaternion (x, y, z, w), the
     scalar last.
-    80 mul, 110 add, 11 product error, 1 div, 11 abs, 1 less, 1 select.  Error <= qo: 3 u of its
-    largest component for |axis| = 1; searched, not proved.
+    80 mul, 110 add, 11 product error, 1 div, 11 abs, 1 less, 1 select.
     """
     axis_0, axis_1, axis_2 = axis
     half = 0.5 * angle
@@ -1475,6 +1516,7 @@ def quaternion_from_axis_angle(axis, angle):
 
 
 @kernel("(4)->(),(3),(),(3)")
+@errstate(all="ignore")
 def axis_angle_from_quaternion(q):
     """angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) if the
     angle is 0; any multiple of a quaternion; |error of angle| <= angle_bound, |error of axis|
@@ -1483,8 +1525,7 @@ def axis_angle_from_quaternion(q):
     (4)->(),(3),(),(3).  q: quaternion (x, y, z, w), the scalar last; angle, angle_bound:
     number; axis, axis_bound: vector.
     167 mul, 259 add, 18 product error, 3 product rest, 24 div, 2 sqrt, 5 neg, 50 abs, 4
-    copysign, 35 less, 10 equal, 69 select.  Error <= angle: 6 u, axis: 4 u of its largest
-    component; searched, not proved.
+    copysign, 35 less, 10 equal, 69 select.
     """
     q_0, q_1, q_2, q_3 = q
     s_size_0 = absolute(q_0)
@@ -1657,14 +1698,14 @@ def axis_angle_from_quaternion(q):
 
 
 @kernel("(3)->(4),(4)")
+@errstate(all="ignore")
 def quaternion_exp(v):
     """qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v; |error
     of qo| <= qo_bound unless inf or NaN.
 
     (3)->(4),(4).  v: vector; qo, qo_bound: quaternion (x, y, z, w), the scalar last.
-    226 mul, 290 add, 13 product error, 3 product rest, 11 div, 3 sqrt, 35 abs, 10 less, 2
-    equal, 24 select.  Error <= qo: (7 + θ/200) u of its largest component for |v| <= 1e13, in
-    single precision 1e5; searched, not proved.
+    236 mul, 305 add, 14 product error, 4 product rest, 11 div, 3 sqrt, 37 abs, 11 less, 1
+    equal, 24 select.
     """
     v_0, v_1, v_2 = v
     h_0 = 0.5 * v_0
@@ -1791,23 +1832,25 @@ def quaternion_exp(v):
     fine_reduced_length_size_12 = fine_reduced_length + fine_reduced_length_size_11
     fine_up_size_1 = where(fine_up_a, float32(3.6893488147419103e+19), float32(1))
     fine_half_angle_size_1 = (3.308722450212111e-24 + fine_reduced_length_size_12) * fine_up_size_1
+    fine_y = fine_half_angle * fine_half_angle
+    fine_y_padded_1 = 3.308722450212111e-24 + fine_half_angle_size_1
+    fine_y_bound_1 = absolute(fine_half_angle_lo) + 1.6484983e-12 * fine_y_padded_1
+    fine_y_size_2 = fine_y_padded_1 * (absolute(fine_half_angle) + 262144 * fine_y_bound_1)
     fine_sine, fine_c = elementary.sincos(fine_half_angle)
     fine_sine_own_error_1, fine_c_own_error_1 = elementary.sincos_error(fine_half_angle, fine_sine, fine_c)
     fine_sine_half_1 = fine_half_angle_lo * 0.5
     fine_sine_half_sin_1, fine_sine_half_cos_1 = elementary.sincos(fine_sine_half_1)
     fine_sine_twice_1 = fine_sine_half_sin_1 + fine_sine_half_sin_1
     fine_sine_slope_1 = fine_sine_half_cos_1 * fine_c - fine_sine_half_sin_1 * fine_sine
-    fine_sine_padded_1 = 3.308722450212111e-24 + fine_half_angle_size_1
     fine_c_slope_1 = fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * fine_c
-    fine_sinc_divisor_a = fine_half_angle == 0
-    fine_sinc_divisor = where(fine_sinc_divisor_a, 1, fine_half_angle)
+    fine_sinc_divisor_a = fine_half_angle < 1.4901161193847656e-08
+    fine_sinc_divisor = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle)
     fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_lo)
-    fine_sinc_divisor_bound_1 = absolute(fine_half_angle_lo) + 1.6484983e-12 * fine_sine_padded_1
-    fine_sinc_divisor_size_4 = 1.401298464324817e-45 + absolute(fine_half_angle - 0)
-    fine_sinc_divisor_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_4
-    fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 + absolute(1 - fine_half_angle)
+    fine_sinc_divisor_size_3 = absolute(fine_half_angle - 1.4901161193847656e-08)
+    fine_sinc_divisor_size_5 = fine_y_bound_1 < 1.401298464324817e-45 + fine_sinc_divisor_size_3
+    fine_sinc_divisor_size_8 = absolute(1.4901161193847656e-08 - fine_half_angle) + fine_y_bound_1
     fine_sinc_divisor_size_9 = where(fine_sinc_divisor_size_5, 0, fine_sinc_divisor_size_8)
-    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1, fine_half_angle_size_1)
+    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle_size_1)
     fine_sinc_quotient = fine_sine / fine_sinc_divisor
     fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
     fine_sinc_quotient_product_error_1 = product_error(fine_sinc_quotient, fine_sinc_divisor, fine_sinc_quotient_product_1)
@@ -1818,7 +1861,7 @@ def quaternion_exp(v):
     fine_sinc_quotient_cross_1 = fine_sinc_quotient * fine_sinc_divisor_lo
     fine_sinc_quotient_residual_1 = fine_sinc_quotient_numerator_1 - fine_sinc_quotient_cross_1
     fine_sinc_quotient_lo = fine_sinc_quotient_residual_1 / fine_sinc_divisor
-    fine_sinc_quotient_padded_1 = 3.308722450212111e-24 + (1 + fine_sine_padded_1)
+    fine_sinc_quotient_padded_1 = 3.308722450212111e-24 + (1 + fine_y_padded_1)
     fine_sinc_divisor_size_11 = fine_sinc_divisor_size_1 + 199908212736 * fine_sinc_divisor_size_9
     fine_sinc_quotient_padded_2 = 3.308722450212111e-24 + fine_sinc_divisor_size_11
     fine_sinc_quotient_size_1 = absolute(fine_sinc_quotient)
@@ -1834,17 +1877,28 @@ def quaternion_exp(v):
     fine_sinc_quotient_size_9 = fine_sinc_quotient_reach_1 * fine_sinc_quotient_size_8
     fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2
     fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10
-    fine_sinc = where(fine_sinc_divisor_a, 1, fine_sinc_quotient)
-    fine_sinc_lo = where(fine_sinc_divisor_a, 0, fine_sinc_quotient_lo)
-    fine_sinc_rest_1 = 7.941701e-12 * (3.308722450212111e-24 + fine_sinc_quotient_size_11)
-    fine_sinc_bound_1 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_1
-    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(1 - fine_sinc_quotient)
-    fine_sinc_size_6 = 129352179712 * where(fine_sinc_divisor_size_5, 0, fine_sinc_size_4)
+    fine_y_cross_1 = fine_half_angle_lo * fine_half_angle + fine_half_angle * fine_half_angle_lo
+    fine_sinc_a = 0.16666667 * fine_y
+    fine_y_lo = product_error(fine_half_angle, fine_half_angle, fine_y) + fine_y_cross_1
+    fine_sinc_b = 1 - fine_sinc_a
+    fine_sinc_b_right_1 = 1 - fine_sinc_b
+    fine_sinc_b_right_rest_1 = product_rest(0.16666667, fine_y, fine_sinc_a, fine_sinc_b_right_1)
+    fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
+    fine_sinc_b_lo = fine_sinc_b_lo1_1 - (-4.967054e-09 * fine_y + 0.16666667 * fine_y_lo)
+    fine_sinc_b_size_1 = 1 + 0.16666669 * (fine_y_size_2 + fine_y_size_2)
+    fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
+    fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
+    fine_sinc_rest_1 = 2.3639474e-10 * (3.308722450212111e-24 + fine_sinc_b_size_1)
+    fine_sinc_rest_2 = 7.941701e-12 * (3.308722450212111e-24 + fine_sinc_quotient_size_11)
+    fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
+    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(fine_sinc_b - fine_sinc_quotient)
+    fine_sinc_size_5 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_2 + fine_sinc_size_4
+    fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
+    fine_sinc_size_7 = 4235066880 * where(fine_sinc_divisor_size_5, 0, fine_sinc_size_5)
     fine_qo_0 = fine_h_0 * fine_sinc
-    fine_sinc_size_7 = where(fine_sinc_divisor_a, 1, fine_sinc_quotient_size_11) + fine_sinc_size_6
-    fine_qo_padded_1 = 3.308722450212111e-24 + fine_sinc_size_7
+    fine_qo_padded_1 = 3.308722450212111e-24 + (fine_sinc_size_1 + fine_sinc_size_7)
     fine_qo_reach_1 = absolute(fine_h_0) + 262144 * (3.5527347e-14 * fine_h_size_padded_1)
-    fine_qo_units_2 = 262144 * (absolute(fine_sinc_lo) + 7.972455e-12 * fine_qo_padded_1)
+    fine_qo_units_2 = 262144 * (absolute(fine_sinc_lo) + 2.3639482e-10 * fine_qo_padded_1)
     fine_qo_reach_2 = absolute(fine_sinc) + fine_qo_units_2
     fine_qo_1 = fine_h_1 * fine_sinc
     fine_qo_reach_3 = absolute(fine_h_1) + 262144 * (3.5527347e-14 * fine_h_size_padded_2)
@@ -1852,30 +1906,30 @@ def quaternion_exp(v):
     fine_qo_reach_4 = absolute(fine_h_2) + 262144 * (3.5527347e-14 * fine_h_size_padded_3)
     fine_qo_lo_1 = product_error(fine_h_0, fine_sinc, fine_qo_0) + fine_h_0 * fine_sinc_lo
     fine_qo_size_5 = fine_qo_padded_1 * fine_qo_reach_1 + fine_h_size_padded_1 * fine_qo_reach_2
-    qo_error_2 = 1.0000005 * absolute(fine_qo_lo_1 + (fine_qo_0 - qo_0))
+    qo_rest_1 = 2.3676172e-10 * (3.308722450212111e-24 + fine_qo_size_5)
     fine_qo_lo_2 = product_error(fine_h_1, fine_sinc, fine_qo_1) + fine_h_1 * fine_sinc_lo
     fine_qo_size_9 = fine_qo_padded_1 * fine_qo_reach_3 + fine_h_size_padded_2 * fine_qo_reach_2
-    qo_error_4 = 1.0000005 * absolute(fine_qo_lo_2 + (fine_qo_1 - qo_1))
+    qo_rest_2 = 2.3676172e-10 * (3.308722450212111e-24 + fine_qo_size_9)
     fine_qo_lo_3 = product_error(fine_h_2, fine_sinc, fine_qo_2) + fine_h_2 * fine_sinc_lo
     fine_qo_size_13 = fine_qo_padded_1 * fine_qo_reach_4 + fine_h_size_padded_3 * fine_qo_reach_2
-    qo_rest_3 = 8.326046e-12 * (3.308722450212111e-24 + fine_qo_size_13)
+    qo_rest_3 = 2.3676172e-10 * (3.308722450212111e-24 + fine_qo_size_13)
     qo_error_7 = absolute(fine_c_own_error_1 - fine_c_slope_1 * fine_sine_twice_1 + (fine_c - qo_3))
-    qo_bound_1 = qo_error_2 + 8.326046e-12 * (3.308722450212111e-24 + fine_qo_size_5)
-    qo_bound_2 = qo_error_4 + 8.326046e-12 * (3.308722450212111e-24 + fine_qo_size_9)
+    qo_bound_1 = 1.0000005 * absolute(fine_qo_lo_1 + (fine_qo_0 - qo_0)) + qo_rest_1
+    qo_bound_2 = 1.0000005 * absolute(fine_qo_lo_2 + (fine_qo_1 - qo_1)) + qo_rest_2
     qo_bound_3 = 1.0000005 * absolute(fine_qo_lo_3 + (fine_qo_2 - qo_2)) + qo_rest_3
     qo_bound_4 = 1.0000005 * qo_error_7 + 3.041182e-12 * fine_sinc_quotient_padded_1
     return (qo_0, qo_1, qo_2, qo_3, qo_bound_1, qo_bound_2, qo_bound_3, qo_bound_4)
 
 
 @kernel("(4)->(3),(3)")
+@errstate(all="ignore")
 def quaternion_log(q):
     """vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of
     it; |error of vo| <= vo_bound unless inf or NaN.
 
     (4)->(3),(3).  q: quaternion (x, y, z, w), the scalar last; vo, vo_bound: vector.
     175 mul, 256 add, 19 product error, 3 product rest, 16 div, 2 sqrt, 5 neg, 49 abs, 4
-    copysign, 35 less, 10 equal, 65 select.  Error <= vo: 6 u of its largest component;
-    searched, not proved.
+    copysign, 35 less, 10 equal, 65 select.
     """
     q_0, q_1, q_2, q_3 = q
     s_size_0 = absolute(q_0)

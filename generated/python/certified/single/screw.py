@@ -8,9 +8,11 @@ In single precision, certified tier.
 
 from numpy import absolute
 from coscrew._kernel import single_kernel as kernel
+from numpy import errstate
 
 
 @kernel("(6),()->(6),(6)")
+@errstate(all="ignore")
 def screw_scale(self, a):
     """self = a self; |error of self| <= self_bound unless inf or NaN.
 
@@ -36,6 +38,7 @@ def screw_scale(self, a):
 
 
 @kernel("(),(6),(6)->(6),(6)")
+@errstate(all="ignore")
 def axpy_ss(a, x, y):
     """y = a x + y; |error of y| <= y_bound unless inf or NaN.
 
@@ -74,6 +77,7 @@ def axpy_ss(a, x, y):
 
 
 @kernel("(6),(6)->(6),(6)")
+@errstate(all="ignore")
 def xpy_ss(x, y):
     """y = x + y; |error of y| <= y_bound unless inf or NaN.
 
@@ -100,6 +104,7 @@ def xpy_ss(x, y):
 
 
 @kernel("(6),(6)->(6),(6)")
+@errstate(all="ignore")
 def nxpy_ss(x, y):
     """y = -x + y; |error of y| <= y_bound unless inf or NaN.
 
@@ -126,6 +131,7 @@ def nxpy_ss(x, y):
 
 
 @kernel("(),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_as(a, si):
     """so = a si; |error of so| <= so_bound unless inf or NaN.
 
@@ -150,6 +156,7 @@ def product_as(a, si):
 
 
 @kernel("(6),(6)->(6),(6)")
+@errstate(all="ignore")
 def add_ss(s1, s2):
     """so = s1 + s2; |error of so| <= so_bound unless inf or NaN.
 
@@ -175,6 +182,7 @@ def add_ss(s1, s2):
 
 
 @kernel("(6),(6)->(6),(6)")
+@errstate(all="ignore")
 def subtract_ss(s1, s2):
     """so = s1 - s2; |error of so| <= so_bound unless inf or NaN.
 
@@ -200,6 +208,7 @@ def subtract_ss(s1, s2):
 
 
 @kernel("(6),(6)->(6),(6)")
+@errstate(all="ignore")
 def add_sst(s1, s2):
     """so = (s1.lin + s2.lin ; s1.ang); |error of so| <= so_bound unless inf or NaN.
 
@@ -219,6 +228,7 @@ def add_sst(s1, s2):
 
 
 @kernel("(3),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_Adts(t, si):
     """so = [Ad](t) si; |error of so| <= so_bound unless inf or NaN.
 
@@ -247,6 +257,7 @@ def product_Adts(t, si):
 
 
 @kernel("(3),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_Adtinvs(t, si):
     """so = [Ad](t)^-1 si; |error of so| <= so_bound unless inf or NaN.
 
@@ -275,6 +286,7 @@ def product_Adtinvs(t, si):
 
 
 @kernel("(3),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_Adtsinv(t, si):
     """so = [Ad](t) (-si); |error of so| <= so_bound unless inf or NaN.
 
@@ -306,6 +318,7 @@ def product_Adtsinv(t, si):
 
 
 @kernel("(3,3),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_Adrs(R, si):
     """so = [Ad](R) si; |error of so| <= so_bound unless inf or NaN.
 
@@ -356,6 +369,7 @@ def product_Adrs(R, si):
 
 
 @kernel("(3,3),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_Adrinvs(R, si):
     """so = [Ad](R)^-1 si; |error of so| <= so_bound unless inf or NaN.
 
@@ -406,6 +420,7 @@ def product_Adrinvs(R, si):
 
 
 @kernel("(3,3),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_Adrsinv(R, si):
     """so = [Ad](R) (-si); |error of so| <= so_bound unless inf or NaN.
 
@@ -456,6 +471,7 @@ def product_Adrsinv(R, si):
 
 
 @kernel("(3,4),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_Ads(D, si):
     """so = [Ad](D) si = [Ad](t) [Ad](R) si; |error of so| <= so_bound unless inf or NaN.
 
@@ -518,6 +534,7 @@ def product_Ads(D, si):
 
 
 @kernel("(3,4),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_Adinvs(D, si):
     """so = [Ad](D)^-1 si = [Ad](R^T) [Ad](-t) si; |error of so| <= so_bound unless inf or NaN.
 
@@ -577,6 +594,7 @@ def product_Adinvs(D, si):
 
 
 @kernel("(3,4),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_Adsinv(D, si):
     """so = [Ad](D) (-si); |error of so| <= so_bound unless inf or NaN.
 
@@ -636,6 +654,7 @@ def product_Adsinv(D, si):
 
 
 @kernel("(3,4)->(6),(6)")
+@errstate(all="ignore")
 def hsrx(D):
     """so = h_rx: column 3 of [Ad](D); |error of so| <= so_bound unless inf or NaN.
 
@@ -664,6 +683,7 @@ def hsrx(D):
 
 
 @kernel("(3,4)->(6),(6)")
+@errstate(all="ignore")
 def hsry(D):
     """so = h_ry: column 4 of [Ad](D); |error of so| <= so_bound unless inf or NaN.
 
@@ -692,6 +712,7 @@ def hsry(D):
 
 
 @kernel("(3,4)->(6),(6)")
+@errstate(all="ignore")
 def hsrz(D):
     """so = h_rz: column 5 of [Ad](D); |error of so| <= so_bound unless inf or NaN.
 
@@ -720,6 +741,7 @@ def hsrz(D):
 
 
 @kernel("(3,4)->(6),(6)")
+@errstate(all="ignore")
 def hsrxinv(D):
     """so = -h_rx: -column 3 of [Ad](D); |error of so| <= so_bound unless inf or NaN.
 
@@ -751,6 +773,7 @@ def hsrxinv(D):
 
 
 @kernel("(3,4)->(6),(6)")
+@errstate(all="ignore")
 def hsryinv(D):
     """so = -h_ry: -column 4 of [Ad](D); |error of so| <= so_bound unless inf or NaN.
 
@@ -782,6 +805,7 @@ def hsryinv(D):
 
 
 @kernel("(3,4)->(6),(6)")
+@errstate(all="ignore")
 def hsrzinv(D):
     """so = -h_rz: -column 5 of [Ad](D); |error of so| <= so_bound unless inf or NaN.
 
@@ -813,6 +837,7 @@ def hsrzinv(D):
 
 
 @kernel("(3,4)->(6,6),(6,6)")
+@errstate(all="ignore")
 def Ad(D):
     """M = [Ad](D); |error of M| <= M_bound unless inf or NaN.
 
@@ -873,6 +898,7 @@ def Ad(D):
 
 
 @kernel("(6),(6)->(),()")
+@errstate(all="ignore")
 def dot_cs(c, s):
     """power = f·v + τ·ω, in W; |error of power| <= power_bound unless inf or NaN.
 
@@ -896,6 +922,7 @@ def dot_cs(c, s):
 
 
 @kernel("(6),(6)->(6),(6)")
+@errstate(all="ignore")
 def cross_ss(s1, s2):
     """so = [ad](s1) s2 = (ω1×v2 + v1×ω2 ; ω1×ω2); |error of so| <= so_bound unless inf or NaN.
     Exactly zero for s1 = s2, unless products overflow.
@@ -946,6 +973,7 @@ def cross_ss(s1, s2):
 
 
 @kernel("(6),(6)->(6),(6)")
+@errstate(all="ignore")
 def cross_sst(s1, s2):
     """so = (ω1×v2 ; 0); |error of so| <= so_bound unless inf or NaN.
 
@@ -974,6 +1002,7 @@ def cross_sst(s1, s2):
 
 
 @kernel("(3,4),(3)->(6),(6)")
+@errstate(all="ignore")
 def hsra(D, axis):
     """so = (t×R a ; R a), a = axis in the body's frame; |error of so| <= so_bound unless inf or
     NaN.
@@ -1022,6 +1051,7 @@ def hsra(D, axis):
 
 
 @kernel("(3,4),(3)->(6),(6)")
+@errstate(all="ignore")
 def hsta(D, axis):
     """so = (R a ; 0), a = axis in the body's frame; |error of so| <= so_bound unless inf or NaN.
 
@@ -1054,6 +1084,7 @@ def hsta(D, axis):
 
 
 @kernel("(3,4),(3)->(6),(6)")
+@errstate(all="ignore")
 def hsrainv(D, axis):
     """so = -(t×R a ; R a), a = axis in the body's frame; |error of so| <= so_bound unless inf or
     NaN.
@@ -1099,6 +1130,7 @@ def hsrainv(D, axis):
 
 
 @kernel("(3,4),(3)->(6),(6)")
+@errstate(all="ignore")
 def hstainv(D, axis):
     """so = -(R a ; 0), a = axis in the body's frame; |error of so| <= so_bound unless inf or NaN.
 

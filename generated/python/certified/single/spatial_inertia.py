@@ -8,9 +8,11 @@ In single precision, certified tier.
 
 from numpy import absolute
 from coscrew._kernel import single_kernel as kernel
+from numpy import errstate
 
 
 @kernel("(10),()->(10),(10)")
+@errstate(all="ignore")
 def spatial_inertia_scale(self, a):
     """self = a self; |error of self| <= self_bound unless inf or NaN.
 
@@ -47,6 +49,7 @@ def spatial_inertia_scale(self, a):
 
 
 @kernel("(10),(10)->(10),(10)")
+@errstate(all="ignore")
 def add_BB(B1, B2):
     """Bo = B1 + B2; |error of Bo| <= Bo_bound unless inf or NaN.
 
@@ -82,6 +85,7 @@ def add_BB(B1, B2):
 
 
 @kernel("(10),(10)->(10),(10)")
+@errstate(all="ignore")
 def subtract_BB(B1, B2):
     """Bo = B1 - B2; |error of Bo| <= Bo_bound unless inf or NaN.
 
@@ -117,6 +121,7 @@ def subtract_BB(B1, B2):
 
 
 @kernel("(),(3),(3,3)->(10),(10)")
+@errstate(all="ignore")
 def spatial_inertia_from_com(m, com, Ic):
     """Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; only the upper triangle
     is read): h = m com, I = Ic - m com~ com~; |error of Bo| <= Bo_bound unless inf or NaN.
@@ -169,6 +174,7 @@ def spatial_inertia_from_com(m, com, Ic):
 
 
 @kernel("(10),(6)->(6),(6)")
+@errstate(all="ignore")
 def product_Bs(B, s):
     """co = B s = (m v - h × ω; h × v + I ω), the momentum of a body that moves with s; |error of
     co| <= co_bound unless inf or NaN.
@@ -230,6 +236,7 @@ def product_Bs(B, s):
 
 
 @kernel("(10),(6)->(),()")
+@errstate(all="ignore")
 def spatial_inertia_energy(B, s):
     """s·B s / 2, the kinetic energy in J of a body that moves with s; |error of energy| <=
     energy_bound unless inf or NaN.
@@ -287,6 +294,7 @@ def spatial_inertia_energy(B, s):
 
 
 @kernel("(10),(3),(6)->(6),(6)")
+@errstate(all="ignore")
 def spatial_inertia_net_wrench(B, w, ds):
     """co = B ds + (w × (w × h); w × I w): the net wrench, about the origin, of a body with angular
     velocity w and acceleration ds = (a; w'), where a is that of the point now at the origin; if
@@ -404,6 +412,7 @@ def spatial_inertia_net_wrench(B, w, ds):
 
 
 @kernel("(3),(10)->(10),(10)")
+@errstate(all="ignore")
 def spatial_inertia_shifted(t, B):
     """Bo = B moved by t: m, h + m t, I - t~ (h + m t)~ - h~ t~; |error of Bo| <= Bo_bound unless
     inf or NaN.
@@ -498,6 +507,7 @@ def spatial_inertia_shifted(t, B):
 
 
 @kernel("(3,4),(10)->(10),(10)")
+@errstate(all="ignore")
 def spatial_inertia_transformed(D, B):
     """Bo = [Ad]*(D) B [Ad]^-1(D): B, given in the frame at D, in the reference frame; |error of
     Bo| <= Bo_bound unless inf or NaN.

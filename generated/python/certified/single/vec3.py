@@ -10,9 +10,11 @@ from coscrew import _elementary_single as elementary
 from numpy import absolute, float32, sqrt, where
 from coscrew._exact import product_error_single as product_error, product_rest_single as product_rest
 from coscrew._kernel import single_kernel as kernel
+from numpy import errstate
 
 
 @kernel("(3),()->(3),(3)")
+@errstate(all="ignore")
 def vec3_scale(self, a):
     """self = a self; |error of self| <= self_bound unless inf or NaN.
 
@@ -31,6 +33,7 @@ def vec3_scale(self, a):
 
 
 @kernel("(),(3),(3)->(3),(3)")
+@errstate(all="ignore")
 def axpy_vv(a, x, y):
     """y = a x + y; |error of y| <= y_bound unless inf or NaN.
 
@@ -56,6 +59,7 @@ def axpy_vv(a, x, y):
 
 
 @kernel("(3),(3)->(3),(3)")
+@errstate(all="ignore")
 def xpy_vv(x, y):
     """y = x + y; |error of y| <= y_bound unless inf or NaN.
 
@@ -75,6 +79,7 @@ def xpy_vv(x, y):
 
 
 @kernel("(3),(3)->(3),(3)")
+@errstate(all="ignore")
 def nxpy_vv(x, y):
     """y = -x + y; |error of y| <= y_bound unless inf or NaN.
 
@@ -94,6 +99,7 @@ def nxpy_vv(x, y):
 
 
 @kernel("(),(3)->(3),(3)")
+@errstate(all="ignore")
 def product_av(a, vi):
     """vo = a vi; |error of vo| <= vo_bound unless inf or NaN.
 
@@ -111,6 +117,7 @@ def product_av(a, vi):
 
 
 @kernel("(3),(3)->(3),(3)")
+@errstate(all="ignore")
 def add_vv(v1, v2):
     """vo = v1 + v2; |error of vo| <= vo_bound unless inf or NaN.
 
@@ -129,6 +136,7 @@ def add_vv(v1, v2):
 
 
 @kernel("(3),(3)->(3),(3)")
+@errstate(all="ignore")
 def subtract_vv(v1, v2):
     """vo = v1 - v2; |error of vo| <= vo_bound unless inf or NaN.
 
@@ -147,6 +155,7 @@ def subtract_vv(v1, v2):
 
 
 @kernel("(3),()->(3),(3)")
+@errstate(all="ignore")
 def vec3_scaled(v, k):
     """vo = k v; |error of vo| <= vo_bound unless inf or NaN.
 
@@ -164,6 +173,7 @@ def vec3_scaled(v, k):
 
 
 @kernel("(3),(3)->(),()")
+@errstate(all="ignore")
 def angle_vv(v1, v2):
     """angle = atan2(|v1 × v2|, v1·v2), in [0, π]; |error of angle| <= angle_bound unless inf or
     NaN.
@@ -325,6 +335,7 @@ def angle_vv(v1, v2):
 
 
 @kernel("(3),(3)->(),()")
+@errstate(all="ignore")
 def dot_vv(v1, v2):
     """v1·v2; |error of dot| <= dot_bound unless inf or NaN.
 
@@ -343,6 +354,7 @@ def dot_vv(v1, v2):
 
 
 @kernel("(),(3)->(3),(3)")
+@errstate(all="ignore")
 def product_avinv(k, v):
     """vo = k (-v); |error of vo| <= vo_bound unless inf or NaN.
 
@@ -363,6 +375,7 @@ def product_avinv(k, v):
 
 
 @kernel("(3),(3)->(3),(3)")
+@errstate(all="ignore")
 def cross_vv(v1, v2):
     """vo = v1 × v2; |error of vo| <= vo_bound unless inf or NaN.  Exactly zero for v1 = v2, unless
     products overflow.
@@ -391,6 +404,7 @@ def cross_vv(v1, v2):
 
 
 @kernel("(3),(3)->(3),(3)")
+@errstate(all="ignore")
 def cross_vvinv(v1, v2):
     """vo = v1 × (-v2); |error of vo| <= vo_bound unless inf or NaN.
 
@@ -418,6 +432,7 @@ def cross_vvinv(v1, v2):
 
 
 @kernel("(3),()->(3),(3)")
+@errstate(all="ignore")
 def add_vvx(v, k):
     """vo = v + k e_x; |error of vo| <= vo_bound unless inf or NaN.
 
@@ -431,6 +446,7 @@ def add_vvx(v, k):
 
 
 @kernel("(3),()->(3),(3)")
+@errstate(all="ignore")
 def add_vvxinv(v, k):
     """vo = v - k e_x; |error of vo| <= vo_bound unless inf or NaN.
 
@@ -444,6 +460,7 @@ def add_vvxinv(v, k):
 
 
 @kernel("(3),()->(3),(3)")
+@errstate(all="ignore")
 def add_vvy(v, k):
     """vo = v + k e_y; |error of vo| <= vo_bound unless inf or NaN.
 
@@ -457,6 +474,7 @@ def add_vvy(v, k):
 
 
 @kernel("(3),()->(3),(3)")
+@errstate(all="ignore")
 def add_vvyinv(v, k):
     """vo = v - k e_y; |error of vo| <= vo_bound unless inf or NaN.
 
@@ -470,6 +488,7 @@ def add_vvyinv(v, k):
 
 
 @kernel("(3),()->(3),(3)")
+@errstate(all="ignore")
 def add_vvz(v, k):
     """vo = v + k e_z; |error of vo| <= vo_bound unless inf or NaN.
 
@@ -483,6 +502,7 @@ def add_vvz(v, k):
 
 
 @kernel("(3),()->(3),(3)")
+@errstate(all="ignore")
 def add_vvzinv(v, k):
     """vo = v - k e_z; |error of vo| <= vo_bound unless inf or NaN.
 
