@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 
 from coscrew_codegen.console import doing
 from coscrew_codegen.native import cache
-from coscrew_codegen.scene_tiers import in_tier
 from coscrew_codegen.simulate import load, native
 from coscrew_codegen.tiers import tier_named
 
@@ -56,6 +55,7 @@ def _library(kernels: load.Kernels, compiler: native.Compiler) -> native.Library
 
 
 def _made(kernels: load.Kernels, compiler: native.Compiler) -> native.Library:
+    from coscrew_codegen.scene_tiers import in_tier  # imports SymPy
     from coscrew_codegen.targets import scene_c, scene_c_many, scene_c_tier
     from coscrew_codegen.targets.scene_text import banner_of
 
