@@ -4,6 +4,7 @@ import ctypes
 import functools
 import sys
 from collections.abc import Callable, Iterator, Mapping
+from math import prod
 from types import MethodType, ModuleType
 from typing import TYPE_CHECKING, Generic, Protocol, TypeAlias, TypeVar
 
@@ -120,6 +121,8 @@ class _Callable:
         self.__dict__.update(vars(function))
         self.__name__ = self.__qualname__ = function.__name__
         self._of, self._checked = of, MethodType(function, self)
+        if repeated := vars(function).get("repeated"):
+            self.repeated = functools.partial(repeated, self)
 
     @property
     def __signature__(self) -> "inspect.Signature":
@@ -168,17 +171,18 @@ def compiled(scene: SceneInterface, library: ctypes.PyDLL, described: Signature,
     kind, name = np.dtype(precision.numpy_type), c_name(scene, described.name, precision)
     loop = getattr(_unlocked(library._name), f"many_{name}")
     loop.restype, loop.argtypes = None, [ctypes.c_ssize_t, *[ctypes.c_void_p] * 4, ctypes.c_ssize_t]
-    run = rows.Compiled(described, kind, loop, _checks(), signs(scene))
+    of_rows = rows.Compiled(described, kind, loop, _checks(), signs(scene))
     in_lanes = _lanes(library, name, c_name(many(scene), described.name, precision))
 
     def checked(of: _Callable, arguments: Mapping[str, ArrayLike], out: object, threads: object
                 ) -> object:
-        return run(arguments, out, threads, functools.partial(in_lanes, of._of._kernels))
+        return of_rows(arguments, out, threads, functools.partial(in_lanes, of._of._kernels))
 
     function = _written(described, checked)
     vars(function)["in_c"] = functools.partial(_in_c, library, name, described, precision)
     if described.moved:
-        vars(function)["repeated"] = _repeated(library, name, kind)
+        several = c_name(many(scene), described.name.replace("step", "run", 1), precision)
+        vars(function)["repeated"] = _repeated(library, name, several, described, kind)
     return function
 
 
@@ -233,19 +237,41 @@ def _described(function: Made, described: Signature) -> Made:
     return function
 
 
-def _repeated(library: ctypes.PyDLL, name: str, kind: np.dtype) -> Made:
-    """n steps of one state in one call: (n, t, h, p, q, v) -> (q, v)."""
+def _repeated(library: ctypes.PyDLL, name: str, several: str, described: Signature, kind: np.dtype
+              ) -> Made:
+    """n steps in one call: (n, t, h, p, q, v) -> (q, v).  Leading axes of p, q and v, of any that
+    have them, are states; `several` is the name of the function in lanes."""
     run = getattr(_unlocked(library._name), f"run_{name}")
     run.restype = None
     run.argtypes = [ctypes.c_ssize_t, ctypes.c_double, ctypes.c_double, *[ctypes.c_void_p] * 3]
 
-    def function(n: int, t: float, h: float, p: np.ndarray, q: np.ndarray, v: np.ndarray
-                 ) -> tuple[np.ndarray, np.ndarray]:
+    def function(of: _Callable, n: int, t: float, h: float, p: np.ndarray, q: np.ndarray,
+                 v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         p, q, v = (np.array(x, kind, order="C", ndmin=1) for x in (p, q, v))
-        run(n, t, h, p.ctypes.data, q.ctypes.data, v.ctypes.data)
+        lead = np.broadcast_shapes(*(x.shape[:-1] for x in (p, q, v)))
+        q, v = _over_all(q, lead), _over_all(v, lead)
+        strides = {"p": p.shape[-1] if p.ndim > 1 else 0, "q": q.shape[-1], "v": v.shape[-1]}
+        p = _over_all(p, lead) if p.ndim > 1 else p
+        states, kernels = prod(lead), of._of._kernels
+        rows = {"p": p.ctypes.data, "q": q.ctypes.data, "v": v.ctypes.data}
+        lanes = kernels._lanes.function(several, states * n) if lead and kernels else None
+        if lanes:
+            scalars = [ctypes.c_double(x) for name, x in (("t", t), ("h", h))
+                       if name in dict(described.inputs)]
+            lanes(*map(ctypes.c_ssize_t, (states, n)), *scalars, *(
+                ctypes.c_ssize_t(x) for name, _ in described.inputs if name in rows
+                for x in (rows[name], strides[name])))
+            return q, v
+        for k in range(states):
+            run(n, t, h, *(rows[x] + k * strides[x] * kind.itemsize for x in rows))
         return q, v
 
     return function
+
+
+def _over_all(rows: np.ndarray, lead: tuple[int, ...]) -> np.ndarray:
+    """A row for every state, each of its own."""
+    return np.array(np.broadcast_to(rows, (*lead, rows.shape[-1])), order="C")
 
 
 @functools.cache

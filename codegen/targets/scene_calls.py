@@ -12,16 +12,12 @@ from collections.abc import Collection
 from dataclasses import replace
 
 from coscrew_codegen.formats import DOUBLE, PRECISIONS, Precision, named
-from coscrew_codegen.recording.recorder import Recorder, array
 from coscrew_codegen.render import render
 from coscrew_codegen.scene_functions import SceneFunctions, SceneInterface, Signature
 from coscrew_codegen.scene_tiers import SceneTier
 from coscrew_codegen.targets import scene_text
-from coscrew_codegen.targets.c_function import Body, Stored
-from coscrew_codegen.targets.c_nested import language
-from coscrew_codegen.targets.c_statements import WIDTH
-from coscrew_codegen.targets.nesting import planned
-from coscrew_codegen.targets.scene_text import access, c_name
+from coscrew_codegen.targets.scene_c_steps import begun
+from coscrew_codegen.targets.scene_text import c_name
 from coscrew_codegen.targets.target import Files, Target
 
 # Times and step lengths are rounded from double, as when steps are called one by one.
@@ -81,18 +77,7 @@ def _source(scene: SceneFunctions, stem: str, precisions: Collection[str]) -> st
                  "functions": [_function(scene, f, p) for f in signatures]}
                 for p in named(precisions) for other in PRECISIONS if other != p]
     return render("scene/calls.c", name=stem, upper=scene.name.upper(), sections=sections,
-                  products=[DOUBLE], begun=_begun() if scene.timed and scene.steps else "")
-
-
-def _begun() -> str:
-    """The function of the time at which step k of a run begins, in double for all precisions."""
-    recorder = Recorder([array(x, ()) for x in ("t", "h", "k")])
-    (t,), (h,), (k,) = (recorder.argument(x) for x in ("t", "h", "k"))
-    with recorder.part("at"):
-        program = recorder.program("begun", [(array("begun", ()), [t + k * h])])
-    plan = planned(program, language(program, DOUBLE), access(program), WIDTH)
-    body = Body(program, DOUBLE, Stored(access(program), ("",), (), "begun"), plan)
-    return f"static double begun(double t, double h, double k) {{\n{body.text()}\n}}"
+                  products=[DOUBLE], begun=begun() if scene.timed and scene.steps else "")
 
 
 def _function(scene: SceneFunctions, function: Signature, precision: Precision
