@@ -6,6 +6,7 @@ from tests.benchmarks import (
     dynamics,
     gufuncs,
     header_kernels,
+    python_calls,
     rounding_statements,
     scene_calls,
     scene_lanes,
@@ -19,6 +20,7 @@ tiers.main()
 scene_tiers.main()
 scene_calls.main()
 scene_lanes.main()
+python_calls.main()
 cortex_m4.main()
 rounding_statements.main()
 accuracy.main()
