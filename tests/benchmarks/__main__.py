@@ -6,6 +6,7 @@ from tests.benchmarks import (
     dynamics,
     gufuncs,
     header_kernels,
+    many_elements,
     rounding_statements,
     scene_calls,
     scene_lanes,
@@ -14,6 +15,7 @@ from tests.benchmarks import (
 )
 
 header_kernels.main()
+many_elements.main()
 gufuncs.main()
 tiers.main()
 scene_tiers.main()
