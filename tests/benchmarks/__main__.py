@@ -6,6 +6,7 @@ from tests.benchmarks import (
     dynamics,
     gufuncs,
     header_kernels,
+    many_elements,
     python_calls,
     rounding_statements,
     scene_calls,
@@ -15,6 +16,7 @@ from tests.benchmarks import (
 )
 
 header_kernels.main()
+many_elements.main()
 gufuncs.main()
 tiers.main()
 scene_tiers.main()
