@@ -103,13 +103,14 @@ def test_one_family_in_one_precision_and_language(tmp_path):
     assert main(["generate", "--family", "coscrew", "--precision", "single", "--language", "c",
                  "--output", str(tmp_path)]) == 0
     made = contents(tmp_path)
-    headers = ("coscrew", "coscrew_accurate", "coscrew_certified", "coscrew_fused", "elementary",
-               "ksl", "ksl_accurate", "ksl_certified", "ksl_elementary_error", "ksl_exact",
-               "ksl_exactf", "ksl_fused", "ksl_rounding",
-               "ksl_selfcheck", "ksl_types")
+    tiers = ("", "_accurate", "_certified", "_fused")
+    headers = (*(f"{x}{tier}{many}" for x in ("coscrew", "ksl") for tier in tiers
+                 for many in ("", "_many")),
+               "elementary", "ksl_elementary_error", "ksl_exact", "ksl_exactf", "ksl_planes",
+               "ksl_rounding", "ksl_selfcheck", "ksl_types")
     assert sorted(made) == ["c/coscrew.h", "c/coscrew_accurate.h", "c/coscrew_certified.h",
                             "c/coscrew_fused.h",
-                            *(f"c/include/ksl/{name}.h" for name in headers)]
+                            *(f"c/include/ksl/{name}.h" for name in sorted(headers))]
     for path, text in made.items():
         assert b"ksl_product_CoAdc(" not in text and b"ksl_coscrew_t" not in text
         assert b"ksl_screwf(" not in text
