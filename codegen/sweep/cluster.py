@@ -15,7 +15,7 @@ from coscrew_codegen.sweep.chunk import Chunk, Job, computed
 if TYPE_CHECKING:
     from distributed import Client, Future, Worker
 
-_AHEAD = 2  # chunks in flight for each thread of the workers: one runs, one waits
+_AHEAD = 3  # chunks in flight for each thread of the workers: one runs, others are ready
 _PATIENCE = "10s"  # for a scheduler to answer
 
 

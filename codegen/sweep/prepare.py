@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from coscrew_codegen.formats import BY_NAME
+from coscrew_codegen.formats import BY_NAME, DOUBLE
 from coscrew_codegen.integrators import named
 from coscrew_codegen.scene.content import content_hash
 from coscrew_codegen.scene.recorded import QuantityError, recorded
@@ -19,10 +19,10 @@ from coscrew_codegen.sweep.refusals import refuse
 from coscrew_codegen.sweep.specification import Conditions, Specification, varied
 from coscrew_codegen.version import VERSION
 
-_MOST, _LEAST = 4096, 64  # members in a chunk: lanes are filled, and hardly anything is lost
-_PARTS = 64  # chunks, at least, of a small sweep, so that workers share it
-_STEPS = 20_000_000  # of all members of a chunk together: some seconds
-_BYTES = 128_000_000  # of a chunk's samples
+_MEMBERS = 64, 16384  # least and most in a chunk: lanes are filled
+_PARTS = 64  # chunks of a small sweep, so that workers share it
+_STEPS = 1_000_000, 50_000_000  # least and most of a chunk: 50 ms of work and some seconds
+_BYTES = 128_000_000  # most of a chunk's samples
 
 
 @dataclass(frozen=True)
@@ -51,10 +51,11 @@ class Prepared:
 def prepared(read: Scene, asked: Asked) -> Prepared:
     """The sweep.  Raises SweepError, SimulateError."""
     overrides = asked.overrides
-    precision, settings = overrides.precision or read.precision, dict(overrides.settings)
-    if precision not in BY_NAME:
-        raise SweepError(f"precision {precision}: a sweep runs in one; wanted --precision "
-                         f"{' or --precision '.join(BY_NAME)}")
+    if overrides.precision == "both":
+        raise SweepError(f"--precision both: a sweep runs in one; wanted {' or '.join(BY_NAME)}")
+    own = read.precision if read.precision in BY_NAME else DOUBLE.name
+    precision = overrides.precision or own
+    settings = dict(overrides.settings)
     scene = _recording(read, tuple(asked.record))
     vary = varied(scene, settings, asked.grids, asked.sobols, asked.samples, asked.seed)
     refuse(scene, settings, vary, BY_NAME[precision])
@@ -87,5 +88,6 @@ def _chunk(members: int, scene: Scene, planned: Plan) -> int:
     """Members in a chunk: a function of the sweep alone, so that any machine goes on with it."""
     samples, steps = len(planned.samples), max(1, round(planned.until / planned.step))
     numbers = sum(len(recorded(text, scene).names) for text in ("q", "v", *scene.record))
-    most = min(_MOST, _STEPS // steps, _BYTES // (8 * samples * numbers))
-    return max(1, min(max(most, _LEAST), max(_LEAST, -(-members // _PARTS))))
+    least, most = (sorted((_MEMBERS[0], count // steps, _MEMBERS[1]))[1] for count in _STEPS)
+    fitting = max(1, _BYTES // (8 * samples * numbers))
+    return min(max(least, -(-members // _PARTS)), most, fitting)

@@ -56,7 +56,7 @@ def statistics(t: np.ndarray, samples: np.ndarray) -> Mapping[str, np.ndarray]:
 def _failures(count: int, batch: Batch) -> list[tuple[str, str, pyarrow.Array]]:
     found = [batch.failed.get(k) for k in range(count)]
     return [(FAILED, "", pyarrow.array([x and x.cause for x in found], pyarrow.string())),
-            (f"{FAILED}.t", "s", pyarrow.array([x and x.time for x in found], pyarrow.float64())),
+            (f"{FAILED}.t", "s", pyarrow.array([x and x.t for x in found], pyarrow.float64())),
             (f"{FAILED}.joint", "", pyarrow.array([x and x.joint for x in found],
                                                   pyarrow.string()))]
 

@@ -130,7 +130,7 @@ def test_a_sweep_is_known_by_all_that_its_results_depend_on(folder):
     ("--grid block.mass=1:2:3 --until 0", "wanted a positive number of seconds"),
     ("--grid block.mass=1:2:3 --integrator dop853", "a sweep wants an emitted one"),
     ("--grid block.mass=1:2:3 --integrator rk5", "did you mean 'rk4'?"),
-    ("--grid block.mass=1:2:3 --precision both", "a sweep runs in one; wanted --precision double"),
+    ("--grid block.mass=1:2:3 --precision both", "a sweep runs in one; wanted double or single"),
     ("--grid block.mass=1:2:3 --workers 1 --scheduler tcp://x:1", "wanted one of the two"),
 ))
 def test_what_is_wrong_is_refused_and_nothing_is_made(words, said, tmp_path, capsys):

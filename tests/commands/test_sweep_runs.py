@@ -1,5 +1,6 @@
-"""`coscrew sweep` on real workers: what it writes; killed workers, a lost scheduler, a full disk, two
-sweeps into one folder, Ctrl-C: nothing that was written is lost, and the same command goes on."""
+"""`coscrew sweep` on real workers: what it writes; killed workers, a lost scheduler, a full disk,
+two sweeps into one folder, Ctrl-C: nothing that was written is lost, and the same command goes on.
+"""
 
 import json
 import logging
@@ -10,7 +11,8 @@ import signal
 import subprocess
 import sys
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -21,7 +23,7 @@ from distributed import Client, LocalCluster, WorkerPlugin
 
 from coscrew_codegen import command_line
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.sweep import SweepError, chunk, cluster, command, opened
+from coscrew_codegen.sweep import SweepError, chunk, cluster, command, opened, prepare
 from coscrew_codegen.sweep.folder import Folder
 from tests.support.processes import interruptible
 from tests.support.scenes.simulated import scene_file
@@ -29,6 +31,14 @@ from tests.support.scenes.sweeps import SLIDER
 
 VARIED = ("--grid", "block.mass=1:7:3", "--sobol", "start.?.slide=limits", "--samples", "200")
 CHUNKS, MEMBERS = 10, 600
+
+
+@pytest.fixture(scope="module", autouse=True)
+def small_chunks() -> Iterator[None]:
+    """Of 64 members, though their work is little."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(prepare, "_STEPS", (1, 50_000_000))
+        yield
 
 
 @pytest.fixture(scope="module")
@@ -256,22 +266,25 @@ def test_a_folder_of_another_sweep_or_of_other_files_is_refused(scene, workers, 
 
 
 def test_the_same_command_on_a_finished_sweep_computes_nothing(scene, whole, capsys):
+    """It asks no scheduler."""
     before = kept(whole)
-    assert main(["sweep", str(scene), *VARIED, "--workers", "1", "--out", str(whole)]) == 0
+    assert sweep(scene, whole, "tcp://127.0.0.1:9") == 0
     assert "600 members, 600 of them there" in capsys.readouterr().err
     assert kept(whole) == before
 
 
 def test_an_interrupt_says_what_is_written(scene, tmp_path):
     out = tmp_path / "out"
-    with interruptible([sys.executable, "-m", "coscrew_codegen", "sweep", scene, *VARIED[:-1], "1e8",
-                        "--workers", "1", "--out", out], stderr=subprocess.PIPE) as process:
+    words = [sys.executable, "-m", "coscrew_codegen", "sweep", scene, *VARIED[:-1], "1e8",
+             "--workers", "1", "--out", out]
+    with interruptible(words, stderr=subprocess.PIPE) as process:
         while not list(out.glob("members/part*")) and process.poll() is None:
-            pass
+            with suppress(subprocess.TimeoutExpired):
+                process.wait(0.05)
         process.send_signal(signal.SIGINT)
         said = process.communicate()[1]
     assert process.returncode == 130
-    (count,) = re.findall(r"interrupted; (\d+) of 300000000 members are written, and the same", said)
+    (count,) = re.findall(r"interrupted; (\d+) of 300000000 members are written", said)
     rows = [pyarrow.parquet.read_metadata(x).num_rows for x in (out / "members").iterdir()]
     assert sum(rows) == int(count) and "Traceback" not in said
 
@@ -296,7 +309,8 @@ def test_chunks_are_submitted_in_a_moving_window(workers, scene, whole):
 
 
 def test_an_error_of_a_worker_is_told(workers, scene, tmp_path, capsys, monkeypatch):
-    monkeypatch.setattr(chunk.cache, "generator", lambda: "other")
+    of = chunk.Job.of
+    monkeypatch.setattr(chunk.Job, "of", lambda *its: replace(of(*its), generator="other"))
     assert sweep(scene, tmp_path / "out", workers) == 2
     said = capsys.readouterr().err
     assert "a worker has another version of coscrew" in said and "0 of 600 members" in said

@@ -32,8 +32,8 @@ duration = 1
 step = 0.015625
 integrator = "rk4"
 """
-"""A block of mass 2 with a needle of mass 1, pushed by 3 N: with block.mass = m, q = q0 + v0 t + 1.5
-t²/(m + 1); all numbers are binary fractions where m + 1 is a power of two."""
+"""A block of mass m = block.mass with a needle of mass 1, pushed by 3 N: q = q0 + v0 t + 1.5 t²/(m
++ 1); all numbers are binary fractions where m + 1 is a power of two."""
 
 BALL = """
 base = "free"
