@@ -88,6 +88,7 @@ attack: $(VENV)/test-ready build
 	$(PYTHON) -m tests.certified_attack
 	$(PYTHON) -m tests.functions_attack
 	$(PYTHON) -m tests.lanes_attack
+	$(PYTHON) -m tests.many_attack
 
 # Scenes' kernels for CUDA, compiled by nvcc (unless it is there, from PyPI: 125 MB, 320 MB on disk) and launched where there is a device.
 cuda: $(VENV)/test-ready build

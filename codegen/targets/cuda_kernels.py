@@ -49,14 +49,14 @@ class Taken:
 
 @dataclass(frozen=True)
 class Kernel:
-    """A function of one state and its kernel: names by what they end in; `first` are parameters
-    that all states share."""
+    """A function of one state and its kernel: names by what they end in; `shared` are types
+    and names of what all states share."""
 
     scene: SceneFunctions
     name: str
     precision: Precision
     words: str
-    first: Sequence[str]
+    shared: Sequence[tuple[str, str]]
     taken: Sequence[Taken]
     body: str  # of the function of one state
 
@@ -71,9 +71,8 @@ class Kernel:
     @property
     def device(self) -> str:
         """The head of the function of one state."""
-        first = [f"ptrdiff_t {x}" for x in self.first]
-        return arguments.head(self._name("device"), [*first, *(x.one for x in self.taken)],
-                              "KSL_FUNCTION")
+        return arguments.head(self._name("device"), [
+            *map(" ".join, self.shared), *(x.one for x in self.taken)], "KSL_FUNCTION")
 
     @property
     def kernel(self) -> str:
@@ -83,8 +82,8 @@ class Kernel:
     @property
     def each(self) -> str:
         """The call for state k."""
-        return listed(f"{self._name('device')}(", [*self.first, *(x.at for x in self.taken)], ");",
-                      WIDTH - 8).replace("\n", "\n    ")
+        passed = [*(name for _, name in self.shared), *(x.at for x in self.taken)]
+        return listed(f"{self._name('device')}(", passed, ");", WIDTH - 8).replace("\n", "\n    ")
 
     @property
     def launch(self) -> str:
@@ -95,13 +94,14 @@ class Kernel:
     @property
     def started(self) -> str:
         """The start of the kernel."""
-        passed = ["n", *self.first, *(f"{x.name}, {x.name}_stride" for x in self.taken)]
+        passed = ["n", *(name for _, name in self.shared),
+                  *(f"{x.name}, {x.name}_stride" for x in self.taken)]
         return listed(f"{self._name('kernel')}<<<ksl_blocks(n), KSL_BLOCK, 0, stream>>>(", passed,
                       ");", WIDTH - 4).replace("\n", "\n  ")
 
     @property
     def _parameters(self) -> list[str]:
-        return [*(f"ptrdiff_t {x}" for x in ("n", *self.first)), *(x.several for x in self.taken)]
+        return ["ptrdiff_t n", *map(" ".join, self.shared), *(x.several for x in self.taken)]
 
 
 def c_name_of(scene: SceneFunctions, name: str, precision: Precision, what: str) -> str:
@@ -122,9 +122,10 @@ def kernels(scene: SceneFunctions, on_numbers: SceneFunctions, precision: Precis
                      body.replace("\n", "\n  "))
         if function.moved:
             yield Kernel(
-                scene, f"{function.name}_run", precision,
-                f"{name} so many times in a row, from the time t on; of n states, one a thread.",
-                ("steps",), [_of_run(x) for x in taken], _run(called, taken, precision))
+                scene, function.name.replace("step", "run", 1), precision,
+                f"{name} so many times, from the time t on: of one state, and of n, one a thread.",
+                (("ptrdiff_t", "steps"), *((DOUBLE.c_type, x.name) for x in taken if x.value)),
+                [x for x in taken if not x.value], _run(called, taken, precision))
 
 
 def _taken(function: Signature, precision: Precision) -> list[Taken]:
@@ -133,13 +134,9 @@ def _taken(function: Signature, precision: Precision) -> list[Taken]:
             *(Taken(x, real, count(shape)) for x, shape in function.outputs)]
 
 
-def _of_run(taken: Taken) -> Taken:
+def _run(step: str, taken: Sequence[Taken], precision: Precision) -> str:
     """Times and step lengths are double, and rounded in each step, as when steps are called one by
     one."""
-    return Taken(taken.name, DOUBLE.c_type, taken.size, taken.const, True) if taken.value else taken
-
-
-def _run(step: str, taken: Sequence[Taken], precision: Precision) -> str:
     number = on_device(precision).c_type
     passed = {"t": f"{number}(ksl_begun_device(t, h, static_cast<double>(i)))",
               "h": f"{number}(ksl_number(h))"}

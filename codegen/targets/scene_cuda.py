@@ -19,7 +19,7 @@ from coscrew_codegen.targets.c_function import CFunction
 from coscrew_codegen.targets.c_statements import comment_of
 from coscrew_codegen.targets.cuda_kernels import Kernel, kernels
 from coscrew_codegen.targets.cuda_number import Number
-from coscrew_codegen.targets.scene_calls import begun
+from coscrew_codegen.targets.scene_c_steps import body_of_begun
 from coscrew_codegen.targets.scene_text import marked
 from coscrew_codegen.targets.target import Files, Target
 
@@ -100,8 +100,9 @@ def files(scene: SceneFunctions, banner: str) -> Files:
     """arm.cuh.  Raises ValueError for names that cannot be used in C."""
     scene_text.check_names(scene)
     about = [*scene_c.about(scene), *_about(scene.name)]
+    begun = body_of_begun(on_device(DOUBLE)) if scene.timed and scene.steps else ""
     return _files([Section(p, scene) for p in named(scene.precisions)], scene.name, about, banner,
-                  scene_c.macros(scene), begun(on_device(DOUBLE)) if scene.steps else "")
+                  scene_c.macros(scene), begun)
 
 
 @uncollected()

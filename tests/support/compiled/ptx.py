@@ -40,7 +40,7 @@ _PARAMETER = re.compile(r"([\w$]+)(?:\[(\d+)\])?$")
 
 
 def to_c(ptx: str) -> str:
-    """C with a function for each kernel, whose arguments are integers of 64 bits."""
+    """C with a function for each kernel, whose arguments are integers of 64 bits and doubles."""
     ptx = re.sub(r"//[^\n]*", "", ptx)
     tables = [f"_Alignas({align}) static const uint8_t {_word(name)}[] = {{{values}}};"
               for align, name, values in _TABLE.findall(ptx)]
@@ -52,7 +52,9 @@ def to_c(ptx: str) -> str:
         copies = []
         if kind == "entry":
             copies = [f"  char *const {x} = (char *)&{x}_value;" for x in parameters]
-            head = f"void {_word(name)}({', '.join(f'uint64_t {x}_value' for x in parameters)})"
+            types = ["double" if ".f64" in x else "uint64_t" for x in taken.split(",")]
+            values = [f"{kind} {x}_value" for kind, x in zip(types, parameters, strict=True)]
+            head = f"void {_word(name)}({', '.join(values)})"
         else:
             head = f"static void {_word(name)}({', '.join(f'char *{x}' for x in parameters)})"
         heads.append(f"{head};")

@@ -5,7 +5,6 @@ On the host they execute the header, compiled as C++, or the instructions that a
 it for a device.  Six threads take up to 70 states, so that a thread takes several.
 """
 
-from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -13,14 +12,11 @@ from pathlib import Path
 from coscrew_codegen.formats import Precision, named
 from coscrew_codegen.scene_functions import SceneFunctions, Signature
 from coscrew_codegen.scene_tiers import SceneTier
-from coscrew_codegen.targets import cuda_kernels, scene_c, scene_c_tier, scene_calls, scene_cuda
+from coscrew_codegen.targets import cuda_kernels, scene_c, scene_c_tier, scene_cuda
 from coscrew_codegen.targets.cuda_kernels import c_name_of
-from coscrew_codegen.targets.scene_text import c_name, count
 from coscrew_codegen.targets.target import Files
 from tests.support.scenes import lanes_program
 from tests.support.scenes.generated_scenes import BANNER
-
-Definitions = Sequence[tuple[str, str]]
 
 _GRID = """
 #include <stddef.h>
@@ -75,30 +71,6 @@ static __device__ float __int_as_float(int x) { return __builtin_bit_cast(float,
 """
 """What clang's own headers declare where CUDA is installed."""
 
-_RUN = """
-static void test_{run}(ptrdiff_t n, ptrdiff_t gap, int shared) {{
-  const ptrdiff_t steps = n % 5, times = shared ? 0 : 1 + gap;
-  const ptrdiff_t p_stride = shared ? 0 : {np} + gap, q_stride = {nq} + gap, v_stride = {nv} + gap;
-  double *t = rows_double(n, 1, times, 't'), *h = rows_double(n, 1, times, 'h');
-  {real} *p = rows_{name}(n, {np}, p_stride, 'p');
-  {real} *q = rows_{name}(n, {nq}, q_stride, 'q'), *v = rows_{name}(n, {nv}, v_stride, 'v');
-  {real} *q_one = copy_{name}(q, n, {nq}, q_stride), *v_one = copy_{name}(v, n, {nv}, v_stride);
-  for (ptrdiff_t k = 0; k < n; ++k)
-    for (ptrdiff_t i = 0; i < steps; ++i) {{
-      const volatile double passed = static_cast<double>(i) * h[k * times];
-      const {real} begun = static_cast<{real}>(t[k * times] + passed);
-      (void)begun;
-      {step}({one});
-    }}
-  {called}(n, steps, {passed});
-  compare_{name}("{run}: q", q, q_one, n, {nq}, q_stride);
-  compare_{name}("{run}: v", v, v_one, n, {nv}, v_stride);
-  free(t), free(h), free(p), free(q), free(v), free(q_one), free(v_one);
-}}
-"""
-_ONE = {"t": "begun", "h": "static_cast<{real}>(h[k * times])", "p": "p + k * p_stride",
-        "q": "q_one + k * q_stride", "v": "v_one + k * v_stride"}
-
 
 @dataclass(frozen=True)
 class Scene:
@@ -125,18 +97,12 @@ class Scene:
     def on_device(self, folder: Path) -> tuple[Path, Path]:
         """The same, which launches the kernels on a device."""
         return self._written(folder, "cuda.cu", lanes_program.Compared(
-            f'#include "{self.stem}.h"\n#include "{self.stem}.cuh"', *self._tests("launch"),
-            _ON_DEVICE))
+            f'#include "{self.stem}.h"\n#include "{self.stem}.cuh"',
+            partial(_called, self.scene, "launch"), _ON_DEVICE))
 
     def _grid(self, kernels: str) -> lanes_program.Compared:
         return lanes_program.Compared(f'#include "{self.stem}.h"\n{_GRID}{kernels}',
-                                      *self._tests("kernel"))
-
-    def _tests(self, what: str) -> tuple[Callable[[Signature, Precision], str], Definitions]:
-        """How functions of n states are called, and tests of runs."""
-        called = partial(_called, self.scene, what)
-        return called, [_run(self.scene, f, p, called) for p in named(self.scene.precisions)
-                        for f in scene_calls.callables(self.scene) if f.moved]
+                                      partial(_called, self.scene, "kernel"))
 
     def _written(self, folder: Path, name: str, compared: lanes_program.Compared
                  ) -> tuple[Path, Path]:
@@ -160,17 +126,3 @@ def of_tier(made: SceneTier) -> Scene:
 def _called(scene: SceneFunctions, what: str, function: Signature, precision: Precision) -> str:
     where = {"kernel": "on_grid", "launch": "on_device"}[what]
     return f"{where}({c_name_of(scene, function.name, precision, what)})"
-
-
-def _run(scene: SceneFunctions, step: Signature, precision: Precision,
-         called: Callable[[Signature, Precision], str]) -> tuple[str, str]:
-    """The name and the definition of a function that tests runs of this step."""
-    sizes = {x: count(shape) for x, shape in step.inputs}
-    strides = {x: "times" if x in ("t", "h") else f"{x}_stride" for x in sizes}
-    run = replace(step, name=f"{step.name}_run")
-    name = c_name(scene, run.name, precision)
-    return name, _RUN.format(
-        run=name, real=precision.c_type, name=precision.name, nq=scene.nq, nv=scene.nv,
-        np=max(len(scene.parameters), 1), step=c_name(scene, step.name, precision),
-        one=", ".join(_ONE[x] for x in sizes).format(real=precision.c_type),
-        called=called(run, precision), passed=", ".join(f"{x}, {strides[x]}" for x in sizes))
