@@ -20,8 +20,8 @@ _NAME = "states"
 
 @cache
 def handler(function: ArrayFunction, precision: Precision, include: str) -> object | None:
-    """The handler for XLA, as ctypes has it; None where nothing compiles.  `include` is the folder of
-    XLA's headers."""
+    """The handler for XLA, as ctypes has it; None where nothing compiles.  `include` is the folder
+    of XLA's headers."""
     scene = _scene(function)
     text = {f"{scene.name}_xla.c": render(
         "scene/xla.c", name=scene.name, upper=scene.name.upper(),

@@ -56,10 +56,12 @@ class Library:
             return True
         import jax
 
-        return precision.bytes < 8 or bool(jax.config.jax_enable_x64)
+        return precision.bytes < 8 or bool(jax.config.read("jax_enable_x64"))
 
     def array(self, x: Any, precision: Precision, like: Any) -> Any:
         """An argument as an array, a number as one where the array `like` lies."""
+        if self.name == "torch" and hasattr(x, "dtype"):
+            return x
         if self.name != "torch":
             return self.xp.asarray(x, dtype=getattr(self.xp, precision.numpy_type))
         where = {} if like is None else {"device": like.device}

@@ -48,7 +48,7 @@ class Choices:
 
         return Arithmetic(plain.constant, function, plain.not_a_number)
 
-    def product(self, step: Instruction, partial: Any, adjoint: Number) -> Number:
+    def product(self, step: Instruction, partial: Any, adjoint: Number) -> Any:
         """Partial derivative times adjoint; zero where the step's result is not taken, if the
         derivative may be infinite there."""
         cases = self._cases[step.name]

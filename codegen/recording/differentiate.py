@@ -53,14 +53,14 @@ def adjoint(program: Program) -> Program:
 
 def _partials(op: Op) -> Slopes | None:
     """Those of the table, but zero at a root of zero and for an angle of (0, 0)."""
-    return {Op.SQRT: _of_root, Op.ATAN2: _of_angle}.get(op, op.meaning.slopes)
+    return _HERE.get(op, op.meaning.slopes)
 
 
 def _of_root(f: Functions, x: Number, y: Number) -> tuple[Number, ...]:
     return (numbers.where(numbers.equal(y, 0), 0, 1 / (2 * y)),)
 
 
-def _of_root_of_zero(step: Instruction, partial: Any, slope: Number) -> Number:
+def _of_root_of_zero(step: Instruction, partial: Any, slope: Number) -> Any:
     """Zero even if the slope of what is zero overflows."""
     if step.op is not Op.SQRT:
         return slope * partial
@@ -71,6 +71,9 @@ def _of_angle(f: Functions, y: Number, x: Number, angle: Number) -> tuple[Number
     square = x * x + y * y
     divisor = numbers.where(numbers.equal(square, 0), 1, square)
     return x / divisor, -(y / divisor)
+
+
+_HERE: dict[Op, Slopes] = {Op.SQRT: _of_root, Op.ATAN2: _of_angle}
 
 
 def _derivatives(program: Program, *sides: tuple[Argument, ...]

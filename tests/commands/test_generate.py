@@ -208,7 +208,8 @@ def test_imports_run_one_way():
              "schedule", "programs", "recording", "tiers", "mixture", "scene_tiers", "library",
              "render",
              "plots", "pages", "machine",
-             "native", "targets", "extras", "special", "exact", "selection", "family_cache", "layout", "emit",
+             "native", "targets", "extras", "special", "exact", "selection", "family_cache",
+             "layout", "emit",
              "report", "scene", "mechanics", "effects", "scene_files", "documentation", "console",
              "arrays", "simulate", "cost",
              "generate_command", "command_line", "__main__"]
