@@ -174,9 +174,10 @@ def compiled(scene: SceneInterface, library: ctypes.PyDLL, described: Signature,
     of_rows = rows.Compiled(described, kind, loop, _checks(), signs(scene))
     in_lanes = _lanes(library, name, c_name(many(scene), described.name, precision))
 
-    def checked(of: _Callable, arguments: Mapping[str, ArrayLike], out: object, threads: object
-                ) -> object:
-        return of_rows(arguments, out, threads, functools.partial(in_lanes, of._of._kernels))
+    def checked(of: _Callable | None, arguments: Mapping[str, ArrayLike], out: object,
+                threads: object) -> object:
+        kernels = of._of._kernels if of else None
+        return of_rows(arguments, out, threads, functools.partial(in_lanes, kernels))
 
     function = _written(described, checked)
     vars(function)["in_c"] = functools.partial(_in_c, library, name, described, precision)

@@ -6,6 +6,8 @@ from tests.benchmarks import (
     dynamics,
     gufuncs,
     header_kernels,
+    many_elements,
+    python_calls,
     rounding_statements,
     scene_calls,
     scene_lanes,
@@ -14,11 +16,13 @@ from tests.benchmarks import (
 )
 
 header_kernels.main()
+many_elements.main()
 gufuncs.main()
 tiers.main()
 scene_tiers.main()
 scene_calls.main()
 scene_lanes.main()
+python_calls.main()
 cortex_m4.main()
 rounding_statements.main()
 accuracy.main()
