@@ -7,10 +7,12 @@ from tests.benchmarks import (
     gufuncs,
     header_kernels,
     many_elements,
+    python_calls,
     rounding_statements,
     scene_calls,
     scene_lanes,
     scene_tiers,
+    sweeps,
     tiers,
 )
 
@@ -21,6 +23,8 @@ tiers.main()
 scene_tiers.main()
 scene_calls.main()
 scene_lanes.main()
+sweeps.main()
+python_calls.main()
 cortex_m4.main()
 rounding_statements.main()
 accuracy.main()

@@ -33,7 +33,8 @@ EXEMPT = {
         "gufunc/module.c", "gufunc/promoter.c", "gufunc/family.c", "python/_arrays.py",
         "python/_kernel.py", "scene/arrays", "scene/arrays.py", "scene/out", "scene/objects",
         "scene/arguments", "scene/states", "scene/threads", "scene/called", "scene/many_states",
-        "scene/step_of_states", "c/rows", "c/halves", "c/ksl_states.h", "c/many_of_states")},
+        "scene/step_of_states", "c/rows", "c/blocks", "c/halves", "c/ksl_states.h",
+        "c/many_of_states")},
     "native/driver.c.jinja": MEASURES, "report/drift.c.jinja": MEASURES}
 """Templates that compute, and why they may.  Pages are not kernels and are left out."""
 
