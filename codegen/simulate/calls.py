@@ -171,7 +171,8 @@ def compiled(scene: SceneInterface, library: ctypes.PyDLL, described: Signature,
     kind, name = np.dtype(precision.numpy_type), c_name(scene, described.name, precision)
     loop = getattr(_unlocked(library._name), f"many_{name}")
     loop.restype, loop.argtypes = None, [ctypes.c_ssize_t, *[ctypes.c_void_p] * 4, ctypes.c_ssize_t]
-    of_rows = rows.Compiled(described, kind, loop, _checks(), signs(scene))
+    in_c = functools.partial(_in_c, library, name, described, precision)
+    of_rows = rows.Compiled(described, kind, in_c(_declined), loop, _checks(), signs(scene))
     in_lanes = _lanes(library, name, c_name(many(scene), described.name, precision))
 
     def checked(of: _Callable | None, arguments: Mapping[str, ArrayLike], out: object,
@@ -180,11 +181,15 @@ def compiled(scene: SceneInterface, library: ctypes.PyDLL, described: Signature,
         return of_rows(arguments, out, threads, functools.partial(in_lanes, kernels))
 
     function = _written(described, checked)
-    vars(function)["in_c"] = functools.partial(_in_c, library, name, described, precision)
+    vars(function)["in_c"] = in_c
     if described.moved:
         several = c_name(many(scene), described.name.replace("step", "run", 1), precision)
         vars(function)["repeated"] = _repeated(library, name, several, described, kind)
     return function
+
+
+def _declined(*_: object, **__: object) -> object:
+    return NotImplemented
 
 
 def _in_c(library: ctypes.PyDLL, name: str, described: Signature, precision: Precision,

@@ -29,12 +29,12 @@ def record(system: System, trajectory: Trajectory, provenance: Provenance) -> Re
 def quantity(system: System, trajectory: Trajectory, wanted: Recorded) -> np.ndarray:
     """The quantity at each sample, in the system's precision.  (n, number of its columns)."""
     n = len(trajectory.t)
-    parts = [values_at(system, wanted, *(x[i:i + _AT_ONCE] for x in (
+    parts = [_values(system, wanted, *(x[i:i + _AT_ONCE] for x in (
         trajectory.t, trajectory.q, trajectory.v))) for i in range(0, n, _AT_ONCE)]
     return np.concatenate(parts)[:, list(wanted.places)].astype(system.dtype)
 
 
-def values_at(system: System, wanted: Recorded, t: np.ndarray, q: np.ndarray, v: np.ndarray
+def _values(system: System, wanted: Recorded, t: np.ndarray, q: np.ndarray, v: np.ndarray
             ) -> np.ndarray:
     """All components of the quantity.  (n), (n, nq), (n, nv)->(n, …)."""
     match wanted.quantity:

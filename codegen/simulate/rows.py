@@ -28,7 +28,8 @@ class Compiled:
 
     described: Signature
     kind: np.dtype
-    loop: Callable[..., None]  # of n states
+    in_c: Callable[..., object]  # declines, by NotImplemented, what it cannot take
+    loop: Callable[..., None]  # of n states, wherever they stand
     checks: ModuleType
     signs: tuple[tuple[int, str, bool], ...]
 
@@ -39,20 +40,25 @@ class Compiled:
         lead, arrays = self.checks.arrays(self.kind, **{
             x: (arguments[x], shape, *([self.signs] if x == "p" else []))
             for x, shape in described.inputs})
+        if lead:
+            prepare(prod(lead))
+        if not lead or out is None:
+            found = self.in_c(*arrays, threads=count)
+            if found is not NotImplemented:
+                results = found if isinstance(found, tuple) else (found,)
+                return self.checks.delivered(out, *results)
         given = dict(zip(arguments, arrays, strict=True))
         shapes = [(*lead, *shape) for _, shape in described.outputs]
-        results = [x if x is not None and self._is_place(x, len(lead), arrays)
+        places = [x if x is not None and self._is_place(x, len(lead), arrays)
                    else np.empty(shape, self.kind)
                    for x, shape in zip(self.checks.places(out, shapes, self.kind), shapes,
                                        strict=True)]
         if described.moved:
-            for (x, _), result in zip(described.outputs, results, strict=True):
+            for (x, _), result in zip(described.outputs, places, strict=True):
                 result[...] = given[x]
-        if lead:
-            prepare(prod(lead))
         self._run([_rows(given[x], lead, len(shape)) for x, shape in described.inputs],
-                  [Rows(x, _step(x, len(lead)) or 0) for x in results], prod(lead), count)
-        return self.checks.delivered(out, *(x[()] for x in results))
+                  [Rows(x, _step(x, len(lead)) or 0) for x in places], prod(lead), count)
+        return self.checks.delivered(out, *(x[()] for x in places))
 
     def _is_place(self, x: np.ndarray, lead: int, arrays: Sequence[np.ndarray]) -> bool:
         """Whether C may write to `x` while it reads the arrays."""

@@ -20,7 +20,7 @@ from coscrew_codegen.simulate.plan import Plan, Trajectory
 from coscrew_codegen.simulate.system import State, System, Watch
 
 _AT_ONCE = 10_000  # steps per call of C, which Ctrl-C cannot interrupt
-KEPT = 100  # steps after which rounding errors of momentum are removed
+_KEPT = 100  # steps after which rounding errors of momentum are removed
 
 Alarming = Callable[[System, Plan, State], Alarm]
 Sampled = Iterator[tuple[np.ndarray, np.ndarray, int, str]]
@@ -74,7 +74,7 @@ def fixed(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.nd
         step = _in_finer_parts(system, integrator, plan.finer)
     look = alarm(system, plan, (q, v)) if alarm else None
     kept = system.kept(q, v) if integrator.keeps_momentum else None
-    at_once = KEPT if kept else _AT_ONCE
+    at_once = _KEPT if kept else _AT_ONCE
     with np.errstate(all="ignore"):
         for start, end in pairwise(times):
             count, h = plan.steps(end - start)

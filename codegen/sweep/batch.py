@@ -11,8 +11,8 @@ from coscrew_codegen.integrators import named
 from coscrew_codegen.scene.recorded import Recorded, recorded
 from coscrew_codegen.simulate.load import Kernels
 from coscrew_codegen.simulate.plan import plan
-from coscrew_codegen.simulate.record import values_at
-from coscrew_codegen.simulate.run import KEPT
+from coscrew_codegen.simulate.record import _values
+from coscrew_codegen.simulate.run import _KEPT
 from coscrew_codegen.simulate.system import State, System, system
 from coscrew_codegen.sweep.specification import Conditions
 
@@ -47,7 +47,7 @@ class _Samples:
     def add(self, t: float, q: np.ndarray, v: np.ndarray) -> None:
         """The states at t."""
         for x in self.wanted:
-            values = values_at(self.system, x, np.full(len(q), t), q, v)[:, list(x.places)]
+            values = _values(self.system, x, np.full(len(q), t), q, v)[:, list(x.places)]
             for name, column in zip(x.names, values.T, strict=True):
                 self.columns.setdefault(name, []).append(column.astype(self.system.dtype))
         lost = ~(np.isfinite(q).all(1) & np.isfinite(v).all(1))
@@ -81,15 +81,15 @@ def _advance(its: System, name: str, q: np.ndarray, v: np.ndarray
     """(number, length of steps, t, q, v) -> q and v after them, as `simulate` takes them."""
     integrator = named(name)
     step = its.stepper(integrator.step_name)
-    if not integrator.keeps_momentum:
+    if not (integrator.keeps_momentum and its.has("free_momentum")):
         return lambda count, h, t, q, v: step(count, t, h, q, v)
-    kept = its.kept(q, v)
+    c = its.call("free_momentum", q=q, v=v)
 
     def advance(count: int, h: float, t: float, q: np.ndarray, v: np.ndarray) -> State:
-        for i in range(0, count, KEPT):
-            more = min(KEPT, count - i)
+        for i in range(0, count, _KEPT):
+            more = min(_KEPT, count - i)
             q, v = step(more, t + i * h, h, q, v)
-            v = kept(t + (i + more) * h, q, v)
+            v = its.call("with_free_momentum", t=t + (i + more) * h, q=q, v=v, c=c)
         return q, v
 
     return advance

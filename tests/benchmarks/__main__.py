@@ -12,6 +12,7 @@ from tests.benchmarks import (
     scene_calls,
     scene_lanes,
     scene_tiers,
+    sweeps,
     tiers,
 )
 
@@ -22,6 +23,7 @@ tiers.main()
 scene_tiers.main()
 scene_calls.main()
 scene_lanes.main()
+sweeps.main()
 python_calls.main()
 cortex_m4.main()
 rounding_statements.main()

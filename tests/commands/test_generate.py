@@ -209,10 +209,11 @@ def test_imports_run_one_way():
              "schedule", "programs", "recording", "tiers", "mixture", "scene_tiers", "library",
              "render",
              "plots", "pages", "machine",
-             "native", "targets", "special", "exact", "selection", "family_cache", "layout", "emit",
+             "native", "targets", "extras", "special", "exact", "selection", "family_cache",
+             "layout", "emit",
              "report", "scene", "mechanics", "effects", "scene_files", "documentation", "console",
-             "simulate", "sweep", "cost",
-             "generate_command", "command_line", "extras", "__main__"]
+             "arrays", "simulate", "sweep", "cost",
+             "generate_command", "command_line", "__main__"]
     package = ROOT / "codegen"
     allowed_elsewhere = {"build"}  # runs inside setuptools, on its own
 
