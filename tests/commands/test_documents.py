@@ -55,8 +55,9 @@ def test_each_guide_has_its_snippet():
     """A guide without a snippet has nothing to test; it fails here."""
     found = {name: text.count("```python\n") for name, text in GUIDES.items()}
     assert {name for name, count in found.items() if count} == {
-        "README.md", "docs/accuracy.md", "docs/from_mujoco.md", "docs/from_pinocchio.md",
-        "docs/python.md", "docs/scenes.md", SWEEPS}
+        "README.md", "docs/accuracy.md", "docs/arrays.md", "docs/from_mujoco.md",
+        "docs/from_pinocchio.md", "docs/python.md", "docs/scenes.md",
+        SWEEPS}
 
 
 @pytest.mark.parametrize("snippet", snippets("python"))

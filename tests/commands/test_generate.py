@@ -107,7 +107,7 @@ def test_one_family_in_one_precision_and_language(tmp_path):
     headers = (*(f"{x}{tier}{many}" for x in ("coscrew", "ksl") for tier in tiers
                  for many in ("", "_many")),
                "elementary", "ksl_elementary_error", "ksl_exact", "ksl_exactf", "ksl_planes",
-               "ksl_rounding", "ksl_selfcheck", "ksl_types")
+               "ksl_rounding", "ksl_selfcheck", "ksl_states", "ksl_types")
     assert sorted(made) == ["c/coscrew.h", "c/coscrew_accurate.h", "c/coscrew_certified.h",
                             "c/coscrew_fused.h",
                             *(f"c/include/ksl/{name}.h" for name in sorted(headers))]
@@ -209,10 +209,11 @@ def test_imports_run_one_way():
              "schedule", "programs", "recording", "tiers", "mixture", "scene_tiers", "library",
              "render",
              "plots", "pages", "machine",
-             "native", "targets", "special", "exact", "selection", "family_cache", "layout", "emit",
+             "native", "targets", "extras", "special", "exact", "selection", "family_cache",
+             "layout", "emit",
              "report", "scene", "mechanics", "effects", "scene_files", "documentation", "console",
-             "simulate", "sweep", "cost",
-             "generate_command", "command_line", "extras", "__main__"]
+             "arrays", "simulate", "sweep", "cost",
+             "generate_command", "command_line", "__main__"]
     package = ROOT / "codegen"
     allowed_elsewhere = {"build"}  # runs inside setuptools, on its own
 
