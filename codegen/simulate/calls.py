@@ -253,6 +253,9 @@ def _repeated(library: ctypes.PyDLL, name: str, several: str, described: Signatu
 
     def function(of: _Callable, n: int, t: float, h: float, p: np.ndarray, q: np.ndarray,
                  v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        given = {"p": p, "q": q, "v": v}
+        _checks().arrays(kind, **{x: (given[x], shape) for x, shape in described.inputs
+                                  if x in given})
         p, q, v = (np.array(x, kind, order="C", ndmin=1) for x in (p, q, v))
         lead = np.broadcast_shapes(*(x.shape[:-1] for x in (p, q, v)))
         q, v = _over_all(q, lead), _over_all(v, lead)

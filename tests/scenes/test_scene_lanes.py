@@ -177,6 +177,15 @@ def test_runs_take_leading_axes(kernels: Kernels, precision: Precision):
         assert kernels._lanes.function(run_of_all, 0)
 
 
+def test_runs_refuse_rows_of_other_lengths(kernels: Kernels):
+    scene = kernels.interface
+    name = next(x.name for x in scene.signatures if x.moved)
+    p = np.ones(len(scene.parameters))
+    for nq, nv in ((scene.nq - 1, scene.nv), (scene.nq, scene.nv + 1)):
+        with pytest.raises(ValueError, match="wanted shape"):
+            getattr(kernels.double, name).repeated(1, 0.0, 0.01, p, np.zeros(nq), np.zeros(nv))
+
+
 def test_lanes_are_compiled_when_they_pay(kernels: Kernels, tmp_path: Path):
     def libraries() -> int:
         return len(list((tmp_path / "coscrew").glob("*.so")))
