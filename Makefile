@@ -88,6 +88,7 @@ attack: $(VENV)/test-ready build
 	$(PYTHON) -m tests.certified_attack
 	$(PYTHON) -m tests.functions_attack
 	$(PYTHON) -m tests.lanes_attack
+	$(PYTHON) -m tests.many_attack
 
 # Errors and times of everything on this machine, in about two minutes: build/report/.
 report: $(VENV)/test-ready build

@@ -24,6 +24,7 @@ Scenes build on the operations' Programs:
     effects/           one Effect per module: the forces and inertias that act in a scene
     scene_functions    what targets receive of a scene
     simulate/, cost/   compile, run, record, check; the cost of effects and of accuracy
+    sweep/             many runs, on Dask
 """
 
 from typing import TYPE_CHECKING

@@ -13,6 +13,7 @@ COMMANDS = {
     "simulate": "coscrew_codegen.simulate.command",
     "check": "coscrew_codegen.simulate.check_command",
     "cost": "coscrew_codegen.cost.command",
+    "sweep": "coscrew_codegen.sweep.command",
     "effects": "coscrew_codegen.scene_files.catalogue",
     "schema": "coscrew_codegen.documentation.schema",
     "report": "coscrew_codegen.report.command",

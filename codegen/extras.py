@@ -5,12 +5,14 @@ from importlib.util import find_spec
 GENERATOR = ("sympy", "jinja2", "tqdm", "mpmath", "defusedxml")
 EXTRAS = {"codegen": GENERATOR,
           "simulate": (*GENERATOR, "scipy", "gmpy2", "matplotlib", "tabulate"),
-          "report": (*GENERATOR, "gmpy2", "matplotlib", "tabulate")}
+          "report": (*GENERATOR, "gmpy2", "matplotlib", "tabulate"),
+          "sweep": (*GENERATOR, "scipy", "gmpy2", "matplotlib", "tabulate", "pyarrow", "dask",
+                    "distributed", "zarr", "xarray", "pandas")}
 """Modules by extra; `simulate` also installs pyarrow, which only .parquet files need."""
 
 COMMANDS = {"generate": "codegen", "effects": "codegen", "schema": "codegen",
             "simulate": "simulate", "check": "simulate", "cache": "simulate", "cost": "simulate",
-            "report": "report"}
+            "report": "report", "sweep": "sweep"}
 """The extra of each command."""
 
 

@@ -33,9 +33,9 @@ class Kernel:
     values: tuple[sp.Expr, ...]  # every component of every output, row by row
 
 
-def kernel_of(operation: Operation, fine: bool = False) -> Kernel:
+def kernel_of(operation: Operation, fine: bool = False, smooth: bool = False) -> Kernel:
     """The kernel of an operation: its derivation recorded, or its formula without lets; fine: for
-    twice the digits."""
+    twice the digits; smooth: for derivatives."""
     bindings: list[Binding] = []
     taken = {a.name for a in (*operation.inputs, *operation.outputs)}
 
@@ -53,7 +53,7 @@ def kernel_of(operation: Operation, fine: bool = False) -> Kernel:
     if operation.derivation is None:
         values = operation.formula(*arguments)
     else:
-        values = operation.derivation(Let(let, fine), *arguments)
+        values = operation.derivation(Let(let, fine, smooth), *arguments)
     found, wanted = components(values), sum(a.quantity.size for a in operation.outputs)
     if len(found) != wanted:
         raise ValueError(f"{operation.name}: its formula has {len(found)} components, its outputs "

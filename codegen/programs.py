@@ -27,6 +27,12 @@ def _derived(operation: Operation, fine: bool = False) -> Program:
     return plain(simplified(kernel_of(operation, fine)))
 
 
+@cache
+def smooth_program(operation: Operation) -> Program:
+    """The operation's program for derivatives: its results are those of the plain one."""
+    return plain(simplified(kernel_of(operation, smooth=True)))
+
+
 def library_program(name: str) -> Program:
     """The plain program of an operation of the library."""
     return program_of(_OPERATIONS[name])

@@ -29,8 +29,8 @@ LONG = frozenset("""
     test_scene_accuracy test_scene_agreement test_scene_arrays test_scene_bounds
     test_scene_compilation test_scene_flags test_scene_names test_scene_pairs test_scene_parts
     test_scene_signs test_scene_text test_scene_tiers test_selected_functions test_selfcheck
-    test_simulate test_simulate_command test_sincos test_symmetric test_tiers test_told
-    test_true_motion test_typing test_version test_view""".split())
+    test_simulate test_simulate_command test_sincos test_sweep test_sweep_runs test_symmetric
+    test_tiers test_told test_true_motion test_typing test_version test_view""".split())
 """Files that take more than four seconds of processor time, even with few parameters."""
 MANY = frozenset("""
     test_bits test_derivatives test_lagrange test_lanes test_numeric_truth test_rounding

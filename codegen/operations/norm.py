@@ -28,10 +28,12 @@ class Let:
     """let(name, value): the value, bound to the name.
 
     `fine` is whether the results are computed to twice the digits, for which series need more terms
-    and other formulas are better."""
+    and other formulas are better; `smooth` whether they are differentiated, so that 0/0 must be its
+    limit, though it is multiplied by zero."""
 
     bind: Callable[[str, sp.Expr | sp.Matrix], sp.Expr | sp.Matrix]
     fine: bool = False
+    smooth: bool = False
 
     def __call__(self, name: str, value: sp.Expr | sp.Matrix) -> sp.Expr | sp.Matrix:
         return self.bind(name, value)

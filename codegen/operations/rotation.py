@@ -89,12 +89,17 @@ def half_angle(let: Let, q: sp.Matrix, reduced: bool = False) -> tuple[sp.Expr, 
     return let("half", sp.atan2(n, scalar_part(q))), n, let("divisor", nonzero(n))
 
 
+def continued(let: Let, quotient: sp.Expr, n: sp.Expr, limit: sp.Expr) -> sp.Expr:
+    """The quotient, whose limit for n = 0 counts only if it is differentiated."""
+    return sp.Piecewise((limit, sp.Eq(n, 0)), (quotient, True)) if let.smooth else quotient
+
+
 def rotation_vector(let: Let, q: sp.Matrix,
                     reduced: bool = False) -> tuple[sp.Matrix, Angle | HalfAngle]:
     """θ v / |v| and θ, of any positive multiple of a unit quaternion with w >= 0."""
     half, n, divisor = half_angle(let, q, reduced)
     theta = let("theta", 2 * half)
-    k = let("k", theta / divisor)
+    k = let("k", continued(let, theta / divisor, n, 2 / scalar_part(q)))
     return let("vector", k * vector_part(q)), known_angle(let, theta, n, scalar_part(q))
 
 

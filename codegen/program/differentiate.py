@@ -10,10 +10,26 @@ from dataclasses import dataclass
 from typing import Any, Generic, TypeVar, cast
 
 from coscrew_codegen.program.interpreter import Arithmetic, interpreter
-from coscrew_codegen.program.ops import Functions, Op
+from coscrew_codegen.program.ops import Functions, Op, Slopes
 from coscrew_codegen.program.program import Constant, Instruction, Program
 
 V = TypeVar("V")
+Partials = Callable[[Op], Slopes | None]
+"""Partial derivatives of an operation: those of the table, or others where these are infinite."""
+
+
+def of_table(op: Op) -> Slopes | None:
+    """Those of the table."""
+    return op.meaning.slopes
+
+
+Product = Callable[[Instruction, Any, Any], Any]
+"""The product of a partial derivative of an instruction with a derivative."""
+
+
+def times(step: Instruction, partial: Any, derivative: Any) -> Any:
+    """Just that."""
+    return partial * derivative
 
 
 @dataclass(frozen=True)
@@ -25,7 +41,8 @@ class Dual(Generic[V]):
 
 
 def tangent(program: Program, arithmetic: Arithmetic[V], functions: Functions,
-            inputs: Sequence[Sequence[Dual[V]]]) -> list[Dual[V]]:
+            inputs: Sequence[Sequence[Dual[V]]], partials_of: Partials = of_table,
+            product: Product = times) -> list[Dual[V]]:
     """The results with their derivatives along the directions that the inputs carry."""
     count = len(next(x for given in inputs for x in given).slopes)
 
@@ -33,7 +50,7 @@ def tangent(program: Program, arithmetic: Arithmetic[V], functions: Functions,
         return Dual(arithmetic.constant(x), (None,) * count)
 
     def function(step: Instruction, number: int) -> Callable[..., Dual[V]]:
-        compute, derived = arithmetic.function(step, number), step.op.meaning.slopes
+        compute, derived = arithmetic.function(step, number), partials_of(step.op)
 
         def apply(*operands: Dual[V]) -> Dual[V]:
             values = [x.value for x in operands]
@@ -45,7 +62,7 @@ def tangent(program: Program, arithmetic: Arithmetic[V], functions: Functions,
             if derived is None or all(s is None for x in operands for s in x.slopes):
                 return Dual(y, (None,) * count)
             partials = derived(functions, *values, y)
-            return Dual(y, tuple(_along(partials, slopes) for slopes in zip(
+            return Dual(y, tuple(_along(step, partials, slopes, product) for slopes in zip(
                 *(x.slopes for x in operands), strict=True)))
 
         return apply
@@ -62,12 +79,14 @@ def _chosen(functions: Functions, test: V, a: V | None, b: V | None) -> V | None
     return chosen
 
 
-def _along(partials: Sequence[Any], slopes: Sequence[V | None]) -> V | None:
+def _along(step: Instruction, partials: Sequence[Any], slopes: Sequence[V | None],
+           product: Product) -> V | None:
     """Σ ∂y/∂x_i x_i'."""
     total: Any = None  # numbers of any kind that has + and *
     for partial, slope in zip(partials, slopes, strict=True):
         if slope is not None and not (isinstance(partial, int) and partial == 0):
-            total = partial * slope if total is None else total + partial * slope
+            more = product(step, partial, slope)
+            total = more if total is None else total + more
     return None if total is None else cast(V, total)
 
 
@@ -80,10 +99,10 @@ class _Node(Generic[V]):
 
 
 def adjoint(program: Program, arithmetic: Arithmetic[V], functions: Functions,
-            inputs: Sequence[Sequence[V]], weights: Sequence[V]
-            ) -> tuple[list[V], list[list[V | None]]]:
+            inputs: Sequence[Sequence[V]], weights: Sequence[V], partials_of: Partials = of_table,
+            product: Product = times) -> tuple[list[V], list[list[V | None]]]:
     """(results, derivatives of Σ weight · result by the components of each input); None is zero.
-    One pass forward and one back, for any number of inputs."""
+    One pass forward and one back, for any number of inputs. """
     made: list[tuple[Instruction, _Node[V]]] = []
 
     def function(step: Instruction, number: int) -> Callable[..., _Node[V]]:
@@ -106,14 +125,15 @@ def adjoint(program: Program, arithmetic: Arithmetic[V], functions: Functions,
         _accumulate(adjoints, node, weight)
     for step, node in reversed(made):
         if node in adjoints:
-            _propagate(functions, adjoints, step.op, node)
+            _propagate(functions, adjoints, step, node, partials_of(step.op), product)
     return [x.value for x in results], [[adjoints.get(x) for x in row] for row in given]
 
 
-def _propagate(functions: Functions, adjoints: dict[_Node[V], V], op: Op, node: _Node[V]) -> None:
+def _propagate(functions: Functions, adjoints: dict[_Node[V], V], step: Instruction,
+               node: _Node[V], derived: Slopes | None, product: Product) -> None:
     """Add a number's adjoint, times its partial derivatives, to the adjoints of its operands."""
-    own, operands, derived = adjoints[node], node.operands, op.meaning.slopes
-    if op is Op.SELECT:
+    own, operands = adjoints[node], node.operands
+    if step.op is Op.SELECT:
         test, a, b = operands
         _accumulate(adjoints, a, functions.where(test.value, own, 0))
         _accumulate(adjoints, b, functions.where(test.value, 0, own))
@@ -121,7 +141,7 @@ def _propagate(functions: Functions, adjoints: dict[_Node[V], V], op: Op, node: 
         partials = derived(functions, *(x.value for x in operands), node.value)
         for partial, x in zip(partials, operands, strict=True):
             if not (isinstance(partial, int) and partial == 0):
-                _accumulate(adjoints, x, partial * own)
+                _accumulate(adjoints, x, product(step, partial, own))
 
 
 def _accumulate(adjoints: dict[_Node[V], Any], node: _Node[V], more: V) -> None:

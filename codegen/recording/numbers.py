@@ -69,6 +69,11 @@ def less(a: Number, b: "Like") -> Number:
     return a._with(Op.LESS, a, b)
 
 
+def equal(a: Number, b: "Like") -> Number:
+    """a == b, for `where`."""
+    return a._with(Op.EQUAL, a, b)
+
+
 def where(test: Number, a: "Like", b: "Like") -> Number:
     """a if the test holds, else b."""
     return test._with(Op.SELECT, test, a, b)

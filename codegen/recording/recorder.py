@@ -192,6 +192,10 @@ class Recorder:
 
     # the program
 
+    def issued(self, first: int) -> Sequence[Instruction]:
+        """The instructions so far, from a number on."""
+        return self._instructions[first:]
+
     def program(self, name: str, outputs: Sequence[tuple[Argument, Numbers]]) -> Program:
         """The program with these outputs, without the instructions that none of them needs."""
         results = tuple(x.operand for argument, numbers in outputs

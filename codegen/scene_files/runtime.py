@@ -101,6 +101,12 @@ def _refuse_of_element(file: Table, name: str, names: tuple[str, ...], model: Mo
                            f"{'are' if len(there) > 1 else 'is'} {listed}")
 
 
+def constants(model: Model, effects: tuple[Applied, ...]) -> tuple[str, ...]:
+    """Names in `runtime` of all numbers that are no parameters yet."""
+    numbers, _ = _candidates(model, effects)
+    return tuple(numbers)
+
+
 def _candidates(model: Model, effects: tuple[Applied, ...]) -> tuple[_Numbers, dict[str, str]]:
     """(numbers by name, descriptions of other values by name)."""
     numbers: _Numbers = {}

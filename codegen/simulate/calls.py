@@ -2,9 +2,10 @@
 
 import ctypes
 import functools
+import sys
 from collections.abc import Callable, Iterator, Mapping
 from math import prod
-from types import ModuleType
+from types import MethodType, ModuleType
 from typing import TYPE_CHECKING, Generic, Protocol, TypeAlias, TypeVar
 
 import numpy as np
@@ -16,10 +17,13 @@ from coscrew_codegen.native import cache
 from coscrew_codegen.scene.names import or_mean
 from coscrew_codegen.scene.selected import names
 from coscrew_codegen.scene_functions import SceneInterface, Signature
+from coscrew_codegen.simulate import rows
 from coscrew_codegen.targets.scene_text import c_name, many, signs
 from coscrew_codegen.tiers import tier_named
 
 if TYPE_CHECKING:
+    import inspect
+
     from coscrew._steps import Steps
     from coscrew_codegen.simulate.load import Kernels
 else:
@@ -38,8 +42,9 @@ class Function(Protocol[Real]):
 
     def __call__(self, *arguments: ArrayLike,
                  out: np.ndarray | tuple[np.ndarray | None] | None = ...,
-                 **named: ArrayLike) -> NDArray[Real]:
-        """The result, written to `out` if that is given."""
+                 threads: int = ..., **named: ArrayLike) -> NDArray[Real]:
+        """The result, written to `out` if that is given; `threads` share the states of leading
+        axes."""
 
 
 class Step(Protocol[Real]):
@@ -47,8 +52,9 @@ class Step(Protocol[Real]):
 
     def __call__(self, *arguments: ArrayLike,
                  out: tuple[np.ndarray | None, np.ndarray | None] | None = ...,
-                 **named: ArrayLike) -> tuple[NDArray[Real], NDArray[Real]]:
-        """q and v after the step, written to `out` if that is given."""
+                 threads: int = ..., **named: ArrayLike) -> tuple[NDArray[Real], NDArray[Real]]:
+        """q and v after the step, written to `out` if that is given; `threads` share the states of
+        leading axes."""
 
 
 class Functions(Steps[Real]):
@@ -114,7 +120,15 @@ class _Callable:
     def __init__(self, of: Functions[np.floating], function: Made):
         self.__dict__.update(vars(function))
         self.__name__ = self.__qualname__ = function.__name__
-        self._of = of
+        self._of, self._checked = of, MethodType(function, self)
+        if repeated := vars(function).get("repeated"):
+            self.repeated = functools.partial(repeated, self)
+
+    @property
+    def __signature__(self) -> "inspect.Signature":
+        import inspect
+
+        return inspect.signature(self._checked)
 
     def __reduce__(self) -> tuple[Made, tuple[Functions[np.floating], str]]:
         return getattr, (self._of, self.__name__)
@@ -128,8 +142,12 @@ def gathered(scene: SceneInterface, precision: Precision,
     """The functions, whose first argument is `self`, as methods of one object."""
     found: Functions[np.floating] = Functions(scene.name, precision, scene.mark)
     for name, function in functions.items():
+        in_c = vars(function).pop("in_c", None)
         members = {"__call__": function, "__doc__": function.__doc__, "__module__": __name__}
-        found.__dict__[name] = type(name, (_Callable,), members)(found, function)
+        made = type(name, (_Callable,), members)(found, function)
+        if in_c:
+            type.__setattr__(type(made), "__call__", in_c(made._checked))
+        found.__dict__[name] = made
     return found
 
 
@@ -148,32 +166,76 @@ def _checks() -> ModuleType:
 
 def compiled(scene: SceneInterface, library: ctypes.PyDLL, described: Signature,
              precision: Precision) -> Made:
-    """A function of the library, with the same name and arguments after `self`."""
+    """A function of the library, with the same name and arguments after `self`.  It checks them;
+    its `in_c` makes of it the function in C that calls it where arguments want a check."""
     kind, name = np.dtype(precision.numpy_type), c_name(scene, described.name, precision)
-    getattr(library, f"know_{precision.name}")(ctypes.py_object(np.ndarray))
-    call = getattr(library, f"call_{name}")
-    shapes = [shape for _, shape in (*described.read, *described.outputs)]
-    call.argtypes = [ctypes.py_object if shape or n >= len(described.read) else ctypes.c_double
-                     for n, shape in enumerate(shapes)]
-    call.restype = ctypes.c_int
-    several = c_name(many(scene), described.name, precision)
-    names = {"call": call, "many": _many(library, name, several, described, kind, call,
-                                         signs(scene)),
-             "empty": np.empty, "plain": _PLAIN, "kind": kind, "Refused": ctypes.ArgumentError}
-    exec(_text(described), names)
-    function = _described(names[described.name], described)
+    loop = getattr(_unlocked(library._name), f"many_{name}")
+    loop.restype, loop.argtypes = None, [ctypes.c_ssize_t, *[ctypes.c_void_p] * 4, ctypes.c_ssize_t]
+    in_c = functools.partial(_in_c, library, name, described, precision)
+    of_rows = rows.Compiled(described, kind, in_c(_declined), loop, _checks(), signs(scene))
+    in_lanes = _lanes(library, name, c_name(many(scene), described.name, precision))
+
+    def checked(of: _Callable | None, arguments: Mapping[str, ArrayLike], out: object,
+                threads: object) -> object:
+        kernels = of._of._kernels if of else None
+        return of_rows(arguments, out, threads, functools.partial(in_lanes, kernels))
+
+    function = _written(described, checked)
+    vars(function)["in_c"] = in_c
     if described.moved:
-        vars(function)["repeated"] = _repeated(library, name, kind)
+        several = c_name(many(scene), described.name.replace("step", "run", 1), precision)
+        vars(function)["repeated"] = _repeated(library, name, several, described, kind)
     return function
 
 
+def _declined(*_: object, **__: object) -> object:
+    return NotImplemented
+
+
+def _in_c(library: ctypes.PyDLL, name: str, described: Signature, precision: Precision,
+          checked: Made) -> Made:
+    """The function in C, which calls `checked` for what it cannot take."""
+    getattr(library, f"know_{precision.name}")(ctypes.c_size_t(object.__basicsize__))
+    make = getattr(library, f"new_{name}")
+    make.restype, make.argtypes = ctypes.py_object, [ctypes.py_object]
+    kind = np.dtype(precision.numpy_type)
+    results = tuple((shape, kind) for _, shape in described.outputs)
+    names = tuple(sys.intern(x) for x in (*(x for x, _ in described.inputs), "out", "threads"))
+    function: Made = make((checked, np.ndarray, _PLAIN, int, np.empty, results, names))
+    return function
+
+
+def _lanes(library: ctypes.PyDLL, name: str, several: str) -> Callable[["Kernels | None", int],
+                                                                       None]:
+    """What tells the function that of many states, named `several`, when it is there and pays."""
+    place = ctypes.c_void_p.in_dll(library, f"lanes_{name}")
+
+    def prepare(kernels: "Kernels | None", states: int) -> None:
+        if kernels and not place.value and (found := kernels._lanes.function(several, states)):
+            place.value = ctypes.cast(found, ctypes.c_void_p).value
+
+    return prepare
+
+
 def in_numpy(twin: Made, described: Signature) -> Made:
-    """A function of a generated package, with the same name and arguments after `self`."""
-    given = ", ".join(x for x, _ in described.inputs)
-    names = {"twin": twin}
-    exec(f"def {described.name}(self, {given}, *, out=None):\n    return twin({given}, out=out)\n",
-         names)
-    return _described(names[described.name], described)
+    """A function of a generated package, with the same name and arguments after `self`; one thread
+    computes."""
+    def checked(of: _Callable, arguments: Mapping[str, ArrayLike], out: object, threads: object
+                ) -> object:
+        rows.positive(threads)
+        return twin(**arguments, out=out)
+
+    return _written(described, checked)
+
+
+def _written(described: Signature, checked: Made) -> Made:
+    """A function whose arguments are spelled out, so that Python refuses missing and unknown ones.
+    """
+    given = [x for x, _ in described.inputs]
+    named: dict[str, Made] = {"checked": checked}
+    exec(f"def {described.name}(self, {', '.join(given)}, *, out=None, threads=1):\n    return "
+         f"checked(self, {{{', '.join(f'{x!r}: {x}' for x in given)}}}, out, threads)\n", named)
+    return _described(named[described.name], described)
 
 
 def _described(function: Made, described: Signature) -> Made:
@@ -181,101 +243,41 @@ def _described(function: Made, described: Signature) -> Made:
     return function
 
 
-def _repeated(library: ctypes.PyDLL, name: str, kind: np.dtype) -> Made:
-    """n steps of one state in one call: (n, t, h, p, q, v) -> (q, v)."""
+def _repeated(library: ctypes.PyDLL, name: str, several: str, described: Signature, kind: np.dtype
+              ) -> Made:
+    """n steps in one call: (n, t, h, p, q, v) -> (q, v).  Leading axes of p, q and v, of any that
+    have them, are states; `several` is the name of the function in lanes."""
     run = getattr(_unlocked(library._name), f"run_{name}")
     run.restype = None
     run.argtypes = [ctypes.c_ssize_t, ctypes.c_double, ctypes.c_double, *[ctypes.c_void_p] * 3]
 
-    def function(n: int, t: float, h: float, p: np.ndarray, q: np.ndarray, v: np.ndarray
-                 ) -> tuple[np.ndarray, np.ndarray]:
+    def function(of: _Callable, n: int, t: float, h: float, p: np.ndarray, q: np.ndarray,
+                 v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         p, q, v = (np.array(x, kind, order="C", ndmin=1) for x in (p, q, v))
-        run(n, t, h, p.ctypes.data, q.ctypes.data, v.ctypes.data)
+        lead = np.broadcast_shapes(*(x.shape[:-1] for x in (p, q, v)))
+        q, v = _over_all(q, lead), _over_all(v, lead)
+        strides = {"p": p.shape[-1] if p.ndim > 1 else 0, "q": q.shape[-1], "v": v.shape[-1]}
+        p = _over_all(p, lead) if p.ndim > 1 else p
+        states, kernels = prod(lead), of._of._kernels
+        rows = {"p": p.ctypes.data, "q": q.ctypes.data, "v": v.ctypes.data}
+        lanes = kernels._lanes.function(several, states * n) if lead and kernels else None
+        if lanes:
+            scalars = [ctypes.c_double(x) for name, x in (("t", t), ("h", h))
+                       if name in dict(described.inputs)]
+            lanes(*map(ctypes.c_ssize_t, (states, n)), *scalars, *(
+                ctypes.c_ssize_t(x) for name, _ in described.inputs if name in rows
+                for x in (rows[name], strides[name])))
+            return q, v
+        for k in range(states):
+            run(n, t, h, *(rows[x] + k * strides[x] * kind.itemsize for x in rows))
         return q, v
 
     return function
 
 
-def _text(described: Signature) -> str:
-    """The text of a function.  With its arguments spelled out it is half a microsecond faster than
-    with *values, and Python itself refuses missing and unknown ones."""
-    given = [x for x, _ in described.inputs]
-    results = [f"result_{n}" for n in range(len(described.outputs))]
-    made = [f"{x}.copy()" if described.moved else f"empty({shape}, kind)"
-            for x, shape in described.outputs]  # copies that a step changes, or empty results
-    if len(made) == 1:
-        made = [f"{made[0]} if out is None else out"]
-    wanted = [f"type({x}) in plain" for x, shape in described.read if not shape]
-    wanted += ["out is None"] if len(made) > 1 else []
-    wanted.append(f"call({', '.join((*(x for x, _ in described.read), *results))})")
-    found = ", ".join(x if shape else f"{x}[()] if out is None else out"
-                      for x, (_, shape) in zip(results, described.outputs, strict=True))
-    return "\n".join((
-        f"def {described.name}(self, {', '.join(given)}, *, out=None):",
-        "    try:",
-        *(f"        {x} = {value}" for x, value in zip(results, made, strict=True)),
-        f"        if {' and '.join(wanted)}:",
-        f"            return {found}",
-        "    except (Refused, AttributeError, TypeError):",
-        "        pass  # an argument without copy(), or not a number: the checks below say so",
-        f"    return many(self, {{{', '.join(f'{x!r}: {x}' for x in given)}}}, out)", ""))
-
-
-def _many(library: ctypes.PyDLL, name: str, several: str, described: Signature, kind: np.dtype,
-          call: Made, signs: tuple[tuple[int, str, bool], ...]) -> Made:
-    """The function for any arguments, which it checks, casts and broadcasts; `several` is the name
-    of that in lanes."""
-    loop = getattr(_unlocked(library._name), f"many_{name}")
-    loop.restype = None
-    pointer, stride = ctypes.c_void_p, ctypes.c_ssize_t
-    loop.argtypes = [stride, *[pointer, stride] * len(described.read),
-                     *[pointer] * len(described.outputs)]
-    checks = _checks()
-
-    def function(of: _Callable | None, arguments: Mapping[str, ArrayLike], out: object) -> object:
-        lead, arrays = checks.arrays(kind, **{
-            x: (arguments[x], shape, *([signs] if x == "p" else []))
-            for x, shape in described.inputs})
-        given = dict(zip(arguments, arrays, strict=True))
-        shapes = [(*lead, *shape) for _, shape in described.outputs]
-        results = [x if _is_place(x, kind, arrays) else np.empty(shape, kind)
-                   for x, shape in zip(checks.places(out, shapes, kind), shapes, strict=True)]
-        if described.moved:
-            for (x, _), result in zip(described.outputs, results, strict=True):
-                result[...] = given[x]
-        if lead or not call(*(np.array(given[x]) if shape else float(given[x])
-                              for x, shape in described.read), *results):
-            kernels = of._of._kernels if of else None
-            lanes = kernels._lanes.function(several, prod(lead)) if kernels else None
-            _over(loop, lanes, lead, given, described, results)
-        return checks.delivered(out, *(x[()] for x in results))
-
-    return function
-
-
-def _is_place(x: np.ndarray | None, kind: np.dtype, arrays: list[np.ndarray]) -> bool:
-    """Whether C may write to `x` while it reads the arrays."""
-    return (x is not None and x.dtype == kind and x.flags.carray
-            and not any(np.may_share_memory(x, array) for array in arrays))
-
-
-def _over(loop: Made, lanes: Made | None, lead: tuple[int, ...], given: dict[str, np.ndarray],
-          described: Signature, results: list[np.ndarray]) -> None:
-    """Call the loop over all states, or the function in lanes."""
-    words: list[int] = [prod(lead)]
-    kept = []
-    for x, shape in described.read:
-        array, step = given[x], 0
-        if array.ndim > len(shape):
-            array, step = np.broadcast_to(array, (*lead, *shape)), prod(shape)
-        kept.append(np.require(array, None, ("C", "A")))
-        words += [kept[-1].ctypes.data, step]
-    if lanes is None:
-        loop(*words, *(x.ctypes.data for x in results))
-        return
-    for result, (_, shape) in zip(results, described.outputs, strict=True):
-        words += [result.ctypes.data, prod(shape)]
-    lanes(*map(ctypes.c_ssize_t, words))
+def _over_all(rows: np.ndarray, lead: tuple[int, ...]) -> np.ndarray:
+    """A row for every state, each of its own."""
+    return np.array(np.broadcast_to(rows, (*lead, rows.shape[-1])), order="C")
 
 
 @functools.cache

@@ -5,14 +5,16 @@ from __future__ import annotations
 import ctypes
 import functools
 import pickle
-from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 from coscrew_codegen.console import doing
 from coscrew_codegen.native import cache
-from coscrew_codegen.scene_tiers import in_tier
 from coscrew_codegen.simulate import load, native
 from coscrew_codegen.tiers import tier_named
+
+if TYPE_CHECKING:
+    from _ctypes import CFuncPtr
 
 PAYS = 4096
 """So many states of a scene, in one call or several, are computed one by one before its functions
@@ -26,7 +28,7 @@ class Lanes:
     kernels: load.Kernels
     _met: int = field(default=0, init=False)  # states so far
 
-    def function(self, name: str, states: int) -> Callable[..., None] | None:
+    def function(self, name: str, states: int) -> CFuncPtr | None:
         """The function of this name, if it is there and pays for so many more states."""
         self._met += states
         return getattr(self._library, name, None) if self._met >= PAYS else None
@@ -53,6 +55,7 @@ def _library(kernels: load.Kernels, compiler: native.Compiler) -> native.Library
 
 
 def _made(kernels: load.Kernels, compiler: native.Compiler) -> native.Library:
+    from coscrew_codegen.scene_tiers import in_tier  # imports SymPy
     from coscrew_codegen.targets import scene_c, scene_c_many, scene_c_tier
     from coscrew_codegen.targets.scene_text import banner_of
 

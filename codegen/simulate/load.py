@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 import functools
 import importlib
 import importlib.util
@@ -28,6 +29,7 @@ from coscrew_codegen.scene_functions import SceneFunctions, SceneInterface, Sign
 from coscrew_codegen.simulate import calls, native
 
 if TYPE_CHECKING:
+    from coscrew_codegen.arrays.namespace import Arrays
     from coscrew_codegen.simulate.lanes import Lanes
 
 BOTH = tuple(p.name for p in PRECISIONS)
@@ -126,6 +128,17 @@ class Kernels:
     def compiled(self) -> bool:
         """Whether the functions are compiled C, not generated Python."""
         return bool(self.compiler)
+
+    def arrays(self, xp: ModuleType) -> Arrays:
+        """The functions on arrays of a library, with derivatives: jax.numpy, torch, cupy,
+        array_api_strict, numpy.  Raises TypeError for others."""
+        from coscrew_codegen.arrays.namespace import of_scene
+
+        made: dict[ModuleType, Arrays] = vars(self).setdefault("_arrays", {})
+        if xp not in made:
+            made[xp] = of_scene(xp, self.interface, lambda: self.functions,
+                                {"double": self.double, "single": self.single}, opened)
+        return made[xp]
 
     @functools.cached_property
     def _pickled(self) -> bytes:
@@ -341,6 +354,17 @@ def library_of(files: Mapping[str, str], functions: SceneFunctions, source: str,
                                 for other in PRECISIONS if other != p), *flags)
              for p in named(functions.precisions) if p.name in precisions}
     return native.library(units, files, compiler)
+
+
+def opened(name: str, units: Mapping[str, Sequence[str]], files: Mapping[str, str]
+           ) -> ctypes.CDLL | None:
+    """The library of these texts, whose functions run without Python's global lock; None, with a
+    warning, where nothing compiles."""
+    try:
+        return ctypes.CDLL(native.library(units, files, native.compiler()).opened._name)
+    except native.CompilationError as error:
+        warn(name, error, "is computed by calls of the array library")
+        return None
 
 
 def _modules(functions: SceneFunctions) -> dict[str, ModuleType]:

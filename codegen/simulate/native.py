@@ -24,6 +24,7 @@ from coscrew_codegen.native import cache
 # quarters of the time.
 _LEVELS = {"clang": ("-O1",), "Free Software Foundation": ("-O2", "-fno-tree-ter"), "": ("-O2",)}
 _FLAGS = ("-std=c11", "-march=native", "-ffp-contract=off", "-DKSL_CONTRACT_OFF", "-fPIC")
+_LIBRARIES = ("-lm", "-pthread")
 _LINK = ("-undefined", "dynamic_lookup") if platform.system() == "Darwin" else ()
 
 
@@ -180,7 +181,7 @@ def _built(units: Mapping[str, Sequence[str]], files: Mapping[str, str], using: 
         with ThreadPoolExecutor(len(units)) as pool:
             objects = list(pool.map(lambda unit: _object(using, work, unit, *units[unit]), units))
         made = work / "library.so"
-        _run(using, [*using.flags, "-shared", *_LINK, *objects, "-o", made.name, "-lm"], work)
+        _run(using, [*using.flags, "-shared", *_LINK, *objects, "-o", made.name, *_LIBRARIES], work)
         return cache.keep(made, key, ".so")
 
 

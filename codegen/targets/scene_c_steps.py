@@ -1,12 +1,16 @@
 """Steps of a scene's integrators in C: calls, the variables they write to, and loops over parts."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
-from coscrew_codegen.formats import Precision
+from coscrew_codegen.formats import DOUBLE, Precision
+from coscrew_codegen.recording.recorder import Recorder, array
 from coscrew_codegen.render import render
 from coscrew_codegen.scene_functions import Call, SceneFunctions, Split, Step
-from coscrew_codegen.targets.c_statements import listed
-from coscrew_codegen.targets.scene_text import outputs, size, step_inputs
+from coscrew_codegen.targets.c_function import Body, Stored
+from coscrew_codegen.targets.c_nested import language
+from coscrew_codegen.targets.c_statements import WIDTH, listed
+from coscrew_codegen.targets.nesting import planned
+from coscrew_codegen.targets.scene_text import access, outputs, size, step_inputs, step_shapes
 
 _WIDTH = 98  # of a statement, which is indented
 
@@ -17,11 +21,22 @@ def step_body(scene: SceneFunctions, step: Step, precision: Precision,
     return _Body(scene, step, precision, c_name).text()
 
 
+def begun() -> str:
+    """The function of the time at which step k of a run begins, in double for all precisions."""
+    recorder = Recorder([array(x, ()) for x in ("t", "h", "k")])
+    (t,), (h,), (k,) = (recorder.argument(x) for x in ("t", "h", "k"))
+    with recorder.part("at"):
+        program = recorder.program("begun", [(array("begun", ()), [t + k * h])])
+    plan = planned(program, language(program, DOUBLE), access(program), WIDTH)
+    body = Body(program, DOUBLE, Stored(access(program), ("",), (), "begun"), plan)
+    return f"static double begun(double t, double h, double k) {{\n{body.text()}\n}}"
+
+
 class _Body:
     def __init__(self, scene: SceneFunctions, step: Step, precision: Precision,
                  c_name: Callable[[str], str]):
         self.scene, self.step, self.c_name = scene, step, c_name
-        self.real = precision.c_type
+        self.real, self.precision = precision.c_type, precision
         self.inputs = step_inputs(scene)
         self.scalars = {"t", "h"} & set(self.inputs)
 
@@ -34,7 +49,7 @@ class _Body:
         declared = [f"{name}[{length}]" if length else name
                     for name, length in shapes.items() if name not in own]
         return render(
-            "scene/step.c", real=self.real,
+            "scene/step.c", real=self.real, f=self.precision.suffix, lanes=self.precision.lanes,
             unused=[x for x in self.inputs if x in ("t", "p") and not self._read(x)],
             zeros=[f"{x}[{self.scene.nv}]" for x in self.step.zeros],
             rooms=listed(f"{self.real} ", declared, ";", _WIDTH).replace("\n", "\n  "),
@@ -65,7 +80,14 @@ class _Body:
         (test,), (count, part) = statement.test.results, statement.parts.results
         return {"call": "", "test": test, "count": count, "part": part,
                 "tested": self._call(statement.test), "parted": self._call(statement.parts),
-                "calls": [self._call(x) for x in statement.calls]}
+                "calls": [self._call(x) for x in statement.calls],
+                "numbers": [x for x in statement.moved if x in self.scalars],
+                "arrays": self._arrays([x for x in statement.moved if x not in self.scalars])}
+
+    def _arrays(self, names: Sequence[str]) -> list[tuple[str, int]]:
+        """Names and lengths."""
+        shapes = step_shapes(self.scene)
+        return [(x, shapes[x][0]) for x in names]
 
     def _call(self, call: Call) -> str:
         results = [f"&{x}" if x in self.scalars else x for x in call.results]

@@ -1,25 +1,23 @@
-"""The C between Python and a scene's functions: calls for one state, and loops over many.
+"""The C between Python and a scene's functions: callables that take arrays, of one state or many.
 
-`call_…` takes Python objects and returns 0 unless they are arrays it can take or convert; `many_…`
-takes a pointer and a stride in numbers for each input (0: the same for all states), and for each
-output a pointer; `run_…` takes n steps of h in a row, from the time t on.  All work in Python
-without its headers.
+`new_…` makes a Python function in C from a tuple, whose items templates/scene/objects.jinja names.
+The function calls the first of these with its arguments unless it can take them.  `many_…` takes n
+states: a pointer to each input and the numbers from one row to the next (0: all share one row), and
+likewise each output; it shares them among threads, which call `lanes_…`, the function of many
+states, where that has been set.  `run_…` takes n steps of h in a row, from the time t on.  All work
+in Python without its headers.
 """
 
 from collections.abc import Collection
 from dataclasses import replace
 
 from coscrew_codegen.formats import DOUBLE, PRECISIONS, Precision, named
-from coscrew_codegen.recording.recorder import Recorder, array
 from coscrew_codegen.render import render
 from coscrew_codegen.scene_functions import SceneFunctions, SceneInterface, Signature
 from coscrew_codegen.scene_tiers import SceneTier
 from coscrew_codegen.targets import scene_text
-from coscrew_codegen.targets.c_function import Body, Stored
-from coscrew_codegen.targets.c_nested import language
-from coscrew_codegen.targets.c_statements import WIDTH
-from coscrew_codegen.targets.nesting import planned
-from coscrew_codegen.targets.scene_text import access, c_name
+from coscrew_codegen.targets.scene_c_steps import begun
+from coscrew_codegen.targets.scene_text import c_name
 from coscrew_codegen.targets.target import Files, Target
 
 # Times and step lengths are rounded from double, as when steps are called one by one.
@@ -68,55 +66,52 @@ def source(scene: SceneFunctions) -> str:
 
 
 def _source(scene: SceneFunctions, stem: str, precisions: Collection[str]) -> str:
-    sections = [{"precision": p, "format": p.buffer_format,
-                 "other": next(x.c_type for x in PRECISIONS if x != p),
-                 "functions": [_function(scene, f, p) for f in callables(scene)]}
-                for p in named(precisions)]
+    signatures = callables(scene)
+    inputs, outputs = (max((len(x) for x in of), default=1) for of in (
+        [f.inputs for f in signatures], [f.outputs for f in signatures]))
+    room = max((sum(max(scene_text.count(shape), 1) for _, shape in f.inputs)
+                for f in signatures), default=1)
+    sections = [{"precision": p, "number": p.name.upper(), "other_number": other.name.upper(),
+                 "other": other.c_type, "inputs": max(inputs, 1), "outputs": outputs,
+                 "given": inputs + 2, "room": max(room, 1),
+                 "functions": [_function(scene, f, p) for f in signatures]}
+                for p in named(precisions) for other in PRECISIONS if other != p]
     return render("scene/calls.c", name=stem, upper=scene.name.upper(), sections=sections,
-                  products=[DOUBLE], begun=_begun() if scene.timed and scene.steps else "")
-
-
-def _begun() -> str:
-    """The function of the time at which step k of a run begins, in double for all precisions."""
-    recorder = Recorder([array(x, ()) for x in ("t", "h", "k")])
-    (t,), (h,), (k,) = (recorder.argument(x) for x in ("t", "h", "k"))
-    with recorder.part("at"):
-        program = recorder.program("begun", [(array("begun", ()), [t + k * h])])
-    plan = planned(program, language(program, DOUBLE), access(program), WIDTH)
-    body = Body(program, DOUBLE, Stored(access(program), ("",), (), "begun"), plan)
-    return f"static double begun(double t, double h, double k) {{\n{body.text()}\n}}"
+                  products=[DOUBLE], begun=begun() if scene.timed and scene.steps else "")
 
 
 def _function(scene: SceneFunctions, function: Signature, precision: Precision
               ) -> dict[str, object]:
     real, name = precision.c_type, c_name(scene, function.name, precision)
-    scalars = [x for x, shape in function.read if not shape]
-    read = [_array(x, shape) for x, shape in function.read if shape]
-    written = [_array(x, shape) for x, shape in function.outputs]
-    many = [f"const {real} *{x}, ptrdiff_t {x}_step" for x, _ in function.read]
-    many += [f"{real} *{x}" for x, _ in function.outputs]
-    strided = [f"{x}[k * {x}_step]" if x in scalars else f"{x} + k * {x}_step"
-               for x, _ in function.read]
-    strided += [f"{x} + k * {scene_text.count(shape)}" for x, shape in function.outputs]
-    names = [x for x, _ in (*function.read, *function.outputs)]
-    signs = scene_text.signs(scene) if "p" in names else ()
+    inputs = [x for x, _ in function.inputs]
+    read = [(inputs.index(x), shape) for x, shape in function.read]
+    written = [f"y[{k}] + k * places[{k}]" for k in range(len(function.outputs))]
+    lanes = [f"const {real} *, ptrdiff_t"] * len(read) + [f"{real} *, ptrdiff_t"] * len(written)
+    passed = [f"x[{k}], steps[{k}]" for k, _ in read]
+    passed += [f"y[{k}], places[{k}]" for k in range(len(written))]
+    refused = [f"p[{n}] {'<' if zero else '<='} 0" for n, _, zero in scene_text.signs(scene)]
     return {
-        "refused": " || ".join(f"p[{n}] {'<' if zero else '<='} 0" for n, _, zero in signs),
-        "name": name, "kernel": name, "scalars": scalars, "read": read, "written": written,
-        "views": len(read) + len(written),
-        "call_parameters": ", ".join(f"double of_{x}" if x in scalars else f"void *of_{x}"
-                                     for x in names),
-        "call_arguments": ", ".join(names), "many_arguments": ", ".join(strided),
-        "many_parameters": ", ".join(("ptrdiff_t n", *many)),
+        "name": name, "kernel": name, "python": function.name,
+        "refused": " || ".join(refused if "p" in inputs else ()),
+        "p": inputs.index("p") if "p" in inputs else -1,
+        "inputs": len(inputs),
+        "sizes": ", ".join(str(scene_text.count(shape)) if shape else "-1"
+                           for _, shape in function.inputs) or "0",
+        "results": [_result(x, shape, inputs if function.moved else []) for x, shape in
+                    function.outputs],
+        "lanes_parameters": ", ".join(("ptrdiff_t", *lanes)),
+        "lanes_arguments": ", ".join(("n", *passed)),
+        "many_arguments": ", ".join((*(f"x[{k}] + k * steps[{k}]" if shape else
+                                       f"x[{k}][k * steps[{k}]]" for k, shape in read), *written)),
         "run_parameters": f"ptrdiff_t n, double t, double h, const {real} *p, {real} *q, {real} *v",
-        "run_arguments": ", ".join(_RUN.get(x, x).format(real=real) for x, _ in function.inputs)
+        "run_arguments": ", ".join(_RUN.get(x, x).format(real=real) for x in inputs)
         if function.moved else "",
     }
 
 
-def _array(name: str, shape: tuple[int, ...]) -> dict[str, str]:
-    size = scene_text.count(shape)
-    return {"name": name, "size": str(size), "room": str(max(size, 1)), "axes": str(len(shape)),
+def _result(name: str, shape: tuple[int, ...], moved: list[str]) -> dict[str, str]:
+    return {"size": str(scene_text.count(shape)), "axes": str(len(shape)),
+            "moved": str(moved.index(name)) if name in moved else "-1",
             "shape": ", ".join(map(str, shape)) or "1"}
 
 

@@ -677,12 +677,23 @@ SE3 = SE3_fromRt
 screw = screw_from_lin_ang
 coscrew = coscrew_from_lin_ang
 
+
+def arrays(xp):
+    """The operations on arrays of jax.numpy, torch, cupy or array_api_strict, with derivatives of
+    JAX and PyTorch.  They are made by the generator: needs `pip install "coscrew[codegen]"`.
+    """
+    import sys
+
+    from coscrew_codegen.arrays import of_library
+
+    return of_library(xp, sys.modules[__name__])
+
 from coscrew._selfcheck import selfcheck
 
 __version__ = "0.2.0"
 
 __all__ = [
-    "COMPILED", "__version__", "get_include", "selfcheck", "double", "single", "SE3", "screw", "coscrew",
+    "COMPILED", "__version__", "arrays", "get_include", "selfcheck", "double", "single", "SE3", "screw", "coscrew",
     "sincos",
     "sin",
     "cos",

@@ -1,6 +1,9 @@
 # Made by `coscrew generate`; changes are overwritten.
 # SPDX-License-Identifier: MIT
 # coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors.
+from types import ModuleType
+from typing import Any
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -8,6 +11,9 @@ from coscrew import double as double, single as single
 
 COMPILED: bool
 __version__: str
+
+def arrays(xp: ModuleType) -> Any: ...
+
 
 def selfcheck() -> list[str]: ...
 

@@ -6,19 +6,25 @@ from tests.benchmarks import (
     dynamics,
     gufuncs,
     header_kernels,
+    many_elements,
+    python_calls,
     rounding_statements,
     scene_calls,
     scene_lanes,
     scene_tiers,
+    sweeps,
     tiers,
 )
 
 header_kernels.main()
+many_elements.main()
 gufuncs.main()
 tiers.main()
 scene_tiers.main()
 scene_calls.main()
 scene_lanes.main()
+sweeps.main()
+python_calls.main()
 cortex_m4.main()
 rounding_statements.main()
 accuracy.main()

@@ -26,8 +26,8 @@ COUNT = 256
 SECONDS = 0.2  # of each operation and precision
 
 
-def build(compiler: str, flags: str, folder: Path) -> ctypes.CDLL:
-    """The loops and the functions that they call: compiled separately, without link-time
+def build(compiler: str, flags: str, folder: Path, loops: str = "header_kernels") -> ctypes.CDLL:
+    """These loops and the functions that they call: compiled separately, without link-time
     optimisation, and called as functions of a static library are (hidden: not through the procedure
     linkage table)."""
     common = [compiler, "-std=c11", "-ffp-contract=off", "-DKSL_CONTRACT_OFF", *flags.split(),
@@ -37,7 +37,7 @@ def build(compiler: str, flags: str, folder: Path) -> ctypes.CDLL:
     subprocess.run([compiler, "-std=c11", "-O3", "-fPIC", "-c", "driver.c", "-o", "driver.o"],
                    cwd=folder, check=True)
     objects = ["driver.o"]
-    for name in ("out_of_line_vectors", "out_of_line_coscrews", "header_kernels"):
+    for name in ("out_of_line_vectors", "out_of_line_coscrews", loops):
         objects.append(f"{name}.o")
         subprocess.run([*common, "-c", str(HERE / f"{name}.c"), "-o", objects[-1]], cwd=folder,
                        check=True)

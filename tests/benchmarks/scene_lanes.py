@@ -1,5 +1,5 @@
 """What a state of a Panda takes where many are computed in lanes: from C, with every compiler and
-width that this processor has, against one call after the other; and from Python."""
+width that this processor has, against one call after the other."""
 
 import ctypes
 import shutil
@@ -14,10 +14,8 @@ from tabulate import tabulate
 
 from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.mechanics import derive
-from coscrew_codegen.native.timing import Loop, driver, pointers, timed_calls, timed_loops
+from coscrew_codegen.native.timing import Loop, driver, pointers, timed_loops
 from coscrew_codegen.scene_functions import Function, SceneFunctions
-from coscrew_codegen.simulate import lanes
-from coscrew_codegen.simulate.load import kernels_of
 from coscrew_codegen.targets import scene_c, scene_c_many
 from tests.benchmarks.words import said
 from tests.support.scenes.robots import scene_of
@@ -29,7 +27,6 @@ WIDTHS = {"sse2": (), "avx2": ("-mavx2", "-mfma"), "avx512f": ("-march=native",)
 """What the processor needs, and the flags."""
 COMMON = ("-std=c11", "-DKSL_CONTRACT_OFF", "-ffp-contract=off", "-shared", "-fPIC")
 STATES = 256  # whose rows fit into the first cache
-BATCH = 4096  # from Python
 SECONDS = 1.0  # of each comparison
 
 
@@ -87,24 +84,6 @@ def rows(scene: SceneFunctions, folder: Path, compiler: str, width: str) -> Iter
                    f"{many.minimum:.1f}", said(one.ratio(many))]
 
 
-def from_python(scene: SceneFunctions) -> Iterator[list[str]]:
-    """A line for each function and precision: with and without lanes."""
-    kernels = kernels_of(scene)
-    for function in scene.functions:
-        for p in PRECISIONS:
-            call = getattr(getattr(kernels, p.name), function.name)
-            given = [np.asarray(x, p.numpy_type) for x in states(scene, function, BATCH, p)]
-
-            def timed(met: int, call=call, given=given) -> None:
-                kernels._lanes._met = met
-                call(*given)
-
-            one, many = timed_calls([lambda: timed(-BATCH), lambda: timed(lanes.PAYS)],
-                                    1e9 * SECONDS)
-            yield [function.name, p.name, f"{one.minimum / BATCH:.1f}",
-                   f"{many.minimum / BATCH:.1f}", said(one.ratio(many))]
-
-
 def main() -> None:
     """Print the tables."""
     scene, words = panda(), Path("/proc/cpuinfo").read_text().split()
@@ -117,8 +96,6 @@ def main() -> None:
     heads = ("one by one", "in lanes", "one / lanes")
     print(tabulate(table, ("function", "precision", "compiler", "width", *heads),
                    disable_numparse=True))
-    print(f"\nFrom Python, of {BATCH} states, ns a state")
-    print(tabulate(from_python(scene), ("function", "precision", *heads), disable_numparse=True))
 
 
 if __name__ == "__main__":

@@ -3,6 +3,7 @@
 import importlib.util
 import json
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -21,13 +22,15 @@ README = ROOT / "README.md"
 CONTRIBUTING = ROOT / "CONTRIBUTING.md"  # whose snippets are the walks of support/walks.py
 WRITTEN = (README, CONTRIBUTING, *sorted((ROOT / "docs").glob("*.md")))
 TEXTS = {path.relative_to(ROOT).as_posix(): path.read_text(encoding="utf-8") for path in WRITTEN}
+SWEEPS = "docs/sweeps.md"  # whose snippets belong together
 GUIDES = {name: text for name, text in TEXTS.items() if name != CONTRIBUTING.name}
 
 
 def snippets(language: str, holding: str = "") -> list:
     found = [pytest.param(snippet, id=f"{name}-{number}") for name, text in GUIDES.items()
              for number, snippet in enumerate(re.findall(rf"```{language}\n(.*?)```", text,
-                                                         re.DOTALL)) if holding in snippet]
+                                                         re.DOTALL))
+             if holding in snippet and (language, name) != ("python", SWEEPS)]
     assert found
     return found
 
@@ -52,8 +55,9 @@ def test_each_guide_has_its_snippet():
     """A guide without a snippet has nothing to test; it fails here."""
     found = {name: text.count("```python\n") for name, text in GUIDES.items()}
     assert {name for name, count in found.items() if count} == {
-        "README.md", "docs/accuracy.md", "docs/from_mujoco.md", "docs/from_pinocchio.md",
-        "docs/python.md", "docs/scenes.md"}
+        "README.md", "docs/accuracy.md", "docs/arrays.md", "docs/from_mujoco.md",
+        "docs/from_pinocchio.md", "docs/python.md", "docs/scenes.md",
+        SWEEPS}
 
 
 @pytest.mark.parametrize("snippet", snippets("python"))
@@ -62,6 +66,17 @@ def test_python_snippets_print_what_their_comments_say(snippet, tmp_path):
                           capture_output=True)
     assert done.returncode == 0, done.stderr
     assert done.stdout.splitlines() == re.findall(r"^# (.*)$", snippet, re.MULTILINE)
+
+
+def test_the_guide_to_sweeps_runs(tmp_path, monkeypatch):
+    """Its scene, its commands, and what reads their results."""
+    scene, commands, snippet = (re.search(rf"```{x}\n(.*?)```", TEXTS[SWEEPS], re.DOTALL)[1]
+                                for x in ("toml", "sh", "python"))
+    monkeypatch.chdir(tmp_path)
+    Path("swing.toml").write_text(scene)
+    for line in commands.splitlines():
+        assert main([*shlex.split(line)[1:], "--workers", "1"]) == 0
+    test_python_snippets_print_what_their_comments_say(snippet, tmp_path)
 
 
 @pytest.mark.parametrize("snippet", snippets("c", '"swing.h"'))
@@ -109,7 +124,8 @@ def test_the_scene_of_the_readme_runs_as_it_stands(tmp_path, capsys):
 
 def test_shell_snippets_run(tmp_path, monkeypatch, capsys):
     """Those that make everything, for one family: test_generate.py runs them whole."""
-    blocks = re.findall(r"```sh\n(.*?)```", "".join(TEXTS.values()), re.DOTALL)
+    others = "".join(text for name, text in TEXTS.items() if name != SWEEPS)
+    blocks = re.findall(r"```sh\n(.*?)```", others, re.DOTALL)
     commands = [line.split("#")[0].split() for block in blocks for line in block.splitlines()]
     ours = [words[1:] for words in commands if words[0] == "coscrew"]
     assert len(ours) == 5

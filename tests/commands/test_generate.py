@@ -103,13 +103,14 @@ def test_one_family_in_one_precision_and_language(tmp_path):
     assert main(["generate", "--family", "coscrew", "--precision", "single", "--language", "c",
                  "--output", str(tmp_path)]) == 0
     made = contents(tmp_path)
-    headers = ("coscrew", "coscrew_accurate", "coscrew_certified", "coscrew_fused", "elementary",
-               "ksl", "ksl_accurate", "ksl_certified", "ksl_elementary_error", "ksl_exact",
-               "ksl_exactf", "ksl_fused", "ksl_rounding",
-               "ksl_selfcheck", "ksl_types")
+    tiers = ("", "_accurate", "_certified", "_fused")
+    headers = (*(f"{x}{tier}{many}" for x in ("coscrew", "ksl") for tier in tiers
+                 for many in ("", "_many")),
+               "elementary", "ksl_elementary_error", "ksl_exact", "ksl_exactf", "ksl_planes",
+               "ksl_rounding", "ksl_selfcheck", "ksl_types")
     assert sorted(made) == ["c/coscrew.h", "c/coscrew_accurate.h", "c/coscrew_certified.h",
                             "c/coscrew_fused.h",
-                            *(f"c/include/ksl/{name}.h" for name in headers)]
+                            *(f"c/include/ksl/{name}.h" for name in sorted(headers))]
     for path, text in made.items():
         assert b"ksl_product_CoAdc(" not in text and b"ksl_coscrew_t" not in text
         assert b"ksl_screwf(" not in text
@@ -208,10 +209,11 @@ def test_imports_run_one_way():
              "schedule", "programs", "recording", "tiers", "mixture", "scene_tiers", "library",
              "render",
              "plots", "pages", "machine",
-             "native", "targets", "special", "exact", "selection", "family_cache", "layout", "emit",
+             "native", "targets", "extras", "special", "exact", "selection", "family_cache",
+             "layout", "emit",
              "report", "scene", "mechanics", "effects", "scene_files", "documentation", "console",
-             "simulate", "cost",
-             "generate_command", "command_line", "extras", "__main__"]
+             "arrays", "simulate", "sweep", "cost",
+             "generate_command", "command_line", "__main__"]
     package = ROOT / "codegen"
     allowed_elsewhere = {"build"}  # runs inside setuptools, on its own
 
@@ -249,7 +251,9 @@ MUST_NOT_KNOW = {
     "scene": ("mechanics", "scene_files", "effects"), "scene_files": ("mechanics",),
     "targets": ("mechanics", "scene", "effects", "schedule", "passes", "kernel"),
     "native": ("mechanics", "operations", "program", "scene"),
-    "simulate": ("report", "cost", "documentation"), "cost": ("report", "documentation"),
+    "simulate": ("sweep", "report", "cost", "documentation"),
+    "sweep": ("mechanics", "targets", "report", "cost", "documentation"),
+    "cost": ("sweep", "report", "documentation"),
     "report": ("simulate", "cost", "documentation"),
     "documentation": ("simulate", "cost", "report")}
 

@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from coscrew_codegen.tiers import TIERS
+from tests.support.compiled import many_program
 from tests.support.compiled.bits_program import Kernel, kernels, text, wanted
 from tests.support.compiled.c_harness import INCLUDE, in_parallel, run
 from tests.support.compiled.cross import COMPILERS, needed
@@ -80,6 +81,15 @@ def test_scenes_have_the_same_bits(architecture: str, tmp_path: Path):
     found = run((f"qemu-{architecture}", tmp_path / "bits")).splitlines()
     right = scene_bits.wanted(tmp_path)
     assert [a for a, b in zip(found, right, strict=True) if a != b] == []
+
+
+def test_many_elements_have_the_same_bits(tmp_path: Path):
+    """NEON's vectors of them; some of each tier."""
+    compiler, emulator = COMPILERS["aarch64"], "qemu-aarch64"
+    needed(compiler, emulator)
+    chosen = [k for tier in MARKS for k in kernels(tier)[17::100]]
+    program = many_program.built(tmp_path, chosen, True, (compiler, "-O3", "-static"))
+    assert run((emulator, program)).endswith(" 0 differ\n")
 
 
 def test_floats_computed_in_double_are_refused(tmp_path: Path):

@@ -16,7 +16,7 @@ ROOT = Path(__file__).parents[2] / "templates"
 PRIMITIVES = "what Programs' instructions are made of where a language has no such operation"
 CHECKS = "asks the compiler or the machine whether it rounds as it must, from outside of Programs"
 KSL = "functions KSL declares beside formulas: integers, sequences of axes, arrays, angles"
-PLACES = "indices, strides and shapes: where numbers stand, not what they are"
+PLACES = "indices, strides, shapes and counts: where numbers stand, not what they are"
 MEASURES = "a measuring program of the reports, not emitted for users"
 EXEMPT = {
     "c/products.jinja": PRIMITIVES, "c/power.jinja": PRIMITIVES, "c/two_over_pi.jinja": PRIMITIVES,
@@ -31,8 +31,9 @@ EXEMPT = {
     "c/ksl_exact.h.jinja": PRIMITIVES,
     **{f"{x}.jinja": PLACES for x in (
         "gufunc/module.c", "gufunc/promoter.c", "gufunc/family.c", "python/_arrays.py",
-        "python/_kernel.py", "scene/arrays", "scene/arrays.py", "scene/out", "scene/buffers",
-        "scene/calls.c", "scene/many.c", "c/rows", "c/wide_rows")},
+        "python/_kernel.py", "scene/arrays", "scene/arrays.py", "scene/out", "scene/objects",
+        "scene/arguments", "scene/states", "scene/threads", "scene/called", "scene/many_states",
+        "scene/step_of_states", "c/rows", "c/blocks", "c/halves")},
     "native/driver.c.jinja": MEASURES, "report/drift.c.jinja": MEASURES}
 """Templates that compute, and why they may.  Pages are not kernels and are left out."""
 

@@ -101,12 +101,14 @@ def text(scene: SceneFunctions, stem: str) -> str:
         *(_OF_PRECISION.format(real=p.c_type, name=p.name, f=p.suffix, tiny=310 if not p.suffix
                                else 40, least="5e-324" if not p.suffix else "1e-45f")
           for p in precisions),
-        *(line for p in precisions for f in functions for line in _function(scene, f, p)),
+        *(line for p in precisions for f in functions for line in (
+            *_function(scene, f, p), *(_run(scene, f, p) if f.moved else ()))),
         "int main(void) {", f"  static const int counts[] = {{{counts}}};",
         "  for (size_t i = 0; i < sizeof counts / sizeof *counts; ++i)",
         "    for (int mode = 0; mode < 4; ++mode) {",
-        *(f"      test_{c_name(scene, f.name, p)}(counts[i], mode % 2 * 3, mode / 2);"
-          for p in precisions for f in functions),
+        *(f"      {what}_{c_name(scene, f.name, p)}(counts[i], mode % 2 * 3, mode / 2);"
+          for p in precisions for f in functions
+          for what in ("test", *(["run"] if f.moved else []))),
         "    }", '  printf("%d\\n", compared);', "  return wrong != 0;", "}", ""))
 
 
@@ -141,4 +143,37 @@ def _function(scene: SceneFunctions, f: Signature, p: Precision) -> Iterator[str
         yield (f'  compare_{of}("{name} in place", {taken[0]}, {last}_one, n && !gap ? n : 0, '
                f"{sizes[last]}, {last}_stride);")
     yield from (f"  free({x});" for x in (*sizes, *(f"{x}_one" for x in outputs)))
+    yield "}"
+
+
+def _run(scene: SceneFunctions, f: Signature, p: Precision) -> Iterator[str]:
+    """void run_arm_step_leapfrog(n, gap between rows, whether p is the same for all states): five
+    steps and, of few states, none."""
+    name, real, of = c_name(scene, f.name, p), p.c_type, p.name
+    arrays = {x: count(shape) for x, shape in f.inputs if shape}
+    yield f"static void run_{name}(ptrdiff_t n, ptrdiff_t gap, int shared) {{"
+    yield "  const ptrdiff_t steps = n > 1 ? 5 : 0;"
+    yield "  const double t = 0.1, h = 0.01;"
+    yield "  (void)shared;"
+    for x, size in arrays.items():
+        stride = f"shared ? 0 : {size} + gap" if x == "p" else f"{size} + gap"
+        yield f"  const ptrdiff_t {x}_stride = {stride};"
+        yield f"  {real} *{x} = rows_{of}(n, {size}, {x}_stride, '{x}');"
+    for x in ("q", "v"):
+        yield f"  {real} *{x}_one = copy_{of}({x}, n, {arrays[x]}, {x}_stride);"
+    yield "  for (ptrdiff_t step = 0; step < steps; ++step) {"
+    yield "    volatile double passed = (double)step * h; /* rounded */"
+    yield f"    const {real} now = ({real})(t + passed);"
+    yield "    (void)now;"
+    given = {"t": "now", "h": f"({real})h", "p": "p + k * p_stride"}
+    one = ", ".join(given.get(x, f"{x}_one + k * {x}_stride") for x, _ in f.inputs)
+    yield f"    for (ptrdiff_t k = 0; k < n; ++k) {name}({one});"
+    yield "  }"
+    rows = ", ".join(x if x in ("t", "h") else f"{x}, {x}_stride" for x, _ in f.inputs)
+    yield "  (void)t;"
+    run = c_name(many(scene), f.name.replace("step", "run", 1), p)
+    yield f"  {run}(n, steps, {rows});"
+    for x in ("q", "v"):
+        yield f'  compare_{of}("{run}: {x}", {x}, {x}_one, n, {arrays[x]}, {x}_stride);'
+    yield from (f"  free({x});" for x in (*arrays, "q_one", "v_one"))
     yield "}"

@@ -1,0 +1,113 @@
+"""What of a scene can vary: its run-time parameters, and the coordinates and velocities at which it
+starts, by name."""
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from fnmatch import fnmatchcase
+
+from coscrew_codegen.scene.model import Joint, Kind
+from coscrew_codegen.scene.names import did_you_mean
+from coscrew_codegen.scene.recorded import coordinates
+from coscrew_codegen.scene.scene import Scene
+from coscrew_codegen.scene_files.runtime import constants
+from coscrew_codegen.simulate.settings import ranges
+from coscrew_codegen.sweep import SweepError
+
+START = "start."
+"""How names of coordinates and velocities begin: start.q.elbow, start.v.base.2."""
+
+Ends = tuple[float, float]
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """A number that can vary: entry `index` of p, q or v."""
+
+    name: str  # payload.mass, start.q.elbow
+    array: str
+    index: int
+    unit: str = ""
+    limits: Ends | None = None  # of its joint
+
+
+def candidates(scene: Scene, settings: Mapping[str, float]) -> Mapping[str, Candidate]:
+    """All that can vary, by name.  Quaternions are not among them: their components depend on each
+    other."""
+    found = [Candidate(x.name, "p", x.index) for x in scene.parameters]
+    ends = {x.on: (low, high) for x, low, high in ranges(scene, settings)}
+    for joint, q, v in coordinates(scene):
+        found += _of(joint, "q", q[:3] if joint.kind is Kind.FREE else q, _positions(joint, ends))
+        found += _of(joint, "v", v, _speeds(joint))
+    return {x.name: x for x in found}
+
+
+def _of(joint: Joint, array: str, places: range, limits: Ends | None) -> Iterator[Candidate]:
+    if array == "q" and joint.kind is Kind.SPHERICAL:
+        return
+    stem, unit = f"{START}{array}.{joint.name}", _unit(joint, array)
+    for k, index in enumerate(places):
+        name = stem if len(places) == 1 else f"{stem}.{k}"
+        yield Candidate(name, array, index, unit[k], limits)
+
+
+def _unit(joint: Joint, array: str) -> tuple[str, ...]:
+    from coscrew_codegen.scene.recorded import UNITS
+
+    return UNITS[array][joint.kind.value]
+
+
+def _positions(joint: Joint, ends: Mapping[str, Ends]) -> Ends | None:
+    """The range of the joint's limit effect, or else the model's."""
+    model = (-math.inf if joint.lower is None else float(joint.lower),
+             math.inf if joint.upper is None else float(joint.upper))
+    low, high = ends.get(joint.name, model)
+    return (low, high) if math.isfinite(high - low) and low < high else None
+
+
+def _speeds(joint: Joint) -> Ends | None:
+    most = float(joint.velocity or 0)
+    return (-most, most) if most > 0 else None
+
+
+def one(option: str, name: str, scene: Scene, known: Mapping[str, Candidate]) -> Candidate:
+    """The candidate of this name.  Raises SweepError."""
+    if name not in known:
+        _refuse(option, name, scene, known)
+    return known[name]
+
+
+def matching(option: str, pattern: str, scene: Scene, known: Mapping[str, Candidate]
+             ) -> tuple[Candidate, ...]:
+    """The candidates whose names match the pattern (* ? [abc]).  Raises SweepError."""
+    found = tuple(x for x in known.values() if fnmatchcase(x.name, pattern))
+    if not found:
+        _refuse(option, pattern, scene, known)
+    return found
+
+
+def _refuse(option: str, name: str, scene: Scene, known: Mapping[str, Candidate]) -> None:
+    fixed = [x for x in constants(scene.model, scene.effects) if fnmatchcase(x, name)]
+    if fixed:
+        listed = ", ".join(f'"{x}"' for x in (*(x.name for x in scene.parameters), *fixed))
+        raise SweepError(f"{option} {name}: a constant of the scene's functions; to vary it, write "
+                         f"into the scene's file: runtime = [{listed}]")
+    quaternions = [f"{START}q.{joint.name}" for joint, _, _ in coordinates(scene)
+                   if joint.kind in (Kind.SPHERICAL, Kind.FREE)]
+    if any(name.startswith(x) or fnmatchcase(x, name) for x in quaternions):
+        raise SweepError(f"{option} {name}: components of a quaternion, which cannot vary one by "
+                         "one")
+    if set("*?[") & set(name):
+        raise SweepError(f"{option} {name}: matches nothing; there are {', '.join(known)}")
+    raise SweepError(f"{option} {name}: neither a `runtime` parameter nor a start; "
+                     f"{did_you_mean(name, known)}")
+
+
+def limits_of(option: str, candidate: Candidate) -> Ends:
+    """The limits of a candidate's joint.  Raises SweepError."""
+    if candidate.limits is None:
+        what = {"p": "a parameter has no limits", "q": "its joint has no range with two ends",
+                "v": "its joint has no velocity limit"}[candidate.array]
+        raise SweepError(f"{option}: {candidate.name}: {what}; give --sobol "
+                         f"{candidate.name}=LOW:HIGH, and a pattern that leaves it out")
+    return candidate.limits

@@ -1,0 +1,106 @@
+"""Workers: processes of this machine, or those of a Dask cluster; chunks in a moving window.
+
+Chunks are submitted as others finish, so that neither the scheduler nor this process ever holds
+more than a few, however many there are.  Dask repeats the chunks of workers that are killed."""
+
+import logging
+import os
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+from coscrew_codegen.sweep import SweepError
+from coscrew_codegen.sweep.chunk import Chunk, Job, computed
+
+if TYPE_CHECKING:
+    from distributed import Client, Future, Worker
+
+_AHEAD = 3  # chunks in flight for each thread of the workers: one runs, others are ready
+_PATIENCE = "10s"  # for a scheduler to answer
+
+
+class SchedulerError(SweepError):
+    """The scheduler cannot be reached, or is no longer there."""
+
+
+def cores() -> int:
+    """The number of cores of this process."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+@contextmanager
+def local(workers: int) -> Iterator["Client"]:
+    """A client of so many processes of this machine, which leave Ctrl-C to this one."""
+    from distributed import Client, LocalCluster
+
+    with LocalCluster(n_workers=workers, threads_per_worker=1, dashboard_address=None,
+                      silence_logs=logging.CRITICAL) as cluster, Client(cluster) as client:
+        client.register_plugin(_heedless())
+        yield client
+
+
+def _heedless() -> object:
+    from distributed import WorkerPlugin
+
+    class Heedless(WorkerPlugin):
+        """Workers ignore Ctrl-C, which a terminal sends to all processes."""
+
+        def setup(self, worker: "Worker") -> None:
+            import signal
+
+            signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+    return Heedless()
+
+
+@contextmanager
+def remote(address: str) -> Iterator["Client"]:
+    """A client of the scheduler at this address.  Raises SchedulerError if none answers."""
+    from distributed import Client
+
+    logging.getLogger("distributed.client").setLevel(logging.CRITICAL)  # errors say it below
+    try:
+        client = Client(address, timeout=_PATIENCE)
+    except (OSError, ValueError) as error:
+        raise SchedulerError(f"--scheduler {address}: {error}") from None
+    with client:
+        yield client
+
+
+def finished(client: "Client", job: Job, numbers: Iterable[int],
+             ahead: Callable[[], int] | None = None) -> Iterator[tuple[int, Chunk]]:
+    """(number, chunk) of all chunks with these numbers, in the order in which they finish.
+
+    Raises SchedulerError if the scheduler is lost, SweepError for chunks that kill workers."""
+    from distributed import CancelledError, KilledWorker, as_completed
+
+    rest, flying, done = iter(numbers), dict["Future[Chunk]", int](), as_completed()
+    ahead = ahead or (lambda: _AHEAD * max(1, sum(client.nthreads().values())))
+
+    def fill() -> None:
+        for number in _first(rest, ahead() - len(flying)):
+            future = client.submit(computed, job, number, pure=False,
+                                   key=f"coscrew-{job.specification.sha256[:16]}-{number}")
+            flying[future] = number
+            done.add(future)
+
+    try:
+        fill()
+        while flying:
+            future = next(done)
+            chunk = future.result()
+            yield flying.pop(future), chunk
+            fill()
+    except KilledWorker as error:
+        raise SweepError(f"workers die of a chunk of members: {error}") from None
+    except (CancelledError, OSError) as error:
+        raise SchedulerError("the scheduler is gone") from error
+    finally:
+        client.cancel(list(flying))
+
+
+def _first(numbers: Iterator[int], count: int) -> Iterator[int]:
+    for _ in range(count):
+        if (number := next(numbers, None)) is None:
+            return
+        yield number

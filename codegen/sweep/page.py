@@ -1,0 +1,103 @@
+"""The summary of a sweep: tables for the terminal, and a self-contained page with figures."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from tabulate import tabulate
+
+from coscrew_codegen.render import render
+from coscrew_codegen.sweep import plot
+from coscrew_codegen.sweep.column import Column
+from coscrew_codegen.sweep.specification import Grid, Specification
+from coscrew_codegen.sweep.summary import STATISTICS
+from coscrew_codegen.sweep.tally import LISTED, Tally
+
+_DRAWN = 12  # most recorded columns with a figure
+_CAUSES = 5  # most joints of failed members that are named
+
+
+@dataclass(frozen=True)
+class Shown:
+    """A table of the page."""
+
+    title: str
+    above: str
+    headers: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+
+
+def text(found: Tally) -> str:
+    """The final values, for the terminal, and which members failed."""
+    rows = [row for row in _rows(found.columns) if row[1] == STATISTICS[0]]
+    parts = [tabulate([(row[0], *row[2:]) for row in rows], ("final", *_headers(found)[2:]),
+                      disable_numparse=True)]
+    if found.failed:
+        parts.append(failures(found))
+    return "\n\n".join(parts)
+
+
+def failures(found: Tally) -> str:
+    """"12 of 1000 members failed: 10 at elbow, 2 at wrist"."""
+    worst = sorted(found.causes.items(), key=lambda x: (-x[1], x[0]))
+    named = ", ".join(f"{count} at {joint or 'no joint'}" for joint, count in worst[:_CAUSES])
+    more = ", …" if len(worst) > _CAUSES else ""
+    return f"{found.failed} of {found.members} members failed: {named}{more}"
+
+
+def html(specification: Specification, about: Mapping[str, str], found: Tally, words: str
+         ) -> str:
+    """The text of the page."""
+    drawn = [x for x in found.columns if x.varies][:_DRAWN]
+    left = sum(x.varies for x in found.columns) - len(drawn)
+    told = {"command": words, "seed": str(specification.varied.seed), **about}
+    return render("sweep/page.html", scene=specification.scene, members=found.members,
+                  varied=tuple(_varied(specification)), left=left,
+                  figures=[(x.own.name, plot.figure(x)) for x in drawn],
+                  tables=tuple(_tables(found)), provenance=told)
+
+
+def _varied(specification: Specification) -> Iterator[str]:
+    for x in specification.varied.each:
+        unit = f" {x.of.unit}" if x.of.unit else ""
+        if isinstance(x, Grid):
+            yield (f"{x.of.name}: a grid of {len(x.values)} from {x.values[0]:g} to "
+                   f"{x.values[-1]:g}{unit}")
+        else:
+            scale = ", in logarithms" if x.log else ""
+            yield f"{x.of.name}: sampled from {x.low:g} to {x.high:g}{unit}{scale}"
+
+
+def _tables(found: Tally) -> Iterator[Shown]:
+    yield Shown("Recorded quantities", "Over the members that reached the end of their runs. "
+                "Shares: how much of the variance over the members what varied explains alone, "
+                "by means over its grid or over parts of its range.",
+                _headers(found), tuple(_rows(found.columns)))
+    if found.failed:
+        more = found.failed - len(found.listed)
+        above = f"{failures(found)}." + (
+            f" The first {LISTED} are listed; column failed of the Parquet files has all."
+            if more else "")
+        yield Shown("Failed members", above,
+                    ("member", *(x.name for x in found.axes), "at t, s", "cause"),
+                    tuple((str(k), *(f"{x:.6g}" for x in values), f"{t:.6g}", str(cause))
+                          for k, *values, t, cause in found.listed))
+
+
+def _headers(found: Tally) -> tuple[str, ...]:
+    return ("recorded", "statistic", "lowest", "mean", "highest",
+            *(f"share of {x.name}" for x in found.axes))
+
+
+def _rows(columns: tuple[Column, ...]) -> Iterator[tuple[str, ...]]:
+    for x in columns:
+        if not x.count:
+            continue
+        shares = [x.explained(i) for i in range(len(x.axes))]
+        for k, word in enumerate(STATISTICS):
+            yield (f"{x.own.name} [{x.own.unit}]", word, f"{x.lowest[k]:.5g}", f"{x.mean[k]:.5g}",
+                   f"{x.highest[k]:.5g}", *(_share(share[k]) for share in shares))
+
+
+def _share(share: float) -> str:
+    return "" if np.isnan(share) else f"{100 * share:.0f} %"

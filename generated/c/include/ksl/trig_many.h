@@ -1,0 +1,48 @@
+/* Made by `coscrew generate`; changes are overwritten. */
+/* SPDX-License-Identifier: MIT */
+/* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
+/* Sine and cosine of a joint angle.  Many at a time.
+   What arguments are, and what loops over them cost, ksl_planes.h says. */
+#ifndef KSL_TRIG_MANY_H
+#define KSL_TRIG_MANY_H
+
+#include "trig.h"
+#include "ksl_planes.h"
+
+/* ksl_dc of n elements. */
+static KSL_INLINED void ksl_dc_many(ptrdiff_t n, const double *theta, ptrdiff_t theta_stride,
+    double *dc, ptrdiff_t dc_stride) {
+  KSL_EACH_OF(n) {
+    ksl_dc(theta[i * theta_stride], dc + 2 * i * dc_stride);
+  }
+}
+
+static KSL_INLINED void ksl_dc_planes(ptrdiff_t n, const double *theta, ptrdiff_t theta_stride,
+    double *dc, ptrdiff_t dc_plane, ptrdiff_t dc_stride) {
+  KSL_EACH_OF(n) {
+    double dc_i[2];
+    ksl_dc(theta[i * theta_stride], dc_i);
+    dc[0 + i * dc_stride] = dc_i[0];
+    dc[dc_plane + i * dc_stride] = dc_i[1];
+  }
+}
+
+/* ksl_dcf of n elements. */
+static KSL_INLINED void ksl_dcf_many(ptrdiff_t n, const float *theta, ptrdiff_t theta_stride,
+    float *dc, ptrdiff_t dc_stride) {
+  KSL_EACH_OF(n) {
+    ksl_dcf(theta[i * theta_stride], dc + 2 * i * dc_stride);
+  }
+}
+
+static KSL_INLINED void ksl_dcf_planes(ptrdiff_t n, const float *theta, ptrdiff_t theta_stride,
+    float *dc, ptrdiff_t dc_plane, ptrdiff_t dc_stride) {
+  KSL_EACH_OF(n) {
+    float dc_i[2];
+    ksl_dcf(theta[i * theta_stride], dc_i);
+    dc[0 + i * dc_stride] = dc_i[0];
+    dc[dc_plane + i * dc_stride] = dc_i[1];
+  }
+}
+
+#endif

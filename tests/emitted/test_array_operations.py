@@ -1,0 +1,119 @@
+"""The library's operations on arrays of other libraries: the bits of NumPy where every operation is
+rounded once, the proved bounds where XLA compiles them."""
+
+from collections.abc import Iterator
+
+import array_api_strict
+import jax
+import jax.numpy as jnp
+import mpmath
+import numpy as np
+import pytest
+
+import coscrew
+from coscrew_codegen.elementary import ELEMENTARY, Elementary
+from coscrew_codegen.formats import DOUBLE, PRECISIONS, Precision
+from coscrew_codegen.operations import OPERATIONS
+from coscrew_codegen.report.inputs import benign
+from tests.support.each import each_precision
+
+ROWS = 6
+STRICT, ON_JAX = coscrew.arrays(array_api_strict), coscrew.arrays(jnp)
+
+
+@pytest.fixture(autouse=True)
+def with_x64() -> Iterator[None]:
+    with jax.enable_x64(True):
+        yield
+
+
+def several(x: object) -> tuple:
+    return x if isinstance(x, tuple) else (x,)
+
+
+@each_precision
+def test_operations_have_the_bits_of_numpy(precision: Precision) -> None:
+    for operation in OPERATIONS[::2 if precision == DOUBLE else 5]:
+        rows = benign(operation, precision, ROWS, 5).astype(precision.numpy_type)
+        sizes = [a.quantity.size for a in operation.inputs]
+        given = [np.ascontiguousarray(x).reshape(ROWS, *a.quantity.shape) for x, a in zip(
+            np.split(rows, np.cumsum(sizes)[:-1], axis=1), operation.inputs, strict=True)]
+        wanted = several(getattr(getattr(coscrew, precision.name), operation.name)(*given))
+        found = several(getattr(STRICT, operation.name)(*map(array_api_strict.asarray, given)))
+        for a, b in zip(wanted, found, strict=True):
+            assert a.tobytes() == np.asarray(b).tobytes(), operation.name
+
+
+def arguments(precision: Precision) -> np.ndarray:
+    """Of every size, zeros among them."""
+    rng = np.random.default_rng(7)
+    most = 300 if precision == DOUBLE else 37
+    x = rng.standard_normal(999) * 10.0**rng.uniform(-most, most, 999)
+    return np.concatenate([x, rng.uniform(-20, 20, 1000), [0.0]]).astype(precision.numpy_type)
+
+
+@pytest.mark.parametrize("function", ELEMENTARY, ids=lambda f: f.name)
+@each_precision
+def test_xla_keeps_the_bounds_of_elementary_functions(function: Elementary, precision: Precision
+                                                      ) -> None:
+    x = arguments(precision)
+    given = (x, np.roll(x, 1))[:len(function.inputs)]
+    found = several(jax.jit(getattr(ON_JAX, function.name))(*given))
+    bound = function.error(precision)
+    smallest = float(precision.smallest_normal / precision.u)  # XLA flushes subnormal corrections
+    names = [a.name for a in function.outputs] if function.name == "sincos" else [function.name]
+    with mpmath.workdps(400 if precision == DOUBLE else 80):
+        for name, results in zip(names, found, strict=True):
+            truth = getattr(mpmath, {"s": "sin", "c": "cos"}.get(name, name))
+            for *numbers, y in zip(*(z.tolist() for z in given), np.asarray(results), strict=True):
+                true = truth(*map(mpmath.mpf, numbers))
+                if smallest < abs(true) < float(precision.limit("max")):
+                    error = abs(mpmath.mpf(float(y)) - true) / float(np.spacing(abs(y)))
+                    assert error <= bound * 1.01, (name, numbers, y)
+
+
+@pytest.mark.parametrize("name", ("SE3_log", "Ad", "vec3_normalized"))
+def test_under_jit_vmap_and_in_single_precision(name: str) -> None:
+    operation = next(op for op in OPERATIONS if op.name == name)
+    sizes = [a.quantity.size for a in operation.inputs]
+    for precision in PRECISIONS:
+        rows = benign(operation, precision, ROWS, 5).astype(precision.numpy_type)
+        given = [x.reshape(ROWS, *a.quantity.shape) for x, a in zip(
+            np.split(rows, np.cumsum(sizes)[:-1], axis=1), operation.inputs, strict=True)]
+        function = getattr(ON_JAX, name)
+        wanted = getattr(coscrew, name)(*given)
+        found = jax.jit(function if precision == DOUBLE else jax.vmap(function))(*given)
+        assert found.dtype == precision.numpy_type
+        assert np.all(np.abs(found - wanted) <= 64 * float(precision.u) * np.abs(wanted).max())
+
+
+def test_numbers_and_errors() -> None:
+    assert ON_JAX.sin(0.5) == coscrew.sin(0.5)
+    assert coscrew.arrays(np).SO3_exp(np.zeros(3, np.float32)).dtype == np.float32
+    with pytest.raises(TypeError, match="wanted a namespace of arrays.*got math"):
+        coscrew.arrays(__import__("math"))
+    with pytest.raises(AttributeError, match="no function 'SO3_xp'; did you mean 'SO3_exp'?"):
+        _ = ON_JAX.SO3_xp
+    with pytest.raises(TypeError, match=r"SO3_exp: v is float16; wanted float64 or float32"):
+        ON_JAX.SO3_exp(np.zeros(3, np.float16))
+    with pytest.raises(TypeError, match="v is bfloat16"):
+        ON_JAX.SO3_exp(jnp.zeros(3, jnp.bfloat16))
+    with jax.enable_x64(False), pytest.raises(TypeError, match="jax_enable_x64"):
+        ON_JAX.SO3_exp(np.zeros(3))
+    with pytest.raises(TypeError, match="got v1 float32, v2 float64; wanted one type for all"):
+        ON_JAX.cross_vv(np.zeros(3, np.float32), np.zeros(3))
+    with pytest.raises(ValueError, match=r"v1 has shape \(4,\); wanted \(..., 3\)"):
+        ON_JAX.cross_vv(np.zeros(4), np.zeros(3))
+    with pytest.raises(ValueError, match=r"do not broadcast: v1 \(2,\), v2 \(3,\)"):
+        ON_JAX.cross_vv(np.zeros((2, 3)), np.zeros((3, 3)))
+    with pytest.raises(TypeError, match="wanted the arguments v1, v2; got v1"):
+        ON_JAX.cross_vv(np.zeros(3))
+    with pytest.raises(TypeError, match="v is a builtins.list; wanted an array of jax"):
+        ON_JAX.SO3_exp([0, 0, 0])
+
+
+def test_single_precision_without_x64() -> None:
+    with jax.enable_x64(False):
+        found = jax.jacrev(ON_JAX.SO3_log)(np.eye(3, dtype=np.float32))
+        assert found.dtype == np.float32
+        assert np.array_equal(found[2], [[0, -0.5, 0], [0.5, 0, 0], [0, 0, 0]])
