@@ -145,7 +145,8 @@ class Alarm:
     def _size(self, q: np.ndarray, v: np.ndarray, kinetic: np.ndarray) -> np.ndarray:
         """√(T(v)/T) for T = kinetic."""
         own = self.system.energies(0.0, q, v.astype(self.system.dtype))[0]
-        return np.sqrt(_ratio(own, kinetic))
+        found: np.ndarray = np.sqrt(_ratio(own, kinetic))
+        return found
 
     def _mass(self, its: System, q: np.ndarray) -> np.ndarray:
         """M; the identity if the scene has no mass matrix, since it has too many joints."""
@@ -172,4 +173,5 @@ def _indices(mask: np.ndarray) -> list[Index]:
 
 def _ratio(x: np.ndarray, y: np.ndarray) -> np.ndarray:
     """x/y; 0 where y is not positive."""
-    return np.where(y > 0, x / y, 0.0)
+    found: np.ndarray = np.where(y > 0, x / y, 0.0)
+    return found

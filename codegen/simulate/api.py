@@ -1,12 +1,11 @@
 """run: one run of a scene, or a batch of them, from Python."""
 
 import warnings
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from coscrew_codegen.formats import BY_NAME, DOUBLE
@@ -48,10 +47,11 @@ def run(scene: Kernels | Scene | Path | str, *, p: Parameters = None,
     if planned.adaptive and (q.ndim > 1 or controller is not None):
         raise SimulateError(f"integrator {planned.integrator} chooses its steps as one motion needs"
                             "; wanted an emitted integrator for batches and controllers")
-    driven, alarm = None, Alarm
+    driven = None
     if controller is not None:
         wanted = controller if isinstance(controller, Controller) else Controller(controller)
-        driven, alarm = Driven(wanted, its, planned, q), partial(Alarm, driven=True)
+        driven = Driven(wanted, its, planned, q)
+    alarm = partial(Alarm, driven=driven is not None)
     trajectory = integrate(its, planned, None, alarm, (q, v), driven)
     if trajectory.interrupted:
         raise KeyboardInterrupt

@@ -5,6 +5,7 @@ next call: all stages and parts of a step have the same values.
 """
 
 import ctypes
+from _ctypes import CFuncPtr
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
@@ -34,11 +35,12 @@ class Controller:
 
         void law(double t, const double *q, const double *v, double *u, void *context);
 
-    with float for double, but for t, in single precision.  `sets` names elements of p; by default
+    with float for double, except for t, in single precision.
+    `sets` names elements of p; by default
     they are the torques of actuators, `actuator.JOINT.torque`.  A controller has no memory that a
     recording could hold: continued runs, and reports of where a run diverged, call it again."""
 
-    function: "Law | int | ctypes._CFuncPtr"
+    function: Law | int | CFuncPtr
     steps: int = 1
     sets: Sequence[str] = ()
     context: int | None = None  # an address
@@ -55,8 +57,9 @@ class Controller:
         """The address of a function in C; 0 of a function in Python."""
         if isinstance(self.function, int):
             return self.function
-        pointer = isinstance(self.function, ctypes._CFuncPtr)
-        return ctypes.cast(self.function, ctypes.c_void_p).value or 0 if pointer else 0
+        if isinstance(self.function, CFuncPtr):
+            return ctypes.cast(self.function, ctypes.c_void_p).value or 0
+        return 0
 
     @property
     def told(self) -> str:
@@ -133,7 +136,8 @@ class Driven:
         return tuple(stop for i, stop in self._refused.items() if alive[i])
 
     def _values(self, t: float, q: np.ndarray, v: np.ndarray) -> np.ndarray:
-        law = self._in_c if self._controller.address else self._controller.function
+        given = self._controller.function
+        law = self._in_c if isinstance(given, int | CFuncPtr) else given
         found = law(float(t), q.copy(), v.copy())
         try:
             return np.broadcast_to(np.asarray(found, self._system.dtype),

@@ -48,7 +48,8 @@ def start_of(system: System, q0: ArrayLike | None, v0: ArrayLike | None) -> Stat
         raise SimulateError("wanted as many members everywhere; got "
                             + ", ".join(f"{n} of {name}" for name, n in counts.items()))
     lead = tuple(counts.values())[:1]
-    return tuple(np.broadcast_to(x, (*lead, x.shape[-1])).copy() for x in (q, v))
+    q, v = (np.broadcast_to(x, (*lead, x.shape[-1])).copy() for x in (q, v))
+    return q, v
 
 
 def _numbers(name: str, given: ArrayLike, shape: tuple[int, ...]) -> np.ndarray:

@@ -54,7 +54,7 @@ class Plan:
     def samples(self) -> np.ndarray:
         """The times of the samples: the beginning, multiples of `every`, `also`, and the end.
 
-        A beginning that is a multiple but for rounding is that multiple."""
+        A beginning that is a multiple except for rounding is that multiple."""
         grid = self.every * np.arange(math.floor(self.until / self.every) + 2)
         also = [t for t in self.also if 0 < t < self.until]
         inner = np.sort(np.concatenate((grid[1:], also)))

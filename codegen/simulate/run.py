@@ -26,7 +26,7 @@ _KEPT = 100  # steps after which rounding errors of momentum are removed
 Alarming = Callable[[System, Plan, State], Alarm]
 Sampled = Iterator[tuple[np.ndarray, np.ndarray, int, tuple[Stop, ...]]]
 Advance = Callable[[int, int, float, float, np.ndarray, np.ndarray], State]
-"""(n, k, t, h, q, v) -> q and v after n steps of h from t, the first of them the k-th of the run."""
+"""(n, k, t, h, q, v) -> q and v after n steps of h from t, the first of them the run's k-th."""
 
 
 def integrate(system: System, plan: Plan, watch: Watch | None = None,
@@ -90,8 +90,8 @@ class _Samples:
         """The next sample, before which members stopped."""
         self._stops += stops
         self._steps = steps
-        for x in stops:
-            self._alive[x.member if self._alive.ndim else ()] = False
+        for stop in stops:
+            self._alive[stop.member if self._alive.ndim else ()] = False
         if self.ended:
             return
         p = [self._driven.p] if self._driven else []

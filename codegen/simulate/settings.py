@@ -54,7 +54,7 @@ def refuse_together(scene: Scene, settings: Mapping[str, float], said: str = "--
     exist or leave a joint without inertia."""
     given = " ".join(f"{said}{name}={number:g}" for name, number in settings.items())
     for applied, low, high in ranges(scene, settings):
-        if low > high:
+        if applied.effect.ascending and low > high:
             raise SimulateError(f"{given}: {applied.name}: {applied.effect.ascending[0]}, {low:g}, "
                                 f"is above {applied.effect.ascending[1]}, {high:g}")
     if any(name in settings for name in _of_bodies(scene)):
@@ -64,7 +64,8 @@ def refuse_together(scene: Scene, settings: Mapping[str, float], said: str = "--
 def dependent(scene: Scene) -> set[str]:
     """Names of the parameters whose values must suit each other: those of bodies, ends of ranges.
     """
-    ends = (applied.values[name] for applied in scene.effects for name in applied.effect.ascending or ())
+    ends = (applied.values[name] for applied in scene.effects
+            if applied.effect.ascending for name in applied.effect.ascending)
     return {*_of_bodies(scene), *(x.name for x in ends if isinstance(x, Parameter))}
 
 
@@ -78,7 +79,7 @@ def ranges(scene: Scene, settings: Mapping[str, float]) -> Iterator[tuple[Applie
     parameters; infinite where a range has no end."""
     for applied in scene.effects:
         if applied.effect.ascending:
-            low, high = (applied.values[name] for name in applied.effect.ascending or ())
+            low, high = (applied.values[name] for name in applied.effect.ascending)
             yield (applied, _number(low, settings, -math.inf), _number(high, settings, math.inf))
 
 

@@ -118,7 +118,7 @@ class System:
         """The parameters, to broadcast with samples of each member: (np), or (…, 1, np)."""
         return self._p if self._p.ndim < 2 else self._p[..., None, :]
 
-    def member(self, index: object) -> "System":
+    def member(self, index: int | tuple[int, ...] | np.ndarray) -> "System":
         """The system with the parameters of one state of a batch, or some."""
         return self.at(self._p[index]) if self._p.ndim > 1 else self
 
