@@ -38,7 +38,7 @@ class Controller:
     with float for double, except for t, in single precision.
     `sets` names elements of p; by default
     they are the torques of actuators, `actuator.JOINT.torque`.  A controller has no memory that a
-    recording could hold: continued runs, and reports of where a run diverged, call it again."""
+    recording could hold: the report of where a run diverged calls it again."""
 
     function: Law | int | CFuncPtr
     steps: int = 1
