@@ -6,7 +6,7 @@ PYTHON  := $(VENV)/bin/python
 PIP     := PYTHONWARNINGS=ignore $(PYTHON) -m pip --quiet --disable-pip-version-check
 SOURCES := $(wildcard $(addprefix generated/,gufunc/*.[ch] gufunc/*/*.[ch] c/coscrew*.h))
 
-.PHONY: all generate check build example scene test test-quick bench attack report figure docs clean
+.PHONY: all generate check build example scene test test-quick bench attack cuda report figure docs clean
 
 all: generate
 	@$(MAKE) --no-print-directory check example scene
@@ -89,6 +89,11 @@ attack: $(VENV)/test-ready build
 	$(PYTHON) -m tests.functions_attack
 	$(PYTHON) -m tests.lanes_attack
 	$(PYTHON) -m tests.many_attack
+
+# Scenes' kernels for CUDA, compiled by nvcc (unless it is there, from PyPI: 125 MB, 320 MB on disk) and launched where there is a device.
+cuda: $(VENV)/test-ready build
+	command -v nvcc >/dev/null || $(PIP) install "coscrew[cuda]"
+	$(PYTHON) -m tests.cuda_attack
 
 # Errors and times of everything on this machine, in about two minutes: build/report/.
 report: $(VENV)/test-ready build

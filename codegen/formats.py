@@ -74,11 +74,16 @@ class Precision(Format):
     dash: str = ""  # of lines in plots
     marker: str = ""
     lanes: str = ""  # "_lanes" if C's values are vectors with a number of each of several states
+    device: str = ""  # "_device" if they are a class's, whose operations no flag of CUDA changes
 
     @property
     def called(self) -> str:
         """What ends the names of C functions on its values: "f", "_lanesf"."""
-        return f"{self.lanes}{self.suffix}"
+        return f"{self.lanes}{self.device}{self.suffix}"
+
+    def computing(self, wide: bool) -> "Precision":
+        """The precision in which programs compute: this one or, if they are wide, double."""
+        return self if not wide else on_device(DOUBLE) if self.device else DOUBLE
 
     @property
     def encoding(self) -> str:
@@ -140,6 +145,11 @@ PRECISIONS = (DOUBLE, SINGLE)
 def in_lanes(precision: Precision) -> Precision:
     """The precision, with vectors as C's values."""
     return replace(precision, c_type=f"ksl_states{precision.suffix}", lanes="_lanes")
+
+
+def on_device(precision: Precision) -> Precision:
+    """The precision, with numbers of a class as C's values."""
+    return replace(precision, c_type=f"ksl_number{precision.suffix}", device="_device")
 
 
 BY_NAME = {precision.name: precision for precision in PRECISIONS}

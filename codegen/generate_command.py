@@ -43,6 +43,8 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
                              "pairs")
     parser.add_argument("--many", action="store_true",
                         help="for a scene, also its functions of many states at once, in C")
+    parser.add_argument("--cuda", action="store_true",
+                        help="for a scene, also its functions for CUDA")
     add_implausible(parser)
     parser.set_defaults(run=run)
 
@@ -75,8 +77,9 @@ def _library(options: argparse.Namespace) -> int:
     if options.tier:
         raise SelectionError("--tier selects tiers of a scene, and no scene is given; the library "
                              "has all tiers")
-    if options.many:
-        raise SelectionError("--many selects functions of a scene, and no scene is given")
+    for name in ("many", "cuda"):
+        if getattr(options, name):
+            raise SelectionError(f"--{name} selects functions of a scene, and no scene is given")
     selection = select(options.family or [], options.precision or "both", options.language)
     folder, check = Path(options.output or DEFAULT_OUTPUT), options.check
     whole = selection == Selection()
@@ -119,9 +122,10 @@ def _scene(options: argparse.Namespace) -> int:
                    if (word := getattr(options, name)))
     said += f" --functions {' '.join(options.functions)}" if options.functions else ""
     said += f" --tier {' '.join(options.tier)}" if options.tier else ""
-    said += " --many" if options.many else ""
+    said += "".join(f" --{name}" for name in ("many", "cuda") if getattr(options, name))
     functions = derive(scene)
-    files = scene_files(functions, f"coscrew generate {options.scene.name}{said}", options.many)
+    files = scene_files(functions, f"coscrew generate {options.scene.name}{said}", options.many,
+                        options.cuda)
     folder = Path(options.output)
     if not options.check:
         for line in savings(functions, units):

@@ -17,10 +17,11 @@ def generated_files(library: Library) -> Files:
                      if target.generated and target.library and wanted.issuperset(target.languages))
 
 
-def scene_files(functions: SceneFunctions, command: str = "", many: bool = False) -> Files:
+def scene_files(functions: SceneFunctions, command: str = "", many: bool = False, cuda: bool = False
+                ) -> Files:
     """Every file of a scene, by its path in the output folder, also those of its functions of many
-    states if `many`; their first lines name `command` as what makes them.  Raises ValueError for
-    names that cannot be used in C or Python."""
+    states if `many`, and for CUDA if `cuda`; their first lines name `command` as what makes them.
+    Raises ValueError for names that cannot be used in C or Python."""
     banner = banner_of(functions.name, command)
     made = [(target.name, target.scene(functions, banner)) for target in targets()
             if target.generated and target.scene]
@@ -30,6 +31,10 @@ def scene_files(functions: SceneFunctions, command: str = "", many: bool = False
              if many and target.many]
     made += [(target.name, target.many_tier(tier, banner)) for tier in tiers_of(functions)
              for target in targets() if many and target.many_tier]
+    made += [(target.name, target.cuda(functions, banner)) for target in targets()
+             if cuda and target.cuda]
+    made += [(target.name, target.cuda_tier(tier, banner)) for tier in tiers_of(functions)
+             for target in targets() if cuda and target.cuda_tier]
     return _gathered(made)
 
 

@@ -1,9 +1,11 @@
 """From the number of a chunk to its Parquet file: what workers do."""
 
+import functools
 import json
 import pickle
 from collections.abc import Mapping
 from dataclasses import dataclass
+from importlib.metadata import version
 
 import numpy as np
 import pyarrow
@@ -87,11 +89,13 @@ def _states(kernels: Kernels, its: Specification, values: np.ndarray) -> Mapping
 
 def provenance(kernels: Kernels, its: Specification) -> Mapping[str, str]:
     """Where a chunk's numbers come from."""
-    from importlib.metadata import version
-
     return {"scene": its.scene, "scene sha256": its.scene_sha256, "sweep sha256": its.sha256,
-            "compiler": kernels.compiler or "none: NumPy",
-            **{name: version(name) for name in ("coscrew", "numpy", "scipy", "pyarrow")}}
+            "compiler": kernels.compiler or "none: NumPy", **_versions()}
+
+
+@functools.cache
+def _versions() -> Mapping[str, str]:
+    return {name: version(name) for name in ("coscrew", "numpy", "scipy", "pyarrow")}
 
 
 def _parquet(table: pyarrow.Table) -> bytes:

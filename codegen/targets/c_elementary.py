@@ -32,7 +32,7 @@ CALLABLE = {group: (*(name for name, of in ALONE.items() if of in {x.name for x 
             for group, functions in ((HEADER, ELEMENTARY), (ERROR_HEADER, ERRORS))}
 """The names of what each header defines."""
 _NAMES = [name for names in (*SEVERAL.values(), *CALLABLE.values()) for name in names]
-_CALL = re.compile(rf"\bksl_({'|'.join(_NAMES)})(?:_lanes)?f?\(")
+_CALL = re.compile(rf"\bksl_({'|'.join(_NAMES)})(?:_lanes|_device)?f?\(")
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
 
-from coscrew_codegen.formats import DOUBLE, Precision
+from coscrew_codegen.formats import Precision
 from coscrew_codegen.program import Input, Operand, Program, Ref, by_component
 from coscrew_codegen.targets.c_nested import EACH, declarations, language, together
 from coscrew_codegen.targets.c_statements import WIDTH, Statements, broken, comment_of
@@ -65,7 +65,7 @@ class Body:
 
     def _stated(self) -> tuple[Iterator[str], list[str]]:
         """Declarations, one operation each, and results."""
-        working = DOUBLE if self.program.wide else self.precision
+        working = self.precision.computing(self.program.wide)
         statements = Statements(self.program, working, self.stored.access)
         texts = (statements.declared(steps, WIDTH - 2) for steps in by_component(self.program))
         return ((broken(text, WIDTH - 2) for text in texts if text),
@@ -78,7 +78,7 @@ class Body:
                                self.stored.access), dict(self.headings))
         results = [self._narrowed(x, text)
                    for x, text in zip(program.results, nesting.results, strict=True)]
-        working = DOUBLE if program.wide else self.precision
+        working = self.precision.computing(program.wide)
         return declarations(together(nesting.assigned, working), working, WIDTH - 2), results
 
     def _stores(self, results: Sequence[str]) -> Iterator[str]:
@@ -105,7 +105,11 @@ class Body:
             return self.stored.access(operand)
         if self.precision.lanes and not isinstance(operand, Ref):
             return EACH.format(text, f=self.precision.called)
-        return f"({self.precision.c_type}){text}" if self.program.wide else text
+        if not self.program.wide:
+            return text
+        if self.precision.device and not isinstance(operand, Ref):  # a literal of double
+            text = f"({self.precision.computing(True).c_type}){text}"
+        return f"({self.precision.c_type}){text}"
 
     def _saved(self, pairs: Sequence[tuple[str, str]]) -> dict[str, str]:
         """Inputs that are copied to an output are read before anything is written, since the output
@@ -122,9 +126,8 @@ class Body:
 def read_by(program: Program, precision: Precision, access: Callable[[Input], str]
             ) -> Callable[[Input], str]:
     """The text with which a program reads an input: a wide one converts it."""
-    if not program.wide or precision == DOUBLE:
-        return access
-    return lambda x: f"({DOUBLE.c_type}){access(x)}"
+    working = precision.computing(program.wide)
+    return access if precision == working else lambda x: f"({working.c_type}){access(x)}"
 
 
 def documented(name: str, paragraphs: Sequence[str], head: str, body: Body,

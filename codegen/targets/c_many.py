@@ -14,7 +14,8 @@ from coscrew_codegen.library import Library
 from coscrew_codegen.operations import Operation, family_named
 from coscrew_codegen.quantity import Argument, Quantity
 from coscrew_codegen.render import render
-from coscrew_codegen.targets import c, c_storage
+from coscrew_codegen.targets import c, c_many_lanes, c_storage
+from coscrew_codegen.targets.c_function import CFunction
 from coscrew_codegen.targets.c_statements import WIDTH, listed
 from coscrew_codegen.targets.target import Files, Target
 from coscrew_codegen.tiers import TIERS, Tier
@@ -22,6 +23,17 @@ from coscrew_codegen.tiers import TIERS, Tier
 SHARED = "ksl_planes"
 """The header that all others include: how planes are read and written."""
 _HEAD_WIDTH = WIDTH - len("static KSL_INLINED ")
+
+
+@dataclass(frozen=True)
+class Lying:
+    """An argument, its number of components, and the calls that read it into vectors and write
+    them, if there are such."""
+
+    name: str
+    size: int
+    read: str
+    written: str
 
 
 @dataclass(frozen=True)
@@ -34,13 +46,18 @@ class Many:
     planes: str
     first: str  # declares and reads what may be shared
     planes_body: str
+    precision: Precision
+    states: CFunction | None = None  # the kernel on vectors
+    lying: Sequence[Lying] = ()  # then: the arguments
+    passed: Sequence[str] = ()  # and their names, as that takes them
+    rows_by_planes: str = ""
 
 
 def files(library: Library) -> Files:
     """Those of all tiers, what they share, and for each tier one that includes all."""
     made = {SHARED: render("c/ksl_planes.h", banner=library.banner, types=[
         _Access(quantity, precision) for quantity in c_storage.TYPES
-        for precision in library.precisions])}
+        for precision in library.precisions]), c_many_lanes.HEADER: c_many_lanes.header(library)}
     for tier in TIERS:
         if held := library.having(tier):
             families = [family for family in library.families
@@ -53,9 +70,10 @@ def files(library: Library) -> Files:
     return {f"c/include/ksl/{name}.h": text for name, text in made.items()}
 
 
-def functions(operation: Operation, precision: Precision, tier: str = "") -> Many:
-    """The operation's functions, in a tier if its name is given."""
-    return _Writer(operation, precision, tier).functions()
+def functions(operation: Operation, precision: Precision, tier: str = "",
+              states: CFunction | None = None) -> Many:
+    """The operation's functions, in a tier if its name is given, on vectors if the kernel is."""
+    return _Writer(operation, precision, tier).functions(states)
 
 
 def _named(family: str, tier: Tier) -> str:
@@ -64,11 +82,14 @@ def _named(family: str, tier: Tier) -> str:
 
 def _header(library: Library, tier: Tier, family: str) -> str:
     name = _named(family, tier)
+    on_vectors = {} if tier.marked else library.made(c_many_lanes.kernels)[family]
+    made = [functions(op, precision, tier.mark, on_vectors.get((op.name, precision.name)))
+            for precision in library.precisions for op in library.having(tier)
+            if op.family == family]
     return render(
-        "c/many.h", banner=library.banner, guard=f"KSL_{name.upper()}_H", shared=SHARED,
-        title=f"{family_named(family).title}  Many at a time.", of=name.removesuffix("_many"),
-        functions=[functions(op, precision, tier.mark) for precision in library.precisions
-                   for op in library.having(tier) if op.family == family])
+        "c/many.h", banner=library.banner, guard=f"KSL_{name.upper()}_H", functions=made,
+        title=f"{family_named(family).title}  Many at a time.",
+        includes=[name.removesuffix("_many"), c_many_lanes.HEADER if on_vectors else SHARED])
 
 
 class _Access:
@@ -100,10 +121,37 @@ class _Writer:
         self.read = {a.name for a in operation.inputs}
         self.parameters = (*c.parameters(operation), *([self.value] if self.value else []))
 
-    def functions(self) -> Many:
+    def functions(self, states: CFunction | None) -> Many:
+        arguments = {a.name: a for a in (*self.operation.inputs, *self.operation.outputs)}
         return Many(self.name, self._head("many", planes=False), "    " + self._rows() + ";",
                     self._head("planes", planes=True), self._first(),
-                    "\n".join(f"    {line}" for line in self._planes()))
+                    "\n".join(f"    {line}" for line in self._planes()), self.precision,
+                    states, list(map(self._lying, self.parameters)), list(arguments),
+                    self._rows_by_planes())
+
+    def _lying(self, a: Argument) -> Lying:
+        x, f, size = a.name, self.precision.suffix, str(a.quantity.size)
+        plane = f"{x}_plane" if a.quantity.shape else "1"
+        numbers, steps = f"{x} + i * {x}_stride", (plane, f"{x}_stride", "last")
+        read = (numbers, size, *steps, f"{x}_states")
+        written = (f"{x}_states", size, numbers, *steps)
+
+        def call(way: str, passed: Sequence[str]) -> str:
+            text = listed(f"ksl_states{f}_{way}_planes(", passed, ");", WIDTH - 4)
+            return text.replace("\n", "\n    ")
+
+        return Lying(x, a.quantity.size, call("of", read) if x in self.read else "",
+                     call("to", written) if x in self.written else "")
+
+    def _rows_by_planes(self) -> str:
+        """The call for arrays of structs: components are next to each other."""
+        passed = ["n"]
+        for a in self.parameters:
+            const, x = "" if a.name in self.written else "const ", a.name
+            number = f"({const}{self.precision.c_type} *)" if _is_struct(a) else ""
+            passed += [f"{number}{x}", "1", f"{a.quantity.size} * {x}_stride"] if (
+                a.quantity.shape) else [x, f"{x}_stride"]
+        return "  " + listed(f"{self.name}_planes(", passed, ");", WIDTH - 2).replace("\n", "\n  ")
 
     def _head(self, mark: str, planes: bool) -> str:
         declared = ["ptrdiff_t n"]

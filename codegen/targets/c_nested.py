@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import groupby, pairwise
 
-from coscrew_codegen.formats import BY_NAME, DOUBLE, Precision
+from coscrew_codegen.formats import BY_NAME, Precision
 from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
 from coscrew_codegen.program.ops import COMPARISONS
 from coscrew_codegen.targets.c_statements import (
@@ -50,6 +50,7 @@ _ON_LANES = {
     **_SPELLING, Op.ABS: ("ksl_abs%s({})", CALL), Op.SQRT: ("ksl_sqrt%s({})", CALL),
     Op.COPYSIGN: ("ksl_copysign%s({}, {})", CALL), Op.SELECT: ("ksl_choice%s({}, {}, {})", CALL),
     Op.LESS: ("ksl_less%s({}, {})", CALL), Op.EQUAL: ("ksl_equal%s({}, {})", CALL)}
+_ON_DEVICE = {**_SPELLING, **{op: _ON_LANES[op] for op in (Op.ABS, Op.SQRT, Op.COPYSIGN)}}
 LANES = 4  # angles whose sines and cosines are computed at once
 TOGETHER = {Op.SIN: "sincos", Op.SIN_ERROR: "sincos_error"}
 """What is computed for several angles at once."""
@@ -60,22 +61,24 @@ _TRANSPARENT = frozenset({Op.NEG, Op.ABS, Op.SELECT})
 
 def language(program: Program, precision: Precision) -> Language:
     """C in a precision, of this program."""
-    precision = DOUBLE if program.wide else precision
-    rounded, suffix = summed_products(program), precision.suffix
-    spellings = _ON_LANES if precision.lanes else _SPELLING
+    precision = precision.computing(program.wide)
+    rounded = frozenset() if precision.device else summed_products(program)
+    spellings = _ON_LANES if precision.lanes else _ON_DEVICE if precision.device else _SPELLING
 
     def spelling(step: Instruction) -> tuple[str, int]:
         if step.name in rounded:
             return _ROUNDED
         if step.op is Op.TWO_OVER_PI:
-            return chunk_of_two_over_pi(step).replace("{f}", suffix), CALL
+            return chunk_of_two_over_pi(step).replace("{f}", precision.called), CALL
         pattern, binding = spellings[step.op]
         if precision.lanes and (binding == CALL or not any(map(_varies, step.operands))):
             pattern = pattern.format(*("{}" if _varies(x) else EACH for x in step.operands))
+        elif precision.device and step.op is Op.SELECT and not any(map(_varies, step.operands[1:])):
+            pattern = f"{{}} ? {precision.c_type}({{}}) : {{}}"
         return pattern.replace("%s", precision.called).replace("{f}", precision.called), binding
 
     def constant(x: Constant) -> str:
-        return precision.literal(x) + suffix
+        return precision.literal(x) + precision.suffix
 
     return Language(spelling, constant, f"({BY_NAME[precision.name].c_type})NAN", "", "{arguments}")
 
@@ -143,7 +146,7 @@ def together(assigned: Sequence[Assignment | str], precision: Precision
              ) -> Sequence[Assignment | Together | str]:
     """With the sines and cosines of inputs first, several together, and their errors; headings
     below which nothing is left are left out.  Vectors compute together already."""
-    if precision.lanes:
+    if precision.lanes or precision.device:
         return assigned
     pairs = [x for x in assigned if isinstance(x, Assignment) and x.cosine]
     errors = {x.step.operands[1]: x for x in pairs if x.step.op is Op.SIN_ERROR}
@@ -185,7 +188,7 @@ def _c_type(step: Instruction, precision: Precision) -> str:
     """The type of an instruction's result."""
     if step.op in COMPARISONS:
         return f"ksl_tests{precision.suffix}" if precision.lanes else "int"
-    if step.component == CONSTANTS:
+    if step.component == CONSTANTS and not precision.device:
         return BY_NAME[precision.name].c_type
     return precision.c_type
 

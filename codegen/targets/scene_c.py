@@ -38,25 +38,30 @@ def files(scene: SceneFunctions, banner: str) -> Files:
     sections = [{"precision": p, "functions": functions, "elementary": c_elementary.written(
                     p, c_elementary.called(x.body for x in functions), nested=True)}
                 for p, functions in made]
-    macros = [("GENERATOR_VERSION", f"{version.number()}  /* 1.2.3 is 10203 */"),
-              ("GENERATOR_VERSION_STRING", f'"{version.VERSION}"'),
-              ("NQ", str(scene.nq)), ("NV", str(scene.nv))]
-    if scene.parameters:
-        macros.append(("NP", str(len(scene.parameters))))
-    macros += _places(scene)
-    macros += [entry for p in named(scene.precisions) for entry in _defaults(scene, p)]
     names = scene_text.legend(plans, [x.body for _, functions in made for x in functions])
     shared = {"banner": banner, "name": scene.name, "upper": scene.name.upper(),
               "sections": sections}
     return {
-        f"{scene.name}.h": render("scene/scene.h", about=comment_of(_about(scene)), macros=macros,
-                                  **shared),
+        f"{scene.name}.h": render("scene/scene.h", about=comment_of(about(scene)),
+                                  macros=macros(scene), **shared),
         f"{scene.name}.c": render("scene/scene.c", names=[comment_of(names)] if names else [],
                                   products=named(scene.precisions), parts=bool(parts.cuts),
                                   **shared)}
 
 
-def _about(scene: SceneFunctions) -> list[str]:
+def macros(scene: SceneFunctions) -> list[tuple[str, str]]:
+    """The macros of a scene and their values: version, sizes, indices, initializers."""
+    found = [("GENERATOR_VERSION", f"{version.number()}  /* 1.2.3 is 10203 */"),
+             ("GENERATOR_VERSION_STRING", f'"{version.VERSION}"'),
+             ("NQ", str(scene.nq)), ("NV", str(scene.nv))]
+    if scene.parameters:
+        found.append(("NP", str(len(scene.parameters))))
+    return [*found, *_places(scene),
+            *(entry for p in named(scene.precisions) for entry in _defaults(scene, p))]
+
+
+def about(scene: SceneFunctions) -> list[str]:
+    """What a header of the scene says at its top."""
     return [
         f"{scene.name}: dynamics of a scene, in {IN_WORDS[scene.precisions]}.",
         "SI units.  Arrays are plain, matrices row by row.  Pointers must be valid and "
@@ -120,8 +125,12 @@ def _function(scene: SceneFunctions, function: Function, body: str, precision: P
     comment = comment_of([scene_text.printable(scene_text.sentence(function.words)), *shapes,
                           *filter(None, [function.rounding]), scene_text.cost(function)])
     head = arguments.head(c_name(scene, function.name, precision), parameters,
-                          "static" if function.internal else "")
+                          _storage(precision, function.internal))
     return CFunction(function.name, comment, head, body, function.internal)
+
+
+def _storage(precision: Precision, internal: bool = False) -> str:
+    return "KSL_FUNCTION" if precision.device else "static" if internal else ""
 
 
 def _body(function: Function, plan: Plan, precision: Precision) -> str:
@@ -142,7 +151,7 @@ def _step(scene: SceneFunctions, step: Step, precision: Precision) -> CFunction:
     inputs = scene_text.step_inputs(scene)
     return CFunction(step.name, comment_of([f"{step.words}.  In place."]),
                  arguments.head(c_name(scene, step.name, precision),
-                                [declared[x] for x in inputs]),
+                                [declared[x] for x in inputs], _storage(precision)),
                  step_body(scene, step, precision, partial(c_name, scene, precision=precision)))
 
 

@@ -95,7 +95,8 @@ class Parts:
                 part.name, comment if number else f"{struct}\n\n{comment}",
                 arguments.head(c_name(self.scene, part.name, precision),
                                [self._parameter(x, group, precision) for x in _taken(group, part)],
-                               f"{self.scene.name.upper()}_PART"),
+                               "KSL_PART_DEVICE" if precision.device
+                               else f"{self.scene.name.upper()}_PART"),
                 _indented(self._lines(group, part, precision)), internal=True)
 
     def _lines(self, group: Group, part: Program, precision: Precision) -> Iterator[str]:
@@ -136,7 +137,7 @@ class Parts:
         return f"struct {c_name(self.scene, f'{group.name}_values', precision)}"
 
     def _working(self, precision: Precision) -> Precision:
-        return DOUBLE if self.wide else precision
+        return precision.computing(self.wide)
 
     def _read(self, part: Program, precision: Precision) -> Callable[[Input], str]:
         """The text with which a part reads arguments and groups; a wide one converts arguments."""

@@ -23,13 +23,17 @@ def step_body(scene: SceneFunctions, step: Step, precision: Precision,
 
 def begun() -> str:
     """The function of the time at which step k of a run begins, in double for all precisions."""
+    return f"static double begun(double t, double h, double k) {{\n{body_of_begun(DOUBLE)}\n}}"
+
+
+def body_of_begun(precision: Precision) -> str:
+    """Its body, in this precision."""
     recorder = Recorder([array(x, ()) for x in ("t", "h", "k")])
     (t,), (h,), (k,) = (recorder.argument(x) for x in ("t", "h", "k"))
     with recorder.part("at"):
         program = recorder.program("begun", [(array("begun", ()), [t + k * h])])
-    plan = planned(program, language(program, DOUBLE), access(program), WIDTH)
-    body = Body(program, DOUBLE, Stored(access(program), ("",), (), "begun"), plan)
-    return f"static double begun(double t, double h, double k) {{\n{body.text()}\n}}"
+    plan = planned(program, language(program, precision), access(program), WIDTH)
+    return Body(program, precision, Stored(access(program), ("",), (), "begun"), plan).text()
 
 
 class _Body:

@@ -117,7 +117,8 @@ def files(made: SceneTier, banner: str) -> Files:
     shared = {"banner": banner, "name": made.stem, "upper": made.plain.name.upper(),
               "guard": made.stem.upper(), "sections": [x for x in sections if x.public]}
     return {
-        f"{made.stem}.h": render("scene/tier.h", about=comment_of(_about(made)), **shared),
+        f"{made.stem}.h": render(
+            "scene/tier.h", about=comment_of(about(made, f"{made.plain.name}.h")), **shared),
         f"{made.stem}.c": render(
             "scene/tier.c", names=[comment_of(names)] if names else [], products=precisions,
             parts=any(x.parts.cuts for x in sections), written=written,
@@ -138,12 +139,13 @@ _COUNTS = ("In the counts of operations, a product error or rest is a product le
            "rounded once, as fma does it; a sine error is a sine less a number.")
 
 
-def _about(made: SceneTier) -> list[str]:
+def about(made: SceneTier, plain: str) -> list[str]:
+    """What a header of the tier says at its top; `plain` is that of the scene without tiers."""
     return [f"{made.plain.name}: dynamics of a scene, in {IN_WORDS[made.plain.precisions]}.",
             made.tier.title,
             *filter(None, [" ".join(made.tier.promise.split())]),
             *([_COUNTS] if made.tier.exact else []),
-            f"Coordinates, units, parameters and macros are those of {made.plain.name}.h, which "
+            f"Coordinates, units, parameters and macros are those of {plain}, which "
             "has the steps: they have no tier."]
 
 

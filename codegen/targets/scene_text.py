@@ -155,7 +155,7 @@ def access(program: Program) -> Callable[[Input], str]:
 
 def working(programs: Iterable[Program], precision: Precision) -> Precision:
     """The precision in which functions of this precision compute."""
-    return DOUBLE if any(program.wide for program in programs) else precision
+    return precision.computing(any(program.wide for program in programs))
 
 
 def legend(plans: Sequence[Plan], bodies: Sequence[str]) -> tuple[str, ...]:

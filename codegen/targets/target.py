@@ -27,4 +27,6 @@ class Target:
     tier: Callable[[SceneTier, str], Files] | None = None  # of a scene in a tier besides plain
     many: Callable[[SceneFunctions, str], Files] | None = None  # of its functions of many states
     many_tier: Callable[[SceneTier, str], Files] | None = None  # the same in a tier
+    cuda: Callable[[SceneFunctions, str], Files] | None = None  # of its functions for CUDA
+    cuda_tier: Callable[[SceneTier, str], Files] | None = None  # the same in a tier
     generated: bool = True  # whether `coscrew generate` makes them; else only `load_scene` does

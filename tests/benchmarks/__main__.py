@@ -2,6 +2,7 @@
 
 from tests.benchmarks import (
     accuracy,
+    arrays,
     cortex_m4,
     dynamics,
     gufuncs,
@@ -23,6 +24,7 @@ tiers.main()
 scene_tiers.main()
 scene_calls.main()
 scene_lanes.main()
+arrays.main()
 sweeps.main()
 python_calls.main()
 cortex_m4.main()

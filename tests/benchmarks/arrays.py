@@ -1,5 +1,5 @@
 """What a state of a Panda takes on arrays of JAX on a CPU: functions and their gradients, against
-what frax (0.1, with fixed fingers) publishes of itself for 4,096 states on a core.
+frax's published times for 4,096 states on a core, on another machine.
 
 `python -m tests.benchmarks.arrays`.  XLA runs on one thread if started under `taskset -c 0`.
 """
@@ -17,7 +17,7 @@ from tests.benchmarks.scene_lanes import panda
 
 STATES, RUNS = 4096, 40
 PUBLISHED = {"inverse_dynamics": 3914, "forward_dynamics": 8507}
-"""frax's ns a state."""
+"""frax's ns a state: what its authors state, not measured here."""
 
 
 def nanoseconds(function: Callable[[], object]) -> float:

@@ -1,5 +1,5 @@
-"""What a state of a Panda takes where many are computed in lanes: from C, with every compiler and
-width that this processor has, against one call after the other."""
+"""What a state of a Panda takes where many are computed in lanes: functions and steps from C, with
+every compiler and width that this processor has, against one call after the other."""
 
 import ctypes
 import shutil
@@ -22,6 +22,7 @@ from tests.support.scenes.robots import scene_of
 from tests.support.scenes.tiers import states
 
 NAMES = ("inverse_dynamics", "forward_dynamics", "mass_matrix")
+STEP, STEPS = "leapfrog", 10
 COMPILERS = {"gcc": "-O2", "clang": "-O1"}
 WIDTHS = {"sse2": (), "avx2": ("-mavx2", "-mfma"), "avx512f": ("-march=native",)}
 """What the processor needs, and the flags."""
@@ -30,10 +31,10 @@ STATES = 256  # whose rows fit into the first cache
 SECONDS = 1.0  # of each comparison
 
 
-def panda() -> SceneFunctions:
-    """The robot with its fingers, under gravity."""
+def panda(*more: str) -> SceneFunctions:
+    """The robot with its fingers, under gravity, with these functions besides NAMES."""
     scene = scene_of("panda_description/urdf/panda.urdf")
-    return derive(replace(scene, name="panda"), NAMES)
+    return derive(replace(scene, name="panda"), (*NAMES, *more))
 
 
 def written(scene: SceneFunctions, folder: Path) -> None:
@@ -42,7 +43,8 @@ def written(scene: SceneFunctions, folder: Path) -> None:
     made = scene_c.files(scene, banner) | scene_c_many.files(scene, banner)
     made["driver.c"] = driver()
     made["loops.c"] = '#include "panda_many.h"\n' + "".join(
-        text for function in scene.functions for p in PRECISIONS for text in loops(function, p))
+        text for p in PRECISIONS for text in (
+            *(x for name in NAMES for x in loops(scene.named(name), p)), *runs(scene, p)))
     for name, text in made.items():
         (folder / name).write_text(text)
 
@@ -64,6 +66,19 @@ def loops(function: Function, p: Precision) -> Iterator[str]:
         yield f"{head};\n{head} {{ {call} }}\n"
 
 
+def runs(scene: SceneFunctions, p: Precision) -> Iterator[str]:
+    """The same of steps of length 0, which leave q and v as they are; a step counts as an element.
+    """
+    nq, nv, f = scene.nq, scene.nv, p.suffix
+    q, v = (f"({p.c_type} *)x[{k}]" for k in range(2))
+    one = (f"for (long i = 0; i < n / {STEPS}; i++) for (int k = 0; k < {STEPS}; k++) "
+           f"panda_step_{STEP}{f}(0, {q} + {nq} * i, {v} + {nv} * i);")
+    many = f"panda_run_{STEP}_many{f}(n / {STEPS}, {STEPS}, 0, {q}, {nq}, {v}, {nv});"
+    for kind, call in (("one", one), ("many", many)):
+        head = f"void {kind}_{STEP}{f}(long n, void *const *x)"
+        yield f"{head};\n{head} {{ {call} }}\n"
+
+
 def rows(scene: SceneFunctions, folder: Path, compiler: str, width: str) -> Iterator[list[str]]:
     """A line for each function and precision."""
     library = folder / f"{compiler}-{width}"
@@ -71,22 +86,30 @@ def rows(scene: SceneFunctions, folder: Path, compiler: str, width: str) -> Iter
     subprocess.run([compiler, *COMMON, COMPILERS[compiler], *WIDTHS[width], *files, "-o",
                     str(library), "-lm"], cwd=folder, check=True)
     opened = ctypes.CDLL(str(library))
-    for function in scene.functions:
+    for name in (*NAMES, STEP):
         for p in PRECISIONS:
-            given = [np.ascontiguousarray(x, p.numpy_type)
-                     for x in states(scene, function, STATES, p)]
-            results = [np.empty((STATES, n), p.numpy_type)
-                       for n in sizes_of(function)[len(given):]]
+            arrays = _arrays(scene, name, p)
+            count = STATES * (STEPS if name == STEP else 1)
             one, many = timed_loops(opened, [
-                Loop(getattr(opened, f"{kind}_{function.name}{p.suffix}"), STATES,
-                     pointers([*given, *results])) for kind in ("one", "many")], 1e9 * SECONDS)
-            yield [function.name, p.name, compiler, width, f"{one.minimum:.1f}",
+                Loop(getattr(opened, f"{kind}_{name}{p.suffix}"), count, pointers(arrays))
+                for kind in ("one", "many")], 1e9 * SECONDS)
+            yield [name, p.name, compiler, width, f"{one.minimum:.1f}",
                    f"{many.minimum:.1f}", said(one.ratio(many))]
+
+
+def _arrays(scene: SceneFunctions, name: str, p: Precision) -> list[np.ndarray]:
+    """The arguments of a function, or q and v."""
+    function = scene.named(NAMES[0] if name == STEP else name)
+    given = [np.ascontiguousarray(x, p.numpy_type) for x in states(scene, function, STATES, p)]
+    if name == STEP:
+        return given[:2]
+    return [*given, *(np.empty((STATES, n), p.numpy_type)
+                      for n in sizes_of(function)[len(given):])]
 
 
 def main() -> None:
     """Print the tables."""
-    scene, words = panda(), Path("/proc/cpuinfo").read_text().split()
+    scene, words = panda(f"step_{STEP}"), Path("/proc/cpuinfo").read_text().split()
     with TemporaryDirectory() as folder:
         written(scene, Path(folder))
         table = [row for compiler in filter(shutil.which, COMPILERS) for width in WIDTHS

@@ -107,7 +107,7 @@ def test_one_family_in_one_precision_and_language(tmp_path):
     headers = (*(f"{x}{tier}{many}" for x in ("coscrew", "ksl") for tier in tiers
                  for many in ("", "_many")),
                "elementary", "ksl_elementary_error", "ksl_exact", "ksl_exactf", "ksl_planes",
-               "ksl_rounding", "ksl_selfcheck", "ksl_types")
+               "ksl_rounding", "ksl_selfcheck", "ksl_states", "ksl_types")
     assert sorted(made) == ["c/coscrew.h", "c/coscrew_accurate.h", "c/coscrew_certified.h",
                             "c/coscrew_fused.h",
                             *(f"c/include/ksl/{name}.h" for name in sorted(headers))]

@@ -9,7 +9,7 @@ from coscrew_codegen import load_scene
 from coscrew_codegen.__main__ import main
 from coscrew_codegen.identifiers import identifiers
 from coscrew_codegen.targets import scene_calls
-from tests.support.compiled.c_harness import COMPILERS, DIALECTS, EXACT, STRICT, run
+from tests.support.compiled.c_harness import COMPILERS, CXX_COMPILERS, DIALECTS, EXACT, STRICT, run
 from tests.support.each import each_precision
 from tests.support.scenes.generated_scenes import imported
 from tests.support.scenes.scene_values import UNIT, inputs, same_bits
@@ -115,6 +115,7 @@ def test_files_name_no_folder(folder: Path):
      "'jacobian_hnd' is no function of the scene; did you mean 'jacobian_hand'?"),
     (["--functions", "energy"], "--functions selects functions of a scene, and no scene is given"),
     (["--many"], "--many selects functions of a scene, and no scene is given"),
+    (["--cuda"], "--cuda selects functions of a scene, and no scene is given"),
 ))
 def test_errors_are_one_line(folder: Path, capsys: pytest.CaptureFixture[str], arguments: list[str],
                              message: str):
@@ -132,6 +133,17 @@ def test_functions_of_many_states_are_generated_when_selected(folder: Path):
              folder / "arm.o"])
     header = (folder / "out" / "arm_many.h").read_text()
     assert "\nvoid arm_energy_manyf(ptrdiff_t n, const float *p, ptrdiff_t p_stride," in header
+
+
+def test_functions_for_cuda_are_generated_when_selected(folder: Path):
+    assert main(["generate", "arm.toml", "-o", "out", "--cuda", "--tier", "accurate"]) == 0
+    assert main(["generate", "arm.toml", "-o", "out", "--cuda", "--tier", "accurate",
+                 "--check"]) == 0
+    for stem in ("arm", "arm_accurate"):
+        run([CXX_COMPILERS[0], "-x", "c++", "-std=c++11", *STRICT, "-fsyntax-only", "-include",
+             folder / "out" / f"{stem}.cuh", "/dev/null"])
+    header = (folder / "out" / "arm.cuh").read_text()
+    assert "\nKSL_KERNEL void arm_energy_kernelf(ptrdiff_t n, const float *p," in header
 
 
 def test_generated_c_compiles_and_loads_from_the_file(folder: Path):

@@ -33,7 +33,11 @@ EXEMPT = {
         "gufunc/module.c", "gufunc/promoter.c", "gufunc/family.c", "python/_arrays.py",
         "python/_kernel.py", "scene/arrays", "scene/arrays.py", "scene/out", "scene/objects",
         "scene/arguments", "scene/states", "scene/threads", "scene/called", "scene/many_states",
-        "scene/step_of_states", "c/rows", "c/blocks", "c/halves")},
+        "scene/step_of_states", "c/rows", "c/blocks", "c/halves", "c/ksl_states.h",
+        "c/many_of_states", "cuda/threads",
+        "cuda/kernel", "cuda/two_over_pi")},
+    "cuda/elementary.jinja": PRIMITIVES,
+    "cuda/headers.jinja": "the type of a difference of pointers",
     "native/driver.c.jinja": MEASURES, "report/drift.c.jinja": MEASURES}
 """Templates that compute, and why they may.  Pages are not kernels and are left out."""
 

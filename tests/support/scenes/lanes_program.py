@@ -4,8 +4,8 @@ Rows are allocated one array each and not a number longer than they are, so that
 is read or written beyond them.  A NaN equals any other.
 """
 
-from collections.abc import Iterator
-from dataclasses import replace
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from coscrew_codegen.formats import Precision, named
@@ -24,7 +24,7 @@ _HEAD = """\
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "{stem}_many.h"
+{include}
 
 static int compared, wrong;
 static uint64_t seed = 1;
@@ -32,6 +32,7 @@ static uint64_t drawn(void) {{
   seed = seed * 6364136223846793005u + 1442695040888963407u;
   return seed >> 32;
 }}
+{memory}
 """
 
 _OF_PRECISION = """
@@ -72,12 +73,22 @@ static void compare_{name}(const char *what, const {real} *a, const {real} *b,
 """
 
 
+@dataclass(frozen=True)
+class Compared:
+    """What is compared with functions of one state: from which headers, what is called for n
+    states, and what defines malloc and free if they are not C's."""
+
+    include: str
+    called: Callable[[Signature, Precision], str]
+    memory: str = ""
+
+
 def written(scene: SceneFunctions, folder: Path) -> tuple[Path, ...]:
     """The program's sources, beside the headers."""
     files = scene_c.files(scene, BANNER) | scene_c_many.files(scene, BANNER)
     for path, content in files.items():
         (folder / path).write_text(content)
-    (folder / "lanes.c").write_text(text(scene, scene.name))
+    (folder / "lanes.c").write_text(text(scene, _in_lanes(scene, scene.name)))
     return tuple(folder / x for x in ("lanes.c", f"{scene.name}.c", f"{scene.name}_many.c"))
 
 
@@ -87,22 +98,27 @@ def tier_written(made: SceneTier, folder: Path) -> tuple[Path, ...]:
     for path, content in files.items():
         (folder / path).write_text(content)
     scene = replace(made.first, precisions=tuple(p.name for p, _ in made.in_precisions))
-    (folder / "lanes.c").write_text(text(scene, made.stem))
+    (folder / "lanes.c").write_text(text(scene, _in_lanes(scene, made.stem)))
     return tuple(folder / x for x in ("lanes.c", f"{made.stem}.c", f"{made.stem}_many.c"))
 
 
-def text(scene: SceneFunctions, stem: str) -> str:
+def _in_lanes(scene: SceneFunctions, stem: str) -> Compared:
+    return Compared(f'#include "{stem}_many.h"', lambda f, p: c_name(many(scene), f.name, p))
+
+
+def text(scene: SceneFunctions, compared: Compared) -> str:
     """The program; it prints how many numbers were compared, and the first that differ."""
     precisions = named(scene.precisions)
     functions = scene_calls.callables(scene)
     counts = ", ".join(map(str, COUNTS))
     return "\n".join((
-        _HEAD.format(stem=stem),
+        _HEAD.format(include=compared.include, memory=compared.memory),
         *(_OF_PRECISION.format(real=p.c_type, name=p.name, f=p.suffix, tiny=310 if not p.suffix
                                else 40, least="5e-324" if not p.suffix else "1e-45f")
           for p in precisions),
         *(line for p in precisions for f in functions for line in (
-            *_function(scene, f, p), *(_run(scene, f, p) if f.moved else ()))),
+            *_function(scene, f, p, compared.called(f, p)),
+            *(_run(scene, f, p, compared.called(_of_run(f), p)) if f.moved else ()))),
         "int main(void) {", f"  static const int counts[] = {{{counts}}};",
         "  for (size_t i = 0; i < sizeof counts / sizeof *counts; ++i)",
         "    for (int mode = 0; mode < 4; ++mode) {",
@@ -112,7 +128,7 @@ def text(scene: SceneFunctions, stem: str) -> str:
         "    }", '  printf("%d\\n", compared);', "  return wrong != 0;", "}", ""))
 
 
-def _function(scene: SceneFunctions, f: Signature, p: Precision) -> Iterator[str]:
+def _function(scene: SceneFunctions, f: Signature, p: Precision, called: str) -> Iterator[str]:
     """void test_arm_energy(n, gap between rows, whether t, h and p are the same for all states)."""
     name, real, of = c_name(scene, f.name, p), p.c_type, p.name
     both = {x for x, _ in f.inputs} & {x for x, _ in f.outputs}
@@ -130,7 +146,6 @@ def _function(scene: SceneFunctions, f: Signature, p: Precision) -> Iterator[str
     one = ", ".join(f"{x}{'_one' if x in outputs else ''} + k * {x}_stride" if shape or x in outputs
                     else f"{x}[k * {x}_stride]" for x, shape in passed)
     yield f"  for (ptrdiff_t k = 0; k < n; ++k) {name}({one});"
-    called = c_name(many(scene), f.name, p)
     order = [x for x, _ in (*f.read, *f.outputs)]
     yield f"  {called}(n, {', '.join(f'{x}, {x}_stride' for x in order)});"
     for x in outputs:
@@ -146,7 +161,12 @@ def _function(scene: SceneFunctions, f: Signature, p: Precision) -> Iterator[str
     yield "}"
 
 
-def _run(scene: SceneFunctions, f: Signature, p: Precision) -> Iterator[str]:
+def _of_run(step: Signature) -> Signature:
+    """The function that takes many such steps."""
+    return replace(step, name=step.name.replace("step", "run", 1))
+
+
+def _run(scene: SceneFunctions, f: Signature, p: Precision, run: str) -> Iterator[str]:
     """void run_arm_step_leapfrog(n, gap between rows, whether p is the same for all states): five
     steps and, of few states, none."""
     name, real, of = c_name(scene, f.name, p), p.c_type, p.name
@@ -171,9 +191,8 @@ def _run(scene: SceneFunctions, f: Signature, p: Precision) -> Iterator[str]:
     yield "  }"
     rows = ", ".join(x if x in ("t", "h") else f"{x}, {x}_stride" for x, _ in f.inputs)
     yield "  (void)t;"
-    run = c_name(many(scene), f.name.replace("step", "run", 1), p)
     yield f"  {run}(n, steps, {rows});"
     for x in ("q", "v"):
-        yield f'  compare_{of}("{run}: {x}", {x}, {x}_one, n, {arrays[x]}, {x}_stride);'
+        yield f'  compare_{of}("run of {name}: {x}", {x}, {x}_one, n, {arrays[x]}, {x}_stride);'
     yield from (f"  free({x});" for x in (*arrays, "q_one", "v_one"))
     yield "}"

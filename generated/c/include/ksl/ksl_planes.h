@@ -16,7 +16,9 @@
 
    Compilers make vector instructions of these loops: gcc with -O3, clang with -O2, for your
    processor with -march=native or the oldest one that must run them.  They are inlined: write
-   strides as numbers where you can.  Sines and cosines are computed one by one. */
+   strides as numbers where you can.  Functions that call sine, cosine, arctangent, exp or tanh are
+   on vector types where the compiler has them, as wide as the processor's, whatever the flags; in
+   tiers they are loops over one element. */
 #ifndef KSL_PLANES_H
 #define KSL_PLANES_H
 

@@ -1,0 +1,85 @@
+"""Compiles kernels of scenes for CUDA with nvcc, plain and in tiers, and compares them with C.
+
+`python -m tests.cuda_attack [SCENE ...]`, or `make cuda`: the instructions, executed on the host,
+have the bits of C, and no flag changes them; kernels and launches assemble without a warning; where
+there is a device, kernels are launched and have the bits of C.
+"""
+
+import argparse
+import re
+import sys
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+
+from coscrew_codegen.mechanics import derive
+from coscrew_codegen.scene_files.toml_scene import SceneOverrides, read_scene
+from coscrew_codegen.scene_tiers import in_tier, tiers_of
+from coscrew_codegen.tiers import tier_named
+from tests.support.compiled import nvcc
+from tests.support.compiled.c_harness import C11, COMPILERS, run
+from tests.support.scenes.cuda_program import Scene, of_scene, of_tier
+from tests.support.scenes.cuda_runs import FLAGS, executed
+from tests.support.scenes.generated_scenes import pendulum, slider, spinner
+
+EXAMPLES = Path(__file__).parents[1] / "examples" / "scenes"
+TIERS = ("accurate", "certified", "pairs")
+ARCHITECTURES = ("sm_80", "sm_90", "sm_100")
+
+
+def by_hand() -> Iterator[Scene]:
+    """Scenes that call every elementary function, have time and parameters, quaternions; tiers."""
+    yield from (of_scene(make()) for make in (pendulum, slider, spinner))
+    yield from (of_tier(in_tier(pendulum(), tier_named(tier))) for tier in TIERS)
+
+
+def of_example(name: str) -> Iterator[Scene]:
+    """What the scene has by default; forward dynamics in tiers."""
+    path = EXAMPLES / f"{name}.toml"
+    yield of_scene(derive(read_scene(path)))
+    yield from map(of_tier, tiers_of(derive(read_scene(path, overrides=SceneOverrides(
+        functions=("forward_dynamics",), tiers=TIERS)))))
+
+
+def assembled(scene: Scene, folder: Path) -> Iterator[str]:
+    """For each architecture, the most registers of a kernel, and whether registers are spilled."""
+    program, _ = scene.on_device(folder)
+    for architecture in ARCHITECTURES:
+        said = nvcc.run(program, folder / "cuda.o", "-c", f"-arch={architecture}", "-Xptxas", "-v",
+                        "-Werror", "all-warnings")
+        registers = max(map(int, re.findall(r"Used (\d+) registers", said)))
+        spilled = max(map(int, re.findall(r"(\d+) bytes spill stores", said)))
+        yield f"{architecture}: {registers} registers, {spilled} bytes spilled"
+
+
+def launched(scene: Scene, folder: Path) -> str:
+    """How many numbers were compared on a device; they are the same."""
+    program, reference = scene.on_device(folder)
+    run((COMPILERS[0], *C11, "-c", reference, "-o", folder / "one.o"))
+    nvcc.run(program, folder / "cuda", "-arch=native", *FLAGS["nvcc"], str(folder / "one.o"))
+    return run([folder / "cuda"]).strip()
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("scenes", metavar="SCENE", nargs="*")
+    names = parser.parse_args().scenes
+    if not nvcc.NVCC:
+        print('no nvcc: run `pip install "coscrew[cuda]"`', file=sys.stderr)
+        return 2
+    device = nvcc.has_device()
+    print("a device runs the kernels" if device else "no device: kernels are executed on the host")
+    for scenes in map(of_example, names) if names else (by_hand(),):
+        for scene in scenes:
+            with tempfile.TemporaryDirectory() as folder:
+                compared, _ = executed(scene, Path(folder), "nvcc")
+                print(f"{scene.stem}: {compared} numbers", flush=True)
+                for line in assembled(scene, Path(folder)):
+                    print(f"  {line}", flush=True)
+                if device:
+                    print(f"  on the device: {launched(scene, Path(folder))} numbers", flush=True)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
