@@ -30,10 +30,12 @@ Scenes build on the operations' Programs:
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from coscrew_codegen.simulate.api import run as run
+    from coscrew_codegen.simulate.control import Controller as Controller
     from coscrew_codegen.simulate.load import load_scene as load_scene
     from coscrew_codegen.version import VERSION as __version__
 
-__all__ = ["__version__", "load_scene"]
+__all__ = ["Controller", "__version__", "load_scene", "run"]
 
 
 def __dir__() -> list[str]:
@@ -41,11 +43,17 @@ def __dir__() -> list[str]:
 
 
 def __getattr__(name: str) -> object:
-    """Import `load_scene` on first use, so that importing this package stays fast."""
+    """Import what `__all__` lists on first use, so that importing this package stays fast."""
     if name == "__version__":
         from coscrew_codegen.version import VERSION
         return VERSION
     if name == "load_scene":
         from coscrew_codegen.simulate.load import load_scene
         return load_scene
+    if name == "run":
+        from coscrew_codegen.simulate.api import run
+        return run
+    if name == "Controller":
+        from coscrew_codegen.simulate.control import Controller
+        return Controller
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -129,7 +129,7 @@ def _in_c(kernels: Kernels, library: Compiled, planned: Plan, overrides: RunOver
             for steps in _step_counts(planned)]
 
     def run(its: System, step: Step, precision: Precision, steps: int) -> tuple[np.ndarray, float]:
-        q, _v, seconds = library.run(step, precision, steps, planned.until / steps, its.p,
+        q, _v, seconds = library.run(step, precision, steps, planned.until / steps, tuple(its.p),
                                      its.start())
         return q, seconds
 

@@ -33,104 +33,126 @@ _APART = 50  # least number of steps between two checks
 _SETTLED = 1000  # steps before the energy of methods of order 1 is meaningful
 
 
+Index = tuple[int, ...]
+"""A member of a batch; () in a single run."""
+Problem = tuple[str, str, str]
+"""A joint, or ""; the problem; its reason and a remedy."""
+
+
 @dataclass
 class Alarm:
-    """Watches one run from its start."""
+    """Watches one run, or each member of a batch, from its start."""
 
     system: System
     plan: Plan
     start: State
     of_steps_alone: bool = False  # check the step only, not energy and momentum
-    kinetic: float = field(init=False, default=0.0)  # largest kinetic energy so far
-    _rounding: float = field(init=False, default=0.0)  # largest rounding error of energy so far
+    driven: bool = False  # a controller may feed in energy
     _steps: int = field(init=False, default=0)
     _looks: int = field(init=False, default=0)
     _next: int = field(init=False, default=_APART)
-    _bad: int = field(init=False, default=0)
 
     def __post_init__(self) -> None:
         self._integrator = named(self.plan.integrator)
-        self._every = max(_APART, int(self.plan.until / self.plan.step / _LOOKS))
+        run = self.plan.until - self.plan.begin
+        self._every = max(_APART, int(run / self.plan.step / _LOOKS))
         its, (q, v) = self.system, self.start
-        self._energy = float(sum(its.energies(0.0, q, v)))
-        self._momentum = its.call("free_momentum", q=q, v=v) if its.has("free_momentum") else None
-        self._conservative = its.zero("power")
+        lead = q.shape[:-1]
+        self.kinetic, self._rounding = np.zeros(lead), np.zeros(lead)  # the largest so far
+        self._bad = np.zeros(lead, int)
+        self._energy = sum(its.energies(self.plan.begin, q, v))
+        self._momentum = its.momentum(q, v)
+        self._conservative = its.zero("power") and not self.driven
 
-    def __call__(self, steps: int, t: float, h: float, q: np.ndarray, v: np.ndarray) -> str:
-        """The problem at t, or "", after `steps` further steps, the last one of length h."""
+    def __call__(self, steps: int, t: float, h: float, q: np.ndarray, v: np.ndarray,
+                 alive: np.ndarray) -> dict[Index, tuple[str, str]]:
+        """(joint, problem) of the members that are `alive` and wrong at t, after `steps` further
+        steps, the last one of length h."""
         self._steps += steps
         last = t >= self.plan.until
         if self._steps < self._next and not last:
-            return ""
+            return {}
         self._next, self._looks = self._steps + self._every, self._looks + 1
-        kinetic, potential = map(float, self.system.energies(t, q, v))
-        if not np.isfinite(kinetic + potential):
-            return (f"energy is not finite at t = {t:.9g} s: it grew too large, or is beyond "
-                    f"the range of {self.system.precision.name} precision; {self._remedy(np.nan)}")
-        self.kinetic = max(self.kinetic, kinetic)
-        self._rounding = max(self._rounding, rounding(self.system, np.asarray(potential)))
-        found = None
-        if not self.of_steps_alone:
-            found = self._of_momentum(t, q, v) or self._of_energy(kinetic + potential)
-        found = found or self._of_step(t, h, q, v)
-        if not found and last and self._looks < _AGAIN:  # the only check: take one more step
-            q, v = self._stepped(t, h, q, v)
-            found = self._of_step(t + h, h, q, v)
-        return f"{found[0]} at t = {t:.9g} s: {found[1]}" if found else ""
+        kinetic, potential = self.system.energies(t, q, v)
+        lost = alive & ~np.isfinite(kinetic + potential)
+        found = dict.fromkeys(_indices(lost), (
+            "", f"energy is not finite at t = {t:.9g} s: it grew too large, or is beyond the range "
+            f"of {self.system.precision.name} precision; {self._remedy(np.nan)}"))
+        alive = alive & ~lost
+        self.kinetic = np.fmax(self.kinetic, kinetic)
+        self._rounding = np.fmax(self._rounding, rounding(self.system, potential))
+        problems: dict[Index, Problem] = {}
+        if not self.of_steps_alone and alive.any():
+            problems = self._of_energy(kinetic + potential, alive) | self._of_momentum(
+                t, q, v, alive)
+        if any(i not in problems for i in _indices(alive)):
+            problems = self._of_step(t, h, q, v, alive) | problems
+            if last and self._looks < _AGAIN:  # the only check: take one more step
+                q, v = self._stepped(t, h, q, v)
+                problems = self._of_step(t + h, h, q, v, alive) | problems
+        return found | {i: (joint, f"{what} at t = {t:.9g} s: {why}")
+                        for i, (joint, what, why) in problems.items()}
 
-    def _of_momentum(self, t: float, q: np.ndarray, v: np.ndarray) -> tuple[str, str] | None:
+    def _of_momentum(self, t: float, q: np.ndarray, v: np.ndarray, alive: np.ndarray
+                     ) -> dict[Index, Problem]:
         if self._momentum is None:
-            return None
-        right = self.system.call("with_free_momentum", t=t, q=q, v=v, c=self._momentum)
-        off = self._size(q, np.asarray(right, float) - v, self.kinetic)
-        if off <= ALLOWED:
-            return None
-        joint = self._joint(np.abs(np.asarray(right, float) - v))
-        return "momentum is not kept", (f"the floating base {joint} is off by {off:.2g} "
-                                        f"of its speed; {self._remedy(off / ALLOWED)}")
+            return {}
+        right = self.system.kept(self._momentum, t - self.plan.begin, q, v)
+        apart = np.asarray(right, float) - v
+        off = self._size(q, apart, self.kinetic)
+        return {i: (joint := self._joint(np.abs(apart[i])), "momentum is not kept",
+                    f"the floating base {joint} is off by {off[i]:.2g} of its speed; "
+                    f"{self._remedy(off[i] / ALLOWED)}")
+                for i in _indices(alive & ~(off <= ALLOWED))}
 
-    def _of_energy(self, energy: float) -> tuple[str, str] | None:
+    def _of_energy(self, energy: np.ndarray, alive: np.ndarray) -> dict[Index, Problem]:
         if not self._conservative or (self._integrator.order == 1 and self._steps < _SETTLED):
-            return None
+            return {}
         change = energy - self._energy
-        off = change / self.kinetic if self.kinetic else 0.0
-        if abs(change) <= self._rounding or abs(off) <= ALLOWED:
-            return None
-        return "energy is not kept", (f"it changed by {off:.2g} of the kinetic energy, and nothing "
-                                      "feeds it in or dissipates it: "
-                                      f"{self._remedy(abs(off) / ALLOWED)}")
+        off = _ratio(change, self.kinetic)
+        right = (np.abs(change) <= self._rounding) | (np.abs(off) <= ALLOWED)
+        return {i: ("", "energy is not kept",
+                    f"it changed by {off[i]:.2g} of the kinetic energy, and nothing feeds it in or "
+                    f"dissipates it: {self._remedy(abs(off[i]) / ALLOWED)}")
+                for i in _indices(alive & ~right)}
 
-    def _of_step(self, t: float, h: float, q: np.ndarray, v: np.ndarray) -> tuple[str, str] | None:
+    def _of_step(self, t: float, h: float, q: np.ndarray, v: np.ndarray, alive: np.ndarray
+                 ) -> dict[Index, Problem]:
         its, allowed = self.system, ROUGH if self._integrator.order == 1 else RESOLVED
-        if self._integrator.splits and its.has("closing_contacts") \
-                and its.call("closing_contacts", h=h, q=q, v=v) > 0:
-            return None
+        free = alive
+        if self._integrator.splits and its.has("closing_contacts"):
+            free = alive & ~(its.call("closing_contacts", h=h, q=q, v=v) > 0)
+            if not free.any():
+                return {}
         once = self._stepped(t, h, q, v)[1]
         twice = its.stepper(named(DEFAULT).step_name)(2, t, h / 2, q, v)[1]
         apart = np.asarray(twice, float) - once
-        now = float(its.energies(t, q, v)[0])
-        off = self._size(q, apart, max(now, _SLOW * self.kinetic))
-        self._bad = 0 if off <= allowed else self._bad + 1
-        if self._bad < _AGAIN:
-            return None
-        joint = self._joint(np.abs(apart) * np.sqrt(np.abs(np.diagonal(self._mass(q)))))
-        return "the step is too large", (
-            f"at joint {joint} one of {h:.3g} s differs from two halves by {off:.2g} of the "
-            f"speeds; {self._remedy(off / allowed)}")
+        now = its.energies(t, q, v)[0]
+        off = self._size(q, apart, np.fmax(now, _SLOW * self.kinetic))
+        self._bad = np.where(free, np.where(off <= allowed, 0, self._bad + 1), self._bad)
+        found = {}
+        for i in _indices(free & (self._bad >= _AGAIN)):
+            inertia = np.abs(np.diagonal(self._mass(its.member(i), q[i])))
+            joint = self._joint(np.abs(apart[i]) * np.sqrt(inertia))
+            found[i] = (joint, "the step is too large",
+                        f"at joint {joint} one of {h:.3g} s differs from two halves by {off[i]:.2g}"
+                        f" of the speeds; {self._remedy(off[i] / allowed)}")
+        return found
 
     def _stepped(self, t: float, h: float, q: np.ndarray, v: np.ndarray) -> State:
         return self.system.stepper(self._integrator.step_name)(1, t, h, q, v)
 
-    def _size(self, q: np.ndarray, v: np.ndarray, kinetic: float) -> float:
+    def _size(self, q: np.ndarray, v: np.ndarray, kinetic: np.ndarray) -> np.ndarray:
         """√(T(v)/T) for T = kinetic."""
-        own = float(self.system.energies(0.0, q, v.astype(self.system.dtype))[0])
-        return float(np.sqrt(own / kinetic)) if kinetic > 0 else 0.0
+        own = self.system.energies(0.0, q, v.astype(self.system.dtype))[0]
+        found: np.ndarray = np.sqrt(_ratio(own, kinetic))
+        return found
 
-    def _mass(self, q: np.ndarray) -> np.ndarray:
+    def _mass(self, its: System, q: np.ndarray) -> np.ndarray:
         """M; the identity if the scene has no mass matrix, since it has too many joints."""
-        if not self.system.has("mass_matrix"):
-            return np.eye(self.system.functions.nv)
-        return np.asarray(self.system.call("mass_matrix", q=q), float)
+        if not its.has("mass_matrix"):
+            return np.eye(its.functions.nv)
+        return np.asarray(its.call("mass_matrix", q=q), float)
 
     def _joint(self, sizes: np.ndarray) -> str:
         worst = int(np.argmax(np.where(np.isfinite(sizes), sizes, np.inf)))
@@ -142,3 +164,14 @@ class Alarm:
         smaller = f"step of {h:.1g} s" if np.isfinite(h) else "smaller step"
         other = "" if self._integrator.name == DEFAULT else f", or integrator {DEFAULT}"
         return f"take a {smaller}{other}"
+
+
+def _indices(mask: np.ndarray) -> list[Index]:
+    """Where the mask is true."""
+    return [tuple(i) for i in np.argwhere(mask).tolist()]
+
+
+def _ratio(x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    """x/y; 0 where y is not positive."""
+    found: np.ndarray = np.where(y > 0, x / y, 0.0)
+    return found

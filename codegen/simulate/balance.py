@@ -80,16 +80,19 @@ def _balance(system: System, trajectory: Trajectory, among: np.ndarray | None) -
     at = largest(defect if among is None else np.where(np.isin(t, among), defect, 0))
     scale = max(np.max(np.abs(x)) for x in (kinetic, change, work))
     return Balance(float(energy[0]), float(energy[-1]), float(work[-1]), float(defect[at]),
-                   float(t[at]), float(scale), rounding(system, potential),
+                   float(t[at]), float(scale), _rounding(system, potential),
                    _shortest(trajectory, parts), _momentum(system, t, q, v, np.max(kinetic)))
 
 
-def rounding(system: System, potential: np.ndarray) -> float:
-    """The rounding error of energy that comes from a large potential energy; 0 if that overflows.
-    """
-    largest = float(np.max(np.abs(potential)))
+def _rounding(system: System, potential: np.ndarray) -> float:
+    """The largest rounding error of the energies; 0 if one overflows."""
+    return float(rounding(system, np.max(np.abs(potential))))
+
+
+def rounding(system: System, potential: np.ndarray) -> np.ndarray:
+    """The rounding error of energy that comes from each potential energy; 0 if that overflows."""
     eps = float(np.finfo(system.dtype).eps)
-    return ROUNDINGS * eps * largest if np.isfinite(largest) else 0.0
+    return np.where(np.isfinite(potential), ROUNDINGS * eps * np.abs(potential), 0.0)
 
 
 def _parts(system: System, trajectory: Trajectory) -> np.ndarray:

@@ -22,7 +22,8 @@ class Plan:
     and atol for SciPy's; `also` are further times to sample at.
 
     The default integrator splits a step in which a limit is hit into parts, whose length hardly
-    depends on the step.  With `finer` = 2 the parts are half as long."""
+    depends on the step.  With `finer` = 2 the parts are half as long.  The run starts at `begin`:
+    after 0 if it continues another."""
 
     until: float
     every: float
@@ -32,6 +33,7 @@ class Plan:
     atol: float
     also: tuple[float, ...] = ()
     finer: int = 1
+    begin: float = 0.0
 
     @property
     def adaptive(self) -> bool:
@@ -40,44 +42,66 @@ class Plan:
 
     def steps(self, interval: float) -> tuple[int, float]:
         """(number, length) of the steps from one sample to the next: the fewest of equal length
-        that are no longer than `step`."""
+        that are no longer than `step`.  Intervals of `every` differ by rounding of their ends; they
+        all take the same steps."""
+        if math.isclose(interval, self.every, rel_tol=_SAME):
+            interval = self.every
         count = max(1, math.ceil(interval / self.step - _ROUND_OFF))
         h = interval / count
         return count, self.step if math.isclose(h, self.step, rel_tol=_ROUND_OFF) else h
 
     @property
     def samples(self) -> np.ndarray:
-        """The times of the samples: 0, multiples of `every`, `also`, and the end."""
+        """The times of the samples: the beginning, multiples of `every`, `also`, and the end.
+
+        A beginning that is a multiple except for rounding is that multiple."""
         grid = self.every * np.arange(math.floor(self.until / self.every) + 2)
         also = [t for t in self.also if 0 < t < self.until]
         inner = np.sort(np.concatenate((grid[1:], also)))
         inner = inner[inner < self.until - _SAME * self.every]
         apart = np.diff(inner, prepend=0) > _SAME * self.every
-        return np.concatenate(([0.0], inner[apart], [self.until]))
+        inner, near = inner[apart], _SAME * self.every
+        begin = next(iter(grid[np.abs(grid - self.begin) <= near]), self.begin)
+        return np.concatenate(([begin], inner[inner > begin + near], [self.until]))
+
+
+@dataclass(frozen=True)
+class Stop:
+    """Where and why a run, or a member of a batch, stopped before the end."""
+
+    member: int
+    t: float
+    joint: str  # "" if none in particular
+    cause: str  # a sentence with all of it, and with a remedy
 
 
 @dataclass(frozen=True)
 class Trajectory:
-    """States at the times of samples; `stopped` says where and why, if before the end."""
+    """States at the times of samples; `stopped` says where and why, if before the end.
+
+    Those of a batch have a leading axis of members; samples of a member after its stop are NaN."""
 
     t: np.ndarray  # (n)
-    q: np.ndarray  # (n, nq)
-    v: np.ndarray  # (n, nv)
+    q: np.ndarray  # (…, n, nq)
+    v: np.ndarray  # (…, n, nv)
     steps: int
     seconds: float  # that the integration took
     stopped: str = ""
     interrupted: bool = False
+    failed: tuple[Stop, ...] = ()
+    held: np.ndarray | None = None  # (…, n, np): the parameters, where a controller sets some
+    momentum: np.ndarray | None = None  # of floating bases, which the run kept
 
 
 def plan(system: System, until: float | None = None, step: float | None = None,
          integrator: str | None = None, every: float | None = None,
-         also: tuple[float, ...] = ()) -> Plan:
+         also: tuple[float, ...] = (), begin: float = 0.0) -> Plan:
     """The scene's plan, with these settings instead of its own.  Raises SimulateError."""
     run = system.scene.run
     every = system.scene.every if every is None else every
     made = Plan(run.duration if until is None else until, every,
                 run.integrator if integrator is None else integrator,
-                run.step if step is None else step, *tolerances(system), also)
+                run.step if step is None else step, *tolerances(system), also, begin=begin)
     if made.integrator not in NAMES:
         raise SimulateError(f"integrator: {made.integrator!r}; wanted one of {', '.join(NAMES)}; "
                             f"{did_you_mean(made.integrator, NAMES)}")
@@ -88,6 +112,9 @@ def plan(system: System, until: float | None = None, step: float | None = None,
     for name, value in (("until", made.until), ("step", made.step), ("every", made.every)):
         if not (math.isfinite(value) and value > 0):
             raise SimulateError(f"{name}: wanted a positive number of seconds; got {value}")
+    if made.until <= begin:
+        raise SimulateError(f"until: wanted more than {begin:.9g} s, where the run starts; got "
+                            f"{made.until:.9g}")
     if made.until / made.step > MOST_STEPS:
         raise SimulateError(f"{made.until:g} s are {made.until / made.step:.3g} steps of "
                             f"{made.step:g} s; wanted at most {MOST_STEPS:.0e}")

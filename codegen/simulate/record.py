@@ -1,6 +1,8 @@
 """Computes the quantities of `[outputs] record` along a trajectory, from its states."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from math import prod
 
 import numpy as np
 
@@ -14,29 +16,38 @@ from coscrew_codegen.simulate.system import System
 _AT_ONCE = 4096  # samples per call, so that temporaries of pure NumPy stay within megabytes
 
 
-def record(system: System, trajectory: Trajectory, provenance: Provenance) -> Recording:
-    """The columns that the scene records.  Raises SimulateError for a quantity whose function was
-    not selected."""
-    wanted = [recorded(text, system.scene) for text in system.scene.record]
+def record(system: System, trajectory: Trajectory, provenance: Provenance,
+           wanted: Sequence[str] | None = None) -> Recording:
+    """The columns that the scene records, or those that are `wanted`.  Raises SimulateError for a
+    quantity whose function was not selected."""
+    texts = system.scene.record if wanted is None else wanted
+    found = [recorded(text, system.scene) for text in texts]
     columns = {name: Column(name, unit, x.quantity)
-               for x in wanted for name, unit in zip(x.names, x.units, strict=True)}
-    names = [name for x in wanted for name in x.names]
+               for x in found for name, unit in zip(x.names, x.units, strict=True)}
+    names = [name for x in found for name in x.names]
     first = [names.index(name) for name in columns]  # duplicates are recorded once
-    values = np.concatenate([quantity(system, trajectory, x) for x in wanted], 1)
-    return Recording(trajectory.t, tuple(columns.values()), values[:, first], provenance)
+    values = np.concatenate([quantity(system, trajectory, x) for x in found], -1)
+    return Recording(trajectory.t, tuple(columns.values()), values[..., first], provenance)
 
 
 def quantity(system: System, trajectory: Trajectory, wanted: Recorded) -> np.ndarray:
-    """The quantity at each sample, in the system's precision.  (n, number of its columns)."""
-    n = len(trajectory.t)
-    parts = [_values(system, wanted, *(x[i:i + _AT_ONCE] for x in (
-        trajectory.t, trajectory.q, trajectory.v))) for i in range(0, n, _AT_ONCE)]
-    return np.concatenate(parts)[:, list(wanted.places)].astype(system.dtype)
+    """The quantity at each sample, in the system's precision.  (…, n, number of its columns)."""
+    n, members = len(trajectory.t), prod(trajectory.q.shape[:-2])
+    at_once = max(1, _AT_ONCE // max(1, members))
+    parts = []
+    with np.errstate(all="ignore"):  # members that stopped
+        for i in range(0, n, at_once):
+            t, q, v = trajectory.t[i:i + at_once], *(
+                x[..., i:i + at_once, :] for x in (trajectory.q, trajectory.v))
+            p = system.p_of_samples if trajectory.held is None \
+                else trajectory.held[..., i:i + at_once, :]
+            parts.append(_values(system.at(p), wanted, t, q, v)[..., list(wanted.places)])
+    return np.concatenate(parts, -2).astype(system.dtype)
 
 
 def _values(system: System, wanted: Recorded, t: np.ndarray, q: np.ndarray, v: np.ndarray
             ) -> np.ndarray:
-    """All components of the quantity.  (n), (n, nq), (n, nv)->(n, …)."""
+    """All components of the quantity.  (n), (…, n, nq), (…, n, nv)->(…, n, k)."""
     match wanted.quantity:
         case "q":
             return q
@@ -48,7 +59,7 @@ def _values(system: System, wanted: Recorded, t: np.ndarray, q: np.ndarray, v: n
             both = system.call("energy", t=t, q=q, v=v)
             return np.concatenate((both, both.sum(-1, keepdims=True)), -1)
         case "power":
-            return system.call("power", t=t, q=q, v=v)[:, None]
+            return system.call("power", t=t, q=q, v=v)[..., None]
         case "momentum":
             return system.call("momentum", t=t, q=q, v=v)
         case "reaction":
@@ -56,13 +67,13 @@ def _values(system: System, wanted: Recorded, t: np.ndarray, q: np.ndarray, v: n
             return system.call(reaction_name(system, wanted.target), t=t, q=q, v=v, a=a)
     body = [x.name for x in system.scene.model.bodies].index(wanted.target)
     if wanted.quantity == "twist":
-        return system.call("body_twists", q=q, v=v)[:, body]
-    pose = system.call("body_poses", q=q)[:, body]
-    return pose[:, :, 3] if wanted.quantity == "position" else pose.reshape(len(q), 12)
+        return system.call("body_twists", q=q, v=v)[..., body, :]
+    pose = system.call("body_poses", q=q)[..., body, :, :]
+    return pose[..., 3] if wanted.quantity == "position" else pose.reshape(*q.shape[:-1], 12)
 
 
 def accelerations(system: System, t: np.ndarray, q: np.ndarray, v: np.ndarray) -> np.ndarray:
-    """a at tau = 0.  (n), (n, nq), (n, nv)->(n, nv)."""
+    """a at tau = 0.  (n), (…, n, nq), (…, n, nv)->(…, n, nv)."""
     return system.call("forward_dynamics", t=t, q=q, v=v, tau=np.zeros_like(v))
 
 

@@ -20,13 +20,13 @@ Provenance = tuple[tuple[str, str], ...]
 
 @dataclass(frozen=True)
 class Recording:
-    """Columns over time, in the precision of the run."""
+    """Columns over time, in the precision of the run; of a batch, with a leading axis."""
 
     t: np.ndarray  # (n), s, in double
     columns: tuple[Column, ...]
-    values: np.ndarray  # (n, m)
+    values: np.ndarray  # (…, n, m)
     provenance: Provenance
 
     def of(self, name: str) -> np.ndarray:
         """The column of this name."""
-        return self.values[:, [c.name for c in self.columns].index(name)]
+        return self.values[..., [c.name for c in self.columns].index(name)]

@@ -7,7 +7,7 @@ interpolants; they stop exactly at the end.
 
 import time
 from collections.abc import Callable, Iterator
-from functools import partial
+from copy import copy
 from itertools import pairwise
 
 import numpy as np
@@ -16,82 +16,152 @@ from coscrew_codegen.integrator import Integrator
 from coscrew_codegen.integrators import DEFAULT, named
 from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.alarm import Alarm
-from coscrew_codegen.simulate.plan import Plan, Trajectory
+from coscrew_codegen.simulate.control import Driven
+from coscrew_codegen.simulate.plan import Plan, Stop, Trajectory
 from coscrew_codegen.simulate.system import State, System, Watch
 
 _AT_ONCE = 10_000  # steps per call of C, which Ctrl-C cannot interrupt
 _KEPT = 100  # steps after which rounding errors of momentum are removed
 
 Alarming = Callable[[System, Plan, State], Alarm]
-Sampled = Iterator[tuple[np.ndarray, np.ndarray, int, str]]
+Sampled = Iterator[tuple[np.ndarray, np.ndarray, int, tuple[Stop, ...]]]
+Advance = Callable[[int, int, float, float, np.ndarray, np.ndarray], State]
+"""(n, k, t, h, q, v) -> q and v after n steps of h from t, the first of them the run's k-th."""
 
 
 def integrate(system: System, plan: Plan, watch: Watch | None = None,
-              alarm: Alarming | None = None) -> Trajectory:
-    """The trajectory from the scene's start.
+              alarm: Alarming | None = None, start: State | None = None,
+              driven: Driven | None = None, momentum: np.ndarray | None = None) -> Trajectory:
+    """The trajectory from `start`, by default the scene's; a batch of them if that, or the
+    parameters of the system, have a leading axis.
 
     A state that is not finite, a failing solver, and an interrupt (Ctrl-C) end it early; samples so
     far are kept.  Runs of emitted integrators also stop if an Alarm, made by `alarm`, reports that
-    the motion is wrong.
+    the motion is wrong.  Other members of a batch go on; samples of those that stopped are NaN.
+    `driven` sets parameters during the run.  `momentum` of floating bases is that of the start,
+    unless the run continues another.
     `watch` is called at each sample and in between: after every step of SciPy and of pure NumPy,
     else after 10000 steps."""
-    times, (q, v) = plan.samples, system.start()
-    run = _adaptive if plan.adaptive else partial(fixed, alarm=alarm)
-    sampled, stopped, interrupted, steps = [(q, v)], "", False, 0
-    began, at = time.perf_counter(), 0.0
-    if lacking := system.lacking(q, v):
-        raise SimulateError(f"the start is not finite: {lacking}")
+    times, (q, v) = plan.samples, start or system.start()
+    if lacking := [x for i in np.ndindex(q.shape[:-1]) if (x := system.lacking(q[i], v[i]))]:
+        raise SimulateError(f"the start is not finite: {lacking[0]}")
+    if momentum is None and named(plan.integrator).keeps_momentum:
+        momentum = system.momentum(q, v)
+    if plan.adaptive:
+        run = _adaptive(system, plan, times, q, v, watch)
+    else:
+        run = fixed(system, plan, times, q, v, watch, alarm, driven, momentum)
+    samples = _Samples(times, q, v, driven)
+    began = time.perf_counter()
+    interrupted, at = "", plan.begin
     try:
-        for reached, velocity, steps, stopped in run(  # noqa: B007  steps are told at the end
-                system, plan, times, q, v, watch):
-            if stopped:
+        for q, v, steps, stops in run:  # noqa: B020  the state goes on
+            samples.add(q, v, steps, stops)
+            if samples.ended:
                 break
-            at = float(times[len(sampled)])
-            sampled.append((reached, velocity))
+            at = float(times[samples.count - 1])
             if watch:
-                watch(at, reached, velocity)
+                watch(at, q, v)
     except KeyboardInterrupt:
-        stopped, interrupted = f"interrupted after t = {at:.9g} s", True
-    seconds = time.perf_counter() - began
-    qs, vs = (np.array([state[i] for state in sampled], system.dtype) for i in (0, 1))
-    return Trajectory(times[:len(sampled)], qs, vs, steps, seconds, stopped, interrupted)
+        interrupted = f"interrupted after t = {at:.9g} s"
+    return samples.trajectory(time.perf_counter() - began, interrupted, momentum)
+
+
+class _Samples:
+    """The samples of a run so far."""
+
+    def __init__(self, times: np.ndarray, q: np.ndarray, v: np.ndarray, driven: Driven | None):
+        lead, self._driven = q.shape[:-1], driven
+        given = [q, v, *([np.broadcast_to(driven.p, (*lead, driven.p.shape[-1]))]
+                         if driven else [])]
+        self._kept = [np.full((*lead, len(times), x.shape[-1]), np.nan, x.dtype) for x in given]
+        for kept, x in zip(self._kept, given, strict=True):
+            kept[..., 0, :] = x
+        self._times, self._alive, self._steps = times, np.ones(lead, bool), 0
+        self._stops: list[Stop] = []
+        self.count = 1
+
+    @property
+    def ended(self) -> bool:
+        """Whether no member goes on."""
+        return not self._alive.any()
+
+    def add(self, q: np.ndarray, v: np.ndarray, steps: int, stops: tuple[Stop, ...]) -> None:
+        """The next sample, before which members stopped."""
+        self._stops += stops
+        self._steps = steps
+        for stop in stops:
+            self._alive[stop.member if self._alive.ndim else ()] = False
+        if self.ended:
+            return
+        p = [self._driven.p] if self._driven else []
+        for kept, x in zip(self._kept, (q, v, *p), strict=True):
+            kept[..., self.count, :] = np.where(self._alive[..., None], x, np.nan)
+        self.count += 1
+
+    def trajectory(self, seconds: float, interrupted: str, momentum: np.ndarray | None
+                   ) -> Trajectory:
+        """All of it: of a single run up to its stop, of a batch up to the end."""
+        single = not self._alive.ndim
+        stopped = interrupted or (self._stops[0].cause if self._stops and single else "")
+        n = self.count if single or interrupted else len(self._times)
+        q, v, *held = (x[..., :n, :] for x in self._kept)
+        return Trajectory(self._times[:n], q, v, self._steps, seconds, stopped, bool(interrupted),
+                          tuple(self._stops), held[0] if held else None, momentum)
 
 
 def _adaptive(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.ndarray,
               watch: Watch | None = None) -> Sampled:
     from coscrew_codegen.simulate.adaptive import adaptive  # imports SciPy
 
-    return adaptive(system, plan, times, q, v, watch)
+    for reached, speeds, steps, stopped in adaptive(system, plan, times, q, v, watch):
+        yield reached, speeds, steps, (Stop(0, float("nan"), "", stopped),) if stopped else ()
 
 
 def fixed(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.ndarray,
-          watch: Watch | None = None, alarm: Alarming | None = None) -> Sampled:
-    """(q, v, steps so far, "") at each sample after the first; instead of "" the place and reason
-    if the run stopped early."""
+          watch: Watch | None = None, alarm: Alarming | None = None, driven: Driven | None = None,
+          momentum: np.ndarray | None = None) -> Sampled:
+    """(q, v, steps so far, members that stopped) at each sample after the first."""
     integrator = named(plan.integrator)
-    step, taken = system.stepper(integrator.step_name, watch), 0
-    if plan.finer > 1 and integrator.splits and system.has("parts"):
-        step = _in_finer_parts(system, integrator, plan.finer)
+    taken = driven.steps if driven else 0
+    advance = driven.advance if driven else _advance(system, plan, watch)
     look = alarm(system, plan, (q, v)) if alarm else None
-    kept = system.kept(q, v) if integrator.keeps_momentum else None
-    at_once = _KEPT if kept else _AT_ONCE
+    at_once = _KEPT if momentum is not None else _AT_ONCE
+    alive = np.ones(q.shape[:-1], bool)
     with np.errstate(all="ignore"):
         for start, end in pairwise(times):
             count, h = plan.steps(end - start)
-            before = q, v
+            before = q, v, copy(driven)
             for i in range(0, count, at_once):
                 if watch and i:
                     watch(start + i * h, q, v)
                 more = min(at_once, count - i)
-                q, v = step(more, start + i * h, h, q, v)
-                if kept:
-                    v = kept(start + (i + more) * h, q, v)
+                q, v = advance(more, taken + i, start + i * h, h, q, v)
+                if integrator.keeps_momentum:
+                    v = system.kept(momentum, start + (i + more) * h, q, v)
+            lost = alive & ~(np.isfinite(q).all(-1) & np.isfinite(v).all(-1))
+            stops = driven.refused(alive) if driven else ()
+            if lost.any() and not stops:
+                stops = _lost(system, plan, lost, (start, h, count, taken), *before)
             taken += count
-            finite = np.isfinite(q).all() and np.isfinite(v).all()
-            stopped = "" if finite else _where(system, plan, start, h, count, *before)
-            if finite and look:
-                stopped = look(count, end, h, q, v)
-            yield q, v, taken, stopped
+            if driven:
+                driven.update(taken, end, q, v)
+            if look:
+                look.system = system.at(driven.p) if driven else system
+                stops += tuple(Stop(i[0] if i else 0, float(end), *x) for i, x in look(
+                    count, end, h, q, v, alive & ~lost).items())
+            for x in stops:
+                alive[x.member if alive.ndim else ()] = False
+            yield q, v, taken, stops
+
+
+def _advance(system: System, plan: Plan, watch: Watch | None = None) -> Advance:
+    """The steps of the plan's integrator, with fixed parameters."""
+    integrator = named(plan.integrator)
+    step = system.stepper(integrator.step_name, watch)
+    if plan.finer > 1 and integrator.splits and system.has("parts"):
+        step = _in_finer_parts(system, integrator, plan.finer)
+    return lambda n, k, t, h, q, v: step(n, t, h, q, v)
 
 
 def _in_finer_parts(system: System, integrator: Integrator, finer: int
@@ -110,17 +180,29 @@ def _in_finer_parts(system: System, integrator: Integrator, finer: int
     return steps
 
 
-def _where(system: System, plan: Plan, start: float, h: float, count: int, q: np.ndarray,
-           v: np.ndarray) -> str:
-    """The time and the joint at which the state stops being finite, within `count` steps from
-    `start`; with cause and remedy if known."""
-    step = system.stepper(named(plan.integrator).step_name)
+def _lost(system: System, plan: Plan, lost: np.ndarray, interval: tuple[float, float, int, int],
+          q: np.ndarray, v: np.ndarray, driven: Driven | None) -> tuple[Stop, ...]:
+    """The times and the joints at which states stop being finite in an interval (its start, the
+    length and the number of its steps, steps before it); with cause and remedy if known."""
+    (start, h, count, taken), rows = interval, np.flatnonzero(lost)
+    if driven or not lost.ndim:
+        advance = driven.advance if driven else _advance(system, plan)
+        members = {int(row): (int(row) if lost.ndim else ()) for row in rows}
+    else:  # the lost ones alone
+        system, q, v = system.member(rows), q[rows], v[rows]
+        advance, members = _advance(system, plan), {int(row): n for n, row in enumerate(rows)}
+    stops = []
     for i in range(count):
-        before, (q, v) = (q, v), step(1, start + i * h, h, q, v)
-        if lacking := system.lacking(q, v):
-            break
-    cause = _cause(system, plan, h, *before)
-    return f"not finite at t = {start + (i + 1) * h:.9g} s: {lacking}{cause}"
+        before, (q, v) = (q, v), advance(1, taken + i, start + i * h, h, q, v)
+        t = start + (i + 1) * h
+        for row, at in list(members.items()):
+            if joint_and_number := system.lacking(q[at], v[at]):
+                joint = joint_and_number.removeprefix("joint ").partition(": ")[0]
+                cause = _cause(system.member(at), plan, h, before[0][at], before[1][at])
+                stops.append(Stop(row, t, joint,
+                                  f"not finite at t = {t:.9g} s: {joint_and_number}{cause}"))
+                del members[row]
+    return (*stops, *(Stop(row, t, "", f"not finite before t = {t:.9g} s") for row in members))
 
 
 def _cause(system: System, plan: Plan, h: float, q: np.ndarray, v: np.ndarray) -> str:

@@ -21,30 +21,57 @@ from coscrew_codegen.simulate import SimulateError
 def refuse_settings(scene: Scene, settings: Mapping[str, float], precision: Precision) -> None:
     """Raise SimulateError for an unknown parameter, a number out of its range or the precision's,
     and numbers that make a body that cannot exist or leave a joint without inertia."""
+    refuse_each(scene, settings, precision)
+    if any(name in settings for name in dependent(scene)):
+        refuse_together(scene, settings)
+
+
+def refuse_each(scene: Scene, settings: Mapping[str, float], precision: Precision,
+                said: str = "--set ") -> None:
+    """Raise SimulateError for an unknown parameter, or a number out of its range or the
+    precision's.  `said` stands before its name."""
     names = tuple(parameter.name for parameter in scene.parameters)
+    least, most = (float(precision.limit(x)) for x in ("smallest_normal", "max"))
     for name, number in settings.items():
         if name not in names:
             listed = ", ".join(names) or "none"
-            raise SimulateError(f"--set {name}: wanted what the scene lists in `runtime`: {listed}")
+            raise SimulateError(f"{said}{name}: wanted what the scene lists in `runtime`: {listed}")
         try:
             bounded(Fraction(number), f"{number:g}")
         except (ValueError, OverflowError) as error:  # NaN and infinity are not fractions
-            raise SimulateError(f"--set {name}={number:g}: {error}") from None
-        least, most = (float(precision.limit(x)) for x in ("smallest_normal", "max"))
+            raise SimulateError(f"{said}{name}={number:g}: {error}") from None
         if number and not least <= abs(number) <= most:
-            raise SimulateError(f"--set {name}={number:g}: outside {precision.name} precision's "
+            raise SimulateError(f"{said}{name}={number:g}: outside {precision.name} precision's "
                                 f"range: 0, and {least:.2g} to {most:.2g} in size")
     for name, sign in signs(scene).items():
         number = settings.get(name, 1)
         if sign.refuses(number):
-            raise SimulateError(f"--set {name}={number:g}: wanted {sign.value}")
+            raise SimulateError(f"{said}{name}={number:g}: wanted {sign.value}")
+
+
+def refuse_together(scene: Scene, settings: Mapping[str, float], said: str = "--set ") -> None:
+    """Raise SimulateError for ranges whose ends are in the wrong order, and for bodies that cannot
+    exist or leave a joint without inertia."""
+    given = " ".join(f"{said}{name}={number:g}" for name, number in settings.items())
     for applied, low, high in ranges(scene, settings):
         if applied.effect.ascending and low > high:
-            given = " ".join(f"--set {name}={number:g}" for name, number in settings.items())
             raise SimulateError(f"{given}: {applied.name}: {applied.effect.ascending[0]}, {low:g}, "
                                 f"is above {applied.effect.ascending[1]}, {high:g}")
     if any(name in settings for name in _of_bodies(scene)):
-        _refuse_model(scene, settings)
+        _refuse_model(scene, settings, given)
+
+
+def dependent(scene: Scene) -> set[str]:
+    """Names of the parameters whose values must suit each other: those of bodies, ends of ranges.
+    """
+    ends = (applied.values[name] for applied in scene.effects
+            if applied.effect.ascending for name in applied.effect.ascending)
+    return {*_of_bodies(scene), *(x.name for x in ends if isinstance(x, Parameter))}
+
+
+def constant(scene: Scene) -> set[str]:
+    """Names of the parameters that a controller must not set, since their values are checked."""
+    return {*signs(scene), *dependent(scene)}
 
 
 def ranges(scene: Scene, settings: Mapping[str, float]) -> Iterator[tuple[Applied, float, float]]:
@@ -76,12 +103,11 @@ def _of_bodies(scene: Scene) -> tuple[str, ...]:
     return tuple(found)
 
 
-def _refuse_model(scene: Scene, settings: Mapping[str, float]) -> None:
+def _refuse_model(scene: Scene, settings: Mapping[str, float], given: str) -> None:
     def swap(name: str, number: Scalar) -> Scalar:
         return Fraction(settings[name]) if name in settings else number
 
     model: Model = swapped_model(scene.model, swap)
-    given = " ".join(f"--set {name}={number:g}" for name, number in settings.items())
     try:
         judged(model, scene.implausible)
     except ModelError as error:

@@ -4,8 +4,8 @@ The inputs of a function depend on the scene (time, parameters); here all are ca
 """
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from functools import cached_property
+from dataclasses import dataclass, replace
+from functools import cached_property, partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -24,17 +24,19 @@ if TYPE_CHECKING:
 State = tuple[np.ndarray, np.ndarray]
 Watch = Callable[[float, np.ndarray, np.ndarray], None]
 """Receives the current t, q, v of a run."""
+Stepper = Callable[[np.ndarray, int, float, float, np.ndarray, np.ndarray], State]
 
 
 @dataclass(frozen=True)
 class System:
-    """A scene's functions: `kernels` has a callable for each, in `precision`; p are parameters."""
+    """A scene's functions: `kernels` has a callable for each, in `precision`; p are parameters,
+    (np), or those of each state of a batch, (…, np)."""
 
     scene: Scene
     functions: SceneInterface
     kernels: "Functions[np.floating]"
     precision: Precision
-    p: tuple[float, ...] = ()
+    p: tuple[float, ...] | np.ndarray = ()
     origin: "Kernels | None" = None  # the kernels of all precisions
 
     @property
@@ -76,31 +78,49 @@ class System:
     def stepper(self, name: str, watch: Watch | None = None
                 ) -> Callable[[int, float, float, np.ndarray, np.ndarray], State]:
         """The integrator as (n, t, h, q, v) -> q and v after n steps of h: in one call of C, or in
-        pure NumPy, where `watch` is called after every step."""
-        function, p = getattr(self.kernels, name), self._p
-        if repeated := getattr(function, "repeated", None):
-            return lambda n, t, h, q, v: repeated(n, t, h, p, q, v)
-        real = self.dtype.type
-        timed, parameters = self.functions.timed, [p] if self.functions.parameters else []
+        pure NumPy, where `watch` is called after every step.  q and v may have leading axes."""
+        return partial(self.stepper_at(name, watch), self._p)
 
-        def steps(n: int, t: float, h: float, q: np.ndarray, v: np.ndarray) -> State:
+    def stepper_at(self, name: str, watch: Watch | None = None) -> Stepper:
+        """The same for given parameters: (p, n, t, h, q, v)."""
+        function = getattr(self.kernels, name)
+        if repeated := getattr(function, "repeated", None):
+            return lambda p, n, t, h, q, v: repeated(n, t, h, p, q, v)
+        real = self.dtype.type
+        timed, takes_p = self.functions.timed, bool(self.functions.parameters)
+
+        def steps(p: np.ndarray, n: int, t: float, h: float, q: np.ndarray, v: np.ndarray
+                  ) -> State:
             for k in range(n):
                 if watch and k:
                     watch(t + k * h, q, v)
                 now = [real(t + k * h)] if timed else []
-                q, v = function(*now, real(h), *parameters, q, v)
+                q, v = function(*now, real(h), *([p] if takes_p else []), q, v)
             return q, v
 
         return steps
 
-    def kept(self, q: np.ndarray, v: np.ndarray) -> Callable[[float, np.ndarray, np.ndarray],
-                                                             np.ndarray]:
-        """(t, q, v) -> v corrected to the momentum that floating bases have at t after starting
-        with q, v at t = 0: removes the accumulated rounding errors of many steps."""
-        if not self.has("free_momentum"):
-            return lambda t, q, v: v
-        c = self.call("free_momentum", q=q, v=v)
-        return lambda t, q, v: self.call("with_free_momentum", t=t, q=q, v=v, c=c)
+    def momentum(self, q: np.ndarray, v: np.ndarray) -> np.ndarray | None:
+        """The momentum of floating bases, if nothing but gravity changes it."""
+        return self.call("free_momentum", q=q, v=v) if self.has("free_momentum") else None
+
+    def kept(self, c: np.ndarray | None, t: float, q: np.ndarray, v: np.ndarray) -> np.ndarray:
+        """v corrected to the momentum that floating bases have at t after starting with `c` at
+        t = 0: removes the accumulated rounding errors of many steps."""
+        return v if c is None else self.call("with_free_momentum", t=t, q=q, v=v, c=c)
+
+    def at(self, p: np.ndarray) -> "System":
+        """The system with these parameters.  (…, np)."""
+        return replace(self, p=p)
+
+    @property
+    def p_of_samples(self) -> np.ndarray:
+        """The parameters, to broadcast with samples of each member: (np), or (…, 1, np)."""
+        return self._p if self._p.ndim < 2 else self._p[..., None, :]
+
+    def member(self, index: int | tuple[int, ...] | np.ndarray) -> "System":
+        """The system with the parameters of one state of a batch, or some."""
+        return self.at(self._p[index]) if self._p.ndim > 1 else self
 
     def energies(self, t: object, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Kinetic and potential energy in J.  (…), (…, nq), (…, nv)->(…), (…), in double."""

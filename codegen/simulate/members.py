@@ -1,0 +1,92 @@
+"""Parameters and starts of a run as arrays, which a batch gives with a leading axis."""
+
+from collections.abc import Iterator, Mapping
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from coscrew_codegen.scene.names import did_you_mean
+from coscrew_codegen.simulate import SimulateError
+from coscrew_codegen.simulate.settings import dependent, refuse_each, refuse_together
+from coscrew_codegen.simulate.system import State, System
+
+Parameters = Mapping[str, ArrayLike] | ArrayLike | None
+
+
+def with_parameters(system: System, given: Parameters) -> System:
+    """The system with these parameters: names and values, or all in order; each value, or row of
+    values, is one or one for each member.  Raises SimulateError."""
+    names = tuple(name for name, _ in system.functions.parameters)
+    if given is None:
+        return system
+    if isinstance(given, Mapping):
+        found = {name: _numbers(f"p: {name}", value, ()) for name, value in given.items()}
+    else:
+        rows = _numbers("p", given, (len(names),))
+        found = dict(zip(names, np.moveaxis(rows, -1, 0), strict=True))
+    if unknown := [name for name in found if name not in names]:
+        hint = f"; {did_you_mean(unknown[0], names)}" if names else ", which is empty"
+        raise SimulateError(f"p: {unknown[0]}: wanted what the scene lists in `runtime`{hint}")
+    _refuse(system, found)
+    columns = [found.get(name, np.float64(value)) for name, value in system.functions.parameters]
+    if not any(np.ndim(x) for x in columns):
+        return system.at(np.array(columns, float))
+    return system.at(np.stack(np.broadcast_arrays(*columns), -1))
+
+
+def start_of(system: System, q0: ArrayLike | None, v0: ArrayLike | None) -> State:
+    """q and v at the start, of all members if there is a batch; by default the scene's."""
+    (q, v), its = system.start(), system.functions
+    with np.errstate(over="ignore"):  # `integrate` refuses infinities
+        if q0 is not None:
+            q = system.normalized(_numbers("q0", q0, (its.nq,))).astype(system.dtype)
+        if v0 is not None:
+            v = _numbers("v0", v0, (its.nv,)).astype(system.dtype)
+    leads = {name: x.shape[:-1] for name, x in (("p", np.array(system.p)), ("q0", q), ("v0", v))}
+    counts = {name: lead[0] for name, lead in leads.items() if lead}
+    if len(set(counts.values())) > 1:
+        raise SimulateError("wanted as many members everywhere; got "
+                            + ", ".join(f"{n} of {name}" for name, n in counts.items()))
+    lead = tuple(counts.values())[:1]
+    q, v = (np.broadcast_to(x, (*lead, x.shape[-1])).copy() for x in (q, v))
+    return q, v
+
+
+def _numbers(name: str, given: ArrayLike, shape: tuple[int, ...]) -> np.ndarray:
+    """The numbers, in double: of this shape, or with one axis of members before."""
+    try:
+        found = np.asarray(given)
+        if found.dtype.kind not in "iuf":
+            raise TypeError
+        found = found.astype(float)
+    except (TypeError, ValueError):
+        raise SimulateError(f"{name}: wanted real numbers; got {given!r}") from None
+    if found.shape[max(0, found.ndim - len(shape)):] != shape or found.ndim > len(shape) + 1:
+        wanted = f"({', '.join(map(str, shape))})" if shape else "a number"
+        several = f"(members, {', '.join(map(str, shape))})" if shape else "one for each member"
+        raise SimulateError(f"{name}: wanted {wanted} or {several}; got shape {found.shape}")
+    return found
+
+
+def _refuse(system: System, found: Mapping[str, np.ndarray]) -> None:
+    """Check values as `--set` does: of each parameter the extreme ones, and together those whose
+    values depend on each other."""
+    for row in _extremes(found):
+        refuse_each(system.scene, row, system.precision, "p: ")
+    together = sorted(dependent(system.scene) & found.keys())
+    if not together:
+        return
+    columns = np.broadcast_arrays(*(found[name] for name in together))
+    for values in np.unique(np.stack([np.atleast_1d(x) for x in columns], -1), axis=0):
+        refuse_together(system.scene, dict(zip(together, values.tolist(), strict=True)), "p: ")
+
+
+def _extremes(found: Mapping[str, np.ndarray]) -> Iterator[dict[str, float]]:
+    """One value at a time: not finite, the least, the greatest, the smallest in size but 0."""
+    for name, given in found.items():
+        values = np.ravel(given)
+        lost, others = values[~np.isfinite(values)], values[values != 0]
+        few = [*lost[:1], values.min(), values.max()] if values.size else []
+        few += [others[np.argmin(np.abs(others))]] if others.size else []
+        for value in few:
+            yield {name: float(value)}

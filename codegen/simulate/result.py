@@ -1,0 +1,66 @@
+"""Result: what `run` returns; one run or a batch, as arrays, tables, plots and files."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+
+from coscrew_codegen.simulate import SimulateError, write
+from coscrew_codegen.simulate.plan import Plan, Stop, Trajectory
+from coscrew_codegen.simulate.recording import Provenance, Recording
+from coscrew_codegen.simulate.system import System
+
+
+@dataclass(frozen=True, repr=False)
+class Result:
+    """A run, or a batch of them with a leading axis of members."""
+
+    system: System
+    plan: Plan
+    trajectory: Trajectory
+    recording: Recording
+
+    @property
+    def t(self) -> np.ndarray:
+        """Times of samples, in s.  (n)."""
+        return self.trajectory.t
+
+    @property
+    def q(self) -> np.ndarray:
+        """Coordinates.  (…, n, nq)."""
+        return self.trajectory.q
+
+    @property
+    def v(self) -> np.ndarray:
+        """Velocities.  (…, n, nv)."""
+        return self.trajectory.v
+
+    @cached_property
+    def recorded(self) -> dict[str, np.ndarray]:
+        """What the scene records, by the names of columns.  Each (…, n)."""
+        return {c.name: self.recording.values[..., i]
+                for i, c in enumerate(self.recording.columns)}
+
+    @property
+    def failed(self) -> tuple[Stop, ...]:
+        """(member, t, joint, cause) of each run that stopped before the end."""
+        return self.trajectory.failed
+
+    @property
+    def provenance(self) -> Provenance:
+        """Where the numbers come from: pairs (name, value)."""
+        return self.recording.provenance
+
+    def __repr__(self) -> str:
+        members = f"{len(self.q)} runs" if self.q.ndim > 2 else "run"
+        stopped = f", {len(self.failed)} stopped" if self.failed else ""
+        return (f"<{members} of {self.system.scene.name} to t = {self.t[-1]:g} s: "
+                f"{len(self.t)} samples{stopped}>")
+
+    def write(self, path: Path | str) -> None:
+        """Write what was recorded, as `coscrew simulate --output` does.  Raises SimulateError."""
+        if self.q.ndim > 2:
+            raise SimulateError(f"{path}: wanted one run; got a batch of {len(self.q)}")
+        write.check_target(Path(path), tuple(write.FORMATS))
+        write.write(self.recording, Path(path))

@@ -1,0 +1,117 @@
+"""run: runs from Python have the bits of `coscrew simulate`; members of a batch those of runs."""
+
+import ctypes
+
+import numpy as np
+import pytest
+
+from coscrew_codegen import Controller, run
+from coscrew_codegen.__main__ import main
+from coscrew_codegen.simulate import SimulateError
+
+SWING = """
+runtime = ["bob.mass", "actuator.pivot.torque"]
+[bodies]
+bob = { mass = 2, com = [0, 0, -0.5], inertia = [0.01, 0.01, 0.01] }
+[joints]
+pivot = { type = "continuous", child = "bob", axis = [0, 1, 0], damping = 0.1 }
+[effects.gravity]
+[effects.viscous]
+joints = "all"
+d = "model"
+[effects.actuator.pivot]
+kind = "torque"
+torque = 0
+[start.q]
+pivot = 0.5
+[outputs]
+record = ["q", "v", "energy"]
+"""
+LAW = ctypes.CFUNCTYPE(None, ctypes.c_double, *[ctypes.POINTER(ctypes.c_double)] * 3,
+                       ctypes.c_void_p)
+
+
+@pytest.fixture(scope="module")
+def swing(tmp_path_factory):
+    path = tmp_path_factory.mktemp("run") / "swing.toml"
+    path.write_text(SWING)
+    return path
+
+
+@pytest.mark.parametrize("precision", ("double", "single"))
+def test_a_run_writes_the_bytes_of_the_command(swing, tmp_path, capsys, precision):
+    asked = ["--until", "0.3", "--step", "0.0007", "--set", "bob.mass=1.1"]
+    assert main(["simulate", str(swing), *asked, "--precision", precision, "--output",
+                 str(tmp_path / "command.csv")]) == 0
+    found = run(swing, until=0.3, step=0.0007, p={"bob.mass": 1.1}, precision=precision)
+    found.write(tmp_path / "run.csv")
+    assert (tmp_path / "run.csv").read_bytes() == (tmp_path / "command.csv").read_bytes()
+
+
+@pytest.mark.parametrize("precision", ("double", "single"))
+def test_members_of_a_batch_are_runs(swing, precision):
+    """To the last bit, whatever has a leading axis."""
+    mass, q0, v0 = np.array([2, 1, 0.3]), np.array([[0.5], [3.1], [-2]]), np.array([[0], [5], [9]])
+    many = run(swing, p={"bob.mass": mass}, q0=q0, v0=v0, until=0.2, precision=precision)
+    assert many.q.shape == (3, 21, 1) and not many.failed
+    for k in range(3):
+        one = run(swing, p=[mass[k], 0], q0=q0[k], v0=v0[k], until=0.2, precision=precision)
+        assert many.q[k].tobytes() == one.q.tobytes()
+        assert many.v[k].tobytes() == one.v.tobytes()
+        for name, values in one.recorded.items():
+            assert many.recorded[name][k].tobytes() == values.tobytes(), name
+
+
+def test_members_that_diverge_are_told_and_others_go_on(swing):
+    many = run(swing, v0=[[0], [1e200], [1e308]], until=0.2)
+    one = run(swing, v0=[1e308], until=0.2)
+    assert [x.member for x in many.failed] in ([1, 2], [2, 1])
+    of_last = next(x for x in many.failed if x.member == 2)
+    assert (of_last.t, of_last.joint, of_last.cause) == (
+        one.failed[0].t, one.failed[0].joint, one.failed[0].cause)
+    assert many.q[0].tobytes() == run(swing, until=0.2).q.tobytes()
+    for x in many.failed:
+        assert np.isnan(many.q[x.member, many.t >= x.t]).all()
+
+
+@pytest.mark.parametrize("every", (1, 7))
+def test_a_controller_holds_its_torque_between_calls(swing, every):
+    """As steps by hand with that torque; in C and in Python, alone and in a batch."""
+    from coscrew_codegen import load_scene
+
+    def law(t, q, v):
+        return -3 * q - v
+
+    its = load_scene(swing).double
+    q, v, k = np.array([0.5]), np.array([0.0]), 0
+    for k in range(50):
+        if k % every == 0:
+            p = np.array([2, law(0, q, v)[0]])
+        q, v = its.step_leapfrog(1e-3, p, q, v)
+    found = run(swing, controller=Controller(law, every), until=0.05)
+    assert found.q[-1].tobytes() == q.tobytes() and found.v[-1].tobytes() == v.tobytes()
+
+    @LAW
+    def in_c(t, q, v, u, context):
+        u[0] = -3 * q[0] - v[0]
+
+    again = run(swing, controller=Controller(in_c, every), until=0.05)
+    assert again.q.tobytes() == found.q.tobytes()
+    many = run(swing, q0=[[0.1], [0.5]], controller=Controller(law, every), until=0.05)
+    assert many.q[1].tobytes() == found.q.tobytes()
+
+
+@pytest.mark.parametrize("asked, said", (
+    ({"p": {"bob.mas": 1}}, "p: bob.mas: .*did you mean 'bob.mass'"),
+    ({"p": {"bob.mass": [1, -1]}}, "p: bob.mass=-1: wanted a positive"),
+    ({"q0": [1, 2, 3]}, r"q0: wanted \(1\) or \(members, 1\); got shape \(3,\)"),
+    ({"q0": [[1], [2]], "v0": [[1]] * 3}, "as many members everywhere; got 2 of q0, 3 of v0"),
+    ({"q0": ["x"]}, "q0: wanted real numbers"),
+    ({"precision": "both"}, "precision: 'both'"),
+    ({"integrator": "radau", "q0": [[1], [2]]}, "wanted an emitted integrator"),
+    ({"controller": lambda t, q, v: [1, 2]}, "controller: wanted 1 numbers"),
+    ({"controller": "law"}, "controller: wanted a function"),
+    ({"controller": Controller(abs, sets=["bob.mass"])}, "which is constant in a run")))
+def test_wrong_arguments_are_refused(swing, asked, said):
+    with pytest.raises(SimulateError, match=said):
+        run(swing, until=0.05, **asked)
