@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from math import inf
 from typing import Any
 
 from coscrew_codegen.arrays.standard import Library, Shape
@@ -44,6 +45,7 @@ def checked(signature: Signature, library: Library, given: Sequence[Any]
     precision = _one(signature, library, kinds)
     arrays, leads = [], []
     for (name, shape), x in zip(signature.inputs, given, strict=True):
+        _refuse_large(signature, name, x, precision)
         x = library.array(x, precision, next((y for y in given if hasattr(y, "dtype")), None))
         lead = tuple(x.shape[:max(x.ndim - len(shape), 0)])
         if tuple(x.shape[len(lead):]) != shape:
@@ -57,7 +59,7 @@ def checked(signature: Signature, library: Library, given: Sequence[Any]
 
 def _kind(signature: Signature, library: Library, name: str, x: Any) -> Any:
     """An array's type; None for a Python number."""
-    if isinstance(x, (int, float)) and not hasattr(x, "dtype"):
+    if library.numeral(x):
         return None
     if not library.takes(x):
         raise TypeError(f"{signature.name}: {name} is a {type(x).__module__}.{type(x).__name__}; "
@@ -70,6 +72,14 @@ def _kind(signature: Signature, library: Library, name: str, x: Any) -> Any:
         raise TypeError(f"{signature.name}: {name} is float64, which JAX would round to float32: "
                         'set jax.config.update("jax_enable_x64", True), or give float32')
     return precision
+
+
+def _refuse_large(signature: Signature, name: str, x: Any, precision: Precision) -> None:
+    """Raises ValueError for a finite Python number that overflows."""
+    if isinstance(x, (int, float)) and precision.limit("max") < abs(x) != inf:
+        said = f"{x:.9g}" if isinstance(x, float) else "a whole number"
+        raise ValueError(f"{signature.name}: {name} is {said} that overflows in "
+                         f"{precision.numpy_type}")
 
 
 def _one(signature: Signature, library: Library, kinds: Mapping[str, Precision | None]

@@ -34,7 +34,7 @@ class Library:
         return {self._key(getattr(self.xp, p.numpy_type)): p for p in PRECISIONS}
 
     def _key(self, dtype: Any) -> str:
-        return str(dtype).rpartition(".")[2].strip("'>")
+        return str(dtype).rpartition(".")[2].rstrip("'>")
 
     def precision(self, dtype: Any) -> Precision | None:
         """The precision of a type; None for others."""
@@ -46,9 +46,16 @@ class Library:
 
     def takes(self, x: Any) -> bool:
         """Whether x is an array of this library; JAX takes those of NumPy, too."""
-        own = type(x).__module__.partition(".")[0]
-        return hasattr(x, "dtype") and (own in (self.name, "jaxlib" * self.traced)
-                                        or self.traced and own == "numpy")
+        module = type(x).__module__  # NumPy's masked arrays are in numpy.ma
+        return hasattr(x, "dtype") and (
+            module.partition(".")[0] in (self.name, "jaxlib" * self.traced)
+            or self.traced and module == "numpy")
+
+    def numeral(self, x: Any) -> bool:
+        """Whether x is a Python number, or stands for one in a function that JAX traces."""
+        if getattr(x, "weak_type", False):
+            return str(x.dtype).startswith(("float", "int"))
+        return isinstance(x, (int, float)) and not (isinstance(x, bool) or hasattr(x, "dtype"))
 
     def holds(self, precision: Precision) -> bool:
         """Whether arrays of this precision stay what they are: without x64, JAX rounds them."""

@@ -2,6 +2,7 @@
 
 import ctypes
 import functools
+import operator
 import sys
 from collections.abc import Callable, Iterator, Mapping
 from math import prod
@@ -184,7 +185,8 @@ def compiled(scene: SceneInterface, library: ctypes.PyDLL, described: Signature,
     vars(function)["in_c"] = in_c
     if described.moved:
         several = c_name(many(scene), described.name.replace("step", "run", 1), precision)
-        vars(function)["repeated"] = _repeated(library, name, several, described, kind)
+        vars(function)["repeated"] = _repeated(library, name, several, described, kind,
+                                               signs(scene))
     return function
 
 
@@ -243,8 +245,8 @@ def _described(function: Made, described: Signature) -> Made:
     return function
 
 
-def _repeated(library: ctypes.PyDLL, name: str, several: str, described: Signature, kind: np.dtype
-              ) -> Made:
+def _repeated(library: ctypes.PyDLL, name: str, several: str, described: Signature, kind: np.dtype,
+              signed: tuple[tuple[int, str, bool], ...]) -> Made:
     """n steps in one call: (n, t, h, p, q, v) -> (q, v).  Leading axes of p, q and v, of any that
     have them, are states; `several` is the name of the function in lanes."""
     run = getattr(_unlocked(library._name), f"run_{name}")
@@ -254,8 +256,11 @@ def _repeated(library: ctypes.PyDLL, name: str, several: str, described: Signatu
     def function(of: _Callable, n: int, t: float, h: float, p: np.ndarray, q: np.ndarray,
                  v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         given = {"p": p, "q": q, "v": v}
-        _checks().arrays(kind, **{x: (given[x], shape) for x, shape in described.inputs
-                                  if x in given})
+        _checks().arrays(kind, **{
+            x: (given[x], shape, *([signed] if x == "p" else []))
+            for x, shape in described.inputs if x in given})
+        if operator.index(n) < 0:
+            raise ValueError(f"n: got {n}; wanted a number of steps, not negative")
         p, q, v = (np.array(x, kind, order="C", ndmin=1) for x in (p, q, v))
         lead = np.broadcast_shapes(*(x.shape[:-1] for x in (p, q, v)))
         q, v = _over_all(q, lead), _over_all(v, lead)

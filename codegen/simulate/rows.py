@@ -97,7 +97,7 @@ def _rows(array: np.ndarray, lead: tuple[int, ...], axes: int) -> Rows:
     array = np.broadcast_to(array, (*lead, *array.shape[array.ndim - axes:]))
     step = _step(array, len(lead))
     return Rows(array, step) if step is not None else Rows(
-        np.ascontiguousarray(array), prod(array.shape[len(lead):]))
+        np.require(array, None, ("C", "A")), prod(array.shape[len(lead):]))
 
 
 def _step(array: np.ndarray, lead: int) -> int | None:

@@ -8,6 +8,8 @@ from coscrew_codegen.scene_files.decimals import decimal
 
 MOST = 2**32
 """Most samples: SciPy's Sobol sequence has no more."""
+MOST_POINTS = 10**6
+"""Most points of one grid."""
 LIMITS = "limits"
 LOG = "log"
 
@@ -39,8 +41,8 @@ def grid(text: str) -> GridAsked:
                                "payload.mass=0:5:50")
     log = _log(name, parts, 3, "FROM:TO:COUNT")
     first, last = (_number(name, x) for x in parts[:2])
-    count = whole(parts[2], 1)
-    if (count == 1) != (first == last):
+    count = whole(parts[2], 1, MOST_POINTS)
+    if (count == 1) != (float(first) == float(last)):
         raise argparse.ArgumentTypeError(f"{name}: {count} from {parts[0]} to {parts[1]}; wanted 1 "
                                          "if both ends are the same, and 2 or more if not")
     ends = _positive(name, (first, last)) if log else (first, last)
@@ -55,7 +57,7 @@ def sobol(text: str) -> SobolAsked:
         return SobolAsked(pattern, None, False, text)
     log = _log(pattern, parts, 2, "LOW:HIGH")
     low, high = (_number(pattern, x) for x in parts[:2])
-    if low >= high:
+    if float(low) >= float(high):
         raise argparse.ArgumentTypeError(f"{pattern}: wanted LOW below HIGH; got {parts[0]} and "
                                          f"{parts[1]}")
     ends = _positive(pattern, (low, high)) if log else (low, high)

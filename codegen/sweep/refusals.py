@@ -20,6 +20,9 @@ def refuse(scene: Scene, settings: Mapping[str, float], varied: Varied, precisio
            ) -> None:
     """Raise SweepError if a member could have parameters that are refused."""
     refuse_settings(scene, settings, precision)
+    for name, ends in varied.ends.items():
+        if (most := max(map(abs, ends))) > precision.limit("max"):
+            raise SweepError(f"{name}: {most:.9g} overflows in {precision.name} precision")
     for corner in _corners(scene, varied):
         try:
             refuse_settings(scene, {**settings, **corner}, precision)

@@ -108,6 +108,14 @@ def test_numbers_and_errors() -> None:
         ON_JAX.cross_vv(np.zeros((2, 3)), np.zeros((3, 3)))
     with pytest.raises(TypeError, match="wanted the arguments v1, v2; got v1"):
         ON_JAX.cross_vv(np.zeros(3))
+    with pytest.raises(TypeError, match="v is a numpy.ma.*MaskedArray; wanted an array of jax"):
+        ON_JAX.SO3_exp(np.ma.array(np.zeros(3), mask=True))
+    with pytest.raises(TypeError, match="v is >f8; wanted float64 or float32"):
+        ON_JAX.SO3_exp(np.zeros(3, ">f8"))
+    ones = np.ones(3, np.float32)
+    assert jax.jit(ON_JAX.axpy_vv)(2.0, ones, ones).dtype == np.float32
+    with pytest.raises(ValueError, match=r"a is 1e\+300 that overflows in float32"):
+        ON_JAX.axpy_vv(1e300, ones, ones)
     with pytest.raises(TypeError, match="v is a builtins.list; wanted an array of jax"):
         ON_JAX.SO3_exp([0, 0, 0])
 

@@ -184,6 +184,9 @@ def test_runs_refuse_rows_of_other_lengths(kernels: Kernels):
     for nq, nv in ((scene.nq - 1, scene.nv), (scene.nq, scene.nv + 1)):
         with pytest.raises(ValueError, match="wanted shape"):
             getattr(kernels.double, name).repeated(1, 0.0, 0.01, p, np.zeros(nq), np.zeros(nv))
+    with pytest.raises(ValueError, match="n: got -1; wanted a number of steps"):
+        getattr(kernels.double, name).repeated(-1, 0.0, 0.01, p, np.zeros(scene.nq),
+                                               np.zeros(scene.nv))
 
 
 def test_lanes_are_compiled_when_they_pay(kernels: Kernels, tmp_path: Path):

@@ -20,10 +20,11 @@ from pycparser.c_generator import CGenerator
 from coscrew_codegen.targets.c_ksl import MARK, REFUSED
 
 INCLUDE = Path(__file__).parents[3] / "generated" / "c" / "include" / "ksl"
+_OTHERS = re.compile("ksl|elementary|.*_(fused|accurate|certified|many)$")
 FAMILIES = tuple(sorted(path.stem for path in INCLUDE.glob("*.h")
-                        if not re.match(r"ksl|elementary|.*_(fused|accurate|certified)$", path.stem)
-                        and path.stem not in REFUSED))
-"""The plain headers, except elementary functions, whose text is no formula of what they compute."""
+                        if not _OTHERS.match(path.stem) and path.stem not in REFUSED))
+"""The plain headers of one element, except elementary functions, whose text is no formula of what
+they compute."""
 
 _MATH = {"fabs": sp.Abs, "sqrt": sp.sqrt, "ksl_sin": sp.sin, "ksl_cos": sp.cos,
          "ksl_atan2": sp.atan2}
