@@ -15,8 +15,9 @@ from coscrew_codegen.simulate.alarm import Alarm
 from coscrew_codegen.simulate.control import Controller, Driven, Law
 from coscrew_codegen.simulate.load import Kernels, kernels_for
 from coscrew_codegen.simulate.members import Parameters, start_of, with_parameters
+from coscrew_codegen.simulate.onward import End, end_of, read, refuse
 from coscrew_codegen.simulate.plan import plan
-from coscrew_codegen.simulate.provenance import provenance
+from coscrew_codegen.simulate.provenance import provenance, started
 from coscrew_codegen.simulate.record import record as recording_of
 from coscrew_codegen.simulate.result import Result
 from coscrew_codegen.simulate.run import integrate
@@ -24,7 +25,8 @@ from coscrew_codegen.simulate.system import scene_of, system
 
 
 def run(scene: Kernels | Scene | Path | str, *, p: Parameters = None,
-        q0: ArrayLike | None = None, v0: ArrayLike | None = None, until: float | None = None,
+        q0: ArrayLike | None = None, v0: ArrayLike | None = None,
+        start: Result | Path | str | None = None, until: float | None = None,
         step: float | None = None, integrator: str | None = None, precision: str | None = None,
         controller: Controller | Law | int | None = None, every: float | None = None,
         record: Sequence[str] | None = None) -> Result:
@@ -36,27 +38,59 @@ def run(scene: Kernels | Scene | Path | str, *, p: Parameters = None,
     batch, and so are the arrays of the result.  Members that diverge are listed in `failed`, their
     later samples are NaN, the others go on.
 
+    `start` is a Result, or a recording of one run (.csv, .npz, .parquet): the run goes on from its
+    end with its parameters, except for those in p, to the bit as one long run does, if that end is
+    a multiple of `every`.  q0 and v0 must then be None.
+
     `controller` sets run-time parameters during the run: see Controller.  `every` is the time
     between samples, `record` names what to record, as in scenes.  Raises SimulateError for
     impossible settings, and the errors of reading a scene."""
     kernels, scene = _kernels(scene, integrator, precision, record)
     name = precision or scene.precision
-    its = with_parameters(system(kernels, DOUBLE.name if name == "both" else name), p)
-    q, v = start_of(its, q0, v0)
-    planned = plan(its, until, step, integrator, every)
+    its, end = system(kernels, DOUBLE.name if name == "both" else name), _end(start, q0, v0)
+    if end:
+        its = its.at(end.p)
+    its = with_parameters(its, p)
+    q, v = start_of(its, q0, v0, end)
+    planned = plan(its, until, step, integrator, every, begin=end.t if end else 0.0)
+    if end:
+        refuse(end, its, planned)
     if planned.adaptive and (q.ndim > 1 or controller is not None):
         raise SimulateError(f"integrator {planned.integrator} chooses its steps as one motion needs"
                             "; wanted an emitted integrator for batches and controllers")
-    driven = None
+    driven = wanted = None
     if controller is not None:
         wanted = controller if isinstance(controller, Controller) else Controller(controller)
-        driven = Driven(wanted, its, planned, q)
+        driven = Driven(wanted, its, planned, q, *((end.steps, end.p) if end else ()))
     alarm = partial(Alarm, driven=driven is not None)
-    trajectory = integrate(its, planned, None, alarm, (q, v), driven)
+    trajectory = integrate(its, planned, None, alarm, (q, v), driven,
+                           end.momentum if end else None)
     if trajectory.interrupted:
         raise KeyboardInterrupt
-    origin = provenance(its, planned, trajectory, kernels.compiler or "none: NumPy")
-    return Result(its, planned, trajectory, recording_of(its, trajectory, origin, record))
+    before = end.steps if end and not driven else 0
+    given = any(x is not None for x in (q0, v0, start))
+    origin = provenance(its, planned, trajectory, kernels.compiler or "none: NumPy",
+                        started(planned.begin, q, v) if given else "",
+                        wanted.told if wanted else "", before)
+    return Result(its, planned, trajectory, recording_of(its, trajectory, origin, record), before)
+
+
+def _end(start: Result | Path | str | None, q0: ArrayLike | None, v0: ArrayLike | None
+         ) -> End | None:
+    """The end of the run to go on from.  Raises SimulateError, TypeError."""
+    if start is None:
+        return None
+    if q0 is not None or v0 is not None:
+        raise SimulateError("start: wanted either a run to go on from, or q0 and v0; got both")
+    if isinstance(start, (str, Path)):
+        return read(Path(start))
+    if not isinstance(start, Result):
+        raise TypeError(f"start: wanted a Result or the path of a recording; got "
+                        f"{type(start).__name__}")
+    if start.failed:
+        raise SimulateError(f"start: {start!r}; wanted one that reached its end; the first cause: "
+                            f"{start.failed[0].cause}")
+    return end_of(start.system, start.trajectory, start.before)
 
 
 def _kernels(scene: Kernels | Scene | Path | str, integrator: str | None, precision: str | None,

@@ -25,6 +25,9 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         "simulate", help="integrate a scene's motion",
         description="Integrate a scene's motion, and write, plot or show what it records.")
     add_scene(parser)
+    parser.add_argument("--start", metavar="FILE", type=Path,
+                        help="go on, to the bit, from the end of a recording that --output wrote, "
+                             "with its parameters unless --set")
     parser.add_argument("--output", metavar="FILE", type=Path,
                         help="write the recording: .csv, .npz or .parquet; with --precision both, "
                              "single precision goes to FILE's name with .single before its ending")
@@ -118,8 +121,10 @@ def run(options: argparse.Namespace) -> int:
         print(f"coscrew: {line}", file=sys.stderr)
     outcomes = outcome.simulated(kernels, outcome.RunOverrides(
         options.until, options.step, options.integrator, options.precision,
-        tuple(options.settings)), told=bool(options.output or options.plot or options.view))
-    for note in (outcome.outside(outcomes[0].system), outcome.bounces(outcomes[0])):
+        tuple(options.settings), options.start),
+        told=bool(options.output or options.plot or options.view))
+    for note in ("" if options.start else outcome.outside(outcomes[0].system),
+                 outcome.bounces(outcomes[0])):
         if note:
             print(f"coscrew: {note}", file=sys.stderr)
     recordings = [x.recording for x in outcomes]

@@ -46,9 +46,11 @@ class Controller:
     context: int | None = None  # an address
 
     def __post_init__(self) -> None:
-        if not callable(self.function) and not isinstance(self.function, int):
+        pointer = isinstance(self.function, int | CFuncPtr)
+        if isinstance(self.function, bool) or (pointer and not self.address) or not (
+                pointer or callable(self.function)):
             raise SimulateError("controller: wanted a function of (t, q, v), or a pointer to one "
-                                f"in C; got {type(self.function).__name__}")
+                                f"in C; got {_shown(self.function)}")
         if not isinstance(self.steps, int) or self.steps < 1:
             raise SimulateError(f"controller: wanted a whole number of steps; got {self.steps!r}")
 
@@ -69,6 +71,14 @@ class Controller:
         else:
             what = f"function {getattr(self.function, '__qualname__', type(self.function))}"
         return f"{what}, every {self.steps} steps" if self.steps > 1 else f"{what}, every step"
+
+
+def _shown(function: object) -> str:
+    """What was given instead of a function: a number itself, of anything else its type."""
+    if isinstance(function, int):
+        return repr(function)
+    null = "a null pointer, " if isinstance(function, CFuncPtr) else ""
+    return null + type(function).__name__
 
 
 def set_by(controller: Controller, scene: Scene) -> tuple[int, ...]:

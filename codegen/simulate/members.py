@@ -7,9 +7,11 @@ from numpy.typing import ArrayLike
 
 from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.simulate import SimulateError
+from coscrew_codegen.simulate.onward import End
 from coscrew_codegen.simulate.settings import dependent, refuse_each, refuse_together
 from coscrew_codegen.simulate.system import State, System
 
+_OF_NORM = 1e-6
 Parameters = Mapping[str, ArrayLike] | ArrayLike | None
 
 
@@ -28,18 +30,23 @@ def with_parameters(system: System, given: Parameters) -> System:
         hint = f"; {did_you_mean(unknown[0], names)}" if names else ", which is empty"
         raise SimulateError(f"p: {unknown[0]}: wanted what the scene lists in `runtime`{hint}")
     _refuse(system, found)
-    columns = [found.get(name, np.float64(value)) for name, value in system.functions.parameters]
+    own = np.moveaxis(np.asarray(system.p, float), -1, 0)
+    columns = [found.get(name, x) for name, x in zip(names, own, strict=True)]
     if not any(np.ndim(x) for x in columns):
         return system.at(np.array(columns, float))
     return system.at(np.stack(np.broadcast_arrays(*columns), -1))
 
 
-def start_of(system: System, q0: ArrayLike | None, v0: ArrayLike | None) -> State:
-    """q and v at the start, of all members if there is a batch; by default the scene's."""
-    (q, v), its = system.start(), system.functions
+def start_of(system: System, q0: ArrayLike | None, v0: ArrayLike | None, end: End | None = None
+             ) -> State:
+    """q and v at the start, of all members if there is a batch; by default the end of the run that
+    goes on, or the scene's."""
+    (q, v), its = (end.q.astype(system.dtype), end.v.astype(system.dtype)) if end \
+        else system.start(), system.functions
     with np.errstate(over="ignore"):  # `integrate` refuses infinities
         if q0 is not None:
-            q = system.normalized(_numbers("q0", q0, (its.nq,))).astype(system.dtype)
+            q = system.normalized(_of_norm_1(system, _numbers("q0", q0, (its.nq,)))).astype(
+                system.dtype)
         if v0 is not None:
             v = _numbers("v0", v0, (its.nv,)).astype(system.dtype)
     leads = {name: x.shape[:-1] for name, x in (("p", np.array(system.p)), ("q0", q), ("v0", v))}
@@ -50,6 +57,19 @@ def start_of(system: System, q0: ArrayLike | None, v0: ArrayLike | None) -> Stat
     lead = tuple(counts.values())[:1]
     q, v = (np.broadcast_to(x, (*lead, x.shape[-1])).copy() for x in (q, v))
     return q, v
+
+
+def _of_norm_1(system: System, q: np.ndarray) -> np.ndarray:
+    """q, if its quaternions have norm 1 within 1e-6, as in a scene's file.  Raises SimulateError.
+    """
+    for c in system.functions.coordinates:
+        if c.kind in ("spherical", "free"):
+            norms = np.linalg.norm(q[..., c.q.stop - 4:c.q.stop], axis=-1)
+            if (wrong := np.abs(norms - 1) > _OF_NORM).any():
+                raise SimulateError(f"q0: joint {c.joint}: a quaternion of norm "
+                                    f"{norms[wrong].flat[0]:.9g}; wanted 1 within {_OF_NORM:g}, as "
+                                    "(x, y, z, w)")
+    return q
 
 
 def _numbers(name: str, given: ArrayLike, shape: tuple[int, ...]) -> np.ndarray:

@@ -3,6 +3,7 @@
 import math
 from dataclasses import dataclass
 from fractions import Fraction
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,7 +12,10 @@ from tabulate import tabulate
 from coscrew_codegen.formats import BY_NAME
 from coscrew_codegen.integrators import DEFAULT, named
 from coscrew_codegen.scene.mimics import without_chains
+from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.alarm import Alarm
+from coscrew_codegen.simulate.members import start_of, with_parameters
+from coscrew_codegen.simulate.onward import read, refuse
 from coscrew_codegen.simulate.plan import Plan, Trajectory, plan
 from coscrew_codegen.simulate.progress import Progress
 from coscrew_codegen.simulate.record import Difference, differences, record
@@ -33,6 +37,7 @@ class RunOverrides:
     integrator: str | None = None
     precision: str | None = None
     settings: tuple[tuple[str, float], ...] = ()
+    start: Path | None = None  # a recording to go on from
 
 
 @dataclass(frozen=True)
@@ -50,6 +55,9 @@ def simulated(kernels: "Kernels", overrides: RunOverrides, also: tuple[float, ..
     """The runs, double first.  `also` are further times to sample at; without `told`, recordings
     have no provenance.  Raises SimulateError."""
     precision = overrides.precision or scene_of(kernels).precision
+    if overrides.start and precision == "both":
+        raise SimulateError("--start: a recording is of one precision; wanted --precision double "
+                            "or single")
     names = tuple(BY_NAME) if precision == "both" else (precision,)
     outcomes: list[Outcome] = []
     for name in names:
@@ -62,14 +70,24 @@ def simulated(kernels: "Kernels", overrides: RunOverrides, also: tuple[float, ..
 def _run(kernels: "Kernels", precision: str, overrides: RunOverrides, also: tuple[float, ...],
          told: bool) -> Outcome:
     its = system(kernels, precision, dict(overrides.settings))
-    planned = plan(its, overrides.until, overrides.step, overrides.integrator, also=also)
+    end = read(overrides.start) if overrides.start else None
+    if end:
+        its = with_parameters(its.at(end.p), dict(overrides.settings))
+    planned = plan(its, overrides.until, overrides.step, overrides.integrator, also=also,
+                   begin=end.t if end else 0.0)
+    if end:
+        refuse(end, its, planned)
+    state = start_of(its, None, None, end)
     with Progress(its, planned.until) as watch:
-        trajectory = integrate(its, planned, watch, Alarm)
+        trajectory = integrate(its, planned, watch, Alarm, state,
+                               momentum=end.momentum if end else None)
     origin: tuple[tuple[str, str], ...] = ()
     if told:
-        from coscrew_codegen.simulate.provenance import provenance  # slow: runs Git
+        from coscrew_codegen.simulate.provenance import provenance, started  # slow: runs Git
 
-        origin = provenance(its, planned, trajectory, kernels.compiler or "none: NumPy")
+        origin = provenance(its, planned, trajectory, kernels.compiler or "none: NumPy",
+                            started(planned.begin, *state) if end else "",
+                            before=end.steps if end else 0)
     return Outcome(its, planned, trajectory, record(its, trajectory, origin))
 
 
@@ -128,9 +146,10 @@ def _within(x: float, low: float, high: float) -> bool:
 
 def _heading(outcome: Outcome) -> str:
     trajectory = outcome.trajectory
-    end, seconds = trajectory.t[-1], trajectory.seconds
-    speed = f", {end / seconds:.3g}x real time" if seconds > 0 else ""
-    return (f"{outcome.system.scene.name}: {end:g} s in {trajectory.steps} steps of "
+    begin, end, seconds = outcome.plan.begin, trajectory.t[-1], trajectory.seconds
+    speed = f", {(end - begin) / seconds:.3g}x real time" if seconds > 0 else ""
+    since = f"{begin:g} to " if begin else ""
+    return (f"{outcome.system.scene.name}: {since}{end:g} s in {trajectory.steps} steps of "
             f"{outcome.plan.integrator}, {seconds:.3g} s{speed}")
 
 

@@ -1,8 +1,9 @@
 """Result: what `run` returns; one run or a batch, as arrays, tables, plots and files."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -10,6 +11,10 @@ from coscrew_codegen.simulate import SimulateError, write
 from coscrew_codegen.simulate.plan import Plan, Stop, Trajectory
 from coscrew_codegen.simulate.recording import Provenance, Recording
 from coscrew_codegen.simulate.system import System
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
 
 
 @dataclass(frozen=True, repr=False)
@@ -20,6 +25,7 @@ class Result:
     plan: Plan
     trajectory: Trajectory
     recording: Recording
+    before: int = 0  # steps of the runs that it goes on from, if its own count leaves them out
 
     @property
     def t(self) -> np.ndarray:
@@ -57,6 +63,31 @@ class Result:
         stopped = f", {len(self.failed)} stopped" if self.failed else ""
         return (f"<{members} of {self.system.scene.name} to t = {self.t[-1]:g} s: "
                 f"{len(self.t)} samples{stopped}>")
+
+    def member(self, i: int) -> Recording:
+        """What was recorded of a member of a batch."""
+        if self.q.ndim < 3:
+            raise SimulateError("member: this is one run; wanted a batch")
+        return replace(self.recording, values=self.recording.values[i])
+
+    def to_xarray(self) -> "xarray.Dataset":
+        """What was recorded, by columns with units, over t, and over `member` in a batch; there
+        `cause` tells why a member stopped.  Provenance is in `attrs`.  Needs xarray."""
+        from coscrew_codegen.simulate.tables import to_xarray
+
+        return to_xarray(self.recording, self.failed)
+
+    def to_pandas(self) -> "pandas.DataFrame":
+        """The same as a table: a row for each t, or each member and t.  Needs pandas."""
+        from coscrew_codegen.simulate.tables import to_pandas
+
+        return to_pandas(self.recording)
+
+    def _repr_html_(self) -> str:
+        """A plot with the provenance, for notebooks."""
+        from coscrew_codegen.simulate.tables import html
+
+        return html(repr(self), self.recording, self.failed)
 
     def write(self, path: Path | str) -> None:
         """Write what was recorded, as `coscrew simulate --output` does.  Raises SimulateError."""

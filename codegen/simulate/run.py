@@ -45,7 +45,9 @@ def integrate(system: System, plan: Plan, watch: Watch | None = None,
     times, (q, v) = plan.samples, start or system.start()
     if lacking := [x for i in np.ndindex(q.shape[:-1]) if (x := system.lacking(q[i], v[i]))]:
         raise SimulateError(f"the start is not finite: {lacking[0]}")
-    if momentum is None and named(plan.integrator).keeps_momentum:
+    if momentum is not None:
+        momentum = momentum.astype(system.dtype)
+    elif named(plan.integrator).keeps_momentum:
         momentum = system.momentum(q, v)
     if plan.adaptive:
         run = _adaptive(system, plan, times, q, v, watch)

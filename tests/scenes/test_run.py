@@ -8,25 +8,8 @@ import pytest
 from coscrew_codegen import Controller, run
 from coscrew_codegen.__main__ import main
 from coscrew_codegen.simulate import SimulateError
+from tests.support.scenes.swing import SWING
 
-SWING = """
-runtime = ["bob.mass", "actuator.pivot.torque"]
-[bodies]
-bob = { mass = 2, com = [0, 0, -0.5], inertia = [0.01, 0.01, 0.01] }
-[joints]
-pivot = { type = "continuous", child = "bob", axis = [0, 1, 0], damping = 0.1 }
-[effects.gravity]
-[effects.viscous]
-joints = "all"
-d = "model"
-[effects.actuator.pivot]
-kind = "torque"
-torque = 0
-[start.q]
-pivot = 0.5
-[outputs]
-record = ["q", "v", "energy"]
-"""
 LAW = ctypes.CFUNCTYPE(None, ctypes.c_double, *[ctypes.POINTER(ctypes.c_double)] * 3,
                        ctypes.c_void_p)
 
@@ -111,7 +94,27 @@ def test_a_controller_holds_its_torque_between_calls(swing, every):
     ({"integrator": "radau", "q0": [[1], [2]]}, "wanted an emitted integrator"),
     ({"controller": lambda t, q, v: [1, 2]}, "controller: wanted 1 numbers"),
     ({"controller": "law"}, "controller: wanted a function"),
+    ({"q0": [[0.5]], "p": {"bob.mass": [1, 2]}}, "as many members everywhere"),
     ({"controller": Controller(abs, sets=["bob.mass"])}, "which is constant in a run")))
 def test_wrong_arguments_are_refused(swing, asked, said):
     with pytest.raises(SimulateError, match=said):
         run(swing, until=0.05, **asked)
+
+
+@pytest.mark.parametrize("pointer", (0, False, True, LAW()))
+def test_what_points_to_no_function_is_refused(pointer):
+    with pytest.raises(SimulateError, match="controller: wanted a function of .*got"):
+        Controller(pointer)
+
+
+def test_quaternions_have_norm_1_as_in_files(tmp_path):
+    path = tmp_path / "free.toml"
+    path.write_text("""[bodies]
+hull = { mass = 3, inertia = [0.3, 0.2, 0.4] }
+[joints]
+base = { type = "free", child = "hull" }
+""")
+    for wrong in ([0, 0, 0, 2], [0, 0, 0, 0]):
+        with pytest.raises(SimulateError, match="joint base: a quaternion of norm .*wanted 1"):
+            run(path, q0=[0, 0, 0, *wrong], until=0.1)
+    assert run(path, q0=[0, 0, 0, 0, 0, 0, 1 + 1e-7], until=0.1).q[0, 6] == 1

@@ -1,0 +1,81 @@
+"""Recordings of runs and batches as xarray's and pandas' tables, and as HTML for notebooks."""
+
+import tempfile
+from collections.abc import Sequence
+from dataclasses import replace
+from html import escape
+from pathlib import Path
+from types import ModuleType
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from coscrew_codegen.simulate import SimulateError
+from coscrew_codegen.simulate.plan import Stop
+from coscrew_codegen.simulate.recording import Recording
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+_MOST_DRAWN = 20  # members of a batch
+
+
+def to_xarray(recording: Recording, failed: Sequence[Stop]) -> "xarray.Dataset":
+    """A variable for each column.  Raises SimulateError if xarray is lacking."""
+    made, batch = _needed("xarray").Dataset, recording.values.ndim > 2
+    axes = ("member", "t") if batch else ("t",)
+    found = {c.name: (axes, recording.values[..., i], {"units": c.unit})
+             for i, c in enumerate(recording.columns)}
+    places: dict[str, object] = {"t": ("t", recording.t, {"units": "s"})}
+    if batch:
+        causes = {x.member: x.cause for x in failed}
+        members = range(len(recording.values))
+        places |= {"member": list(members),
+                   "cause": ("member", np.array([causes.get(i, "") for i in members], np.str_))}
+    table: xarray.Dataset = made(found, places, dict(recording.provenance))
+    return table
+
+
+def to_pandas(recording: Recording) -> "pandas.DataFrame":
+    """A row for each sample; units in `attrs`.  Raises SimulateError if pandas is lacking."""
+    its, values = _needed("pandas"), recording.values
+    index = its.Index(recording.t, name="t")
+    if values.ndim > 2:
+        index = its.MultiIndex.from_product((range(len(values)), recording.t),
+                                               names=("member", "t"))
+    table: pandas.DataFrame = its.DataFrame(
+        values.reshape(-1, values.shape[-1]), index, [c.name for c in recording.columns])
+    table.attrs = {"units": {c.name: c.unit for c in recording.columns},
+                   **dict(recording.provenance)}
+    return table
+
+
+def html(title: str, recording: Recording, failed: Sequence[Stop]) -> str:
+    """A heading, a plot (of a batch, its first members), and the provenance."""
+    from coscrew_codegen.simulate.plot import plot  # imports Matplotlib
+
+    batch = recording.values.ndim > 2
+    drawn = [replace(recording, values=x) for x in recording.values[:_MOST_DRAWN]] \
+        if batch else [recording]
+    with tempfile.TemporaryDirectory() as folder:
+        picture = Path(folder) / "run.svg"
+        plot(drawn, picture, members=batch)
+        text = picture.read_text(encoding="utf-8")
+    shown = f", the first {_MOST_DRAWN} drawn" if batch and len(recording.values) > len(drawn) \
+        else ""
+    told = [*recording.provenance, *((f"member {x.member}" if batch else "stop", x.cause)
+                                     for x in failed)]
+    rows = "".join(f"<tr><th>{escape(what)}</th><td>{escape(value)}</td></tr>"
+                   for what, value in told)
+    return (f"<p>{escape(title)}{shown}</p>{text[text.index('<svg'):]}"
+            f"<details><summary>origin</summary><table>{rows}</table></details>")
+
+
+def _needed(name: str) -> ModuleType:
+    from importlib import import_module
+
+    try:
+        return import_module(name)
+    except ImportError:
+        raise SimulateError(f"this needs {name}; run `pip install \"coscrew[sweep]\"`") from None
