@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
+from coscrew_codegen.integrators import named
 from coscrew_codegen.scene.content import content_hash
 from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.plan import Plan, Trajectory
@@ -96,6 +97,9 @@ def refuse(end: End, system: System, plan: Plan) -> None:
     if end.momentum is not None and (free is None or free.shape != end.momentum.shape):
         raise SimulateError("start: another scene: the momentum of its floating bases differs in "
                             "size")
+    if end.momentum is None and free is not None and named(plan.integrator).keeps_momentum:
+        raise SimulateError("start: a run that did not keep the momentum of floating bases, as "
+                            f"{plan.integrator} does; wanted the integrator of that run")
     if scene != content_hash(system.scene):
         warnings.warn("start: the recording is of another scene, or of one that has changed since",
                       RuntimeWarning, stacklevel=3)

@@ -114,6 +114,13 @@ def test_what_cannot_go_on_is_refused(scenes, asked, said):
         run(path, start=run(path, until=0.1), **asked)
 
 
+def test_momentum_that_was_not_kept_is_not_made_up(scenes):
+    """leapfrog corrects floating bases to the momentum at t = 0, which rk4 does not tell."""
+    path = scenes / "tumbling.toml"
+    with pytest.raises(SimulateError, match="wanted the integrator of that run"):
+        run(path, start=run(path, until=0.1, integrator="rk4"), integrator="leapfrog", until=0.2)
+
+
 def test_recordings_that_tell_no_end_are_refused(scenes, tmp_path):
     path = scenes / "swing.toml"
     run(path, until=0.1).write(tmp_path / "first.csv")
