@@ -9,6 +9,7 @@ from coscrew_codegen.operations import eigen, euler, special
 from coscrew_codegen.operations.family import Family
 from coscrew_codegen.operations.norm import (
     Let,
+    calm,
     divided,
     l2,
     largest_size,
@@ -86,7 +87,8 @@ def _inverse(let: Let, R: sp.Matrix) -> tuple[sp.Expr, sp.Matrix]:
     twice that may be zero.  Underflow adds at most 2^-147 a^3 (2^-1072 a^3), far less than u det A
     unless det A is below 2^-96 a^3 (2^-760 a^3)."""
     largest = largest_size(let, "R", tuple(R))
-    s = stepwise_power(let, "s", largest)
+    chooses = calm(let, largest)
+    s = stepwise_power(let, "s", chooses)
     A = let("A", R.applyfunc(lambda x: scaled(x, s)))
     columns = [A[:, j] for j in range(3)]
     cofactors = [let(f"n{j}", columns[(j + 1) % 3].cross(columns[(j + 2) % 3])) for j in range(3)]
@@ -100,7 +102,7 @@ def _inverse(let: Let, R: sp.Matrix) -> tuple[sp.Expr, sp.Matrix]:
     divisor = let("divisor", sp.Piecewise((det, regular), (1, True)))
     quotients = let("quotient", sp.Matrix.hstack(*cofactors).T / divisor)
     inverse = let("inverse", quotients.applyfunc(lambda x: scaled(x, s)))
-    return sp.Piecewise((_unscaled(let, det, largest), regular), (0, True)), inverse.applyfunc(
+    return sp.Piecewise((_unscaled(let, det, chooses), regular), (0, True)), inverse.applyfunc(
         lambda x: sp.Piecewise((x, regular), (sp.nan, True)))
 
 

@@ -11,7 +11,11 @@ from dataclasses import dataclass, replace
 import sympy as sp
 
 from coscrew_codegen.operations.operation import (
+    CALM_LARGE,
+    CALM_MODEST,
+    CALM_TINY,
     ENLARGING,
+    HALF_STEP,
     LARGE,
     MODEST,
     NORM_THRESHOLD,
@@ -29,7 +33,8 @@ class Let:
 
     `fine` is whether the results are computed to twice the digits, for which series need more terms
     and other formulas are better; `smooth` whether they are differentiated, so that 0/0 must be its
-    limit, though it is multiplied by zero."""
+    limit, though it is multiplied by zero, and squares of intermediate results must not overflow.
+    """
 
     bind: Callable[[str, sp.Expr | sp.Matrix], sp.Expr | sp.Matrix]
     fine: bool = False
@@ -83,10 +88,12 @@ def largest_size(let: Let, name: str, x: Sequence[sp.Expr]) -> sp.Expr:
 def power_of_two(let: Let, name: str, x: Sequence[sp.Expr], reduced: bool = False) -> sp.Expr:
     """A power of two s such that s x suits norms and quotients by them (MODEST, LARGE); s >= 1 if
     x is `reduced` already."""
+    tiny, modest, large = ((CALM_TINY, CALM_MODEST, CALM_LARGE) if let.smooth else
+                           (TINY, MODEST, LARGE))
     largest = largest_size(let, name, x)
-    large = () if reduced else ((REDUCING, largest > LARGE),)
-    return let(name, sp.Piecewise((RAISING, largest < TINY), (ENLARGING, largest < MODEST), *large,
-                                  (sp.Integer(1), True)))
+    reducing = () if reduced else ((REDUCING, largest > large),)
+    return let(name, sp.Piecewise((RAISING, largest < tiny), (ENLARGING, largest < modest),
+                                  *reducing, (sp.Integer(1), True)))
 
 
 def stepwise_power(let: Let, name: str, largest: sp.Expr) -> sp.Expr:
@@ -97,6 +104,12 @@ def stepwise_power(let: Let, name: str, largest: sp.Expr) -> sp.Expr:
         (third, largest < 1 / second), (second, largest < 1 / first), (first, largest < 1),
         (sp.Integer(1), largest < first), (1 / first, largest < second),
         (1 / second, largest < third), (1 / third, True)))
+
+
+def calm(let: Let, largest: sp.Expr) -> sp.Expr:
+    """What chooses a stepwise power in the place of `largest`: where derivatives are taken, the
+    power leaves entries around 1 as they are."""
+    return let("calm", scaled(largest, HALF_STEP)) if let.smooth else largest
 
 
 def inverse_power(let: Let, name: str, s: sp.Expr, reduced: bool = False) -> sp.Expr:

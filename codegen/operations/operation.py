@@ -20,6 +20,10 @@ NORM_THRESHOLD = sp.Symbol("norm_threshold", positive=True)
 TINY, MODEST, LARGE = sp.symbols("tiny modest large", positive=True)
 ENLARGING, RAISING, REDUCING = sp.symbols("enlarging raising reducing", positive=True)
 
+# The same where derivatives are taken, which have squares and cubes of what the results have: most
+# numbers stay as they are, others are brought between 2^-263 and 2^202 (single 2^-35 and 2^62).
+CALM_TINY, CALM_MODEST, CALM_LARGE = sp.symbols("calm_tiny calm_modest calm_large", positive=True)
+
 # (x + GRID s) - GRID s, for |x| <= s, is x rounded to so few digits that squares of such numbers,
 # and sums of three squares, are exact.
 GRID = sp.Symbol("grid", positive=True)
@@ -38,6 +42,10 @@ INDISTINCT, SPOILED = sp.symbols("indistinct spoiled", positive=True)
 # of them: products of three entries do not overflow, and underflow only where they are negligible.
 STEPS = sp.symbols("step step2 step3", positive=True)
 
+# The root of the first of STEPS: where derivatives are taken, the largest entry is between its
+# inverse and it, so that the square of a determinant does not overflow.
+HALF_STEP = sp.Symbol("half_step", positive=True)
+
 PER_PRECISION: dict[sp.Symbol, tuple[sp.Rational, sp.Rational]] = {
     NORM_THRESHOLD: (sp.Rational(1, 10**9), sp.Rational(1, 10**6)),
     TINY: (sp.Rational(1, 2**494), sp.Rational(1, 2**46)),
@@ -46,6 +54,10 @@ PER_PRECISION: dict[sp.Symbol, tuple[sp.Rational, sp.Rational]] = {
     ENLARGING: (sp.Integer(2**502), sp.Integer(2**54)),
     RAISING: (sp.Integer(2**1000), sp.Integer(2**108)),
     REDUCING: (sp.Rational(1, 2**513), sp.Rational(1, 2**65)),
+    CALM_TINY: (sp.Rational(1, 2**800), sp.Rational(1, 2**80)),
+    CALM_MODEST: (sp.Rational(1, 2**300), sp.Rational(1, 2**30)),
+    CALM_LARGE: (sp.Integer(2**250), sp.Integer(2**30)),
+    HALF_STEP: (sp.Integer(2**150), sp.Integer(2**20)),
     REGULAR: (1 - sp.Rational(50, 2**53), 1 - sp.Rational(50, 2**24)),
     DEPENDENT: (sp.Rational(16, 2**53), sp.Rational(16, 2**24)),
     INDISTINCT: (sp.Rational(8, 2**53), sp.Rational(8, 2**24)),

@@ -26,8 +26,8 @@ from coscrew_codegen.operations.norm import (
 from coscrew_codegen.operations.operation import WITHIN, Normwise, Operation, scaled
 from coscrew_codegen.operations.quaternion_products import PRODUCTS
 from coscrew_codegen.operations.rotation import (
+    SmoothAngle,
     conjugate,
-    continued,
     half_angle,
     quaternion,
     quaternion_of,
@@ -162,8 +162,11 @@ def _log(let: Let, q: sp.Matrix) -> sp.Matrix:
 
 def _slerp(let: Let, q1: sp.Matrix, q2: sp.Matrix, k: sp.Expr) -> sp.Matrix:
     between = upper(let, let("between", quaternion_product(conjugate(q1), q2)))
-    half, n, divisor = half_angle(let, between)
-    rate = let("rate", continued(let, half / divisor, n, 1 / scalar_part(between)))
+    if let.smooth:
+        rate = SmoothAngle.of(let, between).rate
+    else:
+        half, _, divisor = half_angle(let, between)
+        rate = let("rate", half / divisor)
     step = let("step", rate * let("kv", k * vector_part(between)))
     return quaternion_product(q1, let("power", versor(prefixed(let, "exp"), step)))
 

@@ -1,13 +1,17 @@
 """Rotations as matrices, quaternions and rotation vectors: building blocks of operations."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import sympy as sp
 
 from coscrew_codegen.algebra import skew
 from coscrew_codegen.operations.half_angle import HalfAngle, known_angle
 from coscrew_codegen.operations.norm import Let, nonzero, prefixed, safe_norm
-from coscrew_codegen.operations.series import Angle, far, taylor
+from coscrew_codegen.operations.series import Angle, alternating, far, taylor
+
+_NEAR = sp.Rational(1, 16)  # |v|²/w² up to which derivatives are those of series
+_ARCTANGENT_TERMS = 18  # what is left out, and its derivatives, are below 2^-60
 
 
 def rodrigues(let: Let, v: sp.Matrix, alpha: sp.Expr, beta: sp.Expr,
@@ -89,18 +93,49 @@ def half_angle(let: Let, q: sp.Matrix, reduced: bool = False) -> tuple[sp.Expr, 
     return let("half", sp.atan2(n, scalar_part(q))), n, let("divisor", nonzero(n))
 
 
-def continued(let: Let, quotient: sp.Expr, n: sp.Expr, limit: sp.Expr) -> sp.Expr:
-    """The quotient, whose limit for n = 0 counts only if it is differentiated."""
-    return sp.Piecewise((limit, sp.Eq(n, 0)), (quotient, True)) if let.smooth else quotient
+@dataclass(frozen=True)
+class SmoothAngle:
+    """θ/2 = atan2(|v|, w) for derivatives, which the length |v| has none of at zero: where |v| is
+    small against w, θ² and θ/2|v| are series in |v|²/w², and the other two mean nothing."""
+
+    square: sp.Expr  # θ²
+    rate: sp.Expr  # θ / 2|v|
+    half: sp.Expr  # θ/2
+    n: sp.Expr  # |v|
+
+    @classmethod
+    def of(cls, let: Let, q: sp.Matrix) -> "SmoothAngle":
+        """Of any positive multiple of a unit quaternion with w >= 0."""
+        v, w = vector_part(q), scalar_part(q)
+        vv, ww = let("vv", v.dot(v)), let("ww", w**2)
+        near = sp.Eq(let("near", sp.Piecewise((1, vv < _NEAR * ww), (0, True))), 1)
+
+        def where_near(value: sp.Expr, other: int) -> sp.Piecewise:
+            return sp.Piecewise((value, near), (sp.Integer(other), True))
+
+        y = let("tangent_square", where_near(vv, 0) / let("near_ww", where_near(ww, 1)))
+        series = let("arctangent", alternating(
+            lambda j: sp.Rational((-1)**j, 2 * j + 1), y, _ARCTANGENT_TERMS, _NEAR))
+        n = let("n", sp.sqrt(let("far_vv", sp.Piecewise((1, near), (vv, True)))))
+        half = let("half", sp.atan2(n, w))
+        near_rate = let("near_rate", series / let("near_w", where_near(w, 1)))
+        far_rate = let("far_rate", half / let("divisor", nonzero(n)))
+        return cls(let("square", sp.Piecewise((4 * y * series**2, near), (4 * half**2, True))),
+                   let("rate", sp.Piecewise((near_rate, near), (far_rate, True))), half, n)
 
 
 def rotation_vector(let: Let, q: sp.Matrix,
                     reduced: bool = False) -> tuple[sp.Matrix, Angle | HalfAngle]:
     """θ v / |v| and θ, of any positive multiple of a unit quaternion with w >= 0."""
+    v, w = vector_part(q), scalar_part(q)
+    if let.smooth:
+        smooth = SmoothAngle.of(let, q)
+        theta = let("theta", 2 * smooth.half)
+        return (let("vector", 2 * smooth.rate * v),
+                Angle.known(let, theta, smooth.n, w, smooth.square))
     half, n, divisor = half_angle(let, q, reduced)
     theta = let("theta", 2 * half)
-    k = let("k", continued(let, theta / divisor, n, 2 / scalar_part(q)))
-    return let("vector", k * vector_part(q)), known_angle(let, theta, n, scalar_part(q))
+    return let("vector", let("k", theta / divisor) * v), known_angle(let, theta, n, w)
 
 
 def versor(let: Let, h: sp.Matrix) -> sp.Matrix:

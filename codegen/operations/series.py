@@ -61,9 +61,11 @@ class Angle:
         return cls(let, x, theta, *corrected, _half_cotangent(let, *corrected))
 
     @classmethod
-    def known(cls, let: Let, theta: sp.Expr, sine: sp.Expr, cosine: sp.Expr) -> "Angle":
-        """From a known angle and any common multiple of sin θ/2 and cos θ/2; serves only b."""
-        x = let("x", theta**2)
+    def known(cls, let: Let, theta: sp.Expr, sine: sp.Expr, cosine: sp.Expr,
+              square: sp.Expr | None = None) -> "Angle":
+        """From a known angle and any common multiple of sin θ/2 and cos θ/2; serves only b.
+        `square` is θ², if that is known better."""
+        x = let("x", theta**2 if square is None else square)
         divisor = let("far_sine", far(x, sine, sp.Integer(1)))
         return cls(let, x, theta, sine, cosine, let("cotangent", cosine / divisor))
 

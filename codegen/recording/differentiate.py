@@ -68,9 +68,14 @@ def _of_root_of_zero(step: Instruction, partial: Any, slope: Number) -> Any:
 
 
 def _of_angle(f: Functions, y: Number, x: Number, angle: Number) -> tuple[Number, ...]:
-    square = x * x + y * y
-    divisor = numbers.where(numbers.equal(square, 0), 1, square)
-    return x / divisor, -(y / divisor)
+    """x / (x² + y²) and -y / (x² + y²), of quotients by the larger one: squares would overflow, or
+    vanish."""
+    larger = numbers.maximum(numbers.absolute(x), numbers.absolute(y))
+    none = numbers.equal(larger, 0)
+    larger = numbers.where(none, 1, larger)
+    u, v = x / larger, y / larger
+    divisor = larger * numbers.where(none, 1, u * u + v * v)
+    return u / divisor, -(v / divisor)
 
 
 _HERE: dict[Op, Slopes] = {Op.SQRT: _of_root, Op.ATAN2: _of_angle}

@@ -125,3 +125,38 @@ def test_single_precision_without_x64() -> None:
         found = jax.jacrev(ON_JAX.SO3_log)(np.eye(3, dtype=np.float32))
         assert found.dtype == np.float32
         assert np.array_equal(found[2], [[0, -0.5, 0], [0.5, 0, 0], [0, 0, 0]])
+
+
+def normalized(v: list) -> list:
+    return [x / mpmath.norm(v) for x in v]
+
+
+def angle_to_123(v: list) -> list:
+    """By the cosine, which is far from ±1 here."""
+    w = [mpmath.mpf(k) for k in (1, 2, 3)]
+    return [mpmath.acos(mpmath.fdot(v, w) / mpmath.norm(v) / mpmath.norm(w))]
+
+
+@pytest.mark.parametrize("name, truth", (("vec3_normalized", normalized),
+                                         ("angle_vv", angle_to_123)))
+@pytest.mark.parametrize("size", (1, 1e-3, 300, 1e60))
+def test_second_derivatives_under_xla(name: str, truth: object, size: float) -> None:
+    """XLA makes a / (b b) of a / b / b."""
+    v, count = np.array([2, -0.5, 0.7]) * size, 3
+    others = [] if name == "vec3_normalized" else [jnp.array([1.0, 2.0, 3.0])]
+    found = np.asarray(jax.jit(jax.hessian(getattr(ON_JAX, name)))(jnp.asarray(v), *others))
+    with mpmath.workdps(60):
+        step = mpmath.mpf(size) * mpmath.mpf(10)**-15
+        x, unit = [mpmath.mpf(a) for a in v], np.eye(3)
+
+        def moved(a: int, b: int, s: int, t: int) -> list:
+            return truth([c + step * (s * int(unit[a, k]) + t * int(unit[b, k]))
+                          for k, c in enumerate(x)])
+
+        for a in range(count):
+            for b in range(count):
+                ends = (moved(a, b, *signs) for signs in ((1, 1), (1, -1), (-1, 1), (-1, -1)))
+                wanted = [float((p - q - r + s) / (4 * step**2))
+                          for p, q, r, s in zip(*ends, strict=True)]
+                assert np.allclose(found[..., a, b], wanted, rtol=0,
+                                   atol=1000 * 2**-53 * np.abs(found).max())

@@ -35,9 +35,10 @@ STEP, CLOSE = mpf(10)**-16, mpf(10)**-24
 ROWS = 2
 FUNCTIONS = SimpleNamespace(sin=mpmath.sin, cos=mpmath.cos, less=lambda a, b: a < b,
                             where=lambda test, a, b: a if test else b)
-MOST, OF_ARCTANGENT = 5, 9
+MOST, OF_ARCTANGENT = 5, 20
 """Operations of an adjoint by those of its program: two products and a sum for a product, and the
-program itself; divisions and roots take one more; arctangents x² + y² and two quotients."""
+program itself; divisions and roots take one more; arctangents quotients by the larger operand, the
+sum of their squares, and two quotients."""
 
 
 @pytest.fixture(autouse=True)
