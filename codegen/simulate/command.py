@@ -14,7 +14,7 @@ from coscrew_codegen.integrators import in_words
 
 if TYPE_CHECKING:
     from coscrew_codegen.scene.scene import Scene
-    from coscrew_codegen.simulate.outcome import Outcome
+    from coscrew_codegen.simulate.result import Result
 
 _FIRST = 5  # unused numbers that are listed
 
@@ -119,15 +119,15 @@ def run(options: argparse.Namespace) -> int:
                           BOTH if one == "both" else (one,))
     for line in _notes(scene, options.unused):
         print(f"coscrew: {line}", file=sys.stderr)
-    outcomes = outcome.simulated(kernels, outcome.RunOverrides(
+    results = outcome.simulated(kernels, outcome.RunOverrides(
         options.until, options.step, options.integrator, options.precision,
         tuple(options.settings), options.start),
         told=bool(options.output or options.plot or options.view))
-    for note in ("" if options.start else outcome.outside(outcomes[0].system),
-                 outcome.bounces(outcomes[0])):
+    for note in ("" if options.start else outcome.outside(results[0].system),
+                 outcome.bounces(results[0])):
         if note:
             print(f"coscrew: {note}", file=sys.stderr)
-    recordings = [x.recording for x in outcomes]
+    recordings = [x.recording for x in results]
     if options.output:
         for path, recording in zip(_outputs(options.output), recordings, strict=False):
             write.write(recording, path)
@@ -138,10 +138,10 @@ def run(options: argparse.Namespace) -> int:
     if options.view:
         from coscrew_codegen.simulate import view
 
-        first = outcomes[0]
+        first = results[0]
         view.view(first.system, first.trajectory, first.recording.provenance, options.view)
-    print(outcome.summary(outcomes))
-    return _status(outcomes)
+    print(outcome.summary(results))
+    return _status(results)
 
 
 def _notes(scene: "Scene", all_unused: bool) -> Iterator[str]:
@@ -159,12 +159,12 @@ def _outputs(path: Path) -> tuple[Path, Path]:
     return path, path.with_name(f"{path.stem}.single{path.suffix}")
 
 
-def _status(outcomes: "tuple[Outcome, ...]") -> int:
+def _status(results: "tuple[Result, ...]") -> int:
     """The exit status; reports on standard error where runs stopped."""
-    for x in outcomes:
+    for x in results:
         if x.trajectory.stopped:
             print(f"coscrew: {x.system.precision.name}: {x.trajectory.stopped}; "
                   f"{len(x.trajectory.t)} samples kept", file=sys.stderr)
-    if any(x.trajectory.interrupted for x in outcomes):
+    if any(x.trajectory.interrupted for x in results):
         return 130
-    return 1 if any(x.trajectory.stopped for x in outcomes) else 0
+    return 1 if any(x.trajectory.stopped for x in results) else 0
