@@ -11,6 +11,7 @@ from coscrew_codegen.scene.content import motion_hash
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.control import Controller
+from coscrew_codegen.simulate.motion import Asked
 from coscrew_codegen.simulate.onward import START, Instant, instant
 from coscrew_codegen.simulate.provenance import ASKED
 from coscrew_codegen.simulate.result import Result
@@ -31,6 +32,11 @@ class Told:
     scene: str  # its sha256
     controller: str  # what provenance says of it
     coscrew: str
+
+    def asked(self, controller: Controller | None = None) -> Asked:
+        """The same settings, with the controller that the recording does not hold."""
+        return Asked(self.until, self.step, self.integrator, self.every, self.record,
+                     start=self.start, controller=controller)
 
     def refuse(self, scene: Scene, controller: Controller | None) -> None:
         """Raise SimulateError if a run of this scene and controller is another; warn if another

@@ -62,9 +62,7 @@ def again(scene: Kernels | Scene | Path | str, recording: Result | Path | str, *
     by = controller if controller is None or isinstance(controller, Controller) \
         else Controller(controller)
     told.refuse(own, by)
-    return _told(motion(kernels, told.precision, Asked(
-        told.until, told.step, told.integrator, told.every, told.record, start=told.start,
-        controller=by)))
+    return _told(motion(kernels, told.precision, told.asked(by)))
 
 
 def _told(result: Result) -> Result:

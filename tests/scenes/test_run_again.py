@@ -17,7 +17,7 @@ def law(t, q, v):
     return -3 * q - v + np.sin(40 * t)
 
 
-SPUN = [0.1, -0.2, 0.3, 0.1, 0.7, -0.3, 0.6403124237432849, 2.1]  # a quaternion of norm 1 but for u
+SPUN = [0.1, -0.2, 0.3, 0.1, 0.7, -0.3, 0.6403124237432849, 2.1]  # its norm is 1 within u
 ASKED = {
     "as the scene says": ("swing", {}),
     "what a recording shows in few digits": ("swing", {
@@ -86,6 +86,21 @@ def test_so_does_every_file_of_the_command(scenes, tmp_path, capsys, ending):
     for name in (both, tmp_path / f"both.single{ending}"):
         again(path, name).write(tmp_path / f"again{ending}")
         assert (tmp_path / f"again{ending}").read_bytes() == name.read_bytes()
+        assert main(["simulate", str(path), "--again", str(name), "--output",
+                     str(tmp_path / f"command{ending}")]) == 0
+        assert (tmp_path / f"command{ending}").read_bytes() == name.read_bytes()
+
+
+def test_the_command_refuses_other_settings_and_runs_with_a_controller(scenes, tmp_path, capsys):
+    path, name = scenes / "swing.toml", tmp_path / "driven.csv"
+    run(path, until=0.05, record=["a"], controller=law).write(name)
+    for asked, said in (((), "again: controller: wanted function law, every step, sets"),
+                        (("--until", "1"), "tells all settings; wanted no --until"),
+                        (("--set", "bob.mass=1"), "tells all settings; wanted no --set")):
+        assert main(["simulate", str(path), "--again", str(name), *asked]) == 2
+        assert said in capsys.readouterr().err
+    run(path, until=0.05, record=["a"]).write(name)
+    assert main(["simulate", str(path), "--again", str(name), "--output", str(name)]) == 0
 
 
 @pytest.mark.parametrize("controller", (None, Controller(law, 7)))

@@ -96,6 +96,20 @@ def test_for_each_member_of_a_batch_also_in_lanes(made, monkeypatch, scene, prec
             assert many.trajectory.held[k].tobytes() == one.trajectory.held.tobytes()
 
 
+@BOTH
+@pytest.mark.filterwarnings("ignore:swing runs in pure NumPy")
+def test_without_a_compiler_too(made, monkeypatch, precision):
+    folder, laws = made
+    asked = {"precision": precision, "until": 0.03, "q0": [[0.1], [0.2]],
+             "controller": Controller(laws["swing", precision], 7)}
+    wanted = run(folder / "swing.toml", **asked)
+    monkeypatch.setenv("CC", "no-compiler")
+    found = run(folder / "swing.toml", **asked)
+    assert dict(found.provenance)["compiler"] == "none: NumPy"
+    assert found.q.tobytes() == wanted.q.tobytes()
+    assert found.trajectory.held.tobytes() == wanted.trajectory.held.tobytes()
+
+
 def test_in_the_order_of_time_then_of_members(made, monkeypatch):
     folder, _ = made
     calls = []

@@ -1,11 +1,11 @@
 """A scene's functions of many states have the bits of one: with every compiler, width and flag, for
 any number of states, strides, shared rows, in place, and for numbers of every kind."""
 
+import inspect
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
-import inspect
 import numpy as np
 import pytest
 
