@@ -43,10 +43,9 @@ def run(scene: Kernels | Scene | Path | str, *, p: Parameters = None,
     between samples, `record` names what to record, as in scenes.  Raises SimulateError for
     impossible settings, and the errors of reading a scene."""
     kernels, own = _kernels(scene, integrator, precision, record)
-    by = controller if controller is None or isinstance(controller, Controller) \
-        else Controller(controller)
     return _told(motion(kernels, _precision(precision, own), Asked(
-        until, step, integrator, every, record, p, q0, v0, _end(start, q0, v0), by)))
+        until, step, integrator, every, record, p, q0, v0, _end(start, q0, v0),
+        _controller(controller))))
 
 
 def again(scene: Kernels | Scene | Path | str, recording: Result | Path | str, *,
@@ -59,8 +58,7 @@ def again(scene: Kernels | Scene | Path | str, recording: Result | Path | str, *
     controller."""
     told = asked_of(recording)
     kernels, own = _kernels(scene, told.integrator, told.precision, told.record)
-    by = controller if controller is None or isinstance(controller, Controller) \
-        else Controller(controller)
+    by = _controller(controller)
     told.refuse(own, by)
     return _told(motion(kernels, told.precision, told.asked(by)))
 
@@ -90,6 +88,10 @@ def _end(start: Result | Path | str | None, q0: ArrayLike | None, v0: ArrayLike 
         raise SimulateError(f"start: {start!r}; wanted one that reached its end; the first cause: "
                             f"{start.failed[0].cause}")
     return start.end
+
+
+def _controller(given: Controller | Law | int | None) -> Controller | None:
+    return given if given is None or isinstance(given, Controller) else Controller(given)
 
 
 def _precision(precision: str | None, scene: Scene) -> str:

@@ -77,8 +77,9 @@ class Controller:
 
     @property
     def _hashed(self) -> str:
+        its = self.function
         try:
-            source = inspect.getsource(self.function)  # type: ignore[arg-type]
+            source = inspect.getsource(its if inspect.isroutine(its) else type(its))
         except (OSError, TypeError):
             return ""
         return f", source sha256 {sha256(source.encode()).hexdigest()}"
@@ -102,6 +103,8 @@ def set_by(controller: Controller, scene: Scene) -> tuple[int, ...]:
             "controller: the scene has no torque at run time; wanted [effects.actuator.JOINT] with "
             'kind = "torque" and torque = 0, and runtime = ["actuator.JOINT.torque"]')
     fixed = constant(scene)
+    if twice := [name for name in wanted if wanted.count(name) > 1]:
+        raise SimulateError(f"controller: sets {twice[0]!r} twice")
     for name in wanted:
         if name not in names:
             raise SimulateError(f"controller: sets {name!r}; wanted what the scene lists in "

@@ -119,7 +119,7 @@ def refuse(start: Instant, system: System) -> None:
                             "size")
     if scene != of_run(system)[1]:
         warnings.warn("start: the recording is of another scene, or of one that has changed since",
-                      RuntimeWarning, stacklevel=4)
+                      RuntimeWarning, stacklevel=5)
 
 
 def refuse_plan(start: Instant, system: System, plan: Plan) -> None:

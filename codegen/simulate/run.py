@@ -58,7 +58,8 @@ def integrate(system: System, plan: Plan, watch: Watch | None = None,
     else:
         run = fixed(system, plan, times, q, v, watch, alarm, driven, momentum, alive.copy())
     if driven:
-        driven.update(driven.steps, plan.begin, q, v)
+        with np.errstate(all="ignore"):
+            driven.update(driven.steps, plan.begin, q, v)
     samples = _Samples(times, q, v, driven, alive, failed)
     began = time.perf_counter()
     interrupted, at = "", plan.begin
@@ -149,10 +150,12 @@ def fixed(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.nd
                 q, v = advance(more, taken + i, start + i * h, h, q, v)
                 if integrator.keeps_momentum:
                     v = system.kept(momentum, start + (i + more) * h, q, v)
-            lost = alive & ~(np.isfinite(q).all(-1) & np.isfinite(v).all(-1))
             stops = driven.refused(alive) if driven else ()
-            if lost.any() and not stops:
-                stops = _lost(system, plan, lost, (start, h, count, taken), *before)
+            for x in stops:
+                alive[x.member if alive.ndim else ()] = False
+            lost = alive & ~(np.isfinite(q).all(-1) & np.isfinite(v).all(-1))
+            if lost.any():
+                stops += _lost(system, plan, lost, (start, h, count, taken), *before)
             taken += count
             if driven:
                 driven.update(taken, end, q, v)

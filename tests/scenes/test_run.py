@@ -96,7 +96,9 @@ def test_a_controller_holds_its_torque_between_calls(swing, every):
     ({"controller": lambda t, q, v: [1, 2]}, "controller: wanted 1 numbers"),
     ({"controller": "law"}, "controller: wanted a function"),
     ({"q0": [[0.5]], "p": {"bob.mass": [1, 2]}}, "as many members everywhere"),
-    ({"controller": Controller(abs, sets=["bob.mass"])}, "which is constant in a run")))
+    ({"controller": Controller(abs, sets=["bob.mass"])}, "which is constant in a run"),
+    ({"controller": Controller(abs, sets=["actuator.pivot.torque"] * 3)},
+     "controller: sets 'actuator.pivot.torque' twice")))
 def test_wrong_arguments_are_refused(swing, asked, said):
     with pytest.raises(SimulateError, match=said):
         run(swing, until=0.05, **asked)

@@ -131,6 +131,12 @@ def test_provenance_tells_the_controller(scenes):
     path = scenes / "swing.toml"
     told = dict(run(path, until=0.01, controller=Controller(law, 7)).provenance)["controller"]
     assert told.startswith("function law, every 7 steps, sets actuator.pivot.torque, source sha256")
+    class Law:
+        def __call__(self, t, q, v):
+            return 0 * q
+
+    objects = dict(run(path, until=0.01, controller=Law()).provenance)["controller"]
+    assert "function Law, every step" in objects and "source sha256" in objects
     wanted = dict(run(path, until=0.01, controller=law).provenance)["controller"]
     assert wanted == told.replace("every 7 steps", "every step")
 

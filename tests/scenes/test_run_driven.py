@@ -155,6 +155,26 @@ def test_what_is_not_finite_stops_its_member(made, monkeypatch, steps):
     assert one.failed[0].t == at and one.t[-1] == 0.05
 
 
+def test_members_stop_for_their_own_reasons_in_one_interval(made):
+    """One by its controller's value, one since its torque takes it beyond the largest number."""
+    path = made[0] / "swing.toml"
+
+    def law(t, q, v):
+        found = np.zeros_like(q)
+        if t > 0.0125:
+            found[q < 0.15] = np.nan
+            found[q > 0.25] = 1e308
+        return found
+
+    many = run(path, q0=[[0.1], [0.2], [0.3]], v0=[0.1], controller=law, until=0.1)
+    with pytest.warns(RuntimeWarning, match="the run stopped"):
+        alone = [run(path, q0=[x], v0=[0.1], controller=law, until=0.1).failed[0]
+                 for x in (0.1, 0.3)]
+    assert [(x.t, x.joint, x.cause) for x in many.failed] == [
+        (x.t, x.joint, x.cause) for x in alone]
+    assert [x.member for x in many.failed] == [0, 2] and "returned nan" in many.failed[0].cause
+
+
 def test_the_first_sample_has_what_the_controller_set(made):
     folder, _ = made
     found = run(folder / "swing.toml", controller=lambda t, q, v: [4.0], until=0.02, record=["a"])
