@@ -42,8 +42,9 @@ def run(scene: Kernels | Scene | Path | str, *, p: Parameters = None,
     `controller` sets run-time parameters during the run: see Controller.  `every` is the time
     between samples, `record` names what to record, as in scenes.  Raises SimulateError for
     impossible settings, and the errors of reading a scene."""
-    kernels, own = _kernels(scene, integrator, precision, record)
-    return _told(motion(kernels, _precision(precision, own), Asked(
+    kernels, own = _read(scene, precision)
+    name = _precision(precision, own)
+    return _told(motion(kernels or _kernels(own, integrator, name, record), name, Asked(
         until, step, integrator, every, record, p, q0, v0, _end(start, q0, v0),
         _controller(controller))))
 
@@ -57,10 +58,11 @@ def again(scene: Kernels | Scene | Path | str, recording: Result | Path | str, *
     again, and rtol and atol, which are the scene's.  Raises SimulateError for another scene or
     controller."""
     told = asked_of(recording)
-    kernels, own = _kernels(scene, told.integrator, told.precision, told.record)
+    kernels, own = _read(scene, told.precision)
     by = _controller(controller)
     told.refuse(own, by)
-    return _told(motion(kernels, told.precision, told.asked(by)))
+    return _told(motion(kernels or _kernels(own, told.integrator, told.precision, told.record),
+                        told.precision, told.asked(by)))
 
 
 def _told(result: Result) -> Result:
@@ -100,9 +102,9 @@ def _precision(precision: str | None, scene: Scene) -> str:
     return DOUBLE.name if name == "both" else name
 
 
-def _kernels(scene: Kernels | Scene | Path | str, integrator: str | None, precision: str | None,
-             record: Sequence[str] | None) -> tuple[Kernels, Scene]:
-    """The kernels, with the functions that the run needs, and their scene."""
+def _read(scene: Kernels | Scene | Path | str, precision: str | None
+          ) -> tuple[Kernels | None, Scene]:
+    """The kernels, if they are given, and the scene."""
     if precision not in (None, *BY_NAME):
         raise SimulateError(f"precision: {precision!r}; wanted one of {', '.join(BY_NAME)}")
     if isinstance(scene, Kernels):
@@ -110,20 +112,22 @@ def _kernels(scene: Kernels | Scene | Path | str, integrator: str | None, precis
     elif isinstance(scene, (str, Path)):
         from coscrew_codegen.scene_files.toml_scene import SceneOverrides, read_scene
 
-        own = read_scene(scene, overrides=SceneOverrides(precision))
+        kernels, own = None, read_scene(scene, overrides=SceneOverrides(precision))
         for line in own.model.implausible:
             warnings.warn(f"{Path(scene).name}: {line}", RuntimeWarning, stacklevel=3)
-        kernels = None
     elif isinstance(scene, Scene):
         kernels, own = None, scene
     else:
         raise TypeError("run: wanted the path of a scene file, a Scene, or Kernels; got "
                         f"{type(scene).__name__}")
-    name = _precision(precision, own)
-    if name not in (kernels.precisions if kernels else own.precisions):
-        raise SimulateError(f"precision: {name!r}; the scene is of {own.precisions[0]} precision "
-                            "alone")
-    if kernels is None:
-        recording = own if record is None else replace(own, record=tuple(record))
-        kernels = kernels_for(own, needs.of_run(recording, integrator), (name,))
+    if _precision(precision, own) not in (kernels or own).precisions:
+        raise SimulateError(f"precision: {_precision(precision, own)!r}; the scene is of "
+                            f"{own.precisions[0]} precision alone")
     return kernels, own
+
+
+def _kernels(own: Scene, integrator: str | None, precision: str, record: Sequence[str] | None
+             ) -> Kernels:
+    """The kernels of the functions that the run needs."""
+    recording = own if record is None else replace(own, record=tuple(record))
+    return kernels_for(own, needs.of_run(recording, integrator), (precision,))

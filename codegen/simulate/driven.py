@@ -30,7 +30,7 @@ class Driven:
         name = named(plan.integrator).step_name
         self._step = system.stepper_at(name)
         self._in_c = system.driver(name) if controller.address else None
-        self._called = -1  # step before which it was last called
+        self._called = -1  # step before which `update` last called it
         self._refused: dict[tuple[int, ...], Stop] = {}
 
     @property
@@ -62,8 +62,6 @@ class Driven:
             wait = 0 if due else every - k % every
             by = InC(self._controller.address, self._controller.context, every, self._places, wait)
             self.p, q, v, refused = self._in_c(by, n, t, h, self.p, q, v)
-            if wait < n:
-                self._called = k + wait + (n - 1 - wait) // every * every
             for x in refused:
                 member = (x.member,) if q.ndim > 1 else ()
                 self._refuse(member, x.number, x.t, self._system.dtype.type(x.value))

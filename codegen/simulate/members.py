@@ -11,6 +11,7 @@ from coscrew_codegen.simulate.settings import dependent, refuse_each, refuse_tog
 from coscrew_codegen.simulate.system import State, System
 
 _OF_NORM = 1e-6
+_ROUNDED = 4  # spacings by which rounding may move the norm of a quaternion
 Parameters = Mapping[str, ArrayLike] | ArrayLike | None
 
 
@@ -42,8 +43,7 @@ def start_of(system: System, q0: ArrayLike | None, v0: ArrayLike | None,
         else system.start(), system.functions
     with np.errstate(over="ignore"):  # `integrate` refuses infinities
         if q0 is not None:
-            q = system.normalized(_of_norm_1(system, _numbers("q0", q0, (its.nq,)))).astype(
-                system.dtype)
+            q = _of_norm_1(system, _numbers("q0", q0, (its.nq,))).astype(system.dtype)
         if v0 is not None:
             v = _numbers("v0", v0, (its.nv,)).astype(system.dtype)
     leads = {name: x.shape[:-1] for name, x in (("p", np.array(system.p)), ("q0", q), ("v0", v))}
@@ -57,15 +57,19 @@ def start_of(system: System, q0: ArrayLike | None, v0: ArrayLike | None,
 
 
 def _of_norm_1(system: System, q: np.ndarray) -> np.ndarray:
-    """q, if its quaternions have norm 1 within 1e-6, as in a scene's file.  Raises SimulateError.
-    """
+    """q with quaternions of norm 1, which it has within 1e-6, as in a scene's file.  Those of which
+    the precision cannot tell that it is not 1 stay: a state of a run is that state.  Raises
+    SimulateError."""
+    least = _ROUNDED * float(np.finfo(system.dtype).eps)
     for c in system.functions.coordinates:
         if c.kind in ("spherical", "free"):
-            norms = np.linalg.norm(q[..., c.q.stop - 4:c.q.stop], axis=-1)
+            places = slice(c.q.stop - 4, c.q.stop)
+            norms = np.linalg.norm(q[..., places], axis=-1)
             if (wrong := np.abs(norms - 1) > _OF_NORM).any():
                 raise SimulateError(f"q0: joint {c.joint}: a quaternion of norm "
                                     f"{norms[wrong].flat[0]:.9g}; wanted 1 within {_OF_NORM:g}, as "
                                     "(x, y, z, w)")
+            q[..., places] /= np.where(np.abs(norms - 1) > least, norms, 1)[..., None]
     return q
 
 

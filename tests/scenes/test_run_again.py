@@ -127,6 +127,21 @@ def test_a_batch_s_table_holds_its_start(scenes):
     assert found.provenance == first.provenance
 
 
+@BOTH
+def test_a_state_of_a_run_is_a_start_to_the_bit(scenes, precision):
+    """Quaternions, too, are not divided by their norm once more."""
+    path, draw = scenes / "tumbling.toml", np.random.default_rng(3)
+    q0 = draw.normal(size=(200, 8))
+    q0[:, 3:7] /= np.linalg.norm(q0[:, 3:7], axis=-1, keepdims=True)
+    first = run(path, q0=q0, until=0.01, precision=precision)
+    for q in (first.q[:, 0], first.q[:, -1]):
+        found = run(path, q0=q, until=0.01, precision=precision)
+        assert found.q[:, 0].tobytes() == q.tobytes()
+    data = first.to_xarray()
+    kept = np.stack([data[x].values for x in data.coords if x.startswith("q0.")], -1)
+    assert kept.tobytes() == first.q[:, 0].tobytes()
+
+
 def test_provenance_tells_the_controller(scenes):
     path = scenes / "swing.toml"
     told = dict(run(path, until=0.01, controller=Controller(law, 7)).provenance)["controller"]
