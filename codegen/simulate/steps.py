@@ -3,7 +3,6 @@
 import ctypes
 import operator
 from collections.abc import Callable, Mapping
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from math import prod
 from types import ModuleType
@@ -163,6 +162,8 @@ def _shared(work: Callable[[int, int], None], states: int, threads: int) -> None
     if threads == 1 or states < 2:
         work(0, states)
         return
+    from concurrent.futures import ThreadPoolExecutor  # slow, and seldom needed
+
     each = -(-states // threads)
     with ThreadPoolExecutor(threads) as pool:
         for done in [pool.submit(work, first, min(each, states - first))
