@@ -30,12 +30,13 @@ Scenes build on the operations' Programs:
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from coscrew_codegen.simulate.api import again as again
     from coscrew_codegen.simulate.api import run as run
     from coscrew_codegen.simulate.control import Controller as Controller
     from coscrew_codegen.simulate.load import load_scene as load_scene
     from coscrew_codegen.version import VERSION as __version__
 
-__all__ = ["Controller", "__version__", "load_scene", "run"]
+__all__ = ["Controller", "__version__", "again", "load_scene", "run"]
 
 
 def __dir__() -> list[str]:
@@ -53,6 +54,9 @@ def __getattr__(name: str) -> object:
     if name == "run":
         from coscrew_codegen.simulate.api import run
         return run
+    if name == "again":
+        from coscrew_codegen.simulate.api import again
+        return again
     if name == "Controller":
         from coscrew_codegen.simulate.control import Controller
         return Controller

@@ -2,7 +2,7 @@
 
 import hashlib
 from collections.abc import Iterator, Mapping
-from dataclasses import fields, is_dataclass
+from dataclasses import fields, is_dataclass, replace
 from enum import Enum
 
 from coscrew_codegen.scene.effect import Effect
@@ -12,6 +12,13 @@ from coscrew_codegen.scene.scene import Scene
 def content_hash(scene: Scene) -> str:
     """SHA-256 of everything in the scene and its model, independent of the files' layout."""
     return hashlib.sha256("\n".join(_told(scene)).encode()).hexdigest()
+
+
+def motion_hash(scene: Scene) -> str:
+    """The same of what a motion in a given precision depends on: not of the selected precisions,
+    functions and tiers, which options replace."""
+    return content_hash(replace(scene, precision="", precisions=(), implausible="", functions=(),
+                                tiers=(), accuracy=(), unused=()))
 
 
 def _told(value: object) -> Iterator[str]:

@@ -2,10 +2,8 @@
 
 import ctypes
 import functools
-import operator
 import sys
 from collections.abc import Callable, Iterator, Mapping
-from math import prod
 from types import MethodType, ModuleType
 from typing import TYPE_CHECKING, Generic, Protocol, TypeAlias, TypeVar
 
@@ -18,7 +16,7 @@ from coscrew_codegen.native import cache
 from coscrew_codegen.scene.names import or_mean
 from coscrew_codegen.scene.selected import names
 from coscrew_codegen.scene_functions import SceneInterface, Signature
-from coscrew_codegen.simulate import rows
+from coscrew_codegen.simulate import rows, steps
 from coscrew_codegen.targets.scene_text import c_name, many, signs
 from coscrew_codegen.tiers import tier_named
 
@@ -32,6 +30,8 @@ else:
 
 _PLAIN = frozenset((float, np.float64, np.float32, np.int64, np.int32))
 """Types of t and h that are passed to C without a check."""
+_OF_STEPS = frozenset(("repeated", "driven"))
+"""Methods of steps that are compiled."""
 
 Real = TypeVar("Real", bound=np.floating, covariant=True)
 Made: TypeAlias = Callable[..., object]
@@ -122,8 +122,8 @@ class _Callable:
         self.__dict__.update(vars(function))
         self.__name__ = self.__qualname__ = function.__name__
         self._of, self._checked = of, MethodType(function, self)
-        if repeated := vars(function).get("repeated"):
-            self.repeated = functools.partial(repeated, self)
+        for name in _OF_STEPS & vars(function).keys():
+            setattr(self, name, MethodType(vars(function)[name], self))
 
     @property
     def __signature__(self) -> "inspect.Signature":
@@ -185,8 +185,8 @@ def compiled(scene: SceneInterface, library: ctypes.PyDLL, described: Signature,
     vars(function)["in_c"] = in_c
     if described.moved:
         several = c_name(many(scene), described.name.replace("step", "run", 1), precision)
-        vars(function)["repeated"] = _repeated(library, name, several, described, kind,
-                                               signs(scene))
+        vars(function).update(_many_steps(library, name, several, described, precision,
+                                          signs(scene)))
     return function
 
 
@@ -245,47 +245,27 @@ def _described(function: Made, described: Signature) -> Made:
     return function
 
 
-def _repeated(library: ctypes.PyDLL, name: str, several: str, described: Signature, kind: np.dtype,
-              signed: tuple[tuple[int, str, bool], ...]) -> Made:
-    """n steps in one call: (n, t, h, p, q, v) -> (q, v).  Leading axes of p, q and v, of any that
-    have them, are states; `several` is the name of the function in lanes."""
-    run = getattr(_unlocked(library._name), f"run_{name}")
-    run.restype = None
-    run.argtypes = [ctypes.c_ssize_t, ctypes.c_double, ctypes.c_double, *[ctypes.c_void_p] * 3]
+def _many_steps(library: ctypes.PyDLL, name: str, several: str, described: Signature,
+                precision: Precision, signed: tuple[tuple[int, str, bool], ...]
+                ) -> dict[str, Made]:
+    """Methods of a step that take many steps in one call."""
+    its = steps.steps(_unlocked(library._name), name, several, described,
+                      np.dtype(precision.numpy_type), _checks(), signed, precision.name)
 
-    def function(of: _Callable, n: int, t: float, h: float, p: np.ndarray, q: np.ndarray,
-                 v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        given = {"p": p, "q": q, "v": v}
-        _checks().arrays(kind, **{
-            x: (given[x], shape, *([signed] if x == "p" else []))
-            for x, shape in described.inputs if x in given})
-        if operator.index(n) < 0:
-            raise ValueError(f"n: got {n}; wanted a number of steps, not negative")
-        p, q, v = (np.array(x, kind, order="C", ndmin=1) for x in (p, q, v))
-        lead = np.broadcast_shapes(*(x.shape[:-1] for x in (p, q, v)))
-        q, v = _over_all(q, lead), _over_all(v, lead)
-        strides = {"p": p.shape[-1] if p.ndim > 1 else 0, "q": q.shape[-1], "v": v.shape[-1]}
-        p = _over_all(p, lead) if p.ndim > 1 else p
-        states, kernels = prod(lead), of._of._kernels
-        rows = {"p": p.ctypes.data, "q": q.ctypes.data, "v": v.ctypes.data}
-        lanes = kernels._lanes.function(several, states * n) if lead and kernels else None
-        if lanes:
-            scalars = [ctypes.c_double(x) for name, x in (("t", t), ("h", h))
-                       if name in dict(described.inputs)]
-            lanes(*map(ctypes.c_ssize_t, (states, n)), *scalars, *(
-                ctypes.c_ssize_t(x) for name, _ in described.inputs if name in rows
-                for x in (rows[name], strides[name])))
-            return q, v
-        for k in range(states):
-            run(n, t, h, *(rows[x] + k * strides[x] * kind.itemsize for x in rows))
-        return q, v
+    def repeated(self: _Callable, n: int, t: float, h: float, p: ArrayLike, q: ArrayLike,
+                 v: ArrayLike, *, threads: int = 1) -> tuple[np.ndarray, np.ndarray]:
+        """q and v after n steps of h, the first of them at t.
 
-    return function
+        t and p are given also where the scene has no use for them.  Leading axes of p, q and v, of
+        any that have them, are states, which `threads` share."""
+        return its.repeated(self._of, n, t, h, p, q, v, threads)
 
+    def driven(self: _Callable, by: steps.InC, n: int, t: float, h: float, p: np.ndarray,
+               q: np.ndarray, v: np.ndarray) -> steps.Driven:
+        """p, q and v after n steps under a controller in C, and what it must not have returned."""
+        return its.driven(self._of, by, n, t, h, p, q, v)
 
-def _over_all(rows: np.ndarray, lead: tuple[int, ...]) -> np.ndarray:
-    """A row for every state, each of its own."""
-    return np.array(np.broadcast_to(rows, (*lead, rows.shape[-1])), order="C")
+    return {"repeated": repeated} | ({"driven": driven} if its.drive else {})
 
 
 @functools.cache

@@ -6,6 +6,7 @@ import argparse
 import math
 import sys
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -14,7 +15,7 @@ from coscrew_codegen.integrators import in_words
 
 if TYPE_CHECKING:
     from coscrew_codegen.scene.scene import Scene
-    from coscrew_codegen.simulate.outcome import Outcome
+    from coscrew_codegen.simulate.result import Result
 
 _FIRST = 5  # unused numbers that are listed
 
@@ -28,6 +29,9 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser.add_argument("--start", metavar="FILE", type=Path,
                         help="go on, to the bit, from the end of a recording that --output wrote, "
                              "with its parameters unless --set")
+    parser.add_argument("--again", metavar="FILE", type=Path,
+                        help="the run from which a recording comes once more, with its settings "
+                             "and, written, its bytes")
     parser.add_argument("--output", metavar="FILE", type=Path,
                         help="write the recording: .csv, .npz or .parquet; with --precision both, "
                              "single precision goes to FILE's name with .single before its ending")
@@ -106,28 +110,18 @@ def run(options: argparse.Namespace) -> int:
     from coscrew_codegen.simulate import native
 
     native.ask()
-    from coscrew_codegen.simulate import needs, outcome, write
-    from coscrew_codegen.simulate.load import BOTH, kernels_for
+    from coscrew_codegen.simulate import outcome, write
 
     for path, endings in ((options.output, tuple(write.FORMATS)), (options.plot, write.FIGURES),
                           (options.view, (".html",))):
         if path:
             write.check_target(path, endings)
-    scene = scene_of(options, options.precision)
-    one = options.precision or scene.precision
-    kernels = kernels_for(scene, needs.of_run(scene, options.integrator, bool(options.view)),
-                          BOTH if one == "both" else (one,))
-    for line in _notes(scene, options.unused):
-        print(f"coscrew: {line}", file=sys.stderr)
-    outcomes = outcome.simulated(kernels, outcome.RunOverrides(
-        options.until, options.step, options.integrator, options.precision,
-        tuple(options.settings), options.start),
-        told=bool(options.output or options.plot or options.view))
-    for note in ("" if options.start else outcome.outside(outcomes[0].system),
-                 outcome.bounces(outcomes[0])):
+    results = _again(options) if options.again else _asked(options)
+    for note in ("" if options.start or options.again else outcome.outside(results[0].system),
+                 outcome.bounces(results[0])):
         if note:
             print(f"coscrew: {note}", file=sys.stderr)
-    recordings = [x.recording for x in outcomes]
+    recordings = [x.recording for x in results]
     if options.output:
         for path, recording in zip(_outputs(options.output), recordings, strict=False):
             write.write(recording, path)
@@ -138,10 +132,48 @@ def run(options: argparse.Namespace) -> int:
     if options.view:
         from coscrew_codegen.simulate import view
 
-        first = outcomes[0]
+        first = results[0]
         view.view(first.system, first.trajectory, first.recording.provenance, options.view)
-    print(outcome.summary(outcomes))
-    return _status(outcomes)
+    print(outcome.summary(results))
+    return _status(results)
+
+
+def _asked(options: argparse.Namespace) -> "tuple[Result, ...]":
+    """The runs with the settings of the options."""
+    from coscrew_codegen.simulate import needs, outcome
+    from coscrew_codegen.simulate.load import BOTH, kernels_for
+
+    scene = scene_of(options, options.precision)
+    one = options.precision or scene.precision
+    kernels = kernels_for(scene, needs.of_run(scene, options.integrator, bool(options.view)),
+                          BOTH if one == "both" else (one,))
+    for line in _notes(scene, options.unused):
+        print(f"coscrew: {line}", file=sys.stderr)
+    return outcome.simulated(kernels, outcome.RunOverrides(
+        options.until, options.step, options.integrator, options.precision,
+        tuple(options.settings), options.start),
+        told=bool(options.output or options.plot or options.view))
+
+
+def _again(options: argparse.Namespace) -> "tuple[Result, ...]":
+    """The run of a recording.  Raises SimulateError for settings besides."""
+    from coscrew_codegen.simulate import SimulateError, needs
+    from coscrew_codegen.simulate.again import asked_of
+    from coscrew_codegen.simulate.load import kernels_for
+    from coscrew_codegen.simulate.motion import motion
+
+    given = [name for name in ("until", "step", "integrator", "precision", "settings", "start")
+             if getattr(options, name)]
+    if given:
+        name = "set" if given[0] == "settings" else given[0]
+        raise SimulateError(f"--again: the recording tells all settings; wanted no --{name}")
+    told = asked_of(options.again)
+    scene = scene_of(options, told.precision)
+    told.refuse(scene, None)
+    recording = replace(scene, record=told.record)
+    kernels = kernels_for(scene, needs.of_run(recording, told.integrator, bool(options.view)),
+                          (told.precision,))
+    return (motion(kernels, told.precision, told.asked(), shown=True),)
 
 
 def _notes(scene: "Scene", all_unused: bool) -> Iterator[str]:
@@ -159,12 +191,12 @@ def _outputs(path: Path) -> tuple[Path, Path]:
     return path, path.with_name(f"{path.stem}.single{path.suffix}")
 
 
-def _status(outcomes: "tuple[Outcome, ...]") -> int:
+def _status(results: "tuple[Result, ...]") -> int:
     """The exit status; reports on standard error where runs stopped."""
-    for x in outcomes:
+    for x in results:
         if x.trajectory.stopped:
             print(f"coscrew: {x.system.precision.name}: {x.trajectory.stopped}; "
                   f"{len(x.trajectory.t)} samples kept", file=sys.stderr)
-    if any(x.trajectory.interrupted for x in outcomes):
+    if any(x.trajectory.interrupted for x in results):
         return 130
-    return 1 if any(x.trajectory.stopped for x in outcomes) else 0
+    return 1 if any(x.trajectory.stopped for x in results) else 0

@@ -5,31 +5,29 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 from numpy.typing import ArrayLike
 
-from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.simulate import SimulateError
-from coscrew_codegen.simulate.onward import End
+from coscrew_codegen.simulate.onward import Instant
 from coscrew_codegen.simulate.settings import dependent, refuse_each, refuse_together
 from coscrew_codegen.simulate.system import State, System
 
 _OF_NORM = 1e-6
+_ROUNDED = 4  # spacings by which rounding may move the norm of a quaternion
 Parameters = Mapping[str, ArrayLike] | ArrayLike | None
 
 
-def with_parameters(system: System, given: Parameters) -> System:
+def with_parameters(system: System, given: Parameters, said: str = "p: ") -> System:
     """The system with these parameters: names and values, or all in order; each value, or row of
-    values, is one or one for each member.  Raises SimulateError."""
+    values, is one or one for each member.  `said` stands before their names in errors.  Raises
+    SimulateError."""
     names = tuple(name for name, _ in system.functions.parameters)
     if given is None:
         return system
     if isinstance(given, Mapping):
-        found = {name: _numbers(f"p: {name}", value, ()) for name, value in given.items()}
+        found = {name: _numbers(f"{said}{name}", value, ()) for name, value in given.items()}
     else:
         rows = _numbers("p", given, (len(names),))
         found = dict(zip(names, np.moveaxis(rows, -1, 0), strict=True))
-    if unknown := [name for name in found if name not in names]:
-        hint = f"; {did_you_mean(unknown[0], names)}" if names else ", which is empty"
-        raise SimulateError(f"p: {unknown[0]}: wanted what the scene lists in `runtime`{hint}")
-    _refuse(system, found)
+    _refuse(system, found, said)
     own = np.moveaxis(np.asarray(system.p, float), -1, 0)
     columns = [found.get(name, x) for name, x in zip(names, own, strict=True)]
     if not any(np.ndim(x) for x in columns):
@@ -37,16 +35,15 @@ def with_parameters(system: System, given: Parameters) -> System:
     return system.at(np.stack(np.broadcast_arrays(*columns), -1))
 
 
-def start_of(system: System, q0: ArrayLike | None, v0: ArrayLike | None, end: End | None = None
-             ) -> State:
-    """q and v at the start, of all members if there is a batch; by default the end of the run that
-    goes on, or the scene's."""
-    (q, v), its = (end.q.astype(system.dtype), end.v.astype(system.dtype)) if end \
+def start_of(system: System, q0: ArrayLike | None, v0: ArrayLike | None,
+             start: Instant | None = None) -> State:
+    """q and v at the start, of all members if there is a batch; by default those of `start`, or the
+    scene's."""
+    (q, v), its = (start.q.astype(system.dtype), start.v.astype(system.dtype)) if start \
         else system.start(), system.functions
     with np.errstate(over="ignore"):  # `integrate` refuses infinities
         if q0 is not None:
-            q = system.normalized(_of_norm_1(system, _numbers("q0", q0, (its.nq,)))).astype(
-                system.dtype)
+            q = _of_norm_1(system, _numbers("q0", q0, (its.nq,))).astype(system.dtype)
         if v0 is not None:
             v = _numbers("v0", v0, (its.nv,)).astype(system.dtype)
     leads = {name: x.shape[:-1] for name, x in (("p", np.array(system.p)), ("q0", q), ("v0", v))}
@@ -60,15 +57,19 @@ def start_of(system: System, q0: ArrayLike | None, v0: ArrayLike | None, end: En
 
 
 def _of_norm_1(system: System, q: np.ndarray) -> np.ndarray:
-    """q, if its quaternions have norm 1 within 1e-6, as in a scene's file.  Raises SimulateError.
-    """
+    """q with quaternions of norm 1, which it has within 1e-6, as in a scene's file.  Those of which
+    the precision cannot tell that it is not 1 stay: a state of a run is that state.  Raises
+    SimulateError."""
+    least = _ROUNDED * float(np.finfo(system.dtype).eps)
     for c in system.functions.coordinates:
         if c.kind in ("spherical", "free"):
-            norms = np.linalg.norm(q[..., c.q.stop - 4:c.q.stop], axis=-1)
+            places = slice(c.q.stop - 4, c.q.stop)
+            norms = np.linalg.norm(q[..., places], axis=-1)
             if (wrong := np.abs(norms - 1) > _OF_NORM).any():
                 raise SimulateError(f"q0: joint {c.joint}: a quaternion of norm "
                                     f"{norms[wrong].flat[0]:.9g}; wanted 1 within {_OF_NORM:g}, as "
                                     "(x, y, z, w)")
+            q[..., places] /= np.where(np.abs(norms - 1) > least, norms, 1)[..., None]
     return q
 
 
@@ -88,17 +89,17 @@ def _numbers(name: str, given: ArrayLike, shape: tuple[int, ...]) -> np.ndarray:
     return found
 
 
-def _refuse(system: System, found: Mapping[str, np.ndarray]) -> None:
+def _refuse(system: System, found: Mapping[str, np.ndarray], said: str) -> None:
     """Check values as `--set` does: of each parameter the extreme ones, and together those whose
     values depend on each other."""
     for row in _extremes(found):
-        refuse_each(system.scene, row, system.precision, "p: ")
+        refuse_each(system.scene, row, system.precision, said)
     together = sorted(dependent(system.scene) & found.keys())
     if not together:
         return
     columns = np.broadcast_arrays(*(found[name] for name in together))
     for values in np.unique(np.stack([np.atleast_1d(x) for x in columns], -1), axis=0):
-        refuse_together(system.scene, dict(zip(together, values.tolist(), strict=True)), "p: ")
+        refuse_together(system.scene, dict(zip(together, values.tolist(), strict=True)), said)
 
 
 def _extremes(found: Mapping[str, np.ndarray]) -> Iterator[dict[str, float]]:

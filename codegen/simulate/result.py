@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from coscrew_codegen.simulate import SimulateError, write
+from coscrew_codegen.simulate.onward import Instant, end_of
 from coscrew_codegen.simulate.plan import Plan, Stop, Trajectory
 from coscrew_codegen.simulate.recording import Provenance, Recording
 from coscrew_codegen.simulate.system import System
@@ -25,7 +26,7 @@ class Result:
     plan: Plan
     trajectory: Trajectory
     recording: Recording
-    before: int = 0  # steps of the runs that it goes on from, if its own count leaves them out
+    start: Instant
 
     @property
     def t(self) -> np.ndarray:
@@ -54,6 +55,11 @@ class Result:
         return self.trajectory.failed
 
     @property
+    def end(self) -> Instant:
+        """The end, from which a run goes on."""
+        return end_of(self.system, self.trajectory, self.start)
+
+    @property
     def provenance(self) -> Provenance:
         """Where the numbers come from: pairs (name, value)."""
         return self.recording.provenance
@@ -72,10 +78,11 @@ class Result:
 
     def to_xarray(self) -> "xarray.Dataset":
         """What was recorded, by columns with units, over t, and over `member` in a batch; there
-        `cause` tells why a member stopped.  Provenance is in `attrs`.  Needs xarray."""
+        `cause` tells why a member stopped, and p.…, q0.… and v0.… tell the start.  Provenance is
+        in `attrs`.  Needs xarray."""
         from coscrew_codegen.simulate.tables import to_xarray
 
-        return to_xarray(self.recording, self.failed)
+        return to_xarray(self.recording, self.failed, self.system.functions, self.start)
 
     def to_pandas(self) -> "pandas.DataFrame":
         """The same as a table: a row for each t, or each member and t.  Needs pandas."""

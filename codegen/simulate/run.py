@@ -16,7 +16,7 @@ from coscrew_codegen.integrator import Integrator
 from coscrew_codegen.integrators import DEFAULT, named
 from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.alarm import Alarm
-from coscrew_codegen.simulate.control import Driven
+from coscrew_codegen.simulate.driven import Driven
 from coscrew_codegen.simulate.plan import Plan, Stop, Trajectory
 from coscrew_codegen.simulate.system import State, System, Watch
 
@@ -31,7 +31,8 @@ Advance = Callable[[int, int, float, float, np.ndarray, np.ndarray], State]
 
 def integrate(system: System, plan: Plan, watch: Watch | None = None,
               alarm: Alarming | None = None, start: State | None = None,
-              driven: Driven | None = None, momentum: np.ndarray | None = None) -> Trajectory:
+              driven: Driven | None = None, momentum: np.ndarray | None = None,
+              failed: tuple[Stop, ...] = ()) -> Trajectory:
     """The trajectory from `start`, by default the scene's; a batch of them if that, or the
     parameters of the system, have a leading axis.
 
@@ -39,11 +40,14 @@ def integrate(system: System, plan: Plan, watch: Watch | None = None,
     far are kept.  Runs of emitted integrators also stop if an Alarm, made by `alarm`, reports that
     the motion is wrong.  Other members of a batch go on; samples of those that stopped are NaN.
     `driven` sets parameters during the run.  `momentum` of floating bases is that of the start,
-    unless the run continues another.
+    unless the run continues another; of that, members have `failed`.
     `watch` is called at each sample and in between: after every step of SciPy and of pure NumPy,
     else after 10000 steps."""
     times, (q, v) = plan.samples, start or system.start()
-    if lacking := [x for i in np.ndindex(q.shape[:-1]) if (x := system.lacking(q[i], v[i]))]:
+    alive = np.ones(q.shape[:-1], bool)
+    for stop in failed:
+        alive[stop.member] = False
+    if lacking := [x for i in np.argwhere(alive) if (x := system.lacking(q[*i], v[*i]))]:
         raise SimulateError(f"the start is not finite: {lacking[0]}")
     if momentum is not None:
         momentum = momentum.astype(system.dtype)
@@ -52,8 +56,11 @@ def integrate(system: System, plan: Plan, watch: Watch | None = None,
     if plan.adaptive:
         run = _adaptive(system, plan, times, q, v, watch)
     else:
-        run = fixed(system, plan, times, q, v, watch, alarm, driven, momentum)
-    samples = _Samples(times, q, v, driven)
+        run = fixed(system, plan, times, q, v, watch, alarm, driven, momentum, alive.copy())
+    if driven:
+        with np.errstate(all="ignore"):
+            driven.update(driven.steps, plan.begin, q, v)
+    samples = _Samples(times, q, v, driven, alive, failed)
     began = time.perf_counter()
     interrupted, at = "", plan.begin
     try:
@@ -72,15 +79,16 @@ def integrate(system: System, plan: Plan, watch: Watch | None = None,
 class _Samples:
     """The samples of a run so far."""
 
-    def __init__(self, times: np.ndarray, q: np.ndarray, v: np.ndarray, driven: Driven | None):
+    def __init__(self, times: np.ndarray, q: np.ndarray, v: np.ndarray, driven: Driven | None,
+                 alive: np.ndarray, failed: tuple[Stop, ...]):
         lead, self._driven = q.shape[:-1], driven
         given = [q, v, *([np.broadcast_to(driven.p, (*lead, driven.p.shape[-1]))]
                          if driven else [])]
         self._kept = [np.full((*lead, len(times), x.shape[-1]), np.nan, x.dtype) for x in given]
         for kept, x in zip(self._kept, given, strict=True):
             kept[..., 0, :] = x
-        self._times, self._alive, self._steps = times, np.ones(lead, bool), 0
-        self._stops: list[Stop] = []
+        self._times, self._alive, self._steps = times, alive, 0
+        self._stops = list(failed)
         self.count = 1
 
     @property
@@ -122,14 +130,15 @@ def _adaptive(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: n
 
 def fixed(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.ndarray,
           watch: Watch | None = None, alarm: Alarming | None = None, driven: Driven | None = None,
-          momentum: np.ndarray | None = None) -> Sampled:
-    """(q, v, steps so far, members that stopped) at each sample after the first."""
+          momentum: np.ndarray | None = None, alive: np.ndarray | None = None) -> Sampled:
+    """(q, v, steps so far, members that stopped) at each sample after the first, of the members
+    that are `alive`."""
     integrator = named(plan.integrator)
-    taken = driven.steps if driven else 0
+    earlier = taken = driven.steps if driven else 0
     advance = driven.advance if driven else _advance(system, plan, watch)
     look = alarm(system, plan, (q, v)) if alarm else None
     at_once = _KEPT if momentum is not None else _AT_ONCE
-    alive = np.ones(q.shape[:-1], bool)
+    alive = np.ones(q.shape[:-1], bool) if alive is None else alive
     with np.errstate(all="ignore"):
         for start, end in pairwise(times):
             count, h = plan.steps(end - start)
@@ -141,10 +150,12 @@ def fixed(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.nd
                 q, v = advance(more, taken + i, start + i * h, h, q, v)
                 if integrator.keeps_momentum:
                     v = system.kept(momentum, start + (i + more) * h, q, v)
-            lost = alive & ~(np.isfinite(q).all(-1) & np.isfinite(v).all(-1))
             stops = driven.refused(alive) if driven else ()
-            if lost.any() and not stops:
-                stops = _lost(system, plan, lost, (start, h, count, taken), *before)
+            for x in stops:
+                alive[x.member if alive.ndim else ()] = False
+            lost = alive & ~(np.isfinite(q).all(-1) & np.isfinite(v).all(-1))
+            if lost.any():
+                stops += _lost(system, plan, lost, (start, h, count, taken), *before)
             taken += count
             if driven:
                 driven.update(taken, end, q, v)
@@ -154,7 +165,7 @@ def fixed(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.nd
                     count, end, h, q, v, alive & ~lost).items())
             for x in stops:
                 alive[x.member if alive.ndim else ()] = False
-            yield q, v, taken, stops
+            yield q, v, taken - earlier, stops
 
 
 def _advance(system: System, plan: Plan, watch: Watch | None = None) -> Advance:

@@ -9,6 +9,7 @@ from coscrew_codegen.formats import Precision
 from coscrew_codegen.parameter import Parameter, Scalar
 from coscrew_codegen.scene.assembly import ModelError
 from coscrew_codegen.scene.model import Model, value
+from coscrew_codegen.scene.names import nearest
 from coscrew_codegen.scene.possible import judged, unmoved_mass
 from coscrew_codegen.scene.recorded import exempt_joints
 from coscrew_codegen.scene.scene import Applied, Scene, Setting
@@ -35,7 +36,10 @@ def refuse_each(scene: Scene, settings: Mapping[str, float], precision: Precisio
     for name, number in settings.items():
         if name not in names:
             listed = ", ".join(names) or "none"
-            raise SimulateError(f"{said}{name}: wanted what the scene lists in `runtime`: {listed}")
+            near = nearest(name, names)
+            hint = f"; did you mean {near!r}?" if near else ""
+            raise SimulateError(f"{said}{name}: wanted what the scene lists in `runtime`: {listed}"
+                                f"{hint}")
         try:
             bounded(Fraction(number), f"{number:g}")
         except (ValueError, OverflowError) as error:  # NaN and infinity are not fractions

@@ -16,6 +16,7 @@ from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene_functions import SceneInterface
 from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.settings import refuse_settings
+from coscrew_codegen.simulate.steps import Driven, InC
 
 if TYPE_CHECKING:
     from coscrew_codegen.simulate.calls import Functions
@@ -25,6 +26,7 @@ State = tuple[np.ndarray, np.ndarray]
 Watch = Callable[[float, np.ndarray, np.ndarray], None]
 """Receives the current t, q, v of a run."""
 Stepper = Callable[[np.ndarray, int, float, float, np.ndarray, np.ndarray], State]
+Driver = Callable[[InC, int, float, float, np.ndarray, np.ndarray, np.ndarray], Driven]
 
 
 @dataclass(frozen=True)
@@ -99,6 +101,12 @@ class System:
             return q, v
 
         return steps
+
+    def driver(self, name: str) -> "Driver | None":
+        """The integrator under a controller in C, if it is compiled: (by, n, t, h, p, q, v) -> p, q
+        and v after n steps, and what the controller must not have returned."""
+        found: Driver | None = getattr(getattr(self.kernels, name), "driven", None)
+        return found
 
     def momentum(self, q: np.ndarray, v: np.ndarray) -> np.ndarray | None:
         """The momentum of floating bases, if nothing but gravity changes it."""

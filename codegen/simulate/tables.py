@@ -1,7 +1,7 @@
 """Recordings of runs and batches as xarray's and pandas' tables, and as HTML for notebooks."""
 
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from html import escape
 from pathlib import Path
@@ -10,7 +10,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from coscrew_codegen.scene_functions import SceneInterface
 from coscrew_codegen.simulate import SimulateError
+from coscrew_codegen.simulate.onward import Instant
 from coscrew_codegen.simulate.plan import Stop
 from coscrew_codegen.simulate.recording import Recording
 
@@ -21,8 +23,10 @@ if TYPE_CHECKING:
 _MOST_DRAWN = 20  # members of a batch
 
 
-def to_xarray(recording: Recording, failed: Sequence[Stop]) -> "xarray.Dataset":
-    """A variable for each column.  Raises SimulateError if xarray is lacking."""
+def to_xarray(recording: Recording, failed: Sequence[Stop], of: SceneInterface, start: Instant
+              ) -> "xarray.Dataset":
+    """A variable for each column; of a batch, coordinates for causes and for parameters and state
+    of each member's start.  Raises SimulateError if xarray is lacking."""
     made, batch = _needed("xarray").Dataset, recording.values.ndim > 2
     axes = ("member", "t") if batch else ("t",)
     found = {c.name: (axes, recording.values[..., i], {"units": c.unit})
@@ -33,8 +37,20 @@ def to_xarray(recording: Recording, failed: Sequence[Stop]) -> "xarray.Dataset":
         members = range(len(recording.values))
         places |= {"member": list(members),
                    "cause": ("member", np.array([causes.get(i, "") for i in members], np.str_))}
+        places |= {name: ("member", np.broadcast_to(x, len(members)).copy())
+                   for name, x in _starts(of, start)}
     table: xarray.Dataset = made(found, places, dict(recording.provenance))
     return table
+
+
+def _starts(of: SceneInterface, start: Instant) -> Iterator[tuple[str, np.ndarray]]:
+    """Names and values, of all members or of each, of parameters and of the state at the start."""
+    for i, (name, _) in enumerate(of.parameters):
+        yield f"p.{name}", start.p[..., i]
+    for c in of.coordinates:
+        for kind, values, places in (("q0", start.q, c.q), ("v0", start.v, c.v)):
+            for n, place in enumerate(places):
+                yield f"{kind}.{c.joint}" + (f".{n}" if len(places) > 1 else ""), values[..., place]
 
 
 def to_pandas(recording: Recording) -> "pandas.DataFrame":

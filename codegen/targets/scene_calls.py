@@ -4,8 +4,9 @@
 The function calls the first of these with its arguments unless it can take them.  `many_…` takes n
 states: a pointer to each input and the numbers from one row to the next (0: all share one row), and
 likewise each output; it shares them among threads, which call `lanes_…`, the function of many
-states, where that has been set.  `run_…` takes n steps of h in a row, from the time t on.  All work
-in Python without its headers.
+states, where that has been set.  `run_…` takes n steps of h in a row, from the time t on;
+`drive_double` takes them of many states, and calls a controller in between.  All work in Python
+without its headers.
 """
 
 from collections.abc import Collection
@@ -73,11 +74,26 @@ def _source(scene: SceneFunctions, stem: str, precisions: Collection[str]) -> st
                 for f in signatures), default=1)
     sections = [{"precision": p, "number": p.name.upper(), "other_number": other.name.upper(),
                  "other": other.c_type, "inputs": max(inputs, 1), "outputs": outputs,
-                 "given": inputs + 2, "room": max(room, 1),
+                 "given": inputs + 2, "room": max(room, 1), **_lanes_of_runs(scene, p),
                  "functions": [_function(scene, f, p) for f in signatures]}
                 for p in named(precisions) for other in PRECISIONS if other != p]
+    driven = bool(scene.steps and scene.parameters)
     return render("scene/calls.c", name=stem, upper=scene.name.upper(), sections=sections,
-                  products=[DOUBLE], begun=begun() if scene.timed and scene.steps else "")
+                  nq=scene.nq, nv=scene.nv, np=len(scene.parameters), driven=driven,
+                  products=[DOUBLE],
+                  begun=begun() if driven or (scene.timed and scene.steps) else "")
+
+
+def _lanes_of_runs(scene: SceneFunctions, precision: Precision) -> dict[str, str]:
+    """The parameters of a function of many steps of many states, arm_run_rk4_many, and arguments of
+    contiguous rows."""
+    real, rows = precision.c_type, {"p": len(scene.parameters), "q": scene.nq, "v": scene.nv}
+    parameters, arguments = ["ptrdiff_t", "ptrdiff_t"], ["states", "n"]
+    for name in scene_text.step_inputs(scene):
+        const = "const " if name == "p" else ""
+        parameters += [f"{const}{real} *", "ptrdiff_t"] if name in rows else ["double"]
+        arguments += [name, str(rows[name])] if name in rows else [name]
+    return {"several_parameters": ", ".join(parameters), "several_arguments": ", ".join(arguments)}
 
 
 def _function(scene: SceneFunctions, function: Signature, precision: Precision

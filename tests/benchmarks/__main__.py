@@ -3,6 +3,7 @@
 from tests.benchmarks import (
     accuracy,
     arrays,
+    controllers,
     cortex_m4,
     dynamics,
     gufuncs,
@@ -27,6 +28,7 @@ scene_lanes.main()
 arrays.main()
 sweeps.main()
 python_calls.main()
+controllers.main()
 cortex_m4.main()
 rounding_statements.main()
 accuracy.main()

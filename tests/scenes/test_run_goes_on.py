@@ -5,24 +5,13 @@ import json
 import numpy as np
 import pytest
 
-from coscrew_codegen import Controller, run
+from coscrew_codegen import Controller, again, load_scene, run
 from coscrew_codegen.__main__ import main
 from coscrew_codegen.simulate import SimulateError
 from tests.support.scenes.swing import SWING
+from tests.support.scenes.tumbling import TUMBLING
 
 INTEGRATORS = ("leapfrog", "rk4", "semi-implicit-euler", "linear-implicit-euler")
-TUMBLING = """
-[bodies]
-hull = { mass = 3, com = [0.1, 0, 0.02], inertia = [0.3, 0.2, 0.4] }
-arm = { mass = 1, com = [0, 0.3, 0], inertia = [0.05, 0.01, 0.05] }
-[joints]
-base = { type = "free", child = "hull" }
-elbow = { type = "continuous", parent = "hull", child = "arm", axis = [1, 0, 0] }
-[effects.gravity]
-[start.v]
-base = [0.1, 0.2, 0.3, 1.5, -0.7, 2.1]
-elbow = 0.4
-"""
 ENDINGS = (".csv", ".npz", ".parquet")
 
 
@@ -114,6 +103,92 @@ def test_what_cannot_go_on_is_refused(scenes, asked, said):
         run(path, start=run(path, until=0.1), **asked)
 
 
+def test_recordings_of_scenes_with_other_parameters_are_refused(scenes, tmp_path, capsys):
+    """With fewer and with more, of this scene."""
+    path, fewer = scenes / "swing.toml", tmp_path / "fewer.toml"
+    fewer.write_text(SWING.replace('"bob.mass", ', ""))
+    for scene, other, sizes in ((path, fewer, (1, 2)), (fewer, path, (2, 1))):
+        run(other, until=0.05).write(tmp_path / "first.csv")
+        said = (f"start: another scene: 1 coordinates, 1 velocities, {sizes[0]} parameters; "
+                f"wanted 1, 1, {sizes[1]}")
+        for given in ({}, {"p": {"actuator.pivot.torque": 1}}):
+            with pytest.raises(SimulateError, match=said):
+                run(scene, start=tmp_path / "first.csv", until=1, **given)
+        assert main(["simulate", str(scene), "--start", str(tmp_path / "first.csv"), "--set",
+                     "actuator.pivot.torque=1"]) == 2
+        assert said in capsys.readouterr().err
+
+
+def test_settings_of_a_run_that_goes_on_are_refused_as_others_are(scenes, tmp_path, capsys):
+    path, first = str(scenes / "swing.toml"), str(tmp_path / "first.csv")
+    assert main(["simulate", path, "--until", "0.1", "--output", first]) == 0
+    for setting, said in (("bob.mas=1", "--set bob.mas: wanted what the scene lists in `runtime`"),
+                          ("bob.mass=-1", "--set bob.mass=-1: wanted a positive")):
+        for onward in ((), ("--start", first)):
+            assert main(["simulate", path, "--until", "0.2", "--set", setting, *onward]) == 2
+            assert said in capsys.readouterr().err
+
+
+def test_the_command_tells_how_many_steps_were_before(scenes, tmp_path, capsys):
+    """A controller that is called every 7 steps is next called before the 161st, at t = 0.161."""
+    path, names = scenes / "swing.toml", [tmp_path / f"{n}.csv" for n in range(2)]
+    for name, until, onward in zip(names, ("0.1", "0.155"), ((), ("--start", str(names[0]))),
+                                   strict=True):
+        assert main(["simulate", str(path), "--until", until, "--output", str(name), *onward]) == 0
+    calls = []
+
+    def law(t, q, v):
+        calls.append(t)
+        return [3.0]
+
+    found = run(path, start=names[1], controller=Controller(law, 7), until=0.2)
+    assert calls == pytest.approx([0.161, 0.168, 0.175, 0.182, 0.189, 0.196], abs=1e-12)
+    its, q, v = load_scene(path).double, np.array([0.5]), np.array([0.0])
+    for k in range(200):
+        q, v = its.step_leapfrog(1e-3, np.array([2, 3.0 if k >= 161 else 0]), q, v)
+    assert found.q[-1].tobytes() == q.tobytes() and found.v[-1].tobytes() == v.tobytes()
+
+
+@pytest.mark.parametrize("precision", ("double", "single"))
+@pytest.mark.parametrize("controller", (None, Controller(lambda t, q, v: -3 * q, 7)))
+def test_of_a_batch_the_members_that_did_not_fail_go_on(scenes, controller, precision):
+    path, asked = scenes / "swing.toml", {"controller": controller, "precision": precision}
+    huge = 1e200 if precision == "double" else 1e38
+    given = {"v0": [[0], [huge], [1], [-huge]], "p": {"bob.mass": [1, 2, 3, 4]}}
+    first, whole = (run(path, until=end, **given, **asked) for end in (0.1, 0.2))
+    assert {x.member for x in first.failed} == {1, 3}
+    onward = run(path, start=first, until=0.2, **asked)
+    assert onward.failed == first.failed and np.isnan(onward.q[[1, 3]]).all()
+    for k in (0, 2):
+        assert onward.q[k].tobytes() == whole.q[k, -11:].tobytes()
+        assert onward.v[k].tobytes() == whole.v[k, -11:].tobytes()
+    twice = run(path, start=onward, until=0.3, **asked)
+    assert twice.failed == first.failed and np.isfinite(twice.q[[0, 2]]).all()
+    again_ = again(path, onward, controller=controller)
+    assert again_.q.tobytes() == onward.q.tobytes() and again_.failed == first.failed
+    assert again_.provenance == onward.provenance
+
+
+def test_a_batch_fails_one_member_after_the_other(scenes):
+    path = scenes / "swing.toml"
+    first = run(path, v0=[[0], [1e200], [1]], until=0.1)
+    onward = run(path, start=first, until=0.2, controller=lambda t, q, v: np.where(
+        (t > 0.15) & (v > -0.9), np.nan, 0))
+    assert [x.member for x in onward.failed] == [1, 2] and onward.failed[0] == first.failed[0]
+    assert np.isnan(onward.q[:, -1, 0]).tolist() == [False, True, True]
+
+
+def test_a_run_becomes_a_batch_that_goes_on(scenes, tmp_path):
+    """By parameters; the momentum of the floating base is that of the one run."""
+    path = tmp_path / "tumbling.toml"
+    path.write_text('runtime = ["arm.mass"]' + TUMBLING)
+    one = run(path, until=0.1)
+    many = run(path, start=one, until=0.2, p={"arm.mass": [1, 2]})
+    found = run(path, start=many, until=0.3)
+    whole = run(path, start=one, until=0.3, p={"arm.mass": [1, 2]})
+    same(found, whole)
+
+
 def test_momentum_that_was_not_kept_is_not_made_up(scenes):
     """leapfrog corrects floating bases to the momentum at t = 0, which rk4 does not tell."""
     path = scenes / "tumbling.toml"
@@ -138,9 +213,12 @@ def test_recordings_that_tell_no_end_are_refused(scenes, tmp_path):
         run(path, start=tmp_path / "missing.csv", until=1)
     with pytest.raises(TypeError, match="start: wanted a Result or the path"):
         run(path, start=3, until=1)
-    stopped = run(path, v0=[1e308], until=0.1)
+    with pytest.warns(RuntimeWarning, match="the run stopped"):
+        stopped = run(path, v0=[1e308], until=0.1)
     with pytest.raises(SimulateError, match="wanted one that reached its end"):
         run(path, start=stopped, until=1)
+    with pytest.raises(SimulateError, match="wanted one that reached its end"):
+        run(path, start=run(path, v0=[[1e308], [1e307]], until=0.1), until=1)
 
 
 def test_the_recording_of_a_scene_that_changed_is_told(scenes, tmp_path):

@@ -1,6 +1,7 @@
 """A scene's functions of many states have the bits of one: with every compiler, width and flag, for
 any number of states, strides, shared rows, in place, and for numbers of every kind."""
 
+import inspect
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -183,8 +184,9 @@ def test_runs_take_leading_axes(kernels: Kernels, precision: Precision):
         wanted = [np.reshape([x[n] for x in of_one], (3, 5, -1)) for n in range(2)]
         for met in (-1000, 1000):  # one by one, in lanes
             kernels._lanes._met = met
-            found = run(7, 0.25, 0.01, p, q, v)
-            assert same_bits(found, tuple(wanted)), (step.name, met)
+            for threads in (1, 2, 99):
+                found = run(7, 0.25, 0.01, p, q, v, threads=threads)
+                assert same_bits(found, tuple(wanted)), (step.name, met, threads)
         run_of_all = c_name(many(scene), step.name.replace("step", "run", 1), precision)
         assert kernels._lanes.function(run_of_all, 0)
 
@@ -199,6 +201,17 @@ def test_runs_refuse_rows_of_other_lengths(kernels: Kernels):
     with pytest.raises(ValueError, match="n: got -1; wanted a number of steps"):
         getattr(kernels.double, name).repeated(-1, 0.0, 0.01, p, np.zeros(scene.nq),
                                                np.zeros(scene.nv))
+    for threads, error in ((0, ValueError), (True, TypeError), (1.0, TypeError)):
+        with pytest.raises(error, match="threads: got .*; wanted a positive integer"):
+            getattr(kernels.double, name).repeated(
+                1, 0.0, 0.01, p, np.zeros(scene.nq), np.zeros(scene.nv), threads=threads)
+
+
+def test_runs_have_help_of_their_own(kernels: Kernels):
+    name = next(x.name for x in kernels.interface.signatures if x.moved)
+    found = getattr(kernels.double, name).repeated
+    assert inspect.getdoc(found).startswith("q and v after n steps of h, the first of them at t.")
+    assert [*inspect.signature(found).parameters] == ["n", "t", "h", "p", "q", "v", "threads"]
 
 
 def test_lanes_are_compiled_when_they_pay(kernels: Kernels, tmp_path: Path):

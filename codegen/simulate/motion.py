@@ -1,0 +1,93 @@
+"""A run, from what is asked of it to its Result: for `run`, `again` and the command."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from coscrew_codegen.simulate import SimulateError
+from coscrew_codegen.simulate.alarm import Alarm
+from coscrew_codegen.simulate.control import Controller, set_by
+from coscrew_codegen.simulate.driven import Driven
+from coscrew_codegen.simulate.load import Kernels
+from coscrew_codegen.simulate.members import Parameters, start_of, with_parameters
+from coscrew_codegen.simulate.onward import Instant, refuse, refuse_plan, start_at
+from coscrew_codegen.simulate.plan import Plan, Trajectory, plan
+from coscrew_codegen.simulate.progress import Progress
+from coscrew_codegen.simulate.record import record
+from coscrew_codegen.simulate.recording import Provenance
+from coscrew_codegen.simulate.result import Result
+from coscrew_codegen.simulate.run import integrate
+from coscrew_codegen.simulate.system import State, System, system
+
+
+@dataclass(frozen=True)
+class Asked:
+    """Settings of a run; None: as the scene says, p as in the run that it goes on from."""
+
+    until: float | None = None
+    step: float | None = None
+    integrator: str | None = None
+    every: float | None = None
+    record: Sequence[str] | None = None
+    p: Parameters = None
+    q0: ArrayLike | None = None
+    v0: ArrayLike | None = None
+    start: Instant | None = None
+    controller: Controller | None = None
+
+
+def motion(kernels: Kernels, precision: str, asked: Asked, *, said: str = "p: ",
+           shown: bool = False, told: bool = True) -> Result:
+    """The run in the precision of this name.  `said` stands before the names of parameters in
+    errors; if `shown`, a terminal shows the progress; without `told`, the recording has no
+    provenance.  Raises SimulateError."""
+    its, state = _begun(kernels, precision, asked, said)
+    start = asked.start
+    planned = plan(its, asked.until, asked.step, asked.integrator, asked.every,
+                   begin=start.t if start else 0.0)
+    if start:
+        refuse_plan(start, its, planned)
+    if planned.adaptive and (state[0].ndim > 1 or asked.controller):
+        raise SimulateError(f"integrator {planned.integrator} chooses its steps as one motion needs"
+                            "; wanted an emitted integrator for batches and controllers")
+    trajectory = _integrated(its, planned, state, asked, shown)
+    began = start_at(its, *state, trajectory.momentum)
+    if start:
+        began = replace(began, t=start.t, steps=start.steps, failed=start.failed)
+    origin: Provenance = ()
+    if told:
+        from coscrew_codegen.simulate.provenance import provenance  # slow: runs Git
+
+        origin = provenance(its, planned, trajectory, kernels.compiler or "none: NumPy", began,
+                            its.scene.record if asked.record is None else tuple(asked.record),
+                            asked.controller.told(its.scene) if asked.controller else "")
+    return Result(its, planned, trajectory, record(its, trajectory, origin, asked.record), began)
+
+
+def _begun(kernels: Kernels, precision: str, asked: Asked, said: str) -> tuple[System, State]:
+    """The system and the state from which the run goes on."""
+    its, start = system(kernels, precision), asked.start
+    if start:
+        refuse(start, its)
+        its = its.at(start.p)
+    its = with_parameters(its, asked.p, said)
+    if start and asked.controller:  # what it set holds until it is called again
+        places = list(set_by(asked.controller, its.scene))
+        p = np.array(np.broadcast_arrays(its.p, start.p)[0], float)
+        p[..., places] = start.p[..., places]
+        its = its.at(p)
+    return its, start_of(its, asked.q0, asked.v0, start)
+
+
+def _integrated(its: System, planned: Plan, state: State, asked: Asked, shown: bool) -> Trajectory:
+    start, by = asked.start, asked.controller
+    driven = Driven(by, its, planned, state[0], start.steps if start else 0) if by else None
+    alarm = partial(Alarm, driven=driven is not None)
+    momentum, failed = (start.momentum, start.failed) if start else (None, ())
+    if not shown:
+        return integrate(its, planned, None, alarm, state, driven, momentum, failed)
+    with Progress(its, planned.until) as watch:
+        return integrate(its, planned, watch, alarm, state, driven, momentum, failed)

@@ -1,0 +1,186 @@
+"""A run is reproducible from its provenance: `again` makes the same bytes of a recording and its
+scene."""
+
+import json
+
+import numpy as np
+import pytest
+
+from coscrew_codegen import Controller, again, run
+from coscrew_codegen.__main__ import main
+from coscrew_codegen.simulate import SimulateError
+from tests.support.scenes.swing import SWING
+from tests.support.scenes.tumbling import TUMBLING
+
+
+def law(t, q, v):
+    return -3 * q - v + np.sin(40 * t)
+
+
+SPUN = [0.1, -0.2, 0.3, 0.1, 0.7, -0.3, 0.6403124237432849, 2.1]  # its norm is 1 within u
+ASKED = {
+    "as the scene says": ("swing", {}),
+    "what a recording shows in few digits": ("swing", {
+        "step": 1 / 1431, "every": 1 / 71, "until": 2 / 7, "record": ["energy.total", "a"]}),
+    "parameters and start": ("swing", {
+        "p": {"bob.mass": 1.1}, "q0": [1 / 3], "v0": [-2 / 7], "until": 0.2}),
+    "another integrator": ("tumbling", {"integrator": "rk4", "until": 0.2}),
+    "a floating base": ("tumbling", {"q0": SPUN, "until": 0.3, "step": 7e-4}),
+    "the integrator of SciPy": ("swing", {"integrator": "radau", "until": 0.1}),
+    "a controller": ("swing", {"controller": Controller(law, 7), "until": 0.2, "record": ["a"]}),
+    "a run that stops": ("swing", {"v0": [1e20], "until": 0.1}),
+}
+BOTH = pytest.mark.parametrize("precision", ("double", "single"))
+
+
+@pytest.fixture(scope="module")
+def scenes(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("again")
+    for name, text in (("swing", SWING), ("tumbling", TUMBLING)):
+        (folder / f"{name}.toml").write_text(text)
+    return folder
+
+
+def same_bytes(path, first, folder, ending=".csv", controller=None):
+    """`first`, and what is made of its recording, write the same bytes."""
+    one, other = folder / f"first{ending}", folder / f"again{ending}"
+    first.write(one)
+    again(path, one, controller=controller).write(other)
+    assert other.read_bytes() == one.read_bytes()
+
+
+@BOTH
+@pytest.mark.parametrize("name", ASKED)
+@pytest.mark.filterwarnings("ignore:the run stopped")
+def test_a_recording_and_its_scene_make_the_same_bytes(scenes, tmp_path, name, precision):
+    scene, asked = ASKED[name]
+    path = scenes / f"{scene}.toml"
+    first = run(path, precision=precision, **asked)
+    same_bytes(path, first, tmp_path, controller=asked.get("controller"))
+    twice = again(path, first, controller=asked.get("controller"))
+    assert twice.q.tobytes() == first.q.tobytes() and twice.provenance == first.provenance
+
+
+@BOTH
+@pytest.mark.parametrize("controller", (None, Controller(law, 7)))
+@pytest.mark.parametrize("scene", ("swing", "tumbling"))
+def test_so_does_that_of_a_run_that_went_on(scenes, tmp_path, scene, controller, precision):
+    """Without the recording from which it went on; in the phase of its controller."""
+    if scene == "tumbling":
+        controller = None
+    path = scenes / f"{scene}.toml"
+    given = {} if scene == "tumbling" else {"p": {"bob.mass": 1.1}}
+    first = run(path, until=0.15, precision=precision, controller=controller, **given)
+    onward = run(path, start=first, until=0.2, precision=precision, controller=controller,
+                 step=7e-4)
+    assert dict(onward.provenance)["start"] == dict(first.provenance)["end"]
+    same_bytes(path, onward, tmp_path, controller=controller)
+
+
+@pytest.mark.parametrize("ending", (".csv", ".npz", ".parquet"))
+def test_so_does_every_file_of_the_command(scenes, tmp_path, capsys, ending):
+    """Of runs in both precisions each file, too."""
+    path, both = scenes / "swing.toml", tmp_path / f"both{ending}"
+    assert main(["simulate", str(path), "--until", "0.1", "--step", "0.0007", "--set",
+                 "bob.mass=1.1", "--precision", "both", "--output", str(both)]) == 0
+    for name in (both, tmp_path / f"both.single{ending}"):
+        again(path, name).write(tmp_path / f"again{ending}")
+        assert (tmp_path / f"again{ending}").read_bytes() == name.read_bytes()
+        assert main(["simulate", str(path), "--again", str(name), "--output",
+                     str(tmp_path / f"command{ending}")]) == 0
+        assert (tmp_path / f"command{ending}").read_bytes() == name.read_bytes()
+
+
+def test_the_command_refuses_other_settings_and_runs_with_a_controller(scenes, tmp_path, capsys):
+    path, name = scenes / "swing.toml", tmp_path / "driven.csv"
+    run(path, until=0.05, record=["a"], controller=law).write(name)
+    for asked, said in (((), "again: controller: wanted function law, every step, sets"),
+                        (("--until", "1"), "tells all settings; wanted no --until"),
+                        (("--set", "bob.mass=1"), "tells all settings; wanted no --set")):
+        assert main(["simulate", str(path), "--again", str(name), *asked]) == 2
+        assert said in capsys.readouterr().err
+    run(path, until=0.05, record=["a"]).write(name)
+    assert main(["simulate", str(path), "--again", str(name), "--output", str(name)]) == 0
+
+
+@pytest.mark.parametrize("controller", (None, Controller(law, 7)))
+def test_a_batch_has_the_same_bits_and_tells_a_hash_of_its_start(scenes, controller):
+    path, asked = scenes / "swing.toml", {"until": 0.1, "controller": controller}
+    given = {"p": {"bob.mass": [1, 2, 3]}, "q0": [[0.1], [0.2], [0.3]]}
+    first, other = run(path, **given, **asked), run(path, **{**given, "v0": [1e-9]}, **asked)
+    twice = again(path, first, controller=controller)
+    assert twice.recording.values.tobytes() == first.recording.values.tobytes()
+    assert twice.provenance == first.provenance
+    told, others = (json.loads(dict(x.provenance)["start"]) for x in (first, other))
+    assert told["members"] == others["members"] == 3 and told["sha256"] != others["sha256"]
+
+
+def test_a_batch_s_table_holds_its_start(scenes):
+    """Parameters and states that xarray keeps make the batch again."""
+    path = scenes / "swing.toml"
+    p, q0 = {"bob.mass": np.array([1.1, 2, 3])}, np.array([[1 / 3], [0.2], [0.3]])
+    first = run(path, p=p, q0=q0, until=0.1, precision="single")
+    data = first.to_xarray()
+    found = run(path, p={"bob.mass": data["p.bob.mass"].values}, until=0.1, precision="single",
+                q0=data["q0.pivot"].values[:, None], v0=data["v0.pivot"].values[:, None])
+    assert found.recording.values.tobytes() == first.recording.values.tobytes()
+    assert found.provenance == first.provenance
+
+
+@BOTH
+def test_a_state_of_a_run_is_a_start_to_the_bit(scenes, precision):
+    """Quaternions, too, are not divided by their norm once more."""
+    path, draw = scenes / "tumbling.toml", np.random.default_rng(3)
+    q0 = draw.normal(size=(200, 8))
+    q0[:, 3:7] /= np.linalg.norm(q0[:, 3:7], axis=-1, keepdims=True)
+    first = run(path, q0=q0, until=0.01, precision=precision)
+    for q in (first.q[:, 0], first.q[:, -1]):
+        found = run(path, q0=q, until=0.01, precision=precision)
+        assert found.q[:, 0].tobytes() == q.tobytes()
+    data = first.to_xarray()
+    kept = np.stack([data[x].values for x in data.coords if x.startswith("q0.")], -1)
+    assert kept.tobytes() == first.q[:, 0].tobytes()
+
+
+def test_provenance_tells_the_controller(scenes):
+    path = scenes / "swing.toml"
+    told = dict(run(path, until=0.01, controller=Controller(law, 7)).provenance)["controller"]
+    assert told.startswith("function law, every 7 steps, sets actuator.pivot.torque, source sha256")
+    class Law:
+        def __call__(self, t, q, v):
+            return 0 * q
+
+    objects = dict(run(path, until=0.01, controller=Law()).provenance)["controller"]
+    assert "function Law, every step" in objects and "source sha256" in objects
+    wanted = dict(run(path, until=0.01, controller=law).provenance)["controller"]
+    assert wanted == told.replace("every 7 steps", "every step")
+
+
+@pytest.mark.filterwarnings("error")
+def test_another_scene_controller_or_version_is_refused(scenes, tmp_path):
+    path, by = scenes / "swing.toml", Controller(law, 7)
+    run(path, until=0.05).write(tmp_path / "free.csv")
+    run(path, until=0.05, controller=by).write(tmp_path / "driven.csv")
+    (tmp_path / "other.toml").write_text(SWING.replace("damping = 0.1", "damping = 0.2"))
+    for scene, name, controller, said in (
+            (tmp_path / "other.toml", "free.csv", None, "of another scene than other, or"),
+            (path, "driven.csv", None, "controller: wanted function law, every 7 .*; got none"),
+            (path, "driven.csv", Controller(law, 8), "got function law, every 8 steps"),
+            (path, "driven.csv", Controller(lambda t, q, v: 0, 7), "got function .*<lambda>"),
+            (path, "free.csv", by, "controller: wanted none; got function law")):
+        with pytest.raises(SimulateError, match=f"again: .*{said}"):
+            again(scene, tmp_path / name, controller=controller)
+    text = (tmp_path / "free.csv").read_text()
+    for name, broken, said in (
+            ("a.csv", text.replace("# start: ", "# tart: "), "does not tell the start and the se"),
+            ("b.csv", text.replace('"until": 0.05', '"until": "x"'), "settings are not as coscrew"),
+            ("c.csv", text.replace('"steps": 0', '"steps": -1'), "its start is not as coscrew"),
+            ("d.csv", "x,y\n1,2\n", "no recording"), ("e.txt", "x", "wanted a recording, .csv")):
+        (tmp_path / name).write_text(broken)
+        with pytest.raises(SimulateError, match=f"again: .*{said}"):
+            again(path, tmp_path / name)
+    with pytest.raises(TypeError, match="again: wanted the path of a recording, or a Result"):
+        again(path, 3)
+    (tmp_path / "old.csv").write_text(text.replace("# coscrew: ", "# coscrew: 0.1.9 or "))
+    with pytest.warns(RuntimeWarning, match="the recording is of coscrew 0.1.9 or"):
+        again(path, tmp_path / "old.csv")
