@@ -8,7 +8,8 @@ from fnmatch import fnmatchcase
 
 from coscrew_codegen.scene.model import Joint, Kind
 from coscrew_codegen.scene.names import did_you_mean
-from coscrew_codegen.scene.recorded import coordinates
+from coscrew_codegen.scene.parameter_units import parameter_units
+from coscrew_codegen.scene.recorded import UNITS, coordinates
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene_files.runtime import constants
 from coscrew_codegen.simulate.settings import ranges
@@ -34,7 +35,8 @@ class Candidate:
 def candidates(scene: Scene, settings: Mapping[str, float]) -> Mapping[str, Candidate]:
     """All that can vary, by name.  Quaternions are not among them: their components depend on each
     other."""
-    found = [Candidate(x.name, "p", x.index) for x in scene.parameters]
+    units = parameter_units(scene)
+    found = [Candidate(x.name, "p", x.index, units[x.name]) for x in scene.parameters]
     ends = {x.on: (low, high) for x, low, high in ranges(scene, settings)}
     for joint, q, v in coordinates(scene):
         found += _of(joint, "q", q[:3] if joint.kind is Kind.FREE else q, _positions(joint, ends))
@@ -52,8 +54,6 @@ def _of(joint: Joint, array: str, places: range, limits: Ends | None) -> Iterato
 
 
 def _unit(joint: Joint, array: str) -> tuple[str, ...]:
-    from coscrew_codegen.scene.recorded import UNITS
-
     return UNITS[array][joint.kind.value]
 
 

@@ -58,7 +58,7 @@ def computed(job: Job, number: int) -> Chunk:
     its, kernels = job.specification, _loaded(job)
     rows = its.members(number)
     values = members.values(its.varied, rows)
-    found = batch.run(kernels, its.conditions, **_states(kernels, its, values))
+    found = batch.run(kernels, its.conditions, **states(kernels, its, values))
     table = summary.table(scene_of(kernels), its, rows, values, found)
     told = json.dumps(provenance(kernels, its), ensure_ascii=False)
     return Chunk(_parquet(table.replace_schema_metadata({"coscrew": told})), len(rows),
@@ -76,7 +76,7 @@ def _loaded(job: Job) -> Kernels:
     return kernels
 
 
-def _states(kernels: Kernels, its: Specification, values: np.ndarray) -> Mapping[str, np.ndarray]:
+def states(kernels: Kernels, its: Specification, values: np.ndarray) -> Mapping[str, np.ndarray]:
     """The members' parameters and starts, a row each."""
     plain = system(kernels, its.conditions.precision, dict(its.conditions.settings))
     q, v = plain.start()

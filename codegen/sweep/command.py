@@ -47,8 +47,12 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser.add_argument("--scheduler", metavar="ADDRESS",
                         help="the scheduler of a Dask cluster, such as tcp://host:8786, instead of "
                              "processes on this machine")
-    parser.add_argument("--out", metavar="FOLDER", type=Path, required=True,
-                        help="a new folder, or that of the same sweep")
+    kept = parser.add_mutually_exclusive_group(required=True)
+    kept.add_argument("--out", metavar="FOLDER", type=Path,
+                      help="a new folder, or that of the same sweep")
+    kept.add_argument("--member", metavar="K", type=lambda text: asked.whole(text, 0),
+                      help="run member K alone, print what the sweep keeps of it, and the call in "
+                           "Python that runs it")
     parser.set_defaults(run=run)
 
 
@@ -63,6 +67,8 @@ def run(options: argparse.Namespace) -> int:
     from coscrew_codegen.sweep.folder import opened
 
     prepared = _prepared(options)
+    if options.member is not None:
+        return _alone(prepared, options)
     specification = prepared.specification
     about = provenance(prepared.kernels, specification)
     try:
@@ -83,6 +89,17 @@ def _prepared(options: argparse.Namespace) -> "Prepared":
         options.grid, options.sobol, options.samples, options.seed, options.record, options.series,
         RunOverrides(options.until, options.step, options.integrator, options.precision,
                      tuple(options.settings))))
+
+
+def _alone(prepared: "Prepared", options: argparse.Namespace) -> int:
+    """Run a member and print it; returns the exit status."""
+    from coscrew_codegen.sweep import alone
+
+    member = alone.member(prepared, options.member)
+    print(member.call(options.scene, options.implausible), end="\n\n", flush=True)
+    found = alone.result(prepared, member)
+    print(alone.text(found))
+    return 1 if found.failed else 0
 
 
 @contextmanager
@@ -160,12 +177,12 @@ def _words(options: argparse.Namespace) -> str:
 
     given = {"samples": options.samples, "seed": options.seed, "until": options.until,
              "step": options.step, "integrator": options.integrator,
-             "precision": options.precision}
+             "precision": options.precision, "implausible": options.implausible}
     words = ["coscrew", "sweep", options.scene.name]
     words += [x for asked in options.grid for x in ("--grid", asked.text)]
     words += [x for asked in options.sobol for x in ("--sobol", asked.text)]
     words += [x for name, value in given.items() if value is not None
-              for x in (f"--{name}", f"{value:g}" if isinstance(value, float) else str(value))]
-    words += [x for name, value in options.settings for x in ("--set", f"{name}={value:g}")]
+              for x in (f"--{name}", str(value))]
+    words += [x for name, value in options.settings for x in ("--set", f"{name}={value}")]
     words += [x for name in options.record for x in ("--record", name)]
     return shlex.join(words + ["--series"] * options.series)

@@ -1,7 +1,6 @@
 """`coscrew sweep`: what varies, the values of members, refusals, chunks; without workers."""
 
 import argparse
-import io
 import itertools
 import tracemalloc
 from dataclasses import replace
@@ -9,22 +8,20 @@ from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
-import pyarrow.parquet
+import pyarrow
 import pytest
 from scipy.stats import qmc
 
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.simulate.outcome import RunOverrides
 from coscrew_codegen.simulate.run import integrate
 from coscrew_codegen.simulate.system import system
-from coscrew_codegen.sweep import SweepError, asked, chunk, members, prepare, summary
+from coscrew_codegen.sweep import SweepError, asked, chunk, members, summary
 from coscrew_codegen.sweep.folder import Folder
-from coscrew_codegen.sweep.prepare import Prepared
 from coscrew_codegen.sweep.specification import Varied
 from tests.support.scenes import scene_texts as texts
 from tests.support.scenes.simulated import scene_file
-from tests.support.scenes.sweeps import BALL, SLIDER
+from tests.support.scenes.sweeps import BALL, SLIDER, prepared, table
 
 MASSES = "block.mass=1:7:3"
 
@@ -34,22 +31,8 @@ def folder(tmp_path_factory) -> Path:
     return tmp_path_factory.mktemp("sweep")
 
 
-def prepared(folder: Path, text: str, grids: tuple[str, ...] = (), sobols: tuple[str, ...] = (),
-             samples: int | None = None, **others) -> Prepared:
-    """The sweep that these options ask for."""
-    given = {"seed": None, "record": (), "series": False, "overrides": RunOverrides()} | others
-    return prepare.prepared(read_scene(scene_file(folder, text)), prepare.Asked(
-        tuple(map(asked.grid, grids)), tuple(map(asked.sobol, sobols)), samples, **given))
-
-
 def values(varied: Varied, first: int = 0, last: int | None = None) -> np.ndarray:
     return members.values(varied, range(first, varied.members if last is None else last))
-
-
-def table(its: Prepared, number: int = 0) -> pyarrow.Table:
-    """A chunk's file, read back."""
-    found = chunk.computed(chunk.Job.of(its.kernels, its.specification), number)
-    return pyarrow.parquet.read_table(io.BytesIO(found.content))
 
 
 # What varies
@@ -248,18 +231,6 @@ def test_statistics_are_exact_where_they_can_be():
         assert found["mean"][k] == float(area / Fraction(1.25))
         assert [found[name][k] for name in ("final", "minimum", "maximum")] == [
             x[-1], min(x), max(x)]
-
-
-def test_members_that_fail_are_marked_and_the_others_go_on(folder):
-    text = texts.UNSTABLE.replace("duration = 2", "duration = 0.5").replace(
-        'precision = "both"', 'precision = "double"')
-    found = table(prepared(folder, text, ("block.mass=1e-2:1e6:5:log",))).to_pylist()
-    heavy = table(prepared(folder, text, ("block.mass=1e6:1e6:1",))).to_pylist()[0]
-    assert [bool(x["failed"]) for x in found] == [True, True, True, False, False]
-    assert "joint slide" in found[0]["failed"] and found[0]["failed.joint"] == "slide"
-    assert 0 < found[0]["failed.t"] <= found[2]["failed.t"] <= 0.5
-    assert found[0]["q.slide.final"] is None and found[3]["failed.t"] is None
-    assert found[4] | {"member": 0} == heavy
 
 
 def test_workers_with_other_sources_refuse(folder):

@@ -115,6 +115,8 @@ def test_xarray_sees_grids_as_dimensions(whole):
     one = found["q.slide.final"].sel({"block.mass": 4})
     assert np.array_equal(one.values, rows["q.slide.final"].to_numpy()[1::3])
     assert one.attrs["units"] == "m" and not found["failed"].values.any()
+    assert found["block.mass"].attrs["units"] == "kg"
+    assert found["start.q.slide"].attrs["units"] == "m"
     assert found.attrs["coscrew"] == json.loads((whole / "sweep.json").read_text())["provenance"]
 
 
@@ -122,7 +124,7 @@ def test_the_page_is_self_contained_and_shows_what_explains_the_motion(whole):
     text = (whole / "summary.html").read_text("utf-8")
     assert text.count("<figure>") == 2 and text.count('src="data:image/svg+xml;base64,') == 2
     assert not re.findall(r"(?:src|href)=\"(?!data:)", text)
-    assert "block.mass: a grid of 3 from 1 to 7" in text
+    assert "block.mass: a grid of 3 from 1 to 7 kg" in text
     assert "start.q.slide: sampled from -20 to 200 m" in text
     (row,) = re.findall(r"q\.slide \[m\]</th><td>final</td>(.*?)</tr>", text)
     shares = [int(x) for x in re.findall(r"(\d+) %", row)]
