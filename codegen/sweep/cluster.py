@@ -5,12 +5,13 @@ more than a few, however many there are.  Dask repeats the chunks of workers tha
 
 import logging
 import os
+import pickle
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from coscrew_codegen.sweep import SweepError
-from coscrew_codegen.sweep.chunk import Chunk, Job, computed
+from coscrew_codegen.sweep.chunk import Call, Chunk, Job
 
 if TYPE_CHECKING:
     from distributed import Client, Future, Worker
@@ -79,7 +80,7 @@ def finished(client: "Client", job: Job, numbers: Iterable[int],
 
     def fill() -> None:
         for number in _first(rest, ahead() - len(flying)):
-            future = client.submit(computed, job, number, pure=False,
+            future = client.submit(pickle.loads, pickle.dumps(Call(job, number)), pure=False,
                                    key=f"coscrew-{job.specification.sha256[:16]}-{number}")
             flying[future] = number
             done.add(future)
@@ -93,6 +94,9 @@ def finished(client: "Client", job: Job, numbers: Iterable[int],
             fill()
     except KilledWorker as error:
         raise SweepError(f"workers die of a chunk of members: {error}") from None
+    except ImportError as error:
+        raise SweepError(f"a worker lacks what this command has: {error}; install the same "
+                         "coscrew[sweep] on both") from None
     except (CancelledError, OSError) as error:
         raise SchedulerError("the scheduler is gone") from error
     finally:

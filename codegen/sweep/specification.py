@@ -4,6 +4,7 @@ import json
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from fractions import Fraction
+from functools import cached_property
 from hashlib import sha256
 from math import prod
 
@@ -110,7 +111,7 @@ class Specification:
         found: Mapping[str, Json] = json.loads(json.dumps(asdict(self)))
         return found
 
-    @property
+    @cached_property
     def sha256(self) -> str:
         """The hash by which a folder knows its sweep."""
         return sha256(json.dumps(self.data, sort_keys=True).encode()).hexdigest()
