@@ -132,7 +132,7 @@ def _compute(prepared: "Prepared", folder: "Folder", options: argparse.Namespace
     from coscrew_codegen.sweep.chunk import Job
 
     job, failed = Job.of(prepared.kernels, prepared.specification), 0
-    with (_client(options) as client,
+    with (_client(options, prepared.specification.chunks) as client,
           tqdm(total=members, initial=there, unit=" runs", unit_scale=True, disable=None) as bar):
         for number, chunk in cluster.finished(client, job, folder.missing()):
             folder.write(number, chunk.content)
@@ -143,11 +143,12 @@ def _compute(prepared: "Prepared", folder: "Folder", options: argparse.Namespace
 
 
 @contextmanager
-def _client(options: argparse.Namespace) -> "Iterator[Client]":
+def _client(options: argparse.Namespace, most: int) -> "Iterator[Client]":
+    """Of the scheduler, or of processes, at `most` so many."""
     from coscrew_codegen.sweep import cluster
 
     with (cluster.remote(options.scheduler) if options.scheduler else
-          cluster.local(options.workers or cluster.cores())) as client:
+          cluster.local(min(options.workers or cluster.cores(), most))) as client:
         if not client.nthreads():
             print(f"coscrew: {options.scheduler} has no workers yet", file=sys.stderr)
         yield client

@@ -110,7 +110,7 @@ def test_a_sweep_is_known_by_all_that_its_results_depend_on(folder):
     ("--grid block.mass=1:2:3 --set block.mass=1", "--set block.mass: it varies"),
     ("--grid block.mass=1:2:3 --set block.mas=1", "wanted what the scene lists in `runtime`"),
     ("--grid start.q.slide=0:1e39:3 --precision single", "1e+39 overflows in single precision"),
-    ("--grid block.mass=-1:2:3", "--set block.mass=-1: wanted a positive number"),
+    ("--grid block.mass=-1:2:3", "what varies: block.mass=-1: wanted a positive number"),
     ("--sobol block.mass=1:2 --sobol block.inertia.xx=1:2.5 --samples 4", "block.inertia.xx=2.5"),
     ("--grid block.mass=1:2:3 --record q.slid", "did you mean 'slide'?"),
     ("--grid block.mass=1:2:3 --until 0", "wanted a positive number of seconds"),

@@ -1,13 +1,23 @@
-"""`coscrew sweep` on workers that lack something: one error says what, and which worker."""
+"""`coscrew sweep` on workers that lack something, or that are interrupted while they start."""
 
+import os
 import platform
+import signal
+import socket
+import subprocess
+import sys
+import time
+from contextlib import suppress
 from pathlib import Path
 
+import psutil
 import pytest
 
+from coscrew_codegen.sweep import cluster
+from tests.support.processes import interruptible
 from tests.support.scenes.simulated import scene_file
 from tests.support.scenes.sweeps import SLIDER
-from tests.support.sweeping import awaited, dask, sweep
+from tests.support.sweeping import VARIED, awaited, dask, sweep
 
 ALONE = """
 import sys
@@ -38,6 +48,32 @@ def test_what_a_worker_cannot_do_is_told(environment, largest, said, scene, tmp_
     (line,) = (x for x in capsys.readouterr().err.splitlines() if "the worker" in x)
     assert f"coscrew: the worker on {platform.node()} {said}" in line
     assert line.endswith("; 0 of 600 members are written, and the same command goes on")
+
+
+def test_processes_that_start_say_nothing_of_an_interrupt(scene, tmp_path):
+    """A terminal sends Ctrl-C to all of them, here as soon as there are two."""
+    words = [sys.executable, "-m", "coscrew_codegen", "sweep", scene, *VARIED[:-1], "1e8", "--out",
+             tmp_path / "out"]
+    with interruptible(words, stderr=subprocess.PIPE, group=True) as process:
+        first, its = process.stderr.readline(), psutil.Process(process.pid)
+        while len(its.children()) < 2:
+            time.sleep(0.01)
+        os.killpg(process.pid, signal.SIGINT)
+        said = process.communicate()[1]
+    assert (process.returncode, first) == (130, "coscrew: 300000000 members, 0 of them there\n")
+    last = "interrupted; 0 of 300000000 members are written, and the same command goes on"
+    assert said == f"coscrew: {last}\n"
+
+
+def test_another_cluster_of_this_machine_is_not_in_the_way(recwarn):
+    """Dask's port is taken."""
+    with socket.socket() as taken:
+        with suppress(OSError):  # taken already
+            taken.bind(("127.0.0.1", 8787))
+            taken.listen()
+        with cluster.local(1) as client:
+            assert len(client.nthreads()) == 1
+    assert not recwarn.list
 
 
 def test_a_worker_without_coscrew_is_told(scene, tmp_path, capsys):
