@@ -16,7 +16,7 @@ import pyarrow.parquet
 from coscrew_codegen.native import cache
 from coscrew_codegen.simulate.load import Kernels, restored
 from coscrew_codegen.simulate.system import scene_of, system
-from coscrew_codegen.sweep import SweepError
+from coscrew_codegen.sweep import SweepError, members
 from coscrew_codegen.sweep.lock import held
 from coscrew_codegen.sweep.specification import Specification
 
@@ -89,7 +89,7 @@ class _Uncompiled(Exception):
 
 
 def _computed(job: Job, number: int) -> Chunk:
-    from coscrew_codegen.sweep import batch, members, summary
+    from coscrew_codegen.sweep import batch, summary
 
     its, kernels = job.specification, _loaded(job)
     rows = its.members(number)
@@ -128,8 +128,12 @@ def states(kernels: Kernels, its: Specification, values: np.ndarray) -> Mapping[
     q, v = plain.start()
     arrays = {name: np.tile(np.asarray(row, float), (len(values), 1))
               for name, row in (("p", plain.p), ("q", q), ("v", v))}
+    u = np.zeros((len(values), len(plain.quaternions), 3))
+    varied = arrays | {"u": u.reshape(len(values), -1)}
     for column, x in zip(values.T, its.varied.columns, strict=True):
-        arrays[x.array][:, x.index] = column
+        varied[x.array][:, x.index] = column
+    for n in sorted({x.index // 3 for x in its.varied.columns if x.array == "u"}):
+        arrays["q"][:, plain.quaternions[n]] = members.quaternions(u[:, n])
     return arrays
 
 

@@ -32,7 +32,8 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser.add_argument("--sobol", metavar="PATTERN=LOW:HIGH", type=asked.sobol, action="append",
                         default=[], help="sample all that match the pattern by a scrambled Sobol "
                         "sequence; LOW:HIGH:log samples logarithms; start.q.*=limits takes the "
-                        "joints' limits; may be repeated")
+                        "joints' limits, start.q.base=uniform all rotations of a joint with a "
+                        "quaternion; may be repeated")
     parser.add_argument("--samples", metavar="N", type=asked.samples,
                         help="points of the Sobol sequence, each run at every point of the grids")
     parser.add_argument("--seed", metavar="N", type=asked.seed,

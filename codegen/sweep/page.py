@@ -59,7 +59,7 @@ def html(specification: Specification, about: Mapping[str, str], found: Tally, w
 
 def _varied(specification: Specification) -> Iterator[str]:
     for x in specification.varied.each:
-        unit = f" {x.of.unit}" if x.of.unit else ""
+        unit = f" {x.of.unit}" if x.of.unit not in ("", "1") else ""
         if isinstance(x, Grid):
             yield (f"{x.of.name}: a grid of {len(x.values)} from {x.values[0]:g} to "
                    f"{x.values[-1]:g}{unit}")

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 import pyarrow
 import pytest
+from mpmath import mp
 from scipy.stats import qmc
 
 from coscrew_codegen.__main__ import main
@@ -67,6 +68,38 @@ def test_values_of_a_member_depend_on_its_number_alone(folder):
     assert values(replace(varied, seed=4)).tobytes() != whole.tobytes()
 
 
+def test_rotations_are_uniform():
+    """Averages of products of a rotation's components, by rules that are exact for those of degree
+    4 (two Gauss points, 8 x 8 equal angles), are those over all rotations: <x^2> = 1/4, <x^4> =
+    1/8, <x^2 y^2> = 1/24, others 0; but for some roundings of numbers below 1."""
+    radii, angles = (1 + np.array([-1, 1]) / np.sqrt(3)) / 2, np.arange(8) / 8
+    q = members.quaternions(np.stack(np.meshgrid(radii, angles, angles), -1).reshape(-1, 3))
+    for degree in range(1, 5):
+        for places in itertools.combinations_with_replacement(range(4), degree):
+            powers = tuple(sorted((places.count(i) for i in set(places)), reverse=True))
+            wanted = {(2,): 1 / 4, (4,): 1 / 8, (2, 2): 1 / 24}.get(powers, 0)
+            assert abs(q[:, places].prod(1).mean() - wanted) < 2**-51, places
+
+
+def test_rotations_are_those_of_three_numbers_of_the_sequence(folder):
+    its = prepared(folder, BALL, (), ("start.q.*=uniform", "start.v.socket.1=-1:1"), 8, seed=3)
+    names = [x.name for x in its.specification.varied.columns]
+    assert names == [*(f"start.q.{joint}.uniform.{k}" for joint in ("base", "socket")
+                       for k in range(3)), "start.v.socket.1"]
+    found = values(its.specification.varied)
+    sequence = qmc.Sobol(7, scramble=True, bits=32, rng=np.random.default_rng(3)).random(8)
+    assert np.array_equal(found[:, :6], sequence[:, :6])
+    starts = chunk.states(its.kernels, its.specification, found)
+    for n, places in enumerate((slice(3, 7), slice(7, 11))):
+        for u, q in zip(sequence[:, 3 * n:3 * n + 3].tolist(), starts["q"][:, places].tolist(),
+                        strict=True):
+            with mp.workdps(50):
+                r, s, a, b = mp.sqrt(1 - u[0]), mp.sqrt(u[0]), 2 * u[1], 2 * u[2]
+                exact = (r * mp.sinpi(a), r * mp.cospi(a), s * mp.sinpi(b), s * mp.cospi(b))
+            assert all(abs(x - y) < 2**-49 for x, y in zip(q, exact, strict=True))
+    assert not starts["q"][:, :3].any()
+
+
 def test_limits_are_those_of_the_limit_effect_or_else_of_the_model(folder):
     def ends(text: str, pattern: str) -> dict[str, tuple[float, float]]:
         return prepared(folder, text, (), (f"{pattern}=limits",), 1).specification.varied.ends
@@ -103,6 +136,8 @@ def test_a_sweep_is_known_by_all_that_its_results_depend_on(folder):
     ("--sobol start.q.*=limits --samples 4", "start.q.swivel: its joint has no range with two"),
     ("--sobol start.v.*=limits --samples 4", "start.v.swivel: its joint has no velocity limit"),
     ("--sobol block.mass=limits --samples 4", "block.mass: a parameter has no limits"),
+    ("--sobol start.q.*=uniform --samples 4", "matches no start of a joint with a quaternion; "
+     "there are none"),
     ("--sobol block.mass=1:2", "--sobol wants --samples N"),
     ("--grid block.mass=1:2:3 --samples 4", "--samples and --seed want --sobol"),
     ("--grid block.mass=1:2:3 --seed 4", "--samples and --seed want --sobol"),
@@ -134,7 +169,7 @@ def test_what_is_wrong_is_refused_and_nothing_is_made(words, said, tmp_path, cap
     ("start.q.socket", "components of a quaternion"),
     ("start.q.socket.*", "components of a quaternion"),
     ("start.q.base.5", "components of a quaternion")))
-def test_quaternions_do_not_vary(pattern, said, folder):
+def test_components_of_quaternions_do_not_vary(pattern, said, folder):
     with pytest.raises(SweepError, match=said):
         prepared(folder, BALL, (), (f"{pattern}=0:1",), 4)
 

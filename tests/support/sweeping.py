@@ -8,6 +8,7 @@ import sys
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
+from typing import IO, cast
 
 import pytest
 from distributed import LocalCluster
@@ -46,12 +47,12 @@ def dask(program: str, folder: Path, *words: str, environment: Mapping[str, str]
     finally:
         process.kill()
         process.wait()
-        process.stderr.close()
+        cast("IO[str]", process.stderr).close()
 
 
 def awaited(process: "subprocess.Popen[str]", pattern: str) -> str:
     """What the process says that matches the pattern."""
-    for line in process.stderr:
+    for line in cast("IO[str]", process.stderr):
         if found := re.search(pattern, line):
             return found[1]
     raise AssertionError(f"{pattern} was not said")
