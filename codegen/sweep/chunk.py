@@ -16,7 +16,8 @@ import pyarrow.parquet
 from coscrew_codegen.native import cache
 from coscrew_codegen.simulate.load import Kernels, restored
 from coscrew_codegen.simulate.system import scene_of, system
-from coscrew_codegen.sweep import SweepError, members
+from coscrew_codegen.simulate.uniform_rotations import quaternions
+from coscrew_codegen.sweep import SweepError
 from coscrew_codegen.sweep.lock import held
 from coscrew_codegen.sweep.specification import Specification
 
@@ -89,7 +90,7 @@ class _Uncompiled(Exception):
 
 
 def _computed(job: Job, number: int) -> Chunk:
-    from coscrew_codegen.sweep import batch, summary
+    from coscrew_codegen.sweep import batch, members, summary
 
     its, kernels = job.specification, _loaded(job)
     rows = its.members(number)
@@ -133,7 +134,7 @@ def states(kernels: Kernels, its: Specification, values: np.ndarray) -> Mapping[
     for column, x in zip(values.T, its.varied.columns, strict=True):
         varied[x.array][:, x.index] = column
     for n in sorted({x.index // 3 for x in its.varied.columns if x.array == "u"}):
-        arrays["q"][:, plain.quaternions[n]] = members.quaternions(u[:, n])
+        arrays["q"][:, plain.quaternions[n]] = quaternions(u[:, n])
     return arrays
 
 

@@ -31,17 +31,6 @@ def values(varied: Varied, members: range) -> Values:
     return found
 
 
-def quaternions(unit: Values) -> Values:
-    """Rotations (x, y, z, w), as uniform as the numbers from 0 to 1: by Shoemake's map.  (…, 3)->
-    (…, 4).  Source: K. Shoemake, Uniform random rotations, Graphics Gems III, 1992."""
-    import coscrew
-
-    first, second = np.sqrt(1 - unit[..., :1]), np.sqrt(unit[..., :1])
-    angles = [coscrew.sincos(2 * np.pi * unit[..., k]) for k in (1, 2)]
-    one, other = (np.stack(x, -1) for x in angles)
-    return np.concatenate((first * one, second * other), -1)
-
-
 def _samples(varied: Varied, first: int, last: int) -> Values:
     """The ranges' values in samples first to last - 1."""
     from scipy.stats import qmc

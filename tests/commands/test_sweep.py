@@ -17,6 +17,7 @@ from coscrew_codegen.__main__ import main
 from coscrew_codegen.simulate.outcome import RunOverrides
 from coscrew_codegen.simulate.run import integrate
 from coscrew_codegen.simulate.system import system
+from coscrew_codegen.simulate.uniform_rotations import quaternions
 from coscrew_codegen.sweep import SweepError, asked, chunk, members, summary
 from coscrew_codegen.sweep.folder import Folder
 from coscrew_codegen.sweep.specification import Varied
@@ -71,9 +72,9 @@ def test_values_of_a_member_depend_on_its_number_alone(folder):
 def test_rotations_are_uniform():
     """Averages of products of a rotation's components, by rules that are exact for those of degree
     4 (two Gauss points, 8 x 8 equal angles), are those over all rotations: <x^2> = 1/4, <x^4> =
-    1/8, <x^2 y^2> = 1/24, others 0; but for some roundings of numbers below 1."""
+    1/8, <x^2 y^2> = 1/24, others 0, within some roundings of numbers below 1."""
     radii, angles = (1 + np.array([-1, 1]) / np.sqrt(3)) / 2, np.arange(8) / 8
-    q = members.quaternions(np.stack(np.meshgrid(radii, angles, angles), -1).reshape(-1, 3))
+    q = quaternions(np.stack(np.meshgrid(radii, angles, angles), -1).reshape(-1, 3))
     for degree in range(1, 5):
         for places in itertools.combinations_with_replacement(range(4), degree):
             powers = tuple(sorted((places.count(i) for i in set(places)), reverse=True))
@@ -275,11 +276,20 @@ def test_workers_with_other_sources_refuse(folder):
         chunk.computed(job, 0)
 
 
+def test_a_worker_without_memory_for_a_chunk_says_so(folder):
+    """Of 4e15 members: more than a process can address."""
+    its = prepared(folder, SLIDER, ("block.mass=1:7:1e6",), ("start.q.slide=0:1",), 4 * 10**9)
+    job = chunk.Job.of(its.kernels, replace(its.specification, chunk=4 * 10**15))
+    with pytest.raises(SweepError, match="has too little memory for a chunk of 4000000000000000 m"):
+        chunk.computed(job, 0)
+
+
 def test_memory_does_not_grow_with_the_members(folder, tmp_path):
     """5e11 members: {peak}."""
     its = prepared(folder, SLIDER, ("block.mass=1:7:5000",), ("start.q.slide=0:1",), 10**8)
     place = Folder(tmp_path, its.specification)
     assert its.specification.varied.members == 5e11
+    values(its.specification.varied, 0, 1)  # imports
     tracemalloc.start()
     try:
         last = its.specification.chunks - 1

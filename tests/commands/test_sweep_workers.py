@@ -7,13 +7,15 @@ import socket
 import subprocess
 import sys
 import time
-from contextlib import suppress
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 import psutil
 import pytest
 
-from coscrew_codegen.sweep import cluster
+from coscrew_codegen.__main__ import main
+from coscrew_codegen.sweep import SweepError, cluster
 from tests.support.processes import interruptible
 from tests.support.scenes.simulated import scene_file
 from tests.support.scenes.sweeps import SLIDER
@@ -65,6 +67,21 @@ def test_processes_that_start_say_nothing_of_an_interrupt(scene, tmp_path):
     assert said == f"coscrew: {last}\n"
 
 
+def test_no_more_processes_start_than_there_are_chunks(scene, tmp_path, monkeypatch):
+    started = []
+
+    @contextmanager
+    def local(workers: int) -> Iterator[None]:
+        started.append(workers)
+        raise SweepError("enough")
+        yield
+
+    monkeypatch.setattr(cluster, "local", local)
+    assert main(["sweep", str(scene), "--grid", "block.mass=1:7:3", "--workers", "1e6", "--out",
+                 str(tmp_path / "out")]) == 2
+    assert started == [1]
+
+
 def test_another_cluster_of_this_machine_is_not_in_the_way(recwarn):
     """Dask's port is taken."""
     with socket.socket() as taken:
@@ -76,13 +93,16 @@ def test_another_cluster_of_this_machine_is_not_in_the_way(recwarn):
     assert not recwarn.list
 
 
-def test_a_worker_without_coscrew_is_told(scene, tmp_path, capsys):
+def test_a_worker_without_coscrew_is_told(scene, tmp_path):
     """It is not killed by what it receives, which the command would await for ever."""
     (tmp_path / "sitecustomize.py").write_text(ALONE)
     with dask("scheduler", tmp_path, "--port", "0", "--host", "127.0.0.1") as scheduler:
         address = awaited(scheduler, r"Scheduler at: +(\S+)")
         with dask("worker", tmp_path, address, "--no-nanny", "--nthreads", "1",
                   environment={"PYTHONPATH": str(tmp_path)}):
-            assert sweep(scene, tmp_path / "out", address) == 2
+            done = subprocess.run([
+                sys.executable, "-m", "coscrew_codegen", "sweep", scene, *VARIED, "--scheduler",
+                address, "--out", tmp_path / "out"], capture_output=True, text=True, timeout=120)
+    assert done.returncode == 2
     assert ("a worker lacks what this command has: No module named 'coscrew_codegen'; install the "
-            "same coscrew[sweep] on both; 0 of 600 members") in capsys.readouterr().err
+            "same coscrew[sweep] on both; 0 of 600 members") in done.stderr
