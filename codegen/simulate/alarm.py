@@ -85,7 +85,7 @@ class Alarm:
         if not self.of_steps_alone and alive.any():
             problems = self._of_energy(kinetic + potential, alive) | self._of_momentum(
                 t, q, v, alive)
-        if any(i not in problems for i in _indices(alive)):
+        if len(problems) < np.count_nonzero(alive):
             problems = self._of_step(t, h, q, v, alive) | problems
             if last and self._looks < _AGAIN:  # the only check: take one more step
                 q, v = self._stepped(t, h, q, v)

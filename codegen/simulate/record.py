@@ -32,6 +32,9 @@ def record(system: System, trajectory: Trajectory, provenance: Provenance,
 
 def quantity(system: System, trajectory: Trajectory, wanted: Recorded) -> np.ndarray:
     """The quantity at each sample, in the system's precision.  (…, n, number of its columns)."""
+    if wanted.quantity in ("q", "v"):  # components of a joint, or all, are neighbours
+        states: np.ndarray = getattr(trajectory, wanted.quantity)
+        return states[..., wanted.places[0]:wanted.places[-1] + 1]
     n, members = len(trajectory.t), prod(trajectory.q.shape[:-2])
     at_once = max(1, _AT_ONCE // max(1, members))
     parts = []
@@ -49,10 +52,6 @@ def _values(system: System, wanted: Recorded, t: np.ndarray, q: np.ndarray, v: n
             ) -> np.ndarray:
     """All components of the quantity.  (n), (…, n, nq), (…, n, nv)->(…, n, k)."""
     match wanted.quantity:
-        case "q":
-            return q
-        case "v":
-            return v
         case "a":
             return accelerations(system, t, q, v)
         case "energy":

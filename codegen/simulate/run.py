@@ -47,8 +47,8 @@ def integrate(system: System, plan: Plan, watch: Watch | None = None,
     alive = np.ones(q.shape[:-1], bool)
     for stop in failed:
         alive[stop.member] = False
-    if lacking := [x for i in np.argwhere(alive) if (x := system.lacking(q[*i], v[*i]))]:
-        raise SimulateError(f"the start is not finite: {lacking[0]}")
+    for i in np.argwhere(alive & ~_finite(q, v))[:1].tolist():
+        raise SimulateError(f"the start is not finite: {system.lacking(q[*i], v[*i])}")
     if momentum is not None:
         momentum = momentum.astype(system.dtype)
     elif named(plan.integrator).keeps_momentum:
@@ -77,16 +77,16 @@ def integrate(system: System, plan: Plan, watch: Watch | None = None,
 
 
 class _Samples:
-    """The samples of a run so far."""
+    """The samples of a run so far: one after the other, so that each is written at once."""
 
     def __init__(self, times: np.ndarray, q: np.ndarray, v: np.ndarray, driven: Driven | None,
                  alive: np.ndarray, failed: tuple[Stop, ...]):
         lead, self._driven = q.shape[:-1], driven
         given = [q, v, *([np.broadcast_to(driven.p, (*lead, driven.p.shape[-1]))]
                          if driven else [])]
-        self._kept = [np.full((*lead, len(times), x.shape[-1]), np.nan, x.dtype) for x in given]
+        self._kept = [np.full((len(times), *x.shape), np.nan, x.dtype) for x in given]
         for kept, x in zip(self._kept, given, strict=True):
-            kept[..., 0, :] = x
+            kept[0] = x
         self._times, self._alive, self._steps = times, alive, 0
         self._stops = list(failed)
         self.count = 1
@@ -106,7 +106,9 @@ class _Samples:
             return
         p = [self._driven.p] if self._driven else []
         for kept, x in zip(self._kept, (q, v, *p), strict=True):
-            kept[..., self.count, :] = np.where(self._alive[..., None], x, np.nan)
+            kept[self.count] = x
+            if self._stops:
+                kept[self.count][~self._alive] = np.nan
         self.count += 1
 
     def trajectory(self, seconds: float, interrupted: str, momentum: np.ndarray | None
@@ -115,7 +117,7 @@ class _Samples:
         single = not self._alive.ndim
         stopped = interrupted or (self._stops[0].cause if self._stops and single else "")
         n = self.count if single or interrupted else len(self._times)
-        q, v, *held = (x[..., :n, :] for x in self._kept)
+        q, v, *held = (np.moveaxis(x[:n], 0, -2) for x in self._kept)
         return Trajectory(self._times[:n], q, v, self._steps, seconds, stopped, bool(interrupted),
                           tuple(self._stops), held[0] if held else None, momentum)
 
@@ -153,7 +155,7 @@ def fixed(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.nd
             stops = driven.refused(alive) if driven else ()
             for x in stops:
                 alive[x.member if alive.ndim else ()] = False
-            lost = alive & ~(np.isfinite(q).all(-1) & np.isfinite(v).all(-1))
+            lost = alive & ~_finite(q, v)
             if lost.any():
                 stops += _lost(system, plan, lost, (start, h, count, taken), *before)
             taken += count
@@ -166,6 +168,12 @@ def fixed(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.nd
             for x in stops:
                 alive[x.member if alive.ndim else ()] = False
             yield q, v, taken - earlier, stops
+
+
+def _finite(q: np.ndarray, v: np.ndarray) -> np.ndarray:
+    """Which states are finite."""
+    found: np.ndarray = np.isfinite(q).all(-1) & np.isfinite(v).all(-1)
+    return found
 
 
 def _advance(system: System, plan: Plan, watch: Watch | None = None) -> Advance:
@@ -207,14 +215,14 @@ def _lost(system: System, plan: Plan, lost: np.ndarray, interval: tuple[float, f
     stops = []
     for i in range(count):
         before, (q, v) = (q, v), advance(1, taken + i, start + i * h, h, q, v)
-        t = start + (i + 1) * h
-        for row, at in list(members.items()):
-            if joint_and_number := system.lacking(q[at], v[at]):
-                joint = joint_and_number.removeprefix("joint ").partition(": ")[0]
-                cause = _cause(system.member(at), plan, h, before[0][at], before[1][at])
-                stops.append(Stop(row, t, joint,
-                                  f"not finite at t = {t:.9g} s: {joint_and_number}{cause}"))
-                del members[row]
+        t, finite = start + (i + 1) * h, _finite(q, v)
+        for row, at in [x for x in members.items() if not finite[x[1]]]:
+            joint_and_number = system.lacking(q[at], v[at])
+            joint = joint_and_number.removeprefix("joint ").partition(": ")[0]
+            cause = _cause(system.member(at), plan, h, before[0][at], before[1][at])
+            stops.append(Stop(row, t, joint,
+                              f"not finite at t = {t:.9g} s: {joint_and_number}{cause}"))
+            del members[row]
     return (*stops, *(Stop(row, t, "", f"not finite before t = {t:.9g} s") for row in members))
 
 

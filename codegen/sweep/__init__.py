@@ -6,6 +6,7 @@
     members          the values of member k, whoever computes them
     refusals         parameters that the scene's rules refuse, before anything starts
     batch, summary   chunks of members run at once, and what is kept of them
+    alone            one member by itself, as `run` runs it
     chunk            from the number of a chunk to its Parquet file, in a worker
     cluster          workers of this machine or of a cluster; chunks in a moving window
     folder           the files; a lock; what is finished

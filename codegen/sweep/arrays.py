@@ -113,9 +113,10 @@ def opened(folder: Path | str) -> "xarray.Dataset":
         flat = xarray.open_zarr(path / ZARR, chunks={}, consolidated=False)
     except (OSError, ValueError, KeyError) as error:
         raise SweepError(f"{path}: holds no finished sweep: {error}") from None
-    grids = {x["of"]["name"]: x["values"] for x in its["grids"]}
+    grids = {x["of"]["name"]: (x["of"]["name"], x["values"], flat[x["of"]["name"]].attrs)
+             for x in its["grids"]}
     ranged = [x["of"]["name"] for x in its["ranges"]]
-    shape = {"sample": its["samples"], **{name: len(x) for name, x in grids.items()}}
+    shape = {"sample": its["samples"], **{name: len(x) for name, (_, x, _) in grids.items()}}
     found = xarray.Dataset(
         {name: _folded(flat[name], shape) for name in flat.attrs["columns"] if name not in grids},
         {**grids, **({"t": flat["t"]} if "t" in flat else {})}, flat.attrs)

@@ -10,7 +10,7 @@ MOST = 2**32
 """Most samples: SciPy's Sobol sequence has no more."""
 MOST_POINTS = 10**6
 """Most points of one grid."""
-LIMITS = "limits"
+LIMITS, UNIFORM = "limits", "uniform"
 LOG = "log"
 
 
@@ -27,12 +27,14 @@ class GridAsked:
 
 @dataclass(frozen=True)
 class SobolAsked:
-    """--sobol PATTERN=LOW:HIGH, or LOW:HIGH:log; PATTERN=limits has no ends."""
+    """--sobol PATTERN=LOW:HIGH, or LOW:HIGH:log; PATTERN=limits and PATTERN=uniform have no ends.
+    """
 
     pattern: str
     ends: tuple[Fraction, Fraction] | None
     log: bool
     text: str
+    uniform: bool = False  # rotations
 
 
 def grid(text: str) -> GridAsked:
@@ -51,10 +53,10 @@ def grid(text: str) -> GridAsked:
 
 def sobol(text: str) -> SobolAsked:
     """The option's value, for argparse."""
-    pattern, parts = _parts(text, "PATTERN=LOW:HIGH, PATTERN=LOW:HIGH:log or PATTERN=limits, such "
-                                  "as start.q.*=limits")
-    if parts == [LIMITS]:
-        return SobolAsked(pattern, None, False, text)
+    pattern, parts = _parts(text, "PATTERN=LOW:HIGH, PATTERN=LOW:HIGH:log, PATTERN=limits or "
+                                  "PATTERN=uniform, such as start.q.*=limits")
+    if parts in ([LIMITS], [UNIFORM]):
+        return SobolAsked(pattern, None, False, text, parts == [UNIFORM])
     log = _log(pattern, parts, 2, "LOW:HIGH")
     low, high = (_number(pattern, x) for x in parts[:2])
     if float(low) >= float(high):

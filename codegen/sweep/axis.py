@@ -23,6 +23,11 @@ class Axis:
     points: tuple[float, ...] = ()  # ascending
 
     @property
+    def label(self) -> str:
+        """Its name and unit."""
+        return f"{self.name} [{self.unit}]" if self.unit else self.name
+
+    @property
     def bins(self) -> int:
         """How many."""
         return len(self.points) or self.parts

@@ -8,11 +8,13 @@ from fnmatch import fnmatchcase
 
 from coscrew_codegen.scene.model import Joint, Kind
 from coscrew_codegen.scene.names import did_you_mean
-from coscrew_codegen.scene.recorded import coordinates
+from coscrew_codegen.scene.parameter_units import parameter_units
+from coscrew_codegen.scene.recorded import UNITS, coordinates
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene_files.runtime import constants
 from coscrew_codegen.simulate.settings import ranges
 from coscrew_codegen.sweep import SweepError
+from coscrew_codegen.sweep.asked import UNIFORM
 
 START = "start."
 """How names of coordinates and velocities begin: start.q.elbow, start.v.base.2."""
@@ -22,7 +24,8 @@ Ends = tuple[float, float]
 
 @dataclass(frozen=True)
 class Candidate:
-    """A number that can vary: entry `index` of p, q or v."""
+    """A number that can vary: entry `index` of p, q or v; or of u, which has three numbers for each
+    quaternion, from which it follows."""
 
     name: str  # payload.mass, start.q.elbow
     array: str
@@ -32,14 +35,23 @@ class Candidate:
 
 
 def candidates(scene: Scene, settings: Mapping[str, float]) -> Mapping[str, Candidate]:
-    """All that can vary, by name.  Quaternions are not among them: their components depend on each
-    other."""
-    found = [Candidate(x.name, "p", x.index) for x in scene.parameters]
+    """All that can vary by itself, by name.  Components of quaternions are not among them: they
+    depend on each other."""
+    units = parameter_units(scene)
+    found = [Candidate(x.name, "p", x.index, units[x.name]) for x in scene.parameters]
     ends = {x.on: (low, high) for x, low, high in ranges(scene, settings)}
     for joint, q, v in coordinates(scene):
         found += _of(joint, "q", q[:3] if joint.kind is Kind.FREE else q, _positions(joint, ends))
         found += _of(joint, "v", v, _speeds(joint))
     return {x.name: x for x in found}
+
+
+def rotations(scene: Scene) -> Mapping[str, tuple[Candidate, ...]]:
+    """The numbers from 0 to 1 that give each joint's quaternion, by the name of its start."""
+    joints = (joint for joint, _, _ in coordinates(scene)
+              if joint.kind in (Kind.SPHERICAL, Kind.FREE))
+    return {name: tuple(Candidate(f"{name}.uniform.{k}", "u", 3 * n + k, "1") for k in range(3))
+            for n, name in enumerate(f"{START}q.{joint.name}" for joint in joints)}
 
 
 def _of(joint: Joint, array: str, places: range, limits: Ends | None) -> Iterator[Candidate]:
@@ -52,8 +64,6 @@ def _of(joint: Joint, array: str, places: range, limits: Ends | None) -> Iterato
 
 
 def _unit(joint: Joint, array: str) -> tuple[str, ...]:
-    from coscrew_codegen.scene.recorded import UNITS
-
     return UNITS[array][joint.kind.value]
 
 
@@ -86,17 +96,26 @@ def matching(option: str, pattern: str, scene: Scene, known: Mapping[str, Candid
     return found
 
 
+def turned(option: str, pattern: str, scene: Scene) -> tuple[Candidate, ...]:
+    """The numbers that give the quaternions whose names match the pattern.  Raises SweepError."""
+    known = rotations(scene)
+    if not (found := tuple(x for name in known if fnmatchcase(name, pattern)
+                           for x in known[name])):
+        raise SweepError(f"{option} {pattern}={UNIFORM}: matches no start of a joint with a "
+                         f"quaternion; there are {', '.join(known) or 'none'}")
+    return found
+
+
 def _refuse(option: str, name: str, scene: Scene, known: Mapping[str, Candidate]) -> None:
     fixed = [x for x in constants(scene.model, scene.effects) if fnmatchcase(x, name)]
     if fixed:
         listed = ", ".join(f'"{x}"' for x in (*(x.name for x in scene.parameters), *fixed))
         raise SweepError(f"{option} {name}: a constant of the scene's functions; to vary it, write "
                          f"into the scene's file: runtime = [{listed}]")
-    quaternions = [f"{START}q.{joint.name}" for joint, _, _ in coordinates(scene)
-                   if joint.kind in (Kind.SPHERICAL, Kind.FREE)]
-    if any(name.startswith(x) or fnmatchcase(x, name) for x in quaternions):
-        raise SweepError(f"{option} {name}: components of a quaternion, which cannot vary one by "
-                         "one")
+    for x in rotations(scene):
+        if name.startswith(x) or fnmatchcase(x, name):
+            raise SweepError(f"{option} {name}: components of a quaternion, which cannot vary one "
+                             f"by one; wanted --sobol {x}={UNIFORM}")
     if set("*?[") & set(name):
         raise SweepError(f"{option} {name}: matches nothing; there are {', '.join(known)}")
     raise SweepError(f"{option} {name}: neither a `runtime` parameter nor a start; "

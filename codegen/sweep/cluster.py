@@ -5,17 +5,21 @@ more than a few, however many there are.  Dask repeats the chunks of workers tha
 
 import logging
 import os
+import pickle
+import signal
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
+from multiprocessing import resource_tracker
 from typing import TYPE_CHECKING
 
 from coscrew_codegen.sweep import SweepError
-from coscrew_codegen.sweep.chunk import Chunk, Job, computed
+from coscrew_codegen.sweep.chunk import Call, Chunk, Job
 
 if TYPE_CHECKING:
     from distributed import Client, Future, Worker
 
 _AHEAD = 3  # chunks in flight for each thread of the workers: one runs, others are ready
+_ANY_PORT = {"dashboard_address": "127.0.0.1:0"}  # Dask serves its state; without it, at 8787
 _PATIENCE = "10s"  # for a scheduler to answer
 
 
@@ -33,10 +37,27 @@ def local(workers: int) -> Iterator["Client"]:
     """A client of so many processes of this machine, which leave Ctrl-C to this one."""
     from distributed import Client, LocalCluster
 
-    with LocalCluster(n_workers=workers, threads_per_worker=1, dashboard_address=None,
-                      silence_logs=logging.CRITICAL) as cluster, Client(cluster) as client:
+    with _starting():
+        cluster = LocalCluster(n_workers=workers, threads_per_worker=1, dashboard_address=None,
+                               scheduler_kwargs=_ANY_PORT, silence_logs=logging.CRITICAL)
+    with cluster, Client(cluster) as client:
         client.register_plugin(_heedless())
         yield client
+
+
+@contextmanager
+def _starting() -> Iterator[None]:
+    """Processes that start in the block, and this one meanwhile, do not hear Ctrl-C, of which they
+    would die loudly; this one hears it at the end."""
+    if not hasattr(signal, "pthread_sigmask"):  # Windows
+        yield
+        return
+    resource_tracker.ensure_running()  # of multiprocessing, whose start unblocks signals
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def _heedless() -> object:
@@ -46,8 +67,6 @@ def _heedless() -> object:
         """Workers ignore Ctrl-C, which a terminal sends to all processes."""
 
         def setup(self, worker: "Worker") -> None:
-            import signal
-
             signal.signal(signal.SIGINT, signal.SIG_IGN)
 
     return Heedless()
@@ -79,7 +98,7 @@ def finished(client: "Client", job: Job, numbers: Iterable[int],
 
     def fill() -> None:
         for number in _first(rest, ahead() - len(flying)):
-            future = client.submit(computed, job, number, pure=False,
+            future = client.submit(pickle.loads, pickle.dumps(Call(job, number)), pure=False,
                                    key=f"coscrew-{job.specification.sha256[:16]}-{number}")
             flying[future] = number
             done.add(future)
@@ -93,6 +112,9 @@ def finished(client: "Client", job: Job, numbers: Iterable[int],
             fill()
     except KilledWorker as error:
         raise SweepError(f"workers die of a chunk of members: {error}") from None
+    except ImportError as error:
+        raise SweepError(f"a worker lacks what this command has: {error}; install the same "
+                         "coscrew[sweep] on both") from None
     except (CancelledError, OSError) as error:
         raise SchedulerError("the scheduler is gone") from error
     finally:

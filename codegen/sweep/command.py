@@ -32,7 +32,8 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser.add_argument("--sobol", metavar="PATTERN=LOW:HIGH", type=asked.sobol, action="append",
                         default=[], help="sample all that match the pattern by a scrambled Sobol "
                         "sequence; LOW:HIGH:log samples logarithms; start.q.*=limits takes the "
-                        "joints' limits; may be repeated")
+                        "joints' limits, start.q.base=uniform all rotations of a joint with a "
+                        "quaternion; may be repeated")
     parser.add_argument("--samples", metavar="N", type=asked.samples,
                         help="points of the Sobol sequence, each run at every point of the grids")
     parser.add_argument("--seed", metavar="N", type=asked.seed,
@@ -47,8 +48,12 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser.add_argument("--scheduler", metavar="ADDRESS",
                         help="the scheduler of a Dask cluster, such as tcp://host:8786, instead of "
                              "processes on this machine")
-    parser.add_argument("--out", metavar="FOLDER", type=Path, required=True,
-                        help="a new folder, or that of the same sweep")
+    kept = parser.add_mutually_exclusive_group(required=True)
+    kept.add_argument("--out", metavar="FOLDER", type=Path,
+                      help="a new folder, or that of the same sweep")
+    kept.add_argument("--member", metavar="K", type=lambda text: asked.whole(text, 0),
+                      help="run member K alone, print what the sweep keeps of it, and the call in "
+                           "Python that runs it")
     parser.set_defaults(run=run)
 
 
@@ -63,6 +68,8 @@ def run(options: argparse.Namespace) -> int:
     from coscrew_codegen.sweep.folder import opened
 
     prepared = _prepared(options)
+    if options.member is not None:
+        return _alone(prepared, options)
     specification = prepared.specification
     about = provenance(prepared.kernels, specification)
     try:
@@ -83,6 +90,17 @@ def _prepared(options: argparse.Namespace) -> "Prepared":
         options.grid, options.sobol, options.samples, options.seed, options.record, options.series,
         RunOverrides(options.until, options.step, options.integrator, options.precision,
                      tuple(options.settings))))
+
+
+def _alone(prepared: "Prepared", options: argparse.Namespace) -> int:
+    """Run a member and print it; returns the exit status."""
+    from coscrew_codegen.sweep import alone
+
+    member = alone.member(prepared, options.member)
+    print(member.call(options.scene, options.implausible), end="\n\n", flush=True)
+    found = alone.result(prepared, member)
+    print(alone.text(found))
+    return 1 if found.failed else 0
 
 
 @contextmanager
@@ -115,7 +133,7 @@ def _compute(prepared: "Prepared", folder: "Folder", options: argparse.Namespace
     from coscrew_codegen.sweep.chunk import Job
 
     job, failed = Job.of(prepared.kernels, prepared.specification), 0
-    with (_client(options) as client,
+    with (_client(options, prepared.specification.chunks) as client,
           tqdm(total=members, initial=there, unit=" runs", unit_scale=True, disable=None) as bar):
         for number, chunk in cluster.finished(client, job, folder.missing()):
             folder.write(number, chunk.content)
@@ -126,11 +144,12 @@ def _compute(prepared: "Prepared", folder: "Folder", options: argparse.Namespace
 
 
 @contextmanager
-def _client(options: argparse.Namespace) -> "Iterator[Client]":
+def _client(options: argparse.Namespace, most: int) -> "Iterator[Client]":
+    """Of the scheduler, or of processes, at `most` so many."""
     from coscrew_codegen.sweep import cluster
 
     with (cluster.remote(options.scheduler) if options.scheduler else
-          cluster.local(options.workers or cluster.cores())) as client:
+          cluster.local(min(options.workers or cluster.cores(), most))) as client:
         if not client.nthreads():
             print(f"coscrew: {options.scheduler} has no workers yet", file=sys.stderr)
         yield client
@@ -160,12 +179,12 @@ def _words(options: argparse.Namespace) -> str:
 
     given = {"samples": options.samples, "seed": options.seed, "until": options.until,
              "step": options.step, "integrator": options.integrator,
-             "precision": options.precision}
+             "precision": options.precision, "implausible": options.implausible}
     words = ["coscrew", "sweep", options.scene.name]
     words += [x for asked in options.grid for x in ("--grid", asked.text)]
     words += [x for asked in options.sobol for x in ("--sobol", asked.text)]
     words += [x for name, value in given.items() if value is not None
-              for x in (f"--{name}", f"{value:g}" if isinstance(value, float) else str(value))]
-    words += [x for name, value in options.settings for x in ("--set", f"{name}={value:g}")]
+              for x in (f"--{name}", str(value))]
+    words += [x for name, value in options.settings for x in ("--set", f"{name}={value}")]
     words += [x for name in options.record for x in ("--record", name)]
     return shlex.join(words + ["--series"] * options.series)

@@ -66,7 +66,7 @@ def opened(path: Path, specification: Specification, about: Mapping[str, Json]
 
 
 def whole(path: Path, content: bytes) -> None:
-    """Write a file whole, or raise OSError and leave nothing."""
+    """Write a file whole, or raise OSError, which names it, and leave nothing."""
     part = path.with_name(f".{path.name}.part")
     try:
         with part.open("wb") as file:
@@ -74,9 +74,11 @@ def whole(path: Path, content: bytes) -> None:
             file.flush()
             os.fsync(file.fileno())
         os.replace(part, path)
-    except BaseException:
+    except BaseException as error:
         with suppress(OSError):
             part.unlink()
+        if isinstance(error, OSError):
+            error.filename = str(path)
         raise
 
 

@@ -54,12 +54,12 @@ def html(specification: Specification, about: Mapping[str, str], found: Tally, w
     return render("sweep/page.html", scene=specification.scene, members=found.members,
                   varied=tuple(_varied(specification)), left=left,
                   figures=[(x.own.name, plot.figure(x)) for x in drawn],
-                  tables=tuple(_tables(found)), provenance=told)
+                  tables=tuple(_tables(specification, found, words)), provenance=told)
 
 
 def _varied(specification: Specification) -> Iterator[str]:
     for x in specification.varied.each:
-        unit = f" {x.of.unit}" if x.of.unit else ""
+        unit = f" {x.of.unit}" if x.of.unit not in ("", "1") else ""
         if isinstance(x, Grid):
             yield (f"{x.of.name}: a grid of {len(x.values)} from {x.values[0]:g} to "
                    f"{x.values[-1]:g}{unit}")
@@ -68,19 +68,21 @@ def _varied(specification: Specification) -> Iterator[str]:
             yield f"{x.of.name}: sampled from {x.low:g} to {x.high:g}{unit}{scale}"
 
 
-def _tables(found: Tally) -> Iterator[Shown]:
+def _tables(specification: Specification, found: Tally, words: str) -> Iterator[Shown]:
     yield Shown("Recorded quantities", "Over the members that reached the end of their runs. "
                 "Shares: how much of the variance over the members what varied explains alone, "
                 "by means over its grid or over parts of its range.",
                 _headers(found), tuple(_rows(found.columns)))
     if found.failed:
-        more = found.failed - len(found.listed)
+        varied, more = specification.varied, found.failed - len(found.listed)
         above = f"{failures(found)}." + (
             f" The first {LISTED} are listed; column failed of the Parquet files has all."
-            if more else "")
-        yield Shown("Failed members", above,
-                    ("member", *(x.name for x in found.axes), "at t, s", "cause"),
-                    tuple((str(k), *(f"{x:.6g}" for x in values), f"{t:.6g}", str(cause))
+            if more else "") + (
+            f" The seed of the Sobol sequence is {varied.seed}." if varied.ranges else "")
+        yield Shown("Failed members", f"{above} Alone, to the bit, the first is run by: {words} "
+                    f"--member {found.listed[0][0]}",
+                    ("member", *(x.label for x in found.axes), "at t, s", "cause"),
+                    tuple((str(k), *map(str, values), f"{t:.9g}", str(cause))
                           for k, *values, t, cause in found.listed))
 
 
@@ -95,7 +97,7 @@ def _rows(columns: tuple[Column, ...]) -> Iterator[tuple[str, ...]]:
             continue
         shares = [x.explained(i) for i in range(len(x.axes))]
         for k, word in enumerate(STATISTICS):
-            yield (f"{x.own.name} [{x.own.unit}]", word, f"{x.lowest[k]:.5g}", f"{x.mean[k]:.5g}",
+            yield (x.own.label, word, f"{x.lowest[k]:.5g}", f"{x.mean[k]:.5g}",
                    f"{x.highest[k]:.5g}", *(_share(share[k]) for share in shares))
 
 

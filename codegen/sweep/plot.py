@@ -72,4 +72,4 @@ def _map(axes: Axes, x: Axis, y: Axis, values: np.ndarray, words: str) -> None:
 
 def _label(axis: Axis) -> str:
     """Its name and unit, with characters escaped that Matplotlib reads as mathematics."""
-    return (f"{axis.name} [{axis.unit}]" if axis.unit else axis.name).replace("$", r"\$")
+    return axis.label.replace("$", r"\$")

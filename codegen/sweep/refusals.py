@@ -27,7 +27,8 @@ def refuse(scene: Scene, settings: Mapping[str, float], varied: Varied, precisio
         try:
             refuse_settings(scene, {**settings, **corner}, precision)
         except SimulateError as error:
-            raise SweepError(f"at an end of what varies: {error}") from None
+            named = str(error).replace("--set ", "")
+            raise SweepError(f"at an end of what varies: {named}") from None
 
 
 def _corners(scene: Scene, varied: Varied) -> Iterator[Mapping[str, float]]:

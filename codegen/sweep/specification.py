@@ -1,9 +1,10 @@
 """Specification of a sweep: all from which the values and results of its members follow."""
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from fractions import Fraction
+from functools import cached_property
 from hashlib import sha256
 from math import prod
 
@@ -11,7 +12,7 @@ from coscrew_codegen.pages import Json
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.sweep import SweepError
 from coscrew_codegen.sweep.asked import GridAsked, SobolAsked
-from coscrew_codegen.sweep.candidates import Candidate, candidates, limits_of, matching, one
+from coscrew_codegen.sweep.candidates import Candidate, candidates, limits_of, matching, one, turned
 
 
 @dataclass(frozen=True)
@@ -110,7 +111,7 @@ class Specification:
         found: Mapping[str, Json] = json.loads(json.dumps(asdict(self)))
         return found
 
-    @property
+    @cached_property
     def sha256(self) -> str:
         """The hash by which a folder knows its sweep."""
         return sha256(json.dumps(self.data, sort_keys=True).encode()).hexdigest()
@@ -127,8 +128,7 @@ def varied(scene: Scene, settings: Mapping[str, float], grids: Sequence[GridAske
                          "--samples and --seed want --sobol PATTERN=LOW:HIGH")
     known = candidates(scene, settings)
     made = Varied(tuple(_grid(x, one("--grid", x.name, scene, known)) for x in grids),
-                  tuple(_range(x, of) for x in sobols
-                        for of in matching("--sobol", x.pattern, scene, known)),
+                  tuple(r for x in sobols for r in _ranges(x, scene, known)),
                   samples or 1, seed or 0)
     names = [x.name for x in made.columns]
     for name in names:
@@ -151,6 +151,13 @@ def _grid(asked: GridAsked, of: Candidate) -> Grid:
         a, b = (mp.mpf(x.numerator) / x.denominator for x in asked.ends)
         inner = [float(a * (b / a)**(mp.mpf(i) / steps)) for i in range(1, steps)]
     return Grid(of, (float(first), *inner, float(last))[:asked.count])
+
+
+def _ranges(asked: SobolAsked, scene: Scene, known: Mapping[str, Candidate]) -> Iterator[Range]:
+    if asked.uniform:
+        yield from (Range(x, 0.0, 1.0, False) for x in turned("--sobol", asked.pattern, scene))
+    else:
+        yield from (_range(asked, x) for x in matching("--sobol", asked.pattern, scene, known))
 
 
 def _range(asked: SobolAsked, of: Candidate) -> Range:

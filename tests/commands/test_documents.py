@@ -68,15 +68,18 @@ def test_python_snippets_print_what_their_comments_say(snippet, tmp_path):
     assert done.stdout.splitlines() == re.findall(r"^# (.*)$", snippet, re.MULTILINE)
 
 
-def test_the_guide_to_sweeps_runs(tmp_path, monkeypatch):
-    """Its scene, its commands, and what reads their results."""
-    scene, commands, snippet = (re.search(rf"```{x}\n(.*?)```", TEXTS[SWEEPS], re.DOTALL)[1]
-                                for x in ("toml", "sh", "python"))
+def test_the_guide_to_sweeps_runs(tmp_path, monkeypatch, capsys):
+    """Its scene, its commands, what reads their results, and what one of them prints."""
+    (scene,), (commands, alone), (printed, reading) = (re.findall(
+        rf"```{x}\n(.*?)```", TEXTS[SWEEPS], re.DOTALL) for x in ("toml", "sh", "python"))
     monkeypatch.chdir(tmp_path)
     Path("swing.toml").write_text(scene)
-    for line in commands.splitlines():
+    for line in (*commands.splitlines(), *alone.splitlines()):
+        capsys.readouterr()
         assert main([*shlex.split(line)[1:], "--workers", "1"]) == 0
-    test_python_snippets_print_what_their_comments_say(snippet, tmp_path)
+    assert capsys.readouterr().out.startswith(printed.partition("\nprint")[0])
+    for snippet in (printed, reading):
+        test_python_snippets_print_what_their_comments_say(snippet, tmp_path)
 
 
 @pytest.mark.parametrize("snippet", snippets("c", '"swing.h"'))

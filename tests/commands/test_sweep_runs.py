@@ -28,8 +28,8 @@ from coscrew_codegen.sweep.folder import Folder
 from tests.support.processes import interruptible
 from tests.support.scenes.simulated import scene_file
 from tests.support.scenes.sweeps import SLIDER
+from tests.support.sweeping import VARIED, awaited, dask, sweep
 
-VARIED = ("--grid", "block.mass=1:7:3", "--sobol", "start.?.slide=limits", "--samples", "200")
 CHUNKS, MEMBERS = 10, 600
 
 
@@ -52,15 +52,6 @@ def workers() -> Iterator[LocalCluster]:
     with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None,
                       silence_logs=logging.CRITICAL) as found:
         yield found
-
-
-def sweep(scene: Path, out: Path, workers: LocalCluster | str, *words: str) -> int:
-    """The command's exit status; without arrays, tables and page, which `whole` has."""
-    address = workers if isinstance(workers, str) else workers.scheduler_address
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(command, "_report", lambda *_: 0)
-        return main(["sweep", str(scene), *(words or VARIED), "--scheduler", address, "--out",
-                     str(out)])
 
 
 def table(out: Path) -> pyarrow.Table:
@@ -115,6 +106,8 @@ def test_xarray_sees_grids_as_dimensions(whole):
     one = found["q.slide.final"].sel({"block.mass": 4})
     assert np.array_equal(one.values, rows["q.slide.final"].to_numpy()[1::3])
     assert one.attrs["units"] == "m" and not found["failed"].values.any()
+    assert found["block.mass"].attrs["units"] == "kg"
+    assert found["start.q.slide"].attrs["units"] == "m"
     assert found.attrs["coscrew"] == json.loads((whole / "sweep.json").read_text())["provenance"]
 
 
@@ -122,7 +115,7 @@ def test_the_page_is_self_contained_and_shows_what_explains_the_motion(whole):
     text = (whole / "summary.html").read_text("utf-8")
     assert text.count("<figure>") == 2 and text.count('src="data:image/svg+xml;base64,') == 2
     assert not re.findall(r"(?:src|href)=\"(?!data:)", text)
-    assert "block.mass: a grid of 3 from 1 to 7" in text
+    assert "block.mass: a grid of 3 from 1 to 7 kg" in text
     assert "start.q.slide: sampled from -20 to 200 m" in text
     (row,) = re.findall(r"q\.slide \[m\]</th><td>final</td>(.*?)</tr>", text)
     shares = [int(x) for x in re.findall(r"(\d+) %", row)]
@@ -177,27 +170,6 @@ def test_a_lost_scheduler_ends_the_command_and_another_goes_on(scene, workers, w
     assert "--scheduler tcp://127.0.0.1:9: " in capsys.readouterr().err
 
 
-@contextmanager
-def dask(program: str, folder: Path, *words: str) -> Iterator[subprocess.Popen]:
-    """A scheduler or worker as a process of its own."""
-    command = [sys.executable, "-m", f"distributed.cli.dask_{program}", *words, "--no-dashboard"]
-    process = subprocess.Popen(command, cwd=folder, stderr=subprocess.PIPE, text=True)
-    try:
-        yield process
-    finally:
-        process.kill()
-        process.wait()
-        process.stderr.close()
-
-
-def awaited(process: subprocess.Popen, pattern: str) -> str:
-    """What the process says that matches the pattern."""
-    for line in process.stderr:
-        if found := re.search(pattern, line):
-            return found[1]
-    raise AssertionError(f"{pattern} was not said")
-
-
 def kept(out: Path) -> dict[str, tuple[int, int]]:
     """The files of chunks, and which they are."""
     return {x.name: (x.stat().st_ino, x.stat().st_mtime_ns)
@@ -210,7 +182,8 @@ def test_a_full_disk_ends_the_command_and_leaves_no_half_file(scene, workers, wh
     with file_size() as limited, after(3, limited):
         assert sweep(scene, out, workers) == 2
     said = capsys.readouterr().err
-    assert f"cannot write {out}: File too large; 192 of 600 members are written" in said
+    assert re.search(rf"cannot write {out}/members/part-0000000\d.parquet: File too large; 192 of "
+                     "600 members are written", said)
     assert len(kept(out)) == 3 and not list(out.rglob(".*.part"))
     for path in (out / "members").iterdir():
         assert pyarrow.parquet.read_metadata(path).num_rows == 64
@@ -313,5 +286,5 @@ def test_an_error_of_a_worker_is_told(workers, scene, tmp_path, capsys, monkeypa
     monkeypatch.setattr(chunk.Job, "of", lambda *its: replace(of(*its), generator="other"))
     assert sweep(scene, tmp_path / "out", workers) == 2
     said = capsys.readouterr().err
-    assert "a worker has another version of coscrew" in said and "0 of 600 members" in said
+    assert "has another version of coscrew than this command" in said and "0 of 600 members" in said
     assert SweepError.__name__ not in said

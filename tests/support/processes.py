@@ -7,12 +7,12 @@ from contextlib import contextmanager
 
 
 @contextmanager
-def interruptible(words: Sequence[object], stdout: int | None = None, stderr: int | None = None
-                  ) -> Iterator[subprocess.Popen[str]]:
+def interruptible(words: Sequence[object], stdout: int | None = None, stderr: int | None = None,
+                  group: bool = False) -> Iterator[subprocess.Popen[str]]:
     """The running program.  It reacts to SIGINT even if the tests run in the background and ignore
-    it, and is ended with the test."""
+    it, and is ended with the test; with `group` it leads a group of processes, as in a terminal."""
     process = subprocess.Popen([str(x) for x in words], text=True, preexec_fn=_heed, stdout=stdout,
-                               stderr=stderr)
+                               stderr=stderr, start_new_session=group)
     try:
         yield process
     finally:

@@ -1,4 +1,17 @@
-"""Scenes that sweeps vary."""
+"""Scenes that sweeps vary, and sweeps of them without workers."""
+
+import io
+from collections.abc import Sequence
+from pathlib import Path
+
+import pyarrow
+import pyarrow.parquet
+
+from coscrew_codegen.scene_files.toml_scene import read_scene
+from coscrew_codegen.simulate.outcome import RunOverrides
+from coscrew_codegen.sweep import asked, chunk, prepare
+from coscrew_codegen.sweep.prepare import Prepared
+from tests.support.scenes.simulated import scene_file
 
 SLIDER = """
 runtime = ["block.mass", "block.inertia"]
@@ -52,3 +65,47 @@ child = "cup"
 duration = 0.1
 """
 """A floating base and a spherical joint: quaternions."""
+
+UNITS = """
+runtime = ["block.mass", "block.com", "block.inertia", "gravity.g", "spring.slide.k",
+           "spring.swivel.k", "actuator.slide.gear", "actuator.swivel.gear", "wrench.block.force"]
+[bodies]
+block = { mass = 2, com = [0, 0, 0], inertia = [1, 1, 1] }
+needle = { mass = 1, inertia = [1, 1, 1] }
+[joints]
+slide = { type = "prismatic", child = "block", axis = [1, 0, 0] }
+swivel = { type = "continuous", parent = "block", child = "needle", axis = [0, 0, 1] }
+[effects.gravity]
+[effects.spring]
+joints = "all"
+k = 1
+[effects.actuator]
+joints = "all"
+kind = "dc"
+voltage = "0.1*t"
+gear = 10
+kt = 0.1
+ke = 0.1
+R = 1
+[effects.wrench.block]
+force = [1, 0, 0]
+"""
+"""Parameters of bodies and effects, on a joint that slides and one that turns."""
+
+
+_NONE = RunOverrides()
+
+
+def prepared(folder: Path, text: str, grids: Sequence[str] = (), sobols: Sequence[str] = (),
+             samples: int | None = None, *, seed: int | None = None, record: Sequence[str] = (),
+             series: bool = False, overrides: RunOverrides = _NONE) -> Prepared:
+    """The sweep that these options ask for, of a scene in this folder."""
+    return prepare.prepared(read_scene(scene_file(folder, text)), prepare.Asked(
+        tuple(map(asked.grid, grids)), tuple(map(asked.sobol, sobols)), samples, seed, record,
+        series, overrides))
+
+
+def table(its: Prepared, number: int = 0) -> pyarrow.Table:
+    """A chunk's file, read back."""
+    found = chunk.computed(chunk.Job.of(its.kernels, its.specification), number)
+    return pyarrow.parquet.read_table(io.BytesIO(found.content))

@@ -1,0 +1,104 @@
+"""`coscrew sweep`: each member has the bits of `run`, fails where it does, and runs alone."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from coscrew_codegen import command_line, run
+from coscrew_codegen.__main__ import main
+from coscrew_codegen.scene.parameter_units import parameter_units
+from coscrew_codegen.scene_files.toml_scene import read_scene
+from coscrew_codegen.sweep import chunk, command, members, summary
+from coscrew_codegen.sweep.folder import opened
+from tests.support.scenes import scene_texts as texts
+from tests.support.scenes.simulated import scene_file
+from tests.support.scenes.sweeps import BALL, SLIDER, UNITS, prepared, table
+
+UNSTABLE = texts.UNSTABLE.replace("duration = 2", "duration = 0.5").replace(
+    'precision = "both"', 'precision = "double"')
+MANY_KINDS = 'runtime = ["ball.mass", "cup.com.x"]' + BALL + """
+[outputs]
+record = ["q", "v", "energy", "momentum", "position.cup", "a.socket"]
+"""
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory) -> Path:
+    return tmp_path_factory.mktemp("sweep")
+
+
+def test_members_fail_where_runs_do_and_the_others_go_on(folder):
+    """At the same time and joint, of the same cause: not finite, too large, the step too long."""
+    found = table(prepared(folder, UNSTABLE, ("block.mass=1e-6:1e6:7:log",))).to_pylist()
+    for row in found:
+        alone = run(folder / "scene.toml", p={"block.mass": row["block.mass"]})
+        told = [(x.t, x.joint, x.cause) for x in alone.failed]
+        assert told == [(row["failed.t"], row["failed.joint"], row["failed"])] * len(told)
+        assert bool(told) == (row["failed"] is not None) == (row["q.slide.final"] is None)
+        if not told:
+            assert row["energy.total.final"] == alone.recorded["energy.total"][-1]
+    assert [x["failed"] and x["failed"].partition(" at t")[0] for x in found] == [
+        "not finite", "not finite", "energy is not finite", "energy is not finite",
+        "the step is too large", None, None]
+
+
+@pytest.mark.parametrize(("text", "options", "member"), (
+    (MANY_KINDS, "--grid ball.mass=1:2:2 --sobol start.?.base.[0-2]=-1:1 --sobol start.v.s*=-2:2 "
+     "--samples 3 --set cup.com.x=0.1 --precision single", 3),
+    (MANY_KINDS, "--sobol start.q.*=uniform --sobol start.v.*=-2:2 --samples 5", 4),
+    (SLIDER, "--grid block.mass=0.7:1.1:5:log --sobol start.?.slide=limits --samples 9 --seed 5",
+     44)))
+def test_one_member_alone_has_the_bits_that_the_sweep_wrote(text, options, member, folder, capsys):
+    """By the command, and by the Python that it prints."""
+    words = ["sweep", str(scene_file(folder, text)), *options.split()]
+    assert main([*words, "--member", str(member)]) == 0
+    call, printed = capsys.readouterr().out.split("\n\nrecorded")
+    asked = command_line._parser("sweep").parse_args([*words, "--series", "--out", "x"])
+    row = table(command._prepared(asked)).to_pylist()[member]
+    exec(call, given := {})
+    columns = given["member"].recorded
+    for name, values in columns.items():
+        assert np.array(row[name], values.dtype).tobytes() == values.tobytes(), name
+    lines = [x.split() for x in printed.splitlines()[2:]]
+    assert [x[0] for x in lines] == list(columns)
+    for name, *_, final, least, most, mean in lines:
+        kind = columns[name].dtype.type
+        assert [kind(final), kind(least), kind(most), float(mean)] == [
+            row[f"{name}.{word}"] for word in summary.STATISTICS]
+
+
+def test_a_member_that_failed_fails_alone(folder, capsys):
+    words = ["sweep", str(scene_file(folder, UNSTABLE)), "--grid", "block.mass=1:9:3"]
+    assert main([*words, "--member", "1"]) == 1
+    assert "failed: energy is not finite at t = 0.1 s" in capsys.readouterr().out
+    assert main([*words, "--member", "3"]) == 2
+    assert "--member 3: wanted 0 to 2" in capsys.readouterr().err
+
+
+def test_the_page_says_how_to_run_failed_members_alone(folder, tmp_path, capsys):
+    """Their numbers and values, in all digits, the seed, and a command."""
+    its = prepared(folder, UNSTABLE, ("block.mass=1:2:2",), ("start.v.slide=0:1",), 2, seed=12)
+    with opened(tmp_path, its.specification, {}) as target:
+        target.write(0, chunk.computed(chunk.Job.of(its.kernels, its.specification), 0).content)
+        assert command._report(its, target, "coscrew sweep x.toml") == 1
+    assert "4 of 4 members failed: 4 at no joint" in capsys.readouterr().out
+    text = (tmp_path / "summary.html").read_text("utf-8")
+    assert "The seed of the Sobol sequence is 12." in text
+    assert "the first is run by: coscrew sweep x.toml --member 0</p>" in text
+    assert "<th>block.mass [kg]</th><th>start.v.slide [m/s]</th><th>at t, s</th>" in text
+    for k, (mass, speed) in enumerate(members.values(its.specification.varied, range(4)).tolist()):
+        assert f'<th scope="row">{k}</th><td>{mass}</td><td>{speed}</td><td>0.1</td>' in text
+
+
+def test_parameters_have_the_units_of_bodies_and_of_effects_on_their_joint(folder):
+    moments = (f"block.inertia.{x}" for x in ("xx", "yy", "zz", "xy", "xz", "yz"))
+    wanted = {"block.mass": "kg", **{f"block.com.{x}": "m" for x in "xyz"},
+              **dict.fromkeys(moments, "kg m^2"), **{f"gravity.g.{x}": "m/s^2" for x in "xyz"},
+              "spring.slide.k": "N/m", "spring.swivel.k": "N m/rad",
+              "actuator.slide.gear": "rad/m", "actuator.swivel.gear": "1",
+              **{f"wrench.block.force.{x}": "N" for x in "xyz"}}
+    assert parameter_units(read_scene(scene_file(folder, UNITS))) == wanted
+    fields = table(prepared(folder, UNITS, ("spring.swivel.k=1:2:2", "gravity.g.z=-9:9:2"))).schema
+    assert fields.field("spring.swivel.k").metadata == {b"unit": b"N m/rad"}
+    assert fields.field("gravity.g.z").metadata == {b"unit": b"m/s^2"}

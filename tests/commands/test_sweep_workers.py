@@ -1,0 +1,108 @@
+"""`coscrew sweep` on workers that lack something, or that are interrupted while they start."""
+
+import os
+import platform
+import signal
+import socket
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+
+import psutil
+import pytest
+
+from coscrew_codegen.__main__ import main
+from coscrew_codegen.sweep import SweepError, cluster
+from tests.support.processes import interruptible
+from tests.support.scenes.simulated import scene_file
+from tests.support.scenes.sweeps import SLIDER
+from tests.support.sweeping import VARIED, awaited, dask, sweep
+
+ALONE = """
+import sys
+sys.meta_path[:] = [x for x in sys.meta_path if "editable" not in repr(x)]
+"""
+"""A process that finds no package of an editable installation."""
+
+
+@pytest.fixture(scope="module")
+def scene(tmp_path_factory) -> Path:
+    return scene_file(tmp_path_factory.mktemp("scene"), SLIDER, "slider")
+
+
+@pytest.mark.parametrize(("environment", "largest", "said"), (
+    ({}, 1000, "cannot use its disk: File too large"),
+    ({"CC": "no-such-compiler"}, None, "cannot compile the scene, as this command can: no C "
+     "compiler: no-such-compiler cannot be run"),
+    ({"CC": "cc -include no-such-header"}, None, "cannot compile the scene, as this command can: ")
+), ids=("a full disk", "no compiler", "a compiler that fails"))
+def test_what_a_worker_cannot_do_is_told(environment, largest, said, scene, tmp_path, capsys):
+    """Its cache is empty, and it must compile."""
+    own = {"XDG_CACHE_HOME": str(tmp_path), **environment}
+    with dask("scheduler", tmp_path, "--port", "0", "--host", "127.0.0.1") as scheduler:
+        address = awaited(scheduler, r"Scheduler at: +(\S+)")
+        with dask("worker", tmp_path, address, "--no-nanny", "--nthreads", "1", environment=own,
+                  largest=largest):
+            assert sweep(scene, tmp_path / "out", address) == 2
+    (line,) = (x for x in capsys.readouterr().err.splitlines() if "the worker" in x)
+    assert f"coscrew: the worker on {platform.node()} {said}" in line
+    assert line.endswith("; 0 of 600 members are written, and the same command goes on")
+
+
+def test_processes_that_start_say_nothing_of_an_interrupt(scene, tmp_path):
+    """A terminal sends Ctrl-C to all of them, here as soon as there are two."""
+    words = [sys.executable, "-m", "coscrew_codegen", "sweep", scene, *VARIED[:-1], "1e8", "--out",
+             tmp_path / "out"]
+    with interruptible(words, stderr=subprocess.PIPE, group=True) as process:
+        first, its = process.stderr.readline(), psutil.Process(process.pid)
+        while len(its.children()) < 2:
+            time.sleep(0.01)
+        os.killpg(process.pid, signal.SIGINT)
+        said = process.communicate()[1]
+    assert (process.returncode, first) == (130, "coscrew: 300000000 members, 0 of them there\n")
+    last = "interrupted; 0 of 300000000 members are written, and the same command goes on"
+    assert said == f"coscrew: {last}\n"
+
+
+def test_no_more_processes_start_than_there_are_chunks(scene, tmp_path, monkeypatch):
+    started = []
+
+    @contextmanager
+    def local(workers: int) -> Iterator[None]:
+        started.append(workers)
+        raise SweepError("enough")
+        yield
+
+    monkeypatch.setattr(cluster, "local", local)
+    assert main(["sweep", str(scene), "--grid", "block.mass=1:7:3", "--workers", "1e6", "--out",
+                 str(tmp_path / "out")]) == 2
+    assert started == [1]
+
+
+def test_another_cluster_of_this_machine_is_not_in_the_way(recwarn):
+    """Dask's port is taken."""
+    with socket.socket() as taken:
+        with suppress(OSError):  # taken already
+            taken.bind(("127.0.0.1", 8787))
+            taken.listen()
+        with cluster.local(1) as client:
+            assert len(client.nthreads()) == 1
+    assert not recwarn.list
+
+
+def test_a_worker_without_coscrew_is_told(scene, tmp_path):
+    """It is not killed by what it receives, which the command would await for ever."""
+    (tmp_path / "sitecustomize.py").write_text(ALONE)
+    with dask("scheduler", tmp_path, "--port", "0", "--host", "127.0.0.1") as scheduler:
+        address = awaited(scheduler, r"Scheduler at: +(\S+)")
+        with dask("worker", tmp_path, address, "--no-nanny", "--nthreads", "1",
+                  environment={"PYTHONPATH": str(tmp_path)}):
+            done = subprocess.run([
+                sys.executable, "-m", "coscrew_codegen", "sweep", scene, *VARIED, "--scheduler",
+                address, "--out", tmp_path / "out"], capture_output=True, text=True, timeout=120)
+    assert done.returncode == 2
+    assert ("a worker lacks what this command has: No module named 'coscrew_codegen'; install the "
+            "same coscrew[sweep] on both; 0 of 600 members") in done.stderr

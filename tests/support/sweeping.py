@@ -1,0 +1,58 @@
+"""Sweeps on the workers of a Dask cluster whose processes tests start, stop and impair."""
+
+import os
+import re
+import resource
+import subprocess
+import sys
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+from typing import IO, cast
+
+import pytest
+from distributed import LocalCluster
+
+from coscrew_codegen.__main__ import main
+from coscrew_codegen.sweep import command
+
+VARIED = ("--grid", "block.mass=1:7:3", "--sobol", "start.?.slide=limits", "--samples", "200")
+
+
+def sweep(scene: Path, out: Path, workers: LocalCluster | str, *words: str) -> int:
+    """The command's exit status; without arrays, tables and page, which take seconds."""
+    address = workers if isinstance(workers, str) else workers.scheduler_address
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(command, "_report", lambda *_: 0)
+        return main(["sweep", str(scene), *(words or VARIED), "--scheduler", address, "--out",
+                     str(out)])
+
+
+@contextmanager
+def dask(program: str, folder: Path, *words: str, environment: Mapping[str, str] | None = None,
+         largest: int | None = None) -> Iterator["subprocess.Popen[str]"]:
+    """A scheduler or worker as a process of its own, with further variables of the environment;
+    it cannot write files of more than `largest` bytes."""
+    def limited() -> None:
+        if largest:
+            resource.setrlimit(resource.RLIMIT_FSIZE, (largest, largest))
+
+    # Python would leave compiled modules of a few bytes beside its sources
+    own = {"PYTHONDONTWRITEBYTECODE": "1"} if largest else {}
+    command = [sys.executable, "-m", f"distributed.cli.dask_{program}", *words, "--no-dashboard"]
+    process = subprocess.Popen(command, cwd=folder, stderr=subprocess.PIPE, text=True,
+                               env={**os.environ, **own, **(environment or {})}, preexec_fn=limited)
+    try:
+        yield process
+    finally:
+        process.kill()
+        process.wait()
+        cast("IO[str]", process.stderr).close()
+
+
+def awaited(process: "subprocess.Popen[str]", pattern: str) -> str:
+    """What the process says that matches the pattern."""
+    for line in cast("IO[str]", process.stderr):
+        if found := re.search(pattern, line):
+            return found[1]
+    raise AssertionError(f"{pattern} was not said")
