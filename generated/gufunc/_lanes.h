@@ -15,7 +15,7 @@
 #include "../c/include/ksl/ksl_states.h"
 
 #if KSL_LANE_BYTES
-/* So many elements take less time on vectors than one by one. */
+/* Of fewer elements, calls take no longer one by one, or hardly. */
 enum { SEVERAL = 8 };
 
 /* Not inlined: calls with fewer elements need no room for vectors. */
