@@ -14,7 +14,7 @@ from tests.benchmarks.words import said
 
 COUNT = 1000
 ROW = 7  # the most elements that loops on vectors compute one by one
-ON_VECTORS = ("sincos", "SO3_exp", "SO3_log", "SE3_exp", "SE3_log")
+ON_VECTORS = ("dc", "SO3_exp", "SO3_log", "SE3_exp", "SE3_log")
 SECONDS = 1.0  # of each task
 
 Case = tuple[str, Callable[[], object]]
@@ -61,8 +61,8 @@ def _cases(dtype: str) -> dict[str, list[Case]]:
 
 
 def _cases_on_vectors(dtype: str) -> dict[str, list[Case]]:
-    """Several elements at a time, and the same one by one: in rows too short for vectors, with a
-    gap between them, lest NumPy join them."""
+    """Several elements at a time, and the same one by one: in rows too short for vectors, with gaps
+    between them, so that NumPy does not join them."""
     made = {}
     for name in ON_VECTORS:
         function = getattr(coscrew, name)
@@ -83,7 +83,7 @@ def _cases_on_vectors(dtype: str) -> dict[str, list[Case]]:
 def _arguments(name: str, dtype: str) -> tuple[np.ndarray, tuple[np.ndarray, ...]]:
     """An array of elements, and arrays for the results."""
     random = np.random.default_rng(21)
-    sizes = {"sincos": (), "SO3": (3,), "SE3": (6,)}
+    sizes = {"dc": (), "SO3": (3,), "SE3": (6,)}
     x = random.normal(size=(COUNT, *sizes[name.partition("_")[0]])).astype(dtype)
     if name.endswith("_log"):
         x = getattr(coscrew, name.replace("log", "exp"))(x)
