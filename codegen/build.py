@@ -39,10 +39,11 @@ def compiled(root: Path) -> bool:
 
 
 def _extension(root: Path, folder: Path) -> Extension:
-    """The extension module of a folder; its sources include the headers beside them and the tier's
-    header of all kernels."""
+    """The extension module of a folder; its sources include the headers beside them, the tier's
+    header of all kernels, and plain ones those of many elements."""
     tier = folder.relative_to(root / _GUFUNC).parts
-    headers = [*folder.glob("*.h"), root / f"generated/c/{'_'.join(('coscrew', *tier))}.h"]
+    headers = [*folder.glob("*.h"), root / f"generated/c/{'_'.join(('coscrew', *tier))}.h",
+               *([] if tier else (root / "generated/c/include/ksl").glob("*.h"))]
     return Extension(".".join(("coscrew", *tier, "_gufunc")), _relative(root, folder.glob("*.c")),
                      depends=_relative(root, headers), optional=True)
 

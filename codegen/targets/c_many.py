@@ -6,8 +6,9 @@ the kernel.  They are inlined, so that strides that a caller writes as numbers a
 compiler.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
 
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.library import Library
@@ -54,6 +55,12 @@ class Many:
 
 
 def files(library: Library) -> Files:
+    """c/include/ksl/coscrew_many.h and so on."""
+    return {f"c/include/ksl/{name}.h": text for name, text in headers(library).items()}
+
+
+@cache  # also used by the extension target
+def headers(library: Library) -> Mapping[str, str]:
     """Those of all tiers, what they share, and for each tier one that includes all."""
     made = {SHARED: render("c/ksl_planes.h", banner=library.banner, types=[
         _Access(quantity, precision) for quantity in c_storage.TYPES
@@ -62,12 +69,12 @@ def files(library: Library) -> Files:
         if held := library.having(tier):
             families = [family for family in library.families
                         if any(op.family == family for op in held)]
-            made |= {_named(family, tier): _header(library, tier, family) for family in families}
+            made |= {named(family, tier): _header(library, tier, family) for family in families}
             made[f"{tier.umbrella}_many"] = render(
                 "c/ksl.h", banner=library.banner, guard=f"{tier.umbrella.upper()}_MANY_H",
                 title=f"All {tier.name} kernels of many elements.",
-                includes=[_named(family, tier) for family in families])
-    return {f"c/include/ksl/{name}.h": text for name, text in made.items()}
+                includes=[named(family, tier) for family in families])
+    return made
 
 
 def functions(operation: Operation, precision: Precision, tier: str = "",
@@ -76,12 +83,13 @@ def functions(operation: Operation, precision: Precision, tier: str = "",
     return _Writer(operation, precision, tier).functions(states)
 
 
-def _named(family: str, tier: Tier) -> str:
+def named(family: str, tier: Tier) -> str:
+    """The header's name: coscrew_many, coscrew_accurate_many."""
     return "_".join(filter(None, (family, tier.mark, "many")))
 
 
 def _header(library: Library, tier: Tier, family: str) -> str:
-    name = _named(family, tier)
+    name = named(family, tier)
     on_vectors = {} if tier.marked else library.made(c_many_lanes.kernels)[family]
     made = [functions(op, precision, tier.mark, on_vectors.get((op.name, precision.name)))
             for precision in library.precisions for op in library.having(tier)

@@ -1,13 +1,15 @@
 """The sources of extension modules: for each tier in Python, loops over its C kernels."""
 
 import hashlib
+from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass
 from functools import cache
 
 from coscrew_codegen.library import Library
-from coscrew_codegen.quantity import QUANTITIES
+from coscrew_codegen.quantity import QUANTITIES, Quantity
 from coscrew_codegen.render import render
-from coscrew_codegen.targets import c_amalgamated, c_headers, gufunc, numpy
+from coscrew_codegen.targets import c_amalgamated, c_headers, c_many, c_many_lanes, gufunc, numpy
+from coscrew_codegen.targets.c_function import CFunction
 from coscrew_codegen.targets.c_statements import listed
 from coscrew_codegen.targets.target import Files, Target
 from coscrew_codegen.tiers import TIERS, Tier
@@ -49,7 +51,9 @@ def provenance(library: Library, tier: Tier) -> str:
     """A hash of the sources, by which Python recognizes its extension; empty without one."""
     if not has_extension(library, tier):
         return ""
-    texts = "\0".join((c_amalgamated.text(library, tier), *_loops(library, tier).values()))
+    many = c_many.headers(library)
+    texts = "\0".join((c_amalgamated.text(library, tier), *_loops(library, tier).values(),
+                       *(many[name] for name in _many(library, tier))))
     return hashlib.sha256(texts.encode()).hexdigest()[:16]
 
 
@@ -60,26 +64,60 @@ def _sources(library: Library, tier: Tier) -> Files:
 @cache  # also used for the provenance in the Python package
 def _loops(library: Library, tier: Tier) -> Files:
     """The sources except the one that holds their provenance."""
-    families = _families(library, tier)
+    families, on_vectors = _families(library, tier), _on_vectors(library, tier)
     docstrings = numpy.docstrings(library, tier, library.precisions[0])
-    accesses = [gufunc.access(quantity, precision)
-                for quantity in QUANTITIES for precision in library.precisions]
     best = _best(library, tier)
     up = "../../" if tier.mark else "../"
-    sources = {"_gufunc.h": render("gufunc/_gufunc.h", banner=library.banner, accesses=accesses,
-                                   families=families, **asdict(best),
+    sources = {"_gufunc.h": render("gufunc/_gufunc.h", banner=library.banner,
+                                   accesses=_accesses(library, QUANTITIES),
+                                   families=families, lanes=bool(on_vectors), **asdict(best),
                                    amalgamation=f"{up}c/{c_amalgamated.file_name(tier)}")}
+    if on_vectors:
+        sources["_lanes.h"] = _lanes(library, tier)
     dtypes = [f"PyArray_{precision.c_type.title()}DType" for precision in library.precisions]
     sources["promoter.c"] = render("gufunc/promoter.c", banner=library.banner, dtypes=dtypes,
                                    package=tier.package)
     for family in families:
-        gufuncs = [gufunc.gufunc(op, library.precisions, docstrings[op.name], tier.mark)
+        gufuncs = [gufunc.gufunc(op, library.precisions, docstrings[op.name], tier.mark,
+                                 on_vectors.get(family))
                    for op in library.having(tier) if op.family == family]
-        sources[f"{family}.c"] = render("gufunc/family.c", banner=library.banner,
-                                        family=family, gufuncs=gufuncs, quiet=tier.bounds)
+        sources[f"{family}.c"] = render(
+            "gufunc/family.c", banner=library.banner, family=family, gufuncs=gufuncs,
+            quiet=tier.bounds,
+            many=f"{up}c/include/ksl/{c_many.named(family, tier)}.h" * (family in on_vectors))
         sources[f"{family}_avx2.c"] = render("gufunc/family_avx2.c", banner=library.banner,
                                              family=family, best=best.best)
     return sources
+
+
+def _lanes(library: Library, tier: Tier) -> str:
+    """How quantities of the kernels on vectors are read and written."""
+    named = {name for held in _on_vectors(library, tier).values() for name, _ in held}
+    used = {a.quantity.name for op in library.having(tier) if op.name in named
+            for a in (*op.inputs, *op.outputs)}
+    return render("gufunc/_lanes.h", banner=library.banner, accesses=_accesses(
+        library, [quantity for quantity in QUANTITIES if quantity.name in used]))
+
+
+def _accesses(library: Library, quantities: Iterable[Quantity]) -> list[gufunc.Access]:
+    return [gufunc.access(quantity, precision)
+            for quantity in quantities for precision in library.precisions]
+
+
+def _on_vectors(library: Library, tier: Tier
+                ) -> Mapping[str, Mapping[tuple[str, str], CFunction]]:
+    """The kernels on vectors, by family, then by operation and precision."""
+    if tier.marked:
+        return {}
+    made = library.made(c_many_lanes.kernels)
+    return {family: made[family] for family in _families(library, tier) if made[family]}
+
+
+def _many(library: Library, tier: Tier) -> list[str]:
+    """The headers of many elements that the sources include, and what these include."""
+    families = _on_vectors(library, tier)
+    return [*[c_many.named(family, tier) for family in families],
+            *([c_many_lanes.HEADER, c_many.SHARED] if families else [])]
 
 
 def _families(library: Library, tier: Tier) -> tuple[str, ...]:

@@ -1,9 +1,11 @@
 """The gufunc target: NumPy generalized ufuncs whose loops call the C kernels.
 
 A loop reads its core dimensions through strides into the kernel's structs, calls the kernel and
-writes the results back; nothing else is copied.
+writes the results back; nothing else is copied.  Where the kernel exists on vectors, it reads
+several elements into these.
 """
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from coscrew_codegen.formats import Precision
@@ -18,6 +20,11 @@ from coscrew_codegen.targets.c import (
     parameters,
     returned,
 )
+from coscrew_codegen.targets.c_function import CFunction
+from coscrew_codegen.targets.c_many_lanes import place
+
+_VECTORS = 256
+"""So many vectors hold results of several groups: 8 KiB of stack, a part of a processor's cache."""
 
 
 @dataclass(frozen=True)
@@ -28,6 +35,19 @@ class FirstInput:
     declaration: str
     load_once: str
     load: str
+
+
+@dataclass(frozen=True)
+class Lanes:
+    """How a loop computes several elements at a time: in groups, of as many as a vector holds."""
+
+    count: str  # of elements in a vector
+    groups: int  # computed before any is written
+    declarations: tuple[str, ...]
+    results: tuple[str, ...]  # the arrays with an entry of each group
+    loads: tuple[tuple[str, str], ...]  # before and after the number of elements left
+    call: str
+    stores: tuple[tuple[str, str], ...]
 
 
 @dataclass(frozen=True)
@@ -42,6 +62,7 @@ class Loop:
     stores: tuple[str, ...]
     dense: tuple[str, ...]  # strides of C-ordered arrays, the first input varying or fixed
     core: int  # index of the first core stride among the strides: the number of arguments
+    lanes: Lanes | None  # None if compilers make vector instructions of the loop
 
 
 @dataclass(frozen=True)
@@ -65,35 +86,43 @@ class Access:
     real: str
     precision: str
     places: tuple[tuple[str, str], ...]  # (member, byte offset)
+    vectors: str  # the type that holds a component of several elements
+    count: str  # of these elements
+    numbered: tuple[tuple[int, str], ...]  # (number of the vector, byte offset)
 
 
 def gufunc(operation: Operation, precisions: tuple[Precision, ...], docstring: str,
-           tier: str = "") -> Gufunc:
-    """The operation as a gufunc with one loop per precision, which calls the tier's kernel."""
+           tier: str = "", on_vectors: Mapping[tuple[str, str], CFunction] | None = None) -> Gufunc:
+    """The operation as a gufunc with one loop per precision, which calls the tier's kernel, and the
+    one on vectors if there is such: by operation and precision."""
+    held = on_vectors or {}
     lines = docstring.replace("\\", "\\\\").replace('"', '\\"').splitlines()
     literal = "\n".join(f'    "{line}\\n"' for line in lines)
     return Gufunc(operation.name, operation.signature, len(operation.inputs),
                   len(operation.outputs), literal,
-                  tuple(_loop(operation, precision, tier) for precision in precisions))
+                  tuple(_loop(operation, precision, tier,
+                              held.get((operation.name, precision.name)))
+                        for precision in precisions))
 
 
 def access(quantity: Quantity, precision: Precision) -> Access:
     """Where each component of the quantity lies in a NumPy array."""
     rank = len(quantity.shape)
-    places = []
+    places, numbered = [], []
     for index, (row, column) in enumerate(quantity.indices):
         steps = [f"{n} * s[{axis}]" for axis, n in enumerate((row, column)[:rank]) if n]
         path = member(quantity, index)
-        place = path.replace(".", "x->", 1) if path.startswith(".") else f"x{path or '[0]'}"
-        places.append((place, " + ".join(["p", *steps])))
+        target = path.replace(".", "x->", 1) if path.startswith(".") else f"x{path or '[0]'}"
+        offset = " + ".join(["p", *steps])
+        places.append((target, offset))
+        numbered.append((place(quantity, index), offset))
     return Access(quantity.name, c_type(quantity, precision), precision.c_type, precision.name,
-                  tuple(places))
+                  tuple(places), _vectors(precision), _count(precision), tuple(numbered))
 
 
-def _loop(operation: Operation, precision: Precision, tier: str) -> Loop:
+def _loop(operation: Operation, precision: Precision, tier: str, states: CFunction | None) -> Loop:
     arguments = (*operation.inputs, *operation.outputs)
-    ranks = [len(a.quantity.shape) for a in arguments]
-    starts = [sum(ranks[:n]) for n in range(len(ranks))]
+    starts = _starts(arguments)
 
     def line(verb: str, number: int, step: str) -> str:
         argument = arguments[number]
@@ -116,7 +145,45 @@ def _loop(operation: Operation, precision: Precision, tier: str) -> Loop:
         stores=moving("store", range(inputs, len(arguments))),
         dense=tuple(_dense(arguments, precision, n) for n in range(1 + fixed)),
         core=len(arguments),
+        lanes=_lanes(operation, precision, states) if states else None,
     )
+
+
+def _lanes(operation: Operation, precision: Precision, states: CFunction) -> Lanes:
+    arguments = (*operation.inputs, *operation.outputs)
+    sizes, starts = {a.name: a.quantity.size for a in arguments}, _starts(arguments)
+    results = {a.name: a.quantity.size for a in operation.outputs}
+    groups = _VECTORS // sum(results.values())
+    count, inputs = _count(precision), len(operation.inputs)
+
+    def vectors(name: str) -> str:
+        return f"{name}[g]" if name in results else name
+
+    def lines(verb: str, numbers: range) -> tuple[tuple[str, str], ...]:
+        return tuple((f"{verb}_lanes_{a.quantity.name}_{precision.name}({vectors(a.name)}, "
+                      f"data[{n}] + j * step[{n}], step[{n}], core + {starts[n]}, ", ");")
+                     for n in numbers for a in (arguments[n],))
+
+    return Lanes(
+        count, groups,
+        tuple(f"{_vectors(precision)} {name}{f'[{groups}]' * (name in results)}[{size}];"
+              for name, size in sizes.items()), tuple(results),
+        lines("load", range(inputs)), f"{states.name}({', '.join(map(vectors, sizes))});",
+        lines("store", range(inputs, len(arguments))))
+
+
+def _vectors(precision: Precision) -> str:
+    return f"ksl_states{precision.suffix}"
+
+
+def _count(precision: Precision) -> str:
+    return f"KSL_LANES{precision.suffix.upper()}"
+
+
+def _starts(arguments: Sequence[Argument]) -> list[int]:
+    """The indices of the arguments' first core strides among the core strides."""
+    ranks = [len(a.quantity.shape) for a in arguments]
+    return [sum(ranks[:n]) for n in range(len(ranks))]
 
 
 def _call(operation: Operation, precision: Precision, tier: str) -> str:

@@ -24,6 +24,10 @@
 #endif
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)
+#include <immintrin.h> /* its functions have attributes of their own */
+#ifndef __AVX__
+#define KSL_REGISTER_BYTES 32 /* clang's attribute defines no __AVX__ */
+#endif
 #pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
 #elif defined(COSCREW_FOR_AVX2)
 #pragma GCC target("avx2,no-fma,no-avx512f")

@@ -6,6 +6,8 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "_lanes.h"
+#include "../c/include/ksl/exponential_many.h"
 
 /* (3)->(3,3) */
 INLINED void SO3_exp_double_over(
@@ -28,9 +30,70 @@ INLINED void SO3_exp_double_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void SO3_exp_double_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[2];
+  for (int k = 0; k < 2; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  SO3_exp_double_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int SO3_exp_double_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_states v[3];
+  ksl_states R[28][9];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      load_lanes_vec3_double(v, data[0] + j * step[0], step[0], core + 0, KSL_LANES);
+    } else {
+      load_lanes_vec3_double(v, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_SO3_exp_states(v, R[g]);
+  }
+  COMPUTED(R);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      store_lanes_mat3x3_double(R[g], data[1] + j * step[1], step[1], core + 1, KSL_LANES);
+    } else {
+      store_lanes_mat3x3_double(R[g], data[1] + j * step[1], step[1], core + 1, left);
+    }
+  }
+  return 1;
+}
+
+static APART void SO3_exp_double_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 28 * KSL_LANES;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
+    if (!SO3_exp_double_on_vectors(data, i, m, step, core, raised)) {
+      SO3_exp_double_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  SO3_exp_double_from(data, i, n - i, step, core);
+}
+#endif
+
 static void SO3_exp_double(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    SO3_exp_double_many(data, n[0], step, step + 2);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 24, 72, 8, 24, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     SO3_exp_double_over(
@@ -67,9 +130,70 @@ INLINED void SO3_exp_single_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void SO3_exp_single_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[2];
+  for (int k = 0; k < 2; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  SO3_exp_single_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int SO3_exp_single_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_statesf v[3];
+  ksl_statesf R[28][9];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      load_lanes_vec3_single(v, data[0] + j * step[0], step[0], core + 0, KSL_LANESF);
+    } else {
+      load_lanes_vec3_single(v, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_SO3_expf_states(v, R[g]);
+  }
+  COMPUTED(R);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      store_lanes_mat3x3_single(R[g], data[1] + j * step[1], step[1], core + 1, KSL_LANESF);
+    } else {
+      store_lanes_mat3x3_single(R[g], data[1] + j * step[1], step[1], core + 1, left);
+    }
+  }
+  return 1;
+}
+
+static APART void SO3_exp_single_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 28 * KSL_LANESF;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
+    if (!SO3_exp_single_on_vectors(data, i, m, step, core, raised)) {
+      SO3_exp_single_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  SO3_exp_single_from(data, i, n - i, step, core);
+}
+#endif
+
 static void SO3_exp_single(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    SO3_exp_single_many(data, n[0], step, step + 2);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 12, 36, 4, 12, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     SO3_exp_single_over(
@@ -109,9 +233,70 @@ INLINED void SO3_log_double_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void SO3_log_double_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[2];
+  for (int k = 0; k < 2; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  SO3_log_double_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int SO3_log_double_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_states R[9];
+  ksl_states vo[85][3];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      load_lanes_mat3x3_double(R, data[0] + j * step[0], step[0], core + 0, KSL_LANES);
+    } else {
+      load_lanes_mat3x3_double(R, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_SO3_log_states(R, vo[g]);
+  }
+  COMPUTED(vo);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      store_lanes_vec3_double(vo[g], data[1] + j * step[1], step[1], core + 2, KSL_LANES);
+    } else {
+      store_lanes_vec3_double(vo[g], data[1] + j * step[1], step[1], core + 2, left);
+    }
+  }
+  return 1;
+}
+
+static APART void SO3_log_double_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 85 * KSL_LANES;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
+    if (!SO3_log_double_on_vectors(data, i, m, step, core, raised)) {
+      SO3_log_double_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  SO3_log_double_from(data, i, n - i, step, core);
+}
+#endif
+
 static void SO3_log_double(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    SO3_log_double_many(data, n[0], step, step + 2);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 72, 24, 24, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     SO3_log_double_over(
@@ -148,9 +333,70 @@ INLINED void SO3_log_single_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void SO3_log_single_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[2];
+  for (int k = 0; k < 2; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  SO3_log_single_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int SO3_log_single_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_statesf R[9];
+  ksl_statesf vo[85][3];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      load_lanes_mat3x3_single(R, data[0] + j * step[0], step[0], core + 0, KSL_LANESF);
+    } else {
+      load_lanes_mat3x3_single(R, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_SO3_logf_states(R, vo[g]);
+  }
+  COMPUTED(vo);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      store_lanes_vec3_single(vo[g], data[1] + j * step[1], step[1], core + 2, KSL_LANESF);
+    } else {
+      store_lanes_vec3_single(vo[g], data[1] + j * step[1], step[1], core + 2, left);
+    }
+  }
+  return 1;
+}
+
+static APART void SO3_log_single_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 85 * KSL_LANESF;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
+    if (!SO3_log_single_on_vectors(data, i, m, step, core, raised)) {
+      SO3_log_single_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  SO3_log_single_from(data, i, n - i, step, core);
+}
+#endif
+
 static void SO3_log_single(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    SO3_log_single_many(data, n[0], step, step + 2);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 36, 12, 12, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     SO3_log_single_over(
@@ -190,9 +436,70 @@ INLINED void SO3_leftJacobian_double_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void SO3_leftJacobian_double_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[2];
+  for (int k = 0; k < 2; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  SO3_leftJacobian_double_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int SO3_leftJacobian_double_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_states v[3];
+  ksl_states R[28][9];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      load_lanes_vec3_double(v, data[0] + j * step[0], step[0], core + 0, KSL_LANES);
+    } else {
+      load_lanes_vec3_double(v, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_SO3_leftJacobian_states(v, R[g]);
+  }
+  COMPUTED(R);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      store_lanes_mat3x3_double(R[g], data[1] + j * step[1], step[1], core + 1, KSL_LANES);
+    } else {
+      store_lanes_mat3x3_double(R[g], data[1] + j * step[1], step[1], core + 1, left);
+    }
+  }
+  return 1;
+}
+
+static APART void SO3_leftJacobian_double_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 28 * KSL_LANES;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
+    if (!SO3_leftJacobian_double_on_vectors(data, i, m, step, core, raised)) {
+      SO3_leftJacobian_double_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  SO3_leftJacobian_double_from(data, i, n - i, step, core);
+}
+#endif
+
 static void SO3_leftJacobian_double(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    SO3_leftJacobian_double_many(data, n[0], step, step + 2);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 24, 72, 8, 24, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     SO3_leftJacobian_double_over(
@@ -229,9 +536,70 @@ INLINED void SO3_leftJacobian_single_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void SO3_leftJacobian_single_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[2];
+  for (int k = 0; k < 2; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  SO3_leftJacobian_single_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int SO3_leftJacobian_single_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_statesf v[3];
+  ksl_statesf R[28][9];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      load_lanes_vec3_single(v, data[0] + j * step[0], step[0], core + 0, KSL_LANESF);
+    } else {
+      load_lanes_vec3_single(v, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_SO3_leftJacobianf_states(v, R[g]);
+  }
+  COMPUTED(R);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      store_lanes_mat3x3_single(R[g], data[1] + j * step[1], step[1], core + 1, KSL_LANESF);
+    } else {
+      store_lanes_mat3x3_single(R[g], data[1] + j * step[1], step[1], core + 1, left);
+    }
+  }
+  return 1;
+}
+
+static APART void SO3_leftJacobian_single_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 28 * KSL_LANESF;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
+    if (!SO3_leftJacobian_single_on_vectors(data, i, m, step, core, raised)) {
+      SO3_leftJacobian_single_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  SO3_leftJacobian_single_from(data, i, n - i, step, core);
+}
+#endif
+
 static void SO3_leftJacobian_single(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    SO3_leftJacobian_single_many(data, n[0], step, step + 2);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 12, 36, 4, 12, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     SO3_leftJacobian_single_over(
@@ -271,9 +639,70 @@ INLINED void SO3_rightJacobian_double_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void SO3_rightJacobian_double_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[2];
+  for (int k = 0; k < 2; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  SO3_rightJacobian_double_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int SO3_rightJacobian_double_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_states v[3];
+  ksl_states R[28][9];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      load_lanes_vec3_double(v, data[0] + j * step[0], step[0], core + 0, KSL_LANES);
+    } else {
+      load_lanes_vec3_double(v, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_SO3_rightJacobian_states(v, R[g]);
+  }
+  COMPUTED(R);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      store_lanes_mat3x3_double(R[g], data[1] + j * step[1], step[1], core + 1, KSL_LANES);
+    } else {
+      store_lanes_mat3x3_double(R[g], data[1] + j * step[1], step[1], core + 1, left);
+    }
+  }
+  return 1;
+}
+
+static APART void SO3_rightJacobian_double_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 28 * KSL_LANES;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
+    if (!SO3_rightJacobian_double_on_vectors(data, i, m, step, core, raised)) {
+      SO3_rightJacobian_double_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  SO3_rightJacobian_double_from(data, i, n - i, step, core);
+}
+#endif
+
 static void SO3_rightJacobian_double(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    SO3_rightJacobian_double_many(data, n[0], step, step + 2);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 24, 72, 8, 24, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     SO3_rightJacobian_double_over(
@@ -310,9 +739,70 @@ INLINED void SO3_rightJacobian_single_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void SO3_rightJacobian_single_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[2];
+  for (int k = 0; k < 2; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  SO3_rightJacobian_single_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int SO3_rightJacobian_single_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_statesf v[3];
+  ksl_statesf R[28][9];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      load_lanes_vec3_single(v, data[0] + j * step[0], step[0], core + 0, KSL_LANESF);
+    } else {
+      load_lanes_vec3_single(v, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_SO3_rightJacobianf_states(v, R[g]);
+  }
+  COMPUTED(R);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      store_lanes_mat3x3_single(R[g], data[1] + j * step[1], step[1], core + 1, KSL_LANESF);
+    } else {
+      store_lanes_mat3x3_single(R[g], data[1] + j * step[1], step[1], core + 1, left);
+    }
+  }
+  return 1;
+}
+
+static APART void SO3_rightJacobian_single_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 28 * KSL_LANESF;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
+    if (!SO3_rightJacobian_single_on_vectors(data, i, m, step, core, raised)) {
+      SO3_rightJacobian_single_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  SO3_rightJacobian_single_from(data, i, n - i, step, core);
+}
+#endif
+
 static void SO3_rightJacobian_single(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    SO3_rightJacobian_single_many(data, n[0], step, step + 2);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 12, 36, 4, 12, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     SO3_rightJacobian_single_over(
@@ -352,9 +842,70 @@ INLINED void SO3_leftJacobianInverse_double_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void SO3_leftJacobianInverse_double_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[2];
+  for (int k = 0; k < 2; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  SO3_leftJacobianInverse_double_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int SO3_leftJacobianInverse_double_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_states v[3];
+  ksl_states R[28][9];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      load_lanes_vec3_double(v, data[0] + j * step[0], step[0], core + 0, KSL_LANES);
+    } else {
+      load_lanes_vec3_double(v, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_SO3_leftJacobianInverse_states(v, R[g]);
+  }
+  COMPUTED(R);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      store_lanes_mat3x3_double(R[g], data[1] + j * step[1], step[1], core + 1, KSL_LANES);
+    } else {
+      store_lanes_mat3x3_double(R[g], data[1] + j * step[1], step[1], core + 1, left);
+    }
+  }
+  return 1;
+}
+
+static APART void SO3_leftJacobianInverse_double_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 28 * KSL_LANES;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
+    if (!SO3_leftJacobianInverse_double_on_vectors(data, i, m, step, core, raised)) {
+      SO3_leftJacobianInverse_double_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  SO3_leftJacobianInverse_double_from(data, i, n - i, step, core);
+}
+#endif
+
 static void SO3_leftJacobianInverse_double(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    SO3_leftJacobianInverse_double_many(data, n[0], step, step + 2);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 24, 72, 8, 24, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     SO3_leftJacobianInverse_double_over(
@@ -391,9 +942,70 @@ INLINED void SO3_leftJacobianInverse_single_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void SO3_leftJacobianInverse_single_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[2];
+  for (int k = 0; k < 2; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  SO3_leftJacobianInverse_single_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int SO3_leftJacobianInverse_single_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_statesf v[3];
+  ksl_statesf R[28][9];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      load_lanes_vec3_single(v, data[0] + j * step[0], step[0], core + 0, KSL_LANESF);
+    } else {
+      load_lanes_vec3_single(v, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_SO3_leftJacobianInversef_states(v, R[g]);
+  }
+  COMPUTED(R);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      store_lanes_mat3x3_single(R[g], data[1] + j * step[1], step[1], core + 1, KSL_LANESF);
+    } else {
+      store_lanes_mat3x3_single(R[g], data[1] + j * step[1], step[1], core + 1, left);
+    }
+  }
+  return 1;
+}
+
+static APART void SO3_leftJacobianInverse_single_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 28 * KSL_LANESF;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
+    if (!SO3_leftJacobianInverse_single_on_vectors(data, i, m, step, core, raised)) {
+      SO3_leftJacobianInverse_single_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  SO3_leftJacobianInverse_single_from(data, i, n - i, step, core);
+}
+#endif
+
 static void SO3_leftJacobianInverse_single(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    SO3_leftJacobianInverse_single_many(data, n[0], step, step + 2);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 12, 36, 4, 12, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     SO3_leftJacobianInverse_single_over(
@@ -433,9 +1045,70 @@ INLINED void SO3_rightJacobianInverse_double_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void SO3_rightJacobianInverse_double_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[2];
+  for (int k = 0; k < 2; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  SO3_rightJacobianInverse_double_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int SO3_rightJacobianInverse_double_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_states v[3];
+  ksl_states R[28][9];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      load_lanes_vec3_double(v, data[0] + j * step[0], step[0], core + 0, KSL_LANES);
+    } else {
+      load_lanes_vec3_double(v, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_SO3_rightJacobianInverse_states(v, R[g]);
+  }
+  COMPUTED(R);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      store_lanes_mat3x3_double(R[g], data[1] + j * step[1], step[1], core + 1, KSL_LANES);
+    } else {
+      store_lanes_mat3x3_double(R[g], data[1] + j * step[1], step[1], core + 1, left);
+    }
+  }
+  return 1;
+}
+
+static APART void SO3_rightJacobianInverse_double_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 28 * KSL_LANES;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
+    if (!SO3_rightJacobianInverse_double_on_vectors(data, i, m, step, core, raised)) {
+      SO3_rightJacobianInverse_double_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  SO3_rightJacobianInverse_double_from(data, i, n - i, step, core);
+}
+#endif
+
 static void SO3_rightJacobianInverse_double(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    SO3_rightJacobianInverse_double_many(data, n[0], step, step + 2);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 24, 72, 8, 24, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     SO3_rightJacobianInverse_double_over(
@@ -472,9 +1145,70 @@ INLINED void SO3_rightJacobianInverse_single_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void SO3_rightJacobianInverse_single_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[2];
+  for (int k = 0; k < 2; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  SO3_rightJacobianInverse_single_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int SO3_rightJacobianInverse_single_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_statesf v[3];
+  ksl_statesf R[28][9];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      load_lanes_vec3_single(v, data[0] + j * step[0], step[0], core + 0, KSL_LANESF);
+    } else {
+      load_lanes_vec3_single(v, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_SO3_rightJacobianInversef_states(v, R[g]);
+  }
+  COMPUTED(R);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      store_lanes_mat3x3_single(R[g], data[1] + j * step[1], step[1], core + 1, KSL_LANESF);
+    } else {
+      store_lanes_mat3x3_single(R[g], data[1] + j * step[1], step[1], core + 1, left);
+    }
+  }
+  return 1;
+}
+
+static APART void SO3_rightJacobianInverse_single_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 28 * KSL_LANESF;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
+    if (!SO3_rightJacobianInverse_single_on_vectors(data, i, m, step, core, raised)) {
+      SO3_rightJacobianInverse_single_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  SO3_rightJacobianInverse_single_from(data, i, n - i, step, core);
+}
+#endif
+
 static void SO3_rightJacobianInverse_single(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    SO3_rightJacobianInverse_single_many(data, n[0], step, step + 2);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 12, 36, 4, 12, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     SO3_rightJacobianInverse_single_over(
@@ -650,9 +1384,70 @@ INLINED void SE3_exp_double_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void SE3_exp_double_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[2];
+  for (int k = 0; k < 2; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  SE3_exp_double_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int SE3_exp_double_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_states s[6];
+  ksl_states D[21][12];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      load_lanes_screw_double(s, data[0] + j * step[0], step[0], core + 0, KSL_LANES);
+    } else {
+      load_lanes_screw_double(s, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_SE3_exp_states(s, D[g]);
+  }
+  COMPUTED(D);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      store_lanes_SE3_double(D[g], data[1] + j * step[1], step[1], core + 1, KSL_LANES);
+    } else {
+      store_lanes_SE3_double(D[g], data[1] + j * step[1], step[1], core + 1, left);
+    }
+  }
+  return 1;
+}
+
+static APART void SE3_exp_double_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 21 * KSL_LANES;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
+    if (!SE3_exp_double_on_vectors(data, i, m, step, core, raised)) {
+      SE3_exp_double_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  SE3_exp_double_from(data, i, n - i, step, core);
+}
+#endif
+
 static void SE3_exp_double(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    SE3_exp_double_many(data, n[0], step, step + 2);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 48, 96, 8, 32, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     SE3_exp_double_over(
@@ -689,9 +1484,70 @@ INLINED void SE3_exp_single_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void SE3_exp_single_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[2];
+  for (int k = 0; k < 2; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  SE3_exp_single_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int SE3_exp_single_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_statesf s[6];
+  ksl_statesf D[21][12];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      load_lanes_screw_single(s, data[0] + j * step[0], step[0], core + 0, KSL_LANESF);
+    } else {
+      load_lanes_screw_single(s, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_SE3f_exp_states(s, D[g]);
+  }
+  COMPUTED(D);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      store_lanes_SE3_single(D[g], data[1] + j * step[1], step[1], core + 1, KSL_LANESF);
+    } else {
+      store_lanes_SE3_single(D[g], data[1] + j * step[1], step[1], core + 1, left);
+    }
+  }
+  return 1;
+}
+
+static APART void SE3_exp_single_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 21 * KSL_LANESF;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
+    if (!SE3_exp_single_on_vectors(data, i, m, step, core, raised)) {
+      SE3_exp_single_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  SE3_exp_single_from(data, i, n - i, step, core);
+}
+#endif
+
 static void SE3_exp_single(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    SE3_exp_single_many(data, n[0], step, step + 2);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 24, 48, 4, 16, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     SE3_exp_single_over(
@@ -731,9 +1587,70 @@ INLINED void SE3_log_double_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void SE3_log_double_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[2];
+  for (int k = 0; k < 2; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  SE3_log_double_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int SE3_log_double_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_states D[12];
+  ksl_states so[42][6];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      load_lanes_SE3_double(D, data[0] + j * step[0], step[0], core + 0, KSL_LANES);
+    } else {
+      load_lanes_SE3_double(D, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_SE3_log_states(D, so[g]);
+  }
+  COMPUTED(so);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      store_lanes_screw_double(so[g], data[1] + j * step[1], step[1], core + 2, KSL_LANES);
+    } else {
+      store_lanes_screw_double(so[g], data[1] + j * step[1], step[1], core + 2, left);
+    }
+  }
+  return 1;
+}
+
+static APART void SE3_log_double_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 42 * KSL_LANES;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
+    if (!SE3_log_double_on_vectors(data, i, m, step, core, raised)) {
+      SE3_log_double_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  SE3_log_double_from(data, i, n - i, step, core);
+}
+#endif
+
 static void SE3_log_double(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    SE3_log_double_many(data, n[0], step, step + 2);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     SE3_log_double_over(
@@ -770,9 +1687,70 @@ INLINED void SE3_log_single_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void SE3_log_single_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[2];
+  for (int k = 0; k < 2; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  SE3_log_single_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int SE3_log_single_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_statesf D[12];
+  ksl_statesf so[42][6];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      load_lanes_SE3_single(D, data[0] + j * step[0], step[0], core + 0, KSL_LANESF);
+    } else {
+      load_lanes_SE3_single(D, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_SE3f_log_states(D, so[g]);
+  }
+  COMPUTED(so);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      store_lanes_screw_single(so[g], data[1] + j * step[1], step[1], core + 2, KSL_LANESF);
+    } else {
+      store_lanes_screw_single(so[g], data[1] + j * step[1], step[1], core + 2, left);
+    }
+  }
+  return 1;
+}
+
+static APART void SE3_log_single_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 42 * KSL_LANESF;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
+    if (!SE3_log_single_on_vectors(data, i, m, step, core, raised)) {
+      SE3_log_single_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  SE3_log_single_from(data, i, n - i, step, core);
+}
+#endif
+
 static void SE3_log_single(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    SE3_log_single_many(data, n[0], step, step + 2);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     SE3_log_single_over(
@@ -812,9 +1790,70 @@ INLINED void SE3_leftJacobian_double_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void SE3_leftJacobian_double_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[2];
+  for (int k = 0; k < 2; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  SE3_leftJacobian_double_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int SE3_leftJacobian_double_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_states s[6];
+  ksl_states M[7][36];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      load_lanes_screw_double(s, data[0] + j * step[0], step[0], core + 0, KSL_LANES);
+    } else {
+      load_lanes_screw_double(s, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_SE3_leftJacobian_states(s, M[g]);
+  }
+  COMPUTED(M);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      store_lanes_mat6x6_double(M[g], data[1] + j * step[1], step[1], core + 1, KSL_LANES);
+    } else {
+      store_lanes_mat6x6_double(M[g], data[1] + j * step[1], step[1], core + 1, left);
+    }
+  }
+  return 1;
+}
+
+static APART void SE3_leftJacobian_double_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 7 * KSL_LANES;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
+    if (!SE3_leftJacobian_double_on_vectors(data, i, m, step, core, raised)) {
+      SE3_leftJacobian_double_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  SE3_leftJacobian_double_from(data, i, n - i, step, core);
+}
+#endif
+
 static void SE3_leftJacobian_double(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    SE3_leftJacobian_double_many(data, n[0], step, step + 2);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 48, 288, 8, 48, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     SE3_leftJacobian_double_over(
@@ -851,9 +1890,70 @@ INLINED void SE3_leftJacobian_single_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void SE3_leftJacobian_single_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[2];
+  for (int k = 0; k < 2; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  SE3_leftJacobian_single_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int SE3_leftJacobian_single_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_statesf s[6];
+  ksl_statesf M[7][36];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      load_lanes_screw_single(s, data[0] + j * step[0], step[0], core + 0, KSL_LANESF);
+    } else {
+      load_lanes_screw_single(s, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_SE3f_leftJacobian_states(s, M[g]);
+  }
+  COMPUTED(M);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      store_lanes_mat6x6_single(M[g], data[1] + j * step[1], step[1], core + 1, KSL_LANESF);
+    } else {
+      store_lanes_mat6x6_single(M[g], data[1] + j * step[1], step[1], core + 1, left);
+    }
+  }
+  return 1;
+}
+
+static APART void SE3_leftJacobian_single_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 7 * KSL_LANESF;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
+    if (!SE3_leftJacobian_single_on_vectors(data, i, m, step, core, raised)) {
+      SE3_leftJacobian_single_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  SE3_leftJacobian_single_from(data, i, n - i, step, core);
+}
+#endif
+
 static void SE3_leftJacobian_single(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    SE3_leftJacobian_single_many(data, n[0], step, step + 2);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 24, 144, 4, 24, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     SE3_leftJacobian_single_over(
@@ -893,9 +1993,70 @@ INLINED void SE3_rightJacobian_double_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void SE3_rightJacobian_double_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[2];
+  for (int k = 0; k < 2; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  SE3_rightJacobian_double_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int SE3_rightJacobian_double_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_states s[6];
+  ksl_states M[7][36];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      load_lanes_screw_double(s, data[0] + j * step[0], step[0], core + 0, KSL_LANES);
+    } else {
+      load_lanes_screw_double(s, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_SE3_rightJacobian_states(s, M[g]);
+  }
+  COMPUTED(M);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      store_lanes_mat6x6_double(M[g], data[1] + j * step[1], step[1], core + 1, KSL_LANES);
+    } else {
+      store_lanes_mat6x6_double(M[g], data[1] + j * step[1], step[1], core + 1, left);
+    }
+  }
+  return 1;
+}
+
+static APART void SE3_rightJacobian_double_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 7 * KSL_LANES;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
+    if (!SE3_rightJacobian_double_on_vectors(data, i, m, step, core, raised)) {
+      SE3_rightJacobian_double_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  SE3_rightJacobian_double_from(data, i, n - i, step, core);
+}
+#endif
+
 static void SE3_rightJacobian_double(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    SE3_rightJacobian_double_many(data, n[0], step, step + 2);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 48, 288, 8, 48, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     SE3_rightJacobian_double_over(
@@ -932,9 +2093,70 @@ INLINED void SE3_rightJacobian_single_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void SE3_rightJacobian_single_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[2];
+  for (int k = 0; k < 2; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  SE3_rightJacobian_single_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int SE3_rightJacobian_single_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_statesf s[6];
+  ksl_statesf M[7][36];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      load_lanes_screw_single(s, data[0] + j * step[0], step[0], core + 0, KSL_LANESF);
+    } else {
+      load_lanes_screw_single(s, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_SE3f_rightJacobian_states(s, M[g]);
+  }
+  COMPUTED(M);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      store_lanes_mat6x6_single(M[g], data[1] + j * step[1], step[1], core + 1, KSL_LANESF);
+    } else {
+      store_lanes_mat6x6_single(M[g], data[1] + j * step[1], step[1], core + 1, left);
+    }
+  }
+  return 1;
+}
+
+static APART void SE3_rightJacobian_single_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 7 * KSL_LANESF;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
+    if (!SE3_rightJacobian_single_on_vectors(data, i, m, step, core, raised)) {
+      SE3_rightJacobian_single_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  SE3_rightJacobian_single_from(data, i, n - i, step, core);
+}
+#endif
+
 static void SE3_rightJacobian_single(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    SE3_rightJacobian_single_many(data, n[0], step, step + 2);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 24, 144, 4, 24, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     SE3_rightJacobian_single_over(
@@ -974,9 +2196,70 @@ INLINED void SE3_leftJacobianInverse_double_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void SE3_leftJacobianInverse_double_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[2];
+  for (int k = 0; k < 2; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  SE3_leftJacobianInverse_double_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int SE3_leftJacobianInverse_double_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_states s[6];
+  ksl_states M[7][36];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      load_lanes_screw_double(s, data[0] + j * step[0], step[0], core + 0, KSL_LANES);
+    } else {
+      load_lanes_screw_double(s, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_SE3_leftJacobianInverse_states(s, M[g]);
+  }
+  COMPUTED(M);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      store_lanes_mat6x6_double(M[g], data[1] + j * step[1], step[1], core + 1, KSL_LANES);
+    } else {
+      store_lanes_mat6x6_double(M[g], data[1] + j * step[1], step[1], core + 1, left);
+    }
+  }
+  return 1;
+}
+
+static APART void SE3_leftJacobianInverse_double_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 7 * KSL_LANES;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
+    if (!SE3_leftJacobianInverse_double_on_vectors(data, i, m, step, core, raised)) {
+      SE3_leftJacobianInverse_double_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  SE3_leftJacobianInverse_double_from(data, i, n - i, step, core);
+}
+#endif
+
 static void SE3_leftJacobianInverse_double(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    SE3_leftJacobianInverse_double_many(data, n[0], step, step + 2);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 48, 288, 8, 48, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     SE3_leftJacobianInverse_double_over(
@@ -1013,9 +2296,70 @@ INLINED void SE3_leftJacobianInverse_single_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void SE3_leftJacobianInverse_single_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[2];
+  for (int k = 0; k < 2; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  SE3_leftJacobianInverse_single_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int SE3_leftJacobianInverse_single_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_statesf s[6];
+  ksl_statesf M[7][36];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      load_lanes_screw_single(s, data[0] + j * step[0], step[0], core + 0, KSL_LANESF);
+    } else {
+      load_lanes_screw_single(s, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_SE3f_leftJacobianInverse_states(s, M[g]);
+  }
+  COMPUTED(M);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      store_lanes_mat6x6_single(M[g], data[1] + j * step[1], step[1], core + 1, KSL_LANESF);
+    } else {
+      store_lanes_mat6x6_single(M[g], data[1] + j * step[1], step[1], core + 1, left);
+    }
+  }
+  return 1;
+}
+
+static APART void SE3_leftJacobianInverse_single_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 7 * KSL_LANESF;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
+    if (!SE3_leftJacobianInverse_single_on_vectors(data, i, m, step, core, raised)) {
+      SE3_leftJacobianInverse_single_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  SE3_leftJacobianInverse_single_from(data, i, n - i, step, core);
+}
+#endif
+
 static void SE3_leftJacobianInverse_single(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    SE3_leftJacobianInverse_single_many(data, n[0], step, step + 2);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 24, 144, 4, 24, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     SE3_leftJacobianInverse_single_over(
@@ -1055,9 +2399,70 @@ INLINED void SE3_rightJacobianInverse_double_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void SE3_rightJacobianInverse_double_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[2];
+  for (int k = 0; k < 2; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  SE3_rightJacobianInverse_double_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int SE3_rightJacobianInverse_double_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_states s[6];
+  ksl_states M[7][36];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      load_lanes_screw_double(s, data[0] + j * step[0], step[0], core + 0, KSL_LANES);
+    } else {
+      load_lanes_screw_double(s, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_SE3_rightJacobianInverse_states(s, M[g]);
+  }
+  COMPUTED(M);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      store_lanes_mat6x6_double(M[g], data[1] + j * step[1], step[1], core + 1, KSL_LANES);
+    } else {
+      store_lanes_mat6x6_double(M[g], data[1] + j * step[1], step[1], core + 1, left);
+    }
+  }
+  return 1;
+}
+
+static APART void SE3_rightJacobianInverse_double_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 7 * KSL_LANES;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
+    if (!SE3_rightJacobianInverse_double_on_vectors(data, i, m, step, core, raised)) {
+      SE3_rightJacobianInverse_double_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  SE3_rightJacobianInverse_double_from(data, i, n - i, step, core);
+}
+#endif
+
 static void SE3_rightJacobianInverse_double(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    SE3_rightJacobianInverse_double_many(data, n[0], step, step + 2);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 48, 288, 8, 48, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     SE3_rightJacobianInverse_double_over(
@@ -1094,9 +2499,70 @@ INLINED void SE3_rightJacobianInverse_single_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void SE3_rightJacobianInverse_single_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[2];
+  for (int k = 0; k < 2; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  SE3_rightJacobianInverse_single_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int SE3_rightJacobianInverse_single_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_statesf s[6];
+  ksl_statesf M[7][36];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      load_lanes_screw_single(s, data[0] + j * step[0], step[0], core + 0, KSL_LANESF);
+    } else {
+      load_lanes_screw_single(s, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_SE3f_rightJacobianInverse_states(s, M[g]);
+  }
+  COMPUTED(M);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      store_lanes_mat6x6_single(M[g], data[1] + j * step[1], step[1], core + 1, KSL_LANESF);
+    } else {
+      store_lanes_mat6x6_single(M[g], data[1] + j * step[1], step[1], core + 1, left);
+    }
+  }
+  return 1;
+}
+
+static APART void SE3_rightJacobianInverse_single_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 7 * KSL_LANESF;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
+    if (!SE3_rightJacobianInverse_single_on_vectors(data, i, m, step, core, raised)) {
+      SE3_rightJacobianInverse_single_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  SE3_rightJacobianInverse_single_from(data, i, n - i, step, core);
+}
+#endif
+
 static void SE3_rightJacobianInverse_single(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    SE3_rightJacobianInverse_single_many(data, n[0], step, step + 2);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 24, 144, 4, 24, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     SE3_rightJacobianInverse_single_over(
@@ -1142,9 +2608,76 @@ INLINED void SE3_interpolated_double_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void SE3_interpolated_double_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[4];
+  for (int k = 0; k < 4; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  SE3_interpolated_double_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int SE3_interpolated_double_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_states D1[12];
+  ksl_states D2[12];
+  ksl_states k[1];
+  ksl_states Do[21][12];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      load_lanes_SE3_double(D1, data[0] + j * step[0], step[0], core + 0, KSL_LANES);
+      load_lanes_SE3_double(D2, data[1] + j * step[1], step[1], core + 2, KSL_LANES);
+      load_lanes_scalar_double(k, data[2] + j * step[2], step[2], core + 4, KSL_LANES);
+    } else {
+      load_lanes_SE3_double(D1, data[0] + j * step[0], step[0], core + 0, left);
+      load_lanes_SE3_double(D2, data[1] + j * step[1], step[1], core + 2, left);
+      load_lanes_scalar_double(k, data[2] + j * step[2], step[2], core + 4, left);
+    }
+    ksl_SE3_interpolated_states(D1, D2, k, Do[g]);
+  }
+  COMPUTED(Do);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      store_lanes_SE3_double(Do[g], data[3] + j * step[3], step[3], core + 4, KSL_LANES);
+    } else {
+      store_lanes_SE3_double(Do[g], data[3] + j * step[3], step[3], core + 4, left);
+    }
+  }
+  return 1;
+}
+
+static APART void SE3_interpolated_double_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 21 * KSL_LANES;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
+    if (!SE3_interpolated_double_on_vectors(data, i, m, step, core, raised)) {
+      SE3_interpolated_double_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  SE3_interpolated_double_from(data, i, n - i, step, core);
+}
+#endif
+
 static void SE3_interpolated_double(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    SE3_interpolated_double_many(data, n[0], step, step + 4);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 96, 96, 8, 96, 32, 8, 32, 8, 32, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     SE3_interpolated_double_over(
@@ -1187,9 +2720,76 @@ INLINED void SE3_interpolated_single_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void SE3_interpolated_single_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[4];
+  for (int k = 0; k < 4; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  SE3_interpolated_single_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int SE3_interpolated_single_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_statesf D1[12];
+  ksl_statesf D2[12];
+  ksl_statesf k[1];
+  ksl_statesf Do[21][12];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      load_lanes_SE3_single(D1, data[0] + j * step[0], step[0], core + 0, KSL_LANESF);
+      load_lanes_SE3_single(D2, data[1] + j * step[1], step[1], core + 2, KSL_LANESF);
+      load_lanes_scalar_single(k, data[2] + j * step[2], step[2], core + 4, KSL_LANESF);
+    } else {
+      load_lanes_SE3_single(D1, data[0] + j * step[0], step[0], core + 0, left);
+      load_lanes_SE3_single(D2, data[1] + j * step[1], step[1], core + 2, left);
+      load_lanes_scalar_single(k, data[2] + j * step[2], step[2], core + 4, left);
+    }
+    ksl_SE3f_interpolated_states(D1, D2, k, Do[g]);
+  }
+  COMPUTED(Do);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      store_lanes_SE3_single(Do[g], data[3] + j * step[3], step[3], core + 4, KSL_LANESF);
+    } else {
+      store_lanes_SE3_single(Do[g], data[3] + j * step[3], step[3], core + 4, left);
+    }
+  }
+  return 1;
+}
+
+static APART void SE3_interpolated_single_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 21 * KSL_LANESF;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
+    if (!SE3_interpolated_single_on_vectors(data, i, m, step, core, raised)) {
+      SE3_interpolated_single_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  SE3_interpolated_single_from(data, i, n - i, step, core);
+}
+#endif
+
 static void SE3_interpolated_single(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    SE3_interpolated_single_many(data, n[0], step, step + 4);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 48, 48, 4, 48, 16, 4, 16, 4, 16, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     SE3_interpolated_single_over(

@@ -6,6 +6,8 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "_lanes.h"
+#include "../c/include/ksl/mat3x3_many.h"
 
 /* (3,3)->(3,3) */
 INLINED void mat3x3_copy_double_over(
@@ -952,9 +954,70 @@ INLINED void mat3x3_from_euler_xyz_double_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void mat3x3_from_euler_xyz_double_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[2];
+  for (int k = 0; k < 2; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  mat3x3_from_euler_xyz_double_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int mat3x3_from_euler_xyz_double_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_states angles[3];
+  ksl_states R[28][9];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      load_lanes_vec3_double(angles, data[0] + j * step[0], step[0], core + 0, KSL_LANES);
+    } else {
+      load_lanes_vec3_double(angles, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_mat3x3_from_euler_xyz_states(angles, R[g]);
+  }
+  COMPUTED(R);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      store_lanes_mat3x3_double(R[g], data[1] + j * step[1], step[1], core + 1, KSL_LANES);
+    } else {
+      store_lanes_mat3x3_double(R[g], data[1] + j * step[1], step[1], core + 1, left);
+    }
+  }
+  return 1;
+}
+
+static APART void mat3x3_from_euler_xyz_double_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 28 * KSL_LANES;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
+    if (!mat3x3_from_euler_xyz_double_on_vectors(data, i, m, step, core, raised)) {
+      mat3x3_from_euler_xyz_double_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  mat3x3_from_euler_xyz_double_from(data, i, n - i, step, core);
+}
+#endif
+
 static void mat3x3_from_euler_xyz_double(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    mat3x3_from_euler_xyz_double_many(data, n[0], step, step + 2);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 24, 72, 8, 24, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     mat3x3_from_euler_xyz_double_over(
@@ -991,9 +1054,70 @@ INLINED void mat3x3_from_euler_xyz_single_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void mat3x3_from_euler_xyz_single_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[2];
+  for (int k = 0; k < 2; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  mat3x3_from_euler_xyz_single_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int mat3x3_from_euler_xyz_single_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_statesf angles[3];
+  ksl_statesf R[28][9];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      load_lanes_vec3_single(angles, data[0] + j * step[0], step[0], core + 0, KSL_LANESF);
+    } else {
+      load_lanes_vec3_single(angles, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_mat3x3f_from_euler_xyz_states(angles, R[g]);
+  }
+  COMPUTED(R);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      store_lanes_mat3x3_single(R[g], data[1] + j * step[1], step[1], core + 1, KSL_LANESF);
+    } else {
+      store_lanes_mat3x3_single(R[g], data[1] + j * step[1], step[1], core + 1, left);
+    }
+  }
+  return 1;
+}
+
+static APART void mat3x3_from_euler_xyz_single_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 28 * KSL_LANESF;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
+    if (!mat3x3_from_euler_xyz_single_on_vectors(data, i, m, step, core, raised)) {
+      mat3x3_from_euler_xyz_single_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  mat3x3_from_euler_xyz_single_from(data, i, n - i, step, core);
+}
+#endif
+
 static void mat3x3_from_euler_xyz_single(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    mat3x3_from_euler_xyz_single_many(data, n[0], step, step + 2);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 12, 36, 4, 12, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     mat3x3_from_euler_xyz_single_over(
@@ -1033,9 +1157,70 @@ INLINED void euler_xyz_from_mat3x3_double_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void euler_xyz_from_mat3x3_double_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[2];
+  for (int k = 0; k < 2; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  euler_xyz_from_mat3x3_double_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int euler_xyz_from_mat3x3_double_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_states R[9];
+  ksl_states angles[85][3];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      load_lanes_mat3x3_double(R, data[0] + j * step[0], step[0], core + 0, KSL_LANES);
+    } else {
+      load_lanes_mat3x3_double(R, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_euler_xyz_from_mat3x3_states(R, angles[g]);
+  }
+  COMPUTED(angles);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      store_lanes_vec3_double(angles[g], data[1] + j * step[1], step[1], core + 2, KSL_LANES);
+    } else {
+      store_lanes_vec3_double(angles[g], data[1] + j * step[1], step[1], core + 2, left);
+    }
+  }
+  return 1;
+}
+
+static APART void euler_xyz_from_mat3x3_double_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 85 * KSL_LANES;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
+    if (!euler_xyz_from_mat3x3_double_on_vectors(data, i, m, step, core, raised)) {
+      euler_xyz_from_mat3x3_double_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  euler_xyz_from_mat3x3_double_from(data, i, n - i, step, core);
+}
+#endif
+
 static void euler_xyz_from_mat3x3_double(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    euler_xyz_from_mat3x3_double_many(data, n[0], step, step + 2);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 72, 24, 24, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     euler_xyz_from_mat3x3_double_over(
@@ -1072,9 +1257,70 @@ INLINED void euler_xyz_from_mat3x3_single_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void euler_xyz_from_mat3x3_single_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[2];
+  for (int k = 0; k < 2; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  euler_xyz_from_mat3x3_single_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int euler_xyz_from_mat3x3_single_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_statesf R[9];
+  ksl_statesf angles[85][3];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      load_lanes_mat3x3_single(R, data[0] + j * step[0], step[0], core + 0, KSL_LANESF);
+    } else {
+      load_lanes_mat3x3_single(R, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_euler_xyz_from_mat3x3f_states(R, angles[g]);
+  }
+  COMPUTED(angles);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      store_lanes_vec3_single(angles[g], data[1] + j * step[1], step[1], core + 2, KSL_LANESF);
+    } else {
+      store_lanes_vec3_single(angles[g], data[1] + j * step[1], step[1], core + 2, left);
+    }
+  }
+  return 1;
+}
+
+static APART void euler_xyz_from_mat3x3_single_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 85 * KSL_LANESF;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
+    if (!euler_xyz_from_mat3x3_single_on_vectors(data, i, m, step, core, raised)) {
+      euler_xyz_from_mat3x3_single_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  euler_xyz_from_mat3x3_single_from(data, i, n - i, step, core);
+}
+#endif
+
 static void euler_xyz_from_mat3x3_single(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    euler_xyz_from_mat3x3_single_many(data, n[0], step, step + 2);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 36, 12, 12, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     euler_xyz_from_mat3x3_single_over(
@@ -1114,9 +1360,70 @@ INLINED void mat3x3_from_euler_xyx_double_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void mat3x3_from_euler_xyx_double_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[2];
+  for (int k = 0; k < 2; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  mat3x3_from_euler_xyx_double_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int mat3x3_from_euler_xyx_double_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_states angles[3];
+  ksl_states R[28][9];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      load_lanes_vec3_double(angles, data[0] + j * step[0], step[0], core + 0, KSL_LANES);
+    } else {
+      load_lanes_vec3_double(angles, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_mat3x3_from_euler_xyx_states(angles, R[g]);
+  }
+  COMPUTED(R);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      store_lanes_mat3x3_double(R[g], data[1] + j * step[1], step[1], core + 1, KSL_LANES);
+    } else {
+      store_lanes_mat3x3_double(R[g], data[1] + j * step[1], step[1], core + 1, left);
+    }
+  }
+  return 1;
+}
+
+static APART void mat3x3_from_euler_xyx_double_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 28 * KSL_LANES;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
+    if (!mat3x3_from_euler_xyx_double_on_vectors(data, i, m, step, core, raised)) {
+      mat3x3_from_euler_xyx_double_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  mat3x3_from_euler_xyx_double_from(data, i, n - i, step, core);
+}
+#endif
+
 static void mat3x3_from_euler_xyx_double(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    mat3x3_from_euler_xyx_double_many(data, n[0], step, step + 2);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 24, 72, 8, 24, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     mat3x3_from_euler_xyx_double_over(
@@ -1153,9 +1460,70 @@ INLINED void mat3x3_from_euler_xyx_single_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void mat3x3_from_euler_xyx_single_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[2];
+  for (int k = 0; k < 2; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  mat3x3_from_euler_xyx_single_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int mat3x3_from_euler_xyx_single_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_statesf angles[3];
+  ksl_statesf R[28][9];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      load_lanes_vec3_single(angles, data[0] + j * step[0], step[0], core + 0, KSL_LANESF);
+    } else {
+      load_lanes_vec3_single(angles, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_mat3x3f_from_euler_xyx_states(angles, R[g]);
+  }
+  COMPUTED(R);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      store_lanes_mat3x3_single(R[g], data[1] + j * step[1], step[1], core + 1, KSL_LANESF);
+    } else {
+      store_lanes_mat3x3_single(R[g], data[1] + j * step[1], step[1], core + 1, left);
+    }
+  }
+  return 1;
+}
+
+static APART void mat3x3_from_euler_xyx_single_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 28 * KSL_LANESF;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
+    if (!mat3x3_from_euler_xyx_single_on_vectors(data, i, m, step, core, raised)) {
+      mat3x3_from_euler_xyx_single_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  mat3x3_from_euler_xyx_single_from(data, i, n - i, step, core);
+}
+#endif
+
 static void mat3x3_from_euler_xyx_single(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    mat3x3_from_euler_xyx_single_many(data, n[0], step, step + 2);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 12, 36, 4, 12, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     mat3x3_from_euler_xyx_single_over(
@@ -1195,9 +1563,70 @@ INLINED void euler_xyx_from_mat3x3_double_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void euler_xyx_from_mat3x3_double_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[2];
+  for (int k = 0; k < 2; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  euler_xyx_from_mat3x3_double_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int euler_xyx_from_mat3x3_double_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_states R[9];
+  ksl_states angles[85][3];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      load_lanes_mat3x3_double(R, data[0] + j * step[0], step[0], core + 0, KSL_LANES);
+    } else {
+      load_lanes_mat3x3_double(R, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_euler_xyx_from_mat3x3_states(R, angles[g]);
+  }
+  COMPUTED(angles);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      store_lanes_vec3_double(angles[g], data[1] + j * step[1], step[1], core + 2, KSL_LANES);
+    } else {
+      store_lanes_vec3_double(angles[g], data[1] + j * step[1], step[1], core + 2, left);
+    }
+  }
+  return 1;
+}
+
+static APART void euler_xyx_from_mat3x3_double_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 85 * KSL_LANES;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
+    if (!euler_xyx_from_mat3x3_double_on_vectors(data, i, m, step, core, raised)) {
+      euler_xyx_from_mat3x3_double_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  euler_xyx_from_mat3x3_double_from(data, i, n - i, step, core);
+}
+#endif
+
 static void euler_xyx_from_mat3x3_double(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    euler_xyx_from_mat3x3_double_many(data, n[0], step, step + 2);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 72, 24, 24, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     euler_xyx_from_mat3x3_double_over(
@@ -1234,9 +1663,70 @@ INLINED void euler_xyx_from_mat3x3_single_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void euler_xyx_from_mat3x3_single_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[2];
+  for (int k = 0; k < 2; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  euler_xyx_from_mat3x3_single_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int euler_xyx_from_mat3x3_single_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_statesf R[9];
+  ksl_statesf angles[85][3];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      load_lanes_mat3x3_single(R, data[0] + j * step[0], step[0], core + 0, KSL_LANESF);
+    } else {
+      load_lanes_mat3x3_single(R, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_euler_xyx_from_mat3x3f_states(R, angles[g]);
+  }
+  COMPUTED(angles);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      store_lanes_vec3_single(angles[g], data[1] + j * step[1], step[1], core + 2, KSL_LANESF);
+    } else {
+      store_lanes_vec3_single(angles[g], data[1] + j * step[1], step[1], core + 2, left);
+    }
+  }
+  return 1;
+}
+
+static APART void euler_xyx_from_mat3x3_single_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 85 * KSL_LANESF;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
+    if (!euler_xyx_from_mat3x3_single_on_vectors(data, i, m, step, core, raised)) {
+      euler_xyx_from_mat3x3_single_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  euler_xyx_from_mat3x3_single_from(data, i, n - i, step, core);
+}
+#endif
+
 static void euler_xyx_from_mat3x3_single(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    euler_xyx_from_mat3x3_single_many(data, n[0], step, step + 2);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 36, 12, 12, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     euler_xyx_from_mat3x3_single_over(
@@ -1344,9 +1834,73 @@ INLINED void mat3x3_from_axis_angle_double_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void mat3x3_from_axis_angle_double_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[3];
+  for (int k = 0; k < 3; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  mat3x3_from_axis_angle_double_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int mat3x3_from_axis_angle_double_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_states axis[3];
+  ksl_states angle[1];
+  ksl_states R[28][9];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      load_lanes_vec3_double(axis, data[0] + j * step[0], step[0], core + 0, KSL_LANES);
+      load_lanes_scalar_double(angle, data[1] + j * step[1], step[1], core + 1, KSL_LANES);
+    } else {
+      load_lanes_vec3_double(axis, data[0] + j * step[0], step[0], core + 0, left);
+      load_lanes_scalar_double(angle, data[1] + j * step[1], step[1], core + 1, left);
+    }
+    ksl_mat3x3_from_axis_angle_states(axis, angle, R[g]);
+  }
+  COMPUTED(R);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      store_lanes_mat3x3_double(R[g], data[2] + j * step[2], step[2], core + 1, KSL_LANES);
+    } else {
+      store_lanes_mat3x3_double(R[g], data[2] + j * step[2], step[2], core + 1, left);
+    }
+  }
+  return 1;
+}
+
+static APART void mat3x3_from_axis_angle_double_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 28 * KSL_LANES;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
+    if (!mat3x3_from_axis_angle_double_on_vectors(data, i, m, step, core, raised)) {
+      mat3x3_from_axis_angle_double_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  mat3x3_from_axis_angle_double_from(data, i, n - i, step, core);
+}
+#endif
+
 static void mat3x3_from_axis_angle_double(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    mat3x3_from_axis_angle_double_many(data, n[0], step, step + 3);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 24, 8, 72, 8, 24, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     mat3x3_from_axis_angle_double_over(
@@ -1386,9 +1940,73 @@ INLINED void mat3x3_from_axis_angle_single_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void mat3x3_from_axis_angle_single_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[3];
+  for (int k = 0; k < 3; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  mat3x3_from_axis_angle_single_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int mat3x3_from_axis_angle_single_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_statesf axis[3];
+  ksl_statesf angle[1];
+  ksl_statesf R[28][9];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      load_lanes_vec3_single(axis, data[0] + j * step[0], step[0], core + 0, KSL_LANESF);
+      load_lanes_scalar_single(angle, data[1] + j * step[1], step[1], core + 1, KSL_LANESF);
+    } else {
+      load_lanes_vec3_single(axis, data[0] + j * step[0], step[0], core + 0, left);
+      load_lanes_scalar_single(angle, data[1] + j * step[1], step[1], core + 1, left);
+    }
+    ksl_mat3x3f_from_axis_angle_states(axis, angle, R[g]);
+  }
+  COMPUTED(R);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      store_lanes_mat3x3_single(R[g], data[2] + j * step[2], step[2], core + 1, KSL_LANESF);
+    } else {
+      store_lanes_mat3x3_single(R[g], data[2] + j * step[2], step[2], core + 1, left);
+    }
+  }
+  return 1;
+}
+
+static APART void mat3x3_from_axis_angle_single_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 28 * KSL_LANESF;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
+    if (!mat3x3_from_axis_angle_single_on_vectors(data, i, m, step, core, raised)) {
+      mat3x3_from_axis_angle_single_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  mat3x3_from_axis_angle_single_from(data, i, n - i, step, core);
+}
+#endif
+
 static void mat3x3_from_axis_angle_single(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    mat3x3_from_axis_angle_single_many(data, n[0], step, step + 3);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 12, 4, 36, 4, 12, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     mat3x3_from_axis_angle_single_over(
@@ -1431,9 +2049,74 @@ INLINED void axis_angle_from_mat3x3_double_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void axis_angle_from_mat3x3_double_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[3];
+  for (int k = 0; k < 3; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  axis_angle_from_mat3x3_double_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int axis_angle_from_mat3x3_double_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_states R[9];
+  ksl_states angle[64][1];
+  ksl_states axis[64][3];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      load_lanes_mat3x3_double(R, data[0] + j * step[0], step[0], core + 0, KSL_LANES);
+    } else {
+      load_lanes_mat3x3_double(R, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_axis_angle_from_mat3x3_states(R, angle[g], axis[g]);
+  }
+  COMPUTED(angle);
+  COMPUTED(axis);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      store_lanes_scalar_double(angle[g], data[1] + j * step[1], step[1], core + 2, KSL_LANES);
+      store_lanes_vec3_double(axis[g], data[2] + j * step[2], step[2], core + 2, KSL_LANES);
+    } else {
+      store_lanes_scalar_double(angle[g], data[1] + j * step[1], step[1], core + 2, left);
+      store_lanes_vec3_double(axis[g], data[2] + j * step[2], step[2], core + 2, left);
+    }
+  }
+  return 1;
+}
+
+static APART void axis_angle_from_mat3x3_double_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 64 * KSL_LANES;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
+    if (!axis_angle_from_mat3x3_double_on_vectors(data, i, m, step, core, raised)) {
+      axis_angle_from_mat3x3_double_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  axis_angle_from_mat3x3_double_from(data, i, n - i, step, core);
+}
+#endif
+
 static void axis_angle_from_mat3x3_double(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    axis_angle_from_mat3x3_double_many(data, n[0], step, step + 3);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 72, 8, 24, 24, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     axis_angle_from_mat3x3_double_over(
@@ -1473,9 +2156,74 @@ INLINED void axis_angle_from_mat3x3_single_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void axis_angle_from_mat3x3_single_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[3];
+  for (int k = 0; k < 3; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  axis_angle_from_mat3x3_single_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int axis_angle_from_mat3x3_single_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_statesf R[9];
+  ksl_statesf angle[64][1];
+  ksl_statesf axis[64][3];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      load_lanes_mat3x3_single(R, data[0] + j * step[0], step[0], core + 0, KSL_LANESF);
+    } else {
+      load_lanes_mat3x3_single(R, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_axis_angle_from_mat3x3f_states(R, angle[g], axis[g]);
+  }
+  COMPUTED(angle);
+  COMPUTED(axis);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      store_lanes_scalar_single(angle[g], data[1] + j * step[1], step[1], core + 2, KSL_LANESF);
+      store_lanes_vec3_single(axis[g], data[2] + j * step[2], step[2], core + 2, KSL_LANESF);
+    } else {
+      store_lanes_scalar_single(angle[g], data[1] + j * step[1], step[1], core + 2, left);
+      store_lanes_vec3_single(axis[g], data[2] + j * step[2], step[2], core + 2, left);
+    }
+  }
+  return 1;
+}
+
+static APART void axis_angle_from_mat3x3_single_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 64 * KSL_LANESF;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
+    if (!axis_angle_from_mat3x3_single_on_vectors(data, i, m, step, core, raised)) {
+      axis_angle_from_mat3x3_single_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  axis_angle_from_mat3x3_single_from(data, i, n - i, step, core);
+}
+#endif
+
 static void axis_angle_from_mat3x3_single(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    axis_angle_from_mat3x3_single_many(data, n[0], step, step + 3);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 36, 4, 12, 12, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     axis_angle_from_mat3x3_single_over(

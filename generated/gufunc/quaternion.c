@@ -6,6 +6,8 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "_lanes.h"
+#include "../c/include/ksl/quaternion_many.h"
 
 /* (4)->(4) */
 INLINED void quaternion_copy_double_over(
@@ -4081,9 +4083,73 @@ INLINED void quaternion_from_axis_angle_double_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void quaternion_from_axis_angle_double_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[3];
+  for (int k = 0; k < 3; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  quaternion_from_axis_angle_double_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int quaternion_from_axis_angle_double_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_states axis[3];
+  ksl_states angle[1];
+  ksl_states qo[64][4];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      load_lanes_vec3_double(axis, data[0] + j * step[0], step[0], core + 0, KSL_LANES);
+      load_lanes_scalar_double(angle, data[1] + j * step[1], step[1], core + 1, KSL_LANES);
+    } else {
+      load_lanes_vec3_double(axis, data[0] + j * step[0], step[0], core + 0, left);
+      load_lanes_scalar_double(angle, data[1] + j * step[1], step[1], core + 1, left);
+    }
+    ksl_quaternion_from_axis_angle_states(axis, angle, qo[g]);
+  }
+  COMPUTED(qo);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      store_lanes_quaternion_double(qo[g], data[2] + j * step[2], step[2], core + 1, KSL_LANES);
+    } else {
+      store_lanes_quaternion_double(qo[g], data[2] + j * step[2], step[2], core + 1, left);
+    }
+  }
+  return 1;
+}
+
+static APART void quaternion_from_axis_angle_double_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 64 * KSL_LANES;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
+    if (!quaternion_from_axis_angle_double_on_vectors(data, i, m, step, core, raised)) {
+      quaternion_from_axis_angle_double_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  quaternion_from_axis_angle_double_from(data, i, n - i, step, core);
+}
+#endif
+
 static void quaternion_from_axis_angle_double(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    quaternion_from_axis_angle_double_many(data, n[0], step, step + 3);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 24, 8, 32, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     quaternion_from_axis_angle_double_over(
@@ -4123,9 +4189,73 @@ INLINED void quaternion_from_axis_angle_single_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void quaternion_from_axis_angle_single_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[3];
+  for (int k = 0; k < 3; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  quaternion_from_axis_angle_single_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int quaternion_from_axis_angle_single_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_statesf axis[3];
+  ksl_statesf angle[1];
+  ksl_statesf qo[64][4];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      load_lanes_vec3_single(axis, data[0] + j * step[0], step[0], core + 0, KSL_LANESF);
+      load_lanes_scalar_single(angle, data[1] + j * step[1], step[1], core + 1, KSL_LANESF);
+    } else {
+      load_lanes_vec3_single(axis, data[0] + j * step[0], step[0], core + 0, left);
+      load_lanes_scalar_single(angle, data[1] + j * step[1], step[1], core + 1, left);
+    }
+    ksl_quaternionf_from_axis_angle_states(axis, angle, qo[g]);
+  }
+  COMPUTED(qo);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      store_lanes_quaternion_single(qo[g], data[2] + j * step[2], step[2], core + 1, KSL_LANESF);
+    } else {
+      store_lanes_quaternion_single(qo[g], data[2] + j * step[2], step[2], core + 1, left);
+    }
+  }
+  return 1;
+}
+
+static APART void quaternion_from_axis_angle_single_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 64 * KSL_LANESF;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
+    if (!quaternion_from_axis_angle_single_on_vectors(data, i, m, step, core, raised)) {
+      quaternion_from_axis_angle_single_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  quaternion_from_axis_angle_single_from(data, i, n - i, step, core);
+}
+#endif
+
 static void quaternion_from_axis_angle_single(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    quaternion_from_axis_angle_single_many(data, n[0], step, step + 3);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 12, 4, 16, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     quaternion_from_axis_angle_single_over(
@@ -4168,9 +4298,74 @@ INLINED void axis_angle_from_quaternion_double_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void axis_angle_from_quaternion_double_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[3];
+  for (int k = 0; k < 3; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  axis_angle_from_quaternion_double_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int axis_angle_from_quaternion_double_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_states q[4];
+  ksl_states angle[64][1];
+  ksl_states axis[64][3];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      load_lanes_quaternion_double(q, data[0] + j * step[0], step[0], core + 0, KSL_LANES);
+    } else {
+      load_lanes_quaternion_double(q, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_axis_angle_from_quaternion_states(q, angle[g], axis[g]);
+  }
+  COMPUTED(angle);
+  COMPUTED(axis);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      store_lanes_scalar_double(angle[g], data[1] + j * step[1], step[1], core + 1, KSL_LANES);
+      store_lanes_vec3_double(axis[g], data[2] + j * step[2], step[2], core + 1, KSL_LANES);
+    } else {
+      store_lanes_scalar_double(angle[g], data[1] + j * step[1], step[1], core + 1, left);
+      store_lanes_vec3_double(axis[g], data[2] + j * step[2], step[2], core + 1, left);
+    }
+  }
+  return 1;
+}
+
+static APART void axis_angle_from_quaternion_double_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 64 * KSL_LANES;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
+    if (!axis_angle_from_quaternion_double_on_vectors(data, i, m, step, core, raised)) {
+      axis_angle_from_quaternion_double_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  axis_angle_from_quaternion_double_from(data, i, n - i, step, core);
+}
+#endif
+
 static void axis_angle_from_quaternion_double(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    axis_angle_from_quaternion_double_many(data, n[0], step, step + 3);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 32, 8, 24, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     axis_angle_from_quaternion_double_over(
@@ -4210,9 +4405,74 @@ INLINED void axis_angle_from_quaternion_single_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void axis_angle_from_quaternion_single_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[3];
+  for (int k = 0; k < 3; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  axis_angle_from_quaternion_single_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int axis_angle_from_quaternion_single_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_statesf q[4];
+  ksl_statesf angle[64][1];
+  ksl_statesf axis[64][3];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      load_lanes_quaternion_single(q, data[0] + j * step[0], step[0], core + 0, KSL_LANESF);
+    } else {
+      load_lanes_quaternion_single(q, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_axis_angle_from_quaternionf_states(q, angle[g], axis[g]);
+  }
+  COMPUTED(angle);
+  COMPUTED(axis);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      store_lanes_scalar_single(angle[g], data[1] + j * step[1], step[1], core + 1, KSL_LANESF);
+      store_lanes_vec3_single(axis[g], data[2] + j * step[2], step[2], core + 1, KSL_LANESF);
+    } else {
+      store_lanes_scalar_single(angle[g], data[1] + j * step[1], step[1], core + 1, left);
+      store_lanes_vec3_single(axis[g], data[2] + j * step[2], step[2], core + 1, left);
+    }
+  }
+  return 1;
+}
+
+static APART void axis_angle_from_quaternion_single_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 64 * KSL_LANESF;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
+    if (!axis_angle_from_quaternion_single_on_vectors(data, i, m, step, core, raised)) {
+      axis_angle_from_quaternion_single_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  axis_angle_from_quaternion_single_from(data, i, n - i, step, core);
+}
+#endif
+
 static void axis_angle_from_quaternion_single(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    axis_angle_from_quaternion_single_many(data, n[0], step, step + 3);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 16, 4, 12, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     axis_angle_from_quaternion_single_over(
@@ -4252,9 +4512,70 @@ INLINED void quaternion_exp_double_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void quaternion_exp_double_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[2];
+  for (int k = 0; k < 2; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  quaternion_exp_double_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int quaternion_exp_double_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_states v[3];
+  ksl_states qo[64][4];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      load_lanes_vec3_double(v, data[0] + j * step[0], step[0], core + 0, KSL_LANES);
+    } else {
+      load_lanes_vec3_double(v, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_quaternion_exp_states(v, qo[g]);
+  }
+  COMPUTED(qo);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      store_lanes_quaternion_double(qo[g], data[1] + j * step[1], step[1], core + 1, KSL_LANES);
+    } else {
+      store_lanes_quaternion_double(qo[g], data[1] + j * step[1], step[1], core + 1, left);
+    }
+  }
+  return 1;
+}
+
+static APART void quaternion_exp_double_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 64 * KSL_LANES;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
+    if (!quaternion_exp_double_on_vectors(data, i, m, step, core, raised)) {
+      quaternion_exp_double_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  quaternion_exp_double_from(data, i, n - i, step, core);
+}
+#endif
+
 static void quaternion_exp_double(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    quaternion_exp_double_many(data, n[0], step, step + 2);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 24, 32, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     quaternion_exp_double_over(
@@ -4291,9 +4612,70 @@ INLINED void quaternion_exp_single_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void quaternion_exp_single_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[2];
+  for (int k = 0; k < 2; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  quaternion_exp_single_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int quaternion_exp_single_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_statesf v[3];
+  ksl_statesf qo[64][4];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      load_lanes_vec3_single(v, data[0] + j * step[0], step[0], core + 0, KSL_LANESF);
+    } else {
+      load_lanes_vec3_single(v, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_quaternionf_exp_states(v, qo[g]);
+  }
+  COMPUTED(qo);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      store_lanes_quaternion_single(qo[g], data[1] + j * step[1], step[1], core + 1, KSL_LANESF);
+    } else {
+      store_lanes_quaternion_single(qo[g], data[1] + j * step[1], step[1], core + 1, left);
+    }
+  }
+  return 1;
+}
+
+static APART void quaternion_exp_single_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 64 * KSL_LANESF;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
+    if (!quaternion_exp_single_on_vectors(data, i, m, step, core, raised)) {
+      quaternion_exp_single_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  quaternion_exp_single_from(data, i, n - i, step, core);
+}
+#endif
+
 static void quaternion_exp_single(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    quaternion_exp_single_many(data, n[0], step, step + 2);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 12, 16, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     quaternion_exp_single_over(
@@ -4333,9 +4715,70 @@ INLINED void quaternion_log_double_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void quaternion_log_double_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[2];
+  for (int k = 0; k < 2; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  quaternion_log_double_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int quaternion_log_double_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_states q[4];
+  ksl_states vo[85][3];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      load_lanes_quaternion_double(q, data[0] + j * step[0], step[0], core + 0, KSL_LANES);
+    } else {
+      load_lanes_quaternion_double(q, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_quaternion_log_states(q, vo[g]);
+  }
+  COMPUTED(vo);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      store_lanes_vec3_double(vo[g], data[1] + j * step[1], step[1], core + 1, KSL_LANES);
+    } else {
+      store_lanes_vec3_double(vo[g], data[1] + j * step[1], step[1], core + 1, left);
+    }
+  }
+  return 1;
+}
+
+static APART void quaternion_log_double_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 85 * KSL_LANES;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
+    if (!quaternion_log_double_on_vectors(data, i, m, step, core, raised)) {
+      quaternion_log_double_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  quaternion_log_double_from(data, i, n - i, step, core);
+}
+#endif
+
 static void quaternion_log_double(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    quaternion_log_double_many(data, n[0], step, step + 2);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 32, 24, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     quaternion_log_double_over(
@@ -4372,9 +4815,70 @@ INLINED void quaternion_log_single_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void quaternion_log_single_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[2];
+  for (int k = 0; k < 2; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  quaternion_log_single_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int quaternion_log_single_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_statesf q[4];
+  ksl_statesf vo[85][3];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      load_lanes_quaternion_single(q, data[0] + j * step[0], step[0], core + 0, KSL_LANESF);
+    } else {
+      load_lanes_quaternion_single(q, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_quaternionf_log_states(q, vo[g]);
+  }
+  COMPUTED(vo);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      store_lanes_vec3_single(vo[g], data[1] + j * step[1], step[1], core + 1, KSL_LANESF);
+    } else {
+      store_lanes_vec3_single(vo[g], data[1] + j * step[1], step[1], core + 1, left);
+    }
+  }
+  return 1;
+}
+
+static APART void quaternion_log_single_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 85 * KSL_LANESF;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
+    if (!quaternion_log_single_on_vectors(data, i, m, step, core, raised)) {
+      quaternion_log_single_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  quaternion_log_single_from(data, i, n - i, step, core);
+}
+#endif
+
 static void quaternion_log_single(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    quaternion_log_single_many(data, n[0], step, step + 2);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 16, 12, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     quaternion_log_single_over(
@@ -4420,9 +4924,76 @@ INLINED void quaternion_interpolated_double_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void quaternion_interpolated_double_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[4];
+  for (int k = 0; k < 4; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  quaternion_interpolated_double_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int quaternion_interpolated_double_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_states q1[4];
+  ksl_states q2[4];
+  ksl_states k[1];
+  ksl_states qo[64][4];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      load_lanes_quaternion_double(q1, data[0] + j * step[0], step[0], core + 0, KSL_LANES);
+      load_lanes_quaternion_double(q2, data[1] + j * step[1], step[1], core + 1, KSL_LANES);
+      load_lanes_scalar_double(k, data[2] + j * step[2], step[2], core + 2, KSL_LANES);
+    } else {
+      load_lanes_quaternion_double(q1, data[0] + j * step[0], step[0], core + 0, left);
+      load_lanes_quaternion_double(q2, data[1] + j * step[1], step[1], core + 1, left);
+      load_lanes_scalar_double(k, data[2] + j * step[2], step[2], core + 2, left);
+    }
+    ksl_quaternion_interpolated_states(q1, q2, k, qo[g]);
+  }
+  COMPUTED(qo);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      store_lanes_quaternion_double(qo[g], data[3] + j * step[3], step[3], core + 2, KSL_LANES);
+    } else {
+      store_lanes_quaternion_double(qo[g], data[3] + j * step[3], step[3], core + 2, left);
+    }
+  }
+  return 1;
+}
+
+static APART void quaternion_interpolated_double_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 64 * KSL_LANES;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
+    if (!quaternion_interpolated_double_on_vectors(data, i, m, step, core, raised)) {
+      quaternion_interpolated_double_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  quaternion_interpolated_double_from(data, i, n - i, step, core);
+}
+#endif
+
 static void quaternion_interpolated_double(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    quaternion_interpolated_double_many(data, n[0], step, step + 4);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 32, 32, 8, 32, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     quaternion_interpolated_double_over(
@@ -4465,9 +5036,76 @@ INLINED void quaternion_interpolated_single_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void quaternion_interpolated_single_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[4];
+  for (int k = 0; k < 4; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  quaternion_interpolated_single_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int quaternion_interpolated_single_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_statesf q1[4];
+  ksl_statesf q2[4];
+  ksl_statesf k[1];
+  ksl_statesf qo[64][4];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      load_lanes_quaternion_single(q1, data[0] + j * step[0], step[0], core + 0, KSL_LANESF);
+      load_lanes_quaternion_single(q2, data[1] + j * step[1], step[1], core + 1, KSL_LANESF);
+      load_lanes_scalar_single(k, data[2] + j * step[2], step[2], core + 2, KSL_LANESF);
+    } else {
+      load_lanes_quaternion_single(q1, data[0] + j * step[0], step[0], core + 0, left);
+      load_lanes_quaternion_single(q2, data[1] + j * step[1], step[1], core + 1, left);
+      load_lanes_scalar_single(k, data[2] + j * step[2], step[2], core + 2, left);
+    }
+    ksl_quaternionf_interpolated_states(q1, q2, k, qo[g]);
+  }
+  COMPUTED(qo);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      store_lanes_quaternion_single(qo[g], data[3] + j * step[3], step[3], core + 2, KSL_LANESF);
+    } else {
+      store_lanes_quaternion_single(qo[g], data[3] + j * step[3], step[3], core + 2, left);
+    }
+  }
+  return 1;
+}
+
+static APART void quaternion_interpolated_single_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 64 * KSL_LANESF;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
+    if (!quaternion_interpolated_single_on_vectors(data, i, m, step, core, raised)) {
+      quaternion_interpolated_single_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  quaternion_interpolated_single_from(data, i, n - i, step, core);
+}
+#endif
+
 static void quaternion_interpolated_single(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    quaternion_interpolated_single_many(data, n[0], step, step + 4);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 16, 16, 4, 16, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     quaternion_interpolated_single_over(

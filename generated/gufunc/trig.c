@@ -6,6 +6,8 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "_lanes.h"
+#include "../c/include/ksl/trig_many.h"
 
 /* ()->(2) */
 INLINED void dc_double_over(
@@ -28,9 +30,70 @@ INLINED void dc_double_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void dc_double_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[2];
+  for (int k = 0; k < 2; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  dc_double_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int dc_double_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_states theta[1];
+  ksl_states dc[128][2];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      load_lanes_scalar_double(theta, data[0] + j * step[0], step[0], core + 0, KSL_LANES);
+    } else {
+      load_lanes_scalar_double(theta, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_dc_states(theta, dc[g]);
+  }
+  COMPUTED(dc);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      store_lanes_dc_double(dc[g], data[1] + j * step[1], step[1], core + 0, KSL_LANES);
+    } else {
+      store_lanes_dc_double(dc[g], data[1] + j * step[1], step[1], core + 0, left);
+    }
+  }
+  return 1;
+}
+
+static APART void dc_double_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 128 * KSL_LANES;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
+    if (!dc_double_on_vectors(data, i, m, step, core, raised)) {
+      dc_double_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  dc_double_from(data, i, n - i, step, core);
+}
+#endif
+
 static void dc_double(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    dc_double_many(data, n[0], step, step + 2);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 8, 16, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     dc_double_over(
@@ -67,9 +130,70 @@ INLINED void dc_single_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void dc_single_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[2];
+  for (int k = 0; k < 2; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  dc_single_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int dc_single_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_statesf theta[1];
+  ksl_statesf dc[128][2];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      load_lanes_scalar_single(theta, data[0] + j * step[0], step[0], core + 0, KSL_LANESF);
+    } else {
+      load_lanes_scalar_single(theta, data[0] + j * step[0], step[0], core + 0, left);
+    }
+    ksl_dcf_states(theta, dc[g]);
+  }
+  COMPUTED(dc);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      store_lanes_dc_single(dc[g], data[1] + j * step[1], step[1], core + 0, KSL_LANESF);
+    } else {
+      store_lanes_dc_single(dc[g], data[1] + j * step[1], step[1], core + 0, left);
+    }
+  }
+  return 1;
+}
+
+static APART void dc_single_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 128 * KSL_LANESF;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
+    if (!dc_single_on_vectors(data, i, m, step, core, raised)) {
+      dc_single_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  dc_single_from(data, i, n - i, step, core);
+}
+#endif
+
 static void dc_single(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    dc_single_many(data, n[0], step, step + 2);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 4, 8, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     dc_single_over(

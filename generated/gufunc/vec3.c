@@ -6,6 +6,8 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "_lanes.h"
+#include "../c/include/ksl/vec3_many.h"
 
 /* (3)->(3) */
 INLINED void vec3_copy_double_over(
@@ -1200,9 +1202,73 @@ INLINED void angle_vv_double_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void angle_vv_double_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[3];
+  for (int k = 0; k < 3; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  angle_vv_double_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int angle_vv_double_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_states v1[3];
+  ksl_states v2[3];
+  ksl_states angle[256][1];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      load_lanes_vec3_double(v1, data[0] + j * step[0], step[0], core + 0, KSL_LANES);
+      load_lanes_vec3_double(v2, data[1] + j * step[1], step[1], core + 1, KSL_LANES);
+    } else {
+      load_lanes_vec3_double(v1, data[0] + j * step[0], step[0], core + 0, left);
+      load_lanes_vec3_double(v2, data[1] + j * step[1], step[1], core + 1, left);
+    }
+    ksl_angle_vv_states(v1, v2, angle[g]);
+  }
+  COMPUTED(angle);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANES) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANES) {
+      store_lanes_scalar_double(angle[g], data[2] + j * step[2], step[2], core + 2, KSL_LANES);
+    } else {
+      store_lanes_scalar_double(angle[g], data[2] + j * step[2], step[2], core + 2, left);
+    }
+  }
+  return 1;
+}
+
+static APART void angle_vv_double_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 256 * KSL_LANES;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
+    if (!angle_vv_double_on_vectors(data, i, m, step, core, raised)) {
+      angle_vv_double_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  angle_vv_double_from(data, i, n - i, step, core);
+}
+#endif
+
 static void angle_vv_double(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    angle_vv_double_many(data, n[0], step, step + 3);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 24, 24, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     angle_vv_double_over(
@@ -1242,9 +1308,73 @@ INLINED void angle_vv_single_over(
   }
 }
 
+#if KSL_LANE_BYTES
+/* m elements, from the one numbered i. */
+static void angle_vv_single_from(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
+  char *from[3];
+  for (int k = 0; k < 3; k++) {
+    from[k] = data[k] + i * step[k];
+  }
+  angle_vv_single_over(from, m, step, core);
+}
+
+/* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
+INLINED int angle_vv_single_on_vectors(
+    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
+  ksl_statesf v1[3];
+  ksl_statesf v2[3];
+  ksl_statesf angle[256][1];
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      load_lanes_vec3_single(v1, data[0] + j * step[0], step[0], core + 0, KSL_LANESF);
+      load_lanes_vec3_single(v2, data[1] + j * step[1], step[1], core + 1, KSL_LANESF);
+    } else {
+      load_lanes_vec3_single(v1, data[0] + j * step[0], step[0], core + 0, left);
+      load_lanes_vec3_single(v2, data[1] + j * step[1], step[1], core + 1, left);
+    }
+    ksl_angle_vvf_states(v1, v2, angle[g]);
+  }
+  COMPUTED(angle);
+  if (lowered(raised)) {
+    return 0;
+  }
+  for (npy_intp g = 0, left = m; left > 0; g++, left -= KSL_LANESF) {
+    const npy_intp j = i + m - left;
+    if (left >= KSL_LANESF) {
+      store_lanes_scalar_single(angle[g], data[2] + j * step[2], step[2], core + 2, KSL_LANESF);
+    } else {
+      store_lanes_scalar_single(angle[g], data[2] + j * step[2], step[2], core + 2, left);
+    }
+  }
+  return 1;
+}
+
+static APART void angle_vv_single_many(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  const npy_intp most = 256 * KSL_LANESF;
+  int raised = flags();
+  npy_intp i = 0, m;
+  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
+    if (!angle_vv_single_on_vectors(data, i, m, step, core, raised)) {
+      angle_vv_single_from(data, i, m, step, core);
+      raised = flags();
+    }
+  }
+  angle_vv_single_from(data, i, n - i, step, core);
+}
+#endif
+
 static void angle_vv_single(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
+#if KSL_LANE_BYTES
+  if (n[0] >= SEVERAL) {
+    angle_vv_single_many(data, n[0], step, step + 3);
+    return;
+  }
+#endif
   static const npy_intp dense_1[] = { 12, 12, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     angle_vv_single_over(

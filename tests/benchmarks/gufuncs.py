@@ -1,6 +1,7 @@
 """Gufuncs against what a NumPy user would write, and against the pure-NumPy twins."""
 
 from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 from tabulate import tabulate
@@ -12,6 +13,8 @@ from coscrew_codegen.native.timing import timed_calls
 from tests.benchmarks.words import said
 
 COUNT = 1000
+ROW = 7  # the most elements that loops on vectors compute one by one
+ON_VECTORS = ("dc", "SO3_exp", "SO3_log", "SE3_exp", "SE3_log")
 SECONDS = 1.0  # of each task
 
 Case = tuple[str, Callable[[], object]]
@@ -57,11 +60,42 @@ def _cases(dtype: str) -> dict[str, list[Case]]:
     }
 
 
+def _cases_on_vectors(dtype: str) -> dict[str, list[Case]]:
+    """Several elements at a time, and the same one by one: in rows too short for vectors, with gaps
+    between them, so that NumPy does not join them."""
+    made = {}
+    for name in ON_VECTORS:
+        function = getattr(coscrew, name)
+        twin = getattr(coscrew.single if dtype == "float32" else coscrew.double, name)
+        x, outs = _arguments(name, dtype)
+        padded = aligned(np.zeros((COUNT // ROW, ROW + 1, *x.shape[1:]), dtype))
+        rows = padded[:, :ROW]
+        rows[...] = x[:COUNT // ROW * ROW].reshape(rows.shape)
+        outs_of_rows = tuple(np.empty((*padded.shape[:2], *out.shape[1:]), dtype)[:, :ROW]
+                             for out in outs)
+        made[name] = [
+            ("coscrew, out=", partial(function, x, out=outs)),
+            ("coscrew, out=, one by one", partial(function, rows, out=outs_of_rows)),
+            ("NumPy twin", partial(twin, x))]
+    return made
+
+
+def _arguments(name: str, dtype: str) -> tuple[np.ndarray, tuple[np.ndarray, ...]]:
+    """An array of elements, and arrays for the results."""
+    random = np.random.default_rng(21)
+    sizes = {"dc": (), "SO3": (3,), "SE3": (6,)}
+    x = random.normal(size=(COUNT, *sizes[name.partition("_")[0]])).astype(dtype)
+    if name.endswith("_log"):
+        x = getattr(coscrew, name.replace("log", "exp"))(x)
+    results = getattr(coscrew, name)(x)
+    return aligned(x), results if isinstance(results, tuple) else (results,)
+
+
 def main() -> None:
     """Print the table."""
     rows = []
     for dtype in ("float64", "float32"):
-        for task, cases in _cases(dtype).items():
+        for task, cases in (_cases(dtype) | _cases_on_vectors(dtype)).items():
             timings = timed_calls([function for _, function in cases], 1e9 * SECONDS)
             rows += [(task, dtype, name, said(timing.time, 1 / COUNT),
                       said(timing.ratio(timings[0])))

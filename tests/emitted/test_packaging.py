@@ -1,6 +1,7 @@
 """The package as users install it: without a compiler, with a stale extension, with its headers."""
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -12,6 +13,7 @@ import pytest
 
 import coscrew
 from coscrew_codegen.__main__ import main
+from coscrew_codegen.build import extensions
 
 ROOT = Path(__file__).parents[2]
 
@@ -78,6 +80,21 @@ def test_an_installed_generator_makes_the_same_files(without_compiler, tmp_path,
     assert main(words) == 0
     assert contents(tmp_path / "made") == contents(without_compiler / "made")
     assert any(x.name == "vec3.h" for x in contents(tmp_path))
+
+
+def test_extensions_depend_on_every_header_that_they_include():
+    """Else they would not be compiled again after its change, nor from a source distribution."""
+    for extension in extensions(ROOT):
+        left, seen = [ROOT / x for x in extension.sources], set()
+        while left:
+            file = left.pop()
+            if file in seen:
+                continue
+            seen.add(file)
+            names = re.findall(r'^#include "(.+)"', file.read_text("utf-8"), re.MULTILINE)
+            left += [(file.parent / name).resolve() for name in names]
+        known = {ROOT / x for x in (*extension.sources, *extension.depends)}
+        assert seen <= known, (extension.name, sorted(seen - known))
 
 
 def contents(folder: Path) -> dict[Path, bytes]:

@@ -30,7 +30,8 @@ EXEMPT = {
     "c/ksl_types.h.jinja": "a version's number as an integer",
     "c/ksl_exact.h.jinja": PRIMITIVES,
     **{f"{x}.jinja": PLACES for x in (
-        "gufunc/module.c", "gufunc/promoter.c", "gufunc/family.c", "python/_arrays.py",
+        "gufunc/module.c", "gufunc/promoter.c", "gufunc/loop", "gufunc/lanes",
+        "gufunc/_lanes.h", "python/_arrays.py",
         "python/_kernel.py", "scene/arrays", "scene/arrays.py", "scene/out", "scene/objects",
         "scene/arguments", "scene/states", "scene/threads", "scene/called", "scene/many_states",
         "scene/step_of_states", "c/rows", "c/blocks", "c/halves", "c/ksl_states.h",

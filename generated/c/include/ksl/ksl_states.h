@@ -10,8 +10,10 @@
 #include "ksl_planes.h"
 
 /* The registers of the processor that this is compiled for hold so many bytes of states, a number of
-   each; 0 if they are not known.  KSL_LANE_BYTES may be defined as fewer: 16, 32, 64, or 0. */
-#if !defined(__GNUC__)
+   each; 0 if they are not known.  KSL_LANE_BYTES may be defined as fewer: 16, 32, 64, or 0; and
+   KSL_REGISTER_BYTES where attributes of functions choose a processor, which define no macros. */
+#if defined(KSL_REGISTER_BYTES)
+#elif !defined(__GNUC__)
 #define KSL_REGISTER_BYTES 0
 #elif defined(__AVX512F__)
 #define KSL_REGISTER_BYTES 64
