@@ -1,0 +1,76 @@
+"""Bars of performance, and whether what was measured meets them."""
+
+import platform
+import shutil
+import subprocess
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from os import cpu_count, getloadavg
+from pathlib import Path
+
+from tabulate import tabulate
+
+from coscrew_codegen.machine import processor
+from coscrew_codegen.native.intervals import Interval
+from tests.benchmarks.words import said
+
+FILE = Path(__file__).parents[2] / "build" / "benchmarks.md"
+HEADS = ("what", "wanted", "measured: median (95 % interval)", "met")
+
+
+@dataclass(frozen=True)
+class Bar:
+    """A ratio that is wanted to be at least so large or, if `most`, at most; and the measured one,
+    or the reason why there is none."""
+
+    what: str
+    wanted: float
+    measured: Interval | None = None
+    most: bool = False
+    note: str = ""  # compiler, processor's instructions; the reason
+
+    @property
+    def met(self) -> str:
+        """yes or no; unclear if the interval holds the bar."""
+        if self.measured is None:
+            return "not measured"
+        low, high = ((self.measured.low, self.measured.high) if not self.most else
+                     (-self.measured.high, -self.measured.low))
+        wanted = -self.wanted if self.most else self.wanted
+        return "yes" if low >= wanted else "no" if high < wanted else "unclear"
+
+    @property
+    def row(self) -> tuple[str, str, str, str]:
+        """Its line of the table."""
+        found = said(self.measured) if self.measured else ""
+        return (self.what, f"{'≤' if self.most else '≥'} {self.wanted:g}",
+                f"{found}{self.note and f'{found and ", "}{self.note}'}", self.met)
+
+
+def table(bars: Sequence[Bar], form: str = "simple") -> str:
+    """All bars."""
+    return tabulate([bar.row for bar in bars], HEADS, form, disable_numparse=True)
+
+
+def show(bars: Sequence[Bar]) -> None:
+    """Print the table, if there are bars."""
+    if bars:
+        print(f"\nBars\n{table(bars)}")
+
+
+def write(bars: Sequence[Bar]) -> None:
+    """Write the table and the machine to build/benchmarks.md."""
+    FILE.parent.mkdir(exist_ok=True)
+    FILE.write_text("\n".join(("# Bars of performance", "", *(f"- {x}" for x in machine()), "",
+                               table(bars, "github"), "")))
+
+
+def machine() -> Iterator[str]:
+    """When and where: processor, load, compilers."""
+    load = ", ".join(f"{x:.2f}" for x in getloadavg())
+    yield f"{datetime.now(UTC):%Y-%m-%d %H:%M} UTC; load of {cpu_count()} cores: {load}"
+    yield f"{processor()}, {platform.system()} {platform.machine()}"
+    for compiler in filter(shutil.which, ("gcc", "clang")):
+        told = subprocess.run([compiler, "--version"], capture_output=True, text=True, check=True)
+        yield told.stdout.splitlines()[0]

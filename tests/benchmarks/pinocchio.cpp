@@ -1,0 +1,110 @@
+// Pinocchio as a library of loops over states, compiled from its headers for this processor.
+//
+// It links nothing of Pinocchio's wheel, whose objects have Eigen's alignment of another processor;
+// models are built joint by joint.
+#include <pinocchio/fwd.hpp>  // first: it sets limits of Boost
+
+#include <cstring>
+#include <string>
+
+#include <pinocchio/algorithm/aba.hpp>
+#include <pinocchio/algorithm/crba.hpp>
+#include <pinocchio/algorithm/rnea.hpp>
+
+namespace {
+
+using pinocchio::Convention;
+using Vector = Eigen::VectorXd;
+using Row = Eigen::Map<const Vector>;
+
+struct Robot {
+  pinocchio::Model model;
+  pinocchio::Data data;
+  Vector q, v, a;
+};
+
+volatile double sink;
+
+// In the order of KINDS in pinocchio_loops.py.
+pinocchio::JointModel joint(int kind) {
+  switch (kind) {
+    case 0: return pinocchio::JointModelRX();
+    case 1: return pinocchio::JointModelRY();
+    case 2: return pinocchio::JointModelRZ();
+    default: return pinocchio::JointModelFreeFlyer();
+  }
+}
+
+// call(robot) for each of the n states q, v, a in x[1], x[2], x[3]; its matrix or vector of results
+// goes to x[4], in Eigen's order, unless that is null.
+template <typename Call>
+void each(long n, void *const *x, Call call) {
+  Robot &robot = *static_cast<Robot *>(x[0]);
+  const long nq = robot.model.nq, nv = robot.model.nv;
+  const double *q = static_cast<const double *>(x[1]), *v = static_cast<const double *>(x[2]),
+               *a = static_cast<const double *>(x[3]);
+  double *results = static_cast<double *>(x[4]);
+  for (long i = 0; i < n; ++i, q += nq, v += nv, a += nv) {
+    robot.q = Row(q, nq);
+    robot.v = Row(v, nv);
+    robot.a = Row(a, nv);
+    const auto &found = call(robot);
+    sink = found.data()[0];
+    if (results) {
+      std::memcpy(results, found.data(), sizeof(double) * found.size());
+      results += found.size();
+    }
+  }
+}
+
+}  // namespace
+
+#define EXPORTED extern "C" __attribute__((visibility("default")))
+
+// A robot of joints: kind and parent of each, rotation by columns and translation of its placement,
+// mass, centre of mass and moments (xx, xy, yy, xz, yz, zz) about it of what it moves.
+EXPORTED void *robot_of(long joints, const int *kinds, const int *parents,
+    const double *placements, const double *inertias) {
+  pinocchio::Model model;
+  for (long i = 0; i < joints; ++i, placements += 12, inertias += 10) {
+    const pinocchio::SE3 placement(Eigen::Map<const Eigen::Matrix3d>(placements),
+        Eigen::Map<const Eigen::Vector3d>(placements + 9));
+    const auto added = model.addJoint(static_cast<pinocchio::JointIndex>(parents[i]),
+        joint(kinds[i]), placement, "joint" + std::to_string(i + 1));
+    model.appendBodyToJoint(added, pinocchio::Inertia(inertias[0],
+        Eigen::Map<const Eigen::Vector3d>(inertias + 1),
+        pinocchio::Symmetric3(Eigen::Map<const Eigen::Matrix<double, 6, 1>>(inertias + 4))));
+  }
+  const pinocchio::Data data(model);
+  return new Robot{model, data, Vector(model.nq), Vector(model.nv), Vector(model.nv)};
+}
+
+EXPORTED void inverse_dynamics(long n, void *const *x) {
+  each(n, x, [](Robot &r) -> const Vector & {
+    return pinocchio::rnea(r.model, r.data, r.q, r.v, r.a);
+  });
+}
+
+EXPORTED void forward_dynamics_local(long n, void *const *x) {
+  each(n, x, [](Robot &r) -> const Vector & {
+    return pinocchio::aba(r.model, r.data, r.q, r.v, r.a, Convention::LOCAL);
+  });
+}
+
+EXPORTED void forward_dynamics_world(long n, void *const *x) {
+  each(n, x, [](Robot &r) -> const Vector & {
+    return pinocchio::aba(r.model, r.data, r.q, r.v, r.a, Convention::WORLD);
+  });
+}
+
+EXPORTED void mass_matrix_local(long n, void *const *x) {
+  each(n, x, [](Robot &r) -> const Eigen::MatrixXd & {
+    return pinocchio::crba(r.model, r.data, r.q, Convention::LOCAL);
+  });
+}
+
+EXPORTED void mass_matrix_world(long n, void *const *x) {
+  each(n, x, [](Robot &r) -> const Eigen::MatrixXd & {
+    return pinocchio::crba(r.model, r.data, r.q, Convention::WORLD);
+  });
+}
