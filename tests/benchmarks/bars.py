@@ -43,9 +43,8 @@ class Bar:
     @property
     def row(self) -> tuple[str, str, str, str]:
         """Its line of the table."""
-        found = said(self.measured) if self.measured else ""
-        return (self.what, f"{'≤' if self.most else '≥'} {self.wanted:g}",
-                f"{found}{self.note and f'{found and ", "}{self.note}'}", self.met)
+        found = ", ".join(x for x in (said(self.measured) if self.measured else "", self.note) if x)
+        return self.what, f"{'≤' if self.most else '≥'} {self.wanted:g}", found, self.met
 
 
 def table(bars: Sequence[Bar], form: str = "simple") -> str:

@@ -13,14 +13,11 @@
 
 namespace {
 
-using pinocchio::Convention;
-using Vector = Eigen::VectorXd;
-using Row = Eigen::Map<const Vector>;
+using Row = Eigen::Map<const Eigen::VectorXd>;
 
 struct Robot {
   pinocchio::Model model;
   pinocchio::Data data;
-  Vector q, v, a;
 };
 
 volatile double sink;
@@ -35,8 +32,8 @@ pinocchio::JointModel joint(int kind) {
   }
 }
 
-// call(robot) for each of the n states q, v, a in x[1], x[2], x[3]; its matrix or vector of results
-// goes to x[4], in Eigen's order, unless that is null.
+// call(model, data, q, v, a) for each of n states: rows of x[1], x[2], x[3].  Its matrices or vectors
+// go to x[4], in Eigen's order, unless that is null.
 template <typename Call>
 void each(long n, void *const *x, Call call) {
   Robot &robot = *static_cast<Robot *>(x[0]);
@@ -45,13 +42,10 @@ void each(long n, void *const *x, Call call) {
                *a = static_cast<const double *>(x[3]);
   double *results = static_cast<double *>(x[4]);
   for (long i = 0; i < n; ++i, q += nq, v += nv, a += nv) {
-    robot.q = Row(q, nq);
-    robot.v = Row(v, nv);
-    robot.a = Row(a, nv);
-    const auto &found = call(robot);
+    const auto &found = call(robot.model, robot.data, Row(q, nq), Row(v, nv), Row(a, nv));
     sink = found.data()[0];
     if (results) {
-      std::memcpy(results, found.data(), sizeof(double) * found.size());
+      std::memcpy(results, found.data(), sizeof(double) * static_cast<size_t>(found.size()));
       results += found.size();
     }
   }
@@ -76,35 +70,17 @@ EXPORTED void *robot_of(long joints, const int *kinds, const int *parents,
         pinocchio::Symmetric3(Eigen::Map<const Eigen::Matrix<double, 6, 1>>(inertias + 4))));
   }
   const pinocchio::Data data(model);
-  return new Robot{model, data, Vector(model.nq), Vector(model.nv), Vector(model.nv)};
+  return new Robot{model, data};
 }
 
-EXPORTED void inverse_dynamics(long n, void *const *x) {
-  each(n, x, [](Robot &r) -> const Vector & {
-    return pinocchio::rnea(r.model, r.data, r.q, r.v, r.a);
-  });
-}
+#define LOOP(name, call)                                                               \
+  EXPORTED void name(long n, void *const *x) {                                         \
+    each(n, x, [](const pinocchio::Model &model, pinocchio::Data &data, const Row &q,  \
+        [[maybe_unused]] const Row &v, [[maybe_unused]] const Row &a) -> const auto & { \
+      return call;                                                                     \
+    });                                                                                \
+  }
 
-EXPORTED void forward_dynamics_local(long n, void *const *x) {
-  each(n, x, [](Robot &r) -> const Vector & {
-    return pinocchio::aba(r.model, r.data, r.q, r.v, r.a, Convention::LOCAL);
-  });
-}
-
-EXPORTED void forward_dynamics_world(long n, void *const *x) {
-  each(n, x, [](Robot &r) -> const Vector & {
-    return pinocchio::aba(r.model, r.data, r.q, r.v, r.a, Convention::WORLD);
-  });
-}
-
-EXPORTED void mass_matrix_local(long n, void *const *x) {
-  each(n, x, [](Robot &r) -> const Eigen::MatrixXd & {
-    return pinocchio::crba(r.model, r.data, r.q, Convention::LOCAL);
-  });
-}
-
-EXPORTED void mass_matrix_world(long n, void *const *x) {
-  each(n, x, [](Robot &r) -> const Eigen::MatrixXd & {
-    return pinocchio::crba(r.model, r.data, r.q, Convention::WORLD);
-  });
-}
+LOOP(inverse_dynamics, pinocchio::rnea(model, data, q, v, a))
+LOOP(forward_dynamics, pinocchio::aba(model, data, q, v, a))
+LOOP(mass_matrix, pinocchio::crba(model, data, q))
