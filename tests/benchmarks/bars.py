@@ -3,7 +3,7 @@
 import platform
 import shutil
 import subprocess
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from os import cpu_count, getloadavg
@@ -45,6 +45,15 @@ class Bar:
         """Its line of the table."""
         found = ", ".join(x for x in (said(self.measured) if self.measured else "", self.note) if x)
         return self.what, f"{'≤' if self.most else '≥'} {self.wanted:g}", found, self.met
+
+
+def fastest(found: Iterable[tuple[float, Bar]]) -> list[Bar]:
+    """For each `what` the bar with the least time of ours: that of one compiler and its flags."""
+    best: dict[str, tuple[float, Bar]] = {}
+    for time, bar in found:
+        if bar.what not in best or time < best[bar.what][0]:
+            best[bar.what] = time, bar
+    return [bar for _, bar in best.values()]
 
 
 def table(bars: Sequence[Bar], form: str = "simple") -> str:

@@ -14,7 +14,7 @@ from tabulate import tabulate
 
 from coscrew_codegen.formats import DOUBLE, PRECISIONS
 from coscrew_codegen.native.timing import Timing, timed_loops
-from tests.benchmarks.bars import Bar, show
+from tests.benchmarks.bars import Bar, fastest, show
 from tests.benchmarks.pinocchio_loops import (
     FUNCTIONS,
     OPTIMISED,
@@ -49,7 +49,7 @@ class Measured:
     @property
     def what(self) -> str:
         """For the table of bars."""
-        return f"{self.function} of {self.arm}, {self.width}"
+        return f"{self.function} of {self.arm}"
 
 
 def measured(arm: str, pinocchio: ctypes.CDLL | None, folder: Path) -> Iterator[Measured]:
@@ -79,20 +79,18 @@ def measured(arm: str, pinocchio: ctypes.CDLL | None, folder: Path) -> Iterator[
 
 
 def bars(found: list[Measured], missing: str) -> Iterator[Bar]:
-    """With the faster compiler: against Pinocchio, for each function; the least gain of single."""
+    """With the faster compiler: against Pinocchio, and of single precision against double."""
     for width, wanted in WANTED.items():
-        best = {x.what: x for x in sorted(found, key=lambda x: -x.double.minimum)
-                if x.width == width}
-        for what, x in sorted(best.items()):
-            yield Bar(f"in lanes: Pinocchio / {what}", wanted,
-                      x.rival.ratio(x.double) if x.rival else None, note=missing or x.compiler)
-        if best:
-            least = min(best.values(), key=lambda x: x.double.ratio(x.single).median)
-            yield Bar(f"in lanes: double / single, {width}", SINGLE,
-                      least.double.ratio(least.single),
-                      note=f"the least, {least.function} of {least.arm}, {least.compiler}")
-        else:
-            yield Bar(f"in lanes, {width}", wanted, note=f"no processor with {width}")
+        of_width = [x for x in found if x.width == width]
+        yield from fastest((x.double.minimum, Bar(
+            f"{width} lanes: Pinocchio / {x.what}", wanted,
+            x.rival.ratio(x.double) if x.rival else None, note=missing or x.compiler))
+            for x in of_width)
+        yield from fastest((x.double.minimum, Bar(
+            f"{width} lanes: double / single, {x.what}", SINGLE, x.double.ratio(x.single),
+            note=x.compiler)) for x in of_width)
+        if not of_width:
+            yield Bar(f"{width} lanes", wanted, note=f"the processor has no {width}")
 
 
 def main() -> list[Bar]:

@@ -19,12 +19,14 @@ import pinocchio as pin
 from coscrew_codegen.machine import processor
 from coscrew_codegen.native.timing import Loop
 from coscrew_codegen.scene.model import Kind
+from coscrew_codegen.scene.scene import Scene
 from tests.support.scenes.robots import FOLDER, Robot, model_of, paired, scene_of
 
 ROBOTS = {"ur5": ("ur_description/urdf/ur5_robot.urdf", False),
           "panda7": ("panda_description/urdf/panda.urdf", False),  # its fingers fixed
           "g1": ("g1_description/urdf/g1_29dof_rev_1_0.urdf", True)}
 FUNCTIONS = ("inverse_dynamics", "forward_dynamics", "mass_matrix")
+_FINGER = "_finger_joint"
 KINDS = ("JointModelRX", "JointModelRY", "JointModelRZ", "JointModelFreeFlyer")
 SOURCE = Path(__file__).with_name("pinocchio.cpp")
 BUILD = SOURCE.parents[2] / "build"
@@ -37,18 +39,20 @@ FLAGS = ("-std=c++17", *OPTIMISED.split(), "-w", "-fPIC", "-shared", "-fvisibili
          *(f"-D{x}" for x in DEFINED))
 
 
+def scene_named(name: str) -> Scene:
+    """A robot of ROBOTS under gravity."""
+    scene = replace(scene_of(*ROBOTS[name]), name=name)
+    joints = tuple(replace(x, kind=Kind.FIXED, mimic=None) if _FINGER in x.name else x
+                   for x in scene.model.joints)
+    return replace(scene, model=replace(scene.model, joints=joints))
+
+
 def robot_named(name: str) -> Robot:
-    """A robot of ROBOTS in both libraries."""
-    file, free = ROBOTS[name]
-    scene, model = replace(scene_of(file, free), name=name), model_of(file, free)
-    if name == "panda7":
-        fingers = [x for x in model.names if "finger" in x]
-        joints = tuple(replace(x, kind=Kind.FIXED, mimic=None) if x.name in fingers else x
-                       for x in scene.model.joints)
-        scene = replace(scene, model=replace(scene.model, joints=joints))
-        model = pin.buildReducedModel(model, [model.getJointId(x) for x in fingers],
-                                      pin.neutral(model))
-    return paired(scene, model, FUNCTIONS)
+    """A robot of ROBOTS in both libraries, with FUNCTIONS."""
+    model = model_of(*ROBOTS[name])
+    if fingers := [model.getJointId(x) for x in model.names if _FINGER in x]:
+        model = pin.buildReducedModel(model, fingers, pin.neutral(model))
+    return paired(scene_named(name), model, FUNCTIONS)
 
 
 def library(compiler: str) -> tuple[ctypes.CDLL | None, str]:
