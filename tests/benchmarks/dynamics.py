@@ -1,6 +1,6 @@
 """Dynamics of real robots against Pinocchio's: times of single calls, from C and from Python.
 
-From C against Pinocchio compiled for this processor, see pinocchio_loops.py; from Python against its
+From C against Pinocchio compiled for this processor (pinocchio_loops.py), from Python against its
 wheel.  Results are compared first.
 """
 
@@ -10,7 +10,6 @@ from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-import numpy as np
 import pinocchio as pin
 from tabulate import tabulate
 
@@ -111,8 +110,8 @@ def main() -> list[Bar]:
     print("\nFrom C, ns a call, median (95 % interval) of rounds in which all take turns; ratio: "
           f"time of clang's Pinocchio ({OPTIMISED}) / ours in double, in the same round")
     print(tabulate([row for row, _, _ in lines],
-                   ("robot", "function", "compiler", "double", "single", *CPLUSPLUS.values(), "ratio"),
-                   disable_numparse=True))
+                   ("robot", "function", "compiler", "double", "single", *CPLUSPLUS.values(),
+                    "ratio"), disable_numparse=True))
     found = [x for name, robot in robots.items() for x in from_python(name, robot)]
     print("\nFrom Python, µs a call; ratio: our time / that of Pinocchio's wheel")
     print(tabulate([row for row, _ in found], ("robot", "function", "ours", "pin", "ratio"),

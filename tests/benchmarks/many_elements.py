@@ -60,8 +60,9 @@ def main() -> list[Bar]:
                 found = list(measure(build(compiler, flags, Path(folder), "many_elements")))
             print(f"\n{compiler} {flags}: ns per element of {COUNT}; median (95 % interval) of "
                   "rounds in which the four take turns; ratios in the same round")
-            print(tabulate([row for row, _ in found], ("operation", "precision", "composed calls", "_many", "_planes",
-                                   "by hand", "calls/_many", "calls/_planes", "by hand/_planes"),
+            print(tabulate([row for row, _ in found],
+                           ("operation", "precision", "composed calls", "_many", "_planes",
+                            "by hand", "calls/_many", "calls/_planes", "by hand/_planes"),
                            disable_numparse=True))
             bars += [(time, replace(bar, note=f"{compiler} {flags}"))
                      for _, pairs in found for time, bar in pairs]

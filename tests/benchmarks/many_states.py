@@ -23,7 +23,7 @@ from tests.benchmarks.pinocchio_loops import (
     refuse_others,
     robot_named,
 )
-from tests.benchmarks.scene_loops import WIDTHS, Loops, compiled, compilers, widths
+from tests.benchmarks.scene_loops import WIDTHS, compiled, compilers, widths
 from tests.benchmarks.words import said
 
 ARMS = ("panda7", "ur5")

@@ -35,6 +35,7 @@ ARMS = ("ur5", "panda7")
 PASSIVE = (("viscous", "d", Fraction(1, 2)), ("armature", "inertia", Fraction(1, 10)))
 INTEGRATORS = {(): "step_semi_implicit_euler", PASSIVE: "step_linear_implicit_euler"}
 """What MuJoCo's Euler is with these effects: it is implicit in damping."""
+WORDS = {"one": "one step", "many": "steps in lanes"}
 WANTED = {"one": 5, "many": 30}
 """MuJoCo's time / ours."""
 STEP, STEPS, STATES = 1e-3, 200, 256
@@ -139,7 +140,8 @@ def _mujoco() -> ctypes.CDLL:
     return ctypes.CDLL(str(next(Path(mujoco.__file__).parent.glob("libmujoco*"))))
 
 
-def refuse_others(scene: SceneFunctions, name: str, model: mujoco.MjModel, data: mujoco.MjData) -> None:
+def refuse_others(scene: SceneFunctions, name: str, model: mujoco.MjModel, data: mujoco.MjData
+                  ) -> None:
     """Raise ValueError unless both are at the same place after STEPS steps, to 1e-9."""
     step = getattr(kernels_of(scene).double, name)
     rng = np.random.default_rng(1)
@@ -150,7 +152,7 @@ def refuse_others(scene: SceneFunctions, name: str, model: mujoco.MjModel, data:
         q, v = step(STEP, q, v)
     mujoco.mj_step(model, data, STEPS)
     if not (error := abs(data.qpos - q).max()) < 1e-9:
-        raise ValueError(f"{name} of {scene.name}: after {STEPS} steps MuJoCo's q differs from ours "
+        raise ValueError(f"{name} of {scene.name}: after {STEPS} steps MuJoCo's q and ours differ "
                          f"by {error:.1e}")
 
 
@@ -169,8 +171,8 @@ def main() -> list[Bar]:
                     *(" ".join(key) for key in keys), *(f"ratio, {' '.join(key)}" for key in keys)),
                    disable_numparse=True))
     return fastest((x.ours[kind, "double"].minimum, Bar(
-        f"{'one step' if kind == 'one' else 'steps in lanes'}: mj_step / step of {x.arm}, {x.names}",
-        wanted, x.mujoco.ratio(x.ours[kind, "double"]), note=x.compiler))
+        f"{WORDS[kind]}: mj_step / step of {x.arm}, {x.names}", wanted,
+         x.mujoco.ratio(x.ours[kind, "double"]), note=x.compiler))
         for kind, wanted in WANTED.items() for x in found)
 
 

@@ -1,8 +1,8 @@
 """Pinocchio compiled from its headers for this processor, in loops over states, as a rival.
 
-Its headers and Boost's come with its wheel, Eigen's with the package cmeel-eigen (the extra `peers`)
-or Debian's libeigen3-dev.  Nothing of the wheel's library is linked, which other flags have aligned
-for another processor.
+Its headers and Boost's come with its wheel, Eigen's with the package cmeel-eigen (the extra
+`peers`) or Debian's libeigen3-dev.  Nothing of the wheel's library is linked: Eigen aligns its
+objects as the flags say, here to 64 bytes where a processor has AVX-512, there to 16.
 """
 
 import ctypes

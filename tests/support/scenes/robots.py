@@ -136,7 +136,8 @@ def model_of(file: str, free: bool) -> "pin.Model":
     return found
 
 
-def paired(scene: Scene, theirs: "pin.Model", names: Collection[str], mimics: bool = False) -> Robot:
+def paired(scene: Scene, theirs: "pin.Model", names: Collection[str], mimics: bool = False
+           ) -> Robot:
     """A scene with these functions beside Pinocchio's model of it."""
     functions = derive(scene, names)
     follow, offset = np.zeros((theirs.nv, functions.nv)), np.zeros(theirs.nv)
