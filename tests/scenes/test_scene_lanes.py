@@ -10,6 +10,7 @@ import pytest
 
 from coscrew_codegen.formats import DOUBLE, Precision
 from coscrew_codegen.mechanics import derive
+from coscrew_codegen.scene.model import Kind
 from coscrew_codegen.scene.scene import Scene, Tolerance
 from coscrew_codegen.scene_functions import SceneFunctions, Signature, Split
 from coscrew_codegen.scene_tiers import SceneTier, in_tier
@@ -23,7 +24,7 @@ from tests.support.compiled.cross import COMPILERS as CROSS
 from tests.support.compiled.cross import needed
 from tests.support.compiled.flags import FMA, HASWELL, SANITIZERS, X86, has_sanitizers
 from tests.support.each import each_precision
-from tests.support.scenes import effect_scenes, lanes_program
+from tests.support.scenes import effect_scenes, lanes_program, mechanisms
 from tests.support.scenes.arms import arm
 from tests.support.scenes.generated_scenes import pendulum, slider, spinner
 from tests.support.scenes.mechanisms import gravity
@@ -58,6 +59,17 @@ def test_bits_are_those_of_one_state(compiler: str, flags: tuple[str, ...], tmp_
 @pytest.mark.parametrize("scene, compiler", ((slider, COMPILERS[0]), (spinner, COMPILERS[-1])))
 def test_bits_of_other_scenes(scene: Callable[[], SceneFunctions], compiler: str, tmp_path: Path):
     assert compared(scene(), tmp_path, compiler, *C11, "-O1", *FMA) > 10000
+
+
+@pytest.mark.parametrize("joints", (2, 3, 5, 6, 9, 18))
+@pytest.mark.parametrize("compiler, flags", (
+    (COMPILERS[0], ("-march=native",) if X86 else ()), (COMPILERS[-1], FMA)), ids=str)
+def test_rows_of_many_lengths(joints: int, compiler: str, flags: tuple[str, ...], tmp_path: Path):
+    """Rows are transposed in blocks: shorter ones than a block, and what is left of longer ones."""
+    link = Kind.REVOLUTE, mechanisms.Z, mechanisms.at(1, 0, 0), mechanisms.inertia(1, (1, 0, 0))
+    plane = Scene("plane", mechanisms.chain(*[link] * joints), ())
+    made = derive(plane, ("inverse_dynamics", "mass_matrix"))
+    assert compared(made, tmp_path, compiler, *C11, "-O1", *flags, *STRICT) > 10000
 
 
 def test_scenes_with_every_effect(tmp_path: Path):
