@@ -6,7 +6,7 @@
 import argparse
 from importlib import import_module
 
-from tests.benchmarks.bars import FILE, Bar, machine, table, write
+from tests.benchmarks.bars import FILE, ROOT, Bar, machine, summary, table, write
 
 NAMES = ("header_kernels", "many_elements", "gufuncs", "tiers", "scene_tiers", "scene_calls",
          "scene_lanes", "dynamics", "many_states", "mujoco_steps", "python_calls", "arrays",
@@ -24,8 +24,9 @@ def main() -> None:
     for name in names or NAMES:
         bars += import_module(f"tests.benchmarks.{name}").main() or ()
         write(bars)
-    print("", *machine(), "", table(bars), f"\nalso in {FILE.relative_to(FILE.parents[1])}",
-          sep="\n")
+    print("", *machine(), "", table(bars), "", summary(bars),
+          f"also in {FILE.relative_to(ROOT)}", sep="\n")
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -8,6 +8,8 @@ because the right angles in it have 12 digits.
 import json
 import warnings
 from collections.abc import Callable, Iterator
+from importlib.resources import files
+from importlib.util import find_spec
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -25,27 +27,31 @@ STATES = 4096
 SECONDS = 12.0  # of each function
 GRAVITY = (0.0, 0.0, 9.81, 0.0, 0.0, 0.0)
 
-try:
-    import frax
-    from frax.assets import FRANKA_ASSETS_DIR
-except ImportError:
-    frax = None
+
+
+def model() -> Path:
+    """frax's Panda; without frax that of example-robot-data, with its fingers."""
+    if find_spec("frax"):
+        return files("frax") / "assets" / "franka_panda" / "panda.urdf"
+    return path_of("panda_description/urdf/panda.urdf")
 
 
 def kernels(folder: Path) -> Kernels:
-    """frax's Panda under gravity; without frax that of example-robot-data, with its fingers."""
-    model = FRANKA_ASSETS_DIR / "panda.urdf" if frax else path_of(
-        "panda_description/urdf/panda.urdf")
+    """The robot under gravity."""
     path = folder / "panda.toml"
-    path.write_text(f'model = "{model}"\n[effects.gravity]\n')
+    path.write_text(f'model = "{model()}"\n[effects.gravity]\n')
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # of its link without mass
         return load_scene(path, functions=FUNCTIONS, implausible="warn")
 
 
 def theirs() -> dict[str, Callable[..., jax.Array]]:
-    """frax's functions of many states."""
-    robot = frax.Robot(str(FRANKA_ASSETS_DIR / "panda.urdf"))
+    """frax's functions of many states, if it is installed."""
+    try:
+        import frax
+    except ImportError:
+        return {}
+    robot = frax.Robot(str(model()))
     gravity = jnp.array(GRAVITY)
     one = {"inverse_dynamics": lambda q, v, a: robot.rnea(q, v, a, gravity, None),
            "forward_dynamics": lambda q, v, tau: robot.forward_dynamics(q, v, tau, None),
@@ -65,7 +71,7 @@ def measured() -> Iterator[tuple[str, dict[str, list[float]]]]:
         found = kernels(Path(folder))
         arrays, rng = found.arrays(jnp), np.random.default_rng(1)
         states = rng.standard_normal((3, STATES, found.NV))
-        rivals = theirs() if frax else {}
+        rivals = theirs()
         for name in FUNCTIONS:
             given = list(states[:1 if name == "mass_matrix" else 3])
             in_jax = [jnp.asarray(x) for x in given]

@@ -3,6 +3,7 @@
 import platform
 import shutil
 import subprocess
+from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime
@@ -15,8 +16,10 @@ from coscrew_codegen.machine import processor
 from coscrew_codegen.native.intervals import Interval
 from tests.benchmarks.words import said
 
-FILE = Path(__file__).parents[2] / "build" / "benchmarks.md"
-HEADS = ("what", "wanted", "measured: median (95 % interval)", "met")
+ROOT = Path(__file__).parents[2]
+FILE = ROOT / "build" / "benchmarks.md"
+WORDS = MET, MISSED, UNCLEAR, UNMEASURED = "met", "missed", "unclear", "not measured"
+HEADS = ("what", "wanted", "measured: median (95 % interval)", "bar")
 
 
 @dataclass(frozen=True)
@@ -32,13 +35,13 @@ class Bar:
 
     @property
     def met(self) -> str:
-        """yes or no; unclear if the interval holds the bar."""
+        """Unclear if the interval holds the bar."""
         if self.measured is None:
-            return "not measured"
+            return UNMEASURED
         low, high = ((self.measured.low, self.measured.high) if not self.most else
                      (-self.measured.high, -self.measured.low))
         wanted = -self.wanted if self.most else self.wanted
-        return "yes" if low >= wanted else "no" if high < wanted else "unclear"
+        return MET if low >= wanted else MISSED if high < wanted else UNCLEAR
 
     @property
     def row(self) -> tuple[str, str, str, str]:
@@ -61,17 +64,23 @@ def table(bars: Sequence[Bar], form: str = "simple") -> str:
     return tabulate([bar.row for bar in bars], HEADS, form, disable_numparse=True)
 
 
+def summary(bars: Sequence[Bar]) -> str:
+    """How many are met."""
+    counts = Counter(bar.met for bar in bars)
+    return ", ".join(f"{count} {words}" for words in WORDS if (count := counts[words])) or "no bars"
+
+
 def show(bars: Sequence[Bar]) -> None:
     """Print the table, if there are bars."""
     if bars:
-        print(f"\nBars\n{table(bars)}")
+        print(f"\nBars\n{table(bars)}\n\n{summary(bars)}")
 
 
 def write(bars: Sequence[Bar]) -> None:
     """Write the table and the machine to build/benchmarks.md."""
     FILE.parent.mkdir(exist_ok=True)
     FILE.write_text("\n".join(("# Bars of performance", "", *(f"- {x}" for x in machine()), "",
-                               table(bars, "github"), "")))
+                               table(bars, "github"), "", summary(bars), "")))
 
 
 def machine() -> Iterator[str]:

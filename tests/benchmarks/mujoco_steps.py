@@ -172,7 +172,7 @@ def main() -> list[Bar]:
                    disable_numparse=True))
     return fastest((x.ours[kind, "double"].minimum, Bar(
         f"{WORDS[kind]}: mj_step / step of {x.arm}, {x.names}", wanted,
-         x.mujoco.ratio(x.ours[kind, "double"]), note=x.compiler))
+        x.mujoco.ratio(x.ours[kind, "double"]), note=x.compiler))
         for kind, wanted in WANTED.items() for x in found)
 
 

@@ -49,10 +49,14 @@ def scene_named(name: str) -> Scene:
 
 def robot_named(name: str) -> Robot:
     """A robot of ROBOTS in both libraries, with FUNCTIONS."""
+    return paired(scene_named(name), pinocchio_model(name), FUNCTIONS)
+
+
+def pinocchio_model(name: str) -> pin.Model:
+    """A robot of ROBOTS, its fingers locked."""
     model = model_of(*ROBOTS[name])
-    if fingers := [model.getJointId(x) for x in model.names if _FINGER in x]:
-        model = pin.buildReducedModel(model, fingers, pin.neutral(model))
-    return paired(scene_named(name), model, FUNCTIONS)
+    fingers = [model.getJointId(x) for x in model.names if _FINGER in x]
+    return pin.buildReducedModel(model, fingers, pin.neutral(model)) if fingers else model
 
 
 def library(compiler: str) -> tuple[ctypes.CDLL | None, str]:

@@ -23,7 +23,7 @@ from tests.support.scenes.tiers import states
 
 BATCH = 4096
 FROM_PYTHON, LOOP, THREADS = 1.15, 60, 1.9
-"""Python's time / C's, at most; that of a loop of Pinocchio's calls / ours; one thread's / two's."""
+"""Python's time / C's, at most; a loop of Pinocchio's calls / ours; one thread's time / two's."""
 LARGE = 100_000  # for threads
 SECONDS = 2.0  # of each comparison
 
