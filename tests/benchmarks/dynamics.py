@@ -1,41 +1,44 @@
 """Dynamics of real robots against Pinocchio's: times of single calls, from C and from Python.
 
-From C against Pinocchio compiled for this processor (pinocchio_loops.py), from Python against its
-wheel.  Results are compared first.
+From C against Pinocchio compiled for this processor (pinocchio_loops.py) and against C that CasADi
+writes (casadi_loops.py), from Python against Pinocchio's wheel.  Results are compared first.
 """
 
 import ctypes
 from collections.abc import Iterator
-from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+import numpy as np
 import pinocchio as pin
 from tabulate import tabulate
 
 from coscrew_codegen.formats import DOUBLE, PRECISIONS
-from coscrew_codegen.native.timing import timed_calls, timed_loops
+from coscrew_codegen.native.timing import Timing, timed_calls, timed_loops
 from coscrew_codegen.program import Op, Program
 from coscrew_codegen.simulate.load import kernels_of
 from tests.benchmarks.bars import Bar, fastest, show
+from tests.benchmarks.casadi_loops import CasADi, written
 from tests.benchmarks.pinocchio_loops import (
     FUNCTIONS,
     OPTIMISED,
     ROBOTS,
-    Rival,
+    Pinocchio,
     library,
     refuse_others,
     robot_named,
 )
-from tests.benchmarks.scene_loops import compiled, compilers
+from tests.benchmarks.scene_loops import Loops, compiled, compilers
 from tests.benchmarks.words import said
 from tests.support.scenes.robots import Robot
 
-WANTED = {"ur5": 5, "panda7": 5, "g1": 3.5}
-"""Pinocchio's time / ours, from C."""
+WANTED = {"Pinocchio": {"ur5": 5, "panda7": 5, "g1": 3.5}, "CasADi": {"ur5": 1.5, "panda7": 1.5}}
+"""A rival's time / ours, from C, by robot."""
 FROM_PYTHON = 0.5
 """Our time / Pinocchio's."""
-CPLUSPLUS = {"clang++": "Pinocchio", "g++": "by g++"}
+CPLUSPLUS = {"Pinocchio": "clang++", "Pinocchio by g++": "g++"}
+RIVALS = (*CPLUSPLUS, "CasADi")
+MANY = 20  # velocities: gcc and CasADi take long for as many
 STATES = 64
 SECONDS = 2.0  # of each comparison
 
@@ -46,36 +49,61 @@ def operations(program: Program) -> str:
     return f"{sum(counts.values()) - counts[Op.SIN] - counts[Op.COS]} + {counts[Op.SIN]}"
 
 
-def from_c(robot: Robot, rivals: dict[str, ctypes.CDLL]
-           ) -> Iterator[tuple[list[str], float, Bar]]:
-    """A line of the table, our time, and the bar against clang's Pinocchio."""
+def rivals_of(robot: Robot, given: tuple[np.ndarray, ...], folder: Path) -> tuple[
+        dict[str, Pinocchio | CasADi], dict[str, str]]:
+    """Rivals by name, and what is missing of others."""
+    found: dict[str, Pinocchio | CasADi] = {}
+    missing = {}
+    for name, compiler in CPLUSPLUS.items():
+        built, missing[name] = library(compiler)
+        if built:
+            found[name] = Pinocchio(built, robot, given)
+    if robot.functions.nv < MANY:
+        missing["CasADi"] = written(robot, folder)
+        if not missing["CasADi"]:
+            found |= {f"CasADi, {x}": CasADi.compiled(robot, given, folder, x)
+                      for x in compilers()}
+    return found, missing
+
+
+def from_c(robot: Robot) -> Iterator[tuple[list[str], list[tuple[float, Bar]]]]:
+    """A line of the table; our time, and bars against clang's Pinocchio and CasADi's C."""
     scene, given = robot.functions, robot.states(STATES)
-    theirs = {name: Rival(x, robot, given) for name, x in rivals.items()}
-    with TemporaryDirectory() as folder:  # gcc takes long for many joints
-        ours = {compiler: compiled(scene, FUNCTIONS, Path(folder), compiler, "-march=native")
-                for compiler in (compilers() if scene.nv < 20 else compilers()[-1:])}
+    with TemporaryDirectory() as folder:
+        theirs, missing = rivals_of(robot, given, Path(folder))
+        ours = {x: compiled(scene, FUNCTIONS, Path(folder), x, "-march=native")
+                for x in (compilers() if scene.nv < MANY else compilers()[-1:])}
     for function in FUNCTIONS:
-        loops = []
-        for x in ours.values():
-            for p in PRECISIONS:
-                arrays = x.arguments(function, p, given)
-                loops.append(x.loop("one", function, p, arrays))
-                if p is DOUBLE:
-                    loops[-1].function(ctypes.c_long(STATES), loops[-1].arguments)
-                    for rival in theirs.values():
-                        refuse_others(arrays[-1], rival, function)
-        loops += [x.loop(function) for x in theirs.values()]
-        timings = timed_loops(next(iter(ours.values())).library, loops, 1e9 * SECONDS)
-        others = dict(zip(theirs, timings[2 * len(ours):], strict=True))
-        for k, compiler in enumerate(ours):
-            double, single = timings[2 * k:2 * k + 2]
-            rival = others.get("clang++")
-            ratio = rival.ratio(double) if rival else None
-            yield ([scene.name, function, compiler, said(double.time), said(single.time),
-                    *(said(others[x].time) if x in others else "" for x in CPLUSPLUS),
-                    said(ratio) if ratio else ""], double.minimum,
-                   Bar(f"one call from C: Pinocchio / {function} of {scene.name}",
-                       WANTED[scene.name], ratio, note=compiler))
+        timings = timed(function, ours, theirs, given)
+        rivals = {name.partition(",")[0]: x for name, x in sorted(
+            ((name, timings[name]) for name in theirs), key=lambda x: -x[1].minimum)}
+        for compiler in ours:
+            double, single = (timings[f"{compiler} {p.name}"] for p in PRECISIONS)
+            ratios = {name: x.ratio(double) for name, x in rivals.items()}
+            row = [scene.name, function, compiler, said(double.time), said(single.time),
+                   *(said(rivals[x].time) if x in rivals else "" for x in RIVALS),
+                   *(said(ratios[x]) if x in ratios else "" for x in WANTED)]
+            bars = [Bar(f"one call from C: {name} / {function} of {scene.name}",
+                        wanted[scene.name], ratios.get(name), note=missing[name] or compiler)
+                    for name, wanted in WANTED.items() if scene.name in wanted]
+            yield row, [(double.minimum, bar) for bar in bars]
+
+
+def timed(function: str, ours: dict[str, Loops], theirs: dict[str, Pinocchio | CasADi],
+          given: tuple[np.ndarray, ...]) -> dict[str, Timing]:
+    """Times of all, ours by compiler and precision, after results have been compared."""
+    loops = {}
+    for compiler, x in ours.items():
+        for p in PRECISIONS:
+            arrays = x.arguments(function, p, given)
+            loop = loops[f"{compiler} {p.name}"] = x.loop("one", function, p, arrays)
+            if p is DOUBLE:
+                loop.function(ctypes.c_long(STATES), loop.arguments)
+                for rival in theirs.values():
+                    refuse_others(arrays[-1], rival, function)
+    loops |= {name: x.loop(function) for name, x in theirs.items()}
+    library = next(iter(ours.values())).library
+    return dict(zip(loops, timed_loops(library, list(loops.values()), 1e9 * SECONDS), strict=True))
 
 
 def from_python(name: str, robot: Robot) -> Iterator[tuple[list[str], Bar]]:
@@ -103,20 +131,18 @@ def main() -> list[Bar]:
     print("\nOperations (sums, products, quotients, choices) + pairs of sine and cosine")
     print(tabulate([(name, *(operations(x.functions.named(f).program) for f in FUNCTIONS))
                     for name, x in robots.items()], ("robot", *FUNCTIONS)))
-    built = {x: library(x) for x in CPLUSPLUS}
-    missing, rivals = built["clang++"][1], {name: x for name, (x, _) in built.items() if x}
-    lines = [x for robot in robots.values() for x in from_c(robot, rivals)]
-    bars = fastest((time, replace(bar, note=missing or bar.note)) for _, time, bar in lines)
-    print("\nFrom C, ns a call, median (95 % interval) of rounds in which all take turns; ratio: "
-          f"time of clang's Pinocchio ({OPTIMISED}) / ours in double, in the same round")
-    print(tabulate([row for row, _, _ in lines],
-                   ("robot", "function", "compiler", "double", "single", *CPLUSPLUS.values(),
-                    "ratio"), disable_numparse=True))
+    lines = [x for robot in robots.values() for x in from_c(robot)]
+    print("\nFrom C, ns a call, median (95 % interval) of rounds in which all take turns; ratios: "
+          f"rival / ours in double in a round; Pinocchio by clang++ {OPTIMISED}, CasADi's C by the "
+          "better compiler")
+    print(tabulate([row for row, _ in lines],
+                   ("robot", "function", "compiler", "double", "single", *RIVALS,
+                    *(f"{x} / ours" for x in WANTED)), disable_numparse=True))
     found = [x for name, robot in robots.items() for x in from_python(name, robot)]
     print("\nFrom Python, µs a call; ratio: our time / that of Pinocchio's wheel")
     print(tabulate([row for row, _ in found], ("robot", "function", "ours", "pin", "ratio"),
                    disable_numparse=True))
-    return bars + [bar for _, bar in found]
+    return fastest(x for _, bars in lines for x in bars) + [bar for _, bar in found]
 
 
 if __name__ == "__main__":

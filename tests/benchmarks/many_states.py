@@ -18,7 +18,7 @@ from tests.benchmarks.bars import Bar, fastest, show
 from tests.benchmarks.pinocchio_loops import (
     FUNCTIONS,
     OPTIMISED,
-    Rival,
+    Pinocchio,
     library,
     refuse_others,
     robot_named,
@@ -56,7 +56,7 @@ def measured(arm: str, pinocchio: ctypes.CDLL | None, folder: Path) -> Iterator[
     """All functions, compilers and widths."""
     robot = robot_named(arm)
     given = robot.states(STATES)
-    rival = Rival(pinocchio, robot, given) if pinocchio else None
+    rival = Pinocchio(pinocchio, robot, given) if pinocchio else None
     ours = {(compiler, width): compiled(robot.functions, FUNCTIONS, folder, compiler,
                                         *WIDTHS[width], many=True)
             for compiler in compilers() for width in widths()}

@@ -1,11 +1,9 @@
 // Pinocchio as a library of loops over states, compiled from its headers for this processor.
 //
-// It links nothing of Pinocchio's wheel, whose objects have Eigen's alignment of another processor;
-// models are built joint by joint.
-#include <pinocchio/fwd.hpp>  // first: it sets limits of Boost
+// It links nothing of Pinocchio's wheel, whose objects have Eigen's alignment of another processor.
+#include "pinocchio_model.h"
 
 #include <cstring>
-#include <string>
 
 #include <pinocchio/algorithm/aba.hpp>
 #include <pinocchio/algorithm/crba.hpp>
@@ -21,16 +19,6 @@ struct Robot {
 };
 
 volatile double sink;
-
-// In the order of KINDS in pinocchio_loops.py.
-pinocchio::JointModel joint(int kind) {
-  switch (kind) {
-    case 0: return pinocchio::JointModelRX();
-    case 1: return pinocchio::JointModelRY();
-    case 2: return pinocchio::JointModelRZ();
-    default: return pinocchio::JointModelFreeFlyer();
-  }
-}
 
 // call(model, data, q, v, a) for each of n states: rows of x[1], x[2], x[3].  Its matrices or vectors
 // go to x[4], in Eigen's order, unless that is null.
@@ -55,22 +43,11 @@ void each(long n, void *const *x, Call call) {
 
 #define EXPORTED extern "C" __attribute__((visibility("default")))
 
-// A robot of joints: kind and parent of each, rotation by columns and translation of its placement,
-// mass, centre of mass and moments (xx, xy, yy, xz, yz, zz) about it of what it moves.
+// A robot of joints, as model_of takes them.
 EXPORTED void *robot_of(long joints, const int *kinds, const int *parents,
     const double *placements, const double *inertias) {
-  pinocchio::Model model;
-  for (long i = 0; i < joints; ++i, placements += 12, inertias += 10) {
-    const pinocchio::SE3 placement(Eigen::Map<const Eigen::Matrix3d>(placements),
-        Eigen::Map<const Eigen::Vector3d>(placements + 9));
-    const auto added = model.addJoint(static_cast<pinocchio::JointIndex>(parents[i]),
-        joint(kinds[i]), placement, "joint" + std::to_string(i + 1));
-    model.appendBodyToJoint(added, pinocchio::Inertia(inertias[0],
-        Eigen::Map<const Eigen::Vector3d>(inertias + 1),
-        pinocchio::Symmetric3(Eigen::Map<const Eigen::Matrix<double, 6, 1>>(inertias + 4))));
-  }
-  const pinocchio::Data data(model);
-  return new Robot{model, data};
+  const pinocchio::Model model = model_of(joints, kinds, parents, placements, inertias);
+  return new Robot{model, pinocchio::Data(model)};
 }
 
 #define LOOP(name, call)                                                               \

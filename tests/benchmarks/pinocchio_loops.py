@@ -9,6 +9,7 @@ import ctypes
 import hashlib
 import shutil
 import subprocess
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
@@ -29,14 +30,16 @@ FUNCTIONS = ("inverse_dynamics", "forward_dynamics", "mass_matrix")
 _FINGER = "_finger_joint"
 KINDS = ("JointModelRX", "JointModelRY", "JointModelRZ", "JointModelFreeFlyer")
 SOURCE = Path(__file__).with_name("pinocchio.cpp")
+HEADER = Path(__file__).with_name("pinocchio_model.h")
 BUILD = SOURCE.parents[2] / "build"
 INCLUDE = FOLDER.parents[2] / "include"
 EIGEN = (INCLUDE / "eigen3", Path("/usr/include/eigen3"))
 DEFINED = ("BOOST_MPL_LIMIT_LIST_SIZE=30", "BOOST_MPL_LIMIT_VECTOR_SIZE=30",
            "BOOST_MPL_CFG_NO_PREPROCESSED_HEADERS", "BOOST_FUSION_INVOKE_MAX_ARITY=12", "NDEBUG")
 OPTIMISED = "-O3 -march=native"
-FLAGS = ("-std=c++17", *OPTIMISED.split(), "-w", "-fPIC", "-shared", "-fvisibility=hidden",
-         *(f"-D{x}" for x in DEFINED))
+FLAGS = tuple(OPTIMISED.split())
+COMMON = ("-std=c++17", "-w", "-fPIC", "-shared", "-fvisibility=hidden",
+          *(f"-D{x}" for x in DEFINED))
 
 
 def scene_named(name: str) -> Scene:
@@ -59,7 +62,8 @@ def pinocchio_model(name: str) -> pin.Model:
     return pin.buildReducedModel(model, fingers, pin.neutral(model)) if fingers else model
 
 
-def library(compiler: str) -> tuple[ctypes.CDLL | None, str]:
+def library(compiler: str, source: Path = SOURCE, flags: Sequence[str] = FLAGS
+            ) -> tuple[ctypes.CDLL | None, str]:
     """The loops, compiled once for a compiler and a processor; or None, and what is missing."""
     if not shutil.which(compiler):
         return None, f"no {compiler}"
@@ -67,13 +71,14 @@ def library(compiler: str) -> tuple[ctypes.CDLL | None, str]:
     if not eigen:
         return None, "no Eigen: pip install cmeel-eigen, or apt-get install libeigen3-dev"
     version = subprocess.run([compiler, "--version"], capture_output=True, text=True, check=True)
-    made_of = (SOURCE.read_text(), version.stdout, processor(), pin.__version__, str(eigen), *FLAGS)
+    made_of = (source.read_text(), HEADER.read_text(), version.stdout, processor(),
+               pin.__version__, str(eigen), *flags)
     key = hashlib.sha256("\0".join(made_of).encode()).hexdigest()[:12]
-    path = BUILD / f"pinocchio-{compiler}-{key}.so"
+    path = BUILD / f"{source.stem}-{compiler}-{key}.so"
     if not path.exists():
         BUILD.mkdir(exist_ok=True)
-        print(f"compiling Pinocchio with {compiler}, about two minutes …", flush=True)
-        command = [compiler, *FLAGS, f"-I{INCLUDE}", f"-I{eigen}", str(SOURCE),
+        print(f"compiling {source.name} with {compiler}, a minute or two …", flush=True)
+        command = [compiler, f"-I{INCLUDE}", f"-I{eigen}", str(source), *COMMON, *flags,
                    "-Wl,--no-undefined", "-o", str(path.with_suffix(".new"))]
         done = subprocess.run(command, capture_output=True, text=True)
         if done.returncode:
@@ -83,7 +88,7 @@ def library(compiler: str) -> tuple[ctypes.CDLL | None, str]:
 
 
 @dataclass(frozen=True, eq=False)
-class Rival:
+class Pinocchio:
     """A robot in such a library, at these states of ours."""
 
     library: ctypes.CDLL
@@ -121,21 +126,26 @@ class Rival:
     @cached_property
     def _handle(self) -> int:
         """The robot in C++, which is never freed."""
-        model, parts = self.robot.model, []
-        for k in range(1, model.njoints):
-            placement, body = model.jointPlacements[k], model.inertias[k]
-            parts.append((KINDS.index(model.joints[k].shortname()), model.parents[k],
-                          [*placement.rotation.T.ravel(), *placement.translation],
-                          [body.mass, *body.lever, *body.inertia.T[np.tril_indices(3)]]))
-        kinds, parents, placements, inertias = zip(*parts, strict=True)
-        arrays = (np.array(kinds, np.intc), np.array(parents, np.intc), np.array(placements),
-                  np.array(inertias))
         self.library.robot_of.restype = ctypes.c_void_p
-        return self.library.robot_of(ctypes.c_long(len(parts)), *(
-            ctypes.c_void_p(x.ctypes.data) for x in arrays))
+        return int(with_joints(self.robot.model, self.library.robot_of))
 
 
-def refuse_others(found: np.ndarray, rival: Rival, function: str) -> None:
+def with_joints(model: pin.Model, function: "ctypes._NamedFuncPointer", *given: object) -> object:
+    """function(…, joints): what model_of in pinocchio_model.h takes."""
+    parts = []
+    for k in range(1, model.njoints):
+        placement, body = model.jointPlacements[k], model.inertias[k]
+        parts.append((KINDS.index(model.joints[k].shortname()), model.parents[k],
+                      [*placement.rotation.T.ravel(), *placement.translation],
+                      [body.mass, *body.lever, *body.inertia[np.tril_indices(3)]]))
+    kinds, parents, placements, inertias = zip(*parts, strict=True)
+    arrays = (np.array(kinds, np.intc), np.array(parents, np.intc), np.array(placements),
+              np.array(inertias))
+    return function(*given, ctypes.c_long(len(parts)),
+                    *(ctypes.c_void_p(x.ctypes.data) for x in arrays))
+
+
+def refuse_others(found: np.ndarray, rival: Pinocchio, function: str) -> None:
     """Raise ValueError unless our results are the rival's to rounding: within 1e-12 of the largest
     number of each state, or for accelerations within what rounding moves them by."""
     unit, count = 2.0**-53, len(found)
@@ -145,5 +155,6 @@ def refuse_others(found: np.ndarray, rival: Rival, function: str) -> None:
     ours, theirs = (x.reshape(count, -1) for x in (found, rival.values(function)))
     errors = abs(ours - theirs).max(axis=1) / abs(theirs).max(axis=1)
     if not (errors <= bounds).all():
-        raise ValueError(f"{function} of {rival.robot.functions.name}: our results and Pinocchio's "
-                         f"differ by {errors.max():.1e} of the largest, not by rounding")
+        raise ValueError(f"{function} of {rival.robot.functions.name}: our results and those of "
+                         f"{type(rival).__name__} differ by {errors.max():.1e} of the largest, not "
+                         "by rounding")
