@@ -61,8 +61,8 @@ def test_an_unknown_benchmark_is_refused():
 
 
 def test_loops_of_pinocchio_know_the_joints_of_their_robots():
-    """The kinds that pinocchio.cpp numbers, in its order."""
-    text = pinocchio_loops.SOURCE.read_text()
+    """The kinds that pinocchio_model.h numbers, in its order."""
+    text = pinocchio_loops.HEADER.read_text()
     assert tuple(re.findall(r"return pinocchio::(JointModel\w+)\(\)", text)) \
         == pinocchio_loops.KINDS
     for name in pinocchio_loops.ROBOTS:
@@ -91,7 +91,7 @@ def test_times_of_other_results_are_refused(factor, refused):
     found = values.copy()
     found[3] *= factor
     if refused:
-        with pytest.raises(ValueError, match="inverse_dynamics of arm: our results and Pin"):
+        with pytest.raises(ValueError, match="of arm: our results and those of Simple"):
             pinocchio_loops.refuse_others(found, rival, "inverse_dynamics")
     else:
         pinocchio_loops.refuse_others(found, rival, "inverse_dynamics")
