@@ -103,3 +103,10 @@ def test_frax_is_compared_too():
     module.compare("mass_matrix", own, own)
     with pytest.raises(ValueError, match="mass_matrix: frax's results differ from ours by 1.0e-08"):
         module.compare("mass_matrix", own + 1e-8, own)
+
+
+def test_what_a_rival_lacks_is_told(monkeypatch):
+    assert pinocchio_loops.library("no-such-clang") == (None, "no no-such-clang")
+    monkeypatch.setattr(pinocchio_loops, "EIGEN", ())
+    found, missing = pinocchio_loops.library("cc")
+    assert found is None and missing.startswith("no Eigen: pip install cmeel-eigen")
