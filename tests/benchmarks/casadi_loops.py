@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
+from coscrew_codegen.native.buffers import aligned
 from coscrew_codegen.native.timing import Loop, pointers
 from tests.benchmarks.pinocchio_loops import FUNCTIONS, OPTIMISED, library, with_joints
 from tests.benchmarks.scene_loops import sizes_of
@@ -73,7 +74,8 @@ class CasADi:
         """The loop of a function over all states."""
         if results is None:
             results = self._results(function)
-        arrays = [*self.states[:len(self.robot.functions.named(function).inputs)], results]
+        given = self.states[:len(self.robot.functions.named(function).inputs)]
+        arrays = [*map(aligned, given), results]
         return Loop(getattr(self.library, f"loop_{function}"), len(results), pointers(arrays))
 
     def values(self, function: str) -> np.ndarray:
@@ -84,4 +86,4 @@ class CasADi:
 
     def _results(self, function: str) -> np.ndarray:
         shape = self.robot.functions.named(function).program.outputs[0].quantity.shape
-        return np.empty((len(self.states[0]), *shape))
+        return aligned(np.zeros((len(self.states[0]), *shape)))

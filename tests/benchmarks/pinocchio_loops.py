@@ -18,6 +18,7 @@ import numpy as np
 import pinocchio as pin
 
 from coscrew_codegen.machine import processor
+from coscrew_codegen.native.buffers import aligned
 from coscrew_codegen.native.timing import Loop
 from coscrew_codegen.scene.model import Kind
 from coscrew_codegen.scene.scene import Scene
@@ -120,8 +121,8 @@ class Pinocchio:
         """The states in Pinocchio's order."""
         q, v, a = self.states
         follow = self.robot.follow.T
-        return [np.array([self.robot.theirs(x) for x in q]),
-                *(np.ascontiguousarray(x @ follow) for x in (v, a))]
+        return [aligned(np.array([self.robot.theirs(x) for x in q])),
+                *(aligned(x @ follow) for x in (v, a))]
 
     @cached_property
     def _handle(self) -> int:

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from coscrew_codegen.formats import PRECISIONS, Precision
+from coscrew_codegen.native.buffers import aligned
 from coscrew_codegen.native.timing import Loop, driver, pointers
 from coscrew_codegen.scene_functions import Function, SceneFunctions
 from coscrew_codegen.targets import scene_c, scene_c_many
@@ -48,8 +49,8 @@ class Loops:
     def arguments(self, name: str, p: Precision, given: Sequence[np.ndarray]) -> list[np.ndarray]:
         """Arguments, as many of those given as a function has, and its empty results."""
         function = self.scene.named(name)
-        arrays = [np.ascontiguousarray(x, p.numpy_type) for x in given[:len(function.inputs)]]
-        return [*arrays, *(np.empty((len(arrays[0]), n), p.numpy_type)
+        arrays = [aligned(np.asarray(x, p.numpy_type)) for x in given[:len(function.inputs)]]
+        return [*arrays, *(aligned(np.zeros((len(arrays[0]), n), p.numpy_type))
                            for n in sizes_of(function)[len(arrays):])]
 
 
