@@ -74,7 +74,13 @@ test: $(VENV)/test-ready build
 test-quick: $(VENV)/test-ready
 	$(PYTHON) -m pytest -n auto --dist loadfile --no-loadscope-reorder --quick
 
-bench: $(VENV)/test-ready build
+# Rivals that only benchmarks need; the table says which of them are missing.
+$(VENV)/peers-ready: $(VENV)/test-ready
+	@$(PIP) install "coscrew[peers]" && touch $@ || echo "not every rival can be installed" >&2
+
+# Ends with a table of the bars of performance, also in build/benchmarks.md; some of them:
+# .venv/bin/python -m tests.benchmarks many_states dynamics
+bench: $(VENV)/peers-ready build
 	$(PYTHON) -m tests.benchmarks
 
 # Compares every proven error bound with exact arithmetic, at length, elementary functions with the

@@ -1,35 +1,32 @@
-"""Run all benchmarks: `python -m tests.benchmarks`."""
+"""Run all benchmarks, or those named, and end with one table of bars.
 
-from tests.benchmarks import (
-    accuracy,
-    arrays,
-    controllers,
-    cortex_m4,
-    dynamics,
-    gufuncs,
-    header_kernels,
-    many_elements,
-    python_calls,
-    rounding_statements,
-    scene_calls,
-    scene_lanes,
-    scene_tiers,
-    sweeps,
-    tiers,
-)
+`python -m tests.benchmarks [NAME …]`; the table is also in build/benchmarks.md.
+"""
 
-header_kernels.main()
-many_elements.main()
-gufuncs.main()
-tiers.main()
-scene_tiers.main()
-scene_calls.main()
-scene_lanes.main()
-arrays.main()
-sweeps.main()
-python_calls.main()
-controllers.main()
-cortex_m4.main()
-rounding_statements.main()
-accuracy.main()
-dynamics.main()
+import argparse
+from importlib import import_module
+
+from tests.benchmarks.bars import FILE, ROOT, Bar, machine, summary, table, write
+
+NAMES = ("header_kernels", "many_elements", "gufuncs", "tiers", "scene_tiers", "scene_calls",
+         "scene_lanes", "dynamics", "many_states", "mujoco_steps", "python_calls", "controllers",
+         "arrays", "sweeps", "cortex_m4", "rounding_statements", "accuracy")
+
+
+def main() -> None:
+    """Print each benchmark's tables, and the bars."""
+    parser = argparse.ArgumentParser(prog="python -m tests.benchmarks")
+    parser.add_argument("names", nargs="*", metavar="NAME", help=", ".join(NAMES))
+    names = parser.parse_args().names
+    if unknown := [name for name in names if name not in NAMES]:
+        parser.error(f"no benchmark {unknown[0]}; there are {', '.join(NAMES)}")
+    bars: list[Bar] = []
+    for name in names or NAMES:
+        bars += import_module(f"tests.benchmarks.{name}").main() or ()
+        write(bars)
+    print("", *machine(), "", table(bars), "", summary(bars),
+          f"also in {FILE.relative_to(ROOT)}", sep="\n")
+
+
+if __name__ == "__main__":
+    main()

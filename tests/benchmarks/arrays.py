@@ -1,51 +1,70 @@
-"""What a state of a Panda takes on arrays of JAX on a CPU: functions and their gradients, against
-frax's published times for 4,096 states on a core, on another machine.
+"""What a state of a Panda takes on arrays of JAX and of NumPy on one core, against frax.
 
-`python -m tests.benchmarks.arrays`.  XLA runs on one thread if started under `taskset -c 0`.
+arrays_on_a_core.py measures, in a process with one core and with the settings that frax recommends.
+Without frax (the extra `peers`) the ratio is to what its authors state, of another machine.
 """
 
-import time
-from collections.abc import Callable
+import json
+import os
+import subprocess
+import sys
+from importlib.metadata import PackageNotFoundError, version
 
-import jax
-import jax.numpy as jnp
 import numpy as np
 from tabulate import tabulate
 
-from coscrew_codegen.simulate.load import kernels_of
-from tests.benchmarks.scene_lanes import panda
+from coscrew_codegen.native.timing import Timing
+from tests.benchmarks.bars import Bar, show
+from tests.benchmarks.words import said
 
-STATES, RUNS = 4096, 40
 PUBLISHED = {"inverse_dynamics": 3914, "forward_dynamics": 8507}
-"""frax's ns a state: what its authors state, not measured here."""
+"""frax's ns a state of 4,096: what its authors state."""
+WANTED = {"arrays": 30, "numpy": 100}
+"""frax's time / ours."""
+SETTINGS = {"JAX_ENABLE_X64": "1", "JAX_PLATFORMS": "cpu", "OPENBLAS_NUM_THREADS": "1",
+            "XLA_FLAGS": "--xla_cpu_multi_thread_eigen=false "
+                         "--xla_cpu_scheduler_type=CPU_SCHEDULER_TYPE_MEMORY_OPTIMIZED"}
+WAYS = ("arrays", "gradient", "numpy", "frax")
 
 
-def nanoseconds(function: Callable[[], object]) -> float:
-    """A state's, the least of many runs."""
-    times = []
-    for _ in range(RUNS):
-        start = time.perf_counter()
-        jax.block_until_ready(function())
-        times.append(time.perf_counter() - start)
-    return min(times) / STATES * 1e9
+def measured() -> dict[str, dict[str, Timing]]:
+    """Times by function and way."""
+    command = [sys.executable, "-m", "tests.benchmarks.arrays_on_a_core"]
+    done = subprocess.run(command, env={**os.environ, **SETTINGS}, stdout=subprocess.PIPE,
+                          text=True, check=True, preexec_fn=_on_a_core)
+    return {name: {way: Timing(np.array(x)) for way, x in ways.items()}
+            for name, ways in json.loads(done.stdout).items()}
 
 
-def main() -> None:
-    jax.config.update("jax_enable_x64", True)
-    kernels = kernels_of(panda())
-    functions, rng, rows = kernels.arrays(jnp), np.random.default_rng(1), []
-    q, v, a = (jnp.asarray(rng.standard_normal((STATES, kernels.NV))) for _ in range(3))
-    for name, published in PUBLISHED.items():
-        function = getattr(functions, name)
-        value = jax.jit(function)
-        gradient = jax.jit(jax.grad(lambda *x, f=function: f(*x).sum(), argnums=(0, 1, 2)))
-        times = []
-        for made in (value, gradient):
-            jax.block_until_ready(made(q, v, a))
-            times.append(nanoseconds(lambda f=made: f(q, v, a)))
-        rows.append((name, *times, published, published / times[0]))
-    print(tabulate(rows, ("function", "ns", "ns, gradient", "frax ns", "ratio"), floatfmt=".0f"))
+def _on_a_core() -> None:
+    """Keep this process to one of its cores, where the system can."""
+    if hasattr(os, "sched_setaffinity"):
+        os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
+
+
+def main() -> list[Bar]:
+    """Print the table."""
+    found, bars = measured(), []
+    try:
+        rival = f"frax {version('frax')}"
+    except PackageNotFoundError:
+        rival = ""
+    for name, ways in found.items():
+        for way, wanted in WANTED.items():
+            bars.append(Bar(f"frax / {'arrays(jax.numpy)' if way == 'arrays' else 'NumPy'}, "
+                            f"{name} of 4096 states", wanted,
+                            ways["frax"].ratio(ways[way]) if rival else None,
+                            note=rival or "no frax: pip install frax"))
+    rows = [(name, *(said(ways[way].time) if way in ways else "" for way in WAYS),
+             *(said(ways["frax"].ratio(ways[way])) if rival else
+               f"{PUBLISHED[name] / ways[way].time.median:.0f} (published)"
+               if name in PUBLISHED else "" for way in WANTED)) for name, ways in found.items()]
+    print(f"\n4096 states of a Panda on one core, ns a state; {rival or 'no frax'}; median (95 % "
+          "interval) of rounds in which all take turns")
+    print(tabulate(rows, ("function", "arrays of JAX", "gradient", "arrays of NumPy", "frax",
+                          "frax / JAX", "frax / NumPy"), disable_numparse=True))
+    return bars
 
 
 if __name__ == "__main__":
-    main()
+    show(main())

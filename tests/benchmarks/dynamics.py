@@ -1,184 +1,149 @@
-"""Dynamics of real robots compared with Pinocchio's and MuJoCo's: times of single calls.
+"""Dynamics of real robots against Pinocchio's: times of single calls, from C and from Python.
 
-From C++, against the wheel's library (needs a C++ compiler, Eigen and the headers of urdfdom); from
-Python, a call of each; and a step of MuJoCo's, of the same model and effects.
+From C against Pinocchio compiled for this processor (pinocchio_loops.py) and against C that CasADi
+writes (casadi_loops.py), from Python against Pinocchio's wheel.  Results are compared first.
 """
 
-import csv
-import io
-import re
-import shutil
-import subprocess
-from dataclasses import replace
-from fractions import Fraction
+import ctypes
+from collections.abc import Iterator
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
-import mujoco
 import numpy as np
 import pinocchio as pin
 from tabulate import tabulate
 
-from coscrew_codegen.effects import EFFECTS
-from coscrew_codegen.mechanics import derive
-from coscrew_codegen.native.timing import Timing, timed_calls
-from coscrew_codegen.program import Op
-from coscrew_codegen.scene.scene import Applied, Scene
-from coscrew_codegen.simulate.load import Kernels, kernels_of
-from coscrew_codegen.targets import scene_c
+from coscrew_codegen.formats import DOUBLE, PRECISIONS
+from coscrew_codegen.native.timing import Timing, timed_calls, timed_loops
+from coscrew_codegen.program import Op, Program
+from coscrew_codegen.simulate.load import kernels_of
+from tests.benchmarks.bars import Bar, fastest, show
+from tests.benchmarks.casadi_loops import CasADi, written
+from tests.benchmarks.pinocchio_loops import (
+    FUNCTIONS,
+    OPTIMISED,
+    ROBOTS,
+    Pinocchio,
+    library,
+    refuse_others,
+    robot_named,
+)
+from tests.benchmarks.scene_loops import Loops, compiled, compilers
 from tests.benchmarks.words import said
-from tests.support.scenes.robots import FOLDER, path_of, robot, scene_of
+from tests.support.scenes.robots import Robot
 
-ROBOTS = {"ur5": ("ur_description/urdf/ur5_robot.urdf", False),
-          "panda": ("panda_description/urdf/panda.urdf", False),
-          "g1": ("g1_description/urdf/g1_29dof_rev_1_0.urdf", True)}
-FUNCTIONS = ("inverse_dynamics", "forward_dynamics", "mass_matrix")
-BUILD = Path(__file__).parents[2] / "build"
-DEFINED = ("BOOST_MPL_LIMIT_LIST_SIZE=30", "BOOST_MPL_LIMIT_VECTOR_SIZE=30",
-           "BOOST_MPL_CFG_NO_PREPROCESSED_HEADERS", "BOOST_FUSION_INVOKE_MAX_ARITY=12",
-           "PINOCCHIO_ENABLE_TEMPLATE_INSTANTIATION", "PINOCCHIO_WITH_URDFDOM")
-SECONDS = 1.0  # of each comparison from Python
-PASSIVE = (("viscous", "d", Fraction(1, 2)), ("armature", "inertia", Fraction(1, 10)))
-FLAGS = ("-std=c11", "-O3", "-march=native", "-ffp-contract=off", "-DKSL_CONTRACT_OFF",
-         "-shared", "-fPIC")
+WANTED = {"Pinocchio": {"ur5": 5, "panda7": 5, "g1": 3.5}, "CasADi": {"ur5": 1.5, "panda7": 1.5}}
+"""A rival's time / ours, from C, by robot."""
+FROM_PYTHON = 0.5
+"""Our time / Pinocchio's."""
+CPLUSPLUS = {"Pinocchio": "clang++", "Pinocchio by g++": "g++"}
+RIVALS = (*CPLUSPLUS, "CasADi")
+MANY = 20  # velocities: gcc and CasADi take long for as many
+STATES = 64
+SECONDS = 2.0  # of each comparison
 
 
-def main() -> None:
-    """Print what a call costs, and the ratios."""
-    kernels = {name: kernels_of(replace(robot(file, free, False).functions, name=name))
-               for name, (file, free) in ROBOTS.items()}
-    print("\nOperations (sums, products, quotients, choices), and pairs of sine and cosine")
-    print(tabulate([(name, *map(_operations, _programs(x))) for name, x in kernels.items()],
-                   ("robot", *FUNCTIONS)))
-    if program := _program():
-        print("\nFrom C++, ns a call, median (95 % interval) of rounds in which all take turns; "
-              "ratio: time of Pinocchio's wheel / ours in double, in the same round")
-        print(tabulate([row for name, x in kernels.items() for row in _from_c(program, name, x)],
-                       ("robot", "function", "compiler", "double", "single", "pinocchio", "ratio"),
-                       disable_numparse=True))
-    print("\nFrom Python, µs a call; ratio: time of Pinocchio's / ours")
-    print(tabulate([row for name, x in kernels.items() for row in _from_python(name, x)],
-                   ("robot", "function", "ours", "pinocchio", "ratio"), disable_numparse=True))
-    print("\nA step of 1 ms, µs, semi-implicit under gravity alone, linearly implicit with damping "
-          "and armature, too;\nMuJoCo: mj_step without contacts")
-    print(tabulate([_step(name, effects) for name in ("ur5", "panda") for effects in ((), PASSIVE)],
-                   ("robot", "effects", "ours", "mujoco", "ratio"), disable_numparse=True))
-
-
-def _programs(x: Kernels):
-    found = {f.name: f.program for f in x.functions.functions}
-    return [found[name] for name in FUNCTIONS]
-
-
-def _operations(program) -> str:
+def operations(program: Program) -> str:
+    """Sums, products, quotients and choices + pairs of sine and cosine."""
     counts = program.counts
     return f"{sum(counts.values()) - counts[Op.SIN] - counts[Op.COS]} + {counts[Op.SIN]}"
 
 
-def _program() -> Path | None:
-    """The C++ program, compiled if it does not exist; None if it cannot be compiled."""
-    BUILD.mkdir(exist_ok=True)
-    program = BUILD / "dynamics"
-    source = Path(__file__).with_suffix(".cpp")
-    if program.exists() and program.stat().st_mtime > source.stat().st_mtime:
-        return program
-    prefix = FOLDER.parents[2]
-    command = ["g++", "-std=c++17", "-O3", "-DNDEBUG", "-w", *(f"-D{x}" for x in DEFINED),
-               f"-I{prefix}/include", "-I/usr/include/eigen3", str(source), "-o", str(program),
-               f"-L{prefix}/lib", f"-Wl,-rpath,{prefix}/lib", "-lpinocchio_default",
-               "-lpinocchio_parsers", "-ldl"]
-    print("compiling against Pinocchio's headers, about two minutes …")
-    done = subprocess.run(command, capture_output=True, text=True)
-    if done.returncode:
-        print("no comparison from C++:", done.stderr.strip().splitlines()[:1])
-        return None
-    return program
+def rivals_of(robot: Robot, given: tuple[np.ndarray, ...], folder: Path) -> tuple[
+        dict[str, Pinocchio | CasADi], dict[str, str]]:
+    """Rivals by name, and what is missing of others."""
+    found: dict[str, Pinocchio | CasADi] = {}
+    missing = {}
+    for name, compiler in CPLUSPLUS.items():
+        built, missing[name] = library(compiler)
+        if built:
+            found[name] = Pinocchio(built, robot, given)
+    if robot.functions.nv < MANY:
+        missing["CasADi"] = written(robot, folder)
+        if not missing["CasADi"]:
+            found |= {f"CasADi, {x}": CasADi.compiled(robot, given, folder, x)
+                      for x in compilers()}
+    return found, missing
 
 
-def _from_c(program: Path, name: str, x: Kernels):
-    file, free = ROBOTS[name]
-    sources = scene_c.files(x.functions, "for the benchmark")
-    for path, text in sources.items():
-        (BUILD / path).write_text(text)
-    for compiler in filter(shutil.which, ("gcc", "clang") if x.functions.nv < 20 else ("clang",)):
-        library = BUILD / f"{name}-{compiler}.so"
-        subprocess.run([compiler, *FLAGS, str(BUILD / f"{name}.c"), "-o", str(library), "-lm"],
-                       check=True)
-        printed = subprocess.run(
-            [program, path_of(file), "free" if free else "fixed", library, name,
-             str(x.functions.nq), str(x.functions.nv)], check=True, capture_output=True, text=True)
-        rounds: dict[tuple[str, str], list[float]] = {}
-        for f, whose, ns in csv.reader(io.StringIO(printed.stdout)):
-            rounds.setdefault((f, whose), []).append(float(ns))
-        times = {key: Timing(np.array(found)) for key, found in rounds.items()}
-        for f in FUNCTIONS:
-            ours, single, theirs = (times.get((f, whose))
-                                    for whose in ("double", "single", "pinocchio"))
-            yield (name, f, compiler, said(ours.time), said(single.time) if single else "",
-                   said(theirs.time), said(theirs.ratio(ours)))
+def from_c(robot: Robot) -> Iterator[tuple[list[str], list[tuple[float, Bar]]]]:
+    """A line of the table; our time, and bars against clang's Pinocchio and CasADi's C."""
+    scene, given = robot.functions, robot.states(STATES)
+    with TemporaryDirectory() as folder:
+        theirs, missing = rivals_of(robot, given, Path(folder))
+        ours = {x: compiled(scene, FUNCTIONS, Path(folder), x, "-march=native")
+                for x in (compilers() if scene.nv < MANY else compilers()[-1:])}
+    for function in FUNCTIONS:
+        timings = timed(function, ours, theirs, given)
+        rivals = {name.partition(",")[0]: x for name, x in sorted(
+            ((name, timings[name]) for name in theirs), key=lambda x: -x[1].minimum)}
+        for compiler in ours:
+            double, single = (timings[f"{compiler} {p.name}"] for p in PRECISIONS)
+            ratios = {name: x.ratio(double) for name, x in rivals.items()}
+            row = [scene.name, function, compiler, said(double.time), said(single.time),
+                   *(said(rivals[x].time) if x in rivals else "" for x in RIVALS),
+                   *(said(ratios[x]) if x in ratios else "" for x in WANTED)]
+            bars = [Bar(f"one call from C: {name} / {function} of {scene.name}",
+                        wanted[scene.name], ratios.get(name), note=missing[name] or compiler)
+                    for name, wanted in WANTED.items() if scene.name in wanted]
+            yield row, [(double.minimum, bar) for bar in bars]
 
 
-def _from_python(name: str, x: Kernels):
-    file, free = ROBOTS[name]
-    model = robot(file, free, False).model
-    data, rng = model.createData(), np.random.default_rng(0)
-    theirs_q = pin.randomConfiguration(model, -np.ones(model.nq), np.ones(model.nq))
-    q, v, a = np.array(x.functions.neutral), *rng.normal(size=(2, x.functions.nv))
-    double = x.double
+def timed(function: str, ours: dict[str, Loops], theirs: dict[str, Pinocchio | CasADi],
+          given: tuple[np.ndarray, ...]) -> dict[str, Timing]:
+    """Times of all, ours by compiler and precision, after results have been compared."""
+    loops = {}
+    for compiler, x in ours.items():
+        for p in PRECISIONS:
+            arrays = x.arguments(function, p, given)
+            loop = loops[f"{compiler} {p.name}"] = x.loop("one", function, p, arrays)
+            if p is DOUBLE:
+                loop.function(ctypes.c_long(STATES), loop.arguments)
+                for rival in theirs.values():
+                    refuse_others(arrays[-1], rival, function)
+    loops |= {name: x.loop(function) for name, x in theirs.items()}
+    library = next(iter(ours.values())).library
+    return dict(zip(loops, timed_loops(library, list(loops.values()), 1e9 * SECONDS), strict=True))
+
+
+def from_python(name: str, robot: Robot) -> Iterator[tuple[list[str], Bar]]:
+    """A line of the table, and its bar."""
+    model, ours = robot.model, kernels_of(robot.functions).double
+    data, (q, v, a) = model.createData(), (x[0] for x in robot.states(1))
+    their_q, their_v, their_a = robot.theirs(q), robot.follow @ v, robot.follow @ a
     pairs = {
-        "inverse_dynamics": (lambda: double.inverse_dynamics(q, v, a),
-                             lambda: pin.rnea(model, data, theirs_q, v, a)),
-        "forward_dynamics": (lambda: double.forward_dynamics(q, v, a),
-                             lambda: pin.aba(model, data, theirs_q, v, a)),
-        "mass_matrix": (lambda: double.mass_matrix(q), lambda: pin.crba(model, data, theirs_q))}
-    for f, (ours, theirs) in pairs.items():
-        own, other = timed_calls((ours, theirs), 1e9 * SECONDS)
-        yield name, f, said(own.time, 1e-3), said(other.time, 1e-3), said(other.ratio(own))
+        "inverse_dynamics": (lambda: ours.inverse_dynamics(q, v, a),
+                             lambda: pin.rnea(model, data, their_q, their_v, their_a)),
+        "forward_dynamics": (lambda: ours.forward_dynamics(q, v, a),
+                             lambda: pin.aba(model, data, their_q, their_v, their_a)),
+        "mass_matrix": (lambda: ours.mass_matrix(q), lambda: pin.crba(model, data, their_q))}
+    for function, calls in pairs.items():
+        own, other = timed_calls(calls, 1e9 * SECONDS)
+        yield ([name, function, said(own.time, 1e-3), said(other.time, 1e-3),
+                said(own.ratio(other))],
+               Bar(f"one call from Python: {function} of {name} / pin", FROM_PYTHON,
+                   own.ratio(other), most=True))
 
 
-def _step(name: str, effects: tuple[tuple[str, str, Fraction], ...]):
-    """Times of a step: ours, in a loop in C over many states, and MuJoCo's, in its own loop."""
-    model = mujoco.MjModel.from_xml_string(_without_meshes(path_of(ROBOTS[name][0]).read_text()))
-    model.opt.timestep = 1e-3
-    model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONTACT)
-    values = {key: float(value) for _, key, value in effects}
-    model.dof_damping[:], model.dof_armature[:] = values.get("d", 0), values.get("inertia", 0)
-    model.dof_frictionloss[:], model.jnt_limited[:] = 0, 0
-    data = mujoco.MjData(model)
-    steps, count = 1000, 100
-    x = kernels_of(derive(_with(name, effects)))
-    q = np.tile(np.array(x.functions.neutral), (count, 1))
-    v = np.zeros((count, x.functions.nv))
-    step = x.double.step_linear_implicit_euler if effects else x.double.step_semi_implicit_euler
-
-    def their_steps() -> None:
-        mujoco.mj_resetData(model, data)
-        mujoco.mj_step(model, data, steps)
-
-    timings = timed_calls((lambda: step(1e-3, q, v), their_steps), 1e9 * SECONDS)
-    ours, theirs = (Timing(x.rounds / n) for x, n in zip(timings, (count, steps), strict=True))
-    names = ", ".join(("gravity", *(effect for effect, _, _ in effects)))
-    return name, names, said(ours.time, 1e-3), said(theirs.time, 1e-3), said(theirs.ratio(ours))
-
-
-def _with(name: str, effects: tuple[tuple[str, str, Fraction], ...]) -> Scene:
-    """The robot's scene with these effects on each of its joints."""
-    scene = replace(scene_of(ROBOTS[name][0]), name=name)
-    known = {effect.name: effect for effect in EFFECTS}
-    joints = [c.joint for c in robot(ROBOTS[name][0], False, False).functions.coordinates]
-    applied = []
-    for effect, key, value in effects:
-        unset = {p.name: Fraction(p.default) if isinstance(p.default, int) else p.default
-                 for p in known[effect].parameters}
-        applied += [Applied(known[effect], joint, {**unset, key: value}) for joint in joints]
-    return replace(scene, effects=(*scene.effects, *applied))
-
-
-def _without_meshes(text: str) -> str:
-    """The robot's file as MuJoCo reads it without its meshes."""
-    text = re.sub(r"<(visual|collision)\b[^>]*>.*?</\1>", "", text, flags=re.DOTALL)
-    return text.replace("</robot>", '<mujoco><compiler discardvisual="true" fusestatic="true"/>'
-                        "</mujoco></robot>")
+def main() -> list[Bar]:
+    """Print what a call costs, and the ratios."""
+    robots = {name: robot_named(name) for name in ROBOTS}
+    print("\nOperations (sums, products, quotients, choices) + pairs of sine and cosine")
+    print(tabulate([(name, *(operations(x.functions.named(f).program) for f in FUNCTIONS))
+                    for name, x in robots.items()], ("robot", *FUNCTIONS)))
+    lines = [x for robot in robots.values() for x in from_c(robot)]
+    print("\nFrom C, ns a call, median (95 % interval) of rounds in which all take turns; ratios: "
+          f"rival / ours in double in a round; Pinocchio by clang++ {OPTIMISED}, CasADi's C by the "
+          "better compiler")
+    print(tabulate([row for row, _ in lines],
+                   ("robot", "function", "compiler", "double", "single", *RIVALS,
+                    *(f"{x} / ours" for x in WANTED)), disable_numparse=True))
+    found = [x for name, robot in robots.items() for x in from_python(name, robot)]
+    print("\nFrom Python, µs a call; ratio: our time / that of Pinocchio's wheel")
+    print(tabulate([row for row, _ in found], ("robot", "function", "ours", "pin", "ratio"),
+                   disable_numparse=True))
+    return fastest(x for _, bars in lines for x in bars) + [bar for _, bar in found]
 
 
 if __name__ == "__main__":
-    main()
+    show(main())

@@ -5,6 +5,7 @@ import shutil
 import subprocess
 import tempfile
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -13,6 +14,7 @@ from tabulate import tabulate
 from coscrew_codegen.formats import PRECISIONS
 from coscrew_codegen.native.buffers import aligned
 from coscrew_codegen.native.timing import Loop, driver, pointers, timed_loops
+from tests.benchmarks.bars import Bar, fastest, show
 from tests.benchmarks.words import said
 
 HERE = Path(__file__).parent
@@ -23,6 +25,8 @@ OPERATIONS = {"CoAdc_one_D": "product_CoAdc, one D", "CoAdc_D_each": "product_Co
               "axpy_cc": "axpy_cc"}
 WAYS = ("header", "one", "composed")
 COUNT = 256
+WANTED = 5
+"""The time of composed calls, as KSL has them, / the header's."""
 SECONDS = 0.2  # of each operation and precision
 
 
@@ -46,8 +50,9 @@ def build(compiler: str, flags: str, folder: Path, loops: str = "header_kernels"
     return ctypes.CDLL(str(path))
 
 
-def measure(library: ctypes.CDLL) -> Iterator[tuple[str, ...]]:
-    """A line for each operation and precision: the times, and baselines' over the header's."""
+def measure(library: ctypes.CDLL) -> Iterator[tuple[tuple[str, ...], float, Bar]]:
+    """A line for each operation and precision: the times, and baselines' over the header's; the
+    header's time, and its bar."""
     rng = np.random.default_rng(3)
     for precision in PRECISIONS:
         arrays = [aligned(rng.uniform(-1, 1, (COUNT, size)).astype(precision.numpy_type))
@@ -56,22 +61,29 @@ def measure(library: ctypes.CDLL) -> Iterator[tuple[str, ...]]:
             loops = [Loop(getattr(library, f"loop_{way}_{name}{precision.suffix}"), COUNT,
                           pointers(arrays)) for way in WAYS]
             header, one, composed = timed_loops(library, loops, 1e9 * SECONDS)
-            yield (words, precision.name, *(said(x.time) for x in (header, one, composed)),
-                   said(one.ratio(header)), said(composed.ratio(header)))
+            ratio = composed.ratio(header)
+            yield ((words, precision.name, *(said(x.time) for x in (header, one, composed)),
+                    said(one.ratio(header)), said(ratio)), header.minimum,
+                   Bar(f"header, array of structs: composed calls / {words}, {precision.name}",
+                       WANTED, ratio))
 
 
-def main() -> None:
+def main() -> list[Bar]:
     """Print one table per compiler and flags."""
+    bars = []
     for compiler in filter(shutil.which, ("gcc", "clang")):
         for flags in FLAGS:
             with tempfile.TemporaryDirectory() as folder:
                 rows = list(measure(build(compiler, flags, Path(folder))))
             print(f"\n{compiler} {flags}: ns per call over {COUNT} aligned structs; median (95 % "
                   "interval) of rounds in which the three take turns; ratios in the same round")
-            print(tabulate(rows, ("operation", "precision", "header", "one call",
-                                  "composed calls", "one/header", "composed/header"),
+            print(tabulate([row for row, _, _ in rows],
+                           ("operation", "precision", "header", "one call",
+                            "composed calls", "one/header", "composed/header"),
                            disable_numparse=True))
+            bars += [(time, replace(bar, note=f"{compiler} {flags}")) for _, time, bar in rows]
+    return fastest(bars)
 
 
 if __name__ == "__main__":
-    main()
+    show(main())

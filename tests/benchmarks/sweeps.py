@@ -5,8 +5,9 @@ in damping.  The sweep also records energy and statistics, and writes its Parque
 both take turns; what a million runs take is extrapolated from them."""
 
 import argparse
+import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -23,12 +24,15 @@ from coscrew_codegen.sweep import asked, cluster, members
 from coscrew_codegen.sweep.chunk import Job
 from coscrew_codegen.sweep.folder import opened
 from coscrew_codegen.sweep.prepare import Asked, Prepared, prepared
-from tests.benchmarks.dynamics import ROBOTS, _without_meshes
+from tests.benchmarks.bars import Bar, show
+from tests.benchmarks.mujoco_steps import PASSIVE, model_of
+from tests.benchmarks.pinocchio_loops import ROBOTS
 from tests.benchmarks.words import said
 from tests.support.scenes.robots import path_of
 
 STEPS, STEP = 1000, 1e-3
 MANY = 1_000_000
+WANTED = 30  # MuJoCo's time / ours
 THEIRS = 512  # runs a round: rollout returns every state of each
 SCENE = f"""
 model = "{path_of(ROBOTS["ur5"][0])}"
@@ -69,11 +73,7 @@ def ours(client, folder: Path, its: Prepared) -> float:
 @contextmanager
 def theirs(cores: int) -> Iterator:
     """A function that returns seconds a run from these starts."""
-    model = mujoco.MjModel.from_xml_string(_without_meshes(path_of(ROBOTS["ur5"][0]).read_text()))
-    model.opt.timestep = STEP
-    model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONTACT)
-    model.dof_damping[:], model.dof_armature[:] = 0.5, 0.1
-    model.dof_frictionloss[:], model.jnt_limited[:] = 0, 0
+    model = model_of("ur5", PASSIVE)
     datas = [mujoco.MjData(model) for _ in range(cores)]
     size = mujoco.mj_stateSize(model, mujoco.mjtState.mjSTATE_FULLPHYSICS)
     with rollout.Rollout(nthread=cores) as run:
@@ -88,14 +88,14 @@ def theirs(cores: int) -> Iterator:
         yield timed
 
 
-def main() -> None:
+def main(arguments: Sequence[str] = ()) -> list[Bar]:
     """Print times and ratios."""
     parser = argparse.ArgumentParser()
     parser.add_argument("--samples", type=int, default=65536)
     parser.add_argument("--rounds", type=int, default=3)
-    options = parser.parse_args()
+    options = parser.parse_args(arguments)
     cores = cluster.cores()
-    rows = []
+    rows, bars = [], []
     with TemporaryDirectory() as place, cluster.local(cores) as client, theirs(cores) as other:
         for precision in ("double", "single"):
             base = Path(place) / precision
@@ -109,11 +109,14 @@ def main() -> None:
             own, rival = (Timing(np.array(x)) for x in zip(*times, strict=True))
             rows.append((precision, said(own.time, 1e6), said(rival.time, 1e6),
                          said(rival.ratio(own)), f"{own.time.median * MANY:.0f}"))
+            bars.append(Bar(f"rollout / sweep in {precision} of a UR5, {cores} cores", WANTED,
+                            rival.ratio(own), note=f"{options.rounds} rounds"))
     print(f"\n{STEPS} steps of a UR5 on {cores} cores, µs a run: coscrew sweep ({options.samples} "
           f"runs a round) and MuJoCo's rollout ({THEIRS}), {options.rounds} rounds in turn")
     print(tabulate(rows, ("precision", "sweep", "rollout (double)", "rollout / sweep",
                           f"s for {MANY:.0e} runs, extrapolated"), disable_numparse=True))
+    return bars
 
 
 if __name__ == "__main__":
-    main()
+    show(main(sys.argv[1:]))

@@ -17,8 +17,7 @@ from coscrew_codegen.arrays.function import ArrayFunction
 from coscrew_codegen.arrays.standard import Library
 from coscrew_codegen.formats import DOUBLE
 from coscrew_codegen.operations import OPERATIONS, Operation
-from coscrew_codegen.program import Instruction, Op
-from coscrew_codegen.program.interpreter import Arithmetic
+from coscrew_codegen.program import Op
 from coscrew_codegen.programs import program_of, smooth_program
 from coscrew_codegen.quantity import (
     DISPLACEMENT,
@@ -32,23 +31,12 @@ from coscrew_codegen.quantity import (
 )
 from coscrew_codegen.recording.differentiate import adjoint, tangent
 from coscrew_codegen.report.inputs import benign
-from tests.support.scenes.evaluation import MULTIPRECISE as FIFTY
-from tests.support.scenes.evaluation import Numbers, evaluator
+from tests.support.scenes.evaluation import evaluator, without_errors
 
 CLOSE = mpf(10)**-24
 
 
-def divided(a: mpf, b: mpf) -> mpf:
-    """a / b, not a number for b = 0."""
-    return a / b if b else mpmath.nan
-
-
-def function(step: Instruction, number: int) -> object:
-    """What computes an instruction."""
-    return divided if step.op is Op.DIV else FIFTY.arithmetic.function(step, number)
-
-
-MULTIPRECISE = Numbers(Arithmetic(FIFTY.arithmetic.constant, function, mpmath.nan), FIFTY.number)
+MULTIPRECISE = without_errors("double")
 NAMED = {operation.name: operation for operation in OPERATIONS}
 SERIES = mpf(2)**-48  # series end below u / 4 of a function; a derivative has 26 times that at most
 

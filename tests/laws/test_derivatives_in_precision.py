@@ -19,13 +19,11 @@ from coscrew_codegen.arrays.standard import Library
 from coscrew_codegen.formats import DOUBLE, Precision
 from coscrew_codegen.operations import OPERATIONS, Operation
 from coscrew_codegen.program import Op
-from coscrew_codegen.program.interpreter import Arithmetic
 from coscrew_codegen.programs import program_of, smooth_program
 from coscrew_codegen.quantity import ANY, NEAR_ROTATION, NONZERO, ROTATION, Argument
 from coscrew_codegen.report.inputs import benign
-from tests.laws.test_derivatives_at_kinks import function
 from tests.support.each import each_precision
-from tests.support.scenes.evaluation import Numbers, evaluator
+from tests.support.scenes.evaluation import evaluator, without_errors
 
 CURVED = tuple(op for op in OPERATIONS if program_of(op).counts.keys() & {
     Op.DIV, Op.SQRT, Op.ATAN2, Op.SIN, Op.EXP, Op.TANH})
@@ -53,12 +51,7 @@ class Truth:
 
     @classmethod
     def of(cls, operation: Operation, precision: Precision) -> "Truth":
-        def constant(x: object) -> mpf:
-            exact = getattr(x, precision.name)
-            return mpf(exact.numerator) / mpf(exact.denominator)
-
-        numbers = Numbers(Arithmetic(constant, function, mpmath.nan), mpf)
-        compute = evaluator(program_of(operation), numbers)
+        compute = evaluator(program_of(operation), without_errors(precision.name))
         return cls(lambda x: list(map(mpf, compute(x))))
 
     def slopes(self, x: Parts, d: Parts, e: Parts) -> list[tuple[Exact, mpf]] | None:

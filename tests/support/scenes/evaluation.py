@@ -49,6 +49,17 @@ MULTIPRECISE = Numbers(by_operation(lambda x: _multiprecise(x.double), exactly(m
 """Numbers and constants in the precision of mpmath's context."""
 
 
+def _divided(a: mpmath.mpf, b: mpmath.mpf) -> mpmath.mpf:
+    return a / b if b else mpmath.nan
+
+
+def without_errors(precision: str) -> Numbers[mpmath.mpf]:
+    """Those, with the constants of a precision; what is divided by zero is no number."""
+    functions = {**exactly(mpmath), Op.DIV: _divided}
+    return Numbers(by_operation(lambda x: _multiprecise(getattr(x, precision)), functions,
+                                mpmath.nan), _multiprecise)
+
+
 def rational(circle: Mapping[Fraction, tuple[Fraction, Fraction]]) -> Numbers[Fraction]:
     """Fractions; the sine and cosine of each angle are given, as rational points of the circle."""
     odd = {**circle, **{-q: (-s, c) for q, (s, c) in circle.items()}}

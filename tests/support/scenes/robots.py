@@ -6,7 +6,7 @@ angles written in full: 1.57079632679 as 1.5707963267948966.
 
 import re
 import sysconfig
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache
@@ -124,11 +124,22 @@ def scene_of(file: str, free: bool = False, mimics: bool = False) -> Scene:
 def robot(file: str, free: bool, mimics: bool) -> Robot:
     """The robot in both libraries, ours with the functions that Pinocchio has as well."""
     scene = scene_of(file, free, mimics)
-    functions = derive(scene, (*COMPARED, *jacobians(scene)))
+    return paired(scene, model_of(file, free), (*COMPARED, *jacobians(scene)), mimics)
+
+
+def model_of(file: str, free: bool) -> "pin.Model":
+    """Pinocchio's model of the robot; its base free or not."""
     arguments = (_in_full(path_of(file).read_text()),
                  *([pin.JointModelFreeFlyer()] if free else []))
-    theirs = pin.buildModelFromXML(*arguments)
-    theirs.gravity.linear = np.array([0, 0, -9.81])
+    found = pin.buildModelFromXML(*arguments)
+    found.gravity.linear = np.array([0, 0, -9.81])
+    return found
+
+
+def paired(scene: Scene, theirs: "pin.Model", names: Collection[str], mimics: bool = False
+           ) -> Robot:
+    """A scene with these functions beside Pinocchio's model of it."""
+    functions = derive(scene, names)
     follow, offset = np.zeros((theirs.nv, functions.nv)), np.zeros(theirs.nv)
     places = {}
     for c in functions.coordinates:

@@ -1,0 +1,89 @@
+"""C of Pinocchio's functions that CasADi writes, in loops over states, as a rival (extra `peers`).
+
+It is compiled as CasADi's users do, with contracted products.
+"""
+
+import ctypes
+import subprocess
+from dataclasses import dataclass
+from importlib.util import find_spec
+from pathlib import Path
+
+import numpy as np
+
+from coscrew_codegen.native.buffers import aligned
+from coscrew_codegen.native.timing import Loop, pointers
+from tests.benchmarks.pinocchio_loops import FUNCTIONS, OPTIMISED, library, with_joints
+from tests.benchmarks.scene_loops import sizes_of
+from tests.support.scenes.robots import Robot
+
+SOURCE = Path(__file__).with_name("casadi_code.cpp")
+LOOP = """
+int {name}(const double **given, double **results, long long *iw, double *w, int memory);
+void loop_{name}(long n, void *const *x);
+void loop_{name}(long n, void *const *x) {{
+  static double w[100000];
+  for (long i = 0; i < n; i++) {{
+    const double *given[] = {{{given}}};
+    double *results[] = {{(double *)x[{last}] + {size} * i}};
+    {name}(given, results, 0, w, 0);
+  }}
+}}
+"""
+
+
+def written(robot: Robot, folder: Path) -> str:
+    """Write casadi.c and loops over its functions to a folder; returns what is missing, if so."""
+    found = find_spec("casadi")
+    if not found or not found.origin:
+        return "no CasADi: pip install casadi"
+    place = Path(found.origin).parent
+    writer, missing = library("clang++", SOURCE, (
+        "-O0", f"-I{place / 'include'}", f"-L{place}", f"-Wl,-rpath,{place}", "-lcasadi"))
+    if writer:
+        if with_joints(robot.model, writer.write_c, f"{folder}/".encode()):
+            return "CasADi fails"
+        texts = []
+        for name in FUNCTIONS:
+            sizes = sizes_of(robot.functions.named(name))
+            given = (f"(const double *)x[{k}] + {n} * i" for k, n in enumerate(sizes[:-1]))
+            texts.append(LOOP.format(name=name, size=sizes[-1], last=len(sizes) - 1,
+                                     given=", ".join(given)))
+        (folder / "casadi_loops.c").write_text("".join(texts))
+    return missing
+
+
+@dataclass(frozen=True, eq=False)
+class CasADi:
+    """A fixed robot's functions in C, at these states."""
+
+    library: ctypes.CDLL
+    robot: Robot
+    states: tuple[np.ndarray, ...]
+
+    @classmethod
+    def compiled(cls, robot: Robot, states: tuple[np.ndarray, ...], folder: Path, compiler: str
+                 ) -> "CasADi":
+        """What `written` wrote to the folder."""
+        path = folder / f"casadi-{compiler}.so"
+        subprocess.run([compiler, *OPTIMISED.split(), "-shared", "-fPIC", "casadi.c",
+                        "casadi_loops.c", "-o", str(path), "-lm"], cwd=folder, check=True)
+        return cls(ctypes.CDLL(str(path)), robot, states)
+
+    def loop(self, function: str, results: np.ndarray | None = None) -> Loop:
+        """The loop of a function over all states."""
+        if results is None:
+            results = self._results(function)
+        given = self.states[:len(self.robot.functions.named(function).inputs)]
+        arrays = [*map(aligned, given), results]
+        return Loop(getattr(self.library, f"loop_{function}"), len(results), pointers(arrays))
+
+    def values(self, function: str) -> np.ndarray:
+        """Its results."""
+        loop = self.loop(function, results := self._results(function))
+        loop.function(ctypes.c_long(len(results)), loop.arguments)
+        return results
+
+    def _results(self, function: str) -> np.ndarray:
+        shape = self.robot.functions.named(function).program.outputs[0].quantity.shape
+        return aligned(np.zeros((len(self.states[0]), *shape)))
