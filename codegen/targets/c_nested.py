@@ -145,23 +145,31 @@ class Together:
 def together(assigned: Sequence[Assignment | str], precision: Precision
              ) -> Sequence[Assignment | Together | str]:
     """With the sines and cosines of inputs first, several together, and their errors; headings
-    below which nothing is left are left out.  Vectors compute together already."""
-    if precision.lanes or precision.device:
+    below which nothing is left are left out.  On vectors each has its own call, but processors work
+    at several of them at a time: functions take 0.8 to 0.95 of the time."""
+    if precision.device:
         return assigned
     pairs = [x for x in assigned if isinstance(x, Assignment) and x.cosine]
-    errors = {x.step.operands[1]: x for x in pairs if x.step.op is Op.SIN_ERROR}
     sines = [x for x in pairs if x.step.op is Op.SIN and isinstance(x.step.operands[0], Input)]
-    groups = []
-    for found in (sines[n:n + LANES] for n in range(0, len(sines), LANES)):
-        if len(found) > 1:
-            groups.append(Together(found))
-            own = [errors[Ref(x.step.name)] for x in found if Ref(x.step.name) in errors]
-            groups += [Together(own, groups[-1])] if len(own) == len(found) else []
-    moved = {pair.step.name for group in groups for pair in group.pairs}
+    first = sines if precision.lanes else list(_grouped(sines, pairs))
+    moved = {pair.step.name for x in first
+             for pair in (x.pairs if isinstance(x, Together) else (x,))}
     rest = [x for x in assigned if isinstance(x, str) or x.step.name not in moved]
     kept = [x for x, following in pairwise((*rest, ""))
             if not (isinstance(x, str) and isinstance(following, str))]
-    return [*groups, *kept]
+    return [*first, *kept]
+
+
+def _grouped(sines: Sequence[Assignment], pairs: Sequence[Assignment]) -> Iterator[Together]:
+    """Calls of as many sines and cosines as one call computes; after each that of their errors, if
+    all of these are among the pairs."""
+    errors = {x.step.operands[1]: x for x in pairs if x.step.op is Op.SIN_ERROR}
+    for found in (sines[n:n + LANES] for n in range(0, len(sines), LANES)):
+        if len(found) > 1:
+            yield (group := Together(found))
+            own = [errors[Ref(x.step.name)] for x in found if Ref(x.step.name) in errors]
+            if len(own) == len(found):
+                yield Together(own, group)
 
 
 def declarations(assigned: Sequence[Assignment | Together | str], precision: Precision,

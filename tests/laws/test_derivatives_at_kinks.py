@@ -34,8 +34,6 @@ from coscrew_codegen.report.inputs import benign
 from tests.support.scenes.evaluation import evaluator, without_errors
 
 CLOSE = mpf(10)**-24
-
-
 MULTIPRECISE = without_errors("double")
 NAMED = {operation.name: operation for operation in OPERATIONS}
 SERIES = mpf(2)**-48  # series end below u / 4 of a function; a derivative has 26 times that at most

@@ -513,9 +513,9 @@ static KSL_INLINED void ksl_mat3x3_jacobi_planes(ptrdiff_t n, double *A, ptrdiff
 /* ksl_mat3x3_from_axis_angle of KSL_LANES elements, components in the order of structs. */
 static KSL_INLINE void ksl_mat3x3_from_axis_angle_states(const ksl_states *axis,
     const ksl_states *angle, ksl_states *R) {
+  ksl_states cosine; const ksl_states sine = ksl_sincos_lanes(angle[0], &cosine);
   const ksl_states half = 0.5 * angle[0];
   const ksl_states h = ksl_sin_lanes(half);
-  ksl_states cosine; const ksl_states sine = ksl_sincos_lanes(angle[0], &cosine);
   const ksl_states versine_a = KSL_RN_LANES(h * h), versine_b = 2.0 * versine_a, versine_c = 1.0 -
       cosine;
   const ksl_tests versine_d = ksl_less_lanes(cosine, ksl_each_lanes(0.0));
@@ -1194,9 +1194,9 @@ static KSL_INLINED void ksl_mat3x3f_jacobi_planes(ptrdiff_t n, float *A, ptrdiff
 /* ksl_mat3x3f_from_axis_angle of KSL_LANESF elements, components in the order of structs. */
 static KSL_INLINE void ksl_mat3x3f_from_axis_angle_states(const ksl_statesf *axis,
     const ksl_statesf *angle, ksl_statesf *R) {
+  ksl_statesf cosine; const ksl_statesf sine = ksl_sincos_lanesf(angle[0], &cosine);
   const ksl_statesf half = 0.5f * angle[0];
   const ksl_statesf h = ksl_sin_lanesf(half);
-  ksl_statesf cosine; const ksl_statesf sine = ksl_sincos_lanesf(angle[0], &cosine);
   const ksl_statesf versine_a = KSL_RN_LANESF(h * h), versine_b = 2.0f * versine_a, versine_c = 1.0f
       - cosine;
   const ksl_testsf versine_d = ksl_less_lanesf(cosine, ksl_each_lanesf(0.0f));
