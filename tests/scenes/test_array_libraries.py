@@ -1,6 +1,9 @@
 """A scene's functions on arrays of JAX and of the array API standard: C's bits, with the bits of
 the tangent and adjoint Programs as derivatives, which tests/laws hold against 50 digits."""
 
+import os
+import subprocess
+import sys
 from collections.abc import Iterator, Sequence
 from functools import cache
 
@@ -159,6 +162,12 @@ def test_without_a_compiler_xla_computes(monkeypatch: pytest.MonkeyPatch) -> Non
         energy = found.energy(*arguments)
     wanted = kernels().double.energy(*arguments)
     assert np.abs(energy - wanted).max() <= 2.0**-48 * np.abs(wanted).max()
+
+
+def test_arrays_are_divided_among_devices() -> None:
+    """Under shard_map, which keeps account of what varies over devices, and by arrays' types."""
+    subprocess.run([sys.executable, "-m", "tests.support.scenes.sharded"], check=True, env={
+        **os.environ, "XLA_FLAGS": "--xla_force_host_platform_device_count=2"})
 
 
 def test_what_is_not_there_is_said() -> None:
