@@ -57,7 +57,8 @@ def _jitted(function: ArrayFunction, lead: Shape) -> Any:
 
 
 def _evaluated(primitive: Primitive, *rows: Any, function: ArrayFunction, states: int) -> Any:
-    return _of_rows(primitive, function, states)(*rows)
+    with jax.disable_jit(False):  # else it would evaluate itself
+        return _of_rows(primitive, function, states)(*rows)
 
 
 @cache

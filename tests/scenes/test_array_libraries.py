@@ -75,6 +75,16 @@ def test_bits_are_those_of_c(precision: Precision) -> None:
     assert function(*none).shape == (0, *wanted.shape[1:])
 
 
+def test_bits_where_nothing_is_jitted() -> None:
+    arguments = given("energy")
+    slope = jax.grad(lambda *x: on_jax().energy(*x).sum(), argnums=3)
+    wanted = slope(*arguments)
+    with jax.disable_jit():
+        assert (np.asarray(on_jax().energy(*arguments)).tobytes()
+                == kernels().double.energy(*arguments).tobytes())
+        assert np.asarray(slope(*arguments)).tobytes() == np.asarray(wanted).tobytes()
+
+
 def test_subnormal_numbers_are_kept() -> None:
     """XLA flushes them to zero where it computes."""
     made = kernels_of(slider())
