@@ -137,7 +137,7 @@ class Kernels:
         made: dict[ModuleType, Arrays] = vars(self).setdefault("_arrays", {})
         if xp not in made:
             made[xp] = of_scene(xp, self.interface, lambda: self.functions,
-                                {"double": self.double, "single": self.single}, opened)
+                                {"double": self.double, "single": self.single}, opened, self)
         return made[xp]
 
     @functools.cached_property
