@@ -9,7 +9,8 @@ from tests.support.compiled.c_harness import C11, COMPILERS, STRICT, run
 from tests.support.compiled.flags import FMA
 from tests.support.scenes.generated_scenes import BANNER, pendulum
 
-LEFT_OUT = ("-DKSL_BLOCK=256",)  # the last is CUDA's: threads of a block
+LEFT_OUT = ("-DPENDULUM_NO_DOUBLE", "-DPENDULUM_NO_SINGLE", "-DKSL_LANE_BYTES=0",
+            "-DKSL_BLOCK=256")  # the last is CUDA's: threads of a block
 by_compiler = pytest.mark.parametrize("compiler", COMPILERS)
 
 
