@@ -14,7 +14,7 @@ from pathlib import Path
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "409e3fe055c7d09d")
+COMPILED: bool = is_compiled("coscrew._gufunc", "4d4291e3f0fdf354")
 
 if COMPILED:
     from coscrew._gufunc import (
