@@ -212,6 +212,18 @@ def test_lanes_are_compiled_when_they_pay(kernels: Kernels, tmp_path: Path):
         assert libraries() == before + more
 
 
+def test_states_without_room_for_their_results_do_not_count(kernels: Kernels):
+    described = next(x for x in kernels.interface.signatures if x.name == "forward_dynamics")
+    given = states(1, described, DOUBLE)
+    vast = [x if x.ndim == len(shape) else np.broadcast_to(x, (2**50, *shape))
+            for x, (_, shape) in zip(given, described.inputs, strict=True)]
+    with pytest.raises(MemoryError):
+        kernels.double.forward_dynamics(*vast)
+    with pytest.raises(ValueError, match="out: got shape"):
+        kernels.double.forward_dynamics(*states(200, described, DOUBLE), out=np.empty((199, 1)))
+    assert kernels._lanes._met == 0
+
+
 def test_without_lanes_states_are_computed_one_by_one(kernels: Kernels,
                                                       monkeypatch: pytest.MonkeyPatch):
     def fail(*_: object) -> None:
