@@ -172,8 +172,9 @@ def test_without_a_compiler_xla_computes(monkeypatch: pytest.MonkeyPatch) -> Non
     arguments = given("energy")
     found = of_scene(jnp, kernels().interface, lambda: kernels().functions, {}, opened,
                      kernels())
-    with pytest.warns(RuntimeWarning, match="computed by calls of the array library"):
+    with pytest.warns(RuntimeWarning, match="computed by calls of the array library") as told:
         energy = found.energy(*arguments)
+    assert told[-1].filename == __file__
     wanted = kernels().double.energy(*arguments)
     assert np.abs(energy - wanted).max() <= 2.0**-48 * np.abs(wanted).max()
 
