@@ -36,7 +36,7 @@ class Library:
         return {self._key(getattr(self.xp, p.numpy_type)): p for p in PRECISIONS}
 
     def _key(self, dtype: Any) -> str:
-        return str(dtype).rpartition(".")[2].rstrip("'>")
+        return str(dtype).rpartition(".")[2].removesuffix("'>")
 
     def precision(self, dtype: Any) -> Precision | None:
         """The precision of a type; None for others."""
@@ -57,7 +57,7 @@ class Library:
     def numeral(self, x: Any) -> bool:
         """Whether x is a Python number, or stands for one in a function that JAX traces."""
         if self.traced and isinstance(x, self.xp.ndarray):
-            return bool(x.weak_type) and str(x.dtype).startswith(("float", "int"))
+            return getattr(x, "weak_type", False) and str(x.dtype).startswith(("float", "int"))
         return isinstance(x, (int, float)) and not (isinstance(x, bool) or hasattr(x, "dtype"))
 
     def holds(self, precision: Precision) -> bool:

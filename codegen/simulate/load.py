@@ -6,6 +6,7 @@ import ctypes
 import functools
 import importlib
 import importlib.util
+import os
 import pickle
 import sys
 import warnings
@@ -33,8 +34,8 @@ if TYPE_CHECKING:
     from coscrew_codegen.simulate.lanes import Lanes
 
 BOTH = tuple(p.name for p in PRECISIONS)
-_PACKAGE = str(Path(__file__).parents[1])
-"""The folder of the package's files."""
+_PACKAGE = f"{Path(__file__).parents[1]}{os.sep}"
+"""How paths of the package's files begin."""
 
 
 @dataclass(frozen=True, repr=False)

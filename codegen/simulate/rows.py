@@ -43,7 +43,7 @@ class Compiled:
             for x, shape in described.inputs})
         shapes = [(*lead, *shape) for _, shape in described.outputs]
         if lead and out is None:
-            _ = [np.empty(shape, self.kind) for shape in shapes]  # MemoryError: nothing is prepared
+            _refuse_vast(shapes, self.kind)
             prepare(prod(lead))
         if not lead or out is None:
             found = self.in_c(*arrays, threads=count)
@@ -75,6 +75,11 @@ class Compiled:
             (ctypes.c_void_p * len(rows))(*(x.array.ctypes.data for x in rows)),
             (ctypes.c_ssize_t * len(rows))(*(x.step for x in rows)))]
         self.loop(n, *taken, min(threads, n))
+
+
+def _refuse_vast(shapes: Sequence[tuple[int, ...]], kind: np.dtype) -> None:
+    """Raises MemoryError if there is no room for arrays of these shapes."""
+    _ = [np.empty(shape, kind) for shape in shapes]
 
 
 def positive(threads: object) -> int:

@@ -116,6 +116,8 @@ def test_numbers_and_errors() -> None:
                 of.SO3_exp(masked)
         with pytest.raises(TypeError, match="v is a pandas.*Series; wanted an array of"):
             of.SO3_exp(pandas.Series([0.0, 0.0, 0.0]))
+    with pytest.raises(TypeError, match=r"v is key<fry>; wanted float64 or float32"):
+        ON_JAX.SO3_exp(jax.random.key(0))
     for weak in False, True:
         with pytest.raises(TypeError, match=r"v is a jax\..*ShapeDtypeStruct; wanted an array of"):
             ON_JAX.SO3_exp(jax.ShapeDtypeStruct((3,), np.float64, weak_type=weak))
