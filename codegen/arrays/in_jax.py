@@ -16,6 +16,8 @@ import jax
 import jax.numpy as jnp
 from jax.extend.core import Primitive
 from jax.interpreters import ad, batching, mlir
+from jax.sharding import NamedSharding, get_abstract_mesh, reshard
+from jax.sharding import PartitionSpec as P
 
 from coscrew_codegen.arrays.compiled import handler
 from coscrew_codegen.arrays.function import ArrayFunction
@@ -40,6 +42,7 @@ def _jitted(function: ArrayFunction, lead: Shape) -> Any:
     states = prod(lead)
 
     def rows(x: Any, shape: Shape) -> Any:
+        x = _replicated(x)
         own = x.shape[:x.ndim - len(shape)]
         if prod(own) != 1:
             x, own = jnp.broadcast_to(x, (*lead, *shape)), lead
@@ -47,14 +50,15 @@ def _jitted(function: ArrayFunction, lead: Shape) -> Any:
 
     def computed(*arrays: Any) -> list[Any]:
         given = [rows(x, shape) for x, (_, shape) in zip(arrays, function.inputs, strict=True)]
-        found = value.bind(*given, function=function, states=states)
+        found = _bound(value, *given, function=function, states=states)
         return [y.reshape(*lead, *shape) for y, shape in zip(found, function.shapes, strict=True)]
 
     return jax.jit(computed)
 
 
 def _evaluated(primitive: Primitive, *rows: Any, function: ArrayFunction, states: int) -> Any:
-    return _of_rows(primitive, function, states)(*rows)
+    with jax.disable_jit(False):  # else it would evaluate itself
+        return _of_rows(primitive, function, states)(*rows)
 
 
 @cache
@@ -62,14 +66,35 @@ def _of_rows(primitive: Primitive, function: ArrayFunction, states: int) -> Any:
     return jax.jit(partial(primitive.bind, function=function, states=states))
 
 
+def _replicated(x: Any) -> Any:
+    """An array that each device has whole, where types say how arrays are divided."""
+    divided = jax.typeof(x).sharding
+    return reshard(x, NamedSharding(divided.mesh, P())) if any(divided.spec) else x
+
+
+def _bound(primitive: Primitive, *rows: Any, function: ArrayFunction, states: int) -> Any:
+    """The primitive of rows that all vary over the same axes of a mesh.  Under shard_map one that
+    all devices share is made to vary as the others do, as by JAX's own functions: the transposed of
+    that sums over devices."""
+    varying = [jax.typeof(x).manual_axis_type.varying for x in rows]
+    axes = frozenset().union(*varying)
+    alike = [jax.lax.pcast(x, tuple(sorted(axes - own)), to="varying")
+             for x, own in zip(rows, varying, strict=True)]
+    return primitive.bind(*alike, function=function, states=states)
+
+
 def _shapes(*rows: Any, function: ArrayFunction, states: int) -> list[Any]:
-    return [jax.core.ShapedArray((states, n), rows[0].dtype) for n in function.sizes]
+    """Results vary over the axes of a mesh that rows vary over; else each device has them whole."""
+    mesh = next((x.sharding.mesh for x in rows if not x.sharding.mesh.empty), get_abstract_mesh())
+    return [jax.core.ShapedArray((states, n), rows[0].dtype, sharding=NamedSharding(mesh, P()),
+                                 manual_axis_type=rows[0].manual_axis_type)
+            for n in function.sizes]
 
 
 def _batched(primitive: Primitive, rows: Sequence[Any], axes: Sequence[int | None], *,
              function: ArrayFunction, states: int) -> tuple[list[Any], list[int]]:
     members = next(x.shape[axis] for x, axis in zip(rows, axes, strict=True) if axis is not None)
-    found = primitive.bind(*(_flat(x, axis, members, states) for x, axis in zip(
+    found = _bound(primitive, *(_flat(x, axis, members, states) for x, axis in zip(
         rows, axes, strict=True)), function=function, states=members * states)
     return [y.reshape(members, states, y.shape[-1]) for y in found], [0] * len(found)
 
@@ -78,6 +103,7 @@ def _flat(x: Any, axis: int | None, members: int, states: int) -> Any:
     """Rows of all members' states; one row that all share stays one."""
     if axis is None and x.shape[0] == 1:
         return x
+    x = _replicated(x)
     x = x[None] if axis is None else jnp.moveaxis(x, axis, 0)
     return jnp.broadcast_to(x, (members, states, x.shape[-1])).reshape(members * states,
                                                                        x.shape[-1])
@@ -85,21 +111,21 @@ def _flat(x: Any, axis: int | None, members: int, states: int) -> Any:
 
 def _value_jvp(primals: Sequence[Any], tangents: Sequence[Any], **of: Any) -> tuple[Any, Any]:
     directions = map(ad.instantiate_zeros, tangents)
-    return value.bind(*primals, **of), linear.bind(*primals, *directions, **of)
+    return _bound(value, *primals, **of), _bound(linear, *primals, *directions, **of)
 
 
 def _linear_jvp(primals: Sequence[Any], tangents: Sequence[Any], *, function: ArrayFunction,
                 states: int) -> tuple[Any, Any]:
     directions = map(ad.instantiate_zeros, tangents)
-    return (linear.bind(*primals, function=function, states=states),
-            linear.bind(*primals, *directions, function=function.tangent, states=states))
+    return (_bound(linear, *primals, function=function, states=states),
+            _bound(linear, *primals, *directions, function=function.tangent, states=states))
 
 
 def _transposed(weights: Sequence[Any], *rows: Any, function: ArrayFunction, states: int
                 ) -> list[Any]:
     at, directions = rows[:len(rows) // 2], rows[len(rows) // 2:]
-    found = value.bind(*at, *map(ad.instantiate_zeros, weights), function=function.adjoint,
-                       states=states)
+    found = _bound(value, *at, *map(ad.instantiate_zeros, weights), function=function.adjoint,
+                   states=states)
     return [*[None] * len(at), *(
         _shared(x, d.aval.shape[0]) if ad.is_undefined_primal(d) else None
         for x, d in zip(found, directions, strict=True))]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from functools import cache, partial
+from importlib import import_module
 from types import ModuleType
 from typing import Any
 
@@ -20,15 +21,19 @@ from coscrew_codegen.targets import scene_text
 
 Made = Callable[..., Any]
 """A function of arrays, whose arguments its docstring names."""
+Pickled = tuple[Callable[..., object], tuple[object, ...]]
+"""As `__reduce__` returns it."""
 
 
 class Arrays:
     """Functions on arrays of one library, as attributes; each is made when it is first asked for.
+    They are copied as themselves, and pickled as a function that returns them, and its arguments.
     """
 
-    def __init__(self, about: str, makers: Mapping[str, Callable[[], Made]],
+    def __init__(self, about: str, pickled: Pickled, makers: Mapping[str, Callable[[], Made]],
                  missing: Mapping[str, str] | None = None):
         self._about, self._makers, self._missing = about, makers, missing or {}
+        self._pickled = pickled
 
     def __dir__(self) -> list[str]:
         return sorted(self._makers)
@@ -43,29 +48,40 @@ class Arrays:
         hint = self._missing.get(name) or or_mean(name, tuple(self._makers))
         raise AttributeError(f"{self._about} has no function {name!r}{hint}", name=name, obj=self)
 
+    def __reduce__(self) -> Pickled:
+        return self._pickled
+
+    def __copy__(self) -> Arrays:
+        return self
+
+    def __deepcopy__(self, memo: dict[int, object]) -> Arrays:
+        return self
+
     def __repr__(self) -> str:
         return f"<{self._about}: {', '.join(self)}>"
 
 
 def of_scene(xp: ModuleType, interface: SceneInterface, functions: Callable[[], SceneFunctions],
-             on_numpy: Mapping[str, object], compile: Compile) -> Arrays:
+             on_numpy: Mapping[str, object], compile: Compile, kernels: object) -> Arrays:
     """The functions of a scene, and steps of integrators, on arrays of a library; `on_numpy` has
-    them on NumPy's, by precision.  Raises TypeError for anything but a namespace of arrays, and for
-    functions of a tier."""
+    them on NumPy's, by precision.  They are pickled as those of `kernels`.  Raises TypeError for
+    anything but a namespace of arrays, and for functions of a tier."""
     library = library_of(xp)
     if interface.mark:
         raise TypeError(f"arrays: the functions of the {interface.mark} tier are in C and NumPy "
                         "alone; wanted kernels without a tier")
     about = f"{interface.name} on arrays of {library.name}"
+    pickled = _again, (kernels, xp.__name__)
     if library.name == "numpy":
-        return Arrays(about, {x.name: partial(
+        return Arrays(about, pickled, {x.name: partial(
             _of_numpy, Signature(x.name, x.inputs, interface.precisions), "\n\n".join(x.words),
             library, {name: getattr(on_numpy[name], x.name) for name in interface.precisions})
             for x in interface.signatures})
     made = _OfScene(functions(), library, backend_of(library), compile)
     steps = {x.name: partial(made.step, x) for x in made.scene.steps if not _divides(x)}
-    return Arrays(about, {f.name: partial(made.function, f.name) for f in made.scene.functions
-                          if not f.internal} | steps,
+    others = {f.name: partial(made.function, f.name) for f in made.scene.functions
+              if not f.internal}
+    return Arrays(about, pickled, others | steps,
                   {x.name: "; where each state divides the step as it needs, C and NumPy have it "
                    "alone" for x in made.scene.steps if _divides(x)})
 
@@ -74,9 +90,17 @@ def of_scene(xp: ModuleType, interface: SceneInterface, functions: Callable[[], 
 def of_library(xp: ModuleType, on_numpy: ModuleType) -> Arrays:
     """The library's operations on arrays of a library; `on_numpy` has them on NumPy's."""
     library = library_of(xp)
-    return Arrays(f"coscrew on arrays of {library.name}", {
+    pickled = _again, (on_numpy.__name__, xp.__name__)
+    return Arrays(f"coscrew on arrays of {library.name}", pickled, {
         x.name: partial(_of_operation, x, library, on_numpy) for x in OPERATIONS
         if hasattr(on_numpy, x.name)})
+
+
+def _again(owner: Any, library: str) -> Arrays:
+    """The functions of kernels, or of a module with this name, on arrays of a library."""
+    found: Arrays = (import_module(owner) if isinstance(owner, str) else owner).arrays(
+        import_module(library))
+    return found
 
 
 def _of_operation(operation: Operation, library: Library, on_numpy: ModuleType) -> Made:

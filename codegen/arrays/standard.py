@@ -7,6 +7,8 @@ from math import prod
 from types import ModuleType
 from typing import Any
 
+import numpy as np
+
 from coscrew_codegen.formats import PRECISIONS, Precision
 
 Shape = tuple[int, ...]
@@ -34,7 +36,7 @@ class Library:
         return {self._key(getattr(self.xp, p.numpy_type)): p for p in PRECISIONS}
 
     def _key(self, dtype: Any) -> str:
-        return str(dtype).rpartition(".")[2].rstrip("'>")
+        return str(dtype).rpartition(".")[2].removesuffix("'>")
 
     def precision(self, dtype: Any) -> Precision | None:
         """The precision of a type; None for others."""
@@ -45,16 +47,17 @@ class Library:
         return self._key(dtype)
 
     def takes(self, x: Any) -> bool:
-        """Whether x is an array of this library; JAX takes those of NumPy, too."""
-        module = type(x).__module__  # NumPy's masked arrays are in numpy.ma
-        return hasattr(x, "dtype") and (
-            module.partition(".")[0] in (self.name, "jaxlib" * self.traced)
-            or self.traced and module == "numpy")
+        """Whether x is an array of this library, without a mask; JAX takes those of NumPy, too."""
+        if self.traced and isinstance(x, self.xp.ndarray):  # also one whose values are not known
+            return True
+        package = "numpy" if self.traced else self.name
+        return (hasattr(x, "dtype") and type(x).__module__.partition(".")[0] == package
+                and not isinstance(x, np.ma.MaskedArray))
 
     def numeral(self, x: Any) -> bool:
         """Whether x is a Python number, or stands for one in a function that JAX traces."""
-        if getattr(x, "weak_type", False):
-            return str(x.dtype).startswith(("float", "int"))
+        if self.traced and isinstance(x, self.xp.ndarray):
+            return getattr(x, "weak_type", False) and str(x.dtype).startswith(("float", "int"))
         return isinstance(x, (int, float)) and not (isinstance(x, bool) or hasattr(x, "dtype"))
 
     def holds(self, precision: Precision) -> bool:

@@ -235,8 +235,9 @@ def _written(described: Signature, checked: Made) -> Made:
     """
     given = [x for x, _ in described.inputs]
     named: dict[str, Made] = {"checked": checked}
-    exec(f"def {described.name}(self, {', '.join(given)}, *, out=None, threads=1):\n    return "
-         f"checked(self, {{{', '.join(f'{x!r}: {x}' for x in given)}}}, out, threads)\n", named)
+    text = (f"def {described.name}(self, {', '.join(given)}, *, out=None, threads=1):\n    return "
+            f"checked(self, {{{', '.join(f'{x!r}: {x}' for x in given)}}}, out, threads)\n")
+    exec(compile(text, f"{__file__}: {described.name}", "exec"), named)
     return _described(named[described.name], described)
 
 

@@ -6,11 +6,12 @@ import ctypes
 import functools
 import importlib
 import importlib.util
+import os
 import pickle
 import sys
 import warnings
 import zlib
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from hashlib import sha256
 from pathlib import Path
@@ -33,6 +34,8 @@ if TYPE_CHECKING:
     from coscrew_codegen.simulate.lanes import Lanes
 
 BOTH = tuple(p.name for p in PRECISIONS)
+_PACKAGE = f"{Path(__file__).parents[1]}{os.sep}"
+"""How paths of the package's files begin."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -137,7 +140,7 @@ class Kernels:
         made: dict[ModuleType, Arrays] = vars(self).setdefault("_arrays", {})
         if xp not in made:
             made[xp] = of_scene(xp, self.interface, lambda: self.functions,
-                                {"double": self.double, "single": self.single}, opened)
+                                {"double": self.double, "single": self.single}, opened, self)
         return made[xp]
 
     @functools.cached_property
@@ -249,16 +252,19 @@ def _compiler(name: str) -> native.Compiler | None:
 
 
 def warn(name: str, error: native.CompilationError, runs: str = "runs in pure NumPy") -> None:
-    level = next((n for n, frame in enumerate(_frames()) if frame != __file__), 0)
-    warnings.warn(f"{name} {runs}: {error}", RuntimeWarning, stacklevel=level + 1)
+    """Warns at the line that called this package."""
+    ours = [n for n, file in enumerate(_files()) if file.startswith(_PACKAGE)]
+    warnings.warn(f"{name} {runs}: {error}", RuntimeWarning, stacklevel=ours[-1] + 2)
 
 
-def _frames() -> Iterator[str]:
-    """The files of the functions on the call stack, from `warn` outwards."""
+def _files() -> list[str]:
+    """Those of the functions on the call stack, from `warn` outwards."""
+    found: list[str] = []
     frame: FrameType | None = sys._getframe(1)
     while frame:
-        yield frame.f_code.co_filename
+        found.append(frame.f_code.co_filename)
         frame = frame.f_back
+    return found
 
 
 def key_of(scene: Scene, functions: Collection[str], precisions: tuple[str, ...],

@@ -35,12 +35,15 @@ class Compiled:
 
     def __call__(self, arguments: Mapping[str, ArrayLike], out: object, threads: object,
                  prepare: Callable[[int], None]) -> object:
-        """The results.  `prepare` is told the number of states if there are leading axes."""
+        """The results.  `prepare` is told the number of states if there are leading axes, and room
+        for their results."""
         described, count = self.described, positive(threads)
         lead, arrays = self.checks.arrays(self.kind, **{
             x: (arguments[x], shape, *([self.signs] if x == "p" else []))
             for x, shape in described.inputs})
-        if lead:
+        shapes = [(*lead, *shape) for _, shape in described.outputs]
+        if lead and out is None:
+            _refuse_vast(shapes, self.kind)
             prepare(prod(lead))
         if not lead or out is None:
             found = self.in_c(*arrays, threads=count)
@@ -48,11 +51,12 @@ class Compiled:
                 results = found if isinstance(found, tuple) else (found,)
                 return self.checks.delivered(out, *results)
         given = dict(zip(arguments, arrays, strict=True))
-        shapes = [(*lead, *shape) for _, shape in described.outputs]
         places = [x if x is not None and self._is_place(x, len(lead), arrays)
                    else np.empty(shape, self.kind)
                    for x, shape in zip(self.checks.places(out, shapes, self.kind), shapes,
                                        strict=True)]
+        if lead and out is not None:
+            prepare(prod(lead))
         if described.moved:
             for (x, _), result in zip(described.outputs, places, strict=True):
                 result[...] = given[x]
@@ -71,6 +75,11 @@ class Compiled:
             (ctypes.c_void_p * len(rows))(*(x.array.ctypes.data for x in rows)),
             (ctypes.c_ssize_t * len(rows))(*(x.step for x in rows)))]
         self.loop(n, *taken, min(threads, n))
+
+
+def _refuse_vast(shapes: Sequence[tuple[int, ...]], kind: np.dtype) -> None:
+    """Raises MemoryError if there is no room for arrays of these shapes."""
+    _ = [np.empty(shape, kind) for shape in shapes]
 
 
 def positive(threads: object) -> int:

@@ -88,7 +88,7 @@ def _language(program: Program, precision: Precision) -> Language:
         if step.op is Op.SELECT and step.operands[1] == _ZERO:
             return f"KSL_UNLESS_LANES{f}({{0}}, {{2}})", CALL
         pattern, binding = scalar.spelling(step)
-        return pattern.replace("RN(", f"KSL_RN_LANES{f}("), binding
+        return pattern.replace("RN(", f"KSL_ROUNDED_LANES{f}("), binding
 
     return replace(scalar, spelling=spelling)
 

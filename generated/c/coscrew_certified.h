@@ -516,7 +516,6 @@ static KSL_INLINE double ksl_atan2(const double y, const double x) {
   const double angle_value = copysign(positive, y);
   return angle_value;
 }
-
 #endif
 
 #ifndef KSL_POWER
@@ -566,7 +565,6 @@ static KSL_INLINE double ksl_exp(const double x) {
   const double y_1 = within < -700.0 ? 5.421010862427522e-20 : 2.0, y_value = KSL_MUL(scaled, y_1);
   return y_value;
 }
-
 #endif
 #ifndef KSL_SINCOS
 #define KSL_SINCOS
@@ -727,20 +725,25 @@ static KSL_INLINED double ksl_sincos(const double x, double *c) {
   *c = c_value;
   return s_value;
 }
+#endif
 
+#ifndef KSL_SIN
+#define KSL_SIN
 /* sin x, as ksl_sincos. */
 static KSL_INLINE double ksl_sin(const double x) {
   double c;
   return ksl_sincos(x, &c);
 }
+#endif
 
+#ifndef KSL_COS
+#define KSL_COS
 /* cos x, as ksl_sincos. */
 static KSL_INLINE double ksl_cos(const double x) {
   double c;
   (void)ksl_sincos(x, &c);
   return c;
 }
-
 #endif
 #ifndef KSL_TANH
 #define KSL_TANH
@@ -791,7 +794,6 @@ static KSL_INLINE double ksl_tanh(const double x) {
   const double y_value = copysign(sum, x);
   return y_value;
 }
-
 #endif
 
 #ifndef KSL_ATAN2F
@@ -851,7 +853,6 @@ static KSL_INLINE float ksl_atan2f(const float y, const float x) {
   const float angle_value = copysignf(positive, y);
   return angle_value;
 }
-
 #endif
 
 #ifndef KSL_POWERF
@@ -893,7 +894,6 @@ static KSL_INLINE float ksl_expf(const float x) {
   const float y_1 = within < -80.0f ? 5.421011e-20f : 2.0f, y_value = KSL_MULF(scaled, y_1);
   return y_value;
 }
-
 #endif
 #ifndef KSL_SINCOSF
 #define KSL_SINCOSF
@@ -1041,20 +1041,25 @@ static KSL_INLINED float ksl_sincosf(const float x, float *c) {
   *c = c_value;
   return s_value;
 }
+#endif
 
+#ifndef KSL_SINF
+#define KSL_SINF
 /* sin x, as ksl_sincosf. */
 static KSL_INLINE float ksl_sinf(const float x) {
   float c;
   return ksl_sincosf(x, &c);
 }
+#endif
 
+#ifndef KSL_COSF
+#define KSL_COSF
 /* cos x, as ksl_sincosf. */
 static KSL_INLINE float ksl_cosf(const float x) {
   float c;
   (void)ksl_sincosf(x, &c);
   return c;
 }
-
 #endif
 #ifndef KSL_TANHF
 #define KSL_TANHF
@@ -1095,7 +1100,6 @@ static KSL_INLINE float ksl_tanhf(const float x) {
   const float y_value = copysignf(sum, x);
   return y_value;
 }
-
 #endif
 
 
@@ -1526,7 +1530,6 @@ static KSL_INLINE double ksl_atan2_error(const double y, const double x, const d
   const double angle_error_value = angle == 0.0 ? 0.0 : turn;
   return angle_error_value;
 }
-
 #endif
 
 #ifndef KSL_POWER
@@ -1704,7 +1707,6 @@ static KSL_INLINE double ksl_exp_error(const double x, const double y) {
       y_error_value = y == 0.0 ? 0.0 : y_error_2;
   return y_error_value;
 }
-
 #endif
 #ifndef KSL_SINCOS_ERROR
 #define KSL_SINCOS_ERROR
@@ -1977,21 +1979,26 @@ static KSL_INLINE double ksl_sincos_error(const double x, const double s, const 
   *c_error = c_error_value;
   return s_error_value;
 }
+#endif
 
+#ifndef KSL_SIN_ERROR
+#define KSL_SIN_ERROR
 /* sin x - s, as ksl_sincos_error. */
 static KSL_INLINE double ksl_sin_error(const double x, const double s) {
   double c, c_error;
   (void)ksl_sincos(x, &c);
   return ksl_sincos_error(x, s, c, &c_error);
 }
+#endif
 
+#ifndef KSL_COS_ERROR
+#define KSL_COS_ERROR
 /* cos x - c, as ksl_sincos_error. */
 static KSL_INLINE double ksl_cos_error(const double x, const double c) {
   double unused, c_error;
   (void)ksl_sincos_error(x, ksl_sincos(x, &unused), c, &c_error);
   return c_error;
 }
-
 #endif
 #ifndef KSL_TANH_ERROR
 #define KSL_TANH_ERROR
@@ -2168,7 +2175,6 @@ static KSL_INLINE double ksl_tanh_error(const double x, const double y) {
   const double y_error_1 = copysign(1.0, x), y_error_value = KSL_MUL(known, y_error_1);
   return y_error_value;
 }
-
 #endif
 
 #ifndef KSL_ATAN2_ERRORF
@@ -2321,7 +2327,6 @@ static KSL_INLINE float ksl_atan2_errorf(const float y, const float x, const flo
   const float angle_error_value = angle == 0.0f ? 0.0f : turn;
   return angle_error_value;
 }
-
 #endif
 
 #ifndef KSL_POWERF
@@ -2439,7 +2444,6 @@ static KSL_INLINE float ksl_exp_errorf(const float x, const float y) {
       y_error_value = y == 0.0f ? 0.0f : y_error_2;
   return y_error_value;
 }
-
 #endif
 #ifndef KSL_SINCOS_ERRORF
 #define KSL_SINCOS_ERRORF
@@ -2672,21 +2676,26 @@ static KSL_INLINE float ksl_sincos_errorf(const float x, const float s, const fl
   *c_error = c_error_value;
   return s_error_value;
 }
+#endif
 
+#ifndef KSL_SIN_ERRORF
+#define KSL_SIN_ERRORF
 /* sin x - s, as ksl_sincos_errorf. */
 static KSL_INLINE float ksl_sin_errorf(const float x, const float s) {
   float c, c_error;
   (void)ksl_sincosf(x, &c);
   return ksl_sincos_errorf(x, s, c, &c_error);
 }
+#endif
 
+#ifndef KSL_COS_ERRORF
+#define KSL_COS_ERRORF
 /* cos x - c, as ksl_sincos_errorf. */
 static KSL_INLINE float ksl_cos_errorf(const float x, const float c) {
   float unused, c_error;
   (void)ksl_sincos_errorf(x, ksl_sincosf(x, &unused), c, &c_error);
   return c_error;
 }
-
 #endif
 #ifndef KSL_TANH_ERRORF
 #define KSL_TANH_ERRORF
@@ -2803,7 +2812,6 @@ static KSL_INLINE float ksl_tanh_errorf(const float x, const float y) {
   const float y_error_1 = copysignf(1.0f, x), y_error_value = KSL_MULF(known, y_error_1);
   return y_error_value;
 }
-
 #endif
 
 

@@ -8,6 +8,7 @@ import jax
 import jax.numpy as jnp
 import mpmath
 import numpy as np
+import pandas
 import pytest
 
 import coscrew
@@ -108,8 +109,18 @@ def test_numbers_and_errors() -> None:
         ON_JAX.cross_vv(np.zeros((2, 3)), np.zeros((3, 3)))
     with pytest.raises(TypeError, match="wanted the arguments v1, v2; got v1"):
         ON_JAX.cross_vv(np.zeros(3))
-    with pytest.raises(TypeError, match="v is a numpy.ma.*MaskedArray; wanted an array of jax"):
-        ON_JAX.SO3_exp(np.ma.array(np.zeros(3), mask=True))
+    for of, library in (ON_JAX, "jax"), (coscrew.arrays(np), "numpy"):
+        for masked in np.ma.array(np.zeros(3), mask=True), np.ma.masked:
+            with pytest.raises(TypeError, match=r"^SO3_exp: v is a numpy\.ma.*\.Masked\w*; "
+                                                f"wanted an array of {library}$"):
+                of.SO3_exp(masked)
+        with pytest.raises(TypeError, match="v is a pandas.*Series; wanted an array of"):
+            of.SO3_exp(pandas.Series([0.0, 0.0, 0.0]))
+    with pytest.raises(TypeError, match=r"v is key<fry>; wanted float64 or float32"):
+        ON_JAX.SO3_exp(jax.random.key(0))
+    for weak in False, True:
+        with pytest.raises(TypeError, match=r"v is a jax\..*ShapeDtypeStruct; wanted an array of"):
+            ON_JAX.SO3_exp(jax.ShapeDtypeStruct((3,), np.float64, weak_type=weak))
     with pytest.raises(TypeError, match="v is >f8; wanted float64 or float32"):
         ON_JAX.SO3_exp(np.zeros(3, ">f8"))
     ones = np.ones(3, np.float32)

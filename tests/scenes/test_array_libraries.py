@@ -1,6 +1,11 @@
 """A scene's functions on arrays of JAX and of the array API standard: C's bits, with the bits of
 the tangent and adjoint Programs as derivatives, which tests/laws hold against 50 digits."""
 
+import copy
+import os
+import pickle
+import subprocess
+import sys
 from collections.abc import Iterator, Sequence
 from functools import cache
 
@@ -11,6 +16,7 @@ import mpmath
 import numpy as np
 import pytest
 
+import coscrew
 from coscrew_codegen.arrays.function import ArrayFunction
 from coscrew_codegen.arrays.namespace import Arrays, of_scene
 from coscrew_codegen.arrays.standard import Library
@@ -70,6 +76,16 @@ def test_bits_are_those_of_c(precision: Precision) -> None:
     assert np.asarray(function(*one)).tobytes() == wanted[0].tobytes()
     none = [x[:0] if x.ndim > 1 else x for x in arguments]
     assert function(*none).shape == (0, *wanted.shape[1:])
+
+
+def test_bits_where_nothing_is_jitted() -> None:
+    arguments = given("energy")
+    slope = jax.grad(lambda *x: on_jax().energy(*x).sum(), argnums=3)
+    wanted = slope(*arguments)
+    with jax.disable_jit():
+        assert (np.asarray(on_jax().energy(*arguments)).tobytes()
+                == kernels().double.energy(*arguments).tobytes())
+        assert np.asarray(slope(*arguments)).tobytes() == np.asarray(wanted).tobytes()
 
 
 def test_subnormal_numbers_are_kept() -> None:
@@ -154,11 +170,31 @@ def test_without_a_compiler_xla_computes(monkeypatch: pytest.MonkeyPatch) -> Non
 
     monkeypatch.setattr(native, "library", fails)
     arguments = given("energy")
-    found = of_scene(jnp, kernels().interface, lambda: kernels().functions, {}, opened)
-    with pytest.warns(RuntimeWarning, match="computed by calls of the array library"):
+    found = of_scene(jnp, kernels().interface, lambda: kernels().functions, {}, opened,
+                     kernels())
+    with pytest.warns(RuntimeWarning, match="computed by calls of the array library") as told:
         energy = found.energy(*arguments)
+    assert told[-1].filename == __file__
     wanted = kernels().double.energy(*arguments)
     assert np.abs(energy - wanted).max() <= 2.0**-48 * np.abs(wanted).max()
+
+
+def test_arrays_are_divided_among_devices() -> None:
+    """Under shard_map, which keeps account of what varies over devices, and by arrays' types."""
+    subprocess.run([sys.executable, "-m", "tests.support.scenes.sharded"], check=True, env={
+        **os.environ, "XLA_FLAGS": "--xla_force_host_platform_device_count=2"})
+
+
+def test_copies_and_pickles() -> None:
+    for made in (on_jax(), kernels().arrays(np), coscrew.arrays(np), coscrew.arrays(jnp)):
+        assert copy.copy(made) is made and copy.deepcopy([made])[0] is made
+    for made in (kernels().arrays(np), on_jax()):
+        again = pickle.loads(pickle.dumps(made))
+        assert dir(again) == dir(made) and again is not made
+        assert (np.asarray(again.energy(*given("energy"))).tobytes()
+                == kernels().double.energy(*given("energy")).tobytes())
+    for made in (coscrew.arrays(np), coscrew.arrays(jnp)):
+        assert pickle.loads(pickle.dumps(made)) is made
 
 
 def test_what_is_not_there_is_said() -> None:

@@ -159,8 +159,9 @@ def test_a_cache_that_cannot_be_written_to_is_done_without(tmp_path: Path, monke
 def test_without_a_compiler_that_works_numpy_runs(compiled: Kernels, cache: Path, monkeypatch,
                                                   command: str):
     monkeypatch.setenv("CC", command)
-    with pytest.warns(RuntimeWarning, match="slider runs in pure NumPy"):
+    with pytest.warns(RuntimeWarning, match="slider runs in pure NumPy") as told:
         twin = kernels_of(slider())
+    assert told[0].filename == __file__
     assert compiled.compiled and not twin.compiled and twin.compiler == ""
     assert dir(compiled.single) == dir(twin.single)
     for precision in ("double", "single"):

@@ -225,6 +225,18 @@ def test_lanes_are_compiled_when_they_pay(kernels: Kernels, tmp_path: Path):
         assert libraries() == before + more
 
 
+def test_states_without_room_for_their_results_do_not_count(kernels: Kernels):
+    described = next(x for x in kernels.interface.signatures if x.name == "forward_dynamics")
+    given = states(1, described, DOUBLE)
+    vast = [x if x.ndim == len(shape) else np.broadcast_to(x, (2**50, *shape))
+            for x, (_, shape) in zip(given, described.inputs, strict=True)]
+    with pytest.raises(MemoryError):
+        kernels.double.forward_dynamics(*vast)
+    with pytest.raises(ValueError, match="out: got shape"):
+        kernels.double.forward_dynamics(*states(200, described, DOUBLE), out=np.empty((199, 1)))
+    assert kernels._lanes._met == 0
+
+
 def test_without_lanes_states_are_computed_one_by_one(kernels: Kernels,
                                                       monkeypatch: pytest.MonkeyPatch):
     def fail(*_: object) -> None:
@@ -233,8 +245,9 @@ def test_without_lanes_states_are_computed_one_by_one(kernels: Kernels,
     monkeypatch.setattr(native, "library", fail)
     described = next(x for x in kernels.interface.signatures if x.name == "forward_dynamics")
     given = states(200, described, DOUBLE)
-    with pytest.warns(RuntimeWarning, match="computes many states one by one: no such vectors"):
+    with pytest.warns(RuntimeWarning, match="one by one: no such vectors") as told:
         found = kernels.double.forward_dynamics(*given)
+    assert told[0].filename == __file__
     assert same_bits(found[:50], kernels.double.forward_dynamics(*(
         x if n in ("t", "p") else x[:50] for x, (n, _) in zip(given, described.inputs,
                                                             strict=True))))

@@ -93,7 +93,6 @@ static KSL_INLINE double ksl_atan2(const double y, const double x) {
   const double angle_value = copysign(positive, y);
   return angle_value;
 }
-
 #endif
 
 #ifndef KSL_POWER
@@ -143,7 +142,6 @@ static KSL_INLINE double ksl_exp(const double x) {
   const double y_1 = within < -700.0 ? 5.421010862427522e-20 : 2.0, y_value = KSL_MUL(scaled, y_1);
   return y_value;
 }
-
 #endif
 #ifndef KSL_SINCOS
 #define KSL_SINCOS
@@ -304,20 +302,25 @@ static KSL_INLINED double ksl_sincos(const double x, double *c) {
   *c = c_value;
   return s_value;
 }
+#endif
 
+#ifndef KSL_SIN
+#define KSL_SIN
 /* sin x, as ksl_sincos. */
 static KSL_INLINE double ksl_sin(const double x) {
   double c;
   return ksl_sincos(x, &c);
 }
+#endif
 
+#ifndef KSL_COS
+#define KSL_COS
 /* cos x, as ksl_sincos. */
 static KSL_INLINE double ksl_cos(const double x) {
   double c;
   (void)ksl_sincos(x, &c);
   return c;
 }
-
 #endif
 #ifndef KSL_TANH
 #define KSL_TANH
@@ -368,7 +371,6 @@ static KSL_INLINE double ksl_tanh(const double x) {
   const double y_value = copysign(sum, x);
   return y_value;
 }
-
 #endif
 
 #ifndef KSL_ATAN2F
@@ -428,7 +430,6 @@ static KSL_INLINE float ksl_atan2f(const float y, const float x) {
   const float angle_value = copysignf(positive, y);
   return angle_value;
 }
-
 #endif
 
 #ifndef KSL_POWERF
@@ -470,7 +471,6 @@ static KSL_INLINE float ksl_expf(const float x) {
   const float y_1 = within < -80.0f ? 5.421011e-20f : 2.0f, y_value = KSL_MULF(scaled, y_1);
   return y_value;
 }
-
 #endif
 #ifndef KSL_SINCOSF
 #define KSL_SINCOSF
@@ -618,20 +618,25 @@ static KSL_INLINED float ksl_sincosf(const float x, float *c) {
   *c = c_value;
   return s_value;
 }
+#endif
 
+#ifndef KSL_SINF
+#define KSL_SINF
 /* sin x, as ksl_sincosf. */
 static KSL_INLINE float ksl_sinf(const float x) {
   float c;
   return ksl_sincosf(x, &c);
 }
+#endif
 
+#ifndef KSL_COSF
+#define KSL_COSF
 /* cos x, as ksl_sincosf. */
 static KSL_INLINE float ksl_cosf(const float x) {
   float c;
   (void)ksl_sincosf(x, &c);
   return c;
 }
-
 #endif
 #ifndef KSL_TANHF
 #define KSL_TANHF
@@ -672,7 +677,6 @@ static KSL_INLINE float ksl_tanhf(const float x) {
   const float y_value = copysignf(sum, x);
   return y_value;
 }
-
 #endif
 
 

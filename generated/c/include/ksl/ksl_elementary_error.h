@@ -215,7 +215,6 @@ static KSL_INLINE double ksl_atan2_error(const double y, const double x, const d
   const double angle_error_value = angle == 0.0 ? 0.0 : turn;
   return angle_error_value;
 }
-
 #endif
 
 #ifndef KSL_POWER
@@ -393,7 +392,6 @@ static KSL_INLINE double ksl_exp_error(const double x, const double y) {
       y_error_value = y == 0.0 ? 0.0 : y_error_2;
   return y_error_value;
 }
-
 #endif
 #ifndef KSL_SINCOS_ERROR
 #define KSL_SINCOS_ERROR
@@ -666,21 +664,26 @@ static KSL_INLINE double ksl_sincos_error(const double x, const double s, const 
   *c_error = c_error_value;
   return s_error_value;
 }
+#endif
 
+#ifndef KSL_SIN_ERROR
+#define KSL_SIN_ERROR
 /* sin x - s, as ksl_sincos_error. */
 static KSL_INLINE double ksl_sin_error(const double x, const double s) {
   double c, c_error;
   (void)ksl_sincos(x, &c);
   return ksl_sincos_error(x, s, c, &c_error);
 }
+#endif
 
+#ifndef KSL_COS_ERROR
+#define KSL_COS_ERROR
 /* cos x - c, as ksl_sincos_error. */
 static KSL_INLINE double ksl_cos_error(const double x, const double c) {
   double unused, c_error;
   (void)ksl_sincos_error(x, ksl_sincos(x, &unused), c, &c_error);
   return c_error;
 }
-
 #endif
 #ifndef KSL_TANH_ERROR
 #define KSL_TANH_ERROR
@@ -857,7 +860,6 @@ static KSL_INLINE double ksl_tanh_error(const double x, const double y) {
   const double y_error_1 = copysign(1.0, x), y_error_value = KSL_MUL(known, y_error_1);
   return y_error_value;
 }
-
 #endif
 
 #ifndef KSL_ATAN2_ERRORF
@@ -1010,7 +1012,6 @@ static KSL_INLINE float ksl_atan2_errorf(const float y, const float x, const flo
   const float angle_error_value = angle == 0.0f ? 0.0f : turn;
   return angle_error_value;
 }
-
 #endif
 
 #ifndef KSL_POWERF
@@ -1128,7 +1129,6 @@ static KSL_INLINE float ksl_exp_errorf(const float x, const float y) {
       y_error_value = y == 0.0f ? 0.0f : y_error_2;
   return y_error_value;
 }
-
 #endif
 #ifndef KSL_SINCOS_ERRORF
 #define KSL_SINCOS_ERRORF
@@ -1361,21 +1361,26 @@ static KSL_INLINE float ksl_sincos_errorf(const float x, const float s, const fl
   *c_error = c_error_value;
   return s_error_value;
 }
+#endif
 
+#ifndef KSL_SIN_ERRORF
+#define KSL_SIN_ERRORF
 /* sin x - s, as ksl_sincos_errorf. */
 static KSL_INLINE float ksl_sin_errorf(const float x, const float s) {
   float c, c_error;
   (void)ksl_sincosf(x, &c);
   return ksl_sincos_errorf(x, s, c, &c_error);
 }
+#endif
 
+#ifndef KSL_COS_ERRORF
+#define KSL_COS_ERRORF
 /* cos x - c, as ksl_sincos_errorf. */
 static KSL_INLINE float ksl_cos_errorf(const float x, const float c) {
   float unused, c_error;
   (void)ksl_sincos_errorf(x, ksl_sincosf(x, &unused), c, &c_error);
   return c_error;
 }
-
 #endif
 #ifndef KSL_TANH_ERRORF
 #define KSL_TANH_ERRORF
@@ -1492,7 +1497,6 @@ static KSL_INLINE float ksl_tanh_errorf(const float x, const float y) {
   const float y_error_1 = copysignf(1.0f, x), y_error_value = KSL_MULF(known, y_error_1);
   return y_error_value;
 }
-
 #endif
 
 
