@@ -70,4 +70,4 @@ def _made(kernels: load.Kernels, compiler: native.Compiler) -> native.Library:
         else:
             files = scene_c.files(functions, banner) | scene_c_many.files(functions, banner)
     return load.library_of(files, functions, f"{stem}_many.c", compiler, kernels.precisions,
-                           "-DKSL_LANES_ONLY")
+                           "-DKSL_LANES_ONLY", scene_c_many.LEVEL)

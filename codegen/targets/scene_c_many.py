@@ -19,6 +19,10 @@ from coscrew_codegen.targets.scene_c_lanes import Kernels, Section
 from coscrew_codegen.targets.scene_c_steps import begun
 from coscrew_codegen.targets.target import Files, Target
 
+LEVEL = "-O2"
+"""How to compile it: clang's code takes 0.8 to 0.95 of the time that -O1 gives, for 1.2 times the
+compilation."""
+
 
 @uncollected()
 def files(scene: SceneFunctions, banner: str) -> Files:

@@ -15,7 +15,7 @@ from coscrew_codegen.native.timing import Loop, driver, pointers
 from coscrew_codegen.scene_functions import Function, SceneFunctions
 from coscrew_codegen.targets import scene_c, scene_c_many
 
-COMPILERS = {"gcc": "-O2", "clang": "-O1"}
+COMPILERS = {"gcc": "-O2", "clang": "-O2"}
 WIDTHS = {"sse2": (), "avx2": ("-mavx2", "-mfma"), "avx512f": ("-march=native",)}
 """What the processor needs, and the flags."""
 COMMON = ("-std=c11", "-DKSL_CONTRACT_OFF", "-ffp-contract=off", "-shared", "-fPIC")
