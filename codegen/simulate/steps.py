@@ -62,6 +62,7 @@ class _Controller(ctypes.Structure):
                 ("places", ctypes.c_void_p))
 
 
+MOST = 256  # threads, as in threads.jinja
 _REFUSED = np.dtype([("number", np.intp), ("t", float), ("value", float)], align=True)
 
 
@@ -159,7 +160,8 @@ def _over_all(rows: np.ndarray, lead: tuple[int, ...]) -> np.ndarray:
 
 def _shared(work: Callable[[int, int], None], states: int, threads: int) -> None:
     """work(first, number) on all states, shared among threads."""
-    if threads == 1 or states < 2:
+    threads = min(threads, states, MOST)
+    if threads < 2:
         work(0, states)
         return
     from concurrent.futures import ThreadPoolExecutor  # slow, and seldom needed
