@@ -43,7 +43,7 @@ def start_of(system: System, q0: ArrayLike | None, v0: ArrayLike | None,
         else system.start(), system.functions
     with np.errstate(over="ignore"):  # `integrate` refuses infinities
         if q0 is not None:
-            q = _of_norm_1(system, _numbers("q0", q0, (its.nq,))).astype(system.dtype)
+            q = of_norm_1(system, _numbers("q0", q0, (its.nq,))).astype(system.dtype)
         if v0 is not None:
             v = _numbers("v0", v0, (its.nv,)).astype(system.dtype)
     leads = {name: x.shape[:-1] for name, x in (("p", np.array(system.p)), ("q0", q), ("v0", v))}
@@ -56,7 +56,7 @@ def start_of(system: System, q0: ArrayLike | None, v0: ArrayLike | None,
     return q, v
 
 
-def _of_norm_1(system: System, q: np.ndarray) -> np.ndarray:
+def of_norm_1(system: System, q: np.ndarray) -> np.ndarray:
     """q with quaternions of norm 1, which it has within 1e-6, as in a scene's file.  Those of which
     the precision cannot tell that it is not 1 stay: a state of a run is that state.  Raises
     SimulateError."""
@@ -77,7 +77,7 @@ def _numbers(name: str, given: ArrayLike, shape: tuple[int, ...]) -> np.ndarray:
     """The numbers, in double: of this shape, or with one axis of members before."""
     try:
         found = np.asarray(given)
-        if found.dtype.kind not in "iuf":
+        if found.dtype.kind not in "iuf" or isinstance(given, np.ma.MaskedArray):
             raise TypeError
         found = found.astype(float)
     except (TypeError, ValueError):

@@ -1,5 +1,6 @@
 """A run, from what is asked of it to its Result: for `run`, `again` and the command."""
 
+import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
@@ -46,6 +47,9 @@ def motion(kernels: Kernels, precision: str, asked: Asked, *, said: str = "p: ",
     provenance.  Raises SimulateError."""
     its, state = _begun(kernels, precision, asked, said)
     start = asked.start
+    if start and start.controller and not asked.controller:
+        warnings.warn(f"start: the run before had a controller ({start.controller}), this one has "
+                      "none: what it set last holds", RuntimeWarning, stacklevel=4)
     planned = plan(its, asked.until, asked.step, asked.integrator, asked.every,
                    begin=start.t if start else 0.0)
     if start:

@@ -34,6 +34,7 @@ class Instant:
     momentum: np.ndarray | None  # of floating bases at t = 0, if the run keeps it
     of: tuple[str, str] = ("", "")  # the precision's name and the scene's sha256
     failed: tuple[Stop, ...] = ()  # members that have stopped; their numbers are NaN
+    controller: str = ""  # what provenance says of that of the run before
 
     @property
     def told(self) -> str:
@@ -97,7 +98,8 @@ def instant(told: Mapping[str, str], which: str, said: str) -> Instant:
     except (ValueError, TypeError, KeyError, AttributeError):
         raise SimulateError(f"{said} is not as coscrew writes it") from None
     return Instant(t, steps, q, v, p, momentum, (told.get("precision", ""),
-                                                 told.get("scene sha256", "")))
+                                                 told.get("scene sha256", "")),
+                   controller=told.get("controller", ""))
 
 
 def refuse(start: Instant, system: System) -> None:

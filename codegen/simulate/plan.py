@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass
+from numbers import Real
 
 import numpy as np
 
@@ -98,10 +99,12 @@ def plan(system: System, until: float | None = None, step: float | None = None,
          also: tuple[float, ...] = (), begin: float = 0.0) -> Plan:
     """The scene's plan, with these settings instead of its own.  Raises SimulateError."""
     run = system.scene.run
-    every = system.scene.every if every is None else every
-    made = Plan(run.duration if until is None else until, every,
-                run.integrator if integrator is None else integrator,
-                run.step if step is None else step, *tolerances(system), also, begin=begin)
+    until, step, every = (default if given is None else _seconds(name, given)
+                          for name, given, default in (("until", until, run.duration),
+                                                       ("step", step, run.step),
+                                                       ("every", every, system.scene.every)))
+    made = Plan(until, every, run.integrator if integrator is None else integrator, step,
+                *tolerances(system), also, begin=begin)
     if made.integrator not in NAMES:
         raise SimulateError(f"integrator: {made.integrator!r}; wanted one of {', '.join(NAMES)}; "
                             f"{did_you_mean(made.integrator, NAMES)}")
@@ -122,6 +125,13 @@ def plan(system: System, until: float | None = None, step: float | None = None,
         raise SimulateError(f"{made.until:g} s are {made.until / made.every:.3g} samples, one "
                             f"every {made.every:g} s; wanted at most {MOST_SAMPLES}")
     return made
+
+
+def _seconds(name: str, given: object) -> float:
+    """A time as Python's float, of which provenance tells all digits.  Raises SimulateError."""
+    if isinstance(given, (bool, np.bool_)) or not isinstance(given, Real):
+        raise SimulateError(f"{name}: wanted a number of seconds; got {given!r}")
+    return float(given)
 
 
 def tolerances(system: System) -> tuple[float, float]:

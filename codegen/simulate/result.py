@@ -57,7 +57,8 @@ class Result:
     @property
     def end(self) -> Instant:
         """The end, from which a run goes on."""
-        return end_of(self.system, self.trajectory, self.start)
+        controller = dict(self.provenance).get("controller", "")
+        return replace(end_of(self.system, self.trajectory, self.start), controller=controller)
 
     @property
     def provenance(self) -> Provenance:

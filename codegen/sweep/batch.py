@@ -9,6 +9,7 @@ import numpy as np
 from coscrew_codegen.scene.recorded import recorded
 from coscrew_codegen.simulate.alarm import Alarm
 from coscrew_codegen.simulate.load import Kernels
+from coscrew_codegen.simulate.members import of_norm_1
 from coscrew_codegen.simulate.plan import Stop, plan
 from coscrew_codegen.simulate.record import quantity
 from coscrew_codegen.simulate.run import integrate
@@ -30,7 +31,7 @@ def run(kernels: Kernels, conditions: Conditions, p: np.ndarray, q: np.ndarray, 
     """The runs of members with these parameters and starts, a row each."""
     its = system(kernels, conditions.precision, dict(conditions.settings)).at(p)
     planned = plan(its, conditions.until, conditions.step, conditions.integrator, conditions.every)
-    start = its.normalized(q).astype(its.dtype), v.astype(its.dtype)
+    start = of_norm_1(its, q).astype(its.dtype), v.astype(its.dtype)
     trajectory = integrate(its, planned, None, Alarm, start)
     if trajectory.interrupted:
         raise KeyboardInterrupt

@@ -52,6 +52,7 @@ def html(specification: Specification, about: Mapping[str, str], found: Tally, w
     left = sum(x.varies for x in found.columns) - len(drawn)
     told = {"command": words, "seed": str(specification.varied.seed), **about}
     return render("sweep/page.html", scene=specification.scene, members=found.members,
+                  failed=found.failed,
                   varied=tuple(_varied(specification)), left=left,
                   figures=[(x.own.name, plot.figure(x)) for x in drawn],
                   tables=tuple(_tables(specification, found, words)), provenance=told)
@@ -71,7 +72,8 @@ def _varied(specification: Specification) -> Iterator[str]:
 def _tables(specification: Specification, found: Tally, words: str) -> Iterator[Shown]:
     yield Shown("Recorded quantities", "Over the members that reached the end of their runs. "
                 "Shares: how much of the variance over the members what varied explains alone, "
-                "by means over its grid or over parts of its range.",
+                "by means over its grid or over parts of its range; rough for fewer than about "
+                "1000 samples.",
                 _headers(found), tuple(_rows(found.columns)))
     if found.failed:
         varied, more = specification.varied, found.failed - len(found.listed)

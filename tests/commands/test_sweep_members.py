@@ -46,7 +46,8 @@ def test_members_fail_where_runs_do_and_the_others_go_on(folder):
 @pytest.mark.parametrize(("text", "options", "member"), (
     (MANY_KINDS, "--grid ball.mass=1:2:2 --sobol start.?.base.[0-2]=-1:1 --sobol start.v.s*=-2:2 "
      "--samples 3 --set cup.com.x=0.1 --precision single", 3),
-    (MANY_KINDS, "--sobol start.q.*=uniform --sobol start.v.*=-2:2 --samples 5", 4),
+    *((MANY_KINDS, "--sobol start.q.*=uniform --sobol start.v.*=-2:2 --samples 5", k)
+      for k in range(5)),
     (SLIDER, "--grid block.mass=0.7:1.1:5:log --sobol start.?.slide=limits --samples 9 --seed 5",
      44)))
 def test_one_member_alone_has_the_bits_that_the_sweep_wrote(text, options, member, folder, capsys):

@@ -23,7 +23,7 @@ SCENES = {**CASES, "carrier": scene_bits.functions}
 
 _REMOVED = re.compile(r"/\*.*?\*/|^[ \t]*#(?:[^\n]|(?<=\\)\n)*|\"[^\"\n]*\"",
                       re.DOTALL | re.MULTILINE)
-_ASSEMBLY = re.compile(r"__asm__\([^;]*;")
+_ASSEMBLY = re.compile(r"__asm__\([^;]*;|__attribute__\(\(unused\)\)")
 _OPERATION = re.compile(r"(?<![=(,?:<>&|{;]) ([-+*/]) ")
 _COMPOUND = re.compile(r" ([-+*/])= ")
 _BRACKETS = re.compile(r"\[[^\[\]]*\]")

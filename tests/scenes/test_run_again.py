@@ -24,6 +24,7 @@ ASKED = {
         "step": 1 / 1431, "every": 1 / 71, "until": 2 / 7, "record": ["energy.total", "a"]}),
     "parameters and start": ("swing", {
         "p": {"bob.mass": 1.1}, "q0": [1 / 3], "v0": [-2 / 7], "until": 0.2}),
+    "whole numbers": ("swing", {"until": 1, "every": np.int64(1), "step": np.float32(0.01)}),
     "another integrator": ("tumbling", {"integrator": "rk4", "until": 0.2}),
     "a floating base": ("tumbling", {"q0": SPUN, "until": 0.3, "step": 7e-4}),
     "the integrator of SciPy": ("swing", {"integrator": "radau", "until": 0.1}),

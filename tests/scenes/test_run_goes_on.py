@@ -92,7 +92,18 @@ def test_parameters_hold_unless_others_are_given(scenes):
     assert run(path, start=first, p={"bob.mass": 4}, until=0.2).system.p[0] == 4
 
 
+def test_going_on_without_the_controller_is_told(scenes, tmp_path):
+    path = scenes / "swing.toml"
+    first = run(path, controller=Controller(lambda t, q, v: -3 * q), until=0.1)
+    first.write(tmp_path / "first.csv")
+    for start in (first, tmp_path / "first.csv"):
+        with pytest.warns(RuntimeWarning, match="the run before had a controller .*lambda.* none"):
+            run(path, start=start, until=0.2)
+
+
 @pytest.mark.parametrize("asked, said", (
+    ({"until": "1"}, "until: wanted a number of seconds; got '1'"),
+    ({"until": 1, "step": True}, "step: wanted a number of seconds; got True"),
     ({"until": 0.1}, "until: wanted more than 0.1 s"),
     ({"until": 1, "q0": [1]}, "got both"),
     ({"until": 1, "precision": "single"}, "a run in double precision; wanted single"),
