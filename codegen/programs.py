@@ -29,7 +29,8 @@ def _derived(operation: Operation, fine: bool = False) -> Program:
 
 @cache
 def smooth_program(operation: Operation) -> Program:
-    """The operation's program for derivatives: its results are those of the plain one."""
+    """The operation's program for derivatives: the same function, with results that differ in last
+    digits where they are series."""
     return plain(simplified(kernel_of(operation, smooth=True)))
 
 

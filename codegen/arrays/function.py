@@ -22,8 +22,8 @@ nothing compiles."""
 
 @dataclass(frozen=True, eq=False)
 class ArrayFunction:
-    """A plain Program as a function of arrays with leading axes.  `smooth` has the same results and
-    is differentiated in its place."""
+    """A plain Program as a function of arrays with leading axes.  `smooth` is the same function
+    and is differentiated in its place."""
 
     name: str  # arm_inverse_dynamics: that of its function in C
     program: Program

@@ -93,6 +93,17 @@ def _shown(function: object) -> str:
     return null + type(function).__name__
 
 
+def refuse_precision(controller: Controller, dtype: np.dtype) -> None:
+    """Raise SimulateError if a pointer of ctypes declares arrays of the other precision, beyond the
+    ends of which the function would write or read."""
+    wanted = np.ctypeslib.as_ctypes_type(dtype)
+    declared = getattr(controller.function, "argtypes", None) if controller.address else None
+    for x in (declared or ())[1:4]:
+        if getattr(x, "_type_", None) in {ctypes.c_float, ctypes.c_double} - {wanted}:
+            raise SimulateError(f"controller: a function in C of {x._type_.__name__}; wanted "
+                                f"{wanted.__name__}, of a run in this precision")
+
+
 def set_by(controller: Controller, scene: Scene) -> tuple[int, ...]:
     """The indices in p of the parameters that a controller sets.  Raises SimulateError."""
     names = tuple(x.name for x in scene.parameters)

@@ -10,7 +10,7 @@ import numpy as np
 
 from coscrew_codegen.integrators import named
 from coscrew_codegen.simulate import SimulateError
-from coscrew_codegen.simulate.control import EFFORT, Controller, Law, set_by
+from coscrew_codegen.simulate.control import EFFORT, Controller, Law, refuse_precision, set_by
 from coscrew_codegen.simulate.plan import Plan, Stop
 from coscrew_codegen.simulate.steps import InC
 from coscrew_codegen.simulate.system import State, System
@@ -24,6 +24,7 @@ class Driven:
     def __init__(self, controller: Controller, system: System, plan: Plan, q: np.ndarray,
                  steps: int = 0):
         self._controller, self._system, self.steps = controller, system, steps
+        refuse_precision(controller, np.dtype(system.dtype))
         self._places = np.array(set_by(controller, system.scene), np.intp)
         p = np.asarray(system.p, system.dtype)
         self.p = np.broadcast_to(p, (*q.shape[:-1], p.shape[-1])).copy()

@@ -255,3 +255,13 @@ def test_it_may_return_the_same_array_each_time(made):
     found, wanted = (run(path, controller=Controller(x, 5), until=0.05)
                      for x in (law, lambda t, q, v: -3 * q - v))
     assert found.trajectory.held.tobytes() == wanted.trajectory.held.tobytes()
+
+
+@BOTH
+def test_functions_of_the_other_precision_are_refused(made, precision):
+    """Where ctypes knows: they would write beyond the end."""
+    folder, _ = made
+    real = {"double": ctypes.c_float, "single": ctypes.c_double}[precision]
+    law = ctypes.CFUNCTYPE(None, ctypes.c_double, *[ctypes.POINTER(real)] * 3, ctypes.c_void_p)
+    with pytest.raises(SimulateError, match=f"a function in C of {real.__name__}; wanted c_"):
+        run(folder / "swing.toml", controller=law(lambda *x: None), precision=precision, until=0.1)
