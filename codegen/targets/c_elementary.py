@@ -10,7 +10,7 @@ from coscrew_codegen.formats import BY_NAME, DOUBLE, Precision
 from coscrew_codegen.program import Constant, Input, Op, Program, renamed
 from coscrew_codegen.program.program import in_words
 from coscrew_codegen.quantity import Argument
-from coscrew_codegen.targets import c_lanes, two_over_pi
+from coscrew_codegen.targets import c_lanes, c_several_of_states, two_over_pi
 from coscrew_codegen.targets.c_function import Body, Stored
 from coscrew_codegen.targets.c_lanes import SEVERAL
 from coscrew_codegen.targets.c_nested import language
@@ -78,6 +78,8 @@ def written(precision: Precision, names: Collection[str], nested: bool = False) 
 
 def _several(function: Elementary, precision: Precision, names: Collection[str]) -> str:
     wanted = [n for name, n in SEVERAL.get(function.name, {}).items() if name in names]
+    if precision.lanes:
+        return "".join(c_several_of_states.written(function, precision, n) for n in wanted)
     return c_lanes.written(function, precision, wanted) if wanted else ""
 
 

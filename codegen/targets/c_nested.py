@@ -52,6 +52,7 @@ _ON_LANES = {
     Op.LESS: ("ksl_less%s({}, {})", CALL), Op.EQUAL: ("ksl_equal%s({}, {})", CALL)}
 _ON_DEVICE = {**_SPELLING, **{op: _ON_LANES[op] for op in (Op.ABS, Op.SQRT, Op.COPYSIGN)}}
 LANES = 4  # angles whose sines and cosines are computed at once
+OF_STATES = 3  # the same on vectors of states: more do not fit into registers
 TOGETHER = {Op.SIN: "sincos", Op.SIN_ERROR: "sincos_error"}
 """What is computed for several angles at once."""
 _SUMS = frozenset({Op.ADD, Op.SUB, Op.EXACT_ADD, Op.EXACT_SUB, Op.PRODUCT_ERROR, Op.PRODUCT_REST})
@@ -133,7 +134,7 @@ class Together:
         real, arrays = precision.c_type, self.arrays
         angles = [pair.expression.partition(",")[0] for pair in self.pairs]
         given = self.of.arrays if self.of else []
-        call = listed(f"ksl_{TOGETHER[self.step.op]}_{len(angles)}{precision.suffix}(",
+        call = listed(f"ksl_{TOGETHER[self.step.op]}_{len(angles)}{precision.called}(",
                       [*angles, *given, *arrays], ");", width)
         values = (f"{array}[{n}]" for n in range(len(angles)) for array in arrays)
         return "\n".join((
@@ -144,20 +145,27 @@ class Together:
 
 def together(assigned: Sequence[Assignment | str], precision: Precision
              ) -> Sequence[Assignment | Together | str]:
-    """With the sines and cosines of inputs first, several together, and their errors; headings
-    below which nothing is left are left out.  On vectors each has its own call, but processors work
-    at several of them at a time: functions take 0.8 to 0.95 of the time."""
+    """With the sines and cosines of inputs first, several together, and their errors, unless they
+    are vectors; headings below which nothing is left are left out."""
     if precision.device:
         return assigned
     pairs = [x for x in assigned if isinstance(x, Assignment) and x.cosine]
     sines = [x for x in pairs if x.step.op is Op.SIN and isinstance(x.step.operands[0], Input)]
-    first = sines if precision.lanes else list(_grouped(sines, pairs))
+    first = list(_of_states(sines) if precision.lanes else _grouped(sines, pairs))
     moved = {pair.step.name for x in first
              for pair in (x.pairs if isinstance(x, Together) else (x,))}
     rest = [x for x in assigned if isinstance(x, str) or x.step.name not in moved]
     kept = [x for x, following in pairwise((*rest, ""))
             if not (isinstance(x, str) and isinstance(following, str))]
     return [*first, *kept]
+
+
+def _of_states(sines: Sequence[Assignment]) -> Iterator[Assignment | Together]:
+    """Calls of nearly as many each."""
+    calls = -(-len(sines) // OF_STATES)
+    for n in range(calls):
+        found = sines[len(sines) * n // calls:len(sines) * (n + 1) // calls]
+        yield Together(found) if len(found) > 1 else found[0]
 
 
 def _grouped(sines: Sequence[Assignment], pairs: Sequence[Assignment]) -> Iterator[Together]:

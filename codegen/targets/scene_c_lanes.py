@@ -76,6 +76,11 @@ class Kernels:
         return "ps" if self.precision.suffix else "pd"
 
     @property
+    def chosen(self) -> str:
+        """The type of AVX-512's choice of numbers of a vector."""
+        return f"__mmask{64 // self.precision.bytes}"
+
+    @property
     def block(self) -> range:
         """The numbers of as many as 16 bytes hold: rows are transposed in blocks of so many."""
         return range(16 // self.precision.bytes)

@@ -34,7 +34,7 @@ EXEMPT = {
         "gufunc/_lanes.h", "python/_arrays.py",
         "python/_kernel.py", "scene/arrays", "scene/arrays.py", "scene/out", "scene/objects",
         "scene/arguments", "scene/states", "scene/threads", "scene/called", "scene/many_states",
-        "scene/step_of_states", "c/rows", "c/blocks",
+        "scene/step_of_states", "c/rows_in_parts", "c/rows_in_tiles", "c/tiles", "c/blocks",
         "c/pairs_of_blocks", "scene/driven", "c/halves", "c/ksl_states.h",
         "c/many_of_states", "cuda/threads",
         "cuda/kernel", "cuda/two_over_pi")},
