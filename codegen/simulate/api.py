@@ -9,12 +9,13 @@ from pathlib import Path
 from numpy.typing import ArrayLike
 
 from coscrew_codegen.formats import BY_NAME, DOUBLE
+from coscrew_codegen.scene.names import listed
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulate import SimulateError, needs
 from coscrew_codegen.simulate.again import asked_of
 from coscrew_codegen.simulate.control import Controller, Law
 from coscrew_codegen.simulate.load import Kernels, kernels_for
-from coscrew_codegen.simulate.members import Parameters
+from coscrew_codegen.simulate.members import Parameters, values_of
 from coscrew_codegen.simulate.motion import Asked, motion
 from coscrew_codegen.simulate.onward import Instant, end_in
 from coscrew_codegen.simulate.result import Result
@@ -44,9 +45,10 @@ def run(scene: Kernels | Scene | Path | str, *, p: Parameters = None,
     impossible settings, and the errors of reading a scene."""
     kernels, own = _read(scene, precision)
     name = _precision(precision, own)
-    return _told(motion(kernels or _kernels(own, integrator, name, record), name, Asked(
-        until, step, integrator, every, record, p, q0, v0, _end(start, q0, v0),
-        _controller(controller))))
+    asked = Asked(until, step, integrator, every, _recorded(record), q0=q0, v0=v0,
+                  p=values_of(own, BY_NAME[name], p), start=_end(start, q0, v0),
+                  controller=_controller(controller))
+    return _told(motion(kernels or _kernels(own, integrator, name, asked.record), name, asked))
 
 
 def again(scene: Kernels | Scene | Path | str, recording: Result | Path | str, *,
@@ -96,6 +98,14 @@ def _controller(given: Controller | Law | int | None) -> Controller | None:
     return given if given is None or isinstance(given, Controller) else Controller(given)
 
 
+def _recorded(record: Sequence[str] | None) -> tuple[str, ...] | None:
+    """The names of what to record.  Raises SimulateError."""
+    found = None if record is None else listed("record", record, "energy", SimulateError)
+    if found == ():
+        raise SimulateError('record: an empty list; wanted quantities, as ["q", "v"]')
+    return found
+
+
 def _precision(precision: str | None, scene: Scene) -> str:
     """The name of the precision of a run."""
     name = precision or scene.precision
@@ -126,8 +136,8 @@ def _read(scene: Kernels | Scene | Path | str, precision: str | None
     return kernels, own
 
 
-def _kernels(own: Scene, integrator: str | None, precision: str, record: Sequence[str] | None
+def _kernels(own: Scene, integrator: str | None, precision: str, record: tuple[str, ...] | None
              ) -> Kernels:
     """The kernels of the functions that the run needs."""
-    recording = own if record is None else replace(own, record=tuple(record))
+    recording = own if record is None else replace(own, record=record)
     return kernels_for(own, needs.of_run(recording, integrator), (precision,))

@@ -25,6 +25,7 @@ from coscrew_codegen.console import doing
 from coscrew_codegen.formats import PRECISIONS, Precision, named
 from coscrew_codegen.native import cache
 from coscrew_codegen.scene.content import content_hash
+from coscrew_codegen.scene.names import listed
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene_functions import SceneFunctions, SceneInterface, Signature
 from coscrew_codegen.simulate import calls, native
@@ -189,7 +190,8 @@ def load_scene(scene: Scene | Path | str, *, precision: str | None = None,
     for anything but a file or a Scene, ValueError for unknown words, RangeError for numbers that a
     precision cannot hold, and the errors of reading the scene.
     """
-    functions, tiers = _names("functions", functions, "energy"), _names("tiers", tiers, "accurate")
+    functions, tiers = (listed(*x) for x in (("functions", functions, "energy"),
+                                             ("tiers", tiers, "accurate")))
     if isinstance(scene, (str, Path)):
         from coscrew_codegen.scene_files.toml_scene import SceneOverrides, read_scene
         path = Path(scene)
@@ -209,13 +211,6 @@ def load_scene(scene: Scene | Path | str, *, precision: str | None = None,
         scene = replace(scene, functions=functions or scene.functions,
                         tiers=selected(tiers) or scene.tiers)
     return kernels_for(scene)
-
-
-def _names(argument: str, given: Sequence[str], example: str) -> tuple[str, ...]:
-    """The names; refuses a single text, as "energy" for ["energy"]."""
-    if isinstance(given, str) or not all(isinstance(name, str) for name in given):
-        raise TypeError(f'{argument}: wanted a list of names, as ["{example}"]; got {given!r}')
-    return tuple(given)
 
 
 def kernels_for(scene: Scene, functions: Collection[str] = (),
