@@ -6,7 +6,6 @@ import ctypes
 import functools
 import importlib
 import importlib.util
-import os
 import pickle
 import sys
 import warnings
@@ -15,7 +14,7 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from hashlib import sha256
 from pathlib import Path
-from types import FrameType, ModuleType
+from types import ModuleType
 from typing import TYPE_CHECKING, cast
 
 import numpy as np
@@ -35,8 +34,6 @@ if TYPE_CHECKING:
     from coscrew_codegen.simulate.lanes import Lanes
 
 BOTH = tuple(p.name for p in PRECISIONS)
-_PACKAGE = f"{Path(__file__).parents[1]}{os.sep}"
-"""How paths of the package's files begin."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -242,24 +239,8 @@ def _compiler(name: str) -> native.Compiler | None:
     try:
         return native.compiler()
     except native.CompilationError as error:
-        warn(name, error)
+        native.warn(name, error)
         return None
-
-
-def warn(name: str, error: native.CompilationError, runs: str = "runs in pure NumPy") -> None:
-    """Warns at the line that called this package."""
-    ours = [n for n, file in enumerate(_files()) if file.startswith(_PACKAGE)]
-    warnings.warn(f"{name} {runs}: {error}", RuntimeWarning, stacklevel=ours[-1] + 2)
-
-
-def _files() -> list[str]:
-    """Those of the functions on the call stack, from `warn` outwards."""
-    found: list[str] = []
-    frame: FrameType | None = sys._getframe(1)
-    while frame:
-        found.append(frame.f_code.co_filename)
-        frame = frame.f_back
-    return found
 
 
 def key_of(scene: Scene, functions: Collection[str], precisions: tuple[str, ...],
@@ -299,7 +280,7 @@ def _made(functions: SceneFunctions, scene: Scene | None, selected: tuple[str, .
             library = _library(functions, compiler, precisions)
             return _compiled(scene, selected, found, library, precisions, compiler, functions)
         except native.CompilationError as error:
-            warn(functions.name, error)
+            native.warn(functions.name, error)
     modules = _modules(functions)
     return gathered(scene, selected, found, "", "", functions, precisions, lambda x, p: (
         calls.in_numpy(getattr(modules[p.name], x.name), x)))
@@ -364,7 +345,7 @@ def opened(name: str, units: Mapping[str, Sequence[str]], files: Mapping[str, st
     try:
         return ctypes.CDLL(native.library(units, files, native.compiler()).opened._name)
     except native.CompilationError as error:
-        warn(name, error, "is computed by calls of the array library")
+        native.warn(name, error, "is computed by calls of the array library")
         return None
 
 
