@@ -9,7 +9,6 @@ from pathlib import Path
 from numpy.typing import ArrayLike
 
 from coscrew_codegen.formats import BY_NAME, DOUBLE
-from coscrew_codegen.scene.names import listed
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulate import SimulateError, needs
 from coscrew_codegen.simulate.again import asked_of
@@ -18,6 +17,7 @@ from coscrew_codegen.simulate.load import Kernels, kernels_for
 from coscrew_codegen.simulate.members import Parameters, values_of
 from coscrew_codegen.simulate.motion import Asked, motion
 from coscrew_codegen.simulate.onward import Instant, end_in
+from coscrew_codegen.simulate.record import quantities
 from coscrew_codegen.simulate.result import Result
 from coscrew_codegen.simulate.system import scene_of
 
@@ -45,7 +45,8 @@ def run(scene: Kernels | Scene | Path | str, *, p: Parameters = None,
     impossible settings, and the errors of reading a scene."""
     kernels, own = _read(scene, precision)
     name = _precision(precision, own)
-    asked = Asked(until, step, integrator, every, _recorded(record), q0=q0, v0=v0,
+    asked = Asked(until, step, integrator, every,
+                  None if record is None else quantities(record), q0=q0, v0=v0,
                   p=values_of(own, BY_NAME[name], p), start=_end(start, q0, v0),
                   controller=_controller(controller))
     return _told(motion(kernels or _kernels(own, integrator, name, asked.record), name, asked))
@@ -96,14 +97,6 @@ def _end(start: Result | Path | str | None, q0: ArrayLike | None, v0: ArrayLike 
 
 def _controller(given: Controller | Law | int | None) -> Controller | None:
     return given if given is None or isinstance(given, Controller) else Controller(given)
-
-
-def _recorded(record: Sequence[str] | None) -> tuple[str, ...] | None:
-    """The names of what to record.  Raises SimulateError."""
-    found = None if record is None else listed("record", record, "energy", SimulateError)
-    if found == ():
-        raise SimulateError('record: an empty list; wanted quantities, as ["q", "v"]')
-    return found
 
 
 def _precision(precision: str | None, scene: Scene) -> str:

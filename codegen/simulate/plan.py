@@ -99,7 +99,7 @@ def plan(system: System, until: float | None = None, step: float | None = None,
          also: tuple[float, ...] = (), begin: float = 0.0) -> Plan:
     """The scene's plan, with these settings instead of its own.  Raises SimulateError."""
     run = system.scene.run
-    until, step, every = (default if given is None else _seconds(name, given)
+    until, step, every = (default if given is None else seconds(name, given)
                           for name, given, default in (("until", until, run.duration),
                                                        ("step", step, run.step),
                                                        ("every", every, system.scene.every)))
@@ -124,7 +124,7 @@ def plan(system: System, until: float | None = None, step: float | None = None,
     return made
 
 
-def _seconds(name: str, given: object) -> float:
+def seconds(name: str, given: object) -> float:
     """A time as Python's float, of which provenance tells all digits.  Raises SimulateError."""
     if isinstance(given, (bool, np.bool_)) or not isinstance(given, Real):
         raise SimulateError(f"{name}: wanted a number of seconds; got {given!r}")
