@@ -1,4 +1,4 @@
-"""Finds the known name that a mistyped one resembles."""
+"""Names that were given: lists of them, and the known name that a mistyped one resembles."""
 
 from collections.abc import Iterable
 
@@ -12,6 +12,16 @@ _SYNONYMS = (("revolute", "hinge", "pin", "rotary", "rotational"),
              ("free", "floating", "freeflyer", "free_flyer", "free-flyer"),
              ("fixed", "weld", "welded", "rigid"))
 """Other tools' words for the same joint."""
+
+
+def listed(argument: str, given: object, example: str, error: type[Exception] = TypeError
+           ) -> tuple[str, ...]:
+    """The names in a list; raises `error` for anything else, also for a single text, as "energy"
+    for ["energy"]."""
+    names = None if isinstance(given, str) or not isinstance(given, Iterable) else tuple(given)
+    if names is None or not all(isinstance(name, str) for name in names):
+        raise error(f'{argument}: wanted a list of names, as ["{example}"]; got {given!r}')
+    return names
 
 
 def nearest(name: str, known: Iterable[str]) -> str | None:

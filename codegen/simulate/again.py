@@ -1,6 +1,7 @@
 """What a recording tells of the run that made it: all that is needed to run again."""
 
 import json
+import re
 import warnings
 from dataclasses import dataclass
 from pathlib import Path
@@ -13,7 +14,9 @@ from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.control import Controller
 from coscrew_codegen.simulate.motion import Asked
 from coscrew_codegen.simulate.onward import START, Instant, instant
+from coscrew_codegen.simulate.plan import known, seconds
 from coscrew_codegen.simulate.provenance import ASKED
+from coscrew_codegen.simulate.record import quantities
 from coscrew_codegen.simulate.result import Result
 from coscrew_codegen.simulate.written import provenance_of
 
@@ -43,12 +46,11 @@ class Told:
         version of coscrew made it."""
         if motion_hash(scene) != self.scene:
             raise SimulateError(f"again: the recording is of another scene than {scene.name}, or "
-                                "the scene has changed since; wanted that of sha256 "
-                                f"{self.scene or 'unknown'}")
+                                "the scene has changed since; wanted the scene as it was")
         given = controller.told(scene) if controller else ""
         if given != self.controller:
-            raise SimulateError(f"again: controller: wanted {self.controller or 'none'}; got "
-                                f"{given or 'none'}")
+            raise SimulateError(f"again: controller: wanted {_short(self.controller) or 'none'}; "
+                                f"got {_short(given) or 'none'}")
         if self.coscrew != version.described():
             warnings.warn(f"again: the recording is of coscrew {self.coscrew}; this is "
                           f"{version.described()}", RuntimeWarning, stacklevel=3)
@@ -69,14 +71,24 @@ def asked_of(recording: Result | Path | str) -> Told:
     return _of(told, instant(told, START, f"again: {path}: its start"), f"again: {path}")
 
 
+def _short(controller: str) -> str:
+    """What provenance says of a controller, with the first digits of the hash alone."""
+    return re.sub(r"(sha256 .{8}).+", r"\1…", controller)
+
+
 def _of(told: dict[str, str], start: Instant, said: str) -> Told:
+    names = ("until", "step", "every", "integrator", "record")
     try:
         given, precision = json.loads(told[ASKED]), told["precision"]
-        until, step, every = (float(given[name]) for name in ("until", "step", "every"))
-        integrator, record = given["integrator"], tuple(given["record"])
-        if precision not in BY_NAME or not all(isinstance(x, str) for x in (integrator, *record)):
+        asked = {name: given[name] for name in names}
+        if precision not in BY_NAME:
             raise ValueError
     except (ValueError, TypeError, KeyError):
         raise SimulateError(f"{said}: its settings are not as coscrew writes them") from None
+    try:
+        until, step, every = (seconds(name, asked[name]) for name in names[:3])
+        integrator, record = known(asked["integrator"]), quantities(asked["record"])
+    except SimulateError as error:
+        raise SimulateError(f"{said}: {error}") from None
     return Told(precision, until, step, integrator, every, record, start,
                 told.get("scene sha256", ""), told.get("controller", ""), told.get("coscrew", ""))

@@ -14,9 +14,10 @@ from coscrew_codegen.simulate import SimulateError, needs
 from coscrew_codegen.simulate.again import asked_of
 from coscrew_codegen.simulate.control import Controller, Law
 from coscrew_codegen.simulate.load import Kernels, kernels_for
-from coscrew_codegen.simulate.members import Parameters
+from coscrew_codegen.simulate.members import Parameters, values_of
 from coscrew_codegen.simulate.motion import Asked, motion
 from coscrew_codegen.simulate.onward import Instant, end_in
+from coscrew_codegen.simulate.record import quantities
 from coscrew_codegen.simulate.result import Result
 from coscrew_codegen.simulate.system import scene_of
 
@@ -44,9 +45,11 @@ def run(scene: Kernels | Scene | Path | str, *, p: Parameters = None,
     impossible settings, and the errors of reading a scene."""
     kernels, own = _read(scene, precision)
     name = _precision(precision, own)
-    return _told(motion(kernels or _kernels(own, integrator, name, record), name, Asked(
-        until, step, integrator, every, record, p, q0, v0, _end(start, q0, v0),
-        _controller(controller))))
+    asked = Asked(until, step, integrator, every,
+                  None if record is None else quantities(record), q0=q0, v0=v0,
+                  p=values_of(own, BY_NAME[name], p), start=_end(start, q0, v0),
+                  controller=_controller(controller))
+    return _told(motion(kernels or _kernels(own, integrator, name, asked.record), name, asked))
 
 
 def again(scene: Kernels | Scene | Path | str, recording: Result | Path | str, *,
@@ -126,8 +129,8 @@ def _read(scene: Kernels | Scene | Path | str, precision: str | None
     return kernels, own
 
 
-def _kernels(own: Scene, integrator: str | None, precision: str, record: Sequence[str] | None
+def _kernels(own: Scene, integrator: str | None, precision: str, record: tuple[str, ...] | None
              ) -> Kernels:
     """The kernels of the functions that the run needs."""
-    recording = own if record is None else replace(own, record=tuple(record))
+    recording = own if record is None else replace(own, record=record)
     return kernels_for(own, needs.of_run(recording, integrator), (precision,))

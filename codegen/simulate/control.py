@@ -14,14 +14,16 @@ from hashlib import sha256
 import numpy as np
 from numpy.typing import ArrayLike
 
-from coscrew_codegen.scene.names import did_you_mean
+from coscrew_codegen.scene.names import did_you_mean, listed
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulate import SimulateError
+from coscrew_codegen.simulate.plan import MOST_STEPS
 from coscrew_codegen.simulate.settings import constant
 
 Law = Callable[[float, np.ndarray, np.ndarray], ArrayLike]
 """(t, q, v) -> the values that it sets; q and v, and so the values, may have a leading axis."""
 EFFORT = ".torque"
+_LAST = 2**(8 * ctypes.sizeof(ctypes.c_void_p)) - 1  # address
 
 
 @dataclass(frozen=True)
@@ -38,28 +40,30 @@ class Controller:
     controller has no memory that a recording could hold: the report of where a run diverged calls
     it again."""
 
-    function: Law | int | CFuncPtr
+    function: Law | int | ctypes.c_void_p | CFuncPtr
     steps: int = 1
     sets: Sequence[str] = ()
-    context: int | None = None  # an address
+    context: int | ctypes.c_void_p | None = None  # an address
 
     def __post_init__(self) -> None:
-        pointer = isinstance(self.function, int | CFuncPtr)
-        if isinstance(self.function, bool) or (pointer and not self.address) or not (
-                pointer or callable(self.function)):
+        if not (self.address or callable(self.function)) or (
+                isinstance(self.function, CFuncPtr) and not self.address):
             raise SimulateError("controller: wanted a function of (t, q, v), or a pointer to one "
                                 f"in C; got {_shown(self.function)}")
-        if not isinstance(self.steps, int) or self.steps < 1:
-            raise SimulateError(f"controller: wanted a whole number of steps; got {self.steps!r}")
+        if not (isinstance(self.steps, int) and self.steps is not True
+                and 0 < self.steps <= MOST_STEPS):
+            raise SimulateError("controller: steps: wanted a whole number of steps, from 1 to "
+                                f"{MOST_STEPS:.0e}; got {self.steps!r}")
+        object.__setattr__(self, "sets", listed("controller: sets", self.sets,
+                                                "actuator.JOINT.torque", SimulateError))
+        if self.context is not None and _address(self.context) is None:
+            raise SimulateError("controller: context: wanted an address, as ctypes.addressof(x); "
+                                f"got {_shown(self.context)}")
 
     @property
     def address(self) -> int:
         """The address of a function in C; 0 of a function in Python."""
-        if isinstance(self.function, int):
-            return self.function
-        if isinstance(self.function, CFuncPtr):
-            return ctypes.cast(self.function, ctypes.c_void_p).value or 0
-        return 0
+        return _address(self.function) or 0
 
     def told(self, scene: Scene) -> str:
         """What provenance says of it: its name, when it is called and what it sets, and a hash of
@@ -85,12 +89,21 @@ class Controller:
         return f", source sha256 {sha256(source.encode()).hexdigest()}"
 
 
-def _shown(function: object) -> str:
-    """What was given instead of a function: a number itself, of anything else its type."""
-    if isinstance(function, int):
-        return repr(function)
-    null = "a null pointer, " if isinstance(function, CFuncPtr) else ""
-    return null + type(function).__name__
+def _address(pointer: object) -> int | None:
+    """The address that a number or a pointer of ctypes is; None of anything else."""
+    if isinstance(pointer, CFuncPtr | ctypes.c_void_p):
+        return ctypes.cast(pointer, ctypes.c_void_p).value or 0
+    if isinstance(pointer, int) and not isinstance(pointer, bool) and 0 <= pointer <= _LAST:
+        return pointer
+    return None
+
+
+def _shown(given: object) -> str:
+    """What was given instead of a pointer: a number itself, of anything else its type."""
+    if isinstance(given, int):
+        return repr(given)
+    null = "a null pointer, " if isinstance(given, CFuncPtr | ctypes.c_void_p) else ""
+    return null + type(given).__name__
 
 
 def refuse_precision(controller: Controller, dtype: np.dtype) -> None:

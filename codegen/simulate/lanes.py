@@ -39,7 +39,7 @@ class Lanes:
         try:
             return ctypes.CDLL(_library(self.kernels, native.compiler()).opened._name)
         except native.CompilationError as error:
-            load.warn(self.kernels.interface.name, error, "computes many states one by one")
+            native.warn(self.kernels.interface.name, error, "computes many states one by one")
             return None
 
 

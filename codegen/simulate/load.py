@@ -6,7 +6,6 @@ import ctypes
 import functools
 import importlib
 import importlib.util
-import os
 import pickle
 import sys
 import warnings
@@ -15,7 +14,7 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from hashlib import sha256
 from pathlib import Path
-from types import FrameType, ModuleType
+from types import ModuleType
 from typing import TYPE_CHECKING, cast
 
 import numpy as np
@@ -25,6 +24,7 @@ from coscrew_codegen.console import doing
 from coscrew_codegen.formats import PRECISIONS, Precision, named
 from coscrew_codegen.native import cache
 from coscrew_codegen.scene.content import content_hash
+from coscrew_codegen.scene.names import listed
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene_functions import SceneFunctions, SceneInterface, Signature
 from coscrew_codegen.simulate import calls, native
@@ -34,8 +34,6 @@ if TYPE_CHECKING:
     from coscrew_codegen.simulate.lanes import Lanes
 
 BOTH = tuple(p.name for p in PRECISIONS)
-_PACKAGE = f"{Path(__file__).parents[1]}{os.sep}"
-"""How paths of the package's files begin."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -189,7 +187,8 @@ def load_scene(scene: Scene | Path | str, *, precision: str | None = None,
     for anything but a file or a Scene, ValueError for unknown words, RangeError for numbers that a
     precision cannot hold, and the errors of reading the scene.
     """
-    functions, tiers = _names("functions", functions, "energy"), _names("tiers", tiers, "accurate")
+    functions, tiers = (listed(*x) for x in (("functions", functions, "energy"),
+                                             ("tiers", tiers, "accurate")))
     if isinstance(scene, (str, Path)):
         from coscrew_codegen.scene_files.toml_scene import SceneOverrides, read_scene
         path = Path(scene)
@@ -209,13 +208,6 @@ def load_scene(scene: Scene | Path | str, *, precision: str | None = None,
         scene = replace(scene, functions=functions or scene.functions,
                         tiers=selected(tiers) or scene.tiers)
     return kernels_for(scene)
-
-
-def _names(argument: str, given: Sequence[str], example: str) -> tuple[str, ...]:
-    """The names; refuses a single text, as "energy" for ["energy"]."""
-    if isinstance(given, str) or not all(isinstance(name, str) for name in given):
-        raise TypeError(f'{argument}: wanted a list of names, as ["{example}"]; got {given!r}')
-    return tuple(given)
 
 
 def kernels_for(scene: Scene, functions: Collection[str] = (),
@@ -247,24 +239,8 @@ def _compiler(name: str) -> native.Compiler | None:
     try:
         return native.compiler()
     except native.CompilationError as error:
-        warn(name, error)
+        native.warn(name, error)
         return None
-
-
-def warn(name: str, error: native.CompilationError, runs: str = "runs in pure NumPy") -> None:
-    """Warns at the line that called this package."""
-    ours = [n for n, file in enumerate(_files()) if file.startswith(_PACKAGE)]
-    warnings.warn(f"{name} {runs}: {error}", RuntimeWarning, stacklevel=ours[-1] + 2)
-
-
-def _files() -> list[str]:
-    """Those of the functions on the call stack, from `warn` outwards."""
-    found: list[str] = []
-    frame: FrameType | None = sys._getframe(1)
-    while frame:
-        found.append(frame.f_code.co_filename)
-        frame = frame.f_back
-    return found
 
 
 def key_of(scene: Scene, functions: Collection[str], precisions: tuple[str, ...],
@@ -304,7 +280,7 @@ def _made(functions: SceneFunctions, scene: Scene | None, selected: tuple[str, .
             library = _library(functions, compiler, precisions)
             return _compiled(scene, selected, found, library, precisions, compiler, functions)
         except native.CompilationError as error:
-            warn(functions.name, error)
+            native.warn(functions.name, error)
     modules = _modules(functions)
     return gathered(scene, selected, found, "", "", functions, precisions, lambda x, p: (
         calls.in_numpy(getattr(modules[p.name], x.name), x)))
@@ -369,7 +345,7 @@ def opened(name: str, units: Mapping[str, Sequence[str]], files: Mapping[str, st
     try:
         return ctypes.CDLL(native.library(units, files, native.compiler()).opened._name)
     except native.CompilationError as error:
-        warn(name, error, "is computed by calls of the array library")
+        native.warn(name, error, "is computed by calls of the array library")
         return None
 
 

@@ -39,7 +39,7 @@ def _made(plain: load.Kernels, tier: SceneTier, compiler: native.Compiler | None
                 plain.scene, plain.selected, found, str(compiler), library.key, None,
                 plain.precisions, lambda x, p: calls.compiled(found, library.opened, x, p), plain)
         except native.CompilationError as error:
-            load.warn(f"{tier.plain.name} in the {tier.tier.name} tier", error)
+            native.warn(f"{tier.plain.name} in the {tier.tier.name} tier", error)
     from coscrew_codegen.targets import scene_python
     from coscrew_codegen.targets.scene_text import banner_of
 

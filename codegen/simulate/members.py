@@ -5,6 +5,8 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 from numpy.typing import ArrayLike
 
+from coscrew_codegen.formats import Precision
+from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.onward import Instant
 from coscrew_codegen.simulate.settings import dependent, refuse_each, refuse_together
@@ -13,21 +15,31 @@ from coscrew_codegen.simulate.system import State, System
 _OF_NORM = 1e-6
 _ROUNDED = 4  # spacings by which rounding may move the norm of a quaternion
 Parameters = Mapping[str, ArrayLike] | ArrayLike | None
+Values = Mapping[str, np.ndarray]
+"""Of parameters by name: one, or one for each member."""
 
 
-def with_parameters(system: System, given: Parameters, said: str = "p: ") -> System:
-    """The system with these parameters: names and values, or all in order; each value, or row of
-    values, is one or one for each member.  `said` stands before their names in errors.  Raises
-    SimulateError."""
-    names = tuple(name for name, _ in system.functions.parameters)
+def values_of(scene: Scene, precision: Precision, given: Parameters, said: str = "p: ") -> Values:
+    """The parameters by name, given so or all in order; each value, or row of values, is one or one
+    for each member.  `said` stands before their names in errors.  Raises SimulateError."""
+    names = tuple(x.name for x in scene.parameters)
     if given is None:
-        return system
+        return {}
     if isinstance(given, Mapping):
+        if unnamed := [name for name in given if not isinstance(name, str)]:
+            raise SimulateError(f"{said}{unnamed[0]!r}: wanted the name of a parameter")
         found = {name: _numbers(f"{said}{name}", value, ()) for name, value in given.items()}
     else:
         rows = _numbers("p", given, (len(names),))
         found = dict(zip(names, np.moveaxis(rows, -1, 0), strict=True))
-    _refuse(system, found, said)
+    _as_many({f"{said}{name}": x.shape for name, x in found.items()})
+    _refuse(scene, precision, found, said)
+    return found
+
+
+def with_parameters(system: System, found: Values) -> System:
+    """The system with these parameters."""
+    names = tuple(name for name, _ in system.functions.parameters)
     own = np.moveaxis(np.asarray(system.p, float), -1, 0)
     columns = [found.get(name, x) for name, x in zip(names, own, strict=True)]
     if not any(np.ndim(x) for x in columns):
@@ -47,13 +59,18 @@ def start_of(system: System, q0: ArrayLike | None, v0: ArrayLike | None,
         if v0 is not None:
             v = _numbers("v0", v0, (its.nv,)).astype(system.dtype)
     leads = {name: x.shape[:-1] for name, x in (("p", np.array(system.p)), ("q0", q), ("v0", v))}
+    lead = _as_many(leads)
+    q, v = (np.broadcast_to(x, (*lead, x.shape[-1])).copy() for x in (q, v))
+    return q, v
+
+
+def _as_many(leads: Mapping[str, tuple[int, ...]]) -> tuple[int, ...]:
+    """The leading axis that all have, of those that have one.  Raises SimulateError."""
     counts = {name: lead[0] for name, lead in leads.items() if lead}
     if len(set(counts.values())) > 1:
         raise SimulateError("wanted as many members everywhere; got "
                             + ", ".join(f"{n} of {name}" for name, n in counts.items()))
-    lead = tuple(counts.values())[:1]
-    q, v = (np.broadcast_to(x, (*lead, x.shape[-1])).copy() for x in (q, v))
-    return q, v
+    return tuple(counts.values())[:1]
 
 
 def of_norm_1(system: System, q: np.ndarray) -> np.ndarray:
@@ -82,27 +99,28 @@ def _numbers(name: str, given: ArrayLike, shape: tuple[int, ...]) -> np.ndarray:
         found = found.astype(float)
     except (TypeError, ValueError):
         raise SimulateError(f"{name}: wanted real numbers; got {given!r}") from None
-    if found.shape[max(0, found.ndim - len(shape)):] != shape or found.ndim > len(shape) + 1:
+    lead = found.shape[:max(0, found.ndim - len(shape))]
+    if found.shape[len(lead):] != shape or len(lead) > 1 or lead == (0,):
         wanted = f"({', '.join(map(str, shape))})" if shape else "a number"
         several = f"(members, {', '.join(map(str, shape))})" if shape else "one for each member"
         raise SimulateError(f"{name}: wanted {wanted} or {several}; got shape {found.shape}")
     return found
 
 
-def _refuse(system: System, found: Mapping[str, np.ndarray], said: str) -> None:
+def _refuse(scene: Scene, precision: Precision, found: Values, said: str) -> None:
     """Check values as `--set` does: of each parameter the extreme ones, and together those whose
     values depend on each other."""
     for row in _extremes(found):
-        refuse_each(system.scene, row, system.precision, said)
-    together = sorted(dependent(system.scene) & found.keys())
+        refuse_each(scene, row, precision, said)
+    together = sorted(dependent(scene) & found.keys())
     if not together:
         return
     columns = np.broadcast_arrays(*(found[name] for name in together))
     for values in np.unique(np.stack([np.atleast_1d(x) for x in columns], -1), axis=0):
-        refuse_together(system.scene, dict(zip(together, values.tolist(), strict=True)), said)
+        refuse_together(scene, dict(zip(together, values.tolist(), strict=True)), said)
 
 
-def _extremes(found: Mapping[str, np.ndarray]) -> Iterator[dict[str, float]]:
+def _extremes(found: Values) -> Iterator[dict[str, float]]:
     """One value at a time: not finite, the least, the greatest, the smallest in size but 0."""
     for name, given in found.items():
         values = np.ravel(given)

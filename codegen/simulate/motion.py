@@ -1,8 +1,7 @@
 """A run, from what is asked of it to its Result: for `run`, `again` and the command."""
 
 import warnings
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 
 import numpy as np
@@ -13,7 +12,7 @@ from coscrew_codegen.simulate.alarm import Alarm
 from coscrew_codegen.simulate.control import Controller, set_by
 from coscrew_codegen.simulate.driven import Driven
 from coscrew_codegen.simulate.load import Kernels
-from coscrew_codegen.simulate.members import Parameters, start_of, with_parameters
+from coscrew_codegen.simulate.members import Values, start_of, with_parameters
 from coscrew_codegen.simulate.onward import Instant, refuse, refuse_plan, start_at
 from coscrew_codegen.simulate.plan import Plan, Trajectory, plan
 from coscrew_codegen.simulate.progress import Progress
@@ -26,26 +25,26 @@ from coscrew_codegen.simulate.system import State, System, system
 
 @dataclass(frozen=True)
 class Asked:
-    """Settings of a run; None: as the scene says, p as in the run that it goes on from."""
+    """Settings of a run; None: as the scene says; p: those that differ from the scene's, or
+    from the run's that it goes on from."""
 
     until: float | None = None
     step: float | None = None
     integrator: str | None = None
     every: float | None = None
-    record: Sequence[str] | None = None
-    p: Parameters = None
+    record: tuple[str, ...] | None = None
+    p: Values = field(default_factory=dict)
     q0: ArrayLike | None = None
     v0: ArrayLike | None = None
     start: Instant | None = None
     controller: Controller | None = None
 
 
-def motion(kernels: Kernels, precision: str, asked: Asked, *, said: str = "p: ",
-           shown: bool = False, told: bool = True) -> Result:
-    """The run in the precision of this name.  `said` stands before the names of parameters in
-    errors; if `shown`, a terminal shows the progress; without `told`, the recording has no
-    provenance.  Raises SimulateError."""
-    its, state = _begun(kernels, precision, asked, said)
+def motion(kernels: Kernels, precision: str, asked: Asked, *, shown: bool = False,
+           told: bool = True) -> Result:
+    """The run in the precision of this name.  If `shown`, a terminal shows the progress; without
+    `told`, the recording has no provenance.  Raises SimulateError."""
+    its, state = _begun(kernels, precision, asked)
     start = asked.start
     if start and start.controller and not asked.controller:
         warnings.warn(f"start: the run before had a controller ({start.controller}), this one has "
@@ -66,18 +65,18 @@ def motion(kernels: Kernels, precision: str, asked: Asked, *, said: str = "p: ",
         from coscrew_codegen.simulate.provenance import provenance  # slow: runs Git
 
         origin = provenance(its, planned, trajectory, kernels.compiler or "none: NumPy", began,
-                            its.scene.record if asked.record is None else tuple(asked.record),
+                            its.scene.record if asked.record is None else asked.record,
                             asked.controller.told(its.scene) if asked.controller else "")
     return Result(its, planned, trajectory, record(its, trajectory, origin, asked.record), began)
 
 
-def _begun(kernels: Kernels, precision: str, asked: Asked, said: str) -> tuple[System, State]:
+def _begun(kernels: Kernels, precision: str, asked: Asked) -> tuple[System, State]:
     """The system and the state from which the run goes on."""
     its, start = system(kernels, precision), asked.start
     if start:
         refuse(start, its)
         its = its.at(start.p)
-    its = with_parameters(its, asked.p, said)
+    its = with_parameters(its, asked.p)
     if start and asked.controller:  # what it set holds until it is called again
         places = list(set_by(asked.controller, its.scene))
         p = np.array(np.broadcast_arrays(its.p, start.p)[0], float)

@@ -10,10 +10,13 @@ import os
 import platform
 import shlex
 import subprocess
+import sys
+import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from shutil import which
+from types import FrameType
 
 from coscrew_codegen.console import doing
 from coscrew_codegen.native import cache
@@ -26,6 +29,9 @@ _LEVELS = {"clang": ("-O1",), "Free Software Foundation": ("-O2", "-fno-tree-ter
 _FLAGS = ("-std=c11", "-march=native", "-ffp-contract=off", "-DKSL_CONTRACT_OFF", "-fPIC")
 _LIBRARIES = ("-lm", "-pthread")
 _LINK = ("-undefined", "dynamic_lookup") if platform.system() == "Darwin" else ()
+
+_PACKAGE = f"{Path(__file__).parents[1]}{os.sep}"
+"""How paths of the package's files begin."""
 
 
 class CompilationError(RuntimeError):
@@ -51,6 +57,22 @@ def compiler() -> Compiler:
         if found := _compiler(tuple(shlex.split(name)), os.environ.get("PATH", "")):
             return found
     raise CompilationError(f"no C compiler: {', '.join(_names())} cannot be run")
+
+
+def warn(name: str, error: CompilationError, runs: str = "runs in pure NumPy") -> None:
+    """Warns at the line that called this package."""
+    ours = [n for n, file in enumerate(_files()) if file.startswith(_PACKAGE)]
+    warnings.warn(f"{name} {runs}: {error}", RuntimeWarning, stacklevel=ours[-1] + 2)
+
+
+def _files() -> list[str]:
+    """Those of the functions on the call stack, from `warn` outwards."""
+    found: list[str] = []
+    frame: FrameType | None = sys._getframe(1)
+    while frame:
+        found.append(frame.f_code.co_filename)
+        frame = frame.f_back
+    return found
 
 
 def ask() -> None:

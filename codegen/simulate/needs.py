@@ -2,10 +2,11 @@
 
 from collections.abc import Iterable
 
-from coscrew_codegen.integrators import DEFAULT, NAMES, named
+from coscrew_codegen.integrators import DEFAULT, named
 from coscrew_codegen.scene.recorded import Recorded, expected, recorded
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.selected import CONTACTS, FREE, MANY, reactions, speeds, together
+from coscrew_codegen.simulate.plan import known
 
 _OF_QUANTITY = {"q": (), "v": (), "a": ("forward_dynamics",), "energy": ("energy",),
                 "power": ("power",), "momentum": ("momentum",), "twist": ("body_twists",),
@@ -29,8 +30,7 @@ def of_check(scene: Scene, integrator: str | None) -> tuple[str, ...]:
 
 def _of_motion(scene: Scene, integrator: str | None) -> Iterable[str]:
     """For integration, and for the Alarm, which also uses the default integrator."""
-    name = integrator or scene.run.integrator
-    own = named(name if name in NAMES else DEFAULT)
+    own = named(known(scene.run.integrator if integrator is None else integrator))
     if not own.emitted:
         return "energy", "forward_dynamics"
     mass = () if speeds(scene) > MANY else ("mass_matrix",)

@@ -1,7 +1,7 @@
 """Runs of a scene in the selected precisions, their recordings, and a short table of them."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -13,6 +13,7 @@ from coscrew_codegen.formats import BY_NAME
 from coscrew_codegen.integrators import DEFAULT, named
 from coscrew_codegen.scene.mimics import without_chains
 from coscrew_codegen.simulate import SimulateError
+from coscrew_codegen.simulate.members import values_of
 from coscrew_codegen.simulate.motion import Asked, motion
 from coscrew_codegen.simulate.onward import end_in
 from coscrew_codegen.simulate.record import Difference, differences
@@ -44,12 +45,13 @@ def simulated(kernels: "Kernels", overrides: RunOverrides, told: bool = True
     if overrides.start and precision == "both":
         raise SimulateError("--start: a recording is of one precision; wanted --precision double "
                             "or single")
-    asked = Asked(overrides.until, overrides.step, overrides.integrator, p=dict(overrides.settings),
+    asked = Asked(overrides.until, overrides.step, overrides.integrator,
                   start=end_in(overrides.start) if overrides.start else None)
     names = tuple(BY_NAME) if precision == "both" else (precision,)
     results: list[Result] = []
     for name in names:
-        results.append(motion(kernels, name, asked, said="--set ", shown=True, told=told))
+        p = values_of(scene_of(kernels), BY_NAME[name], dict(overrides.settings), "--set ")
+        results.append(motion(kernels, name, replace(asked, p=p), shown=True, told=told))
         if results[-1].trajectory.interrupted:
             break
     return tuple(results)

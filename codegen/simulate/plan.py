@@ -7,7 +7,7 @@ from numbers import Real
 import numpy as np
 
 from coscrew_codegen.integrators import ADAPTIVE, NAMES, named
-from coscrew_codegen.scene.names import did_you_mean
+from coscrew_codegen.scene.names import or_mean
 from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.system import System
 
@@ -99,15 +99,12 @@ def plan(system: System, until: float | None = None, step: float | None = None,
          also: tuple[float, ...] = (), begin: float = 0.0) -> Plan:
     """The scene's plan, with these settings instead of its own.  Raises SimulateError."""
     run = system.scene.run
-    until, step, every = (default if given is None else _seconds(name, given)
+    until, step, every = (default if given is None else seconds(name, given)
                           for name, given, default in (("until", until, run.duration),
                                                        ("step", step, run.step),
                                                        ("every", every, system.scene.every)))
-    made = Plan(until, every, run.integrator if integrator is None else integrator, step,
+    made = Plan(until, every, known(run.integrator if integrator is None else integrator), step,
                 *tolerances(system), also, begin=begin)
-    if made.integrator not in NAMES:
-        raise SimulateError(f"integrator: {made.integrator!r}; wanted one of {', '.join(NAMES)}; "
-                            f"{did_you_mean(made.integrator, NAMES)}")
     called = named(made.integrator).step_name
     if called and not system.has(called):
         raise SimulateError(f"integrator {made.integrator}: {called} is not among the selected "
@@ -127,11 +124,22 @@ def plan(system: System, until: float | None = None, step: float | None = None,
     return made
 
 
-def _seconds(name: str, given: object) -> float:
+def seconds(name: str, given: object) -> float:
     """A time as Python's float, of which provenance tells all digits.  Raises SimulateError."""
     if isinstance(given, (bool, np.bool_)) or not isinstance(given, Real):
         raise SimulateError(f"{name}: wanted a number of seconds; got {given!r}")
-    return float(given)
+    try:
+        return float(given)
+    except OverflowError:  # of a huge whole number
+        return math.inf
+
+
+def known(integrator: object) -> str:
+    """The name of an integrator.  Raises SimulateError if there is none of this name."""
+    if isinstance(integrator, str) and integrator in NAMES:
+        return integrator
+    hint = or_mean(integrator, NAMES) if isinstance(integrator, str) else ""
+    raise SimulateError(f"integrator: {integrator!r}; wanted one of {', '.join(NAMES)}{hint}")
 
 
 def tolerances(system: System) -> tuple[float, float]:

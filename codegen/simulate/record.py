@@ -6,6 +6,7 @@ from math import prod
 
 import numpy as np
 
+from coscrew_codegen.scene.names import listed
 from coscrew_codegen.scene.recorded import Recorded, recorded
 from coscrew_codegen.scene.selected import reactions
 from coscrew_codegen.simulate import SimulateError
@@ -14,6 +15,14 @@ from coscrew_codegen.simulate.recording import Column, Provenance, Recording
 from coscrew_codegen.simulate.system import System
 
 _AT_ONCE = 4096  # samples per call, so that temporaries of pure NumPy stay within megabytes
+
+
+def quantities(given: object) -> tuple[str, ...]:
+    """The names of what to record.  Raises SimulateError."""
+    names = listed("record", given, "energy", SimulateError)
+    if not names:
+        raise SimulateError('record: an empty list; wanted quantities, as ["q", "v"]')
+    return names
 
 
 def record(system: System, trajectory: Trajectory, provenance: Provenance,

@@ -40,9 +40,11 @@ def refuse_each(scene: Scene, settings: Mapping[str, float], precision: Precisio
             hint = f"; did you mean {near!r}?" if near else ""
             raise SimulateError(f"{said}{name}: wanted what the scene lists in `runtime`: {listed}"
                                 f"{hint}")
+        if not math.isfinite(number):
+            raise SimulateError(f"{said}{name}={number:g}: wanted a finite number")
         try:
             bounded(Fraction(number), f"{number:g}")
-        except (ValueError, OverflowError) as error:  # NaN and infinity are not fractions
+        except ValueError as error:
             raise SimulateError(f"{said}{name}={number:g}: {error}") from None
         if number and not least <= abs(number) <= most:
             raise SimulateError(f"{said}{name}={number:g}: outside {precision.name} precision's "

@@ -36,7 +36,7 @@ class InC:
     then after every `every`.  `places` are the indices in p of what it sets."""
 
     law: int  # an address
-    context: int | None
+    context: int | ctypes.c_void_p | None
     every: int
     places: np.ndarray
     wait: int

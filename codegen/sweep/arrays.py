@@ -17,7 +17,7 @@ import pyarrow.parquet
 
 from coscrew_codegen.simulate.plan import Plan
 from coscrew_codegen.sweep import SweepError
-from coscrew_codegen.sweep.folder import ABOUT, ZARR, Folder
+from coscrew_codegen.sweep.folder import ABOUT, MEMBERS, ZARR, Folder
 from coscrew_codegen.sweep.summary import FAILED, MEMBER
 
 if TYPE_CHECKING:
@@ -25,7 +25,8 @@ if TYPE_CHECKING:
     import zarr
 
 _ROWS = 65536  # most members in a chunk of an array, about
-_WORDS = (f"{FAILED}.joint",)  # columns of text, which only the Parquet files have
+_WORDS = {f"{FAILED}.cause": FAILED, f"{FAILED}.joint": f"{FAILED}.joint"}
+"""Names, and columns of text that only the Parquet files have."""
 
 
 def write(folder: Folder, about: Mapping[str, str], plan: Plan) -> None:
@@ -102,7 +103,8 @@ def _numbers(table: pyarrow.Table, name: str) -> np.ndarray:
 
 def opened(folder: Path | str) -> "xarray.Dataset":
     """The sweep in this folder, read when it is used: its dimensions are `sample`, if ranges were
-    sampled, the grids, and t, if series were kept.  Coordinates are what varied.
+    sampled, the grids, and t, if series were kept.  Coordinates are what varied.  Where a member
+    failed, `failed.cause` and `failed.joint` are not "".
 
     Raises SweepError if the folder has no finished sweep."""
     import xarray
@@ -117,15 +119,36 @@ def opened(folder: Path | str) -> "xarray.Dataset":
              for x in its["grids"]}
     ranged = [x["of"]["name"] for x in its["ranges"]]
     shape = {"sample": its["samples"], **{name: len(x) for name, (_, x, _) in grids.items()}}
+    names = [name for name in flat.attrs["columns"] if name not in grids]
+    words = _WORDS if (path / MEMBERS).is_dir() else {}
     found = xarray.Dataset(
-        {name: _folded(flat[name], shape) for name in flat.attrs["columns"] if name not in grids},
+        {**{name: _folded(flat[name].variable, shape) for name in names},
+         **{name: _folded(_texts(path, column), shape) for name, column in words.items()}},
         {**grids, **({"t": flat["t"]} if "t" in flat else {})}, flat.attrs)
     found = found.assign_coords({name: found[name].isel(dict.fromkeys(grids, 0), drop=True)
                                  for name in ranged})
     return found if ranged else found.isel(sample=0)
 
 
-def _folded(x: "xarray.DataArray", shape: Mapping[str, int]) -> "xarray.Variable":
+def _texts(folder: Path, column: str) -> "xarray.Variable":
+    """A column of the Parquet files, read when it is used; "" where it has no text."""
+    import dask.array
+    import xarray
+    from dask.delayed import delayed
+
+    def read(path: Path) -> np.ndarray:
+        found = pyarrow.parquet.read_table(path, columns=[column])[column]
+        return np.asarray(found.fill_null("").to_numpy(zero_copy_only=False), object)
+
+    def rows(path: Path) -> int:
+        return int(pyarrow.parquet.read_metadata(path).num_rows)
+
+    parts = [dask.array.from_delayed(delayed(read)(x), (rows(x),), object)
+             for x in sorted((folder / MEMBERS).glob("*.parquet"))]
+    return xarray.Variable((MEMBER,), dask.array.concatenate(parts))
+
+
+def _folded(x: "xarray.Variable", shape: Mapping[str, int]) -> "xarray.Variable":
     """The members of an array as samples and points of the grids."""
     import xarray
 

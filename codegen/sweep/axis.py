@@ -12,7 +12,8 @@ _MOST, _LEAST = 40, 8  # bins
 
 @dataclass(frozen=True)
 class Axis:
-    """The points of a grid, if they are few, or else equal parts of a range."""
+    """The points of a grid, if they are few, or else equal parts of a range; if `log`, in
+    logarithms."""
 
     name: str
     unit: str
@@ -48,15 +49,24 @@ class Axis:
     def edges(self) -> np.ndarray:
         """The ends of the bins; half way between points."""
         if len(self.points) > 1:
-            points = np.array(self.points)
+            points = np.log(self.points) if self.log else np.array(self.points)
             inner = (points[1:] + points[:-1]) / 2
-            return np.array([2 * points[0] - inner[0], *inner, 2 * points[-1] - inner[-1]])
+            ends = np.array([2 * points[0] - inner[0], *inner, 2 * points[-1] - inner[-1]])
+            return np.asarray(np.exp(ends) if self.log else ends)
         if self.log:
             return np.geomspace(self.low, self.high, self.parts + 1)
         low, high = self.low, self.high
         if not high > low:
             low, high = low - 0.5, high + 0.5
         return np.linspace(low, high, self.bins + 1)
+
+    @property
+    def middles(self) -> np.ndarray:
+        """Those of the bins."""
+        if self.points:
+            return np.array(self.points)
+        low, high = self.edges[:-1], self.edges[1:]
+        return np.asarray(np.sqrt(low * high) if self.log else (low + high) / 2)
 
 
 def parts_for(members: int) -> int:
@@ -69,4 +79,13 @@ def of_varied(x: Grid | Range, parts: int) -> Axis:
     if isinstance(x, Range):
         return Axis(x.of.name, x.of.unit, x.low, x.high, parts, x.log)
     few = tuple(sorted({*x.values})) if len(x.values) <= _MOST else ()
-    return Axis(x.of.name, x.of.unit, min(x.values), max(x.values), parts, points=few)
+    return Axis(x.of.name, x.of.unit, min(x.values), max(x.values), parts, _geometric(x.values),
+                few)
+
+
+def _geometric(values: tuple[float, ...]) -> bool:
+    """Whether each is the one before times the same number."""
+    if len(values) < 3 or min(values) <= 0:
+        return False
+    steps = np.diff(np.log(values))
+    return bool(np.allclose(steps, steps[0], rtol=1e-9, atol=0))

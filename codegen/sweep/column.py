@@ -13,7 +13,8 @@ _PAIRED = 6  # most varied quantities of which all pairs are looked at
 
 @dataclass
 class Column:
-    """Counts and sums of the statistics of a recorded column, over members that did not fail."""
+    """Counts and sums of the statistics of a recorded column, over members that did not fail, and
+    counts of those that did."""
 
     own: Axis  # of its values, from the smallest minimum to the largest maximum
     axes: tuple[Axis, ...]  # of what varies
@@ -26,7 +27,8 @@ class Column:
     sums: list[np.ndarray] = field(init=False)  # (statistics, bins) for each axis
     counts: list[np.ndarray] = field(init=False)  # (bins) for each axis
     joint: list[np.ndarray] = field(init=False)  # (bins, own bins) for each axis: of final values
-    pairs: dict[tuple[int, int], np.ndarray] = field(init=False)  # counts and sums
+    lost: list[np.ndarray] = field(init=False)  # (bins) for each axis: members that failed
+    pairs: dict[tuple[int, int], np.ndarray] = field(init=False)  # counts, sums, those that failed
 
     def __post_init__(self) -> None:
         n, axes = len(STATISTICS), self.axes
@@ -36,12 +38,14 @@ class Column:
         self.sums = [np.zeros((n, x.bins)) for x in axes]
         self.counts = [np.zeros(x.bins) for x in axes]
         self.joint = [np.zeros((x.bins, self.own.bins)) for x in axes]
-        self.pairs = {(i, j): np.zeros((2, axes[i].bins, axes[j].bins))
+        self.lost = [np.zeros(x.bins) for x in axes]
+        self.pairs = {(i, j): np.zeros((3, axes[i].bins, axes[j].bins))
                       for i, j in combinations(range(min(len(axes), _PAIRED)), 2)}
 
     def add(self, values: np.ndarray, places: list[np.ndarray]) -> None:
         """Count a chunk: (statistics, members) and each member's bins of the axes."""
         kept = np.isfinite(values).all(0)
+        self._lose([x[~kept] for x in places])
         values, places = values[:, kept], [x[kept] for x in places]
         if not values.size:
             return
@@ -57,10 +61,17 @@ class Column:
             self.counts[i] += np.bincount(at, minlength=axis.bins)
             self.sums[i] += [np.bincount(at, x, axis.bins) for x in middle]
             self.joint[i] += _both(at, found[0], axis.bins, self.own.bins)
-        for (i, j), (counts, sums) in self.pairs.items():
+        for (i, j), (counts, sums, _) in self.pairs.items():
             sizes = self.axes[i].bins, self.axes[j].bins
             counts += _both(places[i], places[j], *sizes)
             sums += _both(places[i], places[j], *sizes, middle[0])
+
+    def _lose(self, places: list[np.ndarray]) -> None:
+        """Count members that failed, by their bins of the axes."""
+        for lost, axis, at in zip(self.lost, self.axes, places, strict=True):
+            lost += np.bincount(at, minlength=axis.bins)
+        for (i, j), (_, _, lost) in self.pairs.items():
+            lost += _both(places[i], places[j], *lost.shape)
 
     @property
     def _middle(self) -> float:
@@ -87,7 +98,7 @@ class Column:
 
     def means(self, pair: tuple[int, int]) -> np.ndarray:
         """The mean of the final value in the bins of two axes; NaN in empty ones."""
-        counts, sums = self.pairs[pair]
+        counts, sums, _ = self.pairs[pair]
         with np.errstate(all="ignore"):
             return np.asarray(self._middle + sums / counts)
 

@@ -29,9 +29,8 @@ class Shown:
 
 def text(found: Tally) -> str:
     """The final values, for the terminal, and which members failed."""
-    rows = [row for row in _rows(found.columns) if row[1] == STATISTICS[0]]
-    parts = [tabulate([(row[0], *row[2:]) for row in rows], ("final", *_headers(found)[2:]),
-                      disable_numparse=True)]
+    rows = [(row[0], *row[2:]) for row in _rows(found.columns) if row[1] == STATISTICS[0]]
+    parts = [tabulate(rows, ("final", *_headers(found)[2:]), disable_numparse=True)] if rows else []
     if found.failed:
         parts.append(failures(found))
     return "\n\n".join(parts)
@@ -70,11 +69,11 @@ def _varied(specification: Specification) -> Iterator[str]:
 
 
 def _tables(specification: Specification, found: Tally, words: str) -> Iterator[Shown]:
-    yield Shown("Recorded quantities", "Over the members that reached the end of their runs. "
-                "Shares: how much of the variance over the members what varied explains alone, "
-                "by means over its grid or over parts of its range; rough for fewer than about "
-                "1000 samples.",
-                _headers(found), tuple(_rows(found.columns)))
+    if any(x.count for x in found.columns):
+        yield Shown("Recorded quantities", "Over the members that reached the end of their runs. "
+                    "Shares: how much of the variance over the members what varied explains alone, "
+                    "by means over its grid or over parts of its range; rough for fewer than about "
+                    "1000 samples.", _headers(found), tuple(_rows(found.columns)))
     if found.failed:
         varied, more = specification.varied, found.failed - len(found.listed)
         above = f"{failures(found)}." + (

@@ -14,7 +14,7 @@ from coscrew_codegen.sweep.column import Column
 from coscrew_codegen.sweep.summary import STATISTICS
 
 _MOST = 3  # heat maps of the final value against what explains most of it
-_MAP = "viridis"
+_MAP, _FAILED = "viridis", "#d62728"
 
 
 def figure(column: Column) -> str:
@@ -28,7 +28,10 @@ def figure(column: Column) -> str:
         _distribution(panels.pop(0), column)
         if pair:
             x, y = (column.axes[i] for i in pair)
-            _map(panels.pop(), x, y, column.means(pair), f"mean of the final {_label(column.own)}")
+            _map(last := panels.pop(), x, y, column.means(pair),
+                 f"mean of the final {_label(column.own)}")
+            cells = np.nonzero(column.pairs[pair][2])
+            _cross(last, x.middles[cells[0]], y.middles[cells[1]])
         for axes, i in zip(panels, order, strict=False):
             _against(axes, column, i)
         text = io.StringIO()
@@ -56,6 +59,15 @@ def _against(axes: Axes, column: Column, i: int) -> None:
     counts = column.joint[i]
     _map(axes, column.axes[i], column.own, np.where(counts > 0, counts, np.nan), "members")
     axes.set_ylabel(f"final {_label(column.own)}")
+    where = column.axes[i].middles[column.lost[i] > 0]
+    _cross(axes, where, np.full(len(where), 1.03), of_axes=True)
+
+
+def _cross(axes: Axes, x: np.ndarray, y: np.ndarray, of_axes: bool = False) -> None:
+    """Mark where members failed; with `of_axes`, y from 0, the lower end of the axis, to 1."""
+    if len(x):
+        axes.scatter(x, y, 12, _FAILED, marker="x", linewidths=1, clip_on=False,
+                     transform=axes.get_xaxis_transform() if of_axes else axes.transData)
 
 
 def _map(axes: Axes, x: Axis, y: Axis, values: np.ndarray, words: str) -> None:

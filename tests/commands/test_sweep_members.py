@@ -1,16 +1,22 @@
 """`coscrew sweep`: each member has the bits of `run`, fails where it does, and runs alone."""
 
+import base64
+import re
+import shutil
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from coscrew_codegen import command_line, run
+from coscrew_codegen import command_line, run, sweep
 from coscrew_codegen.__main__ import main
 from coscrew_codegen.scene.parameter_units import parameter_units
 from coscrew_codegen.scene_files.toml_scene import read_scene
-from coscrew_codegen.sweep import chunk, command, members, summary
+from coscrew_codegen.sweep import axis, chunk, command, members, summary
+from coscrew_codegen.sweep.candidates import Candidate
 from coscrew_codegen.sweep.folder import opened
+from coscrew_codegen.sweep.prepare import Prepared
+from coscrew_codegen.sweep.specification import Grid
 from tests.support.scenes import scene_texts as texts
 from tests.support.scenes.simulated import scene_file
 from tests.support.scenes.sweeps import BALL, SLIDER, UNITS, prepared, table
@@ -77,14 +83,56 @@ def test_a_member_that_failed_fails_alone(folder, capsys):
     assert "--member 3: wanted 0 to 2" in capsys.readouterr().err
 
 
+def reported(its: Prepared, folder: Path) -> str:
+    """The page of a sweep of one chunk."""
+    with opened(folder, its.specification, {}) as target:
+        target.write(0, chunk.computed(chunk.Job.of(its.kernels, its.specification), 0).content)
+        assert command._report(its, target, "coscrew sweep x.toml") == 1
+    return (folder / "summary.html").read_text("utf-8")
+
+
+def test_xarray_tells_why_members_failed(folder, tmp_path, capsys):
+    its = prepared(folder, UNSTABLE, ("block.mass=1e-6:1e6:7:log",), ("start.v.slide=0:1",), 3)
+    reported(its, tmp_path)
+    found, rows = sweep.opened(tmp_path), table(its).to_pylist()
+    for name, column in (("failed.cause", "failed"), ("failed.joint", "failed.joint")):
+        assert found[name].dims == ("sample", "block.mass")
+        assert found[name].values.ravel().tolist() == [row[column] or "" for row in rows]
+    assert {bool(row["failed"]) for row in rows} == {False, True}
+    shutil.rmtree(tmp_path / "members")  # then the numbers are left
+    assert "failed.cause" not in sweep.opened(tmp_path) and "failed.t" in sweep.opened(tmp_path)
+
+
+def test_maps_mark_where_members_failed(folder, tmp_path, capsys):
+    """At their values of what varied, of whatever spacing."""
+    its = prepared(folder, UNSTABLE, ("block.mass=1e-6:1e6:7:log",), ("start.v.slide=0:1",), 8)
+    page, failed = reported(its, tmp_path), table(its).to_pylist()
+    assert "Crosses mark where members failed." in page
+    addresses = re.findall(r"base64,([\w+/=]+)", page)
+    for text in (base64.b64decode(x).decode() for x in addresses):
+        assert text.count('id="PathCollection_') == 3  # against each axis, and both
+        crosses = text.partition('id="PathCollection_')[2].partition("</g>\n   </g>")[0]
+        assert crosses.count("<use ") == len({x["block.mass"] for x in failed if x["failed"]})
+    assert addresses
+
+
+def test_axes_of_geometric_grids_are_in_logarithms():
+    mass = Candidate("mass", "p", 0, "kg")
+    found = axis.of_varied(Grid(mass, (100.0, 10.0, 1.0)), 8)
+    assert found.log and found.middles.tolist() == [1, 10, 100]
+    assert np.allclose(found.edges, [10**-0.5, 10**0.5, 10**1.5, 10**2.5], rtol=1e-15, atol=0)
+    many = axis.of_varied(Grid(mass, tuple(2.0**k for k in range(50))), 7)
+    assert many.log and np.allclose(many.edges, [2**(7 * k) for k in range(8)], rtol=1e-14, atol=0)
+    for values in ((1.0, 2.0, 3.0), (-1.0, 0.0, 1.0), (1.0, 2.0), (1.0,)):
+        assert not axis.of_varied(Grid(mass, values), 8).log
+
+
 def test_the_page_says_how_to_run_failed_members_alone(folder, tmp_path, capsys):
     """Their numbers and values, in all digits, the seed, and a command."""
     its = prepared(folder, UNSTABLE, ("block.mass=1:2:2",), ("start.v.slide=0:1",), 2, seed=12)
-    with opened(tmp_path, its.specification, {}) as target:
-        target.write(0, chunk.computed(chunk.Job.of(its.kernels, its.specification), 0).content)
-        assert command._report(its, target, "coscrew sweep x.toml") == 1
-    assert "4 of 4 members failed: 4 at no joint" in capsys.readouterr().out
-    text = (tmp_path / "summary.html").read_text("utf-8")
+    text = reported(its, tmp_path)
+    assert capsys.readouterr().out == "4 of 4 members failed: 4 at no joint\n"
+    assert "Recorded quantities" not in text  # there are none
     assert "The seed of the Sobol sequence is 12." in text
     assert "the first is run by: coscrew sweep x.toml --member 0</p>" in text
     assert "<th>block.mass [kg]</th><th>start.v.slide [m/s]</th><th>at t, s</th>" in text

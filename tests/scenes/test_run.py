@@ -7,7 +7,7 @@ import pytest
 
 from coscrew_codegen import Controller, run
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.simulate import SimulateError
+from coscrew_codegen.simulate import SimulateError, api
 from tests.support.scenes.swing import SWING
 
 LAW = ctypes.CFUNCTYPE(None, ctypes.c_double, *[ctypes.POINTER(ctypes.c_double)] * 3,
@@ -104,7 +104,81 @@ def test_wrong_arguments_are_refused(swing, asked, said):
         run(swing, until=0.05, **asked)
 
 
-@pytest.mark.parametrize("pointer", (0, False, True, LAW()))
+def none(*_: object) -> None:
+    raise AssertionError("called")
+
+
+@pytest.mark.parametrize("asked, said", (
+    ({"p": []}, r"p: wanted \(2\) or \(members, 2\); got shape \(0,\)"),
+    ({"p": np.zeros((0, 2))}, r"p: wanted \(2\) or \(members, 2\); got shape \(0, 2\)"),
+    ({"p": [[1, 2], [3]]}, r"p: wanted real numbers; got \[\[1, 2\], \[3\]\]"),
+    ({"p": {"bob.mass": []}}, r"p: bob.mass: wanted a number or one for .*; got shape \(0,\)"),
+    ({"p": {"bob.mass": [1, 2], "actuator.pivot.torque": [1, 2, 3]}},
+     "as many members everywhere; got 2 of p: bob.mass, 3 of p: actuator.pivot.torque"),
+    ({"p": {1: 2}}, "p: 1: wanted the name of a parameter"),
+    ({"p": {"bob.mass": np.nan}}, "p: bob.mass=nan: wanted a finite number$"),
+    ({"p": [[1, 0], [1, -np.inf]]}, "p: actuator.pivot.torque=-inf: wanted a finite number$"),
+    ({"record": []}, r'record: an empty list; wanted quantities, as \["q", "v"\]'),
+    ({"record": "q"}, "record: wanted a list of names, as .*; got 'q'"),
+    ({"record": [1, 2]}, r"record: wanted a list of names, as .*; got \[1, 2\]"),
+    ({"record": 3}, "record: wanted a list of names, as .*; got 3"),
+    ({"integrator": 1}, "integrator: 1; wanted one of leapfrog, .*dop853$"),
+    ({"integrator": ""}, "integrator: ''; wanted one of leapfrog, .*dop853$"),
+    ({"integrator": "rk5"}, "integrator: 'rk5'; wanted .*dop853; did you mean 'rk4'")))
+def test_what_has_the_wrong_type_is_refused_before_anything_is_compiled(swing, monkeypatch, asked,
+                                                                        said):
+    monkeypatch.setattr(api, "kernels_for", none)
+    with pytest.raises(SimulateError, match=said):
+        run(swing, until=0.05, **asked)
+
+
+@pytest.mark.parametrize("name", ("q0", "v0"))
+def test_a_batch_has_members(swing, name):
+    with pytest.raises(SimulateError, match=rf"{name}: wanted \(1\) or .*; got shape \(0, 1\)"):
+        run(swing, until=0.05, **{name: np.zeros((0, 1))})
+
+
+def test_names_to_record_may_come_one_by_one(swing):
+    found = run(swing, until=0.05, record=(x for x in ("energy.total", "v")))
+    assert list(found.recorded) == ["energy.total", "v.pivot"]
+
+
+@pytest.mark.parametrize("asked, said", (
+    ({"sets": "x"}, r"sets: wanted a list of names, as \[.*\]; got 'x'"),
+    ({"sets": [1]}, r"sets: wanted a list of names, as .*; got \[1\]"),
+    ({"sets": 3}, "sets: wanted a list of names, as .*; got 3"),
+    ({"steps": True}, "steps: wanted a whole number of steps, from 1 to .*; got True"),
+    ({"steps": -5}, "steps: wanted a whole number of steps, from 1 to .*; got -5"),
+    ({"steps": 2**64}, "steps: wanted a whole number of steps, from 1 to .*; got 18446744073709"),
+    ({"context": ctypes.byref(ctypes.c_long())}, "context: wanted an address.*; got CArgObject"),
+    ({"context": ctypes.pointer(ctypes.c_long())}, "context: wanted an address, .*; got LP_c_long"),
+    ({"context": "x"}, r"context: wanted an address, as ctypes.addressof\(x\); got str"),
+    ({"context": True}, "context: wanted an address, .*; got True"),
+    ({"context": -1}, "context: wanted an address, .*; got -1"),
+    ({"context": 2**64}, "context: wanted an address, .*; got 18446744073709551616")))
+def test_controllers_refuse_what_they_cannot_use(asked, said):
+    with pytest.raises(SimulateError, match=f"controller: {said}"):
+        Controller(none, **asked)
+
+
+def test_an_untyped_pointer_is_an_address(swing):
+    """As of the function, so of its context."""
+    count = ctypes.c_long(0)
+
+    @LAW
+    def law(t, q, v, u, context):
+        ctypes.c_long.from_address(context).value += 1
+        u[0] = -3 * q[0]
+
+    by = Controller(ctypes.cast(law, ctypes.c_void_p),
+                    context=ctypes.c_void_p(ctypes.addressof(count)))
+    found = run(swing, controller=by, until=0.05)
+    assert count.value == 51  # before each step, and at the end
+    wanted = run(swing, controller=lambda t, q, v: -3 * q, until=0.05)
+    assert found.q.tobytes() == wanted.q.tobytes()
+
+
+@pytest.mark.parametrize("pointer", (0, False, True, LAW(), ctypes.c_void_p(), -5, 2**64))
 def test_what_points_to_no_function_is_refused(pointer):
     with pytest.raises(SimulateError, match="controller: wanted a function of .*got"):
         Controller(pointer)

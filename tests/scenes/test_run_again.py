@@ -2,6 +2,7 @@
 scene."""
 
 import json
+import re
 
 import numpy as np
 import pytest
@@ -174,7 +175,7 @@ def test_another_scene_controller_or_version_is_refused(scenes, tmp_path):
     text = (tmp_path / "free.csv").read_text()
     for name, broken, said in (
             ("a.csv", text.replace("# start: ", "# tart: "), "does not tell the start and the se"),
-            ("b.csv", text.replace('"until": 0.05', '"until": "x"'), "settings are not as coscrew"),
+            ("b.csv", text.replace('"until": 0.05', '"until": '), "settings are not as coscrew"),
             ("c.csv", text.replace('"steps": 0', '"steps": -1'), "its start is not as coscrew"),
             ("d.csv", "x,y\n1,2\n", "no recording"), ("e.txt", "x", "wanted a recording, .csv")):
         (tmp_path / name).write_text(broken)
@@ -185,3 +186,34 @@ def test_another_scene_controller_or_version_is_refused(scenes, tmp_path):
     (tmp_path / "old.csv").write_text(text.replace("# coscrew: ", "# coscrew: 0.1.9 or "))
     with pytest.warns(RuntimeWarning, match="the recording is of coscrew 0.1.9 or"):
         again(path, tmp_path / "old.csv")
+
+
+@pytest.mark.parametrize("key, value, wanted", (
+    ("until", "true", "until: wanted a number of seconds; got True"),
+    ("until", '"0.05"', "until: wanted a number of seconds; got '0.05'"),
+    ("step", "[0.001]", r"step: wanted a number of seconds; got \[0.001\]"),
+    ("every", "null", "every: wanted a number of seconds; got None"),
+    ("integrator", "1", "integrator: 1; wanted one of leapfrog, .*dop853$"),
+    ("integrator", '"rk5"', "integrator: 'rk5'; wanted one of .*; did you mean 'rk4'"),
+    ("record", '"q"', "record: wanted a list of names, as .*; got 'q'"),
+    ("record", "[1]", r"record: wanted a list of names, as .*; got \[1\]"),
+    ("record", "[]", r'record: an empty list; wanted quantities, as \["q", "v"\]')))
+def test_settings_changed_by_hand_are_refused(scenes, tmp_path, key, value, wanted):
+    path, name = scenes / "swing.toml", tmp_path / "changed.csv"
+    run(path, until=0.05).write(name)
+    text = name.read_text()
+    old = json.dumps(json.loads(text.partition("# run: ")[2].partition("\n")[0])[key])
+    name.write_text(text.replace(f'"{key}": {old}', f'"{key}": {value}', 1))
+    with pytest.raises(SimulateError, match=f"again: .*changed.csv: {wanted}"):
+        again(path, name)
+
+
+def test_refusals_show_no_whole_hash(scenes, tmp_path):
+    path, by = scenes / "swing.toml", Controller(law, 7)
+    first = run(path, until=0.05, controller=by)
+    (tmp_path / "other.toml").write_text(SWING.replace("damping = 0.1", "damping = 0.2"))
+    for scene, controller in ((path, Controller(lambda t, q, v: 0 * q)), (tmp_path / "other.toml",
+                                                                          by)):
+        with pytest.raises(SimulateError) as refused:
+            again(scene, first, controller=controller)
+        assert not re.search("[0-9a-f]{9}", str(refused.value)), refused.value
