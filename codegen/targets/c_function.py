@@ -49,6 +49,7 @@ class Body:
     stored: Stored
     plan: Plan | None = None  # of the program, if it is nested
     headings: Sequence[tuple[int, str]] = ()  # then: (number of an instruction, words above it)
+    apart: bool = False  # whether each angle on vectors has its own call
 
     def text(self) -> str:
         """All lines, indented."""
@@ -79,7 +80,8 @@ class Body:
         results = [self._narrowed(x, text)
                    for x, text in zip(program.results, nesting.results, strict=True)]
         working = self.precision.computing(program.wide)
-        return declarations(together(nesting.assigned, working), working, WIDTH - 2), results
+        return declarations(
+            together(nesting.assigned, working, self.apart), working, WIDTH - 2), results
 
     def _stores(self, results: Sequence[str]) -> Iterator[str]:
         pairs = list(zip(self.stored.targets, results, strict=True))

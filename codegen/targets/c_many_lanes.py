@@ -82,7 +82,8 @@ def _kernel(operation: Operation, program: Program, precision: Precision) -> CFu
                for j in range(a.quantity.size)]
     written = {a.name for a in operation.outputs}
     plan = planned(program, language(program, DOUBLE), access, 150)
-    body = Body(plan.program, lanes, Stored(access, targets, written), plan).text()
+    body = Body(plan.program, lanes, Stored(access, targets, written), plan,
+                apart=True).text()
     name = f"{c.c_name(operation.name, precision)}_states"
     taken = [f"{'' if x in written else 'const '}{lanes.c_type} *{x}" for x in arguments]
     return CFunction(name, "", listed(f"void {name}(", taken, ")", WIDTH - 19),

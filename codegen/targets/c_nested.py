@@ -143,15 +143,17 @@ class Together:
                 self.names, values, strict=True)], ";", width)))
 
 
-def together(assigned: Sequence[Assignment | str], precision: Precision
+def together(assigned: Sequence[Assignment | str], precision: Precision, apart: bool = False
              ) -> Sequence[Assignment | Together | str]:
-    """With the sines and cosines of inputs first, several together, and their errors, unless they
-    are vectors; headings below which nothing is left are left out."""
+    """With the sines and cosines of inputs first, several together, and their errors; on vectors
+    without the errors, and each `apart` if that is wanted.  Headings below which nothing is left
+    are left out."""
     if precision.device:
         return assigned
     pairs = [x for x in assigned if isinstance(x, Assignment) and x.cosine]
     sines = [x for x in pairs if x.step.op is Op.SIN and isinstance(x.step.operands[0], Input)]
-    first = list(_of_states(sines) if precision.lanes else _grouped(sines, pairs))
+    most = 1 if apart else OF_STATES
+    first = list(_of_states(sines, most) if precision.lanes else _grouped(sines, pairs))
     moved = {pair.step.name for x in first
              for pair in (x.pairs if isinstance(x, Together) else (x,))}
     rest = [x for x in assigned if isinstance(x, str) or x.step.name not in moved]
@@ -160,9 +162,9 @@ def together(assigned: Sequence[Assignment | str], precision: Precision
     return [*first, *kept]
 
 
-def _of_states(sines: Sequence[Assignment]) -> Iterator[Assignment | Together]:
-    """Calls of nearly as many each."""
-    calls = -(-len(sines) // OF_STATES)
+def _of_states(sines: Sequence[Assignment], most: int) -> Iterator[Assignment | Together]:
+    """Calls of nearly as many each, and at most of so many."""
+    calls = -(-len(sines) // most)
     for n in range(calls):
         found = sines[len(sines) * n // calls:len(sines) * (n + 1) // calls]
         yield Together(found) if len(found) > 1 else found[0]
