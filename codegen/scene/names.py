@@ -1,6 +1,6 @@
 """Names that were given: lists of them, and the known name that a mistyped one resembles."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Set
 
 LIKE = 0.55  # difflib's ratio from which names are similar: omega is not max, nor half both (0.5)
 MANY = 20  # names that a message can still list
@@ -17,8 +17,9 @@ _SYNONYMS = (("revolute", "hinge", "pin", "rotary", "rotational"),
 def listed(argument: str, given: object, example: str, error: type[Exception] = TypeError
            ) -> tuple[str, ...]:
     """The names in a list; raises `error` for anything else, also for a single text, as "energy"
-    for ["energy"]."""
-    names = None if isinstance(given, str) or not isinstance(given, Iterable) else tuple(given)
+    for ["energy"], and for what has no order, as a set."""
+    names = None if isinstance(given, str | Set | Mapping) or not isinstance(given, Iterable) \
+        else tuple(given)
     if names is None or not all(isinstance(name, str) for name in names):
         raise error(f'{argument}: wanted a list of names, as ["{example}"]; got {given!r}')
     return names

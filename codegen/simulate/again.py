@@ -83,7 +83,7 @@ def _of(told: dict[str, str], start: Instant, said: str) -> Told:
         asked = {name: given[name] for name in names}
         if precision not in BY_NAME:
             raise ValueError
-    except (ValueError, TypeError, KeyError):
+    except (ValueError, TypeError, KeyError, RecursionError):
         raise SimulateError(f"{said}: its settings are not as coscrew writes them") from None
     try:
         until, step, every = (seconds(name, asked[name]) for name in names[:3])

@@ -10,6 +10,7 @@ from _ctypes import CFuncPtr
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from hashlib import sha256
+from numbers import Integral
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -50,10 +51,11 @@ class Controller:
                 isinstance(self.function, CFuncPtr) and not self.address):
             raise SimulateError("controller: wanted a function of (t, q, v), or a pointer to one "
                                 f"in C; got {_shown(self.function)}")
-        if not (isinstance(self.steps, int) and self.steps is not True
+        if not (isinstance(self.steps, Integral) and self.steps is not True
                 and 0 < self.steps <= MOST_STEPS):
             raise SimulateError("controller: steps: wanted a whole number of steps, from 1 to "
                                 f"{MOST_STEPS:.0e}; got {self.steps!r}")
+        object.__setattr__(self, "steps", int(self.steps))
         object.__setattr__(self, "sets", listed("controller: sets", self.sets,
                                                 "actuator.JOINT.torque", SimulateError))
         if self.context is not None and _address(self.context) is None:

@@ -92,10 +92,11 @@ def instant(told: Mapping[str, str], which: str, said: str) -> Instant:
         given = json.loads(told[which])
         q, v, p = (_numbers(given[name], 1) for name in ("q", "v", "p"))
         momentum = _numbers(given["momentum"], 2) if "momentum" in given else None
-        t, steps = float(given["t"]), int(given["steps"])
-        if not (math.isfinite(t) and (t > 0 or which == START and t == 0) and steps >= 0):
+        t, steps = float(given["t"]), given["steps"]
+        begun = t > 0 or which == START and t == 0
+        if not (type(steps) is int and steps >= 0 and math.isfinite(t) and begun):
             raise ValueError
-    except (ValueError, TypeError, KeyError, AttributeError):
+    except (ValueError, TypeError, KeyError, AttributeError, OverflowError, RecursionError):
         raise SimulateError(f"{said} is not as coscrew writes it") from None
     return Instant(t, steps, q, v, p, momentum, (told.get("precision", ""),
                                                  told.get("scene sha256", "")),

@@ -15,7 +15,7 @@ from coscrew_codegen.scene.recorded import exempt_joints
 from coscrew_codegen.scene.scene import Applied, Scene, Setting
 from coscrew_codegen.scene.signs import signs
 from coscrew_codegen.scene_files.decimals import bounded
-from coscrew_codegen.scene_files.runtime import swapped_model
+from coscrew_codegen.scene_files.runtime import constants, swapped_model
 from coscrew_codegen.simulate import SimulateError
 
 
@@ -38,6 +38,8 @@ def refuse_each(scene: Scene, settings: Mapping[str, float], precision: Precisio
             listed = ", ".join(names) or "none"
             near = nearest(name, names)
             hint = f"; did you mean {near!r}?" if near else ""
+            if name in constants(scene.model, scene.effects):
+                hint = "; to change this constant, write it there"
             raise SimulateError(f"{said}{name}: wanted what the scene lists in `runtime`: {listed}"
                                 f"{hint}")
         if not math.isfinite(number):

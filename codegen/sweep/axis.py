@@ -66,7 +66,7 @@ class Axis:
         if self.points:
             return np.array(self.points)
         low, high = self.edges[:-1], self.edges[1:]
-        return np.asarray(np.sqrt(low * high) if self.log else (low + high) / 2)
+        return np.asarray(np.sqrt(low) * np.sqrt(high) if self.log else (low + high) / 2)
 
 
 def parts_for(members: int) -> int:

@@ -123,6 +123,8 @@ def test_axes_of_geometric_grids_are_in_logarithms():
     assert np.allclose(found.edges, [10**-0.5, 10**0.5, 10**1.5, 10**2.5], rtol=1e-15, atol=0)
     many = axis.of_varied(Grid(mass, tuple(2.0**k for k in range(50))), 7)
     assert many.log and np.allclose(many.edges, [2**(7 * k) for k in range(8)], rtol=1e-14, atol=0)
+    huge = axis.Axis("mass", "kg", 1e-300, 1e300, 2, log=True)  # squares would overflow
+    assert np.allclose(huge.middles, [1e-150, 1e150], rtol=1e-12, atol=0)
     for values in ((1.0, 2.0, 3.0), (-1.0, 0.0, 1.0), (1.0, 2.0), (1.0,)):
         assert not axis.of_varied(Grid(mass, values), 8).log
 

@@ -147,6 +147,7 @@ def test_names_to_record_may_come_one_by_one(swing):
     ({"sets": "x"}, r"sets: wanted a list of names, as \[.*\]; got 'x'"),
     ({"sets": [1]}, r"sets: wanted a list of names, as .*; got \[1\]"),
     ({"sets": 3}, "sets: wanted a list of names, as .*; got 3"),
+    ({"sets": {"x"}}, r"sets: wanted a list of names, as .*; got \{'x'\}"),  # has no order
     ({"steps": True}, "steps: wanted a whole number of steps, from 1 to .*; got True"),
     ({"steps": -5}, "steps: wanted a whole number of steps, from 1 to .*; got -5"),
     ({"steps": 2**64}, "steps: wanted a whole number of steps, from 1 to .*; got 18446744073709"),
@@ -159,6 +160,10 @@ def test_names_to_record_may_come_one_by_one(swing):
 def test_controllers_refuse_what_they_cannot_use(asked, said):
     with pytest.raises(SimulateError, match=f"controller: {said}"):
         Controller(none, **asked)
+
+
+def test_steps_of_a_controller_may_be_of_numpy():
+    assert Controller(none, np.int64(2)) == Controller(none, 2)
 
 
 def test_an_untyped_pointer_is_an_address(swing):

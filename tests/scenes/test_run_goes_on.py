@@ -1,6 +1,7 @@
 """A run that goes on from the end of another has the bits of one long run."""
 
 import json
+import re
 
 import numpy as np
 import pytest
@@ -214,6 +215,9 @@ def test_recordings_that_tell_no_end_are_refused(scenes, tmp_path):
     for name, broken, said in (
             ("a.csv", text.replace("# end: ", "# bend: "), "does not tell the end"),
             ("b.csv", text.replace('"t": 0.1', '"t": NaN'), "not as coscrew writes it"),
+            ("b1.csv", text.replace('"t": 0.1', f'"t": {10**400}'), "not as coscrew writes it"),
+            ("b2.csv", re.sub(r'"steps": (\d+)', r'"steps": "\1"', text), "not as coscrew writes"),
+            ("b3.csv", text.replace("# end: ", f"# end: {'[' * 100000}"), "not as coscrew writes"),
             ("c.csv", text.replace('"q": [', '"q": [1.0, '), "another scene: 2 coordinates"),
             ("d.csv", "x,y\n1,2\n", "no recording"), ("e.npz", "x", "no recording"),
             ("f.txt", "x", "wanted a recording, .csv")):

@@ -17,7 +17,7 @@ from coscrew_codegen.scene_functions import SceneFunctions, Signature, Split
 from coscrew_codegen.scene_tiers import SceneTier, in_tier
 from coscrew_codegen.simulate import lanes, native
 from coscrew_codegen.simulate.load import Kernels, kernels_of
-from coscrew_codegen.targets import scene_c_parts
+from coscrew_codegen.targets import scene_c, scene_c_many, scene_c_parts
 from coscrew_codegen.targets.scene_text import c_name, many
 from coscrew_codegen.tiers import tier_named
 from tests.support.compiled.c_harness import C11, COMPILERS, CXX17, STRICT, run
@@ -64,7 +64,8 @@ def test_bits_of_other_scenes(scene: Callable[[], SceneFunctions], compiler: str
 
 @pytest.mark.parametrize("joints", (1, 2, 3, 5, 6, 7, 9, 18))
 @pytest.mark.parametrize("compiler, flags", (
-    *((x, ("-march=native",) if X86 else ()) for x in COMPILERS), (COMPILERS[-1], FMA)), ids=str)
+    *((x, ("-march=native",) if X86 else ()) for x in COMPILERS), (COMPILERS[-1], FMA),
+    (COMPILERS[0], ("-O2", "-DKSL_LANE_BYTES=16"))), ids=str)
 def test_rows_of_many_lengths(joints: int, compiler: str, flags: tuple[str, ...], tmp_path: Path):
     """Rows are transposed in blocks and tiles: shorter ones than these, what is left of longer
     ones, and so many that a loop takes the first."""
@@ -72,6 +73,18 @@ def test_rows_of_many_lengths(joints: int, compiler: str, flags: tuple[str, ...]
     plane = Scene("plane", mechanisms.chain(*[link] * joints), ())
     made = derive(plane, ("inverse_dynamics", "mass_matrix"))
     assert compared(made, tmp_path, compiler, *C11, "-O1", *flags, *STRICT) > 5000
+
+
+@pytest.mark.parametrize("compiler", COMPILERS)
+def test_files_of_two_scenes_are_compiled_as_one(compiler: str, tmp_path: Path):
+    """Both depend on time."""
+    first = slider()
+    for scene in (first, replace(first, name="other")):
+        for name, text in (scene_c.files(scene, "") | scene_c_many.files(scene, "")).items():
+            (tmp_path / name).write_text(text)
+    names = (f"{x}{y}.c" for y in ("", "_many") for x in (first.name, "other"))
+    (tmp_path / "all.c").write_text("".join(f'#include "{x}"\n' for x in names))
+    run((compiler, *C11, *STRICT, "-c", tmp_path / "all.c", "-o", tmp_path / "all.o"))
 
 
 def test_scenes_with_every_effect(tmp_path: Path):

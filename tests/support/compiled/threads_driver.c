@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 static int left = 1000; /* threads that can still be started */
@@ -18,9 +19,18 @@ static int left = 1000; /* threads that can still be started */
 static int created(pthread_t *thread, void *(*run)(void *), void *given) {
   return left-- > 0 ? pthread_create(thread, NULL, run, given) : 1;
 }
+static time_t ahead = -1000000; /* seconds by which a clock is: threads wait so much longer, or not at all */
+
+static int told(clockid_t clock, struct timespec *now) {
+  const int failed = clock_gettime(clock, now);
+  now->tv_sec += __atomic_load_n(&ahead, __ATOMIC_RELAXED);
+  return failed;
+}
 #define pthread_create(thread, attributes, run, given) created(thread, run, given)
+#define clock_gettime(clock, now) told(clock, now)
 #include "threads.c"
 #undef pthread_create
+#undef clock_gettime
 
 enum { N = 20000, DEADLOCK = 600 };
 
@@ -98,6 +108,28 @@ static void all_exit_well(pid_t child, const char *law) {
   check(child > 0 && waitpid(child, &status, 0) == child && !status, law);
 }
 
+/* So many threads that wait at last. */
+static void wait_for(ptrdiff_t threads) {
+  pool *its = own_pool();
+  for (ptrdiff_t found = -1; found != threads; sched_yield()) {
+    pthread_mutex_lock(&its->lock);
+    found = its->started;
+    check(its->spare <= found, "no more threads wait than there are");
+    pthread_mutex_unlock(&its->lock);
+  }
+}
+
+/* Of threads that do not wait long; from then on they do. */
+static void ends(void) {
+  for (int k = 0; k < 100; k++) {
+    divided(N, 4, 4, "threads that end are started again");
+    if (k % 10 == 0) wait_for(0);
+  }
+  wait_for(0);
+  check(!own_pool()->spare && !own_pool()->calls, "no thread waits when all have ended");
+  __atomic_store_n(&ahead, 1000000, __ATOMIC_RELAXED);
+}
+
 static volatile int going = 1;
 
 static void *calls_until_told(void *given) {
@@ -124,6 +156,8 @@ int main(int count, char **words) {
   for (int k = 0; k < N; k++) numbers[k] = 1 + k;
   by_one();
 
+  ends();
+  left = 1000;
   divided(2047, 2, 0, "few states: without threads");
   check(left == 1000, "few states: without threads");
 
