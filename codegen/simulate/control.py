@@ -10,7 +10,6 @@ from _ctypes import CFuncPtr
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from hashlib import sha256
-from numbers import Integral
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -51,7 +50,7 @@ class Controller:
                 isinstance(self.function, CFuncPtr) and not self.address):
             raise SimulateError("controller: wanted a function of (t, q, v), or a pointer to one "
                                 f"in C; got {_shown(self.function)}")
-        if not (isinstance(self.steps, Integral) and self.steps is not True
+        if not (isinstance(self.steps, int | np.integer) and self.steps is not True
                 and 0 < self.steps <= MOST_STEPS):
             raise SimulateError("controller: steps: wanted a whole number of steps, from 1 to "
                                 f"{MOST_STEPS:.0e}; got {self.steps!r}")
