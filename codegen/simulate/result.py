@@ -100,6 +100,7 @@ class Result:
     def write(self, path: Path | str) -> None:
         """Write what was recorded, as `coscrew simulate --output` does.  Raises SimulateError."""
         if self.q.ndim > 2:
-            raise SimulateError(f"{path}: wanted one run; got a batch of {len(self.q)}")
+            raise SimulateError(f"{path}: wanted one run; got a batch of {len(self.q)}, "
+                                "of which to_xarray() makes one table")
         write.check_target(Path(path), tuple(write.FORMATS))
         write.write(self.recording, Path(path))

@@ -116,6 +116,8 @@ def _going_on(folder: "Folder") -> Iterator[None]:
         raise KeyboardInterrupt(kept("interrupted")) from None
     except SweepError as error:
         raise SweepError(kept(error)) from error
+    except BrokenPipeError:  # whoever reads what is told has ended
+        raise
     except OSError as error:
         raise SweepError(kept(f"cannot write {error.filename or folder.path}: "
                               f"{error.strerror or error}")) from error
@@ -124,7 +126,7 @@ def _going_on(folder: "Folder") -> Iterator[None]:
 def _compute(prepared: "Prepared", folder: "Folder", options: argparse.Namespace) -> None:
     """Compute and write what is missing."""
     members, there = folder.specification.varied.members, folder.members()
-    print(f"coscrew: {members} members, {there} of them there", file=sys.stderr)
+    print(f"coscrew: {members} members, {there} of them written", file=sys.stderr)
     if there == members:
         return
     from tqdm import tqdm

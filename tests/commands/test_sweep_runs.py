@@ -163,7 +163,7 @@ def test_a_lost_scheduler_ends_the_command_and_another_goes_on(scene, workers, w
     assert "the scheduler is gone; 128 of 600 members are written, and the same command" in said
     before = kept(tmp_path / "out")
     assert sweep(scene, tmp_path / "out", workers) == 0
-    assert "600 members, 128 of them there" in capsys.readouterr().err
+    assert "600 members, 128 of them written" in capsys.readouterr().err
     assert before == {name: x for name, x in kept(tmp_path / "out").items() if name in before}
     assert table(tmp_path / "out").equals(table(whole))
     assert sweep(scene, tmp_path / "none", "tcp://127.0.0.1:9") == 2
@@ -242,7 +242,7 @@ def test_the_same_command_on_a_finished_sweep_computes_nothing(scene, whole, cap
     """It asks no scheduler."""
     before = kept(whole)
     assert sweep(scene, whole, "tcp://127.0.0.1:9") == 0
-    assert "600 members, 600 of them there" in capsys.readouterr().err
+    assert "600 members, 600 of them written" in capsys.readouterr().err
     assert kept(whole) == before
 
 

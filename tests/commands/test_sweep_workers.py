@@ -14,7 +14,7 @@ from pathlib import Path
 import psutil
 import pytest
 
-from coscrew_codegen.__main__ import main
+from coscrew_codegen.__main__ import CLOSED, main
 from coscrew_codegen.sweep import SweepError, cluster
 from tests.support.processes import interruptible
 from tests.support.scenes.simulated import scene_file
@@ -62,9 +62,19 @@ def test_processes_that_start_say_nothing_of_an_interrupt(scene, tmp_path):
             time.sleep(0.01)
         os.killpg(process.pid, signal.SIGINT)
         said = process.communicate()[1]
-    assert (process.returncode, first) == (130, "coscrew: 300000000 members, 0 of them there\n")
+    assert (process.returncode, first) == (130, "coscrew: 300000000 members, 0 of them written\n")
     last = "interrupted; 0 of 300000000 members are written, and the same command goes on"
     assert said == f"coscrew: {last}\n"
+
+
+def test_a_reader_that_ends_is_no_folder_that_cannot_be_written(scene, tmp_path):
+    words = [sys.executable, "-m", "coscrew_codegen", "sweep", scene, *VARIED, "--out",
+             tmp_path / "out"]
+    reader, writer = os.pipe()
+    os.close(reader)
+    done = subprocess.run(words, stdout=writer, stderr=subprocess.PIPE, text=True)
+    os.close(writer)
+    assert (done.returncode, "cannot write" in done.stderr) == (CLOSED, False), done.stderr
 
 
 def test_no_more_processes_start_than_there_are_chunks(scene, tmp_path, monkeypatch):
