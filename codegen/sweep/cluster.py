@@ -8,7 +8,7 @@ import os
 import pickle
 import signal
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from multiprocessing import resource_tracker
 from typing import TYPE_CHECKING
 
@@ -82,8 +82,11 @@ def remote(address: str) -> Iterator["Client"]:
         client = Client(address, timeout=_PATIENCE)
     except (OSError, ValueError) as error:
         raise SchedulerError(f"--scheduler {address}: {error}") from None
-    with client:
+    try:
         yield client
+    finally:
+        with suppress(RuntimeError):  # of timeouts that expire meanwhile, if the scheduler is gone
+            client.close()
 
 
 def finished(client: "Client", job: Job, numbers: Iterable[int],

@@ -67,6 +67,18 @@ def test_processes_that_start_say_nothing_of_an_interrupt(scene, tmp_path):
     assert said == f"coscrew: {last}\n"
 
 
+def test_a_client_that_cannot_be_closed_hides_no_error(monkeypatch):
+    """As Dask's may fail if the scheduler is gone."""
+    class Stuck:
+        def close(self) -> None:
+            raise RuntimeError("Cannot change state of expiring Timeout")
+
+    monkeypatch.setattr("distributed.Client", lambda *given, **named: Stuck())
+    with (pytest.raises(SweepError, match="the scheduler is gone"),
+          cluster.remote("tcp://127.0.0.1:9")):
+        raise SweepError("the scheduler is gone")
+
+
 def test_a_reader_that_ends_is_no_folder_that_cannot_be_written(scene, tmp_path):
     words = [sys.executable, "-m", "coscrew_codegen", "sweep", scene, *VARIED, "--out",
              tmp_path / "out"]
