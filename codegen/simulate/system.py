@@ -109,13 +109,17 @@ class System:
         return found
 
     def momentum(self, q: np.ndarray, v: np.ndarray) -> np.ndarray | None:
-        """The momentum of floating bases, if nothing but gravity changes it."""
+        """(p; L; x) of floating bases, if nothing but gravity changes it: momentum, angular
+        momentum about the centre of mass, and the centre of mass."""
         return self.call("free_momentum", q=q, v=v) if self.has("free_momentum") else None
 
-    def kept(self, c: np.ndarray | None, t: float, q: np.ndarray, v: np.ndarray) -> np.ndarray:
-        """v corrected to the momentum that floating bases have at t after starting with `c` at
-        t = 0: removes the accumulated rounding errors of many steps."""
-        return v if c is None else self.call("with_free_momentum", t=t, q=q, v=v, c=c)
+    def kept(self, c: np.ndarray | None, t: float, q: np.ndarray, v: np.ndarray) -> State:
+        """q and v corrected to the centre of mass and the momentum that floating bases have at t
+        after starting with `c` at t = 0: removes the accumulated errors of many steps."""
+        if c is None:
+            return q, v
+        q, v = self.outputs("with_free_momentum", t=t, q=q, v=v, c=c)
+        return q, v
 
     def at(self, p: np.ndarray) -> "System":
         """The system with these parameters.  (…, np)."""

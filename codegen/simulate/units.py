@@ -73,8 +73,10 @@ _MOMENTUM = _always("N s", "N s", "N s", "N m s", "N m s", "N m s")
 _OF_FUNCTION = {
     "inverse_dynamics": _torques, "bias_torques": _torques, "gravity_torques": _torques,
     "forward_dynamics": _of_joints("a"), "mass_matrix": _masses, "energy": _always("J"),
-    "power": _always("W"), "momentum": _MOMENTUM, "free_momentum": _MOMENTUM,
-    "with_free_momentum": _velocities, "integrated": _of_joints("q"), "jacobian": _jacobian,
+    "power": _always("W"), "momentum": _MOMENTUM,
+    "free_momentum": lambda scene: (*_MOMENTUM(scene), "m", "m", "m"),
+    "with_free_momentum": lambda scene: (*_of_joints("q")(scene), *_velocities(scene)),
+    "integrated": _of_joints("q"), "jacobian": _jacobian,
     "body_poses": _always("1", "1", "1", "m"), "parts": _always("1", "s"),
     "body_twists": _always("m/s", "m/s", "m/s", "rad/s", "rad/s", "rad/s"),
     "reaction": _always("N", "N", "N", "N m", "N m", "N m")}
