@@ -18,6 +18,19 @@ def without_chains(model: Model) -> Model:
         for joint in model.joints))
 
 
+def wrong_mimics(model: Model) -> dict[str, str]:
+    """What is wrong with followers that cannot follow, by name."""
+    by_name = {joint.name: joint for joint in model.joints}
+    found = {}
+    for joint in model.joints:
+        try:
+            if joint.mimic:
+                _resolved(joint, joint.mimic, by_name)
+        except ModelError as error:
+            found[joint.name] = error.problem
+    return found
+
+
 def _resolved(follower: Joint, mimic: Mimic, by_name: dict[str, Joint]) -> Mimic:
     element = f"joint {follower.name!r}"
     passed = {follower.name}
