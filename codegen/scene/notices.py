@@ -3,10 +3,10 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-SUBJECTS = ("spring", "mimic", "wrong mimic", "friction", "wrong friction", "damping",
-            "wrong damping", "limits", "wrong limits", "effort", "wrong effort", "velocity",
-            "wrong velocity", "acceleration", "deceleration", "jerk", "safety controller",
-            "other tools' numbers", "repeated element")
+SUBJECTS = ("other tools' joint", "spring", "mimic", "wrong mimic", "friction", "wrong friction",
+            "damping", "wrong damping", "other tools' number", "limits", "wrong limits", "effort",
+            "wrong effort", "velocity", "wrong velocity", "acceleration", "deceleration", "jerk",
+            "safety controller", "repeated element")
 """What notices are about; first what changes the motion most."""
 
 

@@ -14,7 +14,6 @@ _AS_TABLES = "a URDF of the robot, or its bodies and joints in tables of a scene
 _SUFFIXES = {".mjcf": "mujoco", ".sdf": "sdf", ".world": "sdf", ".dae": "collada", ".html": "html",
              ".launch": "launch"}
 _ROOT = re.compile(rb"<([A-Za-z_][\w:.-]*)")
-_COMMENT = re.compile(rb"<!--.*?-->", re.DOTALL)
 _BEGINNING = 2**16  # bytes that are searched for a root element
 
 
@@ -54,6 +53,9 @@ def xacro(path: Path) -> str:
 
 def _root(path: Path) -> str:
     """The tag of the root element in a file's beginning; "" if there is none."""
-    beginning = _COMMENT.sub(b"", read_bytes(path, 2**26)[:_BEGINNING])
+    beginning = read_bytes(path, 2**26)[:_BEGINNING]
+    while (start := beginning.find(b"<!--")) >= 0:
+        end = beginning.find(b"-->", start)
+        beginning = beginning[:start] + (beginning[end + 3:] if end >= 0 else b"")
     found = _ROOT.search(beginning)
     return found[1].decode("ascii", "replace") if found else ""

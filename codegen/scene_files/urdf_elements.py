@@ -15,6 +15,7 @@ from coscrew_codegen.scene_files.urdf_schema import (
     CHILDREN,
     IGNORED,
     OTHER_ELEMENTS,
+    OTHER_JOINTS,
     OTHERS,
     QUATERNION,
     SPRING,
@@ -188,24 +189,27 @@ def _value(text: str) -> object:
 
 
 def _of_other_tools(owner: Element, element: str) -> Iterator[Notice]:
-    """Notices of other tools' numbers that are not zero."""
+    """Notices of other tools' joints, and of their numbers that are not zero."""
     of = plain(element) or "robot"
-    known = OTHERS.get(owner.tag, ())
+    for child in owner.children if owner.tag == "robot" else ():
+        if child.tag in OTHER_JOINTS or child.tag.endswith(":joint"):
+            joint = f"joint {child.attributes.get('name', '')[:60]}"
+            yield Notice("other tools' joint", joint, f"{joint}: <{child.tag[:60]}> is another "
+                         "tool's and is not used")
     for name, text in owner.attributes.items():
-        if (name in known or of_other_tools(name)) and not is_zero(text):
-            yield _notice(of, f"{name} {shown(text)[1:-1]} of <{owner.tag}>", name in SPRING)
+        if name in OTHERS.get(owner.tag, ()) or of_other_tools(name):
+            yield from _number(of, name, text, owner.tag)
     for child in owner.children:
-        if child.tag == "loop_joint" or child.tag.endswith(":joint"):
-            name = child.attributes.get("name", "")
-            yield _notice(f"joint {name}", f"<{child.tag[:60]}>, which URDF does not have,", False)
-        elif child.tag in OTHER_ELEMENTS.get(owner.tag, ()):
-            for name, text in child.attributes.items():
-                if not is_zero(text):
-                    yield _notice(of, f"{name} {shown(text)[1:-1]} of <{child.tag}>", False)
+        for name, text in child.attributes.items():
+            if child.tag in OTHER_ELEMENTS.get(owner.tag, ()):
+                yield from _number(of, name, text, child.tag)
 
 
-def _notice(of: str, what: str, spring: bool) -> Notice:
-    text = f"{of}: {what} is another tool's and is not used"
-    if not spring:
-        return Notice("other tools' numbers", of, text)
-    return Notice("spring", of, f"{text}: add [effects.spring]", "add [effects.spring]")
+def _number(of: str, name: str, text: str, tag: str) -> Iterator[Notice]:
+    if is_zero(text):
+        return
+    what = f"{of}: {name} {shown(text)[1:-1]} of <{tag}> is another tool's and is not used"
+    if name not in SPRING:
+        yield Notice("other tools' number", of, what)
+    else:
+        yield Notice("spring", of, f"{what}: add [effects.spring]", "add [effects.spring]")

@@ -169,6 +169,8 @@ def _unused(joint: Element, element: str, kind: Kind) -> Iterator[Notice]:
         for name in ATTRIBUTES["dynamics"]:
             yield from _given(joint, element, "dynamics", (name,), name)
         yield from _given(joint, element, "limit", ("lower", "upper"), "limits")
+        for name in ("effort", "velocity"):
+            yield from _given(joint, element, "limit", (name,), name)
         yield from _given(joint, element, "mimic", ("joint",), "mimic")
     elif joint.attributes["type"] == "continuous":
         yield from _given(joint, element, "limit", ("lower", "upper"), "limits")

@@ -51,9 +51,11 @@ OTHERS: Mapping[str, tuple[str, ...]] = {
     "limit": ("command_effort", "current", "gear_velocity", "twist")}
 """Physical numbers of other tools in files of well-known robots: a notice unless they are zero."""
 
-OTHER_ELEMENTS = {"joint": ("joint_properties",), "inertial": ("density",),
-                  "robot": ("loop_joint",)}
+OTHER_ELEMENTS = {"joint": ("joint_properties",), "inertial": ("density",)}
 """Elements of other tools with physical numbers: a notice unless those are zero."""
+
+OTHER_JOINTS = ("loop_joint",)
+"""Elements of other tools that constrain a motion; also those with a prefix, as drake:joint."""
 
 _MEANT = {"quat": QUATERNION, "quaternion": QUATERNION, "wxyz": QUATERNION, "xyzw": QUATERNION,
           "orientation": QUATERNION, "euler": "rpy", "ypr": "rpy", "rotation": "rpy", "pos": "xyz",

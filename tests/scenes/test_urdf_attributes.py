@@ -138,8 +138,10 @@ def test_other_tools_elements_and_attributes_without_influence_are_free(read, ol
      "tool's and is not used"),
     ("<axis", '<joint_properties damping="2" friction="0"/><axis', "joint hinge: damping 2 of "
      "<joint_properties> is another tool's and is not used"),
-    ("</robot>", '<loop_joint name="close"/></robot>', "joint close: <loop_joint>, which URDF does "
-     "not have, is another tool's and is not used")])
+    ("</robot>", '<loop_joint name="close"/></robot>', "joint close: <loop_joint> is another "
+     "tool's and is not used"),
+    ("</robot>", '<drake:joint name="ball"/></robot>', "joint ball: <drake:joint> is another "
+     "tool's and is not used")])
 def test_other_tools_physical_numbers_are_told(read, old, new, text):
     assert old in FULL
     model = read(FULL.replace(old, new, 1))
@@ -154,6 +156,22 @@ def test_limits_of_version_1_2_and_safety_controllers_are_told(read):
                             ("acceleration", 5), ("deceleration", 6), ("jerk", 7))]
     assert [line.split()[2] for line in told[3:]] == ["soft_lower_limit", "soft_upper_limit",
                                                       "k_position", "k_velocity"]
+
+
+@pytest.mark.parametrize("kind", ["spherical", "floating"])
+def test_numbers_of_joints_with_several_coordinates_are_told(read, kind):
+    model = read(FULL.replace('name="hinge" type="revolute"', f'name="hinge" type="{kind}"'))
+    told = [(x.subject, x.text) for x in model.notices if x.text.endswith(f"of a {kind} joint")]
+    assert [subject for subject, _ in told if subject != "safety controller"] == [
+        "acceleration", "deceleration", "jerk", "damping", "friction", "limits", "limits",
+        "effort", "velocity", "mimic"]
+    assert ("friction", "joint hinge: friction 9 of <dynamics> is used by no effect of a "
+            f"{kind} joint") in told
+
+
+def test_fixed_joints_need_no_numbers(read):
+    model = read(FULL.replace('name="hinge" type="revolute"', 'name="hinge" type="fixed"'))
+    assert model.notices == ()
 
 
 # versions

@@ -5,6 +5,8 @@ import pytest
 from coscrew_codegen.effects import EFFECTS
 from coscrew_codegen.scene_files.errors import SceneError
 from coscrew_codegen.scene_files.toml_scene import read_scene
+from coscrew_codegen.sweep import SweepError
+from coscrew_codegen.sweep.candidates import candidates, limits_of
 
 ROBOT = """<robot name="r" version="{version}"><link name="base"/>
 <link name="a"><inertial><mass value="2"/>
@@ -118,3 +120,12 @@ def test_followers_that_cannot_follow_are_refused_together(read):
              '<parent link="base"/><child link="c"/><mimic joint="two"/>', MIMIC)
     assert "joint 'two' cannot follow" in str(caught.value)
     assert "joint 'three' cannot follow" in str(caught.value)
+
+
+def test_sweeps_name_the_limit_that_they_cannot_use(read):
+    scene = read('<limit lower="1" upper="-1" velocity="inf"/>')
+    known = candidates(scene, {})
+    for name, words in (("start.q.two", "lower limit 1 is above"), ("start.v.two", "inf is not")):
+        with pytest.raises(SweepError, match=f"{words}.*; give --sobol {name}=LOW:HIGH"):
+            limits_of("--sobol", known[name])
+    assert limits_of("--sobol", known["start.q.one"]) == (-1, 1)
