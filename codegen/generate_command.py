@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from coscrew_codegen.console import doing
 from coscrew_codegen.formats import CHOICES
 from coscrew_codegen.native import cache
-from coscrew_codegen.simulate.command import add_implausible, scene_of
+from coscrew_codegen.simulate.command import add_implausible, add_verbose, scene_of, tell_unused
 
 if TYPE_CHECKING:
     from coscrew_codegen.targets.target import Files
@@ -46,6 +46,7 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser.add_argument("--cuda", action="store_true",
                         help="for a scene, also its functions for CUDA")
     add_implausible(parser)
+    add_verbose(parser)
     parser.set_defaults(run=run)
 
 
@@ -95,7 +96,7 @@ def _library(options: argparse.Namespace) -> int:
 
 
 def _scene(options: argparse.Namespace) -> int:
-    """Write a scene's dynamics; what its model says and nothing uses goes to standard error."""
+    """Write a scene's dynamics."""
     from coscrew_codegen.emit import refuse_others, stale_files
     from coscrew_codegen.layout import scene_files
     from coscrew_codegen.mechanics import derive
@@ -116,8 +117,6 @@ def _scene(options: argparse.Namespace) -> int:
                      tuple(options.tier or ()))
     if scene.precision == "single":
         scene = replace(scene, precisions=("single",))
-    for line in scene.unused:
-        print(f"{options.scene.name}: {line}", file=sys.stderr)
     said = "".join(f" --{name} {word}" for name in ("precision", "implausible")
                    if (word := getattr(options, name)))
     said += f" --functions {' '.join(options.functions)}" if options.functions else ""
@@ -131,8 +130,10 @@ def _scene(options: argparse.Namespace) -> int:
         for line in savings(functions, units):
             print(line)
         refuse_others(files, folder)
-    return _deliver(f"coscrew generate {options.scene} -o {folder}{said}", files, folder,
-                    stale_files(files, folder), options.check, str(folder))
+    status = _deliver(f"coscrew generate {options.scene} -o {folder}{said}", files, folder,
+                      stale_files(files, folder), options.check, str(folder))
+    tell_unused(scene, options.verbose, options.scene.name)
+    return status
 
 
 def _deliver(command: str, files: "Files", folder: Path, stale: tuple[str, ...],

@@ -25,9 +25,9 @@ smartquotes = False
 html_math_renderer = "mathml"
 
 TREES = {  # the navigation: what stands under each caption
-    "Guides": ("README <../README>", "c", "python", "arrays", "scenes", "sweeps", "from_ksl",
-               "from_pinocchio", "from_mujoco", "glossary", "convention", "accuracy", "bounds",
-               "architecture", "../C*"),
+    "Guides": ("README <../README>", "c", "python", "arrays", "scenes", "urdf", "sweeps",
+               "from_ksl", "from_pinocchio", "from_mujoco", "glossary", "convention", "accuracy",
+               "bounds", "architecture", "../C*"),
     "Scenes": ("../generated/docs/*",),
     "Operations": ("../generated/docs/operations/index", "../generated/docs/operations/*")}
 

@@ -4,7 +4,7 @@ import argparse
 from dataclasses import replace
 from pathlib import Path
 
-from coscrew_codegen.simulate.command import add_scene, scene_of
+from coscrew_codegen.simulate.command import add_scene, scene_of, tell_unused
 
 _LEAST, _MOST = 4, 10_000  # states
 
@@ -70,6 +70,7 @@ def run(options: argparse.Namespace) -> int:
         kernels_for(scene, asked.needed(scene, options.integrator)),
         RunOverrides(options.until, options.step, options.integrator, "both",
                      tuple(options.settings)), asked)
+    tell_unused(read, options.verbose)
     print(table.table(costs))
     if options.json:
         schema.write(costs, options.json, _words(options))

@@ -18,7 +18,7 @@ def motion_hash(scene: Scene) -> str:
     """The same of what a motion in a given precision depends on: not of the selected precisions,
     functions and tiers, which options replace."""
     return content_hash(replace(scene, precision="", precisions=(), implausible="", functions=(),
-                                tiers=(), accuracy=(), unused=()))
+                                tiers=(), accuracy=(), notices=()))
 
 
 def _told(value: object) -> Iterator[str]:

@@ -4,11 +4,12 @@ Numbers are exact: 0.1 in a file is 1/10 until it is emitted.  Knows nothing of 
 order of coordinates or arithmetic in kernels.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import Enum
 from fractions import Fraction
 
 from coscrew_codegen.parameter import Parameter, Scalar
+from coscrew_codegen.scene.notices import Notice
 
 Vector = tuple[Scalar, ...]  # of three
 
@@ -85,6 +86,15 @@ Limits = tuple[Fraction | None, Fraction | None, Fraction | None, Fraction | Non
 
 
 @dataclass(frozen=True)
+class Fault:
+    """Why a number of a joint cannot be used: an effect that takes it is refused."""
+
+    field: str  # of Joint: "upper", "mimic"
+    problem: str  # "'upper' of <limit>: inf is not finite; wanted a number"
+    place: str  # "arm.urdf, line 7"
+
+
+@dataclass(frozen=True)
 class Joint:
     """Lets the body `child` move in the body `parent` (or WORLD).
 
@@ -105,6 +115,11 @@ class Joint:
     damping: Fraction | None = None
     friction: Fraction | None = None
     mimic: Mimic | None = None
+    faults: tuple[Fault, ...] = field(default=(), compare=False)  # of numbers that are None
+
+    def fault(self, of: str) -> Fault | None:
+        """Why the number `of` cannot be used, if the file gives one."""
+        return next((x for x in self.faults if x.field == of), None)
 
     @property
     def in_words(self) -> str:
@@ -132,6 +147,7 @@ class Model:
     bodies: tuple[Body, ...]
     joints: tuple[Joint, ...]
     implausible: tuple[str, ...] = ()  # impossible inertias that were accepted, a line each
+    notices: tuple[Notice, ...] = field(default=(), compare=False)  # what was read and is not used
 
     def links(self) -> dict[str, str]:
         """For each body, and WORLD, the body to which fixed joints connect it: one that a joint

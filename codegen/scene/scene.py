@@ -10,6 +10,7 @@ from coscrew_codegen.parameter import Parameter, Scalar
 from coscrew_codegen.scene.effect import Effect
 from coscrew_codegen.scene.formulas import Formula
 from coscrew_codegen.scene.model import Model
+from coscrew_codegen.scene.notices import Notice
 
 Setting = Scalar | tuple[Scalar | Formula, ...] | tuple[str, str] | Formula | str | None
 
@@ -95,7 +96,12 @@ class Scene:
     functions: tuple[str, ...] = ()  # selected by name; (): the default functions
     tiers: tuple[str, ...] = ()  # selected besides plain, the cheapest first
     accuracy: tuple[Tolerance, ...] = ()  # what the mixed tier is to reach
-    unused: tuple[str, ...] = ()  # physical numbers of the model that are not used, a line each
+    notices: tuple[Notice, ...] = ()  # what the model's file says and the scene does not use
+
+    @property
+    def unused(self) -> tuple[str, ...]:
+        """What the model's file says and the scene does not use, a line each."""
+        return tuple(notice.text for notice in self.notices)
 
 
 def zero(value: Setting) -> bool:

@@ -38,6 +38,16 @@ def limits_used(scene: Scene, accuracy: Collection[Tolerance]) -> set[tuple[str,
             if joint.kind is not Kind.FIXED and joint.name not in followers(scene)}
 
 
+def refuse_faults(file: Table, scene: Scene, used: Collection[tuple[str, str]]) -> None:
+    """Refuse limits, as (joint, field), that are given and cannot be used."""
+    for joint in scene.model.joints:
+        for fault in joint.faults:
+            if (joint.name, fault.field) in used:
+                file.refuse("accuracy", f"states are drawn between limits, and joint "
+                            f"{joint.name!r} has no {fault.field} that can be used: "
+                            f"{fault.place}: {fault.problem}")
+
+
 def _of(table: Table, function: str) -> Iterator[Tolerance]:
     if not isinstance(table.values[function], dict):
         yield Tolerance(function, "", _positive(table, function))

@@ -4,6 +4,8 @@ from pathlib import Path
 
 from coscrew_codegen.scene_files.errors import SceneError
 
+_LFS = b"version https://git-lfs.github.com/spec/"
+
 
 def read_bytes(path: Path, largest: int) -> bytes:
     """The contents of a file; SceneError if it cannot be read or is larger than `largest` bytes."""
@@ -15,4 +17,7 @@ def read_bytes(path: Path, largest: int) -> bytes:
         raise SceneError(path, "", f"cannot be read ({reason})") from None
     if len(contents) > largest:
         raise SceneError(path, "", f"is larger than {largest // 2**20} MiB; wanted a smaller file")
+    if contents.startswith(_LFS):
+        raise SceneError(path, "", "is a pointer of Git LFS, not the file itself; run `git lfs "
+                         "pull` in its repository")
     return contents

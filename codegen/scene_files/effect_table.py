@@ -171,7 +171,13 @@ class EffectTable:
                   ) -> Fraction | None:
         """The model's number for a parameter, or None.  A missing number that the effect needs is
         an error if the joint was named."""
-        number = getattr(self.targets.get(target), parameter.model, None)
+        joint = self.targets.get(target)
+        number = getattr(joint, parameter.model, None)
+        fault = joint.fault(parameter.model) if joint else None
+        if fault:
+            table.refuse(parameter.name, f"{self.what} {target!r} has no {parameter.model} that "
+                         f"can be used ({fault.place}: {fault.problem}); give {parameter.name} a "
+                         f"number for {target!r}, or leave the joint out")
         if number is not None:
             settings.refuse_sign(table, parameter, number, f" of {self.what} {target!r}")
         elif named and parameter.required:

@@ -12,7 +12,7 @@ from coscrew_codegen.scene.model import Model
 from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.scene.recorded import expected, recorded
 from coscrew_codegen.scene.scene import Applied, Scene
-from coscrew_codegen.scene_files.effect_table import ALL, MODEL, EffectTable, Use
+from coscrew_codegen.scene_files.effect_table import ALL, MANY, MODEL, EffectTable, Use
 from coscrew_codegen.scene_files.tables import Table, described
 
 
@@ -38,12 +38,24 @@ def _on_scene(reading: EffectTable) -> list[Applied]:
     table.only(*reading.parameters)
     applied = Applied(reading.effect, "", reading.values(table, table.values, ""))
     if reading.effect.mimic:
+        _refuse_wrong_mimics(reading)
         following = {(j.name, "mimic") for j in reading.model.joints if j.mimic}
         if not following:
             table.refuse("", "no joint of the model follows another; wanted mimic = { joint, … } "
                              f"of a joint, or no {reading.effect.name}")
         reading.use.of_model |= following
     return [applied]
+
+
+def _refuse_wrong_mimics(reading: EffectTable) -> None:
+    """Refuse followers that cannot follow, the first ones by name."""
+    wrong = [(joint.name, fault) for joint in reading.model.joints
+             if (fault := joint.fault("mimic"))]
+    listed = ", ".join(f"joint {name!r} cannot follow ({fault.place}: {fault.problem})"
+                       for name, fault in wrong[:MANY])
+    if wrong:
+        reading.table.refuse("", f"{listed}{', …' * (len(wrong) > MANY)}; mend the file, or leave "
+                                 f"out {reading.effect.name}")
 
 
 def _on_several(reading: EffectTable) -> list[Applied]:

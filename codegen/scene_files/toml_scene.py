@@ -21,9 +21,10 @@ from coscrew_codegen.scene.rotations import unit
 from coscrew_codegen.scene.scene import Expectation, Run, Scene
 from coscrew_codegen.scene.selected import FunctionsError, resolved
 from coscrew_codegen.scene.tiers import TiersError, asked, selected
-from coscrew_codegen.scene_files.accuracy import limits_used, read_accuracy
+from coscrew_codegen.scene_files.accuracy import limits_used, read_accuracy, refuse_faults
 from coscrew_codegen.scene_files.effect_table import Use
 from coscrew_codegen.scene_files.errors import SceneError, shown
+from coscrew_codegen.scene_files.foreign import of_suffix
 from coscrew_codegen.scene_files.identifiers import identifier, refused
 from coscrew_codegen.scene_files.keys import BASES, EXPECT, OUTPUTS, RUN, SCENE, START
 from coscrew_codegen.scene_files.runtime import with_parameters
@@ -62,13 +63,13 @@ def read_scene(path: Path | str, catalogue: tuple[Effect, ...] | None = None,
         from coscrew_codegen.scene_files.urdf import read_urdf
         model = read_urdf(path, implausible=implausible)
         _refuse_unmoved(path, model, Scene(path.stem, model))
-        scene = Scene(identifier(path.stem), model, unused=unused(model, set(), effects),
+        scene = Scene(identifier(path.stem), model, notices=unused(model, set(), effects),
                       implausible=implausible, precision=overrides.precision or "double",
                       precisions=_emitted(overrides.precision))
         return _selecting(replace(scene, tiers=selected(overrides.tiers or ())),
                           overrides.functions or ())
     if suffix != ".toml":
-        raise SceneError(path, "", f"suffix {shown(path.suffix)}; wanted a .toml or .urdf file")
+        raise SceneError(path, "", f"{of_suffix(path)}; wanted a .toml or .urdf file")
     return _scene(read_toml(path), effects, overrides)
 
 
@@ -113,13 +114,15 @@ def _scene(file: Table, catalogue: tuple[Effect, ...], overrides: SceneOverrides
     functions = overrides.functions or functions
     accuracy = tuple(x for x in accuracy if x.function in resolved(scene, functions))
     tiers = selected((*_tiers(file), *(asked() if accuracy else ())))
-    told = unused(model, use.of_model | limits_used(scene, accuracy), catalogue, effects)
+    drawn = limits_used(scene, accuracy)
+    refuse_faults(file, scene, drawn)
+    told = unused(model, use.of_model | drawn, catalogue, effects)
     effects = with_reactions(scene, catalogue)
     model, effects, parameters = with_parameters(file, model, effects, catalogue)
     if overrides.tiers:
         tiers = selected(overrides.tiers)
     return _selecting(replace(scene, model=model, effects=effects, parameters=parameters,
-                              accuracy=accuracy, tiers=tiers, unused=told), functions)
+                              accuracy=accuracy, tiers=tiers, notices=told), functions)
 
 
 def _functions(file: Table, scene: Scene) -> tuple[str, ...]:
@@ -172,9 +175,9 @@ def _model(file: Table, name: str, implausible: str) -> Model:
     if own:
         file.refuse(own[0], "the model comes from the file that `model` names; wanted one of both")
     named = Path(file.text("model"))
-    if named.suffix.lower() != ".urdf":
-        file.refuse("model", f"{shown(str(named))}; wanted a .urdf file")
     path = file.file.parent / named
+    if named.suffix.lower() != ".urdf":
+        file.refuse("model", f"{shown(str(named))} {of_suffix(path)}; wanted a .urdf file")
     if not path.is_file():
         file.refuse("model", f"{shown(str(named))}: there is no such file; it is looked for in the "
                              "folder of the scene")

@@ -1,40 +1,53 @@
 """Physical numbers of a model that a scene does not use: reported, never ignored silently."""
 
+from collections.abc import Iterator
+
 from coscrew_codegen.scene.effect import Effect
 from coscrew_codegen.scene.model import Joint, Kind, Model
+from coscrew_codegen.scene.notices import Notice
 from coscrew_codegen.scene.scene import Applied
 
 FIELDS = ("damping", "friction", "effort", "velocity", "lower", "upper")
+_SUBJECTS = {"lower": "limits", "upper": "limits"}
 
 
 def unused(model: Model, used: set[tuple[str, str]], catalogue: tuple[Effect, ...],
-           acting: tuple[Applied, ...] = ()) -> tuple[str, ...]:
-    """A line for each number whose (joint, field) is not `used`, with the effect to add, or the
-    change in that effect if it already acts on the joint.
+           acting: tuple[Applied, ...] = ()) -> tuple[Notice, ...]:
+    """A notice of each number whose (joint, field) is not `used`, with the effect to add, or the
+    change in that effect if it already acts on the joint; then what else the model's file says.
 
     Zeros are not reported, since files write them for unknown numbers, except ends of ranges."""
-    lines = []
-    for joint in model.joints:
-        for name in FIELDS:
-            number = getattr(joint, name)
-            if number is None or (joint.name, name) in used:
-                continue
-            if number or name in ("lower", "upper") and (joint.lower or joint.upper):
-                what = f"{name} {float(number):g} {_unit(joint, name)}"
-                lines.append(_line(joint, what, _remedy(joint, name, catalogue, acting)))
-        if joint.mimic and (joint.name, "mimic") not in used:
-            mimic = joint.mimic
-            what = (f"mimic of {mimic.joint} (multiplier {float(mimic.multiplier):g}, "
-                    f"offset {float(mimic.offset):g})")
-            name = next((effect.name for effect in catalogue if effect.mimic), "")
-            lines.append(_line(joint, what, f"add [effects.{name}]" if name else ""))
-    return tuple(lines)
+    found = [notice for joint in model.joints for notice in _of(joint, used, catalogue, acting)]
+    return (*found, *model.notices)
 
 
-def _line(joint: Joint, what: str, remedy: str) -> str:
+def _of(joint: Joint, used: set[tuple[str, str]], catalogue: tuple[Effect, ...],
+        acting: tuple[Applied, ...]) -> Iterator[Notice]:
+    for name in FIELDS:
+        number = getattr(joint, name)
+        if number is None or (joint.name, name) in used:
+            continue
+        if number or name in ("lower", "upper") and (joint.lower or joint.upper):
+            what = f"{name} {float(number):g} {_unit(joint, name)}"
+            yield _notice(joint, _SUBJECTS.get(name, name), what,
+                          _remedy(joint, name, catalogue, acting))
+    for fault in joint.faults:
+        subject = f"wrong {_SUBJECTS.get(fault.field, fault.field)}"
+        yield Notice(subject, f"joint {joint.name}", f"joint {joint.name}: {fault.field} is not "
+                     f"used, and cannot be: {fault.place}: {fault.problem}")
+    if joint.mimic and (joint.name, "mimic") not in used:
+        mimic = joint.mimic
+        what = (f"mimic of {mimic.joint} (multiplier {float(mimic.multiplier):g}, "
+                f"offset {float(mimic.offset):g})")
+        name = next((effect.name for effect in catalogue if effect.mimic), "")
+        yield _notice(joint, "mimic", what, f"add [effects.{name}]" if name else "")
+
+
+def _notice(joint: Joint, subject: str, what: str, remedy: str) -> Notice:
     """Without a remedy no effect of the catalogue takes it."""
     used = f"is not used: {remedy}" if remedy else "is used by no effect"
-    return f"joint {joint.name}: {what} {used}"
+    return Notice(subject, f"joint {joint.name}", f"joint {joint.name}: {what} {used}",
+                  remedy if remedy.startswith("add ") else "")
 
 
 def _remedy(joint: Joint, field: str, catalogue: tuple[Effect, ...], acting: tuple[Applied, ...]

@@ -10,13 +10,15 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from xml.sax import SAXException, SAXParseException
 from xml.sax.handler import ContentHandler
-from xml.sax.xmlreader import AttributesImpl
+from xml.sax.xmlreader import AttributesImpl, InputSource
 
 from defusedxml import DefusedXmlException
 from defusedxml.sax import make_parser
 
 from coscrew_codegen.scene_files.contents import read_bytes
 from coscrew_codegen.scene_files.errors import SceneError, shown
+from coscrew_codegen.scene_files.foreign import of_root
+from coscrew_codegen.scene_files.xml_text import problem_at, text_of
 
 DEPTH = 100  # elements in each other
 SIZE = 64 * 2**20  # bytes
@@ -40,24 +42,51 @@ def read_xml(path: Path, ignored: frozenset[str]) -> Element:
     """The root element of a file, without elements below it whose tags are `ignored`.
 
     Raises SceneError, naming the line, if the file cannot be read or is not well-formed XML."""
+    text, skipped = text_of(path, read_bytes(path, SIZE))
     parser = make_parser()
     parser.forbid_dtd = True
-    handler = _Handler(path, ignored, parser.getLineNumber)
+
+    def line() -> int:
+        return skipped + int(parser.getLineNumber())
+
+    handler = _Handler(path, ignored, line)
     parser.setContentHandler(handler)
     try:
-        parser.parse(io.BytesIO(read_bytes(path, SIZE)))
+        parser.parse(_source(text))
     except SAXParseException as error:
-        raise SceneError(path, f"line {error.getLineNumber()}",
-                         f"{error.getMessage()}; wanted well-formed XML") from None
+        at, column = error.getLineNumber() or 1, error.getColumnNumber() or 0
+        raise SceneError(path, f"line {skipped + at}", problem_at(text, at, column)
+                         or _in_words(error.getMessage())) from None
     except DefusedXmlException:
-        raise SceneError(path, f"line {parser.getLineNumber()}", "holds a document type "
-                         "(<!DOCTYPE) or entities; wanted XML without them") from None
+        raise SceneError(path, f"line {line()}", _document_type(text)) from None
     except (SAXException, LookupError, ValueError) as error:
         if isinstance(error, SceneError):
             raise
-        raise SceneError(path, f"line {parser.getLineNumber()}",
+        raise SceneError(path, f"line {line()}",
                          f"{shown(error)}; wanted well-formed XML") from None
     return handler.root.children[0]
+
+
+def _source(text: str) -> InputSource:
+    """The text in UTF-8, whatever its declaration says."""
+    source = InputSource()
+    source.setByteStream(io.BytesIO(text.encode()))
+    source.setEncoding("utf-8")
+    return source
+
+
+def _in_words(message: str) -> str:
+    if message.startswith("undefined entity"):
+        return f"{message}; wanted the character itself, or &amp; for &"
+    if "declaration not at start" in message:
+        return "<?xml … ?> stands after something else; wanted it at the beginning, or not at all"
+    return f"{message}; wanted well-formed XML"
+
+
+def _document_type(text: str) -> str:
+    if text[:100].lower().startswith("<!doctype html"):
+        return of_root("html")
+    return "holds a document type (<!DOCTYPE) or entities; wanted XML without them"
 
 
 class _Handler(ContentHandler):

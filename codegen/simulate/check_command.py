@@ -2,7 +2,7 @@
 
 import argparse
 
-from coscrew_codegen.simulate.command import add_scene, scene_of
+from coscrew_codegen.simulate.command import add_scene, scene_of, tell_unused
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -37,5 +37,6 @@ def run(options: argparse.Namespace) -> int:
     findings = check.check(kernels, outcome.RunOverrides(
         options.until, options.step, options.integrator, options.precision,
         tuple(options.settings)), rounding=True)
+    tell_unused(scene, options.verbose)
     print(verdict.table(findings, options.strict))
     return 0 if (findings.strictly_passed if options.strict else findings.passed) else 1

@@ -5,7 +5,6 @@ Imports the simulation only when it runs, since the generator does not need it."
 import argparse
 import math
 import sys
-from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -16,8 +15,6 @@ from coscrew_codegen.integrators import in_words
 if TYPE_CHECKING:
     from coscrew_codegen.scene.scene import Scene
     from coscrew_codegen.simulate.result import Result
-
-_FIRST = 5  # unused numbers that are listed
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -37,9 +34,6 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
                              "single precision goes to FILE's name with .single before its ending")
     parser.add_argument("--plot", metavar="FILE", type=Path, help="write a plot: .svg or .png")
     parser.add_argument("--view", metavar="FILE", type=Path, help="write a 3D playback: .html")
-    parser.add_argument("--unused", action="store_true",
-                        help="list all numbers of the model that nothing here uses, not just "
-                             f"{_FIRST}")
     parser.set_defaults(run=run)
 
 
@@ -55,6 +49,7 @@ def add_scene(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--precision", choices=CHOICES,
                         help="precision of the dynamics")
     add_implausible(parser)
+    add_verbose(parser)
     parser.add_argument("--set", metavar="NAME=VALUE", type=_setting, action="append", default=[],
                         dest="settings", help="a value of a `runtime` parameter; may be repeated")
 
@@ -64,6 +59,23 @@ def add_implausible(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--implausible", choices=("error", "warn"),
                         help="for inertias that are impossible, massless or incomplete: refuse "
                              "the scene (error) or report them (warn)")
+
+
+def add_verbose(parser: argparse.ArgumentParser) -> None:
+    """Add the option that lists what `tell_unused` sums up."""
+    parser.add_argument("--verbose", action="store_true",
+                        help="list all that the model's file says and nothing here uses, one a "
+                             "line, instead of summing it up")
+
+
+def tell_unused(scene: "Scene", verbose: bool, prefix: str = "coscrew") -> None:
+    """Say on standard error what the model's file says and the scene does not use: in one line, or
+    in one for each number."""
+    from coscrew_codegen.scene.notices import by_importance, summary
+
+    lines = [x.text for x in by_importance(scene.notices)] if verbose else [summary(scene.notices)]
+    for line in filter(None, lines):
+        print(f"{prefix}: {line}", file=sys.stderr)
 
 
 def scene_of(options: argparse.Namespace, precision: str | None,
@@ -147,8 +159,9 @@ def _asked(options: argparse.Namespace) -> "tuple[Result, ...]":
     one = options.precision or scene.precision
     kernels = kernels_for(scene, needs.of_run(scene, options.integrator, bool(options.view)),
                           BOTH if one == "both" else (one,))
-    for line in _notes(scene, options.unused):
-        print(f"coscrew: {line}", file=sys.stderr)
+    if all(applied.effect.reaction for applied in scene.effects):
+        print("coscrew: no effects: nothing acts, gravity included", file=sys.stderr)
+    tell_unused(scene, options.verbose)
     return outcome.simulated(kernels, outcome.RunOverrides(
         options.until, options.step, options.integrator, options.precision,
         tuple(options.settings), options.start),
@@ -174,16 +187,6 @@ def _again(options: argparse.Namespace) -> "tuple[Result, ...]":
     kernels = kernels_for(scene, needs.of_run(recording, told.integrator, bool(options.view)),
                           (told.precision,))
     return (motion(kernels, told.precision, told.asked(), shown=True),)
-
-
-def _notes(scene: "Scene", all_unused: bool) -> Iterator[str]:
-    """Warnings: nothing acts in the scene, or numbers of the model are not used."""
-    if all(applied.effect.reaction for applied in scene.effects):
-        yield "no effects: nothing acts, gravity included"
-    count = len(scene.unused)
-    yield from scene.unused if all_unused else scene.unused[:_FIRST]
-    if count > _FIRST and not all_unused:
-        yield f"{count - _FIRST} more numbers of the model are not used; --unused lists them"
 
 
 def _outputs(path: Path) -> tuple[Path, Path]:

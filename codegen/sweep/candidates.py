@@ -32,6 +32,7 @@ class Candidate:
     index: int
     unit: str = ""
     limits: Ends | None = None  # of its joint
+    fault: str = ""  # why limits that the joint has cannot be used
 
 
 def candidates(scene: Scene, settings: Mapping[str, float]) -> Mapping[str, Candidate]:
@@ -60,7 +61,12 @@ def _of(joint: Joint, array: str, places: range, limits: Ends | None) -> Iterato
     stem, unit = f"{START}{array}.{joint.name}", _unit(joint, array)
     for k, index in enumerate(places):
         name = stem if len(places) == 1 else f"{stem}.{k}"
-        yield Candidate(name, array, index, unit[k], limits)
+        yield Candidate(name, array, index, unit[k], limits, _fault(joint, array))
+
+
+def _fault(joint: Joint, array: str) -> str:
+    found = [joint.fault(x) for x in (("lower", "upper") if array == "q" else ("velocity",))]
+    return next((f" ({x.place}: {x.problem})" for x in found if x), "")
 
 
 def _unit(joint: Joint, array: str) -> tuple[str, ...]:
@@ -127,6 +133,6 @@ def limits_of(option: str, candidate: Candidate) -> Ends:
     if candidate.limits is None:
         what = {"p": "a parameter has no limits", "q": "its joint has no range with two ends",
                 "v": "its joint has no velocity limit"}[candidate.array]
-        raise SweepError(f"{option}: {candidate.name}: {what}; give --sobol "
+        raise SweepError(f"{option}: {candidate.name}: {what}{candidate.fault}; give --sobol "
                          f"{candidate.name}=LOW:HIGH, and a pattern that leaves it out")
     return candidate.limits

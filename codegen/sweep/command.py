@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from coscrew_codegen.simulate.command import add_scene, scene_of
+from coscrew_codegen.simulate.command import add_scene, scene_of, tell_unused
 from coscrew_codegen.sweep import SweepError, asked
 
 if TYPE_CHECKING:
@@ -86,10 +86,13 @@ def _prepared(options: argparse.Namespace) -> "Prepared":
     from coscrew_codegen.simulate.outcome import RunOverrides
     from coscrew_codegen.sweep.prepare import Asked, prepared
 
-    return prepared(scene_of(options, options.precision), Asked(
+    scene = scene_of(options, options.precision)
+    found = prepared(scene, Asked(
         options.grid, options.sobol, options.samples, options.seed, options.record, options.series,
         RunOverrides(options.until, options.step, options.integrator, options.precision,
                      tuple(options.settings))))
+    tell_unused(scene, options.verbose)
+    return found
 
 
 def _alone(prepared: "Prepared", options: argparse.Namespace) -> int:

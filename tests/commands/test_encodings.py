@@ -17,7 +17,7 @@ SCENE = (texts.SPRING.replace('["block.mass"]', '["Körper.mass"]').replace('"bl
          .replace("duration = 2", "duration = 0.02"))
 COMMANDS = {"--help": 0, "simulate --help": 0, "effects": 0, "effects drag": 0, "effects ²": 2,
             "generate SCENE -o OUT/µ": 0, "generate SCENE -o OUT --check": 1, "simulate SCENE": 0,
-            "simulate SCENE --unused --set ω=1": 2, "check SCENE": 0, "check none-é.toml": 2,
+            "simulate SCENE --verbose --set ω=1": 2, "check SCENE": 0, "check none-é.toml": 2,
             "simulate WRONG": 2, "report --op ω": 2, "cost none-é.toml": 2}
 """Commands, and how they end."""
 

@@ -61,14 +61,32 @@ def test_a_urdf_alone_runs_and_says_that_nothing_acts(tmp_path, capsys):
     path = tmp_path / "arm.urdf"
     path.write_text(URDF)
     assert main(["simulate", str(path), "--until", "0.1"]) == 0
-    first, *unused, last = capsys.readouterr().err.splitlines()
+    first, *unused = capsys.readouterr().err.splitlines()
     assert first == "coscrew: no effects: nothing acts, gravity included"
-    assert unused == [f"coscrew: {line}" for line in read_scene(path).unused[:5]]
-    assert last == "coscrew: 1 more numbers of the model are not used; --unused lists them"
-    assert main(["simulate", str(path), "--until", "0.1", "--unused"]) == 0
-    _, *unused = capsys.readouterr().err.splitlines()
-    assert unused == [f"coscrew: {line}" for line in read_scene(path).unused]
-    assert len(unused) == 6
+    assert unused == ["coscrew: not used: friction, damping, limits, effort and velocity of joint "
+                      "hinge (add [effects.coulomb], [effects.viscous], [effects.limit], "
+                      "[effects.actuator]; --verbose lists them)"]
+
+
+@pytest.mark.parametrize("words", [
+    "simulate ARM --until 0.1", "check ARM --until 0.1", "generate ARM --output OUT",
+    "cost ARM --function energy --states 8",
+    "sweep ARM --until 0.1 --grid start.q.hinge=0:1:2 --member 0"])
+def test_commands_sum_up_what_is_not_used_and_list_it_on_demand(tmp_path, capsys, words):
+    """In one line, or in a line for each, what changes the motion first."""
+    path = tmp_path / "arm.urdf"
+    path.write_text(URDF)
+    given = words.replace("ARM", str(path)).replace("OUT", str(tmp_path / "out")).split()
+    for verbose in (False, True):
+        main([*given, *["--verbose"] * verbose])
+        told = [line.partition(": ")[2] for line in capsys.readouterr().err.splitlines()
+                if "not used" in line or "used by" in line]
+        if not verbose:
+            assert len(told) == 1 and "--verbose lists them" in told[0]
+            continue
+        assert sorted(told) == sorted(read_scene(path).unused)
+        assert [line.split()[2] for line in told] == ["friction", "damping", "lower", "upper",
+                                                      "effort", "velocity"]
 
 
 def test_help_tells_that_a_urdf_will_do(capsys):

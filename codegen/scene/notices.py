@@ -1,0 +1,70 @@
+"""Notices: what a model says and a scene does not use, and one line that sums them up."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+SUBJECTS = ("other tools' joint", "spring", "mimic", "wrong mimic", "friction", "wrong friction",
+            "damping", "wrong damping", "other tools' number", "limits", "wrong limits", "effort",
+            "wrong effort", "velocity", "wrong velocity", "acceleration", "deceleration", "jerk",
+            "safety controller", "repeated element")
+"""What notices are about; first what changes the motion most."""
+
+
+@dataclass(frozen=True)
+class Notice:
+    """Something that the model says of a joint or body and the scene does not use."""
+
+    subject: str  # one of SUBJECTS
+    of: str  # "joint elbow"
+    text: str  # the whole line
+    remedy: str = ""  # "add [effects.mimic]", if that is one
+
+
+def by_importance(notices: Iterable[Notice]) -> tuple[Notice, ...]:
+    """The notices in the order of their subjects, otherwise as given."""
+    return tuple(sorted(notices, key=lambda x: SUBJECTS.index(x.subject)))
+
+
+def summary(notices: Sequence[Notice], option: str = "--verbose") -> str:
+    """One line that sums the notices up, or is the only one; "" for none.
+
+    "not used: mimic of 3 joints, friction and damping of 7, limits of 7 (add [effects.mimic],
+    [effects.viscous]; --verbose lists them)"."""
+    if len(notices) < 2:
+        return "".join(x.text for x in notices)
+    ordered = by_importance(notices)
+    remedies = dict.fromkeys(x.remedy.removeprefix("add ") for x in ordered if x.remedy)
+    hints = [f"add {', '.join(remedies)}"] if remedies else []
+    return f"not used: {_listed(ordered)} ({'; '.join([*hints, f'{option} lists them'])})"
+
+
+def _listed(ordered: Sequence[Notice]) -> str:
+    """"mimic of 3 joints, friction and damping of 7": subjects of the same joints together."""
+    owners: dict[str, dict[str, None]] = {}
+    for notice in ordered:
+        owners.setdefault(notice.subject, {})[notice.of] = None
+    groups: list[tuple[list[str], list[str]]] = []
+    for subject, of in owners.items():
+        if groups and groups[-1][1] == list(of):
+            groups[-1][0].append(subject)
+        else:
+            groups.append(([subject], list(of)))
+    listed, last = [], ""
+    for subjects, names in groups:
+        what, count = _plural(names), names[0]
+        if len(names) > 1:
+            count = f"{len(names)}" if what == last else f"{len(names)} {what}"
+            last = what
+        listed.append(f"{_joined(subjects)} of {count}")
+    return ", ".join(listed)
+
+
+def _plural(owners: Sequence[str]) -> str:
+    words = {owner.partition(" ")[0] for owner in owners}
+    plural = {"joint": "joints", "body": "bodies"}
+    return plural.get(words.pop(), "elements") if len(words) == 1 else "elements"
+
+
+def _joined(words: Sequence[str]) -> str:
+    """a; a and b; a, b and c."""
+    return " and ".join((", ".join(words[:-1]), words[-1])) if len(words) > 1 else words[0]

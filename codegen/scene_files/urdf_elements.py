@@ -1,0 +1,215 @@
+"""Reads the texts and numbers of URDF's elements, or refuses them by file, line and element."""
+
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+from pathlib import Path
+from typing import NoReturn, TypeVar
+
+from coscrew_codegen.scene import rotations
+from coscrew_codegen.scene.model import HERE, Placement
+from coscrew_codegen.scene.notices import Notice
+from coscrew_codegen.scene_files.decimals import decimal
+from coscrew_codegen.scene_files.errors import SceneError, shown
+from coscrew_codegen.scene_files.foreign import of_root, xacro
+from coscrew_codegen.scene_files.urdf_schema import (
+    CHILDREN,
+    IGNORED,
+    OTHER_ELEMENTS,
+    OTHER_JOINTS,
+    OTHERS,
+    QUATERNION,
+    SPRING,
+    VERSIONS,
+    is_zero,
+    misspelt_attribute,
+    misspelt_elements,
+    of_other_tools,
+)
+from coscrew_codegen.scene_files.xml import Element, read_xml
+
+_T = TypeVar("_T")
+
+
+class Elements:
+    """The elements of one file.  Collects in `notices` what is read and not used."""
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        self.notices: list[Notice] = []
+        self.root = read_xml(path, IGNORED)
+        if self.root.tag != "robot":
+            known = of_root(self.root.tag)
+            self._refuse(self.root, "", known or f"the root is <{self.root.tag[:60]}>; wanted "
+                                                 "<robot>")
+        self.version = self._version()
+        self._check(self.root, "")
+
+    def _version(self) -> str:
+        version = self.root.attributes.get("version", VERSIONS[0])
+        if version not in VERSIONS:
+            self._refuse(self.root, "", f"version {shown(version)} of URDF is unknown; wanted one "
+                                        f"of {', '.join(VERSIONS)}")
+        return version
+
+    def _check(self, owner: Element, element: str) -> None:
+        """Refuse attributes that URDF does not have, here and in the elements below, and likely
+        misspellings of its elements; note other tools' numbers."""
+        if problem := misspelt_attribute(owner):
+            self._refuse(owner, element, problem)
+        for child in owner.children:
+            if child.tag.startswith("xacro:"):
+                self._refuse(child, element, f"<{child.tag[:60]}>: this is a file of xacro; run "
+                                             f"`{xacro(self.path)}` and read that")
+        for child, problem in misspelt_elements(owner):
+            self._refuse(child, element, problem)
+        self.notices += _of_other_tools(owner, element)
+        for child in owner.children if owner is not self.root else ():
+            if child.tag in CHILDREN.get(owner.tag, ()):
+                self._check(child, element)
+
+    def _placement(self, owner: Element, element: str) -> Placement:
+        origin = self._only(owner, "origin", element)
+        if origin is None:
+            return HERE
+        zero = (Fraction(0),) * 3
+        xyz = self._vector(origin, "xyz", element, zero)
+        if QUATERNION in origin.attributes:
+            return Placement(self._turned(origin, element), xyz)
+        return Placement(rotations.from_rpy(*self._vector(origin, "rpy", element, zero)), xyz)
+
+    def _turned(self, origin: Element, element: str) -> tuple[Fraction, ...]:
+        """The rotation of a quaternion of any length but zero, which version 1.1 brought."""
+        if self.version == VERSIONS[0]:
+            self._refuse(origin, element, f"{QUATERNION!r} of <origin> is of URDF {VERSIONS[1]}; "
+                                          f'wanted <robot version="{VERSIONS[1]}">, or rpy')
+        if "rpy" in origin.attributes:
+            self._refuse(origin, element, f"'rpy' and {QUATERNION!r} of <origin>; wanted one of "
+                                          "both")
+        quaternion = self._read(origin, QUATERNION, element, lambda text: _numbers(text, 4))
+        if not any(quaternion):
+            self._refuse(origin, element, f"{QUATERNION!r} of <origin> is zero; wanted x, y, z, w "
+                                          "of a unit quaternion")
+        return rotations.from_quaternion(quaternion)
+
+    def _name(self, owner: Element) -> str:
+        if "name" not in owner.attributes and (problem := misspelt_attribute(owner)):
+            self._refuse(owner, f"<{owner.tag}>", problem)
+        name = self._text(owner, "name", f"<{owner.tag}>")
+        if not name.isprintable():
+            self._refuse(owner, f"<{owner.tag}>", f"name {shown(name)}; wanted one line")
+        return name
+
+    def _text(self, owner: Element, attribute: str, element: str) -> str:
+        text = owner.attributes.get(attribute, "")
+        if not text.strip():
+            self._refuse(owner, element, f"<{owner.tag}> lacks its {attribute!r}")
+        if "${" in text or "$(" in text:
+            self._refuse(owner, element, f"{attribute!r} of <{owner.tag}>, {shown(text)}, is for "
+                                         f"xacro; run `{xacro(self.path)}` and read that")
+        return text
+
+    def _number(self, owner: Element, attribute: str, element: str,
+                default: Fraction | None = None) -> Fraction:
+        if attribute not in owner.attributes and default is not None:
+            return default
+        return self._read(owner, attribute, element, lambda text: decimal(text.strip()))
+
+    def _vector(self, owner: Element, attribute: str, element: str,
+                default: tuple[Fraction, ...] | None = None) -> tuple[Fraction, ...]:
+        if attribute not in owner.attributes and default is not None:
+            return default
+        return self._read(owner, attribute, element, lambda text: _numbers(text, 3))
+
+    def _read(self, owner: Element, attribute: str, element: str,
+              reader: Callable[[str], _T]) -> _T:
+        text = self._text(owner, attribute, element)
+        try:
+            return reader(text)
+        except ValueError as error:
+            self._refuse(owner, element, f"{attribute!r} of <{owner.tag}>: {error}")
+
+    def _only(self, owner: Element, tag: str, element: str) -> Element | None:
+        """The one child with this tag, if there is one; it may stand there twice with the same
+        content."""
+        found = owner.all(tag)
+        if different := self.different(found):
+            self._refuse(different, element, f"<{tag}> occurs twice; wanted it once")
+        self.note_repetitions(found, element)
+        return found[0] if found else None
+
+    def different(self, found: tuple[Element, ...]) -> Element | None:
+        """The first element that says something else than the first of all."""
+        return next((other for other in found[1:] if not _alike(other, found[0])), None)
+
+    def note_repetitions(self, found: tuple[Element, ...], element: str) -> None:
+        """Note elements that say the same as the first."""
+        of = plain(element)
+        self.notices += [Notice("repeated element", of, f"{of}: <{other.tag}> in line "
+                                f"{other.line} says the same once more and is not used")
+                         for other in found[1:]]
+
+    def _required(self, owner: Element, tag: str, element: str) -> Element:
+        found = self._only(owner, tag, element)
+        if found is None:
+            self._refuse(owner, element, f"<{owner.tag}> lacks <{tag}>")
+        return found
+
+    def _refuse(self, at: Element, element: str, problem: str) -> NoReturn:
+        where = f"line {at.line}, {element}" if element else f"line {at.line}"
+        raise SceneError(self.path, where, problem)
+
+
+def plain(element: str) -> str:
+    """joint elbow, for joint 'elbow'."""
+    what, _, name = element.partition(" ")
+    return f"{what} {name[1:-1]}" if name else what
+
+
+def _numbers(text: str, count: int) -> tuple[Fraction, ...]:
+    words = text.split()
+    if len(words) != count:
+        raise ValueError(f"{shown(text)}; wanted {'three' if count == 3 else 'four'} numbers")
+    return tuple(decimal(word) for word in words)
+
+
+def _alike(a: Element, b: Element) -> bool:
+    """Whether two elements say the same, numbers being compared by value."""
+    return (a.tag == b.tag and a.attributes.keys() == b.attributes.keys()
+            and all(_value(text) == _value(b.attributes[name])
+                    for name, text in a.attributes.items())
+            and len(a.children) == len(b.children)
+            and all(map(_alike, a.children, b.children)))
+
+
+def _value(text: str) -> object:
+    try:
+        return tuple(decimal(word) for word in text.split())
+    except ValueError:
+        return text
+
+
+def _of_other_tools(owner: Element, element: str) -> Iterator[Notice]:
+    """Notices of other tools' joints, and of their numbers that are not zero."""
+    of = plain(element) or "robot"
+    for child in owner.children if owner.tag == "robot" else ():
+        if child.tag in OTHER_JOINTS or child.tag.endswith(":joint"):
+            joint = f"joint {child.attributes.get('name', '')[:60]}"
+            yield Notice("other tools' joint", joint, f"{joint}: <{child.tag[:60]}> is another "
+                         "tool's and is not used")
+    for name, text in owner.attributes.items():
+        if name in OTHERS.get(owner.tag, ()) or of_other_tools(name):
+            yield from _number(of, name, text, owner.tag)
+    for child in owner.children:
+        for name, text in child.attributes.items():
+            if child.tag in OTHER_ELEMENTS.get(owner.tag, ()):
+                yield from _number(of, name, text, child.tag)
+
+
+def _number(of: str, name: str, text: str, tag: str) -> Iterator[Notice]:
+    if is_zero(text):
+        return
+    what = f"{of}: {name} {shown(text)[1:-1]} of <{tag}> is another tool's and is not used"
+    if name not in SPRING:
+        yield Notice("other tools' number", of, what)
+    else:
+        yield Notice("spring", of, f"{what}: add [effects.spring]", "add [effects.spring]")
