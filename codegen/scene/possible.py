@@ -5,15 +5,14 @@ With `implausible = "warn"` impossible bodies are accepted and reported.
 Everything is computed in exact fractions, with the default values of parameters.
 """
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator
 from dataclasses import replace
 from fractions import Fraction
 
-from coscrew_codegen.parameter import Scalar
 from coscrew_codegen.scene.assembly import ModelError
+from coscrew_codegen.scene.lumped import LumpedInertia, Six, lumped_inertia
 from coscrew_codegen.scene.model import Joint, Kind, Model, value
-from coscrew_codegen.scene.rotations import rotated
-from coscrew_codegen.scene.tree import PlacedBody, tree_of
+from coscrew_codegen.scene.tree import tree_of
 
 SLACK = Fraction(1, 10**6)
 """Tolerance of the inequalities, relative to xx + yy + zz: files round moments to six digits, and
@@ -22,9 +21,6 @@ thin plates, for which xx + yy = zz, then violate them half of the time."""
 FINEST = Fraction(1, 10**6)
 """Radius of gyration in m below which moments are residues of arithmetic, such as -5.4e-20 kg m²
 for a point mass in a file written by a program."""
-
-_Six = tuple[Fraction, ...]
-
 
 ERROR, WARN = "error", "warn"
 """The values of a scene's `implausible`."""
@@ -56,15 +52,15 @@ def _faults(model: Model) -> Iterator[ModelError]:
         heavy = [placed.body.name for placed in bodies if placed.body.inertia]
         if not heavy:
             continue
-        mass, first, moments = _composite(bodies)
-        problem = "its mass is zero, its moments are not" if not mass else _wrong(
-            mass, tuple(a - b / mass for a, b in zip(moments, _steiner(first), strict=True)))
-        if problem and (mass or any(moments)):
+        both = lumped_inertia(bodies)
+        problem = ("its mass is zero, its moments are not" if not both.mass
+                   else _wrong(both.mass, both.about_com))
+        if problem and (both.mass or any(both.moments)):
             joined = f" (with what is fixed to it: {', '.join(heavy)})" if len(heavy) > 1 else ""
             yield ModelError(f"body {heavy[0]!r}", f"{problem}{joined}")
 
 
-def _wrong(mass: Fraction, moments: _Six) -> str | None:
+def _wrong(mass: Fraction, moments: Six) -> str | None:
     """Why no rigid body has these moments about its centre of mass; None if one can."""
     xx, yy, zz, xy, xz, yz = moments
     slack = SLACK * abs(xx + yy + zz) + mass * FINEST**2
@@ -93,58 +89,30 @@ def unmoved_mass(model: Model, exempt: Collection[str]) -> tuple[Joint, str] | N
             continue
         if number not in massive:
             return link.joint, "neither what it moves nor what moves on that has a mass"
-        if number not in inner and not _resists(link.joint, *_composite(link.bodies)):
+        if number not in inner and not _resists(link.joint, lumped_inertia(link.bodies)):
             return link.joint, "what it moves has no inertia against its motion"
     return None
 
 
-def _values(numbers: tuple[Scalar, ...]) -> tuple[Fraction, ...]:
-    return tuple(value(x) for x in numbers)
-
-
-def _composite(bodies: Sequence[PlacedBody]) -> tuple[Fraction, tuple[Fraction, ...], _Six]:
-    """Mass, first and second moments of the bodies of a link, about its origin."""
-    mass = Fraction(0)
-    first: tuple[Fraction, ...] = (Fraction(0),) * 3
-    moments: _Six = (Fraction(0),) * 6
-    for placed in bodies:
-        if inertia := placed.body.inertia:
-            m, R, com = value(inertia.mass), placed.placement.R, _values(inertia.com)
-            at = tuple(sum((R[3 * i + k] * com[k] for k in range(3)), value(placed.placement.t[i]))
-                       for i in range(3))
-            own = rotated(R, _values(inertia.moments))
-            mass += m
-            first = tuple(a + m * b for a, b in zip(first, at, strict=True))
-            moments = tuple(a + b + m * c
-                            for a, b, c in zip(moments, own, _steiner(at), strict=True))
-    return mass, first, moments
-
-
-def _steiner(at: tuple[Fraction, ...]) -> _Six:
-    """-c~²: the second moments of a unit mass at c about the origin."""
-    x, y, z = at
-    return (y * y + z * z, x * x + z * z, x * x + y * y, -x * y, -x * z, -y * z)
-
-
-def _resists(joint: Joint, mass: Fraction, first: tuple[Fraction, ...], moments: _Six) -> bool:
+def _resists(joint: Joint, moved: LumpedInertia) -> bool:
     """Whether the bodies that the joint moves have inertia against its motion."""
-    xx, yy, zz, xy, xz, yz = moments
+    xx, yy, zz, xy, xz, yz = moved.moments
     if joint.kind is Kind.REVOLUTE:
         a, b, c = joint.axis
         about = xx*a*a + yy*b*b + zz*c*c + 2 * (xy*a*b + xz*a*c + yz*b*c)
         return about > 0
     if joint.kind is Kind.SPHERICAL:
-        return _definite(moments)
-    if joint.kind is Kind.PRISMATIC or not mass:
-        return mass > 0
-    return _definite(tuple(a - b / mass for a, b in zip(moments, _steiner(first), strict=True)))
+        return _definite(moved.moments)
+    if joint.kind is Kind.PRISMATIC or not moved.mass:
+        return moved.mass > 0
+    return _definite(moved.about_com)
 
 
-def _definite(moments: _Six) -> bool:
+def _definite(moments: Six) -> bool:
     return min(_minors(moments)) > 0
 
 
-def _minors(moments: _Six) -> tuple[Fraction, ...]:
+def _minors(moments: Six) -> tuple[Fraction, ...]:
     """All principal minors of a symmetric matrix."""
     xx, yy, zz, xy, xz, yz = moments
     yz_minor = yy * zz - yz * yz
@@ -152,12 +120,12 @@ def _minors(moments: _Six) -> tuple[Fraction, ...]:
             xx * yz_minor - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz))
 
 
-def _positive(moments: _Six) -> bool:
+def _positive(moments: Six) -> bool:
     """Whether a symmetric matrix is positive semidefinite: no principal minor is negative."""
     return min(_minors(moments)) >= 0
 
 
-def _in_words(moments: _Six) -> str:
+def _in_words(moments: Six) -> str:
     names = ("xx", "yy", "zz", "xy", "xz", "yz")
     return "moments " + ", ".join(f"{name} {_shown(x)}" for name, x in zip(names, moments,
                                                                           strict=True)) + " kg m²"
