@@ -99,6 +99,7 @@ def _scene(options: argparse.Namespace) -> int:
     from coscrew_codegen.emit import refuse_others, stale_files
     from coscrew_codegen.layout import scene_files
     from coscrew_codegen.mechanics import derive
+    from coscrew_codegen.scene.selected import left_out
     from coscrew_codegen.scene_tiers import savings
     from coscrew_codegen.selection import SelectionError
     from coscrew_codegen.simulate.units import units
@@ -116,7 +117,7 @@ def _scene(options: argparse.Namespace) -> int:
                      tuple(options.tier or ()))
     if scene.precision == "single":
         scene = replace(scene, precisions=("single",))
-    for line in scene.unused:
+    for line in filter(None, (left_out(scene), *scene.unused)):
         print(f"{options.scene.name}: {line}", file=sys.stderr)
     said = "".join(f" --{name} {word}" for name in ("precision", "implausible")
                    if (word := getattr(options, name)))

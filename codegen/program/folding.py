@@ -21,9 +21,9 @@ DIGITS = 60
 _ZERO, _ONE = Constant(Fraction(0), Fraction(0)), Constant(Fraction(1), Fraction(1))
 _LONGEST = 1 << 1200
 _CANCELLED = 120
-"""Bits of a sum of constants that cancel when it is zero but for the rounding of its terms, which
-have 50 digits: an entry of a product of rotations would be 6e-63, beyond single precision's range.
-Pairs of doubles carry 106 bits.
+"""Bits of a sum of constants that cancel when only the rounding of its terms keeps it from zero.
+They have 50 digits: an entry of a product of rotations would be 6e-63, beyond single precision's
+range.  Pairs of doubles carry 106 bits.
 """
 
 

@@ -5,13 +5,16 @@ With `implausible = "warn"` impossible bodies are accepted and reported.
 Everything is computed in exact fractions, with the default values of parameters.
 """
 
-from collections.abc import Collection, Iterator
-from dataclasses import replace
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import lru_cache
 
 from coscrew_codegen.scene.assembly import ModelError
 from coscrew_codegen.scene.lumped import LumpedInertia, Six, lumped_inertia
 from coscrew_codegen.scene.model import Joint, Kind, Model, value
+from coscrew_codegen.scene.recorded import followers
+from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.tree import tree_of
 
 SLACK = Fraction(1, 10**6)
@@ -29,7 +32,7 @@ ERROR, WARN = "error", "warn"
 def judged(model: Model, implausible: str) -> Model:
     """The model; if `implausible` is WARN, with a line on each body that cannot exist.
 
-    Raises ModelError for the first such body if it is ERROR, and always for a negative mass.
+    Raises ModelError that names all such bodies if it is ERROR, and always for a negative mass.
 
     Bodies connected by fixed joints are judged together, since only their sum moves: files give
     frames and sensors moments that are not even definite, and which vanish in the sum.  Point
@@ -40,8 +43,10 @@ def judged(model: Model, implausible: str) -> Model:
                              f"mass {_shown(value(body.inertia.mass))} kg; wanted a positive mass")
     faults = tuple(_faults(model))
     if faults and implausible == ERROR:
-        raise ModelError(faults[0].element,
-                         f'{faults[0].problem}; implausible = "{WARN}" accepts it')
+        first, *others = faults
+        more = f"; impossible, too: {', '.join(x.element for x in others)}" if others else ""
+        accepted = f'implausible = "{WARN}" accepts {"them" if others else "it"}'
+        raise ModelError(first.element, f"{first.problem}{more}; {accepted}")
     return replace(model, implausible=(*model.implausible, *map(str, faults)))
 
 
@@ -73,25 +78,68 @@ def _wrong(mass: Fraction, moments: Six) -> str | None:
     return None
 
 
-def unmoved_mass(model: Model, exempt: Collection[str]) -> tuple[Joint, str] | None:
-    """The first joint without inertia against its motion, with the reason; None if there is none.
+@dataclass(frozen=True)
+class Unmoved:
+    """A joint without inertia against its motion; `massive`: what it moves has a mass."""
 
-    Its forward dynamics would divide by zero.  `exempt` names joints that are not checked, since
-    they have an inertia of their own (an armature), follow others or are followed."""
+    joint: Joint
+    massive: bool
+
+
+def unmoved(scene: Scene) -> tuple[Unmoved, ...]:
+    """The joints without inertia against their motion: the mass matrix is singular.
+
+    An effect (an armature) gives a joint an inertia of its own; joints that follow others move as
+    one with their leader, and one of them with inertia is enough."""
+    found = {x.joint.name: x for x in _unmoved(scene.model)}
+    follow = followers(scene)
+    leader = {name: follow[name].joint if name in follow else name
+              for name in (joint.name for joint in scene.model.joints)}
+    resisting = {leader[joint.name] for joint in scene.model.joints if joint.name not in found}
+    resisting |= {leader[x.on] for x in scene.effects if x.effect.joint_inertia}
+    return tuple(x for name, x in found.items() if leader[name] not in resisting)
+
+
+@lru_cache(maxsize=8)
+def _unmoved(model: Model) -> tuple[Unmoved, ...]:
+    """The joints whose bodies have no inertia against their motion, whatever the effects."""
     links = tree_of(model, False).links
-    inner = {link.parent for link in links}
-    massive = set()
+    massive: set[int] = set()
     for number, link in reversed(tuple(enumerate(links))):
         if number in massive or any(placed.body.inertia for placed in link.bodies):
             massive |= {number, link.parent}
-    for number, link in enumerate(links):
-        if link.joint.name in exempt:
-            continue
-        if number not in massive:
-            return link.joint, "neither what it moves nor what moves on that has a mass"
-        if number not in inner and not _resists(link.joint, lumped_inertia(link.bodies)):
-            return link.joint, "what it moves has no inertia against its motion"
-    return None
+    inner = {links[number].parent for number in massive if number >= 0}
+    return tuple(
+        Unmoved(link.joint, number in massive) for number, link in enumerate(links)
+        if number not in massive
+        or number not in inner and not _resists(link.joint, lumped_inertia(link.bodies)))
+
+
+def why_singular(scene: Scene) -> str:
+    """All joints that make the mass matrix singular, and one remedy; "" if there are none."""
+    found = unmoved(scene)
+    if not found:
+        return ""
+    without, massive = ([x.joint for x in found if x.massive == kind] for kind in (False, True))
+    causes = [f"{_joints(without)} {_verb(without, 'move')} nothing that has a mass"] \
+        if without else []
+    if massive:
+        causes.append(f"what {_joints(massive)} {_verb(massive, 'move')} has no inertia against "
+                      "that motion")
+    names = ", ".join(f'"{x.joint.name}"' for x in found)
+    own = f"[effects.armature] with joints = [{names}] and inertia = 1e-3"
+    turn = all(x.joint.kind.nv == 1 for x in found)
+    return (f"{' and '.join(causes)}, so that the mass matrix is singular; wanted "
+            f"{own if turn else 'masses and moments in what they move'}")
+
+
+def _joints(joints: Sequence[Joint]) -> str:
+    """joint 'a'; joints 'a', 'b'."""
+    return f"joint{'s' if len(joints) > 1 else ''} {', '.join(repr(x.name) for x in joints)}"
+
+
+def _verb(joints: Sequence[Joint], word: str) -> str:
+    return word if len(joints) > 1 else f"{word}s"
 
 
 def _resists(joint: Joint, moved: LumpedInertia) -> bool:
