@@ -100,6 +100,7 @@ def _scene(options: argparse.Namespace) -> int:
     from coscrew_codegen.emit import refuse_others, stale_files
     from coscrew_codegen.layout import scene_files
     from coscrew_codegen.mechanics import derive
+    from coscrew_codegen.scene.selected import left_out
     from coscrew_codegen.scene_tiers import savings
     from coscrew_codegen.selection import SelectionError
     from coscrew_codegen.simulate.units import units
@@ -117,6 +118,8 @@ def _scene(options: argparse.Namespace) -> int:
                      tuple(options.tier or ()))
     if scene.precision == "single":
         scene = replace(scene, precisions=("single",))
+    if line := left_out(scene):
+        print(f"{options.scene.name}: {line}", file=sys.stderr)
     said = "".join(f" --{name} {word}" for name in ("precision", "implausible")
                    if (word := getattr(options, name)))
     said += f" --functions {' '.join(options.functions)}" if options.functions else ""

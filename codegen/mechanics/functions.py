@@ -20,6 +20,7 @@ from coscrew_codegen.scene.selected import (
     FREE,
     FunctionsError,
     refuse_many,
+    refuse_singular,
     selected_functions,
     together,
 )
@@ -32,11 +33,12 @@ def derive(scene: Scene, functions: Collection[str] = (),
     """The functions that a scene selects, or those with these names that it has, and the internal
     functions that their steps call.  `tell` is called with each name before it is derived.
 
-    Raises RangeError for numbers that one of its precisions cannot represent, ModelError for a
-    model whose mass matrix is singular at every q, FunctionsError for functions that it cannot
-    have, and for too many joints."""
+    Raises RangeError for numbers that one of its precisions cannot represent, ModelError if a
+    function divides by zero whatever q is, FunctionsError for functions that it cannot have, and
+    for too many joints."""
     refuse_many(scene)
     refuse_numbers(scene)
+    refuse_singular(scene, functions)
     with uncollected():
         return _Derivation(scene, tell).functions(functions)
 

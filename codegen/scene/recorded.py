@@ -100,14 +100,6 @@ def followers(scene: Scene) -> Mapping[str, Mimic]:
     return {joint.name: joint.mimic for joint in scene.model.joints if joint.mimic}
 
 
-def exempt_joints(scene: Scene) -> set[str]:
-    """The joints that need no inertia in bodies: they have their own (an armature), follow others
-    or are followed."""
-    follow = followers(scene)
-    return ({applied.on for applied in scene.effects if applied.effect.joint_inertia}
-            | {*follow, *(mimic.joint for mimic in follow.values())})
-
-
 def _of_joints(text: str, quantity: str, rest: str, scene: Scene) -> Recorded:
     """Components of q, v or a: of all joints, of one, or one of its."""
     joints = coordinates(scene)

@@ -4,7 +4,7 @@ or by load_scene.
 A function that is not selected is neither derived, emitted nor compiled.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 
 from coscrew_codegen.errors import ReportedError
 from coscrew_codegen.identifiers import identifiers
@@ -12,6 +12,7 @@ from coscrew_codegen.integrators import DEFAULT as DEFAULT_INTEGRATOR
 from coscrew_codegen.integrators import EMITTED, named
 from coscrew_codegen.scene.model import WORLD, Kind
 from coscrew_codegen.scene.names import did_you_mean
+from coscrew_codegen.scene.possible import why_singular
 from coscrew_codegen.scene.scene import Scene
 
 DEFAULT, ALL = "default", "all"
@@ -24,6 +25,8 @@ FREE = ("free_momentum", "with_free_momentum")
 CONTACTS = ("closing_contacts", "parts")
 """Functions of scenes with limits that can be hit."""
 MOVED = "integrated"
+DIVIDING = {"forward_dynamics", *FREE, *CONTACTS, *(x.step_name for x in EMITTED)}
+"""Functions that divide by the mass matrix, and those that only these call."""
 MANY = 100
 """Velocities (NV) above which the mass matrix is not a default function: its text grows with their
 square, that of the others linearly."""
@@ -51,8 +54,31 @@ def reactions(scene: Scene) -> dict[str, str]:
 
 def names(scene: Scene) -> tuple[str, ...]:
     """All functions that the scene can have, in the order in which they are emitted."""
+    singular = why_singular(scene)
+    return tuple(name for name in _names(scene) if not singular or name not in DIVIDING)
+
+
+def _names(scene: Scene) -> tuple[str, ...]:
+    """The functions of a scene whose mass matrix is regular."""
     return (*DYNAMICS, *jacobians(scene), *reactions(scene), MOVED, *FREE, *CONTACTS,
             *(x.step_name for x in EMITTED))
+
+
+def left_out(scene: Scene) -> str:
+    """One line on the functions that the scene selects by DEFAULT or ALL, and cannot have; "" if
+    there are none."""
+    problem = why_singular(scene)
+    if not problem or not {DEFAULT, ALL} & {*(scene.functions or (DEFAULT,))}:
+        return ""
+    return f"forward_dynamics and steps are left out: {problem}"
+
+
+def refuse_singular(scene: Scene, functions: Collection[str]) -> None:
+    """Raise FunctionsError if one of these functions divides by a mass matrix that is singular."""
+    problem = why_singular(scene) if DIVIDING.intersection(functions) else ""
+    for name in reversed(_names(scene)):  # steps first, which call the others
+        if problem and name in DIVIDING and name in functions:
+            raise FunctionsError(f"{scene.name}: {name} divides by the mass matrix, but {problem}")
 
 
 def by_default(scene: Scene) -> tuple[str, ...]:
@@ -92,6 +118,7 @@ def selected_functions(scene: Scene) -> tuple[str, ...]:
 def resolved(scene: Scene, words: Sequence[str]) -> set[str]:
     """The functions that these words select: names, DEFAULT, ALL; without words, DEFAULT.  Raises
     FunctionsError with the nearest name for an unknown word."""
+    refuse_singular(scene, words)
     known = names(scene)
     found: set[str] = set()
     for word in words or (DEFAULT,):

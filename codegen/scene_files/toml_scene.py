@@ -9,10 +9,9 @@ from coscrew_codegen.formats import BY_NAME, CHOICES, DOUBLE
 from coscrew_codegen.integrators import NAMES
 from coscrew_codegen.scene.effect import Effect
 from coscrew_codegen.scene.model import Joint, Kind, Model
-from coscrew_codegen.scene.possible import ERROR, WARN, unmoved_mass
+from coscrew_codegen.scene.possible import ERROR, WARN
 from coscrew_codegen.scene.recorded import (
     QuantityError,
-    exempt_joints,
     expected,
     followers,
     recorded,
@@ -62,7 +61,7 @@ def read_scene(path: Path | str, catalogue: tuple[Effect, ...] | None = None,
         implausible = overrides.implausible or ERROR
         from coscrew_codegen.scene_files.urdf import read_urdf
         model = read_urdf(path, implausible=implausible)
-        _refuse_unmoved(path, model, Scene(path.stem, model))
+        _refuse_still(path, model)
         scene = Scene(identifier(path.stem), model, notices=unused(model, set(), effects),
                       implausible=implausible, precision=overrides.precision or "double",
                       precisions=_emitted(overrides.precision))
@@ -98,10 +97,10 @@ def _scene(file: Table, catalogue: tuple[Effect, ...], overrides: SceneOverrides
     model = _model(file, name, implausible)
     use = Use()
     effects = read_effects(file.table("effects"), model, catalogue, use)
+    _refuse_still(file.file, model)
     scene = Scene(name, model, effects, precision=precision or "double",
                   precisions=_emitted(precision), implausible=implausible,
                   run=_run(file.table("run")))
-    _refuse_unmoved(file.file, model, scene)
     start, outputs = file.table("start"), file.table("outputs")
     start.only(*START.names)
     outputs.only(*OUTPUTS.names)
@@ -185,16 +184,10 @@ def _model(file: Table, name: str, implausible: str) -> Model:
     return read_urdf(path, base, implausible)
 
 
-def _refuse_unmoved(file: Path, model: Model, scene: Scene) -> None:
-    """Refuse models in which nothing moves, and joints without inertia against their motion."""
+def _refuse_still(file: Path, model: Model) -> None:
+    """Refuse models in which nothing moves."""
     if all(joint.kind is Kind.FIXED for joint in model.joints):
         raise SceneError(file, "model", 'has no joint that moves; base = "free" frees its root')
-    found = unmoved_mass(model, exempt_joints(scene))
-    if found:
-        joint, reason = found
-        raise SceneError(file, f"joint {joint.name!r} of model {model.name!r}",
-                         f"{reason}, so that the mass matrix is singular; wanted a mass in body "
-                         f"{joint.child!r}, an armature at the joint, or the joint fixed")
 
 
 def _moving(table: Table, key: str, scene: Scene) -> Joint:

@@ -14,7 +14,8 @@ from coscrew_codegen.formats import Precision
 from coscrew_codegen.integrators import EMITTED
 from coscrew_codegen.native import cache
 from coscrew_codegen.scene.names import or_mean
-from coscrew_codegen.scene.selected import names
+from coscrew_codegen.scene.possible import why_singular
+from coscrew_codegen.scene.selected import DIVIDING, names
 from coscrew_codegen.scene_functions import SceneInterface, Signature
 from coscrew_codegen.simulate import rows, steps
 from coscrew_codegen.targets.scene_text import c_name, many, signs
@@ -100,6 +101,8 @@ class Functions(Steps[Real]):
             possible = ()
         if name in possible:
             hint = f"; it was not selected: functions=[\"default\", {name!r}]"
+        elif scene and name in DIVIDING and (problem := why_singular(scene)):
+            hint = f": {problem}"
         raise AttributeError(f"{self._about} has no function {name!r}{hint}", name=name, obj=self)
 
     def __repr__(self) -> str:
