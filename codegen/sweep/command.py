@@ -3,7 +3,7 @@
 import argparse
 import sys
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -14,7 +14,10 @@ if TYPE_CHECKING:
     from distributed import Client
 
     from coscrew_codegen.sweep.folder import Folder
+    from coscrew_codegen.sweep.part import DamagedError
     from coscrew_codegen.sweep.prepare import Prepared
+
+_ROUNDS = 4  # of computing what is missing, while parts are damaged as soon as they are written
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -75,8 +78,7 @@ def run(options: argparse.Namespace) -> int:
     try:
         with (opened(options.out, specification, {"provenance": about}) as folder,
               _going_on(folder)):
-            _compute(prepared, folder, options)
-            return _report(prepared, folder, _words(options))
+            return _finished(prepared, folder, options)
     except KeyboardInterrupt as stopped:
         print(f"coscrew: {stopped}", file=sys.stderr)
         return 130
@@ -121,6 +123,28 @@ def _going_on(folder: "Folder") -> Iterator[None]:
     except OSError as error:
         raise SweepError(kept(f"cannot write {error.filename or folder.path}: "
                               f"{error.strerror or error}")) from error
+
+
+def _finished(prepared: "Prepared", folder: "Folder", options: argparse.Namespace) -> int:
+    """Compute and write what is missing or damaged, and report; returns the exit status."""
+    from coscrew_codegen.sweep.part import DamagedError
+
+    for n in range(_ROUNDS):
+        for damaged in folder.damaged(finished=n > 0):
+            _set_aside(folder, damaged)
+        _compute(prepared, folder, options)
+        with suppress(DamagedError):  # since it was written
+            return _report(prepared, folder, _words(options))
+    raise SweepError(f"{folder.path}: parts are damaged again and again; is the disk in order?")
+
+
+def _set_aside(folder: "Folder", damaged: "DamagedError") -> None:
+    """Move a damaged part out of the way, and tell."""
+    from coscrew_codegen.sweep.folder import set_aside
+
+    kept = set_aside(folder.path, damaged.path)
+    moved = f"set aside as {kept.relative_to(folder.path)}, " if kept else ""
+    print(f"coscrew: {damaged.path}: {damaged.why}; {moved}made again", file=sys.stderr)
 
 
 def _compute(prepared: "Prepared", folder: "Folder", options: argparse.Namespace) -> None:
