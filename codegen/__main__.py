@@ -1,7 +1,7 @@
 """`coscrew`, and `python -m coscrew_codegen`: how every command begins and ends.
 
 The command is imported inside the block that catches an interrupt, since importing takes most of a
-second, and only after the packages that it needs have been found."""
+second, and only after the packages that it needs have been found; help needs none of them."""
 
 import gc
 import os
@@ -58,8 +58,8 @@ def _run(words: list[str]) -> int:
         print(f"coscrew {VERSION}")
         return 0
     command = words[0] if words and words[0] in COMMANDS else ""
-    sentence = lacking(command or "the command line", COMMANDS.get(command, "codegen"))
-    if sentence:
+    sentence = lacking(command, COMMANDS[command]) if command else None
+    if sentence and not {"-h", "--help"} & set(words):
         print(f"coscrew: {sentence}", file=sys.stderr)
         return 2
     from coscrew_codegen.command_line import run

@@ -22,8 +22,7 @@ DEFAULT_OUTPUT = "generated"
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
     """Add `generate` to the command line."""
     parser = commands.add_parser("generate", help="write the kernels, or check them",
-                                 description="Write the kernels, or check that they are current.",
-                                 formatter_class=_Help)
+                                 description="Write the kernels, or check that they are current.")
     parser.add_argument("scene", metavar="SCENE", nargs="?", type=Path,
                         help="a scene file: write its dynamics instead of the library's kernels")
     parser.add_argument("-o", "--output", metavar="DIR",
@@ -35,7 +34,8 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser.add_argument("--precision", metavar="NAME",
                         help="double, single or both (default)")
     parser.add_argument("--language", metavar="NAME",
-                        help="{languages} (default: all, and what takes several)")
+                        help="c, python, … (default: all, and what takes several); an unknown one "
+                             "is told which there are")
     parser.add_argument("--functions", metavar="NAME", nargs="+", action="extend",
                         help="for a scene, only these functions; default and all select several")
     parser.add_argument("--tier", metavar="NAME", nargs="+", action="extend",
@@ -47,15 +47,6 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
                         help="for a scene, also its functions for CUDA")
     add_implausible(parser)
     parser.set_defaults(run=run)
-
-
-class _Help(argparse.HelpFormatter):
-    """Imports the targets for their languages only when help is shown, since that takes long."""
-
-    def _get_help_string(self, action: argparse.Action) -> str | None:
-        from coscrew_codegen.targets import languages
-
-        return action.help and action.help.replace("{languages}", " or ".join(languages()))
 
 
 def run(options: argparse.Namespace) -> int:

@@ -7,11 +7,12 @@ import math
 import tempfile
 from dataclasses import replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from coscrew_codegen.emit import EmitError, write
 from coscrew_codegen.report import ReportError
-from coscrew_codegen.report.schema import Report
-from coscrew_codegen.selection import operations_named
+
+if TYPE_CHECKING:
+    from coscrew_codegen.report.schema import Report
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -34,7 +35,9 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 
 def run(options: argparse.Namespace) -> int:
     """Measure and write the report; returns the exit status."""
+    from coscrew_codegen.emit import write
     from coscrew_codegen.report import inputs, measure, page, ranking, summary
+    from coscrew_codegen.selection import operations_named
 
     if not (math.isfinite(options.minutes) and options.minutes > 0):
         raise ReportError(f"--minutes: wanted a positive number; got {options.minutes}")
@@ -59,7 +62,9 @@ def run(options: argparse.Namespace) -> int:
     return 0
 
 
-def _earlier(name: str) -> Report:
+def _earlier(name: str) -> "Report":
+    from coscrew_codegen.report.schema import Report
+
     try:
         return Report.from_json(Path(name).read_text(encoding="utf-8"))
     except OSError as error:
@@ -76,6 +81,8 @@ def _folder(name: str) -> Path:
 
 def _writable(folder: Path) -> None:
     """Raise EmitError if the report cannot be written; called before measuring."""
+    from coscrew_codegen.emit import EmitError
+
     try:
         folder.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryFile(dir=folder):
