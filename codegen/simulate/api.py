@@ -1,5 +1,7 @@
 """run: one run of a scene, or a batch of them, from Python; again: the same run once more."""
 
+from __future__ import annotations
+
 import warnings
 from collections.abc import Sequence
 from dataclasses import replace

@@ -4,6 +4,8 @@ A controller is called at the start and after every `steps` steps.  What it retu
 next call: all stages and parts of a step have the same values.
 """
 
+from __future__ import annotations
+
 import ctypes
 import inspect
 from _ctypes import CFuncPtr
