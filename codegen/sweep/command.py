@@ -7,6 +7,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from coscrew_codegen.console import Tenths
 from coscrew_codegen.simulate.command import add_scene, scene_of
 from coscrew_codegen.sweep import SweepError, asked
 
@@ -110,7 +111,7 @@ def _going_on(folder: "Folder") -> Iterator[None]:
     """Errors and interrupts in the block also say what is kept, and how to go on."""
     def kept(words: object) -> str:
         return (f"{words}; {folder.members()} of {folder.specification.varied.members} members are "
-                "written, and the same command goes on")
+                f"written into {folder.path}, and the same command goes on")
 
     try:
         yield
@@ -158,15 +159,18 @@ def _compute(prepared: "Prepared", folder: "Folder", options: argparse.Namespace
     from coscrew_codegen.sweep import cluster
     from coscrew_codegen.sweep.chunk import Job
 
-    job, failed = Job.of(prepared.kernels, prepared.specification), 0
+    job, failed, tenths = Job.of(prepared.kernels, prepared.specification), 0, Tenths()
     with (_client(options, prepared.specification.chunks) as client,
           tqdm(total=members, initial=there, unit=" runs", unit_scale=True, disable=None) as bar):
         for number, chunk in cluster.finished(client, job, folder.missing()):
             folder.write(number, chunk.content)
-            failed += chunk.failed
+            failed, there = failed + chunk.failed, there + chunk.members
+            lost = f", {failed} failed" if failed else ""
+            tenths(there / members, f"{there} of {members} members written{lost}".__str__)
             bar.update(chunk.members)
             if failed:
                 bar.set_postfix_str(f"{failed} failed")
+    print(f"coscrew: {there} of {members} members written into {folder.path}", file=sys.stderr)
 
 
 @contextmanager

@@ -137,7 +137,7 @@ def test_a_lost_scheduler_ends_the_command_and_another_goes_on(scene, workers, w
               after(2, lambda: (scheduler.kill(), scheduler.wait()))):
             assert sweep(scene, tmp_path / "out", address) == 2
     said = capsys.readouterr().err
-    assert "the scheduler is gone; 128 of 600 members are written, and the same command" in said
+    assert "the scheduler is gone; 128 of 600 members are written into " in said
     before = kept(tmp_path / "out")
     assert sweep(scene, tmp_path / "out", workers) == 0
     assert "600 members, 128 of them written" in capsys.readouterr().err
