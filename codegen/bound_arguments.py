@@ -3,9 +3,10 @@ name the missing one."""
 
 from collections.abc import Mapping, Sequence
 from itertools import combinations
-from typing import TypeVar
+from typing import TypeVar, cast
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from coscrew_codegen.scene.names import or_mean
 
@@ -54,7 +55,7 @@ def _missing(inputs: Sequence[tuple[str, Shape]], given: Sequence[object],
 def _fits(x: object, shape: Shape) -> bool:
     """Whether the last axes have these lengths; a number has no axes."""
     try:
-        found = tuple(np.shape(x))  # type: ignore[arg-type]  # of anything
+        found: Shape = tuple(np.shape(cast("ArrayLike", x)))
     except ValueError:  # nested lists of several lengths
         return False
     return found[len(found) - len(shape):] == shape if shape else not found

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from coscrew_codegen.console import doing
 from coscrew_codegen.formats import CHOICES
+from coscrew_codegen.name_lists import Names
 from coscrew_codegen.native import cache
 from coscrew_codegen.simulate.command import add_implausible, scene_of
 
@@ -29,16 +30,17 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
                         help=f"folder to write to (default: {DEFAULT_OUTPUT}; scenes need one)")
     parser.add_argument("--check", action="store_true",
                         help="write nothing; print what is out of date as a diff and exit 1")
-    parser.add_argument("--family", metavar="NAME", nargs="+", action="extend",
+    parser.add_argument("--family", metavar="NAME", nargs="+", action=Names,
                         help="only these families: vec3, SE3, …, as the headers are called")
     parser.add_argument("--precision", metavar="NAME",
                         help="double, single or both (default)")
     parser.add_argument("--language", metavar="NAME",
                         help="c, python, … (default: all, and what takes several); an unknown one "
                              "is told which there are")
-    parser.add_argument("--functions", metavar="NAME", nargs="+", action="extend",
-                        help="for a scene, only these functions; default and all select several")
-    parser.add_argument("--tier", metavar="NAME", nargs="+", action="extend",
+    parser.add_argument("--functions", metavar="NAME", nargs="+", action=Names,
+                        help="for a scene, only these functions, also by patterns, as "
+                             "jacobian_*; default and all select several")
+    parser.add_argument("--tier", metavar="NAME", nargs="+", action=Names,
                         help="for a scene, these tiers besides plain: accurate, certified, mixed, "
                              "pairs")
     parser.add_argument("--many", action="store_true",

@@ -9,6 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from coscrew_codegen.name_lists import Names
 from coscrew_codegen.report import ReportError
 
 if TYPE_CHECKING:
@@ -20,8 +21,8 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser = commands.add_parser(
         "report", help="measure errors and times on this machine",
         description="Measure every kernel's errors, against exact results, and times.")
-    parser.add_argument("--op", metavar="NAME", action="append", default=[],
-                        help="only this operation; may be repeated")
+    parser.add_argument("--op", metavar="NAME", action=Names, default=[],
+                        help="only these operations; several with commas, or repeated")
     parser.add_argument("--minutes", type=float, default=2.0, metavar="M",
                         help="about how long to measure (default: 2)")
     parser.add_argument("--seed", type=int, default=1, metavar="N",

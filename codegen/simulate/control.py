@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from coscrew_codegen.scene.names import did_you_mean, listed
+from coscrew_codegen.scene.patterns import PatternError, expanded
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.plan import MOST_STEPS
@@ -124,7 +125,10 @@ def set_by(controller: Controller, scene: Scene) -> tuple[int, ...]:
     """The indices in p of the parameters that a controller sets.  Raises SimulateError."""
     names = tuple(x.name for x in scene.parameters)
     torques = tuple(x for x in names if x.startswith("actuator.") and x.endswith(EFFORT))
-    wanted = tuple(controller.sets) or torques
+    try:
+        wanted = expanded(controller.sets, names) or torques
+    except PatternError as error:
+        raise SimulateError(f"controller: sets {error}") from None
     if not wanted:
         raise SimulateError(
             "controller: the scene has no torque at run time; wanted [effects.actuator.JOINT] with "

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from coscrew_codegen.console import Tenths
+from coscrew_codegen.name_lists import Names
 from coscrew_codegen.simulate.command import add_scene, scene_of
 from coscrew_codegen.sweep import SweepError, asked
 
@@ -42,9 +43,9 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
                         help="points of the Sobol sequence, each run at every point of the grids")
     parser.add_argument("--seed", metavar="N", type=asked.seed,
                         help="of the sequence's scrambling (default: 0)")
-    parser.add_argument("--record", metavar="QUANTITY", action="append", default=[],
-                        help="a quantity, as in a scene's `record`, instead of these; may be "
-                             "repeated")
+    parser.add_argument("--record", metavar="QUANTITY", action=Names, default=[],
+                        help="quantities instead of the scene's `record`, as there, also by "
+                             "patterns; several with commas, or repeated")
     parser.add_argument("--series", action="store_true",
                         help="keep all samples of each run, besides their statistics")
     parser.add_argument("--workers", metavar="N", type=lambda text: asked.whole(text, 1),

@@ -55,7 +55,9 @@ class Folder:
 
     def _there(self) -> tuple[int, ...]:
         """The numbers of the chunks that have a file."""
-        numbers = (int(x[1]) for x in map(_PART.fullmatch, os.listdir(self.path / MEMBERS)) if x)
+        folder = self.path / MEMBERS
+        names = os.listdir(folder) if folder.is_dir() else ()
+        numbers = (int(x[1]) for x in map(_PART.fullmatch, names) if x)
         return tuple(n for n in numbers if n < self.specification.chunks)
 
     def write(self, number: int, content: bytes) -> None:
