@@ -12,6 +12,7 @@ from coscrew_codegen.integrators import DEFAULT as DEFAULT_INTEGRATOR
 from coscrew_codegen.integrators import EMITTED, named
 from coscrew_codegen.scene.model import WORLD, Kind
 from coscrew_codegen.scene.names import did_you_mean
+from coscrew_codegen.scene.patterns import is_pattern, matching
 from coscrew_codegen.scene.possible import why_singular
 from coscrew_codegen.scene.scene import Scene
 
@@ -116,19 +117,23 @@ def selected_functions(scene: Scene) -> tuple[str, ...]:
 
 
 def resolved(scene: Scene, words: Sequence[str]) -> set[str]:
-    """The functions that these words select: names, DEFAULT, ALL; without words, DEFAULT.  Raises
-    FunctionsError with the nearest name for an unknown word."""
+    """The functions that these words select: names, patterns of them, DEFAULT, ALL; without words,
+    DEFAULT.  Raises FunctionsError with the nearest name for each unknown word."""
     refuse_singular(scene, words)
     known = names(scene)
     found: set[str] = set()
+    unknown = []
     for word in words or (DEFAULT,):
         if word in (DEFAULT, ALL):
             found.update(by_default(scene) if word == DEFAULT else known)
-        elif word in known:
-            found.add(word)
+        elif of := matching(word, known):
+            found.update(of)
         else:
-            raise FunctionsError(f"{word!r} is no function of the scene; "
-                                 f"{did_you_mean(word, (*known, DEFAULT, ALL))}")
+            what = "matches no function of the scene" if is_pattern(word) else \
+                "is no function of the scene"
+            unknown.append(f"{word!r} {what}; {did_you_mean(word, (*known, DEFAULT, ALL))}")
+    if unknown:
+        raise FunctionsError("; ".join(unknown))
     return found
 
 

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 from fractions import Fraction
 
 from coscrew_codegen.effects import EFFECTS
+from coscrew_codegen.name_lists import Names
 from coscrew_codegen.scene.effect import Effect, ParameterOf, Place
 from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.scene_files.errors import SceneError
@@ -23,7 +24,8 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     """Add `effects` to the command line."""
     parser = commands.add_parser("effects", help="print the effects for scenes",
                                  description="Print effects: equations, parameters, units.")
-    parser.add_argument("names", metavar="NAME", nargs="*", help="only these (default: all)")
+    parser.add_argument("names", metavar="NAME", nargs="*", action=Names,
+                        help="only these (default: all)")
     parser.set_defaults(run=run)
 
 

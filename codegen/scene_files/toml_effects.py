@@ -10,6 +10,7 @@ from collections.abc import Iterator, Mapping
 from coscrew_codegen.scene.effect import Effect, Place
 from coscrew_codegen.scene.model import Model
 from coscrew_codegen.scene.names import did_you_mean
+from coscrew_codegen.scene.patterns import PatternError, expanded
 from coscrew_codegen.scene.recorded import expected, recorded
 from coscrew_codegen.scene.scene import Applied, Scene
 from coscrew_codegen.scene_files.effect_table import ALL, MANY, MODEL, EffectTable, Use
@@ -170,12 +171,20 @@ def _chosen(reading: EffectTable, several: object, by_target: Mapping[str, Table
         return tuple(reading.targets), False
     elif isinstance(several, list):
         names = {reading.target(table, reading.several, name)
-                 for name in table.as_texts(reading.several, several)}
+                 for name in _listed(reading, table.as_texts(reading.several, several))}
         if not names:
             table.refuse(reading.several, f'an empty list; wanted "{ALL}" or names')
     else:
         table.refuse(reading.several, f'{described(several)}; wanted "{ALL}" or a list of names')
     return tuple(name for name in reading.targets if name in names), True
+
+
+def _listed(reading: EffectTable, given: tuple[str, ...]) -> tuple[str, ...]:
+    """Names of joints or bodies, patterns among them replaced by those on which it can act."""
+    try:
+        return expanded(given, tuple(reading.targets))
+    except PatternError as error:
+        reading.table.refuse(reading.several, str(error))
 
 
 def _refuse_nowhere(reading: EffectTable) -> None:

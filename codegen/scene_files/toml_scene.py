@@ -10,11 +10,11 @@ from coscrew_codegen.integrators import NAMES
 from coscrew_codegen.scene.effect import Effect
 from coscrew_codegen.scene.model import Joint, Kind, Model
 from coscrew_codegen.scene.possible import ERROR, WARN
+from coscrew_codegen.scene.recordable import quantities_of
 from coscrew_codegen.scene.recorded import (
     QuantityError,
     expected,
     followers,
-    recorded,
 )
 from coscrew_codegen.scene.rotations import unit
 from coscrew_codegen.scene.scene import Expectation, Run, Scene
@@ -25,6 +25,7 @@ from coscrew_codegen.scene_files.effect_table import Use
 from coscrew_codegen.scene_files.errors import SceneError, shown
 from coscrew_codegen.scene_files.foreign import of_suffix
 from coscrew_codegen.scene_files.identifiers import identifier, refused
+from coscrew_codegen.scene_files.idle import idle
 from coscrew_codegen.scene_files.keys import BASES, EXPECT, OUTPUTS, RUN, SCENE, START
 from coscrew_codegen.scene_files.runtime import with_parameters
 from coscrew_codegen.scene_files.tables import Table, described, read_toml
@@ -121,7 +122,8 @@ def _scene(file: Table, catalogue: tuple[Effect, ...], overrides: SceneOverrides
     if overrides.tiers:
         tiers = selected(overrides.tiers)
     return _selecting(replace(scene, model=model, effects=effects, parameters=parameters,
-                              accuracy=accuracy, tiers=tiers, notices=told), functions)
+                              accuracy=accuracy, tiers=tiers,
+                              notices=(*idle(effects), *told)), functions)
 
 
 def _functions(file: Table, scene: Scene) -> tuple[str, ...]:
@@ -228,12 +230,10 @@ def _record(outputs: Table, scene: Scene) -> tuple[str, ...]:
     texts = outputs.texts("record", ("q", "v"))
     if not texts:
         outputs.refuse("record", 'an empty list; wanted quantities, as ["q", "v"]')
-    for text in texts:
-        try:
-            recorded(text, scene)
-        except QuantityError as error:
-            outputs.refuse("record", str(error))
-    return texts
+    try:
+        return quantities_of(texts, scene)
+    except QuantityError as error:
+        outputs.refuse("record", str(error))
 
 
 def _run(table: Table) -> Run:
@@ -253,14 +253,16 @@ def _expectations(file: Table, scene: Scene) -> tuple[Expectation, ...]:
     outer = file.table("expect")
     for quantity, value in outer.values.items():
         try:
-            expected(quantity, scene)
+            names = quantities_of((quantity,), scene)
+            for name in names:
+                expected(name, scene)
         except QuantityError as error:
             outer.refuse(quantity, f"{error}{_quotes(quantity, value)}")
         for given in value if isinstance(value, list) else [value]:
             if not isinstance(given, dict):
                 outer.refuse(quantity, f"{described(given)}; wanted a table: at, value, rtol")
-            expectations.append(_expectation(Table(file.file, outer.key(quantity), given), quantity,
-                                             scene.run.duration))
+            table = Table(file.file, outer.key(quantity), given)
+            expectations += [_expectation(table, name, scene.run.duration) for name in names]
     return tuple(expectations)
 
 

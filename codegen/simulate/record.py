@@ -7,7 +7,9 @@ from math import prod
 import numpy as np
 
 from coscrew_codegen.scene.names import listed
-from coscrew_codegen.scene.recorded import Recorded, recorded
+from coscrew_codegen.scene.recordable import quantities_of
+from coscrew_codegen.scene.recorded import QuantityError, Recorded, recorded
+from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.selected import reactions
 from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.plan import Trajectory
@@ -17,12 +19,17 @@ from coscrew_codegen.simulate.system import System
 _AT_ONCE = 4096  # samples per call, so that temporaries of pure NumPy stay within megabytes
 
 
-def quantities(given: object) -> tuple[str, ...]:
-    """The names of what to record.  Raises SimulateError."""
+def quantities(given: object, scene: Scene | None = None) -> tuple[str, ...]:
+    """The names of what to record; of a scene, also by patterns.  Raises SimulateError."""
     names = listed("record", given, "energy", SimulateError)
     if not names:
         raise SimulateError('record: an empty list; wanted quantities, as ["q", "v"]')
-    return names
+    if scene is None:
+        return names
+    try:
+        return quantities_of(names, scene)
+    except QuantityError as error:
+        raise SimulateError(f"record: {error}") from None
 
 
 def record(system: System, trajectory: Trajectory, provenance: Provenance,
