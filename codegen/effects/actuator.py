@@ -43,4 +43,4 @@ EFFECT = Effect(
      ParameterOf("R", "Ohm", "resistance", of=("dc",), positive=True),
      ParameterOf("limit", "N m or N", "largest torque; none if left out", required=False,
                  model="effort", positive=True)),
-    joint_torque=_torque)
+    joint_torque=_torque, limited_by="limit")

@@ -1,7 +1,7 @@
 """The effects of a scene on a motion: torques at joints, forces on links, energies, powers."""
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import partial
 from operator import mul
@@ -216,6 +216,11 @@ def _own_power(x: Torque | Force, whole: Callable[[], Number]) -> Number | int:
     if x.power is not None:
         return x.power
     return whole() if x.energy is None else 0
+
+
+def alone(scene: Scene, applied: Applied) -> Scene:
+    """The scene with this one of its effects."""
+    return replace(scene, effects=(applied,))
 
 
 def gravity(scene: Scene, recorder: Recorder) -> Vector | None:

@@ -25,9 +25,9 @@ from coscrew_codegen.program import Program, differentiate
 from coscrew_codegen.program.differentiate import Dual
 from coscrew_codegen.recording import numbers
 from coscrew_codegen.recording.naming import Part
-from coscrew_codegen.recording.numbers import Number, absolute, maximum, minimum
+from coscrew_codegen.recording.numbers import Number, absolute, less, maximum, minimum, where
 from coscrew_codegen.recording.recorder import Recorder, array
-from coscrew_codegen.scene.effect import CoordinateState, Torque, Values
+from coscrew_codegen.scene.effect import CoordinateState, Torque, Values, required
 from coscrew_codegen.scene.scene import Setting
 
 Law = Callable[[CoordinateState, Values], Torque]
@@ -69,6 +69,13 @@ class Along:
                 torque = maximum(minimum(torque, found.limit), -found.limit)
             torque.recorder.label("tau", torque)
             return replace(found, torque=torque)
+
+    @property
+    def saturated(self) -> Number:
+        """1 where the limit takes some of the torque, else 0; of a torque that has a limit."""
+        limit = required(self._stated.limit)
+        with self.at.q.recorder.resumed(self.part):
+            return where(less(limit, absolute(required(self._stated.torque))), 1, 0)
 
     @cached_property
     def slopes(self) -> Slopes:

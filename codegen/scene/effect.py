@@ -214,6 +214,8 @@ class Effect:
     joint_inertia: Callable[[Values], Number] | None = None
     body_force: Callable[[BodyState, Values], Force] | None = None
     pair_force: Callable[[CoordinateState, Values], Torque] | None = None  # between its POINTS
+    stores_energy: bool = False  # what it exerts has an energy, which can be recorded
+    limited_by: str = ""  # the parameter that limits its torque, if given
     massive: bool = False  # acts on a body by its mass and inertia: only on bodies that have them
     reaction: bool = False  # selects the joint's reaction function
     mimic: bool = False  # makes followers follow
