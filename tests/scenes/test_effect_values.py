@@ -7,6 +7,7 @@ sphere with its attraction of single points.  All to 45 digits of 50."""
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
+from itertools import chain
 
 import mpmath
 import numpy as np
@@ -28,6 +29,7 @@ from tests.support.scenes.mechanisms import (
     gravity,
     inertia,
     numbers,
+    pendulum,
     rotor,
     scene,
 )
@@ -95,10 +97,29 @@ def actuators() -> Iterator[Case]:
         torque, more = limited(5 * (mpmath.cos(t) - q) + mpf("0.5") * (t - v), 4)
         yield at_joint("actuator", q, v, torque, t, more=more, kind="pd", kp=5, kd=HALF,
                        target=Formula("cos(t)"), target_v=Formula("t"), limit=4)
+        torque, more = limited(5 * (1 - q) - mpf("0.5") * v + mpmath.exp(-t), 4)
+        yield at_joint("actuator", q, v, torque, t, more=more, kind="pd", kp=5, kd=HALF, target=1,
+                       torque=Formula("exp(-t)"), limit=4)
         current = (12 * t - mpf("0.04") * 10 * v) / 2
         torque, more = limited(10 * mpf("0.05") * current, 1)
         yield at_joint("actuator", q, v, torque, t, more=more, kind="dc", voltage=Formula("12*t"),
                        gear=10, kt=Fraction(1, 20), ke=Fraction(1, 25), R=2, limit=1)
+
+
+def compensating() -> Iterator[Case]:
+    """On a pendulum, which needs m g l sin q; its weight is no torque of an effect."""
+    for q, v in (("0.4", "1.5"), ("-2", "-0.3"), ("9", "0.2")):
+        q, v = map(mpf, (q, v))
+        weight = 2 * mpf("0.7") * mpf("9.81")
+        held = weight * mpmath.sin(q)
+        for u, values in ((5 * (1 - q) - mpf("0.5") * v + 3 + held,
+                           {"kind": "pd", "kp": 5, "kd": HALF, "target": 1, "torque": 3}),
+                          (3 + held, {"kind": "torque", "torque": 3})):
+            torque, more = limited(u, 20)
+            effect = applied("actuator", "j0", gravity_compensation="true", limit=20, **values)
+            yield Case(pendulum(2, Fraction(7, 10)), (gravity(), effect), {"q": [q], "v": [v]},
+                       {"torque": [torque], "power": [torque * v], **more}, torque * v, [torque],
+                       others=-weight * mpmath.cos(q))
 
 
 def armatures() -> Iterator[Case]:
@@ -265,10 +286,10 @@ def pairs() -> Iterator[Case]:
 
 
 CASES: Mapping[str, Callable[[], Iterator[Case]]] = {
-    "actuator": actuators, "armature": armatures, "buoyancy": buoyancies, "coulomb": frictions,
-    "drag": drags, "field": fields, "gravity": weights, "joint_drag": frictions, "limit": limits,
-    "spring": springs, "spring_damper": pairs, "stribeck": frictions, "viscous": frictions,
-    "wrench": wrenches}
+    "actuator": lambda: chain(actuators(), compensating()), "armature": armatures,
+    "buoyancy": buoyancies, "coulomb": frictions, "drag": drags, "field": fields,
+    "gravity": weights, "joint_drag": frictions, "limit": limits, "spring": springs,
+    "spring_damper": pairs, "stribeck": frictions, "viscous": frictions, "wrench": wrenches}
 """Cases of each effect that exerts or stores anything; some yield others', too."""
 
 
@@ -287,8 +308,8 @@ def cases_of(name: str) -> list[Case]:
 def test_quantities_of_an_effect_are_their_formulas(name: str) -> None:
     for case in cases_of(name):
         f = multiprecise(case.model, *case.effects)
-        function, own = list(functions_of_effects(f.scene).items())[0 if name == "buoyancy" else -1]
-        assert own.effect.name == name
+        function, own = next((x, y) for x, y in functions_of_effects(f.scene).items()
+                             if y.effect.name == name)
         units = units_of(own, f.scene)
         assert {x: len(y) for x, y in units.items()} == {x: len(y) for x, y in case.own.items()}
         found = iter(f.components(function, **case.state))
