@@ -10,14 +10,15 @@ def identifiers(names: Sequence[str]) -> tuple[str, ...]:
     """One identifier per name, in order, all different; other characters become underscores.
 
     No identifier is another one followed by f: in C that suffix means single precision."""
-    found: list[str] = []
+    found: dict[str, None] = {}
     for name in names:
         stem = _stem(name)
         identifier, number = stem, 1
-        while any(x in (identifier, f"{identifier}f") or f"{x}f" == identifier for x in found):
+        while {identifier, f"{identifier}f"} & found.keys() or (
+                identifier.endswith("f") and identifier[:-1] in found):
             number += 1
             identifier = f"{stem}_{number}"
-        found.append(identifier)
+        found[identifier] = None
     return tuple(found)
 
 

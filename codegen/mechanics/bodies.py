@@ -7,7 +7,7 @@ from coscrew_codegen.recording.numbers import Number, Vector, add, displacement
 from coscrew_codegen.recording.recorder import Recorder
 from coscrew_codegen.scene.lumped import lumped_inertia
 from coscrew_codegen.scene.model import Inertia
-from coscrew_codegen.scene.tree import PlacedBody
+from coscrew_codegen.scene.tree import PlacedBody, Tree
 
 
 @dataclass(frozen=True)
@@ -27,6 +27,17 @@ class Rigid:
     def vanishes(self) -> bool:
         """Whether it is zero."""
         return all(x.is_zero for x in self.numbers)
+
+
+def rigids(recorder: Recorder, names: Sequence[str], tree: Tree) -> list[Rigid]:
+    """The inertia of each link; `names` are the links' prefixes in the names of values."""
+    found = []
+    for name, link in zip(names, tree.links, strict=True):
+        with recorder.part(name, "B", link.heading):
+            own, label = lumped(recorder, link.bodies), recorder.label
+            found.append(rigid_of((*label("Bm", own.m), *label("Bh", own.h),
+                                   *label("BI", own.I))))
+    return found
 
 
 def symmetric(six: Sequence[Number]) -> tuple[Number, ...]:

@@ -10,6 +10,7 @@ from coscrew_codegen.mechanics.accuracy import asked
 from coscrew_codegen.mechanics.derivation import Makers
 from coscrew_codegen.mechanics.functions_of_bodies import BodyFunctions
 from coscrew_codegen.mechanics.functions_of_dynamics import DynamicsFunctions
+from coscrew_codegen.mechanics.functions_of_effects import EffectFunctions
 from coscrew_codegen.mechanics.functions_of_steps import StepFunctions
 from coscrew_codegen.mechanics.ranges import refuse_numbers
 from coscrew_codegen.mechanics.rounding import statement
@@ -43,7 +44,7 @@ def derive(scene: Scene, functions: Collection[str] = (),
         return _Derivation(scene, tell).functions(functions)
 
 
-class _Derivation(DynamicsFunctions, BodyFunctions, StepFunctions):
+class _Derivation(DynamicsFunctions, BodyFunctions, EffectFunctions, StepFunctions):
     """All of them."""
 
     def functions(self, names: Collection[str]) -> SceneFunctions:
@@ -70,7 +71,8 @@ class _Derivation(DynamicsFunctions, BodyFunctions, StepFunctions):
                        accuracy=asked(made.program, self.scene, self.tree) if public else None)
 
     def _makers(self) -> Makers:
-        return {**self._of_dynamics(), **self._of_bodies(), **self._of_steps()}
+        return {**self._of_dynamics(), **self._of_bodies(), **self._of_effects(),
+                **self._of_steps()}
 
     def _refuse_absent(self, found: set[str]) -> None:
         """Raise FunctionsError for a selected function that only scenes of another kind have."""

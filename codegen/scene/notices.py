@@ -4,10 +4,11 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 IDLE = "torque or force"
-SUBJECTS = (IDLE, "other tools' joint", "spring", "mimic", "wrong mimic", "friction", "wrong friction",
-            "damping", "wrong damping", "other tools' number", "limits", "wrong limits", "effort",
-            "wrong effort", "velocity", "wrong velocity", "acceleration", "deceleration", "jerk",
-            "safety controller", "repeated element")
+SUBJECTS = (
+    IDLE, "other tools' joint", "spring", "mimic", "wrong mimic", "friction", "wrong friction",
+    "damping", "wrong damping", "other tools' number", "limits", "wrong limits", "effort",
+    "wrong effort", "velocity", "wrong velocity", "acceleration", "deceleration", "jerk",
+    "safety controller", "repeated element")
 """What notices are about; first what changes the motion most."""
 
 

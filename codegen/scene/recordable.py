@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 
+from coscrew_codegen.scene.effect_quantities import by_name
 from coscrew_codegen.scene.model import Kind
 from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.scene.patterns import is_pattern, matching
@@ -25,7 +26,7 @@ def recordable(scene: Scene) -> tuple[str, ...]:
     bodies = [body.name for body in scene.model.bodies]
     targets = ((UNITS, own), (_OF_BODY, bodies), (_OF_JOINT, moving))
     return (*_OF_SCENE, *(f"{quantity}.{name}" for quantities, names in targets
-                          for quantity in quantities for name in names))
+                          for quantity in quantities for name in names), *by_name(scene))
 
 
 def components(names: Sequence[str], scene: Scene) -> tuple[str, ...]:

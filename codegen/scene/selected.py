@@ -10,10 +10,12 @@ from coscrew_codegen.errors import ReportedError
 from coscrew_codegen.identifiers import identifiers
 from coscrew_codegen.integrators import DEFAULT as DEFAULT_INTEGRATOR
 from coscrew_codegen.integrators import EMITTED, named
+from coscrew_codegen.scene.effect_quantities import functions_of_effects
 from coscrew_codegen.scene.model import WORLD, Kind
 from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.scene.patterns import is_pattern, matching
 from coscrew_codegen.scene.possible import why_singular
+from coscrew_codegen.scene.recorded import recorded_functions
 from coscrew_codegen.scene.scene import Scene
 
 DEFAULT, ALL = "default", "all"
@@ -61,8 +63,8 @@ def names(scene: Scene) -> tuple[str, ...]:
 
 def _names(scene: Scene) -> tuple[str, ...]:
     """The functions of a scene whose mass matrix is regular."""
-    return (*DYNAMICS, *jacobians(scene), *reactions(scene), MOVED, *FREE, *CONTACTS,
-            *(x.step_name for x in EMITTED))
+    return (*DYNAMICS, *jacobians(scene), *reactions(scene), *functions_of_effects(scene), MOVED,
+            *FREE, *CONTACTS, *(x.step_name for x in EMITTED))
 
 
 def left_out(scene: Scene) -> str:
@@ -84,14 +86,15 @@ def refuse_singular(scene: Scene, functions: Collection[str]) -> None:
 
 def by_default(scene: Scene) -> tuple[str, ...]:
     """The functions of a scene that selects none: its dynamics (without the mass matrix if there
-    are more than MANY velocities); reactions that effects, records or expectations need; momenta
-    of floating bases; contacts; the step of its integrator, or of the default one if SciPy's."""
+    are more than MANY velocities); reactions that effects, records or expectations need; effects
+    that are recorded or expected; momenta of floating bases; contacts; the step of its integrator,
+    or of the default one if SciPy's."""
     integrator = named(scene.run.integrator)
     if not integrator.emitted:
         integrator = named(DEFAULT_INTEGRATOR)
     recorded = {x.on for x in scene.effects if x.effect.reaction}
     found = {*DYNAMICS, *(name for name, joint in reactions(scene).items() if joint in recorded),
-             MOVED, *FREE, *CONTACTS, integrator.step_name}
+             *recorded_functions(scene), MOVED, *FREE, *CONTACTS, integrator.step_name}
     if speeds(scene) > MANY:
         found.remove("mass_matrix")
     return tuple(name for name in names(scene) if name in found)

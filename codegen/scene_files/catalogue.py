@@ -74,12 +74,14 @@ def _line(parameter: ParameterOf) -> str:
 def notes(parameter: ParameterOf) -> list[str]:
     """Notes on its values: type, choices, sign, default."""
     kinds = {"vector": "three numbers", "formula": "a number or a function of t",
-             "formulas": "three numbers or functions of t"}
+             "formulas": "three numbers or functions of t", "flag": "true or false"}
     found = [kinds[parameter.kind]] if parameter.kind in kinds else []
     if parameter.choices:
         found.append(" | ".join(parameter.choices))
     if parameter.of:
         found.append(f"for {' and '.join(parameter.of)}")
+    if parameter.optional_of:
+        found.append(f"may be left out for {' and '.join(parameter.optional_of)}")
     if parameter.model:
         found.append(f'"model": the joint\'s {parameter.model}')
     if parameter.sign:

@@ -30,7 +30,25 @@ def read_effects(effects: Table, model: Model, catalogue: tuple[Effect, ...], us
         if effect.name in effects:
             reading = EffectTable(effect, effects.table(effect.name), model, use)
             found += readers[effect.place](reading)
+    _refuse_compensation(effects, model, found)
     return tuple(found)
+
+
+def _refuse_compensation(effects: Table, model: Model, found: list[Applied]) -> None:
+    """Refuse to compensate gravity where there is none, and at joints that follow others."""
+    falls, follows = (any(getattr(x.effect, name) for x in found) for name in ("gravity", "mimic"))
+    leaders = {j.name: j.mimic.joint for j in model.joints if j.mimic and follows}
+    for applied in found:
+        flag = applied.effect.compensates
+        if not flag or applied.values[flag] is None:
+            continue
+        table = effects.table(applied.effect.name)
+        if not falls:
+            table.refuse(flag, f"the scene of {applied.name} has no gravity; wanted "
+                               f"[effects.gravity], or no {flag}")
+        if applied.on in leaders:
+            table.refuse(flag, f"joint {applied.on!r} follows {leaders[applied.on]!r}, which bears "
+                               f"its weight; wanted {flag} there")
 
 
 def _on_scene(reading: EffectTable) -> list[Applied]:

@@ -67,6 +67,8 @@ def quantity(system: System, trajectory: Trajectory, wanted: Recorded) -> np.nda
 def _values(system: System, wanted: Recorded, t: np.ndarray, q: np.ndarray, v: np.ndarray
             ) -> np.ndarray:
     """All components of the quantity.  (n), (…, n, nq), (…, n, nv)->(…, n, k)."""
+    if wanted.function:
+        return _of_effect(system, wanted, t, q, v)
     match wanted.quantity:
         case "a":
             return accelerations(system, t, q, v)
@@ -87,6 +89,20 @@ def _values(system: System, wanted: Recorded, t: np.ndarray, q: np.ndarray, v: n
     return pose[..., 3] if wanted.quantity == "position" else pose.reshape(*q.shape[:-1], 12)
 
 
+def _of_effect(system: System, wanted: Recorded, t: np.ndarray, q: np.ndarray, v: np.ndarray
+               ) -> np.ndarray:
+    """All components of all results of an effect's function."""
+    if not system.has(wanted.function):
+        raise _unselected(wanted.text, wanted.function)
+    outputs = system.described(wanted.function).outputs
+    found = system.call(wanted.function, t=t, q=q, v=v)
+    several = found if len(outputs) > 1 else (found,)
+    lead = np.broadcast_shapes(q.shape[:-1], t.shape)
+    return np.concatenate([
+        np.broadcast_to(x if shape else np.asarray(x)[..., None], (*lead, *(shape or (1,))))
+        for x, (_, shape) in zip(several, outputs, strict=True)], -1)
+
+
 def accelerations(system: System, t: np.ndarray, q: np.ndarray, v: np.ndarray) -> np.ndarray:
     """a at tau = 0.  (n), (…, n, nq), (…, n, nv)->(…, n, nv)."""
     return system.call("forward_dynamics", t=t, q=q, v=v, tau=np.zeros_like(v))
@@ -96,9 +112,13 @@ def reaction_name(system: System, joint: str) -> str:
     """The function of a joint's reaction.  Raises SimulateError if it was not selected."""
     name = next(name for name, on in reactions(system.scene).items() if on == joint)
     if not system.has(name):
-        raise SimulateError(f"reaction.{joint}: {name} is not among the selected functions; "
-                            f"wanted functions = [\"default\", {name!r}]")
+        raise _unselected(f"reaction.{joint}", name)
     return name
+
+
+def _unselected(quantity: str, function: str) -> SimulateError:
+    return SimulateError(f"{quantity}: {function} is not among the selected functions; "
+                         f"wanted functions = [\"default\", \"{function}\"]")
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,7 @@ import numpy as np
 from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.program import Program
 from coscrew_codegen.scene.scene import Scene
-from coscrew_codegen.scene_functions import SceneInterface
+from coscrew_codegen.scene_functions import SceneInterface, Signature
 from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.settings import refuse_settings
 from coscrew_codegen.simulate.steps import Driven, InC
@@ -50,6 +50,10 @@ class System:
     def inputs(self) -> Mapping[str, tuple[str, ...]]:
         """The names of each function's inputs, in order."""
         return {x.name: tuple(name for name, _ in x.inputs) for x in self.functions.signatures}
+
+    def described(self, name: str) -> Signature:
+        """The inputs and outputs of the function of this name."""
+        return next(x for x in self.functions.signatures if x.name == name)
 
     @property
     def programs(self) -> Mapping[str, Program]:

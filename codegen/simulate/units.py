@@ -15,6 +15,9 @@ _PREFIXES = {1: "k", 0: "", -1: "m", -2: "µ", -3: "n"}  # others are less known
 def units(functions: SceneFunctions, name: str) -> Units:
     """The unit of each component of the function's results, in order; "1" if it has none."""
     count = sum(math.prod(a.quantity.shape) for a in functions.named(name).program.outputs)
+    if name.startswith("effect_"):
+        return tuple(unit for a in functions.named(name).program.outputs
+                     for unit in (a.quantity.words.removeprefix("in "),) * a.quantity.size)
     made = _OF_FUNCTION.get(name) or _OF_FUNCTION.get(name.partition("_")[0], _always("1"))
     found = made(functions)
     return found * (count // len(found) if found else 0)  # those of bodies are all alike
