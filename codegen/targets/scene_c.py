@@ -13,7 +13,7 @@ from coscrew_codegen.formats import Precision, named
 from coscrew_codegen.identifiers import capitals, numbered
 from coscrew_codegen.render import render
 from coscrew_codegen.scene_functions import Function, SceneFunctions, Step
-from coscrew_codegen.targets import c_elementary, scene_text
+from coscrew_codegen.targets import c_double, c_elementary, scene_text
 from coscrew_codegen.targets import scene_c_arguments as arguments
 from coscrew_codegen.targets.c_function import Body, CFunction, Stored
 from coscrew_codegen.targets.c_statements import WIDTH, comment_of, listed
@@ -43,7 +43,9 @@ def files(scene: SceneFunctions, banner: str) -> Files:
               "sections": sections}
     return {
         f"{scene.name}.h": render("scene/scene.h", about=comment_of(about(scene)),
-                                  macros=macros(scene), **shared),
+                                  macros=macros(scene), **shared,
+                                  double=c_double.of_scene(scene.name.upper(), (
+                                      (p, p) for p in named(scene.precisions)))),
         f"{scene.name}.c": render("scene/scene.c", names=[comment_of(names)] if names else [],
                                   products=named(scene.precisions), parts=bool(parts.cuts),
                                   **shared)}
