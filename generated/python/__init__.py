@@ -14,7 +14,7 @@ from pathlib import Path
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "4f3d8cc15e1aee3a")
+COMPILED: bool = is_compiled("coscrew._gufunc", "a1c14a989eba5e82")
 
 if COMPILED:
     from coscrew._gufunc import (
