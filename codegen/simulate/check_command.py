@@ -12,20 +12,20 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         description="Check a scene's run: its expectations, the balance of energy, both "
         "precisions, inverse and forward dynamics, their rounding errors.",
         epilog="The exit status is 0 if all expectations are met; 1 if one is not, or a run stops "
-        "before its end, or energy or the momentum of a floating base is off by more than 0.001, "
-        "or a certified bound does not hold; "
+        "before its end, is off by more than 0.025 of the way a part moves, or cannot be resolved, "
+        "or energies do not balance within 0.001, or a certified bound does not hold; "
         "2 for an error; 130 for an interrupt.")
     add_scene(parser)
     parser.add_argument("--strict", action="store_true",
-                        help="also exit with 1 if energy is off by more than 1e-5 and not by "
-                             "rounding, or if smaller steps do not reduce its error")
+                        help="also exit with 1 if a part is off by more than 0.001 of the way it "
+                             "moves")
     parser.set_defaults(run=run)
 
 
 def run(options: argparse.Namespace) -> int:
     """Check the scene; returns the exit status: 0, or 1 if an expectation is not met, a run stops
-    early, or energy or momentum is not kept (with --strict, within narrower limits), or a
-    certified bound does not hold."""
+    early or is wrong (with --strict, by less), energies do not balance, or a certified bound does
+    not hold."""
     from coscrew_codegen.simulate import native
 
     native.ask()

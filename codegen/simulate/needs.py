@@ -3,6 +3,7 @@
 from collections.abc import Iterable
 
 from coscrew_codegen.integrators import DEFAULT, named
+from coscrew_codegen.scene.model import Kind
 from coscrew_codegen.scene.recorded import Recorded, expected, recorded
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.selected import CONTACTS, FREE, MANY, reactions, speeds, together
@@ -23,17 +24,19 @@ def of_run(scene: Scene, integrator: str | None, view: bool = False) -> tuple[st
 def of_check(scene: Scene, integrator: str | None) -> tuple[str, ...]:
     """For `check`."""
     return together(of_run(scene, integrator),
-                    ("inverse_dynamics", "forward_dynamics", "mass_matrix", "power", *CONTACTS,
-                     *FREE),
+                    ("inverse_dynamics", "forward_dynamics", "mass_matrix", "power",
+                     named(DEFAULT).step_name, *CONTACTS, *FREE),
                     *(_of(scene, expected(x.quantity, scene)) for x in scene.expectations))
 
 
 def _of_motion(scene: Scene, integrator: str | None) -> Iterable[str]:
-    """For integration, and for the Alarm, which also uses the default integrator."""
+    """For integration, and for the Alarm, which also uses the default integrator, and the mass
+    matrix of what floats."""
     own = named(known(scene.run.integrator if integrator is None else integrator))
     if not own.emitted:
         return "energy", "forward_dynamics"
-    mass = () if speeds(scene) > MANY else ("mass_matrix",)
+    floats = any(joint.kind is Kind.FREE for joint in scene.model.joints)
+    mass = ("mass_matrix",) if floats and speeds(scene) <= MANY else ()
     return ("energy", "power", *mass, own.step_name, named(DEFAULT).step_name, *CONTACTS,
             *FREE)
 

@@ -126,6 +126,8 @@ def _verdict(along: Along) -> str:
     """The cause of the defect of energy."""
     if along.still:
         return "none: nothing moves"
+    if along.doubtful and along.energy and not along.untold:
+        return "small: smaller steps do not help"
     if along.doubtful:
         return "DOUBTFUL: smaller steps do not help"
     if along.untold:

@@ -1,15 +1,17 @@
-"""The step that `coscrew check` advises does in the precision that it is advised for."""
+"""The step that a message names is enough, in the precision that it names, and hardly too small."""
 
 import re
 from pathlib import Path
 
 import pytest
 
+from coscrew_codegen.simulate import advice
 from coscrew_codegen.simulate.check import check
 from coscrew_codegen.simulate.findings import Along
 from coscrew_codegen.simulate.outcome import RunOverrides
 from coscrew_codegen.simulate.verdict import table
 from tests.support.scenes.selecting import checked
+from tests.support.scenes.simulated import outcome
 
 SPRING = """
 [bodies]
@@ -22,14 +24,12 @@ q0 = {rest}
 [start.q]
 j = {start}
 [run]
-duration = 20
+duration = {duration}
 step = 0.1
 """
-NEAR = {"k": 1, "rest": 10, "start": 11}
-FAR = {"k": 1, "rest": 100, "start": 100.1}  # where q is rounded to 4e-5 of its swing
-UNRESOLVED = {"k": 1, "rest": 1000, "start": 1000.1}  # to 3e-4
+NEAR = {"k": 1, "rest": 10, "start": 11, "duration": 5}
+FAR = {"k": 1, "rest": 1000, "start": 1000.1, "duration": 20}  # q is rounded to 3e-4 of its swing
 EULER, DEFAULT = "semi-implicit-euler", "leapfrog"
-WITH_DOUBLE = " with --precision double"
 
 
 @pytest.fixture
@@ -47,37 +47,46 @@ def found(tmp_path: Path):
 
 
 def step_of(said: str) -> float:
-    """The advised step, for one of 0.1 s."""
-    return 0.1 * float(re.search(r"take one (\S+) times as long", said)[1])
+    return float(re.search(r"take a step of (\S+) s", said)[1])
 
 
-def test_an_advised_step_passes(found):
-    for precision in ("double", "single"):
-        along, said = found(NEAR, EULER, precision)
-        assert not along.true and WITH_DOUBLE not in said
-        again, _ = found(NEAR, EULER, precision, step_of(said))
-        assert again.true
+@pytest.mark.parametrize("precision", ("double", "single"))
+def test_an_advised_step_passes_and_four_times_as_much_does_not(found, precision):
+    along, said = found(NEAR, EULER, precision)
+    assert not along.true and "the step is too large" in said and "--precision" not in said
+    assert found(NEAR, EULER, precision, step_of(said))[0].true
+    assert not found(NEAR, EULER, precision, min(0.1, 4 * step_of(said)))[0].true
+
+
+def test_another_integrator_is_named_where_it_does_with_the_same_step(found):
+    _, said = found(NEAR, EULER, "double")
+    assert said.endswith(f", or integrator {DEFAULT}") and found(NEAR, DEFAULT, "double")[0].true
+    rough = {**NEAR, "k": 100}
+    _, said = found(rough, EULER, "double")
+    assert DEFAULT not in said and not found(rough, DEFAULT, "double")[0].true
+
+
+def test_simulate_names_a_step_with_which_it_goes_on(tmp_path, capsys):
+    text, path = SPRING.format(**{**NEAR, "k": 100}), tmp_path / "spring.toml"
+    status, said = outcome(path, capsys, "simulate", text)
+    assert status == 1 and "joint j is off by" in said
+    for command in ("simulate", "check"):
+        assert outcome(path, capsys, command, text, "--step", f"{step_of(said):g}",
+                       "--precision", "double")[0] == 0
 
 
 @pytest.mark.parametrize("precision", ("single", "both"))
-def test_a_step_that_single_precision_does_not_resolve_is_advised_in_double(found, precision):
-    along, said = found(FAR, EULER, precision)
-    assert (along.precision, along.helps) == ("single", False)
-    assert f"{WITH_DOUBLE}, since single precision does not resolve it" in said
-    assert not found(FAR, EULER, "single", step_of(said))[0].true
-    assert found(FAR, EULER, "double", step_of(said))[0].true
+def test_double_precision_is_advised_where_no_step_helps_in_single(found, precision, monkeypatch):
+    """Where q is rounded so coarsely, small steps do not move it as they should."""
+    monkeypatch.setattr(advice, "HALVINGS", 6)
+    values = {**FAR, "rest": 1e6, "start": 1e6 + 0.125}
+    along, said = found(values, DEFAULT, precision)
+    assert along.precision == "single" and not along.true
+    assert said.endswith("take --precision double")
+    assert found(values, DEFAULT, "double")[0].true
 
 
-@pytest.mark.parametrize("precision", ("single", "both"))
-def test_double_precision_is_advised_where_no_step_helps_in_single(found, precision):
-    along, said = found(UNRESOLVED, DEFAULT, precision)
-    assert along.precision == "single" and "neither half the step nor 1/8 of it helps" in said
-    assert said.endswith("not resolved; take --precision double")
-    assert found(UNRESOLVED, DEFAULT, "double")[0].true
-
-
-def test_a_step_that_takes_very_long_is_advised_in_double_untried(found, monkeypatch):
-    monkeypatch.setattr("coscrew_codegen.simulate.check._MOST_STEPS", 1000)
-    along, said = found(NEAR, EULER, "single")
-    assert along.helps is None and "times as long with --precision double" in said
-    assert found(NEAR, EULER, "double", step_of(said))[0].true
+def test_what_takes_long_is_not_tried_and_no_step_is_named(found, monkeypatch):
+    monkeypatch.setattr(advice, "MOST", 60)
+    along, said = found(NEAR, EULER, "double")
+    assert not along.true and "smaller steps were not tried, since they would take long" in said

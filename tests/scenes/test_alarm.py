@@ -1,0 +1,173 @@
+"""Verdicts on motions depend neither on where, how fast and which way a whole scene moves, nor on
+what moves beside it; what rests goes on, and no start passes that steps do not resolve."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import coscrew
+from coscrew_codegen import load_scene
+from coscrew_codegen.simulate.alarm import Alarm
+from coscrew_codegen.simulate.load import Kernels
+from coscrew_codegen.simulate.motion_error import ALLOWED, Extent, Parts
+from coscrew_codegen.simulate.plan import plan
+from coscrew_codegen.simulate.run import integrate
+from coscrew_codegen.simulate.system import System, system
+
+BASE = """
+runtime = ["actuator.j1.kp"]
+[bodies]
+b0 = { mass = 10, inertia = [0.5, 0.5, 0.5] }
+b1 = { mass = 0.2, com = [0, 0, -0.1], inertia = [0.001, 0.001, 0.001] }
+heavy = { mass = 1000, inertia = [9, 9, 9] }
+[joints]
+j0 = { type = "free", child = "b0" }
+beside = { type = "prismatic", child = "heavy", axis = [1, 0, 0] }
+[joints.j1]
+type = "continuous"
+parent = "b0"
+child = "b1"
+axis = [0, 1, 0]
+origin.xyz = [0.3, 0, 0]
+[effects.actuator.j1]
+kind = "pd"
+target = 0
+kp = 1
+kd = 0.12
+[start.q]
+j1 = 0.01
+[run]
+duration = 0.2
+"""
+SERVO = """
+runtime = ["actuator.hinge.kp", "actuator.hinge.kd", "actuator.hinge.target"]
+[bodies]
+link = { mass = 2, com = [0, 0, -0.25], inertia = [0.04, 0.04, 0.002] }
+[joints]
+hinge = { type = "revolute", child = "link", axis = [0, 1, 0] }
+[effects.gravity]
+[effects.actuator.hinge]
+kind = "pd"
+kp = 1
+kd = 1
+target = 0.5
+[start.q]
+hinge = 0.5
+[run]
+duration = 2
+"""
+INERTIA = 0.04 + 2 * 0.25**2
+TURN = np.array([0.36, 0.48, 0.64, 0.48])  # a unit quaternion
+
+
+@pytest.fixture(scope="module")
+def loaded(tmp_path_factory: pytest.TempPathFactory):
+    folder = tmp_path_factory.mktemp("alarm")
+
+    def load(text: str) -> Kernels:
+        path: Path = folder / f"scene{hash(text) % 10**9}.toml"
+        path.write_text(text)
+        return load_scene(path)
+
+    kernels = {text: load(text) for text in (BASE, SERVO)}
+    return lambda text, precision="double", **values: system(
+        kernels[text], precision, {name.replace("_", "."): x for name, x in values.items()})
+
+
+def watched(its: System, q: np.ndarray | None = None, v: np.ndarray | None = None,
+            **planned: float) -> tuple[str, float]:
+    """Why the run stopped, and its largest error relative to what is allowed."""
+    alarms: list[Alarm] = []
+
+    def alarm(*given: object) -> Alarm:
+        alarms.append(Alarm(*given))
+        return alarms[-1]
+
+    q0, v0 = its.start()
+    start = q0 if q is None else q.astype(its.dtype), v0 if v is None else v.astype(its.dtype)
+    run = integrate(its, plan(its, **planned), alarm=alarm, start=start)
+    errors = alarms[0]._errors.worst / (ALLOWED * alarms[0].extent.sizes)
+    return run.stopped, float(errors.max())
+
+
+@pytest.mark.parametrize("precision", ("double", "single"))
+@pytest.mark.parametrize("kp, right", ((12000, False), (12, True)))
+def test_the_verdict_is_that_of_a_scene_at_rest(loaded, precision, kp, right):
+    """At 100 and 300 m/s, a hundred metres away, turned, beside a ton at 10 m/s: h ω is 2 and 0.06.
+    """
+    its = loaded(BASE, precision, actuator_j1_kp=kp)
+    q, v = its.start()
+    verdicts, errors = [], []
+    for speed, place, turn, beside in ((0, 0, None, 0), (100, 0, None, 0), (300, 0, None, 0),
+                                       (0, 100, None, 0), (0, 0, TURN, 0), (0, 0, None, 10)):
+        q1, v1 = q.astype(float), v.astype(float)
+        q1[0], v1[1], v1[-1] = place, speed, beside
+        if turn is not None:
+            q1[3:7] = coscrew.double.quaternion_product_qq(turn, q1[3:7])
+        stopped, error = watched(its, q1, v1)
+        verdicts.append(stopped == "")
+        errors.append(error)
+    assert verdicts == [right] * len(verdicts), (verdicts, errors)
+    if precision == "double":  # steps are of velocities in the base's frame, which turns
+        assert max(errors) < 2 * min(errors)
+
+
+@pytest.mark.parametrize("precision", ("double", "single"))
+@pytest.mark.parametrize("h_omega", (0.1, 1, 1.4, 2.5, 10, 50))
+def test_a_robot_at_rest_never_stops(loaded, precision, h_omega):
+    """A stiff servo holds a link against gravity, critically damped, from its first step on."""
+    omega = h_omega / 1e-3
+    its = loaded(SERVO, precision, actuator_hinge_kp=INERTIA * omega**2,
+                 actuator_hinge_kd=2 * INERTIA * omega)
+    assert watched(its)[0] == ""
+
+
+@pytest.mark.parametrize("h_omega, right", ((0.02, True), (2.5, False), (10, False)))
+def test_a_start_that_steps_do_not_resolve_stops(loaded, h_omega, right):
+    """The servo starts a twentieth of a radian from its target: all is over within 50 steps."""
+    omega = h_omega / 1e-3
+    its = loaded(SERVO, actuator_hinge_kp=INERTIA * omega**2,
+                 actuator_hinge_kd=0.4 * INERTIA * omega, actuator_hinge_target=0.55)
+    stopped, _ = watched(its)
+    assert (stopped == "") == right
+    assert right or "at t = 0 s: joint hinge is off by" in stopped
+
+
+def test_what_floats_keeps_its_centre_of_mass_on_a_parabola_to_rounding(loaded):
+    """And momentum and angular momentum about the world's origin, over 2e4 steps."""
+    for precision, u in (("double", 2.0**-53), ("single", 2.0**-24)):
+        its = loaded(BASE, precision, actuator_j1_kp=5.0)
+        q, v = its.start()
+        v[:6] = 1, 2, -1, 3, 1, 2
+        run = integrate(its, plan(its, until=20.0), start=(q, v))
+        x = Parts(its).places(run.q)[1]
+        speed = Parts(its).velocities(run.q, run.v)[1]
+        path = x[0] + speed[0] * run.t[:, None]
+        assert np.max(np.abs(x - path)) <= 64 * u * np.max(np.abs(path))
+        assert np.max(np.abs(speed - speed[0])) <= 64 * u * np.max(np.abs(speed))
+        L = np.asarray(loaded(BASE).call("momentum", q=run.q, v=run.v), float)[:, 3:]
+        moment = 10.2 * np.linalg.norm(speed[0]) * np.max(np.abs(x))
+        assert np.max(np.abs(L - L[0])) <= 64 * u * moment
+
+
+def test_distances_of_rotations_are_angles(loaded):
+    its = loaded(BASE)
+    q = np.stack([its.start()[0]] * 2)
+    for angle in (1e-9, 0.1, 3.0):
+        q[1, 3:7] = 0, np.sin(angle / 2), 0, -np.cos(angle / 2)
+        a, b = (Parts(its).places(x) for x in q)
+        assert Parts(its).distances(a, b)[0] == pytest.approx(angle, rel=1e-6)
+
+
+def test_sizes_do_not_grow_along_the_line_of_start(loaded):
+    its = loaded(BASE)
+    q, v = its.start()
+    v[0] = 300.0
+    extent = Extent.since(Parts(its), q, v)
+    moved = q.copy()
+    moved[0] += 300.0
+    extent.add(1.0, Parts(its).places(moved))
+    assert np.all(extent.size < 1e-9)
+    assert replace(extent, size=np.ones(extent.size.shape)).sizes == pytest.approx(1.0)
