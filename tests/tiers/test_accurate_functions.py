@@ -14,11 +14,12 @@ import pytest
 
 import coscrew.accurate
 from coscrew_codegen.formats import DOUBLE, SINGLE, Precision
-from coscrew_codegen.operations import OPERATIONS, Operation
+from coscrew_codegen.operations import Operation
 from coscrew_codegen.program import Input, Instruction, Op, Program, Ref
-from coscrew_codegen.program.ops import ERROR_OF
 from coscrew_codegen.quantity import SCALAR, Argument
 from coscrew_codegen.tiers.accurate import accurate
+from tests.hard_cases.corpus import load
+from tests.hard_cases.near_zeros import FUNCTIONS, KEPT, LARGEST, ORIGIN, RANGE, condition
 from tests.search import split
 from tests.support.cases import for_all
 from tests.support.compiled.c_harness import COMPILERS, EXACT, call, harness
@@ -27,14 +28,10 @@ from tests.support.each import each_precision
 from tests.support.hard_rows import EXTREMES, hard_rows
 from tests.support.sampling import inputs_of
 from tests.support.scenes.tiers import DIGITS, Result, flat
-from tests.support.truth.attack import plain_program
-from tests.support.truth.condition import conditions
 from tests.support.truth.motions import exponential_series, hstack, norm, quaternion_exp, skew
-from tests.support.truth.truths import by_formula, fine, of_given, truth
+from tests.support.truth.truths import by_formula, of_given, truth
 
-FUNCTIONS = tuple(op for op in OPERATIONS if ERROR_OF.keys() & plain_program(op).counts.keys())
 ANGLES = ("1e-20", "0.999", "1.001", "1.999", "2.001", "3.1415")
-LARGEST = {"double": 1e13, "single": 1e5}
 MOST = {"double": 0.501, "single": 0.5001}
 """Found: 0.5000; promised in double is 1."""
 BUILDS = ("gcc", "-O1"), ("clang", "-O1", "-march=native")
@@ -77,15 +74,13 @@ def test_formulas_have_twice_the_digits(operation: Operation):
 def judged(operation: Operation, precision: Precision, given: np.ndarray) -> list[Result]:
     """Every component of these calls, with its truth and condition."""
     inputs = split(operation, given)
-    columns = [[x.reshape(len(x), -1)[:, k].astype(float) for k in range(a.quantity.size)]
-               for a, x in zip(operation.inputs, inputs, strict=True)]
-    size = [np.broadcast_to(x, len(given)) for x in conditions(fine(operation), columns)]
+    size = condition(operation, given)
     found = flat(gufuncs(coscrew.accurate)(operation, precision, inputs), len(given))
     results = []
     with mpmath.workdps(DIGITS):
         for row, got, k in zip(given.tolist(), found, range(len(given)), strict=True):
             true = of_given(operation, precision, tuple(row))
-            results += [Result(place, got[place], x, float(size[place][k]))
+            results += [Result(place, got[place], x, float(size[k, place]))
                         for place, x in enumerate(true)]
     return results
 
@@ -99,6 +94,21 @@ def test_components_are_right_as_long_as_their_condition_is_good(operation: Oper
     assert len(kept) > len(found) / 3
     for x in kept:
         assert x.ulps(precision) <= MOST[precision.name] or _is_half_turn(x), x
+
+
+NEAR_ZEROS = {(c.operation, c.precision) for c in load() if c.origin.startswith(ORIGIN)}
+
+
+@pytest.mark.parametrize("operation, precision", sorted(
+    NEAR_ZEROS, key=lambda x: (x[0].name, x[1].name)), ids=lambda x: x.name)
+def test_conditions_just_below_the_limit_are_judged(operation: Operation, precision: Precision):
+    found, largest = condition(operation, hard_rows(operation, precision)), LARGEST[precision.name]
+    assert ((largest / RANGE < found) & (found < largest)).sum() >= KEPT
+
+
+def test_most_operations_have_components_near_zeros():
+    """Others are functions of what is given, exactly, and have no condition."""
+    assert len(NEAR_ZEROS) > len(FUNCTIONS)
 
 
 def _is_half_turn(x: Result) -> bool:

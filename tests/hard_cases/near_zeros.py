@@ -1,0 +1,116 @@
+"""Hard cases of ill-conditioned results: components next to their zeros.
+
+`python -m tests.hard_cases.near_zeros [--seed S]` finds them and puts them into the corpus.  On the
+way from one drawn input to another a component changes its sign; there it is bisected, and left by
+so little that its condition is as bad as the accurate tier allows, or up to 100 times better.
+"""
+
+import argparse
+from collections.abc import Iterator
+
+import numpy as np
+
+import coscrew
+from coscrew_codegen.formats import PRECISIONS, Precision
+from coscrew_codegen.operations import OPERATIONS, Operation
+from coscrew_codegen.program.ops import ERROR_OF
+from tests.hard_cases.corpus import Case, load, save
+from tests.search import joined, split
+from tests.support.compiled.implementations import twin
+from tests.support.domains import domains
+from tests.support.truth.attack import plain_program
+from tests.support.truth.condition import conditions
+from tests.support.truth.truths import fine
+
+FUNCTIONS = tuple(op for op in OPERATIONS if ERROR_OF.keys() & plain_program(op).counts.keys())
+"""The operations that call elementary functions."""
+LARGEST = {"double": 1e13, "single": 1e5}
+"""The accurate tier is right as long as a component's condition is below it."""
+RANGE = 100
+KEPT = 6
+DRAWN = 400
+ORIGIN = "near a zero:"
+
+
+def columns(operation: Operation, rows: np.ndarray) -> list[list[np.ndarray]]:
+    """The components of each input, each for all rows."""
+    return [[x.reshape(len(x), -1)[:, k].astype(float) for k in range(a.quantity.size)]
+            for a, x in zip(operation.inputs, split(operation, rows), strict=True)]
+
+
+def condition(operation: Operation, rows: np.ndarray) -> np.ndarray:
+    """That of each component of each row, (n, components)."""
+    sizes = conditions(fine(operation), columns(operation, rows))
+    return np.stack([np.broadcast_to(x, len(rows)) for x in sizes], axis=1)
+
+
+class Ways:
+    """Straight ways between drawn parameters of an operation's inputs."""
+
+    def __init__(self, operation: Operation, rng: np.random.Generator) -> None:
+        self.operation, self.free = operation, domains(operation)
+        draws = [[free.draw(rng, DRAWN, np.dtype(np.float64)) for free in self.free]
+                 for _ in range(2)]
+        self.start, self.end = ([np.asarray(x, np.longdouble) for x in row] for row in draws)
+
+    def at(self, share: np.ndarray, precision: Precision) -> np.ndarray:
+        """The inputs at this share of each way."""
+        k = share[:, None]
+        return np.hstack([np.asarray(free.inputs((1 - k) * a + k * b)) for free, a, b in zip(
+            self.free, self.start, self.end, strict=True)]).astype(precision.numpy_type)
+
+    def results(self, share: np.ndarray) -> np.ndarray:
+        """All components there, in double precision."""
+        rows = self.at(share, PRECISIONS[0])
+        return joined(twin(coscrew)(self.operation, PRECISIONS[0], split(self.operation, rows)))
+
+
+def near_zeros(operation: Operation, precision: Precision, seed: int) -> Iterator[Case]:
+    """Cases with a component whose condition is at most RANGE times better than allowed."""
+    rng = np.random.default_rng([seed, len(operation.name), precision.bytes])
+    ways, largest = Ways(operation, rng), LARGEST[precision.name]
+    ends = [ways.results(np.full(DRAWN, end, np.longdouble)) for end in (0, 1)]
+    found: dict[tuple[float, ...], Case] = {}
+    for k in range(ends[0].shape[1]):
+        changes = ends[0][:, k] * ends[1][:, k] < 0
+        zero = bisected(ways, k, ends[0][:, k])
+        for _ in range(4):
+            off = 10.0**-rng.uniform(np.log10(largest) - 4, np.log10(largest) + 1, DRAWN)
+            rows = ways.at(zero + off * rng.choice((-1, 1), DRAWN), precision)
+            bad = condition(operation, rows)[:, k]
+            good = changes & (largest / RANGE < bad) & (bad < largest)
+            for row, size in zip(rows[good][:KEPT], bad[good][:KEPT], strict=True):
+                inputs = tuple(map(float, row))
+                found.setdefault(inputs, Case(operation, precision, inputs,
+                                              f"{ORIGIN} component {k}, condition {size:.1e}"))
+    cases = list(found.values())
+    yield from (cases[int(n)] for n in rng.permutation(len(cases))[:KEPT])
+
+
+def bisected(ways: Ways, k: int, start: np.ndarray) -> np.ndarray:
+    """Where component k changes its sign, on each way on which it does."""
+    low, high = np.zeros(DRAWN, np.longdouble), np.ones(DRAWN, np.longdouble)
+    for _ in range(60):
+        middle = (low + high) / 2
+        same = ways.results(middle)[:, k] * start > 0
+        low, high = np.where(same, middle, low), np.where(same, high, middle)
+    return (low + high) / 2
+
+
+def main() -> None:
+    """Replace the cases near zeros in the corpus by these."""
+    parser = argparse.ArgumentParser(description=main.__doc__)
+    parser.add_argument("--seed", type=int, default=1)
+    seed = parser.parse_args().seed
+    others = tuple(case for case in load() if not case.origin.startswith(ORIGIN))
+    made = []
+    for operation in FUNCTIONS:
+        for precision in PRECISIONS:
+            cases = tuple(near_zeros(operation, precision, seed))
+            print(f"{operation.name} {precision.name}: {len(cases)}", flush=True)
+            made += cases
+    save((*others, *made))
+
+
+if __name__ == "__main__":
+    main()
