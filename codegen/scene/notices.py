@@ -3,10 +3,10 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-SUBJECTS = ("other tools' joint", "spring", "mimic", "wrong mimic", "friction", "wrong friction",
-            "damping", "wrong damping", "other tools' number", "limits", "wrong limits", "effort",
-            "wrong effort", "velocity", "wrong velocity", "acceleration", "deceleration", "jerk",
-            "safety controller", "repeated element")
+SUBJECTS = ("other tools' joints", "spring", "armature", "mimic", "wrong mimic", "friction",
+            "wrong friction", "damping", "wrong damping", "other tools' numbers", "limits",
+            "wrong limits", "effort", "wrong effort", "velocity", "wrong velocity", "acceleration",
+            "deceleration", "jerk", "safety controller", "repeated element")
 """What notices are about; first what changes the motion most."""
 
 

@@ -18,7 +18,6 @@ from coscrew_codegen.scene_files.urdf_schema import (
     OTHER_JOINTS,
     OTHERS,
     QUATERNION,
-    SPRING,
     VERSIONS,
     is_zero,
     misspelt_attribute,
@@ -193,11 +192,10 @@ def _of_other_tools(owner: Element, element: str) -> Iterator[Notice]:
     of = plain(element) or "robot"
     for child in owner.children if owner.tag == "robot" else ():
         if child.tag in OTHER_JOINTS or child.tag.endswith(":joint"):
-            joint = f"joint {child.attributes.get('name', '')[:60]}"
-            yield Notice("other tools' joint", joint, f"{joint}: <{child.tag[:60]}> is another "
-                         "tool's and is not used")
+            yield Notice("other tools' joints", of, f"joint {child.attributes.get('name', '')[:60]}"
+                         f": <{child.tag[:60]}> is another tool's and is not used")
     for name, text in owner.attributes.items():
-        if name in OTHERS.get(owner.tag, ()) or of_other_tools(name):
+        if name in OTHERS.get(owner.tag, {}) or of_other_tools(name):
             yield from _number(of, name, text, owner.tag)
     for child in owner.children:
         for name, text in child.attributes.items():
@@ -208,8 +206,8 @@ def _of_other_tools(owner: Element, element: str) -> Iterator[Notice]:
 def _number(of: str, name: str, text: str, tag: str) -> Iterator[Notice]:
     if is_zero(text):
         return
-    what = f"{of}: {name} {shown(text)[1:-1]} of <{tag}> is another tool's and is not used"
-    if name not in SPRING:
-        yield Notice("other tools' number", of, what)
-    else:
-        yield Notice("spring", of, f"{what}: add [effects.spring]", "add [effects.spring]")
+    effect = OTHERS.get(tag, {}).get(name, "")
+    remedy = f"add [effects.{effect}]" if effect else ""
+    yield Notice(effect or "other tools' numbers", of,
+                 f"{of}: {name} {shown(text)[1:-1]} of <{tag}> is another tool's and is not used"
+                 f"{': ' * bool(remedy)}{remedy}", remedy)
