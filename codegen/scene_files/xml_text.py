@@ -36,7 +36,10 @@ def problem_at(text: str, line: int, column: int) -> str:
     bare = _BARE.search(here)
     if bare and bare.start() <= column:
         return "a bare &; wanted &amp;"
-    if here[column:column + 1] == "<" and here[:column].count('"') % 2:
+    character = here[column:column + 1]
+    if character and not character.isprintable() and character != "\t":
+        return f"the character U+{ord(character):04X} is not allowed here; delete it"
+    if character == "<" and here[:column].count('"') % 2:
         return "a < in an attribute; wanted &lt;, or the quotation mark that is missing before it"
     return ""
 

@@ -80,6 +80,8 @@ REFUSED = {
                "line 3: a bare &; wanted &amp;"),
     "bare & before a word": (ARM.replace('"grey"', '"R&D"').encode(), "line 3: a bare &"),
     "<": (ARM.replace('"grey"', '"a<b"').encode(), "line 3: a < in an attribute; wanted &lt;"),
+    "zero at the end": (ARM.encode() + b"\0", "the character U+0000 is not allowed here; delete"),
+    "control character": (ARM.replace("grey", "été\x07").encode(), "line 3: the character U+0007"),
     "unknown entity": (ARM.replace('"grey"', '"&nbsp;"').encode(), "undefined entity"),
     "Latin without declaration": (ARM.replace("grey", "été").encode("latin-1"),
                                   "line 3: the byte 0xe9 is not UTF-8, and the file declares no "
