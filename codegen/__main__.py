@@ -1,12 +1,15 @@
 """`coscrew`, and `python -m coscrew_codegen`: how every command begins and ends.
 
 The command is imported inside the block that catches an interrupt, since importing takes most of a
-second, and only after the packages that it needs have been found."""
+second, and only after the packages that it needs have been found; help needs none of them."""
 
 import gc
 import os
+import signal
 import sys
-from contextlib import suppress
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from io import UnsupportedOperation
 
 from coscrew_codegen.console import any_encoding
@@ -16,13 +19,40 @@ RARELY = 100_000
 """New objects between two searches for cycles: modules and scenes are many objects with hardly any
 cycle, and Python's 700 cost a twentieth of a command's time."""
 
-INTERRUPTED, CLOSED = 130, 141
-"""Exit statuses of programs ended by SIGINT and SIGPIPE, as shells report them."""
+INTERRUPTED, CLOSED, TERMINATED = 130, 141, 143
+"""Exit statuses of programs ended by SIGINT, SIGPIPE and SIGTERM, as shells report them."""
 
 
 def main(arguments: list[str] | None = None) -> int:
     """Run the command line; returns the exit status: the command's, or 2 for an error, 130 for an
-    interrupt, 141 if the reader of standard output closes it early, as `head` does."""
+    interrupt, 143 for SIGTERM, which ends commands as an interrupt does: what they have is kept,
+    and they say so; 141 if the reader of standard output closes it early, as `head` does."""
+    with _terminable() as signals:
+        status = _ended(arguments)
+    return TERMINATED if signals and status == INTERRUPTED else status
+
+
+@contextmanager
+def _terminable() -> Iterator[list[int]]:
+    """While the block runs, SIGTERM raises KeyboardInterrupt; yields the list of such signals."""
+    found: list[int] = []
+
+    def interrupt(number: int, _: object) -> None:
+        found.append(number)
+        raise KeyboardInterrupt
+
+    main_thread = threading.current_thread() is threading.main_thread()
+    if not main_thread or signal.getsignal(signal.SIGTERM) is not signal.SIG_DFL:
+        yield found  # whoever handles it decides
+        return
+    signal.signal(signal.SIGTERM, interrupt)
+    try:
+        yield found
+    finally:
+        signal.signal(signal.SIGTERM, signal.SIG_DFL)
+
+
+def _ended(arguments: list[str] | None) -> int:
     gc.set_threshold(RARELY)
     words = sys.argv[1:] if arguments is None else arguments
     any_encoding(sys.stdout)
@@ -58,8 +88,8 @@ def _run(words: list[str]) -> int:
         print(f"coscrew {VERSION}")
         return 0
     command = words[0] if words and words[0] in COMMANDS else ""
-    sentence = lacking(command or "the command line", COMMANDS.get(command, "codegen"))
-    if sentence:
+    sentence = lacking(command, COMMANDS[command]) if command else None
+    if sentence and not {"-h", "--help"} & set(words):
         print(f"coscrew: {sentence}", file=sys.stderr)
         return 2
     from coscrew_codegen.command_line import run

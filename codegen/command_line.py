@@ -1,11 +1,13 @@
 """The command line `coscrew generate`, `coscrew simulate`, …: parses options, runs the command.
 
-Only the command that runs is imported."""
+Only the command that runs is imported.  Modules of commands import what is beyond NumPy only when
+they run, so that help needs no extra."""
 
 import argparse
 import sys
 from importlib import import_module
 
+from coscrew_codegen import extras
 from coscrew_codegen.errors import ReportedError
 
 COMMANDS = {
@@ -15,7 +17,7 @@ COMMANDS = {
     "cost": "coscrew_codegen.cost.command",
     "sweep": "coscrew_codegen.sweep.command",
     "effects": "coscrew_codegen.scene_files.catalogue",
-    "schema": "coscrew_codegen.documentation.schema",
+    "schema": "coscrew_codegen.schema_command",
     "report": "coscrew_codegen.report.command",
     "cache": "coscrew_codegen.native.cache_command"}
 """The module of each command, which adds its options and runs it."""
@@ -35,7 +37,8 @@ def run(arguments: list[str] | None) -> int:
 def _parser(command: str = "") -> argparse.ArgumentParser:
     """The parser of one command; of all commands if `command` is not one."""
     parser = argparse.ArgumentParser(
-        prog="coscrew", description="Derives spatial algebra and emits C and Python kernels.")
+        prog="coscrew", description="Derives spatial algebra and emits C and Python kernels.",
+        epilog=_installation(), formatter_class=argparse.RawDescriptionHelpFormatter)
     if command not in COMMANDS:
         from coscrew_codegen.version import VERSION
 
@@ -44,4 +47,23 @@ def _parser(command: str = "") -> argparse.ArgumentParser:
     commands = parser.add_subparsers(required=True, dest="command", metavar="COMMAND")
     for name in (command,) if command in COMMANDS else COMMANDS:
         import_module(COMMANDS[name]).add_parser(commands)
+    if command in COMMANDS:
+        its = commands.choices[command]
+        its.epilog = " ".join(x for x in (its.epilog, _needed(command)) if x)
     return parser
+
+
+def _needed(command: str) -> str:
+    """What installs what the command needs, and what of it is not installed."""
+    extra = extras.COMMANDS[command]
+    return extras.lacking(f"not installed: {command}", extra) or f"Needs {extras.pip(extra)}."
+
+
+def _installation() -> str:
+    """The commands by their extras, and how to install these."""
+    lines = ["what the commands need:"]
+    for extra in dict.fromkeys(extras.COMMANDS.values()):
+        names = ", ".join(name for name, its in extras.COMMANDS.items() if its == extra)
+        here = "not installed" if extras.lacking(names, extra) else "installed"
+        lines.append(f"  {names:<31} {extras.pip(extra)}  ({here})")
+    return "\n".join(lines)

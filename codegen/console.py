@@ -3,6 +3,7 @@
 import codecs
 import io
 import sys
+import time
 import unicodedata
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -43,6 +44,27 @@ def _ascii(character: str) -> str:
         return f"^{raised}"
     plain = unicodedata.normalize("NFKD", character).encode("ascii", "ignore").decode()
     return plain or "?"
+
+
+_QUIET = 2.0  # s after which work is long enough for lines of progress
+
+
+class Tenths:
+    """Progress where standard error is no terminal: a line whenever another tenth of the work is
+    done, of work that takes more than some seconds."""
+
+    def __init__(self) -> None:
+        self._began, self._shown = time.monotonic(), 0
+        self._silent = sys.stderr is None or sys.stderr.isatty()
+
+    def __call__(self, share: float, words: Callable[[], str]) -> None:
+        """Tell that this share of the work is done: "coscrew: 30 %: " and the words."""
+        tenth = int(10 * share)
+        if self._silent or not self._shown < tenth < 10:
+            return
+        if time.monotonic() - self._began >= _QUIET:
+            self._shown = tenth
+            print(f"coscrew: {10 * tenth} %: {words()}", file=sys.stderr, flush=True)
 
 
 @contextmanager

@@ -22,7 +22,12 @@ def lacking(what: str, extra: str) -> str | None:
     missing = [name for name in EXTRAS[extra] if not _installed(name)]
     if not missing:
         return None
-    return f'{what} needs {", ".join(missing)}; run `pip install "coscrew[{extra}]"`'
+    return f'{what} needs {", ".join(missing)}; run `{pip(extra)}`'
+
+
+def pip(extra: str) -> str:
+    """The command that installs an extra."""
+    return f'pip install "coscrew[{extra}]"'
 
 
 def _installed(module: str) -> bool:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from coscrew_codegen.console import doing
 from coscrew_codegen.formats import CHOICES
+from coscrew_codegen.name_lists import Names
 from coscrew_codegen.native import cache
 from coscrew_codegen.simulate.command import add_implausible, add_verbose, scene_of, tell_unused
 
@@ -22,23 +23,24 @@ DEFAULT_OUTPUT = "generated"
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
     """Add `generate` to the command line."""
     parser = commands.add_parser("generate", help="write the kernels, or check them",
-                                 description="Write the kernels, or check that they are current.",
-                                 formatter_class=_Help)
+                                 description="Write the kernels, or check that they are current.")
     parser.add_argument("scene", metavar="SCENE", nargs="?", type=Path,
                         help="a scene file: write its dynamics instead of the library's kernels")
     parser.add_argument("-o", "--output", metavar="DIR",
                         help=f"folder to write to (default: {DEFAULT_OUTPUT}; scenes need one)")
     parser.add_argument("--check", action="store_true",
                         help="write nothing; print what is out of date as a diff and exit 1")
-    parser.add_argument("--family", metavar="NAME", nargs="+", action="extend",
+    parser.add_argument("--family", metavar="NAME", nargs="+", action=Names,
                         help="only these families: vec3, SE3, …, as the headers are called")
     parser.add_argument("--precision", metavar="NAME",
                         help="double, single or both (default)")
     parser.add_argument("--language", metavar="NAME",
-                        help="{languages} (default: all, and what takes several)")
-    parser.add_argument("--functions", metavar="NAME", nargs="+", action="extend",
-                        help="for a scene, only these functions; default and all select several")
-    parser.add_argument("--tier", metavar="NAME", nargs="+", action="extend",
+                        help="c, python, … (default: all, and what takes several); an unknown one "
+                             "is told which there are")
+    parser.add_argument("--functions", metavar="NAME", nargs="+", action=Names,
+                        help="for a scene, only these functions, also by patterns, as "
+                             "jacobian_*; default and all select several")
+    parser.add_argument("--tier", metavar="NAME", nargs="+", action=Names,
                         help="for a scene, these tiers besides plain: accurate, certified, mixed, "
                              "pairs")
     parser.add_argument("--many", action="store_true",
@@ -48,15 +50,6 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     add_implausible(parser)
     add_verbose(parser)
     parser.set_defaults(run=run)
-
-
-class _Help(argparse.HelpFormatter):
-    """Imports the targets for their languages only when help is shown, since that takes long."""
-
-    def _get_help_string(self, action: argparse.Action) -> str | None:
-        from coscrew_codegen.targets import languages
-
-        return action.help and action.help.replace("{languages}", " or ".join(languages()))
 
 
 def run(options: argparse.Namespace) -> int:
@@ -100,6 +93,7 @@ def _scene(options: argparse.Namespace) -> int:
     from coscrew_codegen.emit import refuse_others, stale_files
     from coscrew_codegen.layout import scene_files
     from coscrew_codegen.mechanics import derive
+    from coscrew_codegen.scene.selected import left_out
     from coscrew_codegen.scene_tiers import savings
     from coscrew_codegen.selection import SelectionError
     from coscrew_codegen.simulate.units import units
@@ -117,6 +111,8 @@ def _scene(options: argparse.Namespace) -> int:
                      tuple(options.tier or ()))
     if scene.precision == "single":
         scene = replace(scene, precisions=("single",))
+    if line := left_out(scene):
+        print(f"{options.scene.name}: {line}", file=sys.stderr)
     said = "".join(f" --{name} {word}" for name in ("precision", "implausible")
                    if (word := getattr(options, name)))
     said += f" --functions {' '.join(options.functions)}" if options.functions else ""

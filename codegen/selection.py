@@ -1,5 +1,6 @@
 """Which part of the library is generated: families, precisions, languages."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
 
@@ -54,11 +55,10 @@ class Selection:
 
 def select(families: list[str], precision: str, language: str | None) -> Selection:
     """The Selection of these names.  Raises SelectionError for an unknown one."""
-    for family in families:
-        _known("family", family, FAMILIES)
-    _known("precision", precision, CHOICES)
+    _known("family", families, FAMILIES)
+    _known("precision", [precision], CHOICES)
     if language is not None:
-        _known("language", language, LANGUAGES)
+        _known("language", [language], LANGUAGES)
     return Selection(
         tuple(f for f in FAMILIES if not families or f in families),
         tuple(p for p in PRECISIONS if precision in (p.name, "both")),
@@ -69,16 +69,18 @@ def select(families: list[str], precision: str, language: str | None) -> Selecti
 def operations_named(names: list[str]) -> tuple[Operation, ...]:
     """The operations of these names, in the table's order; all if there are no names.  Raises
     SelectionError for an unknown one."""
-    known = [operation.name for operation in OPERATIONS]
-    for name in names:
-        if name not in known:
-            near = get_close_matches(name, known, n=1, cutoff=0.0)
-            raise SelectionError(f"unknown operation {name!r}: did you mean {near[0]!r}?")
+    if unknown := _unknown("operation", names, [operation.name for operation in OPERATIONS]):
+        raise SelectionError(unknown)
     return tuple(op for op in OPERATIONS if not names or op.name in names)
 
 
-def _known(kind: str, name: str, names: tuple[str, ...]) -> None:
-    if name not in names:
-        near = get_close_matches(name, names, n=1, cutoff=0.0)
-        raise SelectionError(f"unknown {kind} {name!r}: did you mean {near[0]!r}?  "
-                             f"There are {', '.join(names)}.")
+def _known(kind: str, given: Sequence[str], names: tuple[str, ...]) -> None:
+    if unknown := _unknown(kind, given, names):
+        raise SelectionError(f"{unknown}  There are {', '.join(names)}.")
+
+
+def _unknown(kind: str, given: Sequence[str], names: Sequence[str]) -> str:
+    """"unknown family 'vec4x': did you mean 'vec4'?", for each name that is unknown."""
+    return "  ".join(f"unknown {kind} {name!r}: did you mean "
+                     f"{get_close_matches(name, names, n=1, cutoff=0.0)[0]!r}?"
+                     for name in given if name not in names)

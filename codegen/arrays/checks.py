@@ -6,6 +6,7 @@ from math import inf
 from typing import Any
 
 from coscrew_codegen.arrays.standard import Library, Shape
+from coscrew_codegen.bound_arguments import bound
 from coscrew_codegen.formats import Precision, named
 
 
@@ -25,15 +26,7 @@ class Signature:
 
     def bound(self, given: Sequence[Any], by_name: Mapping[str, Any]) -> list[Any]:
         """The arguments in order.  Raises TypeError for missing and unknown ones."""
-        names = [name for name, _ in self.inputs]
-        found = dict(zip(names, given, strict=False))
-        twice, unknown = found.keys() & by_name.keys(), by_name.keys() - set(names)
-        if len(given) > len(names) or twice or unknown or len(found) + len(by_name) < len(names):
-            more = f" and {len(given) - len(names)} more" if len(given) > len(names) else ""
-            raise TypeError(f"{self.name}: wanted the arguments {', '.join(names)}; got "
-                            f"{', '.join([*found, *by_name]) or 'none'}{more}")
-        found.update(by_name)
-        return [found[name] for name in names]
+        return list(bound(self.name, self.inputs, given, by_name).values())
 
 
 def checked(signature: Signature, library: Library, given: Sequence[Any]

@@ -8,6 +8,7 @@ from coscrew_codegen.cost.leaving_out import SHOWN, Part, whole
 from coscrew_codegen.cost.measured import Counts
 from coscrew_codegen.formats import BY_NAME
 from coscrew_codegen.integrators import EMITTED
+from coscrew_codegen.scene.patterns import is_pattern
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.selected import (
     ALL,
@@ -63,7 +64,7 @@ def refuse_absent(asked: Asked, part: Part) -> None:
     """Raise CostError for a function that was asked for by its name, and that only scenes of
     another kind have."""
     for name in asked.functions:
-        if name not in (DEFAULT, ALL, *(f.name for f in part.public)):
+        if not is_pattern(name) and name not in (DEFAULT, ALL, *(f.name for f in part.public)):
             raise CostError(f"{part.functions.name}: there is no {name}: only scenes with a "
                             "floating base or with limits have it")
 

@@ -4,6 +4,7 @@ import argparse
 from dataclasses import replace
 from pathlib import Path
 
+from coscrew_codegen.name_lists import Names
 from coscrew_codegen.simulate.command import add_scene, scene_of, tell_unused
 
 _LEAST, _MOST = 4, 10_000  # states
@@ -17,9 +18,9 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         "precision and recommend one; operations and times with and without each effect; errors "
         "and times of runs.")
     add_scene(parser)
-    parser.add_argument("--function", metavar="NAME", action="append", default=[],
+    parser.add_argument("--function", "--functions", metavar="NAME", action=Names, default=[],
                         dest="functions", help="measure only what the accuracy of this function "
-                        "costs; may be repeated; \"all\" stands for all functions")
+                        "costs; several with commas, or repeated; \"all\" stands for all functions")
     parser.add_argument("--states", metavar="N", type=_states, default=64,
                         help="compare with 50 digits at about N states: a quarter of the run, half "
                         "between the limits, a quarter that a search finds, of these at least one "

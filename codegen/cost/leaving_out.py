@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 
 from coscrew_codegen.integrators import EMITTED
 from coscrew_codegen.mechanics.functions import derive
+from coscrew_codegen.scene.possible import why_singular
 from coscrew_codegen.scene.scene import Applied, Scene
 from coscrew_codegen.scene.selected import FREE, selected_functions, together
 from coscrew_codegen.scene_functions import Function, SceneFunctions
@@ -40,7 +41,8 @@ def parts(scene: Scene, asked: Sequence[str] = ()) -> tuple[Part, ...]:
 
 
 def _fewer(scene: Scene) -> list[tuple[str, tuple[Applied, ...]]]:
-    """Without each effect, and without any: words, and the effects that stay."""
+    """Without each effect, and without any: words, and the effects that stay.  An effect without
+    which the mass matrix is singular (an armature) always stays."""
     names = tuple(dict.fromkeys(x.effect.name for x in scene.effects if _optional(x)))
     chosen = []
     if len(names) > 1:
@@ -48,7 +50,8 @@ def _fewer(scene: Scene) -> list[tuple[str, tuple[Applied, ...]]]:
                    for name in names]
     if names:
         chosen.append(("bare", tuple(x for x in scene.effects if not _optional(x))))
-    return chosen
+    return [(words, effects) for words, effects in chosen
+            if not why_singular(replace(scene, effects=effects))]
 
 
 def leaving_out(scene: Scene, functions: Sequence[str]) -> Iterator[tuple[str, SceneFunctions]]:

@@ -1,17 +1,15 @@
-"""`coscrew schema`: the JSON Schema of scene files, for editors, from the tables the reader uses.
+"""The JSON Schema of scene files, for editors, from the tables the reader uses.
 
 The schema accepts whatever the reader accepts.  It refuses unknown keys, wrong types and unknown
 words; whatever depends on the model or on other keys is left to the reader.
 """
 
-import argparse
 import json
 
 from coscrew_codegen.effects import EFFECTS
 from coscrew_codegen.render import LICENSE
 from coscrew_codegen.scene.effect import Effect, ParameterOf, Place
 from coscrew_codegen.scene_files.keys import SCENE, Key, TableOf
-from coscrew_codegen.selection import Selection
 
 Schema = dict[str, object]
 
@@ -20,20 +18,6 @@ _TEXTS: Schema = {"$ref": "#/definitions/texts"}
 _VECTOR: Schema = {"$ref": "#/definitions/vector"}
 _POSITIVE: Schema = {"$ref": "#/definitions/positive"}
 _NONNEGATIVE: Schema = {"$ref": "#/definitions/nonnegative"}
-
-
-def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
-    """Add `schema` to the command line."""
-    parser = commands.add_parser(
-        "schema", help="print the JSON Schema of scene files",
-        description="Print the JSON Schema of scene files, by which editors complete and check.")
-    parser.set_defaults(run=run)
-
-
-def run(_: argparse.Namespace) -> int:
-    """Print the schema."""
-    print(schema_text(Selection().banner), end="")
-    return 0
 
 
 def schema_text(banner: str) -> str:
@@ -141,7 +125,7 @@ def _parameter(parameter: ParameterOf) -> Schema:
     kinds: dict[str, Schema] = {
         "number": number, "vector": _array(3, number), "formula": number,
         "formulas": _VECTOR, "body": {"type": "string"},
-        "choice": {"enum": list(parameter.choices)}}
+        "choice": {"enum": list(parameter.choices)}, "flag": {"type": "boolean"}}
     if parameter.kind not in kinds:
         raise ValueError(f"parameter {parameter.name!r}: kind {parameter.kind!r} has no schema; "
                          f"wanted one of {', '.join(kinds)}, or an entry for it here")

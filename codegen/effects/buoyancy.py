@@ -21,4 +21,4 @@ EFFECT = Effect(
      ParameterOf("V", "m^3", "volume of the body", nonnegative=True),
      ParameterOf("centre", "m", "centre of the volume, in the body's frame", "vector",
                  (Fraction(0),) * 3)),
-    body_force=_force)
+    body_force=_force, stores_energy=True)

@@ -26,4 +26,4 @@ EFFECT = Effect(
     (ParameterOf("mu", "m^3/s^2", "gravitational parameter G M of the sphere", nonnegative=True),
      ParameterOf("centre", "m", "centre of the sphere, in the world's frame", "vector",
                  (Fraction(0),) * 3)),
-    body_force=_force, massive=True)
+    body_force=_force, stores_energy=True, massive=True)

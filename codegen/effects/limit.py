@@ -50,4 +50,5 @@ EFFECT = Effect(
      ParameterOf("k", "N m/rad^1.5 or N/m^1.5", "stiffness", nonnegative=True),
      ParameterOf("alpha", "s/rad or s/m", "damping: a bounce at the speed v keeps about "
                  "1/(1 + alpha v) of it", default=0, nonnegative=True)),
-    any_of=("lower", "upper"), ascending=("lower", "upper"), joint_torque=_torque)
+    any_of=("lower", "upper"), ascending=("lower", "upper"), joint_torque=_torque,
+    stores_energy=True)

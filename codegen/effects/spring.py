@@ -13,4 +13,4 @@ EFFECT = Effect(
     "spring", "elastic torque towards q0", "tau = -k (q - q0)", Place.JOINT,
     (ParameterOf("k", "N m/rad or N/m", "stiffness", nonnegative=True),
      ParameterOf("q0", "rad or m", "position of rest", default=0)),
-    joint_torque=_torque)
+    joint_torque=_torque, stores_energy=True)

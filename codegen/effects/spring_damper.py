@@ -27,4 +27,4 @@ EFFECT = Effect(
      ParameterOf("k", "N/m", "stiffness", required=False, nonnegative=True),
      ParameterOf("d", "N s/m", "damping", required=False, nonnegative=True),
      ParameterOf("length", "m", "length of the spring at rest", default=0, nonnegative=True)),
-    any_of=("k", "d"), pair_force=_force)
+    any_of=("k", "d"), pair_force=_force, stores_energy=True)

@@ -1,12 +1,13 @@
 """The effects of a scene on a motion: torques at joints, forces on links, energies, powers."""
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import partial
+from functools import cached_property, partial
 from operator import mul
 
 from coscrew_codegen.identifiers import identifiers
+from coscrew_codegen.mechanics.inverse import holding_torques
 from coscrew_codegen.mechanics.motion import Motion
 from coscrew_codegen.mechanics.potentials import body_force
 from coscrew_codegen.mechanics.settings import settings
@@ -127,7 +128,7 @@ class Acting:
         if effect.joint_torque:
             link = self.motion.tree.links.index(self.motion.tree.link_of(applied.on))
             at = CoordinateState(self.motion.coordinates(link)[0], self.motion.speeds(link)[0],
-                            self.t + self.delays.get(link, 0))
+                                 self.t + self.delays.get(link, 0), self._holding(link, applied))
             self.torques.setdefault(link, []).append(
                 Along(effect.joint_torque, at, applied.values, self.recorder.current))
         if effect.body_force:
@@ -138,6 +139,17 @@ class Acting:
             for state, force in zip(pair.states, pair.forces, strict=True):
                 self._add(state, force)
             self.pairs.append(pair)
+
+    def _holding(self, link: int, applied: Applied) -> Number | None:
+        """What holds a joint against gravity, if the effect compensates it."""
+        flag = applied.effect.compensates
+        if not flag or applied.values[flag] is None:
+            return None
+        return self._holding_torques[self.motion.tree.links[link].v.start]
+
+    @cached_property
+    def _holding_torques(self) -> list[Number]:
+        return holding_torques(self.motion)
 
     def _body(self, name: str) -> BodyOfLink:
         (link, placed), numbers = self.motion.tree.link_and_body(name), self.recorder.numbers
@@ -216,6 +228,11 @@ def _own_power(x: Torque | Force, whole: Callable[[], Number]) -> Number | int:
     if x.power is not None:
         return x.power
     return whole() if x.energy is None else 0
+
+
+def alone(scene: Scene, applied: Applied) -> Scene:
+    """The scene with this one of its effects."""
+    return replace(scene, effects=(applied,))
 
 
 def gravity(scene: Scene, recorder: Recorder) -> Vector | None:

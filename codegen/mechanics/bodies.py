@@ -5,8 +5,9 @@ from dataclasses import dataclass
 
 from coscrew_codegen.recording.numbers import Number, Vector, add, displacement
 from coscrew_codegen.recording.recorder import Recorder
+from coscrew_codegen.scene.lumped import lumped_inertia
 from coscrew_codegen.scene.model import Inertia
-from coscrew_codegen.scene.tree import PlacedBody
+from coscrew_codegen.scene.tree import PlacedBody, Tree
 
 
 @dataclass(frozen=True)
@@ -28,6 +29,17 @@ class Rigid:
         return all(x.is_zero for x in self.numbers)
 
 
+def rigids(recorder: Recorder, names: Sequence[str], tree: Tree) -> list[Rigid]:
+    """The inertia of each link; `names` are the links' prefixes in the names of values."""
+    found = []
+    for name, link in zip(names, tree.links, strict=True):
+        with recorder.part(name, "B", link.heading):
+            own, label = lumped(recorder, link.bodies), recorder.label
+            found.append(rigid_of((*label("Bm", own.m), *label("Bh", own.h),
+                                   *label("BI", own.I))))
+    return found
+
+
 def symmetric(six: Sequence[Number]) -> tuple[Number, ...]:
     """The nine entries, row by row, of the symmetric matrix with these six numbers."""
     xx, yy, zz, xy, xz, yz = six
@@ -35,12 +47,14 @@ def symmetric(six: Sequence[Number]) -> tuple[Number, ...]:
 
 
 def lumped(recorder: Recorder, bodies: Sequence[PlacedBody]) -> Rigid:
-    """The inertia of all the bodies as one, in their link's frame."""
-    zero = recorder.number(0)
-    total: Sequence[Number] = (zero,) * 10
-    for placed in bodies:
-        if placed.body.inertia:
-            total = add(total, _inertia_in_link(recorder, placed, placed.body.inertia))
+    """The inertia of all the bodies as one, in their link's frame: constants, unless some have
+    parameters."""
+    changing = [(placed, placed.body.inertia) for placed in bodies
+                if placed.body.inertia and placed.body.inertia.changes]
+    constant = lumped_inertia([x for x in bodies if x.body.inertia and not x.body.inertia.changes])
+    total: Sequence[Number] = recorder.numbers(constant.numbers)
+    for placed, inertia in changing:
+        total = add(total, _inertia_in_link(recorder, placed, inertia))
     return rigid_of(total)
 
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from coscrew_codegen.recording.numbers import Number, add, cross, rotated, scaled
+from coscrew_codegen.recording.numbers import Number, add, cross, rotated, scaled, sqrt
 from coscrew_codegen.recording.recorder import Recorder
 from coscrew_codegen.scene.model import Kind
 from coscrew_codegen.scene.tree import Tree
@@ -40,10 +40,11 @@ def integrated(recorder: Recorder, tree: Tree, names: Sequence[str], q: Sequence
 
 
 def _turned(recorder: Recorder, q: Sequence[Number], step: Sequence[Number]) -> tuple[Number, ...]:
-    """q exp(step/2), with a Newton step towards norm 1, so that rounding errors don't add up."""
+    """q exp(step/2) / |q exp(step/2)|: of norm 1 to rounding for any q whose square neither over-
+    nor underflows, so that neither rounding errors add up nor does a wrong norm stay."""
     turned = recorder.call("quaternion_product_qq", q, recorder.call("quaternion_exp", step))
     (square,) = recorder.call("dot_qq", turned, turned)
-    return scaled((3 - square) / 2, turned)
+    return scaled(1 / sqrt(square), turned)
 
 
 def chart_rate(recorder: Recorder, tree: Tree, names: Sequence[str]) -> list[Number]:

@@ -81,8 +81,9 @@ class Derivation:
             where = recorder.heading or self.scene.model.name
             raise ModelError(f"{self.scene.name}: {where}", "its numbers make a division by zero "
                              f"in {name}, whatever q is: the mass matrix is singular; wanted "
-                             "masses or armatures that resist every joint, and no joint that "
-                             "mimics another with multiplier 0") from None
+                             "masses or armatures that resist every joint, no joint that mimics "
+                             "another with multiplier 0, or functions that do not divide by it, as "
+                             '["inverse_dynamics"]') from None
         program = recorder.program(name, list(zip(outputs, results, strict=True)))
         if fine or not recorder.differs:
             return program

@@ -1,6 +1,6 @@
 """Floating trees: their first joint is free, and no external force acts on them except uniform
 gravity.  Their momentum is known at all times: p(t) = p + m g t, and the angular momentum about the
-centre of mass is constant."""
+centre of mass is constant.  So is the path of the centre of mass: x(t) = x + p t/m + g t²/2."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -23,6 +23,7 @@ from coscrew_codegen.recording.numbers import (
     rotation,
     scaled,
     subtract,
+    translation,
 )
 from coscrew_codegen.recording.recorder import Recorder, array
 from coscrew_codegen.scene.model import Kind
@@ -91,33 +92,46 @@ def _wholes(x: Recording, motion: Motion, roots: Sequence[int]) -> list[_Whole]:
 
 
 def momentum(x: Recording, roots: Sequence[int]) -> list[Number]:
-    """(p; L) of each floating tree, by its first link (see `floating`), in the world's axes, with L
-    about its centre of mass."""
+    """(p; L; x) of each floating tree, by its first link (see `floating`), in the world's axes:
+    momentum, angular momentum about the centre of mass, and the centre of mass."""
     motion = x.motion(accelerating=False)
     found: list[Number] = []
     for root, whole in zip(roots, _wholes(x, motion, roots), strict=True):
         with motion.part(root, "p"):
             R = rotation(motion.pose(root))
-            found += [*rotated(R, whole.p), *rotated(R, whole.L)]
+            found += [*rotated(R, whole.p), *rotated(R, whole.L), *_centre(motion, root, whole)]
     return found
 
 
-def corrected(x: Recording, roots: Sequence[int]) -> list[Number]:
-    """v with the base velocities corrected to the momentum (p + m g t; L), from the input
-    c = (p; L)."""
+def corrected(x: Recording, roots: Sequence[int]) -> tuple[list[Number], list[Number]]:
+    """q and v with each floating base moved so that its tree has the centre of mass
+    x + p t/m + g t²/2 and the momentum (p + m g t; L), from the input c = (p; L; x)."""
     motion = x.motion(accelerating=False)
     (t,), c, v = x.recorder.argument("t"), x.recorder.argument("c"), list(motion.v)
+    q = list(x.recorder.argument("q"))
     for n, (root, whole) in enumerate(zip(roots, _wholes(x, motion, roots), strict=True)):
+        link, (p, L, start) = x.tree.links[root], (
+            tuple(c[9 * n + k:9 * n + k + 3]) for k in (0, 3, 6))
         with motion.part(root, "v"):
             R, m = rotation(motion.pose(root)), whole.rigid.m
-            p = add(c[6 * n:6 * n + 3], scaled(m * t, motion.gravity))
-            faster = scaled(1 / m, subtract(rotated_back(R, p), whole.p))
-            w = _about_com(whole).solve(
-                subtract(rotated_back(R, tuple(c[6 * n + 3:6 * n + 6])), whole.L))
+            now = add(p, scaled(m * t, motion.gravity))
+            faster = scaled(1 / m, subtract(rotated_back(R, now), whole.p))
+            w = _about_com(whole).solve(subtract(rotated_back(R, L), whole.L))
             change = (*subtract(faster, cross(tuple(w), whole.com)), *w)
-            places = x.tree.links[root].v
-            v[places.start:places.stop] = add(v[places.start:places.stop], change)
-    return v
+            v[link.v.start:link.v.stop] = add(v[link.v.start:link.v.stop], change)
+        with motion.part(root, "q"):
+            path = add(scaled(t / m, p), scaled(t * t / 2, motion.gravity))
+            off = subtract(add(start, path), _centre(motion, root, whole))
+            places = slice(link.q.start, link.q.start + 3)
+            own = rotated_back(x.recorder.numbers(link.placement.R), off)
+            q[places] = add(q[places], own)
+    return q, v
+
+
+def _centre(motion: Motion, root: int, whole: _Whole) -> Vector:
+    """The centre of mass of a floating tree, in the world."""
+    D = motion.pose(root)
+    return add(translation(D), rotated(rotation(D), whole.com))
 
 
 def _about_com(whole: _Whole) -> Factors:

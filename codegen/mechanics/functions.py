@@ -10,6 +10,7 @@ from coscrew_codegen.mechanics.accuracy import asked
 from coscrew_codegen.mechanics.derivation import Makers
 from coscrew_codegen.mechanics.functions_of_bodies import BodyFunctions
 from coscrew_codegen.mechanics.functions_of_dynamics import DynamicsFunctions
+from coscrew_codegen.mechanics.functions_of_effects import EffectFunctions
 from coscrew_codegen.mechanics.functions_of_steps import StepFunctions
 from coscrew_codegen.mechanics.ranges import refuse_numbers
 from coscrew_codegen.mechanics.rounding import statement
@@ -20,6 +21,7 @@ from coscrew_codegen.scene.selected import (
     FREE,
     FunctionsError,
     refuse_many,
+    refuse_singular,
     selected_functions,
     together,
 )
@@ -32,16 +34,17 @@ def derive(scene: Scene, functions: Collection[str] = (),
     """The functions that a scene selects, or those with these names that it has, and the internal
     functions that their steps call.  `tell` is called with each name before it is derived.
 
-    Raises RangeError for numbers that one of its precisions cannot represent, ModelError for a
-    model whose mass matrix is singular at every q, FunctionsError for functions that it cannot
-    have, and for too many joints."""
+    Raises RangeError for numbers that one of its precisions cannot represent, ModelError if a
+    function divides by zero whatever q is, FunctionsError for functions that it cannot have, and
+    for too many joints."""
     refuse_many(scene)
     refuse_numbers(scene)
+    refuse_singular(scene, functions)
     with uncollected():
         return _Derivation(scene, tell).functions(functions)
 
 
-class _Derivation(DynamicsFunctions, BodyFunctions, StepFunctions):
+class _Derivation(DynamicsFunctions, BodyFunctions, EffectFunctions, StepFunctions):
     """All of them."""
 
     def functions(self, names: Collection[str]) -> SceneFunctions:
@@ -68,7 +71,8 @@ class _Derivation(DynamicsFunctions, BodyFunctions, StepFunctions):
                        accuracy=asked(made.program, self.scene, self.tree) if public else None)
 
     def _makers(self) -> Makers:
-        return {**self._of_dynamics(), **self._of_bodies(), **self._of_steps()}
+        return {**self._of_dynamics(), **self._of_bodies(), **self._of_effects(),
+                **self._of_steps()}
 
     def _refuse_absent(self, found: set[str]) -> None:
         """Raise FunctionsError for a selected function that only scenes of another kind have."""

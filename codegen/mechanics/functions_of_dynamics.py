@@ -6,6 +6,7 @@ from coscrew_codegen.mechanics.derivation import Derivation, Makers
 from coscrew_codegen.mechanics.recorded import Recording, Results
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.recording.recorder import array
+from coscrew_codegen.scene.possible import why_singular
 from coscrew_codegen.scene_functions import Function
 
 
@@ -64,9 +65,9 @@ class DynamicsFunctions(Derivation):
             M = composite.mass_matrix(x.motion(False, False, False), x.rigids, x.inertias)
             return [[entry for row in M for entry in row]]
 
-        nv = self.tree.nv
-        return self._function("mass_matrix", "M(q), row by row; symmetric, positive definite", "q",
-                              [array("M", (nv, nv), "masses in kg, kg m, kg m^2")], compute)
+        nv, definite = self.tree.nv, "semidefinite" if why_singular(self.scene) else "definite"
+        return self._function("mass_matrix", f"M(q), row by row; symmetric, positive {definite}",
+                              "q", [array("M", (nv, nv), "masses in kg, kg m, kg m^2")], compute)
 
     def _energy(self) -> Function:
         def compute(x: Recording) -> Results:

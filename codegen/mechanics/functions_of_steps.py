@@ -72,15 +72,16 @@ class StepFunctions(Derivation):
 
     @cached_property
     def _momenta(self) -> Argument:
-        return array("c", (len(self._floating), 6), "in kg m/s, kg m^2/s")
+        return array("c", (len(self._floating), 9), "in kg m/s, kg m^2/s, m")
 
     def _free_momentum(self) -> Function | None:
         if not self._floating:
             return None
         free = ", ".join(self.tree.links[n].name for n in self._floating)
         return self._function(
-            "free_momentum", f"c = (p; L) of each floating tree ({free}, and all bodies on it): "
-            "linear momentum, and angular momentum about its centre of mass, in the world's axes",
+            "free_momentum", f"c = (p; L; x) of each floating tree ({free}, and all bodies on it): "
+            "linear momentum, angular momentum about its centre of mass, and the centre of mass, "
+            "in the world's axes",
             "q v", [self._momenta], lambda x: [floating.momentum(x, self._floating)])
 
     def _with_free_momentum(self) -> Function | None:
@@ -88,11 +89,12 @@ class StepFunctions(Derivation):
             return None
         self.inputs["c"] = self._momenta
         return self._function(
-            "with_free_momentum", "v, with the velocity of each floating base corrected so that "
-            "the momentum of its tree is (p + m g t; L), c = (p; L) after t seconds of gravity: "
-            "after each step it removes the errors of integration and rounding", "t q v c",
-            [self.inputs["v"]],
-            lambda x: [floating.corrected(x, self._floating)])
+            "with_free_momentum", "q and v, with the position and the velocity of each floating "
+            "base corrected so that its tree's centre of mass is x + p t/m + g t^2/2 and its "
+            "momentum (p + m g t; L), c = (p; L; x) after t seconds of gravity: after each step it "
+            "removes the errors of integration and rounding", "t q v c",
+            [self.inputs["q"], self.inputs["v"]],
+            lambda x: list(floating.corrected(x, self._floating)))
 
     @cached_property
     def _closes(self) -> Function:

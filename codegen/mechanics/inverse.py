@@ -5,20 +5,24 @@ component of its wrench along its axis.
 """
 
 from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
 
-from coscrew_codegen.mechanics.acting import Acting
-from coscrew_codegen.mechanics.bodies import Rigid
+from coscrew_codegen.mechanics.bodies import Rigid, rigids
 from coscrew_codegen.mechanics.motion import Motion
 from coscrew_codegen.recording.numbers import Number, add, angular, dot, linear, subtract
 from coscrew_codegen.scene.model import Kind
 
+if TYPE_CHECKING:
+    from coscrew_codegen.mechanics.acting import Acting
+
 Wrench = tuple[Number, ...]  # force; moment about the link's origin, in the link's frame
 
 
-def net_wrenches(motion: Motion, rigids: Sequence[Rigid], acting: Acting | None) -> list[Wrench]:
+def net_wrenches(motion: Motion, bodies: Sequence[Rigid], acting: "Acting | None"
+                 ) -> list[Wrench]:
     """The net wrench of each link's motion, less the forces of effects."""
     wrenches: list[Wrench] = []
-    for number, rigid in enumerate(rigids):
+    for number, rigid in enumerate(bodies):
         if not rigid.vanishes:
             motion.acceleration_tensor(number)  # first, so that its instructions have its name
         with motion.part(number, "f"):
@@ -73,7 +77,7 @@ def along(motion: Motion, number: int, wrench: Wrench) -> tuple[Number, ...]:
     return (dot(motion.axis(link), part),)
 
 
-def joint_torques(motion: Motion, wrenches: Sequence[Wrench], acting: Acting | None,
+def joint_torques(motion: Motion, wrenches: Sequence[Wrench], acting: "Acting | None",
                   inertias: Mapping[str, Number]) -> list[Number]:
     """A torque per velocity: the wrench along the freedom, plus that of the joint's own inertia,
     less those of effects; torques of followers are added to those of their leaders."""
@@ -87,6 +91,13 @@ def joint_torques(motion: Motion, wrenches: Sequence[Wrench], acting: Acting | N
                 parts[0] = parts[0] - acting.torque(number)
             gather(motion, number, parts, torques)
     return torques
+
+
+def holding_torques(motion: Motion) -> list[Number]:
+    """The torques that hold the model still against gravity at the motion's q."""
+    still = motion.at_rest()
+    wrenches = net_wrenches(still, rigids(motion.recorder, motion.names, motion.tree), None)
+    return joint_torques(still, transmitted(still, wrenches), None, {})
 
 
 def gather(motion: Motion, number: int, parts: Sequence[Number], total: list[Number]) -> None:

@@ -75,6 +75,11 @@ class Motion:
         self._a = recorder.argument("a") if accelerating and recorder.has("a") else still
         self.still = not (moving and recorder.has("v"))
 
+    def at_rest(self) -> "Motion":
+        """The links at the same q, without velocities and accelerations."""
+        return Motion(self.recorder, self.tree, self.names, self.gravity, moving=False,
+                      accelerating=False, at=(self._q, (self.zero[0],) * self.tree.nv))
+
     def part(self, link: int, symbol: str) -> AbstractContextManager[None]:
         """Name the instructions of this block after this value of the link."""
         if link < 0:

@@ -6,7 +6,7 @@ from functools import cached_property
 
 from coscrew_codegen.mechanics import inverse
 from coscrew_codegen.mechanics.acting import Acting, gravity, joint_inertias
-from coscrew_codegen.mechanics.bodies import Rigid, lumped, rigid_of
+from coscrew_codegen.mechanics.bodies import Rigid, rigids
 from coscrew_codegen.mechanics.motion import Motion
 from coscrew_codegen.recording.numbers import Number
 from coscrew_codegen.recording.recorder import Recorder
@@ -35,13 +35,7 @@ class Recording:
     @cached_property
     def rigids(self) -> list[Rigid]:
         """The inertia of each link."""
-        found = []
-        for name, link in zip(self.names, self.tree.links, strict=True):
-            with self.recorder.part(name, "B", link.heading):
-                own, label = lumped(self.recorder, link.bodies), self.recorder.label
-                found.append(rigid_of((*label("Bm", own.m), *label("Bh", own.h),
-                                       *label("BI", own.I))))
-        return found
+        return rigids(self.recorder, self.names, self.tree)
 
     @cached_property
     def inertias(self) -> dict[str, Number]:

@@ -25,9 +25,9 @@ from coscrew_codegen.program import Program, differentiate
 from coscrew_codegen.program.differentiate import Dual
 from coscrew_codegen.recording import numbers
 from coscrew_codegen.recording.naming import Part
-from coscrew_codegen.recording.numbers import Number, absolute, maximum, minimum
+from coscrew_codegen.recording.numbers import Number, absolute, less, maximum, minimum, where
 from coscrew_codegen.recording.recorder import Recorder, array
-from coscrew_codegen.scene.effect import CoordinateState, Torque, Values
+from coscrew_codegen.scene.effect import CoordinateState, Torque, Values, required
 from coscrew_codegen.scene.scene import Setting
 
 Law = Callable[[CoordinateState, Values], Torque]
@@ -70,6 +70,13 @@ class Along:
             torque.recorder.label("tau", torque)
             return replace(found, torque=torque)
 
+    @property
+    def saturated(self) -> Number:
+        """1 where the limit takes some of the torque, else 0; of a torque that has a limit."""
+        limit = required(self._stated.limit)
+        with self.at.q.recorder.resumed(self.part):
+            return where(less(limit, absolute(required(self._stated.torque))), 1, 0)
+
     @cached_property
     def slopes(self) -> Slopes:
         """The damping and stiffness of the torque."""
@@ -86,20 +93,23 @@ class Along:
 
     @cached_property
     def _own(self) -> "_Law":
-        return _recorded(self.law, self.values, self.at.q.recorder)
+        return _recorded(self.law, self.values, self.at)
 
     def _replayed(self, value: Number) -> Number:
         """A value of the separately recorded law, at this coordinate."""
         recorder, at = self.at.q.recorder, self.at
         p = [recorder.argument("p")] if recorder.has("p") else []
-        return recorder.replay(self._own.program(value), at.q, at.v, at.t, *p)[0]
+        held = [] if at.holding is None else [at.holding]
+        return recorder.replay(self._own.program(value), at.q, at.v, at.t, *held, *p)[0]
 
 
-def _recorded(law: Law, values: Mapping[str, Setting], outer: Recorder) -> "_Law":
-    """The law as a function of q, v, t and the run-time parameters of the outer recording."""
-    recorder = Recorder([array("q", ()), array("v", ()), array("t", ()), *(
-        a for a in outer.inputs if a.name == "p")])
-    at = CoordinateState(*(recorder.argument(name)[0] for name in "qvt"))
+def _recorded(law: Law, values: Mapping[str, Setting], outer: CoordinateState) -> "_Law":
+    """The law as a function of q, v, t, what holds the joint, and the run-time parameters of the
+    outer recording.  What holds the joint is explicit: it has no slope."""
+    names = ("q", "v", "t") if outer.holding is None else ("q", "v", "t", "holding")
+    recorder = Recorder([*(array(name, ()) for name in names), *(
+        a for a in outer.q.recorder.inputs if a.name == "p")])
+    at = CoordinateState(*(recorder.argument(name)[0] for name in names))
     return _Law(at, law(at, settings(recorder, values, at.t)))
 
 

@@ -187,7 +187,7 @@ class _Writer:
         after: list[Call] = []
         if scheme.keeps_momentum and self.scene.has(MOMENTUM):
             before.append(self._made(MOMENTUM, "c"))
-            after.append(self._made(CORRECTED, "v", t="h"))
+            after.append(self._made(CORRECTED, "q", "v", t="h"))
         if not (scheme.splits and self.scene.has(CLOSING)):
             self._stages(scheme)
             return [*before, *self.calls, *after]

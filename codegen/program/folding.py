@@ -20,6 +20,11 @@ DIGITS = 60
 
 _ZERO, _ONE = Constant(Fraction(0), Fraction(0)), Constant(Fraction(1), Fraction(1))
 _LONGEST = 1 << 1200
+_CANCELLED = 120
+"""Bits of a sum of constants that cancel when only the rounding of its terms keeps it from zero.
+They have 50 digits: an entry of a product of rotations would be 6e-63, beyond single precision's
+range.  Pairs of doubles carry 106 bits.
+"""
 
 
 @dataclass(frozen=True)
@@ -228,7 +233,15 @@ def _is_power_of_two(x: Constant) -> bool:
 def _evaluated(op: Op, values: tuple[Fraction, ...]) -> Fraction:
     if op in _APPROXIMATED:
         return _approximated(op, values)
-    return _shortened(Fraction(_EXACTLY[op](*values)))
+    exact = Fraction(_EXACTLY[op](*values))
+    if op in (Op.ADD, Op.SUB) and exact and _size(exact) < max(map(_size, values)) - _CANCELLED:
+        return Fraction(0)
+    return _shortened(exact)
+
+
+def _size(x: Fraction) -> int:
+    """The exponent e with 2^(e-1) < |x| < 2^(e+1); of zero, one that is below all others."""
+    return x.numerator.bit_length() - x.denominator.bit_length() if x else -_LONGEST
 
 
 @cache

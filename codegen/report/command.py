@@ -7,11 +7,13 @@ import math
 import tempfile
 from dataclasses import replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from coscrew_codegen.emit import EmitError, write
+from coscrew_codegen.name_lists import Names
 from coscrew_codegen.report import ReportError
-from coscrew_codegen.report.schema import Report
-from coscrew_codegen.selection import operations_named
+
+if TYPE_CHECKING:
+    from coscrew_codegen.report.schema import Report
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -19,8 +21,8 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser = commands.add_parser(
         "report", help="measure errors and times on this machine",
         description="Measure every kernel's errors, against exact results, and times.")
-    parser.add_argument("--op", metavar="NAME", action="append", default=[],
-                        help="only this operation; may be repeated")
+    parser.add_argument("--op", metavar="NAME", action=Names, default=[],
+                        help="only these operations; several with commas, or repeated")
     parser.add_argument("--minutes", type=float, default=2.0, metavar="M",
                         help="about how long to measure (default: 2)")
     parser.add_argument("--seed", type=int, default=1, metavar="N",
@@ -34,7 +36,9 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 
 def run(options: argparse.Namespace) -> int:
     """Measure and write the report; returns the exit status."""
+    from coscrew_codegen.emit import write
     from coscrew_codegen.report import inputs, measure, page, ranking, summary
+    from coscrew_codegen.selection import operations_named
 
     if not (math.isfinite(options.minutes) and options.minutes > 0):
         raise ReportError(f"--minutes: wanted a positive number; got {options.minutes}")
@@ -59,7 +63,9 @@ def run(options: argparse.Namespace) -> int:
     return 0
 
 
-def _earlier(name: str) -> Report:
+def _earlier(name: str) -> "Report":
+    from coscrew_codegen.report.schema import Report
+
     try:
         return Report.from_json(Path(name).read_text(encoding="utf-8"))
     except OSError as error:
@@ -76,6 +82,8 @@ def _folder(name: str) -> Path:
 
 def _writable(folder: Path) -> None:
     """Raise EmitError if the report cannot be written; called before measuring."""
+    from coscrew_codegen.emit import EmitError
+
     try:
         folder.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryFile(dir=folder):

@@ -42,6 +42,10 @@ class Values:
         """A choice."""
         return self._of(str, name)
 
+    def flag(self, name: str) -> bool:
+        """Whether a flag is set."""
+        return self.given[name] is not None
+
     def _of(self, kind: type[K], name: str) -> K:
         value = self.given.get(name)
         if not isinstance(value, kind):
@@ -66,7 +70,7 @@ class ParameterOf:
     unit: str
     words: str
     kind: str = "number"  # number, vector (three numbers), formula (number or function of t),
-    # formulas (three of them), choice, body
+    # formulas (three of them), choice, body, flag (true or false)
     default: Fraction | int | str | tuple[Fraction, ...] | None = None  # None: there is none
     required: bool = True  # without default; if not, the value may stay None, also where the model
     # has no such number
@@ -74,6 +78,7 @@ class ParameterOf:
     choices: tuple[str, ...] = ()
     of: tuple[str, ...] = ()  # choices of the effect's `kind` it belongs to; with others it may not
     # be given, and its value is None; (): to all
+    optional_of: tuple[str, ...] = ()  # those of these choices with which it may be left out
     positive: bool = False  # refused if zero or below
     nonnegative: bool = False
 
@@ -88,11 +93,13 @@ class ParameterOf:
 class CoordinateState:
     """What a torque or force acts along: a joint's coordinate, or the distance between two points.
 
-    Its value q in rad or m, its rate v = q', the time t in s."""
+    Its value q in rad or m, its rate v = q', the time t in s; for effects that compensate gravity
+    also what holds the joint against it."""
 
     q: Number
     v: Number
     t: Number
+    holding: Number | None = None
 
 
 class BodyState(Protocol):
@@ -214,6 +221,9 @@ class Effect:
     joint_inertia: Callable[[Values], Number] | None = None
     body_force: Callable[[BodyState, Values], Force] | None = None
     pair_force: Callable[[CoordinateState, Values], Torque] | None = None  # between its POINTS
+    stores_energy: bool = False  # what it exerts has an energy, which can be recorded
+    limited_by: str = ""  # the parameter that limits its torque, if given
+    compensates: str = ""  # the flag with which its torque includes `holding` of CoordinateState
     massive: bool = False  # acts on a body by its mass and inertia: only on bodies that have them
     reaction: bool = False  # selects the joint's reaction function
     mimic: bool = False  # makes followers follow

@@ -63,6 +63,11 @@ class Inertia:
     com: Vector
     moments: tuple[Scalar, ...]
 
+    @property
+    def changes(self) -> bool:
+        """Whether any of its numbers is a parameter."""
+        return any(isinstance(x, Parameter) for x in (self.mass, *self.com, *self.moments))
+
 
 @dataclass(frozen=True)
 class Body:

@@ -3,10 +3,12 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-SUBJECTS = ("other tools' joints", "spring", "armature", "mimic", "wrong mimic", "friction",
-            "wrong friction", "damping", "wrong damping", "other tools' numbers", "limits",
-            "wrong limits", "effort", "wrong effort", "velocity", "wrong velocity", "acceleration",
-            "deceleration", "jerk", "safety controller", "repeated element")
+IDLE = "torque or force"
+SUBJECTS = (
+    IDLE, "other tools' joints", "spring", "armature", "mimic", "wrong mimic", "friction",
+    "wrong friction", "damping", "wrong damping", "other tools' numbers", "limits", "wrong limits",
+    "effort", "wrong effort", "velocity", "wrong velocity", "acceleration", "deceleration", "jerk",
+    "safety controller", "repeated element")
 """What notices are about; first what changes the motion most."""
 
 
@@ -61,7 +63,7 @@ def _listed(ordered: Sequence[Notice]) -> str:
 
 def _plural(owners: Sequence[str]) -> str:
     words = {owner.partition(" ")[0] for owner in owners}
-    plural = {"joint": "joints", "body": "bodies"}
+    plural = {"joint": "joints", "body": "bodies", "effect": "effects"}
     return plural.get(words.pop(), "elements") if len(words) == 1 else "elements"
 
 

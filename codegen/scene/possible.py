@@ -5,15 +5,17 @@ With `implausible = "warn"` impossible bodies are accepted and reported.
 Everything is computed in exact fractions, with the default values of parameters.
 """
 
-from collections.abc import Collection, Iterator, Sequence
-from dataclasses import replace
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import lru_cache
 
-from coscrew_codegen.parameter import Scalar
 from coscrew_codegen.scene.assembly import ModelError
+from coscrew_codegen.scene.lumped import LumpedInertia, Six, lumped_inertia
 from coscrew_codegen.scene.model import Joint, Kind, Model, value
-from coscrew_codegen.scene.rotations import rotated
-from coscrew_codegen.scene.tree import PlacedBody, tree_of
+from coscrew_codegen.scene.recorded import followers
+from coscrew_codegen.scene.scene import Scene
+from coscrew_codegen.scene.tree import tree_of
 
 SLACK = Fraction(1, 10**6)
 """Tolerance of the inequalities, relative to xx + yy + zz: files round moments to six digits, and
@@ -23,9 +25,6 @@ FINEST = Fraction(1, 10**6)
 """Radius of gyration in m below which moments are residues of arithmetic, such as -5.4e-20 kg m²
 for a point mass in a file written by a program."""
 
-_Six = tuple[Fraction, ...]
-
-
 ERROR, WARN = "error", "warn"
 """The values of a scene's `implausible`."""
 
@@ -33,7 +32,7 @@ ERROR, WARN = "error", "warn"
 def judged(model: Model, implausible: str) -> Model:
     """The model; if `implausible` is WARN, with a line on each body that cannot exist.
 
-    Raises ModelError for the first such body if it is ERROR, and always for a negative mass.
+    Raises ModelError that names all such bodies if it is ERROR, and always for a negative mass.
 
     Bodies connected by fixed joints are judged together, since only their sum moves: files give
     frames and sensors moments that are not even definite, and which vanish in the sum.  Point
@@ -44,8 +43,10 @@ def judged(model: Model, implausible: str) -> Model:
                              f"mass {_shown(value(body.inertia.mass))} kg; wanted a positive mass")
     faults = tuple(_faults(model))
     if faults and implausible == ERROR:
-        raise ModelError(faults[0].element,
-                         f'{faults[0].problem}; implausible = "{WARN}" accepts it')
+        first, *others = faults
+        more = f"; impossible, too: {', '.join(x.element for x in others)}" if others else ""
+        accepted = f'implausible = "{WARN}" accepts {"them" if others else "it"}'
+        raise ModelError(first.element, f"{first.problem}{more}; {accepted}")
     return replace(model, implausible=(*model.implausible, *map(str, faults)))
 
 
@@ -56,15 +57,15 @@ def _faults(model: Model) -> Iterator[ModelError]:
         heavy = [placed.body.name for placed in bodies if placed.body.inertia]
         if not heavy:
             continue
-        mass, first, moments = _composite(bodies)
-        problem = "its mass is zero, its moments are not" if not mass else _wrong(
-            mass, tuple(a - b / mass for a, b in zip(moments, _steiner(first), strict=True)))
-        if problem and (mass or any(moments)):
+        both = lumped_inertia(bodies)
+        problem = ("its mass is zero, its moments are not" if not both.mass
+                   else _wrong(both.mass, both.about_com))
+        if problem and (both.mass or any(both.moments)):
             joined = f" (with what is fixed to it: {', '.join(heavy)})" if len(heavy) > 1 else ""
             yield ModelError(f"body {heavy[0]!r}", f"{problem}{joined}")
 
 
-def _wrong(mass: Fraction, moments: _Six) -> str | None:
+def _wrong(mass: Fraction, moments: Six) -> str | None:
     """Why no rigid body has these moments about its centre of mass; None if one can."""
     xx, yy, zz, xy, xz, yz = moments
     slack = SLACK * abs(xx + yy + zz) + mass * FINEST**2
@@ -77,74 +78,89 @@ def _wrong(mass: Fraction, moments: _Six) -> str | None:
     return None
 
 
-def unmoved_mass(model: Model, exempt: Collection[str]) -> tuple[Joint, str] | None:
-    """The first joint without inertia against its motion, with the reason; None if there is none.
+@dataclass(frozen=True)
+class Unmoved:
+    """A joint without inertia against its motion; `massive`: what it moves has a mass."""
 
-    Its forward dynamics would divide by zero.  `exempt` names joints that are not checked, since
-    they have an inertia of their own (an armature), follow others or are followed."""
+    joint: Joint
+    massive: bool
+
+
+def unmoved(scene: Scene) -> tuple[Unmoved, ...]:
+    """The joints without inertia against their motion: the mass matrix is singular.
+
+    An effect (an armature) gives a joint an inertia of its own; joints that follow others move as
+    one with their leader, and one of them with inertia is enough."""
+    found = {x.joint.name: x for x in _unmoved(scene.model)}
+    follow = followers(scene)
+    leader = {name: follow[name].joint if name in follow else name
+              for name in (joint.name for joint in scene.model.joints)}
+    resisting = {leader[joint.name] for joint in scene.model.joints if joint.name not in found}
+    resisting |= {leader[x.on] for x in scene.effects if x.effect.joint_inertia}
+    return tuple(x for name, x in found.items() if leader[name] not in resisting)
+
+
+@lru_cache(maxsize=8)
+def _unmoved(model: Model) -> tuple[Unmoved, ...]:
+    """The joints whose bodies have no inertia against their motion, whatever the effects."""
     links = tree_of(model, False).links
-    inner = {link.parent for link in links}
-    massive = set()
+    massive: set[int] = set()
     for number, link in reversed(tuple(enumerate(links))):
         if number in massive or any(placed.body.inertia for placed in link.bodies):
             massive |= {number, link.parent}
-    for number, link in enumerate(links):
-        if link.joint.name in exempt:
-            continue
-        if number not in massive:
-            return link.joint, "neither what it moves nor what moves on that has a mass"
-        if number not in inner and not _resists(link.joint, *_composite(link.bodies)):
-            return link.joint, "what it moves has no inertia against its motion"
-    return None
+    inner = {links[number].parent for number in massive if number >= 0}
+    return tuple(
+        Unmoved(link.joint, number in massive) for number, link in enumerate(links)
+        if number not in massive
+        or number not in inner and not _resists(link.joint, lumped_inertia(link.bodies)))
 
 
-def _values(numbers: tuple[Scalar, ...]) -> tuple[Fraction, ...]:
-    return tuple(value(x) for x in numbers)
+def why_singular(scene: Scene) -> str:
+    """All joints that make the mass matrix singular, and one remedy; "" if there are none."""
+    found = unmoved(scene)
+    if not found:
+        return ""
+    without, massive = ([x.joint for x in found if x.massive == kind] for kind in (False, True))
+    causes = [f"{_joints(without)} {_verb(without, 'move')} nothing that has a mass"] \
+        if without else []
+    if massive:
+        causes.append(f"what {_joints(massive)} {_verb(massive, 'move')} has no inertia against "
+                      "that motion")
+    names = ", ".join(f'"{x.joint.name}"' for x in found)
+    own = f"[effects.armature] with joints = [{names}] and inertia = 1e-3"
+    turn = all(x.joint.kind.nv == 1 for x in found)
+    return (f"{' and '.join(causes)}, so that the mass matrix is singular; wanted "
+            f"{own if turn else 'masses and moments in what they move'}")
 
 
-def _composite(bodies: Sequence[PlacedBody]) -> tuple[Fraction, tuple[Fraction, ...], _Six]:
-    """Mass, first and second moments of the bodies of a link, about its origin."""
-    mass = Fraction(0)
-    first: tuple[Fraction, ...] = (Fraction(0),) * 3
-    moments: _Six = (Fraction(0),) * 6
-    for placed in bodies:
-        if inertia := placed.body.inertia:
-            m, R, com = value(inertia.mass), placed.placement.R, _values(inertia.com)
-            at = tuple(sum((R[3 * i + k] * com[k] for k in range(3)), value(placed.placement.t[i]))
-                       for i in range(3))
-            own = rotated(R, _values(inertia.moments))
-            mass += m
-            first = tuple(a + m * b for a, b in zip(first, at, strict=True))
-            moments = tuple(a + b + m * c
-                            for a, b, c in zip(moments, own, _steiner(at), strict=True))
-    return mass, first, moments
+def _joints(joints: Sequence[Joint]) -> str:
+    """joint 'a'; joints 'a', 'b'."""
+    return f"joint{'s' if len(joints) > 1 else ''} {', '.join(repr(x.name) for x in joints)}"
 
 
-def _steiner(at: tuple[Fraction, ...]) -> _Six:
-    """-c~²: the second moments of a unit mass at c about the origin."""
-    x, y, z = at
-    return (y * y + z * z, x * x + z * z, x * x + y * y, -x * y, -x * z, -y * z)
+def _verb(joints: Sequence[Joint], word: str) -> str:
+    return word if len(joints) > 1 else f"{word}s"
 
 
-def _resists(joint: Joint, mass: Fraction, first: tuple[Fraction, ...], moments: _Six) -> bool:
+def _resists(joint: Joint, moved: LumpedInertia) -> bool:
     """Whether the bodies that the joint moves have inertia against its motion."""
-    xx, yy, zz, xy, xz, yz = moments
+    xx, yy, zz, xy, xz, yz = moved.moments
     if joint.kind is Kind.REVOLUTE:
         a, b, c = joint.axis
         about = xx*a*a + yy*b*b + zz*c*c + 2 * (xy*a*b + xz*a*c + yz*b*c)
         return about > 0
     if joint.kind is Kind.SPHERICAL:
-        return _definite(moments)
-    if joint.kind is Kind.PRISMATIC or not mass:
-        return mass > 0
-    return _definite(tuple(a - b / mass for a, b in zip(moments, _steiner(first), strict=True)))
+        return _definite(moved.moments)
+    if joint.kind is Kind.PRISMATIC or not moved.mass:
+        return moved.mass > 0
+    return _definite(moved.about_com)
 
 
-def _definite(moments: _Six) -> bool:
+def _definite(moments: Six) -> bool:
     return min(_minors(moments)) > 0
 
 
-def _minors(moments: _Six) -> tuple[Fraction, ...]:
+def _minors(moments: Six) -> tuple[Fraction, ...]:
     """All principal minors of a symmetric matrix."""
     xx, yy, zz, xy, xz, yz = moments
     yz_minor = yy * zz - yz * yz
@@ -152,12 +168,12 @@ def _minors(moments: _Six) -> tuple[Fraction, ...]:
             xx * yz_minor - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz))
 
 
-def _positive(moments: _Six) -> bool:
+def _positive(moments: Six) -> bool:
     """Whether a symmetric matrix is positive semidefinite: no principal minor is negative."""
     return min(_minors(moments)) >= 0
 
 
-def _in_words(moments: _Six) -> str:
+def _in_words(moments: Six) -> str:
     names = ("xx", "yy", "zz", "xy", "xz", "yz")
     return "moments " + ", ".join(f"{name} {_shown(x)}" for name, x in zip(names, moments,
                                                                           strict=True)) + " kg m²"

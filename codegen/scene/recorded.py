@@ -8,13 +8,15 @@
     position.BODY             its origin in the world;  position.BODY.x is position.BODY.0
     twist.BODY                velocity and angular velocity in its own frame
     reaction.JOINT            force and moment it transmits, in its child's frame
+    EFFECT.WHERE.torque       and others of each effect: see `effect_quantities`
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
+from coscrew_codegen.scene.effect_quantities import by_name, lacks, units_of
 from coscrew_codegen.scene.model import Joint, Kind, Mimic
-from coscrew_codegen.scene.names import did_you_mean, or_mean
+from coscrew_codegen.scene.names import did_you_mean, nearest, or_mean
 from coscrew_codegen.scene.scene import Scene
 
 ENERGIES = ("kinetic", "potential", "total")
@@ -44,11 +46,12 @@ class Recorded:
     """A quantity, or components of it: columns of a recording."""
 
     text: str  # in the scene
-    quantity: str  # one of QUANTITIES
-    target: str  # joint or body; "" for the whole scene
+    quantity: str  # one of QUANTITIES or EFFECT_QUANTITIES
+    target: str  # joint or body, or the name of an effect; "" for the whole scene
     places: tuple[int, ...]  # indices in the scene's q, v or a, or in the quantity itself
     names: tuple[str, ...]  # of the columns: "q.elbow", "pose.hand.3", "energy.kinetic"
     units: tuple[str, ...]  # of the columns
+    function: str = ""  # of an effect: the one that computes it
 
 
 def recorded(text: str, scene: Scene) -> Recorded:
@@ -67,8 +70,7 @@ def recorded(text: str, scene: Scene) -> Recorded:
     if quantity in _OF_JOINT:
         names = tuple(j.name for j in scene.model.joints if j.kind is not Kind.FIXED)
         return _of_target(text, quantity, rest, "joint", names, _OF_JOINT[quantity])
-    raise QuantityError(f"{text!r} is no quantity; wanted one of {', '.join(QUANTITIES)}"
-                        f"{or_mean(quantity, QUANTITIES)}")
+    return _of_effect(text, scene)
 
 
 def expected(text: str, scene: Scene) -> Recorded:
@@ -78,6 +80,12 @@ def expected(text: str, scene: Scene) -> Recorded:
         last = found.names[-1]
         raise QuantityError(f"{text!r} has {len(found.places)} components; wanted one, as {last!r}")
     return found
+
+
+def recorded_functions(scene: Scene) -> set[str]:
+    """The functions of effects that the scene's records and expectations need."""
+    found = {recorded(text, scene).function for text in scene.record}
+    return (found | {expected(x.quantity, scene).function for x in scene.expectations}) - {""}
 
 
 def coordinates(scene: Scene) -> tuple[tuple[Joint, range, range], ...]:
@@ -98,14 +106,6 @@ def followers(scene: Scene) -> Mapping[str, Mimic]:
     if not any(applied.effect.mimic for applied in scene.effects):
         return {}
     return {joint.name: joint.mimic for joint in scene.model.joints if joint.mimic}
-
-
-def exempt_joints(scene: Scene) -> set[str]:
-    """The joints that need no inertia in bodies: they have their own (an armature), follow others
-    or are followed."""
-    follow = followers(scene)
-    return ({applied.on for applied in scene.effects if applied.effect.joint_inertia}
-            | {*follow, *(mimic.joint for mimic in follow.values())})
 
 
 def _of_joints(text: str, quantity: str, rest: str, scene: Scene) -> Recorded:
@@ -137,6 +137,36 @@ def _of_target(text: str, quantity: str, rest: str, what: str, names: tuple[str,
                units: tuple[str, ...]) -> Recorded:
     target, index = _target(text, rest, what, names)
     return _columns(text, quantity, target, _picked(text, index, len(units), ()), units, ())
+
+
+def _of_effect(text: str, scene: Scene) -> Recorded:
+    """A quantity of one of the scene's effects.  Its places are those among all components of the
+    results of its function."""
+    known = by_name(scene)
+    whole, _, last = text.rpartition(".")
+    name, index = (whole, last) if whole in known and text not in known else (text, "")
+    if name not in known:
+        near = lacks(text, scene) or lacks(whole, scene) or _unknown(text, known)
+        raise QuantityError(f"{text!r} is no quantity; {near}")
+    function, applied, quantity = known[name]
+    every = [(x, unit) for x, units in units_of(applied, scene).items() for unit in units]
+    own = [i for i, (x, _) in enumerate(every) if x == quantity]
+    picked = _picked(text, index, len(own), ())
+    names = tuple(name if len(own) == 1 else f"{name}.{i}" for i in picked)
+    places = tuple(own[i] for i in picked)
+    return Recorded(text, quantity, applied.name, places, names,
+                    tuple(every[i][1] for i in places), function)
+
+
+def _unknown(text: str, known: Iterable[str]) -> str:
+    """The nearest of the scene's quantities, or all kinds of them."""
+    effects = tuple(known)
+    quantity = text.partition(".")[0]
+    owners = {name.partition(".")[0] for name in effects}
+    if near := nearest(text, effects) if quantity in owners or "." in text else None:
+        return f"did you mean {near!r}?"
+    more = f", or of an effect, as {effects[0]}" if effects else ""
+    return f"wanted one of {', '.join(QUANTITIES)}{more}{or_mean(quantity, QUANTITIES)}"
 
 
 def _columns(text: str, quantity: str, target: str, picked: tuple[int, ...], units: tuple[str, ...],

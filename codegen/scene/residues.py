@@ -1,9 +1,11 @@
 """Removes residues of arithmetic in files: lengths and moments that are meant to be zero."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 
-from coscrew_codegen.scene.model import Body, Inertia, Joint, Model, value
+from coscrew_codegen.scene.model import Body, Inertia, Joint, Model, Placement, value
+from coscrew_codegen.scene.rotations import snapped
 
 LENGTH = Fraction(1, 10**18)
 """Coordinates of origins and centres of mass, in m, up to which they count as zero.  Files contain
@@ -21,32 +23,41 @@ def without_residues(model: Model) -> Model:
                    joints=tuple(map(_joint, model.joints)))
 
 
-def _length(x: Fraction) -> Fraction:
+def without_residue(placement: Placement) -> Placement:
+    """A frame composed of frames, rounded as theirs are: right angles that their rotations add up
+    to are exact, and coordinates that cancel are zero."""
+    return Placement(snapped(placement.R), tuple(map(length, placement.t)))
+
+
+def length(x: Fraction) -> Fraction:
+    """A coordinate, or zero up to LENGTH."""
     return Fraction(0) if abs(x) <= LENGTH else x
 
 
 def _joint(joint: Joint) -> Joint:
     at = joint.placement
-    return replace(joint, placement=replace(at, t=tuple(map(_length, at.t))))
+    return replace(joint, placement=replace(at, t=tuple(map(length, at.t))))
 
 
 def _body(body: Body) -> Body:
     if body.inertia is None:
         return body
     inertia = body.inertia
-    xx, yy, zz, xy, xz, yz = map(value, inertia.moments)
-    yy = _moment(yy, xx)
-    zz = _moment(_moment(zz, xx), yy)
     return replace(body, inertia=Inertia(
-        inertia.mass, tuple(_length(value(x)) for x in inertia.com),
-        (xx, yy, zz, _product(xy, xx, yy), _product(xz, xx, zz), _product(yz, yy, zz))))
+        inertia.mass, tuple(length(value(x)) for x in inertia.com),
+        without_turned(tuple(map(value, inertia.moments)), TURNED)))
 
 
-def _product(xy: Fraction, xx: Fraction, yy: Fraction) -> Fraction:
-    """xy, or 0 where xy² <= TURNED² xx yy."""
-    return Fraction(0) if xy * xy <= TURNED**2 * abs(xx * yy) else xy
+def without_turned(moments: Sequence[Fraction], within: Fraction) -> tuple[Fraction, ...]:
+    """Moments xx, yy, zz, xy, xz, yz without the residues of turning equal ones: products xy up to
+    `within` √(xx yy) become zero, and moments that differ by up to `within` xx equal."""
+    def product(xy: Fraction, xx: Fraction, yy: Fraction) -> Fraction:
+        return Fraction(0) if xy * xy <= within**2 * abs(xx * yy) else xy
 
+    def moment(yy: Fraction, xx: Fraction) -> Fraction:
+        return xx if abs(yy - xx) <= within * abs(xx) else yy
 
-def _moment(yy: Fraction, xx: Fraction) -> Fraction:
-    """yy, or xx if they differ by at most TURNED xx."""
-    return xx if abs(yy - xx) <= TURNED * abs(xx) else yy
+    xx, yy, zz, xy, xz, yz = moments
+    yy = moment(yy, xx)
+    zz = moment(moment(zz, xx), yy)
+    return xx, yy, zz, product(xy, xx, yy), product(xz, xx, zz), product(yz, yy, zz)

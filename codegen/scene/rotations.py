@@ -84,14 +84,16 @@ def rotated(R: Entries, moments: Sequence[Fraction]) -> Entries:
     if R == IDENTITY:
         return tuple(moments)
     xx, yy, zz, xy, xz, yz = moments
-    matrix = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
-    rows = (R[0:3], R[3:6], R[6:9])
+    matrix = (xx, xy, xz, xy, yy, yz, xz, yz, zz)
+    half = tuple(_dot(R[3 * i:3 * i + 3], matrix[3 * j:3 * j + 3])
+                 for i in range(3) for j in range(3))
+    return tuple(_dot(half[3 * i:3 * i + 3], R[3 * j:3 * j + 3])
+                 for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)))
 
-    def entry(i: int, j: int) -> Fraction:
-        return sum((rows[i][k] * matrix[k][m] * rows[j][m] for k in range(3) for m in range(3)),
-                   Fraction(0))
 
-    return tuple(entry(i, j) for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)))
+def _dot(a: Entries, b: Entries) -> Fraction:
+    """a·b, exactly; right angles make most terms zero."""
+    return sum((x * y for x, y in zip(a, b, strict=True) if x and y), Fraction(0))
 
 
 def snapped(entries: Sequence[Fraction]) -> Entries:

@@ -4,14 +4,18 @@ or by load_scene.
 A function that is not selected is neither derived, emitted nor compiled.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 
 from coscrew_codegen.errors import ReportedError
 from coscrew_codegen.identifiers import identifiers
 from coscrew_codegen.integrators import DEFAULT as DEFAULT_INTEGRATOR
 from coscrew_codegen.integrators import EMITTED, named
+from coscrew_codegen.scene.effect_quantities import functions_of_effects
 from coscrew_codegen.scene.model import WORLD, Kind
 from coscrew_codegen.scene.names import did_you_mean
+from coscrew_codegen.scene.patterns import is_pattern, matching
+from coscrew_codegen.scene.possible import why_singular
+from coscrew_codegen.scene.recorded import recorded_functions
 from coscrew_codegen.scene.scene import Scene
 
 DEFAULT, ALL = "default", "all"
@@ -24,6 +28,8 @@ FREE = ("free_momentum", "with_free_momentum")
 CONTACTS = ("closing_contacts", "parts")
 """Functions of scenes with limits that can be hit."""
 MOVED = "integrated"
+DIVIDING = {"forward_dynamics", *FREE, *CONTACTS, *(x.step_name for x in EMITTED)}
+"""Functions that divide by the mass matrix, and those that only these call."""
 MANY = 100
 """Velocities (NV) above which the mass matrix is not a default function: its text grows with their
 square, that of the others linearly."""
@@ -51,20 +57,44 @@ def reactions(scene: Scene) -> dict[str, str]:
 
 def names(scene: Scene) -> tuple[str, ...]:
     """All functions that the scene can have, in the order in which they are emitted."""
-    return (*DYNAMICS, *jacobians(scene), *reactions(scene), MOVED, *FREE, *CONTACTS,
-            *(x.step_name for x in EMITTED))
+    singular = why_singular(scene)
+    return tuple(name for name in _names(scene) if not singular or name not in DIVIDING)
+
+
+def _names(scene: Scene) -> tuple[str, ...]:
+    """The functions of a scene whose mass matrix is regular."""
+    return (*DYNAMICS, *jacobians(scene), *reactions(scene), *functions_of_effects(scene), MOVED,
+            *FREE, *CONTACTS, *(x.step_name for x in EMITTED))
+
+
+def left_out(scene: Scene) -> str:
+    """One line on the functions that the scene selects by DEFAULT or ALL, and cannot have; "" if
+    there are none."""
+    problem = why_singular(scene)
+    if not problem or not {DEFAULT, ALL} & {*(scene.functions or (DEFAULT,))}:
+        return ""
+    return f"forward_dynamics and steps are left out: {problem}"
+
+
+def refuse_singular(scene: Scene, functions: Collection[str]) -> None:
+    """Raise FunctionsError if one of these functions divides by a mass matrix that is singular."""
+    problem = why_singular(scene) if DIVIDING.intersection(functions) else ""
+    for name in reversed(_names(scene)):  # steps first, which call the others
+        if problem and name in DIVIDING and name in functions:
+            raise FunctionsError(f"{scene.name}: {name} divides by the mass matrix, but {problem}")
 
 
 def by_default(scene: Scene) -> tuple[str, ...]:
     """The functions of a scene that selects none: its dynamics (without the mass matrix if there
-    are more than MANY velocities); reactions that effects, records or expectations need; momenta
-    of floating bases; contacts; the step of its integrator, or of the default one if SciPy's."""
+    are more than MANY velocities); reactions that effects, records or expectations need; effects
+    that are recorded or expected; momenta of floating bases; contacts; the step of its integrator,
+    or of the default one if SciPy's."""
     integrator = named(scene.run.integrator)
     if not integrator.emitted:
         integrator = named(DEFAULT_INTEGRATOR)
     recorded = {x.on for x in scene.effects if x.effect.reaction}
     found = {*DYNAMICS, *(name for name, joint in reactions(scene).items() if joint in recorded),
-             MOVED, *FREE, *CONTACTS, integrator.step_name}
+             *recorded_functions(scene), MOVED, *FREE, *CONTACTS, integrator.step_name}
     if speeds(scene) > MANY:
         found.remove("mass_matrix")
     return tuple(name for name in names(scene) if name in found)
@@ -90,18 +120,23 @@ def selected_functions(scene: Scene) -> tuple[str, ...]:
 
 
 def resolved(scene: Scene, words: Sequence[str]) -> set[str]:
-    """The functions that these words select: names, DEFAULT, ALL; without words, DEFAULT.  Raises
-    FunctionsError with the nearest name for an unknown word."""
+    """The functions that these words select: names, patterns of them, DEFAULT, ALL; without words,
+    DEFAULT.  Raises FunctionsError with the nearest name for each unknown word."""
+    refuse_singular(scene, words)
     known = names(scene)
     found: set[str] = set()
+    unknown = []
     for word in words or (DEFAULT,):
         if word in (DEFAULT, ALL):
             found.update(by_default(scene) if word == DEFAULT else known)
-        elif word in known:
-            found.add(word)
+        elif of := matching(word, known):
+            found.update(of)
         else:
-            raise FunctionsError(f"{word!r} is no function of the scene; "
-                                 f"{did_you_mean(word, (*known, DEFAULT, ALL))}")
+            what = "matches no function of the scene" if is_pattern(word) else \
+                "is no function of the scene"
+            unknown.append(f"{word!r} {what}; {did_you_mean(word, (*known, DEFAULT, ALL))}")
+    if unknown:
+        raise FunctionsError("; ".join(unknown))
     return found
 
 

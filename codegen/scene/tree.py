@@ -4,11 +4,18 @@ and coordinates numbered.
 Links are numbered so that parents come first; link -1 is the world.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import lru_cache
 
 from coscrew_codegen.scene.model import HERE, WORLD, Body, Joint, Kind, Model, Placement
+from coscrew_codegen.scene.residues import without_residue
 from coscrew_codegen.scene_functions import Coordinate
+
+_ZERO = Fraction(0)
+_FINEST = 2**200
+"""The largest denominator of numbers in composed frames, beyond 60 digits."""
 
 
 @dataclass(frozen=True)
@@ -94,15 +101,23 @@ def heading_of_body(name: str) -> str:
 
 
 def composed(outer: Placement, inner: Placement) -> Placement:
-    """The frame `inner` of the frame `outer`: D1 D2, exactly."""
-    R, t = outer.R, outer.t
-    rows = range(3)
+    """D1 D2: the frame `inner` of the frame `outer`, to 60 digits after the point."""
+    if HERE in (outer, inner):
+        return inner if outer == HERE else outer
+    R, t, rows = outer.R, outer.t, range(3)
     return Placement(
-        tuple(sum((R[3 * i + k] * inner.R[3 * k + j] for k in rows), Fraction(0))
-              for i in rows for j in rows),
-        tuple(sum((R[3 * i + k] * inner.t[k] for k in rows), t[i]) for i in rows))
+        tuple(_product(R[3 * i:3 * i + 3], inner.R[j::3], _ZERO) for i in rows for j in rows),
+        tuple(_product(R[3 * i:3 * i + 3], inner.t, t[i]) for i in rows))
 
 
+def _product(a: Sequence[Fraction], b: Sequence[Fraction], c: Fraction) -> Fraction:
+    """a·b + c, rounded only if it has more than 60 digits: without rounding, the numbers of a
+    chain of frames would grow with its length, and time with the cube of it."""
+    exact = sum((x * y for x, y in zip(a, b, strict=True) if x and y), c)
+    return exact if exact.denominator <= _FINEST else Fraction(round(exact * _FINEST), _FINEST)
+
+
+@lru_cache(maxsize=8)  # each reader and each selection of functions asks for it again
 def tree_of(model: Model, mimics: bool) -> Tree:
     """The model's tree; with `mimics`, joints that mimic others have no coordinates of their own.
 
@@ -117,10 +132,11 @@ def tree_of(model: Model, mimics: bool) -> Tree:
         if joint.kind is Kind.FIXED:
             where[joint.child] = parent, placement
         else:
-            moving.append((joint, parent, placement))
+            moving.append((joint, parent, without_residue(placement)))
             where[joint.child] = len(moving) - 1, HERE
         link, in_link = where[joint.child]
-        placed.setdefault(link, []).append(PlacedBody(bodies[joint.child], in_link))
+        placed.setdefault(link, []).append(
+            PlacedBody(bodies[joint.child], without_residue(in_link)))
     return _numbered(moving, placed, mimics)
 
 

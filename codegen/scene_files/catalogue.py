@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 from fractions import Fraction
 
 from coscrew_codegen.effects import EFFECTS
+from coscrew_codegen.name_lists import Names
 from coscrew_codegen.scene.effect import Effect, ParameterOf, Place
 from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.scene_files.errors import SceneError
@@ -23,7 +24,8 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     """Add `effects` to the command line."""
     parser = commands.add_parser("effects", help="print the effects for scenes",
                                  description="Print effects: equations, parameters, units.")
-    parser.add_argument("names", metavar="NAME", nargs="*", help="only these (default: all)")
+    parser.add_argument("names", metavar="NAME", nargs="*", action=Names,
+                        help="only these (default: all)")
     parser.set_defaults(run=run)
 
 
@@ -72,12 +74,14 @@ def _line(parameter: ParameterOf) -> str:
 def notes(parameter: ParameterOf) -> list[str]:
     """Notes on its values: type, choices, sign, default."""
     kinds = {"vector": "three numbers", "formula": "a number or a function of t",
-             "formulas": "three numbers or functions of t"}
+             "formulas": "three numbers or functions of t", "flag": "true or false"}
     found = [kinds[parameter.kind]] if parameter.kind in kinds else []
     if parameter.choices:
         found.append(" | ".join(parameter.choices))
     if parameter.of:
         found.append(f"for {' and '.join(parameter.of)}")
+    if parameter.optional_of:
+        found.append(f"may be left out for {' and '.join(parameter.optional_of)}")
     if parameter.model:
         found.append(f'"model": the joint\'s {parameter.model}')
     if parameter.sign:

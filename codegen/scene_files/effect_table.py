@@ -139,6 +139,8 @@ class EffectTable:
                     return None
                 values[name] = number
                 read.add((target, parameter.model))
+            elif name not in given and kind in parameter.optional_of:
+                values[name] = None
             elif name in given:
                 values[name] = settings.setting(table, parameter, given[name], self.bodies)
             else:

@@ -104,7 +104,7 @@ START = TableOf("start", "The state at the start of a run; by default zero, with
 
 OUTPUTS = TableOf("outputs", "What a run records.", (
     Key("record", 'quantities: "q", "v", "energy", "momentum", "position.BODY", "pose.BODY", '
-        '"reaction.JOINT", …', "texts", default='["q", "v"]'),
+        '"reaction.JOINT", "EFFECT.WHERE.torque", …', "texts", default='["q", "v"]'),
     Key("every", "s between samples; a sample lies at the end of a step, so that this may shorten "
         "steps", "positive", default="0.01")))
 

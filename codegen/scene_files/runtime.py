@@ -10,6 +10,7 @@ from coscrew_codegen.scene.formulas import Formula
 from coscrew_codegen.scene.model import Body, Model
 from coscrew_codegen.scene.model import value as value_of
 from coscrew_codegen.scene.names import nearest
+from coscrew_codegen.scene.patterns import PatternError, expanded
 from coscrew_codegen.scene.recorded import XYZ
 from coscrew_codegen.scene.scene import Applied, Setting
 from coscrew_codegen.scene_files.errors import shown
@@ -29,8 +30,8 @@ def with_parameters(file: Table, model: Model, effects: tuple[Applied, ...],
     A vector gives a parameter for each component: tool.com gives tool.com.x, tool.com.y and
     tool.com.z, also named tool.com.0, tool.com.1 and tool.com.2.
     Raises SceneError for names that are unknown, occur twice, or are not numbers."""
-    names = file.texts("runtime", ())
     numbers, others = _candidates(model, effects)
+    names = _names(file, numbers)
     parameters: list[Parameter] = []
     for name in names:
         called = _by_letter(name)
@@ -56,6 +57,16 @@ def with_parameters(file: Table, model: Model, effects: tuple[Applied, ...],
 
     return (swapped_model(model, swap), tuple(_swapped(applied, swap) for applied in effects),
             tuple(parameters))
+
+
+def _names(file: Table, numbers: _Numbers) -> tuple[str, ...]:
+    """The names in `runtime`, patterns among them replaced by the numbers that they match, or else
+    by the vectors."""
+    vectors = tuple(dict.fromkeys(vector for key in numbers if (vector := _vector(key))))
+    try:
+        return expanded(file.texts("runtime", ()), tuple(numbers), vectors)
+    except PatternError as error:
+        file.refuse("runtime", str(error))
 
 
 def _by_letter(name: str) -> str:

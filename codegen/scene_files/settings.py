@@ -31,6 +31,10 @@ def setting(table: Table, parameter: ParameterOf, value: object, bodies: tuple[s
         return table.as_choice(key, value, parameter.choices)
     if kind == "body":
         return table.known(key, table.as_text(key, value), "body", (WORLD, *bodies))
+    if kind == "flag":
+        if not isinstance(value, bool):
+            table.refuse(key, f"{described(value)}; wanted true or false")
+        return "true" if value else None
     number = _number(table, parameter, value)
     refuse_sign(table, parameter, number)
     return number

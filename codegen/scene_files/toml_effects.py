@@ -10,6 +10,7 @@ from collections.abc import Iterator, Mapping
 from coscrew_codegen.scene.effect import Effect, Place
 from coscrew_codegen.scene.model import Model
 from coscrew_codegen.scene.names import did_you_mean
+from coscrew_codegen.scene.patterns import PatternError, expanded
 from coscrew_codegen.scene.recorded import expected, recorded
 from coscrew_codegen.scene.scene import Applied, Scene
 from coscrew_codegen.scene_files.effect_table import ALL, MANY, MODEL, EffectTable, Use
@@ -29,7 +30,25 @@ def read_effects(effects: Table, model: Model, catalogue: tuple[Effect, ...], us
         if effect.name in effects:
             reading = EffectTable(effect, effects.table(effect.name), model, use)
             found += readers[effect.place](reading)
+    _refuse_compensation(effects, model, found)
     return tuple(found)
+
+
+def _refuse_compensation(effects: Table, model: Model, found: list[Applied]) -> None:
+    """Refuse to compensate gravity where there is none, and at joints that follow others."""
+    falls, follows = (any(getattr(x.effect, name) for x in found) for name in ("gravity", "mimic"))
+    leaders = {j.name: j.mimic.joint for j in model.joints if j.mimic and follows}
+    for applied in found:
+        flag = applied.effect.compensates
+        if not flag or applied.values[flag] is None:
+            continue
+        table = effects.table(applied.effect.name)
+        if not falls:
+            table.refuse(flag, f"the scene of {applied.name} has no gravity; wanted "
+                               f"[effects.gravity], or no {flag}")
+        if applied.on in leaders:
+            table.refuse(flag, f"joint {applied.on!r} follows {leaders[applied.on]!r}, which bears "
+                               f"its weight; wanted {flag} there")
 
 
 def _on_scene(reading: EffectTable) -> list[Applied]:
@@ -170,12 +189,20 @@ def _chosen(reading: EffectTable, several: object, by_target: Mapping[str, Table
         return tuple(reading.targets), False
     elif isinstance(several, list):
         names = {reading.target(table, reading.several, name)
-                 for name in table.as_texts(reading.several, several)}
+                 for name in _listed(reading, table.as_texts(reading.several, several))}
         if not names:
             table.refuse(reading.several, f'an empty list; wanted "{ALL}" or names')
     else:
         table.refuse(reading.several, f'{described(several)}; wanted "{ALL}" or a list of names')
     return tuple(name for name in reading.targets if name in names), True
+
+
+def _listed(reading: EffectTable, given: tuple[str, ...]) -> tuple[str, ...]:
+    """Names of joints or bodies, patterns among them replaced by those on which it can act."""
+    try:
+        return expanded(given, tuple(reading.targets))
+    except PatternError as error:
+        reading.table.refuse(reading.several, str(error))
 
 
 def _refuse_nowhere(reading: EffectTable) -> None:

@@ -9,13 +9,12 @@ from coscrew_codegen.formats import BY_NAME, CHOICES, DOUBLE
 from coscrew_codegen.integrators import NAMES
 from coscrew_codegen.scene.effect import Effect
 from coscrew_codegen.scene.model import Joint, Kind, Model
-from coscrew_codegen.scene.possible import ERROR, WARN, unmoved_mass
+from coscrew_codegen.scene.possible import ERROR, WARN
+from coscrew_codegen.scene.recordable import quantities_of
 from coscrew_codegen.scene.recorded import (
     QuantityError,
-    exempt_joints,
     expected,
     followers,
-    recorded,
 )
 from coscrew_codegen.scene.rotations import unit
 from coscrew_codegen.scene.scene import Expectation, Run, Scene
@@ -26,6 +25,7 @@ from coscrew_codegen.scene_files.effect_table import Use
 from coscrew_codegen.scene_files.errors import SceneError, shown
 from coscrew_codegen.scene_files.foreign import of_suffix
 from coscrew_codegen.scene_files.identifiers import identifier, refused
+from coscrew_codegen.scene_files.idle import idle
 from coscrew_codegen.scene_files.keys import BASES, EXPECT, OUTPUTS, RUN, SCENE, START
 from coscrew_codegen.scene_files.runtime import with_parameters
 from coscrew_codegen.scene_files.tables import Table, described, read_toml
@@ -62,7 +62,7 @@ def read_scene(path: Path | str, catalogue: tuple[Effect, ...] | None = None,
         implausible = overrides.implausible or ERROR
         from coscrew_codegen.scene_files.urdf import read_urdf
         model = read_urdf(path, implausible=implausible)
-        _refuse_unmoved(path, model, Scene(path.stem, model))
+        _refuse_still(path, model)
         scene = Scene(identifier(path.stem), model, notices=unused(model, set(), effects),
                       implausible=implausible, precision=overrides.precision or "double",
                       precisions=_emitted(overrides.precision))
@@ -98,10 +98,10 @@ def _scene(file: Table, catalogue: tuple[Effect, ...], overrides: SceneOverrides
     model = _model(file, name, implausible)
     use = Use()
     effects = read_effects(file.table("effects"), model, catalogue, use)
+    _refuse_still(file.file, model)
     scene = Scene(name, model, effects, precision=precision or "double",
                   precisions=_emitted(precision), implausible=implausible,
                   run=_run(file.table("run")))
-    _refuse_unmoved(file.file, model, scene)
     start, outputs = file.table("start"), file.table("outputs")
     start.only(*START.names)
     outputs.only(*OUTPUTS.names)
@@ -122,7 +122,8 @@ def _scene(file: Table, catalogue: tuple[Effect, ...], overrides: SceneOverrides
     if overrides.tiers:
         tiers = selected(overrides.tiers)
     return _selecting(replace(scene, model=model, effects=effects, parameters=parameters,
-                              accuracy=accuracy, tiers=tiers, notices=told), functions)
+                              accuracy=accuracy, tiers=tiers,
+                              notices=(*idle(effects), *told)), functions)
 
 
 def _functions(file: Table, scene: Scene) -> tuple[str, ...]:
@@ -185,16 +186,10 @@ def _model(file: Table, name: str, implausible: str) -> Model:
     return read_urdf(path, base, implausible)
 
 
-def _refuse_unmoved(file: Path, model: Model, scene: Scene) -> None:
-    """Refuse models in which nothing moves, and joints without inertia against their motion."""
+def _refuse_still(file: Path, model: Model) -> None:
+    """Refuse models in which nothing moves."""
     if all(joint.kind is Kind.FIXED for joint in model.joints):
         raise SceneError(file, "model", 'has no joint that moves; base = "free" frees its root')
-    found = unmoved_mass(model, exempt_joints(scene))
-    if found:
-        joint, reason = found
-        raise SceneError(file, f"joint {joint.name!r} of model {model.name!r}",
-                         f"{reason}, so that the mass matrix is singular; wanted a mass in body "
-                         f"{joint.child!r}, an armature at the joint, or the joint fixed")
 
 
 def _moving(table: Table, key: str, scene: Scene) -> Joint:
@@ -235,12 +230,10 @@ def _record(outputs: Table, scene: Scene) -> tuple[str, ...]:
     texts = outputs.texts("record", ("q", "v"))
     if not texts:
         outputs.refuse("record", 'an empty list; wanted quantities, as ["q", "v"]')
-    for text in texts:
-        try:
-            recorded(text, scene)
-        except QuantityError as error:
-            outputs.refuse("record", str(error))
-    return texts
+    try:
+        return quantities_of(texts, scene)
+    except QuantityError as error:
+        outputs.refuse("record", str(error))
 
 
 def _run(table: Table) -> Run:
@@ -260,14 +253,16 @@ def _expectations(file: Table, scene: Scene) -> tuple[Expectation, ...]:
     outer = file.table("expect")
     for quantity, value in outer.values.items():
         try:
-            expected(quantity, scene)
+            names = quantities_of((quantity,), scene)
+            for name in names:
+                expected(name, scene)
         except QuantityError as error:
             outer.refuse(quantity, f"{error}{_quotes(quantity, value)}")
         for given in value if isinstance(value, list) else [value]:
             if not isinstance(given, dict):
                 outer.refuse(quantity, f"{described(given)}; wanted a table: at, value, rtol")
-            expectations.append(_expectation(Table(file.file, outer.key(quantity), given), quantity,
-                                             scene.run.duration))
+            table = Table(file.file, outer.key(quantity), given)
+            expectations += [_expectation(table, name, scene.run.duration) for name in names]
     return tuple(expectations)
 
 

@@ -1,41 +1,174 @@
-"""The smaller step that a check advises for an error of energy or momentum."""
+"""What makes a run right: the largest of the halved steps that does, tried before it is named."""
 
 import math
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
 
-from coscrew_codegen.simulate.findings import ALLOWED, FINER, FINEST, Along
+import numpy as np
 
-_LEAST = 0.5  # least order on which an advised step is based
+from coscrew_codegen.formats import DOUBLE
+from coscrew_codegen.integrators import DEFAULT
+from coscrew_codegen.simulate.alarm import Alarm
+from coscrew_codegen.simulate.motion_error import ALLOWED, Extent, Parts
+from coscrew_codegen.simulate.plan import Plan, Trajectory
+from coscrew_codegen.simulate.run import integrate
+from coscrew_codegen.simulate.system import State, System
+from coscrew_codegen.simulate.windows import in_double
 
-
-def order(along: Along) -> float:
-    """The order of the defect of energy in the step; 0 if it does not shrink.  In single precision
-    the order in double, if the defect is the same: rounding disturbs its own."""
-    if along.double and along.as_double:
-        return order(along.double)
-    finer, times = (along.fine, FINER) if along.fine_helps else (along.finest, FINEST)
-    if finer is None or not (finer.relative and along.less(finer)):
-        return 0.0
-    return math.log(along.coarse.relative / finer.relative, times)
-
-
-def unresolved(along: Along) -> bool:
-    """Whether no step is advised, since smaller steps do not help."""
-    return along.doubtful if not along.energy else not along.fine_energy
-
-
-def factor(along: Along) -> float:
-    """What to multiply the step by, or the length of its parts if these are too long, with one
-    digit: then the defect of energy or momentum is about half the allowed one."""
-    off, its = along.coarse.momentum, float(along.integrator.order)
-    if not along.energy:
-        off, its = along.coarse.relative, min(its, order(along) or its)
-    return float(f"{(0.5 * ALLOWED / off)**(1 / max(_LEAST, its)):.1g}")
+HALVINGS = 12
+MOST = 40_000_000
+"""Velocities times steps that trials, or reference motions, may take: some seconds."""
+LADDERS = (8, 64, 512), (4, 16), (2, 4)
+"""Divisors of the step, of motions one of which is to be the reference."""
+SAMPLES = 2000
+"""Samples of a motion, at most twice as many, at which it is compared."""
+AGREED = 0.2
+"""Two reference motions may differ by so much of what is allowed."""
 
 
-def step(along: Along) -> float:
-    """The advised step in s; 0 if none is advised."""
-    if along.true or along.stopped or not along.length or unresolved(along):
-        return 0.0
-    if not along.energy and along.part < math.inf:
-        return float(f"{factor(along) * along.part:.1g}")
-    return factor(along) * along.length
+@dataclass(frozen=True)
+class Reference:
+    """A motion that smaller steps do not change, and until when that is so."""
+
+    q: np.ndarray
+    v: np.ndarray
+    t: np.ndarray
+    until: float  # of t: later, motions with smaller steps differ
+    step: float
+
+    @property
+    def resolved(self) -> bool:
+        """Whether it is known to the end."""
+        return bool(self.until >= self.t[-1])
+
+
+@dataclass(frozen=True)
+class Error:
+    """The largest error of a motion, relative to the size of the part that has it."""
+
+    relative: float
+    part: str
+    joint: str
+    t: float
+
+
+def affordable(system: System, steps: float) -> bool:
+    """Whether so many steps take no more than some seconds."""
+    return bool(steps * max(1, system.functions.nv) <= MOST)
+
+
+def reference(system: System, planned: Plan, start: State | None = None) -> Reference:
+    """The motion at the plan's samples, by the default integrator in double precision, with steps
+    of 1/8, 1/64, 1/512 of the plan's, until two agree; with larger ones if these take long."""
+    exact, steps = in_double(system), (planned.until - planned.begin) / planned.step
+    parts, start = Parts(exact), _in_double(system.start() if start is None else start)
+    first, *others = next((x for x in LADDERS if affordable(exact, steps * x[1])), LADDERS[-1])
+    before, until, divisor = _finer(exact, planned, start, first), planned.begin, first
+    for finer in others:
+        if until > planned.begin and not affordable(exact, steps * finer):
+            break
+        now = _finer(exact, planned, start, finer)
+        until, before, divisor = _agreed(parts, before, now), now, finer
+        if until >= now.t[-1]:
+            break
+    return Reference(before.q, before.v, before.t, until, planned.step / divisor)
+
+
+def _in_double(start: State) -> State:
+    q, v = start
+    return q.astype(float), v.astype(float)
+
+
+def _finer(system: System, planned: Plan, start: State, divisor: int) -> Trajectory:
+    finer = replace(planned, integrator=DEFAULT, step=planned.step / divisor, finer=divisor)
+    return integrate(system, finer, start=start)
+
+
+def _agreed(parts: Parts, x: Trajectory, y: Trajectory) -> float:
+    """The time until which two motions agree."""
+    n = min(len(x.t), len(y.t))
+    apart = parts.distances(parts.places(x.q[:n]), parts.places(y.q[:n]))
+    beyond = (apart > AGREED * ALLOWED * sizes(parts, y)).any(-1)
+    return float(y.t[-1] if n == len(y.t) and not beyond.any() else
+                 y.t[max(0, int(np.argmax(beyond)) - 1 if beyond.any() else n - 1)])
+
+
+def sizes(parts: Parts, motion: Trajectory | Reference) -> np.ndarray:
+    """The sizes of the parts in a motion.  (k)."""
+    extent = Extent.since(parts, motion.q[0], motion.v[0])
+    extent.add(motion.t - motion.t[0], parts.places(motion.q))
+    return extent.sizes
+
+
+def error(system: System, trajectory: Trajectory, true: Reference) -> Error:
+    """The largest error of a motion while the reference is known."""
+    parts = Parts(in_double(system))
+    if not parts.parts:
+        return Error(0.0, "none", "", 0.0)
+    known = true.t[true.t <= true.until]
+    _, here, there = np.intersect1d(trajectory.t, known, assume_unique=True, return_indices=True)
+    apart = parts.distances(parts.places(trajectory.q[here].astype(float)),
+                            parts.places(true.q[there]))
+    relative = apart / sizes(parts, true)
+    at, k = np.unravel_index(int(np.argmax(relative)), relative.shape)
+    part = parts.parts[k]
+    return Error(float(relative[at, k]), part.name, part.joint, float(known[there[at]]))
+
+
+def remedy(system: System, planned: Plan, start: State | None = None) -> str:
+    """A sentence on what makes a run right, all of it tried: a step, or another integrator."""
+    dense = thinned(replace(planned, every=planned.step, also=()))
+    return advised(system, dense, reference(system, dense, start), start)
+
+
+def thinned(planned: Plan) -> Plan:
+    """The plan with fewer samples, all of which it has: the first ones and every 2^n-th."""
+    times = planned.samples
+    stride = 2**max(0, math.ceil(math.log2(len(times) / SAMPLES)))
+    return replace(planned, every=planned.every * stride,
+                   also=(*planned.also, *times[1:17].tolist()) if stride > 1 else planned.also)
+
+
+def advised(system: System, planned: Plan, true: Reference, start: State | None = None) -> str:
+    """The same, for a plan whose reference is known."""
+    if planned.adaptive:
+        step, tighter = 0.0, replace(planned, rtol=planned.rtol / 16, atol=planned.atol / 16)
+        if _right(system, tighter, true, start):
+            return f"take rtol = {tighter.rtol:.3g} and atol = {tighter.atol:.3g}"
+    else:
+        step = largest_step(system, planned, true, start)
+    other = planned.integrator != DEFAULT and _right(
+        system, replace(planned, integrator=DEFAULT), true, start)
+    said = [f"take a step of {step:g} s"] if step else []
+    said += [f"integrator {DEFAULT}"] if other else []
+    if said:
+        return ", or ".join(said)
+    if system.precision is not DOUBLE:
+        exact = in_double(system)
+        if _right(exact, planned, true, start):
+            return "take --precision double"
+        if step := largest_step(exact, planned, true, start):
+            return f"take --precision double and a step of {step:g} s"
+    smallest = planned.step / 2**max(0, len(tuple(_halved(system, planned))))
+    return (f"no step down to {smallest:.2g} s is small enough" if smallest < planned.step
+            else "smaller steps were not tried, since they would take long")
+
+
+def largest_step(system: System, planned: Plan, true: Reference, start: State | None = None
+                 ) -> float:
+    """The largest of the halved steps with which the run is right; 0 if there is none."""
+    return next((x.step for x in _halved(system, planned) if _right(system, x, true, start)), 0.0)
+
+
+def _halved(system: System, planned: Plan) -> Iterator[Plan]:
+    for n in range(1, HALVINGS + 1):
+        step = float(f"{planned.step / 2**n:.2g}")
+        if not affordable(system, (planned.until - planned.begin) / step):
+            return
+        yield replace(planned, step=step)
+
+
+def _right(system: System, planned: Plan, true: Reference, start: State | None) -> bool:
+    """Whether the run reaches its end, and is right as long as its reference is known."""
+    trajectory = integrate(system, planned, alarm=Alarm, start=start)
+    return not trajectory.stopped and error(system, trajectory, true).relative <= ALLOWED

@@ -1,42 +1,44 @@
 """Alarm: reports during a run that its motion is wrong, the reason, and a remedy.
 
-About 500 times in a run, at its end, and at least twice it checks
-- the momentum of floating bases, which is known at all times: the kinetic energy of the excess
-  motion, relative to the largest kinetic energy so far;
-- the energy, if nothing feeds it in or dissipates it: its change, relative to the same;
-- the step: one of h compared with two of h/2 by the default integrator from the same state.  If the
-  step is too long for stiffness or rotation, velocities differ by a large fraction, repeatedly.
-  (Two half steps of the same integrator show less: a saturated motor may stop steps of h and of h/2
-  alike.)
+From its first step on, and about a hundred times more, it takes some steps twice: as the run does,
+and with a quarter of the step by the default integrator.  Where the two differ, ever smaller steps
+in double precision decide.  Errors are compared with the sizes of the run since its start (see
+`motion_error`), at its end, or once they have been too large for a tenth of it: what rests never
+stops, and no start passes that its steps do not resolve.
+
+It also compares, with the largest kinetic energy about the centres of mass,
+- the energy, if nothing feeds it in or dissipates it;
+- the momentum of floating bases, which is known at all times: the energy of the excess motion;
+and, with the way that velocities make, the way that coordinates go: numbers of single precision may
+be too coarse for it.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from coscrew_codegen.integrators import DEFAULT, named
+from coscrew_codegen.simulate import windows
 from coscrew_codegen.simulate.balance import rounding
+from coscrew_codegen.simulate.motion_error import ALLOWED, Extent, Parts
 from coscrew_codegen.simulate.plan import Plan
 from coscrew_codegen.simulate.system import State, System
 
-ALLOWED = 1e-2
-"""Allowed change of an energy that should be constant, relative to the largest kinetic energy so
-far; and allowed error of momentum, relative to the largest velocities.  `check` allows a tenth."""
-ROUGH, RESOLVED = 0.3, 0.05
-"""Allowed difference between one step and two halves, relative to the velocities, for methods of
-order 1 and others: that of an undamped spring whose phase advances by about 1 rad per step."""
-_SLOW = 1e-3
-"""Velocities count as no smaller than those of this fraction of the largest kinetic energy."""
-_AGAIN = 2  # consecutive checks that must find the step too large: one may meet a jolt
-_LOOKS = 500  # checks in a run
-_APART = 50  # least number of steps between two checks
+KEPT = 0.05
+"""Largest change of an energy that should be constant, relative to the largest kinetic energy; and
+largest error of momentum, relative to the largest velocities."""
+FROZEN = 0.05
+"""Largest part of a coordinate's way that rounding may take."""
+_FIRST, _LATER = 32, 8  # steps that are taken twice: at the start, and later
+_LOOKS = 100  # windows in a run
+_APART = 400  # least number of steps between two windows
+_PERSISTENT = 0.1  # of the run, after which what is wrong stops it
 _SETTLED = 1000  # steps before the energy of methods of order 1 is meaningful
 
 
 Index = tuple[int, ...]
 """A member of a batch; () in a single run."""
-Problem = tuple[str, str, str]
-"""A joint, or ""; the problem; its reason and a remedy."""
 
 
 @dataclass
@@ -46,23 +48,31 @@ class Alarm:
     system: System
     plan: Plan
     start: State
-    of_steps_alone: bool = False  # check the step only, not energy and momentum
     driven: bool = False  # a controller may feed in energy
+    remedy: Callable[[System, Plan, State], str] | None = None  # tries what would make a single
+    # run right, and says so
     _steps: int = field(init=False, default=0)
-    _looks: int = field(init=False, default=0)
-    _next: int = field(init=False, default=_APART)
+    _next: int = field(init=False, default=0)
 
     def __post_init__(self) -> None:
         self._integrator = named(self.plan.integrator)
         run = self.plan.until - self.plan.begin
-        self._every = max(_APART, int(run / self.plan.step / _LOOKS))
+        self._count = run / self.plan.step
+        self._every = int(min(max(_APART, self._count / _LOOKS), max(1, self._count)))
         its, (q, v) = self.system, self.start
         lead = q.shape[:-1]
-        self.kinetic, self._rounding = np.zeros(lead), np.zeros(lead)  # the largest so far
-        self._bad = np.zeros(lead, int)
+        self._parts = Parts(its)
+        self.extent = Extent.since(self._parts, q, v)
+        self._kinetic, self._rounding = np.zeros(lead), np.zeros(lead)  # the largest so far
+        self._errors = _Worst(lead, len(self._parts.parts), run)
+        self._energies, self._momenta = _Worst(lead, 1, run), _Worst(lead, its.functions.nv, run)
         self._energy = sum(its.energies(self.plan.begin, q, v))
         self._momentum = its.momentum(q, v)
         self._conservative = its.zero("power") and not self.driven
+        self._way = windows.Way(its, self._integrator)
+        self._next = self._every
+        first = self.plan.steps(min(self.plan.every, run))
+        self._look(0.0, first[1], q, v, min(_FIRST, max(1, round(self._count))))
 
     def __call__(self, steps: int, t: float, h: float, q: np.ndarray, v: np.ndarray,
                  alive: np.ndarray) -> dict[Index, tuple[str, str]]:
@@ -72,98 +82,122 @@ class Alarm:
         last = t >= self.plan.until
         if self._steps < self._next and not last:
             return {}
-        self._next, self._looks = self._steps + self._every, self._looks + 1
+        self._next = self._steps + self._every
         kinetic, potential = self.system.energies(t, q, v)
         lost = alive & ~np.isfinite(kinetic + potential)
-        found = dict.fromkeys(_indices(lost), (
-            "", f"energy is not finite at t = {t:.9g} s: it grew too large, or is beyond the range "
-            f"of {self.system.precision.name} precision; {self._remedy(np.nan)}"))
+        found = {i: ("", f"energy is not finite at t = {t:.9g} s: it grew too large, or is beyond "
+                     f"the range of {self.system.precision.name} precision; {self._remedy()}")
+                 for i in _indices(lost)}
         alive = alive & ~lost
-        self.kinetic = np.fmax(self.kinetic, kinetic)
-        self._rounding = np.fmax(self._rounding, rounding(self.system, potential))
-        problems: dict[Index, Problem] = {}
-        if not self.of_steps_alone and alive.any():
-            problems = self._of_energy(kinetic + potential, alive) | self._of_momentum(
-                t, q, v, alive)
-        if len(problems) < np.count_nonzero(alive):
-            problems = self._of_step(t, h, q, v, alive) | problems
-            if last and self._looks < _AGAIN:  # the only check: take one more step
-                q, v = self._stepped(t, h, q, v)
-                problems = self._of_step(t + h, h, q, v, alive) | problems
-        return found | {i: (joint, f"{what} at t = {t:.9g} s: {why}")
-                        for i, (joint, what, why) in problems.items()}
+        if not alive.any():
+            return found
+        self._note(t, q, v, kinetic, potential)
+        if not last:
+            self._look(t - self.plan.begin, h, q, v, _LATER)
+        for problem in (self._of_steps, self._of_rounding, self._of_energy, self._of_momentum):
+            found = problem(last, alive) | found
+        return found
 
-    def _of_momentum(self, t: float, q: np.ndarray, v: np.ndarray, alive: np.ndarray
-                     ) -> dict[Index, Problem]:
-        if self._momentum is None:
-            return {}
-        right = self.system.kept(self._momentum, t - self.plan.begin, q, v)
-        apart = np.asarray(right, float) - v
-        off = self._size(q, apart, self.kinetic)
-        return {i: (joint := self._joint(np.abs(apart[i])), "momentum is not kept",
-                    f"the floating base {joint} is off by {off[i]:.2g} of its speed; "
-                    f"{self._remedy(off[i] / ALLOWED)}")
-                for i in _indices(alive & ~(off <= ALLOWED))}
+    def _note(self, t: float, q: np.ndarray, v: np.ndarray, kinetic: np.ndarray,
+              potential: np.ndarray) -> None:
+        """Note sizes, energies and momenta at t."""
+        since = t - self.plan.begin
+        self.extent.add(since, self._parts.places(q))
+        moving = self._parts.kinetic(q, v, self.extent.line)
+        self._kinetic = np.fmax(self._kinetic, np.where(np.isfinite(moving), moving, 0))
+        self._rounding = np.fmax(self._rounding, rounding(self.system, potential) + kinetic *
+                                 self._steps * np.finfo(self.system.dtype).eps)
+        if self._conservative and (self._integrator.order > 1 or self._steps >= _SETTLED):
+            off = np.maximum(np.abs(kinetic + potential - self._energy) - self._rounding, 0)
+            self._energies.add(since, off[..., None], KEPT * self._kinetic[..., None])
+        if self._momentum is not None:
+            right = self.system.kept(self._momentum, since, q, v)[1]
+            apart = (np.asarray(right, float) - v).astype(self.system.dtype)
+            off = self.system.energies(0.0, q, apart)[0]
+            off = np.maximum(off - kinetic * (self._steps * np.finfo(self.system.dtype).eps)**2, 0)
+            self._momenta.add(since, off[..., None], KEPT**2 * self._kinetic[..., None])
 
-    def _of_energy(self, energy: np.ndarray, alive: np.ndarray) -> dict[Index, Problem]:
-        if not self._conservative or (self._integrator.order == 1 and self._steps < _SETTLED):
-            return {}
-        change = energy - self._energy
-        off = _ratio(change, self.kinetic)
-        right = (np.abs(change) <= self._rounding) | (np.abs(off) <= ALLOWED)
-        return {i: ("", "energy is not kept",
-                    f"it changed by {off[i]:.2g} of the kinetic energy, and nothing feeds it in or "
-                    f"dissipates it: {self._remedy(abs(off[i]) / ALLOWED)}")
-                for i in _indices(alive & ~right)}
+    def _look(self, since: float, h: float, q: np.ndarray, v: np.ndarray, count: int) -> None:
+        """Take `count` steps from q, v twice, and note by how much they differ."""
+        with np.errstate(all="ignore"):
+            window = windows.Window(self._parts, self.plan.integrator, self.plan.begin + since, h,
+                                    q, v, count)
+            self._way.add(window, self._every)
+            for at, places in window.places:
+                self.extent.add(since + at, places)
+            allowed = ALLOWED * self.extent.sizes
+            self._errors.add(since, window.errors(allowed), allowed)
 
-    def _of_step(self, t: float, h: float, q: np.ndarray, v: np.ndarray, alive: np.ndarray
-                 ) -> dict[Index, Problem]:
-        its, allowed = self.system, ROUGH if self._integrator.order == 1 else RESOLVED
-        free = alive
-        if self._integrator.splits and its.has("closing_contacts"):
-            free = alive & ~(its.call("closing_contacts", h=h, q=q, v=v) > 0)
-            if not free.any():
-                return {}
-        once = self._stepped(t, h, q, v)[1]
-        twice = its.stepper(named(DEFAULT).step_name)(2, t, h / 2, q, v)[1]
-        apart = np.asarray(twice, float) - once
-        now = its.energies(t, q, v)[0]
-        off = self._size(q, apart, np.fmax(now, _SLOW * self.kinetic))
-        self._bad = np.where(free, np.where(off <= allowed, 0, self._bad + 1), self._bad)
+    def _of_steps(self, last: bool, alive: np.ndarray) -> dict[Index, tuple[str, str]]:
+        bad = self._errors.beyond(ALLOWED * self.extent.sizes, last) & alive[..., None]
         found = {}
-        for i in _indices(free & (self._bad >= _AGAIN)):
-            inertia = np.abs(np.diagonal(self._mass(its.member(i), q[i])))
-            joint = self._joint(np.abs(apart[i]) * np.sqrt(inertia))
-            found[i] = (joint, "the step is too large",
-                        f"at joint {joint} one of {h:.3g} s differs from two halves by {off[i]:.2g}"
-                        f" of the speeds; {self._remedy(off[i] / allowed)}")
+        for i in _indices(bad.any(-1)):
+            ratio = self._errors.worst[i] / self.extent.sizes[i]
+            k = int(np.argmax(np.where(bad[i], ratio, -1)))
+            part = self._parts.parts[k]
+            found[i] = (part.joint, f"the step is too large at t = {self._time(i, k):.9g} s: "
+                        f"{part.name} is off by {ratio[k]:.2g} of the way it moves; "
+                        f"{self._remedy()}")
         return found
 
-    def _stepped(self, t: float, h: float, q: np.ndarray, v: np.ndarray) -> State:
-        return self.system.stepper(self._integrator.step_name)(1, t, h, q, v)
+    def _of_rounding(self, last: bool, alive: np.ndarray) -> dict[Index, tuple[str, str]]:
+        if not last:
+            return {}
+        return {i: (joint, f"rounding freezes joint {joint}: {self.system.precision.name} "
+                    f"precision loses {share:.2g} of the way that its velocity makes, since a step "
+                    f"moves it by little more than the spacing of numbers near {at:.3g}; "
+                    f"{windows.remedy_of_rounding(self.system)}")
+                for i, (joint, share, at) in self._way.frozen(FROZEN).items() if alive[i]}
 
-    def _size(self, q: np.ndarray, v: np.ndarray, kinetic: np.ndarray) -> np.ndarray:
-        """√(T(v)/T) for T = kinetic."""
-        own = self.system.energies(0.0, q, v.astype(self.system.dtype))[0]
-        found: np.ndarray = np.sqrt(_ratio(own, kinetic))
-        return found
+    def _of_energy(self, last: bool, alive: np.ndarray) -> dict[Index, tuple[str, str]]:
+        bad = self._energies.beyond(KEPT * self._kinetic[..., None], last)[..., 0] & alive
+        return {i: ("", f"energy is not kept at t = {self._energies.at[i][0]:.9g} s: it changed by "
+                    f"{_ratio(self._energies.worst[i][0], self._kinetic[i]):.2g} of the kinetic "
+                    f"energy, and nothing feeds it in or dissipates it; {self._remedy()}")
+                for i in _indices(bad)}
 
-    def _mass(self, its: System, q: np.ndarray) -> np.ndarray:
-        """M; the identity if the scene has no mass matrix, since it has too many joints."""
-        if not its.has("mass_matrix"):
-            return np.eye(its.functions.nv)
-        return np.asarray(its.call("mass_matrix", q=q), float)
+    def _of_momentum(self, last: bool, alive: np.ndarray) -> dict[Index, tuple[str, str]]:
+        bad = self._momenta.beyond(KEPT**2 * self._kinetic[..., None], last)[..., 0] & alive
+        joint = next((c.joint for c in self.system.functions.coordinates if c.kind == "free"), "")
+        return {i: (joint, f"momentum is not kept at t = {self._momenta.at[i][0]:.9g} s: the "
+                    "floating bases are off by "
+                    f"{_ratio(self._momenta.worst[i][0], self._kinetic[i])**0.5:.2g} of their "
+                    f"speed; {self._remedy()}")
+                for i in _indices(bad)}
 
-    def _joint(self, sizes: np.ndarray) -> str:
-        worst = int(np.argmax(np.where(np.isfinite(sizes), sizes, np.inf)))
-        return next(c.joint for c in self.system.functions.coordinates if worst in c.v)
+    def _time(self, i: Index, k: int) -> float:
+        return self.plan.begin + float(self._errors.at[i][k])
 
-    def _remedy(self, times: float) -> str:
-        """A step for which an error of the integrator's order would be half the allowed one."""
-        h = self.plan.step * (0.5 / times)**(1 / self._integrator.order)
-        smaller = f"step of {h:.1g} s" if np.isfinite(h) else "smaller step"
+    def _remedy(self) -> str:
+        """What was tried and is enough; of batches and controllers, which are not tried, no
+        number."""
+        if self.remedy and not self.driven and not self.extent.size.ndim > 1:
+            return self.remedy(self.system, self.plan, self.start)
         other = "" if self._integrator.name == DEFAULT else f", or integrator {DEFAULT}"
-        return f"take a {smaller}{other}"
+        return f"take a smaller step{other}"
+
+
+class _Worst:
+    """The largest errors so far, and since when they have been too large."""
+
+    def __init__(self, lead: tuple[int, ...], count: int, run: float):
+        self.worst, self.at = np.zeros((*lead, count)), np.zeros((*lead, count))
+        self._run, self._now = run, 0.0
+        self._since = np.full((*lead, count), np.inf)
+
+    def add(self, at: float, errors: np.ndarray, allowed: np.ndarray) -> None:
+        """Note errors at this time after the start, and those that are allowed now."""
+        new = errors > self.worst
+        self.worst, self.at = np.where(new, errors, self.worst), np.where(new, at, self.at)
+        bad, self._now = ~(errors <= allowed), at
+        self._since = np.where(bad, np.minimum(self._since, at), np.inf)
+
+    def beyond(self, allowed: np.ndarray, last: bool) -> np.ndarray:
+        """Which are too large: at the end, or for a tenth of the run."""
+        if last:
+            return ~(self.worst <= allowed)
+        found: np.ndarray = self._now - self._since >= _PERSISTENT * self._run
+        return found
 
 
 def _indices(mask: np.ndarray) -> list[Index]:
@@ -171,7 +205,6 @@ def _indices(mask: np.ndarray) -> list[Index]:
     return [tuple(i) for i in np.argwhere(mask).tolist()]
 
 
-def _ratio(x: np.ndarray, y: np.ndarray) -> np.ndarray:
-    """x/y; 0 where y is not positive."""
-    found: np.ndarray = np.where(y > 0, x / y, 0.0)
-    return found
+def _ratio(x: float, y: float) -> float:
+    """x/y; infinite where y is not positive."""
+    return float(x / y) if y > 0 else np.inf

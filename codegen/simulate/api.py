@@ -1,5 +1,7 @@
 """run: one run of a scene, or a batch of them, from Python; again: the same run once more."""
 
+from __future__ import annotations
+
 import warnings
 from collections.abc import Sequence
 from dataclasses import replace
@@ -46,7 +48,7 @@ def run(scene: Kernels | Scene | Path | str, *, p: Parameters = None,
     kernels, own = _read(scene, precision)
     name = _precision(precision, own)
     asked = Asked(until, step, integrator, every,
-                  None if record is None else quantities(record), q0=q0, v0=v0,
+                  None if record is None else quantities(record, own), q0=q0, v0=v0,
                   p=values_of(own, BY_NAME[name], p), start=_end(start, q0, v0),
                   controller=_controller(controller))
     return _told(motion(kernels or _kernels(own, integrator, name, asked.record), name, asked))

@@ -164,6 +164,6 @@ def _momentum(system: System, t: np.ndarray, q: np.ndarray, v: np.ndarray, kinet
     if not system.has("free_momentum"):
         return 0.0
     c = system.call("free_momentum", q=q[0], v=v[0])
-    right = system.call("with_free_momentum", t=t, q=q, v=v, c=c)
+    _, right = system.outputs("with_free_momentum", t=t, q=q, v=v, c=c)
     own, _ = system.energies(t, q, (right.astype(float) - v).astype(system.dtype))
     return float(np.sqrt(own[largest(own)] / kinetic)) if kinetic > 0 else 0.0

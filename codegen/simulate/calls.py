@@ -10,11 +10,13 @@ from typing import TYPE_CHECKING, Generic, Protocol, TypeAlias, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from coscrew_codegen.bound_arguments import bound
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.integrators import EMITTED
 from coscrew_codegen.native import cache
 from coscrew_codegen.scene.names import or_mean
-from coscrew_codegen.scene.selected import names
+from coscrew_codegen.scene.possible import why_singular
+from coscrew_codegen.scene.selected import DIVIDING, names
 from coscrew_codegen.scene_functions import SceneInterface, Signature
 from coscrew_codegen.simulate import rows, steps
 from coscrew_codegen.targets.scene_text import c_name, many, signs
@@ -100,6 +102,8 @@ class Functions(Steps[Real]):
             possible = ()
         if name in possible:
             hint = f"; it was not selected: functions=[\"default\", {name!r}]"
+        elif scene and name in DIVIDING and (problem := why_singular(scene)):
+            hint = f": {problem}"
         raise AttributeError(f"{self._about} has no function {name!r}{hint}", name=name, obj=self)
 
     def __repr__(self) -> str:
@@ -231,14 +235,25 @@ def in_numpy(twin: Made, described: Signature) -> Made:
 
 
 def _written(described: Signature, checked: Made) -> Made:
-    """A function whose arguments are spelled out, so that Python refuses missing and unknown ones.
-    """
-    given = [x for x, _ in described.inputs]
-    named: dict[str, Made] = {"checked": checked}
-    text = (f"def {described.name}(self, {', '.join(given)}, *, out=None, threads=1):\n    return "
-            f"checked(self, {{{', '.join(f'{x!r}: {x}' for x in given)}}}, out, threads)\n")
-    exec(compile(text, f"{__file__}: {described.name}", "exec"), named)
-    return _described(named[described.name], described)
+    """A function of `self` and of arguments in order or by name, whose signature is spelled out."""
+    name, inputs = described.name, described.inputs
+
+    def function(self: object, *given: ArrayLike, out: object = None, threads: object = 1,
+                 **named: ArrayLike) -> object:
+        return checked(self, bound(name, inputs, given, named), out, threads)
+
+    function.__name__ = function.__qualname__ = name
+    vars(function)["__signature__"] = _signature(tuple(x for x, _ in inputs))
+    return _described(function, described)
+
+
+def _signature(names: tuple[str, ...]) -> "inspect.Signature":
+    from inspect import Parameter, Signature
+
+    either, by_name = Parameter.POSITIONAL_OR_KEYWORD, Parameter.KEYWORD_ONLY
+    return Signature([*(Parameter(x, either) for x in ("self", *names)),
+                      Parameter("out", by_name, default=None),
+                      Parameter("threads", by_name, default=1)])
 
 
 def _described(function: Made, described: Signature) -> Made:

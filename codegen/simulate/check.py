@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from coscrew_codegen.formats import BY_NAME, DOUBLE
-from coscrew_codegen.integrators import named
+from coscrew_codegen.formats import BY_NAME
+from coscrew_codegen.integrators import DEFAULT, named
 from coscrew_codegen.scene.recorded import expected, recorded
 from coscrew_codegen.scene.scene import Expectation
 from coscrew_codegen.simulate import advice, check_rounding
 from coscrew_codegen.simulate.alarm import Alarm
-from coscrew_codegen.simulate.balance import balance
+from coscrew_codegen.simulate.balance import Balance, balance
 from coscrew_codegen.simulate.findings import FINER, FINEST, Along, Findings, Met
 from coscrew_codegen.simulate.outcome import RunOverrides, outside
 from coscrew_codegen.simulate.plan import Plan, Trajectory, plan
@@ -24,6 +24,7 @@ from coscrew_codegen.simulate.record import accelerations, differences, largest,
 from coscrew_codegen.simulate.recording import Column, Recording
 from coscrew_codegen.simulate.run import integrate
 from coscrew_codegen.simulate.system import System, scene_of, system
+from coscrew_codegen.simulate.windows import in_double
 
 if TYPE_CHECKING:
     from coscrew_codegen.simulate.load import Kernels
@@ -48,7 +49,6 @@ def check(kernels: "Kernels", overrides: RunOverrides, rounding: bool = False) -
     along = [_along(*run) for run in runs.values()]
     if len(along) == 2:
         along[1] = replace(along[1], double=along[0])
-    along = [_tried(x, *runs[x.precision][:2]) for x in along]
     apart = differences(*(_sparse(x, y) for x, _, y in runs.values())) if len(runs) == 2 else ()
     judged = check_rounding.rounding(kernels, [
         (x, y) for x, _, y in runs.values()]) if rounding else ()
@@ -63,7 +63,7 @@ def _run(kernels: "Kernels", precision: str, overrides: RunOverrides
     count = max(2, min(math.ceil(rough.until / rough.step), _MOST_STEPS))
     planned = replace(rough, every=rough.until / count,
                       also=tuple(x.at for x in its.scene.expectations))
-    return its, planned, _integrated(its, planned, partial(Alarm, of_steps_alone=True))
+    return its, planned, _integrated(its, planned, partial(Alarm, remedy=advice.remedy))
 
 
 def _integrated(system: System, planned: Plan, alarm: Callable[..., Alarm] | None = None
@@ -86,61 +86,45 @@ def _met(system: System, trajectory: Trajectory, wanted: Expectation) -> Met:
 
 
 def _along(system: System, planned: Plan, trajectory: Trajectory) -> Along:
+    compared = advice.thinned(planned)
+    true = advice.reference(system, compared)
     coarse, finer = balance(system, trajectory), _finer(system, planned, FINER)
     along = Along(
         system.precision.name,
         f"rtol {planned.rtol:.3g}" if planned.adaptive else f"step {planned.step:g} s",
         trajectory.stopped, coarse, balance(system, finer, trajectory.t), None,
-        *_matrices(system, trajectory), named(planned.integrator), system.has("parts"),
-        speeds=_apart(system, trajectory, finer),
-        length=0.0 if planned.adaptive else planned.step)
-    if along.true or planned.adaptive or trajectory.stopped:
+        *_matrices(system, trajectory), named(planned.integrator),
+        0.0 if planned.adaptive else planned.step, advice.error(system, trajectory, true),
+        true.until, float(true.t[-1]), true.step)
+    if trajectory.stopped:
         return along
-    if not along.shrinks:
+    if not planned.adaptive and not (along.shrinks and along.energy):
         finest = _finer(system, planned, FINEST)
         along = replace(along, finest=balance(system, finest, trajectory.t))
-    if along.integrator.splits and along.shrinks and coarse.part < planned.step:
-        # is the step too long, or are its parts?
-        alone = balance(system, _finer(system, planned, FINER, parts=1), trajectory.t)
-        along = replace(along, part=math.inf if along.less(alone) else coarse.part)
+    if along.right and not along.energy:
+        along = replace(along, exact=_exact(system, planned, true))
+    if not along.right:
+        along = replace(along, remedy=advice.advised(system, compared, true))
     return along
 
 
-def _tried(along: Along, system: System, planned: Plan) -> Along:
-    """In single precision, with `helps`: whether energy and momentum are right with the advised
-    step, and half of it.  Not tried if it needs very many steps."""
-    step = advice.step(along)
-    if system.precision is DOUBLE or not step or planned.until / step > _MOST_STEPS:
-        return along
-    advised = replace(planned, step=step, every=planned.until / math.ceil(planned.until / step),
-                      also=())
-    runs = _integrated(system, advised), _finer(system, advised, FINER)
-    coarse, fine = (balance(system, x) for x in runs)
-    right = replace(along, coarse=coarse, fine=fine).true and not any(x.stopped for x in runs)
-    return replace(along, helps=right)
+def _exact(system: System, planned: Plan, true: advice.Reference) -> Balance:
+    """The balance of energy of the motion in double precision with the smallest steps tried."""
+    count = min(math.ceil(planned.until / true.step), _MOST_STEPS)
+    exact = replace(planned, integrator=DEFAULT, step=true.step, every=planned.until / count)
+    double = in_double(system)
+    return balance(double, _integrated(double, exact))
 
 
-def _finer(system: System, planned: Plan, times: int, parts: int = 0) -> Trajectory:
-    """The run with steps `times` smaller and as many times more samples; parts of split steps are
-    smaller by `parts`, or by `times` if that is 0."""
+def _finer(system: System, planned: Plan, times: int) -> Trajectory:
+    """The run with steps, and parts of split steps, `times` smaller, and as many times more
+    samples."""
     finer = replace(planned, every=planned.every / times)  # so that Simpson's error shrinks, too
     if planned.adaptive:
         finer = replace(finer, rtol=planned.rtol / _TIGHTER, atol=planned.atol / _TIGHTER)
     else:
-        finer = replace(finer, step=planned.step / times, finer=parts or times)
+        finer = replace(finer, step=planned.step / times, finer=times)
     return _integrated(system, finer)
-
-
-def _apart(system: System, coarse: Trajectory, finer: Trajectory) -> tuple[float, str]:
-    """The largest difference of a joint's velocity from that with smaller steps, relative to its
-    largest; and the joint's name."""
-    _, here, there = np.intersect1d(coarse.t, finer.t, assume_unique=True, return_indices=True)
-    with np.errstate(all="ignore"):
-        off = np.abs(coarse.v[here].astype(float) - finer.v[there]).max(0)
-        size = np.abs(finer.v.astype(float)).max(0)
-        joints = [(float(np.max(off[c.v]) / np.max(size[c.v])) if np.any(off[c.v]) else 0.0,
-                   c.joint) for c in system.functions.coordinates]
-    return max(joints, key=lambda found: (math.isnan(found[0]), found[0]), default=(0.0, "none"))
 
 
 def _matrices(system: System, trajectory: Trajectory) -> tuple[float, float, float]:

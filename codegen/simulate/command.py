@@ -147,7 +147,7 @@ def run(options: argparse.Namespace) -> int:
         first = results[0]
         view.view(first.system, first.trajectory, first.recording.provenance, options.view)
     print(outcome.summary(results))
-    return _status(results)
+    return _status(results, options)
 
 
 def _asked(options: argparse.Namespace) -> "tuple[Result, ...]":
@@ -194,12 +194,15 @@ def _outputs(path: Path) -> tuple[Path, Path]:
     return path, path.with_name(f"{path.stem}.single{path.suffix}")
 
 
-def _status(results: "tuple[Result, ...]") -> int:
-    """The exit status; reports on standard error where runs stopped."""
-    for x in results:
+def _status(results: "tuple[Result, ...]", options: argparse.Namespace) -> int:
+    """The exit status; reports on standard error where runs stopped, and where samples are."""
+    files: tuple[Path | None, ...] = _outputs(options.output) if options.output else (None,) * 2
+    for x, path in zip(results, files, strict=False):
         if x.trajectory.stopped:
+            written = [str(y) for y in (path, options.plot, options.view) if y]
+            where = f" in {', '.join(written)}" if written else ""
             print(f"coscrew: {x.system.precision.name}: {x.trajectory.stopped}; "
-                  f"{len(x.trajectory.t)} samples kept", file=sys.stderr)
+                  f"{len(x.trajectory.t)} samples kept{where}", file=sys.stderr)
     if any(x.trajectory.interrupted for x in results):
         return 130
     return 1 if any(x.trajectory.stopped for x in results) else 0

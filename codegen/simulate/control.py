@@ -4,6 +4,8 @@ A controller is called at the start and after every `steps` steps.  What it retu
 next call: all stages and parts of a step have the same values.
 """
 
+from __future__ import annotations
+
 import ctypes
 import inspect
 from _ctypes import CFuncPtr
@@ -15,6 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from coscrew_codegen.scene.names import did_you_mean, listed
+from coscrew_codegen.scene.patterns import PatternError, expanded
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.plan import MOST_STEPS
@@ -122,7 +125,10 @@ def set_by(controller: Controller, scene: Scene) -> tuple[int, ...]:
     """The indices in p of the parameters that a controller sets.  Raises SimulateError."""
     names = tuple(x.name for x in scene.parameters)
     torques = tuple(x for x in names if x.startswith("actuator.") and x.endswith(EFFORT))
-    wanted = tuple(controller.sets) or torques
+    try:
+        wanted = expanded(controller.sets, names) or torques
+    except PatternError as error:
+        raise SimulateError(f"controller: sets {error}") from None
     if not wanted:
         raise SimulateError(
             "controller: the scene has no torque at run time; wanted [effects.actuator.JOINT] with "

@@ -6,19 +6,22 @@ from dataclasses import dataclass
 from coscrew_codegen.formats import BY_NAME
 from coscrew_codegen.integrator import Integrator
 from coscrew_codegen.scene.scene import Expectation
+from coscrew_codegen.simulate.advice import Error
 from coscrew_codegen.simulate.balance import Balance
 from coscrew_codegen.simulate.check_rounding import Rounded
+from coscrew_codegen.simulate.motion_error import ALLOWED
 from coscrew_codegen.simulate.record import Difference
 
-ALLOWED = 1e-3
-"""Allowed defect of energy, relative to the energies moved; and allowed error of the momentum of
-floating bases, relative to that of the largest velocities."""
+ENERGY = 1e-3
+"""Allowed defect of energy with the smallest steps, relative to the energies moved: beyond it, the
+power of an effect is not that of its force."""
 FINER = 2
 """Divisor of the step in the second run."""
 FINEST = 8
-"""Divisor of the step in the third run, made if the second did not reduce the defect of energy."""
-STRICTLY = 1e-5
-"""Allowed defect of energy with --strict, unless it is rounding."""
+"""Divisor of the step in the third run, made if energies are off, or if the second did not reduce
+the defect of energy."""
+STRICTLY = 1e-3
+"""Allowed error of a part's motion with --strict, relative to the way it moves."""
 
 
 @dataclass(frozen=True)
@@ -51,13 +54,14 @@ class Along:
     condition: float  # of the mass matrix, the largest along the run
     at: float  # where that is, in s
     integrator: Integrator
-    limits: bool  # whether the scene has limits
-    speeds: tuple[float, str] = (0.0, "")  # the largest difference of a joint's velocity from that
-    # with smaller steps, relative to its largest; and the joint
-    part: float = math.inf  # length in s of parts of split steps, if it causes the defect of energy
-    length: float = 0.0  # of steps in s; 0 for SciPy's
+    length: float  # of steps in s; 0 for SciPy's
+    error: Error  # of the motion, while it is known
+    known: float  # until when motions with smaller steps agree, in s
+    end: float  # of the run, in s
+    smallest: float  # steps of the motion with which it was compared, in s
+    exact: Balance | None = None  # of that motion, if energies are off with the steps above
     double: "Along | None" = None  # in single precision: the results in double
-    helps: bool | None = None  # in single precision: whether the advised step does, if it was tried
+    remedy: str = ""  # what was tried and makes a false run right
 
     @property
     def as_double(self) -> bool:
@@ -74,6 +78,17 @@ class Along:
     def fine_helps(self) -> bool:
         """Whether steps smaller by FINER make it smaller."""
         return self.less(self.fine)
+
+    @property
+    def order(self) -> float:
+        """The order of the defect of energy in the step; 0 if it does not shrink.  In single
+        precision the order in double, if the defect is the same: rounding disturbs its own."""
+        if self.double and self.as_double:
+            return self.double.order
+        finer, times = (self.fine, FINER) if self.fine_helps else (self.finest, FINEST)
+        if finer is None or not (finer.relative and self.less(finer)):
+            return 0.0
+        return math.log(self.coarse.relative / finer.relative, times)
 
     def less(self, other: Balance, times: float = 0.75) -> bool:
         """Whether the other's defect is at most `times` that of the given steps."""
@@ -109,26 +124,36 @@ class Along:
         return not (self.rounding or self.shrinks)
 
     @property
-    def true(self) -> bool:
-        """Whether energy and momentum are within ALLOWED, also with smaller steps, as far as
-        rounding allows a statement."""
-        return self.energy and self.fine_energy and self.coarse.momentum <= ALLOWED
+    def right(self) -> bool:
+        """Whether the motion is right while it is known."""
+        return self.error.relative <= ALLOWED
+
+    @property
+    def resolved(self) -> bool:
+        """Whether the motion is known to the end."""
+        return self.known >= self.end
 
     @property
     def energy(self) -> bool:
-        """Whether energy is within ALLOWED with the given steps."""
-        return self.rounded or self.coarse.relative <= ALLOWED
+        """Whether energies balance, with the given steps or smaller ones."""
+        return any(x is not None and (x.rounded or x.relative <= ENERGY)
+                   for x in (self.coarse, self.fine, self.finest, self.exact)) and not math.isnan(
+                       self.coarse.relative)
 
     @property
-    def fine_energy(self) -> bool:
-        """Whether energy is within ALLOWED with steps smaller by FINER."""
-        return self.fine.rounded or self.fine.relative <= ALLOWED
+    def true(self) -> bool:
+        """Whether the motion is known and right, and energies balance."""
+        return self.right and self.resolved and self.energy
+
+    @property
+    def by_rounding(self) -> bool:
+        """Whether a motion is wrong that double precision gets right with the same steps."""
+        return not self.right and bool(self.double and self.double.right)
 
     @property
     def strictly_true(self) -> bool:
-        """Whether energy and momentum are within STRICTLY or rounding, and nothing is doubtful."""
-        energy = self.rounding or self.coarse.relative <= STRICTLY
-        return energy and self.true and not self.doubtful
+        """Whether the motion is also within STRICTLY."""
+        return self.true and self.error.relative <= STRICTLY
 
 
 @dataclass(frozen=True)
@@ -143,13 +168,13 @@ class Findings:
 
     @property
     def passed(self) -> bool:
-        """Whether all expectations are met, all runs reached their ends and kept energy and
-        momentum, and all certified bounds hold."""
+        """Whether all expectations are met, all runs reached their ends and were right, energies
+        balance, and all certified bounds hold."""
         held = not any(x.certified and x.certified.broken for x in self.rounding)
         return held and all(x.passed for x in self.met) and all(
             x.true and not x.stopped for x in self.along)
 
     @property
     def strictly_passed(self) -> bool:
-        """Whether energies are also within STRICTLY and not doubtful."""
+        """Whether motions are also within STRICTLY."""
         return self.passed and all(x.strictly_true for x in self.along)

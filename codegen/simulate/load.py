@@ -26,6 +26,7 @@ from coscrew_codegen.native import cache
 from coscrew_codegen.scene.content import content_hash
 from coscrew_codegen.scene.names import listed
 from coscrew_codegen.scene.scene import Scene
+from coscrew_codegen.scene.selected import left_out
 from coscrew_codegen.scene_functions import SceneFunctions, SceneInterface, Signature
 from coscrew_codegen.simulate import calls, native
 
@@ -194,7 +195,7 @@ def load_scene(scene: Scene | Path | str, *, precision: str | None = None,
         path = Path(scene)
         scene = read_scene(path, overrides=SceneOverrides(precision, implausible, functions,
                                                             tiers))
-        for line in scene.model.implausible:
+        for line in filter(None, (left_out(scene), *scene.model.implausible)):
             warnings.warn(f"{path.name}: {line}", RuntimeWarning, stacklevel=2)
     elif not isinstance(scene, Scene):
         raise TypeError(f"load_scene: wanted the path of a scene file, or a Scene; "

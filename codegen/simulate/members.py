@@ -1,5 +1,7 @@
 """Parameters and starts of a run as arrays, which a batch gives with a leading axis."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator, Mapping
 
 import numpy as np

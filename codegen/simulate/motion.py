@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from coscrew_codegen.simulate import SimulateError
+from coscrew_codegen.simulate.advice import remedy
 from coscrew_codegen.simulate.alarm import Alarm
 from coscrew_codegen.simulate.control import Controller, set_by
 from coscrew_codegen.simulate.driven import Driven
@@ -88,7 +89,7 @@ def _begun(kernels: Kernels, precision: str, asked: Asked) -> tuple[System, Stat
 def _integrated(its: System, planned: Plan, state: State, asked: Asked, shown: bool) -> Trajectory:
     start, by = asked.start, asked.controller
     driven = Driven(by, its, planned, state[0], start.steps if start else 0) if by else None
-    alarm = partial(Alarm, driven=driven is not None)
+    alarm = partial(Alarm, driven=driven is not None, remedy=remedy)
     momentum, failed = (start.momentum, start.failed) if start else (None, ())
     if not shown:
         return integrate(its, planned, None, alarm, state, driven, momentum, failed)

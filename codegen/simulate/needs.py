@@ -39,6 +39,8 @@ def _of_motion(scene: Scene, integrator: str | None) -> Iterable[str]:
 
 
 def _of(scene: Scene, wanted: Recorded) -> Iterable[str]:
+    if wanted.function:
+        return (wanted.function,)
     if wanted.quantity == "reaction":
         own = (name for name, joint in reactions(scene).items() if joint == wanted.target)
         return "forward_dynamics", *own

@@ -1,4 +1,4 @@
-"""Progress of a run: one line on standard error, if that is a terminal."""
+"""Progress of a run: one line on standard error, if that is a terminal, else one for each tenth."""
 
 import time
 from contextlib import ExitStack
@@ -6,7 +6,7 @@ from types import TracebackType
 
 import numpy as np
 
-from coscrew_codegen.console import status_line
+from coscrew_codegen.console import Tenths, status_line
 from coscrew_codegen.simulate.system import System
 
 _EVERY = 0.1  # s between two updates
@@ -19,6 +19,7 @@ class Progress:
         self._system, self._until = system, until
         self._began = self._shown = time.monotonic()
         self._first: float | None = None
+        self._tenths = Tenths()
         self._stack = ExitStack()
 
     def __enter__(self) -> "Progress":
@@ -32,13 +33,21 @@ class Progress:
     def __call__(self, t: float, q: np.ndarray, v: np.ndarray) -> None:
         """Show where the run is."""
         now = time.monotonic()
-        if self._show is None or self._first is not None and now < self._shown + _EVERY:
-            return
-        self._shown = now
-        energy = float(sum(self._system.energies(t, q, v)))
+        if self._show is None:
+            self._first = self._energy(t, q, v) if self._first is None else self._first
+            self._tenths(t / self._until, lambda: self._line(now, t, q, v))
+        elif self._first is None or now >= self._shown + _EVERY:
+            self._shown = now
+            self._show(self._line(now, t, q, v))
+
+    def _line(self, now: float, t: float, q: np.ndarray, v: np.ndarray) -> str:
+        energy = self._energy(t, q, v)
         self._first = energy if self._first is None else self._first
         drift = abs(energy - self._first) / abs(self._first) if self._first else abs(energy)
-        self._show(line(t, self._until, now - self._began, drift))
+        return line(t, self._until, now - self._began, drift)
+
+    def _energy(self, t: float, q: np.ndarray, v: np.ndarray) -> float:
+        return float(sum(self._system.energies(t, q, v)))
 
 
 def line(t: float, until: float, elapsed: float, drift: float) -> str:

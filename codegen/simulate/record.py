@@ -7,7 +7,9 @@ from math import prod
 import numpy as np
 
 from coscrew_codegen.scene.names import listed
-from coscrew_codegen.scene.recorded import Recorded, recorded
+from coscrew_codegen.scene.recordable import quantities_of
+from coscrew_codegen.scene.recorded import QuantityError, Recorded, recorded
+from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.selected import reactions
 from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.plan import Trajectory
@@ -17,12 +19,17 @@ from coscrew_codegen.simulate.system import System
 _AT_ONCE = 4096  # samples per call, so that temporaries of pure NumPy stay within megabytes
 
 
-def quantities(given: object) -> tuple[str, ...]:
-    """The names of what to record.  Raises SimulateError."""
+def quantities(given: object, scene: Scene | None = None) -> tuple[str, ...]:
+    """The names of what to record; of a scene, also by patterns.  Raises SimulateError."""
     names = listed("record", given, "energy", SimulateError)
     if not names:
         raise SimulateError('record: an empty list; wanted quantities, as ["q", "v"]')
-    return names
+    if scene is None:
+        return names
+    try:
+        return quantities_of(names, scene)
+    except QuantityError as error:
+        raise SimulateError(f"record: {error}") from None
 
 
 def record(system: System, trajectory: Trajectory, provenance: Provenance,
@@ -60,6 +67,8 @@ def quantity(system: System, trajectory: Trajectory, wanted: Recorded) -> np.nda
 def _values(system: System, wanted: Recorded, t: np.ndarray, q: np.ndarray, v: np.ndarray
             ) -> np.ndarray:
     """All components of the quantity.  (n), (…, n, nq), (…, n, nv)->(…, n, k)."""
+    if wanted.function:
+        return _of_effect(system, wanted, t, q, v)
     match wanted.quantity:
         case "a":
             return accelerations(system, t, q, v)
@@ -80,6 +89,20 @@ def _values(system: System, wanted: Recorded, t: np.ndarray, q: np.ndarray, v: n
     return pose[..., 3] if wanted.quantity == "position" else pose.reshape(*q.shape[:-1], 12)
 
 
+def _of_effect(system: System, wanted: Recorded, t: np.ndarray, q: np.ndarray, v: np.ndarray
+               ) -> np.ndarray:
+    """All components of all results of an effect's function."""
+    if not system.has(wanted.function):
+        raise _unselected(wanted.text, wanted.function)
+    outputs = system.described(wanted.function).outputs
+    found = system.call(wanted.function, t=t, q=q, v=v)
+    several = found if len(outputs) > 1 else (found,)
+    lead = np.broadcast_shapes(q.shape[:-1], t.shape)
+    return np.concatenate([
+        np.broadcast_to(x if shape else np.asarray(x)[..., None], (*lead, *(shape or (1,))))
+        for x, (_, shape) in zip(several, outputs, strict=True)], -1)
+
+
 def accelerations(system: System, t: np.ndarray, q: np.ndarray, v: np.ndarray) -> np.ndarray:
     """a at tau = 0.  (n), (…, n, nq), (…, n, nv)->(…, n, nv)."""
     return system.call("forward_dynamics", t=t, q=q, v=v, tau=np.zeros_like(v))
@@ -89,9 +112,13 @@ def reaction_name(system: System, joint: str) -> str:
     """The function of a joint's reaction.  Raises SimulateError if it was not selected."""
     name = next(name for name, on in reactions(system.scene).items() if on == joint)
     if not system.has(name):
-        raise SimulateError(f"reaction.{joint}: {name} is not among the selected functions; "
-                            f"wanted functions = [\"default\", {name!r}]")
+        raise _unselected(f"reaction.{joint}", name)
     return name
+
+
+def _unselected(quantity: str, function: str) -> SimulateError:
+    return SimulateError(f"{quantity}: {function} is not among the selected functions; "
+                         f"wanted functions = [\"default\", \"{function}\"]")
 
 
 @dataclass(frozen=True)

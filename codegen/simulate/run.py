@@ -151,7 +151,7 @@ def fixed(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.nd
                 more = min(at_once, count - i)
                 q, v = advance(more, taken + i, start + i * h, h, q, v)
                 if integrator.keeps_momentum:
-                    v = system.kept(momentum, start + (i + more) * h, q, v)
+                    q, v = system.kept(momentum, start + (i + more) * h, q, v)
             stops = driven.refused(alive) if driven else ()
             for x in stops:
                 alive[x.member if alive.ndim else ()] = False

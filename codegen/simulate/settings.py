@@ -10,8 +10,7 @@ from coscrew_codegen.parameter import Parameter, Scalar
 from coscrew_codegen.scene.assembly import ModelError
 from coscrew_codegen.scene.model import Model, value
 from coscrew_codegen.scene.names import nearest
-from coscrew_codegen.scene.possible import judged, unmoved_mass
-from coscrew_codegen.scene.recorded import exempt_joints
+from coscrew_codegen.scene.possible import judged, why_singular
 from coscrew_codegen.scene.scene import Applied, Scene, Setting
 from coscrew_codegen.scene.signs import signs
 from coscrew_codegen.scene_files.decimals import bounded
@@ -120,6 +119,5 @@ def _refuse_model(scene: Scene, settings: Mapping[str, float], given: str) -> No
         judged(model, scene.implausible)
     except ModelError as error:
         raise SimulateError(f"{given}: {error}") from None
-    if found := unmoved_mass(model, exempt_joints(replace(scene, model=model))):
-        joint, reason = found
-        raise SimulateError(f"{given}: joint {joint.name!r}: {reason}")
+    if problem := why_singular(replace(scene, model=model)):
+        raise SimulateError(f"{given}: {problem}")

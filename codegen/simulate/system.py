@@ -13,7 +13,7 @@ import numpy as np
 from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.program import Program
 from coscrew_codegen.scene.scene import Scene
-from coscrew_codegen.scene_functions import SceneInterface
+from coscrew_codegen.scene_functions import SceneInterface, Signature
 from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.settings import refuse_settings
 from coscrew_codegen.simulate.steps import Driven, InC
@@ -50,6 +50,10 @@ class System:
     def inputs(self) -> Mapping[str, tuple[str, ...]]:
         """The names of each function's inputs, in order."""
         return {x.name: tuple(name for name, _ in x.inputs) for x in self.functions.signatures}
+
+    def described(self, name: str) -> Signature:
+        """The inputs and outputs of the function of this name."""
+        return next(x for x in self.functions.signatures if x.name == name)
 
     @property
     def programs(self) -> Mapping[str, Program]:
@@ -109,13 +113,17 @@ class System:
         return found
 
     def momentum(self, q: np.ndarray, v: np.ndarray) -> np.ndarray | None:
-        """The momentum of floating bases, if nothing but gravity changes it."""
+        """(p; L; x) of floating bases, if nothing but gravity changes it: momentum, angular
+        momentum about the centre of mass, and the centre of mass."""
         return self.call("free_momentum", q=q, v=v) if self.has("free_momentum") else None
 
-    def kept(self, c: np.ndarray | None, t: float, q: np.ndarray, v: np.ndarray) -> np.ndarray:
-        """v corrected to the momentum that floating bases have at t after starting with `c` at
-        t = 0: removes the accumulated rounding errors of many steps."""
-        return v if c is None else self.call("with_free_momentum", t=t, q=q, v=v, c=c)
+    def kept(self, c: np.ndarray | None, t: float, q: np.ndarray, v: np.ndarray) -> State:
+        """q and v corrected to the centre of mass and the momentum that floating bases have at t
+        after starting with `c` at t = 0: removes the accumulated errors of many steps."""
+        if c is None:
+            return q, v
+        q, v = self.outputs("with_free_momentum", t=t, q=q, v=v, c=c)
+        return q, v
 
     def at(self, p: np.ndarray) -> "System":
         """The system with these parameters.  (…, np)."""

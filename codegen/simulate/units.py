@@ -15,6 +15,9 @@ _PREFIXES = {1: "k", 0: "", -1: "m", -2: "µ", -3: "n"}  # others are less known
 def units(functions: SceneFunctions, name: str) -> Units:
     """The unit of each component of the function's results, in order; "1" if it has none."""
     count = sum(math.prod(a.quantity.shape) for a in functions.named(name).program.outputs)
+    if name.startswith("effect_"):
+        return tuple(unit for a in functions.named(name).program.outputs
+                     for unit in (a.quantity.words.removeprefix("in "),) * a.quantity.size)
     made = _OF_FUNCTION.get(name) or _OF_FUNCTION.get(name.partition("_")[0], _always("1"))
     found = made(functions)
     return found * (count // len(found) if found else 0)  # those of bodies are all alike
@@ -73,8 +76,10 @@ _MOMENTUM = _always("N s", "N s", "N s", "N m s", "N m s", "N m s")
 _OF_FUNCTION = {
     "inverse_dynamics": _torques, "bias_torques": _torques, "gravity_torques": _torques,
     "forward_dynamics": _of_joints("a"), "mass_matrix": _masses, "energy": _always("J"),
-    "power": _always("W"), "momentum": _MOMENTUM, "free_momentum": _MOMENTUM,
-    "with_free_momentum": _velocities, "integrated": _of_joints("q"), "jacobian": _jacobian,
+    "power": _always("W"), "momentum": _MOMENTUM,
+    "free_momentum": lambda scene: (*_MOMENTUM(scene), "m", "m", "m"),
+    "with_free_momentum": lambda scene: (*_of_joints("q")(scene), *_velocities(scene)),
+    "integrated": _of_joints("q"), "jacobian": _jacobian,
     "body_poses": _always("1", "1", "1", "m"), "parts": _always("1", "s"),
     "body_twists": _always("m/s", "m/s", "m/s", "rad/s", "rad/s", "rad/s"),
     "reaction": _always("N", "N", "N", "N m", "N m", "N m")}

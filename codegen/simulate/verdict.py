@@ -1,21 +1,18 @@
 """The findings of a check as text: tables, what is false, what helps."""
 
-import math
 
 from tabulate import tabulate
 
-from coscrew_codegen.formats import DOUBLE
-from coscrew_codegen.integrators import DEFAULT
-from coscrew_codegen.simulate import advice
 from coscrew_codegen.simulate.check_rounding import DIGITS, Certified, Rounded
 from coscrew_codegen.simulate.findings import (
-    ALLOWED,
+    ENERGY,
     FINEST,
     STRICTLY,
     Along,
     Findings,
     Met,
 )
+from coscrew_codegen.simulate.motion_error import ALLOWED
 from coscrew_codegen.simulate.outcome import gaps
 from coscrew_codegen.simulate.units import in_unit
 
@@ -38,9 +35,7 @@ def table(findings: Findings, strict: bool = False) -> str:
 
 
 def _strictly_false(along: Along) -> str:
-    if along.doubtful:
-        return "smaller steps do not reduce the error of energy; it is not rounding"
-    return f"energy is off by {along.coarse.relative:.2g}, allowed is {STRICTLY:g} if not rounding"
+    return f"{_off(along)}, allowed is {STRICTLY:g}"
 
 
 def _expectations(met: tuple[Met, ...]) -> str:
@@ -52,13 +47,13 @@ def _expectations(met: tuple[Met, ...]) -> str:
 
 
 def _checks(along: tuple[Along, ...]) -> str:
-    rows = [("largest error of energy, relative",
+    rows = [("largest error of the motion, relative to the way a part moves",
+             *(f"{x.error.relative:.2g} ({x.error.part})" for x in along)),
+            ("largest error of energy, relative",
              *(f"{x.coarse.relative:.2g}" for x in along)),
             ("the same with " + " or ".join(dict.fromkeys(_finer(x) for x in along)),
              *(f"{x.fine.relative:.2g}" for x in along)),
             ("cause of this error", *(_verdict(x) for x in along)),
-            ("largest change of a joint's velocity with smaller steps",
-             *(f"{x.speeds[0]:.2g} ({x.speeds[1]})" for x in along)),
             *([("largest error of the momentum of floating bases, relative",
                 *(f"{x.coarse.momentum:.2g}" for x in along))]
               if any(x.coarse.momentum for x in along) else []),
@@ -102,47 +97,25 @@ def _broken(found: Rounded) -> str:
 
 
 def _false(along: Along) -> str:
-    """A sentence on a defect beyond the allowed one, with its cause and a remedy; else ""."""
-    energy = not along.energy
-    if not (energy or along.fine_energy):
-        return (f"energy is off by {along.coarse.relative:.2g}, but by {along.fine.relative:.2g} "
-                f"with {_finer(along)}, allowed is {ALLOWED:g}: what the scene asks is not "
-                f"resolved{_or_double(along)}")
-    what, off = (("energy", along.coarse.relative) if energy
-                 else ("momentum", along.coarse.momentum))
-    said = f"{what} is off by {off:.2g}, allowed is {ALLOWED:g}"
-    name = along.integrator.name
-    if energy and along.doubtful:
-        tried = (f"neither half the step nor 1/{FINEST} of it helps" if along.finest
-                 else "smaller steps do not help")
-        other = f"; integrator {DEFAULT} splits steps in which limits close"
-        return (f"{said}, and {tried}: what the scene asks is not resolved{_or_double(along)}"
-                f"{other if along.limits and name != DEFAULT else ''}")
-    if not along.length:
-        return f"{said}; take a smaller rtol{_or_double(along)}"
-    other = "" if name == DEFAULT else f", or integrator {DEFAULT}"
-    return f"{said}: {_smaller(along)}{other}"
+    """A sentence on a motion that is wrong or not known, or energies that do not balance, with the
+    cause and what was found to help."""
+    if not along.right:
+        why = ("single precision does not resolve it" if along.by_rounding else
+               "the step is too large" if along.length else "the tolerances are too large")
+        return f"{_off(along)}, allowed is {ALLOWED:g}: {why}; {along.remedy}"
+    if not along.resolved:
+        until = f"; check a shorter run: --until {along.known:.3g}" if along.known else ""
+        return (f"the motion is known until t = {along.known:.3g} s alone: later, steps of "
+                f"{along.smallest:.2g} s and larger ones give different motions, as of what is "
+                f"chaotic, or too stiff for them{until}")
+    return (f"energy is off by {along.coarse.relative:.2g}, allowed is {ENERGY:g}, and neither "
+            f"half the step nor 1/{FINEST} of it helps: the power of an effect is not that of its "
+            "force, or changes between the samples")
 
 
-def _smaller(along: Along) -> str:
-    """What is too long, and the step to take; in double, unless single precision resolves it."""
-    if not along.energy and along.part < math.inf:
-        long = ("the parts are too long in which steps are taken while limits are closed, "
-                f"{along.part:.2g} s and more")
-        take, other = f"take a step of {advice.step(along):.1g} s", ", or softer limits"
-    else:
-        long, take = "the step is too large", f"take one {advice.factor(along):.1g} times as long"
-        other = ""
-    double = along.precision != DOUBLE.name and not along.helps
-    why = ", since single precision does not resolve it" if along.helps is False else ""
-    return f"{long}; {take}{f' with --precision double{why}' if double else ''}{other}"
-
-
-def _or_double(along: Along) -> str:
-    """Double precision as a remedy, unless it does not help either."""
-    if along.precision == DOUBLE.name or (along.double and not along.double.true):
-        return ""
-    return "; take --precision double"
+def _off(along: Along) -> str:
+    return (f"{along.error.part} is off by {along.error.relative:.2g} of the way it moves, at t = "
+            f"{along.error.t:.4g} s")
 
 
 def _finer(along: Along) -> str:
@@ -161,5 +134,5 @@ def _verdict(along: Along) -> str:
         return "rounding"
     if along.step.startswith("rtol"):
         return "integrator: smaller tolerances help"
-    order = advice.order(along)
+    order = along.order
     return f"integrator, of order {order:.1f}" if order else "integrator, as in double"

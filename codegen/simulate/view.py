@@ -19,6 +19,7 @@ from coscrew_codegen.scene.model import WORLD, Inertia, Joint, Kind
 from coscrew_codegen.simulate.plan import Trajectory
 from coscrew_codegen.simulate.recording import Provenance
 from coscrew_codegen.simulate.system import System
+from coscrew_codegen.simulate.view_recorded import charts
 from coscrew_codegen.simulate.write import delivered
 
 _FRAMES_A_SECOND = 60
@@ -54,8 +55,11 @@ def page(system: System, trajectory: Trajectory, provenance: Provenance) -> str:
     t, q, v, poses = _shown(system, trajectory)
     kinetic, potential = system.energies(t, q, v)
     energies = {"kinetic": kinetic, "potential": potential, "total": kinetic + potential}
+    recorded = charts(system, trajectory, _frames(trajectory.t, len(names))[:len(t)])
     data = {"t": _packed(t, "<f8"), "poses": _packed(poses, "<f4"),
             "energies": {name: _packed(values, "<f8") for name, values in energies.items()},
+            "recorded": [{"values": _packed(line.values, "<f8"), "unit": chart.unit}
+                         for chart in recorded for line in chart.lines],
             "bodies": names, "up": _up(system), **asdict(drawn(system)),
             "labels": _labels(system)}
     count = len(names)
@@ -67,8 +71,8 @@ def page(system: System, trajectory: Trajectory, provenance: Provenance) -> str:
                 default=_SPEEDS[0][0])
     return render("view/page.html", speed=speed, name=scene.name, sentence=sentence, bodies=names,
                   stopped=trajectory.stopped, shown=shown, speeds=_SPEEDS, energies=tuple(energies),
-                  provenance=provenance, data=json.dumps(data, allow_nan=False, separators=(
-                      ",", ":")).replace("<", "\\u003c"))
+                  charts=recorded, provenance=provenance, data=json.dumps(
+                      data, allow_nan=False, separators=(",", ":")).replace("<", "\\u003c"))
 
 
 def _shown(system: System, trajectory: Trajectory) -> tuple[np.ndarray, ...]:

@@ -9,8 +9,9 @@
     alone            one member by itself, as `run` runs it
     chunk            from the number of a chunk to its Parquet file, in a worker
     cluster          workers of this machine or of a cluster; chunks in a moving window
-    folder           the files; a lock; what is finished
-    arrays           Zarr, and the view of it by xarray
+    part, about      Parquet files and sweep.json with checksums; how they are read
+    folder           the files; a lock; what is finished; damaged files
+    arrays           Zarr, and the view of it by xarray; checked_store compares checksums
     axis, column, tally   counts and sums of which the page is made
     plot, page       distributions and heat maps; tables
 

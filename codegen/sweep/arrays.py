@@ -6,18 +6,19 @@ In Zarr the members are one dimension; xarray sees the grids as dimensions of th
     sweep["q.elbow.final"].sel({"payload.mass": 5}).mean("sample")
 """
 
-import json
 import shutil
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import pyarrow.parquet
+import pyarrow
 
 from coscrew_codegen.simulate.plan import Plan
 from coscrew_codegen.sweep import SweepError
-from coscrew_codegen.sweep.folder import ABOUT, MEMBERS, ZARR, Folder
+from coscrew_codegen.sweep.about import SPECIFICATION, told
+from coscrew_codegen.sweep.folder import MEMBERS, ZARR, Folder, part_of, whole
+from coscrew_codegen.sweep.part import read
 from coscrew_codegen.sweep.summary import FAILED, MEMBER
 
 if TYPE_CHECKING:
@@ -33,6 +34,8 @@ def write(folder: Folder, about: Mapping[str, str], plan: Plan) -> None:
     """Write the arrays of all chunks, which must be finished.  Raises OSError, and leaves none."""
     import zarr
 
+    from coscrew_codegen.sweep.checked_store import listed, sums
+
     made, target = folder.path / f".{ZARR}.part", folder.path / ZARR
     shutil.rmtree(made, ignore_errors=True)
     try:
@@ -45,6 +48,7 @@ def write(folder: Folder, about: Mapping[str, str], plan: Plan) -> None:
                     array[first:first + len(table)] = _numbers(table, name)
         group.attrs["columns"] = [name for name in arrays if name != "t"]
         shutil.rmtree(target, ignore_errors=True)
+        whole(sums(target), listed(made, ZARR))
         made.rename(target)
     finally:
         shutil.rmtree(made, ignore_errors=True)
@@ -56,7 +60,7 @@ def _tables(folder: Folder) -> Iterator[tuple[int, pyarrow.Table]]:
     several = _several(folder)
     for number in range(0, its.chunks, several):
         files = [folder.of(n) for n in range(number, min(number + several, its.chunks))]
-        yield number * its.chunk, pyarrow.concat_tables(map(pyarrow.parquet.read_table, files))
+        yield number * its.chunk, pyarrow.concat_tables(map(read, files))
 
 
 def _several(folder: Folder) -> int:
@@ -106,15 +110,20 @@ def opened(folder: Path | str) -> "xarray.Dataset":
     sampled, the grids, and t, if series were kept.  Coordinates are what varied.  Where a member
     failed, `failed.cause` and `failed.joint` are not "".
 
-    Raises SweepError if the folder has no finished sweep."""
+    Raises SweepError if the folder has no finished sweep; DamagedError, here or when it is used,
+    naming a file that is not as it was written."""
     import xarray
+    from zarr.storage import LocalStore
+
+    from coscrew_codegen.sweep.checked_store import CheckedStore
 
     path = Path(folder)
-    try:
-        its = json.loads((path / ABOUT).read_text("utf-8"))["specification"]["varied"]
-        flat = xarray.open_zarr(path / ZARR, chunks={}, consolidated=False)
-    except (OSError, ValueError, KeyError) as error:
-        raise SweepError(f"{path}: holds no finished sweep: {error}") from None
+    if not (path / ZARR).is_dir():
+        raise SweepError(f"{path}: holds no finished sweep: there is no {ZARR}")
+    about: Any = told(path)[SPECIFICATION]
+    its = about["varied"]
+    flat = xarray.open_zarr(CheckedStore(LocalStore(path / ZARR, read_only=True)), chunks={},
+                            consolidated=False)
     grids = {x["of"]["name"]: (x["of"]["name"], x["values"], flat[x["of"]["name"]].attrs)
              for x in its["grids"]}
     ranged = [x["of"]["name"] for x in its["ranges"]]
@@ -123,28 +132,28 @@ def opened(folder: Path | str) -> "xarray.Dataset":
     words = _WORDS if (path / MEMBERS).is_dir() else {}
     found = xarray.Dataset(
         {**{name: _folded(flat[name].variable, shape) for name in names},
-         **{name: _folded(_texts(path, column), shape) for name, column in words.items()}},
+         **{name: _folded(_texts(path, column, about["chunk"], flat.sizes[MEMBER]), shape)
+            for name, column in words.items()}},
         {**grids, **({"t": flat["t"]} if "t" in flat else {})}, flat.attrs)
     found = found.assign_coords({name: found[name].isel(dict.fromkeys(grids, 0), drop=True)
                                  for name in ranged})
     return found if ranged else found.isel(sample=0)
 
 
-def _texts(folder: Path, column: str) -> "xarray.Variable":
-    """A column of the Parquet files, read when it is used; "" where it has no text."""
+def _texts(folder: Path, column: str, chunk: int, members: int) -> "xarray.Variable":
+    """A column of the parts, which have so many members each, read when it is used; "" where it
+    has no text."""
     import dask.array
     import xarray
     from dask.delayed import delayed
 
-    def read(path: Path) -> np.ndarray:
-        found = pyarrow.parquet.read_table(path, columns=[column])[column]
+    def texts(path: Path) -> np.ndarray:
+        found = read(path, [column])[column]
         return np.asarray(found.fill_null("").to_numpy(zero_copy_only=False), object)
 
-    def rows(path: Path) -> int:
-        return int(pyarrow.parquet.read_metadata(path).num_rows)
-
-    parts = [dask.array.from_delayed(delayed(read)(x), (rows(x),), object)
-             for x in sorted((folder / MEMBERS).glob("*.parquet"))]
+    parts = [dask.array.from_delayed(delayed(texts)(part_of(folder, n)),
+                                     (min(chunk, members - n * chunk),), object)
+             for n in range(-(-members // chunk))]
     return xarray.Variable((MEMBER,), dask.array.concatenate(parts))
 
 

@@ -4,8 +4,9 @@ starts, by name."""
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from fnmatch import fnmatchcase
+from typing import NoReturn
 
+from coscrew_codegen.scene import patterns
 from coscrew_codegen.scene.model import Joint, Kind
 from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.scene.parameter_units import parameter_units
@@ -88,42 +89,45 @@ def _speeds(joint: Joint) -> Ends | None:
 
 def one(option: str, name: str, scene: Scene, known: Mapping[str, Candidate]) -> Candidate:
     """The candidate of this name.  Raises SweepError."""
-    if name not in known:
+    found = patterns.matching(name, known)
+    if not found:
         _refuse(option, name, scene, known)
+    if found != (name,):
+        raise SweepError(f"{option} {name}: wanted one name; the pattern matches "
+                         f"{', '.join(found)}; --sobol samples all that a pattern matches")
     return known[name]
 
 
 def matching(option: str, pattern: str, scene: Scene, known: Mapping[str, Candidate]
              ) -> tuple[Candidate, ...]:
     """The candidates whose names match the pattern (* ? [abc]).  Raises SweepError."""
-    found = tuple(x for x in known.values() if fnmatchcase(x.name, pattern))
+    found = patterns.matching(pattern, known)
     if not found:
         _refuse(option, pattern, scene, known)
-    return found
+    return tuple(known[name] for name in found)
 
 
 def turned(option: str, pattern: str, scene: Scene) -> tuple[Candidate, ...]:
     """The numbers that give the quaternions whose names match the pattern.  Raises SweepError."""
     known = rotations(scene)
-    if not (found := tuple(x for name in known if fnmatchcase(name, pattern)
-                           for x in known[name])):
+    if not (found := tuple(x for name in patterns.matching(pattern, known) for x in known[name])):
         raise SweepError(f"{option} {pattern}={UNIFORM}: matches no start of a joint with a "
                          f"quaternion; there are {', '.join(known) or 'none'}")
     return found
 
 
-def _refuse(option: str, name: str, scene: Scene, known: Mapping[str, Candidate]) -> None:
-    fixed = [x for x in constants(scene.model, scene.effects) if fnmatchcase(x, name)]
+def _refuse(option: str, name: str, scene: Scene, known: Mapping[str, Candidate]) -> NoReturn:
+    fixed = patterns.matching(name, constants(scene.model, scene.effects))
     if fixed:
         listed = ", ".join(f'"{x}"' for x in (*(x.name for x in scene.parameters), *fixed))
         raise SweepError(f"{option} {name}: a constant of the scene's functions; to vary it, write "
                          f"into the scene's file: runtime = [{listed}]")
     for x in rotations(scene):
-        if name.startswith(x) or fnmatchcase(x, name):
+        if name.startswith(x) or patterns.matching(name, (x,)):
             raise SweepError(f"{option} {name}: components of a quaternion, which cannot vary one "
                              f"by one; wanted --sobol {x}={UNIFORM}")
-    if set("*?[") & set(name):
-        raise SweepError(f"{option} {name}: matches nothing; there are {', '.join(known)}")
+    if patterns.is_pattern(name):
+        raise SweepError(f"{option} {name}: matches nothing; {did_you_mean(name, known)}")
     raise SweepError(f"{option} {name}: neither a `runtime` parameter nor a start; "
                      f"{did_you_mean(name, known)}")
 

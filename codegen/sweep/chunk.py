@@ -10,8 +10,6 @@ from dataclasses import dataclass
 from importlib.metadata import version
 
 import numpy as np
-import pyarrow
-import pyarrow.parquet
 
 from coscrew_codegen.native import cache
 from coscrew_codegen.simulate.load import Kernels, restored
@@ -19,6 +17,7 @@ from coscrew_codegen.simulate.system import scene_of, system
 from coscrew_codegen.simulate.uniform_rotations import quaternions
 from coscrew_codegen.sweep import SweepError
 from coscrew_codegen.sweep.lock import held
+from coscrew_codegen.sweep.part import sealed
 from coscrew_codegen.sweep.specification import Specification
 
 _COMPILING = ".sweep-compiles"  # in the cache: workers of a machine compile one after the other
@@ -98,7 +97,7 @@ def _computed(job: Job, number: int) -> Chunk:
     found = batch.run(kernels, its.conditions, **states(kernels, its, values))
     table = summary.table(scene_of(kernels), its, rows, values, found)
     told = json.dumps(provenance(kernels, its), ensure_ascii=False)
-    return Chunk(_parquet(table.replace_schema_metadata({"coscrew": told})), len(rows),
+    return Chunk(sealed(table.replace_schema_metadata({"coscrew": told})), len(rows),
                  len(found.failed))
 
 
@@ -148,8 +147,3 @@ def provenance(kernels: Kernels, its: Specification) -> Mapping[str, str]:
 def _versions() -> Mapping[str, str]:
     return {name: version(name) for name in ("coscrew", "numpy", "scipy", "pyarrow")}
 
-
-def _parquet(table: pyarrow.Table) -> bytes:
-    sink = pyarrow.BufferOutputStream()
-    pyarrow.parquet.write_table(table, sink, compression="zstd")
-    return bytes(sink.getvalue())

@@ -3,10 +3,12 @@
 import argparse
 import sys
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from coscrew_codegen.console import Tenths
+from coscrew_codegen.name_lists import Names
 from coscrew_codegen.simulate.command import add_scene, scene_of, tell_unused
 from coscrew_codegen.sweep import SweepError, asked
 
@@ -14,7 +16,10 @@ if TYPE_CHECKING:
     from distributed import Client
 
     from coscrew_codegen.sweep.folder import Folder
+    from coscrew_codegen.sweep.part import DamagedError
     from coscrew_codegen.sweep.prepare import Prepared
+
+_ROUNDS = 4  # of computing what is missing, while parts are damaged as soon as they are written
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -38,9 +43,9 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
                         help="points of the Sobol sequence, each run at every point of the grids")
     parser.add_argument("--seed", metavar="N", type=asked.seed,
                         help="of the sequence's scrambling (default: 0)")
-    parser.add_argument("--record", metavar="QUANTITY", action="append", default=[],
-                        help="a quantity, as in a scene's `record`, instead of these; may be "
-                             "repeated")
+    parser.add_argument("--record", metavar="QUANTITY", action=Names, default=[],
+                        help="quantities instead of the scene's `record`, as there, also by "
+                             "patterns; several with commas, or repeated")
     parser.add_argument("--series", action="store_true",
                         help="keep all samples of each run, besides their statistics")
     parser.add_argument("--workers", metavar="N", type=lambda text: asked.whole(text, 1),
@@ -75,8 +80,7 @@ def run(options: argparse.Namespace) -> int:
     try:
         with (opened(options.out, specification, {"provenance": about}) as folder,
               _going_on(folder)):
-            _compute(prepared, folder, options)
-            return _report(prepared, folder, _words(options))
+            return _finished(prepared, folder, options)
     except KeyboardInterrupt as stopped:
         print(f"coscrew: {stopped}", file=sys.stderr)
         return 130
@@ -111,7 +115,7 @@ def _going_on(folder: "Folder") -> Iterator[None]:
     """Errors and interrupts in the block also say what is kept, and how to go on."""
     def kept(words: object) -> str:
         return (f"{words}; {folder.members()} of {folder.specification.varied.members} members are "
-                "written, and the same command goes on")
+                f"written into {folder.path}, and the same command goes on")
 
     try:
         yield
@@ -126,6 +130,28 @@ def _going_on(folder: "Folder") -> Iterator[None]:
                               f"{error.strerror or error}")) from error
 
 
+def _finished(prepared: "Prepared", folder: "Folder", options: argparse.Namespace) -> int:
+    """Compute and write what is missing or damaged, and report; returns the exit status."""
+    from coscrew_codegen.sweep.part import DamagedError
+
+    for n in range(_ROUNDS):
+        for damaged in folder.damaged(finished=n > 0):
+            _set_aside(folder, damaged)
+        _compute(prepared, folder, options)
+        with suppress(DamagedError):  # since it was written
+            return _report(prepared, folder, _words(options))
+    raise SweepError(f"{folder.path}: parts are damaged again and again; is the disk in order?")
+
+
+def _set_aside(folder: "Folder", damaged: "DamagedError") -> None:
+    """Move a damaged part out of the way, and tell."""
+    from coscrew_codegen.sweep.folder import set_aside
+
+    kept = set_aside(folder.path, damaged.path)
+    moved = f"set aside as {kept.relative_to(folder.path)}, " if kept else ""
+    print(f"coscrew: {damaged.path}: {damaged.why}; {moved}made again", file=sys.stderr)
+
+
 def _compute(prepared: "Prepared", folder: "Folder", options: argparse.Namespace) -> None:
     """Compute and write what is missing."""
     members, there = folder.specification.varied.members, folder.members()
@@ -137,15 +163,18 @@ def _compute(prepared: "Prepared", folder: "Folder", options: argparse.Namespace
     from coscrew_codegen.sweep import cluster
     from coscrew_codegen.sweep.chunk import Job
 
-    job, failed = Job.of(prepared.kernels, prepared.specification), 0
+    job, failed, tenths = Job.of(prepared.kernels, prepared.specification), 0, Tenths()
     with (_client(options, prepared.specification.chunks) as client,
           tqdm(total=members, initial=there, unit=" runs", unit_scale=True, disable=None) as bar):
         for number, chunk in cluster.finished(client, job, folder.missing()):
             folder.write(number, chunk.content)
-            failed += chunk.failed
+            failed, there = failed + chunk.failed, there + chunk.members
+            lost = f", {failed} failed" if failed else ""
+            tenths(there / members, f"{there} of {members} members written{lost}".__str__)
             bar.update(chunk.members)
             if failed:
                 bar.set_postfix_str(f"{failed} failed")
+    print(f"coscrew: {there} of {members} members written into {folder.path}", file=sys.stderr)
 
 
 @contextmanager

@@ -1,9 +1,12 @@
-"""The folder of a sweep: sweep.json, what it is; members/, a Parquet file for each finished chunk.
+"""The folder of a sweep: sweep.json, what it is; members/, a Parquet file for each finished chunk;
+damaged/, files that were not as they had been written.
 
 Files appear whole: they are written under another name, which begins with a dot, and renamed."""
 
 import json
 import os
+import re
+import sys
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
@@ -11,11 +14,13 @@ from pathlib import Path
 
 from coscrew_codegen.pages import Json
 from coscrew_codegen.sweep import SweepError
+from coscrew_codegen.sweep.about import ABOUT, HASH, SPECIFICATION, as_text, told
 from coscrew_codegen.sweep.lock import held
+from coscrew_codegen.sweep.part import DamagedError, check, sweep_of
 from coscrew_codegen.sweep.specification import Specification
 
-LOCK, ABOUT, MEMBERS, PAGE, ZARR = ".lock", "sweep.json", "members", "summary.html", "sweep.zarr"
-_HASH = "sha256"
+LOCK, MEMBERS, PAGE, ZARR, DAMAGED = ".lock", "members", "summary.html", "sweep.zarr", "damaged"
+_PART = re.compile(r"part-(\d{8,})\.parquet")
 
 
 @dataclass(frozen=True)
@@ -27,23 +32,54 @@ class Folder:
 
     def of(self, number: int) -> Path:
         """The file of a chunk."""
-        return self.path / MEMBERS / f"part-{number:08d}.parquet"
+        return part_of(self.path, number)
 
     def missing(self) -> Iterator[int]:
         """The numbers of the chunks that are not there, in order."""
-        return (n for n in range(self.specification.chunks) if not self.of(n).exists())
+        there = set(self._there())
+        return (n for n in range(self.specification.chunks) if n not in there)
 
     def members(self) -> int:
         """How many members are there."""
-        its = self.specification
-        with os.scandir(self.path / MEMBERS) as files:
-            count = sum(x.name.startswith("part-") for x in files)
-        short = its.chunk - len(its.members(its.chunks - 1))
-        return count * its.chunk - short * self.of(its.chunks - 1).exists()
+        return sum(len(self.specification.members(n)) for n in self._there())
+
+    def damaged(self, finished: bool) -> Iterator[DamagedError]:
+        """What is wrong with each part that is not as it was written; if all have been written,
+        also with those that are not there."""
+        there = sorted(self._there())
+        for number in range(self.specification.chunks) if finished else there:
+            try:
+                check(self.of(number), self.specification, number)
+            except DamagedError as error:
+                yield error
+
+    def _there(self) -> tuple[int, ...]:
+        """The numbers of the chunks that have a file."""
+        folder = self.path / MEMBERS
+        names = os.listdir(folder) if folder.is_dir() else ()
+        numbers = (int(x[1]) for x in map(_PART.fullmatch, names) if x)
+        return tuple(n for n in numbers if n < self.specification.chunks)
 
     def write(self, number: int, content: bytes) -> None:
         """Add a chunk.  Raises OSError, and then the folder is as before."""
         whole(self.of(number), content)
+
+
+def part_of(folder: Path, number: int) -> Path:
+    """The file of a chunk of the sweep in this folder."""
+    return folder / MEMBERS / f"part-{number:08d}.parquet"
+
+
+def set_aside(folder: Path, path: Path) -> Path | None:
+    """Move a damaged file of the sweep into damaged/; returns its new name, None if it is gone."""
+    if not os.path.lexists(path):
+        return None
+    kept = folder / DAMAGED
+    kept.mkdir(exist_ok=True)
+    names = (kept / f"{path.name}{count}" for count in ("", *(f".{n}" for n in range(2, 10**6))))
+    target = next(x for x in names if not os.path.lexists(x))
+    os.replace(path, target)
+    return target
 
 
 @contextmanager
@@ -85,27 +121,48 @@ def whole(path: Path, content: bytes) -> None:
 def _refuse_others(path: Path) -> None:
     """Refuse a folder with files but no sweep."""
     strange = next((x.name for x in sorted(path.iterdir()) if x.name != LOCK), None)
-    if strange and not (path / ABOUT).exists():
+    if strange and not (path / ABOUT).exists() and _sweep_of_parts(path) is None:
         raise SweepError(f"{path}: holds {strange}, and no sweep; wanted a new or empty folder, or "
                          "one of this sweep")
 
 
 def _know(path: Path, specification: Specification, about: Mapping[str, Json]) -> None:
     """Write what the sweep is, or compare it with what the folder says."""
-    wanted = specification.data
-    if not (path / ABOUT).exists():
-        told = {_HASH: specification.sha256, "specification": wanted, **about}
-        whole(path / ABOUT, (json.dumps(told, indent=2, ensure_ascii=False) + "\n").encode())
-        return
+    digest = specification.sha256
     try:
-        there = json.loads((path / ABOUT).read_text("utf-8"))
-        digest, known = there[_HASH], dict(there["specification"])
-    except (ValueError, KeyError, TypeError):
-        raise SweepError(f"{path / ABOUT}: cannot be read as that of a sweep") from None
-    if digest != specification.sha256:
-        differ = ", ".join(_differing("", known, wanted))
-        raise SweepError(f"{path}: holds another sweep, {digest[:12]}; this one is "
-                         f"{specification.sha256[:12]}; they differ in {differ or 'their form'}")
+        there = told(path)
+    except DamagedError as error:
+        _refuse_without_about(path, digest, error)
+        set_aside(path, path / ABOUT)
+        whole(path / ABOUT, as_text({HASH: digest, SPECIFICATION: specification.data, **about}))
+        return
+    if there[HASH] != digest:
+        differ = ", ".join(_differing("", there[SPECIFICATION], specification.data))
+        raise SweepError(f"{path}: holds another sweep, {str(there[HASH])[:12]}; this one is "
+                         f"{digest[:12]}; they differ in {differ or 'their form'}")
+
+
+def _refuse_without_about(path: Path, digest: str, error: DamagedError) -> None:
+    """Refuse a folder whose sweep.json is damaged unless its parts are of this sweep; tell that
+    the file is written again."""
+    if not (path / ABOUT).exists() and not (path / MEMBERS).exists():
+        return  # a new one
+    found = _sweep_of_parts(path)
+    if found is None and not (path / MEMBERS).is_dir():
+        raise SweepError(f"{path / ABOUT}: {error.why}, and nothing beside it is of a sweep; "
+                         "wanted a new or empty folder, or one of this sweep")
+    if found not in (None, digest):
+        raise SweepError(f"{path / ABOUT}: {error.why}; the parts beside it are of another sweep, "
+                         f"{str(found)[:12]}; this one is {digest[:12]}; take another --out")
+    print(f"coscrew: {path / ABOUT}: {error.why}; written again", file=sys.stderr)
+
+
+def _sweep_of_parts(path: Path) -> str | None:
+    """The hash of the sweep of the first part that is as it was written; None if none is."""
+    for x in sorted((path / MEMBERS).glob("part-*.parquet")):
+        with suppress(DamagedError):
+            return sweep_of(x)
+    return None
 
 
 def _differing(name: str, a: Json, b: Json) -> Iterator[str]:

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from coscrew_codegen.formats import BY_NAME, DOUBLE
 from coscrew_codegen.integrators import named
 from coscrew_codegen.scene.content import content_hash
+from coscrew_codegen.scene.recordable import quantities_of
 from coscrew_codegen.scene.recorded import QuantityError, recorded
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulate import needs
@@ -75,13 +76,11 @@ def prepared(read: Scene, asked: Asked) -> Prepared:
 
 def _recording(scene: Scene, record: tuple[str, ...]) -> Scene:
     """The scene with these quantities instead of its own, each once."""
-    chosen = replace(scene, record=tuple(dict.fromkeys(record or scene.record)))
-    for text in chosen.record:
-        try:
-            recorded(text, chosen)
-        except QuantityError as error:
-            raise SweepError(f"--record {error}") from None
-    return chosen
+    try:
+        names = quantities_of(record or scene.record, scene)
+    except QuantityError as error:
+        raise SweepError(f"--record {error}") from None
+    return replace(scene, record=tuple(dict.fromkeys(names)))
 
 
 def _chunk(members: int, scene: Scene, planned: Plan) -> int:

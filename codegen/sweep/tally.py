@@ -13,6 +13,7 @@ from pyarrow import Table
 
 from coscrew_codegen.sweep.axis import Axis, of_varied, parts_for
 from coscrew_codegen.sweep.column import Column
+from coscrew_codegen.sweep.part import read, read_metadata
 from coscrew_codegen.sweep.specification import Specification
 from coscrew_codegen.sweep.summary import FAILED, MEMBER, STATISTICS
 
@@ -42,7 +43,7 @@ def tally(specification: Specification, units: Mapping[str, str], files: Iterabl
     found = Tally(0, axes, tuple(Column(Axis(name, unit, *ranges[name], parts), axes)
                                  for name, unit in units.items()))
     for path in paths:
-        _add(found, pyarrow.parquet.read_table(path))
+        _add(found, read(path))
     return found
 
 
@@ -50,7 +51,7 @@ def _ranges(names: tuple[str, ...], files: Iterable[Path]) -> dict[str, tuple[fl
     """Smallest minimum and largest maximum of each recorded column, from the files' statistics."""
     found = dict.fromkeys(names, (np.inf, -np.inf))
     for path in files:
-        meta = pyarrow.parquet.read_metadata(path)
+        meta = read_metadata(path)
         for group in range(meta.num_row_groups):
             for name, x in _statistics(meta.row_group(group)):
                 column, _, word = name.rpartition(".")

@@ -8,7 +8,7 @@ from coscrew_codegen.formats import DOUBLE, Precision
 from coscrew_codegen.library import FamilyKernels, Library
 from coscrew_codegen.operations import FAMILIES, family_named
 from coscrew_codegen.render import render
-from coscrew_codegen.targets import c, c_elementary, c_ksl, c_storage
+from coscrew_codegen.targets import c, c_double, c_elementary, c_ksl, c_storage
 from coscrew_codegen.targets.c_function import CFunction
 from coscrew_codegen.targets.target import Files, Target
 from coscrew_codegen.tiers import MARKED, PLAIN, TIERS, Tier
@@ -40,7 +40,8 @@ def _functions(kernels: FamilyKernels) -> Mapping[tuple[str, str], tuple[CFuncti
 
 def _plain_headers(library: Library) -> Headers:
     made = {"ksl_rounding": render("c/ksl_rounding.h", banner=library.banner,
-                                   products=library.precisions),
+                                   products=library.precisions,
+                                   double=c_double.of_library(library.precisions)),
             "ksl_types": _types(library)}
     titles, kernels = _titles(library.families), library.made(_functions)
     for name, title in titles.items():
@@ -165,7 +166,8 @@ def _exact(library: Library) -> dict[str, str]:
     elementary functions err by."""
     missing = [DOUBLE] if DOUBLE not in library.precisions else []
     return {"ksl_exact": render("c/ksl_exact.h", banner=library.banner, products=missing,
-                                precisions=missing, elementary=_elementary_of(missing)),
+                                precisions=missing, elementary=_elementary_of(missing),
+                                double=c_double.EXACT if missing else None),
             "ksl_exactf": render("c/ksl_exactf.h", banner=library.banner),
             c_elementary.ERROR_HEADER: render(
                 "c/ksl_elementary_error.h", banner=library.banner,

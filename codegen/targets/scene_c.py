@@ -10,10 +10,10 @@ from functools import partial
 from coscrew_codegen import version
 from coscrew_codegen.collection import uncollected
 from coscrew_codegen.formats import Precision, named
-from coscrew_codegen.identifiers import identifiers
+from coscrew_codegen.identifiers import capitals, numbered
 from coscrew_codegen.render import render
 from coscrew_codegen.scene_functions import Function, SceneFunctions, Step
-from coscrew_codegen.targets import c_elementary, scene_text
+from coscrew_codegen.targets import c_double, c_elementary, scene_text
 from coscrew_codegen.targets import scene_c_arguments as arguments
 from coscrew_codegen.targets.c_function import Body, CFunction, Stored
 from coscrew_codegen.targets.c_statements import WIDTH, comment_of, listed
@@ -43,7 +43,9 @@ def files(scene: SceneFunctions, banner: str) -> Files:
               "sections": sections}
     return {
         f"{scene.name}.h": render("scene/scene.h", about=comment_of(about(scene)),
-                                  macros=macros(scene), **shared),
+                                  macros=macros(scene), **shared,
+                                  double=c_double.of_scene(scene.name.upper(), (
+                                      (p, p) for p in named(scene.precisions)))),
         f"{scene.name}.c": render("scene/scene.c", names=[comment_of(names)] if names else [],
                                   products=named(scene.precisions), parts=bool(parts.cuts),
                                   **shared)}
@@ -73,23 +75,34 @@ def about(scene: SceneFunctions) -> list[str]:
 
 
 def _named_places(scene: SceneFunctions) -> Iterator[str]:
-    if prefixes := dict.fromkeys(name.split("_")[0] for name, _ in _places(scene)):
-        names = ", ".join(f"{scene.name.upper()}_{prefix}_…" for prefix in prefixes)
-        yield f"Macros for these indices (the first of several coordinates): {names}."
+    tables = _tables(scene)
+    prefixes = [prefix for prefix, (names, _) in tables.items() if names]
+    if not prefixes:
+        return
+    macros = ", ".join(f"{scene.name.upper()}_{prefix}_…" for prefix in prefixes)
+    yield f"Macros for these indices (the first of several coordinates): {macros}."
+    told = [f"{prefix}_{stem} {scene_text.printable(name)}" for prefix in prefixes
+            for name, stem in zip(tables[prefix][0], numbered(tables[prefix][0]), strict=True)
+            if stem != capitals(name) or not name.isascii()]
+    if told:
+        yield ("Of names that differ only in case, or in characters that macros cannot have: "
+               f"{', '.join(told)}.")
 
 
 def _places(scene: SceneFunctions) -> Iterator[tuple[str, str]]:
     """(Q_ELBOW, its index in q) and so on: for velocities, parameters and bodies."""
+    for prefix, (names, places) in _tables(scene).items():
+        for stem, place in zip(numbered(names), places, strict=True):
+            yield f"{prefix}_{stem}", str(place)
+
+
+def _tables(scene: SceneFunctions) -> dict[str, tuple[Sequence[str], Sequence[int]]]:
+    """Names and their indices, by the prefix of their macros."""
     joints = [x.joint for x in scene.coordinates]
-    numbered = {"Q": (joints, [x.q.start for x in scene.coordinates]),
-                "V": (joints, [x.v.start for x in scene.coordinates]),
-                "P": ([name for name, _ in scene.parameters], range(len(scene.parameters))),
-                "BODY": (scene.bodies, range(len(scene.bodies)))}
-    for prefix, (names, numbers) in numbered.items():
-        stems = [identifiers([x.upper()])[0] for x in names]
-        for stem, number in zip(stems, numbers, strict=True):
-            if stems.count(stem) == 1:  # ambiguous names get no macro
-                yield f"{prefix}_{stem}", str(number)
+    return {"Q": (joints, [x.q.start for x in scene.coordinates]),
+            "V": (joints, [x.v.start for x in scene.coordinates]),
+            "P": ([name for name, _ in scene.parameters], range(len(scene.parameters))),
+            "BODY": (scene.bodies, range(len(scene.bodies)))}
 
 
 def _defaults(scene: SceneFunctions, precision: Precision) -> Iterator[tuple[str, str]]:

@@ -10,7 +10,7 @@ from coscrew_codegen.formats import Precision, named
 from coscrew_codegen.render import render
 from coscrew_codegen.scene_functions import Function, SceneFunctions
 from coscrew_codegen.scene_tiers import SceneTier
-from coscrew_codegen.targets import c_elementary, scene_text
+from coscrew_codegen.targets import c_double, c_elementary, scene_text
 from coscrew_codegen.targets import scene_c_arguments as arguments
 from coscrew_codegen.targets.c_function import CFunction
 from coscrew_codegen.targets.c_statements import WIDTH, comment_of, listed
@@ -118,7 +118,9 @@ def files(made: SceneTier, banner: str) -> Files:
               "guard": made.stem.upper(), "sections": [x for x in sections if x.public]}
     return {
         f"{made.stem}.h": render(
-            "scene/tier.h", about=comment_of(about(made, f"{made.plain.name}.h")), **shared),
+            "scene/tier.h", about=comment_of(about(made, f"{made.plain.name}.h")),
+            double=c_double.of_scene(made.plain.name.upper(), (
+                (x.precision, x.working) for x in sections)), **shared),
         f"{made.stem}.c": render(
             "scene/tier.c", names=[comment_of(names)] if names else [], products=precisions,
             parts=any(x.parts.cuts for x in sections), written=written,

@@ -48,6 +48,12 @@ typedef char
 #endif
 #endif
 
+#include <float.h>
+#if DBL_MANT_DIG != 53
+#error "double has not 64 bits here, so results would be wrong: \
+generate the headers with --precision single"
+#endif
+
 /* Whether the target has a fused multiply-add instruction, in double precision (KSL_HAS_FMA) and in
    single (KSL_HAS_FMAF).  Both may be defined before this is included. */
 #ifndef KSL_HAS_FMA
@@ -2151,10 +2157,11 @@ static inline ksl_axis_enum_t ksl_axis_getEulerAngles(ksl_vec3i_t angles) {
 
 #endif
 
-/* Numbers in arrays: exchanged, and added in multiples. */
+/* Numbers in arrays: exchanged, added, compared, interpolated. */
 #ifndef KSL_ARRAY_H
 #define KSL_ARRAY_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 /* What KSL declares beside formulas. */
@@ -2181,6 +2188,14 @@ static inline void ksl_swapi(int *a, int *b) {
   *b = first;
 }
 
+/* Whether all count pairs are equal. */
+static inline bool ksl_allclosei(const int count, const int *a1, const int *a2) {
+  for (int i = 0; i < count; i++) {
+    if (a1[i] != a2[i]) { return false; }
+  }
+  return true;
+}
+
 /* y = a x + y, n numbers each; x and y are the same array or don't overlap. */
 static inline void ksl_axpy(
     const int n, const double a, const double *x, double *y) {
@@ -2198,6 +2213,48 @@ static inline void ksl_swapArray(
   }
 }
 
+/* Whether |a1[i] - a2[i]| / max(|a1[i]|, 1), rounded, is at most 1e-6 for each of count pairs.  An
+   infinity is close to itself only, NaN to nothing. */
+static inline bool ksl_allclose(const int count, const double *a1, const double *a2) {
+  for (int i = 0; i < count; i++) {
+    const double size = fabs(a1[i]), scale = size > 1 ? size : 1, gap = a1[i] - a2[i];
+    if (a1[i] != a2[i] && !(fabs(gap) / scale <= 1e-06)) { return false; }
+  }
+  return true;
+}
+
+/* yo = (1 - p) y1i + p y2i, count numbers each; y1i for p <= 0, y2i for p >= 1, and either where they
+   are equal.  Error <= 3 u (|(1 - p) y1i| + |p y2i|).  yo is y1i or y2i, or doesn't overlap them. */
+static inline void ksl_arraylerp(const int count, const double p, const double *y1i,
+    const double *y2i, double *yo) {
+  const double rest = 1 - p;
+  for (int i = 0; i < count; i++) {
+    const double first = y1i[i], last = y2i[i], whole = last - first;
+    const double left = KSL_MUL(rest, first), right = KSL_MUL(p, last);
+    const double onward = KSL_MUL(p, whole), back = KSL_MUL(rest, whole);
+    if (p <= 0 || first == last) {
+      yo[i] = first;
+    } else if (p >= 1) {
+      yo[i] = last;
+    } else if ((first < 0) != (last < 0)) { /* whole may overflow, or be larger than both */
+      yo[i] = left + right;
+    } else { /* from the nearer end: 1 - p is exact there */
+      yo[i] = p < rest ? first + onward : last - back;
+    }
+  }
+}
+
+/* The index of the first of n numbers with the largest magnitude; NaN counts as less than every
+   number.  -1 if n <= 0. */
+static inline int ksl_maxIndex(const int n, const double *a) {
+  int largest = n > 0 ? 0 : -1;
+  for (int i = 1; i < n; i++) {
+    const double size = fabs(a[i]), found = fabs(a[largest]);
+    if (size > found || (size == size && found != found)) { largest = i; }
+  }
+  return largest;
+}
+
 /* y = a x + y, n numbers each; x and y are the same array or don't overlap. */
 static inline void ksl_axpyf(
     const int n, const float a, const float *x, float *y) {
@@ -2213,6 +2270,48 @@ static inline void ksl_swapArrayf(
   for (int i = 0; i < n; i++) {
     ksl_swapf(a + (ptrdiff_t)i * a_stride, b + (ptrdiff_t)i * b_stride);
   }
+}
+
+/* Whether |a1[i] - a2[i]| / max(|a1[i]|, 1), rounded, is at most 1e-6 for each of count pairs.  An
+   infinity is close to itself only, NaN to nothing. */
+static inline bool ksl_allclosef(const int count, const float *a1, const float *a2) {
+  for (int i = 0; i < count; i++) {
+    const float size = fabsf(a1[i]), scale = size > 1 ? size : 1, gap = a1[i] - a2[i];
+    if (a1[i] != a2[i] && !(fabsf(gap) / scale <= 1e-06f)) { return false; }
+  }
+  return true;
+}
+
+/* yo = (1 - p) y1i + p y2i, count numbers each; y1i for p <= 0, y2i for p >= 1, and either where they
+   are equal.  Error <= 3 u (|(1 - p) y1i| + |p y2i|).  yo is y1i or y2i, or doesn't overlap them. */
+static inline void ksl_arraylerpf(const int count, const float p, const float *y1i,
+    const float *y2i, float *yo) {
+  const float rest = 1 - p;
+  for (int i = 0; i < count; i++) {
+    const float first = y1i[i], last = y2i[i], whole = last - first;
+    const float left = KSL_MULF(rest, first), right = KSL_MULF(p, last);
+    const float onward = KSL_MULF(p, whole), back = KSL_MULF(rest, whole);
+    if (p <= 0 || first == last) {
+      yo[i] = first;
+    } else if (p >= 1) {
+      yo[i] = last;
+    } else if ((first < 0) != (last < 0)) { /* whole may overflow, or be larger than both */
+      yo[i] = left + right;
+    } else { /* from the nearer end: 1 - p is exact there */
+      yo[i] = p < rest ? first + onward : last - back;
+    }
+  }
+}
+
+/* The index of the first of n numbers with the largest magnitude; NaN counts as less than every
+   number.  -1 if n <= 0. */
+static inline int ksl_maxIndexf(const int n, const float *a) {
+  int largest = n > 0 ? 0 : -1;
+  for (int i = 1; i < n; i++) {
+    const float size = fabsf(a[i]), found = fabsf(a[largest]);
+    if (size > found || (size == size && found != found)) { largest = i; }
+  }
+  return largest;
 }
 
 #endif
@@ -5501,6 +5600,18 @@ static inline ksl_SE3f_t *ksl_SE3f_alloc(int n) {
 }
 
 #endif
+
+/* What KSL declares beside formulas. */
+
+/* m = [[R, t], [0, 1]] of d = [R | t], each number rounded to single precision. */
+static inline void ksl_SE3_toMat4x4f(const ksl_SE3_t *d, ksl_mat4x4f_t *m) {
+  for (int column = 0; column < 4; column++) {
+    for (int row = 0; row < 3; row++) {
+      m->at[column][row] = (float)d->at[column][row];
+    }
+    m->at[column][3] = column == 3 ? 1.0f : 0.0f;
+  }
+}
 
 #endif
 
@@ -9416,6 +9527,26 @@ static inline double ksl_normalizeRadians(double angle) {
   return part < zero ? (above < turn ? above : zero) : part + zero;
 }
 
+/* The angle of the point (x, y) in [theta - π/4, theta - π/4 + 2 π).
+   Error <= 4 u (|result| + π), modulo 2 π at the ends; NaN if theta is infinite. */
+static inline double catan2pi(const double y, const double x, const double theta) {
+  const double turn = 6.283185307179586, eighth = 0.7853981633974483;
+  const double angle = ksl_atan2(y, x), least = theta - eighth, way = least - angle;
+  const double turns = ceil(way / turn);
+  const double whole = KSL_MUL(turns, turn);
+  return angle + whole;
+}
+
+/* The angle of the point (x, y), or of its opposite, in [theta - π/4, theta - π/4 + π).
+   Error <= 4 u (|result| + π), modulo π at the ends; NaN if theta is infinite. */
+static inline double catan1pi(const double y, const double x, const double theta) {
+  const double turn = 3.141592653589793, eighth = 0.7853981633974483;
+  const double angle = ksl_atan2(y, x), least = theta - eighth, way = least - angle;
+  const double turns = ceil(way / turn);
+  const double whole = KSL_MUL(turns, turn);
+  return angle + whole;
+}
+
 /* The angle modulo 360, in [0, 360); exact, except for one rounding if the angle is negative. */
 static inline float ksl_normalizeDegreesf(float angle) {
   const float turn = 360.0f, rest = fmodf(angle, turn), above = rest + turn;
@@ -9433,6 +9564,26 @@ static inline float ksl_normalizeRadiansf(float angle) {
   const float left = rest - less, part = fmodf(left, turn);
   const float shifted = part + beyond, above = shifted + turn;
   return part < zero ? (above < turn ? above : zero) : part + zero;
+}
+
+/* The angle of the point (x, y) in [theta - π/4, theta - π/4 + 2 π).
+   Error <= 4 u (|result| + π), modulo 2 π at the ends; NaN if theta is infinite. */
+static inline float catan2pif(const float y, const float x, const float theta) {
+  const float turn = 6.2831855f, eighth = 0.7853982f;
+  const float angle = ksl_atan2f(y, x), least = theta - eighth, way = least - angle;
+  const float turns = ceilf(way / turn);
+  const float whole = KSL_MULF(turns, turn);
+  return angle + whole;
+}
+
+/* The angle of the point (x, y), or of its opposite, in [theta - π/4, theta - π/4 + π).
+   Error <= 4 u (|result| + π), modulo π at the ends; NaN if theta is infinite. */
+static inline float catan1pif(const float y, const float x, const float theta) {
+  const float turn = 3.1415927f, eighth = 0.7853982f;
+  const float angle = ksl_atan2f(y, x), least = theta - eighth, way = least - angle;
+  const float turns = ceilf(way / turn);
+  const float whole = KSL_MULF(turns, turn);
+  return angle + whole;
 }
 
 #endif

@@ -80,7 +80,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "306f13b560e21d72") < 0
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "4f3d8cc15e1aee3a") < 0
       || PyModule_AddStringConstant(
           module, "LOOPS", families == baseline ? "baseline" : "AVX2") < 0) {
     Py_DECREF(module);

@@ -14,7 +14,7 @@ from pathlib import Path
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "306f13b560e21d72")
+COMPILED: bool = is_compiled("coscrew._gufunc", "4f3d8cc15e1aee3a")
 
 if COMPILED:
     from coscrew._gufunc import (

@@ -8,6 +8,8 @@ const times = new Float64Array(bytes(data.t));
 const poses = new Float32Array(bytes(data.poses));  // frames × bodies × 7
 const energies = Object.fromEntries(Object.entries(data.energies).map(
   ([name, text]) => [name, new Float64Array(bytes(text))]));
+const recorded = data.recorded.map(x => ({ unit: x.unit === "1" ? "" : ` ${x.unit}`,
+                                           values: new Float64Array(bytes(x.values)) }));
 const end = times.at(-1), count = data.bodies.length;
 const HUES = [212, 28, 152, 330, 48, 268, 185, 0, 90, 240];
 const canvas = $("space"), context = canvas.getContext("2d");
@@ -123,8 +125,13 @@ function show() {
   for (const [name, values] of Object.entries(energies)) {
     $(`energy-${name}`).textContent = `${written(values[low] * (1 - k) + values[high] * k)} J`;
   }
+  recorded.forEach(({ unit, values }, i) => {
+    $(`recorded-${i}`).textContent = written(values[low] * (1 - k) + values[high] * k) + unit;
+  });
   const x = plotLeft + (plotRight - plotLeft) * (end > 0 ? state.time / end : 0);
-  for (const name of ["x1", "x2"]) $("cursor").setAttribute(name, x);
+  for (const cursor of document.querySelectorAll("#cursor, .cursor")) {
+    for (const name of ["x1", "x2"]) cursor.setAttribute(name, x);
+  }
   $("play").textContent = state.playing ? "Pause" : "Play";
   draw();
 }

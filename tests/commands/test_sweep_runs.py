@@ -16,7 +16,6 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-import pyarrow.dataset
 import pyarrow.parquet
 import pytest
 from distributed import Client, LocalCluster, WorkerPlugin
@@ -24,11 +23,10 @@ from distributed import Client, LocalCluster, WorkerPlugin
 from coscrew_codegen import command_line
 from coscrew_codegen.__main__ import main
 from coscrew_codegen.sweep import SweepError, chunk, cluster, command, opened, prepare
-from coscrew_codegen.sweep.folder import Folder
 from tests.support.processes import interruptible
 from tests.support.scenes.simulated import scene_file
 from tests.support.scenes.sweeps import SLIDER
-from tests.support.sweeping import VARIED, awaited, dask, sweep
+from tests.support.sweeping import VARIED, after, awaited, dask, sweep, table
 
 CHUNKS, MEMBERS = 10, 600
 
@@ -54,10 +52,6 @@ def workers() -> Iterator[LocalCluster]:
         yield found
 
 
-def table(out: Path) -> pyarrow.Table:
-    return pyarrow.dataset.dataset(out / "members").to_table()
-
-
 @pytest.fixture(scope="module")
 def whole(scene, tmp_path_factory) -> Path:
     """The folder of a sweep by processes of the command's own."""
@@ -66,27 +60,10 @@ def whole(scene, tmp_path_factory) -> Path:
     return out
 
 
-@contextmanager
-def after(chunks: int, do) -> Iterator[None]:
-    """Call `do` when so many chunks have been written."""
-    write, count = Folder.write, 0
-
-    def counting(self: Folder, number: int, content: bytes) -> None:
-        nonlocal count
-        write(self, number, content)
-        count += 1
-        if count == chunks:
-            do()
-
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(Folder, "write", counting)
-        yield
-
-
 def test_the_dataset_is_of_all_members_with_provenance(whole):
     found = table(whole)
     assert sorted(x.name for x in whole.iterdir()) == [
-        ".lock", "members", "summary.html", "sweep.json", "sweep.zarr"]
+        ".lock", "members", "summary.html", "sweep.json", "sweep.zarr", "sweep.zarr.sha256"]
     assert len(list((whole / "members").iterdir())) == CHUNKS
     assert found["member"].to_pylist() == list(range(MEMBERS))
     told = json.loads((whole / "sweep.json").read_text())
@@ -160,7 +137,7 @@ def test_a_lost_scheduler_ends_the_command_and_another_goes_on(scene, workers, w
               after(2, lambda: (scheduler.kill(), scheduler.wait()))):
             assert sweep(scene, tmp_path / "out", address) == 2
     said = capsys.readouterr().err
-    assert "the scheduler is gone; 128 of 600 members are written, and the same command" in said
+    assert "the scheduler is gone; 128 of 600 members are written into " in said
     before = kept(tmp_path / "out")
     assert sweep(scene, tmp_path / "out", workers) == 0
     assert "600 members, 128 of them written" in capsys.readouterr().err

@@ -49,7 +49,8 @@ def test_what_a_worker_cannot_do_is_told(environment, largest, said, scene, tmp_
             assert sweep(scene, tmp_path / "out", address) == 2
     (line,) = (x for x in capsys.readouterr().err.splitlines() if "the worker" in x)
     assert f"coscrew: the worker on {platform.node()} {said}" in line
-    assert line.endswith("; 0 of 600 members are written, and the same command goes on")
+    assert line.endswith(f"; 0 of 600 members are written into {tmp_path / 'out'}, and the same "
+                         "command goes on")
 
 
 def test_processes_that_start_say_nothing_of_an_interrupt(scene, tmp_path):
@@ -63,8 +64,8 @@ def test_processes_that_start_say_nothing_of_an_interrupt(scene, tmp_path):
         os.killpg(process.pid, signal.SIGINT)
         said = process.communicate()[1]
     assert (process.returncode, first) == (130, "coscrew: 300000000 members, 0 of them written\n")
-    last = "interrupted; 0 of 300000000 members are written, and the same command goes on"
-    assert said == f"coscrew: {last}\n"
+    last = f"interrupted; 0 of 300000000 members are written into {tmp_path / 'out'}, and "
+    assert said == f"coscrew: {last}the same command goes on\n"
 
 
 def test_a_client_that_cannot_be_closed_hides_no_error(monkeypatch):

@@ -166,6 +166,20 @@ def test_fast_math_may_be_allowed(header, compiler, language, tmp_path):
          "-I", INCLUDE, source))
 
 
+SHORT_DOUBLE = ("-Wno-builtin-macro-redefined", "-D__DBL_MANT_DIG__=24")  # as on AVR
+
+
+@each_compiler
+@pytest.mark.parametrize("header", ["ksl/vec3", "coscrew", "coscrew_accurate",
+                                    "coscrew_certified"])
+def test_a_double_of_32_bits_is_refused(header, compiler, tmp_path):
+    source = _source(tmp_path, "user", f'#include "{header}.h"')
+    command = (compiler, *C11, "-fsyntax-only", "-I", INCLUDE, "-I", INCLUDE.parent, source)
+    run(command)
+    refused = subprocess.run((*command, *SHORT_DOUBLE), capture_output=True, text=True)
+    assert refused.returncode and "--precision single" in refused.stderr
+
+
 def _object(compiler: str, include: Path, folder: Path, text: str = ALL_FUNCTIONS) -> Path:
     """All functions of these headers, compiled as written: nothing is folded or left out."""
     source = _source(folder, "all", text)

@@ -11,7 +11,7 @@ import pytest
 from coscrew_codegen.identifiers import identifiers
 from coscrew_codegen.program import Op
 from tests.support.scenes import evaluation
-from tests.support.scenes.robots import Robot, robot
+from tests.support.scenes.robots import Robot, model_of, paired, robot, scene_of
 
 STATES = 8
 DOUBLE, SINGLE = 2.0**-53, 2.0**-24
@@ -67,6 +67,21 @@ def test_inverse_dynamics_is_pinocchios(file, free, mimics):
         wanted = x.follow.T @ pin.rnea(x.model, data, x.theirs(q[k]), x.follow @ v[k],
                                        x.follow @ a[k])
         assert _error(found[k], wanted) <= 1e-12
+
+
+def test_inverse_dynamics_are_pinocchios_where_hands_are_massless():
+    """The mass matrix is singular: joints of the fingers move nothing."""
+    file = "romeo_description/urdf/romeo.urdf"
+    x = paired(scene_of(file), model_of(file, False), ("inverse_dynamics", "mass_matrix"))
+    q, v, a = x.states(STATES)
+    found, masses, data = _ours(x, "inverse_dynamics", q, v, a), _ours(x, "mass_matrix", q), \
+        x.model.createData()
+    for k in range(STATES):
+        wanted = pin.rnea(x.model, data, x.theirs(q[k]), x.follow @ v[k], x.follow @ a[k])
+        assert _error(found[k], x.follow.T @ wanted) <= 1e-12
+        upper = np.triu(pin.crba(x.model, data, x.theirs(q[k])))
+        assert _error(masses[k], x.follow.T @ (upper + np.triu(upper, 1).T) @ x.follow) <= 1e-12
+        assert np.linalg.matrix_rank(masses[k].reshape(x.model.nv, -1)) == x.model.nv - 24
 
 
 @ALL

@@ -265,7 +265,7 @@ def test_catalogue_is_complete() -> None:
         assert effect.words and effect.equation
         for parameter in effect.parameters:
             assert parameter.words
-            assert parameter.unit or parameter.kind in ("choice", "body")
+            assert parameter.unit or parameter.kind in ("choice", "body", "flag")
         assert set(effect.any_of) <= {parameter.name for parameter in effect.parameters}
 
 

@@ -65,6 +65,22 @@ def test_fast_math_is_refused_unless_allowed(flag: str, tmp_path: Path):
     run([*command, "-DSLIDER_ALLOW_FAST_MATH"])
 
 
+@each_compiler
+@pytest.mark.parametrize("left_out, refused", [("", True), ("-DSLIDER_NO_SINGLE", True),
+                                               ("-DSLIDER_NO_DOUBLE", False)])
+def test_a_double_of_32_bits_is_refused_unless_left_out(left_out: str, refused: bool,
+                                                        compiler: str, tmp_path: Path):
+    """As on AVR, whose float.h says that a double has 24 digits."""
+    written(CASES["slider"](), tmp_path)
+    command = [compiler, *C11, "-Wno-builtin-macro-redefined", "-D__DBL_MANT_DIG__=24",
+               *filter(None, [left_out]), "-c", tmp_path / "slider.c", "-o", tmp_path / "x.o"]
+    if not refused:
+        run(command)
+        return
+    with pytest.raises(pytest.fail.Exception, match="SLIDER_NO_DOUBLE"):
+        run(command)
+
+
 @each_precision
 @each_compiler
 def test_objects_hold_no_state_and_call_only_mathematics(case, compiler: str, precision: Precision,

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 
+from coscrew_codegen.identifiers import numbered
 from coscrew_codegen.program import Constant, Op, counts_in_words
 from coscrew_codegen.scene_functions import Coordinate, SceneFunctions
 from coscrew_codegen.targets import scene_c
@@ -224,8 +225,24 @@ def _walker() -> SceneFunctions:
         neutral=(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0))
 
 
-def test_names_that_fall_together_name_no_place():
-    scene = replace(CASES["slider"](), bodies=("Tool-1", "tool_1"))
+def test_every_place_has_a_macro_of_its_own_that_the_header_explains():
+    """Names that differ only in case or in characters that macros cannot have are numbered."""
+    bodies = ("Tool-1", "tool_1", "TOOL_1_1", "膝", "足", "arm", "Hüfte")
+    scene = replace(CASES["slider"](), bodies=bodies)
     header = files(scene)["slider.h"]
-    assert "SLIDER_BODY_" not in re.sub(r"/\*.*?\*/", "", header, flags=re.DOTALL)
+    found = dict(re.findall(r"#define SLIDER_BODY_(\w+) (\d+)", header))
+    assert found == {"TOOL_1_2": "0", "TOOL_1_3": "1", "TOOL_1_1": "2", "X_1": "3", "X_2": "4",
+                     "ARM": "5", "H_FTE": "6"}
     assert "SLIDER_Q_CLASS 0" in header
+    about = " ".join(header.partition("*/\n#ifndef")[0].split())
+    assert ("Of names that differ only in case, or in characters that macros cannot have: "
+            "BODY_TOOL_1_2 Tool-1, BODY_TOOL_1_3 tool_1, BODY_X_1 膝, BODY_X_2 足, BODY_H_FTE "
+            "Hüfte.") in about
+    assert "differ only" not in files(CASES["slider"]())["slider.h"]
+
+
+def test_numbered_identifiers_are_all_different():
+    names = ["a", "A", "a_1", "a-2", "A_2", "3", "x3", "x3_1", "", "é", "x"] * 2
+    found = numbered(names)
+    assert len({*found}) == len(found) and all(re.fullmatch("[A-Z][A-Z0-9_]*", x) for x in found)
+    assert numbered(["elbow", "Wrist"]) == ("ELBOW", "WRIST")

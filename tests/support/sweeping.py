@@ -5,16 +5,19 @@ import re
 import resource
 import subprocess
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from typing import IO, cast
 
+import pyarrow
+import pyarrow.dataset
 import pytest
 from distributed import LocalCluster
 
 from coscrew_codegen.__main__ import main
 from coscrew_codegen.sweep import command
+from coscrew_codegen.sweep.folder import Folder
 
 VARIED = ("--grid", "block.mass=1:7:3", "--sobol", "start.?.slide=limits", "--samples", "200")
 
@@ -26,6 +29,28 @@ def sweep(scene: Path, out: Path, workers: LocalCluster | str, *words: str) -> i
         patch.setattr(command, "_report", lambda *_: 0)
         return main(["sweep", str(scene), *(words or VARIED), "--scheduler", address, "--out",
                      str(out)])
+
+
+def table(out: Path) -> pyarrow.Table:
+    """All members of a sweep, as other programs read them."""
+    return pyarrow.dataset.dataset(out / "members").to_table()
+
+
+@contextmanager
+def after(chunks: int, do: Callable[[], object]) -> Iterator[None]:
+    """Call `do` when so many chunks have been written."""
+    write, count = Folder.write, 0
+
+    def counting(self: Folder, number: int, content: bytes) -> None:
+        nonlocal count
+        write(self, number, content)
+        count += 1
+        if count == chunks:
+            do()
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(Folder, "write", counting)
+        yield
 
 
 @contextmanager

@@ -139,6 +139,8 @@ FORMULAS: dict[str, Build] = {
         "t", Op.LESS, w.do("p", Op.SCALE, a, _scale(w, c)), "0"), d, w.do("n", Op.NEG, d)),
     "norm": lambda w, a, b, c, d: _norm(w, _close(w, a, b, "x"), _close(w, c, d, "y")),
     "series": lambda w, a, b, c, d: _series(w, w.do("s", Op.SCALE, a, "1/4")),
+    "root of a series": lambda w, a, b, c, d: w.do("r", Op.SQRT, _series(
+        w, w.do("s", Op.SCALE, a, "1/4"))),
 }
 
 
@@ -223,6 +225,7 @@ MUTATIONS = {
     "underflow of a - s s": ("certified_scene", "a = self.padded(x, even_exact=True)\n        k",
                              "a = self.padded(x)\n        k", "exact root"),
     "root near zero": ("certified_scene", "far = self._in_size(far, k, m)", "far = ZERO", "root"),
+    "rest of roots": ("certified_scene", "a.m / 2 + (3", "a.m / 3 + (3", "root of a series"),
     "sign": ("certified_scene", "self.do(Op.SUB, self.do(Op.ABS, gap), gap)", "ZERO",
              "positive part"),
     "choice": ("certified_scene", "self.do(Op.SELECT, certain, ZERO, other)", "ZERO", "step"),
@@ -271,6 +274,19 @@ def test_split_numbers_are_found_where_results_do_not_depend_on_them():
     square = w.do("x", Op.ADD, w.do("hh", Op.MUL, h, h), w.do("rest", Op.MUL, low, total))
     found = [w.function("f", "", (argument("r"),), [x]).program for x in (square, total)]
     assert [splits(program) for program in found] == [{"h"}, frozenset()]
+
+
+@pytest.mark.parametrize("first", (True, False))
+def test_split_numbers_that_one_branch_needs_are_none(first: bool):
+    """Whichever it is: the test takes both."""
+    w = Writer(*map(argument, NAMES))
+    a, b, c, d = map(w.at, NAMES)
+    h = w.do("h", Op.SUB, w.do("t", Op.ADD, a, b), b)
+    needs, free = w.do("needs", Op.ADD, h, h), w.do("free", Op.ADD, a, a)
+    test, options = w.do("test", Op.LESS, c, d), (needs, free) if first else (free, needs)
+    found = [w.function("f", "", (argument("r"),), [w.do(name, Op.SELECT, test, *chosen)]).program
+             for name, chosen in (("one", options), ("none", (free, free)))]
+    assert [splits(program) for program in found] == [frozenset(), {"h"}]
 
 
 def test_choices_of_scales_are_found_where_results_do_not_depend_on_them():

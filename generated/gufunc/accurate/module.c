@@ -80,7 +80,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "12fc32fc4d0a774a") < 0
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "9e50760aae745bc0") < 0
       || PyModule_AddStringConstant(
           module, "LOOPS", families == baseline ? "baseline" : "AVX2 with FMA") < 0) {
     Py_DECREF(module);

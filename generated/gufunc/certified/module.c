@@ -79,7 +79,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "85657e67dd8cbcd7") < 0
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "2feb63d1f879b84d") < 0
       || PyModule_AddStringConstant(
           module, "LOOPS", families == baseline ? "baseline" : "AVX2 with FMA") < 0) {
     Py_DECREF(module);

@@ -14,7 +14,7 @@ import sys
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "12fc32fc4d0a774a")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "9e50760aae745bc0")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (

@@ -1,12 +1,14 @@
-"""KSL's functions, read from tests/references/ksl_prototypes.txt: names and types in C."""
+"""KSL's functions: their names and types in C, read from the lists in tests/references."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from coscrew_codegen.formats import PRECISIONS, Precision
+from coscrew_codegen.formats import PRECISIONS, SINGLE, Precision
 
-TABLE = Path(__file__).parents[2] / "references" / "ksl_prototypes.txt"
+REFERENCES = Path(__file__).parents[2] / "references"
+TABLE, NAMES = REFERENCES / "ksl_prototypes.txt", REFERENCES / "ksl_names.txt"
+MACRO = "macro"
 TYPES = {"V": "vec3", "W": "vec4", "M": "mat3x3", "N": "mat4x4", "D": "SE3", "S": "screw",
          "C": "coscrew", "Q": "quaternion", "J": "inertia", "I": "vec3i", "K": "vec4i"}
 STEMS = tuple(TYPES.values())
@@ -14,7 +16,7 @@ STEMS = tuple(TYPES.values())
 
 @dataclass(frozen=True)
 class Prototype:
-    """A function of KSL's: the header, its name, and its C type with the name in place of (*)."""
+    """A function of KSL's: the header, its name, what it returns (MACRO if it is one) and takes."""
 
     header: str
     name: str
@@ -28,8 +30,15 @@ class Prototype:
         return f"{self.returned} (*const is_{self.name})({passed})"
 
 
+def names() -> dict[str, tuple[str, ...]]:
+    """Header → the names that KSL declares in it."""
+    parts = NAMES.read_text("utf-8").split("[")[1:]
+    return {header: tuple(words) for header, *words in (part.replace("]", "").split()
+                                                        for part in parts)}
+
+
 def prototypes() -> tuple[Prototype, ...]:
-    """All functions, each in double, then in single precision."""
+    """All functions and macros, each in double, then in single precision."""
     return tuple(prototype for line in TABLE.read_text("utf-8").splitlines()
                  if line and not line.startswith("#") for prototype in _of_line(line))
 
@@ -40,8 +49,12 @@ def _of_line(line: str) -> Iterator[Prototype]:
     for name in names:
         for precision, own in zip(PRECISIONS, _names(name), strict=True):
             if own != "-":
-                yield Prototype(header, f"ksl_{own}", _returned(returned, precision), tuple(
+                yield Prototype(header, _prefixed(own), _returned(returned, precision), tuple(
                     _spelled(letter, precision) for letter in passed.split(",") if letter))
+
+
+def _prefixed(name: str) -> str:
+    return name.removeprefix(".") if name.startswith(".") else f"ksl_{name}"
 
 
 def _names(name: str) -> tuple[str, str]:
@@ -59,15 +72,18 @@ def _type(letter: str, precision: Precision) -> str:
 
 
 def _returned(letter: str, precision: Precision) -> str:
-    real = {"": "void", "a": precision.c_type, "i": "int", "b": "bool", "e": "ksl_axis_enum_t"}
+    real = {"": "void", "m": MACRO, "a": precision.c_type, "i": "int", "b": "bool",
+            "e": "ksl_axis_enum_t"}
     return real.get(letter) or _type(letter[0], precision) + {"=": "", "*": " *"}[letter[1]]
 
 
 def _spelled(letter: str, precision: Precision) -> str:
     real = precision.c_type
     plain = {"a": real, "a!": f"{real} *", "A": f"const {real} *", "p": f"const {real} [2]",
-             "p!": f"{real} [2]", "i": "int", "i!": "int *", "e": "ksl_axis_enum_t", "...": "..."}
+             "p!": f"{real} [2]", "i": "int", "i!": "int *",
+             "iA": "const int *", "e": "ksl_axis_enum_t", "...": "..."}
     if letter in plain:
         return plain[letter]
-    kind, mark = _type(letter[0], precision), letter[1:]
+    letter, single, mark = letter[0], letter[1:2] == "f", letter[1:].lstrip("f")
+    kind = _type(letter, SINGLE if single else precision)
     return {"": f"const {kind} *", "!": f"{kind} *", "=": kind}[mark]

@@ -1,6 +1,6 @@
 """What `integrated` makes of a free joint, in MPFR, and states at which it is hard.
 
-    (p + R(q) J(w) v;  (3 - t·t)/2 t),    t = q exp(w/2),    J(w) the left Jacobian
+    (p + R(q) J(w) v;  t/|t|),    t = q exp(w/2),    J(w) the left Jacobian
 
 where q need not have norm 1.
 """
@@ -80,7 +80,7 @@ def integrated(q: Sequence[float], phi: Sequence[float]) -> list[mpfr]:
         *e, c = versor(w)
         t = [s * a + c * b + d for a, b, d in zip(e, r, cross(r, e), strict=True)]
         t.append(s * c - dot(r, e))
-        factor = (3 - dot(t, t)) / 2
+        factor = 1 / gmpy2.sqrt(dot(t, t))
         return [*(a + b + d for a, b, d in zip(p, step, turn, strict=True)),
                 *(factor * a for a in t)]
 

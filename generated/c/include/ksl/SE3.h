@@ -591,4 +591,16 @@ static inline ksl_SE3f_t *ksl_SE3f_alloc(int n) {
 
 #endif
 
+/* What KSL declares beside formulas. */
+
+/* m = [[R, t], [0, 1]] of d = [R | t], each number rounded to single precision. */
+static inline void ksl_SE3_toMat4x4f(const ksl_SE3_t *d, ksl_mat4x4f_t *m) {
+  for (int column = 0; column < 4; column++) {
+    for (int row = 0; row < 3; row++) {
+      m->at[column][row] = (float)d->at[column][row];
+    }
+    m->at[column][3] = column == 3 ? 1.0f : 0.0f;
+  }
+}
+
 #endif

@@ -45,6 +45,12 @@ typedef char
 #endif
 #endif
 
+#include <float.h>
+#if DBL_MANT_DIG != 53
+#error "double has not 64 bits here, so results would be wrong: \
+generate the headers with --precision single"
+#endif
+
 /* Whether the target has a fused multiply-add instruction, in double precision (KSL_HAS_FMA) and in
    single (KSL_HAS_FMAF).  Both may be defined before this is included. */
 #ifndef KSL_HAS_FMA

@@ -50,6 +50,26 @@ static inline double ksl_normalizeRadians(double angle) {
   return part < zero ? (above < turn ? above : zero) : part + zero;
 }
 
+/* The angle of the point (x, y) in [theta - π/4, theta - π/4 + 2 π).
+   Error <= 4 u (|result| + π), modulo 2 π at the ends; NaN if theta is infinite. */
+static inline double catan2pi(const double y, const double x, const double theta) {
+  const double turn = 6.283185307179586, eighth = 0.7853981633974483;
+  const double angle = ksl_atan2(y, x), least = theta - eighth, way = least - angle;
+  const double turns = ceil(way / turn);
+  const double whole = KSL_MUL(turns, turn);
+  return angle + whole;
+}
+
+/* The angle of the point (x, y), or of its opposite, in [theta - π/4, theta - π/4 + π).
+   Error <= 4 u (|result| + π), modulo π at the ends; NaN if theta is infinite. */
+static inline double catan1pi(const double y, const double x, const double theta) {
+  const double turn = 3.141592653589793, eighth = 0.7853981633974483;
+  const double angle = ksl_atan2(y, x), least = theta - eighth, way = least - angle;
+  const double turns = ceil(way / turn);
+  const double whole = KSL_MUL(turns, turn);
+  return angle + whole;
+}
+
 /* The angle modulo 360, in [0, 360); exact, except for one rounding if the angle is negative. */
 static inline float ksl_normalizeDegreesf(float angle) {
   const float turn = 360.0f, rest = fmodf(angle, turn), above = rest + turn;
@@ -67,6 +87,26 @@ static inline float ksl_normalizeRadiansf(float angle) {
   const float left = rest - less, part = fmodf(left, turn);
   const float shifted = part + beyond, above = shifted + turn;
   return part < zero ? (above < turn ? above : zero) : part + zero;
+}
+
+/* The angle of the point (x, y) in [theta - π/4, theta - π/4 + 2 π).
+   Error <= 4 u (|result| + π), modulo 2 π at the ends; NaN if theta is infinite. */
+static inline float catan2pif(const float y, const float x, const float theta) {
+  const float turn = 6.2831855f, eighth = 0.7853982f;
+  const float angle = ksl_atan2f(y, x), least = theta - eighth, way = least - angle;
+  const float turns = ceilf(way / turn);
+  const float whole = KSL_MULF(turns, turn);
+  return angle + whole;
+}
+
+/* The angle of the point (x, y), or of its opposite, in [theta - π/4, theta - π/4 + π).
+   Error <= 4 u (|result| + π), modulo π at the ends; NaN if theta is infinite. */
+static inline float catan1pif(const float y, const float x, const float theta) {
+  const float turn = 3.1415927f, eighth = 0.7853982f;
+  const float angle = ksl_atan2f(y, x), least = theta - eighth, way = least - angle;
+  const float turns = ceilf(way / turn);
+  const float whole = KSL_MULF(turns, turn);
+  return angle + whole;
 }
 
 #endif

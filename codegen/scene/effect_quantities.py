@@ -1,0 +1,76 @@
+"""Quantities of a scene's effects, each where it acts, and the functions that compute them.
+
+    EFFECT.JOINT.torque       what it exerts on the joint's coordinate, after it is limited
+    EFFECT.JOINT.saturated    1 where its limit takes some of it, else 0
+    EFFECT.BODY.force         in the world's axes;  EFFECT.BODY.force.x one component
+    EFFECT.BODY.torque        about the body's origin, in the world's axes
+    EFFECT.LABEL.force        between two bodies, positive if it pulls them together
+    EFFECT.WHERE.power        torque · v, f·v + τ·ω: what it delivers, also out of its own energy
+    EFFECT.WHERE.energy       potential energy; of an armature kinetic energy
+
+An effect under a label has the label in place of the body, one on the whole scene only its name.
+"""
+
+from collections.abc import Mapping
+
+from coscrew_codegen.identifiers import identifiers
+from coscrew_codegen.scene.effect import Place
+from coscrew_codegen.scene.model import Kind
+from coscrew_codegen.scene.scene import Applied, Scene
+
+TORQUE, FORCE, POWER, ENERGY, SATURATED = "torque", "force", "power", "energy", "saturated"
+EFFECT_QUANTITIES = (TORQUE, FORCE, POWER, ENERGY, SATURATED)
+
+
+def units_of(applied: Applied, scene: Scene) -> dict[str, tuple[str, ...]]:
+    """The quantities that an effect has where it is applied, with their components' units."""
+    effect, joints = applied.effect, {x.name: x for x in scene.model.joints}
+    found: dict[str, tuple[str, ...]] = {}
+    if effect.joint_torque:
+        found[TORQUE] = ("N",) if joints[applied.on].kind is Kind.PRISMATIC else ("N m",)
+    if effect.body_force:
+        found |= {FORCE: ("N",) * 3, TORQUE: ("N m",) * 3}
+    if effect.pair_force:
+        found[FORCE] = ("N",)
+    if found or effect.gravity:
+        found[POWER] = ("W",)
+    if effect.stores_energy:
+        found[ENERGY] = ("J",)
+    if effect.limited_by and applied.values[effect.limited_by] is not None:
+        found[SATURATED] = ("1",)
+    return found
+
+
+def functions_of_effects(scene: Scene) -> dict[str, Applied]:
+    """The effects that have quantities, by the names of their functions: effect_spring_elbow."""
+    there = [x for x in scene.effects if units_of(x, scene)]
+    return {f"effect_{name}": x
+            for name, x in zip(identifiers([x.name for x in there]), there, strict=True)}
+
+
+def by_name(scene: Scene) -> Mapping[str, tuple[str, Applied, str]]:
+    """(function, effect, quantity) by the quantity's name in `record`: spring.elbow.torque."""
+    return {f"{applied.name}.{quantity}": (function, applied, quantity)
+            for function, applied in functions_of_effects(scene).items()
+            for quantity in units_of(applied, scene)}
+
+
+def lacks(text: str, scene: Scene) -> str:
+    """Why an effect of the scene has no quantity of this name, and those that it has; "" if the
+    text names no quantity of effects after an effect of the scene."""
+    name, _, quantity = text.rpartition(".")
+    for applied in scene.effects:
+        if applied.name == name and quantity in EFFECT_QUANTITIES:
+            there = ", ".join(f"{name}.{x}" for x in units_of(applied, scene)) or "nothing"
+            return f"{applied.name} {_reason(applied, quantity)}; wanted {there}"
+    return ""
+
+
+def _reason(applied: Applied, quantity: str) -> str:
+    if quantity == ENERGY:
+        return "stores no energy"
+    if quantity == SATURATED:
+        return "has no limit that could saturate"
+    if applied.effect.place is Place.PAIR:
+        return "acts between two bodies, by a force along the line of their points"
+    return f"has no {quantity}"

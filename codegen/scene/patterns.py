@@ -1,0 +1,47 @@
+"""Patterns of names, `actuator.*.torque`, in every list of names: * any letters, ? one, [ab] one of
+these.  A name that exists stands for itself, whatever its letters."""
+
+from collections.abc import Collection, Sequence
+from fnmatch import fnmatchcase
+
+from coscrew_codegen.scene.names import did_you_mean
+
+_WILD = frozenset("*?[")
+
+
+class PatternError(ValueError):
+    """A pattern that matches nothing, or an empty name; the message gives the nearest name."""
+
+
+def is_pattern(name: str) -> bool:
+    """Whether the name has letters with a meaning in patterns."""
+    return not _WILD.isdisjoint(name)
+
+
+def matching(pattern: str, *known: Collection[str]) -> tuple[str, ...]:
+    """The names that a pattern matches, in the first of these collections in which it matches any;
+    of a name that is in one of them, the name itself."""
+    if any(pattern in names for names in known):
+        return (pattern,)
+    if is_pattern(pattern):
+        for names in known:
+            if found := tuple(name for name in names if fnmatchcase(name, pattern)):
+                return found
+    return ()
+
+
+def expanded(given: Sequence[str], *known: Collection[str]) -> tuple[str, ...]:
+    """The names with patterns replaced by what they match and what is not given by name besides.
+    Names without patterns stay, known or not.  Raises PatternError."""
+    found: list[str] = []
+    for name in given:
+        if not name:
+            raise PatternError("'' is no name; leave it out, or write a name")
+        of = matching(name, *known)
+        if of == (name,) or not is_pattern(name):
+            found.append(name)
+        elif of:
+            found += [x for x in of if x not in found and x not in given]
+        else:
+            raise PatternError(f"{name!r} matches nothing; {did_you_mean(name, known[0])}")
+    return tuple(found)

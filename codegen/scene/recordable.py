@@ -1,0 +1,68 @@
+"""All names of a scene's quantities, and patterns of them in `record` and `expect`."""
+
+from collections.abc import Sequence
+
+from coscrew_codegen.scene.effect_quantities import by_name
+from coscrew_codegen.scene.model import Kind
+from coscrew_codegen.scene.names import did_you_mean
+from coscrew_codegen.scene.patterns import is_pattern, matching
+from coscrew_codegen.scene.recorded import (
+    _OF_BODY,
+    _OF_JOINT,
+    _OF_SCENE,
+    UNITS,
+    XYZ,
+    QuantityError,
+    coordinates,
+    recorded,
+)
+from coscrew_codegen.scene.scene import Scene
+
+
+def recordable(scene: Scene) -> tuple[str, ...]:
+    """The names of all quantities, each whole: q.elbow, energy, position.hand."""
+    own = [joint.name for joint, _, _ in coordinates(scene)]
+    moving = [joint.name for joint in scene.model.joints if joint.kind is not Kind.FIXED]
+    bodies = [body.name for body in scene.model.bodies]
+    targets = ((UNITS, own), (_OF_BODY, bodies), (_OF_JOINT, moving))
+    return (*_OF_SCENE, *(f"{quantity}.{name}" for quantities, names in targets
+                          for quantity in quantities for name in names), *by_name(scene))
+
+
+def components(names: Sequence[str], scene: Scene) -> tuple[str, ...]:
+    """The names of the quantities' columns: energy.kinetic, position.hand.2."""
+    return tuple(column for name in names for column in recorded(name, scene).names)
+
+
+def quantities_of(texts: Sequence[str], scene: Scene) -> tuple[str, ...]:
+    """The quantities that texts name, patterns among them replaced by all whole quantities that
+    they match, or else by components.  Raises QuantityError for each text that names none."""
+    found, errors = list[str](), []
+    for text in texts:
+        try:
+            recorded(text, scene)
+            names: tuple[str, ...] = (text,)
+        except QuantityError as error:
+            names = _matching(text, scene) if is_pattern(text) else ()
+            if not names:
+                errors.append(_unmatched(text, scene) if is_pattern(text) else str(error))
+        found += [x for x in names if x == text or not (x in found or x in texts)]
+    if errors:
+        raise QuantityError("; ".join(errors))
+    return tuple(found)
+
+
+def _matching(pattern: str, scene: Scene) -> tuple[str, ...]:
+    """The quantities that a pattern matches: whole ones, or else components, by number, or else
+    x, y and z of positions."""
+    whole = recordable(scene)
+    parts = components(whole, scene)
+    lettered = tuple(f"{name[:-1]}{XYZ[int(name[-1])]}" for name in parts
+                     if name.partition(".")[0] == "position")
+    return matching(pattern, whole, parts, lettered)
+
+
+def _unmatched(pattern: str, scene: Scene) -> str:
+    whole = recordable(scene)
+    return (f"{pattern!r} matches no quantity; "
+            f"{did_you_mean(pattern, (*whole, *components(whole, scene)))}")

@@ -1,0 +1,210 @@
+"""Errors of motions, part by part, and the sizes that they are compared with.
+
+The parts are a joint's angle or length; a rotation; of a base that floats, its position relative to
+the centre of mass of the tree that it carries, and that centre of mass.  The size of a part is the
+largest distance from its start; of a centre of mass, from the straight line on which it starts.  So
+neither the speed or place or direction of a whole scene matters, nor a heavy neighbour.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+
+import numpy as np
+
+import coscrew
+from coscrew_codegen.scene.model import Model, value
+from coscrew_codegen.scene_functions import Coordinate
+from coscrew_codegen.simulate.system import System
+
+ALLOWED = 0.025
+"""Largest error of a part relative to its size: halfway, in logarithms, from 1 %, which is right
+for most uses, to 5 %, which is not."""
+REST = 1e-3
+"""Sizes count as no smaller than this, in rad, and than this in m, or REST/100 of a scene's largest
+length if that is less: a robot that rests trembles by what nobody sees."""
+
+_CENTRE = "centre of mass of "
+
+Places = tuple[np.ndarray, ...]
+"""Where each part is, (…, k): k = 1 for a coordinate, 3 for a position, 4 for a rotation."""
+
+
+@dataclass(frozen=True)
+class Part:
+    """A part of a scene's motion."""
+
+    joint: str
+    name: str  # "joint elbow", "centre of mass of base"
+    unit: str
+    least: float  # its size counts as no smaller
+
+
+@dataclass(frozen=True)
+class Parts:
+    """The parts of a system's motion."""
+
+    system: System
+
+    @cached_property
+    def parts(self) -> tuple[Part, ...]:
+        """One or more for each joint that moves."""
+        length = REST * min(1.0, 10 * _length(self.system.scene.model) or 1.0)
+        found = []
+        for c in self._coordinates:
+            turns = c.kind != "prismatic"
+            found.append(Part(c.joint, f"joint {c.joint}", "rad" if turns else "m",
+                              REST if turns else length))
+            if c.kind == "free":
+                found.append(Part(c.joint, f"{_CENTRE}{c.joint}", "m", length))
+                found.append(Part(c.joint, f"position of {c.joint}", "m", length))
+        return tuple(found)
+
+    @property
+    def least(self) -> np.ndarray:
+        """The sizes that count as rest.  (k)."""
+        return np.array([x.least for x in self.parts])
+
+    def places(self, q: np.ndarray) -> Places:
+        """Where the parts are, in double.  (…, nq)."""
+        found: list[np.ndarray] = []
+        for c in self._coordinates:
+            own = q[..., c.q].astype(float)
+            if c.kind == "free":
+                centre = self._centre(c, q)
+                found += [own[..., 3:], centre, own[..., :3] - centre]
+            else:
+                found.append(own)
+        return tuple(found)
+
+    def velocities(self, q: np.ndarray, v: np.ndarray) -> Places:
+        """The velocity of each centre of mass, and zeros for all other parts."""
+        found: list[np.ndarray] = []
+        for c in self._coordinates:
+            found.append(np.zeros(1))
+            if c.kind == "free":
+                found += [self._velocity(c, q, v), np.zeros(3)]
+        return tuple(found)
+
+    def distances(self, x: Places, y: Places) -> np.ndarray:
+        """How far parts at x are from parts at y, in rad or m; infinite if either is not finite.
+        (…, k)."""
+        with np.errstate(all="ignore"):
+            each = [_angle(a, b) if a.shape[-1] == 4 else np.linalg.norm(a - b, axis=-1)
+                    for a, b in zip(x, y, strict=True)]
+        if not each:
+            return np.zeros((*self._lead(x), 0))
+        found = np.stack(np.broadcast_arrays(*each), -1)
+        return np.where(np.isnan(found), np.inf, found)
+
+    def kinetic(self, q: np.ndarray, v: np.ndarray, line: Places) -> np.ndarray:
+        """The kinetic energy in frames that move with the trees' centres of mass as `line` says:
+        Σ T - m V·u + m V²/2, in J.  (…)."""
+        found: np.ndarray = self.system.energies(0.0, q, v)[0]
+        moving = self.velocities(q, v)
+        for part, V, u in zip(self.parts, line, moving, strict=True):
+            if part.name.startswith(_CENTRE) and V.any():
+                c = next(x for x in self._coordinates if x.joint == part.joint)
+                if (M := self._mass_matrix(q, c)) is not None:
+                    m = M[..., 0, c.v.start]
+                    found = found + m * np.sum(V * (V / 2 - u), -1)
+        positive: np.ndarray = np.maximum(found, 0)
+        return positive
+
+    def _lead(self, x: Places) -> tuple[int, ...]:
+        return x[0].shape[:-1] if x else ()
+
+    @property
+    def _coordinates(self) -> Sequence[Coordinate]:
+        return self.system.functions.coordinates
+
+    def _mass_matrix(self, q: np.ndarray, c: Coordinate) -> np.ndarray | None:
+        """The rows of a free joint; None where the scene has no mass matrix, having many joints."""
+        if not self.system.has("mass_matrix"):
+            return None
+        M = np.asarray(self.system.call("mass_matrix", q=q), float)
+        return M[..., c.v.start:c.v.stop, :]
+
+    def _centre(self, c: Coordinate, q: np.ndarray) -> np.ndarray:
+        """The centre of mass of the tree that a free joint carries, in the joint's frame; without
+        a mass matrix the joint's own position.  (…, 3)."""
+        own, M = q[..., c.q].astype(float), self._mass_matrix(q, c)
+        if M is None:
+            return own[..., :3]
+        i = c.v.start
+        with np.errstate(all="ignore"):
+            com = np.stack((M[..., 1, i + 5], M[..., 2, i + 3], M[..., 0, i + 4]), -1) / M[
+                ..., 0, i, None]
+            return own[..., :3] + np.where(np.isfinite(com), coscrew.double.rotate_qv(
+                own[..., 3:], com), 0.0)
+
+    def _velocity(self, c: Coordinate, q: np.ndarray, v: np.ndarray) -> np.ndarray:
+        """The velocity of that centre of mass.  (…, 3)."""
+        own, M = q[..., c.q].astype(float), self._mass_matrix(q, c)
+        velocity = v[..., c.v.start:c.v.start + 3].astype(float)
+        if M is not None:
+            with np.errstate(all="ignore"):
+                momentum = np.einsum("...ij,...j->...i", M[..., :3, :], v.astype(float))
+                velocity = momentum / M[..., 0, c.v.start, None]
+        found: np.ndarray = coscrew.double.rotate_qv(own[..., 3:], velocity)
+        return found
+
+
+def _angle(x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    """The angle between two rotations, from the chord of their quaternions."""
+    chord = np.minimum(np.linalg.norm(x - y, axis=-1), np.linalg.norm(x + y, axis=-1))
+    found: np.ndarray = 4 * np.arcsin(np.minimum(chord / 2, 1))
+    return found
+
+
+def _length(model: Model) -> float:
+    """The largest length in a model: from a joint to the next or to a centre of mass, or a radius
+    of gyration, in m."""
+    found = [abs(value(x)) for joint in model.joints for x in joint.placement.t]
+    for body in model.bodies:
+        if body.inertia:
+            found += [abs(value(x)) for x in body.inertia.com]
+            mass = value(body.inertia.mass)
+            moments = sum((abs(value(x)) for x in body.inertia.moments[:3]), Fraction(0))
+            found += [Fraction(float(moments / mass / 2)**0.5)] if mass else []
+    return float(max(found, default=Fraction(0)))
+
+
+@dataclass
+class Extent:
+    """How far parts have been from their starts, or lines of start, since a run began."""
+
+    parts: Parts
+    start: Places
+    line: Places
+    size: np.ndarray  # (…, k)
+
+    @staticmethod
+    def since(parts: Parts, q: np.ndarray, v: np.ndarray) -> "Extent":
+        """That of a run which starts at q and v."""
+        return Extent(parts, parts.places(q), parts.velocities(q, v),
+                      np.zeros((*q.shape[:-1], len(parts.parts))))
+
+    def add(self, after: float | np.ndarray, places: Places) -> None:
+        """Note where the parts are after so many seconds; arrays of times and places have an axis
+        of samples before the last one."""
+        away = self.away(after, places)
+        samples = away.ndim - self.size.ndim
+        away = np.max(away, axis=-2) if samples else away
+        self.size = np.fmax(self.size, np.where(np.isfinite(away), away, 0))
+
+    def away(self, after: float | np.ndarray, places: Places) -> np.ndarray:
+        """The distances from the starts, or lines of start, after so many seconds."""
+        times = np.asarray(after, float)[..., None]
+        several = (slice(None),) if times.ndim > 1 else ()
+        origin = tuple((x[..., None, :] if several else x) + times * (
+            u[..., None, :] if several and u.ndim > 1 else u)
+            for x, u in zip(self.start, self.line, strict=True))
+        return self.parts.distances(places, origin)
+
+    @property
+    def sizes(self) -> np.ndarray:
+        """The sizes of the parts, none below what counts as rest.  (…, k)."""
+        found: np.ndarray = np.maximum(self.size, self.parts.least)
+        return found

@@ -1,0 +1,180 @@
+"""Windows: some steps of a run, taken again with smaller ones; and the way that coordinates go."""
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+import coscrew
+from coscrew_codegen.formats import DOUBLE
+from coscrew_codegen.integrator import Integrator
+from coscrew_codegen.integrators import DEFAULT, named
+from coscrew_codegen.simulate.motion_error import Parts, Places
+from coscrew_codegen.simulate.system import State, System
+
+_GRID = (1, 2, 3, 4, 6, 8, 12, 16, 24, 32)  # steps after which motions are compared
+_FINER = 4
+_FINEST = 5  # powers of _FINER by which steps are divided, at most
+_CONVERGED = 0.2  # of what is allowed: by so much two reference motions may differ
+_SEEN = 0.01  # rad or m: ways count as no shorter when it is judged what rounding takes of them
+_MOST = 4_000_000  # steps of reference motions of a window, of all members together
+
+
+@dataclass(frozen=True)
+class Window:
+    """`count` steps of h from q, v at t: as the run takes them, and with smaller steps."""
+
+    parts: Parts
+    integrator: str
+    t: float
+    h: float
+    q: np.ndarray
+    v: np.ndarray
+    count: int
+
+    @cached_property
+    def grid(self) -> tuple[int, ...]:
+        """The numbers of steps after which motions are compared."""
+        return (*(n for n in _GRID if n < self.count), self.count)
+
+    @cached_property
+    def run(self) -> tuple[State, ...]:
+        """The states of the run's own steps, on the grid."""
+        return self._taken(self.parts.system, self.integrator, 1)
+
+    @cached_property
+    def places(self) -> tuple[tuple[float, Places], ...]:
+        """(time since its start, places of the parts) on the grid, of the finer motion."""
+        return tuple((n * self.h, self.parts.places(q))
+                     for n, (q, _) in zip(self.grid, self._finer, strict=True))
+
+    @cached_property
+    def _finer(self) -> tuple[State, ...]:
+        return self._taken(self.parts.system, DEFAULT, _FINER)
+
+    def errors(self, allowed: np.ndarray) -> np.ndarray:
+        """The largest errors of the parts.  Those beyond what is allowed are found again with ever
+        smaller steps in double precision, until two motions agree.  (…, k)."""
+        found = self._apart(self.run, self._finer)
+        if (found <= allowed).all():
+            return found
+        bad = ~(found <= allowed).all(-1)
+        if not bad.ndim:
+            return self._resolved(allowed)
+        one = Parts(self.parts.system.member(np.flatnonzero(bad)))
+        found[bad] = replace(self, parts=one, q=self.q[bad], v=self.v[bad])._resolved(allowed[bad])
+        return found
+
+    def _resolved(self, allowed: np.ndarray) -> np.ndarray:
+        """The errors, from a motion that smaller steps do not change."""
+        exact = in_double(self.parts.system)
+        other = Parts(exact)
+        before = self._finer
+        found = self._apart(self.run, before)
+        for power in range(2, _FINEST + 1):
+            divisor = _FINER**power
+            if divisor * self.count * max(1, self.q.size // self.q.shape[-1]) > _MOST:
+                break
+            finer = self._taken(exact, DEFAULT, divisor)
+            found, change = self._apart(self.run, finer), self._apart(before, finer, other)
+            if (change <= _CONVERGED * allowed).all():
+                break
+            before = finer
+        return found
+
+    def _apart(self, x: tuple[State, ...], y: tuple[State, ...], parts: Parts | None = None
+               ) -> np.ndarray:
+        its = parts or self.parts
+        each = [its.distances(its.places(a), its.places(b))
+                for (a, _), (b, _) in zip(x, y, strict=True)]
+        found: np.ndarray = np.max(each, axis=0)
+        return found
+
+    def _taken(self, system: System, integrator: str, finer: int) -> tuple[State, ...]:
+        """The states on the grid, with steps smaller by `finer`."""
+        step, h = system.stepper(named(integrator).step_name), self.h / finer
+        q, v, done, found = self.q.astype(system.dtype), self.v.astype(system.dtype), 0, []
+        for n in self.grid:
+            q, v = step((n - done) * finer, self.t + done * self.h, h, q, v)
+            done = n
+            found.append((q, v))
+        return tuple(found)
+
+
+def in_double(system: System) -> System:
+    """The system in double precision, compiled if it is not there."""
+    if system.precision is DOUBLE or system.origin is None:
+        return system
+    if DOUBLE.name in system.origin.interface.precisions and \
+            DOUBLE.name in system.origin.precisions:
+        return replace(system, kernels=system.origin.double, precision=DOUBLE)
+    from coscrew_codegen.simulate.load import kernels_for
+
+    both = replace(system.scene, precisions=(DOUBLE.name,))
+    kernels = kernels_for(both, system.origin.selected or tuple(system.inputs))
+    return replace(system, kernels=kernels.double, precision=DOUBLE, origin=kernels,
+                   functions=kernels.interface)
+
+
+class Way:
+    """The way of coordinates in windows, and the way that their velocities make."""
+
+    def __init__(self, system: System, integrator: Integrator):
+        self._system = system
+        its = system.functions.coordinates
+        self._columns = [c.q[k] for c in its for k in range(
+            {"free": 3, "spherical": 0}.get(c.kind, 1))]
+        self._joints = [c.joint for c in its for _ in range(
+            {"free": 3, "spherical": 0}.get(c.kind, 1))]
+        self._free = [c for c in its if c.kind == "free"]
+        self._ignored = {c.joint for c in self._free} if (
+            integrator.keeps_momentum and system.has("free_momentum")) else set()
+        self._gone = self._made = self._near = np.zeros(1)
+        self._steps = 0
+
+    def add(self, window: Window, steps: int) -> None:
+        """Add a window, which stands for so many steps."""
+        if self._system.precision is DOUBLE or not self._columns:
+            return
+        before, done, made = (window.q, window.v), 0, np.zeros(1)
+        for n, state in zip(window.grid, window.run, strict=True):
+            rates = self._rates(*before) + self._rates(*state)
+            made, before, done = made + (n - done) * window.h / 2 * rates, state, n
+        share, q = steps / window.count, window.q.astype(float)
+        self._gone = self._gone + share * (before[0].astype(float) - q)[..., self._columns]
+        self._made, self._steps = self._made + share * made, self._steps + steps
+        self._near = np.fmax(self._near, np.abs(q[..., self._columns]))
+
+    def frozen(self, allowed: float) -> dict[tuple[int, ...], tuple[str, float, float]]:
+        """(joint, share of its way that is lost, its coordinate) by member: where more is lost than
+        is allowed, and no more than rounding takes."""
+        if not self._steps:
+            return {}
+        made, near = self._made, self._near
+        lost = np.abs(self._gone - made)
+        spacing = np.spacing(near.astype(self._system.dtype)).astype(float)
+        coarse = (lost > allowed * np.maximum(np.abs(made), _SEEN)) & (lost < self._steps * spacing)
+        found: dict[tuple[int, ...], tuple[str, float, float]] = {}
+        for *i, n in np.argwhere(coarse).tolist():
+            if self._joints[n] not in self._ignored:
+                share = float(lost[(*i, n)] / max(abs(made[(*i, n)]), _SEEN))
+                found.setdefault(tuple(i), (self._joints[n], share, float(near[(*i, n)])))
+        return found
+
+    def _rates(self, q: np.ndarray, v: np.ndarray) -> np.ndarray:
+        """The rates of angles, lengths and positions."""
+        found = []
+        for c in self._system.functions.coordinates:
+            own = v[..., c.v].astype(float)
+            if c.kind == "free":
+                turn = q[..., c.q][..., 3:].astype(float)
+                found.append(coscrew.double.rotate_qv(turn, own[..., :3]))
+            elif c.kind != "spherical":
+                found.append(own)
+        return np.concatenate(found, -1)
+
+
+def remedy_of_rounding(system: System) -> str:
+    """What to do about coordinates that do not move."""
+    return "take --precision double" if system.precision is not DOUBLE else \
+        "place the scene nearer to the world's origin"

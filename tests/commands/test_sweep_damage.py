@@ -1,0 +1,223 @@
+"""`coscrew sweep` and `opened` on folders whose files were damaged: flipped bits, cut off, emptied,
+deleted, exchanged.  Nothing of it is read as numbers; the same command makes the parts again."""
+
+import logging
+import os
+import shutil
+from collections.abc import Callable, Iterator
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+import pyarrow.parquet
+import pytest
+from distributed import LocalCluster
+
+from coscrew_codegen.__main__ import main
+from coscrew_codegen.sweep import chunk, opened, part, prepare
+from coscrew_codegen.sweep.folder import Folder
+from coscrew_codegen.sweep.part import DamagedError
+from tests.support.scenes.simulated import scene_file
+from tests.support.scenes.sweeps import SLIDER, prepared
+from tests.support.sweeping import VARIED, after, sweep, table
+
+
+@pytest.fixture(scope="module", autouse=True)
+def small_chunks() -> Iterator[None]:
+    """Of 64 members, though their work is little."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(prepare, "_STEPS", (1, 50_000_000))
+        yield
+
+
+@pytest.fixture(scope="module")
+def scene(tmp_path_factory) -> Path:
+    return scene_file(tmp_path_factory.mktemp("scene"), SLIDER, "slider")
+
+
+@pytest.fixture(scope="module")
+def workers() -> Iterator[LocalCluster]:
+    with LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=None,
+                      silence_logs=logging.CRITICAL) as found:
+        yield found
+
+
+@pytest.fixture(scope="module")
+def whole(scene, workers, tmp_path_factory) -> Path:
+    out = tmp_path_factory.mktemp("sweeps") / "whole"
+    assert finished(scene, out, workers) == 0
+    return out
+
+
+def finished(scene: Path, out: Path, workers: LocalCluster, *more: str) -> int:
+    """The status of the command with its arrays, tables and page."""
+    return main(["sweep", str(scene), *VARIED, "--scheduler", workers.scheduler_address, "--out",
+                 str(out), *more])
+
+
+@pytest.fixture
+def copied(whole, tmp_path) -> Path:
+    shutil.copytree(whole, tmp_path / "out")
+    return tmp_path / "out"
+
+
+def flip(path: Path, bit: int) -> None:
+    content = bytearray(path.read_bytes())
+    content[bit // 8] ^= 1 << bit % 8
+    path.write_bytes(content)
+
+
+def cut(path: Path, length: int) -> None:
+    path.write_bytes(path.read_bytes()[:length])
+
+
+def test_a_bit_flipped_anywhere_in_a_part_is_found(tmp_path):
+    """In every byte, one bit: of numbers, statistics, names, the checksum and its name."""
+    its = prepared(tmp_path, SLIDER, ("block.mass=1:7:3",))
+    specification, path = its.specification, tmp_path / "part.parquet"
+    content = chunk.computed(chunk.Job.of(its.kernels, specification), 0).content
+    path.write_bytes(content)
+    part.check(path, specification, 0)
+    assert len(content) > 5000
+    silent = []
+    for place in range(len(content)):
+        changed = bytearray(content)
+        changed[place] ^= 1 << place % 8
+        path.write_bytes(changed)
+        try:
+            part.read(path)
+        except DamagedError as error:
+            assert str(error).startswith(f"{path}: ")
+        else:
+            silent.append(place)
+    assert not silent
+    for length in {*range(0, len(content), 97), 1, 3, 4, 8, len(content) - 1}:
+        path.write_bytes(content[:length])
+        with pytest.raises(DamagedError, match="is empty|is cut off"):
+            part.read_metadata(path)
+
+
+def test_statistics_and_tables_of_a_part_are_those_that_were_written(tmp_path):
+    its = prepared(tmp_path, SLIDER, ("block.mass=1:7:3",))
+    path = tmp_path / "part.parquet"
+    path.write_bytes(chunk.computed(chunk.Job.of(its.kernels, its.specification), 0).content)
+    assert part.read(path).equals(pyarrow.parquet.read_table(path))
+    assert part.read_metadata(path).equals(pyarrow.parquet.read_metadata(path))
+    assert part.SEAL.encode() in pyarrow.parquet.read_metadata(path).metadata
+
+
+def without_checksum(path: Path) -> None:
+    """As an older version wrote it."""
+    pyarrow.parquet.write_table(pyarrow.parquet.read_table(path), path)
+
+
+def another(path: Path) -> None:
+    """The next part in its place."""
+    shutil.copy(path.with_name(f"part-{int(path.stem[-8:]) + 1:08d}.parquet"), path)
+
+
+def replaced(path: Path) -> None:
+    path.unlink()
+    path.mkdir()
+
+
+@pytest.mark.parametrize(("damage", "why"), (
+    (partial(flip, bit=8 * 3000), "differs from its checksum"),
+    (partial(cut, length=2000), "is cut off or overwritten (2000 bytes)"),
+    (partial(cut, length=0), "is empty"),
+    (without_checksum, "has no checksum (coscrew.sha256), as parts of older versions"),
+    (another, "holds the members of another part"),
+    (replaced, "cannot be read: Is a directory"),
+    (Path.unlink, "")), ids=("flipped", "cut", "empty", "old", "another", "folder", "gone"))
+def test_a_damaged_part_is_named_set_aside_and_made_again(damage: Callable[[Path], None], why,
+                                                          scene, workers, whole, copied, capsys):
+    path = copied / "members" / "part-00000004.parquet"
+    damage(path)
+    assert sweep(scene, copied, workers) == 0
+    said = capsys.readouterr().err
+    assert f"600 members, {600 - 64} of them written" in said
+    assert (f"coscrew: {path}: {why}" in said) is bool(why)
+    assert ("set aside as damaged/part-00000004.parquet, made again" in said) is bool(why)
+    assert (copied / "damaged" / path.name).exists() is bool(why)
+    assert table(copied).equals(table(whole))
+
+
+def test_parts_damaged_in_the_middle_of_a_run_are_made_again(scene, workers, whole, tmp_path,
+                                                             capsys):
+    out = tmp_path / "out"
+
+    def damage() -> None:
+        first, second, third, *_ = sorted((out / "members").iterdir())
+        flip(first, 8 * 2500 + 3)
+        cut(second, 1000)
+        third.unlink()
+
+    with after(5, damage):
+        assert finished(scene, out, workers) == 0
+    said = capsys.readouterr().err
+    assert said.count("made again") == 3 and "Traceback" not in said
+    for why in ("differs from its checksum; set aside", "is cut off or overwritten", "is gone; "):
+        assert why in said
+    assert len(list((out / "damaged").iterdir())) == 2
+    assert table(out).equals(table(whole))
+    assert opened(out).load().equals(opened(whole).load())
+
+
+def test_a_disk_that_damages_what_is_written_ends_the_command(scene, workers, tmp_path, monkeypatch,
+                                                              capsys):
+    write = Folder.write
+
+    def spoilt(self: Folder, number: int, content: bytes) -> None:
+        write(self, number, content)
+        cut(self.of(number), 100)
+
+    monkeypatch.setattr(Folder, "write", spoilt)
+    assert finished(scene, tmp_path / "out", workers) == 2
+    assert "parts are damaged again and again; is the disk in order?" in capsys.readouterr().err
+
+
+def test_no_damaged_file_is_opened_as_numbers(whole, tmp_path):
+    """Some bits of each file that `opened` reads; numbers only where the file says the same."""
+    wanted, rng = opened(whole).load(), np.random.default_rng(1)
+    files = [x.relative_to(whole) for x in sorted(whole.rglob("*"))
+             if x.is_file() and x.name not in (".lock", "summary.html")]
+    assert len(files) >= 40
+    out = tmp_path / "out"
+    shutil.copytree(whole, out)
+    for file in files:
+        content = (out / file).read_bytes()
+        for bit in (*rng.integers(8 * len(content), size=2), None):
+            if bit is None:
+                os.truncate(out / file, len(content) // 2)
+            else:
+                flip(out / file, int(bit))
+            try:
+                assert opened(out).load().identical(wanted), file
+            except DamagedError as error:
+                assert str(error).startswith(str(out))
+            (out / file).write_bytes(content)
+        (out / file).unlink()
+        with pytest.raises(DamagedError, match="is gone"):
+            opened(out).load()
+        (out / file).write_bytes(content)
+    assert opened(out).load().equals(wanted)
+
+
+def test_the_same_command_mends_what_is_opened(scene, workers, whole, copied, capsys):
+    flip(copied / "sweep.json", 8 * 700)
+    flip(copied / "sweep.zarr" / "q.slide.final" / "c" / "0", 8 * 40)
+    with pytest.raises(DamagedError, match="sweep.json: (differs|has no|cannot)"):
+        opened(copied)
+    assert finished(scene, copied, workers) == 0
+    assert "sweep.json: " in capsys.readouterr().err
+    assert opened(copied).load().identical(opened(whole).load())
+    assert (copied / "sweep.json").read_bytes() == (whole / "sweep.json").read_bytes()
+
+
+def test_a_damaged_description_hides_no_other_sweep(scene, workers, copied, capsys):
+    (copied / "sweep.json").unlink()
+    words = [str(scene), *VARIED[:-1], "201", "--scheduler", workers.scheduler_address]
+    assert main(["sweep", *words, "--out", str(copied)]) == 2
+    said = capsys.readouterr().err
+    assert "sweep.json: is gone; the parts beside it are of another sweep" in said
+    assert finished(scene, copied, workers) == 0

@@ -1,0 +1,174 @@
+"""Rows: a motion's run, judged, beside what the commands say of it; and tables of them."""
+
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+from tabulate import tabulate
+
+from tests.support.motions.dynamics import Dynamics
+from tests.support.motions.errors import Error, errors, judged
+from tests.support.motions.mechanism import Motion
+from tests.support.motions.reference import Reference, Unjudged, reference
+from tests.support.motions.verdicts import FIXED, Runs, Said, Setting, advised, runs
+
+DEFAULT, OTHERS = FIXED[0], FIXED[1:]
+ADAPTIVE = ("dop853", "radau")
+_MOST_STEPS = 100_000
+"""Steps of a run with an advised step, beyond which it is not followed."""
+_ENERGY = 0.01
+"""Largest relative change of the energy of a chaotic motion, after which it is wrong."""
+
+
+@dataclass(frozen=True)
+class Row:
+    """A run of a motion.  `truth` is right, between, wrong or unjudged; `advice` says what came of
+    following the check's advice."""
+
+    motion: Motion
+    how: Setting
+    truth: str
+    worst: Error | None
+    said: Said | None
+    advice: tuple[str, ...] = ()
+    reason: str = ""  # why it is unjudged, or the error that was raised
+
+    @property
+    def verdict(self) -> str:
+        """Of both commands, in a word."""
+        if self.said is None:
+            return "error"
+        return "stopped" if self.said.stopped and not self.said.passed else self.said.column
+
+    @property
+    def false(self) -> tuple[str, ...]:
+        """What the commands get wrong."""
+        if self.said is None:
+            return ("an error was raised",)
+        found = []
+        if self.truth == "wrong":
+            found += ["wrong, check passes"] if self.said.passed else []
+            found += ["wrong, simulate goes on"] if not self.said.stopped else []
+        if self.truth == "right":
+            found += ["right, check fails"] if not self.said.passed else []
+            found += ["right, simulate stops"] if self.said.stopped else []
+        return (*found, *(f"advice: {x}" for x in self.advice))
+
+    @property
+    def words(self) -> str:
+        """A line: the scene, the run, the error, what is said."""
+        worst = f"{self.worst.part}: q {self.worst.q:.2g}, v {self.worst.v:.2g}" if self.worst \
+            else ""
+        return (f"{self.motion.name} ({self.motion.about}) {self.how.words}: {self.truth} ({worst})"
+                f", {self.verdict}: {'; '.join(self.false)}{self.reason}")
+
+
+def settings(motion: Motion, every: bool = False) -> Iterator[Setting]:
+    """The runs of a motion: `every` one, or the default integrator, and in turn another and one in
+    single precision."""
+    other, turn = OTHERS[motion.number % 3], motion.number // 3 % 2
+    for step in motion.steps:
+        yield from (Setting(step, x, "double") for x in FIXED if every or x in (DEFAULT, other))
+        yield from (Setting(step, x, "single") for x in FIXED
+                    if every or x == (DEFAULT, other)[turn])
+        if motion.adaptive:
+            yield Setting(step, ADAPTIVE[0], "double")
+
+
+@dataclass(frozen=True)
+class Judge:
+    """A motion's reference and runs."""
+
+    motion: Motion
+    runs: Runs
+    its: Dynamics
+
+    def truth(self, how: Setting) -> tuple[str, Error]:
+        """Whether a run is right, and its worst part.  Raises Unjudged."""
+        q, v = self.runs.states(how, self.its)
+        true = reference(self.motion, self.runs.times(how))
+        part = true.t <= true.horizon
+        found = errors(self.its, self.motion, true.q, true.v, true.q[part], true.v[part], q[part],
+                       v[part])
+        worst = max(found, key=lambda x: (max(x.q / 0.01, x.v / 0.05)))
+        verdict = judged(found)
+        if verdict == "right" and not part.all() and not self._keeps_energy(true, q, v):
+            return "wrong", worst
+        return verdict, worst
+
+    def _keeps_energy(self, true: Reference, q: np.ndarray, v: np.ndarray) -> bool:
+        """Whether a chaotic motion keeps its energy to the end."""
+        if not (np.isfinite(q).all() and np.isfinite(v).all()):
+            return False
+        energies, true_ones = (np.array([self.its.energy(*x) for x in zip(*states, strict=True)])
+                               for states in ((q, v), (true.q, true.v)))
+        least = min(self.its.energy(x, 0 * y) for x, y in zip(true.q, true.v, strict=True))
+        return bool(np.abs(energies - true_ones).max() <= _ENERGY * (true_ones[0] - least))
+
+    def row(self, how: Setting, follow: bool) -> Row:
+        """The judged run."""
+        try:
+            truth, worst = self.truth(how)
+        except Unjudged as error:
+            return Row(self.motion, how, "unjudged", None, self.runs.said(how), (), f" {error}")
+        try:
+            said = self.runs.said(how)
+        except Exception as error:  # whatever a command raises is a finding
+            return Row(self.motion, how, truth, worst, None, (), f" {type(error).__name__}: "
+                       f"{str(error)[:200]}")
+        followed = tuple(self.followed(how, said)) if follow else ()
+        return Row(self.motion, how, truth, worst, said, followed)
+
+    def followed(self, how: Setting, said: Said) -> Iterator[str]:
+        """What following the advice of both commands shows to be false."""
+        seen = set()
+        for text in ("" if said.passed else said.text, said.stopped):
+            for then in advised(text, how):
+                if then in seen or self.motion.duration / then.step > _MOST_STEPS:
+                    continue
+                seen.add(then)
+                yield from self._follow(how, then)
+
+    def _follow(self, how: Setting, then: Setting) -> Iterator[str]:
+        try:
+            again = self.runs.said(then)
+            truth = self.truth(then)[0]
+            twice = replace(then, step=2.1 * then.step)
+            larger = then.step < how.step / 2.1 and not (
+                last := self.runs.said(twice)).stopped and last.passed
+        except Unjudged:
+            return
+        if again.stopped or not again.passed:
+            yield f"{then.words} does not pass"
+        if truth == "wrong":
+            yield f"{then.words} is wrong"
+        if larger:
+            yield f"{then.words}: twice the step passes, too"
+
+
+def judge(motion: Motion) -> Judge:
+    """For all runs of a motion."""
+    return Judge(motion, runs(motion), Dynamics(motion.mechanism))
+
+
+COLUMNS = ("passed", "strict fails", "failed", "stopped", "error")
+TRUTHS = ("right", "between", "wrong", "unjudged")
+
+
+def table(rows: Iterable[Row]) -> str:
+    """Counts: by family and truth, what the commands say."""
+    counts: dict[tuple[str, str], Counter[str]] = {}
+    for row in rows:
+        for family in (row.motion.family, "all"):
+            counts.setdefault((family, row.truth), Counter())[row.verdict] += 1
+    order = [x for x in dict.fromkeys(family for family, _ in counts) if x != "all"] + ["all"]
+    lines = [(family, truth, *(counts[family, truth][x] for x in COLUMNS))
+             for family in order for truth in TRUTHS if (family, truth) in counts]
+    return str(tabulate(lines, ("family", "motion", *COLUMNS)))
+
+
+def exceptions(rows: Iterable[Row]) -> str:
+    """How often the commands are wrong in which way."""
+    counts = Counter(kind.partition(": --")[0] for row in rows for kind in row.false)
+    return str(tabulate(sorted(counts.items()), ("exception", "rows")))

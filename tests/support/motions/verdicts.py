@@ -1,0 +1,138 @@
+"""What coscrew computes of a motion, and what `simulate` and `check` say of it."""
+
+import re
+import tempfile
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from pathlib import Path
+
+import numpy as np
+
+from coscrew_codegen.scene.scene import Scene
+from coscrew_codegen.scene.selected import together
+from coscrew_codegen.scene_files.toml_scene import read_scene
+from coscrew_codegen.simulate import needs, verdict
+from coscrew_codegen.simulate.check import check
+from coscrew_codegen.simulate.load import Kernels, kernels_for
+from coscrew_codegen.simulate.outcome import RunOverrides, simulated
+from coscrew_codegen.simulate.plan import Plan, plan
+from coscrew_codegen.simulate.run import integrate
+from coscrew_codegen.simulate.system import System, system
+from tests.support.motions.dynamics import Dynamics
+from tests.support.motions.mechanism import Motion
+
+FIXED = ("leapfrog", "linear-implicit-euler", "semi-implicit-euler", "rk4")
+
+
+@dataclass(frozen=True)
+class Setting:
+    """How a motion is run."""
+
+    step: float
+    integrator: str
+    precision: str
+
+    @property
+    def words(self) -> str:
+        return f"--step {self.step:g} --integrator {self.integrator} --precision {self.precision}"
+
+
+@dataclass(frozen=True)
+class Said:
+    """What the commands say: the run's stop, or ""; whether the check passes; its text."""
+
+    stopped: str
+    passed: bool
+    strictly: bool
+    text: str
+
+    @property
+    def column(self) -> str:
+        """The check's verdict in a word."""
+        return "passed" if self.strictly else "strict fails" if self.passed else "failed"
+
+
+@lru_cache(maxsize=64)
+def _shared(text: str, integrators: tuple[str, ...]) -> Kernels:
+    """The kernels of all scenes that differ in numbers given at run time alone."""
+    scene = _read(text)
+    return kernels_for(scene, together(*(needs.of_check(scene, x) for x in integrators)))
+
+
+def _read(text: str) -> Scene:
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder, "motion.toml")
+        path.write_text(text)
+        return read_scene(path)
+
+
+@dataclass(frozen=True)
+class Runs:
+    """The runs of a motion, by kernels that it shares with others."""
+
+    motion: Motion
+    kernels: Kernels
+
+    def _settings(self) -> tuple[tuple[str, float], ...]:
+        return tuple(self.motion.mechanism.settings.items())
+
+    def _kernels(self, how: Setting) -> Kernels:
+        scene = _read(self.motion.text(how.step, how.integrator, how.precision))
+        return replace(self.kernels, scene=replace(scene, precision=how.precision))
+
+    def _planned(self, how: Setting) -> tuple[System, Plan]:
+        its = system(self._kernels(how), how.precision, dict(self._settings()))
+        return its, plan(its)
+
+    def times(self, how: Setting) -> np.ndarray:
+        """The times of samples."""
+        return self._planned(how)[1].samples
+
+    def states(self, how: Setting, its: Dynamics) -> tuple[np.ndarray, np.ndarray]:
+        """q and v of a run that nothing stops, in the order of the judge; NaN after its end."""
+        made, planned = self._planned(how)
+        run = integrate(made, planned)
+        n = len(planned.samples)
+        q, v = (np.full((n, size), np.nan) for size in (its.model.nq, its.model.nv))
+        at = {p.joint.name: p for p in its.places}
+        for c in made.functions.coordinates:
+            place, count = at[c.joint], len(run.t)
+            q[:count, place.q], v[:count, place.v] = run.q[:, c.q], run.v[:, c.v]
+        its.followed(q, v)
+        return q, v
+
+    def said(self, how: Setting) -> Said:
+        """The verdicts of `simulate` and `check`, without the rounding of functions."""
+        kernels = self._kernels(how)
+        given = RunOverrides(None, None, None, how.precision, self._settings())
+        stopped = simulated(kernels, given, told=False)[0].trajectory.stopped
+        findings = check(kernels, given)
+        return Said(stopped, findings.passed, findings.strictly_passed,
+                    verdict.table(findings, strict=True))
+
+
+def runs(motion: Motion) -> Runs:
+    """The runs of a motion."""
+    alike = motion.mechanism.text(alike=True)
+    return Runs(motion, _shared(alike, FIXED))
+
+
+_STEP = re.compile(r"take an? (?:\w+ )?step of ([\d.e+-]+) s")
+_TIMES = re.compile(r"take one ([\d.e+-]+) times as long")
+_INTEGRATOR = re.compile(r"integrator (leapfrog|rk4|radau|dop853|linear-implicit-euler)\b")
+
+
+def advised(text: str, how: Setting) -> tuple[Setting, ...]:
+    """The settings that a sentence advises, each of which should do."""
+    found = []
+    precision = "double" if "--precision double" in text else how.precision
+    if step := _STEP.search(text):
+        found.append(replace(how, step=float(step[1]), precision=precision))
+    elif times := _TIMES.search(text):
+        found.append(replace(how, step=float(times[1]) * how.step, precision=precision))
+    elif precision != how.precision:
+        found.append(replace(how, precision=precision))
+    after = text[text.find("take"):] if "take" in text else ""
+    if (other := _INTEGRATOR.search(after)) and other[1] in FIXED:
+        found.append(replace(how, integrator=other[1]))
+    return tuple(found)
