@@ -12,7 +12,8 @@ _MARKS = ((codecs.BOM_UTF32_LE, "utf-32"), (codecs.BOM_UTF32_BE, "utf-32"),
 """How a file begins, and in which encoding; such a beginning overrides the declaration, which is
 wrong in files that a shell's `>` wrote."""
 _DECLARED = re.compile(rb"""\s*<\?xml[^>]{0,200}?\bencoding\s*=\s*["']([\w.:-]{1,40})["']""")
-_ASCII = bytes(range(32, 127))
+_ASCII = bytes(range(32, 92)) + rb"\x41 \u0041" + bytes(range(93, 127))
+"""Printable characters, and escapes, which some of Python's encodings would change."""
 _BARE = re.compile(r"&(?!(?:[A-Za-z_:][\w:.-]*|#[0-9]+|#x[0-9A-Fa-f]+);)")
 
 

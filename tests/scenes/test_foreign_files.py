@@ -92,6 +92,9 @@ REFUSED = {
     "unknown encoding": (declared("klingon").encode(), "the encoding 'klingon' is unknown"),
     "encoding that is none": (declared("hex").encode(), "the encoding 'hex' is unknown"),
     "encoding without ASCII": (declared("utf-7").encode(), "the encoding 'utf-7' is unknown"),
+    "encoding of other letters": (declared("cp037").encode(), "the encoding 'cp037' is unknown"),
+    "encoding of escapes": (declared("unicode_escape").encode(), "'unicode_escape' is unknown"),
+    "encoding of rarer escapes": (declared("raw_unicode_escape").encode(), "is unknown"),
     "xacro's element": (BODY.replace("<link", "<xacro:macro/><link", 1).encode(),
                         "<xacro:macro>: this is a file of xacro; run `xacro arm.urdf > "
                         "arm_expanded.urdf` and read that"),
