@@ -22,7 +22,7 @@ def without_chains(model: Model) -> Model:
 
 
 def wrong_mimics(model: Model) -> Mapping[str, str]:
-    """What is wrong with followers that cannot follow, by name."""
+    """The problems of followers that cannot follow, by name."""
     return _resolved(model)[1]
 
 

@@ -14,7 +14,7 @@ SUBJECTS = (
 
 @dataclass(frozen=True)
 class Notice:
-    """Something that the model says of a joint or body and the scene does not use."""
+    """A line on a number or element of a model that the scene does not use."""
 
     subject: str  # one of SUBJECTS
     of: str  # "joint elbow"

@@ -55,16 +55,25 @@ class Elements:
         misspellings of its elements; note other tools' numbers."""
         if problem := misspelt_attribute(owner):
             self._refuse(owner, element, problem)
-        for child in owner.children:
-            if child.tag.startswith("xacro:"):
-                self._refuse(child, element, f"<{child.tag[:60]}>: this is a file of xacro; run "
-                                             f"`{xacro(self.path)}` and read that")
+        self._refuse_xacro(owner, element)
         for child, problem in misspelt_elements(owner):
             self._refuse(child, element, problem)
         self.notices += _of_other_tools(owner, element)
         for child in owner.children if owner is not self.root else ():
             if child.tag in CHILDREN.get(owner.tag, ()):
                 self._check(child, element)
+
+    def _refuse_xacro(self, owner: Element, element: str) -> None:
+        """Refuse elements and expressions of xacro, also where nothing would use the number."""
+        remedy = f"run `{xacro(self.path)}` and read that"
+        for child in owner.children:
+            if child.tag.startswith("xacro:"):
+                self._refuse(child, element, f"<{child.tag[:60]}>: this is a file of xacro; "
+                                             f"{remedy}")
+        for name, text in owner.attributes.items():
+            if "${" in text or "$(" in text:
+                self._refuse(owner, element, f"{name!r} of <{owner.tag}>, {shown(text)}, is for "
+                                             f"xacro; {remedy}")
 
     def _placement(self, owner: Element, element: str) -> Placement:
         origin = self._only(owner, "origin", element)
@@ -102,9 +111,6 @@ class Elements:
         text = owner.attributes.get(attribute, "")
         if not text.strip():
             self._refuse(owner, element, f"<{owner.tag}> lacks its {attribute!r}")
-        if "${" in text or "$(" in text:
-            self._refuse(owner, element, f"{attribute!r} of <{owner.tag}>, {shown(text)}, is for "
-                                         f"xacro; run `{xacro(self.path)}` and read that")
         return text
 
     def _number(self, owner: Element, attribute: str, element: str,

@@ -31,7 +31,7 @@ def text_of(path: Path, contents: bytes) -> tuple[str, int]:
 
 
 def problem_at(text: str, line: int, column: int) -> str:
-    """What is wrong with the characters at a place where XML is not well-formed; "" if unknown."""
+    """The fault in the characters at a place where XML is not well-formed; "" if unknown."""
     lines = re.split("\r\n|\r|\n", text)
     here = lines[line - 1] if 0 < line <= len(lines) else ""
     bare = _BARE.search(here)
@@ -56,7 +56,8 @@ def _decoded(path: Path, contents: bytes) -> str:
                      '<?xml version="1.0" encoding="GBK"?>')
     name = declared[1].decode("ascii", "replace")
     if not _is_known(name):
-        raise SceneError(path, "line 1", f"the encoding {shown(name)} is unknown; wanted UTF-8")
+        raise SceneError(path, "line 1", f"the encoding {shown(name)} is unknown, or not that of "
+                         "this file; wanted UTF-8")
     return _read(path, contents, name, f"{name}, which the file declares; wanted the encoding in "
                  "which it is written")
 

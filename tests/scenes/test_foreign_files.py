@@ -104,6 +104,9 @@ REFUSED = {
                                        "body 'upper': <xacro:mass>"),
     "xacro's expression": (BODY.replace('value="1.5"', 'value="${m}"').encode(), "body 'upper': "
                            "'value' of <mass>, '${m}', is for xacro; run `xacro arm.urdf >"),
+    "xacro's expression that nothing uses": (BODY.replace('effort="100"', 'effort="${e}"').encode(),
+                                             "joint 'shoulder': 'effort' of <limit>, '${e}', is"),
+    "UTF-16 that is none": (declared("utf-16").encode(), "'utf-16' is unknown, or not that of"),
     "xacro's name": (BODY.replace('"tool"', '"$(arg prefix)tool"').encode(), "is for xacro"),
 }
 
