@@ -1,6 +1,6 @@
 """Joints that follow others."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from coscrew_codegen.scene.assembly import ModelError
@@ -22,7 +22,7 @@ def without_chains(model: Model) -> Model:
 
 
 def wrong_mimics(model: Model) -> Mapping[str, str]:
-    """What is wrong with followers that cannot follow, by name."""
+    """The problems of followers that cannot follow, by name."""
     return _resolved(model)[1]
 
 
@@ -34,7 +34,7 @@ def _resolved(model: Model) -> tuple[Mapping[str, Mimic], Mapping[str, str]]:
     attached: dict[str, Mimic] = {}
     wrong: dict[str, str] = {}
     for joint in model.joints:
-        for follower, mimic in reversed(_chain(joint, by_name, attached, wrong).items()):
+        for follower, mimic in reversed(_chain(joint, by_name, attached, wrong)):
             leader = mimic.joint
             if leader in wrong:
                 wrong.setdefault(follower, wrong[leader])
@@ -44,7 +44,7 @@ def _resolved(model: Model) -> tuple[Mapping[str, Mimic], Mapping[str, str]]:
 
 
 def _chain(joint: Joint, by_name: Mapping[str, Joint], attached: Mapping[str, Mimic],
-           wrong: dict[str, str]) -> Mapping[str, Mimic]:
+           wrong: dict[str, str]) -> Sequence[tuple[str, Mimic]]:
     """The followers from a joint to the first that is resolved, or whose leader follows no other.
     If the last of them cannot follow, `wrong` gets the reason."""
     chain: dict[str, Mimic] = {}
@@ -63,7 +63,7 @@ def _chain(joint: Joint, by_name: Mapping[str, Joint], attached: Mapping[str, Mi
             joint = leader
             continue
         break
-    return chain
+    return tuple(chain.items())
 
 
 def _composed(mimic: Mimic, of_leader: Mimic | None) -> Mimic:

@@ -92,7 +92,7 @@ Limits = tuple[Fraction | None, Fraction | None, Fraction | None, Fraction | Non
 
 @dataclass(frozen=True)
 class Fault:
-    """Why a number of a joint cannot be used: an effect that takes it is refused."""
+    """The reason why a number of a joint cannot be used: an effect that takes it is refused."""
 
     field: str  # of Joint: "upper", "mimic"
     problem: str  # "'upper' of <limit>: inf is not finite; wanted a number"

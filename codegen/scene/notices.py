@@ -5,16 +5,16 @@ from dataclasses import dataclass
 
 IDLE = "torque or force"
 SUBJECTS = (
-    IDLE, "other tools' joint", "spring", "mimic", "wrong mimic", "friction", "wrong friction",
-    "damping", "wrong damping", "other tools' number", "limits", "wrong limits", "effort",
-    "wrong effort", "velocity", "wrong velocity", "acceleration", "deceleration", "jerk",
+    IDLE, "other tools' joints", "spring", "armature", "mimic", "wrong mimic", "friction",
+    "wrong friction", "damping", "wrong damping", "other tools' numbers", "limits", "wrong limits",
+    "effort", "wrong effort", "velocity", "wrong velocity", "acceleration", "deceleration", "jerk",
     "safety controller", "repeated element")
 """What notices are about; first what changes the motion most."""
 
 
 @dataclass(frozen=True)
 class Notice:
-    """Something that the model says of a joint or body and the scene does not use."""
+    """A line on a number or element of a model that the scene does not use."""
 
     subject: str  # one of SUBJECTS
     of: str  # "joint elbow"

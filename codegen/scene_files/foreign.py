@@ -18,7 +18,7 @@ _BEGINNING = 2**16  # bytes that are searched for a root element
 
 
 def of_root(tag: str) -> str:
-    """What a file with this root element is, and what to do; "" if that is unknown."""
+    """Says what a file with this root element is and what to do; "" if that is unknown."""
     word = tag.lower()
     if word not in _FORMATS:
         return ""
@@ -27,7 +27,7 @@ def of_root(tag: str) -> str:
 
 
 def of_suffix(path: Path) -> str:
-    """What a file with neither suffix, .toml nor .urdf, is: "is SDF, the format of Gazebo"."""
+    """Says what a file with neither suffix, .toml nor .urdf, is: "is SDF, …"."""
     suffix = path.suffix.lower()
     if suffix == ".xacro":
         return f"is a file of xacro, of which `{xacro(path)}` makes a URDF"

@@ -18,7 +18,6 @@ from coscrew_codegen.scene_files.urdf_schema import (
     OTHER_JOINTS,
     OTHERS,
     QUATERNION,
-    SPRING,
     VERSIONS,
     is_zero,
     misspelt_attribute,
@@ -56,16 +55,25 @@ class Elements:
         misspellings of its elements; note other tools' numbers."""
         if problem := misspelt_attribute(owner):
             self._refuse(owner, element, problem)
-        for child in owner.children:
-            if child.tag.startswith("xacro:"):
-                self._refuse(child, element, f"<{child.tag[:60]}>: this is a file of xacro; run "
-                                             f"`{xacro(self.path)}` and read that")
+        self._refuse_xacro(owner, element)
         for child, problem in misspelt_elements(owner):
             self._refuse(child, element, problem)
         self.notices += _of_other_tools(owner, element)
         for child in owner.children if owner is not self.root else ():
             if child.tag in CHILDREN.get(owner.tag, ()):
                 self._check(child, element)
+
+    def _refuse_xacro(self, owner: Element, element: str) -> None:
+        """Refuse elements and expressions of xacro, also where nothing would use the number."""
+        remedy = f"run `{xacro(self.path)}` and read that"
+        for child in owner.children:
+            if child.tag.startswith("xacro:"):
+                self._refuse(child, element, f"<{child.tag[:60]}>: this is a file of xacro; "
+                                             f"{remedy}")
+        for name, text in owner.attributes.items():
+            if "${" in text or "$(" in text:
+                self._refuse(owner, element, f"{name!r} of <{owner.tag}>, {shown(text)}, is for "
+                                             f"xacro; {remedy}")
 
     def _placement(self, owner: Element, element: str) -> Placement:
         origin = self._only(owner, "origin", element)
@@ -103,9 +111,6 @@ class Elements:
         text = owner.attributes.get(attribute, "")
         if not text.strip():
             self._refuse(owner, element, f"<{owner.tag}> lacks its {attribute!r}")
-        if "${" in text or "$(" in text:
-            self._refuse(owner, element, f"{attribute!r} of <{owner.tag}>, {shown(text)}, is for "
-                                         f"xacro; run `{xacro(self.path)}` and read that")
         return text
 
     def _number(self, owner: Element, attribute: str, element: str,
@@ -193,11 +198,10 @@ def _of_other_tools(owner: Element, element: str) -> Iterator[Notice]:
     of = plain(element) or "robot"
     for child in owner.children if owner.tag == "robot" else ():
         if child.tag in OTHER_JOINTS or child.tag.endswith(":joint"):
-            joint = f"joint {child.attributes.get('name', '')[:60]}"
-            yield Notice("other tools' joint", joint, f"{joint}: <{child.tag[:60]}> is another "
-                         "tool's and is not used")
+            yield Notice("other tools' joints", of, f"joint {child.attributes.get('name', '')[:60]}"
+                         f": <{child.tag[:60]}> is another tool's and is not used")
     for name, text in owner.attributes.items():
-        if name in OTHERS.get(owner.tag, ()) or of_other_tools(name):
+        if name in OTHERS.get(owner.tag, {}) or of_other_tools(name):
             yield from _number(of, name, text, owner.tag)
     for child in owner.children:
         for name, text in child.attributes.items():
@@ -208,8 +212,8 @@ def _of_other_tools(owner: Element, element: str) -> Iterator[Notice]:
 def _number(of: str, name: str, text: str, tag: str) -> Iterator[Notice]:
     if is_zero(text):
         return
-    what = f"{of}: {name} {shown(text)[1:-1]} of <{tag}> is another tool's and is not used"
-    if name not in SPRING:
-        yield Notice("other tools' number", of, what)
-    else:
-        yield Notice("spring", of, f"{what}: add [effects.spring]", "add [effects.spring]")
+    effect = OTHERS.get(tag, {}).get(name, "")
+    remedy = f"add [effects.{effect}]" if effect else ""
+    yield Notice(effect or "other tools' numbers", of,
+                 f"{of}: {name} {shown(text)[1:-1]} of <{tag}> is another tool's and is not used"
+                 f"{': ' * bool(remedy)}{remedy}", remedy)

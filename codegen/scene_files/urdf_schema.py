@@ -45,11 +45,13 @@ _FREE = {"link": ("type", "concave"), "joint": ("dont_collapse",)}
 _MUST_BE_ZERO = {"axis": ("rpy",)}
 """Attributes that some programs write although URDF has no such rotation."""
 
-SPRING = ("spring_stiffness", "spring_reference")
-OTHERS: Mapping[str, tuple[str, ...]] = {
-    "dynamics": (*SPRING, "D", "K", "mu_coulomb", "mu_viscous"),
-    "limit": ("command_effort", "current", "gear_velocity", "twist")}
-"""Physical numbers of other tools in files of well-known robots: a notice unless they are zero."""
+OTHERS: Mapping[str, Mapping[str, str]] = {
+    "dynamics": {"spring_stiffness": "spring", "spring_reference": "spring", "stiffness": "spring",
+                 "armature": "armature", "rotor_inertia": "armature", "D": "", "K": "",
+                 "mu_coulomb": "", "mu_viscous": ""},
+    "limit": {"command_effort": "", "current": "", "gear_velocity": "", "twist": ""}}
+"""Physical numbers of other tools, in files of well-known robots, by element: the effect that acts
+alike.  They are told unless they are zero."""
 
 OTHER_ELEMENTS = {"joint": ("joint_properties",), "inertial": ("density",)}
 """Elements of other tools with physical numbers: a notice unless those are zero."""
@@ -78,7 +80,7 @@ def misspelt_attribute(element: Element) -> str:
     """The problem of an attribute that URDF does not have; "" if there is none."""
     tag = element.tag
     for name, text in element.attributes.items():
-        if name in ATTRIBUTES[tag] or name in OTHERS.get(tag, ()) or ":" in name or \
+        if name in ATTRIBUTES[tag] or name in OTHERS.get(tag, {}) or ":" in name or \
                 _is_free(tag, name):
             continue
         if name in _MUST_BE_ZERO.get(tag, ()) and is_zero(text):

@@ -12,7 +12,8 @@ _MARKS = ((codecs.BOM_UTF32_LE, "utf-32"), (codecs.BOM_UTF32_BE, "utf-32"),
 """How a file begins, and in which encoding; such a beginning overrides the declaration, which is
 wrong in files that a shell's `>` wrote."""
 _DECLARED = re.compile(rb"""\s*<\?xml[^>]{0,200}?\bencoding\s*=\s*["']([\w.:-]{1,40})["']""")
-_ASCII = bytes(range(32, 127))
+_ASCII = bytes(range(32, 92)) + rb"\x41 \u0041" + bytes(range(93, 127))
+"""Printable characters, and escapes, which some of Python's encodings would change."""
 _BARE = re.compile(r"&(?!(?:[A-Za-z_:][\w:.-]*|#[0-9]+|#x[0-9A-Fa-f]+);)")
 
 
@@ -30,13 +31,16 @@ def text_of(path: Path, contents: bytes) -> tuple[str, int]:
 
 
 def problem_at(text: str, line: int, column: int) -> str:
-    """What is wrong with the characters at a place where XML is not well-formed; "" if unknown."""
+    """The fault in the characters at a place where XML is not well-formed; "" if unknown."""
     lines = re.split("\r\n|\r|\n", text)
     here = lines[line - 1] if 0 < line <= len(lines) else ""
     bare = _BARE.search(here)
     if bare and bare.start() <= column:
         return "a bare &; wanted &amp;"
-    if here[column:column + 1] == "<" and here[:column].count('"') % 2:
+    character = here[column:column + 1]
+    if character and not character.isprintable() and character != "\t":
+        return f"the character U+{ord(character):04X} is not allowed here; delete it"
+    if character == "<" and here[:column].count('"') % 2:
         return "a < in an attribute; wanted &lt;, or the quotation mark that is missing before it"
     return ""
 
@@ -52,7 +56,8 @@ def _decoded(path: Path, contents: bytes) -> str:
                      '<?xml version="1.0" encoding="GBK"?>')
     name = declared[1].decode("ascii", "replace")
     if not _is_known(name):
-        raise SceneError(path, "line 1", f"the encoding {shown(name)} is unknown; wanted UTF-8")
+        raise SceneError(path, "line 1", f"the encoding {shown(name)} is unknown, or not that of "
+                         "this file; wanted UTF-8")
     return _read(path, contents, name, f"{name}, which the file declares; wanted the encoding in "
                  "which it is written")
 

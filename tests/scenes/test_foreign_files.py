@@ -80,6 +80,8 @@ REFUSED = {
                "line 3: a bare &; wanted &amp;"),
     "bare & before a word": (ARM.replace('"grey"', '"R&D"').encode(), "line 3: a bare &"),
     "<": (ARM.replace('"grey"', '"a<b"').encode(), "line 3: a < in an attribute; wanted &lt;"),
+    "zero at the end": (ARM.encode() + b"\0", "the character U+0000 is not allowed here; delete"),
+    "control character": (ARM.replace("grey", "été\x07").encode(), "line 3: the character U+0007"),
     "unknown entity": (ARM.replace('"grey"', '"&nbsp;"').encode(), "undefined entity"),
     "Latin without declaration": (ARM.replace("grey", "été").encode("latin-1"),
                                   "line 3: the byte 0xe9 is not UTF-8, and the file declares no "
@@ -90,6 +92,9 @@ REFUSED = {
     "unknown encoding": (declared("klingon").encode(), "the encoding 'klingon' is unknown"),
     "encoding that is none": (declared("hex").encode(), "the encoding 'hex' is unknown"),
     "encoding without ASCII": (declared("utf-7").encode(), "the encoding 'utf-7' is unknown"),
+    "encoding of other letters": (declared("cp037").encode(), "the encoding 'cp037' is unknown"),
+    "encoding of escapes": (declared("unicode_escape").encode(), "'unicode_escape' is unknown"),
+    "encoding of rarer escapes": (declared("raw_unicode_escape").encode(), "is unknown"),
     "xacro's element": (BODY.replace("<link", "<xacro:macro/><link", 1).encode(),
                         "<xacro:macro>: this is a file of xacro; run `xacro arm.urdf > "
                         "arm_expanded.urdf` and read that"),
@@ -99,6 +104,9 @@ REFUSED = {
                                        "body 'upper': <xacro:mass>"),
     "xacro's expression": (BODY.replace('value="1.5"', 'value="${m}"').encode(), "body 'upper': "
                            "'value' of <mass>, '${m}', is for xacro; run `xacro arm.urdf >"),
+    "xacro's expression that nothing uses": (BODY.replace('effort="100"', 'effort="${e}"').encode(),
+                                             "joint 'shoulder': 'effort' of <limit>, '${e}', is"),
+    "UTF-16 that is none": (declared("utf-16").encode(), "'utf-16' is unknown, or not that of"),
     "xacro's name": (BODY.replace('"tool"', '"$(arg prefix)tool"').encode(), "is for xacro"),
 }
 

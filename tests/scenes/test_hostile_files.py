@@ -47,10 +47,6 @@ XML = {
     "two giant loops": b"<robot>" + b"".join(
         b'<link name="%d"/><joint name="%d" type="fixed"><parent link="%d"/><child link="%d"/>'
         b"</joint>" % (i, i, (i + 1) % 2000, i) for i in range(2000)) + b"</robot>",
-    "a ring of followers": b"<robot><link name='w'/>" + b"".join(
-        b'<link name="%d"/><joint name="%d" type="revolute"><parent link="w"/><child link="%d"/>'
-        b'<mimic joint="%d"/></joint>' % (i, i, i, (i + 1) % 500) for i in range(500))
-        + b"</robot>",
 }
 
 TOML = {

@@ -1,12 +1,14 @@
 """Every element and attribute of URDF that is read is known, by version, or refused by its line."""
 
 from fractions import Fraction as F
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from coscrew_codegen.effects import EFFECTS
 from coscrew_codegen.scene.model import Kind
+from coscrew_codegen.scene.notices import summary
 from coscrew_codegen.scene_files.errors import SceneError
 from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.scene_files.urdf import read_urdf
@@ -134,6 +136,8 @@ def test_other_tools_elements_and_attributes_without_influence_are_free(read, ol
 @pytest.mark.parametrize("old, new, text", [
     ('friction="9"', 'friction="9" spring_stiffness="30"', "joint hinge: spring_stiffness 30 of "
      "<dynamics> is another tool's and is not used: add [effects.spring]"),
+    ('friction="9"', 'friction="9" armature="0.1" stiffness="0"', "joint hinge: armature 0.1 of "
+     "<dynamics> is another tool's and is not used: add [effects.armature]"),
     ('jerk="7"', 'jerk="7" drake:torque="2"', "joint hinge: drake:torque 2 of <limit> is another "
      "tool's and is not used"),
     ("<axis", '<joint_properties damping="2" friction="0"/><axis', "joint hinge: damping 2 of "
@@ -147,6 +151,11 @@ def test_other_tools_physical_numbers_are_told(read, old, new, text):
     model = read(FULL.replace(old, new, 1))
     assert model == read(FULL)
     assert {x.text for x in model.notices} - {x.text for x in read(FULL).notices} == {text}
+
+
+def test_other_tools_joints_are_told_first(read):
+    model = read(FULL.replace("</robot>", '<loop_joint name="a"/><loop_joint name="b"/></robot>'))
+    assert summary(model.notices).startswith("not used: other tools' joints of robot, acceleration")
 
 
 def test_limits_of_version_1_2_and_safety_controllers_are_told(read):
@@ -172,6 +181,14 @@ def test_numbers_of_joints_with_several_coordinates_are_told(read, kind):
 def test_fixed_joints_need_no_numbers(read):
     model = read(FULL.replace('name="hinge" type="revolute"', 'name="hinge" type="fixed"'))
     assert model.notices == ()
+
+
+def test_the_guide_lists_all_attributes():
+    guide = Path(__file__).parents[2] / "docs/urdf.md"
+    rows = [line for line in guide.read_text().splitlines() if line.startswith("| `")]
+    for tag, names in ATTRIBUTES.items():
+        row = next(row for row in rows if f"`{tag}`" in row.split("|")[1])
+        assert tag in ("calibration", "safety_controller") or all(f"`{x}`" in row for x in names)
 
 
 # versions
