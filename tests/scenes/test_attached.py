@@ -75,6 +75,20 @@ def test_what_is_attached_is_what_the_files_end_would_add(scene, turned):
     assert derive(ours) == derive(theirs)
 
 
+def test_where_a_file_lists_the_payload_changes_no_bit(scene, tmp_path):
+    """Inertias that move as one are summed exactly, in whatever order."""
+    scene(ATTACHED + EFFECTS)
+    ours = load_scene(tmp_path / "arm.toml").double
+    scene(EFFECTS)
+    file = tmp_path / "arm.urdf"
+    file.write_text(file.read_text().replace(
+        '<link name="base"/>', f'{LINKS}{OF_TOOL}{OF_PAYLOAD}<link name="base"/>'))
+    theirs = load_scene(tmp_path / "arm.toml").double
+    q, v, a = np.random.default_rng(3).uniform(-2, 2, (3, 20, 2))
+    for name in ("inverse_dynamics", "forward_dynamics"):
+        assert (getattr(ours, name)(q, v, a) == getattr(theirs, name)(q, v, a)).all()
+
+
 def test_a_chain_of_attached_bodies_is_in_order_whatever_their_tables(scene):
     model = scene("""
 [attach.last]
