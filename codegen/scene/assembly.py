@@ -34,7 +34,7 @@ def assembled(name: str, bodies: Sequence[Body], joints: Sequence[Joint], base: 
         raise ModelError("base", 'wanted "fixed": the root is the world, which cannot move freely')
     if root != WORLD:
         joints = (Joint(_unused(BASE, joints), base, WORLD, root), *joints)
-    ordered = _parents_first(joints)
+    ordered = parents_first(joints)
     return Model(name, tuple(by_name[joint.child] for joint in ordered), ordered)
 
 
@@ -81,8 +81,9 @@ def _root(bodies: Sequence[Body], joints: Sequence[Joint]) -> str:
     return roots[0]
 
 
-def _parents_first(joints: Sequence[Joint]) -> tuple[Joint, ...]:
-    """The joints, each after the one that moves its parent, otherwise in the given order."""
+def parents_first(joints: Sequence[Joint]) -> tuple[Joint, ...]:
+    """The joints, each after the one that moves its parent, otherwise in the given order.  Raises
+    ModelError for a loop."""
     moved_by = {joint.child: i for i, joint in enumerate(joints)}
     waiting: dict[str, list[int]] = {}
     for i, joint in enumerate(joints):

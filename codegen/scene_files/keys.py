@@ -3,7 +3,7 @@
 The readers take names and choices from here; the documentation and the JSON Schema show it.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from coscrew_codegen.formats import CHOICES
 from coscrew_codegen.integrators import NAMES
@@ -52,20 +52,48 @@ def _written(number: float) -> str:
     return f"{number:g}".replace("e-0", "e-")
 
 
+CYLINDER = TableOf("bodies.NAME.shape.cylinder", "A cylinder about z.", (
+    Key("radius", "in m", "positive", required=True),
+    Key("length", "in m", "positive", required=True)))
+
+SHAPE = TableOf("bodies.NAME.shape", "A homogeneous solid about the centre of mass: one of these "
+                "keys.", (
+    Key("box", "lengths of the edges along x, y, z in m", "vector"),
+    Key("cylinder", "a cylinder about z", "table", table=CYLINDER),
+    Key("sphere", "radius in m", "positive")))
+
 BODY = TableOf("bodies.NAME", "A body; without keys, a frame without mass.", (
     Key("mass", "in kg", "nonnegative"),
     Key("com", "centre of mass in m, in the body's frame", "vector", default="[0, 0, 0]"),
     Key("inertia", "moments about the centre of mass in kg m²: xx, yy, zz and, if not zero, "
-        "xy, xz, yz; or the symmetric 3×3 matrix", "moments", default="[0, 0, 0]")))
+        "xy, xz, yz; or the symmetric 3×3 matrix", "moments", default="[0, 0, 0]"),
+    Key("shape", "the solid whose moments, with `mass`, are the inertia; instead of `inertia`",
+        "table", table=SHAPE)))
 
-ORIGIN = TableOf("joints.NAME.origin", "The joint's frame in the parent's; its rotation is given "
-                 "by at most one of rpy, quaternion, axis with angle.", (
+_PLACE = (
     Key("xyz", "position in m", "vector", default="[0, 0, 0]"),
     Key("rpy", "roll, pitch, yaw in rad, about the parent's fixed x, y, z: R = R_z R_y R_x",
         "vector"),
     Key("quaternion", "unit quaternion x, y, z, w: the scalar last", "quaternion"),
     Key("axis", "axis of rotation, of any length", "vector"),
-    Key("angle", "angle about `axis` in rad", "number")))
+    Key("angle", "angle about `axis` in rad", "number"))
+_ONE_ROTATION = "its rotation is given by at most one of rpy, quaternion, axis with angle"
+
+ORIGIN = TableOf("joints.NAME.origin", f"The joint's frame in the parent's; {_ONE_ROTATION}.",
+                 _PLACE)
+
+PLACE = TableOf("attach.NAME.place", f"The attached body's frame in the other's; {_ONE_ROTATION}.",
+                _PLACE)
+
+ATTACH = TableOf("attach.NAME", "A body that is fixed to one of the model, as a payload to a "
+                 "flange: effects, `record` and functions name it like the model's own.", (
+    Key("body", "the body it is fixed to", required=True),
+    Key("place", "its frame in that body's", "table", table=PLACE),
+    *(replace(key, required=key.name == "mass") for key in BODY.keys)))
+
+FRAME = TableOf("frames.NAME", "A frame that is fixed to a body of the model, as a tool's centre "
+                f"point: a body without mass; {_ONE_ROTATION}.", (
+    Key("body", "the body it is fixed to", required=True), *_PLACE))
 
 LIMITS = TableOf("joints.NAME.limits", "Limits for effects, which use them by \"model\": without "
                  "such an effect nothing stops the joint.", (
@@ -149,6 +177,8 @@ SCENE = TableOf("", "The file itself.", (
         "then have", "tolerances", table=ACCURACY),
     Key("runtime", "numbers that stay arguments of functions: BODY.mass, BODY.com, BODY.inertia, "
         "EFFECT.WHERE.PARAMETER", "texts", default="[]"),
+    Key("attach", "bodies that are fixed to those of the model, by name", "tables", table=ATTACH),
+    Key("frames", "frames that are fixed to bodies, by name", "tables", table=FRAME),
     Key("bodies", "the bodies, by name", "tables", table=BODY),
     Key("joints", "the joints, by name", "tables", table=JOINT),
     Key("effects", "what acts: see Effects", "effects"),
@@ -157,5 +187,6 @@ SCENE = TableOf("", "The file itself.", (
     Key("run", "how a run is integrated", "table", table=RUN),
     Key("expect", "conditions on a run, by quantity", "expectations", table=EXPECT)))
 
-TABLES = (SCENE, BODY, JOINT, ORIGIN, LIMITS, MIMIC, ACCURACY, START, OUTPUTS, RUN, EXPECT)
+TABLES = (SCENE, ATTACH, PLACE, FRAME, BODY, SHAPE, CYLINDER, JOINT, ORIGIN, LIMITS, MIMIC,
+          ACCURACY, START, OUTPUTS, RUN, EXPECT)
 """All tables except those of effects."""

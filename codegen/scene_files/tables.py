@@ -95,7 +95,7 @@ class Table:
             return default
         return self.as_number(key, self.value(key, "a number"))
 
-    def positive(self, key: str, default: Fraction) -> Fraction:
+    def positive(self, key: str, default: Fraction | None = None) -> Fraction:
         """The number under a key, above zero."""
         number = self.number(key, default)
         if number <= 0:

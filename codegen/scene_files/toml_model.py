@@ -21,7 +21,16 @@ from coscrew_codegen.scene.model import (
 from coscrew_codegen.scene.possible import WARN, judged
 from coscrew_codegen.scene.residues import without_residues
 from coscrew_codegen.scene_files.errors import SceneError
-from coscrew_codegen.scene_files.keys import BODY, JOINT, LIMITS, MIMIC, ORIGIN, TYPES
+from coscrew_codegen.scene_files.keys import (
+    BODY,
+    CYLINDER,
+    JOINT,
+    LIMITS,
+    MIMIC,
+    ORIGIN,
+    SHAPE,
+    TYPES,
+)
 from coscrew_codegen.scene_files.tables import Table, described
 
 _ZERO = (Fraction(0),) * 3
@@ -34,7 +43,7 @@ def read_model(file: Table, name: str, base: Kind, implausible: str) -> Model:
     """The model in the tables `bodies` and `joints`.  With `implausible` "warn", impossible and
     massless inertias are accepted and listed in the model.  Raises SceneError."""
     massless: list[str] = []
-    bodies = tuple(_body(name, table, massless if implausible == WARN else None)
+    bodies = tuple(body(name, table, massless if implausible == WARN else None)
                    for name, table in file.tables("bodies"))
     joints = tuple(_joint(name, table) for name, table in file.tables("joints"))
     try:
@@ -44,7 +53,7 @@ def read_model(file: Table, name: str, base: Kind, implausible: str) -> Model:
         raise SceneError(file.file, error.element, error.problem) from None
 
 
-def _body(name: str, table: Table, massless: list[str] | None) -> Body:
+def body(name: str, table: Table, massless: list[str] | None) -> Body:
     """The body.  A mass of zero is refused or, if `massless` is a list, reported there."""
     table.only(*BODY.names)
     if name == WORLD:
@@ -55,11 +64,42 @@ def _body(name: str, table: Table, massless: list[str] | None) -> Body:
         return Body(name)
     mass = table.positive("mass", Fraction(0)) if massless is None else \
         table.nonnegative("mass", Fraction(0))
-    inertia = Inertia(mass, table.numbers("com", (3,), _ZERO), _moments(table))
+    inertia = Inertia(mass, table.numbers("com", (3,), _ZERO), _inertia(table, mass))
     if massless is None or mass or any(inertia.moments):
         return Body(name, inertia)
     massless.append(f"body {name!r}: its mass is zero, and so are its moments")
     return Body(name)
+
+
+def _inertia(table: Table, mass: Fraction) -> tuple[Fraction, ...]:
+    """The moments that `inertia` gives, or `shape` with the mass."""
+    if "shape" not in table:
+        return _moments(table)
+    if "inertia" in table:
+        table.refuse("shape", "`inertia` gives the moments already; wanted one of both")
+    shape = table.table("shape")
+    shape.only(*SHAPE.names)
+    if len(shape.values) != 1:
+        shape.refuse("", f"has {len(shape.values)} keys; wanted one of {', '.join(SHAPE.names)}")
+    return (*(mass * x for x in _radii(shape)), *_ZERO)
+
+
+def _radii(shape: Table) -> tuple[Fraction, ...]:
+    """The squares of the radii of gyration of a homogeneous solid, about x, y, z, in m²."""
+    if "sphere" in shape:
+        square = shape.positive("sphere")**2 * Fraction(2, 5)
+        return square, square, square
+    if "cylinder" in shape:
+        cylinder = shape.table("cylinder")
+        cylinder.only(*CYLINDER.names)
+        radius, length = (cylinder.positive(key) for key in CYLINDER.names)
+        across = radius**2 / 4 + length**2 / 12
+        return across, across, radius**2 / 2
+    edges = shape.numbers("box", (3,))
+    if min(edges) <= 0:
+        shape.refuse("box", f"an edge of {float(min(edges)):g} m; wanted positive lengths")
+    x, y, z = (edge**2 / 12 for edge in edges)
+    return y + z, x + z, x + y
 
 
 def _moments(table: Table) -> tuple[Fraction, ...]:
@@ -117,6 +157,11 @@ def _placement(table: Table) -> Placement:
         return HERE
     origin = table.table("origin")
     origin.only(*ORIGIN.names)
+    return placement(origin)
+
+
+def placement(origin: Table) -> Placement:
+    """The frame that xyz, and one of rpy, quaternion, axis with angle, give."""
     ways = [key for key in ("rpy", "quaternion", "axis") if key in origin]
     if len(ways) > 1:
         origin.refuse(ways[1], f"the rotation is given by {ways[0]} already")

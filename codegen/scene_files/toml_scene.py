@@ -21,6 +21,7 @@ from coscrew_codegen.scene.scene import Expectation, Run, Scene
 from coscrew_codegen.scene.selected import FunctionsError, resolved
 from coscrew_codegen.scene.tiers import TiersError, asked, selected
 from coscrew_codegen.scene_files.accuracy import limits_used, read_accuracy, refuse_faults
+from coscrew_codegen.scene_files.attached import with_attached
 from coscrew_codegen.scene_files.effect_table import Use
 from coscrew_codegen.scene_files.errors import SceneError, shown
 from coscrew_codegen.scene_files.foreign import of_suffix
@@ -95,7 +96,7 @@ def _scene(file: Table, catalogue: tuple[Effect, ...], overrides: SceneOverrides
     name = _name(file)
     implausible = _overridden(overrides.implausible, file, "implausible", (ERROR, WARN)) or ERROR
     precision = _overridden(overrides.precision, file, "precision", CHOICES)
-    model = _model(file, name, implausible)
+    model = with_attached(file, _model(file, name, implausible), implausible)
     use = Use()
     effects = read_effects(file.table("effects"), model, catalogue, use)
     _refuse_still(file.file, model)

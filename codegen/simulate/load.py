@@ -195,7 +195,7 @@ def load_scene(scene: Scene | Path | str, *, precision: str | None = None,
         path = Path(scene)
         scene = read_scene(path, overrides=SceneOverrides(precision, implausible, functions,
                                                             tiers))
-        for line in filter(None, (left_out(scene), *scene.model.implausible)):
+        for line in scene.model.implausible:
             warnings.warn(f"{path.name}: {line}", RuntimeWarning, stacklevel=2)
     elif not isinstance(scene, Scene):
         raise TypeError(f"load_scene: wanted the path of a scene file, or a Scene; "
@@ -208,6 +208,8 @@ def load_scene(scene: Scene | Path | str, *, precision: str | None = None,
 
         scene = replace(scene, functions=functions or scene.functions,
                         tiers=selected(tiers) or scene.tiers)
+    if line := left_out(scene):
+        warnings.warn(f"{scene.name}: {line}", RuntimeWarning, stacklevel=2)
     return kernels_for(scene)
 
 

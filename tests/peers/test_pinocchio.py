@@ -10,8 +10,9 @@ import pytest
 
 from coscrew_codegen.identifiers import identifiers
 from coscrew_codegen.program import Op
+from coscrew_codegen.scene_files.toml_scene import read_scene
 from tests.support.scenes import evaluation
-from tests.support.scenes.robots import Robot, model_of, paired, robot, scene_of
+from tests.support.scenes.robots import Robot, model_of, paired, path_of, robot, scene_of
 
 STATES = 8
 DOUBLE, SINGLE = 2.0**-53, 2.0**-24
@@ -82,6 +83,42 @@ def test_inverse_dynamics_are_pinocchios_where_hands_are_massless():
         upper = np.triu(pin.crba(x.model, data, x.theirs(q[k])))
         assert _error(masses[k], x.follow.T @ (upper + np.triu(upper, 1).T) @ x.follow) <= 1e-12
         assert np.linalg.matrix_rank(masses[k].reshape(x.model.nv, -1)) == x.model.nv - 24
+
+
+def test_a_payload_on_an_arm_is_pinocchios(tmp_path):
+    """[attach.payload] on a UR5's flange, beside appendBodyToJoint."""
+    file = "ur_description/urdf/ur5_robot.urdf"
+    (tmp_path / "ur5.urdf").write_text(path_of(file).read_text())
+    (tmp_path / "loaded.toml").write_text("""
+model = "ur5.urdf"
+[attach.payload]
+body = "tool0"
+place = { xyz = [0.02, -0.01, 0.1], rpy = [0.3, -0.2, 1.1] }
+mass = 3.5
+com = [0.01, 0.02, 0.05]
+inertia = [0.02, 0.03, 0.04, 0.001, -0.002, 0.003]
+[effects.gravity]
+g = [0, 0, -9.81]
+""")
+    theirs = model_of(file, False)
+    flange = theirs.frames[theirs.getFrameId("tool0")]
+    payload = pin.Inertia(3.5, np.array([0.01, 0.02, 0.05]), np.array(
+        [[0.02, 0.001, -0.002], [0.001, 0.03, 0.003], [-0.002, 0.003, 0.04]]))
+    place = pin.SE3(pin.rpy.rpyToMatrix(0.3, -0.2, 1.1), np.array([0.02, -0.01, 0.1]))
+    theirs.appendBodyToJoint(flange.parentJoint, payload, flange.placement * place)
+    names = ("inverse_dynamics", "forward_dynamics", "mass_matrix")
+    x = paired(read_scene(tmp_path / "loaded.toml"), theirs, names)
+    q, v, a = x.states(STATES)
+    found = {name: _ours(x, name, q, *([] if name == "mass_matrix" else [v, a])) for name in names}
+    data = theirs.createData()
+    for k in range(STATES):
+        at = x.theirs(q[k])
+        upper = np.triu(pin.crba(theirs, data, at))
+        M = upper + np.triu(upper, 1).T
+        assert _error(found["mass_matrix"][k], M) <= 1e-14
+        assert _error(found["inverse_dynamics"][k], pin.rnea(theirs, data, at, v[k], a[k])) <= 1e-14
+        assert _error(found["forward_dynamics"][k], pin.aba(theirs, data, at, v[k], a[k])) <= \
+            DOUBLE * np.linalg.cond(M)
 
 
 @ALL

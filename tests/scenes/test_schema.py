@@ -41,6 +41,24 @@ inertia = [0.01, 0.01, 0.01, 0, 0, 0]
 [bodies.c]
 mass = 0.5
 inertia = [[0.01, 0, 0], [0, 0.01, 0], [0, 0, 0.01]]
+[attach.load]
+body = "c"
+place = { xyz = [0, 0, 0.1], rpy = [0, 0, 1] }
+mass = 0.1
+com = [0, 0, 0.01]
+shape = { box = [0.1, 0.1, 0.2] }
+[attach.can]
+body = "load"
+mass = 0.1
+shape = { cylinder = { radius = 0.1, length = 0.2 } }
+[attach.ball]
+body = "load"
+mass = 0.1
+shape = { sphere = 0.1 }
+[frames.tip]
+body = "can"
+xyz = [0, 0, 0.1]
+quaternion = [0, 0, 0, 1]
 [joints.one]
 type = "revolute"
 parent = "world"
@@ -139,8 +157,8 @@ def places(value: object, path: tuple = ()) -> Iterator[tuple]:
 def tables(value: object, path: tuple = ()) -> Iterator[tuple]:
     """The paths to all tables except those whose keys are names of the scene's own."""
     if isinstance(value, dict):
-        own = ("accuracy", "bodies", "joints", "q", "v", "expect", "spring_damper", "viscous",
-               "wrench")
+        own = ("accuracy", "attach", "frames", "bodies", "joints", "q", "v", "expect",
+               "spring_damper", "viscous", "wrench")
         if not path or path[-1] not in own and path[-2:] != ("viscous", "d"):
             yield path
         for key, inner in value.items():
