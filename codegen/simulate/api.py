@@ -42,9 +42,10 @@ def run(scene: Kernels | Scene | Path | str, *, p: Parameters = None,
     end with its parameters, except for those in p, to the bit as one long run does, if that end is
     a multiple of `every`.  Members that failed before it stay failed.  q0 and v0 must be None.
 
-    `controller` sets run-time parameters during the run: see Controller.  `every` is the time
-    between samples, `record` names what to record, as in scenes.  Raises SimulateError for
-    impossible settings, and the errors of reading a scene."""
+    `controller` sets run-time parameters during the run: see Controller.  One that changes too fast
+    for how seldom it is called causes a RuntimeWarning.  `every` is the time between samples,
+    `record` names what to record, as in scenes.  Raises SimulateError for impossible settings, and
+    the errors of reading a scene."""
     kernels, own = _read(scene, precision)
     name = _precision(precision, own)
     asked = Asked(until, step, integrator, every,

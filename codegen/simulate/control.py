@@ -39,9 +39,10 @@ class Controller:
         void law(double t, const double *q, const double *v, double *u, void *context);
 
     with float for double, except for t, in single precision.  q and v are copies.  `sets` names
-    elements of p; by default they are the torques of actuators, `actuator.JOINT.torque`.  A
-    controller has no memory that a recording could hold: the report of where a run diverged calls
-    it again."""
+    elements of p; by default they are the torques of actuators, `actuator.JOINT.torque`.  What it
+    returns is held until the next call.  A controller has no memory that a recording could hold:
+    the report of where a run diverged calls it again; so does, after a run in which what it set
+    turned back and forth from call to call, the test whether it is called too seldom."""
 
     function: Law | int | ctypes.c_void_p | CFuncPtr
     steps: int = 1
@@ -68,6 +69,12 @@ class Controller:
     def address(self) -> int:
         """The address of a function in C; 0 of a function in Python."""
         return _address(self.function) or 0
+
+    @property
+    def in_python(self) -> bool:
+        """Whether Python runs when it is called, also through a pointer that ctypes made."""
+        kept = (getattr(self.function, "_objects", None) or {}).values()
+        return not self.address or any("Thunk" in type(x).__name__ for x in kept)
 
     def told(self, scene: Scene) -> str:
         """What provenance says of it: its name, when it is called and what it sets, and a hash of

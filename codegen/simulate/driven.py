@@ -14,6 +14,7 @@ from coscrew_codegen.simulate.control import EFFORT, Controller, Law, refuse_pre
 from coscrew_codegen.simulate.plan import Plan, Stop
 from coscrew_codegen.simulate.steps import InC
 from coscrew_codegen.simulate.system import State, System
+from coscrew_codegen.simulate.turns import Turns
 
 _IN_C = ctypes.CFUNCTYPE(None, ctypes.c_double, *[ctypes.c_void_p] * 4)
 
@@ -31,6 +32,7 @@ class Driven:
         name = named(plan.integrator).step_name
         self._step = system.stepper_at(name)
         self._in_c = system.driver(name) if controller.address else None
+        self._turns = Turns()
         self._called = -1  # step before which `update` last called it
         self._refused: dict[tuple[int, ...], Stop] = {}
 
@@ -51,6 +53,7 @@ class Driven:
         p[..., self._places] = self._values(k, t, q, v)
         self.p = p
         values = p[..., self._places]
+        self._turns.add(values)
         if not np.isfinite(values).all():
             for *i, n in np.argwhere(~np.isfinite(values)).tolist():
                 self._refuse(tuple(i), n, t, values[(*i, n)])
@@ -74,6 +77,15 @@ class Driven:
             q, v = self._step(self.p, more, t + done * h, h, q, v)
             done += more
         return q, v
+
+    @property
+    def turned(self) -> bool:
+        """Whether what it set turned back and forth; nobody knows of calls by compiled steps."""
+        return self._turns.many or self._in_c is not None and not self._controller.in_python
+
+    def demanded(self, t: float, q: np.ndarray, v: np.ndarray) -> np.ndarray:
+        """What it would set at this state, which the run is not told."""
+        return self._values(self.steps, t, q, v)
 
     def refused(self, alive: np.ndarray) -> tuple[Stop, ...]:
         """The members that stop since a value is not finite."""

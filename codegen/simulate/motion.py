@@ -12,6 +12,7 @@ from coscrew_codegen.simulate.advice import remedy
 from coscrew_codegen.simulate.alarm import Alarm
 from coscrew_codegen.simulate.control import Controller, set_by
 from coscrew_codegen.simulate.driven import Driven
+from coscrew_codegen.simulate.held import too_fast
 from coscrew_codegen.simulate.load import Kernels
 from coscrew_codegen.simulate.members import Values, start_of, with_parameters
 from coscrew_codegen.simulate.onward import Instant, refuse, refuse_plan, start_at
@@ -57,7 +58,11 @@ def motion(kernels: Kernels, precision: str, asked: Asked, *, shown: bool = Fals
     if planned.adaptive and (state[0].ndim > 1 or asked.controller):
         raise SimulateError(f"integrator {planned.integrator} chooses its steps as one motion needs"
                             "; wanted an emitted integrator for batches and controllers")
-    trajectory = _integrated(its, planned, state, asked, shown)
+    by = asked.controller
+    driven = Driven(by, its, planned, state[0], start.steps if start else 0) if by else None
+    trajectory = _integrated(its, planned, state, start, driven, shown)
+    if by and driven and (warning := too_fast(by, driven, its, planned, trajectory)):
+        warnings.warn(warning, RuntimeWarning, stacklevel=3)
     began = start_at(its, *state, trajectory.momentum)
     if start:
         began = replace(began, t=start.t, steps=start.steps, failed=start.failed)
@@ -86,9 +91,8 @@ def _begun(kernels: Kernels, precision: str, asked: Asked) -> tuple[System, Stat
     return its, start_of(its, asked.q0, asked.v0, start)
 
 
-def _integrated(its: System, planned: Plan, state: State, asked: Asked, shown: bool) -> Trajectory:
-    start, by = asked.start, asked.controller
-    driven = Driven(by, its, planned, state[0], start.steps if start else 0) if by else None
+def _integrated(its: System, planned: Plan, state: State, start: Instant | None,
+                driven: Driven | None, shown: bool) -> Trajectory:
     alarm = partial(Alarm, driven=driven is not None, remedy=remedy)
     momentum, failed = (start.momentum, start.failed) if start else (None, ())
     if not shown:
