@@ -54,7 +54,8 @@ def reactions(scene: Scene) -> dict[str, str]:
 def names(scene: Scene) -> tuple[str, ...]:
     """All functions that the scene can have, in the order in which they are emitted."""
     return (*DYNAMICS, *jacobians(scene), *reactions(scene), *functions_of_effects(scene),
-            MOVED, *FREE, *CONTACTS, *(x.step_name for x in EMITTED))
+            MOVED, *FREE, *CONTACTS, *(x.step_name for x in EMITTED),
+            *(x.step_with_tau for x in EMITTED))
 
 
 def by_default(scene: Scene) -> tuple[str, ...]:
