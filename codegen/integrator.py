@@ -114,6 +114,11 @@ class Integrator:
         return f"step_{self.name.replace('-', '_')}" if self.emitted else ""
 
     @property
+    def step_with_tau(self) -> str:
+        """The name of its step function that takes torques of joints; "" if there is none."""
+        return f"{self.step_name}_tau" if self.emitted else ""
+
+    @property
     def splits(self) -> bool:
         """Whether a step in which a limit is hit is taken in several parts."""
         return isinstance(self.scheme, Composition) and self.scheme.splits

@@ -95,14 +95,15 @@ class Split:
 class Step:
     """One step of an integrator: calls in order that take q and v to the end of the step.
 
-    Inputs are t, h, p, q and v; the variables `zeros` are vectors of zeros.  All arithmetic is in
-    the functions called."""
+    Inputs are t, h, p, q and v, and tau if it `takes_tau`; the variables `zeros` are vectors of
+    zeros.  All arithmetic is in the functions called."""
 
     integrator: str  # its name in scenes and commands: semi-implicit-euler
     name: str  # its function's: step_semi_implicit_euler
     words: str  # its equation
     body: tuple[Call | Split, ...]
     zeros: tuple[str, ...] = ()
+    takes_tau: bool = False
 
     @property
     def calls(self) -> tuple[Call, ...]:
@@ -121,6 +122,19 @@ class Signature:
     words: tuple[str, ...]
     moved: bool = False
     zero: bool = False  # whether its outputs are zero whatever the inputs
+
+    @property
+    def repeats(self) -> bool:
+        """Whether it is a step that many steps in one call repeat: one that does not take tau."""
+        return self.moved and "tau" not in dict(self.inputs)
+
+    @property
+    def arguments(self) -> tuple[tuple[str, tuple[int, ...], bool], ...]:
+        """Name, shape and whether it is written, of each argument in C, in order."""
+        written = {x for x, _ in self.outputs}
+        moved = written if self.moved else set()
+        return (*((x, shape, x in moved) for x, shape in self.inputs),
+                *((x, shape, True) for x, shape in self.outputs if x not in moved))
 
     @property
     def read(self) -> Arrays:

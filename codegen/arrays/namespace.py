@@ -134,7 +134,7 @@ class _OfScene:
 
     def step(self, step: Step) -> Made:
         shapes, library = scene_text.step_shapes(self.scene), self._library
-        names = scene_text.step_inputs(self.scene)
+        names = scene_text.step_inputs(self.scene, step.takes_tau)
         signature = Signature(step.name, tuple((x, shapes[x]) for x in names),
                               self.scene.precisions)
 

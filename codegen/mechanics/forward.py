@@ -47,14 +47,14 @@ def accelerations(motion: Motion, acting: Acting, rigids: Sequence[Rigid],
 
 
 def implicit(motion: Motion, acting: Acting, rigids: Sequence[Rigid],
-             inertias: Mapping[str, Number], weights: Weights,
+             inertias: Mapping[str, Number], weights: Weights, tau: Sequence[Number],
              slopes: Acting | None = None) -> Implicit:
-    """a with (M + m) a = -bias - c v.
+    """a with (M + m) a = tau - bias - c v.
 
     Damping and stiffness are those of `slopes`, the effects on a motion with the same q and the
     initial velocities of the step; forces are then linear about these velocities."""
     start, own = slopes or acting, _own(motion, inertias)
-    torques = _gathered(motion, {n: _torque(acting, start, n) for n in sorted(acting.torques)})
+    torques = _torques(acting, start, tau)
     damping = _gathered(motion, {n: start.damping(n) for n in sorted(start.torques)}, 2)
     stiffness = _gathered(motion, {n: start.stiffness(n) for n in sorted(start.torques)}, 2)
     rates = list(damping)
@@ -90,12 +90,20 @@ def _own(motion: Motion, inertias: Mapping[str, Number]) -> list[Number]:
                               if link.joint.name in inertias}, 2)
 
 
-def _torque(acting: Acting, start: Acting, number: int) -> Number:
-    """A joint's torque; if linear about the initial velocities, torque + d (v - v_start)."""
-    if start is acting:
-        return acting.torque(number)
-    faster = acting.motion.speeds(number)[0] - start.motion.speeds(number)[0]
-    return acting.torque(number) + start.damping(number) * faster
+def _torques(acting: Acting, start: Acting, tau: Sequence[Number]) -> list[Number]:
+    """Torques by velocity: tau, then those of effects; if linear about the initial velocities, also
+    d (v - v_start).  In this order, in which an actuator's torque would be summed."""
+    motion, others, found = acting.motion, list(tau), dict[int, Number]()
+    for number in sorted(acting.torques):
+        link, torque = motion.tree.links[number], acting.torque(number)
+        if not link.driver:
+            torque = tau[link.v.start] + torque
+            others[link.v.start] = motion.zero[0]
+        if start is not acting:
+            faster = motion.speeds(number)[0] - start.motion.speeds(number)[0]
+            torque = torque + start.damping(number) * faster
+        found[number] = torque
+    return list(add(others, _gathered(motion, found)))
 
 
 def _gathered(motion: Motion, of_links: Mapping[int, Number], power: int = 1) -> list[Number]:

@@ -52,7 +52,8 @@ class _Derivation(DynamicsFunctions, BodyFunctions, EffectFunctions, StepFunctio
         scene, tree = self.scene, self.tree
         wanted = names or selected_functions(scene)
         steps = [x for x in EMITTED if x.step_name in wanted]
-        called = together(*map(needs, steps))
+        with_tau = [x for x in EMITTED if x.step_with_tau in wanted]
+        called = together(*map(needs, steps), *(needs(x, takes_tau=True) for x in with_tau))
         found = [self._stated(made, name in wanted)
                  for name, make in self._makers().items() if name in wanted or name in called
                  if (made := make())]
@@ -62,7 +63,7 @@ class _Derivation(DynamicsFunctions, BodyFunctions, EffectFunctions, StepFunctio
             scene.name, tree.nq, tree.nv, tree.coordinates, tuple(self.bodies),
             tuple((p.name, float(p.value)) for p in scene.parameters), coordinates.neutral(tree),
             tuple(found), (), scene.precisions, self.timed,
-            tuple(signs(scene).items()), scene.tiers), steps)
+            tuple(signs(scene).items()), scene.tiers), steps, with_tau)
 
     def _stated(self, made: Function, public: bool) -> Function:
         """The function, public or not, with what is proved of its rounding errors."""

@@ -1,6 +1,6 @@
 """Functions that steps of integrators call."""
 
-from functools import cached_property
+from functools import cached_property, partial
 
 from coscrew_codegen.mechanics import coordinates, floating, forward, leapfrog
 from coscrew_codegen.mechanics.acting import Acting
@@ -18,7 +18,9 @@ class StepFunctions(Derivation):
     def _of_steps(self) -> Makers:
         return {
             "integrated": self._integrated, "implicit_acceleration": self._implicit,
-            "midpoint_acceleration": self._kick, "chart_rate": self._chart,
+            "midpoint_acceleration": self._kick,
+            "implicit_acceleration_tau": partial(self._implicit, "tau"),
+            "midpoint_acceleration_tau": partial(self._kick, "tau"), "chart_rate": self._chart,
             "free_momentum": self._free_momentum, "with_free_momentum": self._with_free_momentum,
             "closing_contacts": self._closing, "parts": self._parts}
 
@@ -32,7 +34,7 @@ class StepFunctions(Derivation):
             "q phi", [array("qo", (self.tree.nq,), "coordinates")], compute,
             dynamic=False)
 
-    def _implicit(self) -> Function:
+    def _implicit(self, tau: str = "") -> Function:
         def compute(x: Recording) -> Results:
             motion = x.motion(accelerating=False)
             acting = Acting(self.scene, motion).act()
@@ -41,18 +43,19 @@ class StepFunctions(Derivation):
             def weights(d: Number, k: Number, _: Number) -> tuple[Number, Number]:
                 return (d + k * h) * h, k * h
 
-            return [forward.implicit(motion, acting, x.rigids, x.inertias, weights).a]
+            return [forward.implicit(motion, acting, x.rigids, x.inertias, weights, x.tau).a]
 
         return self._function(
-            "implicit_acceleration", "a with (M + h d + h^2 k) a = -bias_torques(q, v) - h k v, "
-            "where d, k are the damping and stiffness of the effects", "h q v",
-            [self.inputs["a"]], compute, acted=True)
+            _with("implicit_acceleration", tau), f"a with (M + h d + h^2 k) a = {_plus(tau)}"
+            "-bias_torques(q, v) - h k v, where d, k are the damping and stiffness of the effects",
+            f"h q v {tau}", [self.inputs["a"]], compute, acted=True)
 
-    def _kick(self) -> Function:
+    def _kick(self, tau: str = "") -> Function:
         return self._function(
-            "midpoint_acceleration", "a with M(q) a = -bias_torques(q, v + h/2 a) as the default "
-            "integrator solves it, in two passes, implicit in damping and stiffness of the effects",
-            "h q v", [self.inputs["a"]], lambda x: [leapfrog.kick(x)], acted=True)
+            _with("midpoint_acceleration", tau), f"a with M(q) a = {_plus(tau)}"
+            "-bias_torques(q, v + h/2 a) as the default integrator solves it, in two passes, "
+            "implicit in damping and stiffness of the effects",
+            f"h q v {tau}", [self.inputs["a"]], lambda x: [leapfrog.kick(x)], acted=True)
 
     def _chart(self) -> Function | None:
         if not any(c.kind in ("spherical", "free") for c in self.tree.coordinates):
@@ -114,3 +117,12 @@ class StepFunctions(Derivation):
             "h is taken, to resolve contacts of limits; part is NaN if count would exceed "
             f"{leapfrog.MOST}", "h q v", [array("count", ()), array("part", (), "in s")],
             lambda x: [[y] for y in leapfrog.split(x)])
+
+
+def _with(name: str, tau: str) -> str:
+    return f"{name}_{tau}" if tau else name
+
+
+def _plus(tau: str) -> str:
+    """What stands before "-bias_torques"."""
+    return f"{tau} " if tau else ""

@@ -52,10 +52,10 @@ def kick(x: Recording) -> list[Number]:
     q, v = recorder.argument("q"), recorder.argument("v")
     first = x.motion(at=(q, v))
     start = Acting(x.scene, first).act()
-    guess = forward.implicit(first, start, x.rigids, x.inertias, weights(h))
+    guess = forward.implicit(first, start, x.rigids, x.inertias, weights(h), x.tau)
     second = x.motion(at=(q, _sum(v, scaled(h / 2, guess.a))))
     acting = Acting(x.scene, second, _delays(x, h, guess.rates)).act()
-    return forward.implicit(second, acting, x.rigids, x.inertias, weights(h), start).a
+    return forward.implicit(second, acting, x.rigids, x.inertias, weights(h), x.tau, start).a
 
 
 def _delays(x: Recording, h: Number, rates: Sequence[Number]) -> dict[int, Number]:

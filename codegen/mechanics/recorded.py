@@ -32,6 +32,12 @@ class Recording:
         down = gravity(self.scene, self.recorder) if falling else None
         return Motion(self.recorder, self.tree, self.names, down, moving, accelerating, at)
 
+    @property
+    def tau(self) -> Sequence[Number]:
+        """The torques of joints, zeros if the function does not take them."""
+        return self.recorder.argument("tau") if self.recorder.has("tau") else \
+            self.recorder.numbers([0] * self.tree.nv)
+
     @cached_property
     def rigids(self) -> list[Rigid]:
         """The inertia of each link."""

@@ -28,25 +28,34 @@ CHART_ORDER = 4
 """The order of accuracy of `chart_rate`."""
 
 
-def needs(integrator: Integrator) -> tuple[str, ...]:
+def needs(integrator: Integrator, takes_tau: bool = False) -> tuple[str, ...]:
     """The functions that a step calls, if the scene has them."""
     match integrator.scheme:
         case Tableau():
             return ACCELERATION, MOVED, RATE
         case Composition() as scheme:
-            return (*(x.by for x in scheme.stages if isinstance(x, Kick)), MOVED,
+            return (*(_accelerating(x.by, takes_tau) for x in scheme.stages
+                      if isinstance(x, Kick)), MOVED,
                     *(CONTACTS if scheme.splits else ()),
-                    *(FREE if scheme.keeps_momentum else ()))
+                    *(FREE if scheme.keeps_momentum and not takes_tau else ()))
     return ()
 
 
-def stepped(scene: SceneFunctions, integrators: Iterable[Integrator] = EMITTED) -> SceneFunctions:
-    """The scene with a step for each of these integrators, and the internal functions they need.
+def _accelerating(by: str, takes_tau: bool) -> str:
+    """The function of the accelerations `by`, or the one that also takes torques of joints."""
+    return f"{by}_tau" if takes_tau and by != ACCELERATION else by
+
+
+def stepped(scene: SceneFunctions, integrators: Iterable[Integrator] = EMITTED,
+            with_tau: Iterable[Integrator] = ()) -> SceneFunctions:
+    """The scene with a step for each of these integrators, those `with_tau` that take torques of
+    joints, and the internal functions they need.
 
     Raises ValueError if an integrator calls a function that the scene does not have, or has a
     higher order than the chart for quaternions."""
     means = _Means(scene)
-    steps = tuple(_Writer(scene, means, x).step() for x in integrators)
+    steps = (*(_Writer(scene, means, x).step() for x in integrators),
+             *(_Writer(scene, means, x, takes_tau=True).step() for x in with_tau))
     return replace(scene, functions=(*scene.functions, *means.functions.values()), steps=steps)
 
 
@@ -101,8 +110,10 @@ class _Means:
 class _Writer:
     """Writes the step of one integrator."""
 
-    def __init__(self, scene: SceneFunctions, means: _Means, integrator: Integrator):
+    def __init__(self, scene: SceneFunctions, means: _Means, integrator: Integrator,
+                 takes_tau: bool = False):
         self.scene, self.means, self.integrator = scene, means, integrator
+        self.takes_tau = takes_tau
         self.calls: list[Call] = []
         self.zeros: tuple[str, ...] = ()
         self.h = "h"
@@ -117,8 +128,12 @@ class _Writer:
                 body = self._composed(scheme)
             case _:
                 raise ValueError(f"{self.integrator.name} is SciPy's: it has no step to emit")
-        return Step(self.integrator.name, self.integrator.step_name, self.integrator.equation,
-                    tuple(body), self.zeros)
+        its = self.integrator
+        if not self.takes_tau:
+            return Step(its.name, its.step_name, its.equation, tuple(body), self.zeros)
+        return Step(its.name, its.step_with_tau, f"{its.step_name} with tau, torques and forces of "
+                    "joints that hold during the step, besides the effects; it does not correct "
+                    "the momentum of floating bases", tuple(body), takes_tau=True)
 
     def _call(self, name: str, *results: str, **given: str) -> None:
         self.calls.append(self._made(name, *results, **given))
@@ -137,13 +152,15 @@ class _Writer:
         return self.scene.named(name)
 
     def _accelerate(self, by: str, a: str, c: Fraction, t: str, q: str, v: str) -> None:
-        """Append a = by(t + c h, q, v) at tau = 0; `t` is the variable of that time."""
+        """Append a = by(t + c h, q, v), at tau = 0 unless the step takes it; `t` is the variable of
+        that time."""
+        by = _accelerating(by, self.takes_tau)
         function = self._of_scene(by)
         if function.takes("t") and c:
             self._call(self.means.time(c), t)
         else:
             t = "t"
-        if function.takes("tau"):
+        if function.takes("tau") and not self.takes_tau:
             self.zeros = ("tau",)
         self._call(by, a, t=t, q=q, v=v)
 
@@ -185,7 +202,7 @@ class _Writer:
     def _composed(self, scheme: Composition) -> list[Call | Split]:
         before: list[Call] = []
         after: list[Call] = []
-        if scheme.keeps_momentum and self.scene.has(MOMENTUM):
+        if scheme.keeps_momentum and self.scene.has(MOMENTUM) and not self.takes_tau:
             before.append(self._made(MOMENTUM, "c"))
             after.append(self._made(CORRECTED, "q", "v", t="h"))
         if not (scheme.splits and self.scene.has(CLOSING)):

@@ -11,7 +11,7 @@
 An effect under a label has the label in place of the body, one on the whole scene only its name.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Set
 
 from coscrew_codegen.identifiers import identifiers
 from coscrew_codegen.scene.effect import Place
@@ -24,10 +24,18 @@ EFFECT_QUANTITIES = (TORQUE, FORCE, POWER, ENERGY, SATURATED)
 
 def units_of(applied: Applied, scene: Scene) -> dict[str, tuple[str, ...]]:
     """The quantities that an effect has where it is applied, with their components' units."""
-    effect, joints = applied.effect, {x.name: x for x in scene.model.joints}
+    return _units(applied, _sliding(scene))
+
+
+def _sliding(scene: Scene) -> Set[str]:
+    return {x.name for x in scene.model.joints if x.kind is Kind.PRISMATIC}
+
+
+def _units(applied: Applied, sliding: Set[str]) -> dict[str, tuple[str, ...]]:
+    effect = applied.effect
     found: dict[str, tuple[str, ...]] = {}
     if effect.joint_torque:
-        found[TORQUE] = ("N",) if joints[applied.on].kind is Kind.PRISMATIC else ("N m",)
+        found[TORQUE] = ("N",) if applied.on in sliding else ("N m",)
     if effect.body_force:
         found |= {FORCE: ("N",) * 3, TORQUE: ("N m",) * 3}
     if effect.pair_force:
@@ -43,16 +51,17 @@ def units_of(applied: Applied, scene: Scene) -> dict[str, tuple[str, ...]]:
 
 def functions_of_effects(scene: Scene) -> dict[str, Applied]:
     """The effects that have quantities, by the names of their functions: effect_spring_elbow."""
-    there = [x for x in scene.effects if units_of(x, scene)]
+    there = [x for x in scene.effects if _units(x, frozenset())]
     return {f"effect_{name}": x
             for name, x in zip(identifiers([x.name for x in there]), there, strict=True)}
 
 
 def by_name(scene: Scene) -> Mapping[str, tuple[str, Applied, str]]:
     """(function, effect, quantity) by the quantity's name in `record`: spring.elbow.torque."""
+    sliding = _sliding(scene)
     return {f"{applied.name}.{quantity}": (function, applied, quantity)
             for function, applied in functions_of_effects(scene).items()
-            for quantity in units_of(applied, scene)}
+            for quantity in _units(applied, sliding)}
 
 
 def lacks(text: str, scene: Scene) -> str:

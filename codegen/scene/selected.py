@@ -28,7 +28,8 @@ FREE = ("free_momentum", "with_free_momentum")
 CONTACTS = ("closing_contacts", "parts")
 """Functions of scenes with limits that can be hit."""
 MOVED = "integrated"
-DIVIDING = {"forward_dynamics", *FREE, *CONTACTS, *(x.step_name for x in EMITTED)}
+DIVIDING = {"forward_dynamics", *FREE, *CONTACTS,
+            *(name for x in EMITTED for name in (x.step_name, x.step_with_tau))}
 """Functions that divide by the mass matrix, and those that only these call."""
 MANY = 100
 """Velocities (NV) above which the mass matrix is not a default function: its text grows with their
@@ -64,7 +65,8 @@ def names(scene: Scene) -> tuple[str, ...]:
 def _names(scene: Scene) -> tuple[str, ...]:
     """The functions of a scene whose mass matrix is regular."""
     return (*DYNAMICS, *jacobians(scene), *reactions(scene), *functions_of_effects(scene), MOVED,
-            *FREE, *CONTACTS, *(x.step_name for x in EMITTED))
+            *FREE, *CONTACTS, *(x.step_name for x in EMITTED),
+            *(x.step_with_tau for x in EMITTED))
 
 
 def left_out(scene: Scene) -> str:

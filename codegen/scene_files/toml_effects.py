@@ -47,7 +47,7 @@ def _refuse_compensation(effects: Table, model: Model, found: list[Applied]) -> 
             table.refuse(flag, f"the scene of {applied.name} has no gravity; wanted "
                                f"[effects.gravity], or no {flag}")
         if applied.on in leaders:
-            table.refuse(flag, f"joint {applied.on!r} follows {leaders[applied.on]!r}, which bears "
+            table.refuse(flag, f"joint {applied.on!r} follows {leaders[applied.on]!r}, which holds "
                                f"its weight; wanted {flag} there")
 
 

@@ -97,7 +97,7 @@ class Functions(Steps[Real]):
         scene = self._kernels.scene if self._kernels else None
         possible = names(scene) if scene else ()
         hint = or_mean(name, (*dir(self), *possible))
-        if self._tier and name in {x.step_name for x in EMITTED}:
+        if self._tier and name in {y for x in EMITTED for y in (x.step_name, x.step_with_tau)}:
             hint = "; steps have no tier, since their error is not that of rounding"
             possible = ()
         if name in possible:
@@ -187,7 +187,7 @@ def compiled(scene: SceneInterface, library: ctypes.PyDLL, described: Signature,
 
     function = _written(described, checked)
     vars(function)["in_c"] = in_c
-    if described.moved:
+    if described.repeats:
         several = c_name(many(scene), described.name.replace("step", "run", 1), precision)
         vars(function).update(_many_steps(library, name, several, described, precision,
                                           signs(scene)))

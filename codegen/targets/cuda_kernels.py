@@ -130,8 +130,9 @@ def kernels(scene: SceneFunctions, on_numbers: SceneFunctions, precision: Precis
 
 def _taken(function: Signature, precision: Precision) -> list[Taken]:
     real = precision.c_type
-    return [*(Taken(x, real, count(shape), "const ", not shape) for x, shape in function.read),
-            *(Taken(x, real, count(shape)) for x, shape in function.outputs)]
+    return [Taken(x, real, count(shape)) if written else
+            Taken(x, real, count(shape), "const ", not shape)
+            for x, shape, written in function.arguments]
 
 
 def _run(step: str, taken: Sequence[Taken], precision: Precision) -> str:

@@ -160,8 +160,9 @@ def _step(scene: SceneFunctions, step: Step, precision: Precision) -> CFunction:
     real = precision.c_type
     declared = {"t": f"{real} t", "h": f"{real} h",
                 "p": f"const {real} p[{len(scene.parameters)}]",
-                "q": f"{real} q[{scene.nq}]", "v": f"{real} v[{scene.nv}]"}
-    inputs = scene_text.step_inputs(scene)
+                "q": f"{real} q[{scene.nq}]", "v": f"{real} v[{scene.nv}]",
+                "tau": f"const {real} tau[{scene.nv}]"}
+    inputs = scene_text.step_inputs(scene, step.takes_tau)
     return CFunction(step.name, comment_of([f"{step.words}.  In place."]),
                  arguments.head(c_name(scene, step.name, precision),
                                 [declared[x] for x in inputs], _storage(precision)),

@@ -142,8 +142,7 @@ class Section:
 
     def _many(self, function: Signature) -> dict[str, object]:
         of = c_name(self.scene, function.name, self.precision)
-        parameters = [x for given in (*_given(function.read, self.precision, "const "),
-                                      *_given(function.outputs, self.precision)) for x in given]
+        parameters = list(_parameters(function.arguments, self.precision))
         return {**self._described(function, function.name, f"{of} of n states.", parameters),
                 **(self._halves(function) if self.wide else {"kernel": self._kernel(function)})}
 
@@ -151,9 +150,8 @@ class Section:
         """n states, as many steps of each."""
         scalars = [x for x, shape in step.read if not shape]
         arrays = tuple(x for x in step.inputs if x[1])
-        parameters = ["ptrdiff_t steps", *(f"double {x}" for x in scalars), *(
-            x for given in (*_given([x for x in step.read if x[1]], self.precision, "const "),
-                            *_given(step.outputs, self.precision)) for x in given)]
+        parameters = ["ptrdiff_t steps", *(f"double {x}" for x in scalars),
+                      *_parameters([x for x in step.arguments if x[1]], self.precision)]
         real, of = self.precision.c_type, c_name(self.scene, step.name, self.precision)
         at = {"t": f"({real})begun(t, h, (double)step)", "h": f"({real})h"}
         one = [at.get(x, f"{x} + k * {x}_stride") for x, _ in step.inputs]
@@ -219,9 +217,12 @@ def _static(function: CFunction) -> CFunction:
     return replace(function, head=head)
 
 
-def _given(of: Inputs, precision: Precision, constant: str = "") -> Iterator[tuple[str, str]]:
-    """The parameters of each argument."""
-    return ((f"{constant}{precision.c_type} *{x}", f"ptrdiff_t {x}_stride") for x, _ in of)
+def _parameters(of: Sequence[tuple[str, tuple[int, ...], bool]], precision: Precision
+                ) -> Iterator[str]:
+    """The parameters of arguments: pointers, each with its stride."""
+    for x, _, written in of:
+        yield f"{'' if written else 'const '}{precision.c_type} *{x}"
+        yield f"ptrdiff_t {x}_stride"
 
 
 def _ordered(function: Signature) -> Inputs:

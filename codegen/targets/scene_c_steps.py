@@ -41,7 +41,7 @@ class _Body:
                  c_name: Callable[[str], str]):
         self.scene, self.step, self.c_name = scene, step, c_name
         self.real, self.precision = precision.c_type, precision
-        self.inputs = step_inputs(scene)
+        self.inputs = step_inputs(scene, step.takes_tau)
         self.scalars = {"t", "h"} & set(self.inputs)
 
     def text(self) -> str:

@@ -9,7 +9,7 @@ states, where that has been set.  `run_…` takes n steps of h in a row, from th
 without its headers.
 """
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterator
 from dataclasses import replace
 
 from coscrew_codegen.formats import DOUBLE, PRECISIONS, Precision, named
@@ -45,7 +45,7 @@ def callables(scene: SceneFunctions) -> tuple[Signature, ...]:
              for f in scene.functions if not f.internal]
     shapes = scene_text.step_shapes(scene)
     for step in scene.steps:
-        inputs = tuple((x, shapes[x]) for x in scene_text.step_inputs(scene))
+        inputs = tuple((x, shapes[x]) for x in scene_text.step_inputs(scene, step.takes_tau))
         found.append(Signature(step.name, inputs, (("q", shapes["q"]), ("v", shapes["v"])),
                           scene_text.step_words(scene, step), moved=True))
     return tuple(found)
@@ -100,11 +100,9 @@ def _function(scene: SceneFunctions, function: Signature, precision: Precision
               ) -> dict[str, object]:
     real, name = precision.c_type, c_name(scene, function.name, precision)
     inputs = [x for x, _ in function.inputs]
-    read = [(inputs.index(x), shape) for x, shape in function.read]
-    written = [f"y[{k}] + k * places[{k}]" for k in range(len(function.outputs))]
-    lanes = [f"const {real} *, ptrdiff_t"] * len(read) + [f"{real} *, ptrdiff_t"] * len(written)
-    passed = [f"x[{k}], steps[{k}]" for k, _ in read]
-    passed += [f"y[{k}], places[{k}]" for k in range(len(written))]
+    passed = list(_of_states(function))
+    lanes = [f"{'' if written else 'const '}{real} *, ptrdiff_t"
+             for _, _, written in function.arguments]
     refused = [f"p[{n}] {'<' if zero else '<='} 0" for n, _, zero in scene_text.signs(scene)]
     return {
         "name": name, "kernel": name, "python": function.name,
@@ -116,13 +114,22 @@ def _function(scene: SceneFunctions, function: Signature, precision: Precision
         "results": [_result(x, shape, inputs if function.moved else []) for x, shape in
                     function.outputs],
         "lanes_parameters": ", ".join(("ptrdiff_t", *lanes)),
-        "lanes_arguments": ", ".join(("n", *passed)),
-        "many_arguments": ", ".join((*(f"x[{k}] + k * steps[{k}]" if shape else
-                                       f"x[{k}][k * steps[{k}]]" for k, shape in read), *written)),
+        "lanes_arguments": ", ".join(("n", *map(", ".join, passed))),
+        "many_arguments": ", ".join(
+            f"{rows} + k * {step}" if shape or written else f"{rows}[k * {step}]"
+            for (rows, step), (_, shape, written) in zip(passed, function.arguments, strict=True)),
         "run_parameters": f"ptrdiff_t n, double t, double h, const {real} *p, {real} *q, {real} *v",
         "run_arguments": ", ".join(_RUN.get(x, x).format(real=real) for x in inputs)
-        if function.moved else "",
+        if function.repeats else "",
     }
+
+
+def _of_states(function: Signature) -> Iterator[tuple[str, str]]:
+    """The pointer of each argument in C and its stride."""
+    inputs, outputs = ([x for x, _ in of] for of in (function.inputs, function.outputs))
+    for name, _, written in function.arguments:
+        yield (f"y[{outputs.index(name)}]", f"places[{outputs.index(name)}]") if written else (
+            f"x[{inputs.index(name)}]", f"steps[{inputs.index(name)}]")
 
 
 def _result(name: str, shape: tuple[int, ...], moved: list[str]) -> dict[str, str]:

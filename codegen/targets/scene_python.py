@@ -209,7 +209,8 @@ def _text(name: str, arguments: Sequence[str], words: Sequence[str],
 
 
 def _step(scene: SceneFunctions, step: Step, precision: Precision) -> dict[str, str]:
-    inputs, shapes = scene_text.step_inputs(scene), scene_text.step_shapes(scene)
+    inputs = scene_text.step_inputs(scene, step.takes_tau)
+    shapes = scene_text.step_shapes(scene)
     lines = [_unpacking("arrays", [(x, str(shapes[x])) for x in inputs], precision,
                         bool(scene.signs)),
              "q, v = spread(lead, q, v)", *step_lines(scene, step)]

@@ -80,20 +80,23 @@ def outputs(function: Function) -> tuple[Argument, ...]:
                  for a in function.program.outputs)
 
 
-def step_inputs(scene: SceneFunctions | SceneInterface) -> tuple[str, ...]:
-    """The inputs of a step: t if forces depend on it, h, p if there are parameters, q, v."""
-    return (*(["t"] if scene.timed else []), "h", *(["p"] if scene.parameters else []), "q", "v")
+def step_inputs(scene: SceneFunctions | SceneInterface, takes_tau: bool = False
+                ) -> tuple[str, ...]:
+    """The inputs of a step: t if forces depend on it, h, p if there are parameters, q, v, tau."""
+    return (*(["t"] if scene.timed else []), "h", *(["p"] if scene.parameters else []), "q", "v",
+            *(["tau"] if takes_tau else []))
 
 
 def step_shapes(scene: SceneFunctions) -> dict[str, tuple[int, ...]]:
     """The shapes of a step's inputs."""
-    return {"t": (), "h": (), "p": (len(scene.parameters),), "q": (scene.nq,), "v": (scene.nv,)}
+    return {"t": (), "h": (), "p": (len(scene.parameters),), "q": (scene.nq,), "v": (scene.nv,),
+            "tau": (scene.nv,)}
 
 
 def step_words(scene: SceneFunctions, step: Step) -> tuple[str, ...]:
     """A step's documentation in Python, a paragraph each."""
     shapes = step_shapes(scene)
-    given = ", ".join(f"{x} {shapes[x]}" for x in step_inputs(scene))
+    given = ", ".join(f"{x} {shapes[x]}" for x in step_inputs(scene, step.takes_tau))
     return (f"{step.words}.  Returns q and v.",
             f"Last axes: {given} -> q {shapes['q']}, v {shapes['v']}.")
 

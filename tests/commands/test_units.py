@@ -49,3 +49,24 @@ axis = [0, 1, 0]
     (123456, "N", "130 kN"), (math.inf, "N", "unbounded")))
 def test_numbers_with_units_are_short(x, unit, words):
     assert in_unit(x, unit) == words
+
+
+def test_effects_have_the_units_of_their_results(tmp_path):
+    path = tmp_path / "scene.toml"
+    path.write_text("""
+[bodies.block]
+mass = 0.7
+inertia = [0.02, 0.02, 0.02]
+[joints.slide]
+type = "prismatic"
+child = "block"
+axis = [1, 0, 0]
+[effects.spring.slide]
+k = 3
+[effects.drag.block]
+kind = "stokes"
+b = 2
+""")
+    functions = derive(read_scene(path), ("effect_spring_slide", "effect_drag_block"))
+    assert units(functions, "effect_spring_slide") == ("N", "W", "J")
+    assert units(functions, "effect_drag_block") == (*("N",) * 3, *("N m",) * 3, "W")

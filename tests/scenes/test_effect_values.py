@@ -31,7 +31,6 @@ from tests.support.scenes.mechanisms import (
     numbers,
     pendulum,
     rotor,
-    scene,
 )
 from tests.support.truth.exact import array, rotation_of, skew
 
@@ -332,15 +331,3 @@ def test_energy_power_and_torques_of_a_scene_are_those_of_its_effect(name: str) 
         torques = [x - y for x, y in zip(without("bias_torques", **case.state),
                                          f("bias_torques", **case.state), strict=True)]
         assert_same(torques, case.along)
-
-
-@pytest.mark.parametrize("name", sorted(CASES))
-def test_an_effect_states_whether_it_stores_energy_and_what_limits_it(name: str) -> None:
-    """By its law: an energy that counts for the scene is an energy that can be recorded."""
-    effect = CATALOGUE[name]
-    for case in cases_of(name):
-        values = case.effects[-1].values
-        there = units_of(case.effects[-1], scene(case.model, *case.effects))
-        assert ("energy" in there) == effect.stores_energy
-        if effect.limited_by:
-            assert ("saturated" in there) == (values[effect.limited_by] is not None)

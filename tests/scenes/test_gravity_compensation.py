@@ -36,7 +36,7 @@ def held(joint: str, q: Fraction, **values: object) -> Applied:
 
 
 def test_an_arm_at_its_target_is_held_still() -> None:
-    """With a follower, whose weight its leader bears; the acceleration is 0 to 45 digits."""
+    """With a follower, whose weight its leader holds; the acceleration is 0 to 45 digits."""
     q = [Fraction(x, 10) for x in (7, -13, 4)]
     hold = [held(f"j{k}", x) for k, x in enumerate(q)]
     f = multiprecise(chain_of_three(), gravity(1, 2, -9), applied("mimic"), *hold)
@@ -104,7 +104,7 @@ def written(folder: Path, *changes: tuple[str, str]) -> Path:
 @pytest.mark.parametrize("precision", ["double", "single"])
 @pytest.mark.parametrize("integrator", NAMES)
 def test_every_integrator_holds_it(tmp_path: Path, integrator: str, precision: str) -> None:
-    """Beside rounding: what the joints bear is rounded by a few units of 9 N m, k is 50 N m."""
+    """Beside rounding: what the joints hold is rounded by a few units of 9 N m, k is 50 N m."""
     with mpmath.workdps(15):
         found = run(written(tmp_path), integrator=integrator, precision=precision)
     unit = np.finfo(found.q.dtype).eps
@@ -143,7 +143,7 @@ MIMIC = 'mimic = { joint = "shoulder" },'
     ([("[effects.gravity]\n", "")], "has no gravity; wanted [effects.gravity]"),
     ([("MIMIC", MIMIC), ("[effects.gravity]", "[effects.gravity]\n[effects.mimic]"),
       ("elbow = -1\n[run]", "[run]")],
-     "joint 'elbow' follows 'shoulder', which bears its weight"),
+     "joint 'elbow' follows 'shoulder', which holds its weight"),
     ([("true", "1")], "wanted true or false"), ([("true", '"yes"')], "wanted true or false"),
     ([('kind = "pd"', 'kind = "dc"'), ("kp = 50\nkd = 5\n", "voltage = 1\nkt = 1\nke = 1\nR = 1\n"),
       ("target = { shoulder = 0.7, elbow = -1 }\n", "")],
