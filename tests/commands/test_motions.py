@@ -9,7 +9,7 @@ import pytest
 from tests.support.motions.errors import ALLOWED, FLOOR, Error, errors, judged
 from tests.support.motions.families import FAMILIES, drawn
 from tests.support.motions.reference import reference
-from tests.support.motions.table import judge
+from tests.support.motions.table import converged, judge
 from tests.support.motions.verdicts import Setting
 
 EXACT = ("servo_off_target", "spring_between", "stop_late", "stick_slip", "drag", "mimic",
@@ -18,13 +18,8 @@ EXACT = ("servo_off_target", "spring_between", "stop_late", "stick_slip", "drag"
 
 @pytest.mark.parametrize("family", EXACT)
 def test_short_steps_converge_to_the_judge(family):
-    """Runge and Kutta's method at a hundredth of a radian per step errs by a thousandth of what is
-    allowed: both have the same equations."""
-    motion = drawn(family, 1)
-    step = min(motion.steps[0], 0.01 / motion.rate)
-    motion = replace(motion, duration=min(motion.duration, 20_000 * step))
-    judged_run = judge(motion)
-    _, worst = judged_run.truth(Setting(step, "rk4", "double"))
+    """The judge and coscrew have the same equations."""
+    worst = converged(drawn(family, 1))
     assert worst.q <= 1e-3 * ALLOWED.q and worst.v <= 1e-3 * ALLOWED.v, worst
 
 

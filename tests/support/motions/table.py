@@ -61,7 +61,8 @@ class Row:
         worst = f"{self.worst.part}: q {self.worst.q:.2g}, v {self.worst.v:.2g}" if self.worst \
             else ""
         return (f"{self.motion.name} ({self.motion.about}) {self.how.words}: {self.truth} ({worst})"
-                f", {self.verdict}: {'; '.join(self.false)}{self.reason}")
+                f", {self.verdict}: {'; '.join(self.false)}{self.reason}"
+                f"{f' | {self.said.reasons}' if self.said else ''}")
 
 
 def settings(motion: Motion, every: bool = False) -> Iterator[Setting]:
@@ -150,6 +151,14 @@ class Judge:
 def judge(motion: Motion) -> Judge:
     """For all runs of a motion."""
     return Judge(motion, runs(motion), Dynamics(motion.mechanism))
+
+
+def converged(motion: Motion) -> Error:
+    """The worst error of Runge and Kutta's method at a hundredth of a radian per step, for at most
+    4000 of them: of what has the judge's equations, a small part of what is allowed."""
+    step = min(motion.steps[0], 0.01 / motion.rate)
+    short = replace(motion, duration=min(motion.duration, 4000 * step))
+    return judge(short).truth(Setting(step, "rk4", "double"))[1]
 
 
 COLUMNS = ("passed", "strict fails", "failed", "stopped", "error")
