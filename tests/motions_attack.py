@@ -15,7 +15,7 @@ import sys
 import time
 import warnings
 from concurrent.futures import ProcessPoolExecutor
-from itertools import product
+from itertools import groupby, product
 from math import nan
 
 from tabulate import tabulate
@@ -87,11 +87,12 @@ def main() -> int:
         if options.judge:
             print(tabulate(pool.map(deviation, tasks), ("scene", "part", "q", "v"), floatfmt=".2g"))
             return 0
-        for some in pool.map(rows, tasks):
-            found += some
-            for row in some:
-                if row.false:
-                    print(row.words, flush=True)
+        for family, some in groupby(zip(tasks, pool.map(rows, tasks), strict=True),
+                                    lambda x: x[0][0]):
+            of_family = [row for _, of_scene in some for row in of_scene]
+            print("\n".join(row.words for row in of_family if row.false))
+            print(f"{family}:\n{table(of_family)}\n", flush=True)
+            found += of_family
     print(f"\n{table(found)}\n\n{exceptions(found)}\n\n{len(tasks)} scenes, {len(found)} runs, "
           f"{time.perf_counter() - began:.0f} s")
     return any(row.false for row in found)
