@@ -15,18 +15,43 @@ import sys
 import time
 import warnings
 from concurrent.futures import ProcessPoolExecutor
-from itertools import product
+from itertools import groupby, product
+from math import nan
 
+from tabulate import tabulate
+
+from tests.support.motions.drawing import RATES
 from tests.support.motions.families import FAMILIES, drawn
-from tests.support.motions.table import Row, exceptions, judge, settings, table
+from tests.support.motions.reference import Unjudged
+from tests.support.motions.table import Row, converged, exceptions, judge, settings, table
+
+Task = tuple[str, int, int, bool, bool]
+"""Family, number, seed, whether to follow advice, whether to run all integrators."""
 
 
-def rows(task: tuple[str, int, int, bool, bool]) -> list[Row]:
+def rows(task: Task) -> list[Row]:
     """All runs of one scene."""
     family, number, seed, follow, every = task
     warnings.simplefilter("ignore")
     judged = judge(drawn(family, number, seed))
     return [judged.row(how, follow) for how in settings(judged.motion, every)]
+
+
+def deviation(task: Task) -> tuple[str, str, float, float]:
+    """How far short steps are from the judge."""
+    warnings.simplefilter("ignore")
+    motion = drawn(*task[:3])
+    try:
+        worst = converged(motion)
+    except Unjudged as error:
+        return motion.name, str(error), nan, nan
+    return motion.name, worst.part, worst.q, worst.v
+
+
+def spread(count: int) -> list[int]:
+    """Numbers of scenes: all rates once or more, or fewer of them evenly."""
+    return [n * len(RATES) // count for n in range(count)] if count < len(RATES) \
+        else list(range(count))
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -41,6 +66,8 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--all", action="store_true",
                         help="every scene with every integrator in both precisions")
     parser.add_argument("--no-advice", action="store_true", help="advice is not followed")
+    parser.add_argument("--judge", action="store_true", help="compare the judge with Runge and "
+                        "Kutta's method at short steps instead")
     parser.add_argument("--show", nargs=2, metavar=("FAMILY", "N"), help="print a scene's file")
     return parser
 
@@ -51,18 +78,21 @@ def main() -> int:
         motion = drawn(options.show[0], int(options.show[1]), options.seed)
         print(motion.text(motion.steps[0]))
         return 0
-    began, numbers = time.perf_counter(), range(options.count)
-    if options.only is not None:
-        numbers = range(options.only, options.only + 1)
+    began = time.perf_counter()
+    numbers = spread(options.count) if options.only is None else [options.only]
     tasks = [(*x, options.seed, not options.no_advice, options.all)
              for x in product(options.family or FAMILIES, numbers)]
     found: list[Row] = []
     with ProcessPoolExecutor(options.jobs) as pool:
-        for some in pool.map(rows, tasks):
-            found += some
-            for row in some:
-                if row.false:
-                    print(row.words, flush=True)
+        if options.judge:
+            print(tabulate(pool.map(deviation, tasks), ("scene", "part", "q", "v"), floatfmt=".2g"))
+            return 0
+        for family, some in groupby(zip(tasks, pool.map(rows, tasks), strict=True),
+                                    lambda x: x[0][0]):
+            of_family = [row for _, of_scene in some for row in of_scene]
+            print("\n".join(row.words for row in of_family if row.false))
+            print(f"{family}:\n{table(of_family)}\n", flush=True)
+            found += of_family
     print(f"\n{table(found)}\n\n{exceptions(found)}\n\n{len(tasks)} scenes, {len(found)} runs, "
           f"{time.perf_counter() - began:.0f} s")
     return any(row.false for row in found)

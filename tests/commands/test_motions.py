@@ -9,7 +9,7 @@ import pytest
 from tests.support.motions.errors import ALLOWED, FLOOR, Error, errors, judged
 from tests.support.motions.families import FAMILIES, drawn
 from tests.support.motions.reference import reference
-from tests.support.motions.table import judge
+from tests.support.motions.table import converged, judge
 from tests.support.motions.verdicts import Setting
 
 EXACT = ("servo_off_target", "spring_between", "stop_late", "stick_slip", "drag", "mimic",
@@ -18,13 +18,8 @@ EXACT = ("servo_off_target", "spring_between", "stop_late", "stick_slip", "drag"
 
 @pytest.mark.parametrize("family", EXACT)
 def test_short_steps_converge_to_the_judge(family):
-    """Runge and Kutta's method at a hundredth of a radian per step errs by a thousandth of what is
-    allowed: both have the same equations."""
-    motion = drawn(family, 1)
-    step = min(motion.steps[0], 0.01 / motion.rate)
-    motion = replace(motion, duration=min(motion.duration, 20_000 * step))
-    judged_run = judge(motion)
-    _, worst = judged_run.truth(Setting(step, "rk4", "double"))
+    """The judge and coscrew have the same equations."""
+    worst = converged(drawn(family, 1))
     assert worst.q <= 1e-3 * ALLOWED.q and worst.v <= 1e-3 * ALLOWED.v, worst
 
 
@@ -49,3 +44,53 @@ def test_families_go_over_all_rates():
     assert len({x.text(x.steps[0]) for x in motions}) >= 400
     turned = [x.rate * x.steps[0] for x in motions]
     assert min(turned) <= 0.05 and max(turned) >= 49.9
+
+
+SAMPLE = (
+    ("servo_at_rest", 11, "leapfrog", "double", "right"),
+    ("servo_off_target", 2, "leapfrog", "double", "right"),
+    ("servo_off_target", 8, "leapfrog", "double", "wrong"),
+    ("servo_tracking", 3, "leapfrog", "double", "right"),
+    ("heavy_carries_light", 6, "leapfrog", "double", "wrong"),
+    ("mimic", 4, "semi-implicit-euler", "double", "wrong"),
+    ("over_at_the_start", 2, "rk4", "double", "right"),
+    ("over_at_the_start", 7, "leapfrog", "double", "wrong"),
+    ("spring", 1, "rk4", "double", "right"),
+    ("spring", 8, "linear-implicit-euler", "double", "wrong"),
+    ("bounce", 6, "leapfrog", "double", "right"),
+    ("stop_late", 3, "leapfrog", "double", "right"),
+    ("lying_on_its_end", 8, "leapfrog", "double", "right"),
+    ("coulomb", 4, "leapfrog", "double", "right"),
+    ("stick_slip", 9, "rk4", "double", "right"),
+    ("drag", 7, "leapfrog", "double", "wrong"),
+    ("appendage", 6, "leapfrog", "double", "wrong"),
+    ("appendage", 7, "leapfrog", "double", "wrong"),
+)
+
+
+@pytest.mark.parametrize("family, number, integrator, precision, truth", SAMPLE)
+def test_right_motions_pass_and_wrong_ones_are_refused(family, number, integrator, precision,
+                                                       truth):
+    motion = drawn(family, number)
+    row = judge(motion).row(Setting(motion.steps[0], integrator, precision), follow=False)
+    assert row.truth == truth and not row.false, row.words
+
+
+@pytest.mark.parametrize("number", (2, 6, 8))
+def test_speed_attitude_and_neighbours_change_no_verdict(number):
+    """A base's link moves alike however its base travels, is turned, or what flies beside it."""
+    first, beside = drawn("appendage", number), drawn("appendage_and_neighbour", number)
+    found = set()
+    for motion in (first, beside):
+        for speed in (0.0, 100.0, 300.0):
+            for attitude in ((0.0, 0.0, 0.0, 1.0), (0.5, -0.5, 0.1, 0.7)):
+                run = replace(
+                    motion, mechanism=replace(motion.mechanism, acting=first.mechanism.acting),
+                    duration=first.duration, q={**motion.q, "hinge": first.q["hinge"],
+                                                "root": (0.0, 0.0, 0.0, *attitude)},
+                    v={**motion.v, "root": (speed, 0.0, 0.0, 0.0, 0.0, 0.0)})
+                row = judge(run).row(Setting(1e-3, "leapfrog", "double"), follow=False)
+                assert row.said
+                found.add((row.truth, bool(row.said.stopped), row.said.passed,
+                           row.said.strictly))
+    assert len(found) == 1, found

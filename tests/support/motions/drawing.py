@@ -63,10 +63,11 @@ class Wanted:
 
     def motion(self, mechanism: Mechanism, q: State, v: State | None = None,
                duration: float = 0.3, step: float = STEP, rate: float = 0.0, length: float = 1.0,
-               chaotic: bool = False, about: str = "", adaptive: bool = False) -> Motion:
+               chaotic: bool = False, about: str = "", adaptive: bool = False,
+               pair: tuple[tuple[str, float], ...] = ()) -> Motion:
         return Motion(self.family, self.number, mechanism, q, v or {}, duration, (step,),
                       rate or self.rate, length, chaotic, about or f"h w = {self.per_step:g}",
-                      adaptive)
+                      adaptive, pair)
 
 
 Family = Callable[[Wanted], Motion]

@@ -52,6 +52,8 @@ States = tuple[np.ndarray, np.ndarray]
 def _of_parts(its: Dynamics, motion: Motion, whole: States, true: States, came: States
               ) -> Iterator[Error]:
     floating = [p for p in its.places if p.joint.kind == "free"]
+    if motion.pair:
+        whole, true, came = (_about_centre(its, motion, x) for x in (whole, true, came))
     for p in its.places:
         name, unit = p.joint.name, motion.length if p.joint.kind == "prismatic" else 1.0
         if p.joint.kind in ("free", "spherical"):
@@ -70,6 +72,17 @@ def _of_parts(its: Dynamics, motion: Motion, whole: States, true: States, came: 
         yield Error(f"{p.joint.name}'s centre of mass", _relative(
             np.max(_norm(at[1][0] - at[2][0])), amplitude, motion.length), _of_speeds(
             at[0][1], at[1][1], at[2][1], motion.length * motion.rate))
+
+
+def _about_centre(its: Dynamics, motion: Motion, states: States) -> States:
+    """Coordinates and velocities of a pair less those of its centre of mass."""
+    q, v = (np.array(x) for x in states)
+    at = {p.joint.name: p for p in its.places}
+    masses = np.array([mass for _, mass in motion.pair])
+    for x, places in ((q, [at[name].q.start for name, _ in motion.pair]),
+                      (v, [at[name].v.start for name, _ in motion.pair])):
+        x[:, places] -= (x[:, places] @ masses / masses.sum())[:, None]
+    return q, v
 
 
 def _relative(off: float, amplitude: float, unit: float) -> float:

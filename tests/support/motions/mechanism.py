@@ -137,7 +137,8 @@ class Motion:
     """A mechanism's motion from a start.
 
     `rate` is that of its stiffest part in rad/s, `length` a typical one in m.  A `chaotic` motion
-    is compared as long as its own sensitivity leaves it a meaning."""
+    is compared as long as its own sensitivity leaves it a meaning.  Joints of a `pair` are compared
+    in the frame of their centre of mass."""
 
     family: str
     number: int
@@ -151,6 +152,7 @@ class Motion:
     chaotic: bool = False
     about: str = ""
     adaptive: bool = False  # whether SciPy's integrators run it, too
+    pair: tuple[tuple[str, float], ...] = ()  # joints on one rail, with the masses that they move
 
     @property
     def name(self) -> str:

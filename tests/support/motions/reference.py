@@ -2,6 +2,7 @@
 
 import hashlib
 import inspect
+import os
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -9,17 +10,17 @@ from pathlib import Path
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from tests.support.motions import dynamics, mechanism
+from tests.support.motions import dynamics
 from tests.support.motions.dynamics import Dynamics
 from tests.support.motions.errors import ALLOWED, errors
 from tests.support.motions.mechanism import Motion
 
 KEPT = Path(__file__).parents[3] / "build" / "motions"
-TOLERANCES = (1e-12, 1e-10)
+TOLERANCES = (1e-13, 1e-12)
 """Of the judge, and of the integration that must agree with it."""
-AGREE = 1e-3
+AGREE = 1e-2
 """Largest difference of the two, of what errors may be."""
-_DISTURBED = 1e-6
+_DISTURBED = 1e-4
 """Relative change of the start that tells how sensitive a chaotic motion is."""
 _MOST_EVALUATIONS = 6_000_000
 
@@ -32,7 +33,7 @@ class Unjudged(Exception):
 class Reference:
     """States at the times of samples.  (n), (n, nq), (n, nv).  `doubt` is the largest difference
     of the two integrations, of what errors may be; states after `horizon` mean nothing, since a
-    millionth of the start decides them."""
+    ten-thousandth of the start decides them."""
 
     t: np.ndarray
     q: np.ndarray
@@ -50,15 +51,18 @@ def reference(motion: Motion, times: np.ndarray) -> Reference:
                              float(kept["horizon"]))
     found = _integrated(motion, times)
     path.parent.mkdir(parents=True, exist_ok=True)
-    with path.with_suffix(f".{np.random.randint(1 << 30)}.tmp").open("wb") as file:
+    whole = path.with_suffix(f".{os.getpid()}.tmp")
+    with whole.open("wb") as file:
         np.savez(file, q=found.q, v=found.v, doubt=found.doubt, horizon=found.horizon)
-    Path(file.name).replace(path)
+    whole.replace(path)
     return found
 
 
 def _key(motion: Motion, times: np.ndarray) -> str:
-    source = "".join(inspect.getsource(x) for x in (dynamics, mechanism))
-    said = f"{source}{_integrated.__code__.co_code!r}{TOLERANCES}{motion!r}"
+    """A hash of all that it is computed from."""
+    source = inspect.getsource(dynamics) + "".join(
+        inspect.getsource(x) for x in (_integrated, _parting, _states))
+    said = f"{source}{TOLERANCES}{AGREE}{_DISTURBED}{ALLOWED}{motion!r}"
     return hashlib.sha256(said.encode() + times.tobytes()).hexdigest()[:32]
 
 

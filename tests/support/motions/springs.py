@@ -51,7 +51,8 @@ def spring_between(wanted: Wanted) -> Motion:
     drift = wanted.draw.one((0.0, 3.0, 300.0))
     return wanted.motion(mechanism, {"to_left": (0.0,), "to_right": (0.5 + wanted.draw.one(
         (0.001, 0.05)),)}, {"to_left": (drift,), "to_right": (drift,)},
-        duration=wanted.seconds(0.1, 0.3), about=f"moving at {drift}")
+        duration=wanted.seconds(0.1, 0.3), about=f"moving at {drift}",
+        pair=(("to_left", a), ("to_right", b)))
 
 
 def spring_to_the_world(wanted: Wanted) -> Motion:

@@ -47,6 +47,12 @@ class Said:
     text: str
 
     @property
+    def reasons(self) -> str:
+        """The sentences on what is wrong."""
+        false = [x for x in self.text.splitlines() if x.startswith(("FALSE", "double:", "single:"))]
+        return " ".join(dict.fromkeys((*false, self.stopped))).strip()
+
+    @property
     def column(self) -> str:
         """The check's verdict in a word."""
         return "passed" if self.strictly else "strict fails" if self.passed else "failed"
@@ -59,6 +65,7 @@ def _shared(text: str, integrators: tuple[str, ...]) -> Kernels:
     return kernels_for(scene, together(*(needs.of_check(scene, x) for x in integrators)))
 
 
+@lru_cache(maxsize=8)
 def _read(text: str) -> Scene:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder, "motion.toml")
