@@ -110,10 +110,9 @@ def _along(system: System, planned: Plan, trajectory: Trajectory) -> Along:
 
 def _exact(system: System, planned: Plan, true: advice.Reference) -> Balance:
     """The balance of energy of the motion in double precision with the smallest steps tried."""
-    count = min(math.ceil(planned.until / true.step), _MOST_STEPS)
-    exact = replace(planned, integrator=DEFAULT, step=true.step, every=planned.until / count)
     double = in_double(system)
-    return balance(double, _integrated(double, exact))
+    return balance(double, _integrated(double, replace(
+        planned, integrator=DEFAULT, step=true.step)))
 
 
 def _finer(system: System, planned: Plan, times: int) -> Trajectory:
