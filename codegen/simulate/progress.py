@@ -47,7 +47,9 @@ class Progress:
         return line(t, self._until, now - self._began, drift)
 
     def _energy(self, t: float, q: np.ndarray, v: np.ndarray) -> float:
-        return float(sum(self._system.energies(t, q, v)))
+        if not self._system.has("energy"):
+            return float("nan")
+        return float(np.ravel(sum(self._system.energies(t, q, v)))[0])  # of a batch, the first
 
 
 def line(t: float, until: float, elapsed: float, drift: float) -> str:
