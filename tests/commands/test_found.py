@@ -196,11 +196,12 @@ def test_tests_name_the_entries_that_an_effect_lacks(tmp_path):
     walk(copied(tmp_path), "cogging")
     done = subprocess.run(
         [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "--stale-extensions",
-         *(f"tests/scenes/test_{x}.py" for x in ("absence", "slopes", "schema")),
+         *(f"tests/scenes/test_{x}.py" for x in ("absence", "effect_values", "slopes", "schema")),
          "-k", "every_effect or command_prints"], cwd=ROOT, text=True, capture_output=True,
         env={**os.environ, "PYTHONPATH": str(tmp_path)})
     for words in ("add cogging to PLACES in tests/support/scenes/effect_scenes.py",
                   "add cogging to ZEROS in tests/scenes/test_absence.py", "add cogging to TRUE",
+                  "add cogging to CASES in tests/scenes/test_effect_values.py",
                   "BOUNDED (bounds of them) or FRICTION in tests/scenes/test_slopes.py",
                   "generated/docs/scene.schema.json is out of date: make generate"):
         assert words in done.stdout, done.stdout
