@@ -1,6 +1,6 @@
 """Constants and operations of Programs: which constants are rounded, and which are powers of two,
-so that products with them are exact, without error and bound; how operations are counted; how far the
-rest of a product moves with its operands.
+so that products with them are exact, without error and bound; how operations are counted; how far
+the rest of a product moves with its operands.
 
 The truth of the first comes from quotients of 1000 bits, that of the last from differences of exact
 fractions.
