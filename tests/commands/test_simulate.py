@@ -16,6 +16,7 @@ from contextlib import contextmanager
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 from coscrew_codegen import load_scene
 from coscrew_codegen.integrators import EMITTED, NAMES, named
@@ -56,6 +57,15 @@ def test_errors_fall_with_the_integrators_order(kernels, integrator):
              for h in (0.01, 0.005)]
     errors = [np.linalg.norm((*x.q[-1], *x.v[-1]) - wanted) for x in found]
     assert math.log2(errors[0] / errors[1]) == pytest.approx(ORDERS[integrator], abs=0.15)
+
+
+def test_dop853_takes_scipys_steps(kernels):
+    """As many as for the same equation: x'' = -(k x + d v) / m."""
+    found = run(kernels["SPRING"], integrator="dop853")
+    matrix = np.array([[0, 1], [-texts.STIFFNESS / texts.MASS, -texts.DAMPING / texts.MASS]])
+    swing = solve_ivp(lambda t, y: matrix @ y, (0, 2), (0.1, 0), method="DOP853", rtol=1e-12,
+                      atol=1e-12)
+    assert found.steps == len(swing.t) - 1 > 10
 
 
 @pytest.mark.parametrize("precision", ROUNDOFF)

@@ -159,6 +159,18 @@ def test_rows_of_out_are_written_where_they_stand(kernels: Kernels):
         assert same_bits(put, wanted)
 
 
+@pytest.mark.parametrize("precision, kind", (("double", np.longdouble), ("single", np.float64)))
+def test_rows_of_a_wider_out_hold_the_same_numbers(kernels: Kernels, precision: str,
+                                                   kind: type[np.floating]):
+    """C writes numbers of its own size, elsewhere."""
+    function = getattr(kernels, precision).forward_dynamics
+    given = states(next(x for x, f in every(kernels, precision) if x.name == "forward_dynamics"),
+                   COUNT, DOUBLE if precision == "double" else SINGLE)
+    put = np.full((COUNT, 2), 7, kind)
+    assert function(*given, out=put) is put
+    assert (put == function(*given)).all()
+
+
 def test_names_outputs_and_numbers_reach_c(kernels: Kernels, unchecked):
     t, p, q, v, tau = map(np.array, ARGUMENTS)
     out, function = np.empty(2), kernels.double.forward_dynamics

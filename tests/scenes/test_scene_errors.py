@@ -5,7 +5,8 @@ from fractions import Fraction as F
 
 import pytest
 
-from coscrew_codegen.scene.constants import constant
+from coscrew_codegen.scene.constants import LENGTH, constant
+from coscrew_codegen.scene.formulas import FormulaError
 from coscrew_codegen.scene.model import Kind
 from coscrew_codegen.scene.names import did_you_mean, nearest
 from coscrew_codegen.scene.possible import why_singular
@@ -282,3 +283,11 @@ def test_numbers_may_be_constant_formulas(read):
     assert scene.start_q == {"shoulder": (math.pi / 2,), "elbow": (0.0,)}
     assert 0 < abs(constant("sqrt(0.5)")**2 - F(1, 2)) < F(1, 10**49)
     assert constant("sqrt(2)**2 - 2") == 0
+
+
+def test_constants_have_at_most_a_hundred_characters():
+    longest = "1" * 48 + "+" + "2" * (LENGTH - 49)
+    assert len(longest) == LENGTH == 100
+    assert constant(longest) == int("1" * 48) + int("2" * 51)
+    with pytest.raises(FormulaError, match="^formula of 101 characters; wanted at most 100$"):
+        constant(f"{longest} ")

@@ -23,6 +23,7 @@ from coscrew_codegen.scene.selected import (
     MOST,
     FunctionsError,
     names,
+    refuse_many,
     resolved,
     selected_functions,
 )
@@ -246,6 +247,7 @@ def test_many_joints_have_no_mass_matrix_unless_asked_and_no_end_of_them_is_refu
     with pytest.raises(FunctionsError,
                        match=f"chain: {MOST + 1} joints move; wanted at most {MOST}"):
         derive(chain(MOST + 1))
+    refuse_many(chain(MOST))
 
 
 def test_alarms_do_without_a_mass_matrix(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):

@@ -1,16 +1,20 @@
-"""Constants of Programs: which are rounded, and which are powers of two, so that products with them
-are exact and need no barrier, no error and no bound.
+"""Constants and operations of Programs: which constants are rounded, and which are powers of two,
+so that products with them are exact, without error and bound; how operations are counted; how far
+the rest of a product moves with its operands.
 
-The truth of the first comes from quotients of 1000 bits.
+The truth of the first comes from quotients of 1000 bits, that of the last from differences of exact
+fractions.
 """
 
+from collections.abc import Callable
 from fractions import Fraction
 
 import mpmath
 import pytest
 
 from coscrew_codegen.program import Constant, Input, Instruction, NotANumber, Op, Operand, Ref
-from coscrew_codegen.program.program import is_power_of_two, is_rounded, scales
+from coscrew_codegen.program.program import in_words, is_power_of_two, is_rounded, scales
+from tests.support.truth.condition import Functions
 
 NUMBERS = [sign * Fraction(n, d) for sign in (1, -1) for n in (1, 2, 3, 5, 7, 8, 12, 2**70, 3**40)
            for d in (1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 1000, 1024, 2**70, 3 * 2**60, 10**20)]
@@ -59,3 +63,24 @@ def test_only_products_scale():
     found = [op for op in (Op.ADD, Op.SUB, Op.MUL, Op.DIV) if scales(product(X, two, op))]
     assert found == [Op.MUL]
     assert not scales(product(X, X))
+
+
+def test_counts_say_sums_and_products_of_every_kind():
+    found = {Op.MUL: 2, Op.SCALE: 1, Op.ADD: 3, Op.SUB: 1, Op.EXACT_ADD: 5, Op.EXACT_SUB: 7,
+             Op.FMA: 1, Op.FMS: 1, Op.FNMA: 2, Op.DIV: 1}
+    assert in_words(found) == "3 mul, 16 add, 4 fma, 1 div"
+    assert in_words({Op.MUL: 2}) == "2 mul" and in_words({}) == "no arithmetic"
+
+
+@pytest.mark.parametrize("op, value", (
+    (Op.FMA, lambda a, b, c: a * b + c), (Op.FMS, lambda a, b, c: a * b - c),
+    (Op.FNMA, lambda a, b, c: c - a * b), (Op.PRODUCT_ERROR, lambda a, b, p: a * b - p),
+    (Op.PRODUCT_REST, lambda a, b, p, h: a * b - h)), ids=lambda x: getattr(x, "name", ""))
+def test_slopes_of_products_are_their_differences(op: Op, value: Callable[..., Fraction]):
+    """They are linear in each operand, so that a difference of 1 gives the slope."""
+    given = [Fraction(n, 7) for n in (3, -5, 11, 2)[:op.meaning.arity]]
+    slopes = op.meaning.slopes
+    assert slopes is not None
+    for k, found in enumerate(slopes(Functions(), *given, value(*given))):
+        moved = [x + (n == k) for n, x in enumerate(given)]
+        assert found == value(*moved) - value(*given), k
