@@ -207,6 +207,7 @@ def test_imports_run_one_way():
              "elementary", "whole_cost",
              "domains", "operations", "kernel", "passes", "scene_functions", "scene_symbols",
              "schedule", "programs", "recording", "tiers", "mixture", "scene_tiers", "library",
+             "requirements",
              "render",
              "plots", "pages", "machine",
              "native", "targets", "extras", "special", "exact", "selection", "family_cache",
