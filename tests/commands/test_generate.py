@@ -212,7 +212,8 @@ def test_imports_run_one_way():
              "plots", "pages", "machine",
              "native", "targets", "extras", "special", "exact", "selection", "family_cache",
              "layout", "emit",
-             "name_lists", "report", "scene", "bound_arguments", "mechanics", "effects", "scene_files", "documentation", "console",
+             "name_lists", "report", "scene", "bound_arguments", "mechanics", "effects",
+             "scene_files", "documentation", "console",
              "arrays", "simulate", "sweep", "cost",
              "generate_command", "schema_command", "command_line", "__main__"]
     package = ROOT / "codegen"
