@@ -7,6 +7,7 @@ targets' business.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
 from math import prod
 from typing import TYPE_CHECKING
@@ -34,6 +35,7 @@ DISPLACEMENT = Domain("displacement", "R of {x} a rotation")
 UNIT_VECTOR = Domain("unit vector", "|{x}| = 1")
 UNIT_QUATERNION = Domain("unit quaternion", "|{x}| = 1")
 NONZERO = Domain("nonzero", "{x} not 0", False)
+NONZERO_MATRIX = Domain("nonzero matrix", "{x} not 0", False)
 ORDINARY = Domain("ordinary", "2^-450 < |{x}| < 2^511, in single precision 2^-45 < |{x}| < 2^63")
 FRACTION = Domain("fraction", "0 <= {x} <= 1")
 ANGLE, ANGLES = Domain("angle", "{x} an angle", False), Domain("angles", "{x} angles", False)
@@ -46,6 +48,11 @@ LDL_FACTOR = Domain("LDL factor", "{x} the L and D of an LDL^T, D > 0")
 MASS, BODY = Domain("mass", "{x} >= 0"), Domain("body", "{x} of a body that can be")
 """ROTATION, DISPLACEMENT, UNIT_VECTOR, UNIT_QUATERNION: up to one rounding of each component.
 TURN, HALF_TURN: the angle of a rotation vector, or of a screw's angular part."""
+
+TOLERANCE = Fraction(1, 1000)
+"""A matrix counts as a rotation if |R^T R - I|_ij and |det R - 1| are at most this; a quaternion as
+a unit one if | |q| - 1 | is.  So do decimals with three digits, and what single precision rounded;
+reflections do not, nor matrices that are scaled by 0.05 %."""
 
 
 @dataclass(frozen=True)

@@ -243,6 +243,22 @@ def jacobi(k: Number, i: Number, j: Number, *numbers: Number) -> Number:
     return _jacobi(*numbers)[int(k)][int(i), int(j)]
 
 
+@_once
+def _nearest(*A: Number) -> matrix:
+    U, s, V = mpmath.svd_r(matrix([A[:3], A[3:6], A[6:]]))
+    return U * mpmath.diag([1, 1, mpmath.sign(mpmath.det(U) * mpmath.det(V))]) * V
+
+
+def nearest_rotation(i: Number, j: Number, *A: Number) -> Number:
+    """An entry of the rotation nearest to A, by singular values; NaN for A = 0."""
+    return _nearest(*A)[int(i), int(j)] if any(A) else mpmath.nan
+
+
+def largest(*numbers: Number) -> Number:
+    """The largest absolute value."""
+    return max(map(abs, numbers))
+
+
 def rational(x: Number) -> mpq:
     """x as a rational, exactly: mpmath's numbers are binary fractions."""
     return mpq(*mpmath.libmp.to_rational(x._mpf_))
@@ -255,4 +271,4 @@ def _number(x: mpq) -> Number:
 SPECIAL: dict[str, Callable[..., Number]] = {
     f.__name__: f for f in (g, b, quaternion_of, quaternion_log, slerp, interpolated, factor,
                             smallest_pivot, solution, inverse, orthonormal_rows,
-                            jacobi)}
+                            jacobi, nearest_rotation, largest)}

@@ -5,7 +5,7 @@ from functools import partial
 import sympy as sp
 
 from coscrew_codegen.algebra import I3, skew
-from coscrew_codegen.operations import eigen, euler, special
+from coscrew_codegen.operations import eigen, euler, nearest, special
 from coscrew_codegen.operations.family import Family
 from coscrew_codegen.operations.norm import (
     Let,
@@ -180,7 +180,7 @@ OPERATIONS = (
     _op("mat3x3_setFromAxisDC", "R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 "
         "(else R is not a rotation), dc = (sin θ, cos θ)", (_axis, _dc), (_R,), _about,
         _bound_about, order=("R", "axis", "dc")),
-    *euler.OPERATIONS, *eigen.OPERATIONS,
+    *euler.OPERATIONS, *eigen.OPERATIONS, *nearest.OPERATIONS,
 )
 
 FAMILY = Family(_NAME, 30, __doc__, OPERATIONS, includes=("vec3",))

@@ -64,6 +64,7 @@ _unit1, _unit2 = Argument("q1", QUATERNION), Argument("q2", QUATERNION)
 _v, _vo, _turn = Argument("v", VEC3, ANY), Argument("vo", VEC3), Argument("v", VEC3, TURN)
 _axis, _axis_out = Argument("axis", VEC3, UNIT_VECTOR), Argument("axis", VEC3)
 _angle, _norm = Argument("angle", SCALAR, ANGLE), Argument("norm", SCALAR)
+_defect = Argument("defect", SCALAR)
 _k = Argument("k", SCALAR, FRACTION)
 _R, _R_out = Argument("R", MAT3X3, ROTATION), Argument("R", MAT3X3)
 _ordinary = Argument("q", QUATERNION, ORDINARY)
@@ -78,6 +79,19 @@ def _normalized(q: sp.Matrix) -> sp.Matrix:
 
 def _bound_normalized(let: Let, q: sp.Matrix) -> sp.Matrix:
     return safe_normalized(let, q, q)
+
+
+def _nearest_unit(q: sp.Matrix) -> sp.Matrix:
+    n = l2(q)
+    return divided(q, n).applyfunc(lambda x: sp.Piecewise((sp.nan, sp.Eq(n, 0)), (x, True)))
+
+
+def _bound_nearest_unit(let: Let, q: sp.Matrix) -> sp.Matrix:
+    """Scaled by a power of two, which changes no direction."""
+    y = moderate(let, "s", q)
+    n = let("n", l2(y))
+    unit = let("unit", divided(y, let("divisor", nonzero(n))))
+    return unit.applyfunc(lambda x: sp.Piecewise((sp.nan, sp.Eq(n, 0)), (x, True)))
 
 
 def _rotated(let: Let, q: sp.Matrix, v: sp.Matrix) -> sp.Matrix:
@@ -97,6 +111,11 @@ _PRODUCTS = (
         _normalized, _bound_normalized),
     _op("quaternion_normalized", "qo = q / |q|; zero stays zero", (_any,), (_qo,), _normalized,
         _bound_normalized),
+    _op("quaternion_unit_defect", "|q| - 1: 0 for a unit quaternion, negative for a shorter one",
+        (_any,), (_defect,), lambda q: l2(q) - 1,
+        lambda let, q: let("length", safe_norm(let, q)) - 1),
+    _op("quaternion_nearest_unit", "qo = q / |q|, the unit quaternion nearest to q; NaN for zero, "
+        "which has none", (_nonzero,), (_qo,), _nearest_unit, _bound_nearest_unit),
     _op("rotate_qv", "vo = R(q) v, |q| = 1", (_q, _v), (_vo,),
         lambda q, v: _rotated(unnamed, q, v), _rotated),
     _op("rotate_qconjv", "vo = R(q)^T v, |q| = 1", (_q, _v), (_vo,),

@@ -51,6 +51,14 @@ class orthonormal_rows(sp.Function):
     """orthonormal_rows(i, j, R00, R01, …): entry of R after Gram–Schmidt on its rows, in order."""
 
 
+class nearest_rotation(sp.Function):
+    """nearest_rotation(i, j, A00, A01, …): entry of the rotation nearest to A."""
+
+
+class largest(sp.Function):
+    """largest(x, y, …): the largest absolute value."""
+
+
 class jacobi(sp.Function):
     """jacobi(k, i, j, A…, V…): entry of A (k = 0) or V (k = 1) after one Jacobi rotation."""
 

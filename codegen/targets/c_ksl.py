@@ -16,6 +16,7 @@ import mpmath
 from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.library import Library
 from coscrew_codegen.program import Constant
+from coscrew_codegen.quantity import TOLERANCE
 from coscrew_codegen.render import render
 from coscrew_codegen.targets.c_statements import WIDTH, product
 from coscrew_codegen.targets.c_storage import INTEGER, allocation, integers
@@ -121,7 +122,7 @@ def _holes(precision: Precision) -> dict[str, object]:
         return precision.literal(Constant(*(Fraction(number),) * 2)) + precision.suffix
 
     return {"suffix": precision.suffix, "c_type": precision.c_type, "one": literal(1),
-            "few": literal(16 * precision.u),
+            "few": literal(16 * precision.u), "tolerance": f"{float(TOLERANCE)}{precision.suffix}",
             "eighth": literal(pi / 4), "half": literal(pi), "whole": literal(2 * pi),
             "turns": (("Degrees", literal(360), "360"), ("Radians", literal(2 * pi), "2 π")),
             "close": literal(CLOSE), "noise": literal(NOISE * precision.u),

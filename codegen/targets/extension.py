@@ -6,8 +6,9 @@ from dataclasses import asdict, dataclass
 from functools import cache
 
 from coscrew_codegen.library import Library
-from coscrew_codegen.quantity import QUANTITIES, Quantity
+from coscrew_codegen.quantity import QUANTITIES, TOLERANCE, Quantity
 from coscrew_codegen.render import render
+from coscrew_codegen.requirements import requirements
 from coscrew_codegen.targets import c_amalgamated, c_headers, c_many, c_many_lanes, gufunc, numpy
 from coscrew_codegen.targets.c_function import CFunction
 from coscrew_codegen.targets.c_statements import listed
@@ -65,6 +66,7 @@ def _sources(library: Library, tier: Tier) -> Files:
 def _loops(library: Library, tier: Tier) -> Files:
     """The sources except the one that holds their provenance."""
     families, on_vectors = _families(library, tier), _on_vectors(library, tier)
+    required = library.made(requirements)
     docstrings = numpy.docstrings(library, tier, library.precisions[0])
     best = _best(library, tier)
     up = "../../" if tier.mark else "../"
@@ -76,10 +78,10 @@ def _loops(library: Library, tier: Tier) -> Files:
         sources["_lanes.h"] = _lanes(library, tier)
     dtypes = [f"PyArray_{precision.c_type.title()}DType" for precision in library.precisions]
     sources["promoter.c"] = render("gufunc/promoter.c", banner=library.banner, dtypes=dtypes,
-                                   package=tier.package)
+                                   package=tier.package, tolerance=float(TOLERANCE))
     for family in families:
         gufuncs = [gufunc.gufunc(op, library.precisions, docstrings[op.name], tier.mark,
-                                 on_vectors.get(family))
+                                 on_vectors.get(family), required[family].get(op.name, ""))
                    for op in library.having(tier) if op.family == family]
         sources[f"{family}.c"] = render(
             "gufunc/family.c", banner=library.banner, family=family, gufuncs=gufuncs,
@@ -134,7 +136,8 @@ def _module(library: Library, tier: Tier) -> str:
     most = max(len(op.inputs) + len(op.outputs) for op in library.having(tier))
     return render("gufunc/module.c", banner=library.banner, families=families,
                   package=tier.package, supported=best.supported, best=best.best,
-                  most_arguments=most, provenance=provenance(library, tier),
+                  most_arguments=most, count=len(library.having(tier)),
+                  provenance=provenance(library, tier),
                   baseline=_table(families, "baseline", "gufuncs"),
                   avx2=_table(families, "avx2", "gufuncs_avx2"),
                   types=[f"NPY_{precision.c_type.upper()}" for precision in library.precisions])

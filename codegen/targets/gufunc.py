@@ -74,6 +74,7 @@ class Gufunc:
     inputs: int
     outputs: int
     docstring: str  # as lines of C string literals
+    required: str  # letters of `requirements.Required`, or "" if all numbers are taken
     loops: tuple[Loop, ...]
 
 
@@ -92,14 +93,15 @@ class Access:
 
 
 def gufunc(operation: Operation, precisions: tuple[Precision, ...], docstring: str,
-           tier: str = "", on_vectors: Mapping[tuple[str, str], CFunction] | None = None) -> Gufunc:
+           tier: str = "", on_vectors: Mapping[tuple[str, str], CFunction] | None = None,
+           required: str = "") -> Gufunc:
     """The operation as a gufunc with one loop per precision, which calls the tier's kernel, and the
     one on vectors if there is such: by operation and precision."""
     held = on_vectors or {}
     lines = docstring.replace("\\", "\\\\").replace('"', '\\"').splitlines()
     literal = "\n".join(f'    "{line}\\n"' for line in lines)
     return Gufunc(operation.name, operation.signature, len(operation.inputs),
-                  len(operation.outputs), literal,
+                  len(operation.outputs), literal, required,
                   tuple(_loop(operation, precision, tier,
                               held.get((operation.name, precision.name)))
                         for precision in precisions))

@@ -7,7 +7,9 @@ from coscrew_codegen.elementary import ELEMENTARY, ERRORS
 from coscrew_codegen.formats import DOUBLE, Precision
 from coscrew_codegen.library import Library
 from coscrew_codegen.operations import family_named
+from coscrew_codegen.quantity import TOLERANCE
 from coscrew_codegen.render import render
+from coscrew_codegen.requirements import requirements
 from coscrew_codegen.targets import numpy, numpy_elementary
 from coscrew_codegen.targets.extension import provenance
 from coscrew_codegen.targets.target import Files, Target
@@ -40,7 +42,10 @@ def _package(library: Library, tier: Tier) -> Files:
               "aliases": [] if tier.mark else _aliases(names), "package": tier.package,
               "version": VERSION, "about": tier.in_words, "extension": bool(built),
               "precisions": [precision.name for precision in library.precisions],
-              "selfcheck": selfcheck}
+              "selfcheck": selfcheck, "tolerance": float(TOLERANCE),
+              "predicates": _predicates(library, tier),
+              "required": {name: letters for found in library.made(requirements).values()
+                           for name, letters in found.items()}}
     package = {"_dispatch.py": render("python/_dispatch.py", **shared),
                "__init__.py": render("python/tier.py", **shared)} if tier.mark else {
         name: render(f"python/{name}", **shared)
@@ -61,6 +66,12 @@ def _package(library: Library, tier: Tier) -> Files:
 
 def _aliases(names: Iterable[str]) -> list[tuple[str, str]]:
     return [(alias, name) for alias, name in _ALIASES if name in names]
+
+
+def _predicates(library: Library, tier: Tier) -> dict[str, str]:
+    """Functions that compare the defect of a rotation with the tolerance, and their argument."""
+    whole = not tier.mark and {"mat3x3", "quaternion"} <= set(library.families)
+    return {"mat3x3_is_rotation": "R", "quaternion_is_unit": "q"} if whole else {}
 
 
 def _stubs(library: Library, tier: Tier, precision: Precision, shared: dict[str, object],

@@ -27,6 +27,10 @@ if TYPE_CHECKING:
 LARGEST_C2 = 45
 """The largest c2 of any polynomial program: 1 / (2 c2 u) is just above 1e14."""
 
+LARGEST = 1000
+"""Of operations the tier has those of up to so many instructions: six are made of one.  Iterations
+such as `mat3x3_nearest_rotation` have more, and are backward stable without."""
+
 
 def accurate(program: Program) -> Program:
     """The plain program compensated; c2 <= LARGEST_C2 if it is a polynomial."""
@@ -76,7 +80,7 @@ def _rounded(x: Operand) -> Operand:
 
 
 def _has(program: Program) -> bool:
-    return rounds_by(COMPENSATED, program)
+    return rounds_by(COMPENSATED, program) and len(program.instructions) <= LARGEST
 
 
 TIER = Tier(

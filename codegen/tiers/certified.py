@@ -36,7 +36,7 @@ from coscrew_codegen.formats import SINGLE, Format, Precision
 from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
 from coscrew_codegen.program.ops import ERROR_OF
 from coscrew_codegen.program.program import name_of
-from coscrew_codegen.tiers import certified_scene, certified_wide
+from coscrew_codegen.tiers import certified_rotations, certified_scene, certified_wide
 from coscrew_codegen.tiers.tier import Tier, bounds_of_outputs, is_polynomial, rounds_by
 
 if TYPE_CHECKING:
@@ -64,7 +64,8 @@ def _made(program: Program, precision: Precision) -> Program:
     if is_polynomial(program):
         return certified(program, precision)
     # an operation chooses between formulas for the same
-    return certified_scene.of_scene(program, precision, kinks=False)
+    made = certified_scene.of_scene(program, precision, kinks=False)
+    return certified_rotations.infinite_unless_rotations(made, program)
 
 
 def _has(program: Program) -> bool:

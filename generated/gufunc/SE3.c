@@ -616,52 +616,52 @@ const coscrew_gufunc TABLE(SE3)[] = {
     "(3,3),(3)->(3,4).  R: rotation or other 3×3 matrix; t: vector; D: displacement [R | t], R\n"
     "rotation, t in m.\n"
     "No arithmetic.  Exact.\n",
-   2, 1, SE3_fromRt_loops},
+   2, 1, "R.", SE3_fromRt_loops},
   {"SE3_copy", "(3,4)->(3,4)",
     "Do = D.\n"
     "\n"
     "(3,4)->(3,4).  D, Do: displacement [R | t], R rotation, t in m.\n"
     "No arithmetic.  Exact.\n",
-   1, 1, SE3_copy_loops},
+   1, 1, "", SE3_copy_loops},
   {"SE3_setIdentity", "(3,4)->(3,4)",
     "self = [I | 0].\n"
     "\n"
     "(3,4)->(3,4).  self: displacement [R | t], R rotation, t in m.\n"
     "No arithmetic.  Exact.\n",
-   1, 1, SE3_setIdentity_loops},
+   1, 1, "", SE3_setIdentity_loops},
   {"SE3_getTranslation", "(3,4)->(3)",
     "t of D = [R | t].\n"
     "\n"
     "(3,4)->(3).  D: displacement [R | t], R rotation, t in m; t: vector.\n"
     "No arithmetic.  Exact.\n",
-   1, 1, SE3_getTranslation_loops},
+   1, 1, "", SE3_getTranslation_loops},
   {"SE3_getRotation", "(3,4)->(3,3)",
     "R of D = [R | t].\n"
     "\n"
     "(3,4)->(3,3).  D: displacement [R | t], R rotation, t in m; R: rotation or other 3×3 matrix.\n"
     "No arithmetic.  Exact.\n",
-   1, 1, SE3_getRotation_loops},
+   1, 1, "", SE3_getRotation_loops},
   {"SE3_invert", "(3,4)->(3,4)",
     "self = self^-1 = [R^T | -R^T t].\n"
     "\n"
     "(3,4)->(3,4).  self: displacement [R | t], R rotation, t in m.\n"
     "9 mul, 6 add, 3 neg.  Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of\n"
     "the expanded formula; barring over- and underflow.\n",
-   1, 1, SE3_invert_loops},
+   1, 1, "R", SE3_invert_loops},
   {"SE3_toMat4x4", "(3,4)->(4,4)",
     "M = [[R, t], [0, 1]] of D = [R | t].\n"
     "\n"
     "(3,4)->(4,4).  D: displacement [R | t], R rotation, t in m; M: 4×4 matrix.\n"
     "No arithmetic.  Exact.\n",
-   1, 1, SE3_toMat4x4_loops},
+   1, 1, "", SE3_toMat4x4_loops},
   {"SE3_inverted", "(3,4)->(3,4)",
     "Do = D^-1 = [R^T | -R^T t].\n"
     "\n"
     "(3,4)->(3,4).  D, Do: displacement [R | t], R rotation, t in m.\n"
     "9 mul, 6 add, 3 neg.  Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of\n"
     "the expanded formula; barring over- and underflow.\n",
-   1, 1, SE3_inverted_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+   1, 1, "R", SE3_inverted_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

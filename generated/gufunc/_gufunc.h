@@ -60,6 +60,7 @@
 typedef struct {
   const char *name, *signature, *doc;
   int inputs, outputs;
+  const char *required;  /* a letter for each input, or "" */
   PyUFuncGenericFunction *loops;
 } coscrew_gufunc;
 

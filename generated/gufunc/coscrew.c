@@ -4588,146 +4588,146 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "\n"
     "(6)->(6).  ci, co: coscrew (f in N; τ in N m).\n"
     "No arithmetic.  Exact.\n",
-   1, 1, coscrew_copy_loops},
+   1, 1, "", coscrew_copy_loops},
   {"coscrew_scale", "(6),()->(6)",
     "self = a self.\n"
     "\n"
     "(6),()->(6).  self: coscrew (f in N; τ in N m); a: number.\n"
     "6 mul.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, coscrew_scale_loops},
+   2, 1, "", coscrew_scale_loops},
   {"coscrew_inverted", "(6)->(6)",
     "co = -ci.\n"
     "\n"
     "(6)->(6).  ci, co: coscrew (f in N; τ in N m).\n"
     "6 neg.  Exact.\n",
-   1, 1, coscrew_inverted_loops},
+   1, 1, "", coscrew_inverted_loops},
   {"coscrew_invert", "(6)->(6)",
     "self = -self.\n"
     "\n"
     "(6)->(6).  self: coscrew (f in N; τ in N m).\n"
     "6 neg.  Exact.\n",
-   1, 1, coscrew_invert_loops},
+   1, 1, "", coscrew_invert_loops},
   {"axpy_cc", "(),(6),(6)->(6)",
     "y = a x + y.\n"
     "\n"
     "(),(6),(6)->(6).  a: number; x, y: coscrew (f in N; τ in N m).\n"
     "6 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   3, 1, axpy_cc_loops},
+   3, 1, "", axpy_cc_loops},
   {"xpy_cc", "(6),(6)->(6)",
     "y = x + y.\n"
     "\n"
     "(6),(6)->(6).  x, y: coscrew (f in N; τ in N m).\n"
     "6 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, xpy_cc_loops},
+   2, 1, "", xpy_cc_loops},
   {"nxpy_cc", "(6),(6)->(6)",
     "y = -x + y.\n"
     "\n"
     "(6),(6)->(6).  x, y: coscrew (f in N; τ in N m).\n"
     "6 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, nxpy_cc_loops},
+   2, 1, "", nxpy_cc_loops},
   {"product_ac", "(),(6)->(6)",
     "co = a ci.\n"
     "\n"
     "(),(6)->(6).  a: number; ci, co: coscrew (f in N; τ in N m).\n"
     "6 mul.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, product_ac_loops},
+   2, 1, "", product_ac_loops},
   {"add_cc", "(6),(6)->(6)",
     "co = c1 + c2.\n"
     "\n"
     "(6),(6)->(6).  c1, c2, co: coscrew (f in N; τ in N m).\n"
     "6 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, add_cc_loops},
+   2, 1, "", add_cc_loops},
   {"subtract_cc", "(6),(6)->(6)",
     "co = c1 - c2.\n"
     "\n"
     "(6),(6)->(6).  c1, c2, co: coscrew (f in N; τ in N m).\n"
     "6 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, subtract_cc_loops},
+   2, 1, "", subtract_cc_loops},
   {"coscrew_norm", "(6)->()",
     "|ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).\n"
     "\n"
     "(6)->().  ci: coscrew (f in N; τ in N m); norm: number.\n"
     "7 mul, 2 add, 1 sqrt, 6 abs, 11 less, 1 equal, 14 select.\n",
-   1, 1, coscrew_norm_loops},
+   1, 1, "", coscrew_norm_loops},
   {"coscrew_normalize", "(6)->(6)",
     "self = self / |self|, with coscrew_norm; the zero coscrew stays zero.\n"
     "\n"
     "(6)->(6).  self: coscrew (f in N; τ in N m).\n"
     "18 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 2 equal, 26 select.\n",
-   1, 1, coscrew_normalize_loops},
+   1, 1, "", coscrew_normalize_loops},
   {"coscrew_normalized", "(6)->(6)",
     "co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.\n"
     "\n"
     "(6)->(6).  ci, co: coscrew (f in N; τ in N m).\n"
     "18 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 2 equal, 26 select.\n",
-   1, 1, coscrew_normalized_loops},
+   1, 1, "", coscrew_normalized_loops},
   {"coscrew_from_lin_ang", "(3),(3)->(6)",
     "co = (lin; ang).\n"
     "\n"
     "(3),(3)->(6).  lin, ang: vector; co: coscrew (f in N; τ in N m).\n"
     "No arithmetic.  Exact.\n",
-   2, 1, coscrew_from_lin_ang_loops},
+   2, 1, "", coscrew_from_lin_ang_loops},
   {"coscrew_to_angular_first", "(6)->(6)",
     "x = (ang; lin) of ci.\n"
     "\n"
     "(6)->(6).  ci: coscrew (f in N; τ in N m); x: six components with the angular part on top.\n"
     "No arithmetic.  Exact.\n",
-   1, 1, coscrew_to_angular_first_loops},
+   1, 1, "", coscrew_to_angular_first_loops},
   {"coscrew_from_angular_first", "(6)->(6)",
     "co = (lin; ang) of x = (ang; lin).\n"
     "\n"
     "(6)->(6).  x: six components with the angular part on top; co: coscrew (f in N; τ in N m).\n"
     "No arithmetic.  Exact.\n",
-   1, 1, coscrew_from_angular_first_loops},
+   1, 1, "", coscrew_from_angular_first_loops},
   {"add_cct", "(6),(6)->(6)",
     "co = (c1.lin + c2.lin ; c1.ang).\n"
     "\n"
     "(6),(6)->(6).  c1, c2, co: coscrew (f in N; τ in N m).\n"
     "3 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, add_cct_loops},
+   2, 1, "", add_cct_loops},
   {"product_CoAdtc", "(3),(6)->(6)",
     "co = [Ad]*(t) ci.\n"
     "\n"
     "(3),(6)->(6).  t: vector; ci, co: coscrew (f in N; τ in N m).\n"
     "6 mul, 6 add.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, product_CoAdtc_loops},
+   2, 1, "", product_CoAdtc_loops},
   {"product_CoAdtinvc", "(3),(6)->(6)",
     "co = [Ad]*(t)^-1 ci.\n"
     "\n"
     "(3),(6)->(6).  t: vector; ci, co: coscrew (f in N; τ in N m).\n"
     "6 mul, 6 add.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, product_CoAdtinvc_loops},
+   2, 1, "", product_CoAdtinvc_loops},
   {"product_CoAdtcinv", "(3),(6)->(6)",
     "co = [Ad]*(t) (-ci).\n"
     "\n"
     "(3),(6)->(6).  t: vector; ci, co: coscrew (f in N; τ in N m).\n"
     "6 mul, 6 add, 3 neg.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms|\n"
     "of the expanded formula; barring over- and underflow.\n",
-   2, 1, product_CoAdtcinv_loops},
+   2, 1, "", product_CoAdtcinv_loops},
   {"product_CoAdrc", "(3,3),(6)->(6)",
     "co = [Ad]*(R) ci.\n"
     "\n"
     "(3,3),(6)->(6).  R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).\n"
     "18 mul, 12 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, product_CoAdrc_loops},
+   2, 1, "R.", product_CoAdrc_loops},
   {"product_CoAdrinvc", "(3,3),(6)->(6)",
     "co = [Ad]*(R)^-1 ci.\n"
     "\n"
     "(3,3),(6)->(6).  R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).\n"
     "18 mul, 12 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, product_CoAdrinvc_loops},
+   2, 1, "R.", product_CoAdrinvc_loops},
   {"product_CoAdrcinv", "(3,3),(6)->(6)",
     "co = [Ad]*(R) (-ci).\n"
     "\n"
     "(3,3),(6)->(6).  R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).\n"
     "18 mul, 12 add, 6 neg.  Error <= u |result| + 2 u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, product_CoAdrcinv_loops},
+   2, 1, "R.", product_CoAdrcinv_loops},
   {"product_CoAdc", "(3,4),(6)->(6)",
     "co = [Ad]*(D) ci = [Ad]*(t) [Ad]*(R) ci.\n"
     "\n"
@@ -4735,7 +4735,7 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "N m).\n"
     "24 mul, 18 add.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, product_CoAdc_loops},
+   2, 1, "R.", product_CoAdc_loops},
   {"product_CoAdinvc", "(3,4),(6)->(6)",
     "co = [Ad]*(D)^-1 ci = [Ad]*(R^T) [Ad]*(-t) ci.\n"
     "\n"
@@ -4743,7 +4743,7 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "N m).\n"
     "24 mul, 18 add.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, product_CoAdinvc_loops},
+   2, 1, "R.", product_CoAdinvc_loops},
   {"product_CoAdcinv", "(3,4),(6)->(6)",
     "co = [Ad]*(D) (-ci).\n"
     "\n"
@@ -4751,92 +4751,92 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "N m).\n"
     "24 mul, 18 add, 6 neg.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms|\n"
     "of the expanded formula; barring over- and underflow.\n",
-   2, 1, product_CoAdcinv_loops},
+   2, 1, "R.", product_CoAdcinv_loops},
   {"hctx", "(3,4)->(6)",
     "co = h_tx: column 0 of [Ad]*(D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).\n"
     "6 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   1, 1, hctx_loops},
+   1, 1, "R", hctx_loops},
   {"hcty", "(3,4)->(6)",
     "co = h_ty: column 1 of [Ad]*(D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).\n"
     "6 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   1, 1, hcty_loops},
+   1, 1, "R", hcty_loops},
   {"hctz", "(3,4)->(6)",
     "co = h_tz: column 2 of [Ad]*(D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).\n"
     "6 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   1, 1, hctz_loops},
+   1, 1, "R", hctz_loops},
   {"hcrx", "(3,4)->(6)",
     "co = h_rx: column 3 of [Ad]*(D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).\n"
     "No arithmetic.  Exact.\n",
-   1, 1, hcrx_loops},
+   1, 1, "", hcrx_loops},
   {"hcry", "(3,4)->(6)",
     "co = h_ry: column 4 of [Ad]*(D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).\n"
     "No arithmetic.  Exact.\n",
-   1, 1, hcry_loops},
+   1, 1, "", hcry_loops},
   {"hcrz", "(3,4)->(6)",
     "co = h_rz: column 5 of [Ad]*(D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).\n"
     "No arithmetic.  Exact.\n",
-   1, 1, hcrz_loops},
+   1, 1, "", hcrz_loops},
   {"hctxinv", "(3,4)->(6)",
     "co = -h_tx: -column 0 of [Ad]*(D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).\n"
     "6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms|\n"
     "of the expanded formula; barring over- and underflow.\n",
-   1, 1, hctxinv_loops},
+   1, 1, "R", hctxinv_loops},
   {"hctyinv", "(3,4)->(6)",
     "co = -h_ty: -column 1 of [Ad]*(D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).\n"
     "6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms|\n"
     "of the expanded formula; barring over- and underflow.\n",
-   1, 1, hctyinv_loops},
+   1, 1, "R", hctyinv_loops},
   {"hctzinv", "(3,4)->(6)",
     "co = -h_tz: -column 2 of [Ad]*(D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).\n"
     "6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms|\n"
     "of the expanded formula; barring over- and underflow.\n",
-   1, 1, hctzinv_loops},
+   1, 1, "R", hctzinv_loops},
   {"hcrxinv", "(3,4)->(6)",
     "co = -h_rx: -column 3 of [Ad]*(D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).\n"
     "3 neg.  Exact.\n",
-   1, 1, hcrxinv_loops},
+   1, 1, "R", hcrxinv_loops},
   {"hcryinv", "(3,4)->(6)",
     "co = -h_ry: -column 4 of [Ad]*(D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).\n"
     "3 neg.  Exact.\n",
-   1, 1, hcryinv_loops},
+   1, 1, "R", hcryinv_loops},
   {"hcrzinv", "(3,4)->(6)",
     "co = -h_rz: -column 5 of [Ad]*(D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).\n"
     "3 neg.  Exact.\n",
-   1, 1, hcrzinv_loops},
+   1, 1, "R", hcrzinv_loops},
   {"CoAd", "(3,4)->(6,6)",
     "M = [Ad]*(D).\n"
     "\n"
     "(3,4)->(6,6).  D: displacement [R | t], R rotation, t in m; M: 6×6 operator.\n"
     "18 mul, 9 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   1, 1, CoAd_loops},
+   1, 1, "R", CoAd_loops},
   {"reciprocal_product", "(6),(6)->()",
     "power = W ⊙ $ = f·v + τ·ω, W = c = (f; τ), $ = x = (ω; v).\n"
     "\n"
@@ -4844,21 +4844,21 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "power: number.\n"
     "6 mul, 5 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, reciprocal_product_loops},
+   2, 1, "", reciprocal_product_loops},
   {"cross_sc", "(6),(6)->(6)",
     "co = [ad]*(s) c = (ω×f ; v×f + ω×τ).\n"
     "\n"
     "(6),(6)->(6).  s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).\n"
     "18 mul, 12 add.  Error <= u |result| + (lin: 1, ang: 2) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, cross_sc_loops},
+   2, 1, "", cross_sc_loops},
   {"cross_sca", "(6),(6)->(6)",
     "co = (0 ; ω×τ).\n"
     "\n"
     "(6),(6)->(6).  s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).\n"
     "6 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, cross_sca_loops},
+   2, 1, "", cross_sca_loops},
   {"constraint_ctx", "(3,4),(6)->(6)",
     "co = H̄* c = [Ad]*(D) P c; P clears component 0 of c, given in the frame of a tx joint at D.\n"
     "\n"
@@ -4866,7 +4866,7 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "m).\n"
     "21 mul, 15 add.  Error <= u |result| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, constraint_ctx_loops},
+   2, 1, "R.", constraint_ctx_loops},
   {"constraint_cty", "(3,4),(6)->(6)",
     "co = H̄* c = [Ad]*(D) P c; P clears component 1 of c, given in the frame of a ty joint at D.\n"
     "\n"
@@ -4874,7 +4874,7 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "m).\n"
     "21 mul, 15 add.  Error <= u |result| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, constraint_cty_loops},
+   2, 1, "R.", constraint_cty_loops},
   {"constraint_ctz", "(3,4),(6)->(6)",
     "co = H̄* c = [Ad]*(D) P c; P clears component 2 of c, given in the frame of a tz joint at D.\n"
     "\n"
@@ -4882,7 +4882,7 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "m).\n"
     "21 mul, 15 add.  Error <= u |result| + (lin: 1, ang: 4) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, constraint_ctz_loops},
+   2, 1, "R.", constraint_ctz_loops},
   {"constraint_crx", "(3,4),(6)->(6)",
     "co = H̄* c = [Ad]*(D) P c; P clears component 3 of c, given in the frame of a rx joint at D.\n"
     "\n"
@@ -4890,7 +4890,7 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "m).\n"
     "21 mul, 15 add.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, constraint_crx_loops},
+   2, 1, "R.", constraint_crx_loops},
   {"constraint_cry", "(3,4),(6)->(6)",
     "co = H̄* c = [Ad]*(D) P c; P clears component 4 of c, given in the frame of a ry joint at D.\n"
     "\n"
@@ -4898,7 +4898,7 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "m).\n"
     "21 mul, 15 add.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, constraint_cry_loops},
+   2, 1, "R.", constraint_cry_loops},
   {"constraint_crz", "(3,4),(6)->(6)",
     "co = H̄* c = [Ad]*(D) P c; P clears component 5 of c, given in the frame of a rz joint at D.\n"
     "\n"
@@ -4906,7 +4906,7 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "m).\n"
     "21 mul, 15 add.  Error <= u |result| + (lin: 2, ang: 5) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, constraint_crz_loops},
+   2, 1, "R.", constraint_crz_loops},
   {"working_ctx", "(3,4),(6)->(6)",
     "co = h̄* c = [Ad]*(D) P c; P keeps component 0 of c, given in the frame of a tx joint at D.\n"
     "\n"
@@ -4914,7 +4914,7 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "m).\n"
     "9 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, working_ctx_loops},
+   2, 1, "R.", working_ctx_loops},
   {"working_cty", "(3,4),(6)->(6)",
     "co = h̄* c = [Ad]*(D) P c; P keeps component 1 of c, given in the frame of a ty joint at D.\n"
     "\n"
@@ -4922,7 +4922,7 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "m).\n"
     "9 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, working_cty_loops},
+   2, 1, "R.", working_cty_loops},
   {"working_ctz", "(3,4),(6)->(6)",
     "co = h̄* c = [Ad]*(D) P c; P keeps component 2 of c, given in the frame of a tz joint at D.\n"
     "\n"
@@ -4930,35 +4930,35 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "m).\n"
     "9 mul, 3 add.  Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, working_ctz_loops},
+   2, 1, "R.", working_ctz_loops},
   {"working_crx", "(3,4),(6)->(6)",
     "co = h̄* c = [Ad]*(D) P c; P keeps component 3 of c, given in the frame of a rx joint at D.\n"
     "\n"
     "(3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N\n"
     "m).\n"
     "3 mul.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, working_crx_loops},
+   2, 1, "R.", working_crx_loops},
   {"working_cry", "(3,4),(6)->(6)",
     "co = h̄* c = [Ad]*(D) P c; P keeps component 4 of c, given in the frame of a ry joint at D.\n"
     "\n"
     "(3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N\n"
     "m).\n"
     "3 mul.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, working_cry_loops},
+   2, 1, "R.", working_cry_loops},
   {"working_crz", "(3,4),(6)->(6)",
     "co = h̄* c = [Ad]*(D) P c; P keeps component 5 of c, given in the frame of a rz joint at D.\n"
     "\n"
     "(3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N\n"
     "m).\n"
     "3 mul.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, working_crz_loops},
+   2, 1, "R.", working_crz_loops},
   {"coad", "(6)->(6,6)",
     "M = [ad]*(s) = [Ad]*' [Ad]*^-1 = [[ω~, 0], [v~, ω~]].\n"
     "\n"
     "(6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.\n"
     "6 neg.  Exact.\n",
-   1, 1, coad_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+   1, 1, "", coad_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

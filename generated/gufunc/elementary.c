@@ -1260,43 +1260,43 @@ const coscrew_gufunc TABLE(elementary)[] = {
     "()->(),().  x, s, c: number.\n"
     "28 mul, 33 add, 1 abs.  Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is\n"
     "subnormal; proved.\n",
-   1, 2, sincos_loops},
+   1, 2, "", sincos_loops},
   {"sin", "()->()",
     "s = sin x, x in rad.\n"
     "\n"
     "()->().  x, s: number.\n"
     "28 mul, 33 add, 1 abs.  Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is\n"
     "subnormal; proved.\n",
-   1, 1, sin_loops},
+   1, 1, "", sin_loops},
   {"cos", "()->()",
     "c = cos x, x in rad.\n"
     "\n"
     "()->().  x, c: number.\n"
     "28 mul, 33 add, 1 abs.  Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is\n"
     "subnormal; proved.\n",
-   1, 1, cos_loops},
+   1, 1, "", cos_loops},
   {"exp", "()->()",
     "y = e^x.\n"
     "\n"
     "()->().  x, y: number.\n"
     "19 mul, 20 add, 1 power of two, 3 less, 4 select.  Error <= 0.755 ulp, in single precision\n"
     "0.757 ulp, unless a result is subnormal; proved.\n",
-   1, 1, exp_loops},
+   1, 1, "", exp_loops},
   {"tanh", "()->()",
     "y = tanh x.\n"
     "\n"
     "()->().  x, y: number.\n"
     "29 mul, 30 add, 1 div, 1 power of two, 1 abs, 1 copysign, 2 less, 5 select.  Error <= 0.979\n"
     "ulp, in single precision 0.967 ulp, unless a result is subnormal; proved.\n",
-   1, 1, tanh_loops},
+   1, 1, "", tanh_loops},
   {"atan2", "(),()->()",
     "angle of the vector (x, y) to the x axis, in rad, from -π to π.\n"
     "\n"
     "(),()->().  y, x, angle: number.\n"
     "29 mul, 35 add, 1 div, 1 neg, 2 abs, 2 copysign, 6 less, 1 equal, 14 select.  Error <= 0.934\n"
     "ulp, in single precision 0.896 ulp, unless a result is subnormal; proved.\n",
-   2, 1, atan2_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+   2, 1, "", atan2_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

@@ -2815,28 +2815,28 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "(3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.\n"
     "77 mul, 102 add, 3 div, 1 sqrt, 5 abs, 5 less, 11 select.  Error <= R: (6 + θ/200) u of its\n"
     "largest component for |v| <= 1e13, in single precision 1e5; searched, not proved.\n",
-   1, 1, SO3_exp_loops},
+   1, 1, "", SO3_exp_loops},
   {"SO3_log", "(3,3)->(3)",
     "vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo.\n"
     "\n"
     "(3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.\n"
     "40 mul, 51 add, 2 div, 1 sqrt, 6 neg, 5 abs, 2 copysign, 18 less, 2 equal, 39 select.  Error\n"
     "<= vo: 7 u of its largest component for R a rotation; searched, not proved.\n",
-   1, 1, SO3_log_loops},
+   1, 1, "R", SO3_log_loops},
   {"SO3_leftJacobian", "(3)->(3,3)",
     "R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.\n"
     "\n"
     "(3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.\n"
     "88 mul, 114 add, 4 div, 1 sqrt, 5 abs, 6 less, 12 select.  Error <= R: (7 + θ/200) u of its\n"
     "largest component for |v| <= 1e13, in single precision 1e5; searched, not proved.\n",
-   1, 1, SO3_leftJacobian_loops},
+   1, 1, "", SO3_leftJacobian_loops},
   {"SO3_rightJacobian", "(3)->(3,3)",
     "R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.\n"
     "\n"
     "(3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.\n"
     "88 mul, 114 add, 4 div, 1 sqrt, 3 neg, 5 abs, 6 less, 12 select.  Error <= R: (7 + θ/200) u\n"
     "of its largest component for |v| <= 1e13, in single precision 1e5; searched, not proved.\n",
-   1, 1, SO3_rightJacobian_loops},
+   1, 1, "", SO3_rightJacobian_loops},
   {"SO3_leftJacobianInverse", "(3)->(3,3)",
     "R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π\n"
     "except 0.\n"
@@ -2844,7 +2844,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "(3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.\n"
     "71 mul, 96 add, 3 div, 1 sqrt, 3 neg, 5 abs, 7 less, 12 select.  Error <= R: 6 u of its\n"
     "largest component for |v| <= π; searched, not proved.\n",
-   1, 1, SO3_leftJacobianInverse_loops},
+   1, 1, "", SO3_leftJacobianInverse_loops},
   {"SO3_rightJacobianInverse", "(3)->(3,3)",
     "R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π\n"
     "except 0.\n"
@@ -2852,21 +2852,21 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "(3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.\n"
     "71 mul, 96 add, 3 div, 1 sqrt, 5 abs, 7 less, 12 select.  Error <= R: 6 u of its largest\n"
     "component for |v| <= π; searched, not proved.\n",
-   1, 1, SO3_rightJacobianInverse_loops},
+   1, 1, "", SO3_rightJacobianInverse_loops},
   {"mat3x3_orthonormalize", "(3,3)->(3,3)",
     "self = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.\n"
     "\n"
     "(3,3)->(3,3).  self: rotation or other 3×3 matrix.\n"
     "51 mul, 42 add, 3 neg.  Error <= u |result| + 7 u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   1, 1, mat3x3_orthonormalize_loops},
+   1, 1, "", mat3x3_orthonormalize_loops},
   {"mat3x3_orthonormalized", "(3,3)->(3,3)",
     "Ro = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.\n"
     "\n"
     "(3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.\n"
     "51 mul, 42 add, 3 neg.  Error <= u |result| + 7 u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   1, 1, mat3x3_orthonormalized_loops},
+   1, 1, "", mat3x3_orthonormalized_loops},
   {"SE3_exp", "(6)->(3,4)",
     "D = exp s = [exp ω~ | J_l(ω) v].\n"
     "\n"
@@ -2875,7 +2875,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "(14 + θ/200) u of its largest component, or of s.lin if that is larger, for |ω of s| <=\n"
     "1e13, in single precision 1e5; searched, not proved.  Intermediate sums may overflow where\n"
     "|v|, or |ω| |v|, is above 2e306, in single precision 5e36.\n",
-   1, 1, SE3_exp_loops},
+   1, 1, "", SE3_exp_loops},
   {"SE3_log", "(3,4)->(6)",
     "so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.\n"
     "\n"
@@ -2883,7 +2883,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "79 mul, 80 add, 4 div, 1 sqrt, 6 neg, 5 abs, 2 copysign, 20 less, 2 equal, 43 select.  Error\n"
     "<= lin: 18 u, ang: 8 u of its largest component for R of D a rotation; searched, not proved.\n"
     "Intermediate sums may overflow where |t| is above 2e306, in single precision 5e36.\n",
-   1, 1, SE3_log_loops},
+   1, 1, "R", SE3_log_loops},
   {"SE3_leftJacobian", "(6)->(6,6)",
     "M = J_l(s) = Σ ([ad](s))^k / (k+1)!.\n"
     "\n"
@@ -2891,7 +2891,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "149 mul, 166 add, 6 div, 1 sqrt, 1 neg, 5 abs, 7 less, 15 select.  Error <= M: 20 u of its\n"
     "largest component for |ω of s| <= π; searched, not proved.  Intermediate sums may overflow\n"
     "where |v| is above 2e306, in single precision 5e36.\n",
-   1, 1, SE3_leftJacobian_loops},
+   1, 1, "", SE3_leftJacobian_loops},
   {"SE3_rightJacobian", "(6)->(6,6)",
     "M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.\n"
     "\n"
@@ -2899,7 +2899,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "149 mul, 166 add, 6 div, 1 sqrt, 13 neg, 5 abs, 7 less, 15 select.  Error <= M: 20 u of its\n"
     "largest component for |ω of s| <= π; searched, not proved.  Intermediate sums may overflow\n"
     "where |v| is above 2e306, in single precision 5e36.\n",
-   1, 1, SE3_rightJacobian_loops},
+   1, 1, "", SE3_rightJacobian_loops},
   {"SE3_leftJacobianInverse", "(6)->(6,6)",
     "M = J_l(s)^-1; singular where |ω| is a multiple of 2π except 0.\n"
     "\n"
@@ -2907,7 +2907,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "121 mul, 139 add, 5 div, 1 sqrt, 7 neg, 5 abs, 7 less, 13 select.  Error <= M: 14 u of its\n"
     "largest component for |ω of s| <= π; searched, not proved.  Intermediate sums may overflow\n"
     "where |v| is above 2e306, in single precision 5e36.\n",
-   1, 1, SE3_leftJacobianInverse_loops},
+   1, 1, "", SE3_leftJacobianInverse_loops},
   {"SE3_rightJacobianInverse", "(6)->(6,6)",
     "M = J_r(s)^-1; singular where |ω| is a multiple of 2π except 0.\n"
     "\n"
@@ -2915,7 +2915,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "121 mul, 139 add, 5 div, 1 sqrt, 7 neg, 5 abs, 7 less, 13 select.  Error <= M: 14 u of its\n"
     "largest component for |ω of s| <= π; searched, not proved.  Intermediate sums may overflow\n"
     "where |v| is above 2e306, in single precision 5e36.\n",
-   1, 1, SE3_rightJacobianInverse_loops},
+   1, 1, "", SE3_rightJacobianInverse_loops},
   {"SE3_interpolated", "(3,4),(3,4),()->(3,4)",
     "Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.\n"
     "\n"
@@ -2925,8 +2925,8 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "for R of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.\n"
     "Intermediate sums may overflow where |t| of D1 or D2 is above 2e306, in single precision\n"
     "5e36.\n",
-   3, 1, SE3_interpolated_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+   3, 1, "RR.", SE3_interpolated_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

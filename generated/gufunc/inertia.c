@@ -743,14 +743,14 @@ const coscrew_gufunc TABLE(inertia)[] = {
     "inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx in\n"
     "kg m^2).\n"
     "3 mul.  Error <= u |result|, barring over- and underflow.\n",
-   8, 1, inertia_loops},
+   8, 1, "", inertia_loops},
   {"inertia_copy", "(10)->(10)",
     "Jo = Ji.\n"
     "\n"
     "(10)->(10).  Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx,\n"
     "yy, zz, xy, yz, zx in kg m^2).\n"
     "No arithmetic.  Exact.\n",
-   1, 1, inertia_copy_loops},
+   1, 1, "", inertia_copy_loops},
   {"inertia_rotated", "(10),(3,3)->(10)",
     "Jo = Ji rotated by R: m, R mt, R I R^T.\n"
     "\n"
@@ -758,7 +758,7 @@ const coscrew_gufunc TABLE(inertia)[] = {
     "xx, yy, zz, xy, yz, zx in kg m^2); R: rotation or other 3×3 matrix.\n"
     "54 mul, 36 add.  Error <= u |result| + (m: 0, mt: 2, I: 5) u S, S the sum of the |terms| of\n"
     "the expanded formula; barring over- and underflow.\n",
-   2, 1, inertia_rotated_loops},
+   2, 1, ".R", inertia_rotated_loops},
   {"inertia_rotate", "(10),(3,3)->(10)",
     "self = self rotated by R: m, R mt, R I R^T.\n"
     "\n"
@@ -766,7 +766,7 @@ const coscrew_gufunc TABLE(inertia)[] = {
     "xx, yy, zz, xy, yz, zx in kg m^2); R: rotation or other 3×3 matrix.\n"
     "54 mul, 36 add.  Error <= u |result| + (m: 0, mt: 2, I: 5) u S, S the sum of the |terms| of\n"
     "the expanded formula; barring over- and underflow.\n",
-   2, 1, inertia_rotate_loops},
+   2, 1, ".R", inertia_rotate_loops},
   {"inertia_translated", "(10),(3)->(10)",
     "Jo = Ji translated by t: m, mt + m t, I.\n"
     "\n"
@@ -774,7 +774,7 @@ const coscrew_gufunc TABLE(inertia)[] = {
     "xx, yy, zz, xy, yz, zx in kg m^2); t: vector.\n"
     "3 mul, 3 add.  Error <= u |result| + (m: 0, mt: 1, I: 0) u S, S the sum of the |terms| of\n"
     "the expanded formula; barring over- and underflow.\n",
-   2, 1, inertia_translated_loops},
+   2, 1, "", inertia_translated_loops},
   {"inertia_translate", "(10),(3)->(10)",
     "self = self translated by t: m, mt + m t, I.\n"
     "\n"
@@ -782,7 +782,7 @@ const coscrew_gufunc TABLE(inertia)[] = {
     "yy, zz, xy, yz, zx in kg m^2); t: vector.\n"
     "3 mul, 3 add.  Error <= u |result| + (m: 0, mt: 1, I: 0) u S, S the sum of the |terms| of\n"
     "the expanded formula; barring over- and underflow.\n",
-   2, 1, inertia_translate_loops},
+   2, 1, "", inertia_translate_loops},
   {"inertia_transformed", "(10),(3,4)->(10)",
     "Jo = Ji displaced by D = [R | t]: m, R mt + m t, R I R^T.\n"
     "\n"
@@ -790,7 +790,7 @@ const coscrew_gufunc TABLE(inertia)[] = {
     "xx, yy, zz, xy, yz, zx in kg m^2); D: displacement [R | t], R rotation, t in m.\n"
     "57 mul, 39 add.  Error <= u |result| + (m: 0, mt: 3, I: 5) u S, S the sum of the |terms| of\n"
     "the expanded formula; barring over- and underflow.\n",
-   2, 1, inertia_transformed_loops},
+   2, 1, ".R", inertia_transformed_loops},
   {"inertia_transform", "(10),(3,4)->(10)",
     "self = self displaced by D = [R | t]: m, R mt + m t, R I R^T.\n"
     "\n"
@@ -798,7 +798,7 @@ const coscrew_gufunc TABLE(inertia)[] = {
     "xx, yy, zz, xy, yz, zx in kg m^2); D: displacement [R | t], R rotation, t in m.\n"
     "57 mul, 39 add.  Error <= u |result| + (m: 0, mt: 3, I: 5) u S, S the sum of the |terms| of\n"
     "the expanded formula; barring over- and underflow.\n",
-   2, 1, inertia_transform_loops},
+   2, 1, ".R", inertia_transform_loops},
   {"inertia_merge", "(10),(3),(10),(3),(3,4)->(10)",
     "Ji = the inertia of two joined bodies: Ji, and Jj displaced by D_ij = [R | t]: m_i + m_j,\n"
     "mt_i + m_j c, I_i + R I_j R^T + m_i m_j/(m_i + m_j) (d·d 1 - d d^T) with c = R t_jc + t, d =\n"
@@ -810,8 +810,8 @@ const coscrew_gufunc TABLE(inertia)[] = {
     "[R | t], R rotation, t in m.\n"
     "67 mul, 61 add, 1 div.  Error <= 18 u times the sum of the absolute values of all terms, for\n"
     "masses that are not negative, barring over- and underflow.\n",
-   5, 1, inertia_merge_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+   5, 1, "....R", inertia_merge_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

@@ -1810,6 +1810,168 @@ static void mat3x3_jacobi_single(
 static PyUFuncGenericFunction mat3x3_jacobi_loops[] = {
     mat3x3_jacobi_double, mat3x3_jacobi_single};
 
+/* (3,3)->() */
+INLINED void mat3x3_rotation_defect_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3_t R;
+  load_mat3x3_double(&R, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    double defect;
+    if (step[0] != 0) {
+      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
+    }
+    defect = ksl_mat3x3_rotation_defect(&R);
+    store_scalar_double(&defect, p1 + i * step[1], core + 2);
+  }
+}
+
+static void mat3x3_rotation_defect_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 72, 8, 24, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_rotation_defect_double_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 24, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    mat3x3_rotation_defect_double_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  mat3x3_rotation_defect_double_over(data, n[0], step, step + 2);
+}
+
+/* (3,3)->() */
+INLINED void mat3x3_rotation_defect_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3f_t R;
+  load_mat3x3_single(&R, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    float defect;
+    if (step[0] != 0) {
+      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
+    }
+    defect = ksl_mat3x3f_rotation_defect(&R);
+    store_scalar_single(&defect, p1 + i * step[1], core + 2);
+  }
+}
+
+static void mat3x3_rotation_defect_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 36, 4, 12, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_rotation_defect_single_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 4, 12, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    mat3x3_rotation_defect_single_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  mat3x3_rotation_defect_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction mat3x3_rotation_defect_loops[] = {
+    mat3x3_rotation_defect_double, mat3x3_rotation_defect_single};
+
+/* (3,3)->(3,3) */
+INLINED void mat3x3_nearest_rotation_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3_t A;
+  load_mat3x3_double(&A, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat3x3_t Ro;
+    if (step[0] != 0) {
+      load_mat3x3_double(&A, p0 + i * step[0], core + 0);
+    }
+    ksl_mat3x3_nearest_rotation(&A, &Ro);
+    store_mat3x3_double(&Ro, p1 + i * step[1], core + 2);
+  }
+}
+
+static void mat3x3_nearest_rotation_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 72, 72, 24, 8, 24, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_nearest_rotation_double_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 72, 24, 8, 24, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    mat3x3_nearest_rotation_double_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  mat3x3_nearest_rotation_double_over(data, n[0], step, step + 2);
+}
+
+/* (3,3)->(3,3) */
+INLINED void mat3x3_nearest_rotation_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3f_t A;
+  load_mat3x3_single(&A, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat3x3f_t Ro;
+    if (step[0] != 0) {
+      load_mat3x3_single(&A, p0 + i * step[0], core + 0);
+    }
+    ksl_mat3x3f_nearest_rotation(&A, &Ro);
+    store_mat3x3_single(&Ro, p1 + i * step[1], core + 2);
+  }
+}
+
+static void mat3x3_nearest_rotation_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 36, 36, 12, 4, 12, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_nearest_rotation_single_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 36, 12, 4, 12, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    mat3x3_nearest_rotation_single_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  mat3x3_nearest_rotation_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction mat3x3_nearest_rotation_loops[] = {
+    mat3x3_nearest_rotation_double, mat3x3_nearest_rotation_single};
+
 /* (3),()->(3,3) */
 INLINED void mat3x3_from_axis_angle_double_over(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
@@ -2248,25 +2410,25 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "\n"
     "(3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.\n"
     "No arithmetic.  Exact.\n",
-   1, 1, mat3x3_copy_loops},
+   1, 1, "", mat3x3_copy_loops},
   {"mat3x3_setIdentity", "(3,3)->(3,3)",
     "self = I.\n"
     "\n"
     "(3,3)->(3,3).  self: rotation or other 3×3 matrix.\n"
     "No arithmetic.  Exact.\n",
-   1, 1, mat3x3_setIdentity_loops},
+   1, 1, "", mat3x3_setIdentity_loops},
   {"mat3x3_setFromVectors", "(3),(3),(3)->(3,3)",
     "R = [x y z], the columns.\n"
     "\n"
     "(3),(3),(3)->(3,3).  x, y, z: vector; R: rotation or other 3×3 matrix.\n"
     "No arithmetic.  Exact.\n",
-   3, 1, mat3x3_setFromVectors_loops},
+   3, 1, "", mat3x3_setFromVectors_loops},
   {"skew", "(3)->(3,3)",
     "Ro = v~, the matrix with v~ y = v × y.\n"
     "\n"
     "(3)->(3,3).  v: vector; Ro: rotation or other 3×3 matrix.\n"
     "3 neg.  Exact.\n",
-   1, 1, skew_loops},
+   1, 1, "", skew_loops},
   {"acceleration_tensor", "(3),(3)->(3,3)",
     "Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: the\n"
     "acceleration of its point x, less that of its origin, is Ro x.\n"
@@ -2274,26 +2436,26 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "(3),(3)->(3,3).  w, dw: vector; Ro: rotation or other 3×3 matrix.\n"
     "6 mul, 9 add, 3 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, acceleration_tensor_loops},
+   2, 1, "", acceleration_tensor_loops},
   {"mat3x3_transpose", "(3,3)->(3,3)",
     "self = self^T, the inverse of a rotation.\n"
     "\n"
     "(3,3)->(3,3).  self: rotation or other 3×3 matrix.\n"
     "No arithmetic.  Exact.\n",
-   1, 1, mat3x3_transpose_loops},
+   1, 1, "", mat3x3_transpose_loops},
   {"mat3x3_transposed", "(3,3)->(3,3)",
     "Ro = R^T, the inverse of a rotation.\n"
     "\n"
     "(3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.\n"
     "No arithmetic.  Exact.\n",
-   1, 1, mat3x3_transposed_loops},
+   1, 1, "", mat3x3_transposed_loops},
   {"mat3x3_determinant", "(3,3)->()",
     "det R.\n"
     "\n"
     "(3,3)->().  R: rotation or other 3×3 matrix; det: number.\n"
     "9 mul, 5 add.  Error <= u |result| + 4 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   1, 1, mat3x3_determinant_loops},
+   1, 1, "", mat3x3_determinant_loops},
   {"mat3x3_inverse", "(3,3)->(),(3,3)",
     "Ro = R^-1 = adj R / det R; returns det R, which is 0 or infinite where it under- or\n"
     "overflows.  Returns 0, with Ro = NaN, where R may be singular: |det R| <= 8 u p + 1e-29 m^3\n"
@@ -2303,7 +2465,7 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "56 mul, 17 add, 9 div, 1 neg, 19 abs, 16 less, 1 equal, 32 select.  Error of Ro_ij <= 2 u\n"
     "m_ji / |det R| + 6 u |Ro_ij| p / |det R|, m_ji the sum of the |terms| of the cofactor, or\n"
     "2^-80 m^2 (double 2^-700 m^2) if that is more; barring over- and underflow of Ro_ij itself.\n",
-   1, 2, mat3x3_inverse_loops},
+   1, 2, "", mat3x3_inverse_loops},
   {"mat3x3_normalize", "(3,3)->(3,3)",
     "self = orthonormal rows by Gram–Schmidt: the first keeps its direction, the second stays on\n"
     "its side of the first, the third on its side of both; NaN where the rows are linearly\n"
@@ -2312,7 +2474,7 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "(3,3)->(3,3).  self: rotation or other 3×3 matrix.\n"
     "60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.  |R R^T - I|_ij\n"
     "<= 8 u for the result R; searched, not proved.\n",
-   1, 1, mat3x3_normalize_loops},
+   1, 1, "", mat3x3_normalize_loops},
   {"mat3x3_normalized", "(3,3)->(3,3)",
     "Ro = orthonormal rows by Gram–Schmidt: the first keeps its direction, the second stays on\n"
     "its side of the first, the third on its side of both; NaN where the rows are linearly\n"
@@ -2321,7 +2483,7 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "(3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.\n"
     "60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.  |R R^T - I|_ij\n"
     "<= 8 u for the result R; searched, not proved.\n",
-   1, 1, mat3x3_normalized_loops},
+   1, 1, "", mat3x3_normalized_loops},
   {"mat3x3_setFromAxisDC", "(3),(2)->(3,3)",
     "R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is not a rotation),\n"
     "dc = (sin θ, cos θ).\n"
@@ -2329,13 +2491,13 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "(3),(2)->(3,3).  axis: vector; dc: (sin θ, cos θ); R: rotation or other 3×3 matrix.\n"
     "12 mul, 10 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, mat3x3_setFromAxisDC_loops},
+   2, 1, "", mat3x3_setFromAxisDC_loops},
   {"mat3x3_from_euler_xyz", "(3)->(3,3)",
     "R = R_x(a) R_y(b) R_z(c), angles = (a, b, c).\n"
     "\n"
     "(3)->(3,3).  angles: vector; R: rotation or other 3×3 matrix.\n"
     "98 mul, 103 add, 3 neg, 3 abs.\n",
-   1, 1, mat3x3_from_euler_xyz_loops},
+   1, 1, "", mat3x3_from_euler_xyz_loops},
   {"euler_xyz_from_mat3x3", "(3,3)->(3)",
     "angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in\n"
     "[-π/2, π/2]; c = 0 in gimbal lock.\n"
@@ -2344,13 +2506,13 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "93 mul, 108 add, 5 div, 1 sqrt, 4 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.  The\n"
     "rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock too;\n"
     "searched, not proved.\n",
-   1, 1, euler_xyz_from_mat3x3_loops},
+   1, 1, "R", euler_xyz_from_mat3x3_loops},
   {"mat3x3_from_euler_xyx", "(3)->(3,3)",
     "R = R_x(a) R_y(b) R_x(c), angles = (a, b, c).\n"
     "\n"
     "(3)->(3,3).  angles: vector; R: rotation or other 3×3 matrix.\n"
     "98 mul, 103 add, 2 neg, 3 abs.\n",
-   1, 1, mat3x3_from_euler_xyx_loops},
+   1, 1, "", mat3x3_from_euler_xyx_loops},
   {"euler_xyx_from_mat3x3", "(3,3)->(3)",
     "angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in\n"
     "[0, π]; c = 0 in gimbal lock.\n"
@@ -2359,7 +2521,7 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "93 mul, 108 add, 5 div, 1 sqrt, 3 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.  The\n"
     "rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock too;\n"
     "searched, not proved.\n",
-   1, 1, euler_xyx_from_mat3x3_loops},
+   1, 1, "R", euler_xyx_from_mat3x3_loops},
   {"mat3x3_jacobi", "(3,3),(3,3)->(3,3),(3,3)",
     "A = J^T A J, V = V J: Jacobi's rotation J in the xy plane, by the smaller angle that makes\n"
     "A_xy zero; then y, z, x become x, y, z.  A is symmetric, only its lower triangle is read.\n"
@@ -2368,7 +2530,26 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "(3,3),(3,3)->(3,3),(3,3).  A, V: rotation or other 3×3 matrix.\n"
     "21 mul, 14 add, 3 div, 2 sqrt, 1 neg, 1 abs, 1 less, 1 equal, 3 select.  V A V^T changes by\n"
     "at most 28 u max |A| for orthonormal V; searched, not proved.\n",
-   2, 2, mat3x3_jacobi_loops},
+   2, 2, ".R", mat3x3_jacobi_loops},
+  {"mat3x3_rotation_defect", "(3,3)->()",
+    "the largest of |det R - 1| and |R^T R - I|_ij: 0 for a rotation, 2 for a reflection, NaN if\n"
+    "an entry is NaN.\n"
+    "\n"
+    "(3,3)->().  R: rotation or other 3×3 matrix; defect: number.\n"
+    "27 mul, 21 add, 7 abs, 6 less, 6 select.  Error <= 6 u near a rotation; measured, not\n"
+    "proved.\n",
+   1, 1, "", mat3x3_rotation_defect_loops},
+  {"mat3x3_nearest_rotation", "(3,3)->(3,3)",
+    "Ro = the rotation nearest to A, U diag(1, 1, ±1) V^T of A = U diag(s1, s2, s3) V^T: no\n"
+    "rotation R has a larger tr R^T A or a smaller |R - A|.  For every finite A but 0, for which\n"
+    "it is NaN; where several are equally near (s2 ± s3 = 0: reflections with s2 = s3, matrices\n"
+    "of rank 1) one of them.\n"
+    "\n"
+    "(3,3)->(3,3).  A, Ro: rotation or other 3×3 matrix.\n"
+    "645 mul, 400 add, 51 div, 32 sqrt, 37 neg, 42 abs, 59 less, 34 equal, 168 select.  |Ro -\n"
+    "nearest|_F <= 16 u s1 / (s2 ± s3), + if det A > 0, and |Ro^T Ro - I|_ij <= 6 u; measured,\n"
+    "not proved.\n",
+   1, 1, "M", mat3x3_nearest_rotation_loops},
   {"mat3x3_from_axis_angle", "(3),()->(3,3)",
     "R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; otherwise R is\n"
     "not a rotation.\n"
@@ -2376,15 +2557,15 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "(3),()->(3,3).  axis: vector; angle: number; R: rotation or other 3×3 matrix.\n"
     "71 mul, 79 add, 2 abs, 1 less, 1 select.  Error <= R: 9 u of its largest component for\n"
     "|axis| = 1; searched, not proved.\n",
-   2, 1, mat3x3_from_axis_angle_loops},
+   2, 1, "", mat3x3_from_axis_angle_loops},
   {"axis_angle_from_mat3x3", "(3,3)->(),(3)",
     "angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0.\n"
     "\n"
     "(3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.\n"
     "37 mul, 51 add, 4 div, 1 sqrt, 6 neg, 5 abs, 2 copysign, 18 less, 2 equal, 40 select.  Error\n"
     "<= angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not proved.\n",
-   1, 2, axis_angle_from_mat3x3_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+   1, 2, "R", axis_angle_from_mat3x3_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

@@ -398,32 +398,32 @@ const coscrew_gufunc TABLE(mat4x4)[] = {
     "\n"
     "(3,4)->(4,4).  D: displacement [R | t], R rotation, t in m; M: 4×4 matrix.\n"
     "No arithmetic.  Exact.\n",
-   1, 1, mat4x4_fromSE3_loops},
+   1, 1, "", mat4x4_fromSE3_loops},
   {"mat4x4_fromRt", "(3,3),(3)->(4,4)",
     "M = [[R, t], [0, 1]].\n"
     "\n"
     "(3,3),(3)->(4,4).  R: rotation or other 3×3 matrix; t: vector; M: 4×4 matrix.\n"
     "No arithmetic.  Exact.\n",
-   2, 1, mat4x4_fromRt_loops},
+   2, 1, "R.", mat4x4_fromRt_loops},
   {"mat4x4_toSE3", "(4,4)->(3,4)",
     "D = [R | t], the first three rows of M.\n"
     "\n"
     "(4,4)->(3,4).  M: 4×4 matrix; D: displacement [R | t], R rotation, t in m.\n"
     "No arithmetic.  Exact.\n",
-   1, 1, mat4x4_toSE3_loops},
+   1, 1, "", mat4x4_toSE3_loops},
   {"mat4x4_setIdentity", "(4,4)->(4,4)",
     "self = I.\n"
     "\n"
     "(4,4)->(4,4).  self: 4×4 matrix.\n"
     "No arithmetic.  Exact.\n",
-   1, 1, mat4x4_setIdentity_loops},
+   1, 1, "", mat4x4_setIdentity_loops},
   {"mat4x4_getTranslation", "(4,4)->(3)",
     "t, the first three entries of the last column of M.\n"
     "\n"
     "(4,4)->(3).  M: 4×4 matrix; t: vector.\n"
     "No arithmetic.  Exact.\n",
-   1, 1, mat4x4_getTranslation_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+   1, 1, "", mat4x4_getTranslation_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

@@ -404,19 +404,19 @@ const coscrew_gufunc TABLE(mat6x6)[] = {
     "\n"
     "(6,6)->(6,6).  M, Mo: 6×6 operator.\n"
     "No arithmetic.  Exact.\n",
-   1, 1, mat6x6_copy_loops},
+   1, 1, "", mat6x6_copy_loops},
   {"mat6x6_setIdentity", "(6,6)->(6,6)",
     "self = I.\n"
     "\n"
     "(6,6)->(6,6).  self: 6×6 operator.\n"
     "No arithmetic.  Exact.\n",
-   1, 1, mat6x6_setIdentity_loops},
+   1, 1, "", mat6x6_setIdentity_loops},
   {"mat6x6_transposed", "(6,6)->(6,6)",
     "Mo = M^T.\n"
     "\n"
     "(6,6)->(6,6).  M, Mo: 6×6 operator.\n"
     "No arithmetic.  Exact.\n",
-   1, 1, mat6x6_transposed_loops},
+   1, 1, "", mat6x6_transposed_loops},
   {"mat6x6_rotated", "(3,3),(6,6)->(6,6)",
     "Mo = [Ad]*(R) M [Ad]^-1(R), the articulated inertia M rotated by R; M is symmetric, only its\n"
     "lower triangle is read.\n"
@@ -424,7 +424,7 @@ const coscrew_gufunc TABLE(mat6x6)[] = {
     "(3,3),(6,6)->(6,6).  R: rotation or other 3×3 matrix; M, Mo: 6×6 operator.\n"
     "144 mul, 96 add.  Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, mat6x6_rotated_loops},
+   2, 1, "R.", mat6x6_rotated_loops},
   {"mat6x6_shifted", "(3),(6,6)->(6,6)",
     "Mo = [Ad]*(t) M [Ad]^-1(t), the articulated inertia M shifted by t; M is symmetric, only its\n"
     "lower triangle is read.\n"
@@ -432,8 +432,8 @@ const coscrew_gufunc TABLE(mat6x6)[] = {
     "(3),(6,6)->(6,6).  t: vector; M, Mo: 6×6 operator.\n"
     "39 mul, 42 add.  Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, mat6x6_shifted_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+   2, 1, "", mat6x6_shifted_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

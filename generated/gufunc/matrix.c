@@ -3581,84 +3581,84 @@ const coscrew_gufunc TABLE(matrix)[] = {
     "(3,3),(3)->(3).  R: rotation or other 3×3 matrix; v, vo: vector.\n"
     "9 mul, 6 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, product_drv_loops},
+   2, 1, "", product_drv_loops},
   {"product_drvinv", "(3,3),(3)->(3)",
     "vo = R (-v).\n"
     "\n"
     "(3,3),(3)->(3).  R: rotation or other 3×3 matrix; v, vo: vector.\n"
     "9 mul, 6 add, 3 neg.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, product_drvinv_loops},
+   2, 1, "", product_drvinv_loops},
   {"product_drinvv", "(3,3),(3)->(3)",
     "vo = R^T v.\n"
     "\n"
     "(3,3),(3)->(3).  R: rotation or other 3×3 matrix; v, vo: vector.\n"
     "9 mul, 6 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, product_drinvv_loops},
+   2, 1, "", product_drinvv_loops},
   {"product_drinvvinv", "(3,3),(3)->(3)",
     "vo = R^T (-v).\n"
     "\n"
     "(3,3),(3)->(3).  R: rotation or other 3×3 matrix; v, vo: vector.\n"
     "9 mul, 6 add, 3 neg.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, product_drinvvinv_loops},
+   2, 1, "", product_drinvvinv_loops},
   {"product_dv", "(3,4),(3)->(3)",
     "vo = R v + t.\n"
     "\n"
     "(3,4),(3)->(3).  D: displacement [R | t], R rotation, t in m; v, vo: vector.\n"
     "9 mul, 9 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, product_dv_loops},
+   2, 1, "R.", product_dv_loops},
   {"product_dinvv", "(3,4),(3)->(3)",
     "vo = R^T (v - t).\n"
     "\n"
     "(3,4),(3)->(3).  D: displacement [R | t], R rotation, t in m; v, vo: vector.\n"
     "9 mul, 9 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, product_dinvv_loops},
+   2, 1, "R.", product_dinvv_loops},
   {"product_drdr", "(3,3),(3,3)->(3,3)",
     "Ro = R1 R2.\n"
     "\n"
     "(3,3),(3,3)->(3,3).  R1, R2, Ro: rotation or other 3×3 matrix.\n"
     "27 mul, 18 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, product_drdr_loops},
+   2, 1, "", product_drdr_loops},
   {"product_drdrinv", "(3,3),(3,3)->(3,3)",
     "Ro = R1 R2^T.\n"
     "\n"
     "(3,3),(3,3)->(3,3).  R1, R2, Ro: rotation or other 3×3 matrix.\n"
     "27 mul, 18 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, product_drdrinv_loops},
+   2, 1, "", product_drdrinv_loops},
   {"product_drinvdr", "(3,3),(3,3)->(3,3)",
     "Ro = R1^T R2.\n"
     "\n"
     "(3,3),(3,3)->(3,3).  R1, R2, Ro: rotation or other 3×3 matrix.\n"
     "27 mul, 18 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, product_drinvdr_loops},
+   2, 1, "", product_drinvdr_loops},
   {"product_dd", "(3,4),(3,4)->(3,4)",
     "Do = D1 D2 = [R1 R2 | R1 t2 + t1].\n"
     "\n"
     "(3,4),(3,4)->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m.\n"
     "36 mul, 27 add.  Error <= u |result| + (R: 2, t: 3) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, product_dd_loops},
+   2, 1, "RR", product_dd_loops},
   {"product_ddinv", "(3,4),(3,4)->(3,4)",
     "Do = D1 D2^-1 = [R | t1 - R t2], R = R1 R2^T.\n"
     "\n"
     "(3,4),(3,4)->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m.\n"
     "36 mul, 27 add.  Error <= u |result| + (R: 2, t: 6) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, product_ddinv_loops},
+   2, 1, "RR", product_ddinv_loops},
   {"product_dinvd", "(3,4),(3,4)->(3,4)",
     "Do = D1^-1 D2 = [R1^T R2 | R1^T (t2 - t1)].\n"
     "\n"
     "(3,4),(3,4)->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m.\n"
     "36 mul, 27 add.  Error <= u |result| + (R: 2, t: 3) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, product_dinvd_loops},
+   2, 1, "RR", product_dinvd_loops},
   {"product_ddr", "(3,4),(3,3)->(3,4)",
     "Do = D [R | 0].\n"
     "\n"
@@ -3666,7 +3666,7 @@ const coscrew_gufunc TABLE(matrix)[] = {
     "3×3 matrix.\n"
     "27 mul, 18 add.  Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, product_ddr_loops},
+   2, 1, "RR", product_ddr_loops},
   {"product_ddrinv", "(3,4),(3,3)->(3,4)",
     "Do = D [R^T | 0].\n"
     "\n"
@@ -3674,191 +3674,191 @@ const coscrew_gufunc TABLE(matrix)[] = {
     "3×3 matrix.\n"
     "27 mul, 18 add.  Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, product_ddrinv_loops},
+   2, 1, "RR", product_ddrinv_loops},
   {"product_ddt", "(3,4),(3)->(3,4)",
     "Do = D [I | t].\n"
     "\n"
     "(3,4),(3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; t: vector.\n"
     "9 mul, 9 add.  Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, product_ddt_loops},
+   2, 1, "R.", product_ddt_loops},
   {"product_ddtinv", "(3,4),(3)->(3,4)",
     "Do = D [I | -t].\n"
     "\n"
     "(3,4),(3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; t: vector.\n"
     "9 mul, 9 add.  Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, product_ddtinv_loops},
+   2, 1, "R.", product_ddtinv_loops},
   {"product_dinvdt", "(3,4),(3)->(3,4)",
     "Do = D^-1 [I | t] = [R^T | R^T (t - t_D)].\n"
     "\n"
     "(3,4),(3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; t: vector.\n"
     "9 mul, 9 add.  Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, product_dinvdt_loops},
+   2, 1, "R.", product_dinvdt_loops},
   {"product_drvtx", "(3,3),()->(3)",
     "vo = R (k e_x).\n"
     "\n"
     "(3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.\n"
     "3 mul.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, product_drvtx_loops},
+   2, 1, "", product_drvtx_loops},
   {"product_drdrx", "(3,3),(2)->(3,3)",
     "Ro = R R_x(θ), dc = (sin θ, cos θ).\n"
     "\n"
     "(3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).\n"
     "12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, product_drdrx_loops},
+   2, 1, "", product_drdrx_loops},
   {"product_ddrx", "(3,4),(2)->(3,4)",
     "Do = D [R_x(θ) | 0], dc = (sin θ, cos θ).\n"
     "\n"
     "(3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).\n"
     "12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, product_ddrx_loops},
+   2, 1, "R.", product_ddrx_loops},
   {"product_ddtx", "(3,4),()->(3,4)",
     "Do = D [I | k e_x].\n"
     "\n"
     "(3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.\n"
     "3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, product_ddtx_loops},
+   2, 1, "R.", product_ddtx_loops},
   {"product_drvtxinv", "(3,3),()->(3)",
     "vo = R (-k e_x).\n"
     "\n"
     "(3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.\n"
     "3 mul, 3 neg.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, product_drvtxinv_loops},
+   2, 1, "", product_drvtxinv_loops},
   {"product_drdrxinv", "(3,3),(2)->(3,3)",
     "Ro = R R_x(-θ), dc = (sin θ, cos θ).\n"
     "\n"
     "(3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).\n"
     "12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, product_drdrxinv_loops},
+   2, 1, "", product_drdrxinv_loops},
   {"product_ddrxinv", "(3,4),(2)->(3,4)",
     "Do = D [R_x(-θ) | 0], dc = (sin θ, cos θ).\n"
     "\n"
     "(3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).\n"
     "12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, product_ddrxinv_loops},
+   2, 1, "R.", product_ddrxinv_loops},
   {"product_ddtxinv", "(3,4),()->(3,4)",
     "Do = D [I | -k e_x].\n"
     "\n"
     "(3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.\n"
     "3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, product_ddtxinv_loops},
+   2, 1, "R.", product_ddtxinv_loops},
   {"product_drvty", "(3,3),()->(3)",
     "vo = R (k e_y).\n"
     "\n"
     "(3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.\n"
     "3 mul.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, product_drvty_loops},
+   2, 1, "", product_drvty_loops},
   {"product_drdry", "(3,3),(2)->(3,3)",
     "Ro = R R_y(θ), dc = (sin θ, cos θ).\n"
     "\n"
     "(3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).\n"
     "12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, product_drdry_loops},
+   2, 1, "", product_drdry_loops},
   {"product_ddry", "(3,4),(2)->(3,4)",
     "Do = D [R_y(θ) | 0], dc = (sin θ, cos θ).\n"
     "\n"
     "(3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).\n"
     "12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, product_ddry_loops},
+   2, 1, "R.", product_ddry_loops},
   {"product_ddty", "(3,4),()->(3,4)",
     "Do = D [I | k e_y].\n"
     "\n"
     "(3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.\n"
     "3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, product_ddty_loops},
+   2, 1, "R.", product_ddty_loops},
   {"product_drvtyinv", "(3,3),()->(3)",
     "vo = R (-k e_y).\n"
     "\n"
     "(3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.\n"
     "3 mul, 3 neg.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, product_drvtyinv_loops},
+   2, 1, "", product_drvtyinv_loops},
   {"product_drdryinv", "(3,3),(2)->(3,3)",
     "Ro = R R_y(-θ), dc = (sin θ, cos θ).\n"
     "\n"
     "(3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).\n"
     "12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, product_drdryinv_loops},
+   2, 1, "", product_drdryinv_loops},
   {"product_ddryinv", "(3,4),(2)->(3,4)",
     "Do = D [R_y(-θ) | 0], dc = (sin θ, cos θ).\n"
     "\n"
     "(3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).\n"
     "12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, product_ddryinv_loops},
+   2, 1, "R.", product_ddryinv_loops},
   {"product_ddtyinv", "(3,4),()->(3,4)",
     "Do = D [I | -k e_y].\n"
     "\n"
     "(3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.\n"
     "3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, product_ddtyinv_loops},
+   2, 1, "R.", product_ddtyinv_loops},
   {"product_drvtz", "(3,3),()->(3)",
     "vo = R (k e_z).\n"
     "\n"
     "(3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.\n"
     "3 mul.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, product_drvtz_loops},
+   2, 1, "", product_drvtz_loops},
   {"product_drdrz", "(3,3),(2)->(3,3)",
     "Ro = R R_z(θ), dc = (sin θ, cos θ).\n"
     "\n"
     "(3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).\n"
     "12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, product_drdrz_loops},
+   2, 1, "", product_drdrz_loops},
   {"product_ddrz", "(3,4),(2)->(3,4)",
     "Do = D [R_z(θ) | 0], dc = (sin θ, cos θ).\n"
     "\n"
     "(3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).\n"
     "12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, product_ddrz_loops},
+   2, 1, "R.", product_ddrz_loops},
   {"product_ddtz", "(3,4),()->(3,4)",
     "Do = D [I | k e_z].\n"
     "\n"
     "(3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.\n"
     "3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, product_ddtz_loops},
+   2, 1, "R.", product_ddtz_loops},
   {"product_drvtzinv", "(3,3),()->(3)",
     "vo = R (-k e_z).\n"
     "\n"
     "(3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.\n"
     "3 mul, 3 neg.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, product_drvtzinv_loops},
+   2, 1, "", product_drvtzinv_loops},
   {"product_drdrzinv", "(3,3),(2)->(3,3)",
     "Ro = R R_z(-θ), dc = (sin θ, cos θ).\n"
     "\n"
     "(3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).\n"
     "12 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, product_drdrzinv_loops},
+   2, 1, "", product_drdrzinv_loops},
   {"product_ddrzinv", "(3,4),(2)->(3,4)",
     "Do = D [R_z(-θ) | 0], dc = (sin θ, cos θ).\n"
     "\n"
     "(3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).\n"
     "12 mul, 6 add.  Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, product_ddrzinv_loops},
+   2, 1, "R.", product_ddrzinv_loops},
   {"product_ddtzinv", "(3,4),()->(3,4)",
     "Do = D [I | -k e_z].\n"
     "\n"
     "(3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.\n"
     "3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, product_ddtzinv_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+   2, 1, "R.", product_ddtzinv_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

@@ -34,7 +34,13 @@ static const coscrew_gufunc *const *best_families(void) {
 
 /* The type numbers of each loop: as many as the gufunc with the most arguments needs. */
 enum { MOST_ARGUMENTS = 9, LOOPS = 2 };
-static void *no_data[LOOPS];
+
+/* Each ufunc's data: its entry of the table, for every loop. */
+static void *data[326][LOOPS];
+
+/* The entries of those that refuse arguments, for ufuncs that do not. */
+static coscrew_gufunc taking_all[326];
+static void *data_taking_all[326][LOOPS];
 
 static char types[MOST_ARGUMENTS + 1][LOOPS * (MOST_ARGUMENTS + 1)];
 
@@ -47,15 +53,35 @@ static void fill_types(void) {
   }
 }
 
+static int add_gufunc(
+    PyObject *module, const coscrew_gufunc *g, void **own_data, const char *prefix) {
+  for (int k = 0; k < LOOPS; k++) {
+    own_data[k] = (void *)g;
+  }
+  PyObject *ufunc = PyUFunc_FromFuncAndDataAndSignature(
+      g->loops, own_data, types[g->inputs + g->outputs], LOOPS, g->inputs, g->outputs,
+      PyUFunc_None, g->name, g->doc, 0, g->signature);
+  PyObject *name = PyUnicode_FromFormat("%s%s", prefix, g->name);
+  const int failed = ufunc == NULL || name == NULL || coscrew_add_promoter(ufunc) < 0
+      || PyObject_SetAttr(module, name, ufunc) < 0;
+  Py_XDECREF(name);
+  Py_XDECREF(ufunc);
+  return failed ? -1 : 0;
+}
+
+/* Adds each gufunc, and one called unchecked_… for each that refuses arguments. */
 static int add_gufuncs(PyObject *module, const coscrew_gufunc *g) {
-  for (; g->name != NULL; g++) {
-    PyObject *ufunc = PyUFunc_FromFuncAndDataAndSignature(
-        g->loops, no_data, types[g->inputs + g->outputs], LOOPS, g->inputs, g->outputs,
-        PyUFunc_None, g->name, g->doc, 0, g->signature);
-    if (ufunc == NULL || coscrew_add_promoter(ufunc) < 0
-        || PyModule_AddObject(module, g->name, ufunc) < 0) {
-      Py_XDECREF(ufunc);
+  static size_t number = 0;
+  for (; g->name != NULL; g++, number++) {
+    if (add_gufunc(module, g, data[number], "") < 0) {
       return -1;
+    }
+    if (g->required[0] != 0) {
+      taking_all[number] = *g;
+      taking_all[number].required = "";
+      if (add_gufunc(module, &taking_all[number], data_taking_all[number], "unchecked_") < 0) {
+        return -1;
+      }
     }
   }
   return 0;
@@ -80,7 +106,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "a1c14a989eba5e82") < 0
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "79b38895b548984f") < 0
       || PyModule_AddStringConstant(
           module, "LOOPS", families == baseline ? "baseline" : "AVX2") < 0) {
     Py_DECREF(module);

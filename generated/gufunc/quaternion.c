@@ -595,6 +595,168 @@ static void quaternion_normalized_single(
 static PyUFuncGenericFunction quaternion_normalized_loops[] = {
     quaternion_normalized_double, quaternion_normalized_single};
 
+/* (4)->() */
+INLINED void quaternion_unit_defect_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_quaternion_t q;
+  load_quaternion_double(&q, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    double defect;
+    if (step[0] != 0) {
+      load_quaternion_double(&q, p0 + i * step[0], core + 0);
+    }
+    defect = ksl_quaternion_unit_defect(&q);
+    store_scalar_double(&defect, p1 + i * step[1], core + 1);
+  }
+}
+
+static void quaternion_unit_defect_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 32, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    quaternion_unit_defect_double_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    quaternion_unit_defect_double_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  quaternion_unit_defect_double_over(data, n[0], step, step + 2);
+}
+
+/* (4)->() */
+INLINED void quaternion_unit_defect_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_quaternionf_t q;
+  load_quaternion_single(&q, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    float defect;
+    if (step[0] != 0) {
+      load_quaternion_single(&q, p0 + i * step[0], core + 0);
+    }
+    defect = ksl_quaternionf_unit_defect(&q);
+    store_scalar_single(&defect, p1 + i * step[1], core + 1);
+  }
+}
+
+static void quaternion_unit_defect_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 16, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    quaternion_unit_defect_single_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    quaternion_unit_defect_single_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  quaternion_unit_defect_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction quaternion_unit_defect_loops[] = {
+    quaternion_unit_defect_double, quaternion_unit_defect_single};
+
+/* (4)->(4) */
+INLINED void quaternion_nearest_unit_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_quaternion_t q;
+  load_quaternion_double(&q, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_quaternion_t qo;
+    if (step[0] != 0) {
+      load_quaternion_double(&q, p0 + i * step[0], core + 0);
+    }
+    ksl_quaternion_nearest_unit(&q, &qo);
+    store_quaternion_double(&qo, p1 + i * step[1], core + 1);
+  }
+}
+
+static void quaternion_nearest_unit_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 32, 32, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    quaternion_nearest_unit_double_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 32, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    quaternion_nearest_unit_double_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  quaternion_nearest_unit_double_over(data, n[0], step, step + 2);
+}
+
+/* (4)->(4) */
+INLINED void quaternion_nearest_unit_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_quaternionf_t q;
+  load_quaternion_single(&q, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_quaternionf_t qo;
+    if (step[0] != 0) {
+      load_quaternion_single(&q, p0 + i * step[0], core + 0);
+    }
+    ksl_quaternionf_nearest_unit(&q, &qo);
+    store_quaternion_single(&qo, p1 + i * step[1], core + 1);
+  }
+}
+
+static void quaternion_nearest_unit_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 16, 16, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    quaternion_nearest_unit_single_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 16, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    quaternion_nearest_unit_single_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  quaternion_nearest_unit_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction quaternion_nearest_unit_loops[] = {
+    quaternion_nearest_unit_double, quaternion_nearest_unit_single};
+
 /* (4),(3)->(3) */
 INLINED void rotate_qv_double_over(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
@@ -5130,295 +5292,307 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "\n"
     "(4)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last.\n"
     "No arithmetic.  Exact.\n",
-   1, 1, quaternion_copy_loops},
+   1, 1, "", quaternion_copy_loops},
   {"quaternion_scale", "(4),()->(4)",
     "self = a self.\n"
     "\n"
     "(4),()->(4).  self: quaternion (x, y, z, w), the scalar last; a: number.\n"
     "4 mul.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, quaternion_scale_loops},
+   2, 1, "", quaternion_scale_loops},
   {"axpy_qq", "(),(4),(4)->(4)",
     "y = a x + y.\n"
     "\n"
     "(),(4),(4)->(4).  a: number; x, y: quaternion (x, y, z, w), the scalar last.\n"
     "4 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   3, 1, axpy_qq_loops},
+   3, 1, "", axpy_qq_loops},
   {"quaternion_setIdentity", "(4)->(4)",
     "self = (0; 1).\n"
     "\n"
     "(4)->(4).  self: quaternion (x, y, z, w), the scalar last.\n"
     "No arithmetic.  Exact.\n",
-   1, 1, quaternion_setIdentity_loops},
+   1, 1, "", quaternion_setIdentity_loops},
   {"quaternion_conjugated", "(4)->(4)",
     "qo = (-v; w), the inverse of q if |q| = 1.\n"
     "\n"
     "(4)->(4).  q, qo: quaternion (x, y, z, w), the scalar last.\n"
     "3 neg.  Exact.\n",
-   1, 1, quaternion_conjugated_loops},
+   1, 1, "", quaternion_conjugated_loops},
   {"quaternion_norm", "(4)->()",
     "|q| = sqrt(v·v + w^2).\n"
     "\n"
     "(4)->().  q: quaternion (x, y, z, w), the scalar last; norm: number.\n"
     "9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select.\n",
-   1, 1, quaternion_norm_loops},
+   1, 1, "", quaternion_norm_loops},
   {"quaternion_normalize", "(4)->(4)",
     "self = self / |self|; zero stays zero.\n"
     "\n"
     "(4)->(4).  self: quaternion (x, y, z, w), the scalar last.\n"
     "16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.\n",
-   1, 1, quaternion_normalize_loops},
+   1, 1, "", quaternion_normalize_loops},
   {"quaternion_normalized", "(4)->(4)",
     "qo = q / |q|; zero stays zero.\n"
     "\n"
     "(4)->(4).  q, qo: quaternion (x, y, z, w), the scalar last.\n"
     "16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.\n",
-   1, 1, quaternion_normalized_loops},
+   1, 1, "", quaternion_normalized_loops},
+  {"quaternion_unit_defect", "(4)->()",
+    "|q| - 1: 0 for a unit quaternion, negative for a shorter one.\n"
+    "\n"
+    "(4)->().  q: quaternion (x, y, z, w), the scalar last; defect: number.\n"
+    "9 mul, 4 add, 1 sqrt, 4 abs, 9 less, 9 select.\n",
+   1, 1, "", quaternion_unit_defect_loops},
+  {"quaternion_nearest_unit", "(4)->(4)",
+    "qo = q / |q|, the unit quaternion nearest to q; NaN for zero, which has none.\n"
+    "\n"
+    "(4)->(4).  q, qo: quaternion (x, y, z, w), the scalar last.\n"
+    "8 mul, 3 add, 4 div, 1 sqrt, 4 abs, 6 less, 1 equal, 11 select.\n",
+   1, 1, "N", quaternion_nearest_unit_loops},
   {"rotate_qv", "(4),(3)->(3)",
     "vo = R(q) v, |q| = 1.\n"
     "\n"
     "(4),(3)->(3).  q: quaternion (x, y, z, w), the scalar last; v, vo: vector.\n"
     "18 mul, 12 add.  Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, rotate_qv_loops},
+   2, 1, "U.", rotate_qv_loops},
   {"rotate_qconjv", "(4),(3)->(3)",
     "vo = R(q)^T v, |q| = 1.\n"
     "\n"
     "(4),(3)->(3).  q: quaternion (x, y, z, w), the scalar last; v, vo: vector.\n"
     "18 mul, 12 add.  Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, rotate_qconjv_loops},
+   2, 1, "U.", rotate_qconjv_loops},
   {"quaternion_product_qq", "(4),(4)->(4)",
     "qo = q1i q2i.\n"
     "\n"
     "(4),(4)->(4).  q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.\n"
     "16 mul, 12 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, quaternion_product_qq_loops},
+   2, 1, "", quaternion_product_qq_loops},
   {"quaternion_product_qqconj", "(4),(4)->(4)",
     "qo = q1i q2i*.\n"
     "\n"
     "(4),(4)->(4).  q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.\n"
     "16 mul, 12 add.  Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, quaternion_product_qqconj_loops},
+   2, 1, "", quaternion_product_qqconj_loops},
   {"quaternion_product_qconjq", "(4),(4)->(4)",
     "qo = q1i* q2i.\n"
     "\n"
     "(4),(4)->(4).  q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.\n"
     "16 mul, 12 add.  Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, quaternion_product_qconjq_loops},
+   2, 1, "", quaternion_product_qconjq_loops},
   {"quaternion_product_qconjqconj", "(4),(4)->(4)",
     "qo = q1i* q2i*.\n"
     "\n"
     "(4),(4)->(4).  q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.\n"
     "16 mul, 12 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, quaternion_product_qconjqconj_loops},
+   2, 1, "", quaternion_product_qconjqconj_loops},
   {"quaternion_product_qxq", "(2),(4)->(4)",
     "qo = (s e_x; c) qi, dci = (s, c), sine and cosine of half the angle.\n"
     "\n"
     "(2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.\n"
     "8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, quaternion_product_qxq_loops},
+   2, 1, "", quaternion_product_qxq_loops},
   {"quaternion_product_qxqconj", "(2),(4)->(4)",
     "qo = (s e_x; c) qi*, dci = (s, c), sine and cosine of half the angle.\n"
     "\n"
     "(2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.\n"
     "8 mul, 4 add, 1 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, quaternion_product_qxqconj_loops},
+   2, 1, "", quaternion_product_qxqconj_loops},
   {"quaternion_product_qxconjq", "(2),(4)->(4)",
     "qo = (s e_x; c)* qi, dci = (s, c), sine and cosine of half the angle.\n"
     "\n"
     "(2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.\n"
     "8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, quaternion_product_qxconjq_loops},
+   2, 1, "", quaternion_product_qxconjq_loops},
   {"quaternion_product_qxconjqconj", "(2),(4)->(4)",
     "qo = (s e_x; c)* qi*, dci = (s, c), sine and cosine of half the angle.\n"
     "\n"
     "(2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.\n"
     "8 mul, 4 add, 2 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, quaternion_product_qxconjqconj_loops},
+   2, 1, "", quaternion_product_qxconjqconj_loops},
   {"quaternion_product_qqx", "(4),(2)->(4)",
     "qo = qi (s e_x; c), dci = (s, c), sine and cosine of half the angle.\n"
     "\n"
     "(4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).\n"
     "8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, quaternion_product_qqx_loops},
+   2, 1, "", quaternion_product_qqx_loops},
   {"quaternion_product_qqxconj", "(4),(2)->(4)",
     "qo = qi (s e_x; c)*, dci = (s, c), sine and cosine of half the angle.\n"
     "\n"
     "(4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).\n"
     "8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, quaternion_product_qqxconj_loops},
+   2, 1, "", quaternion_product_qqxconj_loops},
   {"quaternion_product_qconjqx", "(4),(2)->(4)",
     "qo = qi* (s e_x; c), dci = (s, c), sine and cosine of half the angle.\n"
     "\n"
     "(4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).\n"
     "8 mul, 4 add, 1 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, quaternion_product_qconjqx_loops},
+   2, 1, "", quaternion_product_qconjqx_loops},
   {"quaternion_product_qconjqxconj", "(4),(2)->(4)",
     "qo = qi* (s e_x; c)*, dci = (s, c), sine and cosine of half the angle.\n"
     "\n"
     "(4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).\n"
     "8 mul, 4 add, 2 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, quaternion_product_qconjqxconj_loops},
+   2, 1, "", quaternion_product_qconjqxconj_loops},
   {"quaternion_product_qyq", "(2),(4)->(4)",
     "qo = (s e_y; c) qi, dci = (s, c), sine and cosine of half the angle.\n"
     "\n"
     "(2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.\n"
     "8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, quaternion_product_qyq_loops},
+   2, 1, "", quaternion_product_qyq_loops},
   {"quaternion_product_qyqconj", "(2),(4)->(4)",
     "qo = (s e_y; c) qi*, dci = (s, c), sine and cosine of half the angle.\n"
     "\n"
     "(2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.\n"
     "8 mul, 4 add, 1 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, quaternion_product_qyqconj_loops},
+   2, 1, "", quaternion_product_qyqconj_loops},
   {"quaternion_product_qyconjq", "(2),(4)->(4)",
     "qo = (s e_y; c)* qi, dci = (s, c), sine and cosine of half the angle.\n"
     "\n"
     "(2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.\n"
     "8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, quaternion_product_qyconjq_loops},
+   2, 1, "", quaternion_product_qyconjq_loops},
   {"quaternion_product_qyconjqconj", "(2),(4)->(4)",
     "qo = (s e_y; c)* qi*, dci = (s, c), sine and cosine of half the angle.\n"
     "\n"
     "(2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.\n"
     "8 mul, 4 add, 2 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, quaternion_product_qyconjqconj_loops},
+   2, 1, "", quaternion_product_qyconjqconj_loops},
   {"quaternion_product_qqy", "(4),(2)->(4)",
     "qo = qi (s e_y; c), dci = (s, c), sine and cosine of half the angle.\n"
     "\n"
     "(4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).\n"
     "8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, quaternion_product_qqy_loops},
+   2, 1, "", quaternion_product_qqy_loops},
   {"quaternion_product_qqyconj", "(4),(2)->(4)",
     "qo = qi (s e_y; c)*, dci = (s, c), sine and cosine of half the angle.\n"
     "\n"
     "(4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).\n"
     "8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, quaternion_product_qqyconj_loops},
+   2, 1, "", quaternion_product_qqyconj_loops},
   {"quaternion_product_qconjqy", "(4),(2)->(4)",
     "qo = qi* (s e_y; c), dci = (s, c), sine and cosine of half the angle.\n"
     "\n"
     "(4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).\n"
     "8 mul, 4 add, 1 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, quaternion_product_qconjqy_loops},
+   2, 1, "", quaternion_product_qconjqy_loops},
   {"quaternion_product_qconjqyconj", "(4),(2)->(4)",
     "qo = qi* (s e_y; c)*, dci = (s, c), sine and cosine of half the angle.\n"
     "\n"
     "(4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).\n"
     "8 mul, 4 add, 2 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, quaternion_product_qconjqyconj_loops},
+   2, 1, "", quaternion_product_qconjqyconj_loops},
   {"quaternion_product_qzq", "(2),(4)->(4)",
     "qo = (s e_z; c) qi, dci = (s, c), sine and cosine of half the angle.\n"
     "\n"
     "(2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.\n"
     "8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, quaternion_product_qzq_loops},
+   2, 1, "", quaternion_product_qzq_loops},
   {"quaternion_product_qzqconj", "(2),(4)->(4)",
     "qo = (s e_z; c) qi*, dci = (s, c), sine and cosine of half the angle.\n"
     "\n"
     "(2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.\n"
     "8 mul, 4 add, 1 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, quaternion_product_qzqconj_loops},
+   2, 1, "", quaternion_product_qzqconj_loops},
   {"quaternion_product_qzconjq", "(2),(4)->(4)",
     "qo = (s e_z; c)* qi, dci = (s, c), sine and cosine of half the angle.\n"
     "\n"
     "(2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.\n"
     "8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, quaternion_product_qzconjq_loops},
+   2, 1, "", quaternion_product_qzconjq_loops},
   {"quaternion_product_qzconjqconj", "(2),(4)->(4)",
     "qo = (s e_z; c)* qi*, dci = (s, c), sine and cosine of half the angle.\n"
     "\n"
     "(2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.\n"
     "8 mul, 4 add, 2 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, quaternion_product_qzconjqconj_loops},
+   2, 1, "", quaternion_product_qzconjqconj_loops},
   {"quaternion_product_qqz", "(4),(2)->(4)",
     "qo = qi (s e_z; c), dci = (s, c), sine and cosine of half the angle.\n"
     "\n"
     "(4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).\n"
     "8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, quaternion_product_qqz_loops},
+   2, 1, "", quaternion_product_qqz_loops},
   {"quaternion_product_qqzconj", "(4),(2)->(4)",
     "qo = qi (s e_z; c)*, dci = (s, c), sine and cosine of half the angle.\n"
     "\n"
     "(4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).\n"
     "8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, quaternion_product_qqzconj_loops},
+   2, 1, "", quaternion_product_qqzconj_loops},
   {"quaternion_product_qconjqz", "(4),(2)->(4)",
     "qo = qi* (s e_z; c), dci = (s, c), sine and cosine of half the angle.\n"
     "\n"
     "(4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).\n"
     "8 mul, 4 add, 1 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, quaternion_product_qconjqz_loops},
+   2, 1, "", quaternion_product_qconjqz_loops},
   {"quaternion_product_qconjqzconj", "(4),(2)->(4)",
     "qo = qi* (s e_z; c)*, dci = (s, c), sine and cosine of half the angle.\n"
     "\n"
     "(4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).\n"
     "8 mul, 4 add, 2 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, quaternion_product_qconjqzconj_loops},
+   2, 1, "", quaternion_product_qconjqzconj_loops},
   {"quaternion_product_qv", "(4),(3)->(4)",
     "qo = qi (vi; 0).\n"
     "\n"
     "(4),(3)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; vi: vector.\n"
     "12 mul, 8 add, 1 neg.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, quaternion_product_qv_loops},
+   2, 1, "", quaternion_product_qv_loops},
   {"quaternion_product_qconjv", "(4),(3)->(4)",
     "qo = qi* (vi; 0).\n"
     "\n"
     "(4),(3)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; vi: vector.\n"
     "12 mul, 8 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, quaternion_product_qconjv_loops},
+   2, 1, "", quaternion_product_qconjv_loops},
   {"quaternion_product_vq", "(3),(4)->(4)",
     "qo = (vi; 0) qi.\n"
     "\n"
     "(3),(4)->(4).  vi: vector; qi, qo: quaternion (x, y, z, w), the scalar last.\n"
     "12 mul, 8 add, 1 neg.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, quaternion_product_vq_loops},
+   2, 1, "", quaternion_product_vq_loops},
   {"quaternion_product_vqconj", "(3),(4)->(4)",
     "qo = (vi; 0) qi*.\n"
     "\n"
     "(3),(4)->(4).  vi: vector; qi, qo: quaternion (x, y, z, w), the scalar last.\n"
     "12 mul, 8 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, quaternion_product_vqconj_loops},
+   2, 1, "", quaternion_product_vqconj_loops},
   {"dot_qq", "(4),(4)->()",
     "q1i·q2i.\n"
     "\n"
     "(4),(4)->().  q1i, q2i: quaternion (x, y, z, w), the scalar last; dot: number.\n"
     "4 mul, 3 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, dot_qq_loops},
+   2, 1, "", dot_qq_loops},
   {"add_dpiToq", "(3),(4)->(4)",
     "qi = qi + qi (dpi; 0) / 2: rotated by the small rotation vector dpi in the rotated frame, to\n"
     "first order; not normalized.\n"
@@ -5426,14 +5600,14 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "(3),(4)->(4).  dpi: vector; qi: quaternion (x, y, z, w), the scalar last.\n"
     "15 mul, 12 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, add_dpiToq_loops},
+   2, 1, "", add_dpiToq_loops},
   {"subtract_dpiFromq", "(3),(4)->(4)",
     "qi = qi - qi (dpi; 0) / 2, the opposite of add_dpiToq to first order.\n"
     "\n"
     "(3),(4)->(4).  dpi: vector; qi: quaternion (x, y, z, w), the scalar last.\n"
     "15 mul, 12 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, subtract_dpiFromq_loops},
+   2, 1, "", subtract_dpiFromq_loops},
   {"omega_to_dquaternion", "(3),(4)->(4)",
     "dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the\n"
     "reference frame, rad/s, and a term that draws its norm to 1.\n"
@@ -5441,21 +5615,21 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "(3),(4)->(4).  w: vector; qi, dqo: quaternion (x, y, z, w), the scalar last.\n"
     "23 mul, 16 add.  Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, omega_to_dquaternion_loops},
+   2, 1, "", omega_to_dquaternion_loops},
   {"mat3x3_from_quaternion", "(4)->(3,3)",
     "R = I + 2 (w v~ + v~^2) / q·q, for any nonzero q whose square neither over- nor underflows.\n"
     "\n"
     "(4)->(3,3).  q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.\n"
     "20 mul, 16 add, 1 div.  Error <= R: 8 u of its largest component for 2^-450 < |q| < 2^511,\n"
     "in single precision 2^-45 < |q| < 2^63; searched, not proved.\n",
-   1, 1, mat3x3_from_quaternion_loops},
+   1, 1, "N", mat3x3_from_quaternion_loops},
   {"quaternion_from_mat3x3", "(3,3)->(4)",
     "qo with R(qo) = R and w >= 0; if R is not quite a rotation, its defect carries over to qo.\n"
     "\n"
     "(3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.\n"
     "4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.  Error <= qo: 6 u of its largest\n"
     "component for R a rotation; searched, not proved.\n",
-   1, 1, quaternion_from_mat3x3_loops},
+   1, 1, "R", quaternion_from_mat3x3_loops},
   {"quaternion_from_axis_angle", "(3),()->(4)",
     "qo = (axis sin angle/2; cos angle/2); axis of length 1: with another |qo| is not 1, and its\n"
     "rotation is by another angle.\n"
@@ -5463,7 +5637,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "(3),()->(4).  axis: vector; angle: number; qo: quaternion (x, y, z, w), the scalar last.\n"
     "32 mul, 33 add, 1 abs.  Error <= qo: 3 u of its largest component for |axis| = 1; searched,\n"
     "not proved.\n",
-   2, 1, quaternion_from_axis_angle_loops},
+   2, 1, "", quaternion_from_axis_angle_loops},
   {"axis_angle_from_quaternion", "(4)->(),(3)",
     "angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) if the\n"
     "angle is 0; any multiple of a quaternion.\n"
@@ -5471,14 +5645,14 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "(4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.\n"
     "41 mul, 37 add, 4 div, 1 sqrt, 5 neg, 9 abs, 2 copysign, 19 less, 2 equal, 32 select.  Error\n"
     "<= angle: 6 u, axis: 4 u of its largest component; searched, not proved.\n",
-   1, 2, axis_angle_from_quaternion_loops},
+   1, 2, "N", axis_angle_from_quaternion_loops},
   {"quaternion_exp", "(3)->(4)",
     "qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v.\n"
     "\n"
     "(3)->(4).  v: vector; qo: quaternion (x, y, z, w), the scalar last.\n"
     "71 mul, 86 add, 2 div, 1 sqrt, 5 abs, 2 less, 6 select.  Error <= qo: (7 + θ/200) u of its\n"
     "largest component for |v| <= 1e13, in single precision 1e5; searched, not proved.\n",
-   1, 1, quaternion_exp_loops},
+   1, 1, "", quaternion_exp_loops},
   {"quaternion_log", "(4)->(3)",
     "vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of\n"
     "it.\n"
@@ -5486,7 +5660,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "(4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.\n"
     "44 mul, 37 add, 2 div, 1 sqrt, 5 neg, 9 abs, 2 copysign, 19 less, 2 equal, 31 select.  Error\n"
     "<= vo: 6 u of its largest component; searched, not proved.\n",
-   1, 1, quaternion_log_loops},
+   1, 1, "N", quaternion_log_loops},
   {"quaternion_interpolated", "(4),(4),()->(4)",
     "qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.\n"
     "\n"
@@ -5494,8 +5668,8 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "142 mul, 147 add, 4 div, 2 sqrt, 5 neg, 10 abs, 2 copysign, 17 less, 2 equal, 33 select.\n"
     "Error <= qo: 16 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <= 1;\n"
     "searched, not proved.\n",
-   3, 1, quaternion_interpolated_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+   3, 1, "UU.", quaternion_interpolated_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

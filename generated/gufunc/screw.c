@@ -3892,146 +3892,146 @@ const coscrew_gufunc TABLE(screw)[] = {
     "\n"
     "(6)->(6).  si, so: screw (v in m/s; ω in rad/s).\n"
     "No arithmetic.  Exact.\n",
-   1, 1, screw_copy_loops},
+   1, 1, "", screw_copy_loops},
   {"screw_scale", "(6),()->(6)",
     "self = a self.\n"
     "\n"
     "(6),()->(6).  self: screw (v in m/s; ω in rad/s); a: number.\n"
     "6 mul.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, screw_scale_loops},
+   2, 1, "", screw_scale_loops},
   {"screw_inverted", "(6)->(6)",
     "so = -si.\n"
     "\n"
     "(6)->(6).  si, so: screw (v in m/s; ω in rad/s).\n"
     "6 neg.  Exact.\n",
-   1, 1, screw_inverted_loops},
+   1, 1, "", screw_inverted_loops},
   {"screw_invert", "(6)->(6)",
     "self = -self.\n"
     "\n"
     "(6)->(6).  self: screw (v in m/s; ω in rad/s).\n"
     "6 neg.  Exact.\n",
-   1, 1, screw_invert_loops},
+   1, 1, "", screw_invert_loops},
   {"axpy_ss", "(),(6),(6)->(6)",
     "y = a x + y.\n"
     "\n"
     "(),(6),(6)->(6).  a: number; x, y: screw (v in m/s; ω in rad/s).\n"
     "6 mul, 6 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   3, 1, axpy_ss_loops},
+   3, 1, "", axpy_ss_loops},
   {"xpy_ss", "(6),(6)->(6)",
     "y = x + y.\n"
     "\n"
     "(6),(6)->(6).  x, y: screw (v in m/s; ω in rad/s).\n"
     "6 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, xpy_ss_loops},
+   2, 1, "", xpy_ss_loops},
   {"nxpy_ss", "(6),(6)->(6)",
     "y = -x + y.\n"
     "\n"
     "(6),(6)->(6).  x, y: screw (v in m/s; ω in rad/s).\n"
     "6 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, nxpy_ss_loops},
+   2, 1, "", nxpy_ss_loops},
   {"product_as", "(),(6)->(6)",
     "so = a si.\n"
     "\n"
     "(),(6)->(6).  a: number; si, so: screw (v in m/s; ω in rad/s).\n"
     "6 mul.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, product_as_loops},
+   2, 1, "", product_as_loops},
   {"add_ss", "(6),(6)->(6)",
     "so = s1 + s2.\n"
     "\n"
     "(6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).\n"
     "6 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, add_ss_loops},
+   2, 1, "", add_ss_loops},
   {"subtract_ss", "(6),(6)->(6)",
     "so = s1 - s2.\n"
     "\n"
     "(6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).\n"
     "6 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, subtract_ss_loops},
+   2, 1, "", subtract_ss_loops},
   {"screw_norm", "(6)->()",
     "|si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).\n"
     "\n"
     "(6)->().  si: screw (v in m/s; ω in rad/s); norm: number.\n"
     "7 mul, 2 add, 1 sqrt, 6 abs, 11 less, 1 equal, 14 select.\n",
-   1, 1, screw_norm_loops},
+   1, 1, "", screw_norm_loops},
   {"screw_normalize", "(6)->(6)",
     "self = self / |self|, with screw_norm; the zero screw stays zero.\n"
     "\n"
     "(6)->(6).  self: screw (v in m/s; ω in rad/s).\n"
     "18 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 2 equal, 26 select.\n",
-   1, 1, screw_normalize_loops},
+   1, 1, "", screw_normalize_loops},
   {"screw_normalized", "(6)->(6)",
     "so = si / |si|, with screw_norm; the zero screw stays zero.\n"
     "\n"
     "(6)->(6).  si, so: screw (v in m/s; ω in rad/s).\n"
     "18 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 2 equal, 26 select.\n",
-   1, 1, screw_normalized_loops},
+   1, 1, "", screw_normalized_loops},
   {"screw_from_lin_ang", "(3),(3)->(6)",
     "so = (lin; ang).\n"
     "\n"
     "(3),(3)->(6).  lin, ang: vector; so: screw (v in m/s; ω in rad/s).\n"
     "No arithmetic.  Exact.\n",
-   2, 1, screw_from_lin_ang_loops},
+   2, 1, "", screw_from_lin_ang_loops},
   {"screw_to_angular_first", "(6)->(6)",
     "x = (ang; lin) of si.\n"
     "\n"
     "(6)->(6).  si: screw (v in m/s; ω in rad/s); x: six components with the angular part on top.\n"
     "No arithmetic.  Exact.\n",
-   1, 1, screw_to_angular_first_loops},
+   1, 1, "", screw_to_angular_first_loops},
   {"screw_from_angular_first", "(6)->(6)",
     "so = (lin; ang) of x = (ang; lin).\n"
     "\n"
     "(6)->(6).  x: six components with the angular part on top; so: screw (v in m/s; ω in rad/s).\n"
     "No arithmetic.  Exact.\n",
-   1, 1, screw_from_angular_first_loops},
+   1, 1, "", screw_from_angular_first_loops},
   {"add_sst", "(6),(6)->(6)",
     "so = (s1.lin + s2.lin ; s1.ang).\n"
     "\n"
     "(6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).\n"
     "3 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, add_sst_loops},
+   2, 1, "", add_sst_loops},
   {"product_Adts", "(3),(6)->(6)",
     "so = [Ad](t) si.\n"
     "\n"
     "(3),(6)->(6).  t: vector; si, so: screw (v in m/s; ω in rad/s).\n"
     "6 mul, 6 add.  Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, product_Adts_loops},
+   2, 1, "", product_Adts_loops},
   {"product_Adtinvs", "(3),(6)->(6)",
     "so = [Ad](t)^-1 si.\n"
     "\n"
     "(3),(6)->(6).  t: vector; si, so: screw (v in m/s; ω in rad/s).\n"
     "6 mul, 6 add.  Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, product_Adtinvs_loops},
+   2, 1, "", product_Adtinvs_loops},
   {"product_Adtsinv", "(3),(6)->(6)",
     "so = [Ad](t) (-si).\n"
     "\n"
     "(3),(6)->(6).  t: vector; si, so: screw (v in m/s; ω in rad/s).\n"
     "6 mul, 6 add, 3 neg.  Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms|\n"
     "of the expanded formula; barring over- and underflow.\n",
-   2, 1, product_Adtsinv_loops},
+   2, 1, "", product_Adtsinv_loops},
   {"product_Adrs", "(3,3),(6)->(6)",
     "so = [Ad](R) si.\n"
     "\n"
     "(3,3),(6)->(6).  R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).\n"
     "18 mul, 12 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, product_Adrs_loops},
+   2, 1, "R.", product_Adrs_loops},
   {"product_Adrinvs", "(3,3),(6)->(6)",
     "so = [Ad](R)^-1 si.\n"
     "\n"
     "(3,3),(6)->(6).  R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).\n"
     "18 mul, 12 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, product_Adrinvs_loops},
+   2, 1, "R.", product_Adrinvs_loops},
   {"product_Adrsinv", "(3,3),(6)->(6)",
     "so = [Ad](R) (-si).\n"
     "\n"
     "(3,3),(6)->(6).  R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).\n"
     "18 mul, 12 add, 6 neg.  Error <= u |result| + 2 u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, product_Adrsinv_loops},
+   2, 1, "R.", product_Adrsinv_loops},
   {"product_Ads", "(3,4),(6)->(6)",
     "so = [Ad](D) si = [Ad](t) [Ad](R) si.\n"
     "\n"
@@ -4039,7 +4039,7 @@ const coscrew_gufunc TABLE(screw)[] = {
     "rad/s).\n"
     "24 mul, 18 add.  Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, product_Ads_loops},
+   2, 1, "R.", product_Ads_loops},
   {"product_Adinvs", "(3,4),(6)->(6)",
     "so = [Ad](D)^-1 si = [Ad](R^T) [Ad](-t) si.\n"
     "\n"
@@ -4047,7 +4047,7 @@ const coscrew_gufunc TABLE(screw)[] = {
     "rad/s).\n"
     "24 mul, 18 add.  Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, product_Adinvs_loops},
+   2, 1, "R.", product_Adinvs_loops},
   {"product_Adsinv", "(3,4),(6)->(6)",
     "so = [Ad](D) (-si).\n"
     "\n"
@@ -4055,99 +4055,99 @@ const coscrew_gufunc TABLE(screw)[] = {
     "rad/s).\n"
     "24 mul, 18 add, 6 neg.  Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms|\n"
     "of the expanded formula; barring over- and underflow.\n",
-   2, 1, product_Adsinv_loops},
+   2, 1, "R.", product_Adsinv_loops},
   {"hstx", "(3,4)->(6)",
     "so = h_tx: column 0 of [Ad](D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
     "No arithmetic.  Exact.\n",
-   1, 1, hstx_loops},
+   1, 1, "", hstx_loops},
   {"hsty", "(3,4)->(6)",
     "so = h_ty: column 1 of [Ad](D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
     "No arithmetic.  Exact.\n",
-   1, 1, hsty_loops},
+   1, 1, "", hsty_loops},
   {"hstz", "(3,4)->(6)",
     "so = h_tz: column 2 of [Ad](D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
     "No arithmetic.  Exact.\n",
-   1, 1, hstz_loops},
+   1, 1, "", hstz_loops},
   {"hsrx", "(3,4)->(6)",
     "so = h_rx: column 3 of [Ad](D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
     "6 mul, 3 add.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   1, 1, hsrx_loops},
+   1, 1, "R", hsrx_loops},
   {"hsry", "(3,4)->(6)",
     "so = h_ry: column 4 of [Ad](D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
     "6 mul, 3 add.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   1, 1, hsry_loops},
+   1, 1, "R", hsry_loops},
   {"hsrz", "(3,4)->(6)",
     "so = h_rz: column 5 of [Ad](D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
     "6 mul, 3 add.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   1, 1, hsrz_loops},
+   1, 1, "R", hsrz_loops},
   {"hstxinv", "(3,4)->(6)",
     "so = -h_tx: -column 0 of [Ad](D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
     "3 neg.  Exact.\n",
-   1, 1, hstxinv_loops},
+   1, 1, "R", hstxinv_loops},
   {"hstyinv", "(3,4)->(6)",
     "so = -h_ty: -column 1 of [Ad](D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
     "3 neg.  Exact.\n",
-   1, 1, hstyinv_loops},
+   1, 1, "R", hstyinv_loops},
   {"hstzinv", "(3,4)->(6)",
     "so = -h_tz: -column 2 of [Ad](D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
     "3 neg.  Exact.\n",
-   1, 1, hstzinv_loops},
+   1, 1, "R", hstzinv_loops},
   {"hsrxinv", "(3,4)->(6)",
     "so = -h_rx: -column 3 of [Ad](D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
     "6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms|\n"
     "of the expanded formula; barring over- and underflow.\n",
-   1, 1, hsrxinv_loops},
+   1, 1, "R", hsrxinv_loops},
   {"hsryinv", "(3,4)->(6)",
     "so = -h_ry: -column 4 of [Ad](D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
     "6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms|\n"
     "of the expanded formula; barring over- and underflow.\n",
-   1, 1, hsryinv_loops},
+   1, 1, "R", hsryinv_loops},
   {"hsrzinv", "(3,4)->(6)",
     "so = -h_rz: -column 5 of [Ad](D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
     "6 mul, 3 add, 3 neg.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms|\n"
     "of the expanded formula; barring over- and underflow.\n",
-   1, 1, hsrzinv_loops},
+   1, 1, "R", hsrzinv_loops},
   {"Ad", "(3,4)->(6,6)",
     "M = [Ad](D).\n"
     "\n"
     "(3,4)->(6,6).  D: displacement [R | t], R rotation, t in m; M: 6×6 operator.\n"
     "18 mul, 9 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   1, 1, Ad_loops},
+   1, 1, "R", Ad_loops},
   {"dot_cs", "(6),(6)->()",
     "power = f·v + τ·ω, in W.\n"
     "\n"
     "(6),(6)->().  c: coscrew (f in N; τ in N m); s: screw (v in m/s; ω in rad/s); power: number.\n"
     "6 mul, 5 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, dot_cs_loops},
+   2, 1, "", dot_cs_loops},
   {"cross_ss", "(6),(6)->(6)",
     "so = [ad](s1) s2 = (ω1×v2 + v1×ω2 ; ω1×ω2).  Exactly zero for s1 = s2, unless products\n"
     "overflow.\n"
@@ -4155,14 +4155,14 @@ const coscrew_gufunc TABLE(screw)[] = {
     "(6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).\n"
     "18 mul, 12 add.  Error <= u |result| + (lin: 2, ang: 1) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, cross_ss_loops},
+   2, 1, "", cross_ss_loops},
   {"cross_sst", "(6),(6)->(6)",
     "so = (ω1×v2 ; 0).\n"
     "\n"
     "(6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).\n"
     "6 mul, 3 add.  Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, cross_sst_loops},
+   2, 1, "", cross_sst_loops},
   {"hsra", "(3,4),(3)->(6)",
     "so = (t×R a ; R a), a = axis in the body's frame.\n"
     "\n"
@@ -4170,7 +4170,7 @@ const coscrew_gufunc TABLE(screw)[] = {
     "m/s; ω in rad/s).\n"
     "15 mul, 9 add.  Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, hsra_loops},
+   2, 1, "R.", hsra_loops},
   {"hsta", "(3,4),(3)->(6)",
     "so = (R a ; 0), a = axis in the body's frame.\n"
     "\n"
@@ -4178,7 +4178,7 @@ const coscrew_gufunc TABLE(screw)[] = {
     "m/s; ω in rad/s).\n"
     "9 mul, 6 add.  Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
-   2, 1, hsta_loops},
+   2, 1, "R.", hsta_loops},
   {"hsrainv", "(3,4),(3)->(6)",
     "so = -(t×R a ; R a), a = axis in the body's frame.\n"
     "\n"
@@ -4186,7 +4186,7 @@ const coscrew_gufunc TABLE(screw)[] = {
     "m/s; ω in rad/s).\n"
     "15 mul, 9 add, 3 neg.  Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms|\n"
     "of the expanded formula; barring over- and underflow.\n",
-   2, 1, hsrainv_loops},
+   2, 1, "R.", hsrainv_loops},
   {"hstainv", "(3,4),(3)->(6)",
     "so = -(R a ; 0), a = axis in the body's frame.\n"
     "\n"
@@ -4194,14 +4194,14 @@ const coscrew_gufunc TABLE(screw)[] = {
     "m/s; ω in rad/s).\n"
     "9 mul, 6 add, 3 neg.  Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms|\n"
     "of the expanded formula; barring over- and underflow.\n",
-   2, 1, hstainv_loops},
+   2, 1, "R.", hstainv_loops},
   {"ad", "(6)->(6,6)",
     "M = [ad](s) = [Ad]' [Ad]^-1 = [[ω~, v~], [0, ω~]].\n"
     "\n"
     "(6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.\n"
     "6 neg.  Exact.\n",
-   1, 1, ad_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+   1, 1, "", ad_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

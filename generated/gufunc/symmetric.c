@@ -550,14 +550,14 @@ const coscrew_gufunc TABLE(symmetric)[] = {
     "(3,3)->(),(3,3).  A, L: rotation or other 3×3 matrix; pivot: number.\n"
     "4 mul, 4 add, 6 div, 6 less, 9 select.  |L D L^T - A|_ij <= 4 u sqrt(a_ii a_jj) where the\n"
     "pivot is positive, barring over- and underflow.\n",
-   1, 2, mat3x3_ldl_loops},
+   1, 2, "", mat3x3_ldl_loops},
   {"mat3x3_ldl_solve", "(3,3),(3)->(3)",
     "x = A^-1 b, L of mat3x3_ldl with a positive pivot.\n"
     "\n"
     "(3,3),(3)->(3).  L: rotation or other 3×3 matrix; b, x: vector.\n"
     "6 mul, 6 add, 3 div.  Backward error, of A = L D L^T: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj)\n"
     "|x_j|; measured, not proved; barring over- and underflow.\n",
-   2, 1, mat3x3_ldl_solve_loops},
+   2, 1, "", mat3x3_ldl_solve_loops},
   {"mat3x3_solve", "(3,3),(3)->(),(3)",
     "x = A^-1 b with one step of refinement; A is symmetric, only its lower triangle is read.\n"
     "Returns the smallest pivot d_i / a_ii: it is not positive, and x is NaN, if A is singular to\n"
@@ -566,7 +566,7 @@ const coscrew_gufunc TABLE(symmetric)[] = {
     "(3,3),(3)->(),(3).  A: rotation or other 3×3 matrix; b, x: vector; pivot: number.\n"
     "32 mul, 32 add, 15 div, 11 less, 1 equal, 20 select.  Backward error, of A: |b - A x|_i <= 4\n"
     "u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved; barring over- and underflow.\n",
-   2, 2, mat3x3_solve_loops},
+   2, 2, "", mat3x3_solve_loops},
   {"mat6x6_ldl", "(6,6)->(),(6,6)",
     "L, D with L D L^T = A: unit lower triangular L, with D on its diagonal; only the lower\n"
     "triangle of A is read.  Returns the smallest pivot d_i / a_ii: if it is not positive, A is\n"
@@ -575,7 +575,7 @@ const coscrew_gufunc TABLE(symmetric)[] = {
     "(6,6)->(),(6,6).  A, L: 6×6 operator; pivot: number.\n"
     "35 mul, 35 add, 21 div, 15 less, 21 select.  |L D L^T - A|_ij <= 7 u sqrt(a_ii a_jj) where\n"
     "the pivot is positive, barring over- and underflow.\n",
-   1, 2, mat6x6_ldl_loops},
+   1, 2, "", mat6x6_ldl_loops},
   {"mat6x6_ldl_solve", "(6,6),(6)->(6)",
     "x = A^-1 b, L of mat6x6_ldl with a positive pivot.\n"
     "\n"
@@ -583,7 +583,7 @@ const coscrew_gufunc TABLE(symmetric)[] = {
     "rad/s).\n"
     "30 mul, 30 add, 6 div.  Backward error, of A = L D L^T: |b - A x|_i <= 4 u Σ_j sqrt(a_ii\n"
     "a_jj) |x_j|; measured, not proved; barring over- and underflow.\n",
-   2, 1, mat6x6_ldl_solve_loops},
+   2, 1, "", mat6x6_ldl_solve_loops},
   {"mat6x6_solve", "(6,6),(6)->(),(6)",
     "x = A^-1 b with one step of refinement; A is symmetric, only its lower triangle is read.\n"
     "Returns the smallest pivot d_i / a_ii: it is not positive, and x is NaN, if A is singular to\n"
@@ -593,8 +593,8 @@ const coscrew_gufunc TABLE(symmetric)[] = {
     "(v in m/s; ω in rad/s).\n"
     "172 mul, 172 add, 48 div, 23 less, 1 equal, 41 select.  Backward error, of A: |b - A x|_i <=\n"
     "4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved; barring over- and underflow.\n",
-   2, 2, mat6x6_solve_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+   2, 2, "", mat6x6_solve_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

@@ -219,8 +219,8 @@ const coscrew_gufunc TABLE(trig)[] = {
     "()->(2).  theta: number; dc: (sin θ, cos θ).\n"
     "28 mul, 33 add, 1 abs.  Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is\n"
     "subnormal; proved.\n",
-   1, 1, dc_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+   1, 1, "", dc_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

@@ -2356,168 +2356,168 @@ const coscrew_gufunc TABLE(vec3)[] = {
     "\n"
     "(3)->(3).  vi, vo: vector.\n"
     "No arithmetic.  Exact.\n",
-   1, 1, vec3_copy_loops},
+   1, 1, "", vec3_copy_loops},
   {"vec3_scale", "(3),()->(3)",
     "self = a self.\n"
     "\n"
     "(3),()->(3).  self: vector; a: number.\n"
     "3 mul.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, vec3_scale_loops},
+   2, 1, "", vec3_scale_loops},
   {"vec3_inverted", "(3)->(3)",
     "vo = -vi.\n"
     "\n"
     "(3)->(3).  vi, vo: vector.\n"
     "3 neg.  Exact.\n",
-   1, 1, vec3_inverted_loops},
+   1, 1, "", vec3_inverted_loops},
   {"vec3_invert", "(3)->(3)",
     "self = -self.\n"
     "\n"
     "(3)->(3).  self: vector.\n"
     "3 neg.  Exact.\n",
-   1, 1, vec3_invert_loops},
+   1, 1, "", vec3_invert_loops},
   {"axpy_vv", "(),(3),(3)->(3)",
     "y = a x + y.\n"
     "\n"
     "(),(3),(3)->(3).  a: number; x, y: vector.\n"
     "3 mul, 3 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   3, 1, axpy_vv_loops},
+   3, 1, "", axpy_vv_loops},
   {"xpy_vv", "(3),(3)->(3)",
     "y = x + y.\n"
     "\n"
     "(3),(3)->(3).  x, y: vector.\n"
     "3 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, xpy_vv_loops},
+   2, 1, "", xpy_vv_loops},
   {"nxpy_vv", "(3),(3)->(3)",
     "y = -x + y.\n"
     "\n"
     "(3),(3)->(3).  x, y: vector.\n"
     "3 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, nxpy_vv_loops},
+   2, 1, "", nxpy_vv_loops},
   {"product_av", "(),(3)->(3)",
     "vo = a vi.\n"
     "\n"
     "(),(3)->(3).  a: number; vi, vo: vector.\n"
     "3 mul.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, product_av_loops},
+   2, 1, "", product_av_loops},
   {"add_vv", "(3),(3)->(3)",
     "vo = v1 + v2.\n"
     "\n"
     "(3),(3)->(3).  v1, v2, vo: vector.\n"
     "3 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, add_vv_loops},
+   2, 1, "", add_vv_loops},
   {"subtract_vv", "(3),(3)->(3)",
     "vo = v1 - v2.\n"
     "\n"
     "(3),(3)->(3).  v1, v2, vo: vector.\n"
     "3 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, subtract_vv_loops},
+   2, 1, "", subtract_vv_loops},
   {"vec3_scaled", "(3),()->(3)",
     "vo = k v.\n"
     "\n"
     "(3),()->(3).  v, vo: vector; k: number.\n"
     "3 mul.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, vec3_scaled_loops},
+   2, 1, "", vec3_scaled_loops},
   {"vec3_swap", "(3),(3)->(3),(3)",
     "v1, v2 = v2, v1.\n"
     "\n"
     "(3),(3)->(3),(3).  v1, v2: vector.\n"
     "No arithmetic.  Exact.\n",
-   2, 2, vec3_swap_loops},
+   2, 2, "", vec3_swap_loops},
   {"vec3_l2norm", "(3)->()",
     "|v| = sqrt(v·v).\n"
     "\n"
     "(3)->().  v: vector; norm: number.\n"
     "7 mul, 2 add, 1 sqrt, 3 abs, 8 less, 8 select.\n",
-   1, 1, vec3_l2norm_loops},
+   1, 1, "", vec3_l2norm_loops},
   {"vec3_normalize", "(3)->(3)",
     "self = self / |self|; the zero vector stays zero.\n"
     "\n"
     "(3)->(3).  self: vector.\n"
     "12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 7 less, 1 equal, 8 select.\n",
-   1, 1, vec3_normalize_loops},
+   1, 1, "", vec3_normalize_loops},
   {"vec3_normalized", "(3)->(3)",
     "vo = v / |v|; the zero vector stays zero.\n"
     "\n"
     "(3)->(3).  v, vo: vector.\n"
     "12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 7 less, 1 equal, 8 select.\n",
-   1, 1, vec3_normalized_loops},
+   1, 1, "", vec3_normalized_loops},
   {"angle_vv", "(3),(3)->()",
     "angle = atan2(|v1 × v2|, v1·v2), in [0, π].\n"
     "\n"
     "(3),(3)->().  v1, v2: vector; angle: number.\n"
     "51 mul, 42 add, 1 div, 1 sqrt, 1 neg, 11 abs, 2 copysign, 24 less, 1 equal, 32 select.\n",
-   2, 1, angle_vv_loops},
+   2, 1, "", angle_vv_loops},
   {"dot_vv", "(3),(3)->()",
     "v1·v2.\n"
     "\n"
     "(3),(3)->().  v1, v2: vector; dot: number.\n"
     "3 mul, 2 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, dot_vv_loops},
+   2, 1, "", dot_vv_loops},
   {"product_avinv", "(),(3)->(3)",
     "vo = k (-v).\n"
     "\n"
     "(),(3)->(3).  k: number; v, vo: vector.\n"
     "3 mul, 3 neg.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, product_avinv_loops},
+   2, 1, "", product_avinv_loops},
   {"product_ainvv", "(),(3)->(3)",
     "vo = v / k.\n"
     "\n"
     "(),(3)->(3).  k: number; v, vo: vector.\n"
     "3 div.\n",
-   2, 1, product_ainvv_loops},
+   2, 1, "", product_ainvv_loops},
   {"cross_vv", "(3),(3)->(3)",
     "vo = v1 × v2.  Exactly zero for v1 = v2, unless products overflow.\n"
     "\n"
     "(3),(3)->(3).  v1, v2, vo: vector.\n"
     "6 mul, 3 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, cross_vv_loops},
+   2, 1, "", cross_vv_loops},
   {"cross_vvinv", "(3),(3)->(3)",
     "vo = v1 × (-v2).\n"
     "\n"
     "(3),(3)->(3).  v1, v2, vo: vector.\n"
     "6 mul, 3 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
-   2, 1, cross_vvinv_loops},
+   2, 1, "", cross_vvinv_loops},
   {"add_vvx", "(3),()->(3)",
     "vo = v + k e_x.\n"
     "\n"
     "(3),()->(3).  v, vo: vector; k: number.\n"
     "1 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, add_vvx_loops},
+   2, 1, "", add_vvx_loops},
   {"add_vvxinv", "(3),()->(3)",
     "vo = v - k e_x.\n"
     "\n"
     "(3),()->(3).  v, vo: vector; k: number.\n"
     "1 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, add_vvxinv_loops},
+   2, 1, "", add_vvxinv_loops},
   {"add_vvy", "(3),()->(3)",
     "vo = v + k e_y.\n"
     "\n"
     "(3),()->(3).  v, vo: vector; k: number.\n"
     "1 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, add_vvy_loops},
+   2, 1, "", add_vvy_loops},
   {"add_vvyinv", "(3),()->(3)",
     "vo = v - k e_y.\n"
     "\n"
     "(3),()->(3).  v, vo: vector; k: number.\n"
     "1 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, add_vvyinv_loops},
+   2, 1, "", add_vvyinv_loops},
   {"add_vvz", "(3),()->(3)",
     "vo = v + k e_z.\n"
     "\n"
     "(3),()->(3).  v, vo: vector; k: number.\n"
     "1 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, add_vvz_loops},
+   2, 1, "", add_vvz_loops},
   {"add_vvzinv", "(3),()->(3)",
     "vo = v - k e_z.\n"
     "\n"
     "(3),()->(3).  v, vo: vector; k: number.\n"
     "1 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, add_vvzinv_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+   2, 1, "", add_vvzinv_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

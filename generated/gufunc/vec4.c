@@ -660,56 +660,56 @@ const coscrew_gufunc TABLE(vec4)[] = {
     "\n"
     "(4)->(4).  vi, vo: vector (x, y, z) and a homogeneous coordinate w.\n"
     "No arithmetic.  Exact.\n",
-   1, 1, vec4_copy_loops},
+   1, 1, "", vec4_copy_loops},
   {"vec4_scale", "(4),()->(4)",
     "self = a self.\n"
     "\n"
     "(4),()->(4).  self: vector (x, y, z) and a homogeneous coordinate w; a: number.\n"
     "4 mul.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, vec4_scale_loops},
+   2, 1, "", vec4_scale_loops},
   {"vec4_inverted", "(4)->(4)",
     "vo = -vi.\n"
     "\n"
     "(4)->(4).  vi, vo: vector (x, y, z) and a homogeneous coordinate w.\n"
     "4 neg.  Exact.\n",
-   1, 1, vec4_inverted_loops},
+   1, 1, "", vec4_inverted_loops},
   {"vec4_invert", "(4)->(4)",
     "self = -self.\n"
     "\n"
     "(4)->(4).  self: vector (x, y, z) and a homogeneous coordinate w.\n"
     "4 neg.  Exact.\n",
-   1, 1, vec4_invert_loops},
+   1, 1, "", vec4_invert_loops},
   {"vec4_scaled", "(4),()->(4)",
     "vo = k v.\n"
     "\n"
     "(4),()->(4).  v, vo: vector (x, y, z) and a homogeneous coordinate w; k: number.\n"
     "4 mul.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, vec4_scaled_loops},
+   2, 1, "", vec4_scaled_loops},
   {"vec4_swap", "(4),(4)->(4),(4)",
     "v1, v2 = v2, v1.\n"
     "\n"
     "(4),(4)->(4),(4).  v1, v2: vector (x, y, z) and a homogeneous coordinate w.\n"
     "No arithmetic.  Exact.\n",
-   2, 2, vec4_swap_loops},
+   2, 2, "", vec4_swap_loops},
   {"vec4_l2norm", "(4)->()",
     "|v| = sqrt(v·v), all four components.\n"
     "\n"
     "(4)->().  v: vector (x, y, z) and a homogeneous coordinate w; norm: number.\n"
     "9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select.\n",
-   1, 1, vec4_l2norm_loops},
+   1, 1, "", vec4_l2norm_loops},
   {"vec4_normalize", "(4)->(4)",
     "self = self / |self|; the zero vector stays zero.\n"
     "\n"
     "(4)->(4).  self: vector (x, y, z) and a homogeneous coordinate w.\n"
     "16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.\n",
-   1, 1, vec4_normalize_loops},
+   1, 1, "", vec4_normalize_loops},
   {"vec4_normalized", "(4)->(4)",
     "vo = v / |v|; the zero vector stays zero.\n"
     "\n"
     "(4)->(4).  v, vo: vector (x, y, z) and a homogeneous coordinate w.\n"
     "16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.\n",
-   1, 1, vec4_normalized_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+   1, 1, "", vec4_normalized_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

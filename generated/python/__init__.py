@@ -11,10 +11,12 @@ to first order in u: 2^-53 in float64, 2^-24 in float32.
 """
 from pathlib import Path
 
+import numpy as np
+
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "a1c14a989eba5e82")
+COMPILED: bool = is_compiled("coscrew._gufunc", "79b38895b548984f")
 
 if COMPILED:
     from coscrew._gufunc import (
@@ -77,6 +79,8 @@ if COMPILED:
         mat3x3_from_euler_xyx,
         euler_xyx_from_mat3x3,
         mat3x3_jacobi,
+        mat3x3_rotation_defect,
+        mat3x3_nearest_rotation,
         SE3_fromRt,
         SE3_copy,
         SE3_setIdentity,
@@ -247,6 +251,8 @@ if COMPILED:
         quaternion_norm,
         quaternion_normalize,
         quaternion_normalized,
+        quaternion_unit_defect,
+        quaternion_nearest_unit,
         rotate_qv,
         rotate_qconjv,
         quaternion_product_qq,
@@ -402,6 +408,8 @@ else:
         mat3x3_from_euler_xyx,
         euler_xyx_from_mat3x3,
         mat3x3_jacobi,
+        mat3x3_rotation_defect,
+        mat3x3_nearest_rotation,
         SE3_fromRt,
         SE3_copy,
         SE3_setIdentity,
@@ -572,6 +580,8 @@ else:
         quaternion_norm,
         quaternion_normalize,
         quaternion_normalized,
+        quaternion_unit_defect,
+        quaternion_nearest_unit,
         rotate_qv,
         rotate_qconjv,
         quaternion_product_qq,
@@ -678,6 +688,34 @@ screw = screw_from_lin_ang
 coscrew = coscrew_from_lin_ang
 
 
+
+def mat3x3_is_rotation(R):
+    """Whether the matrix is a rotation: mat3x3_rotation_defect(R) is at most 0.001.  Other
+    matrices are refused by the functions that require a rotation.  (3,3)->(), bool."""
+    with np.errstate(all="ignore"):
+        return mat3x3_rotation_defect(R) <= 0.001
+
+
+def quaternion_is_unit(q):
+    """Whether |q| = 1: |quaternion_unit_defect(q)| is at most 0.001.  (4)->(), bool."""
+    with np.errstate(all="ignore"):
+        return abs(quaternion_unit_defect(q)) <= 0.001
+
+
+def unchecked(function):
+    """The same function of this package or of a tier's, which takes matrices that are no rotations
+    and quaternions of any length, and returns the formula's value."""
+    import sys
+
+    if hasattr(function, "unchecked"):
+        return function.unchecked
+    for name, module in tuple(sys.modules.items()):
+        if name.startswith("coscrew.") and name.endswith("._gufunc"):
+            if getattr(module, function.__name__, None) is function:
+                return getattr(module, f"unchecked_{function.__name__}", function)
+    raise ValueError(f"unchecked: {function} is no function of coscrew")
+
+
 def arrays(xp):
     """The operations on arrays of jax.numpy, torch, cupy or array_api_strict, with derivatives of
     JAX and PyTorch.  They are made by the generator: needs `pip install "coscrew[codegen]"`.
@@ -693,7 +731,7 @@ from coscrew._selfcheck import selfcheck
 __version__ = "0.2.0"
 
 __all__ = [
-    "COMPILED", "__version__", "arrays", "get_include", "selfcheck", "double", "single", "SE3", "screw", "coscrew",
+    "COMPILED", "__version__", "arrays", "unchecked", "get_include", "selfcheck", "double", "single", "mat3x3_is_rotation", "quaternion_is_unit", "SE3", "screw", "coscrew",
     "sincos",
     "sin",
     "cos",
@@ -753,6 +791,8 @@ __all__ = [
     "mat3x3_from_euler_xyx",
     "euler_xyx_from_mat3x3",
     "mat3x3_jacobi",
+    "mat3x3_rotation_defect",
+    "mat3x3_nearest_rotation",
     "SE3_fromRt",
     "SE3_copy",
     "SE3_setIdentity",
@@ -923,6 +963,8 @@ __all__ = [
     "quaternion_norm",
     "quaternion_normalize",
     "quaternion_normalized",
+    "quaternion_unit_defect",
+    "quaternion_nearest_unit",
     "rotate_qv",
     "rotate_qconjv",
     "quaternion_product_qq",

@@ -67,19 +67,27 @@ single_kernel = functools.partial(_kernel, dtype=np.float32)
 wide_kernel = functools.partial(_kernel, dtype=np.float32, working=np.float64)
 
 
-def dispatch(module: str, *kernels: Callable) -> Callable:
+def dispatch(module: str, *kernels: Callable, required: str = "") -> Callable:
     """A function of `module` that calls the second kernel if all arrays are float32, else the
-    first; `dtype=` overrides that."""
+    first; `dtype=` overrides that.  Letters of `required` say what its arguments must be."""
     wide, narrow = kernels[0], kernels[-1]
+    arguments = tuple(inspect.signature(wide).parameters)
 
     def check(*values):
         """Raise the errors that `on_any` raises for wrong arguments."""
         if not any(map(_arrays.overrides, values)):
-            wide.checked(values, objects=False)
+            admitted(values)
+
+    def admitted(values):
+        """The arguments as arrays.  Raises ValueError for those that are refused."""
+        _, arrays = wide.checked(values, objects=False)
+        for letter, argument, array in zip(required, arguments, arrays):
+            _arrays.require(letter, array, argument, wide.__name__)
+        return arrays
 
     @functools.wraps(wide)
     def on_any(*values, out=None, dtype=None):
-        _, arrays = wide.checked(values, objects=False)
+        arrays = admitted(values)
         kinds = {array.dtype.type for array, value in zip(arrays, values)
                  if type(value) not in (int, float)}
         if dtype is not None:
@@ -90,5 +98,6 @@ def dispatch(module: str, *kernels: Callable) -> Callable:
         return (narrow if kinds == {np.float32} else wide)(*arrays, out=out)
 
     on_any.check = check
+    on_any.unchecked = dispatch(module, *kernels) if required else on_any
     on_any.__module__ = module  # where pickle finds it
     return on_any

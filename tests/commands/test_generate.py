@@ -207,13 +207,14 @@ def test_imports_run_one_way():
              "elementary", "whole_cost",
              "domains", "operations", "kernel", "passes", "scene_functions", "scene_symbols",
              "schedule", "programs", "recording", "tiers", "mixture", "scene_tiers", "library",
+             "requirements",
              "render",
              "plots", "pages", "machine",
              "native", "targets", "extras", "special", "exact", "selection", "family_cache",
              "layout", "emit",
-             "report", "scene", "mechanics", "effects", "scene_files", "documentation", "console",
+             "name_lists", "report", "scene", "bound_arguments", "mechanics", "effects", "scene_files", "documentation", "console",
              "arrays", "simulate", "sweep", "cost",
-             "generate_command", "command_line", "__main__"]
+             "generate_command", "schema_command", "command_line", "__main__"]
     package = ROOT / "codegen"
     allowed_elsewhere = {"build"}  # runs inside setuptools, on its own
 

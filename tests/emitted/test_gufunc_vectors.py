@@ -113,7 +113,7 @@ def test_loops_on_vectors_are_those_that_call_elementary_functions():
 
 @every
 def test_any_number_of_elements(operation, dtype):
-    call = getattr(coscrew, operation.name)
+    call = coscrew.unchecked(getattr(coscrew, operation.name))
     for n in range(2 * LANES[dtype] + 2):
         arguments = inputs(operation, dtype, n)
         wanted = one_by_one(call, arguments) if n else tuple(
@@ -126,12 +126,12 @@ def test_many_elements_have_the_bits_of_the_twin(operation, dtype):
     for some in (0, 0.01, 0.3):
         arguments = inputs(operation, dtype, LONG, some)
         wanted = tuple_of(getattr(TWINS[dtype], operation.name)(*arguments))
-        assert_same(getattr(coscrew, operation.name)(*arguments), wanted, some)
+        assert_same(coscrew.unchecked(getattr(coscrew, operation.name))(*arguments), wanted, some)
 
 
 @every
 def test_any_layout(operation, dtype):
-    call = getattr(coscrew, operation.name)
+    call = coscrew.unchecked(getattr(coscrew, operation.name))
     arguments = inputs(operation, dtype, SHORT)
     wanted = one_by_one(call, arguments)
     for layout in LAYOUTS:
@@ -147,7 +147,7 @@ def test_nothing_is_written_between_results(operation, dtype):
     wholes = [np.full([2 * n for n in (SHORT, *a.quantity.shape)], 7, dtype)
               for a in operation.outputs]
     outs = tuple(x[tuple(slice(None, None, 2) for _ in x.shape)] for x in wholes)
-    getattr(coscrew, operation.name)(*arguments, out=outs)
+    coscrew.unchecked(getattr(coscrew, operation.name))(*arguments, out=outs)
     for whole, out in zip(wholes, outs, strict=True):
         out[...] = 7
         assert (whole == 7).all()
@@ -155,7 +155,7 @@ def test_nothing_is_written_between_results(operation, dtype):
 
 @every
 def test_shared_elements(operation, dtype):
-    call = getattr(coscrew, operation.name)
+    call = coscrew.unchecked(getattr(coscrew, operation.name))
     arguments = inputs(operation, dtype, SHORT)
     for place in range(len(arguments)):
         shared = tuple(np.broadcast_to(a[3], a.shape) if k == place else a
@@ -169,7 +169,7 @@ def test_shared_elements(operation, dtype):
 @every
 def test_results_in_place(operation, dtype):
     """Also of more elements than are computed before any is written."""
-    call = getattr(coscrew, operation.name)
+    call = coscrew.unchecked(getattr(coscrew, operation.name))
     for number, output in enumerate(operation.outputs):
         for place, argument in enumerate(operation.inputs):
             if output.quantity.shape != argument.quantity.shape:
@@ -188,7 +188,7 @@ def test_results_in_place(operation, dtype):
 def test_flags_are_those_of_one_element_each(operation, dtype):
     """NumPy warns of those except underflow; kernels on vectors evaluate what is not chosen, too.
     Underflow is left out: clang's code for one element raises it of what registers held before."""
-    call = getattr(coscrew, operation.name)
+    call = coscrew.unchecked(getattr(coscrew, operation.name))
 
     def flags(*arguments) -> set[str]:
         found = set()

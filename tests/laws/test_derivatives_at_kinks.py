@@ -23,6 +23,7 @@ from coscrew_codegen.quantity import (
     DISPLACEMENT,
     NEAR_ROTATION,
     NONZERO,
+    NONZERO_MATRIX,
     ORDINARY,
     ROTATION,
     SINE_COSINE,
@@ -141,6 +142,8 @@ def special(argument: Argument) -> list[np.ndarray]:
         return [np.eye(3), turned]
     if domain == DISPLACEMENT:
         return [np.eye(3, 4), np.hstack([turned, [[1], [2], [3]]])]
+    if domain == NONZERO_MATRIX:  # equal singular values, a reflection, a singular one
+        return [np.eye(3), np.diag([2.0, 2, -1]), np.diag([1.0, 1, 0])]
     if argument.quantity.name == "quaternion":
         return [np.array([0, 0, 0, 1.0]), np.array([0, 1.0, 0, 0])]
     first = np.zeros(shape)

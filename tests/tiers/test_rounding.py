@@ -65,7 +65,7 @@ def test_error_is_within_bound(operation, precision):
     """|err| <= u|x| + 8 u S, and η M^d for each of d roundings of n terms that may underflow."""
     inputs = inputs_of(operation, precision, 60)
     with np.errstate(all="ignore"):
-        found = getattr(coscrew, operation.name)(*inputs)
+        found = coscrew.unchecked(getattr(coscrew, operation.name))(*inputs)
     found = flat(found if isinstance(found, tuple) else (found,))
     rows, info = flat(inputs), np.finfo(precision.numpy_type)
     u, eta = Fraction(float(info.eps)) / 2, Fraction(float(info.smallest_subnormal))

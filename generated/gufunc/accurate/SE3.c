@@ -150,15 +150,15 @@ const coscrew_gufunc TABLE(SE3)[] = {
     "(3,4)->(3,4).  self: displacement [R | t], R rotation, t in m.\n"
     "9 mul, 33 add, 9 product rest, 6 neg.  Error <= u |result| + (R: 0, t: 11) u^2 S, S the sum\n"
     "of the |terms| of the expanded formula; barring over- and underflow.\n",
-   1, 1, SE3_invert_loops},
+   1, 1, "R", SE3_invert_loops},
   {"SE3_inverted", "(3,4)->(3,4)",
     "Do = D^-1 = [R^T | -R^T t].\n"
     "\n"
     "(3,4)->(3,4).  D, Do: displacement [R | t], R rotation, t in m.\n"
     "9 mul, 33 add, 9 product rest, 6 neg.  Error <= u |result| + (R: 0, t: 11) u^2 S, S the sum\n"
     "of the |terms| of the expanded formula; barring over- and underflow.\n",
-   1, 1, SE3_inverted_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+   1, 1, "R", SE3_inverted_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

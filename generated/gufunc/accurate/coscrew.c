@@ -3555,113 +3555,113 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "\n"
     "(6),()->(6).  self: coscrew (f in N; τ in N m); a: number.\n"
     "6 mul, 6 add, 6 product error.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, coscrew_scale_loops},
+   2, 1, "", coscrew_scale_loops},
   {"axpy_cc", "(),(6),(6)->(6)",
     "y = a x + y.\n"
     "\n"
     "(),(6),(6)->(6).  a: number; x, y: coscrew (f in N; τ in N m).\n"
     "6 mul, 36 add, 6 product rest.  Error <= u |result| + 3 u^2 S, S the sum of the |terms| of\n"
     "the expanded formula; barring over- and underflow.\n",
-   3, 1, axpy_cc_loops},
+   3, 1, "", axpy_cc_loops},
   {"xpy_cc", "(6),(6)->(6)",
     "y = x + y.\n"
     "\n"
     "(6),(6)->(6).  x, y: coscrew (f in N; τ in N m).\n"
     "42 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, xpy_cc_loops},
+   2, 1, "", xpy_cc_loops},
   {"nxpy_cc", "(6),(6)->(6)",
     "y = -x + y.\n"
     "\n"
     "(6),(6)->(6).  x, y: coscrew (f in N; τ in N m).\n"
     "42 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, nxpy_cc_loops},
+   2, 1, "", nxpy_cc_loops},
   {"product_ac", "(),(6)->(6)",
     "co = a ci.\n"
     "\n"
     "(),(6)->(6).  a: number; ci, co: coscrew (f in N; τ in N m).\n"
     "6 mul, 6 add, 6 product error.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, product_ac_loops},
+   2, 1, "", product_ac_loops},
   {"add_cc", "(6),(6)->(6)",
     "co = c1 + c2.\n"
     "\n"
     "(6),(6)->(6).  c1, c2, co: coscrew (f in N; τ in N m).\n"
     "42 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, add_cc_loops},
+   2, 1, "", add_cc_loops},
   {"subtract_cc", "(6),(6)->(6)",
     "co = c1 - c2.\n"
     "\n"
     "(6),(6)->(6).  c1, c2, co: coscrew (f in N; τ in N m).\n"
     "42 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, subtract_cc_loops},
+   2, 1, "", subtract_cc_loops},
   {"coscrew_norm", "(6)->()",
     "|ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).\n"
     "\n"
     "(6)->().  ci: coscrew (f in N; τ in N m); norm: number.\n"
     "10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 11 less, 3 equal, 16\n"
     "select.\n",
-   1, 1, coscrew_norm_loops},
+   1, 1, "", coscrew_norm_loops},
   {"coscrew_normalize", "(6)->(6)",
     "self = self / |self|, with coscrew_norm; the zero coscrew stays zero.\n"
     "\n"
     "(6)->(6).  self: coscrew (f in N; τ in N m).\n"
     "43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 9 equal,\n"
     "34 select.\n",
-   1, 1, coscrew_normalize_loops},
+   1, 1, "", coscrew_normalize_loops},
   {"coscrew_normalized", "(6)->(6)",
     "co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.\n"
     "\n"
     "(6)->(6).  ci, co: coscrew (f in N; τ in N m).\n"
     "43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 9 equal,\n"
     "34 select.\n",
-   1, 1, coscrew_normalized_loops},
+   1, 1, "", coscrew_normalized_loops},
   {"add_cct", "(6),(6)->(6)",
     "co = (c1.lin + c2.lin ; c1.ang).\n"
     "\n"
     "(6),(6)->(6).  c1, c2, co: coscrew (f in N; τ in N m).\n"
     "21 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, add_cct_loops},
+   2, 1, "", add_cct_loops},
   {"product_CoAdtc", "(3),(6)->(6)",
     "co = [Ad]*(t) ci.\n"
     "\n"
     "(3),(6)->(6).  t: vector; ci, co: coscrew (f in N; τ in N m).\n"
     "6 mul, 36 add, 6 product rest.  Error <= u |result| + (lin: 0, ang: 9) u^2 S, S the sum of\n"
     "the |terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, product_CoAdtc_loops},
+   2, 1, "", product_CoAdtc_loops},
   {"product_CoAdtinvc", "(3),(6)->(6)",
     "co = [Ad]*(t)^-1 ci.\n"
     "\n"
     "(3),(6)->(6).  t: vector; ci, co: coscrew (f in N; τ in N m).\n"
     "6 mul, 36 add, 6 product rest.  Error <= u |result| + (lin: 0, ang: 9) u^2 S, S the sum of\n"
     "the |terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, product_CoAdtinvc_loops},
+   2, 1, "", product_CoAdtinvc_loops},
   {"product_CoAdtcinv", "(3),(6)->(6)",
     "co = [Ad]*(t) (-ci).\n"
     "\n"
     "(3),(6)->(6).  t: vector; ci, co: coscrew (f in N; τ in N m).\n"
     "6 mul, 36 add, 6 product rest, 3 neg.  Error <= u |result| + (lin: 0, ang: 9) u^2 S, S the\n"
     "sum of the |terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, product_CoAdtcinv_loops},
+   2, 1, "", product_CoAdtcinv_loops},
   {"product_CoAdrc", "(3,3),(6)->(6)",
     "co = [Ad]*(R) ci.\n"
     "\n"
     "(3,3),(6)->(6).  R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).\n"
     "18 mul, 66 add, 18 product rest.  Error <= u |result| + 11 u^2 S, S the sum of the |terms|\n"
     "of the expanded formula; barring over- and underflow.\n",
-   2, 1, product_CoAdrc_loops},
+   2, 1, "R.", product_CoAdrc_loops},
   {"product_CoAdrinvc", "(3,3),(6)->(6)",
     "co = [Ad]*(R)^-1 ci.\n"
     "\n"
     "(3,3),(6)->(6).  R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).\n"
     "18 mul, 66 add, 18 product rest.  Error <= u |result| + 11 u^2 S, S the sum of the |terms|\n"
     "of the expanded formula; barring over- and underflow.\n",
-   2, 1, product_CoAdrinvc_loops},
+   2, 1, "R.", product_CoAdrinvc_loops},
   {"product_CoAdrcinv", "(3,3),(6)->(6)",
     "co = [Ad]*(R) (-ci).\n"
     "\n"
     "(3,3),(6)->(6).  R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).\n"
     "18 mul, 66 add, 18 product rest, 12 neg.  Error <= u |result| + 11 u^2 S, S the sum of the\n"
     "|terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, product_CoAdrcinv_loops},
+   2, 1, "R.", product_CoAdrcinv_loops},
   {"product_CoAdc", "(3,4),(6)->(6)",
     "co = [Ad]*(D) ci = [Ad]*(t) [Ad]*(R) ci.\n"
     "\n"
@@ -3669,7 +3669,7 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "N m).\n"
     "30 mul, 108 add, 24 product rest.  Error <= u |result| + (lin: 11, ang: 35) u^2 S, S the sum\n"
     "of the |terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, product_CoAdc_loops},
+   2, 1, "R.", product_CoAdc_loops},
   {"product_CoAdinvc", "(3,4),(6)->(6)",
     "co = [Ad]*(D)^-1 ci = [Ad]*(R^T) [Ad]*(-t) ci.\n"
     "\n"
@@ -3677,7 +3677,7 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "N m).\n"
     "33 mul, 108 add, 24 product rest.  Error <= u |result| + (lin: 11, ang: 35) u^2 S, S the sum\n"
     "of the |terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, product_CoAdinvc_loops},
+   2, 1, "R.", product_CoAdinvc_loops},
   {"product_CoAdcinv", "(3,4),(6)->(6)",
     "co = [Ad]*(D) (-ci).\n"
     "\n"
@@ -3685,56 +3685,56 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "N m).\n"
     "30 mul, 108 add, 24 product rest, 12 neg.  Error <= u |result| + (lin: 11, ang: 35) u^2 S, S\n"
     "the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, product_CoAdcinv_loops},
+   2, 1, "R.", product_CoAdcinv_loops},
   {"hctx", "(3,4)->(6)",
     "co = h_tx: column 0 of [Ad]*(D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).\n"
     "6 mul, 15 add, 6 product rest.  Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the sum of\n"
     "the |terms| of the expanded formula; barring over- and underflow.\n",
-   1, 1, hctx_loops},
+   1, 1, "R", hctx_loops},
   {"hcty", "(3,4)->(6)",
     "co = h_ty: column 1 of [Ad]*(D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).\n"
     "6 mul, 15 add, 6 product rest.  Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the sum of\n"
     "the |terms| of the expanded formula; barring over- and underflow.\n",
-   1, 1, hcty_loops},
+   1, 1, "R", hcty_loops},
   {"hctz", "(3,4)->(6)",
     "co = h_tz: column 2 of [Ad]*(D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).\n"
     "6 mul, 15 add, 6 product rest.  Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the sum of\n"
     "the |terms| of the expanded formula; barring over- and underflow.\n",
-   1, 1, hctz_loops},
+   1, 1, "R", hctz_loops},
   {"hctxinv", "(3,4)->(6)",
     "co = -h_tx: -column 0 of [Ad]*(D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).\n"
     "6 mul, 15 add, 6 product rest, 3 neg.  Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the\n"
     "sum of the |terms| of the expanded formula; barring over- and underflow.\n",
-   1, 1, hctxinv_loops},
+   1, 1, "R", hctxinv_loops},
   {"hctyinv", "(3,4)->(6)",
     "co = -h_ty: -column 1 of [Ad]*(D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).\n"
     "6 mul, 15 add, 6 product rest, 3 neg.  Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the\n"
     "sum of the |terms| of the expanded formula; barring over- and underflow.\n",
-   1, 1, hctyinv_loops},
+   1, 1, "R", hctyinv_loops},
   {"hctzinv", "(3,4)->(6)",
     "co = -h_tz: -column 2 of [Ad]*(D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).\n"
     "6 mul, 15 add, 6 product rest, 3 neg.  Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the\n"
     "sum of the |terms| of the expanded formula; barring over- and underflow.\n",
-   1, 1, hctzinv_loops},
+   1, 1, "R", hctzinv_loops},
   {"CoAd", "(3,4)->(6,6)",
     "M = [Ad]*(D).\n"
     "\n"
     "(3,4)->(6,6).  D: displacement [R | t], R rotation, t in m; M: 6×6 operator.\n"
     "18 mul, 45 add, 18 product rest.  Error <= u |result| + 6 u^2 S, S the sum of the |terms| of\n"
     "the expanded formula; barring over- and underflow.\n",
-   1, 1, CoAd_loops},
+   1, 1, "R", CoAd_loops},
   {"reciprocal_product", "(6),(6)->()",
     "power = W ⊙ $ = f·v + τ·ω, W = c = (f; τ), $ = x = (ω; v).\n"
     "\n"
@@ -3742,21 +3742,21 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "power: number.\n"
     "6 mul, 29 add, 6 product rest.  Error <= u |result| + 19 u^2 S, S the sum of the |terms| of\n"
     "the expanded formula; barring over- and underflow.\n",
-   2, 1, reciprocal_product_loops},
+   2, 1, "", reciprocal_product_loops},
   {"cross_sc", "(6),(6)->(6)",
     "co = [ad]*(s) c = (ω×f ; v×f + ω×τ).\n"
     "\n"
     "(6),(6)->(6).  s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).\n"
     "18 mul, 66 add, 18 product rest.  Error <= u |result| + (lin: 6, ang: 12) u^2 S, S the sum\n"
     "of the |terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, cross_sc_loops},
+   2, 1, "", cross_sc_loops},
   {"cross_sca", "(6),(6)->(6)",
     "co = (0 ; ω×τ).\n"
     "\n"
     "(6),(6)->(6).  s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).\n"
     "6 mul, 15 add, 6 product rest.  Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the sum of\n"
     "the |terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, cross_sca_loops},
+   2, 1, "", cross_sca_loops},
   {"constraint_ctx", "(3,4),(6)->(6)",
     "co = H̄* c = [Ad]*(D) P c; P clears component 0 of c, given in the frame of a tx joint at D.\n"
     "\n"
@@ -3764,7 +3764,7 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "m).\n"
     "27 mul, 90 add, 21 product rest.  Error <= u |result| + (lin: 6, ang: 26) u^2 S, S the sum\n"
     "of the |terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, constraint_ctx_loops},
+   2, 1, "R.", constraint_ctx_loops},
   {"constraint_cty", "(3,4),(6)->(6)",
     "co = H̄* c = [Ad]*(D) P c; P clears component 1 of c, given in the frame of a ty joint at D.\n"
     "\n"
@@ -3772,7 +3772,7 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "m).\n"
     "27 mul, 90 add, 21 product rest.  Error <= u |result| + (lin: 6, ang: 26) u^2 S, S the sum\n"
     "of the |terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, constraint_cty_loops},
+   2, 1, "R.", constraint_cty_loops},
   {"constraint_ctz", "(3,4),(6)->(6)",
     "co = H̄* c = [Ad]*(D) P c; P clears component 2 of c, given in the frame of a tz joint at D.\n"
     "\n"
@@ -3780,7 +3780,7 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "m).\n"
     "27 mul, 90 add, 21 product rest.  Error <= u |result| + (lin: 6, ang: 26) u^2 S, S the sum\n"
     "of the |terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, constraint_ctz_loops},
+   2, 1, "R.", constraint_ctz_loops},
   {"constraint_crx", "(3,4),(6)->(6)",
     "co = H̄* c = [Ad]*(D) P c; P clears component 3 of c, given in the frame of a rx joint at D.\n"
     "\n"
@@ -3788,7 +3788,7 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "m).\n"
     "27 mul, 90 add, 21 product rest.  Error <= u |result| + (lin: 11, ang: 35) u^2 S, S the sum\n"
     "of the |terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, constraint_crx_loops},
+   2, 1, "R.", constraint_crx_loops},
   {"constraint_cry", "(3,4),(6)->(6)",
     "co = H̄* c = [Ad]*(D) P c; P clears component 4 of c, given in the frame of a ry joint at D.\n"
     "\n"
@@ -3796,7 +3796,7 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "m).\n"
     "27 mul, 90 add, 21 product rest.  Error <= u |result| + (lin: 11, ang: 35) u^2 S, S the sum\n"
     "of the |terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, constraint_cry_loops},
+   2, 1, "R.", constraint_cry_loops},
   {"constraint_crz", "(3,4),(6)->(6)",
     "co = H̄* c = [Ad]*(D) P c; P clears component 5 of c, given in the frame of a rz joint at D.\n"
     "\n"
@@ -3804,7 +3804,7 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "m).\n"
     "27 mul, 90 add, 21 product rest.  Error <= u |result| + (lin: 11, ang: 35) u^2 S, S the sum\n"
     "of the |terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, constraint_crz_loops},
+   2, 1, "R.", constraint_crz_loops},
   {"working_ctx", "(3,4),(6)->(6)",
     "co = h̄* c = [Ad]*(D) P c; P keeps component 0 of c, given in the frame of a tx joint at D.\n"
     "\n"
@@ -3812,7 +3812,7 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "m).\n"
     "15 mul, 24 add, 3 product error, 6 product rest.  Error <= u |result| + (lin: 0, ang: 11)\n"
     "u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, working_ctx_loops},
+   2, 1, "R.", working_ctx_loops},
   {"working_cty", "(3,4),(6)->(6)",
     "co = h̄* c = [Ad]*(D) P c; P keeps component 1 of c, given in the frame of a ty joint at D.\n"
     "\n"
@@ -3820,7 +3820,7 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "m).\n"
     "15 mul, 24 add, 3 product error, 6 product rest.  Error <= u |result| + (lin: 0, ang: 11)\n"
     "u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, working_cty_loops},
+   2, 1, "R.", working_cty_loops},
   {"working_ctz", "(3,4),(6)->(6)",
     "co = h̄* c = [Ad]*(D) P c; P keeps component 2 of c, given in the frame of a tz joint at D.\n"
     "\n"
@@ -3828,29 +3828,29 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "m).\n"
     "15 mul, 24 add, 3 product error, 6 product rest.  Error <= u |result| + (lin: 0, ang: 11)\n"
     "u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, working_ctz_loops},
+   2, 1, "R.", working_ctz_loops},
   {"working_crx", "(3,4),(6)->(6)",
     "co = h̄* c = [Ad]*(D) P c; P keeps component 3 of c, given in the frame of a rx joint at D.\n"
     "\n"
     "(3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N\n"
     "m).\n"
     "3 mul, 3 add, 3 product error.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, working_crx_loops},
+   2, 1, "R.", working_crx_loops},
   {"working_cry", "(3,4),(6)->(6)",
     "co = h̄* c = [Ad]*(D) P c; P keeps component 4 of c, given in the frame of a ry joint at D.\n"
     "\n"
     "(3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N\n"
     "m).\n"
     "3 mul, 3 add, 3 product error.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, working_cry_loops},
+   2, 1, "R.", working_cry_loops},
   {"working_crz", "(3,4),(6)->(6)",
     "co = h̄* c = [Ad]*(D) P c; P keeps component 5 of c, given in the frame of a rz joint at D.\n"
     "\n"
     "(3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N\n"
     "m).\n"
     "3 mul, 3 add, 3 product error.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, working_crz_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+   2, 1, "R.", working_crz_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

@@ -512,43 +512,43 @@ const coscrew_gufunc TABLE(elementary)[] = {
     "()->(),().  x, s, c: number.\n"
     "83 mul, 129 add, 11 product error, 1 div, 3 abs, 1 less, 2 equal, 3 select.  Error <= 0.501\n"
     "ulp, unless a result is subnormal; proved.\n",
-   1, 2, sincos_loops},
+   1, 2, "", sincos_loops},
   {"sin", "()->()",
     "s = sin x, x in rad.\n"
     "\n"
     "()->().  x, s: number.\n"
     "83 mul, 128 add, 11 product error, 1 div, 3 abs, 1 less, 1 equal, 2 select.  Error <= 0.501\n"
     "ulp, unless a result is subnormal; proved.\n",
-   1, 1, sin_loops},
+   1, 1, "", sin_loops},
   {"cos", "()->()",
     "c = cos x, x in rad.\n"
     "\n"
     "()->().  x, c: number.\n"
     "83 mul, 128 add, 11 product error, 1 div, 3 abs, 1 less, 1 equal, 2 select.  Error <= 0.501\n"
     "ulp, unless a result is subnormal; proved.\n",
-   1, 1, cos_loops},
+   1, 1, "", cos_loops},
   {"exp", "()->()",
     "y = e^x.\n"
     "\n"
     "()->().  x, y: number.\n"
     "81 mul, 148 add, 14 product error, 5 power of two, 1 abs, 7 less, 2 equal, 10 select.  Error\n"
     "<= 0.501 ulp, unless a result is subnormal; proved.\n",
-   1, 1, exp_loops},
+   1, 1, "", exp_loops},
   {"tanh", "()->()",
     "y = tanh x.\n"
     "\n"
     "()->().  x, y: number.\n"
     "91 mul, 174 add, 15 product error, 2 div, 2 power of two, 4 abs, 2 copysign, 5 less, 1\n"
     "equal, 12 select.  Error <= 0.501 ulp, unless a result is subnormal; proved.\n",
-   1, 1, tanh_loops},
+   1, 1, "", tanh_loops},
   {"atan2", "(),()->()",
     "angle of the vector (x, y) to the x axis, in rad, from -π to π.\n"
     "\n"
     "(),()->().  y, x, angle: number.\n"
     "122 mul, 213 add, 21 product error, 2 div, 1 neg, 8 abs, 4 copysign, 13 less, 4 equal, 24\n"
     "select.  Error <= 0.501 ulp, unless a result is subnormal; proved.\n",
-   2, 1, atan2_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+   2, 1, "", atan2_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

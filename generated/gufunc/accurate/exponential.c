@@ -1218,7 +1218,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "1e5; searched, not proved.  Each component is within 1 ulp as long as its condition is below\n"
     "1e13; in single precision it is the nearest number, except near ties, as long as that is\n"
     "below 1e5; searched, not proved.\n",
-   1, 1, SO3_exp_loops},
+   1, 1, "", SO3_exp_loops},
   {"SO3_log", "(3,3)->(3)",
     "vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo.\n"
     "\n"
@@ -1228,7 +1228,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "rotation; searched, not proved.  Each component is within 1 ulp as long as its condition is\n"
     "below 1e13; in single precision it is the nearest number, except near ties, as long as that\n"
     "is below 1e5; searched, not proved.\n",
-   1, 1, SO3_log_loops},
+   1, 1, "R", SO3_log_loops},
   {"SO3_leftJacobian", "(3)->(3,3)",
     "R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.\n"
     "\n"
@@ -1238,7 +1238,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "1e5; searched, not proved.  Each component is within 1 ulp as long as its condition is below\n"
     "1e13; in single precision it is the nearest number, except near ties, as long as that is\n"
     "below 1e5; searched, not proved.\n",
-   1, 1, SO3_leftJacobian_loops},
+   1, 1, "", SO3_leftJacobian_loops},
   {"SO3_rightJacobian", "(3)->(3,3)",
     "R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.\n"
     "\n"
@@ -1248,7 +1248,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "precision 1e5; searched, not proved.  Each component is within 1 ulp as long as its\n"
     "condition is below 1e13; in single precision it is the nearest number, except near ties, as\n"
     "long as that is below 1e5; searched, not proved.\n",
-   1, 1, SO3_rightJacobian_loops},
+   1, 1, "", SO3_rightJacobian_loops},
   {"SO3_leftJacobianInverse", "(3)->(3,3)",
     "R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π\n"
     "except 0.\n"
@@ -1259,7 +1259,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "proved.  Each component is within 1 ulp as long as its condition is below 1e13; in single\n"
     "precision it is the nearest number, except near ties, as long as that is below 1e5;\n"
     "searched, not proved.\n",
-   1, 1, SO3_leftJacobianInverse_loops},
+   1, 1, "", SO3_leftJacobianInverse_loops},
   {"SO3_rightJacobianInverse", "(3)->(3,3)",
     "R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π\n"
     "except 0.\n"
@@ -1270,21 +1270,21 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "proved.  Each component is within 1 ulp as long as its condition is below 1e13; in single\n"
     "precision it is the nearest number, except near ties, as long as that is below 1e5;\n"
     "searched, not proved.\n",
-   1, 1, SO3_rightJacobianInverse_loops},
+   1, 1, "", SO3_rightJacobianInverse_loops},
   {"mat3x3_orthonormalize", "(3,3)->(3,3)",
     "self = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.\n"
     "\n"
     "(3,3)->(3,3).  self: rotation or other 3×3 matrix.\n"
     "84 mul, 288 add, 45 product rest, 6 neg.  Error <= u |result| + 44 u^2 S, S the sum of the\n"
     "|terms| of the expanded formula; barring over- and underflow.\n",
-   1, 1, mat3x3_orthonormalize_loops},
+   1, 1, "", mat3x3_orthonormalize_loops},
   {"mat3x3_orthonormalized", "(3,3)->(3,3)",
     "Ro = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.\n"
     "\n"
     "(3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.\n"
     "84 mul, 288 add, 45 product rest, 6 neg.  Error <= u |result| + 44 u^2 S, S the sum of the\n"
     "|terms| of the expanded formula; barring over- and underflow.\n",
-   1, 1, mat3x3_orthonormalized_loops},
+   1, 1, "", mat3x3_orthonormalized_loops},
   {"SE3_exp", "(6)->(3,4)",
     "D = exp s = [exp ω~ | J_l(ω) v].\n"
     "\n"
@@ -1295,7 +1295,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "within 1 ulp as long as its condition is below 1e13; in single precision it is the nearest\n"
     "number, except near ties, as long as that is below 1e5; searched, not proved.  Intermediate\n"
     "sums may overflow where |v|, or |ω| |v|, is above 2e306, in single precision 5e36.\n",
-   1, 1, SE3_exp_loops},
+   1, 1, "", SE3_exp_loops},
   {"SE3_log", "(3,4)->(6)",
     "so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.\n"
     "\n"
@@ -1306,7 +1306,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "long as its condition is below 1e13; in single precision it is the nearest number, except\n"
     "near ties, as long as that is below 1e5; searched, not proved.  Intermediate sums may\n"
     "overflow where |t| is above 2e306, in single precision 5e36.\n",
-   1, 1, SE3_log_loops},
+   1, 1, "R", SE3_log_loops},
   {"SE3_leftJacobian", "(6)->(6,6)",
     "M = J_l(s) = Σ ([ad](s))^k / (k+1)!.\n"
     "\n"
@@ -1317,7 +1317,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "single precision it is the nearest number, except near ties, as long as that is below 1e5;\n"
     "searched, not proved.  Intermediate sums may overflow where |v| is above 2e306, in single\n"
     "precision 5e36.\n",
-   1, 1, SE3_leftJacobian_loops},
+   1, 1, "", SE3_leftJacobian_loops},
   {"SE3_rightJacobian", "(6)->(6,6)",
     "M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.\n"
     "\n"
@@ -1328,7 +1328,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "single precision it is the nearest number, except near ties, as long as that is below 1e5;\n"
     "searched, not proved.  Intermediate sums may overflow where |v| is above 2e306, in single\n"
     "precision 5e36.\n",
-   1, 1, SE3_rightJacobian_loops},
+   1, 1, "", SE3_rightJacobian_loops},
   {"SE3_leftJacobianInverse", "(6)->(6,6)",
     "M = J_l(s)^-1; singular where |ω| is a multiple of 2π except 0.\n"
     "\n"
@@ -1339,7 +1339,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "single precision it is the nearest number, except near ties, as long as that is below 1e5;\n"
     "searched, not proved.  Intermediate sums may overflow where |v| is above 2e306, in single\n"
     "precision 5e36.\n",
-   1, 1, SE3_leftJacobianInverse_loops},
+   1, 1, "", SE3_leftJacobianInverse_loops},
   {"SE3_rightJacobianInverse", "(6)->(6,6)",
     "M = J_r(s)^-1; singular where |ω| is a multiple of 2π except 0.\n"
     "\n"
@@ -1350,7 +1350,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "single precision it is the nearest number, except near ties, as long as that is below 1e5;\n"
     "searched, not proved.  Intermediate sums may overflow where |v| is above 2e306, in single\n"
     "precision 5e36.\n",
-   1, 1, SE3_rightJacobianInverse_loops},
+   1, 1, "", SE3_rightJacobianInverse_loops},
   {"SE3_interpolated", "(3,4),(3,4),()->(3,4)",
     "Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.\n"
     "\n"
@@ -1362,8 +1362,8 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "below 1e13; in single precision it is the nearest number, except near ties, as long as that\n"
     "is below 1e5; searched, not proved.  Intermediate sums may overflow where |t| of D1 or D2 is\n"
     "above 2e306, in single precision 5e36.\n",
-   3, 1, SE3_interpolated_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+   3, 1, "RR.", SE3_interpolated_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

@@ -662,7 +662,7 @@ const coscrew_gufunc TABLE(inertia)[] = {
     "inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx in\n"
     "kg m^2).\n"
     "3 mul, 3 add, 3 product error.  Error <= u |result|, barring over- and underflow.\n",
-   8, 1, inertia_loops},
+   8, 1, "", inertia_loops},
   {"inertia_rotated", "(10),(3,3)->(10)",
     "Jo = Ji rotated by R: m, R mt, R I R^T.\n"
     "\n"
@@ -670,7 +670,7 @@ const coscrew_gufunc TABLE(inertia)[] = {
     "xx, yy, zz, xy, yz, zx in kg m^2); R: rotation or other 3×3 matrix.\n"
     "72 mul, 207 add, 54 product rest.  Error <= u |result| + (m: 0, mt: 11, I: 37) u^2 S, S the\n"
     "sum of the |terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, inertia_rotated_loops},
+   2, 1, ".R", inertia_rotated_loops},
   {"inertia_rotate", "(10),(3,3)->(10)",
     "self = self rotated by R: m, R mt, R I R^T.\n"
     "\n"
@@ -678,7 +678,7 @@ const coscrew_gufunc TABLE(inertia)[] = {
     "xx, yy, zz, xy, yz, zx in kg m^2); R: rotation or other 3×3 matrix.\n"
     "72 mul, 207 add, 54 product rest.  Error <= u |result| + (m: 0, mt: 11, I: 37) u^2 S, S the\n"
     "sum of the |terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, inertia_rotate_loops},
+   2, 1, ".R", inertia_rotate_loops},
   {"inertia_translated", "(10),(3)->(10)",
     "Jo = Ji translated by t: m, mt + m t, I.\n"
     "\n"
@@ -686,7 +686,7 @@ const coscrew_gufunc TABLE(inertia)[] = {
     "xx, yy, zz, xy, yz, zx in kg m^2); t: vector.\n"
     "3 mul, 18 add, 3 product rest.  Error <= u |result| + (m: 0, mt: 3, I: 0) u^2 S, S the sum\n"
     "of the |terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, inertia_translated_loops},
+   2, 1, "", inertia_translated_loops},
   {"inertia_translate", "(10),(3)->(10)",
     "self = self translated by t: m, mt + m t, I.\n"
     "\n"
@@ -694,7 +694,7 @@ const coscrew_gufunc TABLE(inertia)[] = {
     "yy, zz, xy, yz, zx in kg m^2); t: vector.\n"
     "3 mul, 18 add, 3 product rest.  Error <= u |result| + (m: 0, mt: 3, I: 0) u^2 S, S the sum\n"
     "of the |terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, inertia_translate_loops},
+   2, 1, "", inertia_translate_loops},
   {"inertia_transformed", "(10),(3,4)->(10)",
     "Jo = Ji displaced by D = [R | t]: m, R mt + m t, R I R^T.\n"
     "\n"
@@ -702,7 +702,7 @@ const coscrew_gufunc TABLE(inertia)[] = {
     "xx, yy, zz, xy, yz, zx in kg m^2); D: displacement [R | t], R rotation, t in m.\n"
     "75 mul, 225 add, 57 product rest.  Error <= u |result| + (m: 0, mt: 17, I: 37) u^2 S, S the\n"
     "sum of the |terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, inertia_transformed_loops},
+   2, 1, ".R", inertia_transformed_loops},
   {"inertia_transform", "(10),(3,4)->(10)",
     "self = self displaced by D = [R | t]: m, R mt + m t, R I R^T.\n"
     "\n"
@@ -710,7 +710,7 @@ const coscrew_gufunc TABLE(inertia)[] = {
     "xx, yy, zz, xy, yz, zx in kg m^2); D: displacement [R | t], R rotation, t in m.\n"
     "75 mul, 225 add, 57 product rest.  Error <= u |result| + (m: 0, mt: 17, I: 37) u^2 S, S the\n"
     "sum of the |terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, inertia_transform_loops},
+   2, 1, ".R", inertia_transform_loops},
   {"inertia_merge", "(10),(3),(10),(3),(3,4)->(10)",
     "Ji = the inertia of two joined bodies: Ji, and Jj displaced by D_ij = [R | t]: m_i + m_j,\n"
     "mt_i + m_j c, I_i + R I_j R^T + m_i m_j/(m_i + m_j) (d·d 1 - d d^T) with c = R t_jc + t, d =\n"
@@ -723,8 +723,8 @@ const coscrew_gufunc TABLE(inertia)[] = {
     "109 mul, 401 add, 5 product error, 66 product rest, 2 div, 10 equal, 10 select.  Error <= 18\n"
     "u times the sum of the absolute values of all terms, for masses that are not negative,\n"
     "barring over- and underflow.\n",
-   5, 1, inertia_merge_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+   5, 1, "....R", inertia_merge_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

@@ -874,6 +874,87 @@ static void mat3x3_jacobi_single(
 static PyUFuncGenericFunction mat3x3_jacobi_loops[] = {
     mat3x3_jacobi_double, mat3x3_jacobi_single};
 
+/* (3,3)->() */
+INLINED void mat3x3_rotation_defect_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3_t R;
+  load_mat3x3_double(&R, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    double defect;
+    if (step[0] != 0) {
+      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
+    }
+    defect = ksl_mat3x3_rotation_defect_accurate(&R);
+    store_scalar_double(&defect, p1 + i * step[1], core + 2);
+  }
+}
+
+static void mat3x3_rotation_defect_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 72, 8, 24, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_rotation_defect_double_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 24, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    mat3x3_rotation_defect_double_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  mat3x3_rotation_defect_double_over(data, n[0], step, step + 2);
+}
+
+/* (3,3)->() */
+INLINED void mat3x3_rotation_defect_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3f_t R;
+  load_mat3x3_single(&R, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    float defect;
+    if (step[0] != 0) {
+      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
+    }
+    defect = ksl_mat3x3f_rotation_defect_accurate(&R);
+    store_scalar_single(&defect, p1 + i * step[1], core + 2);
+  }
+}
+
+static void mat3x3_rotation_defect_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 36, 4, 12, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_rotation_defect_single_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 4, 12, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    mat3x3_rotation_defect_single_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  mat3x3_rotation_defect_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction mat3x3_rotation_defect_loops[] = {
+    mat3x3_rotation_defect_double, mat3x3_rotation_defect_single};
+
 /* (3),()->(3,3) */
 INLINED void mat3x3_from_axis_angle_double_over(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
@@ -1056,14 +1137,14 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "(3),(3)->(3,3).  w, dw: vector; Ro: rotation or other 3×3 matrix.\n"
     "6 mul, 51 add, 12 product rest, 6 neg.  Error <= u |result| + 6 u^2 S, S the sum of the\n"
     "|terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, acceleration_tensor_loops},
+   2, 1, "", acceleration_tensor_loops},
   {"mat3x3_determinant", "(3,3)->()",
     "det R.\n"
     "\n"
     "(3,3)->().  R: rotation or other 3×3 matrix; det: number.\n"
     "12 mul, 26 add, 9 product rest.  Error <= u |result| + 28 u^2 S, S the sum of the |terms| of\n"
     "the expanded formula; barring over- and underflow.\n",
-   1, 1, mat3x3_determinant_loops},
+   1, 1, "", mat3x3_determinant_loops},
   {"mat3x3_inverse", "(3,3)->(),(3,3)",
     "Ro = R^-1 = adj R / det R; returns det R, which is 0 or infinite where it under- or\n"
     "overflows.  Returns 0, with Ro = NaN, where R may be singular: |det R| <= 8 u p + 1e-29 m^3\n"
@@ -1074,7 +1155,7 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "equal, 55 select.  Error of Ro_ij <= 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R|, m_ji the\n"
     "sum of the |terms| of the cofactor, or 2^-80 m^2 (double 2^-700 m^2) if that is more;\n"
     "barring over- and underflow of Ro_ij itself.\n",
-   1, 2, mat3x3_inverse_loops},
+   1, 2, "", mat3x3_inverse_loops},
   {"mat3x3_normalize", "(3,3)->(3,3)",
     "self = orthonormal rows by Gram–Schmidt: the first keeps its direction, the second stays on\n"
     "its side of the first, the third on its side of both; NaN where the rows are linearly\n"
@@ -1083,7 +1164,7 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "(3,3)->(3,3).  self: rotation or other 3×3 matrix.\n"
     "154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,\n"
     "18 equal, 70 select.  |R R^T - I|_ij <= 8 u for the result R; searched, not proved.\n",
-   1, 1, mat3x3_normalize_loops},
+   1, 1, "", mat3x3_normalize_loops},
   {"mat3x3_normalized", "(3,3)->(3,3)",
     "Ro = orthonormal rows by Gram–Schmidt: the first keeps its direction, the second stays on\n"
     "its side of the first, the third on its side of both; NaN where the rows are linearly\n"
@@ -1092,7 +1173,7 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "(3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.\n"
     "154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,\n"
     "18 equal, 70 select.  |R R^T - I|_ij <= 8 u for the result R; searched, not proved.\n",
-   1, 1, mat3x3_normalized_loops},
+   1, 1, "", mat3x3_normalized_loops},
   {"mat3x3_setFromAxisDC", "(3),(2)->(3,3)",
     "R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is not a rotation),\n"
     "dc = (sin θ, cos θ).\n"
@@ -1100,7 +1181,7 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "(3),(2)->(3,3).  axis: vector; dc: (sin θ, cos θ); R: rotation or other 3×3 matrix.\n"
     "21 mul, 66 add, 3 product error, 15 product rest.  Error <= u |result| + 14 u^2 S, S the sum\n"
     "of the |terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, mat3x3_setFromAxisDC_loops},
+   2, 1, "", mat3x3_setFromAxisDC_loops},
   {"mat3x3_from_euler_xyz", "(3)->(3,3)",
     "R = R_x(a) R_y(b) R_z(c), angles = (a, b, c).\n"
     "\n"
@@ -1109,7 +1190,7 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "select.  Each component is within 1 ulp as long as its condition is below 1e13; in single\n"
     "precision it is the nearest number, except near ties, as long as that is below 1e5;\n"
     "searched, not proved.\n",
-   1, 1, mat3x3_from_euler_xyz_loops},
+   1, 1, "", mat3x3_from_euler_xyz_loops},
   {"euler_xyz_from_mat3x3", "(3,3)->(3)",
     "angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in\n"
     "[-π/2, π/2]; c = 0 in gimbal lock.\n"
@@ -1119,7 +1200,7 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "copysign, 41 less, 16 equal, 85 select.  Each component is within 1 ulp as long as its\n"
     "condition is below 1e13; in single precision it is the nearest number, except near ties, as\n"
     "long as that is below 1e5; searched, not proved.\n",
-   1, 1, euler_xyz_from_mat3x3_loops},
+   1, 1, "R", euler_xyz_from_mat3x3_loops},
   {"mat3x3_from_euler_xyx", "(3)->(3,3)",
     "R = R_x(a) R_y(b) R_x(c), angles = (a, b, c).\n"
     "\n"
@@ -1128,7 +1209,7 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "select.  Each component is within 1 ulp as long as its condition is below 1e13; in single\n"
     "precision it is the nearest number, except near ties, as long as that is below 1e5;\n"
     "searched, not proved.\n",
-   1, 1, mat3x3_from_euler_xyx_loops},
+   1, 1, "", mat3x3_from_euler_xyx_loops},
   {"euler_xyx_from_mat3x3", "(3,3)->(3)",
     "angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in\n"
     "[0, π]; c = 0 in gimbal lock.\n"
@@ -1138,7 +1219,7 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "copysign, 41 less, 16 equal, 85 select.  Each component is within 1 ulp as long as its\n"
     "condition is below 1e13; in single precision it is the nearest number, except near ties, as\n"
     "long as that is below 1e5; searched, not proved.\n",
-   1, 1, euler_xyx_from_mat3x3_loops},
+   1, 1, "R", euler_xyx_from_mat3x3_loops},
   {"mat3x3_jacobi", "(3,3),(3,3)->(3,3),(3,3)",
     "A = J^T A J, V = V J: Jacobi's rotation J in the xy plane, by the smaller angle that makes\n"
     "A_xy zero; then y, z, x become x, y, z.  A is symmetric, only its lower triangle is read.\n"
@@ -1148,7 +1229,15 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "51 mul, 153 add, 6 product error, 20 product rest, 8 div, 2 sqrt, 3 neg, 1 abs, 2 less, 13\n"
     "equal, 18 select.  V A V^T changes by at most 28 u max |A| for orthonormal V; searched, not\n"
     "proved.\n",
-   2, 2, mat3x3_jacobi_loops},
+   2, 2, ".R", mat3x3_jacobi_loops},
+  {"mat3x3_rotation_defect", "(3,3)->()",
+    "the largest of |det R - 1| and |R^T R - I|_ij: 0 for a rotation, 2 for a reflection, NaN if\n"
+    "an entry is NaN.\n"
+    "\n"
+    "(3,3)->().  R: rotation or other 3×3 matrix; defect: number.\n"
+    "30 mul, 228 add, 27 product rest, 7 neg, 7 abs, 13 less, 19 select.  Error <= 6 u near a\n"
+    "rotation; measured, not proved.\n",
+   1, 1, "", mat3x3_rotation_defect_loops},
   {"mat3x3_from_axis_angle", "(3),()->(3,3)",
     "R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; otherwise R is\n"
     "not a rotation.\n"
@@ -1159,7 +1248,7 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "Each component is within 1 ulp as long as its condition is below 1e13; in single precision\n"
     "it is the nearest number, except near ties, as long as that is below 1e5; searched, not\n"
     "proved.\n",
-   2, 1, mat3x3_from_axis_angle_loops},
+   2, 1, "", mat3x3_from_axis_angle_loops},
   {"axis_angle_from_mat3x3", "(3,3)->(),(3)",
     "angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0.\n"
     "\n"
@@ -1169,8 +1258,8 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "component for R a rotation; searched, not proved.  Each component is within 1 ulp as long as\n"
     "its condition is below 1e13; in single precision it is the nearest number, except near ties,\n"
     "as long as that is below 1e5; searched, not proved.\n",
-   1, 2, axis_angle_from_mat3x3_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+   1, 2, "R", axis_angle_from_mat3x3_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

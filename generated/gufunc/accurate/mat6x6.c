@@ -189,7 +189,7 @@ const coscrew_gufunc TABLE(mat6x6)[] = {
     "(3,3),(6,6)->(6,6).  R: rotation or other 3×3 matrix; M, Mo: 6×6 operator.\n"
     "207 mul, 564 add, 144 product rest.  Error <= u |result| + 37 u^2 S, S the sum of the\n"
     "|terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, mat6x6_rotated_loops},
+   2, 1, "R.", mat6x6_rotated_loops},
   {"mat6x6_shifted", "(3),(6,6)->(6,6)",
     "Mo = [Ad]*(t) M [Ad]^-1(t), the articulated inertia M shifted by t; M is symmetric, only its\n"
     "lower triangle is read.\n"
@@ -197,8 +197,8 @@ const coscrew_gufunc TABLE(mat6x6)[] = {
     "(3),(6,6)->(6,6).  t: vector; M, Mo: 6×6 operator.\n"
     "51 mul, 264 add, 42 product rest.  Error <= u |result| + 45 u^2 S, S the sum of the |terms|\n"
     "of the expanded formula; barring over- and underflow.\n",
-   2, 1, mat6x6_shifted_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+   2, 1, "", mat6x6_shifted_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

@@ -2859,113 +2859,113 @@ const coscrew_gufunc TABLE(screw)[] = {
     "\n"
     "(6),()->(6).  self: screw (v in m/s; ω in rad/s); a: number.\n"
     "6 mul, 6 add, 6 product error.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, screw_scale_loops},
+   2, 1, "", screw_scale_loops},
   {"axpy_ss", "(),(6),(6)->(6)",
     "y = a x + y.\n"
     "\n"
     "(),(6),(6)->(6).  a: number; x, y: screw (v in m/s; ω in rad/s).\n"
     "6 mul, 36 add, 6 product rest.  Error <= u |result| + 3 u^2 S, S the sum of the |terms| of\n"
     "the expanded formula; barring over- and underflow.\n",
-   3, 1, axpy_ss_loops},
+   3, 1, "", axpy_ss_loops},
   {"xpy_ss", "(6),(6)->(6)",
     "y = x + y.\n"
     "\n"
     "(6),(6)->(6).  x, y: screw (v in m/s; ω in rad/s).\n"
     "42 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, xpy_ss_loops},
+   2, 1, "", xpy_ss_loops},
   {"nxpy_ss", "(6),(6)->(6)",
     "y = -x + y.\n"
     "\n"
     "(6),(6)->(6).  x, y: screw (v in m/s; ω in rad/s).\n"
     "42 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, nxpy_ss_loops},
+   2, 1, "", nxpy_ss_loops},
   {"product_as", "(),(6)->(6)",
     "so = a si.\n"
     "\n"
     "(),(6)->(6).  a: number; si, so: screw (v in m/s; ω in rad/s).\n"
     "6 mul, 6 add, 6 product error.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, product_as_loops},
+   2, 1, "", product_as_loops},
   {"add_ss", "(6),(6)->(6)",
     "so = s1 + s2.\n"
     "\n"
     "(6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).\n"
     "42 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, add_ss_loops},
+   2, 1, "", add_ss_loops},
   {"subtract_ss", "(6),(6)->(6)",
     "so = s1 - s2.\n"
     "\n"
     "(6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).\n"
     "42 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, subtract_ss_loops},
+   2, 1, "", subtract_ss_loops},
   {"screw_norm", "(6)->()",
     "|si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).\n"
     "\n"
     "(6)->().  si: screw (v in m/s; ω in rad/s); norm: number.\n"
     "10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 11 less, 3 equal, 16\n"
     "select.\n",
-   1, 1, screw_norm_loops},
+   1, 1, "", screw_norm_loops},
   {"screw_normalize", "(6)->(6)",
     "self = self / |self|, with screw_norm; the zero screw stays zero.\n"
     "\n"
     "(6)->(6).  self: screw (v in m/s; ω in rad/s).\n"
     "43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 9 equal,\n"
     "34 select.\n",
-   1, 1, screw_normalize_loops},
+   1, 1, "", screw_normalize_loops},
   {"screw_normalized", "(6)->(6)",
     "so = si / |si|, with screw_norm; the zero screw stays zero.\n"
     "\n"
     "(6)->(6).  si, so: screw (v in m/s; ω in rad/s).\n"
     "43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 9 equal,\n"
     "34 select.\n",
-   1, 1, screw_normalized_loops},
+   1, 1, "", screw_normalized_loops},
   {"add_sst", "(6),(6)->(6)",
     "so = (s1.lin + s2.lin ; s1.ang).\n"
     "\n"
     "(6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).\n"
     "21 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, add_sst_loops},
+   2, 1, "", add_sst_loops},
   {"product_Adts", "(3),(6)->(6)",
     "so = [Ad](t) si.\n"
     "\n"
     "(3),(6)->(6).  t: vector; si, so: screw (v in m/s; ω in rad/s).\n"
     "6 mul, 36 add, 6 product rest.  Error <= u |result| + (lin: 9, ang: 0) u^2 S, S the sum of\n"
     "the |terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, product_Adts_loops},
+   2, 1, "", product_Adts_loops},
   {"product_Adtinvs", "(3),(6)->(6)",
     "so = [Ad](t)^-1 si.\n"
     "\n"
     "(3),(6)->(6).  t: vector; si, so: screw (v in m/s; ω in rad/s).\n"
     "6 mul, 36 add, 6 product rest.  Error <= u |result| + (lin: 9, ang: 0) u^2 S, S the sum of\n"
     "the |terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, product_Adtinvs_loops},
+   2, 1, "", product_Adtinvs_loops},
   {"product_Adtsinv", "(3),(6)->(6)",
     "so = [Ad](t) (-si).\n"
     "\n"
     "(3),(6)->(6).  t: vector; si, so: screw (v in m/s; ω in rad/s).\n"
     "6 mul, 36 add, 6 product rest, 3 neg.  Error <= u |result| + (lin: 9, ang: 0) u^2 S, S the\n"
     "sum of the |terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, product_Adtsinv_loops},
+   2, 1, "", product_Adtsinv_loops},
   {"product_Adrs", "(3,3),(6)->(6)",
     "so = [Ad](R) si.\n"
     "\n"
     "(3,3),(6)->(6).  R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).\n"
     "18 mul, 66 add, 18 product rest.  Error <= u |result| + 11 u^2 S, S the sum of the |terms|\n"
     "of the expanded formula; barring over- and underflow.\n",
-   2, 1, product_Adrs_loops},
+   2, 1, "R.", product_Adrs_loops},
   {"product_Adrinvs", "(3,3),(6)->(6)",
     "so = [Ad](R)^-1 si.\n"
     "\n"
     "(3,3),(6)->(6).  R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).\n"
     "18 mul, 66 add, 18 product rest.  Error <= u |result| + 11 u^2 S, S the sum of the |terms|\n"
     "of the expanded formula; barring over- and underflow.\n",
-   2, 1, product_Adrinvs_loops},
+   2, 1, "R.", product_Adrinvs_loops},
   {"product_Adrsinv", "(3,3),(6)->(6)",
     "so = [Ad](R) (-si).\n"
     "\n"
     "(3,3),(6)->(6).  R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).\n"
     "18 mul, 66 add, 18 product rest, 12 neg.  Error <= u |result| + 11 u^2 S, S the sum of the\n"
     "|terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, product_Adrsinv_loops},
+   2, 1, "R.", product_Adrsinv_loops},
   {"product_Ads", "(3,4),(6)->(6)",
     "so = [Ad](D) si = [Ad](t) [Ad](R) si.\n"
     "\n"
@@ -2973,7 +2973,7 @@ const coscrew_gufunc TABLE(screw)[] = {
     "rad/s).\n"
     "30 mul, 108 add, 24 product rest.  Error <= u |result| + (lin: 35, ang: 11) u^2 S, S the sum\n"
     "of the |terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, product_Ads_loops},
+   2, 1, "R.", product_Ads_loops},
   {"product_Adinvs", "(3,4),(6)->(6)",
     "so = [Ad](D)^-1 si = [Ad](R^T) [Ad](-t) si.\n"
     "\n"
@@ -2981,7 +2981,7 @@ const coscrew_gufunc TABLE(screw)[] = {
     "rad/s).\n"
     "33 mul, 108 add, 24 product rest.  Error <= u |result| + (lin: 35, ang: 11) u^2 S, S the sum\n"
     "of the |terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, product_Adinvs_loops},
+   2, 1, "R.", product_Adinvs_loops},
   {"product_Adsinv", "(3,4),(6)->(6)",
     "so = [Ad](D) (-si).\n"
     "\n"
@@ -2989,63 +2989,63 @@ const coscrew_gufunc TABLE(screw)[] = {
     "rad/s).\n"
     "30 mul, 108 add, 24 product rest, 12 neg.  Error <= u |result| + (lin: 35, ang: 11) u^2 S, S\n"
     "the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, product_Adsinv_loops},
+   2, 1, "R.", product_Adsinv_loops},
   {"hsrx", "(3,4)->(6)",
     "so = h_rx: column 3 of [Ad](D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
     "6 mul, 15 add, 6 product rest.  Error <= u |result| + (lin: 6, ang: 0) u^2 S, S the sum of\n"
     "the |terms| of the expanded formula; barring over- and underflow.\n",
-   1, 1, hsrx_loops},
+   1, 1, "R", hsrx_loops},
   {"hsry", "(3,4)->(6)",
     "so = h_ry: column 4 of [Ad](D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
     "6 mul, 15 add, 6 product rest.  Error <= u |result| + (lin: 6, ang: 0) u^2 S, S the sum of\n"
     "the |terms| of the expanded formula; barring over- and underflow.\n",
-   1, 1, hsry_loops},
+   1, 1, "R", hsry_loops},
   {"hsrz", "(3,4)->(6)",
     "so = h_rz: column 5 of [Ad](D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
     "6 mul, 15 add, 6 product rest.  Error <= u |result| + (lin: 6, ang: 0) u^2 S, S the sum of\n"
     "the |terms| of the expanded formula; barring over- and underflow.\n",
-   1, 1, hsrz_loops},
+   1, 1, "R", hsrz_loops},
   {"hsrxinv", "(3,4)->(6)",
     "so = -h_rx: -column 3 of [Ad](D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
     "6 mul, 15 add, 6 product rest, 3 neg.  Error <= u |result| + (lin: 6, ang: 0) u^2 S, S the\n"
     "sum of the |terms| of the expanded formula; barring over- and underflow.\n",
-   1, 1, hsrxinv_loops},
+   1, 1, "R", hsrxinv_loops},
   {"hsryinv", "(3,4)->(6)",
     "so = -h_ry: -column 4 of [Ad](D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
     "6 mul, 15 add, 6 product rest, 3 neg.  Error <= u |result| + (lin: 6, ang: 0) u^2 S, S the\n"
     "sum of the |terms| of the expanded formula; barring over- and underflow.\n",
-   1, 1, hsryinv_loops},
+   1, 1, "R", hsryinv_loops},
   {"hsrzinv", "(3,4)->(6)",
     "so = -h_rz: -column 5 of [Ad](D).\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
     "6 mul, 15 add, 6 product rest, 3 neg.  Error <= u |result| + (lin: 6, ang: 0) u^2 S, S the\n"
     "sum of the |terms| of the expanded formula; barring over- and underflow.\n",
-   1, 1, hsrzinv_loops},
+   1, 1, "R", hsrzinv_loops},
   {"Ad", "(3,4)->(6,6)",
     "M = [Ad](D).\n"
     "\n"
     "(3,4)->(6,6).  D: displacement [R | t], R rotation, t in m; M: 6×6 operator.\n"
     "18 mul, 45 add, 18 product rest.  Error <= u |result| + 6 u^2 S, S the sum of the |terms| of\n"
     "the expanded formula; barring over- and underflow.\n",
-   1, 1, Ad_loops},
+   1, 1, "R", Ad_loops},
   {"dot_cs", "(6),(6)->()",
     "power = f·v + τ·ω, in W.\n"
     "\n"
     "(6),(6)->().  c: coscrew (f in N; τ in N m); s: screw (v in m/s; ω in rad/s); power: number.\n"
     "6 mul, 29 add, 6 product rest.  Error <= u |result| + 19 u^2 S, S the sum of the |terms| of\n"
     "the expanded formula; barring over- and underflow.\n",
-   2, 1, dot_cs_loops},
+   2, 1, "", dot_cs_loops},
   {"cross_ss", "(6),(6)->(6)",
     "so = [ad](s1) s2 = (ω1×v2 + v1×ω2 ; ω1×ω2).  Exactly zero for s1 = s2, unless products\n"
     "overflow.\n"
@@ -3053,14 +3053,14 @@ const coscrew_gufunc TABLE(screw)[] = {
     "(6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).\n"
     "18 mul, 66 add, 18 product rest.  Error <= u |result| + (lin: 12, ang: 6) u^2 S, S the sum\n"
     "of the |terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, cross_ss_loops},
+   2, 1, "", cross_ss_loops},
   {"cross_sst", "(6),(6)->(6)",
     "so = (ω1×v2 ; 0).\n"
     "\n"
     "(6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).\n"
     "6 mul, 15 add, 6 product rest.  Error <= u |result| + (lin: 6, ang: 0) u^2 S, S the sum of\n"
     "the |terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, cross_sst_loops},
+   2, 1, "", cross_sst_loops},
   {"hsra", "(3,4),(3)->(6)",
     "so = (t×R a ; R a), a = axis in the body's frame.\n"
     "\n"
@@ -3068,7 +3068,7 @@ const coscrew_gufunc TABLE(screw)[] = {
     "m/s; ω in rad/s).\n"
     "21 mul, 54 add, 15 product rest.  Error <= u |result| + (lin: 28, ang: 11) u^2 S, S the sum\n"
     "of the |terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, hsra_loops},
+   2, 1, "R.", hsra_loops},
   {"hsta", "(3,4),(3)->(6)",
     "so = (R a ; 0), a = axis in the body's frame.\n"
     "\n"
@@ -3076,7 +3076,7 @@ const coscrew_gufunc TABLE(screw)[] = {
     "m/s; ω in rad/s).\n"
     "9 mul, 33 add, 9 product rest.  Error <= u |result| + (lin: 11, ang: 0) u^2 S, S the sum of\n"
     "the |terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, hsta_loops},
+   2, 1, "R.", hsta_loops},
   {"hsrainv", "(3,4),(3)->(6)",
     "so = -(t×R a ; R a), a = axis in the body's frame.\n"
     "\n"
@@ -3084,7 +3084,7 @@ const coscrew_gufunc TABLE(screw)[] = {
     "m/s; ω in rad/s).\n"
     "21 mul, 54 add, 15 product rest, 6 neg.  Error <= u |result| + (lin: 28, ang: 11) u^2 S, S\n"
     "the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, hsrainv_loops},
+   2, 1, "R.", hsrainv_loops},
   {"hstainv", "(3,4),(3)->(6)",
     "so = -(R a ; 0), a = axis in the body's frame.\n"
     "\n"
@@ -3092,8 +3092,8 @@ const coscrew_gufunc TABLE(screw)[] = {
     "m/s; ω in rad/s).\n"
     "9 mul, 33 add, 9 product rest, 6 neg.  Error <= u |result| + (lin: 11, ang: 0) u^2 S, S the\n"
     "sum of the |terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, hstainv_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+   2, 1, "R.", hstainv_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

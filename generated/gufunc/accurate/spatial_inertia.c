@@ -1188,21 +1188,21 @@ const coscrew_gufunc TABLE(spatial_inertia)[] = {
     "(10),()->(10).  self: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy,\n"
     "zz, xy, xz, yz in kg m^2); a: number.\n"
     "10 mul, 10 add, 10 product error.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, spatial_inertia_scale_loops},
+   2, 1, "", spatial_inertia_scale_loops},
   {"add_BB", "(10),(10)->(10)",
     "Bo = B1 + B2.\n"
     "\n"
     "(10),(10)->(10).  B1, B2, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin,\n"
     "xx, yy, zz, xy, xz, yz in kg m^2).\n"
     "70 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, add_BB_loops},
+   2, 1, "", add_BB_loops},
   {"subtract_BB", "(10),(10)->(10)",
     "Bo = B1 - B2.\n"
     "\n"
     "(10),(10)->(10).  B1, B2, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin,\n"
     "xx, yy, zz, xy, xz, yz in kg m^2).\n"
     "70 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, subtract_BB_loops},
+   2, 1, "", subtract_BB_loops},
   {"spatial_inertia_from_com", "(),(3),(3,3)->(10)",
     "Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; only the upper triangle\n"
     "is read): h = m com, I = Ic - m com~ com~.\n"
@@ -1211,7 +1211,7 @@ const coscrew_gufunc TABLE(spatial_inertia)[] = {
     "inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).\n"
     "15 mul, 66 add, 3 product error, 9 product rest.  Error <= u |result| + (m: 0, h: 0, I: 15)\n"
     "u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
-   3, 1, spatial_inertia_from_com_loops},
+   3, 1, "", spatial_inertia_from_com_loops},
   {"spatial_inertia_from_inertia", "(10)->(10)",
     "Bo = (m, mt, I - mt~ mt~ / m) from the inertia J, whose moments are about the centre of\n"
     "mass; NaN where m = 0.\n"
@@ -1221,7 +1221,7 @@ const coscrew_gufunc TABLE(spatial_inertia)[] = {
     "origin, xx, yy, zz, xy, xz, yz in kg m^2).\n"
     "15 mul, 69 add, 3 product error, 9 product rest, 6 div, 6 equal, 6 select.  Error of a\n"
     "moment <= 4 u times the sum of its |terms|, barring over- and underflow.\n",
-   1, 1, spatial_inertia_from_inertia_loops},
+   1, 1, "", spatial_inertia_from_inertia_loops},
   {"inertia_from_spatial_inertia", "(10)->(10)",
     "Jo = (m, h, I + h~ h~ / m) from the spatial inertia B, with moments about the centre of\n"
     "mass; NaN where m = 0.\n"
@@ -1231,7 +1231,7 @@ const coscrew_gufunc TABLE(spatial_inertia)[] = {
     "xx, yy, zz, xy, yz, zx in kg m^2).\n"
     "15 mul, 69 add, 3 product error, 9 product rest, 6 div, 6 equal, 6 select.  Error of a\n"
     "moment <= 4 u times the sum of its |terms|, barring over- and underflow.\n",
-   1, 1, inertia_from_spatial_inertia_loops},
+   1, 1, "", inertia_from_spatial_inertia_loops},
   {"spatial_inertia_com", "(10)->(3)",
     "vo = h / m, the centre of mass in m.\n"
     "\n"
@@ -1239,14 +1239,14 @@ const coscrew_gufunc TABLE(spatial_inertia)[] = {
     "xy, xz, yz in kg m^2); vo: vector.\n"
     "3 mul, 9 add, 3 product error, 6 div, 3 equal, 3 select.  Error <= u |result|, barring over-\n"
     "and underflow.\n",
-   1, 1, spatial_inertia_com_loops},
+   1, 1, "", spatial_inertia_com_loops},
   {"spatial_inertia_about_com", "(10)->(3,3)",
     "Ro = I + h~ h~ / m, the second moments about the centre of mass.\n"
     "\n"
     "(10)->(3,3).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,\n"
     "xy, xz, yz in kg m^2); Ro: rotation or other 3×3 matrix.\n"
     "15 mul, 69 add, 3 product error, 9 product rest, 6 div, 6 equal, 6 select.\n",
-   1, 1, spatial_inertia_about_com_loops},
+   1, 1, "", spatial_inertia_about_com_loops},
   {"product_Bs", "(10),(6)->(6)",
     "co = B s = (m v - h × ω; h × v + I ω), the momentum of a body that moves with s.\n"
     "\n"
@@ -1254,7 +1254,7 @@ const coscrew_gufunc TABLE(spatial_inertia)[] = {
     "zz, xy, xz, yz in kg m^2); s: screw (v in m/s; ω in rad/s); co: coscrew (f in N; τ in N m).\n"
     "24 mul, 102 add, 24 product rest.  Error <= u |result| + (lin: 11, ang: 19) u^2 S, S the sum\n"
     "of the |terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, product_Bs_loops},
+   2, 1, "", product_Bs_loops},
   {"spatial_inertia_energy", "(10),(6)->()",
     "s·B s / 2, the kinetic energy in J of a body that moves with s.\n"
     "\n"
@@ -1262,7 +1262,7 @@ const coscrew_gufunc TABLE(spatial_inertia)[] = {
     "xy, xz, yz in kg m^2); s: screw (v in m/s; ω in rad/s); energy: number.\n"
     "34 mul, 142 add, 25 product rest.  Error <= u |result| + 44 u^2 S, S the sum of the |terms|\n"
     "of the expanded formula; barring over- and underflow.\n",
-   2, 1, spatial_inertia_energy_loops},
+   2, 1, "", spatial_inertia_energy_loops},
   {"spatial_inertia_net_wrench", "(10),(3),(6)->(6)",
     "co = B ds + (w × (w × h); w × I w): the net wrench, about the origin, of a body with angular\n"
     "velocity w and acceleration ds = (a; w'), where a is that of the point now at the origin; if\n"
@@ -1274,7 +1274,7 @@ const coscrew_gufunc TABLE(spatial_inertia)[] = {
     "63 mul, 324 add, 3 product error, 51 product rest, 6 neg.  Error <= u |result| + (lin: 36,\n"
     "ang: 42) u^2 S, S the sum of the |terms| of the expanded formula; barring over- and\n"
     "underflow.\n",
-   3, 1, spatial_inertia_net_wrench_loops},
+   3, 1, "", spatial_inertia_net_wrench_loops},
   {"spatial_inertia_shifted", "(3),(10)->(10)",
     "Bo = B moved by t: m, h + m t, I - t~ (h + m t)~ - h~ t~.\n"
     "\n"
@@ -1282,7 +1282,7 @@ const coscrew_gufunc TABLE(spatial_inertia)[] = {
     "origin, xx, yy, zz, xy, xz, yz in kg m^2).\n"
     "33 mul, 138 add, 6 product error, 6 product rest.  Error <= u |result| + (m: 0, h: 2, I: 20)\n"
     "u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, spatial_inertia_shifted_loops},
+   2, 1, "", spatial_inertia_shifted_loops},
   {"spatial_inertia_transformed", "(3,4),(10)->(10)",
     "Bo = [Ad]*(D) B [Ad]^-1(D): B, given in the frame at D, in the reference frame.\n"
     "\n"
@@ -1290,7 +1290,7 @@ const coscrew_gufunc TABLE(spatial_inertia)[] = {
     "kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).\n"
     "105 mul, 420 add, 6 product error, 60 product rest.  Error <= u |result| + (m: 0, h: 16, I:\n"
     "35) u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
-   2, 1, spatial_inertia_transformed_loops},
+   2, 1, "R.", spatial_inertia_transformed_loops},
   {"spatial_inertia_consistency", "(10)->()",
     "the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each divided by its diagonal entry:\n"
     "positive exactly if a body of positive density has this inertia.\n"
@@ -1299,8 +1299,8 @@ const coscrew_gufunc TABLE(spatial_inertia)[] = {
     "xz, yz in kg m^2); pivot: number.\n"
     "42 mul, 258 add, 10 product error, 10 product rest, 20 div, 6 neg, 9 less, 1 equal, 26\n"
     "select.\n",
-   1, 1, spatial_inertia_consistency_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+   1, 1, "", spatial_inertia_consistency_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

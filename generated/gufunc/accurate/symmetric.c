@@ -550,7 +550,7 @@ const coscrew_gufunc TABLE(symmetric)[] = {
     "(3,3)->(),(3,3).  A, L: rotation or other 3×3 matrix; pivot: number.\n"
     "16 mul, 96 add, 6 product error, 4 product rest, 12 div, 6 less, 6 equal, 21 select.  |L D\n"
     "L^T - A|_ij <= 4 u sqrt(a_ii a_jj) where the pivot is positive, barring over- and underflow.\n",
-   1, 2, mat3x3_ldl_loops},
+   1, 2, "", mat3x3_ldl_loops},
   {"mat3x3_ldl_solve", "(3,3),(3)->(3)",
     "x = A^-1 b, L of mat3x3_ldl with a positive pivot.\n"
     "\n"
@@ -558,7 +558,7 @@ const coscrew_gufunc TABLE(symmetric)[] = {
     "13 mul, 61 add, 3 product error, 6 product rest, 6 div, 3 equal, 3 select.  Backward error,\n"
     "of A = L D L^T: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved; barring\n"
     "over- and underflow.\n",
-   2, 1, mat3x3_ldl_solve_loops},
+   2, 1, "", mat3x3_ldl_solve_loops},
   {"mat3x3_solve", "(3,3),(3)->(),(3)",
     "x = A^-1 b with one step of refinement; A is symmetric, only its lower triangle is read.\n"
     "Returns the smallest pivot d_i / a_ii: it is not positive, and x is NaN, if A is singular to\n"
@@ -568,7 +568,7 @@ const coscrew_gufunc TABLE(symmetric)[] = {
     "96 mul, 398 add, 16 product error, 31 product rest, 30 div, 11 less, 5 equal, 38 select.\n"
     "Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;\n"
     "barring over- and underflow.\n",
-   2, 2, mat3x3_solve_loops},
+   2, 2, "", mat3x3_solve_loops},
   {"mat6x6_ldl", "(6,6)->(),(6,6)",
     "L, D with L D L^T = A: unit lower triangular L, with D on its diagonal; only the lower\n"
     "triangle of A is read.  Returns the smallest pivot d_i / a_ii: if it is not positive, A is\n"
@@ -578,7 +578,7 @@ const coscrew_gufunc TABLE(symmetric)[] = {
     "121 mul, 512 add, 21 product error, 35 product rest, 42 div, 15 less, 21 equal, 57 select.\n"
     "|L D L^T - A|_ij <= 7 u sqrt(a_ii a_jj) where the pivot is positive, barring over- and\n"
     "underflow.\n",
-   1, 2, mat6x6_ldl_loops},
+   1, 2, "", mat6x6_ldl_loops},
   {"mat6x6_ldl_solve", "(6,6),(6)->(6)",
     "x = A^-1 b, L of mat6x6_ldl with a positive pivot.\n"
     "\n"
@@ -587,7 +587,7 @@ const coscrew_gufunc TABLE(symmetric)[] = {
     "61 mul, 253 add, 6 product error, 30 product rest, 12 div, 6 equal, 6 select.  Backward\n"
     "error, of A = L D L^T: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;\n"
     "barring over- and underflow.\n",
-   2, 1, mat6x6_ldl_solve_loops},
+   2, 1, "", mat6x6_ldl_solve_loops},
   {"mat6x6_solve", "(6,6),(6)->(),(6)",
     "x = A^-1 b with one step of refinement; A is symmetric, only its lower triangle is read.\n"
     "Returns the smallest pivot d_i / a_ii: it is not positive, and x is NaN, if A is singular to\n"
@@ -598,8 +598,8 @@ const coscrew_gufunc TABLE(symmetric)[] = {
     "516 mul, 1806 add, 49 product error, 171 product rest, 96 div, 23 less, 8 equal, 77 select.\n"
     "Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;\n"
     "barring over- and underflow.\n",
-   2, 2, mat6x6_solve_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+   2, 2, "", mat6x6_solve_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

@@ -95,8 +95,8 @@ const coscrew_gufunc TABLE(trig)[] = {
     "()->(2).  theta: number; dc: (sin θ, cos θ).\n"
     "83 mul, 129 add, 11 product error, 1 div, 3 abs, 1 less, 2 equal, 3 select.  Error <= 0.501\n"
     "ulp, unless a result is subnormal; proved.\n",
-   1, 1, dc_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+   1, 1, "", dc_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

@@ -1944,71 +1944,71 @@ const coscrew_gufunc TABLE(vec3)[] = {
     "\n"
     "(3),()->(3).  self: vector; a: number.\n"
     "3 mul, 3 add, 3 product error.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, vec3_scale_loops},
+   2, 1, "", vec3_scale_loops},
   {"axpy_vv", "(),(3),(3)->(3)",
     "y = a x + y.\n"
     "\n"
     "(),(3),(3)->(3).  a: number; x, y: vector.\n"
     "3 mul, 18 add, 3 product rest.  Error <= u |result| + 3 u^2 S, S the sum of the |terms| of\n"
     "the expanded formula; barring over- and underflow.\n",
-   3, 1, axpy_vv_loops},
+   3, 1, "", axpy_vv_loops},
   {"xpy_vv", "(3),(3)->(3)",
     "y = x + y.\n"
     "\n"
     "(3),(3)->(3).  x, y: vector.\n"
     "21 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, xpy_vv_loops},
+   2, 1, "", xpy_vv_loops},
   {"nxpy_vv", "(3),(3)->(3)",
     "y = -x + y.\n"
     "\n"
     "(3),(3)->(3).  x, y: vector.\n"
     "21 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, nxpy_vv_loops},
+   2, 1, "", nxpy_vv_loops},
   {"product_av", "(),(3)->(3)",
     "vo = a vi.\n"
     "\n"
     "(),(3)->(3).  a: number; vi, vo: vector.\n"
     "3 mul, 3 add, 3 product error.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, product_av_loops},
+   2, 1, "", product_av_loops},
   {"add_vv", "(3),(3)->(3)",
     "vo = v1 + v2.\n"
     "\n"
     "(3),(3)->(3).  v1, v2, vo: vector.\n"
     "21 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, add_vv_loops},
+   2, 1, "", add_vv_loops},
   {"subtract_vv", "(3),(3)->(3)",
     "vo = v1 - v2.\n"
     "\n"
     "(3),(3)->(3).  v1, v2, vo: vector.\n"
     "21 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, subtract_vv_loops},
+   2, 1, "", subtract_vv_loops},
   {"vec3_scaled", "(3),()->(3)",
     "vo = k v.\n"
     "\n"
     "(3),()->(3).  v, vo: vector; k: number.\n"
     "3 mul, 3 add, 3 product error.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, vec3_scaled_loops},
+   2, 1, "", vec3_scaled_loops},
   {"vec3_l2norm", "(3)->()",
     "|v| = sqrt(v·v).\n"
     "\n"
     "(3)->().  v: vector; norm: number.\n"
     "10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 3 abs, 8 less, 2 equal, 10\n"
     "select.\n",
-   1, 1, vec3_l2norm_loops},
+   1, 1, "", vec3_l2norm_loops},
   {"vec3_normalize", "(3)->(3)",
     "self = self / |self|; the zero vector stays zero.\n"
     "\n"
     "(3)->(3).  self: vector.\n"
     "25 mul, 68 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 7 less, 5 equal, 13\n"
     "select.\n",
-   1, 1, vec3_normalize_loops},
+   1, 1, "", vec3_normalize_loops},
   {"vec3_normalized", "(3)->(3)",
     "vo = v / |v|; the zero vector stays zero.\n"
     "\n"
     "(3)->(3).  v, vo: vector.\n"
     "25 mul, 68 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 7 less, 5 equal, 13\n"
     "select.\n",
-   1, 1, vec3_normalized_loops},
+   1, 1, "", vec3_normalized_loops},
   {"angle_vv", "(3),(3)->()",
     "angle = atan2(|v1 × v2|, v1·v2), in [0, π].\n"
     "\n"
@@ -2017,77 +2017,77 @@ const coscrew_gufunc TABLE(vec3)[] = {
     "copysign, 35 less, 6 equal, 51 select.  Each component is within 1 ulp as long as its\n"
     "condition is below 1e13; in single precision it is the nearest number, except near ties, as\n"
     "long as that is below 1e5; searched, not proved.\n",
-   2, 1, angle_vv_loops},
+   2, 1, "", angle_vv_loops},
   {"dot_vv", "(3),(3)->()",
     "v1·v2.\n"
     "\n"
     "(3),(3)->().  v1, v2: vector; dot: number.\n"
     "3 mul, 11 add, 3 product rest.  Error <= u |result| + 11 u^2 S, S the sum of the |terms| of\n"
     "the expanded formula; barring over- and underflow.\n",
-   2, 1, dot_vv_loops},
+   2, 1, "", dot_vv_loops},
   {"product_avinv", "(),(3)->(3)",
     "vo = k (-v).\n"
     "\n"
     "(),(3)->(3).  k: number; v, vo: vector.\n"
     "3 mul, 3 add, 3 product error, 6 neg.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, product_avinv_loops},
+   2, 1, "", product_avinv_loops},
   {"product_ainvv", "(),(3)->(3)",
     "vo = v / k.\n"
     "\n"
     "(),(3)->(3).  k: number; v, vo: vector.\n"
     "3 mul, 9 add, 3 product error, 6 div, 3 equal, 3 select.\n",
-   2, 1, product_ainvv_loops},
+   2, 1, "", product_ainvv_loops},
   {"cross_vv", "(3),(3)->(3)",
     "vo = v1 × v2.  Exactly zero for v1 = v2, unless products overflow.\n"
     "\n"
     "(3),(3)->(3).  v1, v2, vo: vector.\n"
     "6 mul, 15 add, 6 product rest.  Error <= u |result| + 6 u^2 S, S the sum of the |terms| of\n"
     "the expanded formula; barring over- and underflow.\n",
-   2, 1, cross_vv_loops},
+   2, 1, "", cross_vv_loops},
   {"cross_vvinv", "(3),(3)->(3)",
     "vo = v1 × (-v2).\n"
     "\n"
     "(3),(3)->(3).  v1, v2, vo: vector.\n"
     "6 mul, 15 add, 6 product rest.  Error <= u |result| + 6 u^2 S, S the sum of the |terms| of\n"
     "the expanded formula; barring over- and underflow.\n",
-   2, 1, cross_vvinv_loops},
+   2, 1, "", cross_vvinv_loops},
   {"add_vvx", "(3),()->(3)",
     "vo = v + k e_x.\n"
     "\n"
     "(3),()->(3).  v, vo: vector; k: number.\n"
     "7 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, add_vvx_loops},
+   2, 1, "", add_vvx_loops},
   {"add_vvxinv", "(3),()->(3)",
     "vo = v - k e_x.\n"
     "\n"
     "(3),()->(3).  v, vo: vector; k: number.\n"
     "7 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, add_vvxinv_loops},
+   2, 1, "", add_vvxinv_loops},
   {"add_vvy", "(3),()->(3)",
     "vo = v + k e_y.\n"
     "\n"
     "(3),()->(3).  v, vo: vector; k: number.\n"
     "7 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, add_vvy_loops},
+   2, 1, "", add_vvy_loops},
   {"add_vvyinv", "(3),()->(3)",
     "vo = v - k e_y.\n"
     "\n"
     "(3),()->(3).  v, vo: vector; k: number.\n"
     "7 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, add_vvyinv_loops},
+   2, 1, "", add_vvyinv_loops},
   {"add_vvz", "(3),()->(3)",
     "vo = v + k e_z.\n"
     "\n"
     "(3),()->(3).  v, vo: vector; k: number.\n"
     "7 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, add_vvz_loops},
+   2, 1, "", add_vvz_loops},
   {"add_vvzinv", "(3),()->(3)",
     "vo = v - k e_z.\n"
     "\n"
     "(3),()->(3).  v, vo: vector; k: number.\n"
     "7 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, add_vvzinv_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+   2, 1, "", add_vvzinv_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

@@ -378,35 +378,35 @@ const coscrew_gufunc TABLE(vec4)[] = {
     "\n"
     "(4),()->(4).  self: vector (x, y, z) and a homogeneous coordinate w; a: number.\n"
     "4 mul, 4 add, 4 product error.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, vec4_scale_loops},
+   2, 1, "", vec4_scale_loops},
   {"vec4_scaled", "(4),()->(4)",
     "vo = k v.\n"
     "\n"
     "(4),()->(4).  v, vo: vector (x, y, z) and a homogeneous coordinate w; k: number.\n"
     "4 mul, 4 add, 4 product error.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, vec4_scaled_loops},
+   2, 1, "", vec4_scaled_loops},
   {"vec4_l2norm", "(4)->()",
     "|v| = sqrt(v·v), all four components.\n"
     "\n"
     "(4)->().  v: vector (x, y, z) and a homogeneous coordinate w; norm: number.\n"
     "12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 9 less, 2 equal, 11\n"
     "select.\n",
-   1, 1, vec4_l2norm_loops},
+   1, 1, "", vec4_l2norm_loops},
   {"vec4_normalize", "(4)->(4)",
     "self = self / |self|; the zero vector stays zero.\n"
     "\n"
     "(4)->(4).  self: vector (x, y, z) and a homogeneous coordinate w.\n"
     "33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 6 equal, 15\n"
     "select.\n",
-   1, 1, vec4_normalize_loops},
+   1, 1, "", vec4_normalize_loops},
   {"vec4_normalized", "(4)->(4)",
     "vo = v / |v|; the zero vector stays zero.\n"
     "\n"
     "(4)->(4).  v, vo: vector (x, y, z) and a homogeneous coordinate w.\n"
     "33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 6 equal, 15\n"
     "select.\n",
-   1, 1, vec4_normalized_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+   1, 1, "", vec4_normalized_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

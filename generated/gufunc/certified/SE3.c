@@ -168,14 +168,14 @@ const coscrew_gufunc TABLE(SE3)[] = {
     "\n"
     "(3,4)->(3,4),(3,4).  self, self_bound: displacement [R | t], R rotation, t in m.\n"
     "12 mul, 15 add, 3 neg, 9 abs.\n",
-   1, 2, SE3_invert_loops},
+   1, 2, "R", SE3_invert_loops},
   {"SE3_inverted", "(3,4)->(3,4),(3,4)",
     "Do = D^-1 = [R^T | -R^T t]; |error of Do| <= Do_bound unless inf or NaN.\n"
     "\n"
     "(3,4)->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m.\n"
     "12 mul, 15 add, 3 neg, 9 abs.\n",
-   1, 2, SE3_inverted_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+   1, 2, "R", SE3_inverted_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

@@ -3653,157 +3653,157 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "\n"
     "(6),()->(6),(6).  self, self_bound: coscrew (f in N; τ in N m); a: number.\n"
     "12 mul, 6 add, 6 abs.\n",
-   2, 2, coscrew_scale_loops},
+   2, 2, "", coscrew_scale_loops},
   {"axpy_cc", "(),(6),(6)->(6),(6)",
     "y = a x + y; |error of y| <= y_bound unless inf or NaN.\n"
     "\n"
     "(),(6),(6)->(6),(6).  a: number; x, y, y_bound: coscrew (f in N; τ in N m).\n"
     "12 mul, 18 add, 12 abs.\n",
-   3, 2, axpy_cc_loops},
+   3, 2, "", axpy_cc_loops},
   {"xpy_cc", "(6),(6)->(6),(6)",
     "y = x + y; |error of y| <= y_bound unless inf or NaN.\n"
     "\n"
     "(6),(6)->(6),(6).  x, y, y_bound: coscrew (f in N; τ in N m).\n"
     "6 mul, 6 add, 6 abs.\n",
-   2, 2, xpy_cc_loops},
+   2, 2, "", xpy_cc_loops},
   {"nxpy_cc", "(6),(6)->(6),(6)",
     "y = -x + y; |error of y| <= y_bound unless inf or NaN.\n"
     "\n"
     "(6),(6)->(6),(6).  x, y, y_bound: coscrew (f in N; τ in N m).\n"
     "6 mul, 6 add, 6 abs.\n",
-   2, 2, nxpy_cc_loops},
+   2, 2, "", nxpy_cc_loops},
   {"product_ac", "(),(6)->(6),(6)",
     "co = a ci; |error of co| <= co_bound unless inf or NaN.\n"
     "\n"
     "(),(6)->(6),(6).  a: number; ci, co, co_bound: coscrew (f in N; τ in N m).\n"
     "12 mul, 6 add, 6 abs.\n",
-   2, 2, product_ac_loops},
+   2, 2, "", product_ac_loops},
   {"add_cc", "(6),(6)->(6),(6)",
     "co = c1 + c2; |error of co| <= co_bound unless inf or NaN.\n"
     "\n"
     "(6),(6)->(6),(6).  c1, c2, co, co_bound: coscrew (f in N; τ in N m).\n"
     "6 mul, 6 add, 6 abs.\n",
-   2, 2, add_cc_loops},
+   2, 2, "", add_cc_loops},
   {"subtract_cc", "(6),(6)->(6),(6)",
     "co = c1 - c2; |error of co| <= co_bound unless inf or NaN.\n"
     "\n"
     "(6),(6)->(6),(6).  c1, c2, co, co_bound: coscrew (f in N; τ in N m).\n"
     "6 mul, 6 add, 6 abs.\n",
-   2, 2, subtract_cc_loops},
+   2, 2, "", subtract_cc_loops},
   {"add_cct", "(6),(6)->(6),(6)",
     "co = (c1.lin + c2.lin ; c1.ang); |error of co| <= co_bound unless inf or NaN.\n"
     "\n"
     "(6),(6)->(6),(6).  c1, c2, co, co_bound: coscrew (f in N; τ in N m).\n"
     "3 mul, 3 add, 3 abs.\n",
-   2, 2, add_cct_loops},
+   2, 2, "", add_cct_loops},
   {"product_CoAdtc", "(3),(6)->(6),(6)",
     "co = [Ad]*(t) ci; |error of co| <= co_bound unless inf or NaN.\n"
     "\n"
     "(3),(6)->(6),(6).  t: vector; ci, co, co_bound: coscrew (f in N; τ in N m).\n"
     "9 mul, 15 add, 9 abs.\n",
-   2, 2, product_CoAdtc_loops},
+   2, 2, "", product_CoAdtc_loops},
   {"product_CoAdtinvc", "(3),(6)->(6),(6)",
     "co = [Ad]*(t)^-1 ci; |error of co| <= co_bound unless inf or NaN.\n"
     "\n"
     "(3),(6)->(6),(6).  t: vector; ci, co, co_bound: coscrew (f in N; τ in N m).\n"
     "9 mul, 15 add, 9 abs.\n",
-   2, 2, product_CoAdtinvc_loops},
+   2, 2, "", product_CoAdtinvc_loops},
   {"product_CoAdtcinv", "(3),(6)->(6),(6)",
     "co = [Ad]*(t) (-ci); |error of co| <= co_bound unless inf or NaN.\n"
     "\n"
     "(3),(6)->(6),(6).  t: vector; ci, co, co_bound: coscrew (f in N; τ in N m).\n"
     "9 mul, 15 add, 3 neg, 9 abs.\n",
-   2, 2, product_CoAdtcinv_loops},
+   2, 2, "", product_CoAdtcinv_loops},
   {"product_CoAdrc", "(3,3),(6)->(6),(6)",
     "co = [Ad]*(R) ci; |error of co| <= co_bound unless inf or NaN.\n"
     "\n"
     "(3,3),(6)->(6),(6).  R: rotation or other 3×3 matrix; ci, co, co_bound: coscrew (f in N; τ\n"
     "in N m).\n"
     "24 mul, 30 add, 18 abs.\n",
-   2, 2, product_CoAdrc_loops},
+   2, 2, "R.", product_CoAdrc_loops},
   {"product_CoAdrinvc", "(3,3),(6)->(6),(6)",
     "co = [Ad]*(R)^-1 ci; |error of co| <= co_bound unless inf or NaN.\n"
     "\n"
     "(3,3),(6)->(6),(6).  R: rotation or other 3×3 matrix; ci, co, co_bound: coscrew (f in N; τ\n"
     "in N m).\n"
     "24 mul, 30 add, 18 abs.\n",
-   2, 2, product_CoAdrinvc_loops},
+   2, 2, "R.", product_CoAdrinvc_loops},
   {"product_CoAdrcinv", "(3,3),(6)->(6),(6)",
     "co = [Ad]*(R) (-ci); |error of co| <= co_bound unless inf or NaN.\n"
     "\n"
     "(3,3),(6)->(6),(6).  R: rotation or other 3×3 matrix; ci, co, co_bound: coscrew (f in N; τ\n"
     "in N m).\n"
     "24 mul, 30 add, 6 neg, 18 abs.\n",
-   2, 2, product_CoAdrcinv_loops},
+   2, 2, "R.", product_CoAdrcinv_loops},
   {"product_CoAdc", "(3,4),(6)->(6),(6)",
     "co = [Ad]*(D) ci = [Ad]*(t) [Ad]*(R) ci; |error of co| <= co_bound unless inf or NaN.\n"
     "\n"
     "(3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; ci, co, co_bound: coscrew\n"
     "(f in N; τ in N m).\n"
     "36 mul, 42 add, 21 abs.\n",
-   2, 2, product_CoAdc_loops},
+   2, 2, "R.", product_CoAdc_loops},
   {"product_CoAdinvc", "(3,4),(6)->(6),(6)",
     "co = [Ad]*(D)^-1 ci = [Ad]*(R^T) [Ad]*(-t) ci; |error of co| <= co_bound unless inf or NaN.\n"
     "\n"
     "(3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; ci, co, co_bound: coscrew\n"
     "(f in N; τ in N m).\n"
     "39 mul, 45 add, 27 abs.\n",
-   2, 2, product_CoAdinvc_loops},
+   2, 2, "R.", product_CoAdinvc_loops},
   {"product_CoAdcinv", "(3,4),(6)->(6),(6)",
     "co = [Ad]*(D) (-ci); |error of co| <= co_bound unless inf or NaN.\n"
     "\n"
     "(3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; ci, co, co_bound: coscrew\n"
     "(f in N; τ in N m).\n"
     "36 mul, 42 add, 6 neg, 21 abs.\n",
-   2, 2, product_CoAdcinv_loops},
+   2, 2, "R.", product_CoAdcinv_loops},
   {"hctx", "(3,4)->(6),(6)",
     "co = h_tx: column 0 of [Ad]*(D); |error of co| <= co_bound unless inf or NaN.\n"
     "\n"
     "(3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; co, co_bound: coscrew (f in N;\n"
     "τ in N m).\n"
     "9 mul, 9 add, 6 abs.\n",
-   1, 2, hctx_loops},
+   1, 2, "R", hctx_loops},
   {"hcty", "(3,4)->(6),(6)",
     "co = h_ty: column 1 of [Ad]*(D); |error of co| <= co_bound unless inf or NaN.\n"
     "\n"
     "(3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; co, co_bound: coscrew (f in N;\n"
     "τ in N m).\n"
     "9 mul, 9 add, 6 abs.\n",
-   1, 2, hcty_loops},
+   1, 2, "R", hcty_loops},
   {"hctz", "(3,4)->(6),(6)",
     "co = h_tz: column 2 of [Ad]*(D); |error of co| <= co_bound unless inf or NaN.\n"
     "\n"
     "(3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; co, co_bound: coscrew (f in N;\n"
     "τ in N m).\n"
     "9 mul, 9 add, 6 abs.\n",
-   1, 2, hctz_loops},
+   1, 2, "R", hctz_loops},
   {"hctxinv", "(3,4)->(6),(6)",
     "co = -h_tx: -column 0 of [Ad]*(D); |error of co| <= co_bound unless inf or NaN.\n"
     "\n"
     "(3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; co, co_bound: coscrew (f in N;\n"
     "τ in N m).\n"
     "9 mul, 9 add, 3 neg, 6 abs.\n",
-   1, 2, hctxinv_loops},
+   1, 2, "R", hctxinv_loops},
   {"hctyinv", "(3,4)->(6),(6)",
     "co = -h_ty: -column 1 of [Ad]*(D); |error of co| <= co_bound unless inf or NaN.\n"
     "\n"
     "(3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; co, co_bound: coscrew (f in N;\n"
     "τ in N m).\n"
     "9 mul, 9 add, 3 neg, 6 abs.\n",
-   1, 2, hctyinv_loops},
+   1, 2, "R", hctyinv_loops},
   {"hctzinv", "(3,4)->(6),(6)",
     "co = -h_tz: -column 2 of [Ad]*(D); |error of co| <= co_bound unless inf or NaN.\n"
     "\n"
     "(3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; co, co_bound: coscrew (f in N;\n"
     "τ in N m).\n"
     "9 mul, 9 add, 3 neg, 6 abs.\n",
-   1, 2, hctzinv_loops},
+   1, 2, "R", hctzinv_loops},
   {"CoAd", "(3,4)->(6,6),(6,6)",
     "M = [Ad]*(D); |error of M| <= M_bound unless inf or NaN.\n"
     "\n"
     "(3,4)->(6,6),(6,6).  D: displacement [R | t], R rotation, t in m; M, M_bound: 6×6 operator.\n"
     "27 mul, 27 add, 18 abs.\n",
-   1, 2, CoAd_loops},
+   1, 2, "R", CoAd_loops},
   {"reciprocal_product", "(6),(6)->(),()",
     "power = W ⊙ $ = f·v + τ·ω, W = c = (f; τ), $ = x = (ω; v); |error of power| <= power_bound\n"
     "unless inf or NaN.\n"
@@ -3811,21 +3811,21 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "(6),(6)->(),().  c: coscrew (f in N; τ in N m); x: six components with the angular part on\n"
     "top; power, power_bound: number.\n"
     "7 mul, 11 add, 6 abs.\n",
-   2, 2, reciprocal_product_loops},
+   2, 2, "", reciprocal_product_loops},
   {"cross_sc", "(6),(6)->(6),(6)",
     "co = [ad]*(s) c = (ω×f ; v×f + ω×τ); |error of co| <= co_bound unless inf or NaN.\n"
     "\n"
     "(6),(6)->(6),(6).  s: screw (v in m/s; ω in rad/s); c, co, co_bound: coscrew (f in N; τ in N\n"
     "m).\n"
     "24 mul, 30 add, 18 abs.\n",
-   2, 2, cross_sc_loops},
+   2, 2, "", cross_sc_loops},
   {"cross_sca", "(6),(6)->(6),(6)",
     "co = (0 ; ω×τ); |error of co| <= co_bound unless inf or NaN.\n"
     "\n"
     "(6),(6)->(6),(6).  s: screw (v in m/s; ω in rad/s); c, co, co_bound: coscrew (f in N; τ in N\n"
     "m).\n"
     "9 mul, 9 add, 6 abs.\n",
-   2, 2, cross_sca_loops},
+   2, 2, "", cross_sca_loops},
   {"constraint_ctx", "(3,4),(6)->(6),(6)",
     "co = H̄* c = [Ad]*(D) P c; P clears component 0 of c, given in the frame of a tx joint at D;\n"
     "|error of co| <= co_bound unless inf or NaN.\n"
@@ -3833,7 +3833,7 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "(3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; c, co, co_bound: coscrew\n"
     "(f in N; τ in N m).\n"
     "33 mul, 36 add, 18 abs.\n",
-   2, 2, constraint_ctx_loops},
+   2, 2, "R.", constraint_ctx_loops},
   {"constraint_cty", "(3,4),(6)->(6),(6)",
     "co = H̄* c = [Ad]*(D) P c; P clears component 1 of c, given in the frame of a ty joint at D;\n"
     "|error of co| <= co_bound unless inf or NaN.\n"
@@ -3841,7 +3841,7 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "(3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; c, co, co_bound: coscrew\n"
     "(f in N; τ in N m).\n"
     "33 mul, 36 add, 18 abs.\n",
-   2, 2, constraint_cty_loops},
+   2, 2, "R.", constraint_cty_loops},
   {"constraint_ctz", "(3,4),(6)->(6),(6)",
     "co = H̄* c = [Ad]*(D) P c; P clears component 2 of c, given in the frame of a tz joint at D;\n"
     "|error of co| <= co_bound unless inf or NaN.\n"
@@ -3849,7 +3849,7 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "(3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; c, co, co_bound: coscrew\n"
     "(f in N; τ in N m).\n"
     "33 mul, 36 add, 18 abs.\n",
-   2, 2, constraint_ctz_loops},
+   2, 2, "R.", constraint_ctz_loops},
   {"constraint_crx", "(3,4),(6)->(6),(6)",
     "co = H̄* c = [Ad]*(D) P c; P clears component 3 of c, given in the frame of a rx joint at D;\n"
     "|error of co| <= co_bound unless inf or NaN.\n"
@@ -3857,7 +3857,7 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "(3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; c, co, co_bound: coscrew\n"
     "(f in N; τ in N m).\n"
     "33 mul, 36 add, 18 abs.\n",
-   2, 2, constraint_crx_loops},
+   2, 2, "R.", constraint_crx_loops},
   {"constraint_cry", "(3,4),(6)->(6),(6)",
     "co = H̄* c = [Ad]*(D) P c; P clears component 4 of c, given in the frame of a ry joint at D;\n"
     "|error of co| <= co_bound unless inf or NaN.\n"
@@ -3865,7 +3865,7 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "(3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; c, co, co_bound: coscrew\n"
     "(f in N; τ in N m).\n"
     "33 mul, 36 add, 18 abs.\n",
-   2, 2, constraint_cry_loops},
+   2, 2, "R.", constraint_cry_loops},
   {"constraint_crz", "(3,4),(6)->(6),(6)",
     "co = H̄* c = [Ad]*(D) P c; P clears component 5 of c, given in the frame of a rz joint at D;\n"
     "|error of co| <= co_bound unless inf or NaN.\n"
@@ -3873,7 +3873,7 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "(3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; c, co, co_bound: coscrew\n"
     "(f in N; τ in N m).\n"
     "33 mul, 36 add, 18 abs.\n",
-   2, 2, constraint_crz_loops},
+   2, 2, "R.", constraint_crz_loops},
   {"working_ctx", "(3,4),(6)->(6),(6)",
     "co = h̄* c = [Ad]*(D) P c; P keeps component 0 of c, given in the frame of a tx joint at D;\n"
     "|error of co| <= co_bound unless inf or NaN.\n"
@@ -3881,7 +3881,7 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "(3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; c, co, co_bound: coscrew\n"
     "(f in N; τ in N m).\n"
     "21 mul, 12 add, 6 abs.\n",
-   2, 2, working_ctx_loops},
+   2, 2, "R.", working_ctx_loops},
   {"working_cty", "(3,4),(6)->(6),(6)",
     "co = h̄* c = [Ad]*(D) P c; P keeps component 1 of c, given in the frame of a ty joint at D;\n"
     "|error of co| <= co_bound unless inf or NaN.\n"
@@ -3889,7 +3889,7 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "(3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; c, co, co_bound: coscrew\n"
     "(f in N; τ in N m).\n"
     "21 mul, 12 add, 6 abs.\n",
-   2, 2, working_cty_loops},
+   2, 2, "R.", working_cty_loops},
   {"working_ctz", "(3,4),(6)->(6),(6)",
     "co = h̄* c = [Ad]*(D) P c; P keeps component 2 of c, given in the frame of a tz joint at D;\n"
     "|error of co| <= co_bound unless inf or NaN.\n"
@@ -3897,7 +3897,7 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "(3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; c, co, co_bound: coscrew\n"
     "(f in N; τ in N m).\n"
     "21 mul, 12 add, 6 abs.\n",
-   2, 2, working_ctz_loops},
+   2, 2, "R.", working_ctz_loops},
   {"working_crx", "(3,4),(6)->(6),(6)",
     "co = h̄* c = [Ad]*(D) P c; P keeps component 3 of c, given in the frame of a rx joint at D;\n"
     "|error of co| <= co_bound unless inf or NaN.\n"
@@ -3905,7 +3905,7 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "(3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; c, co, co_bound: coscrew\n"
     "(f in N; τ in N m).\n"
     "6 mul, 3 add, 3 abs.\n",
-   2, 2, working_crx_loops},
+   2, 2, "R.", working_crx_loops},
   {"working_cry", "(3,4),(6)->(6),(6)",
     "co = h̄* c = [Ad]*(D) P c; P keeps component 4 of c, given in the frame of a ry joint at D;\n"
     "|error of co| <= co_bound unless inf or NaN.\n"
@@ -3913,7 +3913,7 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "(3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; c, co, co_bound: coscrew\n"
     "(f in N; τ in N m).\n"
     "6 mul, 3 add, 3 abs.\n",
-   2, 2, working_cry_loops},
+   2, 2, "R.", working_cry_loops},
   {"working_crz", "(3,4),(6)->(6),(6)",
     "co = h̄* c = [Ad]*(D) P c; P keeps component 5 of c, given in the frame of a rz joint at D;\n"
     "|error of co| <= co_bound unless inf or NaN.\n"
@@ -3921,8 +3921,8 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "(3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; c, co, co_bound: coscrew\n"
     "(f in N; τ in N m).\n"
     "6 mul, 3 add, 3 abs.\n",
-   2, 2, working_crz_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+   2, 2, "R.", working_crz_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

@@ -569,32 +569,32 @@ const coscrew_gufunc TABLE(elementary)[] = {
     "\n"
     "()->(),(),(),().  x, s, c, s_bound, c_bound: number.\n"
     "83 mul, 129 add, 11 product error, 1 div, 5 abs, 1 less, 1 select.\n",
-   1, 4, sincos_loops},
+   1, 4, "", sincos_loops},
   {"sin", "()->(),()",
     "s = sin x, x in rad; |error of s| <= s_bound unless inf or NaN.\n"
     "\n"
     "()->(),().  x, s, s_bound: number.\n"
     "83 mul, 128 add, 11 product error, 1 div, 4 abs, 1 less, 1 select.\n",
-   1, 2, sin_loops},
+   1, 2, "", sin_loops},
   {"cos", "()->(),()",
     "c = cos x, x in rad; |error of c| <= c_bound unless inf or NaN.\n"
     "\n"
     "()->(),().  x, c, c_bound: number.\n"
     "83 mul, 128 add, 11 product error, 1 div, 4 abs, 1 less, 1 select.\n",
-   1, 2, cos_loops},
+   1, 2, "", cos_loops},
   {"exp", "()->(),()",
     "y = e^x; |error of y| <= y_bound unless inf or NaN.\n"
     "\n"
     "()->(),().  x, y, y_bound: number.\n"
     "82 mul, 149 add, 14 product error, 5 power of two, 2 abs, 7 less, 1 equal, 9 select.\n",
-   1, 2, exp_loops},
+   1, 2, "", exp_loops},
   {"tanh", "()->(),()",
     "y = tanh x; |error of y| <= y_bound unless inf or NaN.\n"
     "\n"
     "()->(),().  x, y, y_bound: number.\n"
     "92 mul, 175 add, 15 product error, 2 div, 2 power of two, 6 abs, 2 copysign, 5 less, 11\n"
     "select.\n",
-   1, 2, tanh_loops},
+   1, 2, "", tanh_loops},
   {"atan2", "(),()->(),()",
     "angle of the vector (x, y) to the x axis, in rad, from -π to π; |error of angle| <=\n"
     "angle_bound unless inf or NaN.\n"
@@ -602,8 +602,8 @@ const coscrew_gufunc TABLE(elementary)[] = {
     "(),()->(),().  y, x, angle, angle_bound: number.\n"
     "123 mul, 214 add, 21 product error, 2 div, 1 neg, 10 abs, 4 copysign, 13 less, 3 equal, 23\n"
     "select.\n",
-   2, 2, atan2_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+   2, 2, "", atan2_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

@@ -882,15 +882,15 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "(3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.\n"
     "336 mul, 494 add, 17 product error, 22 product rest, 12 div, 3 sqrt, 51 abs, 14 less, 1\n"
     "equal, 29 select.\n",
-   1, 2, SO3_exp_loops},
+   1, 2, "", SO3_exp_loops},
   {"SO3_log", "(3,3)->(3),(3)",
     "vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo;\n"
     "|error of vo| <= vo_bound unless inf or NaN.\n"
     "\n"
     "(3,3)->(3),(3).  R: rotation or other 3×3 matrix; vo, vo_bound: vector.\n"
-    "216 mul, 442 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 65 abs, 4\n"
-    "copysign, 34 less, 6 equal, 99 select.\n",
-   1, 2, SO3_log_loops},
+    "244 mul, 469 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 72 abs, 4\n"
+    "copysign, 41 less, 6 equal, 106 select.\n",
+   1, 2, "R", SO3_log_loops},
   {"SO3_leftJacobian", "(3)->(3,3),(3,3)",
     "R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|; |error of R| <= R_bound\n"
     "unless inf or NaN.\n"
@@ -898,7 +898,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "(3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.\n"
     "433 mul, 747 add, 21 product error, 43 product rest, 16 div, 3 sqrt, 90 abs, 20 less, 1\n"
     "equal, 45 select.\n",
-   1, 2, SO3_leftJacobian_loops},
+   1, 2, "", SO3_leftJacobian_loops},
   {"SO3_rightJacobian", "(3)->(3,3),(3,3)",
     "R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|; |error of R| <= R_bound\n"
     "unless inf or NaN.\n"
@@ -906,7 +906,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "(3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.\n"
     "433 mul, 747 add, 21 product error, 43 product rest, 16 div, 3 sqrt, 12 neg, 90 abs, 20\n"
     "less, 1 equal, 45 select.\n",
-   1, 2, SO3_rightJacobian_loops},
+   1, 2, "", SO3_rightJacobian_loops},
   {"SO3_leftJacobianInverse", "(3)->(3,3),(3,3)",
     "R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π\n"
     "except 0; |error of R| <= R_bound unless inf or NaN.\n"
@@ -914,7 +914,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "(3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.\n"
     "420 mul, 746 add, 23 product error, 34 product rest, 23 div, 3 sqrt, 6 neg, 93 abs, 23 less,\n"
     "1 equal, 47 select.\n",
-   1, 2, SO3_leftJacobianInverse_loops},
+   1, 2, "", SO3_leftJacobianInverse_loops},
   {"SO3_rightJacobianInverse", "(3)->(3,3),(3,3)",
     "R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π\n"
     "except 0; |error of R| <= R_bound unless inf or NaN.\n"
@@ -922,21 +922,21 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "(3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.\n"
     "420 mul, 746 add, 23 product error, 34 product rest, 23 div, 3 sqrt, 93 abs, 23 less, 1\n"
     "equal, 47 select.\n",
-   1, 2, SO3_rightJacobianInverse_loops},
+   1, 2, "", SO3_rightJacobianInverse_loops},
   {"mat3x3_orthonormalize", "(3,3)->(3,3),(3,3)",
     "self = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2; |error of\n"
     "self| <= self_bound unless inf or NaN.\n"
     "\n"
     "(3,3)->(3,3),(3,3).  self, self_bound: rotation or other 3×3 matrix.\n"
     "93 mul, 105 add, 3 neg, 27 abs.\n",
-   1, 2, mat3x3_orthonormalize_loops},
+   1, 2, "", mat3x3_orthonormalize_loops},
   {"mat3x3_orthonormalized", "(3,3)->(3,3),(3,3)",
     "Ro = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2; |error of\n"
     "Ro| <= Ro_bound unless inf or NaN.\n"
     "\n"
     "(3,3)->(3,3),(3,3).  R, Ro, Ro_bound: rotation or other 3×3 matrix.\n"
     "93 mul, 105 add, 3 neg, 27 abs.\n",
-   1, 2, mat3x3_orthonormalized_loops},
+   1, 2, "", mat3x3_orthonormalized_loops},
   {"SE3_exp", "(6)->(3,4),(3,4)",
     "D = exp s = [exp ω~ | J_l(ω) v]; |error of D| <= D_bound unless inf or NaN.\n"
     "\n"
@@ -944,17 +944,17 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "rotation, t in m.\n"
     "524 mul, 876 add, 24 product error, 58 product rest, 16 div, 3 sqrt, 102 abs, 20 less, 1\n"
     "equal, 46 select.\n",
-   1, 2, SE3_exp_loops},
+   1, 2, "", SE3_exp_loops},
   {"SE3_log", "(3,4)->(6),(6)",
     "so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R; |error of so| <= so_bound unless\n"
     "inf or NaN.\n"
     "\n"
     "(3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;\n"
     "ω in rad/s).\n"
-    "580 mul, 996 add, 36 product error, 36 product rest, 47 div, 5 sqrt, 14 neg, 161 abs, 6\n"
-    "copysign, 66 less, 9 equal, 167 select.\n",
-   1, 2, SE3_log_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+    "608 mul, 1026 add, 36 product error, 36 product rest, 47 div, 5 sqrt, 14 neg, 168 abs, 6\n"
+    "copysign, 73 less, 9 equal, 174 select.\n",
+   1, 2, "R", SE3_log_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

@@ -643,28 +643,28 @@ const coscrew_gufunc TABLE(inertia)[] = {
     "J_bound: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy,\n"
     "yz, zx in kg m^2).\n"
     "6 mul, 3 add, 3 abs.\n",
-   8, 2, inertia_loops},
+   8, 2, "", inertia_loops},
   {"inertia_rotated", "(10),(3,3)->(10),(10)",
     "Jo = Ji rotated by R: m, R mt, R I R^T; |error of Jo| <= Jo_bound unless inf or NaN.\n"
     "\n"
     "(10),(3,3)->(10),(10).  Ji, Jo, Jo_bound: inertia (m in kg; mt = m c in kg m; I about the\n"
     "centre of mass c, xx, yy, zz, xy, yz, zx in kg m^2); R: rotation or other 3×3 matrix.\n"
     "81 mul, 90 add, 45 abs.\n",
-   2, 2, inertia_rotated_loops},
+   2, 2, ".R", inertia_rotated_loops},
   {"inertia_rotate", "(10),(3,3)->(10),(10)",
     "self = self rotated by R: m, R mt, R I R^T; |error of self| <= self_bound unless inf or NaN.\n"
     "\n"
     "(10),(3,3)->(10),(10).  self, self_bound: inertia (m in kg; mt = m c in kg m; I about the\n"
     "centre of mass c, xx, yy, zz, xy, yz, zx in kg m^2); R: rotation or other 3×3 matrix.\n"
     "81 mul, 90 add, 45 abs.\n",
-   2, 2, inertia_rotate_loops},
+   2, 2, ".R", inertia_rotate_loops},
   {"inertia_translated", "(10),(3)->(10),(10)",
     "Jo = Ji translated by t: m, mt + m t, I; |error of Jo| <= Jo_bound unless inf or NaN.\n"
     "\n"
     "(10),(3)->(10),(10).  Ji, Jo, Jo_bound: inertia (m in kg; mt = m c in kg m; I about the\n"
     "centre of mass c, xx, yy, zz, xy, yz, zx in kg m^2); t: vector.\n"
     "6 mul, 9 add, 6 abs.\n",
-   2, 2, inertia_translated_loops},
+   2, 2, "", inertia_translated_loops},
   {"inertia_translate", "(10),(3)->(10),(10)",
     "self = self translated by t: m, mt + m t, I; |error of self| <= self_bound unless inf or\n"
     "NaN.\n"
@@ -672,7 +672,7 @@ const coscrew_gufunc TABLE(inertia)[] = {
     "(10),(3)->(10),(10).  self, self_bound: inertia (m in kg; mt = m c in kg m; I about the\n"
     "centre of mass c, xx, yy, zz, xy, yz, zx in kg m^2); t: vector.\n"
     "6 mul, 9 add, 6 abs.\n",
-   2, 2, inertia_translate_loops},
+   2, 2, "", inertia_translate_loops},
   {"inertia_transformed", "(10),(3,4)->(10),(10)",
     "Jo = Ji displaced by D = [R | t]: m, R mt + m t, R I R^T; |error of Jo| <= Jo_bound unless\n"
     "inf or NaN.\n"
@@ -681,7 +681,7 @@ const coscrew_gufunc TABLE(inertia)[] = {
     "centre of mass c, xx, yy, zz, xy, yz, zx in kg m^2); D: displacement [R | t], R rotation, t\n"
     "in m.\n"
     "84 mul, 96 add, 48 abs.\n",
-   2, 2, inertia_transformed_loops},
+   2, 2, ".R", inertia_transformed_loops},
   {"inertia_transform", "(10),(3,4)->(10),(10)",
     "self = self displaced by D = [R | t]: m, R mt + m t, R I R^T; |error of self| <= self_bound\n"
     "unless inf or NaN.\n"
@@ -690,8 +690,8 @@ const coscrew_gufunc TABLE(inertia)[] = {
     "centre of mass c, xx, yy, zz, xy, yz, zx in kg m^2); D: displacement [R | t], R rotation, t\n"
     "in m.\n"
     "84 mul, 96 add, 48 abs.\n",
-   2, 2, inertia_transform_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+   2, 2, ".R", inertia_transform_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

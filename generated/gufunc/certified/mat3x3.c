@@ -849,13 +849,13 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "\n"
     "(3),(3)->(3,3),(3,3).  w, dw: vector; Ro, Ro_bound: rotation or other 3×3 matrix.\n"
     "15 mul, 27 add, 3 neg, 9 abs.\n",
-   2, 2, acceleration_tensor_loops},
+   2, 2, "", acceleration_tensor_loops},
   {"mat3x3_determinant", "(3,3)->(),()",
     "det R; |error of det| <= det_bound unless inf or NaN.\n"
     "\n"
     "(3,3)->(),().  R: rotation or other 3×3 matrix; det, det_bound: number.\n"
     "13 mul, 14 add, 9 abs.\n",
-   1, 2, mat3x3_determinant_loops},
+   1, 2, "", mat3x3_determinant_loops},
   {"mat3x3_setFromAxisDC", "(3),(2)->(3,3),(3,3)",
     "R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is not a rotation),\n"
     "dc = (sin θ, cos θ); |error of R| <= R_bound unless inf or NaN.\n"
@@ -863,52 +863,52 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "(3),(2)->(3,3),(3,3).  axis: vector; dc: (sin θ, cos θ); R, R_bound: rotation or other 3×3\n"
     "matrix.\n"
     "30 mul, 31 add, 8 abs.\n",
-   2, 2, mat3x3_setFromAxisDC_loops},
+   2, 2, "", mat3x3_setFromAxisDC_loops},
   {"mat3x3_from_euler_xyz", "(3)->(3,3),(3,3)",
     "R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); |error of R| <= R_bound unless inf or NaN.\n"
     "\n"
     "(3)->(3,3),(3,3).  angles: vector; R, R_bound: rotation or other 3×3 matrix.\n"
     "291 mul, 434 add, 39 product error, 8 product rest, 3 div, 9 neg, 18 abs, 3 less, 3 select.\n",
-   1, 2, mat3x3_from_euler_xyz_loops},
+   1, 2, "", mat3x3_from_euler_xyz_loops},
   {"euler_xyz_from_mat3x3", "(3,3)->(3),(3)",
     "angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in\n"
     "[-π/2, π/2]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.\n"
     "\n"
     "(3,3)->(3),(3).  R: rotation or other 3×3 matrix; angles, angles_bound: vector.\n"
-    "424 mul, 725 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 4 neg, 59 abs, 12\n"
-    "copysign, 50 less, 13 equal, 96 select.\n",
-   1, 2, euler_xyz_from_mat3x3_loops},
+    "452 mul, 752 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 4 neg, 66 abs, 12\n"
+    "copysign, 57 less, 13 equal, 103 select.\n",
+   1, 2, "R", euler_xyz_from_mat3x3_loops},
   {"mat3x3_from_euler_xyx", "(3)->(3,3),(3,3)",
     "R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); |error of R| <= R_bound unless inf or NaN.\n"
     "\n"
     "(3)->(3,3),(3,3).  angles: vector; R, R_bound: rotation or other 3×3 matrix.\n"
     "291 mul, 434 add, 39 product error, 8 product rest, 3 div, 5 neg, 18 abs, 3 less, 3 select.\n",
-   1, 2, mat3x3_from_euler_xyx_loops},
+   1, 2, "", mat3x3_from_euler_xyx_loops},
   {"euler_xyx_from_mat3x3", "(3,3)->(3),(3)",
     "angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in\n"
     "[0, π]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.\n"
     "\n"
     "(3,3)->(3),(3).  R: rotation or other 3×3 matrix; angles, angles_bound: vector.\n"
-    "424 mul, 725 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 3 neg, 59 abs, 12\n"
-    "copysign, 52 less, 13 equal, 98 select.\n",
-   1, 2, euler_xyx_from_mat3x3_loops},
+    "452 mul, 752 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 3 neg, 66 abs, 12\n"
+    "copysign, 59 less, 13 equal, 105 select.\n",
+   1, 2, "R", euler_xyx_from_mat3x3_loops},
   {"mat3x3_from_axis_angle", "(3),()->(3,3),(3,3)",
     "R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; otherwise R is\n"
     "not a rotation; |error of R| <= R_bound unless inf or NaN.\n"
     "\n"
     "(3),()->(3,3),(3,3).  axis: vector; angle: number; R, R_bound: rotation or other 3×3 matrix.\n"
     "216 mul, 380 add, 26 product error, 18 product rest, 2 div, 24 abs, 4 less, 6 select.\n",
-   2, 2, mat3x3_from_axis_angle_loops},
+   2, 2, "", mat3x3_from_axis_angle_loops},
   {"axis_angle_from_mat3x3", "(3,3)->(),(3),(),(3)",
     "angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0;\n"
     "|error of angle| <= angle_bound, |error of axis| <= axis_bound unless inf or NaN.\n"
     "\n"
     "(3,3)->(),(3),(),(3).  R: rotation or other 3×3 matrix; angle, angle_bound: number; axis,\n"
     "axis_bound: vector.\n"
-    "205 mul, 442 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 63 abs, 4\n"
-    "copysign, 34 less, 6 equal, 103 select.\n",
-   1, 4, axis_angle_from_mat3x3_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+    "233 mul, 470 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 70 abs, 4\n"
+    "copysign, 41 less, 6 equal, 110 select.\n",
+   1, 4, "R", axis_angle_from_mat3x3_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

@@ -207,15 +207,15 @@ const coscrew_gufunc TABLE(mat6x6)[] = {
     "\n"
     "(3,3),(6,6)->(6,6),(6,6).  R: rotation or other 3×3 matrix; M, Mo, Mo_bound: 6×6 operator.\n"
     "228 mul, 240 add, 90 abs.\n",
-   2, 2, mat6x6_rotated_loops},
+   2, 2, "R.", mat6x6_rotated_loops},
   {"mat6x6_shifted", "(3),(6,6)->(6,6),(6,6)",
     "Mo = [Ad]*(t) M [Ad]^-1(t), the articulated inertia M shifted by t; M is symmetric, only its\n"
     "lower triangle is read; |error of Mo| <= Mo_bound unless inf or NaN.\n"
     "\n"
     "(3),(6,6)->(6,6),(6,6).  t: vector; M, Mo, Mo_bound: 6×6 operator.\n"
     "66 mul, 99 add, 45 abs.\n",
-   2, 2, mat6x6_shifted_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+   2, 2, "", mat6x6_shifted_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

@@ -66,10 +66,168 @@ static void explain(const PyUFuncObject *ufunc, PyObject *const *given, size_t i
   Py_XDECREF(module);
 }
 
+/* The product of columns i and j of a 3×3 matrix, row by row. */
+static double of_columns(const double *R, int i, int j) {
+  return R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j];
+}
+
+static int is_off(double x) {
+  return x > 0.001 || x < -0.001;
+}
+
+/* Whether 3×3 numbers, row by row, are no rotation.  NaN is accepted: results are NaN. */
+static int is_no_rotation(const double *R) {
+  const double det = R[0] * (R[4] * R[8] - R[5] * R[7]) - R[1] * (R[3] * R[8] - R[5] * R[6])
+      + R[2] * (R[3] * R[7] - R[4] * R[6]);
+  return is_off(det - 1) | is_off(of_columns(R, 0, 0) - 1) | is_off(of_columns(R, 1, 1) - 1)
+      | is_off(of_columns(R, 2, 2) - 1) | is_off(of_columns(R, 0, 1))
+      | is_off(of_columns(R, 0, 2)) | is_off(of_columns(R, 1, 2));
+}
+
+/* Whether a quaternion's length is not 1. */
+static int is_no_unit(const double *q) {
+  return is_off(sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]) - 1);
+}
+
+static int is_zero(const double *x, int size) {
+  int found = 1;
+  for (int k = 0; k < size; k++) {
+    found &= x[k] == 0;
+  }
+  return found;
+}
+
+/* Whether one of n elements, `step` bytes apart, is not what the letter requires: R a rotation, U a
+   quaternion of length 1, N and M a quaternion and a matrix that are not zero.  Of a matrix the
+   first three columns are read. */
+
+static int refuses_doubles(
+    char letter, const char *p, npy_intp n, npy_intp step, const npy_intp *core) {
+  int found = 0;
+  for (npy_intp k = 0; k < n; k++, p += step) {
+    double x[9];
+    if (letter == 'R' || letter == 'M') {
+      for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+          x[3 * i + j] = *(const double *)(p + i * core[0] + j * core[1]);
+        }
+      }
+      found |= letter == 'R' ? is_no_rotation(x) : is_zero(x, 9);
+    } else {
+      for (int i = 0; i < 4; i++) {
+        x[i] = *(const double *)(p + i * core[0]);
+      }
+      found |= letter == 'U' ? is_no_unit(x) : is_zero(x, 4);
+    }
+  }
+  return found;
+}
+
+static int refuses_floats(
+    char letter, const char *p, npy_intp n, npy_intp step, const npy_intp *core) {
+  int found = 0;
+  for (npy_intp k = 0; k < n; k++, p += step) {
+    double x[9];
+    if (letter == 'R' || letter == 'M') {
+      for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+          x[3 * i + j] = *(const float *)(p + i * core[0] + j * core[1]);
+        }
+      }
+      found |= letter == 'R' ? is_no_rotation(x) : is_zero(x, 9);
+    } else {
+      for (int i = 0; i < 4; i++) {
+        x[i] = *(const float *)(p + i * core[0]);
+      }
+      found |= letter == 'U' ? is_no_unit(x) : is_zero(x, 4);
+    }
+  }
+  return found;
+}
+
+/* The number of axes of what the letter stands for, if the array ends in such; else 0. */
+static int axes_of(char letter, PyArrayObject *array) {
+  const int count = PyArray_NDIM(array), is_matrix = letter == 'R' || letter == 'M';
+  const npy_intp *ends = PyArray_DIMS(array) + count;
+  if (is_matrix) {
+    return count >= 2 && ends[-2] == 3 && (ends[-1] == 3 || ends[-1] == 4) ? 2 : 0;
+  }
+  return count >= 1 && ends[-1] == 4 ? 1 : 0;
+}
+
+/* Whether any element of the array is refused.  A stride of 0 repeats one element. */
+static int refuses_array(char letter, PyArrayObject *array, int axes) {
+  const int lead = PyArray_NDIM(array) - axes, last = lead - 1;
+  const npy_intp *shape = PyArray_DIMS(array), *stride = PyArray_STRIDES(array);
+  const npy_intp n = last < 0 || stride[last] == 0 ? 1 : shape[last];
+  npy_intp index[NPY_MAXDIMS] = {0};
+  const char *p = PyArray_BYTES(array);
+  if (PyArray_SIZE(array) == 0) {
+    return 0;
+  }
+  for (;;) {
+    if ((PyArray_TYPE(array) == NPY_FLOAT ? refuses_floats : refuses_doubles)(
+            letter, p, n, last < 0 ? 0 : stride[last], stride + lead)) {
+      return 1;
+    }
+    int k = last - 1;
+    while (k >= 0 && (stride[k] == 0 || index[k] + 1 == shape[k])) {
+      p -= stride[k] * index[k];
+      index[k--] = 0;
+    }
+    if (k < 0) {
+      return 0;
+    }
+    index[k]++;
+    p += stride[k];
+  }
+}
+
+/* Whether the argument holds an element that the letter refuses.  What is no array of numbers is left
+   to NumPy, and so is the argument of another library, whose parts come later. */
+static int refuses(char letter, PyObject *given) {
+  if (!PyArray_Check(given) && PyObject_HasAttrString(given, "__array_ufunc__")) {
+    return 0;
+  }
+  PyArrayObject *array = (PyArrayObject *)PyArray_FROM_O(given);
+  if (array == NULL) {
+    PyErr_Clear();
+    return 0;
+  }
+  const int type = PyArray_TYPE(array), axes = axes_of(letter, array);
+  int found = 0;
+  if (axes > 0 && (type == NPY_FLOAT || type == NPY_DOUBLE || PyTypeNum_ISINTEGER(type))) {
+    PyArrayObject *numbers = (PyArrayObject *)PyArray_FROM_OTF((PyObject *)array,
+        type == NPY_FLOAT ? NPY_FLOAT : NPY_DOUBLE, NPY_ARRAY_ALIGNED | NPY_ARRAY_NOTSWAPPED);
+    if (numbers == NULL) {
+      PyErr_Clear();
+    } else {
+      Py_BEGIN_ALLOW_THREADS
+      found = refuses_array(letter, numbers, axes);
+      Py_END_ALLOW_THREADS
+      Py_DECREF(numbers);
+    }
+  }
+  Py_DECREF(array);
+  return found;
+}
+
+/* Whether any argument is refused. */
+static int refuses_any(const PyUFuncObject *ufunc, PyObject *const *given, size_t inputs) {
+  const char *required = ((const coscrew_gufunc *)ufunc->data[0])->required;
+  for (size_t k = 0; k < inputs && required[k] != 0; k++) {
+    if (required[k] != '.' && refuses(required[k], given[k])) {
+      return 1;
+    }
+  }
+  return 0;
+}
+
 static vectorcallfunc call_of_numpy;
 
 /* NumPy's call of a gufunc, with errors that name the argument.  Refuses masked arrays, whose masks
-   NumPy would ignore, and pandas' objects, which would reorder the axes. */
+   NumPy would ignore, pandas' objects, which would reorder the axes, and what is no rotation where one
+   is required. */
 static PyObject *call(PyObject *self, PyObject *const *given, size_t flags, PyObject *names) {
   const PyUFuncObject *ufunc = (const PyUFuncObject *)self;
   const size_t count = (size_t)PyVectorcall_NARGS(flags);
@@ -84,6 +242,12 @@ static PyObject *call(PyObject *self, PyObject *const *given, size_t flags, PyOb
       if (PyErr_Occurred()) {
         return NULL;
       }
+    }
+  }
+  if (refuses_any(ufunc, given, inputs)) {
+    explain(ufunc, given, inputs);
+    if (PyErr_Occurred()) {
+      return NULL;
     }
   }
   PyObject *result = call_of_numpy(self, given, flags, names);

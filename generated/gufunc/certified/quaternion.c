@@ -4164,49 +4164,49 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "\n"
     "(4),()->(4),(4).  self, self_bound: quaternion (x, y, z, w), the scalar last; a: number.\n"
     "8 mul, 4 add, 4 abs.\n",
-   2, 2, quaternion_scale_loops},
+   2, 2, "", quaternion_scale_loops},
   {"axpy_qq", "(),(4),(4)->(4),(4)",
     "y = a x + y; |error of y| <= y_bound unless inf or NaN.\n"
     "\n"
     "(),(4),(4)->(4),(4).  a: number; x, y, y_bound: quaternion (x, y, z, w), the scalar last.\n"
     "8 mul, 12 add, 8 abs.\n",
-   3, 2, axpy_qq_loops},
+   3, 2, "", axpy_qq_loops},
   {"rotate_qv", "(4),(3)->(3),(3)",
     "vo = R(q) v, |q| = 1; |error of vo| <= vo_bound unless inf or NaN.\n"
     "\n"
     "(4),(3)->(3),(3).  q: quaternion (x, y, z, w), the scalar last; v, vo, vo_bound: vector.\n"
     "33 mul, 33 add, 13 abs.\n",
-   2, 2, rotate_qv_loops},
+   2, 2, "U.", rotate_qv_loops},
   {"rotate_qconjv", "(4),(3)->(3),(3)",
     "vo = R(q)^T v, |q| = 1; |error of vo| <= vo_bound unless inf or NaN.\n"
     "\n"
     "(4),(3)->(3),(3).  q: quaternion (x, y, z, w), the scalar last; v, vo, vo_bound: vector.\n"
     "33 mul, 33 add, 13 abs.\n",
-   2, 2, rotate_qconjv_loops},
+   2, 2, "U.", rotate_qconjv_loops},
   {"quaternion_product_qq", "(4),(4)->(4),(4)",
     "qo = q1i q2i; |error of qo| <= qo_bound unless inf or NaN.\n"
     "\n"
     "(4),(4)->(4),(4).  q1i, q2i, qo, qo_bound: quaternion (x, y, z, w), the scalar last.\n"
     "20 mul, 28 add, 16 abs.\n",
-   2, 2, quaternion_product_qq_loops},
+   2, 2, "", quaternion_product_qq_loops},
   {"quaternion_product_qqconj", "(4),(4)->(4),(4)",
     "qo = q1i q2i*; |error of qo| <= qo_bound unless inf or NaN.\n"
     "\n"
     "(4),(4)->(4),(4).  q1i, q2i, qo, qo_bound: quaternion (x, y, z, w), the scalar last.\n"
     "20 mul, 28 add, 16 abs.\n",
-   2, 2, quaternion_product_qqconj_loops},
+   2, 2, "", quaternion_product_qqconj_loops},
   {"quaternion_product_qconjq", "(4),(4)->(4),(4)",
     "qo = q1i* q2i; |error of qo| <= qo_bound unless inf or NaN.\n"
     "\n"
     "(4),(4)->(4),(4).  q1i, q2i, qo, qo_bound: quaternion (x, y, z, w), the scalar last.\n"
     "20 mul, 28 add, 16 abs.\n",
-   2, 2, quaternion_product_qconjq_loops},
+   2, 2, "", quaternion_product_qconjq_loops},
   {"quaternion_product_qconjqconj", "(4),(4)->(4),(4)",
     "qo = q1i* q2i*; |error of qo| <= qo_bound unless inf or NaN.\n"
     "\n"
     "(4),(4)->(4),(4).  q1i, q2i, qo, qo_bound: quaternion (x, y, z, w), the scalar last.\n"
     "20 mul, 28 add, 16 abs.\n",
-   2, 2, quaternion_product_qconjqconj_loops},
+   2, 2, "", quaternion_product_qconjqconj_loops},
   {"quaternion_product_qxq", "(2),(4)->(4),(4)",
     "qo = (s e_x; c) qi, dci = (s, c), sine and cosine of half the angle; |error of qo| <=\n"
     "qo_bound unless inf or NaN.\n"
@@ -4214,7 +4214,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "(2),(4)->(4),(4).  dci: (sin θ, cos θ); qi, qo, qo_bound: quaternion (x, y, z, w), the\n"
     "scalar last.\n"
     "12 mul, 12 add, 8 abs.\n",
-   2, 2, quaternion_product_qxq_loops},
+   2, 2, "", quaternion_product_qxq_loops},
   {"quaternion_product_qxqconj", "(2),(4)->(4),(4)",
     "qo = (s e_x; c) qi*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=\n"
     "qo_bound unless inf or NaN.\n"
@@ -4222,7 +4222,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "(2),(4)->(4),(4).  dci: (sin θ, cos θ); qi, qo, qo_bound: quaternion (x, y, z, w), the\n"
     "scalar last.\n"
     "12 mul, 12 add, 1 neg, 8 abs.\n",
-   2, 2, quaternion_product_qxqconj_loops},
+   2, 2, "", quaternion_product_qxqconj_loops},
   {"quaternion_product_qxconjq", "(2),(4)->(4),(4)",
     "qo = (s e_x; c)* qi, dci = (s, c), sine and cosine of half the angle; |error of qo| <=\n"
     "qo_bound unless inf or NaN.\n"
@@ -4230,7 +4230,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "(2),(4)->(4),(4).  dci: (sin θ, cos θ); qi, qo, qo_bound: quaternion (x, y, z, w), the\n"
     "scalar last.\n"
     "12 mul, 12 add, 8 abs.\n",
-   2, 2, quaternion_product_qxconjq_loops},
+   2, 2, "", quaternion_product_qxconjq_loops},
   {"quaternion_product_qxconjqconj", "(2),(4)->(4),(4)",
     "qo = (s e_x; c)* qi*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=\n"
     "qo_bound unless inf or NaN.\n"
@@ -4238,7 +4238,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "(2),(4)->(4),(4).  dci: (sin θ, cos θ); qi, qo, qo_bound: quaternion (x, y, z, w), the\n"
     "scalar last.\n"
     "12 mul, 12 add, 2 neg, 8 abs.\n",
-   2, 2, quaternion_product_qxconjqconj_loops},
+   2, 2, "", quaternion_product_qxconjqconj_loops},
   {"quaternion_product_qqx", "(4),(2)->(4),(4)",
     "qo = qi (s e_x; c), dci = (s, c), sine and cosine of half the angle; |error of qo| <=\n"
     "qo_bound unless inf or NaN.\n"
@@ -4246,7 +4246,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "(4),(2)->(4),(4).  qi, qo, qo_bound: quaternion (x, y, z, w), the scalar last; dci: (sin θ,\n"
     "cos θ).\n"
     "12 mul, 12 add, 8 abs.\n",
-   2, 2, quaternion_product_qqx_loops},
+   2, 2, "", quaternion_product_qqx_loops},
   {"quaternion_product_qqxconj", "(4),(2)->(4),(4)",
     "qo = qi (s e_x; c)*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=\n"
     "qo_bound unless inf or NaN.\n"
@@ -4254,7 +4254,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "(4),(2)->(4),(4).  qi, qo, qo_bound: quaternion (x, y, z, w), the scalar last; dci: (sin θ,\n"
     "cos θ).\n"
     "12 mul, 12 add, 8 abs.\n",
-   2, 2, quaternion_product_qqxconj_loops},
+   2, 2, "", quaternion_product_qqxconj_loops},
   {"quaternion_product_qconjqx", "(4),(2)->(4),(4)",
     "qo = qi* (s e_x; c), dci = (s, c), sine and cosine of half the angle; |error of qo| <=\n"
     "qo_bound unless inf or NaN.\n"
@@ -4262,7 +4262,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "(4),(2)->(4),(4).  qi, qo, qo_bound: quaternion (x, y, z, w), the scalar last; dci: (sin θ,\n"
     "cos θ).\n"
     "12 mul, 12 add, 1 neg, 8 abs.\n",
-   2, 2, quaternion_product_qconjqx_loops},
+   2, 2, "", quaternion_product_qconjqx_loops},
   {"quaternion_product_qconjqxconj", "(4),(2)->(4),(4)",
     "qo = qi* (s e_x; c)*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=\n"
     "qo_bound unless inf or NaN.\n"
@@ -4270,7 +4270,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "(4),(2)->(4),(4).  qi, qo, qo_bound: quaternion (x, y, z, w), the scalar last; dci: (sin θ,\n"
     "cos θ).\n"
     "12 mul, 12 add, 2 neg, 8 abs.\n",
-   2, 2, quaternion_product_qconjqxconj_loops},
+   2, 2, "", quaternion_product_qconjqxconj_loops},
   {"quaternion_product_qyq", "(2),(4)->(4),(4)",
     "qo = (s e_y; c) qi, dci = (s, c), sine and cosine of half the angle; |error of qo| <=\n"
     "qo_bound unless inf or NaN.\n"
@@ -4278,7 +4278,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "(2),(4)->(4),(4).  dci: (sin θ, cos θ); qi, qo, qo_bound: quaternion (x, y, z, w), the\n"
     "scalar last.\n"
     "12 mul, 12 add, 8 abs.\n",
-   2, 2, quaternion_product_qyq_loops},
+   2, 2, "", quaternion_product_qyq_loops},
   {"quaternion_product_qyqconj", "(2),(4)->(4),(4)",
     "qo = (s e_y; c) qi*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=\n"
     "qo_bound unless inf or NaN.\n"
@@ -4286,7 +4286,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "(2),(4)->(4),(4).  dci: (sin θ, cos θ); qi, qo, qo_bound: quaternion (x, y, z, w), the\n"
     "scalar last.\n"
     "12 mul, 12 add, 1 neg, 8 abs.\n",
-   2, 2, quaternion_product_qyqconj_loops},
+   2, 2, "", quaternion_product_qyqconj_loops},
   {"quaternion_product_qyconjq", "(2),(4)->(4),(4)",
     "qo = (s e_y; c)* qi, dci = (s, c), sine and cosine of half the angle; |error of qo| <=\n"
     "qo_bound unless inf or NaN.\n"
@@ -4294,7 +4294,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "(2),(4)->(4),(4).  dci: (sin θ, cos θ); qi, qo, qo_bound: quaternion (x, y, z, w), the\n"
     "scalar last.\n"
     "12 mul, 12 add, 8 abs.\n",
-   2, 2, quaternion_product_qyconjq_loops},
+   2, 2, "", quaternion_product_qyconjq_loops},
   {"quaternion_product_qyconjqconj", "(2),(4)->(4),(4)",
     "qo = (s e_y; c)* qi*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=\n"
     "qo_bound unless inf or NaN.\n"
@@ -4302,7 +4302,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "(2),(4)->(4),(4).  dci: (sin θ, cos θ); qi, qo, qo_bound: quaternion (x, y, z, w), the\n"
     "scalar last.\n"
     "12 mul, 12 add, 2 neg, 8 abs.\n",
-   2, 2, quaternion_product_qyconjqconj_loops},
+   2, 2, "", quaternion_product_qyconjqconj_loops},
   {"quaternion_product_qqy", "(4),(2)->(4),(4)",
     "qo = qi (s e_y; c), dci = (s, c), sine and cosine of half the angle; |error of qo| <=\n"
     "qo_bound unless inf or NaN.\n"
@@ -4310,7 +4310,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "(4),(2)->(4),(4).  qi, qo, qo_bound: quaternion (x, y, z, w), the scalar last; dci: (sin θ,\n"
     "cos θ).\n"
     "12 mul, 12 add, 8 abs.\n",
-   2, 2, quaternion_product_qqy_loops},
+   2, 2, "", quaternion_product_qqy_loops},
   {"quaternion_product_qqyconj", "(4),(2)->(4),(4)",
     "qo = qi (s e_y; c)*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=\n"
     "qo_bound unless inf or NaN.\n"
@@ -4318,7 +4318,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "(4),(2)->(4),(4).  qi, qo, qo_bound: quaternion (x, y, z, w), the scalar last; dci: (sin θ,\n"
     "cos θ).\n"
     "12 mul, 12 add, 8 abs.\n",
-   2, 2, quaternion_product_qqyconj_loops},
+   2, 2, "", quaternion_product_qqyconj_loops},
   {"quaternion_product_qconjqy", "(4),(2)->(4),(4)",
     "qo = qi* (s e_y; c), dci = (s, c), sine and cosine of half the angle; |error of qo| <=\n"
     "qo_bound unless inf or NaN.\n"
@@ -4326,7 +4326,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "(4),(2)->(4),(4).  qi, qo, qo_bound: quaternion (x, y, z, w), the scalar last; dci: (sin θ,\n"
     "cos θ).\n"
     "12 mul, 12 add, 1 neg, 8 abs.\n",
-   2, 2, quaternion_product_qconjqy_loops},
+   2, 2, "", quaternion_product_qconjqy_loops},
   {"quaternion_product_qconjqyconj", "(4),(2)->(4),(4)",
     "qo = qi* (s e_y; c)*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=\n"
     "qo_bound unless inf or NaN.\n"
@@ -4334,7 +4334,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "(4),(2)->(4),(4).  qi, qo, qo_bound: quaternion (x, y, z, w), the scalar last; dci: (sin θ,\n"
     "cos θ).\n"
     "12 mul, 12 add, 2 neg, 8 abs.\n",
-   2, 2, quaternion_product_qconjqyconj_loops},
+   2, 2, "", quaternion_product_qconjqyconj_loops},
   {"quaternion_product_qzq", "(2),(4)->(4),(4)",
     "qo = (s e_z; c) qi, dci = (s, c), sine and cosine of half the angle; |error of qo| <=\n"
     "qo_bound unless inf or NaN.\n"
@@ -4342,7 +4342,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "(2),(4)->(4),(4).  dci: (sin θ, cos θ); qi, qo, qo_bound: quaternion (x, y, z, w), the\n"
     "scalar last.\n"
     "12 mul, 12 add, 8 abs.\n",
-   2, 2, quaternion_product_qzq_loops},
+   2, 2, "", quaternion_product_qzq_loops},
   {"quaternion_product_qzqconj", "(2),(4)->(4),(4)",
     "qo = (s e_z; c) qi*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=\n"
     "qo_bound unless inf or NaN.\n"
@@ -4350,7 +4350,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "(2),(4)->(4),(4).  dci: (sin θ, cos θ); qi, qo, qo_bound: quaternion (x, y, z, w), the\n"
     "scalar last.\n"
     "12 mul, 12 add, 1 neg, 8 abs.\n",
-   2, 2, quaternion_product_qzqconj_loops},
+   2, 2, "", quaternion_product_qzqconj_loops},
   {"quaternion_product_qzconjq", "(2),(4)->(4),(4)",
     "qo = (s e_z; c)* qi, dci = (s, c), sine and cosine of half the angle; |error of qo| <=\n"
     "qo_bound unless inf or NaN.\n"
@@ -4358,7 +4358,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "(2),(4)->(4),(4).  dci: (sin θ, cos θ); qi, qo, qo_bound: quaternion (x, y, z, w), the\n"
     "scalar last.\n"
     "12 mul, 12 add, 8 abs.\n",
-   2, 2, quaternion_product_qzconjq_loops},
+   2, 2, "", quaternion_product_qzconjq_loops},
   {"quaternion_product_qzconjqconj", "(2),(4)->(4),(4)",
     "qo = (s e_z; c)* qi*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=\n"
     "qo_bound unless inf or NaN.\n"
@@ -4366,7 +4366,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "(2),(4)->(4),(4).  dci: (sin θ, cos θ); qi, qo, qo_bound: quaternion (x, y, z, w), the\n"
     "scalar last.\n"
     "12 mul, 12 add, 2 neg, 8 abs.\n",
-   2, 2, quaternion_product_qzconjqconj_loops},
+   2, 2, "", quaternion_product_qzconjqconj_loops},
   {"quaternion_product_qqz", "(4),(2)->(4),(4)",
     "qo = qi (s e_z; c), dci = (s, c), sine and cosine of half the angle; |error of qo| <=\n"
     "qo_bound unless inf or NaN.\n"
@@ -4374,7 +4374,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "(4),(2)->(4),(4).  qi, qo, qo_bound: quaternion (x, y, z, w), the scalar last; dci: (sin θ,\n"
     "cos θ).\n"
     "12 mul, 12 add, 8 abs.\n",
-   2, 2, quaternion_product_qqz_loops},
+   2, 2, "", quaternion_product_qqz_loops},
   {"quaternion_product_qqzconj", "(4),(2)->(4),(4)",
     "qo = qi (s e_z; c)*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=\n"
     "qo_bound unless inf or NaN.\n"
@@ -4382,7 +4382,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "(4),(2)->(4),(4).  qi, qo, qo_bound: quaternion (x, y, z, w), the scalar last; dci: (sin θ,\n"
     "cos θ).\n"
     "12 mul, 12 add, 8 abs.\n",
-   2, 2, quaternion_product_qqzconj_loops},
+   2, 2, "", quaternion_product_qqzconj_loops},
   {"quaternion_product_qconjqz", "(4),(2)->(4),(4)",
     "qo = qi* (s e_z; c), dci = (s, c), sine and cosine of half the angle; |error of qo| <=\n"
     "qo_bound unless inf or NaN.\n"
@@ -4390,7 +4390,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "(4),(2)->(4),(4).  qi, qo, qo_bound: quaternion (x, y, z, w), the scalar last; dci: (sin θ,\n"
     "cos θ).\n"
     "12 mul, 12 add, 1 neg, 8 abs.\n",
-   2, 2, quaternion_product_qconjqz_loops},
+   2, 2, "", quaternion_product_qconjqz_loops},
   {"quaternion_product_qconjqzconj", "(4),(2)->(4),(4)",
     "qo = qi* (s e_z; c)*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=\n"
     "qo_bound unless inf or NaN.\n"
@@ -4398,51 +4398,51 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "(4),(2)->(4),(4).  qi, qo, qo_bound: quaternion (x, y, z, w), the scalar last; dci: (sin θ,\n"
     "cos θ).\n"
     "12 mul, 12 add, 2 neg, 8 abs.\n",
-   2, 2, quaternion_product_qconjqzconj_loops},
+   2, 2, "", quaternion_product_qconjqzconj_loops},
   {"quaternion_product_qv", "(4),(3)->(4),(4)",
     "qo = qi (vi; 0); |error of qo| <= qo_bound unless inf or NaN.\n"
     "\n"
     "(4),(3)->(4),(4).  qi, qo, qo_bound: quaternion (x, y, z, w), the scalar last; vi: vector.\n"
     "16 mul, 20 add, 1 neg, 12 abs.\n",
-   2, 2, quaternion_product_qv_loops},
+   2, 2, "", quaternion_product_qv_loops},
   {"quaternion_product_qconjv", "(4),(3)->(4),(4)",
     "qo = qi* (vi; 0); |error of qo| <= qo_bound unless inf or NaN.\n"
     "\n"
     "(4),(3)->(4),(4).  qi, qo, qo_bound: quaternion (x, y, z, w), the scalar last; vi: vector.\n"
     "16 mul, 20 add, 12 abs.\n",
-   2, 2, quaternion_product_qconjv_loops},
+   2, 2, "", quaternion_product_qconjv_loops},
   {"quaternion_product_vq", "(3),(4)->(4),(4)",
     "qo = (vi; 0) qi; |error of qo| <= qo_bound unless inf or NaN.\n"
     "\n"
     "(3),(4)->(4),(4).  vi: vector; qi, qo, qo_bound: quaternion (x, y, z, w), the scalar last.\n"
     "16 mul, 20 add, 1 neg, 12 abs.\n",
-   2, 2, quaternion_product_vq_loops},
+   2, 2, "", quaternion_product_vq_loops},
   {"quaternion_product_vqconj", "(3),(4)->(4),(4)",
     "qo = (vi; 0) qi*; |error of qo| <= qo_bound unless inf or NaN.\n"
     "\n"
     "(3),(4)->(4),(4).  vi: vector; qi, qo, qo_bound: quaternion (x, y, z, w), the scalar last.\n"
     "16 mul, 20 add, 12 abs.\n",
-   2, 2, quaternion_product_vqconj_loops},
+   2, 2, "", quaternion_product_vqconj_loops},
   {"dot_qq", "(4),(4)->(),()",
     "q1i·q2i; |error of dot| <= dot_bound unless inf or NaN.\n"
     "\n"
     "(4),(4)->(),().  q1i, q2i: quaternion (x, y, z, w), the scalar last; dot, dot_bound: number.\n"
     "5 mul, 7 add, 4 abs.\n",
-   2, 2, dot_qq_loops},
+   2, 2, "", dot_qq_loops},
   {"add_dpiToq", "(3),(4)->(4),(4)",
     "qi = qi + qi (dpi; 0) / 2: rotated by the small rotation vector dpi in the rotated frame, to\n"
     "first order; not normalized; |error of qi| <= qi_bound unless inf or NaN.\n"
     "\n"
     "(3),(4)->(4),(4).  dpi: vector; qi, qi_bound: quaternion (x, y, z, w), the scalar last.\n"
     "31 mul, 31 add, 7 abs.\n",
-   2, 2, add_dpiToq_loops},
+   2, 2, "", add_dpiToq_loops},
   {"subtract_dpiFromq", "(3),(4)->(4),(4)",
     "qi = qi - qi (dpi; 0) / 2, the opposite of add_dpiToq to first order; |error of qi| <=\n"
     "qi_bound unless inf or NaN.\n"
     "\n"
     "(3),(4)->(4),(4).  dpi: vector; qi, qi_bound: quaternion (x, y, z, w), the scalar last.\n"
     "31 mul, 31 add, 7 abs.\n",
-   2, 2, subtract_dpiFromq_loops},
+   2, 2, "", subtract_dpiFromq_loops},
   {"omega_to_dquaternion", "(3),(4)->(4),(4)",
     "dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the\n"
     "reference frame, rad/s, and a term that draws its norm to 1; |error of dqo| <= dqo_bound\n"
@@ -4450,7 +4450,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "\n"
     "(3),(4)->(4),(4).  w: vector; qi, dqo, dqo_bound: quaternion (x, y, z, w), the scalar last.\n"
     "43 mul, 40 add, 11 abs.\n",
-   2, 2, omega_to_dquaternion_loops},
+   2, 2, "", omega_to_dquaternion_loops},
   {"quaternion_from_axis_angle", "(3),()->(4),(4)",
     "qo = (axis sin angle/2; cos angle/2); axis of length 1: with another |qo| is not 1, and its\n"
     "rotation is by another angle; |error of qo| <= qo_bound unless inf or NaN.\n"
@@ -4458,7 +4458,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "(3),()->(4),(4).  axis: vector; angle: number; qo, qo_bound: quaternion (x, y, z, w), the\n"
     "scalar last.\n"
     "98 mul, 139 add, 14 product error, 1 div, 11 abs, 1 less, 1 select.\n",
-   2, 2, quaternion_from_axis_angle_loops},
+   2, 2, "", quaternion_from_axis_angle_loops},
   {"axis_angle_from_quaternion", "(4)->(),(3),(),(3)",
     "angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) if the\n"
     "angle is 0; any multiple of a quaternion; |error of angle| <= angle_bound, |error of axis|\n"
@@ -4468,7 +4468,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "number; axis, axis_bound: vector.\n"
     "201 mul, 318 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 5 neg, 50 abs, 4\n"
     "copysign, 35 less, 10 equal, 69 select.\n",
-   1, 4, axis_angle_from_quaternion_loops},
+   1, 4, "N", axis_angle_from_quaternion_loops},
   {"quaternion_exp", "(3)->(4),(4)",
     "qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v; |error\n"
     "of qo| <= qo_bound unless inf or NaN.\n"
@@ -4476,7 +4476,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "(3)->(4),(4).  v: vector; qo, qo_bound: quaternion (x, y, z, w), the scalar last.\n"
     "266 mul, 346 add, 17 product error, 4 product rest, 11 div, 3 sqrt, 37 abs, 11 less, 1\n"
     "equal, 24 select.\n",
-   1, 2, quaternion_exp_loops},
+   1, 2, "", quaternion_exp_loops},
   {"quaternion_log", "(4)->(3),(3)",
     "vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of\n"
     "it; |error of vo| <= vo_bound unless inf or NaN.\n"
@@ -4484,8 +4484,8 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "(4)->(3),(3).  q: quaternion (x, y, z, w), the scalar last; vo, vo_bound: vector.\n"
     "209 mul, 315 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 5 neg, 49 abs, 4\n"
     "copysign, 35 less, 10 equal, 65 select.\n",
-   1, 2, quaternion_log_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+   1, 2, "N", quaternion_log_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

@@ -2893,177 +2893,177 @@ const coscrew_gufunc TABLE(screw)[] = {
     "\n"
     "(6),()->(6),(6).  self, self_bound: screw (v in m/s; ω in rad/s); a: number.\n"
     "12 mul, 6 add, 6 abs.\n",
-   2, 2, screw_scale_loops},
+   2, 2, "", screw_scale_loops},
   {"axpy_ss", "(),(6),(6)->(6),(6)",
     "y = a x + y; |error of y| <= y_bound unless inf or NaN.\n"
     "\n"
     "(),(6),(6)->(6),(6).  a: number; x, y, y_bound: screw (v in m/s; ω in rad/s).\n"
     "12 mul, 18 add, 12 abs.\n",
-   3, 2, axpy_ss_loops},
+   3, 2, "", axpy_ss_loops},
   {"xpy_ss", "(6),(6)->(6),(6)",
     "y = x + y; |error of y| <= y_bound unless inf or NaN.\n"
     "\n"
     "(6),(6)->(6),(6).  x, y, y_bound: screw (v in m/s; ω in rad/s).\n"
     "6 mul, 6 add, 6 abs.\n",
-   2, 2, xpy_ss_loops},
+   2, 2, "", xpy_ss_loops},
   {"nxpy_ss", "(6),(6)->(6),(6)",
     "y = -x + y; |error of y| <= y_bound unless inf or NaN.\n"
     "\n"
     "(6),(6)->(6),(6).  x, y, y_bound: screw (v in m/s; ω in rad/s).\n"
     "6 mul, 6 add, 6 abs.\n",
-   2, 2, nxpy_ss_loops},
+   2, 2, "", nxpy_ss_loops},
   {"product_as", "(),(6)->(6),(6)",
     "so = a si; |error of so| <= so_bound unless inf or NaN.\n"
     "\n"
     "(),(6)->(6),(6).  a: number; si, so, so_bound: screw (v in m/s; ω in rad/s).\n"
     "12 mul, 6 add, 6 abs.\n",
-   2, 2, product_as_loops},
+   2, 2, "", product_as_loops},
   {"add_ss", "(6),(6)->(6),(6)",
     "so = s1 + s2; |error of so| <= so_bound unless inf or NaN.\n"
     "\n"
     "(6),(6)->(6),(6).  s1, s2, so, so_bound: screw (v in m/s; ω in rad/s).\n"
     "6 mul, 6 add, 6 abs.\n",
-   2, 2, add_ss_loops},
+   2, 2, "", add_ss_loops},
   {"subtract_ss", "(6),(6)->(6),(6)",
     "so = s1 - s2; |error of so| <= so_bound unless inf or NaN.\n"
     "\n"
     "(6),(6)->(6),(6).  s1, s2, so, so_bound: screw (v in m/s; ω in rad/s).\n"
     "6 mul, 6 add, 6 abs.\n",
-   2, 2, subtract_ss_loops},
+   2, 2, "", subtract_ss_loops},
   {"add_sst", "(6),(6)->(6),(6)",
     "so = (s1.lin + s2.lin ; s1.ang); |error of so| <= so_bound unless inf or NaN.\n"
     "\n"
     "(6),(6)->(6),(6).  s1, s2, so, so_bound: screw (v in m/s; ω in rad/s).\n"
     "3 mul, 3 add, 3 abs.\n",
-   2, 2, add_sst_loops},
+   2, 2, "", add_sst_loops},
   {"product_Adts", "(3),(6)->(6),(6)",
     "so = [Ad](t) si; |error of so| <= so_bound unless inf or NaN.\n"
     "\n"
     "(3),(6)->(6),(6).  t: vector; si, so, so_bound: screw (v in m/s; ω in rad/s).\n"
     "9 mul, 15 add, 9 abs.\n",
-   2, 2, product_Adts_loops},
+   2, 2, "", product_Adts_loops},
   {"product_Adtinvs", "(3),(6)->(6),(6)",
     "so = [Ad](t)^-1 si; |error of so| <= so_bound unless inf or NaN.\n"
     "\n"
     "(3),(6)->(6),(6).  t: vector; si, so, so_bound: screw (v in m/s; ω in rad/s).\n"
     "9 mul, 15 add, 9 abs.\n",
-   2, 2, product_Adtinvs_loops},
+   2, 2, "", product_Adtinvs_loops},
   {"product_Adtsinv", "(3),(6)->(6),(6)",
     "so = [Ad](t) (-si); |error of so| <= so_bound unless inf or NaN.\n"
     "\n"
     "(3),(6)->(6),(6).  t: vector; si, so, so_bound: screw (v in m/s; ω in rad/s).\n"
     "9 mul, 15 add, 3 neg, 9 abs.\n",
-   2, 2, product_Adtsinv_loops},
+   2, 2, "", product_Adtsinv_loops},
   {"product_Adrs", "(3,3),(6)->(6),(6)",
     "so = [Ad](R) si; |error of so| <= so_bound unless inf or NaN.\n"
     "\n"
     "(3,3),(6)->(6),(6).  R: rotation or other 3×3 matrix; si, so, so_bound: screw (v in m/s; ω\n"
     "in rad/s).\n"
     "24 mul, 30 add, 18 abs.\n",
-   2, 2, product_Adrs_loops},
+   2, 2, "R.", product_Adrs_loops},
   {"product_Adrinvs", "(3,3),(6)->(6),(6)",
     "so = [Ad](R)^-1 si; |error of so| <= so_bound unless inf or NaN.\n"
     "\n"
     "(3,3),(6)->(6),(6).  R: rotation or other 3×3 matrix; si, so, so_bound: screw (v in m/s; ω\n"
     "in rad/s).\n"
     "24 mul, 30 add, 18 abs.\n",
-   2, 2, product_Adrinvs_loops},
+   2, 2, "R.", product_Adrinvs_loops},
   {"product_Adrsinv", "(3,3),(6)->(6),(6)",
     "so = [Ad](R) (-si); |error of so| <= so_bound unless inf or NaN.\n"
     "\n"
     "(3,3),(6)->(6),(6).  R: rotation or other 3×3 matrix; si, so, so_bound: screw (v in m/s; ω\n"
     "in rad/s).\n"
     "24 mul, 30 add, 6 neg, 18 abs.\n",
-   2, 2, product_Adrsinv_loops},
+   2, 2, "R.", product_Adrsinv_loops},
   {"product_Ads", "(3,4),(6)->(6),(6)",
     "so = [Ad](D) si = [Ad](t) [Ad](R) si; |error of so| <= so_bound unless inf or NaN.\n"
     "\n"
     "(3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; si, so, so_bound: screw (v\n"
     "in m/s; ω in rad/s).\n"
     "36 mul, 42 add, 21 abs.\n",
-   2, 2, product_Ads_loops},
+   2, 2, "R.", product_Ads_loops},
   {"product_Adinvs", "(3,4),(6)->(6),(6)",
     "so = [Ad](D)^-1 si = [Ad](R^T) [Ad](-t) si; |error of so| <= so_bound unless inf or NaN.\n"
     "\n"
     "(3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; si, so, so_bound: screw (v\n"
     "in m/s; ω in rad/s).\n"
     "39 mul, 45 add, 27 abs.\n",
-   2, 2, product_Adinvs_loops},
+   2, 2, "R.", product_Adinvs_loops},
   {"product_Adsinv", "(3,4),(6)->(6),(6)",
     "so = [Ad](D) (-si); |error of so| <= so_bound unless inf or NaN.\n"
     "\n"
     "(3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; si, so, so_bound: screw (v\n"
     "in m/s; ω in rad/s).\n"
     "36 mul, 42 add, 6 neg, 21 abs.\n",
-   2, 2, product_Adsinv_loops},
+   2, 2, "R.", product_Adsinv_loops},
   {"hsrx", "(3,4)->(6),(6)",
     "so = h_rx: column 3 of [Ad](D); |error of so| <= so_bound unless inf or NaN.\n"
     "\n"
     "(3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;\n"
     "ω in rad/s).\n"
     "9 mul, 9 add, 6 abs.\n",
-   1, 2, hsrx_loops},
+   1, 2, "R", hsrx_loops},
   {"hsry", "(3,4)->(6),(6)",
     "so = h_ry: column 4 of [Ad](D); |error of so| <= so_bound unless inf or NaN.\n"
     "\n"
     "(3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;\n"
     "ω in rad/s).\n"
     "9 mul, 9 add, 6 abs.\n",
-   1, 2, hsry_loops},
+   1, 2, "R", hsry_loops},
   {"hsrz", "(3,4)->(6),(6)",
     "so = h_rz: column 5 of [Ad](D); |error of so| <= so_bound unless inf or NaN.\n"
     "\n"
     "(3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;\n"
     "ω in rad/s).\n"
     "9 mul, 9 add, 6 abs.\n",
-   1, 2, hsrz_loops},
+   1, 2, "R", hsrz_loops},
   {"hsrxinv", "(3,4)->(6),(6)",
     "so = -h_rx: -column 3 of [Ad](D); |error of so| <= so_bound unless inf or NaN.\n"
     "\n"
     "(3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;\n"
     "ω in rad/s).\n"
     "9 mul, 9 add, 3 neg, 6 abs.\n",
-   1, 2, hsrxinv_loops},
+   1, 2, "R", hsrxinv_loops},
   {"hsryinv", "(3,4)->(6),(6)",
     "so = -h_ry: -column 4 of [Ad](D); |error of so| <= so_bound unless inf or NaN.\n"
     "\n"
     "(3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;\n"
     "ω in rad/s).\n"
     "9 mul, 9 add, 3 neg, 6 abs.\n",
-   1, 2, hsryinv_loops},
+   1, 2, "R", hsryinv_loops},
   {"hsrzinv", "(3,4)->(6),(6)",
     "so = -h_rz: -column 5 of [Ad](D); |error of so| <= so_bound unless inf or NaN.\n"
     "\n"
     "(3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;\n"
     "ω in rad/s).\n"
     "9 mul, 9 add, 3 neg, 6 abs.\n",
-   1, 2, hsrzinv_loops},
+   1, 2, "R", hsrzinv_loops},
   {"Ad", "(3,4)->(6,6),(6,6)",
     "M = [Ad](D); |error of M| <= M_bound unless inf or NaN.\n"
     "\n"
     "(3,4)->(6,6),(6,6).  D: displacement [R | t], R rotation, t in m; M, M_bound: 6×6 operator.\n"
     "27 mul, 27 add, 18 abs.\n",
-   1, 2, Ad_loops},
+   1, 2, "R", Ad_loops},
   {"dot_cs", "(6),(6)->(),()",
     "power = f·v + τ·ω, in W; |error of power| <= power_bound unless inf or NaN.\n"
     "\n"
     "(6),(6)->(),().  c: coscrew (f in N; τ in N m); s: screw (v in m/s; ω in rad/s); power,\n"
     "power_bound: number.\n"
     "7 mul, 11 add, 6 abs.\n",
-   2, 2, dot_cs_loops},
+   2, 2, "", dot_cs_loops},
   {"cross_ss", "(6),(6)->(6),(6)",
     "so = [ad](s1) s2 = (ω1×v2 + v1×ω2 ; ω1×ω2); |error of so| <= so_bound unless inf or NaN.\n"
     "Exactly zero for s1 = s2, unless products overflow.\n"
     "\n"
     "(6),(6)->(6),(6).  s1, s2, so, so_bound: screw (v in m/s; ω in rad/s).\n"
     "24 mul, 30 add, 18 abs.\n",
-   2, 2, cross_ss_loops},
+   2, 2, "", cross_ss_loops},
   {"cross_sst", "(6),(6)->(6),(6)",
     "so = (ω1×v2 ; 0); |error of so| <= so_bound unless inf or NaN.\n"
     "\n"
     "(6),(6)->(6),(6).  s1, s2, so, so_bound: screw (v in m/s; ω in rad/s).\n"
     "9 mul, 9 add, 6 abs.\n",
-   2, 2, cross_sst_loops},
+   2, 2, "", cross_sst_loops},
   {"hsra", "(3,4),(3)->(6),(6)",
     "so = (t×R a ; R a), a = axis in the body's frame; |error of so| <= so_bound unless inf or\n"
     "NaN.\n"
@@ -3071,14 +3071,14 @@ const coscrew_gufunc TABLE(screw)[] = {
     "(3,4),(3)->(6),(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so,\n"
     "so_bound: screw (v in m/s; ω in rad/s).\n"
     "27 mul, 24 add, 12 abs.\n",
-   2, 2, hsra_loops},
+   2, 2, "R.", hsra_loops},
   {"hsta", "(3,4),(3)->(6),(6)",
     "so = (R a ; 0), a = axis in the body's frame; |error of so| <= so_bound unless inf or NaN.\n"
     "\n"
     "(3,4),(3)->(6),(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so,\n"
     "so_bound: screw (v in m/s; ω in rad/s).\n"
     "12 mul, 15 add, 9 abs.\n",
-   2, 2, hsta_loops},
+   2, 2, "R.", hsta_loops},
   {"hsrainv", "(3,4),(3)->(6),(6)",
     "so = -(t×R a ; R a), a = axis in the body's frame; |error of so| <= so_bound unless inf or\n"
     "NaN.\n"
@@ -3086,15 +3086,15 @@ const coscrew_gufunc TABLE(screw)[] = {
     "(3,4),(3)->(6),(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so,\n"
     "so_bound: screw (v in m/s; ω in rad/s).\n"
     "27 mul, 24 add, 3 neg, 12 abs.\n",
-   2, 2, hsrainv_loops},
+   2, 2, "R.", hsrainv_loops},
   {"hstainv", "(3,4),(3)->(6),(6)",
     "so = -(R a ; 0), a = axis in the body's frame; |error of so| <= so_bound unless inf or NaN.\n"
     "\n"
     "(3,4),(3)->(6),(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so,\n"
     "so_bound: screw (v in m/s; ω in rad/s).\n"
     "12 mul, 15 add, 3 neg, 9 abs.\n",
-   2, 2, hstainv_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+   2, 2, "R.", hstainv_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

@@ -858,21 +858,21 @@ const coscrew_gufunc TABLE(spatial_inertia)[] = {
     "(10),()->(10),(10).  self, self_bound: spatial inertia (m in kg; h = m c in kg m; I about\n"
     "the origin, xx, yy, zz, xy, xz, yz in kg m^2); a: number.\n"
     "20 mul, 10 add, 10 abs.\n",
-   2, 2, spatial_inertia_scale_loops},
+   2, 2, "", spatial_inertia_scale_loops},
   {"add_BB", "(10),(10)->(10),(10)",
     "Bo = B1 + B2; |error of Bo| <= Bo_bound unless inf or NaN.\n"
     "\n"
     "(10),(10)->(10),(10).  B1, B2, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m; I\n"
     "about the origin, xx, yy, zz, xy, xz, yz in kg m^2).\n"
     "10 mul, 10 add, 10 abs.\n",
-   2, 2, add_BB_loops},
+   2, 2, "", add_BB_loops},
   {"subtract_BB", "(10),(10)->(10),(10)",
     "Bo = B1 - B2; |error of Bo| <= Bo_bound unless inf or NaN.\n"
     "\n"
     "(10),(10)->(10),(10).  B1, B2, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m; I\n"
     "about the origin, xx, yy, zz, xy, xz, yz in kg m^2).\n"
     "10 mul, 10 add, 10 abs.\n",
-   2, 2, subtract_BB_loops},
+   2, 2, "", subtract_BB_loops},
   {"spatial_inertia_from_com", "(),(3),(3,3)->(10),(10)",
     "Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; only the upper triangle\n"
     "is read): h = m com, I = Ic - m com~ com~; |error of Bo| <= Bo_bound unless inf or NaN.\n"
@@ -881,7 +881,7 @@ const coscrew_gufunc TABLE(spatial_inertia)[] = {
     "Bo_bound: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz,\n"
     "yz in kg m^2).\n"
     "24 mul, 27 add, 12 abs.\n",
-   3, 2, spatial_inertia_from_com_loops},
+   3, 2, "", spatial_inertia_from_com_loops},
   {"product_Bs", "(10),(6)->(6),(6)",
     "co = B s = (m v - h × ω; h × v + I ω), the momentum of a body that moves with s; |error of\n"
     "co| <= co_bound unless inf or NaN.\n"
@@ -890,7 +890,7 @@ const coscrew_gufunc TABLE(spatial_inertia)[] = {
     "yy, zz, xy, xz, yz in kg m^2); s: screw (v in m/s; ω in rad/s); co, co_bound: coscrew (f in\n"
     "N; τ in N m).\n"
     "30 mul, 42 add, 24 abs.\n",
-   2, 2, product_Bs_loops},
+   2, 2, "", product_Bs_loops},
   {"spatial_inertia_energy", "(10),(6)->(),()",
     "s·B s / 2, the kinetic energy in J of a body that moves with s; |error of energy| <=\n"
     "energy_bound unless inf or NaN.\n"
@@ -898,7 +898,7 @@ const coscrew_gufunc TABLE(spatial_inertia)[] = {
     "(10),(6)->(),().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy,\n"
     "zz, xy, xz, yz in kg m^2); s: screw (v in m/s; ω in rad/s); energy, energy_bound: number.\n"
     "35 mul, 43 add, 25 abs.\n",
-   2, 2, spatial_inertia_energy_loops},
+   2, 2, "", spatial_inertia_energy_loops},
   {"spatial_inertia_net_wrench", "(10),(3),(6)->(6),(6)",
     "co = B ds + (w × (w × h); w × I w): the net wrench, about the origin, of a body with angular\n"
     "velocity w and acceleration ds = (a; w'), where a is that of the point now at the origin; if\n"
@@ -908,7 +908,7 @@ const coscrew_gufunc TABLE(spatial_inertia)[] = {
     "xx, yy, zz, xy, xz, yz in kg m^2); w: vector; ds: screw (v in m/s; ω in rad/s); co,\n"
     "co_bound: coscrew (f in N; τ in N m).\n"
     "66 mul, 102 add, 3 neg, 30 abs.\n",
-   3, 2, spatial_inertia_net_wrench_loops},
+   3, 2, "", spatial_inertia_net_wrench_loops},
   {"spatial_inertia_shifted", "(3),(10)->(10),(10)",
     "Bo = B moved by t: m, h + m t, I - t~ (h + m t)~ - h~ t~; |error of Bo| <= Bo_bound unless\n"
     "inf or NaN.\n"
@@ -916,7 +916,7 @@ const coscrew_gufunc TABLE(spatial_inertia)[] = {
     "(3),(10)->(10),(10).  t: vector; B, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m;\n"
     "I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).\n"
     "42 mul, 54 add, 15 abs.\n",
-   2, 2, spatial_inertia_shifted_loops},
+   2, 2, "", spatial_inertia_shifted_loops},
   {"spatial_inertia_transformed", "(3,4),(10)->(10),(10)",
     "Bo = [Ad]*(D) B [Ad]^-1(D): B, given in the frame at D, in the reference frame; |error of\n"
     "Bo| <= Bo_bound unless inf or NaN.\n"
@@ -925,8 +925,8 @@ const coscrew_gufunc TABLE(spatial_inertia)[] = {
     "spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg\n"
     "m^2).\n"
     "114 mul, 135 add, 51 abs.\n",
-   2, 2, spatial_inertia_transformed_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+   2, 2, "R.", spatial_inertia_transformed_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

@@ -105,8 +105,8 @@ const coscrew_gufunc TABLE(trig)[] = {
     "\n"
     "()->(2),(2).  theta: number; dc, dc_bound: (sin θ, cos θ).\n"
     "83 mul, 129 add, 11 product error, 1 div, 5 abs, 1 less, 1 select.\n",
-   1, 2, dc_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+   1, 2, "", dc_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

@@ -1795,49 +1795,49 @@ const coscrew_gufunc TABLE(vec3)[] = {
     "\n"
     "(3),()->(3),(3).  self, self_bound: vector; a: number.\n"
     "6 mul, 3 add, 3 abs.\n",
-   2, 2, vec3_scale_loops},
+   2, 2, "", vec3_scale_loops},
   {"axpy_vv", "(),(3),(3)->(3),(3)",
     "y = a x + y; |error of y| <= y_bound unless inf or NaN.\n"
     "\n"
     "(),(3),(3)->(3),(3).  a: number; x, y, y_bound: vector.\n"
     "6 mul, 9 add, 6 abs.\n",
-   3, 2, axpy_vv_loops},
+   3, 2, "", axpy_vv_loops},
   {"xpy_vv", "(3),(3)->(3),(3)",
     "y = x + y; |error of y| <= y_bound unless inf or NaN.\n"
     "\n"
     "(3),(3)->(3),(3).  x, y, y_bound: vector.\n"
     "3 mul, 3 add, 3 abs.\n",
-   2, 2, xpy_vv_loops},
+   2, 2, "", xpy_vv_loops},
   {"nxpy_vv", "(3),(3)->(3),(3)",
     "y = -x + y; |error of y| <= y_bound unless inf or NaN.\n"
     "\n"
     "(3),(3)->(3),(3).  x, y, y_bound: vector.\n"
     "3 mul, 3 add, 3 abs.\n",
-   2, 2, nxpy_vv_loops},
+   2, 2, "", nxpy_vv_loops},
   {"product_av", "(),(3)->(3),(3)",
     "vo = a vi; |error of vo| <= vo_bound unless inf or NaN.\n"
     "\n"
     "(),(3)->(3),(3).  a: number; vi, vo, vo_bound: vector.\n"
     "6 mul, 3 add, 3 abs.\n",
-   2, 2, product_av_loops},
+   2, 2, "", product_av_loops},
   {"add_vv", "(3),(3)->(3),(3)",
     "vo = v1 + v2; |error of vo| <= vo_bound unless inf or NaN.\n"
     "\n"
     "(3),(3)->(3),(3).  v1, v2, vo, vo_bound: vector.\n"
     "3 mul, 3 add, 3 abs.\n",
-   2, 2, add_vv_loops},
+   2, 2, "", add_vv_loops},
   {"subtract_vv", "(3),(3)->(3),(3)",
     "vo = v1 - v2; |error of vo| <= vo_bound unless inf or NaN.\n"
     "\n"
     "(3),(3)->(3),(3).  v1, v2, vo, vo_bound: vector.\n"
     "3 mul, 3 add, 3 abs.\n",
-   2, 2, subtract_vv_loops},
+   2, 2, "", subtract_vv_loops},
   {"vec3_scaled", "(3),()->(3),(3)",
     "vo = k v; |error of vo| <= vo_bound unless inf or NaN.\n"
     "\n"
     "(3),()->(3),(3).  v, vo, vo_bound: vector; k: number.\n"
     "6 mul, 3 add, 3 abs.\n",
-   2, 2, vec3_scaled_loops},
+   2, 2, "", vec3_scaled_loops},
   {"angle_vv", "(3),(3)->(),()",
     "angle = atan2(|v1 × v2|, v1·v2), in [0, π]; |error of angle| <= angle_bound unless inf or\n"
     "NaN.\n"
@@ -1845,69 +1845,69 @@ const coscrew_gufunc TABLE(vec3)[] = {
     "(3),(3)->(),().  v1, v2: vector; angle, angle_bound: number.\n"
     "196 mul, 311 add, 22 product error, 12 product rest, 12 div, 2 sqrt, 1 neg, 40 abs, 4\n"
     "copysign, 37 less, 5 equal, 56 select.\n",
-   2, 2, angle_vv_loops},
+   2, 2, "", angle_vv_loops},
   {"dot_vv", "(3),(3)->(),()",
     "v1·v2; |error of dot| <= dot_bound unless inf or NaN.\n"
     "\n"
     "(3),(3)->(),().  v1, v2: vector; dot, dot_bound: number.\n"
     "4 mul, 5 add, 3 abs.\n",
-   2, 2, dot_vv_loops},
+   2, 2, "", dot_vv_loops},
   {"product_avinv", "(),(3)->(3),(3)",
     "vo = k (-v); |error of vo| <= vo_bound unless inf or NaN.\n"
     "\n"
     "(),(3)->(3),(3).  k: number; v, vo, vo_bound: vector.\n"
     "6 mul, 3 add, 3 neg, 3 abs.\n",
-   2, 2, product_avinv_loops},
+   2, 2, "", product_avinv_loops},
   {"cross_vv", "(3),(3)->(3),(3)",
     "vo = v1 × v2; |error of vo| <= vo_bound unless inf or NaN.  Exactly zero for v1 = v2, unless\n"
     "products overflow.\n"
     "\n"
     "(3),(3)->(3),(3).  v1, v2, vo, vo_bound: vector.\n"
     "9 mul, 9 add, 6 abs.\n",
-   2, 2, cross_vv_loops},
+   2, 2, "", cross_vv_loops},
   {"cross_vvinv", "(3),(3)->(3),(3)",
     "vo = v1 × (-v2); |error of vo| <= vo_bound unless inf or NaN.\n"
     "\n"
     "(3),(3)->(3),(3).  v1, v2, vo, vo_bound: vector.\n"
     "9 mul, 9 add, 6 abs.\n",
-   2, 2, cross_vvinv_loops},
+   2, 2, "", cross_vvinv_loops},
   {"add_vvx", "(3),()->(3),(3)",
     "vo = v + k e_x; |error of vo| <= vo_bound unless inf or NaN.\n"
     "\n"
     "(3),()->(3),(3).  v, vo, vo_bound: vector; k: number.\n"
     "1 mul, 1 add, 1 abs.\n",
-   2, 2, add_vvx_loops},
+   2, 2, "", add_vvx_loops},
   {"add_vvxinv", "(3),()->(3),(3)",
     "vo = v - k e_x; |error of vo| <= vo_bound unless inf or NaN.\n"
     "\n"
     "(3),()->(3),(3).  v, vo, vo_bound: vector; k: number.\n"
     "1 mul, 1 add, 1 abs.\n",
-   2, 2, add_vvxinv_loops},
+   2, 2, "", add_vvxinv_loops},
   {"add_vvy", "(3),()->(3),(3)",
     "vo = v + k e_y; |error of vo| <= vo_bound unless inf or NaN.\n"
     "\n"
     "(3),()->(3),(3).  v, vo, vo_bound: vector; k: number.\n"
     "1 mul, 1 add, 1 abs.\n",
-   2, 2, add_vvy_loops},
+   2, 2, "", add_vvy_loops},
   {"add_vvyinv", "(3),()->(3),(3)",
     "vo = v - k e_y; |error of vo| <= vo_bound unless inf or NaN.\n"
     "\n"
     "(3),()->(3),(3).  v, vo, vo_bound: vector; k: number.\n"
     "1 mul, 1 add, 1 abs.\n",
-   2, 2, add_vvyinv_loops},
+   2, 2, "", add_vvyinv_loops},
   {"add_vvz", "(3),()->(3),(3)",
     "vo = v + k e_z; |error of vo| <= vo_bound unless inf or NaN.\n"
     "\n"
     "(3),()->(3),(3).  v, vo, vo_bound: vector; k: number.\n"
     "1 mul, 1 add, 1 abs.\n",
-   2, 2, add_vvz_loops},
+   2, 2, "", add_vvz_loops},
   {"add_vvzinv", "(3),()->(3),(3)",
     "vo = v - k e_z; |error of vo| <= vo_bound unless inf or NaN.\n"
     "\n"
     "(3),()->(3),(3).  v, vo, vo_bound: vector; k: number.\n"
     "1 mul, 1 add, 1 abs.\n",
-   2, 2, add_vvzinv_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+   2, 2, "", add_vvzinv_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

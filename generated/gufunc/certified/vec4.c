@@ -181,15 +181,15 @@ const coscrew_gufunc TABLE(vec4)[] = {
     "(4),()->(4),(4).  self, self_bound: vector (x, y, z) and a homogeneous coordinate w; a:\n"
     "number.\n"
     "8 mul, 4 add, 4 abs.\n",
-   2, 2, vec4_scale_loops},
+   2, 2, "", vec4_scale_loops},
   {"vec4_scaled", "(4),()->(4),(4)",
     "vo = k v; |error of vo| <= vo_bound unless inf or NaN.\n"
     "\n"
     "(4),()->(4),(4).  v, vo, vo_bound: vector (x, y, z) and a homogeneous coordinate w; k:\n"
     "number.\n"
     "8 mul, 4 add, 4 abs.\n",
-   2, 2, vec4_scaled_loops},
-  {NULL, NULL, NULL, 0, 0, NULL},
+   2, 2, "", vec4_scaled_loops},
+  {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)

@@ -14,7 +14,7 @@ import sys
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "9e50760aae745bc0")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "984c65ea2c47022b")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (
@@ -63,6 +63,7 @@ if COMPILED:
         mat3x3_from_euler_xyx,
         euler_xyx_from_mat3x3,
         mat3x3_jacobi,
+        mat3x3_rotation_defect,
         SE3_invert,
         SE3_inverted,
         mat6x6_rotated,
@@ -190,6 +191,8 @@ if COMPILED:
         quaternion_norm,
         quaternion_normalize,
         quaternion_normalized,
+        quaternion_unit_defect,
+        quaternion_nearest_unit,
         rotate_qv,
         rotate_qconjv,
         quaternion_product_qq,
@@ -328,6 +331,7 @@ else:
         mat3x3_from_euler_xyx,
         euler_xyx_from_mat3x3,
         mat3x3_jacobi,
+        mat3x3_rotation_defect,
         SE3_invert,
         SE3_inverted,
         mat6x6_rotated,
@@ -455,6 +459,8 @@ else:
         quaternion_norm,
         quaternion_normalize,
         quaternion_normalized,
+        quaternion_unit_defect,
+        quaternion_nearest_unit,
         rotate_qv,
         rotate_qconjv,
         quaternion_product_qq,
@@ -604,6 +610,7 @@ __all__ = [
     "mat3x3_from_euler_xyx",
     "euler_xyx_from_mat3x3",
     "mat3x3_jacobi",
+    "mat3x3_rotation_defect",
     "SE3_invert",
     "SE3_inverted",
     "mat6x6_rotated",
@@ -731,6 +738,8 @@ __all__ = [
     "quaternion_norm",
     "quaternion_normalize",
     "quaternion_normalized",
+    "quaternion_unit_defect",
+    "quaternion_nearest_unit",
     "rotate_qv",
     "rotate_qconjv",
     "quaternion_product_qq",

@@ -15,7 +15,7 @@ import sys
 from coscrew.certified import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.certified._gufunc", "2feb63d1f879b84d")
+COMPILED: bool = is_compiled("coscrew.certified._gufunc", "b4548232dc65a514")
 
 if COMPILED:
     from coscrew.certified._gufunc import (

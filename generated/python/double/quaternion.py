@@ -7,7 +7,7 @@ In double precision, plain tier.
 """
 
 from coscrew import _elementary_double as elementary
-from numpy import absolute, float64, sqrt, where
+from numpy import absolute, float64, nan, sqrt, where
 from coscrew._kernel import double_kernel as kernel
 
 
@@ -187,6 +187,74 @@ def quaternion_normalized(q):
     qo_1 = quotient_1 * down
     qo_2 = quotient_2 * down
     qo_3 = quotient_3 * down
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(4)->()")
+def quaternion_unit_defect(q):
+    """|q| - 1: 0 for a unit quaternion, negative for a shorter one.
+
+    (4)->().  q: quaternion (x, y, z, w), the scalar last; defect: number.
+    9 mul, 4 add, 1 sqrt, 4 abs, 9 less, 9 select.
+    """
+    q_0, q_1, q_2, q_3 = q
+    s_size_0 = absolute(q_0)
+    s_size_1 = absolute(q_1)
+    s_size_2 = absolute(q_2)
+    s_size_3 = absolute(q_3)
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
+    s_b = where(6.703903964971299e+153 < s_largest3, float64(3.7291703656001034e-155), float64(1))
+    s_d = where(s_largest3 < 256, 1.3093562431584567e+151, s_b)
+    s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
+    y_0 = q_0 * s
+    y_1 = q_1 * s
+    y_2 = q_2 * s
+    y_3 = q_3 * s
+    n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2 + y_3 * y_3)
+    r_b = where(s < 1, float64(2.6815615859885194e+154), float64(1))
+    r_d = where(1 < s, 7.637340908749012e-152, r_b)
+    r = where(1.3093562431584567e+151 < s, 9.332636185032189e-302, r_d)
+    length = n * r
+    defect = length - 1
+    return defect
+
+
+@kernel("(4)->(4)")
+def quaternion_nearest_unit(q):
+    """qo = q / |q|, the unit quaternion nearest to q; NaN for zero, which has none.
+
+    (4)->(4).  q, qo: quaternion (x, y, z, w), the scalar last.
+    8 mul, 3 add, 4 div, 1 sqrt, 4 abs, 6 less, 1 equal, 11 select.
+    """
+    q_0, q_1, q_2, q_3 = q
+    s_size_0 = absolute(q_0)
+    s_size_1 = absolute(q_1)
+    s_size_2 = absolute(q_2)
+    s_size_3 = absolute(q_3)
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
+    s_b = where(6.703903964971299e+153 < s_largest3, float64(3.7291703656001034e-155), float64(1))
+    s_d = where(s_largest3 < 256, 1.3093562431584567e+151, s_b)
+    s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
+    scaled_s_0 = q_0 * s
+    scaled_s_1 = q_1 * s
+    scaled_s_2 = q_2 * s
+    scaled_s_3 = q_3 * s
+    n_e = scaled_s_0 * scaled_s_0 + scaled_s_1 * scaled_s_1 + scaled_s_2 * scaled_s_2
+    n = sqrt(n_e + scaled_s_3 * scaled_s_3)
+    divisor_a = n == 0
+    divisor = where(divisor_a, 1, n)
+    unit_0 = scaled_s_0 / divisor
+    unit_1 = scaled_s_1 / divisor
+    unit_2 = scaled_s_2 / divisor
+    unit_3 = scaled_s_3 / divisor
+    qo_0 = where(divisor_a, nan, unit_0)
+    qo_1 = where(divisor_a, nan, unit_1)
+    qo_2 = where(divisor_a, nan, unit_2)
+    qo_3 = where(divisor_a, nan, unit_3)
     return (qo_0, qo_1, qo_2, qo_3)
 
 

@@ -8,6 +8,7 @@ from types import ModuleType
 
 import numpy as np
 
+import coscrew
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.operations import Operation
 from coscrew_codegen.tiers import TIERS, tier_named
@@ -27,12 +28,12 @@ def twin(module: ModuleType) -> Implementation:
 
 
 def gufuncs(package: ModuleType) -> Implementation:
-    """The compiled gufuncs of a package."""
+    """The compiled gufuncs of a package, of any matrices."""
 
     def evaluate(operation: Operation, precision: Precision, inputs: Arrays) -> Arrays:
         assert package.COMPILED
         with np.errstate(all="ignore"):
-            found = getattr(package, operation.name)(*inputs)
+            found = coscrew.unchecked(getattr(package, operation.name))(*inputs)
         return found if isinstance(found, tuple) else (found,)
 
     return evaluate

@@ -596,8 +596,8 @@ static inline void ksl_SO3_exp_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
 /* vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo;
      |error of vo| <= vo_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; vo, vo_bound: vector.
-   216 mul, 442 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 65 abs, 4
-     copysign, 34 less, 6 equal, 99 select. */
+   244 mul, 469 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 72 abs, 4
+     copysign, 41 less, 6 equal, 106 select. */
 static inline void ksl_SO3_log_certified(const ksl_mat3x3_t *R, ksl_vec3_t *vo,
     ksl_vec3_t *vo_bound) {
   const double p_0 = R->m21 - R->m12, p_right_1 = R->m21 - p_0, p_left_1 = p_0 + p_right_1,
@@ -924,12 +924,86 @@ static inline void ksl_SO3_log_certified(const ksl_mat3x3_t *R, ksl_vec3_t *vo,
       vector_padded_4 = 1.8051943758648296e-276 + vector_size_12,
       vector_rest_4 = KSL_MUL(3.5202936421278755e-29, vector_padded_4),
       vector_bound_4 = vector_error_7 + vector_rest_4;
+  const double R_det_above_0 = KSL_MUL(R->m11, R->m22);
+  const double R_det_below_0 = KSL_MUL(R->m12, R->m21);
+  const double R_det_cofactor_0 = R_det_above_0 - R_det_below_0;
+  const double R_det_above_1 = KSL_MUL(R->m12, R->m20);
+  const double R_det_below_1 = KSL_MUL(R->m10, R->m22);
+  const double R_det_cofactor_1 = R_det_above_1 - R_det_below_1;
+  const double R_det_above_2 = KSL_MUL(R->m10, R->m21);
+  const double R_det_below_2 = KSL_MUL(R->m11, R->m20);
+  const double R_det_cofactor_2 = R_det_above_2 - R_det_below_2;
+  const double R_det_product_0 = KSL_MUL(R->m00, R_det_cofactor_0);
+  const double R_det_product_1 = KSL_MUL(R->m01, R_det_cofactor_1);
+  const double R_det_product_2 = KSL_MUL(R->m02, R_det_cofactor_2);
+  const double R_det_sum_0 = R_det_product_0 + R_det_product_1;
+  const double R_det_sum_1 = R_det_sum_0 + R_det_product_2;
+  const double R_det_off = R_det_sum_1 - 1.0;
+  const double R_det_size = fabs(R_det_off);
+  const double R_column_00_product_0 = KSL_MUL(R->m00, R->m00);
+  const double R_column_00_product_1 = KSL_MUL(R->m10, R->m10);
+  const double R_column_00_product_2 = KSL_MUL(R->m20, R->m20);
+  const double R_column_00_sum_0 = R_column_00_product_0 + R_column_00_product_1;
+  const double R_column_00_sum_1 = R_column_00_sum_0 + R_column_00_product_2;
+  const double R_column_00_off = R_column_00_sum_1 - 1.0;
+  const double R_column_00_size = fabs(R_column_00_off);
+  const double R_column_00_largest = R_det_size < R_column_00_size ? R_column_00_size : R_det_size;
+  const double R_column_11_product_0 = KSL_MUL(R->m01, R->m01);
+  const double R_column_11_product_1 = KSL_MUL(R->m11, R->m11);
+  const double R_column_11_product_2 = KSL_MUL(R->m21, R->m21);
+  const double R_column_11_sum_0 = R_column_11_product_0 + R_column_11_product_1;
+  const double R_column_11_sum_1 = R_column_11_sum_0 + R_column_11_product_2;
+  const double R_column_11_off = R_column_11_sum_1 - 1.0;
+  const double R_column_11_size = fabs(R_column_11_off);
+  const double R_column_11_largest = R_column_00_largest < R_column_11_size ? R_column_11_size :
+      R_column_00_largest;
+  const double R_column_22_product_0 = KSL_MUL(R->m02, R->m02);
+  const double R_column_22_product_1 = KSL_MUL(R->m12, R->m12);
+  const double R_column_22_product_2 = KSL_MUL(R->m22, R->m22);
+  const double R_column_22_sum_0 = R_column_22_product_0 + R_column_22_product_1;
+  const double R_column_22_sum_1 = R_column_22_sum_0 + R_column_22_product_2;
+  const double R_column_22_off = R_column_22_sum_1 - 1.0;
+  const double R_column_22_size = fabs(R_column_22_off);
+  const double R_column_22_largest = R_column_11_largest < R_column_22_size ? R_column_22_size :
+      R_column_11_largest;
+  const double R_column_01_product_0 = KSL_MUL(R->m00, R->m01);
+  const double R_column_01_product_1 = KSL_MUL(R->m10, R->m11);
+  const double R_column_01_product_2 = KSL_MUL(R->m20, R->m21);
+  const double R_column_01_sum_0 = R_column_01_product_0 + R_column_01_product_1;
+  const double R_column_01_sum_1 = R_column_01_sum_0 + R_column_01_product_2;
+  const double R_column_01_off = R_column_01_sum_1 - 0.0;
+  const double R_column_01_size = fabs(R_column_01_off);
+  const double R_column_01_largest = R_column_22_largest < R_column_01_size ? R_column_01_size :
+      R_column_22_largest;
+  const double R_column_02_product_0 = KSL_MUL(R->m00, R->m02);
+  const double R_column_02_product_1 = KSL_MUL(R->m10, R->m12);
+  const double R_column_02_product_2 = KSL_MUL(R->m20, R->m22);
+  const double R_column_02_sum_0 = R_column_02_product_0 + R_column_02_product_1;
+  const double R_column_02_sum_1 = R_column_02_sum_0 + R_column_02_product_2;
+  const double R_column_02_off = R_column_02_sum_1 - 0.0;
+  const double R_column_02_size = fabs(R_column_02_off);
+  const double R_column_02_largest = R_column_01_largest < R_column_02_size ? R_column_02_size :
+      R_column_01_largest;
+  const double R_column_12_product_0 = KSL_MUL(R->m01, R->m02);
+  const double R_column_12_product_1 = KSL_MUL(R->m11, R->m12);
+  const double R_column_12_product_2 = KSL_MUL(R->m21, R->m22);
+  const double R_column_12_sum_0 = R_column_12_product_0 + R_column_12_product_1;
+  const double R_column_12_sum_1 = R_column_12_sum_0 + R_column_12_product_2;
+  const double R_column_12_off = R_column_12_sum_1 - 0.0;
+  const double R_column_12_size = fabs(R_column_12_off);
+  const double R_column_12_largest = R_column_02_largest < R_column_12_size ? R_column_12_size :
+      R_column_02_largest;
+  const double R_unless_rotation = R_column_12_largest < 0.001 ? 0.0 : 1.0715086071862673e+301;
+  const double R_excess = KSL_MUL(R_unless_rotation, 1.0715086071862673e+301);
+  const double R_excess_0 = vector_bound_2 + R_excess;
+  const double R_excess_1 = vector_bound_3 + R_excess;
+  const double R_excess_2 = vector_bound_4 + R_excess;
   vo->x = vector_0;
   vo->y = vector_1;
   vo->z = vector_2;
-  vo_bound->x = vector_bound_2;
-  vo_bound->y = vector_bound_3;
-  vo_bound->z = vector_bound_4;
+  vo_bound->x = R_excess_0;
+  vo_bound->y = R_excess_1;
+  vo_bound->z = R_excess_2;
 }
 
 /* R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|; |error of R| <= R_bound
@@ -6562,8 +6636,8 @@ static inline void ksl_SE3_exp_certified(const ksl_screw_t *s, ksl_SE3_t *D, ksl
 /* so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R; |error of so| <= so_bound unless
      inf or NaN.
    D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s; ω in rad/s).
-   580 mul, 996 add, 36 product error, 36 product rest, 47 div, 5 sqrt, 14 neg, 161 abs, 6
-     copysign, 66 less, 9 equal, 167 select. */
+   608 mul, 1026 add, 36 product error, 36 product rest, 47 div, 5 sqrt, 14 neg, 168 abs, 6
+     copysign, 73 less, 9 equal, 174 select. */
 static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
     ksl_screw_t *so_bound) {
   const double p_0 = D->m21 - D->m12;
@@ -8017,18 +8091,95 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       vector_error_5 = fabs(vector_apart_6),
       vector_error_6 = KSL_MUL(1.0000000000000009, vector_error_5),
       vector_bound_3 = fine_along_rest_4 + vector_error_6;
+  const double D_det_above_0 = KSL_MUL(D->m11, D->m22);
+  const double D_det_below_0 = KSL_MUL(D->m12, D->m21);
+  const double D_det_cofactor_0 = D_det_above_0 - D_det_below_0;
+  const double D_det_above_1 = KSL_MUL(D->m12, D->m20);
+  const double D_det_below_1 = KSL_MUL(D->m10, D->m22);
+  const double D_det_cofactor_1 = D_det_above_1 - D_det_below_1;
+  const double D_det_above_2 = KSL_MUL(D->m10, D->m21);
+  const double D_det_below_2 = KSL_MUL(D->m11, D->m20);
+  const double D_det_cofactor_2 = D_det_above_2 - D_det_below_2;
+  const double D_det_product_0 = KSL_MUL(D->m00, D_det_cofactor_0);
+  const double D_det_product_1 = KSL_MUL(D->m01, D_det_cofactor_1);
+  const double D_det_product_2 = KSL_MUL(D->m02, D_det_cofactor_2);
+  const double D_det_sum_0 = D_det_product_0 + D_det_product_1;
+  const double D_det_sum_1 = D_det_sum_0 + D_det_product_2;
+  const double D_det_off = D_det_sum_1 - 1.0;
+  const double D_det_size = fabs(D_det_off);
+  const double D_column_00_product_0 = KSL_MUL(D->m00, D->m00);
+  const double D_column_00_product_1 = KSL_MUL(D->m10, D->m10);
+  const double D_column_00_product_2 = KSL_MUL(D->m20, D->m20);
+  const double D_column_00_sum_0 = D_column_00_product_0 + D_column_00_product_1;
+  const double D_column_00_sum_1 = D_column_00_sum_0 + D_column_00_product_2;
+  const double D_column_00_off = D_column_00_sum_1 - 1.0;
+  const double D_column_00_size = fabs(D_column_00_off);
+  const double D_column_00_largest = D_det_size < D_column_00_size ? D_column_00_size : D_det_size;
+  const double D_column_11_product_0 = KSL_MUL(D->m01, D->m01);
+  const double D_column_11_product_1 = KSL_MUL(D->m11, D->m11);
+  const double D_column_11_product_2 = KSL_MUL(D->m21, D->m21);
+  const double D_column_11_sum_0 = D_column_11_product_0 + D_column_11_product_1;
+  const double D_column_11_sum_1 = D_column_11_sum_0 + D_column_11_product_2;
+  const double D_column_11_off = D_column_11_sum_1 - 1.0;
+  const double D_column_11_size = fabs(D_column_11_off);
+  const double D_column_11_largest = D_column_00_largest < D_column_11_size ? D_column_11_size :
+      D_column_00_largest;
+  const double D_column_22_product_0 = KSL_MUL(D->m02, D->m02);
+  const double D_column_22_product_1 = KSL_MUL(D->m12, D->m12);
+  const double D_column_22_product_2 = KSL_MUL(D->m22, D->m22);
+  const double D_column_22_sum_0 = D_column_22_product_0 + D_column_22_product_1;
+  const double D_column_22_sum_1 = D_column_22_sum_0 + D_column_22_product_2;
+  const double D_column_22_off = D_column_22_sum_1 - 1.0;
+  const double D_column_22_size = fabs(D_column_22_off);
+  const double D_column_22_largest = D_column_11_largest < D_column_22_size ? D_column_22_size :
+      D_column_11_largest;
+  const double D_column_01_product_0 = KSL_MUL(D->m00, D->m01);
+  const double D_column_01_product_1 = KSL_MUL(D->m10, D->m11);
+  const double D_column_01_product_2 = KSL_MUL(D->m20, D->m21);
+  const double D_column_01_sum_0 = D_column_01_product_0 + D_column_01_product_1;
+  const double D_column_01_sum_1 = D_column_01_sum_0 + D_column_01_product_2;
+  const double D_column_01_off = D_column_01_sum_1 - 0.0;
+  const double D_column_01_size = fabs(D_column_01_off);
+  const double D_column_01_largest = D_column_22_largest < D_column_01_size ? D_column_01_size :
+      D_column_22_largest;
+  const double D_column_02_product_0 = KSL_MUL(D->m00, D->m02);
+  const double D_column_02_product_1 = KSL_MUL(D->m10, D->m12);
+  const double D_column_02_product_2 = KSL_MUL(D->m20, D->m22);
+  const double D_column_02_sum_0 = D_column_02_product_0 + D_column_02_product_1;
+  const double D_column_02_sum_1 = D_column_02_sum_0 + D_column_02_product_2;
+  const double D_column_02_off = D_column_02_sum_1 - 0.0;
+  const double D_column_02_size = fabs(D_column_02_off);
+  const double D_column_02_largest = D_column_01_largest < D_column_02_size ? D_column_02_size :
+      D_column_01_largest;
+  const double D_column_12_product_0 = KSL_MUL(D->m01, D->m02);
+  const double D_column_12_product_1 = KSL_MUL(D->m11, D->m12);
+  const double D_column_12_product_2 = KSL_MUL(D->m21, D->m22);
+  const double D_column_12_sum_0 = D_column_12_product_0 + D_column_12_product_1;
+  const double D_column_12_sum_1 = D_column_12_sum_0 + D_column_12_product_2;
+  const double D_column_12_off = D_column_12_sum_1 - 0.0;
+  const double D_column_12_size = fabs(D_column_12_off);
+  const double D_column_12_largest = D_column_02_largest < D_column_12_size ? D_column_12_size :
+      D_column_02_largest;
+  const double D_unless_rotation = D_column_12_largest < 0.001 ? 0.0 : 1.0715086071862673e+301;
+  const double D_excess = KSL_MUL(D_unless_rotation, 1.0715086071862673e+301);
+  const double D_excess_0 = so_bound_1 + D_excess;
+  const double D_excess_1 = so_bound_2 + D_excess;
+  const double D_excess_2 = so_bound_3 + D_excess;
+  const double D_excess_3 = vector_bound_1 + D_excess;
+  const double D_excess_4 = vector_bound_2 + D_excess;
+  const double D_excess_5 = vector_bound_3 + D_excess;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
   so->m3 = vector_0;
   so->m4 = vector_1;
   so->m5 = vector_2;
-  so_bound->m0 = so_bound_1;
-  so_bound->m1 = so_bound_2;
-  so_bound->m2 = so_bound_3;
-  so_bound->m3 = vector_bound_1;
-  so_bound->m4 = vector_bound_2;
-  so_bound->m5 = vector_bound_3;
+  so_bound->m0 = D_excess_0;
+  so_bound->m1 = D_excess_1;
+  so_bound->m2 = D_excess_2;
+  so_bound->m3 = D_excess_3;
+  so_bound->m4 = D_excess_4;
+  so_bound->m5 = D_excess_5;
 }
 
 /* R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|; |error of R| <= R_bound unless
@@ -8618,8 +8769,8 @@ static inline void ksl_SO3_expf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
 /* vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo;
      |error of vo| <= vo_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; vo, vo_bound: vector.
-   182 mul, 383 add, 19 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 65 abs, 4
-     copysign, 34 less, 6 equal, 99 select. */
+   210 mul, 410 add, 19 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 72 abs, 4
+     copysign, 41 less, 6 equal, 106 select. */
 static inline void ksl_SO3_logf_certified(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo,
     ksl_vec3f_t *vo_bound) {
   const float p_0 = R->m21 - R->m12, p_right_1 = R->m21 - p_0, p_left_1 = p_0 + p_right_1,
@@ -8938,12 +9089,86 @@ static inline void ksl_SO3_logf_certified(const ksl_mat3x3f_t *R, ksl_vec3f_t *v
       vector_padded_4 = 3.3087225e-24f + vector_size_12,
       vector_rest_4 = KSL_MULF(1.0146962e-11f, vector_padded_4),
       vector_bound_4 = vector_error_7 + vector_rest_4;
+  const float R_det_above_0 = KSL_MULF(R->m11, R->m22);
+  const float R_det_below_0 = KSL_MULF(R->m12, R->m21);
+  const float R_det_cofactor_0 = R_det_above_0 - R_det_below_0;
+  const float R_det_above_1 = KSL_MULF(R->m12, R->m20);
+  const float R_det_below_1 = KSL_MULF(R->m10, R->m22);
+  const float R_det_cofactor_1 = R_det_above_1 - R_det_below_1;
+  const float R_det_above_2 = KSL_MULF(R->m10, R->m21);
+  const float R_det_below_2 = KSL_MULF(R->m11, R->m20);
+  const float R_det_cofactor_2 = R_det_above_2 - R_det_below_2;
+  const float R_det_product_0 = KSL_MULF(R->m00, R_det_cofactor_0);
+  const float R_det_product_1 = KSL_MULF(R->m01, R_det_cofactor_1);
+  const float R_det_product_2 = KSL_MULF(R->m02, R_det_cofactor_2);
+  const float R_det_sum_0 = R_det_product_0 + R_det_product_1;
+  const float R_det_sum_1 = R_det_sum_0 + R_det_product_2;
+  const float R_det_off = R_det_sum_1 - 1.0f;
+  const float R_det_size = fabsf(R_det_off);
+  const float R_column_00_product_0 = KSL_MULF(R->m00, R->m00);
+  const float R_column_00_product_1 = KSL_MULF(R->m10, R->m10);
+  const float R_column_00_product_2 = KSL_MULF(R->m20, R->m20);
+  const float R_column_00_sum_0 = R_column_00_product_0 + R_column_00_product_1;
+  const float R_column_00_sum_1 = R_column_00_sum_0 + R_column_00_product_2;
+  const float R_column_00_off = R_column_00_sum_1 - 1.0f;
+  const float R_column_00_size = fabsf(R_column_00_off);
+  const float R_column_00_largest = R_det_size < R_column_00_size ? R_column_00_size : R_det_size;
+  const float R_column_11_product_0 = KSL_MULF(R->m01, R->m01);
+  const float R_column_11_product_1 = KSL_MULF(R->m11, R->m11);
+  const float R_column_11_product_2 = KSL_MULF(R->m21, R->m21);
+  const float R_column_11_sum_0 = R_column_11_product_0 + R_column_11_product_1;
+  const float R_column_11_sum_1 = R_column_11_sum_0 + R_column_11_product_2;
+  const float R_column_11_off = R_column_11_sum_1 - 1.0f;
+  const float R_column_11_size = fabsf(R_column_11_off);
+  const float R_column_11_largest = R_column_00_largest < R_column_11_size ? R_column_11_size :
+      R_column_00_largest;
+  const float R_column_22_product_0 = KSL_MULF(R->m02, R->m02);
+  const float R_column_22_product_1 = KSL_MULF(R->m12, R->m12);
+  const float R_column_22_product_2 = KSL_MULF(R->m22, R->m22);
+  const float R_column_22_sum_0 = R_column_22_product_0 + R_column_22_product_1;
+  const float R_column_22_sum_1 = R_column_22_sum_0 + R_column_22_product_2;
+  const float R_column_22_off = R_column_22_sum_1 - 1.0f;
+  const float R_column_22_size = fabsf(R_column_22_off);
+  const float R_column_22_largest = R_column_11_largest < R_column_22_size ? R_column_22_size :
+      R_column_11_largest;
+  const float R_column_01_product_0 = KSL_MULF(R->m00, R->m01);
+  const float R_column_01_product_1 = KSL_MULF(R->m10, R->m11);
+  const float R_column_01_product_2 = KSL_MULF(R->m20, R->m21);
+  const float R_column_01_sum_0 = R_column_01_product_0 + R_column_01_product_1;
+  const float R_column_01_sum_1 = R_column_01_sum_0 + R_column_01_product_2;
+  const float R_column_01_off = R_column_01_sum_1 - 0.0f;
+  const float R_column_01_size = fabsf(R_column_01_off);
+  const float R_column_01_largest = R_column_22_largest < R_column_01_size ? R_column_01_size :
+      R_column_22_largest;
+  const float R_column_02_product_0 = KSL_MULF(R->m00, R->m02);
+  const float R_column_02_product_1 = KSL_MULF(R->m10, R->m12);
+  const float R_column_02_product_2 = KSL_MULF(R->m20, R->m22);
+  const float R_column_02_sum_0 = R_column_02_product_0 + R_column_02_product_1;
+  const float R_column_02_sum_1 = R_column_02_sum_0 + R_column_02_product_2;
+  const float R_column_02_off = R_column_02_sum_1 - 0.0f;
+  const float R_column_02_size = fabsf(R_column_02_off);
+  const float R_column_02_largest = R_column_01_largest < R_column_02_size ? R_column_02_size :
+      R_column_01_largest;
+  const float R_column_12_product_0 = KSL_MULF(R->m01, R->m02);
+  const float R_column_12_product_1 = KSL_MULF(R->m11, R->m12);
+  const float R_column_12_product_2 = KSL_MULF(R->m21, R->m22);
+  const float R_column_12_sum_0 = R_column_12_product_0 + R_column_12_product_1;
+  const float R_column_12_sum_1 = R_column_12_sum_0 + R_column_12_product_2;
+  const float R_column_12_off = R_column_12_sum_1 - 0.0f;
+  const float R_column_12_size = fabsf(R_column_12_off);
+  const float R_column_12_largest = R_column_02_largest < R_column_12_size ? R_column_12_size :
+      R_column_02_largest;
+  const float R_unless_rotation = R_column_12_largest < 0.001f ? 0.0f : 1.2676506e+30f;
+  const float R_excess = KSL_MULF(R_unless_rotation, 1.2676506e+30f);
+  const float R_excess_0 = vector_bound_2 + R_excess;
+  const float R_excess_1 = vector_bound_3 + R_excess;
+  const float R_excess_2 = vector_bound_4 + R_excess;
   vo->x = vector_0;
   vo->y = vector_1;
   vo->z = vector_2;
-  vo_bound->x = vector_bound_2;
-  vo_bound->y = vector_bound_3;
-  vo_bound->z = vector_bound_4;
+  vo_bound->x = R_excess_0;
+  vo_bound->y = R_excess_1;
+  vo_bound->z = R_excess_2;
 }
 
 /* R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|; |error of R| <= R_bound
@@ -14586,8 +14811,8 @@ static inline void ksl_SE3f_exp_certified(const ksl_screwf_t *s, ksl_SE3f_t *D,
 /* so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R; |error of so| <= so_bound unless
      inf or NaN.
    D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s; ω in rad/s).
-   539 mul, 931 add, 29 product error, 36 product rest, 47 div, 5 sqrt, 14 neg, 161 abs, 6
-     copysign, 66 less, 9 equal, 167 select. */
+   567 mul, 961 add, 29 product error, 36 product rest, 47 div, 5 sqrt, 14 neg, 168 abs, 6
+     copysign, 73 less, 9 equal, 174 select. */
 static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
     ksl_screwf_t *so_bound) {
   const float p_0 = D->m21 - D->m12;
@@ -16025,18 +16250,95 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       vector_apart_5 = fine_vector_2 - vector_2, vector_apart_6 = fine_vector_lo_3 + vector_apart_5,
       vector_error_5 = fabsf(vector_apart_6), vector_error_6 = KSL_MULF(1.0000005f, vector_error_5),
       vector_bound_3 = fine_along_rest_4 + vector_error_6;
+  const float D_det_above_0 = KSL_MULF(D->m11, D->m22);
+  const float D_det_below_0 = KSL_MULF(D->m12, D->m21);
+  const float D_det_cofactor_0 = D_det_above_0 - D_det_below_0;
+  const float D_det_above_1 = KSL_MULF(D->m12, D->m20);
+  const float D_det_below_1 = KSL_MULF(D->m10, D->m22);
+  const float D_det_cofactor_1 = D_det_above_1 - D_det_below_1;
+  const float D_det_above_2 = KSL_MULF(D->m10, D->m21);
+  const float D_det_below_2 = KSL_MULF(D->m11, D->m20);
+  const float D_det_cofactor_2 = D_det_above_2 - D_det_below_2;
+  const float D_det_product_0 = KSL_MULF(D->m00, D_det_cofactor_0);
+  const float D_det_product_1 = KSL_MULF(D->m01, D_det_cofactor_1);
+  const float D_det_product_2 = KSL_MULF(D->m02, D_det_cofactor_2);
+  const float D_det_sum_0 = D_det_product_0 + D_det_product_1;
+  const float D_det_sum_1 = D_det_sum_0 + D_det_product_2;
+  const float D_det_off = D_det_sum_1 - 1.0f;
+  const float D_det_size = fabsf(D_det_off);
+  const float D_column_00_product_0 = KSL_MULF(D->m00, D->m00);
+  const float D_column_00_product_1 = KSL_MULF(D->m10, D->m10);
+  const float D_column_00_product_2 = KSL_MULF(D->m20, D->m20);
+  const float D_column_00_sum_0 = D_column_00_product_0 + D_column_00_product_1;
+  const float D_column_00_sum_1 = D_column_00_sum_0 + D_column_00_product_2;
+  const float D_column_00_off = D_column_00_sum_1 - 1.0f;
+  const float D_column_00_size = fabsf(D_column_00_off);
+  const float D_column_00_largest = D_det_size < D_column_00_size ? D_column_00_size : D_det_size;
+  const float D_column_11_product_0 = KSL_MULF(D->m01, D->m01);
+  const float D_column_11_product_1 = KSL_MULF(D->m11, D->m11);
+  const float D_column_11_product_2 = KSL_MULF(D->m21, D->m21);
+  const float D_column_11_sum_0 = D_column_11_product_0 + D_column_11_product_1;
+  const float D_column_11_sum_1 = D_column_11_sum_0 + D_column_11_product_2;
+  const float D_column_11_off = D_column_11_sum_1 - 1.0f;
+  const float D_column_11_size = fabsf(D_column_11_off);
+  const float D_column_11_largest = D_column_00_largest < D_column_11_size ? D_column_11_size :
+      D_column_00_largest;
+  const float D_column_22_product_0 = KSL_MULF(D->m02, D->m02);
+  const float D_column_22_product_1 = KSL_MULF(D->m12, D->m12);
+  const float D_column_22_product_2 = KSL_MULF(D->m22, D->m22);
+  const float D_column_22_sum_0 = D_column_22_product_0 + D_column_22_product_1;
+  const float D_column_22_sum_1 = D_column_22_sum_0 + D_column_22_product_2;
+  const float D_column_22_off = D_column_22_sum_1 - 1.0f;
+  const float D_column_22_size = fabsf(D_column_22_off);
+  const float D_column_22_largest = D_column_11_largest < D_column_22_size ? D_column_22_size :
+      D_column_11_largest;
+  const float D_column_01_product_0 = KSL_MULF(D->m00, D->m01);
+  const float D_column_01_product_1 = KSL_MULF(D->m10, D->m11);
+  const float D_column_01_product_2 = KSL_MULF(D->m20, D->m21);
+  const float D_column_01_sum_0 = D_column_01_product_0 + D_column_01_product_1;
+  const float D_column_01_sum_1 = D_column_01_sum_0 + D_column_01_product_2;
+  const float D_column_01_off = D_column_01_sum_1 - 0.0f;
+  const float D_column_01_size = fabsf(D_column_01_off);
+  const float D_column_01_largest = D_column_22_largest < D_column_01_size ? D_column_01_size :
+      D_column_22_largest;
+  const float D_column_02_product_0 = KSL_MULF(D->m00, D->m02);
+  const float D_column_02_product_1 = KSL_MULF(D->m10, D->m12);
+  const float D_column_02_product_2 = KSL_MULF(D->m20, D->m22);
+  const float D_column_02_sum_0 = D_column_02_product_0 + D_column_02_product_1;
+  const float D_column_02_sum_1 = D_column_02_sum_0 + D_column_02_product_2;
+  const float D_column_02_off = D_column_02_sum_1 - 0.0f;
+  const float D_column_02_size = fabsf(D_column_02_off);
+  const float D_column_02_largest = D_column_01_largest < D_column_02_size ? D_column_02_size :
+      D_column_01_largest;
+  const float D_column_12_product_0 = KSL_MULF(D->m01, D->m02);
+  const float D_column_12_product_1 = KSL_MULF(D->m11, D->m12);
+  const float D_column_12_product_2 = KSL_MULF(D->m21, D->m22);
+  const float D_column_12_sum_0 = D_column_12_product_0 + D_column_12_product_1;
+  const float D_column_12_sum_1 = D_column_12_sum_0 + D_column_12_product_2;
+  const float D_column_12_off = D_column_12_sum_1 - 0.0f;
+  const float D_column_12_size = fabsf(D_column_12_off);
+  const float D_column_12_largest = D_column_02_largest < D_column_12_size ? D_column_12_size :
+      D_column_02_largest;
+  const float D_unless_rotation = D_column_12_largest < 0.001f ? 0.0f : 1.2676506e+30f;
+  const float D_excess = KSL_MULF(D_unless_rotation, 1.2676506e+30f);
+  const float D_excess_0 = so_bound_1 + D_excess;
+  const float D_excess_1 = so_bound_2 + D_excess;
+  const float D_excess_2 = so_bound_3 + D_excess;
+  const float D_excess_3 = vector_bound_1 + D_excess;
+  const float D_excess_4 = vector_bound_2 + D_excess;
+  const float D_excess_5 = vector_bound_3 + D_excess;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
   so->m3 = vector_0;
   so->m4 = vector_1;
   so->m5 = vector_2;
-  so_bound->m0 = so_bound_1;
-  so_bound->m1 = so_bound_2;
-  so_bound->m2 = so_bound_3;
-  so_bound->m3 = vector_bound_1;
-  so_bound->m4 = vector_bound_2;
-  so_bound->m5 = vector_bound_3;
+  so_bound->m0 = D_excess_0;
+  so_bound->m1 = D_excess_1;
+  so_bound->m2 = D_excess_2;
+  so_bound->m3 = D_excess_3;
+  so_bound->m4 = D_excess_4;
+  so_bound->m5 = D_excess_5;
 }
 
 #endif

@@ -2579,6 +2579,323 @@ static inline void ksl_mat3x3_jacobi_accurate(ksl_mat3x3_t *A, ksl_mat3x3_t *V) 
   V->m22 = vp_2_final;
 }
 
+/* the largest of |det R - 1| and |R^T R - I|_ij: 0 for a rotation, 2 for a reflection, NaN if an
+     entry is NaN.
+   R: rotation or other 3×3 matrix.
+   30 mul, 228 add, 27 product rest, 7 neg, 7 abs, 13 less, 19 select.
+   Error <= 6 u near a rotation; measured, not proved. */
+static inline double ksl_mat3x3_rotation_defect_accurate(const ksl_mat3x3_t *R) {
+  const double n_0a = KSL_MUL(R->m11, R->m22), n_0b = KSL_MUL(R->m12, R->m21), n_0 = n_0a - n_0b,
+      n_0_right = n_0a - n_0, n_0_left = n_0 + n_0_right,
+      n_0_left_rest = ksl_product_rest(R->m11, R->m22, n_0a, n_0_left),
+      n_0_right_rest = ksl_product_rest(R->m12, R->m21, n_0b, n_0_right),
+      n_0_lo = n_0_left_rest - n_0_right_rest;
+  const double n_1a = KSL_MUL(R->m02, R->m21), n_1b = KSL_MUL(R->m01, R->m22), n_1 = n_1a - n_1b,
+      n_1_right = n_1a - n_1, n_1_left = n_1 + n_1_right,
+      n_1_left_rest = ksl_product_rest(R->m02, R->m21, n_1a, n_1_left),
+      n_1_right_rest = ksl_product_rest(R->m01, R->m22, n_1b, n_1_right),
+      n_1_lo = n_1_left_rest - n_1_right_rest;
+  const double n_2a = KSL_MUL(R->m01, R->m12), n_2b = KSL_MUL(R->m02, R->m11), n_2 = n_2a - n_2b,
+      n_2_right = n_2a - n_2, n_2_left = n_2 + n_2_right,
+      n_2_left_rest = ksl_product_rest(R->m01, R->m12, n_2a, n_2_left),
+      n_2_right_rest = ksl_product_rest(R->m02, R->m11, n_2b, n_2_right),
+      n_2_lo = n_2_left_rest - n_2_right_rest;
+  const double det_a = KSL_MUL(R->m00, n_0), det_a_cross2 = KSL_MUL(R->m00, n_0_lo),
+      det_b = KSL_MUL(R->m10, n_1), det_b_cross2 = KSL_MUL(R->m10, n_1_lo), det_c = det_a + det_b,
+      det_c_right = det_c - det_a, det_c_left = det_c - det_c_right,
+      det_c_left_rest = ksl_product_rest(R->m00, n_0, det_a, det_c_left),
+      det_c_right_rest = ksl_product_rest(R->m10, n_1, det_b, det_c_right),
+      det_c_cross = det_a_cross2 + det_b_cross2, det_c_lo1 = det_c_left_rest + det_c_right_rest,
+      det_c_lo = det_c_lo1 + det_c_cross, det_d = KSL_MUL(R->m20, n_2),
+      det_d_cross2 = KSL_MUL(R->m20, n_2_lo), det = det_c + det_d, det_right = det - det_c,
+      det_left = det - det_right, det_left_rest = det_c - det_left,
+      det_right_rest = ksl_product_rest(R->m20, n_2, det_d, det_right),
+      det_lo1 = det_left_rest + det_right_rest, det_lo2 = det_lo1 + det_d_cross2,
+      det_lo = det_lo2 + det_c_lo;
+  const double g_0a = KSL_MUL(R->m00, R->m00), g_0b = KSL_MUL(R->m10, R->m10), g_0c = g_0a + g_0b,
+      g_0c_right = g_0c - g_0a, g_0c_left = g_0c - g_0c_right,
+      g_0c_left_rest = ksl_product_rest(R->m00, R->m00, g_0a, g_0c_left),
+      g_0c_right_rest = ksl_product_rest(R->m10, R->m10, g_0b, g_0c_right),
+      g_0c_lo = g_0c_left_rest + g_0c_right_rest, g_0d = KSL_MUL(R->m20, R->m20), g_0 = g_0c + g_0d,
+      g_0_right = g_0 - g_0c, g_0_left = g_0 - g_0_right, g_0_left_rest = g_0c - g_0_left,
+      g_0_right_rest = ksl_product_rest(R->m20, R->m20, g_0d, g_0_right),
+      g_0_lo1 = g_0_left_rest + g_0_right_rest, g_0_lo = g_0_lo1 + g_0c_lo;
+  const double g_1a = KSL_MUL(R->m00, R->m01), g_1b = KSL_MUL(R->m10, R->m11), g_1c = g_1a + g_1b,
+      g_1c_right = g_1c - g_1a, g_1c_left = g_1c - g_1c_right,
+      g_1c_left_rest = ksl_product_rest(R->m00, R->m01, g_1a, g_1c_left),
+      g_1c_right_rest = ksl_product_rest(R->m10, R->m11, g_1b, g_1c_right),
+      g_1c_lo = g_1c_left_rest + g_1c_right_rest, g_1d = KSL_MUL(R->m20, R->m21), g_1 = g_1c + g_1d,
+      g_1_right = g_1 - g_1c, g_1_left = g_1 - g_1_right, g_1_left_rest = g_1c - g_1_left,
+      g_1_right_rest = ksl_product_rest(R->m20, R->m21, g_1d, g_1_right),
+      g_1_lo1 = g_1_left_rest + g_1_right_rest, g_1_lo = g_1_lo1 + g_1c_lo;
+  const double g_2a = KSL_MUL(R->m00, R->m02), g_2b = KSL_MUL(R->m10, R->m12), g_2c = g_2a + g_2b,
+      g_2c_right = g_2c - g_2a, g_2c_left = g_2c - g_2c_right,
+      g_2c_left_rest = ksl_product_rest(R->m00, R->m02, g_2a, g_2c_left),
+      g_2c_right_rest = ksl_product_rest(R->m10, R->m12, g_2b, g_2c_right),
+      g_2c_lo = g_2c_left_rest + g_2c_right_rest, g_2d = KSL_MUL(R->m20, R->m22), g_2 = g_2c + g_2d,
+      g_2_right = g_2 - g_2c, g_2_left = g_2 - g_2_right, g_2_left_rest = g_2c - g_2_left,
+      g_2_right_rest = ksl_product_rest(R->m20, R->m22, g_2d, g_2_right),
+      g_2_lo1 = g_2_left_rest + g_2_right_rest, g_2_lo = g_2_lo1 + g_2c_lo;
+  const double g_3a = KSL_MUL(R->m01, R->m01), g_3b = KSL_MUL(R->m11, R->m11), g_3c = g_3a + g_3b,
+      g_3c_right = g_3c - g_3a, g_3c_left = g_3c - g_3c_right,
+      g_3c_left_rest = ksl_product_rest(R->m01, R->m01, g_3a, g_3c_left),
+      g_3c_right_rest = ksl_product_rest(R->m11, R->m11, g_3b, g_3c_right),
+      g_3c_lo = g_3c_left_rest + g_3c_right_rest, g_3d = KSL_MUL(R->m21, R->m21), g_3 = g_3c + g_3d,
+      g_3_right = g_3 - g_3c, g_3_left = g_3 - g_3_right, g_3_left_rest = g_3c - g_3_left,
+      g_3_right_rest = ksl_product_rest(R->m21, R->m21, g_3d, g_3_right),
+      g_3_lo1 = g_3_left_rest + g_3_right_rest, g_3_lo = g_3_lo1 + g_3c_lo;
+  const double g_4a = KSL_MUL(R->m01, R->m02), g_4b = KSL_MUL(R->m11, R->m12), g_4c = g_4a + g_4b,
+      g_4c_right = g_4c - g_4a, g_4c_left = g_4c - g_4c_right,
+      g_4c_left_rest = ksl_product_rest(R->m01, R->m02, g_4a, g_4c_left),
+      g_4c_right_rest = ksl_product_rest(R->m11, R->m12, g_4b, g_4c_right),
+      g_4c_lo = g_4c_left_rest + g_4c_right_rest, g_4d = KSL_MUL(R->m21, R->m22), g_4 = g_4c + g_4d,
+      g_4_right = g_4 - g_4c, g_4_left = g_4 - g_4_right, g_4_left_rest = g_4c - g_4_left,
+      g_4_right_rest = ksl_product_rest(R->m21, R->m22, g_4d, g_4_right),
+      g_4_lo1 = g_4_left_rest + g_4_right_rest, g_4_lo = g_4_lo1 + g_4c_lo;
+  const double g_5a = KSL_MUL(R->m02, R->m02), g_5b = KSL_MUL(R->m12, R->m12), g_5c = g_5a + g_5b,
+      g_5c_right = g_5c - g_5a, g_5c_left = g_5c - g_5c_right,
+      g_5c_left_rest = ksl_product_rest(R->m02, R->m02, g_5a, g_5c_left),
+      g_5c_right_rest = ksl_product_rest(R->m12, R->m12, g_5b, g_5c_right),
+      g_5c_lo = g_5c_left_rest + g_5c_right_rest, g_5d = KSL_MUL(R->m22, R->m22), g_5 = g_5c + g_5d,
+      g_5_right = g_5 - g_5c, g_5_left = g_5 - g_5_right, g_5_left_rest = g_5c - g_5_left,
+      g_5_right_rest = ksl_product_rest(R->m22, R->m22, g_5d, g_5_right),
+      g_5_lo1 = g_5_left_rest + g_5_right_rest, g_5_lo = g_5_lo1 + g_5c_lo;
+  const double off_0 = det - 1.0, off_0_right = det - off_0, off_0_left = off_0 + off_0_right,
+      off_0_left_rest = det - off_0_left, off_0_right_rest = 1.0 - off_0_right,
+      off_0_lo1 = off_0_left_rest - off_0_right_rest, off_0_lo = off_0_lo1 + det_lo;
+  const double off_1 = g_0 - 1.0, off_1_right = g_0 - off_1, off_1_left = off_1 + off_1_right,
+      off_1_left_rest = g_0 - off_1_left, off_1_right_rest = 1.0 - off_1_right,
+      off_1_lo1 = off_1_left_rest - off_1_right_rest, off_1_lo = off_1_lo1 + g_0_lo;
+  const double off_4 = g_3 - 1.0, off_4_right = g_3 - off_4, off_4_left = off_4 + off_4_right,
+      off_4_left_rest = g_3 - off_4_left, off_4_right_rest = 1.0 - off_4_right,
+      off_4_lo1 = off_4_left_rest - off_4_right_rest, off_4_lo = off_4_lo1 + g_3_lo;
+  const double off_6 = g_5 - 1.0, off_6_right = g_5 - off_6, off_6_left = off_6 + off_6_right,
+      off_6_left_rest = g_5 - off_6_left, off_6_right_rest = 1.0 - off_6_right,
+      off_6_lo1 = off_6_left_rest - off_6_right_rest, off_6_lo = off_6_lo1 + g_5_lo;
+  const double defect_size_0_of_off_0 = off_0 + off_0_lo,
+      defect_size_0_of_off_0_right = defect_size_0_of_off_0 - off_0,
+      defect_size_0_of_off_0_left = defect_size_0_of_off_0 - defect_size_0_of_off_0_right,
+      defect_size_0_of_off_0_left_rest = off_0 - defect_size_0_of_off_0_left,
+      defect_size_0_of_off_0_right_rest = off_0_lo - defect_size_0_of_off_0_right,
+      defect_size_0_of_off_0_lo = defect_size_0_of_off_0_left_rest +
+          defect_size_0_of_off_0_right_rest,
+      defect_size_0 = fabs(defect_size_0_of_off_0),
+      defect_size_0_opposite = -defect_size_0_of_off_0_lo,
+      defect_size_0_lo = defect_size_0_of_off_0 < 0.0 ? defect_size_0_opposite :
+          defect_size_0_of_off_0_lo;
+  const double defect_size_1_of_off_1 = off_1 + off_1_lo,
+      defect_size_1_of_off_1_right = defect_size_1_of_off_1 - off_1,
+      defect_size_1_of_off_1_left = defect_size_1_of_off_1 - defect_size_1_of_off_1_right,
+      defect_size_1_of_off_1_left_rest = off_1 - defect_size_1_of_off_1_left,
+      defect_size_1_of_off_1_right_rest = off_1_lo - defect_size_1_of_off_1_right,
+      defect_size_1_of_off_1_lo = defect_size_1_of_off_1_left_rest +
+          defect_size_1_of_off_1_right_rest,
+      defect_size_1 = fabs(defect_size_1_of_off_1),
+      defect_size_1_opposite = -defect_size_1_of_off_1_lo,
+      defect_size_1_lo = defect_size_1_of_off_1 < 0.0 ? defect_size_1_opposite :
+          defect_size_1_of_off_1_lo;
+  const double defect_size_2_of_g_1 = g_1 + g_1_lo,
+      defect_size_2_of_g_1_right = defect_size_2_of_g_1 - g_1,
+      defect_size_2_of_g_1_left = defect_size_2_of_g_1 - defect_size_2_of_g_1_right,
+      defect_size_2_of_g_1_left_rest = g_1 - defect_size_2_of_g_1_left,
+      defect_size_2_of_g_1_right_rest = g_1_lo - defect_size_2_of_g_1_right,
+      defect_size_2_of_g_1_lo = defect_size_2_of_g_1_left_rest + defect_size_2_of_g_1_right_rest,
+      defect_size_2 = fabs(defect_size_2_of_g_1), defect_size_2_opposite = -defect_size_2_of_g_1_lo,
+      defect_size_2_lo = defect_size_2_of_g_1 < 0.0 ? defect_size_2_opposite :
+          defect_size_2_of_g_1_lo;
+  const double defect_size_3_of_g_2 = g_2 + g_2_lo,
+      defect_size_3_of_g_2_right = defect_size_3_of_g_2 - g_2,
+      defect_size_3_of_g_2_left = defect_size_3_of_g_2 - defect_size_3_of_g_2_right,
+      defect_size_3_of_g_2_left_rest = g_2 - defect_size_3_of_g_2_left,
+      defect_size_3_of_g_2_right_rest = g_2_lo - defect_size_3_of_g_2_right,
+      defect_size_3_of_g_2_lo = defect_size_3_of_g_2_left_rest + defect_size_3_of_g_2_right_rest,
+      defect_size_3 = fabs(defect_size_3_of_g_2), defect_size_3_opposite = -defect_size_3_of_g_2_lo,
+      defect_size_3_lo = defect_size_3_of_g_2 < 0.0 ? defect_size_3_opposite :
+          defect_size_3_of_g_2_lo;
+  const double defect_size_4_of_off_4 = off_4 + off_4_lo,
+      defect_size_4_of_off_4_right = defect_size_4_of_off_4 - off_4,
+      defect_size_4_of_off_4_left = defect_size_4_of_off_4 - defect_size_4_of_off_4_right,
+      defect_size_4_of_off_4_left_rest = off_4 - defect_size_4_of_off_4_left,
+      defect_size_4_of_off_4_right_rest = off_4_lo - defect_size_4_of_off_4_right,
+      defect_size_4_of_off_4_lo = defect_size_4_of_off_4_left_rest +
+          defect_size_4_of_off_4_right_rest,
+      defect_size_4 = fabs(defect_size_4_of_off_4),
+      defect_size_4_opposite = -defect_size_4_of_off_4_lo,
+      defect_size_4_lo = defect_size_4_of_off_4 < 0.0 ? defect_size_4_opposite :
+          defect_size_4_of_off_4_lo;
+  const double defect_size_5_of_g_4 = g_4 + g_4_lo,
+      defect_size_5_of_g_4_right = defect_size_5_of_g_4 - g_4,
+      defect_size_5_of_g_4_left = defect_size_5_of_g_4 - defect_size_5_of_g_4_right,
+      defect_size_5_of_g_4_left_rest = g_4 - defect_size_5_of_g_4_left,
+      defect_size_5_of_g_4_right_rest = g_4_lo - defect_size_5_of_g_4_right,
+      defect_size_5_of_g_4_lo = defect_size_5_of_g_4_left_rest + defect_size_5_of_g_4_right_rest,
+      defect_size_5 = fabs(defect_size_5_of_g_4), defect_size_5_opposite = -defect_size_5_of_g_4_lo,
+      defect_size_5_lo = defect_size_5_of_g_4 < 0.0 ? defect_size_5_opposite :
+          defect_size_5_of_g_4_lo;
+  const double defect_size_6_of_off_6 = off_6 + off_6_lo,
+      defect_size_6_of_off_6_right = defect_size_6_of_off_6 - off_6,
+      defect_size_6_of_off_6_left = defect_size_6_of_off_6 - defect_size_6_of_off_6_right,
+      defect_size_6_of_off_6_left_rest = off_6 - defect_size_6_of_off_6_left,
+      defect_size_6_of_off_6_right_rest = off_6_lo - defect_size_6_of_off_6_right,
+      defect_size_6_of_off_6_lo = defect_size_6_of_off_6_left_rest +
+          defect_size_6_of_off_6_right_rest,
+      defect_size_6 = fabs(defect_size_6_of_off_6),
+      defect_size_6_opposite = -defect_size_6_of_off_6_lo,
+      defect_size_6_lo = defect_size_6_of_off_6 < 0.0 ? defect_size_6_opposite :
+          defect_size_6_of_off_6_lo;
+  const double defect_largest1a_of_defect_size_0 = defect_size_0 + defect_size_0_lo,
+      defect_largest1a_of_defect_size_0_right = defect_largest1a_of_defect_size_0 - defect_size_0,
+      defect_largest1a_of_defect_size_0_left = defect_largest1a_of_defect_size_0 -
+          defect_largest1a_of_defect_size_0_right,
+      defect_largest1a_of_defect_size_0_left_rest = defect_size_0 -
+          defect_largest1a_of_defect_size_0_left,
+      defect_largest1a_of_defect_size_0_right_rest = defect_size_0_lo -
+          defect_largest1a_of_defect_size_0_right,
+      defect_largest1a_of_defect_size_0_lo = defect_largest1a_of_defect_size_0_left_rest +
+          defect_largest1a_of_defect_size_0_right_rest,
+      defect_largest1a_of_defect_size_1 = defect_size_1 + defect_size_1_lo,
+      defect_largest1a_of_defect_size_1_right = defect_largest1a_of_defect_size_1 - defect_size_1,
+      defect_largest1a_of_defect_size_1_left = defect_largest1a_of_defect_size_1 -
+          defect_largest1a_of_defect_size_1_right,
+      defect_largest1a_of_defect_size_1_left_rest = defect_size_1 -
+          defect_largest1a_of_defect_size_1_left,
+      defect_largest1a_of_defect_size_1_right_rest = defect_size_1_lo -
+          defect_largest1a_of_defect_size_1_right,
+      defect_largest1a_of_defect_size_1_lo = defect_largest1a_of_defect_size_1_left_rest +
+          defect_largest1a_of_defect_size_1_right_rest,
+      defect_largest1 = defect_largest1a_of_defect_size_0 < defect_largest1a_of_defect_size_1 ?
+          defect_largest1a_of_defect_size_1 : defect_largest1a_of_defect_size_0,
+      defect_largest1_lo = defect_largest1a_of_defect_size_0 < defect_largest1a_of_defect_size_1 ?
+          defect_largest1a_of_defect_size_1_lo : defect_largest1a_of_defect_size_0_lo;
+  const double defect_largest2a_of_defect_largest1 = defect_largest1 + defect_largest1_lo,
+      defect_largest2a_of_defect_largest1_right = defect_largest2a_of_defect_largest1 -
+          defect_largest1,
+      defect_largest2a_of_defect_largest1_left = defect_largest2a_of_defect_largest1 -
+          defect_largest2a_of_defect_largest1_right,
+      defect_largest2a_of_defect_largest1_left_rest = defect_largest1 -
+          defect_largest2a_of_defect_largest1_left,
+      defect_largest2a_of_defect_largest1_right_rest = defect_largest1_lo -
+          defect_largest2a_of_defect_largest1_right,
+      defect_largest2a_of_defect_largest1_lo = defect_largest2a_of_defect_largest1_left_rest +
+          defect_largest2a_of_defect_largest1_right_rest,
+      defect_largest2a_of_defect_size_2 = defect_size_2 + defect_size_2_lo,
+      defect_largest2a_of_defect_size_2_right = defect_largest2a_of_defect_size_2 - defect_size_2,
+      defect_largest2a_of_defect_size_2_left = defect_largest2a_of_defect_size_2 -
+          defect_largest2a_of_defect_size_2_right,
+      defect_largest2a_of_defect_size_2_left_rest = defect_size_2 -
+          defect_largest2a_of_defect_size_2_left,
+      defect_largest2a_of_defect_size_2_right_rest = defect_size_2_lo -
+          defect_largest2a_of_defect_size_2_right,
+      defect_largest2a_of_defect_size_2_lo = defect_largest2a_of_defect_size_2_left_rest +
+          defect_largest2a_of_defect_size_2_right_rest,
+      defect_largest2 = defect_largest2a_of_defect_largest1 < defect_largest2a_of_defect_size_2 ?
+          defect_largest2a_of_defect_size_2 : defect_largest2a_of_defect_largest1,
+      defect_largest2_lo = defect_largest2a_of_defect_largest1 < defect_largest2a_of_defect_size_2 ?
+          defect_largest2a_of_defect_size_2_lo : defect_largest2a_of_defect_largest1_lo;
+  const double defect_largest3a_of_defect_largest2 = defect_largest2 + defect_largest2_lo,
+      defect_largest3a_of_defect_largest2_right = defect_largest3a_of_defect_largest2 -
+          defect_largest2,
+      defect_largest3a_of_defect_largest2_left = defect_largest3a_of_defect_largest2 -
+          defect_largest3a_of_defect_largest2_right,
+      defect_largest3a_of_defect_largest2_left_rest = defect_largest2 -
+          defect_largest3a_of_defect_largest2_left,
+      defect_largest3a_of_defect_largest2_right_rest = defect_largest2_lo -
+          defect_largest3a_of_defect_largest2_right,
+      defect_largest3a_of_defect_largest2_lo = defect_largest3a_of_defect_largest2_left_rest +
+          defect_largest3a_of_defect_largest2_right_rest,
+      defect_largest3a_of_defect_size_3 = defect_size_3 + defect_size_3_lo,
+      defect_largest3a_of_defect_size_3_right = defect_largest3a_of_defect_size_3 - defect_size_3,
+      defect_largest3a_of_defect_size_3_left = defect_largest3a_of_defect_size_3 -
+          defect_largest3a_of_defect_size_3_right,
+      defect_largest3a_of_defect_size_3_left_rest = defect_size_3 -
+          defect_largest3a_of_defect_size_3_left,
+      defect_largest3a_of_defect_size_3_right_rest = defect_size_3_lo -
+          defect_largest3a_of_defect_size_3_right,
+      defect_largest3a_of_defect_size_3_lo = defect_largest3a_of_defect_size_3_left_rest +
+          defect_largest3a_of_defect_size_3_right_rest,
+      defect_largest3 = defect_largest3a_of_defect_largest2 < defect_largest3a_of_defect_size_3 ?
+          defect_largest3a_of_defect_size_3 : defect_largest3a_of_defect_largest2,
+      defect_largest3_lo = defect_largest3a_of_defect_largest2 < defect_largest3a_of_defect_size_3 ?
+          defect_largest3a_of_defect_size_3_lo : defect_largest3a_of_defect_largest2_lo;
+  const double defect_largest4a_of_defect_largest3 = defect_largest3 + defect_largest3_lo,
+      defect_largest4a_of_defect_largest3_right = defect_largest4a_of_defect_largest3 -
+          defect_largest3,
+      defect_largest4a_of_defect_largest3_left = defect_largest4a_of_defect_largest3 -
+          defect_largest4a_of_defect_largest3_right,
+      defect_largest4a_of_defect_largest3_left_rest = defect_largest3 -
+          defect_largest4a_of_defect_largest3_left,
+      defect_largest4a_of_defect_largest3_right_rest = defect_largest3_lo -
+          defect_largest4a_of_defect_largest3_right,
+      defect_largest4a_of_defect_largest3_lo = defect_largest4a_of_defect_largest3_left_rest +
+          defect_largest4a_of_defect_largest3_right_rest,
+      defect_largest4a_of_defect_size_4 = defect_size_4 + defect_size_4_lo,
+      defect_largest4a_of_defect_size_4_right = defect_largest4a_of_defect_size_4 - defect_size_4,
+      defect_largest4a_of_defect_size_4_left = defect_largest4a_of_defect_size_4 -
+          defect_largest4a_of_defect_size_4_right,
+      defect_largest4a_of_defect_size_4_left_rest = defect_size_4 -
+          defect_largest4a_of_defect_size_4_left,
+      defect_largest4a_of_defect_size_4_right_rest = defect_size_4_lo -
+          defect_largest4a_of_defect_size_4_right,
+      defect_largest4a_of_defect_size_4_lo = defect_largest4a_of_defect_size_4_left_rest +
+          defect_largest4a_of_defect_size_4_right_rest,
+      defect_largest4 = defect_largest4a_of_defect_largest3 < defect_largest4a_of_defect_size_4 ?
+          defect_largest4a_of_defect_size_4 : defect_largest4a_of_defect_largest3,
+      defect_largest4_lo = defect_largest4a_of_defect_largest3 < defect_largest4a_of_defect_size_4 ?
+          defect_largest4a_of_defect_size_4_lo : defect_largest4a_of_defect_largest3_lo;
+  const double defect_largest5a_of_defect_largest4 = defect_largest4 + defect_largest4_lo,
+      defect_largest5a_of_defect_largest4_right = defect_largest5a_of_defect_largest4 -
+          defect_largest4,
+      defect_largest5a_of_defect_largest4_left = defect_largest5a_of_defect_largest4 -
+          defect_largest5a_of_defect_largest4_right,
+      defect_largest5a_of_defect_largest4_left_rest = defect_largest4 -
+          defect_largest5a_of_defect_largest4_left,
+      defect_largest5a_of_defect_largest4_right_rest = defect_largest4_lo -
+          defect_largest5a_of_defect_largest4_right,
+      defect_largest5a_of_defect_largest4_lo = defect_largest5a_of_defect_largest4_left_rest +
+          defect_largest5a_of_defect_largest4_right_rest,
+      defect_largest5a_of_defect_size_5 = defect_size_5 + defect_size_5_lo,
+      defect_largest5a_of_defect_size_5_right = defect_largest5a_of_defect_size_5 - defect_size_5,
+      defect_largest5a_of_defect_size_5_left = defect_largest5a_of_defect_size_5 -
+          defect_largest5a_of_defect_size_5_right,
+      defect_largest5a_of_defect_size_5_left_rest = defect_size_5 -
+          defect_largest5a_of_defect_size_5_left,
+      defect_largest5a_of_defect_size_5_right_rest = defect_size_5_lo -
+          defect_largest5a_of_defect_size_5_right,
+      defect_largest5a_of_defect_size_5_lo = defect_largest5a_of_defect_size_5_left_rest +
+          defect_largest5a_of_defect_size_5_right_rest,
+      defect_largest5 = defect_largest5a_of_defect_largest4 < defect_largest5a_of_defect_size_5 ?
+          defect_largest5a_of_defect_size_5 : defect_largest5a_of_defect_largest4,
+      defect_largest5_lo = defect_largest5a_of_defect_largest4 < defect_largest5a_of_defect_size_5 ?
+          defect_largest5a_of_defect_size_5_lo : defect_largest5a_of_defect_largest4_lo;
+  const double defect_largest6a_of_defect_largest5 = defect_largest5 + defect_largest5_lo,
+      defect_largest6a_of_defect_largest5_right = defect_largest6a_of_defect_largest5 -
+          defect_largest5,
+      defect_largest6a_of_defect_largest5_left = defect_largest6a_of_defect_largest5 -
+          defect_largest6a_of_defect_largest5_right,
+      defect_largest6a_of_defect_largest5_left_rest = defect_largest5 -
+          defect_largest6a_of_defect_largest5_left,
+      defect_largest6a_of_defect_largest5_right_rest = defect_largest5_lo -
+          defect_largest6a_of_defect_largest5_right,
+      defect_largest6a_of_defect_largest5_lo = defect_largest6a_of_defect_largest5_left_rest +
+          defect_largest6a_of_defect_largest5_right_rest,
+      defect_largest6a_of_defect_size_6 = defect_size_6 + defect_size_6_lo,
+      defect_largest6a_of_defect_size_6_right = defect_largest6a_of_defect_size_6 - defect_size_6,
+      defect_largest6a_of_defect_size_6_left = defect_largest6a_of_defect_size_6 -
+          defect_largest6a_of_defect_size_6_right,
+      defect_largest6a_of_defect_size_6_left_rest = defect_size_6 -
+          defect_largest6a_of_defect_size_6_left,
+      defect_largest6a_of_defect_size_6_right_rest = defect_size_6_lo -
+          defect_largest6a_of_defect_size_6_right,
+      defect_largest6a_of_defect_size_6_lo = defect_largest6a_of_defect_size_6_left_rest +
+          defect_largest6a_of_defect_size_6_right_rest,
+      defect_largest6 = defect_largest6a_of_defect_largest5 < defect_largest6a_of_defect_size_6 ?
+          defect_largest6a_of_defect_size_6 : defect_largest6a_of_defect_largest5,
+      defect_largest6_lo = defect_largest6a_of_defect_largest5 < defect_largest6a_of_defect_size_6 ?
+          defect_largest6a_of_defect_size_6_lo : defect_largest6a_of_defect_largest5_lo;
+  const double defect_largest6_rounded = defect_largest6 + defect_largest6_lo;
+  return defect_largest6_rounded;
+}
+
 /* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; otherwise R is
      not a rotation.
    axis: vector; angle: number; R: rotation or other 3×3 matrix.
@@ -3680,6 +3997,58 @@ static inline void ksl_mat3x3f_jacobi_accurate(ksl_mat3x3f_t *A, ksl_mat3x3f_t *
   V->m20 = (float)vq_2;
   V->m21 = V_m22;
   V->m22 = (float)vp_2;
+}
+
+/* the largest of |det R - 1| and |R^T R - I|_ij: 0 for a rotation, 2 for a reflection, NaN if an
+     entry is NaN.
+   R: rotation or other 3×3 matrix.
+   27 mul, 21 add, 7 abs, 6 less, 6 select.
+   Error <= 6 u near a rotation; measured, not proved. */
+static inline float ksl_mat3x3f_rotation_defect_accurate(const ksl_mat3x3f_t *R) {
+  const double n_0a = (double)R->m11 * (double)R->m22,
+      n_0 = ksl_product_sum(-(double)R->m12, (double)R->m21, n_0a);
+  const double n_1a = (double)R->m02 * (double)R->m21,
+      n_1 = ksl_product_sum(-(double)R->m01, (double)R->m22, n_1a);
+  const double n_2a = (double)R->m01 * (double)R->m12,
+      n_2 = ksl_product_sum(-(double)R->m02, (double)R->m11, n_2a);
+  const double det_a = KSL_MUL((double)R->m00, n_0), det_b = KSL_MUL((double)R->m10, n_1),
+      det_c = det_a + det_b, det_d = KSL_MUL((double)R->m20, n_2), det = det_c + det_d;
+  const double g_0a = (double)R->m00 * (double)R->m00,
+      g_0c = ksl_product_sum((double)R->m10, (double)R->m10, g_0a),
+      g_0 = ksl_product_sum((double)R->m20, (double)R->m20, g_0c);
+  const double g_1a = (double)R->m00 * (double)R->m01,
+      g_1c = ksl_product_sum((double)R->m10, (double)R->m11, g_1a),
+      g_1 = ksl_product_sum((double)R->m20, (double)R->m21, g_1c);
+  const double g_2a = (double)R->m00 * (double)R->m02,
+      g_2c = ksl_product_sum((double)R->m10, (double)R->m12, g_2a),
+      g_2 = ksl_product_sum((double)R->m20, (double)R->m22, g_2c);
+  const double g_3a = (double)R->m01 * (double)R->m01,
+      g_3c = ksl_product_sum((double)R->m11, (double)R->m11, g_3a),
+      g_3 = ksl_product_sum((double)R->m21, (double)R->m21, g_3c);
+  const double g_4a = (double)R->m01 * (double)R->m02,
+      g_4c = ksl_product_sum((double)R->m11, (double)R->m12, g_4a),
+      g_4 = ksl_product_sum((double)R->m21, (double)R->m22, g_4c);
+  const double g_5a = (double)R->m02 * (double)R->m02,
+      g_5c = ksl_product_sum((double)R->m12, (double)R->m12, g_5a),
+      g_5 = ksl_product_sum((double)R->m22, (double)R->m22, g_5c);
+  const double off_0 = det - 1.0;
+  const double off_1 = g_0 - 1.0;
+  const double off_4 = g_3 - 1.0;
+  const double off_6 = g_5 - 1.0;
+  const double defect_size_0 = fabs(off_0);
+  const double defect_size_1 = fabs(off_1);
+  const double defect_size_2 = fabs(g_1);
+  const double defect_size_3 = fabs(g_2);
+  const double defect_size_4 = fabs(off_4);
+  const double defect_size_5 = fabs(g_4);
+  const double defect_size_6 = fabs(off_6);
+  const double defect_largest1 = defect_size_0 < defect_size_1 ? defect_size_1 : defect_size_0;
+  const double defect_largest2 = defect_largest1 < defect_size_2 ? defect_size_2 : defect_largest1;
+  const double defect_largest3 = defect_largest2 < defect_size_3 ? defect_size_3 : defect_largest2;
+  const double defect_largest4 = defect_largest3 < defect_size_4 ? defect_size_4 : defect_largest3;
+  const double defect_largest5 = defect_largest4 < defect_size_5 ? defect_size_5 : defect_largest4;
+  const double defect_largest6 = defect_largest5 < defect_size_6 ? defect_size_6 : defect_largest5;
+  return (float)defect_largest6;
 }
 
 /* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; otherwise R is

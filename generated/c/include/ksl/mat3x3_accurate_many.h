@@ -240,6 +240,25 @@ static KSL_INLINED void ksl_mat3x3_jacobi_accurate_planes(ptrdiff_t n, double *A
   }
 }
 
+/* ksl_mat3x3_rotation_defect_accurate of n elements. */
+static KSL_INLINED void ksl_mat3x3_rotation_defect_accurate_many(ptrdiff_t n, const ksl_mat3x3_t *R,
+    ptrdiff_t R_stride, double *defect, ptrdiff_t defect_stride) {
+  KSL_EACH_OF(n) {
+    defect[i * defect_stride] = ksl_mat3x3_rotation_defect_accurate(R + i * R_stride);
+  }
+}
+
+static KSL_INLINED void ksl_mat3x3_rotation_defect_accurate_planes(ptrdiff_t n, const double *R,
+    ptrdiff_t R_plane, ptrdiff_t R_stride, double *defect,
+    ptrdiff_t defect_stride) {
+  ksl_mat3x3_t R_i;
+  if (n > 0) R_i = ksl_mat3x3_of_planes(R, R_plane);
+  KSL_EACH_OF(n) {
+    if (R_stride) R_i = ksl_mat3x3_of_planes(R + i * R_stride, R_plane);
+    defect[i * defect_stride] = ksl_mat3x3_rotation_defect_accurate(&R_i);
+  }
+}
+
 /* ksl_mat3x3_from_axis_angle_accurate of n elements. */
 static KSL_INLINED void ksl_mat3x3_from_axis_angle_accurate_many(ptrdiff_t n,
     const ksl_vec3_t *axis, ptrdiff_t axis_stride, const double *angle,
@@ -516,6 +535,26 @@ static KSL_INLINED void ksl_mat3x3f_jacobi_accurate_planes(ptrdiff_t n, float *A
     ksl_mat3x3f_jacobi_accurate(&A_i, &V_i);
     ksl_mat3x3f_to_planes(&A_i, A + i * A_stride, A_plane);
     ksl_mat3x3f_to_planes(&V_i, V + i * V_stride, V_plane);
+  }
+}
+
+/* ksl_mat3x3f_rotation_defect_accurate of n elements. */
+static KSL_INLINED void ksl_mat3x3f_rotation_defect_accurate_many(ptrdiff_t n,
+    const ksl_mat3x3f_t *R, ptrdiff_t R_stride, float *defect,
+    ptrdiff_t defect_stride) {
+  KSL_EACH_OF(n) {
+    defect[i * defect_stride] = ksl_mat3x3f_rotation_defect_accurate(R + i * R_stride);
+  }
+}
+
+static KSL_INLINED void ksl_mat3x3f_rotation_defect_accurate_planes(ptrdiff_t n, const float *R,
+    ptrdiff_t R_plane, ptrdiff_t R_stride, float *defect,
+    ptrdiff_t defect_stride) {
+  ksl_mat3x3f_t R_i;
+  if (n > 0) R_i = ksl_mat3x3f_of_planes(R, R_plane);
+  KSL_EACH_OF(n) {
+    if (R_stride) R_i = ksl_mat3x3f_of_planes(R + i * R_stride, R_plane);
+    defect[i * defect_stride] = ksl_mat3x3f_rotation_defect_accurate(&R_i);
   }
 }
 

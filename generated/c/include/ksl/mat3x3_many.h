@@ -509,6 +509,46 @@ static KSL_INLINED void ksl_mat3x3_jacobi_planes(ptrdiff_t n, double *A, ptrdiff
   }
 }
 
+/* ksl_mat3x3_rotation_defect of n elements. */
+static KSL_INLINED void ksl_mat3x3_rotation_defect_many(ptrdiff_t n, const ksl_mat3x3_t *R,
+    ptrdiff_t R_stride, double *defect, ptrdiff_t defect_stride) {
+  KSL_EACH_OF(n) {
+    defect[i * defect_stride] = ksl_mat3x3_rotation_defect(R + i * R_stride);
+  }
+}
+
+static KSL_INLINED void ksl_mat3x3_rotation_defect_planes(ptrdiff_t n, const double *R,
+    ptrdiff_t R_plane, ptrdiff_t R_stride, double *defect,
+    ptrdiff_t defect_stride) {
+  ksl_mat3x3_t R_i;
+  if (n > 0) R_i = ksl_mat3x3_of_planes(R, R_plane);
+  KSL_EACH_OF(n) {
+    if (R_stride) R_i = ksl_mat3x3_of_planes(R + i * R_stride, R_plane);
+    defect[i * defect_stride] = ksl_mat3x3_rotation_defect(&R_i);
+  }
+}
+
+/* ksl_mat3x3_nearest_rotation of n elements. */
+static KSL_INLINED void ksl_mat3x3_nearest_rotation_many(ptrdiff_t n, const ksl_mat3x3_t *A,
+    ptrdiff_t A_stride, ksl_mat3x3_t *Ro, ptrdiff_t Ro_stride) {
+  KSL_EACH_OF(n) {
+    ksl_mat3x3_nearest_rotation(A + i * A_stride, Ro + i * Ro_stride);
+  }
+}
+
+static KSL_INLINED void ksl_mat3x3_nearest_rotation_planes(ptrdiff_t n, const double *A,
+    ptrdiff_t A_plane, ptrdiff_t A_stride, double *Ro, ptrdiff_t Ro_plane,
+    ptrdiff_t Ro_stride) {
+  ksl_mat3x3_t A_i;
+  if (n > 0) A_i = ksl_mat3x3_of_planes(A, A_plane);
+  KSL_EACH_OF(n) {
+    if (A_stride) A_i = ksl_mat3x3_of_planes(A + i * A_stride, A_plane);
+    ksl_mat3x3_t Ro_i;
+    ksl_mat3x3_nearest_rotation(&A_i, &Ro_i);
+    ksl_mat3x3_to_planes(&Ro_i, Ro + i * Ro_stride, Ro_plane);
+  }
+}
+
 #if KSL_LANE_BYTES
 /* ksl_mat3x3_from_axis_angle of KSL_LANES elements, components in the order of structs. */
 static KSL_INLINE void ksl_mat3x3_from_axis_angle_states(const ksl_states *axis,
@@ -1187,6 +1227,46 @@ static KSL_INLINED void ksl_mat3x3f_jacobi_planes(ptrdiff_t n, float *A, ptrdiff
     ksl_mat3x3f_jacobi(&A_i, &V_i);
     ksl_mat3x3f_to_planes(&A_i, A + i * A_stride, A_plane);
     ksl_mat3x3f_to_planes(&V_i, V + i * V_stride, V_plane);
+  }
+}
+
+/* ksl_mat3x3f_rotation_defect of n elements. */
+static KSL_INLINED void ksl_mat3x3f_rotation_defect_many(ptrdiff_t n, const ksl_mat3x3f_t *R,
+    ptrdiff_t R_stride, float *defect, ptrdiff_t defect_stride) {
+  KSL_EACH_OF(n) {
+    defect[i * defect_stride] = ksl_mat3x3f_rotation_defect(R + i * R_stride);
+  }
+}
+
+static KSL_INLINED void ksl_mat3x3f_rotation_defect_planes(ptrdiff_t n, const float *R,
+    ptrdiff_t R_plane, ptrdiff_t R_stride, float *defect,
+    ptrdiff_t defect_stride) {
+  ksl_mat3x3f_t R_i;
+  if (n > 0) R_i = ksl_mat3x3f_of_planes(R, R_plane);
+  KSL_EACH_OF(n) {
+    if (R_stride) R_i = ksl_mat3x3f_of_planes(R + i * R_stride, R_plane);
+    defect[i * defect_stride] = ksl_mat3x3f_rotation_defect(&R_i);
+  }
+}
+
+/* ksl_mat3x3f_nearest_rotation of n elements. */
+static KSL_INLINED void ksl_mat3x3f_nearest_rotation_many(ptrdiff_t n, const ksl_mat3x3f_t *A,
+    ptrdiff_t A_stride, ksl_mat3x3f_t *Ro, ptrdiff_t Ro_stride) {
+  KSL_EACH_OF(n) {
+    ksl_mat3x3f_nearest_rotation(A + i * A_stride, Ro + i * Ro_stride);
+  }
+}
+
+static KSL_INLINED void ksl_mat3x3f_nearest_rotation_planes(ptrdiff_t n, const float *A,
+    ptrdiff_t A_plane, ptrdiff_t A_stride, float *Ro, ptrdiff_t Ro_plane,
+    ptrdiff_t Ro_stride) {
+  ksl_mat3x3f_t A_i;
+  if (n > 0) A_i = ksl_mat3x3f_of_planes(A, A_plane);
+  KSL_EACH_OF(n) {
+    if (A_stride) A_i = ksl_mat3x3f_of_planes(A + i * A_stride, A_plane);
+    ksl_mat3x3f_t Ro_i;
+    ksl_mat3x3f_nearest_rotation(&A_i, &Ro_i);
+    ksl_mat3x3f_to_planes(&Ro_i, Ro + i * Ro_stride, Ro_plane);
   }
 }
 

@@ -204,6 +204,71 @@ static inline void ksl_quaternion_normalized(const ksl_quaternion_t *q, ksl_quat
   qo->w = qo_3;
 }
 
+/* |q| - 1: 0 for a unit quaternion, negative for a shorter one.
+   q: quaternion (x, y, z, w), the scalar last.
+   9 mul, 4 add, 1 sqrt, 4 abs, 9 less, 9 select. */
+static inline double ksl_quaternion_unit_defect(const ksl_quaternion_t *q) {
+  const double s_size_0 = fabs(q->x);
+  const double s_size_1 = fabs(q->y);
+  const double s_size_2 = fabs(q->z);
+  const double s_size_3 = fabs(q->w);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
+  const double y_0 = KSL_MUL(q->x, s);
+  const double y_1 = KSL_MUL(q->y, s);
+  const double y_2 = KSL_MUL(q->z, s);
+  const double y_3 = KSL_MUL(q->w, s);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
+      n = sqrt(n_g);
+  const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
+      r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
+      r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
+  const double length = KSL_MUL(n, r);
+  const double defect = length - 1.0;
+  return defect;
+}
+
+/* qo = q / |q|, the unit quaternion nearest to q; NaN for zero, which has none.
+   q, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 3 add, 4 div, 1 sqrt, 4 abs, 6 less, 1 equal, 11 select. */
+static inline void ksl_quaternion_nearest_unit(const ksl_quaternion_t *q, ksl_quaternion_t *qo) {
+  const double s_size_0 = fabs(q->x);
+  const double s_size_1 = fabs(q->y);
+  const double s_size_2 = fabs(q->z);
+  const double s_size_3 = fabs(q->w);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
+  const double scaled_s_0 = KSL_MUL(q->x, s);
+  const double scaled_s_1 = KSL_MUL(q->y, s);
+  const double scaled_s_2 = KSL_MUL(q->z, s);
+  const double scaled_s_3 = KSL_MUL(q->w, s);
+  const double n_a = KSL_MUL(scaled_s_0, scaled_s_0), n_b = KSL_MUL(scaled_s_1, scaled_s_1),
+      n_c = n_a + n_b, n_d = KSL_MUL(scaled_s_2, scaled_s_2), n_e = n_c + n_d,
+      n_f = KSL_MUL(scaled_s_3, scaled_s_3), n_g = n_e + n_f, n = sqrt(n_g);
+  const double divisor = n == 0.0 ? 1.0 : n;
+  const double unit_0 = scaled_s_0 / divisor;
+  const double unit_1 = scaled_s_1 / divisor;
+  const double unit_2 = scaled_s_2 / divisor;
+  const double unit_3 = scaled_s_3 / divisor;
+  const double qo_0 = n == 0.0 ? (double)NAN : unit_0;
+  const double qo_1 = n == 0.0 ? (double)NAN : unit_1;
+  const double qo_2 = n == 0.0 ? (double)NAN : unit_2;
+  const double qo_3 = n == 0.0 ? (double)NAN : unit_3;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
 /* vo = R(q) v, |q| = 1.
    q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
    18 mul, 12 add.
@@ -1597,6 +1662,70 @@ static inline void ksl_quaternionf_normalized(const ksl_quaternionf_t *q, ksl_qu
   qo->w = qo_3;
 }
 
+/* |q| - 1: 0 for a unit quaternion, negative for a shorter one.
+   q: quaternion (x, y, z, w), the scalar last.
+   9 mul, 4 add, 1 sqrt, 4 abs, 9 less, 9 select. */
+static inline float ksl_quaternionf_unit_defect(const ksl_quaternionf_t *q) {
+  const float s_size_0 = fabsf(q->x);
+  const float s_size_1 = fabsf(q->y);
+  const float s_size_2 = fabsf(q->z);
+  const float s_size_3 = fabsf(q->w);
+  const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
+      s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
+  const float y_0 = KSL_MULF(q->x, s);
+  const float y_1 = KSL_MULF(q->y, s);
+  const float y_2 = KSL_MULF(q->z, s);
+  const float y_3 = KSL_MULF(q->w, s);
+  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MULF(y_3, y_3), n_g = n_e + n_f,
+      n = sqrtf(n_g);
+  const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r_d = 1.0f < s ? 5.551115e-17f : r_b,
+      r = 1.8014399e+16f < s ? 3.081488e-33f : r_d;
+  const float length = KSL_MULF(n, r);
+  const float defect = length - 1.0f;
+  return defect;
+}
+
+/* qo = q / |q|, the unit quaternion nearest to q; NaN for zero, which has none.
+   q, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 3 add, 4 div, 1 sqrt, 4 abs, 6 less, 1 equal, 11 select. */
+static inline void ksl_quaternionf_nearest_unit(const ksl_quaternionf_t *q, ksl_quaternionf_t *qo) {
+  const float s_size_0 = fabsf(q->x);
+  const float s_size_1 = fabsf(q->y);
+  const float s_size_2 = fabsf(q->z);
+  const float s_size_3 = fabsf(q->w);
+  const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
+      s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
+  const float scaled_s_0 = KSL_MULF(q->x, s);
+  const float scaled_s_1 = KSL_MULF(q->y, s);
+  const float scaled_s_2 = KSL_MULF(q->z, s);
+  const float scaled_s_3 = KSL_MULF(q->w, s);
+  const float n_a = KSL_MULF(scaled_s_0, scaled_s_0), n_b = KSL_MULF(scaled_s_1, scaled_s_1),
+      n_c = n_a + n_b, n_d = KSL_MULF(scaled_s_2, scaled_s_2), n_e = n_c + n_d,
+      n_f = KSL_MULF(scaled_s_3, scaled_s_3), n_g = n_e + n_f, n = sqrtf(n_g);
+  const float divisor = n == 0.0f ? 1.0f : n;
+  const float unit_0 = scaled_s_0 / divisor;
+  const float unit_1 = scaled_s_1 / divisor;
+  const float unit_2 = scaled_s_2 / divisor;
+  const float unit_3 = scaled_s_3 / divisor;
+  const float qo_0 = n == 0.0f ? (float)NAN : unit_0;
+  const float qo_1 = n == 0.0f ? (float)NAN : unit_1;
+  const float qo_2 = n == 0.0f ? (float)NAN : unit_2;
+  const float qo_3 = n == 0.0f ? (float)NAN : unit_3;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
 /* vo = R(q) v, |q| = 1.
    q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
    18 mul, 12 add.
@@ -2902,6 +3031,12 @@ static inline ksl_quaternionf_t *ksl_quaternionf_alloc(int n) {
 /* What KSL declares beside formulas. */
 
 
+/* Whether |q| = 1: the size of its ksl_quaternion_unit_defect is at most 0.001. */
+static inline bool ksl_quaternion_is_unit(const ksl_quaternion_t *q) {
+  const double defect = ksl_quaternion_unit_defect(q);
+  return -0.001 <= defect && defect <= 0.001;
+}
+
 /* The same as ksl_quaternion_from_mat3x3. */
 static inline void ksl_mat3x3_toQuaternion(const ksl_mat3x3_t *ri,
     ksl_quaternion_t *qo) {
@@ -2976,6 +3111,12 @@ static inline void ksl_quaternion_product_uqinverseq(
   const double square = ksl_dot_qq(q1i, q1i);
   ksl_quaternion_product_qconjq(q1i, q2i, qo);
   ksl_quaternion_scale(qo, 1 / square);
+}
+
+/* Whether |q| = 1: the size of its ksl_quaternionf_unit_defect is at most 0.001f. */
+static inline bool ksl_quaternionf_is_unit(const ksl_quaternionf_t *q) {
+  const float defect = ksl_quaternionf_unit_defect(q);
+  return -0.001f <= defect && defect <= 0.001f;
 }
 
 /* The same as ksl_quaternionf_from_mat3x3. */

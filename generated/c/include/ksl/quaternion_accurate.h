@@ -425,6 +425,169 @@ static inline void ksl_quaternion_normalized_accurate(const ksl_quaternion_t *q,
   qo->w = qo_3_final;
 }
 
+/* |q| - 1: 0 for a unit quaternion, negative for a shorter one.
+   q: quaternion (x, y, z, w), the scalar last.
+   12 mul, 42 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 9 less, 2 equal, 11
+     select.
+   Each component is within 1 ulp as long as its condition is below 1e13; in single precision it
+     is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
+static inline double ksl_quaternion_unit_defect_accurate(const ksl_quaternion_t *q) {
+  const double s_size_0 = fabs(q->x);
+  const double s_size_1 = fabs(q->y);
+  const double s_size_2 = fabs(q->z);
+  const double s_size_3 = fabs(q->w);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
+  const double y_0 = KSL_MUL(q->x, s);
+  const double y_1 = KSL_MUL(q->y, s);
+  const double y_2 = KSL_MUL(q->z, s);
+  const double y_3 = KSL_MUL(q->w, s);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
+      n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
+      n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
+      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d,
+      n_e_right = n_e - n_c, n_e_left = n_e - n_e_right, n_e_left_rest = n_c - n_e_left,
+      n_e_right_rest = ksl_product_rest(y_2, y_2, n_d, n_e_right),
+      n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_f = KSL_MUL(y_3, y_3),
+      n_g = n_e + n_f, n_g_right = n_g - n_e, n_g_left = n_g - n_g_right,
+      n_g_left_rest = n_e - n_g_left, n_g_right_rest = ksl_product_rest(y_3, y_3, n_f, n_g_right),
+      n_g_lo1 = n_g_left_rest + n_g_right_rest, n_g_lo = n_g_lo1 + n_e_lo, n_of_n_g = n_g + n_g_lo,
+      n_of_n_g_right = n_of_n_g - n_g, n_of_n_g_left = n_of_n_g - n_of_n_g_right,
+      n_of_n_g_left_rest = n_g - n_of_n_g_left, n_of_n_g_right_rest = n_g_lo - n_of_n_g_right,
+      n_of_n_g_lo = n_of_n_g_left_rest + n_of_n_g_right_rest, n = sqrt(n_of_n_g),
+      n_product = KSL_MUL(n, n), n_product_error = ksl_product_error(n, n, n_product),
+      n_rest = n_of_n_g - n_product, n_exact = n_rest - n_product_error,
+      n_residual = n_exact + n_of_n_g_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
+      n_lo = n_residual / n_divisor;
+  const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
+      r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
+      r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
+  const double length_of_n = n + n_lo, length_of_n_right = length_of_n - n,
+      length_of_n_left = length_of_n - length_of_n_right,
+      length_of_n_left_rest = n - length_of_n_left,
+      length_of_n_right_rest = n_lo - length_of_n_right,
+      length_of_n_lo = length_of_n_left_rest + length_of_n_right_rest,
+      length = KSL_MUL(length_of_n, r), length_inverse = 1.0 / r,
+      length_back = KSL_MUL(length, length_inverse), length_lost = length_of_n - length_back,
+      length_rest = length_lost + length_of_n_lo, length_lo = KSL_MUL(length_rest, r);
+  const double defect = length - 1.0, defect_right = length - defect,
+      defect_left = defect + defect_right, defect_left_rest = length - defect_left,
+      defect_right_rest = 1.0 - defect_right, defect_lo1 = defect_left_rest - defect_right_rest,
+      defect_lo = defect_lo1 + length_lo;
+  const double defect_rounded = defect + defect_lo,
+      defect_final = defect_rounded == defect_rounded ? defect_rounded : defect;
+  return defect_final;
+}
+
+/* qo = q / |q|, the unit quaternion nearest to q; NaN for zero, which has none.
+   q, qo: quaternion (x, y, z, w), the scalar last.
+   17 mul, 54 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 4 abs, 6 less, 6 equal, 21
+     select.
+   Each component is within 1 ulp as long as its condition is below 1e13; in single precision it
+     is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
+static inline void ksl_quaternion_nearest_unit_accurate(const ksl_quaternion_t *q,
+    ksl_quaternion_t *qo) {
+  const double s_size_0 = fabs(q->x);
+  const double s_size_1 = fabs(q->y);
+  const double s_size_2 = fabs(q->z);
+  const double s_size_3 = fabs(q->w);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
+  const double scaled_s_0 = KSL_MUL(q->x, s);
+  const double scaled_s_1 = KSL_MUL(q->y, s);
+  const double scaled_s_2 = KSL_MUL(q->z, s);
+  const double scaled_s_3 = KSL_MUL(q->w, s);
+  const double n_a = KSL_MUL(scaled_s_0, scaled_s_0), n_b = KSL_MUL(scaled_s_1, scaled_s_1),
+      n_c = n_a + n_b, n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
+      n_c_left_rest = ksl_product_rest(scaled_s_0, scaled_s_0, n_a, n_c_left),
+      n_c_right_rest = ksl_product_rest(scaled_s_1, scaled_s_1, n_b, n_c_right),
+      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = KSL_MUL(scaled_s_2, scaled_s_2),
+      n_e = n_c + n_d, n_e_right = n_e - n_c, n_e_left = n_e - n_e_right,
+      n_e_left_rest = n_c - n_e_left,
+      n_e_right_rest = ksl_product_rest(scaled_s_2, scaled_s_2, n_d, n_e_right),
+      n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo,
+      n_f = KSL_MUL(scaled_s_3, scaled_s_3), n_g = n_e + n_f, n_g_right = n_g - n_e,
+      n_g_left = n_g - n_g_right, n_g_left_rest = n_e - n_g_left,
+      n_g_right_rest = ksl_product_rest(scaled_s_3, scaled_s_3, n_f, n_g_right),
+      n_g_lo1 = n_g_left_rest + n_g_right_rest, n_g_lo = n_g_lo1 + n_e_lo, n_of_n_g = n_g + n_g_lo,
+      n_of_n_g_right = n_of_n_g - n_g, n_of_n_g_left = n_of_n_g - n_of_n_g_right,
+      n_of_n_g_left_rest = n_g - n_of_n_g_left, n_of_n_g_right_rest = n_g_lo - n_of_n_g_right,
+      n_of_n_g_lo = n_of_n_g_left_rest + n_of_n_g_right_rest, n = sqrt(n_of_n_g),
+      n_product = KSL_MUL(n, n), n_product_error = ksl_product_error(n, n, n_product),
+      n_rest = n_of_n_g - n_product, n_exact = n_rest - n_product_error,
+      n_residual = n_exact + n_of_n_g_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
+      n_lo = n_residual / n_divisor;
+  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
+      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
+      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
+      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
+      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
+      divisor = divisor_a_of_n == 0.0 ? 1.0 : divisor_a_of_n,
+      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
+  const double unit_0_of_divisor = divisor + divisor_lo,
+      unit_0_of_divisor_right = unit_0_of_divisor - divisor,
+      unit_0_of_divisor_left = unit_0_of_divisor - unit_0_of_divisor_right,
+      unit_0_of_divisor_left_rest = divisor - unit_0_of_divisor_left,
+      unit_0_of_divisor_right_rest = divisor_lo - unit_0_of_divisor_right,
+      unit_0_of_divisor_lo = unit_0_of_divisor_left_rest + unit_0_of_divisor_right_rest,
+      unit_0 = scaled_s_0 / unit_0_of_divisor, unit_0_product = KSL_MUL(unit_0, unit_0_of_divisor),
+      unit_0_product_error = ksl_product_error(unit_0, unit_0_of_divisor, unit_0_product),
+      unit_0_rest = scaled_s_0 - unit_0_product, unit_0_exact = unit_0_rest - unit_0_product_error,
+      unit_0_cross = KSL_MUL(unit_0, unit_0_of_divisor_lo),
+      unit_0_residual = unit_0_exact - unit_0_cross,
+      unit_0_lo = unit_0_residual / unit_0_of_divisor;
+  const double unit_1 = scaled_s_1 / unit_0_of_divisor,
+      unit_1_product = KSL_MUL(unit_1, unit_0_of_divisor),
+      unit_1_product_error = ksl_product_error(unit_1, unit_0_of_divisor, unit_1_product),
+      unit_1_rest = scaled_s_1 - unit_1_product, unit_1_exact = unit_1_rest - unit_1_product_error,
+      unit_1_cross = KSL_MUL(unit_1, unit_0_of_divisor_lo),
+      unit_1_residual = unit_1_exact - unit_1_cross,
+      unit_1_lo = unit_1_residual / unit_0_of_divisor;
+  const double unit_2 = scaled_s_2 / unit_0_of_divisor,
+      unit_2_product = KSL_MUL(unit_2, unit_0_of_divisor),
+      unit_2_product_error = ksl_product_error(unit_2, unit_0_of_divisor, unit_2_product),
+      unit_2_rest = scaled_s_2 - unit_2_product, unit_2_exact = unit_2_rest - unit_2_product_error,
+      unit_2_cross = KSL_MUL(unit_2, unit_0_of_divisor_lo),
+      unit_2_residual = unit_2_exact - unit_2_cross,
+      unit_2_lo = unit_2_residual / unit_0_of_divisor;
+  const double unit_3 = scaled_s_3 / unit_0_of_divisor,
+      unit_3_product = KSL_MUL(unit_3, unit_0_of_divisor),
+      unit_3_product_error = ksl_product_error(unit_3, unit_0_of_divisor, unit_3_product),
+      unit_3_rest = scaled_s_3 - unit_3_product, unit_3_exact = unit_3_rest - unit_3_product_error,
+      unit_3_cross = KSL_MUL(unit_3, unit_0_of_divisor_lo),
+      unit_3_residual = unit_3_exact - unit_3_cross,
+      unit_3_lo = unit_3_residual / unit_0_of_divisor;
+  const double qo_0 = divisor_a_of_n == 0.0 ? (double)NAN : unit_0,
+      qo_0_lo = divisor_a_of_n == 0.0 ? 0.0 : unit_0_lo;
+  const double qo_1 = divisor_a_of_n == 0.0 ? (double)NAN : unit_1,
+      qo_1_lo = divisor_a_of_n == 0.0 ? 0.0 : unit_1_lo;
+  const double qo_2 = divisor_a_of_n == 0.0 ? (double)NAN : unit_2,
+      qo_2_lo = divisor_a_of_n == 0.0 ? 0.0 : unit_2_lo;
+  const double qo_3 = divisor_a_of_n == 0.0 ? (double)NAN : unit_3,
+      qo_3_lo = divisor_a_of_n == 0.0 ? 0.0 : unit_3_lo;
+  const double qo_0_rounded = qo_0 + qo_0_lo,
+      qo_0_final = qo_0_rounded == qo_0_rounded ? qo_0_rounded : qo_0;
+  const double qo_1_rounded = qo_1 + qo_1_lo,
+      qo_1_final = qo_1_rounded == qo_1_rounded ? qo_1_rounded : qo_1;
+  const double qo_2_rounded = qo_2 + qo_2_lo,
+      qo_2_final = qo_2_rounded == qo_2_rounded ? qo_2_rounded : qo_2;
+  const double qo_3_rounded = qo_3 + qo_3_lo,
+      qo_3_final = qo_3_rounded == qo_3_rounded ? qo_3_rounded : qo_3;
+  qo->x = qo_0_final;
+  qo->y = qo_1_final;
+  qo->z = qo_2_final;
+  qo->w = qo_3_final;
+}
+
 /* vo = R(q) v, |q| = 1.
    q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
    30 mul, 75 add, 15 product rest.
@@ -3812,6 +3975,76 @@ static inline void ksl_quaternionf_normalized_accurate(const ksl_quaternionf_t *
   const double qo_1 = KSL_MUL(quotient_1, down);
   const double qo_2 = KSL_MUL(quotient_2, down);
   const double qo_3 = KSL_MUL(quotient_3, down);
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* |q| - 1: 0 for a unit quaternion, negative for a shorter one.
+   q: quaternion (x, y, z, w), the scalar last.
+   9 mul, 4 add, 1 sqrt, 4 abs, 9 less, 9 select.
+   Each component is within 1 ulp as long as its condition is below 1e13; in single precision it
+     is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
+static inline float ksl_quaternionf_unit_defect_accurate(const ksl_quaternionf_t *q) {
+  const double s_size_0 = fabs((double)q->x);
+  const double s_size_1 = fabs((double)q->y);
+  const double s_size_2 = fabs((double)q->z);
+  const double s_size_3 = fabs((double)q->w);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
+      s_d = s_largest3 < 256.0 ? 1.8014398509481984e+16 : s_b,
+      s = s_largest3 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
+  const double y_0 = KSL_MUL((double)q->x, s);
+  const double y_1 = KSL_MUL((double)q->y, s);
+  const double y_2 = KSL_MUL((double)q->z, s);
+  const double y_3 = KSL_MUL((double)q->w, s);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
+      n = sqrt(n_g);
+  const double r_b = s < 1.0 ? 3.6893488147419103e+19 : 1.0,
+      r_d = 1.0 < s ? 5.551115123125783e-17 : r_b,
+      r = 1.8014398509481984e+16 < s ? 3.0814879110195774e-33 : r_d;
+  const double length = KSL_MUL(n, r);
+  const double defect = length - 1.0;
+  return (float)defect;
+}
+
+/* qo = q / |q|, the unit quaternion nearest to q; NaN for zero, which has none.
+   q, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 3 add, 4 div, 1 sqrt, 4 abs, 6 less, 1 equal, 11 select.
+   Each component is within 1 ulp as long as its condition is below 1e13; in single precision it
+     is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
+static inline void ksl_quaternionf_nearest_unit_accurate(const ksl_quaternionf_t *q,
+    ksl_quaternionf_t *qo) {
+  const double s_size_0 = fabs((double)q->x);
+  const double s_size_1 = fabs((double)q->y);
+  const double s_size_2 = fabs((double)q->z);
+  const double s_size_3 = fabs((double)q->w);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
+      s_d = s_largest3 < 256.0 ? 1.8014398509481984e+16 : s_b,
+      s = s_largest3 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
+  const double scaled_s_0 = KSL_MUL((double)q->x, s);
+  const double scaled_s_1 = KSL_MUL((double)q->y, s);
+  const double scaled_s_2 = KSL_MUL((double)q->z, s);
+  const double scaled_s_3 = KSL_MUL((double)q->w, s);
+  const double n_a = KSL_MUL(scaled_s_0, scaled_s_0), n_b = KSL_MUL(scaled_s_1, scaled_s_1),
+      n_c = n_a + n_b, n_d = KSL_MUL(scaled_s_2, scaled_s_2), n_e = n_c + n_d,
+      n_f = KSL_MUL(scaled_s_3, scaled_s_3), n_g = n_e + n_f, n = sqrt(n_g);
+  const double divisor = n == 0.0 ? 1.0 : n;
+  const double unit_0 = scaled_s_0 / divisor;
+  const double unit_1 = scaled_s_1 / divisor;
+  const double unit_2 = scaled_s_2 / divisor;
+  const double unit_3 = scaled_s_3 / divisor;
+  const double qo_0 = n == 0.0 ? (double)NAN : unit_0;
+  const double qo_1 = n == 0.0 ? (double)NAN : unit_1;
+  const double qo_2 = n == 0.0 ? (double)NAN : unit_2;
+  const double qo_3 = n == 0.0 ? (double)NAN : unit_3;
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;

@@ -104,6 +104,48 @@ static KSL_INLINED void ksl_quaternion_normalized_accurate_planes(ptrdiff_t n, c
   }
 }
 
+/* ksl_quaternion_unit_defect_accurate of n elements. */
+static KSL_INLINED void ksl_quaternion_unit_defect_accurate_many(ptrdiff_t n,
+    const ksl_quaternion_t *q, ptrdiff_t q_stride, double *defect,
+    ptrdiff_t defect_stride) {
+  KSL_EACH_OF(n) {
+    defect[i * defect_stride] = ksl_quaternion_unit_defect_accurate(q + i * q_stride);
+  }
+}
+
+static KSL_INLINED void ksl_quaternion_unit_defect_accurate_planes(ptrdiff_t n, const double *q,
+    ptrdiff_t q_plane, ptrdiff_t q_stride, double *defect,
+    ptrdiff_t defect_stride) {
+  ksl_quaternion_t q_i;
+  if (n > 0) q_i = ksl_quaternion_of_planes(q, q_plane);
+  KSL_EACH_OF(n) {
+    if (q_stride) q_i = ksl_quaternion_of_planes(q + i * q_stride, q_plane);
+    defect[i * defect_stride] = ksl_quaternion_unit_defect_accurate(&q_i);
+  }
+}
+
+/* ksl_quaternion_nearest_unit_accurate of n elements. */
+static KSL_INLINED void ksl_quaternion_nearest_unit_accurate_many(ptrdiff_t n,
+    const ksl_quaternion_t *q, ptrdiff_t q_stride, ksl_quaternion_t *qo,
+    ptrdiff_t qo_stride) {
+  KSL_EACH_OF(n) {
+    ksl_quaternion_nearest_unit_accurate(q + i * q_stride, qo + i * qo_stride);
+  }
+}
+
+static KSL_INLINED void ksl_quaternion_nearest_unit_accurate_planes(ptrdiff_t n, const double *q,
+    ptrdiff_t q_plane, ptrdiff_t q_stride, double *qo, ptrdiff_t qo_plane,
+    ptrdiff_t qo_stride) {
+  ksl_quaternion_t q_i;
+  if (n > 0) q_i = ksl_quaternion_of_planes(q, q_plane);
+  KSL_EACH_OF(n) {
+    if (q_stride) q_i = ksl_quaternion_of_planes(q + i * q_stride, q_plane);
+    ksl_quaternion_t qo_i;
+    ksl_quaternion_nearest_unit_accurate(&q_i, &qo_i);
+    ksl_quaternion_to_planes(&qo_i, qo + i * qo_stride, qo_plane);
+  }
+}
+
 /* ksl_rotate_qv_accurate of n elements. */
 static KSL_INLINED void ksl_rotate_qv_accurate_many(ptrdiff_t n, const ksl_quaternion_t *q,
     ptrdiff_t q_stride, const ksl_vec3_t *v, ptrdiff_t v_stride, ksl_vec3_t *vo,
@@ -1263,6 +1305,48 @@ static KSL_INLINED void ksl_quaternionf_normalized_accurate_planes(ptrdiff_t n, 
     if (q_stride) q_i = ksl_quaternionf_of_planes(q + i * q_stride, q_plane);
     ksl_quaternionf_t qo_i;
     ksl_quaternionf_normalized_accurate(&q_i, &qo_i);
+    ksl_quaternionf_to_planes(&qo_i, qo + i * qo_stride, qo_plane);
+  }
+}
+
+/* ksl_quaternionf_unit_defect_accurate of n elements. */
+static KSL_INLINED void ksl_quaternionf_unit_defect_accurate_many(ptrdiff_t n,
+    const ksl_quaternionf_t *q, ptrdiff_t q_stride, float *defect,
+    ptrdiff_t defect_stride) {
+  KSL_EACH_OF(n) {
+    defect[i * defect_stride] = ksl_quaternionf_unit_defect_accurate(q + i * q_stride);
+  }
+}
+
+static KSL_INLINED void ksl_quaternionf_unit_defect_accurate_planes(ptrdiff_t n, const float *q,
+    ptrdiff_t q_plane, ptrdiff_t q_stride, float *defect,
+    ptrdiff_t defect_stride) {
+  ksl_quaternionf_t q_i;
+  if (n > 0) q_i = ksl_quaternionf_of_planes(q, q_plane);
+  KSL_EACH_OF(n) {
+    if (q_stride) q_i = ksl_quaternionf_of_planes(q + i * q_stride, q_plane);
+    defect[i * defect_stride] = ksl_quaternionf_unit_defect_accurate(&q_i);
+  }
+}
+
+/* ksl_quaternionf_nearest_unit_accurate of n elements. */
+static KSL_INLINED void ksl_quaternionf_nearest_unit_accurate_many(ptrdiff_t n,
+    const ksl_quaternionf_t *q, ptrdiff_t q_stride, ksl_quaternionf_t *qo,
+    ptrdiff_t qo_stride) {
+  KSL_EACH_OF(n) {
+    ksl_quaternionf_nearest_unit_accurate(q + i * q_stride, qo + i * qo_stride);
+  }
+}
+
+static KSL_INLINED void ksl_quaternionf_nearest_unit_accurate_planes(ptrdiff_t n, const float *q,
+    ptrdiff_t q_plane, ptrdiff_t q_stride, float *qo, ptrdiff_t qo_plane,
+    ptrdiff_t qo_stride) {
+  ksl_quaternionf_t q_i;
+  if (n > 0) q_i = ksl_quaternionf_of_planes(q, q_plane);
+  KSL_EACH_OF(n) {
+    if (q_stride) q_i = ksl_quaternionf_of_planes(q + i * q_stride, q_plane);
+    ksl_quaternionf_t qo_i;
+    ksl_quaternionf_nearest_unit_accurate(&q_i, &qo_i);
     ksl_quaternionf_to_planes(&qo_i, qo + i * qo_stride, qo_plane);
   }
 }

@@ -7,7 +7,7 @@ In double precision, accurate tier.
 """
 
 from coscrew import _elementary_double as elementary
-from numpy import absolute, float64, sqrt, where
+from numpy import absolute, float64, nan, sqrt, where
 from coscrew._exact import product_error, product_rest
 from coscrew._kernel import double_kernel as kernel
 
@@ -372,6 +372,157 @@ def quaternion_normalized(q):
     qo_1_rounded = qo_1 + (qo_1_of_quotient_1 - qo_1 * qo_0_inverse + qo_1_of_quotient_1_lo) * down
     qo_2_rounded = qo_2 + (qo_2_of_quotient_2 - qo_2 * qo_0_inverse + qo_2_of_quotient_2_lo) * down
     qo_3_rounded = qo_3 + (qo_3_of_quotient_3 - qo_3 * qo_0_inverse + qo_3_of_quotient_3_lo) * down
+    qo_0_final = where(qo_0_rounded == qo_0_rounded, qo_0_rounded, qo_0)
+    qo_1_final = where(qo_1_rounded == qo_1_rounded, qo_1_rounded, qo_1)
+    qo_2_final = where(qo_2_rounded == qo_2_rounded, qo_2_rounded, qo_2)
+    qo_3_final = where(qo_3_rounded == qo_3_rounded, qo_3_rounded, qo_3)
+    return (qo_0_final, qo_1_final, qo_2_final, qo_3_final)
+
+
+@kernel("(4)->()")
+def quaternion_unit_defect(q):
+    """|q| - 1: 0 for a unit quaternion, negative for a shorter one.
+
+    (4)->().  q: quaternion (x, y, z, w), the scalar last; defect: number.
+    12 mul, 42 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 9 less, 2 equal, 11
+    select.  Each component is within 1 ulp as long as its condition is below 1e13; in single
+    precision it is the nearest number, except near ties, as long as that is below 1e5;
+    searched, not proved.
+    """
+    q_0, q_1, q_2, q_3 = q
+    s_size_0 = absolute(q_0)
+    s_size_1 = absolute(q_1)
+    s_size_2 = absolute(q_2)
+    s_size_3 = absolute(q_3)
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
+    s_b = where(6.703903964971299e+153 < s_largest3, float64(3.7291703656001034e-155), float64(1))
+    s_d = where(s_largest3 < 256, 1.3093562431584567e+151, s_b)
+    s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
+    y_0 = q_0 * s
+    y_1 = q_1 * s
+    y_2 = q_2 * s
+    y_3 = q_3 * s
+    n_a = y_0 * y_0
+    n_b = y_1 * y_1
+    n_c = n_a + n_b
+    n_c_right = n_c - n_a
+    n_d = y_2 * y_2
+    n_e = n_c + n_d
+    n_e_right = n_e - n_c
+    n_c_lo = product_rest(y_0, y_0, n_a, n_c - n_c_right) + product_rest(y_1, y_1, n_b, n_c_right)
+    n_f = y_3 * y_3
+    n_g = n_e + n_f
+    n_g_right = n_g - n_e
+    n_e_lo = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right) + n_c_lo
+    n_g_lo = n_e - (n_g - n_g_right) + product_rest(y_3, y_3, n_f, n_g_right) + n_e_lo
+    n_of_n_g = n_g + n_g_lo
+    n_of_n_g_right = n_of_n_g - n_g
+    n = sqrt(n_of_n_g)
+    n_product = n * n
+    n_of_n_g_lo = n_g - (n_of_n_g - n_of_n_g_right) + (n_g_lo - n_of_n_g_right)
+    n_residual = n_of_n_g - n_product - product_error(n, n, n_product) + n_of_n_g_lo
+    n_lo = n_residual / where(n == 0, 1, n + n)
+    r_b = where(s < 1, float64(2.6815615859885194e+154), float64(1))
+    r_d = where(1 < s, 7.637340908749012e-152, r_b)
+    r = where(1.3093562431584567e+151 < s, 9.332636185032189e-302, r_d)
+    length_of_n = n + n_lo
+    length_of_n_right = length_of_n - n
+    length = length_of_n * r
+    length_of_n_lo = n - (length_of_n - length_of_n_right) + (n_lo - length_of_n_right)
+    defect = length - 1
+    defect_right = length - defect
+    defect_lo1 = length - (defect + defect_right) - (1 - defect_right)
+    defect_rounded = defect + (defect_lo1 + (length_of_n - length * (1 / r) + length_of_n_lo) * r)
+    defect_final = where(defect_rounded == defect_rounded, defect_rounded, defect)
+    return defect_final
+
+
+@kernel("(4)->(4)")
+def quaternion_nearest_unit(q):
+    """qo = q / |q|, the unit quaternion nearest to q; NaN for zero, which has none.
+
+    (4)->(4).  q, qo: quaternion (x, y, z, w), the scalar last.
+    17 mul, 54 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 4 abs, 6 less, 6 equal, 21
+    select.  Each component is within 1 ulp as long as its condition is below 1e13; in single
+    precision it is the nearest number, except near ties, as long as that is below 1e5;
+    searched, not proved.
+    """
+    q_0, q_1, q_2, q_3 = q
+    s_size_0 = absolute(q_0)
+    s_size_1 = absolute(q_1)
+    s_size_2 = absolute(q_2)
+    s_size_3 = absolute(q_3)
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
+    s_b = where(6.703903964971299e+153 < s_largest3, float64(3.7291703656001034e-155), float64(1))
+    s_d = where(s_largest3 < 256, 1.3093562431584567e+151, s_b)
+    s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
+    scaled_s_0 = q_0 * s
+    scaled_s_1 = q_1 * s
+    scaled_s_2 = q_2 * s
+    scaled_s_3 = q_3 * s
+    n_a = scaled_s_0 * scaled_s_0
+    n_b = scaled_s_1 * scaled_s_1
+    n_c = n_a + n_b
+    n_c_right = n_c - n_a
+    n_c_left_rest = product_rest(scaled_s_0, scaled_s_0, n_a, n_c - n_c_right)
+    n_d = scaled_s_2 * scaled_s_2
+    n_e = n_c + n_d
+    n_e_right = n_e - n_c
+    n_e_lo1 = n_c - (n_e - n_e_right) + product_rest(scaled_s_2, scaled_s_2, n_d, n_e_right)
+    n_f = scaled_s_3 * scaled_s_3
+    n_g = n_e + n_f
+    n_g_right = n_g - n_e
+    n_e_lo = n_e_lo1 + (n_c_left_rest + product_rest(scaled_s_1, scaled_s_1, n_b, n_c_right))
+    n_g_lo = n_e - (n_g - n_g_right) + product_rest(scaled_s_3, scaled_s_3, n_f, n_g_right) + n_e_lo
+    n_of_n_g = n_g + n_g_lo
+    n_of_n_g_right = n_of_n_g - n_g
+    n = sqrt(n_of_n_g)
+    n_product = n * n
+    n_of_n_g_lo = n_g - (n_of_n_g - n_of_n_g_right) + (n_g_lo - n_of_n_g_right)
+    n_residual = n_of_n_g - n_product - product_error(n, n, n_product) + n_of_n_g_lo
+    n_lo = n_residual / where(n == 0, 1, n + n)
+    divisor_a_of_n = n + n_lo
+    divisor_a_of_n_right = divisor_a_of_n - n
+    divisor_a = divisor_a_of_n == 0
+    divisor = where(divisor_a, 1, divisor_a_of_n)
+    divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
+    divisor_lo = where(divisor_a, 0, divisor_a_of_n_lo)
+    unit_0_of_divisor = divisor + divisor_lo
+    unit_0_of_divisor_right = unit_0_of_divisor - divisor
+    unit_0_of_divisor_left_rest = divisor - (unit_0_of_divisor - unit_0_of_divisor_right)
+    unit_0_of_divisor_lo = unit_0_of_divisor_left_rest + (divisor_lo - unit_0_of_divisor_right)
+    unit_0 = scaled_s_0 / unit_0_of_divisor
+    unit_0_product = unit_0 * unit_0_of_divisor
+    unit_0_product_error = product_error(unit_0, unit_0_of_divisor, unit_0_product)
+    unit_0_exact = scaled_s_0 - unit_0_product - unit_0_product_error
+    unit_1 = scaled_s_1 / unit_0_of_divisor
+    unit_1_product = unit_1 * unit_0_of_divisor
+    unit_1_product_error = product_error(unit_1, unit_0_of_divisor, unit_1_product)
+    unit_1_exact = scaled_s_1 - unit_1_product - unit_1_product_error
+    unit_2 = scaled_s_2 / unit_0_of_divisor
+    unit_2_product = unit_2 * unit_0_of_divisor
+    unit_2_product_error = product_error(unit_2, unit_0_of_divisor, unit_2_product)
+    unit_2_exact = scaled_s_2 - unit_2_product - unit_2_product_error
+    unit_3 = scaled_s_3 / unit_0_of_divisor
+    unit_3_product = unit_3 * unit_0_of_divisor
+    unit_3_product_error = product_error(unit_3, unit_0_of_divisor, unit_3_product)
+    unit_3_exact = scaled_s_3 - unit_3_product - unit_3_product_error
+    qo_0 = where(divisor_a, nan, unit_0)
+    unit_0_lo = (unit_0_exact - unit_0 * unit_0_of_divisor_lo) / unit_0_of_divisor
+    qo_1 = where(divisor_a, nan, unit_1)
+    unit_1_lo = (unit_1_exact - unit_1 * unit_0_of_divisor_lo) / unit_0_of_divisor
+    qo_2 = where(divisor_a, nan, unit_2)
+    unit_2_lo = (unit_2_exact - unit_2 * unit_0_of_divisor_lo) / unit_0_of_divisor
+    qo_3 = where(divisor_a, nan, unit_3)
+    unit_3_lo = (unit_3_exact - unit_3 * unit_0_of_divisor_lo) / unit_0_of_divisor
+    qo_0_rounded = qo_0 + where(divisor_a, 0, unit_0_lo)
+    qo_1_rounded = qo_1 + where(divisor_a, 0, unit_1_lo)
+    qo_2_rounded = qo_2 + where(divisor_a, 0, unit_2_lo)
+    qo_3_rounded = qo_3 + where(divisor_a, 0, unit_3_lo)
     qo_0_final = where(qo_0_rounded == qo_0_rounded, qo_0_rounded, qo_0)
     qo_1_final = where(qo_1_rounded == qo_1_rounded, qo_1_rounded, qo_1)
     qo_2_final = where(qo_2_rounded == qo_2_rounded, qo_2_rounded, qo_2)

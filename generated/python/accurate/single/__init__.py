@@ -58,6 +58,7 @@ from coscrew.accurate.single.mat3x3 import (
     mat3x3_from_euler_xyx,
     euler_xyx_from_mat3x3,
     mat3x3_jacobi,
+    mat3x3_rotation_defect,
     mat3x3_from_axis_angle,
     axis_angle_from_mat3x3,
 )
@@ -201,6 +202,8 @@ from coscrew.accurate.single.quaternion import (
     quaternion_norm,
     quaternion_normalize,
     quaternion_normalized,
+    quaternion_unit_defect,
+    quaternion_nearest_unit,
     rotate_qv,
     rotate_qconjv,
     quaternion_product_qq,

@@ -594,6 +594,46 @@ def mat3x3_jacobi(A, V):
         vq_2, V_22, vp_2)
 
 
+@kernel("(3,3)->()")
+def mat3x3_rotation_defect(R):
+    """the largest of |det R - 1| and |R^T R - I|_ij: 0 for a rotation, 2 for a reflection, NaN if
+    an entry is NaN.
+
+    (3,3)->().  R: rotation or other 3×3 matrix; defect: number.
+    27 mul, 21 add, 7 abs, 6 less, 6 select.  Error <= 6 u near a rotation; measured, not
+    proved.
+    """
+    R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
+    n_0 = R_11 * R_22 - R_12 * R_21
+    n_1 = R_02 * R_21 - R_01 * R_22
+    n_2 = R_01 * R_12 - R_02 * R_11
+    det = R_00 * n_0 + R_10 * n_1 + R_20 * n_2
+    g_0 = R_00 * R_00 + R_10 * R_10 + R_20 * R_20
+    g_1 = R_00 * R_01 + R_10 * R_11 + R_20 * R_21
+    g_2 = R_00 * R_02 + R_10 * R_12 + R_20 * R_22
+    g_3 = R_01 * R_01 + R_11 * R_11 + R_21 * R_21
+    g_4 = R_01 * R_02 + R_11 * R_12 + R_21 * R_22
+    g_5 = R_02 * R_02 + R_12 * R_12 + R_22 * R_22
+    off_0 = det - 1
+    off_1 = g_0 - 1
+    off_4 = g_3 - 1
+    off_6 = g_5 - 1
+    defect_size_0 = absolute(off_0)
+    defect_size_1 = absolute(off_1)
+    defect_size_2 = absolute(g_1)
+    defect_size_3 = absolute(g_2)
+    defect_size_4 = absolute(off_4)
+    defect_size_5 = absolute(g_4)
+    defect_size_6 = absolute(off_6)
+    defect_largest1 = where(defect_size_0 < defect_size_1, defect_size_1, defect_size_0)
+    defect_largest2 = where(defect_largest1 < defect_size_2, defect_size_2, defect_largest1)
+    defect_largest3 = where(defect_largest2 < defect_size_3, defect_size_3, defect_largest2)
+    defect_largest4 = where(defect_largest3 < defect_size_4, defect_size_4, defect_largest3)
+    defect_largest5 = where(defect_largest4 < defect_size_5, defect_size_5, defect_largest4)
+    defect_largest6 = where(defect_largest5 < defect_size_6, defect_size_6, defect_largest5)
+    return defect_largest6
+
+
 @kernel("(3),()->(3,3)")
 def mat3x3_from_axis_angle(axis, angle):
     """R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; otherwise R is

@@ -7,7 +7,7 @@ In single precision, accurate tier.
 """
 
 from coscrew import _elementary_double as elementary
-from numpy import absolute, float64, sqrt, where
+from numpy import absolute, float64, nan, sqrt, where
 from coscrew._kernel import wide_kernel as kernel
 
 
@@ -159,6 +159,78 @@ def quaternion_normalized(q):
     qo_1 = quotient_1 * down
     qo_2 = quotient_2 * down
     qo_3 = quotient_3 * down
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(4)->()")
+def quaternion_unit_defect(q):
+    """|q| - 1: 0 for a unit quaternion, negative for a shorter one.
+
+    (4)->().  q: quaternion (x, y, z, w), the scalar last; defect: number.
+    9 mul, 4 add, 1 sqrt, 4 abs, 9 less, 9 select.  Each component is within 1 ulp as long as
+    its condition is below 1e13; in single precision it is the nearest number, except near ties,
+    as long as that is below 1e5; searched, not proved.
+    """
+    q_0, q_1, q_2, q_3 = q
+    s_size_0 = absolute(q_0)
+    s_size_1 = absolute(q_1)
+    s_size_2 = absolute(q_2)
+    s_size_3 = absolute(q_3)
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
+    s_b = where(4.611686018427388e+18 < s_largest3, float64(2.710505431213761e-20), float64(1))
+    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, s_b)
+    s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
+    y_0 = q_0 * s
+    y_1 = q_1 * s
+    y_2 = q_2 * s
+    y_3 = q_3 * s
+    n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2 + y_3 * y_3)
+    r_b = where(s < 1, float64(3.6893488147419103e+19), float64(1))
+    r_d = where(1 < s, 5.551115123125783e-17, r_b)
+    r = where(1.8014398509481984e+16 < s, 3.0814879110195774e-33, r_d)
+    length = n * r
+    defect = length - 1
+    return defect
+
+
+@kernel("(4)->(4)")
+def quaternion_nearest_unit(q):
+    """qo = q / |q|, the unit quaternion nearest to q; NaN for zero, which has none.
+
+    (4)->(4).  q, qo: quaternion (x, y, z, w), the scalar last.
+    8 mul, 3 add, 4 div, 1 sqrt, 4 abs, 6 less, 1 equal, 11 select.  Each component is within 1
+    ulp as long as its condition is below 1e13; in single precision it is the nearest number,
+    except near ties, as long as that is below 1e5; searched, not proved.
+    """
+    q_0, q_1, q_2, q_3 = q
+    s_size_0 = absolute(q_0)
+    s_size_1 = absolute(q_1)
+    s_size_2 = absolute(q_2)
+    s_size_3 = absolute(q_3)
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
+    s_b = where(4.611686018427388e+18 < s_largest3, float64(2.710505431213761e-20), float64(1))
+    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, s_b)
+    s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
+    scaled_s_0 = q_0 * s
+    scaled_s_1 = q_1 * s
+    scaled_s_2 = q_2 * s
+    scaled_s_3 = q_3 * s
+    n_e = scaled_s_0 * scaled_s_0 + scaled_s_1 * scaled_s_1 + scaled_s_2 * scaled_s_2
+    n = sqrt(n_e + scaled_s_3 * scaled_s_3)
+    divisor_a = n == 0
+    divisor = where(divisor_a, 1, n)
+    unit_0 = scaled_s_0 / divisor
+    unit_1 = scaled_s_1 / divisor
+    unit_2 = scaled_s_2 / divisor
+    unit_3 = scaled_s_3 / divisor
+    qo_0 = where(divisor_a, nan, unit_0)
+    qo_1 = where(divisor_a, nan, unit_1)
+    qo_2 = where(divisor_a, nan, unit_2)
+    qo_3 = where(divisor_a, nan, unit_3)
     return (qo_0, qo_1, qo_2, qo_3)
 
 

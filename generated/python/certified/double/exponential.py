@@ -405,8 +405,8 @@ def SO3_log(R):
     |error of vo| <= vo_bound unless inf or NaN.
 
     (3,3)->(3),(3).  R: rotation or other 3×3 matrix; vo, vo_bound: vector.
-    216 mul, 442 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 65 abs, 4
-    copysign, 34 less, 6 equal, 99 select.
+    244 mul, 469 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 72 abs, 4
+    copysign, 41 less, 6 equal, 106 select.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -644,10 +644,83 @@ def SO3_log(R):
     vector_lo_3 = product_error(upper_2, k, vector_2) + (upper_lo_3 * k + upper_2 * k_lo)
     vector_size_12 = vector_size_10 + v_s_size_padded_3 * vector_reach_2
     vector_rest_4 = 3.5202936421278755e-29 * (1.8051943758648296e-276 + vector_size_12)
-    vector_bound_2 = absolute(vector_lo_1) + 3.5202936421278755e-29 * vector_padded_2
-    vector_bound_3 = absolute(vector_lo_2) + 3.5202936421278755e-29 * vector_padded_3
-    vector_bound_4 = absolute(vector_lo_3) + vector_rest_4
-    return (vector_0, vector_1, vector_2, vector_bound_2, vector_bound_3, vector_bound_4)
+    R_det_above_0 = R_11 * R_22
+    R_det_below_0 = R_12 * R_21
+    R_det_cofactor_0 = R_det_above_0 - R_det_below_0
+    R_det_above_1 = R_12 * R_20
+    R_det_below_1 = R_10 * R_22
+    R_det_cofactor_1 = R_det_above_1 - R_det_below_1
+    R_det_above_2 = R_10 * R_21
+    R_det_below_2 = R_11 * R_20
+    R_det_cofactor_2 = R_det_above_2 - R_det_below_2
+    R_det_product_0 = R_00 * R_det_cofactor_0
+    R_det_product_1 = R_01 * R_det_cofactor_1
+    R_det_product_2 = R_02 * R_det_cofactor_2
+    R_det_sum_0 = R_det_product_0 + R_det_product_1
+    R_det_sum_1 = R_det_sum_0 + R_det_product_2
+    R_det_off = R_det_sum_1 - 1
+    R_det_size = absolute(R_det_off)
+    R_column_00_product_0 = R_00 * R_00
+    R_column_00_product_1 = R_10 * R_10
+    R_column_00_product_2 = R_20 * R_20
+    R_column_00_sum_0 = R_column_00_product_0 + R_column_00_product_1
+    R_column_00_sum_1 = R_column_00_sum_0 + R_column_00_product_2
+    R_column_00_off = R_column_00_sum_1 - 1
+    R_column_00_size = absolute(R_column_00_off)
+    R_column_00_is_more = R_det_size < R_column_00_size
+    R_column_00_largest = where(R_column_00_is_more, R_column_00_size, R_det_size)
+    R_column_11_product_0 = R_01 * R_01
+    R_column_11_product_1 = R_11 * R_11
+    R_column_11_product_2 = R_21 * R_21
+    R_column_11_sum_0 = R_column_11_product_0 + R_column_11_product_1
+    R_column_11_sum_1 = R_column_11_sum_0 + R_column_11_product_2
+    R_column_11_off = R_column_11_sum_1 - 1
+    R_column_11_size = absolute(R_column_11_off)
+    R_column_11_is_more = R_column_00_largest < R_column_11_size
+    R_column_11_largest = where(R_column_11_is_more, R_column_11_size, R_column_00_largest)
+    R_column_22_product_0 = R_02 * R_02
+    R_column_22_product_1 = R_12 * R_12
+    R_column_22_product_2 = R_22 * R_22
+    R_column_22_sum_0 = R_column_22_product_0 + R_column_22_product_1
+    R_column_22_sum_1 = R_column_22_sum_0 + R_column_22_product_2
+    R_column_22_off = R_column_22_sum_1 - 1
+    R_column_22_size = absolute(R_column_22_off)
+    R_column_22_is_more = R_column_11_largest < R_column_22_size
+    R_column_22_largest = where(R_column_22_is_more, R_column_22_size, R_column_11_largest)
+    R_column_01_product_0 = R_00 * R_01
+    R_column_01_product_1 = R_10 * R_11
+    R_column_01_product_2 = R_20 * R_21
+    R_column_01_sum_0 = R_column_01_product_0 + R_column_01_product_1
+    R_column_01_sum_1 = R_column_01_sum_0 + R_column_01_product_2
+    R_column_01_off = R_column_01_sum_1 - 0
+    R_column_01_size = absolute(R_column_01_off)
+    R_column_01_is_more = R_column_22_largest < R_column_01_size
+    R_column_01_largest = where(R_column_01_is_more, R_column_01_size, R_column_22_largest)
+    R_column_02_product_0 = R_00 * R_02
+    R_column_02_product_1 = R_10 * R_12
+    R_column_02_product_2 = R_20 * R_22
+    R_column_02_sum_0 = R_column_02_product_0 + R_column_02_product_1
+    R_column_02_sum_1 = R_column_02_sum_0 + R_column_02_product_2
+    R_column_02_off = R_column_02_sum_1 - 0
+    R_column_02_size = absolute(R_column_02_off)
+    R_column_02_is_more = R_column_01_largest < R_column_02_size
+    R_column_02_largest = where(R_column_02_is_more, R_column_02_size, R_column_01_largest)
+    R_column_12_product_0 = R_01 * R_02
+    R_column_12_product_1 = R_11 * R_12
+    R_column_12_product_2 = R_21 * R_22
+    R_column_12_sum_0 = R_column_12_product_0 + R_column_12_product_1
+    R_column_12_sum_1 = R_column_12_sum_0 + R_column_12_product_2
+    R_column_12_off = R_column_12_sum_1 - 0
+    R_column_12_size = absolute(R_column_12_off)
+    R_column_12_is_more = R_column_02_largest < R_column_12_size
+    R_column_12_largest = where(R_column_12_is_more, R_column_12_size, R_column_02_largest)
+    R_is_rotation = R_column_12_largest < 0.001
+    R_unless_rotation = where(R_is_rotation, float64(0), float64(1.0715086071862673e+301))
+    R_excess = R_unless_rotation * 1.0715086071862673e+301
+    R_excess_0 = absolute(vector_lo_1) + 3.5202936421278755e-29 * vector_padded_2 + R_excess
+    R_excess_1 = absolute(vector_lo_2) + 3.5202936421278755e-29 * vector_padded_3 + R_excess
+    R_excess_2 = absolute(vector_lo_3) + vector_rest_4 + R_excess
+    return (vector_0, vector_1, vector_2, R_excess_0, R_excess_1, R_excess_2)
 
 
 @kernel("(3)->(3,3),(3,3)")
@@ -4512,8 +4585,8 @@ def SE3_log(D):
 
     (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;
     ω in rad/s).
-    580 mul, 996 add, 36 product error, 36 product rest, 47 div, 5 sqrt, 14 neg, 161 abs, 6
-    copysign, 66 less, 9 equal, 167 select.
+    608 mul, 1026 add, 36 product error, 36 product rest, 47 div, 5 sqrt, 14 neg, 168 abs, 6
+    copysign, 73 less, 9 equal, 174 select.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     p_0 = D_21 - D_12
@@ -5503,11 +5576,87 @@ def SE3_log(D):
     vector_error_2 = 1.0000000000000009 * absolute(fine_vector_lo_1 + (fine_vector_0 - vector_0))
     vector_error_4 = 1.0000000000000009 * absolute(fine_vector_lo_2 + (fine_vector_1 - vector_1))
     vector_error_6 = 1.0000000000000009 * absolute(fine_vector_lo_3 + (fine_vector_2 - vector_2))
+    D_det_above_0 = D_11 * D_22
+    D_det_below_0 = D_12 * D_21
+    D_det_cofactor_0 = D_det_above_0 - D_det_below_0
+    D_det_above_1 = D_12 * D_20
+    D_det_below_1 = D_10 * D_22
+    D_det_cofactor_1 = D_det_above_1 - D_det_below_1
+    D_det_above_2 = D_10 * D_21
+    D_det_below_2 = D_11 * D_20
+    D_det_cofactor_2 = D_det_above_2 - D_det_below_2
+    D_det_product_0 = D_00 * D_det_cofactor_0
+    D_det_product_1 = D_01 * D_det_cofactor_1
+    D_det_product_2 = D_02 * D_det_cofactor_2
+    D_det_sum_0 = D_det_product_0 + D_det_product_1
+    D_det_sum_1 = D_det_sum_0 + D_det_product_2
+    D_det_off = D_det_sum_1 - 1
+    D_det_size = absolute(D_det_off)
+    D_column_00_product_0 = D_00 * D_00
+    D_column_00_product_1 = D_10 * D_10
+    D_column_00_product_2 = D_20 * D_20
+    D_column_00_sum_0 = D_column_00_product_0 + D_column_00_product_1
+    D_column_00_sum_1 = D_column_00_sum_0 + D_column_00_product_2
+    D_column_00_off = D_column_00_sum_1 - 1
+    D_column_00_size = absolute(D_column_00_off)
+    D_column_00_is_more = D_det_size < D_column_00_size
+    D_column_00_largest = where(D_column_00_is_more, D_column_00_size, D_det_size)
+    D_column_11_product_0 = D_01 * D_01
+    D_column_11_product_1 = D_11 * D_11
+    D_column_11_product_2 = D_21 * D_21
+    D_column_11_sum_0 = D_column_11_product_0 + D_column_11_product_1
+    D_column_11_sum_1 = D_column_11_sum_0 + D_column_11_product_2
+    D_column_11_off = D_column_11_sum_1 - 1
+    D_column_11_size = absolute(D_column_11_off)
+    D_column_11_is_more = D_column_00_largest < D_column_11_size
+    D_column_11_largest = where(D_column_11_is_more, D_column_11_size, D_column_00_largest)
+    D_column_22_product_0 = D_02 * D_02
+    D_column_22_product_1 = D_12 * D_12
+    D_column_22_product_2 = D_22 * D_22
+    D_column_22_sum_0 = D_column_22_product_0 + D_column_22_product_1
+    D_column_22_sum_1 = D_column_22_sum_0 + D_column_22_product_2
+    D_column_22_off = D_column_22_sum_1 - 1
+    D_column_22_size = absolute(D_column_22_off)
+    D_column_22_is_more = D_column_11_largest < D_column_22_size
+    D_column_22_largest = where(D_column_22_is_more, D_column_22_size, D_column_11_largest)
+    D_column_01_product_0 = D_00 * D_01
+    D_column_01_product_1 = D_10 * D_11
+    D_column_01_product_2 = D_20 * D_21
+    D_column_01_sum_0 = D_column_01_product_0 + D_column_01_product_1
+    D_column_01_sum_1 = D_column_01_sum_0 + D_column_01_product_2
+    D_column_01_off = D_column_01_sum_1 - 0
+    D_column_01_size = absolute(D_column_01_off)
+    D_column_01_is_more = D_column_22_largest < D_column_01_size
+    D_column_01_largest = where(D_column_01_is_more, D_column_01_size, D_column_22_largest)
+    D_column_02_product_0 = D_00 * D_02
+    D_column_02_product_1 = D_10 * D_12
+    D_column_02_product_2 = D_20 * D_22
+    D_column_02_sum_0 = D_column_02_product_0 + D_column_02_product_1
+    D_column_02_sum_1 = D_column_02_sum_0 + D_column_02_product_2
+    D_column_02_off = D_column_02_sum_1 - 0
+    D_column_02_size = absolute(D_column_02_off)
+    D_column_02_is_more = D_column_01_largest < D_column_02_size
+    D_column_02_largest = where(D_column_02_is_more, D_column_02_size, D_column_01_largest)
+    D_column_12_product_0 = D_01 * D_02
+    D_column_12_product_1 = D_11 * D_12
+    D_column_12_product_2 = D_21 * D_22
+    D_column_12_sum_0 = D_column_12_product_0 + D_column_12_product_1
+    D_column_12_sum_1 = D_column_12_sum_0 + D_column_12_product_2
+    D_column_12_off = D_column_12_sum_1 - 0
+    D_column_12_size = absolute(D_column_12_off)
+    D_column_12_is_more = D_column_02_largest < D_column_12_size
+    D_column_12_largest = where(D_column_12_is_more, D_column_12_size, D_column_02_largest)
+    D_is_rotation = D_column_12_largest < 0.001
+    D_unless_rotation = where(D_is_rotation, float64(0), float64(1.0715086071862673e+301))
+    D_excess = D_unless_rotation * 1.0715086071862673e+301
     so_bound_1 = 1.0000000000000009 * absolute(fine_so_lo_1 + (fine_so_0 - so_0)) + so_rest_1
+    D_excess_0 = so_bound_1 + D_excess
     so_bound_2 = 1.0000000000000009 * absolute(fine_so_lo_2 + (fine_so_1 - so_1)) + so_rest_2
+    D_excess_1 = so_bound_2 + D_excess
     so_bound_3 = 1.0000000000000009 * absolute(fine_so_lo_3 + (fine_so_2 - so_2)) + so_rest_3
-    vector_bound_1 = fine_along_rest_1 + vector_error_2
-    vector_bound_2 = fine_along_rest_3 + vector_error_4
-    vector_bound_3 = fine_along_rest_4 + vector_error_6
-    return (so_0, so_1, so_2, vector_0, vector_1, vector_2, so_bound_1, so_bound_2, so_bound_3,
-        vector_bound_1, vector_bound_2, vector_bound_3)
+    D_excess_2 = so_bound_3 + D_excess
+    D_excess_3 = fine_along_rest_1 + vector_error_2 + D_excess
+    D_excess_4 = fine_along_rest_3 + vector_error_4 + D_excess
+    D_excess_5 = fine_along_rest_4 + vector_error_6 + D_excess
+    return (so_0, so_1, so_2, vector_0, vector_1, vector_2, D_excess_0, D_excess_1, D_excess_2,
+        D_excess_3, D_excess_4, D_excess_5)

@@ -254,8 +254,8 @@ def euler_xyz_from_mat3x3(R):
     [-π/2, π/2]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
 
     (3,3)->(3),(3).  R: rotation or other 3×3 matrix; angles, angles_bound: vector.
-    322 mul, 548 add, 45 product error, 6 product rest, 27 div, 2 sqrt, 4 neg, 59 abs, 12
-    copysign, 50 less, 13 equal, 96 select.
+    350 mul, 575 add, 45 product error, 6 product rest, 27 div, 2 sqrt, 4 neg, 66 abs, 12
+    copysign, 57 less, 13 equal, 103 select.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     n_a = R_00 * R_00
@@ -384,10 +384,83 @@ def euler_xyz_from_mat3x3(R):
     angles_padded_5 = 3.308722450212111e-24 + (absolute(angles_1) + angles_size_30 + angles_size_38)
     third_padded_2 = 3.308722450212111e-24 + (where(divisor_a, 0, polar_size_1) + third_size_6)
     third_error_2 = absolute(where(divisor_a, 0, polar_own_error_1))
-    angles_bound_3 = angles_rest_3 + angles_size_14
-    angles_bound_4 = 3.751704e-12 * angles_padded_5 + angles_size_35
-    third_bound_2 = third_error_2 + 1.8758445e-12 * third_padded_2
-    return (angles_0, angles_1, third, angles_bound_3, angles_bound_4, third_bound_2)
+    R_det_above_0 = R_11 * R_22
+    R_det_below_0 = R_12 * R_21
+    R_det_cofactor_0 = R_det_above_0 - R_det_below_0
+    R_det_above_1 = R_12 * R_20
+    R_det_below_1 = R_10 * R_22
+    R_det_cofactor_1 = R_det_above_1 - R_det_below_1
+    R_det_above_2 = R_10 * R_21
+    R_det_below_2 = R_11 * R_20
+    R_det_cofactor_2 = R_det_above_2 - R_det_below_2
+    R_det_product_0 = R_00 * R_det_cofactor_0
+    R_det_product_1 = R_01 * R_det_cofactor_1
+    R_det_product_2 = R_02 * R_det_cofactor_2
+    R_det_sum_0 = R_det_product_0 + R_det_product_1
+    R_det_sum_1 = R_det_sum_0 + R_det_product_2
+    R_det_off = R_det_sum_1 - 1
+    R_det_size = absolute(R_det_off)
+    R_column_00_product_0 = R_00 * R_00
+    R_column_00_product_1 = R_10 * R_10
+    R_column_00_product_2 = R_20 * R_20
+    R_column_00_sum_0 = R_column_00_product_0 + R_column_00_product_1
+    R_column_00_sum_1 = R_column_00_sum_0 + R_column_00_product_2
+    R_column_00_off = R_column_00_sum_1 - 1
+    R_column_00_size = absolute(R_column_00_off)
+    R_column_00_is_more = R_det_size < R_column_00_size
+    R_column_00_largest = where(R_column_00_is_more, R_column_00_size, R_det_size)
+    R_column_11_product_0 = R_01 * R_01
+    R_column_11_product_1 = R_11 * R_11
+    R_column_11_product_2 = R_21 * R_21
+    R_column_11_sum_0 = R_column_11_product_0 + R_column_11_product_1
+    R_column_11_sum_1 = R_column_11_sum_0 + R_column_11_product_2
+    R_column_11_off = R_column_11_sum_1 - 1
+    R_column_11_size = absolute(R_column_11_off)
+    R_column_11_is_more = R_column_00_largest < R_column_11_size
+    R_column_11_largest = where(R_column_11_is_more, R_column_11_size, R_column_00_largest)
+    R_column_22_product_0 = R_02 * R_02
+    R_column_22_product_1 = R_12 * R_12
+    R_column_22_product_2 = R_22 * R_22
+    R_column_22_sum_0 = R_column_22_product_0 + R_column_22_product_1
+    R_column_22_sum_1 = R_column_22_sum_0 + R_column_22_product_2
+    R_column_22_off = R_column_22_sum_1 - 1
+    R_column_22_size = absolute(R_column_22_off)
+    R_column_22_is_more = R_column_11_largest < R_column_22_size
+    R_column_22_largest = where(R_column_22_is_more, R_column_22_size, R_column_11_largest)
+    R_column_01_product_0 = R_00 * R_01
+    R_column_01_product_1 = R_10 * R_11
+    R_column_01_product_2 = R_20 * R_21
+    R_column_01_sum_0 = R_column_01_product_0 + R_column_01_product_1
+    R_column_01_sum_1 = R_column_01_sum_0 + R_column_01_product_2
+    R_column_01_off = R_column_01_sum_1 - 0
+    R_column_01_size = absolute(R_column_01_off)
+    R_column_01_is_more = R_column_22_largest < R_column_01_size
+    R_column_01_largest = where(R_column_01_is_more, R_column_01_size, R_column_22_largest)
+    R_column_02_product_0 = R_00 * R_02
+    R_column_02_product_1 = R_10 * R_12
+    R_column_02_product_2 = R_20 * R_22
+    R_column_02_sum_0 = R_column_02_product_0 + R_column_02_product_1
+    R_column_02_sum_1 = R_column_02_sum_0 + R_column_02_product_2
+    R_column_02_off = R_column_02_sum_1 - 0
+    R_column_02_size = absolute(R_column_02_off)
+    R_column_02_is_more = R_column_01_largest < R_column_02_size
+    R_column_02_largest = where(R_column_02_is_more, R_column_02_size, R_column_01_largest)
+    R_column_12_product_0 = R_01 * R_02
+    R_column_12_product_1 = R_11 * R_12
+    R_column_12_product_2 = R_21 * R_22
+    R_column_12_sum_0 = R_column_12_product_0 + R_column_12_product_1
+    R_column_12_sum_1 = R_column_12_sum_0 + R_column_12_product_2
+    R_column_12_off = R_column_12_sum_1 - 0
+    R_column_12_size = absolute(R_column_12_off)
+    R_column_12_is_more = R_column_02_largest < R_column_12_size
+    R_column_12_largest = where(R_column_12_is_more, R_column_12_size, R_column_02_largest)
+    R_is_rotation = R_column_12_largest < 0.001
+    R_unless_rotation = where(R_is_rotation, float32(0), float32(1.2676506002282294e+30))
+    R_excess = R_unless_rotation * 1.2676506002282294e+30
+    R_excess_0 = angles_rest_3 + angles_size_14 + R_excess
+    R_excess_1 = 3.751704e-12 * angles_padded_5 + angles_size_35 + R_excess
+    R_excess_2 = third_error_2 + 1.8758445e-12 * third_padded_2 + R_excess
+    return (angles_0, angles_1, third, R_excess_0, R_excess_1, R_excess_2)
 
 
 @kernel("(3)->(3,3),(3,3)")
@@ -471,8 +544,8 @@ def euler_xyx_from_mat3x3(R):
     [0, π]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
 
     (3,3)->(3),(3).  R: rotation or other 3×3 matrix; angles, angles_bound: vector.
-    322 mul, 548 add, 45 product error, 6 product rest, 27 div, 2 sqrt, 3 neg, 59 abs, 12
-    copysign, 52 less, 13 equal, 98 select.
+    350 mul, 575 add, 45 product error, 6 product rest, 27 div, 2 sqrt, 3 neg, 66 abs, 12
+    copysign, 59 less, 13 equal, 105 select.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     n_a = R_01 * R_01
@@ -603,10 +676,83 @@ def euler_xyx_from_mat3x3(R):
     angles_padded_5 = 3.308722450212111e-24 + (absolute(angles_1) + angles_size_30 + angles_size_42)
     third_padded_2 = 3.308722450212111e-24 + (where(divisor_a, 0, polar_size_1) + third_size_6)
     third_error_2 = absolute(where(divisor_a, 0, polar_own_error_1))
-    angles_bound_3 = angles_rest_3 + angles_size_14
-    angles_bound_4 = 3.751704e-12 * angles_padded_5 + angles_size_35
-    third_bound_2 = third_error_2 + 1.8758445e-12 * third_padded_2
-    return (angles_0, angles_1, third, angles_bound_3, angles_bound_4, third_bound_2)
+    R_det_above_0 = R_11 * R_22
+    R_det_below_0 = R_12 * R_21
+    R_det_cofactor_0 = R_det_above_0 - R_det_below_0
+    R_det_above_1 = R_12 * R_20
+    R_det_below_1 = R_10 * R_22
+    R_det_cofactor_1 = R_det_above_1 - R_det_below_1
+    R_det_above_2 = R_10 * R_21
+    R_det_below_2 = R_11 * R_20
+    R_det_cofactor_2 = R_det_above_2 - R_det_below_2
+    R_det_product_0 = R_00 * R_det_cofactor_0
+    R_det_product_1 = R_01 * R_det_cofactor_1
+    R_det_product_2 = R_02 * R_det_cofactor_2
+    R_det_sum_0 = R_det_product_0 + R_det_product_1
+    R_det_sum_1 = R_det_sum_0 + R_det_product_2
+    R_det_off = R_det_sum_1 - 1
+    R_det_size = absolute(R_det_off)
+    R_column_00_product_0 = R_00 * R_00
+    R_column_00_product_1 = R_10 * R_10
+    R_column_00_product_2 = R_20 * R_20
+    R_column_00_sum_0 = R_column_00_product_0 + R_column_00_product_1
+    R_column_00_sum_1 = R_column_00_sum_0 + R_column_00_product_2
+    R_column_00_off = R_column_00_sum_1 - 1
+    R_column_00_size = absolute(R_column_00_off)
+    R_column_00_is_more = R_det_size < R_column_00_size
+    R_column_00_largest = where(R_column_00_is_more, R_column_00_size, R_det_size)
+    R_column_11_product_0 = R_01 * R_01
+    R_column_11_product_1 = R_11 * R_11
+    R_column_11_product_2 = R_21 * R_21
+    R_column_11_sum_0 = R_column_11_product_0 + R_column_11_product_1
+    R_column_11_sum_1 = R_column_11_sum_0 + R_column_11_product_2
+    R_column_11_off = R_column_11_sum_1 - 1
+    R_column_11_size = absolute(R_column_11_off)
+    R_column_11_is_more = R_column_00_largest < R_column_11_size
+    R_column_11_largest = where(R_column_11_is_more, R_column_11_size, R_column_00_largest)
+    R_column_22_product_0 = R_02 * R_02
+    R_column_22_product_1 = R_12 * R_12
+    R_column_22_product_2 = R_22 * R_22
+    R_column_22_sum_0 = R_column_22_product_0 + R_column_22_product_1
+    R_column_22_sum_1 = R_column_22_sum_0 + R_column_22_product_2
+    R_column_22_off = R_column_22_sum_1 - 1
+    R_column_22_size = absolute(R_column_22_off)
+    R_column_22_is_more = R_column_11_largest < R_column_22_size
+    R_column_22_largest = where(R_column_22_is_more, R_column_22_size, R_column_11_largest)
+    R_column_01_product_0 = R_00 * R_01
+    R_column_01_product_1 = R_10 * R_11
+    R_column_01_product_2 = R_20 * R_21
+    R_column_01_sum_0 = R_column_01_product_0 + R_column_01_product_1
+    R_column_01_sum_1 = R_column_01_sum_0 + R_column_01_product_2
+    R_column_01_off = R_column_01_sum_1 - 0
+    R_column_01_size = absolute(R_column_01_off)
+    R_column_01_is_more = R_column_22_largest < R_column_01_size
+    R_column_01_largest = where(R_column_01_is_more, R_column_01_size, R_column_22_largest)
+    R_column_02_product_0 = R_00 * R_02
+    R_column_02_product_1 = R_10 * R_12
+    R_column_02_product_2 = R_20 * R_22
+    R_column_02_sum_0 = R_column_02_product_0 + R_column_02_product_1
+    R_column_02_sum_1 = R_column_02_sum_0 + R_column_02_product_2
+    R_column_02_off = R_column_02_sum_1 - 0
+    R_column_02_size = absolute(R_column_02_off)
+    R_column_02_is_more = R_column_01_largest < R_column_02_size
+    R_column_02_largest = where(R_column_02_is_more, R_column_02_size, R_column_01_largest)
+    R_column_12_product_0 = R_01 * R_02
+    R_column_12_product_1 = R_11 * R_12
+    R_column_12_product_2 = R_21 * R_22
+    R_column_12_sum_0 = R_column_12_product_0 + R_column_12_product_1
+    R_column_12_sum_1 = R_column_12_sum_0 + R_column_12_product_2
+    R_column_12_off = R_column_12_sum_1 - 0
+    R_column_12_size = absolute(R_column_12_off)
+    R_column_12_is_more = R_column_02_largest < R_column_12_size
+    R_column_12_largest = where(R_column_12_is_more, R_column_12_size, R_column_02_largest)
+    R_is_rotation = R_column_12_largest < 0.001
+    R_unless_rotation = where(R_is_rotation, float32(0), float32(1.2676506002282294e+30))
+    R_excess = R_unless_rotation * 1.2676506002282294e+30
+    R_excess_0 = angles_rest_3 + angles_size_14 + R_excess
+    R_excess_1 = 3.751704e-12 * angles_padded_5 + angles_size_35 + R_excess
+    R_excess_2 = third_error_2 + 1.8758445e-12 * third_padded_2 + R_excess
+    return (angles_0, angles_1, third, R_excess_0, R_excess_1, R_excess_2)
 
 
 @kernel("(3),()->(3,3),(3,3)")
@@ -747,8 +893,8 @@ def axis_angle_from_mat3x3(R):
 
     (3,3)->(),(3),(),(3).  R: rotation or other 3×3 matrix; angle, angle_bound: number; axis,
     axis_bound: vector.
-    171 mul, 383 add, 18 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 63 abs, 4
-    copysign, 34 less, 6 equal, 103 select.
+    199 mul, 411 add, 18 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 70 abs, 4
+    copysign, 41 less, 6 equal, 110 select.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -982,8 +1128,81 @@ def axis_angle_from_mat3x3(R):
     unit_error_2 = absolute((unit_exact_2 + v_y_lo_2 - unit_1 * divisor_lo) / divisor)
     unit_padded_3 = 3.308722450212111e-24 + (unit_size_19 + unit_size_23 / unit_size_2)
     unit_error_3 = absolute((unit_exact_3 + v_y_lo_3 - unit_2 * divisor_lo) / divisor)
-    angle_bound_1 = absolute(2 * half_lo) + angle_rest_1
-    axis_bound_2 = absolute(where(divisor_a, 0, unit_lo_1)) + 5.3671256e-12 * axis_padded_2
-    unit_bound_2 = unit_error_2 + 5.367124e-12 * unit_padded_2
-    unit_bound_3 = unit_error_3 + 5.367124e-12 * unit_padded_3
-    return (angle, axis_0, unit_1, unit_2, angle_bound_1, axis_bound_2, unit_bound_2, unit_bound_3)
+    R_det_above_0 = R_11 * R_22
+    R_det_below_0 = R_12 * R_21
+    R_det_cofactor_0 = R_det_above_0 - R_det_below_0
+    R_det_above_1 = R_12 * R_20
+    R_det_below_1 = R_10 * R_22
+    R_det_cofactor_1 = R_det_above_1 - R_det_below_1
+    R_det_above_2 = R_10 * R_21
+    R_det_below_2 = R_11 * R_20
+    R_det_cofactor_2 = R_det_above_2 - R_det_below_2
+    R_det_product_0 = R_00 * R_det_cofactor_0
+    R_det_product_1 = R_01 * R_det_cofactor_1
+    R_det_product_2 = R_02 * R_det_cofactor_2
+    R_det_sum_0 = R_det_product_0 + R_det_product_1
+    R_det_sum_1 = R_det_sum_0 + R_det_product_2
+    R_det_off = R_det_sum_1 - 1
+    R_det_size = absolute(R_det_off)
+    R_column_00_product_0 = R_00 * R_00
+    R_column_00_product_1 = R_10 * R_10
+    R_column_00_product_2 = R_20 * R_20
+    R_column_00_sum_0 = R_column_00_product_0 + R_column_00_product_1
+    R_column_00_sum_1 = R_column_00_sum_0 + R_column_00_product_2
+    R_column_00_off = R_column_00_sum_1 - 1
+    R_column_00_size = absolute(R_column_00_off)
+    R_column_00_is_more = R_det_size < R_column_00_size
+    R_column_00_largest = where(R_column_00_is_more, R_column_00_size, R_det_size)
+    R_column_11_product_0 = R_01 * R_01
+    R_column_11_product_1 = R_11 * R_11
+    R_column_11_product_2 = R_21 * R_21
+    R_column_11_sum_0 = R_column_11_product_0 + R_column_11_product_1
+    R_column_11_sum_1 = R_column_11_sum_0 + R_column_11_product_2
+    R_column_11_off = R_column_11_sum_1 - 1
+    R_column_11_size = absolute(R_column_11_off)
+    R_column_11_is_more = R_column_00_largest < R_column_11_size
+    R_column_11_largest = where(R_column_11_is_more, R_column_11_size, R_column_00_largest)
+    R_column_22_product_0 = R_02 * R_02
+    R_column_22_product_1 = R_12 * R_12
+    R_column_22_product_2 = R_22 * R_22
+    R_column_22_sum_0 = R_column_22_product_0 + R_column_22_product_1
+    R_column_22_sum_1 = R_column_22_sum_0 + R_column_22_product_2
+    R_column_22_off = R_column_22_sum_1 - 1
+    R_column_22_size = absolute(R_column_22_off)
+    R_column_22_is_more = R_column_11_largest < R_column_22_size
+    R_column_22_largest = where(R_column_22_is_more, R_column_22_size, R_column_11_largest)
+    R_column_01_product_0 = R_00 * R_01
+    R_column_01_product_1 = R_10 * R_11
+    R_column_01_product_2 = R_20 * R_21
+    R_column_01_sum_0 = R_column_01_product_0 + R_column_01_product_1
+    R_column_01_sum_1 = R_column_01_sum_0 + R_column_01_product_2
+    R_column_01_off = R_column_01_sum_1 - 0
+    R_column_01_size = absolute(R_column_01_off)
+    R_column_01_is_more = R_column_22_largest < R_column_01_size
+    R_column_01_largest = where(R_column_01_is_more, R_column_01_size, R_column_22_largest)
+    R_column_02_product_0 = R_00 * R_02
+    R_column_02_product_1 = R_10 * R_12
+    R_column_02_product_2 = R_20 * R_22
+    R_column_02_sum_0 = R_column_02_product_0 + R_column_02_product_1
+    R_column_02_sum_1 = R_column_02_sum_0 + R_column_02_product_2
+    R_column_02_off = R_column_02_sum_1 - 0
+    R_column_02_size = absolute(R_column_02_off)
+    R_column_02_is_more = R_column_01_largest < R_column_02_size
+    R_column_02_largest = where(R_column_02_is_more, R_column_02_size, R_column_01_largest)
+    R_column_12_product_0 = R_01 * R_02
+    R_column_12_product_1 = R_11 * R_12
+    R_column_12_product_2 = R_21 * R_22
+    R_column_12_sum_0 = R_column_12_product_0 + R_column_12_product_1
+    R_column_12_sum_1 = R_column_12_sum_0 + R_column_12_product_2
+    R_column_12_off = R_column_12_sum_1 - 0
+    R_column_12_size = absolute(R_column_12_off)
+    R_column_12_is_more = R_column_02_largest < R_column_12_size
+    R_column_12_largest = where(R_column_12_is_more, R_column_12_size, R_column_02_largest)
+    R_is_rotation = R_column_12_largest < 0.001
+    R_unless_rotation = where(R_is_rotation, float32(0), float32(1.2676506002282294e+30))
+    R_excess = R_unless_rotation * 1.2676506002282294e+30
+    R_excess_0 = absolute(2 * half_lo) + angle_rest_1 + R_excess
+    R_excess_1 = absolute(where(divisor_a, 0, unit_lo_1)) + 5.3671256e-12 * axis_padded_2 + R_excess
+    R_excess_2 = unit_error_2 + 5.367124e-12 * unit_padded_2 + R_excess
+    R_excess_3 = unit_error_3 + 5.367124e-12 * unit_padded_3 + R_excess
+    return (angle, axis_0, unit_1, unit_2, R_excess_0, R_excess_1, R_excess_2, R_excess_3)

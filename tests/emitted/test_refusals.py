@@ -1,0 +1,115 @@
+"""Python's functions refuse matrices that are no rotations and quaternions without a direction."""
+
+from importlib import import_module
+
+import numpy as np
+import pytest
+
+import coscrew
+from coscrew import _dispatch
+from coscrew_codegen.formats import DOUBLE, PRECISIONS
+from coscrew_codegen.library import FamilyKernels
+from coscrew_codegen.operations import FAMILIES, OPERATIONS, Operation
+from coscrew_codegen.report.inputs import benign
+from coscrew_codegen.requirements import Required, requirements
+from coscrew_codegen.tiers import TIERS
+
+OF_LETTERS = {name: letters for family in FAMILIES for name, letters in requirements(FamilyKernels(
+    family, tuple(op for op in OPERATIONS if op.family == family), PRECISIONS)).items()}
+REFUSING = tuple(op for op in OPERATIONS if op.name in OF_LETTERS)
+PACKAGES = tuple(import_module(tier.package) for tier in TIERS if tier.in_python)
+ALL_WAYS = pytest.mark.parametrize("place", (*PACKAGES, _dispatch), ids=lambda x: x.__name__)
+I3 = np.eye(3)
+NO_ROTATIONS = {
+    "a reflection": np.diag([-1.0, 1, 1]), "minus the identity": -I3, "zero": 0 * I3,
+    "scaled": 1.001 * I3, "scaled down": 0.999 * I3, "sheared": I3 + 0.002 * np.eye(3, k=1),
+    "infinite": np.diag([np.inf, 1, 1]), "huge": 1e200 * I3, "permuted": I3[[1, 0, 2]]}
+ROTATIONS = {
+    "three digits": np.array([[0.707, -0.707, 0], [0.707, 0.707, 0], [0, 0, 1]]),
+    "single precision": coscrew.SO3_exp([1, 2, 3]).astype(np.float32),
+    "integers": np.array([[0, -1, 0], [1, 0, 0], [0, 0, 1]]), "NaN": np.full((3, 3), np.nan)}
+
+
+def arguments(operation: Operation, lead: tuple[int, ...] = ()) -> list[np.ndarray]:
+    """Valid ones."""
+    rows = benign(operation, DOUBLE, max(1, int(np.prod(lead))), 3)
+    ends = np.cumsum([a.quantity.size for a in operation.inputs])[:-1]
+    return [part.reshape((*lead, *a.quantity.shape))
+            for part, a in zip(np.split(rows, ends, axis=1), operation.inputs, strict=True)]
+
+
+def spoiled(letter: str, shape: tuple[int, ...], R: np.ndarray) -> np.ndarray:
+    """An argument that the letter refuses: with this matrix, a length of 1.01, or zero."""
+    if letter == Required.ROTATION.value:
+        return np.hstack([R, np.zeros((3, shape[1] - 3))])
+    return np.full(shape, 0.505 if letter == Required.UNIT.value else 0)
+
+
+@pytest.mark.parametrize("operation", REFUSING, ids=lambda op: op.name)
+@ALL_WAYS
+def test_each_argument_is_refused_by_its_name(operation: Operation, place):
+    function = getattr(place, operation.name, None) if operation.name in dir(place) else None
+    if function is None:
+        pytest.skip("not in this tier")
+    for k, (a, letter) in enumerate(zip(operation.inputs, OF_LETTERS[operation.name],
+                                        strict=True)):
+        if letter == Required.NOTHING.value:
+            continue
+        given = arguments(operation)
+        function(*given)
+        given[k] = spoiled(letter, a.quantity.shape, np.diag([1.0, -1, 1]))
+        with pytest.raises(ValueError, match=f"^{operation.name}: .*\\b{a.name} is (no|zero)"):
+            function(*given)
+
+
+@pytest.mark.parametrize("R", NO_ROTATIONS.values(), ids=NO_ROTATIONS)
+@pytest.mark.parametrize("place", (coscrew, _dispatch), ids=("compiled", "dispatch"))
+def test_matrices_that_are_no_rotations(R: np.ndarray, place):
+    for given in (R, R.tolist(), [I3, R], np.asfortranarray(R), np.broadcast_to(R, (4, 5, 3, 3)),
+                  np.stack([R, I3, I3])[::-1], R.astype(np.float32) if R.max() < 1e30 else R,
+                  R.astype(R.dtype.newbyteorder())):
+        for name in ("SO3_log", "quaternion_from_mat3x3", "euler_xyz_from_mat3x3"):
+            with pytest.raises(ValueError, match=f"{name}: .*R is no rotation.*nearest_rotation"):
+                getattr(place, name)(given)
+    with pytest.raises(ValueError, match="SE3_log: R of D is no rotation"):
+        place.SE3_log(np.column_stack([R, [1, 2, 3]]))
+
+
+@pytest.mark.parametrize("R", ROTATIONS.values(), ids=ROTATIONS)
+@pytest.mark.parametrize("place", (coscrew, _dispatch), ids=("compiled", "dispatch"))
+def test_rotations_to_three_digits_are_accepted(R: np.ndarray, place):
+    with np.errstate(all="ignore"):
+        assert np.isnan(place.SO3_log(R)).all() == np.isnan(R).all()
+        place.SE3_log(np.column_stack([R, [1, 2, 3]]))
+
+
+def test_the_element_is_named_and_nothing_is_written():
+    R = np.stack([I3] * 6).reshape(2, 3, 3, 3)
+    R[1, 2] *= -1
+    out = np.full((2, 3, 3), 7.0)
+    with pytest.raises(ValueError, match=r"SO3_log: element \(1, 2\) of R is no rotation"):
+        coscrew.SO3_log(R, out=out)
+    assert (out == 7).all()
+    assert coscrew.SO3_log(R[:0]).shape == (0, 3, 3)
+
+
+@pytest.mark.parametrize("name", ("quaternion_log", "mat3x3_from_quaternion", "rotate_qv",
+                                  "axis_angle_from_quaternion", "quaternion_nearest_unit"))
+def test_quaternions_without_a_direction(name: str):
+    more = [[1, 2, 3]] if name == "rotate_qv" else []
+    for zero in (np.zeros(4), [[0, 0, 0, 1], [0, -0.0, 0, 0]], np.zeros((2, 4), np.float32)):
+        for place in (coscrew, _dispatch):
+            with pytest.raises(ValueError, match=f"{name}: .*q is (zero|no unit quaternion)"):
+                getattr(place, name)(zero, *more)
+
+
+def test_products_of_matrices_and_of_quaternions_take_any():
+    """They are algebra: velocities' matrices and rates of quaternions are none."""
+    assert np.array_equal(coscrew.product_drv(coscrew.skew([1, 2, 3]), [4, 5, 6]), [-3, 6, -3])
+    assert coscrew.mat3x3_determinant(2 * I3) == 8
+    assert not coscrew.quaternion_product_qq(np.zeros(4), [0, 0, 0, 1]).any()
+
+
+def test_twins_refuse_nothing():
+    for precision in PRECISIONS:
+        assert not np.isnan(getattr(coscrew, precision.name).SO3_log(np.diag([-1, 1, 1]))).any()
