@@ -92,8 +92,7 @@ class Alarm:
         if not alive.any():
             return found
         self._note(t, q, v, kinetic, potential)
-        if not last:
-            self._look(t - self.plan.begin, h, q, v, _LATER)
+        self._look(t - self.plan.begin, h, q, v, _LATER)
         for problem in (self._of_steps, self._of_rounding, self._of_energy, self._of_momentum):
             found = problem(last, alive) | found
         return found
@@ -193,9 +192,10 @@ class _Worst:
         self._since = np.where(bad, np.minimum(self._since, at), np.inf)
 
     def beyond(self, allowed: np.ndarray, last: bool) -> np.ndarray:
-        """Which are too large: at the end, or for a tenth of the run."""
+        """Which are too large: at the end, now or by what is allowed then; before, for a tenth of
+        the run."""
         if last:
-            return ~(self.worst <= allowed)
+            return ~(self.worst <= allowed) | np.isfinite(self._since)
         found: np.ndarray = self._now - self._since >= _PERSISTENT * self._run
         return found
 
