@@ -166,6 +166,37 @@ def test_fast_math_may_be_allowed(header, compiler, language, tmp_path):
          "-I", INCLUDE, source))
 
 
+PREDICATES = """\
+#include <coscrew.h>
+
+int main(void) {
+  const ksl_mat3x3_t R = ksl_mat3x3(0, -1, 0, 1, 0, 0, 0, 0, 1);
+  const ksl_mat3x3_t M = ksl_mat3x3(1, 0, 0, 0, 1, 0, 0, 0, -1);
+  const ksl_mat3x3f_t A = ksl_mat3x3f(2, 0, 0, 0, 3, 0, 0, 0, 4);
+  const ksl_quaternion_t q = ksl_quaternion(0, 0.6, 0, 0.8);
+  const ksl_quaternionf_t p = ksl_quaternionf(0, 3, 0, 4), none = ksl_quaternionf(0, 0, 0, 0);
+  ksl_mat3x3f_t nearest;
+  ksl_quaternionf_t unit;
+  ksl_mat3x3f_nearest_rotation(&A, &nearest);
+  ksl_quaternionf_nearest_unit(&p, &unit);
+  return !(ksl_mat3x3_is_rotation(&R) && !ksl_mat3x3_is_rotation(&M) && ksl_quaternion_is_unit(&q)
+      && ksl_mat3x3_rotation_defect(&M) == 2 && !ksl_mat3x3f_is_rotation(&A)
+      && ksl_mat3x3f_is_rotation(&nearest) && nearest.m00 == 1 && nearest.m11 == 1
+      && !ksl_quaternionf_is_unit(&p) && !ksl_quaternionf_is_unit(&none)
+      && ksl_quaternionf_unit_defect(&p) == 4 && ksl_quaternionf_unit_defect(&none) == -1
+      && ksl_quaternionf_is_unit(&unit));
+}
+"""
+
+
+@dialects
+def test_predicates_of_rotations(compiler, language, tmp_path):
+    source = _source(tmp_path, "user", PREDICATES)
+    run((compiler, *language, *STRICT, EXACT, "-I", INCLUDE.parent, source,
+         "-o", tmp_path / "user", "-lm"))
+    run([tmp_path / "user"])
+
+
 SHORT_DOUBLE = ("-Wno-builtin-macro-redefined", "-D__DBL_MANT_DIG__=24")  # as on AVR
 
 

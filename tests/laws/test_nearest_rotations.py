@@ -1,5 +1,5 @@
-"""The rotation nearest to a matrix, the unit quaternion nearest to a quaternion, and defects: how
-far a matrix and a quaternion are from being such.
+"""The rotation nearest to a matrix, the unit quaternion nearest to a quaternion, and their defects:
+how far a matrix and a quaternion are from being such.
 
 Truth are singular values in 50 digits; SciPy's polar factor agrees.
 """

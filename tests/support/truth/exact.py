@@ -236,6 +236,7 @@ FORMULAS: dict[str, Callable[..., Result]] = {
     "mat3x3_setFromAxisDC": lambda a, dc: (
         dc[1] * I3 + dc[0] * skew(a) + (1 - dc[1]) * np.outer(a, a)),
     "mat3x3_inverse": lambda R: (determinant(R), R.T),
+    "mat3x3_rotation_defect": lambda R: max(abs(determinant(R) - 1), *np.ravel(abs(R.T @ R - I3))),
     "vec4_copy": lambda v: v,
     "vec4_scale": lambda v, a: a * v,
     "vec4_scaled": lambda v, k: k * v,
@@ -258,7 +259,8 @@ IRRATIONAL = (
     "product_ainvv", "angle_vv", "vec4_l2norm", "vec4_normalize", "vec4_normalized",
     "mat3x3_normalize", "mat3x3_normalized", "mat3x3_jacobi", "mat3x3_from_euler_xyz",
     "mat3x3_from_euler_xyx", "euler_xyz_from_mat3x3", "euler_xyx_from_mat3x3", "quaternion_norm",
-    "quaternion_normalize", "quaternion_normalized",
+    "quaternion_normalize", "quaternion_normalized", "quaternion_unit_defect",
+    "quaternion_nearest_unit", "mat3x3_nearest_rotation",
     *(name for name in TRUTHS if name not in FORMULAS))
 
 
