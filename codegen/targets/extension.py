@@ -5,6 +5,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass
 from functools import cache
 
+from coscrew_codegen.formats import PRECISIONS
 from coscrew_codegen.library import Library
 from coscrew_codegen.quantity import QUANTITIES, TOLERANCE, Quantity
 from coscrew_codegen.render import render
@@ -78,7 +79,8 @@ def _loops(library: Library, tier: Tier) -> Files:
         sources["_lanes.h"] = _lanes(library, tier)
     dtypes = [f"PyArray_{precision.c_type.title()}DType" for precision in library.precisions]
     sources["promoter.c"] = render("gufunc/promoter.c", banner=library.banner, dtypes=dtypes,
-                                   package=tier.package, tolerance=float(TOLERANCE))
+                                   package=tier.package, tolerance=float(TOLERANCE),
+                                   reals=[precision.c_type for precision in PRECISIONS])
     for family in families:
         gufuncs = [gufunc.gufunc(op, library.precisions, docstrings[op.name], tier.mark,
                                  on_vectors.get(family), required[family].get(op.name, ""))

@@ -92,12 +92,12 @@ def _refusal(letter: str, x: np.ndarray, name: str) -> tuple[np.ndarray, str]:
         defect = _rotation_defect(x[..., :3])
         return defect > TOLERANCE, (
             f"{'R of ' if x.shape[-1] == 4 else ''}{name} is no rotation: |R^T R - I| or "
-            f"|det R - 1| is {np.nanmax(defect):.3g}; wanted at most {TOLERANCE:g}; "
+            f"|det R - 1| is {np.fmax.reduce(np.ravel(defect)):.3g}; wanted at most {TOLERANCE:g}; "
             "mat3x3_nearest_rotation makes a rotation of it")
     if letter == "U":
         defect = _unit_defect(x)
         return defect > TOLERANCE, (
-            f"{name} is no unit quaternion: | |q| - 1 | is {np.nanmax(defect):.3g}; wanted at most "
+            f"{name} is no unit quaternion: | |q| - 1 | is {np.fmax.reduce(np.ravel(defect)):.3g}; wanted at most "
             f"{TOLERANCE:g}; quaternion_nearest_unit divides it by its length")
     if letter == "N":
         return ~x.any(axis=-1), f"{name} is zero and has no direction; wanted any other quaternion"

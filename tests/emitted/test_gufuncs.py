@@ -30,7 +30,8 @@ def inputs(operation: Operation, lead: tuple[int, ...], dtype=np.float64) -> lis
 
 
 def gufunc(operation: Operation) -> np.ufunc:
-    return getattr(coscrew, operation.name)
+    """The compiled function, of any matrices."""
+    return coscrew.unchecked(getattr(coscrew, operation.name))
 
 
 def function(namespace: str, name: str):

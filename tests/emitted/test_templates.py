@@ -38,6 +38,7 @@ EXEMPT = {
         "c/tiles_of_32_bytes", "c/tiles_of_64_bytes", "scene/driven", "c/halves", "c/ksl_states.h",
         "c/many_of_states", "cuda/threads",
         "cuda/kernel", "cuda/two_over_pi")},
+    "gufunc/checks.jinja": "defects of arguments, compared with a tolerance: they need no bits",
     "cuda/elementary.jinja": PRIMITIVES,
     "cuda/headers.jinja": "the type of a difference of pointers",
     "native/driver.c.jinja": MEASURES, "report/drift.c.jinja": MEASURES}

@@ -51,6 +51,12 @@ static void explain(const PyUFuncObject *ufunc, PyObject *const *given, size_t i
   PyErr_Fetch(&type, &value, &trace);
   PyObject *module = PyImport_ImportModule("coscrew.accurate._dispatch");
   PyObject *twin = module == NULL ? NULL : PyObject_GetAttrString(module, ufunc->name);
+  const int takes_all = ((const coscrew_gufunc *)ufunc->data[0])->required[0] == 0;
+  if (twin != NULL && takes_all) {
+    PyObject *unchecked = PyObject_GetAttrString(twin, "unchecked");
+    Py_DECREF(twin);
+    twin = unchecked;
+  }
   PyObject *check = twin == NULL ? NULL : PyObject_GetAttrString(twin, "check");
   PyObject *passed = check == NULL ? NULL : PyObject_Vectorcall(check, given, inputs, NULL);
   if (passed != NULL) {
