@@ -32,6 +32,7 @@ FROZEN = 0.05
 """Largest part of a coordinate's way that rounding may take."""
 _FIRST, _LATER = 32, 8  # steps that are taken twice: at the start, and later
 _LOOKS = 100  # windows in a run
+_SIZES = 300  # times in a run that the ways of parts are measured, between windows, too
 _APART = 400  # least number of steps between two windows
 _PERSISTENT = 0.1  # of the run, after which what is wrong stops it
 _SETTLED = 1000  # steps before the energy of methods of order 1 is meaningful
@@ -53,6 +54,7 @@ class Alarm:
     # run right, and says so
     _steps: int = field(init=False, default=0)
     _next: int = field(init=False, default=0)
+    _measured: float = field(init=False, default=0.0)
 
     def __post_init__(self) -> None:
         self._integrator = named(self.plan.integrator)
@@ -80,6 +82,9 @@ class Alarm:
         steps, the last one of length h."""
         self._steps += steps
         last = t >= self.plan.until
+        if self._steps >= self._measured:
+            self._measured = self._steps + self._count / _SIZES
+            self.extent.add(t - self.plan.begin, self._parts.places(q))
         if self._steps < self._next and not last:
             return {}
         self._next = self._steps + self._every

@@ -2,8 +2,9 @@
 
 The parts are a joint's angle or length; a rotation; of a base that floats, its position relative to
 the centre of mass of the tree that it carries, and that centre of mass.  The size of a part is the
-largest distance from its start; of a centre of mass, from the straight line on which it starts.  So
-neither the speed or place or direction of a whole scene matters, nor a heavy neighbour.
+largest distance from its start; of a centre of mass, from the straight line on which it starts, or
+a hundredth of the way along it.  So neither the speed or place or direction of a whole scene
+matters, nor a heavy neighbour.
 """
 
 from collections.abc import Sequence
@@ -24,6 +25,9 @@ for most uses, to 5 %, which is not."""
 REST = 1e-3
 """Sizes count as no smaller than this, in rad, and than this in m, or REST/100 of a scene's largest
 length if that is less: a robot that rests trembles by what nobody sees."""
+
+TRAVEL = 0.01
+"""Of the way along the straight line, which rounding disturbs, counts so much."""
 
 _CENTRE = "centre of mass of "
 
@@ -197,11 +201,13 @@ class Extent:
     def away(self, after: float | np.ndarray, places: Places) -> np.ndarray:
         """The distances from the starts, or lines of start, after so many seconds."""
         times = np.asarray(after, float)[..., None]
-        several = (slice(None),) if times.ndim > 1 else ()
-        origin = tuple((x[..., None, :] if several else x) + times * (
-            u[..., None, :] if several and u.ndim > 1 else u)
-            for x, u in zip(self.start, self.line, strict=True))
-        return self.parts.distances(places, origin)
+        several = times.ndim > 1
+        several_line = [u[..., None, :] if several and u.ndim > 1 else u for u in self.line]
+        origin = tuple((x[..., None, :] if several else x) + times * u
+                       for x, u in zip(self.start, several_line, strict=True))
+        way = np.stack(np.broadcast_arrays(*(
+            np.linalg.norm(times * u, axis=-1) for u in several_line)), -1) if self.line else 0.0
+        return np.maximum(self.parts.distances(places, origin), TRAVEL * way)
 
     @property
     def sizes(self) -> np.ndarray:
