@@ -42,5 +42,6 @@ def test_every_integrator_is_judged_on_every_example(example, integrator, capsys
 def test_a_bounce_is_right_by_integrators_that_resolve_it(tmp_path, capsys, integrator):
     path = tmp_path / "fall.toml"
     path.write_text(FALL)
-    assert main(["check", str(path), "--integrator", integrator, "--strict"]) == 0, \
+    words = ["check", str(path), "--integrator", integrator, "--strict", "--precision", "double"]
+    assert main(words) == 0, \
         capsys.readouterr().out
