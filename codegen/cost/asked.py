@@ -44,7 +44,7 @@ class Asked:
         """The names of the functions.  Raises FunctionsError for an unknown one, CostError for a
         step."""
         words = self.functions or scene.functions
-        steps = {x.step_name for x in EMITTED}
+        steps = {name for x in EMITTED for name in (x.step_name, x.step_with_tau)}
         if wrong := [name for name in self.functions if name in steps]:
             raise CostError(f"{wrong[0]}: the error of a step is not that of rounding; without "
                             "--function, cost measures whole runs")

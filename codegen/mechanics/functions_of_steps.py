@@ -30,7 +30,8 @@ class StepFunctions(Derivation):
             return [coordinates.integrated(x.recorder, self.tree, self.names, q, phi)]
 
         return self._function(
-            "integrated", "qo = q ⊕ phi: by exponentials for quaternions, else q + phi",
+            "integrated", "qo = q ⊕ phi: by exponentials for quaternions, which come out of "
+            "length 1, else q + phi",
             "q phi", [array("qo", (self.tree.nq,), "coordinates")], compute,
             dynamic=False)
 

@@ -139,10 +139,10 @@ def advised(system: System, planned: Plan, true: Reference, start: State | None 
         step = largest_step(system, planned, true, start)
     other = planned.integrator != DEFAULT and _right(
         system, replace(planned, integrator=DEFAULT), true, start)
-    said = [f"take a step of {step:g} s"] if step else []
+    said = [f"a step of {step:g} s"] if step else []
     said += [f"integrator {DEFAULT}"] if other else []
     if said:
-        return ", or ".join(said)
+        return f"take {', or '.join(said)}"
     if system.precision is not DOUBLE:
         exact = in_double(system)
         if _right(exact, planned, true, start):

@@ -200,7 +200,8 @@ class _Worst:
         """Which are too large: at the end, now or by what is allowed then; before, for a tenth of
         the run."""
         if last:
-            return ~(self.worst <= allowed) | np.isfinite(self._since)
+            wrong: np.ndarray = ~(self.worst <= allowed) | np.isfinite(self._since)
+            return wrong
         found: np.ndarray = self._now - self._since >= _PERSISTENT * self._run
         return found
 

@@ -207,7 +207,8 @@ class Extent:
                        for x, u in zip(self.start, several_line, strict=True))
         way = np.stack(np.broadcast_arrays(*(
             np.linalg.norm(times * u, axis=-1) for u in several_line)), -1) if self.line else 0.0
-        return np.maximum(self.parts.distances(places, origin), TRAVEL * way)
+        found: np.ndarray = np.maximum(self.parts.distances(places, origin), TRAVEL * way)
+        return found
 
     @property
     def sizes(self) -> np.ndarray:

@@ -109,8 +109,7 @@ def _function(scene: SceneFunctions, function: Signature, precision: Precision
         "refused": " || ".join(refused if "p" in inputs else ()),
         "p": inputs.index("p") if "p" in inputs else -1,
         "inputs": len(inputs),
-        "sizes": ", ".join(str(scene_text.count(shape)) if shape else "-1"
-                           for _, shape in function.inputs) or "0",
+        "sizes": ", ".join(str(_size(shape)) for _, shape in function.inputs) or "0",
         "results": [_result(x, shape, inputs if function.moved else []) for x, shape in
                     function.outputs],
         "lanes_parameters": ", ".join(("ptrdiff_t", *lanes)),
@@ -130,6 +129,11 @@ def _of_states(function: Signature) -> Iterator[tuple[str, str]]:
     for name, _, written in function.arguments:
         yield (f"y[{outputs.index(name)}]", f"places[{outputs.index(name)}]") if written else (
             f"x[{inputs.index(name)}]", f"steps[{inputs.index(name)}]")
+
+
+def _size(shape: tuple[int, ...]) -> int:
+    """The numbers of an input with one axis; -1 without axes, -2 with several."""
+    return scene_text.count(shape) if len(shape) == 1 else -1 - min(1, len(shape))
 
 
 def _result(name: str, shape: tuple[int, ...], moved: list[str]) -> dict[str, str]:

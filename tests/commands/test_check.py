@@ -300,7 +300,7 @@ def test_a_wing_nut_that_turns_wrongly_is_false(tmp_path, capsys, precision, str
         assert outcome(path, capsys, "check", NUT, "--precision", "double")[0] == 0
     status, said = outcome(path, capsys, "check", NUT, *which, *old, *strict)
     assert status == 1 and "rounding" not in said
-    assert "joint base is off by" in said and "the step is too large" in said
+    assert "base is off by" in said and "the step is too large" in said
     assert "integrator leapfrog" in said and "error of the momentum of floating bases" in said
 
 

@@ -142,9 +142,22 @@ def test_steps_from_c_alone_keep_momentum_except_for_roundings():
     q, v = system(kernels("tree"), "double").start()
     c = its.free_momentum(q, v)
     q, v = its.step_leapfrog.repeated(100_000, 0.0, 1e-3, np.zeros(0), q, v)
-    assert np.max(np.abs(its.free_momentum(q, v) - c)) < 1e5 * 2 * U["double"] * np.max(np.abs(c))
-    v = its.with_free_momentum(100.0, q, v, c)
-    assert np.max(np.abs(its.free_momentum(q, v) - c)) < 20 * U["double"] * np.max(np.abs(c))
+    then = c + np.concatenate((np.zeros(6), c[0, :3] * 100.0 / 2.8))  # of 2.8 kg, after 100 s
+    size = U["double"] * np.max(np.abs(then))
+    assert np.max(np.abs(its.free_momentum(q, v) - then)) < 1e5 * 2 * size
+    q, v = its.with_free_momentum(100.0, q, v, c)
+    assert np.max(np.abs(its.free_momentum(q, v) - then)) < 20 * size
+
+
+def test_a_state_is_no_batch_of_one_after_many_states():
+    """Nor where an input has several axes of its own, as c has."""
+    its = kernels("tree").double
+    q, v = system(kernels("tree"), "double").start()
+    c = its.free_momentum(q, v)
+    for n in (1, 100_000):  # the latter in lanes, which are compiled then
+        many = its.with_free_momentum(np.zeros(n), q, np.tile(v, (n, 1)), c)
+        assert [x.shape for x in many] == [(n, len(q)), (n, len(v))]
+        assert [x.shape for x in its.with_free_momentum(0.0, q, v, c)] == [q.shape, v.shape]
 
 
 def test_a_tumbling_nut_turns_as_jacobis_functions_say():
