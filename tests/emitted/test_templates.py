@@ -30,7 +30,8 @@ EXEMPT = {
     "c/ksl_types.h.jinja": "a version's number as an integer",
     "c/ksl_exact.h.jinja": PRIMITIVES,
     **{f"{x}.jinja": PLACES for x in (
-        "gufunc/module.c", "gufunc/promoter.c", "gufunc/refusals", "gufunc/ufuncs", "gufunc/loop", "gufunc/lanes",
+        "gufunc/module.c", "gufunc/promoter.c", "gufunc/refusals", "gufunc/ufuncs",
+        "gufunc/loop", "gufunc/lanes",
         "gufunc/_lanes.h", "python/_arrays.py",
         "python/_kernel.py", "scene/arrays", "scene/arrays.py", "scene/out", "scene/objects",
         "scene/arguments", "scene/states", "scene/threads", "scene/share", "scene/called",

@@ -139,7 +139,7 @@ def test_c_gufunc_and_numpy_agree_in_bits(tier: ModuleType, operation: Operation
     want = twin(tier)(operation, precision, inputs)
     assert tier.COMPILED
     with np.errstate(all="ignore"):
-        got = getattr(tier, operation.name)(*inputs)
+        got = coscrew.unchecked(getattr(tier, operation.name))(*inputs)
     assert same_bits(got if isinstance(got, tuple) else (got,), want), "gufunc"
     for compiler, flags in BUILDS:
         if compiler in COMPILERS:
