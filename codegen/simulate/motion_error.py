@@ -14,7 +14,6 @@ from functools import cached_property
 
 import numpy as np
 
-import coscrew
 from coscrew_codegen.scene.model import Model, value
 from coscrew_codegen.scene_functions import Coordinate
 from coscrew_codegen.simulate.system import System
@@ -140,8 +139,8 @@ class Parts:
         with np.errstate(all="ignore"):
             com = np.stack((M[..., 1, i + 5], M[..., 2, i + 3], M[..., 0, i + 4]), -1) / M[
                 ..., 0, i, None]
-            return own[..., :3] + np.where(np.isfinite(com), coscrew.double.rotate_qv(
-                own[..., 3:], com), 0.0)
+            return own[..., :3] + np.where(
+                np.isfinite(com), rotated(own[..., 3:], com), 0.0)
 
     def _velocity(self, c: Coordinate, q: np.ndarray, v: np.ndarray) -> np.ndarray:
         """The velocity of that centre of mass.  (…, 3)."""
@@ -151,8 +150,15 @@ class Parts:
             with np.errstate(all="ignore"):
                 momentum = np.einsum("...ij,...j->...i", M[..., :3, :], v.astype(float))
                 velocity = momentum / M[..., 0, c.v.start, None]
-        found: np.ndarray = coscrew.double.rotate_qv(own[..., 3:], velocity)
-        return found
+        return rotated(own[..., 3:], velocity)
+
+
+def rotated(q: np.ndarray, v: np.ndarray) -> np.ndarray:
+    """R(q) v.  (…, 4), (…, 3)->(…, 3)."""
+    import coscrew  # takes as long to import as short runs, and only what floats needs it
+
+    found: np.ndarray = coscrew.double.rotate_qv(q, v)
+    return found
 
 
 def _angle(x: np.ndarray, y: np.ndarray) -> np.ndarray:

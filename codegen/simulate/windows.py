@@ -5,11 +5,10 @@ from functools import cached_property
 
 import numpy as np
 
-import coscrew
 from coscrew_codegen.formats import DOUBLE
 from coscrew_codegen.integrator import Integrator
 from coscrew_codegen.integrators import DEFAULT, named
-from coscrew_codegen.simulate.motion_error import Parts, Places
+from coscrew_codegen.simulate.motion_error import Parts, Places, rotated
 from coscrew_codegen.simulate.system import State, System
 
 _GRID = (1, 2, 3, 4, 6, 8, 12, 16, 24, 32)  # steps after which motions are compared
@@ -168,7 +167,7 @@ class Way:
             own = v[..., c.v].astype(float)
             if c.kind == "free":
                 turn = q[..., c.q][..., 3:].astype(float)
-                found.append(coscrew.double.rotate_qv(turn, own[..., :3]))
+                found.append(rotated(turn, own[..., :3]))
             elif c.kind != "spherical":
                 found.append(own)
         return np.concatenate(found, -1)
