@@ -1,8 +1,9 @@
 """In all emitted C there is no product that compilers could fuse into a sum.
 
 In the library every product that may be inexact is inside KSL_MUL, and between commas and
-semicolons there is one operation, since clang fuses within expressions by default. In scenes, where
-a pragma forbids that, no product outside RN reaches a sum or a result.
+semicolons there is one operation, or one in each case of a choice, since clang fuses within
+expressions by default. In scenes, where a pragma forbids that, no product outside RN reaches a sum
+or a result.
 """
 
 import re
@@ -30,6 +31,7 @@ _BRACKETS = re.compile(r"\[[^\[\]]*\]")
 _SINGLE = r"(?:\(double\)\S+|([\d.]+))"
 _EXACT = re.compile(rf"= {_SINGLE} \* {_SINGLE}")
 _HALVES = re.compile(r"(?:low|high|cross[12]) = a_(?:high|low) \* b_(?:high|low)$|zero = a \* b$")
+_CHOICE = re.compile(r"\w+ = ([^()?:]*) \? ([^()?:]*) : ([^()?:]*)$")
 _INTEGERS = re.compile(r"\b(?:stride|[ab]_stride|axes\.[xyz]|sizeof)\b")
 
 
@@ -39,11 +41,16 @@ def wrong(text: str) -> Iterator[str]:
         expression = " ".join(piece.split())
         while _BRACKETS.search(expression):
             expression = _BRACKETS.sub("", expression)
-        found = _OPERATION.findall(expression) + _COMPOUND.findall(expression)
-        if not found or _INTEGERS.search(expression):
-            continue
-        if len(found) > 1 or "*" in found and not _exact(expression):
+        choice = _CHOICE.search(expression)
+        if any(map(_rounds_twice, choice.groups() if choice else [expression])):
             yield expression
+
+
+def _rounds_twice(expression: str) -> bool:
+    found = _OPERATION.findall(expression) + _COMPOUND.findall(expression)
+    if not found or _INTEGERS.search(expression):
+        return False
+    return len(found) > 1 or "*" in found and not _exact(expression)
 
 
 def _exact(expression: str) -> bool:
@@ -156,7 +163,9 @@ def test_what_cannot_be_fused_is_right(body: str):
 @pytest.mark.parametrize("text", [
     "  w[i] = half * kv1[i];", "x = a + b - c;", "v[i] += h * a[i];", "f(x, a + b * c);",
     "const double k = *t, twice = 2 * k;", "a *= b;", "const double x = a[i + 1] * b,\n    y = c;",
-    "angles->x = x + whole * ceil(y);", "x = 0.1 * (double)a;", "x = (double)a * b;"])
+    "angles->x = x + whole * ceil(y);", "x = 0.1 * (double)a;", "x = (double)a * b;",
+    "x = a < b ? a + b : a - b + c;", "x = (a < b ? a + b : a - b) + c;", "x = a < b ? a * b : c;",
+    "x = c + a < b ? a + b - c : b;"])
 def test_what_rounds_twice_would_be_noticed(text: str):
     assert list(wrong(text))
 
@@ -166,6 +175,7 @@ def test_what_rounds_twice_would_be_noticed(text: str):
     "x = 0.5 * (double)a->m01;",
     "#define KSL_MUL(a, b) \\\n  ((a) * (b))\nint x;", "const double *t = a + 1;",
     "x = a[i * 3 + j];",
-    "swap(a + i * a_stride, b);", "y = a < b ? -c : c;"])
+    "swap(a + i * a_stride, b);", "y = a < b ? -c : c;",
+    "y[i] = a < b ? a + c : b - c;"])
 def test_what_rounds_once_is_right(text: str):
     assert not list(wrong(text))

@@ -134,7 +134,7 @@ def test_joined_bodies_are_within_the_bound(tier, precision):
     for J in (given[0], given[2]):
         J[:, 0] = np.abs(J[:, 0])
     exactly = list(zip(*map(rational, given), strict=True))
-    found = TIERS[tier].inertia_merge(*given)
+    found = coscrew.unchecked(TIERS[tier].inertia_merge)(*given)
     assert found.dtype == precision.numpy_type
     k = worst(precision, tier, found, [bodies.merged(*x) for x in exactly],
               [sizes_of_merged(*x) for x in exactly])

@@ -20,7 +20,7 @@ def value(parameter: ParameterOf, number: int = 2) -> str:
     """A value that a file may give for the parameter."""
     if parameter.kind == "choice":
         return f'"{parameter.choices[-1]}"'
-    return WRITTEN.get(parameter.kind, str(number))
+    return "true" if parameter.kind == "flag" else WRITTEN.get(parameter.kind, str(number))
 
 
 def given(effect: Effect, of: ParameterOf) -> dict[str, str]:
@@ -38,7 +38,7 @@ def lines(values: dict[str, str]) -> str:
 
 @pytest.fixture
 def read(tmp_path):
-    """A scene of two links whose joints and bodies have these names, with effects."""
+    """The values of these effects on two links, whose joints and bodies have these names."""
 
     def read(place: Place, first: str, effects: str, second: str = "other"):
         joints, bodies = (first, second), (f"of_{first}", f"of_{second}")
@@ -49,8 +49,8 @@ def read(tmp_path):
                        f'type = "revolute"\nparent = "{parent}"\nchild = "{body}"\n'
                        "axis = [0, 0, 1]\nlimits = { lower = -1, upper = 1 }\n"
                        for joint, body, parent in zip(joints, bodies, parents, strict=True))
-        (tmp_path / "arm.toml").write_text(text + effects)
-        return {x.on: dict(x.values) for x in read_scene(tmp_path / "arm.toml").effects}
+        (tmp_path / "arm.toml").write_text(f"{text}[effects.gravity]\n{effects}")
+        return {x.on: dict(x.values) for x in read_scene(tmp_path / "arm.toml").effects if x.on}
 
     return read
 
@@ -90,7 +90,7 @@ def test_a_table_under_a_parameters_name_alone_is_by_places(read, effect, parame
         return  # the rest depends on it; and lists are given in the tables of their places
     text = (f"[effects.{effect.name}]\n{lines(values)}"
             f"{parameter.name} = {{ plain = 2, other = 3 }}\n")
-    if parameter.kind == "choice":
+    if parameter.kind in ("choice", "flag"):
         word = value(parameter)
         text = text.replace("= 2,", f"= {word},").replace("= 3", f"= {word}")
     found = read(effect.place, "plain", text)
