@@ -57,12 +57,13 @@ def compiled(library: Library, variants: Sequence[Variant], seed: int,
 
 
 def python_function(variant: Variant) -> Callable[..., object] | None:
-    """The package's function for the variant, if it has one."""
+    """The package's function for the variant, if it has one, that takes all matrices."""
     package = tier_named(variant.tier).package
     try:
-        return getattr(importlib.import_module(package), variant.operation.name, None)
+        found = getattr(importlib.import_module(package), variant.operation.name, None)
     except ModuleNotFoundError:
         return None
+    return found and importlib.import_module("coscrew").unchecked(found)
 
 
 def in_python(variants: Sequence[Variant], count: int, seed: int,

@@ -18,7 +18,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from coscrew_codegen.integrators import DEFAULT, named
+from coscrew_codegen.integrators import named
 from coscrew_codegen.simulate import windows
 from coscrew_codegen.simulate.balance import rounding
 from coscrew_codegen.simulate.motion_error import ALLOWED, Extent, Parts
@@ -177,8 +177,7 @@ class Alarm:
         number."""
         if self.remedy and not self.driven and not self.extent.size.ndim > 1:
             return self.remedy(self.system, self.plan, self.start)
-        other = "" if self._integrator.name == DEFAULT else f", or integrator {DEFAULT}"
-        return f"take a smaller step{other}"
+        return "take a smaller step"
 
 
 class _Worst:

@@ -228,8 +228,7 @@ def _lost(system: System, plan: Plan, lost: np.ndarray, interval: tuple[float, f
 
 def _cause(system: System, plan: Plan, h: float, q: np.ndarray, v: np.ndarray) -> str:
     """Cause, if known, and remedy of a failing step that starts at q, v."""
-    if plan.integrator != DEFAULT:
-        return f"; take a smaller step, or integrator {DEFAULT}"
-    if system.has("parts") and np.isnan(system.outputs("parts", h=h, q=q, v=v)[1]):
+    splits = plan.integrator == DEFAULT and system.has("parts")
+    if splits and np.isnan(system.outputs("parts", h=h, q=q, v=v)[1]):
         return "; a limit closes that is too stiff for parts of this step; take a smaller step"
     return "; take a smaller step"

@@ -35,18 +35,19 @@ def folder(tmp_path_factory) -> Path:
 
 
 def test_members_fail_where_runs_do_and_the_others_go_on(folder):
-    """At the same time and joint, of the same cause: not finite, too large, the step too long."""
+    """At the same time and joint, of the same cause: not finite, the step too long.  Only runs of
+    their own try what helps."""
     found = table(prepared(folder, UNSTABLE, ("block.mass=1e-6:1e6:7:log",))).to_pylist()
     for row in found:
         alone = run(folder / "scene.toml", p={"block.mass": row["block.mass"]})
-        told = [(x.t, x.joint, x.cause) for x in alone.failed]
-        assert told == [(row["failed.t"], row["failed.joint"], row["failed"])] * len(told)
+        told = [(x.t, x.joint, x.cause.rpartition("; ")[0]) for x in alone.failed]
+        assert told == [(row["failed.t"], row["failed.joint"],
+                         (row["failed"] or "").rpartition("; ")[0])] * len(told)
         assert bool(told) == (row["failed"] is not None) == (row["q.slide.final"] is None)
         if not told:
             assert row["energy.total.final"] == alone.recorded["energy.total"][-1]
-    assert [x["failed"] and x["failed"].partition(" at t")[0] for x in found] == [
-        "not finite", "not finite", "energy is not finite", "energy is not finite",
-        "the step is too large", None, None]
+    kinds = [x["failed"] and x["failed"].partition(" at t")[0] for x in found]
+    assert kinds == ["not finite"] * 5 + ["the step is too large", None]
 
 
 @pytest.mark.parametrize(("text", "options", "member"), (
@@ -78,7 +79,7 @@ def test_one_member_alone_has_the_bits_that_the_sweep_wrote(text, options, membe
 def test_a_member_that_failed_fails_alone(folder, capsys):
     words = ["sweep", str(scene_file(folder, UNSTABLE)), "--grid", "block.mass=1:9:3"]
     assert main([*words, "--member", "1"]) == 1
-    assert "failed: energy is not finite at t = 0.1 s" in capsys.readouterr().out
+    assert "failed: not finite at t = 0.138 s: joint slide: q is inf" in capsys.readouterr().out
     assert main([*words, "--member", "3"]) == 2
     assert "--member 3: wanted 0 to 2" in capsys.readouterr().err
 
@@ -133,13 +134,13 @@ def test_the_page_says_how_to_run_failed_members_alone(folder, tmp_path, capsys)
     """Their numbers and values, in all digits, the seed, and a command."""
     its = prepared(folder, UNSTABLE, ("block.mass=1:2:2",), ("start.v.slide=0:1",), 2, seed=12)
     text = reported(its, tmp_path)
-    assert capsys.readouterr().out == "4 of 4 members failed: 4 at no joint\n"
+    assert capsys.readouterr().out == "4 of 4 members failed: 4 at slide\n"
     assert "Recorded quantities" not in text  # there are none
     assert "The seed of the Sobol sequence is 12." in text
     assert "the first is run by: coscrew sweep x.toml --member 0</p>" in text
     assert "<th>block.mass [kg]</th><th>start.v.slide [m/s]</th><th>at t, s</th>" in text
     for k, (mass, speed) in enumerate(members.values(its.specification.varied, range(4)).tolist()):
-        assert f'<th scope="row">{k}</th><td>{mass}</td><td>{speed}</td><td>0.1</td>' in text
+        assert f'<th scope="row">{k}</th><td>{mass}</td><td>{speed}</td><td>0.1' in text
 
 
 def test_parameters_have_the_units_of_bodies_and_of_effects_on_their_joint(folder):

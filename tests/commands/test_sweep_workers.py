@@ -58,12 +58,14 @@ def test_processes_that_start_say_nothing_of_an_interrupt(scene, tmp_path):
     words = [sys.executable, "-m", "coscrew_codegen", "sweep", scene, *VARIED[:-1], "1e8", "--out",
              tmp_path / "out"]
     with interruptible(words, stderr=subprocess.PIPE, group=True) as process:
-        first, its = process.stderr.readline(), psutil.Process(process.pid)
+        unused, first = process.stderr.readline(), process.stderr.readline()
+        its = psutil.Process(process.pid)
         while len(its.children()) < 2:
             time.sleep(0.01)
         os.killpg(process.pid, signal.SIGINT)
         said = process.communicate()[1]
     assert (process.returncode, first) == (130, "coscrew: 300000000 members, 0 of them written\n")
+    assert unused.startswith("coscrew: not used: ")
     last = f"interrupted; 0 of 300000000 members are written into {tmp_path / 'out'}, and "
     assert said == f"coscrew: {last}the same command goes on\n"
 
