@@ -52,7 +52,8 @@ def run(scene: Kernels | Scene | Path | str, *, p: Parameters = None,
                   None if record is None else quantities(record, own), q0=q0, v0=v0,
                   p=values_of(own, BY_NAME[name], p), start=_end(start, q0, v0),
                   controller=_controller(controller))
-    return _told(motion(kernels or _kernels(own, integrator, name, asked.record), name, asked))
+    return _told(motion(kernels or _kernels(own, integrator, name, asked.record,
+                                           asked.controller is not None), name, asked))
 
 
 def again(scene: Kernels | Scene | Path | str, recording: Result | Path | str, *,
@@ -67,8 +68,8 @@ def again(scene: Kernels | Scene | Path | str, recording: Result | Path | str, *
     kernels, own = _read(scene, told.precision)
     by = _controller(controller)
     told.refuse(own, by)
-    return _told(motion(kernels or _kernels(own, told.integrator, told.precision, told.record),
-                        told.precision, told.asked(by)))
+    return _told(motion(kernels or _kernels(own, told.integrator, told.precision, told.record,
+                                            by is not None), told.precision, told.asked(by)))
 
 
 def _told(result: Result) -> Result:
@@ -132,8 +133,8 @@ def _read(scene: Kernels | Scene | Path | str, precision: str | None
     return kernels, own
 
 
-def _kernels(own: Scene, integrator: str | None, precision: str, record: tuple[str, ...] | None
-             ) -> Kernels:
+def _kernels(own: Scene, integrator: str | None, precision: str, record: tuple[str, ...] | None,
+             held: bool) -> Kernels:
     """The kernels of the functions that the run needs."""
     recording = own if record is None else replace(own, record=record)
-    return kernels_for(own, needs.of_run(recording, integrator), (precision,))
+    return kernels_for(own, needs.of_run(recording, integrator, held=held), (precision,))

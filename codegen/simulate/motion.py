@@ -94,8 +94,23 @@ def _begun(kernels: Kernels, precision: str, asked: Asked) -> tuple[System, Stat
 def _integrated(its: System, planned: Plan, state: State, start: Instant | None,
                 driven: Driven | None, shown: bool) -> Trajectory:
     alarm = partial(Alarm, driven=driven is not None, remedy=remedy)
-    momentum, failed = (start.momentum, start.failed) if start else (None, ())
+    momentum, failed = (_momentum(its, start, state), start.failed) if start else (None, ())
     if not shown:
         return integrate(its, planned, None, alarm, state, driven, momentum, failed)
     with Progress(its, planned.until) as watch:
         return integrate(its, planned, watch, alarm, state, driven, momentum, failed)
+
+
+def _momentum(its: System, start: Instant, state: State) -> np.ndarray | None:
+    """The momentum of floating bases at t = 0 that leads to the state from which the run goes on:
+    as the run before kept it, except for members whose parameters change what it leads to."""
+    if start.momentum is None:
+        return None
+    with np.errstate(all="ignore"):
+        kept = start.momentum.astype(its.dtype)
+        before, now = (x.kept(kept, start.t, *state) for x in (its.at(start.p), its))
+        changed = np.any([(abs(a - b) > 0).any(-1) for a, b in zip(before, now, strict=True)], 0)
+        if not changed.any():
+            return start.momentum
+        own = its.momentum(*its.kept(its.momentum(*state), -start.t, *state))
+        return kept if own is None else np.where(changed[..., None, None], own, kept)

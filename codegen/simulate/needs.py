@@ -14,9 +14,11 @@ _OF_QUANTITY = {"q": (), "v": (), "a": ("forward_dynamics",), "energy": ("energy
                 "pose": ("body_poses",), "position": ("body_poses",)}
 
 
-def of_run(scene: Scene, integrator: str | None, view: bool = False) -> tuple[str, ...]:
-    """For `simulate`: integration, the Alarm, recorded quantities, and the playback if `view`."""
-    return together(_of_motion(scene, integrator),
+def of_run(scene: Scene, integrator: str | None, view: bool = False, held: bool = False
+           ) -> tuple[str, ...]:
+    """For `simulate`: integration, the Alarm, recorded quantities, and the playback if `view`; for
+    torques that a controller has `held`, the warning that it changes too fast."""
+    return together(_of_motion(scene, integrator, held),
                     *(_of(scene, recorded(text, scene)) for text in scene.record),
                     ("body_poses",) if view else ())
 
@@ -29,14 +31,14 @@ def of_check(scene: Scene, integrator: str | None) -> tuple[str, ...]:
                     *(_of(scene, expected(x.quantity, scene)) for x in scene.expectations))
 
 
-def _of_motion(scene: Scene, integrator: str | None) -> Iterable[str]:
+def _of_motion(scene: Scene, integrator: str | None, held: bool) -> Iterable[str]:
     """For integration, and for the Alarm, which also uses the default integrator, and the mass
-    matrix of what floats."""
+    matrix of what floats or has `held` torques."""
     own = named(known(scene.run.integrator if integrator is None else integrator))
     if not own.emitted:
         return "energy", "forward_dynamics"
-    floats = any(joint.kind is Kind.FREE for joint in scene.model.joints)
-    mass = ("mass_matrix",) if floats and speeds(scene) <= MANY else ()
+    wanted = held or any(joint.kind is Kind.FREE for joint in scene.model.joints)
+    mass = ("mass_matrix",) if wanted and speeds(scene) <= MANY else ()
     return ("energy", "power", *mass, own.step_name, named(DEFAULT).step_name, *CONTACTS,
             *FREE)
 

@@ -51,8 +51,8 @@ def test_members_that_diverge_are_told_and_others_go_on(swing):
         one = run(swing, v0=[1e308], until=0.2)
     assert [x.member for x in many.failed] in ([1, 2], [2, 1])
     of_last = next(x for x in many.failed if x.member == 2)
-    assert (of_last.t, of_last.joint, of_last.cause) == (
-        one.failed[0].t, one.failed[0].joint, one.failed[0].cause)
+    told = [(x.t, x.joint, x.cause.rpartition("; ")[0]) for x in (of_last, one.failed[0])]
+    assert told[0] == told[1]  # remedies differ: those of batches are not tried
     assert many.q[0].tobytes() == run(swing, until=0.2).q.tobytes()
     for x in many.failed:
         assert np.isnan(many.q[x.member, many.t >= x.t]).all()

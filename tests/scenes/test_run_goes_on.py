@@ -191,7 +191,7 @@ def test_a_batch_fails_one_member_after_the_other(scenes):
 
 
 def test_a_run_becomes_a_batch_that_goes_on(scenes, tmp_path):
-    """By parameters; the momentum of the floating base is that of the one run."""
+    """By parameters; velocities do not jump, so that another mass has another momentum."""
     path = tmp_path / "tumbling.toml"
     path.write_text('runtime = ["arm.mass"]' + TUMBLING)
     one = run(path, until=0.1)
@@ -199,6 +199,10 @@ def test_a_run_becomes_a_batch_that_goes_on(scenes, tmp_path):
     found = run(path, start=many, until=0.3)
     whole = run(path, start=one, until=0.3, p={"arm.mass": [1, 2]})
     same(found, whole)
+    assert not whole.failed and abs(np.diff(whole.v, axis=1)).max() < 0.11  # of gravity, 0.01 s
+    assert whole.q[0].tobytes() == run(path, start=one, until=0.3).q.tobytes()
+    heavy = run(path, start=one, until=0.3, p={"arm.mass": 2})
+    assert whole.q[1].tobytes() == heavy.q.tobytes() == again(path, heavy).q.tobytes()
 
 
 def test_momentum_that_was_not_kept_is_not_made_up(scenes):
