@@ -48,9 +48,10 @@ def spoiled(letter: str, shape: tuple[int, ...], R: np.ndarray) -> np.ndarray:
 @pytest.mark.parametrize("operation", REFUSING, ids=lambda op: op.name)
 @ALL_WAYS
 def test_each_argument_is_refused_by_its_name(operation: Operation, place):
-    function = getattr(place, operation.name, None) if operation.name in dir(place) else None
-    if function is None:
-        pytest.skip("not in this tier")
+    if operation.name not in dir(place):  # a tier has some of the operations
+        assert place in (coscrew.accurate, coscrew.certified)
+        return
+    function = getattr(place, operation.name)
     for k, (a, letter) in enumerate(zip(operation.inputs, OF_LETTERS[operation.name],
                                         strict=True)):
         if letter == Required.NOTHING.value:
