@@ -54,7 +54,7 @@ def _parser(command: str = "") -> argparse.ArgumentParser:
 
 
 def _needed(command: str) -> str:
-    """What installs what the command needs, and what of it is not installed."""
+    """Returns the command that installs what is needed, and the packages that are missing."""
     extra = extras.COMMANDS[command]
     return extras.lacking(f"not installed: {command}", extra) or f"Needs {extras.pip(extra)}."
 

@@ -23,7 +23,7 @@ from coscrew_codegen.quantity import (
 
 
 class Required(Enum):
-    """What an argument must be; values are letters that generated code stores."""
+    """Requirements of an argument; values are letters that generated code stores."""
 
     NOTHING = "."
     ROTATION = "R"  # the matrix, or R of a displacement

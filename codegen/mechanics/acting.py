@@ -141,7 +141,7 @@ class Acting:
             self.pairs.append(pair)
 
     def _holding(self, link: int, applied: Applied) -> Number | None:
-        """What holds a joint against gravity, if the effect compensates it."""
+        """Returns the torque that holds a joint against gravity, if the effect compensates it."""
         flag = applied.effect.compensates
         if not flag or applied.values[flag] is None:
             return None

@@ -30,7 +30,7 @@ _Found = Mapping[str, Callable[[], Sequence[Number]]]
 
 
 class EffectFunctions(Derivation):
-    """What each effect exerts where it acts."""
+    """Functions of what each effect exerts where it acts."""
 
     def _of_effects(self) -> Makers:
         return {name: partial(self._effect, name, applied)

@@ -125,5 +125,5 @@ def _with(name: str, tau: str) -> str:
 
 
 def _plus(tau: str) -> str:
-    """What stands before "-bias_torques"."""
+    """Returns the term before "-bias_torques"."""
     return f"{tau} " if tau else ""

@@ -9,7 +9,7 @@ SUBJECTS = (
     "wrong friction", "damping", "wrong damping", "other tools' numbers", "limits", "wrong limits",
     "effort", "wrong effort", "velocity", "wrong velocity", "acceleration", "deceleration", "jerk",
     "safety controller", "repeated element")
-"""What notices are about; first what changes the motion most."""
+"""Subjects of notices; first what changes the motion most."""
 
 
 @dataclass(frozen=True)

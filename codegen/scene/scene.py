@@ -100,7 +100,7 @@ class Scene:
 
     @property
     def unused(self) -> tuple[str, ...]:
-        """What the model's file says and the scene does not use, a line each."""
+        """Numbers of the model's file that the scene does not use, a line each."""
         return tuple(notice.text for notice in self.notices)
 
 
