@@ -40,6 +40,11 @@ def check(kernels: "Kernels", overrides: RunOverrides, rounding: bool = False) -
     Expectations are checked in double precision, unless only single is run.  With `rounding`, also
     rounding errors and certified bounds, for which functions are compiled.  Raises SimulateError.
     """
+    with kernels._lanes.not_worth():
+        return _check(kernels, overrides, rounding)
+
+
+def _check(kernels: "Kernels", overrides: RunOverrides, rounding: bool) -> Findings:
     scene = scene_of(kernels)
     names = (overrides.precision,) if overrides.precision in BY_NAME else scene.precisions
     runs = {name: _run(kernels, name, overrides) for name in names}
@@ -57,12 +62,15 @@ def check(kernels: "Kernels", overrides: RunOverrides, rounding: bool = False) -
 
 def _run(kernels: "Kernels", precision: str, overrides: RunOverrides
          ) -> tuple[System, Plan, Trajectory]:
-    """A run that is sampled at every step; with SciPy's solvers, equally densely."""
+    """A run that is sampled at every step, or where no effect has power less often; with SciPy's
+    solvers, equally densely."""
     its = system(kernels, precision, dict(overrides.settings))
     rough = plan(its, overrides.until, overrides.step, overrides.integrator)
     count = max(2, min(math.ceil(rough.until / rough.step), _MOST_STEPS))
     planned = replace(rough, every=rough.until / count,
                       also=tuple(x.at for x in its.scene.expectations))
+    if its.zero("power"):
+        planned = advice.thinned(planned)
     return its, planned, _integrated(its, planned, partial(Alarm, remedy=advice.remedy))
 
 

@@ -5,7 +5,10 @@ from __future__ import annotations
 import ctypes
 import functools
 import pickle
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
+from math import inf
 from typing import TYPE_CHECKING
 
 from coscrew_codegen.console import doing
@@ -26,12 +29,21 @@ class Lanes:
     """The functions of many states of a scene."""
 
     kernels: load.Kernels
-    _met: int = field(default=0, init=False)  # states so far
+    _met: float = field(default=0, init=False)  # states so far
 
     def function(self, name: str, states: int) -> CFuncPtr | None:
         """The function of this name, if it is there and pays for so many more states."""
         self._met += states
         return getattr(self._library, name, None) if self._met >= PAYS else None
+
+    @contextmanager
+    def not_worth(self) -> Iterator[None]:
+        """Compute states one by one within: too few to pay for compiling, however many."""
+        met, self._met = self._met, -inf
+        try:
+            yield
+        finally:
+            self._met = met
 
     @functools.cached_property
     def _library(self) -> ctypes.CDLL | None:

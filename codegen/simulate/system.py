@@ -90,13 +90,15 @@ class System:
     def stepper_at(self, name: str, watch: Watch | None = None) -> Stepper:
         """The same for given parameters: (p, n, t, h, q, v)."""
         function = getattr(self.kernels, name)
-        if repeated := getattr(function, "repeated", None):
-            return lambda p, n, t, h, q, v: repeated(n, t, h, p, q, v)
+        several = getattr(function, "repeated", None)
         real = self.dtype.type
         timed, takes_p = self.functions.timed, bool(self.functions.parameters)
 
         def steps(p: np.ndarray, n: int, t: float, h: float, q: np.ndarray, v: np.ndarray
                   ) -> State:
+            if several and (n > 1 or q.ndim > 1):
+                found: State = several(n, t, h, p, q, v)
+                return found
             for k in range(n):
                 if watch and k:
                     watch(t + k * h, q, v)
