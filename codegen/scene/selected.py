@@ -70,10 +70,11 @@ def _names(scene: Scene) -> tuple[str, ...]:
 
 
 def left_out(scene: Scene) -> str:
-    """One line on the functions that the scene selects by DEFAULT or ALL, and cannot have; "" if
-    there are none."""
-    problem = why_singular(scene)
-    if not problem or not {DEFAULT, ALL} & {*(scene.functions or (DEFAULT,))}:
+    """One line on the functions that the scene selects, by DEFAULT, ALL or patterns, and cannot
+    have; "" if there are none."""
+    problem, words = why_singular(scene), scene.functions or (DEFAULT,)
+    if not problem or not ({DEFAULT, ALL}.intersection(words) or DIVIDING.intersection(
+            name for word in words for name in matching(word, _names(scene)))):
         return ""
     return f"forward_dynamics and steps are left out: {problem}"
 
@@ -123,15 +124,16 @@ def selected_functions(scene: Scene) -> tuple[str, ...]:
 
 def resolved(scene: Scene, words: Sequence[str]) -> set[str]:
     """The functions that these words select: names, patterns of them, DEFAULT, ALL; without words,
-    DEFAULT.  Raises FunctionsError with the nearest name for each unknown word."""
-    refuse_singular(scene, words)
-    known = names(scene)
-    found: set[str] = set()
+    DEFAULT.  Raises FunctionsError with the nearest name for each unknown word, and for a word
+    that selects nothing but what divides by a singular mass matrix."""
+    known, found = names(scene), set[str]()
     unknown = []
     for word in words or (DEFAULT,):
         if word in (DEFAULT, ALL):
             found.update(by_default(scene) if word == DEFAULT else known)
-        elif of := matching(word, known):
+        elif of := matching(word, _names(scene)):
+            if not set(of).intersection(known):
+                refuse_singular(scene, of)
             found.update(of)
         else:
             what = "matches no function of the scene" if is_pattern(word) else \
@@ -139,7 +141,7 @@ def resolved(scene: Scene, words: Sequence[str]) -> set[str]:
             unknown.append(f"{word!r} {what}; {did_you_mean(word, (*known, DEFAULT, ALL))}")
     if unknown:
         raise FunctionsError("; ".join(unknown))
-    return found
+    return found.intersection(known)
 
 
 def together(*lists: Iterable[str]) -> tuple[str, ...]:

@@ -3,7 +3,7 @@
 Between two calls, T apart, a controller's torques are held.  On a joint whose acceleration answers
 its own torque with w = (M^-1)_ii, a law of slopes d = -du/dv and k = -du/dq overshoots what it
 corrects if T d w > 1 or T sqrt(k w) > 1.  The slopes are differences of the law's values at states
-of the run, after its end, if what it set turned back and forth."""
+of the run, and w of accelerations, after its end, if what it set turned back and forth."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -33,12 +33,16 @@ class _Torque:
 
 @dataclass(frozen=True)
 class _Share:
-    """How much of what a controller can answer without overshooting it answers at a joint."""
+    """The slope of a controller at a joint, relative to the largest without overshooting."""
 
     of_period: float  # T d w, or T sqrt(k w)
     slope: float  # d, or k
     joint: Joint
     what: str  # speed, or position
+
+
+class _UntoldError(Exception):
+    """Nobody can tell what a controller would have done."""
 
 
 _UNITS = {("speed", True): "N m s/rad", ("speed", False): "N s/m",
@@ -54,10 +58,13 @@ def too_fast(controller: Controller, driven: Driven, system: System, plan: Plan,
     turn back and forth this is known without calls."""
     if controller.context is not None or run.interrupted or not driven.turned:
         return ""
+    if not system.has("forward_dynamics"):
+        return ("controller: its torques turn back and forth; whether it is called too seldom is "
+                "judged only with forward_dynamics among the functions loaded")
     with np.errstate(all="ignore"):
         try:
             shares = tuple(_shares(driven, system, run, plan.step * controller.steps))
-        except Exception:  # of the law, at states for which it was not called before
+        except _UntoldError:
             return ""
     found = max(shares, key=lambda x: x.of_period, default=None)
     return _words(plan.step, controller.steps, found) if found and found.of_period > 1 else ""
@@ -90,9 +97,8 @@ def _shares(driven: Driven, system: System, run: Trajectory, period: float) -> I
         t, q, v = float(run.t[k]), run.q[..., k, :], run.v[..., k, :]
         if not (np.isfinite(q).all() and np.isfinite(v).all()):
             continue
-        inverse = np.linalg.inv(np.asarray(system.call("mass_matrix", q=q), float))
         for x in _torques(system, driven.names):
-            w = inverse[..., x.v, x.v]
+            w = _response(system, x, t, q, v)
             d, stiffness = _slopes(driven, x, t, q, v)
             yield _share(period * d * w, d, x.joint, "speed")
             yield _share(period * np.sqrt(np.maximum(stiffness * w, 0)), stiffness, x.joint,
@@ -115,18 +121,38 @@ def _torques(system: System, names: tuple[str, ...]) -> Iterator[_Torque]:
             yield _Torque(place, joint, q.start, v.start)
 
 
+def _response(system: System, torque: _Torque, t: float, q: np.ndarray, v: np.ndarray
+              ) -> np.ndarray:
+    """(M^-1)_ii: what a torque adds to the acceleration of its joint, per torque."""
+    def pushed(by: np.ndarray) -> np.ndarray:
+        tau = by[..., None] * np.eye(v.shape[-1])[torque.v]
+        a = system.call("forward_dynamics", t=t, q=q, v=v, tau=tau)
+        return np.asarray(a[..., torque.v], float)
+
+    free = pushed(np.zeros(q.shape[:-1]))
+    by = size = 1 + np.abs(free)
+    for _ in range(2):  # the second adds about as much as there is, so that little is rounded away
+        found: np.ndarray = (pushed(by) - free) / by
+        by = size / found
+    return found
+
+
 def _slopes(driven: Driven, torque: _Torque, t: float, q: np.ndarray, v: np.ndarray
             ) -> tuple[np.ndarray, np.ndarray]:
-    """-du/dv and -du/dq.  Raises ValueError if the same state has two answers."""
+    """-du/dv and -du/dq.  Raises _UntoldError if the law does, at states for which it was not
+    called before, or if the same state has two answers."""
     def answer(at_q: np.ndarray, at_v: np.ndarray) -> np.ndarray:
-        return driven.demanded(t, at_q, at_v)[..., torque.place].astype(float)
+        try:
+            return driven.demanded(t, at_q, at_v)[..., torque.place].astype(float)
+        except Exception as error:
+            raise _UntoldError from error
 
     first = answer(q, v)
     further_q, dq = _beside(q, torque.q)
     further_v, dv = _beside(v, torque.v)
     of_q, of_v = answer(further_q, v), answer(q, further_v)
     if not np.array_equal(answer(q, v), first):
-        raise ValueError("a law with a memory")
+        raise _UntoldError("a law with a memory")
     return (first - of_v) / dv, (first - of_q) / dq
 
 

@@ -32,14 +32,15 @@ def of_check(scene: Scene, integrator: str | None) -> tuple[str, ...]:
 
 
 def _of_motion(scene: Scene, integrator: str | None, held: bool) -> Iterable[str]:
-    """For integration, and for the Alarm, which also uses the default integrator, and the mass
-    matrix of what floats or has `held` torques."""
+    """For integration; for the Alarm, which also uses the default integrator, and the mass matrix
+    of what floats; and for what the torques that are `held` accelerate."""
     own = named(known(scene.run.integrator if integrator is None else integrator))
     if not own.emitted:
         return "energy", "forward_dynamics"
-    wanted = held or any(joint.kind is Kind.FREE for joint in scene.model.joints)
-    mass = ("mass_matrix",) if wanted and speeds(scene) <= MANY else ()
-    return ("energy", "power", *mass, own.step_name, named(DEFAULT).step_name, *CONTACTS,
+    floats = any(joint.kind is Kind.FREE for joint in scene.model.joints)
+    mass = ("mass_matrix",) if floats and speeds(scene) <= MANY else ()
+    pushed = ("forward_dynamics",) if held else ()
+    return ("energy", "power", *mass, *pushed, own.step_name, named(DEFAULT).step_name, *CONTACTS,
             *FREE)
 
 

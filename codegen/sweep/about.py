@@ -6,7 +6,7 @@ from hashlib import sha256
 from pathlib import Path
 
 from coscrew_codegen.pages import Json
-from coscrew_codegen.sweep.part import DamagedError, contents
+from coscrew_codegen.sweep.part import DamagedError, read_bytes
 
 ABOUT = "sweep.json"
 HASH, SPECIFICATION, CHECKSUM = "sha256", "specification", "checksum"
@@ -18,10 +18,10 @@ def as_text(about: Mapping[str, Json]) -> bytes:
     return (json.dumps(whole, indent=2, ensure_ascii=False) + "\n").encode()
 
 
-def told(folder: Path) -> Mapping[str, Json]:
+def read_description(folder: Path) -> Mapping[str, Json]:
     """What the file in this folder says.  Raises DamagedError if it is not as it was written."""
     path = folder / ABOUT
-    content = contents(path)
+    content = read_bytes(path)
     try:
         found = dict(json.loads(content.decode()))
     except (ValueError, TypeError):

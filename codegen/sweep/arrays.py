@@ -16,7 +16,7 @@ import pyarrow
 
 from coscrew_codegen.simulate.plan import Plan
 from coscrew_codegen.sweep import SweepError
-from coscrew_codegen.sweep.about import SPECIFICATION, told
+from coscrew_codegen.sweep.about import SPECIFICATION, read_description
 from coscrew_codegen.sweep.folder import MEMBERS, ZARR, Folder, part_of, whole
 from coscrew_codegen.sweep.part import read
 from coscrew_codegen.sweep.summary import FAILED, MEMBER
@@ -120,7 +120,7 @@ def opened(folder: Path | str) -> "xarray.Dataset":
     path = Path(folder)
     if not (path / ZARR).is_dir():
         raise SweepError(f"{path}: holds no finished sweep: there is no {ZARR}")
-    about: Any = told(path)[SPECIFICATION]
+    about: Any = read_description(path)[SPECIFICATION]
     its = about["varied"]
     flat = xarray.open_zarr(CheckedStore(LocalStore(path / ZARR, read_only=True)), chunks={},
                             consolidated=False)

@@ -12,7 +12,7 @@ from zarr.abc.store import ByteRequest
 from zarr.core.buffer import Buffer, BufferPrototype
 from zarr.storage import LocalStore, WrapperStore
 
-from coscrew_codegen.sweep.part import DamagedError, contents
+from coscrew_codegen.sweep.part import DamagedError, read_bytes
 
 _LINE = re.compile(r"([0-9a-f]{64})  (\S.*)")
 
@@ -55,7 +55,7 @@ class CheckedStore(WrapperStore[LocalStore]):
 
 def _known(folder: Path) -> dict[str, str]:
     path = sums(folder)
-    lines = [_LINE.fullmatch(x) for x in contents(path).decode("latin-1").splitlines()]
+    lines = [_LINE.fullmatch(x) for x in read_bytes(path).decode("latin-1").splitlines()]
     if None in lines:
         raise DamagedError(path, "cannot be read as checksums")
     known = {x[2].removeprefix(f"{folder.name}/"): x[1] for x in lines if x}

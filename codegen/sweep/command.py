@@ -3,7 +3,7 @@
 import argparse
 import sys
 from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -138,9 +138,11 @@ def _finished(prepared: "Prepared", folder: "Folder", options: argparse.Namespac
         for damaged in folder.damaged(finished=n > 0):
             _set_aside(folder, damaged)
         _compute(prepared, folder, options)
-        with suppress(DamagedError):  # since it was written
+        try:
             return _report(prepared, folder, _words(options))
-    raise SweepError(f"{folder.path}: parts are damaged again and again; is the disk in order?")
+        except DamagedError as error:  # since it was written
+            last = error
+    raise SweepError(f"{last.path}: {last.why}, again and again; is the disk in order?") from last
 
 
 def _set_aside(folder: "Folder", damaged: "DamagedError") -> None:

@@ -14,7 +14,7 @@ from pathlib import Path
 
 from coscrew_codegen.pages import Json
 from coscrew_codegen.sweep import SweepError
-from coscrew_codegen.sweep.about import ABOUT, HASH, SPECIFICATION, as_text, told
+from coscrew_codegen.sweep.about import ABOUT, HASH, SPECIFICATION, as_text, read_description
 from coscrew_codegen.sweep.lock import held
 from coscrew_codegen.sweep.part import DamagedError, check, sweep_of
 from coscrew_codegen.sweep.specification import Specification
@@ -130,7 +130,7 @@ def _know(path: Path, specification: Specification, about: Mapping[str, Json]) -
     """Write what the sweep is, or compare it with what the folder says."""
     digest = specification.sha256
     try:
-        there = told(path)
+        there = read_description(path)
     except DamagedError as error:
         _refuse_without_about(path, digest, error)
         set_aside(path, path / ABOUT)
@@ -143,14 +143,18 @@ def _know(path: Path, specification: Specification, about: Mapping[str, Json]) -
 
 
 def _refuse_without_about(path: Path, digest: str, error: DamagedError) -> None:
-    """Refuse a folder whose sweep.json is damaged unless its parts are of this sweep; tell that
-    the file is written again."""
+    """Refuse a folder whose sweep.json is damaged unless its parts are of this sweep, or there are
+    none; tell that the file is written again."""
     if not (path / ABOUT).exists() and not (path / MEMBERS).exists():
         return  # a new one
     found = _sweep_of_parts(path)
     if found is None and not (path / MEMBERS).is_dir():
         raise SweepError(f"{path / ABOUT}: {error.why}, and nothing beside it is of a sweep; "
                          "wanted a new or empty folder, or one of this sweep")
+    if found is None and any((path / MEMBERS).glob("part-*.parquet")):
+        raise SweepError(f"{path / ABOUT}: {error.why}, and no part beside it is undamaged, so "
+                         "that nobody knows whose sweep it is; take another --out, or remove "
+                         f"{path}")
     if found not in (None, digest):
         raise SweepError(f"{path / ABOUT}: {error.why}; the parts beside it are of another sweep, "
                          f"{str(found)[:12]}; this one is {digest[:12]}; take another --out")

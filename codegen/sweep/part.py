@@ -41,12 +41,12 @@ def sealed(table: pyarrow.Table) -> bytes:
         writer.add_key_value_metadata({SEAL: _BLANK.decode()})
     content = bytes(sink.getvalue())
     start, end = _place(content)
-    return content[:start] + _digest(content) + content[end:]
+    return content[:start] + _digest(content, start, end) + content[end:]
 
 
 def verified(path: Path) -> bytes:
     """The bytes of a part.  Raises DamagedError if they are not those that were written."""
-    content = contents(path)
+    content = read_bytes(path)
     if not content:
         raise DamagedError(path, "is empty")
     if len(content) < 12 or content[:4] != b"PAR1" or content[-4:] != b"PAR1":
@@ -56,12 +56,12 @@ def verified(path: Path) -> bytes:
     except ValueError:
         raise DamagedError(path, f"has no checksum ({SEAL}), as parts of older versions, or lost "
                                  "it") from None
-    if content[start:end] != _digest(content):
+    if content[start:end] != _digest(content, start, end):
         raise DamagedError(path, "differs from its checksum")
     return content
 
 
-def contents(path: Path) -> bytes:
+def read_bytes(path: Path) -> bytes:
     """The bytes of a file of the sweep.  Raises DamagedError if it is gone or the disk lost it."""
     try:
         return path.read_bytes()
@@ -107,9 +107,8 @@ def _place(content: bytes) -> tuple[int, int]:
     return found.span(1)
 
 
-def _digest(content: bytes) -> bytes:
+def _digest(content: bytes, start: int, end: int) -> bytes:
     """The digest of the content, with zeros where the digest stands."""
-    start, end = _place(content)
     found = sha256(content[:start])
     found.update(_BLANK)
     found.update(content[end:])

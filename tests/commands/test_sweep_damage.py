@@ -3,6 +3,7 @@ deleted, exchanged.  Nothing of it is read as numbers; the same command makes th
 
 import logging
 import os
+import re
 import shutil
 from collections.abc import Callable, Iterator
 from functools import partial
@@ -173,7 +174,9 @@ def test_a_disk_that_damages_what_is_written_ends_the_command(scene, workers, tm
 
     monkeypatch.setattr(Folder, "write", spoilt)
     assert finished(scene, tmp_path / "out", workers) == 2
-    assert "parts are damaged again and again; is the disk in order?" in capsys.readouterr().err
+    said = capsys.readouterr().err.splitlines()[-1]
+    assert re.search(r"part-\d{8}\.parquet: is cut off or overwritten \(100 bytes\), again and "
+                     r"again; is the disk in order\?", said)
 
 
 def test_no_damaged_file_is_opened_as_numbers(whole, tmp_path):
@@ -221,3 +224,14 @@ def test_a_damaged_description_hides_no_other_sweep(scene, workers, copied, caps
     said = capsys.readouterr().err
     assert "sweep.json: is gone; the parts beside it are of another sweep" in said
     assert finished(scene, copied, workers) == 0
+
+
+def test_a_folder_of_which_nothing_is_whole_is_refused(scene, workers, copied, capsys):
+    (copied / "sweep.json").write_text("{")
+    for path in (copied / "members").iterdir():
+        cut(path, 0)
+    before = sorted((x, x.stat().st_size) for x in copied.rglob("*"))
+    assert sweep(scene, copied, workers) == 2
+    said = capsys.readouterr().err
+    assert "no part beside it is undamaged" in said and "take another --out" in said
+    assert sorted((x, x.stat().st_size) for x in copied.rglob("*")) == before

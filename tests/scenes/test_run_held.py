@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from coscrew_codegen import Controller, run
+from coscrew_codegen import Controller, load_scene, run
 from coscrew_codegen.simulate import motion
 from tests.support.compiled.c_harness import run as command
 
@@ -125,6 +125,22 @@ def test_laws_of_which_nobody_can_tell_cause_no_warning(scene):
     assert not warned(scene, with_memory)
     memory.clear()
     assert not warned(scene, ended)
+
+
+@pytest.mark.parametrize("precision", ("double", "single"))
+def test_heavy_joints_under_gravity_are_judged_alike(tmp_path, precision):
+    path = tmp_path / "scene.toml"
+    path.write_text(SLIDERS.replace("mass = 4,", "mass = 4e6,").replace("mass = 0.5,", "mass = 1,")
+                    + "[effects.gravity]\ng = [-9.81, 0, 0]\n")
+    for share in (0.9, 1.1):
+        one = Controller(law(d=(share * 4000001 / 1e-3, 0)))
+        assert bool(warned(path, one, precision=precision)) == (share > 1)
+
+
+def test_without_forward_dynamics_a_warning_says_that_nothing_is_judged(scene):
+    few = load_scene(scene, functions=["energy", "power", "step_leapfrog"])
+    with pytest.warns(RuntimeWarning, match="judged only with forward_dynamics among"):
+        run(few, controller=law(d=(750, 750)), v0=[0.1, 0.1])
 
 
 def test_laws_in_c_are_judged_unless_they_have_a_context(scene, tmp_path):

@@ -3,6 +3,7 @@ dynamics no inertia at every joint.  All joints without inertia are named at onc
 
 import re
 import warnings
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -11,7 +12,7 @@ from coscrew_codegen import load_scene
 from coscrew_codegen.__main__ import main
 from coscrew_codegen.mechanics import derive
 from coscrew_codegen.scene.possible import unmoved, why_singular
-from coscrew_codegen.scene.selected import DIVIDING, FunctionsError, left_out
+from coscrew_codegen.scene.selected import DIVIDING, FunctionsError, left_out, selected_functions
 from coscrew_codegen.scene_files.toml_scene import SceneOverrides, read_scene
 from tests.support.scenes.robots import path_of
 
@@ -155,7 +156,21 @@ def test_balls_and_free_bodies_need_masses(arm):
 def test_selected_functions_need_no_notice(arm):
     scene = read_scene(arm(head='functions = ["inverse_dynamics", "energy"]\n'))
     assert not left_out(scene) and why_singular(scene) == CAUSE
-    assert left_out(read_scene(arm(head='functions = ["all"]\n')))
+    for words in ('"all"', '"energy", "*_dynamics"'):
+        assert left_out(read_scene(arm(head=f"functions = [{words}]\n")))
+
+
+@pytest.mark.parametrize("words", (["step_*"], ["energy", "forward_?ynamics"], ["step_rk4"]))
+def test_patterns_of_nothing_but_what_divides_by_the_mass_matrix_are_refused(arm, words):
+    scene = replace(read_scene(arm()), functions=tuple(words))
+    with pytest.raises(FunctionsError) as refused:
+        selected_functions(scene)
+    assert f"divides by the mass matrix, but {CAUSE}" in str(refused.value)
+
+
+def test_patterns_select_what_can_be(arm):
+    scene = replace(read_scene(arm()), functions=("*_dynamics",))
+    assert selected_functions(scene) == ("inverse_dynamics",)
 
 
 def test_settings_that_leave_a_joint_without_inertia_are_refused(arm, capsys):
