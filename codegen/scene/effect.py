@@ -42,10 +42,6 @@ class Values:
         """A choice."""
         return self._of(str, name)
 
-    def flag(self, name: str) -> bool:
-        """Whether a flag is set."""
-        return self.given[name] is not None
-
     def _of(self, kind: type[K], name: str) -> K:
         value = self.given.get(name)
         if not isinstance(value, kind):

@@ -56,7 +56,7 @@ def functions_of_effects(scene: Scene) -> dict[str, Applied]:
             for name, x in zip(identifiers([x.name for x in there]), there, strict=True)}
 
 
-def by_name(scene: Scene) -> Mapping[str, tuple[str, Applied, str]]:
+def quantities_by_name(scene: Scene) -> Mapping[str, tuple[str, Applied, str]]:
     """(function, effect, quantity) by the quantity's name in `record`: spring.elbow.torque."""
     sliding = _sliding(scene)
     return {f"{applied.name}.{quantity}": (function, applied, quantity)

@@ -27,7 +27,7 @@ class LumpedInertia:
 
     @property
     def numbers(self) -> tuple[Fraction, ...]:
-        """All ten."""
+        """The mass, first moments and moments of inertia."""
         return (self.mass, *self.first, *self.moments)
 
     @property

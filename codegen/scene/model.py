@@ -98,6 +98,9 @@ class Fault:
     problem: str  # "'upper' of <limit>: inf is not finite; wanted a number"
     place: str  # "arm.urdf, line 7"
 
+    def __str__(self) -> str:
+        return f"{self.place}: {self.problem}"
+
 
 @dataclass(frozen=True)
 class Joint:

@@ -31,8 +31,8 @@ def matching(pattern: str, *known: Collection[str]) -> tuple[str, ...]:
 
 
 def expanded(given: Sequence[str], *known: Collection[str]) -> tuple[str, ...]:
-    """The names with patterns replaced by what they match and what is not given by name besides.
-    Names without patterns stay, known or not.  Raises PatternError."""
+    """The names, each pattern replaced by the names that it matches and that are not also given
+    themselves.  Names without patterns stay, known or not.  Raises PatternError."""
     found: list[str] = []
     for name in given:
         if not name:

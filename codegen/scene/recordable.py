@@ -2,14 +2,14 @@
 
 from collections.abc import Sequence
 
-from coscrew_codegen.scene.effect_quantities import by_name
+from coscrew_codegen.scene.effect_quantities import quantities_by_name
 from coscrew_codegen.scene.model import Kind
 from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.scene.patterns import is_pattern, matching
 from coscrew_codegen.scene.recorded import (
-    _OF_BODY,
-    _OF_JOINT,
-    _OF_SCENE,
+    OF_BODY,
+    OF_JOINT,
+    OF_SCENE,
     UNITS,
     XYZ,
     QuantityError,
@@ -24,9 +24,9 @@ def recordable(scene: Scene) -> tuple[str, ...]:
     own = [joint.name for joint, _, _ in coordinates(scene)]
     moving = [joint.name for joint in scene.model.joints if joint.kind is not Kind.FIXED]
     bodies = [body.name for body in scene.model.bodies]
-    targets = ((UNITS, own), (_OF_BODY, bodies), (_OF_JOINT, moving))
-    return (*_OF_SCENE, *(f"{quantity}.{name}" for quantities, names in targets
-                          for quantity in quantities for name in names), *by_name(scene))
+    targets = ((UNITS, own), (OF_BODY, bodies), (OF_JOINT, moving))
+    return (*OF_SCENE, *(f"{quantity}.{name}" for quantities, names in targets
+                          for quantity in quantities for name in names), *quantities_by_name(scene))
 
 
 def components(names: Sequence[str], scene: Scene) -> tuple[str, ...]:

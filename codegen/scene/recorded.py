@@ -14,7 +14,7 @@
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
-from coscrew_codegen.scene.effect_quantities import by_name, lacks, units_of
+from coscrew_codegen.scene.effect_quantities import lacks, quantities_by_name, units_of
 from coscrew_codegen.scene.model import Joint, Kind, Mimic
 from coscrew_codegen.scene.names import did_you_mean, nearest, or_mean
 from coscrew_codegen.scene.scene import Scene
@@ -30,11 +30,11 @@ UNITS = {"q": {"revolute": ("rad",), "prismatic": ("m",), "spherical": ("1",) * 
          "a": {"revolute": ("rad/s^2",), "prismatic": ("m/s^2",), "spherical": ("rad/s^2",) * 3,
                "free": ("m/s^2",) * 3 + ("rad/s^2",) * 3}}
 """Units of the components of q, v and a, by the joint's kind."""
-_OF_BODY = {"pose": (("1",) * 3 + ("m",)) * 3, "position": ("m",) * 3,
+OF_BODY = {"pose": (("1",) * 3 + ("m",)) * 3, "position": ("m",) * 3,
             "twist": ("m/s",) * 3 + ("rad/s",) * 3}
-_OF_JOINT = {"reaction": ("N",) * 3 + ("N m",) * 3}
-_OF_SCENE = {"energy": ("J",) * 3, "momentum": ("N s",) * 3 + ("N m s",) * 3, "power": ("W",)}
-QUANTITIES = (*UNITS, *_OF_SCENE, *_OF_BODY, *_OF_JOINT)
+OF_JOINT = {"reaction": ("N",) * 3 + ("N m",) * 3}
+OF_SCENE = {"energy": ("J",) * 3, "momentum": ("N s",) * 3 + ("N m s",) * 3, "power": ("W",)}
+QUANTITIES = (*UNITS, *OF_SCENE, *OF_BODY, *OF_JOINT)
 
 
 class QuantityError(ValueError):
@@ -59,17 +59,17 @@ def recorded(text: str, scene: Scene) -> Recorded:
     quantity, _, rest = text.partition(".")
     if quantity in UNITS:
         return _of_joints(text, quantity, rest, scene)
-    if quantity in _OF_SCENE:
-        units = _OF_SCENE[quantity]
+    if quantity in OF_SCENE:
+        units = OF_SCENE[quantity]
         words = ENERGIES if quantity == "energy" else ()
         picked = _picked(text, rest, len(units), words)
         return _columns(text, quantity, "", picked, units, words)
-    if quantity in _OF_BODY:
+    if quantity in OF_BODY:
         names = tuple(body.name for body in scene.model.bodies)
-        return _of_target(text, quantity, rest, "body", names, _OF_BODY[quantity])
-    if quantity in _OF_JOINT:
+        return _of_target(text, quantity, rest, "body", names, OF_BODY[quantity])
+    if quantity in OF_JOINT:
         names = tuple(j.name for j in scene.model.joints if j.kind is not Kind.FIXED)
-        return _of_target(text, quantity, rest, "joint", names, _OF_JOINT[quantity])
+        return _of_target(text, quantity, rest, "joint", names, OF_JOINT[quantity])
     return _of_effect(text, scene)
 
 
@@ -142,7 +142,7 @@ def _of_target(text: str, quantity: str, rest: str, what: str, names: tuple[str,
 def _of_effect(text: str, scene: Scene) -> Recorded:
     """A quantity of one of the scene's effects.  Its places are those among all components of the
     results of its function."""
-    known = by_name(scene)
+    known = quantities_by_name(scene)
     whole, _, last = text.rpartition(".")
     name, index = (whole, last) if whole in known and text not in known else (text, "")
     if name not in known:

@@ -45,7 +45,7 @@ def refuse_faults(file: Table, scene: Scene, used: Collection[tuple[str, str]]) 
             if (joint.name, fault.field) in used:
                 file.refuse("accuracy", f"states are drawn between limits, and joint "
                             f"{joint.name!r} has no {fault.field} that can be used: "
-                            f"{fault.place}: {fault.problem}")
+                            f"{fault}")
 
 
 def _of(table: Table, function: str) -> Iterator[Tolerance]:

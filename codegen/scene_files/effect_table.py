@@ -178,7 +178,7 @@ class EffectTable:
         fault = joint.fault(parameter.model) if joint else None
         if fault:
             table.refuse(parameter.name, f"{self.what} {target!r} has no {parameter.model} that "
-                         f"can be used ({fault.place}: {fault.problem}); give {parameter.name} a "
+                         f"can be used ({fault}); give {parameter.name} a "
                          f"number for {target!r}, or leave the joint out")
         if number is not None:
             settings.refuse_sign(table, parameter, number, f" of {self.what} {target!r}")

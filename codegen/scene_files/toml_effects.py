@@ -70,7 +70,7 @@ def _refuse_wrong_mimics(reading: EffectTable) -> None:
     """Refuse followers that cannot follow, the first ones by name."""
     wrong = [(joint.name, fault) for joint in reading.model.joints
              if (fault := joint.fault("mimic"))]
-    listed = ", ".join(f"joint {name!r} cannot follow ({fault.place}: {fault.problem})"
+    listed = ", ".join(f"joint {name!r} cannot follow ({fault})"
                        for name, fault in wrong[:MANY])
     if wrong:
         reading.table.refuse("", f"{listed}{', …' * (len(wrong) > MANY)}; mend the file, or leave "

@@ -34,7 +34,7 @@ def _of(joint: Joint, used: set[tuple[str, str]], catalogue: tuple[Effect, ...],
     for fault in joint.faults:
         subject = f"wrong {_SUBJECTS.get(fault.field, fault.field)}"
         yield Notice(subject, f"joint {joint.name}", f"joint {joint.name}: {fault.field} is not "
-                     f"used, and cannot be: {fault.place}: {fault.problem}")
+                     f"used, and cannot be: {fault}")
     if joint.mimic and (joint.name, "mimic") not in used:
         mimic = joint.mimic
         what = (f"mimic of {mimic.joint} (multiplier {float(mimic.multiplier):g}, "

@@ -9,7 +9,8 @@ import numpy as np
 from coscrew_codegen.formats import DOUBLE
 from coscrew_codegen.integrators import DEFAULT
 from coscrew_codegen.simulate.alarm import Alarm
-from coscrew_codegen.simulate.motion_error import ALLOWED, Extent, Parts
+from coscrew_codegen.simulate.allowed import AGREED, ALLOWED
+from coscrew_codegen.simulate.motion_error import Extent, Parts
 from coscrew_codegen.simulate.plan import Plan, Trajectory
 from coscrew_codegen.simulate.run import integrate
 from coscrew_codegen.simulate.system import State, System
@@ -22,8 +23,6 @@ LADDERS = (8, 64, 512), (4, 16), (2, 4)
 """Divisors of the step, of motions one of which is to be the reference."""
 SAMPLES = 2000
 """Samples of a motion, at most twice as many, at which it is compared."""
-AGREED = 0.2
-"""Two reference motions may differ by so much of what is allowed."""
 
 
 @dataclass(frozen=True)
@@ -130,7 +129,7 @@ def thinned(planned: Plan) -> Plan:
 
 
 def advised(system: System, planned: Plan, true: Reference, start: State | None = None) -> str:
-    """The same, for a plan whose reference is known."""
+    """The sentence of `remedy` for a plan whose reference is known."""
     if planned.adaptive:
         step, tighter = 0.0, replace(planned, rtol=planned.rtol / 16, atol=planned.atol / 16)
         if _right(system, tighter, true, start):

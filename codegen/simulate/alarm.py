@@ -20,16 +20,12 @@ import numpy as np
 
 from coscrew_codegen.integrators import named
 from coscrew_codegen.simulate import windows
+from coscrew_codegen.simulate.allowed import ALLOWED, FROZEN, KEPT
 from coscrew_codegen.simulate.balance import rounding
-from coscrew_codegen.simulate.motion_error import ALLOWED, Extent, Parts
+from coscrew_codegen.simulate.motion_error import Extent, Parts
 from coscrew_codegen.simulate.plan import Plan
 from coscrew_codegen.simulate.system import State, System
 
-KEPT = 0.05
-"""Largest change of an energy that should be constant, relative to the largest kinetic energy; and
-largest error of momentum, relative to the largest velocities."""
-FROZEN = 0.05
-"""Largest part of a coordinate's way that rounding may take."""
 _FIRST, _LATER = 32, 8  # steps that are taken twice: at the start, and later
 _LOOKS = 100  # windows in a run
 _SIZES = 300  # times in a run that the ways of parts are measured, between windows, too
@@ -196,8 +192,8 @@ class _Worst:
         self._since = np.where(bad, np.minimum(self._since, at), np.inf)
 
     def beyond(self, allowed: np.ndarray, last: bool) -> np.ndarray:
-        """Which are too large: at the end, now or by what is allowed then; before, for a tenth of
-        the run."""
+        """Mask of the errors that are too large: at the end, the last or the largest one; before,
+        those that have been for a tenth of the run."""
         if last:
             wrong: np.ndarray = ~(self.worst <= allowed) | np.isfinite(self._since)
             return wrong

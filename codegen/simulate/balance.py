@@ -23,7 +23,7 @@ _UNCLEAR = 1e-6  # defect between two samples, relative to the energies moved, t
 # during contacts, so that the defects that are not refined add up to no more
 _MOST = 2000  # largest number of intervals that are refined
 _FINE = 256  # small steps in an interval without contact
-_LEAST, _FINER = 64, 8  # least number of small steps during contact; steps per integrator's part
+_LEAST, _PER_PART = 64, 8  # least number of small steps during contact; steps per integrator's part
 _LONGEST = 32  # samples that they may continue for: in longer, slow contacts samples are accurate
 
 
@@ -120,7 +120,7 @@ def _refined(system: System, trajectory: Trajectory, change: np.ndarray, work: n
     clear = np.where(closing, _UNCLEAR / max(1, int(np.count_nonzero(closing))), _UNCLEAR) * scale
     unclear = np.argsort(-np.where(np.isnan(apart), 0, apart), kind="stable")[:_MOST]
     unclear = np.sort(unclear[apart[unclear] > clear[unclear]])
-    counts = np.where(closing, np.maximum(_LEAST, _FINER * parts), _FINE).astype(int)
+    counts = np.where(closing, np.maximum(_LEAST, _PER_PART * parts), _FINE).astype(int)
     t, q, v = trajectory.t, trajectory.q.copy(), trajectory.v.copy()
     for some in _rounds(system, trajectory, unclear):
         total, q[some + 1], v[some + 1] = _closely(system, t[some], np.diff(t)[some], counts[some],

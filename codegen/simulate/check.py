@@ -16,7 +16,7 @@ from coscrew_codegen.scene.scene import Expectation
 from coscrew_codegen.simulate import advice, check_rounding
 from coscrew_codegen.simulate.alarm import Alarm
 from coscrew_codegen.simulate.balance import Balance, balance
-from coscrew_codegen.simulate.findings import FINER, FINEST, Along, Findings, Met
+from coscrew_codegen.simulate.findings import SECOND_RUN, THIRD_RUN, Along, Findings, Met
 from coscrew_codegen.simulate.outcome import RunOverrides, outside
 from coscrew_codegen.simulate.plan import Plan, Trajectory, plan
 from coscrew_codegen.simulate.progress import Progress
@@ -96,7 +96,7 @@ def _met(system: System, trajectory: Trajectory, wanted: Expectation) -> Met:
 def _along(system: System, planned: Plan, trajectory: Trajectory) -> Along:
     compared = advice.thinned(planned)
     true = advice.reference(system, compared)
-    coarse, finer = balance(system, trajectory), _finer(system, planned, FINER)
+    coarse, finer = balance(system, trajectory), _finer(system, planned, SECOND_RUN)
     along = Along(
         system.precision.name,
         f"rtol {planned.rtol:.3g}" if planned.adaptive else f"step {planned.step:g} s",
@@ -106,10 +106,10 @@ def _along(system: System, planned: Plan, trajectory: Trajectory) -> Along:
         true.until, float(true.t[-1]), true.step)
     if trajectory.stopped:
         return along
-    if not planned.adaptive and not (along.shrinks and along.energy):
-        finest = _finer(system, planned, FINEST)
+    if not planned.adaptive and not (along.shrinks and along.balanced):
+        finest = _finer(system, planned, THIRD_RUN)
         along = replace(along, finest=balance(system, finest, trajectory.t))
-    if along.right and not along.energy:
+    if along.right and not along.balanced:
         along = replace(along, exact=_exact(system, planned, true))
     if not along.right:
         along = replace(along, remedy=advice.advised(system, compared, true))

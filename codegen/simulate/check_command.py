@@ -2,6 +2,7 @@
 
 import argparse
 
+from coscrew_codegen.simulate.allowed import ALLOWED, ENERGY, STRICTLY
 from coscrew_codegen.simulate.command import add_scene, scene_of, tell_unused
 
 
@@ -12,13 +13,13 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         description="Check a scene's run: its expectations, the balance of energy, both "
         "precisions, inverse and forward dynamics, their rounding errors.",
         epilog="The exit status is 0 if all expectations are met; 1 if one is not, or a run stops "
-        "before its end, is off by more than 0.025 of the way a part moves, or cannot be resolved, "
-        "or energies do not balance within 0.001, or a certified bound does not hold; "
-        "2 for an error; 130 for an interrupt.")
+        f"before its end, is off by more than {ALLOWED:g} of the way a part moves, or cannot be "
+        f"resolved, or energies do not balance within {ENERGY:g}, or a certified bound does not "
+        "hold; 2 for an error; 130 for an interrupt.")
     add_scene(parser)
     parser.add_argument("--strict", action="store_true",
-                        help="also exit with 1 if a part is off by more than 0.001 of the way it "
-                             "moves")
+                        help=f"also exit with 1 if a part is off by more than {STRICTLY:g} of "
+                             "the way it moves")
     parser.set_defaults(run=run)
 
 

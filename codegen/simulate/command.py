@@ -199,7 +199,8 @@ def _status(results: "tuple[Result, ...]", options: argparse.Namespace) -> int:
     files: tuple[Path | None, ...] = _outputs(options.output) if options.output else (None,) * 2
     for x, path in zip(results, files, strict=False):
         if x.trajectory.stopped:
-            written = [str(y) for y in (path, options.plot, options.view) if y]
+            page = options.view if x is results[0] else None
+            written = [str(y) for y in (path, options.plot, page) if y]
             where = f" in {', '.join(written)}" if written else ""
             print(f"coscrew: {x.system.precision.name}: {x.trajectory.stopped}; "
                   f"{len(x.trajectory.t)} samples kept{where}", file=sys.stderr)

@@ -7,21 +7,16 @@ from coscrew_codegen.formats import BY_NAME
 from coscrew_codegen.integrator import Integrator
 from coscrew_codegen.scene.scene import Expectation
 from coscrew_codegen.simulate.advice import Error
+from coscrew_codegen.simulate.allowed import ALLOWED, ENERGY, STRICTLY
 from coscrew_codegen.simulate.balance import Balance
 from coscrew_codegen.simulate.check_rounding import Rounded
-from coscrew_codegen.simulate.motion_error import ALLOWED
 from coscrew_codegen.simulate.record import Difference
 
-ENERGY = 1e-3
-"""Allowed defect of energy with the smallest steps, relative to the energies moved: beyond it, the
-power of an effect is not that of its force."""
-FINER = 2
+SECOND_RUN = 2
 """Divisor of the step in the second run."""
-FINEST = 8
+THIRD_RUN = 8
 """Divisor of the step in the third run, made if energies are off, or if the second did not reduce
 the defect of energy."""
-STRICTLY = 1e-3
-"""Allowed error of a part's motion with --strict, relative to the way it moves."""
 
 
 @dataclass(frozen=True)
@@ -47,8 +42,8 @@ class Along:
     step: str  # in words
     stopped: str
     coarse: Balance  # of energy, with the given steps
-    fine: Balance  # with steps smaller by FINER
-    finest: Balance | None  # with steps smaller by FINEST, if `fine` did not reduce the defect
+    fine: Balance  # with steps smaller by SECOND_RUN
+    finest: Balance | None  # with steps smaller by THIRD_RUN, if `fine` did not reduce the defect
     round_trip: float  # the largest |f(g(a)) - a| / (|a| + |f(0)|) of forward and inverse dynamics,
     # f and g, in unit roundoffs
     condition: float  # of the mass matrix, the largest along the run
@@ -76,7 +71,7 @@ class Along:
 
     @property
     def fine_helps(self) -> bool:
-        """Whether steps smaller by FINER make it smaller."""
+        """Whether steps smaller by SECOND_RUN make it smaller."""
         return self.less(self.fine)
 
     @property
@@ -85,7 +80,7 @@ class Along:
         precision the order in double, if the defect is the same: rounding disturbs its own."""
         if self.double and self.as_double:
             return self.double.order
-        finer, times = (self.fine, FINER) if self.fine_helps else (self.finest, FINEST)
+        finer, times = (self.fine, SECOND_RUN) if self.fine_helps else (self.finest, THIRD_RUN)
         if finer is None or not (finer.relative and self.less(finer)):
             return 0.0
         return math.log(self.coarse.relative / finer.relative, times)
@@ -134,16 +129,16 @@ class Along:
         return self.known >= self.end
 
     @property
-    def energy(self) -> bool:
+    def balanced(self) -> bool:
         """Whether energies balance, with the given steps or smaller ones."""
         return any(x is not None and (x.rounded or x.relative <= ENERGY)
                    for x in (self.coarse, self.fine, self.finest, self.exact)) and not math.isnan(
                        self.coarse.relative)
 
     @property
-    def true(self) -> bool:
+    def passed(self) -> bool:
         """Whether the motion is known and right, and energies balance."""
-        return self.right and self.resolved and self.energy
+        return self.right and self.resolved and self.balanced
 
     @property
     def by_rounding(self) -> bool:
@@ -151,9 +146,9 @@ class Along:
         return not self.right and bool(self.double and self.double.right)
 
     @property
-    def strictly_true(self) -> bool:
+    def strictly_passed(self) -> bool:
         """Whether the motion is also within STRICTLY."""
-        return self.true and self.error.relative <= STRICTLY
+        return self.passed and self.error.relative <= STRICTLY
 
 
 @dataclass(frozen=True)
@@ -172,9 +167,9 @@ class Findings:
         balance, and all certified bounds hold."""
         held = not any(x.certified and x.certified.broken for x in self.rounding)
         return held and all(x.passed for x in self.met) and all(
-            x.true and not x.stopped for x in self.along)
+            x.passed and not x.stopped for x in self.along)
 
     @property
     def strictly_passed(self) -> bool:
         """Whether motions are also within STRICTLY."""
-        return self.passed and all(x.strictly_true for x in self.along)
+        return self.passed and all(x.strictly_passed for x in self.along)

@@ -12,10 +12,10 @@ from coscrew_codegen.simulate.advice import remedy
 from coscrew_codegen.simulate.alarm import Alarm
 from coscrew_codegen.simulate.control import Controller, set_by
 from coscrew_codegen.simulate.driven import Driven
-from coscrew_codegen.simulate.held import too_fast
 from coscrew_codegen.simulate.load import Kernels
 from coscrew_codegen.simulate.members import Values, start_of, with_parameters
 from coscrew_codegen.simulate.onward import Instant, refuse, refuse_plan, start_at
+from coscrew_codegen.simulate.overshoot import too_fast
 from coscrew_codegen.simulate.plan import Plan, Trajectory, plan
 from coscrew_codegen.simulate.progress import Progress
 from coscrew_codegen.simulate.record import record

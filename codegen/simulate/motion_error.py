@@ -7,8 +7,8 @@ a hundredth of the way along it.  So neither the speed or place or direction of 
 matters, nor a heavy neighbour.
 """
 
-from collections.abc import Sequence
 from dataclasses import dataclass
+from enum import Enum
 from fractions import Fraction
 from functools import cached_property
 
@@ -18,30 +18,42 @@ from coscrew_codegen.scene.model import Model, value
 from coscrew_codegen.scene_functions import Coordinate
 from coscrew_codegen.simulate.system import System
 
-ALLOWED = 0.025
-"""Largest error of a part relative to its size: halfway, in logarithms, from 1 %, which is right
-for most uses, to 5 %, which is not."""
 REST = 1e-3
 """Sizes count as no smaller than this, in rad, and than this in m, or REST/100 of a scene's largest
 length if that is less: a robot that rests trembles by what nobody sees."""
 
 TRAVEL = 0.01
-"""Of the way along the straight line, which rounding disturbs, counts so much."""
-
-_CENTRE = "centre of mass of "
+"""The share of the way along the straight line that counts as size, since rounding disturbs it."""
 
 Places = tuple[np.ndarray, ...]
 """Where each part is, (…, k): k = 1 for a coordinate, 3 for a position, 4 for a rotation."""
+
+
+class PartKind(Enum):
+    """What a part is of its joint, and how it is named."""
+
+    OWN = "joint {}"  # its coordinate or rotation
+    CENTRE = "centre of mass of {}"  # of the tree that a free joint carries
+    OFFSET = "position of {}"  # of a free joint relative to that centre
 
 
 @dataclass(frozen=True)
 class Part:
     """A part of a scene's motion."""
 
-    joint: str
-    name: str  # "joint elbow", "centre of mass of base"
-    unit: str
+    kind: PartKind
+    coordinate: Coordinate
     least: float  # its size counts as no smaller
+
+    @property
+    def joint(self) -> str:
+        """The joint's name."""
+        return self.coordinate.joint
+
+    @property
+    def name(self) -> str:
+        """Its name in messages: "joint elbow", "centre of mass of base"."""
+        return self.kind.value.format(self.joint)
 
 
 @dataclass(frozen=True)
@@ -54,15 +66,10 @@ class Parts:
     def parts(self) -> tuple[Part, ...]:
         """One or more for each joint that moves."""
         length = REST * min(1.0, 10 * _length(self.system.scene.model) or 1.0)
-        found = []
-        for c in self._coordinates:
-            turns = c.kind != "prismatic"
-            found.append(Part(c.joint, f"joint {c.joint}", "rad" if turns else "m",
-                              REST if turns else length))
-            if c.kind == "free":
-                found.append(Part(c.joint, f"{_CENTRE}{c.joint}", "m", length))
-                found.append(Part(c.joint, f"position of {c.joint}", "m", length))
-        return tuple(found)
+        return tuple(
+            Part(kind, c, length if kind is not PartKind.OWN or c.kind == "prismatic" else REST)
+            for c in self.system.functions.coordinates
+            for kind in (PartKind if c.kind == "free" else (PartKind.OWN,)))
 
     @property
     def least(self) -> np.ndarray:
@@ -71,24 +78,14 @@ class Parts:
 
     def places(self, q: np.ndarray) -> Places:
         """Where the parts are, in double.  (…, nq)."""
-        found: list[np.ndarray] = []
-        for c in self._coordinates:
-            own = q[..., c.q].astype(float)
-            if c.kind == "free":
-                centre = self._centre(c, q)
-                found += [own[..., 3:], centre, own[..., :3] - centre]
-            else:
-                found.append(own)
-        return tuple(found)
+        M = self._mass_matrix(q)
+        return tuple(_place(part, q, M) for part in self.parts)
 
     def velocities(self, q: np.ndarray, v: np.ndarray) -> Places:
         """The velocity of each centre of mass, and zeros for all other parts."""
-        found: list[np.ndarray] = []
-        for c in self._coordinates:
-            found.append(np.zeros(1))
-            if c.kind == "free":
-                found += [self._velocity(c, q, v), np.zeros(3)]
-        return tuple(found)
+        M = self._mass_matrix(q)
+        return tuple(_velocity(x.coordinate, q, v, M) if x.kind is PartKind.CENTRE else
+                     np.zeros(3 if x.kind is PartKind.OFFSET else 1) for x in self.parts)
 
     def distances(self, x: Places, y: Places) -> np.ndarray:
         """How far parts at x are from parts at y, in rad or m; infinite if either is not finite.
@@ -105,52 +102,65 @@ class Parts:
         """The kinetic energy in frames that move with the trees' centres of mass as `line` says:
         Σ T - m V·u + m V²/2, in J.  (…)."""
         found: np.ndarray = self.system.energies(0.0, q, v)[0]
-        moving = self.velocities(q, v)
-        for part, V, u in zip(self.parts, line, moving, strict=True):
-            if part.name.startswith(_CENTRE) and V.any():
-                c = next(x for x in self._coordinates if x.joint == part.joint)
-                if (M := self._mass_matrix(q, c)) is not None:
-                    m = M[..., 0, c.v.start]
-                    found = found + m * np.sum(V * (V / 2 - u), -1)
+        M = self._mass_matrix(q)
+        for part, V in zip(self.parts, line, strict=True):
+            if part.kind is PartKind.CENTRE and M is not None and V.any():
+                m, u = _mass(part.coordinate, M), _velocity(part.coordinate, q, v, M)
+                found = found + m * np.sum(V * (V / 2 - u), -1)
         positive: np.ndarray = np.maximum(found, 0)
         return positive
 
     def _lead(self, x: Places) -> tuple[int, ...]:
         return x[0].shape[:-1] if x else ()
 
-    @property
-    def _coordinates(self) -> Sequence[Coordinate]:
-        return self.system.functions.coordinates
-
-    def _mass_matrix(self, q: np.ndarray, c: Coordinate) -> np.ndarray | None:
-        """The rows of a free joint; None where the scene has no mass matrix, having many joints."""
-        if not self.system.has("mass_matrix"):
+    def _mass_matrix(self, q: np.ndarray) -> np.ndarray | None:
+        """M where something floats; None where nothing does, or where the scene has no mass matrix,
+        having many joints.  (…, nv, nv)."""
+        if all(x.kind is PartKind.OWN for x in self.parts) or not self.system.has("mass_matrix"):
             return None
-        M = np.asarray(self.system.call("mass_matrix", q=q), float)
-        return M[..., c.v.start:c.v.stop, :]
+        return np.asarray(self.system.call("mass_matrix", q=q), float)
 
-    def _centre(self, c: Coordinate, q: np.ndarray) -> np.ndarray:
-        """The centre of mass of the tree that a free joint carries, in the joint's frame; without
-        a mass matrix the joint's own position.  (…, 3)."""
-        own, M = q[..., c.q].astype(float), self._mass_matrix(q, c)
-        if M is None:
-            return own[..., :3]
-        i = c.v.start
+
+def _place(part: Part, q: np.ndarray, M: np.ndarray | None) -> np.ndarray:
+    """Where a part is."""
+    c = part.coordinate
+    own: np.ndarray = q[..., c.q].astype(float)
+    if c.kind != "free":
+        return own
+    if part.kind is PartKind.OWN:
+        return own[..., 3:]
+    centre = _centre(c, q, M)
+    return centre if part.kind is PartKind.CENTRE else own[..., :3] - centre
+
+
+def _mass(c: Coordinate, M: np.ndarray) -> np.ndarray:
+    """The mass of the tree that a free joint carries, from the mass matrix."""
+    found: np.ndarray = M[..., c.v.start, c.v.start]
+    return found
+
+
+def _centre(c: Coordinate, q: np.ndarray, M: np.ndarray | None) -> np.ndarray:
+    """The centre of mass of the tree that a free joint carries; without a mass matrix the joint's
+    own position.  (…, 3)."""
+    own: np.ndarray = q[..., c.q].astype(float)
+    if M is None:
+        return own[..., :3]
+    i = c.v.start
+    with np.errstate(all="ignore"):
+        com = np.stack((M[..., i + 1, i + 5], M[..., i + 2, i + 3], M[..., i, i + 4]), -1) / _mass(
+            c, M)[..., None]
+        return own[..., :3] + np.where(np.isfinite(com), rotated(own[..., 3:], com), 0.0)
+
+
+def _velocity(c: Coordinate, q: np.ndarray, v: np.ndarray, M: np.ndarray | None) -> np.ndarray:
+    """The velocity of that centre of mass.  (…, 3)."""
+    velocity = v[..., c.v.start:c.v.start + 3].astype(float)
+    if M is not None:
         with np.errstate(all="ignore"):
-            com = np.stack((M[..., 1, i + 5], M[..., 2, i + 3], M[..., 0, i + 4]), -1) / M[
-                ..., 0, i, None]
-            return own[..., :3] + np.where(
-                np.isfinite(com), rotated(own[..., 3:], com), 0.0)
-
-    def _velocity(self, c: Coordinate, q: np.ndarray, v: np.ndarray) -> np.ndarray:
-        """The velocity of that centre of mass.  (…, 3)."""
-        own, M = q[..., c.q].astype(float), self._mass_matrix(q, c)
-        velocity = v[..., c.v.start:c.v.start + 3].astype(float)
-        if M is not None:
-            with np.errstate(all="ignore"):
-                momentum = np.einsum("...ij,...j->...i", M[..., :3, :], v.astype(float))
-                velocity = momentum / M[..., 0, c.v.start, None]
-        return rotated(own[..., 3:], velocity)
+            rows = M[..., c.v.start:c.v.start + 3, :]
+            velocity = np.einsum("...ij,...j->...i", rows, v.astype(float)) / _mass(
+                c, M)[..., None]
+    return rotated(q[..., c.q][..., 3:].astype(float), velocity)
 
 
 def rotated(q: np.ndarray, v: np.ndarray) -> np.ndarray:
@@ -192,7 +202,7 @@ class Extent:
 
     @staticmethod
     def since(parts: Parts, q: np.ndarray, v: np.ndarray) -> "Extent":
-        """That of a run which starts at q and v."""
+        """The extent of a run which starts at q and v."""
         return Extent(parts, parts.places(q), parts.velocities(q, v),
                       np.zeros((*q.shape[:-1], len(parts.parts))))
 

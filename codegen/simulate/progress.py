@@ -57,5 +57,10 @@ def line(t: float, until: float, elapsed: float, drift: float) -> str:
     energy."""
     speed = t / elapsed if elapsed > 0 else 0
     left = f"{(until - t) / speed:.0f} s" if speed > 0 else "?"
-    return (f"t {t:.3g}/{until:g} s  {100 * t / until:.0f} %  {speed:.3g}x real time  "
-            f"dE/E {drift:.0e}  ETA {left}")
+    return (f"t {t:.{_digits(until)}g}/{until:g} s  {100 * t / until:.0f} %  "
+            f"{speed:.3g}x real time  dE/E {drift:.0e}  ETA {left}")
+
+
+def _digits(until: float) -> int:
+    """Digits of times up to the end: three, or as many as stand before its point."""
+    return max(3, len(f"{until:.0f}"))

@@ -3,16 +3,14 @@
 
 from tabulate import tabulate
 
+from coscrew_codegen.simulate.allowed import ALLOWED, ENERGY, STRICTLY
 from coscrew_codegen.simulate.check_rounding import DIGITS, Certified, Rounded
 from coscrew_codegen.simulate.findings import (
-    ENERGY,
-    FINEST,
-    STRICTLY,
+    THIRD_RUN,
     Along,
     Findings,
     Met,
 )
-from coscrew_codegen.simulate.motion_error import ALLOWED
 from coscrew_codegen.simulate.outcome import gaps
 from coscrew_codegen.simulate.units import in_unit
 
@@ -26,11 +24,11 @@ def table(findings: Findings, strict: bool = False) -> str:
     parts += [findings.outside] if findings.outside else []
     parts += [f"{x.precision}: {x.stopped}" for x in findings.along if x.stopped]
     parts += [f"FALSE: {x.precision}: {_false(x)}" for x in findings.along
-              if not (x.true or x.stopped)]
+              if not (x.passed or x.stopped)]
     parts += [f"FALSE: {x.precision}: {_broken(x)}" for x in findings.rounding
               if x.certified and x.certified.broken]
     parts += [f"FALSE with --strict: {x.precision}: {_strictly_false(x)}" for x in findings.along
-              if strict and x.true and not (x.strictly_true or x.stopped)]
+              if strict and x.passed and not (x.strictly_passed or x.stopped)]
     return "\n\n".join(parts)
 
 
@@ -49,6 +47,8 @@ def _expectations(met: tuple[Met, ...]) -> str:
 def _checks(along: tuple[Along, ...]) -> str:
     rows = [("largest error of the motion, relative to the way a part moves",
              *(f"{x.error.relative:.2g} ({x.error.part})" for x in along)),
+            ("compared with a motion in steps of, s",
+             *(f"{x.smallest:.2g}" for x in along)),
             ("largest error of energy, relative",
              *(f"{x.coarse.relative:.2g}" for x in along)),
             ("the same with " + " or ".join(dict.fromkeys(_finer(x) for x in along)),
@@ -109,8 +109,8 @@ def _false(along: Along) -> str:
                 f"{along.smallest:.2g} s and larger ones give different motions, as of what is "
                 f"chaotic, or too stiff for them{until}")
     return (f"energy is off by {along.coarse.relative:.2g}, allowed is {ENERGY:g}, and neither "
-            f"half the step nor 1/{FINEST} of it helps: the power of an effect is not that of its "
-            "force, or changes between the samples")
+            f"half the step nor 1/{THIRD_RUN} of it helps: the power of an effect is not that of "
+            "its force, or changes between the samples")
 
 
 def _off(along: Along) -> str:
@@ -126,7 +126,7 @@ def _verdict(along: Along) -> str:
     """The cause of the defect of energy."""
     if along.still:
         return "none: nothing moves"
-    if along.doubtful and along.energy and not along.untold:
+    if along.doubtful and along.balanced and not along.untold:
         return "small: smaller steps do not help"
     if along.doubtful:
         return "DOUBTFUL: smaller steps do not help"

@@ -8,13 +8,13 @@ import numpy as np
 from coscrew_codegen.formats import DOUBLE
 from coscrew_codegen.integrator import Integrator
 from coscrew_codegen.integrators import DEFAULT, named
+from coscrew_codegen.simulate.allowed import AGREED
 from coscrew_codegen.simulate.motion_error import Parts, Places, rotated
 from coscrew_codegen.simulate.system import State, System
 
 _GRID = (1, 2, 3, 4, 6, 8, 12, 16, 24, 32)  # steps after which motions are compared
-_FINER = 4
-_FINEST = 5  # powers of _FINER by which steps are divided, at most
-_CONVERGED = 0.2  # of what is allowed: by so much two reference motions may differ
+_DIVISOR = 4
+_POWERS = 5  # of _DIVISOR, by which steps are divided, at most
 _SEEN = 0.01  # rad or m: ways count as no shorter when it is judged what rounding takes of them
 _MOST = 4_000_000  # steps of reference motions of a window, of all members together
 
@@ -49,7 +49,7 @@ class Window:
 
     @cached_property
     def _finer(self) -> tuple[State, ...]:
-        return self._taken(self.parts.system, DEFAULT, _FINER)
+        return self._taken(self.parts.system, DEFAULT, _DIVISOR)
 
     def errors(self, allowed: np.ndarray) -> np.ndarray:
         """The largest errors of the parts.  Those beyond what is allowed are found again with ever
@@ -70,13 +70,13 @@ class Window:
         other = Parts(exact)
         before = self._finer
         found = self._apart(self.run, before)
-        for power in range(2, _FINEST + 1):
-            divisor = _FINER**power
+        for power in range(2, _POWERS + 1):
+            divisor = _DIVISOR**power
             if divisor * self.count * max(1, self.q.size // self.q.shape[-1]) > _MOST:
                 break
             finer = self._taken(exact, DEFAULT, divisor)
             found, change = self._apart(self.run, finer), self._apart(before, finer, other)
-            if (change <= _CONVERGED * allowed).all():
+            if (change <= AGREED * allowed).all():
                 break
             before = finer
         return found
@@ -121,10 +121,9 @@ class Way:
     def __init__(self, system: System, integrator: Integrator):
         self._system = system
         its = system.functions.coordinates
-        self._columns = [c.q[k] for c in its for k in range(
+        places = [(c.q[k], c.joint) for c in its for k in range(
             {"free": 3, "spherical": 0}.get(c.kind, 1))]
-        self._joints = [c.joint for c in its for _ in range(
-            {"free": 3, "spherical": 0}.get(c.kind, 1))]
+        self._columns, self._joints = [x for x, _ in places], [x for _, x in places]
         self._free = [c for c in its if c.kind == "free"]
         self._ignored = {c.joint for c in self._free} if (
             integrator.keeps_momentum and system.has("free_momentum")) else set()

@@ -28,8 +28,8 @@ LARGEST_C2 = 45
 """The largest c2 of any polynomial program: 1 / (2 c2 u) is just above 1e14."""
 
 LARGEST = 1000
-"""Of operations the tier has those of up to so many instructions: six are made of one.  Iterations
-such as `mat3x3_nearest_rotation` have more, and are backward stable without."""
+"""The longest plain program, in instructions, that has an accurate version, which is six times as
+long.  Iterations such as `mat3x3_nearest_rotation` are longer, and backward stable without."""
 
 
 def accurate(program: Program) -> Program:

@@ -55,17 +55,17 @@ def step_of(said: str) -> float:
 @pytest.mark.parametrize("precision", ("double", "single"))
 def test_an_advised_step_passes_and_four_times_as_much_does_not(found, precision):
     along, said = found(NEAR, EULER, precision)
-    assert not along.true and "the step is too large" in said and "--precision" not in said
-    assert found(NEAR, EULER, precision, step_of(said))[0].true
-    assert not found(NEAR, EULER, precision, min(0.1, 4 * step_of(said)))[0].true
+    assert not along.passed and "the step is too large" in said and "--precision" not in said
+    assert found(NEAR, EULER, precision, step_of(said))[0].passed
+    assert not found(NEAR, EULER, precision, min(0.1, 4 * step_of(said)))[0].passed
 
 
 def test_another_integrator_is_named_where_it_does_with_the_same_step(found):
     _, said = found(NEAR, EULER, "double")
-    assert said.endswith(f", or integrator {DEFAULT}") and found(NEAR, DEFAULT, "double")[0].true
+    assert said.endswith(f", or integrator {DEFAULT}") and found(NEAR, DEFAULT, "double")[0].passed
     rough = {**NEAR, "k": 100}
     _, said = found(rough, EULER, "double")
-    assert DEFAULT not in said and not found(rough, DEFAULT, "double")[0].true
+    assert DEFAULT not in said and not found(rough, DEFAULT, "double")[0].passed
 
 
 def test_simulate_names_a_step_with_which_it_goes_on(tmp_path, capsys):
@@ -83,12 +83,12 @@ def test_double_precision_is_advised_where_no_step_helps_in_single(found, precis
     monkeypatch.setattr(advice, "HALVINGS", 6)
     values = {**FAR, "rest": 1e6, "start": 1e6 + 0.125}
     along, said = found(values, DEFAULT, precision)
-    assert along.precision == "single" and not along.true
+    assert along.precision == "single" and not along.passed
     assert said.endswith("take --precision double")
-    assert found(values, DEFAULT, "double")[0].true
+    assert found(values, DEFAULT, "double")[0].passed
 
 
 def test_what_takes_long_is_not_tried_and_no_step_is_named(found, monkeypatch):
     monkeypatch.setattr(advice, "MOST", 60)
     along, said = found({**NEAR, "k": 100}, DEFAULT, "double")
-    assert not along.true and "smaller steps were not tried, since they would take long" in said
+    assert not along.passed and "smaller steps were not tried, since they would take long" in said

@@ -16,6 +16,8 @@ from PIL import Image, ImageChops
 
 from coscrew_codegen.__main__ import main
 from coscrew_codegen.extras import COMMANDS
+from coscrew_codegen.simulate.allowed import ALLOWED, ENERGY, FROZEN, KEPT, STRICTLY
+from coscrew_codegen.simulate.motion_error import REST
 
 ROOT = Path(__file__).parents[2]
 README = ROOT / "README.md"
@@ -103,6 +105,16 @@ def test_c_snippets_of_scenes_print_what_their_comments_say(snippet, flags, tmp_
                    cwd=tmp_path, check=True)
     done = subprocess.run([str(tmp_path / "program")], text=True, capture_output=True, check=True)
     assert done.stdout.splitlines() == re.findall(r"/\* (.*?) \*/", snippet)
+
+
+def test_allowed_errors_of_motions_are_told_as_they_are():
+    told = " ".join(TEXTS["docs/scenes.md"].partition("## Runs with a wrong motion")[2].split())
+    for words, number in (
+            ("since the start; allowed is {};", ALLOWED), ("velocity makes ({} of it)", FROZEN),
+            ("changes by {} of the largest kinetic", KEPT), ("by {} of the largest vel", KEPT),
+            ("off by more than {} of the way it moves", ALLOWED), ("`--strict` {})", STRICTLY),
+            ("energies do not balance within {} with", ENERGY), ("at least {} rad", REST)):
+        assert words.format(f"{number:g}") in told, words
 
 
 def test_functions_of_scenes_are_described_as_in_their_header(tmp_path):

@@ -252,6 +252,7 @@ def test_ctrl_c_writes_what_was_sampled(tmp_path):
 def test_the_line_of_progress():
     assert (line(3.2, 10, 3.2 / 41, 2e-11)
             == "t 3.2/10 s  32 %  41x real time  dE/E 2e-11  ETA 0 s")
+    assert line(1234.5, 3000, 1, 0.0).startswith("t 1234/3000 s  41 %  ")
     assert line(0, 10, 0.0, 0.0) == "t 0/10 s  0 %  0x real time  dE/E 0e+00  ETA ?"
 
 

@@ -39,7 +39,7 @@ def columns(operation: Operation, rows: np.ndarray) -> list[list[np.ndarray]]:
 
 
 def condition(operation: Operation, rows: np.ndarray) -> np.ndarray:
-    """That of each component of each row, (n, components)."""
+    """The condition of each component of each row, (n, components)."""
     sizes = conditions(fine(operation), columns(operation, rows))
     return np.stack([np.broadcast_to(x, len(rows)) for x in sizes], axis=1)
 

@@ -10,8 +10,9 @@ import pytest
 import coscrew
 from coscrew_codegen import load_scene
 from coscrew_codegen.simulate.alarm import Alarm
+from coscrew_codegen.simulate.allowed import ALLOWED
 from coscrew_codegen.simulate.load import Kernels
-from coscrew_codegen.simulate.motion_error import ALLOWED, Extent, Parts
+from coscrew_codegen.simulate.motion_error import Extent, Parts
 from coscrew_codegen.simulate.plan import plan
 from coscrew_codegen.simulate.run import integrate
 from coscrew_codegen.simulate.system import System, system
