@@ -303,6 +303,7 @@ def test_a_wing_nut_that_turns_wrongly_is_false(tmp_path, capsys, precision, str
     assert status == 1 and "rounding" not in said
     assert "base is off by" in said and "the step is too large" in said
     assert "integrator leapfrog" in said and "error of the momentum of floating bases" in said
+    assert precision != "both" or "take --precision double and integrator leapfrog" in said
 
 
 def test_single_precision_is_not_excused_as_rounding(tmp_path, capsys):
