@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from coscrew_codegen.formats import DOUBLE
+from coscrew_codegen.formats import DOUBLE, Precision
 from coscrew_codegen.integrators import DEFAULT
 from coscrew_codegen.simulate.alarm import Alarm
 from coscrew_codegen.simulate.allowed import AGREED, ALLOWED
@@ -17,6 +17,7 @@ from coscrew_codegen.simulate.system import State, System
 from coscrew_codegen.simulate.windows import in_double
 
 HALVINGS = 12
+_LEAST_RTOL = 1e-13  # which SciPy's integrators take
 MOST = 40_000_000
 """Velocities times steps that trials, or reference motions, may take: some seconds."""
 LADDERS = (8, 64, 512), (4, 16), (2, 4)
@@ -87,14 +88,14 @@ def _agreed(parts: Parts, x: Trajectory, y: Trajectory) -> float:
     """The time until which two motions agree."""
     n = min(len(x.t), len(y.t))
     apart = parts.distances(parts.places(x.q[:n]), parts.places(y.q[:n]))
-    beyond = (apart > AGREED * ALLOWED * sizes(parts, y)).any(-1)
+    beyond = (apart > AGREED * ALLOWED * sizes(parts, DOUBLE, y)).any(-1)
     return float(y.t[-1] if n == len(y.t) and not beyond.any() else
                  y.t[max(0, int(np.argmax(beyond)) - 1 if beyond.any() else n - 1)])
 
 
-def sizes(parts: Parts, motion: Trajectory | Reference) -> np.ndarray:
-    """The sizes of the parts in a motion.  (k)."""
-    extent = Extent.since(parts, motion.q[0], motion.v[0])
+def sizes(parts: Parts, precision: Precision, motion: Trajectory | Reference) -> np.ndarray:
+    """The sizes of the parts in a motion that is judged for runs in this precision.  (k)."""
+    extent = Extent.since(parts, precision, motion.q[0], motion.v[0])
     extent.add(motion.t - motion.t[0], parts.places(motion.q))
     return extent.sizes
 
@@ -108,7 +109,7 @@ def error(system: System, trajectory: Trajectory, true: Reference) -> Error:
     _, here, there = np.intersect1d(trajectory.t, known, assume_unique=True, return_indices=True)
     apart = parts.distances(parts.places(trajectory.q[here].astype(float)),
                             parts.places(true.q[there]))
-    relative = apart / sizes(parts, true)
+    relative = apart / sizes(parts, system.precision, true)
     at, k = np.unravel_index(int(np.argmax(relative)), relative.shape)
     part = parts.parts[k]
     return Error(float(relative[at, k]), part.name, part.joint, float(known[there[at]]))
@@ -138,6 +139,9 @@ def advised(system: System, planned: Plan, true: Reference, start: State | None 
             return "take --precision double"
         if said := _helping(exact, planned, true, start):
             return f"take --precision double and {said}"
+    if planned.adaptive:
+        least = min([planned.rtol, *(x.rtol for x in _tightened(planned))])
+        return f"no rtol down to {least:.2g} is small enough"
     smallest = planned.step / 2**max(0, len(tuple(_halved(system, planned))))
     return (f"no step down to {smallest:.2g} s is small enough" if smallest < planned.step
             else "smaller steps were not tried, since they would take long")
@@ -147,15 +151,22 @@ def _helping(system: System, planned: Plan, true: Reference, start: State | None
     """What makes the run right in its precision: "a step of 0.01 s, or integrator leapfrog"."""
     said = []
     if planned.adaptive:
-        tighter = replace(planned, rtol=planned.rtol / 16, atol=planned.atol / 16)
-        if _right(system, tighter, true, start):
-            return f"rtol = {tighter.rtol:.3g} and atol = {tighter.atol:.3g}"
+        for tighter in _tightened(planned):
+            if _right(system, tighter, true, start):
+                return f"rtol = {tighter.rtol:.3g} and atol = {tighter.atol:.3g}"
     elif step := largest_step(system, planned, true, start):
         said.append(f"a step of {step:g} s")
     if planned.integrator != DEFAULT and _right(
             system, replace(planned, integrator=DEFAULT), true, start):
         said.append(f"integrator {DEFAULT}")
     return ", or ".join(said)
+
+
+def _tightened(planned: Plan) -> tuple[Plan, ...]:
+    """The plan with ever smaller tolerances, which double precision can meet."""
+    rtols = [planned.rtol / 16**n for n in range(1, 12)]
+    return tuple(replace(planned, rtol=x, atol=planned.atol * (x / planned.rtol))
+                 for x in rtols if x >= _LEAST_RTOL)
 
 
 def largest_step(system: System, planned: Plan, true: Reference, start: State | None = None
@@ -173,10 +184,13 @@ def _halved(system: System, planned: Plan) -> Iterator[Plan]:
 
 
 def _right(system: System, planned: Plan, true: Reference, start: State | None) -> bool:
-    """Whether the run reaches its end, is right as long as its reference is known, and passes the
-    Alarm, which takes most of the time and is asked last."""
+    """Whether the run reaches its end, is right, and passes the Alarm, which takes most of the time
+    and is asked last."""
     for alarm in (None, Alarm):
         trajectory = integrate(system, planned, alarm=alarm, start=start)
         if trajectory.stopped or error(system, trajectory, true).relative > ALLOWED:
             return False
-    return True
+    if true.resolved:
+        return True
+    own = reference(system, planned, start)  # which its step may resolve
+    return own.resolved and error(system, trajectory, own).relative <= ALLOWED

@@ -60,7 +60,7 @@ class Alarm:
         its, (q, v) = self.system, self.start
         lead = q.shape[:-1]
         self._parts = Parts(its)
-        self.extent = Extent.since(self._parts, q, v)
+        self.extent = Extent.since(self._parts, its.precision, q, v)
         self._kinetic, self._rounding = np.zeros(lead), np.zeros(lead)  # the largest so far
         self._errors = _Worst(lead, len(self._parts.parts), run)
         self._energies, self._momenta = _Worst(lead, 1, run), _Worst(lead, its.functions.nv, run)
@@ -87,8 +87,8 @@ class Alarm:
         kinetic, potential = self.system.energies(t, q, v)
         lost = alive & ~np.isfinite(kinetic + potential)
         found = {i: ("", f"energy is not finite at t = {t:.9g} s: it grew too large, or is beyond "
-                     f"the range of {self.system.precision.name} precision; {self._remedy()}")
-                 for i in _indices(lost)}
+                     f"the range of {self.system.precision.name} precision; "
+                     f"{self.remedy_in_words()}") for i in _indices(lost)}
         alive = alive & ~lost
         if not alive.any():
             return found
@@ -137,7 +137,7 @@ class Alarm:
             part = self._parts.parts[k]
             found[i] = (part.joint, f"the step is too large at t = {self._time(i, k):.9g} s: "
                         f"{part.name} is off by {ratio[k]:.2g} of the way it moves; "
-                        f"{self._remedy()}")
+                        f"{self.remedy_in_words()}")
         return found
 
     def _of_rounding(self, last: bool, alive: np.ndarray) -> dict[Index, tuple[str, str]]:
@@ -153,7 +153,7 @@ class Alarm:
         bad = self._energies.beyond(KEPT * self._kinetic[..., None], last)[..., 0] & alive
         return {i: ("", f"energy is not kept at t = {self._energies.at[i][0]:.9g} s: it changed by "
                     f"{_ratio(self._energies.worst[i][0], self._kinetic[i]):.2g} of the kinetic "
-                    f"energy, and nothing feeds it in or dissipates it; {self._remedy()}")
+                    f"energy, and nothing feeds it in or dissipates it; {self.remedy_in_words()}")
                 for i in _indices(bad)}
 
     def _of_momentum(self, last: bool, alive: np.ndarray) -> dict[Index, tuple[str, str]]:
@@ -162,16 +162,16 @@ class Alarm:
         return {i: (joint, f"momentum is not kept at t = {self._momenta.at[i][0]:.9g} s: the "
                     "floating bases are off by "
                     f"{_ratio(self._momenta.worst[i][0], self._kinetic[i])**0.5:.2g} of their "
-                    f"speed; {self._remedy()}")
+                    f"speed; {self.remedy_in_words()}")
                 for i in _indices(bad)}
 
     def _time(self, i: Index, k: int) -> float:
         return self.plan.begin + float(self._errors.at[i][k])
 
-    def _remedy(self) -> str:
+    def remedy_in_words(self) -> str:
         """What was tried and is enough; of batches and controllers, which are not tried, no
         number."""
-        if self.remedy and not self.driven and not self.extent.size.ndim > 1:
+        if self.remedy and not self.driven and not self.start[0].ndim > 1:
             return self.remedy(self.system, self.plan, self.start)
         return "take a smaller step"
 

@@ -2,9 +2,9 @@
 
 The parts are a joint's angle or length; a rotation; of a base that floats, its position relative to
 the centre of mass of the tree that it carries, and that centre of mass.  The size of a part is the
-largest distance from its start; of a centre of mass, from the straight line on which it starts, or
-a hundredth of the way along it.  So neither the speed or place or direction of a whole scene
-matters, nor a heavy neighbour.
+largest distance from its start; of centres of mass, and of joints that slide along the world, the
+largest distance from the straight line on which they start, if that is less.  So neither the speed
+or place or direction of a whole scene matters, nor a heavy neighbour.
 """
 
 from dataclasses import dataclass
@@ -14,7 +14,8 @@ from functools import cached_property
 
 import numpy as np
 
-from coscrew_codegen.scene.model import Model, value
+from coscrew_codegen.formats import DOUBLE, SINGLE, Precision
+from coscrew_codegen.scene.model import Joint, Kind, Model, value
 from coscrew_codegen.scene_functions import Coordinate
 from coscrew_codegen.simulate.system import System
 
@@ -22,8 +23,9 @@ REST = 1e-3
 """Sizes count as no smaller than this, in rad, and than this in m, or REST/100 of a scene's largest
 length if that is less: a robot that rests trembles by what nobody sees."""
 
-TRAVEL = 0.01
-"""The share of the way along the straight line that counts as size, since rounding disturbs it."""
+TRAVEL = {DOUBLE: 1e-9, SINGLE: 1e-3}
+"""The share of the way along the straight line that counts as size at least, since rounding takes
+some of it in many steps."""
 
 Places = tuple[np.ndarray, ...]
 """Where each part is, (…, k): k = 1 for a coordinate, 3 for a position, 4 for a rotation."""
@@ -82,10 +84,13 @@ class Parts:
         return tuple(_place(part, q, M) for part in self.parts)
 
     def velocities(self, q: np.ndarray, v: np.ndarray) -> Places:
-        """The velocity of each centre of mass, and zeros for all other parts."""
-        M = self._mass_matrix(q)
-        return tuple(_velocity(x.coordinate, q, v, M) if x.kind is PartKind.CENTRE else
-                     np.zeros(3 if x.kind is PartKind.OFFSET else 1) for x in self.parts)
+        """The velocities of centres of mass and of joints that slide along the world, and zeros for
+        all other parts."""
+        M, sliding = self._mass_matrix(q), _sliding(self.system.scene.model)
+        return tuple(
+            _velocity(x.coordinate, q, v, M) if x.kind is PartKind.CENTRE else
+            v[..., x.coordinate.v].astype(float) if x.joint in sliding else
+            np.zeros(3 if x.kind is PartKind.OFFSET else 1) for x in self.parts)
 
     def distances(self, x: Places, y: Places) -> np.ndarray:
         """How far parts at x are from parts at y, in rad or m; infinite if either is not finite.
@@ -171,6 +176,16 @@ def rotated(q: np.ndarray, v: np.ndarray) -> np.ndarray:
     return found
 
 
+def turned(x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    """The rotation vector from one rotation to another, in the frame of the first.  (…, 4),
+    (…, 4)->(…, 3)."""
+    import coscrew
+
+    to: np.ndarray = coscrew.double.quaternion_product_qq(x * np.array([-1, -1, -1, 1]), y)
+    found: np.ndarray = coscrew.double.quaternion_log(to)
+    return found
+
+
 def _angle(x: np.ndarray, y: np.ndarray) -> np.ndarray:
     """The angle between two rotations, from the chord of their quaternions."""
     chord = np.minimum(np.linalg.norm(x - y, axis=-1), np.linalg.norm(x + y, axis=-1))
@@ -191,43 +206,62 @@ def _length(model: Model) -> float:
     return float(max(found, default=Fraction(0)))
 
 
+def _sliding(model: Model) -> frozenset[str]:
+    """The joints that slide along the world: nothing turns what carries them."""
+    above = {joint.child: joint for joint in model.joints}
+
+    def slides(joint: Joint) -> bool:
+        return joint.kind in (Kind.PRISMATIC, Kind.FIXED) and (
+            joint.parent not in above or slides(above[joint.parent]))
+
+    return frozenset(x.name for x in model.joints if x.kind is Kind.PRISMATIC and slides(x))
+
+
 @dataclass
 class Extent:
-    """How far parts have been from their starts, or lines of start, since a run began."""
+    """How far parts have been from their starts, and lines of start, since a run in this precision
+    began."""
 
     parts: Parts
+    precision: Precision
     start: Places
     line: Places
-    size: np.ndarray  # (…, k)
+    way: np.ndarray  # from the starts, (…, k)
+    off: np.ndarray  # from the lines
+    travelled: np.ndarray  # along the lines
 
     @staticmethod
-    def since(parts: Parts, q: np.ndarray, v: np.ndarray) -> "Extent":
+    def since(parts: Parts, precision: Precision, q: np.ndarray, v: np.ndarray) -> "Extent":
         """The extent of a run which starts at q and v."""
-        return Extent(parts, parts.places(q), parts.velocities(q, v),
-                      np.zeros((*q.shape[:-1], len(parts.parts))))
+        none = np.zeros((*q.shape[:-1], len(parts.parts)))
+        return Extent(parts, precision, parts.places(q), parts.velocities(q, v), none, none, none)
 
     def add(self, after: float | np.ndarray, places: Places) -> None:
         """Note where the parts are after so many seconds; arrays of times and places have an axis
         of samples before the last one."""
-        away = self.away(after, places)
-        samples = away.ndim - self.size.ndim
-        away = np.max(away, axis=-2) if samples else away
-        self.size = np.fmax(self.size, np.where(np.isfinite(away), away, 0))
-
-    def away(self, after: float | np.ndarray, places: Places) -> np.ndarray:
-        """The distances from the starts, or lines of start, after so many seconds."""
         times = np.asarray(after, float)[..., None]
-        several = times.ndim > 1
-        several_line = [u[..., None, :] if several and u.ndim > 1 else u for u in self.line]
-        origin = tuple((x[..., None, :] if several else x) + times * u
-                       for x, u in zip(self.start, several_line, strict=True))
-        way = np.stack(np.broadcast_arrays(*(
-            np.linalg.norm(times * u, axis=-1) for u in several_line)), -1) if self.line else 0.0
-        found: np.ndarray = np.maximum(self.parts.distances(places, origin), TRAVEL * way)
+        start, line = ([x[..., None, :] if times.ndim > 1 and x.ndim > 1 else x for x in of]
+                       for of in (self.start, self.line))
+        gone = [times * u for u in line]
+        self.way = self._largest(self.way, self.parts.distances(places, tuple(start)))
+        if not any(u.any() for u in line):
+            self.off = self.way
+            return
+        ends = tuple(x + u for x, u in zip(start, gone, strict=True))
+        self.off = self._largest(self.off, self.parts.distances(places, ends))
+        self.travelled = self._largest(self.travelled, np.stack(np.broadcast_arrays(*(
+            np.linalg.norm(u, axis=-1) for u in gone)), -1))
+
+    def _largest(self, so_far: np.ndarray, now: np.ndarray) -> np.ndarray:
+        """The largest of the distances so far and now, which may have an axis of samples."""
+        if now.ndim > so_far.ndim:
+            now = np.max(now, axis=-2)
+        found: np.ndarray = np.fmax(so_far, np.where(np.isfinite(now), now, 0))
         return found
 
     @property
     def sizes(self) -> np.ndarray:
         """The sizes of the parts, none below what counts as rest.  (…, k)."""
-        found: np.ndarray = np.maximum(self.size, self.parts.least)
+        found: np.ndarray = np.maximum(np.minimum(self.way, self.off), self.parts.least)
+        found[...] = np.maximum(found, TRAVEL[self.precision] * self.travelled)
         return found

@@ -20,7 +20,8 @@ from coscrew_codegen.simulate.driven import Driven
 from coscrew_codegen.simulate.plan import Plan, Stop, Trajectory
 from coscrew_codegen.simulate.system import State, System, Watch
 
-_AT_ONCE = 10_000  # steps per call of C, which Ctrl-C cannot interrupt
+_AT_ONCE = 400  # steps per call of C, which Ctrl-C cannot interrupt, and between looks of the Alarm
+_SMALLER = "take a smaller step"
 _KEPT = 100  # steps after which rounding errors of momentum are removed
 
 Alarming = Callable[[System, Plan, State], Alarm]
@@ -42,7 +43,7 @@ def integrate(system: System, plan: Plan, watch: Watch | None = None,
     `driven` sets parameters during the run.  `momentum` of floating bases is that of the start,
     unless the run continues another; of that, members have `failed`.
     `watch` is called at each sample and in between: after every step of SciPy and of pure NumPy,
-    else after 10000 steps."""
+    else after 400 steps, or 100 where momentum is kept."""
     times, (q, v) = plan.samples, start or system.start()
     alive = np.ones(q.shape[:-1], bool)
     for stop in failed:
@@ -144,7 +145,7 @@ def fixed(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.nd
     with np.errstate(all="ignore"):
         for start, end in pairwise(times):
             count, h = plan.steps(end - start)
-            before = q, v, copy(driven)
+            before, stops = (q, v, copy(driven)), tuple[Stop, ...]()
             for i in range(0, count, at_once):
                 if watch and i:
                     watch(start + i * h, q, v)
@@ -152,22 +153,40 @@ def fixed(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.nd
                 q, v = advance(more, taken + i, start + i * h, h, q, v)
                 if integrator.keeps_momentum:
                     q, v = system.kept(momentum, start + (i + more) * h, q, v)
-            stops = driven.refused(alive) if driven else ()
-            for x in stops:
-                alive[x.member if alive.ndim else ()] = False
+                if look and i + more < count:
+                    look.system = system.at(driven.p) if driven else system
+                    stops += _stops(look, alive, more, start + (i + more) * h, h, q, v)
+                    if not alive.any():
+                        break
+            stops += driven.refused(alive) if driven else ()
+            _end(alive, stops)
             lost = alive & ~_finite(q, v)
             if lost.any():
-                stops += _lost(system, plan, lost, (start, h, count, taken), *before)
-            taken += count
+                helps = look.remedy_in_words() if look else _SMALLER
+                stops += _lost(system, plan, lost, (start, h, count, taken), helps, *before)
+                _end(alive, stops)
+            taken += i + more
             if driven:
                 driven.update(taken, end, q, v)
             if look:
                 look.system = system.at(driven.p) if driven else system
-                stops += tuple(Stop(i[0] if i else 0, float(end), *x) for i, x in look(
-                    count, end, h, q, v, alive & ~lost).items())
-            for x in stops:
-                alive[x.member if alive.ndim else ()] = False
+                stops += _stops(look, alive, more, end, h, q, v)
             yield q, v, taken - earlier, stops
+
+
+def _stops(look: Alarm, alive: np.ndarray, steps: int, t: float, h: float, q: np.ndarray,
+           v: np.ndarray) -> tuple[Stop, ...]:
+    """The members that are wrong at t, after so many further steps, and then no longer alive."""
+    found = look(steps, t, h, q, v, alive & _finite(q, v))
+    stops = tuple(Stop(i[0] if i else 0, float(t), *x) for i, x in found.items())
+    _end(alive, stops)
+    return stops
+
+
+def _end(alive: np.ndarray, stops: tuple[Stop, ...]) -> None:
+    """Note that these members go on no longer."""
+    for x in stops:
+        alive[x.member if alive.ndim else ()] = False
 
 
 def _finite(q: np.ndarray, v: np.ndarray) -> np.ndarray:
@@ -202,9 +221,9 @@ def _in_finer_parts(system: System, integrator: Integrator, finer: int
 
 
 def _lost(system: System, plan: Plan, lost: np.ndarray, interval: tuple[float, float, int, int],
-          q: np.ndarray, v: np.ndarray, driven: Driven | None) -> tuple[Stop, ...]:
+          helps: str, q: np.ndarray, v: np.ndarray, driven: Driven | None) -> tuple[Stop, ...]:
     """The times and the joints at which states stop being finite in an interval (its start, the
-    length and the number of its steps, steps before it); with cause and remedy if known."""
+    length and the number of its steps, steps before it); with cause, if known, and what helps."""
     (start, h, count, taken), rows = interval, np.flatnonzero(lost)
     if driven or not lost.ndim:
         advance = driven.advance if driven else _advance(system, plan)
@@ -219,7 +238,7 @@ def _lost(system: System, plan: Plan, lost: np.ndarray, interval: tuple[float, f
         for row, at in [x for x in members.items() if not finite[x[1]]]:
             joint_and_number = system.lacking(q[at], v[at])
             joint = joint_and_number.removeprefix("joint ").partition(": ")[0]
-            cause = _cause(system.member(at), plan, h, before[0][at], before[1][at])
+            cause = _cause(system.member(at), plan, h, before[0][at], before[1][at]) + helps
             stops.append(Stop(row, t, joint,
                               f"not finite at t = {t:.9g} s: {joint_and_number}{cause}"))
             del members[row]
@@ -227,8 +246,8 @@ def _lost(system: System, plan: Plan, lost: np.ndarray, interval: tuple[float, f
 
 
 def _cause(system: System, plan: Plan, h: float, q: np.ndarray, v: np.ndarray) -> str:
-    """Cause, if known, and remedy of a failing step that starts at q, v."""
+    """The cause, if known, of a failing step that starts at q, v."""
     splits = plan.integrator == DEFAULT and system.has("parts")
     if splits and np.isnan(system.outputs("parts", h=h, q=q, v=v)[1]):
-        return "; a limit closes that is too stiff for parts of this step; take a smaller step"
-    return "; take a smaller step"
+        return "; a limit closes that is too stiff for parts of this step; "
+    return "; "

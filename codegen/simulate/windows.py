@@ -9,14 +9,14 @@ from coscrew_codegen.formats import DOUBLE
 from coscrew_codegen.integrator import Integrator
 from coscrew_codegen.integrators import DEFAULT, named
 from coscrew_codegen.simulate.allowed import AGREED
-from coscrew_codegen.simulate.motion_error import Parts, Places, rotated
+from coscrew_codegen.simulate.motion_error import Parts, Places, rotated, turned
 from coscrew_codegen.simulate.system import State, System
 
 _GRID = (1, 2, 3, 4, 6, 8, 12, 16, 24, 32)  # steps after which motions are compared
 _DIVISOR = 4
 _POWERS = 5  # of _DIVISOR, by which steps are divided, at most
 _SEEN = 0.01  # rad or m: ways count as no shorter when it is judged what rounding takes of them
-_MOST = 4_000_000  # steps of reference motions of a window, of all members together
+_MOST = 4_000_000  # steps of the finest reference motion of a window, of all members together
 
 
 @dataclass(frozen=True)
@@ -53,15 +53,22 @@ class Window:
 
     def errors(self, allowed: np.ndarray) -> np.ndarray:
         """The largest errors of the parts.  Those beyond what is allowed are found again with ever
-        smaller steps in double precision, until two motions agree.  (…, k)."""
+        smaller steps in double precision, until two motions agree; of more members than that can
+        be done for, evenly spread ones are, and the others are as the nearest of these.  (…, k)."""
         found = self._apart(self.run, self._finer)
         if (found <= allowed).all():
             return found
         bad = ~(found <= allowed).all(-1)
         if not bad.ndim:
             return self._resolved(allowed)
-        one = Parts(self.parts.system.member(np.flatnonzero(bad)))
-        found[bad] = replace(self, parts=one, q=self.q[bad], v=self.v[bad])._resolved(allowed[bad])
+        members = np.flatnonzero(bad)
+        most = max(1, _MOST // (self.count * _DIVISOR**_POWERS))
+        chosen = members[np.unique(np.linspace(0, len(members) - 1, most).round().astype(int))]
+        one = Parts(self.parts.system.member(chosen))
+        resolved = replace(self, parts=one, q=self.q[chosen], v=self.v[chosen])._resolved(
+            allowed[chosen])
+        nearest = np.abs(members[:, None] - chosen).argmin(-1)
+        found[members] = resolved[nearest]
         return found
 
     def _resolved(self, allowed: np.ndarray) -> np.ndarray:
@@ -71,10 +78,7 @@ class Window:
         before = self._finer
         found = self._apart(self.run, before)
         for power in range(2, _POWERS + 1):
-            divisor = _DIVISOR**power
-            if divisor * self.count * max(1, self.q.size // self.q.shape[-1]) > _MOST:
-                break
-            finer = self._taken(exact, DEFAULT, divisor)
+            finer = self._taken(exact, DEFAULT, _DIVISOR**power)
             found, change = self._apart(self.run, finer), self._apart(before, finer, other)
             if (change <= AGREED * allowed).all():
                 break
@@ -116,59 +120,81 @@ def in_double(system: System) -> System:
 
 
 class Way:
-    """The way of coordinates in windows, and the way that their velocities make."""
+    """The way that coordinates go in windows of a run, and the way that their velocities make: of
+    angles, lengths and positions, and of rotations about the three axes of the body."""
 
     def __init__(self, system: System, integrator: Integrator):
         self._system = system
         its = system.functions.coordinates
-        places = [(c.q[k], c.joint) for c in its for k in range(
-            {"free": 3, "spherical": 0}.get(c.kind, 1))]
-        self._columns, self._joints = [x for x, _ in places], [x for _, x in places]
-        self._free = [c for c in its if c.kind == "free"]
-        self._ignored = {c.joint for c in self._free} if (
-            integrator.keeps_momentum and system.has("free_momentum")) else set()
-        self._gone = self._made = self._near = np.zeros(1)
+        kept = integrator.keeps_momentum and system.has("free_momentum")
+        self._joints = [(c.joint, c.kind == "free" and k < 3 and kept)
+                        for c in its for k in range(c.v.stop - c.v.start)]
+        self._made = self._lost = self._near = np.zeros(1)
         self._steps = 0
 
     def add(self, window: Window, steps: int) -> None:
         """Add a window, which stands for so many steps."""
-        if self._system.precision is DOUBLE or not self._columns:
+        if self._system.precision is DOUBLE or not self._joints:
             return
-        before, done, made = (window.q, window.v), 0, np.zeros(1)
+        before, done, made, gone = (window.q, window.v), 0, np.zeros(1), np.zeros(1)
         for n, state in zip(window.grid, window.run, strict=True):
             rates = self._rates(*before) + self._rates(*state)
-            made, before, done = made + (n - done) * window.h / 2 * rates, state, n
-        share, q = steps / window.count, window.q.astype(float)
-        self._gone = self._gone + share * (before[0].astype(float) - q)[..., self._columns]
-        self._made, self._steps = self._made + share * made, self._steps + steps
-        self._near = np.fmax(self._near, np.abs(q[..., self._columns]))
+            made = made + (n - done) * window.h / 2 * rates
+            gone = gone + self._moved(before[0], state[0])
+            before, done = state, n
+        share = steps / window.count
+        self._made = self._made + share * np.abs(made)
+        self._lost = self._lost + share * (made - gone) * np.sign(made)
+        self._near = np.fmax(self._near, self._numbers(window.q))
+        self._steps += steps
 
     def frozen(self, allowed: float) -> dict[tuple[int, ...], tuple[str, float, float]]:
         """(joint, share of its way that is lost, its coordinate) by member: where more is lost than
         is allowed, and no more than rounding takes."""
         if not self._steps:
             return {}
-        made, near = self._made, self._near
-        lost = np.abs(self._gone - made)
-        spacing = np.spacing(near.astype(self._system.dtype)).astype(float)
-        coarse = (lost > allowed * np.maximum(np.abs(made), _SEEN)) & (lost < self._steps * spacing)
+        way, lost = np.maximum(self._made, _SEEN), self._lost
+        spacing = np.spacing(self._near.astype(self._system.dtype)).astype(float)
+        coarse = (lost > allowed * way) & (lost < self._steps * spacing)
         found: dict[tuple[int, ...], tuple[str, float, float]] = {}
         for *i, n in np.argwhere(coarse).tolist():
-            if self._joints[n] not in self._ignored:
-                share = float(lost[(*i, n)] / max(abs(made[(*i, n)]), _SEEN))
-                found.setdefault(tuple(i), (self._joints[n], share, float(near[(*i, n)])))
+            joint, kept = self._joints[n]
+            if not kept:
+                share = float(lost[(*i, n)] / way[(*i, n)])
+                found.setdefault(tuple(i), (joint, share, float(self._near[(*i, n)])))
         return found
 
     def _rates(self, q: np.ndarray, v: np.ndarray) -> np.ndarray:
-        """The rates of angles, lengths and positions."""
+        """The rates of angles, lengths and positions; of rotations in the body's frame."""
         found = []
         for c in self._system.functions.coordinates:
             own = v[..., c.v].astype(float)
             if c.kind == "free":
                 turn = q[..., c.q][..., 3:].astype(float)
-                found.append(rotated(turn, own[..., :3]))
-            elif c.kind != "spherical":
+                found += [rotated(turn, own[..., :3]), own[..., 3:]]
+            else:
                 found.append(own)
+        return np.concatenate(found, -1)
+
+    def _moved(self, before: np.ndarray, after: np.ndarray) -> np.ndarray:
+        """The differences of angles, lengths and positions; of rotations the rotation vector."""
+        found = []
+        for c in self._system.functions.coordinates:
+            x, y = (q[..., c.q].astype(float) for q in (before, after))
+            if c.kind in ("free", "spherical"):
+                found += [y[..., :-4] - x[..., :-4], turned(x[..., -4:], y[..., -4:])]
+            else:
+                found.append(y - x)
+        return np.concatenate(found, -1)
+
+    def _numbers(self, q: np.ndarray) -> np.ndarray:
+        """The sizes of the coordinates; of rotations 2, since an angle is twice that of its
+        quaternion, whose numbers are up to 1."""
+        found = []
+        for c in self._system.functions.coordinates:
+            own = np.abs(q[..., c.q].astype(float))
+            rotates = c.kind in ("free", "spherical")
+            found += [own[..., :-4], np.full((*own.shape[:-1], 3), 2.0)] if rotates else [own]
         return np.concatenate(found, -1)
 
 

@@ -9,6 +9,7 @@ import pytest
 
 import coscrew
 from coscrew_codegen import load_scene
+from coscrew_codegen.formats import SINGLE
 from coscrew_codegen.simulate.alarm import Alarm
 from coscrew_codegen.simulate.allowed import ALLOWED
 from coscrew_codegen.simulate.load import Kernels
@@ -166,9 +167,11 @@ def test_sizes_do_not_grow_along_the_line_of_start(loaded):
     its = loaded(BASE)
     q, v = its.start()
     v[0] = 300.0
-    extent = Extent.since(Parts(its), q, v)
+    extent = Extent.since(Parts(its), its.precision, q, v)
     moved = q.copy()
     moved[0] += 300.0
     extent.add(1.0, Parts(its).places(moved))
-    assert extent.size == pytest.approx([0, 3, 0, 0, 0], abs=1e-9)  # a hundredth of the way
-    assert replace(extent, size=np.ones(extent.size.shape)).sizes == pytest.approx(1.0)
+    assert extent.sizes == pytest.approx([1e-3] * 5, abs=1e-9)  # rest
+    assert replace(extent, way=np.ones(5), off=np.ones(5)).sizes == pytest.approx(1.0)
+    single = replace(extent, precision=SINGLE)
+    assert single.sizes == pytest.approx([1e-3, 0.3, 1e-3, 1e-3, 1e-3], abs=1e-9)  # rounding
