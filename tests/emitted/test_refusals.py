@@ -25,6 +25,7 @@ from coscrew_codegen.quantity import (
 from coscrew_codegen.report.inputs import benign
 from coscrew_codegen.requirements import requirements
 from coscrew_codegen.tiers import TIERS
+from tests.support.rotations import NO_ROTATIONS
 
 LETTERS = {ROTATION: "R", DISPLACEMENT: "R", UNIT_QUATERNION: "U", NONZERO: "N", ORDINARY: "N",
            NONZERO_MATRIX: "M"}
@@ -50,10 +51,6 @@ def named(x: Operation | ModuleType) -> str:
 
 
 I3 = np.eye(3)
-NO_ROTATIONS = {
-    "a reflection": np.diag([-1.0, 1, 1]), "minus the identity": -I3, "zero": 0 * I3,
-    "scaled": 1.001 * I3, "scaled down": 0.999 * I3, "sheared": I3 + 0.002 * np.eye(3, k=1),
-    "infinite": np.diag([np.inf, 1, 1]), "huge": 1e200 * I3, "permuted": I3[[1, 0, 2]]}
 ROTATIONS = {
     "three digits": np.array([[0.707, -0.707, 0], [0.707, 0.707, 0], [0, 0, 1]]),
     "single precision": coscrew.SO3_exp([1, 2, 3]).astype(np.float32),
