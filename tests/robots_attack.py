@@ -21,12 +21,11 @@ from tabulate import tabulate
 
 from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.simulate.load import Kernels, kernels_for
+from tests.support.limits import LARGEST_CONDITION
 from tests.support.scenes.tiers import DIGITS, Result, components, flat
 from tests.support.truth.condition import conditions
 from tests.support.truth.robots import FUNCTIONS, Robot, robot
 
-LARGEST = {"double": 1e13, "single": 1e5}
-"""Conditions up to which the accurate tier's promise holds."""
 MOST = {"double": 1.0, "single": 0.5001}
 """Units of the last digit by which it errs."""
 RESOLUTION = mpf(10)**-100
@@ -47,7 +46,7 @@ class Judged:
     def told(self) -> bool:
         """Whether the accurate tier promises anything."""
         return bool(self.accurate.true) and (
-            self.accurate.condition < LARGEST[self.precision.name])
+            self.accurate.condition < LARGEST_CONDITION[self.precision.name])
 
     @property
     def ulps(self) -> float:

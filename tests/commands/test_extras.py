@@ -2,7 +2,6 @@
 
 import os
 import re
-import resource
 import subprocess
 import sys
 import sysconfig
@@ -116,17 +115,36 @@ def test_help_of_each_command_needs_no_extra_and_gives_the_way(bare, command):
                          f'`pip install "coscrew[{extra}]"`')
 
 
-@pytest.mark.parametrize("words", (("--help",), ("simulate", "--help")), ids=" ".join)
-def test_help_takes_less_than_three_tenths_of_a_second(words):
-    """Of the processor, with all packages installed: the least of some runs."""
-    def seconds() -> float:
-        before = resource.getrusage(resource.RUSAGE_CHILDREN)
-        subprocess.run([sys.executable, "-m", "coscrew_codegen", *words], check=True,
-                       stdout=subprocess.DEVNULL)
-        after = resource.getrusage(resource.RUSAGE_CHILDREN)
-        return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+LISTED = """
+import atexit, runpy, sys
+before = {*sys.modules}
+atexit.register(lambda: print(*sys.modules.keys() - before, file=sys.stderr))
+sys.argv = ["coscrew", *sys.argv[1:]]
+runpy.run_module("coscrew_codegen", run_name="__main__")
+"""
 
-    assert min(seconds() for _ in range(4)) < 0.3
+
+def imported(*words: str) -> set[str]:
+    """The modules that the command imports, where all packages are installed."""
+    done = subprocess.run([sys.executable, "-c", LISTED, *words], check=True, capture_output=True,
+                          text=True)
+    return {*done.stderr.split()}
+
+
+@pytest.mark.parametrize("words", (("--help",), ("simulate", "--help"), ("--version",)),
+                         ids=" ".join)
+def test_help_imports_nothing_but_the_standard_library(words):
+    """NumPy, SciPy, SymPy and others would take a second."""
+    packages = {x.partition(".")[0] for x in imported(*words)} - sys.stdlib_module_names
+    assert packages == {"coscrew_codegen"}
+
+
+def test_help_imports_no_operations_and_no_other_command():
+    """All operations are built when their module is imported."""
+    for words in (("--help",), ("simulate", "--help")):
+        found = imported(*words)
+        assert not {"coscrew_codegen.operations", "coscrew_codegen.tiers"} & found
+    assert not [x for x in found if x.startswith("coscrew_codegen.sweep")]
 
 
 def test_an_unknown_command_is_refused_without_extras(bare):

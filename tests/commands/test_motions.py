@@ -10,7 +10,7 @@ from tests.support.motions.errors import ALLOWED, FLOOR, Error, errors, judged
 from tests.support.motions.families import FAMILIES, drawn
 from tests.support.motions.reference import reference
 from tests.support.motions.table import converged, judge
-from tests.support.motions.verdicts import Setting
+from tests.support.motions.verdicts import Setting, advised
 
 EXACT = ("servo_off_target", "spring_between", "stop_late", "stick_slip", "drag", "mimic",
          "two_appendages", "top", "far_and_free")
@@ -23,7 +23,7 @@ def test_short_steps_converge_to_the_judge(family):
     assert worst.q <= 1e-3 * ALLOWED.q and worst.v <= 1e-3 * ALLOWED.v, worst
 
 
-def test_errors_are_judged_by_each_parts_own_amplitude():
+def test_errors_are_itsby_each_parts_own_amplitude():
     """A hundredth of a joint's swing more is between right and wrong; six hundredths are wrong; and
     what is smaller than a twentieth of the floor is rest."""
     motion = drawn("servos_of_an_arm", 2)
@@ -74,6 +74,15 @@ def test_right_motions_pass_and_wrong_ones_are_refused(family, number, integrato
     motion = drawn(family, number)
     row = judge(motion).row(Setting(motion.steps[0], integrator, precision), follow=False)
     assert row.truth == truth and not row.false, row.words
+
+
+def test_advised_tolerances_do():
+    motion = drawn("spring", 1)
+    its = judge(motion)
+    how = Setting(motion.steps[0], "dop853", "double", (1e-2, 1e-2))
+    said = its.runs.said(how)
+    assert advised(said.text, how) == (replace(how, tolerances=(6.25e-4, 6.25e-4)),)
+    assert not [*its.followed(how, said)] and its.truth(how)[0] == "wrong"
 
 
 @pytest.mark.parametrize("number", (2, 6, 8))

@@ -2,6 +2,7 @@
 of sweeps, expectations, pages and generated functions."""
 
 import json
+import math
 from dataclasses import replace
 from pathlib import Path
 
@@ -19,6 +20,7 @@ from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.selected import resolved
 from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.simulate import SimulateError
+from coscrew_codegen.simulate.result import Result
 from tests.support.browser import chromium
 from tests.support.scenes.effect_laws import assert_same
 from tests.support.scenes.effect_scenes import PLACES, effects, mechanism
@@ -152,12 +154,27 @@ def test_functions_of_effects_come_with_their_records_only(tmp_path: Path) -> No
         run(kernels, record=["drag.bob.power"])
 
 
-def test_an_expectation_may_be_of_an_effect(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
-    path = written(tmp_path, ("q",), '[expect]\n"actuator.hinge.torque" = { at = 1.5, value = -4, '
-                                     'atol = 1e-9 }\n')
-    torque = run(path, record=["actuator.hinge.torque"]).recorded["actuator.hinge.torque"][-1]
-    assert main(["check", str(path)]) == (0 if abs(torque + 4) <= 1e-9 else 1)
-    assert "actuator.hinge.torque" in capsys.readouterr().out
+def pd_torque(found: Result) -> float:
+    """The actuator's at the end, by its formula, of the recorded q and v."""
+    demanded = 30 * (math.sin(3 * found.t[-1]) - found.q[-1, 1]) - 2 * found.v[-1, 1]
+    return min(max(float(demanded), -4.0), 4.0)
+
+
+@pytest.mark.parametrize("until, saturated", [(0.2, True), (1.5, False)])
+@pytest.mark.parametrize("off, status, said", [(0, 0, "pass"), (2e-9, 1, "FAIL"),
+                                               (-2e-9, 1, "FAIL")])
+def test_an_expectation_may_be_of_an_effect(tmp_path: Path, capsys: pytest.CaptureFixture,
+                                            until: float, saturated: bool, off: float,
+                                            status: int, said: str) -> None:
+    """It passes with the formula's value, and fails with one that is off by twice what may be."""
+    torque = pd_torque(run(written(tmp_path, ("q",)), until=until))
+    assert (abs(torque) == 4) == saturated
+    path = written(tmp_path, ("q",), f"""[expect]
+"actuator.hinge.torque" = {{ at = {until}, value = {torque + off!r}, atol = 1e-9 }}
+""")
+    assert main(["check", str(path), "--precision", "double"]) == status
+    (line,) = (x for x in capsys.readouterr().out.splitlines() if "actuator.hinge.torque" in x)
+    assert line.split()[0] == said
 
 
 def test_tables_of_sweeps_have_the_saturated_share(tmp_path: Path) -> None:

@@ -1,7 +1,6 @@
 """`coscrew sweep` and `opened` on folders whose files were damaged: flipped bits, cut off, emptied,
 deleted, exchanged.  Nothing of it is read as numbers; the same command makes the parts again."""
 
-import logging
 import os
 import re
 import shutil
@@ -15,31 +14,18 @@ import pytest
 from distributed import LocalCluster
 
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.sweep import chunk, opened, part, prepare
+from coscrew_codegen.sweep import chunk, opened, part
 from coscrew_codegen.sweep.folder import Folder
 from coscrew_codegen.sweep.part import DamagedError
-from tests.support.scenes.simulated import scene_file
 from tests.support.scenes.sweeps import SLIDER, prepared
-from tests.support.sweeping import VARIED, after, sweep, table
+from tests.support.sweeping import VARIED, after, processes, sweep, table
 
-
-@pytest.fixture(scope="module", autouse=True)
-def small_chunks() -> Iterator[None]:
-    """Of 64 members, though their work is little."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(prepare, "_STEPS", (1, 50_000_000))
-        yield
-
-
-@pytest.fixture(scope="module")
-def scene(tmp_path_factory) -> Path:
-    return scene_file(tmp_path_factory.mktemp("scene"), SLIDER, "slider")
+pytestmark = pytest.mark.usefixtures("small_chunks")
 
 
 @pytest.fixture(scope="module")
 def workers() -> Iterator[LocalCluster]:
-    with LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=None,
-                      silence_logs=logging.CRITICAL) as found:
+    with processes(1) as found:
         yield found
 
 

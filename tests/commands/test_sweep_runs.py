@@ -3,7 +3,6 @@ two sweeps into one folder, Ctrl-C: nothing that was written is lost, and the sa
 """
 
 import json
-import logging
 import os
 import re
 import resource
@@ -22,33 +21,19 @@ from distributed import Client, LocalCluster, WorkerPlugin
 
 from coscrew_codegen import command_line
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.sweep import SweepError, chunk, cluster, command, opened, prepare
+from coscrew_codegen.sweep import SweepError, chunk, cluster, command, opened
 from tests.support.processes import interruptible
-from tests.support.scenes.simulated import scene_file
-from tests.support.scenes.sweeps import SLIDER
-from tests.support.sweeping import VARIED, after, awaited, dask, sweep, table
+from tests.support.sweeping import VARIED, after, awaited, dask, processes, sweep, table
 
 CHUNKS, MEMBERS = 10, 600
 
-
-@pytest.fixture(scope="module", autouse=True)
-def small_chunks() -> Iterator[None]:
-    """Of 64 members, though their work is little."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(prepare, "_STEPS", (1, 50_000_000))
-        yield
-
-
-@pytest.fixture(scope="module")
-def scene(tmp_path_factory) -> Path:
-    return scene_file(tmp_path_factory.mktemp("scene"), SLIDER, "slider")
+pytestmark = pytest.mark.usefixtures("small_chunks")
 
 
 @pytest.fixture(scope="module")
 def workers() -> Iterator[LocalCluster]:
     """Two processes."""
-    with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None,
-                      silence_logs=logging.CRITICAL) as found:
+    with processes(2) as found:
         yield found
 
 

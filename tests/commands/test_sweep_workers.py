@@ -9,7 +9,6 @@ import sys
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
-from pathlib import Path
 
 import psutil
 import pytest
@@ -17,8 +16,6 @@ import pytest
 from coscrew_codegen.__main__ import CLOSED, main
 from coscrew_codegen.sweep import SweepError, cluster
 from tests.support.processes import interruptible
-from tests.support.scenes.simulated import scene_file
-from tests.support.scenes.sweeps import SLIDER
 from tests.support.sweeping import VARIED, awaited, dask, sweep
 
 ALONE = """
@@ -26,11 +23,6 @@ import sys
 sys.meta_path[:] = [x for x in sys.meta_path if "editable" not in repr(x)]
 """
 """A process that finds no package of an editable installation."""
-
-
-@pytest.fixture(scope="module")
-def scene(tmp_path_factory) -> Path:
-    return scene_file(tmp_path_factory.mktemp("scene"), SLIDER, "slider")
 
 
 @pytest.mark.parametrize(("environment", "largest", "said"), (

@@ -1,6 +1,9 @@
 """Python's functions refuse matrices that are no rotations and quaternions without a direction."""
 
+from collections.abc import Iterable
 from importlib import import_module
+from pathlib import Path
+from types import ModuleType
 
 import numpy as np
 import pytest
@@ -10,20 +13,44 @@ from coscrew import _dispatch
 from coscrew_codegen.formats import DOUBLE, PRECISIONS
 from coscrew_codegen.library import FamilyKernels
 from coscrew_codegen.operations import FAMILIES, OPERATIONS, Operation
+from coscrew_codegen.programs import program_of
+from coscrew_codegen.quantity import (
+    DISPLACEMENT,
+    NONZERO,
+    NONZERO_MATRIX,
+    ORDINARY,
+    ROTATION,
+    UNIT_QUATERNION,
+)
 from coscrew_codegen.report.inputs import benign
-from coscrew_codegen.requirements import Required, requirements
+from coscrew_codegen.requirements import requirements
 from coscrew_codegen.tiers import TIERS
+from tests.support.rotations import NO_ROTATIONS
 
-OF_LETTERS = {name: letters for family in FAMILIES for name, letters in requirements(FamilyKernels(
-    family, tuple(op for op in OPERATIONS if op.family == family), PRECISIONS)).items()}
-REFUSING = tuple(op for op in OPERATIONS if op.name in OF_LETTERS)
-PACKAGES = tuple(import_module(tier.package) for tier in TIERS if tier.in_python)
-ALL_WAYS = pytest.mark.parametrize("place", (*PACKAGES, _dispatch), ids=lambda x: x.__name__)
+LETTERS = {ROTATION: "R", DISPLACEMENT: "R", UNIT_QUATERNION: "U", NONZERO: "N", ORDINARY: "N",
+           NONZERO_MATRIX: "M"}
+UNCHECKED = frozenset(
+    name for line in Path(__file__).with_name("unchecked_operations.txt").read_text().splitlines()
+    if line and not line.startswith("#") for name in line.partition(": ")[2].split())
+RESTRICTED = {op.name: "".join(LETTERS.get(a.domain, ".") for a in op.inputs) for op in OPERATIONS
+              if any(a.domain in LETTERS for a in op.inputs)}
+"""A letter for each argument, by its domain."""
+REFUSED = {name: letters for name, letters in RESTRICTED.items() if name not in UNCHECKED}
+PLACES = {tier: import_module(tier.package) for tier in TIERS if tier.in_python}
+BY_NAME = {op.name: op for op in OPERATIONS}
+
+
+def in_places(names: Iterable[str]) -> list[tuple[Operation, ModuleType]]:
+    """Each operation with each package that has it, and with the dispatcher."""
+    return [(op, place) for op in map(BY_NAME.__getitem__, names) for place in (_dispatch, *(
+        place for tier, place in PLACES.items() if tier.has(program_of(op))))]
+
+
+def named(x: Operation | ModuleType) -> str:
+    return x.name if isinstance(x, Operation) else x.__name__
+
+
 I3 = np.eye(3)
-NO_ROTATIONS = {
-    "a reflection": np.diag([-1.0, 1, 1]), "minus the identity": -I3, "zero": 0 * I3,
-    "scaled": 1.001 * I3, "scaled down": 0.999 * I3, "sheared": I3 + 0.002 * np.eye(3, k=1),
-    "infinite": np.diag([np.inf, 1, 1]), "huge": 1e200 * I3, "permuted": I3[[1, 0, 2]]}
 ROTATIONS = {
     "three digits": np.array([[0.707, -0.707, 0], [0.707, 0.707, 0], [0, 0, 1]]),
     "single precision": coscrew.SO3_exp([1, 2, 3]).astype(np.float32),
@@ -40,27 +67,40 @@ def arguments(operation: Operation, lead: tuple[int, ...] = ()) -> list[np.ndarr
 
 def spoiled(letter: str, shape: tuple[int, ...], R: np.ndarray) -> np.ndarray:
     """An argument that the letter refuses: with this matrix, a length of 1.01, or zero."""
-    if letter == Required.ROTATION.value:
+    if letter == "R":
         return np.hstack([R, np.zeros((3, shape[1] - 3))])
-    return np.full(shape, 0.505 if letter == Required.UNIT.value else 0)
+    return np.full(shape, 0.505 if letter == "U" else 0)
 
 
-@pytest.mark.parametrize("operation", REFUSING, ids=lambda op: op.name)
-@ALL_WAYS
-def test_each_argument_is_refused_by_its_name(operation: Operation, place):
-    if operation.name not in dir(place):  # a tier has some of the operations
-        assert place in (coscrew.accurate, coscrew.certified)
-        return
+def test_what_is_required_is_what_the_domains_say():
+    """But of copies, products and rates, which are algebra."""
+    found: dict[str, str] = {}
+    for family in FAMILIES:
+        found |= requirements(FamilyKernels(
+            family, tuple(op for op in OPERATIONS if op.family == family), PRECISIONS))
+    assert found == REFUSED and RESTRICTED.keys() >= UNCHECKED
+
+
+@pytest.mark.parametrize("operation, place", in_places(REFUSED), ids=named)
+def test_each_argument_is_refused_by_its_name(operation: Operation, place: ModuleType):
     function = getattr(place, operation.name)
-    for k, (a, letter) in enumerate(zip(operation.inputs, OF_LETTERS[operation.name],
-                                        strict=True)):
-        if letter == Required.NOTHING.value:
+    for k, (a, letter) in enumerate(zip(operation.inputs, REFUSED[operation.name], strict=True)):
+        if letter == ".":
             continue
         given = arguments(operation)
         function(*given)
         given[k] = spoiled(letter, a.quantity.shape, np.diag([1.0, -1, 1]))
         with pytest.raises(ValueError, match=f"^{operation.name}: .*\\b{a.name} is (no|zero)"):
             function(*given)
+
+
+@pytest.mark.parametrize("operation, place", in_places(sorted(UNCHECKED)), ids=named)
+def test_algebra_takes_any_numbers(operation: Operation, place: ModuleType):
+    given = [spoiled(letter, a.quantity.shape, np.diag([1.0, -1, 1])) if letter != "." else x
+             for a, x, letter in zip(operation.inputs, arguments(operation),
+                                     RESTRICTED[operation.name], strict=True)]
+    found = getattr(place, operation.name)(*given)
+    assert all(np.isfinite(x).all() for x in (found if isinstance(found, tuple) else (found,)))
 
 
 @pytest.mark.parametrize("R", NO_ROTATIONS.values(), ids=NO_ROTATIONS)

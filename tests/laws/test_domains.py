@@ -35,11 +35,11 @@ from coscrew_codegen.quantity import (
 )
 from coscrew_codegen.report.inputs import benign, split
 from tests.support.cases import for_all
+from tests.support.limits import LARGEST_ANGLE
 
 ROOT = Path(__file__).parents[2]
 INPUTS = tuple({(a.name, a.quantity, a.domain): (op, n) for op in OPERATIONS
                 for n, a in enumerate(op.inputs)}.values())
-LARGEST = {"double": 1e13, "single": 1e5}
 MOST = {"double": 2.0**450, "single": 2.0**45}
 
 
@@ -80,7 +80,7 @@ IS_IN: dict[Domain, Callable[[np.ndarray, float, str], np.ndarray]] = {
     NONZERO: lambda x, u, _: x.any(axis=1),
     ORDINARY: lambda x, u, p: (length(x) > MOST[p]**-1.0) & (length(x) < MOST[p]),
     FRACTION: lambda x, u, _: (x >= 0) & (x <= 1), MASS: lambda x, u, _: x >= 0,
-    TURN: lambda x, u, p: length(x) <= LARGEST[p],
+    TURN: lambda x, u, p: length(x) <= LARGEST_ANGLE[p],
     HALF_TURN: lambda x, u, _: length(x) <= PI * (1 + 4 * u),
     SINE_COSINE: lambda x, u, _: np.abs(np.hypot(*x.T) - 1) <= 4 * u,
     REGULAR: lambda x, u, _: np.linalg.det(x) != 0, SYMMETRIC: lambda x, u, _: symmetric(x),

@@ -14,6 +14,7 @@ from coscrew_codegen.operations import OPERATIONS, Operation
 from tests.support.compiled.c_harness import COMPILERS, EXACT, call, harness
 from tests.support.domains import angle
 from tests.support.each import each_precision
+from tests.support.limits import LARGEST_ANGLE
 from tests.support.motion_inputs import axes, displacements, motions_of, rotation_vectors, rotations
 from tests.support.truth.motion_errors import (
     Objects,
@@ -30,8 +31,6 @@ MOTIONS = tuple(op for op in OPERATIONS if op.name in TRUTHS)
 TABLE = {op.name: op for op in MOTIONS}
 Arrays = tuple[np.ndarray, ...]
 Evaluate = Callable[[Operation, Precision, Arrays], Arrays]
-
-LARGEST_ANGLE = {"double": 1e13, "single": 1e5}  # of bounds for rotations by any angle
 
 each_motion = pytest.mark.parametrize("operation", MOTIONS, ids=lambda op: op.name)
 

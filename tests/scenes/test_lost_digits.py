@@ -13,11 +13,12 @@ from coscrew_codegen.program.interpreter import interpreter
 from coscrew_codegen.program.multiprecise import MULTIPRECISE, precise
 from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.simulate.load import Kernels, kernels_for
+from tests.support.limits import LARGEST_CONDITION
 from tests.support.scenes.tiers import components
 from tests.support.truth.condition import conditions
 
 Given: TypeAlias = list[np.ndarray]
-DIGITS, LARGEST = 120, 1e13
+DIGITS, LARGEST = 120, LARGEST_CONDITION["double"]
 GEARED = """
 name = "geared"
 tiers = ["accurate"]

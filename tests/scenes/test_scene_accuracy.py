@@ -23,6 +23,7 @@ from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene_files.toml_scene import SceneOverrides, read_scene
 from coscrew_codegen.simulate.load import kernels_for
 from tests.support.each import each_precision
+from tests.support.limits import LARGEST_CONDITION
 from tests.support.scenes import mechanisms as m
 from tests.support.scenes.arms import GRAVITY, arm, exact, inverse, motions
 from tests.support.scenes.tiers import DIGITS, Result, results, states
@@ -31,16 +32,15 @@ from tests.support.truth.condition import conditions
 from tests.support.truth.newton_euler import inverse_dynamics
 
 EXAMPLES = Path(__file__).parents[2] / "examples" / "scenes"
-LARGEST = {"double": 1e13, "single": 1e5}
-"""Conditions up to which the promise holds; in single precision, that of nearest numbers."""
 NEAREST = 0.5001
 
 
 def broken(found: Sequence[Result], precision: Precision) -> list[tuple[int, float, float]]:
     """Place, condition and error of every result that is worse than promised."""
     most = 1.0 if precision == DOUBLE else NEAREST
+    largest = LARGEST_CONDITION[precision.name]
     return [(x.place, x.condition, x.ulps(precision)) for x in found
-            if x.true and x.condition < LARGEST[precision.name] and x.ulps(precision) > most]
+            if x.true and x.condition < largest and x.ulps(precision) > most]
 
 
 @cache
@@ -164,7 +164,7 @@ def test_motions_of_quaternions_are_those_of_power_series(precision: Precision):
     judged = [Result(j, found[k, j], true[k][j], float(size[j][k]))
               for k in range(len(found)) for j in range(7)]
     assert not broken(judged, precision)
-    assert max(x.condition for x in judged) > LARGEST[precision.name] / 100
+    assert max(x.condition for x in judged) > LARGEST_CONDITION[precision.name] / 100
 
 
 def test_angles_that_a_function_computes_may_be_large():

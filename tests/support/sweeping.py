@@ -1,5 +1,6 @@
 """Sweeps on the workers of a Dask cluster whose processes tests start, stop and impair."""
 
+import logging
 import os
 import re
 import resource
@@ -20,6 +21,12 @@ from coscrew_codegen.sweep import command
 from coscrew_codegen.sweep.folder import Folder
 
 VARIED = ("--grid", "block.mass=1:7:3", "--sobol", "start.?.slide=limits", "--samples", "200")
+
+
+def processes(count: int) -> LocalCluster:
+    """So many workers."""
+    return LocalCluster(n_workers=count, threads_per_worker=1, dashboard_address=None,
+                        silence_logs=logging.CRITICAL)
 
 
 def sweep(scene: Path, out: Path, workers: LocalCluster | str, *words: str) -> int:

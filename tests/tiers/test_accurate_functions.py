@@ -19,23 +19,30 @@ from coscrew_codegen.program import Input, Instruction, Op, Program, Ref
 from coscrew_codegen.quantity import SCALAR, Argument
 from coscrew_codegen.tiers.accurate import accurate
 from tests.hard_cases.corpus import load
-from tests.hard_cases.near_zeros import FUNCTIONS, KEPT, LARGEST, ORIGIN, RANGE, condition
+from tests.hard_cases.near_zeros import (
+    FUNCTIONS,
+    KEPT,
+    ORIGIN,
+    RANGE,
+    beyond,
+    condition,
+    judged,
+    told,
+)
 from tests.search import split
 from tests.support.cases import for_all
 from tests.support.compiled.c_harness import COMPILERS, EXACT, call, harness
 from tests.support.compiled.implementations import gufuncs, same_bits, twin
 from tests.support.each import each_precision
 from tests.support.hard_rows import EXTREMES, hard_rows
+from tests.support.limits import LARGEST_CONDITION
 from tests.support.sampling import inputs_of
-from tests.support.scenes.tiers import DIGITS, Result, flat
+from tests.support.scenes.tiers import DIGITS, Result
 from tests.support.truth.motions import exponential_series, hstack, norm, quaternion_exp, skew
-from tests.support.truth.truths import by_formula, of_given, truth
+from tests.support.truth.truths import by_formula, truth
 
 ANGLES = ("1e-20", "0.999", "1.001", "1.999", "2.001", "3.1415")
-MOST = {"double": 0.501, "single": 0.5001}
-"""Found: 0.5000; promised in double is 1."""
 BUILDS = ("gcc", "-O1"), ("clang", "-O1", "-march=native")
-_SMALL = {"double": 1e-280, "single": 1e-36}  # smaller results may be subnormal on the way
 
 
 def _exactly(a: Argument, number: int, theta: mpmath.mpf) -> list[mpmath.mpf]:
@@ -71,29 +78,28 @@ def test_formulas_have_twice_the_digits(operation: Operation):
                 assert abs(x - true) <= largest * mpmath.mpf(2)**-97, (angle, float(x))
 
 
-def judged(operation: Operation, precision: Precision, given: np.ndarray) -> list[Result]:
-    """Every component of these calls, with its truth and condition."""
-    inputs = split(operation, given)
-    size = condition(operation, given)
-    found = flat(gufuncs(coscrew.accurate)(operation, precision, inputs), len(given))
-    results = []
-    with mpmath.workdps(DIGITS):
-        for row, got, k in zip(given.tolist(), found, range(len(given)), strict=True):
-            true = of_given(operation, precision, tuple(row))
-            results += [Result(place, got[place], x, float(size[k, place]))
-                        for place, x in enumerate(true)]
-    return results
-
-
 @for_all(operation=FUNCTIONS, precision=(DOUBLE, SINGLE))
 def test_components_are_right_as_long_as_their_condition_is_good(operation: Operation,
                                                                  precision: Precision):
     found = judged(operation, precision, hard_rows(operation, precision))
-    kept = [x for x in found if x.condition < LARGEST[precision.name]
-            and _SMALL[precision.name] < abs(x.true) < np.finfo(precision.numpy_type).max]
+    kept = told(found, precision)
     assert len(kept) > len(found) / 3
-    for x in kept:
-        assert x.ulps(precision) <= MOST[precision.name] or _is_half_turn(x), x
+    assert not beyond(kept, precision)
+
+
+@for_all(precision=(DOUBLE, SINGLE))
+def test_what_is_wrong_is_told(precision: Precision):
+    """An error of a unit is, unless the condition is bad or -π came for π."""
+    third, pi, unit = mpmath.mpf(1) / 3, +mpmath.pi, np.finfo(precision.numpy_type).eps
+    largest = LARGEST_CONDITION[precision.name]
+
+    def wrong(found: float, true: mpmath.mpf, condition: float = 1.0) -> bool:
+        rounded = float(np.asarray(found, precision.numpy_type))
+        return bool(beyond(told([Result(0, rounded, true, condition)], precision), precision))
+
+    assert not wrong(1 / 3, third) and wrong(1 / 3 + unit / 2, third)
+    assert wrong(0.5, third, 0.99 * largest) and not wrong(0.5, third, largest)
+    assert not wrong(-np.pi, pi) and wrong(-np.pi + 4 * unit, pi) and wrong(-1 / 3, third)
 
 
 NEAR_ZEROS = {(c.operation, c.precision) for c in load() if c.origin.startswith(ORIGIN)}
@@ -102,18 +108,14 @@ NEAR_ZEROS = {(c.operation, c.precision) for c in load() if c.origin.startswith(
 @pytest.mark.parametrize("operation, precision", sorted(
     NEAR_ZEROS, key=lambda x: (x[0].name, x[1].name)), ids=lambda x: x.name)
 def test_conditions_just_below_the_limit_are_judged(operation: Operation, precision: Precision):
-    found, largest = condition(operation, hard_rows(operation, precision)), LARGEST[precision.name]
+    largest = LARGEST_CONDITION[precision.name]
+    found = condition(operation, hard_rows(operation, precision))
     assert ((largest / RANGE < found) & (found < largest)).sum() >= KEPT
 
 
 def test_most_operations_have_components_near_zeros():
     """Others are functions of what is given, exactly, and have no condition."""
     assert len(NEAR_ZEROS) > len(FUNCTIONS)
-
-
-def _is_half_turn(x: Result) -> bool:
-    """Whether the angle is π or -π: the sign of a zero says which, and exact zeros have none."""
-    return abs(abs(x.true) - mpmath.pi) < 1e-6 and abs(x.found + float(x.true)) < 1e-6
 
 
 @for_all(operation=FUNCTIONS, precision=(DOUBLE, SINGLE))

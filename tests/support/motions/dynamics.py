@@ -177,11 +177,12 @@ class Dynamics:
         tau = np.zeros(self.model.nv)
         for i, j, law in self._along:
             tau[j] += law(t, q[i], v[j])
-        if self._on_bodies:
-            return pin.aba(self.model, self.data, q, v, tau, self._forces(t, q, v))
+        forces = self._forces(t, q, v) if self._on_bodies else None
         if self.followers:
-            return self._following(q, v, tau)
-        return pin.aba(self.model, self.data, q, v, tau)
+            return self._following(q, v, tau, forces)
+        if forces is None:
+            return pin.aba(self.model, self.data, q, v, tau)
+        return pin.aba(self.model, self.data, q, v, tau, forces)
 
     @cached_property
     def followers(self) -> tuple[tuple[Place, Place], ...]:
@@ -198,12 +199,14 @@ class Dynamics:
             T[follower.v.start, leader.v.start] = follower.joint.mimic.multiplier
         return np.delete(T, [p.v.start for p, _ in self.followers], 1)
 
-    def _following(self, q: np.ndarray, v: np.ndarray, tau: np.ndarray) -> np.ndarray:
+    def _following(self, q: np.ndarray, v: np.ndarray, tau: np.ndarray,
+                   forces: "list[pin.Force] | None") -> np.ndarray:
         """Accelerations under the constraints, by d'Alembert's principle."""
-        T = self._freedoms
+        T, rest = self._freedoms, (q, v, 0 * v)
+        bias = pin.rnea(self.model, self.data, *rest, *(() if forces is None else (forces,)))
         M = np.triu(pin.crba(self.model, self.data, q))
         M = M + np.triu(M, 1).T
-        return T @ np.linalg.solve(T.T @ M @ T, T.T @ (tau - pin.nle(self.model, self.data, q, v)))
+        return T @ np.linalg.solve(T.T @ M @ T, T.T @ (tau - bias))
 
     def followed(self, q: np.ndarray, v: np.ndarray) -> None:
         """Sets the coordinates and velocities of followers.  (…, nq), (…, nv)."""

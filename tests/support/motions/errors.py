@@ -21,6 +21,11 @@ class Error:
     q: float
     v: float
 
+    @property
+    def of_allowed(self) -> float:
+        """Relative to what is allowed; at most 1 if the motion is right."""
+        return float(np.maximum(self.q / ALLOWED.q, self.v / ALLOWED.v))  # NaN if one is
+
 
 ALLOWED = Error("any", 0.01, 0.05)
 """Errors up to which a motion is right."""
@@ -32,7 +37,7 @@ def judged(found: tuple[Error, ...]) -> str:
     """right, between or wrong."""
     if not all(x.q <= WRONG for x in found):
         return "wrong"
-    return "right" if all(x.q <= ALLOWED.q and x.v <= ALLOWED.v for x in found) else "between"
+    return "right" if all(x.of_allowed <= 1 for x in found) else "between"
 
 
 def errors(its: Dynamics, motion: Motion, whole_q: np.ndarray, whole_v: np.ndarray,

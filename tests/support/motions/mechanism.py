@@ -158,13 +158,16 @@ class Motion:
     def name(self) -> str:
         return f"{self.family} {self.number}"
 
-    def text(self, step: float, integrator: str = "leapfrog", precision: str = "double") -> str:
-        """The scene file of a run: a sample at the end of a step, a few hundred in all."""
+    def text(self, step: float, integrator: str = "leapfrog", precision: str = "double",
+             tolerances: tuple[float, float] | None = None) -> str:
+        """The scene file of a run: a sample at the end of a step, a few hundred in all; with rtol
+        and atol, if given."""
+        tolerance = "rtol = {!r}\natol = {!r}\n".format(*tolerances) if tolerances else ""
         return (f'precision = "{precision}"\n{self.mechanism.text()}'
                 f"[start.q]\n{_state(self.q)}[start.v]\n{_state(self.v)}"
                 f"[outputs]\nevery = {self.every(step)!r}\n"
                 f'[run]\nduration = {self.duration!r}\nstep = {step!r}\n'
-                f'integrator = "{integrator}"\n')
+                f'integrator = "{integrator}"\n{tolerance}')
 
     def every(self, step: float) -> float:
         """The time between samples: a multiple of the step."""

@@ -1,18 +1,21 @@
 """Reference motions: DOP853 at two tolerances, kept in build/ by what they were computed from."""
 
 import hashlib
-import inspect
 import os
+import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+import pinocchio
+import scipy
 from scipy.integrate import solve_ivp
 
-from tests.support.motions import dynamics
+from tests.support.motions import dynamics, mechanism
+from tests.support.motions import errors as of_errors
 from tests.support.motions.dynamics import Dynamics
-from tests.support.motions.errors import ALLOWED, errors
+from tests.support.motions.errors import errors
 from tests.support.motions.mechanism import Motion
 
 KEPT = Path(__file__).parents[3] / "build" / "motions"
@@ -23,6 +26,9 @@ AGREE = 1e-2
 _DISTURBED = 1e-4
 """Relative change of the start that tells how sensitive a chaotic motion is."""
 _MOST_EVALUATIONS = 6_000_000
+SOURCES = (dynamics, mechanism, of_errors, sys.modules[__name__])
+"""The modules that compute it."""
+PACKAGES = (np, scipy, pinocchio)
 
 
 class Unjudged(Exception):
@@ -59,11 +65,12 @@ def reference(motion: Motion, times: np.ndarray) -> Reference:
 
 
 def _key(motion: Motion, times: np.ndarray) -> str:
-    """A hash of all that it is computed from."""
-    source = inspect.getsource(dynamics) + "".join(
-        inspect.getsource(x) for x in (_integrated, _parting, _states))
-    said = f"{source}{TOLERANCES}{AGREE}{_DISTURBED}{ALLOWED}{motion!r}"
-    return hashlib.sha256(said.encode() + times.tobytes()).hexdigest()[:32]
+    """A hash of all that it is computed from: modules, versions of packages, motion and times."""
+    found = hashlib.sha256()
+    for x in (*(Path(str(x.__file__)).read_bytes() for x in SOURCES),
+              *(x.__version__.encode() for x in PACKAGES), repr(motion).encode(), times.tobytes()):
+        found.update(hashlib.sha256(x).digest())
+    return found.hexdigest()[:32]
 
 
 def _integrated(motion: Motion, times: np.ndarray) -> Reference:
@@ -79,7 +86,7 @@ def _integrated(motion: Motion, times: np.ndarray) -> Reference:
     judged = times <= horizon
     found = errors(its, motion, q[judged], v[judged], q[judged], v[judged],
                    *(x[judged] for x in coarse))
-    doubt = max(max(x.q / ALLOWED.q, x.v / ALLOWED.v) for x in found)
+    doubt = float(np.max([x.of_allowed for x in found]))
     if not doubt <= AGREE:
         raise Unjudged(f"two tolerances differ by {doubt:.2g} of what is allowed")
     return Reference(times, q, v, doubt, horizon)
@@ -90,7 +97,7 @@ def _parting(its: Dynamics, motion: Motion, times: np.ndarray, one: Sequence[np.
     """The time until which the disturbed motion stays within what errors may be."""
     for n in range(2, len(times) + 1, max(1, len(times) // 100)):
         found = errors(its, motion, *one, *(x[:n] for x in (*one, *other)))
-        if any(x.q > ALLOWED.q or x.v > ALLOWED.v for x in found):
+        if any(x.of_allowed > 1 for x in found):
             return float(times[n - 2])
     return np.inf
 

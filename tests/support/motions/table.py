@@ -18,7 +18,8 @@ DEFAULT, OTHERS = FIXED[0], FIXED[1:]
 ADAPTIVE = ("dop853", "radau")
 _MOST_STEPS = 100_000
 """Steps of a run with an advised step, beyond which it is not followed."""
-_WORDS = re.compile(r"--step \S+ --integrator \S+ --precision (double|single):? ?")
+_WORDS = re.compile(r"(rtol = \S+, atol = \S+ )?--step \S+ --integrator \S+ "
+                    r"--precision (double|single):? ?")
 _ENERGY = 0.01
 """Largest relative change of the energy of a chaotic motion, after which it is wrong."""
 
@@ -94,7 +95,7 @@ class Judge:
         part = true.t <= true.horizon
         found = errors(self.its, self.motion, true.q, true.v, true.q[part], true.v[part], q[part],
                        v[part])
-        worst = max(found, key=lambda x: (max(x.q / 0.01, x.v / 0.05)))
+        worst = max(found, key=lambda x: x.of_allowed)
         verdict = judged(found)
         if verdict == "right" and not part.all() and not self._keeps_energy(true, q, v):
             return "wrong", worst
@@ -111,15 +112,14 @@ class Judge:
 
     def row(self, how: Setting, follow: bool) -> Row:
         """The judged run."""
-        try:
-            truth, worst = self.truth(how)
-        except Unjudged as error:
-            return Row(self.motion, how, "unjudged", None, self.runs.said(how), (), f" {error}")
+        said = None
         try:
             said = self.runs.said(how)
+            truth, worst = self.truth(how)
+        except Unjudged as error:
+            return Row(self.motion, how, "unjudged", None, said, (), f" {error}")
         except Exception as error:  # whatever a command raises is a finding
-            return Row(self.motion, how, truth, worst, None, (), f" {type(error).__name__}: "
-                       f"{str(error)[:200]}")
+            return Row(self.motion, how, "unjudged", None, None, (), f" {_words_of(error)}")
         followed = tuple(self.followed(how, said)) if follow else ()
         return Row(self.motion, how, truth, worst, said, followed)
 
@@ -134,20 +134,22 @@ class Judge:
                 yield from self._follow(how, then)
 
     def _follow(self, how: Setting, then: Setting) -> Iterator[str]:
+        twice = replace(then, step=2.1 * then.step)
         try:
-            again = self.runs.said(then)
-            truth = self.truth(then)[0]
-            twice = replace(then, step=2.1 * then.step)
-            larger = then.step < how.step / 2.1 and not (
-                last := self.runs.said(twice)).stopped and last.passed
+            if not self.runs.said(then).goes_on:
+                yield f"{then.words} does not pass"
+            if then.step < how.step / 2.1 and self.runs.said(twice).goes_on:
+                yield f"{then.words}: twice this step passes, too"
+            if self.truth(then)[0] == "wrong":
+                yield f"{then.words} is wrong"
         except Unjudged:
             return
-        if again.stopped or not again.passed:
-            yield f"{then.words} does not pass"
-        if truth == "wrong":
-            yield f"{then.words} is wrong"
-        if larger:
-            yield f"{then.words}: twice this step passes, too"
+        except Exception as error:
+            yield f"{then.words} raises {_words_of(error)}"
+
+
+def _words_of(error: Exception) -> str:
+    return f"{type(error).__name__}: {str(error)[:200]}"
 
 
 def judge(motion: Motion) -> Judge:

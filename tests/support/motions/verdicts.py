@@ -2,6 +2,7 @@
 
 import re
 import tempfile
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
@@ -31,10 +32,13 @@ class Setting:
     step: float
     integrator: str
     precision: str
+    tolerances: tuple[float, float] | None = None  # rtol and atol; None: the defaults
 
     @property
     def words(self) -> str:
-        return f"--step {self.step:g} --integrator {self.integrator} --precision {self.precision}"
+        tolerances = "rtol = {:g}, atol = {:g} ".format(*self.tolerances) if self.tolerances else ""
+        return (f"{tolerances}--step {self.step:g} --integrator {self.integrator} "
+                f"--precision {self.precision}")
 
 
 @dataclass(frozen=True)
@@ -45,6 +49,11 @@ class Said:
     passed: bool
     strictly: bool
     text: str
+
+    @property
+    def goes_on(self) -> bool:
+        """Whether neither command refuses the motion."""
+        return self.passed and not self.stopped
 
     @property
     def reasons(self) -> str:
@@ -84,7 +93,7 @@ class Runs:
         return tuple(self.motion.mechanism.settings.items())
 
     def _kernels(self, how: Setting) -> Kernels:
-        scene = _read(self.motion.text(how.step, how.integrator, how.precision))
+        scene = _read(self.motion.text(how.step, how.integrator, how.precision, how.tolerances))
         return replace(self.kernels, scene=replace(scene, precision=how.precision))
 
     def _planned(self, how: Setting) -> tuple[System, Plan]:
@@ -124,22 +133,27 @@ def runs(motion: Motion) -> Runs:
     return Runs(motion, _shared(alike, FIXED))
 
 
-_STEP = re.compile(r"take an? (?:\w+ )?step of ([\d.e+-]+) s")
-_TIMES = re.compile(r"take one ([\d.e+-]+) times as long")
-_INTEGRATOR = re.compile(r"integrator (leapfrog|rk4|radau|dop853|linear-implicit-euler)\b")
+_ADVICE = re.compile(r"(?:^|; )take (.+)$", re.MULTILINE)
+_UNNAMED = "a smaller step"
+_FORMS: tuple[tuple[str, Callable[..., Setting]], ...] = (
+    (r"a step of (\S+) s", lambda how, step: replace(how, step=float(step))),
+    (r"integrator (\S+)", lambda how, name: replace(how, integrator=name, tolerances=None)),
+    (r"rtol = (\S+) and atol = (\S+)",
+     lambda how, *tolerances: replace(how, tolerances=tuple(map(float, tolerances)))),
+    (r"--precision (\S+)", lambda how, name: replace(how, precision=name)),
+    (r"--precision (\S+) and a step of (\S+) s",
+     lambda how, name, step: replace(how, precision=name, step=float(step))))
 
 
 def advised(text: str, how: Setting) -> tuple[Setting, ...]:
-    """The settings that a sentence advises, each of which should do."""
-    found = []
-    precision = "double" if "--precision double" in text else how.precision
-    if step := _STEP.search(text):
-        found.append(replace(how, step=float(step[1]), precision=precision))
-    elif times := _TIMES.search(text):
-        found.append(replace(how, step=float(times[1]) * how.step, precision=precision))
-    elif precision != how.precision:
-        found.append(replace(how, precision=precision))
-    after = text[text.find("take"):] if "take" in text else ""
-    if (other := _INTEGRATOR.search(after)) and other[1] in FIXED:
-        found.append(replace(how, integrator=other[1]))
-    return tuple(found)
+    """The settings that sentences advise, each of which should do.  Raises ValueError if one is of
+    no known form."""
+    each = [x for found in _ADVICE.findall(text) for x in found.split(", or ")]
+    return tuple(_read_advice(x, how) for x in each if x != _UNNAMED)
+
+
+def _read_advice(words: str, how: Setting) -> Setting:
+    for form, setting in _FORMS:
+        if found := re.fullmatch(form, words):
+            return setting(how, *found.groups())
+    raise ValueError(f"advice of no known form: take {words}")
