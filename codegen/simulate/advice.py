@@ -132,13 +132,13 @@ def thinned(planned: Plan) -> Plan:
 def advised(system: System, planned: Plan, true: Reference, start: State | None = None) -> str:
     """The sentence of `remedy` for a plan whose reference is known."""
     if said := _helping(system, planned, true, start):
-        return f"take {said}"
+        return f"take {', or '.join(said)}"
     if system.precision is not DOUBLE:
         exact = in_double(system)
         if _right(exact, planned, true, start):
             return "take --precision double"
         if said := _helping(exact, planned, true, start):
-            return f"take --precision double and {said}"
+            return f"take {', or '.join(f'--precision double and {x}' for x in said)}"
     if planned.adaptive:
         least = min([planned.rtol, *(x.rtol for x in _tightened(planned))])
         return f"no rtol down to {least:.2g} is small enough"
@@ -147,19 +147,20 @@ def advised(system: System, planned: Plan, true: Reference, start: State | None 
             else "smaller steps were not tried, since they would take long")
 
 
-def _helping(system: System, planned: Plan, true: Reference, start: State | None) -> str:
-    """What makes the run right in its precision: "a step of 0.01 s, or integrator leapfrog"."""
+def _helping(system: System, planned: Plan, true: Reference, start: State | None
+             ) -> list[str]:
+    """What makes the run right in its precision: "a step of 0.01 s", "integrator leapfrog"."""
     said = []
     if planned.adaptive:
         for tighter in _tightened(planned):
             if _right(system, tighter, true, start):
-                return f"rtol = {tighter.rtol:.3g} and atol = {tighter.atol:.3g}"
+                return [f"rtol = {tighter.rtol:.3g} and atol = {tighter.atol:.3g}"]
     elif step := largest_step(system, planned, true, start):
         said.append(f"a step of {step:g} s")
     if planned.integrator != DEFAULT and _right(
             system, replace(planned, integrator=DEFAULT), true, start):
         said.append(f"integrator {DEFAULT}")
-    return ", or ".join(said)
+    return said
 
 
 def _tightened(planned: Plan) -> tuple[Plan, ...]:

@@ -79,7 +79,7 @@ duration = 0.5
 """
     status, said = outcome(tmp_path / "hum.toml", capsys, "check", text, "--precision", "double")
     assert status == 1
-    assert "joint z is off by 0.14 of the way it moves" in said
+    assert "joint z is off by 0.9 of the way it moves" in said
 
 
 def test_a_light_body_beside_a_heavy_one_is_judged_by_its_own_motion(tmp_path, capsys):

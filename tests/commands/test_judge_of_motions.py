@@ -24,6 +24,7 @@ from tests.support.motions.table import Judge, exceptions
 from tests.support.motions.verdicts import Said, Setting, advised
 
 RK4, IN_SINGLE = Setting(0.1, "rk4", "double"), Setting(0.1, "leapfrog", "single")
+SINGLE_RK4 = Setting(0.1, "rk4", "single")
 ADAPTIVE = Setting(0.1, "dop853", "double", (1.6e-4, 3.2e-5))
 TRIED: tuple[tuple[Setting, tuple[Setting, ...]], ...] = (
     (RK4, ()),
@@ -34,7 +35,11 @@ TRIED: tuple[tuple[Setting, tuple[Setting, ...]], ...] = (
     (IN_SINGLE, (replace(IN_SINGLE, step=0.05),)),
     (IN_SINGLE, (replace(IN_SINGLE, precision="double"),)),
     (IN_SINGLE, (replace(IN_SINGLE, precision="double", step=0.013),)),
+    (SINGLE_RK4, (Setting(0.1, "leapfrog", "double"),)),
+    (SINGLE_RK4, (Setting(0.05, "rk4", "double"), Setting(0.1, "leapfrog", "double"))),
+    (ADAPTIVE, ()),
     (ADAPTIVE, (replace(ADAPTIVE, tolerances=(1e-5, 2e-6)),)),
+    (ADAPTIVE, (replace(ADAPTIVE, tolerances=(6.25e-7, 1.25e-7)),)),
     (ADAPTIVE, (Setting(0.1, "leapfrog", "double"),)))
 """Runs, and all settings that do instead of theirs."""
 
@@ -64,7 +69,8 @@ def test_advice_is_read_as_it_was_tried(how, right, monkeypatch):
 def test_every_form_of_advice_is_read(monkeypatch):
     """What `advice` can say is in the cases above, but for advice without a name."""
     all_of_them = " | ".join(said(*case, monkeypatch) for case in TRIED)
-    (_, *statements) = ast.parse(inspect.getsource(advice.advised)).body[0].body
+    statements = [x for of in (advice.advised, advice._helping)
+                  for x in ast.parse(inspect.getsource(of)).body[0].body[1:]]
     formats = {id(x) for s in statements for y in ast.walk(s) if isinstance(y, ast.FormattedValue)
                for x in ast.walk(y)}
     words = {x.value for s in statements for x in ast.walk(s) if isinstance(x, ast.Constant)

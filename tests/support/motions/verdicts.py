@@ -140,9 +140,7 @@ _FORMS: tuple[tuple[str, Callable[..., Setting]], ...] = (
     (r"integrator (\S+)", lambda how, name: replace(how, integrator=name, tolerances=None)),
     (r"rtol = (\S+) and atol = (\S+)",
      lambda how, *tolerances: replace(how, tolerances=tuple(map(float, tolerances)))),
-    (r"--precision (\S+)", lambda how, name: replace(how, precision=name)),
-    (r"--precision (\S+) and a step of (\S+) s",
-     lambda how, name, step: replace(how, precision=name, step=float(step))))
+    (r"--precision (\S+)", lambda how, name: replace(how, precision=name)))
 
 
 def advised(text: str, how: Setting) -> tuple[Setting, ...]:
@@ -153,7 +151,11 @@ def advised(text: str, how: Setting) -> tuple[Setting, ...]:
 
 
 def _read_advice(words: str, how: Setting) -> Setting:
-    for form, setting in _FORMS:
-        if found := re.fullmatch(form, words):
-            return setting(how, *found.groups())
-    raise ValueError(f"advice of no known form: take {words}")
+    parts = re.fullmatch(r"(--precision \S+) and (.+)", words)
+    for part in parts.groups() if parts else (words,):
+        found = next(((setting, x) for form, setting in _FORMS if (x := re.fullmatch(form, part))),
+                     None)
+        if found is None:
+            raise ValueError(f"advice of no known form: take {words}")
+        how = found[0](how, *found[1].groups())
+    return how
