@@ -4520,8 +4520,8 @@ static inline void ksl_mat3x3_from_euler_xyz_certified(const ksl_vec3_t *angles,
 /* angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
      [-π/2, π/2]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; angles, angles_bound: vector.
-   452 mul, 752 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 4 neg, 66 abs, 12
-     copysign, 57 less, 13 equal, 103 select. */
+   452 mul, 749 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 4 neg, 66 abs, 12
+     copysign, 57 less, 14 equal, 104 select. */
 static inline void ksl_euler_xyz_from_mat3x3_certified(const ksl_mat3x3_t *R, ksl_vec3_t *angles,
     ksl_vec3_t *angles_bound) {
   const double n_a = KSL_MUL(R->m00, R->m00), n_a_size_1 = fabs(R->m00),
@@ -4703,76 +4703,51 @@ static inline void ksl_euler_xyz_from_mat3x3_certified(const ksl_mat3x3_t *R, ks
       third_padded_2 = 1.8051943758648296e-276 + third_size_7,
       third_rest_2 = KSL_MUL(6.508104019725916e-30, third_padded_2),
       third_bound_2 = third_error_2 + third_rest_2;
-  const double R_det_above_0 = KSL_MUL(R->m11, R->m22);
-  const double R_det_below_0 = KSL_MUL(R->m12, R->m21);
-  const double R_det_cofactor_0 = R_det_above_0 - R_det_below_0;
-  const double R_det_above_1 = KSL_MUL(R->m12, R->m20);
-  const double R_det_below_1 = KSL_MUL(R->m10, R->m22);
-  const double R_det_cofactor_1 = R_det_above_1 - R_det_below_1;
-  const double R_det_above_2 = KSL_MUL(R->m10, R->m21);
-  const double R_det_below_2 = KSL_MUL(R->m11, R->m20);
-  const double R_det_cofactor_2 = R_det_above_2 - R_det_below_2;
-  const double R_det_product_0 = KSL_MUL(R->m00, R_det_cofactor_0);
-  const double R_det_product_1 = KSL_MUL(R->m01, R_det_cofactor_1);
-  const double R_det_product_2 = KSL_MUL(R->m02, R_det_cofactor_2);
-  const double R_det_sum_0 = R_det_product_0 + R_det_product_1;
-  const double R_det_sum_1 = R_det_sum_0 + R_det_product_2;
-  const double R_det_off = R_det_sum_1 - 1.0;
-  const double R_det_size = fabs(R_det_off);
-  const double R_column_00_product_0 = KSL_MUL(R->m00, R->m00);
-  const double R_column_00_product_1 = KSL_MUL(R->m10, R->m10);
-  const double R_column_00_product_2 = KSL_MUL(R->m20, R->m20);
-  const double R_column_00_sum_0 = R_column_00_product_0 + R_column_00_product_1;
-  const double R_column_00_sum_1 = R_column_00_sum_0 + R_column_00_product_2;
-  const double R_column_00_off = R_column_00_sum_1 - 1.0;
-  const double R_column_00_size = fabs(R_column_00_off);
-  const double R_column_00_largest = R_det_size < R_column_00_size ? R_column_00_size : R_det_size;
-  const double R_column_11_product_0 = KSL_MUL(R->m01, R->m01);
-  const double R_column_11_product_1 = KSL_MUL(R->m11, R->m11);
-  const double R_column_11_product_2 = KSL_MUL(R->m21, R->m21);
-  const double R_column_11_sum_0 = R_column_11_product_0 + R_column_11_product_1;
-  const double R_column_11_sum_1 = R_column_11_sum_0 + R_column_11_product_2;
-  const double R_column_11_off = R_column_11_sum_1 - 1.0;
-  const double R_column_11_size = fabs(R_column_11_off);
-  const double R_column_11_largest = R_column_00_largest < R_column_11_size ? R_column_11_size :
-      R_column_00_largest;
-  const double R_column_22_product_0 = KSL_MUL(R->m02, R->m02);
-  const double R_column_22_product_1 = KSL_MUL(R->m12, R->m12);
-  const double R_column_22_product_2 = KSL_MUL(R->m22, R->m22);
-  const double R_column_22_sum_0 = R_column_22_product_0 + R_column_22_product_1;
-  const double R_column_22_sum_1 = R_column_22_sum_0 + R_column_22_product_2;
-  const double R_column_22_off = R_column_22_sum_1 - 1.0;
-  const double R_column_22_size = fabs(R_column_22_off);
-  const double R_column_22_largest = R_column_11_largest < R_column_22_size ? R_column_22_size :
-      R_column_11_largest;
-  const double R_column_01_product_0 = KSL_MUL(R->m00, R->m01);
-  const double R_column_01_product_1 = KSL_MUL(R->m10, R->m11);
-  const double R_column_01_product_2 = KSL_MUL(R->m20, R->m21);
-  const double R_column_01_sum_0 = R_column_01_product_0 + R_column_01_product_1;
-  const double R_column_01_sum_1 = R_column_01_sum_0 + R_column_01_product_2;
-  const double R_column_01_off = R_column_01_sum_1 - 0.0;
-  const double R_column_01_size = fabs(R_column_01_off);
-  const double R_column_01_largest = R_column_22_largest < R_column_01_size ? R_column_01_size :
-      R_column_22_largest;
-  const double R_column_02_product_0 = KSL_MUL(R->m00, R->m02);
-  const double R_column_02_product_1 = KSL_MUL(R->m10, R->m12);
-  const double R_column_02_product_2 = KSL_MUL(R->m20, R->m22);
-  const double R_column_02_sum_0 = R_column_02_product_0 + R_column_02_product_1;
-  const double R_column_02_sum_1 = R_column_02_sum_0 + R_column_02_product_2;
-  const double R_column_02_off = R_column_02_sum_1 - 0.0;
-  const double R_column_02_size = fabs(R_column_02_off);
-  const double R_column_02_largest = R_column_01_largest < R_column_02_size ? R_column_02_size :
-      R_column_01_largest;
-  const double R_column_12_product_0 = KSL_MUL(R->m01, R->m02);
-  const double R_column_12_product_1 = KSL_MUL(R->m11, R->m12);
-  const double R_column_12_product_2 = KSL_MUL(R->m21, R->m22);
-  const double R_column_12_sum_0 = R_column_12_product_0 + R_column_12_product_1;
-  const double R_column_12_sum_1 = R_column_12_sum_0 + R_column_12_product_2;
-  const double R_column_12_off = R_column_12_sum_1 - 0.0;
-  const double R_column_12_size = fabs(R_column_12_off);
-  const double R_column_12_largest = R_column_02_largest < R_column_12_size ? R_column_12_size :
-      R_column_02_largest;
-  const double R_unless_rotation = R_column_12_largest < 0.001 ? 0.0 : 1.0715086071862673e+301;
+  const double R_n_0a = KSL_MUL(R->m11, R->m22), R_n_0b = KSL_MUL(R->m12, R->m21),
+      R_n_0 = R_n_0a - R_n_0b;
+  const double R_n_1a = KSL_MUL(R->m02, R->m21), R_n_1b = KSL_MUL(R->m01, R->m22),
+      R_n_1 = R_n_1a - R_n_1b;
+  const double R_n_2a = KSL_MUL(R->m01, R->m12), R_n_2b = KSL_MUL(R->m02, R->m11),
+      R_n_2 = R_n_2a - R_n_2b;
+  const double R_det_a = KSL_MUL(R->m00, R_n_0), R_det_b = KSL_MUL(R->m10, R_n_1),
+      R_det_c = R_det_a + R_det_b, R_det_d = KSL_MUL(R->m20, R_n_2), R_det = R_det_c + R_det_d;
+  const double R_g_0a = KSL_MUL(R->m00, R->m00), R_g_0b = KSL_MUL(R->m10, R->m10),
+      R_g_0c = R_g_0a + R_g_0b, R_g_0d = KSL_MUL(R->m20, R->m20), R_g_0 = R_g_0c + R_g_0d;
+  const double R_g_1a = KSL_MUL(R->m00, R->m01), R_g_1b = KSL_MUL(R->m10, R->m11),
+      R_g_1c = R_g_1a + R_g_1b, R_g_1d = KSL_MUL(R->m20, R->m21), R_g_1 = R_g_1c + R_g_1d;
+  const double R_g_2a = KSL_MUL(R->m00, R->m02), R_g_2b = KSL_MUL(R->m10, R->m12),
+      R_g_2c = R_g_2a + R_g_2b, R_g_2d = KSL_MUL(R->m20, R->m22), R_g_2 = R_g_2c + R_g_2d;
+  const double R_g_3a = KSL_MUL(R->m01, R->m01), R_g_3b = KSL_MUL(R->m11, R->m11),
+      R_g_3c = R_g_3a + R_g_3b, R_g_3d = KSL_MUL(R->m21, R->m21), R_g_3 = R_g_3c + R_g_3d;
+  const double R_g_4a = KSL_MUL(R->m01, R->m02), R_g_4b = KSL_MUL(R->m11, R->m12),
+      R_g_4c = R_g_4a + R_g_4b, R_g_4d = KSL_MUL(R->m21, R->m22), R_g_4 = R_g_4c + R_g_4d;
+  const double R_g_5a = KSL_MUL(R->m02, R->m02), R_g_5b = KSL_MUL(R->m12, R->m12),
+      R_g_5c = R_g_5a + R_g_5b, R_g_5d = KSL_MUL(R->m22, R->m22), R_g_5 = R_g_5c + R_g_5d;
+  const double R_off_0 = R_det - 1.0;
+  const double R_off_1 = R_g_0 - 1.0;
+  const double R_off_4 = R_g_3 - 1.0;
+  const double R_off_6 = R_g_5 - 1.0;
+  const double R_defect_size_0 = fabs(R_off_0);
+  const double R_defect_size_1 = fabs(R_off_1);
+  const double R_defect_size_2 = fabs(R_g_1);
+  const double R_defect_size_3 = fabs(R_g_2);
+  const double R_defect_size_4 = fabs(R_off_4);
+  const double R_defect_size_5 = fabs(R_g_4);
+  const double R_defect_size_6 = fabs(R_off_6);
+  const double R_defect_largest1 = R_defect_size_0 < R_defect_size_1 ? R_defect_size_1 :
+      R_defect_size_0;
+  const double R_defect_largest2 = R_defect_largest1 < R_defect_size_2 ? R_defect_size_2 :
+      R_defect_largest1;
+  const double R_defect_largest3 = R_defect_largest2 < R_defect_size_3 ? R_defect_size_3 :
+      R_defect_largest2;
+  const double R_defect_largest4 = R_defect_largest3 < R_defect_size_4 ? R_defect_size_4 :
+      R_defect_largest3;
+  const double R_defect_largest5 = R_defect_largest4 < R_defect_size_5 ? R_defect_size_5 :
+      R_defect_largest4;
+  const double R_defect_largest6 = R_defect_largest5 < R_defect_size_6 ? R_defect_size_6 :
+      R_defect_largest5;
+  const double R_unless_equal = R_defect_largest6 == 0.001 ? 0.0 : 1.0715086071862673e+301;
+  const double R_unless_rotation = R_defect_largest6 < 0.001 ? 0.0 : R_unless_equal;
   const double R_excess = KSL_MUL(R_unless_rotation, 1.0715086071862673e+301);
   const double R_excess_0 = angles_bound_3 + R_excess;
   const double R_excess_1 = angles_bound_4 + R_excess;
@@ -4901,8 +4876,8 @@ static inline void ksl_mat3x3_from_euler_xyx_certified(const ksl_vec3_t *angles,
 /* angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in [0,
      π]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; angles, angles_bound: vector.
-   452 mul, 752 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 3 neg, 66 abs, 12
-     copysign, 59 less, 13 equal, 105 select. */
+   452 mul, 749 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 3 neg, 66 abs, 12
+     copysign, 59 less, 14 equal, 106 select. */
 static inline void ksl_euler_xyx_from_mat3x3_certified(const ksl_mat3x3_t *R, ksl_vec3_t *angles,
     ksl_vec3_t *angles_bound) {
   const double n_a = KSL_MUL(R->m01, R->m01), n_a_size_1 = fabs(R->m01),
@@ -5086,76 +5061,51 @@ static inline void ksl_euler_xyx_from_mat3x3_certified(const ksl_mat3x3_t *R, ks
       third_padded_2 = 1.8051943758648296e-276 + third_size_7,
       third_rest_2 = KSL_MUL(6.508104019725916e-30, third_padded_2),
       third_bound_2 = third_error_2 + third_rest_2;
-  const double R_det_above_0 = KSL_MUL(R->m11, R->m22);
-  const double R_det_below_0 = KSL_MUL(R->m12, R->m21);
-  const double R_det_cofactor_0 = R_det_above_0 - R_det_below_0;
-  const double R_det_above_1 = KSL_MUL(R->m12, R->m20);
-  const double R_det_below_1 = KSL_MUL(R->m10, R->m22);
-  const double R_det_cofactor_1 = R_det_above_1 - R_det_below_1;
-  const double R_det_above_2 = KSL_MUL(R->m10, R->m21);
-  const double R_det_below_2 = KSL_MUL(R->m11, R->m20);
-  const double R_det_cofactor_2 = R_det_above_2 - R_det_below_2;
-  const double R_det_product_0 = KSL_MUL(R->m00, R_det_cofactor_0);
-  const double R_det_product_1 = KSL_MUL(R->m01, R_det_cofactor_1);
-  const double R_det_product_2 = KSL_MUL(R->m02, R_det_cofactor_2);
-  const double R_det_sum_0 = R_det_product_0 + R_det_product_1;
-  const double R_det_sum_1 = R_det_sum_0 + R_det_product_2;
-  const double R_det_off = R_det_sum_1 - 1.0;
-  const double R_det_size = fabs(R_det_off);
-  const double R_column_00_product_0 = KSL_MUL(R->m00, R->m00);
-  const double R_column_00_product_1 = KSL_MUL(R->m10, R->m10);
-  const double R_column_00_product_2 = KSL_MUL(R->m20, R->m20);
-  const double R_column_00_sum_0 = R_column_00_product_0 + R_column_00_product_1;
-  const double R_column_00_sum_1 = R_column_00_sum_0 + R_column_00_product_2;
-  const double R_column_00_off = R_column_00_sum_1 - 1.0;
-  const double R_column_00_size = fabs(R_column_00_off);
-  const double R_column_00_largest = R_det_size < R_column_00_size ? R_column_00_size : R_det_size;
-  const double R_column_11_product_0 = KSL_MUL(R->m01, R->m01);
-  const double R_column_11_product_1 = KSL_MUL(R->m11, R->m11);
-  const double R_column_11_product_2 = KSL_MUL(R->m21, R->m21);
-  const double R_column_11_sum_0 = R_column_11_product_0 + R_column_11_product_1;
-  const double R_column_11_sum_1 = R_column_11_sum_0 + R_column_11_product_2;
-  const double R_column_11_off = R_column_11_sum_1 - 1.0;
-  const double R_column_11_size = fabs(R_column_11_off);
-  const double R_column_11_largest = R_column_00_largest < R_column_11_size ? R_column_11_size :
-      R_column_00_largest;
-  const double R_column_22_product_0 = KSL_MUL(R->m02, R->m02);
-  const double R_column_22_product_1 = KSL_MUL(R->m12, R->m12);
-  const double R_column_22_product_2 = KSL_MUL(R->m22, R->m22);
-  const double R_column_22_sum_0 = R_column_22_product_0 + R_column_22_product_1;
-  const double R_column_22_sum_1 = R_column_22_sum_0 + R_column_22_product_2;
-  const double R_column_22_off = R_column_22_sum_1 - 1.0;
-  const double R_column_22_size = fabs(R_column_22_off);
-  const double R_column_22_largest = R_column_11_largest < R_column_22_size ? R_column_22_size :
-      R_column_11_largest;
-  const double R_column_01_product_0 = KSL_MUL(R->m00, R->m01);
-  const double R_column_01_product_1 = KSL_MUL(R->m10, R->m11);
-  const double R_column_01_product_2 = KSL_MUL(R->m20, R->m21);
-  const double R_column_01_sum_0 = R_column_01_product_0 + R_column_01_product_1;
-  const double R_column_01_sum_1 = R_column_01_sum_0 + R_column_01_product_2;
-  const double R_column_01_off = R_column_01_sum_1 - 0.0;
-  const double R_column_01_size = fabs(R_column_01_off);
-  const double R_column_01_largest = R_column_22_largest < R_column_01_size ? R_column_01_size :
-      R_column_22_largest;
-  const double R_column_02_product_0 = KSL_MUL(R->m00, R->m02);
-  const double R_column_02_product_1 = KSL_MUL(R->m10, R->m12);
-  const double R_column_02_product_2 = KSL_MUL(R->m20, R->m22);
-  const double R_column_02_sum_0 = R_column_02_product_0 + R_column_02_product_1;
-  const double R_column_02_sum_1 = R_column_02_sum_0 + R_column_02_product_2;
-  const double R_column_02_off = R_column_02_sum_1 - 0.0;
-  const double R_column_02_size = fabs(R_column_02_off);
-  const double R_column_02_largest = R_column_01_largest < R_column_02_size ? R_column_02_size :
-      R_column_01_largest;
-  const double R_column_12_product_0 = KSL_MUL(R->m01, R->m02);
-  const double R_column_12_product_1 = KSL_MUL(R->m11, R->m12);
-  const double R_column_12_product_2 = KSL_MUL(R->m21, R->m22);
-  const double R_column_12_sum_0 = R_column_12_product_0 + R_column_12_product_1;
-  const double R_column_12_sum_1 = R_column_12_sum_0 + R_column_12_product_2;
-  const double R_column_12_off = R_column_12_sum_1 - 0.0;
-  const double R_column_12_size = fabs(R_column_12_off);
-  const double R_column_12_largest = R_column_02_largest < R_column_12_size ? R_column_12_size :
-      R_column_02_largest;
-  const double R_unless_rotation = R_column_12_largest < 0.001 ? 0.0 : 1.0715086071862673e+301;
+  const double R_n_0a = KSL_MUL(R->m11, R->m22), R_n_0b = KSL_MUL(R->m12, R->m21),
+      R_n_0 = R_n_0a - R_n_0b;
+  const double R_n_1a = KSL_MUL(R->m02, R->m21), R_n_1b = KSL_MUL(R->m01, R->m22),
+      R_n_1 = R_n_1a - R_n_1b;
+  const double R_n_2a = KSL_MUL(R->m01, R->m12), R_n_2b = KSL_MUL(R->m02, R->m11),
+      R_n_2 = R_n_2a - R_n_2b;
+  const double R_det_a = KSL_MUL(R->m00, R_n_0), R_det_b = KSL_MUL(R->m10, R_n_1),
+      R_det_c = R_det_a + R_det_b, R_det_d = KSL_MUL(R->m20, R_n_2), R_det = R_det_c + R_det_d;
+  const double R_g_0a = KSL_MUL(R->m00, R->m00), R_g_0b = KSL_MUL(R->m10, R->m10),
+      R_g_0c = R_g_0a + R_g_0b, R_g_0d = KSL_MUL(R->m20, R->m20), R_g_0 = R_g_0c + R_g_0d;
+  const double R_g_1a = KSL_MUL(R->m00, R->m01), R_g_1b = KSL_MUL(R->m10, R->m11),
+      R_g_1c = R_g_1a + R_g_1b, R_g_1d = KSL_MUL(R->m20, R->m21), R_g_1 = R_g_1c + R_g_1d;
+  const double R_g_2a = KSL_MUL(R->m00, R->m02), R_g_2b = KSL_MUL(R->m10, R->m12),
+      R_g_2c = R_g_2a + R_g_2b, R_g_2d = KSL_MUL(R->m20, R->m22), R_g_2 = R_g_2c + R_g_2d;
+  const double R_g_3a = KSL_MUL(R->m01, R->m01), R_g_3b = KSL_MUL(R->m11, R->m11),
+      R_g_3c = R_g_3a + R_g_3b, R_g_3d = KSL_MUL(R->m21, R->m21), R_g_3 = R_g_3c + R_g_3d;
+  const double R_g_4a = KSL_MUL(R->m01, R->m02), R_g_4b = KSL_MUL(R->m11, R->m12),
+      R_g_4c = R_g_4a + R_g_4b, R_g_4d = KSL_MUL(R->m21, R->m22), R_g_4 = R_g_4c + R_g_4d;
+  const double R_g_5a = KSL_MUL(R->m02, R->m02), R_g_5b = KSL_MUL(R->m12, R->m12),
+      R_g_5c = R_g_5a + R_g_5b, R_g_5d = KSL_MUL(R->m22, R->m22), R_g_5 = R_g_5c + R_g_5d;
+  const double R_off_0 = R_det - 1.0;
+  const double R_off_1 = R_g_0 - 1.0;
+  const double R_off_4 = R_g_3 - 1.0;
+  const double R_off_6 = R_g_5 - 1.0;
+  const double R_defect_size_0 = fabs(R_off_0);
+  const double R_defect_size_1 = fabs(R_off_1);
+  const double R_defect_size_2 = fabs(R_g_1);
+  const double R_defect_size_3 = fabs(R_g_2);
+  const double R_defect_size_4 = fabs(R_off_4);
+  const double R_defect_size_5 = fabs(R_g_4);
+  const double R_defect_size_6 = fabs(R_off_6);
+  const double R_defect_largest1 = R_defect_size_0 < R_defect_size_1 ? R_defect_size_1 :
+      R_defect_size_0;
+  const double R_defect_largest2 = R_defect_largest1 < R_defect_size_2 ? R_defect_size_2 :
+      R_defect_largest1;
+  const double R_defect_largest3 = R_defect_largest2 < R_defect_size_3 ? R_defect_size_3 :
+      R_defect_largest2;
+  const double R_defect_largest4 = R_defect_largest3 < R_defect_size_4 ? R_defect_size_4 :
+      R_defect_largest3;
+  const double R_defect_largest5 = R_defect_largest4 < R_defect_size_5 ? R_defect_size_5 :
+      R_defect_largest4;
+  const double R_defect_largest6 = R_defect_largest5 < R_defect_size_6 ? R_defect_size_6 :
+      R_defect_largest5;
+  const double R_unless_equal = R_defect_largest6 == 0.001 ? 0.0 : 1.0715086071862673e+301;
+  const double R_unless_rotation = R_defect_largest6 < 0.001 ? 0.0 : R_unless_equal;
   const double R_excess = KSL_MUL(R_unless_rotation, 1.0715086071862673e+301);
   const double R_excess_0 = angles_bound_3 + R_excess;
   const double R_excess_1 = angles_bound_4 + R_excess;
@@ -5346,8 +5296,8 @@ static inline void ksl_mat3x3_from_axis_angle_certified(const ksl_vec3_t *axis,
 /* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0;
      |error of angle| <= angle_bound, |error of axis| <= axis_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; axis, axis_bound: vector; angle_bound: number.
-   233 mul, 470 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 70 abs, 4
-     copysign, 41 less, 6 equal, 110 select. */
+   233 mul, 467 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 70 abs, 4
+     copysign, 41 less, 7 equal, 111 select. */
 static inline double ksl_axis_angle_from_mat3x3_certified(const ksl_mat3x3_t *R, ksl_vec3_t *axis,
     double *angle_bound, ksl_vec3_t *axis_bound) {
   const double p_0 = R->m21 - R->m12, p_right_1 = R->m21 - p_0, p_left_1 = p_0 + p_right_1,
@@ -5669,76 +5619,51 @@ static inline double ksl_axis_angle_from_mat3x3_certified(const ksl_mat3x3_t *R,
       unit_padded_3 = 1.8051943758648296e-276 + unit_size_25,
       unit_rest_6 = KSL_MUL(1.86204130450056e-29, unit_padded_3),
       unit_bound_3 = unit_error_3 + unit_rest_6;
-  const double R_det_above_0 = KSL_MUL(R->m11, R->m22);
-  const double R_det_below_0 = KSL_MUL(R->m12, R->m21);
-  const double R_det_cofactor_0 = R_det_above_0 - R_det_below_0;
-  const double R_det_above_1 = KSL_MUL(R->m12, R->m20);
-  const double R_det_below_1 = KSL_MUL(R->m10, R->m22);
-  const double R_det_cofactor_1 = R_det_above_1 - R_det_below_1;
-  const double R_det_above_2 = KSL_MUL(R->m10, R->m21);
-  const double R_det_below_2 = KSL_MUL(R->m11, R->m20);
-  const double R_det_cofactor_2 = R_det_above_2 - R_det_below_2;
-  const double R_det_product_0 = KSL_MUL(R->m00, R_det_cofactor_0);
-  const double R_det_product_1 = KSL_MUL(R->m01, R_det_cofactor_1);
-  const double R_det_product_2 = KSL_MUL(R->m02, R_det_cofactor_2);
-  const double R_det_sum_0 = R_det_product_0 + R_det_product_1;
-  const double R_det_sum_1 = R_det_sum_0 + R_det_product_2;
-  const double R_det_off = R_det_sum_1 - 1.0;
-  const double R_det_size = fabs(R_det_off);
-  const double R_column_00_product_0 = KSL_MUL(R->m00, R->m00);
-  const double R_column_00_product_1 = KSL_MUL(R->m10, R->m10);
-  const double R_column_00_product_2 = KSL_MUL(R->m20, R->m20);
-  const double R_column_00_sum_0 = R_column_00_product_0 + R_column_00_product_1;
-  const double R_column_00_sum_1 = R_column_00_sum_0 + R_column_00_product_2;
-  const double R_column_00_off = R_column_00_sum_1 - 1.0;
-  const double R_column_00_size = fabs(R_column_00_off);
-  const double R_column_00_largest = R_det_size < R_column_00_size ? R_column_00_size : R_det_size;
-  const double R_column_11_product_0 = KSL_MUL(R->m01, R->m01);
-  const double R_column_11_product_1 = KSL_MUL(R->m11, R->m11);
-  const double R_column_11_product_2 = KSL_MUL(R->m21, R->m21);
-  const double R_column_11_sum_0 = R_column_11_product_0 + R_column_11_product_1;
-  const double R_column_11_sum_1 = R_column_11_sum_0 + R_column_11_product_2;
-  const double R_column_11_off = R_column_11_sum_1 - 1.0;
-  const double R_column_11_size = fabs(R_column_11_off);
-  const double R_column_11_largest = R_column_00_largest < R_column_11_size ? R_column_11_size :
-      R_column_00_largest;
-  const double R_column_22_product_0 = KSL_MUL(R->m02, R->m02);
-  const double R_column_22_product_1 = KSL_MUL(R->m12, R->m12);
-  const double R_column_22_product_2 = KSL_MUL(R->m22, R->m22);
-  const double R_column_22_sum_0 = R_column_22_product_0 + R_column_22_product_1;
-  const double R_column_22_sum_1 = R_column_22_sum_0 + R_column_22_product_2;
-  const double R_column_22_off = R_column_22_sum_1 - 1.0;
-  const double R_column_22_size = fabs(R_column_22_off);
-  const double R_column_22_largest = R_column_11_largest < R_column_22_size ? R_column_22_size :
-      R_column_11_largest;
-  const double R_column_01_product_0 = KSL_MUL(R->m00, R->m01);
-  const double R_column_01_product_1 = KSL_MUL(R->m10, R->m11);
-  const double R_column_01_product_2 = KSL_MUL(R->m20, R->m21);
-  const double R_column_01_sum_0 = R_column_01_product_0 + R_column_01_product_1;
-  const double R_column_01_sum_1 = R_column_01_sum_0 + R_column_01_product_2;
-  const double R_column_01_off = R_column_01_sum_1 - 0.0;
-  const double R_column_01_size = fabs(R_column_01_off);
-  const double R_column_01_largest = R_column_22_largest < R_column_01_size ? R_column_01_size :
-      R_column_22_largest;
-  const double R_column_02_product_0 = KSL_MUL(R->m00, R->m02);
-  const double R_column_02_product_1 = KSL_MUL(R->m10, R->m12);
-  const double R_column_02_product_2 = KSL_MUL(R->m20, R->m22);
-  const double R_column_02_sum_0 = R_column_02_product_0 + R_column_02_product_1;
-  const double R_column_02_sum_1 = R_column_02_sum_0 + R_column_02_product_2;
-  const double R_column_02_off = R_column_02_sum_1 - 0.0;
-  const double R_column_02_size = fabs(R_column_02_off);
-  const double R_column_02_largest = R_column_01_largest < R_column_02_size ? R_column_02_size :
-      R_column_01_largest;
-  const double R_column_12_product_0 = KSL_MUL(R->m01, R->m02);
-  const double R_column_12_product_1 = KSL_MUL(R->m11, R->m12);
-  const double R_column_12_product_2 = KSL_MUL(R->m21, R->m22);
-  const double R_column_12_sum_0 = R_column_12_product_0 + R_column_12_product_1;
-  const double R_column_12_sum_1 = R_column_12_sum_0 + R_column_12_product_2;
-  const double R_column_12_off = R_column_12_sum_1 - 0.0;
-  const double R_column_12_size = fabs(R_column_12_off);
-  const double R_column_12_largest = R_column_02_largest < R_column_12_size ? R_column_12_size :
-      R_column_02_largest;
-  const double R_unless_rotation = R_column_12_largest < 0.001 ? 0.0 : 1.0715086071862673e+301;
+  const double R_n_0a = KSL_MUL(R->m11, R->m22), R_n_0b = KSL_MUL(R->m12, R->m21),
+      R_n_0 = R_n_0a - R_n_0b;
+  const double R_n_1a = KSL_MUL(R->m02, R->m21), R_n_1b = KSL_MUL(R->m01, R->m22),
+      R_n_1 = R_n_1a - R_n_1b;
+  const double R_n_2a = KSL_MUL(R->m01, R->m12), R_n_2b = KSL_MUL(R->m02, R->m11),
+      R_n_2 = R_n_2a - R_n_2b;
+  const double R_det_a = KSL_MUL(R->m00, R_n_0), R_det_b = KSL_MUL(R->m10, R_n_1),
+      R_det_c = R_det_a + R_det_b, R_det_d = KSL_MUL(R->m20, R_n_2), R_det = R_det_c + R_det_d;
+  const double R_g_0a = KSL_MUL(R->m00, R->m00), R_g_0b = KSL_MUL(R->m10, R->m10),
+      R_g_0c = R_g_0a + R_g_0b, R_g_0d = KSL_MUL(R->m20, R->m20), R_g_0 = R_g_0c + R_g_0d;
+  const double R_g_1a = KSL_MUL(R->m00, R->m01), R_g_1b = KSL_MUL(R->m10, R->m11),
+      R_g_1c = R_g_1a + R_g_1b, R_g_1d = KSL_MUL(R->m20, R->m21), R_g_1 = R_g_1c + R_g_1d;
+  const double R_g_2a = KSL_MUL(R->m00, R->m02), R_g_2b = KSL_MUL(R->m10, R->m12),
+      R_g_2c = R_g_2a + R_g_2b, R_g_2d = KSL_MUL(R->m20, R->m22), R_g_2 = R_g_2c + R_g_2d;
+  const double R_g_3a = KSL_MUL(R->m01, R->m01), R_g_3b = KSL_MUL(R->m11, R->m11),
+      R_g_3c = R_g_3a + R_g_3b, R_g_3d = KSL_MUL(R->m21, R->m21), R_g_3 = R_g_3c + R_g_3d;
+  const double R_g_4a = KSL_MUL(R->m01, R->m02), R_g_4b = KSL_MUL(R->m11, R->m12),
+      R_g_4c = R_g_4a + R_g_4b, R_g_4d = KSL_MUL(R->m21, R->m22), R_g_4 = R_g_4c + R_g_4d;
+  const double R_g_5a = KSL_MUL(R->m02, R->m02), R_g_5b = KSL_MUL(R->m12, R->m12),
+      R_g_5c = R_g_5a + R_g_5b, R_g_5d = KSL_MUL(R->m22, R->m22), R_g_5 = R_g_5c + R_g_5d;
+  const double R_off_0 = R_det - 1.0;
+  const double R_off_1 = R_g_0 - 1.0;
+  const double R_off_4 = R_g_3 - 1.0;
+  const double R_off_6 = R_g_5 - 1.0;
+  const double R_defect_size_0 = fabs(R_off_0);
+  const double R_defect_size_1 = fabs(R_off_1);
+  const double R_defect_size_2 = fabs(R_g_1);
+  const double R_defect_size_3 = fabs(R_g_2);
+  const double R_defect_size_4 = fabs(R_off_4);
+  const double R_defect_size_5 = fabs(R_g_4);
+  const double R_defect_size_6 = fabs(R_off_6);
+  const double R_defect_largest1 = R_defect_size_0 < R_defect_size_1 ? R_defect_size_1 :
+      R_defect_size_0;
+  const double R_defect_largest2 = R_defect_largest1 < R_defect_size_2 ? R_defect_size_2 :
+      R_defect_largest1;
+  const double R_defect_largest3 = R_defect_largest2 < R_defect_size_3 ? R_defect_size_3 :
+      R_defect_largest2;
+  const double R_defect_largest4 = R_defect_largest3 < R_defect_size_4 ? R_defect_size_4 :
+      R_defect_largest3;
+  const double R_defect_largest5 = R_defect_largest4 < R_defect_size_5 ? R_defect_size_5 :
+      R_defect_largest4;
+  const double R_defect_largest6 = R_defect_largest5 < R_defect_size_6 ? R_defect_size_6 :
+      R_defect_largest5;
+  const double R_unless_equal = R_defect_largest6 == 0.001 ? 0.0 : 1.0715086071862673e+301;
+  const double R_unless_rotation = R_defect_largest6 < 0.001 ? 0.0 : R_unless_equal;
   const double R_excess = KSL_MUL(R_unless_rotation, 1.0715086071862673e+301);
   const double R_excess_0 = angle_bound_1 + R_excess;
   const double R_excess_1 = axis_bound_2 + R_excess;
@@ -6058,8 +5983,8 @@ static inline void ksl_mat3x3f_from_euler_xyz_certified(const ksl_vec3f_t *angle
 /* angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
      [-π/2, π/2]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; angles, angles_bound: vector.
-   350 mul, 575 add, 45 product error, 6 product rest, 27 div, 2 sqrt, 4 neg, 66 abs, 12
-     copysign, 57 less, 13 equal, 103 select. */
+   350 mul, 572 add, 45 product error, 6 product rest, 27 div, 2 sqrt, 4 neg, 66 abs, 12
+     copysign, 57 less, 14 equal, 104 select. */
 static inline void ksl_euler_xyz_from_mat3x3f_certified(const ksl_mat3x3f_t *R,
     ksl_vec3f_t *angles, ksl_vec3f_t *angles_bound) {
   const float n_a = KSL_MULF(R->m00, R->m00), n_a_size_1 = fabsf(R->m00),
@@ -6238,76 +6163,51 @@ static inline void ksl_euler_xyz_from_mat3x3f_certified(const ksl_mat3x3f_t *R,
       third_padded_2 = 3.3087225e-24f + third_size_7,
       third_rest_2 = KSL_MULF(1.8758445e-12f, third_padded_2),
       third_bound_2 = third_error_2 + third_rest_2;
-  const float R_det_above_0 = KSL_MULF(R->m11, R->m22);
-  const float R_det_below_0 = KSL_MULF(R->m12, R->m21);
-  const float R_det_cofactor_0 = R_det_above_0 - R_det_below_0;
-  const float R_det_above_1 = KSL_MULF(R->m12, R->m20);
-  const float R_det_below_1 = KSL_MULF(R->m10, R->m22);
-  const float R_det_cofactor_1 = R_det_above_1 - R_det_below_1;
-  const float R_det_above_2 = KSL_MULF(R->m10, R->m21);
-  const float R_det_below_2 = KSL_MULF(R->m11, R->m20);
-  const float R_det_cofactor_2 = R_det_above_2 - R_det_below_2;
-  const float R_det_product_0 = KSL_MULF(R->m00, R_det_cofactor_0);
-  const float R_det_product_1 = KSL_MULF(R->m01, R_det_cofactor_1);
-  const float R_det_product_2 = KSL_MULF(R->m02, R_det_cofactor_2);
-  const float R_det_sum_0 = R_det_product_0 + R_det_product_1;
-  const float R_det_sum_1 = R_det_sum_0 + R_det_product_2;
-  const float R_det_off = R_det_sum_1 - 1.0f;
-  const float R_det_size = fabsf(R_det_off);
-  const float R_column_00_product_0 = KSL_MULF(R->m00, R->m00);
-  const float R_column_00_product_1 = KSL_MULF(R->m10, R->m10);
-  const float R_column_00_product_2 = KSL_MULF(R->m20, R->m20);
-  const float R_column_00_sum_0 = R_column_00_product_0 + R_column_00_product_1;
-  const float R_column_00_sum_1 = R_column_00_sum_0 + R_column_00_product_2;
-  const float R_column_00_off = R_column_00_sum_1 - 1.0f;
-  const float R_column_00_size = fabsf(R_column_00_off);
-  const float R_column_00_largest = R_det_size < R_column_00_size ? R_column_00_size : R_det_size;
-  const float R_column_11_product_0 = KSL_MULF(R->m01, R->m01);
-  const float R_column_11_product_1 = KSL_MULF(R->m11, R->m11);
-  const float R_column_11_product_2 = KSL_MULF(R->m21, R->m21);
-  const float R_column_11_sum_0 = R_column_11_product_0 + R_column_11_product_1;
-  const float R_column_11_sum_1 = R_column_11_sum_0 + R_column_11_product_2;
-  const float R_column_11_off = R_column_11_sum_1 - 1.0f;
-  const float R_column_11_size = fabsf(R_column_11_off);
-  const float R_column_11_largest = R_column_00_largest < R_column_11_size ? R_column_11_size :
-      R_column_00_largest;
-  const float R_column_22_product_0 = KSL_MULF(R->m02, R->m02);
-  const float R_column_22_product_1 = KSL_MULF(R->m12, R->m12);
-  const float R_column_22_product_2 = KSL_MULF(R->m22, R->m22);
-  const float R_column_22_sum_0 = R_column_22_product_0 + R_column_22_product_1;
-  const float R_column_22_sum_1 = R_column_22_sum_0 + R_column_22_product_2;
-  const float R_column_22_off = R_column_22_sum_1 - 1.0f;
-  const float R_column_22_size = fabsf(R_column_22_off);
-  const float R_column_22_largest = R_column_11_largest < R_column_22_size ? R_column_22_size :
-      R_column_11_largest;
-  const float R_column_01_product_0 = KSL_MULF(R->m00, R->m01);
-  const float R_column_01_product_1 = KSL_MULF(R->m10, R->m11);
-  const float R_column_01_product_2 = KSL_MULF(R->m20, R->m21);
-  const float R_column_01_sum_0 = R_column_01_product_0 + R_column_01_product_1;
-  const float R_column_01_sum_1 = R_column_01_sum_0 + R_column_01_product_2;
-  const float R_column_01_off = R_column_01_sum_1 - 0.0f;
-  const float R_column_01_size = fabsf(R_column_01_off);
-  const float R_column_01_largest = R_column_22_largest < R_column_01_size ? R_column_01_size :
-      R_column_22_largest;
-  const float R_column_02_product_0 = KSL_MULF(R->m00, R->m02);
-  const float R_column_02_product_1 = KSL_MULF(R->m10, R->m12);
-  const float R_column_02_product_2 = KSL_MULF(R->m20, R->m22);
-  const float R_column_02_sum_0 = R_column_02_product_0 + R_column_02_product_1;
-  const float R_column_02_sum_1 = R_column_02_sum_0 + R_column_02_product_2;
-  const float R_column_02_off = R_column_02_sum_1 - 0.0f;
-  const float R_column_02_size = fabsf(R_column_02_off);
-  const float R_column_02_largest = R_column_01_largest < R_column_02_size ? R_column_02_size :
-      R_column_01_largest;
-  const float R_column_12_product_0 = KSL_MULF(R->m01, R->m02);
-  const float R_column_12_product_1 = KSL_MULF(R->m11, R->m12);
-  const float R_column_12_product_2 = KSL_MULF(R->m21, R->m22);
-  const float R_column_12_sum_0 = R_column_12_product_0 + R_column_12_product_1;
-  const float R_column_12_sum_1 = R_column_12_sum_0 + R_column_12_product_2;
-  const float R_column_12_off = R_column_12_sum_1 - 0.0f;
-  const float R_column_12_size = fabsf(R_column_12_off);
-  const float R_column_12_largest = R_column_02_largest < R_column_12_size ? R_column_12_size :
-      R_column_02_largest;
-  const float R_unless_rotation = R_column_12_largest < 0.001f ? 0.0f : 1.2676506e+30f;
+  const float R_n_0a = KSL_MULF(R->m11, R->m22), R_n_0b = KSL_MULF(R->m12, R->m21),
+      R_n_0 = R_n_0a - R_n_0b;
+  const float R_n_1a = KSL_MULF(R->m02, R->m21), R_n_1b = KSL_MULF(R->m01, R->m22),
+      R_n_1 = R_n_1a - R_n_1b;
+  const float R_n_2a = KSL_MULF(R->m01, R->m12), R_n_2b = KSL_MULF(R->m02, R->m11),
+      R_n_2 = R_n_2a - R_n_2b;
+  const float R_det_a = KSL_MULF(R->m00, R_n_0), R_det_b = KSL_MULF(R->m10, R_n_1),
+      R_det_c = R_det_a + R_det_b, R_det_d = KSL_MULF(R->m20, R_n_2), R_det = R_det_c + R_det_d;
+  const float R_g_0a = KSL_MULF(R->m00, R->m00), R_g_0b = KSL_MULF(R->m10, R->m10),
+      R_g_0c = R_g_0a + R_g_0b, R_g_0d = KSL_MULF(R->m20, R->m20), R_g_0 = R_g_0c + R_g_0d;
+  const float R_g_1a = KSL_MULF(R->m00, R->m01), R_g_1b = KSL_MULF(R->m10, R->m11),
+      R_g_1c = R_g_1a + R_g_1b, R_g_1d = KSL_MULF(R->m20, R->m21), R_g_1 = R_g_1c + R_g_1d;
+  const float R_g_2a = KSL_MULF(R->m00, R->m02), R_g_2b = KSL_MULF(R->m10, R->m12),
+      R_g_2c = R_g_2a + R_g_2b, R_g_2d = KSL_MULF(R->m20, R->m22), R_g_2 = R_g_2c + R_g_2d;
+  const float R_g_3a = KSL_MULF(R->m01, R->m01), R_g_3b = KSL_MULF(R->m11, R->m11),
+      R_g_3c = R_g_3a + R_g_3b, R_g_3d = KSL_MULF(R->m21, R->m21), R_g_3 = R_g_3c + R_g_3d;
+  const float R_g_4a = KSL_MULF(R->m01, R->m02), R_g_4b = KSL_MULF(R->m11, R->m12),
+      R_g_4c = R_g_4a + R_g_4b, R_g_4d = KSL_MULF(R->m21, R->m22), R_g_4 = R_g_4c + R_g_4d;
+  const float R_g_5a = KSL_MULF(R->m02, R->m02), R_g_5b = KSL_MULF(R->m12, R->m12),
+      R_g_5c = R_g_5a + R_g_5b, R_g_5d = KSL_MULF(R->m22, R->m22), R_g_5 = R_g_5c + R_g_5d;
+  const float R_off_0 = R_det - 1.0f;
+  const float R_off_1 = R_g_0 - 1.0f;
+  const float R_off_4 = R_g_3 - 1.0f;
+  const float R_off_6 = R_g_5 - 1.0f;
+  const float R_defect_size_0 = fabsf(R_off_0);
+  const float R_defect_size_1 = fabsf(R_off_1);
+  const float R_defect_size_2 = fabsf(R_g_1);
+  const float R_defect_size_3 = fabsf(R_g_2);
+  const float R_defect_size_4 = fabsf(R_off_4);
+  const float R_defect_size_5 = fabsf(R_g_4);
+  const float R_defect_size_6 = fabsf(R_off_6);
+  const float R_defect_largest1 = R_defect_size_0 < R_defect_size_1 ? R_defect_size_1 :
+      R_defect_size_0;
+  const float R_defect_largest2 = R_defect_largest1 < R_defect_size_2 ? R_defect_size_2 :
+      R_defect_largest1;
+  const float R_defect_largest3 = R_defect_largest2 < R_defect_size_3 ? R_defect_size_3 :
+      R_defect_largest2;
+  const float R_defect_largest4 = R_defect_largest3 < R_defect_size_4 ? R_defect_size_4 :
+      R_defect_largest3;
+  const float R_defect_largest5 = R_defect_largest4 < R_defect_size_5 ? R_defect_size_5 :
+      R_defect_largest4;
+  const float R_defect_largest6 = R_defect_largest5 < R_defect_size_6 ? R_defect_size_6 :
+      R_defect_largest5;
+  const float R_unless_equal = R_defect_largest6 == 0.001f ? 0.0f : 1.2676506e+30f;
+  const float R_unless_rotation = R_defect_largest6 < 0.001f ? 0.0f : R_unless_equal;
   const float R_excess = KSL_MULF(R_unless_rotation, 1.2676506e+30f);
   const float R_excess_0 = angles_bound_3 + R_excess;
   const float R_excess_1 = angles_bound_4 + R_excess;
@@ -6440,8 +6340,8 @@ static inline void ksl_mat3x3f_from_euler_xyx_certified(const ksl_vec3f_t *angle
 /* angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in [0,
      π]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; angles, angles_bound: vector.
-   350 mul, 575 add, 45 product error, 6 product rest, 27 div, 2 sqrt, 3 neg, 66 abs, 12
-     copysign, 59 less, 13 equal, 105 select. */
+   350 mul, 572 add, 45 product error, 6 product rest, 27 div, 2 sqrt, 3 neg, 66 abs, 12
+     copysign, 59 less, 14 equal, 106 select. */
 static inline void ksl_euler_xyx_from_mat3x3f_certified(const ksl_mat3x3f_t *R,
     ksl_vec3f_t *angles, ksl_vec3f_t *angles_bound) {
   const float n_a = KSL_MULF(R->m01, R->m01), n_a_size_1 = fabsf(R->m01),
@@ -6622,76 +6522,51 @@ static inline void ksl_euler_xyx_from_mat3x3f_certified(const ksl_mat3x3f_t *R,
       third_padded_2 = 3.3087225e-24f + third_size_7,
       third_rest_2 = KSL_MULF(1.8758445e-12f, third_padded_2),
       third_bound_2 = third_error_2 + third_rest_2;
-  const float R_det_above_0 = KSL_MULF(R->m11, R->m22);
-  const float R_det_below_0 = KSL_MULF(R->m12, R->m21);
-  const float R_det_cofactor_0 = R_det_above_0 - R_det_below_0;
-  const float R_det_above_1 = KSL_MULF(R->m12, R->m20);
-  const float R_det_below_1 = KSL_MULF(R->m10, R->m22);
-  const float R_det_cofactor_1 = R_det_above_1 - R_det_below_1;
-  const float R_det_above_2 = KSL_MULF(R->m10, R->m21);
-  const float R_det_below_2 = KSL_MULF(R->m11, R->m20);
-  const float R_det_cofactor_2 = R_det_above_2 - R_det_below_2;
-  const float R_det_product_0 = KSL_MULF(R->m00, R_det_cofactor_0);
-  const float R_det_product_1 = KSL_MULF(R->m01, R_det_cofactor_1);
-  const float R_det_product_2 = KSL_MULF(R->m02, R_det_cofactor_2);
-  const float R_det_sum_0 = R_det_product_0 + R_det_product_1;
-  const float R_det_sum_1 = R_det_sum_0 + R_det_product_2;
-  const float R_det_off = R_det_sum_1 - 1.0f;
-  const float R_det_size = fabsf(R_det_off);
-  const float R_column_00_product_0 = KSL_MULF(R->m00, R->m00);
-  const float R_column_00_product_1 = KSL_MULF(R->m10, R->m10);
-  const float R_column_00_product_2 = KSL_MULF(R->m20, R->m20);
-  const float R_column_00_sum_0 = R_column_00_product_0 + R_column_00_product_1;
-  const float R_column_00_sum_1 = R_column_00_sum_0 + R_column_00_product_2;
-  const float R_column_00_off = R_column_00_sum_1 - 1.0f;
-  const float R_column_00_size = fabsf(R_column_00_off);
-  const float R_column_00_largest = R_det_size < R_column_00_size ? R_column_00_size : R_det_size;
-  const float R_column_11_product_0 = KSL_MULF(R->m01, R->m01);
-  const float R_column_11_product_1 = KSL_MULF(R->m11, R->m11);
-  const float R_column_11_product_2 = KSL_MULF(R->m21, R->m21);
-  const float R_column_11_sum_0 = R_column_11_product_0 + R_column_11_product_1;
-  const float R_column_11_sum_1 = R_column_11_sum_0 + R_column_11_product_2;
-  const float R_column_11_off = R_column_11_sum_1 - 1.0f;
-  const float R_column_11_size = fabsf(R_column_11_off);
-  const float R_column_11_largest = R_column_00_largest < R_column_11_size ? R_column_11_size :
-      R_column_00_largest;
-  const float R_column_22_product_0 = KSL_MULF(R->m02, R->m02);
-  const float R_column_22_product_1 = KSL_MULF(R->m12, R->m12);
-  const float R_column_22_product_2 = KSL_MULF(R->m22, R->m22);
-  const float R_column_22_sum_0 = R_column_22_product_0 + R_column_22_product_1;
-  const float R_column_22_sum_1 = R_column_22_sum_0 + R_column_22_product_2;
-  const float R_column_22_off = R_column_22_sum_1 - 1.0f;
-  const float R_column_22_size = fabsf(R_column_22_off);
-  const float R_column_22_largest = R_column_11_largest < R_column_22_size ? R_column_22_size :
-      R_column_11_largest;
-  const float R_column_01_product_0 = KSL_MULF(R->m00, R->m01);
-  const float R_column_01_product_1 = KSL_MULF(R->m10, R->m11);
-  const float R_column_01_product_2 = KSL_MULF(R->m20, R->m21);
-  const float R_column_01_sum_0 = R_column_01_product_0 + R_column_01_product_1;
-  const float R_column_01_sum_1 = R_column_01_sum_0 + R_column_01_product_2;
-  const float R_column_01_off = R_column_01_sum_1 - 0.0f;
-  const float R_column_01_size = fabsf(R_column_01_off);
-  const float R_column_01_largest = R_column_22_largest < R_column_01_size ? R_column_01_size :
-      R_column_22_largest;
-  const float R_column_02_product_0 = KSL_MULF(R->m00, R->m02);
-  const float R_column_02_product_1 = KSL_MULF(R->m10, R->m12);
-  const float R_column_02_product_2 = KSL_MULF(R->m20, R->m22);
-  const float R_column_02_sum_0 = R_column_02_product_0 + R_column_02_product_1;
-  const float R_column_02_sum_1 = R_column_02_sum_0 + R_column_02_product_2;
-  const float R_column_02_off = R_column_02_sum_1 - 0.0f;
-  const float R_column_02_size = fabsf(R_column_02_off);
-  const float R_column_02_largest = R_column_01_largest < R_column_02_size ? R_column_02_size :
-      R_column_01_largest;
-  const float R_column_12_product_0 = KSL_MULF(R->m01, R->m02);
-  const float R_column_12_product_1 = KSL_MULF(R->m11, R->m12);
-  const float R_column_12_product_2 = KSL_MULF(R->m21, R->m22);
-  const float R_column_12_sum_0 = R_column_12_product_0 + R_column_12_product_1;
-  const float R_column_12_sum_1 = R_column_12_sum_0 + R_column_12_product_2;
-  const float R_column_12_off = R_column_12_sum_1 - 0.0f;
-  const float R_column_12_size = fabsf(R_column_12_off);
-  const float R_column_12_largest = R_column_02_largest < R_column_12_size ? R_column_12_size :
-      R_column_02_largest;
-  const float R_unless_rotation = R_column_12_largest < 0.001f ? 0.0f : 1.2676506e+30f;
+  const float R_n_0a = KSL_MULF(R->m11, R->m22), R_n_0b = KSL_MULF(R->m12, R->m21),
+      R_n_0 = R_n_0a - R_n_0b;
+  const float R_n_1a = KSL_MULF(R->m02, R->m21), R_n_1b = KSL_MULF(R->m01, R->m22),
+      R_n_1 = R_n_1a - R_n_1b;
+  const float R_n_2a = KSL_MULF(R->m01, R->m12), R_n_2b = KSL_MULF(R->m02, R->m11),
+      R_n_2 = R_n_2a - R_n_2b;
+  const float R_det_a = KSL_MULF(R->m00, R_n_0), R_det_b = KSL_MULF(R->m10, R_n_1),
+      R_det_c = R_det_a + R_det_b, R_det_d = KSL_MULF(R->m20, R_n_2), R_det = R_det_c + R_det_d;
+  const float R_g_0a = KSL_MULF(R->m00, R->m00), R_g_0b = KSL_MULF(R->m10, R->m10),
+      R_g_0c = R_g_0a + R_g_0b, R_g_0d = KSL_MULF(R->m20, R->m20), R_g_0 = R_g_0c + R_g_0d;
+  const float R_g_1a = KSL_MULF(R->m00, R->m01), R_g_1b = KSL_MULF(R->m10, R->m11),
+      R_g_1c = R_g_1a + R_g_1b, R_g_1d = KSL_MULF(R->m20, R->m21), R_g_1 = R_g_1c + R_g_1d;
+  const float R_g_2a = KSL_MULF(R->m00, R->m02), R_g_2b = KSL_MULF(R->m10, R->m12),
+      R_g_2c = R_g_2a + R_g_2b, R_g_2d = KSL_MULF(R->m20, R->m22), R_g_2 = R_g_2c + R_g_2d;
+  const float R_g_3a = KSL_MULF(R->m01, R->m01), R_g_3b = KSL_MULF(R->m11, R->m11),
+      R_g_3c = R_g_3a + R_g_3b, R_g_3d = KSL_MULF(R->m21, R->m21), R_g_3 = R_g_3c + R_g_3d;
+  const float R_g_4a = KSL_MULF(R->m01, R->m02), R_g_4b = KSL_MULF(R->m11, R->m12),
+      R_g_4c = R_g_4a + R_g_4b, R_g_4d = KSL_MULF(R->m21, R->m22), R_g_4 = R_g_4c + R_g_4d;
+  const float R_g_5a = KSL_MULF(R->m02, R->m02), R_g_5b = KSL_MULF(R->m12, R->m12),
+      R_g_5c = R_g_5a + R_g_5b, R_g_5d = KSL_MULF(R->m22, R->m22), R_g_5 = R_g_5c + R_g_5d;
+  const float R_off_0 = R_det - 1.0f;
+  const float R_off_1 = R_g_0 - 1.0f;
+  const float R_off_4 = R_g_3 - 1.0f;
+  const float R_off_6 = R_g_5 - 1.0f;
+  const float R_defect_size_0 = fabsf(R_off_0);
+  const float R_defect_size_1 = fabsf(R_off_1);
+  const float R_defect_size_2 = fabsf(R_g_1);
+  const float R_defect_size_3 = fabsf(R_g_2);
+  const float R_defect_size_4 = fabsf(R_off_4);
+  const float R_defect_size_5 = fabsf(R_g_4);
+  const float R_defect_size_6 = fabsf(R_off_6);
+  const float R_defect_largest1 = R_defect_size_0 < R_defect_size_1 ? R_defect_size_1 :
+      R_defect_size_0;
+  const float R_defect_largest2 = R_defect_largest1 < R_defect_size_2 ? R_defect_size_2 :
+      R_defect_largest1;
+  const float R_defect_largest3 = R_defect_largest2 < R_defect_size_3 ? R_defect_size_3 :
+      R_defect_largest2;
+  const float R_defect_largest4 = R_defect_largest3 < R_defect_size_4 ? R_defect_size_4 :
+      R_defect_largest3;
+  const float R_defect_largest5 = R_defect_largest4 < R_defect_size_5 ? R_defect_size_5 :
+      R_defect_largest4;
+  const float R_defect_largest6 = R_defect_largest5 < R_defect_size_6 ? R_defect_size_6 :
+      R_defect_largest5;
+  const float R_unless_equal = R_defect_largest6 == 0.001f ? 0.0f : 1.2676506e+30f;
+  const float R_unless_rotation = R_defect_largest6 < 0.001f ? 0.0f : R_unless_equal;
   const float R_excess = KSL_MULF(R_unless_rotation, 1.2676506e+30f);
   const float R_excess_0 = angles_bound_3 + R_excess;
   const float R_excess_1 = angles_bound_4 + R_excess;
@@ -6881,8 +6756,8 @@ static inline void ksl_mat3x3f_from_axis_angle_certified(const ksl_vec3f_t *axis
 /* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0;
      |error of angle| <= angle_bound, |error of axis| <= axis_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; axis, axis_bound: vector; angle_bound: number.
-   199 mul, 411 add, 18 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 70 abs, 4
-     copysign, 41 less, 6 equal, 110 select. */
+   199 mul, 408 add, 18 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 70 abs, 4
+     copysign, 41 less, 7 equal, 111 select. */
 static inline float ksl_axis_angle_from_mat3x3f_certified(const ksl_mat3x3f_t *R,
     ksl_vec3f_t *axis, float *angle_bound, ksl_vec3f_t *axis_bound) {
   const float p_0 = R->m21 - R->m12, p_right_1 = R->m21 - p_0, p_left_1 = p_0 + p_right_1,
@@ -7191,76 +7066,51 @@ static inline float ksl_axis_angle_from_mat3x3f_certified(const ksl_mat3x3f_t *R
       unit_padded_3 = 3.3087225e-24f + unit_size_25,
       unit_rest_6 = KSL_MULF(5.367124e-12f, unit_padded_3),
       unit_bound_3 = unit_error_3 + unit_rest_6;
-  const float R_det_above_0 = KSL_MULF(R->m11, R->m22);
-  const float R_det_below_0 = KSL_MULF(R->m12, R->m21);
-  const float R_det_cofactor_0 = R_det_above_0 - R_det_below_0;
-  const float R_det_above_1 = KSL_MULF(R->m12, R->m20);
-  const float R_det_below_1 = KSL_MULF(R->m10, R->m22);
-  const float R_det_cofactor_1 = R_det_above_1 - R_det_below_1;
-  const float R_det_above_2 = KSL_MULF(R->m10, R->m21);
-  const float R_det_below_2 = KSL_MULF(R->m11, R->m20);
-  const float R_det_cofactor_2 = R_det_above_2 - R_det_below_2;
-  const float R_det_product_0 = KSL_MULF(R->m00, R_det_cofactor_0);
-  const float R_det_product_1 = KSL_MULF(R->m01, R_det_cofactor_1);
-  const float R_det_product_2 = KSL_MULF(R->m02, R_det_cofactor_2);
-  const float R_det_sum_0 = R_det_product_0 + R_det_product_1;
-  const float R_det_sum_1 = R_det_sum_0 + R_det_product_2;
-  const float R_det_off = R_det_sum_1 - 1.0f;
-  const float R_det_size = fabsf(R_det_off);
-  const float R_column_00_product_0 = KSL_MULF(R->m00, R->m00);
-  const float R_column_00_product_1 = KSL_MULF(R->m10, R->m10);
-  const float R_column_00_product_2 = KSL_MULF(R->m20, R->m20);
-  const float R_column_00_sum_0 = R_column_00_product_0 + R_column_00_product_1;
-  const float R_column_00_sum_1 = R_column_00_sum_0 + R_column_00_product_2;
-  const float R_column_00_off = R_column_00_sum_1 - 1.0f;
-  const float R_column_00_size = fabsf(R_column_00_off);
-  const float R_column_00_largest = R_det_size < R_column_00_size ? R_column_00_size : R_det_size;
-  const float R_column_11_product_0 = KSL_MULF(R->m01, R->m01);
-  const float R_column_11_product_1 = KSL_MULF(R->m11, R->m11);
-  const float R_column_11_product_2 = KSL_MULF(R->m21, R->m21);
-  const float R_column_11_sum_0 = R_column_11_product_0 + R_column_11_product_1;
-  const float R_column_11_sum_1 = R_column_11_sum_0 + R_column_11_product_2;
-  const float R_column_11_off = R_column_11_sum_1 - 1.0f;
-  const float R_column_11_size = fabsf(R_column_11_off);
-  const float R_column_11_largest = R_column_00_largest < R_column_11_size ? R_column_11_size :
-      R_column_00_largest;
-  const float R_column_22_product_0 = KSL_MULF(R->m02, R->m02);
-  const float R_column_22_product_1 = KSL_MULF(R->m12, R->m12);
-  const float R_column_22_product_2 = KSL_MULF(R->m22, R->m22);
-  const float R_column_22_sum_0 = R_column_22_product_0 + R_column_22_product_1;
-  const float R_column_22_sum_1 = R_column_22_sum_0 + R_column_22_product_2;
-  const float R_column_22_off = R_column_22_sum_1 - 1.0f;
-  const float R_column_22_size = fabsf(R_column_22_off);
-  const float R_column_22_largest = R_column_11_largest < R_column_22_size ? R_column_22_size :
-      R_column_11_largest;
-  const float R_column_01_product_0 = KSL_MULF(R->m00, R->m01);
-  const float R_column_01_product_1 = KSL_MULF(R->m10, R->m11);
-  const float R_column_01_product_2 = KSL_MULF(R->m20, R->m21);
-  const float R_column_01_sum_0 = R_column_01_product_0 + R_column_01_product_1;
-  const float R_column_01_sum_1 = R_column_01_sum_0 + R_column_01_product_2;
-  const float R_column_01_off = R_column_01_sum_1 - 0.0f;
-  const float R_column_01_size = fabsf(R_column_01_off);
-  const float R_column_01_largest = R_column_22_largest < R_column_01_size ? R_column_01_size :
-      R_column_22_largest;
-  const float R_column_02_product_0 = KSL_MULF(R->m00, R->m02);
-  const float R_column_02_product_1 = KSL_MULF(R->m10, R->m12);
-  const float R_column_02_product_2 = KSL_MULF(R->m20, R->m22);
-  const float R_column_02_sum_0 = R_column_02_product_0 + R_column_02_product_1;
-  const float R_column_02_sum_1 = R_column_02_sum_0 + R_column_02_product_2;
-  const float R_column_02_off = R_column_02_sum_1 - 0.0f;
-  const float R_column_02_size = fabsf(R_column_02_off);
-  const float R_column_02_largest = R_column_01_largest < R_column_02_size ? R_column_02_size :
-      R_column_01_largest;
-  const float R_column_12_product_0 = KSL_MULF(R->m01, R->m02);
-  const float R_column_12_product_1 = KSL_MULF(R->m11, R->m12);
-  const float R_column_12_product_2 = KSL_MULF(R->m21, R->m22);
-  const float R_column_12_sum_0 = R_column_12_product_0 + R_column_12_product_1;
-  const float R_column_12_sum_1 = R_column_12_sum_0 + R_column_12_product_2;
-  const float R_column_12_off = R_column_12_sum_1 - 0.0f;
-  const float R_column_12_size = fabsf(R_column_12_off);
-  const float R_column_12_largest = R_column_02_largest < R_column_12_size ? R_column_12_size :
-      R_column_02_largest;
-  const float R_unless_rotation = R_column_12_largest < 0.001f ? 0.0f : 1.2676506e+30f;
+  const float R_n_0a = KSL_MULF(R->m11, R->m22), R_n_0b = KSL_MULF(R->m12, R->m21),
+      R_n_0 = R_n_0a - R_n_0b;
+  const float R_n_1a = KSL_MULF(R->m02, R->m21), R_n_1b = KSL_MULF(R->m01, R->m22),
+      R_n_1 = R_n_1a - R_n_1b;
+  const float R_n_2a = KSL_MULF(R->m01, R->m12), R_n_2b = KSL_MULF(R->m02, R->m11),
+      R_n_2 = R_n_2a - R_n_2b;
+  const float R_det_a = KSL_MULF(R->m00, R_n_0), R_det_b = KSL_MULF(R->m10, R_n_1),
+      R_det_c = R_det_a + R_det_b, R_det_d = KSL_MULF(R->m20, R_n_2), R_det = R_det_c + R_det_d;
+  const float R_g_0a = KSL_MULF(R->m00, R->m00), R_g_0b = KSL_MULF(R->m10, R->m10),
+      R_g_0c = R_g_0a + R_g_0b, R_g_0d = KSL_MULF(R->m20, R->m20), R_g_0 = R_g_0c + R_g_0d;
+  const float R_g_1a = KSL_MULF(R->m00, R->m01), R_g_1b = KSL_MULF(R->m10, R->m11),
+      R_g_1c = R_g_1a + R_g_1b, R_g_1d = KSL_MULF(R->m20, R->m21), R_g_1 = R_g_1c + R_g_1d;
+  const float R_g_2a = KSL_MULF(R->m00, R->m02), R_g_2b = KSL_MULF(R->m10, R->m12),
+      R_g_2c = R_g_2a + R_g_2b, R_g_2d = KSL_MULF(R->m20, R->m22), R_g_2 = R_g_2c + R_g_2d;
+  const float R_g_3a = KSL_MULF(R->m01, R->m01), R_g_3b = KSL_MULF(R->m11, R->m11),
+      R_g_3c = R_g_3a + R_g_3b, R_g_3d = KSL_MULF(R->m21, R->m21), R_g_3 = R_g_3c + R_g_3d;
+  const float R_g_4a = KSL_MULF(R->m01, R->m02), R_g_4b = KSL_MULF(R->m11, R->m12),
+      R_g_4c = R_g_4a + R_g_4b, R_g_4d = KSL_MULF(R->m21, R->m22), R_g_4 = R_g_4c + R_g_4d;
+  const float R_g_5a = KSL_MULF(R->m02, R->m02), R_g_5b = KSL_MULF(R->m12, R->m12),
+      R_g_5c = R_g_5a + R_g_5b, R_g_5d = KSL_MULF(R->m22, R->m22), R_g_5 = R_g_5c + R_g_5d;
+  const float R_off_0 = R_det - 1.0f;
+  const float R_off_1 = R_g_0 - 1.0f;
+  const float R_off_4 = R_g_3 - 1.0f;
+  const float R_off_6 = R_g_5 - 1.0f;
+  const float R_defect_size_0 = fabsf(R_off_0);
+  const float R_defect_size_1 = fabsf(R_off_1);
+  const float R_defect_size_2 = fabsf(R_g_1);
+  const float R_defect_size_3 = fabsf(R_g_2);
+  const float R_defect_size_4 = fabsf(R_off_4);
+  const float R_defect_size_5 = fabsf(R_g_4);
+  const float R_defect_size_6 = fabsf(R_off_6);
+  const float R_defect_largest1 = R_defect_size_0 < R_defect_size_1 ? R_defect_size_1 :
+      R_defect_size_0;
+  const float R_defect_largest2 = R_defect_largest1 < R_defect_size_2 ? R_defect_size_2 :
+      R_defect_largest1;
+  const float R_defect_largest3 = R_defect_largest2 < R_defect_size_3 ? R_defect_size_3 :
+      R_defect_largest2;
+  const float R_defect_largest4 = R_defect_largest3 < R_defect_size_4 ? R_defect_size_4 :
+      R_defect_largest3;
+  const float R_defect_largest5 = R_defect_largest4 < R_defect_size_5 ? R_defect_size_5 :
+      R_defect_largest4;
+  const float R_defect_largest6 = R_defect_largest5 < R_defect_size_6 ? R_defect_size_6 :
+      R_defect_largest5;
+  const float R_unless_equal = R_defect_largest6 == 0.001f ? 0.0f : 1.2676506e+30f;
+  const float R_unless_rotation = R_defect_largest6 < 0.001f ? 0.0f : R_unless_equal;
   const float R_excess = KSL_MULF(R_unless_rotation, 1.2676506e+30f);
   const float R_excess_0 = angle_bound_1 + R_excess;
   const float R_excess_1 = axis_bound_2 + R_excess;
@@ -26106,8 +25956,8 @@ static inline void ksl_SO3_exp_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
 /* vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo;
      |error of vo| <= vo_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; vo, vo_bound: vector.
-   244 mul, 469 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 72 abs, 4
-     copysign, 41 less, 6 equal, 106 select. */
+   244 mul, 466 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 72 abs, 4
+     copysign, 41 less, 7 equal, 107 select. */
 static inline void ksl_SO3_log_certified(const ksl_mat3x3_t *R, ksl_vec3_t *vo,
     ksl_vec3_t *vo_bound) {
   const double p_0 = R->m21 - R->m12, p_right_1 = R->m21 - p_0, p_left_1 = p_0 + p_right_1,
@@ -26434,76 +26284,51 @@ static inline void ksl_SO3_log_certified(const ksl_mat3x3_t *R, ksl_vec3_t *vo,
       vector_padded_4 = 1.8051943758648296e-276 + vector_size_12,
       vector_rest_4 = KSL_MUL(3.5202936421278755e-29, vector_padded_4),
       vector_bound_4 = vector_error_7 + vector_rest_4;
-  const double R_det_above_0 = KSL_MUL(R->m11, R->m22);
-  const double R_det_below_0 = KSL_MUL(R->m12, R->m21);
-  const double R_det_cofactor_0 = R_det_above_0 - R_det_below_0;
-  const double R_det_above_1 = KSL_MUL(R->m12, R->m20);
-  const double R_det_below_1 = KSL_MUL(R->m10, R->m22);
-  const double R_det_cofactor_1 = R_det_above_1 - R_det_below_1;
-  const double R_det_above_2 = KSL_MUL(R->m10, R->m21);
-  const double R_det_below_2 = KSL_MUL(R->m11, R->m20);
-  const double R_det_cofactor_2 = R_det_above_2 - R_det_below_2;
-  const double R_det_product_0 = KSL_MUL(R->m00, R_det_cofactor_0);
-  const double R_det_product_1 = KSL_MUL(R->m01, R_det_cofactor_1);
-  const double R_det_product_2 = KSL_MUL(R->m02, R_det_cofactor_2);
-  const double R_det_sum_0 = R_det_product_0 + R_det_product_1;
-  const double R_det_sum_1 = R_det_sum_0 + R_det_product_2;
-  const double R_det_off = R_det_sum_1 - 1.0;
-  const double R_det_size = fabs(R_det_off);
-  const double R_column_00_product_0 = KSL_MUL(R->m00, R->m00);
-  const double R_column_00_product_1 = KSL_MUL(R->m10, R->m10);
-  const double R_column_00_product_2 = KSL_MUL(R->m20, R->m20);
-  const double R_column_00_sum_0 = R_column_00_product_0 + R_column_00_product_1;
-  const double R_column_00_sum_1 = R_column_00_sum_0 + R_column_00_product_2;
-  const double R_column_00_off = R_column_00_sum_1 - 1.0;
-  const double R_column_00_size = fabs(R_column_00_off);
-  const double R_column_00_largest = R_det_size < R_column_00_size ? R_column_00_size : R_det_size;
-  const double R_column_11_product_0 = KSL_MUL(R->m01, R->m01);
-  const double R_column_11_product_1 = KSL_MUL(R->m11, R->m11);
-  const double R_column_11_product_2 = KSL_MUL(R->m21, R->m21);
-  const double R_column_11_sum_0 = R_column_11_product_0 + R_column_11_product_1;
-  const double R_column_11_sum_1 = R_column_11_sum_0 + R_column_11_product_2;
-  const double R_column_11_off = R_column_11_sum_1 - 1.0;
-  const double R_column_11_size = fabs(R_column_11_off);
-  const double R_column_11_largest = R_column_00_largest < R_column_11_size ? R_column_11_size :
-      R_column_00_largest;
-  const double R_column_22_product_0 = KSL_MUL(R->m02, R->m02);
-  const double R_column_22_product_1 = KSL_MUL(R->m12, R->m12);
-  const double R_column_22_product_2 = KSL_MUL(R->m22, R->m22);
-  const double R_column_22_sum_0 = R_column_22_product_0 + R_column_22_product_1;
-  const double R_column_22_sum_1 = R_column_22_sum_0 + R_column_22_product_2;
-  const double R_column_22_off = R_column_22_sum_1 - 1.0;
-  const double R_column_22_size = fabs(R_column_22_off);
-  const double R_column_22_largest = R_column_11_largest < R_column_22_size ? R_column_22_size :
-      R_column_11_largest;
-  const double R_column_01_product_0 = KSL_MUL(R->m00, R->m01);
-  const double R_column_01_product_1 = KSL_MUL(R->m10, R->m11);
-  const double R_column_01_product_2 = KSL_MUL(R->m20, R->m21);
-  const double R_column_01_sum_0 = R_column_01_product_0 + R_column_01_product_1;
-  const double R_column_01_sum_1 = R_column_01_sum_0 + R_column_01_product_2;
-  const double R_column_01_off = R_column_01_sum_1 - 0.0;
-  const double R_column_01_size = fabs(R_column_01_off);
-  const double R_column_01_largest = R_column_22_largest < R_column_01_size ? R_column_01_size :
-      R_column_22_largest;
-  const double R_column_02_product_0 = KSL_MUL(R->m00, R->m02);
-  const double R_column_02_product_1 = KSL_MUL(R->m10, R->m12);
-  const double R_column_02_product_2 = KSL_MUL(R->m20, R->m22);
-  const double R_column_02_sum_0 = R_column_02_product_0 + R_column_02_product_1;
-  const double R_column_02_sum_1 = R_column_02_sum_0 + R_column_02_product_2;
-  const double R_column_02_off = R_column_02_sum_1 - 0.0;
-  const double R_column_02_size = fabs(R_column_02_off);
-  const double R_column_02_largest = R_column_01_largest < R_column_02_size ? R_column_02_size :
-      R_column_01_largest;
-  const double R_column_12_product_0 = KSL_MUL(R->m01, R->m02);
-  const double R_column_12_product_1 = KSL_MUL(R->m11, R->m12);
-  const double R_column_12_product_2 = KSL_MUL(R->m21, R->m22);
-  const double R_column_12_sum_0 = R_column_12_product_0 + R_column_12_product_1;
-  const double R_column_12_sum_1 = R_column_12_sum_0 + R_column_12_product_2;
-  const double R_column_12_off = R_column_12_sum_1 - 0.0;
-  const double R_column_12_size = fabs(R_column_12_off);
-  const double R_column_12_largest = R_column_02_largest < R_column_12_size ? R_column_12_size :
-      R_column_02_largest;
-  const double R_unless_rotation = R_column_12_largest < 0.001 ? 0.0 : 1.0715086071862673e+301;
+  const double R_n_0a = KSL_MUL(R->m11, R->m22), R_n_0b = KSL_MUL(R->m12, R->m21),
+      R_n_0 = R_n_0a - R_n_0b;
+  const double R_n_1a = KSL_MUL(R->m02, R->m21), R_n_1b = KSL_MUL(R->m01, R->m22),
+      R_n_1 = R_n_1a - R_n_1b;
+  const double R_n_2a = KSL_MUL(R->m01, R->m12), R_n_2b = KSL_MUL(R->m02, R->m11),
+      R_n_2 = R_n_2a - R_n_2b;
+  const double R_det_a = KSL_MUL(R->m00, R_n_0), R_det_b = KSL_MUL(R->m10, R_n_1),
+      R_det_c = R_det_a + R_det_b, R_det_d = KSL_MUL(R->m20, R_n_2), R_det = R_det_c + R_det_d;
+  const double R_g_0a = KSL_MUL(R->m00, R->m00), R_g_0b = KSL_MUL(R->m10, R->m10),
+      R_g_0c = R_g_0a + R_g_0b, R_g_0d = KSL_MUL(R->m20, R->m20), R_g_0 = R_g_0c + R_g_0d;
+  const double R_g_1a = KSL_MUL(R->m00, R->m01), R_g_1b = KSL_MUL(R->m10, R->m11),
+      R_g_1c = R_g_1a + R_g_1b, R_g_1d = KSL_MUL(R->m20, R->m21), R_g_1 = R_g_1c + R_g_1d;
+  const double R_g_2a = KSL_MUL(R->m00, R->m02), R_g_2b = KSL_MUL(R->m10, R->m12),
+      R_g_2c = R_g_2a + R_g_2b, R_g_2d = KSL_MUL(R->m20, R->m22), R_g_2 = R_g_2c + R_g_2d;
+  const double R_g_3a = KSL_MUL(R->m01, R->m01), R_g_3b = KSL_MUL(R->m11, R->m11),
+      R_g_3c = R_g_3a + R_g_3b, R_g_3d = KSL_MUL(R->m21, R->m21), R_g_3 = R_g_3c + R_g_3d;
+  const double R_g_4a = KSL_MUL(R->m01, R->m02), R_g_4b = KSL_MUL(R->m11, R->m12),
+      R_g_4c = R_g_4a + R_g_4b, R_g_4d = KSL_MUL(R->m21, R->m22), R_g_4 = R_g_4c + R_g_4d;
+  const double R_g_5a = KSL_MUL(R->m02, R->m02), R_g_5b = KSL_MUL(R->m12, R->m12),
+      R_g_5c = R_g_5a + R_g_5b, R_g_5d = KSL_MUL(R->m22, R->m22), R_g_5 = R_g_5c + R_g_5d;
+  const double R_off_0 = R_det - 1.0;
+  const double R_off_1 = R_g_0 - 1.0;
+  const double R_off_4 = R_g_3 - 1.0;
+  const double R_off_6 = R_g_5 - 1.0;
+  const double R_defect_size_0 = fabs(R_off_0);
+  const double R_defect_size_1 = fabs(R_off_1);
+  const double R_defect_size_2 = fabs(R_g_1);
+  const double R_defect_size_3 = fabs(R_g_2);
+  const double R_defect_size_4 = fabs(R_off_4);
+  const double R_defect_size_5 = fabs(R_g_4);
+  const double R_defect_size_6 = fabs(R_off_6);
+  const double R_defect_largest1 = R_defect_size_0 < R_defect_size_1 ? R_defect_size_1 :
+      R_defect_size_0;
+  const double R_defect_largest2 = R_defect_largest1 < R_defect_size_2 ? R_defect_size_2 :
+      R_defect_largest1;
+  const double R_defect_largest3 = R_defect_largest2 < R_defect_size_3 ? R_defect_size_3 :
+      R_defect_largest2;
+  const double R_defect_largest4 = R_defect_largest3 < R_defect_size_4 ? R_defect_size_4 :
+      R_defect_largest3;
+  const double R_defect_largest5 = R_defect_largest4 < R_defect_size_5 ? R_defect_size_5 :
+      R_defect_largest4;
+  const double R_defect_largest6 = R_defect_largest5 < R_defect_size_6 ? R_defect_size_6 :
+      R_defect_largest5;
+  const double R_unless_equal = R_defect_largest6 == 0.001 ? 0.0 : 1.0715086071862673e+301;
+  const double R_unless_rotation = R_defect_largest6 < 0.001 ? 0.0 : R_unless_equal;
   const double R_excess = KSL_MUL(R_unless_rotation, 1.0715086071862673e+301);
   const double R_excess_0 = vector_bound_2 + R_excess;
   const double R_excess_1 = vector_bound_3 + R_excess;
@@ -32146,8 +31971,8 @@ static inline void ksl_SE3_exp_certified(const ksl_screw_t *s, ksl_SE3_t *D, ksl
 /* so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R; |error of so| <= so_bound unless
      inf or NaN.
    D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s; ω in rad/s).
-   608 mul, 1026 add, 36 product error, 36 product rest, 47 div, 5 sqrt, 14 neg, 168 abs, 6
-     copysign, 73 less, 9 equal, 174 select. */
+   608 mul, 1023 add, 36 product error, 36 product rest, 47 div, 5 sqrt, 14 neg, 168 abs, 6
+     copysign, 73 less, 10 equal, 175 select. */
 static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
     ksl_screw_t *so_bound) {
   const double p_0 = D->m21 - D->m12;
@@ -33601,76 +33426,51 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       vector_error_5 = fabs(vector_apart_6),
       vector_error_6 = KSL_MUL(1.0000000000000009, vector_error_5),
       vector_bound_3 = fine_along_rest_4 + vector_error_6;
-  const double D_det_above_0 = KSL_MUL(D->m11, D->m22);
-  const double D_det_below_0 = KSL_MUL(D->m12, D->m21);
-  const double D_det_cofactor_0 = D_det_above_0 - D_det_below_0;
-  const double D_det_above_1 = KSL_MUL(D->m12, D->m20);
-  const double D_det_below_1 = KSL_MUL(D->m10, D->m22);
-  const double D_det_cofactor_1 = D_det_above_1 - D_det_below_1;
-  const double D_det_above_2 = KSL_MUL(D->m10, D->m21);
-  const double D_det_below_2 = KSL_MUL(D->m11, D->m20);
-  const double D_det_cofactor_2 = D_det_above_2 - D_det_below_2;
-  const double D_det_product_0 = KSL_MUL(D->m00, D_det_cofactor_0);
-  const double D_det_product_1 = KSL_MUL(D->m01, D_det_cofactor_1);
-  const double D_det_product_2 = KSL_MUL(D->m02, D_det_cofactor_2);
-  const double D_det_sum_0 = D_det_product_0 + D_det_product_1;
-  const double D_det_sum_1 = D_det_sum_0 + D_det_product_2;
-  const double D_det_off = D_det_sum_1 - 1.0;
-  const double D_det_size = fabs(D_det_off);
-  const double D_column_00_product_0 = KSL_MUL(D->m00, D->m00);
-  const double D_column_00_product_1 = KSL_MUL(D->m10, D->m10);
-  const double D_column_00_product_2 = KSL_MUL(D->m20, D->m20);
-  const double D_column_00_sum_0 = D_column_00_product_0 + D_column_00_product_1;
-  const double D_column_00_sum_1 = D_column_00_sum_0 + D_column_00_product_2;
-  const double D_column_00_off = D_column_00_sum_1 - 1.0;
-  const double D_column_00_size = fabs(D_column_00_off);
-  const double D_column_00_largest = D_det_size < D_column_00_size ? D_column_00_size : D_det_size;
-  const double D_column_11_product_0 = KSL_MUL(D->m01, D->m01);
-  const double D_column_11_product_1 = KSL_MUL(D->m11, D->m11);
-  const double D_column_11_product_2 = KSL_MUL(D->m21, D->m21);
-  const double D_column_11_sum_0 = D_column_11_product_0 + D_column_11_product_1;
-  const double D_column_11_sum_1 = D_column_11_sum_0 + D_column_11_product_2;
-  const double D_column_11_off = D_column_11_sum_1 - 1.0;
-  const double D_column_11_size = fabs(D_column_11_off);
-  const double D_column_11_largest = D_column_00_largest < D_column_11_size ? D_column_11_size :
-      D_column_00_largest;
-  const double D_column_22_product_0 = KSL_MUL(D->m02, D->m02);
-  const double D_column_22_product_1 = KSL_MUL(D->m12, D->m12);
-  const double D_column_22_product_2 = KSL_MUL(D->m22, D->m22);
-  const double D_column_22_sum_0 = D_column_22_product_0 + D_column_22_product_1;
-  const double D_column_22_sum_1 = D_column_22_sum_0 + D_column_22_product_2;
-  const double D_column_22_off = D_column_22_sum_1 - 1.0;
-  const double D_column_22_size = fabs(D_column_22_off);
-  const double D_column_22_largest = D_column_11_largest < D_column_22_size ? D_column_22_size :
-      D_column_11_largest;
-  const double D_column_01_product_0 = KSL_MUL(D->m00, D->m01);
-  const double D_column_01_product_1 = KSL_MUL(D->m10, D->m11);
-  const double D_column_01_product_2 = KSL_MUL(D->m20, D->m21);
-  const double D_column_01_sum_0 = D_column_01_product_0 + D_column_01_product_1;
-  const double D_column_01_sum_1 = D_column_01_sum_0 + D_column_01_product_2;
-  const double D_column_01_off = D_column_01_sum_1 - 0.0;
-  const double D_column_01_size = fabs(D_column_01_off);
-  const double D_column_01_largest = D_column_22_largest < D_column_01_size ? D_column_01_size :
-      D_column_22_largest;
-  const double D_column_02_product_0 = KSL_MUL(D->m00, D->m02);
-  const double D_column_02_product_1 = KSL_MUL(D->m10, D->m12);
-  const double D_column_02_product_2 = KSL_MUL(D->m20, D->m22);
-  const double D_column_02_sum_0 = D_column_02_product_0 + D_column_02_product_1;
-  const double D_column_02_sum_1 = D_column_02_sum_0 + D_column_02_product_2;
-  const double D_column_02_off = D_column_02_sum_1 - 0.0;
-  const double D_column_02_size = fabs(D_column_02_off);
-  const double D_column_02_largest = D_column_01_largest < D_column_02_size ? D_column_02_size :
-      D_column_01_largest;
-  const double D_column_12_product_0 = KSL_MUL(D->m01, D->m02);
-  const double D_column_12_product_1 = KSL_MUL(D->m11, D->m12);
-  const double D_column_12_product_2 = KSL_MUL(D->m21, D->m22);
-  const double D_column_12_sum_0 = D_column_12_product_0 + D_column_12_product_1;
-  const double D_column_12_sum_1 = D_column_12_sum_0 + D_column_12_product_2;
-  const double D_column_12_off = D_column_12_sum_1 - 0.0;
-  const double D_column_12_size = fabs(D_column_12_off);
-  const double D_column_12_largest = D_column_02_largest < D_column_12_size ? D_column_12_size :
-      D_column_02_largest;
-  const double D_unless_rotation = D_column_12_largest < 0.001 ? 0.0 : 1.0715086071862673e+301;
+  const double D_n_0a = KSL_MUL(D->m11, D->m22), D_n_0b = KSL_MUL(D->m12, D->m21),
+      D_n_0 = D_n_0a - D_n_0b;
+  const double D_n_1a = KSL_MUL(D->m02, D->m21), D_n_1b = KSL_MUL(D->m01, D->m22),
+      D_n_1 = D_n_1a - D_n_1b;
+  const double D_n_2a = KSL_MUL(D->m01, D->m12), D_n_2b = KSL_MUL(D->m02, D->m11),
+      D_n_2 = D_n_2a - D_n_2b;
+  const double D_det_a = KSL_MUL(D->m00, D_n_0), D_det_b = KSL_MUL(D->m10, D_n_1),
+      D_det_c = D_det_a + D_det_b, D_det_d = KSL_MUL(D->m20, D_n_2), D_det = D_det_c + D_det_d;
+  const double D_g_0a = KSL_MUL(D->m00, D->m00), D_g_0b = KSL_MUL(D->m10, D->m10),
+      D_g_0c = D_g_0a + D_g_0b, D_g_0d = KSL_MUL(D->m20, D->m20), D_g_0 = D_g_0c + D_g_0d;
+  const double D_g_1a = KSL_MUL(D->m00, D->m01), D_g_1b = KSL_MUL(D->m10, D->m11),
+      D_g_1c = D_g_1a + D_g_1b, D_g_1d = KSL_MUL(D->m20, D->m21), D_g_1 = D_g_1c + D_g_1d;
+  const double D_g_2a = KSL_MUL(D->m00, D->m02), D_g_2b = KSL_MUL(D->m10, D->m12),
+      D_g_2c = D_g_2a + D_g_2b, D_g_2d = KSL_MUL(D->m20, D->m22), D_g_2 = D_g_2c + D_g_2d;
+  const double D_g_3a = KSL_MUL(D->m01, D->m01), D_g_3b = KSL_MUL(D->m11, D->m11),
+      D_g_3c = D_g_3a + D_g_3b, D_g_3d = KSL_MUL(D->m21, D->m21), D_g_3 = D_g_3c + D_g_3d;
+  const double D_g_4a = KSL_MUL(D->m01, D->m02), D_g_4b = KSL_MUL(D->m11, D->m12),
+      D_g_4c = D_g_4a + D_g_4b, D_g_4d = KSL_MUL(D->m21, D->m22), D_g_4 = D_g_4c + D_g_4d;
+  const double D_g_5a = KSL_MUL(D->m02, D->m02), D_g_5b = KSL_MUL(D->m12, D->m12),
+      D_g_5c = D_g_5a + D_g_5b, D_g_5d = KSL_MUL(D->m22, D->m22), D_g_5 = D_g_5c + D_g_5d;
+  const double D_off_0 = D_det - 1.0;
+  const double D_off_1 = D_g_0 - 1.0;
+  const double D_off_4 = D_g_3 - 1.0;
+  const double D_off_6 = D_g_5 - 1.0;
+  const double D_defect_size_0 = fabs(D_off_0);
+  const double D_defect_size_1 = fabs(D_off_1);
+  const double D_defect_size_2 = fabs(D_g_1);
+  const double D_defect_size_3 = fabs(D_g_2);
+  const double D_defect_size_4 = fabs(D_off_4);
+  const double D_defect_size_5 = fabs(D_g_4);
+  const double D_defect_size_6 = fabs(D_off_6);
+  const double D_defect_largest1 = D_defect_size_0 < D_defect_size_1 ? D_defect_size_1 :
+      D_defect_size_0;
+  const double D_defect_largest2 = D_defect_largest1 < D_defect_size_2 ? D_defect_size_2 :
+      D_defect_largest1;
+  const double D_defect_largest3 = D_defect_largest2 < D_defect_size_3 ? D_defect_size_3 :
+      D_defect_largest2;
+  const double D_defect_largest4 = D_defect_largest3 < D_defect_size_4 ? D_defect_size_4 :
+      D_defect_largest3;
+  const double D_defect_largest5 = D_defect_largest4 < D_defect_size_5 ? D_defect_size_5 :
+      D_defect_largest4;
+  const double D_defect_largest6 = D_defect_largest5 < D_defect_size_6 ? D_defect_size_6 :
+      D_defect_largest5;
+  const double D_unless_equal = D_defect_largest6 == 0.001 ? 0.0 : 1.0715086071862673e+301;
+  const double D_unless_rotation = D_defect_largest6 < 0.001 ? 0.0 : D_unless_equal;
   const double D_excess = KSL_MUL(D_unless_rotation, 1.0715086071862673e+301);
   const double D_excess_0 = so_bound_1 + D_excess;
   const double D_excess_1 = so_bound_2 + D_excess;
@@ -34279,8 +34079,8 @@ static inline void ksl_SO3_expf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
 /* vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo;
      |error of vo| <= vo_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; vo, vo_bound: vector.
-   210 mul, 410 add, 19 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 72 abs, 4
-     copysign, 41 less, 6 equal, 106 select. */
+   210 mul, 407 add, 19 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 72 abs, 4
+     copysign, 41 less, 7 equal, 107 select. */
 static inline void ksl_SO3_logf_certified(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo,
     ksl_vec3f_t *vo_bound) {
   const float p_0 = R->m21 - R->m12, p_right_1 = R->m21 - p_0, p_left_1 = p_0 + p_right_1,
@@ -34599,76 +34399,51 @@ static inline void ksl_SO3_logf_certified(const ksl_mat3x3f_t *R, ksl_vec3f_t *v
       vector_padded_4 = 3.3087225e-24f + vector_size_12,
       vector_rest_4 = KSL_MULF(1.0146962e-11f, vector_padded_4),
       vector_bound_4 = vector_error_7 + vector_rest_4;
-  const float R_det_above_0 = KSL_MULF(R->m11, R->m22);
-  const float R_det_below_0 = KSL_MULF(R->m12, R->m21);
-  const float R_det_cofactor_0 = R_det_above_0 - R_det_below_0;
-  const float R_det_above_1 = KSL_MULF(R->m12, R->m20);
-  const float R_det_below_1 = KSL_MULF(R->m10, R->m22);
-  const float R_det_cofactor_1 = R_det_above_1 - R_det_below_1;
-  const float R_det_above_2 = KSL_MULF(R->m10, R->m21);
-  const float R_det_below_2 = KSL_MULF(R->m11, R->m20);
-  const float R_det_cofactor_2 = R_det_above_2 - R_det_below_2;
-  const float R_det_product_0 = KSL_MULF(R->m00, R_det_cofactor_0);
-  const float R_det_product_1 = KSL_MULF(R->m01, R_det_cofactor_1);
-  const float R_det_product_2 = KSL_MULF(R->m02, R_det_cofactor_2);
-  const float R_det_sum_0 = R_det_product_0 + R_det_product_1;
-  const float R_det_sum_1 = R_det_sum_0 + R_det_product_2;
-  const float R_det_off = R_det_sum_1 - 1.0f;
-  const float R_det_size = fabsf(R_det_off);
-  const float R_column_00_product_0 = KSL_MULF(R->m00, R->m00);
-  const float R_column_00_product_1 = KSL_MULF(R->m10, R->m10);
-  const float R_column_00_product_2 = KSL_MULF(R->m20, R->m20);
-  const float R_column_00_sum_0 = R_column_00_product_0 + R_column_00_product_1;
-  const float R_column_00_sum_1 = R_column_00_sum_0 + R_column_00_product_2;
-  const float R_column_00_off = R_column_00_sum_1 - 1.0f;
-  const float R_column_00_size = fabsf(R_column_00_off);
-  const float R_column_00_largest = R_det_size < R_column_00_size ? R_column_00_size : R_det_size;
-  const float R_column_11_product_0 = KSL_MULF(R->m01, R->m01);
-  const float R_column_11_product_1 = KSL_MULF(R->m11, R->m11);
-  const float R_column_11_product_2 = KSL_MULF(R->m21, R->m21);
-  const float R_column_11_sum_0 = R_column_11_product_0 + R_column_11_product_1;
-  const float R_column_11_sum_1 = R_column_11_sum_0 + R_column_11_product_2;
-  const float R_column_11_off = R_column_11_sum_1 - 1.0f;
-  const float R_column_11_size = fabsf(R_column_11_off);
-  const float R_column_11_largest = R_column_00_largest < R_column_11_size ? R_column_11_size :
-      R_column_00_largest;
-  const float R_column_22_product_0 = KSL_MULF(R->m02, R->m02);
-  const float R_column_22_product_1 = KSL_MULF(R->m12, R->m12);
-  const float R_column_22_product_2 = KSL_MULF(R->m22, R->m22);
-  const float R_column_22_sum_0 = R_column_22_product_0 + R_column_22_product_1;
-  const float R_column_22_sum_1 = R_column_22_sum_0 + R_column_22_product_2;
-  const float R_column_22_off = R_column_22_sum_1 - 1.0f;
-  const float R_column_22_size = fabsf(R_column_22_off);
-  const float R_column_22_largest = R_column_11_largest < R_column_22_size ? R_column_22_size :
-      R_column_11_largest;
-  const float R_column_01_product_0 = KSL_MULF(R->m00, R->m01);
-  const float R_column_01_product_1 = KSL_MULF(R->m10, R->m11);
-  const float R_column_01_product_2 = KSL_MULF(R->m20, R->m21);
-  const float R_column_01_sum_0 = R_column_01_product_0 + R_column_01_product_1;
-  const float R_column_01_sum_1 = R_column_01_sum_0 + R_column_01_product_2;
-  const float R_column_01_off = R_column_01_sum_1 - 0.0f;
-  const float R_column_01_size = fabsf(R_column_01_off);
-  const float R_column_01_largest = R_column_22_largest < R_column_01_size ? R_column_01_size :
-      R_column_22_largest;
-  const float R_column_02_product_0 = KSL_MULF(R->m00, R->m02);
-  const float R_column_02_product_1 = KSL_MULF(R->m10, R->m12);
-  const float R_column_02_product_2 = KSL_MULF(R->m20, R->m22);
-  const float R_column_02_sum_0 = R_column_02_product_0 + R_column_02_product_1;
-  const float R_column_02_sum_1 = R_column_02_sum_0 + R_column_02_product_2;
-  const float R_column_02_off = R_column_02_sum_1 - 0.0f;
-  const float R_column_02_size = fabsf(R_column_02_off);
-  const float R_column_02_largest = R_column_01_largest < R_column_02_size ? R_column_02_size :
-      R_column_01_largest;
-  const float R_column_12_product_0 = KSL_MULF(R->m01, R->m02);
-  const float R_column_12_product_1 = KSL_MULF(R->m11, R->m12);
-  const float R_column_12_product_2 = KSL_MULF(R->m21, R->m22);
-  const float R_column_12_sum_0 = R_column_12_product_0 + R_column_12_product_1;
-  const float R_column_12_sum_1 = R_column_12_sum_0 + R_column_12_product_2;
-  const float R_column_12_off = R_column_12_sum_1 - 0.0f;
-  const float R_column_12_size = fabsf(R_column_12_off);
-  const float R_column_12_largest = R_column_02_largest < R_column_12_size ? R_column_12_size :
-      R_column_02_largest;
-  const float R_unless_rotation = R_column_12_largest < 0.001f ? 0.0f : 1.2676506e+30f;
+  const float R_n_0a = KSL_MULF(R->m11, R->m22), R_n_0b = KSL_MULF(R->m12, R->m21),
+      R_n_0 = R_n_0a - R_n_0b;
+  const float R_n_1a = KSL_MULF(R->m02, R->m21), R_n_1b = KSL_MULF(R->m01, R->m22),
+      R_n_1 = R_n_1a - R_n_1b;
+  const float R_n_2a = KSL_MULF(R->m01, R->m12), R_n_2b = KSL_MULF(R->m02, R->m11),
+      R_n_2 = R_n_2a - R_n_2b;
+  const float R_det_a = KSL_MULF(R->m00, R_n_0), R_det_b = KSL_MULF(R->m10, R_n_1),
+      R_det_c = R_det_a + R_det_b, R_det_d = KSL_MULF(R->m20, R_n_2), R_det = R_det_c + R_det_d;
+  const float R_g_0a = KSL_MULF(R->m00, R->m00), R_g_0b = KSL_MULF(R->m10, R->m10),
+      R_g_0c = R_g_0a + R_g_0b, R_g_0d = KSL_MULF(R->m20, R->m20), R_g_0 = R_g_0c + R_g_0d;
+  const float R_g_1a = KSL_MULF(R->m00, R->m01), R_g_1b = KSL_MULF(R->m10, R->m11),
+      R_g_1c = R_g_1a + R_g_1b, R_g_1d = KSL_MULF(R->m20, R->m21), R_g_1 = R_g_1c + R_g_1d;
+  const float R_g_2a = KSL_MULF(R->m00, R->m02), R_g_2b = KSL_MULF(R->m10, R->m12),
+      R_g_2c = R_g_2a + R_g_2b, R_g_2d = KSL_MULF(R->m20, R->m22), R_g_2 = R_g_2c + R_g_2d;
+  const float R_g_3a = KSL_MULF(R->m01, R->m01), R_g_3b = KSL_MULF(R->m11, R->m11),
+      R_g_3c = R_g_3a + R_g_3b, R_g_3d = KSL_MULF(R->m21, R->m21), R_g_3 = R_g_3c + R_g_3d;
+  const float R_g_4a = KSL_MULF(R->m01, R->m02), R_g_4b = KSL_MULF(R->m11, R->m12),
+      R_g_4c = R_g_4a + R_g_4b, R_g_4d = KSL_MULF(R->m21, R->m22), R_g_4 = R_g_4c + R_g_4d;
+  const float R_g_5a = KSL_MULF(R->m02, R->m02), R_g_5b = KSL_MULF(R->m12, R->m12),
+      R_g_5c = R_g_5a + R_g_5b, R_g_5d = KSL_MULF(R->m22, R->m22), R_g_5 = R_g_5c + R_g_5d;
+  const float R_off_0 = R_det - 1.0f;
+  const float R_off_1 = R_g_0 - 1.0f;
+  const float R_off_4 = R_g_3 - 1.0f;
+  const float R_off_6 = R_g_5 - 1.0f;
+  const float R_defect_size_0 = fabsf(R_off_0);
+  const float R_defect_size_1 = fabsf(R_off_1);
+  const float R_defect_size_2 = fabsf(R_g_1);
+  const float R_defect_size_3 = fabsf(R_g_2);
+  const float R_defect_size_4 = fabsf(R_off_4);
+  const float R_defect_size_5 = fabsf(R_g_4);
+  const float R_defect_size_6 = fabsf(R_off_6);
+  const float R_defect_largest1 = R_defect_size_0 < R_defect_size_1 ? R_defect_size_1 :
+      R_defect_size_0;
+  const float R_defect_largest2 = R_defect_largest1 < R_defect_size_2 ? R_defect_size_2 :
+      R_defect_largest1;
+  const float R_defect_largest3 = R_defect_largest2 < R_defect_size_3 ? R_defect_size_3 :
+      R_defect_largest2;
+  const float R_defect_largest4 = R_defect_largest3 < R_defect_size_4 ? R_defect_size_4 :
+      R_defect_largest3;
+  const float R_defect_largest5 = R_defect_largest4 < R_defect_size_5 ? R_defect_size_5 :
+      R_defect_largest4;
+  const float R_defect_largest6 = R_defect_largest5 < R_defect_size_6 ? R_defect_size_6 :
+      R_defect_largest5;
+  const float R_unless_equal = R_defect_largest6 == 0.001f ? 0.0f : 1.2676506e+30f;
+  const float R_unless_rotation = R_defect_largest6 < 0.001f ? 0.0f : R_unless_equal;
   const float R_excess = KSL_MULF(R_unless_rotation, 1.2676506e+30f);
   const float R_excess_0 = vector_bound_2 + R_excess;
   const float R_excess_1 = vector_bound_3 + R_excess;
@@ -40321,8 +40096,8 @@ static inline void ksl_SE3f_exp_certified(const ksl_screwf_t *s, ksl_SE3f_t *D,
 /* so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R; |error of so| <= so_bound unless
      inf or NaN.
    D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s; ω in rad/s).
-   567 mul, 961 add, 29 product error, 36 product rest, 47 div, 5 sqrt, 14 neg, 168 abs, 6
-     copysign, 73 less, 9 equal, 174 select. */
+   567 mul, 958 add, 29 product error, 36 product rest, 47 div, 5 sqrt, 14 neg, 168 abs, 6
+     copysign, 73 less, 10 equal, 175 select. */
 static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
     ksl_screwf_t *so_bound) {
   const float p_0 = D->m21 - D->m12;
@@ -41760,76 +41535,51 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       vector_apart_5 = fine_vector_2 - vector_2, vector_apart_6 = fine_vector_lo_3 + vector_apart_5,
       vector_error_5 = fabsf(vector_apart_6), vector_error_6 = KSL_MULF(1.0000005f, vector_error_5),
       vector_bound_3 = fine_along_rest_4 + vector_error_6;
-  const float D_det_above_0 = KSL_MULF(D->m11, D->m22);
-  const float D_det_below_0 = KSL_MULF(D->m12, D->m21);
-  const float D_det_cofactor_0 = D_det_above_0 - D_det_below_0;
-  const float D_det_above_1 = KSL_MULF(D->m12, D->m20);
-  const float D_det_below_1 = KSL_MULF(D->m10, D->m22);
-  const float D_det_cofactor_1 = D_det_above_1 - D_det_below_1;
-  const float D_det_above_2 = KSL_MULF(D->m10, D->m21);
-  const float D_det_below_2 = KSL_MULF(D->m11, D->m20);
-  const float D_det_cofactor_2 = D_det_above_2 - D_det_below_2;
-  const float D_det_product_0 = KSL_MULF(D->m00, D_det_cofactor_0);
-  const float D_det_product_1 = KSL_MULF(D->m01, D_det_cofactor_1);
-  const float D_det_product_2 = KSL_MULF(D->m02, D_det_cofactor_2);
-  const float D_det_sum_0 = D_det_product_0 + D_det_product_1;
-  const float D_det_sum_1 = D_det_sum_0 + D_det_product_2;
-  const float D_det_off = D_det_sum_1 - 1.0f;
-  const float D_det_size = fabsf(D_det_off);
-  const float D_column_00_product_0 = KSL_MULF(D->m00, D->m00);
-  const float D_column_00_product_1 = KSL_MULF(D->m10, D->m10);
-  const float D_column_00_product_2 = KSL_MULF(D->m20, D->m20);
-  const float D_column_00_sum_0 = D_column_00_product_0 + D_column_00_product_1;
-  const float D_column_00_sum_1 = D_column_00_sum_0 + D_column_00_product_2;
-  const float D_column_00_off = D_column_00_sum_1 - 1.0f;
-  const float D_column_00_size = fabsf(D_column_00_off);
-  const float D_column_00_largest = D_det_size < D_column_00_size ? D_column_00_size : D_det_size;
-  const float D_column_11_product_0 = KSL_MULF(D->m01, D->m01);
-  const float D_column_11_product_1 = KSL_MULF(D->m11, D->m11);
-  const float D_column_11_product_2 = KSL_MULF(D->m21, D->m21);
-  const float D_column_11_sum_0 = D_column_11_product_0 + D_column_11_product_1;
-  const float D_column_11_sum_1 = D_column_11_sum_0 + D_column_11_product_2;
-  const float D_column_11_off = D_column_11_sum_1 - 1.0f;
-  const float D_column_11_size = fabsf(D_column_11_off);
-  const float D_column_11_largest = D_column_00_largest < D_column_11_size ? D_column_11_size :
-      D_column_00_largest;
-  const float D_column_22_product_0 = KSL_MULF(D->m02, D->m02);
-  const float D_column_22_product_1 = KSL_MULF(D->m12, D->m12);
-  const float D_column_22_product_2 = KSL_MULF(D->m22, D->m22);
-  const float D_column_22_sum_0 = D_column_22_product_0 + D_column_22_product_1;
-  const float D_column_22_sum_1 = D_column_22_sum_0 + D_column_22_product_2;
-  const float D_column_22_off = D_column_22_sum_1 - 1.0f;
-  const float D_column_22_size = fabsf(D_column_22_off);
-  const float D_column_22_largest = D_column_11_largest < D_column_22_size ? D_column_22_size :
-      D_column_11_largest;
-  const float D_column_01_product_0 = KSL_MULF(D->m00, D->m01);
-  const float D_column_01_product_1 = KSL_MULF(D->m10, D->m11);
-  const float D_column_01_product_2 = KSL_MULF(D->m20, D->m21);
-  const float D_column_01_sum_0 = D_column_01_product_0 + D_column_01_product_1;
-  const float D_column_01_sum_1 = D_column_01_sum_0 + D_column_01_product_2;
-  const float D_column_01_off = D_column_01_sum_1 - 0.0f;
-  const float D_column_01_size = fabsf(D_column_01_off);
-  const float D_column_01_largest = D_column_22_largest < D_column_01_size ? D_column_01_size :
-      D_column_22_largest;
-  const float D_column_02_product_0 = KSL_MULF(D->m00, D->m02);
-  const float D_column_02_product_1 = KSL_MULF(D->m10, D->m12);
-  const float D_column_02_product_2 = KSL_MULF(D->m20, D->m22);
-  const float D_column_02_sum_0 = D_column_02_product_0 + D_column_02_product_1;
-  const float D_column_02_sum_1 = D_column_02_sum_0 + D_column_02_product_2;
-  const float D_column_02_off = D_column_02_sum_1 - 0.0f;
-  const float D_column_02_size = fabsf(D_column_02_off);
-  const float D_column_02_largest = D_column_01_largest < D_column_02_size ? D_column_02_size :
-      D_column_01_largest;
-  const float D_column_12_product_0 = KSL_MULF(D->m01, D->m02);
-  const float D_column_12_product_1 = KSL_MULF(D->m11, D->m12);
-  const float D_column_12_product_2 = KSL_MULF(D->m21, D->m22);
-  const float D_column_12_sum_0 = D_column_12_product_0 + D_column_12_product_1;
-  const float D_column_12_sum_1 = D_column_12_sum_0 + D_column_12_product_2;
-  const float D_column_12_off = D_column_12_sum_1 - 0.0f;
-  const float D_column_12_size = fabsf(D_column_12_off);
-  const float D_column_12_largest = D_column_02_largest < D_column_12_size ? D_column_12_size :
-      D_column_02_largest;
-  const float D_unless_rotation = D_column_12_largest < 0.001f ? 0.0f : 1.2676506e+30f;
+  const float D_n_0a = KSL_MULF(D->m11, D->m22), D_n_0b = KSL_MULF(D->m12, D->m21),
+      D_n_0 = D_n_0a - D_n_0b;
+  const float D_n_1a = KSL_MULF(D->m02, D->m21), D_n_1b = KSL_MULF(D->m01, D->m22),
+      D_n_1 = D_n_1a - D_n_1b;
+  const float D_n_2a = KSL_MULF(D->m01, D->m12), D_n_2b = KSL_MULF(D->m02, D->m11),
+      D_n_2 = D_n_2a - D_n_2b;
+  const float D_det_a = KSL_MULF(D->m00, D_n_0), D_det_b = KSL_MULF(D->m10, D_n_1),
+      D_det_c = D_det_a + D_det_b, D_det_d = KSL_MULF(D->m20, D_n_2), D_det = D_det_c + D_det_d;
+  const float D_g_0a = KSL_MULF(D->m00, D->m00), D_g_0b = KSL_MULF(D->m10, D->m10),
+      D_g_0c = D_g_0a + D_g_0b, D_g_0d = KSL_MULF(D->m20, D->m20), D_g_0 = D_g_0c + D_g_0d;
+  const float D_g_1a = KSL_MULF(D->m00, D->m01), D_g_1b = KSL_MULF(D->m10, D->m11),
+      D_g_1c = D_g_1a + D_g_1b, D_g_1d = KSL_MULF(D->m20, D->m21), D_g_1 = D_g_1c + D_g_1d;
+  const float D_g_2a = KSL_MULF(D->m00, D->m02), D_g_2b = KSL_MULF(D->m10, D->m12),
+      D_g_2c = D_g_2a + D_g_2b, D_g_2d = KSL_MULF(D->m20, D->m22), D_g_2 = D_g_2c + D_g_2d;
+  const float D_g_3a = KSL_MULF(D->m01, D->m01), D_g_3b = KSL_MULF(D->m11, D->m11),
+      D_g_3c = D_g_3a + D_g_3b, D_g_3d = KSL_MULF(D->m21, D->m21), D_g_3 = D_g_3c + D_g_3d;
+  const float D_g_4a = KSL_MULF(D->m01, D->m02), D_g_4b = KSL_MULF(D->m11, D->m12),
+      D_g_4c = D_g_4a + D_g_4b, D_g_4d = KSL_MULF(D->m21, D->m22), D_g_4 = D_g_4c + D_g_4d;
+  const float D_g_5a = KSL_MULF(D->m02, D->m02), D_g_5b = KSL_MULF(D->m12, D->m12),
+      D_g_5c = D_g_5a + D_g_5b, D_g_5d = KSL_MULF(D->m22, D->m22), D_g_5 = D_g_5c + D_g_5d;
+  const float D_off_0 = D_det - 1.0f;
+  const float D_off_1 = D_g_0 - 1.0f;
+  const float D_off_4 = D_g_3 - 1.0f;
+  const float D_off_6 = D_g_5 - 1.0f;
+  const float D_defect_size_0 = fabsf(D_off_0);
+  const float D_defect_size_1 = fabsf(D_off_1);
+  const float D_defect_size_2 = fabsf(D_g_1);
+  const float D_defect_size_3 = fabsf(D_g_2);
+  const float D_defect_size_4 = fabsf(D_off_4);
+  const float D_defect_size_5 = fabsf(D_g_4);
+  const float D_defect_size_6 = fabsf(D_off_6);
+  const float D_defect_largest1 = D_defect_size_0 < D_defect_size_1 ? D_defect_size_1 :
+      D_defect_size_0;
+  const float D_defect_largest2 = D_defect_largest1 < D_defect_size_2 ? D_defect_size_2 :
+      D_defect_largest1;
+  const float D_defect_largest3 = D_defect_largest2 < D_defect_size_3 ? D_defect_size_3 :
+      D_defect_largest2;
+  const float D_defect_largest4 = D_defect_largest3 < D_defect_size_4 ? D_defect_size_4 :
+      D_defect_largest3;
+  const float D_defect_largest5 = D_defect_largest4 < D_defect_size_5 ? D_defect_size_5 :
+      D_defect_largest4;
+  const float D_defect_largest6 = D_defect_largest5 < D_defect_size_6 ? D_defect_size_6 :
+      D_defect_largest5;
+  const float D_unless_equal = D_defect_largest6 == 0.001f ? 0.0f : 1.2676506e+30f;
+  const float D_unless_rotation = D_defect_largest6 < 0.001f ? 0.0f : D_unless_equal;
   const float D_excess = KSL_MULF(D_unless_rotation, 1.2676506e+30f);
   const float D_excess_0 = so_bound_1 + D_excess;
   const float D_excess_1 = so_bound_2 + D_excess;

@@ -6,6 +6,7 @@ Truth are singular values in 50 digits; SciPy's polar factor agrees.
 
 from collections.abc import Callable, Iterator
 from fractions import Fraction
+from pathlib import Path
 
 import mpmath
 import numpy as np
@@ -13,14 +14,18 @@ import pytest
 import scipy.linalg
 from mpmath import mpf
 
-import coscrew
+import coscrew.accurate
+import coscrew.certified
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.operations.nearest import BESIDE, NEAREST
+from coscrew_codegen.programs import library_program
+from coscrew_codegen.tiers.accurate import LARGEST
 from tests.support.each import each_precision
 
 Draw = Callable[[np.random.Generator], np.ndarray]
 SCALES = {"double": (1e-320, 1e-300, 1e-150, 1e150, 1e300), "single": (1e-44, 1e-37, 1e-18, 1e37)}
 ROWS = 30
+GUIDE = Path(__file__).parents[2] / "docs" / "accuracy.md"
 
 
 @pytest.fixture(autouse=True)
@@ -110,6 +115,15 @@ def test_where_several_are_equally_near_it_is_one_of_them(values: tuple[float, .
         _, s, _ = np.linalg.svd(A.astype(float))
         best = s[0] + s[1] + (s[2] if np.linalg.det(A.astype(float)) > 0 else -s[2])
         assert abs(np.trace(R.astype(float).T @ A) - best) <= 16 * u * s[0]
+
+
+def test_the_guide_tells_why_no_tier_has_it():
+    row = (f"| `mat3x3_nearest_rotation` | no: it has more than {LARGEST} instructions, and errs "
+           f"by {NEAREST} u times its condition, s1 / (s2 ± s3) | no |")
+    assert row in GUIDE.read_text(encoding="utf-8").splitlines()
+    assert len(library_program("mat3x3_nearest_rotation").instructions) > LARGEST
+    assert not hasattr(coscrew.accurate, "mat3x3_nearest_rotation")
+    assert not hasattr(coscrew.certified, "mat3x3_nearest_rotation")
 
 
 def test_rotations_are_their_own_nearest():
