@@ -51,13 +51,13 @@ def _plain_headers(library: Library) -> Headers:
         functions = [function for precision in library.precisions for function in (
             *c_storage.storage_functions(name, precision),
             *(kernels[name][PLAIN.name, precision.name] if name in kernels else ()))]
+        by_hand = c_ksl.text(name, tuple(titles), library.precisions)
         allocations = [c_storage.allocation(name, precision) for precision in library.precisions]
         made[name] = render(
             "c/family.h", banner=library.banner, title=title,
             guard=f"KSL_{name.upper()}_H", functions=functions,
             includes=("ksl_types", *_elementary_included(functions), *_included(name, titles)),
-            system=c_ksl.SYSTEM.get(name, ()),
-            by_hand=c_ksl.text(name, tuple(titles), library.precisions),
+            system=_system(name, by_hand), by_hand=by_hand,
             allocations=[function for function in allocations if function])
     made["ksl_selfcheck"] = render(
         "c/ksl_selfcheck.h", banner=library.banner,
@@ -66,6 +66,12 @@ def _plain_headers(library: Library) -> Headers:
         "c/ksl.h", banner=library.banner, guard="KSL_H", includes=(*titles, "ksl_selfcheck"),
         title="Everything: vectors, rotations, displacements, screws and coscrews.")
     return made
+
+
+def _system(name: str, by_hand: str) -> tuple[str, ...]:
+    """The headers of the C library that a family's header includes."""
+    predicates = ("stdbool.h",) if re.search(r"\bbool\b", by_hand) else ()
+    return (*predicates, *c_ksl.SYSTEM.get(name, ()))
 
 
 def _titles(families: tuple[str, ...]) -> dict[str, str]:

@@ -30,8 +30,8 @@ HEADERS = {"axis": ("vec3", "Axes, and sequences of axes of Euler angles."),
            "array": ("vec3", "Numbers in arrays: exchanged, added, compared, interpolated.")}
 """Headers that hold nothing else: name → (the family they come with, their title)."""
 
-SYSTEM = {"vec3": ("stdbool.h",), "mat3x3": ("stdarg.h",), "array": ("stdbool.h", "stddef.h")}
-"""Headers of the C library that they need."""
+SYSTEM = {"mat3x3": ("stdarg.h",), "array": ("stddef.h",)}
+"""Headers of the C library that they need, besides <stdbool.h>."""
 
 @dataclass(frozen=True)
 class Refused:

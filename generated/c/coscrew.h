@@ -2807,6 +2807,7 @@ static inline ksl_vec4i_t *ksl_vec4i_alloc(int n) {
 #ifndef KSL_MAT3X3_H
 #define KSL_MAT3X3_H
 
+#include <stdbool.h>
 #include <stdarg.h>
 
 /* The mat3x3 of these entries, row by row. */
@@ -17128,6 +17129,7 @@ static inline ksl_coscrewf_t *ksl_coscrewf_alloc(int n) {
 #ifndef KSL_QUATERNION_H
 #define KSL_QUATERNION_H
 
+#include <stdbool.h>
 
 /* The quaternion of these entries, in order. */
 static inline ksl_quaternion_t ksl_quaternion(const double x, const double y, const double z,

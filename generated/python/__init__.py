@@ -16,7 +16,7 @@ import numpy as np
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "55a1bafe6320a9ec")
+COMPILED: bool = is_compiled("coscrew._gufunc", "2d9cedb07889d461")
 
 if COMPILED:
     from coscrew._gufunc import (

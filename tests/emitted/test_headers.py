@@ -262,6 +262,12 @@ def selection(tmp_path_factory: pytest.TempPathFactory) -> Path:
                       "--precision", "single")
 
 
+def test_a_family_with_predicates_compiles_alone(tmp_path):
+    folder = _generated(tmp_path / "out", "--family", "quaternion", "--precision", "single")
+    source = _source(tmp_path, "user", "#include <coscrew.h>\n")
+    run(("gcc", *C11, *STRICT, EXACT, "-I", folder, "-c", source, "-o", tmp_path / "x.o"))
+
+
 @each_compiler
 def test_a_selection_compiles_and_runs(compiler, selection, tmp_path):
     """From its folder of headers and from its amalgamation."""

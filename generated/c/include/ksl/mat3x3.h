@@ -5,6 +5,7 @@
 #ifndef KSL_MAT3X3_H
 #define KSL_MAT3X3_H
 
+#include <stdbool.h>
 #include <stdarg.h>
 #include "ksl_types.h"
 #include "elementary.h"

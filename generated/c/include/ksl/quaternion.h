@@ -5,6 +5,7 @@
 #ifndef KSL_QUATERNION_H
 #define KSL_QUATERNION_H
 
+#include <stdbool.h>
 #include "ksl_types.h"
 #include "elementary.h"
 #include "mat3x3.h"
