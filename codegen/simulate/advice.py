@@ -17,6 +17,8 @@ from coscrew_codegen.simulate.system import State, System
 from coscrew_codegen.simulate.windows import in_double
 
 HALVINGS = 12
+TIGHT = 1e-5
+"""Tolerances of SciPy's integrators up to which runs are not repeated with smaller ones."""
 _LEAST_RTOL = 1e-13  # which SciPy's integrators take
 MOST = 40_000_000
 """Velocities times steps that trials, or reference motions, may take: some seconds."""
@@ -119,6 +121,21 @@ def remedy(system: System, planned: Plan, start: State | None = None) -> str:
     """A sentence on what makes a run right, all of it tried: a step, or another integrator."""
     dense = thinned(replace(planned, every=planned.step, also=()))
     return advised(system, dense, reference(system, dense, start), start)
+
+
+def loose(system: System, planned: Plan, trajectory: Trajectory, start: State) -> str:
+    """Why the motion that SciPy's integrator found is wrong: one with tolerances of a sixteenth
+    differs; else "".  Tolerances up to TIGHT are not doubted."""
+    if trajectory.stopped or max(planned.rtol, planned.atol) <= TIGHT:
+        return ""
+    (tighter, *_) = _tightened(planned)
+    other = integrate(system, tighter, start=start)
+    q, v = _in_double((other.q, other.v))
+    found = error(system, trajectory, Reference(q, v, other.t, float(other.t[-1]), 0.0))
+    if found.relative <= ALLOWED:
+        return ""
+    return (f"the tolerances are too large at t = {found.t:.9g} s: {found.part} is off by "
+            f"{found.relative:.2g} of the way it moves; {remedy(system, planned, start)}")
 
 
 def thinned(planned: Plan) -> Plan:

@@ -19,6 +19,7 @@ from coscrew_codegen.simulate.load import Kernels, kernels_for
 from coscrew_codegen.simulate.members import Parameters, values_of
 from coscrew_codegen.simulate.motion import Asked, motion
 from coscrew_codegen.simulate.onward import Instant, end_in
+from coscrew_codegen.simulate.outcome import outside
 from coscrew_codegen.simulate.record import quantities
 from coscrew_codegen.simulate.result import Result
 from coscrew_codegen.simulate.system import scene_of
@@ -52,8 +53,11 @@ def run(scene: Kernels | Scene | Path | str, *, p: Parameters = None,
                   None if record is None else quantities(record, own), q0=q0, v0=v0,
                   p=values_of(own, BY_NAME[name], p), start=_end(start, q0, v0),
                   controller=_controller(controller))
-    return _told(motion(kernels or _kernels(own, integrator, name, asked.record,
-                                           asked.controller is not None), name, asked))
+    result = motion(kernels or _kernels(own, integrator, name, asked.record,
+                                        asked.controller is not None), name, asked)
+    if start is None and (note := outside(result.system, result.q[..., 0, :])):
+        warnings.warn(note, RuntimeWarning, stacklevel=2)
+    return _told(result)
 
 
 def again(scene: Kernels | Scene | Path | str, recording: Result | Path | str, *,

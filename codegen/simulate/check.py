@@ -57,7 +57,7 @@ def _check(kernels: "Kernels", overrides: RunOverrides, rounding: bool) -> Findi
     apart = differences(*(_sparse(x, y) for x, _, y in runs.values())) if len(runs) == 2 else ()
     judged = check_rounding.rounding(kernels, [
         (x, y) for x, _, y in runs.values()]) if rounding else ()
-    return Findings(met, tuple(along), apart, outside(its), judged)
+    return Findings(met, tuple(along), apart, outside(its, its.start()[0]), judged)
 
 
 def _run(kernels: "Kernels", precision: str, overrides: RunOverrides

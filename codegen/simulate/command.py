@@ -129,8 +129,9 @@ def run(options: argparse.Namespace) -> int:
         if path:
             write.check_target(path, endings)
     results = _again(options) if options.again else _asked(options)
-    for note in ("" if options.start or options.again else outcome.outside(results[0].system),
-                 outcome.bounces(results[0])):
+    first = results[0]
+    for note in ("" if options.start or options.again else
+                 outcome.outside(first.system, first.trajectory.q[0]), outcome.bounces(first)):
         if note:
             print(f"coscrew: {note}", file=sys.stderr)
     recordings = [x.recording for x in results]

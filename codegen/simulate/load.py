@@ -173,8 +173,8 @@ class Kernels:
 
 
 def load_scene(scene: Scene | Path | str, *, precision: str | None = None,
-               implausible: str | None = None, functions: Sequence[str] = (),
-               tiers: Sequence[str] = ()) -> Kernels:
+               implausible: str | None = None, functions: Sequence[str] | None = None,
+               tiers: Sequence[str] | None = None) -> Kernels:
     """The kernels of a scene or of a scene file: `.double` and `.single` hold the functions of its
     header.
 
@@ -188,7 +188,7 @@ def load_scene(scene: Scene | Path | str, *, precision: str | None = None,
     for anything but a file or a Scene, ValueError for unknown words, RangeError for numbers that a
     precision cannot hold, and the errors of reading the scene.
     """
-    functions, tiers = (listed(*x) for x in (("functions", functions, "energy"),
+    functions, tiers = (_names(*x) for x in (("functions", functions, "energy"),
                                              ("tiers", tiers, "accurate")))
     if isinstance(scene, (str, Path)):
         from coscrew_codegen.scene_files.toml_scene import SceneOverrides, read_scene
@@ -211,6 +211,14 @@ def load_scene(scene: Scene | Path | str, *, precision: str | None = None,
     if line := left_out(scene):
         warnings.warn(f"{scene.name}: {line}", RuntimeWarning, stacklevel=2)
     return kernels_for(scene)
+
+
+def _names(argument: str, given: Sequence[str] | None, example: str) -> tuple[str, ...]:
+    """The names in a list; none for None.  Raises ValueError for an empty list."""
+    found = () if given is None else listed(argument, given, example)
+    if given is not None and not found:
+        raise ValueError(f'{argument}: an empty list; wanted names, as ["{example}"], or None')
+    return found
 
 
 def kernels_for(scene: Scene, functions: Collection[str] = (),

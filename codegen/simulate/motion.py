@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from coscrew_codegen.simulate import SimulateError
-from coscrew_codegen.simulate.advice import remedy
+from coscrew_codegen.simulate.advice import loose, remedy
 from coscrew_codegen.simulate.alarm import Alarm
 from coscrew_codegen.simulate.control import Controller, set_by
 from coscrew_codegen.simulate.driven import Driven
@@ -61,6 +61,8 @@ def motion(kernels: Kernels, precision: str, asked: Asked, *, shown: bool = Fals
     by = asked.controller
     driven = Driven(by, its, planned, state[0], start.steps if start else 0) if by else None
     trajectory = _integrated(its, planned, state, start, driven, shown)
+    if planned.adaptive and (cause := loose(its, planned, trajectory, state)):
+        trajectory = replace(trajectory, stopped=cause)
     if by and driven and (warning := too_fast(by, driven, its, planned, trajectory)):
         warnings.warn(warning, RuntimeWarning, stacklevel=3)
     began = start_at(its, *state, trajectory.momentum)

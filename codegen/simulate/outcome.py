@@ -1,8 +1,6 @@
 """Runs of a scene in the selected precisions, their recordings, and a short table of them."""
 
-import math
 from dataclasses import dataclass, replace
-from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -88,26 +86,25 @@ def bounces(result: Result) -> str:
             f"{planned.step:g} s: they lose speed; integrator {DEFAULT} splits such steps")
 
 
-def outside(its: System) -> str:
+def outside(its: System, q: np.ndarray) -> str:
     """A warning that names joints that start outside the range of a limit, which then acts from the
-    start; else ""."""
-    names = (name for name, _ in its.functions.parameters)
-    start = {c.joint: its.scene.start_q.get(c.joint, (its.functions.neutral[c.q.start],))[0]
-             for c in its.functions.coordinates}
+    start; else "".  (…, nq): of several members the one that is farthest outside."""
+    values = dict(zip((x for x, _ in its.functions.parameters), np.array(its.p).T, strict=True))
+    start = {c.joint: q[..., c.q.start].astype(float) for c in its.functions.coordinates}
     for joint in without_chains(its.scene.model).joints:
         if joint.mimic and joint.name not in start:
-            start[joint.name] = float(joint.mimic.multiplier * Fraction(start[joint.mimic.joint])
-                                      + joint.mimic.offset)
-    found = [f"joint {limited.on} starts at {start[limited.on]:g}, outside its range from {low:g} "
-             f"to {high:g}"
-             for limited, low, high in ranges(its.scene, dict(zip(names, its.p, strict=True)))
-             if limited.on in start and not _within(start[limited.on], low, high)]
+            start[joint.name] = (float(joint.mimic.multiplier) * start[joint.mimic.joint]
+                                 + float(joint.mimic.offset))
+    found = []
+    for limited, *ends in ranges(its.scene, values):
+        if limited.on in start:
+            x, low, high = (y.ravel() for y in np.broadcast_arrays(start[limited.on], *ends))
+            rounding = 4 * np.finfo(q.dtype).eps * np.abs(x)  # of followers, and of the precision
+            k = int(np.argmax(beyond := np.maximum(low - x, x - high) - rounding))
+            if beyond[k] > 0:
+                found.append(f"joint {limited.on} starts at {x[k]:g}, outside its range from "
+                             f"{low[k]:g} to {high[k]:g}")
     return f"{'; '.join(found)}: pushed from the start" if found else ""
-
-
-def _within(x: float, low: float, high: float) -> bool:
-    """Whether x is in the range, except for rounding: a follower's position is computed."""
-    return low <= x <= high or any(math.isclose(x, end, rel_tol=1e-12) for end in (low, high))
 
 
 def _heading(result: Result) -> str:

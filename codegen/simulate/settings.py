@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
+from typing import TypeVar
 
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.parameter import Parameter, Scalar
@@ -16,6 +17,8 @@ from coscrew_codegen.scene.signs import signs
 from coscrew_codegen.scene_files.decimals import bounded
 from coscrew_codegen.scene_files.runtime import constants, swapped_model
 from coscrew_codegen.simulate import SimulateError
+
+N = TypeVar("N")
 
 
 def refuse_settings(scene: Scene, settings: Mapping[str, float], precision: Precision) -> None:
@@ -81,16 +84,17 @@ def constant(scene: Scene) -> set[str]:
     return {*signs(scene), *dependent(scene)}
 
 
-def ranges(scene: Scene, settings: Mapping[str, float]) -> Iterator[tuple[Applied, float, float]]:
+def ranges(scene: Scene, settings: Mapping[str, N]
+           ) -> Iterator[tuple[Applied, N | float, N | float]]:
     """(effect, lower, upper) of the ranges that effects keep joints in, with these values of
-    parameters; infinite where a range has no end."""
+    parameters, or rows of values; infinite where a range has no end."""
     for applied in scene.effects:
         if applied.effect.ascending:
             low, high = (applied.values[name] for name in applied.effect.ascending)
             yield (applied, _number(low, settings, -math.inf), _number(high, settings, math.inf))
 
 
-def _number(given: Setting, settings: Mapping[str, float], without: float) -> float:
+def _number(given: Setting, settings: Mapping[str, N], without: float) -> N | float:
     if not isinstance(given, Scalar):
         return without
     named = settings.get(given.name) if isinstance(given, Parameter) else None

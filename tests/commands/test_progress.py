@@ -73,8 +73,8 @@ def test_sigterm_keeps_what_was_sampled_and_says_where(tmp_path):
         process.terminate()
         said = process.communicate(timeout=300)[1]
     assert process.returncode == TERMINATED == 128 + signal.SIGTERM, said
-    at, reached = re.match(r"coscrew: (\d)0 %: t (\d+)/3000 s  \d+ %  ", first).groups()
-    assert int(at) == int(reached) // 300  # lines come from the run's second second on
+    at, reached = re.match(r"coscrew: (\d)0 %: t ([\d.]+)/3000 s  \d+ %  ", first).groups()
+    assert int(at) == float(reached) // 300  # lines come from the run's second second on
     rows = [x for x in output.read_text().splitlines() if not x.startswith("#")][1:]
     assert re.search(rf"interrupted after t = \d+ s; {len(rows)} samples kept in {output}\n", said)
     assert "Traceback" not in said
