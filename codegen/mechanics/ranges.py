@@ -11,6 +11,8 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
+import mpmath
+
 from coscrew_codegen.errors import ReportedError
 from coscrew_codegen.formats import Precision, named
 from coscrew_codegen.parameter import Scalar
@@ -112,12 +114,12 @@ def _refuse(scene: Scene, constant: Constant, least: str, what: str) -> None:
 def _shown(x: Fraction) -> str:
     """The number with three digits; only its power of ten if it exceeds the range of floats."""
     try:
-        if near := float(x):
+        if (near := float(x)) or not x:
             return f"{near:.3g}"
     except OverflowError:
         pass
-    digits = len(str(abs(x.numerator))) - len(str(x.denominator))
-    return f"about {'-' if x < 0 else ''}1e{digits:+d}"
+    digits = mpmath.log10(mpmath.mpf(abs(x.numerator)) / x.denominator)
+    return f"about {'-' if x < 0 else ''}1e{round(digits):+d}"
 
 
 def _written(scene: Scene) -> Iterator[_Written]:

@@ -25,6 +25,9 @@ _CANCELLED = 120
 They have 50 digits: an entry of a product of rotations would be 6e-63, beyond single precision's
 range.  Pairs of doubles carry 106 bits.
 """
+_FAR = 1 << 14
+"""Of exp x with |x| beyond, every format holds 0 or infinity, one of 128 bits included.  At t = 0 a
+short pulse in time has such a factor, whose fraction would have 10^11 bits."""
 
 
 @dataclass(frozen=True)
@@ -56,6 +59,8 @@ def fraction(value: Fraction | int) -> Fraction:
 def folded(op: Op, operands: tuple[Operand, ...], known: Known) -> Result:
     """op(operands) folded: an operand, or the instruction that remains to be issued."""
     constants = tuple(x for x in operands if isinstance(x, Constant))
+    if op is Op.EXP and constants and max(constants[0].double, constants[0].single) > _FAR:
+        return Folded(op, operands)
     if op is not Op.SELECT and len(constants) == len(operands):
         return _negative(*constants) if op is Op.NEG else _constant(op, constants)
     rule = _RULES.get(op)
@@ -246,6 +251,8 @@ def _size(x: Fraction) -> int:
 
 @cache
 def _approximated(op: Op, values: tuple[Fraction, ...]) -> Fraction:
+    if op is Op.EXP and values[0] < -_FAR:
+        return Fraction(0)
     with mpmath.workdps(DIGITS):
         numbers = [mpmath.mpf(x.numerator) / x.denominator for x in values]
         return _rational(_EXACTLY[op](*numbers))

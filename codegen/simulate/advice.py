@@ -128,14 +128,19 @@ def loose(system: System, planned: Plan, trajectory: Trajectory, start: State) -
     differs; else "".  Tolerances up to TIGHT are not doubted."""
     if trajectory.stopped or max(planned.rtol, planned.atol) <= TIGHT:
         return ""
-    (tighter, *_) = _tightened(planned)
-    other = integrate(system, tighter, start=start)
-    q, v = _in_double((other.q, other.v))
-    found = error(system, trajectory, Reference(q, v, other.t, float(other.t[-1]), 0.0))
-    if found.relative <= ALLOWED:
-        return ""
-    return (f"the tolerances are too large at t = {found.t:.9g} s: {found.part} is off by "
-            f"{found.relative:.2g} of the way it moves; {remedy(system, planned, start)}")
+    first, before, now = Error(0.0, "", "", 0.0), trajectory, planned
+    for tighter in _tightened(planned):
+        motion = integrate(system, tighter, start=start)
+        q, v = _in_double((motion.q, motion.v))
+        found = error(system, before, Reference(q, v, motion.t, float(motion.t[-1]), 0.0))
+        if found.relative <= ALLOWED:
+            helps = f"take rtol = {now.rtol:.3g} and atol = {now.atol:.3g}"
+            break
+        first, before, now = first if first.part else found, motion, tighter
+    else:
+        helps = f"no rtol down to {now.rtol:.2g} is small enough"
+    return first.part and (f"the tolerances are too large at t = {first.t:.9g} s: {first.part} is "
+                           f"off by {first.relative:.2g} of the way it moves; {helps}")
 
 
 def thinned(planned: Plan) -> Plan:

@@ -10,7 +10,8 @@
     chunk            from the number of a chunk to its Parquet file, in a worker
     cluster          workers of this machine or of a cluster; chunks in a moving window
     part, about      Parquet files and sweep.json with checksums; how they are read
-    folder           the files; a lock; what is finished; damaged files
+    folder           the files; a lock; what is finished
+    aside            damaged files, and what is in the way, are moved into damaged/
     arrays           Zarr, and the view of it by xarray; checked_store compares checksums
     axis, column, tally   counts and sums of which the page is made
     plot, page       distributions and heat maps; tables

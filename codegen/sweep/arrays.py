@@ -6,7 +6,6 @@ In Zarr the members are one dimension; xarray sees the grids as dimensions of th
     sweep["q.elbow.final"].sel({"payload.mass": 5}).mean("sample")
 """
 
-import shutil
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -17,8 +16,9 @@ import pyarrow
 from coscrew_codegen.simulate.plan import Plan
 from coscrew_codegen.sweep import SweepError
 from coscrew_codegen.sweep.about import SPECIFICATION, read_description
+from coscrew_codegen.sweep.aside import make_way, remove
 from coscrew_codegen.sweep.folder import MEMBERS, ZARR, Folder, part_of, whole
-from coscrew_codegen.sweep.part import read
+from coscrew_codegen.sweep.part import read, reading
 from coscrew_codegen.sweep.summary import FAILED, MEMBER
 
 if TYPE_CHECKING:
@@ -37,7 +37,7 @@ def write(folder: Folder, about: Mapping[str, str], plan: Plan) -> None:
     from coscrew_codegen.sweep.checked_store import listed, sums
 
     made, target = folder.path / f".{ZARR}.part", folder.path / ZARR
-    shutil.rmtree(made, ignore_errors=True)
+    remove(made)
     try:
         group = zarr.open_group(made, mode="w", attributes={"coscrew": dict(about)})
         arrays: dict[str, zarr.Array[Any]] = {}
@@ -47,11 +47,13 @@ def write(folder: Folder, about: Mapping[str, str], plan: Plan) -> None:
                 if name != "t":
                     array[first:first + len(table)] = _numbers(table, name)
         group.attrs["columns"] = [name for name in arrays if name != "t"]
-        shutil.rmtree(target, ignore_errors=True)
+        make_way(folder.path, target, is_folder=True)
+        make_way(folder.path, sums(target))
+        remove(target)
         whole(sums(target), listed(made, ZARR))
         made.rename(target)
     finally:
-        shutil.rmtree(made, ignore_errors=True)
+        remove(made)
 
 
 def _tables(folder: Folder) -> Iterator[tuple[int, pyarrow.Table]]:
@@ -111,13 +113,18 @@ def opened(folder: Path | str) -> "xarray.Dataset":
     failed, `failed.cause` and `failed.joint` are not "".
 
     Raises SweepError if the folder has no finished sweep; DamagedError, here or when it is used,
-    naming a file that is not as it was written."""
+    naming a file that is not as it was written; BlockedError for one that cannot be read."""
+    path = Path(folder)
+    with reading(path):
+        return _opened(path)
+
+
+def _opened(path: Path) -> "xarray.Dataset":
     import xarray
     from zarr.storage import LocalStore
 
     from coscrew_codegen.sweep.checked_store import CheckedStore
 
-    path = Path(folder)
     if not (path / ZARR).is_dir():
         raise SweepError(f"{path}: holds no finished sweep: there is no {ZARR}")
     about: Any = read_description(path)[SPECIFICATION]

@@ -16,7 +16,6 @@ if TYPE_CHECKING:
     from distributed import Client
 
     from coscrew_codegen.sweep.folder import Folder
-    from coscrew_codegen.sweep.part import DamagedError
     from coscrew_codegen.sweep.prepare import Prepared
 
 _ROUNDS = 4  # of computing what is missing, while parts are damaged as soon as they are written
@@ -112,7 +111,10 @@ def _alone(prepared: "Prepared", options: argparse.Namespace) -> int:
 
 @contextmanager
 def _going_on(folder: "Folder") -> Iterator[None]:
-    """Errors and interrupts in the block also say what is kept, and how to go on."""
+    """Errors and interrupts in the block also say what is kept, and how to go on, unless a person
+    must see to a file first."""
+    from coscrew_codegen.sweep.part import BlockedError
+
     def kept(words: object) -> str:
         return (f"{words}; {folder.members()} of {folder.specification.varied.members} members are "
                 f"written into {folder.path}, and the same command goes on")
@@ -121,6 +123,8 @@ def _going_on(folder: "Folder") -> Iterator[None]:
         yield
     except KeyboardInterrupt:
         raise KeyboardInterrupt(kept("interrupted")) from None
+    except BlockedError:
+        raise
     except SweepError as error:
         raise SweepError(kept(error)) from error
     except BrokenPipeError:  # whoever reads what is told has ended
@@ -135,23 +139,17 @@ def _finished(prepared: "Prepared", folder: "Folder", options: argparse.Namespac
     from coscrew_codegen.sweep.part import DamagedError
 
     for n in range(_ROUNDS):
-        for damaged in folder.damaged(finished=n > 0):
-            _set_aside(folder, damaged)
+        folder.put_aside(finished=n > 0)
         _compute(prepared, folder, options)
         try:
-            return _report(prepared, folder, _words(options))
+            status = _report(prepared, folder, _words(options))
         except DamagedError as error:  # since it was written
             last = error
+            continue
+        folder.put_strangers_aside()
+        folder.describe()
+        return status
     raise SweepError(f"{last.path}: {last.why}, again and again; is the disk in order?") from last
-
-
-def _set_aside(folder: "Folder", damaged: "DamagedError") -> None:
-    """Move a damaged part out of the way, and tell."""
-    from coscrew_codegen.sweep.folder import set_aside
-
-    kept = set_aside(folder.path, damaged.path)
-    moved = f"set aside as {kept.relative_to(folder.path)}, " if kept else ""
-    print(f"coscrew: {damaged.path}: {damaged.why}; {moved}made again", file=sys.stderr)
 
 
 def _compute(prepared: "Prepared", folder: "Folder", options: argparse.Namespace) -> None:
@@ -194,6 +192,7 @@ def _client(options: argparse.Namespace, most: int) -> "Iterator[Client]":
 def _report(prepared: "Prepared", folder: "Folder", words: str) -> int:
     """Write arrays and page, print the table; returns the exit status."""
     from coscrew_codegen.sweep import arrays, page
+    from coscrew_codegen.sweep.aside import make_way
     from coscrew_codegen.sweep.chunk import provenance
     from coscrew_codegen.sweep.folder import PAGE, whole
     from coscrew_codegen.sweep.summary import units
@@ -204,6 +203,7 @@ def _report(prepared: "Prepared", folder: "Folder", words: str) -> int:
     arrays.write(folder, about, prepared.plan)
     found = tally(its, units(prepared.scene, its.conditions.record),
                   map(folder.of, range(its.chunks)))
+    make_way(folder.path, folder.path / PAGE)
     whole(folder.path / PAGE, page.html(its, about, found, words).encode())
     print(page.text(found))
     return 1 if found.failed else 0

@@ -1,26 +1,28 @@
 """The folder of a sweep: sweep.json, what it is; members/, a Parquet file for each finished chunk;
-damaged/, files that were not as they had been written.
+damaged/, what was moved aside.
 
 Files appear whole: they are written under another name, which begins with a dot, and renamed."""
 
 import json
 import os
 import re
-import sys
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from coscrew_codegen.pages import Json
 from coscrew_codegen.sweep import SweepError
 from coscrew_codegen.sweep.about import ABOUT, HASH, SPECIFICATION, as_text, read_description
+from coscrew_codegen.sweep.aside import make_way, put_aside, remove
 from coscrew_codegen.sweep.lock import held
-from coscrew_codegen.sweep.part import DamagedError, check, sweep_of
+from coscrew_codegen.sweep.part import DamagedError, check, reading, sweep_of
 from coscrew_codegen.sweep.specification import Specification
 
-LOCK, MEMBERS, PAGE, ZARR, DAMAGED = ".lock", "members", "summary.html", "sweep.zarr", "damaged"
-_PART = re.compile(r"part-(\d{8,})\.parquet")
+LOCK, MEMBERS, PAGE, ZARR = ".lock", "members", "summary.html", "sweep.zarr"
+_PART = re.compile(r"part-([0-9]{8,})\.parquet")
+_UNREAD = (".", "_")
+"""Beginnings of names of files in members/ that readers of Parquet leave out."""
 
 
 @dataclass(frozen=True)
@@ -29,6 +31,7 @@ class Folder:
 
     path: Path
     specification: Specification
+    about: Mapping[str, Json] = field(default_factory=dict)  # what else sweep.json says
 
     def of(self, number: int) -> Path:
         """The file of a chunk."""
@@ -43,22 +46,60 @@ class Folder:
         """How many members are there."""
         return sum(len(self.specification.members(n)) for n in self._there())
 
-    def damaged(self, finished: bool) -> Iterator[DamagedError]:
-        """What is wrong with each part that is not as it was written; if all have been written,
-        also with those that are not there."""
+    def put_aside(self, finished: bool) -> None:
+        """Put aside, and tell, what is no part of the sweep and each part that is not as it was
+        written; if all have been written, tell also those that are not there."""
+        self.put_strangers_aside()
         there = sorted(self._there())
         for number in range(self.specification.chunks) if finished else there:
             try:
                 check(self.of(number), self.specification, number)
             except DamagedError as error:
-                yield error
+                put_aside(self.path, error.path, error.why, "made again")
+
+    def put_strangers_aside(self) -> None:
+        """Put aside, and tell, what other programs would read as parts."""
+        for name in sorted(self._names()):
+            if self._number(name) is None and not name.startswith(_UNREAD):
+                put_aside(self.path, self.path / MEMBERS / name, "is no part of this sweep")
+
+    def describe(self) -> None:
+        """Write sweep.json again, and tell, if it is not as it was written."""
+        try:
+            if read_description(self.path)[HASH] == self.specification.sha256:
+                return
+            why = "is of another sweep"
+        except DamagedError as error:
+            why = error.why
+        self.describe_again(why)
+
+    def describe_again(self, why: str) -> None:
+        """Put sweep.json aside, write it again, and tell why."""
+        put_aside(self.path, self.path / ABOUT, why, "written again")
+        self.write_description()
+
+    def write_description(self) -> None:
+        """Write sweep.json."""
+        its = self.specification
+        whole(self.path / ABOUT, as_text({HASH: its.sha256, SPECIFICATION: its.data, **self.about}))
 
     def _there(self) -> tuple[int, ...]:
         """The numbers of the chunks that have a file."""
+        numbers = map(self._number, self._names())
+        return tuple(n for n in numbers if n is not None)
+
+    def _names(self) -> list[str]:
+        """The names of the files in members/."""
         folder = self.path / MEMBERS
-        names = os.listdir(folder) if folder.is_dir() else ()
-        numbers = (int(x[1]) for x in map(_PART.fullmatch, names) if x)
-        return tuple(n for n in numbers if n < self.specification.chunks)
+        with reading(folder):
+            return os.listdir(folder) if folder.is_dir() else []
+
+    def _number(self, name: str) -> int | None:
+        """The number of the chunk whose file has this name, None if none has."""
+        found = _PART.fullmatch(name)
+        number = int(found[1]) if found else self.specification.chunks
+        return number if number < self.specification.chunks and self.of(number).name == name \
+            else None
 
     def write(self, number: int, content: bytes) -> None:
         """Add a chunk.  Raises OSError, and then the folder is as before."""
@@ -70,18 +111,6 @@ def part_of(folder: Path, number: int) -> Path:
     return folder / MEMBERS / f"part-{number:08d}.parquet"
 
 
-def set_aside(folder: Path, path: Path) -> Path | None:
-    """Move a damaged file of the sweep into damaged/; returns its new name, None if it is gone."""
-    if not os.path.lexists(path):
-        return None
-    kept = folder / DAMAGED
-    kept.mkdir(exist_ok=True)
-    names = (kept / f"{path.name}{count}" for count in ("", *(f".{n}" for n in range(2, 10**6))))
-    target = next(x for x in names if not os.path.lexists(x))
-    os.replace(path, target)
-    return target
-
-
 @contextmanager
 def opened(path: Path, specification: Specification, about: Mapping[str, Json]
            ) -> Iterator[Folder]:
@@ -90,15 +119,18 @@ def opened(path: Path, specification: Specification, about: Mapping[str, Json]
     Raises SweepError for one of another sweep, of something else, or that another process holds."""
     path.mkdir(parents=True, exist_ok=True)
     _refuse_others(path)
+    make_way(path, path / LOCK)
     with held(path / LOCK, wait=False) as mine:
         if not mine:
             raise SweepError(f"{path}: another sweep is running into this folder; wait for it, or "
                              "take another --out")
-        _know(path, specification, about)
+        found = Folder(path, specification, about)
+        _know(found)
+        make_way(path, path / MEMBERS, is_folder=True)
         (path / MEMBERS).mkdir(exist_ok=True)
         for left in (*path.glob(".*.part"), *(path / MEMBERS).glob(".*.part")):
-            left.unlink()  # by a process that was killed
-        yield Folder(path, specification)
+            remove(left)  # by a process that was killed
+        yield found
 
 
 def whole(path: Path, content: bytes) -> None:
@@ -126,27 +158,27 @@ def _refuse_others(path: Path) -> None:
                          "one of this sweep")
 
 
-def _know(path: Path, specification: Specification, about: Mapping[str, Json]) -> None:
+def _know(folder: Folder) -> None:
     """Write what the sweep is, or compare it with what the folder says."""
-    digest = specification.sha256
+    path, its = folder.path, folder.specification
     try:
         there = read_description(path)
     except DamagedError as error:
-        _refuse_without_about(path, digest, error)
-        set_aside(path, path / ABOUT)
-        whole(path / ABOUT, as_text({HASH: digest, SPECIFICATION: specification.data, **about}))
+        if not os.path.lexists(path / ABOUT) and not os.path.lexists(path / MEMBERS):
+            folder.write_description()  # of a new one
+        else:
+            _refuse_without_about(path, its.sha256, error)
+            folder.describe_again(error.why)
         return
-    if there[HASH] != digest:
-        differ = ", ".join(_differing("", there[SPECIFICATION], specification.data))
+    if there[HASH] != its.sha256:
+        differ = ", ".join(_differing("", there[SPECIFICATION], its.data))
         raise SweepError(f"{path}: holds another sweep, {str(there[HASH])[:12]}; this one is "
-                         f"{digest[:12]}; they differ in {differ or 'their form'}")
+                         f"{its.sha256[:12]}; they differ in {differ or 'their form'}")
 
 
 def _refuse_without_about(path: Path, digest: str, error: DamagedError) -> None:
     """Refuse a folder whose sweep.json is damaged unless its parts are of this sweep, or there are
-    none; tell that the file is written again."""
-    if not (path / ABOUT).exists() and not (path / MEMBERS).exists():
-        return  # a new one
+    none."""
     found = _sweep_of_parts(path)
     if found is None and not (path / MEMBERS).is_dir():
         raise SweepError(f"{path / ABOUT}: {error.why}, and nothing beside it is of a sweep; "
@@ -158,7 +190,6 @@ def _refuse_without_about(path: Path, digest: str, error: DamagedError) -> None:
     if found not in (None, digest):
         raise SweepError(f"{path / ABOUT}: {error.why}; the parts beside it are of another sweep, "
                          f"{str(found)[:12]}; this one is {digest[:12]}; take another --out")
-    print(f"coscrew: {path / ABOUT}: {error.why}; written again", file=sys.stderr)
 
 
 def _sweep_of_parts(path: Path) -> str | None:

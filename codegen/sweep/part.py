@@ -6,7 +6,11 @@ digest itself."""
 
 import errno
 import json
+import os
 import re
+import stat
+from collections.abc import Iterator
+from contextlib import contextmanager
 from hashlib import sha256
 from pathlib import Path
 
@@ -22,7 +26,7 @@ _SEALED = re.compile(re.escape(SEAL.encode()) + rb"\x18\x40([0-9a-f]{64})")
 """Key and value in Thrift's compact protocol, in which Parquet writes metadata: 0x18 begins a
 binary field, 0x40 is its length."""
 _MEMBER, _PROVENANCE, _SWEEP = "member", b"coscrew", "sweep sha256"
-_SPOILT = (errno.EIO, errno.EISDIR, errno.ENOTDIR)  # of what the disk has lost
+_SPOILT = (errno.EIO, errno.ELOOP, errno.ENOTDIR)  # of what the disk has lost
 
 
 class DamagedError(SweepError):
@@ -31,6 +35,23 @@ class DamagedError(SweepError):
     def __init__(self, path: Path, why: str) -> None:
         super().__init__(f"{path}: {why}; the command that made the sweep makes it again")
         self.path, self.why = path, why
+
+
+class BlockedError(SweepError):
+    """A file of a sweep that a person must see to; the message says how."""
+
+
+@contextmanager
+def reading(path: Path) -> Iterator[None]:
+    """In the block, raise BlockedError for a file that cannot be read, by default this one."""
+    try:
+        yield
+    except OSError as error:
+        where = Path(error.filename or path)
+        other = "" if os.path.isdir(where) else (
+            ", or remove it, and the command that made the sweep makes it again")
+        raise BlockedError(f"{where}: cannot be read: {error.strerror or error}; make it readable"
+                           f"{other}") from None
 
 
 def sealed(table: pyarrow.Table) -> bytes:
@@ -62,15 +83,19 @@ def verified(path: Path) -> bytes:
 
 
 def read_bytes(path: Path) -> bytes:
-    """The bytes of a file of the sweep.  Raises DamagedError if it is gone or the disk lost it."""
-    try:
-        return path.read_bytes()
-    except FileNotFoundError:
-        raise DamagedError(path, "is gone") from None
-    except OSError as error:
-        if error.errno in _SPOILT:
-            raise DamagedError(path, f"cannot be read: {error.strerror}") from None
-        raise
+    """The bytes of a file of the sweep.  Raises DamagedError if it is gone or the disk lost it,
+    BlockedError if reading it is not allowed."""
+    with reading(path):
+        try:
+            if not stat.S_ISREG(path.stat().st_mode):
+                raise DamagedError(path, "is no file")
+            return path.read_bytes()
+        except FileNotFoundError:
+            raise DamagedError(path, "is gone") from None
+        except OSError as error:
+            if error.errno in _SPOILT:
+                raise DamagedError(path, f"cannot be read: {error.strerror}") from None
+            raise
 
 
 def read(path: Path, columns: list[str] | None = None) -> pyarrow.Table:

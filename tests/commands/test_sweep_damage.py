@@ -1,6 +1,7 @@
 """`coscrew sweep` and `opened` on folders whose files were damaged: flipped bits, cut off, emptied,
 deleted, exchanged.  Nothing of it is read as numbers; the same command makes the parts again."""
 
+import errno
 import os
 import re
 import shutil
@@ -9,12 +10,13 @@ from functools import partial
 from pathlib import Path
 
 import numpy as np
+import pandas
 import pyarrow.parquet
 import pytest
 from distributed import LocalCluster
 
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.sweep import chunk, opened, part
+from coscrew_codegen.sweep import SweepError, aside, chunk, opened, part
 from coscrew_codegen.sweep.folder import Folder
 from coscrew_codegen.sweep.part import DamagedError
 from tests.support.scenes.sweeps import SLIDER, prepared
@@ -108,14 +110,26 @@ def replaced(path: Path) -> None:
     path.mkdir()
 
 
+def queue(path: Path) -> None:
+    """One whose reader would wait for ever."""
+    path.unlink()
+    os.mkfifo(path)
+
+
+def loop(path: Path) -> None:
+    path.unlink()
+    path.symlink_to(path.name)
+
+
 @pytest.mark.parametrize(("damage", "why"), (
     (partial(flip, bit=8 * 3000), "differs from its checksum"),
     (partial(cut, length=2000), "is cut off or overwritten (2000 bytes)"),
     (partial(cut, length=0), "is empty"),
     (without_checksum, "has no checksum (coscrew.sha256), as parts of older versions"),
     (another, "holds the members of another part"),
-    (replaced, "cannot be read: Is a directory"),
-    (Path.unlink, "")), ids=("flipped", "cut", "empty", "old", "another", "folder", "gone"))
+    (replaced, "is no file"), (queue, "is no file"), (loop, "cannot be read: "),
+    (Path.unlink, "")), ids=("flipped", "cut", "empty", "old", "another", "folder", "queue", "loop",
+                             "gone"))
 def test_a_damaged_part_is_named_set_aside_and_made_again(damage: Callable[[Path], None], why,
                                                           scene, workers, whole, copied, capsys):
     path = copied / "members" / "part-00000004.parquet"
@@ -125,7 +139,7 @@ def test_a_damaged_part_is_named_set_aside_and_made_again(damage: Callable[[Path
     assert f"600 members, {600 - 64} of them written" in said
     assert (f"coscrew: {path}: {why}" in said) is bool(why)
     assert ("set aside as damaged/part-00000004.parquet, made again" in said) is bool(why)
-    assert (copied / "damaged" / path.name).exists() is bool(why)
+    assert os.path.lexists(copied / "damaged" / path.name) is bool(why)
     assert table(copied).equals(table(whole))
 
 
@@ -148,6 +162,155 @@ def test_parts_damaged_in_the_middle_of_a_run_are_made_again(scene, workers, who
     assert len(list((out / "damaged").iterdir())) == 2
     assert table(out).equals(table(whole))
     assert opened(out).load().equals(opened(whole).load())
+
+
+def renamed(members: Path) -> None:
+    (members / "part-00000000.parquet").rename(members / "part-000000000.parquet")
+
+
+def one_more(members: Path) -> None:
+    shutil.copy(members / "part-00000001.parquet", members / "part-00000099.parquet")
+
+
+def notes(members: Path) -> None:
+    (members / "notes.txt").write_text("of a person")
+
+
+def a_sweep_within(members: Path) -> None:
+    shutil.copytree(members, members / "members")
+
+
+@pytest.mark.parametrize(("change", "name", "gone"), (
+    (renamed, "part-000000000.parquet", 64), (one_more, "part-00000099.parquet", 0),
+    (notes, "notes.txt", 0), (a_sweep_within, "members", 0)),
+    ids=("renamed", "more", "notes", "within"))
+def test_what_is_no_part_is_told_and_set_aside(change: Callable[[Path], None], name, gone, scene,
+                                               workers, whole, copied, capsys):
+    """Programs would read it with the parts."""
+    change(copied / "members")
+    for unread in ("_unread", ".hidden"):
+        (copied / "members" / unread).touch()
+    assert sweep(scene, copied, workers) == 0
+    said = capsys.readouterr().err
+    assert (f"coscrew: {copied / 'members' / name}: is no part of this sweep; set aside as "
+            f"damaged/{name}\n") in said
+    assert f"600 members, {600 - gone} of them written" in said
+    assert (copied / "damaged" / name).exists()
+    assert pandas.read_parquet(copied / "members").equals(pandas.read_parquet(whole / "members"))
+    assert {x.name for x in (copied / "members").iterdir()} == {
+        "_unread", ".hidden", *(x.name for x in (whole / "members").iterdir())}
+
+
+def test_what_is_spoilt_in_the_middle_of_a_run_is_told_and_made_again(scene, workers, whole,
+                                                                      tmp_path, capsys):
+    out = tmp_path / "out"
+
+    def spoil() -> None:
+        flip(out / "sweep.json", 8 * 700)
+        one_more(out / "members")
+
+    with after(5, spoil):
+        assert finished(scene, out, workers) == 0
+    said = capsys.readouterr().err
+    assert re.search(r"sweep.json: (differs from|has no|cannot be read).*; set aside as "
+                     "damaged/sweep.json, written again", said)
+    assert "part-00000099.parquet: is no part of this sweep; set aside as damaged/part-" in said
+    assert (out / "sweep.json").read_bytes() == (whole / "sweep.json").read_bytes()
+    assert opened(out).load().equals(opened(whole).load()) and table(out).equals(table(whole))
+
+
+@pytest.mark.parametrize("spoil", (Path.unlink, replaced, partial(cut, length=50)),
+                         ids=("gone", "folder", "cut"))
+def test_a_description_is_written_again_at_the_end_of_a_run(spoil: Callable[[Path], None], scene,
+                                                            workers, whole, tmp_path, capsys):
+    out = tmp_path / "out"
+    with after(9, lambda: spoil(out / "sweep.json")):
+        assert sweep(scene, out, workers) == 0
+    assert capsys.readouterr().err.rstrip().endswith("written again")
+    assert (out / "sweep.json").read_bytes() == (whole / "sweep.json").read_bytes()
+
+
+def test_what_stands_in_the_way_is_set_aside(scene, workers, whole, copied, capsys):
+    """Folders in place of files, files in place of folders; what killed processes leave is
+    removed."""
+    for name in ("sweep.zarr.sha256", "summary.html", ".lock"):
+        replaced(copied / name)
+    for name in ("sweep.zarr", "members"):
+        shutil.rmtree(copied / name)
+        (copied / name).write_text("in the way")
+    left = copied / ".sweep.zarr.part"
+    left.mkdir()
+    assert finished(scene, copied, workers) == 0
+    said = capsys.readouterr().err
+    for name in ("sweep.zarr.sha256", "summary.html", ".lock"):
+        assert (f"coscrew: {copied / name}: is no file; set aside as damaged/{name}, made again\n"
+                ) in said
+    for name in ("sweep.zarr", "members"):
+        assert f"{copied / name}: is no folder; set aside as damaged/{name}, made again\n" in said
+        assert (copied / "damaged" / name).read_text() == "in the way"
+    assert not left.exists() and "Traceback" not in said
+    assert opened(copied).load().equals(opened(whole).load())
+    assert (copied / "summary.html").read_bytes() == (whole / "summary.html").read_bytes()
+
+
+def forbid(monkeypatch: pytest.MonkeyPatch, path: Path) -> None:
+    """As if the user had no right to read this file: tests may be run by one who has all."""
+    read_bytes = Path.read_bytes
+
+    def forbidden(self: Path) -> bytes:
+        if self == path:
+            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), str(path))
+        return read_bytes(self)
+
+    monkeypatch.setattr(Path, "read_bytes", forbidden)
+
+
+@pytest.mark.parametrize("name", ("members/part-00000004.parquet", "sweep.json"))
+def test_a_person_is_told_what_cannot_be_read(name, scene, workers, copied, monkeypatch, capsys):
+    with monkeypatch.context() as patch:
+        forbid(patch, copied / name)
+        assert sweep(scene, copied, workers) == 2
+    said = capsys.readouterr().err
+    assert said.endswith(f"coscrew: {copied / name}: cannot be read: Permission denied; make it "
+                         "readable, or remove it, and the command that made the sweep makes it "
+                         "again\n")
+    assert "cannot write" not in said and not (copied / "damaged").exists()
+    assert sweep(scene, copied, workers) == 0
+
+
+@pytest.mark.parametrize("name", ("sweep.json", "sweep.zarr.sha256", "sweep.zarr/zarr.json",
+                                  "sweep.zarr/q.slide.final/c/0", "members/part-00000004.parquet"))
+def test_what_cannot_be_read_is_not_opened(name, whole, monkeypatch):
+    forbid(monkeypatch, whole / name)
+    with pytest.raises(SweepError, match="cannot be read: Permission denied; make it readable") as (
+            caught):
+        opened(whole).load()
+    assert str(caught.value).startswith(f"{whole / name}: ")
+
+
+def test_a_person_is_told_what_cannot_be_set_aside(scene, workers, whole, copied, monkeypatch,
+                                                   capsys):
+    path, damaged = copied / "members" / "part-00000004.parquet", copied / "damaged"
+    cut(path, 0)
+    damaged.write_text("of a person")
+    assert sweep(scene, copied, workers) == 2
+    said = capsys.readouterr().err
+    assert said.endswith(f"coscrew: {path}: is empty, and cannot be set aside: {damaged} is no "
+                         f"folder; rename or remove {damaged}, and give the same command again\n")
+    assert damaged.read_text() == "of a person"
+    damaged.unlink()
+
+    def refused(*_: object) -> None:
+        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+
+    with monkeypatch.context() as patch:
+        patch.setattr(aside.os, "replace", refused)
+        assert sweep(scene, copied, workers) == 2
+    said = capsys.readouterr().err
+    assert said.endswith(f"is empty, and cannot be moved into {damaged}: Permission denied; move "
+                         "or remove it, and give the same command again\n")
+    assert sweep(scene, copied, workers) == 0
+    assert table(copied).equals(table(whole))
 
 
 def test_a_disk_that_damages_what_is_written_ends_the_command(scene, workers, tmp_path, monkeypatch,

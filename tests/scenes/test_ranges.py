@@ -1,8 +1,10 @@
 """Numbers that a precision cannot hold are refused by name before anything is generated."""
 
+import math
 import subprocess
 from fractions import Fraction
 
+import mpmath
 import numpy as np
 import pytest
 
@@ -12,7 +14,8 @@ from coscrew_codegen.formats import DOUBLE, SINGLE
 from coscrew_codegen.layout import scene_files
 from coscrew_codegen.mechanics import derive
 from coscrew_codegen.mechanics.ranges import RangeError
-from coscrew_codegen.program import Constant
+from coscrew_codegen.program import Constant, Op, folding
+from coscrew_codegen.program.folding import Folded, Result, folded
 from coscrew_codegen.scene_files.toml_scene import SceneOverrides, read_scene
 
 SCENE = """
@@ -119,6 +122,61 @@ def test_what_double_precision_cannot_hold_has_no_such_way_round(path, old, new)
     with pytest.raises(RangeError, match="outside double precision's range: 0, and 4.9e-324 to "
                                          r"1.8e\+308 in size$"):
         derive(read_scene(path(old, new, DOUBLE_SAID)))
+
+
+@pytest.mark.parametrize("x, size", [(2000, -869), (16000, -6949)])
+def test_sizes_of_any_length_are_told(path, x, size):
+    """exp(-16000) has 6949 decimals: e^-x = 10^(-x/ln 10)."""
+    assert round(-x / math.log(10)) == size
+    with pytest.raises(RangeError, match=f"its numbers are multiplied to about 1e{size} in"):
+        derive(read_scene(path('"4*t"', f'"exp(-{x})*t"', DOUBLE_SAID)))
+
+
+def folded_exp(x: Fraction) -> Result:
+    return folded(Op.EXP, (Constant(x, x),), {})
+
+
+@pytest.mark.parametrize("x", [Fraction(x) for x in (
+    "0.5", "-1/3", "100", "-745.2", "-5000", "16000")])
+def test_exponentials_of_constants_have_sixty_digits(x):
+    found = folded_exp(x)
+    assert isinstance(found, Constant)
+    with mpmath.workdps(80):
+        truth = mpmath.exp(mpmath.mpf(x.numerator) / x.denominator)
+        relative = mpmath.mpf(found.double.numerator) / found.double.denominator / truth - 1
+        assert abs(relative) < mpmath.mpf(10)**-58
+
+
+@pytest.mark.parametrize("x", [Fraction(x) for x in (
+    "-2e4", "-2.5e11", "-1e400", "2e4", "2.5e11")])
+def test_exponentials_beyond_all_formats_are_no_long_fractions(x):
+    """Zero is what they round to; what rounds to infinity is left to the program."""
+    with mpmath.workdps(20):  # 2^-16495: half of the least number of 128 bits; 2^16384: beyond them
+        truth = mpmath.exp(mpmath.mpf(x.numerator) / x.denominator)
+        assert truth < mpmath.mpf(2)**-16495 or truth > mpmath.mpf(2)**16384
+    assert folded_exp(x) == (Constant(Fraction(0), Fraction(0)) if x < 0 else
+                             Folded(Op.EXP, (Constant(x, x),)))
+
+
+@pytest.mark.parametrize("width", ["4e-5", "1e-5", "1e-6", "1e-200"])
+def test_short_pulses_in_time_take_no_memory(path, width):
+    """At t = 0 that of 4e-5 s has 2^28 bits, 32 MB; two numbers of 1e-6 s do not fit in 64 GB."""
+    pulse = f'kind = "torque"\ntorque = "4*exp(-((t-0.5)/{width})**2)"'
+    scene = read_scene(path("[effects.gravity]", f"[effects.actuator.pivot]\n{pulse}",
+                            DOUBLE_SAID))
+    longest = 0
+
+    def watched(x):
+        nonlocal longest
+        longest = max(longest, abs(x._mpf_[2]))
+        assert longest < 10**5
+        return rational(x)
+
+    rational = folding._rational
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(folding, "_rational", watched)
+        derive(scene)
+    assert longest  # it was asked
 
 
 @pytest.mark.parametrize("eps, tau_c", [("1e-30", "1e8"), ("1e-3", "1e-30")])
