@@ -102,6 +102,12 @@ def sizes(parts: Parts, precision: Precision, motion: Trajectory | Reference) ->
     return extent.sizes
 
 
+def resting(system: System, motion: Reference) -> bool:
+    """Whether no part moves farther than what counts as rest."""
+    parts = Parts(in_double(system))
+    return bool(motion.resolved and (sizes(parts, system.precision, motion) <= parts.least).all())
+
+
 def error(system: System, trajectory: Trajectory, true: Reference) -> Error:
     """The largest error of a motion while the reference is known."""
     parts = Parts(in_double(system))

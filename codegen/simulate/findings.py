@@ -54,6 +54,7 @@ class Along:
     known: float  # until when motions with smaller steps agree, in s
     end: float  # of the run, in s
     smallest: float  # steps of the motion with which it was compared, in s
+    resting: bool = False  # no part moves farther than what counts as rest
     exact: Balance | None = None  # of that motion, if energies are off with the steps above
     double: "Along | None" = None  # in single precision: the results in double
     remedy: str = ""  # what was tried and makes a false run right
@@ -104,8 +105,8 @@ class Along:
 
     @property
     def still(self) -> bool:
-        """Whether nothing moves, so that no energy is exchanged."""
-        return self.coarse.scale == 0
+        """Whether nothing moves, so that hardly any energy is exchanged."""
+        return self.coarse.scale == 0 or self.resting
 
     @property
     def untold(self) -> bool:
@@ -130,10 +131,11 @@ class Along:
 
     @property
     def balanced(self) -> bool:
-        """Whether energies balance, with the given steps or smaller ones."""
-        return any(x is not None and (x.rounded or x.relative <= ENERGY)
-                   for x in (self.coarse, self.fine, self.finest, self.exact)) and not math.isnan(
-                       self.coarse.relative)
+        """Whether energies balance, with the given steps or smaller ones; of what rests they need
+        not."""
+        balances = (x for x in (self.coarse, self.fine, self.finest, self.exact) if x is not None)
+        return not math.isnan(self.coarse.relative) and (
+            self.still or any(x.rounded or x.relative <= ENERGY for x in balances))
 
     @property
     def passed(self) -> bool:

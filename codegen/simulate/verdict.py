@@ -1,5 +1,6 @@
 """The findings of a check as text: tables, what is false, what helps."""
 
+import math
 
 from tabulate import tabulate
 
@@ -46,7 +47,8 @@ def _expectations(met: tuple[Met, ...]) -> str:
 
 def _checks(along: tuple[Along, ...]) -> str:
     rows = [("largest error of the motion, relative to the way a part moves",
-             *(f"{x.error.relative:.2g} ({x.error.part})" for x in along)),
+             *(f"{x.error.relative:.2g} ({x.error.part})" if x.known else "unknown"
+               for x in along)),
             ("compared with a motion in steps of, s",
              *(f"{x.smallest:.2g}" for x in along)),
             ("largest error of energy, relative",
@@ -103,6 +105,9 @@ def _false(along: Along) -> str:
         why = ("single precision does not resolve it" if along.by_rounding else
                "the step is too large" if along.length else "the tolerances are too large")
         return f"{_off(along)}, allowed is {ALLOWED:g}: {why}; {along.remedy}"
+    if math.isnan(along.coarse.relative):
+        return (f"energies or powers are not finite at t = {along.coarse.at:.4g} s: a formula of "
+                "an effect is not, or numbers grow too large")
     if not along.resolved:
         until = f"; check a shorter run: --until {along.known:.3g}" if along.known else ""
         return (f"the motion is known until t = {along.known:.3g} s alone: later, steps of "

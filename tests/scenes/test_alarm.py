@@ -10,6 +10,7 @@ import pytest
 import coscrew
 from coscrew_codegen import load_scene
 from coscrew_codegen.formats import SINGLE
+from coscrew_codegen.simulate.advice import remedy
 from coscrew_codegen.simulate.alarm import Alarm
 from coscrew_codegen.simulate.allowed import ALLOWED
 from coscrew_codegen.simulate.load import Kernels
@@ -152,6 +153,127 @@ def test_what_floats_keeps_its_centre_of_mass_on_a_parabola_to_rounding(loaded):
         L = np.asarray(loaded(BASE).call("momentum", q=run.q, v=run.v), float)[:, 3:]
         moment = 10.2 * np.linalg.norm(speed[0]) * np.max(np.abs(x))
         assert np.max(np.abs(L - L[0])) <= 64 * u * moment
+
+
+PAIR = """
+[bodies]
+a = { mass = 1, inertia = [0.1, 0.1, 0.1] }
+b = { mass = 1, inertia = [0.1, 0.1, 0.1] }
+[joints]
+ja = { type = "KIND", child = "a" }
+jb = { type = "KIND", child = "b" }
+[effects.spring_damper.tie]
+bodies = ["a", "b"]
+k = K
+length = 1
+[run]
+duration = 0.1
+"""
+"""Two bodies that vibrate by a centimetre; they float, or slide along one rail."""
+
+
+@pytest.mark.parametrize("kind", ("free", "prismatic"))
+@pytest.mark.parametrize("h_omega, right", ((3, False), (0.05, True)))
+def test_a_pair_that_travels_is_judged_as_one_at_rest(kind, h_omega, right, tmp_path):
+    axis = ', axis = [1, 0, 0] }' if kind == "prismatic" else " }"
+    path = tmp_path / "pair.toml"
+    path.write_text(PAIR.replace("KIND", kind).replace('" }', f'"{axis}').replace(
+        "K\n", f"{h_omega**2 / 2 * 1e6}\n"))
+    its = system(load_scene(path), "double")
+    each = its.functions.coordinates
+    advised = set()
+    for speed in (0, 1, 300):
+        q, v = its.start()
+        q[each[1].q.start] = 1.01
+        for c in each:
+            v[c.v.start] = speed
+        stopped, _ = watched(its, q, v)
+        assert (stopped == "") == right, (speed, stopped)
+        if stopped:
+            advised.add(remedy(its, plan(its), (q, v)))
+    assert len(advised) <= 1
+
+
+def test_the_verdict_on_a_member_is_that_on_any_number_of_them(loaded):
+    """h ω is 1000 and the damping twice critical; with 9000 members the first steps are resolved of
+    some of them alone."""
+    its = loaded(SERVO)
+    stiff = replace(its, p=np.broadcast_to(
+        [INERTIA * 1e12, 4 * INERTIA * 1e6, 0.5], (9000, 3)).copy())
+    q, v = (np.broadcast_to(x, (9000, *x.shape)).copy() for x in its.start())
+    for members in (1, 600, 9000):
+        some = stiff.member(np.arange(members))
+        run = integrate(some, plan(some, until=0.1), alarm=Alarm, start=(q[:members], v[:members]))
+        assert not run.failed, members
+    moved = replace(its, p=np.broadcast_to(
+        [INERTIA * 6.25e6, 0.4 * INERTIA * 2500, 0.55], (9000, 3)).copy())
+    run = integrate(moved, plan(moved, until=0.1), alarm=Alarm, start=(q, v))
+    assert len(run.failed) == 9000  # a step that does not resolve the start stops all of them
+
+
+def test_the_alarm_does_not_depend_on_samples(loaded):
+    """It looks between them, too: a servo's target comes in the middle of the run's one sample."""
+    its = loaded(SERVO, actuator_hinge_kp=INERTIA * 6.25e6,
+                 actuator_hinge_kd=0.1 * INERTIA * 2500, actuator_hinge_target=0.55)
+    for every in (0.01, 0.5, 2.0):
+        assert "too large at t = 0 s" in watched(its, every=every)[0]
+    looks: list[float] = []
+
+    class Looking(Alarm):
+        def _look(self, since, *its):
+            looks.append(round(since, 9))
+            super()._look(since, *its)
+
+    run = integrate(loaded(SERVO), plan(its, every=2.0), alarm=Looking)
+    assert not run.stopped and looks == [0.0, 0.4, 0.8, 1.2, 1.6, 2.0]
+
+
+SPIN = """
+[bodies]
+b = { mass = 1, inertia = [0.1, 0.1, 0.1] }
+[joints]
+j = { type = "spherical", child = "b" }
+[start.q]
+j = [0.5, 0.5, 0.5, 0.5]
+[start.v]
+j = [W, 0, 0]
+[run]
+duration = 1
+step = 1e-4
+"""
+
+
+@pytest.mark.parametrize("w, frozen", ((1e-4, True), (1.0, False)))
+@pytest.mark.parametrize("kind, ends", (("spherical", ("", "")), ("free", ("0, 0, 0, ",) * 2)))
+def test_rotations_that_freeze_are_told(w, frozen, kind, ends, tmp_path):
+    """Single precision moves no number of the quaternion: w h/2 is below half a spacing."""
+    path = tmp_path / "spin.toml"
+    path.write_text(SPIN.replace("spherical", kind).replace("[0.5", f"[{ends[0]}0.5").replace(
+        "[W", f"[{ends[1]}{w}").replace("duration = 1", f"duration = {min(200.0, 0.1 / w)}"))
+    its = system(load_scene(path), "single")
+    stopped, _ = watched(its)
+    assert ("rounding freezes joint j" in stopped) == frozen, stopped
+    assert frozen == (float(np.abs(integrate(its, plan(its)).q[-1][-4:] - 0.5).max()) < 1e-6)
+
+
+@pytest.mark.parametrize("far", (20, 1000))
+def test_what_swings_far_away_is_not_frozen(far, tmp_path):
+    """In single precision, though after whole periods it is where it was."""
+    path = tmp_path / "far.toml"
+    path.write_text(f"""
+[bodies]
+b = {{ mass = 1 }}
+[joints]
+j = {{ type = "prismatic", child = "b", axis = [1, 0, 0] }}
+[effects.spring.j]
+k = 1
+q0 = {far}
+[start.q]
+j = {far + 1}
+[run]
+duration = {4 * np.pi}
+""")
+    assert watched(system(load_scene(path), "single"))[0] == ""
 
 
 def test_distances_of_rotations_are_angles(loaded):
