@@ -92,3 +92,69 @@ def test_what_takes_long_is_not_tried_and_no_step_is_named(found, monkeypatch):
     monkeypatch.setattr(advice, "MOST", 60)
     along, said = found({**NEAR, "k": 100}, DEFAULT, "double")
     assert not along.passed and "smaller steps were not tried, since they would take long" in said
+
+
+def test_a_step_that_is_much_shorter_is_judged_to_the_end_by_its_own_reference(tmp_path, capsys):
+    """A servo without damping, h ω = 70: motions at 1/64 and 1/512 of the step differ early."""
+    path, text = tmp_path / "stiff.toml", """
+[bodies]
+bob = { mass = 2, com = [0, 0, -0.5], inertia = [0.1, 0.1, 0.1] }
+[joints]
+pin = { type = "continuous", child = "bob", axis = [0, 1, 0] }
+[effects.gravity]
+[effects.actuator.pin]
+kind = "pd"
+kp = 3e6
+target = 0.5
+[run]
+duration = 0.1
+"""
+    status, said = outcome(path, capsys, "simulate", text, "--precision", "double")
+    assert status == 1
+    for command in ("simulate", "check"):
+        assert outcome(path, capsys, command, text, "--precision", "double", "--step",
+                       f"{step_of(said):g}")[0] == 0
+
+
+def test_a_run_that_is_not_finite_names_what_was_tried(tmp_path, capsys):
+    """h ω is 10; and the root of a number that becomes negative, of which no step helps."""
+    path = tmp_path / "spring.toml"
+    text = SPRING.format(**{**NEAR, "k": 1e4, "rest": 0, "start": 0.1, "duration": 50})
+    words = "--integrator", "rk4", "--precision", "double"
+    status, said = outcome(path, capsys, "simulate", text, *words)
+    assert status == 1 and ("not finite" in said or "too large" in said)
+    assert outcome(path, capsys, "simulate", text, *words, "--step", f"{step_of(said):g}")[0] == 0
+    root = text + '[effects.actuator.j]\nkind = "torque"\ntorque = "sqrt(0.5-t)"\n'
+    status, said = outcome(path, capsys, "simulate", root.replace("k = 10000", "k = 1"), *words,
+                           "--until", "2")
+    assert status == 1 and "joint j: q is nan; no step down to" in said
+
+
+@pytest.mark.parametrize("integrator", ("dop853", "radau"))
+def test_too_large_tolerances_are_told_and_smaller_ones_tried(tmp_path, capsys, integrator):
+    path, text = tmp_path / "spring.toml", SPRING.format(**{**NEAR, "k": 1e4}).replace(
+        "step = 0.1", f'integrator = "{integrator}"\nrtol = RTOL\natol = ATOL')
+    loose = text.replace("RTOL", "0.1").replace("ATOL", "0.1")
+    status, said = outcome(path, capsys, "simulate", loose, "--precision", "double")
+    rtol, atol = re.search(r"too large at t = .*take rtol = (\S+) and atol = (\S+);", said).groups()
+    assert status == 1
+    tight = text.replace("RTOL", rtol).replace("ATOL", atol)
+    assert outcome(path, capsys, "simulate", tight, "--precision", "double")[0] == 0
+
+
+@pytest.mark.parametrize("eps", ("1e-6", "1e-4"))
+def test_what_friction_holds_balances(tmp_path, capsys, eps):
+    """It creeps by less than a micrometre, so that energies say nothing."""
+    text = SPRING.format(**NEAR).replace("rest = 10", "").replace("q0 = 10", "").replace(
+        "j = 11", "j = 0").replace("step = 0.1", "step = 1e-3") + f"""
+[effects.actuator.j]
+kind = "pd"
+kp = 100
+target = "0.01*sin(6*t)"
+[effects.coulomb.j]
+tau_c = 2
+eps = {eps}
+"""
+    status, said = outcome(tmp_path / "held.toml", capsys, "check", text, "--precision", "double",
+                           "--until", "1")
+    assert status == 0 and "none: nothing moves" in said, said

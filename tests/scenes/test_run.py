@@ -1,11 +1,12 @@
 """run: runs from Python have the bits of `coscrew simulate`; members of a batch those of runs."""
 
 import ctypes
+import warnings
 
 import numpy as np
 import pytest
 
-from coscrew_codegen import Controller, run
+from coscrew_codegen import Controller, load_scene, run
 from coscrew_codegen.__main__ import main
 from coscrew_codegen.simulate import SimulateError, api
 from tests.support.scenes.swing import SWING
@@ -43,6 +44,32 @@ def test_members_of_a_batch_are_runs(swing, precision):
         assert many.v[k].tobytes() == one.v.tobytes()
         for name, values in one.recorded.items():
             assert many.recorded[name][k].tobytes() == values.tobytes(), name
+
+
+LIMITED = SWING + """
+[effects.limit.pivot]
+lower = -3
+upper = 3
+k = 1e5
+"""
+
+
+@pytest.mark.parametrize("q0, said", (([3.5], "starts at 3.5"), ([3.0], None),
+                                      ([[0.0], [-4.0], [3.5]], "starts at -4, outside")))
+def test_joints_that_start_outside_their_ranges_are_told(tmp_path, q0, said):
+    path = tmp_path / "limited.toml"
+    path.write_text(LIMITED)
+    with warnings.catch_warnings(record=True) as found:
+        warnings.simplefilter("always")
+        run(path, q0=q0, until=0.01)
+    words = [str(x.message) for x in found if "outside its range from -3 to 3" in str(x.message)]
+    assert len(words) == (said is not None) and (not words or said in words[0])
+
+
+@pytest.mark.parametrize("words", ({"functions": []}, {"tiers": ()}))
+def test_empty_lists_select_nothing_silently(swing, words):
+    with pytest.raises(ValueError, match=f"{next(iter(words))}: an empty list; wanted names"):
+        load_scene(swing, **words)
 
 
 def test_members_that_diverge_are_told_and_others_go_on(swing):
