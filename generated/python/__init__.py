@@ -712,11 +712,13 @@ def unchecked(function):
 
     if hasattr(function, "unchecked"):
         return function.unchecked
+    its = getattr(function, "__name__", "")
     for name, module in tuple(sys.modules.items()):
-        if name.startswith("coscrew.") and name.endswith("._gufunc"):
-            if getattr(module, function.__name__, None) is function:
-                return getattr(module, f"unchecked_{function.__name__}", function)
-    raise ValueError(f"unchecked: {function} is no function of coscrew")
+        if its and name.startswith("coscrew.") and name.endswith("._gufunc"):
+            unchecked = getattr(module, f"unchecked_{its}", function)
+            if function in (getattr(module, its, None), unchecked) and hasattr(module, its):
+                return unchecked
+    raise ValueError(f"unchecked: got {function!r}; wanted a function of coscrew")
 
 
 def arrays(xp):

@@ -154,3 +154,13 @@ def test_products_of_matrices_and_of_quaternions_take_any():
 def test_twins_refuse_nothing():
     for precision in PRECISIONS:
         assert not np.isnan(getattr(coscrew, precision.name).SO3_log(np.diag([-1, 1, 1]))).any()
+
+
+@pytest.mark.parametrize("package", (coscrew, coscrew.accurate, coscrew.certified))
+def test_unchecked_functions_are_their_own_and_others_are_refused(package):
+    for name in ("SO3_log", "SE3_log"):
+        one = coscrew.unchecked(getattr(package, name))
+        assert coscrew.unchecked(one) is one
+    for given in (3, "SO3_log", None, np.add, len):
+        with pytest.raises(ValueError, match="unchecked: got .*; wanted a function of coscrew"):
+            coscrew.unchecked(given)
