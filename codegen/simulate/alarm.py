@@ -26,6 +26,8 @@ from coscrew_codegen.simulate.motion_error import Extent, Parts
 from coscrew_codegen.simulate.plan import Plan
 from coscrew_codegen.simulate.system import State, System
 
+UNTRIED = "take a smaller step"
+"""The remedy where none is tried."""
 _FIRST, _LATER = 32, 8  # steps that are taken twice: at the start, and later
 _LOOKS = 100  # windows in a run
 _SIZES = 300  # times in a run that the ways of parts are measured, between windows, too
@@ -173,7 +175,7 @@ class Alarm:
         number."""
         if self.remedy and not self.driven and not self.start[0].ndim > 1:
             return self.remedy(self.system, self.plan, self.start)
-        return "take a smaller step"
+        return UNTRIED
 
 
 class _Worst:

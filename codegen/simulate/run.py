@@ -15,13 +15,12 @@ import numpy as np
 from coscrew_codegen.integrator import Integrator
 from coscrew_codegen.integrators import DEFAULT, named
 from coscrew_codegen.simulate import SimulateError
-from coscrew_codegen.simulate.alarm import Alarm
+from coscrew_codegen.simulate.alarm import UNTRIED, Alarm
 from coscrew_codegen.simulate.driven import Driven
 from coscrew_codegen.simulate.plan import Plan, Stop, Trajectory
 from coscrew_codegen.simulate.system import State, System, Watch
 
 _AT_ONCE = 400  # steps per call of C, which Ctrl-C cannot interrupt, and between looks of the Alarm
-_SMALLER = "take a smaller step"
 _KEPT = 100  # steps after which rounding errors of momentum are removed
 
 Alarming = Callable[[System, Plan, State], Alarm]
@@ -162,7 +161,7 @@ def fixed(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.nd
             _end(alive, stops)
             lost = alive & ~_finite(q, v)
             if lost.any():
-                helps = look.remedy_in_words() if look else _SMALLER
+                helps = look.remedy_in_words() if look else UNTRIED
                 stops += _lost(system, plan, lost, (start, h, count, taken), helps, *before)
                 _end(alive, stops)
             taken += i + more
