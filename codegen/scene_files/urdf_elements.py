@@ -10,7 +10,7 @@ from coscrew_codegen.scene.model import HERE, Placement
 from coscrew_codegen.scene.notices import Notice
 from coscrew_codegen.scene_files.decimals import decimal
 from coscrew_codegen.scene_files.errors import SceneError, shown
-from coscrew_codegen.scene_files.foreign import of_root, xacro
+from coscrew_codegen.scene_files.foreign import of_root, srdf, xacro
 from coscrew_codegen.scene_files.urdf_schema import (
     CHILDREN,
     IGNORED,
@@ -22,9 +22,11 @@ from coscrew_codegen.scene_files.urdf_schema import (
     is_zero,
     misspelt_attribute,
     misspelt_elements,
+    numeric,
     of_other_tools,
+    wanted_instead,
 )
-from coscrew_codegen.scene_files.xml import Element, read_xml
+from coscrew_codegen.scene_files.xml import Element, Text, read_xml
 
 _T = TypeVar("_T")
 
@@ -40,6 +42,8 @@ class Elements:
             known = of_root(self.root.tag)
             self._refuse(self.root, "", known or f"the root is <{self.root.tag[:60]}>; wanted "
                                                  "<robot>")
+        if problem := srdf({child.tag for child in self.root.children}):
+            self._refuse(self.root, "", problem)
         self.version = self._version()
         self._check(self.root, "")
 
@@ -51,11 +55,14 @@ class Elements:
         return version
 
     def _check(self, owner: Element, element: str) -> None:
-        """Refuse attributes that URDF does not have, here and in the elements below, and likely
-        misspellings of its elements; note other tools' numbers."""
+        """Refuse attributes that URDF does not have, here and in the elements below, text, and
+        likely misspellings of its elements; note other tools' numbers."""
         if problem := misspelt_attribute(owner):
             self._refuse(owner, element, problem)
         self._refuse_xacro(owner, element)
+        for text in owner.texts:
+            self._refuse(text, element, f"<{owner.tag}> holds the text {shown(text.text)}; "
+                                        f"{wanted_instead(owner.tag)}")
         for child, problem in misspelt_elements(owner):
             self._refuse(child, element, problem)
         self.notices += _of_other_tools(owner, element)
@@ -159,7 +166,7 @@ class Elements:
             self._refuse(owner, element, f"<{owner.tag}> lacks <{tag}>")
         return found
 
-    def _refuse(self, at: Element, element: str, problem: str) -> NoReturn:
+    def _refuse(self, at: Element | Text, element: str, problem: str) -> NoReturn:
         where = f"line {at.line}, {element}" if element else f"line {at.line}"
         raise SceneError(self.path, where, problem)
 
@@ -178,15 +185,18 @@ def _numbers(text: str, count: int) -> tuple[Fraction, ...]:
 
 
 def _alike(a: Element, b: Element) -> bool:
-    """Whether two elements say the same, numbers being compared by value."""
+    """Whether two elements say the same: numbers of URDF are compared by value, names and what
+    is other tools' as texts."""
     return (a.tag == b.tag and a.attributes.keys() == b.attributes.keys()
-            and all(_value(text) == _value(b.attributes[name])
+            and all(_value(a.tag, name, text) == _value(b.tag, name, b.attributes[name])
                     for name, text in a.attributes.items())
             and len(a.children) == len(b.children)
             and all(map(_alike, a.children, b.children)))
 
 
-def _value(text: str) -> object:
+def _value(tag: str, name: str, text: str) -> object:
+    if name not in numeric(tag):
+        return text
     try:
         return tuple(decimal(word) for word in text.split())
     except ValueError:
