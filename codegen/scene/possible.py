@@ -6,7 +6,6 @@ Everything is computed in exact fractions, with the default values of parameters
 """
 
 import json
-import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -16,6 +15,7 @@ from typing import Any
 from coscrew_codegen.scene.assembly import ModelError
 from coscrew_codegen.scene.lumped import Six, lumped_inertia
 from coscrew_codegen.scene.model import Joint, Kind, Model, value
+from coscrew_codegen.scene.names import toml_key
 from coscrew_codegen.scene.recorded import followers
 from coscrew_codegen.scene.scene import Applied, Scene
 from coscrew_codegen.scene.tree import tree_of
@@ -171,8 +171,7 @@ def _armatures(joints: Sequence[str], scene: Scene) -> str:
     quoted = [json.dumps(name, ensure_ascii=False) for name in joints]
     if not any(x.effect.name == "armature" for x in scene.effects):
         return f"[effects.armature] with joints = [{', '.join(quoted)}] and inertia = 1e-3"
-    tables = ", ".join(f"[effects.armature.{name if re.fullmatch('[A-Za-z0-9_-]+', name) else key}]"
-                       for name, key in zip(joints, quoted, strict=True))
+    tables = ", ".join(f"[effects.armature.{toml_key(name)}]" for name in joints)
     return f"{tables} with inertia = 1e-3, beside the armatures that there are"
 
 

@@ -7,6 +7,7 @@ from typing import NoReturn, TypeVar
 
 from coscrew_codegen.scene import rotations
 from coscrew_codegen.scene.model import HERE, Placement
+from coscrew_codegen.scene.names import toml_key
 from coscrew_codegen.scene.notices import Notice
 from coscrew_codegen.scene_files.decimals import decimal
 from coscrew_codegen.scene_files.errors import SceneError, shown
@@ -210,20 +211,37 @@ def _of_other_tools(owner: Element, element: str) -> Iterator[Notice]:
         if child.tag in OTHER_JOINTS or child.tag.endswith(":joint"):
             yield Notice("other tools' joints", of, f"joint {child.attributes.get('name', '')[:60]}"
                          f": <{child.tag[:60]}> is another tool's and is not used")
-    for name, text in owner.attributes.items():
+    for name in owner.attributes:
         if name in OTHERS.get(owner.tag, {}) or of_other_tools(name):
-            yield from _number(of, name, text, owner.tag)
+            yield from _number(of, name, owner)
     for child in owner.children:
-        for name, text in child.attributes.items():
-            if child.tag in OTHER_ELEMENTS.get(owner.tag, ()):
-                yield from _number(of, name, text, child.tag)
+        for name in child.attributes if child.tag in OTHER_ELEMENTS.get(owner.tag, ()) else ():
+            yield from _number(of, name, child)
 
 
-def _number(of: str, name: str, text: str, tag: str) -> Iterator[Notice]:
+def _number(of: str, name: str, owner: Element) -> Iterator[Notice]:
+    text = owner.attributes[name]
     if is_zero(text):
         return
-    effect = OTHERS.get(tag, {}).get(name, "")
-    remedy = f"add [effects.{effect}]" if effect else ""
+    effect = OTHERS.get(owner.tag, {}).get(name, "").partition(".")[0]
+    remedy = _taking(of.partition(" ")[2], effect, owner) if effect else ""
     yield Notice(effect or "other tools' numbers", of,
-                 f"{of}: {name} {shown(text)[1:-1]} of <{tag}> is another tool's and is not used"
-                 f"{': ' * bool(remedy)}{remedy}", remedy)
+                 f"{of}: {name} {shown(text)[1:-1]} of <{owner.tag}> is another tool's and is not "
+                 f"used{': ' * bool(remedy)}{remedy}", remedy)
+
+
+def _taking(joint: str, effect: str, owner: Element) -> str:
+    """The effect with the numbers that this element gives it: "add [effects.spring.elbow] with k =
+    30.0"; "" if one is no number."""
+    given: dict[str, float] = {}
+    for name, text in owner.attributes.items():
+        of, _, parameter = OTHERS[owner.tag].get(name, "").partition(".")
+        if of == effect:
+            try:
+                given[parameter] = float(decimal(text.strip()))
+            except ValueError:
+                return ""
+    keys = [f"{name} = {number!r}" for name, number in given.items()]
+    if effect == "spring" and "k" not in given:
+        keys.append("a stiffness k")
+    return f"add [effects.{effect}.{toml_key(joint)}] with {' and '.join(keys)}"

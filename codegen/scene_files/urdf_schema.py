@@ -49,12 +49,13 @@ _MUST_BE_ZERO = {"axis": ("rpy",)}
 """Attributes that some programs write although URDF has no such rotation."""
 
 OTHERS: Mapping[str, Mapping[str, str]] = {
-    "dynamics": {"spring_stiffness": "spring", "spring_reference": "spring", "stiffness": "spring",
-                 "armature": "armature", "rotor_inertia": "armature", "D": "", "K": "",
+    "dynamics": {"spring_stiffness": "spring.k", "spring_reference": "spring.q0",
+                 "stiffness": "spring.k", "armature": "armature.inertia",
+                 "rotor_inertia": "armature.rotor", "D": "", "K": "",
                  "mu_coulomb": "", "mu_viscous": ""},
     "limit": {"command_effort": "", "current": "", "gear_velocity": "", "twist": ""}}
-"""Physical numbers of other tools, in files of well-known robots, by element: the effect that acts
-alike.  They are told unless they are zero."""
+"""Physical numbers of other tools, in files of well-known robots, by element: the parameter of an
+effect that acts alike.  They are told unless they are zero."""
 
 OTHER_ELEMENTS = {"joint": ("joint_properties",), "inertial": ("density",)}
 """Elements of other tools with physical numbers: a notice unless those are zero."""
