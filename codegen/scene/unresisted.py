@@ -201,12 +201,12 @@ def _eliminated(inertia: _Matrix, S: _Vector, more: int, zero: _Real) -> _Pivot 
     inertia is up to `zero`."""
     U = _applied(inertia, S)
     d = _dot(S, U) + more
-    if d <= zero:
-        return None
-    for row, x in zip(inertia, U, strict=True):
-        for j, y in enumerate(U) if x else ():
-            row[j] -= x * y / d
-    return _Pivot(U, d)
+    if abs(d) > zero:  # below zero for impossible bodies; false for NaN
+        for row, x in zip(inertia, U, strict=True):
+            for j, y in enumerate(U) if x else ():
+                row[j] -= x * y / d
+        return _Pivot(U, d)
+    return None
 
 
 def _null(links: Sequence[_Moved], pivots: Mapping[tuple[int, int], _Pivot | None]

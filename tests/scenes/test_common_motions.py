@@ -13,7 +13,7 @@ from coscrew_codegen import load_scene
 from coscrew_codegen.__main__ import main
 from coscrew_codegen.scene import unresisted
 from coscrew_codegen.scene.possible import why_singular
-from coscrew_codegen.scene_files.toml_scene import read_scene
+from coscrew_codegen.scene_files.toml_scene import SceneOverrides, read_scene
 
 HEAVY = ('<inertial><origin xyz="0.1 0.2 0.3"/><mass value="1"/><inertia ixx="0.1" iyy="0.2" '
          'izz="0.15" ixy="0.01" ixz="0" iyz="0"/></inertial>')
@@ -210,3 +210,12 @@ def test_long_chains_are_judged_at_once(written, at):
     start = time.process_time()
     assert why_singular(scene).startswith("joints 'j34', 'j35' can move together")
     assert time.process_time() - start < 1
+
+
+def test_impossible_bodies_that_are_accepted_have_regular_matrices(written):
+    """Negative moments: a wrong mass matrix, but no singular one."""
+    heavy = HEAVY.replace('izz="0.15"', 'izz="-3"')
+    for kind in ("revolute", "spherical"):
+        path = written(chain(("revolute", "0 1 0", UP), (kind, "0 0 1", UP), last=heavy))
+        scene = read_scene(path, overrides=SceneOverrides(implausible="warn"))
+        assert scene.model.implausible and not why_singular(scene)
