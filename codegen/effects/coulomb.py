@@ -15,5 +15,5 @@ EFFECT = Effect(
     (ParameterOf("tau_c", "N m or N", "friction while it slides", model="friction",
                  nonnegative=True),
      ParameterOf("eps", "rad/s or m/s", "speed at which friction has 76 % of its value",
-                 positive=True)),
+                 positive=True, example="0.01")),
     joint_torque=_torque)

@@ -47,7 +47,7 @@ EFFECT = Effect(
                  model="lower"),
      ParameterOf("upper", "rad or m", f"upper {_RANGE}", default="model", required=False,
                  model="upper"),
-     ParameterOf("k", "N m/rad^1.5 or N/m^1.5", "stiffness", nonnegative=True),
+     ParameterOf("k", "N m/rad^1.5 or N/m^1.5", "stiffness", nonnegative=True, example="1e4"),
      ParameterOf("alpha", "s/rad or s/m", "damping: a bounce at the speed v keeps about "
                  "1/(1 + alpha v) of it", default=0, nonnegative=True)),
     any_of=("lower", "upper"), ascending=("lower", "upper"), joint_torque=_torque,

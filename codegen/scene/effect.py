@@ -77,6 +77,7 @@ class ParameterOf:
     optional_of: tuple[str, ...] = ()  # those of these choices with which it may be left out
     positive: bool = False  # refused if zero or below
     nonnegative: bool = False
+    example: str = "1"  # in TOML, for messages that propose the effect
 
     @property
     def sign(self) -> Sign | None:

@@ -1,5 +1,7 @@
 """Names that were given: lists of them, and the known name that a mistyped one resembles."""
 
+import json
+import re
 from collections.abc import Iterable, Mapping, Set
 
 LIKE = 0.55  # difflib's ratio from which names are similar: omega is not max, nor half both (0.5)
@@ -58,6 +60,11 @@ def did_you_mean(name: str, known: Iterable[str]) -> str:
     if len(names) > MANY:
         return f"none of the {len(names)} there are is like it"
     return f"wanted {'one of ' if len(names) > 1 else ''}{', '.join(names)}"
+
+
+def toml_key(name: str) -> str:
+    """The name as a key in TOML, in quotation marks if it needs them."""
+    return name if re.fullmatch(r"[A-Za-z0-9_-]+", name) else json.dumps(name, ensure_ascii=False)
 
 
 def or_mean(name: str, known: Iterable[str]) -> str:

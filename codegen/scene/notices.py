@@ -19,7 +19,7 @@ class Notice:
     subject: str  # one of SUBJECTS
     of: str  # "joint elbow"
     text: str  # the whole line
-    remedy: str = ""  # "add [effects.mimic]", if that is one
+    remedy: str = ""  # 'add [effects.viscous] with joints = "all" and d = "model"', if that is one
 
 
 def by_importance(notices: Iterable[Notice]) -> tuple[Notice, ...]:
@@ -31,13 +31,15 @@ def summary(notices: Sequence[Notice], option: str = "--verbose") -> str:
     """One line that sums the notices up, or is the only one; "" for none.
 
     "not used: mimic of 3 joints, friction and damping of 7, limits of 7 (add [effects.mimic],
-    [effects.viscous]; --verbose lists them)"."""
+    [effects.viscous]; --verbose lists them with what to write)"."""
     if len(notices) < 2:
         return "".join(x.text for x in notices)
     ordered = by_importance(notices)
     remedies = dict.fromkeys(x.remedy.removeprefix("add ") for x in ordered if x.remedy)
-    hints = [f"add {', '.join(remedies)}"] if remedies else []
-    return f"not used: {_listed(ordered)} ({'; '.join([*hints, f'{option} lists them'])})"
+    effects = dict.fromkeys(f"{'.'.join(x.partition(']')[0].split('.')[:2])}]" for x in remedies)
+    hints = [f"add {', '.join(effects if len(remedies) > 1 else remedies)}"] if remedies else []
+    more = " with what to write" if len(remedies) > 1 else ""
+    return f"not used: {_listed(ordered)} ({'; '.join([*hints, f'{option} lists them{more}'])})"
 
 
 def _listed(ordered: Sequence[Notice]) -> str:

@@ -5,17 +5,21 @@ With `implausible = "warn"` impossible bodies are accepted and reported.
 Everything is computed in exact fractions, with the default values of parameters.
 """
 
+import json
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import lru_cache
+from typing import Any
 
 from coscrew_codegen.scene.assembly import ModelError
-from coscrew_codegen.scene.lumped import LumpedInertia, Six, lumped_inertia
+from coscrew_codegen.scene.lumped import Six, lumped_inertia
 from coscrew_codegen.scene.model import Joint, Kind, Model, value
+from coscrew_codegen.scene.names import toml_key
 from coscrew_codegen.scene.recorded import followers
-from coscrew_codegen.scene.scene import Scene
+from coscrew_codegen.scene.scene import Applied, Scene
 from coscrew_codegen.scene.tree import tree_of
+from coscrew_codegen.scene.unresisted import Common, alone, common
 
 SLACK = Fraction(1, 10**6)
 """Tolerance of the inequalities, relative to xx + yy + zz: files round moments to six digits, and
@@ -91,73 +95,93 @@ def unmoved(scene: Scene) -> tuple[Unmoved, ...]:
 
     An effect (an armature) gives a joint an inertia of its own; joints that follow others move as
     one with their leader, and one of them with inertia is enough."""
-    found = {x.joint.name: x for x in _unmoved(scene.model)}
     follow = followers(scene)
-    leader = {name: follow[name].joint if name in follow else name
-              for name in (joint.name for joint in scene.model.joints)}
-    resisting = {leader[joint.name] for joint in scene.model.joints if joint.name not in found}
-    resisting |= {leader[x.on] for x in scene.effects if x.effect.joint_inertia}
-    return tuple(x for name, x in found.items() if leader[name] not in resisting)
+    without = alone(scene.model, tuple(follow.items()))
+    joints = [x for x in scene.model.joints if x.kind is not Kind.FIXED
+              and (x.name not in follow or follow[x.name].multiplier)]
+    leader = {x.name: follow[x.name].joint if x.name in follow else x.name for x in joints}
+    resisting = {leader[x.name] for x in joints if x.name not in without}
+    resisting |= {leader[name] for name in _held(scene) if name in leader}
+    massive = _massive(scene.model)
+    return tuple(Unmoved(x, x.name in massive) for x in joints if leader[x.name] not in resisting)
+
+
+def _held(scene: Scene) -> frozenset[str]:
+    """The joints with an inertia of their own that is not zero."""
+    return frozenset(x.on for x in scene.effects if _inertia(x))
+
+
+def _inertia(applied: Applied) -> bool:
+    """Whether the effect gives its joint an inertia; parameters and formulas do."""
+    if not applied.effect.joint_inertia:
+        return False
+    numbers: Any = {name: x for name, x in applied.values.items() if x is not None}
+    return (not all(isinstance(x, Fraction) for x in numbers.values())
+            or bool(applied.effect.joint_inertia(numbers)))
 
 
 @lru_cache(maxsize=8)
-def _unmoved(model: Model) -> tuple[Unmoved, ...]:
-    """The joints whose bodies have no inertia against their motion, whatever the effects."""
+def _massive(model: Model) -> frozenset[str]:
+    """The joints that move anything with an inertia."""
     links = tree_of(model, False).links
     massive: set[int] = set()
     for number, link in reversed(tuple(enumerate(links))):
         if number in massive or any(placed.body.inertia for placed in link.bodies):
             massive |= {number, link.parent}
-    inner = {links[number].parent for number in massive if number >= 0}
-    return tuple(
-        Unmoved(link.joint, number in massive) for number, link in enumerate(links)
-        if number not in massive
-        or number not in inner and not _resists(link.joint, lumped_inertia(link.bodies)))
+    return frozenset(link.joint.name for number, link in enumerate(links) if number in massive)
 
 
 def why_singular(scene: Scene) -> str:
     """All joints that make the mass matrix singular, and one remedy; "" if there are none."""
     found = unmoved(scene)
-    if not found:
+    held = _held(scene) | {x.joint.name for x in found}
+    several = common(scene.model, tuple(followers(scene).items()), held)
+    if not found and not several.joints:
         return ""
-    without, massive = ([x.joint for x in found if x.massive == kind] for kind in (False, True))
+    without, massive = ([x.joint.name for x in found if x.massive == kind]
+                        for kind in (False, True))
     causes = [f"{_joints(without)} {_verb(without, 'move')} nothing that has a mass"] \
         if without else []
     if massive:
         causes.append(f"what {_joints(massive)} {_verb(massive, 'move')} has no inertia against "
                       "that motion")
-    names = ", ".join(f'"{x.joint.name}"' for x in found)
-    own = f"[effects.armature] with joints = [{names}] and inertia = 1e-3"
-    turn = all(x.joint.kind.nv == 1 for x in found)
-    return (f"{' and '.join(causes)}, so that the mass matrix is singular; wanted "
-            f"{own if turn else 'masses and moments in what they move'}")
+    if several.joints:
+        causes.append(f"{_joints(several.joints)} can move together without inertia against that "
+                      "motion")
+    return f"{' and '.join(causes)}, so that the mass matrix is singular; wanted " \
+           f"{_remedy(scene, found, several)}"
 
 
-def _joints(joints: Sequence[Joint]) -> str:
+def _remedy(scene: Scene, found: Sequence[Unmoved], several: Common) -> str:
+    """Armatures that make the mass matrix regular; masses, if joints with several coordinates need
+    them."""
+    if any(x.joint.kind.nv > 1 for x in found) or several.joints and not several.cure:
+        return "masses and moments in what they move"
+    names = {*several.cure, *(x.joint.name for x in found)}
+    given = {x.on for x in scene.effects if x.effect.joint_inertia}
+    zeros, others = ([x.name for x in scene.model.joints if x.name in names
+                      and (x.name in given) == zero] for zero in (True, False))
+    parts = [f"a positive inertia of {', '.join(map(repr, zeros))} in [effects.armature]"] \
+        if zeros else []
+    return " and ".join([*parts, *([_armatures(others, scene)] if others else [])])
+
+
+def _armatures(joints: Sequence[str], scene: Scene) -> str:
+    """Armatures of these joints in TOML, in tables of their own if there are others."""
+    quoted = [json.dumps(name, ensure_ascii=False) for name in joints]
+    if not any(x.effect.name == "armature" for x in scene.effects):
+        return f"[effects.armature] with joints = [{', '.join(quoted)}] and inertia = 1e-3"
+    tables = ", ".join(f"[effects.armature.{toml_key(name)}]" for name in joints)
+    return f"{tables} with inertia = 1e-3, beside the armatures that there are"
+
+
+def _joints(names: Sequence[str]) -> str:
     """joint 'a'; joints 'a', 'b'."""
-    return f"joint{'s' if len(joints) > 1 else ''} {', '.join(repr(x.name) for x in joints)}"
+    return f"joint{'s' if len(names) > 1 else ''} {', '.join(map(repr, names))}"
 
 
-def _verb(joints: Sequence[Joint], word: str) -> str:
-    return word if len(joints) > 1 else f"{word}s"
-
-
-def _resists(joint: Joint, moved: LumpedInertia) -> bool:
-    """Whether the bodies that the joint moves have inertia against its motion."""
-    xx, yy, zz, xy, xz, yz = moved.moments
-    if joint.kind is Kind.REVOLUTE:
-        a, b, c = joint.axis
-        about = xx*a*a + yy*b*b + zz*c*c + 2 * (xy*a*b + xz*a*c + yz*b*c)
-        return about > 0
-    if joint.kind is Kind.SPHERICAL:
-        return _definite(moved.moments)
-    if joint.kind is Kind.PRISMATIC or not moved.mass:
-        return moved.mass > 0
-    return _definite(moved.about_com)
-
-
-def _definite(moments: Six) -> bool:
-    return min(_minors(moments)) > 0
+def _verb(names: Sequence[str], word: str) -> str:
+    return word if len(names) > 1 else f"{word}s"
 
 
 def _minors(moments: Six) -> tuple[Fraction, ...]:

@@ -33,7 +33,9 @@ def with_attached(file: Table, model: Model, implausible: str) -> Model:
     try:
         ordered = parents_first((*model.joints, *joints))
     except ModelError as error:
-        raise SceneError(file.file, error.element.split("'")[1], error.problem) from None
+        where = {f"joint {joint.name!r}": table.where
+                 for joint, (_, _, table) in zip(joints, tables, strict=True)}
+        raise SceneError(file.file, where[error.element], error.problem) from None
     by_name = {x.name: x for x in model.bodies} | bodies
     found = without_residues(replace(
         model, joints=ordered, bodies=tuple(by_name[joint.child] for joint in ordered),

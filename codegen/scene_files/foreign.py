@@ -1,6 +1,7 @@
 """Files of other kinds: one sentence each that says what a file is and what to do."""
 
 import re
+from collections.abc import Set
 from pathlib import Path
 
 from coscrew_codegen.scene_files.contents import read_bytes
@@ -10,6 +11,11 @@ _FORMATS = {"mujoco": "MJCF, the format of MuJoCo", "sdf": "SDF, the format of G
             "collada": "Collada, a format of meshes", "html": "a web page, not the file it shows",
             "launch": "a launch file of ROS"}
 """By the root element of a file, in lower case."""
+_SRDF = "is an SRDF, which belongs to a URDF and has no masses"
+_OF_SRDF = frozenset({"group", "group_state", "virtual_joint", "passive_joint", "end_effector",
+                      "disable_collisions", "enable_collisions", "disable_default_collisions",
+                      "joint_property", "link_sphere_approximation"})
+"""Elements that stand directly in the root of an SRDF."""
 _AS_TABLES = "a URDF of the robot, or its bodies and joints in tables of a scene"
 _SUFFIXES = {".mjcf": "mujoco", ".sdf": "sdf", ".world": "sdf", ".dae": "collada", ".html": "html",
              ".launch": "launch"}
@@ -26,13 +32,20 @@ def of_root(tag: str) -> str:
     return f"is {_FORMATS[word]}; wanted {wanted.get(word, _AS_TABLES)}"
 
 
+def srdf(tags: Set[str]) -> str:
+    """Says that a file with these elements in <robot> is an SRDF, and what to do; "" if it is none.
+    """
+    is_one = tags.isdisjoint(("link", "joint")) and not tags.isdisjoint(_OF_SRDF)
+    return f"{_SRDF}; wanted that URDF" if is_one else ""
+
+
 def of_suffix(path: Path) -> str:
     """Says what a file with neither suffix, .toml nor .urdf, is: "is SDF, …"."""
     suffix = path.suffix.lower()
     if suffix == ".xacro":
         return f"is a file of xacro, of which `{xacro(path)}` makes a URDF"
     if suffix == ".srdf":
-        return "is an SRDF, which belongs to a URDF and has no masses"
+        return _SRDF
     root = _SUFFIXES.get(suffix, "")
     if suffix == ".xml" and path.is_file():
         root = _root(path).lower()

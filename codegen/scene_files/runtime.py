@@ -15,7 +15,7 @@ from coscrew_codegen.scene.recorded import XYZ
 from coscrew_codegen.scene.scene import Applied, Setting
 from coscrew_codegen.scene_files.errors import shown
 from coscrew_codegen.scene_files.tables import Table
-from coscrew_codegen.scene_files.unused import FIELDS, effect_using
+from coscrew_codegen.scene_files.unused import FIELDS, adding
 
 _MOMENTS = ("xx", "yy", "zz", "xy", "xz", "yz")
 _Numbers = dict[str, Fraction]
@@ -105,8 +105,9 @@ def _refuse_of_element(file: Table, name: str, names: tuple[str, ...], model: Mo
                  if parameter.model == field]
         if taken and taken[0] in there:
             file.refuse("runtime", f"{problem}; did you mean {taken[0]!r}?")
-        hint = effect_using(field, catalogue)
-        problem += "; no effect uses it" + (f": add [effects.{hint}]" if hint else "")
+        joint = next(x for x in model.joints if x.name == element)
+        hint = adding(joint, field, model, catalogue, effects)
+        problem += "; no effect uses it" + (f": {hint}" if hint else "")
     listed = ", ".join(there) if there else "none"
     file.refuse("runtime", f"{problem}; of {what} {shown(element)} there "
                            f"{'are' if len(there) > 1 else 'is'} {listed}")

@@ -180,7 +180,7 @@ def _model(file: Table, name: str, implausible: str) -> Model:
     path = file.file.parent / named
     if named.suffix.lower() != ".urdf":
         file.refuse("model", f"{shown(str(named))} {of_suffix(path)}; wanted a .urdf file")
-    if not path.is_file():
+    if not path.exists():
         file.refuse("model", f"{shown(str(named))}: there is no such file; it is looked for in the "
                              "folder of the scene")
     from coscrew_codegen.scene_files.urdf import read_urdf

@@ -7,10 +7,11 @@ from typing import NoReturn, TypeVar
 
 from coscrew_codegen.scene import rotations
 from coscrew_codegen.scene.model import HERE, Placement
+from coscrew_codegen.scene.names import toml_key
 from coscrew_codegen.scene.notices import Notice
 from coscrew_codegen.scene_files.decimals import decimal
 from coscrew_codegen.scene_files.errors import SceneError, shown
-from coscrew_codegen.scene_files.foreign import of_root, xacro
+from coscrew_codegen.scene_files.foreign import of_root, srdf, xacro
 from coscrew_codegen.scene_files.urdf_schema import (
     CHILDREN,
     IGNORED,
@@ -22,9 +23,11 @@ from coscrew_codegen.scene_files.urdf_schema import (
     is_zero,
     misspelt_attribute,
     misspelt_elements,
+    numeric,
     of_other_tools,
+    wanted_instead,
 )
-from coscrew_codegen.scene_files.xml import Element, read_xml
+from coscrew_codegen.scene_files.xml import Element, Text, read_xml
 
 _T = TypeVar("_T")
 
@@ -40,6 +43,8 @@ class Elements:
             known = of_root(self.root.tag)
             self._refuse(self.root, "", known or f"the root is <{self.root.tag[:60]}>; wanted "
                                                  "<robot>")
+        if problem := srdf({child.tag for child in self.root.children}):
+            self._refuse(self.root, "", problem)
         self.version = self._version()
         self._check(self.root, "")
 
@@ -51,11 +56,14 @@ class Elements:
         return version
 
     def _check(self, owner: Element, element: str) -> None:
-        """Refuse attributes that URDF does not have, here and in the elements below, and likely
-        misspellings of its elements; note other tools' numbers."""
+        """Refuse attributes that URDF does not have, here and in the elements below, text, and
+        likely misspellings of its elements; note other tools' numbers."""
         if problem := misspelt_attribute(owner):
             self._refuse(owner, element, problem)
         self._refuse_xacro(owner, element)
+        for text in owner.texts:
+            self._refuse(text, element, f"<{owner.tag}> holds the text {shown(text.text)}; "
+                                        f"{wanted_instead(owner.tag)}")
         for child, problem in misspelt_elements(owner):
             self._refuse(child, element, problem)
         self.notices += _of_other_tools(owner, element)
@@ -159,7 +167,7 @@ class Elements:
             self._refuse(owner, element, f"<{owner.tag}> lacks <{tag}>")
         return found
 
-    def _refuse(self, at: Element, element: str, problem: str) -> NoReturn:
+    def _refuse(self, at: Element | Text, element: str, problem: str) -> NoReturn:
         where = f"line {at.line}, {element}" if element else f"line {at.line}"
         raise SceneError(self.path, where, problem)
 
@@ -178,15 +186,18 @@ def _numbers(text: str, count: int) -> tuple[Fraction, ...]:
 
 
 def _alike(a: Element, b: Element) -> bool:
-    """Whether two elements say the same, numbers being compared by value."""
+    """Whether two elements say the same: numbers of URDF are compared by value, names and what
+    is other tools' as texts."""
     return (a.tag == b.tag and a.attributes.keys() == b.attributes.keys()
-            and all(_value(text) == _value(b.attributes[name])
+            and all(_value(a.tag, name, text) == _value(b.tag, name, b.attributes[name])
                     for name, text in a.attributes.items())
             and len(a.children) == len(b.children)
             and all(map(_alike, a.children, b.children)))
 
 
-def _value(text: str) -> object:
+def _value(tag: str, name: str, text: str) -> object:
+    if name not in numeric(tag):
+        return text
     try:
         return tuple(decimal(word) for word in text.split())
     except ValueError:
@@ -200,20 +211,37 @@ def _of_other_tools(owner: Element, element: str) -> Iterator[Notice]:
         if child.tag in OTHER_JOINTS or child.tag.endswith(":joint"):
             yield Notice("other tools' joints", of, f"joint {child.attributes.get('name', '')[:60]}"
                          f": <{child.tag[:60]}> is another tool's and is not used")
-    for name, text in owner.attributes.items():
+    for name in owner.attributes:
         if name in OTHERS.get(owner.tag, {}) or of_other_tools(name):
-            yield from _number(of, name, text, owner.tag)
+            yield from _number(of, name, owner)
     for child in owner.children:
-        for name, text in child.attributes.items():
-            if child.tag in OTHER_ELEMENTS.get(owner.tag, ()):
-                yield from _number(of, name, text, child.tag)
+        for name in child.attributes if child.tag in OTHER_ELEMENTS.get(owner.tag, ()) else ():
+            yield from _number(of, name, child)
 
 
-def _number(of: str, name: str, text: str, tag: str) -> Iterator[Notice]:
+def _number(of: str, name: str, owner: Element) -> Iterator[Notice]:
+    text = owner.attributes[name]
     if is_zero(text):
         return
-    effect = OTHERS.get(tag, {}).get(name, "")
-    remedy = f"add [effects.{effect}]" if effect else ""
+    effect = OTHERS.get(owner.tag, {}).get(name, "").partition(".")[0]
+    remedy = _taking(of.partition(" ")[2], effect, owner) if effect else ""
     yield Notice(effect or "other tools' numbers", of,
-                 f"{of}: {name} {shown(text)[1:-1]} of <{tag}> is another tool's and is not used"
-                 f"{': ' * bool(remedy)}{remedy}", remedy)
+                 f"{of}: {name} {shown(text)[1:-1]} of <{owner.tag}> is another tool's and is not "
+                 f"used{': ' * bool(remedy)}{remedy}", remedy)
+
+
+def _taking(joint: str, effect: str, owner: Element) -> str:
+    """The effect with the numbers that this element gives it: "add [effects.spring.elbow] with k =
+    30.0"; "" if one is no number."""
+    given: dict[str, float] = {}
+    for name, text in owner.attributes.items():
+        of, _, parameter = OTHERS[owner.tag].get(name, "").partition(".")
+        if of == effect:
+            try:
+                given[parameter] = float(decimal(text.strip()))
+            except ValueError:
+                return ""
+    keys = [f"{name} = {number!r}" for name, number in given.items()]
+    if effect == "spring" and "k" not in given:
+        keys.append("a stiffness k")
+    return f"add [effects.{effect}.{toml_key(joint)}] with {' and '.join(keys)}"

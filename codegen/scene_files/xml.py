@@ -26,16 +26,25 @@ SIZE = 64 * 2**20  # bytes
 
 @dataclass(frozen=True)
 class Element:
-    """An element, without the text between elements."""
+    """An element; `texts`: the pieces of text directly in it that are not blank."""
 
     tag: str
     attributes: Mapping[str, str]
     line: int
     children: list["Element"] = field(default_factory=list)
+    texts: list["Text"] = field(default_factory=list)
 
     def all(self, tag: str) -> tuple["Element", ...]:
         """The children with this tag."""
         return tuple(child for child in self.children if child.tag == tag)
+
+
+@dataclass(frozen=True)
+class Text:
+    """A text between tags, without the blanks around it, and the line in which it begins."""
+
+    text: str
+    line: int
 
 
 def read_xml(path: Path, ignored: frozenset[str]) -> Element:
@@ -113,6 +122,11 @@ class _Handler(ContentHandler):
         element = Element(name, dict(attrs.items()), line)
         self._open[-1].children.append(element)
         self._open.append(element)
+
+    def characters(self, content: str) -> None:
+        if (text := content.strip()) and not self._ignoring_from:
+            rest = content[len(content) - len(content.lstrip()):]  # ends in the current line
+            self._open[-1].texts.append(Text(text, self._at() - rest.count("\n")))
 
     def endElement(self, name: str) -> None:
         if not self._ignoring_from:

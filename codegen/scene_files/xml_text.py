@@ -7,6 +7,7 @@ from pathlib import Path
 from coscrew_codegen.scene_files.errors import SceneError, shown
 
 _MARKS = ((codecs.BOM_UTF32_LE, "utf-32"), (codecs.BOM_UTF32_BE, "utf-32"),
+          (b"<\0\0\0", "utf-32-le"), (b"\0\0\0<", "utf-32-be"),
           (codecs.BOM_UTF8, "utf-8-sig"), (codecs.BOM_UTF16_LE, "utf-16"),
           (codecs.BOM_UTF16_BE, "utf-16"), (b"<\0", "utf-16-le"), (b"\0<", "utf-16-be"))
 """How a file begins, and in which encoding; such a beginning overrides the declaration, which is

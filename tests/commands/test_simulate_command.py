@@ -66,7 +66,7 @@ def test_a_urdf_alone_runs_and_says_that_nothing_acts(tmp_path, capsys):
     assert first == "coscrew: no effects: nothing acts, gravity included"
     assert unused == ["coscrew: not used: friction, damping, limits, effort and velocity of joint "
                       "hinge (add [effects.coulomb], [effects.viscous], [effects.limit], "
-                      "[effects.actuator]; --verbose lists them)"]
+                      "[effects.actuator]; --verbose lists them with what to write)"]
 
 
 @pytest.mark.parametrize("words", [

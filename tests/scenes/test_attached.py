@@ -1,5 +1,6 @@
 """[attach.NAME] and [frames.NAME] beside a model: the same as links at the end of its file."""
 
+import json
 import re
 from fractions import Fraction as F
 
@@ -235,6 +236,13 @@ def test_shapes_have_the_moments_of_homogeneous_solids(scene, shape, about_com):
 def test_errors_name_the_key_and_the_way(scene, old, new, where, words):
     assert ATTACHED.count(old) >= 1
     refused(scene, ATTACHED.replace(old, new, 1), where, words)
+
+
+@pytest.mark.parametrize("name", ["a'b", "a b", "it's 'so'", '"', "a.b"])
+def test_a_loop_through_any_name_is_reported_at_its_table(scene, name):
+    key = json.dumps(name)
+    refused(scene, f"[attach.{key}]\nbody = 'other'\nmass = 1\n[attach.other]\nbody = {key}\n"
+            "mass = 1\n", f"attach.{name!r}", "is part of a loop")
 
 
 def test_joints_of_the_model_keep_their_names(scene):

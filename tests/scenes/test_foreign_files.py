@@ -1,6 +1,7 @@
 """Files of other kinds and encodings are read where that is safe, or named with what to do."""
 
 import codecs
+import os
 
 import pytest
 
@@ -31,6 +32,8 @@ READ = {
     "UTF-16, high byte first": codecs.BOM_UTF16_BE + ARM.encode("utf-16-be"),
     "UTF-16 without a mark": ARM.encode("utf-16-le"),
     "UTF-32": codecs.BOM_UTF32_LE + ARM.encode("utf-32-le"),
+    "UTF-32 without a mark": ARM.encode("utf-32-le"),
+    "UTF-32 without a mark, high byte first": ARM.encode("utf-32-be"),
     "comment before the root": f"<!-- xacro ${{x}} & more -->\n{BODY}".encode(),
     "lines of other systems": ARM.replace("\n", "\r\n").encode()}
 
@@ -52,6 +55,13 @@ def test_declared_encodings_are_read(tmp_path, encoding, text, name):
     path = tmp_path / "arm.urdf"
     path.write_bytes(declared(encoding, text).encode(encoding))
     assert read_urdf(path).joints[-1].name == name
+
+
+@pytest.mark.parametrize("encoding", ["utf-16-le", "utf-16-be", "utf-32-le", "utf-32-be"])
+def test_names_beyond_ascii_need_no_byte_order_mark(tmp_path, encoding):
+    path = tmp_path / "arm.urdf"
+    path.write_bytes(GREEK.encode(encoding))
+    assert read_urdf(path).joints[-1].name == "ώμος"
 
 
 def test_lines_are_counted_from_the_beginning_of_the_file(tmp_path):
@@ -143,6 +153,17 @@ def test_other_suffixes_are_named_with_what_to_do(tmp_path, name, contents, word
         with pytest.raises(SceneError) as caught:
             read_scene(file, CATALOGUE)
         assert words in str(caught.value) and str(caught.value).endswith(wanted)
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="needs POSIX")
+@pytest.mark.parametrize("name", ["arm.urdf", "arm.toml"])
+def test_pipes_are_refused_before_they_are_opened(tmp_path, name):
+    scene = tmp_path / "scene.toml"
+    scene.write_text('model = "arm.urdf"\n')
+    os.mkfifo(tmp_path / name)
+    for path in (tmp_path / name, *([scene] if name == "arm.urdf" else [])):
+        with pytest.raises(SceneError, match="no regular file"):
+            read_scene(path, CATALOGUE)
 
 
 def test_a_scene_may_be_a_pointer_of_git_lfs(tmp_path):

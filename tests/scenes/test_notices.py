@@ -1,5 +1,7 @@
 """One line sums up what is not used, what changes the motion first."""
 
+import re
+
 import pytest
 
 from coscrew_codegen.effects import EFFECTS
@@ -38,7 +40,7 @@ def test_a_robot_of_101_joints_costs_one_line(read):
     assert summary(scene.notices) == (
         "not used: mimic of 2 joints, friction of 7, damping, limits, effort and velocity of 101 "
         "(add [effects.mimic], [effects.coulomb], [effects.viscous], [effects.limit], "
-        "[effects.actuator]; --verbose lists them)")
+        "[effects.actuator]; --verbose lists them with what to write)")
 
 
 def test_effects_shorten_the_line(read):
@@ -46,7 +48,43 @@ def test_effects_shorten_the_line(read):
                  "[effects.coulomb]\njoints = 'all'\neps = 0.1\ntau_c = 0\n")
     assert summary(scene.notices) == (
         "not used: friction of 7 joints, limits, effort and velocity of 9 (add [effects.limit], "
-        "[effects.actuator]; --verbose lists them)")
+        "[effects.actuator]; --verbose lists them with what to write)")
+
+
+WRONG = """<robot name="r"><link name="l0"/>
+<link name="l1"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0"
+iyz="0"/></inertial></link><joint name="a" type="revolute"><parent link="l0"/><child link="l1"/>
+<limit lower="-1" upper="2" effort="3"/><dynamics damping="4" friction="5" armature="6" K="7"
+stiffness="8" spring_reference="9"/></joint>
+<link name="l2"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0"
+iyz="0"/></inertial></link><joint name="b c" type="prismatic"><parent link="l1"/><child link="l2"/>
+<limit lower="-1" upper="1" effort="0"/><dynamics damping="nan" friction="0" rotor_inertia=".5"/>
+</joint></robot>"""
+"""Numbers that no effect takes for all joints."""
+
+
+def toml(remedy):
+    """A remedy as a table: [effects.viscous], and its keys in lines."""
+    table, _, keys = remedy.removeprefix("add ").partition(" with ")
+    return f"{table}\n" + re.sub(r", (?=\w+ =)| and (?=\w+ =)", "\n", keys) + "\n"
+
+
+@pytest.mark.parametrize("robot", [chain(4), WRONG], ids=["all", "wrong"])
+@pytest.mark.parametrize("there", ["", "[effects.viscous.j9]\nd = 1\n[effects.limit.j9]\nk = 2\n"])
+def test_each_remedy_works_as_it_is_written(read, robot, there):
+    if there:  # effects that act on another joint
+        robot = robot.replace("</robot>", """
+<link name="l9"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0"
+iyz="0"/></inertial></link><joint name="j9" type="revolute"><parent link="l0"/><child link="l9"/>
+<limit lower="-1" upper="1"/></joint></robot>""")
+    scene = read(robot, there)
+    told = [x for x in scene.notices if x.remedy]
+    assert len(told) > 8
+    for notice in told:
+        cured = read(robot, there + toml(notice.remedy))
+        assert len(cured.effects) > len(scene.effects)
+        if "another tool's" not in notice.text:
+            assert notice.text not in cured.unused
 
 
 def test_a_single_notice_is_the_line_and_none_is_none():

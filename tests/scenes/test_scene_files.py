@@ -246,8 +246,8 @@ def test_components_of_vectors_have_letters_and_numbers(read):
     ('["tool.mas"]', "did you mean 'tool.mass'?"), ('["tool"]', "did you mean 'tool.com'?"),
     ('["tool.mass", "tool.mass"]', "'tool.mass' occurs twice"),
     ('["tool.com", "tool.com.x"]', "'tool.com.x' occurs twice"),
-    ('["elbow.damping"]', "no number 'elbow.damping'; no effect uses it: add [effects.viscous]; of "
-                          "joint 'elbow' there is none"),
+    ('["elbow.damping"]', "no number 'elbow.damping'; no effect uses it: add [effects.viscous] "
+     "with joints = \"all\" and d = \"model\"; of joint 'elbow' there is none"),
     ('["shoulder.velocity"]', "no effect uses it; of joint 'shoulder' there is none"),
     ('["tool.weight"]', "no number 'tool.weight'; of body 'tool' there are tool.mass, tool.com, "
                         "tool.inertia"),
@@ -264,25 +264,31 @@ def test_runtime_must_name_numbers(read, runtime, words):
 
 # what is not used
 
+DAMPED = 'add [effects.viscous] with joints = "all" and d = "model"'
+RUBBED = 'add [effects.stribeck] with joints = "all", tau_c = "model" and tau_s = 1'
+DRIVEN = 'add [effects.motor] with joints = "all", u = 0 and limit = "model"'
+STOPPED = 'add [effects.stop] with joints = "all"'
+
+
 def test_numbers_that_nothing_uses_are_told(read):
     assert read().unused == (
-        "joint shoulder: damping 0.5 N m s/rad is not used: add [effects.viscous]",
-        "joint shoulder: friction 0.1 N m is not used: add [effects.stribeck]",
-        "joint shoulder: effort 8 N m is not used: add [effects.motor]",
+        f"joint shoulder: damping 0.5 N m s/rad is not used: {DAMPED}",
+        f"joint shoulder: friction 0.1 N m is not used: {RUBBED}",
+        f"joint shoulder: effort 8 N m is not used: {DRIVEN}",
         "joint shoulder: velocity 3 rad/s is used by no effect",
-        "joint shoulder: lower -1 rad is not used: add [effects.stop]",
-        "joint shoulder: upper 2 rad is not used: add [effects.stop]",
-        "joint elbow: damping 0.25 N m s/rad is not used: add [effects.viscous]",
+        f"joint shoulder: lower -1 rad is not used: {STOPPED}",
+        f"joint shoulder: upper 2 rad is not used: {STOPPED}",
+        f"joint elbow: damping 0.25 N m s/rad is not used: {DAMPED}",
         "joint rail: mimic of elbow (multiplier 0.5, offset 0.125) is not used: "
         "add [effects.mimic]")
     slides = MODEL.replace('type = "revolute"', 'type = "prismatic"')
     assert read(model=slides).unused[:6] == (
-        "joint shoulder: damping 0.5 N s/m is not used: add [effects.viscous]",
-        "joint shoulder: friction 0.1 N is not used: add [effects.stribeck]",
-        "joint shoulder: effort 8 N is not used: add [effects.motor]",
+        f"joint shoulder: damping 0.5 N s/m is not used: {DAMPED}",
+        f"joint shoulder: friction 0.1 N is not used: {RUBBED}",
+        f"joint shoulder: effort 8 N is not used: {DRIVEN}",
         "joint shoulder: velocity 3 m/s is used by no effect",
-        "joint shoulder: lower -1 m is not used: add [effects.stop]",
-        "joint shoulder: upper 2 m is not used: add [effects.stop]")
+        f"joint shoulder: lower -1 m is not used: {STOPPED}",
+        f"joint shoulder: upper 2 m is not used: {STOPPED}")
 
 
 def test_numbers_in_use_are_not_told(read):
@@ -294,8 +300,8 @@ d = { shoulder = "model", elbow = 0.1 }
 upper = 1
 """)
     assert scene.unused == (
-        "joint shoulder: friction 0.1 N m is not used: add [effects.stribeck]",
-        "joint shoulder: effort 8 N m is not used: add [effects.motor]",
+        f"joint shoulder: friction 0.1 N m is not used: {RUBBED}",
+        f"joint shoulder: effort 8 N m is not used: {DRIVEN}",
         "joint shoulder: velocity 3 rad/s is used by no effect",
         "joint shoulder: upper 2 rad is not used: [effects.stop] has its own upper",
         "joint elbow: damping 0.25 N m s/rad is not used: [effects.viscous] has its own d")

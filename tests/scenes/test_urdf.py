@@ -187,7 +187,7 @@ def test_a_file_alone_is_a_scene_without_effects(tmp_path):
     scene = read_scene(path, CATALOGUE)
     assert (scene.name, scene.effects) == ("scene_6_arm", ())
     assert scene.unused[0] == ("joint shoulder: damping 0.5 N m s/rad is not used: "
-                               "add [effects.viscous]")
+                               'add [effects.viscous] with joints = "all" and d = "model"')
     assert len(scene.unused) == 6 + 4 + 2
     assert scene.unused[-1] == ("joint elbow: upper -5 of <limit> is used by no effect of a "
                                 "continuous joint")

@@ -135,9 +135,10 @@ def test_other_tools_elements_and_attributes_without_influence_are_free(read, ol
 
 @pytest.mark.parametrize("old, new, text", [
     ('friction="9"', 'friction="9" spring_stiffness="30"', "joint hinge: spring_stiffness 30 of "
-     "<dynamics> is another tool's and is not used: add [effects.spring]"),
+     "<dynamics> is another tool's and is not used: add [effects.spring.hinge] with k = 30.0"),
     ('friction="9"', 'friction="9" armature="0.1" stiffness="0"', "joint hinge: armature 0.1 of "
-     "<dynamics> is another tool's and is not used: add [effects.armature]"),
+     "<dynamics> is another tool's and is not used: add [effects.armature.hinge] with inertia "
+     "= 0.1"),
     ('jerk="7"', 'jerk="7" drake:torque="2"', "joint hinge: drake:torque 2 of <limit> is another "
      "tool's and is not used"),
     ("<axis", '<joint_properties damping="2" friction="0"/><axis', "joint hinge: damping 2 of "
