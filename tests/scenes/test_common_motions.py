@@ -63,6 +63,7 @@ REGULAR = {
                         for n in range(6))),
     "coaxial with a mass between": chain(("revolute", "0 0 1", UP), ("revolute", "0 0 1", UP),
                                          masses=[1]),
+    "a tilt of 1e-8 rad": chain(("revolute", "0 0 1", UP), ("revolute", "0 1e-8 1", UP)),
     "a point turned to the axis at q = 0 only": chain(
         ("revolute", "1 0 0", UP), ("revolute", "0 0 1", HERE), last=POINT.format("0.1 0 0")),
     "a point beside its axis": chain(("revolute", "0 0 1", UP), last=POINT.format("1e-17 0 1"))}
