@@ -3690,7 +3690,7 @@ static inline double ksl_mat3x3_rotation_defect(const ksl_mat3x3_t *R) {
      it is NaN; where several are equally near (s2 ± s3 = 0: reflections with s2 = s3, matrices
      of rank 1) one of them.
    A, Ro: rotation or other 3×3 matrix.
-   645 mul, 400 add, 51 div, 32 sqrt, 37 neg, 42 abs, 59 less, 34 equal, 168 select.
+   649 mul, 400 add, 51 div, 32 sqrt, 37 neg, 42 abs, 60 less, 34 equal, 169 select.
    |Ro - nearest|_F <= 16 u s1 / (s2 ± s3), + if det A > 0, and |Ro^T Ro - I|_ij <= 6 u;
      measured, not proved. */
 static inline void ksl_mat3x3_nearest_rotation(const ksl_mat3x3_t *A, ksl_mat3x3_t *Ro) {
@@ -4574,6 +4574,9 @@ static inline void ksl_mat3x3_nearest_rotation(const ksl_mat3x3_t *A, ksl_mat3x3
   const double u0_0 = turn402_a_0 / first_divisor;
   const double u0_1 = turn402_a_1 / first_divisor;
   const double u0_2 = turn402_a_2 / first_divisor;
+  const double least_a = KSL_MUL(1.7763568394002505e-15, 1.7763568394002505e-15),
+      least_b = KSL_MUL(longest, longest), least_c = KSL_MUL(0.015625, least_a),
+      least = KSL_MUL(least_c, least_b);
   const double second_along_a = KSL_MUL(turn412_a_0, u0_0),
       second_along_b = KSL_MUL(turn412_a_1, u0_1), second_along_c = second_along_a + second_along_b,
       second_along_d = KSL_MUL(turn412_a_2, u0_2), second_along = second_along_c + second_along_d;
@@ -4593,8 +4596,9 @@ static inline void ksl_mat3x3_nearest_rotation(const ksl_mat3x3_t *A, ksl_mat3x3
       second_kept_c = second_kept_a + second_kept_b,
       second_kept_d = KSL_MUL(second_part_2, second_part_2),
       second_kept = second_kept_c + second_kept_d;
-  const double second_is_kept_a = KSL_MUL(0.25, second_whole),
-      second_is_kept = second_is_kept_a < second_kept ? 1.0 : 0.0;
+  const double second_enough_a = KSL_MUL(0.25, second_whole),
+      second_enough = second_enough_a < least ? least : second_enough_a;
+  const double second_is_kept = second_enough < second_kept ? 1.0 : 0.0;
   const double second_size_0 = fabs(u0_0);
   const double second_size_1 = fabs(u0_1);
   const double second_size_2 = fabs(u0_2);
@@ -5715,7 +5719,7 @@ static inline float ksl_mat3x3f_rotation_defect(const ksl_mat3x3f_t *R) {
      it is NaN; where several are equally near (s2 ± s3 = 0: reflections with s2 = s3, matrices
      of rank 1) one of them.
    A, Ro: rotation or other 3×3 matrix.
-   645 mul, 400 add, 51 div, 32 sqrt, 37 neg, 42 abs, 59 less, 34 equal, 168 select.
+   649 mul, 400 add, 51 div, 32 sqrt, 37 neg, 42 abs, 60 less, 34 equal, 169 select.
    |Ro - nearest|_F <= 16 u s1 / (s2 ± s3), + if det A > 0, and |Ro^T Ro - I|_ij <= 6 u;
      measured, not proved. */
 static inline void ksl_mat3x3f_nearest_rotation(const ksl_mat3x3f_t *A, ksl_mat3x3f_t *Ro) {
@@ -6599,6 +6603,9 @@ static inline void ksl_mat3x3f_nearest_rotation(const ksl_mat3x3f_t *A, ksl_mat3
   const float u0_0 = turn402_a_0 / first_divisor;
   const float u0_1 = turn402_a_1 / first_divisor;
   const float u0_2 = turn402_a_2 / first_divisor;
+  const float least_a = KSL_MULF(9.536743e-07f, 9.536743e-07f),
+      least_b = KSL_MULF(longest, longest), least_c = KSL_MULF(0.015625f, least_a),
+      least = KSL_MULF(least_c, least_b);
   const float second_along_a = KSL_MULF(turn412_a_0, u0_0),
       second_along_b = KSL_MULF(turn412_a_1, u0_1),
       second_along_c = second_along_a + second_along_b,
@@ -6619,8 +6626,9 @@ static inline void ksl_mat3x3f_nearest_rotation(const ksl_mat3x3f_t *A, ksl_mat3
       second_kept_c = second_kept_a + second_kept_b,
       second_kept_d = KSL_MULF(second_part_2, second_part_2),
       second_kept = second_kept_c + second_kept_d;
-  const float second_is_kept_a = KSL_MULF(0.25f, second_whole),
-      second_is_kept = second_is_kept_a < second_kept ? 1.0f : 0.0f;
+  const float second_enough_a = KSL_MULF(0.25f, second_whole),
+      second_enough = second_enough_a < least ? least : second_enough_a;
+  const float second_is_kept = second_enough < second_kept ? 1.0f : 0.0f;
   const float second_size_0 = fabsf(u0_0);
   const float second_size_1 = fabsf(u0_1);
   const float second_size_2 = fabsf(u0_2);

@@ -2546,7 +2546,7 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "of rank 1) one of them.\n"
     "\n"
     "(3,3)->(3,3).  A, Ro: rotation or other 3×3 matrix.\n"
-    "645 mul, 400 add, 51 div, 32 sqrt, 37 neg, 42 abs, 59 less, 34 equal, 168 select.  |Ro -\n"
+    "649 mul, 400 add, 51 div, 32 sqrt, 37 neg, 42 abs, 60 less, 34 equal, 169 select.  |Ro -\n"
     "nearest|_F <= 16 u s1 / (s2 ± s3), + if det A > 0, and |Ro^T Ro - I|_ij <= 6 u; measured,\n"
     "not proved.\n",
    1, 1, "M", mat3x3_nearest_rotation_loops},

@@ -16,7 +16,7 @@ import numpy as np
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "48c5665344f318ce")
+COMPILED: bool = is_compiled("coscrew._gufunc", "27887087ebb29615")
 
 if COMPILED:
     from coscrew._gufunc import (

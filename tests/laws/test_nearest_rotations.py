@@ -112,6 +112,26 @@ def test_where_several_are_equally_near_it_is_one_of_them(values: tuple[float, .
         assert abs(np.trace(R.astype(float).T @ A) - best) <= 16 * u * s[0]
 
 
+@each_precision
+def test_entries_of_all_exponents(precision: Precision):
+    """Squares of the shorter columns underflow: any direction across the longest will do."""
+    rng, info = np.random.default_rng(11), np.finfo(precision.numpy_type)
+    least, most = np.log10(float(info.smallest_subnormal)), np.log10(float(info.max)) - 1
+    wide = rng.normal(size=(2000, 3, 3)) * 10**rng.uniform(least, most, (2000, 3, 3))
+    near = 10**rng.uniform(least, most, (2000, 1, 1)) * rng.normal(size=(2000, 3, 3))
+    near *= 10**rng.uniform(-40, 0, (2000, 3, 3))
+    given = np.concatenate([wide, near, [
+        [[-2e-23, 0, 0], [6e-7, 6e-23, 0], [0, 0, 0]],
+        [[0, -1e-161, 0], [2e-164, 4e-13, 0], [0, 0, 0]]]])
+    given[:4000][rng.random((4000, 3, 3)) < 0.3] = 0
+    given = given.astype(precision.numpy_type)
+    given = given[given.any((1, 2))]
+    R = coscrew.mat3x3_nearest_rotation(given).astype(np.longdouble)
+    off = np.einsum("nki,nkj->nij", R, R) - np.eye(3)
+    assert np.abs(off).max() <= BESIDE * 2.0**-precision.digits
+    assert (np.linalg.det(R.astype(float)) > 0.99).all()
+
+
 def test_rotations_are_their_own_nearest():
     """To rounding, and exactly if they only exchange axes."""
     turns = np.array([[[0, -1, 0], [1, 0, 0], [0, 0, 1]], np.eye(3), np.diag([-1, 1, -1])])

@@ -467,7 +467,7 @@ def mat3x3_nearest_rotation(A: ArrayLike, out: NDArray[np.float32] | None = ...)
     of rank 1) one of them.
 
     (3,3)->(3,3).  A, Ro: rotation or other 3×3 matrix.
-    645 mul, 400 add, 51 div, 32 sqrt, 37 neg, 42 abs, 59 less, 34 equal, 168 select.  |Ro -
+    649 mul, 400 add, 51 div, 32 sqrt, 37 neg, 42 abs, 60 less, 34 equal, 169 select.  |Ro -
     nearest|_F <= 16 u s1 / (s2 ± s3), + if det A > 0, and |Ro^T Ro - I|_ij <= 6 u; measured,
     not proved.
     """

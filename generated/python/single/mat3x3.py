@@ -708,7 +708,7 @@ def mat3x3_nearest_rotation(A):
     of rank 1) one of them.
 
     (3,3)->(3,3).  A, Ro: rotation or other 3×3 matrix.
-    645 mul, 400 add, 51 div, 32 sqrt, 37 neg, 42 abs, 59 less, 34 equal, 168 select.  |Ro -
+    649 mul, 400 add, 51 div, 32 sqrt, 37 neg, 42 abs, 60 less, 34 equal, 169 select.  |Ro -
     nearest|_F <= 16 u s1 / (s2 ± s3), + if det A > 0, and |Ro^T Ro - I|_ij <= 6 u; measured,
     not proved.
     """
@@ -1278,6 +1278,7 @@ def mat3x3_nearest_rotation(A):
     u0_0 = turn402_a_0 / first_divisor
     u0_1 = turn402_a_1 / first_divisor
     u0_2 = turn402_a_2 / first_divisor
+    least = 0.015625 * (9.5367431640625e-07 * 9.5367431640625e-07) * (longest * longest)
     second_along = turn412_a_0 * u0_0 + turn412_a_1 * u0_1 + turn412_a_2 * u0_2
     second_part_0 = turn412_a_0 - u0_0 * second_along
     second_part_1 = turn412_a_1 - u0_1 * second_along
@@ -1285,7 +1286,9 @@ def mat3x3_nearest_rotation(A):
     second_whole = turn412_a_0 * turn412_a_0 + turn412_a_1 * turn412_a_1 + turn412_a_2 * turn412_a_2
     second_kept_c = second_part_0 * second_part_0 + second_part_1 * second_part_1
     second_kept = second_kept_c + second_part_2 * second_part_2
-    second_is_kept = where(0.25 * second_whole < second_kept, float32(1), float32(0))
+    second_enough_a = 0.25 * second_whole
+    second_enough = where(second_enough_a < least, least, second_enough_a)
+    second_is_kept = where(second_enough < second_kept, float32(1), float32(0))
     second_size_0 = absolute(u0_0)
     second_size_1 = absolute(u0_1)
     second_size_2 = absolute(u0_2)
