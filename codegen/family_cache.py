@@ -17,7 +17,8 @@ from typing import TypeVar, cast
 
 from coscrew_codegen.library import FamilyKernels
 from coscrew_codegen.native import cache
-from coscrew_codegen.operations import contributors
+from coscrew_codegen.operations import OPERATIONS, contributors
+from coscrew_codegen.tiers.certified_rotations import DEFECT, ROTATIONS
 
 _PACKAGE = "coscrew_codegen.operations"
 _FOLDER, _INIT = "codegen/operations/", "__init__"
@@ -88,11 +89,21 @@ class FamilyCache:
 
 
 def made_from(family: str, sources: Mapping[str, bytes]) -> dict[str, bytes]:
-    """The sources that a family depends on: all, except those in operations/ that its modules do
-    not import."""
-    own = _imported((_INIT, *contributors(family)), sources)
+    """The sources that a family depends on: all, except those in operations/ that its modules, and
+    those of operations that tiers call in its kernels, do not import."""
+    modules = [_INIT, *contributors(family)]
+    for called in _called(family):
+        modules += contributors(called)
+    own = _imported(modules, sources)
     return {path: content for path, content in sources.items()
             if not path.startswith(_FOLDER) or path in own}
+
+
+def _called(family: str) -> set[str]:
+    """The families with operations that tiers call in kernels of this one."""
+    takes = any(a.domain in ROTATIONS for op in OPERATIONS if op.family == family
+                for a in op.inputs)
+    return {op.family for op in OPERATIONS if takes and op.name == DEFECT}
 
 
 def _imported(modules: Iterable[str], sources: Mapping[str, bytes]) -> set[str]:

@@ -1,11 +1,12 @@
 """Which arguments Python refuses: matrices that are no rotations, quaternions without a direction.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from enum import Enum
+from functools import cache
 
 from coscrew_codegen.library import FamilyKernels
-from coscrew_codegen.operations import Operation
+from coscrew_codegen.operations import OPERATIONS, Operation
 from coscrew_codegen.program import Input, Program
 from coscrew_codegen.program.ops import POLYNOMIAL
 from coscrew_codegen.quantity import (
@@ -30,6 +31,21 @@ class Required(Enum):
     UNIT = "U"  # a quaternion of length 1
     DIRECTION = "N"  # a quaternion other than zero
     NOT_ZERO = "M"  # a matrix other than zero
+
+
+@cache
+def defects() -> Mapping[Required, Operation]:
+    """The operations whose results, where their size is above TOLERANCE, tell that an argument is
+    not what is required."""
+    named = {op.name: op for op in OPERATIONS}
+    return {Required.ROTATION: named["mat3x3_rotation_defect"],
+            Required.UNIT: named["quaternion_unit_defect"]}
+
+
+def defects_of(letters: Iterable[str]) -> Mapping[Required, Operation]:
+    """Those that functions with these requirements need."""
+    found = set().union(*letters)
+    return {required: op for required, op in defects().items() if required.value in found}
 
 
 def requirements(kernels: FamilyKernels) -> Mapping[str, str]:

@@ -5,12 +5,21 @@ from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass
 from functools import cache
 
-from coscrew_codegen.formats import PRECISIONS
 from coscrew_codegen.library import Library
+from coscrew_codegen.programs import library_program
 from coscrew_codegen.quantity import QUANTITIES, TOLERANCE, Quantity
 from coscrew_codegen.render import render
-from coscrew_codegen.requirements import requirements
-from coscrew_codegen.targets import c_amalgamated, c_headers, c_many, c_many_lanes, gufunc, numpy
+from coscrew_codegen.requirements import defects_of, requirements
+from coscrew_codegen.targets import (
+    c,
+    c_amalgamated,
+    c_headers,
+    c_many,
+    c_many_lanes,
+    gufunc,
+    numpy,
+)
+from coscrew_codegen.targets.c import c_name
 from coscrew_codegen.targets.c_function import CFunction
 from coscrew_codegen.targets.c_statements import listed
 from coscrew_codegen.targets.target import Files, Target
@@ -79,8 +88,8 @@ def _loops(library: Library, tier: Tier) -> Files:
         sources["_lanes.h"] = _lanes(library, tier)
     dtypes = [f"PyArray_{precision.c_type.title()}DType" for precision in library.precisions]
     sources["promoter.c"] = render("gufunc/promoter.c", banner=library.banner, dtypes=dtypes,
-                                   package=tier.package, tolerance=float(TOLERANCE),
-                                   reals=[precision.c_type for precision in PRECISIONS])
+                                   package=tier.package, precisions=library.precisions,
+                                   types=_types(library), **_checks(library, tier))
     for family in families:
         gufuncs = [gufunc.gufunc(op, library.precisions, docstrings[op.name], tier.mark,
                                  on_vectors.get(family), required[family].get(op.name, ""))
@@ -142,7 +151,27 @@ def _module(library: Library, tier: Tier) -> str:
                   provenance=provenance(library, tier),
                   baseline=_table(families, "baseline", "gufuncs"),
                   avx2=_table(families, "avx2", "gufuncs_avx2"),
-                  types=[f"NPY_{precision.c_type.upper()}" for precision in library.precisions])
+                  types=_types(library))
+
+
+def _types(library: Library) -> list[str]:
+    return [f"NPY_{precision.c_type.upper()}" for precision in library.precisions]
+
+
+def _checks(library: Library, tier: Tier) -> dict[str, object]:
+    """What refuses arguments: the defects of what functions require, by precision, and the plain
+    kernels that compute them, those that the tier's header does not have."""
+    required = [letters for found in library.made(requirements).values()
+                for letters in found.values()]
+    defects = [(p, letter, op, c_name(op.name, p)) for letter, op in defects_of(required).items()
+               for p in library.precisions]
+    header = c_amalgamated.text(library, tier)
+    return {"kernels": [c.function(op, library_program(op.name), p) for p, _, op, name in defects
+                        if f"{p.c_type} {name}(" not in header],
+            "defects": [{"letter": letter.value, "precision": p.name, "function": name,
+                         "quantity": op.inputs[0].quantity.name,
+                         "tolerance": f"{float(TOLERANCE)}{p.suffix}"}
+                        for p, letter, op, name in defects]}
 
 
 def _table(families: tuple[str, ...], name: str, suffix: str) -> str:

@@ -90,11 +90,12 @@ class Twins:
 
 def twins(kernels: FamilyKernels) -> Mapping[tuple[str, str], Twins]:
     """A family's kernels, by tier and precision, of those tiers that Python has."""
-    return {(tier.name, precision.name): _twins(kernels.of(tier, precision), precision)
+    return {(tier.name, precision.name): twins_of(kernels.of(tier, precision), precision)
             for tier in TIERS if tier.in_python for precision in kernels.precisions}
 
 
-def _twins(kernels: Kernels, precision: Precision) -> Twins:
+def twins_of(kernels: Kernels, precision: Precision) -> Twins:
+    """These kernels in a precision."""
     return Twins(tuple(function(op, program, precision) for op, program in kernels.items()),
                  {op.name: docstring_of(op, program, precision) for op, program in kernels.items()},
                  imports(tuple(kernels.values()), precision),

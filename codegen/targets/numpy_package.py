@@ -7,20 +7,22 @@ from coscrew_codegen.elementary import ELEMENTARY, ERRORS
 from coscrew_codegen.formats import DOUBLE, Precision
 from coscrew_codegen.library import Library
 from coscrew_codegen.operations import family_named
+from coscrew_codegen.programs import library_program
 from coscrew_codegen.quantity import TOLERANCE
 from coscrew_codegen.render import render
-from coscrew_codegen.requirements import requirements
+from coscrew_codegen.requirements import defects_of, requirements
 from coscrew_codegen.targets import numpy, numpy_elementary
 from coscrew_codegen.targets.extension import provenance
 from coscrew_codegen.targets.target import Files, Target
-from coscrew_codegen.tiers import TIERS, Tier
+from coscrew_codegen.tiers import PLAIN, TIERS, Tier
 from coscrew_codegen.version import VERSION
 
 # Short names of constructors.
 _ALIASES = (("SE3", "SE3_fromRt"), ("screw", "screw_from_lin_ang"),
             ("coscrew", "coscrew_from_lin_ang"))
 
-_PLAIN = ("__init__.py", "_dispatch.py", "_arrays.py", "_kernel.py", "_exact.py", "_provenance.py")
+_PLAIN = ("__init__.py", "_dispatch.py", "_arrays.py", "_kernel.py", "_checked.py", "_exact.py",
+          "_provenance.py")
 """The modules of `coscrew` itself, by their templates."""
 
 
@@ -37,6 +39,7 @@ def files(library: Library) -> Files:
 def _package(library: Library, tier: Tier) -> Files:
     """The files of a tier's package, by path in it."""
     names, built = [op.name for op in library.having(tier)], provenance(library, tier)
+    required = _required(library)
     selfcheck = not tier.mark and "coscrew" in library.families
     shared = {"banner": library.banner, "names": names, "provenance": built,
               "aliases": [] if tier.mark else _aliases(names), "package": tier.package,
@@ -44,8 +47,9 @@ def _package(library: Library, tier: Tier) -> Files:
               "precisions": [precision.name for precision in library.precisions],
               "selfcheck": selfcheck, "tolerance": float(TOLERANCE),
               "predicates": _predicates(library, tier),
-              "required": {name: letters for found in library.made(requirements).values()
-                           for name, letters in found.items()}}
+              "required": required, "defects": [
+                  {"letter": letter.value, "name": op.name, "family": op.family}
+                  for letter, op in defects_of(required.values()).items()]}
     package = {"_dispatch.py": render("python/_dispatch.py", **shared),
                "__init__.py": render("python/tier.py", **shared)} if tier.mark else {
         name: render(f"python/{name}", **shared)
@@ -57,11 +61,17 @@ def _package(library: Library, tier: Tier) -> Files:
     first, *_ = library.precisions
     package["__init__.pyi"] = _stubs(library, tier, first, shared, "np.floating", top=True)
     if not tier.mark:
-        package["py.typed"] = ""
+        package |= {"py.typed": "", **_modules_of_checks(library)}
     for precision in library.precisions:
         package[f"{precision.name}/__init__.pyi"] = _stubs(
             library, tier, precision, shared, f"np.{precision.numpy_type}")
     return package | _twin_modules(library, tier)
+
+
+def _required(library: Library) -> dict[str, str]:
+    """The letters of operations that refuse arguments, by name."""
+    return {name: letters for found in library.made(requirements).values()
+            for name, letters in found.items()}
 
 
 def _aliases(names: Iterable[str]) -> list[tuple[str, str]]:
@@ -95,12 +105,26 @@ def _twin_modules(library: Library, tier: Tier) -> Files:
             families=[{"name": family, "operations": [x.name for x in twins.functions]}
                       for family, twins in families.items()])
         for family, twins in families.items():
-            modules[f"{precision.name}/{family}.py"] = render(
-                "python/family.py", banner=library.banner, title=family_named(family).title,
-                precision=precision, imports=twins.imports, tier=tier.name,
-                functions=twins.functions, quiet=tier.bounds,
-                kernel="wide_kernel" if twins.wide else f"{precision.name}_kernel")
+            modules[f"{precision.name}/{family}.py"] = _family_module(
+                library, tier, precision, family, twins)
     return modules
+
+
+def _family_module(library: Library, tier: Tier, precision: Precision, family: str,
+                   twins: numpy.Twins) -> str:
+    return render("python/family.py", banner=library.banner, title=family_named(family).title,
+                  precision=precision, imports=twins.imports, tier=tier.name,
+                  functions=twins.functions, quiet=tier.bounds,
+                  kernel="wide_kernel" if twins.wide else f"{precision.name}_kernel")
+
+
+def _modules_of_checks(library: Library) -> Files:
+    """The modules of defects' kernels whose families are not selected: they hold nothing else."""
+    needed = defects_of(_required(library).values()).values()
+    return {f"{precision.name}/{op.family}.py": _family_module(
+        library, PLAIN, precision, op.family,
+        numpy.twins_of({op: library_program(op.name)}, precision))
+        for op in needed if op.family not in library.families for precision in library.precisions}
 
 
 TARGET = Target("Python package", ("python",), library=files)

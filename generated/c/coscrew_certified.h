@@ -4520,8 +4520,8 @@ static inline void ksl_mat3x3_from_euler_xyz_certified(const ksl_vec3_t *angles,
 /* angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
      [-π/2, π/2]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; angles, angles_bound: vector.
-   452 mul, 752 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 4 neg, 66 abs, 12
-     copysign, 57 less, 13 equal, 103 select. */
+   455 mul, 765 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 4 neg, 72 abs, 12
+     copysign, 59 less, 14 equal, 108 select. */
 static inline void ksl_euler_xyz_from_mat3x3_certified(const ksl_mat3x3_t *R, ksl_vec3_t *angles,
     ksl_vec3_t *angles_bound) {
   const double n_a = KSL_MUL(R->m00, R->m00), n_a_size_1 = fabs(R->m00),
@@ -4628,14 +4628,70 @@ static inline void ksl_euler_xyz_from_mat3x3_certified(const ksl_mat3x3_t *R, ks
       left_cross_2 = left_2a_cross2_1 + left_2b_cross2_1,
       left_lo1_2 = left_left_rest_2 + left_right_rest_2, left_lo_2 = left_lo1_2 + left_cross_2,
       left_size_2 = left_2a_size_2 + left_2b_size_2;
-  const double angles_0 = ksl_atan2(left_2, left_1),
-      angles_own_error_1 = ksl_atan2_error(left_2, left_1, angles_0), angles_size0_1 = fabs(left_2),
-      angles_size1_1 = fabs(left_1),
+  const double rest = R->m12 + R->m22, rest_right_1 = rest - R->m12,
+      rest_left_1 = rest - rest_right_1, rest_left_rest_1 = R->m12 - rest_left_1,
+      rest_right_rest_1 = R->m22 - rest_right_1, rest_lo = rest_left_rest_1 + rest_right_rest_1,
+      rest_size_1 = fabs(R->m12), rest_size_2 = fabs(R->m22),
+      rest_size_3 = rest_size_1 + rest_size_2;
+  const double first = ksl_atan2(left_2, left_1),
+      first_own_error_1 = ksl_atan2_error(left_2, left_1, first), first_size0_1 = fabs(left_2),
+      first_size1_1 = fabs(left_1),
+      first_most_1 = first_size0_1 < first_size1_1 ? first_size1_1 : first_size0_1,
+      first_divisor_1 = first_most_1 == 0.0 ? 1.0 : first_most_1,
+      first_part0_1 = left_2 / first_divisor_1, first_part1_1 = left_1 / first_divisor_1,
+      first_cross1_1 = KSL_MUL(first_part1_1, left_lo_2),
+      first_cross2_1 = KSL_MUL(first_part0_1, left_lo_1),
+      first_square1_1 = KSL_MUL(first_part1_1, first_part1_1),
+      first_square2_1 = KSL_MUL(first_part0_1, first_part0_1),
+      first_cross_1 = first_cross1_1 - first_cross2_1,
+      first_square_1 = first_square1_1 + first_square2_1,
+      first_divisor2_1 = KSL_MUL(first_divisor_1, first_square_1),
+      first_safe_1 = first_most_1 == 0.0 ? 1.0 : first_divisor2_1,
+      first_more_1 = first_cross_1 / first_safe_1, first_lo = first_own_error_1 + first_more_1,
+      first_size_1 = fabs(first), first_padded_1 = 1.8051943758648296e-276 + left_size_2,
+      first_padded_2 = 1.8051943758648296e-276 + left_size_1, first_size_2 = fabs(left_2),
+      first_size_3 = fabs(left_1),
+      first_size_5 = first_size_2 < first_size_3 ? first_size_3 : first_size_2,
+      first_error_1 = fabs(left_lo_2),
+      first_rest_1 = KSL_MUL(1.120429474644463e-29, first_padded_1),
+      first_bound_1 = first_error_1 + first_rest_1, first_error_2 = fabs(left_lo_1),
+      first_rest_2 = KSL_MUL(1.120429474644463e-29, first_padded_2),
+      first_bound_2 = first_error_2 + first_rest_2,
+      first_size_6 = 1.8051943758648296e-276 + first_bound_1,
+      first_size_7 = first_bound_2 + first_size_6, first_size_8 = first_padded_1 + first_padded_2,
+      first_size_9 = first_size_8 / first_size_5, first_size_10 = first_size_1 + first_size_9,
+      first_size_11 = first_size_7 / first_size_5,
+      first_size_13 = KSL_MUL(first_size_11, first_size_11), first_size_14 = fabs(first_lo),
+      first_size_15 = 7.0 + first_size_14,
+      first_size_18 = first_bound_2 < left_1 ? first_size_13 : first_size_15,
+      first_size_19 = first_bound_1 < first_size_2 ? first_size_13 : first_size_18,
+      first_size_20 = first_size_11 < 0.25 ? first_size_19 : first_size_15,
+      first_size_21 = KSL_MUL(4.527322338646221e+28, first_size_20),
+      first_size_22 = first_size_10 + first_size_21;
+  const double angles_0 = rest < 1.2676506002282294e+30 ? first : rest,
+      angles_lo_1 = rest < 1.2676506002282294e+30 ? first_lo : rest_lo,
+      angles_size_1 = rest < 1.2676506002282294e+30 ? first_size_22 : rest_size_3,
+      angles_error_1 = fabs(rest_lo), angles_padded_1 = 1.8051943758648296e-276 + rest_size_3,
+      angles_rest_1 = KSL_MUL(7.642090607075756e-31, angles_padded_1),
+      angles_bound_1 = angles_error_1 + angles_rest_1,
+      angles_size_2 = rest - 1.2676506002282294e+30, angles_size_3 = fabs(angles_size_2),
+      angles_size_5 = first - rest, angles_size_6 = fabs(angles_size_5),
+      angles_padded_2 = 1.8051943758648296e-276 + first_size_22,
+      angles_rest_2 = KSL_MUL(2.2778366396519518e-29, angles_padded_2),
+      angles_bound_2 = angles_rest_2 + first_size_14,
+      angles_size_7 = angles_bound_2 + angles_size_6,
+      angles_size_8 = angles_bound_1 + angles_size_7,
+      angles_size_9 = angles_bound_1 < angles_size_3 ? 0.0 : angles_size_8,
+      angles_size_10 = KSL_MUL(4.527322030246999e+28, angles_size_9),
+      angles_size_11 = angles_size_1 + angles_size_10;
+  const double angles_1 = ksl_atan2(R->m02, n),
+      angles_own_error_1 = ksl_atan2_error(R->m02, n, angles_1), angles_size0_1 = fabs(R->m02),
+      angles_size1_1 = fabs(n),
       angles_most_1 = angles_size0_1 < angles_size1_1 ? angles_size1_1 : angles_size0_1,
       angles_divisor_1 = angles_most_1 == 0.0 ? 1.0 : angles_most_1,
-      angles_part0_1 = left_2 / angles_divisor_1, angles_part1_1 = left_1 / angles_divisor_1,
-      angles_cross1_1 = KSL_MUL(angles_part1_1, left_lo_2),
-      angles_cross2_1 = KSL_MUL(angles_part0_1, left_lo_1),
+      angles_part0_1 = R->m02 / angles_divisor_1, angles_part1_1 = n / angles_divisor_1,
+      angles_cross1_1 = KSL_MUL(angles_part1_1, 0.0),
+      angles_cross2_1 = KSL_MUL(angles_part0_1, n_lo),
       angles_square1_1 = KSL_MUL(angles_part1_1, angles_part1_1),
       angles_square2_1 = KSL_MUL(angles_part0_1, angles_part0_1),
       angles_cross_1 = angles_cross1_1 - angles_cross2_1,
@@ -4643,136 +4699,75 @@ static inline void ksl_euler_xyz_from_mat3x3_certified(const ksl_mat3x3_t *R, ks
       angles_divisor2_1 = KSL_MUL(angles_divisor_1, angles_square_1),
       angles_safe_1 = angles_most_1 == 0.0 ? 1.0 : angles_divisor2_1,
       angles_more_1 = angles_cross_1 / angles_safe_1,
-      angles_lo_1 = angles_own_error_1 + angles_more_1, angles_size_1 = fabs(angles_0),
-      angles_padded_1 = 1.8051943758648296e-276 + left_size_2,
-      angles_padded_2 = 1.8051943758648296e-276 + left_size_1, angles_size_2 = fabs(left_2),
-      angles_size_3 = fabs(left_1),
-      angles_size_5 = angles_size_2 < angles_size_3 ? angles_size_3 : angles_size_2,
-      angles_error_1 = fabs(left_lo_2),
-      angles_rest_1 = KSL_MUL(1.120429474644463e-29, angles_padded_1),
-      angles_bound_1 = angles_error_1 + angles_rest_1, angles_error_2 = fabs(left_lo_1),
-      angles_rest_2 = KSL_MUL(1.120429474644463e-29, angles_padded_2),
-      angles_bound_2 = angles_error_2 + angles_rest_2,
-      angles_size_6 = 1.8051943758648296e-276 + angles_bound_1,
-      angles_size_7 = angles_bound_2 + angles_size_6,
-      angles_size_8 = angles_padded_1 + angles_padded_2,
-      angles_size_9 = angles_size_8 / angles_size_5, angles_size_10 = angles_size_1 + angles_size_9,
-      angles_size_11 = angles_size_7 / angles_size_5,
-      angles_size_13 = KSL_MUL(angles_size_11, angles_size_11), angles_size_14 = fabs(angles_lo_1),
-      angles_size_15 = 7.0 + angles_size_14,
-      angles_size_18 = angles_bound_2 < left_1 ? angles_size_13 : angles_size_15,
-      angles_size_19 = angles_bound_1 < angles_size_2 ? angles_size_13 : angles_size_18,
-      angles_size_20 = angles_size_11 < 0.25 ? angles_size_19 : angles_size_15,
-      angles_size_21 = KSL_MUL(4.527322338646221e+28, angles_size_20),
-      angles_size_22 = angles_size_10 + angles_size_21;
-  const double angles_1 = ksl_atan2(R->m02, n),
-      angles_own_error_2 = ksl_atan2_error(R->m02, n, angles_1), angles_size0_2 = fabs(R->m02),
-      angles_size1_2 = fabs(n),
-      angles_most_2 = angles_size0_2 < angles_size1_2 ? angles_size1_2 : angles_size0_2,
-      angles_divisor_2 = angles_most_2 == 0.0 ? 1.0 : angles_most_2,
-      angles_part0_2 = R->m02 / angles_divisor_2, angles_part1_2 = n / angles_divisor_2,
-      angles_cross1_2 = KSL_MUL(angles_part1_2, 0.0),
-      angles_cross2_2 = KSL_MUL(angles_part0_2, n_lo),
-      angles_square1_2 = KSL_MUL(angles_part1_2, angles_part1_2),
-      angles_square2_2 = KSL_MUL(angles_part0_2, angles_part0_2),
-      angles_cross_2 = angles_cross1_2 - angles_cross2_2,
-      angles_square_2 = angles_square1_2 + angles_square2_2,
-      angles_divisor2_2 = KSL_MUL(angles_divisor_2, angles_square_2),
-      angles_safe_2 = angles_most_2 == 0.0 ? 1.0 : angles_divisor2_2,
-      angles_more_2 = angles_cross_2 / angles_safe_2,
-      angles_lo_2 = angles_own_error_2 + angles_more_2, angles_size_23 = fabs(angles_1),
-      angles_size_24 = fabs(R->m02), angles_padded_3 = 1.8051943758648296e-276 + angles_size_24,
-      angles_size_25 = fabs(n),
-      angles_size_27 = angles_size_24 < angles_size_25 ? angles_size_25 : angles_size_24,
-      angles_size_28 = 1.8051943758648296e-276 + divisor_bound_1,
-      angles_size_29 = angles_padded_3 + divisor_padded_1,
-      angles_size_30 = angles_size_29 / angles_size_27,
-      angles_size_31 = angles_size_23 + angles_size_30,
-      angles_size_32 = angles_size_28 / angles_size_27,
-      angles_size_34 = KSL_MUL(angles_size_32, angles_size_32), angles_size_35 = fabs(angles_lo_2),
-      angles_size_36 = 7.0 + angles_size_35,
-      angles_size_37 = angles_size_32 < 0.25 ? angles_size_34 : angles_size_36,
-      angles_size_38 = KSL_MUL(7.9228157791897855e+28, angles_size_37),
-      angles_size_39 = angles_size_31 + angles_size_38;
-  const double angles_padded_4 = 1.8051943758648296e-276 + angles_size_22,
-      angles_rest_3 = KSL_MUL(2.2778366396519518e-29, angles_padded_4),
-      angles_bound_3 = angles_rest_3 + angles_size_14,
-      angles_padded_5 = 1.8051943758648296e-276 + angles_size_39,
+      angles_lo_2 = angles_own_error_1 + angles_more_1, angles_size_12 = fabs(angles_1),
+      angles_size_13 = fabs(R->m02), angles_padded_3 = 1.8051943758648296e-276 + angles_size_13,
+      angles_size_14 = fabs(n),
+      angles_size_16 = angles_size_13 < angles_size_14 ? angles_size_14 : angles_size_13,
+      angles_size_17 = 1.8051943758648296e-276 + divisor_bound_1,
+      angles_size_18 = angles_padded_3 + divisor_padded_1,
+      angles_size_19 = angles_size_18 / angles_size_16,
+      angles_size_20 = angles_size_12 + angles_size_19,
+      angles_size_21 = angles_size_17 / angles_size_16,
+      angles_size_23 = KSL_MUL(angles_size_21, angles_size_21), angles_size_24 = fabs(angles_lo_2),
+      angles_size_25 = 7.0 + angles_size_24,
+      angles_size_26 = angles_size_21 < 0.25 ? angles_size_23 : angles_size_25,
+      angles_size_27 = KSL_MUL(7.9228157791897855e+28, angles_size_26),
+      angles_size_28 = angles_size_20 + angles_size_27;
+  const double angles_error_2 = fabs(angles_lo_1),
+      angles_padded_4 = 1.8051943758648296e-276 + angles_size_11,
+      angles_rest_3 = KSL_MUL(2.277836794817206e-29, angles_padded_4),
+      angles_bound_3 = angles_error_2 + angles_rest_3,
+      angles_padded_5 = 1.8051943758648296e-276 + angles_size_28,
       angles_rest_4 = KSL_MUL(1.3016206487799288e-29, angles_padded_5),
-      angles_bound_4 = angles_rest_4 + angles_size_35, third_error_2 = fabs(third_lo),
+      angles_bound_4 = angles_rest_4 + angles_size_24, third_error_2 = fabs(third_lo),
       third_padded_2 = 1.8051943758648296e-276 + third_size_7,
       third_rest_2 = KSL_MUL(6.508104019725916e-30, third_padded_2),
       third_bound_2 = third_error_2 + third_rest_2;
-  const double R_det_above_0 = KSL_MUL(R->m11, R->m22);
-  const double R_det_below_0 = KSL_MUL(R->m12, R->m21);
-  const double R_det_cofactor_0 = R_det_above_0 - R_det_below_0;
-  const double R_det_above_1 = KSL_MUL(R->m12, R->m20);
-  const double R_det_below_1 = KSL_MUL(R->m10, R->m22);
-  const double R_det_cofactor_1 = R_det_above_1 - R_det_below_1;
-  const double R_det_above_2 = KSL_MUL(R->m10, R->m21);
-  const double R_det_below_2 = KSL_MUL(R->m11, R->m20);
-  const double R_det_cofactor_2 = R_det_above_2 - R_det_below_2;
-  const double R_det_product_0 = KSL_MUL(R->m00, R_det_cofactor_0);
-  const double R_det_product_1 = KSL_MUL(R->m01, R_det_cofactor_1);
-  const double R_det_product_2 = KSL_MUL(R->m02, R_det_cofactor_2);
-  const double R_det_sum_0 = R_det_product_0 + R_det_product_1;
-  const double R_det_sum_1 = R_det_sum_0 + R_det_product_2;
-  const double R_det_off = R_det_sum_1 - 1.0;
-  const double R_det_size = fabs(R_det_off);
-  const double R_column_00_product_0 = KSL_MUL(R->m00, R->m00);
-  const double R_column_00_product_1 = KSL_MUL(R->m10, R->m10);
-  const double R_column_00_product_2 = KSL_MUL(R->m20, R->m20);
-  const double R_column_00_sum_0 = R_column_00_product_0 + R_column_00_product_1;
-  const double R_column_00_sum_1 = R_column_00_sum_0 + R_column_00_product_2;
-  const double R_column_00_off = R_column_00_sum_1 - 1.0;
-  const double R_column_00_size = fabs(R_column_00_off);
-  const double R_column_00_largest = R_det_size < R_column_00_size ? R_column_00_size : R_det_size;
-  const double R_column_11_product_0 = KSL_MUL(R->m01, R->m01);
-  const double R_column_11_product_1 = KSL_MUL(R->m11, R->m11);
-  const double R_column_11_product_2 = KSL_MUL(R->m21, R->m21);
-  const double R_column_11_sum_0 = R_column_11_product_0 + R_column_11_product_1;
-  const double R_column_11_sum_1 = R_column_11_sum_0 + R_column_11_product_2;
-  const double R_column_11_off = R_column_11_sum_1 - 1.0;
-  const double R_column_11_size = fabs(R_column_11_off);
-  const double R_column_11_largest = R_column_00_largest < R_column_11_size ? R_column_11_size :
-      R_column_00_largest;
-  const double R_column_22_product_0 = KSL_MUL(R->m02, R->m02);
-  const double R_column_22_product_1 = KSL_MUL(R->m12, R->m12);
-  const double R_column_22_product_2 = KSL_MUL(R->m22, R->m22);
-  const double R_column_22_sum_0 = R_column_22_product_0 + R_column_22_product_1;
-  const double R_column_22_sum_1 = R_column_22_sum_0 + R_column_22_product_2;
-  const double R_column_22_off = R_column_22_sum_1 - 1.0;
-  const double R_column_22_size = fabs(R_column_22_off);
-  const double R_column_22_largest = R_column_11_largest < R_column_22_size ? R_column_22_size :
-      R_column_11_largest;
-  const double R_column_01_product_0 = KSL_MUL(R->m00, R->m01);
-  const double R_column_01_product_1 = KSL_MUL(R->m10, R->m11);
-  const double R_column_01_product_2 = KSL_MUL(R->m20, R->m21);
-  const double R_column_01_sum_0 = R_column_01_product_0 + R_column_01_product_1;
-  const double R_column_01_sum_1 = R_column_01_sum_0 + R_column_01_product_2;
-  const double R_column_01_off = R_column_01_sum_1 - 0.0;
-  const double R_column_01_size = fabs(R_column_01_off);
-  const double R_column_01_largest = R_column_22_largest < R_column_01_size ? R_column_01_size :
-      R_column_22_largest;
-  const double R_column_02_product_0 = KSL_MUL(R->m00, R->m02);
-  const double R_column_02_product_1 = KSL_MUL(R->m10, R->m12);
-  const double R_column_02_product_2 = KSL_MUL(R->m20, R->m22);
-  const double R_column_02_sum_0 = R_column_02_product_0 + R_column_02_product_1;
-  const double R_column_02_sum_1 = R_column_02_sum_0 + R_column_02_product_2;
-  const double R_column_02_off = R_column_02_sum_1 - 0.0;
-  const double R_column_02_size = fabs(R_column_02_off);
-  const double R_column_02_largest = R_column_01_largest < R_column_02_size ? R_column_02_size :
-      R_column_01_largest;
-  const double R_column_12_product_0 = KSL_MUL(R->m01, R->m02);
-  const double R_column_12_product_1 = KSL_MUL(R->m11, R->m12);
-  const double R_column_12_product_2 = KSL_MUL(R->m21, R->m22);
-  const double R_column_12_sum_0 = R_column_12_product_0 + R_column_12_product_1;
-  const double R_column_12_sum_1 = R_column_12_sum_0 + R_column_12_product_2;
-  const double R_column_12_off = R_column_12_sum_1 - 0.0;
-  const double R_column_12_size = fabs(R_column_12_off);
-  const double R_column_12_largest = R_column_02_largest < R_column_12_size ? R_column_12_size :
-      R_column_02_largest;
-  const double R_unless_rotation = R_column_12_largest < 0.001 ? 0.0 : 1.0715086071862673e+301;
+  const double R_n_0a = KSL_MUL(R->m11, R->m22), R_n_0b = KSL_MUL(R->m12, R->m21),
+      R_n_0 = R_n_0a - R_n_0b;
+  const double R_n_1a = KSL_MUL(R->m02, R->m21), R_n_1b = KSL_MUL(R->m01, R->m22),
+      R_n_1 = R_n_1a - R_n_1b;
+  const double R_n_2a = KSL_MUL(R->m01, R->m12), R_n_2b = KSL_MUL(R->m02, R->m11),
+      R_n_2 = R_n_2a - R_n_2b;
+  const double R_det_a = KSL_MUL(R->m00, R_n_0), R_det_b = KSL_MUL(R->m10, R_n_1),
+      R_det_c = R_det_a + R_det_b, R_det_d = KSL_MUL(R->m20, R_n_2), R_det = R_det_c + R_det_d;
+  const double R_g_0a = KSL_MUL(R->m00, R->m00), R_g_0b = KSL_MUL(R->m10, R->m10),
+      R_g_0c = R_g_0a + R_g_0b, R_g_0d = KSL_MUL(R->m20, R->m20), R_g_0 = R_g_0c + R_g_0d;
+  const double R_g_1a = KSL_MUL(R->m00, R->m01), R_g_1b = KSL_MUL(R->m10, R->m11),
+      R_g_1c = R_g_1a + R_g_1b, R_g_1d = KSL_MUL(R->m20, R->m21), R_g_1 = R_g_1c + R_g_1d;
+  const double R_g_2a = KSL_MUL(R->m00, R->m02), R_g_2b = KSL_MUL(R->m10, R->m12),
+      R_g_2c = R_g_2a + R_g_2b, R_g_2d = KSL_MUL(R->m20, R->m22), R_g_2 = R_g_2c + R_g_2d;
+  const double R_g_3a = KSL_MUL(R->m01, R->m01), R_g_3b = KSL_MUL(R->m11, R->m11),
+      R_g_3c = R_g_3a + R_g_3b, R_g_3d = KSL_MUL(R->m21, R->m21), R_g_3 = R_g_3c + R_g_3d;
+  const double R_g_4a = KSL_MUL(R->m01, R->m02), R_g_4b = KSL_MUL(R->m11, R->m12),
+      R_g_4c = R_g_4a + R_g_4b, R_g_4d = KSL_MUL(R->m21, R->m22), R_g_4 = R_g_4c + R_g_4d;
+  const double R_g_5a = KSL_MUL(R->m02, R->m02), R_g_5b = KSL_MUL(R->m12, R->m12),
+      R_g_5c = R_g_5a + R_g_5b, R_g_5d = KSL_MUL(R->m22, R->m22), R_g_5 = R_g_5c + R_g_5d;
+  const double R_off_0 = R_det - 1.0;
+  const double R_off_1 = R_g_0 - 1.0;
+  const double R_off_4 = R_g_3 - 1.0;
+  const double R_off_6 = R_g_5 - 1.0;
+  const double R_defect_size_0 = fabs(R_off_0);
+  const double R_defect_size_1 = fabs(R_off_1);
+  const double R_defect_size_2 = fabs(R_g_1);
+  const double R_defect_size_3 = fabs(R_g_2);
+  const double R_defect_size_4 = fabs(R_off_4);
+  const double R_defect_size_5 = fabs(R_g_4);
+  const double R_defect_size_6 = fabs(R_off_6);
+  const double R_defect_largest1 = R_defect_size_0 < R_defect_size_1 ? R_defect_size_1 :
+      R_defect_size_0;
+  const double R_defect_largest2 = R_defect_largest1 < R_defect_size_2 ? R_defect_size_2 :
+      R_defect_largest1;
+  const double R_defect_largest3 = R_defect_largest2 < R_defect_size_3 ? R_defect_size_3 :
+      R_defect_largest2;
+  const double R_defect_largest4 = R_defect_largest3 < R_defect_size_4 ? R_defect_size_4 :
+      R_defect_largest3;
+  const double R_defect_largest5 = R_defect_largest4 < R_defect_size_5 ? R_defect_size_5 :
+      R_defect_largest4;
+  const double R_defect_largest6 = R_defect_largest5 < R_defect_size_6 ? R_defect_size_6 :
+      R_defect_largest5;
+  const double R_unless_equal = R_defect_largest6 == 0.001 ? 0.0 : 1.0715086071862673e+301;
+  const double R_unless_rotation = R_defect_largest6 < 0.001 ? 0.0 : R_unless_equal;
   const double R_excess = KSL_MUL(R_unless_rotation, 1.0715086071862673e+301);
   const double R_excess_0 = angles_bound_3 + R_excess;
   const double R_excess_1 = angles_bound_4 + R_excess;
@@ -4901,8 +4896,8 @@ static inline void ksl_mat3x3_from_euler_xyx_certified(const ksl_vec3_t *angles,
 /* angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in [0,
      π]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; angles, angles_bound: vector.
-   452 mul, 752 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 3 neg, 66 abs, 12
-     copysign, 59 less, 13 equal, 105 select. */
+   455 mul, 765 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 3 neg, 72 abs, 12
+     copysign, 61 less, 14 equal, 110 select. */
 static inline void ksl_euler_xyx_from_mat3x3_certified(const ksl_mat3x3_t *R, ksl_vec3_t *angles,
     ksl_vec3_t *angles_bound) {
   const double n_a = KSL_MUL(R->m01, R->m01), n_a_size_1 = fabs(R->m01),
@@ -5009,14 +5004,70 @@ static inline void ksl_euler_xyx_from_mat3x3_certified(const ksl_mat3x3_t *R, ks
       left_cross_2 = left_2a_cross2_1 - left_2b_cross2_1,
       left_lo1_2 = left_left_rest_2 - left_right_rest_2, left_lo_2 = left_lo1_2 + left_cross_2,
       left_size_2 = left_2a_size_2 + left_2b_size_2;
-  const double angles_0 = ksl_atan2(left_2, left_1),
-      angles_own_error_1 = ksl_atan2_error(left_2, left_1, angles_0), angles_size0_1 = fabs(left_2),
-      angles_size1_1 = fabs(left_1),
+  const double rest = R->m10 + R->m20, rest_right_1 = rest - R->m10,
+      rest_left_1 = rest - rest_right_1, rest_left_rest_1 = R->m10 - rest_left_1,
+      rest_right_rest_1 = R->m20 - rest_right_1, rest_lo = rest_left_rest_1 + rest_right_rest_1,
+      rest_size_1 = fabs(R->m10), rest_size_2 = fabs(R->m20),
+      rest_size_3 = rest_size_1 + rest_size_2;
+  const double first = ksl_atan2(left_2, left_1),
+      first_own_error_1 = ksl_atan2_error(left_2, left_1, first), first_size0_1 = fabs(left_2),
+      first_size1_1 = fabs(left_1),
+      first_most_1 = first_size0_1 < first_size1_1 ? first_size1_1 : first_size0_1,
+      first_divisor_1 = first_most_1 == 0.0 ? 1.0 : first_most_1,
+      first_part0_1 = left_2 / first_divisor_1, first_part1_1 = left_1 / first_divisor_1,
+      first_cross1_1 = KSL_MUL(first_part1_1, left_lo_2),
+      first_cross2_1 = KSL_MUL(first_part0_1, left_lo_1),
+      first_square1_1 = KSL_MUL(first_part1_1, first_part1_1),
+      first_square2_1 = KSL_MUL(first_part0_1, first_part0_1),
+      first_cross_1 = first_cross1_1 - first_cross2_1,
+      first_square_1 = first_square1_1 + first_square2_1,
+      first_divisor2_1 = KSL_MUL(first_divisor_1, first_square_1),
+      first_safe_1 = first_most_1 == 0.0 ? 1.0 : first_divisor2_1,
+      first_more_1 = first_cross_1 / first_safe_1, first_lo = first_own_error_1 + first_more_1,
+      first_size_1 = fabs(first), first_padded_1 = 1.8051943758648296e-276 + left_size_2,
+      first_padded_2 = 1.8051943758648296e-276 + left_size_1, first_size_2 = fabs(left_2),
+      first_size_3 = fabs(left_1),
+      first_size_5 = first_size_2 < first_size_3 ? first_size_3 : first_size_2,
+      first_error_1 = fabs(left_lo_2),
+      first_rest_1 = KSL_MUL(1.120429474644463e-29, first_padded_1),
+      first_bound_1 = first_error_1 + first_rest_1, first_error_2 = fabs(left_lo_1),
+      first_rest_2 = KSL_MUL(1.120429474644463e-29, first_padded_2),
+      first_bound_2 = first_error_2 + first_rest_2,
+      first_size_6 = 1.8051943758648296e-276 + first_bound_1,
+      first_size_7 = first_bound_2 + first_size_6, first_size_8 = first_padded_1 + first_padded_2,
+      first_size_9 = first_size_8 / first_size_5, first_size_10 = first_size_1 + first_size_9,
+      first_size_11 = first_size_7 / first_size_5,
+      first_size_13 = KSL_MUL(first_size_11, first_size_11), first_size_14 = fabs(first_lo),
+      first_size_15 = 7.0 + first_size_14,
+      first_size_18 = first_bound_2 < left_1 ? first_size_13 : first_size_15,
+      first_size_19 = first_bound_1 < first_size_2 ? first_size_13 : first_size_18,
+      first_size_20 = first_size_11 < 0.25 ? first_size_19 : first_size_15,
+      first_size_21 = KSL_MUL(4.527322338646221e+28, first_size_20),
+      first_size_22 = first_size_10 + first_size_21;
+  const double angles_0 = rest < 1.2676506002282294e+30 ? first : rest,
+      angles_lo_1 = rest < 1.2676506002282294e+30 ? first_lo : rest_lo,
+      angles_size_1 = rest < 1.2676506002282294e+30 ? first_size_22 : rest_size_3,
+      angles_error_1 = fabs(rest_lo), angles_padded_1 = 1.8051943758648296e-276 + rest_size_3,
+      angles_rest_1 = KSL_MUL(7.642090607075756e-31, angles_padded_1),
+      angles_bound_1 = angles_error_1 + angles_rest_1,
+      angles_size_2 = rest - 1.2676506002282294e+30, angles_size_3 = fabs(angles_size_2),
+      angles_size_5 = first - rest, angles_size_6 = fabs(angles_size_5),
+      angles_padded_2 = 1.8051943758648296e-276 + first_size_22,
+      angles_rest_2 = KSL_MUL(2.2778366396519518e-29, angles_padded_2),
+      angles_bound_2 = angles_rest_2 + first_size_14,
+      angles_size_7 = angles_bound_2 + angles_size_6,
+      angles_size_8 = angles_bound_1 + angles_size_7,
+      angles_size_9 = angles_bound_1 < angles_size_3 ? 0.0 : angles_size_8,
+      angles_size_10 = KSL_MUL(4.527322030246999e+28, angles_size_9),
+      angles_size_11 = angles_size_1 + angles_size_10;
+  const double angles_1 = ksl_atan2(n, R->m00),
+      angles_own_error_1 = ksl_atan2_error(n, R->m00, angles_1), angles_size0_1 = fabs(n),
+      angles_size1_1 = fabs(R->m00),
       angles_most_1 = angles_size0_1 < angles_size1_1 ? angles_size1_1 : angles_size0_1,
       angles_divisor_1 = angles_most_1 == 0.0 ? 1.0 : angles_most_1,
-      angles_part0_1 = left_2 / angles_divisor_1, angles_part1_1 = left_1 / angles_divisor_1,
-      angles_cross1_1 = KSL_MUL(angles_part1_1, left_lo_2),
-      angles_cross2_1 = KSL_MUL(angles_part0_1, left_lo_1),
+      angles_part0_1 = n / angles_divisor_1, angles_part1_1 = R->m00 / angles_divisor_1,
+      angles_cross1_1 = KSL_MUL(angles_part1_1, n_lo),
+      angles_cross2_1 = KSL_MUL(angles_part0_1, 0.0),
       angles_square1_1 = KSL_MUL(angles_part1_1, angles_part1_1),
       angles_square2_1 = KSL_MUL(angles_part0_1, angles_part0_1),
       angles_cross_1 = angles_cross1_1 - angles_cross2_1,
@@ -5024,138 +5075,77 @@ static inline void ksl_euler_xyx_from_mat3x3_certified(const ksl_mat3x3_t *R, ks
       angles_divisor2_1 = KSL_MUL(angles_divisor_1, angles_square_1),
       angles_safe_1 = angles_most_1 == 0.0 ? 1.0 : angles_divisor2_1,
       angles_more_1 = angles_cross_1 / angles_safe_1,
-      angles_lo_1 = angles_own_error_1 + angles_more_1, angles_size_1 = fabs(angles_0),
-      angles_padded_1 = 1.8051943758648296e-276 + left_size_2,
-      angles_padded_2 = 1.8051943758648296e-276 + left_size_1, angles_size_2 = fabs(left_2),
-      angles_size_3 = fabs(left_1),
-      angles_size_5 = angles_size_2 < angles_size_3 ? angles_size_3 : angles_size_2,
-      angles_error_1 = fabs(left_lo_2),
-      angles_rest_1 = KSL_MUL(1.120429474644463e-29, angles_padded_1),
-      angles_bound_1 = angles_error_1 + angles_rest_1, angles_error_2 = fabs(left_lo_1),
-      angles_rest_2 = KSL_MUL(1.120429474644463e-29, angles_padded_2),
-      angles_bound_2 = angles_error_2 + angles_rest_2,
-      angles_size_6 = 1.8051943758648296e-276 + angles_bound_1,
-      angles_size_7 = angles_bound_2 + angles_size_6,
-      angles_size_8 = angles_padded_1 + angles_padded_2,
-      angles_size_9 = angles_size_8 / angles_size_5, angles_size_10 = angles_size_1 + angles_size_9,
-      angles_size_11 = angles_size_7 / angles_size_5,
-      angles_size_13 = KSL_MUL(angles_size_11, angles_size_11), angles_size_14 = fabs(angles_lo_1),
-      angles_size_15 = 7.0 + angles_size_14,
-      angles_size_18 = angles_bound_2 < left_1 ? angles_size_13 : angles_size_15,
-      angles_size_19 = angles_bound_1 < angles_size_2 ? angles_size_13 : angles_size_18,
-      angles_size_20 = angles_size_11 < 0.25 ? angles_size_19 : angles_size_15,
-      angles_size_21 = KSL_MUL(4.527322338646221e+28, angles_size_20),
-      angles_size_22 = angles_size_10 + angles_size_21;
-  const double angles_1 = ksl_atan2(n, R->m00),
-      angles_own_error_2 = ksl_atan2_error(n, R->m00, angles_1), angles_size0_2 = fabs(n),
-      angles_size1_2 = fabs(R->m00),
-      angles_most_2 = angles_size0_2 < angles_size1_2 ? angles_size1_2 : angles_size0_2,
-      angles_divisor_2 = angles_most_2 == 0.0 ? 1.0 : angles_most_2,
-      angles_part0_2 = n / angles_divisor_2, angles_part1_2 = R->m00 / angles_divisor_2,
-      angles_cross1_2 = KSL_MUL(angles_part1_2, n_lo),
-      angles_cross2_2 = KSL_MUL(angles_part0_2, 0.0),
-      angles_square1_2 = KSL_MUL(angles_part1_2, angles_part1_2),
-      angles_square2_2 = KSL_MUL(angles_part0_2, angles_part0_2),
-      angles_cross_2 = angles_cross1_2 - angles_cross2_2,
-      angles_square_2 = angles_square1_2 + angles_square2_2,
-      angles_divisor2_2 = KSL_MUL(angles_divisor_2, angles_square_2),
-      angles_safe_2 = angles_most_2 == 0.0 ? 1.0 : angles_divisor2_2,
-      angles_more_2 = angles_cross_2 / angles_safe_2,
-      angles_lo_2 = angles_own_error_2 + angles_more_2, angles_size_23 = fabs(angles_1),
-      angles_size_24 = fabs(R->m00), angles_padded_3 = 1.8051943758648296e-276 + angles_size_24,
-      angles_size_25 = fabs(n),
-      angles_size_27 = angles_size_25 < angles_size_24 ? angles_size_24 : angles_size_25,
-      angles_size_28 = 1.8051943758648296e-276 + divisor_bound_1,
-      angles_size_29 = angles_padded_3 + divisor_padded_1,
-      angles_size_30 = angles_size_29 / angles_size_27,
-      angles_size_31 = angles_size_23 + angles_size_30,
-      angles_size_32 = angles_size_28 / angles_size_27,
-      angles_size_34 = KSL_MUL(angles_size_32, angles_size_32), angles_size_35 = fabs(angles_lo_2),
-      angles_size_36 = 7.0 + angles_size_35,
-      angles_size_39 = 0.0 < R->m00 ? angles_size_34 : angles_size_36,
-      angles_size_40 = divisor_bound_1 < angles_size_25 ? angles_size_34 : angles_size_39,
-      angles_size_41 = angles_size_32 < 0.25 ? angles_size_40 : angles_size_36,
-      angles_size_42 = KSL_MUL(7.9228157791897855e+28, angles_size_41),
-      angles_size_43 = angles_size_31 + angles_size_42;
-  const double angles_padded_4 = 1.8051943758648296e-276 + angles_size_22,
-      angles_rest_3 = KSL_MUL(2.2778366396519518e-29, angles_padded_4),
-      angles_bound_3 = angles_rest_3 + angles_size_14,
-      angles_padded_5 = 1.8051943758648296e-276 + angles_size_43,
+      angles_lo_2 = angles_own_error_1 + angles_more_1, angles_size_12 = fabs(angles_1),
+      angles_size_13 = fabs(R->m00), angles_padded_3 = 1.8051943758648296e-276 + angles_size_13,
+      angles_size_14 = fabs(n),
+      angles_size_16 = angles_size_14 < angles_size_13 ? angles_size_13 : angles_size_14,
+      angles_size_17 = 1.8051943758648296e-276 + divisor_bound_1,
+      angles_size_18 = angles_padded_3 + divisor_padded_1,
+      angles_size_19 = angles_size_18 / angles_size_16,
+      angles_size_20 = angles_size_12 + angles_size_19,
+      angles_size_21 = angles_size_17 / angles_size_16,
+      angles_size_23 = KSL_MUL(angles_size_21, angles_size_21), angles_size_24 = fabs(angles_lo_2),
+      angles_size_25 = 7.0 + angles_size_24,
+      angles_size_28 = 0.0 < R->m00 ? angles_size_23 : angles_size_25,
+      angles_size_29 = divisor_bound_1 < angles_size_14 ? angles_size_23 : angles_size_28,
+      angles_size_30 = angles_size_21 < 0.25 ? angles_size_29 : angles_size_25,
+      angles_size_31 = KSL_MUL(7.9228157791897855e+28, angles_size_30),
+      angles_size_32 = angles_size_20 + angles_size_31;
+  const double angles_error_2 = fabs(angles_lo_1),
+      angles_padded_4 = 1.8051943758648296e-276 + angles_size_11,
+      angles_rest_3 = KSL_MUL(2.277836794817206e-29, angles_padded_4),
+      angles_bound_3 = angles_error_2 + angles_rest_3,
+      angles_padded_5 = 1.8051943758648296e-276 + angles_size_32,
       angles_rest_4 = KSL_MUL(1.3016206487799288e-29, angles_padded_5),
-      angles_bound_4 = angles_rest_4 + angles_size_35, third_error_2 = fabs(third_lo),
+      angles_bound_4 = angles_rest_4 + angles_size_24, third_error_2 = fabs(third_lo),
       third_padded_2 = 1.8051943758648296e-276 + third_size_7,
       third_rest_2 = KSL_MUL(6.508104019725916e-30, third_padded_2),
       third_bound_2 = third_error_2 + third_rest_2;
-  const double R_det_above_0 = KSL_MUL(R->m11, R->m22);
-  const double R_det_below_0 = KSL_MUL(R->m12, R->m21);
-  const double R_det_cofactor_0 = R_det_above_0 - R_det_below_0;
-  const double R_det_above_1 = KSL_MUL(R->m12, R->m20);
-  const double R_det_below_1 = KSL_MUL(R->m10, R->m22);
-  const double R_det_cofactor_1 = R_det_above_1 - R_det_below_1;
-  const double R_det_above_2 = KSL_MUL(R->m10, R->m21);
-  const double R_det_below_2 = KSL_MUL(R->m11, R->m20);
-  const double R_det_cofactor_2 = R_det_above_2 - R_det_below_2;
-  const double R_det_product_0 = KSL_MUL(R->m00, R_det_cofactor_0);
-  const double R_det_product_1 = KSL_MUL(R->m01, R_det_cofactor_1);
-  const double R_det_product_2 = KSL_MUL(R->m02, R_det_cofactor_2);
-  const double R_det_sum_0 = R_det_product_0 + R_det_product_1;
-  const double R_det_sum_1 = R_det_sum_0 + R_det_product_2;
-  const double R_det_off = R_det_sum_1 - 1.0;
-  const double R_det_size = fabs(R_det_off);
-  const double R_column_00_product_0 = KSL_MUL(R->m00, R->m00);
-  const double R_column_00_product_1 = KSL_MUL(R->m10, R->m10);
-  const double R_column_00_product_2 = KSL_MUL(R->m20, R->m20);
-  const double R_column_00_sum_0 = R_column_00_product_0 + R_column_00_product_1;
-  const double R_column_00_sum_1 = R_column_00_sum_0 + R_column_00_product_2;
-  const double R_column_00_off = R_column_00_sum_1 - 1.0;
-  const double R_column_00_size = fabs(R_column_00_off);
-  const double R_column_00_largest = R_det_size < R_column_00_size ? R_column_00_size : R_det_size;
-  const double R_column_11_product_0 = KSL_MUL(R->m01, R->m01);
-  const double R_column_11_product_1 = KSL_MUL(R->m11, R->m11);
-  const double R_column_11_product_2 = KSL_MUL(R->m21, R->m21);
-  const double R_column_11_sum_0 = R_column_11_product_0 + R_column_11_product_1;
-  const double R_column_11_sum_1 = R_column_11_sum_0 + R_column_11_product_2;
-  const double R_column_11_off = R_column_11_sum_1 - 1.0;
-  const double R_column_11_size = fabs(R_column_11_off);
-  const double R_column_11_largest = R_column_00_largest < R_column_11_size ? R_column_11_size :
-      R_column_00_largest;
-  const double R_column_22_product_0 = KSL_MUL(R->m02, R->m02);
-  const double R_column_22_product_1 = KSL_MUL(R->m12, R->m12);
-  const double R_column_22_product_2 = KSL_MUL(R->m22, R->m22);
-  const double R_column_22_sum_0 = R_column_22_product_0 + R_column_22_product_1;
-  const double R_column_22_sum_1 = R_column_22_sum_0 + R_column_22_product_2;
-  const double R_column_22_off = R_column_22_sum_1 - 1.0;
-  const double R_column_22_size = fabs(R_column_22_off);
-  const double R_column_22_largest = R_column_11_largest < R_column_22_size ? R_column_22_size :
-      R_column_11_largest;
-  const double R_column_01_product_0 = KSL_MUL(R->m00, R->m01);
-  const double R_column_01_product_1 = KSL_MUL(R->m10, R->m11);
-  const double R_column_01_product_2 = KSL_MUL(R->m20, R->m21);
-  const double R_column_01_sum_0 = R_column_01_product_0 + R_column_01_product_1;
-  const double R_column_01_sum_1 = R_column_01_sum_0 + R_column_01_product_2;
-  const double R_column_01_off = R_column_01_sum_1 - 0.0;
-  const double R_column_01_size = fabs(R_column_01_off);
-  const double R_column_01_largest = R_column_22_largest < R_column_01_size ? R_column_01_size :
-      R_column_22_largest;
-  const double R_column_02_product_0 = KSL_MUL(R->m00, R->m02);
-  const double R_column_02_product_1 = KSL_MUL(R->m10, R->m12);
-  const double R_column_02_product_2 = KSL_MUL(R->m20, R->m22);
-  const double R_column_02_sum_0 = R_column_02_product_0 + R_column_02_product_1;
-  const double R_column_02_sum_1 = R_column_02_sum_0 + R_column_02_product_2;
-  const double R_column_02_off = R_column_02_sum_1 - 0.0;
-  const double R_column_02_size = fabs(R_column_02_off);
-  const double R_column_02_largest = R_column_01_largest < R_column_02_size ? R_column_02_size :
-      R_column_01_largest;
-  const double R_column_12_product_0 = KSL_MUL(R->m01, R->m02);
-  const double R_column_12_product_1 = KSL_MUL(R->m11, R->m12);
-  const double R_column_12_product_2 = KSL_MUL(R->m21, R->m22);
-  const double R_column_12_sum_0 = R_column_12_product_0 + R_column_12_product_1;
-  const double R_column_12_sum_1 = R_column_12_sum_0 + R_column_12_product_2;
-  const double R_column_12_off = R_column_12_sum_1 - 0.0;
-  const double R_column_12_size = fabs(R_column_12_off);
-  const double R_column_12_largest = R_column_02_largest < R_column_12_size ? R_column_12_size :
-      R_column_02_largest;
-  const double R_unless_rotation = R_column_12_largest < 0.001 ? 0.0 : 1.0715086071862673e+301;
+  const double R_n_0a = KSL_MUL(R->m11, R->m22), R_n_0b = KSL_MUL(R->m12, R->m21),
+      R_n_0 = R_n_0a - R_n_0b;
+  const double R_n_1a = KSL_MUL(R->m02, R->m21), R_n_1b = KSL_MUL(R->m01, R->m22),
+      R_n_1 = R_n_1a - R_n_1b;
+  const double R_n_2a = KSL_MUL(R->m01, R->m12), R_n_2b = KSL_MUL(R->m02, R->m11),
+      R_n_2 = R_n_2a - R_n_2b;
+  const double R_det_a = KSL_MUL(R->m00, R_n_0), R_det_b = KSL_MUL(R->m10, R_n_1),
+      R_det_c = R_det_a + R_det_b, R_det_d = KSL_MUL(R->m20, R_n_2), R_det = R_det_c + R_det_d;
+  const double R_g_0a = KSL_MUL(R->m00, R->m00), R_g_0b = KSL_MUL(R->m10, R->m10),
+      R_g_0c = R_g_0a + R_g_0b, R_g_0d = KSL_MUL(R->m20, R->m20), R_g_0 = R_g_0c + R_g_0d;
+  const double R_g_1a = KSL_MUL(R->m00, R->m01), R_g_1b = KSL_MUL(R->m10, R->m11),
+      R_g_1c = R_g_1a + R_g_1b, R_g_1d = KSL_MUL(R->m20, R->m21), R_g_1 = R_g_1c + R_g_1d;
+  const double R_g_2a = KSL_MUL(R->m00, R->m02), R_g_2b = KSL_MUL(R->m10, R->m12),
+      R_g_2c = R_g_2a + R_g_2b, R_g_2d = KSL_MUL(R->m20, R->m22), R_g_2 = R_g_2c + R_g_2d;
+  const double R_g_3a = KSL_MUL(R->m01, R->m01), R_g_3b = KSL_MUL(R->m11, R->m11),
+      R_g_3c = R_g_3a + R_g_3b, R_g_3d = KSL_MUL(R->m21, R->m21), R_g_3 = R_g_3c + R_g_3d;
+  const double R_g_4a = KSL_MUL(R->m01, R->m02), R_g_4b = KSL_MUL(R->m11, R->m12),
+      R_g_4c = R_g_4a + R_g_4b, R_g_4d = KSL_MUL(R->m21, R->m22), R_g_4 = R_g_4c + R_g_4d;
+  const double R_g_5a = KSL_MUL(R->m02, R->m02), R_g_5b = KSL_MUL(R->m12, R->m12),
+      R_g_5c = R_g_5a + R_g_5b, R_g_5d = KSL_MUL(R->m22, R->m22), R_g_5 = R_g_5c + R_g_5d;
+  const double R_off_0 = R_det - 1.0;
+  const double R_off_1 = R_g_0 - 1.0;
+  const double R_off_4 = R_g_3 - 1.0;
+  const double R_off_6 = R_g_5 - 1.0;
+  const double R_defect_size_0 = fabs(R_off_0);
+  const double R_defect_size_1 = fabs(R_off_1);
+  const double R_defect_size_2 = fabs(R_g_1);
+  const double R_defect_size_3 = fabs(R_g_2);
+  const double R_defect_size_4 = fabs(R_off_4);
+  const double R_defect_size_5 = fabs(R_g_4);
+  const double R_defect_size_6 = fabs(R_off_6);
+  const double R_defect_largest1 = R_defect_size_0 < R_defect_size_1 ? R_defect_size_1 :
+      R_defect_size_0;
+  const double R_defect_largest2 = R_defect_largest1 < R_defect_size_2 ? R_defect_size_2 :
+      R_defect_largest1;
+  const double R_defect_largest3 = R_defect_largest2 < R_defect_size_3 ? R_defect_size_3 :
+      R_defect_largest2;
+  const double R_defect_largest4 = R_defect_largest3 < R_defect_size_4 ? R_defect_size_4 :
+      R_defect_largest3;
+  const double R_defect_largest5 = R_defect_largest4 < R_defect_size_5 ? R_defect_size_5 :
+      R_defect_largest4;
+  const double R_defect_largest6 = R_defect_largest5 < R_defect_size_6 ? R_defect_size_6 :
+      R_defect_largest5;
+  const double R_unless_equal = R_defect_largest6 == 0.001 ? 0.0 : 1.0715086071862673e+301;
+  const double R_unless_rotation = R_defect_largest6 < 0.001 ? 0.0 : R_unless_equal;
   const double R_excess = KSL_MUL(R_unless_rotation, 1.0715086071862673e+301);
   const double R_excess_0 = angles_bound_3 + R_excess;
   const double R_excess_1 = angles_bound_4 + R_excess;
@@ -5346,8 +5336,8 @@ static inline void ksl_mat3x3_from_axis_angle_certified(const ksl_vec3_t *axis,
 /* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0;
      |error of angle| <= angle_bound, |error of axis| <= axis_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; axis, axis_bound: vector; angle_bound: number.
-   233 mul, 470 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 70 abs, 4
-     copysign, 41 less, 6 equal, 110 select. */
+   233 mul, 467 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 70 abs, 4
+     copysign, 41 less, 7 equal, 111 select. */
 static inline double ksl_axis_angle_from_mat3x3_certified(const ksl_mat3x3_t *R, ksl_vec3_t *axis,
     double *angle_bound, ksl_vec3_t *axis_bound) {
   const double p_0 = R->m21 - R->m12, p_right_1 = R->m21 - p_0, p_left_1 = p_0 + p_right_1,
@@ -5669,76 +5659,51 @@ static inline double ksl_axis_angle_from_mat3x3_certified(const ksl_mat3x3_t *R,
       unit_padded_3 = 1.8051943758648296e-276 + unit_size_25,
       unit_rest_6 = KSL_MUL(1.86204130450056e-29, unit_padded_3),
       unit_bound_3 = unit_error_3 + unit_rest_6;
-  const double R_det_above_0 = KSL_MUL(R->m11, R->m22);
-  const double R_det_below_0 = KSL_MUL(R->m12, R->m21);
-  const double R_det_cofactor_0 = R_det_above_0 - R_det_below_0;
-  const double R_det_above_1 = KSL_MUL(R->m12, R->m20);
-  const double R_det_below_1 = KSL_MUL(R->m10, R->m22);
-  const double R_det_cofactor_1 = R_det_above_1 - R_det_below_1;
-  const double R_det_above_2 = KSL_MUL(R->m10, R->m21);
-  const double R_det_below_2 = KSL_MUL(R->m11, R->m20);
-  const double R_det_cofactor_2 = R_det_above_2 - R_det_below_2;
-  const double R_det_product_0 = KSL_MUL(R->m00, R_det_cofactor_0);
-  const double R_det_product_1 = KSL_MUL(R->m01, R_det_cofactor_1);
-  const double R_det_product_2 = KSL_MUL(R->m02, R_det_cofactor_2);
-  const double R_det_sum_0 = R_det_product_0 + R_det_product_1;
-  const double R_det_sum_1 = R_det_sum_0 + R_det_product_2;
-  const double R_det_off = R_det_sum_1 - 1.0;
-  const double R_det_size = fabs(R_det_off);
-  const double R_column_00_product_0 = KSL_MUL(R->m00, R->m00);
-  const double R_column_00_product_1 = KSL_MUL(R->m10, R->m10);
-  const double R_column_00_product_2 = KSL_MUL(R->m20, R->m20);
-  const double R_column_00_sum_0 = R_column_00_product_0 + R_column_00_product_1;
-  const double R_column_00_sum_1 = R_column_00_sum_0 + R_column_00_product_2;
-  const double R_column_00_off = R_column_00_sum_1 - 1.0;
-  const double R_column_00_size = fabs(R_column_00_off);
-  const double R_column_00_largest = R_det_size < R_column_00_size ? R_column_00_size : R_det_size;
-  const double R_column_11_product_0 = KSL_MUL(R->m01, R->m01);
-  const double R_column_11_product_1 = KSL_MUL(R->m11, R->m11);
-  const double R_column_11_product_2 = KSL_MUL(R->m21, R->m21);
-  const double R_column_11_sum_0 = R_column_11_product_0 + R_column_11_product_1;
-  const double R_column_11_sum_1 = R_column_11_sum_0 + R_column_11_product_2;
-  const double R_column_11_off = R_column_11_sum_1 - 1.0;
-  const double R_column_11_size = fabs(R_column_11_off);
-  const double R_column_11_largest = R_column_00_largest < R_column_11_size ? R_column_11_size :
-      R_column_00_largest;
-  const double R_column_22_product_0 = KSL_MUL(R->m02, R->m02);
-  const double R_column_22_product_1 = KSL_MUL(R->m12, R->m12);
-  const double R_column_22_product_2 = KSL_MUL(R->m22, R->m22);
-  const double R_column_22_sum_0 = R_column_22_product_0 + R_column_22_product_1;
-  const double R_column_22_sum_1 = R_column_22_sum_0 + R_column_22_product_2;
-  const double R_column_22_off = R_column_22_sum_1 - 1.0;
-  const double R_column_22_size = fabs(R_column_22_off);
-  const double R_column_22_largest = R_column_11_largest < R_column_22_size ? R_column_22_size :
-      R_column_11_largest;
-  const double R_column_01_product_0 = KSL_MUL(R->m00, R->m01);
-  const double R_column_01_product_1 = KSL_MUL(R->m10, R->m11);
-  const double R_column_01_product_2 = KSL_MUL(R->m20, R->m21);
-  const double R_column_01_sum_0 = R_column_01_product_0 + R_column_01_product_1;
-  const double R_column_01_sum_1 = R_column_01_sum_0 + R_column_01_product_2;
-  const double R_column_01_off = R_column_01_sum_1 - 0.0;
-  const double R_column_01_size = fabs(R_column_01_off);
-  const double R_column_01_largest = R_column_22_largest < R_column_01_size ? R_column_01_size :
-      R_column_22_largest;
-  const double R_column_02_product_0 = KSL_MUL(R->m00, R->m02);
-  const double R_column_02_product_1 = KSL_MUL(R->m10, R->m12);
-  const double R_column_02_product_2 = KSL_MUL(R->m20, R->m22);
-  const double R_column_02_sum_0 = R_column_02_product_0 + R_column_02_product_1;
-  const double R_column_02_sum_1 = R_column_02_sum_0 + R_column_02_product_2;
-  const double R_column_02_off = R_column_02_sum_1 - 0.0;
-  const double R_column_02_size = fabs(R_column_02_off);
-  const double R_column_02_largest = R_column_01_largest < R_column_02_size ? R_column_02_size :
-      R_column_01_largest;
-  const double R_column_12_product_0 = KSL_MUL(R->m01, R->m02);
-  const double R_column_12_product_1 = KSL_MUL(R->m11, R->m12);
-  const double R_column_12_product_2 = KSL_MUL(R->m21, R->m22);
-  const double R_column_12_sum_0 = R_column_12_product_0 + R_column_12_product_1;
-  const double R_column_12_sum_1 = R_column_12_sum_0 + R_column_12_product_2;
-  const double R_column_12_off = R_column_12_sum_1 - 0.0;
-  const double R_column_12_size = fabs(R_column_12_off);
-  const double R_column_12_largest = R_column_02_largest < R_column_12_size ? R_column_12_size :
-      R_column_02_largest;
-  const double R_unless_rotation = R_column_12_largest < 0.001 ? 0.0 : 1.0715086071862673e+301;
+  const double R_n_0a = KSL_MUL(R->m11, R->m22), R_n_0b = KSL_MUL(R->m12, R->m21),
+      R_n_0 = R_n_0a - R_n_0b;
+  const double R_n_1a = KSL_MUL(R->m02, R->m21), R_n_1b = KSL_MUL(R->m01, R->m22),
+      R_n_1 = R_n_1a - R_n_1b;
+  const double R_n_2a = KSL_MUL(R->m01, R->m12), R_n_2b = KSL_MUL(R->m02, R->m11),
+      R_n_2 = R_n_2a - R_n_2b;
+  const double R_det_a = KSL_MUL(R->m00, R_n_0), R_det_b = KSL_MUL(R->m10, R_n_1),
+      R_det_c = R_det_a + R_det_b, R_det_d = KSL_MUL(R->m20, R_n_2), R_det = R_det_c + R_det_d;
+  const double R_g_0a = KSL_MUL(R->m00, R->m00), R_g_0b = KSL_MUL(R->m10, R->m10),
+      R_g_0c = R_g_0a + R_g_0b, R_g_0d = KSL_MUL(R->m20, R->m20), R_g_0 = R_g_0c + R_g_0d;
+  const double R_g_1a = KSL_MUL(R->m00, R->m01), R_g_1b = KSL_MUL(R->m10, R->m11),
+      R_g_1c = R_g_1a + R_g_1b, R_g_1d = KSL_MUL(R->m20, R->m21), R_g_1 = R_g_1c + R_g_1d;
+  const double R_g_2a = KSL_MUL(R->m00, R->m02), R_g_2b = KSL_MUL(R->m10, R->m12),
+      R_g_2c = R_g_2a + R_g_2b, R_g_2d = KSL_MUL(R->m20, R->m22), R_g_2 = R_g_2c + R_g_2d;
+  const double R_g_3a = KSL_MUL(R->m01, R->m01), R_g_3b = KSL_MUL(R->m11, R->m11),
+      R_g_3c = R_g_3a + R_g_3b, R_g_3d = KSL_MUL(R->m21, R->m21), R_g_3 = R_g_3c + R_g_3d;
+  const double R_g_4a = KSL_MUL(R->m01, R->m02), R_g_4b = KSL_MUL(R->m11, R->m12),
+      R_g_4c = R_g_4a + R_g_4b, R_g_4d = KSL_MUL(R->m21, R->m22), R_g_4 = R_g_4c + R_g_4d;
+  const double R_g_5a = KSL_MUL(R->m02, R->m02), R_g_5b = KSL_MUL(R->m12, R->m12),
+      R_g_5c = R_g_5a + R_g_5b, R_g_5d = KSL_MUL(R->m22, R->m22), R_g_5 = R_g_5c + R_g_5d;
+  const double R_off_0 = R_det - 1.0;
+  const double R_off_1 = R_g_0 - 1.0;
+  const double R_off_4 = R_g_3 - 1.0;
+  const double R_off_6 = R_g_5 - 1.0;
+  const double R_defect_size_0 = fabs(R_off_0);
+  const double R_defect_size_1 = fabs(R_off_1);
+  const double R_defect_size_2 = fabs(R_g_1);
+  const double R_defect_size_3 = fabs(R_g_2);
+  const double R_defect_size_4 = fabs(R_off_4);
+  const double R_defect_size_5 = fabs(R_g_4);
+  const double R_defect_size_6 = fabs(R_off_6);
+  const double R_defect_largest1 = R_defect_size_0 < R_defect_size_1 ? R_defect_size_1 :
+      R_defect_size_0;
+  const double R_defect_largest2 = R_defect_largest1 < R_defect_size_2 ? R_defect_size_2 :
+      R_defect_largest1;
+  const double R_defect_largest3 = R_defect_largest2 < R_defect_size_3 ? R_defect_size_3 :
+      R_defect_largest2;
+  const double R_defect_largest4 = R_defect_largest3 < R_defect_size_4 ? R_defect_size_4 :
+      R_defect_largest3;
+  const double R_defect_largest5 = R_defect_largest4 < R_defect_size_5 ? R_defect_size_5 :
+      R_defect_largest4;
+  const double R_defect_largest6 = R_defect_largest5 < R_defect_size_6 ? R_defect_size_6 :
+      R_defect_largest5;
+  const double R_unless_equal = R_defect_largest6 == 0.001 ? 0.0 : 1.0715086071862673e+301;
+  const double R_unless_rotation = R_defect_largest6 < 0.001 ? 0.0 : R_unless_equal;
   const double R_excess = KSL_MUL(R_unless_rotation, 1.0715086071862673e+301);
   const double R_excess_0 = angle_bound_1 + R_excess;
   const double R_excess_1 = axis_bound_2 + R_excess;
@@ -6058,8 +6023,8 @@ static inline void ksl_mat3x3f_from_euler_xyz_certified(const ksl_vec3f_t *angle
 /* angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
      [-π/2, π/2]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; angles, angles_bound: vector.
-   350 mul, 575 add, 45 product error, 6 product rest, 27 div, 2 sqrt, 4 neg, 66 abs, 12
-     copysign, 57 less, 13 equal, 103 select. */
+   353 mul, 588 add, 45 product error, 6 product rest, 27 div, 2 sqrt, 4 neg, 72 abs, 12
+     copysign, 59 less, 14 equal, 108 select. */
 static inline void ksl_euler_xyz_from_mat3x3f_certified(const ksl_mat3x3f_t *R,
     ksl_vec3f_t *angles, ksl_vec3f_t *angles_bound) {
   const float n_a = KSL_MULF(R->m00, R->m00), n_a_size_1 = fabsf(R->m00),
@@ -6164,14 +6129,67 @@ static inline void ksl_euler_xyz_from_mat3x3f_certified(const ksl_mat3x3f_t *R,
       left_cross_2 = left_2a_cross2_1 + left_2b_cross2_1,
       left_lo1_2 = left_left_rest_2 + left_right_rest_2, left_lo_2 = left_lo1_2 + left_cross_2,
       left_size_2 = left_2a_size_2 + left_2b_size_2;
-  const float angles_0 = ksl_atan2f(left_2, left_1),
-      angles_own_error_1 = ksl_atan2_errorf(left_2, left_1, angles_0),
-      angles_size0_1 = fabsf(left_2), angles_size1_1 = fabsf(left_1),
+  const float rest = R->m12 + R->m22, rest_right_1 = rest - R->m12,
+      rest_left_1 = rest - rest_right_1, rest_left_rest_1 = R->m12 - rest_left_1,
+      rest_right_rest_1 = R->m22 - rest_right_1, rest_lo = rest_left_rest_1 + rest_right_rest_1,
+      rest_size_1 = fabsf(R->m12), rest_size_2 = fabsf(R->m22),
+      rest_size_3 = rest_size_1 + rest_size_2;
+  const float first = ksl_atan2f(left_2, left_1),
+      first_own_error_1 = ksl_atan2_errorf(left_2, left_1, first), first_size0_1 = fabsf(left_2),
+      first_size1_1 = fabsf(left_1),
+      first_most_1 = first_size0_1 < first_size1_1 ? first_size1_1 : first_size0_1,
+      first_divisor_1 = first_most_1 == 0.0f ? 1.0f : first_most_1,
+      first_part0_1 = left_2 / first_divisor_1, first_part1_1 = left_1 / first_divisor_1,
+      first_cross1_1 = KSL_MULF(first_part1_1, left_lo_2),
+      first_cross2_1 = KSL_MULF(first_part0_1, left_lo_1),
+      first_square1_1 = KSL_MULF(first_part1_1, first_part1_1),
+      first_square2_1 = KSL_MULF(first_part0_1, first_part0_1),
+      first_cross_1 = first_cross1_1 - first_cross2_1,
+      first_square_1 = first_square1_1 + first_square2_1,
+      first_divisor2_1 = KSL_MULF(first_divisor_1, first_square_1),
+      first_safe_1 = first_most_1 == 0.0f ? 1.0f : first_divisor2_1,
+      first_more_1 = first_cross_1 / first_safe_1, first_lo = first_own_error_1 + first_more_1,
+      first_size_1 = fabsf(first), first_padded_1 = 3.3087225e-24f + left_size_2,
+      first_padded_2 = 3.3087225e-24f + left_size_1, first_size_2 = fabsf(left_2),
+      first_size_3 = fabsf(left_1),
+      first_size_5 = first_size_2 < first_size_3 ? first_size_3 : first_size_2,
+      first_error_1 = fabsf(left_lo_2), first_rest_1 = KSL_MULF(3.2294905e-12f, first_padded_1),
+      first_bound_1 = first_error_1 + first_rest_1, first_error_2 = fabsf(left_lo_1),
+      first_rest_2 = KSL_MULF(3.2294905e-12f, first_padded_2),
+      first_bound_2 = first_error_2 + first_rest_2, first_size_6 = 3.3087225e-24f + first_bound_1,
+      first_size_7 = first_bound_2 + first_size_6, first_size_8 = first_padded_1 + first_padded_2,
+      first_size_9 = first_size_8 / first_size_5, first_size_10 = first_size_1 + first_size_9,
+      first_size_11 = first_size_7 / first_size_5,
+      first_size_13 = KSL_MULF(first_size_11, first_size_11), first_size_14 = fabsf(first_lo),
+      first_size_15 = 7.0f + first_size_14,
+      first_size_18 = first_bound_2 < left_1 ? first_size_13 : first_size_15,
+      first_size_19 = first_bound_1 < first_size_2 ? first_size_13 : first_size_18,
+      first_size_20 = first_size_11 < 0.25f ? first_size_19 : first_size_15,
+      first_size_21 = KSL_MULF(1.5707134e+11f, first_size_20),
+      first_size_22 = first_size_10 + first_size_21;
+  const float angles_0 = rest < 1.2676506e+30f ? first : rest,
+      angles_lo_1 = rest < 1.2676506e+30f ? first_lo : rest_lo,
+      angles_size_1 = rest < 1.2676506e+30f ? first_size_22 : rest_size_3,
+      angles_error_1 = fabsf(rest_lo), angles_padded_1 = 3.3087225e-24f + rest_size_3,
+      angles_rest_1 = KSL_MULF(2.2026954e-13f, angles_padded_1),
+      angles_bound_1 = angles_error_1 + angles_rest_1, angles_size_2 = rest - 1.2676506e+30f,
+      angles_size_3 = fabsf(angles_size_2), angles_size_5 = first - rest,
+      angles_size_6 = fabsf(angles_size_5), angles_padded_2 = 3.3087225e-24f + first_size_22,
+      angles_rest_2 = KSL_MULF(6.565516e-12f, angles_padded_2),
+      angles_bound_2 = angles_rest_2 + first_size_14,
+      angles_size_7 = angles_bound_2 + angles_size_6,
+      angles_size_8 = angles_bound_1 + angles_size_7,
+      angles_size_9 = angles_bound_1 < angles_size_3 ? 0.0f : angles_size_8,
+      angles_size_10 = KSL_MULF(1.570713e+11f, angles_size_9),
+      angles_size_11 = angles_size_1 + angles_size_10;
+  const float angles_1 = ksl_atan2f(R->m02, n),
+      angles_own_error_1 = ksl_atan2_errorf(R->m02, n, angles_1), angles_size0_1 = fabsf(R->m02),
+      angles_size1_1 = fabsf(n),
       angles_most_1 = angles_size0_1 < angles_size1_1 ? angles_size1_1 : angles_size0_1,
       angles_divisor_1 = angles_most_1 == 0.0f ? 1.0f : angles_most_1,
-      angles_part0_1 = left_2 / angles_divisor_1, angles_part1_1 = left_1 / angles_divisor_1,
-      angles_cross1_1 = KSL_MULF(angles_part1_1, left_lo_2),
-      angles_cross2_1 = KSL_MULF(angles_part0_1, left_lo_1),
+      angles_part0_1 = R->m02 / angles_divisor_1, angles_part1_1 = n / angles_divisor_1,
+      angles_cross1_1 = KSL_MULF(angles_part1_1, 0.0f),
+      angles_cross2_1 = KSL_MULF(angles_part0_1, n_lo),
       angles_square1_1 = KSL_MULF(angles_part1_1, angles_part1_1),
       angles_square2_1 = KSL_MULF(angles_part0_1, angles_part0_1),
       angles_cross_1 = angles_cross1_1 - angles_cross2_1,
@@ -6179,135 +6197,75 @@ static inline void ksl_euler_xyz_from_mat3x3f_certified(const ksl_mat3x3f_t *R,
       angles_divisor2_1 = KSL_MULF(angles_divisor_1, angles_square_1),
       angles_safe_1 = angles_most_1 == 0.0f ? 1.0f : angles_divisor2_1,
       angles_more_1 = angles_cross_1 / angles_safe_1,
-      angles_lo_1 = angles_own_error_1 + angles_more_1, angles_size_1 = fabsf(angles_0),
-      angles_padded_1 = 3.3087225e-24f + left_size_2,
-      angles_padded_2 = 3.3087225e-24f + left_size_1, angles_size_2 = fabsf(left_2),
-      angles_size_3 = fabsf(left_1),
-      angles_size_5 = angles_size_2 < angles_size_3 ? angles_size_3 : angles_size_2,
-      angles_error_1 = fabsf(left_lo_2), angles_rest_1 = KSL_MULF(3.2294905e-12f, angles_padded_1),
-      angles_bound_1 = angles_error_1 + angles_rest_1, angles_error_2 = fabsf(left_lo_1),
-      angles_rest_2 = KSL_MULF(3.2294905e-12f, angles_padded_2),
-      angles_bound_2 = angles_error_2 + angles_rest_2,
-      angles_size_6 = 3.3087225e-24f + angles_bound_1,
-      angles_size_7 = angles_bound_2 + angles_size_6,
-      angles_size_8 = angles_padded_1 + angles_padded_2,
-      angles_size_9 = angles_size_8 / angles_size_5, angles_size_10 = angles_size_1 + angles_size_9,
-      angles_size_11 = angles_size_7 / angles_size_5,
-      angles_size_13 = KSL_MULF(angles_size_11, angles_size_11),
-      angles_size_14 = fabsf(angles_lo_1), angles_size_15 = 7.0f + angles_size_14,
-      angles_size_18 = angles_bound_2 < left_1 ? angles_size_13 : angles_size_15,
-      angles_size_19 = angles_bound_1 < angles_size_2 ? angles_size_13 : angles_size_18,
-      angles_size_20 = angles_size_11 < 0.25f ? angles_size_19 : angles_size_15,
-      angles_size_21 = KSL_MULF(1.5707134e+11f, angles_size_20),
-      angles_size_22 = angles_size_10 + angles_size_21;
-  const float angles_1 = ksl_atan2f(R->m02, n),
-      angles_own_error_2 = ksl_atan2_errorf(R->m02, n, angles_1), angles_size0_2 = fabsf(R->m02),
-      angles_size1_2 = fabsf(n),
-      angles_most_2 = angles_size0_2 < angles_size1_2 ? angles_size1_2 : angles_size0_2,
-      angles_divisor_2 = angles_most_2 == 0.0f ? 1.0f : angles_most_2,
-      angles_part0_2 = R->m02 / angles_divisor_2, angles_part1_2 = n / angles_divisor_2,
-      angles_cross1_2 = KSL_MULF(angles_part1_2, 0.0f),
-      angles_cross2_2 = KSL_MULF(angles_part0_2, n_lo),
-      angles_square1_2 = KSL_MULF(angles_part1_2, angles_part1_2),
-      angles_square2_2 = KSL_MULF(angles_part0_2, angles_part0_2),
-      angles_cross_2 = angles_cross1_2 - angles_cross2_2,
-      angles_square_2 = angles_square1_2 + angles_square2_2,
-      angles_divisor2_2 = KSL_MULF(angles_divisor_2, angles_square_2),
-      angles_safe_2 = angles_most_2 == 0.0f ? 1.0f : angles_divisor2_2,
-      angles_more_2 = angles_cross_2 / angles_safe_2,
-      angles_lo_2 = angles_own_error_2 + angles_more_2, angles_size_23 = fabsf(angles_1),
-      angles_size_24 = fabsf(R->m02), angles_padded_3 = 3.3087225e-24f + angles_size_24,
-      angles_size_25 = fabsf(n),
-      angles_size_27 = angles_size_24 < angles_size_25 ? angles_size_25 : angles_size_24,
-      angles_size_28 = 3.3087225e-24f + divisor_bound_1,
-      angles_size_29 = angles_padded_3 + divisor_padded_1,
-      angles_size_30 = angles_size_29 / angles_size_27,
-      angles_size_31 = angles_size_23 + angles_size_30,
-      angles_size_32 = angles_size_28 / angles_size_27,
-      angles_size_34 = KSL_MULF(angles_size_32, angles_size_32),
-      angles_size_35 = fabsf(angles_lo_2), angles_size_36 = 7.0f + angles_size_35,
-      angles_size_37 = angles_size_32 < 0.25f ? angles_size_34 : angles_size_36,
-      angles_size_38 = KSL_MULF(2.7487632e+11f, angles_size_37),
-      angles_size_39 = angles_size_31 + angles_size_38;
-  const float angles_padded_4 = 3.3087225e-24f + angles_size_22,
-      angles_rest_3 = KSL_MULF(6.565516e-12f, angles_padded_4),
-      angles_bound_3 = angles_rest_3 + angles_size_14,
-      angles_padded_5 = 3.3087225e-24f + angles_size_39,
+      angles_lo_2 = angles_own_error_1 + angles_more_1, angles_size_12 = fabsf(angles_1),
+      angles_size_13 = fabsf(R->m02), angles_padded_3 = 3.3087225e-24f + angles_size_13,
+      angles_size_14 = fabsf(n),
+      angles_size_16 = angles_size_13 < angles_size_14 ? angles_size_14 : angles_size_13,
+      angles_size_17 = 3.3087225e-24f + divisor_bound_1,
+      angles_size_18 = angles_padded_3 + divisor_padded_1,
+      angles_size_19 = angles_size_18 / angles_size_16,
+      angles_size_20 = angles_size_12 + angles_size_19,
+      angles_size_21 = angles_size_17 / angles_size_16,
+      angles_size_23 = KSL_MULF(angles_size_21, angles_size_21),
+      angles_size_24 = fabsf(angles_lo_2), angles_size_25 = 7.0f + angles_size_24,
+      angles_size_26 = angles_size_21 < 0.25f ? angles_size_23 : angles_size_25,
+      angles_size_27 = KSL_MULF(2.7487632e+11f, angles_size_26),
+      angles_size_28 = angles_size_20 + angles_size_27;
+  const float angles_error_2 = fabsf(angles_lo_1),
+      angles_padded_4 = 3.3087225e-24f + angles_size_11,
+      angles_rest_3 = KSL_MULF(6.5655177e-12f, angles_padded_4),
+      angles_bound_3 = angles_error_2 + angles_rest_3,
+      angles_padded_5 = 3.3087225e-24f + angles_size_28,
       angles_rest_4 = KSL_MULF(3.751704e-12f, angles_padded_5),
-      angles_bound_4 = angles_rest_4 + angles_size_35, third_error_2 = fabsf(third_lo),
+      angles_bound_4 = angles_rest_4 + angles_size_24, third_error_2 = fabsf(third_lo),
       third_padded_2 = 3.3087225e-24f + third_size_7,
       third_rest_2 = KSL_MULF(1.8758445e-12f, third_padded_2),
       third_bound_2 = third_error_2 + third_rest_2;
-  const float R_det_above_0 = KSL_MULF(R->m11, R->m22);
-  const float R_det_below_0 = KSL_MULF(R->m12, R->m21);
-  const float R_det_cofactor_0 = R_det_above_0 - R_det_below_0;
-  const float R_det_above_1 = KSL_MULF(R->m12, R->m20);
-  const float R_det_below_1 = KSL_MULF(R->m10, R->m22);
-  const float R_det_cofactor_1 = R_det_above_1 - R_det_below_1;
-  const float R_det_above_2 = KSL_MULF(R->m10, R->m21);
-  const float R_det_below_2 = KSL_MULF(R->m11, R->m20);
-  const float R_det_cofactor_2 = R_det_above_2 - R_det_below_2;
-  const float R_det_product_0 = KSL_MULF(R->m00, R_det_cofactor_0);
-  const float R_det_product_1 = KSL_MULF(R->m01, R_det_cofactor_1);
-  const float R_det_product_2 = KSL_MULF(R->m02, R_det_cofactor_2);
-  const float R_det_sum_0 = R_det_product_0 + R_det_product_1;
-  const float R_det_sum_1 = R_det_sum_0 + R_det_product_2;
-  const float R_det_off = R_det_sum_1 - 1.0f;
-  const float R_det_size = fabsf(R_det_off);
-  const float R_column_00_product_0 = KSL_MULF(R->m00, R->m00);
-  const float R_column_00_product_1 = KSL_MULF(R->m10, R->m10);
-  const float R_column_00_product_2 = KSL_MULF(R->m20, R->m20);
-  const float R_column_00_sum_0 = R_column_00_product_0 + R_column_00_product_1;
-  const float R_column_00_sum_1 = R_column_00_sum_0 + R_column_00_product_2;
-  const float R_column_00_off = R_column_00_sum_1 - 1.0f;
-  const float R_column_00_size = fabsf(R_column_00_off);
-  const float R_column_00_largest = R_det_size < R_column_00_size ? R_column_00_size : R_det_size;
-  const float R_column_11_product_0 = KSL_MULF(R->m01, R->m01);
-  const float R_column_11_product_1 = KSL_MULF(R->m11, R->m11);
-  const float R_column_11_product_2 = KSL_MULF(R->m21, R->m21);
-  const float R_column_11_sum_0 = R_column_11_product_0 + R_column_11_product_1;
-  const float R_column_11_sum_1 = R_column_11_sum_0 + R_column_11_product_2;
-  const float R_column_11_off = R_column_11_sum_1 - 1.0f;
-  const float R_column_11_size = fabsf(R_column_11_off);
-  const float R_column_11_largest = R_column_00_largest < R_column_11_size ? R_column_11_size :
-      R_column_00_largest;
-  const float R_column_22_product_0 = KSL_MULF(R->m02, R->m02);
-  const float R_column_22_product_1 = KSL_MULF(R->m12, R->m12);
-  const float R_column_22_product_2 = KSL_MULF(R->m22, R->m22);
-  const float R_column_22_sum_0 = R_column_22_product_0 + R_column_22_product_1;
-  const float R_column_22_sum_1 = R_column_22_sum_0 + R_column_22_product_2;
-  const float R_column_22_off = R_column_22_sum_1 - 1.0f;
-  const float R_column_22_size = fabsf(R_column_22_off);
-  const float R_column_22_largest = R_column_11_largest < R_column_22_size ? R_column_22_size :
-      R_column_11_largest;
-  const float R_column_01_product_0 = KSL_MULF(R->m00, R->m01);
-  const float R_column_01_product_1 = KSL_MULF(R->m10, R->m11);
-  const float R_column_01_product_2 = KSL_MULF(R->m20, R->m21);
-  const float R_column_01_sum_0 = R_column_01_product_0 + R_column_01_product_1;
-  const float R_column_01_sum_1 = R_column_01_sum_0 + R_column_01_product_2;
-  const float R_column_01_off = R_column_01_sum_1 - 0.0f;
-  const float R_column_01_size = fabsf(R_column_01_off);
-  const float R_column_01_largest = R_column_22_largest < R_column_01_size ? R_column_01_size :
-      R_column_22_largest;
-  const float R_column_02_product_0 = KSL_MULF(R->m00, R->m02);
-  const float R_column_02_product_1 = KSL_MULF(R->m10, R->m12);
-  const float R_column_02_product_2 = KSL_MULF(R->m20, R->m22);
-  const float R_column_02_sum_0 = R_column_02_product_0 + R_column_02_product_1;
-  const float R_column_02_sum_1 = R_column_02_sum_0 + R_column_02_product_2;
-  const float R_column_02_off = R_column_02_sum_1 - 0.0f;
-  const float R_column_02_size = fabsf(R_column_02_off);
-  const float R_column_02_largest = R_column_01_largest < R_column_02_size ? R_column_02_size :
-      R_column_01_largest;
-  const float R_column_12_product_0 = KSL_MULF(R->m01, R->m02);
-  const float R_column_12_product_1 = KSL_MULF(R->m11, R->m12);
-  const float R_column_12_product_2 = KSL_MULF(R->m21, R->m22);
-  const float R_column_12_sum_0 = R_column_12_product_0 + R_column_12_product_1;
-  const float R_column_12_sum_1 = R_column_12_sum_0 + R_column_12_product_2;
-  const float R_column_12_off = R_column_12_sum_1 - 0.0f;
-  const float R_column_12_size = fabsf(R_column_12_off);
-  const float R_column_12_largest = R_column_02_largest < R_column_12_size ? R_column_12_size :
-      R_column_02_largest;
-  const float R_unless_rotation = R_column_12_largest < 0.001f ? 0.0f : 1.2676506e+30f;
+  const float R_n_0a = KSL_MULF(R->m11, R->m22), R_n_0b = KSL_MULF(R->m12, R->m21),
+      R_n_0 = R_n_0a - R_n_0b;
+  const float R_n_1a = KSL_MULF(R->m02, R->m21), R_n_1b = KSL_MULF(R->m01, R->m22),
+      R_n_1 = R_n_1a - R_n_1b;
+  const float R_n_2a = KSL_MULF(R->m01, R->m12), R_n_2b = KSL_MULF(R->m02, R->m11),
+      R_n_2 = R_n_2a - R_n_2b;
+  const float R_det_a = KSL_MULF(R->m00, R_n_0), R_det_b = KSL_MULF(R->m10, R_n_1),
+      R_det_c = R_det_a + R_det_b, R_det_d = KSL_MULF(R->m20, R_n_2), R_det = R_det_c + R_det_d;
+  const float R_g_0a = KSL_MULF(R->m00, R->m00), R_g_0b = KSL_MULF(R->m10, R->m10),
+      R_g_0c = R_g_0a + R_g_0b, R_g_0d = KSL_MULF(R->m20, R->m20), R_g_0 = R_g_0c + R_g_0d;
+  const float R_g_1a = KSL_MULF(R->m00, R->m01), R_g_1b = KSL_MULF(R->m10, R->m11),
+      R_g_1c = R_g_1a + R_g_1b, R_g_1d = KSL_MULF(R->m20, R->m21), R_g_1 = R_g_1c + R_g_1d;
+  const float R_g_2a = KSL_MULF(R->m00, R->m02), R_g_2b = KSL_MULF(R->m10, R->m12),
+      R_g_2c = R_g_2a + R_g_2b, R_g_2d = KSL_MULF(R->m20, R->m22), R_g_2 = R_g_2c + R_g_2d;
+  const float R_g_3a = KSL_MULF(R->m01, R->m01), R_g_3b = KSL_MULF(R->m11, R->m11),
+      R_g_3c = R_g_3a + R_g_3b, R_g_3d = KSL_MULF(R->m21, R->m21), R_g_3 = R_g_3c + R_g_3d;
+  const float R_g_4a = KSL_MULF(R->m01, R->m02), R_g_4b = KSL_MULF(R->m11, R->m12),
+      R_g_4c = R_g_4a + R_g_4b, R_g_4d = KSL_MULF(R->m21, R->m22), R_g_4 = R_g_4c + R_g_4d;
+  const float R_g_5a = KSL_MULF(R->m02, R->m02), R_g_5b = KSL_MULF(R->m12, R->m12),
+      R_g_5c = R_g_5a + R_g_5b, R_g_5d = KSL_MULF(R->m22, R->m22), R_g_5 = R_g_5c + R_g_5d;
+  const float R_off_0 = R_det - 1.0f;
+  const float R_off_1 = R_g_0 - 1.0f;
+  const float R_off_4 = R_g_3 - 1.0f;
+  const float R_off_6 = R_g_5 - 1.0f;
+  const float R_defect_size_0 = fabsf(R_off_0);
+  const float R_defect_size_1 = fabsf(R_off_1);
+  const float R_defect_size_2 = fabsf(R_g_1);
+  const float R_defect_size_3 = fabsf(R_g_2);
+  const float R_defect_size_4 = fabsf(R_off_4);
+  const float R_defect_size_5 = fabsf(R_g_4);
+  const float R_defect_size_6 = fabsf(R_off_6);
+  const float R_defect_largest1 = R_defect_size_0 < R_defect_size_1 ? R_defect_size_1 :
+      R_defect_size_0;
+  const float R_defect_largest2 = R_defect_largest1 < R_defect_size_2 ? R_defect_size_2 :
+      R_defect_largest1;
+  const float R_defect_largest3 = R_defect_largest2 < R_defect_size_3 ? R_defect_size_3 :
+      R_defect_largest2;
+  const float R_defect_largest4 = R_defect_largest3 < R_defect_size_4 ? R_defect_size_4 :
+      R_defect_largest3;
+  const float R_defect_largest5 = R_defect_largest4 < R_defect_size_5 ? R_defect_size_5 :
+      R_defect_largest4;
+  const float R_defect_largest6 = R_defect_largest5 < R_defect_size_6 ? R_defect_size_6 :
+      R_defect_largest5;
+  const float R_unless_equal = R_defect_largest6 == 0.001f ? 0.0f : 1.2676506e+30f;
+  const float R_unless_rotation = R_defect_largest6 < 0.001f ? 0.0f : R_unless_equal;
   const float R_excess = KSL_MULF(R_unless_rotation, 1.2676506e+30f);
   const float R_excess_0 = angles_bound_3 + R_excess;
   const float R_excess_1 = angles_bound_4 + R_excess;
@@ -6440,8 +6398,8 @@ static inline void ksl_mat3x3f_from_euler_xyx_certified(const ksl_vec3f_t *angle
 /* angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in [0,
      π]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; angles, angles_bound: vector.
-   350 mul, 575 add, 45 product error, 6 product rest, 27 div, 2 sqrt, 3 neg, 66 abs, 12
-     copysign, 59 less, 13 equal, 105 select. */
+   353 mul, 588 add, 45 product error, 6 product rest, 27 div, 2 sqrt, 3 neg, 72 abs, 12
+     copysign, 61 less, 14 equal, 110 select. */
 static inline void ksl_euler_xyx_from_mat3x3f_certified(const ksl_mat3x3f_t *R,
     ksl_vec3f_t *angles, ksl_vec3f_t *angles_bound) {
   const float n_a = KSL_MULF(R->m01, R->m01), n_a_size_1 = fabsf(R->m01),
@@ -6546,14 +6504,67 @@ static inline void ksl_euler_xyx_from_mat3x3f_certified(const ksl_mat3x3f_t *R,
       left_cross_2 = left_2a_cross2_1 - left_2b_cross2_1,
       left_lo1_2 = left_left_rest_2 - left_right_rest_2, left_lo_2 = left_lo1_2 + left_cross_2,
       left_size_2 = left_2a_size_2 + left_2b_size_2;
-  const float angles_0 = ksl_atan2f(left_2, left_1),
-      angles_own_error_1 = ksl_atan2_errorf(left_2, left_1, angles_0),
-      angles_size0_1 = fabsf(left_2), angles_size1_1 = fabsf(left_1),
+  const float rest = R->m10 + R->m20, rest_right_1 = rest - R->m10,
+      rest_left_1 = rest - rest_right_1, rest_left_rest_1 = R->m10 - rest_left_1,
+      rest_right_rest_1 = R->m20 - rest_right_1, rest_lo = rest_left_rest_1 + rest_right_rest_1,
+      rest_size_1 = fabsf(R->m10), rest_size_2 = fabsf(R->m20),
+      rest_size_3 = rest_size_1 + rest_size_2;
+  const float first = ksl_atan2f(left_2, left_1),
+      first_own_error_1 = ksl_atan2_errorf(left_2, left_1, first), first_size0_1 = fabsf(left_2),
+      first_size1_1 = fabsf(left_1),
+      first_most_1 = first_size0_1 < first_size1_1 ? first_size1_1 : first_size0_1,
+      first_divisor_1 = first_most_1 == 0.0f ? 1.0f : first_most_1,
+      first_part0_1 = left_2 / first_divisor_1, first_part1_1 = left_1 / first_divisor_1,
+      first_cross1_1 = KSL_MULF(first_part1_1, left_lo_2),
+      first_cross2_1 = KSL_MULF(first_part0_1, left_lo_1),
+      first_square1_1 = KSL_MULF(first_part1_1, first_part1_1),
+      first_square2_1 = KSL_MULF(first_part0_1, first_part0_1),
+      first_cross_1 = first_cross1_1 - first_cross2_1,
+      first_square_1 = first_square1_1 + first_square2_1,
+      first_divisor2_1 = KSL_MULF(first_divisor_1, first_square_1),
+      first_safe_1 = first_most_1 == 0.0f ? 1.0f : first_divisor2_1,
+      first_more_1 = first_cross_1 / first_safe_1, first_lo = first_own_error_1 + first_more_1,
+      first_size_1 = fabsf(first), first_padded_1 = 3.3087225e-24f + left_size_2,
+      first_padded_2 = 3.3087225e-24f + left_size_1, first_size_2 = fabsf(left_2),
+      first_size_3 = fabsf(left_1),
+      first_size_5 = first_size_2 < first_size_3 ? first_size_3 : first_size_2,
+      first_error_1 = fabsf(left_lo_2), first_rest_1 = KSL_MULF(3.2294905e-12f, first_padded_1),
+      first_bound_1 = first_error_1 + first_rest_1, first_error_2 = fabsf(left_lo_1),
+      first_rest_2 = KSL_MULF(3.2294905e-12f, first_padded_2),
+      first_bound_2 = first_error_2 + first_rest_2, first_size_6 = 3.3087225e-24f + first_bound_1,
+      first_size_7 = first_bound_2 + first_size_6, first_size_8 = first_padded_1 + first_padded_2,
+      first_size_9 = first_size_8 / first_size_5, first_size_10 = first_size_1 + first_size_9,
+      first_size_11 = first_size_7 / first_size_5,
+      first_size_13 = KSL_MULF(first_size_11, first_size_11), first_size_14 = fabsf(first_lo),
+      first_size_15 = 7.0f + first_size_14,
+      first_size_18 = first_bound_2 < left_1 ? first_size_13 : first_size_15,
+      first_size_19 = first_bound_1 < first_size_2 ? first_size_13 : first_size_18,
+      first_size_20 = first_size_11 < 0.25f ? first_size_19 : first_size_15,
+      first_size_21 = KSL_MULF(1.5707134e+11f, first_size_20),
+      first_size_22 = first_size_10 + first_size_21;
+  const float angles_0 = rest < 1.2676506e+30f ? first : rest,
+      angles_lo_1 = rest < 1.2676506e+30f ? first_lo : rest_lo,
+      angles_size_1 = rest < 1.2676506e+30f ? first_size_22 : rest_size_3,
+      angles_error_1 = fabsf(rest_lo), angles_padded_1 = 3.3087225e-24f + rest_size_3,
+      angles_rest_1 = KSL_MULF(2.2026954e-13f, angles_padded_1),
+      angles_bound_1 = angles_error_1 + angles_rest_1, angles_size_2 = rest - 1.2676506e+30f,
+      angles_size_3 = fabsf(angles_size_2), angles_size_5 = first - rest,
+      angles_size_6 = fabsf(angles_size_5), angles_padded_2 = 3.3087225e-24f + first_size_22,
+      angles_rest_2 = KSL_MULF(6.565516e-12f, angles_padded_2),
+      angles_bound_2 = angles_rest_2 + first_size_14,
+      angles_size_7 = angles_bound_2 + angles_size_6,
+      angles_size_8 = angles_bound_1 + angles_size_7,
+      angles_size_9 = angles_bound_1 < angles_size_3 ? 0.0f : angles_size_8,
+      angles_size_10 = KSL_MULF(1.570713e+11f, angles_size_9),
+      angles_size_11 = angles_size_1 + angles_size_10;
+  const float angles_1 = ksl_atan2f(n, R->m00),
+      angles_own_error_1 = ksl_atan2_errorf(n, R->m00, angles_1), angles_size0_1 = fabsf(n),
+      angles_size1_1 = fabsf(R->m00),
       angles_most_1 = angles_size0_1 < angles_size1_1 ? angles_size1_1 : angles_size0_1,
       angles_divisor_1 = angles_most_1 == 0.0f ? 1.0f : angles_most_1,
-      angles_part0_1 = left_2 / angles_divisor_1, angles_part1_1 = left_1 / angles_divisor_1,
-      angles_cross1_1 = KSL_MULF(angles_part1_1, left_lo_2),
-      angles_cross2_1 = KSL_MULF(angles_part0_1, left_lo_1),
+      angles_part0_1 = n / angles_divisor_1, angles_part1_1 = R->m00 / angles_divisor_1,
+      angles_cross1_1 = KSL_MULF(angles_part1_1, n_lo),
+      angles_cross2_1 = KSL_MULF(angles_part0_1, 0.0f),
       angles_square1_1 = KSL_MULF(angles_part1_1, angles_part1_1),
       angles_square2_1 = KSL_MULF(angles_part0_1, angles_part0_1),
       angles_cross_1 = angles_cross1_1 - angles_cross2_1,
@@ -6561,137 +6572,77 @@ static inline void ksl_euler_xyx_from_mat3x3f_certified(const ksl_mat3x3f_t *R,
       angles_divisor2_1 = KSL_MULF(angles_divisor_1, angles_square_1),
       angles_safe_1 = angles_most_1 == 0.0f ? 1.0f : angles_divisor2_1,
       angles_more_1 = angles_cross_1 / angles_safe_1,
-      angles_lo_1 = angles_own_error_1 + angles_more_1, angles_size_1 = fabsf(angles_0),
-      angles_padded_1 = 3.3087225e-24f + left_size_2,
-      angles_padded_2 = 3.3087225e-24f + left_size_1, angles_size_2 = fabsf(left_2),
-      angles_size_3 = fabsf(left_1),
-      angles_size_5 = angles_size_2 < angles_size_3 ? angles_size_3 : angles_size_2,
-      angles_error_1 = fabsf(left_lo_2), angles_rest_1 = KSL_MULF(3.2294905e-12f, angles_padded_1),
-      angles_bound_1 = angles_error_1 + angles_rest_1, angles_error_2 = fabsf(left_lo_1),
-      angles_rest_2 = KSL_MULF(3.2294905e-12f, angles_padded_2),
-      angles_bound_2 = angles_error_2 + angles_rest_2,
-      angles_size_6 = 3.3087225e-24f + angles_bound_1,
-      angles_size_7 = angles_bound_2 + angles_size_6,
-      angles_size_8 = angles_padded_1 + angles_padded_2,
-      angles_size_9 = angles_size_8 / angles_size_5, angles_size_10 = angles_size_1 + angles_size_9,
-      angles_size_11 = angles_size_7 / angles_size_5,
-      angles_size_13 = KSL_MULF(angles_size_11, angles_size_11),
-      angles_size_14 = fabsf(angles_lo_1), angles_size_15 = 7.0f + angles_size_14,
-      angles_size_18 = angles_bound_2 < left_1 ? angles_size_13 : angles_size_15,
-      angles_size_19 = angles_bound_1 < angles_size_2 ? angles_size_13 : angles_size_18,
-      angles_size_20 = angles_size_11 < 0.25f ? angles_size_19 : angles_size_15,
-      angles_size_21 = KSL_MULF(1.5707134e+11f, angles_size_20),
-      angles_size_22 = angles_size_10 + angles_size_21;
-  const float angles_1 = ksl_atan2f(n, R->m00),
-      angles_own_error_2 = ksl_atan2_errorf(n, R->m00, angles_1), angles_size0_2 = fabsf(n),
-      angles_size1_2 = fabsf(R->m00),
-      angles_most_2 = angles_size0_2 < angles_size1_2 ? angles_size1_2 : angles_size0_2,
-      angles_divisor_2 = angles_most_2 == 0.0f ? 1.0f : angles_most_2,
-      angles_part0_2 = n / angles_divisor_2, angles_part1_2 = R->m00 / angles_divisor_2,
-      angles_cross1_2 = KSL_MULF(angles_part1_2, n_lo),
-      angles_cross2_2 = KSL_MULF(angles_part0_2, 0.0f),
-      angles_square1_2 = KSL_MULF(angles_part1_2, angles_part1_2),
-      angles_square2_2 = KSL_MULF(angles_part0_2, angles_part0_2),
-      angles_cross_2 = angles_cross1_2 - angles_cross2_2,
-      angles_square_2 = angles_square1_2 + angles_square2_2,
-      angles_divisor2_2 = KSL_MULF(angles_divisor_2, angles_square_2),
-      angles_safe_2 = angles_most_2 == 0.0f ? 1.0f : angles_divisor2_2,
-      angles_more_2 = angles_cross_2 / angles_safe_2,
-      angles_lo_2 = angles_own_error_2 + angles_more_2, angles_size_23 = fabsf(angles_1),
-      angles_size_24 = fabsf(R->m00), angles_padded_3 = 3.3087225e-24f + angles_size_24,
-      angles_size_25 = fabsf(n),
-      angles_size_27 = angles_size_25 < angles_size_24 ? angles_size_24 : angles_size_25,
-      angles_size_28 = 3.3087225e-24f + divisor_bound_1,
-      angles_size_29 = angles_padded_3 + divisor_padded_1,
-      angles_size_30 = angles_size_29 / angles_size_27,
-      angles_size_31 = angles_size_23 + angles_size_30,
-      angles_size_32 = angles_size_28 / angles_size_27,
-      angles_size_34 = KSL_MULF(angles_size_32, angles_size_32),
-      angles_size_35 = fabsf(angles_lo_2), angles_size_36 = 7.0f + angles_size_35,
-      angles_size_39 = 0.0f < R->m00 ? angles_size_34 : angles_size_36,
-      angles_size_40 = divisor_bound_1 < angles_size_25 ? angles_size_34 : angles_size_39,
-      angles_size_41 = angles_size_32 < 0.25f ? angles_size_40 : angles_size_36,
-      angles_size_42 = KSL_MULF(2.7487632e+11f, angles_size_41),
-      angles_size_43 = angles_size_31 + angles_size_42;
-  const float angles_padded_4 = 3.3087225e-24f + angles_size_22,
-      angles_rest_3 = KSL_MULF(6.565516e-12f, angles_padded_4),
-      angles_bound_3 = angles_rest_3 + angles_size_14,
-      angles_padded_5 = 3.3087225e-24f + angles_size_43,
+      angles_lo_2 = angles_own_error_1 + angles_more_1, angles_size_12 = fabsf(angles_1),
+      angles_size_13 = fabsf(R->m00), angles_padded_3 = 3.3087225e-24f + angles_size_13,
+      angles_size_14 = fabsf(n),
+      angles_size_16 = angles_size_14 < angles_size_13 ? angles_size_13 : angles_size_14,
+      angles_size_17 = 3.3087225e-24f + divisor_bound_1,
+      angles_size_18 = angles_padded_3 + divisor_padded_1,
+      angles_size_19 = angles_size_18 / angles_size_16,
+      angles_size_20 = angles_size_12 + angles_size_19,
+      angles_size_21 = angles_size_17 / angles_size_16,
+      angles_size_23 = KSL_MULF(angles_size_21, angles_size_21),
+      angles_size_24 = fabsf(angles_lo_2), angles_size_25 = 7.0f + angles_size_24,
+      angles_size_28 = 0.0f < R->m00 ? angles_size_23 : angles_size_25,
+      angles_size_29 = divisor_bound_1 < angles_size_14 ? angles_size_23 : angles_size_28,
+      angles_size_30 = angles_size_21 < 0.25f ? angles_size_29 : angles_size_25,
+      angles_size_31 = KSL_MULF(2.7487632e+11f, angles_size_30),
+      angles_size_32 = angles_size_20 + angles_size_31;
+  const float angles_error_2 = fabsf(angles_lo_1),
+      angles_padded_4 = 3.3087225e-24f + angles_size_11,
+      angles_rest_3 = KSL_MULF(6.5655177e-12f, angles_padded_4),
+      angles_bound_3 = angles_error_2 + angles_rest_3,
+      angles_padded_5 = 3.3087225e-24f + angles_size_32,
       angles_rest_4 = KSL_MULF(3.751704e-12f, angles_padded_5),
-      angles_bound_4 = angles_rest_4 + angles_size_35, third_error_2 = fabsf(third_lo),
+      angles_bound_4 = angles_rest_4 + angles_size_24, third_error_2 = fabsf(third_lo),
       third_padded_2 = 3.3087225e-24f + third_size_7,
       third_rest_2 = KSL_MULF(1.8758445e-12f, third_padded_2),
       third_bound_2 = third_error_2 + third_rest_2;
-  const float R_det_above_0 = KSL_MULF(R->m11, R->m22);
-  const float R_det_below_0 = KSL_MULF(R->m12, R->m21);
-  const float R_det_cofactor_0 = R_det_above_0 - R_det_below_0;
-  const float R_det_above_1 = KSL_MULF(R->m12, R->m20);
-  const float R_det_below_1 = KSL_MULF(R->m10, R->m22);
-  const float R_det_cofactor_1 = R_det_above_1 - R_det_below_1;
-  const float R_det_above_2 = KSL_MULF(R->m10, R->m21);
-  const float R_det_below_2 = KSL_MULF(R->m11, R->m20);
-  const float R_det_cofactor_2 = R_det_above_2 - R_det_below_2;
-  const float R_det_product_0 = KSL_MULF(R->m00, R_det_cofactor_0);
-  const float R_det_product_1 = KSL_MULF(R->m01, R_det_cofactor_1);
-  const float R_det_product_2 = KSL_MULF(R->m02, R_det_cofactor_2);
-  const float R_det_sum_0 = R_det_product_0 + R_det_product_1;
-  const float R_det_sum_1 = R_det_sum_0 + R_det_product_2;
-  const float R_det_off = R_det_sum_1 - 1.0f;
-  const float R_det_size = fabsf(R_det_off);
-  const float R_column_00_product_0 = KSL_MULF(R->m00, R->m00);
-  const float R_column_00_product_1 = KSL_MULF(R->m10, R->m10);
-  const float R_column_00_product_2 = KSL_MULF(R->m20, R->m20);
-  const float R_column_00_sum_0 = R_column_00_product_0 + R_column_00_product_1;
-  const float R_column_00_sum_1 = R_column_00_sum_0 + R_column_00_product_2;
-  const float R_column_00_off = R_column_00_sum_1 - 1.0f;
-  const float R_column_00_size = fabsf(R_column_00_off);
-  const float R_column_00_largest = R_det_size < R_column_00_size ? R_column_00_size : R_det_size;
-  const float R_column_11_product_0 = KSL_MULF(R->m01, R->m01);
-  const float R_column_11_product_1 = KSL_MULF(R->m11, R->m11);
-  const float R_column_11_product_2 = KSL_MULF(R->m21, R->m21);
-  const float R_column_11_sum_0 = R_column_11_product_0 + R_column_11_product_1;
-  const float R_column_11_sum_1 = R_column_11_sum_0 + R_column_11_product_2;
-  const float R_column_11_off = R_column_11_sum_1 - 1.0f;
-  const float R_column_11_size = fabsf(R_column_11_off);
-  const float R_column_11_largest = R_column_00_largest < R_column_11_size ? R_column_11_size :
-      R_column_00_largest;
-  const float R_column_22_product_0 = KSL_MULF(R->m02, R->m02);
-  const float R_column_22_product_1 = KSL_MULF(R->m12, R->m12);
-  const float R_column_22_product_2 = KSL_MULF(R->m22, R->m22);
-  const float R_column_22_sum_0 = R_column_22_product_0 + R_column_22_product_1;
-  const float R_column_22_sum_1 = R_column_22_sum_0 + R_column_22_product_2;
-  const float R_column_22_off = R_column_22_sum_1 - 1.0f;
-  const float R_column_22_size = fabsf(R_column_22_off);
-  const float R_column_22_largest = R_column_11_largest < R_column_22_size ? R_column_22_size :
-      R_column_11_largest;
-  const float R_column_01_product_0 = KSL_MULF(R->m00, R->m01);
-  const float R_column_01_product_1 = KSL_MULF(R->m10, R->m11);
-  const float R_column_01_product_2 = KSL_MULF(R->m20, R->m21);
-  const float R_column_01_sum_0 = R_column_01_product_0 + R_column_01_product_1;
-  const float R_column_01_sum_1 = R_column_01_sum_0 + R_column_01_product_2;
-  const float R_column_01_off = R_column_01_sum_1 - 0.0f;
-  const float R_column_01_size = fabsf(R_column_01_off);
-  const float R_column_01_largest = R_column_22_largest < R_column_01_size ? R_column_01_size :
-      R_column_22_largest;
-  const float R_column_02_product_0 = KSL_MULF(R->m00, R->m02);
-  const float R_column_02_product_1 = KSL_MULF(R->m10, R->m12);
-  const float R_column_02_product_2 = KSL_MULF(R->m20, R->m22);
-  const float R_column_02_sum_0 = R_column_02_product_0 + R_column_02_product_1;
-  const float R_column_02_sum_1 = R_column_02_sum_0 + R_column_02_product_2;
-  const float R_column_02_off = R_column_02_sum_1 - 0.0f;
-  const float R_column_02_size = fabsf(R_column_02_off);
-  const float R_column_02_largest = R_column_01_largest < R_column_02_size ? R_column_02_size :
-      R_column_01_largest;
-  const float R_column_12_product_0 = KSL_MULF(R->m01, R->m02);
-  const float R_column_12_product_1 = KSL_MULF(R->m11, R->m12);
-  const float R_column_12_product_2 = KSL_MULF(R->m21, R->m22);
-  const float R_column_12_sum_0 = R_column_12_product_0 + R_column_12_product_1;
-  const float R_column_12_sum_1 = R_column_12_sum_0 + R_column_12_product_2;
-  const float R_column_12_off = R_column_12_sum_1 - 0.0f;
-  const float R_column_12_size = fabsf(R_column_12_off);
-  const float R_column_12_largest = R_column_02_largest < R_column_12_size ? R_column_12_size :
-      R_column_02_largest;
-  const float R_unless_rotation = R_column_12_largest < 0.001f ? 0.0f : 1.2676506e+30f;
+  const float R_n_0a = KSL_MULF(R->m11, R->m22), R_n_0b = KSL_MULF(R->m12, R->m21),
+      R_n_0 = R_n_0a - R_n_0b;
+  const float R_n_1a = KSL_MULF(R->m02, R->m21), R_n_1b = KSL_MULF(R->m01, R->m22),
+      R_n_1 = R_n_1a - R_n_1b;
+  const float R_n_2a = KSL_MULF(R->m01, R->m12), R_n_2b = KSL_MULF(R->m02, R->m11),
+      R_n_2 = R_n_2a - R_n_2b;
+  const float R_det_a = KSL_MULF(R->m00, R_n_0), R_det_b = KSL_MULF(R->m10, R_n_1),
+      R_det_c = R_det_a + R_det_b, R_det_d = KSL_MULF(R->m20, R_n_2), R_det = R_det_c + R_det_d;
+  const float R_g_0a = KSL_MULF(R->m00, R->m00), R_g_0b = KSL_MULF(R->m10, R->m10),
+      R_g_0c = R_g_0a + R_g_0b, R_g_0d = KSL_MULF(R->m20, R->m20), R_g_0 = R_g_0c + R_g_0d;
+  const float R_g_1a = KSL_MULF(R->m00, R->m01), R_g_1b = KSL_MULF(R->m10, R->m11),
+      R_g_1c = R_g_1a + R_g_1b, R_g_1d = KSL_MULF(R->m20, R->m21), R_g_1 = R_g_1c + R_g_1d;
+  const float R_g_2a = KSL_MULF(R->m00, R->m02), R_g_2b = KSL_MULF(R->m10, R->m12),
+      R_g_2c = R_g_2a + R_g_2b, R_g_2d = KSL_MULF(R->m20, R->m22), R_g_2 = R_g_2c + R_g_2d;
+  const float R_g_3a = KSL_MULF(R->m01, R->m01), R_g_3b = KSL_MULF(R->m11, R->m11),
+      R_g_3c = R_g_3a + R_g_3b, R_g_3d = KSL_MULF(R->m21, R->m21), R_g_3 = R_g_3c + R_g_3d;
+  const float R_g_4a = KSL_MULF(R->m01, R->m02), R_g_4b = KSL_MULF(R->m11, R->m12),
+      R_g_4c = R_g_4a + R_g_4b, R_g_4d = KSL_MULF(R->m21, R->m22), R_g_4 = R_g_4c + R_g_4d;
+  const float R_g_5a = KSL_MULF(R->m02, R->m02), R_g_5b = KSL_MULF(R->m12, R->m12),
+      R_g_5c = R_g_5a + R_g_5b, R_g_5d = KSL_MULF(R->m22, R->m22), R_g_5 = R_g_5c + R_g_5d;
+  const float R_off_0 = R_det - 1.0f;
+  const float R_off_1 = R_g_0 - 1.0f;
+  const float R_off_4 = R_g_3 - 1.0f;
+  const float R_off_6 = R_g_5 - 1.0f;
+  const float R_defect_size_0 = fabsf(R_off_0);
+  const float R_defect_size_1 = fabsf(R_off_1);
+  const float R_defect_size_2 = fabsf(R_g_1);
+  const float R_defect_size_3 = fabsf(R_g_2);
+  const float R_defect_size_4 = fabsf(R_off_4);
+  const float R_defect_size_5 = fabsf(R_g_4);
+  const float R_defect_size_6 = fabsf(R_off_6);
+  const float R_defect_largest1 = R_defect_size_0 < R_defect_size_1 ? R_defect_size_1 :
+      R_defect_size_0;
+  const float R_defect_largest2 = R_defect_largest1 < R_defect_size_2 ? R_defect_size_2 :
+      R_defect_largest1;
+  const float R_defect_largest3 = R_defect_largest2 < R_defect_size_3 ? R_defect_size_3 :
+      R_defect_largest2;
+  const float R_defect_largest4 = R_defect_largest3 < R_defect_size_4 ? R_defect_size_4 :
+      R_defect_largest3;
+  const float R_defect_largest5 = R_defect_largest4 < R_defect_size_5 ? R_defect_size_5 :
+      R_defect_largest4;
+  const float R_defect_largest6 = R_defect_largest5 < R_defect_size_6 ? R_defect_size_6 :
+      R_defect_largest5;
+  const float R_unless_equal = R_defect_largest6 == 0.001f ? 0.0f : 1.2676506e+30f;
+  const float R_unless_rotation = R_defect_largest6 < 0.001f ? 0.0f : R_unless_equal;
   const float R_excess = KSL_MULF(R_unless_rotation, 1.2676506e+30f);
   const float R_excess_0 = angles_bound_3 + R_excess;
   const float R_excess_1 = angles_bound_4 + R_excess;
@@ -6881,8 +6832,8 @@ static inline void ksl_mat3x3f_from_axis_angle_certified(const ksl_vec3f_t *axis
 /* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0;
      |error of angle| <= angle_bound, |error of axis| <= axis_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; axis, axis_bound: vector; angle_bound: number.
-   199 mul, 411 add, 18 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 70 abs, 4
-     copysign, 41 less, 6 equal, 110 select. */
+   199 mul, 408 add, 18 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 70 abs, 4
+     copysign, 41 less, 7 equal, 111 select. */
 static inline float ksl_axis_angle_from_mat3x3f_certified(const ksl_mat3x3f_t *R,
     ksl_vec3f_t *axis, float *angle_bound, ksl_vec3f_t *axis_bound) {
   const float p_0 = R->m21 - R->m12, p_right_1 = R->m21 - p_0, p_left_1 = p_0 + p_right_1,
@@ -7191,76 +7142,51 @@ static inline float ksl_axis_angle_from_mat3x3f_certified(const ksl_mat3x3f_t *R
       unit_padded_3 = 3.3087225e-24f + unit_size_25,
       unit_rest_6 = KSL_MULF(5.367124e-12f, unit_padded_3),
       unit_bound_3 = unit_error_3 + unit_rest_6;
-  const float R_det_above_0 = KSL_MULF(R->m11, R->m22);
-  const float R_det_below_0 = KSL_MULF(R->m12, R->m21);
-  const float R_det_cofactor_0 = R_det_above_0 - R_det_below_0;
-  const float R_det_above_1 = KSL_MULF(R->m12, R->m20);
-  const float R_det_below_1 = KSL_MULF(R->m10, R->m22);
-  const float R_det_cofactor_1 = R_det_above_1 - R_det_below_1;
-  const float R_det_above_2 = KSL_MULF(R->m10, R->m21);
-  const float R_det_below_2 = KSL_MULF(R->m11, R->m20);
-  const float R_det_cofactor_2 = R_det_above_2 - R_det_below_2;
-  const float R_det_product_0 = KSL_MULF(R->m00, R_det_cofactor_0);
-  const float R_det_product_1 = KSL_MULF(R->m01, R_det_cofactor_1);
-  const float R_det_product_2 = KSL_MULF(R->m02, R_det_cofactor_2);
-  const float R_det_sum_0 = R_det_product_0 + R_det_product_1;
-  const float R_det_sum_1 = R_det_sum_0 + R_det_product_2;
-  const float R_det_off = R_det_sum_1 - 1.0f;
-  const float R_det_size = fabsf(R_det_off);
-  const float R_column_00_product_0 = KSL_MULF(R->m00, R->m00);
-  const float R_column_00_product_1 = KSL_MULF(R->m10, R->m10);
-  const float R_column_00_product_2 = KSL_MULF(R->m20, R->m20);
-  const float R_column_00_sum_0 = R_column_00_product_0 + R_column_00_product_1;
-  const float R_column_00_sum_1 = R_column_00_sum_0 + R_column_00_product_2;
-  const float R_column_00_off = R_column_00_sum_1 - 1.0f;
-  const float R_column_00_size = fabsf(R_column_00_off);
-  const float R_column_00_largest = R_det_size < R_column_00_size ? R_column_00_size : R_det_size;
-  const float R_column_11_product_0 = KSL_MULF(R->m01, R->m01);
-  const float R_column_11_product_1 = KSL_MULF(R->m11, R->m11);
-  const float R_column_11_product_2 = KSL_MULF(R->m21, R->m21);
-  const float R_column_11_sum_0 = R_column_11_product_0 + R_column_11_product_1;
-  const float R_column_11_sum_1 = R_column_11_sum_0 + R_column_11_product_2;
-  const float R_column_11_off = R_column_11_sum_1 - 1.0f;
-  const float R_column_11_size = fabsf(R_column_11_off);
-  const float R_column_11_largest = R_column_00_largest < R_column_11_size ? R_column_11_size :
-      R_column_00_largest;
-  const float R_column_22_product_0 = KSL_MULF(R->m02, R->m02);
-  const float R_column_22_product_1 = KSL_MULF(R->m12, R->m12);
-  const float R_column_22_product_2 = KSL_MULF(R->m22, R->m22);
-  const float R_column_22_sum_0 = R_column_22_product_0 + R_column_22_product_1;
-  const float R_column_22_sum_1 = R_column_22_sum_0 + R_column_22_product_2;
-  const float R_column_22_off = R_column_22_sum_1 - 1.0f;
-  const float R_column_22_size = fabsf(R_column_22_off);
-  const float R_column_22_largest = R_column_11_largest < R_column_22_size ? R_column_22_size :
-      R_column_11_largest;
-  const float R_column_01_product_0 = KSL_MULF(R->m00, R->m01);
-  const float R_column_01_product_1 = KSL_MULF(R->m10, R->m11);
-  const float R_column_01_product_2 = KSL_MULF(R->m20, R->m21);
-  const float R_column_01_sum_0 = R_column_01_product_0 + R_column_01_product_1;
-  const float R_column_01_sum_1 = R_column_01_sum_0 + R_column_01_product_2;
-  const float R_column_01_off = R_column_01_sum_1 - 0.0f;
-  const float R_column_01_size = fabsf(R_column_01_off);
-  const float R_column_01_largest = R_column_22_largest < R_column_01_size ? R_column_01_size :
-      R_column_22_largest;
-  const float R_column_02_product_0 = KSL_MULF(R->m00, R->m02);
-  const float R_column_02_product_1 = KSL_MULF(R->m10, R->m12);
-  const float R_column_02_product_2 = KSL_MULF(R->m20, R->m22);
-  const float R_column_02_sum_0 = R_column_02_product_0 + R_column_02_product_1;
-  const float R_column_02_sum_1 = R_column_02_sum_0 + R_column_02_product_2;
-  const float R_column_02_off = R_column_02_sum_1 - 0.0f;
-  const float R_column_02_size = fabsf(R_column_02_off);
-  const float R_column_02_largest = R_column_01_largest < R_column_02_size ? R_column_02_size :
-      R_column_01_largest;
-  const float R_column_12_product_0 = KSL_MULF(R->m01, R->m02);
-  const float R_column_12_product_1 = KSL_MULF(R->m11, R->m12);
-  const float R_column_12_product_2 = KSL_MULF(R->m21, R->m22);
-  const float R_column_12_sum_0 = R_column_12_product_0 + R_column_12_product_1;
-  const float R_column_12_sum_1 = R_column_12_sum_0 + R_column_12_product_2;
-  const float R_column_12_off = R_column_12_sum_1 - 0.0f;
-  const float R_column_12_size = fabsf(R_column_12_off);
-  const float R_column_12_largest = R_column_02_largest < R_column_12_size ? R_column_12_size :
-      R_column_02_largest;
-  const float R_unless_rotation = R_column_12_largest < 0.001f ? 0.0f : 1.2676506e+30f;
+  const float R_n_0a = KSL_MULF(R->m11, R->m22), R_n_0b = KSL_MULF(R->m12, R->m21),
+      R_n_0 = R_n_0a - R_n_0b;
+  const float R_n_1a = KSL_MULF(R->m02, R->m21), R_n_1b = KSL_MULF(R->m01, R->m22),
+      R_n_1 = R_n_1a - R_n_1b;
+  const float R_n_2a = KSL_MULF(R->m01, R->m12), R_n_2b = KSL_MULF(R->m02, R->m11),
+      R_n_2 = R_n_2a - R_n_2b;
+  const float R_det_a = KSL_MULF(R->m00, R_n_0), R_det_b = KSL_MULF(R->m10, R_n_1),
+      R_det_c = R_det_a + R_det_b, R_det_d = KSL_MULF(R->m20, R_n_2), R_det = R_det_c + R_det_d;
+  const float R_g_0a = KSL_MULF(R->m00, R->m00), R_g_0b = KSL_MULF(R->m10, R->m10),
+      R_g_0c = R_g_0a + R_g_0b, R_g_0d = KSL_MULF(R->m20, R->m20), R_g_0 = R_g_0c + R_g_0d;
+  const float R_g_1a = KSL_MULF(R->m00, R->m01), R_g_1b = KSL_MULF(R->m10, R->m11),
+      R_g_1c = R_g_1a + R_g_1b, R_g_1d = KSL_MULF(R->m20, R->m21), R_g_1 = R_g_1c + R_g_1d;
+  const float R_g_2a = KSL_MULF(R->m00, R->m02), R_g_2b = KSL_MULF(R->m10, R->m12),
+      R_g_2c = R_g_2a + R_g_2b, R_g_2d = KSL_MULF(R->m20, R->m22), R_g_2 = R_g_2c + R_g_2d;
+  const float R_g_3a = KSL_MULF(R->m01, R->m01), R_g_3b = KSL_MULF(R->m11, R->m11),
+      R_g_3c = R_g_3a + R_g_3b, R_g_3d = KSL_MULF(R->m21, R->m21), R_g_3 = R_g_3c + R_g_3d;
+  const float R_g_4a = KSL_MULF(R->m01, R->m02), R_g_4b = KSL_MULF(R->m11, R->m12),
+      R_g_4c = R_g_4a + R_g_4b, R_g_4d = KSL_MULF(R->m21, R->m22), R_g_4 = R_g_4c + R_g_4d;
+  const float R_g_5a = KSL_MULF(R->m02, R->m02), R_g_5b = KSL_MULF(R->m12, R->m12),
+      R_g_5c = R_g_5a + R_g_5b, R_g_5d = KSL_MULF(R->m22, R->m22), R_g_5 = R_g_5c + R_g_5d;
+  const float R_off_0 = R_det - 1.0f;
+  const float R_off_1 = R_g_0 - 1.0f;
+  const float R_off_4 = R_g_3 - 1.0f;
+  const float R_off_6 = R_g_5 - 1.0f;
+  const float R_defect_size_0 = fabsf(R_off_0);
+  const float R_defect_size_1 = fabsf(R_off_1);
+  const float R_defect_size_2 = fabsf(R_g_1);
+  const float R_defect_size_3 = fabsf(R_g_2);
+  const float R_defect_size_4 = fabsf(R_off_4);
+  const float R_defect_size_5 = fabsf(R_g_4);
+  const float R_defect_size_6 = fabsf(R_off_6);
+  const float R_defect_largest1 = R_defect_size_0 < R_defect_size_1 ? R_defect_size_1 :
+      R_defect_size_0;
+  const float R_defect_largest2 = R_defect_largest1 < R_defect_size_2 ? R_defect_size_2 :
+      R_defect_largest1;
+  const float R_defect_largest3 = R_defect_largest2 < R_defect_size_3 ? R_defect_size_3 :
+      R_defect_largest2;
+  const float R_defect_largest4 = R_defect_largest3 < R_defect_size_4 ? R_defect_size_4 :
+      R_defect_largest3;
+  const float R_defect_largest5 = R_defect_largest4 < R_defect_size_5 ? R_defect_size_5 :
+      R_defect_largest4;
+  const float R_defect_largest6 = R_defect_largest5 < R_defect_size_6 ? R_defect_size_6 :
+      R_defect_largest5;
+  const float R_unless_equal = R_defect_largest6 == 0.001f ? 0.0f : 1.2676506e+30f;
+  const float R_unless_rotation = R_defect_largest6 < 0.001f ? 0.0f : R_unless_equal;
   const float R_excess = KSL_MULF(R_unless_rotation, 1.2676506e+30f);
   const float R_excess_0 = angle_bound_1 + R_excess;
   const float R_excess_1 = axis_bound_2 + R_excess;
@@ -26106,8 +26032,8 @@ static inline void ksl_SO3_exp_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
 /* vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo;
      |error of vo| <= vo_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; vo, vo_bound: vector.
-   244 mul, 469 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 72 abs, 4
-     copysign, 41 less, 6 equal, 106 select. */
+   244 mul, 466 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 72 abs, 4
+     copysign, 41 less, 7 equal, 107 select. */
 static inline void ksl_SO3_log_certified(const ksl_mat3x3_t *R, ksl_vec3_t *vo,
     ksl_vec3_t *vo_bound) {
   const double p_0 = R->m21 - R->m12, p_right_1 = R->m21 - p_0, p_left_1 = p_0 + p_right_1,
@@ -26434,76 +26360,51 @@ static inline void ksl_SO3_log_certified(const ksl_mat3x3_t *R, ksl_vec3_t *vo,
       vector_padded_4 = 1.8051943758648296e-276 + vector_size_12,
       vector_rest_4 = KSL_MUL(3.5202936421278755e-29, vector_padded_4),
       vector_bound_4 = vector_error_7 + vector_rest_4;
-  const double R_det_above_0 = KSL_MUL(R->m11, R->m22);
-  const double R_det_below_0 = KSL_MUL(R->m12, R->m21);
-  const double R_det_cofactor_0 = R_det_above_0 - R_det_below_0;
-  const double R_det_above_1 = KSL_MUL(R->m12, R->m20);
-  const double R_det_below_1 = KSL_MUL(R->m10, R->m22);
-  const double R_det_cofactor_1 = R_det_above_1 - R_det_below_1;
-  const double R_det_above_2 = KSL_MUL(R->m10, R->m21);
-  const double R_det_below_2 = KSL_MUL(R->m11, R->m20);
-  const double R_det_cofactor_2 = R_det_above_2 - R_det_below_2;
-  const double R_det_product_0 = KSL_MUL(R->m00, R_det_cofactor_0);
-  const double R_det_product_1 = KSL_MUL(R->m01, R_det_cofactor_1);
-  const double R_det_product_2 = KSL_MUL(R->m02, R_det_cofactor_2);
-  const double R_det_sum_0 = R_det_product_0 + R_det_product_1;
-  const double R_det_sum_1 = R_det_sum_0 + R_det_product_2;
-  const double R_det_off = R_det_sum_1 - 1.0;
-  const double R_det_size = fabs(R_det_off);
-  const double R_column_00_product_0 = KSL_MUL(R->m00, R->m00);
-  const double R_column_00_product_1 = KSL_MUL(R->m10, R->m10);
-  const double R_column_00_product_2 = KSL_MUL(R->m20, R->m20);
-  const double R_column_00_sum_0 = R_column_00_product_0 + R_column_00_product_1;
-  const double R_column_00_sum_1 = R_column_00_sum_0 + R_column_00_product_2;
-  const double R_column_00_off = R_column_00_sum_1 - 1.0;
-  const double R_column_00_size = fabs(R_column_00_off);
-  const double R_column_00_largest = R_det_size < R_column_00_size ? R_column_00_size : R_det_size;
-  const double R_column_11_product_0 = KSL_MUL(R->m01, R->m01);
-  const double R_column_11_product_1 = KSL_MUL(R->m11, R->m11);
-  const double R_column_11_product_2 = KSL_MUL(R->m21, R->m21);
-  const double R_column_11_sum_0 = R_column_11_product_0 + R_column_11_product_1;
-  const double R_column_11_sum_1 = R_column_11_sum_0 + R_column_11_product_2;
-  const double R_column_11_off = R_column_11_sum_1 - 1.0;
-  const double R_column_11_size = fabs(R_column_11_off);
-  const double R_column_11_largest = R_column_00_largest < R_column_11_size ? R_column_11_size :
-      R_column_00_largest;
-  const double R_column_22_product_0 = KSL_MUL(R->m02, R->m02);
-  const double R_column_22_product_1 = KSL_MUL(R->m12, R->m12);
-  const double R_column_22_product_2 = KSL_MUL(R->m22, R->m22);
-  const double R_column_22_sum_0 = R_column_22_product_0 + R_column_22_product_1;
-  const double R_column_22_sum_1 = R_column_22_sum_0 + R_column_22_product_2;
-  const double R_column_22_off = R_column_22_sum_1 - 1.0;
-  const double R_column_22_size = fabs(R_column_22_off);
-  const double R_column_22_largest = R_column_11_largest < R_column_22_size ? R_column_22_size :
-      R_column_11_largest;
-  const double R_column_01_product_0 = KSL_MUL(R->m00, R->m01);
-  const double R_column_01_product_1 = KSL_MUL(R->m10, R->m11);
-  const double R_column_01_product_2 = KSL_MUL(R->m20, R->m21);
-  const double R_column_01_sum_0 = R_column_01_product_0 + R_column_01_product_1;
-  const double R_column_01_sum_1 = R_column_01_sum_0 + R_column_01_product_2;
-  const double R_column_01_off = R_column_01_sum_1 - 0.0;
-  const double R_column_01_size = fabs(R_column_01_off);
-  const double R_column_01_largest = R_column_22_largest < R_column_01_size ? R_column_01_size :
-      R_column_22_largest;
-  const double R_column_02_product_0 = KSL_MUL(R->m00, R->m02);
-  const double R_column_02_product_1 = KSL_MUL(R->m10, R->m12);
-  const double R_column_02_product_2 = KSL_MUL(R->m20, R->m22);
-  const double R_column_02_sum_0 = R_column_02_product_0 + R_column_02_product_1;
-  const double R_column_02_sum_1 = R_column_02_sum_0 + R_column_02_product_2;
-  const double R_column_02_off = R_column_02_sum_1 - 0.0;
-  const double R_column_02_size = fabs(R_column_02_off);
-  const double R_column_02_largest = R_column_01_largest < R_column_02_size ? R_column_02_size :
-      R_column_01_largest;
-  const double R_column_12_product_0 = KSL_MUL(R->m01, R->m02);
-  const double R_column_12_product_1 = KSL_MUL(R->m11, R->m12);
-  const double R_column_12_product_2 = KSL_MUL(R->m21, R->m22);
-  const double R_column_12_sum_0 = R_column_12_product_0 + R_column_12_product_1;
-  const double R_column_12_sum_1 = R_column_12_sum_0 + R_column_12_product_2;
-  const double R_column_12_off = R_column_12_sum_1 - 0.0;
-  const double R_column_12_size = fabs(R_column_12_off);
-  const double R_column_12_largest = R_column_02_largest < R_column_12_size ? R_column_12_size :
-      R_column_02_largest;
-  const double R_unless_rotation = R_column_12_largest < 0.001 ? 0.0 : 1.0715086071862673e+301;
+  const double R_n_0a = KSL_MUL(R->m11, R->m22), R_n_0b = KSL_MUL(R->m12, R->m21),
+      R_n_0 = R_n_0a - R_n_0b;
+  const double R_n_1a = KSL_MUL(R->m02, R->m21), R_n_1b = KSL_MUL(R->m01, R->m22),
+      R_n_1 = R_n_1a - R_n_1b;
+  const double R_n_2a = KSL_MUL(R->m01, R->m12), R_n_2b = KSL_MUL(R->m02, R->m11),
+      R_n_2 = R_n_2a - R_n_2b;
+  const double R_det_a = KSL_MUL(R->m00, R_n_0), R_det_b = KSL_MUL(R->m10, R_n_1),
+      R_det_c = R_det_a + R_det_b, R_det_d = KSL_MUL(R->m20, R_n_2), R_det = R_det_c + R_det_d;
+  const double R_g_0a = KSL_MUL(R->m00, R->m00), R_g_0b = KSL_MUL(R->m10, R->m10),
+      R_g_0c = R_g_0a + R_g_0b, R_g_0d = KSL_MUL(R->m20, R->m20), R_g_0 = R_g_0c + R_g_0d;
+  const double R_g_1a = KSL_MUL(R->m00, R->m01), R_g_1b = KSL_MUL(R->m10, R->m11),
+      R_g_1c = R_g_1a + R_g_1b, R_g_1d = KSL_MUL(R->m20, R->m21), R_g_1 = R_g_1c + R_g_1d;
+  const double R_g_2a = KSL_MUL(R->m00, R->m02), R_g_2b = KSL_MUL(R->m10, R->m12),
+      R_g_2c = R_g_2a + R_g_2b, R_g_2d = KSL_MUL(R->m20, R->m22), R_g_2 = R_g_2c + R_g_2d;
+  const double R_g_3a = KSL_MUL(R->m01, R->m01), R_g_3b = KSL_MUL(R->m11, R->m11),
+      R_g_3c = R_g_3a + R_g_3b, R_g_3d = KSL_MUL(R->m21, R->m21), R_g_3 = R_g_3c + R_g_3d;
+  const double R_g_4a = KSL_MUL(R->m01, R->m02), R_g_4b = KSL_MUL(R->m11, R->m12),
+      R_g_4c = R_g_4a + R_g_4b, R_g_4d = KSL_MUL(R->m21, R->m22), R_g_4 = R_g_4c + R_g_4d;
+  const double R_g_5a = KSL_MUL(R->m02, R->m02), R_g_5b = KSL_MUL(R->m12, R->m12),
+      R_g_5c = R_g_5a + R_g_5b, R_g_5d = KSL_MUL(R->m22, R->m22), R_g_5 = R_g_5c + R_g_5d;
+  const double R_off_0 = R_det - 1.0;
+  const double R_off_1 = R_g_0 - 1.0;
+  const double R_off_4 = R_g_3 - 1.0;
+  const double R_off_6 = R_g_5 - 1.0;
+  const double R_defect_size_0 = fabs(R_off_0);
+  const double R_defect_size_1 = fabs(R_off_1);
+  const double R_defect_size_2 = fabs(R_g_1);
+  const double R_defect_size_3 = fabs(R_g_2);
+  const double R_defect_size_4 = fabs(R_off_4);
+  const double R_defect_size_5 = fabs(R_g_4);
+  const double R_defect_size_6 = fabs(R_off_6);
+  const double R_defect_largest1 = R_defect_size_0 < R_defect_size_1 ? R_defect_size_1 :
+      R_defect_size_0;
+  const double R_defect_largest2 = R_defect_largest1 < R_defect_size_2 ? R_defect_size_2 :
+      R_defect_largest1;
+  const double R_defect_largest3 = R_defect_largest2 < R_defect_size_3 ? R_defect_size_3 :
+      R_defect_largest2;
+  const double R_defect_largest4 = R_defect_largest3 < R_defect_size_4 ? R_defect_size_4 :
+      R_defect_largest3;
+  const double R_defect_largest5 = R_defect_largest4 < R_defect_size_5 ? R_defect_size_5 :
+      R_defect_largest4;
+  const double R_defect_largest6 = R_defect_largest5 < R_defect_size_6 ? R_defect_size_6 :
+      R_defect_largest5;
+  const double R_unless_equal = R_defect_largest6 == 0.001 ? 0.0 : 1.0715086071862673e+301;
+  const double R_unless_rotation = R_defect_largest6 < 0.001 ? 0.0 : R_unless_equal;
   const double R_excess = KSL_MUL(R_unless_rotation, 1.0715086071862673e+301);
   const double R_excess_0 = vector_bound_2 + R_excess;
   const double R_excess_1 = vector_bound_3 + R_excess;
@@ -32146,8 +32047,8 @@ static inline void ksl_SE3_exp_certified(const ksl_screw_t *s, ksl_SE3_t *D, ksl
 /* so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R; |error of so| <= so_bound unless
      inf or NaN.
    D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s; ω in rad/s).
-   608 mul, 1026 add, 36 product error, 36 product rest, 47 div, 5 sqrt, 14 neg, 168 abs, 6
-     copysign, 73 less, 9 equal, 174 select. */
+   599 mul, 986 add, 36 product error, 36 product rest, 47 div, 5 sqrt, 15 neg, 155 abs, 6
+     copysign, 72 less, 10 equal, 171 select. */
 static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
     ksl_screw_t *so_bound) {
   const double p_0 = D->m21 - D->m12;
@@ -32330,99 +32231,42 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
   const double fine_low_3 = D->m11 < D->m00 ? fine_p_0 : fine_p_1,
       fine_low_lo_4 = D->m11 < D->m00 ? fine_p_lo_1 : fine_p_lo_2,
       fine_low_size_4 = D->m11 < D->m00 ? fine_p_size_3 : fine_p_size_6;
-  const double fine_opposite = D->m00 + D->m11, fine_opposite_right_1 = fine_opposite - D->m00,
-      fine_opposite_left_1 = fine_opposite - fine_opposite_right_1,
-      fine_opposite_left_rest_1 = D->m00 - fine_opposite_left_1,
-      fine_opposite_right_rest_1 = D->m11 - fine_opposite_right_1,
-      fine_opposite_lo = fine_opposite_left_rest_1 + fine_opposite_right_rest_1,
-      fine_opposite_size_1 = fine_first_size_1 + fine_others_size_1;
-  const double fine_high_0 = fine_opposite < 0.0 ? fine_s_1 : fine_p_0,
-      fine_high_lo_1 = fine_opposite < 0.0 ? fine_s_lo_2 : fine_p_lo_1,
-      fine_high_size_1 = fine_opposite < 0.0 ? fine_p_size_6 : fine_p_size_3,
-      fine_high_error_1 = fabs(fine_opposite_lo),
-      fine_high_padded_1 = 1.8051943758648296e-276 + fine_opposite_size_1,
-      fine_high_rest_1 = KSL_MUL(7.642090607075756e-31, fine_high_padded_1),
-      fine_high_bound_1 = fine_high_error_1 + fine_high_rest_1,
-      fine_high_size_2 = fine_opposite - 0.0, fine_high_size_3 = fabs(fine_high_size_2),
-      fine_high_size_5 = fine_s_1 - fine_p_0, fine_high_size_6 = fabs(fine_high_size_5),
-      fine_high_error_2 = fabs(fine_s_lo_2),
-      fine_high_padded_2 = 1.8051943758648296e-276 + fine_p_size_6,
-      fine_high_rest_2 = KSL_MUL(7.642090607075756e-31, fine_high_padded_2),
-      fine_high_bound_2 = fine_high_error_2 + fine_high_rest_2,
-      fine_high_error_3 = fabs(fine_p_lo_1),
-      fine_high_padded_3 = 1.8051943758648296e-276 + fine_p_size_3,
-      fine_high_rest_3 = KSL_MUL(7.642090607075756e-31, fine_high_padded_3),
-      fine_high_bound_3 = fine_high_error_3 + fine_high_rest_3,
-      fine_high_size_7 = fine_high_bound_2 + fine_high_size_6,
-      fine_high_size_8 = fine_high_bound_3 + fine_high_size_7,
-      fine_high_size_9 = fine_high_bound_1 < fine_high_size_3 ? 0.0 : fine_high_size_8,
-      fine_high_size_10 = KSL_MUL(3.169126122781311e+29, fine_high_size_9),
-      fine_high_size_11 = fine_high_size_1 + fine_high_size_10;
-  const double fine_high_1 = fine_opposite < 0.0 ? fine_s_0 : fine_p_1,
-      fine_high_lo_2 = fine_opposite < 0.0 ? fine_s_lo_1 : fine_p_lo_2,
-      fine_high_size_12 = fine_opposite < 0.0 ? fine_p_size_3 : fine_p_size_6,
-      fine_high_size_13 = fine_s_0 - fine_p_1, fine_high_size_14 = fabs(fine_high_size_13),
-      fine_high_error_4 = fabs(fine_s_lo_1),
-      fine_high_bound_4 = fine_high_error_4 + fine_high_rest_3,
-      fine_high_error_5 = fabs(fine_p_lo_2),
-      fine_high_bound_5 = fine_high_error_5 + fine_high_rest_2,
-      fine_high_size_15 = fine_high_bound_4 + fine_high_size_14,
-      fine_high_size_16 = fine_high_bound_5 + fine_high_size_15,
-      fine_high_size_17 = fine_high_bound_1 < fine_high_size_3 ? 0.0 : fine_high_size_16,
-      fine_high_size_18 = KSL_MUL(3.169126122781311e+29, fine_high_size_17),
-      fine_high_size_19 = fine_high_size_12 + fine_high_size_18;
-  const double fine_high_2 = fine_opposite < 0.0 ? fine_d_3 : fine_p_2,
-      fine_high_lo_3 = fine_opposite < 0.0 ? fine_d_lo_4 : fine_p_lo_3,
-      fine_high_size_20 = fine_opposite < 0.0 ? fine_d_size_1 : fine_p_size_9,
-      fine_high_size_21 = fine_d_3 - fine_p_2, fine_high_size_22 = fabs(fine_high_size_21),
-      fine_high_error_6 = fabs(fine_d_lo_4),
-      fine_high_padded_4 = 1.8051943758648296e-276 + fine_d_size_1,
-      fine_high_rest_4 = KSL_MUL(1.6023738312796216e-30, fine_high_padded_4),
-      fine_high_bound_6 = fine_high_error_6 + fine_high_rest_4,
-      fine_high_error_7 = fabs(fine_p_lo_3),
-      fine_high_padded_5 = 1.8051943758648296e-276 + fine_p_size_9,
-      fine_high_rest_5 = KSL_MUL(7.642090607075756e-31, fine_high_padded_5),
-      fine_high_bound_7 = fine_high_error_7 + fine_high_rest_5,
-      fine_high_size_23 = fine_high_bound_6 + fine_high_size_22,
-      fine_high_size_24 = fine_high_bound_7 + fine_high_size_23,
-      fine_high_size_25 = fine_high_bound_1 < fine_high_size_3 ? 0.0 : fine_high_size_24,
-      fine_high_size_26 = KSL_MUL(1.5845630613906556e+29, fine_high_size_25),
-      fine_high_size_27 = fine_high_size_20 + fine_high_size_26;
-  const double fine_high_3 = fine_opposite < 0.0 ? fine_p_2 : fine_d_0,
-      fine_high_lo_4 = fine_opposite < 0.0 ? fine_p_lo_3 : fine_d_lo_1,
-      fine_high_size_28 = fine_opposite < 0.0 ? fine_p_size_9 : fine_d_size_1,
-      fine_high_size_29 = fine_p_2 - fine_d_0, fine_high_size_30 = fabs(fine_high_size_29),
-      fine_high_error_8 = fabs(fine_d_lo_1),
-      fine_high_bound_8 = fine_high_error_8 + fine_high_rest_4,
-      fine_high_size_31 = fine_high_bound_7 + fine_high_size_30,
-      fine_high_size_32 = fine_high_bound_8 + fine_high_size_31,
-      fine_high_size_33 = fine_high_bound_1 < fine_high_size_3 ? 0.0 : fine_high_size_32,
-      fine_high_size_34 = KSL_MUL(1.5845630613906556e+29, fine_high_size_33),
-      fine_high_size_35 = fine_high_size_28 + fine_high_size_34;
+  const double fine_high_0a = -D->m11, fine_high_0 = D->m00 < fine_high_0a ? fine_s_1 : fine_p_0,
+      fine_high_lo_1 = D->m00 < fine_high_0a ? fine_s_lo_2 : fine_p_lo_1,
+      fine_high_size_1 = D->m00 < fine_high_0a ? fine_p_size_6 : fine_p_size_3;
+  const double fine_high_1 = D->m00 < fine_high_0a ? fine_s_0 : fine_p_1,
+      fine_high_lo_2 = D->m00 < fine_high_0a ? fine_s_lo_1 : fine_p_lo_2,
+      fine_high_size_2 = D->m00 < fine_high_0a ? fine_p_size_3 : fine_p_size_6;
+  const double fine_high_2 = D->m00 < fine_high_0a ? fine_d_3 : fine_p_2,
+      fine_high_lo_3 = D->m00 < fine_high_0a ? fine_d_lo_4 : fine_p_lo_3,
+      fine_high_size_3 = D->m00 < fine_high_0a ? fine_d_size_1 : fine_p_size_9;
+  const double fine_high_3 = D->m00 < fine_high_0a ? fine_p_2 : fine_d_0,
+      fine_high_lo_4 = D->m00 < fine_high_0a ? fine_p_lo_3 : fine_d_lo_1,
+      fine_high_size_4 = D->m00 < fine_high_0a ? fine_p_size_9 : fine_d_size_1;
   const double fine_column_0 = D->m22 < 0.0 ? fine_low_0 : fine_high_0,
       fine_column_lo_1 = D->m22 < 0.0 ? fine_low_lo_1 : fine_high_lo_1,
-      fine_column_size_1 = D->m22 < 0.0 ? fine_low_size_1 : fine_high_size_11;
+      fine_column_size_1 = D->m22 < 0.0 ? fine_low_size_1 : fine_high_size_1;
   const double fine_column_1 = D->m22 < 0.0 ? fine_low_1 : fine_high_1,
       fine_column_lo_2 = D->m22 < 0.0 ? fine_low_lo_2 : fine_high_lo_2,
-      fine_column_size_2 = D->m22 < 0.0 ? fine_low_size_2 : fine_high_size_19;
+      fine_column_size_2 = D->m22 < 0.0 ? fine_low_size_2 : fine_high_size_2;
   const double fine_column_2 = D->m22 < 0.0 ? fine_low_2 : fine_high_2,
       fine_column_lo_3 = D->m22 < 0.0 ? fine_low_lo_3 : fine_high_lo_3,
-      fine_column_size_3 = D->m22 < 0.0 ? fine_low_size_3 : fine_high_size_27;
+      fine_column_size_3 = D->m22 < 0.0 ? fine_low_size_3 : fine_high_size_3;
   const double fine_column_3 = D->m22 < 0.0 ? fine_low_3 : fine_high_3,
       fine_column_lo_4 = D->m22 < 0.0 ? fine_low_lo_4 : fine_high_lo_4,
-      fine_column_size_4 = D->m22 < 0.0 ? fine_low_size_4 : fine_high_size_35;
+      fine_column_size_4 = D->m22 < 0.0 ? fine_low_size_4 : fine_high_size_4;
   const double fine_upper_0a = -fine_column_0, fine_upper_0a_lo = -fine_column_lo_1,
       fine_upper_0 = fine_column_3 < 0.0 ? fine_upper_0a : fine_column_0,
       fine_upper_lo_1 = fine_column_3 < 0.0 ? fine_upper_0a_lo : fine_column_lo_1,
       fine_upper_error_1 = fabs(fine_column_lo_4),
       fine_upper_padded_1 = 1.8051943758648296e-276 + fine_column_size_4,
-      fine_upper_rest_1 = KSL_MUL(6.508104019725916e-30, fine_upper_padded_1),
+      fine_upper_rest_1 = KSL_MUL(1.6023738312796216e-30, fine_upper_padded_1),
       fine_upper_bound_1 = fine_upper_error_1 + fine_upper_rest_1,
       fine_upper_size_1 = fine_column_3 - 0.0, fine_upper_size_2 = fabs(fine_upper_size_1),
       fine_upper_size_4 = fine_upper_0a - fine_column_0,
       fine_upper_size_5 = fabs(fine_upper_size_4), fine_upper_error_2 = fabs(fine_upper_0a_lo),
       fine_upper_padded_2 = 1.8051943758648296e-276 + fine_column_size_1,
-      fine_upper_rest_2 = KSL_MUL(3.352659623015585e-30, fine_upper_padded_2),
+      fine_upper_rest_2 = KSL_MUL(1.6023738312796216e-30, fine_upper_padded_2),
       fine_upper_bound_2 = fine_upper_error_2 + fine_upper_rest_2,
       fine_upper_error_3 = fabs(fine_column_lo_1),
       fine_upper_bound_3 = fine_upper_error_3 + fine_upper_rest_2,
@@ -32437,7 +32281,7 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       fine_upper_size_11 = fine_upper_1a - fine_column_1,
       fine_upper_size_12 = fabs(fine_upper_size_11), fine_upper_error_4 = fabs(fine_upper_1a_lo),
       fine_upper_padded_3 = 1.8051943758648296e-276 + fine_column_size_2,
-      fine_upper_rest_3 = KSL_MUL(3.352659623015585e-30, fine_upper_padded_3),
+      fine_upper_rest_3 = KSL_MUL(1.6023738312796216e-30, fine_upper_padded_3),
       fine_upper_bound_4 = fine_upper_error_4 + fine_upper_rest_3,
       fine_upper_error_5 = fabs(fine_column_lo_2),
       fine_upper_bound_5 = fine_upper_error_5 + fine_upper_rest_3,
@@ -32452,21 +32296,21 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       fine_upper_size_18 = fine_upper_2a - fine_column_2,
       fine_upper_size_19 = fabs(fine_upper_size_18), fine_upper_error_6 = fabs(fine_upper_2a_lo),
       fine_upper_padded_4 = 1.8051943758648296e-276 + fine_column_size_3,
-      fine_upper_rest_4 = KSL_MUL(6.508104019725916e-30, fine_upper_padded_4),
+      fine_upper_rest_4 = KSL_MUL(1.6023738312796216e-30, fine_upper_padded_4),
       fine_upper_bound_6 = fine_upper_error_6 + fine_upper_rest_4,
       fine_upper_error_7 = fabs(fine_column_lo_3),
       fine_upper_bound_7 = fine_upper_error_7 + fine_upper_rest_4,
       fine_upper_size_20 = fine_upper_bound_6 + fine_upper_size_19,
       fine_upper_size_21 = fine_upper_bound_7 + fine_upper_size_20,
       fine_upper_size_22 = fine_upper_bound_1 < fine_upper_size_2 ? 0.0 : fine_upper_size_21,
-      fine_upper_size_23 = KSL_MUL(1.5845628724960638e+29, fine_upper_size_22),
+      fine_upper_size_23 = KSL_MUL(1.5845630613906556e+29, fine_upper_size_22),
       fine_upper_size_24 = fine_column_size_3 + fine_upper_size_23;
   const double fine_upper_3 = fabs(fine_column_3), fine_upper_opposite_1 = -fine_column_lo_4,
       fine_upper_lo_4 = fine_column_3 < 0.0 ? fine_upper_opposite_1 : fine_column_lo_4,
       fine_upper_size_25 = fine_upper_3 - fine_upper_bound_1,
       fine_upper_size_26 = fabs(fine_upper_size_25),
       fine_upper_size_27 = fine_upper_size_26 - fine_upper_size_25,
-      fine_upper_size_28 = KSL_MUL(1.5845628724960638e+29, fine_upper_size_27),
+      fine_upper_size_28 = KSL_MUL(1.5845630613906556e+29, fine_upper_size_27),
       fine_upper_size_29 = fine_column_size_4 + fine_upper_size_28;
   const double fine_v_s_size_0 = fabs(fine_upper_0), fine_v_s_size_error_1 = fabs(fine_upper_lo_1),
       fine_v_s_size_padded_1 = 1.8051943758648296e-276 + fine_upper_size_10,
@@ -32478,7 +32322,7 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       fine_v_s_size_bound_2 = fine_v_s_size_error_2 + fine_v_s_size_rest_2;
   const double fine_v_s_size_2 = fabs(fine_upper_2), fine_v_s_size_error_3 = fabs(fine_upper_lo_3),
       fine_v_s_size_padded_3 = 1.8051943758648296e-276 + fine_upper_size_24,
-      fine_v_s_size_rest_3 = KSL_MUL(6.508104795552187e-30, fine_v_s_size_padded_3),
+      fine_v_s_size_rest_3 = KSL_MUL(6.508104019725916e-30, fine_v_s_size_padded_3),
       fine_v_s_size_bound_3 = fine_v_s_size_error_3 + fine_v_s_size_rest_3;
   const double fine_v_s_largest1 = fine_v_s_size_0 < fine_v_s_size_1 ? fine_v_s_size_1 :
       fine_v_s_size_0;
@@ -32551,7 +32395,7 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       fine_v_n_d_cross_1 = fine_v_n_d_cross1_1 + fine_v_n_d_cross2_1,
       fine_v_n_d_padded_1 = 1.8051943758648296e-276 + fine_v_y_size_3,
       fine_v_n_d_size_1 = fabs(fine_v_y_2), fine_v_n_d_error_1 = fabs(fine_v_y_lo_3),
-      fine_v_n_d_rest_1 = KSL_MUL(6.705320797683713e-30, fine_v_n_d_padded_1),
+      fine_v_n_d_rest_1 = KSL_MUL(6.705320021857442e-30, fine_v_n_d_padded_1),
       fine_v_n_d_bound_1 = fine_v_n_d_error_1 + fine_v_n_d_rest_1,
       fine_v_n_d_units_1 = KSL_MUL(140737488355328.0, fine_v_n_d_bound_1),
       fine_v_n_d_reach_1 = fine_v_n_d_size_1 + fine_v_n_d_units_1,
@@ -32627,7 +32471,7 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       fine_half_rest_1 = KSL_MUL(9.423194733875307e-30, fine_half_padded_1),
       fine_half_bound_1 = fine_half_error_1 + fine_half_rest_1,
       fine_half_error_2 = fabs(fine_upper_lo_4),
-      fine_half_rest_2 = KSL_MUL(6.508104795552187e-30, fine_half_padded_2),
+      fine_half_rest_2 = KSL_MUL(6.508104019725916e-30, fine_half_padded_2),
       fine_half_bound_2 = fine_half_error_2 + fine_half_rest_2,
       fine_half_size_6 = 1.8051943758648296e-276 + fine_half_bound_1,
       fine_half_size_7 = fine_half_bound_2 + fine_half_size_6,
@@ -33601,76 +33445,51 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       vector_error_5 = fabs(vector_apart_6),
       vector_error_6 = KSL_MUL(1.0000000000000009, vector_error_5),
       vector_bound_3 = fine_along_rest_4 + vector_error_6;
-  const double D_det_above_0 = KSL_MUL(D->m11, D->m22);
-  const double D_det_below_0 = KSL_MUL(D->m12, D->m21);
-  const double D_det_cofactor_0 = D_det_above_0 - D_det_below_0;
-  const double D_det_above_1 = KSL_MUL(D->m12, D->m20);
-  const double D_det_below_1 = KSL_MUL(D->m10, D->m22);
-  const double D_det_cofactor_1 = D_det_above_1 - D_det_below_1;
-  const double D_det_above_2 = KSL_MUL(D->m10, D->m21);
-  const double D_det_below_2 = KSL_MUL(D->m11, D->m20);
-  const double D_det_cofactor_2 = D_det_above_2 - D_det_below_2;
-  const double D_det_product_0 = KSL_MUL(D->m00, D_det_cofactor_0);
-  const double D_det_product_1 = KSL_MUL(D->m01, D_det_cofactor_1);
-  const double D_det_product_2 = KSL_MUL(D->m02, D_det_cofactor_2);
-  const double D_det_sum_0 = D_det_product_0 + D_det_product_1;
-  const double D_det_sum_1 = D_det_sum_0 + D_det_product_2;
-  const double D_det_off = D_det_sum_1 - 1.0;
-  const double D_det_size = fabs(D_det_off);
-  const double D_column_00_product_0 = KSL_MUL(D->m00, D->m00);
-  const double D_column_00_product_1 = KSL_MUL(D->m10, D->m10);
-  const double D_column_00_product_2 = KSL_MUL(D->m20, D->m20);
-  const double D_column_00_sum_0 = D_column_00_product_0 + D_column_00_product_1;
-  const double D_column_00_sum_1 = D_column_00_sum_0 + D_column_00_product_2;
-  const double D_column_00_off = D_column_00_sum_1 - 1.0;
-  const double D_column_00_size = fabs(D_column_00_off);
-  const double D_column_00_largest = D_det_size < D_column_00_size ? D_column_00_size : D_det_size;
-  const double D_column_11_product_0 = KSL_MUL(D->m01, D->m01);
-  const double D_column_11_product_1 = KSL_MUL(D->m11, D->m11);
-  const double D_column_11_product_2 = KSL_MUL(D->m21, D->m21);
-  const double D_column_11_sum_0 = D_column_11_product_0 + D_column_11_product_1;
-  const double D_column_11_sum_1 = D_column_11_sum_0 + D_column_11_product_2;
-  const double D_column_11_off = D_column_11_sum_1 - 1.0;
-  const double D_column_11_size = fabs(D_column_11_off);
-  const double D_column_11_largest = D_column_00_largest < D_column_11_size ? D_column_11_size :
-      D_column_00_largest;
-  const double D_column_22_product_0 = KSL_MUL(D->m02, D->m02);
-  const double D_column_22_product_1 = KSL_MUL(D->m12, D->m12);
-  const double D_column_22_product_2 = KSL_MUL(D->m22, D->m22);
-  const double D_column_22_sum_0 = D_column_22_product_0 + D_column_22_product_1;
-  const double D_column_22_sum_1 = D_column_22_sum_0 + D_column_22_product_2;
-  const double D_column_22_off = D_column_22_sum_1 - 1.0;
-  const double D_column_22_size = fabs(D_column_22_off);
-  const double D_column_22_largest = D_column_11_largest < D_column_22_size ? D_column_22_size :
-      D_column_11_largest;
-  const double D_column_01_product_0 = KSL_MUL(D->m00, D->m01);
-  const double D_column_01_product_1 = KSL_MUL(D->m10, D->m11);
-  const double D_column_01_product_2 = KSL_MUL(D->m20, D->m21);
-  const double D_column_01_sum_0 = D_column_01_product_0 + D_column_01_product_1;
-  const double D_column_01_sum_1 = D_column_01_sum_0 + D_column_01_product_2;
-  const double D_column_01_off = D_column_01_sum_1 - 0.0;
-  const double D_column_01_size = fabs(D_column_01_off);
-  const double D_column_01_largest = D_column_22_largest < D_column_01_size ? D_column_01_size :
-      D_column_22_largest;
-  const double D_column_02_product_0 = KSL_MUL(D->m00, D->m02);
-  const double D_column_02_product_1 = KSL_MUL(D->m10, D->m12);
-  const double D_column_02_product_2 = KSL_MUL(D->m20, D->m22);
-  const double D_column_02_sum_0 = D_column_02_product_0 + D_column_02_product_1;
-  const double D_column_02_sum_1 = D_column_02_sum_0 + D_column_02_product_2;
-  const double D_column_02_off = D_column_02_sum_1 - 0.0;
-  const double D_column_02_size = fabs(D_column_02_off);
-  const double D_column_02_largest = D_column_01_largest < D_column_02_size ? D_column_02_size :
-      D_column_01_largest;
-  const double D_column_12_product_0 = KSL_MUL(D->m01, D->m02);
-  const double D_column_12_product_1 = KSL_MUL(D->m11, D->m12);
-  const double D_column_12_product_2 = KSL_MUL(D->m21, D->m22);
-  const double D_column_12_sum_0 = D_column_12_product_0 + D_column_12_product_1;
-  const double D_column_12_sum_1 = D_column_12_sum_0 + D_column_12_product_2;
-  const double D_column_12_off = D_column_12_sum_1 - 0.0;
-  const double D_column_12_size = fabs(D_column_12_off);
-  const double D_column_12_largest = D_column_02_largest < D_column_12_size ? D_column_12_size :
-      D_column_02_largest;
-  const double D_unless_rotation = D_column_12_largest < 0.001 ? 0.0 : 1.0715086071862673e+301;
+  const double D_n_0a = KSL_MUL(D->m11, D->m22), D_n_0b = KSL_MUL(D->m12, D->m21),
+      D_n_0 = D_n_0a - D_n_0b;
+  const double D_n_1a = KSL_MUL(D->m02, D->m21), D_n_1b = KSL_MUL(D->m01, D->m22),
+      D_n_1 = D_n_1a - D_n_1b;
+  const double D_n_2a = KSL_MUL(D->m01, D->m12), D_n_2b = KSL_MUL(D->m02, D->m11),
+      D_n_2 = D_n_2a - D_n_2b;
+  const double D_det_a = KSL_MUL(D->m00, D_n_0), D_det_b = KSL_MUL(D->m10, D_n_1),
+      D_det_c = D_det_a + D_det_b, D_det_d = KSL_MUL(D->m20, D_n_2), D_det = D_det_c + D_det_d;
+  const double D_g_0a = KSL_MUL(D->m00, D->m00), D_g_0b = KSL_MUL(D->m10, D->m10),
+      D_g_0c = D_g_0a + D_g_0b, D_g_0d = KSL_MUL(D->m20, D->m20), D_g_0 = D_g_0c + D_g_0d;
+  const double D_g_1a = KSL_MUL(D->m00, D->m01), D_g_1b = KSL_MUL(D->m10, D->m11),
+      D_g_1c = D_g_1a + D_g_1b, D_g_1d = KSL_MUL(D->m20, D->m21), D_g_1 = D_g_1c + D_g_1d;
+  const double D_g_2a = KSL_MUL(D->m00, D->m02), D_g_2b = KSL_MUL(D->m10, D->m12),
+      D_g_2c = D_g_2a + D_g_2b, D_g_2d = KSL_MUL(D->m20, D->m22), D_g_2 = D_g_2c + D_g_2d;
+  const double D_g_3a = KSL_MUL(D->m01, D->m01), D_g_3b = KSL_MUL(D->m11, D->m11),
+      D_g_3c = D_g_3a + D_g_3b, D_g_3d = KSL_MUL(D->m21, D->m21), D_g_3 = D_g_3c + D_g_3d;
+  const double D_g_4a = KSL_MUL(D->m01, D->m02), D_g_4b = KSL_MUL(D->m11, D->m12),
+      D_g_4c = D_g_4a + D_g_4b, D_g_4d = KSL_MUL(D->m21, D->m22), D_g_4 = D_g_4c + D_g_4d;
+  const double D_g_5a = KSL_MUL(D->m02, D->m02), D_g_5b = KSL_MUL(D->m12, D->m12),
+      D_g_5c = D_g_5a + D_g_5b, D_g_5d = KSL_MUL(D->m22, D->m22), D_g_5 = D_g_5c + D_g_5d;
+  const double D_off_0 = D_det - 1.0;
+  const double D_off_1 = D_g_0 - 1.0;
+  const double D_off_4 = D_g_3 - 1.0;
+  const double D_off_6 = D_g_5 - 1.0;
+  const double D_defect_size_0 = fabs(D_off_0);
+  const double D_defect_size_1 = fabs(D_off_1);
+  const double D_defect_size_2 = fabs(D_g_1);
+  const double D_defect_size_3 = fabs(D_g_2);
+  const double D_defect_size_4 = fabs(D_off_4);
+  const double D_defect_size_5 = fabs(D_g_4);
+  const double D_defect_size_6 = fabs(D_off_6);
+  const double D_defect_largest1 = D_defect_size_0 < D_defect_size_1 ? D_defect_size_1 :
+      D_defect_size_0;
+  const double D_defect_largest2 = D_defect_largest1 < D_defect_size_2 ? D_defect_size_2 :
+      D_defect_largest1;
+  const double D_defect_largest3 = D_defect_largest2 < D_defect_size_3 ? D_defect_size_3 :
+      D_defect_largest2;
+  const double D_defect_largest4 = D_defect_largest3 < D_defect_size_4 ? D_defect_size_4 :
+      D_defect_largest3;
+  const double D_defect_largest5 = D_defect_largest4 < D_defect_size_5 ? D_defect_size_5 :
+      D_defect_largest4;
+  const double D_defect_largest6 = D_defect_largest5 < D_defect_size_6 ? D_defect_size_6 :
+      D_defect_largest5;
+  const double D_unless_equal = D_defect_largest6 == 0.001 ? 0.0 : 1.0715086071862673e+301;
+  const double D_unless_rotation = D_defect_largest6 < 0.001 ? 0.0 : D_unless_equal;
   const double D_excess = KSL_MUL(D_unless_rotation, 1.0715086071862673e+301);
   const double D_excess_0 = so_bound_1 + D_excess;
   const double D_excess_1 = so_bound_2 + D_excess;
@@ -34279,8 +34098,8 @@ static inline void ksl_SO3_expf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
 /* vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo;
      |error of vo| <= vo_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; vo, vo_bound: vector.
-   210 mul, 410 add, 19 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 72 abs, 4
-     copysign, 41 less, 6 equal, 106 select. */
+   210 mul, 407 add, 19 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 72 abs, 4
+     copysign, 41 less, 7 equal, 107 select. */
 static inline void ksl_SO3_logf_certified(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo,
     ksl_vec3f_t *vo_bound) {
   const float p_0 = R->m21 - R->m12, p_right_1 = R->m21 - p_0, p_left_1 = p_0 + p_right_1,
@@ -34599,76 +34418,51 @@ static inline void ksl_SO3_logf_certified(const ksl_mat3x3f_t *R, ksl_vec3f_t *v
       vector_padded_4 = 3.3087225e-24f + vector_size_12,
       vector_rest_4 = KSL_MULF(1.0146962e-11f, vector_padded_4),
       vector_bound_4 = vector_error_7 + vector_rest_4;
-  const float R_det_above_0 = KSL_MULF(R->m11, R->m22);
-  const float R_det_below_0 = KSL_MULF(R->m12, R->m21);
-  const float R_det_cofactor_0 = R_det_above_0 - R_det_below_0;
-  const float R_det_above_1 = KSL_MULF(R->m12, R->m20);
-  const float R_det_below_1 = KSL_MULF(R->m10, R->m22);
-  const float R_det_cofactor_1 = R_det_above_1 - R_det_below_1;
-  const float R_det_above_2 = KSL_MULF(R->m10, R->m21);
-  const float R_det_below_2 = KSL_MULF(R->m11, R->m20);
-  const float R_det_cofactor_2 = R_det_above_2 - R_det_below_2;
-  const float R_det_product_0 = KSL_MULF(R->m00, R_det_cofactor_0);
-  const float R_det_product_1 = KSL_MULF(R->m01, R_det_cofactor_1);
-  const float R_det_product_2 = KSL_MULF(R->m02, R_det_cofactor_2);
-  const float R_det_sum_0 = R_det_product_0 + R_det_product_1;
-  const float R_det_sum_1 = R_det_sum_0 + R_det_product_2;
-  const float R_det_off = R_det_sum_1 - 1.0f;
-  const float R_det_size = fabsf(R_det_off);
-  const float R_column_00_product_0 = KSL_MULF(R->m00, R->m00);
-  const float R_column_00_product_1 = KSL_MULF(R->m10, R->m10);
-  const float R_column_00_product_2 = KSL_MULF(R->m20, R->m20);
-  const float R_column_00_sum_0 = R_column_00_product_0 + R_column_00_product_1;
-  const float R_column_00_sum_1 = R_column_00_sum_0 + R_column_00_product_2;
-  const float R_column_00_off = R_column_00_sum_1 - 1.0f;
-  const float R_column_00_size = fabsf(R_column_00_off);
-  const float R_column_00_largest = R_det_size < R_column_00_size ? R_column_00_size : R_det_size;
-  const float R_column_11_product_0 = KSL_MULF(R->m01, R->m01);
-  const float R_column_11_product_1 = KSL_MULF(R->m11, R->m11);
-  const float R_column_11_product_2 = KSL_MULF(R->m21, R->m21);
-  const float R_column_11_sum_0 = R_column_11_product_0 + R_column_11_product_1;
-  const float R_column_11_sum_1 = R_column_11_sum_0 + R_column_11_product_2;
-  const float R_column_11_off = R_column_11_sum_1 - 1.0f;
-  const float R_column_11_size = fabsf(R_column_11_off);
-  const float R_column_11_largest = R_column_00_largest < R_column_11_size ? R_column_11_size :
-      R_column_00_largest;
-  const float R_column_22_product_0 = KSL_MULF(R->m02, R->m02);
-  const float R_column_22_product_1 = KSL_MULF(R->m12, R->m12);
-  const float R_column_22_product_2 = KSL_MULF(R->m22, R->m22);
-  const float R_column_22_sum_0 = R_column_22_product_0 + R_column_22_product_1;
-  const float R_column_22_sum_1 = R_column_22_sum_0 + R_column_22_product_2;
-  const float R_column_22_off = R_column_22_sum_1 - 1.0f;
-  const float R_column_22_size = fabsf(R_column_22_off);
-  const float R_column_22_largest = R_column_11_largest < R_column_22_size ? R_column_22_size :
-      R_column_11_largest;
-  const float R_column_01_product_0 = KSL_MULF(R->m00, R->m01);
-  const float R_column_01_product_1 = KSL_MULF(R->m10, R->m11);
-  const float R_column_01_product_2 = KSL_MULF(R->m20, R->m21);
-  const float R_column_01_sum_0 = R_column_01_product_0 + R_column_01_product_1;
-  const float R_column_01_sum_1 = R_column_01_sum_0 + R_column_01_product_2;
-  const float R_column_01_off = R_column_01_sum_1 - 0.0f;
-  const float R_column_01_size = fabsf(R_column_01_off);
-  const float R_column_01_largest = R_column_22_largest < R_column_01_size ? R_column_01_size :
-      R_column_22_largest;
-  const float R_column_02_product_0 = KSL_MULF(R->m00, R->m02);
-  const float R_column_02_product_1 = KSL_MULF(R->m10, R->m12);
-  const float R_column_02_product_2 = KSL_MULF(R->m20, R->m22);
-  const float R_column_02_sum_0 = R_column_02_product_0 + R_column_02_product_1;
-  const float R_column_02_sum_1 = R_column_02_sum_0 + R_column_02_product_2;
-  const float R_column_02_off = R_column_02_sum_1 - 0.0f;
-  const float R_column_02_size = fabsf(R_column_02_off);
-  const float R_column_02_largest = R_column_01_largest < R_column_02_size ? R_column_02_size :
-      R_column_01_largest;
-  const float R_column_12_product_0 = KSL_MULF(R->m01, R->m02);
-  const float R_column_12_product_1 = KSL_MULF(R->m11, R->m12);
-  const float R_column_12_product_2 = KSL_MULF(R->m21, R->m22);
-  const float R_column_12_sum_0 = R_column_12_product_0 + R_column_12_product_1;
-  const float R_column_12_sum_1 = R_column_12_sum_0 + R_column_12_product_2;
-  const float R_column_12_off = R_column_12_sum_1 - 0.0f;
-  const float R_column_12_size = fabsf(R_column_12_off);
-  const float R_column_12_largest = R_column_02_largest < R_column_12_size ? R_column_12_size :
-      R_column_02_largest;
-  const float R_unless_rotation = R_column_12_largest < 0.001f ? 0.0f : 1.2676506e+30f;
+  const float R_n_0a = KSL_MULF(R->m11, R->m22), R_n_0b = KSL_MULF(R->m12, R->m21),
+      R_n_0 = R_n_0a - R_n_0b;
+  const float R_n_1a = KSL_MULF(R->m02, R->m21), R_n_1b = KSL_MULF(R->m01, R->m22),
+      R_n_1 = R_n_1a - R_n_1b;
+  const float R_n_2a = KSL_MULF(R->m01, R->m12), R_n_2b = KSL_MULF(R->m02, R->m11),
+      R_n_2 = R_n_2a - R_n_2b;
+  const float R_det_a = KSL_MULF(R->m00, R_n_0), R_det_b = KSL_MULF(R->m10, R_n_1),
+      R_det_c = R_det_a + R_det_b, R_det_d = KSL_MULF(R->m20, R_n_2), R_det = R_det_c + R_det_d;
+  const float R_g_0a = KSL_MULF(R->m00, R->m00), R_g_0b = KSL_MULF(R->m10, R->m10),
+      R_g_0c = R_g_0a + R_g_0b, R_g_0d = KSL_MULF(R->m20, R->m20), R_g_0 = R_g_0c + R_g_0d;
+  const float R_g_1a = KSL_MULF(R->m00, R->m01), R_g_1b = KSL_MULF(R->m10, R->m11),
+      R_g_1c = R_g_1a + R_g_1b, R_g_1d = KSL_MULF(R->m20, R->m21), R_g_1 = R_g_1c + R_g_1d;
+  const float R_g_2a = KSL_MULF(R->m00, R->m02), R_g_2b = KSL_MULF(R->m10, R->m12),
+      R_g_2c = R_g_2a + R_g_2b, R_g_2d = KSL_MULF(R->m20, R->m22), R_g_2 = R_g_2c + R_g_2d;
+  const float R_g_3a = KSL_MULF(R->m01, R->m01), R_g_3b = KSL_MULF(R->m11, R->m11),
+      R_g_3c = R_g_3a + R_g_3b, R_g_3d = KSL_MULF(R->m21, R->m21), R_g_3 = R_g_3c + R_g_3d;
+  const float R_g_4a = KSL_MULF(R->m01, R->m02), R_g_4b = KSL_MULF(R->m11, R->m12),
+      R_g_4c = R_g_4a + R_g_4b, R_g_4d = KSL_MULF(R->m21, R->m22), R_g_4 = R_g_4c + R_g_4d;
+  const float R_g_5a = KSL_MULF(R->m02, R->m02), R_g_5b = KSL_MULF(R->m12, R->m12),
+      R_g_5c = R_g_5a + R_g_5b, R_g_5d = KSL_MULF(R->m22, R->m22), R_g_5 = R_g_5c + R_g_5d;
+  const float R_off_0 = R_det - 1.0f;
+  const float R_off_1 = R_g_0 - 1.0f;
+  const float R_off_4 = R_g_3 - 1.0f;
+  const float R_off_6 = R_g_5 - 1.0f;
+  const float R_defect_size_0 = fabsf(R_off_0);
+  const float R_defect_size_1 = fabsf(R_off_1);
+  const float R_defect_size_2 = fabsf(R_g_1);
+  const float R_defect_size_3 = fabsf(R_g_2);
+  const float R_defect_size_4 = fabsf(R_off_4);
+  const float R_defect_size_5 = fabsf(R_g_4);
+  const float R_defect_size_6 = fabsf(R_off_6);
+  const float R_defect_largest1 = R_defect_size_0 < R_defect_size_1 ? R_defect_size_1 :
+      R_defect_size_0;
+  const float R_defect_largest2 = R_defect_largest1 < R_defect_size_2 ? R_defect_size_2 :
+      R_defect_largest1;
+  const float R_defect_largest3 = R_defect_largest2 < R_defect_size_3 ? R_defect_size_3 :
+      R_defect_largest2;
+  const float R_defect_largest4 = R_defect_largest3 < R_defect_size_4 ? R_defect_size_4 :
+      R_defect_largest3;
+  const float R_defect_largest5 = R_defect_largest4 < R_defect_size_5 ? R_defect_size_5 :
+      R_defect_largest4;
+  const float R_defect_largest6 = R_defect_largest5 < R_defect_size_6 ? R_defect_size_6 :
+      R_defect_largest5;
+  const float R_unless_equal = R_defect_largest6 == 0.001f ? 0.0f : 1.2676506e+30f;
+  const float R_unless_rotation = R_defect_largest6 < 0.001f ? 0.0f : R_unless_equal;
   const float R_excess = KSL_MULF(R_unless_rotation, 1.2676506e+30f);
   const float R_excess_0 = vector_bound_2 + R_excess;
   const float R_excess_1 = vector_bound_3 + R_excess;
@@ -40321,8 +40115,8 @@ static inline void ksl_SE3f_exp_certified(const ksl_screwf_t *s, ksl_SE3f_t *D,
 /* so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R; |error of so| <= so_bound unless
      inf or NaN.
    D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s; ω in rad/s).
-   567 mul, 961 add, 29 product error, 36 product rest, 47 div, 5 sqrt, 14 neg, 168 abs, 6
-     copysign, 73 less, 9 equal, 174 select. */
+   558 mul, 921 add, 29 product error, 36 product rest, 47 div, 5 sqrt, 15 neg, 155 abs, 6
+     copysign, 72 less, 10 equal, 171 select. */
 static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
     ksl_screwf_t *so_bound) {
   const float p_0 = D->m21 - D->m12;
@@ -40503,95 +40297,42 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
   const float fine_low_3 = D->m11 < D->m00 ? fine_p_0 : fine_p_1,
       fine_low_lo_4 = D->m11 < D->m00 ? fine_p_lo_1 : fine_p_lo_2,
       fine_low_size_4 = D->m11 < D->m00 ? fine_p_size_3 : fine_p_size_6;
-  const float fine_opposite = D->m00 + D->m11, fine_opposite_right_1 = fine_opposite - D->m00,
-      fine_opposite_left_1 = fine_opposite - fine_opposite_right_1,
-      fine_opposite_left_rest_1 = D->m00 - fine_opposite_left_1,
-      fine_opposite_right_rest_1 = D->m11 - fine_opposite_right_1,
-      fine_opposite_lo = fine_opposite_left_rest_1 + fine_opposite_right_rest_1,
-      fine_opposite_size_1 = fine_first_size_1 + fine_others_size_1;
-  const float fine_high_0 = fine_opposite < 0.0f ? fine_s_1 : fine_p_0,
-      fine_high_lo_1 = fine_opposite < 0.0f ? fine_s_lo_2 : fine_p_lo_1,
-      fine_high_size_1 = fine_opposite < 0.0f ? fine_p_size_6 : fine_p_size_3,
-      fine_high_error_1 = fabsf(fine_opposite_lo),
-      fine_high_padded_1 = 3.3087225e-24f + fine_opposite_size_1,
-      fine_high_rest_1 = KSL_MULF(2.2026954e-13f, fine_high_padded_1),
-      fine_high_bound_1 = fine_high_error_1 + fine_high_rest_1,
-      fine_high_size_2 = fine_opposite - 0.0f, fine_high_size_3 = fabsf(fine_high_size_2),
-      fine_high_size_5 = fine_s_1 - fine_p_0, fine_high_size_6 = fabsf(fine_high_size_5),
-      fine_high_error_2 = fabsf(fine_s_lo_2), fine_high_padded_2 = 3.3087225e-24f + fine_p_size_6,
-      fine_high_rest_2 = KSL_MULF(2.2026954e-13f, fine_high_padded_2),
-      fine_high_bound_2 = fine_high_error_2 + fine_high_rest_2,
-      fine_high_error_3 = fabsf(fine_p_lo_1), fine_high_padded_3 = 3.3087225e-24f + fine_p_size_3,
-      fine_high_rest_3 = KSL_MULF(2.2026954e-13f, fine_high_padded_3),
-      fine_high_bound_3 = fine_high_error_3 + fine_high_rest_3,
-      fine_high_size_7 = fine_high_bound_2 + fine_high_size_6,
-      fine_high_size_8 = fine_high_bound_3 + fine_high_size_7,
-      fine_high_size_9 = fine_high_bound_1 < fine_high_size_3 ? 0.0f : fine_high_size_8,
-      fine_high_size_10 = KSL_MULF(1.0995096e+12f, fine_high_size_9),
-      fine_high_size_11 = fine_high_size_1 + fine_high_size_10;
-  const float fine_high_1 = fine_opposite < 0.0f ? fine_s_0 : fine_p_1,
-      fine_high_lo_2 = fine_opposite < 0.0f ? fine_s_lo_1 : fine_p_lo_2,
-      fine_high_size_12 = fine_opposite < 0.0f ? fine_p_size_3 : fine_p_size_6,
-      fine_high_size_13 = fine_s_0 - fine_p_1, fine_high_size_14 = fabsf(fine_high_size_13),
-      fine_high_error_4 = fabsf(fine_s_lo_1),
-      fine_high_bound_4 = fine_high_error_4 + fine_high_rest_3,
-      fine_high_error_5 = fabsf(fine_p_lo_2),
-      fine_high_bound_5 = fine_high_error_5 + fine_high_rest_2,
-      fine_high_size_15 = fine_high_bound_4 + fine_high_size_14,
-      fine_high_size_16 = fine_high_bound_5 + fine_high_size_15,
-      fine_high_size_17 = fine_high_bound_1 < fine_high_size_3 ? 0.0f : fine_high_size_16,
-      fine_high_size_18 = KSL_MULF(1.0995096e+12f, fine_high_size_17),
-      fine_high_size_19 = fine_high_size_12 + fine_high_size_18;
-  const float fine_high_2 = fine_opposite < 0.0f ? fine_d_3 : fine_p_2,
-      fine_high_lo_3 = fine_opposite < 0.0f ? fine_d_lo_4 : fine_p_lo_3,
-      fine_high_size_20 = fine_opposite < 0.0f ? fine_d_size_1 : fine_p_size_9,
-      fine_high_size_21 = fine_d_3 - fine_p_2, fine_high_size_22 = fabsf(fine_high_size_21),
-      fine_high_error_6 = fabsf(fine_d_lo_4), fine_high_padded_4 = 3.3087225e-24f + fine_d_size_1,
-      fine_high_rest_4 = KSL_MULF(4.6185646e-13f, fine_high_padded_4),
-      fine_high_bound_6 = fine_high_error_6 + fine_high_rest_4,
-      fine_high_error_7 = fabsf(fine_p_lo_3), fine_high_padded_5 = 3.3087225e-24f + fine_p_size_9,
-      fine_high_rest_5 = KSL_MULF(2.2026954e-13f, fine_high_padded_5),
-      fine_high_bound_7 = fine_high_error_7 + fine_high_rest_5,
-      fine_high_size_23 = fine_high_bound_6 + fine_high_size_22,
-      fine_high_size_24 = fine_high_bound_7 + fine_high_size_23,
-      fine_high_size_25 = fine_high_bound_1 < fine_high_size_3 ? 0.0f : fine_high_size_24,
-      fine_high_size_26 = KSL_MULF(5.497537e+11f, fine_high_size_25),
-      fine_high_size_27 = fine_high_size_20 + fine_high_size_26;
-  const float fine_high_3 = fine_opposite < 0.0f ? fine_p_2 : fine_d_0,
-      fine_high_lo_4 = fine_opposite < 0.0f ? fine_p_lo_3 : fine_d_lo_1,
-      fine_high_size_28 = fine_opposite < 0.0f ? fine_p_size_9 : fine_d_size_1,
-      fine_high_size_29 = fine_p_2 - fine_d_0, fine_high_size_30 = fabsf(fine_high_size_29),
-      fine_high_error_8 = fabsf(fine_d_lo_1),
-      fine_high_bound_8 = fine_high_error_8 + fine_high_rest_4,
-      fine_high_size_31 = fine_high_bound_7 + fine_high_size_30,
-      fine_high_size_32 = fine_high_bound_8 + fine_high_size_31,
-      fine_high_size_33 = fine_high_bound_1 < fine_high_size_3 ? 0.0f : fine_high_size_32,
-      fine_high_size_34 = KSL_MULF(5.497537e+11f, fine_high_size_33),
-      fine_high_size_35 = fine_high_size_28 + fine_high_size_34;
+  const float fine_high_0a = -D->m11, fine_high_0 = D->m00 < fine_high_0a ? fine_s_1 : fine_p_0,
+      fine_high_lo_1 = D->m00 < fine_high_0a ? fine_s_lo_2 : fine_p_lo_1,
+      fine_high_size_1 = D->m00 < fine_high_0a ? fine_p_size_6 : fine_p_size_3;
+  const float fine_high_1 = D->m00 < fine_high_0a ? fine_s_0 : fine_p_1,
+      fine_high_lo_2 = D->m00 < fine_high_0a ? fine_s_lo_1 : fine_p_lo_2,
+      fine_high_size_2 = D->m00 < fine_high_0a ? fine_p_size_3 : fine_p_size_6;
+  const float fine_high_2 = D->m00 < fine_high_0a ? fine_d_3 : fine_p_2,
+      fine_high_lo_3 = D->m00 < fine_high_0a ? fine_d_lo_4 : fine_p_lo_3,
+      fine_high_size_3 = D->m00 < fine_high_0a ? fine_d_size_1 : fine_p_size_9;
+  const float fine_high_3 = D->m00 < fine_high_0a ? fine_p_2 : fine_d_0,
+      fine_high_lo_4 = D->m00 < fine_high_0a ? fine_p_lo_3 : fine_d_lo_1,
+      fine_high_size_4 = D->m00 < fine_high_0a ? fine_p_size_9 : fine_d_size_1;
   const float fine_column_0 = D->m22 < 0.0f ? fine_low_0 : fine_high_0,
       fine_column_lo_1 = D->m22 < 0.0f ? fine_low_lo_1 : fine_high_lo_1,
-      fine_column_size_1 = D->m22 < 0.0f ? fine_low_size_1 : fine_high_size_11;
+      fine_column_size_1 = D->m22 < 0.0f ? fine_low_size_1 : fine_high_size_1;
   const float fine_column_1 = D->m22 < 0.0f ? fine_low_1 : fine_high_1,
       fine_column_lo_2 = D->m22 < 0.0f ? fine_low_lo_2 : fine_high_lo_2,
-      fine_column_size_2 = D->m22 < 0.0f ? fine_low_size_2 : fine_high_size_19;
+      fine_column_size_2 = D->m22 < 0.0f ? fine_low_size_2 : fine_high_size_2;
   const float fine_column_2 = D->m22 < 0.0f ? fine_low_2 : fine_high_2,
       fine_column_lo_3 = D->m22 < 0.0f ? fine_low_lo_3 : fine_high_lo_3,
-      fine_column_size_3 = D->m22 < 0.0f ? fine_low_size_3 : fine_high_size_27;
+      fine_column_size_3 = D->m22 < 0.0f ? fine_low_size_3 : fine_high_size_3;
   const float fine_column_3 = D->m22 < 0.0f ? fine_low_3 : fine_high_3,
       fine_column_lo_4 = D->m22 < 0.0f ? fine_low_lo_4 : fine_high_lo_4,
-      fine_column_size_4 = D->m22 < 0.0f ? fine_low_size_4 : fine_high_size_35;
+      fine_column_size_4 = D->m22 < 0.0f ? fine_low_size_4 : fine_high_size_4;
   const float fine_upper_0a = -fine_column_0, fine_upper_0a_lo = -fine_column_lo_1,
       fine_upper_0 = fine_column_3 < 0.0f ? fine_upper_0a : fine_column_0,
       fine_upper_lo_1 = fine_column_3 < 0.0f ? fine_upper_0a_lo : fine_column_lo_1,
       fine_upper_error_1 = fabsf(fine_column_lo_4),
       fine_upper_padded_1 = 3.3087225e-24f + fine_column_size_4,
-      fine_upper_rest_1 = KSL_MULF(1.8758484e-12f, fine_upper_padded_1),
+      fine_upper_rest_1 = KSL_MULF(4.6185646e-13f, fine_upper_padded_1),
       fine_upper_bound_1 = fine_upper_error_1 + fine_upper_rest_1,
       fine_upper_size_1 = fine_column_3 - 0.0f, fine_upper_size_2 = fabsf(fine_upper_size_1),
       fine_upper_size_4 = fine_upper_0a - fine_column_0,
       fine_upper_size_5 = fabsf(fine_upper_size_4), fine_upper_error_2 = fabsf(fine_upper_0a_lo),
       fine_upper_padded_2 = 3.3087225e-24f + fine_column_size_1,
-      fine_upper_rest_2 = KSL_MULF(9.663443e-13f, fine_upper_padded_2),
+      fine_upper_rest_2 = KSL_MULF(4.6185646e-13f, fine_upper_padded_2),
       fine_upper_bound_2 = fine_upper_error_2 + fine_upper_rest_2,
       fine_upper_error_3 = fabsf(fine_column_lo_1),
       fine_upper_bound_3 = fine_upper_error_3 + fine_upper_rest_2,
@@ -40606,7 +40347,7 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       fine_upper_size_11 = fine_upper_1a - fine_column_1,
       fine_upper_size_12 = fabsf(fine_upper_size_11), fine_upper_error_4 = fabsf(fine_upper_1a_lo),
       fine_upper_padded_3 = 3.3087225e-24f + fine_column_size_2,
-      fine_upper_rest_3 = KSL_MULF(9.663443e-13f, fine_upper_padded_3),
+      fine_upper_rest_3 = KSL_MULF(4.6185646e-13f, fine_upper_padded_3),
       fine_upper_bound_4 = fine_upper_error_4 + fine_upper_rest_3,
       fine_upper_error_5 = fabsf(fine_column_lo_2),
       fine_upper_bound_5 = fine_upper_error_5 + fine_upper_rest_3,
@@ -40621,21 +40362,21 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       fine_upper_size_18 = fine_upper_2a - fine_column_2,
       fine_upper_size_19 = fabsf(fine_upper_size_18), fine_upper_error_6 = fabsf(fine_upper_2a_lo),
       fine_upper_padded_4 = 3.3087225e-24f + fine_column_size_3,
-      fine_upper_rest_4 = KSL_MULF(1.8758484e-12f, fine_upper_padded_4),
+      fine_upper_rest_4 = KSL_MULF(4.6185646e-13f, fine_upper_padded_4),
       fine_upper_bound_6 = fine_upper_error_6 + fine_upper_rest_4,
       fine_upper_error_7 = fabsf(fine_column_lo_3),
       fine_upper_bound_7 = fine_upper_error_7 + fine_upper_rest_4,
       fine_upper_size_20 = fine_upper_bound_6 + fine_upper_size_19,
       fine_upper_size_21 = fine_upper_bound_7 + fine_upper_size_20,
       fine_upper_size_22 = fine_upper_bound_1 < fine_upper_size_2 ? 0.0f : fine_upper_size_21,
-      fine_upper_size_23 = KSL_MULF(5.497535e+11f, fine_upper_size_22),
+      fine_upper_size_23 = KSL_MULF(5.497537e+11f, fine_upper_size_22),
       fine_upper_size_24 = fine_column_size_3 + fine_upper_size_23;
   const float fine_upper_3 = fabsf(fine_column_3), fine_upper_opposite_1 = -fine_column_lo_4,
       fine_upper_lo_4 = fine_column_3 < 0.0f ? fine_upper_opposite_1 : fine_column_lo_4,
       fine_upper_size_25 = fine_upper_3 - fine_upper_bound_1,
       fine_upper_size_26 = fabsf(fine_upper_size_25),
       fine_upper_size_27 = fine_upper_size_26 - fine_upper_size_25,
-      fine_upper_size_28 = KSL_MULF(5.497535e+11f, fine_upper_size_27),
+      fine_upper_size_28 = KSL_MULF(5.497537e+11f, fine_upper_size_27),
       fine_upper_size_29 = fine_column_size_4 + fine_upper_size_28;
   const float fine_v_s_size_0 = fabsf(fine_upper_0), fine_v_s_size_error_1 = fabsf(fine_upper_lo_1),
       fine_v_s_size_padded_1 = 3.3087225e-24f + fine_upper_size_10,
@@ -40647,7 +40388,7 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       fine_v_s_size_bound_2 = fine_v_s_size_error_2 + fine_v_s_size_rest_2;
   const float fine_v_s_size_2 = fabsf(fine_upper_2), fine_v_s_size_error_3 = fabsf(fine_upper_lo_3),
       fine_v_s_size_padded_3 = 3.3087225e-24f + fine_upper_size_24,
-      fine_v_s_size_rest_3 = KSL_MULF(1.875849e-12f, fine_v_s_size_padded_3),
+      fine_v_s_size_rest_3 = KSL_MULF(1.8758484e-12f, fine_v_s_size_padded_3),
       fine_v_s_size_bound_3 = fine_v_s_size_error_3 + fine_v_s_size_rest_3;
   const float fine_v_s_largest1 = fine_v_s_size_0 < fine_v_s_size_1 ? fine_v_s_size_1 :
       fine_v_s_size_0;
@@ -40717,7 +40458,7 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       fine_v_n_d_cross_1 = fine_v_n_d_cross1_1 + fine_v_n_d_cross2_1,
       fine_v_n_d_padded_1 = 3.3087225e-24f + fine_v_y_size_3, fine_v_n_d_size_1 = fabsf(fine_v_y_2),
       fine_v_n_d_error_1 = fabsf(fine_v_y_lo_3),
-      fine_v_n_d_rest_1 = KSL_MULF(1.9327005e-12f, fine_v_n_d_padded_1),
+      fine_v_n_d_rest_1 = KSL_MULF(1.9326999e-12f, fine_v_n_d_padded_1),
       fine_v_n_d_bound_1 = fine_v_n_d_error_1 + fine_v_n_d_rest_1,
       fine_v_n_d_units_1 = KSL_MULF(262144.0f, fine_v_n_d_bound_1),
       fine_v_n_d_reach_1 = fine_v_n_d_size_1 + fine_v_n_d_units_1,
@@ -40792,7 +40533,7 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       fine_half_rest_1 = KSL_MULF(2.7161363e-12f, fine_half_padded_1),
       fine_half_bound_1 = fine_half_error_1 + fine_half_rest_1,
       fine_half_error_2 = fabsf(fine_upper_lo_4),
-      fine_half_rest_2 = KSL_MULF(1.875849e-12f, fine_half_padded_2),
+      fine_half_rest_2 = KSL_MULF(1.8758484e-12f, fine_half_padded_2),
       fine_half_bound_2 = fine_half_error_2 + fine_half_rest_2,
       fine_half_size_6 = 3.3087225e-24f + fine_half_bound_1,
       fine_half_size_7 = fine_half_bound_2 + fine_half_size_6,
@@ -41760,76 +41501,51 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       vector_apart_5 = fine_vector_2 - vector_2, vector_apart_6 = fine_vector_lo_3 + vector_apart_5,
       vector_error_5 = fabsf(vector_apart_6), vector_error_6 = KSL_MULF(1.0000005f, vector_error_5),
       vector_bound_3 = fine_along_rest_4 + vector_error_6;
-  const float D_det_above_0 = KSL_MULF(D->m11, D->m22);
-  const float D_det_below_0 = KSL_MULF(D->m12, D->m21);
-  const float D_det_cofactor_0 = D_det_above_0 - D_det_below_0;
-  const float D_det_above_1 = KSL_MULF(D->m12, D->m20);
-  const float D_det_below_1 = KSL_MULF(D->m10, D->m22);
-  const float D_det_cofactor_1 = D_det_above_1 - D_det_below_1;
-  const float D_det_above_2 = KSL_MULF(D->m10, D->m21);
-  const float D_det_below_2 = KSL_MULF(D->m11, D->m20);
-  const float D_det_cofactor_2 = D_det_above_2 - D_det_below_2;
-  const float D_det_product_0 = KSL_MULF(D->m00, D_det_cofactor_0);
-  const float D_det_product_1 = KSL_MULF(D->m01, D_det_cofactor_1);
-  const float D_det_product_2 = KSL_MULF(D->m02, D_det_cofactor_2);
-  const float D_det_sum_0 = D_det_product_0 + D_det_product_1;
-  const float D_det_sum_1 = D_det_sum_0 + D_det_product_2;
-  const float D_det_off = D_det_sum_1 - 1.0f;
-  const float D_det_size = fabsf(D_det_off);
-  const float D_column_00_product_0 = KSL_MULF(D->m00, D->m00);
-  const float D_column_00_product_1 = KSL_MULF(D->m10, D->m10);
-  const float D_column_00_product_2 = KSL_MULF(D->m20, D->m20);
-  const float D_column_00_sum_0 = D_column_00_product_0 + D_column_00_product_1;
-  const float D_column_00_sum_1 = D_column_00_sum_0 + D_column_00_product_2;
-  const float D_column_00_off = D_column_00_sum_1 - 1.0f;
-  const float D_column_00_size = fabsf(D_column_00_off);
-  const float D_column_00_largest = D_det_size < D_column_00_size ? D_column_00_size : D_det_size;
-  const float D_column_11_product_0 = KSL_MULF(D->m01, D->m01);
-  const float D_column_11_product_1 = KSL_MULF(D->m11, D->m11);
-  const float D_column_11_product_2 = KSL_MULF(D->m21, D->m21);
-  const float D_column_11_sum_0 = D_column_11_product_0 + D_column_11_product_1;
-  const float D_column_11_sum_1 = D_column_11_sum_0 + D_column_11_product_2;
-  const float D_column_11_off = D_column_11_sum_1 - 1.0f;
-  const float D_column_11_size = fabsf(D_column_11_off);
-  const float D_column_11_largest = D_column_00_largest < D_column_11_size ? D_column_11_size :
-      D_column_00_largest;
-  const float D_column_22_product_0 = KSL_MULF(D->m02, D->m02);
-  const float D_column_22_product_1 = KSL_MULF(D->m12, D->m12);
-  const float D_column_22_product_2 = KSL_MULF(D->m22, D->m22);
-  const float D_column_22_sum_0 = D_column_22_product_0 + D_column_22_product_1;
-  const float D_column_22_sum_1 = D_column_22_sum_0 + D_column_22_product_2;
-  const float D_column_22_off = D_column_22_sum_1 - 1.0f;
-  const float D_column_22_size = fabsf(D_column_22_off);
-  const float D_column_22_largest = D_column_11_largest < D_column_22_size ? D_column_22_size :
-      D_column_11_largest;
-  const float D_column_01_product_0 = KSL_MULF(D->m00, D->m01);
-  const float D_column_01_product_1 = KSL_MULF(D->m10, D->m11);
-  const float D_column_01_product_2 = KSL_MULF(D->m20, D->m21);
-  const float D_column_01_sum_0 = D_column_01_product_0 + D_column_01_product_1;
-  const float D_column_01_sum_1 = D_column_01_sum_0 + D_column_01_product_2;
-  const float D_column_01_off = D_column_01_sum_1 - 0.0f;
-  const float D_column_01_size = fabsf(D_column_01_off);
-  const float D_column_01_largest = D_column_22_largest < D_column_01_size ? D_column_01_size :
-      D_column_22_largest;
-  const float D_column_02_product_0 = KSL_MULF(D->m00, D->m02);
-  const float D_column_02_product_1 = KSL_MULF(D->m10, D->m12);
-  const float D_column_02_product_2 = KSL_MULF(D->m20, D->m22);
-  const float D_column_02_sum_0 = D_column_02_product_0 + D_column_02_product_1;
-  const float D_column_02_sum_1 = D_column_02_sum_0 + D_column_02_product_2;
-  const float D_column_02_off = D_column_02_sum_1 - 0.0f;
-  const float D_column_02_size = fabsf(D_column_02_off);
-  const float D_column_02_largest = D_column_01_largest < D_column_02_size ? D_column_02_size :
-      D_column_01_largest;
-  const float D_column_12_product_0 = KSL_MULF(D->m01, D->m02);
-  const float D_column_12_product_1 = KSL_MULF(D->m11, D->m12);
-  const float D_column_12_product_2 = KSL_MULF(D->m21, D->m22);
-  const float D_column_12_sum_0 = D_column_12_product_0 + D_column_12_product_1;
-  const float D_column_12_sum_1 = D_column_12_sum_0 + D_column_12_product_2;
-  const float D_column_12_off = D_column_12_sum_1 - 0.0f;
-  const float D_column_12_size = fabsf(D_column_12_off);
-  const float D_column_12_largest = D_column_02_largest < D_column_12_size ? D_column_12_size :
-      D_column_02_largest;
-  const float D_unless_rotation = D_column_12_largest < 0.001f ? 0.0f : 1.2676506e+30f;
+  const float D_n_0a = KSL_MULF(D->m11, D->m22), D_n_0b = KSL_MULF(D->m12, D->m21),
+      D_n_0 = D_n_0a - D_n_0b;
+  const float D_n_1a = KSL_MULF(D->m02, D->m21), D_n_1b = KSL_MULF(D->m01, D->m22),
+      D_n_1 = D_n_1a - D_n_1b;
+  const float D_n_2a = KSL_MULF(D->m01, D->m12), D_n_2b = KSL_MULF(D->m02, D->m11),
+      D_n_2 = D_n_2a - D_n_2b;
+  const float D_det_a = KSL_MULF(D->m00, D_n_0), D_det_b = KSL_MULF(D->m10, D_n_1),
+      D_det_c = D_det_a + D_det_b, D_det_d = KSL_MULF(D->m20, D_n_2), D_det = D_det_c + D_det_d;
+  const float D_g_0a = KSL_MULF(D->m00, D->m00), D_g_0b = KSL_MULF(D->m10, D->m10),
+      D_g_0c = D_g_0a + D_g_0b, D_g_0d = KSL_MULF(D->m20, D->m20), D_g_0 = D_g_0c + D_g_0d;
+  const float D_g_1a = KSL_MULF(D->m00, D->m01), D_g_1b = KSL_MULF(D->m10, D->m11),
+      D_g_1c = D_g_1a + D_g_1b, D_g_1d = KSL_MULF(D->m20, D->m21), D_g_1 = D_g_1c + D_g_1d;
+  const float D_g_2a = KSL_MULF(D->m00, D->m02), D_g_2b = KSL_MULF(D->m10, D->m12),
+      D_g_2c = D_g_2a + D_g_2b, D_g_2d = KSL_MULF(D->m20, D->m22), D_g_2 = D_g_2c + D_g_2d;
+  const float D_g_3a = KSL_MULF(D->m01, D->m01), D_g_3b = KSL_MULF(D->m11, D->m11),
+      D_g_3c = D_g_3a + D_g_3b, D_g_3d = KSL_MULF(D->m21, D->m21), D_g_3 = D_g_3c + D_g_3d;
+  const float D_g_4a = KSL_MULF(D->m01, D->m02), D_g_4b = KSL_MULF(D->m11, D->m12),
+      D_g_4c = D_g_4a + D_g_4b, D_g_4d = KSL_MULF(D->m21, D->m22), D_g_4 = D_g_4c + D_g_4d;
+  const float D_g_5a = KSL_MULF(D->m02, D->m02), D_g_5b = KSL_MULF(D->m12, D->m12),
+      D_g_5c = D_g_5a + D_g_5b, D_g_5d = KSL_MULF(D->m22, D->m22), D_g_5 = D_g_5c + D_g_5d;
+  const float D_off_0 = D_det - 1.0f;
+  const float D_off_1 = D_g_0 - 1.0f;
+  const float D_off_4 = D_g_3 - 1.0f;
+  const float D_off_6 = D_g_5 - 1.0f;
+  const float D_defect_size_0 = fabsf(D_off_0);
+  const float D_defect_size_1 = fabsf(D_off_1);
+  const float D_defect_size_2 = fabsf(D_g_1);
+  const float D_defect_size_3 = fabsf(D_g_2);
+  const float D_defect_size_4 = fabsf(D_off_4);
+  const float D_defect_size_5 = fabsf(D_g_4);
+  const float D_defect_size_6 = fabsf(D_off_6);
+  const float D_defect_largest1 = D_defect_size_0 < D_defect_size_1 ? D_defect_size_1 :
+      D_defect_size_0;
+  const float D_defect_largest2 = D_defect_largest1 < D_defect_size_2 ? D_defect_size_2 :
+      D_defect_largest1;
+  const float D_defect_largest3 = D_defect_largest2 < D_defect_size_3 ? D_defect_size_3 :
+      D_defect_largest2;
+  const float D_defect_largest4 = D_defect_largest3 < D_defect_size_4 ? D_defect_size_4 :
+      D_defect_largest3;
+  const float D_defect_largest5 = D_defect_largest4 < D_defect_size_5 ? D_defect_size_5 :
+      D_defect_largest4;
+  const float D_defect_largest6 = D_defect_largest5 < D_defect_size_6 ? D_defect_size_6 :
+      D_defect_largest5;
+  const float D_unless_equal = D_defect_largest6 == 0.001f ? 0.0f : 1.2676506e+30f;
+  const float D_unless_rotation = D_defect_largest6 < 0.001f ? 0.0f : D_unless_equal;
   const float D_excess = KSL_MULF(D_unless_rotation, 1.2676506e+30f);
   const float D_excess_0 = so_bound_1 + D_excess;
   const float D_excess_1 = so_bound_2 + D_excess;

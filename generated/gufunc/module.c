@@ -106,7 +106,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "27887087ebb29615") < 0
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "9bcee2700323105c") < 0
       || PyModule_AddStringConstant(
           module, "LOOPS", families == baseline ? "baseline" : "AVX2") < 0) {
     Py_DECREF(module);

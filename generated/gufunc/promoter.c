@@ -72,84 +72,145 @@ static void explain(const PyUFuncObject *ufunc, PyObject *const *given, size_t i
   Py_XDECREF(module);
 }
 
-/* The product of columns i and j of a 3×3 matrix, row by row. */
-static double of_columns(const double *R, int i, int j) {
-  return R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j];
+
+/* Whether a component is NaN. */
+INLINED int has_nan_double(const double *x, size_t size) {
+  int found = 0;
+  for (size_t k = 0; k < size; k++) {
+    found |= x[k] != x[k];
+  }
+  return found;
 }
 
-static int is_off(double x) {
-  return x > 0.001 || x < -0.001;
-}
-
-/* Whether 3×3 numbers, row by row, are no rotation.  NaN is accepted: results are NaN. */
-static int is_no_rotation(const double *R) {
-  const double det = R[0] * (R[4] * R[8] - R[5] * R[7]) - R[1] * (R[3] * R[8] - R[5] * R[6])
-      + R[2] * (R[3] * R[7] - R[4] * R[6]);
-  return is_off(det - 1) | is_off(of_columns(R, 0, 0) - 1) | is_off(of_columns(R, 1, 1) - 1)
-      | is_off(of_columns(R, 2, 2) - 1) | is_off(of_columns(R, 0, 1))
-      | is_off(of_columns(R, 0, 2)) | is_off(of_columns(R, 1, 2));
-}
-
-/* Whether a quaternion's length is not 1. */
-static int is_no_unit(const double *q) {
-  return is_off(sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]) - 1);
-}
-
-static int is_zero(const double *x, int size) {
+INLINED int is_zero_double(const double *x, size_t size) {
   int found = 1;
-  for (int k = 0; k < size; k++) {
+  for (size_t k = 0; k < size; k++) {
     found &= x[k] == 0;
   }
   return found;
 }
 
+/* Whether ksl_mat3x3_rotation_defect says so: its size is above 0.001, or it is NaN though
+   no component is, of which results are NaN. */
+INLINED int is_off_R_double(const char *p, const npy_intp *core) {
+  ksl_mat3x3_t x;
+  load_mat3x3_double(&x, p, core);
+  const double defect = ksl_mat3x3_rotation_defect(&x);
+  return !(-0.001 <= defect && defect <= 0.001)
+      && !has_nan_double((const double *)&x, sizeof x / sizeof defect);
+}
+
+/* Whether ksl_quaternion_unit_defect says so: its size is above 0.001, or it is NaN though
+   no component is, of which results are NaN. */
+INLINED int is_off_U_double(const char *p, const npy_intp *core) {
+  ksl_quaternion_t x;
+  load_quaternion_double(&x, p, core);
+  const double defect = ksl_quaternion_unit_defect(&x);
+  return !(-0.001 <= defect && defect <= 0.001)
+      && !has_nan_double((const double *)&x, sizeof x / sizeof defect);
+}
+
 /* Whether one of n elements, `step` bytes apart, is not what the letter requires: R a rotation, U a
    quaternion of length 1, N and M a quaternion and a matrix that are not zero.  Of a matrix the
    first three columns are read. */
-
-static int refuses_doubles(
+static int refuses_double(
     char letter, const char *p, npy_intp n, npy_intp step, const npy_intp *core) {
   int found = 0;
+  if (letter == 'R') {
+    for (npy_intp k = 0; k < n; k++, p += step) {
+      found |= is_off_R_double(p, core);
+    }
+    return found;
+  }
+  if (letter == 'U') {
+    for (npy_intp k = 0; k < n; k++, p += step) {
+      found |= is_off_U_double(p, core);
+    }
+    return found;
+  }
   for (npy_intp k = 0; k < n; k++, p += step) {
-    double x[9];
-    if (letter == 'R' || letter == 'M') {
-      for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 3; j++) {
-          x[3 * i + j] = *(const double *)(p + i * core[0] + j * core[1]);
-        }
-      }
-      found |= letter == 'R' ? is_no_rotation(x) : is_zero(x, 9);
+    ksl_mat3x3_t matrix;
+    ksl_quaternion_t quaternion;
+    if (letter == 'M') {
+      load_mat3x3_double(&matrix, p, core);
+      found |= is_zero_double((const double *)&matrix, 9);
     } else {
-      for (int i = 0; i < 4; i++) {
-        x[i] = *(const double *)(p + i * core[0]);
-      }
-      found |= letter == 'U' ? is_no_unit(x) : is_zero(x, 4);
+      load_quaternion_double(&quaternion, p, core);
+      found |= is_zero_double((const double *)&quaternion, 4);
     }
   }
   return found;
 }
 
-static int refuses_floats(
+/* Whether a component is NaN. */
+INLINED int has_nan_single(const float *x, size_t size) {
+  int found = 0;
+  for (size_t k = 0; k < size; k++) {
+    found |= x[k] != x[k];
+  }
+  return found;
+}
+
+INLINED int is_zero_single(const float *x, size_t size) {
+  int found = 1;
+  for (size_t k = 0; k < size; k++) {
+    found &= x[k] == 0;
+  }
+  return found;
+}
+
+/* Whether ksl_mat3x3f_rotation_defect says so: its size is above 0.001f, or it is NaN though
+   no component is, of which results are NaN. */
+INLINED int is_off_R_single(const char *p, const npy_intp *core) {
+  ksl_mat3x3f_t x;
+  load_mat3x3_single(&x, p, core);
+  const float defect = ksl_mat3x3f_rotation_defect(&x);
+  return !(-0.001f <= defect && defect <= 0.001f)
+      && !has_nan_single((const float *)&x, sizeof x / sizeof defect);
+}
+
+/* Whether ksl_quaternionf_unit_defect says so: its size is above 0.001f, or it is NaN though
+   no component is, of which results are NaN. */
+INLINED int is_off_U_single(const char *p, const npy_intp *core) {
+  ksl_quaternionf_t x;
+  load_quaternion_single(&x, p, core);
+  const float defect = ksl_quaternionf_unit_defect(&x);
+  return !(-0.001f <= defect && defect <= 0.001f)
+      && !has_nan_single((const float *)&x, sizeof x / sizeof defect);
+}
+
+/* Whether one of n elements, `step` bytes apart, is not what the letter requires: R a rotation, U a
+   quaternion of length 1, N and M a quaternion and a matrix that are not zero.  Of a matrix the
+   first three columns are read. */
+static int refuses_single(
     char letter, const char *p, npy_intp n, npy_intp step, const npy_intp *core) {
   int found = 0;
+  if (letter == 'R') {
+    for (npy_intp k = 0; k < n; k++, p += step) {
+      found |= is_off_R_single(p, core);
+    }
+    return found;
+  }
+  if (letter == 'U') {
+    for (npy_intp k = 0; k < n; k++, p += step) {
+      found |= is_off_U_single(p, core);
+    }
+    return found;
+  }
   for (npy_intp k = 0; k < n; k++, p += step) {
-    double x[9];
-    if (letter == 'R' || letter == 'M') {
-      for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 3; j++) {
-          x[3 * i + j] = *(const float *)(p + i * core[0] + j * core[1]);
-        }
-      }
-      found |= letter == 'R' ? is_no_rotation(x) : is_zero(x, 9);
+    ksl_mat3x3f_t matrix;
+    ksl_quaternionf_t quaternion;
+    if (letter == 'M') {
+      load_mat3x3_single(&matrix, p, core);
+      found |= is_zero_single((const float *)&matrix, 9);
     } else {
-      for (int i = 0; i < 4; i++) {
-        x[i] = *(const float *)(p + i * core[0]);
-      }
-      found |= letter == 'U' ? is_no_unit(x) : is_zero(x, 4);
+      load_quaternion_single(&quaternion, p, core);
+      found |= is_zero_single((const float *)&quaternion, 4);
     }
   }
   return found;
 }
+
 
 /* The number of axes of what the letter stands for, if the array ends in such; else 0. */
 static int axes_of(char letter, PyArrayObject *array) {
@@ -172,7 +233,7 @@ static int refuses_array(char letter, PyArrayObject *array, int axes) {
     return 0;
   }
   for (;;) {
-    if ((PyArray_TYPE(array) == NPY_FLOAT ? refuses_floats : refuses_doubles)(
+    if ((PyArray_TYPE(array) == NPY_FLOAT ? refuses_single : refuses_double)(
             letter, p, n, last < 0 ? 0 : stride[last], stride + lead)) {
       return 1;
     }
@@ -204,7 +265,8 @@ static int refuses(char letter, PyObject *given) {
   int found = 0;
   if (axes > 0 && (type == NPY_FLOAT || type == NPY_DOUBLE || PyTypeNum_ISINTEGER(type))) {
     PyArrayObject *numbers = (PyArrayObject *)PyArray_FROM_OTF((PyObject *)array,
-        type == NPY_FLOAT ? NPY_FLOAT : NPY_DOUBLE, NPY_ARRAY_ALIGNED | NPY_ARRAY_NOTSWAPPED);
+        type == NPY_FLOAT ? NPY_FLOAT : NPY_DOUBLE,
+        NPY_ARRAY_ALIGNED | NPY_ARRAY_NOTSWAPPED | NPY_ARRAY_FORCECAST);
     if (numbers == NULL) {
       PyErr_Clear();
     } else {
@@ -231,10 +293,60 @@ static int refuses_any(const PyUFuncObject *ufunc, PyObject *const *given, size_
 
 static vectorcallfunc call_of_numpy;
 
+/* The value of a keyword, which stand after `count` arguments; NULL if it is missing or None. */
+static PyObject *keyword(
+    PyObject *const *given, size_t count, PyObject *names, const char *name) {
+  const Py_ssize_t keywords = names == NULL ? 0 : PyTuple_GET_SIZE(names);
+  PyObject *const *values = given + count;
+  for (Py_ssize_t k = 0; k < keywords; k++) {
+    if (PyUnicode_CompareWithASCIIString(PyTuple_GET_ITEM(names, k), name) == 0) {
+      return values[k] == Py_None ? NULL : values[k];
+    }
+  }
+  return NULL;
+}
+
+/* (-count, ..., -1): the last axes. */
+static PyObject *last_axes(int count) {
+  PyObject *last = PyTuple_New(count);
+  for (int k = 0; last != NULL && k < count; k++) {
+    PyObject *place = PyLong_FromLong(k - count);
+    if (place == NULL) {
+      Py_CLEAR(last);
+    } else {
+      PyTuple_SET_ITEM(last, k, place);
+    }
+  }
+  return last;
+}
+
+/* An argument with the axes of its elements last, as the gufunc takes them: `axes` has those of each
+   argument, `axis` is the one of all.  NULL if they are no axes of it. */
+static PyObject *with_axes_last(
+    PyObject *x, PyObject *axes, PyObject *axis, Py_ssize_t number, int count) {
+  if ((axes == NULL && count != 1)
+      || (!PyArray_Check(x) && PyObject_HasAttrString(x, "__array_ufunc__"))) {
+    Py_INCREF(x);
+    return x;
+  }
+  PyObject *moved = NULL, *last = last_axes(count), *numpy = PyImport_ImportModule("numpy");
+  PyObject *own = axes != NULL ? PySequence_GetItem(axes, number) : axis;
+  if (own != NULL && last != NULL && numpy != NULL) {
+    moved = PyObject_CallMethod(numpy, "moveaxis", "OOO", x, own, last);
+  }
+  if (axes != NULL) {
+    Py_XDECREF(own);
+  }
+  Py_XDECREF(last);
+  Py_XDECREF(numpy);
+  return moved;
+}
+
 /* NumPy's call of a gufunc, with errors that name the argument.  Refuses masked arrays, whose masks
    NumPy would ignore, pandas' objects, which would reorder the axes, and what is no rotation where one
-   is required. */
-static PyObject *call(PyObject *self, PyObject *const *given, size_t flags, PyObject *names) {
+   is required: `placed` are the arguments with the axes of their elements last. */
+static PyObject *call_placed(PyObject *self, PyObject *const *given, PyObject *const *placed,
+    size_t flags, PyObject *names) {
   const PyUFuncObject *ufunc = (const PyUFuncObject *)self;
   const size_t count = (size_t)PyVectorcall_NARGS(flags);
   const size_t inputs = count < (size_t)ufunc->nin ? count : (size_t)ufunc->nin;
@@ -244,21 +356,47 @@ static PyObject *call(PyObject *self, PyObject *const *given, size_t flags, PyOb
         && !PyList_CheckExact(x)
         && PyObject_HasAttrString((PyObject *)Py_TYPE(x),
             PyArray_Check(x) ? "mask" : "__pandas_priority__")) {
-      explain(ufunc, given, inputs);
+      explain(ufunc, placed, inputs);
       if (PyErr_Occurred()) {
         return NULL;
       }
     }
   }
-  if (refuses_any(ufunc, given, inputs)) {
-    explain(ufunc, given, inputs);
+  if (refuses_any(ufunc, placed, inputs)) {
+    explain(ufunc, placed, inputs);
     if (PyErr_Occurred()) {
       return NULL;
     }
   }
   PyObject *result = call_of_numpy(self, given, flags, names);
   if (result == NULL && PyErr_ExceptionMatches(PyExc_Exception)) {
-    explain(ufunc, given, inputs);
+    explain(ufunc, placed, inputs);
+  }
+  return result;
+}
+
+/* The same, of arguments whose axes the keywords `axes` or `axis` may name.  Where these are no axes of
+   an argument, NumPy says why. */
+static PyObject *call(PyObject *self, PyObject *const *given, size_t flags, PyObject *names) {
+  const PyUFuncObject *ufunc = (const PyUFuncObject *)self;
+  const size_t count = (size_t)PyVectorcall_NARGS(flags);
+  const size_t inputs = count < (size_t)ufunc->nin ? count : (size_t)ufunc->nin;
+  PyObject *axes = keyword(given, count, names, "axes");
+  PyObject *axis = keyword(given, count, names, "axis");
+  if (axes == NULL && axis == NULL) {
+    return call_placed(self, given, given, flags, names);
+  }
+  PyObject *placed[NPY_MAXARGS];
+  size_t done = 0;
+  while (done < inputs && (placed[done] = with_axes_last(
+          given[done], axes, axis, (Py_ssize_t)done, ufunc->core_num_dims[done])) != NULL) {
+    done++;
+  }
+  PyErr_Clear();
+  PyObject *result = done < inputs ? call_of_numpy(self, given, flags, names)
+                                   : call_placed(self, given, placed, flags, names);
+  while (done > 0) {
+    Py_DECREF(placed[--done]);
   }
   return result;
 }

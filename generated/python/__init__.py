@@ -16,7 +16,7 @@ import numpy as np
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "27887087ebb29615")
+COMPILED: bool = is_compiled("coscrew._gufunc", "9bcee2700323105c")
 
 if COMPILED:
     from coscrew._gufunc import (
@@ -691,13 +691,16 @@ coscrew = coscrew_from_lin_ang
 
 def mat3x3_is_rotation(R):
     """Whether the matrix is a rotation: mat3x3_rotation_defect(R) is at most 0.001.  Other
-    matrices are refused by the functions that require a rotation.  (3,3)->(), bool."""
+    matrices, unless an entry is NaN, are refused by the functions that require a rotation.
+    (3,3)->(), bool."""
     with np.errstate(all="ignore"):
         return mat3x3_rotation_defect(R) <= 0.001
 
 
 def quaternion_is_unit(q):
-    """Whether |q| = 1: |quaternion_unit_defect(q)| is at most 0.001.  (4)->(), bool."""
+    """Whether |q| = 1: |quaternion_unit_defect(q)| is at most 0.001.  Other
+    quaternions, unless a component is NaN, are refused by the functions that require a unit one.
+    (4)->(), bool."""
     with np.errstate(all="ignore"):
         return abs(quaternion_unit_defect(q)) <= 0.001
 

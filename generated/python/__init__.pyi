@@ -442,7 +442,7 @@ def euler_xyz_from_mat3x3(R: ArrayLike, out: NDArray[np.floating] | None = ...) 
     [-π/2, π/2]; c = 0 in gimbal lock.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
-    93 mul, 108 add, 5 div, 1 sqrt, 4 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.  The
+    93 mul, 109 add, 5 div, 1 sqrt, 4 neg, 6 abs, 6 copysign, 19 less, 4 equal, 46 select.  The
     rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock too;
     searched, not proved.
     """
@@ -459,7 +459,7 @@ def euler_xyx_from_mat3x3(R: ArrayLike, out: NDArray[np.floating] | None = ...) 
     [0, π]; c = 0 in gimbal lock.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
-    93 mul, 108 add, 5 div, 1 sqrt, 3 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.  The
+    93 mul, 109 add, 5 div, 1 sqrt, 3 neg, 6 abs, 6 copysign, 19 less, 4 equal, 46 select.  The
     rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock too;
     searched, not proved.
     """

@@ -66,56 +66,6 @@ def array(value: ArrayLike, name: str, core: Shape, function: str, objects: bool
     return found
 
 
-TOLERANCE = 0.001
-"""A matrix is a rotation if |R^T R - I|_ij and |det R - 1| are at most this, a quaternion of length 1
-if | |q| - 1 | is."""
-
-
-def _rotation_defect(R: np.ndarray) -> np.ndarray:
-    products = np.einsum("...ki,...kj->...ij", R, R) - np.eye(3)
-    a, b, c = (R[..., i, :] for i in range(3))
-    det = np.einsum("...i,...i->...", a, np.cross(b, c))
-    sizes = np.fmax.reduce(np.abs(products), axis=(-2, -1))
-    return np.fmax(sizes, np.abs(det - 1))  # NaN only if all are
-
-
-def _unit_defect(q: np.ndarray) -> np.ndarray:
-    largest = np.abs(q).max(axis=-1, keepdims=True)
-    scale = np.where(largest > 0, largest, 1)
-    return np.abs(np.linalg.norm(q / scale, axis=-1) * scale[..., 0] - 1)
-
-
-def _refusal(letter: str, x: np.ndarray, name: str) -> tuple[np.ndarray, str]:
-    """Where elements are refused, and why: R a matrix that is no rotation, U a quaternion whose
-    length is not 1, N and M a quaternion and a matrix that are zero.  NaN is accepted."""
-    if letter == "R":
-        defect = _rotation_defect(x[..., :3])
-        return defect > TOLERANCE, (
-            f"{'R of ' if x.shape[-1] == 4 else ''}{name} is no rotation: |R^T R - I| or "
-            f"|det R - 1| is {np.fmax.reduce(np.ravel(defect)):.3g}; wanted at most {TOLERANCE:g}; "
-            "mat3x3_nearest_rotation makes a rotation of it")
-    if letter == "U":
-        defect = _unit_defect(x)
-        return defect > TOLERANCE, (
-            f"{name} is no unit quaternion: | |q| - 1 | is {np.fmax.reduce(np.ravel(defect)):.3g}; wanted at most "
-            f"{TOLERANCE:g}; quaternion_nearest_unit divides it by its length")
-    if letter == "N":
-        return ~x.any(axis=-1), f"{name} is zero and has no direction; wanted any other quaternion"
-    return ~x.any(axis=(-2, -1)), (f"{name} is zero, to which all rotations are equally near; "
-                                   "wanted any other matrix")
-
-
-def require(letter: str, array: np.ndarray, argument: str, function: str) -> None:
-    """Raise ValueError if an element is not what the letter requires."""
-    if letter == "." or not array.size:
-        return
-    with np.errstate(all="ignore"):
-        wrong, why = _refusal(letter, array.astype(np.float64), argument)
-    if wrong.any():
-        place = f"element {tuple(map(int, np.argwhere(wrong)[0]))} of " if wrong.ndim else ""
-        raise ValueError(f"{function}: {place}{why}")
-
-
 def overrides(value: object) -> bool:
     """Whether its type handles ufuncs itself, as dask's arrays do; pandas' objects do not count."""
     return not hasattr(type(value), "__pandas_priority__") and getattr(type(value), "__array_ufunc__", np.ndarray.__array_ufunc__) is not (

@@ -1,7 +1,7 @@
 # Made by `coscrew generate`; changes are overwritten.
 # SPDX-License-Identifier: MIT
 # coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors.
-"""Turns functions of components into functions of arrays, and chooses the precision."""
+"""Turns functions of components into functions of arrays."""
 
 import functools
 import inspect
@@ -65,39 +65,3 @@ def _kernel(signature: str, dtype, working=None) -> Callable[[Callable], Callabl
 double_kernel = functools.partial(_kernel, dtype=np.float64)
 single_kernel = functools.partial(_kernel, dtype=np.float32)
 wide_kernel = functools.partial(_kernel, dtype=np.float32, working=np.float64)
-
-
-def dispatch(module: str, *kernels: Callable, required: str = "") -> Callable:
-    """A function of `module` that calls the second kernel if all arrays are float32, else the
-    first; `dtype=` overrides that.  Letters of `required` say what its arguments must be."""
-    wide, narrow = kernels[0], kernels[-1]
-    arguments = tuple(inspect.signature(wide).parameters)
-
-    def check(*values):
-        """Raise the errors that `on_any` raises for wrong arguments."""
-        if not any(map(_arrays.overrides, values)):
-            admitted(values)
-
-    def admitted(values):
-        """The arguments as arrays.  Raises ValueError for those that are refused."""
-        _, arrays = wide.checked(values, objects=False)
-        for letter, argument, array in zip(required, arguments, arrays):
-            _arrays.require(letter, array, argument, wide.__name__)
-        return arrays
-
-    @functools.wraps(wide)
-    def on_any(*values, out=None, dtype=None):
-        arrays = admitted(values)
-        kinds = {array.dtype.type for array, value in zip(arrays, values)
-                 if type(value) not in (int, float)}
-        if dtype is not None:
-            kinds = {np.dtype(dtype).type}
-            if not kinds < {np.float64, np.float32}:
-                raise TypeError(f"{wide.__name__}: dtype must be float64 or float32; "
-                                f"got {np.dtype(dtype)}")
-        return (narrow if kinds == {np.float32} else wide)(*arrays, out=out)
-
-    on_any.check = check
-    on_any.unchecked = dispatch(module, *kernels) if required else on_any
-    on_any.__module__ = module  # where pickle finds it
-    return on_any

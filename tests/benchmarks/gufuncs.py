@@ -1,4 +1,5 @@
-"""Gufuncs against what a NumPy user would write, and against the pure-NumPy twins."""
+"""Gufuncs against what a NumPy user would write, and against the pure-NumPy twins; and what their
+checks of arguments take."""
 
 from collections.abc import Callable
 from functools import partial
@@ -9,6 +10,7 @@ from tabulate import tabulate
 import coscrew
 import coscrew.accurate
 from coscrew_codegen.native.buffers import aligned
+from coscrew_codegen.native.intervals import interval
 from coscrew_codegen.native.timing import timed_calls
 from tests.benchmarks.words import said
 
@@ -23,9 +25,9 @@ Case = tuple[str, Callable[[], object]]
 def _cases(dtype: str) -> dict[str, list[Case]]:
     """The alternatives for each task: ours first, then the others."""
     random = np.random.default_rng(20)
-    one = random.normal(size=(3, 4)).astype(dtype)
-    each, s, c = (aligned(random.normal(size=(COUNT, *shape)).astype(dtype))
-                  for shape in ((3, 4), (6,), (6,)))
+    one = coscrew.SE3_exp(random.normal(size=6)).astype(dtype)
+    each = aligned(coscrew.SE3_exp(random.normal(size=(COUNT, 6))).astype(dtype))
+    s, c = (aligned(random.normal(size=(COUNT, 6)).astype(dtype)) for _ in range(2))
     out, matrix = np.empty_like(c), coscrew.CoAd(one)
     twin = coscrew.single if dtype == "float32" else coscrew.double
 
@@ -91,8 +93,26 @@ def _arguments(name: str, dtype: str) -> tuple[np.ndarray, tuple[np.ndarray, ...
     return aligned(x), results if isinstance(results, tuple) else (results,)
 
 
+def _checks(dtype: str) -> list[tuple[str, ...]]:
+    """Lines of functions that refuse arguments: what a call and an element of many take unchecked,
+    and how much more with the check."""
+    rows = []
+    v, R = np.ones(3, dtype), coscrew.SO3_exp(np.ones((COUNT, 3), dtype))
+    for name, many, more in (("SO3_log", R, ()),
+                             ("rotate_qv", coscrew.quaternion_from_mat3x3(R), (v,))):
+        checked, out = getattr(coscrew, name), np.empty((COUNT, 3), dtype)
+        functions = coscrew.unchecked(checked), checked
+        calls = [*(partial(f, many[0], *more) for f in functions),
+                 *(partial(f, many, *more, out=out) for f in functions)]
+        one, one_checked, each, each_checked = timed_calls(calls, 1e9 * SECONDS)
+        rows.append((name, dtype, said(one.time), said(interval(one_checked.rounds - one.rounds)),
+                     said(each.time, 1 / COUNT),
+                     said(interval(each_checked.rounds - each.rounds), 1 / COUNT)))
+    return rows
+
+
 def main() -> None:
-    """Print the table."""
+    """Print the tables."""
     rows = []
     for dtype in ("float64", "float32"):
         for task, cases in (_cases(dtype) | _cases_on_vectors(dtype)).items():
@@ -103,6 +123,11 @@ def main() -> None:
     print(f"\nns per element, N = {COUNT}, in {coscrew._gufunc.LOOPS}: median (95 % interval) of "
           "rounds in which all of a task take turns; ratio: to coscrew's in the same round")
     print(tabulate(rows, ("task", "dtype", "how", "ns", "ratio"), disable_numparse=True))
+    print(f"\nns of functions that refuse arguments, without the check, and what it adds, of one "
+          f"call and of each of {COUNT} elements")
+    print(tabulate([row for dtype in ("float64", "float32") for row in _checks(dtype)],
+                   ("function", "dtype", "call", "check", "element", "check"),
+                   disable_numparse=True))
     D, c = np.eye(3, 4), np.ones(6)
     (single,) = timed_calls([lambda: coscrew.product_CoAdc(D, c)], 1e9 * SECONDS)
     print(f"\nproduct_CoAdc of one displacement and one coscrew: {said(single.time)} ns a call")

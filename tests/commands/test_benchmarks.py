@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from coscrew_codegen.native.intervals import Interval
-from tests.benchmarks import bars, pinocchio_loops
+from tests.benchmarks import bars, gufuncs, pinocchio_loops
 from tests.benchmarks.__main__ import NAMES, ROOT
 from tests.benchmarks.bars import MET, MISSED, UNCLEAR, UNMEASURED, Bar
 from tests.support.scenes.robots import model_of, path_of
@@ -51,6 +51,13 @@ def test_the_table_is_written_with_machine_and_count(tmp_path, monkeypatch):
 def test_every_benchmark_runs_alone(name):
     assert 'if __name__ == "__main__":' in (ROOT / "tests/benchmarks" / f"{name}.py").read_text()
     assert find_spec(f"tests.benchmarks.{name}")
+
+
+@pytest.mark.parametrize("dtype", ("float64", "float32"))
+def test_what_is_timed_of_gufuncs_is_refused_by_none(dtype):
+    for cases in gufuncs._cases(dtype).values():
+        for _, call in cases:
+            assert np.isfinite(call()).all()
 
 
 def test_an_unknown_benchmark_is_refused():

@@ -181,6 +181,11 @@ def test_a_family_is_made_from_all_that_it_imports():
         "codegen/operations/SE3.py", "codegen/operations/vec4.py"}
 
 
+def test_bounds_of_rotations_are_made_from_the_defect_that_they_compare():
+    for family, known in (("exponential", True), ("mat3x3", True), ("trig", False)):
+        assert ("codegen/operations/nearest.py" in made_from(family, cache.sources())) == known
+
+
 @pytest.mark.parametrize("family", FAMILIES)
 def test_functions_of_a_family_are_of_the_files_it_is_made_from(family):
     """Wherever the code that derives it is defined."""

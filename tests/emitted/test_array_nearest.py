@@ -14,8 +14,8 @@ from scipy.spatial.transform import Rotation
 import coscrew
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.operations.nearest import BESIDE, NEAREST
-from tests.laws.test_nearest_rotations import nearest, off_orthonormal
 from tests.support.each import each_precision
+from tests.support.truth.nearest import nearest, off_orthonormal
 
 ROWS = 25
 SLOPE = 100

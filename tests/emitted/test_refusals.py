@@ -10,6 +10,8 @@ from coscrew import _dispatch
 from coscrew_codegen.formats import DOUBLE, PRECISIONS
 from coscrew_codegen.library import FamilyKernels
 from coscrew_codegen.operations import FAMILIES, OPERATIONS, Operation
+from coscrew_codegen.program import Input
+from coscrew_codegen.programs import program_of
 from coscrew_codegen.report.inputs import benign
 from coscrew_codegen.requirements import Required, requirements
 from coscrew_codegen.tiers import TIERS
@@ -63,6 +65,31 @@ def test_each_argument_is_refused_by_its_name(operation: Operation, place):
             function(*given)
 
 
+@pytest.mark.parametrize("operation", REFUSING, ids=lambda op: op.name)
+@ALL_WAYS
+def test_nan_anywhere_makes_a_result_nan(operation: Operation, place):
+    """But products with elementary motions do not read every column."""
+    if operation.name not in dir(place):
+        return
+    program = program_of(operation)
+    read = {x for step in program.instructions for x in step.operands} | set(program.results)
+    function, letters = getattr(place, operation.name), OF_LETTERS[operation.name]
+    for k in range(len(letters)):
+        if letters[k] == Required.NOTHING.value:
+            continue
+        shape, indices = operation.inputs[k].quantity.shape, operation.inputs[k].quantity.indices
+        columns = {indices[x.index][1] for x in read if isinstance(x, Input) and x.argument == k}
+        for index in np.ndindex(*shape[:1], *(min(n, 3) for n in shape[1:])):  # R of displacements
+            if len(shape) > 1 and index[1] not in columns:
+                continue
+            given = arguments(operation)
+            given[k][index] = np.nan
+            with np.errstate(all="ignore"):
+                found = function(*given)
+            found = (found if isinstance(found, tuple) else (found,))[:len(operation.outputs)]
+            assert any(np.isnan(x).any() for x in found), (operation.inputs[k].name, index)
+
+
 @pytest.mark.parametrize("R", NO_ROTATIONS.values(), ids=NO_ROTATIONS)
 @pytest.mark.parametrize("place", (coscrew, _dispatch), ids=("compiled", "dispatch"))
 def test_matrices_that_are_no_rotations(R: np.ndarray, place):
@@ -92,6 +119,37 @@ def test_the_element_is_named_and_nothing_is_written():
         coscrew.SO3_log(R, out=out)
     assert (out == 7).all()
     assert coscrew.SO3_log(R[:0]).shape == (0, 3, 3)
+
+
+@pytest.mark.parametrize("place", PACKAGES, ids=lambda x: x.__name__)
+def test_arguments_are_judged_along_the_axes_that_are_named(place):
+    mixed, right = (np.stack([I3, D, I3], -1) for D in (np.diag([-1.0, 1, 1]), I3[[1, 2, 0]]))
+    first = [(0, 1), *[(0,)] * (1 if place is not coscrew.certified else 2)]
+    for unlike in (mixed, mixed.astype(np.float32), mixed.tolist()):
+        with pytest.raises(ValueError, match=r"^SO3_log: element \(1,\) of R is no rotation"):
+            place.SO3_log(unlike, axes=first)
+    found, wanted = (x if isinstance(x, tuple) else (x,) for x in (
+        place.SO3_log(right, axes=first), place.SO3_log(right.transpose(2, 0, 1))))
+    for a, b in zip(found, wanted, strict=True):
+        assert np.array_equal(a.T, b, equal_nan=True)
+    for wrong in ([(0, 5), (0,)], [(0, 0), (0,)], [(0,), (0,)], 3):
+        with pytest.raises((ValueError, TypeError)):
+            place.SO3_log(mixed, axes=wrong)
+
+
+def test_quaternions_are_judged_along_the_axis_that_is_named():
+    q = np.array([[0, 0.6, 0], [0, 0, 0], [0, 0, 0], [1, 0.8, -1]])
+    swapped = [(0,), (0,), (0,)]
+    assert np.array_equal(coscrew.quaternion_log(q, axes=[(0,), (0,)]).T,
+                          coscrew.quaternion_log(q.T))
+    assert np.array_equal(coscrew.quaternion_nearest_unit(q, axis=0), q)
+    assert np.array_equal(coscrew.rotate_qv(q, np.ones((3, 3)), axes=swapped).T,
+                          coscrew.rotate_qv(q.T, np.ones((3, 3))))
+    q[:, 1] = 0
+    with pytest.raises(ValueError, match=r"element \(1,\) of q is zero"):
+        coscrew.quaternion_nearest_unit(q, axis=0)
+    with pytest.raises(ValueError, match=r"element \(1,\) of q is no unit quaternion"):
+        coscrew.rotate_qv(q, np.ones((3, 3)), axes=swapped)
 
 
 @pytest.mark.parametrize("name", ("quaternion_log", "mat3x3_from_quaternion", "rotate_qv",

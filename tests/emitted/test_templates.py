@@ -31,7 +31,7 @@ EXEMPT = {
     "c/ksl_exact.h.jinja": PRIMITIVES,
     **{f"{x}.jinja": PLACES for x in (
         "gufunc/module.c", "gufunc/promoter.c", "gufunc/refusals", "gufunc/ufuncs",
-        "gufunc/loop", "gufunc/lanes",
+        "gufunc/loop", "gufunc/lanes", "gufunc/checks", "gufunc/axes",
         "gufunc/_lanes.h", "python/_arrays.py",
         "python/_kernel.py", "scene/arrays", "scene/arrays.py", "scene/out", "scene/objects",
         "scene/arguments", "scene/states", "scene/threads", "scene/share", "scene/called",
@@ -39,8 +39,6 @@ EXEMPT = {
         "c/tiles_of_32_bytes", "c/tiles_of_64_bytes", "scene/driven", "c/halves", "c/ksl_states.h",
         "c/many_of_states", "cuda/threads",
         "cuda/kernel", "cuda/two_over_pi")},
-    **{f"{x}.jinja": "defects of arguments, compared with a tolerance: they need no bits"
-       for x in ("gufunc/checks", "python/requirements.py")},
     "cuda/elementary.jinja": PRIMITIVES,
     "cuda/headers.jinja": "the type of a difference of pointers",
     "native/driver.c.jinja": MEASURES, "report/drift.c.jinja": MEASURES}

@@ -6,6 +6,7 @@ Truth are singular values in 50 digits; SciPy's polar factor agrees.
 
 from collections.abc import Callable, Iterator
 from fractions import Fraction
+from pathlib import Path
 
 import mpmath
 import numpy as np
@@ -13,14 +14,19 @@ import pytest
 import scipy.linalg
 from mpmath import mpf
 
-import coscrew
+import coscrew.accurate
+import coscrew.certified
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.operations.nearest import BESIDE, NEAREST
+from coscrew_codegen.programs import library_program
+from coscrew_codegen.tiers.accurate import LARGEST
 from tests.support.each import each_precision
+from tests.support.truth.nearest import nearest, off_orthonormal
 
 Draw = Callable[[np.random.Generator], np.ndarray]
 SCALES = {"double": (1e-320, 1e-300, 1e-150, 1e150, 1e300), "single": (1e-44, 1e-37, 1e-18, 1e37)}
 ROWS = 30
+GUIDE = Path(__file__).parents[2] / "docs" / "accuracy.md"
 
 
 @pytest.fixture(autouse=True)
@@ -55,19 +61,6 @@ DRAWN: dict[str, Draw] = {
     "rows of all sizes": lambda rng: rng.normal(size=(3, 3)) * 10**rng.uniform(-6, 6, (3, 1)),
     "nearly diagonal": lambda rng: np.diag(rng.normal(size=3)) + small(rng),
     "small integers": lambda rng: rng.integers(-2, 3, (3, 3)) + np.diag([0.0, 1, 4])}
-
-
-def nearest(A: np.ndarray) -> tuple[mpmath.matrix, mpf]:
-    """The rotation, and (s2 ± s3) / s1."""
-    U, s, V = mpmath.svd_r(mpmath.matrix(A.tolist()))
-    sign = mpmath.sign(mpmath.det(U) * mpmath.det(V))
-    return U * mpmath.diag([1, 1, sign]) * V, (s[1] + sign * s[2]) / s[0]
-
-
-def off_orthonormal(R: np.ndarray) -> mpf:
-    exact = mpmath.matrix(R.tolist())
-    assert mpmath.det(exact) > 0.9
-    return max(map(abs, exact.T * exact - mpmath.eye(3)))
 
 
 @each_precision
@@ -130,6 +123,15 @@ def test_entries_of_all_exponents(precision: Precision):
     off = np.einsum("nki,nkj->nij", R, R) - np.eye(3)
     assert np.abs(off).max() <= BESIDE * 2.0**-precision.digits
     assert (np.linalg.det(R.astype(float)) > 0.99).all()
+
+
+def test_the_guide_tells_why_no_tier_has_it():
+    row = (f"| `mat3x3_nearest_rotation` | no: it has more than {LARGEST} instructions, and errs "
+           f"by {NEAREST} u times its condition, s1 / (s2 ± s3) | no |")
+    assert row in GUIDE.read_text(encoding="utf-8").splitlines()
+    assert len(library_program("mat3x3_nearest_rotation").instructions) > LARGEST
+    assert not hasattr(coscrew.accurate, "mat3x3_nearest_rotation")
+    assert not hasattr(coscrew.certified, "mat3x3_nearest_rotation")
 
 
 def test_rotations_are_their_own_nearest():

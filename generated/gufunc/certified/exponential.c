@@ -888,8 +888,8 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "|error of vo| <= vo_bound unless inf or NaN.\n"
     "\n"
     "(3,3)->(3),(3).  R: rotation or other 3×3 matrix; vo, vo_bound: vector.\n"
-    "244 mul, 469 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 72 abs, 4\n"
-    "copysign, 41 less, 6 equal, 106 select.\n",
+    "244 mul, 466 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 72 abs, 4\n"
+    "copysign, 41 less, 7 equal, 107 select.\n",
    1, 2, "R", SO3_log_loops},
   {"SO3_leftJacobian", "(3)->(3,3),(3,3)",
     "R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|; |error of R| <= R_bound\n"
@@ -951,8 +951,8 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "\n"
     "(3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;\n"
     "ω in rad/s).\n"
-    "608 mul, 1026 add, 36 product error, 36 product rest, 47 div, 5 sqrt, 14 neg, 168 abs, 6\n"
-    "copysign, 73 less, 9 equal, 174 select.\n",
+    "599 mul, 986 add, 36 product error, 36 product rest, 47 div, 5 sqrt, 15 neg, 155 abs, 6\n"
+    "copysign, 72 less, 10 equal, 171 select.\n",
    1, 2, "R", SE3_log_loops},
   {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };

@@ -8,7 +8,7 @@ arrays.
 """
 
 from coscrew.accurate import double, single
-from coscrew._kernel import dispatch
+from coscrew._checked import dispatch
 
 sincos = dispatch(__name__, double.sincos, single.sincos)
 sin = dispatch(__name__, double.sin, single.sin)

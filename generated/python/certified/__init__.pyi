@@ -243,8 +243,8 @@ def euler_xyz_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.floating] | None, 
     [-π/2, π/2]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
 
     (3,3)->(3),(3).  R: rotation or other 3×3 matrix; angles, angles_bound: vector.
-    452 mul, 752 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 4 neg, 66 abs, 12
-    copysign, 57 less, 13 equal, 103 select.
+    455 mul, 765 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 4 neg, 72 abs, 12
+    copysign, 59 less, 14 equal, 108 select.
     """
 
 def mat3x3_from_euler_xyx(angles: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
@@ -259,8 +259,8 @@ def euler_xyx_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.floating] | None, 
     [0, π]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
 
     (3,3)->(3),(3).  R: rotation or other 3×3 matrix; angles, angles_bound: vector.
-    452 mul, 752 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 3 neg, 66 abs, 12
-    copysign, 59 less, 13 equal, 105 select.
+    455 mul, 765 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 3 neg, 72 abs, 12
+    copysign, 61 less, 14 equal, 110 select.
     """
 
 def SE3_invert(self: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
@@ -1538,8 +1538,8 @@ def SO3_log(R: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.flo
     |error of vo| <= vo_bound unless inf or NaN.
 
     (3,3)->(3),(3).  R: rotation or other 3×3 matrix; vo, vo_bound: vector.
-    244 mul, 469 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 72 abs, 4
-    copysign, 41 less, 6 equal, 106 select.
+    244 mul, 466 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 72 abs, 4
+    copysign, 41 less, 7 equal, 107 select.
     """
 
 def SO3_leftJacobian(v: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
@@ -1592,8 +1592,8 @@ def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.floating] | None,
 
     (3,3)->(),(3),(),(3).  R: rotation or other 3×3 matrix; angle, angle_bound: number; axis,
     axis_bound: vector.
-    233 mul, 470 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 70 abs, 4
-    copysign, 41 less, 6 equal, 110 select.
+    233 mul, 467 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 70 abs, 4
+    copysign, 41 less, 7 equal, 111 select.
     """
 
 def mat3x3_orthonormalize(self: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
@@ -1627,8 +1627,8 @@ def SE3_log(D: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.flo
 
     (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;
     ω in rad/s).
-    608 mul, 1026 add, 36 product error, 36 product rest, 47 div, 5 sqrt, 14 neg, 168 abs, 6
-    copysign, 73 less, 9 equal, 174 select.
+    599 mul, 986 add, 36 product error, 36 product rest, 47 div, 5 sqrt, 15 neg, 155 abs, 6
+    copysign, 72 less, 10 equal, 171 select.
     """
 
 def inertia(m: ArrayLike, t: ArrayLike, Ixx: ArrayLike, Iyy: ArrayLike, Izz: ArrayLike, Ixy: ArrayLike, Iyz: ArrayLike, Izx: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:

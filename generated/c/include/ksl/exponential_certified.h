@@ -596,8 +596,8 @@ static inline void ksl_SO3_exp_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
 /* vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo;
      |error of vo| <= vo_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; vo, vo_bound: vector.
-   244 mul, 469 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 72 abs, 4
-     copysign, 41 less, 6 equal, 106 select. */
+   244 mul, 466 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 72 abs, 4
+     copysign, 41 less, 7 equal, 107 select. */
 static inline void ksl_SO3_log_certified(const ksl_mat3x3_t *R, ksl_vec3_t *vo,
     ksl_vec3_t *vo_bound) {
   const double p_0 = R->m21 - R->m12, p_right_1 = R->m21 - p_0, p_left_1 = p_0 + p_right_1,
@@ -924,76 +924,51 @@ static inline void ksl_SO3_log_certified(const ksl_mat3x3_t *R, ksl_vec3_t *vo,
       vector_padded_4 = 1.8051943758648296e-276 + vector_size_12,
       vector_rest_4 = KSL_MUL(3.5202936421278755e-29, vector_padded_4),
       vector_bound_4 = vector_error_7 + vector_rest_4;
-  const double R_det_above_0 = KSL_MUL(R->m11, R->m22);
-  const double R_det_below_0 = KSL_MUL(R->m12, R->m21);
-  const double R_det_cofactor_0 = R_det_above_0 - R_det_below_0;
-  const double R_det_above_1 = KSL_MUL(R->m12, R->m20);
-  const double R_det_below_1 = KSL_MUL(R->m10, R->m22);
-  const double R_det_cofactor_1 = R_det_above_1 - R_det_below_1;
-  const double R_det_above_2 = KSL_MUL(R->m10, R->m21);
-  const double R_det_below_2 = KSL_MUL(R->m11, R->m20);
-  const double R_det_cofactor_2 = R_det_above_2 - R_det_below_2;
-  const double R_det_product_0 = KSL_MUL(R->m00, R_det_cofactor_0);
-  const double R_det_product_1 = KSL_MUL(R->m01, R_det_cofactor_1);
-  const double R_det_product_2 = KSL_MUL(R->m02, R_det_cofactor_2);
-  const double R_det_sum_0 = R_det_product_0 + R_det_product_1;
-  const double R_det_sum_1 = R_det_sum_0 + R_det_product_2;
-  const double R_det_off = R_det_sum_1 - 1.0;
-  const double R_det_size = fabs(R_det_off);
-  const double R_column_00_product_0 = KSL_MUL(R->m00, R->m00);
-  const double R_column_00_product_1 = KSL_MUL(R->m10, R->m10);
-  const double R_column_00_product_2 = KSL_MUL(R->m20, R->m20);
-  const double R_column_00_sum_0 = R_column_00_product_0 + R_column_00_product_1;
-  const double R_column_00_sum_1 = R_column_00_sum_0 + R_column_00_product_2;
-  const double R_column_00_off = R_column_00_sum_1 - 1.0;
-  const double R_column_00_size = fabs(R_column_00_off);
-  const double R_column_00_largest = R_det_size < R_column_00_size ? R_column_00_size : R_det_size;
-  const double R_column_11_product_0 = KSL_MUL(R->m01, R->m01);
-  const double R_column_11_product_1 = KSL_MUL(R->m11, R->m11);
-  const double R_column_11_product_2 = KSL_MUL(R->m21, R->m21);
-  const double R_column_11_sum_0 = R_column_11_product_0 + R_column_11_product_1;
-  const double R_column_11_sum_1 = R_column_11_sum_0 + R_column_11_product_2;
-  const double R_column_11_off = R_column_11_sum_1 - 1.0;
-  const double R_column_11_size = fabs(R_column_11_off);
-  const double R_column_11_largest = R_column_00_largest < R_column_11_size ? R_column_11_size :
-      R_column_00_largest;
-  const double R_column_22_product_0 = KSL_MUL(R->m02, R->m02);
-  const double R_column_22_product_1 = KSL_MUL(R->m12, R->m12);
-  const double R_column_22_product_2 = KSL_MUL(R->m22, R->m22);
-  const double R_column_22_sum_0 = R_column_22_product_0 + R_column_22_product_1;
-  const double R_column_22_sum_1 = R_column_22_sum_0 + R_column_22_product_2;
-  const double R_column_22_off = R_column_22_sum_1 - 1.0;
-  const double R_column_22_size = fabs(R_column_22_off);
-  const double R_column_22_largest = R_column_11_largest < R_column_22_size ? R_column_22_size :
-      R_column_11_largest;
-  const double R_column_01_product_0 = KSL_MUL(R->m00, R->m01);
-  const double R_column_01_product_1 = KSL_MUL(R->m10, R->m11);
-  const double R_column_01_product_2 = KSL_MUL(R->m20, R->m21);
-  const double R_column_01_sum_0 = R_column_01_product_0 + R_column_01_product_1;
-  const double R_column_01_sum_1 = R_column_01_sum_0 + R_column_01_product_2;
-  const double R_column_01_off = R_column_01_sum_1 - 0.0;
-  const double R_column_01_size = fabs(R_column_01_off);
-  const double R_column_01_largest = R_column_22_largest < R_column_01_size ? R_column_01_size :
-      R_column_22_largest;
-  const double R_column_02_product_0 = KSL_MUL(R->m00, R->m02);
-  const double R_column_02_product_1 = KSL_MUL(R->m10, R->m12);
-  const double R_column_02_product_2 = KSL_MUL(R->m20, R->m22);
-  const double R_column_02_sum_0 = R_column_02_product_0 + R_column_02_product_1;
-  const double R_column_02_sum_1 = R_column_02_sum_0 + R_column_02_product_2;
-  const double R_column_02_off = R_column_02_sum_1 - 0.0;
-  const double R_column_02_size = fabs(R_column_02_off);
-  const double R_column_02_largest = R_column_01_largest < R_column_02_size ? R_column_02_size :
-      R_column_01_largest;
-  const double R_column_12_product_0 = KSL_MUL(R->m01, R->m02);
-  const double R_column_12_product_1 = KSL_MUL(R->m11, R->m12);
-  const double R_column_12_product_2 = KSL_MUL(R->m21, R->m22);
-  const double R_column_12_sum_0 = R_column_12_product_0 + R_column_12_product_1;
-  const double R_column_12_sum_1 = R_column_12_sum_0 + R_column_12_product_2;
-  const double R_column_12_off = R_column_12_sum_1 - 0.0;
-  const double R_column_12_size = fabs(R_column_12_off);
-  const double R_column_12_largest = R_column_02_largest < R_column_12_size ? R_column_12_size :
-      R_column_02_largest;
-  const double R_unless_rotation = R_column_12_largest < 0.001 ? 0.0 : 1.0715086071862673e+301;
+  const double R_n_0a = KSL_MUL(R->m11, R->m22), R_n_0b = KSL_MUL(R->m12, R->m21),
+      R_n_0 = R_n_0a - R_n_0b;
+  const double R_n_1a = KSL_MUL(R->m02, R->m21), R_n_1b = KSL_MUL(R->m01, R->m22),
+      R_n_1 = R_n_1a - R_n_1b;
+  const double R_n_2a = KSL_MUL(R->m01, R->m12), R_n_2b = KSL_MUL(R->m02, R->m11),
+      R_n_2 = R_n_2a - R_n_2b;
+  const double R_det_a = KSL_MUL(R->m00, R_n_0), R_det_b = KSL_MUL(R->m10, R_n_1),
+      R_det_c = R_det_a + R_det_b, R_det_d = KSL_MUL(R->m20, R_n_2), R_det = R_det_c + R_det_d;
+  const double R_g_0a = KSL_MUL(R->m00, R->m00), R_g_0b = KSL_MUL(R->m10, R->m10),
+      R_g_0c = R_g_0a + R_g_0b, R_g_0d = KSL_MUL(R->m20, R->m20), R_g_0 = R_g_0c + R_g_0d;
+  const double R_g_1a = KSL_MUL(R->m00, R->m01), R_g_1b = KSL_MUL(R->m10, R->m11),
+      R_g_1c = R_g_1a + R_g_1b, R_g_1d = KSL_MUL(R->m20, R->m21), R_g_1 = R_g_1c + R_g_1d;
+  const double R_g_2a = KSL_MUL(R->m00, R->m02), R_g_2b = KSL_MUL(R->m10, R->m12),
+      R_g_2c = R_g_2a + R_g_2b, R_g_2d = KSL_MUL(R->m20, R->m22), R_g_2 = R_g_2c + R_g_2d;
+  const double R_g_3a = KSL_MUL(R->m01, R->m01), R_g_3b = KSL_MUL(R->m11, R->m11),
+      R_g_3c = R_g_3a + R_g_3b, R_g_3d = KSL_MUL(R->m21, R->m21), R_g_3 = R_g_3c + R_g_3d;
+  const double R_g_4a = KSL_MUL(R->m01, R->m02), R_g_4b = KSL_MUL(R->m11, R->m12),
+      R_g_4c = R_g_4a + R_g_4b, R_g_4d = KSL_MUL(R->m21, R->m22), R_g_4 = R_g_4c + R_g_4d;
+  const double R_g_5a = KSL_MUL(R->m02, R->m02), R_g_5b = KSL_MUL(R->m12, R->m12),
+      R_g_5c = R_g_5a + R_g_5b, R_g_5d = KSL_MUL(R->m22, R->m22), R_g_5 = R_g_5c + R_g_5d;
+  const double R_off_0 = R_det - 1.0;
+  const double R_off_1 = R_g_0 - 1.0;
+  const double R_off_4 = R_g_3 - 1.0;
+  const double R_off_6 = R_g_5 - 1.0;
+  const double R_defect_size_0 = fabs(R_off_0);
+  const double R_defect_size_1 = fabs(R_off_1);
+  const double R_defect_size_2 = fabs(R_g_1);
+  const double R_defect_size_3 = fabs(R_g_2);
+  const double R_defect_size_4 = fabs(R_off_4);
+  const double R_defect_size_5 = fabs(R_g_4);
+  const double R_defect_size_6 = fabs(R_off_6);
+  const double R_defect_largest1 = R_defect_size_0 < R_defect_size_1 ? R_defect_size_1 :
+      R_defect_size_0;
+  const double R_defect_largest2 = R_defect_largest1 < R_defect_size_2 ? R_defect_size_2 :
+      R_defect_largest1;
+  const double R_defect_largest3 = R_defect_largest2 < R_defect_size_3 ? R_defect_size_3 :
+      R_defect_largest2;
+  const double R_defect_largest4 = R_defect_largest3 < R_defect_size_4 ? R_defect_size_4 :
+      R_defect_largest3;
+  const double R_defect_largest5 = R_defect_largest4 < R_defect_size_5 ? R_defect_size_5 :
+      R_defect_largest4;
+  const double R_defect_largest6 = R_defect_largest5 < R_defect_size_6 ? R_defect_size_6 :
+      R_defect_largest5;
+  const double R_unless_equal = R_defect_largest6 == 0.001 ? 0.0 : 1.0715086071862673e+301;
+  const double R_unless_rotation = R_defect_largest6 < 0.001 ? 0.0 : R_unless_equal;
   const double R_excess = KSL_MUL(R_unless_rotation, 1.0715086071862673e+301);
   const double R_excess_0 = vector_bound_2 + R_excess;
   const double R_excess_1 = vector_bound_3 + R_excess;
@@ -6636,8 +6611,8 @@ static inline void ksl_SE3_exp_certified(const ksl_screw_t *s, ksl_SE3_t *D, ksl
 /* so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R; |error of so| <= so_bound unless
      inf or NaN.
    D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s; ω in rad/s).
-   608 mul, 1026 add, 36 product error, 36 product rest, 47 div, 5 sqrt, 14 neg, 168 abs, 6
-     copysign, 73 less, 9 equal, 174 select. */
+   599 mul, 986 add, 36 product error, 36 product rest, 47 div, 5 sqrt, 15 neg, 155 abs, 6
+     copysign, 72 less, 10 equal, 171 select. */
 static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
     ksl_screw_t *so_bound) {
   const double p_0 = D->m21 - D->m12;
@@ -6820,99 +6795,42 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
   const double fine_low_3 = D->m11 < D->m00 ? fine_p_0 : fine_p_1,
       fine_low_lo_4 = D->m11 < D->m00 ? fine_p_lo_1 : fine_p_lo_2,
       fine_low_size_4 = D->m11 < D->m00 ? fine_p_size_3 : fine_p_size_6;
-  const double fine_opposite = D->m00 + D->m11, fine_opposite_right_1 = fine_opposite - D->m00,
-      fine_opposite_left_1 = fine_opposite - fine_opposite_right_1,
-      fine_opposite_left_rest_1 = D->m00 - fine_opposite_left_1,
-      fine_opposite_right_rest_1 = D->m11 - fine_opposite_right_1,
-      fine_opposite_lo = fine_opposite_left_rest_1 + fine_opposite_right_rest_1,
-      fine_opposite_size_1 = fine_first_size_1 + fine_others_size_1;
-  const double fine_high_0 = fine_opposite < 0.0 ? fine_s_1 : fine_p_0,
-      fine_high_lo_1 = fine_opposite < 0.0 ? fine_s_lo_2 : fine_p_lo_1,
-      fine_high_size_1 = fine_opposite < 0.0 ? fine_p_size_6 : fine_p_size_3,
-      fine_high_error_1 = fabs(fine_opposite_lo),
-      fine_high_padded_1 = 1.8051943758648296e-276 + fine_opposite_size_1,
-      fine_high_rest_1 = KSL_MUL(7.642090607075756e-31, fine_high_padded_1),
-      fine_high_bound_1 = fine_high_error_1 + fine_high_rest_1,
-      fine_high_size_2 = fine_opposite - 0.0, fine_high_size_3 = fabs(fine_high_size_2),
-      fine_high_size_5 = fine_s_1 - fine_p_0, fine_high_size_6 = fabs(fine_high_size_5),
-      fine_high_error_2 = fabs(fine_s_lo_2),
-      fine_high_padded_2 = 1.8051943758648296e-276 + fine_p_size_6,
-      fine_high_rest_2 = KSL_MUL(7.642090607075756e-31, fine_high_padded_2),
-      fine_high_bound_2 = fine_high_error_2 + fine_high_rest_2,
-      fine_high_error_3 = fabs(fine_p_lo_1),
-      fine_high_padded_3 = 1.8051943758648296e-276 + fine_p_size_3,
-      fine_high_rest_3 = KSL_MUL(7.642090607075756e-31, fine_high_padded_3),
-      fine_high_bound_3 = fine_high_error_3 + fine_high_rest_3,
-      fine_high_size_7 = fine_high_bound_2 + fine_high_size_6,
-      fine_high_size_8 = fine_high_bound_3 + fine_high_size_7,
-      fine_high_size_9 = fine_high_bound_1 < fine_high_size_3 ? 0.0 : fine_high_size_8,
-      fine_high_size_10 = KSL_MUL(3.169126122781311e+29, fine_high_size_9),
-      fine_high_size_11 = fine_high_size_1 + fine_high_size_10;
-  const double fine_high_1 = fine_opposite < 0.0 ? fine_s_0 : fine_p_1,
-      fine_high_lo_2 = fine_opposite < 0.0 ? fine_s_lo_1 : fine_p_lo_2,
-      fine_high_size_12 = fine_opposite < 0.0 ? fine_p_size_3 : fine_p_size_6,
-      fine_high_size_13 = fine_s_0 - fine_p_1, fine_high_size_14 = fabs(fine_high_size_13),
-      fine_high_error_4 = fabs(fine_s_lo_1),
-      fine_high_bound_4 = fine_high_error_4 + fine_high_rest_3,
-      fine_high_error_5 = fabs(fine_p_lo_2),
-      fine_high_bound_5 = fine_high_error_5 + fine_high_rest_2,
-      fine_high_size_15 = fine_high_bound_4 + fine_high_size_14,
-      fine_high_size_16 = fine_high_bound_5 + fine_high_size_15,
-      fine_high_size_17 = fine_high_bound_1 < fine_high_size_3 ? 0.0 : fine_high_size_16,
-      fine_high_size_18 = KSL_MUL(3.169126122781311e+29, fine_high_size_17),
-      fine_high_size_19 = fine_high_size_12 + fine_high_size_18;
-  const double fine_high_2 = fine_opposite < 0.0 ? fine_d_3 : fine_p_2,
-      fine_high_lo_3 = fine_opposite < 0.0 ? fine_d_lo_4 : fine_p_lo_3,
-      fine_high_size_20 = fine_opposite < 0.0 ? fine_d_size_1 : fine_p_size_9,
-      fine_high_size_21 = fine_d_3 - fine_p_2, fine_high_size_22 = fabs(fine_high_size_21),
-      fine_high_error_6 = fabs(fine_d_lo_4),
-      fine_high_padded_4 = 1.8051943758648296e-276 + fine_d_size_1,
-      fine_high_rest_4 = KSL_MUL(1.6023738312796216e-30, fine_high_padded_4),
-      fine_high_bound_6 = fine_high_error_6 + fine_high_rest_4,
-      fine_high_error_7 = fabs(fine_p_lo_3),
-      fine_high_padded_5 = 1.8051943758648296e-276 + fine_p_size_9,
-      fine_high_rest_5 = KSL_MUL(7.642090607075756e-31, fine_high_padded_5),
-      fine_high_bound_7 = fine_high_error_7 + fine_high_rest_5,
-      fine_high_size_23 = fine_high_bound_6 + fine_high_size_22,
-      fine_high_size_24 = fine_high_bound_7 + fine_high_size_23,
-      fine_high_size_25 = fine_high_bound_1 < fine_high_size_3 ? 0.0 : fine_high_size_24,
-      fine_high_size_26 = KSL_MUL(1.5845630613906556e+29, fine_high_size_25),
-      fine_high_size_27 = fine_high_size_20 + fine_high_size_26;
-  const double fine_high_3 = fine_opposite < 0.0 ? fine_p_2 : fine_d_0,
-      fine_high_lo_4 = fine_opposite < 0.0 ? fine_p_lo_3 : fine_d_lo_1,
-      fine_high_size_28 = fine_opposite < 0.0 ? fine_p_size_9 : fine_d_size_1,
-      fine_high_size_29 = fine_p_2 - fine_d_0, fine_high_size_30 = fabs(fine_high_size_29),
-      fine_high_error_8 = fabs(fine_d_lo_1),
-      fine_high_bound_8 = fine_high_error_8 + fine_high_rest_4,
-      fine_high_size_31 = fine_high_bound_7 + fine_high_size_30,
-      fine_high_size_32 = fine_high_bound_8 + fine_high_size_31,
-      fine_high_size_33 = fine_high_bound_1 < fine_high_size_3 ? 0.0 : fine_high_size_32,
-      fine_high_size_34 = KSL_MUL(1.5845630613906556e+29, fine_high_size_33),
-      fine_high_size_35 = fine_high_size_28 + fine_high_size_34;
+  const double fine_high_0a = -D->m11, fine_high_0 = D->m00 < fine_high_0a ? fine_s_1 : fine_p_0,
+      fine_high_lo_1 = D->m00 < fine_high_0a ? fine_s_lo_2 : fine_p_lo_1,
+      fine_high_size_1 = D->m00 < fine_high_0a ? fine_p_size_6 : fine_p_size_3;
+  const double fine_high_1 = D->m00 < fine_high_0a ? fine_s_0 : fine_p_1,
+      fine_high_lo_2 = D->m00 < fine_high_0a ? fine_s_lo_1 : fine_p_lo_2,
+      fine_high_size_2 = D->m00 < fine_high_0a ? fine_p_size_3 : fine_p_size_6;
+  const double fine_high_2 = D->m00 < fine_high_0a ? fine_d_3 : fine_p_2,
+      fine_high_lo_3 = D->m00 < fine_high_0a ? fine_d_lo_4 : fine_p_lo_3,
+      fine_high_size_3 = D->m00 < fine_high_0a ? fine_d_size_1 : fine_p_size_9;
+  const double fine_high_3 = D->m00 < fine_high_0a ? fine_p_2 : fine_d_0,
+      fine_high_lo_4 = D->m00 < fine_high_0a ? fine_p_lo_3 : fine_d_lo_1,
+      fine_high_size_4 = D->m00 < fine_high_0a ? fine_p_size_9 : fine_d_size_1;
   const double fine_column_0 = D->m22 < 0.0 ? fine_low_0 : fine_high_0,
       fine_column_lo_1 = D->m22 < 0.0 ? fine_low_lo_1 : fine_high_lo_1,
-      fine_column_size_1 = D->m22 < 0.0 ? fine_low_size_1 : fine_high_size_11;
+      fine_column_size_1 = D->m22 < 0.0 ? fine_low_size_1 : fine_high_size_1;
   const double fine_column_1 = D->m22 < 0.0 ? fine_low_1 : fine_high_1,
       fine_column_lo_2 = D->m22 < 0.0 ? fine_low_lo_2 : fine_high_lo_2,
-      fine_column_size_2 = D->m22 < 0.0 ? fine_low_size_2 : fine_high_size_19;
+      fine_column_size_2 = D->m22 < 0.0 ? fine_low_size_2 : fine_high_size_2;
   const double fine_column_2 = D->m22 < 0.0 ? fine_low_2 : fine_high_2,
       fine_column_lo_3 = D->m22 < 0.0 ? fine_low_lo_3 : fine_high_lo_3,
-      fine_column_size_3 = D->m22 < 0.0 ? fine_low_size_3 : fine_high_size_27;
+      fine_column_size_3 = D->m22 < 0.0 ? fine_low_size_3 : fine_high_size_3;
   const double fine_column_3 = D->m22 < 0.0 ? fine_low_3 : fine_high_3,
       fine_column_lo_4 = D->m22 < 0.0 ? fine_low_lo_4 : fine_high_lo_4,
-      fine_column_size_4 = D->m22 < 0.0 ? fine_low_size_4 : fine_high_size_35;
+      fine_column_size_4 = D->m22 < 0.0 ? fine_low_size_4 : fine_high_size_4;
   const double fine_upper_0a = -fine_column_0, fine_upper_0a_lo = -fine_column_lo_1,
       fine_upper_0 = fine_column_3 < 0.0 ? fine_upper_0a : fine_column_0,
       fine_upper_lo_1 = fine_column_3 < 0.0 ? fine_upper_0a_lo : fine_column_lo_1,
       fine_upper_error_1 = fabs(fine_column_lo_4),
       fine_upper_padded_1 = 1.8051943758648296e-276 + fine_column_size_4,
-      fine_upper_rest_1 = KSL_MUL(6.508104019725916e-30, fine_upper_padded_1),
+      fine_upper_rest_1 = KSL_MUL(1.6023738312796216e-30, fine_upper_padded_1),
       fine_upper_bound_1 = fine_upper_error_1 + fine_upper_rest_1,
       fine_upper_size_1 = fine_column_3 - 0.0, fine_upper_size_2 = fabs(fine_upper_size_1),
       fine_upper_size_4 = fine_upper_0a - fine_column_0,
       fine_upper_size_5 = fabs(fine_upper_size_4), fine_upper_error_2 = fabs(fine_upper_0a_lo),
       fine_upper_padded_2 = 1.8051943758648296e-276 + fine_column_size_1,
-      fine_upper_rest_2 = KSL_MUL(3.352659623015585e-30, fine_upper_padded_2),
+      fine_upper_rest_2 = KSL_MUL(1.6023738312796216e-30, fine_upper_padded_2),
       fine_upper_bound_2 = fine_upper_error_2 + fine_upper_rest_2,
       fine_upper_error_3 = fabs(fine_column_lo_1),
       fine_upper_bound_3 = fine_upper_error_3 + fine_upper_rest_2,
@@ -6927,7 +6845,7 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       fine_upper_size_11 = fine_upper_1a - fine_column_1,
       fine_upper_size_12 = fabs(fine_upper_size_11), fine_upper_error_4 = fabs(fine_upper_1a_lo),
       fine_upper_padded_3 = 1.8051943758648296e-276 + fine_column_size_2,
-      fine_upper_rest_3 = KSL_MUL(3.352659623015585e-30, fine_upper_padded_3),
+      fine_upper_rest_3 = KSL_MUL(1.6023738312796216e-30, fine_upper_padded_3),
       fine_upper_bound_4 = fine_upper_error_4 + fine_upper_rest_3,
       fine_upper_error_5 = fabs(fine_column_lo_2),
       fine_upper_bound_5 = fine_upper_error_5 + fine_upper_rest_3,
@@ -6942,21 +6860,21 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       fine_upper_size_18 = fine_upper_2a - fine_column_2,
       fine_upper_size_19 = fabs(fine_upper_size_18), fine_upper_error_6 = fabs(fine_upper_2a_lo),
       fine_upper_padded_4 = 1.8051943758648296e-276 + fine_column_size_3,
-      fine_upper_rest_4 = KSL_MUL(6.508104019725916e-30, fine_upper_padded_4),
+      fine_upper_rest_4 = KSL_MUL(1.6023738312796216e-30, fine_upper_padded_4),
       fine_upper_bound_6 = fine_upper_error_6 + fine_upper_rest_4,
       fine_upper_error_7 = fabs(fine_column_lo_3),
       fine_upper_bound_7 = fine_upper_error_7 + fine_upper_rest_4,
       fine_upper_size_20 = fine_upper_bound_6 + fine_upper_size_19,
       fine_upper_size_21 = fine_upper_bound_7 + fine_upper_size_20,
       fine_upper_size_22 = fine_upper_bound_1 < fine_upper_size_2 ? 0.0 : fine_upper_size_21,
-      fine_upper_size_23 = KSL_MUL(1.5845628724960638e+29, fine_upper_size_22),
+      fine_upper_size_23 = KSL_MUL(1.5845630613906556e+29, fine_upper_size_22),
       fine_upper_size_24 = fine_column_size_3 + fine_upper_size_23;
   const double fine_upper_3 = fabs(fine_column_3), fine_upper_opposite_1 = -fine_column_lo_4,
       fine_upper_lo_4 = fine_column_3 < 0.0 ? fine_upper_opposite_1 : fine_column_lo_4,
       fine_upper_size_25 = fine_upper_3 - fine_upper_bound_1,
       fine_upper_size_26 = fabs(fine_upper_size_25),
       fine_upper_size_27 = fine_upper_size_26 - fine_upper_size_25,
-      fine_upper_size_28 = KSL_MUL(1.5845628724960638e+29, fine_upper_size_27),
+      fine_upper_size_28 = KSL_MUL(1.5845630613906556e+29, fine_upper_size_27),
       fine_upper_size_29 = fine_column_size_4 + fine_upper_size_28;
   const double fine_v_s_size_0 = fabs(fine_upper_0), fine_v_s_size_error_1 = fabs(fine_upper_lo_1),
       fine_v_s_size_padded_1 = 1.8051943758648296e-276 + fine_upper_size_10,
@@ -6968,7 +6886,7 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       fine_v_s_size_bound_2 = fine_v_s_size_error_2 + fine_v_s_size_rest_2;
   const double fine_v_s_size_2 = fabs(fine_upper_2), fine_v_s_size_error_3 = fabs(fine_upper_lo_3),
       fine_v_s_size_padded_3 = 1.8051943758648296e-276 + fine_upper_size_24,
-      fine_v_s_size_rest_3 = KSL_MUL(6.508104795552187e-30, fine_v_s_size_padded_3),
+      fine_v_s_size_rest_3 = KSL_MUL(6.508104019725916e-30, fine_v_s_size_padded_3),
       fine_v_s_size_bound_3 = fine_v_s_size_error_3 + fine_v_s_size_rest_3;
   const double fine_v_s_largest1 = fine_v_s_size_0 < fine_v_s_size_1 ? fine_v_s_size_1 :
       fine_v_s_size_0;
@@ -7041,7 +6959,7 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       fine_v_n_d_cross_1 = fine_v_n_d_cross1_1 + fine_v_n_d_cross2_1,
       fine_v_n_d_padded_1 = 1.8051943758648296e-276 + fine_v_y_size_3,
       fine_v_n_d_size_1 = fabs(fine_v_y_2), fine_v_n_d_error_1 = fabs(fine_v_y_lo_3),
-      fine_v_n_d_rest_1 = KSL_MUL(6.705320797683713e-30, fine_v_n_d_padded_1),
+      fine_v_n_d_rest_1 = KSL_MUL(6.705320021857442e-30, fine_v_n_d_padded_1),
       fine_v_n_d_bound_1 = fine_v_n_d_error_1 + fine_v_n_d_rest_1,
       fine_v_n_d_units_1 = KSL_MUL(140737488355328.0, fine_v_n_d_bound_1),
       fine_v_n_d_reach_1 = fine_v_n_d_size_1 + fine_v_n_d_units_1,
@@ -7117,7 +7035,7 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       fine_half_rest_1 = KSL_MUL(9.423194733875307e-30, fine_half_padded_1),
       fine_half_bound_1 = fine_half_error_1 + fine_half_rest_1,
       fine_half_error_2 = fabs(fine_upper_lo_4),
-      fine_half_rest_2 = KSL_MUL(6.508104795552187e-30, fine_half_padded_2),
+      fine_half_rest_2 = KSL_MUL(6.508104019725916e-30, fine_half_padded_2),
       fine_half_bound_2 = fine_half_error_2 + fine_half_rest_2,
       fine_half_size_6 = 1.8051943758648296e-276 + fine_half_bound_1,
       fine_half_size_7 = fine_half_bound_2 + fine_half_size_6,
@@ -8091,76 +8009,51 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       vector_error_5 = fabs(vector_apart_6),
       vector_error_6 = KSL_MUL(1.0000000000000009, vector_error_5),
       vector_bound_3 = fine_along_rest_4 + vector_error_6;
-  const double D_det_above_0 = KSL_MUL(D->m11, D->m22);
-  const double D_det_below_0 = KSL_MUL(D->m12, D->m21);
-  const double D_det_cofactor_0 = D_det_above_0 - D_det_below_0;
-  const double D_det_above_1 = KSL_MUL(D->m12, D->m20);
-  const double D_det_below_1 = KSL_MUL(D->m10, D->m22);
-  const double D_det_cofactor_1 = D_det_above_1 - D_det_below_1;
-  const double D_det_above_2 = KSL_MUL(D->m10, D->m21);
-  const double D_det_below_2 = KSL_MUL(D->m11, D->m20);
-  const double D_det_cofactor_2 = D_det_above_2 - D_det_below_2;
-  const double D_det_product_0 = KSL_MUL(D->m00, D_det_cofactor_0);
-  const double D_det_product_1 = KSL_MUL(D->m01, D_det_cofactor_1);
-  const double D_det_product_2 = KSL_MUL(D->m02, D_det_cofactor_2);
-  const double D_det_sum_0 = D_det_product_0 + D_det_product_1;
-  const double D_det_sum_1 = D_det_sum_0 + D_det_product_2;
-  const double D_det_off = D_det_sum_1 - 1.0;
-  const double D_det_size = fabs(D_det_off);
-  const double D_column_00_product_0 = KSL_MUL(D->m00, D->m00);
-  const double D_column_00_product_1 = KSL_MUL(D->m10, D->m10);
-  const double D_column_00_product_2 = KSL_MUL(D->m20, D->m20);
-  const double D_column_00_sum_0 = D_column_00_product_0 + D_column_00_product_1;
-  const double D_column_00_sum_1 = D_column_00_sum_0 + D_column_00_product_2;
-  const double D_column_00_off = D_column_00_sum_1 - 1.0;
-  const double D_column_00_size = fabs(D_column_00_off);
-  const double D_column_00_largest = D_det_size < D_column_00_size ? D_column_00_size : D_det_size;
-  const double D_column_11_product_0 = KSL_MUL(D->m01, D->m01);
-  const double D_column_11_product_1 = KSL_MUL(D->m11, D->m11);
-  const double D_column_11_product_2 = KSL_MUL(D->m21, D->m21);
-  const double D_column_11_sum_0 = D_column_11_product_0 + D_column_11_product_1;
-  const double D_column_11_sum_1 = D_column_11_sum_0 + D_column_11_product_2;
-  const double D_column_11_off = D_column_11_sum_1 - 1.0;
-  const double D_column_11_size = fabs(D_column_11_off);
-  const double D_column_11_largest = D_column_00_largest < D_column_11_size ? D_column_11_size :
-      D_column_00_largest;
-  const double D_column_22_product_0 = KSL_MUL(D->m02, D->m02);
-  const double D_column_22_product_1 = KSL_MUL(D->m12, D->m12);
-  const double D_column_22_product_2 = KSL_MUL(D->m22, D->m22);
-  const double D_column_22_sum_0 = D_column_22_product_0 + D_column_22_product_1;
-  const double D_column_22_sum_1 = D_column_22_sum_0 + D_column_22_product_2;
-  const double D_column_22_off = D_column_22_sum_1 - 1.0;
-  const double D_column_22_size = fabs(D_column_22_off);
-  const double D_column_22_largest = D_column_11_largest < D_column_22_size ? D_column_22_size :
-      D_column_11_largest;
-  const double D_column_01_product_0 = KSL_MUL(D->m00, D->m01);
-  const double D_column_01_product_1 = KSL_MUL(D->m10, D->m11);
-  const double D_column_01_product_2 = KSL_MUL(D->m20, D->m21);
-  const double D_column_01_sum_0 = D_column_01_product_0 + D_column_01_product_1;
-  const double D_column_01_sum_1 = D_column_01_sum_0 + D_column_01_product_2;
-  const double D_column_01_off = D_column_01_sum_1 - 0.0;
-  const double D_column_01_size = fabs(D_column_01_off);
-  const double D_column_01_largest = D_column_22_largest < D_column_01_size ? D_column_01_size :
-      D_column_22_largest;
-  const double D_column_02_product_0 = KSL_MUL(D->m00, D->m02);
-  const double D_column_02_product_1 = KSL_MUL(D->m10, D->m12);
-  const double D_column_02_product_2 = KSL_MUL(D->m20, D->m22);
-  const double D_column_02_sum_0 = D_column_02_product_0 + D_column_02_product_1;
-  const double D_column_02_sum_1 = D_column_02_sum_0 + D_column_02_product_2;
-  const double D_column_02_off = D_column_02_sum_1 - 0.0;
-  const double D_column_02_size = fabs(D_column_02_off);
-  const double D_column_02_largest = D_column_01_largest < D_column_02_size ? D_column_02_size :
-      D_column_01_largest;
-  const double D_column_12_product_0 = KSL_MUL(D->m01, D->m02);
-  const double D_column_12_product_1 = KSL_MUL(D->m11, D->m12);
-  const double D_column_12_product_2 = KSL_MUL(D->m21, D->m22);
-  const double D_column_12_sum_0 = D_column_12_product_0 + D_column_12_product_1;
-  const double D_column_12_sum_1 = D_column_12_sum_0 + D_column_12_product_2;
-  const double D_column_12_off = D_column_12_sum_1 - 0.0;
-  const double D_column_12_size = fabs(D_column_12_off);
-  const double D_column_12_largest = D_column_02_largest < D_column_12_size ? D_column_12_size :
-      D_column_02_largest;
-  const double D_unless_rotation = D_column_12_largest < 0.001 ? 0.0 : 1.0715086071862673e+301;
+  const double D_n_0a = KSL_MUL(D->m11, D->m22), D_n_0b = KSL_MUL(D->m12, D->m21),
+      D_n_0 = D_n_0a - D_n_0b;
+  const double D_n_1a = KSL_MUL(D->m02, D->m21), D_n_1b = KSL_MUL(D->m01, D->m22),
+      D_n_1 = D_n_1a - D_n_1b;
+  const double D_n_2a = KSL_MUL(D->m01, D->m12), D_n_2b = KSL_MUL(D->m02, D->m11),
+      D_n_2 = D_n_2a - D_n_2b;
+  const double D_det_a = KSL_MUL(D->m00, D_n_0), D_det_b = KSL_MUL(D->m10, D_n_1),
+      D_det_c = D_det_a + D_det_b, D_det_d = KSL_MUL(D->m20, D_n_2), D_det = D_det_c + D_det_d;
+  const double D_g_0a = KSL_MUL(D->m00, D->m00), D_g_0b = KSL_MUL(D->m10, D->m10),
+      D_g_0c = D_g_0a + D_g_0b, D_g_0d = KSL_MUL(D->m20, D->m20), D_g_0 = D_g_0c + D_g_0d;
+  const double D_g_1a = KSL_MUL(D->m00, D->m01), D_g_1b = KSL_MUL(D->m10, D->m11),
+      D_g_1c = D_g_1a + D_g_1b, D_g_1d = KSL_MUL(D->m20, D->m21), D_g_1 = D_g_1c + D_g_1d;
+  const double D_g_2a = KSL_MUL(D->m00, D->m02), D_g_2b = KSL_MUL(D->m10, D->m12),
+      D_g_2c = D_g_2a + D_g_2b, D_g_2d = KSL_MUL(D->m20, D->m22), D_g_2 = D_g_2c + D_g_2d;
+  const double D_g_3a = KSL_MUL(D->m01, D->m01), D_g_3b = KSL_MUL(D->m11, D->m11),
+      D_g_3c = D_g_3a + D_g_3b, D_g_3d = KSL_MUL(D->m21, D->m21), D_g_3 = D_g_3c + D_g_3d;
+  const double D_g_4a = KSL_MUL(D->m01, D->m02), D_g_4b = KSL_MUL(D->m11, D->m12),
+      D_g_4c = D_g_4a + D_g_4b, D_g_4d = KSL_MUL(D->m21, D->m22), D_g_4 = D_g_4c + D_g_4d;
+  const double D_g_5a = KSL_MUL(D->m02, D->m02), D_g_5b = KSL_MUL(D->m12, D->m12),
+      D_g_5c = D_g_5a + D_g_5b, D_g_5d = KSL_MUL(D->m22, D->m22), D_g_5 = D_g_5c + D_g_5d;
+  const double D_off_0 = D_det - 1.0;
+  const double D_off_1 = D_g_0 - 1.0;
+  const double D_off_4 = D_g_3 - 1.0;
+  const double D_off_6 = D_g_5 - 1.0;
+  const double D_defect_size_0 = fabs(D_off_0);
+  const double D_defect_size_1 = fabs(D_off_1);
+  const double D_defect_size_2 = fabs(D_g_1);
+  const double D_defect_size_3 = fabs(D_g_2);
+  const double D_defect_size_4 = fabs(D_off_4);
+  const double D_defect_size_5 = fabs(D_g_4);
+  const double D_defect_size_6 = fabs(D_off_6);
+  const double D_defect_largest1 = D_defect_size_0 < D_defect_size_1 ? D_defect_size_1 :
+      D_defect_size_0;
+  const double D_defect_largest2 = D_defect_largest1 < D_defect_size_2 ? D_defect_size_2 :
+      D_defect_largest1;
+  const double D_defect_largest3 = D_defect_largest2 < D_defect_size_3 ? D_defect_size_3 :
+      D_defect_largest2;
+  const double D_defect_largest4 = D_defect_largest3 < D_defect_size_4 ? D_defect_size_4 :
+      D_defect_largest3;
+  const double D_defect_largest5 = D_defect_largest4 < D_defect_size_5 ? D_defect_size_5 :
+      D_defect_largest4;
+  const double D_defect_largest6 = D_defect_largest5 < D_defect_size_6 ? D_defect_size_6 :
+      D_defect_largest5;
+  const double D_unless_equal = D_defect_largest6 == 0.001 ? 0.0 : 1.0715086071862673e+301;
+  const double D_unless_rotation = D_defect_largest6 < 0.001 ? 0.0 : D_unless_equal;
   const double D_excess = KSL_MUL(D_unless_rotation, 1.0715086071862673e+301);
   const double D_excess_0 = so_bound_1 + D_excess;
   const double D_excess_1 = so_bound_2 + D_excess;
@@ -8769,8 +8662,8 @@ static inline void ksl_SO3_expf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
 /* vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo;
      |error of vo| <= vo_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; vo, vo_bound: vector.
-   210 mul, 410 add, 19 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 72 abs, 4
-     copysign, 41 less, 6 equal, 106 select. */
+   210 mul, 407 add, 19 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 72 abs, 4
+     copysign, 41 less, 7 equal, 107 select. */
 static inline void ksl_SO3_logf_certified(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo,
     ksl_vec3f_t *vo_bound) {
   const float p_0 = R->m21 - R->m12, p_right_1 = R->m21 - p_0, p_left_1 = p_0 + p_right_1,
@@ -9089,76 +8982,51 @@ static inline void ksl_SO3_logf_certified(const ksl_mat3x3f_t *R, ksl_vec3f_t *v
       vector_padded_4 = 3.3087225e-24f + vector_size_12,
       vector_rest_4 = KSL_MULF(1.0146962e-11f, vector_padded_4),
       vector_bound_4 = vector_error_7 + vector_rest_4;
-  const float R_det_above_0 = KSL_MULF(R->m11, R->m22);
-  const float R_det_below_0 = KSL_MULF(R->m12, R->m21);
-  const float R_det_cofactor_0 = R_det_above_0 - R_det_below_0;
-  const float R_det_above_1 = KSL_MULF(R->m12, R->m20);
-  const float R_det_below_1 = KSL_MULF(R->m10, R->m22);
-  const float R_det_cofactor_1 = R_det_above_1 - R_det_below_1;
-  const float R_det_above_2 = KSL_MULF(R->m10, R->m21);
-  const float R_det_below_2 = KSL_MULF(R->m11, R->m20);
-  const float R_det_cofactor_2 = R_det_above_2 - R_det_below_2;
-  const float R_det_product_0 = KSL_MULF(R->m00, R_det_cofactor_0);
-  const float R_det_product_1 = KSL_MULF(R->m01, R_det_cofactor_1);
-  const float R_det_product_2 = KSL_MULF(R->m02, R_det_cofactor_2);
-  const float R_det_sum_0 = R_det_product_0 + R_det_product_1;
-  const float R_det_sum_1 = R_det_sum_0 + R_det_product_2;
-  const float R_det_off = R_det_sum_1 - 1.0f;
-  const float R_det_size = fabsf(R_det_off);
-  const float R_column_00_product_0 = KSL_MULF(R->m00, R->m00);
-  const float R_column_00_product_1 = KSL_MULF(R->m10, R->m10);
-  const float R_column_00_product_2 = KSL_MULF(R->m20, R->m20);
-  const float R_column_00_sum_0 = R_column_00_product_0 + R_column_00_product_1;
-  const float R_column_00_sum_1 = R_column_00_sum_0 + R_column_00_product_2;
-  const float R_column_00_off = R_column_00_sum_1 - 1.0f;
-  const float R_column_00_size = fabsf(R_column_00_off);
-  const float R_column_00_largest = R_det_size < R_column_00_size ? R_column_00_size : R_det_size;
-  const float R_column_11_product_0 = KSL_MULF(R->m01, R->m01);
-  const float R_column_11_product_1 = KSL_MULF(R->m11, R->m11);
-  const float R_column_11_product_2 = KSL_MULF(R->m21, R->m21);
-  const float R_column_11_sum_0 = R_column_11_product_0 + R_column_11_product_1;
-  const float R_column_11_sum_1 = R_column_11_sum_0 + R_column_11_product_2;
-  const float R_column_11_off = R_column_11_sum_1 - 1.0f;
-  const float R_column_11_size = fabsf(R_column_11_off);
-  const float R_column_11_largest = R_column_00_largest < R_column_11_size ? R_column_11_size :
-      R_column_00_largest;
-  const float R_column_22_product_0 = KSL_MULF(R->m02, R->m02);
-  const float R_column_22_product_1 = KSL_MULF(R->m12, R->m12);
-  const float R_column_22_product_2 = KSL_MULF(R->m22, R->m22);
-  const float R_column_22_sum_0 = R_column_22_product_0 + R_column_22_product_1;
-  const float R_column_22_sum_1 = R_column_22_sum_0 + R_column_22_product_2;
-  const float R_column_22_off = R_column_22_sum_1 - 1.0f;
-  const float R_column_22_size = fabsf(R_column_22_off);
-  const float R_column_22_largest = R_column_11_largest < R_column_22_size ? R_column_22_size :
-      R_column_11_largest;
-  const float R_column_01_product_0 = KSL_MULF(R->m00, R->m01);
-  const float R_column_01_product_1 = KSL_MULF(R->m10, R->m11);
-  const float R_column_01_product_2 = KSL_MULF(R->m20, R->m21);
-  const float R_column_01_sum_0 = R_column_01_product_0 + R_column_01_product_1;
-  const float R_column_01_sum_1 = R_column_01_sum_0 + R_column_01_product_2;
-  const float R_column_01_off = R_column_01_sum_1 - 0.0f;
-  const float R_column_01_size = fabsf(R_column_01_off);
-  const float R_column_01_largest = R_column_22_largest < R_column_01_size ? R_column_01_size :
-      R_column_22_largest;
-  const float R_column_02_product_0 = KSL_MULF(R->m00, R->m02);
-  const float R_column_02_product_1 = KSL_MULF(R->m10, R->m12);
-  const float R_column_02_product_2 = KSL_MULF(R->m20, R->m22);
-  const float R_column_02_sum_0 = R_column_02_product_0 + R_column_02_product_1;
-  const float R_column_02_sum_1 = R_column_02_sum_0 + R_column_02_product_2;
-  const float R_column_02_off = R_column_02_sum_1 - 0.0f;
-  const float R_column_02_size = fabsf(R_column_02_off);
-  const float R_column_02_largest = R_column_01_largest < R_column_02_size ? R_column_02_size :
-      R_column_01_largest;
-  const float R_column_12_product_0 = KSL_MULF(R->m01, R->m02);
-  const float R_column_12_product_1 = KSL_MULF(R->m11, R->m12);
-  const float R_column_12_product_2 = KSL_MULF(R->m21, R->m22);
-  const float R_column_12_sum_0 = R_column_12_product_0 + R_column_12_product_1;
-  const float R_column_12_sum_1 = R_column_12_sum_0 + R_column_12_product_2;
-  const float R_column_12_off = R_column_12_sum_1 - 0.0f;
-  const float R_column_12_size = fabsf(R_column_12_off);
-  const float R_column_12_largest = R_column_02_largest < R_column_12_size ? R_column_12_size :
-      R_column_02_largest;
-  const float R_unless_rotation = R_column_12_largest < 0.001f ? 0.0f : 1.2676506e+30f;
+  const float R_n_0a = KSL_MULF(R->m11, R->m22), R_n_0b = KSL_MULF(R->m12, R->m21),
+      R_n_0 = R_n_0a - R_n_0b;
+  const float R_n_1a = KSL_MULF(R->m02, R->m21), R_n_1b = KSL_MULF(R->m01, R->m22),
+      R_n_1 = R_n_1a - R_n_1b;
+  const float R_n_2a = KSL_MULF(R->m01, R->m12), R_n_2b = KSL_MULF(R->m02, R->m11),
+      R_n_2 = R_n_2a - R_n_2b;
+  const float R_det_a = KSL_MULF(R->m00, R_n_0), R_det_b = KSL_MULF(R->m10, R_n_1),
+      R_det_c = R_det_a + R_det_b, R_det_d = KSL_MULF(R->m20, R_n_2), R_det = R_det_c + R_det_d;
+  const float R_g_0a = KSL_MULF(R->m00, R->m00), R_g_0b = KSL_MULF(R->m10, R->m10),
+      R_g_0c = R_g_0a + R_g_0b, R_g_0d = KSL_MULF(R->m20, R->m20), R_g_0 = R_g_0c + R_g_0d;
+  const float R_g_1a = KSL_MULF(R->m00, R->m01), R_g_1b = KSL_MULF(R->m10, R->m11),
+      R_g_1c = R_g_1a + R_g_1b, R_g_1d = KSL_MULF(R->m20, R->m21), R_g_1 = R_g_1c + R_g_1d;
+  const float R_g_2a = KSL_MULF(R->m00, R->m02), R_g_2b = KSL_MULF(R->m10, R->m12),
+      R_g_2c = R_g_2a + R_g_2b, R_g_2d = KSL_MULF(R->m20, R->m22), R_g_2 = R_g_2c + R_g_2d;
+  const float R_g_3a = KSL_MULF(R->m01, R->m01), R_g_3b = KSL_MULF(R->m11, R->m11),
+      R_g_3c = R_g_3a + R_g_3b, R_g_3d = KSL_MULF(R->m21, R->m21), R_g_3 = R_g_3c + R_g_3d;
+  const float R_g_4a = KSL_MULF(R->m01, R->m02), R_g_4b = KSL_MULF(R->m11, R->m12),
+      R_g_4c = R_g_4a + R_g_4b, R_g_4d = KSL_MULF(R->m21, R->m22), R_g_4 = R_g_4c + R_g_4d;
+  const float R_g_5a = KSL_MULF(R->m02, R->m02), R_g_5b = KSL_MULF(R->m12, R->m12),
+      R_g_5c = R_g_5a + R_g_5b, R_g_5d = KSL_MULF(R->m22, R->m22), R_g_5 = R_g_5c + R_g_5d;
+  const float R_off_0 = R_det - 1.0f;
+  const float R_off_1 = R_g_0 - 1.0f;
+  const float R_off_4 = R_g_3 - 1.0f;
+  const float R_off_6 = R_g_5 - 1.0f;
+  const float R_defect_size_0 = fabsf(R_off_0);
+  const float R_defect_size_1 = fabsf(R_off_1);
+  const float R_defect_size_2 = fabsf(R_g_1);
+  const float R_defect_size_3 = fabsf(R_g_2);
+  const float R_defect_size_4 = fabsf(R_off_4);
+  const float R_defect_size_5 = fabsf(R_g_4);
+  const float R_defect_size_6 = fabsf(R_off_6);
+  const float R_defect_largest1 = R_defect_size_0 < R_defect_size_1 ? R_defect_size_1 :
+      R_defect_size_0;
+  const float R_defect_largest2 = R_defect_largest1 < R_defect_size_2 ? R_defect_size_2 :
+      R_defect_largest1;
+  const float R_defect_largest3 = R_defect_largest2 < R_defect_size_3 ? R_defect_size_3 :
+      R_defect_largest2;
+  const float R_defect_largest4 = R_defect_largest3 < R_defect_size_4 ? R_defect_size_4 :
+      R_defect_largest3;
+  const float R_defect_largest5 = R_defect_largest4 < R_defect_size_5 ? R_defect_size_5 :
+      R_defect_largest4;
+  const float R_defect_largest6 = R_defect_largest5 < R_defect_size_6 ? R_defect_size_6 :
+      R_defect_largest5;
+  const float R_unless_equal = R_defect_largest6 == 0.001f ? 0.0f : 1.2676506e+30f;
+  const float R_unless_rotation = R_defect_largest6 < 0.001f ? 0.0f : R_unless_equal;
   const float R_excess = KSL_MULF(R_unless_rotation, 1.2676506e+30f);
   const float R_excess_0 = vector_bound_2 + R_excess;
   const float R_excess_1 = vector_bound_3 + R_excess;
@@ -14811,8 +14679,8 @@ static inline void ksl_SE3f_exp_certified(const ksl_screwf_t *s, ksl_SE3f_t *D,
 /* so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R; |error of so| <= so_bound unless
      inf or NaN.
    D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s; ω in rad/s).
-   567 mul, 961 add, 29 product error, 36 product rest, 47 div, 5 sqrt, 14 neg, 168 abs, 6
-     copysign, 73 less, 9 equal, 174 select. */
+   558 mul, 921 add, 29 product error, 36 product rest, 47 div, 5 sqrt, 15 neg, 155 abs, 6
+     copysign, 72 less, 10 equal, 171 select. */
 static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
     ksl_screwf_t *so_bound) {
   const float p_0 = D->m21 - D->m12;
@@ -14993,95 +14861,42 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
   const float fine_low_3 = D->m11 < D->m00 ? fine_p_0 : fine_p_1,
       fine_low_lo_4 = D->m11 < D->m00 ? fine_p_lo_1 : fine_p_lo_2,
       fine_low_size_4 = D->m11 < D->m00 ? fine_p_size_3 : fine_p_size_6;
-  const float fine_opposite = D->m00 + D->m11, fine_opposite_right_1 = fine_opposite - D->m00,
-      fine_opposite_left_1 = fine_opposite - fine_opposite_right_1,
-      fine_opposite_left_rest_1 = D->m00 - fine_opposite_left_1,
-      fine_opposite_right_rest_1 = D->m11 - fine_opposite_right_1,
-      fine_opposite_lo = fine_opposite_left_rest_1 + fine_opposite_right_rest_1,
-      fine_opposite_size_1 = fine_first_size_1 + fine_others_size_1;
-  const float fine_high_0 = fine_opposite < 0.0f ? fine_s_1 : fine_p_0,
-      fine_high_lo_1 = fine_opposite < 0.0f ? fine_s_lo_2 : fine_p_lo_1,
-      fine_high_size_1 = fine_opposite < 0.0f ? fine_p_size_6 : fine_p_size_3,
-      fine_high_error_1 = fabsf(fine_opposite_lo),
-      fine_high_padded_1 = 3.3087225e-24f + fine_opposite_size_1,
-      fine_high_rest_1 = KSL_MULF(2.2026954e-13f, fine_high_padded_1),
-      fine_high_bound_1 = fine_high_error_1 + fine_high_rest_1,
-      fine_high_size_2 = fine_opposite - 0.0f, fine_high_size_3 = fabsf(fine_high_size_2),
-      fine_high_size_5 = fine_s_1 - fine_p_0, fine_high_size_6 = fabsf(fine_high_size_5),
-      fine_high_error_2 = fabsf(fine_s_lo_2), fine_high_padded_2 = 3.3087225e-24f + fine_p_size_6,
-      fine_high_rest_2 = KSL_MULF(2.2026954e-13f, fine_high_padded_2),
-      fine_high_bound_2 = fine_high_error_2 + fine_high_rest_2,
-      fine_high_error_3 = fabsf(fine_p_lo_1), fine_high_padded_3 = 3.3087225e-24f + fine_p_size_3,
-      fine_high_rest_3 = KSL_MULF(2.2026954e-13f, fine_high_padded_3),
-      fine_high_bound_3 = fine_high_error_3 + fine_high_rest_3,
-      fine_high_size_7 = fine_high_bound_2 + fine_high_size_6,
-      fine_high_size_8 = fine_high_bound_3 + fine_high_size_7,
-      fine_high_size_9 = fine_high_bound_1 < fine_high_size_3 ? 0.0f : fine_high_size_8,
-      fine_high_size_10 = KSL_MULF(1.0995096e+12f, fine_high_size_9),
-      fine_high_size_11 = fine_high_size_1 + fine_high_size_10;
-  const float fine_high_1 = fine_opposite < 0.0f ? fine_s_0 : fine_p_1,
-      fine_high_lo_2 = fine_opposite < 0.0f ? fine_s_lo_1 : fine_p_lo_2,
-      fine_high_size_12 = fine_opposite < 0.0f ? fine_p_size_3 : fine_p_size_6,
-      fine_high_size_13 = fine_s_0 - fine_p_1, fine_high_size_14 = fabsf(fine_high_size_13),
-      fine_high_error_4 = fabsf(fine_s_lo_1),
-      fine_high_bound_4 = fine_high_error_4 + fine_high_rest_3,
-      fine_high_error_5 = fabsf(fine_p_lo_2),
-      fine_high_bound_5 = fine_high_error_5 + fine_high_rest_2,
-      fine_high_size_15 = fine_high_bound_4 + fine_high_size_14,
-      fine_high_size_16 = fine_high_bound_5 + fine_high_size_15,
-      fine_high_size_17 = fine_high_bound_1 < fine_high_size_3 ? 0.0f : fine_high_size_16,
-      fine_high_size_18 = KSL_MULF(1.0995096e+12f, fine_high_size_17),
-      fine_high_size_19 = fine_high_size_12 + fine_high_size_18;
-  const float fine_high_2 = fine_opposite < 0.0f ? fine_d_3 : fine_p_2,
-      fine_high_lo_3 = fine_opposite < 0.0f ? fine_d_lo_4 : fine_p_lo_3,
-      fine_high_size_20 = fine_opposite < 0.0f ? fine_d_size_1 : fine_p_size_9,
-      fine_high_size_21 = fine_d_3 - fine_p_2, fine_high_size_22 = fabsf(fine_high_size_21),
-      fine_high_error_6 = fabsf(fine_d_lo_4), fine_high_padded_4 = 3.3087225e-24f + fine_d_size_1,
-      fine_high_rest_4 = KSL_MULF(4.6185646e-13f, fine_high_padded_4),
-      fine_high_bound_6 = fine_high_error_6 + fine_high_rest_4,
-      fine_high_error_7 = fabsf(fine_p_lo_3), fine_high_padded_5 = 3.3087225e-24f + fine_p_size_9,
-      fine_high_rest_5 = KSL_MULF(2.2026954e-13f, fine_high_padded_5),
-      fine_high_bound_7 = fine_high_error_7 + fine_high_rest_5,
-      fine_high_size_23 = fine_high_bound_6 + fine_high_size_22,
-      fine_high_size_24 = fine_high_bound_7 + fine_high_size_23,
-      fine_high_size_25 = fine_high_bound_1 < fine_high_size_3 ? 0.0f : fine_high_size_24,
-      fine_high_size_26 = KSL_MULF(5.497537e+11f, fine_high_size_25),
-      fine_high_size_27 = fine_high_size_20 + fine_high_size_26;
-  const float fine_high_3 = fine_opposite < 0.0f ? fine_p_2 : fine_d_0,
-      fine_high_lo_4 = fine_opposite < 0.0f ? fine_p_lo_3 : fine_d_lo_1,
-      fine_high_size_28 = fine_opposite < 0.0f ? fine_p_size_9 : fine_d_size_1,
-      fine_high_size_29 = fine_p_2 - fine_d_0, fine_high_size_30 = fabsf(fine_high_size_29),
-      fine_high_error_8 = fabsf(fine_d_lo_1),
-      fine_high_bound_8 = fine_high_error_8 + fine_high_rest_4,
-      fine_high_size_31 = fine_high_bound_7 + fine_high_size_30,
-      fine_high_size_32 = fine_high_bound_8 + fine_high_size_31,
-      fine_high_size_33 = fine_high_bound_1 < fine_high_size_3 ? 0.0f : fine_high_size_32,
-      fine_high_size_34 = KSL_MULF(5.497537e+11f, fine_high_size_33),
-      fine_high_size_35 = fine_high_size_28 + fine_high_size_34;
+  const float fine_high_0a = -D->m11, fine_high_0 = D->m00 < fine_high_0a ? fine_s_1 : fine_p_0,
+      fine_high_lo_1 = D->m00 < fine_high_0a ? fine_s_lo_2 : fine_p_lo_1,
+      fine_high_size_1 = D->m00 < fine_high_0a ? fine_p_size_6 : fine_p_size_3;
+  const float fine_high_1 = D->m00 < fine_high_0a ? fine_s_0 : fine_p_1,
+      fine_high_lo_2 = D->m00 < fine_high_0a ? fine_s_lo_1 : fine_p_lo_2,
+      fine_high_size_2 = D->m00 < fine_high_0a ? fine_p_size_3 : fine_p_size_6;
+  const float fine_high_2 = D->m00 < fine_high_0a ? fine_d_3 : fine_p_2,
+      fine_high_lo_3 = D->m00 < fine_high_0a ? fine_d_lo_4 : fine_p_lo_3,
+      fine_high_size_3 = D->m00 < fine_high_0a ? fine_d_size_1 : fine_p_size_9;
+  const float fine_high_3 = D->m00 < fine_high_0a ? fine_p_2 : fine_d_0,
+      fine_high_lo_4 = D->m00 < fine_high_0a ? fine_p_lo_3 : fine_d_lo_1,
+      fine_high_size_4 = D->m00 < fine_high_0a ? fine_p_size_9 : fine_d_size_1;
   const float fine_column_0 = D->m22 < 0.0f ? fine_low_0 : fine_high_0,
       fine_column_lo_1 = D->m22 < 0.0f ? fine_low_lo_1 : fine_high_lo_1,
-      fine_column_size_1 = D->m22 < 0.0f ? fine_low_size_1 : fine_high_size_11;
+      fine_column_size_1 = D->m22 < 0.0f ? fine_low_size_1 : fine_high_size_1;
   const float fine_column_1 = D->m22 < 0.0f ? fine_low_1 : fine_high_1,
       fine_column_lo_2 = D->m22 < 0.0f ? fine_low_lo_2 : fine_high_lo_2,
-      fine_column_size_2 = D->m22 < 0.0f ? fine_low_size_2 : fine_high_size_19;
+      fine_column_size_2 = D->m22 < 0.0f ? fine_low_size_2 : fine_high_size_2;
   const float fine_column_2 = D->m22 < 0.0f ? fine_low_2 : fine_high_2,
       fine_column_lo_3 = D->m22 < 0.0f ? fine_low_lo_3 : fine_high_lo_3,
-      fine_column_size_3 = D->m22 < 0.0f ? fine_low_size_3 : fine_high_size_27;
+      fine_column_size_3 = D->m22 < 0.0f ? fine_low_size_3 : fine_high_size_3;
   const float fine_column_3 = D->m22 < 0.0f ? fine_low_3 : fine_high_3,
       fine_column_lo_4 = D->m22 < 0.0f ? fine_low_lo_4 : fine_high_lo_4,
-      fine_column_size_4 = D->m22 < 0.0f ? fine_low_size_4 : fine_high_size_35;
+      fine_column_size_4 = D->m22 < 0.0f ? fine_low_size_4 : fine_high_size_4;
   const float fine_upper_0a = -fine_column_0, fine_upper_0a_lo = -fine_column_lo_1,
       fine_upper_0 = fine_column_3 < 0.0f ? fine_upper_0a : fine_column_0,
       fine_upper_lo_1 = fine_column_3 < 0.0f ? fine_upper_0a_lo : fine_column_lo_1,
       fine_upper_error_1 = fabsf(fine_column_lo_4),
       fine_upper_padded_1 = 3.3087225e-24f + fine_column_size_4,
-      fine_upper_rest_1 = KSL_MULF(1.8758484e-12f, fine_upper_padded_1),
+      fine_upper_rest_1 = KSL_MULF(4.6185646e-13f, fine_upper_padded_1),
       fine_upper_bound_1 = fine_upper_error_1 + fine_upper_rest_1,
       fine_upper_size_1 = fine_column_3 - 0.0f, fine_upper_size_2 = fabsf(fine_upper_size_1),
       fine_upper_size_4 = fine_upper_0a - fine_column_0,
       fine_upper_size_5 = fabsf(fine_upper_size_4), fine_upper_error_2 = fabsf(fine_upper_0a_lo),
       fine_upper_padded_2 = 3.3087225e-24f + fine_column_size_1,
-      fine_upper_rest_2 = KSL_MULF(9.663443e-13f, fine_upper_padded_2),
+      fine_upper_rest_2 = KSL_MULF(4.6185646e-13f, fine_upper_padded_2),
       fine_upper_bound_2 = fine_upper_error_2 + fine_upper_rest_2,
       fine_upper_error_3 = fabsf(fine_column_lo_1),
       fine_upper_bound_3 = fine_upper_error_3 + fine_upper_rest_2,
@@ -15096,7 +14911,7 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       fine_upper_size_11 = fine_upper_1a - fine_column_1,
       fine_upper_size_12 = fabsf(fine_upper_size_11), fine_upper_error_4 = fabsf(fine_upper_1a_lo),
       fine_upper_padded_3 = 3.3087225e-24f + fine_column_size_2,
-      fine_upper_rest_3 = KSL_MULF(9.663443e-13f, fine_upper_padded_3),
+      fine_upper_rest_3 = KSL_MULF(4.6185646e-13f, fine_upper_padded_3),
       fine_upper_bound_4 = fine_upper_error_4 + fine_upper_rest_3,
       fine_upper_error_5 = fabsf(fine_column_lo_2),
       fine_upper_bound_5 = fine_upper_error_5 + fine_upper_rest_3,
@@ -15111,21 +14926,21 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       fine_upper_size_18 = fine_upper_2a - fine_column_2,
       fine_upper_size_19 = fabsf(fine_upper_size_18), fine_upper_error_6 = fabsf(fine_upper_2a_lo),
       fine_upper_padded_4 = 3.3087225e-24f + fine_column_size_3,
-      fine_upper_rest_4 = KSL_MULF(1.8758484e-12f, fine_upper_padded_4),
+      fine_upper_rest_4 = KSL_MULF(4.6185646e-13f, fine_upper_padded_4),
       fine_upper_bound_6 = fine_upper_error_6 + fine_upper_rest_4,
       fine_upper_error_7 = fabsf(fine_column_lo_3),
       fine_upper_bound_7 = fine_upper_error_7 + fine_upper_rest_4,
       fine_upper_size_20 = fine_upper_bound_6 + fine_upper_size_19,
       fine_upper_size_21 = fine_upper_bound_7 + fine_upper_size_20,
       fine_upper_size_22 = fine_upper_bound_1 < fine_upper_size_2 ? 0.0f : fine_upper_size_21,
-      fine_upper_size_23 = KSL_MULF(5.497535e+11f, fine_upper_size_22),
+      fine_upper_size_23 = KSL_MULF(5.497537e+11f, fine_upper_size_22),
       fine_upper_size_24 = fine_column_size_3 + fine_upper_size_23;
   const float fine_upper_3 = fabsf(fine_column_3), fine_upper_opposite_1 = -fine_column_lo_4,
       fine_upper_lo_4 = fine_column_3 < 0.0f ? fine_upper_opposite_1 : fine_column_lo_4,
       fine_upper_size_25 = fine_upper_3 - fine_upper_bound_1,
       fine_upper_size_26 = fabsf(fine_upper_size_25),
       fine_upper_size_27 = fine_upper_size_26 - fine_upper_size_25,
-      fine_upper_size_28 = KSL_MULF(5.497535e+11f, fine_upper_size_27),
+      fine_upper_size_28 = KSL_MULF(5.497537e+11f, fine_upper_size_27),
       fine_upper_size_29 = fine_column_size_4 + fine_upper_size_28;
   const float fine_v_s_size_0 = fabsf(fine_upper_0), fine_v_s_size_error_1 = fabsf(fine_upper_lo_1),
       fine_v_s_size_padded_1 = 3.3087225e-24f + fine_upper_size_10,
@@ -15137,7 +14952,7 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       fine_v_s_size_bound_2 = fine_v_s_size_error_2 + fine_v_s_size_rest_2;
   const float fine_v_s_size_2 = fabsf(fine_upper_2), fine_v_s_size_error_3 = fabsf(fine_upper_lo_3),
       fine_v_s_size_padded_3 = 3.3087225e-24f + fine_upper_size_24,
-      fine_v_s_size_rest_3 = KSL_MULF(1.875849e-12f, fine_v_s_size_padded_3),
+      fine_v_s_size_rest_3 = KSL_MULF(1.8758484e-12f, fine_v_s_size_padded_3),
       fine_v_s_size_bound_3 = fine_v_s_size_error_3 + fine_v_s_size_rest_3;
   const float fine_v_s_largest1 = fine_v_s_size_0 < fine_v_s_size_1 ? fine_v_s_size_1 :
       fine_v_s_size_0;
@@ -15207,7 +15022,7 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       fine_v_n_d_cross_1 = fine_v_n_d_cross1_1 + fine_v_n_d_cross2_1,
       fine_v_n_d_padded_1 = 3.3087225e-24f + fine_v_y_size_3, fine_v_n_d_size_1 = fabsf(fine_v_y_2),
       fine_v_n_d_error_1 = fabsf(fine_v_y_lo_3),
-      fine_v_n_d_rest_1 = KSL_MULF(1.9327005e-12f, fine_v_n_d_padded_1),
+      fine_v_n_d_rest_1 = KSL_MULF(1.9326999e-12f, fine_v_n_d_padded_1),
       fine_v_n_d_bound_1 = fine_v_n_d_error_1 + fine_v_n_d_rest_1,
       fine_v_n_d_units_1 = KSL_MULF(262144.0f, fine_v_n_d_bound_1),
       fine_v_n_d_reach_1 = fine_v_n_d_size_1 + fine_v_n_d_units_1,
@@ -15282,7 +15097,7 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       fine_half_rest_1 = KSL_MULF(2.7161363e-12f, fine_half_padded_1),
       fine_half_bound_1 = fine_half_error_1 + fine_half_rest_1,
       fine_half_error_2 = fabsf(fine_upper_lo_4),
-      fine_half_rest_2 = KSL_MULF(1.875849e-12f, fine_half_padded_2),
+      fine_half_rest_2 = KSL_MULF(1.8758484e-12f, fine_half_padded_2),
       fine_half_bound_2 = fine_half_error_2 + fine_half_rest_2,
       fine_half_size_6 = 3.3087225e-24f + fine_half_bound_1,
       fine_half_size_7 = fine_half_bound_2 + fine_half_size_6,
@@ -16250,76 +16065,51 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       vector_apart_5 = fine_vector_2 - vector_2, vector_apart_6 = fine_vector_lo_3 + vector_apart_5,
       vector_error_5 = fabsf(vector_apart_6), vector_error_6 = KSL_MULF(1.0000005f, vector_error_5),
       vector_bound_3 = fine_along_rest_4 + vector_error_6;
-  const float D_det_above_0 = KSL_MULF(D->m11, D->m22);
-  const float D_det_below_0 = KSL_MULF(D->m12, D->m21);
-  const float D_det_cofactor_0 = D_det_above_0 - D_det_below_0;
-  const float D_det_above_1 = KSL_MULF(D->m12, D->m20);
-  const float D_det_below_1 = KSL_MULF(D->m10, D->m22);
-  const float D_det_cofactor_1 = D_det_above_1 - D_det_below_1;
-  const float D_det_above_2 = KSL_MULF(D->m10, D->m21);
-  const float D_det_below_2 = KSL_MULF(D->m11, D->m20);
-  const float D_det_cofactor_2 = D_det_above_2 - D_det_below_2;
-  const float D_det_product_0 = KSL_MULF(D->m00, D_det_cofactor_0);
-  const float D_det_product_1 = KSL_MULF(D->m01, D_det_cofactor_1);
-  const float D_det_product_2 = KSL_MULF(D->m02, D_det_cofactor_2);
-  const float D_det_sum_0 = D_det_product_0 + D_det_product_1;
-  const float D_det_sum_1 = D_det_sum_0 + D_det_product_2;
-  const float D_det_off = D_det_sum_1 - 1.0f;
-  const float D_det_size = fabsf(D_det_off);
-  const float D_column_00_product_0 = KSL_MULF(D->m00, D->m00);
-  const float D_column_00_product_1 = KSL_MULF(D->m10, D->m10);
-  const float D_column_00_product_2 = KSL_MULF(D->m20, D->m20);
-  const float D_column_00_sum_0 = D_column_00_product_0 + D_column_00_product_1;
-  const float D_column_00_sum_1 = D_column_00_sum_0 + D_column_00_product_2;
-  const float D_column_00_off = D_column_00_sum_1 - 1.0f;
-  const float D_column_00_size = fabsf(D_column_00_off);
-  const float D_column_00_largest = D_det_size < D_column_00_size ? D_column_00_size : D_det_size;
-  const float D_column_11_product_0 = KSL_MULF(D->m01, D->m01);
-  const float D_column_11_product_1 = KSL_MULF(D->m11, D->m11);
-  const float D_column_11_product_2 = KSL_MULF(D->m21, D->m21);
-  const float D_column_11_sum_0 = D_column_11_product_0 + D_column_11_product_1;
-  const float D_column_11_sum_1 = D_column_11_sum_0 + D_column_11_product_2;
-  const float D_column_11_off = D_column_11_sum_1 - 1.0f;
-  const float D_column_11_size = fabsf(D_column_11_off);
-  const float D_column_11_largest = D_column_00_largest < D_column_11_size ? D_column_11_size :
-      D_column_00_largest;
-  const float D_column_22_product_0 = KSL_MULF(D->m02, D->m02);
-  const float D_column_22_product_1 = KSL_MULF(D->m12, D->m12);
-  const float D_column_22_product_2 = KSL_MULF(D->m22, D->m22);
-  const float D_column_22_sum_0 = D_column_22_product_0 + D_column_22_product_1;
-  const float D_column_22_sum_1 = D_column_22_sum_0 + D_column_22_product_2;
-  const float D_column_22_off = D_column_22_sum_1 - 1.0f;
-  const float D_column_22_size = fabsf(D_column_22_off);
-  const float D_column_22_largest = D_column_11_largest < D_column_22_size ? D_column_22_size :
-      D_column_11_largest;
-  const float D_column_01_product_0 = KSL_MULF(D->m00, D->m01);
-  const float D_column_01_product_1 = KSL_MULF(D->m10, D->m11);
-  const float D_column_01_product_2 = KSL_MULF(D->m20, D->m21);
-  const float D_column_01_sum_0 = D_column_01_product_0 + D_column_01_product_1;
-  const float D_column_01_sum_1 = D_column_01_sum_0 + D_column_01_product_2;
-  const float D_column_01_off = D_column_01_sum_1 - 0.0f;
-  const float D_column_01_size = fabsf(D_column_01_off);
-  const float D_column_01_largest = D_column_22_largest < D_column_01_size ? D_column_01_size :
-      D_column_22_largest;
-  const float D_column_02_product_0 = KSL_MULF(D->m00, D->m02);
-  const float D_column_02_product_1 = KSL_MULF(D->m10, D->m12);
-  const float D_column_02_product_2 = KSL_MULF(D->m20, D->m22);
-  const float D_column_02_sum_0 = D_column_02_product_0 + D_column_02_product_1;
-  const float D_column_02_sum_1 = D_column_02_sum_0 + D_column_02_product_2;
-  const float D_column_02_off = D_column_02_sum_1 - 0.0f;
-  const float D_column_02_size = fabsf(D_column_02_off);
-  const float D_column_02_largest = D_column_01_largest < D_column_02_size ? D_column_02_size :
-      D_column_01_largest;
-  const float D_column_12_product_0 = KSL_MULF(D->m01, D->m02);
-  const float D_column_12_product_1 = KSL_MULF(D->m11, D->m12);
-  const float D_column_12_product_2 = KSL_MULF(D->m21, D->m22);
-  const float D_column_12_sum_0 = D_column_12_product_0 + D_column_12_product_1;
-  const float D_column_12_sum_1 = D_column_12_sum_0 + D_column_12_product_2;
-  const float D_column_12_off = D_column_12_sum_1 - 0.0f;
-  const float D_column_12_size = fabsf(D_column_12_off);
-  const float D_column_12_largest = D_column_02_largest < D_column_12_size ? D_column_12_size :
-      D_column_02_largest;
-  const float D_unless_rotation = D_column_12_largest < 0.001f ? 0.0f : 1.2676506e+30f;
+  const float D_n_0a = KSL_MULF(D->m11, D->m22), D_n_0b = KSL_MULF(D->m12, D->m21),
+      D_n_0 = D_n_0a - D_n_0b;
+  const float D_n_1a = KSL_MULF(D->m02, D->m21), D_n_1b = KSL_MULF(D->m01, D->m22),
+      D_n_1 = D_n_1a - D_n_1b;
+  const float D_n_2a = KSL_MULF(D->m01, D->m12), D_n_2b = KSL_MULF(D->m02, D->m11),
+      D_n_2 = D_n_2a - D_n_2b;
+  const float D_det_a = KSL_MULF(D->m00, D_n_0), D_det_b = KSL_MULF(D->m10, D_n_1),
+      D_det_c = D_det_a + D_det_b, D_det_d = KSL_MULF(D->m20, D_n_2), D_det = D_det_c + D_det_d;
+  const float D_g_0a = KSL_MULF(D->m00, D->m00), D_g_0b = KSL_MULF(D->m10, D->m10),
+      D_g_0c = D_g_0a + D_g_0b, D_g_0d = KSL_MULF(D->m20, D->m20), D_g_0 = D_g_0c + D_g_0d;
+  const float D_g_1a = KSL_MULF(D->m00, D->m01), D_g_1b = KSL_MULF(D->m10, D->m11),
+      D_g_1c = D_g_1a + D_g_1b, D_g_1d = KSL_MULF(D->m20, D->m21), D_g_1 = D_g_1c + D_g_1d;
+  const float D_g_2a = KSL_MULF(D->m00, D->m02), D_g_2b = KSL_MULF(D->m10, D->m12),
+      D_g_2c = D_g_2a + D_g_2b, D_g_2d = KSL_MULF(D->m20, D->m22), D_g_2 = D_g_2c + D_g_2d;
+  const float D_g_3a = KSL_MULF(D->m01, D->m01), D_g_3b = KSL_MULF(D->m11, D->m11),
+      D_g_3c = D_g_3a + D_g_3b, D_g_3d = KSL_MULF(D->m21, D->m21), D_g_3 = D_g_3c + D_g_3d;
+  const float D_g_4a = KSL_MULF(D->m01, D->m02), D_g_4b = KSL_MULF(D->m11, D->m12),
+      D_g_4c = D_g_4a + D_g_4b, D_g_4d = KSL_MULF(D->m21, D->m22), D_g_4 = D_g_4c + D_g_4d;
+  const float D_g_5a = KSL_MULF(D->m02, D->m02), D_g_5b = KSL_MULF(D->m12, D->m12),
+      D_g_5c = D_g_5a + D_g_5b, D_g_5d = KSL_MULF(D->m22, D->m22), D_g_5 = D_g_5c + D_g_5d;
+  const float D_off_0 = D_det - 1.0f;
+  const float D_off_1 = D_g_0 - 1.0f;
+  const float D_off_4 = D_g_3 - 1.0f;
+  const float D_off_6 = D_g_5 - 1.0f;
+  const float D_defect_size_0 = fabsf(D_off_0);
+  const float D_defect_size_1 = fabsf(D_off_1);
+  const float D_defect_size_2 = fabsf(D_g_1);
+  const float D_defect_size_3 = fabsf(D_g_2);
+  const float D_defect_size_4 = fabsf(D_off_4);
+  const float D_defect_size_5 = fabsf(D_g_4);
+  const float D_defect_size_6 = fabsf(D_off_6);
+  const float D_defect_largest1 = D_defect_size_0 < D_defect_size_1 ? D_defect_size_1 :
+      D_defect_size_0;
+  const float D_defect_largest2 = D_defect_largest1 < D_defect_size_2 ? D_defect_size_2 :
+      D_defect_largest1;
+  const float D_defect_largest3 = D_defect_largest2 < D_defect_size_3 ? D_defect_size_3 :
+      D_defect_largest2;
+  const float D_defect_largest4 = D_defect_largest3 < D_defect_size_4 ? D_defect_size_4 :
+      D_defect_largest3;
+  const float D_defect_largest5 = D_defect_largest4 < D_defect_size_5 ? D_defect_size_5 :
+      D_defect_largest4;
+  const float D_defect_largest6 = D_defect_largest5 < D_defect_size_6 ? D_defect_size_6 :
+      D_defect_largest5;
+  const float D_unless_equal = D_defect_largest6 == 0.001f ? 0.0f : 1.2676506e+30f;
+  const float D_unless_rotation = D_defect_largest6 < 0.001f ? 0.0f : D_unless_equal;
   const float D_excess = KSL_MULF(D_unless_rotation, 1.2676506e+30f);
   const float D_excess_0 = so_bound_1 + D_excess;
   const float D_excess_1 = so_bound_2 + D_excess;

@@ -711,7 +711,7 @@ static inline void ksl_mat3x3_from_euler_xyz(const ksl_vec3_t *angles, ksl_mat3x
 /* angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
      [-π/2, π/2]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
-   93 mul, 108 add, 5 div, 1 sqrt, 4 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.
+   93 mul, 109 add, 5 div, 1 sqrt, 4 neg, 6 abs, 6 copysign, 19 less, 4 equal, 46 select.
    The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
      too; searched, not proved. */
 static inline void ksl_euler_xyz_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *angles) {
@@ -726,7 +726,9 @@ static inline void ksl_euler_xyz_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *
       left_1 = left_1a + left_1b;
   const double left_2a = KSL_MUL(R->m20, sine), left_2b = KSL_MUL(R->m21, cosine),
       left_2 = left_2a + left_2b;
-  const double angles_0 = ksl_atan2(left_2, left_1);
+  const double rest = R->m12 + R->m22;
+  const double first = ksl_atan2(left_2, left_1);
+  const double angles_0 = rest < 1.2676506002282294e+30 ? first : rest;
   const double angles_1 = ksl_atan2(R->m02, n);
   angles->x = angles_0;
   angles->y = angles_1;
@@ -768,7 +770,7 @@ static inline void ksl_mat3x3_from_euler_xyx(const ksl_vec3_t *angles, ksl_mat3x
 /* angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in [0,
      π]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
-   93 mul, 108 add, 5 div, 1 sqrt, 3 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.
+   93 mul, 109 add, 5 div, 1 sqrt, 3 neg, 6 abs, 6 copysign, 19 less, 4 equal, 46 select.
    The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
      too; searched, not proved. */
 static inline void ksl_euler_xyx_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *angles) {
@@ -783,7 +785,9 @@ static inline void ksl_euler_xyx_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *
       left_1 = left_1a - left_1b;
   const double left_2a = KSL_MUL(R->m21, cosine), left_2b = KSL_MUL(R->m22, sine),
       left_2 = left_2a - left_2b;
-  const double angles_0 = ksl_atan2(left_2, left_1);
+  const double rest = R->m10 + R->m20;
+  const double first = ksl_atan2(left_2, left_1);
+  const double angles_0 = rest < 1.2676506002282294e+30 ? first : rest;
   const double angles_1 = ksl_atan2(n, R->m00);
   angles->x = angles_0;
   angles->y = angles_1;
@@ -2740,7 +2744,7 @@ static inline void ksl_mat3x3f_from_euler_xyz(const ksl_vec3f_t *angles, ksl_mat
 /* angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
      [-π/2, π/2]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
-   72 mul, 90 add, 5 div, 1 sqrt, 4 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.
+   72 mul, 91 add, 5 div, 1 sqrt, 4 neg, 6 abs, 6 copysign, 19 less, 4 equal, 46 select.
    The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
      too; searched, not proved. */
 static inline void ksl_euler_xyz_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_t *angles) {
@@ -2755,7 +2759,9 @@ static inline void ksl_euler_xyz_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_
       left_1 = left_1a + left_1b;
   const float left_2a = KSL_MULF(R->m20, sine), left_2b = KSL_MULF(R->m21, cosine),
       left_2 = left_2a + left_2b;
-  const float angles_0 = ksl_atan2f(left_2, left_1);
+  const float rest = R->m12 + R->m22;
+  const float first = ksl_atan2f(left_2, left_1);
+  const float angles_0 = rest < 1.2676506e+30f ? first : rest;
   const float angles_1 = ksl_atan2f(R->m02, n);
   angles->x = angles_0;
   angles->y = angles_1;
@@ -2797,7 +2803,7 @@ static inline void ksl_mat3x3f_from_euler_xyx(const ksl_vec3f_t *angles, ksl_mat
 /* angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in [0,
      π]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
-   72 mul, 90 add, 5 div, 1 sqrt, 3 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.
+   72 mul, 91 add, 5 div, 1 sqrt, 3 neg, 6 abs, 6 copysign, 19 less, 4 equal, 46 select.
    The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
      too; searched, not proved. */
 static inline void ksl_euler_xyx_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_t *angles) {
@@ -2812,7 +2818,9 @@ static inline void ksl_euler_xyx_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_
       left_1 = left_1a - left_1b;
   const float left_2a = KSL_MULF(R->m21, cosine), left_2b = KSL_MULF(R->m22, sine),
       left_2 = left_2a - left_2b;
-  const float angles_0 = ksl_atan2f(left_2, left_1);
+  const float rest = R->m10 + R->m20;
+  const float first = ksl_atan2f(left_2, left_1);
+  const float angles_0 = rest < 1.2676506e+30f ? first : rest;
   const float angles_1 = ksl_atan2f(n, R->m00);
   angles->x = angles_0;
   angles->y = angles_1;

@@ -314,8 +314,8 @@ static inline void ksl_mat3x3_from_euler_xyz_certified(const ksl_vec3_t *angles,
 /* angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
      [-π/2, π/2]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; angles, angles_bound: vector.
-   452 mul, 752 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 4 neg, 66 abs, 12
-     copysign, 57 less, 13 equal, 103 select. */
+   455 mul, 765 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 4 neg, 72 abs, 12
+     copysign, 59 less, 14 equal, 108 select. */
 static inline void ksl_euler_xyz_from_mat3x3_certified(const ksl_mat3x3_t *R, ksl_vec3_t *angles,
     ksl_vec3_t *angles_bound) {
   const double n_a = KSL_MUL(R->m00, R->m00), n_a_size_1 = fabs(R->m00),
@@ -422,14 +422,70 @@ static inline void ksl_euler_xyz_from_mat3x3_certified(const ksl_mat3x3_t *R, ks
       left_cross_2 = left_2a_cross2_1 + left_2b_cross2_1,
       left_lo1_2 = left_left_rest_2 + left_right_rest_2, left_lo_2 = left_lo1_2 + left_cross_2,
       left_size_2 = left_2a_size_2 + left_2b_size_2;
-  const double angles_0 = ksl_atan2(left_2, left_1),
-      angles_own_error_1 = ksl_atan2_error(left_2, left_1, angles_0), angles_size0_1 = fabs(left_2),
-      angles_size1_1 = fabs(left_1),
+  const double rest = R->m12 + R->m22, rest_right_1 = rest - R->m12,
+      rest_left_1 = rest - rest_right_1, rest_left_rest_1 = R->m12 - rest_left_1,
+      rest_right_rest_1 = R->m22 - rest_right_1, rest_lo = rest_left_rest_1 + rest_right_rest_1,
+      rest_size_1 = fabs(R->m12), rest_size_2 = fabs(R->m22),
+      rest_size_3 = rest_size_1 + rest_size_2;
+  const double first = ksl_atan2(left_2, left_1),
+      first_own_error_1 = ksl_atan2_error(left_2, left_1, first), first_size0_1 = fabs(left_2),
+      first_size1_1 = fabs(left_1),
+      first_most_1 = first_size0_1 < first_size1_1 ? first_size1_1 : first_size0_1,
+      first_divisor_1 = first_most_1 == 0.0 ? 1.0 : first_most_1,
+      first_part0_1 = left_2 / first_divisor_1, first_part1_1 = left_1 / first_divisor_1,
+      first_cross1_1 = KSL_MUL(first_part1_1, left_lo_2),
+      first_cross2_1 = KSL_MUL(first_part0_1, left_lo_1),
+      first_square1_1 = KSL_MUL(first_part1_1, first_part1_1),
+      first_square2_1 = KSL_MUL(first_part0_1, first_part0_1),
+      first_cross_1 = first_cross1_1 - first_cross2_1,
+      first_square_1 = first_square1_1 + first_square2_1,
+      first_divisor2_1 = KSL_MUL(first_divisor_1, first_square_1),
+      first_safe_1 = first_most_1 == 0.0 ? 1.0 : first_divisor2_1,
+      first_more_1 = first_cross_1 / first_safe_1, first_lo = first_own_error_1 + first_more_1,
+      first_size_1 = fabs(first), first_padded_1 = 1.8051943758648296e-276 + left_size_2,
+      first_padded_2 = 1.8051943758648296e-276 + left_size_1, first_size_2 = fabs(left_2),
+      first_size_3 = fabs(left_1),
+      first_size_5 = first_size_2 < first_size_3 ? first_size_3 : first_size_2,
+      first_error_1 = fabs(left_lo_2),
+      first_rest_1 = KSL_MUL(1.120429474644463e-29, first_padded_1),
+      first_bound_1 = first_error_1 + first_rest_1, first_error_2 = fabs(left_lo_1),
+      first_rest_2 = KSL_MUL(1.120429474644463e-29, first_padded_2),
+      first_bound_2 = first_error_2 + first_rest_2,
+      first_size_6 = 1.8051943758648296e-276 + first_bound_1,
+      first_size_7 = first_bound_2 + first_size_6, first_size_8 = first_padded_1 + first_padded_2,
+      first_size_9 = first_size_8 / first_size_5, first_size_10 = first_size_1 + first_size_9,
+      first_size_11 = first_size_7 / first_size_5,
+      first_size_13 = KSL_MUL(first_size_11, first_size_11), first_size_14 = fabs(first_lo),
+      first_size_15 = 7.0 + first_size_14,
+      first_size_18 = first_bound_2 < left_1 ? first_size_13 : first_size_15,
+      first_size_19 = first_bound_1 < first_size_2 ? first_size_13 : first_size_18,
+      first_size_20 = first_size_11 < 0.25 ? first_size_19 : first_size_15,
+      first_size_21 = KSL_MUL(4.527322338646221e+28, first_size_20),
+      first_size_22 = first_size_10 + first_size_21;
+  const double angles_0 = rest < 1.2676506002282294e+30 ? first : rest,
+      angles_lo_1 = rest < 1.2676506002282294e+30 ? first_lo : rest_lo,
+      angles_size_1 = rest < 1.2676506002282294e+30 ? first_size_22 : rest_size_3,
+      angles_error_1 = fabs(rest_lo), angles_padded_1 = 1.8051943758648296e-276 + rest_size_3,
+      angles_rest_1 = KSL_MUL(7.642090607075756e-31, angles_padded_1),
+      angles_bound_1 = angles_error_1 + angles_rest_1,
+      angles_size_2 = rest - 1.2676506002282294e+30, angles_size_3 = fabs(angles_size_2),
+      angles_size_5 = first - rest, angles_size_6 = fabs(angles_size_5),
+      angles_padded_2 = 1.8051943758648296e-276 + first_size_22,
+      angles_rest_2 = KSL_MUL(2.2778366396519518e-29, angles_padded_2),
+      angles_bound_2 = angles_rest_2 + first_size_14,
+      angles_size_7 = angles_bound_2 + angles_size_6,
+      angles_size_8 = angles_bound_1 + angles_size_7,
+      angles_size_9 = angles_bound_1 < angles_size_3 ? 0.0 : angles_size_8,
+      angles_size_10 = KSL_MUL(4.527322030246999e+28, angles_size_9),
+      angles_size_11 = angles_size_1 + angles_size_10;
+  const double angles_1 = ksl_atan2(R->m02, n),
+      angles_own_error_1 = ksl_atan2_error(R->m02, n, angles_1), angles_size0_1 = fabs(R->m02),
+      angles_size1_1 = fabs(n),
       angles_most_1 = angles_size0_1 < angles_size1_1 ? angles_size1_1 : angles_size0_1,
       angles_divisor_1 = angles_most_1 == 0.0 ? 1.0 : angles_most_1,
-      angles_part0_1 = left_2 / angles_divisor_1, angles_part1_1 = left_1 / angles_divisor_1,
-      angles_cross1_1 = KSL_MUL(angles_part1_1, left_lo_2),
-      angles_cross2_1 = KSL_MUL(angles_part0_1, left_lo_1),
+      angles_part0_1 = R->m02 / angles_divisor_1, angles_part1_1 = n / angles_divisor_1,
+      angles_cross1_1 = KSL_MUL(angles_part1_1, 0.0),
+      angles_cross2_1 = KSL_MUL(angles_part0_1, n_lo),
       angles_square1_1 = KSL_MUL(angles_part1_1, angles_part1_1),
       angles_square2_1 = KSL_MUL(angles_part0_1, angles_part0_1),
       angles_cross_1 = angles_cross1_1 - angles_cross2_1,
@@ -437,136 +493,75 @@ static inline void ksl_euler_xyz_from_mat3x3_certified(const ksl_mat3x3_t *R, ks
       angles_divisor2_1 = KSL_MUL(angles_divisor_1, angles_square_1),
       angles_safe_1 = angles_most_1 == 0.0 ? 1.0 : angles_divisor2_1,
       angles_more_1 = angles_cross_1 / angles_safe_1,
-      angles_lo_1 = angles_own_error_1 + angles_more_1, angles_size_1 = fabs(angles_0),
-      angles_padded_1 = 1.8051943758648296e-276 + left_size_2,
-      angles_padded_2 = 1.8051943758648296e-276 + left_size_1, angles_size_2 = fabs(left_2),
-      angles_size_3 = fabs(left_1),
-      angles_size_5 = angles_size_2 < angles_size_3 ? angles_size_3 : angles_size_2,
-      angles_error_1 = fabs(left_lo_2),
-      angles_rest_1 = KSL_MUL(1.120429474644463e-29, angles_padded_1),
-      angles_bound_1 = angles_error_1 + angles_rest_1, angles_error_2 = fabs(left_lo_1),
-      angles_rest_2 = KSL_MUL(1.120429474644463e-29, angles_padded_2),
-      angles_bound_2 = angles_error_2 + angles_rest_2,
-      angles_size_6 = 1.8051943758648296e-276 + angles_bound_1,
-      angles_size_7 = angles_bound_2 + angles_size_6,
-      angles_size_8 = angles_padded_1 + angles_padded_2,
-      angles_size_9 = angles_size_8 / angles_size_5, angles_size_10 = angles_size_1 + angles_size_9,
-      angles_size_11 = angles_size_7 / angles_size_5,
-      angles_size_13 = KSL_MUL(angles_size_11, angles_size_11), angles_size_14 = fabs(angles_lo_1),
-      angles_size_15 = 7.0 + angles_size_14,
-      angles_size_18 = angles_bound_2 < left_1 ? angles_size_13 : angles_size_15,
-      angles_size_19 = angles_bound_1 < angles_size_2 ? angles_size_13 : angles_size_18,
-      angles_size_20 = angles_size_11 < 0.25 ? angles_size_19 : angles_size_15,
-      angles_size_21 = KSL_MUL(4.527322338646221e+28, angles_size_20),
-      angles_size_22 = angles_size_10 + angles_size_21;
-  const double angles_1 = ksl_atan2(R->m02, n),
-      angles_own_error_2 = ksl_atan2_error(R->m02, n, angles_1), angles_size0_2 = fabs(R->m02),
-      angles_size1_2 = fabs(n),
-      angles_most_2 = angles_size0_2 < angles_size1_2 ? angles_size1_2 : angles_size0_2,
-      angles_divisor_2 = angles_most_2 == 0.0 ? 1.0 : angles_most_2,
-      angles_part0_2 = R->m02 / angles_divisor_2, angles_part1_2 = n / angles_divisor_2,
-      angles_cross1_2 = KSL_MUL(angles_part1_2, 0.0),
-      angles_cross2_2 = KSL_MUL(angles_part0_2, n_lo),
-      angles_square1_2 = KSL_MUL(angles_part1_2, angles_part1_2),
-      angles_square2_2 = KSL_MUL(angles_part0_2, angles_part0_2),
-      angles_cross_2 = angles_cross1_2 - angles_cross2_2,
-      angles_square_2 = angles_square1_2 + angles_square2_2,
-      angles_divisor2_2 = KSL_MUL(angles_divisor_2, angles_square_2),
-      angles_safe_2 = angles_most_2 == 0.0 ? 1.0 : angles_divisor2_2,
-      angles_more_2 = angles_cross_2 / angles_safe_2,
-      angles_lo_2 = angles_own_error_2 + angles_more_2, angles_size_23 = fabs(angles_1),
-      angles_size_24 = fabs(R->m02), angles_padded_3 = 1.8051943758648296e-276 + angles_size_24,
-      angles_size_25 = fabs(n),
-      angles_size_27 = angles_size_24 < angles_size_25 ? angles_size_25 : angles_size_24,
-      angles_size_28 = 1.8051943758648296e-276 + divisor_bound_1,
-      angles_size_29 = angles_padded_3 + divisor_padded_1,
-      angles_size_30 = angles_size_29 / angles_size_27,
-      angles_size_31 = angles_size_23 + angles_size_30,
-      angles_size_32 = angles_size_28 / angles_size_27,
-      angles_size_34 = KSL_MUL(angles_size_32, angles_size_32), angles_size_35 = fabs(angles_lo_2),
-      angles_size_36 = 7.0 + angles_size_35,
-      angles_size_37 = angles_size_32 < 0.25 ? angles_size_34 : angles_size_36,
-      angles_size_38 = KSL_MUL(7.9228157791897855e+28, angles_size_37),
-      angles_size_39 = angles_size_31 + angles_size_38;
-  const double angles_padded_4 = 1.8051943758648296e-276 + angles_size_22,
-      angles_rest_3 = KSL_MUL(2.2778366396519518e-29, angles_padded_4),
-      angles_bound_3 = angles_rest_3 + angles_size_14,
-      angles_padded_5 = 1.8051943758648296e-276 + angles_size_39,
+      angles_lo_2 = angles_own_error_1 + angles_more_1, angles_size_12 = fabs(angles_1),
+      angles_size_13 = fabs(R->m02), angles_padded_3 = 1.8051943758648296e-276 + angles_size_13,
+      angles_size_14 = fabs(n),
+      angles_size_16 = angles_size_13 < angles_size_14 ? angles_size_14 : angles_size_13,
+      angles_size_17 = 1.8051943758648296e-276 + divisor_bound_1,
+      angles_size_18 = angles_padded_3 + divisor_padded_1,
+      angles_size_19 = angles_size_18 / angles_size_16,
+      angles_size_20 = angles_size_12 + angles_size_19,
+      angles_size_21 = angles_size_17 / angles_size_16,
+      angles_size_23 = KSL_MUL(angles_size_21, angles_size_21), angles_size_24 = fabs(angles_lo_2),
+      angles_size_25 = 7.0 + angles_size_24,
+      angles_size_26 = angles_size_21 < 0.25 ? angles_size_23 : angles_size_25,
+      angles_size_27 = KSL_MUL(7.9228157791897855e+28, angles_size_26),
+      angles_size_28 = angles_size_20 + angles_size_27;
+  const double angles_error_2 = fabs(angles_lo_1),
+      angles_padded_4 = 1.8051943758648296e-276 + angles_size_11,
+      angles_rest_3 = KSL_MUL(2.277836794817206e-29, angles_padded_4),
+      angles_bound_3 = angles_error_2 + angles_rest_3,
+      angles_padded_5 = 1.8051943758648296e-276 + angles_size_28,
       angles_rest_4 = KSL_MUL(1.3016206487799288e-29, angles_padded_5),
-      angles_bound_4 = angles_rest_4 + angles_size_35, third_error_2 = fabs(third_lo),
+      angles_bound_4 = angles_rest_4 + angles_size_24, third_error_2 = fabs(third_lo),
       third_padded_2 = 1.8051943758648296e-276 + third_size_7,
       third_rest_2 = KSL_MUL(6.508104019725916e-30, third_padded_2),
       third_bound_2 = third_error_2 + third_rest_2;
-  const double R_det_above_0 = KSL_MUL(R->m11, R->m22);
-  const double R_det_below_0 = KSL_MUL(R->m12, R->m21);
-  const double R_det_cofactor_0 = R_det_above_0 - R_det_below_0;
-  const double R_det_above_1 = KSL_MUL(R->m12, R->m20);
-  const double R_det_below_1 = KSL_MUL(R->m10, R->m22);
-  const double R_det_cofactor_1 = R_det_above_1 - R_det_below_1;
-  const double R_det_above_2 = KSL_MUL(R->m10, R->m21);
-  const double R_det_below_2 = KSL_MUL(R->m11, R->m20);
-  const double R_det_cofactor_2 = R_det_above_2 - R_det_below_2;
-  const double R_det_product_0 = KSL_MUL(R->m00, R_det_cofactor_0);
-  const double R_det_product_1 = KSL_MUL(R->m01, R_det_cofactor_1);
-  const double R_det_product_2 = KSL_MUL(R->m02, R_det_cofactor_2);
-  const double R_det_sum_0 = R_det_product_0 + R_det_product_1;
-  const double R_det_sum_1 = R_det_sum_0 + R_det_product_2;
-  const double R_det_off = R_det_sum_1 - 1.0;
-  const double R_det_size = fabs(R_det_off);
-  const double R_column_00_product_0 = KSL_MUL(R->m00, R->m00);
-  const double R_column_00_product_1 = KSL_MUL(R->m10, R->m10);
-  const double R_column_00_product_2 = KSL_MUL(R->m20, R->m20);
-  const double R_column_00_sum_0 = R_column_00_product_0 + R_column_00_product_1;
-  const double R_column_00_sum_1 = R_column_00_sum_0 + R_column_00_product_2;
-  const double R_column_00_off = R_column_00_sum_1 - 1.0;
-  const double R_column_00_size = fabs(R_column_00_off);
-  const double R_column_00_largest = R_det_size < R_column_00_size ? R_column_00_size : R_det_size;
-  const double R_column_11_product_0 = KSL_MUL(R->m01, R->m01);
-  const double R_column_11_product_1 = KSL_MUL(R->m11, R->m11);
-  const double R_column_11_product_2 = KSL_MUL(R->m21, R->m21);
-  const double R_column_11_sum_0 = R_column_11_product_0 + R_column_11_product_1;
-  const double R_column_11_sum_1 = R_column_11_sum_0 + R_column_11_product_2;
-  const double R_column_11_off = R_column_11_sum_1 - 1.0;
-  const double R_column_11_size = fabs(R_column_11_off);
-  const double R_column_11_largest = R_column_00_largest < R_column_11_size ? R_column_11_size :
-      R_column_00_largest;
-  const double R_column_22_product_0 = KSL_MUL(R->m02, R->m02);
-  const double R_column_22_product_1 = KSL_MUL(R->m12, R->m12);
-  const double R_column_22_product_2 = KSL_MUL(R->m22, R->m22);
-  const double R_column_22_sum_0 = R_column_22_product_0 + R_column_22_product_1;
-  const double R_column_22_sum_1 = R_column_22_sum_0 + R_column_22_product_2;
-  const double R_column_22_off = R_column_22_sum_1 - 1.0;
-  const double R_column_22_size = fabs(R_column_22_off);
-  const double R_column_22_largest = R_column_11_largest < R_column_22_size ? R_column_22_size :
-      R_column_11_largest;
-  const double R_column_01_product_0 = KSL_MUL(R->m00, R->m01);
-  const double R_column_01_product_1 = KSL_MUL(R->m10, R->m11);
-  const double R_column_01_product_2 = KSL_MUL(R->m20, R->m21);
-  const double R_column_01_sum_0 = R_column_01_product_0 + R_column_01_product_1;
-  const double R_column_01_sum_1 = R_column_01_sum_0 + R_column_01_product_2;
-  const double R_column_01_off = R_column_01_sum_1 - 0.0;
-  const double R_column_01_size = fabs(R_column_01_off);
-  const double R_column_01_largest = R_column_22_largest < R_column_01_size ? R_column_01_size :
-      R_column_22_largest;
-  const double R_column_02_product_0 = KSL_MUL(R->m00, R->m02);
-  const double R_column_02_product_1 = KSL_MUL(R->m10, R->m12);
-  const double R_column_02_product_2 = KSL_MUL(R->m20, R->m22);
-  const double R_column_02_sum_0 = R_column_02_product_0 + R_column_02_product_1;
-  const double R_column_02_sum_1 = R_column_02_sum_0 + R_column_02_product_2;
-  const double R_column_02_off = R_column_02_sum_1 - 0.0;
-  const double R_column_02_size = fabs(R_column_02_off);
-  const double R_column_02_largest = R_column_01_largest < R_column_02_size ? R_column_02_size :
-      R_column_01_largest;
-  const double R_column_12_product_0 = KSL_MUL(R->m01, R->m02);
-  const double R_column_12_product_1 = KSL_MUL(R->m11, R->m12);
-  const double R_column_12_product_2 = KSL_MUL(R->m21, R->m22);
-  const double R_column_12_sum_0 = R_column_12_product_0 + R_column_12_product_1;
-  const double R_column_12_sum_1 = R_column_12_sum_0 + R_column_12_product_2;
-  const double R_column_12_off = R_column_12_sum_1 - 0.0;
-  const double R_column_12_size = fabs(R_column_12_off);
-  const double R_column_12_largest = R_column_02_largest < R_column_12_size ? R_column_12_size :
-      R_column_02_largest;
-  const double R_unless_rotation = R_column_12_largest < 0.001 ? 0.0 : 1.0715086071862673e+301;
+  const double R_n_0a = KSL_MUL(R->m11, R->m22), R_n_0b = KSL_MUL(R->m12, R->m21),
+      R_n_0 = R_n_0a - R_n_0b;
+  const double R_n_1a = KSL_MUL(R->m02, R->m21), R_n_1b = KSL_MUL(R->m01, R->m22),
+      R_n_1 = R_n_1a - R_n_1b;
+  const double R_n_2a = KSL_MUL(R->m01, R->m12), R_n_2b = KSL_MUL(R->m02, R->m11),
+      R_n_2 = R_n_2a - R_n_2b;
+  const double R_det_a = KSL_MUL(R->m00, R_n_0), R_det_b = KSL_MUL(R->m10, R_n_1),
+      R_det_c = R_det_a + R_det_b, R_det_d = KSL_MUL(R->m20, R_n_2), R_det = R_det_c + R_det_d;
+  const double R_g_0a = KSL_MUL(R->m00, R->m00), R_g_0b = KSL_MUL(R->m10, R->m10),
+      R_g_0c = R_g_0a + R_g_0b, R_g_0d = KSL_MUL(R->m20, R->m20), R_g_0 = R_g_0c + R_g_0d;
+  const double R_g_1a = KSL_MUL(R->m00, R->m01), R_g_1b = KSL_MUL(R->m10, R->m11),
+      R_g_1c = R_g_1a + R_g_1b, R_g_1d = KSL_MUL(R->m20, R->m21), R_g_1 = R_g_1c + R_g_1d;
+  const double R_g_2a = KSL_MUL(R->m00, R->m02), R_g_2b = KSL_MUL(R->m10, R->m12),
+      R_g_2c = R_g_2a + R_g_2b, R_g_2d = KSL_MUL(R->m20, R->m22), R_g_2 = R_g_2c + R_g_2d;
+  const double R_g_3a = KSL_MUL(R->m01, R->m01), R_g_3b = KSL_MUL(R->m11, R->m11),
+      R_g_3c = R_g_3a + R_g_3b, R_g_3d = KSL_MUL(R->m21, R->m21), R_g_3 = R_g_3c + R_g_3d;
+  const double R_g_4a = KSL_MUL(R->m01, R->m02), R_g_4b = KSL_MUL(R->m11, R->m12),
+      R_g_4c = R_g_4a + R_g_4b, R_g_4d = KSL_MUL(R->m21, R->m22), R_g_4 = R_g_4c + R_g_4d;
+  const double R_g_5a = KSL_MUL(R->m02, R->m02), R_g_5b = KSL_MUL(R->m12, R->m12),
+      R_g_5c = R_g_5a + R_g_5b, R_g_5d = KSL_MUL(R->m22, R->m22), R_g_5 = R_g_5c + R_g_5d;
+  const double R_off_0 = R_det - 1.0;
+  const double R_off_1 = R_g_0 - 1.0;
+  const double R_off_4 = R_g_3 - 1.0;
+  const double R_off_6 = R_g_5 - 1.0;
+  const double R_defect_size_0 = fabs(R_off_0);
+  const double R_defect_size_1 = fabs(R_off_1);
+  const double R_defect_size_2 = fabs(R_g_1);
+  const double R_defect_size_3 = fabs(R_g_2);
+  const double R_defect_size_4 = fabs(R_off_4);
+  const double R_defect_size_5 = fabs(R_g_4);
+  const double R_defect_size_6 = fabs(R_off_6);
+  const double R_defect_largest1 = R_defect_size_0 < R_defect_size_1 ? R_defect_size_1 :
+      R_defect_size_0;
+  const double R_defect_largest2 = R_defect_largest1 < R_defect_size_2 ? R_defect_size_2 :
+      R_defect_largest1;
+  const double R_defect_largest3 = R_defect_largest2 < R_defect_size_3 ? R_defect_size_3 :
+      R_defect_largest2;
+  const double R_defect_largest4 = R_defect_largest3 < R_defect_size_4 ? R_defect_size_4 :
+      R_defect_largest3;
+  const double R_defect_largest5 = R_defect_largest4 < R_defect_size_5 ? R_defect_size_5 :
+      R_defect_largest4;
+  const double R_defect_largest6 = R_defect_largest5 < R_defect_size_6 ? R_defect_size_6 :
+      R_defect_largest5;
+  const double R_unless_equal = R_defect_largest6 == 0.001 ? 0.0 : 1.0715086071862673e+301;
+  const double R_unless_rotation = R_defect_largest6 < 0.001 ? 0.0 : R_unless_equal;
   const double R_excess = KSL_MUL(R_unless_rotation, 1.0715086071862673e+301);
   const double R_excess_0 = angles_bound_3 + R_excess;
   const double R_excess_1 = angles_bound_4 + R_excess;
@@ -695,8 +690,8 @@ static inline void ksl_mat3x3_from_euler_xyx_certified(const ksl_vec3_t *angles,
 /* angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in [0,
      π]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; angles, angles_bound: vector.
-   452 mul, 752 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 3 neg, 66 abs, 12
-     copysign, 59 less, 13 equal, 105 select. */
+   455 mul, 765 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 3 neg, 72 abs, 12
+     copysign, 61 less, 14 equal, 110 select. */
 static inline void ksl_euler_xyx_from_mat3x3_certified(const ksl_mat3x3_t *R, ksl_vec3_t *angles,
     ksl_vec3_t *angles_bound) {
   const double n_a = KSL_MUL(R->m01, R->m01), n_a_size_1 = fabs(R->m01),
@@ -803,14 +798,70 @@ static inline void ksl_euler_xyx_from_mat3x3_certified(const ksl_mat3x3_t *R, ks
       left_cross_2 = left_2a_cross2_1 - left_2b_cross2_1,
       left_lo1_2 = left_left_rest_2 - left_right_rest_2, left_lo_2 = left_lo1_2 + left_cross_2,
       left_size_2 = left_2a_size_2 + left_2b_size_2;
-  const double angles_0 = ksl_atan2(left_2, left_1),
-      angles_own_error_1 = ksl_atan2_error(left_2, left_1, angles_0), angles_size0_1 = fabs(left_2),
-      angles_size1_1 = fabs(left_1),
+  const double rest = R->m10 + R->m20, rest_right_1 = rest - R->m10,
+      rest_left_1 = rest - rest_right_1, rest_left_rest_1 = R->m10 - rest_left_1,
+      rest_right_rest_1 = R->m20 - rest_right_1, rest_lo = rest_left_rest_1 + rest_right_rest_1,
+      rest_size_1 = fabs(R->m10), rest_size_2 = fabs(R->m20),
+      rest_size_3 = rest_size_1 + rest_size_2;
+  const double first = ksl_atan2(left_2, left_1),
+      first_own_error_1 = ksl_atan2_error(left_2, left_1, first), first_size0_1 = fabs(left_2),
+      first_size1_1 = fabs(left_1),
+      first_most_1 = first_size0_1 < first_size1_1 ? first_size1_1 : first_size0_1,
+      first_divisor_1 = first_most_1 == 0.0 ? 1.0 : first_most_1,
+      first_part0_1 = left_2 / first_divisor_1, first_part1_1 = left_1 / first_divisor_1,
+      first_cross1_1 = KSL_MUL(first_part1_1, left_lo_2),
+      first_cross2_1 = KSL_MUL(first_part0_1, left_lo_1),
+      first_square1_1 = KSL_MUL(first_part1_1, first_part1_1),
+      first_square2_1 = KSL_MUL(first_part0_1, first_part0_1),
+      first_cross_1 = first_cross1_1 - first_cross2_1,
+      first_square_1 = first_square1_1 + first_square2_1,
+      first_divisor2_1 = KSL_MUL(first_divisor_1, first_square_1),
+      first_safe_1 = first_most_1 == 0.0 ? 1.0 : first_divisor2_1,
+      first_more_1 = first_cross_1 / first_safe_1, first_lo = first_own_error_1 + first_more_1,
+      first_size_1 = fabs(first), first_padded_1 = 1.8051943758648296e-276 + left_size_2,
+      first_padded_2 = 1.8051943758648296e-276 + left_size_1, first_size_2 = fabs(left_2),
+      first_size_3 = fabs(left_1),
+      first_size_5 = first_size_2 < first_size_3 ? first_size_3 : first_size_2,
+      first_error_1 = fabs(left_lo_2),
+      first_rest_1 = KSL_MUL(1.120429474644463e-29, first_padded_1),
+      first_bound_1 = first_error_1 + first_rest_1, first_error_2 = fabs(left_lo_1),
+      first_rest_2 = KSL_MUL(1.120429474644463e-29, first_padded_2),
+      first_bound_2 = first_error_2 + first_rest_2,
+      first_size_6 = 1.8051943758648296e-276 + first_bound_1,
+      first_size_7 = first_bound_2 + first_size_6, first_size_8 = first_padded_1 + first_padded_2,
+      first_size_9 = first_size_8 / first_size_5, first_size_10 = first_size_1 + first_size_9,
+      first_size_11 = first_size_7 / first_size_5,
+      first_size_13 = KSL_MUL(first_size_11, first_size_11), first_size_14 = fabs(first_lo),
+      first_size_15 = 7.0 + first_size_14,
+      first_size_18 = first_bound_2 < left_1 ? first_size_13 : first_size_15,
+      first_size_19 = first_bound_1 < first_size_2 ? first_size_13 : first_size_18,
+      first_size_20 = first_size_11 < 0.25 ? first_size_19 : first_size_15,
+      first_size_21 = KSL_MUL(4.527322338646221e+28, first_size_20),
+      first_size_22 = first_size_10 + first_size_21;
+  const double angles_0 = rest < 1.2676506002282294e+30 ? first : rest,
+      angles_lo_1 = rest < 1.2676506002282294e+30 ? first_lo : rest_lo,
+      angles_size_1 = rest < 1.2676506002282294e+30 ? first_size_22 : rest_size_3,
+      angles_error_1 = fabs(rest_lo), angles_padded_1 = 1.8051943758648296e-276 + rest_size_3,
+      angles_rest_1 = KSL_MUL(7.642090607075756e-31, angles_padded_1),
+      angles_bound_1 = angles_error_1 + angles_rest_1,
+      angles_size_2 = rest - 1.2676506002282294e+30, angles_size_3 = fabs(angles_size_2),
+      angles_size_5 = first - rest, angles_size_6 = fabs(angles_size_5),
+      angles_padded_2 = 1.8051943758648296e-276 + first_size_22,
+      angles_rest_2 = KSL_MUL(2.2778366396519518e-29, angles_padded_2),
+      angles_bound_2 = angles_rest_2 + first_size_14,
+      angles_size_7 = angles_bound_2 + angles_size_6,
+      angles_size_8 = angles_bound_1 + angles_size_7,
+      angles_size_9 = angles_bound_1 < angles_size_3 ? 0.0 : angles_size_8,
+      angles_size_10 = KSL_MUL(4.527322030246999e+28, angles_size_9),
+      angles_size_11 = angles_size_1 + angles_size_10;
+  const double angles_1 = ksl_atan2(n, R->m00),
+      angles_own_error_1 = ksl_atan2_error(n, R->m00, angles_1), angles_size0_1 = fabs(n),
+      angles_size1_1 = fabs(R->m00),
       angles_most_1 = angles_size0_1 < angles_size1_1 ? angles_size1_1 : angles_size0_1,
       angles_divisor_1 = angles_most_1 == 0.0 ? 1.0 : angles_most_1,
-      angles_part0_1 = left_2 / angles_divisor_1, angles_part1_1 = left_1 / angles_divisor_1,
-      angles_cross1_1 = KSL_MUL(angles_part1_1, left_lo_2),
-      angles_cross2_1 = KSL_MUL(angles_part0_1, left_lo_1),
+      angles_part0_1 = n / angles_divisor_1, angles_part1_1 = R->m00 / angles_divisor_1,
+      angles_cross1_1 = KSL_MUL(angles_part1_1, n_lo),
+      angles_cross2_1 = KSL_MUL(angles_part0_1, 0.0),
       angles_square1_1 = KSL_MUL(angles_part1_1, angles_part1_1),
       angles_square2_1 = KSL_MUL(angles_part0_1, angles_part0_1),
       angles_cross_1 = angles_cross1_1 - angles_cross2_1,
@@ -818,138 +869,77 @@ static inline void ksl_euler_xyx_from_mat3x3_certified(const ksl_mat3x3_t *R, ks
       angles_divisor2_1 = KSL_MUL(angles_divisor_1, angles_square_1),
       angles_safe_1 = angles_most_1 == 0.0 ? 1.0 : angles_divisor2_1,
       angles_more_1 = angles_cross_1 / angles_safe_1,
-      angles_lo_1 = angles_own_error_1 + angles_more_1, angles_size_1 = fabs(angles_0),
-      angles_padded_1 = 1.8051943758648296e-276 + left_size_2,
-      angles_padded_2 = 1.8051943758648296e-276 + left_size_1, angles_size_2 = fabs(left_2),
-      angles_size_3 = fabs(left_1),
-      angles_size_5 = angles_size_2 < angles_size_3 ? angles_size_3 : angles_size_2,
-      angles_error_1 = fabs(left_lo_2),
-      angles_rest_1 = KSL_MUL(1.120429474644463e-29, angles_padded_1),
-      angles_bound_1 = angles_error_1 + angles_rest_1, angles_error_2 = fabs(left_lo_1),
-      angles_rest_2 = KSL_MUL(1.120429474644463e-29, angles_padded_2),
-      angles_bound_2 = angles_error_2 + angles_rest_2,
-      angles_size_6 = 1.8051943758648296e-276 + angles_bound_1,
-      angles_size_7 = angles_bound_2 + angles_size_6,
-      angles_size_8 = angles_padded_1 + angles_padded_2,
-      angles_size_9 = angles_size_8 / angles_size_5, angles_size_10 = angles_size_1 + angles_size_9,
-      angles_size_11 = angles_size_7 / angles_size_5,
-      angles_size_13 = KSL_MUL(angles_size_11, angles_size_11), angles_size_14 = fabs(angles_lo_1),
-      angles_size_15 = 7.0 + angles_size_14,
-      angles_size_18 = angles_bound_2 < left_1 ? angles_size_13 : angles_size_15,
-      angles_size_19 = angles_bound_1 < angles_size_2 ? angles_size_13 : angles_size_18,
-      angles_size_20 = angles_size_11 < 0.25 ? angles_size_19 : angles_size_15,
-      angles_size_21 = KSL_MUL(4.527322338646221e+28, angles_size_20),
-      angles_size_22 = angles_size_10 + angles_size_21;
-  const double angles_1 = ksl_atan2(n, R->m00),
-      angles_own_error_2 = ksl_atan2_error(n, R->m00, angles_1), angles_size0_2 = fabs(n),
-      angles_size1_2 = fabs(R->m00),
-      angles_most_2 = angles_size0_2 < angles_size1_2 ? angles_size1_2 : angles_size0_2,
-      angles_divisor_2 = angles_most_2 == 0.0 ? 1.0 : angles_most_2,
-      angles_part0_2 = n / angles_divisor_2, angles_part1_2 = R->m00 / angles_divisor_2,
-      angles_cross1_2 = KSL_MUL(angles_part1_2, n_lo),
-      angles_cross2_2 = KSL_MUL(angles_part0_2, 0.0),
-      angles_square1_2 = KSL_MUL(angles_part1_2, angles_part1_2),
-      angles_square2_2 = KSL_MUL(angles_part0_2, angles_part0_2),
-      angles_cross_2 = angles_cross1_2 - angles_cross2_2,
-      angles_square_2 = angles_square1_2 + angles_square2_2,
-      angles_divisor2_2 = KSL_MUL(angles_divisor_2, angles_square_2),
-      angles_safe_2 = angles_most_2 == 0.0 ? 1.0 : angles_divisor2_2,
-      angles_more_2 = angles_cross_2 / angles_safe_2,
-      angles_lo_2 = angles_own_error_2 + angles_more_2, angles_size_23 = fabs(angles_1),
-      angles_size_24 = fabs(R->m00), angles_padded_3 = 1.8051943758648296e-276 + angles_size_24,
-      angles_size_25 = fabs(n),
-      angles_size_27 = angles_size_25 < angles_size_24 ? angles_size_24 : angles_size_25,
-      angles_size_28 = 1.8051943758648296e-276 + divisor_bound_1,
-      angles_size_29 = angles_padded_3 + divisor_padded_1,
-      angles_size_30 = angles_size_29 / angles_size_27,
-      angles_size_31 = angles_size_23 + angles_size_30,
-      angles_size_32 = angles_size_28 / angles_size_27,
-      angles_size_34 = KSL_MUL(angles_size_32, angles_size_32), angles_size_35 = fabs(angles_lo_2),
-      angles_size_36 = 7.0 + angles_size_35,
-      angles_size_39 = 0.0 < R->m00 ? angles_size_34 : angles_size_36,
-      angles_size_40 = divisor_bound_1 < angles_size_25 ? angles_size_34 : angles_size_39,
-      angles_size_41 = angles_size_32 < 0.25 ? angles_size_40 : angles_size_36,
-      angles_size_42 = KSL_MUL(7.9228157791897855e+28, angles_size_41),
-      angles_size_43 = angles_size_31 + angles_size_42;
-  const double angles_padded_4 = 1.8051943758648296e-276 + angles_size_22,
-      angles_rest_3 = KSL_MUL(2.2778366396519518e-29, angles_padded_4),
-      angles_bound_3 = angles_rest_3 + angles_size_14,
-      angles_padded_5 = 1.8051943758648296e-276 + angles_size_43,
+      angles_lo_2 = angles_own_error_1 + angles_more_1, angles_size_12 = fabs(angles_1),
+      angles_size_13 = fabs(R->m00), angles_padded_3 = 1.8051943758648296e-276 + angles_size_13,
+      angles_size_14 = fabs(n),
+      angles_size_16 = angles_size_14 < angles_size_13 ? angles_size_13 : angles_size_14,
+      angles_size_17 = 1.8051943758648296e-276 + divisor_bound_1,
+      angles_size_18 = angles_padded_3 + divisor_padded_1,
+      angles_size_19 = angles_size_18 / angles_size_16,
+      angles_size_20 = angles_size_12 + angles_size_19,
+      angles_size_21 = angles_size_17 / angles_size_16,
+      angles_size_23 = KSL_MUL(angles_size_21, angles_size_21), angles_size_24 = fabs(angles_lo_2),
+      angles_size_25 = 7.0 + angles_size_24,
+      angles_size_28 = 0.0 < R->m00 ? angles_size_23 : angles_size_25,
+      angles_size_29 = divisor_bound_1 < angles_size_14 ? angles_size_23 : angles_size_28,
+      angles_size_30 = angles_size_21 < 0.25 ? angles_size_29 : angles_size_25,
+      angles_size_31 = KSL_MUL(7.9228157791897855e+28, angles_size_30),
+      angles_size_32 = angles_size_20 + angles_size_31;
+  const double angles_error_2 = fabs(angles_lo_1),
+      angles_padded_4 = 1.8051943758648296e-276 + angles_size_11,
+      angles_rest_3 = KSL_MUL(2.277836794817206e-29, angles_padded_4),
+      angles_bound_3 = angles_error_2 + angles_rest_3,
+      angles_padded_5 = 1.8051943758648296e-276 + angles_size_32,
       angles_rest_4 = KSL_MUL(1.3016206487799288e-29, angles_padded_5),
-      angles_bound_4 = angles_rest_4 + angles_size_35, third_error_2 = fabs(third_lo),
+      angles_bound_4 = angles_rest_4 + angles_size_24, third_error_2 = fabs(third_lo),
       third_padded_2 = 1.8051943758648296e-276 + third_size_7,
       third_rest_2 = KSL_MUL(6.508104019725916e-30, third_padded_2),
       third_bound_2 = third_error_2 + third_rest_2;
-  const double R_det_above_0 = KSL_MUL(R->m11, R->m22);
-  const double R_det_below_0 = KSL_MUL(R->m12, R->m21);
-  const double R_det_cofactor_0 = R_det_above_0 - R_det_below_0;
-  const double R_det_above_1 = KSL_MUL(R->m12, R->m20);
-  const double R_det_below_1 = KSL_MUL(R->m10, R->m22);
-  const double R_det_cofactor_1 = R_det_above_1 - R_det_below_1;
-  const double R_det_above_2 = KSL_MUL(R->m10, R->m21);
-  const double R_det_below_2 = KSL_MUL(R->m11, R->m20);
-  const double R_det_cofactor_2 = R_det_above_2 - R_det_below_2;
-  const double R_det_product_0 = KSL_MUL(R->m00, R_det_cofactor_0);
-  const double R_det_product_1 = KSL_MUL(R->m01, R_det_cofactor_1);
-  const double R_det_product_2 = KSL_MUL(R->m02, R_det_cofactor_2);
-  const double R_det_sum_0 = R_det_product_0 + R_det_product_1;
-  const double R_det_sum_1 = R_det_sum_0 + R_det_product_2;
-  const double R_det_off = R_det_sum_1 - 1.0;
-  const double R_det_size = fabs(R_det_off);
-  const double R_column_00_product_0 = KSL_MUL(R->m00, R->m00);
-  const double R_column_00_product_1 = KSL_MUL(R->m10, R->m10);
-  const double R_column_00_product_2 = KSL_MUL(R->m20, R->m20);
-  const double R_column_00_sum_0 = R_column_00_product_0 + R_column_00_product_1;
-  const double R_column_00_sum_1 = R_column_00_sum_0 + R_column_00_product_2;
-  const double R_column_00_off = R_column_00_sum_1 - 1.0;
-  const double R_column_00_size = fabs(R_column_00_off);
-  const double R_column_00_largest = R_det_size < R_column_00_size ? R_column_00_size : R_det_size;
-  const double R_column_11_product_0 = KSL_MUL(R->m01, R->m01);
-  const double R_column_11_product_1 = KSL_MUL(R->m11, R->m11);
-  const double R_column_11_product_2 = KSL_MUL(R->m21, R->m21);
-  const double R_column_11_sum_0 = R_column_11_product_0 + R_column_11_product_1;
-  const double R_column_11_sum_1 = R_column_11_sum_0 + R_column_11_product_2;
-  const double R_column_11_off = R_column_11_sum_1 - 1.0;
-  const double R_column_11_size = fabs(R_column_11_off);
-  const double R_column_11_largest = R_column_00_largest < R_column_11_size ? R_column_11_size :
-      R_column_00_largest;
-  const double R_column_22_product_0 = KSL_MUL(R->m02, R->m02);
-  const double R_column_22_product_1 = KSL_MUL(R->m12, R->m12);
-  const double R_column_22_product_2 = KSL_MUL(R->m22, R->m22);
-  const double R_column_22_sum_0 = R_column_22_product_0 + R_column_22_product_1;
-  const double R_column_22_sum_1 = R_column_22_sum_0 + R_column_22_product_2;
-  const double R_column_22_off = R_column_22_sum_1 - 1.0;
-  const double R_column_22_size = fabs(R_column_22_off);
-  const double R_column_22_largest = R_column_11_largest < R_column_22_size ? R_column_22_size :
-      R_column_11_largest;
-  const double R_column_01_product_0 = KSL_MUL(R->m00, R->m01);
-  const double R_column_01_product_1 = KSL_MUL(R->m10, R->m11);
-  const double R_column_01_product_2 = KSL_MUL(R->m20, R->m21);
-  const double R_column_01_sum_0 = R_column_01_product_0 + R_column_01_product_1;
-  const double R_column_01_sum_1 = R_column_01_sum_0 + R_column_01_product_2;
-  const double R_column_01_off = R_column_01_sum_1 - 0.0;
-  const double R_column_01_size = fabs(R_column_01_off);
-  const double R_column_01_largest = R_column_22_largest < R_column_01_size ? R_column_01_size :
-      R_column_22_largest;
-  const double R_column_02_product_0 = KSL_MUL(R->m00, R->m02);
-  const double R_column_02_product_1 = KSL_MUL(R->m10, R->m12);
-  const double R_column_02_product_2 = KSL_MUL(R->m20, R->m22);
-  const double R_column_02_sum_0 = R_column_02_product_0 + R_column_02_product_1;
-  const double R_column_02_sum_1 = R_column_02_sum_0 + R_column_02_product_2;
-  const double R_column_02_off = R_column_02_sum_1 - 0.0;
-  const double R_column_02_size = fabs(R_column_02_off);
-  const double R_column_02_largest = R_column_01_largest < R_column_02_size ? R_column_02_size :
-      R_column_01_largest;
-  const double R_column_12_product_0 = KSL_MUL(R->m01, R->m02);
-  const double R_column_12_product_1 = KSL_MUL(R->m11, R->m12);
-  const double R_column_12_product_2 = KSL_MUL(R->m21, R->m22);
-  const double R_column_12_sum_0 = R_column_12_product_0 + R_column_12_product_1;
-  const double R_column_12_sum_1 = R_column_12_sum_0 + R_column_12_product_2;
-  const double R_column_12_off = R_column_12_sum_1 - 0.0;
-  const double R_column_12_size = fabs(R_column_12_off);
-  const double R_column_12_largest = R_column_02_largest < R_column_12_size ? R_column_12_size :
-      R_column_02_largest;
-  const double R_unless_rotation = R_column_12_largest < 0.001 ? 0.0 : 1.0715086071862673e+301;
+  const double R_n_0a = KSL_MUL(R->m11, R->m22), R_n_0b = KSL_MUL(R->m12, R->m21),
+      R_n_0 = R_n_0a - R_n_0b;
+  const double R_n_1a = KSL_MUL(R->m02, R->m21), R_n_1b = KSL_MUL(R->m01, R->m22),
+      R_n_1 = R_n_1a - R_n_1b;
+  const double R_n_2a = KSL_MUL(R->m01, R->m12), R_n_2b = KSL_MUL(R->m02, R->m11),
+      R_n_2 = R_n_2a - R_n_2b;
+  const double R_det_a = KSL_MUL(R->m00, R_n_0), R_det_b = KSL_MUL(R->m10, R_n_1),
+      R_det_c = R_det_a + R_det_b, R_det_d = KSL_MUL(R->m20, R_n_2), R_det = R_det_c + R_det_d;
+  const double R_g_0a = KSL_MUL(R->m00, R->m00), R_g_0b = KSL_MUL(R->m10, R->m10),
+      R_g_0c = R_g_0a + R_g_0b, R_g_0d = KSL_MUL(R->m20, R->m20), R_g_0 = R_g_0c + R_g_0d;
+  const double R_g_1a = KSL_MUL(R->m00, R->m01), R_g_1b = KSL_MUL(R->m10, R->m11),
+      R_g_1c = R_g_1a + R_g_1b, R_g_1d = KSL_MUL(R->m20, R->m21), R_g_1 = R_g_1c + R_g_1d;
+  const double R_g_2a = KSL_MUL(R->m00, R->m02), R_g_2b = KSL_MUL(R->m10, R->m12),
+      R_g_2c = R_g_2a + R_g_2b, R_g_2d = KSL_MUL(R->m20, R->m22), R_g_2 = R_g_2c + R_g_2d;
+  const double R_g_3a = KSL_MUL(R->m01, R->m01), R_g_3b = KSL_MUL(R->m11, R->m11),
+      R_g_3c = R_g_3a + R_g_3b, R_g_3d = KSL_MUL(R->m21, R->m21), R_g_3 = R_g_3c + R_g_3d;
+  const double R_g_4a = KSL_MUL(R->m01, R->m02), R_g_4b = KSL_MUL(R->m11, R->m12),
+      R_g_4c = R_g_4a + R_g_4b, R_g_4d = KSL_MUL(R->m21, R->m22), R_g_4 = R_g_4c + R_g_4d;
+  const double R_g_5a = KSL_MUL(R->m02, R->m02), R_g_5b = KSL_MUL(R->m12, R->m12),
+      R_g_5c = R_g_5a + R_g_5b, R_g_5d = KSL_MUL(R->m22, R->m22), R_g_5 = R_g_5c + R_g_5d;
+  const double R_off_0 = R_det - 1.0;
+  const double R_off_1 = R_g_0 - 1.0;
+  const double R_off_4 = R_g_3 - 1.0;
+  const double R_off_6 = R_g_5 - 1.0;
+  const double R_defect_size_0 = fabs(R_off_0);
+  const double R_defect_size_1 = fabs(R_off_1);
+  const double R_defect_size_2 = fabs(R_g_1);
+  const double R_defect_size_3 = fabs(R_g_2);
+  const double R_defect_size_4 = fabs(R_off_4);
+  const double R_defect_size_5 = fabs(R_g_4);
+  const double R_defect_size_6 = fabs(R_off_6);
+  const double R_defect_largest1 = R_defect_size_0 < R_defect_size_1 ? R_defect_size_1 :
+      R_defect_size_0;
+  const double R_defect_largest2 = R_defect_largest1 < R_defect_size_2 ? R_defect_size_2 :
+      R_defect_largest1;
+  const double R_defect_largest3 = R_defect_largest2 < R_defect_size_3 ? R_defect_size_3 :
+      R_defect_largest2;
+  const double R_defect_largest4 = R_defect_largest3 < R_defect_size_4 ? R_defect_size_4 :
+      R_defect_largest3;
+  const double R_defect_largest5 = R_defect_largest4 < R_defect_size_5 ? R_defect_size_5 :
+      R_defect_largest4;
+  const double R_defect_largest6 = R_defect_largest5 < R_defect_size_6 ? R_defect_size_6 :
+      R_defect_largest5;
+  const double R_unless_equal = R_defect_largest6 == 0.001 ? 0.0 : 1.0715086071862673e+301;
+  const double R_unless_rotation = R_defect_largest6 < 0.001 ? 0.0 : R_unless_equal;
   const double R_excess = KSL_MUL(R_unless_rotation, 1.0715086071862673e+301);
   const double R_excess_0 = angles_bound_3 + R_excess;
   const double R_excess_1 = angles_bound_4 + R_excess;
@@ -1140,8 +1130,8 @@ static inline void ksl_mat3x3_from_axis_angle_certified(const ksl_vec3_t *axis,
 /* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0;
      |error of angle| <= angle_bound, |error of axis| <= axis_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; axis, axis_bound: vector; angle_bound: number.
-   233 mul, 470 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 70 abs, 4
-     copysign, 41 less, 6 equal, 110 select. */
+   233 mul, 467 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 70 abs, 4
+     copysign, 41 less, 7 equal, 111 select. */
 static inline double ksl_axis_angle_from_mat3x3_certified(const ksl_mat3x3_t *R, ksl_vec3_t *axis,
     double *angle_bound, ksl_vec3_t *axis_bound) {
   const double p_0 = R->m21 - R->m12, p_right_1 = R->m21 - p_0, p_left_1 = p_0 + p_right_1,
@@ -1463,76 +1453,51 @@ static inline double ksl_axis_angle_from_mat3x3_certified(const ksl_mat3x3_t *R,
       unit_padded_3 = 1.8051943758648296e-276 + unit_size_25,
       unit_rest_6 = KSL_MUL(1.86204130450056e-29, unit_padded_3),
       unit_bound_3 = unit_error_3 + unit_rest_6;
-  const double R_det_above_0 = KSL_MUL(R->m11, R->m22);
-  const double R_det_below_0 = KSL_MUL(R->m12, R->m21);
-  const double R_det_cofactor_0 = R_det_above_0 - R_det_below_0;
-  const double R_det_above_1 = KSL_MUL(R->m12, R->m20);
-  const double R_det_below_1 = KSL_MUL(R->m10, R->m22);
-  const double R_det_cofactor_1 = R_det_above_1 - R_det_below_1;
-  const double R_det_above_2 = KSL_MUL(R->m10, R->m21);
-  const double R_det_below_2 = KSL_MUL(R->m11, R->m20);
-  const double R_det_cofactor_2 = R_det_above_2 - R_det_below_2;
-  const double R_det_product_0 = KSL_MUL(R->m00, R_det_cofactor_0);
-  const double R_det_product_1 = KSL_MUL(R->m01, R_det_cofactor_1);
-  const double R_det_product_2 = KSL_MUL(R->m02, R_det_cofactor_2);
-  const double R_det_sum_0 = R_det_product_0 + R_det_product_1;
-  const double R_det_sum_1 = R_det_sum_0 + R_det_product_2;
-  const double R_det_off = R_det_sum_1 - 1.0;
-  const double R_det_size = fabs(R_det_off);
-  const double R_column_00_product_0 = KSL_MUL(R->m00, R->m00);
-  const double R_column_00_product_1 = KSL_MUL(R->m10, R->m10);
-  const double R_column_00_product_2 = KSL_MUL(R->m20, R->m20);
-  const double R_column_00_sum_0 = R_column_00_product_0 + R_column_00_product_1;
-  const double R_column_00_sum_1 = R_column_00_sum_0 + R_column_00_product_2;
-  const double R_column_00_off = R_column_00_sum_1 - 1.0;
-  const double R_column_00_size = fabs(R_column_00_off);
-  const double R_column_00_largest = R_det_size < R_column_00_size ? R_column_00_size : R_det_size;
-  const double R_column_11_product_0 = KSL_MUL(R->m01, R->m01);
-  const double R_column_11_product_1 = KSL_MUL(R->m11, R->m11);
-  const double R_column_11_product_2 = KSL_MUL(R->m21, R->m21);
-  const double R_column_11_sum_0 = R_column_11_product_0 + R_column_11_product_1;
-  const double R_column_11_sum_1 = R_column_11_sum_0 + R_column_11_product_2;
-  const double R_column_11_off = R_column_11_sum_1 - 1.0;
-  const double R_column_11_size = fabs(R_column_11_off);
-  const double R_column_11_largest = R_column_00_largest < R_column_11_size ? R_column_11_size :
-      R_column_00_largest;
-  const double R_column_22_product_0 = KSL_MUL(R->m02, R->m02);
-  const double R_column_22_product_1 = KSL_MUL(R->m12, R->m12);
-  const double R_column_22_product_2 = KSL_MUL(R->m22, R->m22);
-  const double R_column_22_sum_0 = R_column_22_product_0 + R_column_22_product_1;
-  const double R_column_22_sum_1 = R_column_22_sum_0 + R_column_22_product_2;
-  const double R_column_22_off = R_column_22_sum_1 - 1.0;
-  const double R_column_22_size = fabs(R_column_22_off);
-  const double R_column_22_largest = R_column_11_largest < R_column_22_size ? R_column_22_size :
-      R_column_11_largest;
-  const double R_column_01_product_0 = KSL_MUL(R->m00, R->m01);
-  const double R_column_01_product_1 = KSL_MUL(R->m10, R->m11);
-  const double R_column_01_product_2 = KSL_MUL(R->m20, R->m21);
-  const double R_column_01_sum_0 = R_column_01_product_0 + R_column_01_product_1;
-  const double R_column_01_sum_1 = R_column_01_sum_0 + R_column_01_product_2;
-  const double R_column_01_off = R_column_01_sum_1 - 0.0;
-  const double R_column_01_size = fabs(R_column_01_off);
-  const double R_column_01_largest = R_column_22_largest < R_column_01_size ? R_column_01_size :
-      R_column_22_largest;
-  const double R_column_02_product_0 = KSL_MUL(R->m00, R->m02);
-  const double R_column_02_product_1 = KSL_MUL(R->m10, R->m12);
-  const double R_column_02_product_2 = KSL_MUL(R->m20, R->m22);
-  const double R_column_02_sum_0 = R_column_02_product_0 + R_column_02_product_1;
-  const double R_column_02_sum_1 = R_column_02_sum_0 + R_column_02_product_2;
-  const double R_column_02_off = R_column_02_sum_1 - 0.0;
-  const double R_column_02_size = fabs(R_column_02_off);
-  const double R_column_02_largest = R_column_01_largest < R_column_02_size ? R_column_02_size :
-      R_column_01_largest;
-  const double R_column_12_product_0 = KSL_MUL(R->m01, R->m02);
-  const double R_column_12_product_1 = KSL_MUL(R->m11, R->m12);
-  const double R_column_12_product_2 = KSL_MUL(R->m21, R->m22);
-  const double R_column_12_sum_0 = R_column_12_product_0 + R_column_12_product_1;
-  const double R_column_12_sum_1 = R_column_12_sum_0 + R_column_12_product_2;
-  const double R_column_12_off = R_column_12_sum_1 - 0.0;
-  const double R_column_12_size = fabs(R_column_12_off);
-  const double R_column_12_largest = R_column_02_largest < R_column_12_size ? R_column_12_size :
-      R_column_02_largest;
-  const double R_unless_rotation = R_column_12_largest < 0.001 ? 0.0 : 1.0715086071862673e+301;
+  const double R_n_0a = KSL_MUL(R->m11, R->m22), R_n_0b = KSL_MUL(R->m12, R->m21),
+      R_n_0 = R_n_0a - R_n_0b;
+  const double R_n_1a = KSL_MUL(R->m02, R->m21), R_n_1b = KSL_MUL(R->m01, R->m22),
+      R_n_1 = R_n_1a - R_n_1b;
+  const double R_n_2a = KSL_MUL(R->m01, R->m12), R_n_2b = KSL_MUL(R->m02, R->m11),
+      R_n_2 = R_n_2a - R_n_2b;
+  const double R_det_a = KSL_MUL(R->m00, R_n_0), R_det_b = KSL_MUL(R->m10, R_n_1),
+      R_det_c = R_det_a + R_det_b, R_det_d = KSL_MUL(R->m20, R_n_2), R_det = R_det_c + R_det_d;
+  const double R_g_0a = KSL_MUL(R->m00, R->m00), R_g_0b = KSL_MUL(R->m10, R->m10),
+      R_g_0c = R_g_0a + R_g_0b, R_g_0d = KSL_MUL(R->m20, R->m20), R_g_0 = R_g_0c + R_g_0d;
+  const double R_g_1a = KSL_MUL(R->m00, R->m01), R_g_1b = KSL_MUL(R->m10, R->m11),
+      R_g_1c = R_g_1a + R_g_1b, R_g_1d = KSL_MUL(R->m20, R->m21), R_g_1 = R_g_1c + R_g_1d;
+  const double R_g_2a = KSL_MUL(R->m00, R->m02), R_g_2b = KSL_MUL(R->m10, R->m12),
+      R_g_2c = R_g_2a + R_g_2b, R_g_2d = KSL_MUL(R->m20, R->m22), R_g_2 = R_g_2c + R_g_2d;
+  const double R_g_3a = KSL_MUL(R->m01, R->m01), R_g_3b = KSL_MUL(R->m11, R->m11),
+      R_g_3c = R_g_3a + R_g_3b, R_g_3d = KSL_MUL(R->m21, R->m21), R_g_3 = R_g_3c + R_g_3d;
+  const double R_g_4a = KSL_MUL(R->m01, R->m02), R_g_4b = KSL_MUL(R->m11, R->m12),
+      R_g_4c = R_g_4a + R_g_4b, R_g_4d = KSL_MUL(R->m21, R->m22), R_g_4 = R_g_4c + R_g_4d;
+  const double R_g_5a = KSL_MUL(R->m02, R->m02), R_g_5b = KSL_MUL(R->m12, R->m12),
+      R_g_5c = R_g_5a + R_g_5b, R_g_5d = KSL_MUL(R->m22, R->m22), R_g_5 = R_g_5c + R_g_5d;
+  const double R_off_0 = R_det - 1.0;
+  const double R_off_1 = R_g_0 - 1.0;
+  const double R_off_4 = R_g_3 - 1.0;
+  const double R_off_6 = R_g_5 - 1.0;
+  const double R_defect_size_0 = fabs(R_off_0);
+  const double R_defect_size_1 = fabs(R_off_1);
+  const double R_defect_size_2 = fabs(R_g_1);
+  const double R_defect_size_3 = fabs(R_g_2);
+  const double R_defect_size_4 = fabs(R_off_4);
+  const double R_defect_size_5 = fabs(R_g_4);
+  const double R_defect_size_6 = fabs(R_off_6);
+  const double R_defect_largest1 = R_defect_size_0 < R_defect_size_1 ? R_defect_size_1 :
+      R_defect_size_0;
+  const double R_defect_largest2 = R_defect_largest1 < R_defect_size_2 ? R_defect_size_2 :
+      R_defect_largest1;
+  const double R_defect_largest3 = R_defect_largest2 < R_defect_size_3 ? R_defect_size_3 :
+      R_defect_largest2;
+  const double R_defect_largest4 = R_defect_largest3 < R_defect_size_4 ? R_defect_size_4 :
+      R_defect_largest3;
+  const double R_defect_largest5 = R_defect_largest4 < R_defect_size_5 ? R_defect_size_5 :
+      R_defect_largest4;
+  const double R_defect_largest6 = R_defect_largest5 < R_defect_size_6 ? R_defect_size_6 :
+      R_defect_largest5;
+  const double R_unless_equal = R_defect_largest6 == 0.001 ? 0.0 : 1.0715086071862673e+301;
+  const double R_unless_rotation = R_defect_largest6 < 0.001 ? 0.0 : R_unless_equal;
   const double R_excess = KSL_MUL(R_unless_rotation, 1.0715086071862673e+301);
   const double R_excess_0 = angle_bound_1 + R_excess;
   const double R_excess_1 = axis_bound_2 + R_excess;
@@ -1852,8 +1817,8 @@ static inline void ksl_mat3x3f_from_euler_xyz_certified(const ksl_vec3f_t *angle
 /* angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
      [-π/2, π/2]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; angles, angles_bound: vector.
-   350 mul, 575 add, 45 product error, 6 product rest, 27 div, 2 sqrt, 4 neg, 66 abs, 12
-     copysign, 57 less, 13 equal, 103 select. */
+   353 mul, 588 add, 45 product error, 6 product rest, 27 div, 2 sqrt, 4 neg, 72 abs, 12
+     copysign, 59 less, 14 equal, 108 select. */
 static inline void ksl_euler_xyz_from_mat3x3f_certified(const ksl_mat3x3f_t *R,
     ksl_vec3f_t *angles, ksl_vec3f_t *angles_bound) {
   const float n_a = KSL_MULF(R->m00, R->m00), n_a_size_1 = fabsf(R->m00),
@@ -1958,14 +1923,67 @@ static inline void ksl_euler_xyz_from_mat3x3f_certified(const ksl_mat3x3f_t *R,
       left_cross_2 = left_2a_cross2_1 + left_2b_cross2_1,
       left_lo1_2 = left_left_rest_2 + left_right_rest_2, left_lo_2 = left_lo1_2 + left_cross_2,
       left_size_2 = left_2a_size_2 + left_2b_size_2;
-  const float angles_0 = ksl_atan2f(left_2, left_1),
-      angles_own_error_1 = ksl_atan2_errorf(left_2, left_1, angles_0),
-      angles_size0_1 = fabsf(left_2), angles_size1_1 = fabsf(left_1),
+  const float rest = R->m12 + R->m22, rest_right_1 = rest - R->m12,
+      rest_left_1 = rest - rest_right_1, rest_left_rest_1 = R->m12 - rest_left_1,
+      rest_right_rest_1 = R->m22 - rest_right_1, rest_lo = rest_left_rest_1 + rest_right_rest_1,
+      rest_size_1 = fabsf(R->m12), rest_size_2 = fabsf(R->m22),
+      rest_size_3 = rest_size_1 + rest_size_2;
+  const float first = ksl_atan2f(left_2, left_1),
+      first_own_error_1 = ksl_atan2_errorf(left_2, left_1, first), first_size0_1 = fabsf(left_2),
+      first_size1_1 = fabsf(left_1),
+      first_most_1 = first_size0_1 < first_size1_1 ? first_size1_1 : first_size0_1,
+      first_divisor_1 = first_most_1 == 0.0f ? 1.0f : first_most_1,
+      first_part0_1 = left_2 / first_divisor_1, first_part1_1 = left_1 / first_divisor_1,
+      first_cross1_1 = KSL_MULF(first_part1_1, left_lo_2),
+      first_cross2_1 = KSL_MULF(first_part0_1, left_lo_1),
+      first_square1_1 = KSL_MULF(first_part1_1, first_part1_1),
+      first_square2_1 = KSL_MULF(first_part0_1, first_part0_1),
+      first_cross_1 = first_cross1_1 - first_cross2_1,
+      first_square_1 = first_square1_1 + first_square2_1,
+      first_divisor2_1 = KSL_MULF(first_divisor_1, first_square_1),
+      first_safe_1 = first_most_1 == 0.0f ? 1.0f : first_divisor2_1,
+      first_more_1 = first_cross_1 / first_safe_1, first_lo = first_own_error_1 + first_more_1,
+      first_size_1 = fabsf(first), first_padded_1 = 3.3087225e-24f + left_size_2,
+      first_padded_2 = 3.3087225e-24f + left_size_1, first_size_2 = fabsf(left_2),
+      first_size_3 = fabsf(left_1),
+      first_size_5 = first_size_2 < first_size_3 ? first_size_3 : first_size_2,
+      first_error_1 = fabsf(left_lo_2), first_rest_1 = KSL_MULF(3.2294905e-12f, first_padded_1),
+      first_bound_1 = first_error_1 + first_rest_1, first_error_2 = fabsf(left_lo_1),
+      first_rest_2 = KSL_MULF(3.2294905e-12f, first_padded_2),
+      first_bound_2 = first_error_2 + first_rest_2, first_size_6 = 3.3087225e-24f + first_bound_1,
+      first_size_7 = first_bound_2 + first_size_6, first_size_8 = first_padded_1 + first_padded_2,
+      first_size_9 = first_size_8 / first_size_5, first_size_10 = first_size_1 + first_size_9,
+      first_size_11 = first_size_7 / first_size_5,
+      first_size_13 = KSL_MULF(first_size_11, first_size_11), first_size_14 = fabsf(first_lo),
+      first_size_15 = 7.0f + first_size_14,
+      first_size_18 = first_bound_2 < left_1 ? first_size_13 : first_size_15,
+      first_size_19 = first_bound_1 < first_size_2 ? first_size_13 : first_size_18,
+      first_size_20 = first_size_11 < 0.25f ? first_size_19 : first_size_15,
+      first_size_21 = KSL_MULF(1.5707134e+11f, first_size_20),
+      first_size_22 = first_size_10 + first_size_21;
+  const float angles_0 = rest < 1.2676506e+30f ? first : rest,
+      angles_lo_1 = rest < 1.2676506e+30f ? first_lo : rest_lo,
+      angles_size_1 = rest < 1.2676506e+30f ? first_size_22 : rest_size_3,
+      angles_error_1 = fabsf(rest_lo), angles_padded_1 = 3.3087225e-24f + rest_size_3,
+      angles_rest_1 = KSL_MULF(2.2026954e-13f, angles_padded_1),
+      angles_bound_1 = angles_error_1 + angles_rest_1, angles_size_2 = rest - 1.2676506e+30f,
+      angles_size_3 = fabsf(angles_size_2), angles_size_5 = first - rest,
+      angles_size_6 = fabsf(angles_size_5), angles_padded_2 = 3.3087225e-24f + first_size_22,
+      angles_rest_2 = KSL_MULF(6.565516e-12f, angles_padded_2),
+      angles_bound_2 = angles_rest_2 + first_size_14,
+      angles_size_7 = angles_bound_2 + angles_size_6,
+      angles_size_8 = angles_bound_1 + angles_size_7,
+      angles_size_9 = angles_bound_1 < angles_size_3 ? 0.0f : angles_size_8,
+      angles_size_10 = KSL_MULF(1.570713e+11f, angles_size_9),
+      angles_size_11 = angles_size_1 + angles_size_10;
+  const float angles_1 = ksl_atan2f(R->m02, n),
+      angles_own_error_1 = ksl_atan2_errorf(R->m02, n, angles_1), angles_size0_1 = fabsf(R->m02),
+      angles_size1_1 = fabsf(n),
       angles_most_1 = angles_size0_1 < angles_size1_1 ? angles_size1_1 : angles_size0_1,
       angles_divisor_1 = angles_most_1 == 0.0f ? 1.0f : angles_most_1,
-      angles_part0_1 = left_2 / angles_divisor_1, angles_part1_1 = left_1 / angles_divisor_1,
-      angles_cross1_1 = KSL_MULF(angles_part1_1, left_lo_2),
-      angles_cross2_1 = KSL_MULF(angles_part0_1, left_lo_1),
+      angles_part0_1 = R->m02 / angles_divisor_1, angles_part1_1 = n / angles_divisor_1,
+      angles_cross1_1 = KSL_MULF(angles_part1_1, 0.0f),
+      angles_cross2_1 = KSL_MULF(angles_part0_1, n_lo),
       angles_square1_1 = KSL_MULF(angles_part1_1, angles_part1_1),
       angles_square2_1 = KSL_MULF(angles_part0_1, angles_part0_1),
       angles_cross_1 = angles_cross1_1 - angles_cross2_1,
@@ -1973,135 +1991,75 @@ static inline void ksl_euler_xyz_from_mat3x3f_certified(const ksl_mat3x3f_t *R,
       angles_divisor2_1 = KSL_MULF(angles_divisor_1, angles_square_1),
       angles_safe_1 = angles_most_1 == 0.0f ? 1.0f : angles_divisor2_1,
       angles_more_1 = angles_cross_1 / angles_safe_1,
-      angles_lo_1 = angles_own_error_1 + angles_more_1, angles_size_1 = fabsf(angles_0),
-      angles_padded_1 = 3.3087225e-24f + left_size_2,
-      angles_padded_2 = 3.3087225e-24f + left_size_1, angles_size_2 = fabsf(left_2),
-      angles_size_3 = fabsf(left_1),
-      angles_size_5 = angles_size_2 < angles_size_3 ? angles_size_3 : angles_size_2,
-      angles_error_1 = fabsf(left_lo_2), angles_rest_1 = KSL_MULF(3.2294905e-12f, angles_padded_1),
-      angles_bound_1 = angles_error_1 + angles_rest_1, angles_error_2 = fabsf(left_lo_1),
-      angles_rest_2 = KSL_MULF(3.2294905e-12f, angles_padded_2),
-      angles_bound_2 = angles_error_2 + angles_rest_2,
-      angles_size_6 = 3.3087225e-24f + angles_bound_1,
-      angles_size_7 = angles_bound_2 + angles_size_6,
-      angles_size_8 = angles_padded_1 + angles_padded_2,
-      angles_size_9 = angles_size_8 / angles_size_5, angles_size_10 = angles_size_1 + angles_size_9,
-      angles_size_11 = angles_size_7 / angles_size_5,
-      angles_size_13 = KSL_MULF(angles_size_11, angles_size_11),
-      angles_size_14 = fabsf(angles_lo_1), angles_size_15 = 7.0f + angles_size_14,
-      angles_size_18 = angles_bound_2 < left_1 ? angles_size_13 : angles_size_15,
-      angles_size_19 = angles_bound_1 < angles_size_2 ? angles_size_13 : angles_size_18,
-      angles_size_20 = angles_size_11 < 0.25f ? angles_size_19 : angles_size_15,
-      angles_size_21 = KSL_MULF(1.5707134e+11f, angles_size_20),
-      angles_size_22 = angles_size_10 + angles_size_21;
-  const float angles_1 = ksl_atan2f(R->m02, n),
-      angles_own_error_2 = ksl_atan2_errorf(R->m02, n, angles_1), angles_size0_2 = fabsf(R->m02),
-      angles_size1_2 = fabsf(n),
-      angles_most_2 = angles_size0_2 < angles_size1_2 ? angles_size1_2 : angles_size0_2,
-      angles_divisor_2 = angles_most_2 == 0.0f ? 1.0f : angles_most_2,
-      angles_part0_2 = R->m02 / angles_divisor_2, angles_part1_2 = n / angles_divisor_2,
-      angles_cross1_2 = KSL_MULF(angles_part1_2, 0.0f),
-      angles_cross2_2 = KSL_MULF(angles_part0_2, n_lo),
-      angles_square1_2 = KSL_MULF(angles_part1_2, angles_part1_2),
-      angles_square2_2 = KSL_MULF(angles_part0_2, angles_part0_2),
-      angles_cross_2 = angles_cross1_2 - angles_cross2_2,
-      angles_square_2 = angles_square1_2 + angles_square2_2,
-      angles_divisor2_2 = KSL_MULF(angles_divisor_2, angles_square_2),
-      angles_safe_2 = angles_most_2 == 0.0f ? 1.0f : angles_divisor2_2,
-      angles_more_2 = angles_cross_2 / angles_safe_2,
-      angles_lo_2 = angles_own_error_2 + angles_more_2, angles_size_23 = fabsf(angles_1),
-      angles_size_24 = fabsf(R->m02), angles_padded_3 = 3.3087225e-24f + angles_size_24,
-      angles_size_25 = fabsf(n),
-      angles_size_27 = angles_size_24 < angles_size_25 ? angles_size_25 : angles_size_24,
-      angles_size_28 = 3.3087225e-24f + divisor_bound_1,
-      angles_size_29 = angles_padded_3 + divisor_padded_1,
-      angles_size_30 = angles_size_29 / angles_size_27,
-      angles_size_31 = angles_size_23 + angles_size_30,
-      angles_size_32 = angles_size_28 / angles_size_27,
-      angles_size_34 = KSL_MULF(angles_size_32, angles_size_32),
-      angles_size_35 = fabsf(angles_lo_2), angles_size_36 = 7.0f + angles_size_35,
-      angles_size_37 = angles_size_32 < 0.25f ? angles_size_34 : angles_size_36,
-      angles_size_38 = KSL_MULF(2.7487632e+11f, angles_size_37),
-      angles_size_39 = angles_size_31 + angles_size_38;
-  const float angles_padded_4 = 3.3087225e-24f + angles_size_22,
-      angles_rest_3 = KSL_MULF(6.565516e-12f, angles_padded_4),
-      angles_bound_3 = angles_rest_3 + angles_size_14,
-      angles_padded_5 = 3.3087225e-24f + angles_size_39,
+      angles_lo_2 = angles_own_error_1 + angles_more_1, angles_size_12 = fabsf(angles_1),
+      angles_size_13 = fabsf(R->m02), angles_padded_3 = 3.3087225e-24f + angles_size_13,
+      angles_size_14 = fabsf(n),
+      angles_size_16 = angles_size_13 < angles_size_14 ? angles_size_14 : angles_size_13,
+      angles_size_17 = 3.3087225e-24f + divisor_bound_1,
+      angles_size_18 = angles_padded_3 + divisor_padded_1,
+      angles_size_19 = angles_size_18 / angles_size_16,
+      angles_size_20 = angles_size_12 + angles_size_19,
+      angles_size_21 = angles_size_17 / angles_size_16,
+      angles_size_23 = KSL_MULF(angles_size_21, angles_size_21),
+      angles_size_24 = fabsf(angles_lo_2), angles_size_25 = 7.0f + angles_size_24,
+      angles_size_26 = angles_size_21 < 0.25f ? angles_size_23 : angles_size_25,
+      angles_size_27 = KSL_MULF(2.7487632e+11f, angles_size_26),
+      angles_size_28 = angles_size_20 + angles_size_27;
+  const float angles_error_2 = fabsf(angles_lo_1),
+      angles_padded_4 = 3.3087225e-24f + angles_size_11,
+      angles_rest_3 = KSL_MULF(6.5655177e-12f, angles_padded_4),
+      angles_bound_3 = angles_error_2 + angles_rest_3,
+      angles_padded_5 = 3.3087225e-24f + angles_size_28,
       angles_rest_4 = KSL_MULF(3.751704e-12f, angles_padded_5),
-      angles_bound_4 = angles_rest_4 + angles_size_35, third_error_2 = fabsf(third_lo),
+      angles_bound_4 = angles_rest_4 + angles_size_24, third_error_2 = fabsf(third_lo),
       third_padded_2 = 3.3087225e-24f + third_size_7,
       third_rest_2 = KSL_MULF(1.8758445e-12f, third_padded_2),
       third_bound_2 = third_error_2 + third_rest_2;
-  const float R_det_above_0 = KSL_MULF(R->m11, R->m22);
-  const float R_det_below_0 = KSL_MULF(R->m12, R->m21);
-  const float R_det_cofactor_0 = R_det_above_0 - R_det_below_0;
-  const float R_det_above_1 = KSL_MULF(R->m12, R->m20);
-  const float R_det_below_1 = KSL_MULF(R->m10, R->m22);
-  const float R_det_cofactor_1 = R_det_above_1 - R_det_below_1;
-  const float R_det_above_2 = KSL_MULF(R->m10, R->m21);
-  const float R_det_below_2 = KSL_MULF(R->m11, R->m20);
-  const float R_det_cofactor_2 = R_det_above_2 - R_det_below_2;
-  const float R_det_product_0 = KSL_MULF(R->m00, R_det_cofactor_0);
-  const float R_det_product_1 = KSL_MULF(R->m01, R_det_cofactor_1);
-  const float R_det_product_2 = KSL_MULF(R->m02, R_det_cofactor_2);
-  const float R_det_sum_0 = R_det_product_0 + R_det_product_1;
-  const float R_det_sum_1 = R_det_sum_0 + R_det_product_2;
-  const float R_det_off = R_det_sum_1 - 1.0f;
-  const float R_det_size = fabsf(R_det_off);
-  const float R_column_00_product_0 = KSL_MULF(R->m00, R->m00);
-  const float R_column_00_product_1 = KSL_MULF(R->m10, R->m10);
-  const float R_column_00_product_2 = KSL_MULF(R->m20, R->m20);
-  const float R_column_00_sum_0 = R_column_00_product_0 + R_column_00_product_1;
-  const float R_column_00_sum_1 = R_column_00_sum_0 + R_column_00_product_2;
-  const float R_column_00_off = R_column_00_sum_1 - 1.0f;
-  const float R_column_00_size = fabsf(R_column_00_off);
-  const float R_column_00_largest = R_det_size < R_column_00_size ? R_column_00_size : R_det_size;
-  const float R_column_11_product_0 = KSL_MULF(R->m01, R->m01);
-  const float R_column_11_product_1 = KSL_MULF(R->m11, R->m11);
-  const float R_column_11_product_2 = KSL_MULF(R->m21, R->m21);
-  const float R_column_11_sum_0 = R_column_11_product_0 + R_column_11_product_1;
-  const float R_column_11_sum_1 = R_column_11_sum_0 + R_column_11_product_2;
-  const float R_column_11_off = R_column_11_sum_1 - 1.0f;
-  const float R_column_11_size = fabsf(R_column_11_off);
-  const float R_column_11_largest = R_column_00_largest < R_column_11_size ? R_column_11_size :
-      R_column_00_largest;
-  const float R_column_22_product_0 = KSL_MULF(R->m02, R->m02);
-  const float R_column_22_product_1 = KSL_MULF(R->m12, R->m12);
-  const float R_column_22_product_2 = KSL_MULF(R->m22, R->m22);
-  const float R_column_22_sum_0 = R_column_22_product_0 + R_column_22_product_1;
-  const float R_column_22_sum_1 = R_column_22_sum_0 + R_column_22_product_2;
-  const float R_column_22_off = R_column_22_sum_1 - 1.0f;
-  const float R_column_22_size = fabsf(R_column_22_off);
-  const float R_column_22_largest = R_column_11_largest < R_column_22_size ? R_column_22_size :
-      R_column_11_largest;
-  const float R_column_01_product_0 = KSL_MULF(R->m00, R->m01);
-  const float R_column_01_product_1 = KSL_MULF(R->m10, R->m11);
-  const float R_column_01_product_2 = KSL_MULF(R->m20, R->m21);
-  const float R_column_01_sum_0 = R_column_01_product_0 + R_column_01_product_1;
-  const float R_column_01_sum_1 = R_column_01_sum_0 + R_column_01_product_2;
-  const float R_column_01_off = R_column_01_sum_1 - 0.0f;
-  const float R_column_01_size = fabsf(R_column_01_off);
-  const float R_column_01_largest = R_column_22_largest < R_column_01_size ? R_column_01_size :
-      R_column_22_largest;
-  const float R_column_02_product_0 = KSL_MULF(R->m00, R->m02);
-  const float R_column_02_product_1 = KSL_MULF(R->m10, R->m12);
-  const float R_column_02_product_2 = KSL_MULF(R->m20, R->m22);
-  const float R_column_02_sum_0 = R_column_02_product_0 + R_column_02_product_1;
-  const float R_column_02_sum_1 = R_column_02_sum_0 + R_column_02_product_2;
-  const float R_column_02_off = R_column_02_sum_1 - 0.0f;
-  const float R_column_02_size = fabsf(R_column_02_off);
-  const float R_column_02_largest = R_column_01_largest < R_column_02_size ? R_column_02_size :
-      R_column_01_largest;
-  const float R_column_12_product_0 = KSL_MULF(R->m01, R->m02);
-  const float R_column_12_product_1 = KSL_MULF(R->m11, R->m12);
-  const float R_column_12_product_2 = KSL_MULF(R->m21, R->m22);
-  const float R_column_12_sum_0 = R_column_12_product_0 + R_column_12_product_1;
-  const float R_column_12_sum_1 = R_column_12_sum_0 + R_column_12_product_2;
-  const float R_column_12_off = R_column_12_sum_1 - 0.0f;
-  const float R_column_12_size = fabsf(R_column_12_off);
-  const float R_column_12_largest = R_column_02_largest < R_column_12_size ? R_column_12_size :
-      R_column_02_largest;
-  const float R_unless_rotation = R_column_12_largest < 0.001f ? 0.0f : 1.2676506e+30f;
+  const float R_n_0a = KSL_MULF(R->m11, R->m22), R_n_0b = KSL_MULF(R->m12, R->m21),
+      R_n_0 = R_n_0a - R_n_0b;
+  const float R_n_1a = KSL_MULF(R->m02, R->m21), R_n_1b = KSL_MULF(R->m01, R->m22),
+      R_n_1 = R_n_1a - R_n_1b;
+  const float R_n_2a = KSL_MULF(R->m01, R->m12), R_n_2b = KSL_MULF(R->m02, R->m11),
+      R_n_2 = R_n_2a - R_n_2b;
+  const float R_det_a = KSL_MULF(R->m00, R_n_0), R_det_b = KSL_MULF(R->m10, R_n_1),
+      R_det_c = R_det_a + R_det_b, R_det_d = KSL_MULF(R->m20, R_n_2), R_det = R_det_c + R_det_d;
+  const float R_g_0a = KSL_MULF(R->m00, R->m00), R_g_0b = KSL_MULF(R->m10, R->m10),
+      R_g_0c = R_g_0a + R_g_0b, R_g_0d = KSL_MULF(R->m20, R->m20), R_g_0 = R_g_0c + R_g_0d;
+  const float R_g_1a = KSL_MULF(R->m00, R->m01), R_g_1b = KSL_MULF(R->m10, R->m11),
+      R_g_1c = R_g_1a + R_g_1b, R_g_1d = KSL_MULF(R->m20, R->m21), R_g_1 = R_g_1c + R_g_1d;
+  const float R_g_2a = KSL_MULF(R->m00, R->m02), R_g_2b = KSL_MULF(R->m10, R->m12),
+      R_g_2c = R_g_2a + R_g_2b, R_g_2d = KSL_MULF(R->m20, R->m22), R_g_2 = R_g_2c + R_g_2d;
+  const float R_g_3a = KSL_MULF(R->m01, R->m01), R_g_3b = KSL_MULF(R->m11, R->m11),
+      R_g_3c = R_g_3a + R_g_3b, R_g_3d = KSL_MULF(R->m21, R->m21), R_g_3 = R_g_3c + R_g_3d;
+  const float R_g_4a = KSL_MULF(R->m01, R->m02), R_g_4b = KSL_MULF(R->m11, R->m12),
+      R_g_4c = R_g_4a + R_g_4b, R_g_4d = KSL_MULF(R->m21, R->m22), R_g_4 = R_g_4c + R_g_4d;
+  const float R_g_5a = KSL_MULF(R->m02, R->m02), R_g_5b = KSL_MULF(R->m12, R->m12),
+      R_g_5c = R_g_5a + R_g_5b, R_g_5d = KSL_MULF(R->m22, R->m22), R_g_5 = R_g_5c + R_g_5d;
+  const float R_off_0 = R_det - 1.0f;
+  const float R_off_1 = R_g_0 - 1.0f;
+  const float R_off_4 = R_g_3 - 1.0f;
+  const float R_off_6 = R_g_5 - 1.0f;
+  const float R_defect_size_0 = fabsf(R_off_0);
+  const float R_defect_size_1 = fabsf(R_off_1);
+  const float R_defect_size_2 = fabsf(R_g_1);
+  const float R_defect_size_3 = fabsf(R_g_2);
+  const float R_defect_size_4 = fabsf(R_off_4);
+  const float R_defect_size_5 = fabsf(R_g_4);
+  const float R_defect_size_6 = fabsf(R_off_6);
+  const float R_defect_largest1 = R_defect_size_0 < R_defect_size_1 ? R_defect_size_1 :
+      R_defect_size_0;
+  const float R_defect_largest2 = R_defect_largest1 < R_defect_size_2 ? R_defect_size_2 :
+      R_defect_largest1;
+  const float R_defect_largest3 = R_defect_largest2 < R_defect_size_3 ? R_defect_size_3 :
+      R_defect_largest2;
+  const float R_defect_largest4 = R_defect_largest3 < R_defect_size_4 ? R_defect_size_4 :
+      R_defect_largest3;
+  const float R_defect_largest5 = R_defect_largest4 < R_defect_size_5 ? R_defect_size_5 :
+      R_defect_largest4;
+  const float R_defect_largest6 = R_defect_largest5 < R_defect_size_6 ? R_defect_size_6 :
+      R_defect_largest5;
+  const float R_unless_equal = R_defect_largest6 == 0.001f ? 0.0f : 1.2676506e+30f;
+  const float R_unless_rotation = R_defect_largest6 < 0.001f ? 0.0f : R_unless_equal;
   const float R_excess = KSL_MULF(R_unless_rotation, 1.2676506e+30f);
   const float R_excess_0 = angles_bound_3 + R_excess;
   const float R_excess_1 = angles_bound_4 + R_excess;
@@ -2234,8 +2192,8 @@ static inline void ksl_mat3x3f_from_euler_xyx_certified(const ksl_vec3f_t *angle
 /* angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in [0,
      π]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; angles, angles_bound: vector.
-   350 mul, 575 add, 45 product error, 6 product rest, 27 div, 2 sqrt, 3 neg, 66 abs, 12
-     copysign, 59 less, 13 equal, 105 select. */
+   353 mul, 588 add, 45 product error, 6 product rest, 27 div, 2 sqrt, 3 neg, 72 abs, 12
+     copysign, 61 less, 14 equal, 110 select. */
 static inline void ksl_euler_xyx_from_mat3x3f_certified(const ksl_mat3x3f_t *R,
     ksl_vec3f_t *angles, ksl_vec3f_t *angles_bound) {
   const float n_a = KSL_MULF(R->m01, R->m01), n_a_size_1 = fabsf(R->m01),
@@ -2340,14 +2298,67 @@ static inline void ksl_euler_xyx_from_mat3x3f_certified(const ksl_mat3x3f_t *R,
       left_cross_2 = left_2a_cross2_1 - left_2b_cross2_1,
       left_lo1_2 = left_left_rest_2 - left_right_rest_2, left_lo_2 = left_lo1_2 + left_cross_2,
       left_size_2 = left_2a_size_2 + left_2b_size_2;
-  const float angles_0 = ksl_atan2f(left_2, left_1),
-      angles_own_error_1 = ksl_atan2_errorf(left_2, left_1, angles_0),
-      angles_size0_1 = fabsf(left_2), angles_size1_1 = fabsf(left_1),
+  const float rest = R->m10 + R->m20, rest_right_1 = rest - R->m10,
+      rest_left_1 = rest - rest_right_1, rest_left_rest_1 = R->m10 - rest_left_1,
+      rest_right_rest_1 = R->m20 - rest_right_1, rest_lo = rest_left_rest_1 + rest_right_rest_1,
+      rest_size_1 = fabsf(R->m10), rest_size_2 = fabsf(R->m20),
+      rest_size_3 = rest_size_1 + rest_size_2;
+  const float first = ksl_atan2f(left_2, left_1),
+      first_own_error_1 = ksl_atan2_errorf(left_2, left_1, first), first_size0_1 = fabsf(left_2),
+      first_size1_1 = fabsf(left_1),
+      first_most_1 = first_size0_1 < first_size1_1 ? first_size1_1 : first_size0_1,
+      first_divisor_1 = first_most_1 == 0.0f ? 1.0f : first_most_1,
+      first_part0_1 = left_2 / first_divisor_1, first_part1_1 = left_1 / first_divisor_1,
+      first_cross1_1 = KSL_MULF(first_part1_1, left_lo_2),
+      first_cross2_1 = KSL_MULF(first_part0_1, left_lo_1),
+      first_square1_1 = KSL_MULF(first_part1_1, first_part1_1),
+      first_square2_1 = KSL_MULF(first_part0_1, first_part0_1),
+      first_cross_1 = first_cross1_1 - first_cross2_1,
+      first_square_1 = first_square1_1 + first_square2_1,
+      first_divisor2_1 = KSL_MULF(first_divisor_1, first_square_1),
+      first_safe_1 = first_most_1 == 0.0f ? 1.0f : first_divisor2_1,
+      first_more_1 = first_cross_1 / first_safe_1, first_lo = first_own_error_1 + first_more_1,
+      first_size_1 = fabsf(first), first_padded_1 = 3.3087225e-24f + left_size_2,
+      first_padded_2 = 3.3087225e-24f + left_size_1, first_size_2 = fabsf(left_2),
+      first_size_3 = fabsf(left_1),
+      first_size_5 = first_size_2 < first_size_3 ? first_size_3 : first_size_2,
+      first_error_1 = fabsf(left_lo_2), first_rest_1 = KSL_MULF(3.2294905e-12f, first_padded_1),
+      first_bound_1 = first_error_1 + first_rest_1, first_error_2 = fabsf(left_lo_1),
+      first_rest_2 = KSL_MULF(3.2294905e-12f, first_padded_2),
+      first_bound_2 = first_error_2 + first_rest_2, first_size_6 = 3.3087225e-24f + first_bound_1,
+      first_size_7 = first_bound_2 + first_size_6, first_size_8 = first_padded_1 + first_padded_2,
+      first_size_9 = first_size_8 / first_size_5, first_size_10 = first_size_1 + first_size_9,
+      first_size_11 = first_size_7 / first_size_5,
+      first_size_13 = KSL_MULF(first_size_11, first_size_11), first_size_14 = fabsf(first_lo),
+      first_size_15 = 7.0f + first_size_14,
+      first_size_18 = first_bound_2 < left_1 ? first_size_13 : first_size_15,
+      first_size_19 = first_bound_1 < first_size_2 ? first_size_13 : first_size_18,
+      first_size_20 = first_size_11 < 0.25f ? first_size_19 : first_size_15,
+      first_size_21 = KSL_MULF(1.5707134e+11f, first_size_20),
+      first_size_22 = first_size_10 + first_size_21;
+  const float angles_0 = rest < 1.2676506e+30f ? first : rest,
+      angles_lo_1 = rest < 1.2676506e+30f ? first_lo : rest_lo,
+      angles_size_1 = rest < 1.2676506e+30f ? first_size_22 : rest_size_3,
+      angles_error_1 = fabsf(rest_lo), angles_padded_1 = 3.3087225e-24f + rest_size_3,
+      angles_rest_1 = KSL_MULF(2.2026954e-13f, angles_padded_1),
+      angles_bound_1 = angles_error_1 + angles_rest_1, angles_size_2 = rest - 1.2676506e+30f,
+      angles_size_3 = fabsf(angles_size_2), angles_size_5 = first - rest,
+      angles_size_6 = fabsf(angles_size_5), angles_padded_2 = 3.3087225e-24f + first_size_22,
+      angles_rest_2 = KSL_MULF(6.565516e-12f, angles_padded_2),
+      angles_bound_2 = angles_rest_2 + first_size_14,
+      angles_size_7 = angles_bound_2 + angles_size_6,
+      angles_size_8 = angles_bound_1 + angles_size_7,
+      angles_size_9 = angles_bound_1 < angles_size_3 ? 0.0f : angles_size_8,
+      angles_size_10 = KSL_MULF(1.570713e+11f, angles_size_9),
+      angles_size_11 = angles_size_1 + angles_size_10;
+  const float angles_1 = ksl_atan2f(n, R->m00),
+      angles_own_error_1 = ksl_atan2_errorf(n, R->m00, angles_1), angles_size0_1 = fabsf(n),
+      angles_size1_1 = fabsf(R->m00),
       angles_most_1 = angles_size0_1 < angles_size1_1 ? angles_size1_1 : angles_size0_1,
       angles_divisor_1 = angles_most_1 == 0.0f ? 1.0f : angles_most_1,
-      angles_part0_1 = left_2 / angles_divisor_1, angles_part1_1 = left_1 / angles_divisor_1,
-      angles_cross1_1 = KSL_MULF(angles_part1_1, left_lo_2),
-      angles_cross2_1 = KSL_MULF(angles_part0_1, left_lo_1),
+      angles_part0_1 = n / angles_divisor_1, angles_part1_1 = R->m00 / angles_divisor_1,
+      angles_cross1_1 = KSL_MULF(angles_part1_1, n_lo),
+      angles_cross2_1 = KSL_MULF(angles_part0_1, 0.0f),
       angles_square1_1 = KSL_MULF(angles_part1_1, angles_part1_1),
       angles_square2_1 = KSL_MULF(angles_part0_1, angles_part0_1),
       angles_cross_1 = angles_cross1_1 - angles_cross2_1,
@@ -2355,137 +2366,77 @@ static inline void ksl_euler_xyx_from_mat3x3f_certified(const ksl_mat3x3f_t *R,
       angles_divisor2_1 = KSL_MULF(angles_divisor_1, angles_square_1),
       angles_safe_1 = angles_most_1 == 0.0f ? 1.0f : angles_divisor2_1,
       angles_more_1 = angles_cross_1 / angles_safe_1,
-      angles_lo_1 = angles_own_error_1 + angles_more_1, angles_size_1 = fabsf(angles_0),
-      angles_padded_1 = 3.3087225e-24f + left_size_2,
-      angles_padded_2 = 3.3087225e-24f + left_size_1, angles_size_2 = fabsf(left_2),
-      angles_size_3 = fabsf(left_1),
-      angles_size_5 = angles_size_2 < angles_size_3 ? angles_size_3 : angles_size_2,
-      angles_error_1 = fabsf(left_lo_2), angles_rest_1 = KSL_MULF(3.2294905e-12f, angles_padded_1),
-      angles_bound_1 = angles_error_1 + angles_rest_1, angles_error_2 = fabsf(left_lo_1),
-      angles_rest_2 = KSL_MULF(3.2294905e-12f, angles_padded_2),
-      angles_bound_2 = angles_error_2 + angles_rest_2,
-      angles_size_6 = 3.3087225e-24f + angles_bound_1,
-      angles_size_7 = angles_bound_2 + angles_size_6,
-      angles_size_8 = angles_padded_1 + angles_padded_2,
-      angles_size_9 = angles_size_8 / angles_size_5, angles_size_10 = angles_size_1 + angles_size_9,
-      angles_size_11 = angles_size_7 / angles_size_5,
-      angles_size_13 = KSL_MULF(angles_size_11, angles_size_11),
-      angles_size_14 = fabsf(angles_lo_1), angles_size_15 = 7.0f + angles_size_14,
-      angles_size_18 = angles_bound_2 < left_1 ? angles_size_13 : angles_size_15,
-      angles_size_19 = angles_bound_1 < angles_size_2 ? angles_size_13 : angles_size_18,
-      angles_size_20 = angles_size_11 < 0.25f ? angles_size_19 : angles_size_15,
-      angles_size_21 = KSL_MULF(1.5707134e+11f, angles_size_20),
-      angles_size_22 = angles_size_10 + angles_size_21;
-  const float angles_1 = ksl_atan2f(n, R->m00),
-      angles_own_error_2 = ksl_atan2_errorf(n, R->m00, angles_1), angles_size0_2 = fabsf(n),
-      angles_size1_2 = fabsf(R->m00),
-      angles_most_2 = angles_size0_2 < angles_size1_2 ? angles_size1_2 : angles_size0_2,
-      angles_divisor_2 = angles_most_2 == 0.0f ? 1.0f : angles_most_2,
-      angles_part0_2 = n / angles_divisor_2, angles_part1_2 = R->m00 / angles_divisor_2,
-      angles_cross1_2 = KSL_MULF(angles_part1_2, n_lo),
-      angles_cross2_2 = KSL_MULF(angles_part0_2, 0.0f),
-      angles_square1_2 = KSL_MULF(angles_part1_2, angles_part1_2),
-      angles_square2_2 = KSL_MULF(angles_part0_2, angles_part0_2),
-      angles_cross_2 = angles_cross1_2 - angles_cross2_2,
-      angles_square_2 = angles_square1_2 + angles_square2_2,
-      angles_divisor2_2 = KSL_MULF(angles_divisor_2, angles_square_2),
-      angles_safe_2 = angles_most_2 == 0.0f ? 1.0f : angles_divisor2_2,
-      angles_more_2 = angles_cross_2 / angles_safe_2,
-      angles_lo_2 = angles_own_error_2 + angles_more_2, angles_size_23 = fabsf(angles_1),
-      angles_size_24 = fabsf(R->m00), angles_padded_3 = 3.3087225e-24f + angles_size_24,
-      angles_size_25 = fabsf(n),
-      angles_size_27 = angles_size_25 < angles_size_24 ? angles_size_24 : angles_size_25,
-      angles_size_28 = 3.3087225e-24f + divisor_bound_1,
-      angles_size_29 = angles_padded_3 + divisor_padded_1,
-      angles_size_30 = angles_size_29 / angles_size_27,
-      angles_size_31 = angles_size_23 + angles_size_30,
-      angles_size_32 = angles_size_28 / angles_size_27,
-      angles_size_34 = KSL_MULF(angles_size_32, angles_size_32),
-      angles_size_35 = fabsf(angles_lo_2), angles_size_36 = 7.0f + angles_size_35,
-      angles_size_39 = 0.0f < R->m00 ? angles_size_34 : angles_size_36,
-      angles_size_40 = divisor_bound_1 < angles_size_25 ? angles_size_34 : angles_size_39,
-      angles_size_41 = angles_size_32 < 0.25f ? angles_size_40 : angles_size_36,
-      angles_size_42 = KSL_MULF(2.7487632e+11f, angles_size_41),
-      angles_size_43 = angles_size_31 + angles_size_42;
-  const float angles_padded_4 = 3.3087225e-24f + angles_size_22,
-      angles_rest_3 = KSL_MULF(6.565516e-12f, angles_padded_4),
-      angles_bound_3 = angles_rest_3 + angles_size_14,
-      angles_padded_5 = 3.3087225e-24f + angles_size_43,
+      angles_lo_2 = angles_own_error_1 + angles_more_1, angles_size_12 = fabsf(angles_1),
+      angles_size_13 = fabsf(R->m00), angles_padded_3 = 3.3087225e-24f + angles_size_13,
+      angles_size_14 = fabsf(n),
+      angles_size_16 = angles_size_14 < angles_size_13 ? angles_size_13 : angles_size_14,
+      angles_size_17 = 3.3087225e-24f + divisor_bound_1,
+      angles_size_18 = angles_padded_3 + divisor_padded_1,
+      angles_size_19 = angles_size_18 / angles_size_16,
+      angles_size_20 = angles_size_12 + angles_size_19,
+      angles_size_21 = angles_size_17 / angles_size_16,
+      angles_size_23 = KSL_MULF(angles_size_21, angles_size_21),
+      angles_size_24 = fabsf(angles_lo_2), angles_size_25 = 7.0f + angles_size_24,
+      angles_size_28 = 0.0f < R->m00 ? angles_size_23 : angles_size_25,
+      angles_size_29 = divisor_bound_1 < angles_size_14 ? angles_size_23 : angles_size_28,
+      angles_size_30 = angles_size_21 < 0.25f ? angles_size_29 : angles_size_25,
+      angles_size_31 = KSL_MULF(2.7487632e+11f, angles_size_30),
+      angles_size_32 = angles_size_20 + angles_size_31;
+  const float angles_error_2 = fabsf(angles_lo_1),
+      angles_padded_4 = 3.3087225e-24f + angles_size_11,
+      angles_rest_3 = KSL_MULF(6.5655177e-12f, angles_padded_4),
+      angles_bound_3 = angles_error_2 + angles_rest_3,
+      angles_padded_5 = 3.3087225e-24f + angles_size_32,
       angles_rest_4 = KSL_MULF(3.751704e-12f, angles_padded_5),
-      angles_bound_4 = angles_rest_4 + angles_size_35, third_error_2 = fabsf(third_lo),
+      angles_bound_4 = angles_rest_4 + angles_size_24, third_error_2 = fabsf(third_lo),
       third_padded_2 = 3.3087225e-24f + third_size_7,
       third_rest_2 = KSL_MULF(1.8758445e-12f, third_padded_2),
       third_bound_2 = third_error_2 + third_rest_2;
-  const float R_det_above_0 = KSL_MULF(R->m11, R->m22);
-  const float R_det_below_0 = KSL_MULF(R->m12, R->m21);
-  const float R_det_cofactor_0 = R_det_above_0 - R_det_below_0;
-  const float R_det_above_1 = KSL_MULF(R->m12, R->m20);
-  const float R_det_below_1 = KSL_MULF(R->m10, R->m22);
-  const float R_det_cofactor_1 = R_det_above_1 - R_det_below_1;
-  const float R_det_above_2 = KSL_MULF(R->m10, R->m21);
-  const float R_det_below_2 = KSL_MULF(R->m11, R->m20);
-  const float R_det_cofactor_2 = R_det_above_2 - R_det_below_2;
-  const float R_det_product_0 = KSL_MULF(R->m00, R_det_cofactor_0);
-  const float R_det_product_1 = KSL_MULF(R->m01, R_det_cofactor_1);
-  const float R_det_product_2 = KSL_MULF(R->m02, R_det_cofactor_2);
-  const float R_det_sum_0 = R_det_product_0 + R_det_product_1;
-  const float R_det_sum_1 = R_det_sum_0 + R_det_product_2;
-  const float R_det_off = R_det_sum_1 - 1.0f;
-  const float R_det_size = fabsf(R_det_off);
-  const float R_column_00_product_0 = KSL_MULF(R->m00, R->m00);
-  const float R_column_00_product_1 = KSL_MULF(R->m10, R->m10);
-  const float R_column_00_product_2 = KSL_MULF(R->m20, R->m20);
-  const float R_column_00_sum_0 = R_column_00_product_0 + R_column_00_product_1;
-  const float R_column_00_sum_1 = R_column_00_sum_0 + R_column_00_product_2;
-  const float R_column_00_off = R_column_00_sum_1 - 1.0f;
-  const float R_column_00_size = fabsf(R_column_00_off);
-  const float R_column_00_largest = R_det_size < R_column_00_size ? R_column_00_size : R_det_size;
-  const float R_column_11_product_0 = KSL_MULF(R->m01, R->m01);
-  const float R_column_11_product_1 = KSL_MULF(R->m11, R->m11);
-  const float R_column_11_product_2 = KSL_MULF(R->m21, R->m21);
-  const float R_column_11_sum_0 = R_column_11_product_0 + R_column_11_product_1;
-  const float R_column_11_sum_1 = R_column_11_sum_0 + R_column_11_product_2;
-  const float R_column_11_off = R_column_11_sum_1 - 1.0f;
-  const float R_column_11_size = fabsf(R_column_11_off);
-  const float R_column_11_largest = R_column_00_largest < R_column_11_size ? R_column_11_size :
-      R_column_00_largest;
-  const float R_column_22_product_0 = KSL_MULF(R->m02, R->m02);
-  const float R_column_22_product_1 = KSL_MULF(R->m12, R->m12);
-  const float R_column_22_product_2 = KSL_MULF(R->m22, R->m22);
-  const float R_column_22_sum_0 = R_column_22_product_0 + R_column_22_product_1;
-  const float R_column_22_sum_1 = R_column_22_sum_0 + R_column_22_product_2;
-  const float R_column_22_off = R_column_22_sum_1 - 1.0f;
-  const float R_column_22_size = fabsf(R_column_22_off);
-  const float R_column_22_largest = R_column_11_largest < R_column_22_size ? R_column_22_size :
-      R_column_11_largest;
-  const float R_column_01_product_0 = KSL_MULF(R->m00, R->m01);
-  const float R_column_01_product_1 = KSL_MULF(R->m10, R->m11);
-  const float R_column_01_product_2 = KSL_MULF(R->m20, R->m21);
-  const float R_column_01_sum_0 = R_column_01_product_0 + R_column_01_product_1;
-  const float R_column_01_sum_1 = R_column_01_sum_0 + R_column_01_product_2;
-  const float R_column_01_off = R_column_01_sum_1 - 0.0f;
-  const float R_column_01_size = fabsf(R_column_01_off);
-  const float R_column_01_largest = R_column_22_largest < R_column_01_size ? R_column_01_size :
-      R_column_22_largest;
-  const float R_column_02_product_0 = KSL_MULF(R->m00, R->m02);
-  const float R_column_02_product_1 = KSL_MULF(R->m10, R->m12);
-  const float R_column_02_product_2 = KSL_MULF(R->m20, R->m22);
-  const float R_column_02_sum_0 = R_column_02_product_0 + R_column_02_product_1;
-  const float R_column_02_sum_1 = R_column_02_sum_0 + R_column_02_product_2;
-  const float R_column_02_off = R_column_02_sum_1 - 0.0f;
-  const float R_column_02_size = fabsf(R_column_02_off);
-  const float R_column_02_largest = R_column_01_largest < R_column_02_size ? R_column_02_size :
-      R_column_01_largest;
-  const float R_column_12_product_0 = KSL_MULF(R->m01, R->m02);
-  const float R_column_12_product_1 = KSL_MULF(R->m11, R->m12);
-  const float R_column_12_product_2 = KSL_MULF(R->m21, R->m22);
-  const float R_column_12_sum_0 = R_column_12_product_0 + R_column_12_product_1;
-  const float R_column_12_sum_1 = R_column_12_sum_0 + R_column_12_product_2;
-  const float R_column_12_off = R_column_12_sum_1 - 0.0f;
-  const float R_column_12_size = fabsf(R_column_12_off);
-  const float R_column_12_largest = R_column_02_largest < R_column_12_size ? R_column_12_size :
-      R_column_02_largest;
-  const float R_unless_rotation = R_column_12_largest < 0.001f ? 0.0f : 1.2676506e+30f;
+  const float R_n_0a = KSL_MULF(R->m11, R->m22), R_n_0b = KSL_MULF(R->m12, R->m21),
+      R_n_0 = R_n_0a - R_n_0b;
+  const float R_n_1a = KSL_MULF(R->m02, R->m21), R_n_1b = KSL_MULF(R->m01, R->m22),
+      R_n_1 = R_n_1a - R_n_1b;
+  const float R_n_2a = KSL_MULF(R->m01, R->m12), R_n_2b = KSL_MULF(R->m02, R->m11),
+      R_n_2 = R_n_2a - R_n_2b;
+  const float R_det_a = KSL_MULF(R->m00, R_n_0), R_det_b = KSL_MULF(R->m10, R_n_1),
+      R_det_c = R_det_a + R_det_b, R_det_d = KSL_MULF(R->m20, R_n_2), R_det = R_det_c + R_det_d;
+  const float R_g_0a = KSL_MULF(R->m00, R->m00), R_g_0b = KSL_MULF(R->m10, R->m10),
+      R_g_0c = R_g_0a + R_g_0b, R_g_0d = KSL_MULF(R->m20, R->m20), R_g_0 = R_g_0c + R_g_0d;
+  const float R_g_1a = KSL_MULF(R->m00, R->m01), R_g_1b = KSL_MULF(R->m10, R->m11),
+      R_g_1c = R_g_1a + R_g_1b, R_g_1d = KSL_MULF(R->m20, R->m21), R_g_1 = R_g_1c + R_g_1d;
+  const float R_g_2a = KSL_MULF(R->m00, R->m02), R_g_2b = KSL_MULF(R->m10, R->m12),
+      R_g_2c = R_g_2a + R_g_2b, R_g_2d = KSL_MULF(R->m20, R->m22), R_g_2 = R_g_2c + R_g_2d;
+  const float R_g_3a = KSL_MULF(R->m01, R->m01), R_g_3b = KSL_MULF(R->m11, R->m11),
+      R_g_3c = R_g_3a + R_g_3b, R_g_3d = KSL_MULF(R->m21, R->m21), R_g_3 = R_g_3c + R_g_3d;
+  const float R_g_4a = KSL_MULF(R->m01, R->m02), R_g_4b = KSL_MULF(R->m11, R->m12),
+      R_g_4c = R_g_4a + R_g_4b, R_g_4d = KSL_MULF(R->m21, R->m22), R_g_4 = R_g_4c + R_g_4d;
+  const float R_g_5a = KSL_MULF(R->m02, R->m02), R_g_5b = KSL_MULF(R->m12, R->m12),
+      R_g_5c = R_g_5a + R_g_5b, R_g_5d = KSL_MULF(R->m22, R->m22), R_g_5 = R_g_5c + R_g_5d;
+  const float R_off_0 = R_det - 1.0f;
+  const float R_off_1 = R_g_0 - 1.0f;
+  const float R_off_4 = R_g_3 - 1.0f;
+  const float R_off_6 = R_g_5 - 1.0f;
+  const float R_defect_size_0 = fabsf(R_off_0);
+  const float R_defect_size_1 = fabsf(R_off_1);
+  const float R_defect_size_2 = fabsf(R_g_1);
+  const float R_defect_size_3 = fabsf(R_g_2);
+  const float R_defect_size_4 = fabsf(R_off_4);
+  const float R_defect_size_5 = fabsf(R_g_4);
+  const float R_defect_size_6 = fabsf(R_off_6);
+  const float R_defect_largest1 = R_defect_size_0 < R_defect_size_1 ? R_defect_size_1 :
+      R_defect_size_0;
+  const float R_defect_largest2 = R_defect_largest1 < R_defect_size_2 ? R_defect_size_2 :
+      R_defect_largest1;
+  const float R_defect_largest3 = R_defect_largest2 < R_defect_size_3 ? R_defect_size_3 :
+      R_defect_largest2;
+  const float R_defect_largest4 = R_defect_largest3 < R_defect_size_4 ? R_defect_size_4 :
+      R_defect_largest3;
+  const float R_defect_largest5 = R_defect_largest4 < R_defect_size_5 ? R_defect_size_5 :
+      R_defect_largest4;
+  const float R_defect_largest6 = R_defect_largest5 < R_defect_size_6 ? R_defect_size_6 :
+      R_defect_largest5;
+  const float R_unless_equal = R_defect_largest6 == 0.001f ? 0.0f : 1.2676506e+30f;
+  const float R_unless_rotation = R_defect_largest6 < 0.001f ? 0.0f : R_unless_equal;
   const float R_excess = KSL_MULF(R_unless_rotation, 1.2676506e+30f);
   const float R_excess_0 = angles_bound_3 + R_excess;
   const float R_excess_1 = angles_bound_4 + R_excess;
@@ -2675,8 +2626,8 @@ static inline void ksl_mat3x3f_from_axis_angle_certified(const ksl_vec3f_t *axis
 /* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0;
      |error of angle| <= angle_bound, |error of axis| <= axis_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; axis, axis_bound: vector; angle_bound: number.
-   199 mul, 411 add, 18 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 70 abs, 4
-     copysign, 41 less, 6 equal, 110 select. */
+   199 mul, 408 add, 18 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 70 abs, 4
+     copysign, 41 less, 7 equal, 111 select. */
 static inline float ksl_axis_angle_from_mat3x3f_certified(const ksl_mat3x3f_t *R,
     ksl_vec3f_t *axis, float *angle_bound, ksl_vec3f_t *axis_bound) {
   const float p_0 = R->m21 - R->m12, p_right_1 = R->m21 - p_0, p_left_1 = p_0 + p_right_1,
@@ -2985,76 +2936,51 @@ static inline float ksl_axis_angle_from_mat3x3f_certified(const ksl_mat3x3f_t *R
       unit_padded_3 = 3.3087225e-24f + unit_size_25,
       unit_rest_6 = KSL_MULF(5.367124e-12f, unit_padded_3),
       unit_bound_3 = unit_error_3 + unit_rest_6;
-  const float R_det_above_0 = KSL_MULF(R->m11, R->m22);
-  const float R_det_below_0 = KSL_MULF(R->m12, R->m21);
-  const float R_det_cofactor_0 = R_det_above_0 - R_det_below_0;
-  const float R_det_above_1 = KSL_MULF(R->m12, R->m20);
-  const float R_det_below_1 = KSL_MULF(R->m10, R->m22);
-  const float R_det_cofactor_1 = R_det_above_1 - R_det_below_1;
-  const float R_det_above_2 = KSL_MULF(R->m10, R->m21);
-  const float R_det_below_2 = KSL_MULF(R->m11, R->m20);
-  const float R_det_cofactor_2 = R_det_above_2 - R_det_below_2;
-  const float R_det_product_0 = KSL_MULF(R->m00, R_det_cofactor_0);
-  const float R_det_product_1 = KSL_MULF(R->m01, R_det_cofactor_1);
-  const float R_det_product_2 = KSL_MULF(R->m02, R_det_cofactor_2);
-  const float R_det_sum_0 = R_det_product_0 + R_det_product_1;
-  const float R_det_sum_1 = R_det_sum_0 + R_det_product_2;
-  const float R_det_off = R_det_sum_1 - 1.0f;
-  const float R_det_size = fabsf(R_det_off);
-  const float R_column_00_product_0 = KSL_MULF(R->m00, R->m00);
-  const float R_column_00_product_1 = KSL_MULF(R->m10, R->m10);
-  const float R_column_00_product_2 = KSL_MULF(R->m20, R->m20);
-  const float R_column_00_sum_0 = R_column_00_product_0 + R_column_00_product_1;
-  const float R_column_00_sum_1 = R_column_00_sum_0 + R_column_00_product_2;
-  const float R_column_00_off = R_column_00_sum_1 - 1.0f;
-  const float R_column_00_size = fabsf(R_column_00_off);
-  const float R_column_00_largest = R_det_size < R_column_00_size ? R_column_00_size : R_det_size;
-  const float R_column_11_product_0 = KSL_MULF(R->m01, R->m01);
-  const float R_column_11_product_1 = KSL_MULF(R->m11, R->m11);
-  const float R_column_11_product_2 = KSL_MULF(R->m21, R->m21);
-  const float R_column_11_sum_0 = R_column_11_product_0 + R_column_11_product_1;
-  const float R_column_11_sum_1 = R_column_11_sum_0 + R_column_11_product_2;
-  const float R_column_11_off = R_column_11_sum_1 - 1.0f;
-  const float R_column_11_size = fabsf(R_column_11_off);
-  const float R_column_11_largest = R_column_00_largest < R_column_11_size ? R_column_11_size :
-      R_column_00_largest;
-  const float R_column_22_product_0 = KSL_MULF(R->m02, R->m02);
-  const float R_column_22_product_1 = KSL_MULF(R->m12, R->m12);
-  const float R_column_22_product_2 = KSL_MULF(R->m22, R->m22);
-  const float R_column_22_sum_0 = R_column_22_product_0 + R_column_22_product_1;
-  const float R_column_22_sum_1 = R_column_22_sum_0 + R_column_22_product_2;
-  const float R_column_22_off = R_column_22_sum_1 - 1.0f;
-  const float R_column_22_size = fabsf(R_column_22_off);
-  const float R_column_22_largest = R_column_11_largest < R_column_22_size ? R_column_22_size :
-      R_column_11_largest;
-  const float R_column_01_product_0 = KSL_MULF(R->m00, R->m01);
-  const float R_column_01_product_1 = KSL_MULF(R->m10, R->m11);
-  const float R_column_01_product_2 = KSL_MULF(R->m20, R->m21);
-  const float R_column_01_sum_0 = R_column_01_product_0 + R_column_01_product_1;
-  const float R_column_01_sum_1 = R_column_01_sum_0 + R_column_01_product_2;
-  const float R_column_01_off = R_column_01_sum_1 - 0.0f;
-  const float R_column_01_size = fabsf(R_column_01_off);
-  const float R_column_01_largest = R_column_22_largest < R_column_01_size ? R_column_01_size :
-      R_column_22_largest;
-  const float R_column_02_product_0 = KSL_MULF(R->m00, R->m02);
-  const float R_column_02_product_1 = KSL_MULF(R->m10, R->m12);
-  const float R_column_02_product_2 = KSL_MULF(R->m20, R->m22);
-  const float R_column_02_sum_0 = R_column_02_product_0 + R_column_02_product_1;
-  const float R_column_02_sum_1 = R_column_02_sum_0 + R_column_02_product_2;
-  const float R_column_02_off = R_column_02_sum_1 - 0.0f;
-  const float R_column_02_size = fabsf(R_column_02_off);
-  const float R_column_02_largest = R_column_01_largest < R_column_02_size ? R_column_02_size :
-      R_column_01_largest;
-  const float R_column_12_product_0 = KSL_MULF(R->m01, R->m02);
-  const float R_column_12_product_1 = KSL_MULF(R->m11, R->m12);
-  const float R_column_12_product_2 = KSL_MULF(R->m21, R->m22);
-  const float R_column_12_sum_0 = R_column_12_product_0 + R_column_12_product_1;
-  const float R_column_12_sum_1 = R_column_12_sum_0 + R_column_12_product_2;
-  const float R_column_12_off = R_column_12_sum_1 - 0.0f;
-  const float R_column_12_size = fabsf(R_column_12_off);
-  const float R_column_12_largest = R_column_02_largest < R_column_12_size ? R_column_12_size :
-      R_column_02_largest;
-  const float R_unless_rotation = R_column_12_largest < 0.001f ? 0.0f : 1.2676506e+30f;
+  const float R_n_0a = KSL_MULF(R->m11, R->m22), R_n_0b = KSL_MULF(R->m12, R->m21),
+      R_n_0 = R_n_0a - R_n_0b;
+  const float R_n_1a = KSL_MULF(R->m02, R->m21), R_n_1b = KSL_MULF(R->m01, R->m22),
+      R_n_1 = R_n_1a - R_n_1b;
+  const float R_n_2a = KSL_MULF(R->m01, R->m12), R_n_2b = KSL_MULF(R->m02, R->m11),
+      R_n_2 = R_n_2a - R_n_2b;
+  const float R_det_a = KSL_MULF(R->m00, R_n_0), R_det_b = KSL_MULF(R->m10, R_n_1),
+      R_det_c = R_det_a + R_det_b, R_det_d = KSL_MULF(R->m20, R_n_2), R_det = R_det_c + R_det_d;
+  const float R_g_0a = KSL_MULF(R->m00, R->m00), R_g_0b = KSL_MULF(R->m10, R->m10),
+      R_g_0c = R_g_0a + R_g_0b, R_g_0d = KSL_MULF(R->m20, R->m20), R_g_0 = R_g_0c + R_g_0d;
+  const float R_g_1a = KSL_MULF(R->m00, R->m01), R_g_1b = KSL_MULF(R->m10, R->m11),
+      R_g_1c = R_g_1a + R_g_1b, R_g_1d = KSL_MULF(R->m20, R->m21), R_g_1 = R_g_1c + R_g_1d;
+  const float R_g_2a = KSL_MULF(R->m00, R->m02), R_g_2b = KSL_MULF(R->m10, R->m12),
+      R_g_2c = R_g_2a + R_g_2b, R_g_2d = KSL_MULF(R->m20, R->m22), R_g_2 = R_g_2c + R_g_2d;
+  const float R_g_3a = KSL_MULF(R->m01, R->m01), R_g_3b = KSL_MULF(R->m11, R->m11),
+      R_g_3c = R_g_3a + R_g_3b, R_g_3d = KSL_MULF(R->m21, R->m21), R_g_3 = R_g_3c + R_g_3d;
+  const float R_g_4a = KSL_MULF(R->m01, R->m02), R_g_4b = KSL_MULF(R->m11, R->m12),
+      R_g_4c = R_g_4a + R_g_4b, R_g_4d = KSL_MULF(R->m21, R->m22), R_g_4 = R_g_4c + R_g_4d;
+  const float R_g_5a = KSL_MULF(R->m02, R->m02), R_g_5b = KSL_MULF(R->m12, R->m12),
+      R_g_5c = R_g_5a + R_g_5b, R_g_5d = KSL_MULF(R->m22, R->m22), R_g_5 = R_g_5c + R_g_5d;
+  const float R_off_0 = R_det - 1.0f;
+  const float R_off_1 = R_g_0 - 1.0f;
+  const float R_off_4 = R_g_3 - 1.0f;
+  const float R_off_6 = R_g_5 - 1.0f;
+  const float R_defect_size_0 = fabsf(R_off_0);
+  const float R_defect_size_1 = fabsf(R_off_1);
+  const float R_defect_size_2 = fabsf(R_g_1);
+  const float R_defect_size_3 = fabsf(R_g_2);
+  const float R_defect_size_4 = fabsf(R_off_4);
+  const float R_defect_size_5 = fabsf(R_g_4);
+  const float R_defect_size_6 = fabsf(R_off_6);
+  const float R_defect_largest1 = R_defect_size_0 < R_defect_size_1 ? R_defect_size_1 :
+      R_defect_size_0;
+  const float R_defect_largest2 = R_defect_largest1 < R_defect_size_2 ? R_defect_size_2 :
+      R_defect_largest1;
+  const float R_defect_largest3 = R_defect_largest2 < R_defect_size_3 ? R_defect_size_3 :
+      R_defect_largest2;
+  const float R_defect_largest4 = R_defect_largest3 < R_defect_size_4 ? R_defect_size_4 :
+      R_defect_largest3;
+  const float R_defect_largest5 = R_defect_largest4 < R_defect_size_5 ? R_defect_size_5 :
+      R_defect_largest4;
+  const float R_defect_largest6 = R_defect_largest5 < R_defect_size_6 ? R_defect_size_6 :
+      R_defect_largest5;
+  const float R_unless_equal = R_defect_largest6 == 0.001f ? 0.0f : 1.2676506e+30f;
+  const float R_unless_rotation = R_defect_largest6 < 0.001f ? 0.0f : R_unless_equal;
   const float R_excess = KSL_MULF(R_unless_rotation, 1.2676506e+30f);
   const float R_excess_0 = angle_bound_1 + R_excess;
   const float R_excess_1 = axis_bound_2 + R_excess;
