@@ -6,14 +6,16 @@ every operation once give the same bits; XLA contracts a b + c, and may move the
 
 import operator
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from functools import partial
 from typing import Any, TypeAlias
 
+from coscrew_codegen.arrays.deciding import deciding
 from coscrew_codegen.arrays.standard import Library
 from coscrew_codegen.elementary import ELEMENTARY, Elementary
 from coscrew_codegen.elementary.calls import FUNCTION_OF
 from coscrew_codegen.formats import Precision
-from coscrew_codegen.program import Constant, Op, Program
+from coscrew_codegen.program import Constant, Instruction, Op, Program
 from coscrew_codegen.program.in_python import in_python
 from coscrew_codegen.program.interpreter import Arithmetic, by_operation
 from coscrew_codegen.program.two_over_pi import chunks
@@ -24,12 +26,26 @@ Functions: TypeAlias = Callable[[Sequence[Sequence[Array]]], list[Array]]
 """From the components of each input to those of the results."""
 
 
-def arithmetic(library: Library, precision: Precision) -> Arithmetic[Array]:
+def arithmetic(library: Library, precision: Precision, program: Program) -> Arithmetic[Array]:
     """What interprets a plain Program on arrays of a precision."""
     plain = _plain(library, precision)
     known = {x.name: _function(x, library, precision, plain) for x in ELEMENTARY}
-    return _on_arrays(precision, plain | {op: _one_of(known[FUNCTION_OF[op]], number) for op, number
-                                          in _PLACES.items()})
+    numbers = _on_arrays(precision, plain | {
+        op: _one_of(known[FUNCTION_OF[op]], number) for op, number in _PLACES.items()})
+    return _decided_once(numbers, program) if library.traced else numbers
+
+
+def _decided_once(numbers: Arithmetic[Array], program: Program) -> Arithmetic[Array]:
+    """The same, with one result of every comparison, wherever XLA computes it."""
+    from coscrew_codegen.arrays.once import once
+
+    names = deciding(program)
+
+    def function(step: Instruction, number: int) -> Callable[..., Array]:
+        computed = numbers.function(step, number)
+        return (lambda *x: once(computed(*x))) if step.name in names else computed
+
+    return replace(numbers, function=function)
 
 
 _PLACES = {Op.SIN: 0, Op.COS: 1, Op.EXP: 0, Op.TANH: 0, Op.ATAN2: 0}

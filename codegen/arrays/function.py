@@ -72,7 +72,7 @@ class ArrayFunction:
         return self._printed[key]
 
     def _made(self, library: Library, precision: Precision) -> Callable[..., list[Any]]:
-        compute = in_python(self.program, arithmetic(library, precision))
+        compute = in_python(self.program, arithmetic(library, precision, self.program))
         shapes = [shape for _, shape in self.inputs]
 
         def function(*arrays: Any, lead: Shape) -> list[Any]:

@@ -21,6 +21,7 @@ from coscrew_codegen.quantity import (
 
 _R, _angles = Argument("R", MAT3X3, ROTATION), Argument("angles", VEC3, ANGLES)
 
+_LARGE = sp.Integer(2)**100  # no entry of a rotation is as large
 BACKWARD = 12
 """In u: the largest difference of an entry between R and the rotation by the angles; searched."""
 
@@ -42,13 +43,15 @@ def _bound_matrix(axes: tuple[int, int, int], let: Let, angles: sp.Matrix) -> sp
 
 
 def _angles_of(let: Let, R: sp.Matrix, y: sp.Expr, x: sp.Expr, middle: tuple[sp.Expr, sp.Expr],
-               column: tuple[sp.Matrix, sp.Matrix]) -> sp.Matrix:
+               column: tuple[sp.Matrix, sp.Matrix], unread: tuple[sp.Expr, sp.Expr]
+               ) -> sp.Matrix:
     """(a, b, c) of R = R_i(a) R_j(b) R_k(c), with c = atan2(y, x), or 0 in gimbal lock, where
     x = y = 0.
 
     Without its third rotation, R has the second column (0, cos a, sin a) = p cos c - q sin c, with
     `column` = (p, q).  a is computed from c, so that the angles fit together even in gimbal lock.
-    `middle` = (numerator, denominator) of tan b; None stands for |(x, y)|."""
+    `middle` = (numerator, denominator) of tan b; None stands for |(x, y)|.  The rest of R is
+    `unread`; where that is NaN, so is a."""
     n = let("n", l2(sp.Matrix([x, y])))
     locked = sp.Eq(n, 0)
     divisor = let("divisor", nonzero(n))
@@ -58,16 +61,20 @@ def _angles_of(let: Let, R: sp.Matrix, y: sp.Expr, x: sp.Expr, middle: tuple[sp.
     p, q = column
     left = let("left", cosine * p - sine * q)
     numerator, denominator = (n if z is None else z for z in middle)
-    return sp.Matrix([sp.atan2(left[2], left[1]), sp.atan2(numerator, denominator), third])
+    rest = let("rest", unread[0] + unread[1])
+    first = sp.Piecewise((let("first", sp.atan2(left[2], left[1])), rest < _LARGE), (rest, True))
+    return sp.Matrix([first, sp.atan2(numerator, denominator), third])
 
 
 def _of_xyz(let: Let, R: sp.Matrix) -> sp.Matrix:
     y = let("y", -R[0, 1])
-    return _angles_of(let, R, y, R[0, 0], (R[0, 2], None), (R[:, 1], -R[:, 0]))
+    return _angles_of(let, R, y, R[0, 0], (R[0, 2], None), (R[:, 1], -R[:, 0]),
+                      (R[1, 2], R[2, 2]))
 
 
 def _of_xyx(let: Let, R: sp.Matrix) -> sp.Matrix:
-    return _angles_of(let, R, R[0, 1], R[0, 2], (None, R[0, 0]), (R[:, 1], R[:, 2]))
+    return _angles_of(let, R, R[0, 1], R[0, 2], (None, R[0, 0]), (R[:, 1], R[:, 2]),
+                      (R[1, 0], R[2, 0]))
 
 
 def _pair(name: str, axes: tuple[int, int, int], derivation: Callable[[Let, sp.Matrix], sp.Matrix],

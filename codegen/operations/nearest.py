@@ -13,7 +13,7 @@ from coscrew_codegen.operations.norm import (
     nonzero,
     prefixed,
 )
-from coscrew_codegen.operations.operation import Operation
+from coscrew_codegen.operations.operation import DEPENDENT, Operation
 from coscrew_codegen.quantity import ANY, MAT3X3, NONZERO_MATRIX, SCALAR, Argument
 
 _A, _Ro = Argument("A", MAT3X3, NONZERO_MATRIX), Argument("Ro", MAT3X3)
@@ -21,7 +21,8 @@ _R, _defect = Argument("R", MAT3X3, ANY), Argument("defect", SCALAR)
 
 _SWEEPS = 5  # after four some columns are 1e-12 from perpendicular, after five none beyond rounding
 _LEAST = sp.Rational(1, 4)  # |part of a column perpendicular to another|² / |column|², to be used
-_ROOTS = 16  # Newton steps towards the largest root: from 1.75 |A|, which is above it, downwards
+_NEGLIGIBLE = DEPENDENT / 8  # |column| / |longest column|, below which any direction will do
+_ROOTS = 36  # Newton steps towards the largest root: from 1.75 |A|, which is above it, downwards
 NEAREST = 16
 """In u: the largest difference of |R - nearest|_F, times (s2 ± s3) / s1, from 0; measured."""
 BESIDE = 6
@@ -85,12 +86,13 @@ def _axis_across(let: Let, u: sp.Matrix) -> sp.Matrix:
                                   sp.Piecewise((1, last), (0, True))]))
 
 
-def _across(let: Let, u: sp.Matrix, column: sp.Matrix) -> sp.Matrix:
+def _across(let: Let, u: sp.Matrix, column: sp.Matrix, least: sp.Expr) -> sp.Matrix:
     """The direction of the column's part perpendicular to the unit vector u; of a coordinate
-    axis's, if that part is nearly all rounding errors."""
+    axis's, if that part is nearly all rounding errors, or |part|² <= least."""
     part = let("part", column - let("along", u.dot(column)) * u)
     whole, kept = let("whole", column.dot(column)), let("kept", part.dot(part))
-    is_kept = sp.Eq(let("is_kept", sp.Piecewise((1, _LEAST * whole < kept), (0, True))), 1)
+    enough = let("enough", sp.Piecewise((least, _LEAST * whole < least), (_LEAST * whole, True)))
+    is_kept = sp.Eq(let("is_kept", sp.Piecewise((1, enough < kept), (0, True))), 1)
     axis = _axis_across(let, u)
     other = let("other", axis - let("along_axis", u.dot(axis)) * u)
     found = let("found", sp.Matrix([sp.Piecewise((one, is_kept), (two, True))
@@ -121,7 +123,8 @@ def _nearest(let: Let, A: sp.Matrix) -> sp.Matrix:
                 named, columns[i], columns[j], axes[i], axes[j])
     longest = let("longest", l2(columns[0]))
     first = let("u0", divided(columns[0], let("first_divisor", nonzero(longest))))
-    second = _across(prefixed(let, "second"), first, columns[1])
+    second = _across(prefixed(let, "second"), first, columns[1],
+                     let("least", (_NEGLIGIBLE * longest)**2))
     third = let("u2", first.cross(second))
     R = let("turned", sp.Matrix(3, 3, lambda i, j: first[i] * axes[0][j] + second[i] * axes[1][j]
                                 + third[i] * axes[2][j]))

@@ -74,7 +74,7 @@ def quaternion_of(let: Let, R: sp.Matrix) -> sp.Matrix:
                                     for one, other in zip(first, second, strict=True)]))
 
     low = choice("low", b < a, (x, s[2], s[1], p[0]), (s[2], y, s[0], p[1]))
-    opposite = let("opposite", a + b) < 0 if let.fine else a < -b  # as in `upper`
+    opposite = a < -b
     high = choice("high", opposite, (s[1], s[0], z, p[2]), (p[0], p[1], p[2], w))
     return choice("column", c < 0, low, high)
 

@@ -3510,7 +3510,7 @@ static inline void ksl_mat3x3_from_euler_xyz(const ksl_vec3_t *angles, ksl_mat3x
 /* angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
      [-π/2, π/2]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
-   93 mul, 108 add, 5 div, 1 sqrt, 4 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.
+   93 mul, 109 add, 5 div, 1 sqrt, 4 neg, 6 abs, 6 copysign, 19 less, 4 equal, 46 select.
    The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
      too; searched, not proved. */
 static inline void ksl_euler_xyz_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *angles) {
@@ -3525,7 +3525,9 @@ static inline void ksl_euler_xyz_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *
       left_1 = left_1a + left_1b;
   const double left_2a = KSL_MUL(R->m20, sine), left_2b = KSL_MUL(R->m21, cosine),
       left_2 = left_2a + left_2b;
-  const double angles_0 = ksl_atan2(left_2, left_1);
+  const double rest = R->m12 + R->m22;
+  const double first = ksl_atan2(left_2, left_1);
+  const double angles_0 = rest < 1.2676506002282294e+30 ? first : rest;
   const double angles_1 = ksl_atan2(R->m02, n);
   angles->x = angles_0;
   angles->y = angles_1;
@@ -3567,7 +3569,7 @@ static inline void ksl_mat3x3_from_euler_xyx(const ksl_vec3_t *angles, ksl_mat3x
 /* angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in [0,
      π]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
-   93 mul, 108 add, 5 div, 1 sqrt, 3 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.
+   93 mul, 109 add, 5 div, 1 sqrt, 3 neg, 6 abs, 6 copysign, 19 less, 4 equal, 46 select.
    The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
      too; searched, not proved. */
 static inline void ksl_euler_xyx_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *angles) {
@@ -3582,7 +3584,9 @@ static inline void ksl_euler_xyx_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *
       left_1 = left_1a - left_1b;
   const double left_2a = KSL_MUL(R->m21, cosine), left_2b = KSL_MUL(R->m22, sine),
       left_2 = left_2a - left_2b;
-  const double angles_0 = ksl_atan2(left_2, left_1);
+  const double rest = R->m10 + R->m20;
+  const double first = ksl_atan2(left_2, left_1);
+  const double angles_0 = rest < 1.2676506002282294e+30 ? first : rest;
   const double angles_1 = ksl_atan2(n, R->m00);
   angles->x = angles_0;
   angles->y = angles_1;
@@ -3691,7 +3695,7 @@ static inline double ksl_mat3x3_rotation_defect(const ksl_mat3x3_t *R) {
      it is NaN; where several are equally near (s2 ± s3 = 0: reflections with s2 = s3, matrices
      of rank 1) one of them.
    A, Ro: rotation or other 3×3 matrix.
-   645 mul, 400 add, 51 div, 32 sqrt, 37 neg, 42 abs, 59 less, 34 equal, 168 select.
+   649 mul, 400 add, 51 div, 32 sqrt, 37 neg, 42 abs, 60 less, 34 equal, 169 select.
    |Ro - nearest|_F <= 16 u s1 / (s2 ± s3), + if det A > 0, and |Ro^T Ro - I|_ij <= 6 u;
      measured, not proved. */
 static inline void ksl_mat3x3_nearest_rotation(const ksl_mat3x3_t *A, ksl_mat3x3_t *Ro) {
@@ -4575,6 +4579,9 @@ static inline void ksl_mat3x3_nearest_rotation(const ksl_mat3x3_t *A, ksl_mat3x3
   const double u0_0 = turn402_a_0 / first_divisor;
   const double u0_1 = turn402_a_1 / first_divisor;
   const double u0_2 = turn402_a_2 / first_divisor;
+  const double least_a = KSL_MUL(1.7763568394002505e-15, 1.7763568394002505e-15),
+      least_b = KSL_MUL(longest, longest), least_c = KSL_MUL(0.015625, least_a),
+      least = KSL_MUL(least_c, least_b);
   const double second_along_a = KSL_MUL(turn412_a_0, u0_0),
       second_along_b = KSL_MUL(turn412_a_1, u0_1), second_along_c = second_along_a + second_along_b,
       second_along_d = KSL_MUL(turn412_a_2, u0_2), second_along = second_along_c + second_along_d;
@@ -4594,8 +4601,9 @@ static inline void ksl_mat3x3_nearest_rotation(const ksl_mat3x3_t *A, ksl_mat3x3
       second_kept_c = second_kept_a + second_kept_b,
       second_kept_d = KSL_MUL(second_part_2, second_part_2),
       second_kept = second_kept_c + second_kept_d;
-  const double second_is_kept_a = KSL_MUL(0.25, second_whole),
-      second_is_kept = second_is_kept_a < second_kept ? 1.0 : 0.0;
+  const double second_enough_a = KSL_MUL(0.25, second_whole),
+      second_enough = second_enough_a < least ? least : second_enough_a;
+  const double second_is_kept = second_enough < second_kept ? 1.0 : 0.0;
   const double second_size_0 = fabs(u0_0);
   const double second_size_1 = fabs(u0_1);
   const double second_size_2 = fabs(u0_2);
@@ -5535,7 +5543,7 @@ static inline void ksl_mat3x3f_from_euler_xyz(const ksl_vec3f_t *angles, ksl_mat
 /* angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
      [-π/2, π/2]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
-   72 mul, 90 add, 5 div, 1 sqrt, 4 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.
+   72 mul, 91 add, 5 div, 1 sqrt, 4 neg, 6 abs, 6 copysign, 19 less, 4 equal, 46 select.
    The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
      too; searched, not proved. */
 static inline void ksl_euler_xyz_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_t *angles) {
@@ -5550,7 +5558,9 @@ static inline void ksl_euler_xyz_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_
       left_1 = left_1a + left_1b;
   const float left_2a = KSL_MULF(R->m20, sine), left_2b = KSL_MULF(R->m21, cosine),
       left_2 = left_2a + left_2b;
-  const float angles_0 = ksl_atan2f(left_2, left_1);
+  const float rest = R->m12 + R->m22;
+  const float first = ksl_atan2f(left_2, left_1);
+  const float angles_0 = rest < 1.2676506e+30f ? first : rest;
   const float angles_1 = ksl_atan2f(R->m02, n);
   angles->x = angles_0;
   angles->y = angles_1;
@@ -5592,7 +5602,7 @@ static inline void ksl_mat3x3f_from_euler_xyx(const ksl_vec3f_t *angles, ksl_mat
 /* angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in [0,
      π]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
-   72 mul, 90 add, 5 div, 1 sqrt, 3 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.
+   72 mul, 91 add, 5 div, 1 sqrt, 3 neg, 6 abs, 6 copysign, 19 less, 4 equal, 46 select.
    The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
      too; searched, not proved. */
 static inline void ksl_euler_xyx_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_t *angles) {
@@ -5607,7 +5617,9 @@ static inline void ksl_euler_xyx_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_
       left_1 = left_1a - left_1b;
   const float left_2a = KSL_MULF(R->m21, cosine), left_2b = KSL_MULF(R->m22, sine),
       left_2 = left_2a - left_2b;
-  const float angles_0 = ksl_atan2f(left_2, left_1);
+  const float rest = R->m10 + R->m20;
+  const float first = ksl_atan2f(left_2, left_1);
+  const float angles_0 = rest < 1.2676506e+30f ? first : rest;
   const float angles_1 = ksl_atan2f(n, R->m00);
   angles->x = angles_0;
   angles->y = angles_1;
@@ -5716,7 +5728,7 @@ static inline float ksl_mat3x3f_rotation_defect(const ksl_mat3x3f_t *R) {
      it is NaN; where several are equally near (s2 ± s3 = 0: reflections with s2 = s3, matrices
      of rank 1) one of them.
    A, Ro: rotation or other 3×3 matrix.
-   645 mul, 400 add, 51 div, 32 sqrt, 37 neg, 42 abs, 59 less, 34 equal, 168 select.
+   649 mul, 400 add, 51 div, 32 sqrt, 37 neg, 42 abs, 60 less, 34 equal, 169 select.
    |Ro - nearest|_F <= 16 u s1 / (s2 ± s3), + if det A > 0, and |Ro^T Ro - I|_ij <= 6 u;
      measured, not proved. */
 static inline void ksl_mat3x3f_nearest_rotation(const ksl_mat3x3f_t *A, ksl_mat3x3f_t *Ro) {
@@ -6600,6 +6612,9 @@ static inline void ksl_mat3x3f_nearest_rotation(const ksl_mat3x3f_t *A, ksl_mat3
   const float u0_0 = turn402_a_0 / first_divisor;
   const float u0_1 = turn402_a_1 / first_divisor;
   const float u0_2 = turn402_a_2 / first_divisor;
+  const float least_a = KSL_MULF(9.536743e-07f, 9.536743e-07f),
+      least_b = KSL_MULF(longest, longest), least_c = KSL_MULF(0.015625f, least_a),
+      least = KSL_MULF(least_c, least_b);
   const float second_along_a = KSL_MULF(turn412_a_0, u0_0),
       second_along_b = KSL_MULF(turn412_a_1, u0_1),
       second_along_c = second_along_a + second_along_b,
@@ -6620,8 +6635,9 @@ static inline void ksl_mat3x3f_nearest_rotation(const ksl_mat3x3f_t *A, ksl_mat3
       second_kept_c = second_kept_a + second_kept_b,
       second_kept_d = KSL_MULF(second_part_2, second_part_2),
       second_kept = second_kept_c + second_kept_d;
-  const float second_is_kept_a = KSL_MULF(0.25f, second_whole),
-      second_is_kept = second_is_kept_a < second_kept ? 1.0f : 0.0f;
+  const float second_enough_a = KSL_MULF(0.25f, second_whole),
+      second_enough = second_enough_a < least ? least : second_enough_a;
+  const float second_is_kept = second_enough < second_kept ? 1.0f : 0.0f;
   const float second_size_0 = fabsf(u0_0);
   const float second_size_1 = fabsf(u0_1);
   const float second_size_2 = fabsf(u0_2);

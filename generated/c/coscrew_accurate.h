@@ -6798,8 +6798,8 @@ static inline void ksl_mat3x3_from_euler_xyz_accurate(const ksl_vec3_t *angles, 
 /* angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
      [-π/2, π/2]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
-   391 mul, 701 add, 66 product error, 6 product rest, 17 div, 1 sqrt, 4 neg, 28 abs, 12
-     copysign, 41 less, 16 equal, 85 select.
+   391 mul, 713 add, 66 product error, 6 product rest, 17 div, 1 sqrt, 4 neg, 28 abs, 12
+     copysign, 42 less, 16 equal, 87 select.
    Each component is within 1 ulp as long as its condition is below 1e13; in single precision it
      is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
 static inline void ksl_euler_xyz_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *angles) {
@@ -6864,35 +6864,42 @@ static inline void ksl_euler_xyz_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       left_2_right_rest = ksl_product_rest(R->m21, cosine, left_2b, left_2_right),
       left_2_cross = left_2a_cross2 + left_2b_cross2,
       left_2_lo1 = left_2_left_rest + left_2_right_rest, left_2_lo = left_2_lo1 + left_2_cross;
-  const double angles_0_of_left_2 = left_2 + left_2_lo,
-      angles_0_of_left_2_right = angles_0_of_left_2 - left_2,
-      angles_0_of_left_2_left = angles_0_of_left_2 - angles_0_of_left_2_right,
-      angles_0_of_left_2_left_rest = left_2 - angles_0_of_left_2_left,
-      angles_0_of_left_2_right_rest = left_2_lo - angles_0_of_left_2_right,
-      angles_0_of_left_2_lo = angles_0_of_left_2_left_rest + angles_0_of_left_2_right_rest,
-      angles_0_of_left_1 = left_1 + left_1_lo,
-      angles_0_of_left_1_right = angles_0_of_left_1 - left_1,
-      angles_0_of_left_1_left = angles_0_of_left_1 - angles_0_of_left_1_right,
-      angles_0_of_left_1_left_rest = left_1 - angles_0_of_left_1_left,
-      angles_0_of_left_1_right_rest = left_1_lo - angles_0_of_left_1_right,
-      angles_0_of_left_1_lo = angles_0_of_left_1_left_rest + angles_0_of_left_1_right_rest,
-      angles_0 = ksl_atan2(angles_0_of_left_2, angles_0_of_left_1),
-      angles_0_own_error = ksl_atan2_error(angles_0_of_left_2, angles_0_of_left_1, angles_0),
-      angles_0_size0 = fabs(angles_0_of_left_2), angles_0_size1 = fabs(angles_0_of_left_1),
-      angles_0_most = angles_0_size0 < angles_0_size1 ? angles_0_size1 : angles_0_size0,
-      angles_0_divisor = angles_0_most == 0.0 ? 1.0 : angles_0_most,
-      angles_0_part0 = angles_0_of_left_2 / angles_0_divisor,
-      angles_0_part1 = angles_0_of_left_1 / angles_0_divisor,
-      angles_0_cross1 = KSL_MUL(angles_0_part1, angles_0_of_left_2_lo),
-      angles_0_cross2 = KSL_MUL(angles_0_part0, angles_0_of_left_1_lo),
-      angles_0_square1 = KSL_MUL(angles_0_part1, angles_0_part1),
-      angles_0_square2 = KSL_MUL(angles_0_part0, angles_0_part0),
-      angles_0_cross = angles_0_cross1 - angles_0_cross2,
-      angles_0_square = angles_0_square1 + angles_0_square2,
-      angles_0_divisor2 = KSL_MUL(angles_0_divisor, angles_0_square),
-      angles_0_safe = angles_0_most == 0.0 ? 1.0 : angles_0_divisor2,
-      angles_0_more = angles_0_cross / angles_0_safe,
-      angles_0_lo = angles_0_own_error + angles_0_more;
+  const double rest = R->m12 + R->m22, rest_right = rest - R->m12, rest_left = rest - rest_right,
+      rest_left_rest = R->m12 - rest_left, rest_right_rest = R->m22 - rest_right,
+      rest_lo = rest_left_rest + rest_right_rest;
+  const double first_of_left_2 = left_2 + left_2_lo,
+      first_of_left_2_right = first_of_left_2 - left_2,
+      first_of_left_2_left = first_of_left_2 - first_of_left_2_right,
+      first_of_left_2_left_rest = left_2 - first_of_left_2_left,
+      first_of_left_2_right_rest = left_2_lo - first_of_left_2_right,
+      first_of_left_2_lo = first_of_left_2_left_rest + first_of_left_2_right_rest,
+      first_of_left_1 = left_1 + left_1_lo, first_of_left_1_right = first_of_left_1 - left_1,
+      first_of_left_1_left = first_of_left_1 - first_of_left_1_right,
+      first_of_left_1_left_rest = left_1 - first_of_left_1_left,
+      first_of_left_1_right_rest = left_1_lo - first_of_left_1_right,
+      first_of_left_1_lo = first_of_left_1_left_rest + first_of_left_1_right_rest,
+      first = ksl_atan2(first_of_left_2, first_of_left_1),
+      first_own_error = ksl_atan2_error(first_of_left_2, first_of_left_1, first),
+      first_size0 = fabs(first_of_left_2), first_size1 = fabs(first_of_left_1),
+      first_most = first_size0 < first_size1 ? first_size1 : first_size0,
+      first_divisor = first_most == 0.0 ? 1.0 : first_most,
+      first_part0 = first_of_left_2 / first_divisor, first_part1 = first_of_left_1 / first_divisor,
+      first_cross1 = KSL_MUL(first_part1, first_of_left_2_lo),
+      first_cross2 = KSL_MUL(first_part0, first_of_left_1_lo),
+      first_square1 = KSL_MUL(first_part1, first_part1),
+      first_square2 = KSL_MUL(first_part0, first_part0), first_cross = first_cross1 - first_cross2,
+      first_square = first_square1 + first_square2,
+      first_divisor2 = KSL_MUL(first_divisor, first_square),
+      first_safe = first_most == 0.0 ? 1.0 : first_divisor2, first_more = first_cross / first_safe,
+      first_lo = first_own_error + first_more;
+  const double angles_0a_of_rest = rest + rest_lo,
+      angles_0a_of_rest_right = angles_0a_of_rest - rest,
+      angles_0a_of_rest_left = angles_0a_of_rest - angles_0a_of_rest_right,
+      angles_0a_of_rest_left_rest = rest - angles_0a_of_rest_left,
+      angles_0a_of_rest_right_rest = rest_lo - angles_0a_of_rest_right,
+      angles_0a_of_rest_lo = angles_0a_of_rest_left_rest + angles_0a_of_rest_right_rest,
+      angles_0 = angles_0a_of_rest < 1.2676506002282294e+30 ? first : angles_0a_of_rest,
+      angles_0_lo = angles_0a_of_rest < 1.2676506002282294e+30 ? first_lo : angles_0a_of_rest_lo;
   const double angles_1 = ksl_atan2(R->m02, divisor_a_of_n),
       angles_1_own_error = ksl_atan2_error(R->m02, divisor_a_of_n, angles_1),
       angles_1_size0 = fabs(R->m02), angles_1_size1 = fabs(divisor_a_of_n),
@@ -7029,8 +7036,8 @@ static inline void ksl_mat3x3_from_euler_xyx_accurate(const ksl_vec3_t *angles, 
 /* angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in [0,
      π]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
-   391 mul, 701 add, 66 product error, 6 product rest, 17 div, 1 sqrt, 3 neg, 28 abs, 12
-     copysign, 41 less, 16 equal, 85 select.
+   391 mul, 713 add, 66 product error, 6 product rest, 17 div, 1 sqrt, 3 neg, 28 abs, 12
+     copysign, 42 less, 16 equal, 87 select.
    Each component is within 1 ulp as long as its condition is below 1e13; in single precision it
      is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
 static inline void ksl_euler_xyx_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *angles) {
@@ -7095,35 +7102,42 @@ static inline void ksl_euler_xyx_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       left_2_right_rest = ksl_product_rest(R->m22, sine, left_2b, left_2_right),
       left_2_cross = left_2a_cross2 - left_2b_cross2,
       left_2_lo1 = left_2_left_rest - left_2_right_rest, left_2_lo = left_2_lo1 + left_2_cross;
-  const double angles_0_of_left_2 = left_2 + left_2_lo,
-      angles_0_of_left_2_right = angles_0_of_left_2 - left_2,
-      angles_0_of_left_2_left = angles_0_of_left_2 - angles_0_of_left_2_right,
-      angles_0_of_left_2_left_rest = left_2 - angles_0_of_left_2_left,
-      angles_0_of_left_2_right_rest = left_2_lo - angles_0_of_left_2_right,
-      angles_0_of_left_2_lo = angles_0_of_left_2_left_rest + angles_0_of_left_2_right_rest,
-      angles_0_of_left_1 = left_1 + left_1_lo,
-      angles_0_of_left_1_right = angles_0_of_left_1 - left_1,
-      angles_0_of_left_1_left = angles_0_of_left_1 - angles_0_of_left_1_right,
-      angles_0_of_left_1_left_rest = left_1 - angles_0_of_left_1_left,
-      angles_0_of_left_1_right_rest = left_1_lo - angles_0_of_left_1_right,
-      angles_0_of_left_1_lo = angles_0_of_left_1_left_rest + angles_0_of_left_1_right_rest,
-      angles_0 = ksl_atan2(angles_0_of_left_2, angles_0_of_left_1),
-      angles_0_own_error = ksl_atan2_error(angles_0_of_left_2, angles_0_of_left_1, angles_0),
-      angles_0_size0 = fabs(angles_0_of_left_2), angles_0_size1 = fabs(angles_0_of_left_1),
-      angles_0_most = angles_0_size0 < angles_0_size1 ? angles_0_size1 : angles_0_size0,
-      angles_0_divisor = angles_0_most == 0.0 ? 1.0 : angles_0_most,
-      angles_0_part0 = angles_0_of_left_2 / angles_0_divisor,
-      angles_0_part1 = angles_0_of_left_1 / angles_0_divisor,
-      angles_0_cross1 = KSL_MUL(angles_0_part1, angles_0_of_left_2_lo),
-      angles_0_cross2 = KSL_MUL(angles_0_part0, angles_0_of_left_1_lo),
-      angles_0_square1 = KSL_MUL(angles_0_part1, angles_0_part1),
-      angles_0_square2 = KSL_MUL(angles_0_part0, angles_0_part0),
-      angles_0_cross = angles_0_cross1 - angles_0_cross2,
-      angles_0_square = angles_0_square1 + angles_0_square2,
-      angles_0_divisor2 = KSL_MUL(angles_0_divisor, angles_0_square),
-      angles_0_safe = angles_0_most == 0.0 ? 1.0 : angles_0_divisor2,
-      angles_0_more = angles_0_cross / angles_0_safe,
-      angles_0_lo = angles_0_own_error + angles_0_more;
+  const double rest = R->m10 + R->m20, rest_right = rest - R->m10, rest_left = rest - rest_right,
+      rest_left_rest = R->m10 - rest_left, rest_right_rest = R->m20 - rest_right,
+      rest_lo = rest_left_rest + rest_right_rest;
+  const double first_of_left_2 = left_2 + left_2_lo,
+      first_of_left_2_right = first_of_left_2 - left_2,
+      first_of_left_2_left = first_of_left_2 - first_of_left_2_right,
+      first_of_left_2_left_rest = left_2 - first_of_left_2_left,
+      first_of_left_2_right_rest = left_2_lo - first_of_left_2_right,
+      first_of_left_2_lo = first_of_left_2_left_rest + first_of_left_2_right_rest,
+      first_of_left_1 = left_1 + left_1_lo, first_of_left_1_right = first_of_left_1 - left_1,
+      first_of_left_1_left = first_of_left_1 - first_of_left_1_right,
+      first_of_left_1_left_rest = left_1 - first_of_left_1_left,
+      first_of_left_1_right_rest = left_1_lo - first_of_left_1_right,
+      first_of_left_1_lo = first_of_left_1_left_rest + first_of_left_1_right_rest,
+      first = ksl_atan2(first_of_left_2, first_of_left_1),
+      first_own_error = ksl_atan2_error(first_of_left_2, first_of_left_1, first),
+      first_size0 = fabs(first_of_left_2), first_size1 = fabs(first_of_left_1),
+      first_most = first_size0 < first_size1 ? first_size1 : first_size0,
+      first_divisor = first_most == 0.0 ? 1.0 : first_most,
+      first_part0 = first_of_left_2 / first_divisor, first_part1 = first_of_left_1 / first_divisor,
+      first_cross1 = KSL_MUL(first_part1, first_of_left_2_lo),
+      first_cross2 = KSL_MUL(first_part0, first_of_left_1_lo),
+      first_square1 = KSL_MUL(first_part1, first_part1),
+      first_square2 = KSL_MUL(first_part0, first_part0), first_cross = first_cross1 - first_cross2,
+      first_square = first_square1 + first_square2,
+      first_divisor2 = KSL_MUL(first_divisor, first_square),
+      first_safe = first_most == 0.0 ? 1.0 : first_divisor2, first_more = first_cross / first_safe,
+      first_lo = first_own_error + first_more;
+  const double angles_0a_of_rest = rest + rest_lo,
+      angles_0a_of_rest_right = angles_0a_of_rest - rest,
+      angles_0a_of_rest_left = angles_0a_of_rest - angles_0a_of_rest_right,
+      angles_0a_of_rest_left_rest = rest - angles_0a_of_rest_left,
+      angles_0a_of_rest_right_rest = rest_lo - angles_0a_of_rest_right,
+      angles_0a_of_rest_lo = angles_0a_of_rest_left_rest + angles_0a_of_rest_right_rest,
+      angles_0 = angles_0a_of_rest < 1.2676506002282294e+30 ? first : angles_0a_of_rest,
+      angles_0_lo = angles_0a_of_rest < 1.2676506002282294e+30 ? first_lo : angles_0a_of_rest_lo;
   const double angles_1 = ksl_atan2(divisor_a_of_n, R->m00),
       angles_1_own_error = ksl_atan2_error(divisor_a_of_n, R->m00, angles_1),
       angles_1_size0 = fabs(divisor_a_of_n), angles_1_size1 = fabs(R->m00),
@@ -8634,7 +8648,7 @@ static inline void ksl_mat3x3f_from_euler_xyz_accurate(const ksl_vec3f_t *angles
 /* angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
      [-π/2, π/2]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
-   93 mul, 108 add, 5 div, 1 sqrt, 4 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.
+   93 mul, 109 add, 5 div, 1 sqrt, 4 neg, 6 abs, 6 copysign, 19 less, 4 equal, 46 select.
    Each component is within 1 ulp as long as its condition is below 1e13; in single precision it
      is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
 static inline void ksl_euler_xyz_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
@@ -8650,7 +8664,9 @@ static inline void ksl_euler_xyz_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
       left_1 = left_1a + left_1b;
   const double left_2a = KSL_MUL((double)R->m20, sine), left_2b = KSL_MUL((double)R->m21, cosine),
       left_2 = left_2a + left_2b;
-  const double angles_0 = ksl_atan2(left_2, left_1);
+  const double rest = (double)R->m12 + (double)R->m22;
+  const double first = ksl_atan2(left_2, left_1);
+  const double angles_0 = rest < 1.2676506002282294e+30 ? first : rest;
   const double angles_1 = ksl_atan2((double)R->m02, n);
   angles->x = (float)angles_0;
   angles->y = (float)angles_1;
@@ -8695,7 +8711,7 @@ static inline void ksl_mat3x3f_from_euler_xyx_accurate(const ksl_vec3f_t *angles
 /* angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in [0,
      π]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
-   93 mul, 108 add, 5 div, 1 sqrt, 3 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.
+   93 mul, 109 add, 5 div, 1 sqrt, 3 neg, 6 abs, 6 copysign, 19 less, 4 equal, 46 select.
    Each component is within 1 ulp as long as its condition is below 1e13; in single precision it
      is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
 static inline void ksl_euler_xyx_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
@@ -8711,7 +8727,9 @@ static inline void ksl_euler_xyx_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
       left_1 = left_1a - left_1b;
   const double left_2a = KSL_MUL((double)R->m21, cosine), left_2b = KSL_MUL((double)R->m22, sine),
       left_2 = left_2a - left_2b;
-  const double angles_0 = ksl_atan2(left_2, left_1);
+  const double rest = (double)R->m10 + (double)R->m20;
+  const double first = ksl_atan2(left_2, left_1);
+  const double angles_0 = rest < 1.2676506002282294e+30 ? first : rest;
   const double angles_1 = ksl_atan2(n, (double)R->m00);
   angles->x = (float)angles_0;
   angles->y = (float)angles_1;
@@ -30312,7 +30330,7 @@ static inline void ksl_SE3_exp_accurate(const ksl_screw_t *s, ksl_SE3_t *D) {
 
 /* so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   285 mul, 755 add, 36 product error, 36 product rest, 23 div, 2 sqrt, 11 neg, 14 abs, 4
+   285 mul, 748 add, 36 product error, 36 product rest, 23 div, 2 sqrt, 12 neg, 14 abs, 4
      copysign, 32 less, 13 equal, 88 select.
    Error <= lin: 1 u, ang: 1 u of its largest component for R of D a rotation; searched, not
      proved.  Each component is within 1 ulp as long as its condition is below 1e13; in single
@@ -30373,19 +30391,14 @@ static inline void ksl_SE3_log_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double low_1 = D->m11 < D->m00 ? s_2 : d_2, low_1_lo = D->m11 < D->m00 ? s_2_lo : d_2_lo;
   const double low_2 = D->m11 < D->m00 ? s_1 : s_0, low_2_lo = D->m11 < D->m00 ? s_1_lo : s_0_lo;
   const double low_3 = D->m11 < D->m00 ? p_0 : p_1, low_3_lo = D->m11 < D->m00 ? p_0_lo : p_1_lo;
-  const double opposite = D->m00 + D->m11, opposite_right = opposite - D->m00,
-      opposite_left = opposite - opposite_right, opposite_left_rest = D->m00 - opposite_left,
-      opposite_right_rest = D->m11 - opposite_right,
-      opposite_lo = opposite_left_rest + opposite_right_rest;
-  const double high_0a_of_opposite = opposite + opposite_lo,
-      high_0 = high_0a_of_opposite < 0.0 ? s_1 : p_0,
-      high_0_lo = high_0a_of_opposite < 0.0 ? s_1_lo : p_0_lo;
-  const double high_1 = high_0a_of_opposite < 0.0 ? s_0 : p_1,
-      high_1_lo = high_0a_of_opposite < 0.0 ? s_0_lo : p_1_lo;
-  const double high_2 = high_0a_of_opposite < 0.0 ? d_3 : p_2,
-      high_2_lo = high_0a_of_opposite < 0.0 ? d_3_lo : p_2_lo;
-  const double high_3 = high_0a_of_opposite < 0.0 ? p_2 : d_0,
-      high_3_lo = high_0a_of_opposite < 0.0 ? p_2_lo : d_0_lo;
+  const double high_0a = -D->m11, high_0 = D->m00 < high_0a ? s_1 : p_0,
+      high_0_lo = D->m00 < high_0a ? s_1_lo : p_0_lo;
+  const double high_1 = D->m00 < high_0a ? s_0 : p_1,
+      high_1_lo = D->m00 < high_0a ? s_0_lo : p_1_lo;
+  const double high_2 = D->m00 < high_0a ? d_3 : p_2,
+      high_2_lo = D->m00 < high_0a ? d_3_lo : p_2_lo;
+  const double high_3 = D->m00 < high_0a ? p_2 : d_0,
+      high_3_lo = D->m00 < high_0a ? p_2_lo : d_0_lo;
   const double column_0 = D->m22 < 0.0 ? low_0 : high_0,
       column_0_lo = D->m22 < 0.0 ? low_0_lo : high_0_lo;
   const double column_1 = D->m22 < 0.0 ? low_1 : high_1,
@@ -34524,7 +34537,7 @@ static inline void ksl_SE3_rightJacobianInverse_accurate(const ksl_screw_t *s, k
 
 /* Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
    D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-   717 mul, 1719 add, 66 product error, 166 product rest, 29 div, 3 sqrt, 11 neg, 18 abs, 4
+   717 mul, 1706 add, 66 product error, 166 product rest, 29 div, 3 sqrt, 13 neg, 18 abs, 4
      copysign, 38 less, 20 equal, 110 select.
    Error <= R: 1 u, t: 1 u of its largest component, or of D1.t or D2.t if that is larger, for R
      of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.  Each
@@ -34787,12 +34800,6 @@ static inline void ksl_SE3_interpolated_accurate(const ksl_SE3_t *D1, const ksl_
       log_low_0a_of_between_5_lo = log_low_0a_of_between_5_left_rest +
           log_low_0a_of_between_5_right_rest,
       log_low_0a_of_between_0 = between_0 + between_0_lo,
-      log_low_0a_of_between_0_right = log_low_0a_of_between_0 - between_0,
-      log_low_0a_of_between_0_left = log_low_0a_of_between_0 - log_low_0a_of_between_0_right,
-      log_low_0a_of_between_0_left_rest = between_0 - log_low_0a_of_between_0_left,
-      log_low_0a_of_between_0_right_rest = between_0_lo - log_low_0a_of_between_0_right,
-      log_low_0a_of_between_0_lo = log_low_0a_of_between_0_left_rest +
-          log_low_0a_of_between_0_right_rest,
       log_low_0 = log_low_0a_of_between_5 < log_low_0a_of_between_0 ? log_d_1 : log_s_2,
       log_low_0_lo = log_low_0a_of_between_5 < log_low_0a_of_between_0 ? log_d_1_lo : log_s_2_lo;
   const double log_low_1 = log_low_0a_of_between_5 < log_low_0a_of_between_0 ? log_s_2 : log_d_2,
@@ -34801,23 +34808,23 @@ static inline void ksl_SE3_interpolated_accurate(const ksl_SE3_t *D1, const ksl_
       log_low_2_lo = log_low_0a_of_between_5 < log_low_0a_of_between_0 ? log_s_1_lo : log_s_0_lo;
   const double log_low_3 = log_low_0a_of_between_5 < log_low_0a_of_between_0 ? log_p_0 : log_p_1,
       log_low_3_lo = log_low_0a_of_between_5 < log_low_0a_of_between_0 ? log_p_0_lo : log_p_1_lo;
-  const double log_opposite = log_low_0a_of_between_0 + log_low_0a_of_between_5,
-      log_opposite_right = log_opposite - log_low_0a_of_between_0,
-      log_opposite_left = log_opposite - log_opposite_right,
-      log_opposite_left_rest = log_low_0a_of_between_0 - log_opposite_left,
-      log_opposite_right_rest = log_low_0a_of_between_5 - log_opposite_right,
-      log_opposite_lo1 = log_opposite_left_rest + log_opposite_right_rest,
-      log_opposite_lo2 = log_opposite_lo1 + log_low_0a_of_between_5_lo,
-      log_opposite_lo = log_opposite_lo2 + log_low_0a_of_between_0_lo;
-  const double log_high_0a_of_log_opposite = log_opposite + log_opposite_lo,
-      log_high_0 = log_high_0a_of_log_opposite < 0.0 ? log_s_1 : log_p_0,
-      log_high_0_lo = log_high_0a_of_log_opposite < 0.0 ? log_s_1_lo : log_p_0_lo;
-  const double log_high_1 = log_high_0a_of_log_opposite < 0.0 ? log_s_0 : log_p_1,
-      log_high_1_lo = log_high_0a_of_log_opposite < 0.0 ? log_s_0_lo : log_p_1_lo;
-  const double log_high_2 = log_high_0a_of_log_opposite < 0.0 ? log_d_3 : log_p_2,
-      log_high_2_lo = log_high_0a_of_log_opposite < 0.0 ? log_d_3_lo : log_p_2_lo;
-  const double log_high_3 = log_high_0a_of_log_opposite < 0.0 ? log_p_2 : log_d_0,
-      log_high_3_lo = log_high_0a_of_log_opposite < 0.0 ? log_p_2_lo : log_d_0_lo;
+  const double log_high_0a = -log_low_0a_of_between_5, log_high_0a_lo = -log_low_0a_of_between_5_lo,
+      log_high_0b_of_log_high_0a = log_high_0a + log_high_0a_lo,
+      log_high_0 = log_low_0a_of_between_0 < log_high_0b_of_log_high_0a ? log_s_1 : log_p_0,
+      log_high_0_lo = log_low_0a_of_between_0 < log_high_0b_of_log_high_0a ? log_s_1_lo :
+          log_p_0_lo;
+  const double log_high_1 = log_low_0a_of_between_0 < log_high_0b_of_log_high_0a ? log_s_0 :
+      log_p_1,
+      log_high_1_lo = log_low_0a_of_between_0 < log_high_0b_of_log_high_0a ? log_s_0_lo :
+          log_p_1_lo;
+  const double log_high_2 = log_low_0a_of_between_0 < log_high_0b_of_log_high_0a ? log_d_3 :
+      log_p_2,
+      log_high_2_lo = log_low_0a_of_between_0 < log_high_0b_of_log_high_0a ? log_d_3_lo :
+          log_p_2_lo;
+  const double log_high_3 = log_low_0a_of_between_0 < log_high_0b_of_log_high_0a ? log_p_2 :
+      log_d_0,
+      log_high_3_lo = log_low_0a_of_between_0 < log_high_0b_of_log_high_0a ? log_p_2_lo :
+          log_d_0_lo;
   const double log_column_0a_of_between_10 = between_10 + between_10_lo,
       log_column_0 = log_column_0a_of_between_10 < 0.0 ? log_low_0 : log_high_0,
       log_column_0_lo = log_column_0a_of_between_10 < 0.0 ? log_low_0_lo : log_high_0_lo;
@@ -37255,7 +37262,7 @@ static inline void ksl_SE3f_exp_accurate(const ksl_screwf_t *s, ksl_SE3f_t *D) {
 
 /* so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   83 mul, 80 add, 8 div, 2 sqrt, 4 neg, 6 abs, 2 copysign, 20 less, 2 equal, 42 select.
+   83 mul, 79 add, 8 div, 2 sqrt, 5 neg, 6 abs, 2 copysign, 20 less, 2 equal, 42 select.
    Error <= lin: 1 u, ang: 1 u of its largest component for R of D a rotation; searched, not
      proved.  Each component is within 1 ulp as long as its condition is below 1e13; in single
      precision it is the nearest number, except near ties, as long as that is below 1e5;
@@ -37280,11 +37287,10 @@ static inline void ksl_SE3f_log_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) 
   const double low_1 = (double)D->m11 < (double)D->m00 ? s_2 : d_2;
   const double low_2 = (double)D->m11 < (double)D->m00 ? s_1 : s_0;
   const double low_3 = (double)D->m11 < (double)D->m00 ? p_0 : p_1;
-  const double opposite = (double)D->m00 + (double)D->m11;
-  const double high_0 = opposite < 0.0 ? s_1 : p_0;
-  const double high_1 = opposite < 0.0 ? s_0 : p_1;
-  const double high_2 = opposite < 0.0 ? d_3 : p_2;
-  const double high_3 = opposite < 0.0 ? p_2 : d_0;
+  const double high_0a = -(double)D->m11, high_0 = (double)D->m00 < high_0a ? s_1 : p_0;
+  const double high_1 = (double)D->m00 < high_0a ? s_0 : p_1;
+  const double high_2 = (double)D->m00 < high_0a ? d_3 : p_2;
+  const double high_3 = (double)D->m00 < high_0a ? p_2 : d_0;
   const double column_0 = (double)D->m22 < 0.0 ? low_0 : high_0;
   const double column_1 = (double)D->m22 < 0.0 ? low_1 : high_1;
   const double column_2 = (double)D->m22 < 0.0 ? low_2 : high_2;
@@ -38100,7 +38106,7 @@ static inline void ksl_SE3f_rightJacobianInverse_accurate(const ksl_screwf_t *s,
 
 /* Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
    D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-   247 mul, 212 add, 10 div, 3 sqrt, 4 neg, 7 abs, 2 copysign, 25 less, 2 equal, 49 select.
+   247 mul, 211 add, 10 div, 3 sqrt, 5 neg, 7 abs, 2 copysign, 25 less, 2 equal, 49 select.
    Error <= R: 1 u, t: 1 u of its largest component, or of D1.t or D2.t if that is larger, for R
      of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.  Each
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
@@ -38166,11 +38172,10 @@ static inline void ksl_SE3f_interpolated_accurate(const ksl_SE3f_t *D1, const ks
   const double log_low_1 = between_5 < between_0 ? log_s_2 : log_d_2;
   const double log_low_2 = between_5 < between_0 ? log_s_1 : log_s_0;
   const double log_low_3 = between_5 < between_0 ? log_p_0 : log_p_1;
-  const double log_opposite = between_0 + between_5;
-  const double log_high_0 = log_opposite < 0.0 ? log_s_1 : log_p_0;
-  const double log_high_1 = log_opposite < 0.0 ? log_s_0 : log_p_1;
-  const double log_high_2 = log_opposite < 0.0 ? log_d_3 : log_p_2;
-  const double log_high_3 = log_opposite < 0.0 ? log_p_2 : log_d_0;
+  const double log_high_0a = -between_5, log_high_0 = between_0 < log_high_0a ? log_s_1 : log_p_0;
+  const double log_high_1 = between_0 < log_high_0a ? log_s_0 : log_p_1;
+  const double log_high_2 = between_0 < log_high_0a ? log_d_3 : log_p_2;
+  const double log_high_3 = between_0 < log_high_0a ? log_p_2 : log_d_0;
   const double log_column_0 = between_10 < 0.0 ? log_low_0 : log_high_0;
   const double log_column_1 = between_10 < 0.0 ? log_low_1 : log_high_1;
   const double log_column_2 = between_10 < 0.0 ? log_low_2 : log_high_2;

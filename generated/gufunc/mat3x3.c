@@ -2503,7 +2503,7 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "[-π/2, π/2]; c = 0 in gimbal lock.\n"
     "\n"
     "(3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.\n"
-    "93 mul, 108 add, 5 div, 1 sqrt, 4 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.  The\n"
+    "93 mul, 109 add, 5 div, 1 sqrt, 4 neg, 6 abs, 6 copysign, 19 less, 4 equal, 46 select.  The\n"
     "rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock too;\n"
     "searched, not proved.\n",
    1, 1, "R", euler_xyz_from_mat3x3_loops},
@@ -2518,7 +2518,7 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "[0, π]; c = 0 in gimbal lock.\n"
     "\n"
     "(3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.\n"
-    "93 mul, 108 add, 5 div, 1 sqrt, 3 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.  The\n"
+    "93 mul, 109 add, 5 div, 1 sqrt, 3 neg, 6 abs, 6 copysign, 19 less, 4 equal, 46 select.  The\n"
     "rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock too;\n"
     "searched, not proved.\n",
    1, 1, "R", euler_xyx_from_mat3x3_loops},
@@ -2546,7 +2546,7 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "of rank 1) one of them.\n"
     "\n"
     "(3,3)->(3,3).  A, Ro: rotation or other 3×3 matrix.\n"
-    "645 mul, 400 add, 51 div, 32 sqrt, 37 neg, 42 abs, 59 less, 34 equal, 168 select.  |Ro -\n"
+    "649 mul, 400 add, 51 div, 32 sqrt, 37 neg, 42 abs, 60 less, 34 equal, 169 select.  |Ro -\n"
     "nearest|_F <= 16 u s1 / (s2 ± s3), + if det A > 0, and |Ro^T Ro - I|_ij <= 6 u; measured,\n"
     "not proved.\n",
    1, 1, "M", mat3x3_nearest_rotation_loops},

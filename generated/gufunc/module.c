@@ -106,7 +106,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "2d9cedb07889d461") < 0
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "e719d6ecbe8ebca2") < 0
       || PyModule_AddStringConstant(
           module, "LOOPS", families == baseline ? "baseline" : "AVX2") < 0) {
     Py_DECREF(module);

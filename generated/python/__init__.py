@@ -16,7 +16,7 @@ import numpy as np
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "2d9cedb07889d461")
+COMPILED: bool = is_compiled("coscrew._gufunc", "e719d6ecbe8ebca2")
 
 if COMPILED:
     from coscrew._gufunc import (

@@ -13,6 +13,7 @@ from coscrew import _dispatch
 from coscrew_codegen.formats import DOUBLE, PRECISIONS
 from coscrew_codegen.library import FamilyKernels
 from coscrew_codegen.operations import FAMILIES, OPERATIONS, Operation
+from coscrew_codegen.program import Input
 from coscrew_codegen.programs import program_of
 from coscrew_codegen.quantity import (
     DISPLACEMENT,
@@ -103,6 +104,28 @@ def test_algebra_takes_any_numbers(operation: Operation, place: ModuleType):
     assert all(np.isfinite(x).all() for x in (found if isinstance(found, tuple) else (found,)))
 
 
+@pytest.mark.parametrize("operation, place", in_places(REFUSED), ids=named)
+def test_nan_anywhere_makes_a_result_nan(operation: Operation, place: ModuleType):
+    """But products with elementary motions do not read every column."""
+    program = program_of(operation)
+    read = {x for step in program.instructions for x in step.operands} | set(program.results)
+    function, letters = getattr(place, operation.name), REFUSED[operation.name]
+    for k in range(len(letters)):
+        if letters[k] == ".":
+            continue
+        shape, indices = operation.inputs[k].quantity.shape, operation.inputs[k].quantity.indices
+        columns = {indices[x.index][1] for x in read if isinstance(x, Input) and x.argument == k}
+        for index in np.ndindex(*shape[:1], *(min(n, 3) for n in shape[1:])):  # R of displacements
+            if len(shape) > 1 and index[1] not in columns:
+                continue
+            given = arguments(operation)
+            given[k][index] = np.nan
+            with np.errstate(all="ignore"):
+                found = function(*given)
+            found = (found if isinstance(found, tuple) else (found,))[:len(operation.outputs)]
+            assert any(np.isnan(x).any() for x in found), (operation.inputs[k].name, index)
+
+
 @pytest.mark.parametrize("R", NO_ROTATIONS.values(), ids=NO_ROTATIONS)
 @pytest.mark.parametrize("place", (coscrew, _dispatch), ids=("compiled", "dispatch"))
 def test_matrices_that_are_no_rotations(R: np.ndarray, place):
@@ -132,6 +155,37 @@ def test_the_element_is_named_and_nothing_is_written():
         coscrew.SO3_log(R, out=out)
     assert (out == 7).all()
     assert coscrew.SO3_log(R[:0]).shape == (0, 3, 3)
+
+
+@pytest.mark.parametrize("place", PLACES.values(), ids=lambda x: x.__name__)
+def test_arguments_are_judged_along_the_axes_that_are_named(place):
+    mixed, right = (np.stack([I3, D, I3], -1) for D in (np.diag([-1.0, 1, 1]), I3[[1, 2, 0]]))
+    first = [(0, 1), *[(0,)] * (1 if place is not coscrew.certified else 2)]
+    for unlike in (mixed, mixed.astype(np.float32), mixed.tolist()):
+        with pytest.raises(ValueError, match=r"^SO3_log: element \(1,\) of R is no rotation"):
+            place.SO3_log(unlike, axes=first)
+    found, wanted = (x if isinstance(x, tuple) else (x,) for x in (
+        place.SO3_log(right, axes=first), place.SO3_log(right.transpose(2, 0, 1))))
+    for a, b in zip(found, wanted, strict=True):
+        assert np.array_equal(a.T, b, equal_nan=True)
+    for wrong in ([(0, 5), (0,)], [(0, 0), (0,)], [(0,), (0,)], 3):
+        with pytest.raises((ValueError, TypeError)):
+            place.SO3_log(mixed, axes=wrong)
+
+
+def test_quaternions_are_judged_along_the_axis_that_is_named():
+    q = np.array([[0, 0.6, 0], [0, 0, 0], [0, 0, 0], [1, 0.8, -1]])
+    swapped = [(0,), (0,), (0,)]
+    assert np.array_equal(coscrew.quaternion_log(q, axes=[(0,), (0,)]).T,
+                          coscrew.quaternion_log(q.T))
+    assert np.array_equal(coscrew.quaternion_nearest_unit(q, axis=0), q)
+    assert np.array_equal(coscrew.rotate_qv(q, np.ones((3, 3)), axes=swapped).T,
+                          coscrew.rotate_qv(q.T, np.ones((3, 3))))
+    q[:, 1] = 0
+    with pytest.raises(ValueError, match=r"element \(1,\) of q is zero"):
+        coscrew.quaternion_nearest_unit(q, axis=0)
+    with pytest.raises(ValueError, match=r"element \(1,\) of q is no unit quaternion"):
+        coscrew.rotate_qv(q, np.ones((3, 3)), axes=swapped)
 
 
 @pytest.mark.parametrize("name", ("quaternion_log", "mat3x3_from_quaternion", "rotate_qv",

@@ -21,6 +21,7 @@ from coscrew_codegen.operations.nearest import BESIDE, NEAREST
 from coscrew_codegen.programs import library_program
 from coscrew_codegen.tiers.accurate import LARGEST
 from tests.support.each import each_precision
+from tests.support.truth.nearest import nearest, off_orthonormal
 
 Draw = Callable[[np.random.Generator], np.ndarray]
 SCALES = {"double": (1e-320, 1e-300, 1e-150, 1e150, 1e300), "single": (1e-44, 1e-37, 1e-18, 1e37)}
@@ -60,19 +61,6 @@ DRAWN: dict[str, Draw] = {
     "rows of all sizes": lambda rng: rng.normal(size=(3, 3)) * 10**rng.uniform(-6, 6, (3, 1)),
     "nearly diagonal": lambda rng: np.diag(rng.normal(size=3)) + small(rng),
     "small integers": lambda rng: rng.integers(-2, 3, (3, 3)) + np.diag([0.0, 1, 4])}
-
-
-def nearest(A: np.ndarray) -> tuple[mpmath.matrix, mpf]:
-    """The rotation, and (s2 ± s3) / s1."""
-    U, s, V = mpmath.svd_r(mpmath.matrix(A.tolist()))
-    sign = mpmath.sign(mpmath.det(U) * mpmath.det(V))
-    return U * mpmath.diag([1, 1, sign]) * V, (s[1] + sign * s[2]) / s[0]
-
-
-def off_orthonormal(R: np.ndarray) -> mpf:
-    exact = mpmath.matrix(R.tolist())
-    assert mpmath.det(exact) > 0.9
-    return max(map(abs, exact.T * exact - mpmath.eye(3)))
 
 
 @each_precision
@@ -115,6 +103,26 @@ def test_where_several_are_equally_near_it_is_one_of_them(values: tuple[float, .
         _, s, _ = np.linalg.svd(A.astype(float))
         best = s[0] + s[1] + (s[2] if np.linalg.det(A.astype(float)) > 0 else -s[2])
         assert abs(np.trace(R.astype(float).T @ A) - best) <= 16 * u * s[0]
+
+
+@each_precision
+def test_entries_of_all_exponents(precision: Precision):
+    """Squares of the shorter columns underflow: any direction across the longest will do."""
+    rng, info = np.random.default_rng(11), np.finfo(precision.numpy_type)
+    least, most = np.log10(float(info.smallest_subnormal)), np.log10(float(info.max)) - 1
+    wide = rng.normal(size=(2000, 3, 3)) * 10**rng.uniform(least, most, (2000, 3, 3))
+    near = 10**rng.uniform(least, most, (2000, 1, 1)) * rng.normal(size=(2000, 3, 3))
+    near *= 10**rng.uniform(-40, 0, (2000, 3, 3))
+    given = np.concatenate([wide, near, [
+        [[-2e-23, 0, 0], [6e-7, 6e-23, 0], [0, 0, 0]],
+        [[0, -1e-161, 0], [2e-164, 4e-13, 0], [0, 0, 0]]]])
+    given[:4000][rng.random((4000, 3, 3)) < 0.3] = 0
+    given = given.astype(precision.numpy_type)
+    given = given[given.any((1, 2))]
+    R = coscrew.mat3x3_nearest_rotation(given).astype(np.longdouble)
+    off = np.einsum("nki,nkj->nij", R, R) - np.eye(3)
+    assert np.abs(off).max() <= BESIDE * 2.0**-precision.digits
+    assert (np.linalg.det(R.astype(float)) > 0.99).all()
 
 
 def test_the_guide_tells_why_no_tier_has_it():

@@ -1,5 +1,7 @@
 """Bounds of operations on rotations are infinite where a matrix is no rotation."""
 
+from itertools import permutations, product
+
 import numpy as np
 import pytest
 
@@ -51,3 +53,38 @@ def test_no_statement_is_made(operation: Operation, precision: Precision, librar
     assert all(map(np.isfinite, bounds(np.round(coscrew.SO3_exp([0.3, -0.2, 0.5]), 4))))
     for R in (*NO_ROTATIONS.values(), np.full((3, 3), np.nan)):
         assert not any(map(np.isfinite, bounds(R))), R
+
+
+def turns_of_a_cube() -> list[tuple[np.ndarray, int, np.ndarray]]:
+    """The 24 rotations of a cube to itself, with angle in degrees and axis."""
+    signed = [np.diag(signs) @ np.eye(3)[list(order)]
+              for order in permutations(range(3)) for signs in product((1, -1), repeat=3)]
+    found = []
+    for R in signed:
+        if np.linalg.det(R) > 0:
+            angle = {3: 0, 1: 90, 0: 120, -1: 180}[round(np.trace(R))]
+            axis = np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
+            found.append((R, angle, axis / max(1, np.linalg.norm(axis))))
+    return found
+
+
+@each_precision
+@pytest.mark.parametrize("name", ["SO3_log", "SE3_log", "axis_angle_from_mat3x3"])
+def test_right_rotations_have_bounds(name: str, precision: Precision):
+    """All turns of a cube, but none and half ones, which have no axis and two."""
+    operation = next(op for op in OF_ROTATIONS if op.name == name)
+    twin, u = getattr(getattr(coscrew.certified, precision.name), name), float(precision.u)
+    for R, angle, axis in turns_of_a_cube():
+        with np.errstate(all="ignore"):
+            found = twin(given(operation, R).astype(precision.numpy_type))
+        values, bounds = (np.concatenate([np.ravel(x).astype(float) for x in part]) for part in (
+            found[:len(operation.outputs)], found[len(operation.outputs):]))
+        if angle not in (90, 120):
+            assert not np.isfinite(bounds[-3:]).any()
+            continue
+        assert np.isfinite(bounds).all() and (bounds <= 64 * u).all()
+        theta, K = np.radians(angle), coscrew.skew(axis)
+        inverse = np.eye(3) - theta / 2 * K + (1 - theta / 2 / np.tan(theta / 2)) * K @ K
+        wanted = {"SO3_log": theta * axis, "axis_angle_from_mat3x3": [theta, *axis],
+                  "SE3_log": [*(inverse @ [1, 2, 3]), *(theta * axis)]}[name]
+        assert (np.abs(values - wanted) <= bounds + 2.0**-50).all()

@@ -1196,8 +1196,8 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "[-π/2, π/2]; c = 0 in gimbal lock.\n"
     "\n"
     "(3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.\n"
-    "391 mul, 701 add, 66 product error, 6 product rest, 17 div, 1 sqrt, 4 neg, 28 abs, 12\n"
-    "copysign, 41 less, 16 equal, 85 select.  Each component is within 1 ulp as long as its\n"
+    "391 mul, 713 add, 66 product error, 6 product rest, 17 div, 1 sqrt, 4 neg, 28 abs, 12\n"
+    "copysign, 42 less, 16 equal, 87 select.  Each component is within 1 ulp as long as its\n"
     "condition is below 1e13; in single precision it is the nearest number, except near ties, as\n"
     "long as that is below 1e5; searched, not proved.\n",
    1, 1, "R", euler_xyz_from_mat3x3_loops},
@@ -1215,8 +1215,8 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "[0, π]; c = 0 in gimbal lock.\n"
     "\n"
     "(3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.\n"
-    "391 mul, 701 add, 66 product error, 6 product rest, 17 div, 1 sqrt, 3 neg, 28 abs, 12\n"
-    "copysign, 41 less, 16 equal, 85 select.  Each component is within 1 ulp as long as its\n"
+    "391 mul, 713 add, 66 product error, 6 product rest, 17 div, 1 sqrt, 3 neg, 28 abs, 12\n"
+    "copysign, 42 less, 16 equal, 87 select.  Each component is within 1 ulp as long as its\n"
     "condition is below 1e13; in single precision it is the nearest number, except near ties, as\n"
     "long as that is below 1e5; searched, not proved.\n",
    1, 1, "R", euler_xyx_from_mat3x3_loops},

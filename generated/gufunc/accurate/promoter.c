@@ -436,10 +436,60 @@ static int refuses_any(const PyUFuncObject *ufunc, PyObject *const *given, size_
 
 static vectorcallfunc call_of_numpy;
 
+/* The value of a keyword, which stand after `count` arguments; NULL if it is missing or None. */
+static PyObject *keyword(
+    PyObject *const *given, size_t count, PyObject *names, const char *name) {
+  const Py_ssize_t keywords = names == NULL ? 0 : PyTuple_GET_SIZE(names);
+  PyObject *const *values = given + count;
+  for (Py_ssize_t k = 0; k < keywords; k++) {
+    if (PyUnicode_CompareWithASCIIString(PyTuple_GET_ITEM(names, k), name) == 0) {
+      return values[k] == Py_None ? NULL : values[k];
+    }
+  }
+  return NULL;
+}
+
+/* (-count, ..., -1): the last axes. */
+static PyObject *last_axes(int count) {
+  PyObject *last = PyTuple_New(count);
+  for (int k = 0; last != NULL && k < count; k++) {
+    PyObject *place = PyLong_FromLong(k - count);
+    if (place == NULL) {
+      Py_CLEAR(last);
+    } else {
+      PyTuple_SET_ITEM(last, k, place);
+    }
+  }
+  return last;
+}
+
+/* An argument with the axes of its elements last, as the gufunc takes them: `axes` has those of each
+   argument, `axis` is the one of all.  NULL if they are no axes of it. */
+static PyObject *with_axes_last(
+    PyObject *x, PyObject *axes, PyObject *axis, Py_ssize_t number, int count) {
+  if ((axes == NULL && count != 1)
+      || (!PyArray_Check(x) && PyObject_HasAttrString(x, "__array_ufunc__"))) {
+    Py_INCREF(x);
+    return x;
+  }
+  PyObject *moved = NULL, *last = last_axes(count), *numpy = PyImport_ImportModule("numpy");
+  PyObject *own = axes != NULL ? PySequence_GetItem(axes, number) : axis;
+  if (own != NULL && last != NULL && numpy != NULL) {
+    moved = PyObject_CallMethod(numpy, "moveaxis", "OOO", x, own, last);
+  }
+  if (axes != NULL) {
+    Py_XDECREF(own);
+  }
+  Py_XDECREF(last);
+  Py_XDECREF(numpy);
+  return moved;
+}
+
 /* NumPy's call of a gufunc, with errors that name the argument.  Refuses masked arrays, whose masks
    NumPy would ignore, pandas' objects, which would reorder the axes, and what is no rotation where one
-   is required. */
-static PyObject *call(PyObject *self, PyObject *const *given, size_t flags, PyObject *names) {
+   is required: `placed` are the arguments with the axes of their elements last. */
+static PyObject *call_placed(PyObject *self, PyObject *const *given, PyObject *const *placed,
+    size_t flags, PyObject *names) {
   const PyUFuncObject *ufunc = (const PyUFuncObject *)self;
   const size_t count = (size_t)PyVectorcall_NARGS(flags);
   const size_t inputs = count < (size_t)ufunc->nin ? count : (size_t)ufunc->nin;
@@ -449,21 +499,47 @@ static PyObject *call(PyObject *self, PyObject *const *given, size_t flags, PyOb
         && !PyList_CheckExact(x)
         && PyObject_HasAttrString((PyObject *)Py_TYPE(x),
             PyArray_Check(x) ? "mask" : "__pandas_priority__")) {
-      explain(ufunc, given, inputs);
+      explain(ufunc, placed, inputs);
       if (PyErr_Occurred()) {
         return NULL;
       }
     }
   }
-  if (refuses_any(ufunc, given, inputs)) {
-    explain(ufunc, given, inputs);
+  if (refuses_any(ufunc, placed, inputs)) {
+    explain(ufunc, placed, inputs);
     if (PyErr_Occurred()) {
       return NULL;
     }
   }
   PyObject *result = call_of_numpy(self, given, flags, names);
   if (result == NULL && PyErr_ExceptionMatches(PyExc_Exception)) {
-    explain(ufunc, given, inputs);
+    explain(ufunc, placed, inputs);
+  }
+  return result;
+}
+
+/* The same, of arguments whose axes the keywords `axes` or `axis` may name.  Where these are no axes of
+   an argument, NumPy says why. */
+static PyObject *call(PyObject *self, PyObject *const *given, size_t flags, PyObject *names) {
+  const PyUFuncObject *ufunc = (const PyUFuncObject *)self;
+  const size_t count = (size_t)PyVectorcall_NARGS(flags);
+  const size_t inputs = count < (size_t)ufunc->nin ? count : (size_t)ufunc->nin;
+  PyObject *axes = keyword(given, count, names, "axes");
+  PyObject *axis = keyword(given, count, names, "axis");
+  if (axes == NULL && axis == NULL) {
+    return call_placed(self, given, given, flags, names);
+  }
+  PyObject *placed[NPY_MAXARGS];
+  size_t done = 0;
+  while (done < inputs && (placed[done] = with_axes_last(
+          given[done], axes, axis, (Py_ssize_t)done, ufunc->core_num_dims[done])) != NULL) {
+    done++;
+  }
+  PyErr_Clear();
+  PyObject *result = done < inputs ? call_of_numpy(self, given, flags, names)
+                                   : call_placed(self, given, placed, flags, names);
+  while (done > 0) {
+    Py_DECREF(placed[--done]);
   }
   return result;
 }

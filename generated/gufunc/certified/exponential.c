@@ -951,8 +951,8 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "\n"
     "(3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;\n"
     "ω in rad/s).\n"
-    "608 mul, 1023 add, 36 product error, 36 product rest, 47 div, 5 sqrt, 14 neg, 168 abs, 6\n"
-    "copysign, 73 less, 10 equal, 175 select.\n",
+    "599 mul, 986 add, 36 product error, 36 product rest, 47 div, 5 sqrt, 15 neg, 155 abs, 6\n"
+    "copysign, 72 less, 10 equal, 171 select.\n",
    1, 2, "R", SE3_log_loops},
   {NULL, NULL, NULL, 0, 0, NULL, NULL},
 };

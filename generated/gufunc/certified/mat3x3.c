@@ -875,8 +875,8 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "[-π/2, π/2]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.\n"
     "\n"
     "(3,3)->(3),(3).  R: rotation or other 3×3 matrix; angles, angles_bound: vector.\n"
-    "452 mul, 749 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 4 neg, 66 abs, 12\n"
-    "copysign, 57 less, 14 equal, 104 select.\n",
+    "455 mul, 765 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 4 neg, 72 abs, 12\n"
+    "copysign, 59 less, 14 equal, 108 select.\n",
    1, 2, "R", euler_xyz_from_mat3x3_loops},
   {"mat3x3_from_euler_xyx", "(3)->(3,3),(3,3)",
     "R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); |error of R| <= R_bound unless inf or NaN.\n"
@@ -889,8 +889,8 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "[0, π]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.\n"
     "\n"
     "(3,3)->(3),(3).  R: rotation or other 3×3 matrix; angles, angles_bound: vector.\n"
-    "452 mul, 749 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 3 neg, 66 abs, 12\n"
-    "copysign, 59 less, 14 equal, 106 select.\n",
+    "455 mul, 765 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 3 neg, 72 abs, 12\n"
+    "copysign, 61 less, 14 equal, 110 select.\n",
    1, 2, "R", euler_xyx_from_mat3x3_loops},
   {"mat3x3_from_axis_angle", "(3),()->(3,3),(3,3)",
     "R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; otherwise R is\n"

@@ -105,7 +105,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "3587e8f55de717e4") < 0
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "ed544b945d1e4bae") < 0
       || PyModule_AddStringConstant(
           module, "LOOPS", families == baseline ? "baseline" : "AVX2 with FMA") < 0) {
     Py_DECREF(module);

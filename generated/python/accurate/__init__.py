@@ -14,7 +14,7 @@ import sys
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "c7e35b89301f5e33")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "222a633ebb662898")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (

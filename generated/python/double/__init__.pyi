@@ -419,7 +419,7 @@ def euler_xyz_from_mat3x3(R: ArrayLike, out: NDArray[np.float64] | None = ...) -
     [-π/2, π/2]; c = 0 in gimbal lock.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
-    93 mul, 108 add, 5 div, 1 sqrt, 4 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.  The
+    93 mul, 109 add, 5 div, 1 sqrt, 4 neg, 6 abs, 6 copysign, 19 less, 4 equal, 46 select.  The
     rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock too;
     searched, not proved.
     """
@@ -436,7 +436,7 @@ def euler_xyx_from_mat3x3(R: ArrayLike, out: NDArray[np.float64] | None = ...) -
     [0, π]; c = 0 in gimbal lock.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
-    93 mul, 108 add, 5 div, 1 sqrt, 3 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.  The
+    93 mul, 109 add, 5 div, 1 sqrt, 3 neg, 6 abs, 6 copysign, 19 less, 4 equal, 46 select.  The
     rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock too;
     searched, not proved.
     """
@@ -467,7 +467,7 @@ def mat3x3_nearest_rotation(A: ArrayLike, out: NDArray[np.float64] | None = ...)
     of rank 1) one of them.
 
     (3,3)->(3,3).  A, Ro: rotation or other 3×3 matrix.
-    645 mul, 400 add, 51 div, 32 sqrt, 37 neg, 42 abs, 59 less, 34 equal, 168 select.  |Ro -
+    649 mul, 400 add, 51 div, 32 sqrt, 37 neg, 42 abs, 60 less, 34 equal, 169 select.  |Ro -
     nearest|_F <= 16 u s1 / (s2 ± s3), + if det A > 0, and |Ro^T Ro - I|_ij <= 6 u; measured,
     not proved.
     """

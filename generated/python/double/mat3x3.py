@@ -552,7 +552,7 @@ def euler_xyz_from_mat3x3(R):
     [-π/2, π/2]; c = 0 in gimbal lock.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
-    93 mul, 108 add, 5 div, 1 sqrt, 4 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.  The
+    93 mul, 109 add, 5 div, 1 sqrt, 4 neg, 6 abs, 6 copysign, 19 less, 4 equal, 46 select.  The
     rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock too;
     searched, not proved.
     """
@@ -567,7 +567,9 @@ def euler_xyz_from_mat3x3(R):
     third = where(divisor_a, 0, polar)
     left_1 = R_10 * sine + R_11 * cosine
     left_2 = R_20 * sine + R_21 * cosine
-    angles_0 = elementary.atan2(left_2, left_1)
+    rest = R_12 + R_22
+    first = elementary.atan2(left_2, left_1)
+    angles_0 = where(rest < 1.2676506002282294e+30, first, rest)
     angles_1 = elementary.atan2(R_02, n)
     return (angles_0, angles_1, third)
 
@@ -602,7 +604,7 @@ def euler_xyx_from_mat3x3(R):
     [0, π]; c = 0 in gimbal lock.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
-    93 mul, 108 add, 5 div, 1 sqrt, 3 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.  The
+    93 mul, 109 add, 5 div, 1 sqrt, 3 neg, 6 abs, 6 copysign, 19 less, 4 equal, 46 select.  The
     rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock too;
     searched, not proved.
     """
@@ -616,7 +618,9 @@ def euler_xyx_from_mat3x3(R):
     third = where(divisor_a, 0, polar)
     left_1 = R_11 * cosine - R_12 * sine
     left_2 = R_21 * cosine - R_22 * sine
-    angles_0 = elementary.atan2(left_2, left_1)
+    rest = R_10 + R_20
+    first = elementary.atan2(left_2, left_1)
+    angles_0 = where(rest < 1.2676506002282294e+30, first, rest)
     angles_1 = elementary.atan2(n, R_00)
     return (angles_0, angles_1, third)
 
@@ -708,7 +712,7 @@ def mat3x3_nearest_rotation(A):
     of rank 1) one of them.
 
     (3,3)->(3,3).  A, Ro: rotation or other 3×3 matrix.
-    645 mul, 400 add, 51 div, 32 sqrt, 37 neg, 42 abs, 59 less, 34 equal, 168 select.  |Ro -
+    649 mul, 400 add, 51 div, 32 sqrt, 37 neg, 42 abs, 60 less, 34 equal, 169 select.  |Ro -
     nearest|_F <= 16 u s1 / (s2 ± s3), + if det A > 0, and |Ro^T Ro - I|_ij <= 6 u; measured,
     not proved.
     """
@@ -1278,6 +1282,7 @@ def mat3x3_nearest_rotation(A):
     u0_0 = turn402_a_0 / first_divisor
     u0_1 = turn402_a_1 / first_divisor
     u0_2 = turn402_a_2 / first_divisor
+    least = 0.015625 * (1.7763568394002505e-15 * 1.7763568394002505e-15) * (longest * longest)
     second_along = turn412_a_0 * u0_0 + turn412_a_1 * u0_1 + turn412_a_2 * u0_2
     second_part_0 = turn412_a_0 - u0_0 * second_along
     second_part_1 = turn412_a_1 - u0_1 * second_along
@@ -1285,7 +1290,9 @@ def mat3x3_nearest_rotation(A):
     second_whole = turn412_a_0 * turn412_a_0 + turn412_a_1 * turn412_a_1 + turn412_a_2 * turn412_a_2
     second_kept_c = second_part_0 * second_part_0 + second_part_1 * second_part_1
     second_kept = second_kept_c + second_part_2 * second_part_2
-    second_is_kept = where(0.25 * second_whole < second_kept, float64(1), float64(0))
+    second_enough_a = 0.25 * second_whole
+    second_enough = where(second_enough_a < least, least, second_enough_a)
+    second_is_kept = where(second_enough < second_kept, float64(1), float64(0))
     second_size_0 = absolute(u0_0)
     second_size_1 = absolute(u0_1)
     second_size_2 = absolute(u0_2)

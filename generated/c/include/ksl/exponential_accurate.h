@@ -3520,7 +3520,7 @@ static inline void ksl_SE3_exp_accurate(const ksl_screw_t *s, ksl_SE3_t *D) {
 
 /* so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   285 mul, 755 add, 36 product error, 36 product rest, 23 div, 2 sqrt, 11 neg, 14 abs, 4
+   285 mul, 748 add, 36 product error, 36 product rest, 23 div, 2 sqrt, 12 neg, 14 abs, 4
      copysign, 32 less, 13 equal, 88 select.
    Error <= lin: 1 u, ang: 1 u of its largest component for R of D a rotation; searched, not
      proved.  Each component is within 1 ulp as long as its condition is below 1e13; in single
@@ -3581,19 +3581,14 @@ static inline void ksl_SE3_log_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double low_1 = D->m11 < D->m00 ? s_2 : d_2, low_1_lo = D->m11 < D->m00 ? s_2_lo : d_2_lo;
   const double low_2 = D->m11 < D->m00 ? s_1 : s_0, low_2_lo = D->m11 < D->m00 ? s_1_lo : s_0_lo;
   const double low_3 = D->m11 < D->m00 ? p_0 : p_1, low_3_lo = D->m11 < D->m00 ? p_0_lo : p_1_lo;
-  const double opposite = D->m00 + D->m11, opposite_right = opposite - D->m00,
-      opposite_left = opposite - opposite_right, opposite_left_rest = D->m00 - opposite_left,
-      opposite_right_rest = D->m11 - opposite_right,
-      opposite_lo = opposite_left_rest + opposite_right_rest;
-  const double high_0a_of_opposite = opposite + opposite_lo,
-      high_0 = high_0a_of_opposite < 0.0 ? s_1 : p_0,
-      high_0_lo = high_0a_of_opposite < 0.0 ? s_1_lo : p_0_lo;
-  const double high_1 = high_0a_of_opposite < 0.0 ? s_0 : p_1,
-      high_1_lo = high_0a_of_opposite < 0.0 ? s_0_lo : p_1_lo;
-  const double high_2 = high_0a_of_opposite < 0.0 ? d_3 : p_2,
-      high_2_lo = high_0a_of_opposite < 0.0 ? d_3_lo : p_2_lo;
-  const double high_3 = high_0a_of_opposite < 0.0 ? p_2 : d_0,
-      high_3_lo = high_0a_of_opposite < 0.0 ? p_2_lo : d_0_lo;
+  const double high_0a = -D->m11, high_0 = D->m00 < high_0a ? s_1 : p_0,
+      high_0_lo = D->m00 < high_0a ? s_1_lo : p_0_lo;
+  const double high_1 = D->m00 < high_0a ? s_0 : p_1,
+      high_1_lo = D->m00 < high_0a ? s_0_lo : p_1_lo;
+  const double high_2 = D->m00 < high_0a ? d_3 : p_2,
+      high_2_lo = D->m00 < high_0a ? d_3_lo : p_2_lo;
+  const double high_3 = D->m00 < high_0a ? p_2 : d_0,
+      high_3_lo = D->m00 < high_0a ? p_2_lo : d_0_lo;
   const double column_0 = D->m22 < 0.0 ? low_0 : high_0,
       column_0_lo = D->m22 < 0.0 ? low_0_lo : high_0_lo;
   const double column_1 = D->m22 < 0.0 ? low_1 : high_1,
@@ -7732,7 +7727,7 @@ static inline void ksl_SE3_rightJacobianInverse_accurate(const ksl_screw_t *s, k
 
 /* Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
    D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-   717 mul, 1719 add, 66 product error, 166 product rest, 29 div, 3 sqrt, 11 neg, 18 abs, 4
+   717 mul, 1706 add, 66 product error, 166 product rest, 29 div, 3 sqrt, 13 neg, 18 abs, 4
      copysign, 38 less, 20 equal, 110 select.
    Error <= R: 1 u, t: 1 u of its largest component, or of D1.t or D2.t if that is larger, for R
      of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.  Each
@@ -7995,12 +7990,6 @@ static inline void ksl_SE3_interpolated_accurate(const ksl_SE3_t *D1, const ksl_
       log_low_0a_of_between_5_lo = log_low_0a_of_between_5_left_rest +
           log_low_0a_of_between_5_right_rest,
       log_low_0a_of_between_0 = between_0 + between_0_lo,
-      log_low_0a_of_between_0_right = log_low_0a_of_between_0 - between_0,
-      log_low_0a_of_between_0_left = log_low_0a_of_between_0 - log_low_0a_of_between_0_right,
-      log_low_0a_of_between_0_left_rest = between_0 - log_low_0a_of_between_0_left,
-      log_low_0a_of_between_0_right_rest = between_0_lo - log_low_0a_of_between_0_right,
-      log_low_0a_of_between_0_lo = log_low_0a_of_between_0_left_rest +
-          log_low_0a_of_between_0_right_rest,
       log_low_0 = log_low_0a_of_between_5 < log_low_0a_of_between_0 ? log_d_1 : log_s_2,
       log_low_0_lo = log_low_0a_of_between_5 < log_low_0a_of_between_0 ? log_d_1_lo : log_s_2_lo;
   const double log_low_1 = log_low_0a_of_between_5 < log_low_0a_of_between_0 ? log_s_2 : log_d_2,
@@ -8009,23 +7998,23 @@ static inline void ksl_SE3_interpolated_accurate(const ksl_SE3_t *D1, const ksl_
       log_low_2_lo = log_low_0a_of_between_5 < log_low_0a_of_between_0 ? log_s_1_lo : log_s_0_lo;
   const double log_low_3 = log_low_0a_of_between_5 < log_low_0a_of_between_0 ? log_p_0 : log_p_1,
       log_low_3_lo = log_low_0a_of_between_5 < log_low_0a_of_between_0 ? log_p_0_lo : log_p_1_lo;
-  const double log_opposite = log_low_0a_of_between_0 + log_low_0a_of_between_5,
-      log_opposite_right = log_opposite - log_low_0a_of_between_0,
-      log_opposite_left = log_opposite - log_opposite_right,
-      log_opposite_left_rest = log_low_0a_of_between_0 - log_opposite_left,
-      log_opposite_right_rest = log_low_0a_of_between_5 - log_opposite_right,
-      log_opposite_lo1 = log_opposite_left_rest + log_opposite_right_rest,
-      log_opposite_lo2 = log_opposite_lo1 + log_low_0a_of_between_5_lo,
-      log_opposite_lo = log_opposite_lo2 + log_low_0a_of_between_0_lo;
-  const double log_high_0a_of_log_opposite = log_opposite + log_opposite_lo,
-      log_high_0 = log_high_0a_of_log_opposite < 0.0 ? log_s_1 : log_p_0,
-      log_high_0_lo = log_high_0a_of_log_opposite < 0.0 ? log_s_1_lo : log_p_0_lo;
-  const double log_high_1 = log_high_0a_of_log_opposite < 0.0 ? log_s_0 : log_p_1,
-      log_high_1_lo = log_high_0a_of_log_opposite < 0.0 ? log_s_0_lo : log_p_1_lo;
-  const double log_high_2 = log_high_0a_of_log_opposite < 0.0 ? log_d_3 : log_p_2,
-      log_high_2_lo = log_high_0a_of_log_opposite < 0.0 ? log_d_3_lo : log_p_2_lo;
-  const double log_high_3 = log_high_0a_of_log_opposite < 0.0 ? log_p_2 : log_d_0,
-      log_high_3_lo = log_high_0a_of_log_opposite < 0.0 ? log_p_2_lo : log_d_0_lo;
+  const double log_high_0a = -log_low_0a_of_between_5, log_high_0a_lo = -log_low_0a_of_between_5_lo,
+      log_high_0b_of_log_high_0a = log_high_0a + log_high_0a_lo,
+      log_high_0 = log_low_0a_of_between_0 < log_high_0b_of_log_high_0a ? log_s_1 : log_p_0,
+      log_high_0_lo = log_low_0a_of_between_0 < log_high_0b_of_log_high_0a ? log_s_1_lo :
+          log_p_0_lo;
+  const double log_high_1 = log_low_0a_of_between_0 < log_high_0b_of_log_high_0a ? log_s_0 :
+      log_p_1,
+      log_high_1_lo = log_low_0a_of_between_0 < log_high_0b_of_log_high_0a ? log_s_0_lo :
+          log_p_1_lo;
+  const double log_high_2 = log_low_0a_of_between_0 < log_high_0b_of_log_high_0a ? log_d_3 :
+      log_p_2,
+      log_high_2_lo = log_low_0a_of_between_0 < log_high_0b_of_log_high_0a ? log_d_3_lo :
+          log_p_2_lo;
+  const double log_high_3 = log_low_0a_of_between_0 < log_high_0b_of_log_high_0a ? log_p_2 :
+      log_d_0,
+      log_high_3_lo = log_low_0a_of_between_0 < log_high_0b_of_log_high_0a ? log_p_2_lo :
+          log_d_0_lo;
   const double log_column_0a_of_between_10 = between_10 + between_10_lo,
       log_column_0 = log_column_0a_of_between_10 < 0.0 ? log_low_0 : log_high_0,
       log_column_0_lo = log_column_0a_of_between_10 < 0.0 ? log_low_0_lo : log_high_0_lo;
@@ -10463,7 +10452,7 @@ static inline void ksl_SE3f_exp_accurate(const ksl_screwf_t *s, ksl_SE3f_t *D) {
 
 /* so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   83 mul, 80 add, 8 div, 2 sqrt, 4 neg, 6 abs, 2 copysign, 20 less, 2 equal, 42 select.
+   83 mul, 79 add, 8 div, 2 sqrt, 5 neg, 6 abs, 2 copysign, 20 less, 2 equal, 42 select.
    Error <= lin: 1 u, ang: 1 u of its largest component for R of D a rotation; searched, not
      proved.  Each component is within 1 ulp as long as its condition is below 1e13; in single
      precision it is the nearest number, except near ties, as long as that is below 1e5;
@@ -10488,11 +10477,10 @@ static inline void ksl_SE3f_log_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) 
   const double low_1 = (double)D->m11 < (double)D->m00 ? s_2 : d_2;
   const double low_2 = (double)D->m11 < (double)D->m00 ? s_1 : s_0;
   const double low_3 = (double)D->m11 < (double)D->m00 ? p_0 : p_1;
-  const double opposite = (double)D->m00 + (double)D->m11;
-  const double high_0 = opposite < 0.0 ? s_1 : p_0;
-  const double high_1 = opposite < 0.0 ? s_0 : p_1;
-  const double high_2 = opposite < 0.0 ? d_3 : p_2;
-  const double high_3 = opposite < 0.0 ? p_2 : d_0;
+  const double high_0a = -(double)D->m11, high_0 = (double)D->m00 < high_0a ? s_1 : p_0;
+  const double high_1 = (double)D->m00 < high_0a ? s_0 : p_1;
+  const double high_2 = (double)D->m00 < high_0a ? d_3 : p_2;
+  const double high_3 = (double)D->m00 < high_0a ? p_2 : d_0;
   const double column_0 = (double)D->m22 < 0.0 ? low_0 : high_0;
   const double column_1 = (double)D->m22 < 0.0 ? low_1 : high_1;
   const double column_2 = (double)D->m22 < 0.0 ? low_2 : high_2;
@@ -11308,7 +11296,7 @@ static inline void ksl_SE3f_rightJacobianInverse_accurate(const ksl_screwf_t *s,
 
 /* Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
    D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-   247 mul, 212 add, 10 div, 3 sqrt, 4 neg, 7 abs, 2 copysign, 25 less, 2 equal, 49 select.
+   247 mul, 211 add, 10 div, 3 sqrt, 5 neg, 7 abs, 2 copysign, 25 less, 2 equal, 49 select.
    Error <= R: 1 u, t: 1 u of its largest component, or of D1.t or D2.t if that is larger, for R
      of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.  Each
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
@@ -11374,11 +11362,10 @@ static inline void ksl_SE3f_interpolated_accurate(const ksl_SE3f_t *D1, const ks
   const double log_low_1 = between_5 < between_0 ? log_s_2 : log_d_2;
   const double log_low_2 = between_5 < between_0 ? log_s_1 : log_s_0;
   const double log_low_3 = between_5 < between_0 ? log_p_0 : log_p_1;
-  const double log_opposite = between_0 + between_5;
-  const double log_high_0 = log_opposite < 0.0 ? log_s_1 : log_p_0;
-  const double log_high_1 = log_opposite < 0.0 ? log_s_0 : log_p_1;
-  const double log_high_2 = log_opposite < 0.0 ? log_d_3 : log_p_2;
-  const double log_high_3 = log_opposite < 0.0 ? log_p_2 : log_d_0;
+  const double log_high_0a = -between_5, log_high_0 = between_0 < log_high_0a ? log_s_1 : log_p_0;
+  const double log_high_1 = between_0 < log_high_0a ? log_s_0 : log_p_1;
+  const double log_high_2 = between_0 < log_high_0a ? log_d_3 : log_p_2;
+  const double log_high_3 = between_0 < log_high_0a ? log_p_2 : log_d_0;
   const double log_column_0 = between_10 < 0.0 ? log_low_0 : log_high_0;
   const double log_column_1 = between_10 < 0.0 ? log_low_1 : log_high_1;
   const double log_column_2 = between_10 < 0.0 ? log_low_2 : log_high_2;

@@ -2017,8 +2017,8 @@ static inline void ksl_mat3x3_from_euler_xyz_accurate(const ksl_vec3_t *angles, 
 /* angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
      [-π/2, π/2]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
-   391 mul, 701 add, 66 product error, 6 product rest, 17 div, 1 sqrt, 4 neg, 28 abs, 12
-     copysign, 41 less, 16 equal, 85 select.
+   391 mul, 713 add, 66 product error, 6 product rest, 17 div, 1 sqrt, 4 neg, 28 abs, 12
+     copysign, 42 less, 16 equal, 87 select.
    Each component is within 1 ulp as long as its condition is below 1e13; in single precision it
      is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
 static inline void ksl_euler_xyz_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *angles) {
@@ -2083,35 +2083,42 @@ static inline void ksl_euler_xyz_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       left_2_right_rest = ksl_product_rest(R->m21, cosine, left_2b, left_2_right),
       left_2_cross = left_2a_cross2 + left_2b_cross2,
       left_2_lo1 = left_2_left_rest + left_2_right_rest, left_2_lo = left_2_lo1 + left_2_cross;
-  const double angles_0_of_left_2 = left_2 + left_2_lo,
-      angles_0_of_left_2_right = angles_0_of_left_2 - left_2,
-      angles_0_of_left_2_left = angles_0_of_left_2 - angles_0_of_left_2_right,
-      angles_0_of_left_2_left_rest = left_2 - angles_0_of_left_2_left,
-      angles_0_of_left_2_right_rest = left_2_lo - angles_0_of_left_2_right,
-      angles_0_of_left_2_lo = angles_0_of_left_2_left_rest + angles_0_of_left_2_right_rest,
-      angles_0_of_left_1 = left_1 + left_1_lo,
-      angles_0_of_left_1_right = angles_0_of_left_1 - left_1,
-      angles_0_of_left_1_left = angles_0_of_left_1 - angles_0_of_left_1_right,
-      angles_0_of_left_1_left_rest = left_1 - angles_0_of_left_1_left,
-      angles_0_of_left_1_right_rest = left_1_lo - angles_0_of_left_1_right,
-      angles_0_of_left_1_lo = angles_0_of_left_1_left_rest + angles_0_of_left_1_right_rest,
-      angles_0 = ksl_atan2(angles_0_of_left_2, angles_0_of_left_1),
-      angles_0_own_error = ksl_atan2_error(angles_0_of_left_2, angles_0_of_left_1, angles_0),
-      angles_0_size0 = fabs(angles_0_of_left_2), angles_0_size1 = fabs(angles_0_of_left_1),
-      angles_0_most = angles_0_size0 < angles_0_size1 ? angles_0_size1 : angles_0_size0,
-      angles_0_divisor = angles_0_most == 0.0 ? 1.0 : angles_0_most,
-      angles_0_part0 = angles_0_of_left_2 / angles_0_divisor,
-      angles_0_part1 = angles_0_of_left_1 / angles_0_divisor,
-      angles_0_cross1 = KSL_MUL(angles_0_part1, angles_0_of_left_2_lo),
-      angles_0_cross2 = KSL_MUL(angles_0_part0, angles_0_of_left_1_lo),
-      angles_0_square1 = KSL_MUL(angles_0_part1, angles_0_part1),
-      angles_0_square2 = KSL_MUL(angles_0_part0, angles_0_part0),
-      angles_0_cross = angles_0_cross1 - angles_0_cross2,
-      angles_0_square = angles_0_square1 + angles_0_square2,
-      angles_0_divisor2 = KSL_MUL(angles_0_divisor, angles_0_square),
-      angles_0_safe = angles_0_most == 0.0 ? 1.0 : angles_0_divisor2,
-      angles_0_more = angles_0_cross / angles_0_safe,
-      angles_0_lo = angles_0_own_error + angles_0_more;
+  const double rest = R->m12 + R->m22, rest_right = rest - R->m12, rest_left = rest - rest_right,
+      rest_left_rest = R->m12 - rest_left, rest_right_rest = R->m22 - rest_right,
+      rest_lo = rest_left_rest + rest_right_rest;
+  const double first_of_left_2 = left_2 + left_2_lo,
+      first_of_left_2_right = first_of_left_2 - left_2,
+      first_of_left_2_left = first_of_left_2 - first_of_left_2_right,
+      first_of_left_2_left_rest = left_2 - first_of_left_2_left,
+      first_of_left_2_right_rest = left_2_lo - first_of_left_2_right,
+      first_of_left_2_lo = first_of_left_2_left_rest + first_of_left_2_right_rest,
+      first_of_left_1 = left_1 + left_1_lo, first_of_left_1_right = first_of_left_1 - left_1,
+      first_of_left_1_left = first_of_left_1 - first_of_left_1_right,
+      first_of_left_1_left_rest = left_1 - first_of_left_1_left,
+      first_of_left_1_right_rest = left_1_lo - first_of_left_1_right,
+      first_of_left_1_lo = first_of_left_1_left_rest + first_of_left_1_right_rest,
+      first = ksl_atan2(first_of_left_2, first_of_left_1),
+      first_own_error = ksl_atan2_error(first_of_left_2, first_of_left_1, first),
+      first_size0 = fabs(first_of_left_2), first_size1 = fabs(first_of_left_1),
+      first_most = first_size0 < first_size1 ? first_size1 : first_size0,
+      first_divisor = first_most == 0.0 ? 1.0 : first_most,
+      first_part0 = first_of_left_2 / first_divisor, first_part1 = first_of_left_1 / first_divisor,
+      first_cross1 = KSL_MUL(first_part1, first_of_left_2_lo),
+      first_cross2 = KSL_MUL(first_part0, first_of_left_1_lo),
+      first_square1 = KSL_MUL(first_part1, first_part1),
+      first_square2 = KSL_MUL(first_part0, first_part0), first_cross = first_cross1 - first_cross2,
+      first_square = first_square1 + first_square2,
+      first_divisor2 = KSL_MUL(first_divisor, first_square),
+      first_safe = first_most == 0.0 ? 1.0 : first_divisor2, first_more = first_cross / first_safe,
+      first_lo = first_own_error + first_more;
+  const double angles_0a_of_rest = rest + rest_lo,
+      angles_0a_of_rest_right = angles_0a_of_rest - rest,
+      angles_0a_of_rest_left = angles_0a_of_rest - angles_0a_of_rest_right,
+      angles_0a_of_rest_left_rest = rest - angles_0a_of_rest_left,
+      angles_0a_of_rest_right_rest = rest_lo - angles_0a_of_rest_right,
+      angles_0a_of_rest_lo = angles_0a_of_rest_left_rest + angles_0a_of_rest_right_rest,
+      angles_0 = angles_0a_of_rest < 1.2676506002282294e+30 ? first : angles_0a_of_rest,
+      angles_0_lo = angles_0a_of_rest < 1.2676506002282294e+30 ? first_lo : angles_0a_of_rest_lo;
   const double angles_1 = ksl_atan2(R->m02, divisor_a_of_n),
       angles_1_own_error = ksl_atan2_error(R->m02, divisor_a_of_n, angles_1),
       angles_1_size0 = fabs(R->m02), angles_1_size1 = fabs(divisor_a_of_n),
@@ -2248,8 +2255,8 @@ static inline void ksl_mat3x3_from_euler_xyx_accurate(const ksl_vec3_t *angles, 
 /* angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in [0,
      π]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
-   391 mul, 701 add, 66 product error, 6 product rest, 17 div, 1 sqrt, 3 neg, 28 abs, 12
-     copysign, 41 less, 16 equal, 85 select.
+   391 mul, 713 add, 66 product error, 6 product rest, 17 div, 1 sqrt, 3 neg, 28 abs, 12
+     copysign, 42 less, 16 equal, 87 select.
    Each component is within 1 ulp as long as its condition is below 1e13; in single precision it
      is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
 static inline void ksl_euler_xyx_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *angles) {
@@ -2314,35 +2321,42 @@ static inline void ksl_euler_xyx_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       left_2_right_rest = ksl_product_rest(R->m22, sine, left_2b, left_2_right),
       left_2_cross = left_2a_cross2 - left_2b_cross2,
       left_2_lo1 = left_2_left_rest - left_2_right_rest, left_2_lo = left_2_lo1 + left_2_cross;
-  const double angles_0_of_left_2 = left_2 + left_2_lo,
-      angles_0_of_left_2_right = angles_0_of_left_2 - left_2,
-      angles_0_of_left_2_left = angles_0_of_left_2 - angles_0_of_left_2_right,
-      angles_0_of_left_2_left_rest = left_2 - angles_0_of_left_2_left,
-      angles_0_of_left_2_right_rest = left_2_lo - angles_0_of_left_2_right,
-      angles_0_of_left_2_lo = angles_0_of_left_2_left_rest + angles_0_of_left_2_right_rest,
-      angles_0_of_left_1 = left_1 + left_1_lo,
-      angles_0_of_left_1_right = angles_0_of_left_1 - left_1,
-      angles_0_of_left_1_left = angles_0_of_left_1 - angles_0_of_left_1_right,
-      angles_0_of_left_1_left_rest = left_1 - angles_0_of_left_1_left,
-      angles_0_of_left_1_right_rest = left_1_lo - angles_0_of_left_1_right,
-      angles_0_of_left_1_lo = angles_0_of_left_1_left_rest + angles_0_of_left_1_right_rest,
-      angles_0 = ksl_atan2(angles_0_of_left_2, angles_0_of_left_1),
-      angles_0_own_error = ksl_atan2_error(angles_0_of_left_2, angles_0_of_left_1, angles_0),
-      angles_0_size0 = fabs(angles_0_of_left_2), angles_0_size1 = fabs(angles_0_of_left_1),
-      angles_0_most = angles_0_size0 < angles_0_size1 ? angles_0_size1 : angles_0_size0,
-      angles_0_divisor = angles_0_most == 0.0 ? 1.0 : angles_0_most,
-      angles_0_part0 = angles_0_of_left_2 / angles_0_divisor,
-      angles_0_part1 = angles_0_of_left_1 / angles_0_divisor,
-      angles_0_cross1 = KSL_MUL(angles_0_part1, angles_0_of_left_2_lo),
-      angles_0_cross2 = KSL_MUL(angles_0_part0, angles_0_of_left_1_lo),
-      angles_0_square1 = KSL_MUL(angles_0_part1, angles_0_part1),
-      angles_0_square2 = KSL_MUL(angles_0_part0, angles_0_part0),
-      angles_0_cross = angles_0_cross1 - angles_0_cross2,
-      angles_0_square = angles_0_square1 + angles_0_square2,
-      angles_0_divisor2 = KSL_MUL(angles_0_divisor, angles_0_square),
-      angles_0_safe = angles_0_most == 0.0 ? 1.0 : angles_0_divisor2,
-      angles_0_more = angles_0_cross / angles_0_safe,
-      angles_0_lo = angles_0_own_error + angles_0_more;
+  const double rest = R->m10 + R->m20, rest_right = rest - R->m10, rest_left = rest - rest_right,
+      rest_left_rest = R->m10 - rest_left, rest_right_rest = R->m20 - rest_right,
+      rest_lo = rest_left_rest + rest_right_rest;
+  const double first_of_left_2 = left_2 + left_2_lo,
+      first_of_left_2_right = first_of_left_2 - left_2,
+      first_of_left_2_left = first_of_left_2 - first_of_left_2_right,
+      first_of_left_2_left_rest = left_2 - first_of_left_2_left,
+      first_of_left_2_right_rest = left_2_lo - first_of_left_2_right,
+      first_of_left_2_lo = first_of_left_2_left_rest + first_of_left_2_right_rest,
+      first_of_left_1 = left_1 + left_1_lo, first_of_left_1_right = first_of_left_1 - left_1,
+      first_of_left_1_left = first_of_left_1 - first_of_left_1_right,
+      first_of_left_1_left_rest = left_1 - first_of_left_1_left,
+      first_of_left_1_right_rest = left_1_lo - first_of_left_1_right,
+      first_of_left_1_lo = first_of_left_1_left_rest + first_of_left_1_right_rest,
+      first = ksl_atan2(first_of_left_2, first_of_left_1),
+      first_own_error = ksl_atan2_error(first_of_left_2, first_of_left_1, first),
+      first_size0 = fabs(first_of_left_2), first_size1 = fabs(first_of_left_1),
+      first_most = first_size0 < first_size1 ? first_size1 : first_size0,
+      first_divisor = first_most == 0.0 ? 1.0 : first_most,
+      first_part0 = first_of_left_2 / first_divisor, first_part1 = first_of_left_1 / first_divisor,
+      first_cross1 = KSL_MUL(first_part1, first_of_left_2_lo),
+      first_cross2 = KSL_MUL(first_part0, first_of_left_1_lo),
+      first_square1 = KSL_MUL(first_part1, first_part1),
+      first_square2 = KSL_MUL(first_part0, first_part0), first_cross = first_cross1 - first_cross2,
+      first_square = first_square1 + first_square2,
+      first_divisor2 = KSL_MUL(first_divisor, first_square),
+      first_safe = first_most == 0.0 ? 1.0 : first_divisor2, first_more = first_cross / first_safe,
+      first_lo = first_own_error + first_more;
+  const double angles_0a_of_rest = rest + rest_lo,
+      angles_0a_of_rest_right = angles_0a_of_rest - rest,
+      angles_0a_of_rest_left = angles_0a_of_rest - angles_0a_of_rest_right,
+      angles_0a_of_rest_left_rest = rest - angles_0a_of_rest_left,
+      angles_0a_of_rest_right_rest = rest_lo - angles_0a_of_rest_right,
+      angles_0a_of_rest_lo = angles_0a_of_rest_left_rest + angles_0a_of_rest_right_rest,
+      angles_0 = angles_0a_of_rest < 1.2676506002282294e+30 ? first : angles_0a_of_rest,
+      angles_0_lo = angles_0a_of_rest < 1.2676506002282294e+30 ? first_lo : angles_0a_of_rest_lo;
   const double angles_1 = ksl_atan2(divisor_a_of_n, R->m00),
       angles_1_own_error = ksl_atan2_error(divisor_a_of_n, R->m00, angles_1),
       angles_1_size0 = fabs(divisor_a_of_n), angles_1_size1 = fabs(R->m00),
@@ -3853,7 +3867,7 @@ static inline void ksl_mat3x3f_from_euler_xyz_accurate(const ksl_vec3f_t *angles
 /* angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
      [-π/2, π/2]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
-   93 mul, 108 add, 5 div, 1 sqrt, 4 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.
+   93 mul, 109 add, 5 div, 1 sqrt, 4 neg, 6 abs, 6 copysign, 19 less, 4 equal, 46 select.
    Each component is within 1 ulp as long as its condition is below 1e13; in single precision it
      is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
 static inline void ksl_euler_xyz_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
@@ -3869,7 +3883,9 @@ static inline void ksl_euler_xyz_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
       left_1 = left_1a + left_1b;
   const double left_2a = KSL_MUL((double)R->m20, sine), left_2b = KSL_MUL((double)R->m21, cosine),
       left_2 = left_2a + left_2b;
-  const double angles_0 = ksl_atan2(left_2, left_1);
+  const double rest = (double)R->m12 + (double)R->m22;
+  const double first = ksl_atan2(left_2, left_1);
+  const double angles_0 = rest < 1.2676506002282294e+30 ? first : rest;
   const double angles_1 = ksl_atan2((double)R->m02, n);
   angles->x = (float)angles_0;
   angles->y = (float)angles_1;
@@ -3914,7 +3930,7 @@ static inline void ksl_mat3x3f_from_euler_xyx_accurate(const ksl_vec3f_t *angles
 /* angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in [0,
      π]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
-   93 mul, 108 add, 5 div, 1 sqrt, 3 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.
+   93 mul, 109 add, 5 div, 1 sqrt, 3 neg, 6 abs, 6 copysign, 19 less, 4 equal, 46 select.
    Each component is within 1 ulp as long as its condition is below 1e13; in single precision it
      is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
 static inline void ksl_euler_xyx_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
@@ -3930,7 +3946,9 @@ static inline void ksl_euler_xyx_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
       left_1 = left_1a - left_1b;
   const double left_2a = KSL_MUL((double)R->m21, cosine), left_2b = KSL_MUL((double)R->m22, sine),
       left_2 = left_2a - left_2b;
-  const double angles_0 = ksl_atan2(left_2, left_1);
+  const double rest = (double)R->m10 + (double)R->m20;
+  const double first = ksl_atan2(left_2, left_1);
+  const double angles_0 = rest < 1.2676506002282294e+30 ? first : rest;
   const double angles_1 = ksl_atan2(n, (double)R->m00);
   angles->x = (float)angles_0;
   angles->y = (float)angles_1;

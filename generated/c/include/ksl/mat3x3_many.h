@@ -334,7 +334,10 @@ static KSL_INLINE void ksl_euler_xyz_from_mat3x3_states(const ksl_states *R, ksl
   const ksl_states third = ksl_choice_lanes(divisor_a, ksl_each_lanes(0.0), polar);
   const ksl_states left_1a = KSL_RN_LANES(R[1] * sine), left_1b = KSL_RN_LANES(R[4] * cosine);
   const ksl_states left_2a = KSL_RN_LANES(R[2] * sine), left_2b = KSL_RN_LANES(R[5] * cosine);
-  const ksl_states angles_1 = ksl_atan2_lanes(left_2a + left_2b, left_1a + left_1b);
+  const ksl_states rest = R[7] + R[8];
+  const ksl_states first = ksl_atan2_lanes(left_2a + left_2b, left_1a + left_1b);
+  const ksl_tests angles_0a = ksl_less_lanes(rest, ksl_each_lanes(1.2676506002282294e+30));
+  const ksl_states angles_1 = ksl_choice_lanes(angles_0a, first, rest);
   const ksl_states angles_2 = ksl_atan2_lanes(R[6], n);
   angles[0] = angles_1;
   angles[1] = angles_2;
@@ -451,7 +454,10 @@ static KSL_INLINE void ksl_euler_xyx_from_mat3x3_states(const ksl_states *R, ksl
   const ksl_states third = ksl_choice_lanes(divisor_a, ksl_each_lanes(0.0), polar);
   const ksl_states left_1a = KSL_RN_LANES(R[4] * cosine), left_1b = KSL_RN_LANES(R[7] * sine);
   const ksl_states left_2a = KSL_RN_LANES(R[5] * cosine), left_2b = KSL_RN_LANES(R[8] * sine);
-  const ksl_states angles_1 = ksl_atan2_lanes(left_2a - left_2b, left_1a - left_1b);
+  const ksl_states rest = R[1] + R[2];
+  const ksl_states first = ksl_atan2_lanes(left_2a - left_2b, left_1a - left_1b);
+  const ksl_tests angles_0a = ksl_less_lanes(rest, ksl_each_lanes(1.2676506002282294e+30));
+  const ksl_states angles_1 = ksl_choice_lanes(angles_0a, first, rest);
   const ksl_states angles_2 = ksl_atan2_lanes(n, R[0]);
   angles[0] = angles_1;
   angles[1] = angles_2;
@@ -1055,7 +1061,10 @@ static KSL_INLINE void ksl_euler_xyz_from_mat3x3f_states(const ksl_statesf *R, k
   const ksl_statesf third = ksl_choice_lanesf(divisor_a, ksl_each_lanesf(0.0f), polar);
   const ksl_statesf left_1a = KSL_RN_LANESF(R[1] * sine), left_1b = KSL_RN_LANESF(R[4] * cosine);
   const ksl_statesf left_2a = KSL_RN_LANESF(R[2] * sine), left_2b = KSL_RN_LANESF(R[5] * cosine);
-  const ksl_statesf angles_1 = ksl_atan2_lanesf(left_2a + left_2b, left_1a + left_1b);
+  const ksl_statesf rest = R[7] + R[8];
+  const ksl_statesf first = ksl_atan2_lanesf(left_2a + left_2b, left_1a + left_1b);
+  const ksl_testsf angles_0a = ksl_less_lanesf(rest, ksl_each_lanesf(1.2676506e+30f));
+  const ksl_statesf angles_1 = ksl_choice_lanesf(angles_0a, first, rest);
   const ksl_statesf angles_2 = ksl_atan2_lanesf(R[6], n);
   angles[0] = angles_1;
   angles[1] = angles_2;
@@ -1172,7 +1181,10 @@ static KSL_INLINE void ksl_euler_xyx_from_mat3x3f_states(const ksl_statesf *R, k
   const ksl_statesf third = ksl_choice_lanesf(divisor_a, ksl_each_lanesf(0.0f), polar);
   const ksl_statesf left_1a = KSL_RN_LANESF(R[4] * cosine), left_1b = KSL_RN_LANESF(R[7] * sine);
   const ksl_statesf left_2a = KSL_RN_LANESF(R[5] * cosine), left_2b = KSL_RN_LANESF(R[8] * sine);
-  const ksl_statesf angles_1 = ksl_atan2_lanesf(left_2a - left_2b, left_1a - left_1b);
+  const ksl_statesf rest = R[1] + R[2];
+  const ksl_statesf first = ksl_atan2_lanesf(left_2a - left_2b, left_1a - left_1b);
+  const ksl_testsf angles_0a = ksl_less_lanesf(rest, ksl_each_lanesf(1.2676506e+30f));
+  const ksl_statesf angles_1 = ksl_choice_lanesf(angles_0a, first, rest);
   const ksl_statesf angles_2 = ksl_atan2_lanesf(n, R[0]);
   angles[0] = angles_1;
   angles[1] = angles_2;

@@ -334,8 +334,8 @@ def euler_xyz_from_mat3x3(R: ArrayLike, out: NDArray[np.float64] | None = ...) -
     [-π/2, π/2]; c = 0 in gimbal lock.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
-    391 mul, 701 add, 66 product error, 6 product rest, 17 div, 1 sqrt, 4 neg, 28 abs, 12
-    copysign, 41 less, 16 equal, 85 select.  Each component is within 1 ulp as long as its
+    391 mul, 713 add, 66 product error, 6 product rest, 17 div, 1 sqrt, 4 neg, 28 abs, 12
+    copysign, 42 less, 16 equal, 87 select.  Each component is within 1 ulp as long as its
     condition is below 1e13; in single precision it is the nearest number, except near ties, as
     long as that is below 1e5; searched, not proved.
     """
@@ -355,8 +355,8 @@ def euler_xyx_from_mat3x3(R: ArrayLike, out: NDArray[np.float64] | None = ...) -
     [0, π]; c = 0 in gimbal lock.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
-    391 mul, 701 add, 66 product error, 6 product rest, 17 div, 1 sqrt, 3 neg, 28 abs, 12
-    copysign, 41 less, 16 equal, 85 select.  Each component is within 1 ulp as long as its
+    391 mul, 713 add, 66 product error, 6 product rest, 17 div, 1 sqrt, 3 neg, 28 abs, 12
+    copysign, 42 less, 16 equal, 87 select.  Each component is within 1 ulp as long as its
     condition is below 1e13; in single precision it is the nearest number, except near ties, as
     long as that is below 1e5; searched, not proved.
     """
@@ -1935,7 +1935,7 @@ def SE3_log(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.f
     """so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    285 mul, 755 add, 36 product error, 36 product rest, 23 div, 2 sqrt, 11 neg, 14 abs, 4
+    285 mul, 748 add, 36 product error, 36 product rest, 23 div, 2 sqrt, 12 neg, 14 abs, 4
     copysign, 32 less, 13 equal, 88 select.  Error <= lin: 1 u, ang: 1 u of its largest
     component for R of D a rotation; searched, not proved.  Each component is within 1 ulp as
     long as its condition is below 1e13; in single precision it is the nearest number, except
@@ -1995,7 +1995,7 @@ def SE3_interpolated(D1: ArrayLike, D2: ArrayLike, k: ArrayLike, out: NDArray[np
     """Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
 
     (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-    717 mul, 1719 add, 66 product error, 166 product rest, 29 div, 3 sqrt, 11 neg, 18 abs, 4
+    717 mul, 1706 add, 66 product error, 166 product rest, 29 div, 3 sqrt, 13 neg, 18 abs, 4
     copysign, 38 less, 20 equal, 110 select.  Error <= R: 1 u, t: 1 u of its largest component,
     or of D1.t or D2.t if that is larger, for R of D1 a rotation and R of D2 a rotation and 0 <=
     k <= 1; searched, not proved.  Each component is within 1 ulp as long as its condition is

@@ -2765,7 +2765,7 @@ def SE3_log(D):
     """so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    285 mul, 755 add, 36 product error, 36 product rest, 23 div, 2 sqrt, 11 neg, 14 abs, 4
+    285 mul, 748 add, 36 product error, 36 product rest, 23 div, 2 sqrt, 12 neg, 14 abs, 4
     copysign, 32 less, 13 equal, 88 select.  Error <= lin: 1 u, ang: 1 u of its largest
     component for R of D a rotation; searched, not proved.  Each component is within 1 ulp as
     long as its condition is below 1e13; in single precision it is the nearest number, except
@@ -2818,24 +2818,22 @@ def SE3_log(D):
     d_2_lo = first_1 - (d_2 - d_2_right) + (others_1 - d_2_right) + others_1_lo + first_1_lo
     low_2 = where(low_0a, s_1, s_0)
     low_3 = where(low_0a, p_0, p_1)
-    opposite = D_00 + D_11
-    opposite_right = opposite - D_00
-    high_0a = opposite + (D_00 - (opposite - opposite_right) + (D_11 - opposite_right)) < 0
-    high_0 = where(high_0a, s_1, p_0)
-    high_1 = where(high_0a, s_0, p_1)
-    high_2 = where(high_0a, d_3, p_2)
+    high_0b = D_00 < -D_11
+    high_0 = where(high_0b, s_1, p_0)
+    high_1 = where(high_0b, s_0, p_1)
+    high_2 = where(high_0b, d_3, p_2)
     d_3_lo = first_1 - (d_3 + d_3_right) - (others_1 - d_3_right) - others_1_lo + first_1_lo
-    high_3 = where(high_0a, p_2, d_0)
+    high_3 = where(high_0b, p_2, d_0)
     d_0_lo = first_0 - (d_0 - d_0_right) + (others_0 - d_0_right) + others_0_lo + first_0_lo
     column_0a = D_22 < 0
     column_0 = where(column_0a, low_0, high_0)
-    column_0_lo = where(column_0a, where(low_0a, d_1_lo, s_2_lo), where(high_0a, s_1_lo, p_0_lo))
+    column_0_lo = where(column_0a, where(low_0a, d_1_lo, s_2_lo), where(high_0b, s_1_lo, p_0_lo))
     column_1 = where(column_0a, low_1, high_1)
-    column_1_lo = where(column_0a, where(low_0a, s_2_lo, d_2_lo), where(high_0a, s_0_lo, p_1_lo))
+    column_1_lo = where(column_0a, where(low_0a, s_2_lo, d_2_lo), where(high_0b, s_0_lo, p_1_lo))
     column_2 = where(column_0a, low_2, high_2)
-    column_2_lo = where(column_0a, where(low_0a, s_1_lo, s_0_lo), where(high_0a, d_3_lo, p_2_lo))
+    column_2_lo = where(column_0a, where(low_0a, s_1_lo, s_0_lo), where(high_0b, d_3_lo, p_2_lo))
     column_3 = where(column_0a, low_3, high_3)
-    column_3_lo = where(column_0a, where(low_0a, p_0_lo, p_1_lo), where(high_0a, p_2_lo, d_0_lo))
+    column_3_lo = where(column_0a, where(low_0a, p_0_lo, p_1_lo), where(high_0b, p_2_lo, d_0_lo))
     upper_0b_of_column_3 = column_3 + column_3_lo
     upper_0b_of_column_3_right = upper_0b_of_column_3 - column_3
     upper_0b_of_column_3_left_rest = column_3 - (upper_0b_of_column_3 - upper_0b_of_column_3_right)
@@ -5840,7 +5838,7 @@ def SE3_interpolated(D1, D2, k):
     """Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
 
     (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-    717 mul, 1719 add, 66 product error, 166 product rest, 29 div, 3 sqrt, 11 neg, 18 abs, 4
+    717 mul, 1706 add, 66 product error, 166 product rest, 29 div, 3 sqrt, 13 neg, 18 abs, 4
     copysign, 38 less, 20 equal, 110 select.  Error <= R: 1 u, t: 1 u of its largest component,
     or of D1.t or D2.t if that is larger, for R of D1 a rotation and R of D2 a rotation and 0 <=
     k <= 1; searched, not proved.  Each component is within 1 ulp as long as its condition is
@@ -6062,39 +6060,29 @@ def SE3_interpolated(D1, D2, k):
     log_low_0a_of_between_5_right_rest = between_5_lo - log_low_0a_of_between_5_right
     log_low_0a_of_between_5_left_rest = between_5 - log_low_0a_of_between_5_left
     log_low_0a_of_between_0 = between_0 + between_0_lo
-    log_low_0a_of_between_0_right = log_low_0a_of_between_0 - between_0
-    log_low_0a_of_between_0_left = log_low_0a_of_between_0 - log_low_0a_of_between_0_right
-    log_low_0a_of_between_0_right_rest = between_0_lo - log_low_0a_of_between_0_right
-    log_low_0a_of_between_0_left_rest = between_0 - log_low_0a_of_between_0_left
     log_low_0a = log_low_0a_of_between_5 < log_low_0a_of_between_0
     log_low_0 = where(log_low_0a, log_d_1, log_s_2)
     log_low_1 = where(log_low_0a, log_s_2, log_d_2)
     log_low_2 = where(log_low_0a, log_s_1, log_s_0)
     log_low_3 = where(log_low_0a, log_p_0, log_p_1)
-    log_opposite = log_low_0a_of_between_0 + log_low_0a_of_between_5
-    log_opposite_right = log_opposite - log_low_0a_of_between_0
-    log_opposite_left_rest = log_low_0a_of_between_0 - (log_opposite - log_opposite_right)
-    log_opposite_lo1 = log_opposite_left_rest + (log_low_0a_of_between_5 - log_opposite_right)
-    log_low_0a_of_between_5_lo = log_low_0a_of_between_5_left_rest + log_low_0a_of_between_5_right_rest
-    log_low_0a_of_between_0_lo = log_low_0a_of_between_0_left_rest + log_low_0a_of_between_0_right_rest
-    log_opposite_lo = log_opposite_lo1 + log_low_0a_of_between_5_lo + log_low_0a_of_between_0_lo
-    log_high_0a = log_opposite + log_opposite_lo < 0
-    log_high_0 = where(log_high_0a, log_s_1, log_p_0)
-    log_high_1 = where(log_high_0a, log_s_0, log_p_1)
-    log_high_2 = where(log_high_0a, log_d_3, log_p_2)
-    log_high_3 = where(log_high_0a, log_p_2, log_d_0)
+    log_high_0a_lo = -(log_low_0a_of_between_5_left_rest + log_low_0a_of_between_5_right_rest)
+    log_high_0b = log_low_0a_of_between_0 < -log_low_0a_of_between_5 + log_high_0a_lo
+    log_high_0 = where(log_high_0b, log_s_1, log_p_0)
+    log_high_1 = where(log_high_0b, log_s_0, log_p_1)
+    log_high_2 = where(log_high_0b, log_d_3, log_p_2)
+    log_high_3 = where(log_high_0b, log_p_2, log_d_0)
     log_column_0a = between_10 + between_10_lo < 0
     log_column_0 = where(log_column_0a, log_low_0, log_high_0)
     log_low_0_lo = where(log_low_0a, log_d_1_lo1 - log_others_0_lo + log_first_0_lo, log_s_2_lo)
-    log_column_0_lo = where(log_column_0a, log_low_0_lo, where(log_high_0a, log_s_1_lo, log_p_0_lo))
+    log_column_0_lo = where(log_column_0a, log_low_0_lo, where(log_high_0b, log_s_1_lo, log_p_0_lo))
     log_column_1 = where(log_column_0a, log_low_1, log_high_1)
     log_low_1_lo = where(log_low_0a, log_s_2_lo, log_d_2_lo1 + log_others_1_lo + log_first_1_lo)
-    log_column_1_lo = where(log_column_0a, log_low_1_lo, where(log_high_0a, log_s_0_lo, log_p_1_lo))
+    log_column_1_lo = where(log_column_0a, log_low_1_lo, where(log_high_0b, log_s_0_lo, log_p_1_lo))
     log_column_2 = where(log_column_0a, log_low_2, log_high_2)
-    log_high_2_lo = where(log_high_0a, log_d_3_lo1 - log_others_1_lo + log_first_1_lo, log_p_2_lo)
+    log_high_2_lo = where(log_high_0b, log_d_3_lo1 - log_others_1_lo + log_first_1_lo, log_p_2_lo)
     log_column_2_lo = where(log_column_0a, where(log_low_0a, log_s_1_lo, log_s_0_lo), log_high_2_lo)
     log_column_3 = where(log_column_0a, log_low_3, log_high_3)
-    log_high_3_lo = where(log_high_0a, log_p_2_lo, log_d_0_lo1 + log_others_0_lo + log_first_0_lo)
+    log_high_3_lo = where(log_high_0b, log_p_2_lo, log_d_0_lo1 + log_others_0_lo + log_first_0_lo)
     log_column_3_lo = where(log_column_0a, where(log_low_0a, log_p_0_lo, log_p_1_lo), log_high_3_lo)
     log_upper_0b_of_log_column_3 = log_column_3 + log_column_3_lo
     log_upper_0b_of_log_column_3_right = log_upper_0b_of_log_column_3 - log_column_3

@@ -1684,8 +1684,8 @@ def euler_xyz_from_mat3x3(R):
     [-π/2, π/2]; c = 0 in gimbal lock.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
-    391 mul, 701 add, 66 product error, 6 product rest, 17 div, 1 sqrt, 4 neg, 28 abs, 12
-    copysign, 41 less, 16 equal, 85 select.  Each component is within 1 ulp as long as its
+    391 mul, 713 add, 66 product error, 6 product rest, 17 div, 1 sqrt, 4 neg, 28 abs, 12
+    copysign, 42 less, 16 equal, 87 select.  Each component is within 1 ulp as long as its
     condition is below 1e13; in single precision it is the nearest number, except near ties, as
     long as that is below 1e5; searched, not proved.
     """
@@ -1742,26 +1742,34 @@ def euler_xyz_from_mat3x3(R):
     left_2_left_rest = product_rest(R_20, sine, left_2a, left_2 - left_2_right)
     left_2_lo1 = left_2_left_rest + product_rest(R_21, cosine, left_2b, left_2_right)
     left_2_lo = left_2_lo1 + (R_20 * sine_lo + R_21 * cosine_lo)
-    angles_0_of_left_2 = left_2 + left_2_lo
-    angles_0_of_left_2_right = angles_0_of_left_2 - left_2
-    angles_0_of_left_2_left_rest = left_2 - (angles_0_of_left_2 - angles_0_of_left_2_right)
-    angles_0_of_left_1 = left_1 + left_1_lo
-    angles_0_of_left_1_right = angles_0_of_left_1 - left_1
-    angles_0_of_left_1_left_rest = left_1 - (angles_0_of_left_1 - angles_0_of_left_1_right)
-    angles_0 = elementary.atan2(angles_0_of_left_2, angles_0_of_left_1)
-    angles_0_size0 = absolute(angles_0_of_left_2)
-    angles_0_size1 = absolute(angles_0_of_left_1)
-    angles_0_most = where(angles_0_size0 < angles_0_size1, angles_0_size1, angles_0_size0)
-    angles_0_zero = angles_0_most == 0
-    angles_0_divisor = where(angles_0_zero, 1, angles_0_most)
-    angles_0_part0 = angles_0_of_left_2 / angles_0_divisor
-    angles_0_part1 = angles_0_of_left_1 / angles_0_divisor
-    angles_0_of_left_2_lo = angles_0_of_left_2_left_rest + (left_2_lo - angles_0_of_left_2_right)
-    angles_0_of_left_1_lo = angles_0_of_left_1_left_rest + (left_1_lo - angles_0_of_left_1_right)
-    angles_0_square = angles_0_part1 * angles_0_part1 + angles_0_part0 * angles_0_part0
-    angles_0_cross = angles_0_part1 * angles_0_of_left_2_lo - angles_0_part0 * angles_0_of_left_1_lo
-    angles_0_more = angles_0_cross / where(angles_0_zero, 1, angles_0_divisor * angles_0_square)
-    angles_0_own_error = elementary.atan2_error(angles_0_of_left_2, angles_0_of_left_1, angles_0)
+    rest = R_12 + R_22
+    rest_right = rest - R_12
+    rest_lo = R_12 - (rest - rest_right) + (R_22 - rest_right)
+    first_of_left_2 = left_2 + left_2_lo
+    first_of_left_2_right = first_of_left_2 - left_2
+    first_of_left_2_left_rest = left_2 - (first_of_left_2 - first_of_left_2_right)
+    first_of_left_1 = left_1 + left_1_lo
+    first_of_left_1_right = first_of_left_1 - left_1
+    first_of_left_1_left_rest = left_1 - (first_of_left_1 - first_of_left_1_right)
+    first = elementary.atan2(first_of_left_2, first_of_left_1)
+    first_size0 = absolute(first_of_left_2)
+    first_size1 = absolute(first_of_left_1)
+    first_most = where(first_size0 < first_size1, first_size1, first_size0)
+    first_zero = first_most == 0
+    first_divisor = where(first_zero, 1, first_most)
+    first_part0 = first_of_left_2 / first_divisor
+    first_part1 = first_of_left_1 / first_divisor
+    first_cross1 = first_part1 * (first_of_left_2_left_rest + (left_2_lo - first_of_left_2_right))
+    first_cross2 = first_part0 * (first_of_left_1_left_rest + (left_1_lo - first_of_left_1_right))
+    first_divisor2 = first_divisor * (first_part1 * first_part1 + first_part0 * first_part0)
+    first_more = (first_cross1 - first_cross2) / where(first_zero, 1, first_divisor2)
+    angles_0a_of_rest = rest + rest_lo
+    angles_0a_of_rest_right = angles_0a_of_rest - rest
+    angles_0a_of_rest_left_rest = rest - (angles_0a_of_rest - angles_0a_of_rest_right)
+    angles_0a = angles_0a_of_rest < 1.2676506002282294e+30
+    angles_0 = where(angles_0a, first, angles_0a_of_rest)
+    first_lo = elementary.atan2_error(first_of_left_2, first_of_left_1, first) + first_more
+    angles_0a_of_rest_lo = angles_0a_of_rest_left_rest + (rest_lo - angles_0a_of_rest_right)
     angles_1 = elementary.atan2(R_02, divisor_a_of_n)
     angles_1_size0 = absolute(R_02)
     angles_1_size1 = absolute(divisor_a_of_n)
@@ -1773,7 +1781,7 @@ def euler_xyz_from_mat3x3(R):
     angles_1_square = angles_1_part1 * angles_1_part1 + angles_1_part0 * angles_1_part0
     angles_1_safe = where(angles_1_zero, 1, angles_1_divisor * angles_1_square)
     angles_1_more = (angles_1_part1 * 0 - angles_1_part0 * divisor_a_of_n_lo) / angles_1_safe
-    angles_0_rounded = angles_0 + (angles_0_own_error + angles_0_more)
+    angles_0_rounded = angles_0 + where(angles_0a, first_lo, angles_0a_of_rest_lo)
     angles_1_lo = elementary.atan2_error(R_02, divisor_a_of_n, angles_1) + angles_1_more
     angles_1_rounded = angles_1 + angles_1_lo
     third_rounded = third + where(divisor_a, 0, elementary.atan2_error(sine_a, R_00, polar))
@@ -1873,8 +1881,8 @@ def euler_xyx_from_mat3x3(R):
     [0, π]; c = 0 in gimbal lock.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
-    391 mul, 701 add, 66 product error, 6 product rest, 17 div, 1 sqrt, 3 neg, 28 abs, 12
-    copysign, 41 less, 16 equal, 85 select.  Each component is within 1 ulp as long as its
+    391 mul, 713 add, 66 product error, 6 product rest, 17 div, 1 sqrt, 3 neg, 28 abs, 12
+    copysign, 42 less, 16 equal, 87 select.  Each component is within 1 ulp as long as its
     condition is below 1e13; in single precision it is the nearest number, except near ties, as
     long as that is below 1e5; searched, not proved.
     """
@@ -1930,26 +1938,34 @@ def euler_xyx_from_mat3x3(R):
     left_2_left_rest = product_rest(R_21, cosine, left_2a, left_2 + left_2_right)
     left_2_lo1 = left_2_left_rest - product_rest(R_22, sine, left_2b, left_2_right)
     left_2_lo = left_2_lo1 + (R_21 * cosine_lo - R_22 * sine_lo)
-    angles_0_of_left_2 = left_2 + left_2_lo
-    angles_0_of_left_2_right = angles_0_of_left_2 - left_2
-    angles_0_of_left_2_left_rest = left_2 - (angles_0_of_left_2 - angles_0_of_left_2_right)
-    angles_0_of_left_1 = left_1 + left_1_lo
-    angles_0_of_left_1_right = angles_0_of_left_1 - left_1
-    angles_0_of_left_1_left_rest = left_1 - (angles_0_of_left_1 - angles_0_of_left_1_right)
-    angles_0 = elementary.atan2(angles_0_of_left_2, angles_0_of_left_1)
-    angles_0_size0 = absolute(angles_0_of_left_2)
-    angles_0_size1 = absolute(angles_0_of_left_1)
-    angles_0_most = where(angles_0_size0 < angles_0_size1, angles_0_size1, angles_0_size0)
-    angles_0_zero = angles_0_most == 0
-    angles_0_divisor = where(angles_0_zero, 1, angles_0_most)
-    angles_0_part0 = angles_0_of_left_2 / angles_0_divisor
-    angles_0_part1 = angles_0_of_left_1 / angles_0_divisor
-    angles_0_of_left_2_lo = angles_0_of_left_2_left_rest + (left_2_lo - angles_0_of_left_2_right)
-    angles_0_of_left_1_lo = angles_0_of_left_1_left_rest + (left_1_lo - angles_0_of_left_1_right)
-    angles_0_square = angles_0_part1 * angles_0_part1 + angles_0_part0 * angles_0_part0
-    angles_0_cross = angles_0_part1 * angles_0_of_left_2_lo - angles_0_part0 * angles_0_of_left_1_lo
-    angles_0_more = angles_0_cross / where(angles_0_zero, 1, angles_0_divisor * angles_0_square)
-    angles_0_own_error = elementary.atan2_error(angles_0_of_left_2, angles_0_of_left_1, angles_0)
+    rest = R_10 + R_20
+    rest_right = rest - R_10
+    rest_lo = R_10 - (rest - rest_right) + (R_20 - rest_right)
+    first_of_left_2 = left_2 + left_2_lo
+    first_of_left_2_right = first_of_left_2 - left_2
+    first_of_left_2_left_rest = left_2 - (first_of_left_2 - first_of_left_2_right)
+    first_of_left_1 = left_1 + left_1_lo
+    first_of_left_1_right = first_of_left_1 - left_1
+    first_of_left_1_left_rest = left_1 - (first_of_left_1 - first_of_left_1_right)
+    first = elementary.atan2(first_of_left_2, first_of_left_1)
+    first_size0 = absolute(first_of_left_2)
+    first_size1 = absolute(first_of_left_1)
+    first_most = where(first_size0 < first_size1, first_size1, first_size0)
+    first_zero = first_most == 0
+    first_divisor = where(first_zero, 1, first_most)
+    first_part0 = first_of_left_2 / first_divisor
+    first_part1 = first_of_left_1 / first_divisor
+    first_cross1 = first_part1 * (first_of_left_2_left_rest + (left_2_lo - first_of_left_2_right))
+    first_cross2 = first_part0 * (first_of_left_1_left_rest + (left_1_lo - first_of_left_1_right))
+    first_divisor2 = first_divisor * (first_part1 * first_part1 + first_part0 * first_part0)
+    first_more = (first_cross1 - first_cross2) / where(first_zero, 1, first_divisor2)
+    angles_0a_of_rest = rest + rest_lo
+    angles_0a_of_rest_right = angles_0a_of_rest - rest
+    angles_0a_of_rest_left_rest = rest - (angles_0a_of_rest - angles_0a_of_rest_right)
+    angles_0a = angles_0a_of_rest < 1.2676506002282294e+30
+    angles_0 = where(angles_0a, first, angles_0a_of_rest)
+    first_lo = elementary.atan2_error(first_of_left_2, first_of_left_1, first) + first_more
+    angles_0a_of_rest_lo = angles_0a_of_rest_left_rest + (rest_lo - angles_0a_of_rest_right)
     angles_1 = elementary.atan2(divisor_a_of_n, R_00)
     angles_1_size0 = absolute(divisor_a_of_n)
     angles_1_size1 = absolute(R_00)
@@ -1961,7 +1977,7 @@ def euler_xyx_from_mat3x3(R):
     angles_1_square = angles_1_part1 * angles_1_part1 + angles_1_part0 * angles_1_part0
     angles_1_safe = where(angles_1_zero, 1, angles_1_divisor * angles_1_square)
     angles_1_more = (angles_1_part1 * divisor_a_of_n_lo - angles_1_part0 * 0) / angles_1_safe
-    angles_0_rounded = angles_0 + (angles_0_own_error + angles_0_more)
+    angles_0_rounded = angles_0 + where(angles_0a, first_lo, angles_0a_of_rest_lo)
     angles_1_lo = elementary.atan2_error(divisor_a_of_n, R_00, angles_1) + angles_1_more
     angles_1_rounded = angles_1 + angles_1_lo
     third_rounded = third + where(divisor_a, 0, elementary.atan2_error(R_01, R_02, polar))

@@ -338,7 +338,7 @@ def euler_xyz_from_mat3x3(R: ArrayLike, out: NDArray[np.float32] | None = ...) -
     [-π/2, π/2]; c = 0 in gimbal lock.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
-    93 mul, 108 add, 5 div, 1 sqrt, 4 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.  Each
+    93 mul, 109 add, 5 div, 1 sqrt, 4 neg, 6 abs, 6 copysign, 19 less, 4 equal, 46 select.  Each
     component is within 1 ulp as long as its condition is below 1e13; in single precision it is
     the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
     """
@@ -357,7 +357,7 @@ def euler_xyx_from_mat3x3(R: ArrayLike, out: NDArray[np.float32] | None = ...) -
     [0, π]; c = 0 in gimbal lock.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
-    93 mul, 108 add, 5 div, 1 sqrt, 3 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.  Each
+    93 mul, 109 add, 5 div, 1 sqrt, 3 neg, 6 abs, 6 copysign, 19 less, 4 equal, 46 select.  Each
     component is within 1 ulp as long as its condition is below 1e13; in single precision it is
     the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
     """
@@ -1935,7 +1935,7 @@ def SE3_log(D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.f
     """so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    83 mul, 80 add, 8 div, 2 sqrt, 4 neg, 6 abs, 2 copysign, 20 less, 2 equal, 42 select.  Error
+    83 mul, 79 add, 8 div, 2 sqrt, 5 neg, 6 abs, 2 copysign, 20 less, 2 equal, 42 select.  Error
     <= lin: 1 u, ang: 1 u of its largest component for R of D a rotation; searched, not proved.
     Each component is within 1 ulp as long as its condition is below 1e13; in single precision
     it is the nearest number, except near ties, as long as that is below 1e5; searched, not
@@ -1990,7 +1990,7 @@ def SE3_interpolated(D1: ArrayLike, D2: ArrayLike, k: ArrayLike, out: NDArray[np
     """Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
 
     (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-    247 mul, 212 add, 10 div, 3 sqrt, 4 neg, 7 abs, 2 copysign, 25 less, 2 equal, 49 select.
+    247 mul, 211 add, 10 div, 3 sqrt, 5 neg, 7 abs, 2 copysign, 25 less, 2 equal, 49 select.
     Error <= R: 1 u, t: 1 u of its largest component, or of D1.t or D2.t if that is larger, for
     R of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.  Each
     component is within 1 ulp as long as its condition is below 1e13; in single precision it is

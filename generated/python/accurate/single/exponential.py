@@ -560,7 +560,7 @@ def SE3_log(D):
     """so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    83 mul, 80 add, 8 div, 2 sqrt, 4 neg, 6 abs, 2 copysign, 20 less, 2 equal, 42 select.  Error
+    83 mul, 79 add, 8 div, 2 sqrt, 5 neg, 6 abs, 2 copysign, 20 less, 2 equal, 42 select.  Error
     <= lin: 1 u, ang: 1 u of its largest component for R of D a rotation; searched, not proved.
     Each component is within 1 ulp as long as its condition is below 1e13; in single precision
     it is the nearest number, except near ties, as long as that is below 1e5; searched, not
@@ -586,12 +586,11 @@ def SE3_log(D):
     low_1 = where(low_0a, s_2, d_2)
     low_2 = where(low_0a, s_1, s_0)
     low_3 = where(low_0a, p_0, p_1)
-    opposite = D_00 + D_11
-    high_0a = opposite < 0
-    high_0 = where(high_0a, s_1, p_0)
-    high_1 = where(high_0a, s_0, p_1)
-    high_2 = where(high_0a, d_3, p_2)
-    high_3 = where(high_0a, p_2, d_0)
+    high_0b = D_00 < -D_11
+    high_0 = where(high_0b, s_1, p_0)
+    high_1 = where(high_0b, s_0, p_1)
+    high_2 = where(high_0b, d_3, p_2)
+    high_3 = where(high_0b, p_2, d_0)
     column_0a = D_22 < 0
     column_0 = where(column_0a, low_0, high_0)
     column_1 = where(column_0a, low_1, high_1)
@@ -1106,7 +1105,7 @@ def SE3_interpolated(D1, D2, k):
     """Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
 
     (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-    247 mul, 212 add, 10 div, 3 sqrt, 4 neg, 7 abs, 2 copysign, 25 less, 2 equal, 49 select.
+    247 mul, 211 add, 10 div, 3 sqrt, 5 neg, 7 abs, 2 copysign, 25 less, 2 equal, 49 select.
     Error <= R: 1 u, t: 1 u of its largest component, or of D1.t or D2.t if that is larger, for
     R of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.  Each
     component is within 1 ulp as long as its condition is below 1e13; in single precision it is
@@ -1150,12 +1149,11 @@ def SE3_interpolated(D1, D2, k):
     log_low_1 = where(log_low_0a, log_s_2, log_d_2)
     log_low_2 = where(log_low_0a, log_s_1, log_s_0)
     log_low_3 = where(log_low_0a, log_p_0, log_p_1)
-    log_opposite = between_0 + between_5
-    log_high_0a = log_opposite < 0
-    log_high_0 = where(log_high_0a, log_s_1, log_p_0)
-    log_high_1 = where(log_high_0a, log_s_0, log_p_1)
-    log_high_2 = where(log_high_0a, log_d_3, log_p_2)
-    log_high_3 = where(log_high_0a, log_p_2, log_d_0)
+    log_high_0b = between_0 < -between_5
+    log_high_0 = where(log_high_0b, log_s_1, log_p_0)
+    log_high_1 = where(log_high_0b, log_s_0, log_p_1)
+    log_high_2 = where(log_high_0b, log_d_3, log_p_2)
+    log_high_3 = where(log_high_0b, log_p_2, log_d_0)
     log_column_0a = between_10 < 0
     log_column_0 = where(log_column_0a, log_low_0, log_high_0)
     log_column_1 = where(log_column_0a, log_low_1, log_high_1)

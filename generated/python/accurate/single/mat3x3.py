@@ -484,7 +484,7 @@ def euler_xyz_from_mat3x3(R):
     [-π/2, π/2]; c = 0 in gimbal lock.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
-    93 mul, 108 add, 5 div, 1 sqrt, 4 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.  Each
+    93 mul, 109 add, 5 div, 1 sqrt, 4 neg, 6 abs, 6 copysign, 19 less, 4 equal, 46 select.  Each
     component is within 1 ulp as long as its condition is below 1e13; in single precision it is
     the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
     """
@@ -499,7 +499,9 @@ def euler_xyz_from_mat3x3(R):
     third = where(divisor_a, 0, polar)
     left_1 = R_10 * sine + R_11 * cosine
     left_2 = R_20 * sine + R_21 * cosine
-    angles_0 = elementary.atan2(left_2, left_1)
+    rest = R_12 + R_22
+    first = elementary.atan2(left_2, left_1)
+    angles_0 = where(rest < 1.2676506002282294e+30, first, rest)
     angles_1 = elementary.atan2(R_02, n)
     return (angles_0, angles_1, third)
 
@@ -536,7 +538,7 @@ def euler_xyx_from_mat3x3(R):
     [0, π]; c = 0 in gimbal lock.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
-    93 mul, 108 add, 5 div, 1 sqrt, 3 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.  Each
+    93 mul, 109 add, 5 div, 1 sqrt, 3 neg, 6 abs, 6 copysign, 19 less, 4 equal, 46 select.  Each
     component is within 1 ulp as long as its condition is below 1e13; in single precision it is
     the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
     """
@@ -550,7 +552,9 @@ def euler_xyx_from_mat3x3(R):
     third = where(divisor_a, 0, polar)
     left_1 = R_11 * cosine - R_12 * sine
     left_2 = R_21 * cosine - R_22 * sine
-    angles_0 = elementary.atan2(left_2, left_1)
+    rest = R_10 + R_20
+    first = elementary.atan2(left_2, left_1)
+    angles_0 = where(rest < 1.2676506002282294e+30, first, rest)
     angles_1 = elementary.atan2(n, R_00)
     return (angles_0, angles_1, third)
 

@@ -239,8 +239,8 @@ def euler_xyz_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.float64] | None, N
     [-π/2, π/2]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
 
     (3,3)->(3),(3).  R: rotation or other 3×3 matrix; angles, angles_bound: vector.
-    452 mul, 749 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 4 neg, 66 abs, 12
-    copysign, 57 less, 14 equal, 104 select.
+    455 mul, 765 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 4 neg, 72 abs, 12
+    copysign, 59 less, 14 equal, 108 select.
     """
 
 def mat3x3_from_euler_xyx(angles: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -255,8 +255,8 @@ def euler_xyx_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.float64] | None, N
     [0, π]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
 
     (3,3)->(3),(3).  R: rotation or other 3×3 matrix; angles, angles_bound: vector.
-    452 mul, 749 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 3 neg, 66 abs, 12
-    copysign, 59 less, 14 equal, 106 select.
+    455 mul, 765 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 3 neg, 72 abs, 12
+    copysign, 61 less, 14 equal, 110 select.
     """
 
 def SE3_invert(self: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -1623,8 +1623,8 @@ def SE3_log(D: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.floa
 
     (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;
     ω in rad/s).
-    608 mul, 1023 add, 36 product error, 36 product rest, 47 div, 5 sqrt, 14 neg, 168 abs, 6
-    copysign, 73 less, 10 equal, 175 select.
+    599 mul, 986 add, 36 product error, 36 product rest, 47 div, 5 sqrt, 15 neg, 155 abs, 6
+    copysign, 72 less, 10 equal, 171 select.
     """
 
 def inertia(m: ArrayLike, t: ArrayLike, Ixx: ArrayLike, Iyy: ArrayLike, Izz: ArrayLike, Ixy: ArrayLike, Iyz: ArrayLike, Izx: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

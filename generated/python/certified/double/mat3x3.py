@@ -254,8 +254,8 @@ def euler_xyz_from_mat3x3(R):
     [-π/2, π/2]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
 
     (3,3)->(3),(3).  R: rotation or other 3×3 matrix; angles, angles_bound: vector.
-    452 mul, 749 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 4 neg, 66 abs, 12
-    copysign, 57 less, 14 equal, 104 select.
+    455 mul, 765 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 4 neg, 72 abs, 12
+    copysign, 59 less, 14 equal, 108 select.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     n_a = R_00 * R_00
@@ -334,57 +334,71 @@ def euler_xyz_from_mat3x3(R):
     left_left_rest_2 = product_rest(R_20, sine, left_2a, left_2 - left_right_2)
     left_lo1_2 = left_left_rest_2 + product_rest(R_21, cosine, left_2b, left_right_2)
     left_lo_2 = left_lo1_2 + (R_20 * sine_lo + R_21 * cosine_lo)
-    angles_0 = elementary.atan2(left_2, left_1)
-    angles_size0_1 = absolute(left_2)
-    angles_size1_1 = absolute(left_1)
+    rest = R_12 + R_22
+    rest_right_1 = rest - R_12
+    rest_lo = R_12 - (rest - rest_right_1) + (R_22 - rest_right_1)
+    rest_size_3 = absolute(R_12) + absolute(R_22)
+    first = elementary.atan2(left_2, left_1)
+    first_size0_1 = absolute(left_2)
+    first_size1_1 = absolute(left_1)
+    first_most_1 = where(first_size0_1 < first_size1_1, first_size1_1, first_size0_1)
+    first_zero_1 = first_most_1 == 0
+    first_divisor_1 = where(first_zero_1, 1, first_most_1)
+    first_part0_1 = left_2 / first_divisor_1
+    first_part1_1 = left_1 / first_divisor_1
+    first_square_1 = first_part1_1 * first_part1_1 + first_part0_1 * first_part0_1
+    first_safe_1 = where(first_zero_1, 1, first_divisor_1 * first_square_1)
+    first_more_1 = (first_part1_1 * left_lo_2 - first_part0_1 * left_lo_1) / first_safe_1
+    first_lo = elementary.atan2_error(left_2, left_1, first) + first_more_1
+    left_size_2 = left_1a_padded_1 * absolute(R_20) + left_1b_padded_1 * absolute(R_21)
+    first_padded_1 = 1.8051943758648296e-276 + left_size_2
+    left_size_1 = left_1a_padded_1 * absolute(R_10) + left_1b_padded_1 * absolute(R_11)
+    first_padded_2 = 1.8051943758648296e-276 + left_size_1
+    first_size_2 = absolute(left_2)
+    first_size_3 = absolute(left_1)
+    first_size_5 = where(first_size_2 < first_size_3, first_size_3, first_size_2)
+    first_bound_1 = absolute(left_lo_2) + 1.120429474644463e-29 * first_padded_1
+    first_bound_2 = absolute(left_lo_1) + 1.120429474644463e-29 * first_padded_2
+    first_size_11 = (first_bound_2 + (1.8051943758648296e-276 + first_bound_1)) / first_size_5
+    first_size_13 = first_size_11 * first_size_11
+    first_size_14 = absolute(first_lo)
+    first_size_15 = 7 + first_size_14
+    first_size_18 = where(first_bound_2 < left_1, first_size_13, first_size_15)
+    first_size_19 = where(first_bound_1 < first_size_2, first_size_13, first_size_18)
+    first_size_20 = where(first_size_11 < 0.25, first_size_19, first_size_15)
+    first_size_10 = absolute(first) + (first_padded_1 + first_padded_2) / first_size_5
+    first_size_22 = first_size_10 + 4.527322338646221e+28 * first_size_20
+    angles_0a = rest < 1.2676506002282294e+30
+    angles_0 = where(angles_0a, first, rest)
+    angles_rest_1 = 7.642090607075756e-31 * (1.8051943758648296e-276 + rest_size_3)
+    angles_bound_1 = absolute(rest_lo) + angles_rest_1
+    angles_rest_2 = 2.2778366396519518e-29 * (1.8051943758648296e-276 + first_size_22)
+    angles_size_8 = angles_bound_1 + (angles_rest_2 + first_size_14 + absolute(first - rest))
+    angles_size_4 = angles_bound_1 < absolute(rest - 1.2676506002282294e+30)
+    angles_size_10 = 4.527322030246999e+28 * where(angles_size_4, 0, angles_size_8)
+    angles_1 = elementary.atan2(R_02, n)
+    angles_size0_1 = absolute(R_02)
+    angles_size1_1 = absolute(n)
     angles_most_1 = where(angles_size0_1 < angles_size1_1, angles_size1_1, angles_size0_1)
     angles_zero_1 = angles_most_1 == 0
     angles_divisor_1 = where(angles_zero_1, 1, angles_most_1)
-    angles_part0_1 = left_2 / angles_divisor_1
-    angles_part1_1 = left_1 / angles_divisor_1
+    angles_part0_1 = R_02 / angles_divisor_1
+    angles_part1_1 = n / angles_divisor_1
     angles_square_1 = angles_part1_1 * angles_part1_1 + angles_part0_1 * angles_part0_1
     angles_safe_1 = where(angles_zero_1, 1, angles_divisor_1 * angles_square_1)
-    angles_more_1 = (angles_part1_1 * left_lo_2 - angles_part0_1 * left_lo_1) / angles_safe_1
-    left_size_2 = left_1a_padded_1 * absolute(R_20) + left_1b_padded_1 * absolute(R_21)
-    angles_padded_1 = 1.8051943758648296e-276 + left_size_2
-    left_size_1 = left_1a_padded_1 * absolute(R_10) + left_1b_padded_1 * absolute(R_11)
-    angles_padded_2 = 1.8051943758648296e-276 + left_size_1
-    angles_size_2 = absolute(left_2)
-    angles_size_3 = absolute(left_1)
-    angles_size_5 = where(angles_size_2 < angles_size_3, angles_size_3, angles_size_2)
-    angles_bound_1 = absolute(left_lo_2) + 1.120429474644463e-29 * angles_padded_1
-    angles_bound_2 = absolute(left_lo_1) + 1.120429474644463e-29 * angles_padded_2
-    angles_size_11 = (angles_bound_2 + (1.8051943758648296e-276 + angles_bound_1)) / angles_size_5
-    angles_size_13 = angles_size_11 * angles_size_11
-    angles_size_14 = absolute(elementary.atan2_error(left_2, left_1, angles_0) + angles_more_1)
-    angles_size_15 = 7 + angles_size_14
-    angles_size_18 = where(angles_bound_2 < left_1, angles_size_13, angles_size_15)
-    angles_size_19 = where(angles_bound_1 < angles_size_2, angles_size_13, angles_size_18)
-    angles_size_20 = where(angles_size_11 < 0.25, angles_size_19, angles_size_15)
-    angles_size_10 = absolute(angles_0) + (angles_padded_1 + angles_padded_2) / angles_size_5
-    angles_1 = elementary.atan2(R_02, n)
-    angles_size0_2 = absolute(R_02)
-    angles_size1_2 = absolute(n)
-    angles_most_2 = where(angles_size0_2 < angles_size1_2, angles_size1_2, angles_size0_2)
-    angles_zero_2 = angles_most_2 == 0
-    angles_divisor_2 = where(angles_zero_2, 1, angles_most_2)
-    angles_part0_2 = R_02 / angles_divisor_2
-    angles_part1_2 = n / angles_divisor_2
-    angles_square_2 = angles_part1_2 * angles_part1_2 + angles_part0_2 * angles_part0_2
-    angles_safe_2 = where(angles_zero_2, 1, angles_divisor_2 * angles_square_2)
-    angles_more_2 = (angles_part1_2 * 0 - angles_part0_2 * n_lo) / angles_safe_2
-    angles_size_24 = absolute(R_02)
-    angles_size_25 = absolute(n)
-    angles_size_27 = where(angles_size_24 < angles_size_25, angles_size_25, angles_size_24)
-    angles_size_30 = (1.8051943758648296e-276 + angles_size_24 + divisor_padded_1) / angles_size_27
-    angles_size_32 = (1.8051943758648296e-276 + divisor_bound_1) / angles_size_27
-    angles_size_35 = absolute(elementary.atan2_error(R_02, n, angles_1) + angles_more_2)
-    angles_size_34 = angles_size_32 * angles_size_32
-    angles_size_37 = where(angles_size_32 < 0.25, angles_size_34, 7 + angles_size_35)
-    angles_size_22 = angles_size_10 + 4.527322338646221e+28 * angles_size_20
-    angles_rest_3 = 2.2778366396519518e-29 * (1.8051943758648296e-276 + angles_size_22)
-    angles_size_39 = absolute(angles_1) + angles_size_30 + 7.9228157791897855e+28 * angles_size_37
-    angles_rest_4 = 1.3016206487799288e-29 * (1.8051943758648296e-276 + angles_size_39)
+    angles_more_1 = (angles_part1_1 * 0 - angles_part0_1 * n_lo) / angles_safe_1
+    angles_size_13 = absolute(R_02)
+    angles_size_14 = absolute(n)
+    angles_size_16 = where(angles_size_13 < angles_size_14, angles_size_14, angles_size_13)
+    angles_size_19 = (1.8051943758648296e-276 + angles_size_13 + divisor_padded_1) / angles_size_16
+    angles_size_21 = (1.8051943758648296e-276 + divisor_bound_1) / angles_size_16
+    angles_size_24 = absolute(elementary.atan2_error(R_02, n, angles_1) + angles_more_1)
+    angles_size_23 = angles_size_21 * angles_size_21
+    angles_size_26 = where(angles_size_21 < 0.25, angles_size_23, 7 + angles_size_24)
+    angles_size_11 = where(angles_0a, first_size_22, rest_size_3) + angles_size_10
+    angles_rest_3 = 2.277836794817206e-29 * (1.8051943758648296e-276 + angles_size_11)
+    angles_size_28 = absolute(angles_1) + angles_size_19 + 7.9228157791897855e+28 * angles_size_26
+    angles_rest_4 = 1.3016206487799288e-29 * (1.8051943758648296e-276 + angles_size_28)
     third_padded_2 = 1.8051943758648296e-276 + (where(divisor_a, 0, polar_size_1) + third_size_6)
     third_error_2 = absolute(where(divisor_a, 0, polar_own_error_1))
     R_n_0 = R_11 * R_22 - R_12 * R_21
@@ -424,8 +438,8 @@ def euler_xyz_from_mat3x3(R):
     R_unless_equal = where(R_is_equal, float64(0), float64(1.0715086071862673e+301))
     R_unless_rotation = where(R_is_less, 0, R_unless_equal)
     R_excess = R_unless_rotation * 1.0715086071862673e+301
-    R_excess_0 = angles_rest_3 + angles_size_14 + R_excess
-    R_excess_1 = angles_rest_4 + angles_size_35 + R_excess
+    R_excess_0 = absolute(where(angles_0a, first_lo, rest_lo)) + angles_rest_3 + R_excess
+    R_excess_1 = angles_rest_4 + angles_size_24 + R_excess
     R_excess_2 = third_error_2 + 6.508104019725916e-30 * third_padded_2 + R_excess
     return (angles_0, angles_1, third, R_excess_0, R_excess_1, R_excess_2)
 
@@ -511,8 +525,8 @@ def euler_xyx_from_mat3x3(R):
     [0, π]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
 
     (3,3)->(3),(3).  R: rotation or other 3×3 matrix; angles, angles_bound: vector.
-    452 mul, 749 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 3 neg, 66 abs, 12
-    copysign, 59 less, 14 equal, 106 select.
+    455 mul, 765 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 3 neg, 72 abs, 12
+    copysign, 61 less, 14 equal, 110 select.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     n_a = R_01 * R_01
@@ -590,60 +604,74 @@ def euler_xyx_from_mat3x3(R):
     left_left_rest_2 = product_rest(R_21, cosine, left_2a, left_2 + left_right_2)
     left_lo1_2 = left_left_rest_2 - product_rest(R_22, sine, left_2b, left_right_2)
     left_lo_2 = left_lo1_2 + (R_21 * cosine_lo - R_22 * sine_lo)
-    angles_0 = elementary.atan2(left_2, left_1)
-    angles_size0_1 = absolute(left_2)
-    angles_size1_1 = absolute(left_1)
+    rest = R_10 + R_20
+    rest_right_1 = rest - R_10
+    rest_lo = R_10 - (rest - rest_right_1) + (R_20 - rest_right_1)
+    rest_size_3 = absolute(R_10) + absolute(R_20)
+    first = elementary.atan2(left_2, left_1)
+    first_size0_1 = absolute(left_2)
+    first_size1_1 = absolute(left_1)
+    first_most_1 = where(first_size0_1 < first_size1_1, first_size1_1, first_size0_1)
+    first_zero_1 = first_most_1 == 0
+    first_divisor_1 = where(first_zero_1, 1, first_most_1)
+    first_part0_1 = left_2 / first_divisor_1
+    first_part1_1 = left_1 / first_divisor_1
+    first_square_1 = first_part1_1 * first_part1_1 + first_part0_1 * first_part0_1
+    first_safe_1 = where(first_zero_1, 1, first_divisor_1 * first_square_1)
+    first_more_1 = (first_part1_1 * left_lo_2 - first_part0_1 * left_lo_1) / first_safe_1
+    first_lo = elementary.atan2_error(left_2, left_1, first) + first_more_1
+    left_size_2 = left_1a_padded_1 * absolute(R_21) + left_1b_padded_1 * absolute(R_22)
+    first_padded_1 = 1.8051943758648296e-276 + left_size_2
+    left_size_1 = left_1a_padded_1 * absolute(R_11) + left_1b_padded_1 * absolute(R_12)
+    first_padded_2 = 1.8051943758648296e-276 + left_size_1
+    first_size_2 = absolute(left_2)
+    first_size_3 = absolute(left_1)
+    first_size_5 = where(first_size_2 < first_size_3, first_size_3, first_size_2)
+    first_bound_1 = absolute(left_lo_2) + 1.120429474644463e-29 * first_padded_1
+    first_bound_2 = absolute(left_lo_1) + 1.120429474644463e-29 * first_padded_2
+    first_size_11 = (first_bound_2 + (1.8051943758648296e-276 + first_bound_1)) / first_size_5
+    first_size_13 = first_size_11 * first_size_11
+    first_size_14 = absolute(first_lo)
+    first_size_15 = 7 + first_size_14
+    first_size_18 = where(first_bound_2 < left_1, first_size_13, first_size_15)
+    first_size_19 = where(first_bound_1 < first_size_2, first_size_13, first_size_18)
+    first_size_20 = where(first_size_11 < 0.25, first_size_19, first_size_15)
+    first_size_10 = absolute(first) + (first_padded_1 + first_padded_2) / first_size_5
+    first_size_22 = first_size_10 + 4.527322338646221e+28 * first_size_20
+    angles_0a = rest < 1.2676506002282294e+30
+    angles_0 = where(angles_0a, first, rest)
+    angles_rest_1 = 7.642090607075756e-31 * (1.8051943758648296e-276 + rest_size_3)
+    angles_bound_1 = absolute(rest_lo) + angles_rest_1
+    angles_rest_2 = 2.2778366396519518e-29 * (1.8051943758648296e-276 + first_size_22)
+    angles_size_8 = angles_bound_1 + (angles_rest_2 + first_size_14 + absolute(first - rest))
+    angles_size_4 = angles_bound_1 < absolute(rest - 1.2676506002282294e+30)
+    angles_size_10 = 4.527322030246999e+28 * where(angles_size_4, 0, angles_size_8)
+    angles_1 = elementary.atan2(n, R_00)
+    angles_size0_1 = absolute(n)
+    angles_size1_1 = absolute(R_00)
     angles_most_1 = where(angles_size0_1 < angles_size1_1, angles_size1_1, angles_size0_1)
     angles_zero_1 = angles_most_1 == 0
     angles_divisor_1 = where(angles_zero_1, 1, angles_most_1)
-    angles_part0_1 = left_2 / angles_divisor_1
-    angles_part1_1 = left_1 / angles_divisor_1
+    angles_part0_1 = n / angles_divisor_1
+    angles_part1_1 = R_00 / angles_divisor_1
     angles_square_1 = angles_part1_1 * angles_part1_1 + angles_part0_1 * angles_part0_1
     angles_safe_1 = where(angles_zero_1, 1, angles_divisor_1 * angles_square_1)
-    angles_more_1 = (angles_part1_1 * left_lo_2 - angles_part0_1 * left_lo_1) / angles_safe_1
-    left_size_2 = left_1a_padded_1 * absolute(R_21) + left_1b_padded_1 * absolute(R_22)
-    angles_padded_1 = 1.8051943758648296e-276 + left_size_2
-    left_size_1 = left_1a_padded_1 * absolute(R_11) + left_1b_padded_1 * absolute(R_12)
-    angles_padded_2 = 1.8051943758648296e-276 + left_size_1
-    angles_size_2 = absolute(left_2)
-    angles_size_3 = absolute(left_1)
-    angles_size_5 = where(angles_size_2 < angles_size_3, angles_size_3, angles_size_2)
-    angles_bound_1 = absolute(left_lo_2) + 1.120429474644463e-29 * angles_padded_1
-    angles_bound_2 = absolute(left_lo_1) + 1.120429474644463e-29 * angles_padded_2
-    angles_size_11 = (angles_bound_2 + (1.8051943758648296e-276 + angles_bound_1)) / angles_size_5
-    angles_size_13 = angles_size_11 * angles_size_11
-    angles_size_14 = absolute(elementary.atan2_error(left_2, left_1, angles_0) + angles_more_1)
-    angles_size_15 = 7 + angles_size_14
-    angles_size_18 = where(angles_bound_2 < left_1, angles_size_13, angles_size_15)
-    angles_size_19 = where(angles_bound_1 < angles_size_2, angles_size_13, angles_size_18)
-    angles_size_20 = where(angles_size_11 < 0.25, angles_size_19, angles_size_15)
-    angles_size_10 = absolute(angles_0) + (angles_padded_1 + angles_padded_2) / angles_size_5
-    angles_1 = elementary.atan2(n, R_00)
-    angles_size0_2 = absolute(n)
-    angles_size1_2 = absolute(R_00)
-    angles_most_2 = where(angles_size0_2 < angles_size1_2, angles_size1_2, angles_size0_2)
-    angles_zero_2 = angles_most_2 == 0
-    angles_divisor_2 = where(angles_zero_2, 1, angles_most_2)
-    angles_part0_2 = n / angles_divisor_2
-    angles_part1_2 = R_00 / angles_divisor_2
-    angles_square_2 = angles_part1_2 * angles_part1_2 + angles_part0_2 * angles_part0_2
-    angles_safe_2 = where(angles_zero_2, 1, angles_divisor_2 * angles_square_2)
-    angles_more_2 = (angles_part1_2 * n_lo - angles_part0_2 * 0) / angles_safe_2
-    angles_size_24 = absolute(R_00)
-    angles_size_25 = absolute(n)
-    angles_size_27 = where(angles_size_25 < angles_size_24, angles_size_24, angles_size_25)
-    angles_size_30 = (1.8051943758648296e-276 + angles_size_24 + divisor_padded_1) / angles_size_27
-    angles_size_32 = (1.8051943758648296e-276 + divisor_bound_1) / angles_size_27
-    angles_size_34 = angles_size_32 * angles_size_32
-    angles_size_35 = absolute(elementary.atan2_error(n, R_00, angles_1) + angles_more_2)
-    angles_size_36 = 7 + angles_size_35
-    angles_size_39 = where(0 < R_00, angles_size_34, angles_size_36)
-    angles_size_40 = where(divisor_bound_1 < angles_size_25, angles_size_34, angles_size_39)
-    angles_size_41 = where(angles_size_32 < 0.25, angles_size_40, angles_size_36)
-    angles_size_22 = angles_size_10 + 4.527322338646221e+28 * angles_size_20
-    angles_rest_3 = 2.2778366396519518e-29 * (1.8051943758648296e-276 + angles_size_22)
-    angles_size_43 = absolute(angles_1) + angles_size_30 + 7.9228157791897855e+28 * angles_size_41
-    angles_rest_4 = 1.3016206487799288e-29 * (1.8051943758648296e-276 + angles_size_43)
+    angles_more_1 = (angles_part1_1 * n_lo - angles_part0_1 * 0) / angles_safe_1
+    angles_size_13 = absolute(R_00)
+    angles_size_14 = absolute(n)
+    angles_size_16 = where(angles_size_14 < angles_size_13, angles_size_13, angles_size_14)
+    angles_size_19 = (1.8051943758648296e-276 + angles_size_13 + divisor_padded_1) / angles_size_16
+    angles_size_21 = (1.8051943758648296e-276 + divisor_bound_1) / angles_size_16
+    angles_size_23 = angles_size_21 * angles_size_21
+    angles_size_24 = absolute(elementary.atan2_error(n, R_00, angles_1) + angles_more_1)
+    angles_size_25 = 7 + angles_size_24
+    angles_size_28 = where(0 < R_00, angles_size_23, angles_size_25)
+    angles_size_29 = where(divisor_bound_1 < angles_size_14, angles_size_23, angles_size_28)
+    angles_size_30 = where(angles_size_21 < 0.25, angles_size_29, angles_size_25)
+    angles_size_11 = where(angles_0a, first_size_22, rest_size_3) + angles_size_10
+    angles_rest_3 = 2.277836794817206e-29 * (1.8051943758648296e-276 + angles_size_11)
+    angles_size_32 = absolute(angles_1) + angles_size_19 + 7.9228157791897855e+28 * angles_size_30
+    angles_rest_4 = 1.3016206487799288e-29 * (1.8051943758648296e-276 + angles_size_32)
     third_padded_2 = 1.8051943758648296e-276 + (where(divisor_a, 0, polar_size_1) + third_size_6)
     third_error_2 = absolute(where(divisor_a, 0, polar_own_error_1))
     R_n_0 = R_11 * R_22 - R_12 * R_21
@@ -683,8 +711,8 @@ def euler_xyx_from_mat3x3(R):
     R_unless_equal = where(R_is_equal, float64(0), float64(1.0715086071862673e+301))
     R_unless_rotation = where(R_is_less, 0, R_unless_equal)
     R_excess = R_unless_rotation * 1.0715086071862673e+301
-    R_excess_0 = angles_rest_3 + angles_size_14 + R_excess
-    R_excess_1 = angles_rest_4 + angles_size_35 + R_excess
+    R_excess_0 = absolute(where(angles_0a, first_lo, rest_lo)) + angles_rest_3 + R_excess
+    R_excess_1 = angles_rest_4 + angles_size_24 + R_excess
     R_excess_2 = third_error_2 + 6.508104019725916e-30 * third_padded_2 + R_excess
     return (angles_0, angles_1, third, R_excess_0, R_excess_1, R_excess_2)
 
