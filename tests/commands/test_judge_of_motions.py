@@ -67,7 +67,7 @@ def test_advice_is_read_as_it_was_tried(how, right, monkeypatch):
 
 
 def test_every_form_of_advice_is_read(monkeypatch):
-    """What `advice` can say is in the cases above, but for advice without a name."""
+    """What `advice` can say is in the cases above, except for advice without a name."""
     all_of_them = " | ".join(said(*case, monkeypatch) for case in TRIED)
     statements = [x for of in (advice.advised, advice._helping)
                   for x in ast.parse(inspect.getsource(of)).body[0].body[1:]]
