@@ -20,8 +20,8 @@ HALVINGS = 12
 TIGHT = 1e-5
 """Tolerances of SciPy's integrators up to which runs are not repeated with smaller ones."""
 _LEAST_RTOL = 1e-13  # which SciPy's integrators take
-MOST = 40_000_000
-"""Velocities times steps that trials, or reference motions, may take: some seconds."""
+MOST = 10_000_000
+"""Velocities times steps that trials, or reference motions, may take: about a second."""
 LADDERS = (8, 64, 512), (4, 16), (2, 4)
 """Divisors of the step, of motions one of which is to be the reference."""
 SAMPLES = 2000
@@ -37,11 +37,17 @@ class Reference:
     t: np.ndarray
     until: float  # of t: later, motions with smaller steps differ
     step: float
+    end: float  # of the plan, before which the motion may stop
+
+    @property
+    def stops(self) -> bool:
+        """Whether it stops before the end, being finite no longer."""
+        return bool(self.t[-1] < self.end)
 
     @property
     def resolved(self) -> bool:
         """Whether it is known to the end."""
-        return bool(self.until >= self.t[-1])
+        return bool(self.until >= self.end)
 
 
 @dataclass(frozen=True)
@@ -71,9 +77,9 @@ def reference(system: System, planned: Plan, start: State | None = None) -> Refe
             break
         now = _finer(exact, planned, start, finer)
         until, before, divisor = _agreed(parts, before, now), now, finer
-        if until >= now.t[-1]:
+        if until >= planned.until:
             break
-    return Reference(before.q, before.v, before.t, until, planned.step / divisor)
+    return Reference(before.q, before.v, before.t, until, planned.step / divisor, planned.until)
 
 
 def _in_double(start: State) -> State:
@@ -138,7 +144,8 @@ def loose(system: System, planned: Plan, trajectory: Trajectory, start: State) -
     for tighter in _tightened(planned):
         motion = integrate(system, tighter, start=start)
         q, v = _in_double((motion.q, motion.v))
-        found = error(system, before, Reference(q, v, motion.t, float(motion.t[-1]), 0.0))
+        found = error(system, before, Reference(q, v, motion.t, float(motion.t[-1]), 0.0,
+                                                float(motion.t[-1])))
         if found.relative <= ALLOWED:
             helps = f"take rtol = {now.rtol:.3g} and atol = {now.atol:.3g}"
             break
@@ -159,6 +166,8 @@ def thinned(planned: Plan) -> Plan:
 
 def advised(system: System, planned: Plan, true: Reference, start: State | None = None) -> str:
     """The sentence of `remedy` for a plan whose reference is known."""
+    if true.stops:
+        return f"so are motions with steps down to {true.step:.2g} s"
     if said := _helping(system, planned, true, start):
         return f"take {', or '.join(said)}"
     if system.precision is not DOUBLE:

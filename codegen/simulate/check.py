@@ -103,7 +103,7 @@ def _along(system: System, planned: Plan, trajectory: Trajectory) -> Along:
         trajectory.stopped, coarse, balance(system, finer, trajectory.t), None,
         *_matrices(system, trajectory), named(planned.integrator),
         0.0 if planned.adaptive else planned.step, advice.error(system, trajectory, true),
-        true.until, float(true.t[-1]), true.step, advice.resting(system, true))
+        true.until, true.end, true.step, advice.resting(system, true))
     if trajectory.stopped:
         return along
     if not planned.adaptive and not (along.shrinks and along.balanced):

@@ -105,8 +105,8 @@ class Along:
 
     @property
     def still(self) -> bool:
-        """Whether nothing moves, so that hardly any energy is exchanged."""
-        return self.coarse.scale == 0 or self.resting
+        """Whether nothing moves, so that no energy is exchanged."""
+        return self.coarse.scale == 0
 
     @property
     def untold(self) -> bool:
@@ -135,7 +135,7 @@ class Along:
         not."""
         balances = (x for x in (self.coarse, self.fine, self.finest, self.exact) if x is not None)
         return not math.isnan(self.coarse.relative) and (
-            self.still or any(x.rounded or x.relative <= ENERGY for x in balances))
+            self.resting or any(x.rounded or x.relative <= ENERGY for x in balances))
 
     @property
     def passed(self) -> bool:

@@ -23,7 +23,7 @@ REST = 1e-3
 """Sizes count as no smaller than this, in rad, and than this in m, or REST/100 of a scene's largest
 length if that is less: a robot that rests trembles by what nobody sees."""
 
-TRAVEL = {DOUBLE: 1e-9, SINGLE: 1e-3}
+TRAVEL = {DOUBLE: 1e-9, SINGLE: 1e-2}
 """The share of the way along the straight line that counts as size at least, since rounding takes
 some of it in many steps."""
 

@@ -129,7 +129,7 @@ def _finer(along: Along) -> str:
 
 def _verdict(along: Along) -> str:
     """The cause of the defect of energy."""
-    if along.still:
+    if along.still or along.resting and not along.untold:
         return "none: nothing moves"
     if along.doubtful and along.balanced and not along.untold:
         return "small: smaller steps do not help"

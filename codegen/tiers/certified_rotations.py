@@ -8,7 +8,6 @@ from dataclasses import replace
 from fractions import Fraction
 
 from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
-from coscrew_codegen.programs import library_program
 from coscrew_codegen.quantity import DISPLACEMENT, ROTATION, TOLERANCE
 from coscrew_codegen.tiers.errors import constant
 
@@ -66,6 +65,8 @@ class _Writer:
                 row, column = divmod(x.index, 3)
                 return Input(number, columns * row + column)
             return Ref(f"{name}_{x.name}") if isinstance(x, Ref) else x
+
+        from coscrew_codegen.programs import library_program  # imports SymPy
 
         program = library_program(DEFECT)
         self.steps += [Instruction(f"{name}_{step.name}", step.op, tuple(map(moved, step.operands)),

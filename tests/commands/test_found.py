@@ -215,7 +215,8 @@ def test_every_file_is_found_or_helps_one_that_is(folder):
     for path in (package / folder).glob("[!_]*.py"):
         module = f"coscrew_codegen.{folder}.{path.stem}"
         imported = re.compile(rf"from {module} import|import {module}\b|"
-                              rf"from coscrew_codegen.{folder} import[^)\n]*\b{path.stem}\b")
+                              rf"from coscrew_codegen.{folder} import(?: \([^)]*|[^)\n]*)"
+                              rf"\b{path.stem}\b")
         assert re.search(rf"^{FOLDERS[folder]}\b", texts[path], re.MULTILINE) or any(
             imported.search(text) for other, text in texts.items() if other != path), (
             f"{folder}/{path.name} calls nothing {FOLDERS[folder]}, and nothing imports it")
