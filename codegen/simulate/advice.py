@@ -20,7 +20,7 @@ HALVINGS = 12
 TIGHT = 1e-5
 """Tolerances of SciPy's integrators up to which runs are not repeated with smaller ones."""
 _LEAST_RTOL = 1e-13  # which SciPy's integrators take
-MOST = 10_000_000
+MOST = 4_000_000
 """Velocities times steps that trials, or reference motions, may take: about a second."""
 LADDERS = (8, 64, 512), (4, 16), (2, 4)
 """Divisors of the step, of motions one of which is to be the reference."""

@@ -14,7 +14,11 @@ from selenium.webdriver.common.by import By
 from coscrew_codegen import load_scene, run
 from coscrew_codegen.__main__ import main
 from coscrew_codegen.scene.effect import Place
-from coscrew_codegen.scene.effect_quantities import by_name, functions_of_effects, units_of
+from coscrew_codegen.scene.effect_quantities import (
+    functions_of_effects,
+    quantities_by_name,
+    units_of,
+)
 from coscrew_codegen.scene.recorded import QuantityError, recorded
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.selected import resolved
@@ -256,7 +260,7 @@ def test_effects_add_up_to_the_energy_and_power_of_the_scene(everything: Evaluat
 def test_every_effect_that_acts_has_quantities(everything: Evaluated) -> None:
     acting = {name for name, x in CATALOGUE.items() if not (x.mimic or x.reaction)}
     assert {x.effect.name for x in functions_of_effects(everything.scene).values()} == acting
-    for name, (_, applied, quantity) in by_name(everything.scene).items():
+    for name, (_, applied, quantity) in quantities_by_name(everything.scene).items():
         assert name == f"{applied.name}.{quantity}"
         pair = applied.effect.place is Place.PAIR
         assert not pair or quantity != "torque"
