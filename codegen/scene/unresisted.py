@@ -49,10 +49,18 @@ class Common:
     cure: tuple[str, ...]
 
 
+def _double(x: Fraction) -> float:
+    """The number in double precision; infinite beyond, of which nothing is certain."""
+    try:
+        return float(x)
+    except OverflowError:
+        return math.inf if x > 0 else -math.inf
+
+
 @lru_cache(maxsize=8)
 def alone(model: Model, follow: _Follow) -> frozenset[str]:
     """The joints without inertia against a motion of their own."""
-    if not _alone(_moved(model, follow, float, math.cos, math.sin), _CERTAIN):
+    if not _alone(_moved(model, follow, _double, math.cos, math.sin), _CERTAIN):
         return frozenset()
     import mpmath
 
@@ -64,7 +72,7 @@ def alone(model: Model, follow: _Follow) -> frozenset[str]:
 def common(model: Model, follow: _Follow, held: frozenset[str]) -> Common:
     """The joints that only together move without inertia; those in `held` have one of their own.
     """
-    links = _moved(model, follow, float, math.cos, math.sin)
+    links = _moved(model, follow, _double, math.cos, math.sin)
     if None not in _pivots(links, held, _CERTAIN, _scale).values():
         return Common((), ())
     import mpmath

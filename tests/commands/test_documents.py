@@ -113,7 +113,7 @@ def test_allowed_errors_of_motions_are_told_as_they_are():
             ("since the start; allowed is {};", ALLOWED), ("velocity makes ({} of it)", FROZEN),
             ("changes by {} of the largest kinetic", KEPT), ("by {} of the largest vel", KEPT),
             ("off by more than {} of the way it moves", ALLOWED), ("`--strict` {})", STRICTLY),
-            ("energies do not balance within {} with", ENERGY), ("at least {} rad", REST)):
+            ("energies do not balance within {} with", ENERGY), ("shorter than {} rad", REST)):
         assert words.format(f"{number:g}") in told, words
 
 

@@ -44,8 +44,9 @@ TRIED: tuple[tuple[Setting, tuple[Setting, ...]], ...] = (
 """Runs, and all settings that do instead of theirs."""
 
 
-def said(how: Setting, right: tuple[Setting, ...], monkeypatch: pytest.MonkeyPatch) -> str:
-    """The advice for a run if these settings alone are right."""
+def said(how: Setting, right: tuple[Setting, ...], monkeypatch: pytest.MonkeyPatch,
+         stops: bool = False) -> str:
+    """The advice for a run if these settings alone are right, and the reference `stops` or not."""
     def does(system: SimpleNamespace, planned: Plan, *_: object) -> bool:
         tolerances = (planned.rtol, planned.atol) if planned.adaptive else None
         tried = Setting(planned.step, planned.integrator, system.precision.name, tolerances)
@@ -56,7 +57,8 @@ def said(how: Setting, right: tuple[Setting, ...], monkeypatch: pytest.MonkeyPat
     monkeypatch.setattr(advice, "_right", does)
     monkeypatch.setattr(advice, "affordable", lambda *_: True)
     monkeypatch.setattr(advice, "in_double", lambda _: SimpleNamespace(precision=DOUBLE))
-    return advice.advised(SimpleNamespace(precision=BY_NAME[how.precision]), planned, None)
+    known = SimpleNamespace(stops=stops, step=1e-3)
+    return advice.advised(SimpleNamespace(precision=BY_NAME[how.precision]), planned, known)
 
 
 @pytest.mark.parametrize("how, right", TRIED)
@@ -68,7 +70,8 @@ def test_advice_is_read_as_it_was_tried(how, right, monkeypatch):
 
 def test_every_form_of_advice_is_read(monkeypatch):
     """What `advice` can say is in the cases above, except for advice without a name."""
-    all_of_them = " | ".join(said(*case, monkeypatch) for case in TRIED)
+    all_of_them = " | ".join([*(said(*case, monkeypatch) for case in TRIED),
+                              said(RK4, (), monkeypatch, stops=True)])
     statements = [x for of in (advice.advised, advice._helping)
                   for x in ast.parse(inspect.getsource(of)).body[0].body[1:]]
     formats = {id(x) for s in statements for y in ast.walk(s) if isinstance(y, ast.FormattedValue)
