@@ -43,7 +43,7 @@ def defects() -> Mapping[Required, Operation]:
 
 
 def defects_of(letters: Iterable[str]) -> Mapping[Required, Operation]:
-    """Those that functions with these requirements need."""
+    """The defects that functions with these requirements need, by requirement."""
     found = set().union(*letters)
     return {required: op for required, op in defects().items() if required.value in found}
 

@@ -36,7 +36,7 @@ def arithmetic(library: Library, precision: Precision, program: Program) -> Arit
 
 
 def _decided_once(numbers: Arithmetic[Array], program: Program) -> Arithmetic[Array]:
-    """The same, with one result of every comparison, wherever XLA computes it."""
+    """The arithmetic with one result of every comparison, wherever XLA computes it."""
     from coscrew_codegen.arrays.once import once
 
     names = deciding(program)

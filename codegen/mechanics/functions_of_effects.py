@@ -30,7 +30,7 @@ _Found = Mapping[str, Callable[[], Sequence[Number]]]
 
 
 class EffectFunctions(Derivation):
-    """Functions of what each effect exerts where it acts."""
+    """The functions of the torque, force, power and energy of each effect where it acts."""
 
     def _of_effects(self) -> Makers:
         return {name: partial(self._effect, name, applied)

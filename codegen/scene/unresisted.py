@@ -50,7 +50,7 @@ class Common:
 
 
 def _double(x: Fraction) -> float:
-    """The number in double precision; infinite beyond, of which nothing is certain."""
+    """The number in double precision; infinite if it is beyond the range."""
     try:
         return float(x)
     except OverflowError:
@@ -241,7 +241,7 @@ def _yielding(links: Sequence[_Moved], pivots: Mapping[tuple[int, int], _Pivot |
 
 def _named(links: Sequence[_Moved], basis: list[dict[tuple[int, int], _Real]],
            follow: Mapping[str, Mimic]) -> Common:
-    """The joints that move in what of the null space the followers allow."""
+    """The joints that move in the part of the null space which followers allow."""
     place = {link.joint.name: (number, 0) for number, link in enumerate(links)}
     bound = [[vector[place[name]] - _exact(mimic.multiplier) * vector[place[mimic.joint]]
               for vector in basis] for name, mimic in follow.items()]

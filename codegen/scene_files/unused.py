@@ -66,7 +66,7 @@ def _remedy(joint: Joint, field: str, model: Model, catalogue: tuple[Effect, ...
 
 def adding(joint: Joint, field: str, model: Model, catalogue: tuple[Effect, ...],
            acting: tuple[Applied, ...]) -> str:
-    """What to write so that the first effect that can takes a joint's number; "" if none can:
+    """The text with which the first effect that can takes a joint's number; "" if none can:
     'add [effects.viscous] with joints = "all" and d = "model"'.
 
     In a table for this joint alone if the effect acts elsewhere or cannot take all joints'."""

@@ -131,7 +131,7 @@ def misspelt_elements(owner: Element) -> Iterator[tuple[Element, str]]:
 
 
 def _wrong_element(owner: str, child: Element) -> str:
-    """What is wrong with an element that does not belong here; "" if it is another tool's."""
+    """The problem of an element that does not belong here; "" if it is another tool's."""
     tag = child.tag[:60]
     word = tag.lower()
     if word == "robot":
@@ -149,7 +149,7 @@ def _wrong_element(owner: str, child: Element) -> str:
 
 
 def _of_frame(tag: str, child: Element) -> str:
-    """What is wrong with an element of a joint or an inertial that holds what an attribute of
+    """The problem of an element of a joint or an inertial that holds what an attribute of
     URDF says."""
     if tag.lower() in _FRAMES:
         return (f"unknown element <{tag}>; did you mean <origin>, with "
