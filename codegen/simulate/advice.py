@@ -7,11 +7,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from coscrew_codegen.formats import DOUBLE, Precision
-from coscrew_codegen.integrators import DEFAULT
+from coscrew_codegen.integrators import DEFAULT, named
 from coscrew_codegen.simulate.alarm import Alarm
 from coscrew_codegen.simulate.allowed import AGREED, ALLOWED
 from coscrew_codegen.simulate.motion_error import Extent, Parts
-from coscrew_codegen.simulate.plan import Plan, Trajectory
+from coscrew_codegen.simulate.plan import Plan, Stop, Trajectory
 from coscrew_codegen.simulate.run import integrate
 from coscrew_codegen.simulate.system import State, System
 from coscrew_codegen.simulate.windows import in_double
@@ -22,6 +22,9 @@ TIGHT = 1e-5
 _LEAST_RTOL = 1e-13  # which SciPy's integrators take
 MOST = 4_000_000
 """Velocities times steps that trials, or reference motions, may take: about a second."""
+_DOUBTED = 200_000
+"""Velocities times steps of a run up to which all of it is compared with one in half steps: about
+50 ms."""
 LADDERS = (8, 64, 512), (4, 16), (2, 4)
 """Divisors of the step, of motions one of which is to be the reference."""
 SAMPLES = 2000
@@ -38,6 +41,7 @@ class Reference:
     until: float  # of t: later, motions with smaller steps differ
     step: float
     end: float  # of the plan, before which the motion may stop
+    h: float  # the steps of runs that are compared with it
 
     @property
     def stops(self) -> bool:
@@ -76,10 +80,11 @@ def reference(system: System, planned: Plan, start: State | None = None) -> Refe
         if until > planned.begin and not affordable(exact, steps * finer):
             break
         now = _finer(exact, planned, start, finer)
-        until, before, divisor = _agreed(parts, before, now), now, finer
+        until, before, divisor = _agreed(parts, planned.step, before, now), now, finer
         if until >= planned.until:
             break
-    return Reference(before.q, before.v, before.t, until, planned.step / divisor, planned.until)
+    return Reference(before.q, before.v, before.t, until, planned.step / divisor, planned.until,
+                     planned.step)
 
 
 def _in_double(start: State) -> State:
@@ -92,18 +97,20 @@ def _finer(system: System, planned: Plan, start: State, divisor: int) -> Traject
     return integrate(system, finer, start=start)
 
 
-def _agreed(parts: Parts, x: Trajectory, y: Trajectory) -> float:
+def _agreed(parts: Parts, h: float, x: Trajectory, y: Trajectory) -> float:
     """The time until which two motions agree."""
     n = min(len(x.t), len(y.t))
     apart = parts.distances(parts.places(x.q[:n]), parts.places(y.q[:n]))
-    beyond = (apart > AGREED * ALLOWED * sizes(parts, DOUBLE, y)).any(-1)
+    beyond = (apart > AGREED * ALLOWED * sizes(parts, DOUBLE, h, y)).any(-1)
     return float(y.t[-1] if n == len(y.t) and not beyond.any() else
                  y.t[max(0, int(np.argmax(beyond)) - 1 if beyond.any() else n - 1)])
 
 
-def sizes(parts: Parts, precision: Precision, motion: Trajectory | Reference) -> np.ndarray:
-    """The sizes of the parts in a motion that is judged for runs in this precision.  (k)."""
-    extent = Extent.since(parts, precision, motion.q[0], motion.v[0])
+def sizes(parts: Parts, precision: Precision, h: float, motion: Trajectory | Reference
+          ) -> np.ndarray:
+    """The sizes of the parts in a motion that is judged for runs in this precision and in steps of
+    h.  (k)."""
+    extent = Extent.since(parts, precision, h, motion.q[0], motion.v[0])
     extent.add(motion.t - motion.t[0], parts.places(motion.q))
     return extent.sizes
 
@@ -111,7 +118,8 @@ def sizes(parts: Parts, precision: Precision, motion: Trajectory | Reference) ->
 def resting(system: System, motion: Reference) -> bool:
     """Whether no part moves farther than what counts as rest."""
     parts = Parts(in_double(system))
-    return bool(motion.resolved and (sizes(parts, system.precision, motion) <= parts.least).all())
+    found = sizes(parts, system.precision, motion.h, motion)
+    return bool(motion.resolved and (found <= parts.least).all())
 
 
 def error(system: System, trajectory: Trajectory, true: Reference) -> Error:
@@ -123,7 +131,7 @@ def error(system: System, trajectory: Trajectory, true: Reference) -> Error:
     _, here, there = np.intersect1d(trajectory.t, known, assume_unique=True, return_indices=True)
     apart = parts.distances(parts.places(trajectory.q[here].astype(float)),
                             parts.places(true.q[there]))
-    relative = apart / sizes(parts, system.precision, true)
+    relative = apart / sizes(parts, system.precision, true.h, true)
     at, k = np.unravel_index(int(np.argmax(relative)), relative.shape)
     part = parts.parts[k]
     return Error(float(relative[at, k]), part.name, part.joint, float(known[there[at]]))
@@ -135,25 +143,62 @@ def remedy(system: System, planned: Plan, start: State | None = None) -> str:
     return advised(system, dense, reference(system, dense, start), start)
 
 
-def loose(system: System, planned: Plan, trajectory: Trajectory, start: State) -> str:
+def loose(system: System, planned: Plan, trajectory: Trajectory, start: State) -> Stop | None:
     """Why the motion that SciPy's integrator found is wrong: one with tolerances of a sixteenth
-    differs; else "".  Tolerances up to TIGHT are not doubted."""
+    differs; else None.  Tolerances up to TIGHT are not doubted."""
     if trajectory.stopped or max(planned.rtol, planned.atol) <= TIGHT:
-        return ""
+        return None
     first, before, now = Error(0.0, "", "", 0.0), trajectory, planned
     for tighter in _tightened(planned):
         motion = integrate(system, tighter, start=start)
-        q, v = _in_double((motion.q, motion.v))
-        found = error(system, before, Reference(q, v, motion.t, float(motion.t[-1]), 0.0,
-                                                float(motion.t[-1])))
+        found = _differ(system, planned, before, motion)
         if found.relative <= ALLOWED:
             helps = f"take rtol = {now.rtol:.3g} and atol = {now.atol:.3g}"
             break
         first, before, now = first if first.part else found, motion, tighter
     else:
         helps = f"no rtol down to {now.rtol:.2g} is small enough"
-    return first.part and (f"the tolerances are too large at t = {first.t:.9g} s: {first.part} is "
-                           f"off by {first.relative:.2g} of the way it moves; {helps}")
+    return _stop(first, "the tolerances are too large", helps) if first.part else None
+
+
+def drifting(system: System, planned: Plan, trajectory: Trajectory, start: State,
+             momentum: np.ndarray | None = None) -> Stop | None:
+    """Why a motion is wrong though no window of the Alarm shows it, as where errors of phase add
+    up: one in steps of half the length (by the default integrator, if the run's loses bounces)
+    differs, and the reference, which is known to the end, does too; else None.  Runs that are long,
+    stopped or in pure NumPy are not doubted."""
+    steps = (planned.until - planned.begin) / planned.step
+    compiled = system.origin and system.origin.compiled
+    if trajectory.stopped or not compiled or steps * system.functions.nv > _DOUBTED:
+        return None
+    loses = named(planned.integrator).damps_bounces and system.has("parts")
+    half = replace(planned, step=planned.step / 2, finer=2,
+                   integrator=DEFAULT if loses else planned.integrator)
+    other = integrate(system, half, start=start, momentum=momentum)
+    if _differ(system, planned, trajectory, other).relative <= ALLOWED / 4:
+        return None
+    dense = thinned(replace(planned, every=planned.step, also=()))
+    true = reference(system, dense, start)
+    found = error(system, integrate(system, dense, start=start, momentum=momentum), true)
+    if not true.resolved or true.stops or found.relative <= ALLOWED:
+        return None
+    exact = in_double(system)
+    why = ("single precision does not resolve it"
+           if system.precision is not DOUBLE and _right(exact, dense, true, start)
+           else "the step is too large")
+    return _stop(found, why, advised(system, dense, true, start))
+
+
+def _stop(found: Error, why: str, helps: str) -> Stop:
+    return Stop(0, found.t, found.joint, f"{why} at t = {found.t:.9g} s: {found.part} is off by "
+                f"{found.relative:.2g} of the way it moves; {helps}")
+
+
+def _differ(system: System, planned: Plan, motion: Trajectory, other: Trajectory) -> Error:
+    """The largest difference of a motion from another, which has the same samples."""
+    (q, v), end = _in_double((other.q, other.v)), float(other.t[-1])
+    return error(system, motion, Reference(q, v, other.t, end, 0.0, end,
+                                           planned.step))
 
 
 def thinned(planned: Plan) -> Plan:

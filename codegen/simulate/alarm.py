@@ -62,7 +62,7 @@ class Alarm:
         its, (q, v) = self.system, self.start
         lead = q.shape[:-1]
         self._parts = Parts(its)
-        self.extent = Extent.since(self._parts, its.precision, q, v)
+        self.extent = Extent.since(self._parts, its.precision, self.plan.step, q, v)
         self._kinetic, self._rounding = np.zeros(lead), np.zeros(lead)  # the largest so far
         self._errors = _Worst(lead, len(self._parts.parts), run)
         self._energies, self._momenta = _Worst(lead, 1, run), _Worst(lead, its.functions.nv, run)

@@ -26,7 +26,7 @@ from coscrew_codegen.native import cache
 from coscrew_codegen.scene.content import content_hash
 from coscrew_codegen.scene.names import listed
 from coscrew_codegen.scene.scene import Scene
-from coscrew_codegen.scene.selected import left_out
+from coscrew_codegen.scene.selected import CONTACTS, FREE, left_out, together
 from coscrew_codegen.scene_functions import SceneFunctions, SceneInterface, Signature
 from coscrew_codegen.simulate import calls, native
 
@@ -95,6 +95,18 @@ class Kernels:
         from coscrew_codegen.mechanics import derive
         assert self.scene  # without one, the functions were given
         return derive(self.scene, self.selected)
+
+    def _with(self, *names: str) -> Kernels:
+        """These kernels, or, if they lack functions of these names that the scene has, kernels of
+        both, compiled when they are first needed."""
+        own = tuple(x.name for x in self.interface.signatures)
+        if self.scene is None or {*names} - {*CONTACTS, *FREE} <= {*own}:
+            return self
+        key = " ".join(("with", *names))
+        if key not in vars(self):
+            vars(self)[key] = kernels_for(self.scene, together(own, names), self.precisions)
+        found: Kernels = vars(self)[key]
+        return found
 
     @property
     def NQ(self) -> int:

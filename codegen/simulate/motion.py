@@ -7,8 +7,9 @@ from functools import partial
 import numpy as np
 from numpy.typing import ArrayLike
 
-from coscrew_codegen.simulate import SimulateError
-from coscrew_codegen.simulate.advice import loose, remedy
+from coscrew_codegen.integrators import named
+from coscrew_codegen.simulate import SimulateError, needs
+from coscrew_codegen.simulate.advice import drifting, loose, remedy
 from coscrew_codegen.simulate.alarm import Alarm
 from coscrew_codegen.simulate.control import Controller, set_by
 from coscrew_codegen.simulate.driven import Driven
@@ -16,13 +17,13 @@ from coscrew_codegen.simulate.load import Kernels
 from coscrew_codegen.simulate.members import Values, start_of, with_parameters
 from coscrew_codegen.simulate.onward import Instant, refuse, refuse_plan, start_at
 from coscrew_codegen.simulate.overshoot import too_fast
-from coscrew_codegen.simulate.plan import Plan, Trajectory, plan
+from coscrew_codegen.simulate.plan import Plan, Trajectory, known, plan
 from coscrew_codegen.simulate.progress import Progress
 from coscrew_codegen.simulate.record import record
 from coscrew_codegen.simulate.recording import Provenance
 from coscrew_codegen.simulate.result import Result
 from coscrew_codegen.simulate.run import integrate
-from coscrew_codegen.simulate.system import State, System, system
+from coscrew_codegen.simulate.system import State, System, scene_of, system
 
 
 @dataclass(frozen=True)
@@ -46,7 +47,7 @@ def motion(kernels: Kernels, precision: str, asked: Asked, *, shown: bool = Fals
            told: bool = True) -> Result:
     """The run in the precision of this name.  If `shown`, a terminal shows the progress; without
     `told`, the recording has no provenance.  Raises SimulateError."""
-    its, state = _begun(kernels, precision, asked)
+    its, state = _begun(_complete(kernels, asked), precision, asked)
     start = asked.start
     if start and start.controller and not asked.controller:
         warnings.warn(f"start: the run before had a controller ({start.controller}), this one has "
@@ -61,8 +62,11 @@ def motion(kernels: Kernels, precision: str, asked: Asked, *, shown: bool = Fals
     by = asked.controller
     driven = Driven(by, its, planned, state[0], start.steps if start else 0) if by else None
     trajectory = _integrated(its, planned, state, start, driven, shown)
-    if planned.adaptive and (cause := loose(its, planned, trajectory, state)):
-        trajectory = replace(trajectory, stopped=cause)
+    if not driven and state[0].ndim == 1:
+        stop = loose(its, planned, trajectory, state) if planned.adaptive else drifting(
+            its, planned, trajectory, state, _momentum(its, start, state) if start else None)
+        if stop:
+            trajectory = replace(trajectory, stopped=stop.cause, failed=(stop,))
     if by and driven and (warning := too_fast(by, driven, its, planned, trajectory)):
         warnings.warn(warning, RuntimeWarning, stacklevel=3)
     began = start_at(its, *state, trajectory.momentum)
@@ -76,6 +80,16 @@ def motion(kernels: Kernels, precision: str, asked: Asked, *, shown: bool = Fals
                             its.scene.record if asked.record is None else asked.record,
                             asked.controller.told(its.scene) if asked.controller else "")
     return Result(its, planned, trajectory, record(its, trajectory, origin, asked.record), began)
+
+
+def _complete(kernels: Kernels, asked: Asked) -> Kernels:
+    """The kernels with what the Alarm needs, if they have the step of the run's integrator; the
+    plan refuses them if not."""
+    scene = scene_of(kernels)
+    own = named(known(asked.integrator or scene.run.integrator)).step_name
+    if kernels.plain or (own and own not in (x.name for x in kernels.interface.signatures)):
+        return kernels
+    return kernels._with(*needs.of_motion(scene, asked.integrator, asked.controller is not None))
 
 
 def _begun(kernels: Kernels, precision: str, asked: Asked) -> tuple[System, State]:

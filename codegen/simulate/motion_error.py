@@ -3,8 +3,9 @@
 The parts are a joint's angle or length; a rotation; of a base that floats, its position relative to
 the centre of mass of the tree that it carries, and that centre of mass.  The size of a part is the
 largest distance from its start; of centres of mass, and of joints that slide along the world, the
-largest distance from the straight line on which they start, if that is less.  So neither the speed
-or place or direction of a whole scene matters, nor a heavy neighbour.
+largest distance from the straight line on which they start, if that is less, but no less than what
+makes the rounding of the way along it right.  So neither the speed or place or direction of a whole
+scene matters, nor a heavy neighbour.
 """
 
 from dataclasses import dataclass
@@ -14,18 +15,15 @@ from functools import cached_property
 
 import numpy as np
 
-from coscrew_codegen.formats import DOUBLE, SINGLE, Precision
+from coscrew_codegen.formats import Precision
 from coscrew_codegen.scene.model import Joint, Kind, Model, value
 from coscrew_codegen.scene_functions import Coordinate
+from coscrew_codegen.simulate.allowed import ALLOWED
 from coscrew_codegen.simulate.system import System
 
 REST = 1e-3
 """Sizes count as no smaller than this, in rad, and than this in m, or REST/100 of a scene's largest
 length if that is less: a robot that rests trembles by what nobody sees."""
-
-TRAVEL = {DOUBLE: 1e-9, SINGLE: 1e-2}
-"""The share of the way along the straight line that counts as size at least, since rounding takes
-some of it in many steps."""
 
 Places = tuple[np.ndarray, ...]
 """Where each part is, (…, k): k = 1 for a coordinate, 3 for a position, 4 for a rotation."""
@@ -220,21 +218,24 @@ def _sliding(model: Model) -> frozenset[str]:
 @dataclass
 class Extent:
     """How far parts have been from their starts, and lines of start, since a run in this precision
-    began."""
+    and in steps of h began."""
 
     parts: Parts
     precision: Precision
+    h: float
     start: Places
     line: Places
     way: np.ndarray  # from the starts, (…, k)
     off: np.ndarray  # from the lines
-    travelled: np.ndarray  # along the lines
+    rounded: np.ndarray  # of the ways along the lines: at most u a step
 
     @staticmethod
-    def since(parts: Parts, precision: Precision, q: np.ndarray, v: np.ndarray) -> "Extent":
+    def since(parts: Parts, precision: Precision, h: float, q: np.ndarray, v: np.ndarray
+              ) -> "Extent":
         """The extent of a run which starts at q and v."""
         none = np.zeros((*q.shape[:-1], len(parts.parts)))
-        return Extent(parts, precision, parts.places(q), parts.velocities(q, v), none, none, none)
+        return Extent(parts, precision, h, parts.places(q), parts.velocities(q, v), none, none,
+                      none)
 
     def add(self, after: float | np.ndarray, places: Places) -> None:
         """Note where the parts are after so many seconds; arrays of times and places have an axis
@@ -249,8 +250,9 @@ class Extent:
             return
         ends = tuple(x + u for x, u in zip(start, gone, strict=True))
         self.off = self._largest(self.off, self.parts.distances(places, ends))
-        self.travelled = self._largest(self.travelled, np.stack(np.broadcast_arrays(*(
-            np.linalg.norm(u, axis=-1) for u in gone)), -1))
+        ways = np.stack(np.broadcast_arrays(*(np.linalg.norm(u, axis=-1) for u in gone)), -1)
+        self.rounded = self._largest(self.rounded, ways * times * (
+            float(self.precision.u) / self.h))
 
     def _largest(self, so_far: np.ndarray, now: np.ndarray) -> np.ndarray:
         """The largest of the distances so far and now, which may have an axis of samples."""
@@ -263,5 +265,5 @@ class Extent:
     def sizes(self) -> np.ndarray:
         """The sizes of the parts, none below what counts as rest.  (…, k)."""
         found: np.ndarray = np.maximum(np.minimum(self.way, self.off), self.parts.least)
-        found[...] = np.maximum(found, TRAVEL[self.precision] * self.travelled)
+        found[...] = np.maximum(found, self.rounded / ALLOWED)
         return found

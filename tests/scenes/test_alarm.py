@@ -289,11 +289,13 @@ def test_sizes_do_not_grow_along_the_line_of_start(loaded):
     its = loaded(BASE)
     q, v = its.start()
     v[0] = 300.0
-    extent = Extent.since(Parts(its), its.precision, q, v)
+    extent = Extent.since(Parts(its), its.precision, 1e-3, q, v)
     moved = q.copy()
     moved[0] += 300.0
     extent.add(1.0, Parts(its).places(moved))
     assert extent.sizes == pytest.approx([1e-3] * 5, abs=1e-9)  # rest
     assert replace(extent, way=np.ones(5), off=np.ones(5)).sizes == pytest.approx(1.0)
-    single = replace(extent, precision=SINGLE)
-    assert single.sizes == pytest.approx([1e-3, 3, 1e-3, 1e-3, 1e-3], abs=1e-9)  # rounding
+    single = Extent.since(Parts(its), SINGLE, 1e-3, q, v)
+    single.add(1.0, Parts(its).places(moved))
+    rounded = 1000 * 2**-24 * 300 / ALLOWED  # of a thousand steps
+    assert single.sizes == pytest.approx([1e-3, rounded, 1e-3, 1e-3, 1e-3], abs=1e-9)

@@ -10,9 +10,11 @@ from pathlib import Path
 
 import pytest
 
+from coscrew_codegen import load_scene, run
 from coscrew_codegen.__main__ import main
 from coscrew_codegen.scene_files.toml_scene import read_scene
-from tests.support.compiled.c_harness import STRICT, run
+from tests.support.compiled.c_harness import STRICT
+from tests.support.compiled.c_harness import run as run_program
 
 FOLDER = Path(__file__).parents[2] / "examples/scenes"
 SCENES = sorted(FOLDER.glob("*.toml"))
@@ -33,6 +35,12 @@ def test_scenes_use_every_number_of_their_own(scene):
     """Of the models in scene files; a URDF file may contain more than a scene needs."""
     if "model" not in tomllib.loads(scene.read_text()):
         assert not read_scene(scene).unused
+
+
+def test_loaded_kernels_run_like_the_file(scene):
+    """Whatever integrator the scene selects."""
+    loaded, read = run(load_scene(scene), until=0.05), run(scene, until=0.05)
+    assert loaded.q.tobytes() == read.q.tobytes() and loaded.v.tobytes() == read.v.tobytes()
 
 
 def test_scenes_are_as_they_expect(scene, capsys):
@@ -68,7 +76,8 @@ def test_scenes_are_simulated_recorded_plotted_and_shown(scene, tmp_path, capsys
 
 def test_scenes_are_generated_as_c_that_compiles_clean(scene, tmp_path):
     assert main(["generate", str(scene), "-o", str(tmp_path)]) == 0
-    run(["cc", "-std=c11", *STRICT, "-c", tmp_path / f"{scene.stem}.c", "-o", tmp_path / "scene.o"])
+    run_program(["cc", "-std=c11", *STRICT, "-c", tmp_path / f"{scene.stem}.c", "-o",
+                 tmp_path / "scene.o"])
 
 
 def test_a_payload_is_set_at_run_time(tmp_path, capsys):
