@@ -127,14 +127,14 @@ class Way:
         self._system = system
         its = system.functions.coordinates
         kept = integrator.keeps_momentum and system.has("free_momentum")
-        self._joints = [(c.joint, c.kind == "free" and k < 3 and kept)
-                        for c in its for k in range(c.v.stop - c.v.start)]
+        self._vectors = [(c.joint, place, c.kind == "free" and place.start == c.v.start and kept)
+                         for c in its for place in _of_one_unit(c.v)]
         self._made = self._lost = self._near = np.zeros(1)
         self._steps = 0
 
     def add(self, window: Window, steps: int) -> None:
         """Add a window, which stands for so many steps."""
-        if self._system.precision is DOUBLE or not self._joints:
+        if self._system.precision is DOUBLE or not self._vectors:
             return
         before, done, made, gone = (window.q, window.v), 0, np.zeros(1), np.zeros(1)
         for n, state in zip(window.grid, window.run, strict=True):
@@ -153,15 +153,16 @@ class Way:
         is allowed, and no more than rounding takes."""
         if not self._steps:
             return {}
-        way, lost = np.maximum(self._made, _SEEN), self._lost
         spacing = np.spacing(self._near.astype(self._system.dtype)).astype(float)
-        coarse = (lost > allowed * way) & (lost < self._steps * spacing)
         found: dict[tuple[int, ...], tuple[str, float, float]] = {}
-        for *i, n in np.argwhere(coarse).tolist():
-            joint, kept = self._joints[n]
-            if not kept:
-                share = float(lost[(*i, n)] / way[(*i, n)])
-                found.setdefault(tuple(i), (joint, share, float(self._near[(*i, n)])))
+        for joint, place, kept in self._vectors:
+            lost, way, least = (np.linalg.norm(x[..., place], axis=-1)
+                                for x in (self._lost, self._made, spacing))
+            way = np.maximum(way, _SEEN)
+            coarse = (lost > allowed * way) & (lost < self._steps * least) & (not kept)
+            for i in map(tuple, np.argwhere(coarse).tolist()):
+                found.setdefault(i, (joint, float(lost[i] / way[i]),
+                                     float(self._near[i][place].max())))
         return found
 
     def _rates(self, q: np.ndarray, v: np.ndarray) -> np.ndarray:
@@ -196,6 +197,14 @@ class Way:
             rotates = c.kind in ("free", "spherical")
             found += [own[..., :-4], np.full((*own.shape[:-1], 3), 2.0)] if rotates else [own]
         return np.concatenate(found, -1)
+
+
+def _of_one_unit(v: range) -> tuple[slice, ...]:
+    """The vectors among a joint's velocities: of a free joint that of its position and that of its
+    rotation."""
+    if v.stop - v.start <= 3:
+        return (slice(v.start, v.stop),)
+    return slice(v.start, v.start + 3), slice(v.start + 3, v.stop)
 
 
 def remedy_of_rounding(system: System) -> str:
