@@ -26,12 +26,21 @@ COMMANDS = {
 def run(arguments: list[str] | None) -> int:
     """Run the command line; returns the exit status: the command's, or 2 for an error."""
     words = sys.argv[1:] if arguments is None else arguments
-    options = _parser(words[0] if words else "").parse_args(words)
     try:
+        _refuse_unknown(words[0] if words else "")
+        options = _parser(words[0] if words else "").parse_args(words)
         return int(options.run(options))
     except ReportedError as error:
         print(f"coscrew: {error}", file=sys.stderr)
         return 2
+
+
+def _refuse_unknown(word: str) -> None:
+    """Raise ReportedError for a word that is neither a command nor an option."""
+    if word and not word.startswith("-") and word not in COMMANDS:
+        from coscrew_codegen.scene.names import did_you_mean
+
+        raise ReportedError(f"there is no command {word!r}; {did_you_mean(word, COMMANDS)}")
 
 
 def _parser(command: str = "") -> argparse.ArgumentParser:

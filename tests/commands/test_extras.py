@@ -149,4 +149,5 @@ def test_help_imports_no_operations_and_no_other_command():
 
 def test_an_unknown_command_is_refused_without_extras(bare):
     done = run(bare, set(), "simulat")
-    assert done.returncode == 2 and "invalid choice: 'simulat'" in done.stderr
+    assert done.returncode == 2 and done.stderr == (
+        "coscrew: there is no command 'simulat'; did you mean 'simulate'?\n")
