@@ -218,8 +218,8 @@ def _units(operation: Operation,
 
 
 def _parts(operation: Operation) -> list[tuple[str, str]]:
-    """For each component what its error is relative to: the whole output if a bound names it, else
-    its part."""
+    """Returns for each component what its error is relative to: the whole output if a bound names
+    it, else its part."""
     named = {bound.part for bound in operation.normwise}
     return [(a.name, "" if a.name in named else a.quantity.parts[a.quantity.place(*at)[0]].name)
             for a in operation.outputs for at in a.quantity.indices]

@@ -33,7 +33,7 @@ class Format:
 
     @property
     def bias(self) -> int:
-        """What is added to exponents of normal numbers in their encoding."""
+        """Number that is added to exponents of normal numbers in their encoding."""
         return 1 - self.least_exponent
 
     @property
@@ -78,7 +78,7 @@ class Precision(Format):
 
     @property
     def called(self) -> str:
-        """What ends the names of C functions on its values: "f", "_lanesf"."""
+        """Ending of the names of C functions on its values: "f", "_lanesf"."""
         return f"{self.lanes}{self.device}{self.suffix}"
 
     def computing(self, wide: bool) -> "Precision":

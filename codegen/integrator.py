@@ -1,4 +1,4 @@
-"""What an integrator is: a name, an order, and its scheme as data.
+"""Integrators: a name, an order, and a scheme as data.
 
 A scheme is a Tableau (explicit Runge–Kutta), a Composition of drifts and kicks, or Adaptive (a
 solver of SciPy).  Knows no dynamics and no language: `mechanics/steps.py` turns schemes into steps.

@@ -1,4 +1,4 @@
-"""What targets receive of the library: its operations, family by family, with their Programs."""
+"""The library as targets receive it: its operations, family by family, with their Programs."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -80,6 +80,6 @@ class Library:
 
 
 def _tiered(kernels: FamilyKernels) -> Mapping[str, tuple[str, ...]]:
-    """Of each tier, the names of the operations that have it."""
+    """Returns the names of the operations of each tier."""
     return {tier.name: tuple(op.name for op, program in kernels.plain.items()
                              if tier.has(program)) for tier in TIERS}

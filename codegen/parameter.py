@@ -18,14 +18,14 @@ Scalar = Fraction | Parameter
 
 
 class Sign(Enum):
-    """What a number may be; NaN, which only arguments at run time can be, is accepted."""
+    """Signs that a number may have; NaN, which only arguments at run time can be, is accepted."""
 
     POSITIVE = "a positive number"
     NONNEGATIVE = "0 or more"
 
     @property
     def rule(self) -> str:
-        """For headers and docstrings."""
+        """Rule in words, for headers and docstrings."""
         return "must be positive" if self is Sign.POSITIVE else "must not be negative"
 
     def refuses(self, number: Fraction | float) -> bool:

@@ -1,4 +1,4 @@
-"""How all plots look."""
+"""Style of all plots."""
 
 from matplotlib import RcParams
 

@@ -1,5 +1,4 @@
-"""Which arguments Python refuses: matrices that are no rotations, quaternions without a direction.
-"""
+"""Requirements of Python's functions: matrices that are rotations, quaternions with a direction."""
 
 from collections.abc import Iterable, Mapping
 from enum import Enum

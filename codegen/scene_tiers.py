@@ -20,7 +20,7 @@ class NoFunctionsError(ReportedError, ValueError):
 
 @dataclass(frozen=True)
 class SceneTier:
-    """What targets receive of a scene in a tier: its functions, by precision."""
+    """A scene in a tier as targets receive it: its functions, by precision."""
 
     tier: Tier
     plain: SceneFunctions  # in the precisions that the tier has

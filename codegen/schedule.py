@@ -49,7 +49,7 @@ def plain(kernel: Kernel) -> Program:
 
 @dataclass(frozen=True, order=True)
 class Position:
-    """Where a symbol belongs: its argument or let, the part of that, the index in the part."""
+    """Place of a symbol: its argument or let, the part of that, the index in the part."""
 
     source: int
     part: int

@@ -1,4 +1,4 @@
-"""Which part of the library is generated: families, precisions, languages."""
+"""Selection of the part of the library to generate: families, precisions, languages."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -19,7 +19,7 @@ class SelectionError(ReportedError, ValueError):
 
 @dataclass(frozen=True)
 class Selection:
-    """What to generate; by default everything."""
+    """Parts of the library to generate; by default everything."""
 
     families: tuple[str, ...] = FAMILIES
     precisions: tuple[Precision, ...] = PRECISIONS
@@ -31,7 +31,7 @@ class Selection:
         return tuple(op for op in OPERATIONS if op.family in self.families)
 
     def library(self, keep: Keep) -> Library:
-        """What targets are given of it."""
+        """Returns the selected part of the library, for targets."""
         return Library(self.operations, self.families, self.precisions, self.languages,
                        self.banner, keep)
 

@@ -1,4 +1,4 @@
-"""What Programs cost with the elementary functions that they call."""
+"""Costs of Programs with the elementary functions that they call."""
 
 from collections import Counter
 from collections.abc import Mapping
@@ -13,8 +13,8 @@ _FUNCTIONS = {function.name: function for function in (*ELEMENTARY, *ERRORS)}
 
 
 def whole_counts(program: Program, precision: Precision) -> Mapping[Op, int]:
-    """How many operations of each kind, those of the functions called included: sine and cosine of
-    an angle are one call, and angles are reduced as small ones are."""
+    """Counts operations of each kind, those of called functions included: sine and cosine of an
+    angle are one call, and angles are reduced as small ones are."""
     working = DOUBLE if program.wide else precision
     total = Counter({op: count for op, count in program.counts.items() if op not in FUNCTION_OF})
     calls = {(function.name, step.operands[:_arguments(function)]): function
@@ -37,5 +37,5 @@ def whole_cost(program: Program, precision: Precision) -> str:
 
 
 def _arguments(function: Elementary) -> int:
-    """How many arguments the true function has."""
+    """Returns the number of arguments of the true function."""
     return 2 if function.name.startswith("atan2") else 1

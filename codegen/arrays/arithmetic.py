@@ -27,7 +27,8 @@ Functions: TypeAlias = Callable[[Sequence[Sequence[Array]]], list[Array]]
 
 
 def arithmetic(library: Library, precision: Precision, program: Program) -> Arithmetic[Array]:
-    """What interprets a plain Program on arrays of a precision."""
+    """Returns the arithmetic with which the interpreter runs a plain Program on arrays of a
+    precision."""
     plain = _plain(library, precision)
     known = {x.name: _function(x, library, precision, plain) for x in ELEMENTARY}
     numbers = _on_arrays(precision, plain | {

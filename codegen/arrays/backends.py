@@ -1,4 +1,4 @@
-"""What computes functions of arrays: each library's own way, found by its name."""
+"""Backends of array libraries: each computes functions in its library's own way; found by name."""
 
 from __future__ import annotations
 

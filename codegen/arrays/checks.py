@@ -12,8 +12,8 @@ from coscrew_codegen.formats import Precision, named
 
 @dataclass(frozen=True)
 class Signature:
-    """What a function is called and takes: names of arguments, and their shapes after leading
-    axes; in which precisions."""
+    """A function's name, the names of its arguments with their shapes after leading axes, and its
+    precisions."""
 
     name: str
     inputs: tuple[tuple[str, Shape], ...]

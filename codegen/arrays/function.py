@@ -38,12 +38,12 @@ class ArrayFunction:
 
     @property
     def shapes(self) -> tuple[Shape, ...]:
-        """Those of results, after leading axes."""
+        """Shapes of the results, after leading axes."""
         return tuple(tuple(a.quantity.shape) for a in self.program.outputs)
 
     @property
     def sizes(self) -> tuple[int, ...]:
-        """How many numbers a result has."""
+        """Number of components of each result."""
         return tuple(map(prod, self.shapes))
 
     @cached_property

@@ -30,7 +30,7 @@ class _Value(torch.autograd.Function):
 
     @staticmethod
     def forward(function: ArrayFunction, lead: Shape, precision: Precision, *arrays: Any) -> Any:
-        """Those for tensors; in C where they lie in a processor's memory."""
+        """Computes the results for tensors; in C where these lie in a processor's memory."""
         in_memory = function.compile and all(x.device.type == "cpu" for x in arrays)
         if in_memory and (compiled := loop(function, precision)):
             return tuple(_in_c(compiled, function, lead, arrays))

@@ -1,4 +1,4 @@
-"""What differs between array libraries: their names, how arrays are made, read and assembled."""
+"""Differences between array libraries: names, and how arrays are made, read and assembled."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -131,7 +131,8 @@ class Library:
         return xp.reshape(row, (*lead, *shape))
 
     def _selected(self, parts: Sequence[Any], lead: Shape) -> Any:
-        """The same without `stack`: XLA would compute what is before it again for each part."""
+        """Assembles the parts without `stack`: XLA would compute what is before it again for each
+        part."""
         xp, place = self.xp, self.xp.arange(len(parts))
 
         def tree(first: int, last: int) -> Any:

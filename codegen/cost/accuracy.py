@@ -33,7 +33,7 @@ _UNTOLD = 10.0**(10 - DIGITS)  # of the largest component: an error that these d
 
 @dataclass(frozen=True)
 class Bounds:
-    """What a certified function states of its errors in one unit, over all states."""
+    """Error bounds that a certified function states in one unit, over all states."""
 
     worst: float  # the largest bound; infinite if a state has none
     least_ratio: float  # of bound to error, of the components whose error is not 0; 0 if none has

@@ -1,4 +1,4 @@
-"""What a scene's figures recommend, in sentences."""
+"""Recommendations from a scene's figures, in sentences."""
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
@@ -14,7 +14,7 @@ recommended."""
 
 
 def undominated(rows: Sequence[Accuracy]) -> tuple[Accuracy, ...]:
-    """Those of a function to which no other is better, the fastest first."""
+    """Returns the function's Pareto-optimal choices, the fastest first."""
     return tuple(sorted((x for x in rows if not any(y.better(x) for y in rows)),
                         key=lambda x: x.time.median))
 

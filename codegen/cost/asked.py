@@ -1,4 +1,4 @@
-"""What is asked of a measurement: the functions whose accuracy is measured, and what else."""
+"""Settings of a measurement: functions whose accuracy is measured, numbers of states, digits."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -70,5 +70,5 @@ def refuse_absent(asked: Asked, part: Part) -> None:
 
 
 def present(wanted: Sequence[str], part: Part) -> tuple[str, ...]:
-    """Those that the part has."""
+    """Returns the names that the part has."""
     return tuple(name for name in wanted if any(f.name == name for f in part.public))

@@ -55,7 +55,8 @@ def _fewer(scene: Scene) -> list[tuple[str, tuple[Applied, ...]]]:
 
 
 def leaving_out(scene: Scene, functions: Sequence[str]) -> Iterator[tuple[str, SceneFunctions]]:
-    """These functions of the scene without each effect, and without any: in words, and derived."""
+    """Derives the functions of the scene without each effect, and without any: (words, functions).
+    """
     for words, effects in _fewer(scene):
         yield words, derive(replace(scene, effects=effects), functions)
 

@@ -110,7 +110,7 @@ def _with_runs(costs: Costs, kernels: Kernels, overrides: RunOverrides, built: S
 
 
 def _tiers(of: Part, names: Sequence[str]) -> tuple[SceneTier, ...]:
-    """These functions in all tiers of both precisions but plain, and in those that the scene
+    """Returns the functions in all tiers of both precisions but plain, and in those that the scene
     selects: the others pay where double is software."""
     some = replace(of.functions, steps=(), functions=tuple(
         f for f in of.public if f.name in names))

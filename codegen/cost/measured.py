@@ -39,7 +39,8 @@ class Choice:
 
 
 def choices(built: Compiled, name: str) -> tuple[Choice, ...]:
-    """What the library has of this function, the cheapest tiers first."""
+    """Returns the library's choices of tier and precision for this function, the cheapest tiers
+    first."""
     return (*(Choice(PLAIN.name, p) for p in PRECISIONS),
             *(Choice(x.tier.name, p) for x in built.tiers for p, scene in x.in_precisions
               if scene.has(name)))
@@ -47,7 +48,7 @@ def choices(built: Compiled, name: str) -> tuple[Choice, ...]:
 
 @dataclass(frozen=True)
 class Counts:
-    """How many states are of the run, between the limits of the joints, and of the search there."""
+    """Numbers of states: of the run, between the joints' limits, and of the search there."""
 
     run: int = 16
     limits: int = 32
@@ -55,7 +56,7 @@ class Counts:
 
     @classmethod
     def of(cls, total: int) -> "Counts":
-        """These states, divided alike."""
+        """Divides a total number of states among the three."""
         return cls(total // 4, total - 2 * (total // 4), total // 4)
 
 
@@ -68,7 +69,7 @@ class Measured:
 
     @property
     def units(self) -> tuple[str, ...]:
-        """Of its components."""
+        """Units of the components."""
         return units(self.built.part.functions, self.name)
 
     @property
@@ -77,7 +78,7 @@ class Measured:
         return [unit for unit, _ in Counter(self.units).most_common()]
 
     def inputs(self, states: Values) -> list[Reals]:
-        """In the function's order."""
+        """Returns the states as inputs, in the function's order."""
         program = self.built.part.functions.named(self.name).program
         return [states[a.name] for a in program.inputs]
 
@@ -114,9 +115,9 @@ class Measured:
                 tuple(place for place, x in parts for _ in x["t"]))
 
     def badness(self, choice: Choice, unit: str, states: Values) -> Reals:
-        """For each state the largest error of a component with this unit or, if it is certified,
-        bound; nearly: errors are differences from accurate results in double, and only those of
-        these differences from DIGITS."""
+        """Returns for each state the largest error of a component with this unit or, if the choice
+        is certified, the largest bound.  Errors are approximate: differences from accurate results
+        in double, and only those of these are differences from DIGITS."""
         found, *bounds = self.values(choice, states)
         off = self._from_exact(found, states) if choice == _NEAREST else np.abs(
             found - self.values(_NEAREST, states)[0])

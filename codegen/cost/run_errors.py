@@ -47,7 +47,7 @@ _LEAST = 0.1
 
 @dataclass(frozen=True)
 class RunError:
-    """What a cause changes in a run: the largest difference of a coordinate, in m or rad
+    """Change of a run by one cause: the largest difference of a coordinate, in m or rad
     (quaternions: of a component), at each time; inf where the run has stopped."""
 
     cause: str  # rounding, step, model
@@ -188,7 +188,7 @@ def _on_numbers(scene: SceneFunctions, name: str, function: Callable[..., object
 
 
 class _Compared:
-    """What differs from a run of many digits."""
+    """Differences from a run with many digits."""
 
     def __init__(self, its: System, times: Sequence[float], exact: Sequence[State]):
         self._system, self._times, self._exact = its, times, [list(q) for q, _ in exact]
@@ -206,7 +206,7 @@ class _Compared:
                         self._times[int(np.argmax(gone))] if gone.any() else None)
 
     def _apart(self, exact: Numbers, found: Numbers) -> list[float]:
-        """Of each coordinate; q and -q of a quaternion are the same."""
+        """Returns the difference of each coordinate; q and -q of a quaternion are the same."""
         other = [x if isinstance(x, mpfr) else mpfr(float(x)) for x in found]
         for places in self._system.quaternions:
             if sum(x * y for x, y in zip(exact[places], other[places], strict=True)) < 0:

@@ -65,7 +65,7 @@ def _anchors(names: Iterator[str]) -> Iterator[str]:
 
 @dataclass(frozen=True)
 class Derived:
-    """What is shown of an operation that takes deriving it: fields of its Entry."""
+    """Fields of an operation's Entry that take deriving it."""
 
     formulas: tuple[str, ...]
     tiers: tuple[tuple[str, str, str], ...]

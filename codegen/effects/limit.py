@@ -13,7 +13,7 @@ from coscrew_codegen.scene.effect import (
 
 
 def _torque(state: CoordinateState, values: Values) -> Torque:
-    """With x the distance of q beyond its range, x < 0 below it, and δ = |x|:
+    """Returns the torque, from the distance x of q beyond its range, x < 0 below it, and δ = |x|:
 
     torque -k x √δ (1 + 1.5 alpha δ'), zero where it would pull; energy 0.4 k δ^2.5; the power of
     the torque beyond -k x √δ is dissipated.  Powers of δ are products with √δ: no slope at δ = 0.

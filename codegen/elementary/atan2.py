@@ -23,7 +23,7 @@ INTERVAL = Fraction(0), Fraction(1, 4)  # of q²
 
 @dataclass(frozen=True)
 class Data:
-    """What differs between the formats."""
+    """Numbers that differ between the formats."""
 
     p: tuple[Fraction, ...]
     quarter: tuple[Fraction, ...]  # π/4: its leading bits, so that 3 times it is exact; the rest

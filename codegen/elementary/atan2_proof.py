@@ -37,7 +37,8 @@ def _pieces(number: int) -> Iterator[tuple[Fraction, Fraction]]:
 
 @dataclass(frozen=True)
 class _Piece:
-    """Where d is from d_least to 2 d_least and n/d, rounded, from least to largest, in a binade."""
+    """A piece of the domain: d from d_least to 2 d_least and n/d, rounded, from least to largest,
+    in a binade."""
 
     precision: Precision
     quarters: int
@@ -60,7 +61,8 @@ class _Piece:
         return analysis.ulps(result, absolute=relative / 2 + self.quarters * split)
 
     def _cases(self, analysis: Roundings) -> dict[str, Known | Before]:
-        """Where a and b lie; above, b - a is from 0 to 1, and the rounded a + b at most 2 b."""
+        """Returns the ranges of a and b; above, b - a is from 0 to 1, and the rounded a + b at most
+        2 b."""
         spare = 1 + Fraction(1, 2**8)
         a = analysis.within(Fraction(1, 2), 2) if self.above else analysis.within(
             self.least / spare, 2 * self.largest * spare)

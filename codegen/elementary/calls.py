@@ -1,4 +1,4 @@
-"""Which elementary functions Programs call."""
+"""Elementary functions that Programs call."""
 
 from collections.abc import Collection
 

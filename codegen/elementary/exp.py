@@ -23,7 +23,7 @@ _SMALL = 64  # the exponent that is scaled by at last if the result may be subno
 
 @dataclass(frozen=True)
 class Data:
-    """What differs between the formats."""
+    """Numbers that differ between the formats."""
 
     q: tuple[Fraction, ...]
     to_binary: Fraction  # 1 / ln 2

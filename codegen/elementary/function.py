@@ -1,5 +1,4 @@
-"""What an elementary function is: its Programs by precision, and what is proved of their results.
-"""
+"""Elementary functions: Programs by precision, and what is proved of their results."""
 
 from collections.abc import Callable
 from dataclasses import dataclass

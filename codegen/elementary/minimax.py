@@ -160,7 +160,7 @@ def _levelled(columns: Sequence[Sequence[Any]], target: Sequence[Any], weights: 
 
 
 def _extrema(errors: Sequence[Any], count: int) -> list[int]:
-    """Where errors of alternating signs are largest, `count` of them."""
+    """Returns `count` places where errors of alternating signs are largest."""
     found: list[int] = []
     for k, error in enumerate(errors):
         if not found or (error < 0) != (errors[found[-1]] < 0):

@@ -54,12 +54,13 @@ class Pair:
         return self.size + self.rest + self.error
 
     def scaled(self, size: Fraction) -> "Pair":
-        """The same in a unit in which its size is this one: for errors relative to a number."""
+        """Returns the pair in a unit in which its size is `size`: for errors relative to a number.
+        """
         factor = size / self.size
         return replace(self, size=size, rest=self.rest * factor, error=self.error * factor)
 
     def less(self, error: Fraction) -> "Pair":
-        """The same for a number that differs by at most this."""
+        """Returns the pair for a number that differs by at most `error`."""
         return replace(self, error=self.error + error)
 
 
@@ -74,7 +75,7 @@ class Series:
     sign: int
 
     def terms(self, precision: Precision) -> tuple[Fraction, ...]:
-        """As many coefficients as matter to twice the digits."""
+        """Returns as many coefficients as matter to twice the digits."""
         count = 1
         while self.left_out(count) > precision.u**2 / 32:
             count += 1
@@ -95,7 +96,7 @@ class Pairs:
 
     @property
     def tiny(self) -> Fraction:
-        """Of smaller r, 1 + r and 1 are the same to twice the digits, and so are sin r and r."""
+        """Largest r for which 1 + r and 1, and sin r and r, are the same to twice the digits."""
         return Fraction(1, 2**(self.precision.digits + 1))
 
     @property
@@ -104,7 +105,7 @@ class Pairs:
         return self.precision.eta / self.tiny
 
     def rounding(self, size: Fraction) -> Fraction:
-        """What rounding numbers up to this size errs by."""
+        """Bounds the rounding error of numbers up to this size."""
         return self.precision.u * size + self.eta
 
     def product(self, name: str, a: Pair, b: Pair) -> Pair:

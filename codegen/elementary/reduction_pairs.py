@@ -40,8 +40,8 @@ LEVELS = 9
 
 @dataclass(frozen=True)
 class Spread:
-    """What is proved of a sum R of numbers as high + low, unless that is exact: bounds in units of
-    |R| of |high|, of |low| and of |high + low - R|."""
+    """Bounds proved of a sum R of numbers as high + low, unless that is exact: in units of |R|, of
+    |high|, of |low| and of |high + low - R|."""
 
     high: Fraction
     low: Fraction
@@ -177,8 +177,8 @@ def near_spread(precision: Precision, largest: Fraction | None = None) -> Spread
 
 
 def _late_roundings(sizes: Sequence[Fraction], least: Fraction, precision: Precision) -> Fraction:
-    """In units of |R|: what rounds the differences of an error, at most u of a sum, and a product
-    of at most this size.
+    """Bounds, in units of |R|, the roundings of an error's differences, at most u of a sum, and of
+    a product of at most this size.
 
     All but the last are exact up to 2^digits units of the product's part, of which all are
     multiples.  The rounding is no more than either u of the result or the product."""

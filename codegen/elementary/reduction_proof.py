@@ -29,9 +29,9 @@ TINY = Fraction(1, 2**1200)
 
 @dataclass(frozen=True)
 class Binade:
-    """What is proved of the numbers of an exponent: |r - r_excess - (x - k π/2)| is at most
-    `absolute` more than the relative error; |r_excess| is at most `excess` and half an ulp of r;
-    |x - k π/2| is at least `least`."""
+    """Bounds proved of the numbers of an exponent: |r - r_excess - (x - k π/2)| is at most
+    `absolute` more than the relative error; |r_excess| is at most `excess` and half an ulp of r; |x
+    - k π/2| is at least `least`."""
 
     absolute: Fraction
     excess: Fraction
@@ -40,7 +40,7 @@ class Binade:
 
 @dataclass(frozen=True)
 class Reduction:
-    """What is proved of a reduction, beside k = 0, where it is exact."""
+    """Bounds proved of a reduction, beside k = 0, where it is exact."""
 
     relative: Fraction  # |ε| is at most this, and what binades add
     largest: Fraction  # |r|

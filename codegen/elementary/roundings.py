@@ -275,7 +275,7 @@ class Roundings:
         return 1 << max(exponent, least, 0)
 
     def _nearest(self, x: int, size: int) -> int:
-        """What x is rounded to; if that is no integer, something beyond it in the direction of the
+        """Rounds x; returns, if that is no integer, something beyond it in the direction of the
         size of the rounding error."""
         ulp = 2 * self._power_of_two(abs(x).bit_length() - 1 - self.precision.digits)
         return round(Fraction(x, ulp)) * ulp if ulp > 2 else x + size

@@ -24,7 +24,7 @@ SQUARES = Fraction(0), Fraction(6194, 10000)
 
 @dataclass(frozen=True)
 class Data:
-    """What differs between the formats."""
+    """Numbers that differ between the formats."""
 
     sine: tuple[Fraction, ...]  # sin r = r - r^3 (a0 + a1 r^2 + …)
     cosine: tuple[Fraction, ...]  # cos r = 1 - r^2/2 + r^4 (a0 + a1 r^2 + …)
@@ -52,7 +52,7 @@ def polynomial(a: Sequence[Fraction], z: Value, z2: Value) -> Value:
 
 
 def pairs(a: Sequence[Fraction], z: Value, z2: Value) -> Value:
-    """The same for an even number of terms, in the order in which it waits least."""
+    """Evaluates a polynomial with an even number of terms, in the order in which it waits least."""
     pair = a[0] + z * a[1]
     return pair + z2 * pairs(a[2:], z, z2) if len(a) > 2 else pair
 

@@ -71,8 +71,8 @@ def kernel(precision: Precision) -> Program:
 
 
 def _other_error(sine: Value, error: Value, cosine: Value) -> Value:
-    """That of the cosine, from the sine and its: 1 - C² - S² is 2 h - S² - h² with h = 1 - C.
-    Only a product and a sum wait for the sine's error."""
+    """Returns the error of the cosine from the sine and its error: 1 - C² - S² is 2 h - S² - h²
+    with h = 1 - C. Only a product and a sum wait for the sine's error."""
     steps = sine.steps
     h, inverse = steps.named("h", 1 - cosine), steps.named("inverse", 1 / cosine)
     squares, rests = [], []
@@ -103,7 +103,7 @@ def errors(precision: Precision) -> tuple[Fraction, Fraction]:
 
 
 def _of_cosine(sine: Fraction, ulps: Fraction, precision: Precision) -> Fraction:
-    """Of the cosine, the sine's being known.
+    """Bounds the error of the cosine's error, given the bound of the sine's.
 
     2 h - S² is exact (Sterbenz) if R² is at least 16 ulps, else at most 2 ulps and little; 1 - C²
     - S² is at most 2 (C + S) ulps, so 3.  The squares of both errors are neglected, as is S² for

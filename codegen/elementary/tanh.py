@@ -22,7 +22,7 @@ INTERVAL = Fraction(0), SMALL**2
 
 @dataclass(frozen=True)
 class Data:
-    """What differs between the formats."""
+    """Numbers that differ between the formats."""
 
     p: tuple[Fraction, ...]
     q: tuple[Fraction, ...]
@@ -140,9 +140,9 @@ def _small_roundings(precision: Precision) -> Fraction:
 
 
 def _large_roundings(precision: Precision) -> Fraction:
-    """From 5/8, for every k that exp's reduction leads to.  A relative error of e^2x is halved at
-    least; beyond `one` the result is 1, and tanh 1 less at most 2^-54, in single precision 2^-27.
-    """
+    """Bounds roundings from 5/8 on, for every k that exp's reduction leads to.  A relative error of
+    e^2x is halved at least; beyond `one` the result is 1, and tanh 1 less at most 2^-54, in single
+    precision 2^-27."""
     from coscrew_codegen.elementary.minimax import ln2
     from coscrew_codegen.elementary.roundings import Roundings, given, pieces
 

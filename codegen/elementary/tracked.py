@@ -1,4 +1,4 @@
-"""What a proof of roundings keeps of a value, and the operations that round nothing."""
+"""Values of a proof of roundings, and the operations that round nothing."""
 
 from dataclasses import dataclass
 from fractions import Fraction
@@ -19,7 +19,7 @@ class UndecidedError(ValueError):
 
 @dataclass(frozen=True)
 class Undecided:
-    """What cannot be said, and why; it does no harm where it is not selected."""
+    """A value of which nothing can be said, and why; it does no harm where it is not selected."""
 
     reason: str
 

@@ -1,1 +1,2 @@
-"""Which instructions of a function are carried in pairs for an accuracy that is asked for."""
+"""Choice of the instructions of a function that are carried in pairs, for an accuracy that is asked
+for."""

@@ -39,7 +39,7 @@ class Arrays:
 
     @cached_property
     def arithmetic(self) -> Arithmetic[Any]:
-        """For the interpreter."""
+        """Arithmetic for the interpreter."""
         return Arithmetic(self._constant, self._function, self._type(np.nan))
 
     def sin(self, x: Array) -> Array:

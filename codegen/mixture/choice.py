@@ -141,7 +141,8 @@ class _Search:
         return found[cheapest]
 
     def _largest(self, power: int, aim: float) -> Mixture:
-        """That of the largest threshold; all in pairs if there is none."""
+        """Returns the mixture of the largest threshold that meets the aim; all in pairs if there is
+        none."""
         thresholds = sorted({-1.0, *self.sensitive.values()})
         low, high = 0, len(thresholds) - 1
         while low < high:
@@ -182,12 +183,13 @@ class _Search:
 
 
 def operations(program: Program) -> int:
-    """Of all kinds, those of elementary functions included."""
+    """Counts operations of all kinds, those of elementary functions included."""
     return sum(whole_counts(program, SINGLE).values())
 
 
 def _together(step: Instruction) -> object:
-    """The same for a sine and a cosine of one angle, which are computed together."""
+    """Returns a key that is the same for a sine and a cosine of one angle, which are computed
+    together."""
     return step.operands if step.op in (Op.SIN, Op.COS) else step.name
 
 

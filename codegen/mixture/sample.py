@@ -29,7 +29,7 @@ class Sample:
 
     @property
     def size(self) -> int:
-        """How many states."""
+        """Number of states."""
         return int(self.results.shape[1])
 
     def certified(self, program: Program) -> Array:
@@ -41,7 +41,7 @@ class Sample:
         return np.where(np.isnan(total), np.inf, total)
 
     def at(self, chosen: Array) -> "Sample":
-        """These of the states."""
+        """Returns the chosen states."""
         return Sample(at(self.given, chosen), self.results[:, chosen], self.bounds[:, chosen])
 
     def joined(self, other: "Sample") -> "Sample":
@@ -93,7 +93,7 @@ class States:
         return self.sample(self.numbers(count))
 
     def sample(self, given: Given) -> Sample:
-        """What is certified at these states."""
+        """Returns what is certified at these states."""
         found = self._certified(in_double(given))
         half = len(found) // 2
         return Sample(given, found[:half], found[half:])
@@ -124,7 +124,7 @@ class States:
         return np.array([uniform() for _ in range(count)])
 
     def _single(self, found: Iterable[list[Array]]) -> Given:
-        """In single precision, with quaternions of norm 1."""
+        """Rounds to single precision, with quaternions of norm 1."""
         given = list(found)
         for argument, places in self._accuracy.quaternions:
             quaternion = given[argument][places.start:places.stop]

@@ -1,4 +1,4 @@
-"""How far the rounding of each intermediate result can move a function's results, to first order,
+"""Sensitivity of a function's results to the rounding of each intermediate result, to first order,
 in units of what is asked of them."""
 
 from collections.abc import Iterator, Sequence
@@ -66,7 +66,7 @@ def _scaled(program: Program, places: Sequence[Place]) -> Program:
 
 def _largest(scaled: Program, given: Sequence[Sequence[Array]], tolerances: Sequence[float]
              ) -> Array:
-    """Of each place, over all states and results."""
+    """Returns the largest sensitivity to each intermediate result, over all states and results."""
     numbers = arrays(DOUBLE)
     ones = [np.float64(1)] * scaled.inputs[-1].quantity.size
     weights = list((np.eye(len(tolerances)) / np.array(tolerances))[:, :, None])

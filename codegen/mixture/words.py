@@ -1,4 +1,4 @@
-"""What is certified of a mixture and where, and what it saves, in words."""
+"""Sentences on a mixture: what is certified of it and where, and what it saves."""
 
 from collections.abc import Sequence
 from math import isfinite
@@ -10,7 +10,7 @@ from coscrew_codegen.scene_functions import Function
 
 
 def in_words(choice: Choice, function: Function) -> str:
-    """For the comment of the function."""
+    """Describes the mixture for the comment of the function."""
     plain, mixture, pairs = _operations(choice, function)
     count = len(function.program.instructions)
     return (f"Certified at {2 * DRAWN:,} states drawn between the joints' limits and at the worst "

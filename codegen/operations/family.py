@@ -1,4 +1,4 @@
-"""What a family is: operations that share a header, a module and a page of the documentation."""
+"""Families: operations that share a header, a module and a page of the documentation."""
 
 from dataclasses import dataclass
 

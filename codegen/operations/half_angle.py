@@ -41,7 +41,7 @@ class HalfAngle:
 
     @classmethod
     def of_any(cls, let: Let, half: sp.Matrix) -> "HalfAngle":
-        """The same where y overflows, which only sin h, k and c do without."""
+        """Returns the angle also where y overflows; only sin h, k and c are then usable."""
         s = let("s", sp.Piecewise((REDUCING, largest_size(let, "h", half) > LARGE), (1, True)))
         reduced = let("reduced", half.applyfunc(lambda x: scaled(x, s)))
         up = let("up", sp.Piecewise((1 / REDUCING, s < 1), (sp.Integer(1), True)))
@@ -55,7 +55,8 @@ class HalfAngle:
 
     @classmethod
     def known(cls, let: Let, theta: sp.Expr, sine: sp.Expr, cosine: sp.Expr) -> "HalfAngle":
-        """From a known angle and any common multiple of sin θ/2 and cos θ/2; serves only b."""
+        """Makes it from a known angle and any common multiple of sin θ/2 and cos θ/2; serves only
+        b."""
         h, length = let("half_angle", theta / 2), let("length", sp.sqrt(sine**2 + cosine**2))
         sine, c = let("sine", sine / length), let("c", cosine / length)
         y = let("y", h**2)

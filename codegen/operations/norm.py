@@ -107,8 +107,8 @@ def stepwise_power(let: Let, name: str, largest: sp.Expr) -> sp.Expr:
 
 
 def calm(let: Let, largest: sp.Expr) -> sp.Expr:
-    """What chooses a stepwise power in the place of `largest`: where derivatives are taken, the
-    power leaves entries around 1 as they are."""
+    """Chooses a stepwise power in the place of `largest`: where derivatives are taken, the power
+    leaves entries around 1 as they are."""
     return let("calm", scaled(largest, HALF_STEP)) if let.smooth else largest
 
 

@@ -1,4 +1,4 @@
-"""What an operation is: one entry of the table that everything is generated from."""
+"""Operations: entries of the table that everything is generated from."""
 
 from collections.abc import Callable
 from dataclasses import dataclass

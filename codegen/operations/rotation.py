@@ -105,7 +105,7 @@ class SmoothAngle:
 
     @classmethod
     def of(cls, let: Let, q: sp.Matrix) -> "SmoothAngle":
-        """Of any positive multiple of a unit quaternion with w >= 0."""
+        """Makes it from any positive multiple of a unit quaternion with w >= 0."""
         v, w = vector_part(q), scalar_part(q)
         vv, ww = let("vv", v.dot(v)), let("ww", w**2)
         near = sp.Eq(let("near", sp.Piecewise((1, vv < _NEAR * ww), (0, True))), 1)

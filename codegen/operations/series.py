@@ -63,8 +63,8 @@ class Angle:
     @classmethod
     def known(cls, let: Let, theta: sp.Expr, sine: sp.Expr, cosine: sp.Expr,
               square: sp.Expr | None = None) -> "Angle":
-        """From a known angle and any common multiple of sin θ/2 and cos θ/2; serves only b.
-        `square` is θ², if that is known better."""
+        """Makes it from a known angle and any common multiple of sin θ/2 and cos θ/2; serves only
+        b.  `square` is θ², if that is known better."""
         x = let("x", theta**2 if square is None else square)
         divisor = let("far_sine", far(x, sine, sp.Integer(1)))
         return cls(let, x, theta, sine, cosine, let("cotangent", cosine / divisor))

@@ -19,7 +19,7 @@ Partials = Callable[[Op], Slopes | None]
 
 
 def of_table(op: Op) -> Slopes | None:
-    """Those of the table."""
+    """Returns the operation's partial derivatives from the table of instructions."""
     return op.meaning.slopes
 
 

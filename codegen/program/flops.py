@@ -1,4 +1,4 @@
-"""How many floating-point operations a Program counts as."""
+"""Number of floating-point operations that a Program counts as."""
 
 from collections.abc import Mapping
 

@@ -21,8 +21,8 @@ _INFIX: dict[Callable[..., Any], str] = {
 
 def in_python(program: Program, arithmetic: Arithmetic[V]
               ) -> Callable[[Sequence[Sequence[V]]], list[V]]:
-    """The same function as `interpreter` returns, with the same results: several times as fast,
-    but made in the time that the interpreter takes for ten states or so."""
+    """Returns the function that `interpreter` returns, with the same results: several times as
+    fast, but made in the time that the interpreter takes for ten states or so."""
     used = (*(x for step in program.instructions for x in step.operands), *program.results)
     inputs = {x: f"x{n}" for n, x in enumerate(
         dict.fromkeys(x for x in used if isinstance(x, Input)))}

@@ -91,7 +91,8 @@ def exactly(functions: object = None) -> Mapping[Op, Callable[..., V]]:
 
 
 def _difference(function: Callable[..., Any]) -> Callable[..., Any]:
-    """From operands and a number to the function less that."""
+    """Turns a function of operands into one of operands and a number: the function's value less
+    that number."""
     return lambda *x: function(*x[:-1]) - x[-1]
 
 

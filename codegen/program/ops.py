@@ -10,7 +10,7 @@ from typing import Any, Protocol
 
 
 class Rounding(Enum):
-    """How a result is rounded, barring overflow and underflow."""
+    """Ways in which a result is rounded, barring overflow and underflow."""
 
     EXACT = "exact"
     ONCE = "rounded once"  # by at most u of the result
@@ -33,7 +33,7 @@ Slopes = Callable[..., tuple[Any, ...]]
 
 @dataclass(frozen=True)
 class Meaning:
-    """How many operands an operation has, how its result is rounded, and its partial derivatives:
+    """Number of operands of an operation, how its result is rounded, and its partial derivatives:
     None where it has none that are numbers (comparisons; a choice has those of its options)."""
 
     arity: int
@@ -46,7 +46,7 @@ _EXACT, _ONCE, _FUNCTION, _REST = Rounding
 
 
 class Op(Enum):
-    """What an instruction does with its operands."""
+    """Operations of instructions on their operands."""
 
     ADD = "add"
     SUB = "sub"
@@ -96,7 +96,7 @@ def _sum(*signs: int) -> Slopes:
 
 
 def _product(sign: int, *more: int) -> Slopes:
-    """Of ±a b and further terms."""
+    """Returns the partial derivatives of ±a b and further terms."""
     if sign < 0:
         return lambda f, a, b, *x: (-b, -a, *more)
     return lambda f, a, b, *x: (b, a, *more)

@@ -40,9 +40,9 @@ dynamics of 35 joints compiled by clang took 20 % longer than as one function, w
 
 @dataclass(frozen=True)
 class Group:
-    """What exactly these programs compute: parts, in order, and the names of the values `kept` for
-    other parts. Parts read inputs of the programs, and groups as further inputs with an element for
-    each kept value; their results are the kept values that they add."""
+    """Values that exactly these programs compute: parts, in order, and the names of the values
+    `kept` for other parts.  Parts read inputs of the programs, and groups as further inputs with an
+    element for each kept value; their results are the kept values that they add."""
 
     name: str
     users: tuple[str, ...]  # names of the programs
@@ -204,7 +204,7 @@ class _Cutting:
                                           for users, found in self.kept.items()))
 
     def cuts(self) -> dict[str, Cut]:
-        """Of each program, by name."""
+        """Returns the cut of each program, by name."""
         groups = {users: self._group(users) for users in self.pieces}
         return {program.name: self._cut(program, tuple(
             group for users, group in groups.items() if users >> place & 1), place)

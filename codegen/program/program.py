@@ -113,7 +113,7 @@ class Program:
 
     @property
     def counts(self) -> Mapping[Op, int]:
-        """How many instructions of each kind."""
+        """Number of instructions of each kind."""
         return Counter(instruction.op for instruction in self.instructions)
 
     @property
@@ -171,7 +171,7 @@ def sine_cosine_pairs(program: Program) -> dict[str, tuple[Instruction, Instruct
 
 
 def operands_of_pair(sine: Instruction, cosine: Instruction) -> tuple[Operand, ...]:
-    """What the function that computes both takes: their operands without repetition."""
+    """Operands of the function that computes both: those of either, without repetition."""
     return tuple(dict.fromkeys((*sine.operands, *cosine.operands)))
 
 

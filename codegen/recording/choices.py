@@ -22,7 +22,8 @@ ALWAYS: Cases = frozenset({Case()})
 
 
 class Choices:
-    """What interprets a program on Numbers, and multiplies its partial derivatives and adjoints."""
+    """Arithmetic that interprets a program on Numbers, and multiplies its partial derivatives and
+    adjoints."""
 
     def __init__(self, program: Program, recorder: Recorder):
         self._recorder = recorder
@@ -79,7 +80,7 @@ class Choices:
 
 
 def _found(program: Program) -> dict[str, Cases]:
-    """Of every instruction, the cases in which a result depends on it."""
+    """Returns for every instruction the cases in which a result depends on it."""
     found: dict[str, Cases] = {step.name: frozenset() for step in program.instructions}
     found |= {x.name: ALWAYS for x in program.results if isinstance(x, Ref)}
     for step in reversed(program.instructions):

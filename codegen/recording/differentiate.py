@@ -52,7 +52,8 @@ def adjoint(program: Program) -> Program:
 
 
 def _partials(op: Op) -> Slopes | None:
-    """Those of the table, but zero at a root of zero and for an angle of (0, 0)."""
+    """Returns the table's partial derivatives, but zero at a root of zero and for an angle of (0,
+    0)."""
     return _HERE.get(op, op.meaning.slopes)
 
 

@@ -72,7 +72,8 @@ def _labelled(labels: Mapping[str, Part], alive: set[str],
 
 
 def _only_users(program: Program) -> dict[str, Instruction]:
-    """For each instruction that is used exactly once, by its name, the instruction that uses it."""
+    """Maps each instruction that is used exactly once, by its name, to the instruction that uses
+    it."""
     found: dict[str, Instruction] = {}
     uses = Counter(x.name for x in (*program.results, *(
         x for step in program.instructions for x in step.operands)) if isinstance(x, Ref))

@@ -157,7 +157,7 @@ class Recorder:
 
     @property
     def arithmetic(self) -> Arithmetic[Number]:
-        """What interprets a program on Numbers of this recording."""
+        """Returns the arithmetic that interprets a program on Numbers of this recording."""
         return Arithmetic(
             lambda x: Number(self, x),
             lambda step, _: lambda *numbers: Number(self, self.issue(

@@ -30,8 +30,9 @@ def benign(operation: Operation, precision: Precision, count: int, seed: int) ->
 
 
 def hard(operation: Operation, precision: Precision, count: int, seed: int) -> np.ndarray:
-    """For polynomials, numbers of very different sizes, in half of the rows with one result nearly
-    cancelled; for others, angles about 0 and π, and arguments as small as 2^-spread."""
+    """Draws hard inputs: for polynomials, numbers of very different sizes, in half of the rows with
+    one result nearly cancelled; for others, angles about 0 and π, and arguments as small as
+    2^-spread."""
     numbers = _generator(operation, precision, seed, 1)
     if is_polynomial(operation):
         rows = numbers.normal(size=(count, _size(operation)))

@@ -54,7 +54,7 @@ Item = TypeVar("Item")
 
 @dataclass(frozen=True)
 class Plan:
-    """What to measure, how long, from which seed, and the command line."""
+    """Settings of a measurement: operations, durations, seed, command line."""
 
     operations: tuple[Operation, ...]
     minutes: float

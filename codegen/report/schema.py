@@ -24,7 +24,7 @@ class Compiler:
 
 @dataclass(frozen=True)
 class Provenance:
-    """Where the figures come from: command, seed, version, machine, compilers, duration."""
+    """Origin of the figures: command, seed, version, machine, compilers, duration."""
 
     command: str
     seed: int
@@ -136,7 +136,7 @@ class Change:
 
 @dataclass(frozen=True)
 class Comparison:
-    """What changed since the report in `file`."""
+    """Changes since the report in `file`."""
 
     file: str
     rows: tuple[Change, ...]

@@ -1,1 +1,1 @@
-"""What a scene is: its model, its effects with their parameters, its run; their checks."""
+"""Scenes: the model, effects with their parameters, the run; and their checks."""

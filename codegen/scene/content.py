@@ -15,7 +15,7 @@ def content_hash(scene: Scene) -> str:
 
 
 def motion_hash(scene: Scene) -> str:
-    """The same of what a motion in a given precision depends on: not of the selected precisions,
+    """Hashes all that a motion in a given precision depends on: not the selected precisions,
     functions and tiers, which options replace."""
     return content_hash(replace(scene, precision="", precisions=(), implausible="", functions=(),
                                 tiers=(), accuracy=(), notices=()))

@@ -1,4 +1,4 @@
-"""What an effect is: its catalogue entry, and the slots of the dynamics it fills.
+"""Effects: catalogue entries, and the slots of the dynamics that they fill.
 
 An effect's file knows no other effect and no algorithm: it gets the state where it acts as Numbers,
 and answers with accelerations, forces and inertias.  Slots it leaves None cost nothing.
@@ -18,7 +18,8 @@ K = TypeVar("K")
 
 @dataclass(frozen=True)
 class Values:
-    """What a scene gives for an effect's parameters; of formulas, their value at the time."""
+    """Values that a scene gives for an effect's parameters; of formulas, their value at the time.
+    """
 
     given: Mapping[str, object]
 
@@ -50,7 +51,7 @@ class Values:
 
 
 class Place(Enum):
-    """What an effect acts on."""
+    """Kinds of things that an effect acts on."""
 
     SCENE = "the whole scene"
     JOINT = "a joint with one coordinate; of `reaction`, any that is not fixed"
@@ -88,7 +89,8 @@ class ParameterOf:
 
 @dataclass(frozen=True)
 class CoordinateState:
-    """What a torque or force acts along: a joint's coordinate, or the distance between two points.
+    """State of the coordinate along which a torque or force acts: a joint's, or the distance
+    between two points.
 
     Its value q in rad or m, its rate v = q', the time t in s; for effects that compensate gravity
     also what holds the joint against it."""
@@ -108,11 +110,11 @@ class BodyState(Protocol):
 
     @property
     def mass(self) -> Number:
-        """In kg; zero if the model gives none."""
+        """Mass in kg; zero if the model gives none."""
 
     @property
     def centre_of_mass(self) -> Vector:
-        """In m."""
+        """Centre of mass in the body's frame, in m."""
 
     @property
     def inertia(self) -> tuple[Number, ...]:
@@ -149,7 +151,7 @@ class Contact:
 
 @dataclass(frozen=True)
 class Torque:
-    """What acts along a coordinate: a torque at a joint, or a force that pushes two points apart.
+    """Torque along a joint's coordinate, or a force that pushes two points apart.
 
     Without a `torque`, it is -∂energy/∂q.  `limit`: it acts as max(-limit, min(torque, limit)).
     `energy`: its potential energy, if it has one.  `power`: the power of the part without potential
@@ -170,8 +172,8 @@ class Torque:
 
 @dataclass(frozen=True)
 class Force:
-    """What acts on a body: a force at a point of it and a moment, in the body's frame; energy and
-    power as of Torque.
+    """Force on a body at a point of it and a moment, in the body's frame; energy and power as of
+    Torque.
 
     Without point, force and moment they follow from the energy: -∂energy/∂(position, rotation).
     Such an energy may depend on the body's pose and on time, not on its motion.
@@ -188,7 +190,8 @@ class Force:
 
 
 def required(x: K | None) -> K:
-    """What an effect gives.  Raises TypeError if it gives neither this nor what it follows from."""
+    """Returns what an effect gives.  Raises TypeError if it gives neither this nor what it follows
+    from."""
     if x is None:
         raise TypeError("an effect gives a torque, or a force and its point, or an energy; this "
                         "one gives none")

@@ -23,7 +23,7 @@ def value(x: Scalar) -> Fraction:
 
 
 class Kind(Enum):
-    """How a joint moves; the value is the word in files."""
+    """Kinds of joints; the value is the word in files."""
 
     REVOLUTE = "revolute"
     PRISMATIC = "prismatic"
@@ -158,7 +158,7 @@ class Model:
     notices: tuple[Notice, ...] = field(default=(), compare=False)  # what was read and is not used
 
     def links(self) -> dict[str, str]:
-        """For each body, and WORLD, the body to which fixed joints connect it: one that a joint
+        """Maps each body, and WORLD, to the body to which fixed joints connect it: one that a joint
         moves, or WORLD."""
         found = {WORLD: WORLD}
         for joint in self.joints:

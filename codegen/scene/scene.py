@@ -47,7 +47,7 @@ class Applied:
 
 @dataclass(frozen=True)
 class Expectation:
-    """What a run must reach: |quantity(at) - value| <= rtol |value| + atol."""
+    """Value that a run must reach: |quantity(at) - value| <= rtol |value| + atol."""
 
     quantity: str  # "q.elbow", "energy", "reaction.elbow.2": as in `record`, one component
     at: float
@@ -58,7 +58,8 @@ class Expectation:
 
 @dataclass(frozen=True)
 class Tolerance:
-    """How far rounding may move an output of a function, or all of them, in single precision."""
+    """Largest rounding error allowed of an output of a function, or of all its outputs, in single
+    precision."""
 
     function: str
     output: str  # "" for all
@@ -67,7 +68,8 @@ class Tolerance:
 
 @dataclass(frozen=True)
 class Run:
-    """How to integrate: `step` is for emitted integrators, the tolerances are for SciPy's."""
+    """Settings of integration: `step` is for emitted integrators, the tolerances are for SciPy's.
+    """
 
     duration: float = 1.0
     integrator: str = DEFAULT

@@ -1,4 +1,4 @@
-"""Which signs run-time parameters must have: those of the numbers that scene files accept."""
+"""Signs that run-time parameters must have: those of the numbers that scene files accept."""
 
 from coscrew_codegen.parameter import Parameter, Sign
 from coscrew_codegen.scene.scene import Scene

@@ -18,7 +18,7 @@ def known() -> tuple[str, ...]:
 
 
 def asked() -> tuple[str, ...]:
-    """Those of functions of which an accuracy is asked."""
+    """Returns the tiers of functions of which an accuracy is asked."""
     from coscrew_codegen.tiers import OF_SCENES
 
     return tuple(tier.name for tier in OF_SCENES if tier.asked)

@@ -55,8 +55,8 @@ class Link:
 
     @property
     def heading(self) -> str:
-        """Of its instructions; differs from those of joints, effects and sums, whatever its name.
-        """
+        """Heading of its instructions; differs from those of joints, effects and sums, whatever its
+        name."""
         return heading_of_body(self.name)
 
 

@@ -14,7 +14,7 @@ OF_POSITIONS = ("mass_matrix", "gravity_torques", "body_poses")
 
 
 def read_accuracy(file: Table, scene: Scene, selected: Collection[str]) -> tuple[Tolerance, ...]:
-    """What is asked of functions, which are to be selected; steps have no tier."""
+    """Reads the accuracies asked of functions, which must be selected; steps have no tier."""
     table = file.table("accuracy")
     functions = [name for name in names(scene) if not name.startswith("step_")]
     for name in table.values:

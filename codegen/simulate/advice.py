@@ -1,4 +1,5 @@
-"""What makes a run right: the largest of the halved steps that does, tried before it is named."""
+"""Advice on how to make a run right: the largest of the halved steps that does, tried before it is
+named."""
 
 import math
 from collections.abc import Iterator
@@ -231,7 +232,8 @@ def advised(system: System, planned: Plan, true: Reference, start: State | None 
 
 def _helping(system: System, planned: Plan, true: Reference, start: State | None
              ) -> list[str]:
-    """What makes the run right in its precision: "a step of 0.01 s", "integrator leapfrog"."""
+    """Returns settings that make the run right in its precision: "a step of 0.01 s", "integrator
+    leapfrog"."""
     said = []
     if planned.adaptive:
         for tighter in _tightened(planned):

@@ -1,4 +1,4 @@
-"""What a recording tells of the run that made it: all that is needed to run again."""
+"""Settings of the run that made a recording: all that is needed to run again."""
 
 import json
 import re
@@ -37,7 +37,7 @@ class Told:
     coscrew: str
 
     def asked(self, controller: Controller | None = None) -> Asked:
-        """The same settings, with the controller that the recording does not hold."""
+        """Returns the settings, with the controller, which the recording does not hold."""
         return Asked(self.until, self.step, self.integrator, self.every, self.record,
                      start=self.start, controller=controller)
 
@@ -72,7 +72,8 @@ def asked_of(recording: Result | Path | str) -> Told:
 
 
 def _short(controller: str) -> str:
-    """What provenance says of a controller, with the first digits of the hash alone."""
+    """Returns the provenance's sentence on a controller, with the first digits of the hash alone.
+    """
     return re.sub(r"(sha256 .{8}).+", r"\1…", controller)
 
 

@@ -171,8 +171,8 @@ class Alarm:
         return self.plan.begin + float(self._errors.at[i][k])
 
     def remedy_in_words(self) -> str:
-        """What was tried and is enough; of batches and controllers, which are not tried, no
-        number."""
+        """Returns a remedy that was tried; of batches and controllers, which are not tried, without
+        a number."""
         if self.remedy and not self.driven and not self.start[0].ndim > 1:
             return self.remedy(self.system, self.plan, self.start)
         return UNTRIED
@@ -204,7 +204,7 @@ class _Worst:
 
 
 def _indices(mask: np.ndarray) -> list[Index]:
-    """Where the mask is true."""
+    """Returns the places where the mask is true."""
     return [tuple(i) for i in np.argwhere(mask).tolist()]
 
 

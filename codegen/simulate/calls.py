@@ -213,7 +213,8 @@ def _in_c(library: ctypes.PyDLL, name: str, described: Signature, precision: Pre
 
 def _lanes(library: ctypes.PyDLL, name: str, several: str) -> Callable[["Kernels | None", int],
                                                                        None]:
-    """What tells the function that of many states, named `several`, when it is there and pays."""
+    """Returns a callback that installs the function of many states, named `several`, once it is
+    compiled and pays."""
     place = ctypes.c_void_p.in_dll(library, f"lanes_{name}")
 
     def prepare(kernels: "Kernels | None", states: int) -> None:

@@ -1,5 +1,5 @@
-"""What rounding takes at states of a run: errors of plain functions against 50 digits, by unit, and
-the bounds of the certified tier held against them."""
+"""Rounding errors at states of a run: errors of plain functions against 50 digits, by unit, and the
+bounds of the certified tier held against them."""
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
@@ -115,7 +115,7 @@ def _states(system: System, trajectory: Trajectory) -> Values:
 
 def _rounded(system: System, name: str, program: Program, values: Values,
              certified: Kernels | None, of: Sequence[str]) -> Iterator[Rounded]:
-    """Of each unit, that of the first component first."""
+    """Returns the rounding of each unit, the first component's first."""
     count, precision = len(values["t"]), system.precision
     found = _rows(system.call(name, **values), count)
     truth = _exact(program, values, precision)

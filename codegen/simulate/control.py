@@ -77,8 +77,8 @@ class Controller:
         return not self.address or any("Thunk" in type(x).__name__ for x in kept)
 
     def told(self, scene: Scene) -> str:
-        """What provenance says of it: its name, when it is called and what it sets, and a hash of
-        its source, if that can be read."""
+        """Describes it for provenance: name, when it is called, what it sets, and a hash of its
+        source, if that can be read."""
         when = f"every {self.steps} steps" if self.steps > 1 else "every step"
         sets = ", ".join(scene.parameters[i].name for i in set_by(self, scene))
         return f"{self._named}, {when}, sets {sets}{self._hashed}"
@@ -110,7 +110,7 @@ def _address(pointer: object) -> int | None:
 
 
 def _shown(given: object) -> str:
-    """What was given instead of a pointer: a number itself, of anything else its type."""
+    """Shows what was given instead of a pointer: a number itself, of anything else its type."""
     if isinstance(given, int):
         return repr(given)
     null = "a null pointer, " if isinstance(given, CFuncPtr | ctypes.c_void_p) else ""

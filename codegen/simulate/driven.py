@@ -84,7 +84,7 @@ class Driven:
         return self._turns.many or self._in_c is not None and not self._controller.in_python
 
     def demanded(self, t: float, q: np.ndarray, v: np.ndarray) -> np.ndarray:
-        """What it would set at this state, which the run is not told."""
+        """Returns what the controller would set at this state, without setting it."""
         return self._values(self.steps, t, q, v)
 
     def refused(self, alive: np.ndarray) -> tuple[Stop, ...]:
@@ -92,7 +92,7 @@ class Driven:
         return tuple(stop for i, stop in self._refused.items() if alive[i])
 
     def _values(self, k: int, t: float, q: np.ndarray, v: np.ndarray) -> np.ndarray:
-        """What it returns, for each state."""
+        """Returns the controller's values for each state."""
         if self._controller.address:
             return self._from_c(t, q, v)
         law = cast("Law", self._controller.function)

@@ -97,8 +97,8 @@ class Kernels:
         return derive(self.scene, self.selected)
 
     def _with(self, *names: str) -> Kernels:
-        """These kernels, or, if they lack functions of these names that the scene has, kernels of
-        both, compiled when they are first needed."""
+        """Returns these kernels, or, if they lack functions of these names that the scene has,
+        kernels of both, compiled when they are first needed."""
         own = tuple(x.name for x in self.interface.signatures)
         if self.scene is None or {*names} - {*CONTACTS, *FREE} <= {*own}:
             return self

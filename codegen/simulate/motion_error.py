@@ -30,7 +30,7 @@ Places = tuple[np.ndarray, ...]
 
 
 class PartKind(Enum):
-    """What a part is of its joint, and how it is named."""
+    """Kinds of parts of a joint's motion, and how messages name them."""
 
     OWN = "joint {}"  # its coordinate or rotation
     CENTRE = "centre of mass of {}"  # of the tree that a free joint carries
@@ -77,7 +77,7 @@ class Parts:
         return np.array([x.least for x in self.parts])
 
     def places(self, q: np.ndarray) -> Places:
-        """Where the parts are, in double.  (…, nq)."""
+        """Returns the places of the parts, in double.  (…, nq)."""
         M = self._mass_matrix(q)
         return tuple(_place(part, q, M) for part in self.parts)
 
@@ -91,8 +91,8 @@ class Parts:
             np.zeros(3 if x.kind is PartKind.OFFSET else 1) for x in self.parts)
 
     def distances(self, x: Places, y: Places) -> np.ndarray:
-        """How far parts at x are from parts at y, in rad or m; infinite if either is not finite.
-        (…, k)."""
+        """Returns the distances of parts at x from parts at y, in rad or m; infinite if either is
+        not finite.  (…, k)."""
         with np.errstate(all="ignore"):
             each = [_angle(a, b) if a.shape[-1] == 4 else np.linalg.norm(a - b, axis=-1)
                     for a, b in zip(x, y, strict=True)]
@@ -125,7 +125,7 @@ class Parts:
 
 
 def _place(part: Part, q: np.ndarray, M: np.ndarray | None) -> np.ndarray:
-    """Where a part is."""
+    """Returns the place of a part."""
     c = part.coordinate
     own: np.ndarray = q[..., c.q].astype(float)
     if c.kind != "free":
@@ -217,8 +217,8 @@ def _sliding(model: Model) -> frozenset[str]:
 
 @dataclass
 class Extent:
-    """How far parts have been from their starts, and lines of start, since a run in this precision
-    and in steps of h began."""
+    """Distances of parts from their starts, and from their lines of start, since a run in this
+    precision and in steps of h began."""
 
     parts: Parts
     precision: Precision

@@ -66,7 +66,7 @@ def warn(name: str, error: CompilationError, runs: str = "runs in pure NumPy") -
 
 
 def _files() -> list[str]:
-    """Those of the functions on the call stack, from `warn` outwards."""
+    """Returns the files of the functions on the call stack, from `warn` outwards."""
     found: list[str] = []
     frame: FrameType | None = sys._getframe(1)
     while frame:
@@ -159,7 +159,7 @@ def kept(key: str) -> Library | None:
 
 
 def place(using: Compiler) -> tuple[str, ...]:
-    """What compiled code depends on besides its text: compiler, flags and processor."""
+    """Describes what compiled code depends on besides its text: compiler, flags and processor."""
     return (using.version, *using.command, *using.flags, _processor())
 
 

@@ -1,5 +1,4 @@
-"""Where a run starts and ends: all that its following steps depend on, from a Result or recording.
-"""
+"""Start and end of a run: all that its following steps depend on, from a Result or recording."""
 
 import json
 import math

@@ -91,7 +91,8 @@ def _rounded_down(x: float) -> float:
 
 
 def _shares(driven: Driven, system: System, run: Trajectory, period: float) -> Iterator[_Share]:
-    """Of each torque that it sets, at the first sample, the middle one and the last."""
+    """Yields a share of each torque that the controller sets, at the first sample, the middle one
+    and the last."""
     count = run.q.shape[-2]
     for k in sorted({0, count // 2, count - 1}):
         t, q, v = float(run.t[k]), run.q[..., k, :], run.v[..., k, :]

@@ -19,8 +19,8 @@ MOST_STEPS = 10**12  # weeks of the fastest scenes
 
 @dataclass(frozen=True)
 class Plan:
-    """How long to integrate, when to sample, in s, and how: `step` is for emitted integrators, rtol
-    and atol for SciPy's; `also` are further times to sample at.
+    """Settings of an integration: when it ends and is sampled, in s, and its integrator; `step` is
+    for emitted integrators, rtol and atol for SciPy's; `also` are further times to sample at.
 
     The default integrator splits a step in which a limit is hit into parts, whose length hardly
     depends on the step.  With `finer` = 2 the parts are half as long.  The run starts at `begin`:
@@ -68,7 +68,7 @@ class Plan:
 
 @dataclass(frozen=True)
 class Stop:
-    """Where and why a run, or a member of a batch, stopped before the end."""
+    """Place and cause of the early end of a run, or of a member of a batch."""
 
     member: int
     t: float

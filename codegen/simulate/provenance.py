@@ -49,7 +49,7 @@ def _number(values: np.ndarray) -> str:
 
 
 def _how(plan: Plan) -> str:
-    """How long its steps are, or how they are chosen."""
+    """Says how long the steps are, or how they are chosen."""
     if plan.adaptive:
         return f"rtol {plan.rtol:g}, atol {plan.atol:g}, SciPy {version_of('scipy')}"
     _, h = plan.steps(plan.every)

@@ -45,7 +45,7 @@ class Result:
 
     @cached_property
     def recorded(self) -> dict[str, np.ndarray]:
-        """What the scene records, by the names of columns.  Each (…, n)."""
+        """Recorded numbers, by the names of columns.  Each (…, n)."""
         return {c.name: self.recording.values[..., i]
                 for i, c in enumerate(self.recording.columns)}
 
@@ -62,7 +62,7 @@ class Result:
 
     @property
     def provenance(self) -> Provenance:
-        """Where the numbers come from: pairs (name, value)."""
+        """Origin of the numbers: pairs (name, value)."""
         return self.recording.provenance
 
     def __repr__(self) -> str:
@@ -72,21 +72,22 @@ class Result:
                 f"{len(self.t)} samples{stopped}>")
 
     def member(self, i: int) -> Recording:
-        """What was recorded of a member of a batch."""
+        """Returns the recording of a member of a batch."""
         if self.q.ndim < 3:
             raise SimulateError("member: this is one run; wanted a batch")
         return replace(self.recording, values=self.recording.values[i])
 
     def to_xarray(self) -> "xarray.Dataset":
-        """What was recorded, by columns with units, over t, and over `member` in a batch; there
-        `cause` tells why a member stopped, and p.…, q0.… and v0.… tell the start.  Provenance is
-        in `attrs`.  Needs xarray."""
+        """Returns the recorded numbers as a Dataset: columns with units, over t, and over `member`
+        in a batch; there `cause` tells why a member stopped, and p.…, q0.… and v0.… tell the start.
+        Provenance is in `attrs`. Needs xarray."""
         from coscrew_codegen.simulate.tables import to_xarray
 
         return to_xarray(self.recording, self.failed, self.system.functions, self.start)
 
     def to_pandas(self) -> "pandas.DataFrame":
-        """The same as a table: a row for each t, or each member and t.  Needs pandas."""
+        """Returns the recorded numbers as a table: a row for each t, or each member and t.  Needs
+        pandas."""
         from coscrew_codegen.simulate.tables import to_pandas
 
         return to_pandas(self.recording)

@@ -110,7 +110,7 @@ def _rows(array: np.ndarray, lead: tuple[int, ...], axes: int) -> Rows:
 
 
 def _step(array: np.ndarray, lead: int) -> int | None:
-    """How many numbers apart the rows of an array are; None if C cannot read them."""
+    """Returns how many numbers apart the rows of an array are; None if C cannot read them."""
     size, each = prod(array.shape[lead:]), array.itemsize
     if array.flags.c_contiguous and array.flags.aligned:
         return size

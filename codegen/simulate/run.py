@@ -189,7 +189,7 @@ def _end(alive: np.ndarray, stops: tuple[Stop, ...]) -> None:
 
 
 def _finite(q: np.ndarray, v: np.ndarray) -> np.ndarray:
-    """Which states are finite."""
+    """Returns the mask of finite states."""
     found: np.ndarray = np.isfinite(q).all(-1) & np.isfinite(v).all(-1)
     return found
 

@@ -24,7 +24,7 @@ Lanes = Callable[[int], "CFuncPtr | None"]
 
 
 class Owner(Protocol):
-    """What a step belongs to: functions of kernels, which know their lanes."""
+    """Owner of a step: functions of kernels, which know their lanes."""
 
     @property
     def _kernels(self) -> "Kernels | None": ...

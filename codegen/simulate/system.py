@@ -78,7 +78,7 @@ class System:
         return found
 
     def outputs(self, name: str, **values: object) -> tuple[np.ndarray, ...]:
-        """The same of a function with several outputs."""
+        """Returns the outputs of a function with several ones; inputs as of `call`."""
         return tuple(self.call(name, **values))
 
     def stepper(self, name: str, watch: Watch | None = None
@@ -88,7 +88,7 @@ class System:
         return partial(self.stepper_at(name, watch), self._p)
 
     def stepper_at(self, name: str, watch: Watch | None = None) -> Stepper:
-        """The same for given parameters: (p, n, t, h, q, v)."""
+        """Returns the integrator as a function that also takes parameters: (p, n, t, h, q, v)."""
         function = getattr(self.kernels, name)
         several = getattr(function, "repeated", None)
         real = self.dtype.type

@@ -208,6 +208,6 @@ def _of_one_unit(v: range) -> tuple[slice, ...]:
 
 
 def remedy_of_rounding(system: System) -> str:
-    """What to do about coordinates that do not move."""
+    """Returns a remedy for coordinates that do not move."""
     return "take --precision double" if system.precision is not DOUBLE else \
         "place the scene nearer to the world's origin"

@@ -19,7 +19,8 @@ def as_text(about: Mapping[str, Json]) -> bytes:
 
 
 def read_description(folder: Path) -> Mapping[str, Json]:
-    """What the file in this folder says.  Raises DamagedError if it is not as it was written."""
+    """Reads the description of the sweep in this folder.  Raises DamagedError if it is not as it
+    was written."""
     path = folder / ABOUT
     content = read_bytes(path)
     try:

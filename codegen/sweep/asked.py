@@ -1,4 +1,4 @@
-"""What the options --grid, --sobol, --samples and --seed say, as words and exact numbers."""
+"""Readers of the options --grid, --sobol, --samples and --seed: words and exact numbers."""
 
 import argparse
 from dataclasses import dataclass

@@ -30,7 +30,7 @@ class Axis:
 
     @property
     def bins(self) -> int:
-        """How many."""
+        """Number of bins."""
         return len(self.points) or self.parts
 
     def index(self, x: np.ndarray) -> np.ndarray:
@@ -62,7 +62,7 @@ class Axis:
 
     @property
     def middles(self) -> np.ndarray:
-        """Those of the bins."""
+        """Middles of the bins."""
         if self.points:
             return np.array(self.points)
         low, high = self.edges[:-1], self.edges[1:]
@@ -70,7 +70,8 @@ class Axis:
 
 
 def parts_for(members: int) -> int:
-    """How many parts ranges have, so that maps of so many members are neither empty nor coarse."""
+    """Returns a number of parts of ranges for which maps of so many members are neither empty nor
+    coarse."""
     return max(_LEAST, min(_MOST, round(math.sqrt(members) / 3)))
 
 

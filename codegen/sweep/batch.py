@@ -19,7 +19,8 @@ from coscrew_codegen.sweep.specification import Conditions
 
 @dataclass(frozen=True)
 class Batch:
-    """What members record, (times, members), by column; and those that failed, by their place."""
+    """Recorded numbers of members, (times, members), by column; and the members that failed, by
+    their place."""
 
     t: np.ndarray
     recorded: Mapping[str, np.ndarray]

@@ -1,5 +1,5 @@
-"""What of a scene can vary: its run-time parameters, and the coordinates and velocities at which it
-starts, by name."""
+"""Inputs of a scene that can vary: run-time parameters, and the coordinates and velocities at which
+it starts, by name."""
 
 import math
 from collections.abc import Iterator, Mapping
@@ -37,8 +37,8 @@ class Candidate:
 
 
 def candidates(scene: Scene, settings: Mapping[str, float]) -> Mapping[str, Candidate]:
-    """All that can vary by itself, by name.  Components of quaternions are not among them: they
-    depend on each other."""
+    """Returns all inputs that can vary by themselves, by name.  Components of quaternions are not
+    among them: they depend on each other."""
     units = parameter_units(scene)
     found = [Candidate(x.name, "p", x.index, units[x.name]) for x in scene.parameters]
     ends = {x.on: (low, high) for x, low, high in ranges(scene, settings)}

@@ -1,4 +1,4 @@
-"""From the number of a chunk to its Parquet file: what workers do."""
+"""Workers' task: from the number of a chunk to its Parquet file."""
 
 import functools
 import json
@@ -26,8 +26,8 @@ _PAYS = 1_000_000  # states, for which the functions of many states are compiled
 
 @dataclass(frozen=True)
 class Job:
-    """What a worker needs: the scene's kernels, pickled, which it compiles or finds in its cache.
-    """
+    """Data that a worker needs: the scene's kernels, pickled, which it compiles or finds in its
+    cache."""
 
     kernels: bytes
     compiled: bool  # whether they are in C, as they must be then in the worker
@@ -138,7 +138,7 @@ def states(kernels: Kernels, its: Specification, values: np.ndarray) -> Mapping[
 
 
 def provenance(kernels: Kernels, its: Specification) -> Mapping[str, str]:
-    """Where a chunk's numbers come from."""
+    """Returns the origin of a chunk's numbers."""
     return {"scene": its.scene, "scene sha256": its.scene_sha256, "sweep sha256": its.sha256,
             "compiler": kernels.compiler or "none: NumPy", **_versions()}
 

@@ -79,7 +79,7 @@ class Column:
 
     @property
     def mean(self) -> np.ndarray:
-        """Of each statistic, over the members."""
+        """Mean of each statistic over the members."""
         return np.asarray(self._middle + self.total / max(self.count, 1))
 
     def explained(self, axis: int) -> np.ndarray:

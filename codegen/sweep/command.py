@@ -179,7 +179,7 @@ def _compute(prepared: "Prepared", folder: "Folder", options: argparse.Namespace
 
 @contextmanager
 def _client(options: argparse.Namespace, most: int) -> "Iterator[Client]":
-    """Of the scheduler, or of processes, at `most` so many."""
+    """Connects to the scheduler, or to at most `most` processes of its own."""
     from coscrew_codegen.sweep import cluster
 
     with (cluster.remote(options.scheduler) if options.scheduler else

@@ -43,7 +43,7 @@ class Folder:
         return (n for n in range(self.specification.chunks) if n not in there)
 
     def members(self) -> int:
-        """How many members are there."""
+        """Number of members."""
         return sum(len(self.specification.members(n)) for n in self._there())
 
     def put_aside(self, finished: bool) -> None:

@@ -43,7 +43,7 @@ class BlockedError(SweepError):
 
 @contextmanager
 def reading(path: Path) -> Iterator[None]:
-    """In the block, raise BlockedError for a file that cannot be read, by default this one."""
+    """Raises, in the block, BlockedError for a file that cannot be read, by default this one."""
     try:
         yield
     except OSError as error:
@@ -127,7 +127,7 @@ def _sweep(table: pyarrow.Table) -> str:
 
 
 def _place(content: bytes) -> tuple[int, int]:
-    """Where the digest stands.  Raises ValueError if there is none, or several."""
+    """Returns the place of the digest.  Raises ValueError if there is none, or several."""
     (found,) = _SEALED.finditer(content)
     return found.span(1)
 

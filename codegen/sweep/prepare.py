@@ -1,4 +1,5 @@
-"""From a scene and options to a specification and compiled kernels, or one clear error."""
+"""Preparation of a sweep: from a scene and options to a specification and compiled kernels, or one
+clear error."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace

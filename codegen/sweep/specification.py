@@ -17,7 +17,7 @@ from coscrew_codegen.sweep.candidates import Candidate, candidates, limits_of, m
 
 @dataclass(frozen=True)
 class Grid:
-    """These values, one after the other."""
+    """Values that an input takes, one after the other."""
 
     of: Candidate
     values: tuple[float, ...]
@@ -35,7 +35,7 @@ class Range:
 
 @dataclass(frozen=True)
 class Varied:
-    """What varies: all points of the grids, each with all samples of the ranges."""
+    """Inputs that vary: all points of the grids, each with all samples of the ranges."""
 
     grids: tuple[Grid, ...]
     ranges: tuple[Range, ...]
@@ -44,7 +44,7 @@ class Varied:
 
     @property
     def columns(self) -> tuple[Candidate, ...]:
-        """What varies, in the order of a member's values."""
+        """Inputs that vary, in the order of a member's values."""
         return tuple(x.of for x in self.each)
 
     @property
@@ -72,7 +72,7 @@ class Varied:
 
 @dataclass(frozen=True)
 class Conditions:
-    """How each member runs, and what is kept of it."""
+    """Settings of each member's run, and what is kept of it."""
 
     settings: tuple[tuple[str, float], ...]  # of parameters that do not vary
     until: float
@@ -107,7 +107,7 @@ class Specification:
 
     @property
     def data(self) -> Mapping[str, Json]:
-        """As JSON."""
+        """Returns the specification as JSON."""
         found: Mapping[str, Json] = json.loads(json.dumps(asdict(self)))
         return found
 
@@ -119,7 +119,7 @@ class Specification:
 
 def varied(scene: Scene, settings: Mapping[str, float], grids: Sequence[GridAsked],
            sobols: Sequence[SobolAsked], samples: int | None, seed: int | None) -> Varied:
-    """What the options ask for.  Raises SweepError."""
+    """Reads the inputs to vary from the options.  Raises SweepError."""
     if not (grids or sobols):
         raise SweepError("nothing varies; wanted --grid NAME=FROM:TO:COUNT or --sobol "
                          "PATTERN=LOW:HIGH with --samples N")

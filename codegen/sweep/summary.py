@@ -1,4 +1,4 @@
-"""What is kept of the runs of a chunk: a table with a row for each member."""
+"""Table kept of the runs of a chunk: a row for each member."""
 
 from collections.abc import Mapping
 
@@ -43,8 +43,8 @@ def table(scene: Scene, specification: Specification, members: range, values: np
 
 
 def statistics(t: np.ndarray, samples: np.ndarray) -> Mapping[str, np.ndarray]:
-    """Of samples at the times t, (n, members), in this order of additions, which every processor
-    keeps: the mean is the integral by the trapezoidal rule, divided by the time."""
+    """Returns statistics of samples at the times t, (n, members), in this order of additions, which
+    every processor keeps: the mean is the integral by the trapezoidal rule, divided by the time."""
     total = np.zeros(samples.shape[1])
     with np.errstate(all="ignore"):
         for i, h in enumerate(np.diff(t)):

@@ -23,7 +23,7 @@ LISTED = 100
 
 @dataclass
 class Tally:
-    """Of a whole sweep."""
+    """Aggregate of a whole sweep."""
 
     members: int
     axes: tuple[Axis, ...]

@@ -57,7 +57,7 @@ def c_name(name: str, precision: Precision) -> str:
 
 
 def member(quantity: Quantity, index: int) -> str:
-    """What C writes after a value's name for component `index` (row by row)."""
+    """Returns what C writes after a value's name for component `index` (row by row)."""
     row, column = quantity.indices[index]
     if quantity.name in _MEMBERS:
         return f".{_MEMBERS[quantity.name][row]}"

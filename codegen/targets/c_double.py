@@ -8,8 +8,8 @@ from coscrew_codegen.formats import DOUBLE, Precision
 
 @dataclass(frozen=True)
 class Double:
-    """Where a header computes in double: a condition of the preprocessor that ends in &&, or "" for
-    everywhere; and what to do with a compiler whose double is shorter."""
+    """Condition under which a header computes in double: of the preprocessor, ending in &&, or ""
+    for everywhere; and what to do with a compiler whose double is shorter."""
 
     where: str
     remedy: str

@@ -67,7 +67,7 @@ def shared(several: Iterable[Collection[str]]) -> frozenset[str]:
 
 
 def written(precision: Precision, names: Collection[str], nested: bool = False) -> list[Written]:
-    """What defines these names."""
+    """Returns the definitions of these names."""
     needed = {_OWNER.get(name, name) for name in names}
     wanted = [x for x in (*ELEMENTARY, *ERRORS) if x.name in needed]
     powers = [x for x in wanted if Op.POWER in x.kernel(BY_NAME[precision.name]).counts]

@@ -27,7 +27,7 @@ class CFunction:
 
 @dataclass(frozen=True)
 class Stored:
-    """How a function stores its arguments.
+    """Places where a function stores its results.
 
     `access` returns the expression that reads a component of an input, `targets` holds the lvalue
     of each result, `written` the names of arguments that are written to."""

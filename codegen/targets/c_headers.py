@@ -106,8 +106,8 @@ def _included(header: str, titles: Mapping[str, str]) -> tuple[str, ...]:
 
 
 def _includes(header: str) -> tuple[str, ...]:
-    """What a header includes, so that any may come first: what its family says, and what else its
-    text by hand calls."""
+    """Returns the headers that a header includes, so that any may come first: what its family says,
+    and what else its text by hand calls."""
     said = family_named(header).includes if header in FAMILIES else ()
     reached = set().union(*map(_reached, said))
     return (*said, *(x for x in c_ksl.NEEDED.get(header, ()) if x not in reached))
@@ -119,7 +119,8 @@ def _reached(header: str) -> frozenset[str]:
 
 
 def _marked_headers(library: Library, tier: Tier) -> Headers:
-    """Those of exact errors that the tier needs, one per family, and one that includes all."""
+    """Returns the headers of a tier: of the exact errors that it needs, one for each family, and
+    one that includes all."""
     families, exact = {}, set()
     for family in library.families:
         kernels = library.made(_functions)[family]
@@ -168,8 +169,8 @@ def _exact_included(functions: Sequence[CFunction]) -> tuple[str, ...]:
 
 
 def _exact(library: Library) -> dict[str, str]:
-    """With what kernels that compute in double need if only single precision is selected; and what
-    elementary functions err by."""
+    """Returns the headers of exact errors: with what kernels that compute in double need if only
+    single precision is selected, and what elementary functions err by."""
     missing = [DOUBLE] if DOUBLE not in library.precisions else []
     return {"ksl_exact": render("c/ksl_exact.h", banner=library.banner, products=missing,
                                 precisions=missing, elementary=_elementary_of(missing),

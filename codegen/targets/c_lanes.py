@@ -53,7 +53,7 @@ def _head(function: Elementary, count: int, precision: Precision) -> str:
 
 
 def _padded(count: int) -> str:
-    """So many angles, the last of them repeated."""
+    """Returns `count` angles, the last of them repeated up to a number that a function takes."""
     return ", ".join(f"x{min(n, count - 1)}" for n in range(LANES))
 
 

@@ -61,7 +61,8 @@ def files(library: Library) -> Files:
 
 @cache  # also used by the extension target
 def headers(library: Library) -> Mapping[str, str]:
-    """Those of all tiers, what they share, and for each tier one that includes all."""
+    """Returns the headers of all tiers, what they share, and for each tier one that includes all.
+    """
     made = {SHARED: render("c/ksl_planes.h", banner=library.banner, types=[
         _Access(quantity, precision) for quantity in c_storage.TYPES
         for precision in library.precisions]), c_many_lanes.HEADER: c_many_lanes.header(library)}
@@ -101,7 +102,7 @@ def _header(library: Library, tier: Tier, family: str) -> str:
 
 
 class _Access:
-    """How a struct is read from planes and written to them, for a template."""
+    """Texts that read a struct from planes and write it to them, for a template."""
 
     def __init__(self, quantity: Quantity, precision: Precision):
         self.name, self.real = f"ksl_{quantity.name}{precision.suffix}", precision.c_type
@@ -114,7 +115,7 @@ class _Access:
 
 
 def _place(component: int) -> str:
-    """Where a component lies from the first."""
+    """Returns the distance of a component from the first."""
     return ("0", "plane")[component] if component < 2 else f"{component} * plane"
 
 

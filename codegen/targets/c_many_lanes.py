@@ -27,7 +27,7 @@ HEADER = "ksl_states"
 
 @dataclass(frozen=True)
 class _Section:
-    """What a template needs to write elementary functions on vectors of a precision."""
+    """Texts from which a template writes elementary functions on vectors of a precision."""
 
     precision: Precision
 
@@ -45,7 +45,7 @@ class _Section:
 
     @property
     def packed(self) -> str:
-        """What ends the names of x86 instructions."""
+        """Ending of the names of x86 instructions."""
         return "ps" if self.precision.suffix else "pd"
 
 
@@ -63,7 +63,7 @@ def kernels(held: FamilyKernels) -> Mapping[tuple[str, str], CFunction]:
 
 
 def place(quantity: Quantity, component: int) -> int:
-    """Where a component lies in a struct: matrices are stored column by column."""
+    """Returns the place of a component in a struct: matrices are stored column by column."""
     row, column = quantity.indices[component]
     return column * quantity.shape[0] + row if len(quantity.shape) == 2 else component
 
@@ -91,5 +91,5 @@ def _kernel(operation: Operation, program: Program, precision: Precision) -> CFu
 
 
 def rounded(text: str, precision: Precision) -> str:
-    """With the macro of this precision's products."""
+    """Wraps a text in the macro of this precision's products."""
     return broken(re.sub(r"\bRN\(", f"KSL_RN_LANES{precision.suffix.upper()}(", text), WIDTH)

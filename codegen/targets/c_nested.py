@@ -121,7 +121,7 @@ class Together:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """All that is assigned."""
+        """All names that are assigned."""
         return tuple(name for pair in self.pairs for name in pair.names)
 
     @property
@@ -145,9 +145,9 @@ class Together:
 
 def together(assigned: Sequence[Assignment | str], precision: Precision, apart: bool = False
              ) -> Sequence[Assignment | Together | str]:
-    """With the sines and cosines of inputs first, several together, and their errors; on vectors
-    without the errors, and each `apart` if that is wanted.  Headings below which nothing is left
-    are left out."""
+    """Moves the sines and cosines of inputs, and their errors, to the front, several together; on
+    vectors without the errors, and each `apart` if that is wanted.  Headings below which nothing is
+    left are left out."""
     if precision.device:
         return assigned
     pairs = [x for x in assigned if isinstance(x, Assignment) and x.cosine]

@@ -50,7 +50,8 @@ def _on_vectors(program: Program, precision: Precision, count: int
 
 
 def in_turn(program: Program, count: int) -> Program:
-    """So many of this program, with arguments of their own, and the instructions of all in turn."""
+    """Returns `count` copies of the program, with arguments of their own, instructions interleaved.
+    """
     taken = {a.name for a in program.outputs}
 
     def named(name: str, n: int) -> str:

@@ -92,7 +92,7 @@ def views(quantity: Quantity, precision: Precision) -> list[list[str]]:
 
 
 def meaning(quantity: Quantity) -> str:
-    """What the type holds, for the comment above it."""
+    """Describes the type for the comment above it."""
     return _MEANING[quantity.name]
 
 

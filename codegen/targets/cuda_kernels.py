@@ -37,13 +37,13 @@ class Taken:
 
     @property
     def at(self) -> str:
-        """What is passed for state k."""
+        """Text that is passed for state k."""
         return (f"{self.name}[k * {self.name}_stride]" if self.value
                 else f"{self.name} + k * {self.name}_stride")
 
     @property
     def number(self) -> str:
-        """What is passed to a function on numbers of the class."""
+        """Text that is passed to a function on numbers of the class."""
         return self.name if self.value else f"ksl_numbers({self.name})"
 
 
@@ -65,7 +65,7 @@ class Kernel:
 
     @property
     def comment(self) -> str:
-        """What stands above them."""
+        """Comment above the kernels."""
         return comment_of([self.words])
 
     @property
@@ -111,7 +111,7 @@ def c_name_of(scene: SceneFunctions, name: str, precision: Precision, what: str)
 
 def kernels(scene: SceneFunctions, on_numbers: SceneFunctions, precision: Precision
             ) -> Iterator[Kernel]:
-    """Those of all public functions; steps have runs, too."""
+    """Yields the kernels of all public functions; steps have runs, too."""
     for function in callables(scene):
         name = c_name(scene, function.name, precision)
         called = c_name(on_numbers, function.name, precision)

@@ -58,7 +58,7 @@ class Number:
 
     @property
     def conversions(self) -> list[Operation]:
-        """From and to double, in which other programs compute."""
+        """Conversions from and to double, in which other programs compute."""
         if self.precision == DOUBLE:
             return []
         wide = on_device(DOUBLE).c_type

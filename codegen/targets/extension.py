@@ -104,7 +104,7 @@ def _loops(library: Library, tier: Tier) -> Files:
 
 
 def _lanes(library: Library, tier: Tier) -> str:
-    """How quantities of the kernels on vectors are read and written."""
+    """Returns the text that reads and writes quantities of the kernels on vectors."""
     named = {name for held in _on_vectors(library, tier).values() for name, _ in held}
     used = {a.quantity.name for op in library.having(tier) if op.name in named
             for a in (*op.inputs, *op.outputs)}
@@ -159,8 +159,8 @@ def _types(library: Library) -> list[str]:
 
 
 def _checks(library: Library, tier: Tier) -> dict[str, object]:
-    """What refuses arguments: the defects of what functions require, by precision, and the plain
-    kernels that compute them, those that the tier's header does not have."""
+    """Returns what refuses arguments: the defects of what functions require, by precision, and the
+    plain kernels that compute them, those that the tier's header does not have."""
     required = [letters for found in library.made(requirements).values()
                 for letters in found.values()]
     defects = [(p, letter, op, c_name(op.name, p)) for letter, op in defects_of(required).items()

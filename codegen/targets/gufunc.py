@@ -39,7 +39,7 @@ class FirstInput:
 
 @dataclass(frozen=True)
 class Lanes:
-    """How a loop computes several elements at a time: in groups, of as many as a vector holds."""
+    """Groups of elements that a loop computes at a time: as many as a vector holds."""
 
     count: str  # of elements in a vector
     groups: int  # computed before any is written
@@ -80,7 +80,7 @@ class Gufunc:
 
 @dataclass(frozen=True)
 class Access:
-    """Where the components of a quantity are, from a pointer and core strides."""
+    """Places of a quantity's components, from a pointer and core strides."""
 
     quantity: str
     type: str
@@ -108,7 +108,7 @@ def gufunc(operation: Operation, precisions: tuple[Precision, ...], docstring: s
 
 
 def access(quantity: Quantity, precision: Precision) -> Access:
-    """Where each component of the quantity lies in a NumPy array."""
+    """Returns the place of each component of the quantity in a NumPy array."""
     rank = len(quantity.shape)
     places, numbered = [], []
     for index, (row, column) in enumerate(quantity.indices):

@@ -32,7 +32,7 @@ CONSTANTS = "constants"
 
 @dataclass(frozen=True)
 class Language:
-    """How a language writes an instruction, a pattern and its precedence; a constant; NaN; a
+    """A language's spelling of an instruction, a pattern and its precedence; a constant; NaN; a
     comment; sine and cosine of the same operand, or the errors of both, computed together by a
     function from arguments."""
 
@@ -53,7 +53,7 @@ class Assignment:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """What is assigned: one name, or those of a sine and its cosine."""
+        """Names that are assigned: one, or those of a sine and its cosine."""
         return (self.step.name, *([self.cosine.name] if self.cosine else []))
 
 
@@ -186,8 +186,8 @@ def _needed(step: Instruction, precedence: int) -> Sequence[int]:
 
 @dataclass(frozen=True)
 class Plan:
-    """Which instructions of a Program are assigned; those without names of their own are numbered
-    without gaps."""
+    """Instructions of a Program that are assigned to variables; those without names of their own
+    are numbered without gaps."""
 
     program: Program
     assigned: frozenset[str]
@@ -229,7 +229,7 @@ def named_constants(program: Program) -> dict[str, Constant]:
 
 
 def _names(program: Program) -> set[str]:
-    """What instructions and arguments are called."""
+    """Returns the names of instructions and arguments."""
     arguments = [a.name for a in (*program.inputs, *program.outputs)]
     return {*(step.name for step in program.instructions), *arguments,
             *(f"{x}o" for x in arguments)}

@@ -95,7 +95,7 @@ def twins(kernels: FamilyKernels) -> Mapping[tuple[str, str], Twins]:
 
 
 def twins_of(kernels: Kernels, precision: Precision) -> Twins:
-    """These kernels in a precision."""
+    """Returns the twins of these kernels in a precision."""
     return Twins(tuple(function(op, program, precision) for op, program in kernels.items()),
                  {op.name: docstring_of(op, program, precision) for op, program in kernels.items()},
                  imports(tuple(kernels.values()), precision),
@@ -149,7 +149,7 @@ def imports(programs: tuple[Program, ...], precision: Precision) -> tuple[tuple[
 
 
 def exactly_in(precision: Precision) -> Mapping[Op | str, str]:
-    """What computes errors of products in this precision."""
+    """Returns the functions that compute errors of products in this precision."""
     return EXACT if precision == DOUBLE else IN_SINGLE
 
 

@@ -63,7 +63,7 @@ def macros(scene: SceneFunctions) -> list[tuple[str, str]]:
 
 
 def about(scene: SceneFunctions) -> list[str]:
-    """What a header of the scene says at its top."""
+    """Returns the comment at the top of a scene's header, in paragraphs."""
     return [
         f"{scene.name}: dynamics of a scene, in {IN_WORDS[scene.precisions]}.",
         "SI units.  Arrays are plain, matrices row by row.  Pointers must be valid and "

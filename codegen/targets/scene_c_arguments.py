@@ -1,4 +1,4 @@
-"""How a scene's C functions take their arguments: arrays that are plain, matrices row by row."""
+"""Arguments of a scene's C functions: arrays that are plain, matrices row by row."""
 
 from collections.abc import Sequence
 
@@ -28,6 +28,6 @@ def head(name: str, parameters: Sequence[str], storage: str = "") -> str:
 
 
 def targets(outputs: Sequence[Argument]) -> list[str]:
-    """Where each component of the outputs is stored."""
+    """Returns the place where each component of the outputs is stored."""
     return [f"{a.name}[{i}]" if a.quantity.shape else f"*{a.name}"
             for a in outputs for i in range(size(a))]

@@ -54,7 +54,7 @@ class Kernels:
 
     @cached_property
     def reductions(self) -> list[c_elementary.Written]:
-        """These, of one number, where angles are reduced one by one."""
+        """Functions of one number that reduce angles one by one."""
         names = {x.name for x in self.elementary if x.near}
         return c_elementary.written(self.precision, names, nested=True)
 
@@ -72,7 +72,7 @@ class Kernels:
 
     @property
     def packed(self) -> str:
-        """What ends the names of x86 instructions."""
+        """Ending of the names of x86 instructions."""
         return "ps" if self.precision.suffix else "pd"
 
     @property
@@ -168,7 +168,7 @@ class Section:
 
     def _described(self, function: Signature, name: str, words: str, parameters: Sequence[str]
                    ) -> dict[str, object]:
-        """What the template needs of any function."""
+        """Returns what the template needs of any function."""
         both = [x for x in function.outputs if x in function.inputs]
         read = [Array(x, count(shape)) for x, shape in (*function.read, *both)]
         written = [Array(x, count(shape)) for x, shape in function.outputs]

@@ -39,7 +39,8 @@ def _cuts(plans: Sequence[Plan]) -> dict[str, Cut]:
 
 
 def _angles_first(program: Program) -> Program:
-    """With what is computed for several angles at once first, so that one part has it all."""
+    """Moves what is computed for several angles at once to the front, so that one part has it all.
+    """
     first: dict[Ref, Instruction] = {}
     for step in program.instructions:
         x, *others = step.operands

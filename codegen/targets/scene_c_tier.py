@@ -35,7 +35,7 @@ class Section:
 
     @cached_property
     def plans(self) -> list[Plan]:
-        """What is assigned in each function."""
+        """Assignments of each function."""
         return scene_text.plans(self.scene)
 
     @cached_property
@@ -86,7 +86,7 @@ class Written:
 
 
 def _exact(sections: Sequence[Section], elementary: Iterable[c_elementary.Written]) -> list[str]:
-    """Those of _ERRORS that are called: rounding errors of products."""
+    """Returns those of _ERRORS that are called: rounding errors of products."""
     bodies = [*(x.body for section in sections for x in section.functions),
               *(text for x in elementary for text in (*x.near, *x.far, x.body))]
     return [name for name in _ERRORS if any(f"{name}(" in body for body in bodies)]
@@ -142,7 +142,8 @@ _COUNTS = ("In the counts of operations, a product error or rest is a product le
 
 
 def about(made: SceneTier, plain: str) -> list[str]:
-    """What a header of the tier says at its top; `plain` is that of the scene without tiers."""
+    """Returns the comment at the top of the tier's header; `plain` is that of the scene without
+    tiers."""
     return [f"{made.plain.name}: dynamics of a scene, in {IN_WORDS[made.plain.precisions]}.",
             made.tier.title,
             *filter(None, [" ".join(made.tier.promise.split())]),

@@ -45,7 +45,7 @@ class Block:
 
     @property
     def built_in(self) -> Precision:
-        """The same, of C's own numbers."""
+        """The same precision on C's own numbers."""
         return BY_NAME[self.working.name]
 
     @property
@@ -62,7 +62,7 @@ class Block:
 
     @property
     def texts(self) -> Iterator[str]:
-        """All that computes."""
+        """Yields the texts of all functions that compute."""
         yield from (x.body for x in self.functions)
         for x in self.elementary:
             yield from (x.written.body, *x.written.near, *x.written.far)
@@ -86,7 +86,7 @@ class Section:
 
     @cached_property
     def kernels(self) -> list[Kernel]:
-        """What computes one state, n of them, and runs."""
+        """Kernels that compute one state, n of them, and runs."""
         return list(kernels(self.scene, _on_numbers(self.scene), self.precision))
 
 

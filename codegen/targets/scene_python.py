@@ -192,7 +192,7 @@ def _assigned(x: Assignment | str) -> str:
 
 def _assembled(outputs: Sequence[Argument], results: Sequence[str],
                precision: Precision) -> Iterator[str]:
-    """For each output, the expression for the array of its components."""
+    """Yields for each output the expression for the array of its components."""
     start = 0
     for output in outputs:
         parts = results[start:start + scene_text.size(output)]

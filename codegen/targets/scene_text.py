@@ -59,17 +59,17 @@ def many(scene: Scene) -> Scene:
 
 
 def marked(*marks: str) -> str:
-    """What ends names in C: all of these that are not empty."""
+    """Joins the marks that end names in C, without empty ones."""
     return "_".join(filter(None, marks))
 
 
 def count(shape: tuple[int, ...]) -> int:
-    """How many numbers an array of this shape has."""
+    """Returns how many numbers an array of this shape has."""
     return prod(shape)
 
 
 def size(argument: Argument) -> int:
-    """How many numbers an argument has."""
+    """Returns how many numbers an argument has."""
     return prod(argument.quantity.shape)
 
 
@@ -143,7 +143,7 @@ VALUE_WIDTH = 150
 
 
 def plans(scene: SceneFunctions) -> list[Plan]:
-    """What is assigned in each function: the same in all languages and precisions."""
+    """Plans the assignments of each function: the same in all languages and precisions."""
     return [planned(f.program, language(f.program, DOUBLE), access(f.program), VALUE_WIDTH)
             for f in scene.functions]
 
@@ -208,7 +208,7 @@ def order_in_words(scene: SceneFunctions) -> list[str]:
 
 
 def signs(scene: SceneFunctions | SceneInterface) -> tuple[tuple[int, str, bool], ...]:
-    """Of each parameter with a sign: its index in p, its name, whether it may be zero."""
+    """Returns for each parameter with a sign: its index in p, its name, whether it may be zero."""
     names = [name for name, _ in scene.parameters]
     return tuple((names.index(name), name, sign is Sign.NONNEGATIVE) for name, sign in scene.signs)
 

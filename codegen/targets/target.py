@@ -1,4 +1,4 @@
-"""What a target is: a function from Programs to files."""
+"""Targets: functions from Programs to files."""
 
 from __future__ import annotations
 
