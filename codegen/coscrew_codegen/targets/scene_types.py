@@ -7,8 +7,8 @@ from coscrew_codegen.targets.target import Files, Target
 
 
 def files(library: Library) -> Files:
-    """python/_steps.pyi."""
-    return {"python/_steps.pyi": render("python/_steps.pyi", banner=library.banner,
+    """python/coscrew/_steps.pyi."""
+    return {"python/coscrew/_steps.pyi": render("python/_steps.pyi", banner=library.banner,
                                         names=[x.step_name for x in EMITTED])}
 
 

@@ -16,10 +16,10 @@ import time
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
-from importlib import import_module
 from pathlib import Path
 
 from coscrew_codegen.errors import ReportedError
+from coscrew_codegen.render import TEMPLATES
 
 LIMIT = "COSCREW_CACHE_LIMIT"
 """The environment variable with the limit: 200 MB, 2 GB, 0."""
@@ -185,7 +185,7 @@ def generator() -> str:
 
 def sources() -> dict[str, bytes]:
     """The generator's current sources and templates, by path."""
-    roots = {"codegen": Path(__file__).resolve().parents[1], "templates": _templates()}
+    roots = {"codegen": Path(__file__).resolve().parents[1], "templates": TEMPLATES}
     found = {}
     for name, root in roots.items():
         for folder, _, files in os.walk(root):
@@ -203,7 +203,3 @@ def digest(contents: Mapping[str, bytes]) -> str:
         total.update(f"{path}\0{len(content)}\0".encode())
         total.update(content)
     return total.hexdigest()
-
-
-def _templates() -> Path:
-    return Path(next(iter(import_module("coscrew_codegen.templates").__path__)))

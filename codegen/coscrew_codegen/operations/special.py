@@ -1,6 +1,6 @@
 """Functions for formulas that have no polynomial or simple closed form.
 
-`codegen/special.py` evaluates them to any number of digits.
+`codegen/coscrew_codegen/special.py` evaluates them to any number of digits.
 """
 
 import sympy as sp

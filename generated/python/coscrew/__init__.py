@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
-from coscrew import c, double, single
+from coscrew import double, single
 from coscrew._provenance import is_compiled
 
 COMPILED: bool = is_compiled("coscrew._gufunc", "e719d6ecbe8ebca2")
@@ -680,7 +680,9 @@ else:
 
 def get_include() -> str:
     """The folder for a C compiler's include path, for `#include <ksl/coscrew.h>`."""
-    return str(Path(c.__file__).parent / "include")
+    package = Path(__file__).parent
+    installed = package / "c"  # otherwise the headers are beside the folder of the package
+    return str((installed if installed.is_dir() else package.parents[1] / "c") / "include")
 
 
 SE3 = SE3_fromRt

@@ -1,7 +1,7 @@
-"""Packages and extension modules for setuptools, and the compiler flags the extension needs.
+"""Extension modules, which setuptools compiles, and the compiler flags they need.
 
-Runs while building, when neither SymPy nor this package is installed: it finds packages and sources
-in the folders that the generator has written."""
+Runs while building, when neither SymPy nor this package is installed: it finds sources in the
+folders that the generator has written."""
 
 import os
 from collections.abc import Iterable
@@ -9,20 +9,14 @@ from concurrent.futures import ThreadPoolExecutor
 from importlib import import_module
 from pathlib import Path
 
-from setuptools import Extension
+from setuptools import Distribution, Extension
 from setuptools.command.build_ext import build_ext
 
-ROOTS = {"coscrew": "generated/python", "coscrew.c": "generated/c", "coscrew_codegen": "codegen",
-         "coscrew_codegen.templates": "templates"}
-"""Root packages and their folders; subpackages lie in folders below."""
+PYTHON = "generated/python"
+"""The folder of the package `coscrew`."""
+WITHIN_PACKAGES = {"templates": "coscrew_codegen/templates", "generated/c": "coscrew/c"}
+"""Folders of the project that a wheel holds inside its packages, and their places there."""
 _GUFUNC = "generated/gufunc"
-
-
-def packages(root: Path) -> list[str]:
-    """Every package: the roots, and each folder below them with an __init__.py."""
-    found = {".".join((name, *init.parent.relative_to(root / folder).parts))
-             for name, folder in ROOTS.items() for init in (root / folder).rglob("__init__.py")}
-    return sorted(found)
 
 
 def extensions(root: Path) -> list[Extension]:
@@ -30,6 +24,17 @@ def extensions(root: Path) -> list[Extension]:
     coscrew.TIER._gufunc for each other tier."""
     return [_extension(root, module.parent) for module in sorted(
         (root / _GUFUNC).rglob("module.c"), key=lambda path: (len(path.parts), path))]
+
+
+def build_modules(root: Path, folder: Path) -> dict[str, str]:
+    """Compile every extension module into its package below `folder`, unless it is newer than its
+    sources; returns the modules that are there, and their paths in the folder."""
+    command = BuildExt(Distribution({"name": "coscrew", "ext_modules": extensions(root)}))
+    command.build_lib, command.build_temp = str(folder), str(root / "build" / "objects")
+    command.ensure_finalized()
+    command.run()
+    return {path: Path(path).relative_to(folder).as_posix()
+            for path in map(str, command.get_outputs()) if Path(path).is_file()}
 
 
 def compiled(root: Path) -> bool:

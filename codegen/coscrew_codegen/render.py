@@ -1,7 +1,7 @@
-"""Renders the templates, which hold file shapes only and lie beside this package."""
+"""Renders the templates, which hold file shapes only."""
 
 from functools import cache
-from importlib.resources import files
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from coscrew_codegen.version import VERSION
@@ -9,6 +9,12 @@ from coscrew_codegen.version import VERSION
 if TYPE_CHECKING:  # imported on first use: scenes found in the cache need no rendering
     import jinja2
 
+
+_PACKAGE = Path(__file__).parent
+_INSTALLED = _PACKAGE / "templates"
+TEMPLATES = _INSTALLED if _INSTALLED.is_dir() else _PACKAGE.parents[1] / "templates"
+"""The folder of templates: inside the package where it is installed from a wheel, otherwise at the
+top of the project."""
 
 _BANNER = "{{ banner }}"
 
@@ -29,7 +35,7 @@ def _environment() -> "jinja2.Environment":
 
 
 def _source(name: str) -> str:
-    return files("coscrew_codegen.templates").joinpath(name).read_text("utf-8")
+    return (TEMPLATES / name).read_text("utf-8")
 
 
 @cache

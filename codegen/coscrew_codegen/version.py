@@ -33,4 +33,4 @@ def described() -> str:
 
 
 def _in_working_tree() -> bool:
-    return bool(which("git")) and (Path(__file__).resolve().parents[1] / ".git").exists()
+    return bool(which("git")) and (Path(__file__).resolve().parents[2] / ".git").exists()
