@@ -2,7 +2,7 @@
 named."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -26,6 +26,11 @@ MOST = 4_000_000
 _DOUBTED = 200_000
 """Velocities times steps of a run up to which all of it is compared with one in half steps: about
 50 ms."""
+_SEEN = 100
+"""Samples with which such a run is compared, at least."""
+_POLYNOMIAL = 2.0
+"""Ratio of the times at which an error reaches ALLOWED and a tenth of it, from which on it counts
+as adding up, as t or t²: chaos takes far less, bounces no time."""
 LADDERS = (8, 64, 512), (4, 16), (2, 4)
 """Divisors of the step, of motions one of which is to be the reference."""
 SAMPLES = 2000
@@ -125,23 +130,50 @@ def resting(system: System, motion: Reference) -> bool:
 
 def error(system: System, trajectory: Trajectory, true: Reference) -> Error:
     """The largest error of a motion while the reference is known."""
-    parts = Parts(in_double(system))
-    if not parts.parts:
-        return Error(0.0, "none", "", 0.0)
+    return _errors(Parts(in_double(system)), system.precision, trajectory, true).largest
+
+
+@dataclass(frozen=True)
+class _Errors:
+    """Errors of a motion's parts at times when the reference is known, relative to their sizes."""
+
+    parts: Parts
+    t: np.ndarray
+    relative: np.ndarray  # (n, k)
+
+    @property
+    def largest(self) -> Error:
+        """The largest one."""
+        if not self.relative.size:
+            return Error(0.0, "none", "", 0.0)
+        at, k = np.unravel_index(int(np.argmax(self.relative)), self.relative.shape)
+        part = self.parts.parts[k]
+        return Error(float(self.relative[at, k]), part.name, part.joint, float(self.t[at]))
+
+    @property
+    def add_up(self) -> bool:
+        """Whether the largest error became too large no faster than by adding up."""
+        if not self.relative.size:
+            return False
+        grown = self.relative[:, self.relative.max(0).argmax()]
+        first = [float(self.t[int(np.argmax(grown > x))]) - float(self.t[0])
+                 for x in (ALLOWED / 10, ALLOWED)]
+        return bool(grown.max() > ALLOWED and first[1] >= _POLYNOMIAL * first[0])
+
+
+def _errors(parts: Parts, precision: Precision, trajectory: Trajectory, true: Reference
+            ) -> _Errors:
     known = true.t[true.t <= true.until]
     _, here, there = np.intersect1d(trajectory.t, known, assume_unique=True, return_indices=True)
     apart = parts.distances(parts.places(trajectory.q[here].astype(float)),
                             parts.places(true.q[there]))
-    relative = apart / sizes(parts, system.precision, true.h, true)
-    at, k = np.unravel_index(int(np.argmax(relative)), relative.shape)
-    part = parts.parts[k]
-    return Error(float(relative[at, k]), part.name, part.joint, float(known[there[at]]))
+    return _Errors(parts, known[there], apart / sizes(parts, precision, true.h, true))
 
 
 def remedy(system: System, planned: Plan, start: State | None = None) -> str:
     """A sentence on what makes a run right, all of it tried: a step, or another integrator."""
-    dense = thinned(replace(planned, every=planned.step, also=()))
-    return advised(system, dense, reference(system, dense, start), start)
+    planned = dense(as_taken(planned))
+    return advised(system, planned, reference(system, planned, start), start)
 
 
 def loose(system: System, planned: Plan, trajectory: Trajectory, start: State) -> Stop | None:
@@ -164,30 +196,43 @@ def loose(system: System, planned: Plan, trajectory: Trajectory, start: State) -
 
 def drifting(system: System, planned: Plan, trajectory: Trajectory, start: State,
              momentum: np.ndarray | None = None) -> Stop | None:
-    """Why a motion is wrong though no window of the Alarm shows it, as where errors of phase add
-    up: one in steps of half the length (by the default integrator, if the run's loses bounces)
-    differs, and the reference, which is known to the end, does too; else None.  Runs that are long,
-    stopped or in pure NumPy are not doubted."""
+    """Returns why a motion is wrong though no window of the Alarm shows it: it differs from one in
+    steps of half the length (by the default integrator, if the run's loses bounces), and from the
+    reference, which is known to the end, or from which errors differ that add up; else None.  Runs
+    that are long, stopped or in pure NumPy are not doubted."""
+    planned = as_taken(planned)
     steps = (planned.until - planned.begin) / planned.step
     compiled = system.origin and system.origin.compiled
     if trajectory.stopped or not compiled or steps * system.functions.nv > _DOUBTED:
         return None
+
+    def run(how: Plan) -> Trajectory:
+        return integrate(system, how, start=start, momentum=momentum)
+
+    if _SEEN <= len(trajectory.t) <= SAMPLES:
+        seen, whole = planned, trajectory
+    else:
+        seen = replace(planned, every=planned.step * max(1, round(steps / (2 * _SEEN))), also=())
+        whole = run(seen)
     loses = named(planned.integrator).damps_bounces and system.has("parts")
-    half = replace(planned, step=planned.step / 2, finer=2,
-                   integrator=DEFAULT if loses else planned.integrator)
-    other = integrate(system, half, start=start, momentum=momentum)
-    if _differ(system, planned, trajectory, other).relative <= ALLOWED / 4:
+    half = run(replace(seen, step=planned.step / 2, finer=2,
+                       integrator=DEFAULT if loses else planned.integrator))
+    if _differ(system, planned, whole, half).relative <= ALLOWED / 4:
         return None
-    dense = thinned(replace(planned, every=planned.step, also=()))
-    true = reference(system, dense, start)
-    found = error(system, integrate(system, dense, start=start, momentum=momentum), true)
-    if not true.resolved or true.stops or found.relative <= ALLOWED:
+    return _proven(system, dense(planned), run, start)
+
+
+def _proven(system: System, planned: Plan, run: Callable[[Plan], Trajectory], start: State
+            ) -> Stop | None:
+    """Returns why a doubted motion is wrong; None if that is not known."""
+    true, exact = reference(system, planned, start), in_double(system)
+    found = _errors(Parts(exact), system.precision, run(planned), true)
+    if true.stops or found.largest.relative <= ALLOWED or not (true.resolved or found.add_up):
         return None
-    exact = in_double(system)
     why = ("single precision does not resolve it"
-           if system.precision is not DOUBLE and _right(exact, dense, true, start)
+           if system.precision is not DOUBLE and _right(exact, planned, true, start)
            else "the step is too large")
-    return _stop(found, why, advised(system, dense, true, start))
+    return _stop(found.largest, why, advised(system, planned, true, start))
 
 
 def _stop(found: Error, why: str, helps: str) -> Stop:
@@ -198,8 +243,19 @@ def _stop(found: Error, why: str, helps: str) -> Stop:
 def _differ(system: System, planned: Plan, motion: Trajectory, other: Trajectory) -> Error:
     """The largest difference of a motion from another, which has the same samples."""
     (q, v), end = _in_double((other.q, other.v)), float(other.t[-1])
-    return error(system, motion, Reference(q, v, other.t, end, 0.0, end,
-                                           planned.step))
+    true = Reference(q, v, other.t, end, 0.0, end, planned.step)
+    return _errors(Parts(system), system.precision, motion, true).largest
+
+
+def as_taken(planned: Plan) -> Plan:
+    """The plan with the length of the steps that it takes: samples may shorten them."""
+    return replace(planned, step=planned.steps(min(planned.every,
+                                                   planned.until - planned.begin))[1])
+
+
+def dense(planned: Plan) -> Plan:
+    """The plan sampled at its steps, or at some of them."""
+    return thinned(replace(planned, every=planned.step, also=()))
 
 
 def thinned(planned: Plan) -> Plan:
@@ -257,12 +313,23 @@ def _tightened(planned: Plan) -> tuple[Plan, ...]:
 def largest_step(system: System, planned: Plan, true: Reference, start: State | None = None
                  ) -> float:
     """The largest of the halved steps with which the run is right; 0 if there is none."""
-    return next((x.step for x in _halved(system, planned) if _right(system, x, true, start)), 0.0)
+    return next((_shortened(x.step) for x in _halved(system, planned)
+                 if _right(system, x, true, start)), 0.0)
+
+
+def _shortened(step: float) -> float:
+    """The step with two or three digits, no longer than it was: at least 0.97 of it."""
+    for digits in (2, 3):
+        unit = 10.0**(math.floor(math.log10(step)) + 1 - digits)
+        found = float(f"{math.floor(step / unit * (1 + 1e-12)) * unit:.{digits}g}")
+        if found >= 0.97 * step:
+            break
+    return found
 
 
 def _halved(system: System, planned: Plan) -> Iterator[Plan]:
     for n in range(1, HALVINGS + 1):
-        step = float(f"{planned.step / 2**n:.2g}")
+        step = planned.step / 2**n
         if not affordable(system, (planned.until - planned.begin) / step):
             return
         yield replace(planned, step=step)

@@ -131,7 +131,7 @@ def _read(scene: Kernels | Scene | Path | str, precision: str | None
     else:
         raise TypeError("run: wanted the path of a scene file, a Scene, or Kernels; got "
                         f"{type(scene).__name__}")
-    if _precision(precision, own) not in (kernels or own).precisions:
+    if not all(_precision(precision, own) in x.precisions for x in (kernels, own) if x):
         raise SimulateError(f"precision: {_precision(precision, own)!r}; the scene is of "
                             f"{own.precisions[0]} precision alone")
     return kernels, own

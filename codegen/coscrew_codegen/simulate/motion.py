@@ -83,13 +83,15 @@ def motion(kernels: Kernels, precision: str, asked: Asked, *, shown: bool = Fals
 
 
 def _complete(kernels: Kernels, asked: Asked) -> Kernels:
-    """The kernels with what the Alarm needs, if they have the step of the run's integrator; the
+    """Returns the kernels with all that the run needs, if they have the step of its integrator; the
     plan refuses them if not."""
     scene = scene_of(kernels)
     own = named(known(asked.integrator or scene.run.integrator)).step_name
     if kernels.plain or (own and own not in (x.name for x in kernels.interface.signatures)):
         return kernels
-    return kernels._with(*needs.of_motion(scene, asked.integrator, asked.controller is not None))
+    recording = scene if asked.record is None else replace(scene, record=asked.record)
+    return kernels._with(*needs.of_run(recording, asked.integrator,
+                                       held=asked.controller is not None))
 
 
 def _begun(kernels: Kernels, precision: str, asked: Asked) -> tuple[System, State]:

@@ -251,6 +251,7 @@ class Extent:
         ends = tuple(x + u for x, u in zip(start, gone, strict=True))
         self.off = self._largest(self.off, self.parts.distances(places, ends))
         ways = np.stack(np.broadcast_arrays(*(np.linalg.norm(u, axis=-1) for u in gone)), -1)
+        ways = np.minimum(ways, self.way[..., None, :] if times.ndim > 1 else self.way)
         self.rounded = self._largest(self.rounded, ways * times * (
             float(self.precision.u) / self.h))
 

@@ -18,7 +18,7 @@ def of_run(scene: Scene, integrator: str | None, view: bool = False, held: bool 
            ) -> tuple[str, ...]:
     """For `simulate`: integration, the Alarm, recorded quantities, and the playback if `view`; for
     torques that a controller has `held`, the warning that it changes too fast."""
-    return together(of_motion(scene, integrator, held),
+    return together(_of_motion(scene, integrator, held),
                     *(_of(scene, recorded(text, scene)) for text in scene.record),
                     ("body_poses",) if view else ())
 
@@ -31,7 +31,7 @@ def of_check(scene: Scene, integrator: str | None) -> tuple[str, ...]:
                     *(_of(scene, expected(x.quantity, scene)) for x in scene.expectations))
 
 
-def of_motion(scene: Scene, integrator: str | None, held: bool) -> Iterable[str]:
+def _of_motion(scene: Scene, integrator: str | None, held: bool) -> Iterable[str]:
     """For integration; for the Alarm, which also uses the default integrator, and the mass matrix
     of what floats; and for what the torques that are `held` accelerate."""
     own = named(known(scene.run.integrator if integrator is None else integrator))
