@@ -66,8 +66,12 @@ $(VENV)/test-ready: $(VENV)/ready
 	$(PIP) install "coscrew[test]"
 	touch $@
 
-# The tests use generated/ as it is; that it is up to date is the first of test_generate.py.
-test: $(VENV)/test-ready build
+# First the compilers, emulators and browser that tests run: installed, or named, before anything
+# else happens.  The tests use generated/ as it is; that it is up to date is the first of
+# test_generate.py.
+test:
+	@PYTHON3="$(PYTHON3)" sh tests/install_tools.sh
+	@$(MAKE) --no-print-directory $(VENV)/test-ready build
 	$(PYTHON) -m pytest -n auto --dist loadfile --no-loadscope-reorder
 
 # For the working day, in a minute: without slow tests, and with samples of large ones.
