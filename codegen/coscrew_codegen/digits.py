@@ -1,4 +1,4 @@
-"""Bounds and errors in few digits, which what is said of them must not make too small."""
+"""Numbers in few digits."""
 
 from decimal import ROUND_UP, Context
 from math import isfinite
@@ -12,3 +12,9 @@ def two_digits_up(x: float) -> str:
         return f"{x:g}"
     mantissa, exponent = f"{_TWO.create_decimal(x):.1e}".split("e")
     return f"{mantissa}e{int(exponent)}"
+
+
+def three_digits(x: float) -> str:
+    """Three digits: 1.25, 1450, 1e-9."""
+    digits, _, exponent = f"{float(f'{x:.2e}'):g}".partition("e")
+    return f"{digits}e{int(exponent)}" if exponent else digits

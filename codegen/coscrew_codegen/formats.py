@@ -68,7 +68,6 @@ class Precision(Format):
     c_type: str
     suffix: str  # "f" or "": ends the names of C types and functions, and C literals
     numpy_type: str
-    buffer_format: str  # in Python's buffer protocol
     bytes: int
     colour: str = ""  # in plots whose colours do not stand for tiers or integrators
     dash: str = ""  # of lines in plots
@@ -137,8 +136,8 @@ def _literal(precision: Precision, value: Fraction) -> str:
     raise ValueError(f"a constant is outside {precision.name} precision's range")
 
 
-DOUBLE = Precision(53, -1022, "double", "double", "", "float64", "d", 8, "#0072b2", "-", "o")
-SINGLE = Precision(24, -126, "single", "float", "f", "float32", "f", 4, "#f5a04d", "--", "s")
+DOUBLE = Precision(53, -1022, "double", "double", "", "float64", 8, "#0072b2", "-", "o")
+SINGLE = Precision(24, -126, "single", "float", "f", "float32", 4, "#f5a04d", "--", "s")
 PRECISIONS = (DOUBLE, SINGLE)
 
 

@@ -67,11 +67,6 @@ class Library:
         not called for families whose results are kept and whose sources have not changed."""
         return {kernels.family: self.keep(kernels, make) for kernels in self._families}
 
-    def by_family(self, tier: Tier, precision: Precision) -> Mapping[str, Kernels]:
-        """The operations that have a tier, with its programs; no family is empty."""
-        return {kernels.family: found for kernels in self._families
-                if (found := kernels.of(tier, precision))}
-
     @cache  # noqa: B019
     def having(self, tier: Tier) -> tuple[Operation, ...]:
         """The operations that have a tier, as it has them, in the table's order."""

@@ -1,4 +1,4 @@
-"""The processor, which measurements name."""
+"""The processor and the system, which measurements name."""
 
 import platform
 import sys
@@ -18,3 +18,8 @@ def processor() -> str:
         return run(["sysctl", "-n", "machdep.cpu.brand_string"], capture_output=True,
                    text=True).stdout.strip()
     return platform.processor() or platform.machine()
+
+
+def system() -> str:
+    """The operating system and the kind of processor: Linux x86_64."""
+    return f"{platform.system()} {platform.machine()}"

@@ -30,8 +30,12 @@ def _environment() -> "jinja2.Environment":
 
     return jinja2.Environment(
         loader=jinja2.FunctionLoader(_source),
-        undefined=jinja2.StrictUndefined, autoescape=False, trim_blocks=False,
+        undefined=jinja2.StrictUndefined, autoescape=_is_page, trim_blocks=False,
         lstrip_blocks=False, keep_trailing_newline=True)
+
+
+def _is_page(name: str | None) -> bool:
+    return name is not None and name.endswith((".html.jinja", ".html"))
 
 
 def _source(name: str) -> str:

@@ -32,13 +32,6 @@ class Tracer:
         raise self.error
 
 
-class Half:
-    """An array of another library with numbers that NumPy lacks: bfloat16, float16."""
-
-    def __array__(self, dtype=None, copy=None):
-        return np.ones(6, np.float16)
-
-
 class Table:
     """Like a pandas table, whose columns would be taken for rows."""
 

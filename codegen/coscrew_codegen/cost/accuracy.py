@@ -87,6 +87,11 @@ class Accuracy:
                 a.worst <= b.worst for a, b in zip(self.errors, other.errors, strict=True)))
 
 
+def units_with_errors(rows: Sequence[Accuracy]) -> list[int]:
+    """The numbers of a function's units in which any choice has an error, or the first."""
+    return [n for n, _ in enumerate(rows[0].errors) if any(x.errors[n].worst for x in rows)] or [0]
+
+
 def measured(built: Compiled, names: Sequence[str], box: Box, trajectory: Trajectory,
              counts: Counts, timed: Callable[[str, Values], Sequence[Interval]]
              ) -> Iterator[tuple[Accuracy, ...]]:

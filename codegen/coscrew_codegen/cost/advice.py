@@ -6,7 +6,8 @@ from itertools import pairwise
 
 from coscrew_codegen.cost.accuracy import Accuracy
 from coscrew_codegen.cost.measured import CERTIFIED
-from coscrew_codegen.simulate.units import in_unit, three_digits
+from coscrew_codegen.digits import three_digits
+from coscrew_codegen.simulate.units import in_unit
 
 AFFORDABLE = 1.5
 """Of all choices that take at most so many times as long as the fastest, the most accurate is

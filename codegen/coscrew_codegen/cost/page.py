@@ -2,12 +2,12 @@
 
 from pathlib import Path
 
+from coscrew_codegen import pages, version
+from coscrew_codegen.cost import plot
 from coscrew_codegen.cost.advice import sentences
 from coscrew_codegen.cost.measure import Costs
-from coscrew_codegen.cost.schema import data
 from coscrew_codegen.cost.table import about, accuracies, others
-from coscrew_codegen.pages import embedded
-from coscrew_codegen.render import render
+from coscrew_codegen.machine import processor, system
 from coscrew_codegen.simulate.write import delivered
 from coscrew_codegen.tiers import OF_SCENES
 
@@ -21,9 +21,13 @@ def write(costs: Costs, path: Path, command: str) -> None:
 
 def page(costs: Costs, command: str) -> str:
     """The text of the page."""
-    figures = data(costs, command)
     measured = {x.tier for rows in costs.accuracy for x in rows}
-    return render("cost/page.html", tiers=OF_SCENES, measured=measured, about=tuple(about(costs)),
-                  figures=figures, advice=[sentences(rows) for rows in costs.accuracy],
-                  accuracies=[x for rows in costs.accuracy for x in accuracies(rows)],
-                  others=tuple(others(costs)), data=embedded(figures))
+    return pages.page(
+        "cost/page.html", scene=costs.scene, about=tuple(about(costs)),
+        tiers=[tier for tier in OF_SCENES if tier.name in measured],
+        functions=list(plot.functions(costs)), runs=list(plot.runs(costs)),
+        advice=[sentences(rows) for rows in costs.accuracy],
+        accuracies=[x for rows in costs.accuracy for x in accuracies(rows)],
+        others=tuple(others(costs)), source=(
+            ("command", command), ("machine", f"{processor()}, {system()}"),
+            ("software", f"coscrew {version.described()}"), ("compiler", costs.compiler)))

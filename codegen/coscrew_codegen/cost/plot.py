@@ -2,20 +2,23 @@
 dynamics by effect."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 
-import matplotlib
+from markupsafe import Markup
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from coscrew_codegen import plots
 from coscrew_codegen.cost import run_panel
+from coscrew_codegen.cost.accuracy import units_with_errors
 from coscrew_codegen.cost.measure import Costs
-from coscrew_codegen.cost.panels import legend, panel
+from coscrew_codegen.cost.panels import legend, panel, titles
 from coscrew_codegen.cost.work_precision import Point
 from coscrew_codegen.formats import PRECISIONS
 from coscrew_codegen.native.intervals import Interval
-from coscrew_codegen.plots import STYLE
+from coscrew_codegen.simulate.units import written
 from coscrew_codegen.simulate.write import delivered
 
 _MARKERS = "osD^v"
@@ -25,11 +28,45 @@ _ABREAST = 4  # panels in a row
 
 def plot(costs: Costs, path: Path) -> None:
     """Draw the costs to an SVG or PNG.  Raises SimulateError."""
-    with matplotlib.rc_context(STYLE), delivered(path) as temporary:
-        kept = {"Date": None, "Creator": None} if path.suffix == ".svg" else {"Software": None}
-        figure(costs).savefig(temporary, metadata=kept)
+    with delivered(path) as temporary:
+        plots.write(figure(costs), temporary)
 
 
+def functions(costs: Costs) -> Iterator[Markup]:
+    """A figure for each function and unit in which any choice has an error."""
+    for rows in costs.accuracy:
+        for number in units_with_errors(rows):
+            label = (f"Error of {rows[0].function} against time, "
+                     f"{written(rows[0].errors[number].unit)}")
+            yield _alone(label, partial(panel, rows=rows, number=number),
+                         dict(titles(rows, number)))
+
+
+def runs(costs: Costs) -> Iterator[Markup]:
+    """Figures of effects and of runs, if they were measured."""
+    if costs.runs:
+        yield _alone("Time of forward dynamics by effect", partial(_bars, costs=costs))
+        yield _alone("Error at the end of runs against time", partial(_accuracy, costs=costs))
+    if errors := costs.run_errors:
+        names = [f"{x.cause}: {x.of}" for x in errors.rows]
+        yield _alone("Errors of the run over time", partial(run_panel.panel, found=errors),
+                     dict(zip(names, names, strict=True)))
+
+
+@plots.styled
+def _alone(label: str, draw: Callable[[Axes], None], titles: Mapping[str, str] | None = None
+           ) -> Markup:
+    drawn = Figure(figsize=plots.PANEL, layout="constrained")
+    draw(axes := drawn.subplots())
+    if legend := axes.get_legend():  # below, where a phone has room
+        axes.legend(loc="upper left", bbox_to_anchor=(-0.1, -0.16), ncols=2, fontsize=8,
+                    title=legend.get_title().get_text(), alignment="left")
+        drawn.set_figheight(plots.PANEL[1] + 0.08 * len(legend.get_texts()))
+    plots.place_labels(drawn)
+    return plots.inline(drawn, label, titles)
+
+
+@plots.styled
 def figure(costs: Costs) -> Figure:
     """Functions, _ABREAST in a row; below them effects and runs, if they were measured; below these
     the errors of the run."""
@@ -49,6 +86,7 @@ def figure(costs: Costs) -> Figure:
         _accuracy(right, costs)
     if costs.run_errors:
         run_panel.panel(parts[-1].subplots(), costs.run_errors)
+    plots.place_labels(figure)
     return figure
 
 
@@ -68,7 +106,7 @@ def _bars(axes: Axes, costs: Costs) -> None:
     axes.invert_yaxis()
     axes.set_xlabel("ns per call in C")
     axes.set_title("forward dynamics, effect by effect")
-    axes.legend(frameon=False, loc="lower right", bbox_to_anchor=(1, 1), ncols=len(PRECISIONS))
+    axes.legend(loc="lower right", bbox_to_anchor=(1, 1), ncols=len(PRECISIONS))
 
 
 def _whiskers(times: Sequence[Interval]) -> list[list[float]]:
@@ -90,13 +128,13 @@ def _accuracy(axes: Axes, costs: Costs) -> None:
         axes.text(0.5, 0.5, "no reference", transform=axes.transAxes, ha="center")
         return
     if costs.reference and costs.reference.error > 0:
-        axes.axhline(costs.reference.error, color="#5b6475", linewidth=1, linestyle=":",
+        axes.axhline(costs.reference.error, color=plots.QUIET, linewidth=1, linestyle=":",
                      label=f"the reference's own, {costs.reference.error:.1g}", gid="reference")
-    axes.set_xscale("log")
-    axes.set_yscale("log")
-    axes.set_xlabel("time of the run, µs (SciPy's in Python)")
-    axes.set_ylabel("largest error of a coordinate, m or rad")
-    axes.legend(frameon=False, fontsize=7, loc="upper left", bbox_to_anchor=(1, 1),
+    plots.logarithmic(axes.xaxis)
+    plots.logarithmic(axes.yaxis)
+    axes.set(xlabel="time of the run, µs (SciPy's in Python)",
+             ylabel="largest error of a coordinate, m or rad")
+    axes.legend(fontsize=7, loc="upper left", bbox_to_anchor=(1, 1),
                 title="hollow: no worse than the reference", title_fontsize=7)
 
 

@@ -5,22 +5,20 @@ from matplotlib.axes import Axes
 
 from coscrew_codegen.cost.run_errors import RunError, RunErrors
 from coscrew_codegen.formats import BY_NAME
+from coscrew_codegen.plots import INK, logarithmic
 from coscrew_codegen.tiers import OF_SCENES, PLAIN
 
 _COLOURS = {tier.name: tier.colours[0] for tier in OF_SCENES}
-_STEP = "#1d2330"
 
 
 def panel(axes: Axes, found: RunErrors) -> None:
     """A curve for each cause; a cross where it has no digits left."""
     for n, x in enumerate(found.rows):
         _curve(axes, x, found.times, f"C{n}")
-    axes.set_yscale("log")
-    axes.set_xlim(0, found.times[-1])
-    axes.set_xlabel("t, s")
-    axes.set_ylabel("error of a coordinate, m or rad")
-    axes.set_title(f"errors of the run told apart: {found.integrator}, step {found.step:g} s")
-    axes.legend(frameon=False, fontsize=7, loc="upper left", bbox_to_anchor=(1, 1),
+    logarithmic(axes.yaxis)
+    axes.set(xlim=(0, found.times[-1]), xlabel="t, s", ylabel="error of a coordinate, m or rad",
+             title=f"errors of the run: {found.integrator}, step {found.step:g} s")
+    axes.legend(fontsize=7, loc="upper left", bbox_to_anchor=(1, 1),
                 title="×: no digit is right from here on", title_fontsize=7)
 
 
@@ -30,7 +28,7 @@ def _curve(axes: Axes, x: RunError, times: tuple[float, ...], other: str) -> Non
     if tier:
         colour, dash, width = _COLOURS[tier], BY_NAME[precision].dash, 1.2
     else:
-        colour, dash, width = (_STEP, "-", 1.8) if x.cause == "step" else (other, ":", 1.2)
+        colour, dash, width = (INK, "-", 1.8) if x.cause == "step" else (other, ":", 1.2)
     errors = np.array(x.errors)
     errors[~np.isfinite(errors) | (errors == 0)] = np.nan
     name = f"{x.cause}: {x.of}"

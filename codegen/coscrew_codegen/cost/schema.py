@@ -1,7 +1,6 @@
 """A scene's costs as JSON, whose fields docs/accuracy.md lists."""
 
 import json
-import platform
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -13,12 +12,13 @@ from coscrew_codegen.cost.measured import DIGITS
 from coscrew_codegen.cost.run_errors import DIGITS as RUN_DIGITS
 from coscrew_codegen.cost.run_errors import RunErrors
 from coscrew_codegen.cost.table import best
-from coscrew_codegen.machine import processor
+from coscrew_codegen.machine import processor, system
 from coscrew_codegen.native.intervals import Interval
 from coscrew_codegen.pages import Json, finite
 from coscrew_codegen.simulate.write import delivered
 
 SCHEMA = 1
+
 
 def write(costs: Costs, path: Path, command: str) -> None:
     """Write the JSON, in which what is not finite is null.  Raises SimulateError."""
@@ -34,7 +34,7 @@ def data(costs: Costs, command: str) -> dict[str, Json]:
     return {
         "schema": SCHEMA, "scene": costs.scene, "command": command,
         "version": version.described(), "cpu": processor(),
-        "system": f"{platform.system()} {platform.machine()}", "compiler": costs.compiler,
+        "system": system(), "compiler": costs.compiler,
         "reference_digits": DIGITS,
         "functions": [_function(rows) for rows in costs.accuracy],
         "operations": [{

@@ -1,13 +1,9 @@
 """A scene's costs as tables, for the terminal and for the page."""
 
 import math
-import textwrap
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
-from tabulate import tabulate
-
-from coscrew_codegen.cost.accuracy import Accuracy, Errors
+from coscrew_codegen.cost.accuracy import Accuracy, Errors, units_with_errors
 from coscrew_codegen.cost.advice import AFFORDABLE, better, recommended, sentences
 from coscrew_codegen.cost.leaving_out import SHOWN, WHOLE
 from coscrew_codegen.cost.measure import Costs
@@ -15,8 +11,10 @@ from coscrew_codegen.cost.measured import DIGITS
 from coscrew_codegen.cost.run_errors import DIGITS as RUN_DIGITS
 from coscrew_codegen.cost.run_errors import RunErrors
 from coscrew_codegen.cost.work_precision import Point
+from coscrew_codegen.digits import three_digits
 from coscrew_codegen.native.intervals import Interval
-from coscrew_codegen.simulate.units import in_unit, three_digits, written
+from coscrew_codegen.pages import Table, wrapped
+from coscrew_codegen.simulate.units import in_unit, written
 from coscrew_codegen.tiers import PLAIN
 
 ABOUT = (f"Errors against {DIGITS} digits, the model's decimals being exact: at states of the run, "
@@ -42,30 +40,11 @@ _MARKS = ("* no run is faster, the intervals apart, and as accurate",
           "< as accurate as the reference: it cannot tell more")
 
 
-@dataclass(frozen=True)
-class Table:
-    """Rows of texts under their headers, with sentences above and below."""
-
-    headers: tuple[str, ...]
-    rows: tuple[tuple[str, ...], ...]
-    above: tuple[str, ...] = ()
-    below: tuple[str, ...] = ()
-
-    def text(self) -> str:
-        """For a terminal."""
-        above, below = (map(_wrapped, x) for x in (self.above, self.below))
-        if not self.rows:
-            return "\n".join((*above, *below))
-        places = ("left", *("right" for _ in self.headers[1:]))
-        return "\n".join((*above, str(tabulate(
-            self.rows, self.headers, disable_numparse=True, colalign=places)), *below))
-
-
 def table(costs: Costs) -> str:
     """All tables, and what the figures recommend."""
     head = (f"{costs.scene}: {costs.compiler}\nns per call in C: median (95 % interval) of rounds "
             "in which all that is compared takes turns")
-    parts = [head, *map(_wrapped, about(costs))]
+    parts = [head, *map(wrapped, about(costs))]
     for rows in costs.accuracy:
         parts += [x.text() for x in accuracies(rows)] + ["\n".join(sentences(rows))]
     return "\n\n".join((*parts, *(x.text() for x in others(costs))))
@@ -85,7 +64,7 @@ def about(costs: Costs) -> Iterator[str]:
 def accuracies(rows: Sequence[Accuracy]) -> Iterator[Table]:
     """A function's errors and times in each tier and precision, unit by unit; without units in
     which all are exact, unless there are no others."""
-    known = [n for n, _ in enumerate(rows[0].errors) if any(x.errors[n].worst for x in rows)] or [0]
+    known = units_with_errors(rows)
     exact = ", ".join(written(e.unit) for n, e in enumerate(rows[0].errors) if n not in known)
     for n in known:
         yield Table(
@@ -219,7 +198,3 @@ def best(point: Point, costs: Costs) -> bool:
     """Whether no other run is faster, with disjoint intervals, and at least as accurate."""
     return math.isfinite(point.error) and not any(
         x.time.below(point.time) and x.error <= point.error for x in costs.points)
-
-
-def _wrapped(text: str) -> str:
-    return textwrap.fill(text, 110)

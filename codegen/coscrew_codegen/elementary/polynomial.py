@@ -12,11 +12,6 @@ def numbers(text: str) -> tuple[Fraction, ...]:
     return tuple(Fraction(float.fromhex(word)) for word in text.split())
 
 
-def hexadecimal(values: Sequence[Fraction]) -> str:
-    """The text of numbers of a format."""
-    return " ".join(float(value).hex() for value in values)
-
-
 def integer_shift(precision: Format) -> Fraction:
     """1.5 · 2^(digits - 1): (x + it) - it is the integer nearest to x, for |x| < 2^(digits - 2)."""
     return Fraction(3 * 2**(precision.digits - 2))

@@ -101,10 +101,6 @@ class Normwise:
     beside: tuple[str, ...] = ()  # "s.lin": argument and part
     per_angle: int = 0  # 0: the bound does not depend on the angle
 
-    def k_at(self, angle: float) -> float:
-        """k + θ / per_angle."""
-        return self.k + angle / self.per_angle if self.per_angle else self.k
-
     @property
     def in_words(self) -> str:
         """'t: 8 u', '(5 + θ/500) u'."""

@@ -3,16 +3,14 @@
 from dataclasses import asdict
 from pathlib import Path
 
+from coscrew_codegen import pages
 from coscrew_codegen.emit import write as write_files
-from coscrew_codegen.pages import embedded
-from coscrew_codegen.render import render
+from coscrew_codegen.report import tables
 from coscrew_codegen.report.figures import figures
 from coscrew_codegen.report.markdown import markdown
 from coscrew_codegen.report.overview import (
     first_layout,
-    formatted,
     headline_operations,
-    largest_changes,
     sentences,
     tiers_of,
 )
@@ -30,10 +28,9 @@ def write(report: Report, folder: Path, operations: tuple[str, ...] = ()) -> tup
 
 def page(report: Report) -> str:
     """The text of report.html."""
+    tiers = tiers_of(report.entries)
     data = {**asdict(report), "headline": headline_operations(report),
-            "layout": first_layout(report),
-            "tiers": [tier.name for tier in tiers_of(report.entries)]}
-    return render("report/page.html", report=report, sentences=sentences(report),
-                  tiers=tiers_of(report.entries),
-                  changes=report.compare and largest_changes(report.compare),
-                  shown=formatted, data=embedded(data))
+            "layout": first_layout(report), "tiers": [tier.name for tier in tiers]}
+    return pages.page("report/page.html", data, sentences=sentences(report), tiers=tiers,
+                      source=tables.source(report.provenance), drift=tables.drift(report.drift),
+                      changes=report.compare and tables.changes(report.compare))

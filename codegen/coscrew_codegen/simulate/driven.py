@@ -41,10 +41,6 @@ class Driven:
         """The parameters that it sets."""
         return tuple(self._system.scene.parameters[i].name for i in self._places)
 
-    def call_from_python(self) -> None:
-        """Call a controller in C from Python, too, as where nothing is compiled."""
-        self._in_c = None
-
     def update(self, k: int, t: float, q: np.ndarray, v: np.ndarray) -> None:
         """Call it before step k, if it is due."""
         if k % self._controller.steps or k == self._called:

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable
 
-from coscrew_codegen.digits import two_digits_up
+from coscrew_codegen.digits import three_digits, two_digits_up
 from coscrew_codegen.scene.recorded import UNITS
 from coscrew_codegen.scene_functions import SceneFunctions
 
@@ -33,12 +33,6 @@ def in_unit(x: float, unit: str) -> str:
     if power in _PREFIXES and not unit.startswith(("k", "1")):
         return f"{shown / 1000.0**power:.3g} {_PREFIXES[power]}{written(unit)}"
     return three_digits(shown) if unit == "1" else f"{three_digits(shown)} {written(unit)}"
-
-
-def three_digits(x: float) -> str:
-    """Three digits: 1.25, 1450, 1e-9."""
-    digits, _, exponent = f"{float(f'{x:.2e}'):g}".partition("e")
-    return f"{digits}e{int(exponent)}" if exponent else digits
 
 
 def written(unit: str) -> str:

@@ -5,7 +5,6 @@ and, thinner, to its centre of mass.
 """
 
 import base64
-import json
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
@@ -13,10 +12,11 @@ from pathlib import Path
 import numpy as np
 
 import coscrew
+from coscrew_codegen import pages
 from coscrew_codegen.parameter import Parameter, Scalar
-from coscrew_codegen.render import render
 from coscrew_codegen.scene.model import WORLD, Inertia, Joint, Kind
 from coscrew_codegen.simulate.plan import Trajectory
+from coscrew_codegen.simulate.plot import CHART
 from coscrew_codegen.simulate.recording import Provenance
 from coscrew_codegen.simulate.system import System
 from coscrew_codegen.simulate.view_recorded import charts
@@ -52,36 +52,31 @@ def view(system: System, trajectory: Trajectory, provenance: Provenance, path: P
 def page(system: System, trajectory: Trajectory, provenance: Provenance) -> str:
     """The text of the page."""
     scene, names = system.scene, [body.name for body in system.scene.model.bodies]
-    t, q, v, poses = _shown(system, trajectory)
-    kinetic, potential = system.energies(t, q, v)
-    energies = {"kinetic": kinetic, "potential": potential, "total": kinetic + potential}
-    recorded = charts(system, trajectory, _frames(trajectory.t, len(names))[:len(t)])
-    data = {"t": _packed(t, "<f8"), "poses": _packed(poses, "<f4"),
-            "energies": {name: _packed(values, "<f8") for name, values in energies.items()},
-            "recorded": [{"values": _packed(line.values, "<f8"), "unit": chart.unit}
-                         for chart in recorded for line in chart.lines],
-            "bodies": names, "up": _up(system), **asdict(drawn(system)),
-            "labels": _labels(system)}
+    frames, poses = _shown(system, trajectory)
+    t, drawing = trajectory.t[frames], drawn(system)
+    shown = tuple(charts(system, trajectory, frames))
+    data = {"t": _packed(t, "<f8"), "poses": _packed(poses, "<f4"), "chart": CHART,
+            "values": [{"values": _packed(values, "<f8"), "unit": x.unit}
+                       for x in shown for values in x.columns.values()],
+            "bodies": names, "up": _up(system), **asdict(drawing), "labels": _labels(system)}
     count = len(names)
     sentence = (f"{count} {'body' if count == 1 else 'bodies'}, {trajectory.t[-1]:g} s, "
                 f"{dict(provenance)['integrator']}, {system.precision.name} precision.")
-    shown = "" if t[-1] == trajectory.t[-1] else (
+    rest = "" if t[-1] == trajectory.t[-1] else (
         f"The playback ends at t = {t[-1]:.6g} s: the rest is too large to be shown.")
     speed = max((x for x, _ in _SPEEDS if x <= 1 and x * _LEAST_SHOWN <= t[-1]),
                 default=_SPEEDS[0][0])
-    return render("view/page.html", speed=speed, name=scene.name, sentence=sentence, bodies=names,
-                  stopped=trajectory.stopped, shown=shown, speeds=_SPEEDS, energies=tuple(energies),
-                  charts=recorded, provenance=provenance, data=json.dumps(
-                      data, allow_nan=False, separators=(",", ":")).replace("<", "\\u003c"))
+    return pages.page("view/page.html", data, speed=speed, name=scene.name, sentence=sentence,
+                      bodies=names, stopped=trajectory.stopped, rest=rest, speeds=_SPEEDS,
+                      charts=shown, source=provenance)
 
 
-def _shown(system: System, trajectory: Trajectory) -> tuple[np.ndarray, ...]:
-    """t, q, v and poses of the frames, up to the first whose poses overflow."""
+def _shown(system: System, trajectory: Trajectory) -> tuple[np.ndarray, np.ndarray]:
+    """Indices and poses of the frames, up to the first whose poses overflow."""
     frames = _frames(trajectory.t, len(system.scene.model.bodies))
-    t, q, v = (x[frames] for x in (trajectory.t, trajectory.q, trajectory.v))
-    poses = _poses(system, t, q)
+    poses = _poses(system, trajectory.t[frames], trajectory.q[frames])
     count = max(1, int(np.argmin([*np.isfinite(poses).all((1, 2)), False])))
-    return t[:count], q[:count], v[:count], poses[:count]
+    return frames[:count], poses[:count]
 
 
 def _frames(t: np.ndarray, bodies: int) -> np.ndarray:

@@ -1,12 +1,10 @@
 """The summary of a sweep: tables for the terminal, and a self-contained page with figures."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 
 import numpy as np
-from tabulate import tabulate
 
-from coscrew_codegen.render import render
+from coscrew_codegen.pages import Table, page
 from coscrew_codegen.sweep import plot
 from coscrew_codegen.sweep.column import Column
 from coscrew_codegen.sweep.specification import Grid, Specification
@@ -17,20 +15,10 @@ _DRAWN = 12  # most recorded columns with a figure
 _CAUSES = 5  # most joints of failed members that are named
 
 
-@dataclass(frozen=True)
-class Shown:
-    """A table of the page."""
-
-    title: str
-    above: str
-    headers: tuple[str, ...]
-    rows: tuple[tuple[str, ...], ...]
-
-
 def text(found: Tally) -> str:
     """The final values, for the terminal, and which members failed."""
-    rows = [(row[0], *row[2:]) for row in _rows(found.columns) if row[1] == STATISTICS[0]]
-    parts = [tabulate(rows, ("final", *_headers(found)[2:]), disable_numparse=True)] if rows else []
+    rows = tuple((row[0], *row[2:]) for row in _rows(found.columns) if row[1] == STATISTICS[0])
+    parts = [Table(("final", *_headers(found)[2:]), rows).text()] if rows else []
     if found.failed:
         parts.append(failures(found))
     return "\n\n".join(parts)
@@ -49,12 +37,11 @@ def html(specification: Specification, about: Mapping[str, str], found: Tally, w
     """The text of the page."""
     drawn = [x for x in found.columns if x.varies][:_DRAWN]
     left = sum(x.varies for x in found.columns) - len(drawn)
-    told = {"command": words, "seed": str(specification.varied.seed), **about}
-    return render("sweep/page.html", scene=specification.scene, members=found.members,
-                  failed=found.failed,
-                  varied=tuple(_varied(specification)), left=left,
-                  figures=[(x.own.name, plot.figure(x)) for x in drawn],
-                  tables=tuple(_tables(specification, found, words)), provenance=told)
+    source = {"command": words, "seed": str(specification.varied.seed), **about}
+    return page("sweep/page.html", scene=specification.scene, members=found.members,
+                failed=found.failed, varied=tuple(_varied(specification)), left=left,
+                figures=[(x.own.name, plot.figures(x)) for x in drawn],
+                tables_of=tuple(_tables(specification, found, words)), about=source.items())
 
 
 def _varied(specification: Specification) -> Iterator[str]:
@@ -68,23 +55,24 @@ def _varied(specification: Specification) -> Iterator[str]:
             yield f"{x.of.name}: sampled from {x.low:g} to {x.high:g}{unit}{scale}"
 
 
-def _tables(specification: Specification, found: Tally, words: str) -> Iterator[Shown]:
+def _tables(specification: Specification, found: Tally, words: str) -> Iterator[Table]:
     if any(x.count for x in found.columns):
-        yield Shown("Recorded quantities", "Over the members that reached the end of their runs. "
-                    "Shares: how much of the variance over the members what varied explains alone, "
-                    "by means over its grid or over parts of its range; rough for fewer than about "
-                    "1000 samples.", _headers(found), tuple(_rows(found.columns)))
+        yield Table(_headers(found), tuple(_rows(found.columns)), (
+            "Over the members that reached the end of their runs. Shares: how much of the variance "
+            "over the members what varied explains alone, by means over its grid or over parts of "
+            "its range; rough for fewer than about 1000 samples.",), title="Recorded quantities",
+                    texts=2)
     if found.failed:
         varied, more = specification.varied, found.failed - len(found.listed)
         above = f"{failures(found)}." + (
             f" The first {LISTED} are listed; column failed of the Parquet files has all."
             if more else "") + (
             f" The seed of the Sobol sequence is {varied.seed}." if varied.ranges else "")
-        yield Shown("Failed members", f"{above} Alone, to the bit, the first is run by: {words} "
-                    f"--member {found.listed[0][0]}",
-                    ("member", *(x.label for x in found.axes), "at t, s", "cause"),
-                    tuple((str(k), *map(str, values), f"{t:.9g}", str(cause))
-                          for k, *values, t, cause in found.listed))
+        yield Table(("member", *(x.label for x in found.axes), "at t, s", "cause"), tuple(
+            (str(k), *map(str, values), f"{t:.9g}", str(cause))
+            for k, *values, t, cause in found.listed), (
+                f"{above} Alone, to the bit, the first is run by: {words} --member "
+                f"{found.listed[0][0]}",), title="Failed members")
 
 
 def _headers(found: Tally) -> tuple[str, ...]:

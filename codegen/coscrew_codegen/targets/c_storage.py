@@ -80,7 +80,7 @@ TYPES = (VEC3, VEC4, MAT3X3, MAT4X4, SE3, SCREW, COSCREW, MAT6X6, QUATERNION, IN
          SPATIAL_INERTIA)
 """The struct types, each after those that it contains."""
 
-INTEGER = Precision(31, 0, "integer", "int", "i", "int32", "i", 4)
+INTEGER = Precision(31, 0, "integer", "int", "i", "int32", 4)
 INTEGRAL = (VEC3, VEC4)
 """The types that also exist with integer members: ksl_vec3i_t."""
 
