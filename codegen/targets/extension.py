@@ -14,7 +14,6 @@ from coscrew_codegen.targets import (
     c,
     c_amalgamated,
     c_headers,
-    c_many,
     c_many_lanes,
     gufunc,
     numpy,
@@ -62,9 +61,9 @@ def provenance(library: Library, tier: Tier) -> str:
     """A hash of the sources, by which Python recognizes its extension; empty without one."""
     if not has_extension(library, tier):
         return ""
-    many = c_many.headers(library)
+    on_vectors = c_many_lanes.headers(library).values() if _on_vectors(library, tier) else ()
     texts = "\0".join((c_amalgamated.text(library, tier), *_loops(library, tier).values(),
-                       *(many[name] for name in _many(library, tier))))
+                       *on_vectors))
     return hashlib.sha256(texts.encode()).hexdigest()[:16]
 
 
@@ -79,11 +78,11 @@ def _loops(library: Library, tier: Tier) -> Files:
     required = library.made(requirements)
     docstrings = numpy.docstrings(library, tier, library.precisions[0])
     best = _best(library, tier)
-    up = "../../" if tier.mark else "../"
+    headers = f"{'../../' if tier.mark else '../'}c/include/ksl"
     sources = {"_gufunc.h": render("gufunc/_gufunc.h", banner=library.banner,
                                    accesses=_accesses(library, QUANTITIES),
                                    families=families, lanes=bool(on_vectors), **asdict(best),
-                                   amalgamation=f"{up}c/{c_amalgamated.file_name(tier)}")}
+                                   kernels=f"{headers}/{tier.umbrella}.h")}
     if on_vectors:
         sources["_lanes.h"] = _lanes(library, tier)
     dtypes = [f"PyArray_{precision.c_type.title()}DType" for precision in library.precisions]
@@ -97,7 +96,7 @@ def _loops(library: Library, tier: Tier) -> Files:
         sources[f"{family}.c"] = render(
             "gufunc/family.c", banner=library.banner, family=family, gufuncs=gufuncs,
             quiet=tier.bounds,
-            many=f"{up}c/include/ksl/{c_many.named(family, tier)}.h" * (family in on_vectors))
+            states=f"{headers}/{c_many_lanes.named(family)}.h" * (family in on_vectors))
         sources[f"{family}_avx2.c"] = render("gufunc/family_avx2.c", banner=library.banner,
                                              family=family, best=best.best)
     return sources
@@ -124,13 +123,6 @@ def _on_vectors(library: Library, tier: Tier
         return {}
     made = library.made(c_many_lanes.kernels)
     return {family: made[family] for family in _families(library, tier) if made[family]}
-
-
-def _many(library: Library, tier: Tier) -> list[str]:
-    """The headers of many elements that the sources include, and what these include."""
-    families = _on_vectors(library, tier)
-    return [*[c_many.named(family, tier) for family in families],
-            *([c_many_lanes.HEADER, c_many.SHARED] if families else [])]
 
 
 def _families(library: Library, tier: Tier) -> tuple[str, ...]:

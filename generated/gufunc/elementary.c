@@ -7,7 +7,7 @@
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
 #include "_lanes.h"
-#include "../c/include/ksl/elementary_many.h"
+#include "../c/include/ksl/elementary_states.h"
 
 /* ()->(),() */
 INLINED void sincos_double_over(

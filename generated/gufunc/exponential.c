@@ -7,7 +7,7 @@
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
 #include "_lanes.h"
-#include "../c/include/ksl/exponential_many.h"
+#include "../c/include/ksl/exponential_states.h"
 
 /* (3)->(3,3) */
 INLINED void SO3_exp_double_over(

@@ -7,7 +7,7 @@
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
 #include "_lanes.h"
-#include "../c/include/ksl/quaternion_many.h"
+#include "../c/include/ksl/quaternion_states.h"
 
 /* (4)->(4) */
 INLINED void quaternion_copy_double_over(

@@ -7,7 +7,7 @@
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
 #include "_lanes.h"
-#include "../c/include/ksl/trig_many.h"
+#include "../c/include/ksl/trig_states.h"
 
 /* ()->(2) */
 INLINED void dc_double_over(

@@ -7,7 +7,7 @@
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
 #include "_lanes.h"
-#include "../c/include/ksl/vec3_many.h"
+#include "../c/include/ksl/vec3_states.h"
 
 /* (3)->(3) */
 INLINED void vec3_copy_double_over(
