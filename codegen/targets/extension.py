@@ -52,9 +52,8 @@ def files(library: Library) -> Files:
 
 
 def has_extension(library: Library, tier: Tier) -> bool:
-    """Whether the tier has one: it is in Python, both languages are selected, it has kernels."""
-    return (tier.in_python and bool(library.having(tier))
-            and set(TARGET.languages) <= set(library.languages))
+    """Whether the tier has one: both languages are selected, it has kernels."""
+    return bool(library.having(tier)) and set(TARGET.languages) <= set(library.languages)
 
 
 def provenance(library: Library, tier: Tier) -> str:
@@ -82,6 +81,8 @@ def _loops(library: Library, tier: Tier) -> Files:
     sources = {"_gufunc.h": render("gufunc/_gufunc.h", banner=library.banner,
                                    accesses=_accesses(library, QUANTITIES),
                                    families=families, lanes=bool(on_vectors), **asdict(best),
+                                   most_arguments=_most_arguments(library, tier),
+                                   precisions=library.precisions,
                                    kernels=f"{headers}/{tier.umbrella}.h")}
     if on_vectors:
         sources["_lanes.h"] = _lanes(library, tier)
@@ -136,14 +137,17 @@ def _best(library: Library, tier: Tier) -> _Best:
 
 def _module(library: Library, tier: Tier) -> str:
     families, best = _families(library, tier), _best(library, tier)
-    most = max(len(op.inputs) + len(op.outputs) for op in library.having(tier))
     return render("gufunc/module.c", banner=library.banner, families=families,
                   package=tier.package, supported=best.supported, best=best.best,
-                  most_arguments=most, count=len(library.having(tier)),
+                  most_arguments=_most_arguments(library, tier), count=len(library.having(tier)),
                   provenance=provenance(library, tier),
                   baseline=_table(families, "baseline", "gufuncs"),
                   avx2=_table(families, "avx2", "gufuncs_avx2"),
                   types=_types(library))
+
+
+def _most_arguments(library: Library, tier: Tier) -> int:
+    return max(len(op.inputs) + len(op.outputs) for op in library.having(tier))
 
 
 def _types(library: Library) -> list[str]:

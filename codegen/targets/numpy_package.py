@@ -29,8 +29,7 @@ _PLAIN = ("__init__.py", "_dispatch.py", "_arrays.py", "_kernel.py", "_checked.p
 def files(library: Library) -> Files:
     """python/__init__.py, python/accurate/__init__.py and so on."""
     made = {"/".join(filter(None, ("python", tier.mark, file))): text for tier in TIERS
-            if tier.in_python and library.having(tier)
-            for file, text in _package(library, tier).items()}
+            if library.having(tier) for file, text in _package(library, tier).items()}
     if "c" in library.languages:  # makes the headers a package, for coscrew.get_include()
         made["c/__init__.py"] = render("c/__init__.py", banner=library.banner)
     return made

@@ -33,7 +33,7 @@ _USED = """\
 #define inline __attribute__((used))
 """
 ALL_FUNCTIONS, OF_VEC3 = (_USED + "".join(f"#include <ksl/{name}.h>\n" for name in names)
-                          for names in (("ksl", "ksl_certified", "ksl_fused"), ("vec3",)))
+                          for names in (("ksl", "ksl_certified"), ("vec3",)))
 DOUBLE_INSTRUCTION = re.compile(r"v?((add|sub|mul|div|sqrt|min|max|round|hadd|hsub|addsub|u?comi|"
                                 r"cmp\w*|fn?m(add|sub)\w*)[sp]d|cvt\w*[sp]d\w*)")
 DOUBLE_SYMBOLS = {"sin", "cos", "sincos", "sqrt", "fabs", "fmin", "fmax", "fma"}
