@@ -13,9 +13,9 @@ all: generate
 
 # The environment.  Its first install finds generated/ as committed, so coscrew itself is there to
 # be regenerated from, and its extension module is built.
-$(VENV)/ready: pyproject.toml setup.py
+$(VENV)/ready: pyproject.toml hatch_build.py
 	$(PYTHON3) -m venv $(VENV)
-	$(PIP) install --upgrade pip "setuptools>=77" wheel
+	$(PIP) install --upgrade pip "hatchling>=1.27" "setuptools>=77"
 	$(PIP) install "numpy>=2.0"
 	@echo "compiling the extensions takes some minutes"
 	$(PIP) install --no-build-isolation --editable ".[simulate]"
@@ -37,7 +37,7 @@ build: $(VENV)/ready
 COMPILED = $(PYTHON) -c "from pathlib import Path; from coscrew_codegen.build import compiled; \
     raise SystemExit(not compiled(Path()))"
 
-$(VENV)/built: $(SOURCES) codegen/build.py
+$(VENV)/built: $(SOURCES) codegen/coscrew_codegen/build.py
 	$(PIP) install --no-build-isolation --no-deps --editable .
 	@$(COMPILED) && touch $@ || true
 

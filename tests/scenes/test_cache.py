@@ -117,7 +117,7 @@ def changed(tmp_path: Path, path: Path, monkeypatch: pytest.MonkeyPatch
             ) -> Callable[[str, str, str], bool]:
     """Whether the scene's key changes with a source of the generator, in a copy of it."""
     copy = copied(tmp_path / "copy")
-    monkeypatch.setattr(sources, "_folder", lambda package: copy.joinpath(*package.split(".")[1:]))
+    monkeypatch.setattr(sources, "_folders", lambda: (copy, copy / "templates"))
     scene = read_scene(path)
 
     def key() -> str:
