@@ -19,7 +19,6 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from coscrew_codegen.errors import ReportedError
-from coscrew_codegen.render import TEMPLATES
 
 LIMIT = "COSCREW_CACHE_LIMIT"
 """The environment variable with the limit: 200 MB, 2 GB, 0."""
