@@ -4,6 +4,7 @@ Runs while building, when neither SymPy nor this package is installed: it finds 
 folders that the generator has written."""
 
 import os
+import re
 from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor
 from importlib import import_module
@@ -17,6 +18,7 @@ PYTHON = "generated/python"
 WITHIN_PACKAGES = {"templates": "coscrew_codegen/templates", "generated/c": "coscrew/c"}
 """Folders of the project that a wheel holds inside its packages, and their places there."""
 _GUFUNC = "generated/gufunc"
+_INCLUDE = re.compile(r'^#include "(.+)"', re.MULTILINE)
 
 
 def extensions(root: Path) -> list[Extension]:
@@ -44,13 +46,23 @@ def compiled(root: Path) -> bool:
 
 
 def _extension(root: Path, folder: Path) -> Extension:
-    """The extension module of a folder; its sources include the headers beside them, the tier's
-    header of all kernels, and plain ones those of many elements."""
+    """The extension module of a folder, compiled again if a header changes that it includes."""
     tier = folder.relative_to(root / _GUFUNC).parts
-    headers = [*folder.glob("*.h"), root / f"generated/c/{'_'.join(('coscrew', *tier))}.h",
-               *([] if tier else (root / "generated/c/include/ksl").glob("*.h"))]
-    return Extension(".".join(("coscrew", *tier, "_gufunc")), _relative(root, folder.glob("*.c")),
-                     depends=_relative(root, headers), optional=True)
+    sources = sorted(folder.glob("*.c"))
+    return Extension(".".join(("coscrew", *tier, "_gufunc")), _relative(root, sources),
+                     depends=_relative(root, _included(sources)), optional=True)
+
+
+def _included(sources: Iterable[Path]) -> set[Path]:
+    """The headers that these include by relative paths, directly or not."""
+    waiting, seen = list(sources), set[Path]()
+    while waiting:
+        file = waiting.pop()
+        names = _INCLUDE.findall(file.read_text(encoding="utf-8"))
+        found = {Path(os.path.normpath(file.parent / name)) for name in names} - seen
+        seen |= found
+        waiting += found
+    return {path for path in seen if path.suffix == ".h"}
 
 
 def _relative(root: Path, paths: Iterable[Path]) -> list[str]:

@@ -44,7 +44,11 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
                         help="for a scene, these tiers besides plain: accurate, certified, mixed, "
                              "pairs")
     parser.add_argument("--many", action="store_true",
-                        help="for a scene, also its functions of many states at once, in C")
+                        help="also functions of many elements at once, in C; for a scene, of many "
+                             "states")
+    parser.add_argument("--amalgamate", metavar="TIER", nargs="+", action=Names,
+                        help="of the library, also all C headers of these tiers in one file each: "
+                             "c/coscrew_accurate.h, …; plain's, c/coscrew.h, is always written")
     parser.add_argument("--cuda", action="store_true",
                         help="for a scene, also its functions for CUDA")
     add_implausible(parser)
@@ -64,21 +68,21 @@ def _library(options: argparse.Namespace) -> int:
     from coscrew_codegen.emit import stale_files
     from coscrew_codegen.family_cache import FamilyCache
     from coscrew_codegen.layout import generated_files
-    from coscrew_codegen.selection import Selection, SelectionError, select
+    from coscrew_codegen.selection import SelectionError, select
 
     if options.functions:
         raise SelectionError("--functions selects functions of a scene, and no scene is given")
     if options.tier:
         raise SelectionError("--tier selects tiers of a scene, and no scene is given; the library "
                              "has all tiers")
-    for name in ("many", "cuda"):
-        if getattr(options, name):
-            raise SelectionError(f"--{name} selects functions of a scene, and no scene is given")
-    selection = select(options.family or [], options.precision or "both", options.language)
+    if options.cuda:
+        raise SelectionError("--cuda selects functions of a scene, and no scene is given")
+    selection = select(options.family or [], options.precision or "both", options.language,
+                       options.amalgamate or [], options.many)
     folder, check = Path(options.output or DEFAULT_OUTPUT), options.check
-    whole = selection == Selection()
+    whole = selection.whole
     with doing("generating") as tell:
-        kept = FamilyCache(stands, selection.command, tell)
+        kept = FamilyCache(stands, selection.base, tell)
         library = selection.library(kept)
         files = generated_files(library) | (reference_files(library) if whole else {})
     kept.save()
@@ -98,7 +102,7 @@ def _scene(options: argparse.Namespace) -> int:
     from coscrew_codegen.selection import SelectionError
     from coscrew_codegen.simulate.units import units
 
-    given = [name for name in ("family", "language") if getattr(options, name)]
+    given = [name for name in ("family", "language", "amalgamate") if getattr(options, name)]
     if options.precision not in (None, *CHOICES):
         raise SelectionError(f"--precision {options.precision}: wanted one of "
                              f"{', '.join(CHOICES)}")

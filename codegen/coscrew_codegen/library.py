@@ -46,14 +46,26 @@ class Keep(Protocol):
 class Library:
     """The selected operations, in every tier and every selected precision.
 
-    `banner` is the text of the comment on the first line of every file."""
+    `command` makes its files, but for those of `amalgamated` tiers and, if `many`, of functions of
+    many elements, which are made by an option besides."""
 
     operations: tuple[Operation, ...]
     families: tuple[str, ...]
     precisions: tuple[Precision, ...]
     languages: tuple[str, ...]
-    banner: str
+    command: str
     keep: Keep
+    amalgamated: tuple[Tier, ...] = ()  # besides plain: whose headers are also in one file
+    many: bool = False  # whether also the functions of many elements
+
+    @property
+    def banner(self) -> str:
+        """The text of the comment on the first line of files."""
+        return made_by(self.command)
+
+    def banner_with(self, option: str) -> str:
+        """The same of files that are made only with this option."""
+        return made_by(f"{self.command} {option}")
 
     @cached_property
     def _families(self) -> tuple[FamilyKernels, ...]:
@@ -77,6 +89,11 @@ class Library:
         """The operations that have a tier, as it has them, in the table's order."""
         names = {name for found in self.made(_tiered).values() for name in found[tier.name]}
         return tuple(tier.operation(op) for op in self.operations if op.name in names)
+
+
+def made_by(command: str) -> str:
+    """The text of the comment on the first line of what a command makes."""
+    return f"Made by `{command}`; changes are overwritten."
 
 
 def _tiered(kernels: FamilyKernels) -> Mapping[str, tuple[str, ...]]:

@@ -1,14 +1,15 @@
 """Selection of the part of the library to generate: families, precisions, languages."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from difflib import get_close_matches
 
 from coscrew_codegen.errors import ReportedError
 from coscrew_codegen.formats import CHOICES, PRECISIONS, Precision
-from coscrew_codegen.library import Keep, Library
+from coscrew_codegen.library import Keep, Library, made_by
 from coscrew_codegen.operations import FAMILIES, OPERATIONS, Operation
 from coscrew_codegen.targets import languages
+from coscrew_codegen.tiers import MARKED, TIERS, Tier
 
 LANGUAGES = languages()
 
@@ -24,6 +25,8 @@ class Selection:
     families: tuple[str, ...] = FAMILIES
     precisions: tuple[Precision, ...] = PRECISIONS
     languages: tuple[str, ...] = LANGUAGES
+    amalgamated: tuple[Tier, ...] = ()
+    many: bool = False
 
     @property
     def operations(self) -> tuple[Operation, ...]:
@@ -33,11 +36,26 @@ class Selection:
     def library(self, keep: Keep) -> Library:
         """Returns the selected part of the library, for targets."""
         return Library(self.operations, self.families, self.precisions, self.languages,
-                       self.banner, keep)
+                       self.base, keep, self.amalgamated, self.many)
+
+    @property
+    def whole(self) -> bool:
+        """Whether no part is left out."""
+        return replace(self, amalgamated=(), many=False) == Selection()
 
     @property
     def command(self) -> str:
         """The command that generates exactly this."""
+        words = [self.base]
+        if self.amalgamated:
+            words.append(f"--amalgamate {' '.join(tier.name for tier in self.amalgamated)}")
+        if self.many:
+            words.append("--many")
+        return " ".join(words)
+
+    @property
+    def base(self) -> str:
+        """The command that generates what is selected, without what is written besides."""
         words = ["coscrew generate"]
         if self.families != FAMILIES:
             words.append(f"--family {' '.join(self.families)}")
@@ -50,20 +68,27 @@ class Selection:
     @property
     def banner(self) -> str:
         """The first line of every generated file, as a comment's text."""
-        return f"Made by `{self.command}`; changes are overwritten."
+        return made_by(self.base)
 
 
-def select(families: list[str], precision: str, language: str | None) -> Selection:
-    """The Selection of these names.  Raises SelectionError for an unknown one."""
+def select(families: list[str], precision: str, language: str | None,
+           amalgamated: Sequence[str] = (), many: bool = False) -> Selection:
+    """The Selection of these names.  Raises SelectionError for an unknown one, and for C besides
+    another language alone."""
     _known("family", families, FAMILIES)
+    _known("tier", amalgamated, tuple(tier.name for tier in TIERS))
     _known("precision", [precision], CHOICES)
     if language is not None:
         _known("language", [language], LANGUAGES)
+    for option, given in (("--amalgamate", amalgamated), ("--many", many)):
+        if given and language not in (None, "c"):
+            raise SelectionError(f"{option} writes C, and --language {language} leaves it out; "
+                                 "wanted --language c, or neither")
     return Selection(
         tuple(f for f in FAMILIES if not families or f in families),
         tuple(p for p in PRECISIONS if precision in (p.name, "both")),
         tuple(name for name in LANGUAGES if language in (None, name)),
-    )
+        tuple(tier for tier in MARKED if tier.name in amalgamated), many)
 
 
 def operations_named(names: list[str]) -> tuple[Operation, ...]:

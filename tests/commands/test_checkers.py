@@ -7,7 +7,8 @@ from pathlib import Path
 import pytest
 
 from coscrew_codegen.__main__ import main
-from tests.support.compiled.c_harness import C11, C_FOLDER, INCLUDE, run
+from tests.support.compiled import all_headers
+from tests.support.compiled.c_harness import C11, INCLUDE, run
 
 ROOT = Path(__file__).parents[2]
 
@@ -34,9 +35,9 @@ def tidy(path: Path) -> None:
          *C11, "-I", INCLUDE])
 
 
-@pytest.mark.parametrize("header", sorted(x.name for x in C_FOLDER.glob("*.h")))
+@pytest.mark.parametrize("header", all_headers.AMALGAMATIONS)
 def test_clang_tidy_finds_nothing_in_the_headers(header: str):
-    tidy(C_FOLDER / header)
+    tidy(all_headers.c_folder() / header)
 
 
 def test_clang_tidy_finds_nothing_in_a_scene(tmp_path: Path):

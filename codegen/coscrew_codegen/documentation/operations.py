@@ -82,7 +82,7 @@ def _entry(operation: Operation, derived: Derived, anchor: str) -> Entry:
                                            for part in a.quantity.parts if part.name}
     remark = f"  {operation.remark}" if operation.remark else ""
     held = {name for name, _, _ in derived.tiers}
-    packages = [tier.package for tier in TIERS if tier.in_python and tier.name in held]
+    packages = [tier.package for tier in TIERS if tier.name in held]
     modules = [*packages[:1], *(f"{packages[0]}.{p.name}" for p in PRECISIONS), *packages[1:]]
     return Entry(
         operation.name, anchor, escaped(operation.statement),

@@ -135,7 +135,7 @@ class Operation:
     normwise: tuple[Normwise, ...] = ()
     order: tuple[str, ...] = ()
     by_value: bool = False  # in C, arguments and result are passed by value
-    remark: str = ""  # a further property of the tiers without fused operations
+    remark: str = ""  # a further property
     rounding: str = ""  # further error bounds, in words
     accurate: str = ""  # those of the accurate tier instead
 

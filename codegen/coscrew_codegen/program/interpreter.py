@@ -103,8 +103,6 @@ _OPERATORS: Mapping[Op, Callable[..., Any]] = {
     Op.COPYSIGN: lambda a, b: abs(a) if math.copysign(1, b) > 0 else -abs(a),
     Op.POWER: lambda a, b: Fraction(2)**int(a - b),
     Op.TWO_OVER_PI: chunk,
-    Op.FMA: lambda a, b, c: a * b + c, Op.FMS: lambda a, b, c: a * b - c,
-    Op.FNMA: lambda a, b, c: c - a * b,
     Op.EXACT_ADD: operator.add, Op.EXACT_SUB: operator.sub,
     Op.PRODUCT_ERROR: lambda a, b, p: a * b - p, Op.PRODUCT_REST: lambda a, b, p, h: a * b - h,
     Op.LESS: operator.lt, Op.EQUAL: operator.eq, Op.SELECT: lambda a, b, c: b if a else c}

@@ -69,9 +69,6 @@ class Op(Enum):
     POWER = "power of two"  # 2^(a - b) by its bits; b = 1.5 · 2^(digits - 1), a - b an integer
     TWO_OVER_PI = "digits of 2/π"  # the chunk (two_over_pi.py) b after a's first; c digits of a
     SCALE = "scale"  # a b, b a power of two: exact unless the result over- or underflows
-    FMA = "fma"  # a b + c, rounded once
-    FMS = "fms"  # a b - c, rounded once
-    FNMA = "fnma"  # c - a b, rounded once
     EXACT_ADD = "exact add"  # a + b where that is a number of the precision
     EXACT_SUB = "exact sub"  # a - b where that is a number of the precision
     PRODUCT_ERROR = "product error"  # a b - p exactly, p the rounded product
@@ -95,10 +92,8 @@ def _sum(*signs: int) -> Slopes:
     return lambda f, *x: signs
 
 
-def _product(sign: int, *more: int) -> Slopes:
-    """Returns the partial derivatives of ±a b and further terms."""
-    if sign < 0:
-        return lambda f, a, b, *x: (-b, -a, *more)
+def _product(*more: int) -> Slopes:
+    """Returns the partial derivatives of a b and further terms."""
     return lambda f, a, b, *x: (b, a, *more)
 
 
@@ -110,7 +105,7 @@ def _arctangent(f: Functions, y: Any, x: Any, angle: Any, *rest: Any) -> tuple[A
 _MEANINGS = {
     Op.ADD: Meaning(2, _ONCE, _sum(1, 1), commutes=True),
     Op.SUB: Meaning(2, _ONCE, _sum(1, -1)),
-    Op.MUL: Meaning(2, _ONCE, _product(1), commutes=True),
+    Op.MUL: Meaning(2, _ONCE, _product(), commutes=True),
     Op.DIV: Meaning(2, _ONCE, lambda f, a, b, y: (1 / b, -(y / b))),
     Op.NEG: Meaning(1, _EXACT, _sum(-1)),
     Op.ABS: Meaning(1, _EXACT, lambda f, x, y: (f.where(f.less(x, 0), -1, 1),)),
@@ -128,14 +123,11 @@ _MEANINGS = {
     Op.COPYSIGN: Meaning(2, _EXACT, None),
     Op.POWER: Meaning(2, _EXACT, None),
     Op.TWO_OVER_PI: Meaning(3, _EXACT, None),
-    Op.SCALE: Meaning(2, _EXACT, _product(1)),
-    Op.FMA: Meaning(3, _ONCE, _product(1, 1)),
-    Op.FMS: Meaning(3, _ONCE, _product(1, -1)),
-    Op.FNMA: Meaning(3, _ONCE, _product(-1, 1)),
+    Op.SCALE: Meaning(2, _EXACT, _product()),
     Op.EXACT_ADD: Meaning(2, _EXACT, _sum(1, 1)),
     Op.EXACT_SUB: Meaning(2, _EXACT, _sum(1, -1)),
-    Op.PRODUCT_ERROR: Meaning(3, _EXACT, _product(1, -1)),
-    Op.PRODUCT_REST: Meaning(4, _ONCE, _product(1, 0, -1)),
+    Op.PRODUCT_ERROR: Meaning(3, _EXACT, _product(-1)),
+    Op.PRODUCT_REST: Meaning(4, _ONCE, _product(0, -1)),
     Op.LESS: Meaning(2, _EXACT, None),
     Op.EQUAL: Meaning(2, _EXACT, None, commutes=True),
     Op.SELECT: Meaning(3, _EXACT, None)}

@@ -8,7 +8,6 @@ import re
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.operations import Operation
 from coscrew_codegen.program import (
-    Op,
     Program,
     bounds,
     renamed,
@@ -131,8 +130,7 @@ class _Writer:
                           Body(self.program, self.precision, self._stored()))
 
     def _words(self) -> list[str]:
-        fused = self.program.counts.keys() & {Op.FMA, Op.FMS, Op.FNMA}
-        remark = f"  {self.operation.remark}" if self.operation.remark and not fused else ""
+        remark = f"  {self.operation.remark}" if self.operation.remark else ""
         return [f"{self.operation.statement}.{remark}",
                 f"{in_words(parameters(self.operation))}.",
                 f"{whole_cost(self.program, self.precision).capitalize()}.",

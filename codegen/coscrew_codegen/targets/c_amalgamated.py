@@ -1,4 +1,4 @@
-"""All C headers of a tier in one file: c/coscrew.h, c/coscrew_accurate.h."""
+"""All C headers of a tier in one file: c/coscrew.h and, if selected, c/coscrew_accurate.h, …"""
 
 from functools import cache
 
@@ -7,14 +7,14 @@ from coscrew_codegen.render import LICENSE, render
 from coscrew_codegen.targets.c_elementary import HEADER
 from coscrew_codegen.targets.c_headers import headers, umbrellas
 from coscrew_codegen.targets.target import Files, Target
-from coscrew_codegen.tiers import PLAIN, TIERS, Tier
+from coscrew_codegen.tiers import PLAIN, Tier
 
 _SHARED = ("ksl_rounding", "ksl_types")  # plain headers that every tier needs
 
 
 def files(library: Library) -> Files:
-    """One file per tier."""
-    return {f"c/{file_name(tier)}": text(library, tier) for tier in TIERS}
+    """The plain tier's file, and those of the tiers that are selected."""
+    return {f"c/{file_name(tier)}": text(library, tier) for tier in (PLAIN, *library.amalgamated)}
 
 
 def file_name(tier: Tier) -> str:
@@ -34,7 +34,8 @@ def text(library: Library, tier: Tier) -> str:
     sections = ["\n".join(line for line in content.splitlines()[head:]
                           if not line.startswith('#include "')) + "\n"
                 for name, content in made.items() if name not in umbrellas()]
-    return render("c/coscrew.h", banner=library.banner, sections=sections,
+    banner = library.banner_with(f"--amalgamate {tier.name}") if tier.marked else library.banner
+    return render("c/coscrew.h", banner=banner, sections=sections,
                   title=f"All headers of {tier.name} kernels")
 
 

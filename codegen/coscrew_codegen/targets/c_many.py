@@ -1,4 +1,4 @@
-"""The library's functions of many elements in C: ksl/coscrew_many.h and so on.
+"""The library's functions of many elements in C, if selected: ksl/coscrew_many.h and so on.
 
 Two loops over each kernel, which processors run several elements at a time of: over arrays of
 structs, and over planes, arrays that hold one component of every element.  Their bits are those of
@@ -8,7 +8,6 @@ compiler.
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache
 
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.library import Library
@@ -55,24 +54,24 @@ class Many:
 
 
 def files(library: Library) -> Files:
-    """c/include/ksl/coscrew_many.h and so on."""
-    return {f"c/include/ksl/{name}.h": text for name, text in headers(library).items()}
+    """c/include/ksl/coscrew_many.h and so on; none without the option."""
+    return {f"c/include/ksl/{name}.h": text
+            for name, text in (_headers(library) if library.many else {}).items()}
 
 
-@cache  # also used by the extension target
-def headers(library: Library) -> Mapping[str, str]:
+def _headers(library: Library) -> Mapping[str, str]:
     """Returns the headers of all tiers, what they share, and for each tier one that includes all.
     """
-    made = {SHARED: render("c/ksl_planes.h", banner=library.banner, types=[
+    made = {SHARED: render("c/ksl_planes.h", banner=_banner(library), types=[
         _Access(quantity, precision) for quantity in c_storage.TYPES
-        for precision in library.precisions]), c_many_lanes.HEADER: c_many_lanes.header(library)}
+        for precision in library.precisions])}
     for tier in TIERS:
         if held := library.having(tier):
             families = [family for family in library.families
                         if any(op.family == family for op in held)]
             made |= {named(family, tier): _header(library, tier, family) for family in families}
             made[f"{tier.umbrella}_many"] = render(
-                "c/ksl.h", banner=library.banner, guard=f"{tier.umbrella.upper()}_MANY_H",
+                "c/ksl.h", banner=_banner(library), guard=f"{tier.umbrella.upper()}_MANY_H",
                 title=f"All {tier.name} kernels of many elements.",
                 includes=[named(family, tier) for family in families])
     return made
@@ -96,9 +95,14 @@ def _header(library: Library, tier: Tier, family: str) -> str:
             for precision in library.precisions for op in library.having(tier)
             if op.family == family]
     return render(
-        "c/many.h", banner=library.banner, guard=f"KSL_{name.upper()}_H", functions=made,
+        "c/many.h", banner=_banner(library), guard=f"KSL_{name.upper()}_H", functions=made,
         title=f"{family_named(family).title}  Many at a time.",
-        includes=[name.removesuffix("_many"), c_many_lanes.HEADER if on_vectors else SHARED])
+        includes=[name.removesuffix("_many"), *[c_many_lanes.named(family)] * bool(on_vectors),
+                  SHARED])
+
+
+def _banner(library: Library) -> str:
+    return library.banner_with("--many")
 
 
 class _Access:

@@ -7,11 +7,12 @@ calls.
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import cache
 
 from coscrew_codegen.elementary.calls import FUNCTION_OF
 from coscrew_codegen.formats import DOUBLE, Precision, in_lanes
 from coscrew_codegen.library import FamilyKernels, Library
-from coscrew_codegen.operations import Operation
+from coscrew_codegen.operations import Operation, family_named
 from coscrew_codegen.program import Input, Program, renamed
 from coscrew_codegen.quantity import Quantity
 from coscrew_codegen.render import render
@@ -20,9 +21,10 @@ from coscrew_codegen.targets.c_function import Body, CFunction, Stored
 from coscrew_codegen.targets.c_nested import language
 from coscrew_codegen.targets.c_statements import WIDTH, broken, listed
 from coscrew_codegen.targets.nesting import planned
+from coscrew_codegen.targets.target import Files, Target
 
 HEADER = "ksl_states"
-"""The header with elementary functions on vectors."""
+"""The header that those of families share: elementary functions on vectors."""
 
 
 @dataclass(frozen=True)
@@ -49,10 +51,31 @@ class _Section:
         return "ps" if self.precision.suffix else "pd"
 
 
-def header(library: Library) -> str:
-    """Elementary functions on vectors, and how states are read from planes and written to them."""
-    return render("c/ksl_states.h", banner=library.banner,
-                  sections=list(map(_Section, library.precisions)))
+def files(library: Library) -> Files:
+    """c/include/ksl/exponential_states.h and so on."""
+    return {f"c/include/ksl/{name}.h": text for name, text in headers(library).items()}
+
+
+@cache  # also used by the extension target
+def headers(library: Library) -> Mapping[str, str]:
+    """What they share, and one of each family that has such kernels."""
+    shared = render("c/ksl_states.h", banner=library.banner,
+                    sections=list(map(_Section, library.precisions)))
+    return {HEADER: shared} | {
+        named(family): _header(library, family, held)
+        for family, held in library.made(kernels).items() if held}
+
+
+def named(family: str) -> str:
+    """The header of a family's kernels on vectors: exponential_states."""
+    return f"{family}_states"
+
+
+def _header(library: Library, family: str, held: Mapping[tuple[str, str], CFunction]) -> str:
+    return render(
+        "c/states_of_family.h", banner=library.banner, guard=f"KSL_{family.upper()}_STATES_H",
+        title=f"{family_named(family).title}  On vectors.", header=HEADER,
+        functions=list(held.values()))
 
 
 def kernels(held: FamilyKernels) -> Mapping[tuple[str, str], CFunction]:
@@ -93,3 +116,6 @@ def _kernel(operation: Operation, program: Program, precision: Precision) -> CFu
 def rounded(text: str, precision: Precision) -> str:
     """Wraps a text in the macro of this precision's products."""
     return broken(re.sub(r"\bRN\(", f"KSL_RN_LANES{precision.suffix.upper()}(", text), WIDTH)
+
+
+TARGET = Target("C headers of kernels on vectors", ("c",), library=files)

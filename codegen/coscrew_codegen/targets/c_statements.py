@@ -44,7 +44,6 @@ ELEMENTARY = {
 _SPELLING = {
     Op.ADD: "{} + {}", Op.SUB: "{} - {}", Op.DIV: "{} / {}", Op.NEG: "-{}",
     Op.MUL: "KSL_MUL{F}({}, {})", Op.SCALE: "KSL_MUL{F}({}, {})",
-    Op.FMA: "fma{f}({}, {}, {})", Op.FMS: "fma{f}({}, {}, -{})", Op.FNMA: "fma{f}(-{}, {}, {})",
     Op.EXACT_ADD: "{} + {}", Op.EXACT_SUB: "{} - {}",
     Op.PRODUCT_ERROR: "ksl_product_error{f}({}, {}, {})",
     Op.PRODUCT_REST: "ksl_product_rest{f}({}, {}, {}, {})",

@@ -14,7 +14,6 @@ from coscrew_codegen.targets import (
     c,
     c_amalgamated,
     c_headers,
-    c_many,
     c_many_lanes,
     gufunc,
     numpy,
@@ -53,18 +52,17 @@ def files(library: Library) -> Files:
 
 
 def has_extension(library: Library, tier: Tier) -> bool:
-    """Whether the tier has one: it is in Python, both languages are selected, it has kernels."""
-    return (tier.in_python and bool(library.having(tier))
-            and set(TARGET.languages) <= set(library.languages))
+    """Whether the tier has one: both languages are selected, it has kernels."""
+    return bool(library.having(tier)) and set(TARGET.languages) <= set(library.languages)
 
 
 def provenance(library: Library, tier: Tier) -> str:
     """A hash of the sources, by which Python recognizes its extension; empty without one."""
     if not has_extension(library, tier):
         return ""
-    many = c_many.headers(library)
+    on_vectors = c_many_lanes.headers(library).values() if _on_vectors(library, tier) else ()
     texts = "\0".join((c_amalgamated.text(library, tier), *_loops(library, tier).values(),
-                       *(many[name] for name in _many(library, tier))))
+                       *on_vectors))
     return hashlib.sha256(texts.encode()).hexdigest()[:16]
 
 
@@ -79,11 +77,13 @@ def _loops(library: Library, tier: Tier) -> Files:
     required = library.made(requirements)
     docstrings = numpy.docstrings(library, tier, library.precisions[0])
     best = _best(library, tier)
-    up = "../../" if tier.mark else "../"
+    headers = f"{'../../' if tier.mark else '../'}c/include/ksl"
     sources = {"_gufunc.h": render("gufunc/_gufunc.h", banner=library.banner,
                                    accesses=_accesses(library, QUANTITIES),
                                    families=families, lanes=bool(on_vectors), **asdict(best),
-                                   amalgamation=f"{up}c/{c_amalgamated.file_name(tier)}")}
+                                   most_arguments=_most_arguments(library, tier),
+                                   precisions=library.precisions,
+                                   kernels=f"{headers}/{tier.umbrella}.h")}
     if on_vectors:
         sources["_lanes.h"] = _lanes(library, tier)
     dtypes = [f"PyArray_{precision.c_type.title()}DType" for precision in library.precisions]
@@ -97,7 +97,7 @@ def _loops(library: Library, tier: Tier) -> Files:
         sources[f"{family}.c"] = render(
             "gufunc/family.c", banner=library.banner, family=family, gufuncs=gufuncs,
             quiet=tier.bounds,
-            many=f"{up}c/include/ksl/{c_many.named(family, tier)}.h" * (family in on_vectors))
+            states=f"{headers}/{c_many_lanes.named(family)}.h" * (family in on_vectors))
         sources[f"{family}_avx2.c"] = render("gufunc/family_avx2.c", banner=library.banner,
                                              family=family, best=best.best)
     return sources
@@ -126,13 +126,6 @@ def _on_vectors(library: Library, tier: Tier
     return {family: made[family] for family in _families(library, tier) if made[family]}
 
 
-def _many(library: Library, tier: Tier) -> list[str]:
-    """The headers of many elements that the sources include, and what these include."""
-    families = _on_vectors(library, tier)
-    return [*[c_many.named(family, tier) for family in families],
-            *([c_many_lanes.HEADER, c_many.SHARED] if families else [])]
-
-
 def _families(library: Library, tier: Tier) -> tuple[str, ...]:
     held = {op.family for op in library.having(tier)}
     return tuple(family for family in library.families if family in held)
@@ -144,14 +137,17 @@ def _best(library: Library, tier: Tier) -> _Best:
 
 def _module(library: Library, tier: Tier) -> str:
     families, best = _families(library, tier), _best(library, tier)
-    most = max(len(op.inputs) + len(op.outputs) for op in library.having(tier))
     return render("gufunc/module.c", banner=library.banner, families=families,
                   package=tier.package, supported=best.supported, best=best.best,
-                  most_arguments=most, count=len(library.having(tier)),
+                  most_arguments=_most_arguments(library, tier), count=len(library.having(tier)),
                   provenance=provenance(library, tier),
                   baseline=_table(families, "baseline", "gufuncs"),
                   avx2=_table(families, "avx2", "gufuncs_avx2"),
                   types=_types(library))
+
+
+def _most_arguments(library: Library, tier: Tier) -> int:
+    return max(len(op.inputs) + len(op.outputs) for op in library.having(tier))
 
 
 def _types(library: Library) -> list[str]:

@@ -32,9 +32,8 @@ class FirstInput:
     """The first input, loaded once if it is the same for every element (one displacement of many
     coscrews).  The compiler may not do that itself; it saves a third of the time."""
 
-    declaration: str
-    load_once: str
-    load: str
+    load_once: str  # declares it, too
+    load: str  # for another element, if that is another
 
 
 @dataclass(frozen=True)
@@ -60,7 +59,7 @@ class Loop:
     loads: tuple[str, ...]
     call: str
     stores: tuple[str, ...]
-    dense: tuple[str, ...]  # strides of C-ordered arrays, the first input varying or fixed
+    definition: str  # of the function that calls it
     core: int  # index of the first core stride among the strides: the number of arguments
     lanes: Lanes | None  # None if compilers make vector instructions of the loop
 
@@ -126,26 +125,28 @@ def _loop(operation: Operation, precision: Precision, tier: str, states: CFuncti
     arguments = (*operation.inputs, *operation.outputs)
     starts = _starts(arguments)
 
-    def line(verb: str, number: int, step: str) -> str:
-        argument = arguments[number]
-        return (f"{verb}_{argument.quantity.name}_{precision.name}({_pointer(argument)}, "
-                f"p{number}{step}, core + {starts[number]});")
+    def kind(number: int) -> str:
+        return f"{arguments[number].quantity.name}_{precision.name}"
 
     def moving(verb: str, numbers: range) -> tuple[str, ...]:
-        return tuple(line(verb, n, f" + i * step[{n}]") for n in numbers)
+        return tuple(f"{verb}({kind(n)}, {_pointer(arguments[n])}, {n}, {starts[n]});"
+                     for n in numbers)
 
     fixed = operation.inputs[0] not in operation.outputs
     inputs = len(operation.inputs)
     distinct = tuple({a.name: a for a in arguments}.values())
+    name, x = f"{operation.name}_{precision.name}", _pointer(arguments[0])
     return Loop(
-        name=f"{operation.name}_{precision.name}",
-        first=FirstInput(_declared(arguments[0], precision), line("load", 0, ""),
-                         *moving("load", range(1))) if fixed else None,
+        name=name,
+        first=FirstInput(
+            f"LOAD_FIRST({kind(0)}, {_declared(arguments[0], precision).rstrip(';')}, {x});",
+            f"LOAD_OTHER({kind(0)}, {x});") if fixed else None,
         declarations=tuple(_declared(a, precision) for a in distinct[fixed:]),
-        loads=moving("load", range(int(fixed), inputs)),
+        loads=moving("LOAD", range(int(fixed), inputs)),
         call=_call(operation, precision, tier),
-        stores=moving("store", range(inputs, len(arguments))),
-        dense=tuple(_dense(arguments, precision, n) for n in range(1 + fixed)),
+        stores=moving("STORE", range(inputs, len(arguments))),
+        definition=f"LOOP{'_ON_VECTORS' * (states is not None)}({name}, {len(arguments)}, "
+                   f"DENSE{'_OR_ONE' * fixed}, {_dense(arguments, precision)})",
         core=len(arguments),
         lanes=_lanes(operation, precision, states) if states else None,
     )
@@ -208,10 +209,9 @@ def _pointer(argument: Argument) -> str:
     return argument.name if array else f"&{argument.name}"
 
 
-def _dense(arguments: tuple[Argument, ...], precision: Precision, fixed: int) -> str:
-    """The outer strides, then the core strides, of C-ordered arrays as an initializer; the first
-    `fixed` arguments are the same for every element."""
-    outer = [a.quantity.size * precision.bytes * (n >= fixed) for n, a in enumerate(arguments)]
+def _dense(arguments: tuple[Argument, ...], precision: Precision) -> str:
+    """The outer strides, then the core strides, of C-ordered arrays as an initializer."""
+    outer = [a.quantity.size * precision.bytes for a in arguments]
     core = [stride for a in arguments for stride in
             (a.quantity.rows_columns[1] * precision.bytes, precision.bytes)[-len(a.quantity.shape):]
             if a.quantity.shape]

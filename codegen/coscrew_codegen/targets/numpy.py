@@ -89,9 +89,9 @@ class Twins:
 
 
 def twins(kernels: FamilyKernels) -> Mapping[tuple[str, str], Twins]:
-    """A family's kernels, by tier and precision, of those tiers that Python has."""
+    """A family's kernels, by tier and precision."""
     return {(tier.name, precision.name): twins_of(kernels.of(tier, precision), precision)
-            for tier in TIERS if tier.in_python for precision in kernels.precisions}
+            for tier in TIERS for precision in kernels.precisions}
 
 
 def twins_of(kernels: Kernels, precision: Precision) -> Twins:

@@ -29,8 +29,7 @@ _PLAIN = ("__init__.py", "_dispatch.py", "_arrays.py", "_kernel.py", "_checked.p
 def files(library: Library) -> Files:
     """python/coscrew/__init__.py, python/coscrew/accurate/__init__.py and so on."""
     return {"/".join(filter(None, ("python/coscrew", tier.mark, file))): text for tier in TIERS
-            if tier.in_python and library.having(tier)
-            for file, text in _package(library, tier).items()}
+            if library.having(tier) for file, text in _package(library, tier).items()}
 
 
 def _package(library: Library, tier: Tier) -> Files:

@@ -1,7 +1,6 @@
 """Accuracy tiers, one per module: from a plain program to the tier's.
 
 plain       fixed order, every operation rounded once             names without a suffix
-fused       products fused into sums by fma                       C only
 accurate    single: computed in double, rounded once; double: compensated, carried as hi + lo
 certified   plain, and a bound on each component's error that always holds
 mixed       single: what an asked accuracy needs is carried as hi + lo         scenes only

@@ -53,7 +53,7 @@ class Tier:
     precisions: tuple[Precision, ...] = PRECISIONS  # that it has in scenes
     header: str = "ksl_types"  # that its C functions need; ksl_exact computes rounding errors
     promise: str = ""  # what results of scenes' functions are, and when, in words
-    in_words: str = ""  # docstring of its Python package; "" if only C has the tier
+    in_words: str = ""  # docstring of its Python package
     marked: bool = True  # whether names of its functions end in the tier's name
 
     @cache  # noqa: B019  called for every language; tiers live as long as the process
@@ -67,11 +67,6 @@ class Tier:
     def mark(self) -> str:
         """The suffix of names, without its underscore: "accurate"; "" for plain."""
         return self.name if self.marked else ""
-
-    @property
-    def in_python(self) -> bool:
-        """Whether Python has the tier."""
-        return bool(self.in_words)
 
     @property
     def package(self) -> str:

@@ -1,16 +1,15 @@
 /* Made by `coscrew generate`; changes are overwritten. */
 /* SPDX-License-Identifier: MIT */
 /* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
-/* Exponentials and logarithms of rotations and displacements, their Jacobians, interpolation.  Many at a time.
-   What arguments are, and what loops over them cost, ksl_planes.h says. */
-#ifndef KSL_EXPONENTIAL_MANY_H
-#define KSL_EXPONENTIAL_MANY_H
+/* Exponentials and logarithms of rotations and displacements, their Jacobians, interpolation.  On vectors.
+   An argument is its components, in the order of structs, each a vector with that of several
+   elements: KSL_LANES of them, in single precision KSL_LANESF. */
+#ifndef KSL_EXPONENTIAL_STATES_H
+#define KSL_EXPONENTIAL_STATES_H
 
-#include "exponential.h"
 #include "ksl_states.h"
 
 #if KSL_LANE_BYTES
-/* ksl_SO3_exp of KSL_LANES elements, components in the order of structs. */
 static KSL_INLINE void ksl_SO3_exp_states(const ksl_states *v, ksl_states *R) {
   const ksl_states sizes_a = ksl_abs_lanes(v[0]) + ksl_abs_lanes(v[1]),
       sizes = sizes_a + ksl_abs_lanes(v[2]);
@@ -118,38 +117,7 @@ static KSL_INLINE void ksl_SO3_exp_states(const ksl_states *v, ksl_states *R) {
   R[5] = R_6;
   R[8] = diagonal2;
 }
-#endif
 
-/* ksl_SO3_exp of n elements. */
-static KSL_INLINED void ksl_SO3_exp_planes(ptrdiff_t n, const double *v, ptrdiff_t v_plane,
-    ptrdiff_t v_stride, double *R, ptrdiff_t R_plane, ptrdiff_t R_stride) {
-#if KSL_LANE_BYTES
-  ksl_states v_states[3], R_states[9];
-  for (ptrdiff_t i = 0; i < n; i += KSL_LANES) {
-    const ptrdiff_t last = n - i < KSL_LANES ? n - i - 1 : KSL_LANES - 1;
-    ksl_states_of_planes(v + i * v_stride, 3, v_plane, v_stride, last, v_states);
-    ksl_SO3_exp_states(v_states, R_states);
-    ksl_states_to_planes(R_states, 9, R + i * R_stride, R_plane, R_stride, last);
-  }
-#else
-  ksl_vec3_t v_i;
-  if (n > 0) v_i = ksl_vec3_of_planes(v, v_plane);
-  KSL_EACH_OF(n) {
-    if (v_stride) v_i = ksl_vec3_of_planes(v + i * v_stride, v_plane);
-    ksl_mat3x3_t R_i;
-    ksl_SO3_exp(&v_i, &R_i);
-    ksl_mat3x3_to_planes(&R_i, R + i * R_stride, R_plane);
-  }
-#endif
-}
-
-static KSL_INLINED void ksl_SO3_exp_many(ptrdiff_t n, const ksl_vec3_t *v, ptrdiff_t v_stride,
-    ksl_mat3x3_t *R, ptrdiff_t R_stride) {
-  ksl_SO3_exp_planes(n, (const double *)v, 1, 3 * v_stride, (double *)R, 1, 9 * R_stride);
-}
-
-#if KSL_LANE_BYTES
-/* ksl_SO3_log of KSL_LANES elements, components in the order of structs. */
 static KSL_INLINE void ksl_SO3_log_states(const ksl_states *R, ksl_states *vo) {
   const ksl_states p_1 = R[5] - R[7];
   const ksl_states p_2 = R[6] - R[2];
@@ -219,38 +187,7 @@ static KSL_INLINE void ksl_SO3_log_states(const ksl_states *R, ksl_states *vo) {
   vo[1] = vector_2;
   vo[2] = vector_3;
 }
-#endif
 
-/* ksl_SO3_log of n elements. */
-static KSL_INLINED void ksl_SO3_log_planes(ptrdiff_t n, const double *R, ptrdiff_t R_plane,
-    ptrdiff_t R_stride, double *vo, ptrdiff_t vo_plane, ptrdiff_t vo_stride) {
-#if KSL_LANE_BYTES
-  ksl_states R_states[9], vo_states[3];
-  for (ptrdiff_t i = 0; i < n; i += KSL_LANES) {
-    const ptrdiff_t last = n - i < KSL_LANES ? n - i - 1 : KSL_LANES - 1;
-    ksl_states_of_planes(R + i * R_stride, 9, R_plane, R_stride, last, R_states);
-    ksl_SO3_log_states(R_states, vo_states);
-    ksl_states_to_planes(vo_states, 3, vo + i * vo_stride, vo_plane, vo_stride, last);
-  }
-#else
-  ksl_mat3x3_t R_i;
-  if (n > 0) R_i = ksl_mat3x3_of_planes(R, R_plane);
-  KSL_EACH_OF(n) {
-    if (R_stride) R_i = ksl_mat3x3_of_planes(R + i * R_stride, R_plane);
-    ksl_vec3_t vo_i;
-    ksl_SO3_log(&R_i, &vo_i);
-    ksl_vec3_to_planes(&vo_i, vo + i * vo_stride, vo_plane);
-  }
-#endif
-}
-
-static KSL_INLINED void ksl_SO3_log_many(ptrdiff_t n, const ksl_mat3x3_t *R, ptrdiff_t R_stride,
-    ksl_vec3_t *vo, ptrdiff_t vo_stride) {
-  ksl_SO3_log_planes(n, (const double *)R, 1, 9 * R_stride, (double *)vo, 1, 3 * vo_stride);
-}
-
-#if KSL_LANE_BYTES
-/* ksl_SO3_leftJacobian of KSL_LANES elements, components in the order of structs. */
 static KSL_INLINE void ksl_SO3_leftJacobian_states(const ksl_states *v, ksl_states *R) {
   const ksl_states sizes_a = ksl_abs_lanes(v[0]) + ksl_abs_lanes(v[1]),
       sizes = sizes_a + ksl_abs_lanes(v[2]);
@@ -372,38 +309,7 @@ static KSL_INLINE void ksl_SO3_leftJacobian_states(const ksl_states *v, ksl_stat
   R[5] = R_6;
   R[8] = diagonal2;
 }
-#endif
 
-/* ksl_SO3_leftJacobian of n elements. */
-static KSL_INLINED void ksl_SO3_leftJacobian_planes(ptrdiff_t n, const double *v, ptrdiff_t v_plane,
-    ptrdiff_t v_stride, double *R, ptrdiff_t R_plane, ptrdiff_t R_stride) {
-#if KSL_LANE_BYTES
-  ksl_states v_states[3], R_states[9];
-  for (ptrdiff_t i = 0; i < n; i += KSL_LANES) {
-    const ptrdiff_t last = n - i < KSL_LANES ? n - i - 1 : KSL_LANES - 1;
-    ksl_states_of_planes(v + i * v_stride, 3, v_plane, v_stride, last, v_states);
-    ksl_SO3_leftJacobian_states(v_states, R_states);
-    ksl_states_to_planes(R_states, 9, R + i * R_stride, R_plane, R_stride, last);
-  }
-#else
-  ksl_vec3_t v_i;
-  if (n > 0) v_i = ksl_vec3_of_planes(v, v_plane);
-  KSL_EACH_OF(n) {
-    if (v_stride) v_i = ksl_vec3_of_planes(v + i * v_stride, v_plane);
-    ksl_mat3x3_t R_i;
-    ksl_SO3_leftJacobian(&v_i, &R_i);
-    ksl_mat3x3_to_planes(&R_i, R + i * R_stride, R_plane);
-  }
-#endif
-}
-
-static KSL_INLINED void ksl_SO3_leftJacobian_many(ptrdiff_t n, const ksl_vec3_t *v,
-    ptrdiff_t v_stride, ksl_mat3x3_t *R, ptrdiff_t R_stride) {
-  ksl_SO3_leftJacobian_planes(n, (const double *)v, 1, 3 * v_stride, (double *)R, 1, 9 * R_stride);
-}
-
-#if KSL_LANE_BYTES
-/* ksl_SO3_rightJacobian of KSL_LANES elements, components in the order of structs. */
 static KSL_INLINE void ksl_SO3_rightJacobian_states(const ksl_states *v, ksl_states *R) {
   const ksl_states sizes_a = ksl_abs_lanes(v[0]) + ksl_abs_lanes(v[1]),
       sizes = sizes_a + ksl_abs_lanes(v[2]);
@@ -525,39 +431,7 @@ static KSL_INLINE void ksl_SO3_rightJacobian_states(const ksl_states *v, ksl_sta
   R[5] = R_6;
   R[8] = diagonal2;
 }
-#endif
 
-/* ksl_SO3_rightJacobian of n elements. */
-static KSL_INLINED void ksl_SO3_rightJacobian_planes(ptrdiff_t n, const double *v,
-    ptrdiff_t v_plane, ptrdiff_t v_stride, double *R, ptrdiff_t R_plane,
-    ptrdiff_t R_stride) {
-#if KSL_LANE_BYTES
-  ksl_states v_states[3], R_states[9];
-  for (ptrdiff_t i = 0; i < n; i += KSL_LANES) {
-    const ptrdiff_t last = n - i < KSL_LANES ? n - i - 1 : KSL_LANES - 1;
-    ksl_states_of_planes(v + i * v_stride, 3, v_plane, v_stride, last, v_states);
-    ksl_SO3_rightJacobian_states(v_states, R_states);
-    ksl_states_to_planes(R_states, 9, R + i * R_stride, R_plane, R_stride, last);
-  }
-#else
-  ksl_vec3_t v_i;
-  if (n > 0) v_i = ksl_vec3_of_planes(v, v_plane);
-  KSL_EACH_OF(n) {
-    if (v_stride) v_i = ksl_vec3_of_planes(v + i * v_stride, v_plane);
-    ksl_mat3x3_t R_i;
-    ksl_SO3_rightJacobian(&v_i, &R_i);
-    ksl_mat3x3_to_planes(&R_i, R + i * R_stride, R_plane);
-  }
-#endif
-}
-
-static KSL_INLINED void ksl_SO3_rightJacobian_many(ptrdiff_t n, const ksl_vec3_t *v,
-    ptrdiff_t v_stride, ksl_mat3x3_t *R, ptrdiff_t R_stride) {
-  ksl_SO3_rightJacobian_planes(n, (const double *)v, 1, 3 * v_stride, (double *)R, 1, 9 * R_stride);
-}
-
-#if KSL_LANE_BYTES
-/* ksl_SO3_leftJacobianInverse of KSL_LANES elements, components in the order of structs. */
 static KSL_INLINE void ksl_SO3_leftJacobianInverse_states(const ksl_states *v, ksl_states *R) {
   const ksl_states sizes_a = ksl_abs_lanes(v[0]) + ksl_abs_lanes(v[1]),
       sizes = sizes_a + ksl_abs_lanes(v[2]);
@@ -663,40 +537,7 @@ static KSL_INLINE void ksl_SO3_leftJacobianInverse_states(const ksl_states *v, k
   R[5] = R_6;
   R[8] = diagonal2;
 }
-#endif
 
-/* ksl_SO3_leftJacobianInverse of n elements. */
-static KSL_INLINED void ksl_SO3_leftJacobianInverse_planes(ptrdiff_t n, const double *v,
-    ptrdiff_t v_plane, ptrdiff_t v_stride, double *R, ptrdiff_t R_plane,
-    ptrdiff_t R_stride) {
-#if KSL_LANE_BYTES
-  ksl_states v_states[3], R_states[9];
-  for (ptrdiff_t i = 0; i < n; i += KSL_LANES) {
-    const ptrdiff_t last = n - i < KSL_LANES ? n - i - 1 : KSL_LANES - 1;
-    ksl_states_of_planes(v + i * v_stride, 3, v_plane, v_stride, last, v_states);
-    ksl_SO3_leftJacobianInverse_states(v_states, R_states);
-    ksl_states_to_planes(R_states, 9, R + i * R_stride, R_plane, R_stride, last);
-  }
-#else
-  ksl_vec3_t v_i;
-  if (n > 0) v_i = ksl_vec3_of_planes(v, v_plane);
-  KSL_EACH_OF(n) {
-    if (v_stride) v_i = ksl_vec3_of_planes(v + i * v_stride, v_plane);
-    ksl_mat3x3_t R_i;
-    ksl_SO3_leftJacobianInverse(&v_i, &R_i);
-    ksl_mat3x3_to_planes(&R_i, R + i * R_stride, R_plane);
-  }
-#endif
-}
-
-static KSL_INLINED void ksl_SO3_leftJacobianInverse_many(ptrdiff_t n, const ksl_vec3_t *v,
-    ptrdiff_t v_stride, ksl_mat3x3_t *R, ptrdiff_t R_stride) {
-  ksl_SO3_leftJacobianInverse_planes(n, (const double *)v, 1, 3 * v_stride, (double *)R, 1,
-      9 * R_stride);
-}
-
-#if KSL_LANE_BYTES
-/* ksl_SO3_rightJacobianInverse of KSL_LANES elements, components in the order of structs. */
 static KSL_INLINE void ksl_SO3_rightJacobianInverse_states(const ksl_states *v, ksl_states *R) {
   const ksl_states sizes_a = ksl_abs_lanes(v[0]) + ksl_abs_lanes(v[1]),
       sizes = sizes_a + ksl_abs_lanes(v[2]);
@@ -802,78 +643,7 @@ static KSL_INLINE void ksl_SO3_rightJacobianInverse_states(const ksl_states *v, 
   R[5] = R_6;
   R[8] = diagonal2;
 }
-#endif
 
-/* ksl_SO3_rightJacobianInverse of n elements. */
-static KSL_INLINED void ksl_SO3_rightJacobianInverse_planes(ptrdiff_t n, const double *v,
-    ptrdiff_t v_plane, ptrdiff_t v_stride, double *R, ptrdiff_t R_plane,
-    ptrdiff_t R_stride) {
-#if KSL_LANE_BYTES
-  ksl_states v_states[3], R_states[9];
-  for (ptrdiff_t i = 0; i < n; i += KSL_LANES) {
-    const ptrdiff_t last = n - i < KSL_LANES ? n - i - 1 : KSL_LANES - 1;
-    ksl_states_of_planes(v + i * v_stride, 3, v_plane, v_stride, last, v_states);
-    ksl_SO3_rightJacobianInverse_states(v_states, R_states);
-    ksl_states_to_planes(R_states, 9, R + i * R_stride, R_plane, R_stride, last);
-  }
-#else
-  ksl_vec3_t v_i;
-  if (n > 0) v_i = ksl_vec3_of_planes(v, v_plane);
-  KSL_EACH_OF(n) {
-    if (v_stride) v_i = ksl_vec3_of_planes(v + i * v_stride, v_plane);
-    ksl_mat3x3_t R_i;
-    ksl_SO3_rightJacobianInverse(&v_i, &R_i);
-    ksl_mat3x3_to_planes(&R_i, R + i * R_stride, R_plane);
-  }
-#endif
-}
-
-static KSL_INLINED void ksl_SO3_rightJacobianInverse_many(ptrdiff_t n, const ksl_vec3_t *v,
-    ptrdiff_t v_stride, ksl_mat3x3_t *R, ptrdiff_t R_stride) {
-  ksl_SO3_rightJacobianInverse_planes(n, (const double *)v, 1, 3 * v_stride, (double *)R, 1,
-      9 * R_stride);
-}
-
-/* ksl_mat3x3_orthonormalize of n elements. */
-static KSL_INLINED void ksl_mat3x3_orthonormalize_many(ptrdiff_t n, ksl_mat3x3_t *self,
-    ptrdiff_t self_stride) {
-  KSL_EACH_OF(n) {
-    ksl_mat3x3_orthonormalize(self + i * self_stride);
-  }
-}
-
-static KSL_INLINED void ksl_mat3x3_orthonormalize_planes(ptrdiff_t n, double *self,
-    ptrdiff_t self_plane, ptrdiff_t self_stride) {
-  KSL_EACH_OF(n) {
-    ksl_mat3x3_t self_i = ksl_mat3x3_of_planes(self + i * self_stride, self_plane);
-    ksl_mat3x3_orthonormalize(&self_i);
-    ksl_mat3x3_to_planes(&self_i, self + i * self_stride, self_plane);
-  }
-}
-
-/* ksl_mat3x3_orthonormalized of n elements. */
-static KSL_INLINED void ksl_mat3x3_orthonormalized_many(ptrdiff_t n, const ksl_mat3x3_t *R,
-    ptrdiff_t R_stride, ksl_mat3x3_t *Ro, ptrdiff_t Ro_stride) {
-  KSL_EACH_OF(n) {
-    ksl_mat3x3_orthonormalized(R + i * R_stride, Ro + i * Ro_stride);
-  }
-}
-
-static KSL_INLINED void ksl_mat3x3_orthonormalized_planes(ptrdiff_t n, const double *R,
-    ptrdiff_t R_plane, ptrdiff_t R_stride, double *Ro, ptrdiff_t Ro_plane,
-    ptrdiff_t Ro_stride) {
-  ksl_mat3x3_t R_i;
-  if (n > 0) R_i = ksl_mat3x3_of_planes(R, R_plane);
-  KSL_EACH_OF(n) {
-    if (R_stride) R_i = ksl_mat3x3_of_planes(R + i * R_stride, R_plane);
-    ksl_mat3x3_t Ro_i;
-    ksl_mat3x3_orthonormalized(&R_i, &Ro_i);
-    ksl_mat3x3_to_planes(&Ro_i, Ro + i * Ro_stride, Ro_plane);
-  }
-}
-
-#if KSL_LANE_BYTES
-/* ksl_SE3_exp of KSL_LANES elements, components in the order of structs. */
 static KSL_INLINE void ksl_SE3_exp_states(const ksl_states *s, ksl_states *D) {
   const ksl_states sizes_a = ksl_abs_lanes(s[3]) + ksl_abs_lanes(s[4]),
       sizes = sizes_a + ksl_abs_lanes(s[5]);
@@ -1013,38 +783,7 @@ static KSL_INLINE void ksl_SE3_exp_states(const ksl_states *s, ksl_states *D) {
   D[8] = diagonal2;
   D[11] = D_9;
 }
-#endif
 
-/* ksl_SE3_exp of n elements. */
-static KSL_INLINED void ksl_SE3_exp_planes(ptrdiff_t n, const double *s, ptrdiff_t s_plane,
-    ptrdiff_t s_stride, double *D, ptrdiff_t D_plane, ptrdiff_t D_stride) {
-#if KSL_LANE_BYTES
-  ksl_states s_states[6], D_states[12];
-  for (ptrdiff_t i = 0; i < n; i += KSL_LANES) {
-    const ptrdiff_t last = n - i < KSL_LANES ? n - i - 1 : KSL_LANES - 1;
-    ksl_states_of_planes(s + i * s_stride, 6, s_plane, s_stride, last, s_states);
-    ksl_SE3_exp_states(s_states, D_states);
-    ksl_states_to_planes(D_states, 12, D + i * D_stride, D_plane, D_stride, last);
-  }
-#else
-  ksl_screw_t s_i;
-  if (n > 0) s_i = ksl_screw_of_planes(s, s_plane);
-  KSL_EACH_OF(n) {
-    if (s_stride) s_i = ksl_screw_of_planes(s + i * s_stride, s_plane);
-    ksl_SE3_t D_i;
-    ksl_SE3_exp(&s_i, &D_i);
-    ksl_SE3_to_planes(&D_i, D + i * D_stride, D_plane);
-  }
-#endif
-}
-
-static KSL_INLINED void ksl_SE3_exp_many(ptrdiff_t n, const ksl_screw_t *s, ptrdiff_t s_stride,
-    ksl_SE3_t *D, ptrdiff_t D_stride) {
-  ksl_SE3_exp_planes(n, (const double *)s, 1, 6 * s_stride, (double *)D, 1, 12 * D_stride);
-}
-
-#if KSL_LANE_BYTES
-/* ksl_SE3_log of KSL_LANES elements, components in the order of structs. */
 static KSL_INLINE void ksl_SE3_log_states(const ksl_states *D, ksl_states *so) {
   const ksl_states p_1 = D[5] - D[7];
   const ksl_states p_2 = D[6] - D[2];
@@ -1160,38 +899,7 @@ static KSL_INLINE void ksl_SE3_log_states(const ksl_states *D, ksl_states *so) {
   so[4] = vector_2;
   so[5] = vector_3;
 }
-#endif
 
-/* ksl_SE3_log of n elements. */
-static KSL_INLINED void ksl_SE3_log_planes(ptrdiff_t n, const double *D, ptrdiff_t D_plane,
-    ptrdiff_t D_stride, double *so, ptrdiff_t so_plane, ptrdiff_t so_stride) {
-#if KSL_LANE_BYTES
-  ksl_states D_states[12], so_states[6];
-  for (ptrdiff_t i = 0; i < n; i += KSL_LANES) {
-    const ptrdiff_t last = n - i < KSL_LANES ? n - i - 1 : KSL_LANES - 1;
-    ksl_states_of_planes(D + i * D_stride, 12, D_plane, D_stride, last, D_states);
-    ksl_SE3_log_states(D_states, so_states);
-    ksl_states_to_planes(so_states, 6, so + i * so_stride, so_plane, so_stride, last);
-  }
-#else
-  ksl_SE3_t D_i;
-  if (n > 0) D_i = ksl_SE3_of_planes(D, D_plane);
-  KSL_EACH_OF(n) {
-    if (D_stride) D_i = ksl_SE3_of_planes(D + i * D_stride, D_plane);
-    ksl_screw_t so_i;
-    ksl_SE3_log(&D_i, &so_i);
-    ksl_screw_to_planes(&so_i, so + i * so_stride, so_plane);
-  }
-#endif
-}
-
-static KSL_INLINED void ksl_SE3_log_many(ptrdiff_t n, const ksl_SE3_t *D, ptrdiff_t D_stride,
-    ksl_screw_t *so, ptrdiff_t so_stride) {
-  ksl_SE3_log_planes(n, (const double *)D, 1, 12 * D_stride, (double *)so, 1, 6 * so_stride);
-}
-
-#if KSL_LANE_BYTES
-/* ksl_SE3_leftJacobian of KSL_LANES elements, components in the order of structs. */
 static KSL_INLINE void ksl_SE3_leftJacobian_states(const ksl_states *s, ksl_states *M) {
   const ksl_states sizes_a = ksl_abs_lanes(s[3]) + ksl_abs_lanes(s[4]),
       sizes = sizes_a + ksl_abs_lanes(s[5]);
@@ -1429,38 +1137,7 @@ static KSL_INLINE void ksl_SE3_leftJacobian_states(const ksl_states *s, ksl_stat
   M[29] = J_6;
   M[35] = diagonal2;
 }
-#endif
 
-/* ksl_SE3_leftJacobian of n elements. */
-static KSL_INLINED void ksl_SE3_leftJacobian_planes(ptrdiff_t n, const double *s, ptrdiff_t s_plane,
-    ptrdiff_t s_stride, double *M, ptrdiff_t M_plane, ptrdiff_t M_stride) {
-#if KSL_LANE_BYTES
-  ksl_states s_states[6], M_states[36];
-  for (ptrdiff_t i = 0; i < n; i += KSL_LANES) {
-    const ptrdiff_t last = n - i < KSL_LANES ? n - i - 1 : KSL_LANES - 1;
-    ksl_states_of_planes(s + i * s_stride, 6, s_plane, s_stride, last, s_states);
-    ksl_SE3_leftJacobian_states(s_states, M_states);
-    ksl_states_to_planes(M_states, 36, M + i * M_stride, M_plane, M_stride, last);
-  }
-#else
-  ksl_screw_t s_i;
-  if (n > 0) s_i = ksl_screw_of_planes(s, s_plane);
-  KSL_EACH_OF(n) {
-    if (s_stride) s_i = ksl_screw_of_planes(s + i * s_stride, s_plane);
-    ksl_mat6x6_t M_i;
-    ksl_SE3_leftJacobian(&s_i, &M_i);
-    ksl_mat6x6_to_planes(&M_i, M + i * M_stride, M_plane);
-  }
-#endif
-}
-
-static KSL_INLINED void ksl_SE3_leftJacobian_many(ptrdiff_t n, const ksl_screw_t *s,
-    ptrdiff_t s_stride, ksl_mat6x6_t *M, ptrdiff_t M_stride) {
-  ksl_SE3_leftJacobian_planes(n, (const double *)s, 1, 6 * s_stride, (double *)M, 1, 36 * M_stride);
-}
-
-#if KSL_LANE_BYTES
-/* ksl_SE3_rightJacobian of KSL_LANES elements, components in the order of structs. */
 static KSL_INLINE void ksl_SE3_rightJacobian_states(const ksl_states *s, ksl_states *M) {
   const ksl_states sizes_a = ksl_abs_lanes(s[3]) + ksl_abs_lanes(s[4]),
       sizes = sizes_a + ksl_abs_lanes(s[5]);
@@ -1701,40 +1378,7 @@ static KSL_INLINE void ksl_SE3_rightJacobian_states(const ksl_states *s, ksl_sta
   M[29] = J_6;
   M[35] = diagonal2;
 }
-#endif
 
-/* ksl_SE3_rightJacobian of n elements. */
-static KSL_INLINED void ksl_SE3_rightJacobian_planes(ptrdiff_t n, const double *s,
-    ptrdiff_t s_plane, ptrdiff_t s_stride, double *M, ptrdiff_t M_plane,
-    ptrdiff_t M_stride) {
-#if KSL_LANE_BYTES
-  ksl_states s_states[6], M_states[36];
-  for (ptrdiff_t i = 0; i < n; i += KSL_LANES) {
-    const ptrdiff_t last = n - i < KSL_LANES ? n - i - 1 : KSL_LANES - 1;
-    ksl_states_of_planes(s + i * s_stride, 6, s_plane, s_stride, last, s_states);
-    ksl_SE3_rightJacobian_states(s_states, M_states);
-    ksl_states_to_planes(M_states, 36, M + i * M_stride, M_plane, M_stride, last);
-  }
-#else
-  ksl_screw_t s_i;
-  if (n > 0) s_i = ksl_screw_of_planes(s, s_plane);
-  KSL_EACH_OF(n) {
-    if (s_stride) s_i = ksl_screw_of_planes(s + i * s_stride, s_plane);
-    ksl_mat6x6_t M_i;
-    ksl_SE3_rightJacobian(&s_i, &M_i);
-    ksl_mat6x6_to_planes(&M_i, M + i * M_stride, M_plane);
-  }
-#endif
-}
-
-static KSL_INLINED void ksl_SE3_rightJacobian_many(ptrdiff_t n, const ksl_screw_t *s,
-    ptrdiff_t s_stride, ksl_mat6x6_t *M, ptrdiff_t M_stride) {
-  ksl_SE3_rightJacobian_planes(n, (const double *)s, 1, 6 * s_stride, (double *)M, 1,
-      36 * M_stride);
-}
-
-#if KSL_LANE_BYTES
-/* ksl_SE3_leftJacobianInverse of KSL_LANES elements, components in the order of structs. */
 static KSL_INLINE void ksl_SE3_leftJacobianInverse_states(const ksl_states *s, ksl_states *M) {
   const ksl_states sizes_a = ksl_abs_lanes(s[3]) + ksl_abs_lanes(s[4]),
       sizes = sizes_a + ksl_abs_lanes(s[5]);
@@ -1942,40 +1586,7 @@ static KSL_INLINE void ksl_SE3_leftJacobianInverse_states(const ksl_states *s, k
   M[29] = J_6;
   M[35] = diagonal2;
 }
-#endif
 
-/* ksl_SE3_leftJacobianInverse of n elements. */
-static KSL_INLINED void ksl_SE3_leftJacobianInverse_planes(ptrdiff_t n, const double *s,
-    ptrdiff_t s_plane, ptrdiff_t s_stride, double *M, ptrdiff_t M_plane,
-    ptrdiff_t M_stride) {
-#if KSL_LANE_BYTES
-  ksl_states s_states[6], M_states[36];
-  for (ptrdiff_t i = 0; i < n; i += KSL_LANES) {
-    const ptrdiff_t last = n - i < KSL_LANES ? n - i - 1 : KSL_LANES - 1;
-    ksl_states_of_planes(s + i * s_stride, 6, s_plane, s_stride, last, s_states);
-    ksl_SE3_leftJacobianInverse_states(s_states, M_states);
-    ksl_states_to_planes(M_states, 36, M + i * M_stride, M_plane, M_stride, last);
-  }
-#else
-  ksl_screw_t s_i;
-  if (n > 0) s_i = ksl_screw_of_planes(s, s_plane);
-  KSL_EACH_OF(n) {
-    if (s_stride) s_i = ksl_screw_of_planes(s + i * s_stride, s_plane);
-    ksl_mat6x6_t M_i;
-    ksl_SE3_leftJacobianInverse(&s_i, &M_i);
-    ksl_mat6x6_to_planes(&M_i, M + i * M_stride, M_plane);
-  }
-#endif
-}
-
-static KSL_INLINED void ksl_SE3_leftJacobianInverse_many(ptrdiff_t n, const ksl_screw_t *s,
-    ptrdiff_t s_stride, ksl_mat6x6_t *M, ptrdiff_t M_stride) {
-  ksl_SE3_leftJacobianInverse_planes(n, (const double *)s, 1, 6 * s_stride, (double *)M, 1,
-      36 * M_stride);
-}
-
-#if KSL_LANE_BYTES
-/* ksl_SE3_rightJacobianInverse of KSL_LANES elements, components in the order of structs. */
 static KSL_INLINE void ksl_SE3_rightJacobianInverse_states(const ksl_states *s, ksl_states *M) {
   const ksl_states sizes_a = ksl_abs_lanes(s[3]) + ksl_abs_lanes(s[4]),
       sizes = sizes_a + ksl_abs_lanes(s[5]);
@@ -2186,40 +1797,7 @@ static KSL_INLINE void ksl_SE3_rightJacobianInverse_states(const ksl_states *s, 
   M[29] = J_6;
   M[35] = diagonal2;
 }
-#endif
 
-/* ksl_SE3_rightJacobianInverse of n elements. */
-static KSL_INLINED void ksl_SE3_rightJacobianInverse_planes(ptrdiff_t n, const double *s,
-    ptrdiff_t s_plane, ptrdiff_t s_stride, double *M, ptrdiff_t M_plane,
-    ptrdiff_t M_stride) {
-#if KSL_LANE_BYTES
-  ksl_states s_states[6], M_states[36];
-  for (ptrdiff_t i = 0; i < n; i += KSL_LANES) {
-    const ptrdiff_t last = n - i < KSL_LANES ? n - i - 1 : KSL_LANES - 1;
-    ksl_states_of_planes(s + i * s_stride, 6, s_plane, s_stride, last, s_states);
-    ksl_SE3_rightJacobianInverse_states(s_states, M_states);
-    ksl_states_to_planes(M_states, 36, M + i * M_stride, M_plane, M_stride, last);
-  }
-#else
-  ksl_screw_t s_i;
-  if (n > 0) s_i = ksl_screw_of_planes(s, s_plane);
-  KSL_EACH_OF(n) {
-    if (s_stride) s_i = ksl_screw_of_planes(s + i * s_stride, s_plane);
-    ksl_mat6x6_t M_i;
-    ksl_SE3_rightJacobianInverse(&s_i, &M_i);
-    ksl_mat6x6_to_planes(&M_i, M + i * M_stride, M_plane);
-  }
-#endif
-}
-
-static KSL_INLINED void ksl_SE3_rightJacobianInverse_many(ptrdiff_t n, const ksl_screw_t *s,
-    ptrdiff_t s_stride, ksl_mat6x6_t *M, ptrdiff_t M_stride) {
-  ksl_SE3_rightJacobianInverse_planes(n, (const double *)s, 1, 6 * s_stride, (double *)M, 1,
-      36 * M_stride);
-}
-
-#if KSL_LANE_BYTES
-/* ksl_SE3_interpolated of KSL_LANES elements, components in the order of structs. */
 static KSL_INLINE void ksl_SE3_interpolated_states(const ksl_states *D1, const ksl_states *D2,
     const ksl_states *k, ksl_states *Do) {
   const ksl_states apart_1 = D2[9] - D1[9];
@@ -2597,45 +2175,7 @@ static KSL_INLINE void ksl_SE3_interpolated_states(const ksl_states *D1, const k
   Do[8] = Do_11;
   Do[11] = Do_12;
 }
-#endif
 
-/* ksl_SE3_interpolated of n elements. */
-static KSL_INLINED void ksl_SE3_interpolated_planes(ptrdiff_t n, const double *D1,
-    ptrdiff_t D1_plane, ptrdiff_t D1_stride, const double *D2,
-    ptrdiff_t D2_plane, ptrdiff_t D2_stride, const double *k, ptrdiff_t k_stride,
-    double *Do, ptrdiff_t Do_plane, ptrdiff_t Do_stride) {
-#if KSL_LANE_BYTES
-  ksl_states D1_states[12], D2_states[12], k_states[1], Do_states[12];
-  for (ptrdiff_t i = 0; i < n; i += KSL_LANES) {
-    const ptrdiff_t last = n - i < KSL_LANES ? n - i - 1 : KSL_LANES - 1;
-    ksl_states_of_planes(D1 + i * D1_stride, 12, D1_plane, D1_stride, last, D1_states);
-    ksl_states_of_planes(D2 + i * D2_stride, 12, D2_plane, D2_stride, last, D2_states);
-    ksl_states_of_planes(k + i * k_stride, 1, 1, k_stride, last, k_states);
-    ksl_SE3_interpolated_states(D1_states, D2_states, k_states, Do_states);
-    ksl_states_to_planes(Do_states, 12, Do + i * Do_stride, Do_plane, Do_stride, last);
-  }
-#else
-  ksl_SE3_t D1_i;
-  if (n > 0) D1_i = ksl_SE3_of_planes(D1, D1_plane);
-  KSL_EACH_OF(n) {
-    if (D1_stride) D1_i = ksl_SE3_of_planes(D1 + i * D1_stride, D1_plane);
-    const ksl_SE3_t D2_i = ksl_SE3_of_planes(D2 + i * D2_stride, D2_plane);
-    ksl_SE3_t Do_i;
-    ksl_SE3_interpolated(&D1_i, &D2_i, k[i * k_stride], &Do_i);
-    ksl_SE3_to_planes(&Do_i, Do + i * Do_stride, Do_plane);
-  }
-#endif
-}
-
-static KSL_INLINED void ksl_SE3_interpolated_many(ptrdiff_t n, const ksl_SE3_t *D1,
-    ptrdiff_t D1_stride, const ksl_SE3_t *D2, ptrdiff_t D2_stride,
-    const double *k, ptrdiff_t k_stride, ksl_SE3_t *Do, ptrdiff_t Do_stride) {
-  ksl_SE3_interpolated_planes(n, (const double *)D1, 1, 12 * D1_stride, (const double *)D2, 1,
-      12 * D2_stride, k, k_stride, (double *)Do, 1, 12 * Do_stride);
-}
-
-#if KSL_LANE_BYTES
-/* ksl_SO3_expf of KSL_LANESF elements, components in the order of structs. */
 static KSL_INLINE void ksl_SO3_expf_states(const ksl_statesf *v, ksl_statesf *R) {
   const ksl_statesf sizes_a = ksl_abs_lanesf(v[0]) + ksl_abs_lanesf(v[1]),
       sizes = sizes_a + ksl_abs_lanesf(v[2]);
@@ -2742,38 +2282,7 @@ static KSL_INLINE void ksl_SO3_expf_states(const ksl_statesf *v, ksl_statesf *R)
   R[5] = R_6;
   R[8] = diagonal2;
 }
-#endif
 
-/* ksl_SO3_expf of n elements. */
-static KSL_INLINED void ksl_SO3_expf_planes(ptrdiff_t n, const float *v, ptrdiff_t v_plane,
-    ptrdiff_t v_stride, float *R, ptrdiff_t R_plane, ptrdiff_t R_stride) {
-#if KSL_LANE_BYTES
-  ksl_statesf v_states[3], R_states[9];
-  for (ptrdiff_t i = 0; i < n; i += KSL_LANESF) {
-    const ptrdiff_t last = n - i < KSL_LANESF ? n - i - 1 : KSL_LANESF - 1;
-    ksl_statesf_of_planes(v + i * v_stride, 3, v_plane, v_stride, last, v_states);
-    ksl_SO3_expf_states(v_states, R_states);
-    ksl_statesf_to_planes(R_states, 9, R + i * R_stride, R_plane, R_stride, last);
-  }
-#else
-  ksl_vec3f_t v_i;
-  if (n > 0) v_i = ksl_vec3f_of_planes(v, v_plane);
-  KSL_EACH_OF(n) {
-    if (v_stride) v_i = ksl_vec3f_of_planes(v + i * v_stride, v_plane);
-    ksl_mat3x3f_t R_i;
-    ksl_SO3_expf(&v_i, &R_i);
-    ksl_mat3x3f_to_planes(&R_i, R + i * R_stride, R_plane);
-  }
-#endif
-}
-
-static KSL_INLINED void ksl_SO3_expf_many(ptrdiff_t n, const ksl_vec3f_t *v, ptrdiff_t v_stride,
-    ksl_mat3x3f_t *R, ptrdiff_t R_stride) {
-  ksl_SO3_expf_planes(n, (const float *)v, 1, 3 * v_stride, (float *)R, 1, 9 * R_stride);
-}
-
-#if KSL_LANE_BYTES
-/* ksl_SO3_logf of KSL_LANESF elements, components in the order of structs. */
 static KSL_INLINE void ksl_SO3_logf_states(const ksl_statesf *R, ksl_statesf *vo) {
   const ksl_statesf p_1 = R[5] - R[7];
   const ksl_statesf p_2 = R[6] - R[2];
@@ -2843,38 +2352,7 @@ static KSL_INLINE void ksl_SO3_logf_states(const ksl_statesf *R, ksl_statesf *vo
   vo[1] = vector_2;
   vo[2] = vector_3;
 }
-#endif
 
-/* ksl_SO3_logf of n elements. */
-static KSL_INLINED void ksl_SO3_logf_planes(ptrdiff_t n, const float *R, ptrdiff_t R_plane,
-    ptrdiff_t R_stride, float *vo, ptrdiff_t vo_plane, ptrdiff_t vo_stride) {
-#if KSL_LANE_BYTES
-  ksl_statesf R_states[9], vo_states[3];
-  for (ptrdiff_t i = 0; i < n; i += KSL_LANESF) {
-    const ptrdiff_t last = n - i < KSL_LANESF ? n - i - 1 : KSL_LANESF - 1;
-    ksl_statesf_of_planes(R + i * R_stride, 9, R_plane, R_stride, last, R_states);
-    ksl_SO3_logf_states(R_states, vo_states);
-    ksl_statesf_to_planes(vo_states, 3, vo + i * vo_stride, vo_plane, vo_stride, last);
-  }
-#else
-  ksl_mat3x3f_t R_i;
-  if (n > 0) R_i = ksl_mat3x3f_of_planes(R, R_plane);
-  KSL_EACH_OF(n) {
-    if (R_stride) R_i = ksl_mat3x3f_of_planes(R + i * R_stride, R_plane);
-    ksl_vec3f_t vo_i;
-    ksl_SO3_logf(&R_i, &vo_i);
-    ksl_vec3f_to_planes(&vo_i, vo + i * vo_stride, vo_plane);
-  }
-#endif
-}
-
-static KSL_INLINED void ksl_SO3_logf_many(ptrdiff_t n, const ksl_mat3x3f_t *R, ptrdiff_t R_stride,
-    ksl_vec3f_t *vo, ptrdiff_t vo_stride) {
-  ksl_SO3_logf_planes(n, (const float *)R, 1, 9 * R_stride, (float *)vo, 1, 3 * vo_stride);
-}
-
-#if KSL_LANE_BYTES
-/* ksl_SO3_leftJacobianf of KSL_LANESF elements, components in the order of structs. */
 static KSL_INLINE void ksl_SO3_leftJacobianf_states(const ksl_statesf *v, ksl_statesf *R) {
   const ksl_statesf sizes_a = ksl_abs_lanesf(v[0]) + ksl_abs_lanesf(v[1]),
       sizes = sizes_a + ksl_abs_lanesf(v[2]);
@@ -2996,38 +2474,7 @@ static KSL_INLINE void ksl_SO3_leftJacobianf_states(const ksl_statesf *v, ksl_st
   R[5] = R_6;
   R[8] = diagonal2;
 }
-#endif
 
-/* ksl_SO3_leftJacobianf of n elements. */
-static KSL_INLINED void ksl_SO3_leftJacobianf_planes(ptrdiff_t n, const float *v, ptrdiff_t v_plane,
-    ptrdiff_t v_stride, float *R, ptrdiff_t R_plane, ptrdiff_t R_stride) {
-#if KSL_LANE_BYTES
-  ksl_statesf v_states[3], R_states[9];
-  for (ptrdiff_t i = 0; i < n; i += KSL_LANESF) {
-    const ptrdiff_t last = n - i < KSL_LANESF ? n - i - 1 : KSL_LANESF - 1;
-    ksl_statesf_of_planes(v + i * v_stride, 3, v_plane, v_stride, last, v_states);
-    ksl_SO3_leftJacobianf_states(v_states, R_states);
-    ksl_statesf_to_planes(R_states, 9, R + i * R_stride, R_plane, R_stride, last);
-  }
-#else
-  ksl_vec3f_t v_i;
-  if (n > 0) v_i = ksl_vec3f_of_planes(v, v_plane);
-  KSL_EACH_OF(n) {
-    if (v_stride) v_i = ksl_vec3f_of_planes(v + i * v_stride, v_plane);
-    ksl_mat3x3f_t R_i;
-    ksl_SO3_leftJacobianf(&v_i, &R_i);
-    ksl_mat3x3f_to_planes(&R_i, R + i * R_stride, R_plane);
-  }
-#endif
-}
-
-static KSL_INLINED void ksl_SO3_leftJacobianf_many(ptrdiff_t n, const ksl_vec3f_t *v,
-    ptrdiff_t v_stride, ksl_mat3x3f_t *R, ptrdiff_t R_stride) {
-  ksl_SO3_leftJacobianf_planes(n, (const float *)v, 1, 3 * v_stride, (float *)R, 1, 9 * R_stride);
-}
-
-#if KSL_LANE_BYTES
-/* ksl_SO3_rightJacobianf of KSL_LANESF elements, components in the order of structs. */
 static KSL_INLINE void ksl_SO3_rightJacobianf_states(const ksl_statesf *v, ksl_statesf *R) {
   const ksl_statesf sizes_a = ksl_abs_lanesf(v[0]) + ksl_abs_lanesf(v[1]),
       sizes = sizes_a + ksl_abs_lanesf(v[2]);
@@ -3149,39 +2596,7 @@ static KSL_INLINE void ksl_SO3_rightJacobianf_states(const ksl_statesf *v, ksl_s
   R[5] = R_6;
   R[8] = diagonal2;
 }
-#endif
 
-/* ksl_SO3_rightJacobianf of n elements. */
-static KSL_INLINED void ksl_SO3_rightJacobianf_planes(ptrdiff_t n, const float *v,
-    ptrdiff_t v_plane, ptrdiff_t v_stride, float *R, ptrdiff_t R_plane,
-    ptrdiff_t R_stride) {
-#if KSL_LANE_BYTES
-  ksl_statesf v_states[3], R_states[9];
-  for (ptrdiff_t i = 0; i < n; i += KSL_LANESF) {
-    const ptrdiff_t last = n - i < KSL_LANESF ? n - i - 1 : KSL_LANESF - 1;
-    ksl_statesf_of_planes(v + i * v_stride, 3, v_plane, v_stride, last, v_states);
-    ksl_SO3_rightJacobianf_states(v_states, R_states);
-    ksl_statesf_to_planes(R_states, 9, R + i * R_stride, R_plane, R_stride, last);
-  }
-#else
-  ksl_vec3f_t v_i;
-  if (n > 0) v_i = ksl_vec3f_of_planes(v, v_plane);
-  KSL_EACH_OF(n) {
-    if (v_stride) v_i = ksl_vec3f_of_planes(v + i * v_stride, v_plane);
-    ksl_mat3x3f_t R_i;
-    ksl_SO3_rightJacobianf(&v_i, &R_i);
-    ksl_mat3x3f_to_planes(&R_i, R + i * R_stride, R_plane);
-  }
-#endif
-}
-
-static KSL_INLINED void ksl_SO3_rightJacobianf_many(ptrdiff_t n, const ksl_vec3f_t *v,
-    ptrdiff_t v_stride, ksl_mat3x3f_t *R, ptrdiff_t R_stride) {
-  ksl_SO3_rightJacobianf_planes(n, (const float *)v, 1, 3 * v_stride, (float *)R, 1, 9 * R_stride);
-}
-
-#if KSL_LANE_BYTES
-/* ksl_SO3_leftJacobianInversef of KSL_LANESF elements, components in the order of structs. */
 static KSL_INLINE void ksl_SO3_leftJacobianInversef_states(const ksl_statesf *v, ksl_statesf *R) {
   const ksl_statesf sizes_a = ksl_abs_lanesf(v[0]) + ksl_abs_lanesf(v[1]),
       sizes = sizes_a + ksl_abs_lanesf(v[2]);
@@ -3286,40 +2701,7 @@ static KSL_INLINE void ksl_SO3_leftJacobianInversef_states(const ksl_statesf *v,
   R[5] = R_6;
   R[8] = diagonal2;
 }
-#endif
 
-/* ksl_SO3_leftJacobianInversef of n elements. */
-static KSL_INLINED void ksl_SO3_leftJacobianInversef_planes(ptrdiff_t n, const float *v,
-    ptrdiff_t v_plane, ptrdiff_t v_stride, float *R, ptrdiff_t R_plane,
-    ptrdiff_t R_stride) {
-#if KSL_LANE_BYTES
-  ksl_statesf v_states[3], R_states[9];
-  for (ptrdiff_t i = 0; i < n; i += KSL_LANESF) {
-    const ptrdiff_t last = n - i < KSL_LANESF ? n - i - 1 : KSL_LANESF - 1;
-    ksl_statesf_of_planes(v + i * v_stride, 3, v_plane, v_stride, last, v_states);
-    ksl_SO3_leftJacobianInversef_states(v_states, R_states);
-    ksl_statesf_to_planes(R_states, 9, R + i * R_stride, R_plane, R_stride, last);
-  }
-#else
-  ksl_vec3f_t v_i;
-  if (n > 0) v_i = ksl_vec3f_of_planes(v, v_plane);
-  KSL_EACH_OF(n) {
-    if (v_stride) v_i = ksl_vec3f_of_planes(v + i * v_stride, v_plane);
-    ksl_mat3x3f_t R_i;
-    ksl_SO3_leftJacobianInversef(&v_i, &R_i);
-    ksl_mat3x3f_to_planes(&R_i, R + i * R_stride, R_plane);
-  }
-#endif
-}
-
-static KSL_INLINED void ksl_SO3_leftJacobianInversef_many(ptrdiff_t n, const ksl_vec3f_t *v,
-    ptrdiff_t v_stride, ksl_mat3x3f_t *R, ptrdiff_t R_stride) {
-  ksl_SO3_leftJacobianInversef_planes(n, (const float *)v, 1, 3 * v_stride, (float *)R, 1,
-      9 * R_stride);
-}
-
-#if KSL_LANE_BYTES
-/* ksl_SO3_rightJacobianInversef of KSL_LANESF elements, components in the order of structs. */
 static KSL_INLINE void ksl_SO3_rightJacobianInversef_states(const ksl_statesf *v, ksl_statesf *R) {
   const ksl_statesf sizes_a = ksl_abs_lanesf(v[0]) + ksl_abs_lanesf(v[1]),
       sizes = sizes_a + ksl_abs_lanesf(v[2]);
@@ -3424,78 +2806,7 @@ static KSL_INLINE void ksl_SO3_rightJacobianInversef_states(const ksl_statesf *v
   R[5] = R_6;
   R[8] = diagonal2;
 }
-#endif
 
-/* ksl_SO3_rightJacobianInversef of n elements. */
-static KSL_INLINED void ksl_SO3_rightJacobianInversef_planes(ptrdiff_t n, const float *v,
-    ptrdiff_t v_plane, ptrdiff_t v_stride, float *R, ptrdiff_t R_plane,
-    ptrdiff_t R_stride) {
-#if KSL_LANE_BYTES
-  ksl_statesf v_states[3], R_states[9];
-  for (ptrdiff_t i = 0; i < n; i += KSL_LANESF) {
-    const ptrdiff_t last = n - i < KSL_LANESF ? n - i - 1 : KSL_LANESF - 1;
-    ksl_statesf_of_planes(v + i * v_stride, 3, v_plane, v_stride, last, v_states);
-    ksl_SO3_rightJacobianInversef_states(v_states, R_states);
-    ksl_statesf_to_planes(R_states, 9, R + i * R_stride, R_plane, R_stride, last);
-  }
-#else
-  ksl_vec3f_t v_i;
-  if (n > 0) v_i = ksl_vec3f_of_planes(v, v_plane);
-  KSL_EACH_OF(n) {
-    if (v_stride) v_i = ksl_vec3f_of_planes(v + i * v_stride, v_plane);
-    ksl_mat3x3f_t R_i;
-    ksl_SO3_rightJacobianInversef(&v_i, &R_i);
-    ksl_mat3x3f_to_planes(&R_i, R + i * R_stride, R_plane);
-  }
-#endif
-}
-
-static KSL_INLINED void ksl_SO3_rightJacobianInversef_many(ptrdiff_t n, const ksl_vec3f_t *v,
-    ptrdiff_t v_stride, ksl_mat3x3f_t *R, ptrdiff_t R_stride) {
-  ksl_SO3_rightJacobianInversef_planes(n, (const float *)v, 1, 3 * v_stride, (float *)R, 1,
-      9 * R_stride);
-}
-
-/* ksl_mat3x3f_orthonormalize of n elements. */
-static KSL_INLINED void ksl_mat3x3f_orthonormalize_many(ptrdiff_t n, ksl_mat3x3f_t *self,
-    ptrdiff_t self_stride) {
-  KSL_EACH_OF(n) {
-    ksl_mat3x3f_orthonormalize(self + i * self_stride);
-  }
-}
-
-static KSL_INLINED void ksl_mat3x3f_orthonormalize_planes(ptrdiff_t n, float *self,
-    ptrdiff_t self_plane, ptrdiff_t self_stride) {
-  KSL_EACH_OF(n) {
-    ksl_mat3x3f_t self_i = ksl_mat3x3f_of_planes(self + i * self_stride, self_plane);
-    ksl_mat3x3f_orthonormalize(&self_i);
-    ksl_mat3x3f_to_planes(&self_i, self + i * self_stride, self_plane);
-  }
-}
-
-/* ksl_mat3x3f_orthonormalized of n elements. */
-static KSL_INLINED void ksl_mat3x3f_orthonormalized_many(ptrdiff_t n, const ksl_mat3x3f_t *R,
-    ptrdiff_t R_stride, ksl_mat3x3f_t *Ro, ptrdiff_t Ro_stride) {
-  KSL_EACH_OF(n) {
-    ksl_mat3x3f_orthonormalized(R + i * R_stride, Ro + i * Ro_stride);
-  }
-}
-
-static KSL_INLINED void ksl_mat3x3f_orthonormalized_planes(ptrdiff_t n, const float *R,
-    ptrdiff_t R_plane, ptrdiff_t R_stride, float *Ro, ptrdiff_t Ro_plane,
-    ptrdiff_t Ro_stride) {
-  ksl_mat3x3f_t R_i;
-  if (n > 0) R_i = ksl_mat3x3f_of_planes(R, R_plane);
-  KSL_EACH_OF(n) {
-    if (R_stride) R_i = ksl_mat3x3f_of_planes(R + i * R_stride, R_plane);
-    ksl_mat3x3f_t Ro_i;
-    ksl_mat3x3f_orthonormalized(&R_i, &Ro_i);
-    ksl_mat3x3f_to_planes(&Ro_i, Ro + i * Ro_stride, Ro_plane);
-  }
-}
-
-#if KSL_LANE_BYTES
-/* ksl_SE3f_exp of KSL_LANESF elements, components in the order of structs. */
 static KSL_INLINE void ksl_SE3f_exp_states(const ksl_statesf *s, ksl_statesf *D) {
   const ksl_statesf sizes_a = ksl_abs_lanesf(s[3]) + ksl_abs_lanesf(s[4]),
       sizes = sizes_a + ksl_abs_lanesf(s[5]);
@@ -3635,38 +2946,7 @@ static KSL_INLINE void ksl_SE3f_exp_states(const ksl_statesf *s, ksl_statesf *D)
   D[8] = diagonal2;
   D[11] = D_9;
 }
-#endif
 
-/* ksl_SE3f_exp of n elements. */
-static KSL_INLINED void ksl_SE3f_exp_planes(ptrdiff_t n, const float *s, ptrdiff_t s_plane,
-    ptrdiff_t s_stride, float *D, ptrdiff_t D_plane, ptrdiff_t D_stride) {
-#if KSL_LANE_BYTES
-  ksl_statesf s_states[6], D_states[12];
-  for (ptrdiff_t i = 0; i < n; i += KSL_LANESF) {
-    const ptrdiff_t last = n - i < KSL_LANESF ? n - i - 1 : KSL_LANESF - 1;
-    ksl_statesf_of_planes(s + i * s_stride, 6, s_plane, s_stride, last, s_states);
-    ksl_SE3f_exp_states(s_states, D_states);
-    ksl_statesf_to_planes(D_states, 12, D + i * D_stride, D_plane, D_stride, last);
-  }
-#else
-  ksl_screwf_t s_i;
-  if (n > 0) s_i = ksl_screwf_of_planes(s, s_plane);
-  KSL_EACH_OF(n) {
-    if (s_stride) s_i = ksl_screwf_of_planes(s + i * s_stride, s_plane);
-    ksl_SE3f_t D_i;
-    ksl_SE3f_exp(&s_i, &D_i);
-    ksl_SE3f_to_planes(&D_i, D + i * D_stride, D_plane);
-  }
-#endif
-}
-
-static KSL_INLINED void ksl_SE3f_exp_many(ptrdiff_t n, const ksl_screwf_t *s, ptrdiff_t s_stride,
-    ksl_SE3f_t *D, ptrdiff_t D_stride) {
-  ksl_SE3f_exp_planes(n, (const float *)s, 1, 6 * s_stride, (float *)D, 1, 12 * D_stride);
-}
-
-#if KSL_LANE_BYTES
-/* ksl_SE3f_log of KSL_LANESF elements, components in the order of structs. */
 static KSL_INLINE void ksl_SE3f_log_states(const ksl_statesf *D, ksl_statesf *so) {
   const ksl_statesf p_1 = D[5] - D[7];
   const ksl_statesf p_2 = D[6] - D[2];
@@ -3781,38 +3061,7 @@ static KSL_INLINE void ksl_SE3f_log_states(const ksl_statesf *D, ksl_statesf *so
   so[4] = vector_2;
   so[5] = vector_3;
 }
-#endif
 
-/* ksl_SE3f_log of n elements. */
-static KSL_INLINED void ksl_SE3f_log_planes(ptrdiff_t n, const float *D, ptrdiff_t D_plane,
-    ptrdiff_t D_stride, float *so, ptrdiff_t so_plane, ptrdiff_t so_stride) {
-#if KSL_LANE_BYTES
-  ksl_statesf D_states[12], so_states[6];
-  for (ptrdiff_t i = 0; i < n; i += KSL_LANESF) {
-    const ptrdiff_t last = n - i < KSL_LANESF ? n - i - 1 : KSL_LANESF - 1;
-    ksl_statesf_of_planes(D + i * D_stride, 12, D_plane, D_stride, last, D_states);
-    ksl_SE3f_log_states(D_states, so_states);
-    ksl_statesf_to_planes(so_states, 6, so + i * so_stride, so_plane, so_stride, last);
-  }
-#else
-  ksl_SE3f_t D_i;
-  if (n > 0) D_i = ksl_SE3f_of_planes(D, D_plane);
-  KSL_EACH_OF(n) {
-    if (D_stride) D_i = ksl_SE3f_of_planes(D + i * D_stride, D_plane);
-    ksl_screwf_t so_i;
-    ksl_SE3f_log(&D_i, &so_i);
-    ksl_screwf_to_planes(&so_i, so + i * so_stride, so_plane);
-  }
-#endif
-}
-
-static KSL_INLINED void ksl_SE3f_log_many(ptrdiff_t n, const ksl_SE3f_t *D, ptrdiff_t D_stride,
-    ksl_screwf_t *so, ptrdiff_t so_stride) {
-  ksl_SE3f_log_planes(n, (const float *)D, 1, 12 * D_stride, (float *)so, 1, 6 * so_stride);
-}
-
-#if KSL_LANE_BYTES
-/* ksl_SE3f_leftJacobian of KSL_LANESF elements, components in the order of structs. */
 static KSL_INLINE void ksl_SE3f_leftJacobian_states(const ksl_statesf *s, ksl_statesf *M) {
   const ksl_statesf sizes_a = ksl_abs_lanesf(s[3]) + ksl_abs_lanesf(s[4]),
       sizes = sizes_a + ksl_abs_lanesf(s[5]);
@@ -4055,38 +3304,7 @@ static KSL_INLINE void ksl_SE3f_leftJacobian_states(const ksl_statesf *s, ksl_st
   M[29] = J_6;
   M[35] = diagonal2;
 }
-#endif
 
-/* ksl_SE3f_leftJacobian of n elements. */
-static KSL_INLINED void ksl_SE3f_leftJacobian_planes(ptrdiff_t n, const float *s, ptrdiff_t s_plane,
-    ptrdiff_t s_stride, float *M, ptrdiff_t M_plane, ptrdiff_t M_stride) {
-#if KSL_LANE_BYTES
-  ksl_statesf s_states[6], M_states[36];
-  for (ptrdiff_t i = 0; i < n; i += KSL_LANESF) {
-    const ptrdiff_t last = n - i < KSL_LANESF ? n - i - 1 : KSL_LANESF - 1;
-    ksl_statesf_of_planes(s + i * s_stride, 6, s_plane, s_stride, last, s_states);
-    ksl_SE3f_leftJacobian_states(s_states, M_states);
-    ksl_statesf_to_planes(M_states, 36, M + i * M_stride, M_plane, M_stride, last);
-  }
-#else
-  ksl_screwf_t s_i;
-  if (n > 0) s_i = ksl_screwf_of_planes(s, s_plane);
-  KSL_EACH_OF(n) {
-    if (s_stride) s_i = ksl_screwf_of_planes(s + i * s_stride, s_plane);
-    ksl_mat6x6f_t M_i;
-    ksl_SE3f_leftJacobian(&s_i, &M_i);
-    ksl_mat6x6f_to_planes(&M_i, M + i * M_stride, M_plane);
-  }
-#endif
-}
-
-static KSL_INLINED void ksl_SE3f_leftJacobian_many(ptrdiff_t n, const ksl_screwf_t *s,
-    ptrdiff_t s_stride, ksl_mat6x6f_t *M, ptrdiff_t M_stride) {
-  ksl_SE3f_leftJacobian_planes(n, (const float *)s, 1, 6 * s_stride, (float *)M, 1, 36 * M_stride);
-}
-
-#if KSL_LANE_BYTES
-/* ksl_SE3f_rightJacobian of KSL_LANESF elements, components in the order of structs. */
 static KSL_INLINE void ksl_SE3f_rightJacobian_states(const ksl_statesf *s, ksl_statesf *M) {
   const ksl_statesf sizes_a = ksl_abs_lanesf(s[3]) + ksl_abs_lanesf(s[4]),
       sizes = sizes_a + ksl_abs_lanesf(s[5]);
@@ -4332,39 +3550,7 @@ static KSL_INLINE void ksl_SE3f_rightJacobian_states(const ksl_statesf *s, ksl_s
   M[29] = J_6;
   M[35] = diagonal2;
 }
-#endif
 
-/* ksl_SE3f_rightJacobian of n elements. */
-static KSL_INLINED void ksl_SE3f_rightJacobian_planes(ptrdiff_t n, const float *s,
-    ptrdiff_t s_plane, ptrdiff_t s_stride, float *M, ptrdiff_t M_plane,
-    ptrdiff_t M_stride) {
-#if KSL_LANE_BYTES
-  ksl_statesf s_states[6], M_states[36];
-  for (ptrdiff_t i = 0; i < n; i += KSL_LANESF) {
-    const ptrdiff_t last = n - i < KSL_LANESF ? n - i - 1 : KSL_LANESF - 1;
-    ksl_statesf_of_planes(s + i * s_stride, 6, s_plane, s_stride, last, s_states);
-    ksl_SE3f_rightJacobian_states(s_states, M_states);
-    ksl_statesf_to_planes(M_states, 36, M + i * M_stride, M_plane, M_stride, last);
-  }
-#else
-  ksl_screwf_t s_i;
-  if (n > 0) s_i = ksl_screwf_of_planes(s, s_plane);
-  KSL_EACH_OF(n) {
-    if (s_stride) s_i = ksl_screwf_of_planes(s + i * s_stride, s_plane);
-    ksl_mat6x6f_t M_i;
-    ksl_SE3f_rightJacobian(&s_i, &M_i);
-    ksl_mat6x6f_to_planes(&M_i, M + i * M_stride, M_plane);
-  }
-#endif
-}
-
-static KSL_INLINED void ksl_SE3f_rightJacobian_many(ptrdiff_t n, const ksl_screwf_t *s,
-    ptrdiff_t s_stride, ksl_mat6x6f_t *M, ptrdiff_t M_stride) {
-  ksl_SE3f_rightJacobian_planes(n, (const float *)s, 1, 6 * s_stride, (float *)M, 1, 36 * M_stride);
-}
-
-#if KSL_LANE_BYTES
-/* ksl_SE3f_leftJacobianInverse of KSL_LANESF elements, components in the order of structs. */
 static KSL_INLINE void ksl_SE3f_leftJacobianInverse_states(const ksl_statesf *s, ksl_statesf *M) {
   const ksl_statesf sizes_a = ksl_abs_lanesf(s[3]) + ksl_abs_lanesf(s[4]),
       sizes = sizes_a + ksl_abs_lanesf(s[5]);
@@ -4572,40 +3758,7 @@ static KSL_INLINE void ksl_SE3f_leftJacobianInverse_states(const ksl_statesf *s,
   M[29] = J_6;
   M[35] = diagonal2;
 }
-#endif
 
-/* ksl_SE3f_leftJacobianInverse of n elements. */
-static KSL_INLINED void ksl_SE3f_leftJacobianInverse_planes(ptrdiff_t n, const float *s,
-    ptrdiff_t s_plane, ptrdiff_t s_stride, float *M, ptrdiff_t M_plane,
-    ptrdiff_t M_stride) {
-#if KSL_LANE_BYTES
-  ksl_statesf s_states[6], M_states[36];
-  for (ptrdiff_t i = 0; i < n; i += KSL_LANESF) {
-    const ptrdiff_t last = n - i < KSL_LANESF ? n - i - 1 : KSL_LANESF - 1;
-    ksl_statesf_of_planes(s + i * s_stride, 6, s_plane, s_stride, last, s_states);
-    ksl_SE3f_leftJacobianInverse_states(s_states, M_states);
-    ksl_statesf_to_planes(M_states, 36, M + i * M_stride, M_plane, M_stride, last);
-  }
-#else
-  ksl_screwf_t s_i;
-  if (n > 0) s_i = ksl_screwf_of_planes(s, s_plane);
-  KSL_EACH_OF(n) {
-    if (s_stride) s_i = ksl_screwf_of_planes(s + i * s_stride, s_plane);
-    ksl_mat6x6f_t M_i;
-    ksl_SE3f_leftJacobianInverse(&s_i, &M_i);
-    ksl_mat6x6f_to_planes(&M_i, M + i * M_stride, M_plane);
-  }
-#endif
-}
-
-static KSL_INLINED void ksl_SE3f_leftJacobianInverse_many(ptrdiff_t n, const ksl_screwf_t *s,
-    ptrdiff_t s_stride, ksl_mat6x6f_t *M, ptrdiff_t M_stride) {
-  ksl_SE3f_leftJacobianInverse_planes(n, (const float *)s, 1, 6 * s_stride, (float *)M, 1,
-      36 * M_stride);
-}
-
-#if KSL_LANE_BYTES
-/* ksl_SE3f_rightJacobianInverse of KSL_LANESF elements, components in the order of structs. */
 static KSL_INLINE void ksl_SE3f_rightJacobianInverse_states(const ksl_statesf *s, ksl_statesf *M) {
   const ksl_statesf sizes_a = ksl_abs_lanesf(s[3]) + ksl_abs_lanesf(s[4]),
       sizes = sizes_a + ksl_abs_lanesf(s[5]);
@@ -4816,40 +3969,7 @@ static KSL_INLINE void ksl_SE3f_rightJacobianInverse_states(const ksl_statesf *s
   M[29] = J_6;
   M[35] = diagonal2;
 }
-#endif
 
-/* ksl_SE3f_rightJacobianInverse of n elements. */
-static KSL_INLINED void ksl_SE3f_rightJacobianInverse_planes(ptrdiff_t n, const float *s,
-    ptrdiff_t s_plane, ptrdiff_t s_stride, float *M, ptrdiff_t M_plane,
-    ptrdiff_t M_stride) {
-#if KSL_LANE_BYTES
-  ksl_statesf s_states[6], M_states[36];
-  for (ptrdiff_t i = 0; i < n; i += KSL_LANESF) {
-    const ptrdiff_t last = n - i < KSL_LANESF ? n - i - 1 : KSL_LANESF - 1;
-    ksl_statesf_of_planes(s + i * s_stride, 6, s_plane, s_stride, last, s_states);
-    ksl_SE3f_rightJacobianInverse_states(s_states, M_states);
-    ksl_statesf_to_planes(M_states, 36, M + i * M_stride, M_plane, M_stride, last);
-  }
-#else
-  ksl_screwf_t s_i;
-  if (n > 0) s_i = ksl_screwf_of_planes(s, s_plane);
-  KSL_EACH_OF(n) {
-    if (s_stride) s_i = ksl_screwf_of_planes(s + i * s_stride, s_plane);
-    ksl_mat6x6f_t M_i;
-    ksl_SE3f_rightJacobianInverse(&s_i, &M_i);
-    ksl_mat6x6f_to_planes(&M_i, M + i * M_stride, M_plane);
-  }
-#endif
-}
-
-static KSL_INLINED void ksl_SE3f_rightJacobianInverse_many(ptrdiff_t n, const ksl_screwf_t *s,
-    ptrdiff_t s_stride, ksl_mat6x6f_t *M, ptrdiff_t M_stride) {
-  ksl_SE3f_rightJacobianInverse_planes(n, (const float *)s, 1, 6 * s_stride, (float *)M, 1,
-      36 * M_stride);
-}
-
-#if KSL_LANE_BYTES
-/* ksl_SE3f_interpolated of KSL_LANESF elements, components in the order of structs. */
 static KSL_INLINE void ksl_SE3f_interpolated_states(const ksl_statesf *D1, const ksl_statesf *D2,
     const ksl_statesf *k, ksl_statesf *Do) {
   const ksl_statesf apart_1 = D2[9] - D1[9];
@@ -5230,41 +4350,6 @@ static KSL_INLINE void ksl_SE3f_interpolated_states(const ksl_statesf *D1, const
   Do[8] = Do_11;
   Do[11] = Do_12;
 }
+
 #endif
-
-/* ksl_SE3f_interpolated of n elements. */
-static KSL_INLINED void ksl_SE3f_interpolated_planes(ptrdiff_t n, const float *D1,
-    ptrdiff_t D1_plane, ptrdiff_t D1_stride, const float *D2, ptrdiff_t D2_plane,
-    ptrdiff_t D2_stride, const float *k, ptrdiff_t k_stride, float *Do,
-    ptrdiff_t Do_plane, ptrdiff_t Do_stride) {
-#if KSL_LANE_BYTES
-  ksl_statesf D1_states[12], D2_states[12], k_states[1], Do_states[12];
-  for (ptrdiff_t i = 0; i < n; i += KSL_LANESF) {
-    const ptrdiff_t last = n - i < KSL_LANESF ? n - i - 1 : KSL_LANESF - 1;
-    ksl_statesf_of_planes(D1 + i * D1_stride, 12, D1_plane, D1_stride, last, D1_states);
-    ksl_statesf_of_planes(D2 + i * D2_stride, 12, D2_plane, D2_stride, last, D2_states);
-    ksl_statesf_of_planes(k + i * k_stride, 1, 1, k_stride, last, k_states);
-    ksl_SE3f_interpolated_states(D1_states, D2_states, k_states, Do_states);
-    ksl_statesf_to_planes(Do_states, 12, Do + i * Do_stride, Do_plane, Do_stride, last);
-  }
-#else
-  ksl_SE3f_t D1_i;
-  if (n > 0) D1_i = ksl_SE3f_of_planes(D1, D1_plane);
-  KSL_EACH_OF(n) {
-    if (D1_stride) D1_i = ksl_SE3f_of_planes(D1 + i * D1_stride, D1_plane);
-    const ksl_SE3f_t D2_i = ksl_SE3f_of_planes(D2 + i * D2_stride, D2_plane);
-    ksl_SE3f_t Do_i;
-    ksl_SE3f_interpolated(&D1_i, &D2_i, k[i * k_stride], &Do_i);
-    ksl_SE3f_to_planes(&Do_i, Do + i * Do_stride, Do_plane);
-  }
-#endif
-}
-
-static KSL_INLINED void ksl_SE3f_interpolated_many(ptrdiff_t n, const ksl_SE3f_t *D1,
-    ptrdiff_t D1_stride, const ksl_SE3f_t *D2, ptrdiff_t D2_stride,
-    const float *k, ptrdiff_t k_stride, ksl_SE3f_t *Do, ptrdiff_t Do_stride) {
-  ksl_SE3f_interpolated_planes(n, (const float *)D1, 1, 12 * D1_stride, (const float *)D2, 1,
-      12 * D2_stride, k, k_stride, (float *)Do, 1, 12 * Do_stride);
-}
-
 #endif
