@@ -1,142 +1,97 @@
 """Caches what is derived from each family of operations, so that only changed families are derived
 again.
 
-A family's key names the versions of the packages that derive, and all sources of the generator,
-except those in operations/ that the family's own modules do not import.  `coscrew generate --check`
-derives everything.
+An entry is the result of one function for one family.  Its key is the hash of all that this depends
+on: the sources that the function's module and the library's import, where of the operations only
+those count that the family's own modules import.  `coscrew generate --check` derives everything.
 """
 
-import ast
 import pickle
-import sys
 import zlib
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable
 from contextlib import suppress
-from importlib.metadata import PackageNotFoundError, version
 from typing import TypeVar, cast
 
+from coscrew_codegen import operations
+from coscrew_codegen.found import holder
 from coscrew_codegen.library import FamilyKernels
-from coscrew_codegen.native import cache
-from coscrew_codegen.operations import OPERATIONS, contributors
+from coscrew_codegen.native import cache, sources
+from coscrew_codegen.native.sources import Contents, Sources
+from coscrew_codegen.operations import OPERATIONS, contributors, family_named
 from coscrew_codegen.tiers.certified_rotations import DEFECT, ROTATIONS
 
-_PACKAGE = "coscrew_codegen.operations"
-_FOLDER, _INIT = "codegen/operations/", "__init__"
 _SUFFIX = ".family"
-_PACKAGES = ("sympy", "mpmath", "gmpy2", "numpy", "jinja2")
-"""The packages whose versions are part of every key."""
 
 Made = TypeVar("Made")
-Bundle = dict[str, object]  # a family's results, by the names of the functions that made them
+Make = Callable[[FamilyKernels], Made]
 
 
 class FamilyCache:
     """Returns cached results for a family, or derives them; `save` caches those that were derived.
 
-    `sources` are the generator's sources, read before this process imported the operations; if they
+    `stands` are the generator's sources, read before this process imported the operations; if they
     are None, the cache is not used.  `command` selects what is generated."""
 
-    def __init__(self, sources: Mapping[str, bytes] | None, command: str,
-                 tell: Callable[[str], None]):
-        self._sources, self._command, self._tell = sources, command, tell
-        self._bundles: dict[str, Bundle] = {}
-        self._made: dict[str, None] = {}
-        if sources is not None:
+    def __init__(self, stands: Contents | None, command: str, tell: Callable[[str], None]):
+        self._stands, self._command, self._tell = stands, command, tell
+        self._made: dict[tuple[str, Make[object]], object] = {}
+        if stands is not None:
             cache.limit()  # raises CacheError before anything is made
+        self._sources = Sources.of(stands) if stands is not None and cache.lasts() else None
 
-    def __call__(self, kernels: FamilyKernels, make: Callable[[FamilyKernels], Made]) -> Made:
-        family, name = kernels.family, f"{make.__module__}.{make.__qualname__}"
-        if family not in self._bundles:
-            self._bundles[family] = self._found(family)
-        bundle = self._bundles[family]
-        if name not in bundle:
-            self._made[family] = None
-            self._tell(f"deriving {family}")
-            bundle[name] = make(kernels)
-        return cast(Made, bundle[name])
+    def __call__(self, kernels: FamilyKernels, make: Make[Made]) -> Made:
+        kept = self._kept(kernels.family, make)
+        if kept is not None:
+            return cast(Made, kept)
+        self._tell(f"deriving {kernels.family}")
+        made = self._made[kernels.family, make] = make(kernels)
+        return made
 
     @property
     def derived(self) -> tuple[str, ...]:
-        """The families that were not in the cache."""
-        return tuple(self._made)
+        """The families with results that were not in the cache."""
+        return tuple(dict.fromkeys(family for family, _ in self._made))
 
     def save(self) -> None:
         """Cache what was derived, unless the sources have changed since or the cache cannot be
         written to."""
-        if self._sources is None or cache.sources() != self._sources or not cache.lasts():
+        if not self._sources or sources.read() != self._stands:
             return
-        for family in self._made:
+        for (family, make), made in self._made.items():
             with suppress(OSError):  # a full disk: it is derived again next time
-                cache.write(self._key(family, self._sources), _SUFFIX,
-                            zlib.compress(pickle.dumps(self._bundles[family]), 1))
+                cache.write(self._key(family, make, self._sources), _SUFFIX,
+                            zlib.compress(pickle.dumps((_name(make), made)), 1))
 
-    def _found(self, family: str) -> Bundle:
-        """The cached results for a family; empty if they cannot be read."""
-        if self._sources is None or not cache.lasts():
-            return {}
-        path = cache.found(self._key(family, self._sources), _SUFFIX)
-        if path is None:
-            return {}
+    def _kept(self, family: str, make: Make[object]) -> object:
+        """The cached result; None if there is none that can be read."""
+        path = self._sources and cache.found(self._key(family, make, self._sources), _SUFFIX)
+        if not path:
+            return None
         try:
-            return dict(pickle.loads(zlib.decompress(path.read_bytes())))
+            name, made = pickle.loads(zlib.decompress(path.read_bytes()))
+            return made if name == _name(make) else None
         except Exception:  # for a foreign file, pickle may raise any error
             path.unlink(missing_ok=True)
-            return {}
+            return None
 
-    def _key(self, family: str, sources: Mapping[str, bytes]) -> str:
-        return cache.key_of(family, self._command, sys.version, *map(_version, _PACKAGES),
-                            cache.digest(made_from(family, sources)))
-
-
-def made_from(family: str, sources: Mapping[str, bytes]) -> dict[str, bytes]:
-    """The sources that a family depends on: all, except those in operations/ that its modules, and
-    those of operations that tiers call in its kernels, do not import."""
-    modules = [_INIT, *contributors(family)]
-    for called in _called(family):
-        modules += contributors(called)
-    own = _imported(modules, sources)
-    return {path: content for path, content in sources.items()
-            if not path.startswith(_FOLDER) or path in own}
+    def _key(self, family: str, make: Make[object], its: Sources) -> str:
+        return cache.key_of(family, _name(make), self._command, its.digest(
+            makers(make), {operations.__name__: modules(family)}))
 
 
-def _called(family: str) -> set[str]:
-    """The families with operations that tiers call in kernels of this one."""
+def makers(make: Make[object]) -> tuple[str, ...]:
+    """The modules that derive a family's result."""
+    return make.__module__, FamilyKernels.__module__
+
+
+def modules(family: str) -> frozenset[str]:
+    """The modules with operations of a family, and with those that tiers call in its kernels."""
     takes = any(a.domain in ROTATIONS for op in OPERATIONS if op.family == family
                 for a in op.inputs)
-    return {op.family for op in OPERATIONS if takes and op.name == DEFECT}
+    called = {op.family for op in OPERATIONS if takes and op.name == DEFECT}
+    return frozenset(holder(operations.__name__, "FAMILY", family_named(name))
+                     for one in {family, *called} for name in contributors(one))
 
 
-def _imported(modules: Iterable[str], sources: Mapping[str, bytes]) -> set[str]:
-    """The paths of these modules of operations/ and of those that they import from there, directly
-    or not, at the top of a module or inside a function."""
-    found: set[str] = set()
-    waiting = [_path(module) for module in modules]
-    while waiting:
-        path = waiting.pop()
-        if path in sources and path not in found:
-            found.add(path)
-            waiting += map(_path, _imports(ast.parse(sources[path])))
-    return found
-
-
-def _path(module: str) -> str:
-    return f"{_FOLDER}{module.replace('.', '/')}.py"
-
-
-def _imports(tree: ast.Module) -> set[str]:
-    """The names that a module imports from operations/; some are not modules."""
-    found = set()
-    for node in ast.walk(tree):
-        if isinstance(node, ast.Import):
-            found |= {alias.name for alias in node.names}
-        elif isinstance(node, ast.ImportFrom):
-            base = f"{_PACKAGE}." * bool(node.level) + (node.module or "")
-            found |= {base, *(f"{base.rstrip('.')}.{alias.name}" for alias in node.names)}
-    return {name.removeprefix(f"{_PACKAGE}.") for name in found if name.startswith(f"{_PACKAGE}.")}
-
-
-def _version(package: str) -> str:
-    try:
-        return version(package)
-    except PackageNotFoundError:
-        return ""
+def _name(make: Make[object]) -> str:
+    return f"{make.__module__}.{make.__qualname__}"

@@ -3,6 +3,7 @@
 Each is a module of its package and assigns the object to an agreed name, such as `EFFECT`.  Modules
 without that name are helpers of the others."""
 
+import sys
 from collections.abc import Iterable
 from importlib import import_module
 from pkgutil import iter_modules
@@ -39,3 +40,11 @@ def found(package: str, path: Iterable[str], attribute: str, kind: type[Found]
         owners[thing.name] = module
         things.append(thing)
     return tuple(things)
+
+
+def holder(package: str, attribute: str, thing: object) -> str:
+    """The name of the module of a package that assigns this object to `attribute`; "" if none
+    does."""
+    return next((name for name, module in [*sys.modules.items()]
+                 if name.rpartition(".")[0] == package
+                 and getattr(module, attribute, None) is thing), "")

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from coscrew_codegen.console import doing
 from coscrew_codegen.formats import CHOICES
 from coscrew_codegen.name_lists import Names
-from coscrew_codegen.native import cache
+from coscrew_codegen.native import sources
 from coscrew_codegen.simulate.command import add_implausible, add_verbose, scene_of, tell_unused
 
 if TYPE_CHECKING:
@@ -62,7 +62,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _library(options: argparse.Namespace) -> int:
-    sources = None if options.check else _sources()
+    stands = None if options.check else _sources()
 
     from coscrew_codegen.documentation import reference_files
     from coscrew_codegen.emit import stale_files
@@ -82,7 +82,7 @@ def _library(options: argparse.Namespace) -> int:
     folder, check = Path(options.output or DEFAULT_OUTPUT), options.check
     whole = selection.whole
     with doing("generating") as tell:
-        kept = FamilyCache(sources, selection.base, tell)
+        kept = FamilyCache(stands, selection.base, tell)
         library = selection.library(kept)
         files = generated_files(library) | (reference_files(library) if whole else {})
     kept.save()
@@ -155,7 +155,7 @@ def _deliver(command: str, files: "Files", folder: Path, stale: tuple[str, ...],
     return 1
 
 
-def _sources() -> dict[str, bytes] | None:
+def _sources() -> sources.Contents | None:
     """The generator's sources as they stand; None where this process has imported operations and so
     may hold what they were."""
-    return None if "coscrew_codegen.operations" in sys.modules else cache.sources()
+    return None if "coscrew_codegen.operations" in sys.modules else sources.read()

@@ -13,13 +13,12 @@ import re
 import shutil
 import tempfile
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
 from coscrew_codegen.errors import ReportedError
-from coscrew_codegen.render import TEMPLATES
 
 LIMIT = "COSCREW_CACHE_LIMIT"
 """The environment variable with the limit: 200 MB, 2 GB, 0."""
@@ -118,16 +117,6 @@ def building() -> Iterator[Path]:
         yield Path(name)
 
 
-def text(name: str, make: Callable[[], str]) -> str:
-    """A text that depends only on the generator: from the cache, or made and cached."""
-    key = key_of(name, generator())
-    if path := found(key, ".txt"):
-        return path.read_text("utf-8")
-    made = make()
-    write(key, ".txt", made.encode())
-    return made
-
-
 def write(key: str, suffix: str, content: bytes) -> None:
     """Store this content as an entry."""
     with building() as work:
@@ -175,31 +164,3 @@ def _size(path: Path) -> int:
     if path.is_dir():
         return sum(x.stat().st_size for x in path.rglob("*") if x.is_file())
     return path.stat().st_size
-
-
-@functools.cache
-def generator() -> str:
-    """The hash of the generator's sources and templates, any of which may change its output."""
-    return digest(sources())
-
-
-def sources() -> dict[str, bytes]:
-    """The generator's current sources and templates, by path."""
-    roots = {"codegen": Path(__file__).resolve().parents[1], "templates": TEMPLATES}
-    found = {}
-    for name, root in roots.items():
-        for folder, _, files in os.walk(root):
-            inner = folder[len(str(root)):].replace(os.sep, "/")
-            for file in files:
-                if file.endswith((".py", ".jinja")):
-                    found[f"{name}{inner}/{file}"] = Path(folder, file).read_bytes()
-    return found
-
-
-def digest(contents: Mapping[str, bytes]) -> str:
-    """The hash of files, by their paths."""
-    total = hashlib.sha256()
-    for path, content in sorted(contents.items()):
-        total.update(f"{path}\0{len(content)}\0".encode())
-        total.update(content)
-    return total.hexdigest()

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from coscrew_codegen.bound_arguments import bound
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.integrators import EMITTED
-from coscrew_codegen.native import cache
+from coscrew_codegen.native import sources
 from coscrew_codegen.scene.names import or_mean
 from coscrew_codegen.scene.possible import why_singular
 from coscrew_codegen.scene.selected import DIVIDING, names
@@ -147,8 +147,8 @@ def gathered(scene: SceneInterface, precision: Precision,
     """The functions, whose first argument is `self`, as methods of one object."""
     found: Functions[np.floating] = Functions(scene.name, precision, scene.mark)
     for name, function in functions.items():
-        in_c = vars(function).pop("in_c", None)
-        members = {"__call__": function, "__doc__": function.__doc__, "__module__": __name__}
+        in_c, words = (vars(function).pop(x, None) for x in ("in_c", "words"))
+        members = {"__call__": function, "__doc__": words, "__module__": __name__}
         made = type(name, (_Callable,), members)(found, function)
         if in_c:
             type.__setattr__(type(made), "__call__", in_c(made._checked))
@@ -165,7 +165,7 @@ def _checks() -> ModuleType:
         return render("scene/arrays.py", banner="in memory")
 
     module = ModuleType("coscrew_scene_arrays")
-    exec(cache.text("checks", text), module.__dict__)
+    exec(sources.text("checks", text), module.__dict__)
     return module
 
 
@@ -258,7 +258,7 @@ def _signature(names: tuple[str, ...]) -> "inspect.Signature":
 
 
 def _described(function: Made, described: Signature) -> Made:
-    function.__doc__ = "\n\n".join(described.words)
+    vars(function)["words"] = function.__doc__ = "\n\n".join(described.words)
     return function
 
 

@@ -22,7 +22,8 @@ from numpy.typing import NDArray
 
 from coscrew_codegen.console import doing
 from coscrew_codegen.formats import PRECISIONS, Precision, named
-from coscrew_codegen.native import cache
+from coscrew_codegen.found import holder
+from coscrew_codegen.native import cache, sources
 from coscrew_codegen.scene.content import content_hash
 from coscrew_codegen.scene.names import listed
 from coscrew_codegen.scene.scene import Scene
@@ -270,11 +271,13 @@ def key_of(scene: Scene, functions: Collection[str], precisions: tuple[str, ...]
            compiler: native.Compiler, *tier: str) -> str:
     """The cache key: a hash of all that the kernels are made from.  "" if an effect is not in the
     catalogue, since its name does not identify its equations."""
-    from coscrew_codegen.effects import EFFECTS
+    from coscrew_codegen import effects
 
-    if any(not any(x.effect is effect for effect in EFFECTS) for x in scene.effects):
+    used = {holder(effects.__name__, "EFFECT", x.effect) for x in scene.effects}
+    if "" in used:
         return ""
-    return cache.key_of(cache.generator(), content_hash(scene), *native.place(compiler),
+    made_from = sources.digest_of(__name__, chosen={effects.__name__: used})
+    return cache.key_of(made_from, content_hash(scene), *native.place(compiler),
                         " ".join(precisions), *functions, *(f"tier {x}" for x in tier))
 
 

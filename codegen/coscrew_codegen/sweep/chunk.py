@@ -11,7 +11,7 @@ from importlib.metadata import version
 
 import numpy as np
 
-from coscrew_codegen.native import cache
+from coscrew_codegen.native import cache, sources
 from coscrew_codegen.simulate.load import Kernels, restored
 from coscrew_codegen.simulate.system import scene_of, system
 from coscrew_codegen.simulate.uniform_rotations import quaternions
@@ -37,7 +37,7 @@ class Job:
     @classmethod
     def of(cls, kernels: Kernels, specification: Specification) -> "Job":
         """The job of a sweep, for workers with these sources."""
-        return cls(pickle.dumps(kernels), kernels.compiled, specification, cache.generator())
+        return cls(pickle.dumps(kernels), kernels.compiled, specification, sources.generator())
 
 
 @dataclass(frozen=True)
@@ -67,7 +67,7 @@ def computed(job: Job, number: int) -> Chunk:
     Raises SweepError if the worker has other sources than the command, cannot compile what the
     command could, or has no disk or memory left."""
     worker = f"the worker on {platform.node()}"
-    if cache.generator() != job.generator:
+    if sources.generator() != job.generator:
         raise SweepError(f"{worker} has another version of coscrew than this command; install the "
                          "same on both")
     try:
