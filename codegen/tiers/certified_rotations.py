@@ -7,11 +7,20 @@ other matrices; that of a polynomial is its definition, also for reflections.
 from dataclasses import replace
 from fractions import Fraction
 
-from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
+from coscrew_codegen.program import (
+    ZERO,
+    Constant,
+    Input,
+    Instruction,
+    Op,
+    Operand,
+    Program,
+    Ref,
+    constant,
+)
 from coscrew_codegen.quantity import DISPLACEMENT, ROTATION, TOLERANCE
-from coscrew_codegen.tiers.errors import constant
 
-_ZERO, _WITHIN = constant(Fraction(0)), constant(TOLERANCE)
+_WITHIN = constant(TOLERANCE)
 _LARGE = Constant(Fraction(2)**1000, Fraction(2)**100)
 """Its square overflows."""
 ROTATIONS = (ROTATION, DISPLACEMENT)
@@ -53,8 +62,8 @@ class _Writer:
         defect = self._defect(number, name, columns)
         less = self.issue(f"{name}_is_less", Op.LESS, defect, _WITHIN)
         same = self.issue(f"{name}_is_equal", Op.EQUAL, defect, _WITHIN)
-        others = self.issue(f"{name}_unless_equal", Op.SELECT, same, _ZERO, _LARGE)
-        chosen = self.issue(f"{name}_unless_rotation", Op.SELECT, less, _ZERO, others)
+        others = self.issue(f"{name}_unless_equal", Op.SELECT, same, ZERO, _LARGE)
+        chosen = self.issue(f"{name}_unless_rotation", Op.SELECT, less, ZERO, others)
         return self.issue(f"{name}_excess", Op.MUL, chosen, _LARGE)
 
     def _defect(self, number: int, name: str, columns: int) -> Operand:
