@@ -205,7 +205,7 @@ def _of_angle(sizes: Sizes, step: Instruction) -> Size:
     a = sizes.padded(step.operands[0])
     many = sizes.counts.get(Op.SIN, 0) + sizes.counts.get(Op.COS, 0) > MANY
     if many and a.exact:
-        return _curved(sizes, step, sizes.do(Op.ABS, Ref(step.name)))
+        return _curved(sizes, step)
     s = ONE if a.exact else sizes.do(Op.ADD, ONE, a.s)
     return replace(_right_to_rest(sizes, a, s), h=Fraction(0))
 
@@ -215,7 +215,8 @@ def _of_arctangent(sizes: Sizes, step: Instruction) -> Size:
     size, (a, b) = sizes.do(Op.ABS, Ref(step.name)), (sizes.padded(z, True) for z in (y, x))
     if a.exact and b.exact:
         return _right_to_rest(sizes, a, size)
-    largest = _larger(sizes, sizes.magnitude(y), sizes.magnitude(x))
+    one, other = sizes.magnitude(y), sizes.magnitude(x)
+    largest = sizes.do(Op.SELECT, sizes.do(Op.LESS, one, other), other, one)
     apart: Operand = constant(sizes.padding)
     for bound in _bounds_of(sizes, (y, x)):
         apart = sizes.do(Op.ADD, apart, bound)
@@ -226,10 +227,6 @@ def _of_arctangent(sizes: Sizes, step: Instruction) -> Size:
     small = sizes.do(Op.MUL, part, part)
     return _widened(sizes, _right_to_rest(sizes, both, s),
                     _if_the_angle_is_certain(sizes, step, near, small))
-
-
-def _larger(sizes: Sizes, a: Operand, b: Operand) -> Operand:
-    return sizes.do(Op.SELECT, sizes.do(Op.LESS, a, b), b, a)
 
 
 def _if_the_angle_is_certain(sizes: Sizes, step: Instruction, near: Operand, small: Operand
@@ -259,10 +256,6 @@ def _of_scaled(sizes: Sizes, step: Instruction) -> Size:
     return Size(sizes.do(Op.ABS, p), Fraction(1), Fraction(1), sizes.slack)
 
 
-def _of_tangent(sizes: Sizes, step: Instruction) -> Size:
-    return _curved(sizes, step, sizes.do(Op.ABS, Ref(step.name)))
-
-
 def _of_exponential(sizes: Sizes, step: Instruction) -> Size:
     (x,), y = step.operands, Ref(step.name)
     if sizes.size(x).exact:
@@ -272,10 +265,11 @@ def _of_exponential(sizes: Sizes, step: Instruction) -> Size:
     return replace(size, s=s)
 
 
-def _curved(sizes: Sizes, step: Instruction, least: Operand) -> Size:
-    """Of a function with derivatives of at most 1, whose result is at most `least`."""
+def _curved(sizes: Sizes, step: Instruction, least: Operand | None = None) -> Size:
+    """Of a function with derivatives of at most 1, whose result is at most `least`: its size."""
     (x,), u = step.operands, sizes.u
-    a, s = sizes.padded(x), least
+    s = least = least or sizes.do(Op.ABS, Ref(step.name))
+    a = sizes.padded(x)
     if not a.exact:
         spread = sizes.do(Op.MUL, a.s, sizes.do(Op.ADD, ONE, sizes.units(x)))
         s = sizes.do(Op.ADD, least, spread)
@@ -292,7 +286,7 @@ RULES: Mapping[Op, Callable[[Sizes, Instruction], Size]] = {
     Op.ADD: Sizes.of_sum, Op.SUB: Sizes.of_sum, Op.MUL: Sizes.of_product,
     Op.NEG: lambda sizes, step: sizes.size(step.operands[0]), Op.ABS: _of_absolute,
     Op.DIV: _of_quotient, Op.SQRT: _of_root, Op.SELECT: _of_choice, Op.SIN: _of_angle,
-    Op.COS: _of_angle, Op.TANH: _of_tangent, Op.EXP: _of_exponential, Op.ATAN2: _of_arctangent,
+    Op.COS: _of_angle, Op.TANH: _curved, Op.EXP: _of_exponential, Op.ATAN2: _of_arctangent,
     Op.SCALE: _of_scaled}
 BOUNDED = frozenset({*COMPARISONS, *RULES})
 """The operations whose errors have bounds."""

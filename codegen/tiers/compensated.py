@@ -236,18 +236,22 @@ def product(c: Carrier, step: Instruction) -> None:
     """(a + a_lo)(b + b_lo): hi = a b rounded, lo = a_lo b + a b_lo and the rounding error, which is
     zero if a or b is a power of two."""
     step = replace(step, operands=tuple(c.factor(step, x) for x in step.operands))
-    a, b = step.operands
-    a_lo, b_lo = (c.low(step, x) for x in step.operands)
+    low = [c.low(step, x) for x in step.operands]
     c.steps.append(step)
-    cross = [c.issue(step, Op.MUL, (x, y), f"cross{number}")
-             for number, (x, y) in enumerate(((a_lo, b), (a, b_lo)), start=1)
-             if x is not None and y is not None]
-    if len(cross) == 2 and not scales(step):
-        cross = [c.issue(step, Op.ADD, tuple(cross), "cross")]
-    if cross:
-        c.keep(step.name, cross[0])
+    c.keep(step.name, cross_terms(c, step, *low))
     if not scales(step):
         c.products[step.name] = step
+
+
+def cross_terms(c: Carrier, step: Instruction, a_lo: Operand | None, b_lo: Operand | None
+                ) -> Operand | None:
+    """a_lo b + a b_lo of a product a b; None for 0."""
+    a, b = step.operands
+    terms = [c.issue(step, Op.MUL, (x, y), f"cross{number}")
+             for number, (x, y) in enumerate(((a_lo, b), (a, b_lo)), start=1)
+             if x is not None and y is not None]
+    return c.issue(step, Op.ADD, (terms[0], terms[1]), "cross") if len(terms) == 2 else (
+        terms[0] if terms else None)
 
 
 def total(c: Carrier, step: Instruction) -> None:

@@ -11,7 +11,7 @@ from coscrew_codegen.formats import SINGLE
 from coscrew_codegen.program import Constant, Instruction, Op, Operand, Program, Ref
 from coscrew_codegen.program.program import name_of
 from coscrew_codegen.tiers.accurate_scene import SCENES, compared_exactly, rounded
-from coscrew_codegen.tiers.compensated import Carrier
+from coscrew_codegen.tiers.compensated import Carrier, cross_terms
 from coscrew_codegen.tiers.tier import Tier
 
 CARRYING = frozenset({Op.ADD, Op.SUB, Op.MUL})
@@ -67,23 +67,13 @@ class _Mixed:
 
     def _contributed(self, step: Instruction, low: list[Operand | None]) -> Operand | None:
         """What the lo contribute to a sum, a difference or a product."""
-        if low == [None] * len(low):
-            return None
-        (a, b), (a_lo, b_lo) = step.operands, low
-        if step.op is not Op.MUL:
-            if a_lo is None and b_lo is not None and step.op is Op.SUB:
-                return self.pairs.issue(step, Op.NEG, (b_lo,), "cross")
-            return self._sum_of(step, step.op, a_lo, b_lo)
-        left = None if a_lo is None else self.pairs.issue(
-            step, Op.MUL, (a_lo, b), "cross1")
-        right = None if b_lo is None else self.pairs.issue(step, Op.MUL, (a, b_lo), "cross2")
-        return self._sum_of(step, Op.ADD, left, right)
-
-    def _sum_of(self, step: Instruction, op: Op, a: Operand | None, b: Operand | None
-                ) -> Operand | None:
-        if a is None or b is None:
-            return b if a is None else a
-        return self.pairs.issue(step, op, (a, b), "cross")
+        a_lo, b_lo = low if len(low) == 2 else (None, None)
+        if step.op is Op.MUL:
+            return cross_terms(self.pairs, step, a_lo, b_lo)
+        if a_lo is None or b_lo is None:
+            negative = step.op is Op.SUB and b_lo is not None
+            return self.pairs.issue(step, Op.NEG, (b_lo,), "cross") if negative else a_lo or b_lo
+        return self.pairs.issue(step, step.op, (a_lo, b_lo), "cross")
 
     def _single(self, step: Instruction, x: Operand) -> Operand:
         """hi + lo of an operand rounded, computed once."""

@@ -221,8 +221,8 @@ class Sizes:
         p, q = map(self.magnitude, (x, y))
         a, b = map(self.some_bound, (x, y))
         first = self.do(Op.ADD, self.do(Op.MUL, p, b), self.do(Op.MUL, q, a))
-        second = self.do(Op.ADD, self.do(Op.MUL, p, self._beyond_of(y)),
-                         self.do(Op.MUL, q, self._beyond_of(x)))
+        second = self.do(Op.ADD, self.do(Op.MUL, p, self._beyond(y)),
+                         self.do(Op.MUL, q, self._beyond(x)))
         second = self.do(Op.ADD, second, self.do(Op.MUL, a, b))
         second = self.do(Op.ADD, second, self.do(Op.MUL, first, constant(4 * u)))
         k, m = Fraction(WIDE), 256 * Fraction(WIDE)
@@ -259,7 +259,8 @@ class Sizes:
             error = abs(self.precision.value(x) - self.near(x).double) + x.tail
             return self.rounded_up((1 + 4 * self.u) * error)
         low = self.first_order(x)
-        return self._with_rest(low and self.do(Op.ABS, low, name="error"), self.padded(x))
+        error = ZERO if low is None else self.do(Op.ABS, low, name="error")
+        return self.do(Op.ADD, error, self._beyond(x), name="bound")
 
     def _bound_beside(self, x: Operand, other: Operand) -> Operand:
         """B >= |x - ŷ| for another approximation ŷ of x: with (1 + 8 u) |(x̂ - ŷ) + d| for |d|, as
@@ -270,21 +271,14 @@ class Sizes:
             error = self.do(Op.ADD, error, low, name="apart")
         grown = self.do(Op.MUL, self.do(Op.ABS, error, name="error"),
                         self.rounded_up(1 + 8 * self.u), name="error")
-        return self._with_rest(grown, self.padded(x, even_exact=True))
+        return self.do(Op.ADD, grown, self._beyond(x, even_exact=True), name="bound")
 
-    def _beyond_of(self, x: Operand) -> Operand:
+    def _beyond(self, x: Operand, even_exact: bool = False) -> Operand:
         """C s' >= |x - x̂ - d|."""
-        return self._beyond(self.padded(x))
-
-    def _beyond(self, size: Size) -> Operand:
+        size = self.padded(x, even_exact)
         rounding = 8 * size.k * self.u**2
         factor = self.rounded_up((1 + 32 * self.u) * (self.covered(size.k, size.m) + rounding))
         return self.do(Op.MUL, factor, size.s, name="rest")
-
-    def _with_rest(self, error: Operand | None, size: Size) -> Operand:
-        """The error and the rest of a bound."""
-        rest = self._beyond(size)
-        return rest if error is None else self.do(Op.ADD, error, rest, name="bound")
 
     def first_order(self, x: Operand) -> Operand | None:
         """d; None for 0, and where S covers it."""
