@@ -15,6 +15,7 @@ from coscrew_codegen.elementary.reduction import nearest, ordered_sum, two_sum
 from coscrew_codegen.elementary.steps import Steps, Value
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.program import Op
+from coscrew_codegen.program.roundoff import product_error
 
 _ZERO = Fraction(0)
 
@@ -110,26 +111,24 @@ class Pairs:
 
     def product(self, name: str, a: Pair, b: Pair) -> Pair:
         """a b = high + (the error of high + (a_low b + a b_low)); a_low b_low is left out."""
-        steps = a.high.steps
-        high = steps.named(name, a.high * b.high)
-        low = steps.named(f"{name}_error", steps.do(Op.PRODUCT_ERROR, a.high, b.high, high))
-        error = a.rest * b.rest + a.error * b.most + (a.size + a.rest) * b.error + self.eta
-        rest = self.rounding(a.size * b.size)
-        terms = [(x * y, size) for x, y, size in ((a.high, b.low, a.size * b.rest),
-                                                  (a.low, b.high, a.rest * b.size))
-                 if x is not None and y is not None]
-        error += sum((self.rounding(size) for _, size in terms), _ZERO)
-        if terms:
-            cross, size = terms[0]
-            size += self.rounding(size)
-            if len(terms) == 2:
-                cross, size = cross + terms[1][0], size + terms[1][1] + self.rounding(terms[1][1])
-                error += self.rounding(size)
-                size += self.rounding(size)
-            low = steps.named(f"{name}_low", low + cross)
-            error += self.rounding(rest + size)
-            rest += size + self.rounding(rest + size)
-        return _bounded(high, low, a.size * b.size + self.rounding(a.size * b.size), rest, error)
+        steps, product = a.high.steps, a.size * b.size
+        high, lost = steps.named(name, a.high * b.high), self.rounding(product)
+        missed = a.rest * b.rest + self.eta + product_error(
+            a.size + a.rest, a.error, b.size + b.rest, b.error)
+        low = Pair(steps.do(Op.PRODUCT_ERROR, a.high, b.high, high), None, lost, error=missed)
+        steps.named(f"{name}_error", low.high)
+        return self._with_lows(name, high, product + lost, low, self._sum_of_lows(
+            self._product_of_lows(_number(a.high, a.size), _number(b.low, b.rest)),
+            self._product_of_lows(_number(a.low, a.rest), _number(b.high, b.size))))
+
+    def _with_lows(self, name: str, high: Value, size: Fraction, low: Pair, more: Pair | None
+                   ) -> Pair:
+        """high + (low + more)."""
+        total = self._sum_of_lows(low, more)
+        assert total is not None
+        if more is not None:
+            high.steps.named(f"{name}_low", total.high)
+        return _bounded(high, total.high, size, total.size, total.error)
 
     def constant(self, steps: Steps, x: Fraction) -> Pair:
         """A number as a pair."""
@@ -140,24 +139,12 @@ class Pairs:
 
     def sum(self, name: str, a: Pair, b: Pair, ordered: bool = False) -> Pair:
         """a + b = high + (the error of high + (b_low + a_low)); ordered: |a_high| >= |b_high|."""
-        steps, size = a.high.steps, a.size + b.size
-        if ordered:
-            high, low = ordered_sum(name, a.high, b.high)
-        else:
-            high, low = two_sum(name, a.high, b.high)
-        rest, error = self.rounding(size), a.error + b.error
-        size += rest
-        lows = [(x.low, x.rest) for x in (b, a) if x.low is not None]
-        if lows:
-            more, extent = lows[0]
-            if len(lows) == 2:
-                more, extent = more + lows[1][0], extent + lows[1][1]
-                error += self.rounding(extent)
-                extent += self.rounding(extent)
-            low = steps.named(f"{name}_low", low + more)
-            error += self.rounding(rest + extent)
-            rest += extent + self.rounding(rest + extent)
-        return _bounded(high, low, size, rest, error)
+        size = a.size + b.size
+        high, low = (ordered_sum if ordered else two_sum)(name, a.high, b.high)
+        lost = self.rounding(size)
+        return self._with_lows(
+            name, high, size + lost, Pair(low, None, lost, error=a.error + b.error),
+            self._sum_of_lows(_number(b.low, b.rest), _number(a.low, a.rest)))
 
     def normal(self, name: str, x: Pair) -> Pair:
         """high is high + low rounded, low what that misses: at most u of it."""
@@ -211,25 +198,28 @@ class Pairs:
         high, error = ordered_sum(name, constant.high, p)
         size = constant.size + product + lost
         lows = [_number(constant.low, constant.rest), _number(error, self.rounding(size))]
-        missed = constant.error + z.error * value.most + (z.size + z.rest) * value.error
+        missed = constant.error + product_error(
+            z.size + z.rest, z.error, value.size + value.rest, value.error)
         if brief:
             assert value.low is None
             missed += lost + z.rest * value.size
         else:
             exact = _number(steps.do(Op.PRODUCT_ERROR, z.high, value.high, p), lost)
             missed += z.rest * value.rest + self.eta
-            lows = [self._product_of_lows(value.high, value.size, z.low, z.rest), exact, *lows,
-                    self._product_of_lows(z.high, z.size, value.low, value.rest)]
+            lows = [self._product_of_lows(_number(value.high, value.size), _number(z.low, z.rest)),
+                    exact, *lows,
+                    self._product_of_lows(_number(z.high, z.size), _number(value.low, value.rest))]
         low = reduce(self._sum_of_lows, lows)
         assert low is not None
         return _bounded(high, steps.named(f"{name}_low", low.high),
                         size + self.rounding(size), low.size, missed + low.error)
 
-    def _product_of_lows(self, a: Value, size: Fraction, low: Value | None, rest: Fraction
-                         ) -> Pair | None:
-        """a low, rounded; of None, 0."""
-        lost = self.rounding(size * rest)
-        return None if low is None else Pair(a * low, None, size * rest + lost, error=lost)
+    def _product_of_lows(self, a: Pair | None, b: Pair | None) -> Pair | None:
+        """a b of numbers, rounded; None is 0."""
+        if a is None or b is None:
+            return None
+        lost = self.rounding(a.size * b.size)
+        return Pair(a.high * b.high, None, a.size * b.size + lost, error=lost)
 
     def _sum_of_lows(self, a: Pair | None, b: Pair | None) -> Pair | None:
         """a + b, rounded; None is 0."""

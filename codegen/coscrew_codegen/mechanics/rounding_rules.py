@@ -13,7 +13,7 @@ Constants are the exact decimals.  Each of these bounds is rounded up.
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from fractions import Fraction
 from functools import partial
 from math import frexp, inf, ldexp, nextafter, sqrt
 from typing import NamedTuple
@@ -29,6 +29,7 @@ from coscrew_codegen.program import (
     scales,
 )
 from coscrew_codegen.program.interpreter import Arithmetic, evaluate
+from coscrew_codegen.program.roundoff import Upward, product_error
 
 _CIRCULAR = {Op.SIN, Op.COS}
 FOLLOWED = frozenset({Op.ADD, Op.SUB, Op.MUL, Op.NEG, *_CIRCULAR})
@@ -38,11 +39,11 @@ FOLLOWED = frozenset({Op.ADD, Op.SUB, Op.MUL, Op.NEG, *_CIRCULAR})
 class Rounded(NamedTuple):
     """|x| <= size, |x̂ - x| <= error; what it is a sine or cosine of, or a multiple of such."""
 
-    size: float
-    error: float = 0.0
+    size: Upward
+    error: Upward = Upward(0)
     circular: tuple[Op, Operand] | None = None
     factor: "Rounded | None" = None  # of a multiple: the other factor
-    rest: float = 0.0  # of a multiple: error less that of the other factor
+    rest: Upward = Upward(0)  # of a multiple: error less that of the other factor
 
 
 def moved(program: Program, precision: Precision, sizes: Sequence[Sequence[float]],
@@ -53,45 +54,26 @@ def moved(program: Program, precision: Precision, sizes: Sequence[Sequence[float
     if not program.counts.keys() <= FOLLOWED or NotANumber() in program.results:
         return None
     follow = _Follow(precision, of_sine)
-    given = [[Rounded(size) for size in parts] for parts in sizes]
+    given = [[Rounded(Upward(size)) for size in parts] for parts in sizes]
     return tuple(evaluate(program, given, Arithmetic(follow.constant, follow.operation)))
 
 
-def _up(x: float) -> float:
-    return nextafter(x, inf)
+def _length(a: Upward, b: Upward) -> Upward:
+    return Upward(nextafter(sqrt(a * a + b * b), inf))
 
 
-def _sum(*terms: float) -> float:
-    total = terms[0]
-    for x in terms[1:]:
-        total = _up(total + x) if x else total
-    return total
-
-
-def _product(a: float, b: float) -> float:
-    return _up(a * b) if a and b else 0.0
-
-
-def _length(a: float, b: float) -> float:
-    return _up(sqrt(_sum(_product(a, a), _product(b, b))))
-
-
-@dataclass
 class _Follow:
     """The rules in a precision."""
 
-    precision: Precision
-    of_sine: float
-
-    def __post_init__(self) -> None:
-        self._u, self._eta = float(self.precision.u), float(self.precision.eta)
-        self._most = float(self.precision.limit("max"))
+    def __init__(self, precision: Precision, of_sine: float) -> None:
+        self._precision, self._of_sine = precision, Upward(of_sine)
+        self._u, self._eta = Upward(precision.u), Upward(precision.eta)
+        self._most = float(precision.limit("max"))
 
     def constant(self, x: Constant) -> Rounded:
-        value = self.precision.value(x)
-        near = self.precision.rounded(value)
-        error = abs(value - type(value)(float(near)))
-        return Rounded(_up(float(abs(value))), _up(float(error)) if error else 0.0)
+        value = self._precision.value(x)
+        error = abs(value - Fraction(float(self._precision.rounded(value))))
+        return Rounded(_above(abs(value)), _above(error) if error else Upward(0))
 
     def operation(self, step: Instruction, number: int) -> Callable[..., Rounded]:
         if step.op in _CIRCULAR:
@@ -100,38 +82,39 @@ class _Follow:
             return partial(self._multiple, scales(step))
         return self._total if step.op in (Op.ADD, Op.SUB) else lambda x: x
 
-    def _rounding(self, size: float) -> float:
+    def _rounding(self, size: float) -> Upward:
         """What rounding a number up to this size errs by."""
-        if not size:
-            return 0.0
-        if size > self._most:
-            return inf
-        return max(ldexp(self._u, frexp(size)[1] - 1), self._eta)
+        if not size or size > self._most:
+            return Upward(inf if size else 0)
+        return max(Upward(ldexp(self._u, frexp(size)[1] - 1)), self._eta)
 
     def _total(self, a: Rounded, b: Rounded) -> Rounded:
-        size, error = _sum(a.size, b.size), _sum(a.error, b.error)
+        size, error = a.size + b.size, a.error + b.error
         if _turn(a, b):
             assert a.factor and b.factor
             size = min(size, _length(a.factor.size, b.factor.size))
-            error = min(error, _sum(_length(a.factor.error, b.factor.error), a.rest, b.rest))
-        return Rounded(size, _sum(error, self._rounding(_sum(size, error))))
+            error = min(error, _length(a.factor.error, b.factor.error) + a.rest + b.rest)
+        return Rounded(size, error + self._rounding(size + error))
 
     def _multiple(self, exact: bool, a: Rounded, b: Rounded) -> Rounded:
-        size, both = _product(a.size, b.size), _product(a.error, b.error)
-        error = _sum(_product(a.size, b.error), _product(a.error, b.size), both)
-        last = self._eta if exact else self._rounding(_sum(size, error))
-        found = Rounded(size, _sum(error, last))
+        size, error = a.size * b.size, product_error(a.size, a.error, b.size, b.error)
+        last = self._eta if exact else self._rounding(size + error)
+        found = Rounded(size, error + last)
         for x, y in ((a, b), (b, a)):
             if x.circular and not x.factor:
-                rest = _sum(_product(x.error, y.size), both, last)
+                rest = x.error * y.size + a.error * b.error + last
                 return found._replace(circular=x.circular, factor=y, rest=rest)
         return found
 
     def _function(self, of: tuple[Op, Operand], x: Rounded) -> Rounded:
         """Its ulp is at most u, and 2 u s if the computed one is up to s."""
-        size = min(1.0, x.size) if of[0] is Op.SIN else 1.0
-        own = max(_product(self._u, min(1.0, 2 * _sum(size, x.error))), 2 * self._eta)
-        return Rounded(size, _sum(x.error, _product(self.of_sine, own)), of)
+        size = min(Upward(1), x.size) if of[0] is Op.SIN else Upward(1)
+        own = max(self._u * min(1.0, 2 * (size + x.error)), Upward(2 * self._eta))
+        return Rounded(size, x.error + self._of_sine * own, of)
+
+
+def _above(x: Fraction) -> Upward:
+    return Upward(nextafter(float(x), inf))
 
 
 def _turn(a: Rounded, b: Rounded) -> bool:

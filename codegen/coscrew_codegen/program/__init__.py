@@ -2,6 +2,8 @@
 
 from coscrew_codegen.program.ops import Op
 from coscrew_codegen.program.program import (
+    ONE,
+    ZERO,
     Constant,
     Input,
     Instruction,
@@ -10,14 +12,16 @@ from coscrew_codegen.program.program import (
     Program,
     Ref,
     by_component,
+    constant,
     counts_in_words,
     operands_of_pair,
     renamed,
     scales,
     sine_cosine_pairs,
+    with_constants,
     without_dead_steps,
 )
 
-__all__ = ["Constant", "Input", "Instruction", "NotANumber", "Op", "Operand", "Program", "Ref",
-           "by_component", "counts_in_words", "operands_of_pair", "renamed", "scales",
-           "sine_cosine_pairs", "without_dead_steps"]
+__all__ = ["ONE", "ZERO", "Constant", "Input", "Instruction", "NotANumber", "Op", "Operand",
+           "Program", "Ref", "by_component", "constant", "counts_in_words", "operands_of_pair",
+           "renamed", "scales", "sine_cosine_pairs", "with_constants", "without_dead_steps"]

@@ -5,7 +5,7 @@ single precision, on NumPy arrays, on exact rationals or on symbols alike.
 """
 
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
@@ -39,6 +39,14 @@ class Constant:
     def _hash(self) -> int:
         """The hash, computed once: hashing a fraction takes a modular power."""
         return hash((self.double, self.single))
+
+
+def constant(value: Fraction) -> Constant:
+    """A number that is the same in both precisions."""
+    return Constant(value, value)
+
+
+ZERO, ONE = constant(Fraction(0)), constant(Fraction(1))
 
 
 @dataclass(frozen=True)
@@ -152,6 +160,15 @@ def renamed(program: Program, names: Mapping[str, str]) -> Program:
     steps = tuple(replace(step, name=names[step.name], operands=tuple(map(other, step.operands)))
                   for step in program.instructions)
     return replace(program, instructions=steps, results=tuple(map(other, program.results)))
+
+
+def with_constants(program: Program, other: Callable[[Constant], Constant]) -> Program:
+    """The program with other constants."""
+    def changed(operands: tuple[Operand, ...]) -> tuple[Operand, ...]:
+        return tuple(other(x) if isinstance(x, Constant) else x for x in operands)
+
+    steps = tuple(replace(step, operands=changed(step.operands)) for step in program.instructions)
+    return replace(program, instructions=steps, results=changed(program.results))
 
 
 def sine_cosine_pairs(program: Program) -> dict[str, tuple[Instruction, Instruction]]:

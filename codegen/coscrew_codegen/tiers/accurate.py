@@ -13,12 +13,12 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from coscrew_codegen.formats import DOUBLE, SINGLE, Precision
-from coscrew_codegen.program import Constant, Op, Operand, Program
+from coscrew_codegen.program import Constant, Instruction, Op, Program, constant, with_constants
 from coscrew_codegen.program.bounds import bounds_of
-from coscrew_codegen.tiers.accurate_scene import of_scene
-from coscrew_codegen.tiers.compensated import rounded_constant
+from coscrew_codegen.tiers.accurate_scene import in_pairs, rounded
+from coscrew_codegen.tiers.compensated import Carrier, Carrying, carried, suffixed, total, two_sum
 from coscrew_codegen.tiers.negation import negating_terms
-from coscrew_codegen.tiers.nonlinear import COMPENSATED, Accurate, compensated
+from coscrew_codegen.tiers.nonlinear import RULES
 from coscrew_codegen.tiers.tier import Tier, rounds_by
 
 if TYPE_CHECKING:
@@ -32,38 +32,46 @@ LARGEST = 1000
 long.  Iterations such as `mat3x3_nearest_rotation` are longer, and backward stable without."""
 
 
+def _overlapping(c: Carrier, step: Instruction) -> None:
+    """A sum that is made non-overlapping before it is multiplied."""
+    c.overlapping.add(step.name)
+    total(c, step)
+
+
+QUICK = Carrying(RULES, suffixed, two_sum)
+CAREFUL = replace(QUICK, rules={**RULES, Op.ADD: _overlapping, Op.SUB: _overlapping})
+
+
 def accurate(program: Program) -> Program:
     """The plain program compensated; c2 <= LARGEST_C2 if it is a polynomial."""
-    quick = compensated(program, Accurate())
+    quick = carried(program, DOUBLE, QUICK)
     bounds = bounds_of(quick)
     if bounds is None or all(bound.c2 <= LARGEST_C2 for bound in bounds):
         return quick
-    sums = {step.name for step in program.instructions if step.op in (Op.ADD, Op.SUB)}
-    return compensated(program, Accurate(sums))
+    return carried(program, DOUBLE, CAREFUL)
 
 
 def widened(program: Program) -> Program:
     """The plain program computed in double, with the thresholds of single precision."""
-    def narrow(x: Operand) -> Operand:
-        if not isinstance(x, Constant):
-            return x
+    def narrow(x: Constant) -> Constant:
         same = x.double == x.single
-        value = Fraction(float(x.double if same else SINGLE.rounded(x.single)))
-        return Constant(value, value)
+        return constant(Fraction(float(x.double if same else SINGLE.rounded(x.single))))
 
     program = negating_terms(program)  # C may fuse exact products into sums
-    steps = tuple(replace(step, operands=tuple(map(narrow, step.operands)))
-                  for step in program.instructions)
-    return replace(program, instructions=steps, wide=True)
+    return replace(with_constants(program, narrow), wide=True, fine=None)
 
 
 def _made(program: Program, precision: Precision) -> Program:
-    if precision != DOUBLE:
-        return replace(widened(program.fine or program), fine=None)
-    made = accurate(program.fine or program)
-    steps = tuple(replace(step, operands=tuple(map(_rounded, step.operands)))
-                  for step in made.instructions)
-    return replace(made, instructions=steps, fine=None)
+    program = program.fine or program
+    return rounded(accurate(program), DOUBLE) if precision == DOUBLE else widened(program)
+
+
+def of_scene(program: Program, precision: Precision) -> Program:
+    """The plain program of a scene's function, whose constants are decimals: hi + lo in double; in
+    single precision doubles."""
+    if precision == DOUBLE:
+        return in_pairs(program, DOUBLE)
+    return replace(rounded(program.fine or program, DOUBLE), wide=True)
 
 
 def accurate_operation(operation: "Operation") -> "Operation":
@@ -75,12 +83,8 @@ def accurate_operation(operation: "Operation") -> "Operation":
     return replace(operation, normwise=within, rounding=words)
 
 
-def _rounded(x: Operand) -> Operand:
-    return rounded_constant(x) if isinstance(x, Constant) else x
-
-
 def _has(program: Program) -> bool:
-    return rounds_by(COMPENSATED, program) and len(program.instructions) <= LARGEST
+    return rounds_by(frozenset(RULES), program) and len(program.instructions) <= LARGEST
 
 
 TIER = Tier(

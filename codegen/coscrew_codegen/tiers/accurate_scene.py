@@ -1,5 +1,11 @@
-"""The accurate tier of scenes: their functions are longer than operations, and their constants are
-decimals."""
+"""How functions of scenes are carried as hi + lo: they are longer than operations, products of sums
+are long chains there, names are numbered, and constants are decimals.
+
+The lo of a sum that cancels is not small, and what it is multiplied by would have rounding errors
+of the order of u lo.  So every sum is first rounded to hi + lo with a small lo.  What is lost
+anywhere is then of the order of u² of the value there, and a result's error of the order of u²
+times its condition, even where intermediate results have lost all digits.
+"""
 
 import math
 import re
@@ -9,40 +15,51 @@ from fractions import Fraction
 
 import numpy as np
 
-from coscrew_codegen.formats import DOUBLE, Precision
-from coscrew_codegen.program import Constant, Instruction, Op, Operand, Program, Ref
+from coscrew_codegen.formats import Precision
+from coscrew_codegen.program import (
+    Constant,
+    Instruction,
+    Op,
+    Operand,
+    Program,
+    Ref,
+    with_constants,
+)
 from coscrew_codegen.program.program import name_of
-from coscrew_codegen.tiers.compensated import rounded_constant
-from coscrew_codegen.tiers.nonlinear import Accurate, compensated
+from coscrew_codegen.tiers.compensated import (
+    Carrier,
+    Carrying,
+    Name,
+    Rule,
+    carried,
+    rounded_constant,
+)
+from coscrew_codegen.tiers.nonlinear import RULES, error_of
 
-
-def of_scene(program: Program, precision: Precision) -> Program:
-    """The plain program of a scene's function, whose constants are decimals: hi + lo in double; in
-    single precision doubles."""
-    if precision == DOUBLE:
-        return in_pairs(program, DOUBLE)
-    return replace(rounded(program.fine or program, DOUBLE), wide=True)
+_NUMBER = re.compile(r"_[0-9]+$")
 
 
 def in_pairs(program: Program, precision: Precision) -> Program:
     """The plain program with every value, constants included, as hi + lo in this precision."""
-    program = program.fine or program
-    return rounded(compensated(program, OfScene(program, precision)), precision)
+    program = compared_exactly(program.fine or program, precision)
+    return rounded(carried(program, precision, SCENES), precision)
 
 
 def rounded(program: Program, precision: Precision) -> Program:
-    def rounded(x: Operand) -> Operand:
-        return rounded_constant(x, precision) if isinstance(x, Constant) else x
+    """The program whose constants are numbers of this precision."""
+    return replace(with_constants(program, lambda x: rounded_constant(x, precision)), fine=None)
 
-    steps = tuple(replace(step, operands=tuple(map(rounded, step.operands)))
-                  for step in program.instructions)
-    return replace(program, instructions=steps, results=tuple(map(rounded, program.results)),
-                   fine=None)
+
+def compared_exactly(program: Program, precision: Precision) -> Program:
+    """The program with numbers of this precision to the left and to the right of <, which compare
+    with all others as its constants do."""
+    return replace(program, instructions=tuple(
+        step if step.op is not Op.LESS else replace(step, operands=tuple(
+            _beyond(x, n > 0, precision) for n, x in enumerate(step.operands)))
+        for step in program.instructions))
 
 
 def _beyond(x: Operand, above: bool, precision: Precision) -> Operand:
-    """For a number to the left or to the right of <: that of the precision which compares with all
-    others as the constant does."""
     if not isinstance(x, Constant):
         return x
     true, near = precision.value(x), precision.rounded(precision.value(x))
@@ -51,95 +68,85 @@ def _beyond(x: Operand, above: bool, precision: Precision) -> Operand:
     return Constant(Fraction(float(near)), Fraction(float(near)), x.name)
 
 
-_NUMBER = re.compile(r"_[0-9]+$")
-_ONCE = {Op.ADD, Op.SUB, Op.MUL, Op.DIV, Op.SQRT}
-_SUMS, _PASSING = {Op.ADD, Op.SUB}, {Op.NEG, Op.SELECT}
-_CIRCULAR = {Op.SIN, Op.COS}
+def numbered(program: Program) -> Name:
+    """Names with numbers, so that they may be nested; but lo of a named value has none."""
+    taken = {step.name for step in program.instructions}
+    numbers: Counter[str] = Counter()
 
-
-class OfScene(Accurate):
-    """Of a function of a scene: products of sums are long chains there, and names are numbered.
-
-    The lo of a sum that cancels is not small, and what it is multiplied by would have rounding
-    errors of the order of u lo.  So every sum is first rounded to hi + lo with a small lo.  What is
-    lost anywhere is then of the order of u² of the value there, and a result's error of the order
-    of u² times its condition, even where intermediate results have lost all digits."""
-
-    last = "hi + lo, rounded:"
-
-    def __init__(self, program: Program, precision: Precision = DOUBLE) -> None:
-        super().__init__()
-        self.precision = precision
-        self._taken = {step.name for step in program.instructions}
-        self._numbers: Counter[str] = Counter()
-        self._circles: dict[Operand, tuple[Ref, Ref]] = {}  # sines and cosines
-        self._nearest: set[str] = set()  # exact operands, one rounding: these need no lo
-
-    def compensate(self, step: Instruction) -> None:
-        """As of its base; sums, and what is chosen among them or is one's negative, overlap."""
-        if step.op is Op.LESS:
-            step = replace(step, operands=tuple(
-                _beyond(x, n > 0, self.precision) for n, x in enumerate(step.operands)))
-        exact = all(map(self.is_exact, step.operands))
-        if step.op in _SUMS and not exact or step.op in _PASSING and any(
-                name_of(x) in self.overlapping and name_of(x) not in self._normal
-                for x in step.operands):
-            self.overlapping.add(step.name)
-        if step.op in _ONCE and exact:
-            self._nearest.add(step.name)
-        if step.op in _CIRCULAR and not exact:
-            self._turn(step)
-        else:
-            super().compensate(step)
-
-    def _turn(self, step: Instruction) -> None:
-        """Sine or cosine of x + x_lo by those of x and of x_lo, as sums of products.  A multiple of
-        x_lo would have errors of u x_lo, which is not small where an angle is large."""
-        x = self._normalized(step, self._normal.get(name_of(step.operands[0]), step.operands[0]))
-        low = self.low(step, x)
-        assert low is not None
-        (s, c), (s_lo, c_lo) = self._circle(step, x), self._circle(step, low)
-        sine = step.op is Op.SIN
-        products = tuple(replace(step, name=self.name(step.name, f"turn{n}"), op=Op.MUL,
-                                 operands=pair)
-                         for n, pair in enumerate((((s, c_lo), (c, s_lo)) if sine else
-                                                   ((c, c_lo), (s, s_lo))), start=1))
-        for product in products:
-            self.compensate(product)
-        self.compensate(replace(step, op=Op.ADD if sine else Op.SUB,
-                                operands=tuple(Ref(product.name) for product in products)))
-
-    def _circle(self, step: Instruction, x: Operand) -> tuple[Ref, Ref]:
-        """Sine and cosine of a number, once, as hi + lo."""
-        if x not in self._circles:
-            both = tuple(replace(step, name=self.name(step.name, op.value), op=op, operands=(x,))
-                         for op in (Op.SIN, Op.COS))
-            self.steps += both
-            for each in both:
-                self._low[each.name] = self._error(each)
-            self._circles[x] = Ref(both[0].name), Ref(both[1].name)
-        return self._circles[x]
-
-    def rounded(self, result: Operand) -> Operand:
-        """hi alone if that is the nearest number."""
-        return result if name_of(result) in self._nearest else super().rounded(result)
-
-    def rest(self, total: Instruction, hi: Operand, lo: Operand) -> Operand:
-        """Fast Two-Sum, exact if |hi| >= |lo|.  Else it may err by u lo, but lo has errors of this
-        size already: it is itself a rounded sum.  Source: Dekker, A Floating-Point Technique."""
-        share = self.issue(total, Op.SUB, (Ref(total.name), hi), "share")
-        return self.issue(total, Op.SUB, (lo, share), "lo")
-
-    def normal_name(self, step: Instruction, operand: str) -> str:
-        """Named after the operand."""
-        return self.name(operand, "nearest")
-
-    def name(self, of: str, suffix: str) -> str:
-        """Numbered, so that it may be nested and is numbered again; but lo of a named value."""
+    def name(of: str, suffix: str) -> str:
         stem = f"{_NUMBER.sub('', of)}_{suffix}"
-        name = stem if suffix == "lo" and not _NUMBER.search(of) else ""
-        while not name or name in self._taken:
-            self._numbers[stem] += 1
-            name = f"{stem}_{self._numbers[stem]}"
-        self._taken.add(name)
-        return name
+        found = stem if suffix == "lo" and not _NUMBER.search(of) else ""
+        while not found or found in taken:
+            numbers[stem] += 1
+            found = f"{stem}_{numbers[stem]}"
+        taken.add(found)
+        return found
+    return name
+
+
+def _fast_two_sum(c: Carrier, step: Instruction, hi: Ref, lo: Operand) -> tuple[Ref, Operand]:
+    """hi + lo rounded, and what that leaves, exactly if |hi| >= |lo|.  Else it may err by u lo, but
+    lo has errors of this size already: it is itself a rounded sum.  Source: Dekker, A
+    Floating-Point Technique."""
+    total = c.issue(replace(step, name=hi.name), Op.ADD, (hi, lo), "nearest")
+    at = replace(step, name=total.name)
+    share = c.issue(at, Op.SUB, (total, hi), "share")
+    return total, c.issue(at, Op.SUB, (lo, share), "lo")
+
+
+def _once(op: Op) -> Rule:
+    """Of exact operands the result has one rounding, and needs no lo; other sums overlap."""
+    def rule(c: Carrier, step: Instruction) -> None:
+        if all(map(c.is_exact, step.operands)):
+            c.nearest.add(step.name)
+        elif op in (Op.ADD, Op.SUB):
+            c.overlapping.add(step.name)
+        RULES[op](c, step)
+    return rule
+
+
+def _passing(op: Op) -> Rule:
+    """What is chosen among sums that overlap, or is one's negative, overlaps."""
+    def rule(c: Carrier, step: Instruction) -> None:
+        if any(name_of(x) in c.overlapping for x in step.operands):
+            c.overlapping.add(step.name)
+        RULES[op](c, step)
+    return rule
+
+
+def _turned(c: Carrier, step: Instruction) -> None:
+    """Sine or cosine of x + x_lo by those of x and of x_lo, as sums of products.  A multiple of
+    x_lo would have errors of u x_lo, which is not small where an angle is large."""
+    if all(map(c.is_exact, step.operands)):
+        RULES[step.op](c, step)
+        return
+    x = c.normalized(step, step.operands[0])
+    low = c.low(step, x)
+    assert low is not None
+    (s, cosine), (s_lo, c_lo) = _circle(c, step, x), _circle(c, step, low)
+    sine = step.op is Op.SIN
+    products = tuple(replace(step, name=c.name(step.name, f"turn{n}"), op=Op.MUL, operands=pair)
+                     for n, pair in enumerate((((s, c_lo), (cosine, s_lo)) if sine else
+                                               ((cosine, c_lo), (s, s_lo))), start=1))
+    for each in products:
+        c.carry(each)
+    c.carry(replace(step, op=Op.ADD if sine else Op.SUB,
+                    operands=tuple(Ref(product.name) for product in products)))
+
+
+def _circle(c: Carrier, step: Instruction, x: Operand) -> tuple[Ref, ...]:
+    """Sine and cosine of a number, once, as hi + lo."""
+    def both() -> tuple[Ref, ...]:
+        steps = tuple(replace(step, name=c.name(step.name, op.value), op=op, operands=(x,))
+                      for op in (Op.SIN, Op.COS))
+        c.steps += steps
+        for each in steps:
+            c.keep(each.name, error_of(c, each))
+        return tuple(Ref(each.name) for each in steps)
+    return c.once("circle", x, both)
+
+
+SCENES = Carrying(
+    {**RULES, **{op: _once(op) for op in (Op.ADD, Op.SUB, Op.MUL, Op.DIV, Op.SQRT)},
+     **{op: _passing(op) for op in (Op.NEG, Op.SELECT)}, Op.SIN: _turned, Op.COS: _turned},
+    numbered, _fast_two_sum, last="hi + lo, rounded:")

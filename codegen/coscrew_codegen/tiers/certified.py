@@ -33,7 +33,17 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from coscrew_codegen.formats import SINGLE, Format, Precision
-from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
+from coscrew_codegen.program import (
+    ZERO,
+    Constant,
+    Input,
+    Instruction,
+    Op,
+    Operand,
+    Program,
+    Ref,
+    constant,
+)
 from coscrew_codegen.program.ops import ERROR_OF
 from coscrew_codegen.program.program import name_of
 from coscrew_codegen.tiers import certified_rotations, certified_scene, certified_wide
@@ -45,7 +55,6 @@ if TYPE_CHECKING:
 LARGEST = 210
 """Of operations beyond polynomials the tier has those that call elementary functions, up to so many
 instructions, SE3_exp being the largest: bounds take up to eleven for one, and must be compiled."""
-_ZERO = Constant(Fraction(0), Fraction(0))
 
 
 def certified_operation(operation: "Operation") -> "Operation":
@@ -128,11 +137,11 @@ class _Certifier:
         """The bound C s' of a result; 0 if nothing was rounded."""
         size = self._size(result)
         if not size.growth:
-            return _ZERO
+            return ZERO
         name = f"{self._name(size.x)}_error_bound"
         size = self._padded(size, name)
-        constant = self._precision.rounded_up((1 + self._precision.u) * size.growth)
-        return self._issue(name, Op.MUL, (_constant(constant), self._s(size, name)), name)
+        most = self._precision.rounded_up((1 + self._precision.u) * size.growth)
+        return self._issue(name, Op.MUL, (constant(most), self._s(size, name)), name)
 
     def _size(self, x: Operand) -> _Size:
         if (isinstance(x, Constant)
@@ -152,7 +161,7 @@ class _Certifier:
         tau = self._padding
         if 2 * size.slack > tau:
             raise ValueError(f"{self._name(size.x)}: too many products for the padding")
-        operands = self._s(size, component), _constant(tau)
+        operands = self._s(size, component), constant(tau)
         s = self._issue(f"{self._name(size.x)}_padded", Op.ADD, operands, component)
         lost = 4 * self._precision.u * size.slack / tau
         return _Size(size.x, size.growth * (1 + lost), operand=s)
@@ -173,10 +182,6 @@ class _Certifier:
             self._issued.add(name)
             self.steps.append(Instruction(name, op, operands, component))
         return Ref(name)
-
-
-def _constant(value: Fraction) -> Constant:
-    return Constant(value, value)
 
 
 def _of_scene(program: Program, precision: Precision) -> Program:

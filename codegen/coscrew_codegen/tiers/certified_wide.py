@@ -20,6 +20,7 @@ from fractions import Fraction
 
 from coscrew_codegen.formats import DOUBLE, SINGLE
 from coscrew_codegen.program import (
+    ZERO,
     Constant,
     Input,
     Instruction,
@@ -28,15 +29,18 @@ from coscrew_codegen.program import (
     Operand,
     Program,
     Ref,
+    constant,
+    with_constants,
     without_dead_steps,
 )
 from coscrew_codegen.quantity import Argument
-from coscrew_codegen.tiers.certified_scene import Certifier, extended
-from coscrew_codegen.tiers.errors import ZERO, constant
+from coscrew_codegen.tiers.certified_scene import COMPUTED, RULES, extended
+from coscrew_codegen.tiers.sizes import Sizing
 from coscrew_codegen.tiers.tier import bounds_of_outputs
 
 ROUNDED = constant(1 + 4 * SINGLE.u)
 LEAST = constant(2 * SINGLE.eta)
+SIZES_ALONE = Sizing(RULES, spread=2**24, computed=False)
 
 
 def of_scene(program: Program) -> Program:
@@ -48,24 +52,10 @@ def of_scene(program: Program) -> Program:
 def in_double(program: Program) -> Program:
     """w and B: the certified program in double, with the values of single's constants.  Raises
     NoRuleError."""
-    exact = _of_single(program.fine or program)
+    exact = with_constants(program.fine or program, lambda x: replace(x, double=x.single))
     divides = any(step.op in (Op.DIV, Op.SQRT) and isinstance(step.operands[-1], Ref)
                   for step in exact.instructions)
-    return extended(exact, (Certifier if divides else WithoutErrors)(exact, DOUBLE))
-
-
-class WithoutErrors(Certifier):
-    """Bounds from sizes alone."""
-
-    spread = 2**24
-
-    def first_order(self, x: Operand) -> Operand | None:
-        """None: S covers it."""
-        return None
-
-    def covered(self, k: Fraction, m: Fraction) -> Fraction:
-        """All errors, as a part of S."""
-        return k * self.u + m * self.u**2
+    return extended(exact, DOUBLE, COMPUTED if divides else SIZES_ALONE)
 
 
 def _with_plain_results(plain: Program, certified: Program) -> Program:
@@ -82,15 +72,6 @@ def _with_plain_results(plain: Program, certified: Program) -> Program:
         certified, inputs=(*plain.inputs, *given), instructions=tuple(steps), wide=True,
         outputs=(*plain.outputs, *bounds_of_outputs(plain.outputs)),
         results=(*places.values(), *bounds)))
-
-
-def _of_single(program: Program) -> Program:
-    """The program whose constants in double have the values of single precision."""
-    def single(x: Operand) -> Operand:
-        return replace(x, double=x.single) if isinstance(x, Constant) else x
-
-    return replace(program, results=tuple(map(single, program.results)), instructions=tuple(
-        replace(step, operands=tuple(map(single, step.operands))) for step in program.instructions))
 
 
 def _is_kept(w: Operand, bound: Operand) -> bool:

@@ -5,13 +5,13 @@ rounded: those of its operands that are pairs and matter take part as hi + lo, s
 hi + (what the lo contribute), else as hi + lo rounded.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from coscrew_codegen.formats import SINGLE
 from coscrew_codegen.program import Constant, Instruction, Op, Operand, Program, Ref
 from coscrew_codegen.program.program import name_of
-from coscrew_codegen.tiers.accurate_scene import OfScene, rounded
-from coscrew_codegen.tiers.nonlinear import compensated
+from coscrew_codegen.tiers.accurate_scene import SCENES, compared_exactly, rounded
+from coscrew_codegen.tiers.compensated import Carrier, cross_terms
 from coscrew_codegen.tiers.tier import Tier
 
 CARRYING = frozenset({Op.ADD, Op.SUB, Op.MUL})
@@ -29,69 +29,63 @@ class Mixture:
 
 def mixed(program: Program, mixture: Mixture) -> Program:
     """The plain program in single precision with this mixture."""
-    return rounded(compensated(program, _Mixed(program, mixture)), SINGLE)
+    program = compared_exactly(program, SINGLE)
+    mixed = _Mixed(Carrier(program, SINGLE, SCENES), mixture)
+    for step in program.instructions:
+        mixed.carry(step)
+    return rounded(mixed.pairs.finished(program), SINGLE)
 
 
-class _Mixed(OfScene):
-    def __init__(self, program: Program, mixture: Mixture) -> None:
-        super().__init__(program, SINGLE)
-        self._mixture = mixture
-        self._singles: dict[str, Ref] = {}  # hi + lo rounded, by hi's name
-        self._inside = False  # whether an instruction in pairs is being made of others
+@dataclass(frozen=True)
+class _Mixed:
+    """Issues instructions: those in pairs as `pairs` carries them, the others with one result."""
 
-    def compensate(self, step: Instruction) -> None:
+    pairs: Carrier
+    mixture: Mixture
+    singles: dict[str, Ref] = field(default_factory=dict)  # hi + lo rounded, by hi's name
+
+    def carry(self, step: Instruction) -> None:
         """Issue the instruction as the mixture says; what does not round passes lo on."""
-        if self._inside or not step.op.rounds or step.name in self._mixture.paired:
-            outside, self._inside = self._inside, True
-            super().compensate(step)
-            self._inside = outside
+        pairs, kept = self.pairs, self.mixture.kept
+        if not step.op.rounds or step.name in self.mixture.paired:
+            pairs.carry(step)
             return
-        known = tuple(self._normal.get(name_of(x), x) for x in step.operands)
-        if step.op is Op.MUL and self._mixture.kept.issuperset((step.name, n) for n in range(2)):
-            known = tuple(self.factor(step, x) for x in known)
-        low = [self.low(step, x) if (step.name, place) in self._mixture.kept else None
+        known = tuple(pairs.hi(x) for x in step.operands)
+        if step.op is Op.MUL and kept.issuperset((step.name, n) for n in range(2)):
+            known = tuple(pairs.factor(step, x) for x in known)
+        low = [self.pairs.low(step, x) if (step.name, place) in kept else None
                for place, x in enumerate(known)]
         operands = tuple(x if more is not None else self._single(step, x)
                          for x, more in zip(known, low, strict=True))
         step = replace(step, operands=operands)
         more = self._contributed(step, low)
         if more is None:
-            self.steps.append(step)
+            self.pairs.steps.append(step)
         else:
-            high = self.issue(step, step.op, operands, "high")
-            self.steps.append(replace(step, op=Op.ADD, operands=(high, more)))
+            high = self.pairs.issue(step, step.op, operands, "high")
+            self.pairs.steps.append(replace(step, op=Op.ADD, operands=(high, more)))
 
     def _contributed(self, step: Instruction, low: list[Operand | None]) -> Operand | None:
         """What the lo contribute to a sum, a difference or a product."""
-        if low == [None] * len(low):
-            return None
-        (a, b), (a_lo, b_lo) = step.operands, low
-        if step.op is not Op.MUL:
-            if a_lo is None and b_lo is not None and step.op is Op.SUB:
-                return self.issue(step, Op.NEG, (b_lo,), "cross")
-            return self._sum_of(step, step.op, a_lo, b_lo)
-        left = None if a_lo is None else self.issue(
-            step, Op.MUL, (a_lo, b), "cross1")
-        right = None if b_lo is None else self.issue(step, Op.MUL, (a, b_lo), "cross2")
-        return self._sum_of(step, Op.ADD, left, right)
-
-    def _sum_of(self, step: Instruction, op: Op, a: Operand | None, b: Operand | None
-                ) -> Operand | None:
-        if a is None or b is None:
-            return b if a is None else a
-        return self.issue(step, op, (a, b), "cross")
+        a_lo, b_lo = low if len(low) == 2 else (None, None)
+        if step.op is Op.MUL:
+            return cross_terms(self.pairs, step, a_lo, b_lo)
+        if a_lo is None or b_lo is None:
+            negative = step.op is Op.SUB and b_lo is not None
+            return self.pairs.issue(step, Op.NEG, (b_lo,), "cross") if negative else a_lo or b_lo
+        return self.pairs.issue(step, step.op, (a_lo, b_lo), "cross")
 
     def _single(self, step: Instruction, x: Operand) -> Operand:
         """hi + lo of an operand rounded, computed once."""
-        if isinstance(x, Constant) or self.is_exact(x):
+        if isinstance(x, Constant) or self.pairs.is_exact(x):
             return x
-        if name_of(x) not in self._singles:
-            low = self.low(step, x)
+        if name_of(x) not in self.singles:
+            low = self.pairs.low(step, x)
             assert low is not None
-            at = Instruction(self.name(name_of(x), "near"), Op.ADD, (x, low), step.component)
-            self.steps.append(at)
-            self._singles[name_of(x)] = Ref(at.name)
-        return self._singles[name_of(x)]
+            at = Instruction(self.pairs.name(name_of(x), "near"), Op.ADD, (x, low), step.component)
+            self.pairs.steps.append(at)
+            self.singles[name_of(x)] = Ref(at.name)
+        return self.singles[name_of(x)]
 
 
 TIER = Tier(

@@ -1,278 +1,207 @@
-"""Compensated quotients, roots, elementary functions, comparisons and choices.
+"""Rules for quotients, roots, calls of elementary functions, comparisons and choices of values that
+are carried as hi + lo.
 
-Operands of quotients, roots, arctangents and comparisons are first made non-overlapping: hi becomes
-the rounded hi + lo.  Then terms of order lo² do not matter, however much has cancelled.  The
-residuals of quotients and roots, a - q b and a - s s, are exact; what elementary functions err by
-is computed by functions of their own.  Where lo is NaN (0/0, an infinite hi), the result is hi.
+Operands of quotients, roots, calls and comparisons are first made non-overlapping: hi becomes the
+rounded hi + lo.  Then terms of order lo² do not matter, however much has cancelled.  The residuals
+of quotients and roots, a - q b and a - s s, are exact; what elementary functions err by is computed
+by functions of their own.
 """
 
-from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 
-from coscrew_codegen.program import (
-    Constant,
-    Instruction,
-    Op,
-    Operand,
-    Program,
-    Ref,
-    without_dead_steps,
-)
+from coscrew_codegen.program import ONE, ZERO, Instruction, Op, Operand, Ref, constant
 from coscrew_codegen.program.ops import ERROR_OF
-from coscrew_codegen.program.program import name_of
-from coscrew_codegen.tiers.compensated import Compensator
+from coscrew_codegen.tiers.compensated import Carrier, Rule, negation, product, total
 
-_ZERO, _HALF, _ONE = (Constant(Fraction(n, 2), Fraction(n, 2)) for n in (0, 1, 2))
+Lows = list[Operand | None]
+Low = Callable[[Carrier, Instruction, Lows], Operand | None]
+"""Issues lo of a result whose hi has been issued, from the lo of its operands; None for 0."""
+_HALF = constant(Fraction(1, 2))
 _PARTNER = {Op.SIN: Op.COS, Op.COS: Op.SIN}
-NONLINEAR = {Op.DIV, Op.SQRT, Op.SCALE, *ERROR_OF}
-_JUDGING = {Op.ABS, Op.LESS, Op.EQUAL}  # after cancellation hi may be 0 and lo the whole value
-COMPENSATED = frozenset({Op.ADD, Op.SUB, Op.MUL, Op.NEG, Op.ABS, Op.LESS, Op.EQUAL, Op.SELECT,
-                         *NONLINEAR})
-"""The operations that the tier can compensate."""
 
 
-def compensated(program: Program, compensator: "Accurate") -> Program:
-    """The program that the compensator issues for a plain one, its results rounded."""
-    compensator.circular = {(step.op, step.operands): step for step in program.instructions
-                            if step.op in _PARTNER}
-    for step in program.instructions:
-        compensator.compensate(step)
-    guarded = bool(program.counts.keys() & NONLINEAR)
-    results = tuple(compensator.final(result, guarded) for result in program.results)
-    names = Counter(step.name for step in compensator.steps)
-    if twice := [name for name, count in names.items() if count > 1]:
-        raise ValueError(f"{program.name}: rename {twice[0]!r}, as its compensation is named")
-    return without_dead_steps(replace(program, instructions=tuple(compensator.steps),
-                                      results=results))
-
-
-class Accurate(Compensator):
-    """Adds to its base, which compensates sums and products, all other operations.
-
-    `overlapping` names the results that are made non-overlapping before they are multiplied."""
-
-    def __init__(self, overlapping: Iterable[str] = ()) -> None:
-        super().__init__()
-        self.overlapping = set(overlapping)
-        self._normal: dict[str, Operand] = {}  # hi of normalized results, by their plain name
-        self._normals: set[str] = set()
-        self._finals: dict[Operand, Ref] = {}
-        self._inverses: dict[Operand, Ref] = {}
-        self.circular: dict[tuple[Op, tuple[Operand, ...]], Instruction] = {}  # sines, cosines
-        self._partners: dict[str, Ref] = {}  # a sine's cosine, a cosine's sine
-        self._turns: dict[Operand, tuple[Ref, Ref, Ref]] = {}  # by lo of an angle, sine and cosine
-        # of its half, and twice that sine
-        self._rules = {
-            Op.SIN: self._sine_or_cosine, Op.COS: self._sine_or_cosine,
-            Op.EXP: self._exponential, Op.TANH: self._hyperbolic_tangent,
-            Op.DIV: self._quotient, Op.SQRT: self._root, Op.ATAN2: self._arctangent,
-            Op.SCALE: self._scaled, Op.ABS: self._absolute, Op.SELECT: self._selected,
-            Op.LESS: self._comparison, Op.EQUAL: self._comparison,
-        }
-
-    def compensate(self, step: Instruction) -> None:
-        """Issue hi of a plain instruction under its name; and lo, or the parts of lo that are added
-        where it is used."""
-        known = (self._normal.get(name_of(x), x) for x in step.operands)
-        partner = self.circular.get((_PARTNER.get(step.op, step.op), step.operands))
-        step = replace(step, operands=tuple(known))
-        if step.op not in self._rules:
-            super().compensate(step)
-            return
-        if step.op in NONLINEAR | _JUDGING:
-            step = replace(step, operands=tuple(self._normalized(step, x) for x in step.operands))
-        low = [self.low(step, x) for x in step.operands]
+def _by(low: Low, normal: bool = True) -> Rule:
+    """The rule that issues hi and this lo, of operands that are first normalized if `normal`."""
+    def rule(c: Carrier, step: Instruction) -> None:
+        if normal:
+            step = replace(step, operands=tuple(c.normalized(step, x) for x in step.operands))
+        lows = [c.low(step, x) for x in step.operands]
         if step.op in _PARTNER:
-            self._issue_both(step, partner)
+            _issue_both(c, step)
         else:
-            self.steps.append(step)
-        total = self._rules[step.op](step, low)
-        if total is not None:
-            self._low[step.name] = total
+            c.steps.append(step)
+        c.keep(step.name, low(c, step, lows))
+    return rule
 
-    def _product(self, step: Instruction) -> None:
-        factors = tuple(self.factor(step, x) for x in step.operands)
-        super()._product(replace(step, operands=factors))
 
-    def factor(self, step: Instruction, operand: Operand) -> Operand:
-        """An operand as it is multiplied."""
-        overlaps = name_of(operand) in self.overlapping
-        return self._normalized(step, operand) if overlaps else operand
+def _quotient(c: Carrier, step: Instruction, low: Lows) -> Operand:
+    """lo of q = a / b: (a - q b + a_lo - q b_lo) / b."""
+    (a, b), q = step.operands, Ref(step.name)
+    rest = _residual(c, step, a, (q, b))
+    if low[0] is not None:
+        rest = c.issue(step, Op.ADD, (rest, low[0]), "numerator")
+    if low[1] is not None:
+        cross = c.issue(step, Op.MUL, (q, low[1]), "cross")
+        rest = c.issue(step, Op.SUB, (rest, cross), "residual")
+    return c.issue(step, Op.DIV, (rest, b), "lo")
 
-    def _normalized(self, step: Instruction, operand: Operand) -> Operand:
-        """hi + lo rounded; its rounding error is the new lo."""
-        low = self.low(step, operand)
-        if low is None or isinstance(operand, Constant) or name_of(operand) in self._normals:
-            return operand
-        at = replace(step, name=self.normal_name(step, name_of(operand)), op=Op.ADD,
-                     operands=(operand, low))
-        self.steps.append(at)
-        self._normals.add(at.name)
-        self._low[at.name] = self.rest(at, operand, low)
-        self._normal[name_of(operand)] = Ref(at.name)
-        return Ref(at.name)
 
-    def rest(self, total: Instruction, hi: Operand, lo: Operand) -> Operand:
-        """What the rounding of hi + lo leaves, exactly: Two-Sum."""
-        right = self.issue(total, Op.SUB, (Ref(total.name), hi), "right")
-        left = self.issue(total, Op.EXACT_SUB, (Ref(total.name), right), "left")
-        rests = (self.issue(total, Op.EXACT_SUB, (hi, left), "left_rest"),
-                 self.issue(total, Op.EXACT_SUB, (lo, right), "right_rest"))
-        return self.issue(total, Op.EXACT_ADD, rests, "lo")
+def _root(c: Carrier, step: Instruction, low: Lows) -> Operand:
+    """lo of s = sqrt(a): (a - s s + a_lo) / 2 s; 0 for s = 0."""
+    (a,), s = step.operands, Ref(step.name)
+    rest = _residual(c, step, a, (s, s))
+    if low[0] is not None:
+        rest = c.issue(step, Op.ADD, (rest, low[0]), "residual")
+    is_zero = c.issue(step, Op.EQUAL, (s, ZERO), "zero")
+    twice = c.issue(step, Op.ADD, (s, s), "twice")
+    divisor = c.issue(step, Op.SELECT, (is_zero, ONE, twice), "divisor")
+    return c.issue(step, Op.DIV, (rest, divisor), "lo")
 
-    def normal_name(self, step: Instruction, operand: str) -> str:
-        """The name of an operand of this instruction once it is normalized."""
-        return f"{step.name}_of_{operand}"
 
-    def _quotient(self, step: Instruction, low: list[Operand | None]) -> Operand:
-        """lo of q = a / b: (a - q b + a_lo - q b_lo) / b."""
-        (a, b), q = step.operands, Ref(step.name)
-        total = self._residual(step, a, (q, b))
-        if low[0] is not None:
-            total = self.issue(step, Op.ADD, (total, low[0]), "numerator")
-        if low[1] is not None:
-            cross = self.issue(step, Op.MUL, (q, low[1]), "cross")
-            total = self.issue(step, Op.SUB, (total, cross), "residual")
-        return self.issue(step, Op.DIV, (total, b), "lo")
+def _residual(c: Carrier, step: Instruction, a: Operand, factors: tuple[Operand, Operand]) -> Ref:
+    """a - b c exactly, where b c and a differ by a rounding only."""
+    p = c.issue(step, Op.MUL, factors, "product")
+    error = c.issue(step, Op.PRODUCT_ERROR, (*factors, p), "product_error")
+    rest = c.issue(step, Op.SUB, (a, p), "rest")
+    return c.issue(step, Op.SUB, (rest, error), "exact")
 
-    def _root(self, step: Instruction, low: list[Operand | None]) -> Operand:
-        """lo of s = sqrt(a): (a - s s + a_lo) / 2 s; 0 for s = 0."""
-        (a,), s = step.operands, Ref(step.name)
-        total = self._residual(step, a, (s, s))
-        if low[0] is not None:
-            total = self.issue(step, Op.ADD, (total, low[0]), "residual")
-        is_zero = self.issue(step, Op.EQUAL, (s, _ZERO), "zero")
-        twice = self.issue(step, Op.ADD, (s, s), "twice")
-        divisor = self.issue(step, Op.SELECT, (is_zero, _ONE, twice), "divisor")
-        return self.issue(step, Op.DIV, (total, divisor), "lo")
 
-    def _residual(self, step: Instruction, a: Operand, factors: tuple[Operand, Operand]) -> Ref:
-        """a - b c exactly, where b c and a differ by a rounding only."""
-        p = self.issue(step, Op.MUL, factors, "product")
-        error = self.issue(step, Op.PRODUCT_ERROR, (*factors, p), "product_error")
-        rest = self.issue(step, Op.SUB, (a, p), "rest")
-        return self.issue(step, Op.SUB, (rest, error), "exact")
+def inverse(c: Carrier, step: Instruction, s: Operand) -> Ref:
+    """1 / s of a power of two, exactly."""
+    return c.once("inverse", s, lambda: (c.issue(step, Op.DIV, (ONE, s), "inverse"),))[0]
 
-    def _issue_both(self, step: Instruction, partner: Instruction | None) -> None:
-        """A sine and the cosine of the same operand, where the first of them is."""
-        if step.name not in self._partners:
-            name = partner.name if partner and partner.name not in self._partners \
-                else self.name(step.name, "partner")
-            self.steps += [step, replace(step, name=name, op=_PARTNER[step.op])]
-            self._partners |= {step.name: Ref(name), name: Ref(step.name)}
 
-    def _sine_or_cosine(self, step: Instruction, low: list[Operand | None]) -> Operand:
-        """lo of s = sin x: sin x - s + 2 p (q c - p s), where p and q are sine and cosine of
-        x_lo / 2; of c = cos x: cos x - c - 2 p (q s + p c)."""
-        error = self._error(step)
-        x_lo, = low
-        if x_lo is None:
-            return error
-        if x_lo not in self._turns:
-            half = self.issue(step, Op.MUL, (x_lo, _HALF), "half")
-            p, q = (self.issue(step, op, (half,), f"half_{op.value}") for op in (Op.SIN, Op.COS))
-            self._turns[x_lo] = p, q, self.issue(step, Op.ADD, (p, p), "twice")
-        p, q, twice = self._turns[x_lo]
-        partner, sine = self._partners[step.name], step.op is Op.SIN
-        terms = (self.issue(step, Op.MUL, (q, partner), "slope1"),
-                 self.issue(step, Op.MUL, (p, Ref(step.name)), "slope2"))
-        slope = self.issue(step, Op.SUB if sine else Op.ADD, terms, "slope")
-        more = self.issue(step, Op.MUL, (slope, twice), "more")
-        return self.issue(step, Op.ADD if sine else Op.SUB, (error, more), "lo")
+def _scaled(c: Carrier, step: Instruction, low: Lows) -> Operand | None:
+    """lo of p = a s, s a power of two: (a - p / s + a_lo) s; a and p / s differ only where p has
+    lost digits by underflow."""
+    if low[0] is None:
+        return None
+    (a, s), p = step.operands, Ref(step.name)
+    back = c.issue(step, Op.MUL, (p, inverse(c, step, s)), "back")
+    lost = c.issue(step, Op.SUB, (a, back), "lost")
+    rest = c.issue(step, Op.ADD, (lost, low[0]), "rest")
+    return c.issue(step, Op.MUL, (rest, s), "lo")
 
-    def _exponential(self, step: Instruction, low: list[Operand | None]) -> Operand:
-        """lo of y = exp x: exp x - y + y (x_lo + x_lo²/2); the square matters for large x."""
-        error = self._error(step)
-        x_lo, = low
-        if x_lo is None:
-            return error
-        half = self.issue(step, Op.MUL, (x_lo, _HALF), "half")
-        bend = self.issue(step, Op.MUL, (half, x_lo), "bend")
-        shift = self.issue(step, Op.ADD, (bend, x_lo), "shift")
-        more = self.issue(step, Op.MUL, (Ref(step.name), shift), "more")
-        return self.issue(step, Op.ADD, (error, more), "lo")
 
-    def _hyperbolic_tangent(self, step: Instruction, low: list[Operand | None]) -> Operand:
-        """lo of y = tanh x: tanh x - y + (1 - y) (1 + y) x_lo."""
-        error, y = self._error(step), Ref(step.name)
-        x_lo, = low
-        if x_lo is None:
-            return error
-        factors = (self.issue(step, Op.SUB, (_ONE, y), "below"),
-                   self.issue(step, Op.ADD, (_ONE, y), "above"))
-        slope = self.issue(step, Op.MUL, factors, "slope")
-        more = self.issue(step, Op.MUL, (slope, x_lo), "more")
-        return self.issue(step, Op.ADD, (error, more), "lo")
+# calls
 
-    def _error(self, step: Instruction) -> Ref:
-        """What an elementary function errs by."""
-        return self.issue(step, ERROR_OF[step.op], (*step.operands, Ref(step.name)), "own_error")
 
-    def _arctangent(self, step: Instruction, low: list[Operand | None]) -> Operand:
-        """lo of atan2(y, x): what it errs by, and (x y_lo - y x_lo) / (x² + y²), computed with
-        x / m and y / m, m = max(|x|, |y|), so that squares don't overflow."""
-        error = self._error(step)
-        if low == [None, None]:
-            return error
-        sizes = [self.issue(step, Op.ABS, (z,), f"size{n}") for n, z in enumerate(step.operands)]
-        larger = self.issue(step, Op.LESS, (sizes[0], sizes[1]), "larger")
-        m = self.issue(step, Op.SELECT, (larger, sizes[1], sizes[0]), "most")
-        zero = self.issue(step, Op.EQUAL, (m, _ZERO), "zero")
-        m = self.issue(step, Op.SELECT, (zero, _ONE, m), "divisor")
-        y, x = (self.issue(step, Op.DIV, (z, m), f"part{n}") for n, z in enumerate(step.operands))
-        y_lo, x_lo = (_ZERO if lo is None else lo for lo in low)
-        terms = (self.issue(step, Op.MUL, (x, y_lo), "cross1"),
-                 self.issue(step, Op.MUL, (y, x_lo), "cross2"))
-        squares = (self.issue(step, Op.MUL, (x, x), "square1"),
-                   self.issue(step, Op.MUL, (y, y), "square2"))
-        total = self.issue(step, Op.SUB, terms, "cross")
-        square = self.issue(step, Op.ADD, squares, "square")
-        divisor = self.issue(step, Op.MUL, (m, square), "divisor2")
-        safe = self.issue(step, Op.SELECT, (zero, _ONE, divisor), "safe")
-        more = self.issue(step, Op.DIV, (total, safe), "more")
-        return self.issue(step, Op.ADD, (error, more), "lo")
+def error_of(c: Carrier, step: Instruction) -> Ref:
+    """What an elementary function errs by."""
+    return c.issue(step, ERROR_OF[step.op], (*step.operands, Ref(step.name)), "own_error")
 
-    def _scaled(self, step: Instruction, low: list[Operand | None]) -> Operand | None:
-        """lo of p = a s, s a power of two: (a - p / s + a_lo) s; a and p / s differ only where
-        p has lost digits by underflow."""
-        if low[0] is None:
-            return None
-        (a, s), p = step.operands, Ref(step.name)
-        if s not in self._inverses:
-            self._inverses[s] = self.issue(step, Op.DIV, (_ONE, s), "inverse")
-        back = self.issue(step, Op.MUL, (p, self._inverses[s]), "back")
-        lost = self.issue(step, Op.SUB, (a, back), "lost")
-        rest = self.issue(step, Op.ADD, (lost, low[0]), "rest")
-        return self.issue(step, Op.MUL, (rest, s), "lo")
 
-    def _absolute(self, step: Instruction, low: list[Operand | None]) -> Operand | None:
-        if low[0] is None:
-            return None
-        negative = self.issue(step, Op.LESS, (step.operands[0], _ZERO), "negative")
-        opposite = self.issue(step, Op.NEG, (low[0],), "opposite")
-        return self.issue(step, Op.SELECT, (negative, opposite, low[0]), "lo")
+def _called(c: Carrier, step: Instruction, low: Lows) -> Operand:
+    """lo of f(x): what f errs by, and f(x + x_lo) - f(x); of a cosine, less its negative."""
+    error = error_of(c, step)
+    if not any(low):
+        return error
+    moved = _MOVED[step.op](c, step, low)
+    return c.issue(step, Op.SUB if step.op is Op.COS else Op.ADD, (error, moved), "lo")
 
-    def _selected(self, step: Instruction, low: list[Operand | None]) -> Operand | None:
-        if low[1] is None and low[2] is None:
-            return None
-        chosen = tuple(_ZERO if x is None else x for x in low[1:])
-        return self.issue(step, Op.SELECT, (step.operands[0], *chosen), "lo")
 
-    def _comparison(self, step: Instruction, low: list[Operand | None]) -> None:
-        """Compare hi + lo rounded."""
+def _issue_both(c: Carrier, step: Instruction) -> None:
+    """A sine and the cosine of the same operand, where the first of them is."""
+    if step.name in c.partners:
+        return
+    names = {each.name for each in c.pairs.get(step.name, ())} - {step.name, *c.partners}
+    name = names.pop() if names else c.name(step.name, "partner")
+    c.steps += [step, replace(step, name=name, op=_PARTNER[step.op])]
+    c.partners |= {step.name: Ref(name), name: Ref(step.name)}
 
-    def final(self, result: Operand, guarded: bool) -> Operand:
-        """hi + lo rounded; if guarded, hi where that is NaN."""
-        total = self.rounded(result)
-        if not guarded or total == result:
-            return total
-        if total not in self._finals:
-            last = self.last or name_of(total)
-            at = Instruction(self.name(name_of(total), "number"), Op.EQUAL, (total, total), last)
-            choice = Instruction(self.name(name_of(result), "final"), Op.SELECT,
-                                 (Ref(at.name), total, result), last)
-            self.steps += [at, choice]
-            self._finals[total] = Ref(choice.name)
-        return self._finals[total]
+
+def _turned(c: Carrier, step: Instruction, low: Lows) -> Operand:
+    """Of s = sin x: 2 p (q c - p s), where p and q are sine and cosine of x_lo / 2; of c = cos x:
+    2 p (q s + p c), with the other sign."""
+    x_lo, = low
+    assert x_lo is not None
+    p, q, twice = c.once("turn", x_lo, partial(_half_turn, c, step, x_lo))
+    terms = (c.issue(step, Op.MUL, (q, c.partners[step.name]), "slope1"),
+             c.issue(step, Op.MUL, (p, Ref(step.name)), "slope2"))
+    slope = c.issue(step, Op.SUB if step.op is Op.SIN else Op.ADD, terms, "slope")
+    return c.issue(step, Op.MUL, (slope, twice), "more")
+
+
+def _half_turn(c: Carrier, step: Instruction, angle: Operand) -> tuple[Ref, ...]:
+    """Sine and cosine of half the angle, and twice that sine."""
+    half = c.issue(step, Op.MUL, (angle, _HALF), "half")
+    p, q = (c.issue(step, op, (half,), f"half_{op.value}") for op in (Op.SIN, Op.COS))
+    return p, q, c.issue(step, Op.ADD, (p, p), "twice")
+
+
+def _grown(c: Carrier, step: Instruction, low: Lows) -> Operand:
+    """Of y = exp x: y (x_lo + x_lo²/2); the square matters for large x."""
+    x_lo, = low
+    assert x_lo is not None
+    half = c.issue(step, Op.MUL, (x_lo, _HALF), "half")
+    bend = c.issue(step, Op.MUL, (half, x_lo), "bend")
+    shift = c.issue(step, Op.ADD, (bend, x_lo), "shift")
+    return c.issue(step, Op.MUL, (Ref(step.name), shift), "more")
+
+
+def _saturated(c: Carrier, step: Instruction, low: Lows) -> Operand:
+    """Of y = tanh x: (1 - y) (1 + y) x_lo."""
+    y, (x_lo,) = Ref(step.name), low
+    assert x_lo is not None
+    factors = (c.issue(step, Op.SUB, (ONE, y), "below"),
+               c.issue(step, Op.ADD, (ONE, y), "above"))
+    slope = c.issue(step, Op.MUL, factors, "slope")
+    return c.issue(step, Op.MUL, (slope, x_lo), "more")
+
+
+def _seen_from_the_origin(c: Carrier, step: Instruction, low: Lows) -> Operand:
+    """Of atan2(y, x): (x y_lo - y x_lo) / (x² + y²), computed with x / m and y / m,
+    m = max(|x|, |y|), so that squares don't overflow."""
+    sizes = [c.issue(step, Op.ABS, (z,), f"size{n}") for n, z in enumerate(step.operands)]
+    larger = c.issue(step, Op.LESS, (sizes[0], sizes[1]), "larger")
+    m = c.issue(step, Op.SELECT, (larger, sizes[1], sizes[0]), "most")
+    zero = c.issue(step, Op.EQUAL, (m, ZERO), "zero")
+    m = c.issue(step, Op.SELECT, (zero, ONE, m), "divisor")
+    y, x = (c.issue(step, Op.DIV, (z, m), f"part{n}") for n, z in enumerate(step.operands))
+    y_lo, x_lo = (ZERO if lo is None else lo for lo in low)
+    terms = (c.issue(step, Op.MUL, (x, y_lo), "cross1"),
+             c.issue(step, Op.MUL, (y, x_lo), "cross2"))
+    squares = (c.issue(step, Op.MUL, (x, x), "square1"),
+               c.issue(step, Op.MUL, (y, y), "square2"))
+    cross = c.issue(step, Op.SUB, terms, "cross")
+    square = c.issue(step, Op.ADD, squares, "square")
+    divisor = c.issue(step, Op.MUL, (m, square), "divisor2")
+    safe = c.issue(step, Op.SELECT, (zero, ONE, divisor), "safe")
+    return c.issue(step, Op.DIV, (cross, safe), "more")
+
+
+_MOVED: Mapping[Op, Callable[[Carrier, Instruction, Lows], Operand]] = {
+    Op.SIN: _turned, Op.COS: _turned, Op.EXP: _grown, Op.TANH: _saturated,
+    Op.ATAN2: _seen_from_the_origin}
+
+# comparisons and choices
+
+
+def _absolute(c: Carrier, step: Instruction, low: Lows) -> Operand | None:
+    if low[0] is None:
+        return None
+    negative = c.issue(step, Op.LESS, (step.operands[0], ZERO), "negative")
+    opposite = c.issue(step, Op.NEG, (low[0],), "opposite")
+    return c.issue(step, Op.SELECT, (negative, opposite, low[0]), "lo")
+
+
+def _selected(c: Carrier, step: Instruction, low: Lows) -> Operand | None:
+    if low[1] is None and low[2] is None:
+        return None
+    chosen = tuple(ZERO if x is None else x for x in low[1:])
+    return c.issue(step, Op.SELECT, (step.operands[0], *chosen), "lo")
+
+
+def _compared(c: Carrier, step: Instruction, low: Lows) -> None:
+    """Nothing: truth values have no lo, and hi + lo rounded are compared."""
+
+
+RULES: Mapping[Op, Rule] = {
+    Op.ADD: total, Op.SUB: total, Op.MUL: product, Op.NEG: negation, Op.DIV: _by(_quotient),
+    Op.SQRT: _by(_root), Op.SCALE: _by(_scaled), **{op: _by(_called) for op in _MOVED},
+    Op.ABS: _by(_absolute), Op.LESS: _by(_compared), Op.EQUAL: _by(_compared),
+    Op.SELECT: _by(_selected, normal=False)}
+"""A rule for every operation that tiers carry."""

@@ -1,7 +1,9 @@
 """How far computed errors may be from the true ones: sizes of a plain program's values.
 
-Let x̂ be a value of the plain program, exactly x, and d the error computed for it (errors.py).  A
-size s is computed such that, with constants k, m and h known in advance,
+Let x̂ be a value of the plain program, exactly x, and d the error computed for it: the lo that the
+rules of compensated.py and nonlinear.py give it where hi stays the plain value, bit for bit, and
+comparisons those of the plain program.  Constants are the model's decimals.  A size s is computed
+such that, with constants k, m and h known in advance,
 
     |x̂| <= s,    |d| <= k u S,    |x - x̂ - d| <= m u² S,    S = s + h;
 
@@ -45,11 +47,14 @@ makes it at least (1 + 4 u) |x - x̂|.
 Where something overflows, s or d and with them the bound are infinite or NaN: no statement is made.
 """
 
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
 from coscrew_codegen.formats import Format, Precision
 from coscrew_codegen.program import (
+    ONE,
+    ZERO,
     Constant,
     Instruction,
     NotANumber,
@@ -57,8 +62,17 @@ from coscrew_codegen.program import (
     Operand,
     Program,
     Ref,
+    constant,
 )
-from coscrew_codegen.tiers.errors import ONE, ZERO, Errors, constant
+from coscrew_codegen.program.ops import COMPARISONS
+from coscrew_codegen.program.program import name_of
+from coscrew_codegen.tiers.accurate_scene import numbered
+from coscrew_codegen.tiers.compensated import Carrier, Carrying
+from coscrew_codegen.tiers.nonlinear import RULES
+from coscrew_codegen.tiers.splits import scalings, splits
+
+ERRORS = Carrying(RULES, numbered, normal=None, last="bounds of the errors:")
+"""How errors are computed beside the plain program's values."""
 
 CLOSE = 4
 SPREAD = 64
@@ -83,29 +97,55 @@ class Size:
         return not self.k
 
 
-class Sizes(Errors):
-    """Issues sizes and bounds beside values and errors, each once."""
+@dataclass(frozen=True)
+class Sizing:
+    """How sizes follow from operations, and what a proof takes for granted."""
 
-    spread = SPREAD  # κ
-    kinks = True  # whether choices may be between values that differ by much more than u
+    rules: Mapping[Op, Callable[["Sizes", Instruction], Size]]
+    spread: int = SPREAD  # κ
+    computed: bool = True  # whether bounds contain d; else S covers it
+    kinks: bool = True  # whether choices may be between values that differ by much more than u
 
-    def __init__(self, program: Program, precision: Precision) -> None:
-        super().__init__(program, precision)
+class Sizes:
+    """Issues a plain program's instructions and, beside values, errors, sizes and bounds, each
+    once."""
+
+    def __init__(self, program: Program, precision: Precision, how: Sizing) -> None:
+        self.precision, self.how = precision, how
+        self.errors = Carrier(program, precision, ERRORS)
         u = self.u = precision.u
         self.slack = 16 * precision.eta / u**2  # h_0
-        self._padding = precision.smallest_normal / u**2  # P
+        self.padding = precision.smallest_normal / u**2  # P
+        self.plain = {step.name: step for step in program.instructions}
+        self.known_bounds: dict[Operand, Operand] = {}
+        self.counts, self.scalings = program.counts, scalings(program)
+        self._splits = splits(program)
         self._at = Instruction("", Op.ADD, (), "")  # the plain instruction that is followed
         self._sizes: dict[Operand, Size] = {}
-        self._bounds: dict[Operand, Operand] = {}
         self._done: dict[tuple[Op, tuple[Operand, ...]], Operand] = {}
 
-    def follow(self, step: Instruction, size: Size) -> None:
-        """Keep the size of a plain instruction's result."""
+    def follow(self, step: Instruction) -> None:
+        """Issue a plain instruction, its error and its size."""
+        self._at = step
+        if step.name in self._splits:
+            self.errors.steps.append(step)
+            return
+        self.errors.carry(step)
+        if step.op not in COMPARISONS:
+            self._keep(Ref(step.name), self.how.rules[step.op](self, step))
+
+    def _keep(self, x: Ref, size: Size) -> None:
         k, m, h = (_BRIEF.rounded_up(x) if x else x for x in (size.k, size.m, size.h))
-        x = Ref(step.name)
         self._sizes[x] = Size(size.s, k, m, h, size.widened)
-        if 4 * h > self._padding:
+        if 4 * h > self.padding:
             self._sizes[x] = self.padded(x)
+
+    def of_result(self, x: Operand, plain: Operand) -> Operand:
+        """The bound of a result's error, or of what `plain` errs by if that is another number."""
+        self._at = Instruction(name_of(plain) or "result", Op.ADD, (), ERRORS.last)
+        if isinstance(x, NotANumber):
+            return x
+        return self.bound(x) or ZERO if x == plain else self._bound_beside(x, plain)
 
     def size(self, x: Operand) -> Size:
         """The size of a value."""
@@ -116,7 +156,7 @@ class Sizes(Errors):
         return self._sizes[x]
 
     def _of_constant(self, x: Constant) -> Size:
-        value, near = self.precision.value(x), self.nearest(x).double
+        value, near = self.precision.value(x), self.near(x).double
         if x.tail:
             s = abs(near) + x.tail / (TAIL * self.u**2)
             return Size(self.rounded_up(s), Fraction(1), Fraction(TAIL))
@@ -130,9 +170,9 @@ class Sizes(Errors):
         size, grown = self.size(x), 1 + 2 * self.u
         if not size.h and not even_exact:
             return size
-        if size.h > self._padding:
+        if size.h > self.padding:
             raise ValueError("more underflow than the padding covers")
-        s = self.do(Op.ADD, size.s, constant(self._padding), name="padded")
+        s = self.do(Op.ADD, size.s, constant(self.padding), name="padded")
         return Size(s, grown * size.k, grown * size.m, widened=size.widened)
 
     def of_sum(self, step: Instruction) -> Size:
@@ -148,7 +188,7 @@ class Sizes(Errors):
         a, b = map(self.size, step.operands)
         widened = a.widened or b.widened
         plain = a.exact or b.exact or any(isinstance(x, Constant) for x in step.operands)
-        if widened and not plain and self.kinks:
+        if widened and not plain and self.how.kinks:
             return self._of_wide_product(step)
         if min(a.k, b.k) > CLOSE or widened and not plain:
             return self._of_far_product(*step.operands)
@@ -166,23 +206,23 @@ class Sizes(Errors):
         for one, other in ((a, b), (b, a)):
             if isinstance(one.s, Constant) and not one.h:
                 h = (1 + 2 * self.u) * one.s.double * other.h
-                return h if 2 * h <= self._padding else None
+                return h if 2 * h <= self.padding else None
         return None
 
     def _of_far_product(self, x: Operand, y: Operand) -> Size:
         (a, b), u = map(self.padded, (x, y)), self.u
         terms = self.do(Op.MUL, self.reach(x), b.s), self.do(Op.MUL, self.reach(y), a.s)
-        k, m = max(a.k, b.k), max(a.m, b.m)
+        k, m, spread = max(a.k, b.k), max(a.m, b.m), self.how.spread
         return Size(self.do(Op.ADD, *terms), (1 + 64 * u) * (k + 1), (1 + 64 * u) * (
-            (1 + 2 * self.spread * u) * m + self.spread * min(a.k, b.k) + 3 * k + 2), self.slack)
+            (1 + 2 * spread * u) * m + spread * min(a.k, b.k) + 3 * k + 2), self.slack)
 
     def _of_wide_product(self, step: Instruction) -> Size:
         (x, y), u = step.operands, self.u
         p, q = map(self.magnitude, (x, y))
         a, b = map(self.some_bound, (x, y))
         first = self.do(Op.ADD, self.do(Op.MUL, p, b), self.do(Op.MUL, q, a))
-        second = self.do(Op.ADD, self.do(Op.MUL, p, self._beyond_of(y)),
-                         self.do(Op.MUL, q, self._beyond_of(x)))
+        second = self.do(Op.ADD, self.do(Op.MUL, p, self._beyond(y)),
+                         self.do(Op.MUL, q, self._beyond(x)))
         second = self.do(Op.ADD, second, self.do(Op.MUL, a, b))
         second = self.do(Op.ADD, second, self.do(Op.MUL, first, constant(4 * u)))
         k, m = Fraction(WIDE), 256 * Fraction(WIDE)
@@ -197,31 +237,32 @@ class Sizes(Errors):
 
     def units(self, x: Operand) -> Operand:
         """B / κ u of an inexact value."""
-        factor = constant(1 / (self.spread * self.u))
+        factor = constant(1 / (self.how.spread * self.u))
         return self.do(Op.MUL, self.some_bound(x), factor, name="units")
 
     def magnitude(self, x: Operand) -> Operand:
         """|x̂|."""
-        return constant(abs(self.nearest(x).double)) if isinstance(x, Constant) else \
+        return constant(abs(self.near(x).double)) if isinstance(x, Constant) else \
             self.do(Op.ABS, x)
 
     def bound(self, x: Operand) -> Operand | None:
         """B >= (1 + 4 u) |x - x̂|; None for 0."""
-        if x not in self._bounds:
+        if x not in self.known_bounds:
             size = self.size(x)
             if size.exact:
                 return None
-            self._bounds[x] = self._bound(x, size)
-        return self._bounds[x]
+            self.known_bounds[x] = self._bound(x, size)
+        return self.known_bounds[x]
 
     def _bound(self, x: Operand, size: Size) -> Operand:
         if isinstance(x, Constant):
-            error = abs(self.precision.value(x) - self.nearest(x).double) + x.tail
+            error = abs(self.precision.value(x) - self.near(x).double) + x.tail
             return self.rounded_up((1 + 4 * self.u) * error)
         low = self.first_order(x)
-        return self._with_rest(low and self.do(Op.ABS, low, name="error"), self.padded(x))
+        error = ZERO if low is None else self.do(Op.ABS, low, name="error")
+        return self.do(Op.ADD, error, self._beyond(x), name="bound")
 
-    def bound_beside(self, x: Operand, other: Operand) -> Operand:
+    def _bound_beside(self, x: Operand, other: Operand) -> Operand:
         """B >= |x - ŷ| for another approximation ŷ of x: with (1 + 8 u) |(x̂ - ŷ) + d| for |d|, as
         that need not be a part of S."""
         low = self.first_order(x)
@@ -230,35 +271,32 @@ class Sizes(Errors):
             error = self.do(Op.ADD, error, low, name="apart")
         grown = self.do(Op.MUL, self.do(Op.ABS, error, name="error"),
                         self.rounded_up(1 + 8 * self.u), name="error")
-        return self._with_rest(grown, self.padded(x, even_exact=True))
+        return self.do(Op.ADD, grown, self._beyond(x, even_exact=True), name="bound")
 
-    def _beyond_of(self, x: Operand) -> Operand:
+    def _beyond(self, x: Operand, even_exact: bool = False) -> Operand:
         """C s' >= |x - x̂ - d|."""
-        return self._beyond(self.padded(x))
-
-    def _beyond(self, size: Size) -> Operand:
+        size = self.padded(x, even_exact)
         rounding = 8 * size.k * self.u**2
         factor = self.rounded_up((1 + 32 * self.u) * (self.covered(size.k, size.m) + rounding))
         return self.do(Op.MUL, factor, size.s, name="rest")
 
-    def _with_rest(self, error: Operand | None, size: Size) -> Operand:
-        """The error and the rest of a bound."""
-        rest = self._beyond(size)
-        return rest if error is None else self.do(Op.ADD, error, rest, name="bound")
-
     def first_order(self, x: Operand) -> Operand | None:
-        """d."""
-        return self.low(self._at, x)
+        """d; None for 0, and where S covers it."""
+        return self.errors.low(self._at, x) if self.how.computed else None
 
     def covered(self, k: Fraction, m: Fraction) -> Fraction:
-        """The errors beside d, as a part of S."""
-        return m * self.u**2
+        """The errors beside d, or all, as a part of S."""
+        return m * self.u**2 if self.how.computed else k * self.u + m * self.u**2
 
     def some_bound(self, x: Operand) -> Operand:
         """B of an inexact value."""
         bound = self.bound(x)
         assert bound is not None
         return bound
+
+    def near(self, x: Constant) -> Constant:
+        """The constant in this precision."""
+        return constant(Fraction(float(self.precision.rounded(self.precision.value(x)))))
 
     def rounded_up(self, value: Fraction) -> Constant:
         """A constant no less than the value."""
@@ -280,5 +318,5 @@ class Sizes(Errors):
                 a, b = numbers
                 return self.rounded_up(a + b if op is Op.ADD else a * b)
         if (op, operands) not in self._done:
-            self._done[op, operands] = self.issue(self._at, op, operands, name)
+            self._done[op, operands] = self.errors.issue(self._at, op, operands, name)
         return self._done[op, operands]
