@@ -16,7 +16,7 @@ from coscrew_codegen.integrators import EMITTED
 from coscrew_codegen.native import cache
 from coscrew_codegen.scene.names import or_mean
 from coscrew_codegen.scene.possible import why_singular
-from coscrew_codegen.scene.selected import DIVIDING, names
+from coscrew_codegen.scene.selected import dividing, names
 from coscrew_codegen.scene_functions import SceneInterface, Signature
 from coscrew_codegen.simulate import rows, steps
 from coscrew_codegen.targets.scene_text import c_name, many, signs
@@ -102,7 +102,7 @@ class Functions(Steps[Real]):
             possible = ()
         if name in possible:
             hint = f"; it was not selected: functions=[\"default\", {name!r}]"
-        elif scene and name in DIVIDING and (problem := why_singular(scene)):
+        elif scene and name in dividing(scene) and (problem := why_singular(scene)):
             hint = f": {problem}"
         raise AttributeError(f"{self._about} has no function {name!r}{hint}", name=name, obj=self)
 

@@ -5,7 +5,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from coscrew_codegen.scene.effect_quantities import EFFECT_QUANTITIES
 from coscrew_codegen.scene.recorded import recorded
 from coscrew_codegen.simulate.plan import Trajectory
 from coscrew_codegen.simulate.record import quantity
@@ -41,7 +40,7 @@ def charts(system: System, trajectory: Trajectory, frames: np.ndarray) -> tuple[
     """The charts of the effects that the scene records, over the frames that are shown."""
     columns: dict[tuple[str, str], dict[str, np.ndarray]] = {}
     for x in (recorded(text, system.scene) for text in system.scene.record):
-        if x.quantity in EFFECT_QUANTITIES and x.function:
+        if x.of_effect:
             values = np.asarray(quantity(system, trajectory, x), float)[frames]
             for i, (name, unit) in enumerate(zip(x.names, x.units, strict=True)):
                 columns.setdefault((x.quantity, unit), {})[name] = values[:, i]
