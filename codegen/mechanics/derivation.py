@@ -90,10 +90,6 @@ class Derivation:
 
     # recording
 
-    def function(self, entry: SceneFunction) -> Function | None:
-        """The function, if the scene has it."""
-        return None if entry.lacks(self) else self.made(entry)
-
     def made(self, entry: SceneFunction) -> Function:
         """The function, recorded once."""
         if entry.name not in self._made:

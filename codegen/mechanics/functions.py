@@ -50,7 +50,7 @@ def _functions(its: Derivation, names: Collection[str]) -> SceneFunctions:
     made = []
     for entry in entries:
         if not entry.step and (entry.name in wanted or entry.name in called):
-            if reason := entry.lacks(its):
+            if reason := entry.absent(its):
                 _refuse(its, entry, reason, names)
             else:
                 made.append(_stated(its, its.made(entry), entry.name in wanted))

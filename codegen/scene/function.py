@@ -245,7 +245,7 @@ class SceneFunction:
     default: Default = IF_SELECTED
     recorded: tuple[Quantity, ...] = ()
     divides: bool = False  # by the mass matrix, or called only by functions that do
-    lacks: Callable[[Situation], str] = lambda its: ""  # why a scene cannot have it
+    lacks: Callable[[Situation], str] | None = None  # why a scene cannot have it, "" if it can
     words_in: Callable[[Situation], str] | None = None  # where words depend on the scene
     internal: bool = False  # called by steps alone, so that it cannot be selected
     targets: Callable[[Scene], Mapping[str, str]] | None = None  # of a family: what stands in
@@ -264,6 +264,10 @@ class SceneFunction:
     def takes(self) -> tuple[str, ...]:
         """The names of its inputs."""
         return tuple(self.inputs.split())
+
+    def absent(self, its: Situation) -> str:
+        """Why a scene cannot have it; "" if it can."""
+        return self.lacks(its) if self.lacks else ""
 
     def of(self, scene: Scene) -> tuple["SceneFunction", ...]:
         """The function, or the members of the family that a scene has."""

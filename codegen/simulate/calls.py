@@ -25,10 +25,10 @@ from coscrew_codegen.tiers import tier_named
 if TYPE_CHECKING:
     import inspect
 
-    from coscrew._steps import Steps
+    from coscrew._functions import NamedFunctions
     from coscrew_codegen.simulate.load import Kernels
 else:
-    Steps = Generic
+    NamedFunctions = Generic
 
 _PLAIN = frozenset((float, np.float64, np.float32, np.int64, np.int32))
 """Types of t and h that are passed to C without a check."""
@@ -60,21 +60,8 @@ class Step(Protocol[Real]):
         leading axes."""
 
 
-class Functions(Steps[Real]):
+class Functions(NamedFunctions[Real]):
     """The functions of one precision as attributes."""
-
-    if TYPE_CHECKING:  # shown by editors; others, such as jacobian_hand, have the same type
-        inverse_dynamics: Function[Real]
-        forward_dynamics: Function[Real]
-        mass_matrix: Function[Real]
-        bias_torques: Function[Real]
-        gravity_torques: Function[Real]
-        energy: Function[Real]
-        power: Function[Real]
-        momentum: Function[Real]
-        body_poses: Function[Real]
-        body_twists: Function[Real]
-        integrated: Function[Real]
 
     def __init__(self, scene: str, precision: Precision, tier: str = ""):
         self._about = f"{scene} in {precision.name} precision{tier and f', {tier} tier'}"

@@ -21,6 +21,6 @@ FUNCTION = SceneFunction(
     "reaction_JOINT", 120, "f = (force; moment) that JOINT exerts on its child, in the frame of "
     "the body, at its origin, while it accelerates with a", "q v a",
     (Array("f", (6,), WRENCH, "coscrew in N, N m"),), lambda x: [x.transmitted(x.target)],
-    Depends.EFFECTS, Default("by default, for joints in `[effects.reaction]`, and those whose "
+    Depends.EFFECTS, Default("by default, for joints with the effect reaction, and those whose "
                              "reaction is recorded", _wanted),
     (Quantity("reaction", WRENCH, Of.JOINT),), targets=_moving)
