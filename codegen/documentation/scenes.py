@@ -58,9 +58,10 @@ def _function(x: SceneFunction) -> tuple[str, ...]:
 
 def _quantity(function: SceneFunction, x: Quantity) -> tuple[str, ...]:
     """Runs of equal units are counted: 3 × m/s, 3 × rad/s."""
-    runs = [(unit, len(list(several))) for unit, several in groupby(x.units)]
+    own = [unit for unit, _ in function.components_of(x)]
+    runs = [(unit, len(list(several))) for unit, several in groupby(own)]
     units = ", ".join(unit if count == 1 else f"{count} × {unit}" for unit, count in runs)
-    numbers = "" if len(x.units) == 1 else f"0 to {len(x.units) - 1}"
+    numbers = "" if len(own) == 1 else f"0 to {len(own) - 1}"
     return (f"`{x.written}`", escaped(units), ", ".join(x.components) or numbers,
             f"`{function.name}`")
 

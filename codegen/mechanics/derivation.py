@@ -9,7 +9,7 @@ from coscrew_codegen.mechanics import coordinates, floating
 from coscrew_codegen.mechanics.dynamics import RecordedDynamics
 from coscrew_codegen.mechanics.ranges import refuse_products, refuse_quotients
 from coscrew_codegen.mechanics.recorded import Recording
-from coscrew_codegen.program import Program
+from coscrew_codegen.program import Constant, Op, Operand, Program
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.recording.recorder import Recorder, array, headings
 from coscrew_codegen.scene.assembly import ModelError
@@ -99,12 +99,12 @@ class Derivation:
 
     def _derived(self, entry: SceneFunction) -> Function:
         """The function of its inputs, with p if it depends on masses, and t if on effects."""
-        takes, scene = entry.takes, self.scene
-        timed = "t" in takes or entry.depends is Depends.EFFECTS and self.timed
-        given = [*(["t"] if timed else []),
-                 *(["h"] if "h" in takes else []),
-                 *(["p"] if entry.depends is not Depends.GEOMETRY and scene.parameters else []),
-                 *(x for x in takes if x not in ("t", "h"))]
+        scene, takes = self.scene, {*entry.takes}
+        if entry.depends is Depends.EFFECTS and self.timed:
+            takes.add("t")
+        if entry.depends is not Depends.GEOMETRY and scene.parameters:
+            takes.add("p")
+        given = [name for name in INPUTS if name in takes]
         program = self._recorded(entry, [self._argument(INPUTS[x]) for x in given])
         words = entry.words_in(self) if entry.words_in else entry.words
         function = Function(entry.name, words, program, tuple(
@@ -134,7 +134,7 @@ class Derivation:
         if entry.compute is None:
             raise TypeError(f"{entry.name} has nothing that computes it")
         try:
-            results = entry.compute(RecordedDynamics(recording, entry.target, self._roots))
+            results = entry.compute(RecordedDynamics(recording, entry, self._roots))
         except ZeroDivisionError:
             raise self._division(entry, recorder.heading) from None
         except Exception as error:
@@ -143,21 +143,24 @@ class Derivation:
         outputs = [self._argument(x) for x in entry.outputs]
         _fit(entry.name, outputs, results)
         program = recorder.program(entry.name, list(zip(outputs, results, strict=True)))
+        for step in program.instructions:
+            if step.op is Op.DIV and _is_zero(step.operands[1]):
+                raise self._division(entry, step.component.rpartition(":")[0])
         if fine or not recorder.differs:
             return program
         return replace(program, fine=self._recorded(entry, inputs, fine=True))
 
     def _division(self, entry: SceneFunction, heading: str) -> ModelError:
-        """Says which function divides by zero: by the mass matrix, or in its own arithmetic."""
-        where = heading or self.scene.model.name
+        """Says what divides by zero: the mass matrix, or a function's or an effect's own law."""
         what = f"its numbers make a division by zero in {entry.name}, whatever q is"
-        remedy = ("the mass matrix is singular; wanted masses or armatures that resist every "
-                  "joint, no joint that mimics another with multiplier 0, or functions that do not "
-                  'divide by it, as ["inverse_dynamics"]') if entry.divides else (
-                  f"wanted numbers by which {entry.name} can divide, or functions without it, as "
-                  '["inverse_dynamics"]')
-        return ModelError(f"{self.scene.name}: {where}", f"{what}: {remedy}" if entry.divides else
-                          f"{what}; {remedy}")
+        of_effect = heading.partition(" at ")[0] in {x.effect.name for x in self.scene.effects}
+        if entry.divides and not of_effect:
+            what += (": the mass matrix is singular; wanted masses or armatures that resist every "
+                     "joint, no joint that mimics another with multiplier 0, or functions that do "
+                     'not divide by it, as ["inverse_dynamics"]')
+        else:
+            what += f"; wanted other numbers, or functions without {entry.name}"
+        return ModelError(f"{self.scene.name}: {heading or self.scene.model.name}", what)
 
     def _headings(self) -> dict[str, str]:
         """What text says instead of a body's heading: its number and name, and how it moves if it
@@ -173,6 +176,10 @@ class Derivation:
                  "p": tuple(float(x.value) for x in self.scene.parameters)}
         return {name: known.get(name, (0.0,) * prod(INPUTS[name].sized(self.size)))
                 for name in names}
+
+
+def _is_zero(x: Operand) -> bool:
+    return isinstance(x, Constant) and not x.double
 
 
 def _fit(name: str, outputs: Sequence[Argument], results: Results) -> None:

@@ -17,9 +17,9 @@ from coscrew_codegen.mechanics.acting import Acting
 from coscrew_codegen.mechanics.effect_values import Values, values_of
 from coscrew_codegen.mechanics.motion import Motion
 from coscrew_codegen.mechanics.recorded import Recording
-from coscrew_codegen.parameter import Scalar
+from coscrew_codegen.parameter import Parameter, Scalar
 from coscrew_codegen.recording.numbers import Number, Vector, add, rotated, rotation, translation
-from coscrew_codegen.scene.function import Numbers, Results
+from coscrew_codegen.scene.function import Depends, Numbers, Results, SceneFunction
 from coscrew_codegen.scene.scene import Applied
 from coscrew_codegen.scene.tree import heading_of_body
 
@@ -27,10 +27,12 @@ from coscrew_codegen.scene.tree import heading_of_body
 class RecordedDynamics:
     """The dynamics of a scene, recorded: each quantity from the inputs that the function takes.
 
-    `target` is the function's body or joint; `roots` returns the first links of floating trees."""
+    `roots` returns the first links of floating trees."""
 
-    def __init__(self, recording: Recording, target: str, roots: Callable[[], Sequence[int]]):
-        self._recording, self.target, self._roots = recording, target, roots
+    def __init__(self, recording: Recording, function: SceneFunction,
+                 roots: Callable[[], Sequence[int]]):
+        self._recording, self._function, self._roots = recording, function, roots
+        self.target = function.target
         self.scene, self.recorder, self._tree = (
             recording.scene, recording.recorder, recording.tree)
 
@@ -45,11 +47,13 @@ class RecordedDynamics:
 
     def number(self, value: Scalar | int) -> Number:
         """A number of the scene, or its element of p."""
+        if isinstance(value, Parameter):
+            self._refuse_unless(Depends.MASSES, Depends.EFFECTS)
         return self.recorder.number(value)
 
     def numbers(self, values: Sequence[Scalar | int]) -> tuple[Number, ...]:
         """Numbers of the scene."""
-        return self.recorder.numbers(values)
+        return tuple(map(self.number, values))
 
     # frames
 
@@ -60,7 +64,15 @@ class RecordedDynamics:
 
     @cached_property
     def _motion(self) -> Motion:
+        self._refuse_unless(Depends.MASSES, Depends.EFFECTS)
         return self._recording.motion()
+
+    def _refuse_unless(self, *allowed: Depends) -> None:
+        """Raise ValueError if the function does not say what it depends on, so that it lacks p or
+        t."""
+        if self._function.depends not in allowed:
+            raise ValueError(f"{self._function.name} depends on {allowed[0].name.lower()}; wanted "
+                             f"depends = Depends.{allowed[0].name}")
 
     def pose(self, body: str) -> Numbers:
         """D of a body."""
@@ -92,10 +104,12 @@ class RecordedDynamics:
 
     @cached_property
     def _acting(self) -> Acting:
+        self._refuse_unless(Depends.EFFECTS)
         return Acting(self.scene, self._motion).act()
 
     def mass_matrix(self) -> Numbers:
         """M(q), row by row."""
+        self._refuse_unless(Depends.MASSES, Depends.EFFECTS)
         x = self._recording
         M = composite.mass_matrix(self._still, x.rigids, x.inertias)
         return [entry for row in M for entry in row]
@@ -131,6 +145,7 @@ class RecordedDynamics:
 
     def of_effect(self, applied: Applied) -> Values:
         """What an effect exerts, its power and its energy."""
+        self._refuse_unless(Depends.EFFECTS)
         return values_of(self._recording, self._motion, applied)
 
     # steps
@@ -156,20 +171,25 @@ class RecordedDynamics:
 
     def midpoint_accelerations(self) -> Numbers:
         """a of the default integrator's kick."""
+        self._refuse_unless(Depends.EFFECTS)
         return leapfrog.kick(self._recording)
 
     def floating_momenta(self) -> Numbers:
         """(p; L; x) of each floating tree."""
+        self._refuse_unless(Depends.MASSES, Depends.EFFECTS)
         return floating.momentum(self._recording, self._roots())
 
     def with_floating_momenta(self) -> Results:
         """q and v corrected to the momenta c."""
+        self._refuse_unless(Depends.MASSES, Depends.EFFECTS)
         return floating.corrected(self._recording, self._roots())
 
     def closing(self) -> Number:
         """The number of contacts that are closed or close."""
+        self._refuse_unless(Depends.MASSES, Depends.EFFECTS)
         return leapfrog.closing(self._recording)
 
     def split(self) -> tuple[Number, Number]:
         """The number and length of a step's parts."""
+        self._refuse_unless(Depends.MASSES, Depends.EFFECTS)
         return leapfrog.split(self._recording)

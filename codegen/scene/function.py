@@ -208,11 +208,10 @@ class Of(Enum):
 class Quantity:
     """What is recorded of a function's results: `name`, or `name.BODY`, `name.JOINT`.
 
-    Each component is the sum of the results at its `places`, by default the result of its own
-    number; those of bodies are in the body's part of the results."""
+    Each component is the sum of the results at its `places`; without places, every result is a
+    component.  Of a function of all bodies, places are counted from the body's own results."""
 
     name: str
-    units: tuple[str, ...]
     of: Of = Of.SCENE
     components: tuple[str, ...] = ()  # names in place of numbers
     places: tuple[tuple[int, ...], ...] = ()
@@ -223,10 +222,8 @@ class Quantity:
         """pose.BODY."""
         return f"{self.name}.{self.of.value.upper()}" if self.of.value else self.name
 
-    def sums(self, first: int = 0) -> tuple[tuple[int, ...], ...]:
-        """The places of each component, where the results of its owner start at `first`."""
-        return tuple(tuple(first + place for place in places)
-                     for places in self.places or tuple((i,) for i in range(len(self.units))))
+
+_OF_STATES = ("q", "v", "a", "tau")
 
 
 @dataclass(frozen=True)
@@ -259,6 +256,37 @@ class SceneFunction:
         for name in self.takes:
             if name not in INPUTS:
                 raise ValueError(f"{self.name}: no input {name!r}; wanted {', '.join(INPUTS)}")
+        for quantity in self.recorded:
+            self.components_of(quantity)
+
+    def components_of(self, quantity: Quantity) -> tuple[tuple[str, tuple[int, ...]], ...]:
+        """(unit, places of the results that are added) of each component of what is recorded.
+        Raises ValueError for what a state does not determine, or results that there are not."""
+        told = f"{self.name}: {quantity.name!r} is recorded of it"
+        if others := [name for name in self.takes if name not in _OF_STATES]:
+            raise ValueError(f"{told}, but it takes {', '.join(others)}; wanted functions of "
+                             f"{', '.join(_OF_STATES)}")
+        units = self._units_recorded(quantity, told)
+        places = quantity.places or tuple((i,) for i in range(len(units)))
+        if quantity.components and len(quantity.components) != len(places):
+            raise ValueError(f"{told} with {len(quantity.components)} names of its {len(places)} "
+                             "components")
+        for several in places:
+            if not several or max(several) >= len(units) or len({units[i] for i in several}) > 1:
+                raise ValueError(f"{told}: results {several}; wanted some of the {len(units)} that "
+                                 "there are, of one unit")
+        return tuple((units[several[0]], several) for several in places)
+
+    def _units_recorded(self, quantity: Quantity, told: str) -> tuple[str, ...]:
+        """The unit of each result, of one body or joint."""
+        each, found = bool(quantity.of.value and not self.targets), list[str]()
+        for x in self.outputs:
+            shape = tuple(n for n in x.shape[each:] if isinstance(n, int))
+            if callable(x.units) or len(shape) < len(x.shape) - each:
+                raise ValueError(f"{told}, but the number or the units of {x.name} depend on the "
+                                 "scene")
+            found += x.units_of(shape, ())
+        return tuple(found)
 
     @property
     def takes(self) -> tuple[str, ...]:
@@ -279,11 +307,10 @@ class SceneFunction:
             replace(self, name=self._named(stem), words=self.words.replace(self._word, target),
                     target=target) for stem, target in self.targets(scene).items())
 
-    def name_for(self, target: str, scene: Scene) -> str:
-        """The name of the function, or of a family's member for a target."""
-        if not self.targets:
-            return self.name
-        return next(self._named(stem) for stem, on in self.targets(scene).items() if on == target)
+    def names(self, scene: Scene) -> dict[str, str]:
+        """The names of a family's members, by target."""
+        targets = self.targets(scene) if self.targets else {}
+        return {target: self._named(stem) for stem, target in targets.items()}
 
     def _named(self, stem: str) -> str:
         return self.name.replace(self._word, stem)

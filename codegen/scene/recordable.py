@@ -17,17 +17,18 @@ from coscrew_codegen.scene.recorded import (
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.units import UNITS
 
-_POSITIONS = tuple(name for name, (_, x) in QUANTITIES.items() if x.units == ("m",) * 3)
+_POSITIONS = tuple(name for name, (function, x) in QUANTITIES.items()
+                   if [unit for unit, _ in function.components_of(x)] == ["m"] * 3)
 """Quantities whose components are called x, y and z, too."""
 
 
 def recordable(scene: Scene) -> tuple[str, ...]:
     """The names of all quantities, each whole: q.elbow, energy, position.hand."""
     own = [joint.name for joint, _, _ in coordinates(scene)]
-    kinds = [x for _, x in QUANTITIES.values()]
-    return (*(x.name for x in kinds if x.of is Of.SCENE),
+    return (*(name for name, (_, x) in QUANTITIES.items() if x.of is Of.SCENE),
             *(f"{quantity}.{joint}" for quantity in UNITS for joint in own),
-            *(f"{x.name}.{target}" for x in kinds for target in targets(x.of, scene)),
+            *(f"{name}.{target}" for name, (function, x) in QUANTITIES.items()
+              for target in targets(function, x, scene)),
             *quantities_by_name(scene))
 
 

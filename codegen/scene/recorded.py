@@ -14,7 +14,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from coscrew_codegen.scene.effect_quantities import lacks, quantities_by_name, units_of
-from coscrew_codegen.scene.function import Of
+from coscrew_codegen.scene.function import Of, Quantity, SceneFunction
 from coscrew_codegen.scene.functions import QUANTITIES as OF_FUNCTIONS
 from coscrew_codegen.scene.mimics import followers
 from coscrew_codegen.scene.model import Joint, Kind
@@ -122,9 +122,11 @@ def _of_joints(text: str, quantity: str, rest: str, scene: Scene) -> Recorded:
                     tuple((i,) for i in places))
 
 
-def targets(of: Of, scene: Scene) -> tuple[str, ...]:
-    """The names of the bodies, or of the joints that move; () of the whole scene."""
-    match of:
+def targets(function: SceneFunction, kind: Quantity, scene: Scene) -> tuple[str, ...]:
+    """The names of the bodies or joints that a quantity belongs to; () of the whole scene."""
+    if function.targets and kind.of is not Of.SCENE:
+        return tuple(function.names(scene))
+    match kind.of:
         case Of.BODY:
             return tuple(body.name for body in scene.model.bodies)
         case Of.JOINT:
@@ -136,16 +138,19 @@ def targets(of: Of, scene: Scene) -> tuple[str, ...]:
 def _of_function(text: str, quantity: str, rest: str, scene: Scene) -> Recorded:
     """Components of a function's results."""
     function, kind = OF_FUNCTIONS[quantity]
-    names = targets(kind.of, scene)
+    all_components = function.components_of(kind)
+    count, names = len(all_components), targets(function, kind, scene)
     target, index = _target(text, rest, kind.of.value, names) if kind.of.value else ("", rest)
-    picked = _picked(text, index, len(kind.units), kind.components)
+    picked = _picked(text, index, count, kind.components)
     each = function.outputs[0].each if target and not function.targets else 0
-    sums = kind.sums(names.index(target) * each if each else 0)
+    first = names.index(target) * each if each else 0
     stem = f"{quantity}.{target}" if target else quantity
-    words = kind.components or tuple(map(str, range(len(kind.units))))
-    columns = tuple(stem if len(kind.units) == 1 else f"{stem}.{words[i]}" for i in picked)
-    return Recorded(text, quantity, target, picked, columns, tuple(kind.units[i] for i in picked),
-                    function.name_for(target, scene), tuple(sums[i] for i in picked),
+    words = kind.components or tuple(map(str, range(count)))
+    columns = tuple(stem if count == 1 else f"{stem}.{words[i]}" for i in picked)
+    units, places = zip(*(all_components[i] for i in picked), strict=True)
+    return Recorded(text, quantity, target, picked, columns, units,
+                    function.names(scene)[target] if function.targets else function.name,
+                    tuple(tuple(first + place for place in several) for several in places),
                     "a" in function.takes)
 
 

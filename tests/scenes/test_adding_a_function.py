@@ -11,9 +11,18 @@ from pathlib import Path
 import mpmath
 import pytest
 
+from coscrew_codegen import run
+from coscrew_codegen.mechanics import derive
 from coscrew_codegen.mechanics.derivation import Derivation
+from coscrew_codegen.recording.numbers import dot
+from coscrew_codegen.scene import functions
 from coscrew_codegen.scene.assembly import ModelError
-from coscrew_codegen.scene.function import Array, Dynamics, Results, SceneFunction, Size
+from coscrew_codegen.scene.effect import Effect, Place, Torque
+from coscrew_codegen.scene.function import Array, Depends, Of, Quantity, SceneFunction, Size
+from coscrew_codegen.scene.functions import jacobian
+from coscrew_codegen.scene.recorded import QuantityError, recorded
+from coscrew_codegen.scene.scene import Applied
+from coscrew_codegen.scene_files.toml_scene import read_scene
 from tests.support.scenes import mechanisms as m
 from tests.support.walks import command, copied, run_in_copy, walk
 
@@ -161,32 +170,89 @@ def test_an_error_in_its_arithmetic_names_it(site):
         'pin = { type = "continuous", child = "ghost", axis = [0, 0, 1] }\n')
     done = command(site, "generate", "ghost.toml", "-o", "none")
     assert done.returncode == 2 and "a division by zero in center_of_mass" in done.stderr
-    assert "functions without it" in done.stderr and "mass matrix" not in done.stderr
+    assert "functions without center_of_mass" in done.stderr and "mass matrix" not in done.stderr
 
 
-def made(compute, outputs: tuple[Array, ...] = (Array("y", (), ("1",)),), inputs: str = "q"
-         ) -> None:
+def made(compute, outputs: tuple[Array, ...] = (Array("y", (), ("1",)),), inputs: str = "q",
+         **others: object) -> None:
     scene = m.scene(m.pendulum(), m.gravity())
-    Derivation(scene).made(SceneFunction("odd", 1, "y", inputs, outputs, compute))
+    Derivation(scene).made(SceneFunction("odd", 1, "y", inputs, outputs, compute, **others))
 
 
-def _raises(x: Dynamics) -> Results:
-    return [[x.number(1) / 0]]
+DIVISION = "a division by zero in odd, whatever q is; wanted other numbers, or functions without"
 
 
 @pytest.mark.parametrize("compute, error, said", (
-    (_raises, ModelError, "a division by zero in odd, whatever q is; wanted numbers by which odd"),
+    (lambda x: [[x.number(1) / 0]], ModelError, DIVISION),
     (lambda x: [], ValueError, "odd: compute returned 0 results; wanted 1: y"),
     (lambda x: [[]], ValueError, "odd: compute returned 0 components of y; wanted 1"),
-    (lambda x: [x.argument("v")], ValueError, "no input 'v': it takes q")))
+    (lambda x: [x.argument("v")], ValueError, "no input 'v': it takes q"),
+    (lambda x: [[x.argument("q")[0] / 0]], ModelError, DIVISION),
+    (lambda x: [[x.power()]], ValueError, r"depends on effects; wanted depends = Depends\.EFF")))
 def test_errors_of_a_function_name_it(compute, error, said):
     with pytest.raises(error, match=said) as caught:
         made(compute)
     assert "odd" in " ".join((str(caught.value), *getattr(caught.value, "__notes__", ())))
 
 
-def test_entries_that_cannot_be_are_refused():
-    with pytest.raises(ValueError, match="odd: y has 1 components and 2 units"):
-        made(lambda x: [[x.number(1)]], (Array("y", (Size.NV,), ("m", "m")),))
-    with pytest.raises(ValueError, match="odd: no input 'speed'; wanted t, h, p, q"):
-        made(lambda x: [[x.number(1)]], inputs="q speed")
+def test_errors_of_effects_are_not_the_mass_matrix_s():
+    """In forward dynamics, which divides by it."""
+    law = Effect("odd", "divides", "tau = q/0", Place.JOINT, (),
+                 joint_torque=lambda state, values: Torque(state.q / 0))
+    scene = m.scene(m.pendulum(), Applied(law, "j0", {}))
+    with pytest.raises(ModelError, match="odd at j0: its numbers make a division by zero in "
+                                         "forward_dynamics, whatever q is; wanted other numbers"):
+        derive(scene, ["forward_dynamics"])
+
+
+ONE = Array("y", (), ("1",))
+
+
+@pytest.mark.parametrize("words, said", (
+    ({"outputs": (Array("y", (Size.NV,), ("m", "m")),)}, "odd: y has 1 components and 2 units"),
+    ({"inputs": "q speed"}, "odd: no input 'speed'; wanted t, h, p, q"),
+    ({"inputs": "h q", "recorded": (Quantity("odd"),)}, "'odd' is recorded of it, but it takes h"),
+    ({"recorded": (Quantity("odd", places=((1,),)),)}, r"results \(1,\); wanted some of the 1"),
+    ({"recorded": (Quantity("odd", components=("a", "b")),)}, "with 2 names of its 1 components"),
+    ({"outputs": (Array("y", (Size.NV,), ("m",)),), "recorded": (Quantity("odd"),)},
+     "units of y depend on the scene")))
+def test_entries_that_cannot_be_are_refused(words, said):
+    given = {"outputs": (ONE,), "inputs": "q", **words}
+    with pytest.raises(ValueError, match=said):
+        made(lambda x: [[x.number(1)]], **given)
+
+
+def test_names_that_exclude_each_other_are_refused():
+    first, second, third = (SceneFunction(name, 1, "y", "q", (ONE,), None, recorded=(
+        Quantity("odd"),)) for name in ("odd", "oddf", "Odd"))
+    with pytest.raises(ValueError, match="'oddf', which is odd in single precision"):
+        functions.refuse_names((first, second))
+    with pytest.raises(ValueError, match="called 'Odd'; wanted a name as center_of_mass"):
+        functions.refuse_names((third,))
+    with pytest.raises(ValueError, match="'odd' is recorded of odd and of oddf; rename one"):
+        functions.quantities((first, second))
+
+
+def test_a_family_is_one_entry(monkeypatch, tmp_path):
+    """The speed of each body that moves, squared: selected by body, recorded with its unit."""
+    def compute(x):
+        velocity = x.twist(x.target)[:3]
+        return [[dot(velocity, velocity)]]
+
+    family = SceneFunction(
+        "speed_BODY", 105, "s = |v|^2 of BODY", "q v",
+        (Array("s", (), ("m^2/s^2",), "in m^2/s^2"),), compute, Depends.GEOMETRY, recorded=(Quantity("speed", Of.BODY),),
+        targets=jacobian.FUNCTION.targets)
+    monkeypatch.setattr(functions, "FUNCTIONS", (*functions.FUNCTIONS, family))
+    monkeypatch.setitem(functions.QUANTITIES, "speed", (family, family.recorded[0]))
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    (tmp_path / "cart.toml").write_text(SCENE.replace('"center_of_mass", "q"', '"speed.*", "v"')
+                                        .partition("[expect")[0])
+    done = run(tmp_path / "cart.toml", until=0.25)
+    names = [x.name for x in done.recording.columns]
+    assert names == ["speed.sled", "speed.frame", "speed.load", "v.rail", "v.pin"]
+    assert done.recording.columns[0].unit == "m^2/s^2"
+    rail = done.recording.of("v.rail")
+    assert done.recording.of("speed.sled").tolist() == (rail * rail).tolist()
+    with pytest.raises(QuantityError, match="no body 'plinth' that has it; wanted one of frame"):
+        recorded("speed.plinth", read_scene(tmp_path / "cart.toml"))

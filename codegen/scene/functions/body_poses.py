@@ -16,5 +16,4 @@ FUNCTION = SceneFunction(
     (Array("D", (Size.BODIES, 3, 4), POSE, "displacements, t in m"),),
     lambda x: [[entry for body in x.scene.model.bodies for entry in x.pose(body.name)]],
     Depends.GEOMETRY, ALWAYS,
-    (Quantity("pose", POSE, Of.BODY),
-     Quantity("position", ("m",) * 3, Of.BODY, places=((3,), (7,), (11,)))))
+    (Quantity("pose", Of.BODY), Quantity("position", Of.BODY, places=((3,), (7,), (11,)))))

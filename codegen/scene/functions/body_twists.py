@@ -15,4 +15,4 @@ FUNCTION = SceneFunction(
     "body_twists", 100, "s[i] = (v; w) of each body in the frame of the body, at its origin", "q v",
     (Array("s", (Size.BODIES, 6), SCREW, "screws in m/s, rad/s"),),
     lambda x: [[entry for body in x.scene.model.bodies for entry in x.twist(body.name)]],
-    Depends.GEOMETRY, ALWAYS, (Quantity("twist", SCREW, Of.BODY),))
+    Depends.GEOMETRY, ALWAYS, (Quantity("twist", Of.BODY),))

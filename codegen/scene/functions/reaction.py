@@ -23,4 +23,4 @@ FUNCTION = SceneFunction(
     (Array("f", (6,), WRENCH, "coscrew in N, N m"),), lambda x: [x.transmitted(x.target)],
     Depends.EFFECTS, Default("by default, for joints with the effect reaction, and those whose "
                              "reaction is recorded", _wanted),
-    (Quantity("reaction", WRENCH, Of.JOINT),), targets=_moving)
+    (Quantity("reaction", Of.JOINT),), targets=_moving)
