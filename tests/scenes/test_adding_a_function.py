@@ -241,8 +241,8 @@ def test_a_family_is_one_entry(monkeypatch, tmp_path):
 
     family = SceneFunction(
         "speed_BODY", 105, "s = |v|^2 of BODY", "q v",
-        (Array("s", (), ("m^2/s^2",), "in m^2/s^2"),), compute, Depends.GEOMETRY, recorded=(Quantity("speed", Of.BODY),),
-        targets=jacobian.FUNCTION.targets)
+        (Array("s", (), ("m^2/s^2",), "in m^2/s^2"),), compute, Depends.GEOMETRY,
+        recorded=(Quantity("speed", Of.BODY),), targets=jacobian.FUNCTION.targets)
     monkeypatch.setattr(functions, "FUNCTIONS", (*functions.FUNCTIONS, family))
     monkeypatch.setitem(functions.QUANTITIES, "speed", (family, family.recorded[0]))
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
