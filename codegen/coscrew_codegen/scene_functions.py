@@ -51,6 +51,7 @@ class Function:
     rounding: str = ""  # how far roundings can move its outputs, if that is proved
     plain: Program | None = None
     accuracy: Accuracy | None = None  # if it is asked for: the mixed tier has it
+    units: tuple[str, ...] = ()  # of each component of its results, in order
 
     @property
     def inputs(self) -> tuple[Argument, ...]:

@@ -9,6 +9,7 @@ SYMBOLS: dict[tuple[str, ...], str] = {
     ("t",): "origin of the link's frame in its parent's",
     ("Rw",): "rotation of the link's frame in the world's",
     ("tw",): "origin of the link's frame in the world's",
+    ("xw",): "position of a point of the body in the world's frame",
     ("wp",): "angular velocity of the parent",
     ("w",): "angular velocity",
     ("v",): "velocity of the origin",

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from tabulate import tabulate
 
-from coscrew_codegen.scene.selected import jacobians
+from coscrew_codegen.scene.functions.jacobian import jacobians
 from coscrew_codegen.simulate.load import load_scene
 from tests.benchmarks.cortex_m4 import ROBOTS
 from tests.support.scenes.robots import scene_of

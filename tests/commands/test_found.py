@@ -25,7 +25,7 @@ ROOT = Path(__file__).parents[2]
 TABLE = {operation.name: operation for operation in OPERATIONS}
 DERIVED = ("vec3", "mat3x3", "coscrew")  # families; deriving all would take long
 FOLDERS = {"effects": "EFFECT", "integrators": "INTEGRATOR", "operations": "FAMILY",
-           "tiers": "TIER", "targets": "TARGET"}
+           "scene/functions": "FUNCTION", "tiers": "TIER", "targets": "TARGET"}
 
 
 @pytest.fixture(scope="module")
@@ -212,9 +212,10 @@ def test_every_file_is_found_or_helps_one_that_is(folder):
     package = Path(coscrew_codegen.__file__).parent
     texts = {path: path.read_text() for path in package.rglob("*.py")}
     for path in (package / folder).glob("[!_]*.py"):
-        module = f"coscrew_codegen.{folder}.{path.stem}"
+        of = f"coscrew_codegen.{folder.replace('/', '.')}"
+        module = f"{of}.{path.stem}"
         imported = re.compile(rf"from {module} import|import {module}\b|"
-                              rf"from coscrew_codegen.{folder} import(?: \([^)]*|[^)\n]*)"
+                              rf"from {of} import(?: \([^)]*|[^)\n]*)"
                               rf"\b{path.stem}\b")
         assert re.search(rf"^{FOLDERS[folder]}\b", texts[path], re.MULTILINE) or any(
             imported.search(text) for other, text in texts.items() if other != path), (

@@ -9,7 +9,7 @@ import pytest
 
 import coscrew
 from coscrew_codegen.effects import EFFECTS
-from coscrew_codegen.scene.selected import DYNAMICS, MOVED
+from coscrew_codegen.scene.functions import FUNCTIONS
 from coscrew_codegen.scene_files.keys import TYPES
 
 ROOT = Path(__file__).parents[2]
@@ -18,7 +18,7 @@ ROWS = [[cell.strip() for cell in re.split(r"(?<!\\)\|", line)[1:-1]]
         for line in GLOSSARY.splitlines() if line.startswith("|")]
 HEADERS = "".join(path.read_text(encoding="utf-8")
                   for path in sorted((ROOT / "generated/c/include/ksl").glob("*.h")))
-SCENES = {*DYNAMICS, MOVED, "q", "v", "tau"}
+SCENES = {*(x.name for x in FUNCTIONS), "q", "v", "tau"}
 
 
 def named(column: str) -> list[str]:

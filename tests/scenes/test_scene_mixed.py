@@ -31,9 +31,9 @@ from coscrew_codegen.mixture.arrays import arrays, evaluator
 from coscrew_codegen.mixture.choice import AccuracyError, chosen, operations
 from coscrew_codegen.mixture.sample import States
 from coscrew_codegen.program import Instruction, Op, Program
+from coscrew_codegen.scene.functions import FUNCTIONS
 from coscrew_codegen.scene.model import Joint, Kind
 from coscrew_codegen.scene.scene import Scene, Tolerance
-from coscrew_codegen.scene_files.accuracy import OF_POSITIONS
 from coscrew_codegen.scene_files.errors import SceneError
 from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.scene_functions import Function, SceneFunctions
@@ -289,7 +289,8 @@ def test_limits_between_which_states_are_drawn_are_used(tmp_path: Path, function
     assert [line.split()[2] for line in read_scene(file).unused] == left
 
 
-@pytest.mark.parametrize("function", OF_POSITIONS)
+@pytest.mark.parametrize("function", [x.name for x in FUNCTIONS if x.takes == ("q",)
+                                      and not x.targets])
 def test_functions_of_positions_have_no_other_input(function: str):
     made = derive(replace(SCENE, functions=(function,), tiers=(), accuracy=()))
     assert [a.name for a in made.named(function).inputs] == ["q"]

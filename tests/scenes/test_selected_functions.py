@@ -1,7 +1,6 @@
 """Selected functions are derived, printed and compiled, and no others."""
 
 import re
-from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
 from itertools import pairwise
@@ -12,14 +11,16 @@ import pytest
 
 import coscrew_codegen
 from coscrew_codegen.integrators import EMITTED, INTEGRATORS
-from coscrew_codegen.mechanics import derive, functions, steps
+from coscrew_codegen.mechanics import derive, steps
+from coscrew_codegen.mechanics.derivation import Derivation
 from coscrew_codegen.recording.recorder import Recorder
+from coscrew_codegen.scene.function import ALWAYS
+from coscrew_codegen.scene.functions import FUNCTIONS, functions_of
+from coscrew_codegen.scene.functions.mass_matrix import MANY
 from coscrew_codegen.scene.scene import Run, Scene
 from coscrew_codegen.scene.selected import (
     CONTACTS,
-    DYNAMICS,
     FREE,
-    MANY,
     MOST,
     FunctionsError,
     names,
@@ -37,6 +38,8 @@ from tests.support.compiled.c_harness import run as compiled
 from tests.support.scenes import mechanisms as m
 
 ALL = ("all",)
+OF_ALL = [x.name for x in FUNCTIONS if x.default is ALWAYS or x.name == "mass_matrix"]
+"""The functions that every scene has by default."""
 
 
 def arm(*selected: str, **others: object) -> Scene:
@@ -61,8 +64,8 @@ def public(scene: Scene) -> list[str]:
 
 
 def test_without_a_word_jacobians_reactions_and_other_integrators_are_left_out():
-    assert public(arm()) == [*DYNAMICS, "integrated", *CONTACTS, "step_leapfrog"]
-    assert public(flyer()) == [*DYNAMICS, "integrated", *FREE, "step_leapfrog"]
+    assert public(arm()) == [*OF_ALL, *CONTACTS, "step_leapfrog"]
+    assert public(flyer()) == [*OF_ALL, *FREE, "step_leapfrog"]
     selected = m.applied("reaction", "j1")
     assert "reaction_j1" in public(replace(arm(), effects=(*arm().effects, selected)))
 
@@ -122,9 +125,9 @@ def test_all_functions_have_names_and_names_have_functions():
 
 
 def test_what_is_not_selected_is_not_derived(monkeypatch: pytest.MonkeyPatch):
-    made, make = [], functions._Derivation._function
-    monkeypatch.setattr(functions._Derivation, "_function", lambda self, name, *words, **others: (
-        made.append(name), make(self, name, *words, **others))[1])
+    made, make = [], Derivation._derived
+    monkeypatch.setattr(Derivation, "_derived", lambda self, entry: (
+        made.append(entry.name), make(self, entry))[1])
     derive(arm("jacobian_b1"))
     assert made == ["jacobian_b1"]
     made.clear()
@@ -206,8 +209,8 @@ def test_runs_have_all_that_they_call_and_tell_what_they_lack(file: Path):
 
 
 def test_steps_need_what_the_derivation_has():
-    known: dict[str, Callable] = functions._Derivation(arm())._makers()
-    assert {name for x in EMITTED for name in steps.needs(x)} <= known.keys()
+    known = {x.name for x in functions_of(arm())}
+    assert {name for x in EMITTED for name in steps.needs(x)} <= known
 
 
 def chain(joints: int) -> Scene:

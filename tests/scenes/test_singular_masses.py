@@ -12,7 +12,7 @@ from coscrew_codegen import load_scene
 from coscrew_codegen.__main__ import main
 from coscrew_codegen.mechanics import derive
 from coscrew_codegen.scene.possible import unmoved, why_singular
-from coscrew_codegen.scene.selected import DIVIDING, FunctionsError, left_out, selected_functions
+from coscrew_codegen.scene.selected import FunctionsError, dividing, left_out, selected_functions
 from coscrew_codegen.scene_files.toml_scene import SceneOverrides, read_scene
 from tests.support.scenes.robots import path_of
 
@@ -84,7 +84,7 @@ def test_what_can_be_had_is_generated_and_the_rest_told_once(arm, capsys, tmp_pa
     assert said == f"arm.toml: forward_dynamics and steps are left out: {CAUSE}\n"
     header = (tmp_path / "out/arm.h").read_text()
     assert "arm_inverse_dynamics(" in header and "arm_mass_matrix(" in header
-    assert not any(f"arm_{name}(" in header for name in DIVIDING)
+    assert not any(f"arm_{name}(" in header for name in dividing(read_scene(path)))
     assert "positive semidefinite" in header
     for given in (path, read_scene(path)):
         with pytest.warns(RuntimeWarning, match="^arm: forward_dynamics and steps are left out"):

@@ -37,6 +37,15 @@ def generated(site: Path, *words: str, **environment: str) -> subprocess.Complet
     return command(site, "generate", *words, **environment)
 
 
+def run_in_copy(site: Path, program: str) -> str:
+    """What a program prints that runs with the copy of the generator in this folder."""
+    done = subprocess.run(
+        [sys.executable, "-c", program], cwd=site, text=True, capture_output=True,
+        env={**os.environ, "PYTHONPATH": str(site), "XDG_CACHE_HOME": str(site / "cache")})
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
 def walk(package: Path, *names: str) -> list[Path]:
     """Adds to the package what the walks write into files of these names: new ones, or an entry of
     a table.  Their paths."""

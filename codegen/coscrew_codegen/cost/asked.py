@@ -8,16 +8,15 @@ from coscrew_codegen.cost.leaving_out import SHOWN, Part, whole
 from coscrew_codegen.cost.measured import Counts
 from coscrew_codegen.formats import BY_NAME
 from coscrew_codegen.integrators import EMITTED
+from coscrew_codegen.scene.functions.mass_matrix import MANY, speeds
 from coscrew_codegen.scene.patterns import is_pattern
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.selected import (
     ALL,
     DEFAULT,
     FREE,
-    MANY,
     names,
     resolved,
-    speeds,
     together,
 )
 from coscrew_codegen.simulate.needs import of_run

@@ -26,7 +26,7 @@ from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.integrators import NAMES, named
 from coscrew_codegen.program.in_python import FLOATS
 from coscrew_codegen.program.multiprecise import MULTIPRECISE, precise
-from coscrew_codegen.scene.recorded import UNITS
+from coscrew_codegen.scene.units import UNITS
 from coscrew_codegen.scene_functions import SceneFunctions, Step
 from coscrew_codegen.simulate.load import Kernels
 from coscrew_codegen.simulate.load_tier import in_tier_of

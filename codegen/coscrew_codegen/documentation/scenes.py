@@ -1,6 +1,7 @@
-"""The reference of scene files: effects with their equations, keys, integrators."""
+"""The reference of scenes: functions, effects with their equations, keys, integrators."""
 
 from fractions import Fraction
+from itertools import groupby
 
 from coscrew_codegen.documentation.notation import escaped, markdown
 from coscrew_codegen.effects import EFFECTS
@@ -8,6 +9,8 @@ from coscrew_codegen.integrator import Composition, Drift, Scheme, Tableau
 from coscrew_codegen.integrators import INTEGRATORS
 from coscrew_codegen.render import render
 from coscrew_codegen.scene.effect import Effect, ParameterOf
+from coscrew_codegen.scene.function import INPUTS, Depends, Quantity, SceneFunction
+from coscrew_codegen.scene.functions import FUNCTIONS, QUANTITIES
 from coscrew_codegen.scene_files.catalogue import alternatives, notes, where
 from coscrew_codegen.scene_files.keys import TABLES, Key
 
@@ -31,6 +34,36 @@ def integrators_page(banner: str) -> str:
         {"name": x.name, "order": x.order, "good_for": escaped(x.good_for),
          "equation": markdown(x.equation, ("q_m",)), "rows": _tableau(x.scheme),
          "stages": _stages(x.scheme)} for x in INTEGRATORS])
+
+
+def functions_page(banner: str) -> str:
+    """The functions of scenes and what is recorded of them, in Markdown."""
+    return render("docs/functions.md", banner=banner,
+                  functions=[_function(x) for x in FUNCTIONS if not x.internal],
+                  quantities=[_quantity(*x) for x in QUANTITIES.values()])
+
+
+def functions_stub(banner: str) -> str:
+    """The functions that every scene can have by one name, for type checkers."""
+    return render("python/_functions.pyi", banner=banner, names=[
+        x.name for x in FUNCTIONS if x.compute and not (x.internal or x.targets or x.lacks)])
+
+
+def _function(x: SceneFunction) -> tuple[str, ...]:
+    takes = {Depends.GEOMETRY: (), Depends.MASSES: ("p",), Depends.EFFECTS: ("t", "p")}[x.depends]
+    names = [name for name in INPUTS if name in (*x.takes, *takes)]
+    return (f"`{x.name}`", " ".join(f"`{name}`" for name in names), escaped(x.words),
+            escaped(x.default.words))
+
+
+def _quantity(function: SceneFunction, x: Quantity) -> tuple[str, ...]:
+    """Runs of equal units are counted: 3 × m/s, 3 × rad/s."""
+    own = [unit for unit, _ in function.components_of(x)]
+    runs = [(unit, len(list(several))) for unit, several in groupby(own)]
+    units = ", ".join(unit if count == 1 else f"{count} × {unit}" for unit, count in runs)
+    numbers = "" if len(own) == 1 else f"0 to {len(own) - 1}"
+    return (f"`{x.written}`", escaped(units), ", ".join(x.components) or numbers,
+            f"`{function.name}`")
 
 
 def _tableau(scheme: Scheme) -> list[list[str]]:

@@ -2,22 +2,30 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import cached_property
+from math import prod
 
-from coscrew_codegen.mechanics import coordinates
+from coscrew_codegen.mechanics import coordinates, floating
+from coscrew_codegen.mechanics.dynamics import RecordedDynamics
 from coscrew_codegen.mechanics.ranges import refuse_products, refuse_quotients
-from coscrew_codegen.mechanics.recorded import Recording, Results
-from coscrew_codegen.program import Program
+from coscrew_codegen.mechanics.recorded import Recording
+from coscrew_codegen.program import Constant, Op, Operand, Program
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.recording.recorder import Recorder, array, headings
 from coscrew_codegen.scene.assembly import ModelError
 from coscrew_codegen.scene.formulas import Formula
+from coscrew_codegen.scene.function import (
+    INPUTS,
+    Array,
+    Depends,
+    Results,
+    SceneFunction,
+    Size,
+)
+from coscrew_codegen.scene.functions import closing_contacts
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.tree import Tree, heading_of_body, tree_of
 from coscrew_codegen.scene_functions import Function
-
-Makers = dict[str, Callable[[], Function | None]]
-"""Name → the method that makes the function, in the order in which they are emitted; it returns
-None if the scene does not have the function."""
 
 
 def is_timed(scene: Scene) -> bool:
@@ -35,59 +43,124 @@ def tree_for(scene: Scene) -> Tree:
 
 
 class Derivation:
-    """Records the functions one by one, each from its inputs."""
+    """Records the functions of a scene one by one, each from its inputs."""
 
     def __init__(self, scene: Scene, tell: Callable[[str], None] = lambda name: None):
         self.scene, self.tree, self.tell = scene, tree_for(scene), tell
         self.bodies = {body.name: str(n) for n, body in enumerate(scene.model.bodies)}
         self.names = tuple(self.bodies[link.name] for link in self.tree.links)
-        nq, nv, units = self.tree.nq, self.tree.nv, "positions in m, angles in rad"
-        self.inputs = {
-            "t": array("t", (), "time in s"), "h": array("h", (), "step in s"),
-            "p": array("p", (len(scene.parameters),), "parameters"),
-            "q": array("q", (nq,), f"coordinates: {units}, unit quaternions (x, y, z, w)"),
-            "v": array("v", (nv,), "velocities in m/s, rad/s"),
-            "a": array("a", (nv,), "accelerations in m/s^2, rad/s^2"),
-            "tau": array("tau", (nv,), "forces and torques of joints in N, N m"),
-            "phi": array("phi", (nv,), "displacements along the velocities, in m, rad"),
-        }
+        self.kinds = tuple(c.kind for c in self.tree.coordinates)
         self.timed = is_timed(scene)
         self.headings = self._headings()
+        self._made: dict[str, Function] = {}
 
-    def _function(self, name: str, words: str, inputs: str, outputs: Sequence[Argument],
-                  compute: Callable[[Recording], Results],
-                  dynamic: bool = True, acted: bool = False) -> Function:
-        """A function of these inputs, with p if it is `dynamic`, and t if effects act in it."""
-        given = [*(["t"] if acted and self.timed or "t" in inputs.split() else []),
-                 *(["h"] if "h" in inputs.split() else []),
-                 *(["p"] if dynamic and self.scene.parameters else []),
-                 *(x for x in inputs.split() if x not in ("t", "h"))]
-        self.tell(name)
-        program = self._recorded(name, [self.inputs[x] for x in given], outputs, compute)
-        function = Function(name, words, program, tuple(
-            (place, self.headings.get(words, words)) for place, words in headings(program)))
-        refuse_products(self.scene, function)
-        refuse_quotients(self.scene, function, self._at_rest())
+    # the scene, as far as functions depend on it
+
+    @cached_property
+    def _floating(self) -> tuple[int, ...]:
+        return floating.floating(self.scene, self.tree)
+
+    def _roots(self) -> tuple[int, ...]:
+        """The first links of floating trees."""
+        return self._floating
+
+    @property
+    def floating(self) -> tuple[str, ...]:
+        """The first bodies of floating trees."""
+        return tuple(self.tree.links[n].name for n in self._roots())
+
+    @cached_property
+    def closes(self) -> bool:
+        """Whether any limit can be hit."""
+        return bool(self.made(closing_contacts.FUNCTION).program.instructions)
+
+    def size(self, size: Size) -> int:
+        """The length of an axis."""
+        match size:
+            case Size.NQ:
+                return self.tree.nq
+            case Size.NV:
+                return self.tree.nv
+            case Size.BODIES:
+                return len(self.bodies)
+            case Size.PARAMETERS:
+                return len(self.scene.parameters)
+            case Size.FLOATING:
+                return len(self._roots())
+
+    # recording
+
+    def made(self, entry: SceneFunction) -> Function:
+        """The function, recorded once."""
+        if entry.name not in self._made:
+            self.tell(entry.name)
+            self._made[entry.name] = self._derived(entry)
+        return self._made[entry.name]
+
+    def _derived(self, entry: SceneFunction) -> Function:
+        """The function of its inputs, with p if it depends on masses, and t if on effects."""
+        scene, takes = self.scene, {*entry.takes}
+        if entry.depends is Depends.EFFECTS and self.timed:
+            takes.add("t")
+        if entry.depends is not Depends.GEOMETRY and scene.parameters:
+            takes.add("p")
+        given = [name for name in INPUTS if name in takes]
+        program = self._recorded(entry, [self._argument(INPUTS[x]) for x in given])
+        words = entry.words_in(self) if entry.words_in else entry.words
+        function = Function(entry.name, words, program, tuple(
+            (place, self.headings.get(words, words)) for place, words in headings(program)),
+            units=self._units(entry))
+        refuse_products(scene, function)
+        refuse_quotients(scene, function, self._at_rest(given))
         return function
 
-    def _recorded(self, name: str, inputs: Sequence[Argument], outputs: Sequence[Argument],
-                  compute: Callable[[Recording], Results], fine: bool = False) -> Program:
-        """The program that computes these outputs, and the one for twice the digits if that
+    def _argument(self, x: Array) -> Argument:
+        return array(x.name, x.sized(self.size), x.words)
+
+    def _units(self, entry: SceneFunction) -> tuple[str, ...]:
+        """The unit of each component of the results."""
+        try:
+            return tuple(unit for x in entry.outputs
+                         for unit in x.units_of(x.sized(self.size), self.kinds))
+        except ValueError as error:
+            raise ValueError(f"{entry.name}: {error}") from None
+
+    def _recorded(self, entry: SceneFunction, inputs: Sequence[Argument], fine: bool = False
+                  ) -> Program:
+        """The program that computes the outputs, and the one for twice the digits if that
         differs."""
         recorder = Recorder(inputs, fine)
+        recording = Recording(self.scene, self.tree, self.names, recorder)
+        if entry.compute is None:
+            raise TypeError(f"{entry.name} has nothing that computes it")
         try:
-            results = compute(Recording(self.scene, self.tree, self.names, recorder))
+            results = entry.compute(RecordedDynamics(recording, entry, self._roots))
         except ZeroDivisionError:
-            where = recorder.heading or self.scene.model.name
-            raise ModelError(f"{self.scene.name}: {where}", "its numbers make a division by zero "
-                             f"in {name}, whatever q is: the mass matrix is singular; wanted "
-                             "masses or armatures that resist every joint, no joint that mimics "
-                             "another with multiplier 0, or functions that do not divide by it, as "
-                             '["inverse_dynamics"]') from None
-        program = recorder.program(name, list(zip(outputs, results, strict=True)))
+            raise self._division(entry, recorder.heading) from None
+        except Exception as error:
+            error.add_note(f"The function {entry.name} of {self.scene.name} raised it.")
+            raise
+        outputs = [self._argument(x) for x in entry.outputs]
+        _fit(entry.name, outputs, results)
+        program = recorder.program(entry.name, list(zip(outputs, results, strict=True)))
+        for step in program.instructions:
+            if step.op is Op.DIV and _is_zero(step.operands[1]):
+                raise self._division(entry, step.component.rpartition(":")[0])
         if fine or not recorder.differs:
             return program
-        return replace(program, fine=self._recorded(name, inputs, outputs, compute, fine=True))
+        return replace(program, fine=self._recorded(entry, inputs, fine=True))
+
+    def _division(self, entry: SceneFunction, heading: str) -> ModelError:
+        """Says what divides by zero: the mass matrix, or a function's or an effect's own law."""
+        what = f"its numbers make a division by zero in {entry.name}, whatever q is"
+        of_effect = heading.partition(" at ")[0] in {x.effect.name for x in self.scene.effects}
+        if entry.divides and not of_effect:
+            what += (": the mass matrix is singular; wanted masses or armatures that resist every "
+                     "joint, no joint that mimics another with multiplier 0, or functions that do "
+                     'not divide by it, as ["inverse_dynamics"]')
+        else:
+            what += f"; wanted other numbers, or functions without {entry.name}"
+        return ModelError(f"{self.scene.name}: {heading or self.scene.model.name}", what)
 
     def _headings(self) -> dict[str, str]:
         """What text says instead of a body's heading: its number and name, and how it moves if it
@@ -97,8 +170,24 @@ class Derivation:
             found[link.heading] += f": {link.joint.in_words}"
         return found
 
-    def _at_rest(self) -> dict[str, tuple[float, ...]]:
+    def _at_rest(self, names: Sequence[str]) -> dict[str, tuple[float, ...]]:
         """Inputs by name, at rest: neutral coordinates, default parameters, zero velocities."""
-        zero = {name: (0.0,) * a.quantity.size for name, a in self.inputs.items()}
-        return {**zero, "q": coordinates.neutral(self.tree), "h": (self.scene.run.step,),
-                "p": tuple(float(x.value) for x in self.scene.parameters)}
+        known = {"q": coordinates.neutral(self.tree), "h": (self.scene.run.step,),
+                 "p": tuple(float(x.value) for x in self.scene.parameters)}
+        return {name: known.get(name, (0.0,) * prod(INPUTS[name].sized(self.size)))
+                for name in names}
+
+
+def _is_zero(x: Operand) -> bool:
+    return isinstance(x, Constant) and not x.double
+
+
+def _fit(name: str, outputs: Sequence[Argument], results: Results) -> None:
+    """Raise ValueError for results that are not those of the function's outputs."""
+    if len(results) != len(outputs):
+        raise ValueError(f"{name}: compute returned {len(results)} results; wanted "
+                         f"{len(outputs)}: {', '.join(a.name for a in outputs)}")
+    for argument, numbers in zip(outputs, results, strict=True):
+        if len(numbers) != argument.quantity.size:
+            raise ValueError(f"{name}: compute returned {len(numbers)} components of "
+                             f"{argument.name}; wanted {argument.quantity.size}")

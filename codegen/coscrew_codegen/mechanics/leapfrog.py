@@ -22,14 +22,13 @@ from coscrew_codegen.mechanics.settings import settings
 from coscrew_codegen.program import NotANumber
 from coscrew_codegen.recording.numbers import Number, add, less, scaled, sqrt, where
 from coscrew_codegen.scene.effect import Contact, CoordinateState, required
+from coscrew_codegen.scene.functions.parts import MOST
 
 FINE = 12
 """A step is split into parts of length s such that ω s <= 1/FINE, ω the contact's frequency at its
 deepest point.  There the implicit midpoint rule, which an elastic kick is, has an energy error of
 s²/24 ∫ v² d³V/dq³ dq = 5/72 (ω s)², relative to the bounce's: 0.0005, half of what `check` allows.
 At the end of the bounce it is far less."""
-MOST = 1024
-"""Largest number of parts of a step."""
 
 
 def weights(h: Number) -> forward.Weights:

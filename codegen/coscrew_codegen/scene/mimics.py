@@ -6,6 +6,14 @@ from dataclasses import replace
 from coscrew_codegen.scene.assembly import ModelError
 from coscrew_codegen.scene.model import Joint, Kind, Mimic, Model
 from coscrew_codegen.scene.names import MANY, did_you_mean
+from coscrew_codegen.scene.scene import Scene
+
+
+def followers(scene: Scene) -> Mapping[str, Mimic]:
+    """The joints that follow others, by name: where a mimic effect lets them, all."""
+    if not any(applied.effect.mimic for applied in scene.effects):
+        return {}
+    return {joint.name: joint.mimic for joint in scene.model.joints if joint.mimic}
 
 
 def without_chains(model: Model) -> Model:

@@ -14,9 +14,9 @@ from typing import Any
 
 from coscrew_codegen.scene.assembly import ModelError
 from coscrew_codegen.scene.lumped import Six, lumped_inertia
+from coscrew_codegen.scene.mimics import followers
 from coscrew_codegen.scene.model import Joint, Kind, Model, value
 from coscrew_codegen.scene.names import toml_key
-from coscrew_codegen.scene.recorded import followers
 from coscrew_codegen.scene.scene import Applied, Scene
 from coscrew_codegen.scene.tree import tree_of
 from coscrew_codegen.scene.unresisted import Common, alone, common

@@ -3,30 +3,33 @@
 from collections.abc import Sequence
 
 from coscrew_codegen.scene.effect_quantities import quantities_by_name
-from coscrew_codegen.scene.model import Kind
+from coscrew_codegen.scene.function import Of
+from coscrew_codegen.scene.functions import QUANTITIES
 from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.scene.patterns import is_pattern, matching
 from coscrew_codegen.scene.recorded import (
-    OF_BODY,
-    OF_JOINT,
-    OF_SCENE,
-    UNITS,
     XYZ,
     QuantityError,
     coordinates,
     recorded,
+    targets,
 )
 from coscrew_codegen.scene.scene import Scene
+from coscrew_codegen.scene.units import UNITS
+
+_POSITIONS = tuple(name for name, (function, x) in QUANTITIES.items()
+                   if [unit for unit, _ in function.components_of(x)] == ["m"] * 3)
+"""Quantities whose components are called x, y and z, too."""
 
 
 def recordable(scene: Scene) -> tuple[str, ...]:
     """The names of all quantities, each whole: q.elbow, energy, position.hand."""
     own = [joint.name for joint, _, _ in coordinates(scene)]
-    moving = [joint.name for joint in scene.model.joints if joint.kind is not Kind.FIXED]
-    bodies = [body.name for body in scene.model.bodies]
-    targets = ((UNITS, own), (OF_BODY, bodies), (OF_JOINT, moving))
-    return (*OF_SCENE, *(f"{quantity}.{name}" for quantities, names in targets
-                          for quantity in quantities for name in names), *quantities_by_name(scene))
+    return (*(name for name, (_, x) in QUANTITIES.items() if x.of is Of.SCENE),
+            *(f"{quantity}.{joint}" for quantity in UNITS for joint in own),
+            *(f"{name}.{target}" for name, (function, x) in QUANTITIES.items()
+              for target in targets(function, x, scene)),
+            *quantities_by_name(scene))
 
 
 def components(names: Sequence[str], scene: Scene) -> tuple[str, ...]:
@@ -58,7 +61,7 @@ def _matching(pattern: str, scene: Scene) -> tuple[str, ...]:
     whole = recordable(scene)
     parts = components(whole, scene)
     lettered = tuple(f"{name[:-1]}{XYZ[int(name[-1])]}" for name in parts
-                     if name.partition(".")[0] == "position")
+                     if name.partition(".")[0] in _POSITIONS)
     return matching(pattern, whole, parts, lettered)
 
 

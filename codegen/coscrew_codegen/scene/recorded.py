@@ -1,40 +1,32 @@
 """Quantities of a simulation, and their names in `record` and `expect`.
 
     q, v, a                   of all joints;  q.JOINT of one,  q.JOINT.2 one component
-    energy                    kinetic, potential, total, in J;  energy.kinetic one of them
-    momentum, momentum.2      linear and angular, about the world's origin
-    power                     of the effects without potential energy, in W
-    pose.BODY                 its 12 numbers [R | t], row by row;  pose.BODY.3 one of them
-    position.BODY             its origin in the world;  position.BODY.x is position.BODY.0
-    twist.BODY                velocity and angular velocity in its own frame
-    reaction.JOINT            force and moment it transmits, in its child's frame
+    QUANTITY                  of the whole scene, as a function's file says: energy, momentum
+    QUANTITY.BODY             of a body: pose.BODY, position.BODY, twist.BODY
+    QUANTITY.JOINT            of a joint: reaction.JOINT
     EFFECT.WHERE.torque       and others of each effect: see `effect_quantities`
+
+Components are called by names, as energy.kinetic, or by numbers, as pose.BODY.3; position.BODY.x is
+position.BODY.0.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from coscrew_codegen.scene.effect_quantities import lacks, quantities_by_name, units_of
-from coscrew_codegen.scene.model import Joint, Kind, Mimic
+from coscrew_codegen.scene.function import Of, Quantity, SceneFunction
+from coscrew_codegen.scene.functions import QUANTITIES as OF_FUNCTIONS
+from coscrew_codegen.scene.mimics import followers
+from coscrew_codegen.scene.model import Joint, Kind
 from coscrew_codegen.scene.names import did_you_mean, nearest, or_mean
 from coscrew_codegen.scene.scene import Scene
+from coscrew_codegen.scene.units import UNITS
 
-ENERGIES = ("kinetic", "potential", "total")
 XYZ = ("x", "y", "z")
 """Alternative names of the components 0, 1 and 2 of vectors of three."""
-
-UNITS = {"q": {"revolute": ("rad",), "prismatic": ("m",), "spherical": ("1",) * 4,
-               "free": ("m",) * 3 + ("1",) * 4},
-         "v": {"revolute": ("rad/s",), "prismatic": ("m/s",), "spherical": ("rad/s",) * 3,
-               "free": ("m/s",) * 3 + ("rad/s",) * 3},
-         "a": {"revolute": ("rad/s^2",), "prismatic": ("m/s^2",), "spherical": ("rad/s^2",) * 3,
-               "free": ("m/s^2",) * 3 + ("rad/s^2",) * 3}}
-"""Units of the components of q, v and a, by the joint's kind."""
-OF_BODY = {"pose": (("1",) * 3 + ("m",)) * 3, "position": ("m",) * 3,
-            "twist": ("m/s",) * 3 + ("rad/s",) * 3}
-OF_JOINT = {"reaction": ("N",) * 3 + ("N m",) * 3}
-OF_SCENE = {"energy": ("J",) * 3, "momentum": ("N s",) * 3 + ("N m s",) * 3, "power": ("W",)}
-QUANTITIES = (*UNITS, *OF_SCENE, *OF_BODY, *OF_JOINT)
+QUANTITIES = (*UNITS, *OF_FUNCTIONS)
+_ACCELERATIONS = "forward_dynamics"
+"""The function of the accelerations that are recorded, and that other functions take."""
 
 
 class QuantityError(ValueError):
@@ -51,7 +43,16 @@ class Recorded:
     places: tuple[int, ...]  # indices in the scene's q, v or a, or in the quantity itself
     names: tuple[str, ...]  # of the columns: "q.elbow", "pose.hand.3", "energy.kinetic"
     units: tuple[str, ...]  # of the columns
-    function: str = ""  # of an effect: the one that computes it
+    function: str = ""  # that computes it; "" of states
+    sums: tuple[tuple[int, ...], ...] = ()  # of each place, the function's results that are added
+    takes_a: bool = False  # whether the function takes accelerations: they are those at tau = 0
+    of_effect: bool = False
+
+    @property
+    def functions(self) -> tuple[str, ...]:
+        """The functions that are called for it."""
+        return (*([_ACCELERATIONS] if self.takes_a else []),
+                *([self.function] if self.function else []))
 
 
 def recorded(text: str, scene: Scene) -> Recorded:
@@ -59,23 +60,15 @@ def recorded(text: str, scene: Scene) -> Recorded:
     quantity, _, rest = text.partition(".")
     if quantity in UNITS:
         return _of_joints(text, quantity, rest, scene)
-    if quantity in OF_SCENE:
-        units = OF_SCENE[quantity]
-        words = ENERGIES if quantity == "energy" else ()
-        picked = _picked(text, rest, len(units), words)
-        return _columns(text, quantity, "", picked, units, words)
-    if quantity in OF_BODY:
-        names = tuple(body.name for body in scene.model.bodies)
-        return _of_target(text, quantity, rest, "body", names, OF_BODY[quantity])
-    if quantity in OF_JOINT:
-        names = tuple(j.name for j in scene.model.joints if j.kind is not Kind.FIXED)
-        return _of_target(text, quantity, rest, "joint", names, OF_JOINT[quantity])
+    if quantity in OF_FUNCTIONS:
+        return _of_function(text, quantity, rest, scene)
     return _of_effect(text, scene)
 
 
 def expected(text: str, scene: Scene) -> Recorded:
     """The one component that an expectation is about; "energy" is the total."""
-    found = recorded("energy.total" if text == "energy" else text, scene)
+    component = OF_FUNCTIONS[text][1].expected if text in OF_FUNCTIONS else ""
+    found = recorded(f"{text}.{component}" if component else text, scene)
     if len(found.places) != 1:
         last = found.names[-1]
         raise QuantityError(f"{text!r} has {len(found.places)} components; wanted one, as {last!r}")
@@ -83,9 +76,10 @@ def expected(text: str, scene: Scene) -> Recorded:
 
 
 def recorded_functions(scene: Scene) -> set[str]:
-    """The functions of effects that the scene's records and expectations need."""
-    found = {recorded(text, scene).function for text in scene.record}
-    return (found | {expected(x.quantity, scene).function for x in scene.expectations}) - {""}
+    """The functions that the scene's records and expectations need."""
+    wanted = (*(recorded(text, scene) for text in scene.record),
+              *(expected(x.quantity, scene) for x in scene.expectations))
+    return {name for x in wanted for name in x.functions}
 
 
 def coordinates(scene: Scene) -> tuple[tuple[Joint, range, range], ...]:
@@ -99,13 +93,6 @@ def coordinates(scene: Scene) -> tuple[tuple[Joint, range, range], ...]:
             found.append((joint, range(q, q + nq), range(v, v + nv)))
             q, v = q + nq, v + nv
     return tuple(found)
-
-
-def followers(scene: Scene) -> Mapping[str, Mimic]:
-    """The joints that follow others, by name: where a mimic effect lets them, all."""
-    if not any(applied.effect.mimic for applied in scene.effects):
-        return {}
-    return {joint.name: joint.mimic for joint in scene.model.joints if joint.mimic}
 
 
 def _of_joints(text: str, quantity: str, rest: str, scene: Scene) -> Recorded:
@@ -130,13 +117,41 @@ def _of_joints(text: str, quantity: str, rest: str, scene: Scene) -> Recorded:
             places += [(q if quantity == "q" else v)[i] for i in picked]
             units += [all_units[i] for i in picked]
             columns += [all_columns[i] for i in picked]
-    return Recorded(text, quantity, target, tuple(places), tuple(columns), tuple(units))
+    function = _ACCELERATIONS if quantity == "a" else ""
+    return Recorded(text, quantity, target, tuple(places), tuple(columns), tuple(units), function,
+                    tuple((i,) for i in places))
 
 
-def _of_target(text: str, quantity: str, rest: str, what: str, names: tuple[str, ...],
-               units: tuple[str, ...]) -> Recorded:
-    target, index = _target(text, rest, what, names)
-    return _columns(text, quantity, target, _picked(text, index, len(units), ()), units, ())
+def targets(function: SceneFunction, kind: Quantity, scene: Scene) -> tuple[str, ...]:
+    """The names of the bodies or joints that a quantity belongs to; () of the whole scene."""
+    if function.targets and kind.of is not Of.SCENE:
+        return tuple(function.names(scene))
+    match kind.of:
+        case Of.BODY:
+            return tuple(body.name for body in scene.model.bodies)
+        case Of.JOINT:
+            return tuple(j.name for j in scene.model.joints if j.kind is not Kind.FIXED)
+        case Of.SCENE:
+            return ()
+
+
+def _of_function(text: str, quantity: str, rest: str, scene: Scene) -> Recorded:
+    """Components of a function's results."""
+    function, kind = OF_FUNCTIONS[quantity]
+    all_components = function.components_of(kind)
+    count, names = len(all_components), targets(function, kind, scene)
+    target, index = _target(text, rest, kind.of.value, names) if kind.of.value else ("", rest)
+    picked = _picked(text, index, count, kind.components)
+    each = function.outputs[0].each if target and not function.targets else 0
+    first = names.index(target) * each if each else 0
+    stem = f"{quantity}.{target}" if target else quantity
+    words = kind.components or tuple(map(str, range(count)))
+    columns = tuple(stem if count == 1 else f"{stem}.{words[i]}" for i in picked)
+    units, places = zip(*(all_components[i] for i in picked), strict=True)
+    return Recorded(text, quantity, target, picked, columns, units,
+                    function.names(scene)[target] if function.targets else function.name,
+                    tuple(tuple(first + place for place in several) for several in places),
+                    "a" in function.takes)
 
 
 def _of_effect(text: str, scene: Scene) -> Recorded:
@@ -155,7 +170,8 @@ def _of_effect(text: str, scene: Scene) -> Recorded:
     names = tuple(name if len(own) == 1 else f"{name}.{i}" for i in picked)
     places = tuple(own[i] for i in picked)
     return Recorded(text, quantity, applied.name, places, names,
-                    tuple(every[i][1] for i in places), function)
+                    tuple(every[i][1] for i in places), function, tuple((i,) for i in places),
+                    of_effect=True)
 
 
 def _unknown(text: str, known: Iterable[str]) -> str:
@@ -167,13 +183,6 @@ def _unknown(text: str, known: Iterable[str]) -> str:
         return f"did you mean {near!r}?"
     more = f", or of an effect, as {effects[0]}" if effects else ""
     return f"wanted one of {', '.join(QUANTITIES)}{more}{or_mean(quantity, QUANTITIES)}"
-
-
-def _columns(text: str, quantity: str, target: str, picked: tuple[int, ...], units: tuple[str, ...],
-             words: tuple[str, ...]) -> Recorded:
-    stem = f"{quantity}.{target}" if target else quantity
-    names = tuple(stem if len(units) == 1 else f"{stem}.{words[i] if words else i}" for i in picked)
-    return Recorded(text, quantity, target, picked, names, tuple(units[i] for i in picked))
 
 
 def _target(text: str, rest: str, what: str, names: tuple[str, ...]) -> tuple[str, str]:

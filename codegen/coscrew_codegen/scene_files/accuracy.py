@@ -2,23 +2,22 @@
 
 from collections.abc import Collection, Iterator
 
+from coscrew_codegen.scene.functions import functions_of
+from coscrew_codegen.scene.mimics import followers
 from coscrew_codegen.scene.model import Kind
-from coscrew_codegen.scene.recorded import followers
 from coscrew_codegen.scene.scene import Scene, Tolerance
-from coscrew_codegen.scene.selected import jacobians, names
+from coscrew_codegen.scene.selected import names
 from coscrew_codegen.scene_files.errors import SceneError
 from coscrew_codegen.scene_files.tables import Decimals, Table
-
-OF_POSITIONS = ("mass_matrix", "gravity_torques", "body_poses")
-"""Functions, besides Jacobians, of positions alone."""
 
 
 def read_accuracy(file: Table, scene: Scene, selected: Collection[str]) -> tuple[Tolerance, ...]:
     """Reads the accuracies asked of functions, which must be selected; steps have no tier."""
     table = file.table("accuracy")
-    functions = [name for name in names(scene) if not name.startswith("step_")]
+    steps = {x.name for x in functions_of(scene) if x.step}
+    functions = [name for name in names(scene) if name not in steps]
     for name in table.values:
-        if name.startswith("step_"):
+        if name in steps:
             table.refuse(name, "steps have no tier; wanted functions that they call")
         table.known(name, name, "function", functions)
         if name not in selected:
@@ -29,10 +28,11 @@ def read_accuracy(file: Table, scene: Scene, selected: Collection[str]) -> tuple
 def limits_used(scene: Scene, accuracy: Collection[Tolerance]) -> set[tuple[str, str]]:
     """The limits of joints, as (joint, field), between which states are drawn for these."""
     fields = {"lower", "upper"} if accuracy else set()
-    for name in {x.function for x in accuracy}:
-        if name not in OF_POSITIONS and name not in jacobians(scene):
+    of = {x.function for x in accuracy}
+    for takes in (x.takes for x in functions_of(scene) if x.name in of):
+        if not {*takes} <= {"q"}:
             fields.add("velocity")
-        if name == "forward_dynamics":
+        if "tau" in takes:
             fields.add("effort")
     return {(joint.name, field) for joint in scene.model.joints for field in fields
             if joint.kind is not Kind.FIXED and joint.name not in followers(scene)}

@@ -7,9 +7,11 @@ from dataclasses import dataclass, replace
 
 from coscrew_codegen.formats import CHOICES
 from coscrew_codegen.integrators import NAMES
+from coscrew_codegen.scene.functions import QUANTITIES
 from coscrew_codegen.scene.model import Kind
 from coscrew_codegen.scene.possible import ERROR, WARN
 from coscrew_codegen.scene.scene import Run
+from coscrew_codegen.scene.units import UNITS
 
 BASES = {"fixed": Kind.FIXED, "free": Kind.FREE}
 TYPES = {"revolute": Kind.REVOLUTE, "continuous": Kind.REVOLUTE, "prismatic": Kind.PRISMATIC,
@@ -130,9 +132,11 @@ START = TableOf("start", "The state at the start of a run; by default zero, with
     Key("v", "by joint: velocity in rad/s or m/s; of a spherical joint the angular velocity, of a "
         "free one linear and angular velocity, in the body's frame", "coordinates")))
 
+_RECORDED = ", ".join(f'"{x}"' for x in (
+    *UNITS, *(quantity.written for _, quantity in QUANTITIES.values()), "EFFECT.WHERE.torque"))
+
 OUTPUTS = TableOf("outputs", "What a run records.", (
-    Key("record", 'quantities: "q", "v", "energy", "momentum", "position.BODY", "pose.BODY", '
-        '"reaction.JOINT", "EFFECT.WHERE.torque", …', "texts", default='["q", "v"]'),
+    Key("record", f"quantities: {_RECORDED}, …", "texts", default='["q", "v"]'),
     Key("every", "s between samples; a sample lies at the end of a step, so that this may shorten "
         "steps", "positive", default="0.01")))
 

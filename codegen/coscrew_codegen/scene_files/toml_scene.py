@@ -8,14 +8,11 @@ from pathlib import Path
 from coscrew_codegen.formats import BY_NAME, CHOICES, DOUBLE
 from coscrew_codegen.integrators import NAMES
 from coscrew_codegen.scene.effect import Effect
+from coscrew_codegen.scene.mimics import followers
 from coscrew_codegen.scene.model import Joint, Kind, Model
 from coscrew_codegen.scene.possible import ERROR, WARN
 from coscrew_codegen.scene.recordable import quantities_of
-from coscrew_codegen.scene.recorded import (
-    QuantityError,
-    expected,
-    followers,
-)
+from coscrew_codegen.scene.recorded import QuantityError, expected
 from coscrew_codegen.scene.rotations import unit
 from coscrew_codegen.scene.scene import Expectation, Run, Scene
 from coscrew_codegen.scene.selected import FunctionsError, resolved

@@ -16,7 +16,7 @@ from coscrew_codegen.integrators import EMITTED
 from coscrew_codegen.native import sources
 from coscrew_codegen.scene.names import or_mean
 from coscrew_codegen.scene.possible import why_singular
-from coscrew_codegen.scene.selected import DIVIDING, names
+from coscrew_codegen.scene.selected import dividing, names
 from coscrew_codegen.scene_functions import SceneInterface, Signature
 from coscrew_codegen.simulate import rows, steps
 from coscrew_codegen.targets.scene_text import c_name, many, signs
@@ -25,10 +25,10 @@ from coscrew_codegen.tiers import tier_named
 if TYPE_CHECKING:
     import inspect
 
-    from coscrew._steps import Steps
+    from coscrew._functions import NamedFunctions
     from coscrew_codegen.simulate.load import Kernels
 else:
-    Steps = Generic
+    NamedFunctions = Generic
 
 _PLAIN = frozenset((float, np.float64, np.float32, np.int64, np.int32))
 """Types of t and h that are passed to C without a check."""
@@ -60,21 +60,8 @@ class Step(Protocol[Real]):
         leading axes."""
 
 
-class Functions(Steps[Real]):
+class Functions(NamedFunctions[Real]):
     """The functions of one precision as attributes."""
-
-    if TYPE_CHECKING:  # shown by editors; others, such as jacobian_hand, have the same type
-        inverse_dynamics: Function[Real]
-        forward_dynamics: Function[Real]
-        mass_matrix: Function[Real]
-        bias_torques: Function[Real]
-        gravity_torques: Function[Real]
-        energy: Function[Real]
-        power: Function[Real]
-        momentum: Function[Real]
-        body_poses: Function[Real]
-        body_twists: Function[Real]
-        integrated: Function[Real]
 
     def __init__(self, scene: str, precision: Precision, tier: str = ""):
         self._about = f"{scene} in {precision.name} precision{tier and f', {tier} tier'}"
@@ -102,7 +89,7 @@ class Functions(Steps[Real]):
             possible = ()
         if name in possible:
             hint = f"; it was not selected: functions=[\"default\", {name!r}]"
-        elif scene and name in DIVIDING and (problem := why_singular(scene)):
+        elif scene and name in dividing(scene) and (problem := why_singular(scene)):
             hint = f": {problem}"
         raise AttributeError(f"{self._about} has no function {name!r}{hint}", name=name, obj=self)
 

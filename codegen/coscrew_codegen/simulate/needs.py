@@ -3,15 +3,12 @@
 from collections.abc import Iterable
 
 from coscrew_codegen.integrators import DEFAULT, named
+from coscrew_codegen.scene.functions.mass_matrix import MANY, speeds
 from coscrew_codegen.scene.model import Kind
-from coscrew_codegen.scene.recorded import Recorded, expected, recorded
+from coscrew_codegen.scene.recorded import expected, recorded
 from coscrew_codegen.scene.scene import Scene
-from coscrew_codegen.scene.selected import CONTACTS, FREE, MANY, reactions, speeds, together
+from coscrew_codegen.scene.selected import CONTACTS, FREE, together
 from coscrew_codegen.simulate.plan import known
-
-_OF_QUANTITY = {"q": (), "v": (), "a": ("forward_dynamics",), "energy": ("energy",),
-                "power": ("power",), "momentum": ("momentum",), "twist": ("body_twists",),
-                "pose": ("body_poses",), "position": ("body_poses",)}
 
 
 def of_run(scene: Scene, integrator: str | None, view: bool = False, held: bool = False
@@ -19,7 +16,7 @@ def of_run(scene: Scene, integrator: str | None, view: bool = False, held: bool 
     """For `simulate`: integration, the Alarm, recorded quantities, and the playback if `view`; for
     torques that a controller has `held`, the warning that it changes too fast."""
     return together(_of_motion(scene, integrator, held),
-                    *(_of(scene, recorded(text, scene)) for text in scene.record),
+                    *(recorded(text, scene).functions for text in scene.record),
                     ("body_poses",) if view else ())
 
 
@@ -28,7 +25,7 @@ def of_check(scene: Scene, integrator: str | None) -> tuple[str, ...]:
     return together(of_run(scene, integrator),
                     ("inverse_dynamics", "forward_dynamics", "mass_matrix", "power",
                      named(DEFAULT).step_name, *CONTACTS, *FREE),
-                    *(_of(scene, expected(x.quantity, scene)) for x in scene.expectations))
+                    *(expected(x.quantity, scene).functions for x in scene.expectations))
 
 
 def _of_motion(scene: Scene, integrator: str | None, held: bool) -> Iterable[str]:
@@ -42,12 +39,3 @@ def _of_motion(scene: Scene, integrator: str | None, held: bool) -> Iterable[str
     pushed = ("forward_dynamics",) if held else ()
     return ("energy", "power", *mass, *pushed, own.step_name, named(DEFAULT).step_name, *CONTACTS,
             *FREE)
-
-
-def _of(scene: Scene, wanted: Recorded) -> Iterable[str]:
-    if wanted.function:
-        return (wanted.function,)
-    if wanted.quantity == "reaction":
-        own = (name for name, joint in reactions(scene).items() if joint == wanted.target)
-        return "forward_dynamics", *own
-    return _OF_QUANTITY[wanted.quantity]

@@ -10,7 +10,6 @@ from coscrew_codegen.scene.names import listed
 from coscrew_codegen.scene.recordable import quantities_of
 from coscrew_codegen.scene.recorded import QuantityError, Recorded, recorded
 from coscrew_codegen.scene.scene import Scene
-from coscrew_codegen.scene.selected import reactions
 from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.plan import Trajectory
 from coscrew_codegen.simulate.recording import Column, Provenance, Recording
@@ -48,7 +47,7 @@ def record(system: System, trajectory: Trajectory, provenance: Provenance,
 
 def quantity(system: System, trajectory: Trajectory, wanted: Recorded) -> np.ndarray:
     """The quantity at each sample, in the system's precision.  (…, n, number of its columns)."""
-    if wanted.quantity in ("q", "v"):  # components of a joint, or all, are neighbours
+    if not wanted.function:  # q or v: components of a joint, or all, are neighbours
         states: np.ndarray = getattr(trajectory, wanted.quantity)
         return states[..., wanted.places[0]:wanted.places[-1] + 1]
     n, members = len(trajectory.t), prod(trajectory.q.shape[:-2])
@@ -60,60 +59,38 @@ def quantity(system: System, trajectory: Trajectory, wanted: Recorded) -> np.nda
                 x[..., i:i + at_once, :] for x in (trajectory.q, trajectory.v))
             p = system.p_of_samples if trajectory.held is None \
                 else trajectory.held[..., i:i + at_once, :]
-            parts.append(_values(system.at(p), wanted, t, q, v)[..., list(wanted.places)])
+            parts.append(_values(system.at(p), wanted, t, q, v))
     return np.concatenate(parts, -2).astype(system.dtype)
 
 
 def _values(system: System, wanted: Recorded, t: np.ndarray, q: np.ndarray, v: np.ndarray
             ) -> np.ndarray:
-    """All components of the quantity.  (n), (…, n, nq), (…, n, nv)->(…, n, k)."""
-    if wanted.function:
-        return _of_effect(system, wanted, t, q, v)
-    match wanted.quantity:
-        case "a":
-            return accelerations(system, t, q, v)
-        case "energy":
-            both = system.call("energy", t=t, q=q, v=v)
-            return np.concatenate((both, both.sum(-1, keepdims=True)), -1)
-        case "power":
-            return system.call("power", t=t, q=q, v=v)[..., None]
-        case "momentum":
-            return system.call("momentum", t=t, q=q, v=v)
-        case "reaction":
-            a = accelerations(system, t, q, v)
-            return system.call(reaction_name(system, wanted.target), t=t, q=q, v=v, a=a)
-    body = [x.name for x in system.scene.model.bodies].index(wanted.target)
-    if wanted.quantity == "twist":
-        return system.call("body_twists", q=q, v=v)[..., body, :]
-    pose = system.call("body_poses", q=q)[..., body, :, :]
-    return pose[..., 3] if wanted.quantity == "position" else pose.reshape(*q.shape[:-1], 12)
+    """The quantity's components: results of its function, or sums of them.
+    (n), (…, n, nq), (…, n, nv)->(…, n, k)."""
+    results = _results(system, wanted, t, q, v)
+    return np.stack([results[..., list(places)].sum(-1) if len(places) > 1
+                     else results[..., places[0]] for places in wanted.sums], -1)
 
 
-def _of_effect(system: System, wanted: Recorded, t: np.ndarray, q: np.ndarray, v: np.ndarray
-               ) -> np.ndarray:
-    """All components of all results of an effect's function."""
+def _results(system: System, wanted: Recorded, t: np.ndarray, q: np.ndarray, v: np.ndarray
+             ) -> np.ndarray:
+    """All components of all results of the function of the quantity."""
     if not system.has(wanted.function):
         raise _unselected(wanted.text, wanted.function)
-    outputs = system.described(wanted.function).outputs
-    found = system.call(wanted.function, t=t, q=q, v=v)
+    outputs, given = system.described(wanted.function).outputs, {"tau": np.zeros_like(v)}
+    if wanted.takes_a:
+        given["a"] = accelerations(system, t, q, v)
+    found = system.call(wanted.function, t=t, q=q, v=v, **given)
     several = found if len(outputs) > 1 else (found,)
     lead = np.broadcast_shapes(q.shape[:-1], t.shape)
     return np.concatenate([
-        np.broadcast_to(x if shape else np.asarray(x)[..., None], (*lead, *(shape or (1,))))
+        np.broadcast_to(np.asarray(x), (*lead, *shape)).reshape(*lead, -1)
         for x, (_, shape) in zip(several, outputs, strict=True)], -1)
 
 
 def accelerations(system: System, t: np.ndarray, q: np.ndarray, v: np.ndarray) -> np.ndarray:
     """a at tau = 0.  (n), (…, n, nq), (…, n, nv)->(…, n, nv)."""
     return system.call("forward_dynamics", t=t, q=q, v=v, tau=np.zeros_like(v))
-
-
-def reaction_name(system: System, joint: str) -> str:
-    """The function of a joint's reaction.  Raises SimulateError if it was not selected."""
-    name = next(name for name, on in reactions(system.scene).items() if on == joint)
-    if not system.has(name):
-        raise _unselected(f"reaction.{joint}", name)
-    return name
 
 
 def _unselected(quantity: str, function: str) -> SimulateError:

@@ -1,10 +1,8 @@
 """The units of a function's results, component by component, and numbers with their unit."""
 
 import math
-from collections.abc import Callable
 
 from coscrew_codegen.digits import three_digits, two_digits_up
-from coscrew_codegen.scene.recorded import UNITS
 from coscrew_codegen.scene_functions import SceneFunctions
 
 Units = tuple[str, ...]
@@ -13,14 +11,8 @@ _PREFIXES = {1: "k", 0: "", -1: "m", -2: "µ", -3: "n"}  # others are less known
 
 
 def units(functions: SceneFunctions, name: str) -> Units:
-    """The unit of each component of the function's results, in order; "1" if it has none."""
-    count = sum(math.prod(a.quantity.shape) for a in functions.named(name).program.outputs)
-    if name.startswith("effect_"):
-        return tuple(unit for a in functions.named(name).program.outputs
-                     for unit in (a.quantity.words.removeprefix("in "),) * a.quantity.size)
-    made = _OF_FUNCTION.get(name) or _OF_FUNCTION.get(name.partition("_")[0], _always("1"))
-    found = made(functions)
-    return found * (count // len(found) if found else 0)  # those of bodies are all alike
+    """The unit of each component of the function's results, in order; "1" for plain numbers."""
+    return functions.named(name).units
 
 
 def in_unit(x: float, unit: str) -> str:
@@ -38,42 +30,3 @@ def in_unit(x: float, unit: str) -> str:
 def written(unit: str) -> str:
     """The unit for readers: rad/s²."""
     return unit.replace("^2", "²")
-
-
-def _of_joints(which: str) -> Callable[[SceneFunctions], Units]:
-    return lambda scene: tuple(unit for c in scene.coordinates for unit in UNITS[which][c.kind])
-
-
-_velocities = _of_joints("v")
-
-
-def _torques(scene: SceneFunctions) -> Units:
-    return tuple("N m" if x == "rad/s" else "N" for x in _velocities(scene))
-
-
-def _masses(scene: SceneFunctions) -> Units:
-    turns = [x == "rad/s" for x in _velocities(scene)]
-    return tuple(("kg", "kg m", "kg m^2")[a + b] for a in turns for b in turns)
-
-
-def _jacobian(scene: SceneFunctions) -> Units:
-    """Rows of linear velocity, then of angular velocity; a column for each velocity."""
-    of = {"rad/s": ("m", "1"), "m/s": ("1", "1/m")}
-    return tuple(of[x][row // 3] for row in range(6) for x in _velocities(scene))
-
-
-def _always(*found: str) -> Callable[[SceneFunctions], Units]:
-    return lambda scene: found
-
-
-_MOMENTUM = _always("N s", "N s", "N s", "N m s", "N m s", "N m s")
-_OF_FUNCTION = {
-    "inverse_dynamics": _torques, "bias_torques": _torques, "gravity_torques": _torques,
-    "forward_dynamics": _of_joints("a"), "mass_matrix": _masses, "energy": _always("J"),
-    "power": _always("W"), "momentum": _MOMENTUM,
-    "free_momentum": lambda scene: (*_MOMENTUM(scene), "m", "m", "m"),
-    "with_free_momentum": lambda scene: (*_of_joints("q")(scene), *_velocities(scene)),
-    "integrated": _of_joints("q"), "jacobian": _jacobian,
-    "body_poses": _always("1", "1", "1", "m"), "parts": _always("1", "s"),
-    "body_twists": _always("m/s", "m/s", "m/s", "rad/s", "rad/s", "rad/s"),
-    "reaction": _always("N", "N", "N", "N m", "N m", "N m")}

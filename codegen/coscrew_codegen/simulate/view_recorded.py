@@ -8,7 +8,6 @@ import numpy as np
 from markupsafe import Markup
 
 from coscrew_codegen.plots import LINES, themed
-from coscrew_codegen.scene.effect_quantities import EFFECT_QUANTITIES
 from coscrew_codegen.scene.recorded import recorded
 from coscrew_codegen.simulate.plan import Trajectory
 from coscrew_codegen.simulate.plot import chart
@@ -50,7 +49,7 @@ def charts(system: System, trajectory: Trajectory, frames: np.ndarray) -> Iterat
         "kinetic": kinetic, "potential": potential, "total": kinetic + potential}, t)
     groups: dict[tuple[str, str], dict[str, np.ndarray]] = {}
     for x in (recorded(text, system.scene) for text in system.scene.record):
-        if x.quantity in EFFECT_QUANTITIES and x.function:
+        if x.of_effect:
             values = np.asarray(quantity(system, trajectory, x), float)[frames]
             for i, (name, unit) in enumerate(zip(x.names, x.units, strict=True)):
                 groups.setdefault((x.quantity, unit), {})[name] = values[:, i]

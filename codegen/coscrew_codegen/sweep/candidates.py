@@ -10,8 +10,9 @@ from coscrew_codegen.scene import patterns
 from coscrew_codegen.scene.model import Joint, Kind
 from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.scene.parameter_units import parameter_units
-from coscrew_codegen.scene.recorded import UNITS, coordinates
+from coscrew_codegen.scene.recorded import coordinates
 from coscrew_codegen.scene.scene import Scene
+from coscrew_codegen.scene.units import UNITS
 from coscrew_codegen.scene_files.runtime import constants
 from coscrew_codegen.simulate.settings import ranges
 from coscrew_codegen.sweep import SweepError

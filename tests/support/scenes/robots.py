@@ -17,9 +17,9 @@ import pinocchio as pin
 
 from coscrew_codegen.effects import EFFECTS
 from coscrew_codegen.mechanics import derive
+from coscrew_codegen.scene.functions.jacobian import jacobians
 from coscrew_codegen.scene.model import WORLD, Joint, Kind
 from coscrew_codegen.scene.scene import Applied, Scene
-from coscrew_codegen.scene.selected import jacobians
 from coscrew_codegen.scene_files.urdf import read_urdf
 from coscrew_codegen.scene_functions import SceneFunctions
 from tests.support.scenes.selecting import with_jacobians

@@ -5,8 +5,9 @@ from pathlib import Path
 
 from coscrew_codegen.formats import named
 from coscrew_codegen.integrators import EMITTED
+from coscrew_codegen.scene.functions.jacobian import jacobians
 from coscrew_codegen.scene.scene import Scene
-from coscrew_codegen.scene.selected import DEFAULT, jacobians, together
+from coscrew_codegen.scene.selected import DEFAULT, together
 from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.simulate import needs
 from coscrew_codegen.simulate.load import BOTH, Kernels, kernels_for

@@ -1,0 +1,10 @@
+"""Kinetic and potential energy, and their sum in recordings."""
+
+from coscrew_codegen.scene.function import ALWAYS, Array, Depends, Quantity, SceneFunction
+
+FUNCTION = SceneFunction(
+    "energy", 60, "e = (kinetic, potential) energy; gravity's is zero for centres of mass at the "
+    "world's origin", "q v", (Array("e", (2,), ("J",), "energies in J"),),
+    lambda x: [x.energies()], Depends.EFFECTS, ALWAYS,
+    (Quantity("energy", components=("kinetic", "potential", "total"),
+              places=((0,), (1,), (0, 1)), expected="total"),))

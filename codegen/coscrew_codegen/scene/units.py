@@ -1,0 +1,61 @@
+"""Units of coordinates, velocities and accelerations by joint, and of results made from them."""
+
+from collections.abc import Callable, Sequence
+
+Kinds = Sequence[str]
+"""The kinds of the joints with coordinates of their own, in order: revolute, prismatic, …."""
+Units = tuple[str, ...] | Callable[[Kinds], tuple[str, ...]]
+"""The unit of each component; fewer units than components are repeated."""
+
+UNITS = {"q": {"revolute": ("rad",), "prismatic": ("m",), "spherical": ("1",) * 4,
+               "free": ("m",) * 3 + ("1",) * 4},
+         "v": {"revolute": ("rad/s",), "prismatic": ("m/s",), "spherical": ("rad/s",) * 3,
+               "free": ("m/s",) * 3 + ("rad/s",) * 3},
+         "a": {"revolute": ("rad/s^2",), "prismatic": ("m/s^2",), "spherical": ("rad/s^2",) * 3,
+               "free": ("m/s^2",) * 3 + ("rad/s^2",) * 3}}
+"""Units of the components of q, v and a, by the joint's kind."""
+SCREW = ("m/s",) * 3 + ("rad/s",) * 3
+WRENCH = ("N",) * 3 + ("N m",) * 3
+MOMENTUM = ("N s",) * 3 + ("N m s",) * 3
+POSE = (("1",) * 3 + ("m",)) * 3
+
+
+def coordinates(kinds: Kinds) -> tuple[str, ...]:
+    """Units of q."""
+    return _of_joints("q", kinds)
+
+
+def velocities(kinds: Kinds) -> tuple[str, ...]:
+    """Units of v."""
+    return _of_joints("v", kinds)
+
+
+def accelerations(kinds: Kinds) -> tuple[str, ...]:
+    """Units of a."""
+    return _of_joints("a", kinds)
+
+
+def displacements(kinds: Kinds) -> tuple[str, ...]:
+    """Units of v times a time."""
+    return tuple(unit.removesuffix("/s") for unit in velocities(kinds))
+
+
+def torques(kinds: Kinds) -> tuple[str, ...]:
+    """Units of tau: of power over v."""
+    return tuple("N m" if unit == "rad/s" else "N" for unit in velocities(kinds))
+
+
+def masses(kinds: Kinds) -> tuple[str, ...]:
+    """Units of the mass matrix, row by row: of energy over two velocities."""
+    turns = [unit == "rad/s" for unit in velocities(kinds)]
+    return tuple(("kg", "kg m", "kg m^2")[a + b] for a in turns for b in turns)
+
+
+def jacobian(kinds: Kinds) -> tuple[str, ...]:
+    """Units of a Jacobian, row by row: of linear, then of angular velocity over each velocity."""
+    of = {"rad/s": ("m", "1"), "m/s": ("1", "1/m")}
+    return tuple(of[unit][row // 3] for row in range(6) for unit in velocities(kinds))
+
+
+def _of_joints(which: str, kinds: Kinds) -> tuple[str, ...]:
+    return tuple(unit for kind in kinds for unit in UNITS[which][kind])

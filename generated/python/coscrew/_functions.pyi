@@ -1,0 +1,26 @@
+# Made by `coscrew generate`; changes are overwritten.
+# SPDX-License-Identifier: MIT
+# coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors.
+"""The functions of scenes by name, as `load_scene` returns them; for type checkers."""
+
+from typing import TypeVar
+
+import numpy as np
+
+from coscrew._steps import Steps
+from coscrew_codegen.simulate.calls import Function
+
+Real = TypeVar("Real", bound=np.floating, covariant=True)
+
+class NamedFunctions(Steps[Real]):
+    inverse_dynamics: Function[Real]
+    forward_dynamics: Function[Real]
+    mass_matrix: Function[Real]
+    bias_torques: Function[Real]
+    gravity_torques: Function[Real]
+    energy: Function[Real]
+    power: Function[Real]
+    momentum: Function[Real]
+    body_poses: Function[Real]
+    body_twists: Function[Real]
+    integrated: Function[Real]
