@@ -25,7 +25,8 @@ def page(costs: Costs, command: str) -> str:
     return pages.page(
         "cost/page.html", scene=costs.scene, about=tuple(about(costs)),
         tiers=[tier for tier in OF_SCENES if tier.name in measured],
-        functions=list(plot.functions(costs)), runs=list(plot.runs(costs)),
+        functions=map(plot.inline, plot.functions(costs)),
+        runs=[plot.inline(x) for x in plot.runs(costs)],
         advice=[sentences(rows) for rows in costs.accuracy],
         accuracies=[x for rows in costs.accuracy for x in accuracies(rows)],
         others=tuple(others(costs)), source=(

@@ -5,7 +5,7 @@ from matplotlib.axes import Axes
 
 from coscrew_codegen.cost.run_errors import RunError, RunErrors
 from coscrew_codegen.formats import BY_NAME
-from coscrew_codegen.plots import INK, logarithmic
+from coscrew_codegen.plots import INK, legend_below, logarithmic
 from coscrew_codegen.tiers import OF_SCENES, PLAIN
 
 _COLOURS = {tier.name: tier.colours[0] for tier in OF_SCENES}
@@ -18,8 +18,7 @@ def panel(axes: Axes, found: RunErrors) -> None:
     logarithmic(axes.yaxis)
     axes.set(xlim=(0, found.times[-1]), xlabel="t, s", ylabel="error of a coordinate, m or rad",
              title=f"errors of the run: {found.integrator}, step {found.step:g} s")
-    axes.legend(fontsize=7, loc="upper left", bbox_to_anchor=(1, 1),
-                title="×: no digit is right from here on", title_fontsize=7)
+    legend_below(axes, "×: no digit is right from here on")
 
 
 def _curve(axes: Axes, x: RunError, times: tuple[float, ...], other: str) -> None:
