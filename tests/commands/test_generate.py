@@ -145,7 +145,7 @@ def test_options_add_files_and_change_none(tmp_path, capsys):
             "--many") in capsys.readouterr().err
 
 
-LARGEST = 18_100_000
+LARGEST = 15_700_000
 """Bytes that generated/ may have, as git stores them: uncompressed."""
 
 
