@@ -4,6 +4,7 @@ tests and for later runs, until the generator's sources change."""
 
 import fcntl
 import hashlib
+import shutil
 import sys
 from functools import cache
 from pathlib import Path
@@ -29,6 +30,7 @@ def c_folder() -> Path:
         made_from, sources = folder / "made_from", _digest()
         if not made_from.exists() or made_from.read_text() != sources:
             made_from.unlink(missing_ok=True)
+            shutil.rmtree(folder / "c", ignore_errors=True)  # with files that are no longer made
             run([sys.executable, "-m", "coscrew_codegen", *COMMAND, "--output", folder])
             made_from.write_text(sources)
     return folder / "c"

@@ -82,6 +82,7 @@ def _predicates(library: Library, tier: Tier) -> dict[str, str]:
 
 def _stubs(library: Library, tier: Tier, precision: Precision, shared: dict[str, object],
            scalar: str, top: bool = False) -> str:
+    """A module's stub file; the docstrings of twins are in their sources."""
     docstrings = numpy_operations.docstrings(library, tier, precision)
     stubs = [numpy_operations.stub(op, docstrings[op.name], scalar) for op in library.having(tier)]
     return render("python/operations.pyi", stubs=stubs, top=top, **shared)
