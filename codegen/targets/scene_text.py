@@ -103,9 +103,9 @@ def step_words(scene: SceneFunctions, step: Step) -> tuple[str, ...]:
 
 def words(function: Function, costs: bool = True) -> tuple[str, ...]:
     """A function's documentation in Python, a paragraph each; the last what it costs."""
-    given, made = (", ".join(f"{a.name} {tuple(a.quantity.shape)}" for a in side)
+    given, made = (" ".join(["", ", ".join(f"{a.name} {tuple(a.quantity.shape)}" for a in side)])
                    for side in (function.inputs, outputs(function)))
-    return (sentence(function.words), f"Last axes: {given} -> {made}.",
+    return (sentence(function.words), f"Last axes:{given.rstrip()} ->{made}.",
             *filter(None, [function.rounding]), *([cost(function)] if costs else []))
 
 
