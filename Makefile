@@ -4,7 +4,7 @@ PYTHON3 ?= python3
 VENV    := .venv
 PYTHON  := $(VENV)/bin/python
 PIP     := PYTHONWARNINGS=ignore $(PYTHON) -m pip --quiet --disable-pip-version-check
-SOURCES := $(wildcard $(addprefix generated/,gufunc/*.[ch] gufunc/*/*.[ch] c/coscrew*.h c/include/ksl/*.h))
+SOURCES := $(wildcard $(addprefix generated/,gufunc/*.[ch] gufunc/*/*.[ch] c/include/ksl/*.h))
 
 .PHONY: all generate check build example scene test test-quick bench attack cuda report figure docs clean
 
@@ -13,9 +13,9 @@ all: generate
 
 # The environment.  Its first install finds generated/ as committed, so coscrew itself is there to
 # be regenerated from, and its extension module is built.
-$(VENV)/ready: pyproject.toml setup.py
+$(VENV)/ready: pyproject.toml hatch_build.py
 	$(PYTHON3) -m venv $(VENV)
-	$(PIP) install --upgrade pip "setuptools>=77" wheel
+	$(PIP) install --upgrade pip "hatchling>=1.27" "setuptools>=77"
 	$(PIP) install "numpy>=2.0"
 	@echo "compiling the extensions takes some minutes"
 	$(PIP) install --no-build-isolation --editable ".[simulate]"
@@ -37,7 +37,7 @@ build: $(VENV)/ready
 COMPILED = $(PYTHON) -c "from pathlib import Path; from coscrew_codegen.build import compiled; \
     raise SystemExit(not compiled(Path()))"
 
-$(VENV)/built: $(SOURCES) codegen/build.py
+$(VENV)/built: $(SOURCES) codegen/coscrew_codegen/build.py
 	$(PIP) install --no-build-isolation --no-deps --editable .
 	@$(COMPILED) && touch $@ || true
 
@@ -66,8 +66,12 @@ $(VENV)/test-ready: $(VENV)/ready
 	$(PIP) install "coscrew[test]"
 	touch $@
 
-# The tests use generated/ as it is; that it is up to date is the first of test_generate.py.
-test: $(VENV)/test-ready build
+# First the compilers, emulators and browser that tests run: installed, or named, before anything
+# else happens.  The tests use generated/ as it is; that it is up to date is the first of
+# test_generate.py.
+test:
+	@PYTHON3="$(PYTHON3)" sh tests/install_tools.sh
+	@$(MAKE) --no-print-directory $(VENV)/test-ready build
 	$(PYTHON) -m pytest -n auto --dist loadfile --no-loadscope-reorder
 
 # For the working day, in a minute: without slow tests, and with samples of large ones.

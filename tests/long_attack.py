@@ -14,28 +14,23 @@ identically the formula.
 
 import argparse
 import os
-import tempfile
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from importlib import import_module
 from multiprocessing import get_context
-from pathlib import Path
 
 import numpy as np
 from tabulate import tabulate
 from tqdm import tqdm
 
-import coscrew
-import coscrew.accurate
-import coscrew.certified
 from coscrew_codegen.exact import CONDITION, UNIT
 from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.operations import Operation
 from coscrew_codegen.program import Program
+from coscrew_codegen.tiers import TIERS
 from tests.hard_cases.corpus import load
 from tests.search import joined, split, varied
-from tests.support.compiled.c_harness import COMPILERS
-from tests.support.compiled.calls import FLAGS
-from tests.support.compiled.implementations import compiled, gufuncs
+from tests.support.compiled.implementations import gufuncs
 from tests.support.truth.attack import (
     TIERED,
     Implementation,
@@ -238,19 +233,16 @@ def main() -> None:
         _cases[key] = np.concatenate([_cases[key], row]) if key in _cases else row
     tasks = [(names.index(name), which, options.outputs, options.seed)
              for name in options.operation for which in range(len(PRECISIONS))]
-    with tempfile.TemporaryDirectory() as folder:
-        _ways.update(_implementations(Path(folder)))
-        table = list(lines(tasks, options.processes))
+    _ways.update(_implementations())
+    table = list(lines(tasks, options.processes))
     print(tabulate(table, ("operation", "precision", "tier", "outputs", "error / bound",
                            "ulps, well conditioned", "violations"), floatfmt=".3f"))
     print(_summary(table))
 
 
-def _implementations(folder: Path) -> Ways:
-    """The kernels as users call them: gufuncs, and C for the fused tier."""
-    return {"plain": gufuncs(coscrew), "accurate": gufuncs(coscrew.accurate),
-            "certified": gufuncs(coscrew.certified),
-            "fused": compiled(folder, "fused", COMPILERS[0], FLAGS)}
+def _implementations() -> Ways:
+    """The kernels as users call them: gufuncs."""
+    return {tier.name: gufuncs(import_module(tier.package)) for tier in TIERS}
 
 
 def _summary(table: list[tuple]) -> str:

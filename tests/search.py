@@ -7,11 +7,9 @@ estimated in a wider precision; the worst of each batch are judged exactly (supp
 """
 
 import argparse
-import tempfile
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 from tabulate import tabulate
@@ -234,20 +232,19 @@ def main() -> None:
     targets = [(op, p, tier) for op in operations for p in PRECISIONS if p.name in options.precision
                for tier in tiers_of(op) if tier in options.tier]
     cases, lines, violations = load(), [], 0
-    with tempfile.TemporaryDirectory() as folder:
-        ways = {tier: of_tier(Path(folder), tier, operations) for tier in options.tier}
-        for target in (progress := tqdm(targets, disable=None)):
-            operation, precision, tier = target
-            progress.set_description(f"{operation.name} {precision.name} {tier}")
-            known = worst_known(target, ways[tier], cases)
-            found = within(search(*target, ways[tier], options.seed), options.seconds)
-            worse = found.ratio > known.ratio
-            if options.append and worse:
-                origin = f"search --tier {tier} --seed {options.seed}"
-                save((*load(), Case(operation, precision, found.inputs, origin)))
-            violations += max(found.ratio, known.ratio) > 1
-            lines.append((operation.name, precision.name, tier, found.ratio, known.ratio,
-                          _in_u(operation, tier, max(found.ratio, known.ratio))))
+    ways = {tier: of_tier(tier) for tier in options.tier}
+    for target in (progress := tqdm(targets, disable=None)):
+        operation, precision, tier = target
+        progress.set_description(f"{operation.name} {precision.name} {tier}")
+        known = worst_known(target, ways[tier], cases)
+        found = within(search(*target, ways[tier], options.seed), options.seconds)
+        worse = found.ratio > known.ratio
+        if options.append and worse:
+            origin = f"search --tier {tier} --seed {options.seed}"
+            save((*load(), Case(operation, precision, found.inputs, origin)))
+        violations += max(found.ratio, known.ratio) > 1
+        lines.append((operation.name, precision.name, tier, found.ratio, known.ratio,
+                      _in_u(operation, tier, max(found.ratio, known.ratio))))
     print(tabulate(lines, ("operation", "precision", "tier", "found / bound", "corpus / bound",
                            "u, if not polynomial"), floatfmt=".3f"))
     print(f"{len(lines)} searches, {violations} violations")

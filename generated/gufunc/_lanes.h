@@ -40,6 +40,18 @@ INLINED int lowered(int raised) {
   return added;
 }
 
+/* The inner loop of a gufunc whose kernel is on vectors, too. */
+#define LOOP_ON_VECTORS(name, arguments, dense, ...) \
+  static void name(char **data, const npy_intp *n, const npy_intp *step, void *unused) { \
+    (void)unused; \
+    if (n[0] >= SEVERAL) { \
+      name##_many(data, n[0], step, step + (arguments)); \
+      return; \
+    } \
+    dense(name, arguments, __VA_ARGS__) \
+    name##_over(data, n[0], step, step + (arguments)); \
+  }
+
 /* Keeps compilers from computing this array later. */
 #define COMPUTED(array) __asm__ volatile("" : : "r"(array) : "memory")
 
@@ -864,5 +876,7 @@ INLINED void store_lanes_quaternion_single(const ksl_statesf *x, char *first, np
   }
 }
 
+#else
+#define LOOP_ON_VECTORS LOOP
 #endif
 #endif

@@ -8,4579 +8,1558 @@
 #include "_gufunc.h"
 
 /* (6)->(6) */
-INLINED void coscrew_copy_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_coscrew_t ci;
-  load_coscrew_double(&ci, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(coscrew_copy_double) {
+  POINTERS_2
+  LOAD_FIRST(coscrew_double, ksl_coscrew_t ci, &ci);
+  EACH {
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_coscrew_double(&ci, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(coscrew_double, &ci);
     ksl_coscrew_copy(&ci, &co);
-    store_coscrew_double(&co, p1 + i * step[1], core + 1);
+    STORE(coscrew_double, &co, 1, 1);
   }
 }
+LOOP(coscrew_copy_double, 2, DENSE_OR_ONE, 48, 48, 8, 8)
 
-static void coscrew_copy_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    coscrew_copy_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    coscrew_copy_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  coscrew_copy_double_over(data, n[0], step, step + 2);
-}
-
-/* (6)->(6) */
-INLINED void coscrew_copy_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_coscrewf_t ci;
-  load_coscrew_single(&ci, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(coscrew_copy_single) {
+  POINTERS_2
+  LOAD_FIRST(coscrew_single, ksl_coscrewf_t ci, &ci);
+  EACH {
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_coscrew_single(&ci, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(coscrew_single, &ci);
     ksl_coscrewf_copy(&ci, &co);
-    store_coscrew_single(&co, p1 + i * step[1], core + 1);
+    STORE(coscrew_single, &co, 1, 1);
   }
 }
-
-static void coscrew_copy_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    coscrew_copy_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    coscrew_copy_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  coscrew_copy_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction coscrew_copy_loops[] = {
-    coscrew_copy_double, coscrew_copy_single};
+LOOP(coscrew_copy_single, 2, DENSE_OR_ONE, 24, 24, 4, 4)
+LOOPS(coscrew_copy)
 
 /* (6),()->(6) */
-INLINED void coscrew_scale_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(coscrew_scale_double) {
+  POINTERS_3
+  EACH {
     ksl_coscrew_t self;
     double a;
-    load_coscrew_double(&self, p0 + i * step[0], core + 0);
-    load_scalar_double(&a, p1 + i * step[1], core + 1);
+    LOAD(coscrew_double, &self, 0, 0);
+    LOAD(scalar_double, &a, 1, 1);
     ksl_coscrew_scale(&self, a);
-    store_coscrew_double(&self, p2 + i * step[2], core + 1);
+    STORE(coscrew_double, &self, 2, 1);
   }
 }
+LOOP(coscrew_scale_double, 3, DENSE, 48, 8, 48, 8, 8)
 
-static void coscrew_scale_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 8, 48, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    coscrew_scale_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  coscrew_scale_double_over(data, n[0], step, step + 3);
-}
-
-/* (6),()->(6) */
-INLINED void coscrew_scale_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(coscrew_scale_single) {
+  POINTERS_3
+  EACH {
     ksl_coscrewf_t self;
     float a;
-    load_coscrew_single(&self, p0 + i * step[0], core + 0);
-    load_scalar_single(&a, p1 + i * step[1], core + 1);
+    LOAD(coscrew_single, &self, 0, 0);
+    LOAD(scalar_single, &a, 1, 1);
     ksl_coscrewf_scale(&self, a);
-    store_coscrew_single(&self, p2 + i * step[2], core + 1);
+    STORE(coscrew_single, &self, 2, 1);
   }
 }
-
-static void coscrew_scale_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 4, 24, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    coscrew_scale_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  coscrew_scale_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction coscrew_scale_loops[] = {
-    coscrew_scale_double, coscrew_scale_single};
+LOOP(coscrew_scale_single, 3, DENSE, 24, 4, 24, 4, 4)
+LOOPS(coscrew_scale)
 
 /* (6)->(6) */
-INLINED void coscrew_inverted_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_coscrew_t ci;
-  load_coscrew_double(&ci, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(coscrew_inverted_double) {
+  POINTERS_2
+  LOAD_FIRST(coscrew_double, ksl_coscrew_t ci, &ci);
+  EACH {
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_coscrew_double(&ci, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(coscrew_double, &ci);
     ksl_coscrew_inverted(&ci, &co);
-    store_coscrew_double(&co, p1 + i * step[1], core + 1);
+    STORE(coscrew_double, &co, 1, 1);
   }
 }
+LOOP(coscrew_inverted_double, 2, DENSE_OR_ONE, 48, 48, 8, 8)
 
-static void coscrew_inverted_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    coscrew_inverted_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    coscrew_inverted_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  coscrew_inverted_double_over(data, n[0], step, step + 2);
-}
-
-/* (6)->(6) */
-INLINED void coscrew_inverted_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_coscrewf_t ci;
-  load_coscrew_single(&ci, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(coscrew_inverted_single) {
+  POINTERS_2
+  LOAD_FIRST(coscrew_single, ksl_coscrewf_t ci, &ci);
+  EACH {
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_coscrew_single(&ci, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(coscrew_single, &ci);
     ksl_coscrewf_inverted(&ci, &co);
-    store_coscrew_single(&co, p1 + i * step[1], core + 1);
+    STORE(coscrew_single, &co, 1, 1);
   }
 }
-
-static void coscrew_inverted_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    coscrew_inverted_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    coscrew_inverted_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  coscrew_inverted_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction coscrew_inverted_loops[] = {
-    coscrew_inverted_double, coscrew_inverted_single};
+LOOP(coscrew_inverted_single, 2, DENSE_OR_ONE, 24, 24, 4, 4)
+LOOPS(coscrew_inverted)
 
 /* (6)->(6) */
-INLINED void coscrew_invert_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(coscrew_invert_double) {
+  POINTERS_2
+  EACH {
     ksl_coscrew_t self;
-    load_coscrew_double(&self, p0 + i * step[0], core + 0);
+    LOAD(coscrew_double, &self, 0, 0);
     ksl_coscrew_invert(&self);
-    store_coscrew_double(&self, p1 + i * step[1], core + 1);
+    STORE(coscrew_double, &self, 1, 1);
   }
 }
+LOOP(coscrew_invert_double, 2, DENSE, 48, 48, 8, 8)
 
-static void coscrew_invert_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    coscrew_invert_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  coscrew_invert_double_over(data, n[0], step, step + 2);
-}
-
-/* (6)->(6) */
-INLINED void coscrew_invert_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(coscrew_invert_single) {
+  POINTERS_2
+  EACH {
     ksl_coscrewf_t self;
-    load_coscrew_single(&self, p0 + i * step[0], core + 0);
+    LOAD(coscrew_single, &self, 0, 0);
     ksl_coscrewf_invert(&self);
-    store_coscrew_single(&self, p1 + i * step[1], core + 1);
+    STORE(coscrew_single, &self, 1, 1);
   }
 }
-
-static void coscrew_invert_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    coscrew_invert_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  coscrew_invert_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction coscrew_invert_loops[] = {
-    coscrew_invert_double, coscrew_invert_single};
+LOOP(coscrew_invert_single, 2, DENSE, 24, 24, 4, 4)
+LOOPS(coscrew_invert)
 
 /* (),(6),(6)->(6) */
-INLINED void axpy_cc_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  double a;
-  load_scalar_double(&a, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(axpy_cc_double) {
+  POINTERS_4
+  LOAD_FIRST(scalar_double, double a, &a);
+  EACH {
     ksl_coscrew_t x;
     ksl_coscrew_t y;
-    if (step[0] != 0) {
-      load_scalar_double(&a, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_double(&x, p1 + i * step[1], core + 0);
-    load_coscrew_double(&y, p2 + i * step[2], core + 1);
+    LOAD_OTHER(scalar_double, &a);
+    LOAD(coscrew_double, &x, 1, 0);
+    LOAD(coscrew_double, &y, 2, 1);
     ksl_axpy_cc(a, &x, &y);
-    store_coscrew_double(&y, p3 + i * step[3], core + 2);
+    STORE(coscrew_double, &y, 3, 2);
   }
 }
+LOOP(axpy_cc_double, 4, DENSE_OR_ONE, 8, 48, 48, 48, 8, 8, 8)
 
-static void axpy_cc_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 8, 48, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    axpy_cc_double_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    axpy_cc_double_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  axpy_cc_double_over(data, n[0], step, step + 4);
-}
-
-/* (),(6),(6)->(6) */
-INLINED void axpy_cc_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  float a;
-  load_scalar_single(&a, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(axpy_cc_single) {
+  POINTERS_4
+  LOAD_FIRST(scalar_single, float a, &a);
+  EACH {
     ksl_coscrewf_t x;
     ksl_coscrewf_t y;
-    if (step[0] != 0) {
-      load_scalar_single(&a, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_single(&x, p1 + i * step[1], core + 0);
-    load_coscrew_single(&y, p2 + i * step[2], core + 1);
+    LOAD_OTHER(scalar_single, &a);
+    LOAD(coscrew_single, &x, 1, 0);
+    LOAD(coscrew_single, &y, 2, 1);
     ksl_axpy_ccf(a, &x, &y);
-    store_coscrew_single(&y, p3 + i * step[3], core + 2);
+    STORE(coscrew_single, &y, 3, 2);
   }
 }
-
-static void axpy_cc_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 4, 24, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    axpy_cc_single_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    axpy_cc_single_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  axpy_cc_single_over(data, n[0], step, step + 4);
-}
-
-static PyUFuncGenericFunction axpy_cc_loops[] = {
-    axpy_cc_double, axpy_cc_single};
+LOOP(axpy_cc_single, 4, DENSE_OR_ONE, 4, 24, 24, 24, 4, 4, 4)
+LOOPS(axpy_cc)
 
 /* (6),(6)->(6) */
-INLINED void xpy_cc_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_coscrew_t x;
-  load_coscrew_double(&x, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(xpy_cc_double) {
+  POINTERS_3
+  LOAD_FIRST(coscrew_double, ksl_coscrew_t x, &x);
+  EACH {
     ksl_coscrew_t y;
-    if (step[0] != 0) {
-      load_coscrew_double(&x, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_double(&y, p1 + i * step[1], core + 1);
+    LOAD_OTHER(coscrew_double, &x);
+    LOAD(coscrew_double, &y, 1, 1);
     ksl_xpy_cc(&x, &y);
-    store_coscrew_double(&y, p2 + i * step[2], core + 2);
+    STORE(coscrew_double, &y, 2, 2);
   }
 }
+LOOP(xpy_cc_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
-static void xpy_cc_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    xpy_cc_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    xpy_cc_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  xpy_cc_double_over(data, n[0], step, step + 3);
-}
-
-/* (6),(6)->(6) */
-INLINED void xpy_cc_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_coscrewf_t x;
-  load_coscrew_single(&x, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(xpy_cc_single) {
+  POINTERS_3
+  LOAD_FIRST(coscrew_single, ksl_coscrewf_t x, &x);
+  EACH {
     ksl_coscrewf_t y;
-    if (step[0] != 0) {
-      load_coscrew_single(&x, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_single(&y, p1 + i * step[1], core + 1);
+    LOAD_OTHER(coscrew_single, &x);
+    LOAD(coscrew_single, &y, 1, 1);
     ksl_xpy_ccf(&x, &y);
-    store_coscrew_single(&y, p2 + i * step[2], core + 2);
+    STORE(coscrew_single, &y, 2, 2);
   }
 }
-
-static void xpy_cc_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    xpy_cc_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    xpy_cc_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  xpy_cc_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction xpy_cc_loops[] = {
-    xpy_cc_double, xpy_cc_single};
+LOOP(xpy_cc_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
+LOOPS(xpy_cc)
 
 /* (6),(6)->(6) */
-INLINED void nxpy_cc_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_coscrew_t x;
-  load_coscrew_double(&x, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(nxpy_cc_double) {
+  POINTERS_3
+  LOAD_FIRST(coscrew_double, ksl_coscrew_t x, &x);
+  EACH {
     ksl_coscrew_t y;
-    if (step[0] != 0) {
-      load_coscrew_double(&x, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_double(&y, p1 + i * step[1], core + 1);
+    LOAD_OTHER(coscrew_double, &x);
+    LOAD(coscrew_double, &y, 1, 1);
     ksl_nxpy_cc(&x, &y);
-    store_coscrew_double(&y, p2 + i * step[2], core + 2);
+    STORE(coscrew_double, &y, 2, 2);
   }
 }
+LOOP(nxpy_cc_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
-static void nxpy_cc_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    nxpy_cc_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    nxpy_cc_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  nxpy_cc_double_over(data, n[0], step, step + 3);
-}
-
-/* (6),(6)->(6) */
-INLINED void nxpy_cc_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_coscrewf_t x;
-  load_coscrew_single(&x, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(nxpy_cc_single) {
+  POINTERS_3
+  LOAD_FIRST(coscrew_single, ksl_coscrewf_t x, &x);
+  EACH {
     ksl_coscrewf_t y;
-    if (step[0] != 0) {
-      load_coscrew_single(&x, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_single(&y, p1 + i * step[1], core + 1);
+    LOAD_OTHER(coscrew_single, &x);
+    LOAD(coscrew_single, &y, 1, 1);
     ksl_nxpy_ccf(&x, &y);
-    store_coscrew_single(&y, p2 + i * step[2], core + 2);
+    STORE(coscrew_single, &y, 2, 2);
   }
 }
-
-static void nxpy_cc_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    nxpy_cc_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    nxpy_cc_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  nxpy_cc_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction nxpy_cc_loops[] = {
-    nxpy_cc_double, nxpy_cc_single};
+LOOP(nxpy_cc_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
+LOOPS(nxpy_cc)
 
 /* (),(6)->(6) */
-INLINED void product_ac_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  double a;
-  load_scalar_double(&a, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_ac_double) {
+  POINTERS_3
+  LOAD_FIRST(scalar_double, double a, &a);
+  EACH {
     ksl_coscrew_t ci;
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_scalar_double(&a, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_double(&ci, p1 + i * step[1], core + 0);
+    LOAD_OTHER(scalar_double, &a);
+    LOAD(coscrew_double, &ci, 1, 0);
     ksl_product_ac(a, &ci, &co);
-    store_coscrew_double(&co, p2 + i * step[2], core + 1);
+    STORE(coscrew_double, &co, 2, 1);
   }
 }
+LOOP(product_ac_double, 3, DENSE_OR_ONE, 8, 48, 48, 8, 8)
 
-static void product_ac_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 8, 48, 48, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ac_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ac_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_ac_double_over(data, n[0], step, step + 3);
-}
-
-/* (),(6)->(6) */
-INLINED void product_ac_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  float a;
-  load_scalar_single(&a, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_ac_single) {
+  POINTERS_3
+  LOAD_FIRST(scalar_single, float a, &a);
+  EACH {
     ksl_coscrewf_t ci;
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_scalar_single(&a, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_single(&ci, p1 + i * step[1], core + 0);
+    LOAD_OTHER(scalar_single, &a);
+    LOAD(coscrew_single, &ci, 1, 0);
     ksl_product_acf(a, &ci, &co);
-    store_coscrew_single(&co, p2 + i * step[2], core + 1);
+    STORE(coscrew_single, &co, 2, 1);
   }
 }
-
-static void product_ac_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 4, 24, 24, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ac_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ac_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_ac_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_ac_loops[] = {
-    product_ac_double, product_ac_single};
+LOOP(product_ac_single, 3, DENSE_OR_ONE, 4, 24, 24, 4, 4)
+LOOPS(product_ac)
 
 /* (6),(6)->(6) */
-INLINED void add_cc_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_coscrew_t c1;
-  load_coscrew_double(&c1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(add_cc_double) {
+  POINTERS_3
+  LOAD_FIRST(coscrew_double, ksl_coscrew_t c1, &c1);
+  EACH {
     ksl_coscrew_t c2;
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_coscrew_double(&c1, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_double(&c2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(coscrew_double, &c1);
+    LOAD(coscrew_double, &c2, 1, 1);
     ksl_add_cc(&c1, &c2, &co);
-    store_coscrew_double(&co, p2 + i * step[2], core + 2);
+    STORE(coscrew_double, &co, 2, 2);
   }
 }
+LOOP(add_cc_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
-static void add_cc_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_cc_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_cc_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  add_cc_double_over(data, n[0], step, step + 3);
-}
-
-/* (6),(6)->(6) */
-INLINED void add_cc_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_coscrewf_t c1;
-  load_coscrew_single(&c1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(add_cc_single) {
+  POINTERS_3
+  LOAD_FIRST(coscrew_single, ksl_coscrewf_t c1, &c1);
+  EACH {
     ksl_coscrewf_t c2;
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_coscrew_single(&c1, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_single(&c2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(coscrew_single, &c1);
+    LOAD(coscrew_single, &c2, 1, 1);
     ksl_add_ccf(&c1, &c2, &co);
-    store_coscrew_single(&co, p2 + i * step[2], core + 2);
+    STORE(coscrew_single, &co, 2, 2);
   }
 }
-
-static void add_cc_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_cc_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_cc_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  add_cc_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction add_cc_loops[] = {
-    add_cc_double, add_cc_single};
+LOOP(add_cc_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
+LOOPS(add_cc)
 
 /* (6),(6)->(6) */
-INLINED void subtract_cc_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_coscrew_t c1;
-  load_coscrew_double(&c1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(subtract_cc_double) {
+  POINTERS_3
+  LOAD_FIRST(coscrew_double, ksl_coscrew_t c1, &c1);
+  EACH {
     ksl_coscrew_t c2;
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_coscrew_double(&c1, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_double(&c2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(coscrew_double, &c1);
+    LOAD(coscrew_double, &c2, 1, 1);
     ksl_subtract_cc(&c1, &c2, &co);
-    store_coscrew_double(&co, p2 + i * step[2], core + 2);
+    STORE(coscrew_double, &co, 2, 2);
   }
 }
+LOOP(subtract_cc_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
-static void subtract_cc_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    subtract_cc_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    subtract_cc_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  subtract_cc_double_over(data, n[0], step, step + 3);
-}
-
-/* (6),(6)->(6) */
-INLINED void subtract_cc_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_coscrewf_t c1;
-  load_coscrew_single(&c1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(subtract_cc_single) {
+  POINTERS_3
+  LOAD_FIRST(coscrew_single, ksl_coscrewf_t c1, &c1);
+  EACH {
     ksl_coscrewf_t c2;
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_coscrew_single(&c1, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_single(&c2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(coscrew_single, &c1);
+    LOAD(coscrew_single, &c2, 1, 1);
     ksl_subtract_ccf(&c1, &c2, &co);
-    store_coscrew_single(&co, p2 + i * step[2], core + 2);
+    STORE(coscrew_single, &co, 2, 2);
   }
 }
-
-static void subtract_cc_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    subtract_cc_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    subtract_cc_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  subtract_cc_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction subtract_cc_loops[] = {
-    subtract_cc_double, subtract_cc_single};
+LOOP(subtract_cc_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
+LOOPS(subtract_cc)
 
 /* (6)->() */
-INLINED void coscrew_norm_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_coscrew_t ci;
-  load_coscrew_double(&ci, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(coscrew_norm_double) {
+  POINTERS_2
+  LOAD_FIRST(coscrew_double, ksl_coscrew_t ci, &ci);
+  EACH {
     double norm;
-    if (step[0] != 0) {
-      load_coscrew_double(&ci, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(coscrew_double, &ci);
     norm = ksl_coscrew_norm(&ci);
-    store_scalar_double(&norm, p1 + i * step[1], core + 1);
+    STORE(scalar_double, &norm, 1, 1);
   }
 }
+LOOP(coscrew_norm_double, 2, DENSE_OR_ONE, 48, 8, 8)
 
-static void coscrew_norm_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    coscrew_norm_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    coscrew_norm_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  coscrew_norm_double_over(data, n[0], step, step + 2);
-}
-
-/* (6)->() */
-INLINED void coscrew_norm_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_coscrewf_t ci;
-  load_coscrew_single(&ci, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(coscrew_norm_single) {
+  POINTERS_2
+  LOAD_FIRST(coscrew_single, ksl_coscrewf_t ci, &ci);
+  EACH {
     float norm;
-    if (step[0] != 0) {
-      load_coscrew_single(&ci, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(coscrew_single, &ci);
     norm = ksl_coscrewf_norm(&ci);
-    store_scalar_single(&norm, p1 + i * step[1], core + 1);
+    STORE(scalar_single, &norm, 1, 1);
   }
 }
-
-static void coscrew_norm_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    coscrew_norm_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    coscrew_norm_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  coscrew_norm_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction coscrew_norm_loops[] = {
-    coscrew_norm_double, coscrew_norm_single};
+LOOP(coscrew_norm_single, 2, DENSE_OR_ONE, 24, 4, 4)
+LOOPS(coscrew_norm)
 
 /* (6)->(6) */
-INLINED void coscrew_normalize_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(coscrew_normalize_double) {
+  POINTERS_2
+  EACH {
     ksl_coscrew_t self;
-    load_coscrew_double(&self, p0 + i * step[0], core + 0);
+    LOAD(coscrew_double, &self, 0, 0);
     ksl_coscrew_normalize(&self);
-    store_coscrew_double(&self, p1 + i * step[1], core + 1);
+    STORE(coscrew_double, &self, 1, 1);
   }
 }
+LOOP(coscrew_normalize_double, 2, DENSE, 48, 48, 8, 8)
 
-static void coscrew_normalize_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    coscrew_normalize_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  coscrew_normalize_double_over(data, n[0], step, step + 2);
-}
-
-/* (6)->(6) */
-INLINED void coscrew_normalize_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(coscrew_normalize_single) {
+  POINTERS_2
+  EACH {
     ksl_coscrewf_t self;
-    load_coscrew_single(&self, p0 + i * step[0], core + 0);
+    LOAD(coscrew_single, &self, 0, 0);
     ksl_coscrewf_normalize(&self);
-    store_coscrew_single(&self, p1 + i * step[1], core + 1);
+    STORE(coscrew_single, &self, 1, 1);
   }
 }
-
-static void coscrew_normalize_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    coscrew_normalize_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  coscrew_normalize_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction coscrew_normalize_loops[] = {
-    coscrew_normalize_double, coscrew_normalize_single};
+LOOP(coscrew_normalize_single, 2, DENSE, 24, 24, 4, 4)
+LOOPS(coscrew_normalize)
 
 /* (6)->(6) */
-INLINED void coscrew_normalized_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_coscrew_t ci;
-  load_coscrew_double(&ci, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(coscrew_normalized_double) {
+  POINTERS_2
+  LOAD_FIRST(coscrew_double, ksl_coscrew_t ci, &ci);
+  EACH {
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_coscrew_double(&ci, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(coscrew_double, &ci);
     ksl_coscrew_normalized(&ci, &co);
-    store_coscrew_double(&co, p1 + i * step[1], core + 1);
+    STORE(coscrew_double, &co, 1, 1);
   }
 }
+LOOP(coscrew_normalized_double, 2, DENSE_OR_ONE, 48, 48, 8, 8)
 
-static void coscrew_normalized_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    coscrew_normalized_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    coscrew_normalized_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  coscrew_normalized_double_over(data, n[0], step, step + 2);
-}
-
-/* (6)->(6) */
-INLINED void coscrew_normalized_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_coscrewf_t ci;
-  load_coscrew_single(&ci, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(coscrew_normalized_single) {
+  POINTERS_2
+  LOAD_FIRST(coscrew_single, ksl_coscrewf_t ci, &ci);
+  EACH {
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_coscrew_single(&ci, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(coscrew_single, &ci);
     ksl_coscrewf_normalized(&ci, &co);
-    store_coscrew_single(&co, p1 + i * step[1], core + 1);
+    STORE(coscrew_single, &co, 1, 1);
   }
 }
-
-static void coscrew_normalized_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    coscrew_normalized_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    coscrew_normalized_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  coscrew_normalized_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction coscrew_normalized_loops[] = {
-    coscrew_normalized_double, coscrew_normalized_single};
+LOOP(coscrew_normalized_single, 2, DENSE_OR_ONE, 24, 24, 4, 4)
+LOOPS(coscrew_normalized)
 
 /* (3),(3)->(6) */
-INLINED void coscrew_from_lin_ang_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t lin;
-  load_vec3_double(&lin, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(coscrew_from_lin_ang_double) {
+  POINTERS_3
+  LOAD_FIRST(vec3_double, ksl_vec3_t lin, &lin);
+  EACH {
     ksl_vec3_t ang;
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_vec3_double(&lin, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&ang, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &lin);
+    LOAD(vec3_double, &ang, 1, 1);
     ksl_coscrew_from_lin_ang(&lin, &ang, &co);
-    store_coscrew_double(&co, p2 + i * step[2], core + 2);
+    STORE(coscrew_double, &co, 2, 2);
   }
 }
+LOOP(coscrew_from_lin_ang_double, 3, DENSE_OR_ONE, 24, 24, 48, 8, 8, 8)
 
-static void coscrew_from_lin_ang_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    coscrew_from_lin_ang_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    coscrew_from_lin_ang_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  coscrew_from_lin_ang_double_over(data, n[0], step, step + 3);
-}
-
-/* (3),(3)->(6) */
-INLINED void coscrew_from_lin_ang_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t lin;
-  load_vec3_single(&lin, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(coscrew_from_lin_ang_single) {
+  POINTERS_3
+  LOAD_FIRST(vec3_single, ksl_vec3f_t lin, &lin);
+  EACH {
     ksl_vec3f_t ang;
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_vec3_single(&lin, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&ang, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &lin);
+    LOAD(vec3_single, &ang, 1, 1);
     ksl_coscrewf_from_lin_ang(&lin, &ang, &co);
-    store_coscrew_single(&co, p2 + i * step[2], core + 2);
+    STORE(coscrew_single, &co, 2, 2);
   }
 }
-
-static void coscrew_from_lin_ang_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 12, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    coscrew_from_lin_ang_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    coscrew_from_lin_ang_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  coscrew_from_lin_ang_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction coscrew_from_lin_ang_loops[] = {
-    coscrew_from_lin_ang_double, coscrew_from_lin_ang_single};
+LOOP(coscrew_from_lin_ang_single, 3, DENSE_OR_ONE, 12, 12, 24, 4, 4, 4)
+LOOPS(coscrew_from_lin_ang)
 
 /* (6)->(6) */
-INLINED void coscrew_to_angular_first_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_coscrew_t ci;
-  load_coscrew_double(&ci, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(coscrew_to_angular_first_double) {
+  POINTERS_2
+  LOAD_FIRST(coscrew_double, ksl_coscrew_t ci, &ci);
+  EACH {
     double x[6];
-    if (step[0] != 0) {
-      load_coscrew_double(&ci, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(coscrew_double, &ci);
     ksl_coscrew_to_angular_first(&ci, x);
-    store_angular_first_double(x, p1 + i * step[1], core + 1);
+    STORE(angular_first_double, x, 1, 1);
   }
 }
+LOOP(coscrew_to_angular_first_double, 2, DENSE_OR_ONE, 48, 48, 8, 8)
 
-static void coscrew_to_angular_first_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    coscrew_to_angular_first_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    coscrew_to_angular_first_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  coscrew_to_angular_first_double_over(data, n[0], step, step + 2);
-}
-
-/* (6)->(6) */
-INLINED void coscrew_to_angular_first_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_coscrewf_t ci;
-  load_coscrew_single(&ci, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(coscrew_to_angular_first_single) {
+  POINTERS_2
+  LOAD_FIRST(coscrew_single, ksl_coscrewf_t ci, &ci);
+  EACH {
     float x[6];
-    if (step[0] != 0) {
-      load_coscrew_single(&ci, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(coscrew_single, &ci);
     ksl_coscrewf_to_angular_first(&ci, x);
-    store_angular_first_single(x, p1 + i * step[1], core + 1);
+    STORE(angular_first_single, x, 1, 1);
   }
 }
-
-static void coscrew_to_angular_first_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    coscrew_to_angular_first_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    coscrew_to_angular_first_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  coscrew_to_angular_first_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction coscrew_to_angular_first_loops[] = {
-    coscrew_to_angular_first_double, coscrew_to_angular_first_single};
+LOOP(coscrew_to_angular_first_single, 2, DENSE_OR_ONE, 24, 24, 4, 4)
+LOOPS(coscrew_to_angular_first)
 
 /* (6)->(6) */
-INLINED void coscrew_from_angular_first_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  double x[6];
-  load_angular_first_double(x, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(coscrew_from_angular_first_double) {
+  POINTERS_2
+  LOAD_FIRST(angular_first_double, double x[6], x);
+  EACH {
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_angular_first_double(x, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(angular_first_double, x);
     ksl_coscrew_from_angular_first(x, &co);
-    store_coscrew_double(&co, p1 + i * step[1], core + 1);
+    STORE(coscrew_double, &co, 1, 1);
   }
 }
+LOOP(coscrew_from_angular_first_double, 2, DENSE_OR_ONE, 48, 48, 8, 8)
 
-static void coscrew_from_angular_first_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    coscrew_from_angular_first_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    coscrew_from_angular_first_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  coscrew_from_angular_first_double_over(data, n[0], step, step + 2);
-}
-
-/* (6)->(6) */
-INLINED void coscrew_from_angular_first_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  float x[6];
-  load_angular_first_single(x, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(coscrew_from_angular_first_single) {
+  POINTERS_2
+  LOAD_FIRST(angular_first_single, float x[6], x);
+  EACH {
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_angular_first_single(x, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(angular_first_single, x);
     ksl_coscrewf_from_angular_first(x, &co);
-    store_coscrew_single(&co, p1 + i * step[1], core + 1);
+    STORE(coscrew_single, &co, 1, 1);
   }
 }
-
-static void coscrew_from_angular_first_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    coscrew_from_angular_first_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    coscrew_from_angular_first_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  coscrew_from_angular_first_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction coscrew_from_angular_first_loops[] = {
-    coscrew_from_angular_first_double, coscrew_from_angular_first_single};
+LOOP(coscrew_from_angular_first_single, 2, DENSE_OR_ONE, 24, 24, 4, 4)
+LOOPS(coscrew_from_angular_first)
 
 /* (6),(6)->(6) */
-INLINED void add_cct_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_coscrew_t c1;
-  load_coscrew_double(&c1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(add_cct_double) {
+  POINTERS_3
+  LOAD_FIRST(coscrew_double, ksl_coscrew_t c1, &c1);
+  EACH {
     ksl_coscrew_t c2;
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_coscrew_double(&c1, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_double(&c2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(coscrew_double, &c1);
+    LOAD(coscrew_double, &c2, 1, 1);
     ksl_add_cct(&c1, &c2, &co);
-    store_coscrew_double(&co, p2 + i * step[2], core + 2);
+    STORE(coscrew_double, &co, 2, 2);
   }
 }
+LOOP(add_cct_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
-static void add_cct_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_cct_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_cct_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  add_cct_double_over(data, n[0], step, step + 3);
-}
-
-/* (6),(6)->(6) */
-INLINED void add_cct_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_coscrewf_t c1;
-  load_coscrew_single(&c1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(add_cct_single) {
+  POINTERS_3
+  LOAD_FIRST(coscrew_single, ksl_coscrewf_t c1, &c1);
+  EACH {
     ksl_coscrewf_t c2;
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_coscrew_single(&c1, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_single(&c2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(coscrew_single, &c1);
+    LOAD(coscrew_single, &c2, 1, 1);
     ksl_add_cctf(&c1, &c2, &co);
-    store_coscrew_single(&co, p2 + i * step[2], core + 2);
+    STORE(coscrew_single, &co, 2, 2);
   }
 }
-
-static void add_cct_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_cct_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_cct_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  add_cct_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction add_cct_loops[] = {
-    add_cct_double, add_cct_single};
+LOOP(add_cct_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
+LOOPS(add_cct)
 
 /* (3),(6)->(6) */
-INLINED void product_CoAdtc_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t t;
-  load_vec3_double(&t, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_CoAdtc_double) {
+  POINTERS_3
+  LOAD_FIRST(vec3_double, ksl_vec3_t t, &t);
+  EACH {
     ksl_coscrew_t ci;
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_vec3_double(&t, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_double(&ci, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &t);
+    LOAD(coscrew_double, &ci, 1, 1);
     ksl_product_CoAdtc(&t, &ci, &co);
-    store_coscrew_double(&co, p2 + i * step[2], core + 2);
+    STORE(coscrew_double, &co, 2, 2);
   }
 }
+LOOP(product_CoAdtc_double, 3, DENSE_OR_ONE, 24, 48, 48, 8, 8, 8)
 
-static void product_CoAdtc_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_CoAdtc_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_CoAdtc_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_CoAdtc_double_over(data, n[0], step, step + 3);
-}
-
-/* (3),(6)->(6) */
-INLINED void product_CoAdtc_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t t;
-  load_vec3_single(&t, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_CoAdtc_single) {
+  POINTERS_3
+  LOAD_FIRST(vec3_single, ksl_vec3f_t t, &t);
+  EACH {
     ksl_coscrewf_t ci;
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_vec3_single(&t, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_single(&ci, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &t);
+    LOAD(coscrew_single, &ci, 1, 1);
     ksl_product_CoAdtcf(&t, &ci, &co);
-    store_coscrew_single(&co, p2 + i * step[2], core + 2);
+    STORE(coscrew_single, &co, 2, 2);
   }
 }
-
-static void product_CoAdtc_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_CoAdtc_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_CoAdtc_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_CoAdtc_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_CoAdtc_loops[] = {
-    product_CoAdtc_double, product_CoAdtc_single};
+LOOP(product_CoAdtc_single, 3, DENSE_OR_ONE, 12, 24, 24, 4, 4, 4)
+LOOPS(product_CoAdtc)
 
 /* (3),(6)->(6) */
-INLINED void product_CoAdtinvc_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t t;
-  load_vec3_double(&t, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_CoAdtinvc_double) {
+  POINTERS_3
+  LOAD_FIRST(vec3_double, ksl_vec3_t t, &t);
+  EACH {
     ksl_coscrew_t ci;
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_vec3_double(&t, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_double(&ci, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &t);
+    LOAD(coscrew_double, &ci, 1, 1);
     ksl_product_CoAdtinvc(&t, &ci, &co);
-    store_coscrew_double(&co, p2 + i * step[2], core + 2);
+    STORE(coscrew_double, &co, 2, 2);
   }
 }
+LOOP(product_CoAdtinvc_double, 3, DENSE_OR_ONE, 24, 48, 48, 8, 8, 8)
 
-static void product_CoAdtinvc_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_CoAdtinvc_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_CoAdtinvc_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_CoAdtinvc_double_over(data, n[0], step, step + 3);
-}
-
-/* (3),(6)->(6) */
-INLINED void product_CoAdtinvc_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t t;
-  load_vec3_single(&t, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_CoAdtinvc_single) {
+  POINTERS_3
+  LOAD_FIRST(vec3_single, ksl_vec3f_t t, &t);
+  EACH {
     ksl_coscrewf_t ci;
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_vec3_single(&t, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_single(&ci, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &t);
+    LOAD(coscrew_single, &ci, 1, 1);
     ksl_product_CoAdtinvcf(&t, &ci, &co);
-    store_coscrew_single(&co, p2 + i * step[2], core + 2);
+    STORE(coscrew_single, &co, 2, 2);
   }
 }
-
-static void product_CoAdtinvc_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_CoAdtinvc_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_CoAdtinvc_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_CoAdtinvc_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_CoAdtinvc_loops[] = {
-    product_CoAdtinvc_double, product_CoAdtinvc_single};
+LOOP(product_CoAdtinvc_single, 3, DENSE_OR_ONE, 12, 24, 24, 4, 4, 4)
+LOOPS(product_CoAdtinvc)
 
 /* (3),(6)->(6) */
-INLINED void product_CoAdtcinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t t;
-  load_vec3_double(&t, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_CoAdtcinv_double) {
+  POINTERS_3
+  LOAD_FIRST(vec3_double, ksl_vec3_t t, &t);
+  EACH {
     ksl_coscrew_t ci;
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_vec3_double(&t, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_double(&ci, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &t);
+    LOAD(coscrew_double, &ci, 1, 1);
     ksl_product_CoAdtcinv(&t, &ci, &co);
-    store_coscrew_double(&co, p2 + i * step[2], core + 2);
+    STORE(coscrew_double, &co, 2, 2);
   }
 }
+LOOP(product_CoAdtcinv_double, 3, DENSE_OR_ONE, 24, 48, 48, 8, 8, 8)
 
-static void product_CoAdtcinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_CoAdtcinv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_CoAdtcinv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_CoAdtcinv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3),(6)->(6) */
-INLINED void product_CoAdtcinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t t;
-  load_vec3_single(&t, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_CoAdtcinv_single) {
+  POINTERS_3
+  LOAD_FIRST(vec3_single, ksl_vec3f_t t, &t);
+  EACH {
     ksl_coscrewf_t ci;
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_vec3_single(&t, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_single(&ci, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &t);
+    LOAD(coscrew_single, &ci, 1, 1);
     ksl_product_CoAdtcinvf(&t, &ci, &co);
-    store_coscrew_single(&co, p2 + i * step[2], core + 2);
+    STORE(coscrew_single, &co, 2, 2);
   }
 }
-
-static void product_CoAdtcinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_CoAdtcinv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_CoAdtcinv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_CoAdtcinv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_CoAdtcinv_loops[] = {
-    product_CoAdtcinv_double, product_CoAdtcinv_single};
+LOOP(product_CoAdtcinv_single, 3, DENSE_OR_ONE, 12, 24, 24, 4, 4, 4)
+LOOPS(product_CoAdtcinv)
 
 /* (3,3),(6)->(6) */
-INLINED void product_CoAdrc_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_CoAdrc_double) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     ksl_coscrew_t ci;
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_double(&ci, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(coscrew_double, &ci, 1, 2);
     ksl_product_CoAdrc(&R, &ci, &co);
-    store_coscrew_double(&co, p2 + i * step[2], core + 3);
+    STORE(coscrew_double, &co, 2, 3);
   }
 }
+LOOP(product_CoAdrc_double, 3, DENSE_OR_ONE, 72, 48, 48, 24, 8, 8, 8)
 
-static void product_CoAdrc_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 48, 48, 24, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_CoAdrc_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 24, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_CoAdrc_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_CoAdrc_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,3),(6)->(6) */
-INLINED void product_CoAdrc_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_CoAdrc_single) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     ksl_coscrewf_t ci;
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_single(&ci, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(coscrew_single, &ci, 1, 2);
     ksl_product_CoAdrcf(&R, &ci, &co);
-    store_coscrew_single(&co, p2 + i * step[2], core + 3);
+    STORE(coscrew_single, &co, 2, 3);
   }
 }
-
-static void product_CoAdrc_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 24, 24, 12, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_CoAdrc_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 12, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_CoAdrc_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_CoAdrc_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_CoAdrc_loops[] = {
-    product_CoAdrc_double, product_CoAdrc_single};
+LOOP(product_CoAdrc_single, 3, DENSE_OR_ONE, 36, 24, 24, 12, 4, 4, 4)
+LOOPS(product_CoAdrc)
 
 /* (3,3),(6)->(6) */
-INLINED void product_CoAdrinvc_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_CoAdrinvc_double) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     ksl_coscrew_t ci;
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_double(&ci, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(coscrew_double, &ci, 1, 2);
     ksl_product_CoAdrinvc(&R, &ci, &co);
-    store_coscrew_double(&co, p2 + i * step[2], core + 3);
+    STORE(coscrew_double, &co, 2, 3);
   }
 }
+LOOP(product_CoAdrinvc_double, 3, DENSE_OR_ONE, 72, 48, 48, 24, 8, 8, 8)
 
-static void product_CoAdrinvc_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 48, 48, 24, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_CoAdrinvc_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 24, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_CoAdrinvc_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_CoAdrinvc_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,3),(6)->(6) */
-INLINED void product_CoAdrinvc_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_CoAdrinvc_single) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     ksl_coscrewf_t ci;
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_single(&ci, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(coscrew_single, &ci, 1, 2);
     ksl_product_CoAdrinvcf(&R, &ci, &co);
-    store_coscrew_single(&co, p2 + i * step[2], core + 3);
+    STORE(coscrew_single, &co, 2, 3);
   }
 }
-
-static void product_CoAdrinvc_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 24, 24, 12, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_CoAdrinvc_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 12, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_CoAdrinvc_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_CoAdrinvc_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_CoAdrinvc_loops[] = {
-    product_CoAdrinvc_double, product_CoAdrinvc_single};
+LOOP(product_CoAdrinvc_single, 3, DENSE_OR_ONE, 36, 24, 24, 12, 4, 4, 4)
+LOOPS(product_CoAdrinvc)
 
 /* (3,3),(6)->(6) */
-INLINED void product_CoAdrcinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_CoAdrcinv_double) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     ksl_coscrew_t ci;
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_double(&ci, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(coscrew_double, &ci, 1, 2);
     ksl_product_CoAdrcinv(&R, &ci, &co);
-    store_coscrew_double(&co, p2 + i * step[2], core + 3);
+    STORE(coscrew_double, &co, 2, 3);
   }
 }
+LOOP(product_CoAdrcinv_double, 3, DENSE_OR_ONE, 72, 48, 48, 24, 8, 8, 8)
 
-static void product_CoAdrcinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 48, 48, 24, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_CoAdrcinv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 24, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_CoAdrcinv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_CoAdrcinv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,3),(6)->(6) */
-INLINED void product_CoAdrcinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_CoAdrcinv_single) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     ksl_coscrewf_t ci;
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_single(&ci, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(coscrew_single, &ci, 1, 2);
     ksl_product_CoAdrcinvf(&R, &ci, &co);
-    store_coscrew_single(&co, p2 + i * step[2], core + 3);
+    STORE(coscrew_single, &co, 2, 3);
   }
 }
-
-static void product_CoAdrcinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 24, 24, 12, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_CoAdrcinv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 12, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_CoAdrcinv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_CoAdrcinv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_CoAdrcinv_loops[] = {
-    product_CoAdrcinv_double, product_CoAdrcinv_single};
+LOOP(product_CoAdrcinv_single, 3, DENSE_OR_ONE, 36, 24, 24, 12, 4, 4, 4)
+LOOPS(product_CoAdrcinv)
 
 /* (3,4),(6)->(6) */
-INLINED void product_CoAdc_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_CoAdc_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_coscrew_t ci;
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_double(&ci, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(coscrew_double, &ci, 1, 2);
     ksl_product_CoAdc(&D, &ci, &co);
-    store_coscrew_double(&co, p2 + i * step[2], core + 3);
+    STORE(coscrew_double, &co, 2, 3);
   }
 }
+LOOP(product_CoAdc_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
-static void product_CoAdc_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_CoAdc_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_CoAdc_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_CoAdc_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(6)->(6) */
-INLINED void product_CoAdc_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_CoAdc_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_coscrewf_t ci;
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_single(&ci, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(coscrew_single, &ci, 1, 2);
     ksl_product_CoAdcf(&D, &ci, &co);
-    store_coscrew_single(&co, p2 + i * step[2], core + 3);
+    STORE(coscrew_single, &co, 2, 3);
   }
 }
-
-static void product_CoAdc_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_CoAdc_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_CoAdc_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_CoAdc_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_CoAdc_loops[] = {
-    product_CoAdc_double, product_CoAdc_single};
+LOOP(product_CoAdc_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
+LOOPS(product_CoAdc)
 
 /* (3,4),(6)->(6) */
-INLINED void product_CoAdinvc_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_CoAdinvc_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_coscrew_t ci;
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_double(&ci, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(coscrew_double, &ci, 1, 2);
     ksl_product_CoAdinvc(&D, &ci, &co);
-    store_coscrew_double(&co, p2 + i * step[2], core + 3);
+    STORE(coscrew_double, &co, 2, 3);
   }
 }
+LOOP(product_CoAdinvc_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
-static void product_CoAdinvc_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_CoAdinvc_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_CoAdinvc_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_CoAdinvc_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(6)->(6) */
-INLINED void product_CoAdinvc_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_CoAdinvc_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_coscrewf_t ci;
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_single(&ci, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(coscrew_single, &ci, 1, 2);
     ksl_product_CoAdinvcf(&D, &ci, &co);
-    store_coscrew_single(&co, p2 + i * step[2], core + 3);
+    STORE(coscrew_single, &co, 2, 3);
   }
 }
-
-static void product_CoAdinvc_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_CoAdinvc_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_CoAdinvc_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_CoAdinvc_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_CoAdinvc_loops[] = {
-    product_CoAdinvc_double, product_CoAdinvc_single};
+LOOP(product_CoAdinvc_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
+LOOPS(product_CoAdinvc)
 
 /* (3,4),(6)->(6) */
-INLINED void product_CoAdcinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_CoAdcinv_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_coscrew_t ci;
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_double(&ci, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(coscrew_double, &ci, 1, 2);
     ksl_product_CoAdcinv(&D, &ci, &co);
-    store_coscrew_double(&co, p2 + i * step[2], core + 3);
+    STORE(coscrew_double, &co, 2, 3);
   }
 }
+LOOP(product_CoAdcinv_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
-static void product_CoAdcinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_CoAdcinv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_CoAdcinv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_CoAdcinv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(6)->(6) */
-INLINED void product_CoAdcinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_CoAdcinv_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_coscrewf_t ci;
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_single(&ci, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(coscrew_single, &ci, 1, 2);
     ksl_product_CoAdcinvf(&D, &ci, &co);
-    store_coscrew_single(&co, p2 + i * step[2], core + 3);
+    STORE(coscrew_single, &co, 2, 3);
   }
 }
-
-static void product_CoAdcinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_CoAdcinv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_CoAdcinv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_CoAdcinv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_CoAdcinv_loops[] = {
-    product_CoAdcinv_double, product_CoAdcinv_single};
+LOOP(product_CoAdcinv_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
+LOOPS(product_CoAdcinv)
 
 /* (3,4)->(6) */
-INLINED void hctx_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hctx_double) {
+  POINTERS_2
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_double, &D);
     ksl_hctx(&D, &co);
-    store_coscrew_double(&co, p1 + i * step[1], core + 2);
+    STORE(coscrew_double, &co, 1, 2);
   }
 }
+LOOP(hctx_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
 
-static void hctx_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hctx_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hctx_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hctx_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,4)->(6) */
-INLINED void hctx_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hctx_single) {
+  POINTERS_2
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_single, &D);
     ksl_hctxf(&D, &co);
-    store_coscrew_single(&co, p1 + i * step[1], core + 2);
+    STORE(coscrew_single, &co, 1, 2);
   }
 }
-
-static void hctx_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hctx_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hctx_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hctx_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction hctx_loops[] = {
-    hctx_double, hctx_single};
+LOOP(hctx_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOPS(hctx)
 
 /* (3,4)->(6) */
-INLINED void hcty_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hcty_double) {
+  POINTERS_2
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_double, &D);
     ksl_hcty(&D, &co);
-    store_coscrew_double(&co, p1 + i * step[1], core + 2);
+    STORE(coscrew_double, &co, 1, 2);
   }
 }
+LOOP(hcty_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
 
-static void hcty_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hcty_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hcty_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hcty_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,4)->(6) */
-INLINED void hcty_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hcty_single) {
+  POINTERS_2
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_single, &D);
     ksl_hctyf(&D, &co);
-    store_coscrew_single(&co, p1 + i * step[1], core + 2);
+    STORE(coscrew_single, &co, 1, 2);
   }
 }
-
-static void hcty_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hcty_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hcty_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hcty_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction hcty_loops[] = {
-    hcty_double, hcty_single};
+LOOP(hcty_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOPS(hcty)
 
 /* (3,4)->(6) */
-INLINED void hctz_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hctz_double) {
+  POINTERS_2
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_double, &D);
     ksl_hctz(&D, &co);
-    store_coscrew_double(&co, p1 + i * step[1], core + 2);
+    STORE(coscrew_double, &co, 1, 2);
   }
 }
+LOOP(hctz_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
 
-static void hctz_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hctz_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hctz_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hctz_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,4)->(6) */
-INLINED void hctz_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hctz_single) {
+  POINTERS_2
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_single, &D);
     ksl_hctzf(&D, &co);
-    store_coscrew_single(&co, p1 + i * step[1], core + 2);
+    STORE(coscrew_single, &co, 1, 2);
   }
 }
-
-static void hctz_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hctz_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hctz_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hctz_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction hctz_loops[] = {
-    hctz_double, hctz_single};
+LOOP(hctz_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOPS(hctz)
 
 /* (3,4)->(6) */
-INLINED void hcrx_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hcrx_double) {
+  POINTERS_2
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_double, &D);
     ksl_hcrx(&D, &co);
-    store_coscrew_double(&co, p1 + i * step[1], core + 2);
+    STORE(coscrew_double, &co, 1, 2);
   }
 }
+LOOP(hcrx_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
 
-static void hcrx_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hcrx_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hcrx_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hcrx_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,4)->(6) */
-INLINED void hcrx_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hcrx_single) {
+  POINTERS_2
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_single, &D);
     ksl_hcrxf(&D, &co);
-    store_coscrew_single(&co, p1 + i * step[1], core + 2);
+    STORE(coscrew_single, &co, 1, 2);
   }
 }
-
-static void hcrx_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hcrx_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hcrx_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hcrx_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction hcrx_loops[] = {
-    hcrx_double, hcrx_single};
+LOOP(hcrx_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOPS(hcrx)
 
 /* (3,4)->(6) */
-INLINED void hcry_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hcry_double) {
+  POINTERS_2
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_double, &D);
     ksl_hcry(&D, &co);
-    store_coscrew_double(&co, p1 + i * step[1], core + 2);
+    STORE(coscrew_double, &co, 1, 2);
   }
 }
+LOOP(hcry_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
 
-static void hcry_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hcry_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hcry_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hcry_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,4)->(6) */
-INLINED void hcry_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hcry_single) {
+  POINTERS_2
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_single, &D);
     ksl_hcryf(&D, &co);
-    store_coscrew_single(&co, p1 + i * step[1], core + 2);
+    STORE(coscrew_single, &co, 1, 2);
   }
 }
-
-static void hcry_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hcry_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hcry_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hcry_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction hcry_loops[] = {
-    hcry_double, hcry_single};
+LOOP(hcry_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOPS(hcry)
 
 /* (3,4)->(6) */
-INLINED void hcrz_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hcrz_double) {
+  POINTERS_2
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_double, &D);
     ksl_hcrz(&D, &co);
-    store_coscrew_double(&co, p1 + i * step[1], core + 2);
+    STORE(coscrew_double, &co, 1, 2);
   }
 }
+LOOP(hcrz_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
 
-static void hcrz_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hcrz_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hcrz_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hcrz_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,4)->(6) */
-INLINED void hcrz_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hcrz_single) {
+  POINTERS_2
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_single, &D);
     ksl_hcrzf(&D, &co);
-    store_coscrew_single(&co, p1 + i * step[1], core + 2);
+    STORE(coscrew_single, &co, 1, 2);
   }
 }
-
-static void hcrz_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hcrz_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hcrz_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hcrz_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction hcrz_loops[] = {
-    hcrz_double, hcrz_single};
+LOOP(hcrz_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOPS(hcrz)
 
 /* (3,4)->(6) */
-INLINED void hctxinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hctxinv_double) {
+  POINTERS_2
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_double, &D);
     ksl_hctxinv(&D, &co);
-    store_coscrew_double(&co, p1 + i * step[1], core + 2);
+    STORE(coscrew_double, &co, 1, 2);
   }
 }
+LOOP(hctxinv_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
 
-static void hctxinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hctxinv_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hctxinv_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hctxinv_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,4)->(6) */
-INLINED void hctxinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hctxinv_single) {
+  POINTERS_2
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_single, &D);
     ksl_hctxinvf(&D, &co);
-    store_coscrew_single(&co, p1 + i * step[1], core + 2);
+    STORE(coscrew_single, &co, 1, 2);
   }
 }
-
-static void hctxinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hctxinv_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hctxinv_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hctxinv_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction hctxinv_loops[] = {
-    hctxinv_double, hctxinv_single};
+LOOP(hctxinv_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOPS(hctxinv)
 
 /* (3,4)->(6) */
-INLINED void hctyinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hctyinv_double) {
+  POINTERS_2
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_double, &D);
     ksl_hctyinv(&D, &co);
-    store_coscrew_double(&co, p1 + i * step[1], core + 2);
+    STORE(coscrew_double, &co, 1, 2);
   }
 }
+LOOP(hctyinv_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
 
-static void hctyinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hctyinv_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hctyinv_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hctyinv_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,4)->(6) */
-INLINED void hctyinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hctyinv_single) {
+  POINTERS_2
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_single, &D);
     ksl_hctyinvf(&D, &co);
-    store_coscrew_single(&co, p1 + i * step[1], core + 2);
+    STORE(coscrew_single, &co, 1, 2);
   }
 }
-
-static void hctyinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hctyinv_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hctyinv_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hctyinv_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction hctyinv_loops[] = {
-    hctyinv_double, hctyinv_single};
+LOOP(hctyinv_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOPS(hctyinv)
 
 /* (3,4)->(6) */
-INLINED void hctzinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hctzinv_double) {
+  POINTERS_2
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_double, &D);
     ksl_hctzinv(&D, &co);
-    store_coscrew_double(&co, p1 + i * step[1], core + 2);
+    STORE(coscrew_double, &co, 1, 2);
   }
 }
+LOOP(hctzinv_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
 
-static void hctzinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hctzinv_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hctzinv_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hctzinv_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,4)->(6) */
-INLINED void hctzinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hctzinv_single) {
+  POINTERS_2
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_single, &D);
     ksl_hctzinvf(&D, &co);
-    store_coscrew_single(&co, p1 + i * step[1], core + 2);
+    STORE(coscrew_single, &co, 1, 2);
   }
 }
-
-static void hctzinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hctzinv_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hctzinv_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hctzinv_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction hctzinv_loops[] = {
-    hctzinv_double, hctzinv_single};
+LOOP(hctzinv_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOPS(hctzinv)
 
 /* (3,4)->(6) */
-INLINED void hcrxinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hcrxinv_double) {
+  POINTERS_2
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_double, &D);
     ksl_hcrxinv(&D, &co);
-    store_coscrew_double(&co, p1 + i * step[1], core + 2);
+    STORE(coscrew_double, &co, 1, 2);
   }
 }
+LOOP(hcrxinv_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
 
-static void hcrxinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hcrxinv_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hcrxinv_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hcrxinv_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,4)->(6) */
-INLINED void hcrxinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hcrxinv_single) {
+  POINTERS_2
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_single, &D);
     ksl_hcrxinvf(&D, &co);
-    store_coscrew_single(&co, p1 + i * step[1], core + 2);
+    STORE(coscrew_single, &co, 1, 2);
   }
 }
-
-static void hcrxinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hcrxinv_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hcrxinv_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hcrxinv_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction hcrxinv_loops[] = {
-    hcrxinv_double, hcrxinv_single};
+LOOP(hcrxinv_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOPS(hcrxinv)
 
 /* (3,4)->(6) */
-INLINED void hcryinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hcryinv_double) {
+  POINTERS_2
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_double, &D);
     ksl_hcryinv(&D, &co);
-    store_coscrew_double(&co, p1 + i * step[1], core + 2);
+    STORE(coscrew_double, &co, 1, 2);
   }
 }
+LOOP(hcryinv_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
 
-static void hcryinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hcryinv_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hcryinv_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hcryinv_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,4)->(6) */
-INLINED void hcryinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hcryinv_single) {
+  POINTERS_2
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_single, &D);
     ksl_hcryinvf(&D, &co);
-    store_coscrew_single(&co, p1 + i * step[1], core + 2);
+    STORE(coscrew_single, &co, 1, 2);
   }
 }
-
-static void hcryinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hcryinv_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hcryinv_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hcryinv_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction hcryinv_loops[] = {
-    hcryinv_double, hcryinv_single};
+LOOP(hcryinv_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOPS(hcryinv)
 
 /* (3,4)->(6) */
-INLINED void hcrzinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hcrzinv_double) {
+  POINTERS_2
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_double, &D);
     ksl_hcrzinv(&D, &co);
-    store_coscrew_double(&co, p1 + i * step[1], core + 2);
+    STORE(coscrew_double, &co, 1, 2);
   }
 }
+LOOP(hcrzinv_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
 
-static void hcrzinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hcrzinv_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hcrzinv_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hcrzinv_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,4)->(6) */
-INLINED void hcrzinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hcrzinv_single) {
+  POINTERS_2
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_single, &D);
     ksl_hcrzinvf(&D, &co);
-    store_coscrew_single(&co, p1 + i * step[1], core + 2);
+    STORE(coscrew_single, &co, 1, 2);
   }
 }
-
-static void hcrzinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hcrzinv_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hcrzinv_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hcrzinv_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction hcrzinv_loops[] = {
-    hcrzinv_double, hcrzinv_single};
+LOOP(hcrzinv_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOPS(hcrzinv)
 
 /* (3,4)->(6,6) */
-INLINED void CoAd_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(CoAd_double) {
+  POINTERS_2
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_mat6x6_t M;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_double, &D);
     ksl_CoAd(&D, &M);
-    store_mat6x6_double(&M, p1 + i * step[1], core + 2);
+    STORE(mat6x6_double, &M, 1, 2);
   }
 }
+LOOP(CoAd_double, 2, DENSE_OR_ONE, 96, 288, 32, 8, 48, 8)
 
-static void CoAd_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 288, 32, 8, 48, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    CoAd_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 288, 32, 8, 48, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    CoAd_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  CoAd_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,4)->(6,6) */
-INLINED void CoAd_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(CoAd_single) {
+  POINTERS_2
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_mat6x6f_t M;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_single, &D);
     ksl_CoAdf(&D, &M);
-    store_mat6x6_single(&M, p1 + i * step[1], core + 2);
+    STORE(mat6x6_single, &M, 1, 2);
   }
 }
-
-static void CoAd_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 144, 16, 4, 24, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    CoAd_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 144, 16, 4, 24, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    CoAd_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  CoAd_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction CoAd_loops[] = {
-    CoAd_double, CoAd_single};
+LOOP(CoAd_single, 2, DENSE_OR_ONE, 48, 144, 16, 4, 24, 4)
+LOOPS(CoAd)
 
 /* (6),(6)->() */
-INLINED void reciprocal_product_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_coscrew_t c;
-  load_coscrew_double(&c, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(reciprocal_product_double) {
+  POINTERS_3
+  LOAD_FIRST(coscrew_double, ksl_coscrew_t c, &c);
+  EACH {
     double x[6];
     double power;
-    if (step[0] != 0) {
-      load_coscrew_double(&c, p0 + i * step[0], core + 0);
-    }
-    load_angular_first_double(x, p1 + i * step[1], core + 1);
+    LOAD_OTHER(coscrew_double, &c);
+    LOAD(angular_first_double, x, 1, 1);
     power = ksl_reciprocal_product(&c, x);
-    store_scalar_double(&power, p2 + i * step[2], core + 2);
+    STORE(scalar_double, &power, 2, 2);
   }
 }
+LOOP(reciprocal_product_double, 3, DENSE_OR_ONE, 48, 48, 8, 8, 8)
 
-static void reciprocal_product_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    reciprocal_product_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    reciprocal_product_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  reciprocal_product_double_over(data, n[0], step, step + 3);
-}
-
-/* (6),(6)->() */
-INLINED void reciprocal_product_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_coscrewf_t c;
-  load_coscrew_single(&c, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(reciprocal_product_single) {
+  POINTERS_3
+  LOAD_FIRST(coscrew_single, ksl_coscrewf_t c, &c);
+  EACH {
     float x[6];
     float power;
-    if (step[0] != 0) {
-      load_coscrew_single(&c, p0 + i * step[0], core + 0);
-    }
-    load_angular_first_single(x, p1 + i * step[1], core + 1);
+    LOAD_OTHER(coscrew_single, &c);
+    LOAD(angular_first_single, x, 1, 1);
     power = ksl_reciprocal_productf(&c, x);
-    store_scalar_single(&power, p2 + i * step[2], core + 2);
+    STORE(scalar_single, &power, 2, 2);
   }
 }
-
-static void reciprocal_product_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    reciprocal_product_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    reciprocal_product_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  reciprocal_product_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction reciprocal_product_loops[] = {
-    reciprocal_product_double, reciprocal_product_single};
+LOOP(reciprocal_product_single, 3, DENSE_OR_ONE, 24, 24, 4, 4, 4)
+LOOPS(reciprocal_product)
 
 /* (6),(6)->(6) */
-INLINED void cross_sc_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screw_t s;
-  load_screw_double(&s, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(cross_sc_double) {
+  POINTERS_3
+  LOAD_FIRST(screw_double, ksl_screw_t s, &s);
+  EACH {
     ksl_coscrew_t c;
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_screw_double(&s, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_double(&c, p1 + i * step[1], core + 1);
+    LOAD_OTHER(screw_double, &s);
+    LOAD(coscrew_double, &c, 1, 1);
     ksl_cross_sc(&s, &c, &co);
-    store_coscrew_double(&co, p2 + i * step[2], core + 2);
+    STORE(coscrew_double, &co, 2, 2);
   }
 }
+LOOP(cross_sc_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
-static void cross_sc_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    cross_sc_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    cross_sc_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  cross_sc_double_over(data, n[0], step, step + 3);
-}
-
-/* (6),(6)->(6) */
-INLINED void cross_sc_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screwf_t s;
-  load_screw_single(&s, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(cross_sc_single) {
+  POINTERS_3
+  LOAD_FIRST(screw_single, ksl_screwf_t s, &s);
+  EACH {
     ksl_coscrewf_t c;
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_screw_single(&s, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_single(&c, p1 + i * step[1], core + 1);
+    LOAD_OTHER(screw_single, &s);
+    LOAD(coscrew_single, &c, 1, 1);
     ksl_cross_scf(&s, &c, &co);
-    store_coscrew_single(&co, p2 + i * step[2], core + 2);
+    STORE(coscrew_single, &co, 2, 2);
   }
 }
-
-static void cross_sc_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    cross_sc_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    cross_sc_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  cross_sc_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction cross_sc_loops[] = {
-    cross_sc_double, cross_sc_single};
+LOOP(cross_sc_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
+LOOPS(cross_sc)
 
 /* (6),(6)->(6) */
-INLINED void cross_sca_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screw_t s;
-  load_screw_double(&s, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(cross_sca_double) {
+  POINTERS_3
+  LOAD_FIRST(screw_double, ksl_screw_t s, &s);
+  EACH {
     ksl_coscrew_t c;
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_screw_double(&s, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_double(&c, p1 + i * step[1], core + 1);
+    LOAD_OTHER(screw_double, &s);
+    LOAD(coscrew_double, &c, 1, 1);
     ksl_cross_sca(&s, &c, &co);
-    store_coscrew_double(&co, p2 + i * step[2], core + 2);
+    STORE(coscrew_double, &co, 2, 2);
   }
 }
+LOOP(cross_sca_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
-static void cross_sca_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    cross_sca_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    cross_sca_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  cross_sca_double_over(data, n[0], step, step + 3);
-}
-
-/* (6),(6)->(6) */
-INLINED void cross_sca_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screwf_t s;
-  load_screw_single(&s, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(cross_sca_single) {
+  POINTERS_3
+  LOAD_FIRST(screw_single, ksl_screwf_t s, &s);
+  EACH {
     ksl_coscrewf_t c;
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_screw_single(&s, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_single(&c, p1 + i * step[1], core + 1);
+    LOAD_OTHER(screw_single, &s);
+    LOAD(coscrew_single, &c, 1, 1);
     ksl_cross_scaf(&s, &c, &co);
-    store_coscrew_single(&co, p2 + i * step[2], core + 2);
+    STORE(coscrew_single, &co, 2, 2);
   }
 }
-
-static void cross_sca_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    cross_sca_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    cross_sca_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  cross_sca_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction cross_sca_loops[] = {
-    cross_sca_double, cross_sca_single};
+LOOP(cross_sca_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
+LOOPS(cross_sca)
 
 /* (3,4),(6)->(6) */
-INLINED void constraint_ctx_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(constraint_ctx_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_coscrew_t c;
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_double(&c, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(coscrew_double, &c, 1, 2);
     ksl_constraint_ctx(&D, &c, &co);
-    store_coscrew_double(&co, p2 + i * step[2], core + 3);
+    STORE(coscrew_double, &co, 2, 3);
   }
 }
+LOOP(constraint_ctx_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
-static void constraint_ctx_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    constraint_ctx_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    constraint_ctx_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  constraint_ctx_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(6)->(6) */
-INLINED void constraint_ctx_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(constraint_ctx_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_coscrewf_t c;
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_single(&c, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(coscrew_single, &c, 1, 2);
     ksl_constraint_ctxf(&D, &c, &co);
-    store_coscrew_single(&co, p2 + i * step[2], core + 3);
+    STORE(coscrew_single, &co, 2, 3);
   }
 }
-
-static void constraint_ctx_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    constraint_ctx_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    constraint_ctx_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  constraint_ctx_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction constraint_ctx_loops[] = {
-    constraint_ctx_double, constraint_ctx_single};
+LOOP(constraint_ctx_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
+LOOPS(constraint_ctx)
 
 /* (3,4),(6)->(6) */
-INLINED void constraint_cty_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(constraint_cty_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_coscrew_t c;
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_double(&c, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(coscrew_double, &c, 1, 2);
     ksl_constraint_cty(&D, &c, &co);
-    store_coscrew_double(&co, p2 + i * step[2], core + 3);
+    STORE(coscrew_double, &co, 2, 3);
   }
 }
+LOOP(constraint_cty_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
-static void constraint_cty_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    constraint_cty_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    constraint_cty_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  constraint_cty_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(6)->(6) */
-INLINED void constraint_cty_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(constraint_cty_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_coscrewf_t c;
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_single(&c, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(coscrew_single, &c, 1, 2);
     ksl_constraint_ctyf(&D, &c, &co);
-    store_coscrew_single(&co, p2 + i * step[2], core + 3);
+    STORE(coscrew_single, &co, 2, 3);
   }
 }
-
-static void constraint_cty_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    constraint_cty_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    constraint_cty_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  constraint_cty_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction constraint_cty_loops[] = {
-    constraint_cty_double, constraint_cty_single};
+LOOP(constraint_cty_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
+LOOPS(constraint_cty)
 
 /* (3,4),(6)->(6) */
-INLINED void constraint_ctz_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(constraint_ctz_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_coscrew_t c;
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_double(&c, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(coscrew_double, &c, 1, 2);
     ksl_constraint_ctz(&D, &c, &co);
-    store_coscrew_double(&co, p2 + i * step[2], core + 3);
+    STORE(coscrew_double, &co, 2, 3);
   }
 }
+LOOP(constraint_ctz_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
-static void constraint_ctz_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    constraint_ctz_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    constraint_ctz_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  constraint_ctz_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(6)->(6) */
-INLINED void constraint_ctz_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(constraint_ctz_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_coscrewf_t c;
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_single(&c, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(coscrew_single, &c, 1, 2);
     ksl_constraint_ctzf(&D, &c, &co);
-    store_coscrew_single(&co, p2 + i * step[2], core + 3);
+    STORE(coscrew_single, &co, 2, 3);
   }
 }
-
-static void constraint_ctz_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    constraint_ctz_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    constraint_ctz_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  constraint_ctz_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction constraint_ctz_loops[] = {
-    constraint_ctz_double, constraint_ctz_single};
+LOOP(constraint_ctz_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
+LOOPS(constraint_ctz)
 
 /* (3,4),(6)->(6) */
-INLINED void constraint_crx_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(constraint_crx_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_coscrew_t c;
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_double(&c, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(coscrew_double, &c, 1, 2);
     ksl_constraint_crx(&D, &c, &co);
-    store_coscrew_double(&co, p2 + i * step[2], core + 3);
+    STORE(coscrew_double, &co, 2, 3);
   }
 }
+LOOP(constraint_crx_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
-static void constraint_crx_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    constraint_crx_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    constraint_crx_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  constraint_crx_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(6)->(6) */
-INLINED void constraint_crx_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(constraint_crx_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_coscrewf_t c;
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_single(&c, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(coscrew_single, &c, 1, 2);
     ksl_constraint_crxf(&D, &c, &co);
-    store_coscrew_single(&co, p2 + i * step[2], core + 3);
+    STORE(coscrew_single, &co, 2, 3);
   }
 }
-
-static void constraint_crx_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    constraint_crx_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    constraint_crx_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  constraint_crx_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction constraint_crx_loops[] = {
-    constraint_crx_double, constraint_crx_single};
+LOOP(constraint_crx_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
+LOOPS(constraint_crx)
 
 /* (3,4),(6)->(6) */
-INLINED void constraint_cry_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(constraint_cry_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_coscrew_t c;
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_double(&c, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(coscrew_double, &c, 1, 2);
     ksl_constraint_cry(&D, &c, &co);
-    store_coscrew_double(&co, p2 + i * step[2], core + 3);
+    STORE(coscrew_double, &co, 2, 3);
   }
 }
+LOOP(constraint_cry_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
-static void constraint_cry_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    constraint_cry_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    constraint_cry_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  constraint_cry_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(6)->(6) */
-INLINED void constraint_cry_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(constraint_cry_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_coscrewf_t c;
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_single(&c, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(coscrew_single, &c, 1, 2);
     ksl_constraint_cryf(&D, &c, &co);
-    store_coscrew_single(&co, p2 + i * step[2], core + 3);
+    STORE(coscrew_single, &co, 2, 3);
   }
 }
-
-static void constraint_cry_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    constraint_cry_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    constraint_cry_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  constraint_cry_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction constraint_cry_loops[] = {
-    constraint_cry_double, constraint_cry_single};
+LOOP(constraint_cry_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
+LOOPS(constraint_cry)
 
 /* (3,4),(6)->(6) */
-INLINED void constraint_crz_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(constraint_crz_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_coscrew_t c;
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_double(&c, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(coscrew_double, &c, 1, 2);
     ksl_constraint_crz(&D, &c, &co);
-    store_coscrew_double(&co, p2 + i * step[2], core + 3);
+    STORE(coscrew_double, &co, 2, 3);
   }
 }
+LOOP(constraint_crz_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
-static void constraint_crz_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    constraint_crz_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    constraint_crz_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  constraint_crz_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(6)->(6) */
-INLINED void constraint_crz_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(constraint_crz_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_coscrewf_t c;
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_single(&c, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(coscrew_single, &c, 1, 2);
     ksl_constraint_crzf(&D, &c, &co);
-    store_coscrew_single(&co, p2 + i * step[2], core + 3);
+    STORE(coscrew_single, &co, 2, 3);
   }
 }
-
-static void constraint_crz_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    constraint_crz_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    constraint_crz_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  constraint_crz_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction constraint_crz_loops[] = {
-    constraint_crz_double, constraint_crz_single};
+LOOP(constraint_crz_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
+LOOPS(constraint_crz)
 
 /* (3,4),(6)->(6) */
-INLINED void working_ctx_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(working_ctx_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_coscrew_t c;
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_double(&c, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(coscrew_double, &c, 1, 2);
     ksl_working_ctx(&D, &c, &co);
-    store_coscrew_double(&co, p2 + i * step[2], core + 3);
+    STORE(coscrew_double, &co, 2, 3);
   }
 }
+LOOP(working_ctx_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
-static void working_ctx_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    working_ctx_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    working_ctx_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  working_ctx_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(6)->(6) */
-INLINED void working_ctx_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(working_ctx_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_coscrewf_t c;
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_single(&c, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(coscrew_single, &c, 1, 2);
     ksl_working_ctxf(&D, &c, &co);
-    store_coscrew_single(&co, p2 + i * step[2], core + 3);
+    STORE(coscrew_single, &co, 2, 3);
   }
 }
-
-static void working_ctx_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    working_ctx_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    working_ctx_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  working_ctx_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction working_ctx_loops[] = {
-    working_ctx_double, working_ctx_single};
+LOOP(working_ctx_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
+LOOPS(working_ctx)
 
 /* (3,4),(6)->(6) */
-INLINED void working_cty_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(working_cty_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_coscrew_t c;
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_double(&c, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(coscrew_double, &c, 1, 2);
     ksl_working_cty(&D, &c, &co);
-    store_coscrew_double(&co, p2 + i * step[2], core + 3);
+    STORE(coscrew_double, &co, 2, 3);
   }
 }
+LOOP(working_cty_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
-static void working_cty_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    working_cty_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    working_cty_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  working_cty_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(6)->(6) */
-INLINED void working_cty_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(working_cty_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_coscrewf_t c;
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_single(&c, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(coscrew_single, &c, 1, 2);
     ksl_working_ctyf(&D, &c, &co);
-    store_coscrew_single(&co, p2 + i * step[2], core + 3);
+    STORE(coscrew_single, &co, 2, 3);
   }
 }
-
-static void working_cty_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    working_cty_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    working_cty_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  working_cty_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction working_cty_loops[] = {
-    working_cty_double, working_cty_single};
+LOOP(working_cty_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
+LOOPS(working_cty)
 
 /* (3,4),(6)->(6) */
-INLINED void working_ctz_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(working_ctz_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_coscrew_t c;
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_double(&c, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(coscrew_double, &c, 1, 2);
     ksl_working_ctz(&D, &c, &co);
-    store_coscrew_double(&co, p2 + i * step[2], core + 3);
+    STORE(coscrew_double, &co, 2, 3);
   }
 }
+LOOP(working_ctz_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
-static void working_ctz_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    working_ctz_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    working_ctz_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  working_ctz_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(6)->(6) */
-INLINED void working_ctz_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(working_ctz_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_coscrewf_t c;
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_single(&c, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(coscrew_single, &c, 1, 2);
     ksl_working_ctzf(&D, &c, &co);
-    store_coscrew_single(&co, p2 + i * step[2], core + 3);
+    STORE(coscrew_single, &co, 2, 3);
   }
 }
-
-static void working_ctz_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    working_ctz_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    working_ctz_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  working_ctz_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction working_ctz_loops[] = {
-    working_ctz_double, working_ctz_single};
+LOOP(working_ctz_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
+LOOPS(working_ctz)
 
 /* (3,4),(6)->(6) */
-INLINED void working_crx_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(working_crx_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_coscrew_t c;
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_double(&c, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(coscrew_double, &c, 1, 2);
     ksl_working_crx(&D, &c, &co);
-    store_coscrew_double(&co, p2 + i * step[2], core + 3);
+    STORE(coscrew_double, &co, 2, 3);
   }
 }
+LOOP(working_crx_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
-static void working_crx_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    working_crx_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    working_crx_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  working_crx_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(6)->(6) */
-INLINED void working_crx_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(working_crx_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_coscrewf_t c;
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_single(&c, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(coscrew_single, &c, 1, 2);
     ksl_working_crxf(&D, &c, &co);
-    store_coscrew_single(&co, p2 + i * step[2], core + 3);
+    STORE(coscrew_single, &co, 2, 3);
   }
 }
-
-static void working_crx_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    working_crx_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    working_crx_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  working_crx_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction working_crx_loops[] = {
-    working_crx_double, working_crx_single};
+LOOP(working_crx_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
+LOOPS(working_crx)
 
 /* (3,4),(6)->(6) */
-INLINED void working_cry_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(working_cry_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_coscrew_t c;
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_double(&c, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(coscrew_double, &c, 1, 2);
     ksl_working_cry(&D, &c, &co);
-    store_coscrew_double(&co, p2 + i * step[2], core + 3);
+    STORE(coscrew_double, &co, 2, 3);
   }
 }
+LOOP(working_cry_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
-static void working_cry_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    working_cry_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    working_cry_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  working_cry_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(6)->(6) */
-INLINED void working_cry_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(working_cry_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_coscrewf_t c;
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_single(&c, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(coscrew_single, &c, 1, 2);
     ksl_working_cryf(&D, &c, &co);
-    store_coscrew_single(&co, p2 + i * step[2], core + 3);
+    STORE(coscrew_single, &co, 2, 3);
   }
 }
-
-static void working_cry_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    working_cry_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    working_cry_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  working_cry_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction working_cry_loops[] = {
-    working_cry_double, working_cry_single};
+LOOP(working_cry_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
+LOOPS(working_cry)
 
 /* (3,4),(6)->(6) */
-INLINED void working_crz_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(working_crz_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_coscrew_t c;
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_double(&c, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(coscrew_double, &c, 1, 2);
     ksl_working_crz(&D, &c, &co);
-    store_coscrew_double(&co, p2 + i * step[2], core + 3);
+    STORE(coscrew_double, &co, 2, 3);
   }
 }
+LOOP(working_crz_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
-static void working_crz_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    working_crz_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    working_crz_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  working_crz_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(6)->(6) */
-INLINED void working_crz_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(working_crz_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_coscrewf_t c;
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_single(&c, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(coscrew_single, &c, 1, 2);
     ksl_working_crzf(&D, &c, &co);
-    store_coscrew_single(&co, p2 + i * step[2], core + 3);
+    STORE(coscrew_single, &co, 2, 3);
   }
 }
-
-static void working_crz_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    working_crz_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    working_crz_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  working_crz_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction working_crz_loops[] = {
-    working_crz_double, working_crz_single};
+LOOP(working_crz_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
+LOOPS(working_crz)
 
 /* (6)->(6,6) */
-INLINED void coad_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screw_t s;
-  load_screw_double(&s, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(coad_double) {
+  POINTERS_2
+  LOAD_FIRST(screw_double, ksl_screw_t s, &s);
+  EACH {
     ksl_mat6x6_t M;
-    if (step[0] != 0) {
-      load_screw_double(&s, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(screw_double, &s);
     ksl_coad(&s, &M);
-    store_mat6x6_double(&M, p1 + i * step[1], core + 1);
+    STORE(mat6x6_double, &M, 1, 1);
   }
 }
+LOOP(coad_double, 2, DENSE_OR_ONE, 48, 288, 8, 48, 8)
 
-static void coad_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 288, 8, 48, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    coad_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 288, 8, 48, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    coad_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  coad_double_over(data, n[0], step, step + 2);
-}
-
-/* (6)->(6,6) */
-INLINED void coad_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screwf_t s;
-  load_screw_single(&s, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(coad_single) {
+  POINTERS_2
+  LOAD_FIRST(screw_single, ksl_screwf_t s, &s);
+  EACH {
     ksl_mat6x6f_t M;
-    if (step[0] != 0) {
-      load_screw_single(&s, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(screw_single, &s);
     ksl_coadf(&s, &M);
-    store_mat6x6_single(&M, p1 + i * step[1], core + 1);
+    STORE(mat6x6_single, &M, 1, 1);
   }
 }
-
-static void coad_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 144, 4, 24, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    coad_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 144, 4, 24, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    coad_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  coad_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction coad_loops[] = {
-    coad_double, coad_single};
+LOOP(coad_single, 2, DENSE_OR_ONE, 24, 144, 4, 24, 4)
+LOOPS(coad)
 
 const coscrew_gufunc TABLE(coscrew)[] = {
   {"coscrew_copy", "(6)->(6)",

@@ -7,29 +7,19 @@
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
 #include "_lanes.h"
-#include "../c/include/ksl/elementary_many.h"
+#include "../c/include/ksl/elementary_states.h"
 
 /* ()->(),() */
-INLINED void sincos_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  double x;
-  load_scalar_double(&x, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(sincos_double) {
+  POINTERS_3
+  LOAD_FIRST(scalar_double, double x, &x);
+  EACH {
     double s;
     double c;
-    if (step[0] != 0) {
-      load_scalar_double(&x, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(scalar_double, &x);
     s = ksl_sincos(x, &c);
-    store_scalar_double(&s, p1 + i * step[1], core + 0);
-    store_scalar_double(&c, p2 + i * step[2], core + 0);
+    STORE(scalar_double, &s, 1, 0);
+    STORE(scalar_double, &c, 2, 0);
   }
 }
 
@@ -91,52 +81,18 @@ static APART void sincos_double_many(
   sincos_double_from(data, i, n - i, step, core);
 }
 #endif
+LOOP_ON_VECTORS(sincos_double, 3, DENSE_OR_ONE, 8, 8, 8)
 
-static void sincos_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-#if KSL_LANE_BYTES
-  if (n[0] >= SEVERAL) {
-    sincos_double_many(data, n[0], step, step + 3);
-    return;
-  }
-#endif
-  static const npy_intp dense_1[] = { 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    sincos_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    sincos_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  sincos_double_over(data, n[0], step, step + 3);
-}
-
-/* ()->(),() */
-INLINED void sincos_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  float x;
-  load_scalar_single(&x, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(sincos_single) {
+  POINTERS_3
+  LOAD_FIRST(scalar_single, float x, &x);
+  EACH {
     float s;
     float c;
-    if (step[0] != 0) {
-      load_scalar_single(&x, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(scalar_single, &x);
     s = ksl_sincosf(x, &c);
-    store_scalar_single(&s, p1 + i * step[1], core + 0);
-    store_scalar_single(&c, p2 + i * step[2], core + 0);
+    STORE(scalar_single, &s, 1, 0);
+    STORE(scalar_single, &c, 2, 0);
   }
 }
 
@@ -198,52 +154,18 @@ static APART void sincos_single_many(
   sincos_single_from(data, i, n - i, step, core);
 }
 #endif
-
-static void sincos_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-#if KSL_LANE_BYTES
-  if (n[0] >= SEVERAL) {
-    sincos_single_many(data, n[0], step, step + 3);
-    return;
-  }
-#endif
-  static const npy_intp dense_1[] = { 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    sincos_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    sincos_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  sincos_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction sincos_loops[] = {
-    sincos_double, sincos_single};
+LOOP_ON_VECTORS(sincos_single, 3, DENSE_OR_ONE, 4, 4, 4)
+LOOPS(sincos)
 
 /* ()->() */
-INLINED void sin_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  double x;
-  load_scalar_double(&x, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(sin_double) {
+  POINTERS_2
+  LOAD_FIRST(scalar_double, double x, &x);
+  EACH {
     double s;
-    if (step[0] != 0) {
-      load_scalar_double(&x, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(scalar_double, &x);
     s = ksl_sin(x);
-    store_scalar_double(&s, p1 + i * step[1], core + 0);
+    STORE(scalar_double, &s, 1, 0);
   }
 }
 
@@ -301,49 +223,16 @@ static APART void sin_double_many(
   sin_double_from(data, i, n - i, step, core);
 }
 #endif
+LOOP_ON_VECTORS(sin_double, 2, DENSE_OR_ONE, 8, 8)
 
-static void sin_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-#if KSL_LANE_BYTES
-  if (n[0] >= SEVERAL) {
-    sin_double_many(data, n[0], step, step + 2);
-    return;
-  }
-#endif
-  static const npy_intp dense_1[] = { 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    sin_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    sin_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  sin_double_over(data, n[0], step, step + 2);
-}
-
-/* ()->() */
-INLINED void sin_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  float x;
-  load_scalar_single(&x, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(sin_single) {
+  POINTERS_2
+  LOAD_FIRST(scalar_single, float x, &x);
+  EACH {
     float s;
-    if (step[0] != 0) {
-      load_scalar_single(&x, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(scalar_single, &x);
     s = ksl_sinf(x);
-    store_scalar_single(&s, p1 + i * step[1], core + 0);
+    STORE(scalar_single, &s, 1, 0);
   }
 }
 
@@ -401,52 +290,18 @@ static APART void sin_single_many(
   sin_single_from(data, i, n - i, step, core);
 }
 #endif
-
-static void sin_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-#if KSL_LANE_BYTES
-  if (n[0] >= SEVERAL) {
-    sin_single_many(data, n[0], step, step + 2);
-    return;
-  }
-#endif
-  static const npy_intp dense_1[] = { 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    sin_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    sin_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  sin_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction sin_loops[] = {
-    sin_double, sin_single};
+LOOP_ON_VECTORS(sin_single, 2, DENSE_OR_ONE, 4, 4)
+LOOPS(sin)
 
 /* ()->() */
-INLINED void cos_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  double x;
-  load_scalar_double(&x, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(cos_double) {
+  POINTERS_2
+  LOAD_FIRST(scalar_double, double x, &x);
+  EACH {
     double c;
-    if (step[0] != 0) {
-      load_scalar_double(&x, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(scalar_double, &x);
     c = ksl_cos(x);
-    store_scalar_double(&c, p1 + i * step[1], core + 0);
+    STORE(scalar_double, &c, 1, 0);
   }
 }
 
@@ -504,49 +359,16 @@ static APART void cos_double_many(
   cos_double_from(data, i, n - i, step, core);
 }
 #endif
+LOOP_ON_VECTORS(cos_double, 2, DENSE_OR_ONE, 8, 8)
 
-static void cos_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-#if KSL_LANE_BYTES
-  if (n[0] >= SEVERAL) {
-    cos_double_many(data, n[0], step, step + 2);
-    return;
-  }
-#endif
-  static const npy_intp dense_1[] = { 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    cos_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    cos_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  cos_double_over(data, n[0], step, step + 2);
-}
-
-/* ()->() */
-INLINED void cos_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  float x;
-  load_scalar_single(&x, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(cos_single) {
+  POINTERS_2
+  LOAD_FIRST(scalar_single, float x, &x);
+  EACH {
     float c;
-    if (step[0] != 0) {
-      load_scalar_single(&x, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(scalar_single, &x);
     c = ksl_cosf(x);
-    store_scalar_single(&c, p1 + i * step[1], core + 0);
+    STORE(scalar_single, &c, 1, 0);
   }
 }
 
@@ -604,52 +426,18 @@ static APART void cos_single_many(
   cos_single_from(data, i, n - i, step, core);
 }
 #endif
-
-static void cos_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-#if KSL_LANE_BYTES
-  if (n[0] >= SEVERAL) {
-    cos_single_many(data, n[0], step, step + 2);
-    return;
-  }
-#endif
-  static const npy_intp dense_1[] = { 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    cos_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    cos_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  cos_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction cos_loops[] = {
-    cos_double, cos_single};
+LOOP_ON_VECTORS(cos_single, 2, DENSE_OR_ONE, 4, 4)
+LOOPS(cos)
 
 /* ()->() */
-INLINED void exp_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  double x;
-  load_scalar_double(&x, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(exp_double) {
+  POINTERS_2
+  LOAD_FIRST(scalar_double, double x, &x);
+  EACH {
     double y;
-    if (step[0] != 0) {
-      load_scalar_double(&x, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(scalar_double, &x);
     y = ksl_exp(x);
-    store_scalar_double(&y, p1 + i * step[1], core + 0);
+    STORE(scalar_double, &y, 1, 0);
   }
 }
 
@@ -707,49 +495,16 @@ static APART void exp_double_many(
   exp_double_from(data, i, n - i, step, core);
 }
 #endif
+LOOP_ON_VECTORS(exp_double, 2, DENSE_OR_ONE, 8, 8)
 
-static void exp_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-#if KSL_LANE_BYTES
-  if (n[0] >= SEVERAL) {
-    exp_double_many(data, n[0], step, step + 2);
-    return;
-  }
-#endif
-  static const npy_intp dense_1[] = { 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    exp_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    exp_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  exp_double_over(data, n[0], step, step + 2);
-}
-
-/* ()->() */
-INLINED void exp_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  float x;
-  load_scalar_single(&x, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(exp_single) {
+  POINTERS_2
+  LOAD_FIRST(scalar_single, float x, &x);
+  EACH {
     float y;
-    if (step[0] != 0) {
-      load_scalar_single(&x, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(scalar_single, &x);
     y = ksl_expf(x);
-    store_scalar_single(&y, p1 + i * step[1], core + 0);
+    STORE(scalar_single, &y, 1, 0);
   }
 }
 
@@ -807,52 +562,18 @@ static APART void exp_single_many(
   exp_single_from(data, i, n - i, step, core);
 }
 #endif
-
-static void exp_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-#if KSL_LANE_BYTES
-  if (n[0] >= SEVERAL) {
-    exp_single_many(data, n[0], step, step + 2);
-    return;
-  }
-#endif
-  static const npy_intp dense_1[] = { 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    exp_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    exp_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  exp_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction exp_loops[] = {
-    exp_double, exp_single};
+LOOP_ON_VECTORS(exp_single, 2, DENSE_OR_ONE, 4, 4)
+LOOPS(exp)
 
 /* ()->() */
-INLINED void tanh_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  double x;
-  load_scalar_double(&x, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(tanh_double) {
+  POINTERS_2
+  LOAD_FIRST(scalar_double, double x, &x);
+  EACH {
     double y;
-    if (step[0] != 0) {
-      load_scalar_double(&x, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(scalar_double, &x);
     y = ksl_tanh(x);
-    store_scalar_double(&y, p1 + i * step[1], core + 0);
+    STORE(scalar_double, &y, 1, 0);
   }
 }
 
@@ -910,49 +631,16 @@ static APART void tanh_double_many(
   tanh_double_from(data, i, n - i, step, core);
 }
 #endif
+LOOP_ON_VECTORS(tanh_double, 2, DENSE_OR_ONE, 8, 8)
 
-static void tanh_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-#if KSL_LANE_BYTES
-  if (n[0] >= SEVERAL) {
-    tanh_double_many(data, n[0], step, step + 2);
-    return;
-  }
-#endif
-  static const npy_intp dense_1[] = { 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    tanh_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    tanh_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  tanh_double_over(data, n[0], step, step + 2);
-}
-
-/* ()->() */
-INLINED void tanh_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  float x;
-  load_scalar_single(&x, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(tanh_single) {
+  POINTERS_2
+  LOAD_FIRST(scalar_single, float x, &x);
+  EACH {
     float y;
-    if (step[0] != 0) {
-      load_scalar_single(&x, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(scalar_single, &x);
     y = ksl_tanhf(x);
-    store_scalar_single(&y, p1 + i * step[1], core + 0);
+    STORE(scalar_single, &y, 1, 0);
   }
 }
 
@@ -1010,55 +698,20 @@ static APART void tanh_single_many(
   tanh_single_from(data, i, n - i, step, core);
 }
 #endif
-
-static void tanh_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-#if KSL_LANE_BYTES
-  if (n[0] >= SEVERAL) {
-    tanh_single_many(data, n[0], step, step + 2);
-    return;
-  }
-#endif
-  static const npy_intp dense_1[] = { 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    tanh_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    tanh_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  tanh_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction tanh_loops[] = {
-    tanh_double, tanh_single};
+LOOP_ON_VECTORS(tanh_single, 2, DENSE_OR_ONE, 4, 4)
+LOOPS(tanh)
 
 /* (),()->() */
-INLINED void atan2_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  double y;
-  load_scalar_double(&y, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(atan2_double) {
+  POINTERS_3
+  LOAD_FIRST(scalar_double, double y, &y);
+  EACH {
     double x;
     double angle;
-    if (step[0] != 0) {
-      load_scalar_double(&y, p0 + i * step[0], core + 0);
-    }
-    load_scalar_double(&x, p1 + i * step[1], core + 0);
+    LOAD_OTHER(scalar_double, &y);
+    LOAD(scalar_double, &x, 1, 0);
     angle = ksl_atan2(y, x);
-    store_scalar_double(&angle, p2 + i * step[2], core + 0);
+    STORE(scalar_double, &angle, 2, 0);
   }
 }
 
@@ -1119,52 +772,18 @@ static APART void atan2_double_many(
   atan2_double_from(data, i, n - i, step, core);
 }
 #endif
+LOOP_ON_VECTORS(atan2_double, 3, DENSE_OR_ONE, 8, 8, 8)
 
-static void atan2_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-#if KSL_LANE_BYTES
-  if (n[0] >= SEVERAL) {
-    atan2_double_many(data, n[0], step, step + 3);
-    return;
-  }
-#endif
-  static const npy_intp dense_1[] = { 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    atan2_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    atan2_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  atan2_double_over(data, n[0], step, step + 3);
-}
-
-/* (),()->() */
-INLINED void atan2_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  float y;
-  load_scalar_single(&y, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(atan2_single) {
+  POINTERS_3
+  LOAD_FIRST(scalar_single, float y, &y);
+  EACH {
     float x;
     float angle;
-    if (step[0] != 0) {
-      load_scalar_single(&y, p0 + i * step[0], core + 0);
-    }
-    load_scalar_single(&x, p1 + i * step[1], core + 0);
+    LOAD_OTHER(scalar_single, &y);
+    LOAD(scalar_single, &x, 1, 0);
     angle = ksl_atan2f(y, x);
-    store_scalar_single(&angle, p2 + i * step[2], core + 0);
+    STORE(scalar_single, &angle, 2, 0);
   }
 }
 
@@ -1225,33 +844,8 @@ static APART void atan2_single_many(
   atan2_single_from(data, i, n - i, step, core);
 }
 #endif
-
-static void atan2_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-#if KSL_LANE_BYTES
-  if (n[0] >= SEVERAL) {
-    atan2_single_many(data, n[0], step, step + 3);
-    return;
-  }
-#endif
-  static const npy_intp dense_1[] = { 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    atan2_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    atan2_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  atan2_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction atan2_loops[] = {
-    atan2_double, atan2_single};
+LOOP_ON_VECTORS(atan2_single, 3, DENSE_OR_ONE, 4, 4, 4)
+LOOPS(atan2)
 
 const coscrew_gufunc TABLE(elementary)[] = {
   {"sincos", "()->(),()",

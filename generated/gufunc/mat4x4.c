@@ -8,389 +8,136 @@
 #include "_gufunc.h"
 
 /* (3,4)->(4,4) */
-INLINED void mat4x4_fromSE3_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat4x4_fromSE3_double) {
+  POINTERS_2
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_mat4x4_t M;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_double, &D);
     M = ksl_mat4x4_fromSE3(D);
-    store_mat4x4_double(&M, p1 + i * step[1], core + 2);
+    STORE(mat4x4_double, &M, 1, 2);
   }
 }
+LOOP(mat4x4_fromSE3_double, 2, DENSE_OR_ONE, 96, 128, 32, 8, 32, 8)
 
-static void mat4x4_fromSE3_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 128, 32, 8, 32, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat4x4_fromSE3_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 128, 32, 8, 32, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat4x4_fromSE3_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  mat4x4_fromSE3_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,4)->(4,4) */
-INLINED void mat4x4_fromSE3_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat4x4_fromSE3_single) {
+  POINTERS_2
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_mat4x4f_t M;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_single, &D);
     M = ksl_mat4x4f_fromSE3f(D);
-    store_mat4x4_single(&M, p1 + i * step[1], core + 2);
+    STORE(mat4x4_single, &M, 1, 2);
   }
 }
-
-static void mat4x4_fromSE3_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 64, 16, 4, 16, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat4x4_fromSE3_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 64, 16, 4, 16, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat4x4_fromSE3_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  mat4x4_fromSE3_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction mat4x4_fromSE3_loops[] = {
-    mat4x4_fromSE3_double, mat4x4_fromSE3_single};
+LOOP(mat4x4_fromSE3_single, 2, DENSE_OR_ONE, 48, 64, 16, 4, 16, 4)
+LOOPS(mat4x4_fromSE3)
 
 /* (3,3),(3)->(4,4) */
-INLINED void mat4x4_fromRt_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat4x4_fromRt_double) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     ksl_vec3_t t;
     ksl_mat4x4_t M;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&t, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(vec3_double, &t, 1, 2);
     M = ksl_mat4x4_fromRt(R, t);
-    store_mat4x4_double(&M, p2 + i * step[2], core + 3);
+    STORE(mat4x4_double, &M, 2, 3);
   }
 }
+LOOP(mat4x4_fromRt_double, 3, DENSE_OR_ONE, 72, 24, 128, 24, 8, 8, 32, 8)
 
-static void mat4x4_fromRt_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 24, 128, 24, 8, 8, 32, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat4x4_fromRt_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 128, 24, 8, 8, 32, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat4x4_fromRt_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  mat4x4_fromRt_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,3),(3)->(4,4) */
-INLINED void mat4x4_fromRt_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat4x4_fromRt_single) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     ksl_vec3f_t t;
     ksl_mat4x4f_t M;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&t, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(vec3_single, &t, 1, 2);
     M = ksl_mat4x4f_fromRt(R, t);
-    store_mat4x4_single(&M, p2 + i * step[2], core + 3);
+    STORE(mat4x4_single, &M, 2, 3);
   }
 }
-
-static void mat4x4_fromRt_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 12, 64, 12, 4, 4, 16, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat4x4_fromRt_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 64, 12, 4, 4, 16, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat4x4_fromRt_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  mat4x4_fromRt_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction mat4x4_fromRt_loops[] = {
-    mat4x4_fromRt_double, mat4x4_fromRt_single};
+LOOP(mat4x4_fromRt_single, 3, DENSE_OR_ONE, 36, 12, 64, 12, 4, 4, 16, 4)
+LOOPS(mat4x4_fromRt)
 
 /* (4,4)->(3,4) */
-INLINED void mat4x4_toSE3_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat4x4_t M;
-  load_mat4x4_double(&M, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat4x4_toSE3_double) {
+  POINTERS_2
+  LOAD_FIRST(mat4x4_double, ksl_mat4x4_t M, &M);
+  EACH {
     ksl_SE3_t D;
-    if (step[0] != 0) {
-      load_mat4x4_double(&M, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(mat4x4_double, &M);
     ksl_mat4x4_toSE3(&M, &D);
-    store_SE3_double(&D, p1 + i * step[1], core + 2);
+    STORE(SE3_double, &D, 1, 2);
   }
 }
+LOOP(mat4x4_toSE3_double, 2, DENSE_OR_ONE, 128, 96, 32, 8, 32, 8)
 
-static void mat4x4_toSE3_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 128, 96, 32, 8, 32, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat4x4_toSE3_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 96, 32, 8, 32, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat4x4_toSE3_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  mat4x4_toSE3_double_over(data, n[0], step, step + 2);
-}
-
-/* (4,4)->(3,4) */
-INLINED void mat4x4_toSE3_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat4x4f_t M;
-  load_mat4x4_single(&M, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat4x4_toSE3_single) {
+  POINTERS_2
+  LOAD_FIRST(mat4x4_single, ksl_mat4x4f_t M, &M);
+  EACH {
     ksl_SE3f_t D;
-    if (step[0] != 0) {
-      load_mat4x4_single(&M, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(mat4x4_single, &M);
     ksl_mat4x4f_toSE3f(&M, &D);
-    store_SE3_single(&D, p1 + i * step[1], core + 2);
+    STORE(SE3_single, &D, 1, 2);
   }
 }
-
-static void mat4x4_toSE3_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 64, 48, 16, 4, 16, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat4x4_toSE3_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 16, 4, 16, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat4x4_toSE3_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  mat4x4_toSE3_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction mat4x4_toSE3_loops[] = {
-    mat4x4_toSE3_double, mat4x4_toSE3_single};
+LOOP(mat4x4_toSE3_single, 2, DENSE_OR_ONE, 64, 48, 16, 4, 16, 4)
+LOOPS(mat4x4_toSE3)
 
 /* (4,4)->(4,4) */
-INLINED void mat4x4_setIdentity_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat4x4_setIdentity_double) {
+  POINTERS_2
+  EACH {
     ksl_mat4x4_t self;
-    load_mat4x4_double(&self, p0 + i * step[0], core + 0);
+    LOAD(mat4x4_double, &self, 0, 0);
     ksl_mat4x4_setIdentity(&self);
-    store_mat4x4_double(&self, p1 + i * step[1], core + 2);
+    STORE(mat4x4_double, &self, 1, 2);
   }
 }
+LOOP(mat4x4_setIdentity_double, 2, DENSE, 128, 128, 32, 8, 32, 8)
 
-static void mat4x4_setIdentity_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 128, 128, 32, 8, 32, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat4x4_setIdentity_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  mat4x4_setIdentity_double_over(data, n[0], step, step + 2);
-}
-
-/* (4,4)->(4,4) */
-INLINED void mat4x4_setIdentity_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat4x4_setIdentity_single) {
+  POINTERS_2
+  EACH {
     ksl_mat4x4f_t self;
-    load_mat4x4_single(&self, p0 + i * step[0], core + 0);
+    LOAD(mat4x4_single, &self, 0, 0);
     ksl_mat4x4f_setIdentity(&self);
-    store_mat4x4_single(&self, p1 + i * step[1], core + 2);
+    STORE(mat4x4_single, &self, 1, 2);
   }
 }
-
-static void mat4x4_setIdentity_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 64, 64, 16, 4, 16, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat4x4_setIdentity_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  mat4x4_setIdentity_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction mat4x4_setIdentity_loops[] = {
-    mat4x4_setIdentity_double, mat4x4_setIdentity_single};
+LOOP(mat4x4_setIdentity_single, 2, DENSE, 64, 64, 16, 4, 16, 4)
+LOOPS(mat4x4_setIdentity)
 
 /* (4,4)->(3) */
-INLINED void mat4x4_getTranslation_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat4x4_t M;
-  load_mat4x4_double(&M, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat4x4_getTranslation_double) {
+  POINTERS_2
+  LOAD_FIRST(mat4x4_double, ksl_mat4x4_t M, &M);
+  EACH {
     ksl_vec3_t t;
-    if (step[0] != 0) {
-      load_mat4x4_double(&M, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(mat4x4_double, &M);
     ksl_mat4x4_getTranslation(&M, &t);
-    store_vec3_double(&t, p1 + i * step[1], core + 2);
+    STORE(vec3_double, &t, 1, 2);
   }
 }
+LOOP(mat4x4_getTranslation_double, 2, DENSE_OR_ONE, 128, 24, 32, 8, 8)
 
-static void mat4x4_getTranslation_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 128, 24, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat4x4_getTranslation_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 32, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat4x4_getTranslation_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  mat4x4_getTranslation_double_over(data, n[0], step, step + 2);
-}
-
-/* (4,4)->(3) */
-INLINED void mat4x4_getTranslation_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat4x4f_t M;
-  load_mat4x4_single(&M, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat4x4_getTranslation_single) {
+  POINTERS_2
+  LOAD_FIRST(mat4x4_single, ksl_mat4x4f_t M, &M);
+  EACH {
     ksl_vec3f_t t;
-    if (step[0] != 0) {
-      load_mat4x4_single(&M, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(mat4x4_single, &M);
     ksl_mat4x4f_getTranslation(&M, &t);
-    store_vec3_single(&t, p1 + i * step[1], core + 2);
+    STORE(vec3_single, &t, 1, 2);
   }
 }
-
-static void mat4x4_getTranslation_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 64, 12, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat4x4_getTranslation_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 16, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat4x4_getTranslation_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  mat4x4_getTranslation_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction mat4x4_getTranslation_loops[] = {
-    mat4x4_getTranslation_double, mat4x4_getTranslation_single};
+LOOP(mat4x4_getTranslation_single, 2, DENSE_OR_ONE, 64, 12, 16, 4, 4)
+LOOPS(mat4x4_getTranslation)
 
 const coscrew_gufunc TABLE(mat4x4)[] = {
   {"mat4x4_fromSE3", "(3,4)->(4,4)",

@@ -8,395 +8,140 @@
 #include "_gufunc.h"
 
 /* (6,6)->(6,6) */
-INLINED void mat6x6_copy_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat6x6_t M;
-  load_mat6x6_double(&M, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat6x6_copy_double) {
+  POINTERS_2
+  LOAD_FIRST(mat6x6_double, ksl_mat6x6_t M, &M);
+  EACH {
     ksl_mat6x6_t Mo;
-    if (step[0] != 0) {
-      load_mat6x6_double(&M, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(mat6x6_double, &M);
     ksl_mat6x6_copy(&M, &Mo);
-    store_mat6x6_double(&Mo, p1 + i * step[1], core + 2);
+    STORE(mat6x6_double, &Mo, 1, 2);
   }
 }
+LOOP(mat6x6_copy_double, 2, DENSE_OR_ONE, 288, 288, 48, 8, 48, 8)
 
-static void mat6x6_copy_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 288, 288, 48, 8, 48, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat6x6_copy_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 288, 48, 8, 48, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat6x6_copy_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  mat6x6_copy_double_over(data, n[0], step, step + 2);
-}
-
-/* (6,6)->(6,6) */
-INLINED void mat6x6_copy_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat6x6f_t M;
-  load_mat6x6_single(&M, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat6x6_copy_single) {
+  POINTERS_2
+  LOAD_FIRST(mat6x6_single, ksl_mat6x6f_t M, &M);
+  EACH {
     ksl_mat6x6f_t Mo;
-    if (step[0] != 0) {
-      load_mat6x6_single(&M, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(mat6x6_single, &M);
     ksl_mat6x6f_copy(&M, &Mo);
-    store_mat6x6_single(&Mo, p1 + i * step[1], core + 2);
+    STORE(mat6x6_single, &Mo, 1, 2);
   }
 }
-
-static void mat6x6_copy_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 144, 144, 24, 4, 24, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat6x6_copy_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 144, 24, 4, 24, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat6x6_copy_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  mat6x6_copy_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction mat6x6_copy_loops[] = {
-    mat6x6_copy_double, mat6x6_copy_single};
+LOOP(mat6x6_copy_single, 2, DENSE_OR_ONE, 144, 144, 24, 4, 24, 4)
+LOOPS(mat6x6_copy)
 
 /* (6,6)->(6,6) */
-INLINED void mat6x6_setIdentity_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat6x6_setIdentity_double) {
+  POINTERS_2
+  EACH {
     ksl_mat6x6_t self;
-    load_mat6x6_double(&self, p0 + i * step[0], core + 0);
+    LOAD(mat6x6_double, &self, 0, 0);
     ksl_mat6x6_setIdentity(&self);
-    store_mat6x6_double(&self, p1 + i * step[1], core + 2);
+    STORE(mat6x6_double, &self, 1, 2);
   }
 }
+LOOP(mat6x6_setIdentity_double, 2, DENSE, 288, 288, 48, 8, 48, 8)
 
-static void mat6x6_setIdentity_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 288, 288, 48, 8, 48, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat6x6_setIdentity_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  mat6x6_setIdentity_double_over(data, n[0], step, step + 2);
-}
-
-/* (6,6)->(6,6) */
-INLINED void mat6x6_setIdentity_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat6x6_setIdentity_single) {
+  POINTERS_2
+  EACH {
     ksl_mat6x6f_t self;
-    load_mat6x6_single(&self, p0 + i * step[0], core + 0);
+    LOAD(mat6x6_single, &self, 0, 0);
     ksl_mat6x6f_setIdentity(&self);
-    store_mat6x6_single(&self, p1 + i * step[1], core + 2);
+    STORE(mat6x6_single, &self, 1, 2);
   }
 }
-
-static void mat6x6_setIdentity_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 144, 144, 24, 4, 24, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat6x6_setIdentity_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  mat6x6_setIdentity_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction mat6x6_setIdentity_loops[] = {
-    mat6x6_setIdentity_double, mat6x6_setIdentity_single};
+LOOP(mat6x6_setIdentity_single, 2, DENSE, 144, 144, 24, 4, 24, 4)
+LOOPS(mat6x6_setIdentity)
 
 /* (6,6)->(6,6) */
-INLINED void mat6x6_transposed_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat6x6_t M;
-  load_mat6x6_double(&M, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat6x6_transposed_double) {
+  POINTERS_2
+  LOAD_FIRST(mat6x6_double, ksl_mat6x6_t M, &M);
+  EACH {
     ksl_mat6x6_t Mo;
-    if (step[0] != 0) {
-      load_mat6x6_double(&M, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(mat6x6_double, &M);
     ksl_mat6x6_transposed(&M, &Mo);
-    store_mat6x6_double(&Mo, p1 + i * step[1], core + 2);
+    STORE(mat6x6_double, &Mo, 1, 2);
   }
 }
+LOOP(mat6x6_transposed_double, 2, DENSE_OR_ONE, 288, 288, 48, 8, 48, 8)
 
-static void mat6x6_transposed_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 288, 288, 48, 8, 48, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat6x6_transposed_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 288, 48, 8, 48, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat6x6_transposed_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  mat6x6_transposed_double_over(data, n[0], step, step + 2);
-}
-
-/* (6,6)->(6,6) */
-INLINED void mat6x6_transposed_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat6x6f_t M;
-  load_mat6x6_single(&M, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat6x6_transposed_single) {
+  POINTERS_2
+  LOAD_FIRST(mat6x6_single, ksl_mat6x6f_t M, &M);
+  EACH {
     ksl_mat6x6f_t Mo;
-    if (step[0] != 0) {
-      load_mat6x6_single(&M, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(mat6x6_single, &M);
     ksl_mat6x6f_transposed(&M, &Mo);
-    store_mat6x6_single(&Mo, p1 + i * step[1], core + 2);
+    STORE(mat6x6_single, &Mo, 1, 2);
   }
 }
-
-static void mat6x6_transposed_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 144, 144, 24, 4, 24, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat6x6_transposed_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 144, 24, 4, 24, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat6x6_transposed_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  mat6x6_transposed_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction mat6x6_transposed_loops[] = {
-    mat6x6_transposed_double, mat6x6_transposed_single};
+LOOP(mat6x6_transposed_single, 2, DENSE_OR_ONE, 144, 144, 24, 4, 24, 4)
+LOOPS(mat6x6_transposed)
 
 /* (3,3),(6,6)->(6,6) */
-INLINED void mat6x6_rotated_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat6x6_rotated_double) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     ksl_mat6x6_t M;
     ksl_mat6x6_t Mo;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
-    load_mat6x6_double(&M, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(mat6x6_double, &M, 1, 2);
     ksl_mat6x6_rotated(&R, &M, &Mo);
-    store_mat6x6_double(&Mo, p2 + i * step[2], core + 4);
+    STORE(mat6x6_double, &Mo, 2, 4);
   }
 }
+LOOP(mat6x6_rotated_double, 3, DENSE_OR_ONE, 72, 288, 288, 24, 8, 48, 8, 48, 8)
 
-static void mat6x6_rotated_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 288, 288, 24, 8, 48, 8, 48, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat6x6_rotated_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 288, 288, 24, 8, 48, 8, 48, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat6x6_rotated_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  mat6x6_rotated_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,3),(6,6)->(6,6) */
-INLINED void mat6x6_rotated_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat6x6_rotated_single) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     ksl_mat6x6f_t M;
     ksl_mat6x6f_t Mo;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
-    load_mat6x6_single(&M, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(mat6x6_single, &M, 1, 2);
     ksl_mat6x6f_rotated(&R, &M, &Mo);
-    store_mat6x6_single(&Mo, p2 + i * step[2], core + 4);
+    STORE(mat6x6_single, &Mo, 2, 4);
   }
 }
-
-static void mat6x6_rotated_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 144, 144, 12, 4, 24, 4, 24, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat6x6_rotated_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 144, 144, 12, 4, 24, 4, 24, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat6x6_rotated_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  mat6x6_rotated_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction mat6x6_rotated_loops[] = {
-    mat6x6_rotated_double, mat6x6_rotated_single};
+LOOP(mat6x6_rotated_single, 3, DENSE_OR_ONE, 36, 144, 144, 12, 4, 24, 4, 24, 4)
+LOOPS(mat6x6_rotated)
 
 /* (3),(6,6)->(6,6) */
-INLINED void mat6x6_shifted_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t t;
-  load_vec3_double(&t, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat6x6_shifted_double) {
+  POINTERS_3
+  LOAD_FIRST(vec3_double, ksl_vec3_t t, &t);
+  EACH {
     ksl_mat6x6_t M;
     ksl_mat6x6_t Mo;
-    if (step[0] != 0) {
-      load_vec3_double(&t, p0 + i * step[0], core + 0);
-    }
-    load_mat6x6_double(&M, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &t);
+    LOAD(mat6x6_double, &M, 1, 1);
     ksl_mat6x6_shifted(&t, &M, &Mo);
-    store_mat6x6_double(&Mo, p2 + i * step[2], core + 3);
+    STORE(mat6x6_double, &Mo, 2, 3);
   }
 }
+LOOP(mat6x6_shifted_double, 3, DENSE_OR_ONE, 24, 288, 288, 8, 48, 8, 48, 8)
 
-static void mat6x6_shifted_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 288, 288, 8, 48, 8, 48, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat6x6_shifted_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 288, 288, 8, 48, 8, 48, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat6x6_shifted_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  mat6x6_shifted_double_over(data, n[0], step, step + 3);
-}
-
-/* (3),(6,6)->(6,6) */
-INLINED void mat6x6_shifted_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t t;
-  load_vec3_single(&t, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat6x6_shifted_single) {
+  POINTERS_3
+  LOAD_FIRST(vec3_single, ksl_vec3f_t t, &t);
+  EACH {
     ksl_mat6x6f_t M;
     ksl_mat6x6f_t Mo;
-    if (step[0] != 0) {
-      load_vec3_single(&t, p0 + i * step[0], core + 0);
-    }
-    load_mat6x6_single(&M, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &t);
+    LOAD(mat6x6_single, &M, 1, 1);
     ksl_mat6x6f_shifted(&t, &M, &Mo);
-    store_mat6x6_single(&Mo, p2 + i * step[2], core + 3);
+    STORE(mat6x6_single, &Mo, 2, 3);
   }
 }
-
-static void mat6x6_shifted_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 144, 144, 4, 24, 4, 24, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat6x6_shifted_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 144, 144, 4, 24, 4, 24, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat6x6_shifted_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  mat6x6_shifted_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction mat6x6_shifted_loops[] = {
-    mat6x6_shifted_double, mat6x6_shifted_single};
+LOOP(mat6x6_shifted_single, 3, DENSE_OR_ONE, 12, 144, 144, 4, 24, 4, 24, 4)
+LOOPS(mat6x6_shifted)
 
 const coscrew_gufunc TABLE(mat6x6)[] = {
   {"mat6x6_copy", "(6,6)->(6,6)",

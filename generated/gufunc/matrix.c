@@ -8,3571 +8,1234 @@
 #include "_gufunc.h"
 
 /* (3,3),(3)->(3) */
-INLINED void product_drv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_drv_double) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     ksl_vec3_t v;
     ksl_vec3_t vo;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&v, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(vec3_double, &v, 1, 2);
     ksl_product_drv(&R, &v, &vo);
-    store_vec3_double(&vo, p2 + i * step[2], core + 3);
+    STORE(vec3_double, &vo, 2, 3);
   }
 }
+LOOP(product_drv_double, 3, DENSE_OR_ONE, 72, 24, 24, 24, 8, 8, 8)
 
-static void product_drv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 24, 24, 24, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 24, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_drv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,3),(3)->(3) */
-INLINED void product_drv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_drv_single) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     ksl_vec3f_t v;
     ksl_vec3f_t vo;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&v, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(vec3_single, &v, 1, 2);
     ksl_product_drvf(&R, &v, &vo);
-    store_vec3_single(&vo, p2 + i * step[2], core + 3);
+    STORE(vec3_single, &vo, 2, 3);
   }
 }
-
-static void product_drv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 12, 12, 12, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 12, 12, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_drv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_drv_loops[] = {
-    product_drv_double, product_drv_single};
+LOOP(product_drv_single, 3, DENSE_OR_ONE, 36, 12, 12, 12, 4, 4, 4)
+LOOPS(product_drv)
 
 /* (3,3),(3)->(3) */
-INLINED void product_drvinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_drvinv_double) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     ksl_vec3_t v;
     ksl_vec3_t vo;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&v, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(vec3_double, &v, 1, 2);
     ksl_product_drvinv(&R, &v, &vo);
-    store_vec3_double(&vo, p2 + i * step[2], core + 3);
+    STORE(vec3_double, &vo, 2, 3);
   }
 }
+LOOP(product_drvinv_double, 3, DENSE_OR_ONE, 72, 24, 24, 24, 8, 8, 8)
 
-static void product_drvinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 24, 24, 24, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drvinv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 24, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drvinv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_drvinv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,3),(3)->(3) */
-INLINED void product_drvinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_drvinv_single) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     ksl_vec3f_t v;
     ksl_vec3f_t vo;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&v, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(vec3_single, &v, 1, 2);
     ksl_product_drvinvf(&R, &v, &vo);
-    store_vec3_single(&vo, p2 + i * step[2], core + 3);
+    STORE(vec3_single, &vo, 2, 3);
   }
 }
-
-static void product_drvinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 12, 12, 12, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drvinv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 12, 12, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drvinv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_drvinv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_drvinv_loops[] = {
-    product_drvinv_double, product_drvinv_single};
+LOOP(product_drvinv_single, 3, DENSE_OR_ONE, 36, 12, 12, 12, 4, 4, 4)
+LOOPS(product_drvinv)
 
 /* (3,3),(3)->(3) */
-INLINED void product_drinvv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_drinvv_double) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     ksl_vec3_t v;
     ksl_vec3_t vo;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&v, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(vec3_double, &v, 1, 2);
     ksl_product_drinvv(&R, &v, &vo);
-    store_vec3_double(&vo, p2 + i * step[2], core + 3);
+    STORE(vec3_double, &vo, 2, 3);
   }
 }
+LOOP(product_drinvv_double, 3, DENSE_OR_ONE, 72, 24, 24, 24, 8, 8, 8)
 
-static void product_drinvv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 24, 24, 24, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drinvv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 24, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drinvv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_drinvv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,3),(3)->(3) */
-INLINED void product_drinvv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_drinvv_single) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     ksl_vec3f_t v;
     ksl_vec3f_t vo;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&v, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(vec3_single, &v, 1, 2);
     ksl_product_drinvvf(&R, &v, &vo);
-    store_vec3_single(&vo, p2 + i * step[2], core + 3);
+    STORE(vec3_single, &vo, 2, 3);
   }
 }
-
-static void product_drinvv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 12, 12, 12, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drinvv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 12, 12, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drinvv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_drinvv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_drinvv_loops[] = {
-    product_drinvv_double, product_drinvv_single};
+LOOP(product_drinvv_single, 3, DENSE_OR_ONE, 36, 12, 12, 12, 4, 4, 4)
+LOOPS(product_drinvv)
 
 /* (3,3),(3)->(3) */
-INLINED void product_drinvvinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_drinvvinv_double) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     ksl_vec3_t v;
     ksl_vec3_t vo;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&v, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(vec3_double, &v, 1, 2);
     ksl_product_drinvvinv(&R, &v, &vo);
-    store_vec3_double(&vo, p2 + i * step[2], core + 3);
+    STORE(vec3_double, &vo, 2, 3);
   }
 }
+LOOP(product_drinvvinv_double, 3, DENSE_OR_ONE, 72, 24, 24, 24, 8, 8, 8)
 
-static void product_drinvvinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 24, 24, 24, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drinvvinv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 24, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drinvvinv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_drinvvinv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,3),(3)->(3) */
-INLINED void product_drinvvinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_drinvvinv_single) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     ksl_vec3f_t v;
     ksl_vec3f_t vo;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&v, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(vec3_single, &v, 1, 2);
     ksl_product_drinvvinvf(&R, &v, &vo);
-    store_vec3_single(&vo, p2 + i * step[2], core + 3);
+    STORE(vec3_single, &vo, 2, 3);
   }
 }
-
-static void product_drinvvinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 12, 12, 12, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drinvvinv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 12, 12, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drinvvinv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_drinvvinv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_drinvvinv_loops[] = {
-    product_drinvvinv_double, product_drinvvinv_single};
+LOOP(product_drinvvinv_single, 3, DENSE_OR_ONE, 36, 12, 12, 12, 4, 4, 4)
+LOOPS(product_drinvvinv)
 
 /* (3,4),(3)->(3) */
-INLINED void product_dv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_dv_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_vec3_t v;
     ksl_vec3_t vo;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&v, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(vec3_double, &v, 1, 2);
     ksl_product_dv(&D, &v, &vo);
-    store_vec3_double(&vo, p2 + i * step[2], core + 3);
+    STORE(vec3_double, &vo, 2, 3);
   }
 }
+LOOP(product_dv_double, 3, DENSE_OR_ONE, 96, 24, 24, 32, 8, 8, 8)
 
-static void product_dv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 24, 24, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_dv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_dv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_dv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(3)->(3) */
-INLINED void product_dv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_dv_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_vec3f_t v;
     ksl_vec3f_t vo;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&v, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(vec3_single, &v, 1, 2);
     ksl_product_dvf(&D, &v, &vo);
-    store_vec3_single(&vo, p2 + i * step[2], core + 3);
+    STORE(vec3_single, &vo, 2, 3);
   }
 }
-
-static void product_dv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 12, 12, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_dv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 12, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_dv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_dv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_dv_loops[] = {
-    product_dv_double, product_dv_single};
+LOOP(product_dv_single, 3, DENSE_OR_ONE, 48, 12, 12, 16, 4, 4, 4)
+LOOPS(product_dv)
 
 /* (3,4),(3)->(3) */
-INLINED void product_dinvv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_dinvv_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_vec3_t v;
     ksl_vec3_t vo;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&v, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(vec3_double, &v, 1, 2);
     ksl_product_dinvv(&D, &v, &vo);
-    store_vec3_double(&vo, p2 + i * step[2], core + 3);
+    STORE(vec3_double, &vo, 2, 3);
   }
 }
+LOOP(product_dinvv_double, 3, DENSE_OR_ONE, 96, 24, 24, 32, 8, 8, 8)
 
-static void product_dinvv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 24, 24, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_dinvv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_dinvv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_dinvv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(3)->(3) */
-INLINED void product_dinvv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_dinvv_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_vec3f_t v;
     ksl_vec3f_t vo;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&v, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(vec3_single, &v, 1, 2);
     ksl_product_dinvvf(&D, &v, &vo);
-    store_vec3_single(&vo, p2 + i * step[2], core + 3);
+    STORE(vec3_single, &vo, 2, 3);
   }
 }
-
-static void product_dinvv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 12, 12, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_dinvv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 12, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_dinvv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_dinvv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_dinvv_loops[] = {
-    product_dinvv_double, product_dinvv_single};
+LOOP(product_dinvv_single, 3, DENSE_OR_ONE, 48, 12, 12, 16, 4, 4, 4)
+LOOPS(product_dinvv)
 
 /* (3,3),(3,3)->(3,3) */
-INLINED void product_drdr_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R1;
-  load_mat3x3_double(&R1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_drdr_double) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R1, &R1);
+  EACH {
     ksl_mat3x3_t R2;
     ksl_mat3x3_t Ro;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R1, p0 + i * step[0], core + 0);
-    }
-    load_mat3x3_double(&R2, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_double, &R1);
+    LOAD(mat3x3_double, &R2, 1, 2);
     ksl_product_drdr(&R1, &R2, &Ro);
-    store_mat3x3_double(&Ro, p2 + i * step[2], core + 4);
+    STORE(mat3x3_double, &Ro, 2, 4);
   }
 }
+LOOP(product_drdr_double, 3, DENSE_OR_ONE, 72, 72, 72, 24, 8, 24, 8, 24, 8)
 
-static void product_drdr_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 72, 72, 24, 8, 24, 8, 24, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drdr_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 72, 72, 24, 8, 24, 8, 24, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drdr_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_drdr_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,3),(3,3)->(3,3) */
-INLINED void product_drdr_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R1;
-  load_mat3x3_single(&R1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_drdr_single) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R1, &R1);
+  EACH {
     ksl_mat3x3f_t R2;
     ksl_mat3x3f_t Ro;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R1, p0 + i * step[0], core + 0);
-    }
-    load_mat3x3_single(&R2, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_single, &R1);
+    LOAD(mat3x3_single, &R2, 1, 2);
     ksl_product_drdrf(&R1, &R2, &Ro);
-    store_mat3x3_single(&Ro, p2 + i * step[2], core + 4);
+    STORE(mat3x3_single, &Ro, 2, 4);
   }
 }
-
-static void product_drdr_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 36, 36, 12, 4, 12, 4, 12, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drdr_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 36, 36, 12, 4, 12, 4, 12, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drdr_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_drdr_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_drdr_loops[] = {
-    product_drdr_double, product_drdr_single};
+LOOP(product_drdr_single, 3, DENSE_OR_ONE, 36, 36, 36, 12, 4, 12, 4, 12, 4)
+LOOPS(product_drdr)
 
 /* (3,3),(3,3)->(3,3) */
-INLINED void product_drdrinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R1;
-  load_mat3x3_double(&R1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_drdrinv_double) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R1, &R1);
+  EACH {
     ksl_mat3x3_t R2;
     ksl_mat3x3_t Ro;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R1, p0 + i * step[0], core + 0);
-    }
-    load_mat3x3_double(&R2, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_double, &R1);
+    LOAD(mat3x3_double, &R2, 1, 2);
     ksl_product_drdrinv(&R1, &R2, &Ro);
-    store_mat3x3_double(&Ro, p2 + i * step[2], core + 4);
+    STORE(mat3x3_double, &Ro, 2, 4);
   }
 }
+LOOP(product_drdrinv_double, 3, DENSE_OR_ONE, 72, 72, 72, 24, 8, 24, 8, 24, 8)
 
-static void product_drdrinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 72, 72, 24, 8, 24, 8, 24, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drdrinv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 72, 72, 24, 8, 24, 8, 24, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drdrinv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_drdrinv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,3),(3,3)->(3,3) */
-INLINED void product_drdrinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R1;
-  load_mat3x3_single(&R1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_drdrinv_single) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R1, &R1);
+  EACH {
     ksl_mat3x3f_t R2;
     ksl_mat3x3f_t Ro;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R1, p0 + i * step[0], core + 0);
-    }
-    load_mat3x3_single(&R2, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_single, &R1);
+    LOAD(mat3x3_single, &R2, 1, 2);
     ksl_product_drdrinvf(&R1, &R2, &Ro);
-    store_mat3x3_single(&Ro, p2 + i * step[2], core + 4);
+    STORE(mat3x3_single, &Ro, 2, 4);
   }
 }
-
-static void product_drdrinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 36, 36, 12, 4, 12, 4, 12, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drdrinv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 36, 36, 12, 4, 12, 4, 12, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drdrinv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_drdrinv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_drdrinv_loops[] = {
-    product_drdrinv_double, product_drdrinv_single};
+LOOP(product_drdrinv_single, 3, DENSE_OR_ONE, 36, 36, 36, 12, 4, 12, 4, 12, 4)
+LOOPS(product_drdrinv)
 
 /* (3,3),(3,3)->(3,3) */
-INLINED void product_drinvdr_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R1;
-  load_mat3x3_double(&R1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_drinvdr_double) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R1, &R1);
+  EACH {
     ksl_mat3x3_t R2;
     ksl_mat3x3_t Ro;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R1, p0 + i * step[0], core + 0);
-    }
-    load_mat3x3_double(&R2, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_double, &R1);
+    LOAD(mat3x3_double, &R2, 1, 2);
     ksl_product_drinvdr(&R1, &R2, &Ro);
-    store_mat3x3_double(&Ro, p2 + i * step[2], core + 4);
+    STORE(mat3x3_double, &Ro, 2, 4);
   }
 }
+LOOP(product_drinvdr_double, 3, DENSE_OR_ONE, 72, 72, 72, 24, 8, 24, 8, 24, 8)
 
-static void product_drinvdr_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 72, 72, 24, 8, 24, 8, 24, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drinvdr_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 72, 72, 24, 8, 24, 8, 24, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drinvdr_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_drinvdr_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,3),(3,3)->(3,3) */
-INLINED void product_drinvdr_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R1;
-  load_mat3x3_single(&R1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_drinvdr_single) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R1, &R1);
+  EACH {
     ksl_mat3x3f_t R2;
     ksl_mat3x3f_t Ro;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R1, p0 + i * step[0], core + 0);
-    }
-    load_mat3x3_single(&R2, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_single, &R1);
+    LOAD(mat3x3_single, &R2, 1, 2);
     ksl_product_drinvdrf(&R1, &R2, &Ro);
-    store_mat3x3_single(&Ro, p2 + i * step[2], core + 4);
+    STORE(mat3x3_single, &Ro, 2, 4);
   }
 }
-
-static void product_drinvdr_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 36, 36, 12, 4, 12, 4, 12, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drinvdr_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 36, 36, 12, 4, 12, 4, 12, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drinvdr_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_drinvdr_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_drinvdr_loops[] = {
-    product_drinvdr_double, product_drinvdr_single};
+LOOP(product_drinvdr_single, 3, DENSE_OR_ONE, 36, 36, 36, 12, 4, 12, 4, 12, 4)
+LOOPS(product_drinvdr)
 
 /* (3,4),(3,4)->(3,4) */
-INLINED void product_dd_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D1;
-  load_SE3_double(&D1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_dd_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D1, &D1);
+  EACH {
     ksl_SE3_t D2;
     ksl_SE3_t Do;
-    if (step[0] != 0) {
-      load_SE3_double(&D1, p0 + i * step[0], core + 0);
-    }
-    load_SE3_double(&D2, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D1);
+    LOAD(SE3_double, &D2, 1, 2);
     ksl_product_dd(&D1, &D2, &Do);
-    store_SE3_double(&Do, p2 + i * step[2], core + 4);
+    STORE(SE3_double, &Do, 2, 4);
   }
 }
+LOOP(product_dd_double, 3, DENSE_OR_ONE, 96, 96, 96, 32, 8, 32, 8, 32, 8)
 
-static void product_dd_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 96, 96, 32, 8, 32, 8, 32, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_dd_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 96, 96, 32, 8, 32, 8, 32, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_dd_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_dd_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(3,4)->(3,4) */
-INLINED void product_dd_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D1;
-  load_SE3_single(&D1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_dd_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D1, &D1);
+  EACH {
     ksl_SE3f_t D2;
     ksl_SE3f_t Do;
-    if (step[0] != 0) {
-      load_SE3_single(&D1, p0 + i * step[0], core + 0);
-    }
-    load_SE3_single(&D2, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D1);
+    LOAD(SE3_single, &D2, 1, 2);
     ksl_product_ddf(&D1, &D2, &Do);
-    store_SE3_single(&Do, p2 + i * step[2], core + 4);
+    STORE(SE3_single, &Do, 2, 4);
   }
 }
-
-static void product_dd_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 48, 16, 4, 16, 4, 16, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_dd_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 16, 4, 16, 4, 16, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_dd_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_dd_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_dd_loops[] = {
-    product_dd_double, product_dd_single};
+LOOP(product_dd_single, 3, DENSE_OR_ONE, 48, 48, 48, 16, 4, 16, 4, 16, 4)
+LOOPS(product_dd)
 
 /* (3,4),(3,4)->(3,4) */
-INLINED void product_ddinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D1;
-  load_SE3_double(&D1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_ddinv_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D1, &D1);
+  EACH {
     ksl_SE3_t D2;
     ksl_SE3_t Do;
-    if (step[0] != 0) {
-      load_SE3_double(&D1, p0 + i * step[0], core + 0);
-    }
-    load_SE3_double(&D2, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D1);
+    LOAD(SE3_double, &D2, 1, 2);
     ksl_product_ddinv(&D1, &D2, &Do);
-    store_SE3_double(&Do, p2 + i * step[2], core + 4);
+    STORE(SE3_double, &Do, 2, 4);
   }
 }
+LOOP(product_ddinv_double, 3, DENSE_OR_ONE, 96, 96, 96, 32, 8, 32, 8, 32, 8)
 
-static void product_ddinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 96, 96, 32, 8, 32, 8, 32, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddinv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 96, 96, 32, 8, 32, 8, 32, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddinv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_ddinv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(3,4)->(3,4) */
-INLINED void product_ddinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D1;
-  load_SE3_single(&D1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_ddinv_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D1, &D1);
+  EACH {
     ksl_SE3f_t D2;
     ksl_SE3f_t Do;
-    if (step[0] != 0) {
-      load_SE3_single(&D1, p0 + i * step[0], core + 0);
-    }
-    load_SE3_single(&D2, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D1);
+    LOAD(SE3_single, &D2, 1, 2);
     ksl_product_ddinvf(&D1, &D2, &Do);
-    store_SE3_single(&Do, p2 + i * step[2], core + 4);
+    STORE(SE3_single, &Do, 2, 4);
   }
 }
-
-static void product_ddinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 48, 16, 4, 16, 4, 16, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddinv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 16, 4, 16, 4, 16, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddinv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_ddinv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_ddinv_loops[] = {
-    product_ddinv_double, product_ddinv_single};
+LOOP(product_ddinv_single, 3, DENSE_OR_ONE, 48, 48, 48, 16, 4, 16, 4, 16, 4)
+LOOPS(product_ddinv)
 
 /* (3,4),(3,4)->(3,4) */
-INLINED void product_dinvd_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D1;
-  load_SE3_double(&D1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_dinvd_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D1, &D1);
+  EACH {
     ksl_SE3_t D2;
     ksl_SE3_t Do;
-    if (step[0] != 0) {
-      load_SE3_double(&D1, p0 + i * step[0], core + 0);
-    }
-    load_SE3_double(&D2, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D1);
+    LOAD(SE3_double, &D2, 1, 2);
     ksl_product_dinvd(&D1, &D2, &Do);
-    store_SE3_double(&Do, p2 + i * step[2], core + 4);
+    STORE(SE3_double, &Do, 2, 4);
   }
 }
+LOOP(product_dinvd_double, 3, DENSE_OR_ONE, 96, 96, 96, 32, 8, 32, 8, 32, 8)
 
-static void product_dinvd_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 96, 96, 32, 8, 32, 8, 32, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_dinvd_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 96, 96, 32, 8, 32, 8, 32, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_dinvd_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_dinvd_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(3,4)->(3,4) */
-INLINED void product_dinvd_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D1;
-  load_SE3_single(&D1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_dinvd_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D1, &D1);
+  EACH {
     ksl_SE3f_t D2;
     ksl_SE3f_t Do;
-    if (step[0] != 0) {
-      load_SE3_single(&D1, p0 + i * step[0], core + 0);
-    }
-    load_SE3_single(&D2, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D1);
+    LOAD(SE3_single, &D2, 1, 2);
     ksl_product_dinvdf(&D1, &D2, &Do);
-    store_SE3_single(&Do, p2 + i * step[2], core + 4);
+    STORE(SE3_single, &Do, 2, 4);
   }
 }
-
-static void product_dinvd_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 48, 16, 4, 16, 4, 16, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_dinvd_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 16, 4, 16, 4, 16, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_dinvd_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_dinvd_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_dinvd_loops[] = {
-    product_dinvd_double, product_dinvd_single};
+LOOP(product_dinvd_single, 3, DENSE_OR_ONE, 48, 48, 48, 16, 4, 16, 4, 16, 4)
+LOOPS(product_dinvd)
 
 /* (3,4),(3,3)->(3,4) */
-INLINED void product_ddr_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_ddr_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_mat3x3_t R;
     ksl_SE3_t Do;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_mat3x3_double(&R, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(mat3x3_double, &R, 1, 2);
     ksl_product_ddr(&D, &R, &Do);
-    store_SE3_double(&Do, p2 + i * step[2], core + 4);
+    STORE(SE3_double, &Do, 2, 4);
   }
 }
+LOOP(product_ddr_double, 3, DENSE_OR_ONE, 96, 72, 96, 32, 8, 24, 8, 32, 8)
 
-static void product_ddr_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 72, 96, 32, 8, 24, 8, 32, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddr_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 72, 96, 32, 8, 24, 8, 32, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddr_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_ddr_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(3,3)->(3,4) */
-INLINED void product_ddr_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_ddr_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_mat3x3f_t R;
     ksl_SE3f_t Do;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_mat3x3_single(&R, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(mat3x3_single, &R, 1, 2);
     ksl_product_ddrf(&D, &R, &Do);
-    store_SE3_single(&Do, p2 + i * step[2], core + 4);
+    STORE(SE3_single, &Do, 2, 4);
   }
 }
-
-static void product_ddr_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 36, 48, 16, 4, 12, 4, 16, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddr_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 36, 48, 16, 4, 12, 4, 16, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddr_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_ddr_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_ddr_loops[] = {
-    product_ddr_double, product_ddr_single};
+LOOP(product_ddr_single, 3, DENSE_OR_ONE, 48, 36, 48, 16, 4, 12, 4, 16, 4)
+LOOPS(product_ddr)
 
 /* (3,4),(3,3)->(3,4) */
-INLINED void product_ddrinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_ddrinv_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_mat3x3_t R;
     ksl_SE3_t Do;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_mat3x3_double(&R, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(mat3x3_double, &R, 1, 2);
     ksl_product_ddrinv(&D, &R, &Do);
-    store_SE3_double(&Do, p2 + i * step[2], core + 4);
+    STORE(SE3_double, &Do, 2, 4);
   }
 }
+LOOP(product_ddrinv_double, 3, DENSE_OR_ONE, 96, 72, 96, 32, 8, 24, 8, 32, 8)
 
-static void product_ddrinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 72, 96, 32, 8, 24, 8, 32, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddrinv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 72, 96, 32, 8, 24, 8, 32, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddrinv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_ddrinv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(3,3)->(3,4) */
-INLINED void product_ddrinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_ddrinv_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_mat3x3f_t R;
     ksl_SE3f_t Do;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_mat3x3_single(&R, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(mat3x3_single, &R, 1, 2);
     ksl_product_ddrinvf(&D, &R, &Do);
-    store_SE3_single(&Do, p2 + i * step[2], core + 4);
+    STORE(SE3_single, &Do, 2, 4);
   }
 }
-
-static void product_ddrinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 36, 48, 16, 4, 12, 4, 16, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddrinv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 36, 48, 16, 4, 12, 4, 16, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddrinv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_ddrinv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_ddrinv_loops[] = {
-    product_ddrinv_double, product_ddrinv_single};
+LOOP(product_ddrinv_single, 3, DENSE_OR_ONE, 48, 36, 48, 16, 4, 12, 4, 16, 4)
+LOOPS(product_ddrinv)
 
 /* (3,4),(3)->(3,4) */
-INLINED void product_ddt_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_ddt_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_vec3_t t;
     ksl_SE3_t Do;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&t, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(vec3_double, &t, 1, 2);
     ksl_product_ddt(&D, &t, &Do);
-    store_SE3_double(&Do, p2 + i * step[2], core + 3);
+    STORE(SE3_double, &Do, 2, 3);
   }
 }
+LOOP(product_ddt_double, 3, DENSE_OR_ONE, 96, 24, 96, 32, 8, 8, 32, 8)
 
-static void product_ddt_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 24, 96, 32, 8, 8, 32, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddt_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 96, 32, 8, 8, 32, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddt_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_ddt_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(3)->(3,4) */
-INLINED void product_ddt_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_ddt_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_vec3f_t t;
     ksl_SE3f_t Do;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&t, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(vec3_single, &t, 1, 2);
     ksl_product_ddtf(&D, &t, &Do);
-    store_SE3_single(&Do, p2 + i * step[2], core + 3);
+    STORE(SE3_single, &Do, 2, 3);
   }
 }
-
-static void product_ddt_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 12, 48, 16, 4, 4, 16, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddt_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 48, 16, 4, 4, 16, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddt_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_ddt_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_ddt_loops[] = {
-    product_ddt_double, product_ddt_single};
+LOOP(product_ddt_single, 3, DENSE_OR_ONE, 48, 12, 48, 16, 4, 4, 16, 4)
+LOOPS(product_ddt)
 
 /* (3,4),(3)->(3,4) */
-INLINED void product_ddtinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_ddtinv_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_vec3_t t;
     ksl_SE3_t Do;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&t, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(vec3_double, &t, 1, 2);
     ksl_product_ddtinv(&D, &t, &Do);
-    store_SE3_double(&Do, p2 + i * step[2], core + 3);
+    STORE(SE3_double, &Do, 2, 3);
   }
 }
+LOOP(product_ddtinv_double, 3, DENSE_OR_ONE, 96, 24, 96, 32, 8, 8, 32, 8)
 
-static void product_ddtinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 24, 96, 32, 8, 8, 32, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddtinv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 96, 32, 8, 8, 32, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddtinv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_ddtinv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(3)->(3,4) */
-INLINED void product_ddtinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_ddtinv_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_vec3f_t t;
     ksl_SE3f_t Do;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&t, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(vec3_single, &t, 1, 2);
     ksl_product_ddtinvf(&D, &t, &Do);
-    store_SE3_single(&Do, p2 + i * step[2], core + 3);
+    STORE(SE3_single, &Do, 2, 3);
   }
 }
-
-static void product_ddtinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 12, 48, 16, 4, 4, 16, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddtinv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 48, 16, 4, 4, 16, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddtinv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_ddtinv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_ddtinv_loops[] = {
-    product_ddtinv_double, product_ddtinv_single};
+LOOP(product_ddtinv_single, 3, DENSE_OR_ONE, 48, 12, 48, 16, 4, 4, 16, 4)
+LOOPS(product_ddtinv)
 
 /* (3,4),(3)->(3,4) */
-INLINED void product_dinvdt_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_dinvdt_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_vec3_t t;
     ksl_SE3_t Do;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&t, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(vec3_double, &t, 1, 2);
     ksl_product_dinvdt(&D, &t, &Do);
-    store_SE3_double(&Do, p2 + i * step[2], core + 3);
+    STORE(SE3_double, &Do, 2, 3);
   }
 }
+LOOP(product_dinvdt_double, 3, DENSE_OR_ONE, 96, 24, 96, 32, 8, 8, 32, 8)
 
-static void product_dinvdt_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 24, 96, 32, 8, 8, 32, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_dinvdt_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 96, 32, 8, 8, 32, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_dinvdt_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_dinvdt_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(3)->(3,4) */
-INLINED void product_dinvdt_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_dinvdt_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_vec3f_t t;
     ksl_SE3f_t Do;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&t, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(vec3_single, &t, 1, 2);
     ksl_product_dinvdtf(&D, &t, &Do);
-    store_SE3_single(&Do, p2 + i * step[2], core + 3);
+    STORE(SE3_single, &Do, 2, 3);
   }
 }
-
-static void product_dinvdt_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 12, 48, 16, 4, 4, 16, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_dinvdt_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 48, 16, 4, 4, 16, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_dinvdt_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_dinvdt_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_dinvdt_loops[] = {
-    product_dinvdt_double, product_dinvdt_single};
+LOOP(product_dinvdt_single, 3, DENSE_OR_ONE, 48, 12, 48, 16, 4, 4, 16, 4)
+LOOPS(product_dinvdt)
 
 /* (3,3),()->(3) */
-INLINED void product_drvtx_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_drvtx_double) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     double k;
     ksl_vec3_t vo;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
-    load_scalar_double(&k, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(scalar_double, &k, 1, 2);
     ksl_product_drvtx(&R, k, &vo);
-    store_vec3_double(&vo, p2 + i * step[2], core + 2);
+    STORE(vec3_double, &vo, 2, 2);
   }
 }
+LOOP(product_drvtx_double, 3, DENSE_OR_ONE, 72, 8, 24, 24, 8, 8)
 
-static void product_drvtx_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 8, 24, 24, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drvtx_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 24, 24, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drvtx_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_drvtx_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,3),()->(3) */
-INLINED void product_drvtx_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_drvtx_single) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     float k;
     ksl_vec3f_t vo;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
-    load_scalar_single(&k, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(scalar_single, &k, 1, 2);
     ksl_product_drvtxf(&R, k, &vo);
-    store_vec3_single(&vo, p2 + i * step[2], core + 2);
+    STORE(vec3_single, &vo, 2, 2);
   }
 }
-
-static void product_drvtx_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 4, 12, 12, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drvtx_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 12, 12, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drvtx_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_drvtx_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_drvtx_loops[] = {
-    product_drvtx_double, product_drvtx_single};
+LOOP(product_drvtx_single, 3, DENSE_OR_ONE, 36, 4, 12, 12, 4, 4)
+LOOPS(product_drvtx)
 
 /* (3,3),(2)->(3,3) */
-INLINED void product_drdrx_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_drdrx_double) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     double dc[2];
     ksl_mat3x3_t Ro;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
-    load_dc_double(dc, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(dc_double, dc, 1, 2);
     ksl_product_drdrx(&R, dc, &Ro);
-    store_mat3x3_double(&Ro, p2 + i * step[2], core + 3);
+    STORE(mat3x3_double, &Ro, 2, 3);
   }
 }
+LOOP(product_drdrx_double, 3, DENSE_OR_ONE, 72, 16, 72, 24, 8, 8, 24, 8)
 
-static void product_drdrx_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 16, 72, 24, 8, 8, 24, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drdrx_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 72, 24, 8, 8, 24, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drdrx_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_drdrx_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,3),(2)->(3,3) */
-INLINED void product_drdrx_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_drdrx_single) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     float dc[2];
     ksl_mat3x3f_t Ro;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
-    load_dc_single(dc, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(dc_single, dc, 1, 2);
     ksl_product_drdrxf(&R, dc, &Ro);
-    store_mat3x3_single(&Ro, p2 + i * step[2], core + 3);
+    STORE(mat3x3_single, &Ro, 2, 3);
   }
 }
-
-static void product_drdrx_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 8, 36, 12, 4, 4, 12, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drdrx_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 36, 12, 4, 4, 12, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drdrx_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_drdrx_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_drdrx_loops[] = {
-    product_drdrx_double, product_drdrx_single};
+LOOP(product_drdrx_single, 3, DENSE_OR_ONE, 36, 8, 36, 12, 4, 4, 12, 4)
+LOOPS(product_drdrx)
 
 /* (3,4),(2)->(3,4) */
-INLINED void product_ddrx_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_ddrx_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     double dc[2];
     ksl_SE3_t Do;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_dc_double(dc, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(dc_double, dc, 1, 2);
     ksl_product_ddrx(&D, dc, &Do);
-    store_SE3_double(&Do, p2 + i * step[2], core + 3);
+    STORE(SE3_double, &Do, 2, 3);
   }
 }
+LOOP(product_ddrx_double, 3, DENSE_OR_ONE, 96, 16, 96, 32, 8, 8, 32, 8)
 
-static void product_ddrx_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 16, 96, 32, 8, 8, 32, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddrx_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 96, 32, 8, 8, 32, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddrx_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_ddrx_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(2)->(3,4) */
-INLINED void product_ddrx_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_ddrx_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     float dc[2];
     ksl_SE3f_t Do;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_dc_single(dc, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(dc_single, dc, 1, 2);
     ksl_product_ddrxf(&D, dc, &Do);
-    store_SE3_single(&Do, p2 + i * step[2], core + 3);
+    STORE(SE3_single, &Do, 2, 3);
   }
 }
-
-static void product_ddrx_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 8, 48, 16, 4, 4, 16, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddrx_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 48, 16, 4, 4, 16, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddrx_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_ddrx_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_ddrx_loops[] = {
-    product_ddrx_double, product_ddrx_single};
+LOOP(product_ddrx_single, 3, DENSE_OR_ONE, 48, 8, 48, 16, 4, 4, 16, 4)
+LOOPS(product_ddrx)
 
 /* (3,4),()->(3,4) */
-INLINED void product_ddtx_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_ddtx_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     double k;
     ksl_SE3_t Do;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_scalar_double(&k, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(scalar_double, &k, 1, 2);
     ksl_product_ddtx(&D, k, &Do);
-    store_SE3_double(&Do, p2 + i * step[2], core + 2);
+    STORE(SE3_double, &Do, 2, 2);
   }
 }
+LOOP(product_ddtx_double, 3, DENSE_OR_ONE, 96, 8, 96, 32, 8, 32, 8)
 
-static void product_ddtx_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 8, 96, 32, 8, 32, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddtx_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 96, 32, 8, 32, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddtx_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_ddtx_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),()->(3,4) */
-INLINED void product_ddtx_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_ddtx_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     float k;
     ksl_SE3f_t Do;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_scalar_single(&k, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(scalar_single, &k, 1, 2);
     ksl_product_ddtxf(&D, k, &Do);
-    store_SE3_single(&Do, p2 + i * step[2], core + 2);
+    STORE(SE3_single, &Do, 2, 2);
   }
 }
-
-static void product_ddtx_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 4, 48, 16, 4, 16, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddtx_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 48, 16, 4, 16, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddtx_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_ddtx_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_ddtx_loops[] = {
-    product_ddtx_double, product_ddtx_single};
+LOOP(product_ddtx_single, 3, DENSE_OR_ONE, 48, 4, 48, 16, 4, 16, 4)
+LOOPS(product_ddtx)
 
 /* (3,3),()->(3) */
-INLINED void product_drvtxinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_drvtxinv_double) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     double k;
     ksl_vec3_t vo;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
-    load_scalar_double(&k, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(scalar_double, &k, 1, 2);
     ksl_product_drvtxinv(&R, k, &vo);
-    store_vec3_double(&vo, p2 + i * step[2], core + 2);
+    STORE(vec3_double, &vo, 2, 2);
   }
 }
+LOOP(product_drvtxinv_double, 3, DENSE_OR_ONE, 72, 8, 24, 24, 8, 8)
 
-static void product_drvtxinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 8, 24, 24, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drvtxinv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 24, 24, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drvtxinv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_drvtxinv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,3),()->(3) */
-INLINED void product_drvtxinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_drvtxinv_single) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     float k;
     ksl_vec3f_t vo;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
-    load_scalar_single(&k, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(scalar_single, &k, 1, 2);
     ksl_product_drvtxinvf(&R, k, &vo);
-    store_vec3_single(&vo, p2 + i * step[2], core + 2);
+    STORE(vec3_single, &vo, 2, 2);
   }
 }
-
-static void product_drvtxinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 4, 12, 12, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drvtxinv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 12, 12, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drvtxinv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_drvtxinv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_drvtxinv_loops[] = {
-    product_drvtxinv_double, product_drvtxinv_single};
+LOOP(product_drvtxinv_single, 3, DENSE_OR_ONE, 36, 4, 12, 12, 4, 4)
+LOOPS(product_drvtxinv)
 
 /* (3,3),(2)->(3,3) */
-INLINED void product_drdrxinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_drdrxinv_double) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     double dc[2];
     ksl_mat3x3_t Ro;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
-    load_dc_double(dc, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(dc_double, dc, 1, 2);
     ksl_product_drdrxinv(&R, dc, &Ro);
-    store_mat3x3_double(&Ro, p2 + i * step[2], core + 3);
+    STORE(mat3x3_double, &Ro, 2, 3);
   }
 }
+LOOP(product_drdrxinv_double, 3, DENSE_OR_ONE, 72, 16, 72, 24, 8, 8, 24, 8)
 
-static void product_drdrxinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 16, 72, 24, 8, 8, 24, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drdrxinv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 72, 24, 8, 8, 24, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drdrxinv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_drdrxinv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,3),(2)->(3,3) */
-INLINED void product_drdrxinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_drdrxinv_single) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     float dc[2];
     ksl_mat3x3f_t Ro;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
-    load_dc_single(dc, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(dc_single, dc, 1, 2);
     ksl_product_drdrxinvf(&R, dc, &Ro);
-    store_mat3x3_single(&Ro, p2 + i * step[2], core + 3);
+    STORE(mat3x3_single, &Ro, 2, 3);
   }
 }
-
-static void product_drdrxinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 8, 36, 12, 4, 4, 12, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drdrxinv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 36, 12, 4, 4, 12, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drdrxinv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_drdrxinv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_drdrxinv_loops[] = {
-    product_drdrxinv_double, product_drdrxinv_single};
+LOOP(product_drdrxinv_single, 3, DENSE_OR_ONE, 36, 8, 36, 12, 4, 4, 12, 4)
+LOOPS(product_drdrxinv)
 
 /* (3,4),(2)->(3,4) */
-INLINED void product_ddrxinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_ddrxinv_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     double dc[2];
     ksl_SE3_t Do;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_dc_double(dc, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(dc_double, dc, 1, 2);
     ksl_product_ddrxinv(&D, dc, &Do);
-    store_SE3_double(&Do, p2 + i * step[2], core + 3);
+    STORE(SE3_double, &Do, 2, 3);
   }
 }
+LOOP(product_ddrxinv_double, 3, DENSE_OR_ONE, 96, 16, 96, 32, 8, 8, 32, 8)
 
-static void product_ddrxinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 16, 96, 32, 8, 8, 32, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddrxinv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 96, 32, 8, 8, 32, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddrxinv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_ddrxinv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(2)->(3,4) */
-INLINED void product_ddrxinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_ddrxinv_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     float dc[2];
     ksl_SE3f_t Do;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_dc_single(dc, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(dc_single, dc, 1, 2);
     ksl_product_ddrxinvf(&D, dc, &Do);
-    store_SE3_single(&Do, p2 + i * step[2], core + 3);
+    STORE(SE3_single, &Do, 2, 3);
   }
 }
-
-static void product_ddrxinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 8, 48, 16, 4, 4, 16, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddrxinv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 48, 16, 4, 4, 16, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddrxinv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_ddrxinv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_ddrxinv_loops[] = {
-    product_ddrxinv_double, product_ddrxinv_single};
+LOOP(product_ddrxinv_single, 3, DENSE_OR_ONE, 48, 8, 48, 16, 4, 4, 16, 4)
+LOOPS(product_ddrxinv)
 
 /* (3,4),()->(3,4) */
-INLINED void product_ddtxinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_ddtxinv_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     double k;
     ksl_SE3_t Do;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_scalar_double(&k, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(scalar_double, &k, 1, 2);
     ksl_product_ddtxinv(&D, k, &Do);
-    store_SE3_double(&Do, p2 + i * step[2], core + 2);
+    STORE(SE3_double, &Do, 2, 2);
   }
 }
+LOOP(product_ddtxinv_double, 3, DENSE_OR_ONE, 96, 8, 96, 32, 8, 32, 8)
 
-static void product_ddtxinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 8, 96, 32, 8, 32, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddtxinv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 96, 32, 8, 32, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddtxinv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_ddtxinv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),()->(3,4) */
-INLINED void product_ddtxinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_ddtxinv_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     float k;
     ksl_SE3f_t Do;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_scalar_single(&k, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(scalar_single, &k, 1, 2);
     ksl_product_ddtxinvf(&D, k, &Do);
-    store_SE3_single(&Do, p2 + i * step[2], core + 2);
+    STORE(SE3_single, &Do, 2, 2);
   }
 }
-
-static void product_ddtxinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 4, 48, 16, 4, 16, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddtxinv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 48, 16, 4, 16, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddtxinv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_ddtxinv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_ddtxinv_loops[] = {
-    product_ddtxinv_double, product_ddtxinv_single};
+LOOP(product_ddtxinv_single, 3, DENSE_OR_ONE, 48, 4, 48, 16, 4, 16, 4)
+LOOPS(product_ddtxinv)
 
 /* (3,3),()->(3) */
-INLINED void product_drvty_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_drvty_double) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     double k;
     ksl_vec3_t vo;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
-    load_scalar_double(&k, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(scalar_double, &k, 1, 2);
     ksl_product_drvty(&R, k, &vo);
-    store_vec3_double(&vo, p2 + i * step[2], core + 2);
+    STORE(vec3_double, &vo, 2, 2);
   }
 }
+LOOP(product_drvty_double, 3, DENSE_OR_ONE, 72, 8, 24, 24, 8, 8)
 
-static void product_drvty_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 8, 24, 24, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drvty_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 24, 24, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drvty_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_drvty_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,3),()->(3) */
-INLINED void product_drvty_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_drvty_single) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     float k;
     ksl_vec3f_t vo;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
-    load_scalar_single(&k, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(scalar_single, &k, 1, 2);
     ksl_product_drvtyf(&R, k, &vo);
-    store_vec3_single(&vo, p2 + i * step[2], core + 2);
+    STORE(vec3_single, &vo, 2, 2);
   }
 }
-
-static void product_drvty_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 4, 12, 12, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drvty_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 12, 12, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drvty_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_drvty_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_drvty_loops[] = {
-    product_drvty_double, product_drvty_single};
+LOOP(product_drvty_single, 3, DENSE_OR_ONE, 36, 4, 12, 12, 4, 4)
+LOOPS(product_drvty)
 
 /* (3,3),(2)->(3,3) */
-INLINED void product_drdry_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_drdry_double) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     double dc[2];
     ksl_mat3x3_t Ro;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
-    load_dc_double(dc, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(dc_double, dc, 1, 2);
     ksl_product_drdry(&R, dc, &Ro);
-    store_mat3x3_double(&Ro, p2 + i * step[2], core + 3);
+    STORE(mat3x3_double, &Ro, 2, 3);
   }
 }
+LOOP(product_drdry_double, 3, DENSE_OR_ONE, 72, 16, 72, 24, 8, 8, 24, 8)
 
-static void product_drdry_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 16, 72, 24, 8, 8, 24, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drdry_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 72, 24, 8, 8, 24, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drdry_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_drdry_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,3),(2)->(3,3) */
-INLINED void product_drdry_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_drdry_single) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     float dc[2];
     ksl_mat3x3f_t Ro;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
-    load_dc_single(dc, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(dc_single, dc, 1, 2);
     ksl_product_drdryf(&R, dc, &Ro);
-    store_mat3x3_single(&Ro, p2 + i * step[2], core + 3);
+    STORE(mat3x3_single, &Ro, 2, 3);
   }
 }
-
-static void product_drdry_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 8, 36, 12, 4, 4, 12, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drdry_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 36, 12, 4, 4, 12, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drdry_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_drdry_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_drdry_loops[] = {
-    product_drdry_double, product_drdry_single};
+LOOP(product_drdry_single, 3, DENSE_OR_ONE, 36, 8, 36, 12, 4, 4, 12, 4)
+LOOPS(product_drdry)
 
 /* (3,4),(2)->(3,4) */
-INLINED void product_ddry_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_ddry_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     double dc[2];
     ksl_SE3_t Do;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_dc_double(dc, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(dc_double, dc, 1, 2);
     ksl_product_ddry(&D, dc, &Do);
-    store_SE3_double(&Do, p2 + i * step[2], core + 3);
+    STORE(SE3_double, &Do, 2, 3);
   }
 }
+LOOP(product_ddry_double, 3, DENSE_OR_ONE, 96, 16, 96, 32, 8, 8, 32, 8)
 
-static void product_ddry_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 16, 96, 32, 8, 8, 32, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddry_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 96, 32, 8, 8, 32, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddry_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_ddry_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(2)->(3,4) */
-INLINED void product_ddry_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_ddry_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     float dc[2];
     ksl_SE3f_t Do;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_dc_single(dc, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(dc_single, dc, 1, 2);
     ksl_product_ddryf(&D, dc, &Do);
-    store_SE3_single(&Do, p2 + i * step[2], core + 3);
+    STORE(SE3_single, &Do, 2, 3);
   }
 }
-
-static void product_ddry_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 8, 48, 16, 4, 4, 16, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddry_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 48, 16, 4, 4, 16, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddry_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_ddry_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_ddry_loops[] = {
-    product_ddry_double, product_ddry_single};
+LOOP(product_ddry_single, 3, DENSE_OR_ONE, 48, 8, 48, 16, 4, 4, 16, 4)
+LOOPS(product_ddry)
 
 /* (3,4),()->(3,4) */
-INLINED void product_ddty_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_ddty_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     double k;
     ksl_SE3_t Do;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_scalar_double(&k, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(scalar_double, &k, 1, 2);
     ksl_product_ddty(&D, k, &Do);
-    store_SE3_double(&Do, p2 + i * step[2], core + 2);
+    STORE(SE3_double, &Do, 2, 2);
   }
 }
+LOOP(product_ddty_double, 3, DENSE_OR_ONE, 96, 8, 96, 32, 8, 32, 8)
 
-static void product_ddty_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 8, 96, 32, 8, 32, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddty_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 96, 32, 8, 32, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddty_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_ddty_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),()->(3,4) */
-INLINED void product_ddty_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_ddty_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     float k;
     ksl_SE3f_t Do;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_scalar_single(&k, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(scalar_single, &k, 1, 2);
     ksl_product_ddtyf(&D, k, &Do);
-    store_SE3_single(&Do, p2 + i * step[2], core + 2);
+    STORE(SE3_single, &Do, 2, 2);
   }
 }
-
-static void product_ddty_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 4, 48, 16, 4, 16, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddty_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 48, 16, 4, 16, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddty_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_ddty_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_ddty_loops[] = {
-    product_ddty_double, product_ddty_single};
+LOOP(product_ddty_single, 3, DENSE_OR_ONE, 48, 4, 48, 16, 4, 16, 4)
+LOOPS(product_ddty)
 
 /* (3,3),()->(3) */
-INLINED void product_drvtyinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_drvtyinv_double) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     double k;
     ksl_vec3_t vo;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
-    load_scalar_double(&k, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(scalar_double, &k, 1, 2);
     ksl_product_drvtyinv(&R, k, &vo);
-    store_vec3_double(&vo, p2 + i * step[2], core + 2);
+    STORE(vec3_double, &vo, 2, 2);
   }
 }
+LOOP(product_drvtyinv_double, 3, DENSE_OR_ONE, 72, 8, 24, 24, 8, 8)
 
-static void product_drvtyinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 8, 24, 24, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drvtyinv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 24, 24, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drvtyinv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_drvtyinv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,3),()->(3) */
-INLINED void product_drvtyinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_drvtyinv_single) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     float k;
     ksl_vec3f_t vo;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
-    load_scalar_single(&k, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(scalar_single, &k, 1, 2);
     ksl_product_drvtyinvf(&R, k, &vo);
-    store_vec3_single(&vo, p2 + i * step[2], core + 2);
+    STORE(vec3_single, &vo, 2, 2);
   }
 }
-
-static void product_drvtyinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 4, 12, 12, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drvtyinv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 12, 12, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drvtyinv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_drvtyinv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_drvtyinv_loops[] = {
-    product_drvtyinv_double, product_drvtyinv_single};
+LOOP(product_drvtyinv_single, 3, DENSE_OR_ONE, 36, 4, 12, 12, 4, 4)
+LOOPS(product_drvtyinv)
 
 /* (3,3),(2)->(3,3) */
-INLINED void product_drdryinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_drdryinv_double) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     double dc[2];
     ksl_mat3x3_t Ro;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
-    load_dc_double(dc, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(dc_double, dc, 1, 2);
     ksl_product_drdryinv(&R, dc, &Ro);
-    store_mat3x3_double(&Ro, p2 + i * step[2], core + 3);
+    STORE(mat3x3_double, &Ro, 2, 3);
   }
 }
+LOOP(product_drdryinv_double, 3, DENSE_OR_ONE, 72, 16, 72, 24, 8, 8, 24, 8)
 
-static void product_drdryinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 16, 72, 24, 8, 8, 24, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drdryinv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 72, 24, 8, 8, 24, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drdryinv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_drdryinv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,3),(2)->(3,3) */
-INLINED void product_drdryinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_drdryinv_single) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     float dc[2];
     ksl_mat3x3f_t Ro;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
-    load_dc_single(dc, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(dc_single, dc, 1, 2);
     ksl_product_drdryinvf(&R, dc, &Ro);
-    store_mat3x3_single(&Ro, p2 + i * step[2], core + 3);
+    STORE(mat3x3_single, &Ro, 2, 3);
   }
 }
-
-static void product_drdryinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 8, 36, 12, 4, 4, 12, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drdryinv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 36, 12, 4, 4, 12, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drdryinv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_drdryinv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_drdryinv_loops[] = {
-    product_drdryinv_double, product_drdryinv_single};
+LOOP(product_drdryinv_single, 3, DENSE_OR_ONE, 36, 8, 36, 12, 4, 4, 12, 4)
+LOOPS(product_drdryinv)
 
 /* (3,4),(2)->(3,4) */
-INLINED void product_ddryinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_ddryinv_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     double dc[2];
     ksl_SE3_t Do;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_dc_double(dc, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(dc_double, dc, 1, 2);
     ksl_product_ddryinv(&D, dc, &Do);
-    store_SE3_double(&Do, p2 + i * step[2], core + 3);
+    STORE(SE3_double, &Do, 2, 3);
   }
 }
+LOOP(product_ddryinv_double, 3, DENSE_OR_ONE, 96, 16, 96, 32, 8, 8, 32, 8)
 
-static void product_ddryinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 16, 96, 32, 8, 8, 32, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddryinv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 96, 32, 8, 8, 32, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddryinv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_ddryinv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(2)->(3,4) */
-INLINED void product_ddryinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_ddryinv_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     float dc[2];
     ksl_SE3f_t Do;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_dc_single(dc, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(dc_single, dc, 1, 2);
     ksl_product_ddryinvf(&D, dc, &Do);
-    store_SE3_single(&Do, p2 + i * step[2], core + 3);
+    STORE(SE3_single, &Do, 2, 3);
   }
 }
-
-static void product_ddryinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 8, 48, 16, 4, 4, 16, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddryinv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 48, 16, 4, 4, 16, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddryinv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_ddryinv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_ddryinv_loops[] = {
-    product_ddryinv_double, product_ddryinv_single};
+LOOP(product_ddryinv_single, 3, DENSE_OR_ONE, 48, 8, 48, 16, 4, 4, 16, 4)
+LOOPS(product_ddryinv)
 
 /* (3,4),()->(3,4) */
-INLINED void product_ddtyinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_ddtyinv_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     double k;
     ksl_SE3_t Do;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_scalar_double(&k, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(scalar_double, &k, 1, 2);
     ksl_product_ddtyinv(&D, k, &Do);
-    store_SE3_double(&Do, p2 + i * step[2], core + 2);
+    STORE(SE3_double, &Do, 2, 2);
   }
 }
+LOOP(product_ddtyinv_double, 3, DENSE_OR_ONE, 96, 8, 96, 32, 8, 32, 8)
 
-static void product_ddtyinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 8, 96, 32, 8, 32, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddtyinv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 96, 32, 8, 32, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddtyinv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_ddtyinv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),()->(3,4) */
-INLINED void product_ddtyinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_ddtyinv_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     float k;
     ksl_SE3f_t Do;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_scalar_single(&k, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(scalar_single, &k, 1, 2);
     ksl_product_ddtyinvf(&D, k, &Do);
-    store_SE3_single(&Do, p2 + i * step[2], core + 2);
+    STORE(SE3_single, &Do, 2, 2);
   }
 }
-
-static void product_ddtyinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 4, 48, 16, 4, 16, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddtyinv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 48, 16, 4, 16, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddtyinv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_ddtyinv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_ddtyinv_loops[] = {
-    product_ddtyinv_double, product_ddtyinv_single};
+LOOP(product_ddtyinv_single, 3, DENSE_OR_ONE, 48, 4, 48, 16, 4, 16, 4)
+LOOPS(product_ddtyinv)
 
 /* (3,3),()->(3) */
-INLINED void product_drvtz_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_drvtz_double) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     double k;
     ksl_vec3_t vo;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
-    load_scalar_double(&k, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(scalar_double, &k, 1, 2);
     ksl_product_drvtz(&R, k, &vo);
-    store_vec3_double(&vo, p2 + i * step[2], core + 2);
+    STORE(vec3_double, &vo, 2, 2);
   }
 }
+LOOP(product_drvtz_double, 3, DENSE_OR_ONE, 72, 8, 24, 24, 8, 8)
 
-static void product_drvtz_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 8, 24, 24, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drvtz_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 24, 24, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drvtz_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_drvtz_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,3),()->(3) */
-INLINED void product_drvtz_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_drvtz_single) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     float k;
     ksl_vec3f_t vo;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
-    load_scalar_single(&k, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(scalar_single, &k, 1, 2);
     ksl_product_drvtzf(&R, k, &vo);
-    store_vec3_single(&vo, p2 + i * step[2], core + 2);
+    STORE(vec3_single, &vo, 2, 2);
   }
 }
-
-static void product_drvtz_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 4, 12, 12, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drvtz_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 12, 12, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drvtz_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_drvtz_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_drvtz_loops[] = {
-    product_drvtz_double, product_drvtz_single};
+LOOP(product_drvtz_single, 3, DENSE_OR_ONE, 36, 4, 12, 12, 4, 4)
+LOOPS(product_drvtz)
 
 /* (3,3),(2)->(3,3) */
-INLINED void product_drdrz_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_drdrz_double) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     double dc[2];
     ksl_mat3x3_t Ro;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
-    load_dc_double(dc, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(dc_double, dc, 1, 2);
     ksl_product_drdrz(&R, dc, &Ro);
-    store_mat3x3_double(&Ro, p2 + i * step[2], core + 3);
+    STORE(mat3x3_double, &Ro, 2, 3);
   }
 }
+LOOP(product_drdrz_double, 3, DENSE_OR_ONE, 72, 16, 72, 24, 8, 8, 24, 8)
 
-static void product_drdrz_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 16, 72, 24, 8, 8, 24, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drdrz_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 72, 24, 8, 8, 24, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drdrz_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_drdrz_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,3),(2)->(3,3) */
-INLINED void product_drdrz_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_drdrz_single) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     float dc[2];
     ksl_mat3x3f_t Ro;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
-    load_dc_single(dc, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(dc_single, dc, 1, 2);
     ksl_product_drdrzf(&R, dc, &Ro);
-    store_mat3x3_single(&Ro, p2 + i * step[2], core + 3);
+    STORE(mat3x3_single, &Ro, 2, 3);
   }
 }
-
-static void product_drdrz_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 8, 36, 12, 4, 4, 12, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drdrz_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 36, 12, 4, 4, 12, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drdrz_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_drdrz_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_drdrz_loops[] = {
-    product_drdrz_double, product_drdrz_single};
+LOOP(product_drdrz_single, 3, DENSE_OR_ONE, 36, 8, 36, 12, 4, 4, 12, 4)
+LOOPS(product_drdrz)
 
 /* (3,4),(2)->(3,4) */
-INLINED void product_ddrz_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_ddrz_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     double dc[2];
     ksl_SE3_t Do;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_dc_double(dc, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(dc_double, dc, 1, 2);
     ksl_product_ddrz(&D, dc, &Do);
-    store_SE3_double(&Do, p2 + i * step[2], core + 3);
+    STORE(SE3_double, &Do, 2, 3);
   }
 }
+LOOP(product_ddrz_double, 3, DENSE_OR_ONE, 96, 16, 96, 32, 8, 8, 32, 8)
 
-static void product_ddrz_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 16, 96, 32, 8, 8, 32, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddrz_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 96, 32, 8, 8, 32, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddrz_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_ddrz_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(2)->(3,4) */
-INLINED void product_ddrz_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_ddrz_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     float dc[2];
     ksl_SE3f_t Do;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_dc_single(dc, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(dc_single, dc, 1, 2);
     ksl_product_ddrzf(&D, dc, &Do);
-    store_SE3_single(&Do, p2 + i * step[2], core + 3);
+    STORE(SE3_single, &Do, 2, 3);
   }
 }
-
-static void product_ddrz_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 8, 48, 16, 4, 4, 16, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddrz_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 48, 16, 4, 4, 16, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddrz_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_ddrz_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_ddrz_loops[] = {
-    product_ddrz_double, product_ddrz_single};
+LOOP(product_ddrz_single, 3, DENSE_OR_ONE, 48, 8, 48, 16, 4, 4, 16, 4)
+LOOPS(product_ddrz)
 
 /* (3,4),()->(3,4) */
-INLINED void product_ddtz_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_ddtz_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     double k;
     ksl_SE3_t Do;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_scalar_double(&k, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(scalar_double, &k, 1, 2);
     ksl_product_ddtz(&D, k, &Do);
-    store_SE3_double(&Do, p2 + i * step[2], core + 2);
+    STORE(SE3_double, &Do, 2, 2);
   }
 }
+LOOP(product_ddtz_double, 3, DENSE_OR_ONE, 96, 8, 96, 32, 8, 32, 8)
 
-static void product_ddtz_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 8, 96, 32, 8, 32, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddtz_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 96, 32, 8, 32, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddtz_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_ddtz_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),()->(3,4) */
-INLINED void product_ddtz_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_ddtz_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     float k;
     ksl_SE3f_t Do;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_scalar_single(&k, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(scalar_single, &k, 1, 2);
     ksl_product_ddtzf(&D, k, &Do);
-    store_SE3_single(&Do, p2 + i * step[2], core + 2);
+    STORE(SE3_single, &Do, 2, 2);
   }
 }
-
-static void product_ddtz_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 4, 48, 16, 4, 16, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddtz_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 48, 16, 4, 16, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddtz_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_ddtz_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_ddtz_loops[] = {
-    product_ddtz_double, product_ddtz_single};
+LOOP(product_ddtz_single, 3, DENSE_OR_ONE, 48, 4, 48, 16, 4, 16, 4)
+LOOPS(product_ddtz)
 
 /* (3,3),()->(3) */
-INLINED void product_drvtzinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_drvtzinv_double) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     double k;
     ksl_vec3_t vo;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
-    load_scalar_double(&k, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(scalar_double, &k, 1, 2);
     ksl_product_drvtzinv(&R, k, &vo);
-    store_vec3_double(&vo, p2 + i * step[2], core + 2);
+    STORE(vec3_double, &vo, 2, 2);
   }
 }
+LOOP(product_drvtzinv_double, 3, DENSE_OR_ONE, 72, 8, 24, 24, 8, 8)
 
-static void product_drvtzinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 8, 24, 24, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drvtzinv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 24, 24, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drvtzinv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_drvtzinv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,3),()->(3) */
-INLINED void product_drvtzinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_drvtzinv_single) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     float k;
     ksl_vec3f_t vo;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
-    load_scalar_single(&k, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(scalar_single, &k, 1, 2);
     ksl_product_drvtzinvf(&R, k, &vo);
-    store_vec3_single(&vo, p2 + i * step[2], core + 2);
+    STORE(vec3_single, &vo, 2, 2);
   }
 }
-
-static void product_drvtzinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 4, 12, 12, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drvtzinv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 12, 12, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drvtzinv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_drvtzinv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_drvtzinv_loops[] = {
-    product_drvtzinv_double, product_drvtzinv_single};
+LOOP(product_drvtzinv_single, 3, DENSE_OR_ONE, 36, 4, 12, 12, 4, 4)
+LOOPS(product_drvtzinv)
 
 /* (3,3),(2)->(3,3) */
-INLINED void product_drdrzinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_drdrzinv_double) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     double dc[2];
     ksl_mat3x3_t Ro;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
-    load_dc_double(dc, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(dc_double, dc, 1, 2);
     ksl_product_drdrzinv(&R, dc, &Ro);
-    store_mat3x3_double(&Ro, p2 + i * step[2], core + 3);
+    STORE(mat3x3_double, &Ro, 2, 3);
   }
 }
+LOOP(product_drdrzinv_double, 3, DENSE_OR_ONE, 72, 16, 72, 24, 8, 8, 24, 8)
 
-static void product_drdrzinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 16, 72, 24, 8, 8, 24, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drdrzinv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 72, 24, 8, 8, 24, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drdrzinv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_drdrzinv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,3),(2)->(3,3) */
-INLINED void product_drdrzinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_drdrzinv_single) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     float dc[2];
     ksl_mat3x3f_t Ro;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
-    load_dc_single(dc, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(dc_single, dc, 1, 2);
     ksl_product_drdrzinvf(&R, dc, &Ro);
-    store_mat3x3_single(&Ro, p2 + i * step[2], core + 3);
+    STORE(mat3x3_single, &Ro, 2, 3);
   }
 }
-
-static void product_drdrzinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 8, 36, 12, 4, 4, 12, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_drdrzinv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 36, 12, 4, 4, 12, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_drdrzinv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_drdrzinv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_drdrzinv_loops[] = {
-    product_drdrzinv_double, product_drdrzinv_single};
+LOOP(product_drdrzinv_single, 3, DENSE_OR_ONE, 36, 8, 36, 12, 4, 4, 12, 4)
+LOOPS(product_drdrzinv)
 
 /* (3,4),(2)->(3,4) */
-INLINED void product_ddrzinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_ddrzinv_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     double dc[2];
     ksl_SE3_t Do;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_dc_double(dc, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(dc_double, dc, 1, 2);
     ksl_product_ddrzinv(&D, dc, &Do);
-    store_SE3_double(&Do, p2 + i * step[2], core + 3);
+    STORE(SE3_double, &Do, 2, 3);
   }
 }
+LOOP(product_ddrzinv_double, 3, DENSE_OR_ONE, 96, 16, 96, 32, 8, 8, 32, 8)
 
-static void product_ddrzinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 16, 96, 32, 8, 8, 32, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddrzinv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 96, 32, 8, 8, 32, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddrzinv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_ddrzinv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(2)->(3,4) */
-INLINED void product_ddrzinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_ddrzinv_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     float dc[2];
     ksl_SE3f_t Do;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_dc_single(dc, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(dc_single, dc, 1, 2);
     ksl_product_ddrzinvf(&D, dc, &Do);
-    store_SE3_single(&Do, p2 + i * step[2], core + 3);
+    STORE(SE3_single, &Do, 2, 3);
   }
 }
-
-static void product_ddrzinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 8, 48, 16, 4, 4, 16, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddrzinv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 48, 16, 4, 4, 16, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddrzinv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_ddrzinv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_ddrzinv_loops[] = {
-    product_ddrzinv_double, product_ddrzinv_single};
+LOOP(product_ddrzinv_single, 3, DENSE_OR_ONE, 48, 8, 48, 16, 4, 4, 16, 4)
+LOOPS(product_ddrzinv)
 
 /* (3,4),()->(3,4) */
-INLINED void product_ddtzinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_ddtzinv_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     double k;
     ksl_SE3_t Do;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_scalar_double(&k, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(scalar_double, &k, 1, 2);
     ksl_product_ddtzinv(&D, k, &Do);
-    store_SE3_double(&Do, p2 + i * step[2], core + 2);
+    STORE(SE3_double, &Do, 2, 2);
   }
 }
+LOOP(product_ddtzinv_double, 3, DENSE_OR_ONE, 96, 8, 96, 32, 8, 32, 8)
 
-static void product_ddtzinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 8, 96, 32, 8, 32, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddtzinv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 96, 32, 8, 32, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddtzinv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_ddtzinv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),()->(3,4) */
-INLINED void product_ddtzinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_ddtzinv_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     float k;
     ksl_SE3f_t Do;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_scalar_single(&k, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(scalar_single, &k, 1, 2);
     ksl_product_ddtzinvf(&D, k, &Do);
-    store_SE3_single(&Do, p2 + i * step[2], core + 2);
+    STORE(SE3_single, &Do, 2, 2);
   }
 }
-
-static void product_ddtzinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 4, 48, 16, 4, 16, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ddtzinv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 48, 16, 4, 16, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ddtzinv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_ddtzinv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_ddtzinv_loops[] = {
-    product_ddtzinv_double, product_ddtzinv_single};
+LOOP(product_ddtzinv_single, 3, DENSE_OR_ONE, 48, 4, 48, 16, 4, 16, 4)
+LOOPS(product_ddtzinv)
 
 const coscrew_gufunc TABLE(matrix)[] = {
   {"product_drv", "(3,3),(3)->(3)",

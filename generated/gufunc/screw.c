@@ -8,3883 +8,1318 @@
 #include "_gufunc.h"
 
 /* (6)->(6) */
-INLINED void screw_copy_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screw_t si;
-  load_screw_double(&si, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(screw_copy_double) {
+  POINTERS_2
+  LOAD_FIRST(screw_double, ksl_screw_t si, &si);
+  EACH {
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_screw_double(&si, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(screw_double, &si);
     ksl_screw_copy(&si, &so);
-    store_screw_double(&so, p1 + i * step[1], core + 1);
+    STORE(screw_double, &so, 1, 1);
   }
 }
+LOOP(screw_copy_double, 2, DENSE_OR_ONE, 48, 48, 8, 8)
 
-static void screw_copy_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_copy_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    screw_copy_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  screw_copy_double_over(data, n[0], step, step + 2);
-}
-
-/* (6)->(6) */
-INLINED void screw_copy_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screwf_t si;
-  load_screw_single(&si, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(screw_copy_single) {
+  POINTERS_2
+  LOAD_FIRST(screw_single, ksl_screwf_t si, &si);
+  EACH {
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_screw_single(&si, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(screw_single, &si);
     ksl_screwf_copy(&si, &so);
-    store_screw_single(&so, p1 + i * step[1], core + 1);
+    STORE(screw_single, &so, 1, 1);
   }
 }
-
-static void screw_copy_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_copy_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    screw_copy_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  screw_copy_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction screw_copy_loops[] = {
-    screw_copy_double, screw_copy_single};
+LOOP(screw_copy_single, 2, DENSE_OR_ONE, 24, 24, 4, 4)
+LOOPS(screw_copy)
 
 /* (6),()->(6) */
-INLINED void screw_scale_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(screw_scale_double) {
+  POINTERS_3
+  EACH {
     ksl_screw_t self;
     double a;
-    load_screw_double(&self, p0 + i * step[0], core + 0);
-    load_scalar_double(&a, p1 + i * step[1], core + 1);
+    LOAD(screw_double, &self, 0, 0);
+    LOAD(scalar_double, &a, 1, 1);
     ksl_screw_scale(&self, a);
-    store_screw_double(&self, p2 + i * step[2], core + 1);
+    STORE(screw_double, &self, 2, 1);
   }
 }
+LOOP(screw_scale_double, 3, DENSE, 48, 8, 48, 8, 8)
 
-static void screw_scale_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 8, 48, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_scale_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  screw_scale_double_over(data, n[0], step, step + 3);
-}
-
-/* (6),()->(6) */
-INLINED void screw_scale_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(screw_scale_single) {
+  POINTERS_3
+  EACH {
     ksl_screwf_t self;
     float a;
-    load_screw_single(&self, p0 + i * step[0], core + 0);
-    load_scalar_single(&a, p1 + i * step[1], core + 1);
+    LOAD(screw_single, &self, 0, 0);
+    LOAD(scalar_single, &a, 1, 1);
     ksl_screwf_scale(&self, a);
-    store_screw_single(&self, p2 + i * step[2], core + 1);
+    STORE(screw_single, &self, 2, 1);
   }
 }
-
-static void screw_scale_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 4, 24, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_scale_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  screw_scale_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction screw_scale_loops[] = {
-    screw_scale_double, screw_scale_single};
+LOOP(screw_scale_single, 3, DENSE, 24, 4, 24, 4, 4)
+LOOPS(screw_scale)
 
 /* (6)->(6) */
-INLINED void screw_inverted_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screw_t si;
-  load_screw_double(&si, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(screw_inverted_double) {
+  POINTERS_2
+  LOAD_FIRST(screw_double, ksl_screw_t si, &si);
+  EACH {
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_screw_double(&si, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(screw_double, &si);
     ksl_screw_inverted(&si, &so);
-    store_screw_double(&so, p1 + i * step[1], core + 1);
+    STORE(screw_double, &so, 1, 1);
   }
 }
+LOOP(screw_inverted_double, 2, DENSE_OR_ONE, 48, 48, 8, 8)
 
-static void screw_inverted_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_inverted_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    screw_inverted_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  screw_inverted_double_over(data, n[0], step, step + 2);
-}
-
-/* (6)->(6) */
-INLINED void screw_inverted_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screwf_t si;
-  load_screw_single(&si, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(screw_inverted_single) {
+  POINTERS_2
+  LOAD_FIRST(screw_single, ksl_screwf_t si, &si);
+  EACH {
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_screw_single(&si, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(screw_single, &si);
     ksl_screwf_inverted(&si, &so);
-    store_screw_single(&so, p1 + i * step[1], core + 1);
+    STORE(screw_single, &so, 1, 1);
   }
 }
-
-static void screw_inverted_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_inverted_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    screw_inverted_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  screw_inverted_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction screw_inverted_loops[] = {
-    screw_inverted_double, screw_inverted_single};
+LOOP(screw_inverted_single, 2, DENSE_OR_ONE, 24, 24, 4, 4)
+LOOPS(screw_inverted)
 
 /* (6)->(6) */
-INLINED void screw_invert_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(screw_invert_double) {
+  POINTERS_2
+  EACH {
     ksl_screw_t self;
-    load_screw_double(&self, p0 + i * step[0], core + 0);
+    LOAD(screw_double, &self, 0, 0);
     ksl_screw_invert(&self);
-    store_screw_double(&self, p1 + i * step[1], core + 1);
+    STORE(screw_double, &self, 1, 1);
   }
 }
+LOOP(screw_invert_double, 2, DENSE, 48, 48, 8, 8)
 
-static void screw_invert_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_invert_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  screw_invert_double_over(data, n[0], step, step + 2);
-}
-
-/* (6)->(6) */
-INLINED void screw_invert_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(screw_invert_single) {
+  POINTERS_2
+  EACH {
     ksl_screwf_t self;
-    load_screw_single(&self, p0 + i * step[0], core + 0);
+    LOAD(screw_single, &self, 0, 0);
     ksl_screwf_invert(&self);
-    store_screw_single(&self, p1 + i * step[1], core + 1);
+    STORE(screw_single, &self, 1, 1);
   }
 }
-
-static void screw_invert_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_invert_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  screw_invert_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction screw_invert_loops[] = {
-    screw_invert_double, screw_invert_single};
+LOOP(screw_invert_single, 2, DENSE, 24, 24, 4, 4)
+LOOPS(screw_invert)
 
 /* (),(6),(6)->(6) */
-INLINED void axpy_ss_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  double a;
-  load_scalar_double(&a, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(axpy_ss_double) {
+  POINTERS_4
+  LOAD_FIRST(scalar_double, double a, &a);
+  EACH {
     ksl_screw_t x;
     ksl_screw_t y;
-    if (step[0] != 0) {
-      load_scalar_double(&a, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&x, p1 + i * step[1], core + 0);
-    load_screw_double(&y, p2 + i * step[2], core + 1);
+    LOAD_OTHER(scalar_double, &a);
+    LOAD(screw_double, &x, 1, 0);
+    LOAD(screw_double, &y, 2, 1);
     ksl_axpy_ss(a, &x, &y);
-    store_screw_double(&y, p3 + i * step[3], core + 2);
+    STORE(screw_double, &y, 3, 2);
   }
 }
+LOOP(axpy_ss_double, 4, DENSE_OR_ONE, 8, 48, 48, 48, 8, 8, 8)
 
-static void axpy_ss_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 8, 48, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    axpy_ss_double_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    axpy_ss_double_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  axpy_ss_double_over(data, n[0], step, step + 4);
-}
-
-/* (),(6),(6)->(6) */
-INLINED void axpy_ss_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  float a;
-  load_scalar_single(&a, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(axpy_ss_single) {
+  POINTERS_4
+  LOAD_FIRST(scalar_single, float a, &a);
+  EACH {
     ksl_screwf_t x;
     ksl_screwf_t y;
-    if (step[0] != 0) {
-      load_scalar_single(&a, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&x, p1 + i * step[1], core + 0);
-    load_screw_single(&y, p2 + i * step[2], core + 1);
+    LOAD_OTHER(scalar_single, &a);
+    LOAD(screw_single, &x, 1, 0);
+    LOAD(screw_single, &y, 2, 1);
     ksl_axpy_ssf(a, &x, &y);
-    store_screw_single(&y, p3 + i * step[3], core + 2);
+    STORE(screw_single, &y, 3, 2);
   }
 }
-
-static void axpy_ss_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 4, 24, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    axpy_ss_single_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    axpy_ss_single_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  axpy_ss_single_over(data, n[0], step, step + 4);
-}
-
-static PyUFuncGenericFunction axpy_ss_loops[] = {
-    axpy_ss_double, axpy_ss_single};
+LOOP(axpy_ss_single, 4, DENSE_OR_ONE, 4, 24, 24, 24, 4, 4, 4)
+LOOPS(axpy_ss)
 
 /* (6),(6)->(6) */
-INLINED void xpy_ss_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screw_t x;
-  load_screw_double(&x, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(xpy_ss_double) {
+  POINTERS_3
+  LOAD_FIRST(screw_double, ksl_screw_t x, &x);
+  EACH {
     ksl_screw_t y;
-    if (step[0] != 0) {
-      load_screw_double(&x, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&y, p1 + i * step[1], core + 1);
+    LOAD_OTHER(screw_double, &x);
+    LOAD(screw_double, &y, 1, 1);
     ksl_xpy_ss(&x, &y);
-    store_screw_double(&y, p2 + i * step[2], core + 2);
+    STORE(screw_double, &y, 2, 2);
   }
 }
+LOOP(xpy_ss_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
-static void xpy_ss_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    xpy_ss_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    xpy_ss_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  xpy_ss_double_over(data, n[0], step, step + 3);
-}
-
-/* (6),(6)->(6) */
-INLINED void xpy_ss_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screwf_t x;
-  load_screw_single(&x, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(xpy_ss_single) {
+  POINTERS_3
+  LOAD_FIRST(screw_single, ksl_screwf_t x, &x);
+  EACH {
     ksl_screwf_t y;
-    if (step[0] != 0) {
-      load_screw_single(&x, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&y, p1 + i * step[1], core + 1);
+    LOAD_OTHER(screw_single, &x);
+    LOAD(screw_single, &y, 1, 1);
     ksl_xpy_ssf(&x, &y);
-    store_screw_single(&y, p2 + i * step[2], core + 2);
+    STORE(screw_single, &y, 2, 2);
   }
 }
-
-static void xpy_ss_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    xpy_ss_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    xpy_ss_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  xpy_ss_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction xpy_ss_loops[] = {
-    xpy_ss_double, xpy_ss_single};
+LOOP(xpy_ss_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
+LOOPS(xpy_ss)
 
 /* (6),(6)->(6) */
-INLINED void nxpy_ss_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screw_t x;
-  load_screw_double(&x, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(nxpy_ss_double) {
+  POINTERS_3
+  LOAD_FIRST(screw_double, ksl_screw_t x, &x);
+  EACH {
     ksl_screw_t y;
-    if (step[0] != 0) {
-      load_screw_double(&x, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&y, p1 + i * step[1], core + 1);
+    LOAD_OTHER(screw_double, &x);
+    LOAD(screw_double, &y, 1, 1);
     ksl_nxpy_ss(&x, &y);
-    store_screw_double(&y, p2 + i * step[2], core + 2);
+    STORE(screw_double, &y, 2, 2);
   }
 }
+LOOP(nxpy_ss_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
-static void nxpy_ss_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    nxpy_ss_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    nxpy_ss_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  nxpy_ss_double_over(data, n[0], step, step + 3);
-}
-
-/* (6),(6)->(6) */
-INLINED void nxpy_ss_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screwf_t x;
-  load_screw_single(&x, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(nxpy_ss_single) {
+  POINTERS_3
+  LOAD_FIRST(screw_single, ksl_screwf_t x, &x);
+  EACH {
     ksl_screwf_t y;
-    if (step[0] != 0) {
-      load_screw_single(&x, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&y, p1 + i * step[1], core + 1);
+    LOAD_OTHER(screw_single, &x);
+    LOAD(screw_single, &y, 1, 1);
     ksl_nxpy_ssf(&x, &y);
-    store_screw_single(&y, p2 + i * step[2], core + 2);
+    STORE(screw_single, &y, 2, 2);
   }
 }
-
-static void nxpy_ss_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    nxpy_ss_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    nxpy_ss_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  nxpy_ss_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction nxpy_ss_loops[] = {
-    nxpy_ss_double, nxpy_ss_single};
+LOOP(nxpy_ss_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
+LOOPS(nxpy_ss)
 
 /* (),(6)->(6) */
-INLINED void product_as_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  double a;
-  load_scalar_double(&a, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_as_double) {
+  POINTERS_3
+  LOAD_FIRST(scalar_double, double a, &a);
+  EACH {
     ksl_screw_t si;
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_scalar_double(&a, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&si, p1 + i * step[1], core + 0);
+    LOAD_OTHER(scalar_double, &a);
+    LOAD(screw_double, &si, 1, 0);
     ksl_product_as(a, &si, &so);
-    store_screw_double(&so, p2 + i * step[2], core + 1);
+    STORE(screw_double, &so, 2, 1);
   }
 }
+LOOP(product_as_double, 3, DENSE_OR_ONE, 8, 48, 48, 8, 8)
 
-static void product_as_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 8, 48, 48, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_as_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_as_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_as_double_over(data, n[0], step, step + 3);
-}
-
-/* (),(6)->(6) */
-INLINED void product_as_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  float a;
-  load_scalar_single(&a, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_as_single) {
+  POINTERS_3
+  LOAD_FIRST(scalar_single, float a, &a);
+  EACH {
     ksl_screwf_t si;
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_scalar_single(&a, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&si, p1 + i * step[1], core + 0);
+    LOAD_OTHER(scalar_single, &a);
+    LOAD(screw_single, &si, 1, 0);
     ksl_product_asf(a, &si, &so);
-    store_screw_single(&so, p2 + i * step[2], core + 1);
+    STORE(screw_single, &so, 2, 1);
   }
 }
-
-static void product_as_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 4, 24, 24, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_as_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_as_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_as_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_as_loops[] = {
-    product_as_double, product_as_single};
+LOOP(product_as_single, 3, DENSE_OR_ONE, 4, 24, 24, 4, 4)
+LOOPS(product_as)
 
 /* (6),(6)->(6) */
-INLINED void add_ss_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screw_t s1;
-  load_screw_double(&s1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(add_ss_double) {
+  POINTERS_3
+  LOAD_FIRST(screw_double, ksl_screw_t s1, &s1);
+  EACH {
     ksl_screw_t s2;
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_screw_double(&s1, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&s2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(screw_double, &s1);
+    LOAD(screw_double, &s2, 1, 1);
     ksl_add_ss(&s1, &s2, &so);
-    store_screw_double(&so, p2 + i * step[2], core + 2);
+    STORE(screw_double, &so, 2, 2);
   }
 }
+LOOP(add_ss_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
-static void add_ss_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_ss_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_ss_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  add_ss_double_over(data, n[0], step, step + 3);
-}
-
-/* (6),(6)->(6) */
-INLINED void add_ss_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screwf_t s1;
-  load_screw_single(&s1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(add_ss_single) {
+  POINTERS_3
+  LOAD_FIRST(screw_single, ksl_screwf_t s1, &s1);
+  EACH {
     ksl_screwf_t s2;
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_screw_single(&s1, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&s2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(screw_single, &s1);
+    LOAD(screw_single, &s2, 1, 1);
     ksl_add_ssf(&s1, &s2, &so);
-    store_screw_single(&so, p2 + i * step[2], core + 2);
+    STORE(screw_single, &so, 2, 2);
   }
 }
-
-static void add_ss_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_ss_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_ss_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  add_ss_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction add_ss_loops[] = {
-    add_ss_double, add_ss_single};
+LOOP(add_ss_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
+LOOPS(add_ss)
 
 /* (6),(6)->(6) */
-INLINED void subtract_ss_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screw_t s1;
-  load_screw_double(&s1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(subtract_ss_double) {
+  POINTERS_3
+  LOAD_FIRST(screw_double, ksl_screw_t s1, &s1);
+  EACH {
     ksl_screw_t s2;
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_screw_double(&s1, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&s2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(screw_double, &s1);
+    LOAD(screw_double, &s2, 1, 1);
     ksl_subtract_ss(&s1, &s2, &so);
-    store_screw_double(&so, p2 + i * step[2], core + 2);
+    STORE(screw_double, &so, 2, 2);
   }
 }
+LOOP(subtract_ss_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
-static void subtract_ss_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    subtract_ss_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    subtract_ss_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  subtract_ss_double_over(data, n[0], step, step + 3);
-}
-
-/* (6),(6)->(6) */
-INLINED void subtract_ss_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screwf_t s1;
-  load_screw_single(&s1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(subtract_ss_single) {
+  POINTERS_3
+  LOAD_FIRST(screw_single, ksl_screwf_t s1, &s1);
+  EACH {
     ksl_screwf_t s2;
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_screw_single(&s1, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&s2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(screw_single, &s1);
+    LOAD(screw_single, &s2, 1, 1);
     ksl_subtract_ssf(&s1, &s2, &so);
-    store_screw_single(&so, p2 + i * step[2], core + 2);
+    STORE(screw_single, &so, 2, 2);
   }
 }
-
-static void subtract_ss_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    subtract_ss_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    subtract_ss_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  subtract_ss_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction subtract_ss_loops[] = {
-    subtract_ss_double, subtract_ss_single};
+LOOP(subtract_ss_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
+LOOPS(subtract_ss)
 
 /* (6)->() */
-INLINED void screw_norm_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screw_t si;
-  load_screw_double(&si, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(screw_norm_double) {
+  POINTERS_2
+  LOAD_FIRST(screw_double, ksl_screw_t si, &si);
+  EACH {
     double norm;
-    if (step[0] != 0) {
-      load_screw_double(&si, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(screw_double, &si);
     norm = ksl_screw_norm(&si);
-    store_scalar_double(&norm, p1 + i * step[1], core + 1);
+    STORE(scalar_double, &norm, 1, 1);
   }
 }
+LOOP(screw_norm_double, 2, DENSE_OR_ONE, 48, 8, 8)
 
-static void screw_norm_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_norm_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    screw_norm_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  screw_norm_double_over(data, n[0], step, step + 2);
-}
-
-/* (6)->() */
-INLINED void screw_norm_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screwf_t si;
-  load_screw_single(&si, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(screw_norm_single) {
+  POINTERS_2
+  LOAD_FIRST(screw_single, ksl_screwf_t si, &si);
+  EACH {
     float norm;
-    if (step[0] != 0) {
-      load_screw_single(&si, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(screw_single, &si);
     norm = ksl_screwf_norm(&si);
-    store_scalar_single(&norm, p1 + i * step[1], core + 1);
+    STORE(scalar_single, &norm, 1, 1);
   }
 }
-
-static void screw_norm_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_norm_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    screw_norm_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  screw_norm_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction screw_norm_loops[] = {
-    screw_norm_double, screw_norm_single};
+LOOP(screw_norm_single, 2, DENSE_OR_ONE, 24, 4, 4)
+LOOPS(screw_norm)
 
 /* (6)->(6) */
-INLINED void screw_normalize_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(screw_normalize_double) {
+  POINTERS_2
+  EACH {
     ksl_screw_t self;
-    load_screw_double(&self, p0 + i * step[0], core + 0);
+    LOAD(screw_double, &self, 0, 0);
     ksl_screw_normalize(&self);
-    store_screw_double(&self, p1 + i * step[1], core + 1);
+    STORE(screw_double, &self, 1, 1);
   }
 }
+LOOP(screw_normalize_double, 2, DENSE, 48, 48, 8, 8)
 
-static void screw_normalize_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_normalize_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  screw_normalize_double_over(data, n[0], step, step + 2);
-}
-
-/* (6)->(6) */
-INLINED void screw_normalize_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(screw_normalize_single) {
+  POINTERS_2
+  EACH {
     ksl_screwf_t self;
-    load_screw_single(&self, p0 + i * step[0], core + 0);
+    LOAD(screw_single, &self, 0, 0);
     ksl_screwf_normalize(&self);
-    store_screw_single(&self, p1 + i * step[1], core + 1);
+    STORE(screw_single, &self, 1, 1);
   }
 }
-
-static void screw_normalize_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_normalize_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  screw_normalize_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction screw_normalize_loops[] = {
-    screw_normalize_double, screw_normalize_single};
+LOOP(screw_normalize_single, 2, DENSE, 24, 24, 4, 4)
+LOOPS(screw_normalize)
 
 /* (6)->(6) */
-INLINED void screw_normalized_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screw_t si;
-  load_screw_double(&si, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(screw_normalized_double) {
+  POINTERS_2
+  LOAD_FIRST(screw_double, ksl_screw_t si, &si);
+  EACH {
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_screw_double(&si, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(screw_double, &si);
     ksl_screw_normalized(&si, &so);
-    store_screw_double(&so, p1 + i * step[1], core + 1);
+    STORE(screw_double, &so, 1, 1);
   }
 }
+LOOP(screw_normalized_double, 2, DENSE_OR_ONE, 48, 48, 8, 8)
 
-static void screw_normalized_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_normalized_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    screw_normalized_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  screw_normalized_double_over(data, n[0], step, step + 2);
-}
-
-/* (6)->(6) */
-INLINED void screw_normalized_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screwf_t si;
-  load_screw_single(&si, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(screw_normalized_single) {
+  POINTERS_2
+  LOAD_FIRST(screw_single, ksl_screwf_t si, &si);
+  EACH {
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_screw_single(&si, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(screw_single, &si);
     ksl_screwf_normalized(&si, &so);
-    store_screw_single(&so, p1 + i * step[1], core + 1);
+    STORE(screw_single, &so, 1, 1);
   }
 }
-
-static void screw_normalized_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_normalized_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    screw_normalized_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  screw_normalized_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction screw_normalized_loops[] = {
-    screw_normalized_double, screw_normalized_single};
+LOOP(screw_normalized_single, 2, DENSE_OR_ONE, 24, 24, 4, 4)
+LOOPS(screw_normalized)
 
 /* (3),(3)->(6) */
-INLINED void screw_from_lin_ang_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t lin;
-  load_vec3_double(&lin, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(screw_from_lin_ang_double) {
+  POINTERS_3
+  LOAD_FIRST(vec3_double, ksl_vec3_t lin, &lin);
+  EACH {
     ksl_vec3_t ang;
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_vec3_double(&lin, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&ang, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &lin);
+    LOAD(vec3_double, &ang, 1, 1);
     ksl_screw_from_lin_ang(&lin, &ang, &so);
-    store_screw_double(&so, p2 + i * step[2], core + 2);
+    STORE(screw_double, &so, 2, 2);
   }
 }
+LOOP(screw_from_lin_ang_double, 3, DENSE_OR_ONE, 24, 24, 48, 8, 8, 8)
 
-static void screw_from_lin_ang_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_from_lin_ang_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    screw_from_lin_ang_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  screw_from_lin_ang_double_over(data, n[0], step, step + 3);
-}
-
-/* (3),(3)->(6) */
-INLINED void screw_from_lin_ang_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t lin;
-  load_vec3_single(&lin, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(screw_from_lin_ang_single) {
+  POINTERS_3
+  LOAD_FIRST(vec3_single, ksl_vec3f_t lin, &lin);
+  EACH {
     ksl_vec3f_t ang;
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_vec3_single(&lin, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&ang, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &lin);
+    LOAD(vec3_single, &ang, 1, 1);
     ksl_screwf_from_lin_ang(&lin, &ang, &so);
-    store_screw_single(&so, p2 + i * step[2], core + 2);
+    STORE(screw_single, &so, 2, 2);
   }
 }
-
-static void screw_from_lin_ang_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 12, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_from_lin_ang_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    screw_from_lin_ang_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  screw_from_lin_ang_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction screw_from_lin_ang_loops[] = {
-    screw_from_lin_ang_double, screw_from_lin_ang_single};
+LOOP(screw_from_lin_ang_single, 3, DENSE_OR_ONE, 12, 12, 24, 4, 4, 4)
+LOOPS(screw_from_lin_ang)
 
 /* (6)->(6) */
-INLINED void screw_to_angular_first_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screw_t si;
-  load_screw_double(&si, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(screw_to_angular_first_double) {
+  POINTERS_2
+  LOAD_FIRST(screw_double, ksl_screw_t si, &si);
+  EACH {
     double x[6];
-    if (step[0] != 0) {
-      load_screw_double(&si, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(screw_double, &si);
     ksl_screw_to_angular_first(&si, x);
-    store_angular_first_double(x, p1 + i * step[1], core + 1);
+    STORE(angular_first_double, x, 1, 1);
   }
 }
+LOOP(screw_to_angular_first_double, 2, DENSE_OR_ONE, 48, 48, 8, 8)
 
-static void screw_to_angular_first_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_to_angular_first_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    screw_to_angular_first_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  screw_to_angular_first_double_over(data, n[0], step, step + 2);
-}
-
-/* (6)->(6) */
-INLINED void screw_to_angular_first_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screwf_t si;
-  load_screw_single(&si, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(screw_to_angular_first_single) {
+  POINTERS_2
+  LOAD_FIRST(screw_single, ksl_screwf_t si, &si);
+  EACH {
     float x[6];
-    if (step[0] != 0) {
-      load_screw_single(&si, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(screw_single, &si);
     ksl_screwf_to_angular_first(&si, x);
-    store_angular_first_single(x, p1 + i * step[1], core + 1);
+    STORE(angular_first_single, x, 1, 1);
   }
 }
-
-static void screw_to_angular_first_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_to_angular_first_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    screw_to_angular_first_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  screw_to_angular_first_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction screw_to_angular_first_loops[] = {
-    screw_to_angular_first_double, screw_to_angular_first_single};
+LOOP(screw_to_angular_first_single, 2, DENSE_OR_ONE, 24, 24, 4, 4)
+LOOPS(screw_to_angular_first)
 
 /* (6)->(6) */
-INLINED void screw_from_angular_first_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  double x[6];
-  load_angular_first_double(x, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(screw_from_angular_first_double) {
+  POINTERS_2
+  LOAD_FIRST(angular_first_double, double x[6], x);
+  EACH {
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_angular_first_double(x, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(angular_first_double, x);
     ksl_screw_from_angular_first(x, &so);
-    store_screw_double(&so, p1 + i * step[1], core + 1);
+    STORE(screw_double, &so, 1, 1);
   }
 }
+LOOP(screw_from_angular_first_double, 2, DENSE_OR_ONE, 48, 48, 8, 8)
 
-static void screw_from_angular_first_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_from_angular_first_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    screw_from_angular_first_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  screw_from_angular_first_double_over(data, n[0], step, step + 2);
-}
-
-/* (6)->(6) */
-INLINED void screw_from_angular_first_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  float x[6];
-  load_angular_first_single(x, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(screw_from_angular_first_single) {
+  POINTERS_2
+  LOAD_FIRST(angular_first_single, float x[6], x);
+  EACH {
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_angular_first_single(x, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(angular_first_single, x);
     ksl_screwf_from_angular_first(x, &so);
-    store_screw_single(&so, p1 + i * step[1], core + 1);
+    STORE(screw_single, &so, 1, 1);
   }
 }
-
-static void screw_from_angular_first_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_from_angular_first_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    screw_from_angular_first_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  screw_from_angular_first_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction screw_from_angular_first_loops[] = {
-    screw_from_angular_first_double, screw_from_angular_first_single};
+LOOP(screw_from_angular_first_single, 2, DENSE_OR_ONE, 24, 24, 4, 4)
+LOOPS(screw_from_angular_first)
 
 /* (6),(6)->(6) */
-INLINED void add_sst_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screw_t s1;
-  load_screw_double(&s1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(add_sst_double) {
+  POINTERS_3
+  LOAD_FIRST(screw_double, ksl_screw_t s1, &s1);
+  EACH {
     ksl_screw_t s2;
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_screw_double(&s1, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&s2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(screw_double, &s1);
+    LOAD(screw_double, &s2, 1, 1);
     ksl_add_sst(&s1, &s2, &so);
-    store_screw_double(&so, p2 + i * step[2], core + 2);
+    STORE(screw_double, &so, 2, 2);
   }
 }
+LOOP(add_sst_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
-static void add_sst_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_sst_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_sst_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  add_sst_double_over(data, n[0], step, step + 3);
-}
-
-/* (6),(6)->(6) */
-INLINED void add_sst_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screwf_t s1;
-  load_screw_single(&s1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(add_sst_single) {
+  POINTERS_3
+  LOAD_FIRST(screw_single, ksl_screwf_t s1, &s1);
+  EACH {
     ksl_screwf_t s2;
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_screw_single(&s1, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&s2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(screw_single, &s1);
+    LOAD(screw_single, &s2, 1, 1);
     ksl_add_sstf(&s1, &s2, &so);
-    store_screw_single(&so, p2 + i * step[2], core + 2);
+    STORE(screw_single, &so, 2, 2);
   }
 }
-
-static void add_sst_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_sst_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_sst_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  add_sst_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction add_sst_loops[] = {
-    add_sst_double, add_sst_single};
+LOOP(add_sst_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
+LOOPS(add_sst)
 
 /* (3),(6)->(6) */
-INLINED void product_Adts_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t t;
-  load_vec3_double(&t, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_Adts_double) {
+  POINTERS_3
+  LOAD_FIRST(vec3_double, ksl_vec3_t t, &t);
+  EACH {
     ksl_screw_t si;
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_vec3_double(&t, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&si, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &t);
+    LOAD(screw_double, &si, 1, 1);
     ksl_product_Adts(&t, &si, &so);
-    store_screw_double(&so, p2 + i * step[2], core + 2);
+    STORE(screw_double, &so, 2, 2);
   }
 }
+LOOP(product_Adts_double, 3, DENSE_OR_ONE, 24, 48, 48, 8, 8, 8)
 
-static void product_Adts_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adts_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adts_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_Adts_double_over(data, n[0], step, step + 3);
-}
-
-/* (3),(6)->(6) */
-INLINED void product_Adts_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t t;
-  load_vec3_single(&t, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_Adts_single) {
+  POINTERS_3
+  LOAD_FIRST(vec3_single, ksl_vec3f_t t, &t);
+  EACH {
     ksl_screwf_t si;
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_vec3_single(&t, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&si, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &t);
+    LOAD(screw_single, &si, 1, 1);
     ksl_product_Adtsf(&t, &si, &so);
-    store_screw_single(&so, p2 + i * step[2], core + 2);
+    STORE(screw_single, &so, 2, 2);
   }
 }
-
-static void product_Adts_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adts_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adts_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_Adts_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_Adts_loops[] = {
-    product_Adts_double, product_Adts_single};
+LOOP(product_Adts_single, 3, DENSE_OR_ONE, 12, 24, 24, 4, 4, 4)
+LOOPS(product_Adts)
 
 /* (3),(6)->(6) */
-INLINED void product_Adtinvs_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t t;
-  load_vec3_double(&t, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_Adtinvs_double) {
+  POINTERS_3
+  LOAD_FIRST(vec3_double, ksl_vec3_t t, &t);
+  EACH {
     ksl_screw_t si;
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_vec3_double(&t, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&si, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &t);
+    LOAD(screw_double, &si, 1, 1);
     ksl_product_Adtinvs(&t, &si, &so);
-    store_screw_double(&so, p2 + i * step[2], core + 2);
+    STORE(screw_double, &so, 2, 2);
   }
 }
+LOOP(product_Adtinvs_double, 3, DENSE_OR_ONE, 24, 48, 48, 8, 8, 8)
 
-static void product_Adtinvs_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adtinvs_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adtinvs_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_Adtinvs_double_over(data, n[0], step, step + 3);
-}
-
-/* (3),(6)->(6) */
-INLINED void product_Adtinvs_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t t;
-  load_vec3_single(&t, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_Adtinvs_single) {
+  POINTERS_3
+  LOAD_FIRST(vec3_single, ksl_vec3f_t t, &t);
+  EACH {
     ksl_screwf_t si;
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_vec3_single(&t, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&si, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &t);
+    LOAD(screw_single, &si, 1, 1);
     ksl_product_Adtinvsf(&t, &si, &so);
-    store_screw_single(&so, p2 + i * step[2], core + 2);
+    STORE(screw_single, &so, 2, 2);
   }
 }
-
-static void product_Adtinvs_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adtinvs_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adtinvs_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_Adtinvs_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_Adtinvs_loops[] = {
-    product_Adtinvs_double, product_Adtinvs_single};
+LOOP(product_Adtinvs_single, 3, DENSE_OR_ONE, 12, 24, 24, 4, 4, 4)
+LOOPS(product_Adtinvs)
 
 /* (3),(6)->(6) */
-INLINED void product_Adtsinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t t;
-  load_vec3_double(&t, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_Adtsinv_double) {
+  POINTERS_3
+  LOAD_FIRST(vec3_double, ksl_vec3_t t, &t);
+  EACH {
     ksl_screw_t si;
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_vec3_double(&t, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&si, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &t);
+    LOAD(screw_double, &si, 1, 1);
     ksl_product_Adtsinv(&t, &si, &so);
-    store_screw_double(&so, p2 + i * step[2], core + 2);
+    STORE(screw_double, &so, 2, 2);
   }
 }
+LOOP(product_Adtsinv_double, 3, DENSE_OR_ONE, 24, 48, 48, 8, 8, 8)
 
-static void product_Adtsinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adtsinv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adtsinv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_Adtsinv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3),(6)->(6) */
-INLINED void product_Adtsinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t t;
-  load_vec3_single(&t, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_Adtsinv_single) {
+  POINTERS_3
+  LOAD_FIRST(vec3_single, ksl_vec3f_t t, &t);
+  EACH {
     ksl_screwf_t si;
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_vec3_single(&t, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&si, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &t);
+    LOAD(screw_single, &si, 1, 1);
     ksl_product_Adtsinvf(&t, &si, &so);
-    store_screw_single(&so, p2 + i * step[2], core + 2);
+    STORE(screw_single, &so, 2, 2);
   }
 }
-
-static void product_Adtsinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adtsinv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adtsinv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_Adtsinv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_Adtsinv_loops[] = {
-    product_Adtsinv_double, product_Adtsinv_single};
+LOOP(product_Adtsinv_single, 3, DENSE_OR_ONE, 12, 24, 24, 4, 4, 4)
+LOOPS(product_Adtsinv)
 
 /* (3,3),(6)->(6) */
-INLINED void product_Adrs_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_Adrs_double) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     ksl_screw_t si;
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&si, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(screw_double, &si, 1, 2);
     ksl_product_Adrs(&R, &si, &so);
-    store_screw_double(&so, p2 + i * step[2], core + 3);
+    STORE(screw_double, &so, 2, 3);
   }
 }
+LOOP(product_Adrs_double, 3, DENSE_OR_ONE, 72, 48, 48, 24, 8, 8, 8)
 
-static void product_Adrs_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 48, 48, 24, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adrs_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 24, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adrs_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_Adrs_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,3),(6)->(6) */
-INLINED void product_Adrs_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_Adrs_single) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     ksl_screwf_t si;
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&si, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(screw_single, &si, 1, 2);
     ksl_product_Adrsf(&R, &si, &so);
-    store_screw_single(&so, p2 + i * step[2], core + 3);
+    STORE(screw_single, &so, 2, 3);
   }
 }
-
-static void product_Adrs_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 24, 24, 12, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adrs_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 12, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adrs_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_Adrs_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_Adrs_loops[] = {
-    product_Adrs_double, product_Adrs_single};
+LOOP(product_Adrs_single, 3, DENSE_OR_ONE, 36, 24, 24, 12, 4, 4, 4)
+LOOPS(product_Adrs)
 
 /* (3,3),(6)->(6) */
-INLINED void product_Adrinvs_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_Adrinvs_double) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     ksl_screw_t si;
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&si, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(screw_double, &si, 1, 2);
     ksl_product_Adrinvs(&R, &si, &so);
-    store_screw_double(&so, p2 + i * step[2], core + 3);
+    STORE(screw_double, &so, 2, 3);
   }
 }
+LOOP(product_Adrinvs_double, 3, DENSE_OR_ONE, 72, 48, 48, 24, 8, 8, 8)
 
-static void product_Adrinvs_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 48, 48, 24, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adrinvs_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 24, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adrinvs_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_Adrinvs_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,3),(6)->(6) */
-INLINED void product_Adrinvs_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_Adrinvs_single) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     ksl_screwf_t si;
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&si, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(screw_single, &si, 1, 2);
     ksl_product_Adrinvsf(&R, &si, &so);
-    store_screw_single(&so, p2 + i * step[2], core + 3);
+    STORE(screw_single, &so, 2, 3);
   }
 }
-
-static void product_Adrinvs_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 24, 24, 12, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adrinvs_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 12, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adrinvs_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_Adrinvs_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_Adrinvs_loops[] = {
-    product_Adrinvs_double, product_Adrinvs_single};
+LOOP(product_Adrinvs_single, 3, DENSE_OR_ONE, 36, 24, 24, 12, 4, 4, 4)
+LOOPS(product_Adrinvs)
 
 /* (3,3),(6)->(6) */
-INLINED void product_Adrsinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_Adrsinv_double) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     ksl_screw_t si;
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&si, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(screw_double, &si, 1, 2);
     ksl_product_Adrsinv(&R, &si, &so);
-    store_screw_double(&so, p2 + i * step[2], core + 3);
+    STORE(screw_double, &so, 2, 3);
   }
 }
+LOOP(product_Adrsinv_double, 3, DENSE_OR_ONE, 72, 48, 48, 24, 8, 8, 8)
 
-static void product_Adrsinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 48, 48, 24, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adrsinv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 24, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adrsinv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_Adrsinv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,3),(6)->(6) */
-INLINED void product_Adrsinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_Adrsinv_single) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     ksl_screwf_t si;
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&si, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(screw_single, &si, 1, 2);
     ksl_product_Adrsinvf(&R, &si, &so);
-    store_screw_single(&so, p2 + i * step[2], core + 3);
+    STORE(screw_single, &so, 2, 3);
   }
 }
-
-static void product_Adrsinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 24, 24, 12, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adrsinv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 12, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adrsinv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_Adrsinv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_Adrsinv_loops[] = {
-    product_Adrsinv_double, product_Adrsinv_single};
+LOOP(product_Adrsinv_single, 3, DENSE_OR_ONE, 36, 24, 24, 12, 4, 4, 4)
+LOOPS(product_Adrsinv)
 
 /* (3,4),(6)->(6) */
-INLINED void product_Ads_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_Ads_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_screw_t si;
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&si, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(screw_double, &si, 1, 2);
     ksl_product_Ads(&D, &si, &so);
-    store_screw_double(&so, p2 + i * step[2], core + 3);
+    STORE(screw_double, &so, 2, 3);
   }
 }
+LOOP(product_Ads_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
-static void product_Ads_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Ads_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Ads_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_Ads_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(6)->(6) */
-INLINED void product_Ads_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_Ads_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_screwf_t si;
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&si, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(screw_single, &si, 1, 2);
     ksl_product_Adsf(&D, &si, &so);
-    store_screw_single(&so, p2 + i * step[2], core + 3);
+    STORE(screw_single, &so, 2, 3);
   }
 }
-
-static void product_Ads_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Ads_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Ads_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_Ads_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_Ads_loops[] = {
-    product_Ads_double, product_Ads_single};
+LOOP(product_Ads_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
+LOOPS(product_Ads)
 
 /* (3,4),(6)->(6) */
-INLINED void product_Adinvs_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_Adinvs_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_screw_t si;
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&si, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(screw_double, &si, 1, 2);
     ksl_product_Adinvs(&D, &si, &so);
-    store_screw_double(&so, p2 + i * step[2], core + 3);
+    STORE(screw_double, &so, 2, 3);
   }
 }
+LOOP(product_Adinvs_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
-static void product_Adinvs_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adinvs_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adinvs_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_Adinvs_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(6)->(6) */
-INLINED void product_Adinvs_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_Adinvs_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_screwf_t si;
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&si, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(screw_single, &si, 1, 2);
     ksl_product_Adinvsf(&D, &si, &so);
-    store_screw_single(&so, p2 + i * step[2], core + 3);
+    STORE(screw_single, &so, 2, 3);
   }
 }
-
-static void product_Adinvs_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adinvs_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adinvs_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_Adinvs_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_Adinvs_loops[] = {
-    product_Adinvs_double, product_Adinvs_single};
+LOOP(product_Adinvs_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
+LOOPS(product_Adinvs)
 
 /* (3,4),(6)->(6) */
-INLINED void product_Adsinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_Adsinv_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_screw_t si;
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&si, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(screw_double, &si, 1, 2);
     ksl_product_Adsinv(&D, &si, &so);
-    store_screw_double(&so, p2 + i * step[2], core + 3);
+    STORE(screw_double, &so, 2, 3);
   }
 }
+LOOP(product_Adsinv_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
-static void product_Adsinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adsinv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adsinv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_Adsinv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(6)->(6) */
-INLINED void product_Adsinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_Adsinv_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_screwf_t si;
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&si, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(screw_single, &si, 1, 2);
     ksl_product_Adsinvf(&D, &si, &so);
-    store_screw_single(&so, p2 + i * step[2], core + 3);
+    STORE(screw_single, &so, 2, 3);
   }
 }
-
-static void product_Adsinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adsinv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adsinv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_Adsinv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_Adsinv_loops[] = {
-    product_Adsinv_double, product_Adsinv_single};
+LOOP(product_Adsinv_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
+LOOPS(product_Adsinv)
 
 /* (3,4)->(6) */
-INLINED void hstx_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hstx_double) {
+  POINTERS_2
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_double, &D);
     ksl_hstx(&D, &so);
-    store_screw_double(&so, p1 + i * step[1], core + 2);
+    STORE(screw_double, &so, 1, 2);
   }
 }
+LOOP(hstx_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
 
-static void hstx_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hstx_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hstx_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hstx_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,4)->(6) */
-INLINED void hstx_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hstx_single) {
+  POINTERS_2
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_single, &D);
     ksl_hstxf(&D, &so);
-    store_screw_single(&so, p1 + i * step[1], core + 2);
+    STORE(screw_single, &so, 1, 2);
   }
 }
-
-static void hstx_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hstx_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hstx_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hstx_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction hstx_loops[] = {
-    hstx_double, hstx_single};
+LOOP(hstx_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOPS(hstx)
 
 /* (3,4)->(6) */
-INLINED void hsty_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hsty_double) {
+  POINTERS_2
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_double, &D);
     ksl_hsty(&D, &so);
-    store_screw_double(&so, p1 + i * step[1], core + 2);
+    STORE(screw_double, &so, 1, 2);
   }
 }
+LOOP(hsty_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
 
-static void hsty_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsty_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsty_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hsty_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,4)->(6) */
-INLINED void hsty_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hsty_single) {
+  POINTERS_2
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_single, &D);
     ksl_hstyf(&D, &so);
-    store_screw_single(&so, p1 + i * step[1], core + 2);
+    STORE(screw_single, &so, 1, 2);
   }
 }
-
-static void hsty_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsty_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsty_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hsty_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction hsty_loops[] = {
-    hsty_double, hsty_single};
+LOOP(hsty_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOPS(hsty)
 
 /* (3,4)->(6) */
-INLINED void hstz_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hstz_double) {
+  POINTERS_2
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_double, &D);
     ksl_hstz(&D, &so);
-    store_screw_double(&so, p1 + i * step[1], core + 2);
+    STORE(screw_double, &so, 1, 2);
   }
 }
+LOOP(hstz_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
 
-static void hstz_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hstz_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hstz_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hstz_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,4)->(6) */
-INLINED void hstz_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hstz_single) {
+  POINTERS_2
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_single, &D);
     ksl_hstzf(&D, &so);
-    store_screw_single(&so, p1 + i * step[1], core + 2);
+    STORE(screw_single, &so, 1, 2);
   }
 }
-
-static void hstz_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hstz_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hstz_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hstz_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction hstz_loops[] = {
-    hstz_double, hstz_single};
+LOOP(hstz_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOPS(hstz)
 
 /* (3,4)->(6) */
-INLINED void hsrx_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hsrx_double) {
+  POINTERS_2
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_double, &D);
     ksl_hsrx(&D, &so);
-    store_screw_double(&so, p1 + i * step[1], core + 2);
+    STORE(screw_double, &so, 1, 2);
   }
 }
+LOOP(hsrx_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
 
-static void hsrx_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsrx_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsrx_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hsrx_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,4)->(6) */
-INLINED void hsrx_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hsrx_single) {
+  POINTERS_2
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_single, &D);
     ksl_hsrxf(&D, &so);
-    store_screw_single(&so, p1 + i * step[1], core + 2);
+    STORE(screw_single, &so, 1, 2);
   }
 }
-
-static void hsrx_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsrx_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsrx_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hsrx_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction hsrx_loops[] = {
-    hsrx_double, hsrx_single};
+LOOP(hsrx_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOPS(hsrx)
 
 /* (3,4)->(6) */
-INLINED void hsry_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hsry_double) {
+  POINTERS_2
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_double, &D);
     ksl_hsry(&D, &so);
-    store_screw_double(&so, p1 + i * step[1], core + 2);
+    STORE(screw_double, &so, 1, 2);
   }
 }
+LOOP(hsry_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
 
-static void hsry_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsry_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsry_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hsry_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,4)->(6) */
-INLINED void hsry_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hsry_single) {
+  POINTERS_2
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_single, &D);
     ksl_hsryf(&D, &so);
-    store_screw_single(&so, p1 + i * step[1], core + 2);
+    STORE(screw_single, &so, 1, 2);
   }
 }
-
-static void hsry_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsry_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsry_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hsry_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction hsry_loops[] = {
-    hsry_double, hsry_single};
+LOOP(hsry_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOPS(hsry)
 
 /* (3,4)->(6) */
-INLINED void hsrz_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hsrz_double) {
+  POINTERS_2
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_double, &D);
     ksl_hsrz(&D, &so);
-    store_screw_double(&so, p1 + i * step[1], core + 2);
+    STORE(screw_double, &so, 1, 2);
   }
 }
+LOOP(hsrz_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
 
-static void hsrz_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsrz_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsrz_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hsrz_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,4)->(6) */
-INLINED void hsrz_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hsrz_single) {
+  POINTERS_2
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_single, &D);
     ksl_hsrzf(&D, &so);
-    store_screw_single(&so, p1 + i * step[1], core + 2);
+    STORE(screw_single, &so, 1, 2);
   }
 }
-
-static void hsrz_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsrz_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsrz_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hsrz_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction hsrz_loops[] = {
-    hsrz_double, hsrz_single};
+LOOP(hsrz_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOPS(hsrz)
 
 /* (3,4)->(6) */
-INLINED void hstxinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hstxinv_double) {
+  POINTERS_2
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_double, &D);
     ksl_hstxinv(&D, &so);
-    store_screw_double(&so, p1 + i * step[1], core + 2);
+    STORE(screw_double, &so, 1, 2);
   }
 }
+LOOP(hstxinv_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
 
-static void hstxinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hstxinv_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hstxinv_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hstxinv_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,4)->(6) */
-INLINED void hstxinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hstxinv_single) {
+  POINTERS_2
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_single, &D);
     ksl_hstxinvf(&D, &so);
-    store_screw_single(&so, p1 + i * step[1], core + 2);
+    STORE(screw_single, &so, 1, 2);
   }
 }
-
-static void hstxinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hstxinv_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hstxinv_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hstxinv_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction hstxinv_loops[] = {
-    hstxinv_double, hstxinv_single};
+LOOP(hstxinv_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOPS(hstxinv)
 
 /* (3,4)->(6) */
-INLINED void hstyinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hstyinv_double) {
+  POINTERS_2
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_double, &D);
     ksl_hstyinv(&D, &so);
-    store_screw_double(&so, p1 + i * step[1], core + 2);
+    STORE(screw_double, &so, 1, 2);
   }
 }
+LOOP(hstyinv_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
 
-static void hstyinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hstyinv_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hstyinv_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hstyinv_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,4)->(6) */
-INLINED void hstyinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hstyinv_single) {
+  POINTERS_2
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_single, &D);
     ksl_hstyinvf(&D, &so);
-    store_screw_single(&so, p1 + i * step[1], core + 2);
+    STORE(screw_single, &so, 1, 2);
   }
 }
-
-static void hstyinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hstyinv_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hstyinv_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hstyinv_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction hstyinv_loops[] = {
-    hstyinv_double, hstyinv_single};
+LOOP(hstyinv_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOPS(hstyinv)
 
 /* (3,4)->(6) */
-INLINED void hstzinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hstzinv_double) {
+  POINTERS_2
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_double, &D);
     ksl_hstzinv(&D, &so);
-    store_screw_double(&so, p1 + i * step[1], core + 2);
+    STORE(screw_double, &so, 1, 2);
   }
 }
+LOOP(hstzinv_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
 
-static void hstzinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hstzinv_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hstzinv_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hstzinv_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,4)->(6) */
-INLINED void hstzinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hstzinv_single) {
+  POINTERS_2
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_single, &D);
     ksl_hstzinvf(&D, &so);
-    store_screw_single(&so, p1 + i * step[1], core + 2);
+    STORE(screw_single, &so, 1, 2);
   }
 }
-
-static void hstzinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hstzinv_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hstzinv_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hstzinv_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction hstzinv_loops[] = {
-    hstzinv_double, hstzinv_single};
+LOOP(hstzinv_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOPS(hstzinv)
 
 /* (3,4)->(6) */
-INLINED void hsrxinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hsrxinv_double) {
+  POINTERS_2
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_double, &D);
     ksl_hsrxinv(&D, &so);
-    store_screw_double(&so, p1 + i * step[1], core + 2);
+    STORE(screw_double, &so, 1, 2);
   }
 }
+LOOP(hsrxinv_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
 
-static void hsrxinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsrxinv_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsrxinv_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hsrxinv_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,4)->(6) */
-INLINED void hsrxinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hsrxinv_single) {
+  POINTERS_2
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_single, &D);
     ksl_hsrxinvf(&D, &so);
-    store_screw_single(&so, p1 + i * step[1], core + 2);
+    STORE(screw_single, &so, 1, 2);
   }
 }
-
-static void hsrxinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsrxinv_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsrxinv_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hsrxinv_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction hsrxinv_loops[] = {
-    hsrxinv_double, hsrxinv_single};
+LOOP(hsrxinv_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOPS(hsrxinv)
 
 /* (3,4)->(6) */
-INLINED void hsryinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hsryinv_double) {
+  POINTERS_2
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_double, &D);
     ksl_hsryinv(&D, &so);
-    store_screw_double(&so, p1 + i * step[1], core + 2);
+    STORE(screw_double, &so, 1, 2);
   }
 }
+LOOP(hsryinv_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
 
-static void hsryinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsryinv_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsryinv_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hsryinv_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,4)->(6) */
-INLINED void hsryinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hsryinv_single) {
+  POINTERS_2
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_single, &D);
     ksl_hsryinvf(&D, &so);
-    store_screw_single(&so, p1 + i * step[1], core + 2);
+    STORE(screw_single, &so, 1, 2);
   }
 }
-
-static void hsryinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsryinv_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsryinv_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hsryinv_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction hsryinv_loops[] = {
-    hsryinv_double, hsryinv_single};
+LOOP(hsryinv_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOPS(hsryinv)
 
 /* (3,4)->(6) */
-INLINED void hsrzinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hsrzinv_double) {
+  POINTERS_2
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_double, &D);
     ksl_hsrzinv(&D, &so);
-    store_screw_double(&so, p1 + i * step[1], core + 2);
+    STORE(screw_double, &so, 1, 2);
   }
 }
+LOOP(hsrzinv_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
 
-static void hsrzinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsrzinv_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsrzinv_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hsrzinv_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,4)->(6) */
-INLINED void hsrzinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hsrzinv_single) {
+  POINTERS_2
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_single, &D);
     ksl_hsrzinvf(&D, &so);
-    store_screw_single(&so, p1 + i * step[1], core + 2);
+    STORE(screw_single, &so, 1, 2);
   }
 }
-
-static void hsrzinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsrzinv_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsrzinv_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hsrzinv_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction hsrzinv_loops[] = {
-    hsrzinv_double, hsrzinv_single};
+LOOP(hsrzinv_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOPS(hsrzinv)
 
 /* (3,4)->(6,6) */
-INLINED void Ad_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(Ad_double) {
+  POINTERS_2
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_mat6x6_t M;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_double, &D);
     ksl_Ad(&D, &M);
-    store_mat6x6_double(&M, p1 + i * step[1], core + 2);
+    STORE(mat6x6_double, &M, 1, 2);
   }
 }
+LOOP(Ad_double, 2, DENSE_OR_ONE, 96, 288, 32, 8, 48, 8)
 
-static void Ad_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 288, 32, 8, 48, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    Ad_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 288, 32, 8, 48, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    Ad_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  Ad_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,4)->(6,6) */
-INLINED void Ad_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(Ad_single) {
+  POINTERS_2
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_mat6x6f_t M;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_single, &D);
     ksl_Adf(&D, &M);
-    store_mat6x6_single(&M, p1 + i * step[1], core + 2);
+    STORE(mat6x6_single, &M, 1, 2);
   }
 }
-
-static void Ad_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 144, 16, 4, 24, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    Ad_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 144, 16, 4, 24, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    Ad_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  Ad_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction Ad_loops[] = {
-    Ad_double, Ad_single};
+LOOP(Ad_single, 2, DENSE_OR_ONE, 48, 144, 16, 4, 24, 4)
+LOOPS(Ad)
 
 /* (6),(6)->() */
-INLINED void dot_cs_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_coscrew_t c;
-  load_coscrew_double(&c, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(dot_cs_double) {
+  POINTERS_3
+  LOAD_FIRST(coscrew_double, ksl_coscrew_t c, &c);
+  EACH {
     ksl_screw_t s;
     double power;
-    if (step[0] != 0) {
-      load_coscrew_double(&c, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&s, p1 + i * step[1], core + 1);
+    LOAD_OTHER(coscrew_double, &c);
+    LOAD(screw_double, &s, 1, 1);
     power = ksl_dot_cs(&c, &s);
-    store_scalar_double(&power, p2 + i * step[2], core + 2);
+    STORE(scalar_double, &power, 2, 2);
   }
 }
+LOOP(dot_cs_double, 3, DENSE_OR_ONE, 48, 48, 8, 8, 8)
 
-static void dot_cs_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    dot_cs_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    dot_cs_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  dot_cs_double_over(data, n[0], step, step + 3);
-}
-
-/* (6),(6)->() */
-INLINED void dot_cs_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_coscrewf_t c;
-  load_coscrew_single(&c, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(dot_cs_single) {
+  POINTERS_3
+  LOAD_FIRST(coscrew_single, ksl_coscrewf_t c, &c);
+  EACH {
     ksl_screwf_t s;
     float power;
-    if (step[0] != 0) {
-      load_coscrew_single(&c, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&s, p1 + i * step[1], core + 1);
+    LOAD_OTHER(coscrew_single, &c);
+    LOAD(screw_single, &s, 1, 1);
     power = ksl_dot_csf(&c, &s);
-    store_scalar_single(&power, p2 + i * step[2], core + 2);
+    STORE(scalar_single, &power, 2, 2);
   }
 }
-
-static void dot_cs_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    dot_cs_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    dot_cs_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  dot_cs_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction dot_cs_loops[] = {
-    dot_cs_double, dot_cs_single};
+LOOP(dot_cs_single, 3, DENSE_OR_ONE, 24, 24, 4, 4, 4)
+LOOPS(dot_cs)
 
 /* (6),(6)->(6) */
-INLINED void cross_ss_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screw_t s1;
-  load_screw_double(&s1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(cross_ss_double) {
+  POINTERS_3
+  LOAD_FIRST(screw_double, ksl_screw_t s1, &s1);
+  EACH {
     ksl_screw_t s2;
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_screw_double(&s1, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&s2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(screw_double, &s1);
+    LOAD(screw_double, &s2, 1, 1);
     ksl_cross_ss(&s1, &s2, &so);
-    store_screw_double(&so, p2 + i * step[2], core + 2);
+    STORE(screw_double, &so, 2, 2);
   }
 }
+LOOP(cross_ss_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
-static void cross_ss_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    cross_ss_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    cross_ss_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  cross_ss_double_over(data, n[0], step, step + 3);
-}
-
-/* (6),(6)->(6) */
-INLINED void cross_ss_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screwf_t s1;
-  load_screw_single(&s1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(cross_ss_single) {
+  POINTERS_3
+  LOAD_FIRST(screw_single, ksl_screwf_t s1, &s1);
+  EACH {
     ksl_screwf_t s2;
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_screw_single(&s1, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&s2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(screw_single, &s1);
+    LOAD(screw_single, &s2, 1, 1);
     ksl_cross_ssf(&s1, &s2, &so);
-    store_screw_single(&so, p2 + i * step[2], core + 2);
+    STORE(screw_single, &so, 2, 2);
   }
 }
-
-static void cross_ss_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    cross_ss_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    cross_ss_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  cross_ss_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction cross_ss_loops[] = {
-    cross_ss_double, cross_ss_single};
+LOOP(cross_ss_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
+LOOPS(cross_ss)
 
 /* (6),(6)->(6) */
-INLINED void cross_sst_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screw_t s1;
-  load_screw_double(&s1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(cross_sst_double) {
+  POINTERS_3
+  LOAD_FIRST(screw_double, ksl_screw_t s1, &s1);
+  EACH {
     ksl_screw_t s2;
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_screw_double(&s1, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&s2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(screw_double, &s1);
+    LOAD(screw_double, &s2, 1, 1);
     ksl_cross_sst(&s1, &s2, &so);
-    store_screw_double(&so, p2 + i * step[2], core + 2);
+    STORE(screw_double, &so, 2, 2);
   }
 }
+LOOP(cross_sst_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
-static void cross_sst_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    cross_sst_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    cross_sst_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  cross_sst_double_over(data, n[0], step, step + 3);
-}
-
-/* (6),(6)->(6) */
-INLINED void cross_sst_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screwf_t s1;
-  load_screw_single(&s1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(cross_sst_single) {
+  POINTERS_3
+  LOAD_FIRST(screw_single, ksl_screwf_t s1, &s1);
+  EACH {
     ksl_screwf_t s2;
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_screw_single(&s1, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&s2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(screw_single, &s1);
+    LOAD(screw_single, &s2, 1, 1);
     ksl_cross_sstf(&s1, &s2, &so);
-    store_screw_single(&so, p2 + i * step[2], core + 2);
+    STORE(screw_single, &so, 2, 2);
   }
 }
-
-static void cross_sst_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    cross_sst_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    cross_sst_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  cross_sst_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction cross_sst_loops[] = {
-    cross_sst_double, cross_sst_single};
+LOOP(cross_sst_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
+LOOPS(cross_sst)
 
 /* (3,4),(3)->(6) */
-INLINED void hsra_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hsra_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_vec3_t axis;
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&axis, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(vec3_double, &axis, 1, 2);
     ksl_hsra(&D, &axis, &so);
-    store_screw_double(&so, p2 + i * step[2], core + 3);
+    STORE(screw_double, &so, 2, 3);
   }
 }
+LOOP(hsra_double, 3, DENSE_OR_ONE, 96, 24, 48, 32, 8, 8, 8)
 
-static void hsra_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 24, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsra_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsra_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  hsra_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(3)->(6) */
-INLINED void hsra_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hsra_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_vec3f_t axis;
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&axis, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(vec3_single, &axis, 1, 2);
     ksl_hsraf(&D, &axis, &so);
-    store_screw_single(&so, p2 + i * step[2], core + 3);
+    STORE(screw_single, &so, 2, 3);
   }
 }
-
-static void hsra_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 12, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsra_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsra_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  hsra_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction hsra_loops[] = {
-    hsra_double, hsra_single};
+LOOP(hsra_single, 3, DENSE_OR_ONE, 48, 12, 24, 16, 4, 4, 4)
+LOOPS(hsra)
 
 /* (3,4),(3)->(6) */
-INLINED void hsta_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hsta_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_vec3_t axis;
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&axis, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(vec3_double, &axis, 1, 2);
     ksl_hsta(&D, &axis, &so);
-    store_screw_double(&so, p2 + i * step[2], core + 3);
+    STORE(screw_double, &so, 2, 3);
   }
 }
+LOOP(hsta_double, 3, DENSE_OR_ONE, 96, 24, 48, 32, 8, 8, 8)
 
-static void hsta_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 24, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsta_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsta_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  hsta_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(3)->(6) */
-INLINED void hsta_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hsta_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_vec3f_t axis;
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&axis, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(vec3_single, &axis, 1, 2);
     ksl_hstaf(&D, &axis, &so);
-    store_screw_single(&so, p2 + i * step[2], core + 3);
+    STORE(screw_single, &so, 2, 3);
   }
 }
-
-static void hsta_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 12, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsta_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsta_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  hsta_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction hsta_loops[] = {
-    hsta_double, hsta_single};
+LOOP(hsta_single, 3, DENSE_OR_ONE, 48, 12, 24, 16, 4, 4, 4)
+LOOPS(hsta)
 
 /* (3,4),(3)->(6) */
-INLINED void hsrainv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hsrainv_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_vec3_t axis;
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&axis, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(vec3_double, &axis, 1, 2);
     ksl_hsrainv(&D, &axis, &so);
-    store_screw_double(&so, p2 + i * step[2], core + 3);
+    STORE(screw_double, &so, 2, 3);
   }
 }
+LOOP(hsrainv_double, 3, DENSE_OR_ONE, 96, 24, 48, 32, 8, 8, 8)
 
-static void hsrainv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 24, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsrainv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsrainv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  hsrainv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(3)->(6) */
-INLINED void hsrainv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hsrainv_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_vec3f_t axis;
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&axis, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(vec3_single, &axis, 1, 2);
     ksl_hsrainvf(&D, &axis, &so);
-    store_screw_single(&so, p2 + i * step[2], core + 3);
+    STORE(screw_single, &so, 2, 3);
   }
 }
-
-static void hsrainv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 12, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsrainv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsrainv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  hsrainv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction hsrainv_loops[] = {
-    hsrainv_double, hsrainv_single};
+LOOP(hsrainv_single, 3, DENSE_OR_ONE, 48, 12, 24, 16, 4, 4, 4)
+LOOPS(hsrainv)
 
 /* (3,4),(3)->(6) */
-INLINED void hstainv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hstainv_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_vec3_t axis;
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&axis, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(vec3_double, &axis, 1, 2);
     ksl_hstainv(&D, &axis, &so);
-    store_screw_double(&so, p2 + i * step[2], core + 3);
+    STORE(screw_double, &so, 2, 3);
   }
 }
+LOOP(hstainv_double, 3, DENSE_OR_ONE, 96, 24, 48, 32, 8, 8, 8)
 
-static void hstainv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 24, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hstainv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hstainv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  hstainv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(3)->(6) */
-INLINED void hstainv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hstainv_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_vec3f_t axis;
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&axis, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(vec3_single, &axis, 1, 2);
     ksl_hstainvf(&D, &axis, &so);
-    store_screw_single(&so, p2 + i * step[2], core + 3);
+    STORE(screw_single, &so, 2, 3);
   }
 }
-
-static void hstainv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 12, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hstainv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hstainv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  hstainv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction hstainv_loops[] = {
-    hstainv_double, hstainv_single};
+LOOP(hstainv_single, 3, DENSE_OR_ONE, 48, 12, 24, 16, 4, 4, 4)
+LOOPS(hstainv)
 
 /* (6)->(6,6) */
-INLINED void ad_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screw_t s;
-  load_screw_double(&s, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(ad_double) {
+  POINTERS_2
+  LOAD_FIRST(screw_double, ksl_screw_t s, &s);
+  EACH {
     ksl_mat6x6_t M;
-    if (step[0] != 0) {
-      load_screw_double(&s, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(screw_double, &s);
     ksl_ad(&s, &M);
-    store_mat6x6_double(&M, p1 + i * step[1], core + 1);
+    STORE(mat6x6_double, &M, 1, 1);
   }
 }
+LOOP(ad_double, 2, DENSE_OR_ONE, 48, 288, 8, 48, 8)
 
-static void ad_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 288, 8, 48, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    ad_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 288, 8, 48, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    ad_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  ad_double_over(data, n[0], step, step + 2);
-}
-
-/* (6)->(6,6) */
-INLINED void ad_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screwf_t s;
-  load_screw_single(&s, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(ad_single) {
+  POINTERS_2
+  LOAD_FIRST(screw_single, ksl_screwf_t s, &s);
+  EACH {
     ksl_mat6x6f_t M;
-    if (step[0] != 0) {
-      load_screw_single(&s, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(screw_single, &s);
     ksl_adf(&s, &M);
-    store_mat6x6_single(&M, p1 + i * step[1], core + 1);
+    STORE(mat6x6_single, &M, 1, 1);
   }
 }
-
-static void ad_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 144, 4, 24, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    ad_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 144, 4, 24, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    ad_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  ad_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction ad_loops[] = {
-    ad_double, ad_single};
+LOOP(ad_single, 2, DENSE_OR_ONE, 24, 144, 4, 24, 4)
+LOOPS(ad)
 
 const coscrew_gufunc TABLE(screw)[] = {
   {"screw_copy", "(6)->(6)",

@@ -8,1340 +8,462 @@
 #include "_gufunc.h"
 
 /* (10)->(10) */
-INLINED void spatial_inertia_copy_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_spatial_inertia_t Bi;
-  load_spatial_inertia_double(&Bi, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(spatial_inertia_copy_double) {
+  POINTERS_2
+  LOAD_FIRST(spatial_inertia_double, ksl_spatial_inertia_t Bi, &Bi);
+  EACH {
     ksl_spatial_inertia_t Bo;
-    if (step[0] != 0) {
-      load_spatial_inertia_double(&Bi, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(spatial_inertia_double, &Bi);
     ksl_spatial_inertia_copy(&Bi, &Bo);
-    store_spatial_inertia_double(&Bo, p1 + i * step[1], core + 1);
+    STORE(spatial_inertia_double, &Bo, 1, 1);
   }
 }
+LOOP(spatial_inertia_copy_double, 2, DENSE_OR_ONE, 80, 80, 8, 8)
 
-static void spatial_inertia_copy_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 80, 80, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    spatial_inertia_copy_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 80, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    spatial_inertia_copy_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  spatial_inertia_copy_double_over(data, n[0], step, step + 2);
-}
-
-/* (10)->(10) */
-INLINED void spatial_inertia_copy_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_spatial_inertiaf_t Bi;
-  load_spatial_inertia_single(&Bi, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(spatial_inertia_copy_single) {
+  POINTERS_2
+  LOAD_FIRST(spatial_inertia_single, ksl_spatial_inertiaf_t Bi, &Bi);
+  EACH {
     ksl_spatial_inertiaf_t Bo;
-    if (step[0] != 0) {
-      load_spatial_inertia_single(&Bi, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(spatial_inertia_single, &Bi);
     ksl_spatial_inertiaf_copy(&Bi, &Bo);
-    store_spatial_inertia_single(&Bo, p1 + i * step[1], core + 1);
+    STORE(spatial_inertia_single, &Bo, 1, 1);
   }
 }
-
-static void spatial_inertia_copy_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 40, 40, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    spatial_inertia_copy_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 40, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    spatial_inertia_copy_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  spatial_inertia_copy_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction spatial_inertia_copy_loops[] = {
-    spatial_inertia_copy_double, spatial_inertia_copy_single};
+LOOP(spatial_inertia_copy_single, 2, DENSE_OR_ONE, 40, 40, 4, 4)
+LOOPS(spatial_inertia_copy)
 
 /* (10),()->(10) */
-INLINED void spatial_inertia_scale_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(spatial_inertia_scale_double) {
+  POINTERS_3
+  EACH {
     ksl_spatial_inertia_t self;
     double a;
-    load_spatial_inertia_double(&self, p0 + i * step[0], core + 0);
-    load_scalar_double(&a, p1 + i * step[1], core + 1);
+    LOAD(spatial_inertia_double, &self, 0, 0);
+    LOAD(scalar_double, &a, 1, 1);
     ksl_spatial_inertia_scale(&self, a);
-    store_spatial_inertia_double(&self, p2 + i * step[2], core + 1);
+    STORE(spatial_inertia_double, &self, 2, 1);
   }
 }
+LOOP(spatial_inertia_scale_double, 3, DENSE, 80, 8, 80, 8, 8)
 
-static void spatial_inertia_scale_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 80, 8, 80, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    spatial_inertia_scale_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  spatial_inertia_scale_double_over(data, n[0], step, step + 3);
-}
-
-/* (10),()->(10) */
-INLINED void spatial_inertia_scale_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(spatial_inertia_scale_single) {
+  POINTERS_3
+  EACH {
     ksl_spatial_inertiaf_t self;
     float a;
-    load_spatial_inertia_single(&self, p0 + i * step[0], core + 0);
-    load_scalar_single(&a, p1 + i * step[1], core + 1);
+    LOAD(spatial_inertia_single, &self, 0, 0);
+    LOAD(scalar_single, &a, 1, 1);
     ksl_spatial_inertiaf_scale(&self, a);
-    store_spatial_inertia_single(&self, p2 + i * step[2], core + 1);
+    STORE(spatial_inertia_single, &self, 2, 1);
   }
 }
-
-static void spatial_inertia_scale_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 40, 4, 40, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    spatial_inertia_scale_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  spatial_inertia_scale_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction spatial_inertia_scale_loops[] = {
-    spatial_inertia_scale_double, spatial_inertia_scale_single};
+LOOP(spatial_inertia_scale_single, 3, DENSE, 40, 4, 40, 4, 4)
+LOOPS(spatial_inertia_scale)
 
 /* (10),(10)->(10) */
-INLINED void add_BB_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_spatial_inertia_t B1;
-  load_spatial_inertia_double(&B1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(add_BB_double) {
+  POINTERS_3
+  LOAD_FIRST(spatial_inertia_double, ksl_spatial_inertia_t B1, &B1);
+  EACH {
     ksl_spatial_inertia_t B2;
     ksl_spatial_inertia_t Bo;
-    if (step[0] != 0) {
-      load_spatial_inertia_double(&B1, p0 + i * step[0], core + 0);
-    }
-    load_spatial_inertia_double(&B2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(spatial_inertia_double, &B1);
+    LOAD(spatial_inertia_double, &B2, 1, 1);
     ksl_add_BB(&B1, &B2, &Bo);
-    store_spatial_inertia_double(&Bo, p2 + i * step[2], core + 2);
+    STORE(spatial_inertia_double, &Bo, 2, 2);
   }
 }
+LOOP(add_BB_double, 3, DENSE_OR_ONE, 80, 80, 80, 8, 8, 8)
 
-static void add_BB_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 80, 80, 80, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_BB_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 80, 80, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_BB_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  add_BB_double_over(data, n[0], step, step + 3);
-}
-
-/* (10),(10)->(10) */
-INLINED void add_BB_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_spatial_inertiaf_t B1;
-  load_spatial_inertia_single(&B1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(add_BB_single) {
+  POINTERS_3
+  LOAD_FIRST(spatial_inertia_single, ksl_spatial_inertiaf_t B1, &B1);
+  EACH {
     ksl_spatial_inertiaf_t B2;
     ksl_spatial_inertiaf_t Bo;
-    if (step[0] != 0) {
-      load_spatial_inertia_single(&B1, p0 + i * step[0], core + 0);
-    }
-    load_spatial_inertia_single(&B2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(spatial_inertia_single, &B1);
+    LOAD(spatial_inertia_single, &B2, 1, 1);
     ksl_add_BBf(&B1, &B2, &Bo);
-    store_spatial_inertia_single(&Bo, p2 + i * step[2], core + 2);
+    STORE(spatial_inertia_single, &Bo, 2, 2);
   }
 }
-
-static void add_BB_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 40, 40, 40, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_BB_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 40, 40, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_BB_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  add_BB_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction add_BB_loops[] = {
-    add_BB_double, add_BB_single};
+LOOP(add_BB_single, 3, DENSE_OR_ONE, 40, 40, 40, 4, 4, 4)
+LOOPS(add_BB)
 
 /* (10),(10)->(10) */
-INLINED void subtract_BB_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_spatial_inertia_t B1;
-  load_spatial_inertia_double(&B1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(subtract_BB_double) {
+  POINTERS_3
+  LOAD_FIRST(spatial_inertia_double, ksl_spatial_inertia_t B1, &B1);
+  EACH {
     ksl_spatial_inertia_t B2;
     ksl_spatial_inertia_t Bo;
-    if (step[0] != 0) {
-      load_spatial_inertia_double(&B1, p0 + i * step[0], core + 0);
-    }
-    load_spatial_inertia_double(&B2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(spatial_inertia_double, &B1);
+    LOAD(spatial_inertia_double, &B2, 1, 1);
     ksl_subtract_BB(&B1, &B2, &Bo);
-    store_spatial_inertia_double(&Bo, p2 + i * step[2], core + 2);
+    STORE(spatial_inertia_double, &Bo, 2, 2);
   }
 }
+LOOP(subtract_BB_double, 3, DENSE_OR_ONE, 80, 80, 80, 8, 8, 8)
 
-static void subtract_BB_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 80, 80, 80, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    subtract_BB_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 80, 80, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    subtract_BB_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  subtract_BB_double_over(data, n[0], step, step + 3);
-}
-
-/* (10),(10)->(10) */
-INLINED void subtract_BB_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_spatial_inertiaf_t B1;
-  load_spatial_inertia_single(&B1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(subtract_BB_single) {
+  POINTERS_3
+  LOAD_FIRST(spatial_inertia_single, ksl_spatial_inertiaf_t B1, &B1);
+  EACH {
     ksl_spatial_inertiaf_t B2;
     ksl_spatial_inertiaf_t Bo;
-    if (step[0] != 0) {
-      load_spatial_inertia_single(&B1, p0 + i * step[0], core + 0);
-    }
-    load_spatial_inertia_single(&B2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(spatial_inertia_single, &B1);
+    LOAD(spatial_inertia_single, &B2, 1, 1);
     ksl_subtract_BBf(&B1, &B2, &Bo);
-    store_spatial_inertia_single(&Bo, p2 + i * step[2], core + 2);
+    STORE(spatial_inertia_single, &Bo, 2, 2);
   }
 }
-
-static void subtract_BB_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 40, 40, 40, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    subtract_BB_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 40, 40, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    subtract_BB_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  subtract_BB_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction subtract_BB_loops[] = {
-    subtract_BB_double, subtract_BB_single};
+LOOP(subtract_BB_single, 3, DENSE_OR_ONE, 40, 40, 40, 4, 4, 4)
+LOOPS(subtract_BB)
 
 /* (),(3),(3,3)->(10) */
-INLINED void spatial_inertia_from_com_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  double m;
-  load_scalar_double(&m, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(spatial_inertia_from_com_double) {
+  POINTERS_4
+  LOAD_FIRST(scalar_double, double m, &m);
+  EACH {
     ksl_vec3_t com;
     ksl_mat3x3_t Ic;
     ksl_spatial_inertia_t Bo;
-    if (step[0] != 0) {
-      load_scalar_double(&m, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&com, p1 + i * step[1], core + 0);
-    load_mat3x3_double(&Ic, p2 + i * step[2], core + 1);
+    LOAD_OTHER(scalar_double, &m);
+    LOAD(vec3_double, &com, 1, 0);
+    LOAD(mat3x3_double, &Ic, 2, 1);
     ksl_spatial_inertia_from_com(m, &com, &Ic, &Bo);
-    store_spatial_inertia_double(&Bo, p3 + i * step[3], core + 3);
+    STORE(spatial_inertia_double, &Bo, 3, 3);
   }
 }
+LOOP(spatial_inertia_from_com_double, 4, DENSE_OR_ONE, 8, 24, 72, 80, 8, 24, 8, 8)
 
-static void spatial_inertia_from_com_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 8, 24, 72, 80, 8, 24, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    spatial_inertia_from_com_double_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 72, 80, 8, 24, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    spatial_inertia_from_com_double_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  spatial_inertia_from_com_double_over(data, n[0], step, step + 4);
-}
-
-/* (),(3),(3,3)->(10) */
-INLINED void spatial_inertia_from_com_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  float m;
-  load_scalar_single(&m, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(spatial_inertia_from_com_single) {
+  POINTERS_4
+  LOAD_FIRST(scalar_single, float m, &m);
+  EACH {
     ksl_vec3f_t com;
     ksl_mat3x3f_t Ic;
     ksl_spatial_inertiaf_t Bo;
-    if (step[0] != 0) {
-      load_scalar_single(&m, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&com, p1 + i * step[1], core + 0);
-    load_mat3x3_single(&Ic, p2 + i * step[2], core + 1);
+    LOAD_OTHER(scalar_single, &m);
+    LOAD(vec3_single, &com, 1, 0);
+    LOAD(mat3x3_single, &Ic, 2, 1);
     ksl_spatial_inertiaf_from_com(m, &com, &Ic, &Bo);
-    store_spatial_inertia_single(&Bo, p3 + i * step[3], core + 3);
+    STORE(spatial_inertia_single, &Bo, 3, 3);
   }
 }
-
-static void spatial_inertia_from_com_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 4, 12, 36, 40, 4, 12, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    spatial_inertia_from_com_single_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 36, 40, 4, 12, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    spatial_inertia_from_com_single_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  spatial_inertia_from_com_single_over(data, n[0], step, step + 4);
-}
-
-static PyUFuncGenericFunction spatial_inertia_from_com_loops[] = {
-    spatial_inertia_from_com_double, spatial_inertia_from_com_single};
+LOOP(spatial_inertia_from_com_single, 4, DENSE_OR_ONE, 4, 12, 36, 40, 4, 12, 4, 4)
+LOOPS(spatial_inertia_from_com)
 
 /* (10)->(10) */
-INLINED void spatial_inertia_from_inertia_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_inertia_t J;
-  load_inertia_double(&J, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(spatial_inertia_from_inertia_double) {
+  POINTERS_2
+  LOAD_FIRST(inertia_double, ksl_inertia_t J, &J);
+  EACH {
     ksl_spatial_inertia_t Bo;
-    if (step[0] != 0) {
-      load_inertia_double(&J, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(inertia_double, &J);
     ksl_spatial_inertia_from_inertia(&J, &Bo);
-    store_spatial_inertia_double(&Bo, p1 + i * step[1], core + 1);
+    STORE(spatial_inertia_double, &Bo, 1, 1);
   }
 }
+LOOP(spatial_inertia_from_inertia_double, 2, DENSE_OR_ONE, 80, 80, 8, 8)
 
-static void spatial_inertia_from_inertia_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 80, 80, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    spatial_inertia_from_inertia_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 80, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    spatial_inertia_from_inertia_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  spatial_inertia_from_inertia_double_over(data, n[0], step, step + 2);
-}
-
-/* (10)->(10) */
-INLINED void spatial_inertia_from_inertia_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_inertiaf_t J;
-  load_inertia_single(&J, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(spatial_inertia_from_inertia_single) {
+  POINTERS_2
+  LOAD_FIRST(inertia_single, ksl_inertiaf_t J, &J);
+  EACH {
     ksl_spatial_inertiaf_t Bo;
-    if (step[0] != 0) {
-      load_inertia_single(&J, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(inertia_single, &J);
     ksl_spatial_inertiaf_from_inertia(&J, &Bo);
-    store_spatial_inertia_single(&Bo, p1 + i * step[1], core + 1);
+    STORE(spatial_inertia_single, &Bo, 1, 1);
   }
 }
-
-static void spatial_inertia_from_inertia_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 40, 40, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    spatial_inertia_from_inertia_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 40, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    spatial_inertia_from_inertia_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  spatial_inertia_from_inertia_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction spatial_inertia_from_inertia_loops[] = {
-    spatial_inertia_from_inertia_double, spatial_inertia_from_inertia_single};
+LOOP(spatial_inertia_from_inertia_single, 2, DENSE_OR_ONE, 40, 40, 4, 4)
+LOOPS(spatial_inertia_from_inertia)
 
 /* (10)->(10) */
-INLINED void inertia_from_spatial_inertia_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_spatial_inertia_t B;
-  load_spatial_inertia_double(&B, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(inertia_from_spatial_inertia_double) {
+  POINTERS_2
+  LOAD_FIRST(spatial_inertia_double, ksl_spatial_inertia_t B, &B);
+  EACH {
     ksl_inertia_t Jo;
-    if (step[0] != 0) {
-      load_spatial_inertia_double(&B, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(spatial_inertia_double, &B);
     ksl_inertia_from_spatial_inertia(&B, &Jo);
-    store_inertia_double(&Jo, p1 + i * step[1], core + 1);
+    STORE(inertia_double, &Jo, 1, 1);
   }
 }
+LOOP(inertia_from_spatial_inertia_double, 2, DENSE_OR_ONE, 80, 80, 8, 8)
 
-static void inertia_from_spatial_inertia_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 80, 80, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_from_spatial_inertia_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 80, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    inertia_from_spatial_inertia_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  inertia_from_spatial_inertia_double_over(data, n[0], step, step + 2);
-}
-
-/* (10)->(10) */
-INLINED void inertia_from_spatial_inertia_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_spatial_inertiaf_t B;
-  load_spatial_inertia_single(&B, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(inertia_from_spatial_inertia_single) {
+  POINTERS_2
+  LOAD_FIRST(spatial_inertia_single, ksl_spatial_inertiaf_t B, &B);
+  EACH {
     ksl_inertiaf_t Jo;
-    if (step[0] != 0) {
-      load_spatial_inertia_single(&B, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(spatial_inertia_single, &B);
     ksl_inertiaf_from_spatial_inertia(&B, &Jo);
-    store_inertia_single(&Jo, p1 + i * step[1], core + 1);
+    STORE(inertia_single, &Jo, 1, 1);
   }
 }
-
-static void inertia_from_spatial_inertia_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 40, 40, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_from_spatial_inertia_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 40, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    inertia_from_spatial_inertia_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  inertia_from_spatial_inertia_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction inertia_from_spatial_inertia_loops[] = {
-    inertia_from_spatial_inertia_double, inertia_from_spatial_inertia_single};
+LOOP(inertia_from_spatial_inertia_single, 2, DENSE_OR_ONE, 40, 40, 4, 4)
+LOOPS(inertia_from_spatial_inertia)
 
 /* (10)->(3) */
-INLINED void spatial_inertia_com_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_spatial_inertia_t B;
-  load_spatial_inertia_double(&B, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(spatial_inertia_com_double) {
+  POINTERS_2
+  LOAD_FIRST(spatial_inertia_double, ksl_spatial_inertia_t B, &B);
+  EACH {
     ksl_vec3_t vo;
-    if (step[0] != 0) {
-      load_spatial_inertia_double(&B, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(spatial_inertia_double, &B);
     ksl_spatial_inertia_com(&B, &vo);
-    store_vec3_double(&vo, p1 + i * step[1], core + 1);
+    STORE(vec3_double, &vo, 1, 1);
   }
 }
+LOOP(spatial_inertia_com_double, 2, DENSE_OR_ONE, 80, 24, 8, 8)
 
-static void spatial_inertia_com_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 80, 24, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    spatial_inertia_com_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    spatial_inertia_com_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  spatial_inertia_com_double_over(data, n[0], step, step + 2);
-}
-
-/* (10)->(3) */
-INLINED void spatial_inertia_com_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_spatial_inertiaf_t B;
-  load_spatial_inertia_single(&B, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(spatial_inertia_com_single) {
+  POINTERS_2
+  LOAD_FIRST(spatial_inertia_single, ksl_spatial_inertiaf_t B, &B);
+  EACH {
     ksl_vec3f_t vo;
-    if (step[0] != 0) {
-      load_spatial_inertia_single(&B, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(spatial_inertia_single, &B);
     ksl_spatial_inertiaf_com(&B, &vo);
-    store_vec3_single(&vo, p1 + i * step[1], core + 1);
+    STORE(vec3_single, &vo, 1, 1);
   }
 }
-
-static void spatial_inertia_com_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 40, 12, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    spatial_inertia_com_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    spatial_inertia_com_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  spatial_inertia_com_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction spatial_inertia_com_loops[] = {
-    spatial_inertia_com_double, spatial_inertia_com_single};
+LOOP(spatial_inertia_com_single, 2, DENSE_OR_ONE, 40, 12, 4, 4)
+LOOPS(spatial_inertia_com)
 
 /* (10)->(3,3) */
-INLINED void spatial_inertia_about_com_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_spatial_inertia_t B;
-  load_spatial_inertia_double(&B, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(spatial_inertia_about_com_double) {
+  POINTERS_2
+  LOAD_FIRST(spatial_inertia_double, ksl_spatial_inertia_t B, &B);
+  EACH {
     ksl_mat3x3_t Ro;
-    if (step[0] != 0) {
-      load_spatial_inertia_double(&B, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(spatial_inertia_double, &B);
     ksl_spatial_inertia_about_com(&B, &Ro);
-    store_mat3x3_double(&Ro, p1 + i * step[1], core + 1);
+    STORE(mat3x3_double, &Ro, 1, 1);
   }
 }
+LOOP(spatial_inertia_about_com_double, 2, DENSE_OR_ONE, 80, 72, 8, 24, 8)
 
-static void spatial_inertia_about_com_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 80, 72, 8, 24, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    spatial_inertia_about_com_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 72, 8, 24, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    spatial_inertia_about_com_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  spatial_inertia_about_com_double_over(data, n[0], step, step + 2);
-}
-
-/* (10)->(3,3) */
-INLINED void spatial_inertia_about_com_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_spatial_inertiaf_t B;
-  load_spatial_inertia_single(&B, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(spatial_inertia_about_com_single) {
+  POINTERS_2
+  LOAD_FIRST(spatial_inertia_single, ksl_spatial_inertiaf_t B, &B);
+  EACH {
     ksl_mat3x3f_t Ro;
-    if (step[0] != 0) {
-      load_spatial_inertia_single(&B, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(spatial_inertia_single, &B);
     ksl_spatial_inertiaf_about_com(&B, &Ro);
-    store_mat3x3_single(&Ro, p1 + i * step[1], core + 1);
+    STORE(mat3x3_single, &Ro, 1, 1);
   }
 }
-
-static void spatial_inertia_about_com_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 40, 36, 4, 12, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    spatial_inertia_about_com_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 36, 4, 12, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    spatial_inertia_about_com_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  spatial_inertia_about_com_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction spatial_inertia_about_com_loops[] = {
-    spatial_inertia_about_com_double, spatial_inertia_about_com_single};
+LOOP(spatial_inertia_about_com_single, 2, DENSE_OR_ONE, 40, 36, 4, 12, 4)
+LOOPS(spatial_inertia_about_com)
 
 /* (10)->(6,6) */
-INLINED void spatial_inertia_matrix_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_spatial_inertia_t B;
-  load_spatial_inertia_double(&B, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(spatial_inertia_matrix_double) {
+  POINTERS_2
+  LOAD_FIRST(spatial_inertia_double, ksl_spatial_inertia_t B, &B);
+  EACH {
     ksl_mat6x6_t Mo;
-    if (step[0] != 0) {
-      load_spatial_inertia_double(&B, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(spatial_inertia_double, &B);
     ksl_spatial_inertia_matrix(&B, &Mo);
-    store_mat6x6_double(&Mo, p1 + i * step[1], core + 1);
+    STORE(mat6x6_double, &Mo, 1, 1);
   }
 }
+LOOP(spatial_inertia_matrix_double, 2, DENSE_OR_ONE, 80, 288, 8, 48, 8)
 
-static void spatial_inertia_matrix_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 80, 288, 8, 48, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    spatial_inertia_matrix_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 288, 8, 48, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    spatial_inertia_matrix_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  spatial_inertia_matrix_double_over(data, n[0], step, step + 2);
-}
-
-/* (10)->(6,6) */
-INLINED void spatial_inertia_matrix_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_spatial_inertiaf_t B;
-  load_spatial_inertia_single(&B, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(spatial_inertia_matrix_single) {
+  POINTERS_2
+  LOAD_FIRST(spatial_inertia_single, ksl_spatial_inertiaf_t B, &B);
+  EACH {
     ksl_mat6x6f_t Mo;
-    if (step[0] != 0) {
-      load_spatial_inertia_single(&B, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(spatial_inertia_single, &B);
     ksl_spatial_inertiaf_matrix(&B, &Mo);
-    store_mat6x6_single(&Mo, p1 + i * step[1], core + 1);
+    STORE(mat6x6_single, &Mo, 1, 1);
   }
 }
-
-static void spatial_inertia_matrix_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 40, 144, 4, 24, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    spatial_inertia_matrix_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 144, 4, 24, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    spatial_inertia_matrix_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  spatial_inertia_matrix_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction spatial_inertia_matrix_loops[] = {
-    spatial_inertia_matrix_double, spatial_inertia_matrix_single};
+LOOP(spatial_inertia_matrix_single, 2, DENSE_OR_ONE, 40, 144, 4, 24, 4)
+LOOPS(spatial_inertia_matrix)
 
 /* (10),(6)->(6) */
-INLINED void product_Bs_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_spatial_inertia_t B;
-  load_spatial_inertia_double(&B, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_Bs_double) {
+  POINTERS_3
+  LOAD_FIRST(spatial_inertia_double, ksl_spatial_inertia_t B, &B);
+  EACH {
     ksl_screw_t s;
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_spatial_inertia_double(&B, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&s, p1 + i * step[1], core + 1);
+    LOAD_OTHER(spatial_inertia_double, &B);
+    LOAD(screw_double, &s, 1, 1);
     ksl_product_Bs(&B, &s, &co);
-    store_coscrew_double(&co, p2 + i * step[2], core + 2);
+    STORE(coscrew_double, &co, 2, 2);
   }
 }
+LOOP(product_Bs_double, 3, DENSE_OR_ONE, 80, 48, 48, 8, 8, 8)
 
-static void product_Bs_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 80, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Bs_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Bs_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_Bs_double_over(data, n[0], step, step + 3);
-}
-
-/* (10),(6)->(6) */
-INLINED void product_Bs_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_spatial_inertiaf_t B;
-  load_spatial_inertia_single(&B, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_Bs_single) {
+  POINTERS_3
+  LOAD_FIRST(spatial_inertia_single, ksl_spatial_inertiaf_t B, &B);
+  EACH {
     ksl_screwf_t s;
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_spatial_inertia_single(&B, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&s, p1 + i * step[1], core + 1);
+    LOAD_OTHER(spatial_inertia_single, &B);
+    LOAD(screw_single, &s, 1, 1);
     ksl_product_Bsf(&B, &s, &co);
-    store_coscrew_single(&co, p2 + i * step[2], core + 2);
+    STORE(coscrew_single, &co, 2, 2);
   }
 }
-
-static void product_Bs_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 40, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Bs_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Bs_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_Bs_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_Bs_loops[] = {
-    product_Bs_double, product_Bs_single};
+LOOP(product_Bs_single, 3, DENSE_OR_ONE, 40, 24, 24, 4, 4, 4)
+LOOPS(product_Bs)
 
 /* (10),(6)->() */
-INLINED void spatial_inertia_energy_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_spatial_inertia_t B;
-  load_spatial_inertia_double(&B, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(spatial_inertia_energy_double) {
+  POINTERS_3
+  LOAD_FIRST(spatial_inertia_double, ksl_spatial_inertia_t B, &B);
+  EACH {
     ksl_screw_t s;
     double energy;
-    if (step[0] != 0) {
-      load_spatial_inertia_double(&B, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&s, p1 + i * step[1], core + 1);
+    LOAD_OTHER(spatial_inertia_double, &B);
+    LOAD(screw_double, &s, 1, 1);
     energy = ksl_spatial_inertia_energy(&B, &s);
-    store_scalar_double(&energy, p2 + i * step[2], core + 2);
+    STORE(scalar_double, &energy, 2, 2);
   }
 }
+LOOP(spatial_inertia_energy_double, 3, DENSE_OR_ONE, 80, 48, 8, 8, 8)
 
-static void spatial_inertia_energy_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 80, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    spatial_inertia_energy_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    spatial_inertia_energy_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  spatial_inertia_energy_double_over(data, n[0], step, step + 3);
-}
-
-/* (10),(6)->() */
-INLINED void spatial_inertia_energy_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_spatial_inertiaf_t B;
-  load_spatial_inertia_single(&B, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(spatial_inertia_energy_single) {
+  POINTERS_3
+  LOAD_FIRST(spatial_inertia_single, ksl_spatial_inertiaf_t B, &B);
+  EACH {
     ksl_screwf_t s;
     float energy;
-    if (step[0] != 0) {
-      load_spatial_inertia_single(&B, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&s, p1 + i * step[1], core + 1);
+    LOAD_OTHER(spatial_inertia_single, &B);
+    LOAD(screw_single, &s, 1, 1);
     energy = ksl_spatial_inertiaf_energy(&B, &s);
-    store_scalar_single(&energy, p2 + i * step[2], core + 2);
+    STORE(scalar_single, &energy, 2, 2);
   }
 }
-
-static void spatial_inertia_energy_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 40, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    spatial_inertia_energy_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    spatial_inertia_energy_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  spatial_inertia_energy_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction spatial_inertia_energy_loops[] = {
-    spatial_inertia_energy_double, spatial_inertia_energy_single};
+LOOP(spatial_inertia_energy_single, 3, DENSE_OR_ONE, 40, 24, 4, 4, 4)
+LOOPS(spatial_inertia_energy)
 
 /* (10),(3),(6)->(6) */
-INLINED void spatial_inertia_net_wrench_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_spatial_inertia_t B;
-  load_spatial_inertia_double(&B, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(spatial_inertia_net_wrench_double) {
+  POINTERS_4
+  LOAD_FIRST(spatial_inertia_double, ksl_spatial_inertia_t B, &B);
+  EACH {
     ksl_vec3_t w;
     ksl_screw_t ds;
     ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_spatial_inertia_double(&B, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&w, p1 + i * step[1], core + 1);
-    load_screw_double(&ds, p2 + i * step[2], core + 2);
+    LOAD_OTHER(spatial_inertia_double, &B);
+    LOAD(vec3_double, &w, 1, 1);
+    LOAD(screw_double, &ds, 2, 2);
     ksl_spatial_inertia_net_wrench(&B, &w, &ds, &co);
-    store_coscrew_double(&co, p3 + i * step[3], core + 3);
+    STORE(coscrew_double, &co, 3, 3);
   }
 }
+LOOP(spatial_inertia_net_wrench_double, 4, DENSE_OR_ONE, 80, 24, 48, 48, 8, 8, 8, 8)
 
-static void spatial_inertia_net_wrench_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 80, 24, 48, 48, 8, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    spatial_inertia_net_wrench_double_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 48, 48, 8, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    spatial_inertia_net_wrench_double_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  spatial_inertia_net_wrench_double_over(data, n[0], step, step + 4);
-}
-
-/* (10),(3),(6)->(6) */
-INLINED void spatial_inertia_net_wrench_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_spatial_inertiaf_t B;
-  load_spatial_inertia_single(&B, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(spatial_inertia_net_wrench_single) {
+  POINTERS_4
+  LOAD_FIRST(spatial_inertia_single, ksl_spatial_inertiaf_t B, &B);
+  EACH {
     ksl_vec3f_t w;
     ksl_screwf_t ds;
     ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_spatial_inertia_single(&B, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&w, p1 + i * step[1], core + 1);
-    load_screw_single(&ds, p2 + i * step[2], core + 2);
+    LOAD_OTHER(spatial_inertia_single, &B);
+    LOAD(vec3_single, &w, 1, 1);
+    LOAD(screw_single, &ds, 2, 2);
     ksl_spatial_inertiaf_net_wrench(&B, &w, &ds, &co);
-    store_coscrew_single(&co, p3 + i * step[3], core + 3);
+    STORE(coscrew_single, &co, 3, 3);
   }
 }
-
-static void spatial_inertia_net_wrench_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 40, 12, 24, 24, 4, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    spatial_inertia_net_wrench_single_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 24, 24, 4, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    spatial_inertia_net_wrench_single_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  spatial_inertia_net_wrench_single_over(data, n[0], step, step + 4);
-}
-
-static PyUFuncGenericFunction spatial_inertia_net_wrench_loops[] = {
-    spatial_inertia_net_wrench_double, spatial_inertia_net_wrench_single};
+LOOP(spatial_inertia_net_wrench_single, 4, DENSE_OR_ONE, 40, 12, 24, 24, 4, 4, 4, 4)
+LOOPS(spatial_inertia_net_wrench)
 
 /* (3),(10)->(10) */
-INLINED void spatial_inertia_shifted_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t t;
-  load_vec3_double(&t, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(spatial_inertia_shifted_double) {
+  POINTERS_3
+  LOAD_FIRST(vec3_double, ksl_vec3_t t, &t);
+  EACH {
     ksl_spatial_inertia_t B;
     ksl_spatial_inertia_t Bo;
-    if (step[0] != 0) {
-      load_vec3_double(&t, p0 + i * step[0], core + 0);
-    }
-    load_spatial_inertia_double(&B, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &t);
+    LOAD(spatial_inertia_double, &B, 1, 1);
     ksl_spatial_inertia_shifted(&t, &B, &Bo);
-    store_spatial_inertia_double(&Bo, p2 + i * step[2], core + 2);
+    STORE(spatial_inertia_double, &Bo, 2, 2);
   }
 }
+LOOP(spatial_inertia_shifted_double, 3, DENSE_OR_ONE, 24, 80, 80, 8, 8, 8)
 
-static void spatial_inertia_shifted_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 80, 80, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    spatial_inertia_shifted_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 80, 80, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    spatial_inertia_shifted_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  spatial_inertia_shifted_double_over(data, n[0], step, step + 3);
-}
-
-/* (3),(10)->(10) */
-INLINED void spatial_inertia_shifted_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t t;
-  load_vec3_single(&t, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(spatial_inertia_shifted_single) {
+  POINTERS_3
+  LOAD_FIRST(vec3_single, ksl_vec3f_t t, &t);
+  EACH {
     ksl_spatial_inertiaf_t B;
     ksl_spatial_inertiaf_t Bo;
-    if (step[0] != 0) {
-      load_vec3_single(&t, p0 + i * step[0], core + 0);
-    }
-    load_spatial_inertia_single(&B, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &t);
+    LOAD(spatial_inertia_single, &B, 1, 1);
     ksl_spatial_inertiaf_shifted(&t, &B, &Bo);
-    store_spatial_inertia_single(&Bo, p2 + i * step[2], core + 2);
+    STORE(spatial_inertia_single, &Bo, 2, 2);
   }
 }
-
-static void spatial_inertia_shifted_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 40, 40, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    spatial_inertia_shifted_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 40, 40, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    spatial_inertia_shifted_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  spatial_inertia_shifted_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction spatial_inertia_shifted_loops[] = {
-    spatial_inertia_shifted_double, spatial_inertia_shifted_single};
+LOOP(spatial_inertia_shifted_single, 3, DENSE_OR_ONE, 12, 40, 40, 4, 4, 4)
+LOOPS(spatial_inertia_shifted)
 
 /* (3,4),(10)->(10) */
-INLINED void spatial_inertia_transformed_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(spatial_inertia_transformed_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_spatial_inertia_t B;
     ksl_spatial_inertia_t Bo;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_spatial_inertia_double(&B, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(spatial_inertia_double, &B, 1, 2);
     ksl_spatial_inertia_transformed(&D, &B, &Bo);
-    store_spatial_inertia_double(&Bo, p2 + i * step[2], core + 3);
+    STORE(spatial_inertia_double, &Bo, 2, 3);
   }
 }
+LOOP(spatial_inertia_transformed_double, 3, DENSE_OR_ONE, 96, 80, 80, 32, 8, 8, 8)
 
-static void spatial_inertia_transformed_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 80, 80, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    spatial_inertia_transformed_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 80, 80, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    spatial_inertia_transformed_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  spatial_inertia_transformed_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(10)->(10) */
-INLINED void spatial_inertia_transformed_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(spatial_inertia_transformed_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_spatial_inertiaf_t B;
     ksl_spatial_inertiaf_t Bo;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_spatial_inertia_single(&B, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(spatial_inertia_single, &B, 1, 2);
     ksl_spatial_inertiaf_transformed(&D, &B, &Bo);
-    store_spatial_inertia_single(&Bo, p2 + i * step[2], core + 3);
+    STORE(spatial_inertia_single, &Bo, 2, 3);
   }
 }
-
-static void spatial_inertia_transformed_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 40, 40, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    spatial_inertia_transformed_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 40, 40, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    spatial_inertia_transformed_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  spatial_inertia_transformed_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction spatial_inertia_transformed_loops[] = {
-    spatial_inertia_transformed_double, spatial_inertia_transformed_single};
+LOOP(spatial_inertia_transformed_single, 3, DENSE_OR_ONE, 48, 40, 40, 16, 4, 4, 4)
+LOOPS(spatial_inertia_transformed)
 
 /* (10)->() */
-INLINED void spatial_inertia_consistency_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_spatial_inertia_t B;
-  load_spatial_inertia_double(&B, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(spatial_inertia_consistency_double) {
+  POINTERS_2
+  LOAD_FIRST(spatial_inertia_double, ksl_spatial_inertia_t B, &B);
+  EACH {
     double pivot;
-    if (step[0] != 0) {
-      load_spatial_inertia_double(&B, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(spatial_inertia_double, &B);
     pivot = ksl_spatial_inertia_consistency(&B);
-    store_scalar_double(&pivot, p1 + i * step[1], core + 1);
+    STORE(scalar_double, &pivot, 1, 1);
   }
 }
+LOOP(spatial_inertia_consistency_double, 2, DENSE_OR_ONE, 80, 8, 8)
 
-static void spatial_inertia_consistency_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 80, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    spatial_inertia_consistency_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    spatial_inertia_consistency_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  spatial_inertia_consistency_double_over(data, n[0], step, step + 2);
-}
-
-/* (10)->() */
-INLINED void spatial_inertia_consistency_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_spatial_inertiaf_t B;
-  load_spatial_inertia_single(&B, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(spatial_inertia_consistency_single) {
+  POINTERS_2
+  LOAD_FIRST(spatial_inertia_single, ksl_spatial_inertiaf_t B, &B);
+  EACH {
     float pivot;
-    if (step[0] != 0) {
-      load_spatial_inertia_single(&B, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(spatial_inertia_single, &B);
     pivot = ksl_spatial_inertiaf_consistency(&B);
-    store_scalar_single(&pivot, p1 + i * step[1], core + 1);
+    STORE(scalar_single, &pivot, 1, 1);
   }
 }
-
-static void spatial_inertia_consistency_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 40, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    spatial_inertia_consistency_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    spatial_inertia_consistency_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  spatial_inertia_consistency_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction spatial_inertia_consistency_loops[] = {
-    spatial_inertia_consistency_double, spatial_inertia_consistency_single};
+LOOP(spatial_inertia_consistency_single, 2, DENSE_OR_ONE, 40, 4, 4)
+LOOPS(spatial_inertia_consistency)
 
 const coscrew_gufunc TABLE(spatial_inertia)[] = {
   {"spatial_inertia_copy", "(10)->(10)",

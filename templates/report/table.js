@@ -2,7 +2,7 @@
 // The report, what is chosen of it, and the table: sorted, filtered, one row per entry.
 
 const $ = id => document.getElementById(id);
-const report = JSON.parse($("report-data").textContent);
+const report = JSON.parse($("data").textContent);
 const PRECISIONS = ["double", "single"];
 
 // What JSON has no number for stands in strings: "Infinity", "NaN"; nothing measured is null.

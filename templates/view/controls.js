@@ -12,12 +12,13 @@ $("speed").addEventListener("change", () => { state.speed = Number($("speed").va
 $("names").addEventListener("change", draw);
 $("reset").addEventListener("click", () => { Object.assign(view, home); draw(); });
 
-$("energies").addEventListener("click", event => {
-  const box = $("energies").getBoundingClientRect();
-  const x = 640 * (event.clientX - box.left) / box.width;
-  play(false);
-  seek(end * (x - plotLeft) / (plotRight - plotLeft));
-});
+for (const chart of document.querySelectorAll(".chart")) {
+  chart.addEventListener("click", event => {
+    const box = chart.getBoundingClientRect(), [left, width] = data.chart;
+    play(false);
+    seek(end * ((event.clientX - box.left) / box.width - left) / width);
+  });
+}
 
 function orbit(dx, dy) {
   view.azimuth -= dx;
@@ -82,5 +83,4 @@ canvas.addEventListener("wheel", event => {
 
 new ResizeObserver(draw).observe(canvas);
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", draw);
-drawEnergies();
 show();

@@ -1,15 +1,13 @@
 "use strict";
-// Plays a recording: time, controls, energies.  All it knows is the data embedded in the page.
+// Plays a recording: time, controls, charts.  All it knows is the data embedded in the page.
 
 const $ = id => document.getElementById(id);
-const data = JSON.parse($("recording").textContent);
+const data = JSON.parse($("data").textContent);
 const bytes = text => Uint8Array.from(atob(text), c => c.charCodeAt(0)).buffer;
 const times = new Float64Array(bytes(data.t));
 const poses = new Float32Array(bytes(data.poses));  // frames × bodies × 7
-const energies = Object.fromEntries(Object.entries(data.energies).map(
-  ([name, text]) => [name, new Float64Array(bytes(text))]));
-const recorded = data.recorded.map(x => ({ unit: x.unit === "1" ? "" : ` ${x.unit}`,
-                                           values: new Float64Array(bytes(x.values)) }));
+const columns = data.values.map(x => ({ unit: x.unit === "1" ? "" : ` ${x.unit}`,
+                                        values: new Float64Array(bytes(x.values)) }));
 const end = times.at(-1), count = data.bodies.length;
 const HUES = [212, 28, 152, 330, 48, 268, 185, 0, 90, 240];
 const canvas = $("space"), context = canvas.getContext("2d");
@@ -122,15 +120,13 @@ function show() {
   $("time").value = end > 0 ? state.time / end : 0;
   $("time").setAttribute("aria-valuetext", `${state.time.toFixed(digits)} seconds`);
   $("clock").textContent = `${state.time.toFixed(digits)} / ${written(end)} s`;
-  for (const [name, values] of Object.entries(energies)) {
-    $(`energy-${name}`).textContent = `${written(values[low] * (1 - k) + values[high] * k)} J`;
-  }
-  recorded.forEach(({ unit, values }, i) => {
-    $(`recorded-${i}`).textContent = written(values[low] * (1 - k) + values[high] * k) + unit;
+  const values = document.querySelectorAll(".value");
+  columns.forEach(({ unit, values: of }, i) => {
+    values[i].textContent = written(of[low] * (1 - k) + of[high] * k) + unit;
   });
-  const x = plotLeft + (plotRight - plotLeft) * (end > 0 ? state.time / end : 0);
-  for (const cursor of document.querySelectorAll("#cursor, .cursor")) {
-    for (const name of ["x1", "x2"]) cursor.setAttribute(name, x);
+  const [left, width] = data.chart, share = end > 0 ? state.time / end : 0;
+  for (const cursor of document.querySelectorAll(".cursor")) {
+    cursor.style.left = `${100 * (left + width * share)}%`;
   }
   $("play").textContent = state.playing ? "Pause" : "Play";
   draw();
@@ -160,68 +156,4 @@ function tick(now) {
   }
   show();
   requestAnimationFrame(tick);
-}
-
-// Multiples of 1, 2 or 5 times a power of ten from low to high, at most six.
-function ticks(low, high) {
-  if (!(high > low)) return [low];
-  const decade = 10 ** Math.floor(Math.log10((high - low) / 5));
-  const step = decade * ([1, 2, 5].find(k => 5 * k * decade >= high - low) ?? 10);
-  const first = Math.ceil(low / step - 1e-9), last = Math.floor(high / step + 1e-9);
-  return Array.from({ length: last - first + 1 }, (_, i) => (first + i) * step);
-}
-
-function tickLine(ends) {
-  const line = document.createElementNS("http://www.w3.org/2000/svg", "line");
-  for (const [name, value] of Object.entries(ends)) line.setAttribute(name, value);
-  $("ticks").append(line);
-}
-
-function tickLabel(id, words, side, share) {
-  const label = document.createElement("span");
-  label.textContent = words;
-  label.style[side] = share;
-  $(id).append(label);
-  return label;
-}
-
-// Lines of equal energy and equal time, and what they stand for.
-function drawTicks(low, high) {
-  for (const value of ticks(low, high)) {
-    const y = plotBottom - (plotBottom - plotTop) * (value - low) / (high - low || 1);
-    tickLine({ x1: plotLeft, x2: plotRight, y1: y, y2: y });
-    tickLabel("energy-labels", `${written(value)} J`, "top", `${100 * y / 160}%`);
-  }
-  for (const value of ticks(0, end)) {
-    const x = plotLeft + (plotRight - plotLeft) * (end > 0 ? value / end : 0);
-    tickLine({ x1: x, x2: x, y1: plotTop, y2: plotBottom });
-    const label = tickLabel("time-labels", `${written(value)} s`, "left", `${100 * x / 640}%`);
-    label.classList.toggle("last", x > .95 * plotRight);
-  }
-}
-
-// The energies over time.  A click moves to its time.
-const plotLeft = 8, plotRight = 632, plotTop = 10, plotBottom = 150;
-
-function drawEnergies() {
-  const all = Object.values(energies).flatMap(values => {
-    const finite = Array.from(values).filter(Number.isFinite);
-    return finite.length ? [finite.reduce((a, b) => Math.min(a, b)),
-                            finite.reduce((a, b) => Math.max(a, b))] : [];
-  });
-  const low = Math.min(...all), high = Math.max(...all), span = high - low || 1;
-  drawTicks(low, high);
-  const every = Math.max(1, Math.floor(times.length / 1500));
-  for (const [name, values] of Object.entries(energies)) {
-    const pairs = [];
-    const last = times.length - 1;
-    for (let i = 0; i <= last; i = i < last ? Math.min(i + every, last) : last + 1) {
-      const x = plotLeft + (plotRight - plotLeft) * (end > 0 ? times[i] / end : 0);
-      const y = plotBottom - (plotBottom - plotTop) * (values[i] - low) / span;
-      if (Number.isFinite(y)) pairs.push(`${x.toFixed(1)},${y.toFixed(1)}`);
-    }
-    $(`line-${name}`).setAttribute("points", pairs.join(" "));
-  }
-  $("energy-high").textContent = `${written(high)} J`;
-  $("energy-low").textContent = `${written(low)} J`;
 }

@@ -6,15 +6,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-import matplotlib
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from numpy.typing import NDArray
 
+from coscrew_codegen import plots
 from coscrew_codegen.formats import PRECISIONS, Precision
-from coscrew_codegen.plots import STYLE
 from coscrew_codegen.simulate.write import delivered
 
 FACTORS = (1.00001, 1.001, 1.01, 1.1, 2)
@@ -44,10 +43,11 @@ class Calibration:
 
 def plot(found: Sequence[Calibration], path: Path) -> None:
     """Draw the curves to an SVG, a panel a robot.  Raises SimulateError."""
-    with matplotlib.rc_context(STYLE), delivered(path) as temporary:
-        figure(found).savefig(temporary, format="svg", metadata={"Date": None, "Creator": None})
+    with delivered(path) as temporary:
+        plots.write(figure(found), temporary)
 
 
+@plots.styled
 def figure(found: Sequence[Calibration]) -> Figure:
     """Percent against bound / error, whose distance from 1 is on a logarithmic axis."""
     robots = list(dict.fromkeys(x.robot for x in found))
@@ -69,8 +69,8 @@ def figure(found: Sequence[Calibration]) -> Figure:
     for n, function in enumerate(functions):
         panels[0].plot((), (), color=f"C{n}", label=function.replace("_", " "))
     for precision in PRECISIONS:
-        panels[0].plot((), (), precision.dash, color="#5b6475", label=precision.name)
-    figure.legend(frameon=False, loc="outside lower center", ncols=len(functions) + len(PRECISIONS))
+        panels[0].plot((), (), precision.dash, color=plots.QUIET, label=precision.name)
+    figure.legend(loc="outside lower center", ncols=len(functions) + len(PRECISIONS))
     return figure
 
 

@@ -16,9 +16,9 @@ from coscrew_codegen.native.buffers import aligned
 from coscrew_codegen.native.timing import Loop, driver, pointers, timed_loops
 from tests.benchmarks.bars import Bar, fastest, show
 from tests.benchmarks.words import said
+from tests.support.compiled import all_headers
 
 HERE = Path(__file__).parent
-INCLUDE = HERE.parents[1] / "generated" / "c" / "include"
 FLAGS = ("-O3", "-O3 -march=native")
 OPERATIONS = {"CoAdc_one_D": "product_CoAdc, one D", "CoAdc_D_each": "product_CoAdc, D each",
               "CoAdinvc_one_D": "product_CoAdinvc, one D", "cross_sc": "cross_sc",
@@ -36,7 +36,7 @@ def build(compiler: str, flags: str, folder: Path, loops: str = "header_kernels"
     linkage table)."""
     common = [compiler, "-std=c11", "-ffp-contract=off", "-DKSL_CONTRACT_OFF", *flags.split(),
               "-fPIC",
-              "-fvisibility=hidden", "-I", str(INCLUDE)]
+              "-fvisibility=hidden", "-I", str(all_headers.include())]
     (folder / "driver.c").write_text(driver(), encoding="utf-8")
     subprocess.run([compiler, "-std=c11", "-O3", "-fPIC", "-c", "driver.c", "-o", "driver.o"],
                    cwd=folder, check=True)

@@ -1,13 +1,21 @@
 """Checkers of the source code find nothing."""
 
+import keyword
+import re
 import subprocess
 import sys
+import tomllib
+from collections.abc import Iterable
+from fnmatch import fnmatchcase
 from pathlib import Path
 
 import pytest
+from jinja2 import Environment
+from vulture import Vulture
 
 from coscrew_codegen.__main__ import main
-from tests.support.compiled.c_harness import C11, C_FOLDER, INCLUDE, run
+from tests.support.compiled import all_headers
+from tests.support.compiled.c_harness import C11, INCLUDE, run
 
 ROOT = Path(__file__).parents[2]
 
@@ -21,17 +29,54 @@ def checked(*words: str | Path) -> None:
 
 def test_ruff_finds_nothing():
     checked("ruff", "check", "--no-cache", "--output-format=concise", "codegen", "tests",
-            "examples", "docs", "setup.py")
+            "examples", "docs", "hatch_build.py")
 
 
 def test_mypy_finds_nothing():
-    """Packages go by the names they are installed under: links lead from these to the folders."""
-    links = ROOT / "build" / "typed"
-    links.mkdir(parents=True, exist_ok=True)
-    for name, folder in (("coscrew_codegen", "codegen"), ("coscrew", "generated/python")):
-        if not (links / name).exists():
-            (links / name).symlink_to(ROOT / folder)
     checked("mypy", "--no-error-summary", "-p", "coscrew_codegen", "-p", "tests.support")
+
+
+def used_elsewhere() -> set[str]:
+    """The names that templates, scripts of pages and examples of the documents use."""
+    lexed = (Environment().lex(path.read_text("utf-8"))
+             for path in (ROOT / "templates").rglob("*.jinja"))
+    found = {text for tokens in lexed for _, kind, text in tokens if kind == "name"}
+    for path in (ROOT / "templates").rglob("*.js"):
+        found.update(re.findall(r"[^\W\d]\w*", path.read_text("utf-8")))
+    for path in (*(ROOT / "docs").glob("*.md"), ROOT / "README.md", ROOT / "CONTRIBUTING.md"):
+        for block in re.findall(r"```python\n(.*?)```", path.read_text("utf-8"), re.S):
+            found.update(re.findall(r"[^\W\d]\w*", block))
+    return {name for name in found if name.isidentifier() and not keyword.iskeyword(name)}
+
+
+def unused(folders: Iterable[str]) -> dict[str, str]:
+    """Names that nothing in these folders uses, and the place and kind of each."""
+    checker = Vulture(ignore_decorators=["@pytest.fixture*"])
+    checker.scavenge([ROOT / folder for folder in folders])
+    checker.scan("\n".join(f"_.{name}" for name in sorted(used_elsewhere())))
+    return {x.name: f"{x.filename.relative_to(ROOT)}:{x.first_lineno}: {x.message}"
+            for x in checker.get_unused_code(min_confidence=60)}
+
+
+def ignored_names() -> tuple[str, ...]:
+    config = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))
+    return tuple(config["tool"]["vulture"]["ignore_names"])
+
+
+def test_vulture_finds_nothing():
+    """Nothing in the tests is dead, and nothing in the generator that only tests use; no exception
+    is left over."""
+    found = unused(["codegen", "setup.py"]) | unused(["codegen", "tests", "examples", "setup.py"])
+    patterns = ignored_names()
+    assert [place for name, place in found.items()
+            if not any(fnmatchcase(name, x) for x in patterns)] == []
+    assert [x for x in patterns if not any(fnmatchcase(name, x) for name in found)] == []
+
+
+def test_names_that_vulture_ignores_have_reasons():
+    text = (ROOT / "pyproject.toml").read_text("utf-8")
+    lines = text.partition("ignore_names = [\n")[2].partition("\n]")[0].splitlines()
+    assert [x for x in lines if not re.fullmatch(r' +("[\w*]+",\s+)+# \w.+', x)] == []
 
 
 def tidy(path: Path) -> None:
@@ -40,9 +85,9 @@ def tidy(path: Path) -> None:
          *C11, "-I", INCLUDE])
 
 
-@pytest.mark.parametrize("header", sorted(x.name for x in C_FOLDER.glob("*.h")))
+@pytest.mark.parametrize("header", all_headers.AMALGAMATIONS)
 def test_clang_tidy_finds_nothing_in_the_headers(header: str):
-    tidy(C_FOLDER / header)
+    tidy(all_headers.c_folder() / header)
 
 
 def test_clang_tidy_finds_nothing_in_a_scene(tmp_path: Path):

@@ -23,6 +23,7 @@ from coscrew_codegen.cost.measure import measure
 from coscrew_codegen.cost.plot import _accuracy, _bars, plot
 from coscrew_codegen.cost.table import others, table
 from coscrew_codegen.cost.work_precision import Point, Reference, error, reference
+from coscrew_codegen.digits import three_digits
 from coscrew_codegen.formats import DOUBLE, PRECISIONS, SINGLE
 from coscrew_codegen.integrators import EMITTED
 from coscrew_codegen.native.intervals import Interval
@@ -33,7 +34,6 @@ from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.simulate import native
 from coscrew_codegen.simulate.outcome import RunOverrides
 from coscrew_codegen.simulate.system import system
-from coscrew_codegen.simulate.units import three_digits
 from coscrew_codegen.targets import scene_c
 from coscrew_codegen.targets.scene_text import banner_of
 from tests.support.each import each_precision

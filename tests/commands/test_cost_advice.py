@@ -7,7 +7,6 @@ from dataclasses import replace
 from itertools import combinations
 
 import pytest
-from matplotlib import rc_context
 from matplotlib.figure import Figure
 from matplotlib.transforms import Bbox
 
@@ -17,7 +16,7 @@ from coscrew_codegen.cost.measure import Costs
 from coscrew_codegen.cost.panels import panel
 from coscrew_codegen.cost.table import about, accuracies
 from coscrew_codegen.native.intervals import Interval
-from coscrew_codegen.plots import STYLE
+from coscrew_codegen.plots import place_labels, styled
 
 
 def made(tier: str, precision: str, worst: float, ns: float, bound: float = 0) -> Accuracy:
@@ -109,10 +108,13 @@ def test_ratios_have_three_digits():
     assert table.rows[0][6] == "1.00, 10, 150"
 
 
-def texts_of(axes) -> list[Bbox]:
-    """The extents of the texts beside marks."""
-    axes.figure.figure.draw_without_rendering()
-    return [x.get_window_extent() for x in axes.texts]
+def texts_beside(rows: Sequence[Accuracy]) -> list[Bbox]:
+    """The extents of the texts beside a panel's marks."""
+    drawn = Figure(figsize=(12.6, 4.6), layout="constrained")
+    panel(drawn.subplots(1, 3)[0], rows)
+    place_labels(drawn)
+    drawn.draw_without_rendering()
+    return [x.get_window_extent() for x in drawn.axes[0].texts]
 
 
 @pytest.mark.parametrize("single_certified, accurate", ((193, 434), (72, 434), (64, 900), (66, 69)))
@@ -122,10 +124,7 @@ def test_numbers_beside_marks_do_not_meet(single_certified, accurate):
             made("accurate", "double", 2.2e-16, accurate), made("accurate", "single", 1.2e-7, 68.5),
             made("certified", "double", 1.6e-15, accurate + 8, 1.6e-15),
             made("certified", "single", 9.2e-7, single_certified, 9.2e-7)]
-    drawn = Figure(figsize=(12.6, 4.6), layout="constrained")
-    with rc_context(STYLE):
-        panel(drawn.subplots(1, 3)[0], rows)
-        boxes = texts_of(drawn.axes[0])
+    boxes = styled(texts_beside)(rows)
     assert len(boxes) == 6
     for a, b in combinations(boxes, 2):
         assert not a.overlaps(b), (a, b)

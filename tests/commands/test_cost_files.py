@@ -5,6 +5,7 @@ import json
 import math
 import re
 from dataclasses import replace
+from itertools import permutations
 from pathlib import Path
 
 import numpy as np
@@ -21,6 +22,7 @@ from coscrew_codegen.cost.panels import shown
 from coscrew_codegen.cost.run_errors import RunError, RunErrors
 from coscrew_codegen.cost.table import accuracies, others
 from coscrew_codegen.cost.work_precision import Point, Reference
+from coscrew_codegen.digits import three_digits
 from coscrew_codegen.formats import BY_NAME
 from coscrew_codegen.native.intervals import Interval
 from coscrew_codegen.scene.selected import FunctionsError
@@ -28,6 +30,7 @@ from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.load import kernels_for
 from coscrew_codegen.simulate.outcome import RunOverrides
+from coscrew_codegen.simulate.units import in_unit
 from tests.support.browser import chromium
 from tests.support.scenes import scene_texts as texts
 
@@ -139,10 +142,19 @@ def test_every_field_is_documented(whole, tmp_path):
 
 # the page
 
+MARKS = """
+    return [...document.querySelectorAll("#plots figure")].flatMap((figure, panel) =>
+      [...figure.querySelectorAll("[data-mark]")].map(mark => {
+        const box = mark.querySelector("use").getBoundingClientRect();
+        return [panel, mark.dataset.mark, mark.querySelector("title").textContent,
+                box.x + box.width / 2, box.y + box.height / 2];
+      }));"""
+
+
 def test_the_page_is_self_contained(whole):
     text = page.page(whole, "coscrew cost spring.toml")
-    assert not re.search(r"(?:src|href)=\"(?!data:)", text)
-    assert "://" not in text.replace("http://www.w3.org/2000/svg", "")
+    assert not re.search(r"(?:src|href)=\"(?!data:|#)", text)
+    assert "://" not in re.sub(r'xmlns(:\w+)?="[^"]*"', "", text)
     assert "<b>" not in text.partition("<body>")[2].partition("<script")[0]
     places = [text.index(x) for x in ('id="plots"', 'id="advice"', "Errors, bounds and times",
                                       "Operations, effects, runs")]
@@ -154,16 +166,13 @@ def test_the_page_shows_the_figures_in_a_browser(whole, tmp_path):
     with chromium() as browser:
         browser.get((tmp_path / "costs.html").as_uri())
         assert not [x for x in browser.get_log("browser") if x["level"] == "SEVERE"]
-        marks = browser.execute_script("""
-            return [...document.querySelectorAll("#plots .mark")].map(mark => [
-              mark.dataset.variant, mark.dataset.x, mark.dataset.y]);""")
+        marks = browser.execute_script(MARKS)
         rows = browser.execute_script("""
             return [...document.querySelectorAll("tbody tr")].map(row =>
               [...row.children].map(cell => cell.textContent));""")
-        curves = browser.execute_script("""
-            return [...document.querySelectorAll("#run .curve")].map(curve => [
-              curve.dataset.curve, curve.dataset.points ?? "cross", curve.getAttribute("d"),
-              curve.getAttribute("class")]);""")
+        curves = dict(browser.execute_script("""
+            return [...document.querySelectorAll("#run [data-mark]")].map(curve => [
+              curve.dataset.mark, curve.querySelector("path").getAttribute("d")]);"""))
         key = browser.execute_script("""
             return [...document.querySelectorAll(".key li")].map(x => x.textContent);""")
         page.write(of_units(whole, ("N", 1e-3), ("kg", 0), ("N m", 1e-5)), tmp_path / "units.html",
@@ -172,21 +181,25 @@ def test_the_page_shows_the_figures_in_a_browser(whole, tmp_path):
         texts = browser.execute_script("""
             return [...document.querySelectorAll("#plots figure")].map(figure =>
               [...figure.querySelectorAll("text")].map(x => x.textContent));""")
-    wanted = [(f"{x.function} {x.name}", x.time.median, shown(x))
-              for rows in whole.accuracy for x in rows]
-    assert [(name, float(x), float(y)) for name, x, y in marks] == wanted
+    for number, its in enumerate(whole.accuracy):
+        of = {name: (title, x, y) for panel, name, title, x, y in marks if panel == number}
+        assert {name: title for name, (title, *_) in of.items()} == {
+            f"{x.function} {x.name}": f"{x.name}: {'bound' if x.errors[0].bounds else 'error'} "
+            f"{in_unit(shown(x), x.errors[0].unit)}, typically an error of "
+            f"{in_unit(x.errors[0].typical, x.errors[0].unit)}, {three_digits(x.time.median)} ns"
+            for x in its}
+        for a, b in permutations(its, 2):  # to the right is slower, above is less accurate
+            (_, ax, ay), (_, bx, by) = (of[f"{x.function} {x.name}"] for x in (a, b))
+            assert ax < bx + 0.1 or a.time.median >= b.time.median
+            assert ay > by - 0.1 or shown(a) >= shown(b)
     tables = [*(x for rows in whole.accuracy for x in accuracies(rows)), *others(whole)]
     assert rows == [list(row) for x in tables for row in x.rows]
-    assert [x[:2] for x in curves] == [["model: bare", "0"], ["step: 0.001 s", "2"],
-                                       ["rounding: single plain", "2"],
-                                       ["rounding: single plain", "cross"]]
-    assert {x[3] for x in curves} == {"curve model  ", "curve step  ",
-                                      "curve rounding plain single",
-                                      "curve rounding plain single cross"}
-    heights = [float(y) for x in curves[1:3] for y in re.findall(r"[ML]\S+ (\S+?)(?=[ML]|$)", x[2])]
+    assert list(curves) == ["rounding: single plain", "model: bare", "step: 0.001 s"]
+    heights = [float(y) for name in ("step: 0.001 s", "rounding: single plain")
+               for y in re.findall(r"[ML] \S+ (\S+)", curves[name])]
+    assert len(heights) == 4
     assert heights == sorted(set(heights), reverse=True)  # 1e-9, 1e-8, 1e-7, 1e-6: upwards
-    assert key == ["plain", "accurate", "certified", "double", "single",
-                   "rounding: single plain", "model: bare", "step: 0.001 s"]
+    assert key == ["plain", "accurate", "certified", "double", "single"]
     assert [[x for x in of if x.startswith("error")] for of in texts] == [
         ["error, N"], ["error, N m"]]
     for of in texts:  # of an axis, all numbers are with a power of ten or none

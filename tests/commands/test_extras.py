@@ -33,8 +33,8 @@ def requirements(extra: str) -> set[str]:
 def bare(tmp_path_factory) -> Path:
     """A folder of packages with nothing but coscrew and NumPy; tests link others into it."""
     folder = tmp_path_factory.mktemp("bare")
-    for source, name in ((ROOT / "generated/python", "coscrew"), (ROOT / "codegen",
-                                                                  "coscrew_codegen"),
+    for source, name in ((ROOT / "generated/python/coscrew", "coscrew"),
+                         (ROOT / "codegen/coscrew_codegen", "coscrew_codegen"),
                          *((path, path.name) for path in SITE.glob("numpy*")),
                          *((path, path.name) for path in SITE.glob("coscrew-*.dist-info"))):
         (folder / name).symlink_to(source)
@@ -149,4 +149,5 @@ def test_help_imports_no_operations_and_no_other_command():
 
 def test_an_unknown_command_is_refused_without_extras(bare):
     done = run(bare, set(), "simulat")
-    assert done.returncode == 2 and "invalid choice: 'simulat'" in done.stderr
+    assert done.returncode == 2 and done.stderr == (
+        "coscrew: there is no command 'simulat'; did you mean 'simulate'?\n")

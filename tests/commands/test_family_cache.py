@@ -9,14 +9,16 @@ import subprocess
 import zlib
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from itertools import cycle
 from pathlib import Path
 
 import pytest
 
+from coscrew_codegen import operations
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.family_cache import FamilyCache, made_from
+from coscrew_codegen.family_cache import FamilyCache, makers, modules
 from coscrew_codegen.library import FamilyKernels
-from coscrew_codegen.native import cache
+from coscrew_codegen.native import cache, sources
 from coscrew_codegen.operations import FAMILIES, OPERATIONS, contributors
 from tests.support.walks import copied, generated
 
@@ -65,10 +67,26 @@ def test_what_did_not_change_is_not_made_again(site):
     assert_true(site)
 
 
+@pytest.mark.parametrize("source, old, new", [
+    ("operations/trig.py", "\nFAMILY =", "\n# A comment.\nFAMILY ="),
+    ("operations/norm.py", '"""The ', '"""Of vectors: the '),
+    ("targets/c_statements.py", "WIDTH = ", "# A comment.\nWIDTH = "),
+    ("effects/viscous.py", '-(values["d"] * state.v)', '-(2 * values["d"] * state.v)'),
+    ("effects/gravity.py", '"""', "# A comment.\n" + '"""'),
+    ("cost/page.py", "\n\n\ndef", "\n\n\nEXTRA = 1\n\n\ndef")])
+def test_comments_docstrings_and_what_is_not_imported_cost_nothing(site, source, old, new):
+    """A change of an effect, too: nothing of a family depends on it."""
+    before = contents(site)
+    change(site / "coscrew_codegen" / source, old, new)
+    assert derived(generated(site, *WORDS)) == set()
+    assert contents(site) == before
+
+
 @pytest.mark.parametrize("steps", [
     [([("operations/trig.py", "θ in rad", "θ in radians"),
        ("operations/mat6x6.py", "lambda M: M.T", "lambda M: 2 * M.T")], {"trig", "mat6x6"})],
-    [([("operations/norm.py", "def safe_norm(", "def another():\n    pass\n\n\ndef safe_norm(")],
+    [([("operations/linear.py", "def linear_space(",
+        "def another():\n    pass\n\n\ndef linear_space(")],
       {"vec3", "mat6x6"})],
     [([("targets/c_statements.py", "WIDTH = ", "WIDTH = 4 + ")], ALL),
      ([("templates/c/family.h.jinja", "#include <", "#include  <")], ALL)]])
@@ -79,7 +97,7 @@ def test_what_changed_is_made_again_and_nothing_else(site, steps):
             change(site / "coscrew_codegen" / source, old, new)
         assert derived(generated(site, *WORDS)) == again
     assert_true(site)
-    assert (contents(site) == before) == ("norm" in changed[0][0])
+    assert (contents(site) == before) == ("linear" in changed[0][0])
     for source, old, new in changed:
         change(site / "coscrew_codegen" / source, new, old)
     assert derived(generated(site, *WORDS)) == set()  # all are kept
@@ -103,7 +121,8 @@ def test_other_commands_keep_their_own(site):
                                      ("no pickle", "another's", "a folder")))
 def test_damaged_entries_are_made_again(site, damages):
     entries = sorted((site / "cache/coscrew").glob("*.family"))
-    for path, damage in zip(entries, damages, strict=True):
+    assert len(entries) > len(damages)
+    for path, damage in zip(entries, cycle(damages), strict=False):
         content = path.read_bytes()
         path.unlink()
         bad = {"truncated": content[:len(content) // 2], "emptied": b"", "a folder": None,
@@ -153,8 +172,8 @@ def test_a_process_that_knew_older_sources_keeps_nothing(tmp_path, monkeypatch, 
 
 def test_sources_that_change_meanwhile_keep_nothing(tmp_path, monkeypatch):
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-    stands = cache.sources()
-    for change, count in (({"codegen/another.py": b""}, 0), ({}, 1)):
+    stands = sources.read()
+    for change, count in (({"coscrew_codegen.another": b""}, 0), ({}, 1)):
         kept = FamilyCache(stands | change, "coscrew generate", lambda words: None)
         assert kept(FamilyKernels("trig", (), ()), made) == "trig"
         kept.save()
@@ -165,33 +184,28 @@ def made(kernels: FamilyKernels) -> str:
     return kernels.family
 
 
-def test_a_family_is_made_from_all_that_it_imports():
-    """Also imports inside functions, relative ones and indirect ones; but not modules that only
-    other families import."""
-    sources = {"codegen/kernel.py": b"", "codegen/operations/__init__.py": b"",
-               "codegen/operations/vec3.py": b"from coscrew_codegen.operations import a\n",
-               "codegen/operations/a.py": b"def f():\n    from .b import x\n",
-               "codegen/operations/b.py": b"from . import c\n",
-               "codegen/operations/c.py": b"import coscrew_codegen.operations.d\n",
-               "codegen/operations/d.py": b"from coscrew_codegen.operations.a import f\n",
-               "codegen/operations/SE3.py": b"from coscrew_codegen.quantity import SE3\n",
-               "codegen/operations/vec4.py": b""}
-    found = made_from("vec3", sources)
-    assert sources.keys() - found.keys() == {
-        "codegen/operations/SE3.py", "codegen/operations/vec4.py"}
+made.__module__ = "coscrew_codegen.requirements"  # a module of the generator
 
 
 def test_bounds_of_rotations_are_made_from_the_defect_that_they_compare():
     for family, known in (("exponential", True), ("mat3x3", True), ("trig", False)):
-        assert ("codegen/operations/nearest.py" in made_from(family, cache.sources())) == known
+        assert ("nearest" in made_from(family)) == known
+
+
+def made_from(family: str) -> set[str]:
+    """The modules of operations that count for a family."""
+    package = operations.__name__
+    reached = sources.Sources.of(sources.read()).reached(
+        makers(made), {package: modules(family)})
+    return {x.removeprefix(f"{package}.") for x in reached if x.startswith(f"{package}.")}
 
 
 @pytest.mark.parametrize("family", FAMILIES)
 def test_functions_of_a_family_are_of_the_files_it_is_made_from(family):
     """Wherever the code that derives it is defined."""
-    found = made_from(family, cache.sources())
+    found = made_from(family)
     for name in contributors(family):
-        assert f"codegen/operations/{name}.py" in found
+        assert name in found
     for operation in OPERATIONS:
         if operation.family == family:
             for function in (operation.formula, operation.derivation):
@@ -199,7 +213,7 @@ def test_functions_of_a_family_are_of_the_files_it_is_made_from(family):
 
 
 def files_of(function: Callable | None) -> set[str]:
-    """The files of a function of operations/ and of those it calls."""
+    """The names of the files of a function of operations/ and of those it calls."""
     waiting, seen, paths = [function], set(), set()
     while waiting:
         one = waiting.pop()
@@ -208,7 +222,7 @@ def files_of(function: Callable | None) -> set[str]:
         if code is None or code in seen or "/operations/" not in code.co_filename:
             continue
         seen.add(code)
-        paths.add(f"codegen/operations/{Path(code.co_filename).name}")
+        paths.add(Path(code.co_filename).stem)
         waiting += [one.__globals__[name] for name in code.co_names if name in one.__globals__]
         waiting += [cell.cell_contents for cell in one.__closure__ or ()]
     return paths

@@ -6,13 +6,12 @@ import re
 import shutil
 import subprocess
 import sys
-import tomllib
 from pathlib import Path
 
 import pytest
 
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.build import extensions, packages
+from coscrew_codegen.build import extensions
 from coscrew_codegen.operations import FAMILIES
 from coscrew_codegen.tiers import TIERS
 
@@ -103,13 +102,11 @@ def test_one_family_in_one_precision_and_language(tmp_path):
     assert main(["generate", "--family", "coscrew", "--precision", "single", "--language", "c",
                  "--output", str(tmp_path)]) == 0
     made = contents(tmp_path)
-    tiers = ("", "_accurate", "_certified", "_fused")
-    headers = (*(f"{x}{tier}{many}" for x in ("coscrew", "ksl") for tier in tiers
-                 for many in ("", "_many")),
-               "elementary", "ksl_elementary_error", "ksl_exact", "ksl_exactf", "ksl_planes",
+    tiers = ("", "_accurate", "_certified")
+    headers = (*(f"{x}{tier}" for x in ("coscrew", "ksl") for tier in tiers),
+               "elementary", "ksl_elementary_error", "ksl_exact", "ksl_exactf",
                "ksl_rounding", "ksl_selfcheck", "ksl_states", "ksl_types")
-    assert sorted(made) == ["c/coscrew.h", "c/coscrew_accurate.h", "c/coscrew_certified.h",
-                            "c/coscrew_fused.h",
+    assert sorted(made) == ["c/coscrew.h",
                             *(f"c/include/ksl/{name}.h" for name in sorted(headers))]
     for path, text in made.items():
         assert b"ksl_product_CoAdc(" not in text and b"ksl_coscrew_t" not in text
@@ -121,15 +118,50 @@ def test_one_family_in_one_precision_and_language(tmp_path):
             b"/* Made by `coscrew generate --family coscrew --precision single --language c`;")
 
 
+def test_options_add_files_and_change_none(tmp_path, capsys):
+    """Each names in its first line the command that makes it; a run without the options removes
+    them, and --check finds them current only with them."""
+    part = ["generate", "--family", "trig", "--language", "c", "--output", str(tmp_path)]
+    extra = ["--amalgamate", "certified", "accurate", "--many"]
+    assert main(part) == 0
+    before = contents(tmp_path)
+    assert main([*part, *extra]) == 0 == main([*part, *extra, "--check"])
+    after = contents(tmp_path)
+    assert before.items() <= after.items()
+    heads = {path: text.partition(b";")[0].decode() for path, text in after.items()
+             if path not in before}
+    base = "/* Made by `coscrew generate --family trig --language c"
+    assert heads == {
+        **{f"c/coscrew_{tier}.h": f"{base} --amalgamate {tier}`"
+           for tier in ("accurate", "certified")},
+        **{f"c/include/ksl/{name}.h": f"{base} --many`"
+           for name in ("ksl_planes", *(f"{x}{tier}_many" for x in ("ksl", "trig")
+                                        for tier in ("", "_accurate", "_certified")))}}
+    capsys.readouterr()
+    (tmp_path / "c/coscrew_accurate.h").unlink()
+    assert main([*part, *extra, "--check"]) == 1
+    assert ("run `coscrew generate --family trig --language c --amalgamate accurate certified "
+            "--many") in capsys.readouterr().err
+
+
+LARGEST = 18_100_000
+"""Bytes that generated/ may have, as git stores them: uncompressed."""
+
+
+def test_what_is_committed_is_small():
+    size = sum(map(len, committed().values()))
+    assert size <= LARGEST, f"generated/ has {size:,} bytes; wanted at most {LARGEST:,}"
+
+
 EACH_PACKAGE = """
 import sys
 from pathlib import Path
 
 for folder in map(Path, sys.argv[1:]):
-    sys.path.insert(0, str(folder))
+    sys.path.insert(0, str(folder / "python"))
     import coscrew
 
-    assert Path(coscrew.__file__).parent == folder / "coscrew" and not coscrew.COMPILED
+    assert Path(coscrew.__file__).parent == folder / "python/coscrew" and not coscrew.COMPILED
     print(folder.name, *coscrew.__all__)
     for name in [x for x in sys.modules if x.partition(".")[0] == "coscrew"]:
         del sys.modules[name]
@@ -141,7 +173,6 @@ def test_each_family_of_the_python_package_stands_alone(precision, tmp_path):
     for family in FAMILIES:
         assert main(["generate", "--family", family, "--precision", precision, "--language",
                      "python", "--output", str(tmp_path / family)]) == 0
-        (tmp_path / family / "python").rename(tmp_path / family / "coscrew")
     done = subprocess.run([sys.executable, "-c", EACH_PACKAGE, *(tmp_path / x for x in FAMILIES)],
                           text=True, capture_output=True)
     assert done.returncode == 0, done.stderr
@@ -156,6 +187,11 @@ def test_each_family_of_the_python_package_stands_alone(precision, tmp_path):
     (["--precision", "float"], "did you mean"),
     (["--precision", "doubel"], "did you mean 'double'"),
     (["--language", "pyton"], "did you mean 'python'"),
+    (["--amalgamate", "acurate"], "unknown tier 'acurate': did you mean 'accurate'?"),
+    (["--amalgamate", "accurate", "certifed"], "did you mean 'certified'"),
+    (["--many", "--language", "python"], "--many writes C, and --language python leaves it out"),
+    (["--amalgamate", "accurate", "--language", "python"], "wanted --language c, or neither"),
+    (["examples/scenes/pendulum.toml", "--amalgamate", "accurate"], "--amalgamate selects"),
 ])
 def test_unknown_names_get_the_nearest_valid_one(arguments, near, tmp_path, capsys):
     assert main(["generate", *arguments, "--output", str(tmp_path / "new")]) == 2
@@ -174,8 +210,8 @@ def test_a_run_that_cannot_finish_leaves_the_old_files_whole(tmp_path, capsys, m
     options = ["generate", "--family", "trig", "--output", str(tmp_path)]
     assert main(options) == 0
     (tmp_path / "c/include/ksl/trig.h").write_text("old\n")
-    (tmp_path / "python/py.typed").unlink()
-    (tmp_path / "python/py.typed").mkdir()  # in the way, and last in line
+    (tmp_path / "python/coscrew/py.typed").unlink()
+    (tmp_path / "python/coscrew/py.typed").mkdir()  # in the way, and last in line
     before = contents(tmp_path)
     assert main(options) == 2
     assert "py.typed: it is a folder; nothing was changed" in capsys.readouterr().err
@@ -184,7 +220,7 @@ def test_a_run_that_cannot_finish_leaves_the_old_files_whole(tmp_path, capsys, m
     def interrupted(*_):
         raise KeyboardInterrupt
 
-    (tmp_path / "python/py.typed").rmdir()
+    (tmp_path / "python/coscrew/py.typed").rmdir()
     with monkeypatch.context() as patch:
         patch.setattr(os, "chmod", interrupted)
         assert main(options) == 130
@@ -216,7 +252,7 @@ def test_imports_run_one_way():
              "scene_files", "documentation", "console",
              "arrays", "simulate", "sweep", "cost",
              "generate_command", "schema_command", "command_line", "__main__"]
-    package = ROOT / "codegen"
+    package = ROOT / "codegen/coscrew_codegen"
     allowed_elsewhere = {"build"}  # runs inside setuptools, on its own
 
     def layer(path: Path) -> str:
@@ -233,7 +269,7 @@ def test_imports_run_one_way():
                 name, _, rest = module.partition(".")
                 assert name != "coscrew" or here in ("report", "simulate"), (
                     f"{path} imports what is generated")
-                if name == "coscrew_codegen" and rest != "templates":
+                if name == "coscrew_codegen":
                     assert order.index(rest.split(".")[0]) <= order.index(here), f"{path}: {module}"
                 if name == "sympy":
                     known = here in ("schedule", "tiers", "exact", "documentation", "report")
@@ -262,7 +298,7 @@ MUST_NOT_KNOW = {
 
 def test_folders_do_not_know_what_is_not_theirs():
     """Beyond the order: each folder's subject, and no effect another effect."""
-    package = ROOT / "codegen"
+    package = ROOT / "codegen/coscrew_codegen"
     for folder, others in MUST_NOT_KNOW.items():
         for path in (*package.glob(f"{folder}.py"), *(package / folder).glob("*.py")):
             known = {module.split(".")[1] for node in ast.walk(ast.parse(path.read_text()))
@@ -297,18 +333,10 @@ def test_no_hand_written_line_is_over_100_characters():
 
 
 def test_what_is_built_is_what_is_generated():
-    """Every source of an extension and every package, also those of tiers; they are in no list."""
+    """Every source of an extension, also those of tiers; they are in no list."""
     made = [path for path in committed() if path.endswith(".c")]
     built = {extension.name: extension for extension in extensions(ROOT)}
     assert {source for x in built.values() for source in x.sources} == {
         f"generated/{path}" for path in made}
-    assert set(built) == {f"{tier.package}._gufunc" for tier in TIERS if tier.in_python}
+    assert set(built) == {f"{tier.package}._gufunc" for tier in TIERS}
     assert all((ROOT / path).is_file() for x in built.values() for path in x.depends)
-    python = {path.removesuffix("/__init__.py") for path in committed()
-              if path.startswith("python/") and path.endswith("/__init__.py")}
-    written = {path.parent.relative_to(ROOT) for path in (ROOT / "codegen").rglob("*.py")}
-    names = {".".join(Path(path).parts).replace("python", "coscrew") for path in python} | {
-        ".".join(path.parts).replace("codegen", "coscrew_codegen") for path in written}
-    assert set(packages(ROOT)) == names | {"coscrew", "coscrew.c", "coscrew_codegen.templates"}
-    listed = tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]["setuptools"]
-    assert listed.keys() == {"include-package-data", "package-data"}

@@ -204,11 +204,11 @@ def test_the_page_shows_recorded_effects(tmp_path: Path) -> None:
         captions = [x.text for x in browser.find_elements(By.CSS_SELECTOR,
                                                           ".recorded figcaption")]
         names = [x.text for x in browser.find_elements(By.CSS_SELECTOR, ".recorded dt")]
-        lines = browser.find_elements(By.CSS_SELECTOR, ".recorded polyline")
+        lines = browser.find_elements(By.CSS_SELECTOR, ".recorded [data-mark]")
         place = names.index("actuator.hinge.torque")
         for k in (0, 40, len(found.t) - 1):
             browser.execute_script("seek(arguments[0]);", float(found.t[k]))
-            text = browser.find_element(By.ID, f"recorded-{place}").text
+            text = browser.find_elements(By.CSS_SELECTOR, ".recorded dd")[place].text
             wanted = found.recorded["actuator.hinge.torque"][k]
             assert text.endswith(" N m") and float(text[:-4]) == pytest.approx(wanted, rel=1e-3)
         assert browser.get_log("browser") == []

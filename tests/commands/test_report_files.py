@@ -79,9 +79,9 @@ def test_figures_are_whole_and_hold_a_mark_for_each_variant(folder):
         ids = [element.get("id") for element in ElementTree.parse(path).iter()]
         operations = {"headline.svg": ("product_CoAdc", "cross_sc")}.get(
             path.name, (path.stem.removeprefix("pareto-"),))
-        wanted = [f"{e.operation}-{e.precision}-{e.tier}" for e in REPORT.entries
+        wanted = [variant(e) for e in REPORT.entries
                   if e.operation in operations]
-        for end in ("", "-interval"):
+        for end in ("", " interval"):
             assert sorted(name for name in ids if name in {f"{x}{end}" for x in wanted}) == (
                 [] if "condition" in path.name else sorted(f"{x}{end}" for x in wanted))
 

@@ -7,8 +7,7 @@ import socket
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from contextlib import suppress
 
 import psutil
 import pytest
@@ -87,11 +86,9 @@ def test_a_reader_that_ends_is_no_folder_that_cannot_be_written(scene, tmp_path)
 def test_no_more_processes_start_than_there_are_chunks(scene, tmp_path, monkeypatch):
     started = []
 
-    @contextmanager
-    def local(workers: int) -> Iterator[None]:
+    def local(workers: int) -> None:
         started.append(workers)
         raise SweepError("enough")
-        yield
 
     monkeypatch.setattr(cluster, "local", local)
     assert main(["sweep", str(scene), "--grid", "block.mass=1:7:3", "--workers", "1e6", "--out",

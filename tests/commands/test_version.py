@@ -13,6 +13,7 @@ import coscrew_codegen
 from coscrew_codegen.layout import scene_files
 from coscrew_codegen.mechanics import derive
 from coscrew_codegen.scene_files.toml_scene import read_scene
+from tests.support.compiled import all_headers
 from tests.support.scenes import scene_texts as texts
 
 ROOT = Path(__file__).parents[2]
@@ -54,8 +55,10 @@ def test_every_generated_file_has_license_version_and_project():
 
 
 def test_amalgamations_have_them_once():
-    for path in (ROOT / "generated" / "c").glob("coscrew*.h"):
+    for name in all_headers.AMALGAMATIONS:
+        path = all_headers.c_folder() / name
         text = path.read_text(encoding="utf-8")
+        refuse_other_heads(name, text)
         assert text.count("SPDX") == text.count("Made by") == text.count("Copyright") == 1, path
 
 

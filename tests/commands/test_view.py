@@ -245,54 +245,58 @@ def test_energies_are_those_of_the_pendulum(shown):
         q, v = map(float, texts.pendulum(t))
         for name, wanted in (("kinetic", v**2 / 2), ("potential", -texts.GRAVITY * math.cos(q)),
                              ("total", 0)):
-            text = shown.find_element(By.ID, f"energy-{name}").text
+            names = [x.text for x in shown.find_elements(By.CSS_SELECTOR, ".energies dt")]
+            text = shown.find_elements(By.CSS_SELECTOR, ".energies dd")[names.index(name)].text
             assert text.endswith(" J")
             assert float(text[:-2]) == pytest.approx(wanted, rel=1e-4, abs=1e-9), (name, t)
 
 
-def test_the_energies_have_ticks(shown):
-    """Lines and labels are at the times and energies that the labels state."""
-    low, high = -texts.GRAVITY, texts.GRAVITY  # of the potential and of the kinetic energy
-    box = shown.find_element(By.ID, "energies").rect
-    for name, unit, count in (("energy-labels", "J", 3), ("time-labels", "s", 3)):
-        labels = shown.find_elements(By.CSS_SELECTOR, f"#{name} span")
-        assert len(labels) >= count, name
-        assert all(x.text.endswith(f" {unit}") and x.is_displayed() for x in labels)
-    lines = shown.execute_script("""
-        return [...document.querySelectorAll("#ticks line")].map(x =>
-          ["x1", "x2", "y1", "y2"].map(name => Number(x.getAttribute(name))));""")
-    levels = sorted((y1 for _, _, y1, y2 in lines if y1 == y2), reverse=True)
-    said = [float(x.text[:-2]) for x in shown.find_elements(By.CSS_SELECTOR,
-                                                            "#energy-labels span")]
-    assert said == sorted(said)
-    for y, value in zip(levels, said, strict=True):
-        assert y == pytest.approx(150 - 140 * (value - low) / (high - low), abs=1.5)
-    scale = box["height"] / 160  # labels are at their lines
-    labels = shown.find_elements(By.CSS_SELECTOR, "#energy-labels span")
-    for y, label in zip(levels, labels, strict=True):
-        below = label.rect["y"] + label.rect["height"]
-        assert 0 <= box["y"] + y * scale - below < 6
-    for label in shown.find_elements(By.CSS_SELECTOR, "#time-labels span"):
-        assert label.rect["y"] >= box["y"] + 150 * scale
-    said = [float(x.text[:-2]) for x in shown.find_elements(By.CSS_SELECTOR, "#time-labels span")]
-    assert said[0] == 0 and said[-1] == 2
-    times = sorted(x1 for x1, x2, _, _ in lines if x1 == x2)
-    assert times == pytest.approx([8 + 624 * t / 2 for t in said])
-    assert all(x.rect["x"] + x.rect["width"] <= box["x"] + box["width"] + 1
-               for x in shown.find_elements(By.CSS_SELECTOR, "#time-labels span"))
+def middle(box: dict[str, float]) -> float:
+    return box["x"] + box["width"] / 2
 
 
-@pytest.mark.parametrize("low, high, wanted", (
-    ("0", "1.16", [0, 0.5, 1]), ("0", "2", [0, 0.5, 1, 1.5, 2]), ("-3", "7", [-2, 0, 2, 4, 6]),
-    ("0", "1e-3", [0, 2e-4, 4e-4, 6e-4, 8e-4, 1e-3]), ("5", "5", [5])))
-def test_ticks_are_round_numbers(shown, low, high, wanted):
-    assert shown.execute_script(f"return ticks({low}, {high});") == pytest.approx(wanted)
+def test_the_cursor_stands_at_its_time(shown):
+    """Where the axis says so, on a wide page and on a phone."""
+    for width, phone in ((1280, False), (390, True)):
+        resize(shown, width, 844, phone)
+        ticks = {float(x.text): middle(x.rect) for x in shown.find_elements(
+            By.CSS_SELECTOR, ".energies .chart text")[:5]}
+        assert list(ticks) == [0, 0.5, 1, 1.5, 2]
+        for t, x in ticks.items():
+            shown.execute_script("seek(arguments[0]);", t)
+            cursor = shown.find_element(By.CSS_SELECTOR, ".energies .cursor").rect
+            assert middle(cursor) == pytest.approx(x, abs=2), (width, t)
+
+
+def test_curves_of_energies_are_where_the_axis_says(shown):
+    """Heights of the kinetic energy, v²/2, at times between ticks, by the ticks at 0 and 10 J."""
+    path, levels = shown.execute_script("""
+        const chart = document.querySelector(".energies .chart");
+        const curve = chart.querySelector("[data-mark=kinetic] path");
+        const box = chart.querySelector("svg").getBoundingClientRect();
+        const numbers = curve.getAttribute("d").match(/-?[\\d.]+/g).map(Number);
+        const scale = box.width / chart.querySelector("svg").viewBox.baseVal.width;
+        const texts = [...chart.querySelectorAll("text")].slice(5).map(x => {
+          const at = x.getBoundingClientRect();
+          return [x.textContent, (at.y + at.height / 2 - box.y) / scale];
+        });
+        return [numbers, texts];""")
+    at = {float(text.replace("\u2212", "-")): y for text, y in levels if text != "t, s"}
+    points = np.reshape(path, (-1, 2))
+    left, right = points[0, 0], points[-1, 0]
+    for x, y in points:
+        v = float(texts.pendulum(2 * (x - left) / (right - left))[1])
+        energy = 10 * (y - at[0]) / (at[10] - at[0])
+        assert energy == pytest.approx(v**2 / 2, abs=0.2)
 
 
 def test_a_click_on_the_energies_moves_there(shown):
-    figure = shown.find_element(By.ID, "energies")
-    ActionChains(shown).move_to_element(figure).click().perform()
-    assert clock(shown) == pytest.approx(1, abs=0.02)
+    figure = shown.find_element(By.CSS_SELECTOR, ".energies .chart")
+    left, width = shown.execute_script("return data.chart;")
+    for share in (0.25, 1, 0.5):
+        across = round((left + width * share - 0.5) * figure.rect["width"])
+        ActionChains(shown).move_to_element_with_offset(figure, across, 0).click().perform()
+        assert clock(shown) == pytest.approx(2 * share, abs=0.02)
 
 
 def test_awkward_names_are_text(browser, runs):

@@ -14,7 +14,7 @@ from coscrew import _dispatch
 from coscrew_codegen.operations import OPERATIONS
 from coscrew_codegen.tiers import TIERS
 
-PACKAGES = tuple(import_module(tier.package) for tier in TIERS if tier.in_python)
+PACKAGES = tuple(import_module(tier.package) for tier in TIERS)
 NAMESPACES = {f"{tier.__name__} {name}": module for tier in PACKAGES for name, module in (
     ("compiled", tier), ("without compilation", __import__(f"{tier.__name__}._dispatch",
                                                           fromlist=["_dispatch"])),
@@ -30,13 +30,6 @@ class Tracer:
 
     def __array__(self, dtype=None, copy=None):
         raise self.error
-
-
-class Half:
-    """An array of another library with numbers that NumPy lacks: bfloat16, float16."""
-
-    def __array__(self, dtype=None, copy=None):
-        return np.ones(6, np.float16)
 
 
 class Table:

@@ -43,17 +43,10 @@ def built(folder: Path, architecture: str) -> list[Path]:
 
 
 @pytest.fixture(scope="module")
-def right(tmp_path_factory: pytest.TempPathFactory) -> dict[str, dict[str, str]]:
-    """The twins' lines by tier and kernel; for the fused tier, which Python does not have, those of
-    this machine's C, where libm's fma rounds once."""
-    fused = kernels("fused")
-    folder = tmp_path_factory.mktemp("fused")
-    (folder / "fused.c").write_text(text(fused, planes=False))
-    run(("gcc", "-O1", "-I", INCLUDE, folder / "fused.c", "-o", folder / "fused", "-lm"))
-    lines = {tier: run([folder / "fused"]).splitlines() if tier == "fused"
-             else wanted(kernels(tier), planes=False) for tier in MARKS}
-    return {tier: dict(zip((k.name for k in kernels(tier)), lines[tier], strict=True))
-            for tier in MARKS}
+def right() -> dict[str, dict[str, str]]:
+    """The twins' lines by tier and kernel."""
+    return {tier: dict(zip((k.name for k in kernels(tier)), wanted(kernels(tier), planes=False),
+                           strict=True)) for tier in MARKS}
 
 
 @pytest.mark.parametrize("architecture", COMPILERS)
@@ -103,7 +96,7 @@ def test_floats_computed_in_double_are_refused(tmp_path: Path):
     run((*command, "-fexcess-precision=fast"))
 
 
-@pytest.mark.parametrize("tier", ("", "fused", "certified"))
+@pytest.mark.parametrize("tier", ("", "certified"))
 def test_single_precision_needs_no_double_on_a_cortex_m4f(tier: str, tmp_path: Path,
                                                           capsys: pytest.CaptureFixture):
     """Its floating-point unit has 32 bits: no call computes in double. Prints the size of the code.

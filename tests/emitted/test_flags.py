@@ -21,10 +21,8 @@ CHOSEN = ("cross_vv", "dot_vv", "vec3_normalized", "product_drv", "mat3x3_determ
           "quaternion_product_qq", "hctx", "product_Bs", "mat3x3_orthonormalized")
 BEHIND = ("cross_vv", "dot_cs", "product_CoAdtc", "cross_sc", "vec3_normalized")
 NEGATED = ("product_avinv", "product_drvinv", "hsrainv", "quaternion_product_qq")  # fused sums
-KERNELS = tuple(k for tier in TIERS if tier.in_python
-                for k in kernels(tier.mark, BEHIND + NEGATED if tier.marked else CHOSEN))
-IN_C = tuple(k for tier in TIERS if not tier.in_python
-             for k in kernels(tier.mark, BEHIND + NEGATED))
+KERNELS = tuple(k for tier in TIERS for k in kernels(
+    tier.mark, BEHIND + NEGATED if tier.marked else CHOSEN))
 
 
 # gcc fuses by default, unless told -std=c11.
@@ -43,22 +41,22 @@ BUILDS = tuple((compiler, flags) for compiler in COMPILERS for flags in FLAGS[co
 def test_chosen_kernels_exist():
     names = {op.name for op in OPERATIONS}
     assert len([name for name in CHOSEN if name in names]) > 10
-    assert {k.tier for k in KERNELS + IN_C} == {tier.mark for tier in TIERS}
-    assert {k.tier for k in KERNELS + IN_C if k.operation.name == "product_drvinv"} == {
+    assert {k.tier for k in KERNELS} == {tier.mark for tier in TIERS}
+    assert {k.tier for k in KERNELS if k.operation.name == "product_drvinv"} == {
         tier.mark for tier in MARKED}
 
 
 @pytest.fixture(scope="module")
-def right(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
-    """The twins' hashes; for tiers that Python does not have, those of C with the library's fma."""
-    return wanted(KERNELS) + printed(tmp_path_factory.mktemp("in_c"), ("gcc", "-O0"), IN_C)
+def right() -> list[str]:
+    """The twins' hashes."""
+    return wanted(KERNELS)
 
 
 @pytest.mark.parametrize("compiler, flags", BUILDS,
                          ids=[" ".join((name, *flags)) for name, flags in BUILDS])
 def test_bits_are_the_twins(compiler: str, flags: tuple[str, ...], right: list[str],
                             tmp_path: Path):
-    found = printed(tmp_path, (compiler, *flags), KERNELS + IN_C)
+    found = printed(tmp_path, (compiler, *flags), KERNELS)
     assert [line for line, want in zip(found, right, strict=True) if line != want] == []
 
 

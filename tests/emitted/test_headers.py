@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from coscrew_codegen.targets.c_ksl import REFUSED
+from tests.support.compiled import all_headers
 from tests.support.compiled.c_harness import (
     C11,
     C_FOLDER,
@@ -22,8 +23,6 @@ from tests.support.compiled.c_harness import (
 )
 from tests.support.each import each_compiler
 
-KSL = INCLUDE / "ksl"
-HEADERS = tuple(sorted({path.stem for path in KSL.glob("*.h")} - {*REFUSED}))
 CHECK = (*STRICT, EXACT, "-fsyntax-only")
 
 # With this definition every function is compiled, called or not; system headers come first.
@@ -34,7 +33,7 @@ _USED = """\
 #define inline __attribute__((used))
 """
 ALL_FUNCTIONS, OF_VEC3 = (_USED + "".join(f"#include <ksl/{name}.h>\n" for name in names)
-                          for names in (("ksl", "ksl_certified", "ksl_fused"), ("vec3",)))
+                          for names in (("ksl", "ksl_certified"), ("vec3",)))
 DOUBLE_INSTRUCTION = re.compile(r"v?((add|sub|mul|div|sqrt|min|max|round|hadd|hsub|addsub|u?comi|"
                                 r"cmp\w*|fn?m(add|sub)\w*)[sp]d|cvt\w*[sp]d\w*)")
 DOUBLE_SYMBOLS = {"sin", "cos", "sincos", "sqrt", "fabs", "fmin", "fmax", "fma"}
@@ -81,6 +80,11 @@ def _source(folder: Path, name: str, *lines: str) -> Path:
     return path
 
 
+def _headers() -> list[str]:
+    """All, also those of many elements."""
+    return sorted({x.stem for x in (all_headers.include() / "ksl").glob("*.h")} - {*REFUSED})
+
+
 def _included(header: str) -> str:
     return {"amalgamation": f'#include "{C_FOLDER / "coscrew.h"}"',
             "headers": "#include <ksl/ksl.h>"}.get(header, f"#include <{header}.h>")
@@ -89,13 +93,13 @@ def _included(header: str) -> str:
 @first_and_last
 def test_any_header_may_come_first_and_alone(compiler, language, tmp_path):
     sources = [_source(tmp_path, name, _included(f"ksl/{name}"), "typedef int something;")
-               for name in HEADERS]
-    run((compiler, *language, *CHECK, "-I", INCLUDE, *sources))
+               for name in _headers()]
+    run((compiler, *language, *CHECK, "-I", all_headers.include(), *sources))
 
 
 def test_headers_are_found_without_their_folder(tmp_path):
-    sources = [_source(tmp_path, name, _included(name)) for name in HEADERS]
-    run((COMPILERS[0], *C11, "-M", "-I", KSL, *sources))
+    sources = [_source(tmp_path, name, _included(name)) for name in _headers()]
+    run((COMPILERS[0], *C11, "-M", "-I", all_headers.include() / "ksl", *sources))
 
 
 @dialects
@@ -205,7 +209,7 @@ SHORT_DOUBLE = ("-Wno-builtin-macro-redefined", "-D__DBL_MANT_DIG__=24")  # as o
                                     "coscrew_certified"])
 def test_a_double_of_32_bits_is_refused(header, compiler, tmp_path):
     source = _source(tmp_path, "user", f'#include "{header}.h"')
-    command = (compiler, *C11, "-fsyntax-only", "-I", INCLUDE, "-I", INCLUDE.parent, source)
+    command = (compiler, *C11, "-fsyntax-only", "-I", INCLUDE, "-I", all_headers.c_folder(), source)
     run(command)
     refused = subprocess.run((*command, *SHORT_DOUBLE), capture_output=True, text=True)
     assert refused.returncode and "--precision single" in refused.stderr

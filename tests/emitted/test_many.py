@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 
 from coscrew_codegen.tiers import TIERS
-from tests.support.compiled import many_program
+from tests.support.compiled import all_headers, many_program
 from tests.support.compiled.bits_program import Kernel, kernels
-from tests.support.compiled.c_harness import COMPILERS, INCLUDE, run
+from tests.support.compiled.c_harness import COMPILERS, run
 from tests.support.compiled.flags import HASWELL, SANITIZERS, has_sanitizers
 
 MARKS = tuple(tier.mark for tier in TIERS)
@@ -46,7 +46,7 @@ def test_vectors_have_the_same_bits(compiler: str, tmp_path: Path):
 
 def test_every_kernel_has_both():
     declared = {}
-    for path in sorted((INCLUDE / "ksl").glob("*_many.h")):
+    for path in sorted((all_headers.include() / "ksl").glob("*_many.h")):
         text = path.read_text(encoding="utf-8")
         declared |= dict.fromkeys(DECLARED.findall(text), path.stem)
         assert len(DECLARED.findall(text)) == 2 * len({*DECLARED.findall(text)})

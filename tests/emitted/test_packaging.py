@@ -6,6 +6,7 @@ import shutil
 import subprocess
 import sys
 import sysconfig
+import tarfile
 import zipfile
 from pathlib import Path
 
@@ -22,19 +23,63 @@ ROOT = Path(__file__).parents[2]
 def without_compiler(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """coscrew from a wheel that was built where no C compiler works."""
     folder = tmp_path_factory.mktemp("wheel")
+    wheel = built(project(folder), "--wheel", CC="/bin/false")
+    assert wheel.name.endswith("-py3-none-any.whl")
+    zipfile.ZipFile(wheel).extractall(folder / "site")
+    return folder / "site"
+
+
+def project(folder: Path) -> Path:
+    """A copy of what the project is built from, as in a new checkout."""
     for name in ("codegen", "templates", "generated"):
         shutil.copytree(ROOT / name, folder / name,
                         ignore=shutil.ignore_patterns("*.so", "__pycache__"))
-    for name in ("pyproject.toml", "setup.py", "README.md", "LICENSE", "CHANGELOG.md",
-                 "MANIFEST.in"):
+    for name in (".gitignore", "pyproject.toml", "hatch_build.py", "README.md", "LICENSE",
+                 "CHANGELOG.md"):
         shutil.copy(ROOT / name, folder)
-    done = subprocess.run([sys.executable, "-m", "build", "--wheel", "--no-isolation", "--outdir",
-                           str(folder)], cwd=folder, text=True, capture_output=True,
-                          env={**os.environ, "CC": "/bin/false"})
+    return folder
+
+
+def built(folder: Path, kind: str, **environment: str) -> Path:
+    """The distribution of this kind, built from the project in the folder."""
+    done = subprocess.run([sys.executable, "-m", "build", kind, "--no-isolation", "--outdir",
+                           "dist"], cwd=folder, text=True, capture_output=True,
+                          env={**os.environ, **environment})
     assert done.returncode == 0, done.stdout + done.stderr
-    (wheel,) = folder.glob("*.whl")
-    zipfile.ZipFile(wheel).extractall(folder / "site")
-    return folder / "site"
+    (distribution,) = (folder / "dist").glob("*.whl" if kind == "--wheel" else "*.tar.gz")
+    return distribution
+
+
+MODULE = """
+#include <Python.h>
+static PyModuleDef module = {PyModuleDef_HEAD_INIT, "_gufunc"};
+PyMODINIT_FUNC PyInit__gufunc(void) { return PyModule_Create(&module); }
+"""
+
+
+def test_a_wheel_from_a_source_distribution_holds_what_is_compiled(tmp_path, without_compiler):
+    """And what the wheel of a checkout holds; here the modules are small, as theirs take minutes.
+    A module of another Python that lies in the checkout is not packed."""
+    checkout = project(tmp_path / "checkout")
+    foreign = "generated/python/coscrew/_gufunc.cpython-37-x86_64-linux-gnu.so"
+    (checkout / foreign).touch()
+    with tarfile.open(built(checkout, "--sdist")) as archive:
+        archive.extractall(tmp_path, filter="data")
+    (unpacked,) = tmp_path.glob("coscrew-*")
+    assert not (unpacked / foreign).exists()
+    (unpacked / foreign).touch()
+    for path in (unpacked / "generated/gufunc").rglob("*.c"):
+        path.write_text(MODULE if path.name == "module.c" else "typedef int nothing;\n")
+    wheel = built(unpacked, "--wheel")
+    tag = f"cp{sys.version_info.major}{sys.version_info.minor}"
+    assert f"-{tag}-{tag}-linux" in wheel.name
+    packed = {Path(x) for x in zipfile.ZipFile(wheel).namelist() if ".dist-info/" not in x}
+    modules = {x for x in packed if x.suffix == ".so"}
+    assert {x.parent for x in modules} == {
+        Path(*extension.name.split(".")[:-1]) for extension in extensions(ROOT)}
+    assert {x.name for x in modules} == {f"_gufunc{sysconfig.get_config_var('EXT_SUFFIX')}"}
+    assert packed - modules == {x for x in contents(without_compiler)
+                                if ".dist-info" not in x.parts[0]}
 
 
 def run(program: str, site: Path) -> str:
@@ -70,7 +115,7 @@ def test_a_stale_extension_is_not_used(without_compiler):
 
 def test_an_installed_generator_makes_the_same_files(without_compiler, tmp_path, monkeypatch):
     """It has all modules and templates, and finds them."""
-    for name, package in (("codegen", ""), ("templates", "templates")):
+    for name, package in (("codegen/coscrew_codegen", ""), ("templates", "templates")):
         installed = contents(without_compiler / "coscrew_codegen" / package)
         assert contents(ROOT / name).items() <= installed.items()
     words = ["generate", "--family", "vec3", "--output", "made"]

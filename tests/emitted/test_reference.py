@@ -72,8 +72,6 @@ def test_costs_and_bounds_are_those_of_the_docstrings():
                           re.MULTILINE)
         assert [row[0] for row in rows[:2]] == ["tier", "plain"]
         for tier, cost, error in rows[1:]:
-            if tier == "fused":  # C alone has it
-                continue
             module = coscrew.double if tier == "plain" else __import__(
                 f"coscrew.{tier}.double", fromlist=["_"])
             said = " ".join(inspect.getdoc(getattr(module, operation.name)).split())

@@ -37,7 +37,7 @@ RESTRICTED = {op.name: "".join(LETTERS.get(a.domain, ".") for a in op.inputs) fo
               if any(a.domain in LETTERS for a in op.inputs)}
 """A letter for each argument, by its domain."""
 REFUSED = {name: letters for name, letters in RESTRICTED.items() if name not in UNCHECKED}
-PLACES = {tier: import_module(tier.package) for tier in TIERS if tier.in_python}
+PLACES = {tier: import_module(tier.package) for tier in TIERS}
 BY_NAME = {op.name: op for op in OPERATIONS}
 
 

@@ -15,11 +15,10 @@ from pycparser import CParser, c_ast
 from pycparser.c_generator import CGenerator
 
 from coscrew_codegen.targets import scene_c
-from tests.support.compiled.c_harness import C_FOLDER
+from tests.support.compiled import all_headers
 from tests.support.scenes import scene_bits
 from tests.support.scenes.generated_scenes import BANNER, CASES
 
-LIBRARY = {path.name: path for path in sorted(C_FOLDER.glob("*.h"))}
 SCENES = {**CASES, "carrier": scene_bits.functions}
 
 _REMOVED = re.compile(r"/\*.*?\*/|^[ \t]*#(?:[^\n]|(?<=\\)\n)*|\"[^\"\n]*\"",
@@ -62,9 +61,9 @@ def _exact(expression: str) -> bool:
     return match is not None and all(float(np.float32(x)) == float(x) for x in match.groups() if x)
 
 
-@pytest.mark.parametrize("name", LIBRARY)
+@pytest.mark.parametrize("name", all_headers.AMALGAMATIONS)
 def test_the_library_rounds_once_a_statement(name: str):
-    assert list(wrong(LIBRARY[name].read_text(encoding="utf-8"))) == []
+    assert list(wrong((all_headers.c_folder() / name).read_text(encoding="utf-8"))) == []
 
 
 class Fused(c_ast.NodeVisitor):

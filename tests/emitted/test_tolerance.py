@@ -14,7 +14,7 @@ from coscrew_codegen.quantity import TOLERANCE
 from coscrew_codegen.tiers import TIERS
 from tests.support.each import each_precision
 
-PACKAGES = tuple(import_module(f"{tier.package}{module}") for tier in TIERS if tier.in_python
+PACKAGES = tuple(import_module(f"{tier.package}{module}") for tier in TIERS
                  for module in ("", "._dispatch"))
 in_each_package = pytest.mark.parametrize("package", PACKAGES, ids=lambda x: x.__name__)
 COUNT = 200

@@ -55,7 +55,7 @@ def solution(moments: tuple[str, ...], start: tuple[str, ...]) -> Solution:
     L2, T2 = (sum(i**n * x**2 for i, x in zip(I, w, strict=True)) for n in (2, 1))
     swapped = T2 * I[1] > L2
     a, b, c = (I[2], I[1], I[0]) if swapped else I
-    wa, wb, wc = (w[2], w[1], w[0]) if swapped else w
+    wa, wb, _ = (w[2], w[1], w[0]) if swapped else w
     A = mp.sqrt((T2 * c - L2) / (a * (c - a)))
     B = mp.sqrt((T2 * c - L2) / (b * (c - b)))
     C = mp.sqrt((L2 - T2 * a) / (c * (c - a)))

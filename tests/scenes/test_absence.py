@@ -2,21 +2,18 @@
 
 import json
 import os
-import shutil
 import subprocess
 import sys
 from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache
-from importlib.resources import as_file, files
 from itertools import permutations
 from pathlib import Path
 
 import mpmath
 import pytest
 
-import coscrew_codegen
 from coscrew_codegen.mechanics import derive
 from coscrew_codegen.scene.model import Parameter
 from coscrew_codegen.scene.scene import Applied, Scene, Setting
@@ -32,6 +29,7 @@ from tests.support.scenes.effect_scenes import (
 from tests.support.scenes.evaluation import MULTIPRECISE, Evaluated
 from tests.support.scenes.mechanisms import CATALOGUE, scene
 from tests.support.scenes.scene_values import random_state
+from tests.support.walks import copied
 
 ROOT = Path(__file__).parents[2]
 
@@ -48,11 +46,7 @@ ZEROS: Mapping[str, tuple[str, ...]] = {
 def generator(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with a copy of the generator, which can be imported from there."""
     folder = tmp_path_factory.mktemp("generator")
-    package = folder / "coscrew_codegen"
-    unneeded = shutil.ignore_patterns("__pycache__")
-    shutil.copytree(Path(coscrew_codegen.__file__).parent, package, ignore=unneeded)
-    with as_file(files("coscrew_codegen.templates")) as templates:
-        shutil.copytree(templates, package / "templates", ignore=unneeded, dirs_exist_ok=True)
+    copied(folder)
     return folder
 
 

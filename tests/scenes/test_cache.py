@@ -5,6 +5,7 @@ import os
 import shutil
 import subprocess
 import sys
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -14,10 +15,11 @@ import pytest
 import coscrew_codegen
 from coscrew_codegen import mechanics
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.native import cache
+from coscrew_codegen.native import cache, sources
 from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.simulate import calls, native
-from coscrew_codegen.simulate.load import kernels_for
+from coscrew_codegen.simulate.load import kernels_for, key_of
+from tests.support.walks import copied
 
 ROOT = Path(__file__).parents[2]
 TEXT = """functions = ["forward_dynamics", "energy"]
@@ -110,26 +112,56 @@ def test_functions_precisions_flags_and_compilers_miss(path: Path, derived: list
     native._compiler.cache_clear()
 
 
-@pytest.mark.parametrize("source", ("effects/gravity.py", "mechanics/forward.py"))
-def test_a_change_of_a_source_of_the_generator_misses(source: str, tmp_path: Path, monkeypatch):
-    """In a copy of it: one byte of one file."""
-    copy = tmp_path / "codegen"
-    shutil.copytree(Path(coscrew_codegen.__file__).parent, copy)
-    monkeypatch.setattr(cache, "__file__", str(copy / "native" / "cache.py"))
-    hashes = set()
-    for text in ("", "", "#"):
-        with (copy / source).open("a") as file:
-            file.write(text)
-        cache.generator.cache_clear()
-        hashes.add(cache.generator())
-    assert len(hashes) == 2
+@pytest.fixture
+def changed(tmp_path: Path, path: Path, monkeypatch: pytest.MonkeyPatch
+            ) -> Callable[[str, str, str], bool]:
+    """Whether the scene's key changes with a source of the generator, in a copy of it."""
+    copy = copied(tmp_path / "copy")
+    monkeypatch.setattr(sources, "_folders", lambda: (copy, copy / "templates"))
+    scene = read_scene(path)
+
+    def key() -> str:
+        sources._current.cache_clear()
+        return key_of(scene, (), ("double",), native.Compiler(("cc",), "1", ()))
+
+    def change(source: str, old: str, new: str) -> bool:
+        file = copy / source
+        text, before = file.read_text(), key()
+        assert old in text
+        file.write_text(text.replace(old, new, 1))
+        after = key()
+        file.write_text(text)
+        assert key() == before
+        return after != before
+
+    yield change
     monkeypatch.undo()
-    cache.generator.cache_clear()
+    sources._current.cache_clear()
 
 
-def test_the_generator_s_hash_is_part_of_every_key(path: Path, derived: list, monkeypatch):
+def test_a_scene_is_derived_again_if_what_it_depends_on_changes(changed):
+    """The effects that it has, the mechanics, templates; not by comments, docstrings, effects that
+    it does not have, nor by what others print."""
+    for source, old, new in (
+            ("effects/gravity.py", "EFFECT = ", "X = 1\nEFFECT = "),
+            ("mechanics/forward.py", "\n\n\ndef ", "\n\n\nX = 1\n\n\ndef "),
+            ("operations/coscrew.py", "FAMILY = ", "X = 1\nFAMILY = "),
+            ("simulate/load.py", "BOTH = ", "X = 1\nBOTH = "),
+            ("templates/scene/scene.c.jinja", "#include <", "#include  <")):
+        assert changed(source, old, new), source
+    for source, old, new in (
+            ("effects/gravity.py", "EFFECT = ", "# A comment.\nEFFECT = "),
+            ("effects/gravity.py", '"""', '"""On Earth: '),
+            ("mechanics/forward.py", '    """', '    """Here: '),
+            ("effects/viscous.py", '-(values["d"]', '-(2 * values["d"]'),
+            ("cost/page.py", "\n\n\ndef ", "\n\n\nX = 1\n\n\ndef "),
+            ("templates/view/page.html.jinja", "<body>", "<body >")):
+        assert not changed(source, old, new), source
+
+
+def test_the_hash_of_sources_is_part_of_every_key(path: Path, derived: list, monkeypatch):
     energy(path)
-    monkeypatch.setattr(cache, "generator", lambda: "another")
+    monkeypatch.setattr(sources, "digest_of", lambda *makers, chosen=None: "another")
     energy(path)
     assert len(derived) == 2
 

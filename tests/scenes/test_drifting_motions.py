@@ -63,6 +63,40 @@ def test_errors_of_phase_that_add_up_stop_a_run(files, step, right):
 
 
 @pytest.mark.filterwarnings("ignore:the run stopped")
+@pytest.mark.parametrize("until", (500, 2000, 5000))
+def test_large_errors_of_phase_stop_a_run_as_small_ones_do(files, until):
+    """Though no reference is known to the end."""
+    result = run(files / "oscillator.toml", step=0.1, until=until, every=until)
+    assert abs(result.q[-1, 0] - np.cos(until)) > 0.05 and "is off by" in result.failed[0].cause
+
+
+@pytest.mark.filterwarnings("ignore:the run stopped")
+@pytest.mark.parametrize("step", (0.1, 0.3, 10))
+def test_it_is_the_steps_taken_that_count(files, step):
+    """Samples every 0.1 s shorten all of these to 0.1 s."""
+    result = run(files / "oscillator.toml", step=step, integrator="leapfrog")
+    assert "joint slide is off" in result.failed[0].cause
+
+
+@pytest.mark.filterwarnings("ignore:the run stopped")
+@pytest.mark.parametrize("every", (0.0875, 1000))
+def test_samples_do_not_matter(files, every):
+    """The run ends at a turning point, where errors of phase are small."""
+    result = run(files / "oscillator.toml", step=0.0875, every=every, until=65 * math.pi)
+    assert "joint slide is off" in result.failed[0].cause
+
+
+@pytest.mark.filterwarnings("ignore:the run stopped")
+@pytest.mark.parametrize("precision", ("double", "single"))
+def test_a_start_with_a_velocity_is_judged_as_one_without(files, precision):
+    """x = sin t, though the line of start leads 200 m away."""
+    found = run(files / "oscillator.toml", step=0.1, precision=precision, q0=[0], v0=[1])
+    assert np.abs(found.q[:, 0] - np.sin(found.t)).max() > 0.05 and found.failed
+    right = run(files / "oscillator.toml", step=0.01, precision=precision, q0=[0], v0=[1])
+    assert np.abs(right.q[:, 0] - np.sin(right.t)).max() < 0.01 and not right.failed
+
+
+@pytest.mark.filterwarnings("ignore:the run stopped")
 @pytest.mark.parametrize("integrator, right", (
     ("rk4", False), ("linear-implicit-euler", False), ("leapfrog", True)))
 def test_bounces_that_a_step_misses_stop_a_run(files, integrator, right):

@@ -221,6 +221,21 @@ def test_runs_refuse_rows_of_other_lengths(kernels: Kernels):
                 1, 0.0, 0.01, p, np.zeros(scene.nq), np.zeros(scene.nv), threads=threads)
 
 
+@each_precision
+def test_runs_keep_arrays_that_need_no_conversion(kernels: Kernels, precision: Precision):
+    """They give the bits of lists, from which arrays are made."""
+    scene, real = kernels.interface, precision.numpy_type
+    name = next(x.name for x in scene.signatures if x.moved)
+    run = getattr(getattr(kernels, precision.name), name).repeated
+    draw = np.random.default_rng(3)
+    given = [draw.uniform(0.1, 1, 2 * n).astype(real)[::2]
+             for n in (len(scene.parameters), scene.nq, scene.nv)]
+    before = [x.tobytes() for x in given]
+    found = run(7, 0.25, 0.01, *given)
+    assert [x.tobytes() for x in given] == before
+    assert same_bits(found, run(7, 0.25, 0.01, *(x.tolist() for x in given)))
+
+
 def test_runs_have_help_of_their_own(kernels: Kernels):
     name = next(x.name for x in kernels.interface.signatures if x.moved)
     found = getattr(kernels.double, name).repeated

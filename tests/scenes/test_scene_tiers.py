@@ -16,6 +16,7 @@ import numpy as np
 import pytest
 
 import coscrew_codegen
+from coscrew_codegen import tiers
 from coscrew_codegen.__main__ import main
 from coscrew_codegen.formats import PRECISIONS
 from coscrew_codegen.layout import scene_files
@@ -104,12 +105,18 @@ def test_files_options_and_load_scene_select_tiers(write, tmp_path: Path):
 
 @pytest.mark.parametrize("given, problem", (
     ('["acurate"]', "'acurate' is no tier of scenes; did you mean 'accurate'?"),
-    ('["fused"]', "'fused' is no tier of scenes; the library alone has it; wanted one of plain, "),
     ("[]", "an empty list; wanted names"), ('"accurate"', "the text 'accurate'; wanted a list"),
     ('["accurate", "accurate"]', "'accurate' occurs twice")))
 def test_names_are_checked(write, given: str, problem: str):
     with pytest.raises(SceneError, match=re.escape(f"tiers: {problem}")):
         coscrew_codegen.load_scene(write(f"tiers = {given}"))
+
+
+def test_a_tier_of_the_library_alone_is_named(monkeypatch: pytest.MonkeyPatch):
+    alone = replace(tiers.PLAIN, name="quick", scene=None)
+    monkeypatch.setattr(tiers, "TIERS", (*tiers.TIERS, alone))
+    with pytest.raises(TiersError, match="'quick' is no tier of scenes; the library alone has it"):
+        selected(["quick"])
 
 
 def test_what_is_not_there_is_named(write, capsys: pytest.CaptureFixture[str]):

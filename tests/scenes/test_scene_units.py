@@ -5,7 +5,8 @@ from pathlib import Path
 import pytest
 
 from coscrew_codegen.targets import scene_c, scene_c_many
-from tests.support.compiled.c_harness import C11, COMPILERS, INCLUDE, STRICT, run
+from tests.support.compiled import all_headers
+from tests.support.compiled.c_harness import C11, COMPILERS, STRICT, run
 from tests.support.compiled.flags import FMA
 from tests.support.scenes import lanes_program
 from tests.support.scenes.generated_scenes import BANNER, pendulum, slider
@@ -47,6 +48,6 @@ def test_several_files_are_one(compiler: str, order: tuple[str, ...], flags: tup
     program, *_ = lanes_program.written(pendulum(), tmp_path)
     unit = tmp_path / "unit.c"
     unit.write_text("".join(f'#include "{x}"\n' for x in (*order, program.name)))
-    run((compiler, *C11, "-O1", *STRICT, *flags, "-I", INCLUDE, unit, "-o", tmp_path / "unit",
-         "-lm"))
+    run((compiler, *C11, "-O1", *STRICT, *flags, "-I", all_headers.include(), unit,
+         "-o", tmp_path / "unit", "-lm"))
     assert int(run([tmp_path / "unit"])) > 10000

@@ -60,11 +60,15 @@ def kernels(request: pytest.FixtureRequest, hinge: Scene,
 
 
 def calls(functions: Functions, p: object) -> tuple[Callable[[], object], ...]:
-    """A function, a step, and each with results in given arrays."""
+    """A function, a step, and each with results in given arrays; where they are compiled, runs,
+    also of arrays that need no conversion."""
     p, q, v, tau = (np.array(x, float) for x in (p, [0.1], [0.2], [0.3]))
     lead, kind = p.shape[:-1], functions.forward_dynamics(P, q, v, tau).dtype
     out = [np.full((*lead, 1), 7, kind) for _ in range(2)]
-    return (lambda: functions.forward_dynamics(p, q, v, tau),
+    run = getattr(functions.step_leapfrog, "repeated", None)
+    runs = () if run is None else (lambda: run(3, 0.0, 0.1, p, q, v), lambda: run(
+        3, 0.0, 0.1, *(x.astype(kind) for x in (p, q, v))))
+    return (*runs, lambda: functions.forward_dynamics(p, q, v, tau),
             lambda: functions.step_leapfrog(0.1, p, q, v),
             lambda: functions.forward_dynamics(p, q, v, tau, out=out[0]),
             lambda: functions.step_leapfrog(0.1, p, q, v, out=tuple(out)))

@@ -13,7 +13,7 @@ def _command(*names: str) -> str:
     found = next(filter(None, map(shutil.which, names)), None)
     if found is None:
         raise RuntimeError(f"the report's page is tested in a browser, and {names[0]} is not here: "
-                           "apt-get install chromium chromium-driver")
+                           "sh tests/install_tools.sh installs it")
     return found
 
 

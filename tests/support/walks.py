@@ -5,14 +5,14 @@ import re
 import shutil
 import subprocess
 import sys
-from importlib.resources import as_file, files
 from pathlib import Path
 
 import coscrew_codegen
+from coscrew_codegen.render import TEMPLATES
 
 GUIDE = Path(__file__).parents[2] / "CONTRIBUTING.md"
-_BLOCK = re.compile(r"```\w+\n(?:#|\{#) (codegen|templates)/(\S+?)(?:, in (\w+))?(?: #\})?\n"
-                    r"(.*?)```", re.DOTALL)
+_BLOCK = re.compile(r"```\w+\n(?:#|\{#) (codegen/coscrew_codegen|templates)/(\S+?)"
+                    r"(?:, in (\w+))?(?: #\})?\n(.*?)```", re.DOTALL)
 """Folder, file, the table in it that gets the entry if it is one, text."""
 
 
@@ -20,8 +20,7 @@ def copied(folder: Path) -> Path:
     """A copy of the generator and of its templates in this folder: the package."""
     package, unneeded = folder / "coscrew_codegen", shutil.ignore_patterns("__pycache__")
     shutil.copytree(Path(coscrew_codegen.__file__).parent, package, ignore=unneeded)
-    with as_file(files("coscrew_codegen.templates")) as templates:
-        shutil.copytree(templates, package / "templates", ignore=unneeded, dirs_exist_ok=True)
+    shutil.copytree(TEMPLATES, package / "templates", ignore=unneeded)
     return package
 
 
@@ -54,7 +53,7 @@ def walk(package: Path, *names: str) -> list[Path]:
     for folder, name, table, text in _BLOCK.findall(GUIDE.read_text(encoding="utf-8")):
         if Path(name).name.partition(".")[0] not in names:
             continue
-        path = package / name if folder == "codegen" else package / folder / name
+        path = package / (folder if folder == "templates" else "") / name
         if table:
             before = path.read_text(encoding="utf-8")
             start = f"\n{table} = (\n"

@@ -9,9 +9,8 @@ import pytest
 
 from coscrew_codegen import load_scene
 from coscrew_codegen.formats import PRECISIONS
-from coscrew_codegen.program import Constant, Op, Operand
+from coscrew_codegen.program import ONE, ZERO, Constant, Op, Operand
 from coscrew_codegen.tiers import certified_wide
-from coscrew_codegen.tiers.errors import ONE, ZERO
 from coscrew_codegen.tiers.sizes import Size, Sizes
 from tests.certified_attack import Found, kernels, of_free_joint, of_scene
 from tests.support.scenes.tiers import flat, states
@@ -95,7 +94,7 @@ def test_limits_that_are_not_reached_widen_no_bound(tmp_path: Path):
 
 def _first_order(self: Sizes, x: Operand, size: Size) -> Operand:
     """|d| for a bound."""
-    low = None if isinstance(x, Constant) else self.low(self._at, x)
+    low = None if isinstance(x, Constant) else self.errors.low(self._at, x)
     return ZERO if low is None else self.do(Op.ABS, low)
 
 

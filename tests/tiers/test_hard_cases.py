@@ -30,10 +30,9 @@ operations = pytest.mark.parametrize("operation", JUDGED, ids=lambda op: op.name
 
 
 @pytest.fixture(scope="session")
-def ways(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Implementation]:
+def ways() -> dict[str, Implementation]:
     """Every tier, as users call it."""
-    folder = tmp_path_factory.mktemp("hard_cases")
-    return {tier: of_tier(folder, tier, JUDGED) for tier in TIER_NAMES}
+    return {tier: of_tier(tier) for tier in TIER_NAMES}
 
 
 def results(implementation: Implementation, cases: list[Case]) -> list[list[float]]:
@@ -137,16 +136,16 @@ def test_search_finds_what_is_broken(name: str, kernel: Implementation, precisio
 
 
 @pytest.mark.parametrize("name", ["cross_sc", "SO3_exp"])
-def test_search_finds_the_same_for_the_same_seed(name: str, tmp_path: Path):
+def test_search_finds_the_same_for_the_same_seed(name: str):
     def found(seed: int) -> list[tuple[float, tuple[float, ...]]]:
-        rounds = search(TABLE[name], PRECISIONS[1], "plain", of_tier(tmp_path, "plain", ()), seed)
+        rounds = search(TABLE[name], PRECISIONS[1], "plain", of_tier("plain"), seed)
         return [(f.ratio, f.inputs) for f in islice(rounds, 3)]
 
     assert found(1) == found(1) != found(2)
 
 
-def test_search_climbs(tmp_path: Path):
+def test_search_climbs():
     """To 1.5 times the error at the start, and nearly to the bound."""
-    rounds = search(TABLE["dot_cs"], PRECISIONS[0], "plain", of_tier(tmp_path, "plain", ()), 1)
+    rounds = search(TABLE["dot_cs"], PRECISIONS[0], "plain", of_tier("plain"), 1)
     found = [f.ratio for f in islice(rounds, 60)]
     assert found == sorted(found) and 0.85 < found[-1] <= 1 and found[0] < found[-1]

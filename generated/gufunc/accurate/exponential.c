@@ -8,1205 +8,400 @@
 #include "_gufunc.h"
 
 /* (3)->(3,3) */
-INLINED void SO3_exp_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t v;
-  load_vec3_double(&v, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(SO3_exp_double) {
+  POINTERS_2
+  LOAD_FIRST(vec3_double, ksl_vec3_t v, &v);
+  EACH {
     ksl_mat3x3_t R;
-    if (step[0] != 0) {
-      load_vec3_double(&v, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(vec3_double, &v);
     ksl_SO3_exp_accurate(&v, &R);
-    store_mat3x3_double(&R, p1 + i * step[1], core + 1);
+    STORE(mat3x3_double, &R, 1, 1);
   }
 }
+LOOP(SO3_exp_double, 2, DENSE_OR_ONE, 24, 72, 8, 24, 8)
 
-static void SO3_exp_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 72, 8, 24, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    SO3_exp_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 72, 8, 24, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    SO3_exp_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  SO3_exp_double_over(data, n[0], step, step + 2);
-}
-
-/* (3)->(3,3) */
-INLINED void SO3_exp_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t v;
-  load_vec3_single(&v, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(SO3_exp_single) {
+  POINTERS_2
+  LOAD_FIRST(vec3_single, ksl_vec3f_t v, &v);
+  EACH {
     ksl_mat3x3f_t R;
-    if (step[0] != 0) {
-      load_vec3_single(&v, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(vec3_single, &v);
     ksl_SO3_expf_accurate(&v, &R);
-    store_mat3x3_single(&R, p1 + i * step[1], core + 1);
+    STORE(mat3x3_single, &R, 1, 1);
   }
 }
-
-static void SO3_exp_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 36, 4, 12, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    SO3_exp_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 36, 4, 12, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    SO3_exp_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  SO3_exp_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction SO3_exp_loops[] = {
-    SO3_exp_double, SO3_exp_single};
+LOOP(SO3_exp_single, 2, DENSE_OR_ONE, 12, 36, 4, 12, 4)
+LOOPS(SO3_exp)
 
 /* (3,3)->(3) */
-INLINED void SO3_log_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(SO3_log_double) {
+  POINTERS_2
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     ksl_vec3_t vo;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(mat3x3_double, &R);
     ksl_SO3_log_accurate(&R, &vo);
-    store_vec3_double(&vo, p1 + i * step[1], core + 2);
+    STORE(vec3_double, &vo, 1, 2);
   }
 }
+LOOP(SO3_log_double, 2, DENSE_OR_ONE, 72, 24, 24, 8, 8)
 
-static void SO3_log_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 24, 24, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    SO3_log_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    SO3_log_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  SO3_log_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,3)->(3) */
-INLINED void SO3_log_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(SO3_log_single) {
+  POINTERS_2
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     ksl_vec3f_t vo;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(mat3x3_single, &R);
     ksl_SO3_logf_accurate(&R, &vo);
-    store_vec3_single(&vo, p1 + i * step[1], core + 2);
+    STORE(vec3_single, &vo, 1, 2);
   }
 }
-
-static void SO3_log_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 12, 12, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    SO3_log_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 12, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    SO3_log_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  SO3_log_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction SO3_log_loops[] = {
-    SO3_log_double, SO3_log_single};
+LOOP(SO3_log_single, 2, DENSE_OR_ONE, 36, 12, 12, 4, 4)
+LOOPS(SO3_log)
 
 /* (3)->(3,3) */
-INLINED void SO3_leftJacobian_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t v;
-  load_vec3_double(&v, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(SO3_leftJacobian_double) {
+  POINTERS_2
+  LOAD_FIRST(vec3_double, ksl_vec3_t v, &v);
+  EACH {
     ksl_mat3x3_t R;
-    if (step[0] != 0) {
-      load_vec3_double(&v, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(vec3_double, &v);
     ksl_SO3_leftJacobian_accurate(&v, &R);
-    store_mat3x3_double(&R, p1 + i * step[1], core + 1);
+    STORE(mat3x3_double, &R, 1, 1);
   }
 }
+LOOP(SO3_leftJacobian_double, 2, DENSE_OR_ONE, 24, 72, 8, 24, 8)
 
-static void SO3_leftJacobian_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 72, 8, 24, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    SO3_leftJacobian_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 72, 8, 24, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    SO3_leftJacobian_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  SO3_leftJacobian_double_over(data, n[0], step, step + 2);
-}
-
-/* (3)->(3,3) */
-INLINED void SO3_leftJacobian_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t v;
-  load_vec3_single(&v, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(SO3_leftJacobian_single) {
+  POINTERS_2
+  LOAD_FIRST(vec3_single, ksl_vec3f_t v, &v);
+  EACH {
     ksl_mat3x3f_t R;
-    if (step[0] != 0) {
-      load_vec3_single(&v, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(vec3_single, &v);
     ksl_SO3_leftJacobianf_accurate(&v, &R);
-    store_mat3x3_single(&R, p1 + i * step[1], core + 1);
+    STORE(mat3x3_single, &R, 1, 1);
   }
 }
-
-static void SO3_leftJacobian_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 36, 4, 12, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    SO3_leftJacobian_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 36, 4, 12, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    SO3_leftJacobian_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  SO3_leftJacobian_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction SO3_leftJacobian_loops[] = {
-    SO3_leftJacobian_double, SO3_leftJacobian_single};
+LOOP(SO3_leftJacobian_single, 2, DENSE_OR_ONE, 12, 36, 4, 12, 4)
+LOOPS(SO3_leftJacobian)
 
 /* (3)->(3,3) */
-INLINED void SO3_rightJacobian_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t v;
-  load_vec3_double(&v, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(SO3_rightJacobian_double) {
+  POINTERS_2
+  LOAD_FIRST(vec3_double, ksl_vec3_t v, &v);
+  EACH {
     ksl_mat3x3_t R;
-    if (step[0] != 0) {
-      load_vec3_double(&v, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(vec3_double, &v);
     ksl_SO3_rightJacobian_accurate(&v, &R);
-    store_mat3x3_double(&R, p1 + i * step[1], core + 1);
+    STORE(mat3x3_double, &R, 1, 1);
   }
 }
+LOOP(SO3_rightJacobian_double, 2, DENSE_OR_ONE, 24, 72, 8, 24, 8)
 
-static void SO3_rightJacobian_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 72, 8, 24, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    SO3_rightJacobian_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 72, 8, 24, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    SO3_rightJacobian_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  SO3_rightJacobian_double_over(data, n[0], step, step + 2);
-}
-
-/* (3)->(3,3) */
-INLINED void SO3_rightJacobian_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t v;
-  load_vec3_single(&v, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(SO3_rightJacobian_single) {
+  POINTERS_2
+  LOAD_FIRST(vec3_single, ksl_vec3f_t v, &v);
+  EACH {
     ksl_mat3x3f_t R;
-    if (step[0] != 0) {
-      load_vec3_single(&v, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(vec3_single, &v);
     ksl_SO3_rightJacobianf_accurate(&v, &R);
-    store_mat3x3_single(&R, p1 + i * step[1], core + 1);
+    STORE(mat3x3_single, &R, 1, 1);
   }
 }
-
-static void SO3_rightJacobian_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 36, 4, 12, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    SO3_rightJacobian_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 36, 4, 12, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    SO3_rightJacobian_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  SO3_rightJacobian_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction SO3_rightJacobian_loops[] = {
-    SO3_rightJacobian_double, SO3_rightJacobian_single};
+LOOP(SO3_rightJacobian_single, 2, DENSE_OR_ONE, 12, 36, 4, 12, 4)
+LOOPS(SO3_rightJacobian)
 
 /* (3)->(3,3) */
-INLINED void SO3_leftJacobianInverse_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t v;
-  load_vec3_double(&v, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(SO3_leftJacobianInverse_double) {
+  POINTERS_2
+  LOAD_FIRST(vec3_double, ksl_vec3_t v, &v);
+  EACH {
     ksl_mat3x3_t R;
-    if (step[0] != 0) {
-      load_vec3_double(&v, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(vec3_double, &v);
     ksl_SO3_leftJacobianInverse_accurate(&v, &R);
-    store_mat3x3_double(&R, p1 + i * step[1], core + 1);
+    STORE(mat3x3_double, &R, 1, 1);
   }
 }
+LOOP(SO3_leftJacobianInverse_double, 2, DENSE_OR_ONE, 24, 72, 8, 24, 8)
 
-static void SO3_leftJacobianInverse_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 72, 8, 24, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    SO3_leftJacobianInverse_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 72, 8, 24, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    SO3_leftJacobianInverse_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  SO3_leftJacobianInverse_double_over(data, n[0], step, step + 2);
-}
-
-/* (3)->(3,3) */
-INLINED void SO3_leftJacobianInverse_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t v;
-  load_vec3_single(&v, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(SO3_leftJacobianInverse_single) {
+  POINTERS_2
+  LOAD_FIRST(vec3_single, ksl_vec3f_t v, &v);
+  EACH {
     ksl_mat3x3f_t R;
-    if (step[0] != 0) {
-      load_vec3_single(&v, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(vec3_single, &v);
     ksl_SO3_leftJacobianInversef_accurate(&v, &R);
-    store_mat3x3_single(&R, p1 + i * step[1], core + 1);
+    STORE(mat3x3_single, &R, 1, 1);
   }
 }
-
-static void SO3_leftJacobianInverse_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 36, 4, 12, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    SO3_leftJacobianInverse_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 36, 4, 12, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    SO3_leftJacobianInverse_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  SO3_leftJacobianInverse_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction SO3_leftJacobianInverse_loops[] = {
-    SO3_leftJacobianInverse_double, SO3_leftJacobianInverse_single};
+LOOP(SO3_leftJacobianInverse_single, 2, DENSE_OR_ONE, 12, 36, 4, 12, 4)
+LOOPS(SO3_leftJacobianInverse)
 
 /* (3)->(3,3) */
-INLINED void SO3_rightJacobianInverse_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t v;
-  load_vec3_double(&v, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(SO3_rightJacobianInverse_double) {
+  POINTERS_2
+  LOAD_FIRST(vec3_double, ksl_vec3_t v, &v);
+  EACH {
     ksl_mat3x3_t R;
-    if (step[0] != 0) {
-      load_vec3_double(&v, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(vec3_double, &v);
     ksl_SO3_rightJacobianInverse_accurate(&v, &R);
-    store_mat3x3_double(&R, p1 + i * step[1], core + 1);
+    STORE(mat3x3_double, &R, 1, 1);
   }
 }
+LOOP(SO3_rightJacobianInverse_double, 2, DENSE_OR_ONE, 24, 72, 8, 24, 8)
 
-static void SO3_rightJacobianInverse_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 72, 8, 24, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    SO3_rightJacobianInverse_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 72, 8, 24, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    SO3_rightJacobianInverse_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  SO3_rightJacobianInverse_double_over(data, n[0], step, step + 2);
-}
-
-/* (3)->(3,3) */
-INLINED void SO3_rightJacobianInverse_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t v;
-  load_vec3_single(&v, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(SO3_rightJacobianInverse_single) {
+  POINTERS_2
+  LOAD_FIRST(vec3_single, ksl_vec3f_t v, &v);
+  EACH {
     ksl_mat3x3f_t R;
-    if (step[0] != 0) {
-      load_vec3_single(&v, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(vec3_single, &v);
     ksl_SO3_rightJacobianInversef_accurate(&v, &R);
-    store_mat3x3_single(&R, p1 + i * step[1], core + 1);
+    STORE(mat3x3_single, &R, 1, 1);
   }
 }
-
-static void SO3_rightJacobianInverse_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 36, 4, 12, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    SO3_rightJacobianInverse_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 36, 4, 12, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    SO3_rightJacobianInverse_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  SO3_rightJacobianInverse_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction SO3_rightJacobianInverse_loops[] = {
-    SO3_rightJacobianInverse_double, SO3_rightJacobianInverse_single};
+LOOP(SO3_rightJacobianInverse_single, 2, DENSE_OR_ONE, 12, 36, 4, 12, 4)
+LOOPS(SO3_rightJacobianInverse)
 
 /* (3,3)->(3,3) */
-INLINED void mat3x3_orthonormalize_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_orthonormalize_double) {
+  POINTERS_2
+  EACH {
     ksl_mat3x3_t self;
-    load_mat3x3_double(&self, p0 + i * step[0], core + 0);
+    LOAD(mat3x3_double, &self, 0, 0);
     ksl_mat3x3_orthonormalize_accurate(&self);
-    store_mat3x3_double(&self, p1 + i * step[1], core + 2);
+    STORE(mat3x3_double, &self, 1, 2);
   }
 }
+LOOP(mat3x3_orthonormalize_double, 2, DENSE, 72, 72, 24, 8, 24, 8)
 
-static void mat3x3_orthonormalize_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 72, 24, 8, 24, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_orthonormalize_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  mat3x3_orthonormalize_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,3)->(3,3) */
-INLINED void mat3x3_orthonormalize_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_orthonormalize_single) {
+  POINTERS_2
+  EACH {
     ksl_mat3x3f_t self;
-    load_mat3x3_single(&self, p0 + i * step[0], core + 0);
+    LOAD(mat3x3_single, &self, 0, 0);
     ksl_mat3x3f_orthonormalize_accurate(&self);
-    store_mat3x3_single(&self, p1 + i * step[1], core + 2);
+    STORE(mat3x3_single, &self, 1, 2);
   }
 }
-
-static void mat3x3_orthonormalize_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 36, 12, 4, 12, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_orthonormalize_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  mat3x3_orthonormalize_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction mat3x3_orthonormalize_loops[] = {
-    mat3x3_orthonormalize_double, mat3x3_orthonormalize_single};
+LOOP(mat3x3_orthonormalize_single, 2, DENSE, 36, 36, 12, 4, 12, 4)
+LOOPS(mat3x3_orthonormalize)
 
 /* (3,3)->(3,3) */
-INLINED void mat3x3_orthonormalized_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_orthonormalized_double) {
+  POINTERS_2
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     ksl_mat3x3_t Ro;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(mat3x3_double, &R);
     ksl_mat3x3_orthonormalized_accurate(&R, &Ro);
-    store_mat3x3_double(&Ro, p1 + i * step[1], core + 2);
+    STORE(mat3x3_double, &Ro, 1, 2);
   }
 }
+LOOP(mat3x3_orthonormalized_double, 2, DENSE_OR_ONE, 72, 72, 24, 8, 24, 8)
 
-static void mat3x3_orthonormalized_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 72, 24, 8, 24, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_orthonormalized_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 72, 24, 8, 24, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat3x3_orthonormalized_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  mat3x3_orthonormalized_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,3)->(3,3) */
-INLINED void mat3x3_orthonormalized_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_orthonormalized_single) {
+  POINTERS_2
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     ksl_mat3x3f_t Ro;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(mat3x3_single, &R);
     ksl_mat3x3f_orthonormalized_accurate(&R, &Ro);
-    store_mat3x3_single(&Ro, p1 + i * step[1], core + 2);
+    STORE(mat3x3_single, &Ro, 1, 2);
   }
 }
-
-static void mat3x3_orthonormalized_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 36, 12, 4, 12, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_orthonormalized_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 36, 12, 4, 12, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat3x3_orthonormalized_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  mat3x3_orthonormalized_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction mat3x3_orthonormalized_loops[] = {
-    mat3x3_orthonormalized_double, mat3x3_orthonormalized_single};
+LOOP(mat3x3_orthonormalized_single, 2, DENSE_OR_ONE, 36, 36, 12, 4, 12, 4)
+LOOPS(mat3x3_orthonormalized)
 
 /* (6)->(3,4) */
-INLINED void SE3_exp_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screw_t s;
-  load_screw_double(&s, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(SE3_exp_double) {
+  POINTERS_2
+  LOAD_FIRST(screw_double, ksl_screw_t s, &s);
+  EACH {
     ksl_SE3_t D;
-    if (step[0] != 0) {
-      load_screw_double(&s, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(screw_double, &s);
     ksl_SE3_exp_accurate(&s, &D);
-    store_SE3_double(&D, p1 + i * step[1], core + 1);
+    STORE(SE3_double, &D, 1, 1);
   }
 }
+LOOP(SE3_exp_double, 2, DENSE_OR_ONE, 48, 96, 8, 32, 8)
 
-static void SE3_exp_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 96, 8, 32, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    SE3_exp_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 96, 8, 32, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    SE3_exp_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  SE3_exp_double_over(data, n[0], step, step + 2);
-}
-
-/* (6)->(3,4) */
-INLINED void SE3_exp_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screwf_t s;
-  load_screw_single(&s, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(SE3_exp_single) {
+  POINTERS_2
+  LOAD_FIRST(screw_single, ksl_screwf_t s, &s);
+  EACH {
     ksl_SE3f_t D;
-    if (step[0] != 0) {
-      load_screw_single(&s, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(screw_single, &s);
     ksl_SE3f_exp_accurate(&s, &D);
-    store_SE3_single(&D, p1 + i * step[1], core + 1);
+    STORE(SE3_single, &D, 1, 1);
   }
 }
-
-static void SE3_exp_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 48, 4, 16, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    SE3_exp_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 4, 16, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    SE3_exp_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  SE3_exp_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction SE3_exp_loops[] = {
-    SE3_exp_double, SE3_exp_single};
+LOOP(SE3_exp_single, 2, DENSE_OR_ONE, 24, 48, 4, 16, 4)
+LOOPS(SE3_exp)
 
 /* (3,4)->(6) */
-INLINED void SE3_log_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(SE3_log_double) {
+  POINTERS_2
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_double, &D);
     ksl_SE3_log_accurate(&D, &so);
-    store_screw_double(&so, p1 + i * step[1], core + 2);
+    STORE(screw_double, &so, 1, 2);
   }
 }
+LOOP(SE3_log_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
 
-static void SE3_log_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    SE3_log_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    SE3_log_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  SE3_log_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,4)->(6) */
-INLINED void SE3_log_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(SE3_log_single) {
+  POINTERS_2
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_single, &D);
     ksl_SE3f_log_accurate(&D, &so);
-    store_screw_single(&so, p1 + i * step[1], core + 2);
+    STORE(screw_single, &so, 1, 2);
   }
 }
-
-static void SE3_log_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    SE3_log_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    SE3_log_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  SE3_log_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction SE3_log_loops[] = {
-    SE3_log_double, SE3_log_single};
+LOOP(SE3_log_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOPS(SE3_log)
 
 /* (6)->(6,6) */
-INLINED void SE3_leftJacobian_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screw_t s;
-  load_screw_double(&s, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(SE3_leftJacobian_double) {
+  POINTERS_2
+  LOAD_FIRST(screw_double, ksl_screw_t s, &s);
+  EACH {
     ksl_mat6x6_t M;
-    if (step[0] != 0) {
-      load_screw_double(&s, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(screw_double, &s);
     ksl_SE3_leftJacobian_accurate(&s, &M);
-    store_mat6x6_double(&M, p1 + i * step[1], core + 1);
+    STORE(mat6x6_double, &M, 1, 1);
   }
 }
+LOOP(SE3_leftJacobian_double, 2, DENSE_OR_ONE, 48, 288, 8, 48, 8)
 
-static void SE3_leftJacobian_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 288, 8, 48, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    SE3_leftJacobian_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 288, 8, 48, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    SE3_leftJacobian_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  SE3_leftJacobian_double_over(data, n[0], step, step + 2);
-}
-
-/* (6)->(6,6) */
-INLINED void SE3_leftJacobian_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screwf_t s;
-  load_screw_single(&s, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(SE3_leftJacobian_single) {
+  POINTERS_2
+  LOAD_FIRST(screw_single, ksl_screwf_t s, &s);
+  EACH {
     ksl_mat6x6f_t M;
-    if (step[0] != 0) {
-      load_screw_single(&s, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(screw_single, &s);
     ksl_SE3f_leftJacobian_accurate(&s, &M);
-    store_mat6x6_single(&M, p1 + i * step[1], core + 1);
+    STORE(mat6x6_single, &M, 1, 1);
   }
 }
-
-static void SE3_leftJacobian_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 144, 4, 24, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    SE3_leftJacobian_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 144, 4, 24, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    SE3_leftJacobian_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  SE3_leftJacobian_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction SE3_leftJacobian_loops[] = {
-    SE3_leftJacobian_double, SE3_leftJacobian_single};
+LOOP(SE3_leftJacobian_single, 2, DENSE_OR_ONE, 24, 144, 4, 24, 4)
+LOOPS(SE3_leftJacobian)
 
 /* (6)->(6,6) */
-INLINED void SE3_rightJacobian_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screw_t s;
-  load_screw_double(&s, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(SE3_rightJacobian_double) {
+  POINTERS_2
+  LOAD_FIRST(screw_double, ksl_screw_t s, &s);
+  EACH {
     ksl_mat6x6_t M;
-    if (step[0] != 0) {
-      load_screw_double(&s, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(screw_double, &s);
     ksl_SE3_rightJacobian_accurate(&s, &M);
-    store_mat6x6_double(&M, p1 + i * step[1], core + 1);
+    STORE(mat6x6_double, &M, 1, 1);
   }
 }
+LOOP(SE3_rightJacobian_double, 2, DENSE_OR_ONE, 48, 288, 8, 48, 8)
 
-static void SE3_rightJacobian_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 288, 8, 48, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    SE3_rightJacobian_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 288, 8, 48, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    SE3_rightJacobian_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  SE3_rightJacobian_double_over(data, n[0], step, step + 2);
-}
-
-/* (6)->(6,6) */
-INLINED void SE3_rightJacobian_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screwf_t s;
-  load_screw_single(&s, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(SE3_rightJacobian_single) {
+  POINTERS_2
+  LOAD_FIRST(screw_single, ksl_screwf_t s, &s);
+  EACH {
     ksl_mat6x6f_t M;
-    if (step[0] != 0) {
-      load_screw_single(&s, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(screw_single, &s);
     ksl_SE3f_rightJacobian_accurate(&s, &M);
-    store_mat6x6_single(&M, p1 + i * step[1], core + 1);
+    STORE(mat6x6_single, &M, 1, 1);
   }
 }
-
-static void SE3_rightJacobian_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 144, 4, 24, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    SE3_rightJacobian_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 144, 4, 24, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    SE3_rightJacobian_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  SE3_rightJacobian_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction SE3_rightJacobian_loops[] = {
-    SE3_rightJacobian_double, SE3_rightJacobian_single};
+LOOP(SE3_rightJacobian_single, 2, DENSE_OR_ONE, 24, 144, 4, 24, 4)
+LOOPS(SE3_rightJacobian)
 
 /* (6)->(6,6) */
-INLINED void SE3_leftJacobianInverse_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screw_t s;
-  load_screw_double(&s, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(SE3_leftJacobianInverse_double) {
+  POINTERS_2
+  LOAD_FIRST(screw_double, ksl_screw_t s, &s);
+  EACH {
     ksl_mat6x6_t M;
-    if (step[0] != 0) {
-      load_screw_double(&s, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(screw_double, &s);
     ksl_SE3_leftJacobianInverse_accurate(&s, &M);
-    store_mat6x6_double(&M, p1 + i * step[1], core + 1);
+    STORE(mat6x6_double, &M, 1, 1);
   }
 }
+LOOP(SE3_leftJacobianInverse_double, 2, DENSE_OR_ONE, 48, 288, 8, 48, 8)
 
-static void SE3_leftJacobianInverse_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 288, 8, 48, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    SE3_leftJacobianInverse_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 288, 8, 48, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    SE3_leftJacobianInverse_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  SE3_leftJacobianInverse_double_over(data, n[0], step, step + 2);
-}
-
-/* (6)->(6,6) */
-INLINED void SE3_leftJacobianInverse_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screwf_t s;
-  load_screw_single(&s, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(SE3_leftJacobianInverse_single) {
+  POINTERS_2
+  LOAD_FIRST(screw_single, ksl_screwf_t s, &s);
+  EACH {
     ksl_mat6x6f_t M;
-    if (step[0] != 0) {
-      load_screw_single(&s, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(screw_single, &s);
     ksl_SE3f_leftJacobianInverse_accurate(&s, &M);
-    store_mat6x6_single(&M, p1 + i * step[1], core + 1);
+    STORE(mat6x6_single, &M, 1, 1);
   }
 }
-
-static void SE3_leftJacobianInverse_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 144, 4, 24, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    SE3_leftJacobianInverse_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 144, 4, 24, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    SE3_leftJacobianInverse_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  SE3_leftJacobianInverse_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction SE3_leftJacobianInverse_loops[] = {
-    SE3_leftJacobianInverse_double, SE3_leftJacobianInverse_single};
+LOOP(SE3_leftJacobianInverse_single, 2, DENSE_OR_ONE, 24, 144, 4, 24, 4)
+LOOPS(SE3_leftJacobianInverse)
 
 /* (6)->(6,6) */
-INLINED void SE3_rightJacobianInverse_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screw_t s;
-  load_screw_double(&s, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(SE3_rightJacobianInverse_double) {
+  POINTERS_2
+  LOAD_FIRST(screw_double, ksl_screw_t s, &s);
+  EACH {
     ksl_mat6x6_t M;
-    if (step[0] != 0) {
-      load_screw_double(&s, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(screw_double, &s);
     ksl_SE3_rightJacobianInverse_accurate(&s, &M);
-    store_mat6x6_double(&M, p1 + i * step[1], core + 1);
+    STORE(mat6x6_double, &M, 1, 1);
   }
 }
+LOOP(SE3_rightJacobianInverse_double, 2, DENSE_OR_ONE, 48, 288, 8, 48, 8)
 
-static void SE3_rightJacobianInverse_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 288, 8, 48, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    SE3_rightJacobianInverse_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 288, 8, 48, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    SE3_rightJacobianInverse_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  SE3_rightJacobianInverse_double_over(data, n[0], step, step + 2);
-}
-
-/* (6)->(6,6) */
-INLINED void SE3_rightJacobianInverse_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screwf_t s;
-  load_screw_single(&s, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(SE3_rightJacobianInverse_single) {
+  POINTERS_2
+  LOAD_FIRST(screw_single, ksl_screwf_t s, &s);
+  EACH {
     ksl_mat6x6f_t M;
-    if (step[0] != 0) {
-      load_screw_single(&s, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(screw_single, &s);
     ksl_SE3f_rightJacobianInverse_accurate(&s, &M);
-    store_mat6x6_single(&M, p1 + i * step[1], core + 1);
+    STORE(mat6x6_single, &M, 1, 1);
   }
 }
-
-static void SE3_rightJacobianInverse_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 144, 4, 24, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    SE3_rightJacobianInverse_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 144, 4, 24, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    SE3_rightJacobianInverse_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  SE3_rightJacobianInverse_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction SE3_rightJacobianInverse_loops[] = {
-    SE3_rightJacobianInverse_double, SE3_rightJacobianInverse_single};
+LOOP(SE3_rightJacobianInverse_single, 2, DENSE_OR_ONE, 24, 144, 4, 24, 4)
+LOOPS(SE3_rightJacobianInverse)
 
 /* (3,4),(3,4),()->(3,4) */
-INLINED void SE3_interpolated_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D1;
-  load_SE3_double(&D1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(SE3_interpolated_double) {
+  POINTERS_4
+  LOAD_FIRST(SE3_double, ksl_SE3_t D1, &D1);
+  EACH {
     ksl_SE3_t D2;
     double k;
     ksl_SE3_t Do;
-    if (step[0] != 0) {
-      load_SE3_double(&D1, p0 + i * step[0], core + 0);
-    }
-    load_SE3_double(&D2, p1 + i * step[1], core + 2);
-    load_scalar_double(&k, p2 + i * step[2], core + 4);
+    LOAD_OTHER(SE3_double, &D1);
+    LOAD(SE3_double, &D2, 1, 2);
+    LOAD(scalar_double, &k, 2, 4);
     ksl_SE3_interpolated_accurate(&D1, &D2, k, &Do);
-    store_SE3_double(&Do, p3 + i * step[3], core + 4);
+    STORE(SE3_double, &Do, 3, 4);
   }
 }
+LOOP(SE3_interpolated_double, 4, DENSE_OR_ONE, 96, 96, 8, 96, 32, 8, 32, 8, 32, 8)
 
-static void SE3_interpolated_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 96, 8, 96, 32, 8, 32, 8, 32, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    SE3_interpolated_double_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 96, 8, 96, 32, 8, 32, 8, 32, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    SE3_interpolated_double_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  SE3_interpolated_double_over(data, n[0], step, step + 4);
-}
-
-/* (3,4),(3,4),()->(3,4) */
-INLINED void SE3_interpolated_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D1;
-  load_SE3_single(&D1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(SE3_interpolated_single) {
+  POINTERS_4
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D1, &D1);
+  EACH {
     ksl_SE3f_t D2;
     float k;
     ksl_SE3f_t Do;
-    if (step[0] != 0) {
-      load_SE3_single(&D1, p0 + i * step[0], core + 0);
-    }
-    load_SE3_single(&D2, p1 + i * step[1], core + 2);
-    load_scalar_single(&k, p2 + i * step[2], core + 4);
+    LOAD_OTHER(SE3_single, &D1);
+    LOAD(SE3_single, &D2, 1, 2);
+    LOAD(scalar_single, &k, 2, 4);
     ksl_SE3f_interpolated_accurate(&D1, &D2, k, &Do);
-    store_SE3_single(&Do, p3 + i * step[3], core + 4);
+    STORE(SE3_single, &Do, 3, 4);
   }
 }
-
-static void SE3_interpolated_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 4, 48, 16, 4, 16, 4, 16, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    SE3_interpolated_single_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 4, 48, 16, 4, 16, 4, 16, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    SE3_interpolated_single_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  SE3_interpolated_single_over(data, n[0], step, step + 4);
-}
-
-static PyUFuncGenericFunction SE3_interpolated_loops[] = {
-    SE3_interpolated_double, SE3_interpolated_single};
+LOOP(SE3_interpolated_single, 4, DENSE_OR_ONE, 48, 48, 4, 48, 16, 4, 16, 4, 16, 4)
+LOOPS(SE3_interpolated)
 
 const coscrew_gufunc TABLE(exponential)[] = {
   {"SO3_exp", "(3)->(3,3)",

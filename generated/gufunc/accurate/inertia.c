@@ -8,24 +8,10 @@
 #include "_gufunc.h"
 
 /* (),(3),(),(),(),(),(),()->(10) */
-INLINED void inertia_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  char *const p4 = data[4];
-  char *const p5 = data[5];
-  char *const p6 = data[6];
-  char *const p7 = data[7];
-  char *const p8 = data[8];
-  if (n <= 0) {
-    return;
-  }
-  double m;
-  load_scalar_double(&m, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(inertia_double) {
+  POINTERS_9
+  LOAD_FIRST(scalar_double, double m, &m);
+  EACH {
     ksl_vec3_t t;
     double Ixx;
     double Iyy;
@@ -34,58 +20,24 @@ INLINED void inertia_double_over(
     double Iyz;
     double Izx;
     ksl_inertia_t J;
-    if (step[0] != 0) {
-      load_scalar_double(&m, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&t, p1 + i * step[1], core + 0);
-    load_scalar_double(&Ixx, p2 + i * step[2], core + 1);
-    load_scalar_double(&Iyy, p3 + i * step[3], core + 1);
-    load_scalar_double(&Izz, p4 + i * step[4], core + 1);
-    load_scalar_double(&Ixy, p5 + i * step[5], core + 1);
-    load_scalar_double(&Iyz, p6 + i * step[6], core + 1);
-    load_scalar_double(&Izx, p7 + i * step[7], core + 1);
+    LOAD_OTHER(scalar_double, &m);
+    LOAD(vec3_double, &t, 1, 0);
+    LOAD(scalar_double, &Ixx, 2, 1);
+    LOAD(scalar_double, &Iyy, 3, 1);
+    LOAD(scalar_double, &Izz, 4, 1);
+    LOAD(scalar_double, &Ixy, 5, 1);
+    LOAD(scalar_double, &Iyz, 6, 1);
+    LOAD(scalar_double, &Izx, 7, 1);
     J = ksl_inertia_accurate(m, t, Ixx, Iyy, Izz, Ixy, Iyz, Izx);
-    store_inertia_double(&J, p8 + i * step[8], core + 1);
+    STORE(inertia_double, &J, 8, 1);
   }
 }
+LOOP(inertia_double, 9, DENSE_OR_ONE, 8, 24, 8, 8, 8, 8, 8, 8, 80, 8, 8)
 
-static void inertia_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 8, 24, 8, 8, 8, 8, 8, 8, 80, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_double_over(
-        data, n[0], dense_1, dense_1 + 9);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 8, 8, 8, 8, 8, 8, 80, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    inertia_double_over(
-        data, n[0], dense_2, dense_2 + 9);
-    return;
-  }
-  inertia_double_over(data, n[0], step, step + 9);
-}
-
-/* (),(3),(),(),(),(),(),()->(10) */
-INLINED void inertia_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  char *const p4 = data[4];
-  char *const p5 = data[5];
-  char *const p6 = data[6];
-  char *const p7 = data[7];
-  char *const p8 = data[8];
-  if (n <= 0) {
-    return;
-  }
-  float m;
-  load_scalar_single(&m, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(inertia_single) {
+  POINTERS_9
+  LOAD_FIRST(scalar_single, float m, &m);
+  EACH {
     ksl_vec3f_t t;
     float Ixx;
     float Iyy;
@@ -94,564 +46,234 @@ INLINED void inertia_single_over(
     float Iyz;
     float Izx;
     ksl_inertiaf_t J;
-    if (step[0] != 0) {
-      load_scalar_single(&m, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&t, p1 + i * step[1], core + 0);
-    load_scalar_single(&Ixx, p2 + i * step[2], core + 1);
-    load_scalar_single(&Iyy, p3 + i * step[3], core + 1);
-    load_scalar_single(&Izz, p4 + i * step[4], core + 1);
-    load_scalar_single(&Ixy, p5 + i * step[5], core + 1);
-    load_scalar_single(&Iyz, p6 + i * step[6], core + 1);
-    load_scalar_single(&Izx, p7 + i * step[7], core + 1);
+    LOAD_OTHER(scalar_single, &m);
+    LOAD(vec3_single, &t, 1, 0);
+    LOAD(scalar_single, &Ixx, 2, 1);
+    LOAD(scalar_single, &Iyy, 3, 1);
+    LOAD(scalar_single, &Izz, 4, 1);
+    LOAD(scalar_single, &Ixy, 5, 1);
+    LOAD(scalar_single, &Iyz, 6, 1);
+    LOAD(scalar_single, &Izx, 7, 1);
     J = ksl_inertiaf_accurate(m, t, Ixx, Iyy, Izz, Ixy, Iyz, Izx);
-    store_inertia_single(&J, p8 + i * step[8], core + 1);
+    STORE(inertia_single, &J, 8, 1);
   }
 }
-
-static void inertia_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 4, 12, 4, 4, 4, 4, 4, 4, 40, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_single_over(
-        data, n[0], dense_1, dense_1 + 9);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 4, 4, 4, 4, 4, 4, 40, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    inertia_single_over(
-        data, n[0], dense_2, dense_2 + 9);
-    return;
-  }
-  inertia_single_over(data, n[0], step, step + 9);
-}
-
-static PyUFuncGenericFunction inertia_loops[] = {
-    inertia_double, inertia_single};
+LOOP(inertia_single, 9, DENSE_OR_ONE, 4, 12, 4, 4, 4, 4, 4, 4, 40, 4, 4)
+LOOPS(inertia)
 
 /* (10),(3,3)->(10) */
-INLINED void inertia_rotated_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_inertia_t Ji;
-  load_inertia_double(&Ji, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(inertia_rotated_double) {
+  POINTERS_3
+  LOAD_FIRST(inertia_double, ksl_inertia_t Ji, &Ji);
+  EACH {
     ksl_mat3x3_t R;
     ksl_inertia_t Jo;
-    if (step[0] != 0) {
-      load_inertia_double(&Ji, p0 + i * step[0], core + 0);
-    }
-    load_mat3x3_double(&R, p1 + i * step[1], core + 1);
+    LOAD_OTHER(inertia_double, &Ji);
+    LOAD(mat3x3_double, &R, 1, 1);
     ksl_inertia_rotated_accurate(&Ji, &R, &Jo);
-    store_inertia_double(&Jo, p2 + i * step[2], core + 3);
+    STORE(inertia_double, &Jo, 2, 3);
   }
 }
+LOOP(inertia_rotated_double, 3, DENSE_OR_ONE, 80, 72, 80, 8, 24, 8, 8)
 
-static void inertia_rotated_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 80, 72, 80, 8, 24, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_rotated_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 72, 80, 8, 24, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    inertia_rotated_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  inertia_rotated_double_over(data, n[0], step, step + 3);
-}
-
-/* (10),(3,3)->(10) */
-INLINED void inertia_rotated_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_inertiaf_t Ji;
-  load_inertia_single(&Ji, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(inertia_rotated_single) {
+  POINTERS_3
+  LOAD_FIRST(inertia_single, ksl_inertiaf_t Ji, &Ji);
+  EACH {
     ksl_mat3x3f_t R;
     ksl_inertiaf_t Jo;
-    if (step[0] != 0) {
-      load_inertia_single(&Ji, p0 + i * step[0], core + 0);
-    }
-    load_mat3x3_single(&R, p1 + i * step[1], core + 1);
+    LOAD_OTHER(inertia_single, &Ji);
+    LOAD(mat3x3_single, &R, 1, 1);
     ksl_inertiaf_rotated_accurate(&Ji, &R, &Jo);
-    store_inertia_single(&Jo, p2 + i * step[2], core + 3);
+    STORE(inertia_single, &Jo, 2, 3);
   }
 }
-
-static void inertia_rotated_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 40, 36, 40, 4, 12, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_rotated_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 36, 40, 4, 12, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    inertia_rotated_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  inertia_rotated_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction inertia_rotated_loops[] = {
-    inertia_rotated_double, inertia_rotated_single};
+LOOP(inertia_rotated_single, 3, DENSE_OR_ONE, 40, 36, 40, 4, 12, 4, 4)
+LOOPS(inertia_rotated)
 
 /* (10),(3,3)->(10) */
-INLINED void inertia_rotate_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(inertia_rotate_double) {
+  POINTERS_3
+  EACH {
     ksl_inertia_t self;
     ksl_mat3x3_t R;
-    load_inertia_double(&self, p0 + i * step[0], core + 0);
-    load_mat3x3_double(&R, p1 + i * step[1], core + 1);
+    LOAD(inertia_double, &self, 0, 0);
+    LOAD(mat3x3_double, &R, 1, 1);
     ksl_inertia_rotate_accurate(&self, &R);
-    store_inertia_double(&self, p2 + i * step[2], core + 3);
+    STORE(inertia_double, &self, 2, 3);
   }
 }
+LOOP(inertia_rotate_double, 3, DENSE, 80, 72, 80, 8, 24, 8, 8)
 
-static void inertia_rotate_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 80, 72, 80, 8, 24, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_rotate_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  inertia_rotate_double_over(data, n[0], step, step + 3);
-}
-
-/* (10),(3,3)->(10) */
-INLINED void inertia_rotate_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(inertia_rotate_single) {
+  POINTERS_3
+  EACH {
     ksl_inertiaf_t self;
     ksl_mat3x3f_t R;
-    load_inertia_single(&self, p0 + i * step[0], core + 0);
-    load_mat3x3_single(&R, p1 + i * step[1], core + 1);
+    LOAD(inertia_single, &self, 0, 0);
+    LOAD(mat3x3_single, &R, 1, 1);
     ksl_inertiaf_rotate_accurate(&self, &R);
-    store_inertia_single(&self, p2 + i * step[2], core + 3);
+    STORE(inertia_single, &self, 2, 3);
   }
 }
-
-static void inertia_rotate_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 40, 36, 40, 4, 12, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_rotate_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  inertia_rotate_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction inertia_rotate_loops[] = {
-    inertia_rotate_double, inertia_rotate_single};
+LOOP(inertia_rotate_single, 3, DENSE, 40, 36, 40, 4, 12, 4, 4)
+LOOPS(inertia_rotate)
 
 /* (10),(3)->(10) */
-INLINED void inertia_translated_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_inertia_t Ji;
-  load_inertia_double(&Ji, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(inertia_translated_double) {
+  POINTERS_3
+  LOAD_FIRST(inertia_double, ksl_inertia_t Ji, &Ji);
+  EACH {
     ksl_vec3_t t;
     ksl_inertia_t Jo;
-    if (step[0] != 0) {
-      load_inertia_double(&Ji, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&t, p1 + i * step[1], core + 1);
+    LOAD_OTHER(inertia_double, &Ji);
+    LOAD(vec3_double, &t, 1, 1);
     ksl_inertia_translated_accurate(&Ji, &t, &Jo);
-    store_inertia_double(&Jo, p2 + i * step[2], core + 2);
+    STORE(inertia_double, &Jo, 2, 2);
   }
 }
+LOOP(inertia_translated_double, 3, DENSE_OR_ONE, 80, 24, 80, 8, 8, 8)
 
-static void inertia_translated_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 80, 24, 80, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_translated_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 80, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    inertia_translated_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  inertia_translated_double_over(data, n[0], step, step + 3);
-}
-
-/* (10),(3)->(10) */
-INLINED void inertia_translated_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_inertiaf_t Ji;
-  load_inertia_single(&Ji, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(inertia_translated_single) {
+  POINTERS_3
+  LOAD_FIRST(inertia_single, ksl_inertiaf_t Ji, &Ji);
+  EACH {
     ksl_vec3f_t t;
     ksl_inertiaf_t Jo;
-    if (step[0] != 0) {
-      load_inertia_single(&Ji, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&t, p1 + i * step[1], core + 1);
+    LOAD_OTHER(inertia_single, &Ji);
+    LOAD(vec3_single, &t, 1, 1);
     ksl_inertiaf_translated_accurate(&Ji, &t, &Jo);
-    store_inertia_single(&Jo, p2 + i * step[2], core + 2);
+    STORE(inertia_single, &Jo, 2, 2);
   }
 }
-
-static void inertia_translated_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 40, 12, 40, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_translated_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 40, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    inertia_translated_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  inertia_translated_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction inertia_translated_loops[] = {
-    inertia_translated_double, inertia_translated_single};
+LOOP(inertia_translated_single, 3, DENSE_OR_ONE, 40, 12, 40, 4, 4, 4)
+LOOPS(inertia_translated)
 
 /* (10),(3)->(10) */
-INLINED void inertia_translate_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(inertia_translate_double) {
+  POINTERS_3
+  EACH {
     ksl_inertia_t self;
     ksl_vec3_t t;
-    load_inertia_double(&self, p0 + i * step[0], core + 0);
-    load_vec3_double(&t, p1 + i * step[1], core + 1);
+    LOAD(inertia_double, &self, 0, 0);
+    LOAD(vec3_double, &t, 1, 1);
     ksl_inertia_translate_accurate(&self, &t);
-    store_inertia_double(&self, p2 + i * step[2], core + 2);
+    STORE(inertia_double, &self, 2, 2);
   }
 }
+LOOP(inertia_translate_double, 3, DENSE, 80, 24, 80, 8, 8, 8)
 
-static void inertia_translate_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 80, 24, 80, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_translate_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  inertia_translate_double_over(data, n[0], step, step + 3);
-}
-
-/* (10),(3)->(10) */
-INLINED void inertia_translate_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(inertia_translate_single) {
+  POINTERS_3
+  EACH {
     ksl_inertiaf_t self;
     ksl_vec3f_t t;
-    load_inertia_single(&self, p0 + i * step[0], core + 0);
-    load_vec3_single(&t, p1 + i * step[1], core + 1);
+    LOAD(inertia_single, &self, 0, 0);
+    LOAD(vec3_single, &t, 1, 1);
     ksl_inertiaf_translate_accurate(&self, &t);
-    store_inertia_single(&self, p2 + i * step[2], core + 2);
+    STORE(inertia_single, &self, 2, 2);
   }
 }
-
-static void inertia_translate_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 40, 12, 40, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_translate_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  inertia_translate_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction inertia_translate_loops[] = {
-    inertia_translate_double, inertia_translate_single};
+LOOP(inertia_translate_single, 3, DENSE, 40, 12, 40, 4, 4, 4)
+LOOPS(inertia_translate)
 
 /* (10),(3,4)->(10) */
-INLINED void inertia_transformed_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_inertia_t Ji;
-  load_inertia_double(&Ji, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(inertia_transformed_double) {
+  POINTERS_3
+  LOAD_FIRST(inertia_double, ksl_inertia_t Ji, &Ji);
+  EACH {
     ksl_SE3_t D;
     ksl_inertia_t Jo;
-    if (step[0] != 0) {
-      load_inertia_double(&Ji, p0 + i * step[0], core + 0);
-    }
-    load_SE3_double(&D, p1 + i * step[1], core + 1);
+    LOAD_OTHER(inertia_double, &Ji);
+    LOAD(SE3_double, &D, 1, 1);
     ksl_inertia_transformed_accurate(&Ji, &D, &Jo);
-    store_inertia_double(&Jo, p2 + i * step[2], core + 3);
+    STORE(inertia_double, &Jo, 2, 3);
   }
 }
+LOOP(inertia_transformed_double, 3, DENSE_OR_ONE, 80, 96, 80, 8, 32, 8, 8)
 
-static void inertia_transformed_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 80, 96, 80, 8, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_transformed_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 96, 80, 8, 32, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    inertia_transformed_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  inertia_transformed_double_over(data, n[0], step, step + 3);
-}
-
-/* (10),(3,4)->(10) */
-INLINED void inertia_transformed_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_inertiaf_t Ji;
-  load_inertia_single(&Ji, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(inertia_transformed_single) {
+  POINTERS_3
+  LOAD_FIRST(inertia_single, ksl_inertiaf_t Ji, &Ji);
+  EACH {
     ksl_SE3f_t D;
     ksl_inertiaf_t Jo;
-    if (step[0] != 0) {
-      load_inertia_single(&Ji, p0 + i * step[0], core + 0);
-    }
-    load_SE3_single(&D, p1 + i * step[1], core + 1);
+    LOAD_OTHER(inertia_single, &Ji);
+    LOAD(SE3_single, &D, 1, 1);
     ksl_inertiaf_transformed_accurate(&Ji, &D, &Jo);
-    store_inertia_single(&Jo, p2 + i * step[2], core + 3);
+    STORE(inertia_single, &Jo, 2, 3);
   }
 }
-
-static void inertia_transformed_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 40, 48, 40, 4, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_transformed_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 40, 4, 16, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    inertia_transformed_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  inertia_transformed_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction inertia_transformed_loops[] = {
-    inertia_transformed_double, inertia_transformed_single};
+LOOP(inertia_transformed_single, 3, DENSE_OR_ONE, 40, 48, 40, 4, 16, 4, 4)
+LOOPS(inertia_transformed)
 
 /* (10),(3,4)->(10) */
-INLINED void inertia_transform_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(inertia_transform_double) {
+  POINTERS_3
+  EACH {
     ksl_inertia_t self;
     ksl_SE3_t D;
-    load_inertia_double(&self, p0 + i * step[0], core + 0);
-    load_SE3_double(&D, p1 + i * step[1], core + 1);
+    LOAD(inertia_double, &self, 0, 0);
+    LOAD(SE3_double, &D, 1, 1);
     ksl_inertia_transform_accurate(&self, &D);
-    store_inertia_double(&self, p2 + i * step[2], core + 3);
+    STORE(inertia_double, &self, 2, 3);
   }
 }
+LOOP(inertia_transform_double, 3, DENSE, 80, 96, 80, 8, 32, 8, 8)
 
-static void inertia_transform_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 80, 96, 80, 8, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_transform_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  inertia_transform_double_over(data, n[0], step, step + 3);
-}
-
-/* (10),(3,4)->(10) */
-INLINED void inertia_transform_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(inertia_transform_single) {
+  POINTERS_3
+  EACH {
     ksl_inertiaf_t self;
     ksl_SE3f_t D;
-    load_inertia_single(&self, p0 + i * step[0], core + 0);
-    load_SE3_single(&D, p1 + i * step[1], core + 1);
+    LOAD(inertia_single, &self, 0, 0);
+    LOAD(SE3_single, &D, 1, 1);
     ksl_inertiaf_transform_accurate(&self, &D);
-    store_inertia_single(&self, p2 + i * step[2], core + 3);
+    STORE(inertia_single, &self, 2, 3);
   }
 }
-
-static void inertia_transform_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 40, 48, 40, 4, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_transform_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  inertia_transform_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction inertia_transform_loops[] = {
-    inertia_transform_double, inertia_transform_single};
+LOOP(inertia_transform_single, 3, DENSE, 40, 48, 40, 4, 16, 4, 4)
+LOOPS(inertia_transform)
 
 /* (10),(3),(10),(3),(3,4)->(10) */
-INLINED void inertia_merge_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  char *const p4 = data[4];
-  char *const p5 = data[5];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(inertia_merge_double) {
+  POINTERS_6
+  EACH {
     ksl_inertia_t Ji;
     ksl_vec3_t t_ic;
     ksl_inertia_t Jj;
     ksl_vec3_t t_jc;
     ksl_SE3_t D_ij;
-    load_inertia_double(&Ji, p0 + i * step[0], core + 0);
-    load_vec3_double(&t_ic, p1 + i * step[1], core + 1);
-    load_inertia_double(&Jj, p2 + i * step[2], core + 2);
-    load_vec3_double(&t_jc, p3 + i * step[3], core + 3);
-    load_SE3_double(&D_ij, p4 + i * step[4], core + 4);
+    LOAD(inertia_double, &Ji, 0, 0);
+    LOAD(vec3_double, &t_ic, 1, 1);
+    LOAD(inertia_double, &Jj, 2, 2);
+    LOAD(vec3_double, &t_jc, 3, 3);
+    LOAD(SE3_double, &D_ij, 4, 4);
     ksl_inertia_merge_accurate(&Ji, &t_ic, &Jj, &t_jc, &D_ij);
-    store_inertia_double(&Ji, p5 + i * step[5], core + 6);
+    STORE(inertia_double, &Ji, 5, 6);
   }
 }
+LOOP(inertia_merge_double, 6, DENSE, 80, 24, 80, 24, 96, 80, 8, 8, 8, 8, 32, 8, 8)
 
-static void inertia_merge_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 80, 24, 80, 24, 96, 80, 8, 8, 8, 8, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_merge_double_over(
-        data, n[0], dense_1, dense_1 + 6);
-    return;
-  }
-  inertia_merge_double_over(data, n[0], step, step + 6);
-}
-
-/* (10),(3),(10),(3),(3,4)->(10) */
-INLINED void inertia_merge_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  char *const p4 = data[4];
-  char *const p5 = data[5];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(inertia_merge_single) {
+  POINTERS_6
+  EACH {
     ksl_inertiaf_t Ji;
     ksl_vec3f_t t_ic;
     ksl_inertiaf_t Jj;
     ksl_vec3f_t t_jc;
     ksl_SE3f_t D_ij;
-    load_inertia_single(&Ji, p0 + i * step[0], core + 0);
-    load_vec3_single(&t_ic, p1 + i * step[1], core + 1);
-    load_inertia_single(&Jj, p2 + i * step[2], core + 2);
-    load_vec3_single(&t_jc, p3 + i * step[3], core + 3);
-    load_SE3_single(&D_ij, p4 + i * step[4], core + 4);
+    LOAD(inertia_single, &Ji, 0, 0);
+    LOAD(vec3_single, &t_ic, 1, 1);
+    LOAD(inertia_single, &Jj, 2, 2);
+    LOAD(vec3_single, &t_jc, 3, 3);
+    LOAD(SE3_single, &D_ij, 4, 4);
     ksl_inertiaf_merge_accurate(&Ji, &t_ic, &Jj, &t_jc, &D_ij);
-    store_inertia_single(&Ji, p5 + i * step[5], core + 6);
+    STORE(inertia_single, &Ji, 5, 6);
   }
 }
-
-static void inertia_merge_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 40, 12, 40, 12, 48, 40, 4, 4, 4, 4, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_merge_single_over(
-        data, n[0], dense_1, dense_1 + 6);
-    return;
-  }
-  inertia_merge_single_over(data, n[0], step, step + 6);
-}
-
-static PyUFuncGenericFunction inertia_merge_loops[] = {
-    inertia_merge_double, inertia_merge_single};
+LOOP(inertia_merge_single, 6, DENSE, 40, 12, 40, 12, 48, 40, 4, 4, 4, 4, 16, 4, 4)
+LOOPS(inertia_merge)
 
 const coscrew_gufunc TABLE(inertia)[] = {
   {"inertia", "(),(3),(),(),(),(),(),()->(10)",

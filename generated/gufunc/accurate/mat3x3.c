@@ -8,1126 +8,390 @@
 #include "_gufunc.h"
 
 /* (3),(3)->(3,3) */
-INLINED void acceleration_tensor_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t w;
-  load_vec3_double(&w, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(acceleration_tensor_double) {
+  POINTERS_3
+  LOAD_FIRST(vec3_double, ksl_vec3_t w, &w);
+  EACH {
     ksl_vec3_t dw;
     ksl_mat3x3_t Ro;
-    if (step[0] != 0) {
-      load_vec3_double(&w, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&dw, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &w);
+    LOAD(vec3_double, &dw, 1, 1);
     ksl_acceleration_tensor_accurate(&w, &dw, &Ro);
-    store_mat3x3_double(&Ro, p2 + i * step[2], core + 2);
+    STORE(mat3x3_double, &Ro, 2, 2);
   }
 }
+LOOP(acceleration_tensor_double, 3, DENSE_OR_ONE, 24, 24, 72, 8, 8, 24, 8)
 
-static void acceleration_tensor_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 72, 8, 8, 24, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    acceleration_tensor_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 72, 8, 8, 24, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    acceleration_tensor_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  acceleration_tensor_double_over(data, n[0], step, step + 3);
-}
-
-/* (3),(3)->(3,3) */
-INLINED void acceleration_tensor_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t w;
-  load_vec3_single(&w, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(acceleration_tensor_single) {
+  POINTERS_3
+  LOAD_FIRST(vec3_single, ksl_vec3f_t w, &w);
+  EACH {
     ksl_vec3f_t dw;
     ksl_mat3x3f_t Ro;
-    if (step[0] != 0) {
-      load_vec3_single(&w, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&dw, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &w);
+    LOAD(vec3_single, &dw, 1, 1);
     ksl_acceleration_tensorf_accurate(&w, &dw, &Ro);
-    store_mat3x3_single(&Ro, p2 + i * step[2], core + 2);
+    STORE(mat3x3_single, &Ro, 2, 2);
   }
 }
-
-static void acceleration_tensor_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 12, 36, 4, 4, 12, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    acceleration_tensor_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 36, 4, 4, 12, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    acceleration_tensor_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  acceleration_tensor_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction acceleration_tensor_loops[] = {
-    acceleration_tensor_double, acceleration_tensor_single};
+LOOP(acceleration_tensor_single, 3, DENSE_OR_ONE, 12, 12, 36, 4, 4, 12, 4)
+LOOPS(acceleration_tensor)
 
 /* (3,3)->() */
-INLINED void mat3x3_determinant_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_determinant_double) {
+  POINTERS_2
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     double det;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(mat3x3_double, &R);
     det = ksl_mat3x3_determinant_accurate(&R);
-    store_scalar_double(&det, p1 + i * step[1], core + 2);
+    STORE(scalar_double, &det, 1, 2);
   }
 }
+LOOP(mat3x3_determinant_double, 2, DENSE_OR_ONE, 72, 8, 24, 8)
 
-static void mat3x3_determinant_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 8, 24, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_determinant_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 24, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat3x3_determinant_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  mat3x3_determinant_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,3)->() */
-INLINED void mat3x3_determinant_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_determinant_single) {
+  POINTERS_2
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     float det;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(mat3x3_single, &R);
     det = ksl_mat3x3f_determinant_accurate(&R);
-    store_scalar_single(&det, p1 + i * step[1], core + 2);
+    STORE(scalar_single, &det, 1, 2);
   }
 }
-
-static void mat3x3_determinant_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 4, 12, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_determinant_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 12, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat3x3_determinant_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  mat3x3_determinant_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction mat3x3_determinant_loops[] = {
-    mat3x3_determinant_double, mat3x3_determinant_single};
+LOOP(mat3x3_determinant_single, 2, DENSE_OR_ONE, 36, 4, 12, 4)
+LOOPS(mat3x3_determinant)
 
 /* (3,3)->(),(3,3) */
-INLINED void mat3x3_inverse_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_inverse_double) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     double det;
     ksl_mat3x3_t Ro;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(mat3x3_double, &R);
     det = ksl_mat3x3_inverse_accurate(&R, &Ro);
-    store_scalar_double(&det, p1 + i * step[1], core + 2);
-    store_mat3x3_double(&Ro, p2 + i * step[2], core + 2);
+    STORE(scalar_double, &det, 1, 2);
+    STORE(mat3x3_double, &Ro, 2, 2);
   }
 }
+LOOP(mat3x3_inverse_double, 3, DENSE_OR_ONE, 72, 8, 72, 24, 8, 24, 8)
 
-static void mat3x3_inverse_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 8, 72, 24, 8, 24, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_inverse_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 72, 24, 8, 24, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat3x3_inverse_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  mat3x3_inverse_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,3)->(),(3,3) */
-INLINED void mat3x3_inverse_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_inverse_single) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     float det;
     ksl_mat3x3f_t Ro;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(mat3x3_single, &R);
     det = ksl_mat3x3f_inverse_accurate(&R, &Ro);
-    store_scalar_single(&det, p1 + i * step[1], core + 2);
-    store_mat3x3_single(&Ro, p2 + i * step[2], core + 2);
+    STORE(scalar_single, &det, 1, 2);
+    STORE(mat3x3_single, &Ro, 2, 2);
   }
 }
-
-static void mat3x3_inverse_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 4, 36, 12, 4, 12, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_inverse_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 36, 12, 4, 12, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat3x3_inverse_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  mat3x3_inverse_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction mat3x3_inverse_loops[] = {
-    mat3x3_inverse_double, mat3x3_inverse_single};
+LOOP(mat3x3_inverse_single, 3, DENSE_OR_ONE, 36, 4, 36, 12, 4, 12, 4)
+LOOPS(mat3x3_inverse)
 
 /* (3,3)->(3,3) */
-INLINED void mat3x3_normalize_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_normalize_double) {
+  POINTERS_2
+  EACH {
     ksl_mat3x3_t self;
-    load_mat3x3_double(&self, p0 + i * step[0], core + 0);
+    LOAD(mat3x3_double, &self, 0, 0);
     ksl_mat3x3_normalize_accurate(&self);
-    store_mat3x3_double(&self, p1 + i * step[1], core + 2);
+    STORE(mat3x3_double, &self, 1, 2);
   }
 }
+LOOP(mat3x3_normalize_double, 2, DENSE, 72, 72, 24, 8, 24, 8)
 
-static void mat3x3_normalize_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 72, 24, 8, 24, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_normalize_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  mat3x3_normalize_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,3)->(3,3) */
-INLINED void mat3x3_normalize_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_normalize_single) {
+  POINTERS_2
+  EACH {
     ksl_mat3x3f_t self;
-    load_mat3x3_single(&self, p0 + i * step[0], core + 0);
+    LOAD(mat3x3_single, &self, 0, 0);
     ksl_mat3x3f_normalize_accurate(&self);
-    store_mat3x3_single(&self, p1 + i * step[1], core + 2);
+    STORE(mat3x3_single, &self, 1, 2);
   }
 }
-
-static void mat3x3_normalize_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 36, 12, 4, 12, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_normalize_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  mat3x3_normalize_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction mat3x3_normalize_loops[] = {
-    mat3x3_normalize_double, mat3x3_normalize_single};
+LOOP(mat3x3_normalize_single, 2, DENSE, 36, 36, 12, 4, 12, 4)
+LOOPS(mat3x3_normalize)
 
 /* (3,3)->(3,3) */
-INLINED void mat3x3_normalized_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_normalized_double) {
+  POINTERS_2
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     ksl_mat3x3_t Ro;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(mat3x3_double, &R);
     ksl_mat3x3_normalized_accurate(&R, &Ro);
-    store_mat3x3_double(&Ro, p1 + i * step[1], core + 2);
+    STORE(mat3x3_double, &Ro, 1, 2);
   }
 }
+LOOP(mat3x3_normalized_double, 2, DENSE_OR_ONE, 72, 72, 24, 8, 24, 8)
 
-static void mat3x3_normalized_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 72, 24, 8, 24, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_normalized_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 72, 24, 8, 24, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat3x3_normalized_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  mat3x3_normalized_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,3)->(3,3) */
-INLINED void mat3x3_normalized_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_normalized_single) {
+  POINTERS_2
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     ksl_mat3x3f_t Ro;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(mat3x3_single, &R);
     ksl_mat3x3f_normalized_accurate(&R, &Ro);
-    store_mat3x3_single(&Ro, p1 + i * step[1], core + 2);
+    STORE(mat3x3_single, &Ro, 1, 2);
   }
 }
-
-static void mat3x3_normalized_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 36, 12, 4, 12, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_normalized_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 36, 12, 4, 12, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat3x3_normalized_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  mat3x3_normalized_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction mat3x3_normalized_loops[] = {
-    mat3x3_normalized_double, mat3x3_normalized_single};
+LOOP(mat3x3_normalized_single, 2, DENSE_OR_ONE, 36, 36, 12, 4, 12, 4)
+LOOPS(mat3x3_normalized)
 
 /* (3),(2)->(3,3) */
-INLINED void mat3x3_setFromAxisDC_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t axis;
-  load_vec3_double(&axis, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_setFromAxisDC_double) {
+  POINTERS_3
+  LOAD_FIRST(vec3_double, ksl_vec3_t axis, &axis);
+  EACH {
     double dc[2];
     ksl_mat3x3_t R;
-    if (step[0] != 0) {
-      load_vec3_double(&axis, p0 + i * step[0], core + 0);
-    }
-    load_dc_double(dc, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &axis);
+    LOAD(dc_double, dc, 1, 1);
     ksl_mat3x3_setFromAxisDC_accurate(&R, &axis, dc);
-    store_mat3x3_double(&R, p2 + i * step[2], core + 2);
+    STORE(mat3x3_double, &R, 2, 2);
   }
 }
+LOOP(mat3x3_setFromAxisDC_double, 3, DENSE_OR_ONE, 24, 16, 72, 8, 8, 24, 8)
 
-static void mat3x3_setFromAxisDC_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 16, 72, 8, 8, 24, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_setFromAxisDC_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 72, 8, 8, 24, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat3x3_setFromAxisDC_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  mat3x3_setFromAxisDC_double_over(data, n[0], step, step + 3);
-}
-
-/* (3),(2)->(3,3) */
-INLINED void mat3x3_setFromAxisDC_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t axis;
-  load_vec3_single(&axis, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_setFromAxisDC_single) {
+  POINTERS_3
+  LOAD_FIRST(vec3_single, ksl_vec3f_t axis, &axis);
+  EACH {
     float dc[2];
     ksl_mat3x3f_t R;
-    if (step[0] != 0) {
-      load_vec3_single(&axis, p0 + i * step[0], core + 0);
-    }
-    load_dc_single(dc, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &axis);
+    LOAD(dc_single, dc, 1, 1);
     ksl_mat3x3f_setFromAxisDC_accurate(&R, &axis, dc);
-    store_mat3x3_single(&R, p2 + i * step[2], core + 2);
+    STORE(mat3x3_single, &R, 2, 2);
   }
 }
-
-static void mat3x3_setFromAxisDC_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 8, 36, 4, 4, 12, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_setFromAxisDC_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 36, 4, 4, 12, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat3x3_setFromAxisDC_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  mat3x3_setFromAxisDC_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction mat3x3_setFromAxisDC_loops[] = {
-    mat3x3_setFromAxisDC_double, mat3x3_setFromAxisDC_single};
+LOOP(mat3x3_setFromAxisDC_single, 3, DENSE_OR_ONE, 12, 8, 36, 4, 4, 12, 4)
+LOOPS(mat3x3_setFromAxisDC)
 
 /* (3)->(3,3) */
-INLINED void mat3x3_from_euler_xyz_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t angles;
-  load_vec3_double(&angles, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_from_euler_xyz_double) {
+  POINTERS_2
+  LOAD_FIRST(vec3_double, ksl_vec3_t angles, &angles);
+  EACH {
     ksl_mat3x3_t R;
-    if (step[0] != 0) {
-      load_vec3_double(&angles, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(vec3_double, &angles);
     ksl_mat3x3_from_euler_xyz_accurate(&angles, &R);
-    store_mat3x3_double(&R, p1 + i * step[1], core + 1);
+    STORE(mat3x3_double, &R, 1, 1);
   }
 }
+LOOP(mat3x3_from_euler_xyz_double, 2, DENSE_OR_ONE, 24, 72, 8, 24, 8)
 
-static void mat3x3_from_euler_xyz_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 72, 8, 24, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_from_euler_xyz_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 72, 8, 24, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat3x3_from_euler_xyz_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  mat3x3_from_euler_xyz_double_over(data, n[0], step, step + 2);
-}
-
-/* (3)->(3,3) */
-INLINED void mat3x3_from_euler_xyz_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t angles;
-  load_vec3_single(&angles, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_from_euler_xyz_single) {
+  POINTERS_2
+  LOAD_FIRST(vec3_single, ksl_vec3f_t angles, &angles);
+  EACH {
     ksl_mat3x3f_t R;
-    if (step[0] != 0) {
-      load_vec3_single(&angles, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(vec3_single, &angles);
     ksl_mat3x3f_from_euler_xyz_accurate(&angles, &R);
-    store_mat3x3_single(&R, p1 + i * step[1], core + 1);
+    STORE(mat3x3_single, &R, 1, 1);
   }
 }
-
-static void mat3x3_from_euler_xyz_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 36, 4, 12, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_from_euler_xyz_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 36, 4, 12, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat3x3_from_euler_xyz_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  mat3x3_from_euler_xyz_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction mat3x3_from_euler_xyz_loops[] = {
-    mat3x3_from_euler_xyz_double, mat3x3_from_euler_xyz_single};
+LOOP(mat3x3_from_euler_xyz_single, 2, DENSE_OR_ONE, 12, 36, 4, 12, 4)
+LOOPS(mat3x3_from_euler_xyz)
 
 /* (3,3)->(3) */
-INLINED void euler_xyz_from_mat3x3_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(euler_xyz_from_mat3x3_double) {
+  POINTERS_2
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     ksl_vec3_t angles;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(mat3x3_double, &R);
     ksl_euler_xyz_from_mat3x3_accurate(&R, &angles);
-    store_vec3_double(&angles, p1 + i * step[1], core + 2);
+    STORE(vec3_double, &angles, 1, 2);
   }
 }
+LOOP(euler_xyz_from_mat3x3_double, 2, DENSE_OR_ONE, 72, 24, 24, 8, 8)
 
-static void euler_xyz_from_mat3x3_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 24, 24, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    euler_xyz_from_mat3x3_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    euler_xyz_from_mat3x3_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  euler_xyz_from_mat3x3_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,3)->(3) */
-INLINED void euler_xyz_from_mat3x3_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(euler_xyz_from_mat3x3_single) {
+  POINTERS_2
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     ksl_vec3f_t angles;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(mat3x3_single, &R);
     ksl_euler_xyz_from_mat3x3f_accurate(&R, &angles);
-    store_vec3_single(&angles, p1 + i * step[1], core + 2);
+    STORE(vec3_single, &angles, 1, 2);
   }
 }
-
-static void euler_xyz_from_mat3x3_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 12, 12, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    euler_xyz_from_mat3x3_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 12, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    euler_xyz_from_mat3x3_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  euler_xyz_from_mat3x3_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction euler_xyz_from_mat3x3_loops[] = {
-    euler_xyz_from_mat3x3_double, euler_xyz_from_mat3x3_single};
+LOOP(euler_xyz_from_mat3x3_single, 2, DENSE_OR_ONE, 36, 12, 12, 4, 4)
+LOOPS(euler_xyz_from_mat3x3)
 
 /* (3)->(3,3) */
-INLINED void mat3x3_from_euler_xyx_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t angles;
-  load_vec3_double(&angles, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_from_euler_xyx_double) {
+  POINTERS_2
+  LOAD_FIRST(vec3_double, ksl_vec3_t angles, &angles);
+  EACH {
     ksl_mat3x3_t R;
-    if (step[0] != 0) {
-      load_vec3_double(&angles, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(vec3_double, &angles);
     ksl_mat3x3_from_euler_xyx_accurate(&angles, &R);
-    store_mat3x3_double(&R, p1 + i * step[1], core + 1);
+    STORE(mat3x3_double, &R, 1, 1);
   }
 }
+LOOP(mat3x3_from_euler_xyx_double, 2, DENSE_OR_ONE, 24, 72, 8, 24, 8)
 
-static void mat3x3_from_euler_xyx_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 72, 8, 24, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_from_euler_xyx_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 72, 8, 24, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat3x3_from_euler_xyx_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  mat3x3_from_euler_xyx_double_over(data, n[0], step, step + 2);
-}
-
-/* (3)->(3,3) */
-INLINED void mat3x3_from_euler_xyx_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t angles;
-  load_vec3_single(&angles, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_from_euler_xyx_single) {
+  POINTERS_2
+  LOAD_FIRST(vec3_single, ksl_vec3f_t angles, &angles);
+  EACH {
     ksl_mat3x3f_t R;
-    if (step[0] != 0) {
-      load_vec3_single(&angles, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(vec3_single, &angles);
     ksl_mat3x3f_from_euler_xyx_accurate(&angles, &R);
-    store_mat3x3_single(&R, p1 + i * step[1], core + 1);
+    STORE(mat3x3_single, &R, 1, 1);
   }
 }
-
-static void mat3x3_from_euler_xyx_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 36, 4, 12, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_from_euler_xyx_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 36, 4, 12, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat3x3_from_euler_xyx_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  mat3x3_from_euler_xyx_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction mat3x3_from_euler_xyx_loops[] = {
-    mat3x3_from_euler_xyx_double, mat3x3_from_euler_xyx_single};
+LOOP(mat3x3_from_euler_xyx_single, 2, DENSE_OR_ONE, 12, 36, 4, 12, 4)
+LOOPS(mat3x3_from_euler_xyx)
 
 /* (3,3)->(3) */
-INLINED void euler_xyx_from_mat3x3_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(euler_xyx_from_mat3x3_double) {
+  POINTERS_2
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     ksl_vec3_t angles;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(mat3x3_double, &R);
     ksl_euler_xyx_from_mat3x3_accurate(&R, &angles);
-    store_vec3_double(&angles, p1 + i * step[1], core + 2);
+    STORE(vec3_double, &angles, 1, 2);
   }
 }
+LOOP(euler_xyx_from_mat3x3_double, 2, DENSE_OR_ONE, 72, 24, 24, 8, 8)
 
-static void euler_xyx_from_mat3x3_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 24, 24, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    euler_xyx_from_mat3x3_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    euler_xyx_from_mat3x3_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  euler_xyx_from_mat3x3_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,3)->(3) */
-INLINED void euler_xyx_from_mat3x3_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(euler_xyx_from_mat3x3_single) {
+  POINTERS_2
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     ksl_vec3f_t angles;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(mat3x3_single, &R);
     ksl_euler_xyx_from_mat3x3f_accurate(&R, &angles);
-    store_vec3_single(&angles, p1 + i * step[1], core + 2);
+    STORE(vec3_single, &angles, 1, 2);
   }
 }
-
-static void euler_xyx_from_mat3x3_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 12, 12, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    euler_xyx_from_mat3x3_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 12, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    euler_xyx_from_mat3x3_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  euler_xyx_from_mat3x3_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction euler_xyx_from_mat3x3_loops[] = {
-    euler_xyx_from_mat3x3_double, euler_xyx_from_mat3x3_single};
+LOOP(euler_xyx_from_mat3x3_single, 2, DENSE_OR_ONE, 36, 12, 12, 4, 4)
+LOOPS(euler_xyx_from_mat3x3)
 
 /* (3,3),(3,3)->(3,3),(3,3) */
-INLINED void mat3x3_jacobi_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_jacobi_double) {
+  POINTERS_4
+  EACH {
     ksl_mat3x3_t A;
     ksl_mat3x3_t V;
-    load_mat3x3_double(&A, p0 + i * step[0], core + 0);
-    load_mat3x3_double(&V, p1 + i * step[1], core + 2);
+    LOAD(mat3x3_double, &A, 0, 0);
+    LOAD(mat3x3_double, &V, 1, 2);
     ksl_mat3x3_jacobi_accurate(&A, &V);
-    store_mat3x3_double(&A, p2 + i * step[2], core + 4);
-    store_mat3x3_double(&V, p3 + i * step[3], core + 6);
+    STORE(mat3x3_double, &A, 2, 4);
+    STORE(mat3x3_double, &V, 3, 6);
   }
 }
+LOOP(mat3x3_jacobi_double, 4, DENSE, 72, 72, 72, 72, 24, 8, 24, 8, 24, 8, 24, 8)
 
-static void mat3x3_jacobi_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 72, 72, 72, 24, 8, 24, 8, 24, 8, 24, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_jacobi_double_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  mat3x3_jacobi_double_over(data, n[0], step, step + 4);
-}
-
-/* (3,3),(3,3)->(3,3),(3,3) */
-INLINED void mat3x3_jacobi_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_jacobi_single) {
+  POINTERS_4
+  EACH {
     ksl_mat3x3f_t A;
     ksl_mat3x3f_t V;
-    load_mat3x3_single(&A, p0 + i * step[0], core + 0);
-    load_mat3x3_single(&V, p1 + i * step[1], core + 2);
+    LOAD(mat3x3_single, &A, 0, 0);
+    LOAD(mat3x3_single, &V, 1, 2);
     ksl_mat3x3f_jacobi_accurate(&A, &V);
-    store_mat3x3_single(&A, p2 + i * step[2], core + 4);
-    store_mat3x3_single(&V, p3 + i * step[3], core + 6);
+    STORE(mat3x3_single, &A, 2, 4);
+    STORE(mat3x3_single, &V, 3, 6);
   }
 }
-
-static void mat3x3_jacobi_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 36, 36, 36, 12, 4, 12, 4, 12, 4, 12, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_jacobi_single_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  mat3x3_jacobi_single_over(data, n[0], step, step + 4);
-}
-
-static PyUFuncGenericFunction mat3x3_jacobi_loops[] = {
-    mat3x3_jacobi_double, mat3x3_jacobi_single};
+LOOP(mat3x3_jacobi_single, 4, DENSE, 36, 36, 36, 36, 12, 4, 12, 4, 12, 4, 12, 4)
+LOOPS(mat3x3_jacobi)
 
 /* (3,3)->() */
-INLINED void mat3x3_rotation_defect_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_rotation_defect_double) {
+  POINTERS_2
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     double defect;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(mat3x3_double, &R);
     defect = ksl_mat3x3_rotation_defect_accurate(&R);
-    store_scalar_double(&defect, p1 + i * step[1], core + 2);
+    STORE(scalar_double, &defect, 1, 2);
   }
 }
+LOOP(mat3x3_rotation_defect_double, 2, DENSE_OR_ONE, 72, 8, 24, 8)
 
-static void mat3x3_rotation_defect_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 8, 24, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_rotation_defect_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 24, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat3x3_rotation_defect_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  mat3x3_rotation_defect_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,3)->() */
-INLINED void mat3x3_rotation_defect_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_rotation_defect_single) {
+  POINTERS_2
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     float defect;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(mat3x3_single, &R);
     defect = ksl_mat3x3f_rotation_defect_accurate(&R);
-    store_scalar_single(&defect, p1 + i * step[1], core + 2);
+    STORE(scalar_single, &defect, 1, 2);
   }
 }
-
-static void mat3x3_rotation_defect_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 4, 12, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_rotation_defect_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 12, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat3x3_rotation_defect_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  mat3x3_rotation_defect_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction mat3x3_rotation_defect_loops[] = {
-    mat3x3_rotation_defect_double, mat3x3_rotation_defect_single};
+LOOP(mat3x3_rotation_defect_single, 2, DENSE_OR_ONE, 36, 4, 12, 4)
+LOOPS(mat3x3_rotation_defect)
 
 /* (3),()->(3,3) */
-INLINED void mat3x3_from_axis_angle_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t axis;
-  load_vec3_double(&axis, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_from_axis_angle_double) {
+  POINTERS_3
+  LOAD_FIRST(vec3_double, ksl_vec3_t axis, &axis);
+  EACH {
     double angle;
     ksl_mat3x3_t R;
-    if (step[0] != 0) {
-      load_vec3_double(&axis, p0 + i * step[0], core + 0);
-    }
-    load_scalar_double(&angle, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &axis);
+    LOAD(scalar_double, &angle, 1, 1);
     ksl_mat3x3_from_axis_angle_accurate(&axis, angle, &R);
-    store_mat3x3_double(&R, p2 + i * step[2], core + 1);
+    STORE(mat3x3_double, &R, 2, 1);
   }
 }
+LOOP(mat3x3_from_axis_angle_double, 3, DENSE_OR_ONE, 24, 8, 72, 8, 24, 8)
 
-static void mat3x3_from_axis_angle_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 8, 72, 8, 24, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_from_axis_angle_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 72, 8, 24, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat3x3_from_axis_angle_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  mat3x3_from_axis_angle_double_over(data, n[0], step, step + 3);
-}
-
-/* (3),()->(3,3) */
-INLINED void mat3x3_from_axis_angle_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t axis;
-  load_vec3_single(&axis, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_from_axis_angle_single) {
+  POINTERS_3
+  LOAD_FIRST(vec3_single, ksl_vec3f_t axis, &axis);
+  EACH {
     float angle;
     ksl_mat3x3f_t R;
-    if (step[0] != 0) {
-      load_vec3_single(&axis, p0 + i * step[0], core + 0);
-    }
-    load_scalar_single(&angle, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &axis);
+    LOAD(scalar_single, &angle, 1, 1);
     ksl_mat3x3f_from_axis_angle_accurate(&axis, angle, &R);
-    store_mat3x3_single(&R, p2 + i * step[2], core + 1);
+    STORE(mat3x3_single, &R, 2, 1);
   }
 }
-
-static void mat3x3_from_axis_angle_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 4, 36, 4, 12, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_from_axis_angle_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 36, 4, 12, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat3x3_from_axis_angle_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  mat3x3_from_axis_angle_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction mat3x3_from_axis_angle_loops[] = {
-    mat3x3_from_axis_angle_double, mat3x3_from_axis_angle_single};
+LOOP(mat3x3_from_axis_angle_single, 3, DENSE_OR_ONE, 12, 4, 36, 4, 12, 4)
+LOOPS(mat3x3_from_axis_angle)
 
 /* (3,3)->(),(3) */
-INLINED void axis_angle_from_mat3x3_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(axis_angle_from_mat3x3_double) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     double angle;
     ksl_vec3_t axis;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(mat3x3_double, &R);
     angle = ksl_axis_angle_from_mat3x3_accurate(&R, &axis);
-    store_scalar_double(&angle, p1 + i * step[1], core + 2);
-    store_vec3_double(&axis, p2 + i * step[2], core + 2);
+    STORE(scalar_double, &angle, 1, 2);
+    STORE(vec3_double, &axis, 2, 2);
   }
 }
+LOOP(axis_angle_from_mat3x3_double, 3, DENSE_OR_ONE, 72, 8, 24, 24, 8, 8)
 
-static void axis_angle_from_mat3x3_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 8, 24, 24, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    axis_angle_from_mat3x3_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 24, 24, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    axis_angle_from_mat3x3_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  axis_angle_from_mat3x3_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,3)->(),(3) */
-INLINED void axis_angle_from_mat3x3_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(axis_angle_from_mat3x3_single) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     float angle;
     ksl_vec3f_t axis;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(mat3x3_single, &R);
     angle = ksl_axis_angle_from_mat3x3f_accurate(&R, &axis);
-    store_scalar_single(&angle, p1 + i * step[1], core + 2);
-    store_vec3_single(&axis, p2 + i * step[2], core + 2);
+    STORE(scalar_single, &angle, 1, 2);
+    STORE(vec3_single, &axis, 2, 2);
   }
 }
-
-static void axis_angle_from_mat3x3_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 4, 12, 12, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    axis_angle_from_mat3x3_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 12, 12, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    axis_angle_from_mat3x3_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  axis_angle_from_mat3x3_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction axis_angle_from_mat3x3_loops[] = {
-    axis_angle_from_mat3x3_double, axis_angle_from_mat3x3_single};
+LOOP(axis_angle_from_mat3x3_single, 3, DENSE_OR_ONE, 36, 4, 12, 12, 4, 4)
+LOOPS(axis_angle_from_mat3x3)
 
 const coscrew_gufunc TABLE(mat3x3)[] = {
   {"acceleration_tensor", "(3),(3)->(3,3)",

@@ -8,4428 +8,1526 @@
 #include "_gufunc.h"
 
 /* (4),()->(4) */
-INLINED void quaternion_scale_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_scale_double) {
+  POINTERS_3
+  EACH {
     ksl_quaternion_t self;
     double a;
-    load_quaternion_double(&self, p0 + i * step[0], core + 0);
-    load_scalar_double(&a, p1 + i * step[1], core + 1);
+    LOAD(quaternion_double, &self, 0, 0);
+    LOAD(scalar_double, &a, 1, 1);
     ksl_quaternion_scale_accurate(&self, a);
-    store_quaternion_double(&self, p2 + i * step[2], core + 1);
+    STORE(quaternion_double, &self, 2, 1);
   }
 }
+LOOP(quaternion_scale_double, 3, DENSE, 32, 8, 32, 8, 8)
 
-static void quaternion_scale_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 32, 8, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_scale_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  quaternion_scale_double_over(data, n[0], step, step + 3);
-}
-
-/* (4),()->(4) */
-INLINED void quaternion_scale_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_scale_single) {
+  POINTERS_3
+  EACH {
     ksl_quaternionf_t self;
     float a;
-    load_quaternion_single(&self, p0 + i * step[0], core + 0);
-    load_scalar_single(&a, p1 + i * step[1], core + 1);
+    LOAD(quaternion_single, &self, 0, 0);
+    LOAD(scalar_single, &a, 1, 1);
     ksl_quaternionf_scale_accurate(&self, a);
-    store_quaternion_single(&self, p2 + i * step[2], core + 1);
+    STORE(quaternion_single, &self, 2, 1);
   }
 }
-
-static void quaternion_scale_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 4, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_scale_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  quaternion_scale_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction quaternion_scale_loops[] = {
-    quaternion_scale_double, quaternion_scale_single};
+LOOP(quaternion_scale_single, 3, DENSE, 16, 4, 16, 4, 4)
+LOOPS(quaternion_scale)
 
 /* (),(4),(4)->(4) */
-INLINED void axpy_qq_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  double a;
-  load_scalar_double(&a, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(axpy_qq_double) {
+  POINTERS_4
+  LOAD_FIRST(scalar_double, double a, &a);
+  EACH {
     ksl_quaternion_t x;
     ksl_quaternion_t y;
-    if (step[0] != 0) {
-      load_scalar_double(&a, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_double(&x, p1 + i * step[1], core + 0);
-    load_quaternion_double(&y, p2 + i * step[2], core + 1);
+    LOAD_OTHER(scalar_double, &a);
+    LOAD(quaternion_double, &x, 1, 0);
+    LOAD(quaternion_double, &y, 2, 1);
     ksl_axpy_qq_accurate(a, &x, &y);
-    store_quaternion_double(&y, p3 + i * step[3], core + 2);
+    STORE(quaternion_double, &y, 3, 2);
   }
 }
+LOOP(axpy_qq_double, 4, DENSE_OR_ONE, 8, 32, 32, 32, 8, 8, 8)
 
-static void axpy_qq_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 8, 32, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    axpy_qq_double_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 32, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    axpy_qq_double_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  axpy_qq_double_over(data, n[0], step, step + 4);
-}
-
-/* (),(4),(4)->(4) */
-INLINED void axpy_qq_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  float a;
-  load_scalar_single(&a, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(axpy_qq_single) {
+  POINTERS_4
+  LOAD_FIRST(scalar_single, float a, &a);
+  EACH {
     ksl_quaternionf_t x;
     ksl_quaternionf_t y;
-    if (step[0] != 0) {
-      load_scalar_single(&a, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_single(&x, p1 + i * step[1], core + 0);
-    load_quaternion_single(&y, p2 + i * step[2], core + 1);
+    LOAD_OTHER(scalar_single, &a);
+    LOAD(quaternion_single, &x, 1, 0);
+    LOAD(quaternion_single, &y, 2, 1);
     ksl_axpy_qqf_accurate(a, &x, &y);
-    store_quaternion_single(&y, p3 + i * step[3], core + 2);
+    STORE(quaternion_single, &y, 3, 2);
   }
 }
-
-static void axpy_qq_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 4, 16, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    axpy_qq_single_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    axpy_qq_single_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  axpy_qq_single_over(data, n[0], step, step + 4);
-}
-
-static PyUFuncGenericFunction axpy_qq_loops[] = {
-    axpy_qq_double, axpy_qq_single};
+LOOP(axpy_qq_single, 4, DENSE_OR_ONE, 4, 16, 16, 16, 4, 4, 4)
+LOOPS(axpy_qq)
 
 /* (4)->() */
-INLINED void quaternion_norm_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternion_t q;
-  load_quaternion_double(&q, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_norm_double) {
+  POINTERS_2
+  LOAD_FIRST(quaternion_double, ksl_quaternion_t q, &q);
+  EACH {
     double norm;
-    if (step[0] != 0) {
-      load_quaternion_double(&q, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(quaternion_double, &q);
     norm = ksl_quaternion_norm_accurate(&q);
-    store_scalar_double(&norm, p1 + i * step[1], core + 1);
+    STORE(scalar_double, &norm, 1, 1);
   }
 }
+LOOP(quaternion_norm_double, 2, DENSE_OR_ONE, 32, 8, 8)
 
-static void quaternion_norm_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_norm_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_norm_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  quaternion_norm_double_over(data, n[0], step, step + 2);
-}
-
-/* (4)->() */
-INLINED void quaternion_norm_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternionf_t q;
-  load_quaternion_single(&q, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_norm_single) {
+  POINTERS_2
+  LOAD_FIRST(quaternion_single, ksl_quaternionf_t q, &q);
+  EACH {
     float norm;
-    if (step[0] != 0) {
-      load_quaternion_single(&q, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(quaternion_single, &q);
     norm = ksl_quaternionf_norm_accurate(&q);
-    store_scalar_single(&norm, p1 + i * step[1], core + 1);
+    STORE(scalar_single, &norm, 1, 1);
   }
 }
-
-static void quaternion_norm_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_norm_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_norm_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  quaternion_norm_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction quaternion_norm_loops[] = {
-    quaternion_norm_double, quaternion_norm_single};
+LOOP(quaternion_norm_single, 2, DENSE_OR_ONE, 16, 4, 4)
+LOOPS(quaternion_norm)
 
 /* (4)->(4) */
-INLINED void quaternion_normalize_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_normalize_double) {
+  POINTERS_2
+  EACH {
     ksl_quaternion_t self;
-    load_quaternion_double(&self, p0 + i * step[0], core + 0);
+    LOAD(quaternion_double, &self, 0, 0);
     ksl_quaternion_normalize_accurate(&self);
-    store_quaternion_double(&self, p1 + i * step[1], core + 1);
+    STORE(quaternion_double, &self, 1, 1);
   }
 }
+LOOP(quaternion_normalize_double, 2, DENSE, 32, 32, 8, 8)
 
-static void quaternion_normalize_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 32, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_normalize_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  quaternion_normalize_double_over(data, n[0], step, step + 2);
-}
-
-/* (4)->(4) */
-INLINED void quaternion_normalize_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_normalize_single) {
+  POINTERS_2
+  EACH {
     ksl_quaternionf_t self;
-    load_quaternion_single(&self, p0 + i * step[0], core + 0);
+    LOAD(quaternion_single, &self, 0, 0);
     ksl_quaternionf_normalize_accurate(&self);
-    store_quaternion_single(&self, p1 + i * step[1], core + 1);
+    STORE(quaternion_single, &self, 1, 1);
   }
 }
-
-static void quaternion_normalize_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_normalize_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  quaternion_normalize_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction quaternion_normalize_loops[] = {
-    quaternion_normalize_double, quaternion_normalize_single};
+LOOP(quaternion_normalize_single, 2, DENSE, 16, 16, 4, 4)
+LOOPS(quaternion_normalize)
 
 /* (4)->(4) */
-INLINED void quaternion_normalized_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternion_t q;
-  load_quaternion_double(&q, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_normalized_double) {
+  POINTERS_2
+  LOAD_FIRST(quaternion_double, ksl_quaternion_t q, &q);
+  EACH {
     ksl_quaternion_t qo;
-    if (step[0] != 0) {
-      load_quaternion_double(&q, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(quaternion_double, &q);
     ksl_quaternion_normalized_accurate(&q, &qo);
-    store_quaternion_double(&qo, p1 + i * step[1], core + 1);
+    STORE(quaternion_double, &qo, 1, 1);
   }
 }
+LOOP(quaternion_normalized_double, 2, DENSE_OR_ONE, 32, 32, 8, 8)
 
-static void quaternion_normalized_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 32, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_normalized_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 32, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_normalized_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  quaternion_normalized_double_over(data, n[0], step, step + 2);
-}
-
-/* (4)->(4) */
-INLINED void quaternion_normalized_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternionf_t q;
-  load_quaternion_single(&q, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_normalized_single) {
+  POINTERS_2
+  LOAD_FIRST(quaternion_single, ksl_quaternionf_t q, &q);
+  EACH {
     ksl_quaternionf_t qo;
-    if (step[0] != 0) {
-      load_quaternion_single(&q, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(quaternion_single, &q);
     ksl_quaternionf_normalized_accurate(&q, &qo);
-    store_quaternion_single(&qo, p1 + i * step[1], core + 1);
+    STORE(quaternion_single, &qo, 1, 1);
   }
 }
-
-static void quaternion_normalized_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_normalized_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_normalized_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  quaternion_normalized_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction quaternion_normalized_loops[] = {
-    quaternion_normalized_double, quaternion_normalized_single};
+LOOP(quaternion_normalized_single, 2, DENSE_OR_ONE, 16, 16, 4, 4)
+LOOPS(quaternion_normalized)
 
 /* (4)->() */
-INLINED void quaternion_unit_defect_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternion_t q;
-  load_quaternion_double(&q, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_unit_defect_double) {
+  POINTERS_2
+  LOAD_FIRST(quaternion_double, ksl_quaternion_t q, &q);
+  EACH {
     double defect;
-    if (step[0] != 0) {
-      load_quaternion_double(&q, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(quaternion_double, &q);
     defect = ksl_quaternion_unit_defect_accurate(&q);
-    store_scalar_double(&defect, p1 + i * step[1], core + 1);
+    STORE(scalar_double, &defect, 1, 1);
   }
 }
+LOOP(quaternion_unit_defect_double, 2, DENSE_OR_ONE, 32, 8, 8)
 
-static void quaternion_unit_defect_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_unit_defect_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_unit_defect_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  quaternion_unit_defect_double_over(data, n[0], step, step + 2);
-}
-
-/* (4)->() */
-INLINED void quaternion_unit_defect_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternionf_t q;
-  load_quaternion_single(&q, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_unit_defect_single) {
+  POINTERS_2
+  LOAD_FIRST(quaternion_single, ksl_quaternionf_t q, &q);
+  EACH {
     float defect;
-    if (step[0] != 0) {
-      load_quaternion_single(&q, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(quaternion_single, &q);
     defect = ksl_quaternionf_unit_defect_accurate(&q);
-    store_scalar_single(&defect, p1 + i * step[1], core + 1);
+    STORE(scalar_single, &defect, 1, 1);
   }
 }
-
-static void quaternion_unit_defect_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_unit_defect_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_unit_defect_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  quaternion_unit_defect_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction quaternion_unit_defect_loops[] = {
-    quaternion_unit_defect_double, quaternion_unit_defect_single};
+LOOP(quaternion_unit_defect_single, 2, DENSE_OR_ONE, 16, 4, 4)
+LOOPS(quaternion_unit_defect)
 
 /* (4)->(4) */
-INLINED void quaternion_nearest_unit_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternion_t q;
-  load_quaternion_double(&q, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_nearest_unit_double) {
+  POINTERS_2
+  LOAD_FIRST(quaternion_double, ksl_quaternion_t q, &q);
+  EACH {
     ksl_quaternion_t qo;
-    if (step[0] != 0) {
-      load_quaternion_double(&q, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(quaternion_double, &q);
     ksl_quaternion_nearest_unit_accurate(&q, &qo);
-    store_quaternion_double(&qo, p1 + i * step[1], core + 1);
+    STORE(quaternion_double, &qo, 1, 1);
   }
 }
+LOOP(quaternion_nearest_unit_double, 2, DENSE_OR_ONE, 32, 32, 8, 8)
 
-static void quaternion_nearest_unit_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 32, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_nearest_unit_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 32, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_nearest_unit_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  quaternion_nearest_unit_double_over(data, n[0], step, step + 2);
-}
-
-/* (4)->(4) */
-INLINED void quaternion_nearest_unit_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternionf_t q;
-  load_quaternion_single(&q, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_nearest_unit_single) {
+  POINTERS_2
+  LOAD_FIRST(quaternion_single, ksl_quaternionf_t q, &q);
+  EACH {
     ksl_quaternionf_t qo;
-    if (step[0] != 0) {
-      load_quaternion_single(&q, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(quaternion_single, &q);
     ksl_quaternionf_nearest_unit_accurate(&q, &qo);
-    store_quaternion_single(&qo, p1 + i * step[1], core + 1);
+    STORE(quaternion_single, &qo, 1, 1);
   }
 }
-
-static void quaternion_nearest_unit_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_nearest_unit_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_nearest_unit_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  quaternion_nearest_unit_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction quaternion_nearest_unit_loops[] = {
-    quaternion_nearest_unit_double, quaternion_nearest_unit_single};
+LOOP(quaternion_nearest_unit_single, 2, DENSE_OR_ONE, 16, 16, 4, 4)
+LOOPS(quaternion_nearest_unit)
 
 /* (4),(3)->(3) */
-INLINED void rotate_qv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternion_t q;
-  load_quaternion_double(&q, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(rotate_qv_double) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_double, ksl_quaternion_t q, &q);
+  EACH {
     ksl_vec3_t v;
     ksl_vec3_t vo;
-    if (step[0] != 0) {
-      load_quaternion_double(&q, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&v, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_double, &q);
+    LOAD(vec3_double, &v, 1, 1);
     ksl_rotate_qv_accurate(&q, &v, &vo);
-    store_vec3_double(&vo, p2 + i * step[2], core + 2);
+    STORE(vec3_double, &vo, 2, 2);
   }
 }
+LOOP(rotate_qv_double, 3, DENSE_OR_ONE, 32, 24, 24, 8, 8, 8)
 
-static void rotate_qv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 32, 24, 24, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    rotate_qv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    rotate_qv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  rotate_qv_double_over(data, n[0], step, step + 3);
-}
-
-/* (4),(3)->(3) */
-INLINED void rotate_qv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternionf_t q;
-  load_quaternion_single(&q, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(rotate_qv_single) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_single, ksl_quaternionf_t q, &q);
+  EACH {
     ksl_vec3f_t v;
     ksl_vec3f_t vo;
-    if (step[0] != 0) {
-      load_quaternion_single(&q, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&v, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_single, &q);
+    LOAD(vec3_single, &v, 1, 1);
     ksl_rotate_qvf_accurate(&q, &v, &vo);
-    store_vec3_single(&vo, p2 + i * step[2], core + 2);
+    STORE(vec3_single, &vo, 2, 2);
   }
 }
-
-static void rotate_qv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 12, 12, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    rotate_qv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 12, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    rotate_qv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  rotate_qv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction rotate_qv_loops[] = {
-    rotate_qv_double, rotate_qv_single};
+LOOP(rotate_qv_single, 3, DENSE_OR_ONE, 16, 12, 12, 4, 4, 4)
+LOOPS(rotate_qv)
 
 /* (4),(3)->(3) */
-INLINED void rotate_qconjv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternion_t q;
-  load_quaternion_double(&q, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(rotate_qconjv_double) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_double, ksl_quaternion_t q, &q);
+  EACH {
     ksl_vec3_t v;
     ksl_vec3_t vo;
-    if (step[0] != 0) {
-      load_quaternion_double(&q, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&v, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_double, &q);
+    LOAD(vec3_double, &v, 1, 1);
     ksl_rotate_qconjv_accurate(&q, &v, &vo);
-    store_vec3_double(&vo, p2 + i * step[2], core + 2);
+    STORE(vec3_double, &vo, 2, 2);
   }
 }
+LOOP(rotate_qconjv_double, 3, DENSE_OR_ONE, 32, 24, 24, 8, 8, 8)
 
-static void rotate_qconjv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 32, 24, 24, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    rotate_qconjv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    rotate_qconjv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  rotate_qconjv_double_over(data, n[0], step, step + 3);
-}
-
-/* (4),(3)->(3) */
-INLINED void rotate_qconjv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternionf_t q;
-  load_quaternion_single(&q, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(rotate_qconjv_single) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_single, ksl_quaternionf_t q, &q);
+  EACH {
     ksl_vec3f_t v;
     ksl_vec3f_t vo;
-    if (step[0] != 0) {
-      load_quaternion_single(&q, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&v, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_single, &q);
+    LOAD(vec3_single, &v, 1, 1);
     ksl_rotate_qconjvf_accurate(&q, &v, &vo);
-    store_vec3_single(&vo, p2 + i * step[2], core + 2);
+    STORE(vec3_single, &vo, 2, 2);
   }
 }
-
-static void rotate_qconjv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 12, 12, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    rotate_qconjv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 12, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    rotate_qconjv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  rotate_qconjv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction rotate_qconjv_loops[] = {
-    rotate_qconjv_double, rotate_qconjv_single};
+LOOP(rotate_qconjv_single, 3, DENSE_OR_ONE, 16, 12, 12, 4, 4, 4)
+LOOPS(rotate_qconjv)
 
 /* (4),(4)->(4) */
-INLINED void quaternion_product_qq_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternion_t q1i;
-  load_quaternion_double(&q1i, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qq_double) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_double, ksl_quaternion_t q1i, &q1i);
+  EACH {
     ksl_quaternion_t q2i;
     ksl_quaternion_t qo;
-    if (step[0] != 0) {
-      load_quaternion_double(&q1i, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_double(&q2i, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_double, &q1i);
+    LOAD(quaternion_double, &q2i, 1, 1);
     ksl_quaternion_product_qq_accurate(&q1i, &q2i, &qo);
-    store_quaternion_double(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_double, &qo, 2, 2);
   }
 }
+LOOP(quaternion_product_qq_double, 3, DENSE_OR_ONE, 32, 32, 32, 8, 8, 8)
 
-static void quaternion_product_qq_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 32, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qq_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qq_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qq_double_over(data, n[0], step, step + 3);
-}
-
-/* (4),(4)->(4) */
-INLINED void quaternion_product_qq_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternionf_t q1i;
-  load_quaternion_single(&q1i, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qq_single) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_single, ksl_quaternionf_t q1i, &q1i);
+  EACH {
     ksl_quaternionf_t q2i;
     ksl_quaternionf_t qo;
-    if (step[0] != 0) {
-      load_quaternion_single(&q1i, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_single(&q2i, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_single, &q1i);
+    LOAD(quaternion_single, &q2i, 1, 1);
     ksl_product_qqf_accurate(&q1i, &q2i, &qo);
-    store_quaternion_single(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_single, &qo, 2, 2);
   }
 }
-
-static void quaternion_product_qq_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qq_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qq_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qq_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction quaternion_product_qq_loops[] = {
-    quaternion_product_qq_double, quaternion_product_qq_single};
+LOOP(quaternion_product_qq_single, 3, DENSE_OR_ONE, 16, 16, 16, 4, 4, 4)
+LOOPS(quaternion_product_qq)
 
 /* (4),(4)->(4) */
-INLINED void quaternion_product_qqconj_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternion_t q1i;
-  load_quaternion_double(&q1i, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qqconj_double) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_double, ksl_quaternion_t q1i, &q1i);
+  EACH {
     ksl_quaternion_t q2i;
     ksl_quaternion_t qo;
-    if (step[0] != 0) {
-      load_quaternion_double(&q1i, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_double(&q2i, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_double, &q1i);
+    LOAD(quaternion_double, &q2i, 1, 1);
     ksl_quaternion_product_qqconj_accurate(&q1i, &q2i, &qo);
-    store_quaternion_double(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_double, &qo, 2, 2);
   }
 }
+LOOP(quaternion_product_qqconj_double, 3, DENSE_OR_ONE, 32, 32, 32, 8, 8, 8)
 
-static void quaternion_product_qqconj_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 32, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qqconj_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qqconj_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qqconj_double_over(data, n[0], step, step + 3);
-}
-
-/* (4),(4)->(4) */
-INLINED void quaternion_product_qqconj_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternionf_t q1i;
-  load_quaternion_single(&q1i, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qqconj_single) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_single, ksl_quaternionf_t q1i, &q1i);
+  EACH {
     ksl_quaternionf_t q2i;
     ksl_quaternionf_t qo;
-    if (step[0] != 0) {
-      load_quaternion_single(&q1i, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_single(&q2i, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_single, &q1i);
+    LOAD(quaternion_single, &q2i, 1, 1);
     ksl_product_qqconjf_accurate(&q1i, &q2i, &qo);
-    store_quaternion_single(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_single, &qo, 2, 2);
   }
 }
-
-static void quaternion_product_qqconj_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qqconj_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qqconj_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qqconj_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction quaternion_product_qqconj_loops[] = {
-    quaternion_product_qqconj_double, quaternion_product_qqconj_single};
+LOOP(quaternion_product_qqconj_single, 3, DENSE_OR_ONE, 16, 16, 16, 4, 4, 4)
+LOOPS(quaternion_product_qqconj)
 
 /* (4),(4)->(4) */
-INLINED void quaternion_product_qconjq_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternion_t q1i;
-  load_quaternion_double(&q1i, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qconjq_double) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_double, ksl_quaternion_t q1i, &q1i);
+  EACH {
     ksl_quaternion_t q2i;
     ksl_quaternion_t qo;
-    if (step[0] != 0) {
-      load_quaternion_double(&q1i, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_double(&q2i, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_double, &q1i);
+    LOAD(quaternion_double, &q2i, 1, 1);
     ksl_quaternion_product_qconjq_accurate(&q1i, &q2i, &qo);
-    store_quaternion_double(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_double, &qo, 2, 2);
   }
 }
+LOOP(quaternion_product_qconjq_double, 3, DENSE_OR_ONE, 32, 32, 32, 8, 8, 8)
 
-static void quaternion_product_qconjq_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 32, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qconjq_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qconjq_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qconjq_double_over(data, n[0], step, step + 3);
-}
-
-/* (4),(4)->(4) */
-INLINED void quaternion_product_qconjq_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternionf_t q1i;
-  load_quaternion_single(&q1i, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qconjq_single) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_single, ksl_quaternionf_t q1i, &q1i);
+  EACH {
     ksl_quaternionf_t q2i;
     ksl_quaternionf_t qo;
-    if (step[0] != 0) {
-      load_quaternion_single(&q1i, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_single(&q2i, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_single, &q1i);
+    LOAD(quaternion_single, &q2i, 1, 1);
     ksl_product_qconjqf_accurate(&q1i, &q2i, &qo);
-    store_quaternion_single(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_single, &qo, 2, 2);
   }
 }
-
-static void quaternion_product_qconjq_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qconjq_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qconjq_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qconjq_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction quaternion_product_qconjq_loops[] = {
-    quaternion_product_qconjq_double, quaternion_product_qconjq_single};
+LOOP(quaternion_product_qconjq_single, 3, DENSE_OR_ONE, 16, 16, 16, 4, 4, 4)
+LOOPS(quaternion_product_qconjq)
 
 /* (4),(4)->(4) */
-INLINED void quaternion_product_qconjqconj_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternion_t q1i;
-  load_quaternion_double(&q1i, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qconjqconj_double) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_double, ksl_quaternion_t q1i, &q1i);
+  EACH {
     ksl_quaternion_t q2i;
     ksl_quaternion_t qo;
-    if (step[0] != 0) {
-      load_quaternion_double(&q1i, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_double(&q2i, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_double, &q1i);
+    LOAD(quaternion_double, &q2i, 1, 1);
     ksl_quaternion_product_qconjqconj_accurate(&q1i, &q2i, &qo);
-    store_quaternion_double(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_double, &qo, 2, 2);
   }
 }
+LOOP(quaternion_product_qconjqconj_double, 3, DENSE_OR_ONE, 32, 32, 32, 8, 8, 8)
 
-static void quaternion_product_qconjqconj_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 32, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qconjqconj_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qconjqconj_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qconjqconj_double_over(data, n[0], step, step + 3);
-}
-
-/* (4),(4)->(4) */
-INLINED void quaternion_product_qconjqconj_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternionf_t q1i;
-  load_quaternion_single(&q1i, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qconjqconj_single) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_single, ksl_quaternionf_t q1i, &q1i);
+  EACH {
     ksl_quaternionf_t q2i;
     ksl_quaternionf_t qo;
-    if (step[0] != 0) {
-      load_quaternion_single(&q1i, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_single(&q2i, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_single, &q1i);
+    LOAD(quaternion_single, &q2i, 1, 1);
     ksl_product_qconjqconjf_accurate(&q1i, &q2i, &qo);
-    store_quaternion_single(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_single, &qo, 2, 2);
   }
 }
-
-static void quaternion_product_qconjqconj_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qconjqconj_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qconjqconj_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qconjqconj_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction quaternion_product_qconjqconj_loops[] = {
-    quaternion_product_qconjqconj_double, quaternion_product_qconjqconj_single};
+LOOP(quaternion_product_qconjqconj_single, 3, DENSE_OR_ONE, 16, 16, 16, 4, 4, 4)
+LOOPS(quaternion_product_qconjqconj)
 
 /* (2),(4)->(4) */
-INLINED void quaternion_product_qxq_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  double dci[2];
-  load_dc_double(dci, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qxq_double) {
+  POINTERS_3
+  LOAD_FIRST(dc_double, double dci[2], dci);
+  EACH {
     ksl_quaternion_t qi;
     ksl_quaternion_t qo;
-    if (step[0] != 0) {
-      load_dc_double(dci, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_double(&qi, p1 + i * step[1], core + 1);
+    LOAD_OTHER(dc_double, dci);
+    LOAD(quaternion_double, &qi, 1, 1);
     ksl_quaternion_product_qxq_accurate(dci, &qi, &qo);
-    store_quaternion_double(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_double, &qo, 2, 2);
   }
 }
+LOOP(quaternion_product_qxq_double, 3, DENSE_OR_ONE, 16, 32, 32, 8, 8, 8)
 
-static void quaternion_product_qxq_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qxq_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qxq_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qxq_double_over(data, n[0], step, step + 3);
-}
-
-/* (2),(4)->(4) */
-INLINED void quaternion_product_qxq_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  float dci[2];
-  load_dc_single(dci, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qxq_single) {
+  POINTERS_3
+  LOAD_FIRST(dc_single, float dci[2], dci);
+  EACH {
     ksl_quaternionf_t qi;
     ksl_quaternionf_t qo;
-    if (step[0] != 0) {
-      load_dc_single(dci, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_single(&qi, p1 + i * step[1], core + 1);
+    LOAD_OTHER(dc_single, dci);
+    LOAD(quaternion_single, &qi, 1, 1);
     ksl_product_qxqf_accurate(dci, &qi, &qo);
-    store_quaternion_single(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_single, &qo, 2, 2);
   }
 }
-
-static void quaternion_product_qxq_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 8, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qxq_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qxq_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qxq_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction quaternion_product_qxq_loops[] = {
-    quaternion_product_qxq_double, quaternion_product_qxq_single};
+LOOP(quaternion_product_qxq_single, 3, DENSE_OR_ONE, 8, 16, 16, 4, 4, 4)
+LOOPS(quaternion_product_qxq)
 
 /* (2),(4)->(4) */
-INLINED void quaternion_product_qxqconj_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  double dci[2];
-  load_dc_double(dci, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qxqconj_double) {
+  POINTERS_3
+  LOAD_FIRST(dc_double, double dci[2], dci);
+  EACH {
     ksl_quaternion_t qi;
     ksl_quaternion_t qo;
-    if (step[0] != 0) {
-      load_dc_double(dci, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_double(&qi, p1 + i * step[1], core + 1);
+    LOAD_OTHER(dc_double, dci);
+    LOAD(quaternion_double, &qi, 1, 1);
     ksl_quaternion_product_qxqconj_accurate(dci, &qi, &qo);
-    store_quaternion_double(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_double, &qo, 2, 2);
   }
 }
+LOOP(quaternion_product_qxqconj_double, 3, DENSE_OR_ONE, 16, 32, 32, 8, 8, 8)
 
-static void quaternion_product_qxqconj_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qxqconj_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qxqconj_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qxqconj_double_over(data, n[0], step, step + 3);
-}
-
-/* (2),(4)->(4) */
-INLINED void quaternion_product_qxqconj_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  float dci[2];
-  load_dc_single(dci, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qxqconj_single) {
+  POINTERS_3
+  LOAD_FIRST(dc_single, float dci[2], dci);
+  EACH {
     ksl_quaternionf_t qi;
     ksl_quaternionf_t qo;
-    if (step[0] != 0) {
-      load_dc_single(dci, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_single(&qi, p1 + i * step[1], core + 1);
+    LOAD_OTHER(dc_single, dci);
+    LOAD(quaternion_single, &qi, 1, 1);
     ksl_product_qxqconjf_accurate(dci, &qi, &qo);
-    store_quaternion_single(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_single, &qo, 2, 2);
   }
 }
-
-static void quaternion_product_qxqconj_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 8, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qxqconj_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qxqconj_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qxqconj_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction quaternion_product_qxqconj_loops[] = {
-    quaternion_product_qxqconj_double, quaternion_product_qxqconj_single};
+LOOP(quaternion_product_qxqconj_single, 3, DENSE_OR_ONE, 8, 16, 16, 4, 4, 4)
+LOOPS(quaternion_product_qxqconj)
 
 /* (2),(4)->(4) */
-INLINED void quaternion_product_qxconjq_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  double dci[2];
-  load_dc_double(dci, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qxconjq_double) {
+  POINTERS_3
+  LOAD_FIRST(dc_double, double dci[2], dci);
+  EACH {
     ksl_quaternion_t qi;
     ksl_quaternion_t qo;
-    if (step[0] != 0) {
-      load_dc_double(dci, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_double(&qi, p1 + i * step[1], core + 1);
+    LOAD_OTHER(dc_double, dci);
+    LOAD(quaternion_double, &qi, 1, 1);
     ksl_quaternion_product_qxconjq_accurate(dci, &qi, &qo);
-    store_quaternion_double(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_double, &qo, 2, 2);
   }
 }
+LOOP(quaternion_product_qxconjq_double, 3, DENSE_OR_ONE, 16, 32, 32, 8, 8, 8)
 
-static void quaternion_product_qxconjq_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qxconjq_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qxconjq_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qxconjq_double_over(data, n[0], step, step + 3);
-}
-
-/* (2),(4)->(4) */
-INLINED void quaternion_product_qxconjq_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  float dci[2];
-  load_dc_single(dci, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qxconjq_single) {
+  POINTERS_3
+  LOAD_FIRST(dc_single, float dci[2], dci);
+  EACH {
     ksl_quaternionf_t qi;
     ksl_quaternionf_t qo;
-    if (step[0] != 0) {
-      load_dc_single(dci, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_single(&qi, p1 + i * step[1], core + 1);
+    LOAD_OTHER(dc_single, dci);
+    LOAD(quaternion_single, &qi, 1, 1);
     ksl_product_qxconjqf_accurate(dci, &qi, &qo);
-    store_quaternion_single(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_single, &qo, 2, 2);
   }
 }
-
-static void quaternion_product_qxconjq_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 8, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qxconjq_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qxconjq_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qxconjq_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction quaternion_product_qxconjq_loops[] = {
-    quaternion_product_qxconjq_double, quaternion_product_qxconjq_single};
+LOOP(quaternion_product_qxconjq_single, 3, DENSE_OR_ONE, 8, 16, 16, 4, 4, 4)
+LOOPS(quaternion_product_qxconjq)
 
 /* (2),(4)->(4) */
-INLINED void quaternion_product_qxconjqconj_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  double dci[2];
-  load_dc_double(dci, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qxconjqconj_double) {
+  POINTERS_3
+  LOAD_FIRST(dc_double, double dci[2], dci);
+  EACH {
     ksl_quaternion_t qi;
     ksl_quaternion_t qo;
-    if (step[0] != 0) {
-      load_dc_double(dci, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_double(&qi, p1 + i * step[1], core + 1);
+    LOAD_OTHER(dc_double, dci);
+    LOAD(quaternion_double, &qi, 1, 1);
     ksl_quaternion_product_qxconjqconj_accurate(dci, &qi, &qo);
-    store_quaternion_double(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_double, &qo, 2, 2);
   }
 }
+LOOP(quaternion_product_qxconjqconj_double, 3, DENSE_OR_ONE, 16, 32, 32, 8, 8, 8)
 
-static void quaternion_product_qxconjqconj_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qxconjqconj_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qxconjqconj_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qxconjqconj_double_over(data, n[0], step, step + 3);
-}
-
-/* (2),(4)->(4) */
-INLINED void quaternion_product_qxconjqconj_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  float dci[2];
-  load_dc_single(dci, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qxconjqconj_single) {
+  POINTERS_3
+  LOAD_FIRST(dc_single, float dci[2], dci);
+  EACH {
     ksl_quaternionf_t qi;
     ksl_quaternionf_t qo;
-    if (step[0] != 0) {
-      load_dc_single(dci, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_single(&qi, p1 + i * step[1], core + 1);
+    LOAD_OTHER(dc_single, dci);
+    LOAD(quaternion_single, &qi, 1, 1);
     ksl_product_qxconjqconjf_accurate(dci, &qi, &qo);
-    store_quaternion_single(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_single, &qo, 2, 2);
   }
 }
-
-static void quaternion_product_qxconjqconj_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 8, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qxconjqconj_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qxconjqconj_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qxconjqconj_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction quaternion_product_qxconjqconj_loops[] = {
-    quaternion_product_qxconjqconj_double, quaternion_product_qxconjqconj_single};
+LOOP(quaternion_product_qxconjqconj_single, 3, DENSE_OR_ONE, 8, 16, 16, 4, 4, 4)
+LOOPS(quaternion_product_qxconjqconj)
 
 /* (4),(2)->(4) */
-INLINED void quaternion_product_qqx_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternion_t qi;
-  load_quaternion_double(&qi, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qqx_double) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_double, ksl_quaternion_t qi, &qi);
+  EACH {
     double dci[2];
     ksl_quaternion_t qo;
-    if (step[0] != 0) {
-      load_quaternion_double(&qi, p0 + i * step[0], core + 0);
-    }
-    load_dc_double(dci, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_double, &qi);
+    LOAD(dc_double, dci, 1, 1);
     ksl_quaternion_product_qqx_accurate(&qi, dci, &qo);
-    store_quaternion_double(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_double, &qo, 2, 2);
   }
 }
+LOOP(quaternion_product_qqx_double, 3, DENSE_OR_ONE, 32, 16, 32, 8, 8, 8)
 
-static void quaternion_product_qqx_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 32, 16, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qqx_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qqx_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qqx_double_over(data, n[0], step, step + 3);
-}
-
-/* (4),(2)->(4) */
-INLINED void quaternion_product_qqx_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternionf_t qi;
-  load_quaternion_single(&qi, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qqx_single) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_single, ksl_quaternionf_t qi, &qi);
+  EACH {
     float dci[2];
     ksl_quaternionf_t qo;
-    if (step[0] != 0) {
-      load_quaternion_single(&qi, p0 + i * step[0], core + 0);
-    }
-    load_dc_single(dci, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_single, &qi);
+    LOAD(dc_single, dci, 1, 1);
     ksl_product_qqxf_accurate(&qi, dci, &qo);
-    store_quaternion_single(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_single, &qo, 2, 2);
   }
 }
-
-static void quaternion_product_qqx_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 8, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qqx_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qqx_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qqx_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction quaternion_product_qqx_loops[] = {
-    quaternion_product_qqx_double, quaternion_product_qqx_single};
+LOOP(quaternion_product_qqx_single, 3, DENSE_OR_ONE, 16, 8, 16, 4, 4, 4)
+LOOPS(quaternion_product_qqx)
 
 /* (4),(2)->(4) */
-INLINED void quaternion_product_qqxconj_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternion_t qi;
-  load_quaternion_double(&qi, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qqxconj_double) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_double, ksl_quaternion_t qi, &qi);
+  EACH {
     double dci[2];
     ksl_quaternion_t qo;
-    if (step[0] != 0) {
-      load_quaternion_double(&qi, p0 + i * step[0], core + 0);
-    }
-    load_dc_double(dci, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_double, &qi);
+    LOAD(dc_double, dci, 1, 1);
     ksl_quaternion_product_qqxconj_accurate(&qi, dci, &qo);
-    store_quaternion_double(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_double, &qo, 2, 2);
   }
 }
+LOOP(quaternion_product_qqxconj_double, 3, DENSE_OR_ONE, 32, 16, 32, 8, 8, 8)
 
-static void quaternion_product_qqxconj_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 32, 16, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qqxconj_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qqxconj_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qqxconj_double_over(data, n[0], step, step + 3);
-}
-
-/* (4),(2)->(4) */
-INLINED void quaternion_product_qqxconj_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternionf_t qi;
-  load_quaternion_single(&qi, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qqxconj_single) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_single, ksl_quaternionf_t qi, &qi);
+  EACH {
     float dci[2];
     ksl_quaternionf_t qo;
-    if (step[0] != 0) {
-      load_quaternion_single(&qi, p0 + i * step[0], core + 0);
-    }
-    load_dc_single(dci, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_single, &qi);
+    LOAD(dc_single, dci, 1, 1);
     ksl_product_qqxconjf_accurate(&qi, dci, &qo);
-    store_quaternion_single(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_single, &qo, 2, 2);
   }
 }
-
-static void quaternion_product_qqxconj_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 8, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qqxconj_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qqxconj_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qqxconj_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction quaternion_product_qqxconj_loops[] = {
-    quaternion_product_qqxconj_double, quaternion_product_qqxconj_single};
+LOOP(quaternion_product_qqxconj_single, 3, DENSE_OR_ONE, 16, 8, 16, 4, 4, 4)
+LOOPS(quaternion_product_qqxconj)
 
 /* (4),(2)->(4) */
-INLINED void quaternion_product_qconjqx_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternion_t qi;
-  load_quaternion_double(&qi, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qconjqx_double) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_double, ksl_quaternion_t qi, &qi);
+  EACH {
     double dci[2];
     ksl_quaternion_t qo;
-    if (step[0] != 0) {
-      load_quaternion_double(&qi, p0 + i * step[0], core + 0);
-    }
-    load_dc_double(dci, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_double, &qi);
+    LOAD(dc_double, dci, 1, 1);
     ksl_quaternion_product_qconjqx_accurate(&qi, dci, &qo);
-    store_quaternion_double(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_double, &qo, 2, 2);
   }
 }
+LOOP(quaternion_product_qconjqx_double, 3, DENSE_OR_ONE, 32, 16, 32, 8, 8, 8)
 
-static void quaternion_product_qconjqx_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 32, 16, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qconjqx_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qconjqx_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qconjqx_double_over(data, n[0], step, step + 3);
-}
-
-/* (4),(2)->(4) */
-INLINED void quaternion_product_qconjqx_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternionf_t qi;
-  load_quaternion_single(&qi, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qconjqx_single) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_single, ksl_quaternionf_t qi, &qi);
+  EACH {
     float dci[2];
     ksl_quaternionf_t qo;
-    if (step[0] != 0) {
-      load_quaternion_single(&qi, p0 + i * step[0], core + 0);
-    }
-    load_dc_single(dci, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_single, &qi);
+    LOAD(dc_single, dci, 1, 1);
     ksl_product_qconjqxf_accurate(&qi, dci, &qo);
-    store_quaternion_single(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_single, &qo, 2, 2);
   }
 }
-
-static void quaternion_product_qconjqx_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 8, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qconjqx_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qconjqx_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qconjqx_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction quaternion_product_qconjqx_loops[] = {
-    quaternion_product_qconjqx_double, quaternion_product_qconjqx_single};
+LOOP(quaternion_product_qconjqx_single, 3, DENSE_OR_ONE, 16, 8, 16, 4, 4, 4)
+LOOPS(quaternion_product_qconjqx)
 
 /* (4),(2)->(4) */
-INLINED void quaternion_product_qconjqxconj_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternion_t qi;
-  load_quaternion_double(&qi, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qconjqxconj_double) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_double, ksl_quaternion_t qi, &qi);
+  EACH {
     double dci[2];
     ksl_quaternion_t qo;
-    if (step[0] != 0) {
-      load_quaternion_double(&qi, p0 + i * step[0], core + 0);
-    }
-    load_dc_double(dci, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_double, &qi);
+    LOAD(dc_double, dci, 1, 1);
     ksl_quaternion_product_qconjqxconj_accurate(&qi, dci, &qo);
-    store_quaternion_double(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_double, &qo, 2, 2);
   }
 }
+LOOP(quaternion_product_qconjqxconj_double, 3, DENSE_OR_ONE, 32, 16, 32, 8, 8, 8)
 
-static void quaternion_product_qconjqxconj_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 32, 16, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qconjqxconj_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qconjqxconj_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qconjqxconj_double_over(data, n[0], step, step + 3);
-}
-
-/* (4),(2)->(4) */
-INLINED void quaternion_product_qconjqxconj_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternionf_t qi;
-  load_quaternion_single(&qi, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qconjqxconj_single) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_single, ksl_quaternionf_t qi, &qi);
+  EACH {
     float dci[2];
     ksl_quaternionf_t qo;
-    if (step[0] != 0) {
-      load_quaternion_single(&qi, p0 + i * step[0], core + 0);
-    }
-    load_dc_single(dci, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_single, &qi);
+    LOAD(dc_single, dci, 1, 1);
     ksl_product_qconjqxconjf_accurate(&qi, dci, &qo);
-    store_quaternion_single(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_single, &qo, 2, 2);
   }
 }
-
-static void quaternion_product_qconjqxconj_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 8, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qconjqxconj_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qconjqxconj_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qconjqxconj_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction quaternion_product_qconjqxconj_loops[] = {
-    quaternion_product_qconjqxconj_double, quaternion_product_qconjqxconj_single};
+LOOP(quaternion_product_qconjqxconj_single, 3, DENSE_OR_ONE, 16, 8, 16, 4, 4, 4)
+LOOPS(quaternion_product_qconjqxconj)
 
 /* (2),(4)->(4) */
-INLINED void quaternion_product_qyq_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  double dci[2];
-  load_dc_double(dci, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qyq_double) {
+  POINTERS_3
+  LOAD_FIRST(dc_double, double dci[2], dci);
+  EACH {
     ksl_quaternion_t qi;
     ksl_quaternion_t qo;
-    if (step[0] != 0) {
-      load_dc_double(dci, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_double(&qi, p1 + i * step[1], core + 1);
+    LOAD_OTHER(dc_double, dci);
+    LOAD(quaternion_double, &qi, 1, 1);
     ksl_quaternion_product_qyq_accurate(dci, &qi, &qo);
-    store_quaternion_double(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_double, &qo, 2, 2);
   }
 }
+LOOP(quaternion_product_qyq_double, 3, DENSE_OR_ONE, 16, 32, 32, 8, 8, 8)
 
-static void quaternion_product_qyq_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qyq_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qyq_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qyq_double_over(data, n[0], step, step + 3);
-}
-
-/* (2),(4)->(4) */
-INLINED void quaternion_product_qyq_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  float dci[2];
-  load_dc_single(dci, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qyq_single) {
+  POINTERS_3
+  LOAD_FIRST(dc_single, float dci[2], dci);
+  EACH {
     ksl_quaternionf_t qi;
     ksl_quaternionf_t qo;
-    if (step[0] != 0) {
-      load_dc_single(dci, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_single(&qi, p1 + i * step[1], core + 1);
+    LOAD_OTHER(dc_single, dci);
+    LOAD(quaternion_single, &qi, 1, 1);
     ksl_product_qyqf_accurate(dci, &qi, &qo);
-    store_quaternion_single(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_single, &qo, 2, 2);
   }
 }
-
-static void quaternion_product_qyq_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 8, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qyq_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qyq_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qyq_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction quaternion_product_qyq_loops[] = {
-    quaternion_product_qyq_double, quaternion_product_qyq_single};
+LOOP(quaternion_product_qyq_single, 3, DENSE_OR_ONE, 8, 16, 16, 4, 4, 4)
+LOOPS(quaternion_product_qyq)
 
 /* (2),(4)->(4) */
-INLINED void quaternion_product_qyqconj_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  double dci[2];
-  load_dc_double(dci, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qyqconj_double) {
+  POINTERS_3
+  LOAD_FIRST(dc_double, double dci[2], dci);
+  EACH {
     ksl_quaternion_t qi;
     ksl_quaternion_t qo;
-    if (step[0] != 0) {
-      load_dc_double(dci, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_double(&qi, p1 + i * step[1], core + 1);
+    LOAD_OTHER(dc_double, dci);
+    LOAD(quaternion_double, &qi, 1, 1);
     ksl_quaternion_product_qyqconj_accurate(dci, &qi, &qo);
-    store_quaternion_double(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_double, &qo, 2, 2);
   }
 }
+LOOP(quaternion_product_qyqconj_double, 3, DENSE_OR_ONE, 16, 32, 32, 8, 8, 8)
 
-static void quaternion_product_qyqconj_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qyqconj_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qyqconj_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qyqconj_double_over(data, n[0], step, step + 3);
-}
-
-/* (2),(4)->(4) */
-INLINED void quaternion_product_qyqconj_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  float dci[2];
-  load_dc_single(dci, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qyqconj_single) {
+  POINTERS_3
+  LOAD_FIRST(dc_single, float dci[2], dci);
+  EACH {
     ksl_quaternionf_t qi;
     ksl_quaternionf_t qo;
-    if (step[0] != 0) {
-      load_dc_single(dci, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_single(&qi, p1 + i * step[1], core + 1);
+    LOAD_OTHER(dc_single, dci);
+    LOAD(quaternion_single, &qi, 1, 1);
     ksl_product_qyqconjf_accurate(dci, &qi, &qo);
-    store_quaternion_single(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_single, &qo, 2, 2);
   }
 }
-
-static void quaternion_product_qyqconj_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 8, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qyqconj_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qyqconj_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qyqconj_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction quaternion_product_qyqconj_loops[] = {
-    quaternion_product_qyqconj_double, quaternion_product_qyqconj_single};
+LOOP(quaternion_product_qyqconj_single, 3, DENSE_OR_ONE, 8, 16, 16, 4, 4, 4)
+LOOPS(quaternion_product_qyqconj)
 
 /* (2),(4)->(4) */
-INLINED void quaternion_product_qyconjq_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  double dci[2];
-  load_dc_double(dci, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qyconjq_double) {
+  POINTERS_3
+  LOAD_FIRST(dc_double, double dci[2], dci);
+  EACH {
     ksl_quaternion_t qi;
     ksl_quaternion_t qo;
-    if (step[0] != 0) {
-      load_dc_double(dci, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_double(&qi, p1 + i * step[1], core + 1);
+    LOAD_OTHER(dc_double, dci);
+    LOAD(quaternion_double, &qi, 1, 1);
     ksl_quaternion_product_qyconjq_accurate(dci, &qi, &qo);
-    store_quaternion_double(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_double, &qo, 2, 2);
   }
 }
+LOOP(quaternion_product_qyconjq_double, 3, DENSE_OR_ONE, 16, 32, 32, 8, 8, 8)
 
-static void quaternion_product_qyconjq_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qyconjq_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qyconjq_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qyconjq_double_over(data, n[0], step, step + 3);
-}
-
-/* (2),(4)->(4) */
-INLINED void quaternion_product_qyconjq_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  float dci[2];
-  load_dc_single(dci, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qyconjq_single) {
+  POINTERS_3
+  LOAD_FIRST(dc_single, float dci[2], dci);
+  EACH {
     ksl_quaternionf_t qi;
     ksl_quaternionf_t qo;
-    if (step[0] != 0) {
-      load_dc_single(dci, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_single(&qi, p1 + i * step[1], core + 1);
+    LOAD_OTHER(dc_single, dci);
+    LOAD(quaternion_single, &qi, 1, 1);
     ksl_product_qyconjqf_accurate(dci, &qi, &qo);
-    store_quaternion_single(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_single, &qo, 2, 2);
   }
 }
-
-static void quaternion_product_qyconjq_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 8, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qyconjq_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qyconjq_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qyconjq_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction quaternion_product_qyconjq_loops[] = {
-    quaternion_product_qyconjq_double, quaternion_product_qyconjq_single};
+LOOP(quaternion_product_qyconjq_single, 3, DENSE_OR_ONE, 8, 16, 16, 4, 4, 4)
+LOOPS(quaternion_product_qyconjq)
 
 /* (2),(4)->(4) */
-INLINED void quaternion_product_qyconjqconj_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  double dci[2];
-  load_dc_double(dci, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qyconjqconj_double) {
+  POINTERS_3
+  LOAD_FIRST(dc_double, double dci[2], dci);
+  EACH {
     ksl_quaternion_t qi;
     ksl_quaternion_t qo;
-    if (step[0] != 0) {
-      load_dc_double(dci, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_double(&qi, p1 + i * step[1], core + 1);
+    LOAD_OTHER(dc_double, dci);
+    LOAD(quaternion_double, &qi, 1, 1);
     ksl_quaternion_product_qyconjqconj_accurate(dci, &qi, &qo);
-    store_quaternion_double(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_double, &qo, 2, 2);
   }
 }
+LOOP(quaternion_product_qyconjqconj_double, 3, DENSE_OR_ONE, 16, 32, 32, 8, 8, 8)
 
-static void quaternion_product_qyconjqconj_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qyconjqconj_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qyconjqconj_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qyconjqconj_double_over(data, n[0], step, step + 3);
-}
-
-/* (2),(4)->(4) */
-INLINED void quaternion_product_qyconjqconj_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  float dci[2];
-  load_dc_single(dci, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qyconjqconj_single) {
+  POINTERS_3
+  LOAD_FIRST(dc_single, float dci[2], dci);
+  EACH {
     ksl_quaternionf_t qi;
     ksl_quaternionf_t qo;
-    if (step[0] != 0) {
-      load_dc_single(dci, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_single(&qi, p1 + i * step[1], core + 1);
+    LOAD_OTHER(dc_single, dci);
+    LOAD(quaternion_single, &qi, 1, 1);
     ksl_product_qyconjqconjf_accurate(dci, &qi, &qo);
-    store_quaternion_single(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_single, &qo, 2, 2);
   }
 }
-
-static void quaternion_product_qyconjqconj_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 8, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qyconjqconj_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qyconjqconj_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qyconjqconj_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction quaternion_product_qyconjqconj_loops[] = {
-    quaternion_product_qyconjqconj_double, quaternion_product_qyconjqconj_single};
+LOOP(quaternion_product_qyconjqconj_single, 3, DENSE_OR_ONE, 8, 16, 16, 4, 4, 4)
+LOOPS(quaternion_product_qyconjqconj)
 
 /* (4),(2)->(4) */
-INLINED void quaternion_product_qqy_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternion_t qi;
-  load_quaternion_double(&qi, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qqy_double) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_double, ksl_quaternion_t qi, &qi);
+  EACH {
     double dci[2];
     ksl_quaternion_t qo;
-    if (step[0] != 0) {
-      load_quaternion_double(&qi, p0 + i * step[0], core + 0);
-    }
-    load_dc_double(dci, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_double, &qi);
+    LOAD(dc_double, dci, 1, 1);
     ksl_quaternion_product_qqy_accurate(&qi, dci, &qo);
-    store_quaternion_double(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_double, &qo, 2, 2);
   }
 }
+LOOP(quaternion_product_qqy_double, 3, DENSE_OR_ONE, 32, 16, 32, 8, 8, 8)
 
-static void quaternion_product_qqy_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 32, 16, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qqy_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qqy_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qqy_double_over(data, n[0], step, step + 3);
-}
-
-/* (4),(2)->(4) */
-INLINED void quaternion_product_qqy_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternionf_t qi;
-  load_quaternion_single(&qi, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qqy_single) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_single, ksl_quaternionf_t qi, &qi);
+  EACH {
     float dci[2];
     ksl_quaternionf_t qo;
-    if (step[0] != 0) {
-      load_quaternion_single(&qi, p0 + i * step[0], core + 0);
-    }
-    load_dc_single(dci, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_single, &qi);
+    LOAD(dc_single, dci, 1, 1);
     ksl_product_qqyf_accurate(&qi, dci, &qo);
-    store_quaternion_single(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_single, &qo, 2, 2);
   }
 }
-
-static void quaternion_product_qqy_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 8, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qqy_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qqy_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qqy_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction quaternion_product_qqy_loops[] = {
-    quaternion_product_qqy_double, quaternion_product_qqy_single};
+LOOP(quaternion_product_qqy_single, 3, DENSE_OR_ONE, 16, 8, 16, 4, 4, 4)
+LOOPS(quaternion_product_qqy)
 
 /* (4),(2)->(4) */
-INLINED void quaternion_product_qqyconj_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternion_t qi;
-  load_quaternion_double(&qi, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qqyconj_double) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_double, ksl_quaternion_t qi, &qi);
+  EACH {
     double dci[2];
     ksl_quaternion_t qo;
-    if (step[0] != 0) {
-      load_quaternion_double(&qi, p0 + i * step[0], core + 0);
-    }
-    load_dc_double(dci, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_double, &qi);
+    LOAD(dc_double, dci, 1, 1);
     ksl_quaternion_product_qqyconj_accurate(&qi, dci, &qo);
-    store_quaternion_double(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_double, &qo, 2, 2);
   }
 }
+LOOP(quaternion_product_qqyconj_double, 3, DENSE_OR_ONE, 32, 16, 32, 8, 8, 8)
 
-static void quaternion_product_qqyconj_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 32, 16, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qqyconj_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qqyconj_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qqyconj_double_over(data, n[0], step, step + 3);
-}
-
-/* (4),(2)->(4) */
-INLINED void quaternion_product_qqyconj_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternionf_t qi;
-  load_quaternion_single(&qi, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qqyconj_single) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_single, ksl_quaternionf_t qi, &qi);
+  EACH {
     float dci[2];
     ksl_quaternionf_t qo;
-    if (step[0] != 0) {
-      load_quaternion_single(&qi, p0 + i * step[0], core + 0);
-    }
-    load_dc_single(dci, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_single, &qi);
+    LOAD(dc_single, dci, 1, 1);
     ksl_product_qqyconjf_accurate(&qi, dci, &qo);
-    store_quaternion_single(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_single, &qo, 2, 2);
   }
 }
-
-static void quaternion_product_qqyconj_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 8, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qqyconj_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qqyconj_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qqyconj_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction quaternion_product_qqyconj_loops[] = {
-    quaternion_product_qqyconj_double, quaternion_product_qqyconj_single};
+LOOP(quaternion_product_qqyconj_single, 3, DENSE_OR_ONE, 16, 8, 16, 4, 4, 4)
+LOOPS(quaternion_product_qqyconj)
 
 /* (4),(2)->(4) */
-INLINED void quaternion_product_qconjqy_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternion_t qi;
-  load_quaternion_double(&qi, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qconjqy_double) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_double, ksl_quaternion_t qi, &qi);
+  EACH {
     double dci[2];
     ksl_quaternion_t qo;
-    if (step[0] != 0) {
-      load_quaternion_double(&qi, p0 + i * step[0], core + 0);
-    }
-    load_dc_double(dci, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_double, &qi);
+    LOAD(dc_double, dci, 1, 1);
     ksl_quaternion_product_qconjqy_accurate(&qi, dci, &qo);
-    store_quaternion_double(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_double, &qo, 2, 2);
   }
 }
+LOOP(quaternion_product_qconjqy_double, 3, DENSE_OR_ONE, 32, 16, 32, 8, 8, 8)
 
-static void quaternion_product_qconjqy_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 32, 16, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qconjqy_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qconjqy_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qconjqy_double_over(data, n[0], step, step + 3);
-}
-
-/* (4),(2)->(4) */
-INLINED void quaternion_product_qconjqy_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternionf_t qi;
-  load_quaternion_single(&qi, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qconjqy_single) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_single, ksl_quaternionf_t qi, &qi);
+  EACH {
     float dci[2];
     ksl_quaternionf_t qo;
-    if (step[0] != 0) {
-      load_quaternion_single(&qi, p0 + i * step[0], core + 0);
-    }
-    load_dc_single(dci, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_single, &qi);
+    LOAD(dc_single, dci, 1, 1);
     ksl_product_qconjqyf_accurate(&qi, dci, &qo);
-    store_quaternion_single(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_single, &qo, 2, 2);
   }
 }
-
-static void quaternion_product_qconjqy_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 8, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qconjqy_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qconjqy_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qconjqy_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction quaternion_product_qconjqy_loops[] = {
-    quaternion_product_qconjqy_double, quaternion_product_qconjqy_single};
+LOOP(quaternion_product_qconjqy_single, 3, DENSE_OR_ONE, 16, 8, 16, 4, 4, 4)
+LOOPS(quaternion_product_qconjqy)
 
 /* (4),(2)->(4) */
-INLINED void quaternion_product_qconjqyconj_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternion_t qi;
-  load_quaternion_double(&qi, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qconjqyconj_double) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_double, ksl_quaternion_t qi, &qi);
+  EACH {
     double dci[2];
     ksl_quaternion_t qo;
-    if (step[0] != 0) {
-      load_quaternion_double(&qi, p0 + i * step[0], core + 0);
-    }
-    load_dc_double(dci, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_double, &qi);
+    LOAD(dc_double, dci, 1, 1);
     ksl_quaternion_product_qconjqyconj_accurate(&qi, dci, &qo);
-    store_quaternion_double(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_double, &qo, 2, 2);
   }
 }
+LOOP(quaternion_product_qconjqyconj_double, 3, DENSE_OR_ONE, 32, 16, 32, 8, 8, 8)
 
-static void quaternion_product_qconjqyconj_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 32, 16, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qconjqyconj_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qconjqyconj_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qconjqyconj_double_over(data, n[0], step, step + 3);
-}
-
-/* (4),(2)->(4) */
-INLINED void quaternion_product_qconjqyconj_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternionf_t qi;
-  load_quaternion_single(&qi, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qconjqyconj_single) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_single, ksl_quaternionf_t qi, &qi);
+  EACH {
     float dci[2];
     ksl_quaternionf_t qo;
-    if (step[0] != 0) {
-      load_quaternion_single(&qi, p0 + i * step[0], core + 0);
-    }
-    load_dc_single(dci, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_single, &qi);
+    LOAD(dc_single, dci, 1, 1);
     ksl_product_qconjqyconjf_accurate(&qi, dci, &qo);
-    store_quaternion_single(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_single, &qo, 2, 2);
   }
 }
-
-static void quaternion_product_qconjqyconj_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 8, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qconjqyconj_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qconjqyconj_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qconjqyconj_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction quaternion_product_qconjqyconj_loops[] = {
-    quaternion_product_qconjqyconj_double, quaternion_product_qconjqyconj_single};
+LOOP(quaternion_product_qconjqyconj_single, 3, DENSE_OR_ONE, 16, 8, 16, 4, 4, 4)
+LOOPS(quaternion_product_qconjqyconj)
 
 /* (2),(4)->(4) */
-INLINED void quaternion_product_qzq_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  double dci[2];
-  load_dc_double(dci, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qzq_double) {
+  POINTERS_3
+  LOAD_FIRST(dc_double, double dci[2], dci);
+  EACH {
     ksl_quaternion_t qi;
     ksl_quaternion_t qo;
-    if (step[0] != 0) {
-      load_dc_double(dci, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_double(&qi, p1 + i * step[1], core + 1);
+    LOAD_OTHER(dc_double, dci);
+    LOAD(quaternion_double, &qi, 1, 1);
     ksl_quaternion_product_qzq_accurate(dci, &qi, &qo);
-    store_quaternion_double(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_double, &qo, 2, 2);
   }
 }
+LOOP(quaternion_product_qzq_double, 3, DENSE_OR_ONE, 16, 32, 32, 8, 8, 8)
 
-static void quaternion_product_qzq_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qzq_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qzq_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qzq_double_over(data, n[0], step, step + 3);
-}
-
-/* (2),(4)->(4) */
-INLINED void quaternion_product_qzq_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  float dci[2];
-  load_dc_single(dci, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qzq_single) {
+  POINTERS_3
+  LOAD_FIRST(dc_single, float dci[2], dci);
+  EACH {
     ksl_quaternionf_t qi;
     ksl_quaternionf_t qo;
-    if (step[0] != 0) {
-      load_dc_single(dci, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_single(&qi, p1 + i * step[1], core + 1);
+    LOAD_OTHER(dc_single, dci);
+    LOAD(quaternion_single, &qi, 1, 1);
     ksl_product_qzqf_accurate(dci, &qi, &qo);
-    store_quaternion_single(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_single, &qo, 2, 2);
   }
 }
-
-static void quaternion_product_qzq_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 8, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qzq_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qzq_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qzq_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction quaternion_product_qzq_loops[] = {
-    quaternion_product_qzq_double, quaternion_product_qzq_single};
+LOOP(quaternion_product_qzq_single, 3, DENSE_OR_ONE, 8, 16, 16, 4, 4, 4)
+LOOPS(quaternion_product_qzq)
 
 /* (2),(4)->(4) */
-INLINED void quaternion_product_qzqconj_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  double dci[2];
-  load_dc_double(dci, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qzqconj_double) {
+  POINTERS_3
+  LOAD_FIRST(dc_double, double dci[2], dci);
+  EACH {
     ksl_quaternion_t qi;
     ksl_quaternion_t qo;
-    if (step[0] != 0) {
-      load_dc_double(dci, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_double(&qi, p1 + i * step[1], core + 1);
+    LOAD_OTHER(dc_double, dci);
+    LOAD(quaternion_double, &qi, 1, 1);
     ksl_quaternion_product_qzqconj_accurate(dci, &qi, &qo);
-    store_quaternion_double(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_double, &qo, 2, 2);
   }
 }
+LOOP(quaternion_product_qzqconj_double, 3, DENSE_OR_ONE, 16, 32, 32, 8, 8, 8)
 
-static void quaternion_product_qzqconj_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qzqconj_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qzqconj_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qzqconj_double_over(data, n[0], step, step + 3);
-}
-
-/* (2),(4)->(4) */
-INLINED void quaternion_product_qzqconj_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  float dci[2];
-  load_dc_single(dci, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qzqconj_single) {
+  POINTERS_3
+  LOAD_FIRST(dc_single, float dci[2], dci);
+  EACH {
     ksl_quaternionf_t qi;
     ksl_quaternionf_t qo;
-    if (step[0] != 0) {
-      load_dc_single(dci, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_single(&qi, p1 + i * step[1], core + 1);
+    LOAD_OTHER(dc_single, dci);
+    LOAD(quaternion_single, &qi, 1, 1);
     ksl_product_qzqconjf_accurate(dci, &qi, &qo);
-    store_quaternion_single(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_single, &qo, 2, 2);
   }
 }
-
-static void quaternion_product_qzqconj_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 8, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qzqconj_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qzqconj_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qzqconj_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction quaternion_product_qzqconj_loops[] = {
-    quaternion_product_qzqconj_double, quaternion_product_qzqconj_single};
+LOOP(quaternion_product_qzqconj_single, 3, DENSE_OR_ONE, 8, 16, 16, 4, 4, 4)
+LOOPS(quaternion_product_qzqconj)
 
 /* (2),(4)->(4) */
-INLINED void quaternion_product_qzconjq_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  double dci[2];
-  load_dc_double(dci, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qzconjq_double) {
+  POINTERS_3
+  LOAD_FIRST(dc_double, double dci[2], dci);
+  EACH {
     ksl_quaternion_t qi;
     ksl_quaternion_t qo;
-    if (step[0] != 0) {
-      load_dc_double(dci, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_double(&qi, p1 + i * step[1], core + 1);
+    LOAD_OTHER(dc_double, dci);
+    LOAD(quaternion_double, &qi, 1, 1);
     ksl_quaternion_product_qzconjq_accurate(dci, &qi, &qo);
-    store_quaternion_double(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_double, &qo, 2, 2);
   }
 }
+LOOP(quaternion_product_qzconjq_double, 3, DENSE_OR_ONE, 16, 32, 32, 8, 8, 8)
 
-static void quaternion_product_qzconjq_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qzconjq_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qzconjq_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qzconjq_double_over(data, n[0], step, step + 3);
-}
-
-/* (2),(4)->(4) */
-INLINED void quaternion_product_qzconjq_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  float dci[2];
-  load_dc_single(dci, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qzconjq_single) {
+  POINTERS_3
+  LOAD_FIRST(dc_single, float dci[2], dci);
+  EACH {
     ksl_quaternionf_t qi;
     ksl_quaternionf_t qo;
-    if (step[0] != 0) {
-      load_dc_single(dci, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_single(&qi, p1 + i * step[1], core + 1);
+    LOAD_OTHER(dc_single, dci);
+    LOAD(quaternion_single, &qi, 1, 1);
     ksl_product_qzconjqf_accurate(dci, &qi, &qo);
-    store_quaternion_single(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_single, &qo, 2, 2);
   }
 }
-
-static void quaternion_product_qzconjq_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 8, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qzconjq_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qzconjq_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qzconjq_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction quaternion_product_qzconjq_loops[] = {
-    quaternion_product_qzconjq_double, quaternion_product_qzconjq_single};
+LOOP(quaternion_product_qzconjq_single, 3, DENSE_OR_ONE, 8, 16, 16, 4, 4, 4)
+LOOPS(quaternion_product_qzconjq)
 
 /* (2),(4)->(4) */
-INLINED void quaternion_product_qzconjqconj_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  double dci[2];
-  load_dc_double(dci, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qzconjqconj_double) {
+  POINTERS_3
+  LOAD_FIRST(dc_double, double dci[2], dci);
+  EACH {
     ksl_quaternion_t qi;
     ksl_quaternion_t qo;
-    if (step[0] != 0) {
-      load_dc_double(dci, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_double(&qi, p1 + i * step[1], core + 1);
+    LOAD_OTHER(dc_double, dci);
+    LOAD(quaternion_double, &qi, 1, 1);
     ksl_quaternion_product_qzconjqconj_accurate(dci, &qi, &qo);
-    store_quaternion_double(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_double, &qo, 2, 2);
   }
 }
+LOOP(quaternion_product_qzconjqconj_double, 3, DENSE_OR_ONE, 16, 32, 32, 8, 8, 8)
 
-static void quaternion_product_qzconjqconj_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qzconjqconj_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qzconjqconj_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qzconjqconj_double_over(data, n[0], step, step + 3);
-}
-
-/* (2),(4)->(4) */
-INLINED void quaternion_product_qzconjqconj_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  float dci[2];
-  load_dc_single(dci, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qzconjqconj_single) {
+  POINTERS_3
+  LOAD_FIRST(dc_single, float dci[2], dci);
+  EACH {
     ksl_quaternionf_t qi;
     ksl_quaternionf_t qo;
-    if (step[0] != 0) {
-      load_dc_single(dci, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_single(&qi, p1 + i * step[1], core + 1);
+    LOAD_OTHER(dc_single, dci);
+    LOAD(quaternion_single, &qi, 1, 1);
     ksl_product_qzconjqconjf_accurate(dci, &qi, &qo);
-    store_quaternion_single(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_single, &qo, 2, 2);
   }
 }
-
-static void quaternion_product_qzconjqconj_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 8, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qzconjqconj_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qzconjqconj_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qzconjqconj_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction quaternion_product_qzconjqconj_loops[] = {
-    quaternion_product_qzconjqconj_double, quaternion_product_qzconjqconj_single};
+LOOP(quaternion_product_qzconjqconj_single, 3, DENSE_OR_ONE, 8, 16, 16, 4, 4, 4)
+LOOPS(quaternion_product_qzconjqconj)
 
 /* (4),(2)->(4) */
-INLINED void quaternion_product_qqz_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternion_t qi;
-  load_quaternion_double(&qi, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qqz_double) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_double, ksl_quaternion_t qi, &qi);
+  EACH {
     double dci[2];
     ksl_quaternion_t qo;
-    if (step[0] != 0) {
-      load_quaternion_double(&qi, p0 + i * step[0], core + 0);
-    }
-    load_dc_double(dci, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_double, &qi);
+    LOAD(dc_double, dci, 1, 1);
     ksl_quaternion_product_qqz_accurate(&qi, dci, &qo);
-    store_quaternion_double(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_double, &qo, 2, 2);
   }
 }
+LOOP(quaternion_product_qqz_double, 3, DENSE_OR_ONE, 32, 16, 32, 8, 8, 8)
 
-static void quaternion_product_qqz_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 32, 16, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qqz_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qqz_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qqz_double_over(data, n[0], step, step + 3);
-}
-
-/* (4),(2)->(4) */
-INLINED void quaternion_product_qqz_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternionf_t qi;
-  load_quaternion_single(&qi, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qqz_single) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_single, ksl_quaternionf_t qi, &qi);
+  EACH {
     float dci[2];
     ksl_quaternionf_t qo;
-    if (step[0] != 0) {
-      load_quaternion_single(&qi, p0 + i * step[0], core + 0);
-    }
-    load_dc_single(dci, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_single, &qi);
+    LOAD(dc_single, dci, 1, 1);
     ksl_product_qqzf_accurate(&qi, dci, &qo);
-    store_quaternion_single(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_single, &qo, 2, 2);
   }
 }
-
-static void quaternion_product_qqz_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 8, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qqz_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qqz_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qqz_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction quaternion_product_qqz_loops[] = {
-    quaternion_product_qqz_double, quaternion_product_qqz_single};
+LOOP(quaternion_product_qqz_single, 3, DENSE_OR_ONE, 16, 8, 16, 4, 4, 4)
+LOOPS(quaternion_product_qqz)
 
 /* (4),(2)->(4) */
-INLINED void quaternion_product_qqzconj_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternion_t qi;
-  load_quaternion_double(&qi, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qqzconj_double) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_double, ksl_quaternion_t qi, &qi);
+  EACH {
     double dci[2];
     ksl_quaternion_t qo;
-    if (step[0] != 0) {
-      load_quaternion_double(&qi, p0 + i * step[0], core + 0);
-    }
-    load_dc_double(dci, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_double, &qi);
+    LOAD(dc_double, dci, 1, 1);
     ksl_quaternion_product_qqzconj_accurate(&qi, dci, &qo);
-    store_quaternion_double(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_double, &qo, 2, 2);
   }
 }
+LOOP(quaternion_product_qqzconj_double, 3, DENSE_OR_ONE, 32, 16, 32, 8, 8, 8)
 
-static void quaternion_product_qqzconj_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 32, 16, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qqzconj_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qqzconj_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qqzconj_double_over(data, n[0], step, step + 3);
-}
-
-/* (4),(2)->(4) */
-INLINED void quaternion_product_qqzconj_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternionf_t qi;
-  load_quaternion_single(&qi, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qqzconj_single) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_single, ksl_quaternionf_t qi, &qi);
+  EACH {
     float dci[2];
     ksl_quaternionf_t qo;
-    if (step[0] != 0) {
-      load_quaternion_single(&qi, p0 + i * step[0], core + 0);
-    }
-    load_dc_single(dci, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_single, &qi);
+    LOAD(dc_single, dci, 1, 1);
     ksl_product_qqzconjf_accurate(&qi, dci, &qo);
-    store_quaternion_single(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_single, &qo, 2, 2);
   }
 }
-
-static void quaternion_product_qqzconj_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 8, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qqzconj_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qqzconj_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qqzconj_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction quaternion_product_qqzconj_loops[] = {
-    quaternion_product_qqzconj_double, quaternion_product_qqzconj_single};
+LOOP(quaternion_product_qqzconj_single, 3, DENSE_OR_ONE, 16, 8, 16, 4, 4, 4)
+LOOPS(quaternion_product_qqzconj)
 
 /* (4),(2)->(4) */
-INLINED void quaternion_product_qconjqz_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternion_t qi;
-  load_quaternion_double(&qi, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qconjqz_double) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_double, ksl_quaternion_t qi, &qi);
+  EACH {
     double dci[2];
     ksl_quaternion_t qo;
-    if (step[0] != 0) {
-      load_quaternion_double(&qi, p0 + i * step[0], core + 0);
-    }
-    load_dc_double(dci, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_double, &qi);
+    LOAD(dc_double, dci, 1, 1);
     ksl_quaternion_product_qconjqz_accurate(&qi, dci, &qo);
-    store_quaternion_double(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_double, &qo, 2, 2);
   }
 }
+LOOP(quaternion_product_qconjqz_double, 3, DENSE_OR_ONE, 32, 16, 32, 8, 8, 8)
 
-static void quaternion_product_qconjqz_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 32, 16, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qconjqz_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qconjqz_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qconjqz_double_over(data, n[0], step, step + 3);
-}
-
-/* (4),(2)->(4) */
-INLINED void quaternion_product_qconjqz_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternionf_t qi;
-  load_quaternion_single(&qi, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qconjqz_single) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_single, ksl_quaternionf_t qi, &qi);
+  EACH {
     float dci[2];
     ksl_quaternionf_t qo;
-    if (step[0] != 0) {
-      load_quaternion_single(&qi, p0 + i * step[0], core + 0);
-    }
-    load_dc_single(dci, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_single, &qi);
+    LOAD(dc_single, dci, 1, 1);
     ksl_product_qconjqzf_accurate(&qi, dci, &qo);
-    store_quaternion_single(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_single, &qo, 2, 2);
   }
 }
-
-static void quaternion_product_qconjqz_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 8, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qconjqz_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qconjqz_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qconjqz_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction quaternion_product_qconjqz_loops[] = {
-    quaternion_product_qconjqz_double, quaternion_product_qconjqz_single};
+LOOP(quaternion_product_qconjqz_single, 3, DENSE_OR_ONE, 16, 8, 16, 4, 4, 4)
+LOOPS(quaternion_product_qconjqz)
 
 /* (4),(2)->(4) */
-INLINED void quaternion_product_qconjqzconj_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternion_t qi;
-  load_quaternion_double(&qi, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qconjqzconj_double) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_double, ksl_quaternion_t qi, &qi);
+  EACH {
     double dci[2];
     ksl_quaternion_t qo;
-    if (step[0] != 0) {
-      load_quaternion_double(&qi, p0 + i * step[0], core + 0);
-    }
-    load_dc_double(dci, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_double, &qi);
+    LOAD(dc_double, dci, 1, 1);
     ksl_quaternion_product_qconjqzconj_accurate(&qi, dci, &qo);
-    store_quaternion_double(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_double, &qo, 2, 2);
   }
 }
+LOOP(quaternion_product_qconjqzconj_double, 3, DENSE_OR_ONE, 32, 16, 32, 8, 8, 8)
 
-static void quaternion_product_qconjqzconj_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 32, 16, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qconjqzconj_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qconjqzconj_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qconjqzconj_double_over(data, n[0], step, step + 3);
-}
-
-/* (4),(2)->(4) */
-INLINED void quaternion_product_qconjqzconj_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternionf_t qi;
-  load_quaternion_single(&qi, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qconjqzconj_single) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_single, ksl_quaternionf_t qi, &qi);
+  EACH {
     float dci[2];
     ksl_quaternionf_t qo;
-    if (step[0] != 0) {
-      load_quaternion_single(&qi, p0 + i * step[0], core + 0);
-    }
-    load_dc_single(dci, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_single, &qi);
+    LOAD(dc_single, dci, 1, 1);
     ksl_product_qconjqzconjf_accurate(&qi, dci, &qo);
-    store_quaternion_single(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_single, &qo, 2, 2);
   }
 }
-
-static void quaternion_product_qconjqzconj_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 8, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qconjqzconj_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qconjqzconj_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qconjqzconj_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction quaternion_product_qconjqzconj_loops[] = {
-    quaternion_product_qconjqzconj_double, quaternion_product_qconjqzconj_single};
+LOOP(quaternion_product_qconjqzconj_single, 3, DENSE_OR_ONE, 16, 8, 16, 4, 4, 4)
+LOOPS(quaternion_product_qconjqzconj)
 
 /* (4),(3)->(4) */
-INLINED void quaternion_product_qv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternion_t qi;
-  load_quaternion_double(&qi, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qv_double) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_double, ksl_quaternion_t qi, &qi);
+  EACH {
     ksl_vec3_t vi;
     ksl_quaternion_t qo;
-    if (step[0] != 0) {
-      load_quaternion_double(&qi, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&vi, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_double, &qi);
+    LOAD(vec3_double, &vi, 1, 1);
     ksl_quaternion_product_qv_accurate(&qi, &vi, &qo);
-    store_quaternion_double(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_double, &qo, 2, 2);
   }
 }
+LOOP(quaternion_product_qv_double, 3, DENSE_OR_ONE, 32, 24, 32, 8, 8, 8)
 
-static void quaternion_product_qv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 32, 24, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qv_double_over(data, n[0], step, step + 3);
-}
-
-/* (4),(3)->(4) */
-INLINED void quaternion_product_qv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternionf_t qi;
-  load_quaternion_single(&qi, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qv_single) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_single, ksl_quaternionf_t qi, &qi);
+  EACH {
     ksl_vec3f_t vi;
     ksl_quaternionf_t qo;
-    if (step[0] != 0) {
-      load_quaternion_single(&qi, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&vi, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_single, &qi);
+    LOAD(vec3_single, &vi, 1, 1);
     ksl_product_qvf_accurate(&qi, &vi, &qo);
-    store_quaternion_single(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_single, &qo, 2, 2);
   }
 }
-
-static void quaternion_product_qv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 12, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction quaternion_product_qv_loops[] = {
-    quaternion_product_qv_double, quaternion_product_qv_single};
+LOOP(quaternion_product_qv_single, 3, DENSE_OR_ONE, 16, 12, 16, 4, 4, 4)
+LOOPS(quaternion_product_qv)
 
 /* (4),(3)->(4) */
-INLINED void quaternion_product_qconjv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternion_t qi;
-  load_quaternion_double(&qi, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qconjv_double) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_double, ksl_quaternion_t qi, &qi);
+  EACH {
     ksl_vec3_t vi;
     ksl_quaternion_t qo;
-    if (step[0] != 0) {
-      load_quaternion_double(&qi, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&vi, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_double, &qi);
+    LOAD(vec3_double, &vi, 1, 1);
     ksl_quaternion_product_qconjv_accurate(&qi, &vi, &qo);
-    store_quaternion_double(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_double, &qo, 2, 2);
   }
 }
+LOOP(quaternion_product_qconjv_double, 3, DENSE_OR_ONE, 32, 24, 32, 8, 8, 8)
 
-static void quaternion_product_qconjv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 32, 24, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qconjv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qconjv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qconjv_double_over(data, n[0], step, step + 3);
-}
-
-/* (4),(3)->(4) */
-INLINED void quaternion_product_qconjv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternionf_t qi;
-  load_quaternion_single(&qi, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_qconjv_single) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_single, ksl_quaternionf_t qi, &qi);
+  EACH {
     ksl_vec3f_t vi;
     ksl_quaternionf_t qo;
-    if (step[0] != 0) {
-      load_quaternion_single(&qi, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&vi, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_single, &qi);
+    LOAD(vec3_single, &vi, 1, 1);
     ksl_product_qconjvf_accurate(&qi, &vi, &qo);
-    store_quaternion_single(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_single, &qo, 2, 2);
   }
 }
-
-static void quaternion_product_qconjv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 12, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_qconjv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_qconjv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_qconjv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction quaternion_product_qconjv_loops[] = {
-    quaternion_product_qconjv_double, quaternion_product_qconjv_single};
+LOOP(quaternion_product_qconjv_single, 3, DENSE_OR_ONE, 16, 12, 16, 4, 4, 4)
+LOOPS(quaternion_product_qconjv)
 
 /* (3),(4)->(4) */
-INLINED void quaternion_product_vq_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t vi;
-  load_vec3_double(&vi, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_vq_double) {
+  POINTERS_3
+  LOAD_FIRST(vec3_double, ksl_vec3_t vi, &vi);
+  EACH {
     ksl_quaternion_t qi;
     ksl_quaternion_t qo;
-    if (step[0] != 0) {
-      load_vec3_double(&vi, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_double(&qi, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &vi);
+    LOAD(quaternion_double, &qi, 1, 1);
     ksl_quaternion_product_vq_accurate(&vi, &qi, &qo);
-    store_quaternion_double(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_double, &qo, 2, 2);
   }
 }
+LOOP(quaternion_product_vq_double, 3, DENSE_OR_ONE, 24, 32, 32, 8, 8, 8)
 
-static void quaternion_product_vq_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_vq_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_vq_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_vq_double_over(data, n[0], step, step + 3);
-}
-
-/* (3),(4)->(4) */
-INLINED void quaternion_product_vq_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t vi;
-  load_vec3_single(&vi, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_vq_single) {
+  POINTERS_3
+  LOAD_FIRST(vec3_single, ksl_vec3f_t vi, &vi);
+  EACH {
     ksl_quaternionf_t qi;
     ksl_quaternionf_t qo;
-    if (step[0] != 0) {
-      load_vec3_single(&vi, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_single(&qi, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &vi);
+    LOAD(quaternion_single, &qi, 1, 1);
     ksl_product_vqf_accurate(&vi, &qi, &qo);
-    store_quaternion_single(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_single, &qo, 2, 2);
   }
 }
-
-static void quaternion_product_vq_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_vq_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_vq_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_vq_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction quaternion_product_vq_loops[] = {
-    quaternion_product_vq_double, quaternion_product_vq_single};
+LOOP(quaternion_product_vq_single, 3, DENSE_OR_ONE, 12, 16, 16, 4, 4, 4)
+LOOPS(quaternion_product_vq)
 
 /* (3),(4)->(4) */
-INLINED void quaternion_product_vqconj_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t vi;
-  load_vec3_double(&vi, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_vqconj_double) {
+  POINTERS_3
+  LOAD_FIRST(vec3_double, ksl_vec3_t vi, &vi);
+  EACH {
     ksl_quaternion_t qi;
     ksl_quaternion_t qo;
-    if (step[0] != 0) {
-      load_vec3_double(&vi, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_double(&qi, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &vi);
+    LOAD(quaternion_double, &qi, 1, 1);
     ksl_quaternion_product_vqconj_accurate(&vi, &qi, &qo);
-    store_quaternion_double(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_double, &qo, 2, 2);
   }
 }
+LOOP(quaternion_product_vqconj_double, 3, DENSE_OR_ONE, 24, 32, 32, 8, 8, 8)
 
-static void quaternion_product_vqconj_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_vqconj_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_vqconj_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_vqconj_double_over(data, n[0], step, step + 3);
-}
-
-/* (3),(4)->(4) */
-INLINED void quaternion_product_vqconj_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t vi;
-  load_vec3_single(&vi, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_product_vqconj_single) {
+  POINTERS_3
+  LOAD_FIRST(vec3_single, ksl_vec3f_t vi, &vi);
+  EACH {
     ksl_quaternionf_t qi;
     ksl_quaternionf_t qo;
-    if (step[0] != 0) {
-      load_vec3_single(&vi, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_single(&qi, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &vi);
+    LOAD(quaternion_single, &qi, 1, 1);
     ksl_product_vqconjf_accurate(&vi, &qi, &qo);
-    store_quaternion_single(&qo, p2 + i * step[2], core + 2);
+    STORE(quaternion_single, &qo, 2, 2);
   }
 }
-
-static void quaternion_product_vqconj_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_product_vqconj_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_product_vqconj_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_product_vqconj_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction quaternion_product_vqconj_loops[] = {
-    quaternion_product_vqconj_double, quaternion_product_vqconj_single};
+LOOP(quaternion_product_vqconj_single, 3, DENSE_OR_ONE, 12, 16, 16, 4, 4, 4)
+LOOPS(quaternion_product_vqconj)
 
 /* (4),(4)->() */
-INLINED void dot_qq_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternion_t q1i;
-  load_quaternion_double(&q1i, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(dot_qq_double) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_double, ksl_quaternion_t q1i, &q1i);
+  EACH {
     ksl_quaternion_t q2i;
     double dot;
-    if (step[0] != 0) {
-      load_quaternion_double(&q1i, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_double(&q2i, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_double, &q1i);
+    LOAD(quaternion_double, &q2i, 1, 1);
     dot = ksl_dot_qq_accurate(&q1i, &q2i);
-    store_scalar_double(&dot, p2 + i * step[2], core + 2);
+    STORE(scalar_double, &dot, 2, 2);
   }
 }
+LOOP(dot_qq_double, 3, DENSE_OR_ONE, 32, 32, 8, 8, 8)
 
-static void dot_qq_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    dot_qq_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    dot_qq_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  dot_qq_double_over(data, n[0], step, step + 3);
-}
-
-/* (4),(4)->() */
-INLINED void dot_qq_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternionf_t q1i;
-  load_quaternion_single(&q1i, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(dot_qq_single) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_single, ksl_quaternionf_t q1i, &q1i);
+  EACH {
     ksl_quaternionf_t q2i;
     float dot;
-    if (step[0] != 0) {
-      load_quaternion_single(&q1i, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_single(&q2i, p1 + i * step[1], core + 1);
+    LOAD_OTHER(quaternion_single, &q1i);
+    LOAD(quaternion_single, &q2i, 1, 1);
     dot = ksl_dot_qqf_accurate(&q1i, &q2i);
-    store_scalar_single(&dot, p2 + i * step[2], core + 2);
+    STORE(scalar_single, &dot, 2, 2);
   }
 }
-
-static void dot_qq_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    dot_qq_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    dot_qq_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  dot_qq_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction dot_qq_loops[] = {
-    dot_qq_double, dot_qq_single};
+LOOP(dot_qq_single, 3, DENSE_OR_ONE, 16, 16, 4, 4, 4)
+LOOPS(dot_qq)
 
 /* (3),(4)->(4) */
-INLINED void add_dpiToq_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t dpi;
-  load_vec3_double(&dpi, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(add_dpiToq_double) {
+  POINTERS_3
+  LOAD_FIRST(vec3_double, ksl_vec3_t dpi, &dpi);
+  EACH {
     ksl_quaternion_t qi;
-    if (step[0] != 0) {
-      load_vec3_double(&dpi, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_double(&qi, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &dpi);
+    LOAD(quaternion_double, &qi, 1, 1);
     ksl_add_dpiToq_accurate(&dpi, &qi);
-    store_quaternion_double(&qi, p2 + i * step[2], core + 2);
+    STORE(quaternion_double, &qi, 2, 2);
   }
 }
+LOOP(add_dpiToq_double, 3, DENSE_OR_ONE, 24, 32, 32, 8, 8, 8)
 
-static void add_dpiToq_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_dpiToq_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_dpiToq_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  add_dpiToq_double_over(data, n[0], step, step + 3);
-}
-
-/* (3),(4)->(4) */
-INLINED void add_dpiToq_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t dpi;
-  load_vec3_single(&dpi, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(add_dpiToq_single) {
+  POINTERS_3
+  LOAD_FIRST(vec3_single, ksl_vec3f_t dpi, &dpi);
+  EACH {
     ksl_quaternionf_t qi;
-    if (step[0] != 0) {
-      load_vec3_single(&dpi, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_single(&qi, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &dpi);
+    LOAD(quaternion_single, &qi, 1, 1);
     ksl_add_dpiToqf_accurate(&dpi, &qi);
-    store_quaternion_single(&qi, p2 + i * step[2], core + 2);
+    STORE(quaternion_single, &qi, 2, 2);
   }
 }
-
-static void add_dpiToq_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_dpiToq_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_dpiToq_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  add_dpiToq_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction add_dpiToq_loops[] = {
-    add_dpiToq_double, add_dpiToq_single};
+LOOP(add_dpiToq_single, 3, DENSE_OR_ONE, 12, 16, 16, 4, 4, 4)
+LOOPS(add_dpiToq)
 
 /* (3),(4)->(4) */
-INLINED void subtract_dpiFromq_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t dpi;
-  load_vec3_double(&dpi, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(subtract_dpiFromq_double) {
+  POINTERS_3
+  LOAD_FIRST(vec3_double, ksl_vec3_t dpi, &dpi);
+  EACH {
     ksl_quaternion_t qi;
-    if (step[0] != 0) {
-      load_vec3_double(&dpi, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_double(&qi, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &dpi);
+    LOAD(quaternion_double, &qi, 1, 1);
     ksl_subtract_dpiFromq_accurate(&dpi, &qi);
-    store_quaternion_double(&qi, p2 + i * step[2], core + 2);
+    STORE(quaternion_double, &qi, 2, 2);
   }
 }
+LOOP(subtract_dpiFromq_double, 3, DENSE_OR_ONE, 24, 32, 32, 8, 8, 8)
 
-static void subtract_dpiFromq_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    subtract_dpiFromq_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    subtract_dpiFromq_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  subtract_dpiFromq_double_over(data, n[0], step, step + 3);
-}
-
-/* (3),(4)->(4) */
-INLINED void subtract_dpiFromq_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t dpi;
-  load_vec3_single(&dpi, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(subtract_dpiFromq_single) {
+  POINTERS_3
+  LOAD_FIRST(vec3_single, ksl_vec3f_t dpi, &dpi);
+  EACH {
     ksl_quaternionf_t qi;
-    if (step[0] != 0) {
-      load_vec3_single(&dpi, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_single(&qi, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &dpi);
+    LOAD(quaternion_single, &qi, 1, 1);
     ksl_subtract_dpiFromqf_accurate(&dpi, &qi);
-    store_quaternion_single(&qi, p2 + i * step[2], core + 2);
+    STORE(quaternion_single, &qi, 2, 2);
   }
 }
-
-static void subtract_dpiFromq_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    subtract_dpiFromq_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    subtract_dpiFromq_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  subtract_dpiFromq_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction subtract_dpiFromq_loops[] = {
-    subtract_dpiFromq_double, subtract_dpiFromq_single};
+LOOP(subtract_dpiFromq_single, 3, DENSE_OR_ONE, 12, 16, 16, 4, 4, 4)
+LOOPS(subtract_dpiFromq)
 
 /* (3),(4)->(4) */
-INLINED void omega_to_dquaternion_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t w;
-  load_vec3_double(&w, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(omega_to_dquaternion_double) {
+  POINTERS_3
+  LOAD_FIRST(vec3_double, ksl_vec3_t w, &w);
+  EACH {
     ksl_quaternion_t qi;
     ksl_quaternion_t dqo;
-    if (step[0] != 0) {
-      load_vec3_double(&w, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_double(&qi, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &w);
+    LOAD(quaternion_double, &qi, 1, 1);
     ksl_omega_to_dquaternion_accurate(&w, &qi, &dqo);
-    store_quaternion_double(&dqo, p2 + i * step[2], core + 2);
+    STORE(quaternion_double, &dqo, 2, 2);
   }
 }
+LOOP(omega_to_dquaternion_double, 3, DENSE_OR_ONE, 24, 32, 32, 8, 8, 8)
 
-static void omega_to_dquaternion_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    omega_to_dquaternion_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 32, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    omega_to_dquaternion_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  omega_to_dquaternion_double_over(data, n[0], step, step + 3);
-}
-
-/* (3),(4)->(4) */
-INLINED void omega_to_dquaternion_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t w;
-  load_vec3_single(&w, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(omega_to_dquaternion_single) {
+  POINTERS_3
+  LOAD_FIRST(vec3_single, ksl_vec3f_t w, &w);
+  EACH {
     ksl_quaternionf_t qi;
     ksl_quaternionf_t dqo;
-    if (step[0] != 0) {
-      load_vec3_single(&w, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_single(&qi, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &w);
+    LOAD(quaternion_single, &qi, 1, 1);
     ksl_omega_to_dquaternionf_accurate(&w, &qi, &dqo);
-    store_quaternion_single(&dqo, p2 + i * step[2], core + 2);
+    STORE(quaternion_single, &dqo, 2, 2);
   }
 }
-
-static void omega_to_dquaternion_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    omega_to_dquaternion_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    omega_to_dquaternion_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  omega_to_dquaternion_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction omega_to_dquaternion_loops[] = {
-    omega_to_dquaternion_double, omega_to_dquaternion_single};
+LOOP(omega_to_dquaternion_single, 3, DENSE_OR_ONE, 12, 16, 16, 4, 4, 4)
+LOOPS(omega_to_dquaternion)
 
 /* (4)->(3,3) */
-INLINED void mat3x3_from_quaternion_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternion_t q;
-  load_quaternion_double(&q, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_from_quaternion_double) {
+  POINTERS_2
+  LOAD_FIRST(quaternion_double, ksl_quaternion_t q, &q);
+  EACH {
     ksl_mat3x3_t R;
-    if (step[0] != 0) {
-      load_quaternion_double(&q, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(quaternion_double, &q);
     ksl_mat3x3_from_quaternion_accurate(&q, &R);
-    store_mat3x3_double(&R, p1 + i * step[1], core + 1);
+    STORE(mat3x3_double, &R, 1, 1);
   }
 }
+LOOP(mat3x3_from_quaternion_double, 2, DENSE_OR_ONE, 32, 72, 8, 24, 8)
 
-static void mat3x3_from_quaternion_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 32, 72, 8, 24, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_from_quaternion_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 72, 8, 24, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat3x3_from_quaternion_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  mat3x3_from_quaternion_double_over(data, n[0], step, step + 2);
-}
-
-/* (4)->(3,3) */
-INLINED void mat3x3_from_quaternion_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternionf_t q;
-  load_quaternion_single(&q, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_from_quaternion_single) {
+  POINTERS_2
+  LOAD_FIRST(quaternion_single, ksl_quaternionf_t q, &q);
+  EACH {
     ksl_mat3x3f_t R;
-    if (step[0] != 0) {
-      load_quaternion_single(&q, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(quaternion_single, &q);
     ksl_mat3x3f_from_quaternion_accurate(&q, &R);
-    store_mat3x3_single(&R, p1 + i * step[1], core + 1);
+    STORE(mat3x3_single, &R, 1, 1);
   }
 }
-
-static void mat3x3_from_quaternion_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 36, 4, 12, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_from_quaternion_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 36, 4, 12, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat3x3_from_quaternion_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  mat3x3_from_quaternion_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction mat3x3_from_quaternion_loops[] = {
-    mat3x3_from_quaternion_double, mat3x3_from_quaternion_single};
+LOOP(mat3x3_from_quaternion_single, 2, DENSE_OR_ONE, 16, 36, 4, 12, 4)
+LOOPS(mat3x3_from_quaternion)
 
 /* (3,3)->(4) */
-INLINED void quaternion_from_mat3x3_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_from_mat3x3_double) {
+  POINTERS_2
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     ksl_quaternion_t qo;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(mat3x3_double, &R);
     ksl_quaternion_from_mat3x3_accurate(&R, &qo);
-    store_quaternion_double(&qo, p1 + i * step[1], core + 2);
+    STORE(quaternion_double, &qo, 1, 2);
   }
 }
+LOOP(quaternion_from_mat3x3_double, 2, DENSE_OR_ONE, 72, 32, 24, 8, 8)
 
-static void quaternion_from_mat3x3_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 32, 24, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_from_mat3x3_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 32, 24, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_from_mat3x3_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  quaternion_from_mat3x3_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,3)->(4) */
-INLINED void quaternion_from_mat3x3_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_from_mat3x3_single) {
+  POINTERS_2
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     ksl_quaternionf_t qo;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(mat3x3_single, &R);
     ksl_quaternionf_from_mat3x3_accurate(&R, &qo);
-    store_quaternion_single(&qo, p1 + i * step[1], core + 2);
+    STORE(quaternion_single, &qo, 1, 2);
   }
 }
-
-static void quaternion_from_mat3x3_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 16, 12, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_from_mat3x3_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 12, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_from_mat3x3_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  quaternion_from_mat3x3_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction quaternion_from_mat3x3_loops[] = {
-    quaternion_from_mat3x3_double, quaternion_from_mat3x3_single};
+LOOP(quaternion_from_mat3x3_single, 2, DENSE_OR_ONE, 36, 16, 12, 4, 4)
+LOOPS(quaternion_from_mat3x3)
 
 /* (3),()->(4) */
-INLINED void quaternion_from_axis_angle_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t axis;
-  load_vec3_double(&axis, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_from_axis_angle_double) {
+  POINTERS_3
+  LOAD_FIRST(vec3_double, ksl_vec3_t axis, &axis);
+  EACH {
     double angle;
     ksl_quaternion_t qo;
-    if (step[0] != 0) {
-      load_vec3_double(&axis, p0 + i * step[0], core + 0);
-    }
-    load_scalar_double(&angle, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &axis);
+    LOAD(scalar_double, &angle, 1, 1);
     ksl_quaternion_from_axis_angle_accurate(&axis, angle, &qo);
-    store_quaternion_double(&qo, p2 + i * step[2], core + 1);
+    STORE(quaternion_double, &qo, 2, 1);
   }
 }
+LOOP(quaternion_from_axis_angle_double, 3, DENSE_OR_ONE, 24, 8, 32, 8, 8)
 
-static void quaternion_from_axis_angle_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 8, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_from_axis_angle_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 32, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_from_axis_angle_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_from_axis_angle_double_over(data, n[0], step, step + 3);
-}
-
-/* (3),()->(4) */
-INLINED void quaternion_from_axis_angle_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t axis;
-  load_vec3_single(&axis, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_from_axis_angle_single) {
+  POINTERS_3
+  LOAD_FIRST(vec3_single, ksl_vec3f_t axis, &axis);
+  EACH {
     float angle;
     ksl_quaternionf_t qo;
-    if (step[0] != 0) {
-      load_vec3_single(&axis, p0 + i * step[0], core + 0);
-    }
-    load_scalar_single(&angle, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &axis);
+    LOAD(scalar_single, &angle, 1, 1);
     ksl_quaternionf_from_axis_angle_accurate(&axis, angle, &qo);
-    store_quaternion_single(&qo, p2 + i * step[2], core + 1);
+    STORE(quaternion_single, &qo, 2, 1);
   }
 }
-
-static void quaternion_from_axis_angle_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 4, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_from_axis_angle_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 16, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_from_axis_angle_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  quaternion_from_axis_angle_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction quaternion_from_axis_angle_loops[] = {
-    quaternion_from_axis_angle_double, quaternion_from_axis_angle_single};
+LOOP(quaternion_from_axis_angle_single, 3, DENSE_OR_ONE, 12, 4, 16, 4, 4)
+LOOPS(quaternion_from_axis_angle)
 
 /* (4)->(),(3) */
-INLINED void axis_angle_from_quaternion_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternion_t q;
-  load_quaternion_double(&q, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(axis_angle_from_quaternion_double) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_double, ksl_quaternion_t q, &q);
+  EACH {
     double angle;
     ksl_vec3_t axis;
-    if (step[0] != 0) {
-      load_quaternion_double(&q, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(quaternion_double, &q);
     angle = ksl_axis_angle_from_quaternion_accurate(&q, &axis);
-    store_scalar_double(&angle, p1 + i * step[1], core + 1);
-    store_vec3_double(&axis, p2 + i * step[2], core + 1);
+    STORE(scalar_double, &angle, 1, 1);
+    STORE(vec3_double, &axis, 2, 1);
   }
 }
+LOOP(axis_angle_from_quaternion_double, 3, DENSE_OR_ONE, 32, 8, 24, 8, 8)
 
-static void axis_angle_from_quaternion_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 32, 8, 24, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    axis_angle_from_quaternion_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 24, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    axis_angle_from_quaternion_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  axis_angle_from_quaternion_double_over(data, n[0], step, step + 3);
-}
-
-/* (4)->(),(3) */
-INLINED void axis_angle_from_quaternion_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternionf_t q;
-  load_quaternion_single(&q, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(axis_angle_from_quaternion_single) {
+  POINTERS_3
+  LOAD_FIRST(quaternion_single, ksl_quaternionf_t q, &q);
+  EACH {
     float angle;
     ksl_vec3f_t axis;
-    if (step[0] != 0) {
-      load_quaternion_single(&q, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(quaternion_single, &q);
     angle = ksl_axis_angle_from_quaternionf_accurate(&q, &axis);
-    store_scalar_single(&angle, p1 + i * step[1], core + 1);
-    store_vec3_single(&axis, p2 + i * step[2], core + 1);
+    STORE(scalar_single, &angle, 1, 1);
+    STORE(vec3_single, &axis, 2, 1);
   }
 }
-
-static void axis_angle_from_quaternion_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 4, 12, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    axis_angle_from_quaternion_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 12, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    axis_angle_from_quaternion_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  axis_angle_from_quaternion_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction axis_angle_from_quaternion_loops[] = {
-    axis_angle_from_quaternion_double, axis_angle_from_quaternion_single};
+LOOP(axis_angle_from_quaternion_single, 3, DENSE_OR_ONE, 16, 4, 12, 4, 4)
+LOOPS(axis_angle_from_quaternion)
 
 /* (3)->(4) */
-INLINED void quaternion_exp_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t v;
-  load_vec3_double(&v, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_exp_double) {
+  POINTERS_2
+  LOAD_FIRST(vec3_double, ksl_vec3_t v, &v);
+  EACH {
     ksl_quaternion_t qo;
-    if (step[0] != 0) {
-      load_vec3_double(&v, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(vec3_double, &v);
     ksl_quaternion_exp_accurate(&v, &qo);
-    store_quaternion_double(&qo, p1 + i * step[1], core + 1);
+    STORE(quaternion_double, &qo, 1, 1);
   }
 }
+LOOP(quaternion_exp_double, 2, DENSE_OR_ONE, 24, 32, 8, 8)
 
-static void quaternion_exp_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_exp_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 32, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_exp_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  quaternion_exp_double_over(data, n[0], step, step + 2);
-}
-
-/* (3)->(4) */
-INLINED void quaternion_exp_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t v;
-  load_vec3_single(&v, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_exp_single) {
+  POINTERS_2
+  LOAD_FIRST(vec3_single, ksl_vec3f_t v, &v);
+  EACH {
     ksl_quaternionf_t qo;
-    if (step[0] != 0) {
-      load_vec3_single(&v, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(vec3_single, &v);
     ksl_quaternionf_exp_accurate(&v, &qo);
-    store_quaternion_single(&qo, p1 + i * step[1], core + 1);
+    STORE(quaternion_single, &qo, 1, 1);
   }
 }
-
-static void quaternion_exp_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_exp_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_exp_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  quaternion_exp_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction quaternion_exp_loops[] = {
-    quaternion_exp_double, quaternion_exp_single};
+LOOP(quaternion_exp_single, 2, DENSE_OR_ONE, 12, 16, 4, 4)
+LOOPS(quaternion_exp)
 
 /* (4)->(3) */
-INLINED void quaternion_log_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternion_t q;
-  load_quaternion_double(&q, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_log_double) {
+  POINTERS_2
+  LOAD_FIRST(quaternion_double, ksl_quaternion_t q, &q);
+  EACH {
     ksl_vec3_t vo;
-    if (step[0] != 0) {
-      load_quaternion_double(&q, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(quaternion_double, &q);
     ksl_quaternion_log_accurate(&q, &vo);
-    store_vec3_double(&vo, p1 + i * step[1], core + 1);
+    STORE(vec3_double, &vo, 1, 1);
   }
 }
+LOOP(quaternion_log_double, 2, DENSE_OR_ONE, 32, 24, 8, 8)
 
-static void quaternion_log_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 32, 24, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_log_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_log_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  quaternion_log_double_over(data, n[0], step, step + 2);
-}
-
-/* (4)->(3) */
-INLINED void quaternion_log_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternionf_t q;
-  load_quaternion_single(&q, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_log_single) {
+  POINTERS_2
+  LOAD_FIRST(quaternion_single, ksl_quaternionf_t q, &q);
+  EACH {
     ksl_vec3f_t vo;
-    if (step[0] != 0) {
-      load_quaternion_single(&q, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(quaternion_single, &q);
     ksl_quaternionf_log_accurate(&q, &vo);
-    store_vec3_single(&vo, p1 + i * step[1], core + 1);
+    STORE(vec3_single, &vo, 1, 1);
   }
 }
-
-static void quaternion_log_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 12, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_log_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_log_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  quaternion_log_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction quaternion_log_loops[] = {
-    quaternion_log_double, quaternion_log_single};
+LOOP(quaternion_log_single, 2, DENSE_OR_ONE, 16, 12, 4, 4)
+LOOPS(quaternion_log)
 
 /* (4),(4),()->(4) */
-INLINED void quaternion_interpolated_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternion_t q1;
-  load_quaternion_double(&q1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_interpolated_double) {
+  POINTERS_4
+  LOAD_FIRST(quaternion_double, ksl_quaternion_t q1, &q1);
+  EACH {
     ksl_quaternion_t q2;
     double k;
     ksl_quaternion_t qo;
-    if (step[0] != 0) {
-      load_quaternion_double(&q1, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_double(&q2, p1 + i * step[1], core + 1);
-    load_scalar_double(&k, p2 + i * step[2], core + 2);
+    LOAD_OTHER(quaternion_double, &q1);
+    LOAD(quaternion_double, &q2, 1, 1);
+    LOAD(scalar_double, &k, 2, 2);
     ksl_quaternion_interpolated_accurate(&q1, &q2, k, &qo);
-    store_quaternion_double(&qo, p3 + i * step[3], core + 2);
+    STORE(quaternion_double, &qo, 3, 2);
   }
 }
+LOOP(quaternion_interpolated_double, 4, DENSE_OR_ONE, 32, 32, 8, 32, 8, 8, 8)
 
-static void quaternion_interpolated_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 32, 32, 8, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_interpolated_double_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 32, 8, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_interpolated_double_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  quaternion_interpolated_double_over(data, n[0], step, step + 4);
-}
-
-/* (4),(4),()->(4) */
-INLINED void quaternion_interpolated_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_quaternionf_t q1;
-  load_quaternion_single(&q1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(quaternion_interpolated_single) {
+  POINTERS_4
+  LOAD_FIRST(quaternion_single, ksl_quaternionf_t q1, &q1);
+  EACH {
     ksl_quaternionf_t q2;
     float k;
     ksl_quaternionf_t qo;
-    if (step[0] != 0) {
-      load_quaternion_single(&q1, p0 + i * step[0], core + 0);
-    }
-    load_quaternion_single(&q2, p1 + i * step[1], core + 1);
-    load_scalar_single(&k, p2 + i * step[2], core + 2);
+    LOAD_OTHER(quaternion_single, &q1);
+    LOAD(quaternion_single, &q2, 1, 1);
+    LOAD(scalar_single, &k, 2, 2);
     ksl_quaternionf_interpolated_accurate(&q1, &q2, k, &qo);
-    store_quaternion_single(&qo, p3 + i * step[3], core + 2);
+    STORE(quaternion_single, &qo, 3, 2);
   }
 }
-
-static void quaternion_interpolated_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 16, 4, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    quaternion_interpolated_single_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 4, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    quaternion_interpolated_single_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  quaternion_interpolated_single_over(data, n[0], step, step + 4);
-}
-
-static PyUFuncGenericFunction quaternion_interpolated_loops[] = {
-    quaternion_interpolated_double, quaternion_interpolated_single};
+LOOP(quaternion_interpolated_single, 4, DENSE_OR_ONE, 16, 16, 4, 16, 4, 4, 4)
+LOOPS(quaternion_interpolated)
 
 const coscrew_gufunc TABLE(quaternion)[] = {
   {"quaternion_scale", "(4),()->(4)",

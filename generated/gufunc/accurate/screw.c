@@ -8,2850 +8,978 @@
 #include "_gufunc.h"
 
 /* (6),()->(6) */
-INLINED void screw_scale_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(screw_scale_double) {
+  POINTERS_3
+  EACH {
     ksl_screw_t self;
     double a;
-    load_screw_double(&self, p0 + i * step[0], core + 0);
-    load_scalar_double(&a, p1 + i * step[1], core + 1);
+    LOAD(screw_double, &self, 0, 0);
+    LOAD(scalar_double, &a, 1, 1);
     ksl_screw_scale_accurate(&self, a);
-    store_screw_double(&self, p2 + i * step[2], core + 1);
+    STORE(screw_double, &self, 2, 1);
   }
 }
+LOOP(screw_scale_double, 3, DENSE, 48, 8, 48, 8, 8)
 
-static void screw_scale_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 8, 48, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_scale_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  screw_scale_double_over(data, n[0], step, step + 3);
-}
-
-/* (6),()->(6) */
-INLINED void screw_scale_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(screw_scale_single) {
+  POINTERS_3
+  EACH {
     ksl_screwf_t self;
     float a;
-    load_screw_single(&self, p0 + i * step[0], core + 0);
-    load_scalar_single(&a, p1 + i * step[1], core + 1);
+    LOAD(screw_single, &self, 0, 0);
+    LOAD(scalar_single, &a, 1, 1);
     ksl_screwf_scale_accurate(&self, a);
-    store_screw_single(&self, p2 + i * step[2], core + 1);
+    STORE(screw_single, &self, 2, 1);
   }
 }
-
-static void screw_scale_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 4, 24, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_scale_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  screw_scale_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction screw_scale_loops[] = {
-    screw_scale_double, screw_scale_single};
+LOOP(screw_scale_single, 3, DENSE, 24, 4, 24, 4, 4)
+LOOPS(screw_scale)
 
 /* (),(6),(6)->(6) */
-INLINED void axpy_ss_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  double a;
-  load_scalar_double(&a, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(axpy_ss_double) {
+  POINTERS_4
+  LOAD_FIRST(scalar_double, double a, &a);
+  EACH {
     ksl_screw_t x;
     ksl_screw_t y;
-    if (step[0] != 0) {
-      load_scalar_double(&a, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&x, p1 + i * step[1], core + 0);
-    load_screw_double(&y, p2 + i * step[2], core + 1);
+    LOAD_OTHER(scalar_double, &a);
+    LOAD(screw_double, &x, 1, 0);
+    LOAD(screw_double, &y, 2, 1);
     ksl_axpy_ss_accurate(a, &x, &y);
-    store_screw_double(&y, p3 + i * step[3], core + 2);
+    STORE(screw_double, &y, 3, 2);
   }
 }
+LOOP(axpy_ss_double, 4, DENSE_OR_ONE, 8, 48, 48, 48, 8, 8, 8)
 
-static void axpy_ss_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 8, 48, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    axpy_ss_double_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    axpy_ss_double_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  axpy_ss_double_over(data, n[0], step, step + 4);
-}
-
-/* (),(6),(6)->(6) */
-INLINED void axpy_ss_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  float a;
-  load_scalar_single(&a, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(axpy_ss_single) {
+  POINTERS_4
+  LOAD_FIRST(scalar_single, float a, &a);
+  EACH {
     ksl_screwf_t x;
     ksl_screwf_t y;
-    if (step[0] != 0) {
-      load_scalar_single(&a, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&x, p1 + i * step[1], core + 0);
-    load_screw_single(&y, p2 + i * step[2], core + 1);
+    LOAD_OTHER(scalar_single, &a);
+    LOAD(screw_single, &x, 1, 0);
+    LOAD(screw_single, &y, 2, 1);
     ksl_axpy_ssf_accurate(a, &x, &y);
-    store_screw_single(&y, p3 + i * step[3], core + 2);
+    STORE(screw_single, &y, 3, 2);
   }
 }
-
-static void axpy_ss_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 4, 24, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    axpy_ss_single_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    axpy_ss_single_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  axpy_ss_single_over(data, n[0], step, step + 4);
-}
-
-static PyUFuncGenericFunction axpy_ss_loops[] = {
-    axpy_ss_double, axpy_ss_single};
+LOOP(axpy_ss_single, 4, DENSE_OR_ONE, 4, 24, 24, 24, 4, 4, 4)
+LOOPS(axpy_ss)
 
 /* (6),(6)->(6) */
-INLINED void xpy_ss_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screw_t x;
-  load_screw_double(&x, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(xpy_ss_double) {
+  POINTERS_3
+  LOAD_FIRST(screw_double, ksl_screw_t x, &x);
+  EACH {
     ksl_screw_t y;
-    if (step[0] != 0) {
-      load_screw_double(&x, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&y, p1 + i * step[1], core + 1);
+    LOAD_OTHER(screw_double, &x);
+    LOAD(screw_double, &y, 1, 1);
     ksl_xpy_ss_accurate(&x, &y);
-    store_screw_double(&y, p2 + i * step[2], core + 2);
+    STORE(screw_double, &y, 2, 2);
   }
 }
+LOOP(xpy_ss_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
-static void xpy_ss_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    xpy_ss_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    xpy_ss_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  xpy_ss_double_over(data, n[0], step, step + 3);
-}
-
-/* (6),(6)->(6) */
-INLINED void xpy_ss_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screwf_t x;
-  load_screw_single(&x, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(xpy_ss_single) {
+  POINTERS_3
+  LOAD_FIRST(screw_single, ksl_screwf_t x, &x);
+  EACH {
     ksl_screwf_t y;
-    if (step[0] != 0) {
-      load_screw_single(&x, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&y, p1 + i * step[1], core + 1);
+    LOAD_OTHER(screw_single, &x);
+    LOAD(screw_single, &y, 1, 1);
     ksl_xpy_ssf_accurate(&x, &y);
-    store_screw_single(&y, p2 + i * step[2], core + 2);
+    STORE(screw_single, &y, 2, 2);
   }
 }
-
-static void xpy_ss_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    xpy_ss_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    xpy_ss_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  xpy_ss_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction xpy_ss_loops[] = {
-    xpy_ss_double, xpy_ss_single};
+LOOP(xpy_ss_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
+LOOPS(xpy_ss)
 
 /* (6),(6)->(6) */
-INLINED void nxpy_ss_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screw_t x;
-  load_screw_double(&x, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(nxpy_ss_double) {
+  POINTERS_3
+  LOAD_FIRST(screw_double, ksl_screw_t x, &x);
+  EACH {
     ksl_screw_t y;
-    if (step[0] != 0) {
-      load_screw_double(&x, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&y, p1 + i * step[1], core + 1);
+    LOAD_OTHER(screw_double, &x);
+    LOAD(screw_double, &y, 1, 1);
     ksl_nxpy_ss_accurate(&x, &y);
-    store_screw_double(&y, p2 + i * step[2], core + 2);
+    STORE(screw_double, &y, 2, 2);
   }
 }
+LOOP(nxpy_ss_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
-static void nxpy_ss_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    nxpy_ss_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    nxpy_ss_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  nxpy_ss_double_over(data, n[0], step, step + 3);
-}
-
-/* (6),(6)->(6) */
-INLINED void nxpy_ss_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screwf_t x;
-  load_screw_single(&x, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(nxpy_ss_single) {
+  POINTERS_3
+  LOAD_FIRST(screw_single, ksl_screwf_t x, &x);
+  EACH {
     ksl_screwf_t y;
-    if (step[0] != 0) {
-      load_screw_single(&x, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&y, p1 + i * step[1], core + 1);
+    LOAD_OTHER(screw_single, &x);
+    LOAD(screw_single, &y, 1, 1);
     ksl_nxpy_ssf_accurate(&x, &y);
-    store_screw_single(&y, p2 + i * step[2], core + 2);
+    STORE(screw_single, &y, 2, 2);
   }
 }
-
-static void nxpy_ss_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    nxpy_ss_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    nxpy_ss_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  nxpy_ss_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction nxpy_ss_loops[] = {
-    nxpy_ss_double, nxpy_ss_single};
+LOOP(nxpy_ss_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
+LOOPS(nxpy_ss)
 
 /* (),(6)->(6) */
-INLINED void product_as_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  double a;
-  load_scalar_double(&a, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_as_double) {
+  POINTERS_3
+  LOAD_FIRST(scalar_double, double a, &a);
+  EACH {
     ksl_screw_t si;
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_scalar_double(&a, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&si, p1 + i * step[1], core + 0);
+    LOAD_OTHER(scalar_double, &a);
+    LOAD(screw_double, &si, 1, 0);
     ksl_product_as_accurate(a, &si, &so);
-    store_screw_double(&so, p2 + i * step[2], core + 1);
+    STORE(screw_double, &so, 2, 1);
   }
 }
+LOOP(product_as_double, 3, DENSE_OR_ONE, 8, 48, 48, 8, 8)
 
-static void product_as_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 8, 48, 48, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_as_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_as_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_as_double_over(data, n[0], step, step + 3);
-}
-
-/* (),(6)->(6) */
-INLINED void product_as_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  float a;
-  load_scalar_single(&a, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_as_single) {
+  POINTERS_3
+  LOAD_FIRST(scalar_single, float a, &a);
+  EACH {
     ksl_screwf_t si;
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_scalar_single(&a, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&si, p1 + i * step[1], core + 0);
+    LOAD_OTHER(scalar_single, &a);
+    LOAD(screw_single, &si, 1, 0);
     ksl_product_asf_accurate(a, &si, &so);
-    store_screw_single(&so, p2 + i * step[2], core + 1);
+    STORE(screw_single, &so, 2, 1);
   }
 }
-
-static void product_as_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 4, 24, 24, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_as_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_as_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_as_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_as_loops[] = {
-    product_as_double, product_as_single};
+LOOP(product_as_single, 3, DENSE_OR_ONE, 4, 24, 24, 4, 4)
+LOOPS(product_as)
 
 /* (6),(6)->(6) */
-INLINED void add_ss_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screw_t s1;
-  load_screw_double(&s1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(add_ss_double) {
+  POINTERS_3
+  LOAD_FIRST(screw_double, ksl_screw_t s1, &s1);
+  EACH {
     ksl_screw_t s2;
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_screw_double(&s1, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&s2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(screw_double, &s1);
+    LOAD(screw_double, &s2, 1, 1);
     ksl_add_ss_accurate(&s1, &s2, &so);
-    store_screw_double(&so, p2 + i * step[2], core + 2);
+    STORE(screw_double, &so, 2, 2);
   }
 }
+LOOP(add_ss_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
-static void add_ss_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_ss_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_ss_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  add_ss_double_over(data, n[0], step, step + 3);
-}
-
-/* (6),(6)->(6) */
-INLINED void add_ss_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screwf_t s1;
-  load_screw_single(&s1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(add_ss_single) {
+  POINTERS_3
+  LOAD_FIRST(screw_single, ksl_screwf_t s1, &s1);
+  EACH {
     ksl_screwf_t s2;
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_screw_single(&s1, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&s2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(screw_single, &s1);
+    LOAD(screw_single, &s2, 1, 1);
     ksl_add_ssf_accurate(&s1, &s2, &so);
-    store_screw_single(&so, p2 + i * step[2], core + 2);
+    STORE(screw_single, &so, 2, 2);
   }
 }
-
-static void add_ss_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_ss_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_ss_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  add_ss_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction add_ss_loops[] = {
-    add_ss_double, add_ss_single};
+LOOP(add_ss_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
+LOOPS(add_ss)
 
 /* (6),(6)->(6) */
-INLINED void subtract_ss_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screw_t s1;
-  load_screw_double(&s1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(subtract_ss_double) {
+  POINTERS_3
+  LOAD_FIRST(screw_double, ksl_screw_t s1, &s1);
+  EACH {
     ksl_screw_t s2;
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_screw_double(&s1, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&s2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(screw_double, &s1);
+    LOAD(screw_double, &s2, 1, 1);
     ksl_subtract_ss_accurate(&s1, &s2, &so);
-    store_screw_double(&so, p2 + i * step[2], core + 2);
+    STORE(screw_double, &so, 2, 2);
   }
 }
+LOOP(subtract_ss_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
-static void subtract_ss_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    subtract_ss_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    subtract_ss_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  subtract_ss_double_over(data, n[0], step, step + 3);
-}
-
-/* (6),(6)->(6) */
-INLINED void subtract_ss_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screwf_t s1;
-  load_screw_single(&s1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(subtract_ss_single) {
+  POINTERS_3
+  LOAD_FIRST(screw_single, ksl_screwf_t s1, &s1);
+  EACH {
     ksl_screwf_t s2;
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_screw_single(&s1, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&s2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(screw_single, &s1);
+    LOAD(screw_single, &s2, 1, 1);
     ksl_subtract_ssf_accurate(&s1, &s2, &so);
-    store_screw_single(&so, p2 + i * step[2], core + 2);
+    STORE(screw_single, &so, 2, 2);
   }
 }
-
-static void subtract_ss_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    subtract_ss_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    subtract_ss_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  subtract_ss_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction subtract_ss_loops[] = {
-    subtract_ss_double, subtract_ss_single};
+LOOP(subtract_ss_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
+LOOPS(subtract_ss)
 
 /* (6)->() */
-INLINED void screw_norm_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screw_t si;
-  load_screw_double(&si, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(screw_norm_double) {
+  POINTERS_2
+  LOAD_FIRST(screw_double, ksl_screw_t si, &si);
+  EACH {
     double norm;
-    if (step[0] != 0) {
-      load_screw_double(&si, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(screw_double, &si);
     norm = ksl_screw_norm_accurate(&si);
-    store_scalar_double(&norm, p1 + i * step[1], core + 1);
+    STORE(scalar_double, &norm, 1, 1);
   }
 }
+LOOP(screw_norm_double, 2, DENSE_OR_ONE, 48, 8, 8)
 
-static void screw_norm_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_norm_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    screw_norm_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  screw_norm_double_over(data, n[0], step, step + 2);
-}
-
-/* (6)->() */
-INLINED void screw_norm_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screwf_t si;
-  load_screw_single(&si, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(screw_norm_single) {
+  POINTERS_2
+  LOAD_FIRST(screw_single, ksl_screwf_t si, &si);
+  EACH {
     float norm;
-    if (step[0] != 0) {
-      load_screw_single(&si, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(screw_single, &si);
     norm = ksl_screwf_norm_accurate(&si);
-    store_scalar_single(&norm, p1 + i * step[1], core + 1);
+    STORE(scalar_single, &norm, 1, 1);
   }
 }
-
-static void screw_norm_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_norm_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    screw_norm_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  screw_norm_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction screw_norm_loops[] = {
-    screw_norm_double, screw_norm_single};
+LOOP(screw_norm_single, 2, DENSE_OR_ONE, 24, 4, 4)
+LOOPS(screw_norm)
 
 /* (6)->(6) */
-INLINED void screw_normalize_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(screw_normalize_double) {
+  POINTERS_2
+  EACH {
     ksl_screw_t self;
-    load_screw_double(&self, p0 + i * step[0], core + 0);
+    LOAD(screw_double, &self, 0, 0);
     ksl_screw_normalize_accurate(&self);
-    store_screw_double(&self, p1 + i * step[1], core + 1);
+    STORE(screw_double, &self, 1, 1);
   }
 }
+LOOP(screw_normalize_double, 2, DENSE, 48, 48, 8, 8)
 
-static void screw_normalize_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_normalize_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  screw_normalize_double_over(data, n[0], step, step + 2);
-}
-
-/* (6)->(6) */
-INLINED void screw_normalize_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(screw_normalize_single) {
+  POINTERS_2
+  EACH {
     ksl_screwf_t self;
-    load_screw_single(&self, p0 + i * step[0], core + 0);
+    LOAD(screw_single, &self, 0, 0);
     ksl_screwf_normalize_accurate(&self);
-    store_screw_single(&self, p1 + i * step[1], core + 1);
+    STORE(screw_single, &self, 1, 1);
   }
 }
-
-static void screw_normalize_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_normalize_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  screw_normalize_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction screw_normalize_loops[] = {
-    screw_normalize_double, screw_normalize_single};
+LOOP(screw_normalize_single, 2, DENSE, 24, 24, 4, 4)
+LOOPS(screw_normalize)
 
 /* (6)->(6) */
-INLINED void screw_normalized_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screw_t si;
-  load_screw_double(&si, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(screw_normalized_double) {
+  POINTERS_2
+  LOAD_FIRST(screw_double, ksl_screw_t si, &si);
+  EACH {
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_screw_double(&si, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(screw_double, &si);
     ksl_screw_normalized_accurate(&si, &so);
-    store_screw_double(&so, p1 + i * step[1], core + 1);
+    STORE(screw_double, &so, 1, 1);
   }
 }
+LOOP(screw_normalized_double, 2, DENSE_OR_ONE, 48, 48, 8, 8)
 
-static void screw_normalized_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_normalized_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    screw_normalized_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  screw_normalized_double_over(data, n[0], step, step + 2);
-}
-
-/* (6)->(6) */
-INLINED void screw_normalized_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screwf_t si;
-  load_screw_single(&si, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(screw_normalized_single) {
+  POINTERS_2
+  LOAD_FIRST(screw_single, ksl_screwf_t si, &si);
+  EACH {
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_screw_single(&si, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(screw_single, &si);
     ksl_screwf_normalized_accurate(&si, &so);
-    store_screw_single(&so, p1 + i * step[1], core + 1);
+    STORE(screw_single, &so, 1, 1);
   }
 }
-
-static void screw_normalized_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    screw_normalized_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    screw_normalized_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  screw_normalized_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction screw_normalized_loops[] = {
-    screw_normalized_double, screw_normalized_single};
+LOOP(screw_normalized_single, 2, DENSE_OR_ONE, 24, 24, 4, 4)
+LOOPS(screw_normalized)
 
 /* (6),(6)->(6) */
-INLINED void add_sst_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screw_t s1;
-  load_screw_double(&s1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(add_sst_double) {
+  POINTERS_3
+  LOAD_FIRST(screw_double, ksl_screw_t s1, &s1);
+  EACH {
     ksl_screw_t s2;
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_screw_double(&s1, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&s2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(screw_double, &s1);
+    LOAD(screw_double, &s2, 1, 1);
     ksl_add_sst_accurate(&s1, &s2, &so);
-    store_screw_double(&so, p2 + i * step[2], core + 2);
+    STORE(screw_double, &so, 2, 2);
   }
 }
+LOOP(add_sst_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
-static void add_sst_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_sst_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_sst_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  add_sst_double_over(data, n[0], step, step + 3);
-}
-
-/* (6),(6)->(6) */
-INLINED void add_sst_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screwf_t s1;
-  load_screw_single(&s1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(add_sst_single) {
+  POINTERS_3
+  LOAD_FIRST(screw_single, ksl_screwf_t s1, &s1);
+  EACH {
     ksl_screwf_t s2;
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_screw_single(&s1, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&s2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(screw_single, &s1);
+    LOAD(screw_single, &s2, 1, 1);
     ksl_add_sstf_accurate(&s1, &s2, &so);
-    store_screw_single(&so, p2 + i * step[2], core + 2);
+    STORE(screw_single, &so, 2, 2);
   }
 }
-
-static void add_sst_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_sst_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_sst_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  add_sst_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction add_sst_loops[] = {
-    add_sst_double, add_sst_single};
+LOOP(add_sst_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
+LOOPS(add_sst)
 
 /* (3),(6)->(6) */
-INLINED void product_Adts_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t t;
-  load_vec3_double(&t, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_Adts_double) {
+  POINTERS_3
+  LOAD_FIRST(vec3_double, ksl_vec3_t t, &t);
+  EACH {
     ksl_screw_t si;
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_vec3_double(&t, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&si, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &t);
+    LOAD(screw_double, &si, 1, 1);
     ksl_product_Adts_accurate(&t, &si, &so);
-    store_screw_double(&so, p2 + i * step[2], core + 2);
+    STORE(screw_double, &so, 2, 2);
   }
 }
+LOOP(product_Adts_double, 3, DENSE_OR_ONE, 24, 48, 48, 8, 8, 8)
 
-static void product_Adts_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adts_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adts_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_Adts_double_over(data, n[0], step, step + 3);
-}
-
-/* (3),(6)->(6) */
-INLINED void product_Adts_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t t;
-  load_vec3_single(&t, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_Adts_single) {
+  POINTERS_3
+  LOAD_FIRST(vec3_single, ksl_vec3f_t t, &t);
+  EACH {
     ksl_screwf_t si;
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_vec3_single(&t, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&si, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &t);
+    LOAD(screw_single, &si, 1, 1);
     ksl_product_Adtsf_accurate(&t, &si, &so);
-    store_screw_single(&so, p2 + i * step[2], core + 2);
+    STORE(screw_single, &so, 2, 2);
   }
 }
-
-static void product_Adts_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adts_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adts_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_Adts_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_Adts_loops[] = {
-    product_Adts_double, product_Adts_single};
+LOOP(product_Adts_single, 3, DENSE_OR_ONE, 12, 24, 24, 4, 4, 4)
+LOOPS(product_Adts)
 
 /* (3),(6)->(6) */
-INLINED void product_Adtinvs_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t t;
-  load_vec3_double(&t, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_Adtinvs_double) {
+  POINTERS_3
+  LOAD_FIRST(vec3_double, ksl_vec3_t t, &t);
+  EACH {
     ksl_screw_t si;
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_vec3_double(&t, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&si, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &t);
+    LOAD(screw_double, &si, 1, 1);
     ksl_product_Adtinvs_accurate(&t, &si, &so);
-    store_screw_double(&so, p2 + i * step[2], core + 2);
+    STORE(screw_double, &so, 2, 2);
   }
 }
+LOOP(product_Adtinvs_double, 3, DENSE_OR_ONE, 24, 48, 48, 8, 8, 8)
 
-static void product_Adtinvs_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adtinvs_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adtinvs_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_Adtinvs_double_over(data, n[0], step, step + 3);
-}
-
-/* (3),(6)->(6) */
-INLINED void product_Adtinvs_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t t;
-  load_vec3_single(&t, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_Adtinvs_single) {
+  POINTERS_3
+  LOAD_FIRST(vec3_single, ksl_vec3f_t t, &t);
+  EACH {
     ksl_screwf_t si;
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_vec3_single(&t, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&si, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &t);
+    LOAD(screw_single, &si, 1, 1);
     ksl_product_Adtinvsf_accurate(&t, &si, &so);
-    store_screw_single(&so, p2 + i * step[2], core + 2);
+    STORE(screw_single, &so, 2, 2);
   }
 }
-
-static void product_Adtinvs_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adtinvs_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adtinvs_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_Adtinvs_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_Adtinvs_loops[] = {
-    product_Adtinvs_double, product_Adtinvs_single};
+LOOP(product_Adtinvs_single, 3, DENSE_OR_ONE, 12, 24, 24, 4, 4, 4)
+LOOPS(product_Adtinvs)
 
 /* (3),(6)->(6) */
-INLINED void product_Adtsinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t t;
-  load_vec3_double(&t, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_Adtsinv_double) {
+  POINTERS_3
+  LOAD_FIRST(vec3_double, ksl_vec3_t t, &t);
+  EACH {
     ksl_screw_t si;
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_vec3_double(&t, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&si, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &t);
+    LOAD(screw_double, &si, 1, 1);
     ksl_product_Adtsinv_accurate(&t, &si, &so);
-    store_screw_double(&so, p2 + i * step[2], core + 2);
+    STORE(screw_double, &so, 2, 2);
   }
 }
+LOOP(product_Adtsinv_double, 3, DENSE_OR_ONE, 24, 48, 48, 8, 8, 8)
 
-static void product_Adtsinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adtsinv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adtsinv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_Adtsinv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3),(6)->(6) */
-INLINED void product_Adtsinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t t;
-  load_vec3_single(&t, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_Adtsinv_single) {
+  POINTERS_3
+  LOAD_FIRST(vec3_single, ksl_vec3f_t t, &t);
+  EACH {
     ksl_screwf_t si;
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_vec3_single(&t, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&si, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &t);
+    LOAD(screw_single, &si, 1, 1);
     ksl_product_Adtsinvf_accurate(&t, &si, &so);
-    store_screw_single(&so, p2 + i * step[2], core + 2);
+    STORE(screw_single, &so, 2, 2);
   }
 }
-
-static void product_Adtsinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adtsinv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adtsinv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_Adtsinv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_Adtsinv_loops[] = {
-    product_Adtsinv_double, product_Adtsinv_single};
+LOOP(product_Adtsinv_single, 3, DENSE_OR_ONE, 12, 24, 24, 4, 4, 4)
+LOOPS(product_Adtsinv)
 
 /* (3,3),(6)->(6) */
-INLINED void product_Adrs_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_Adrs_double) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     ksl_screw_t si;
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&si, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(screw_double, &si, 1, 2);
     ksl_product_Adrs_accurate(&R, &si, &so);
-    store_screw_double(&so, p2 + i * step[2], core + 3);
+    STORE(screw_double, &so, 2, 3);
   }
 }
+LOOP(product_Adrs_double, 3, DENSE_OR_ONE, 72, 48, 48, 24, 8, 8, 8)
 
-static void product_Adrs_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 48, 48, 24, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adrs_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 24, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adrs_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_Adrs_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,3),(6)->(6) */
-INLINED void product_Adrs_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_Adrs_single) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     ksl_screwf_t si;
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&si, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(screw_single, &si, 1, 2);
     ksl_product_Adrsf_accurate(&R, &si, &so);
-    store_screw_single(&so, p2 + i * step[2], core + 3);
+    STORE(screw_single, &so, 2, 3);
   }
 }
-
-static void product_Adrs_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 24, 24, 12, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adrs_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 12, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adrs_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_Adrs_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_Adrs_loops[] = {
-    product_Adrs_double, product_Adrs_single};
+LOOP(product_Adrs_single, 3, DENSE_OR_ONE, 36, 24, 24, 12, 4, 4, 4)
+LOOPS(product_Adrs)
 
 /* (3,3),(6)->(6) */
-INLINED void product_Adrinvs_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_Adrinvs_double) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     ksl_screw_t si;
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&si, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(screw_double, &si, 1, 2);
     ksl_product_Adrinvs_accurate(&R, &si, &so);
-    store_screw_double(&so, p2 + i * step[2], core + 3);
+    STORE(screw_double, &so, 2, 3);
   }
 }
+LOOP(product_Adrinvs_double, 3, DENSE_OR_ONE, 72, 48, 48, 24, 8, 8, 8)
 
-static void product_Adrinvs_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 48, 48, 24, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adrinvs_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 24, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adrinvs_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_Adrinvs_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,3),(6)->(6) */
-INLINED void product_Adrinvs_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_Adrinvs_single) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     ksl_screwf_t si;
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&si, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(screw_single, &si, 1, 2);
     ksl_product_Adrinvsf_accurate(&R, &si, &so);
-    store_screw_single(&so, p2 + i * step[2], core + 3);
+    STORE(screw_single, &so, 2, 3);
   }
 }
-
-static void product_Adrinvs_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 24, 24, 12, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adrinvs_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 12, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adrinvs_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_Adrinvs_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_Adrinvs_loops[] = {
-    product_Adrinvs_double, product_Adrinvs_single};
+LOOP(product_Adrinvs_single, 3, DENSE_OR_ONE, 36, 24, 24, 12, 4, 4, 4)
+LOOPS(product_Adrinvs)
 
 /* (3,3),(6)->(6) */
-INLINED void product_Adrsinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_Adrsinv_double) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     ksl_screw_t si;
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&si, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(screw_double, &si, 1, 2);
     ksl_product_Adrsinv_accurate(&R, &si, &so);
-    store_screw_double(&so, p2 + i * step[2], core + 3);
+    STORE(screw_double, &so, 2, 3);
   }
 }
+LOOP(product_Adrsinv_double, 3, DENSE_OR_ONE, 72, 48, 48, 24, 8, 8, 8)
 
-static void product_Adrsinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 48, 48, 24, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adrsinv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 24, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adrsinv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_Adrsinv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,3),(6)->(6) */
-INLINED void product_Adrsinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_Adrsinv_single) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     ksl_screwf_t si;
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&si, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(screw_single, &si, 1, 2);
     ksl_product_Adrsinvf_accurate(&R, &si, &so);
-    store_screw_single(&so, p2 + i * step[2], core + 3);
+    STORE(screw_single, &so, 2, 3);
   }
 }
-
-static void product_Adrsinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 24, 24, 12, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adrsinv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 12, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adrsinv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_Adrsinv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_Adrsinv_loops[] = {
-    product_Adrsinv_double, product_Adrsinv_single};
+LOOP(product_Adrsinv_single, 3, DENSE_OR_ONE, 36, 24, 24, 12, 4, 4, 4)
+LOOPS(product_Adrsinv)
 
 /* (3,4),(6)->(6) */
-INLINED void product_Ads_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_Ads_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_screw_t si;
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&si, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(screw_double, &si, 1, 2);
     ksl_product_Ads_accurate(&D, &si, &so);
-    store_screw_double(&so, p2 + i * step[2], core + 3);
+    STORE(screw_double, &so, 2, 3);
   }
 }
+LOOP(product_Ads_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
-static void product_Ads_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Ads_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Ads_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_Ads_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(6)->(6) */
-INLINED void product_Ads_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_Ads_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_screwf_t si;
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&si, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(screw_single, &si, 1, 2);
     ksl_product_Adsf_accurate(&D, &si, &so);
-    store_screw_single(&so, p2 + i * step[2], core + 3);
+    STORE(screw_single, &so, 2, 3);
   }
 }
-
-static void product_Ads_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Ads_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Ads_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_Ads_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_Ads_loops[] = {
-    product_Ads_double, product_Ads_single};
+LOOP(product_Ads_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
+LOOPS(product_Ads)
 
 /* (3,4),(6)->(6) */
-INLINED void product_Adinvs_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_Adinvs_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_screw_t si;
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&si, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(screw_double, &si, 1, 2);
     ksl_product_Adinvs_accurate(&D, &si, &so);
-    store_screw_double(&so, p2 + i * step[2], core + 3);
+    STORE(screw_double, &so, 2, 3);
   }
 }
+LOOP(product_Adinvs_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
-static void product_Adinvs_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adinvs_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adinvs_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_Adinvs_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(6)->(6) */
-INLINED void product_Adinvs_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_Adinvs_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_screwf_t si;
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&si, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(screw_single, &si, 1, 2);
     ksl_product_Adinvsf_accurate(&D, &si, &so);
-    store_screw_single(&so, p2 + i * step[2], core + 3);
+    STORE(screw_single, &so, 2, 3);
   }
 }
-
-static void product_Adinvs_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adinvs_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adinvs_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_Adinvs_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_Adinvs_loops[] = {
-    product_Adinvs_double, product_Adinvs_single};
+LOOP(product_Adinvs_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
+LOOPS(product_Adinvs)
 
 /* (3,4),(6)->(6) */
-INLINED void product_Adsinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_Adsinv_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_screw_t si;
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&si, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(screw_double, &si, 1, 2);
     ksl_product_Adsinv_accurate(&D, &si, &so);
-    store_screw_double(&so, p2 + i * step[2], core + 3);
+    STORE(screw_double, &so, 2, 3);
   }
 }
+LOOP(product_Adsinv_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
-static void product_Adsinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adsinv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adsinv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_Adsinv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(6)->(6) */
-INLINED void product_Adsinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_Adsinv_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_screwf_t si;
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&si, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(screw_single, &si, 1, 2);
     ksl_product_Adsinvf_accurate(&D, &si, &so);
-    store_screw_single(&so, p2 + i * step[2], core + 3);
+    STORE(screw_single, &so, 2, 3);
   }
 }
-
-static void product_Adsinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Adsinv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Adsinv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_Adsinv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_Adsinv_loops[] = {
-    product_Adsinv_double, product_Adsinv_single};
+LOOP(product_Adsinv_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
+LOOPS(product_Adsinv)
 
 /* (3,4)->(6) */
-INLINED void hsrx_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hsrx_double) {
+  POINTERS_2
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_double, &D);
     ksl_hsrx_accurate(&D, &so);
-    store_screw_double(&so, p1 + i * step[1], core + 2);
+    STORE(screw_double, &so, 1, 2);
   }
 }
+LOOP(hsrx_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
 
-static void hsrx_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsrx_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsrx_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hsrx_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,4)->(6) */
-INLINED void hsrx_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hsrx_single) {
+  POINTERS_2
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_single, &D);
     ksl_hsrxf_accurate(&D, &so);
-    store_screw_single(&so, p1 + i * step[1], core + 2);
+    STORE(screw_single, &so, 1, 2);
   }
 }
-
-static void hsrx_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsrx_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsrx_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hsrx_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction hsrx_loops[] = {
-    hsrx_double, hsrx_single};
+LOOP(hsrx_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOPS(hsrx)
 
 /* (3,4)->(6) */
-INLINED void hsry_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hsry_double) {
+  POINTERS_2
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_double, &D);
     ksl_hsry_accurate(&D, &so);
-    store_screw_double(&so, p1 + i * step[1], core + 2);
+    STORE(screw_double, &so, 1, 2);
   }
 }
+LOOP(hsry_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
 
-static void hsry_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsry_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsry_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hsry_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,4)->(6) */
-INLINED void hsry_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hsry_single) {
+  POINTERS_2
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_single, &D);
     ksl_hsryf_accurate(&D, &so);
-    store_screw_single(&so, p1 + i * step[1], core + 2);
+    STORE(screw_single, &so, 1, 2);
   }
 }
-
-static void hsry_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsry_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsry_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hsry_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction hsry_loops[] = {
-    hsry_double, hsry_single};
+LOOP(hsry_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOPS(hsry)
 
 /* (3,4)->(6) */
-INLINED void hsrz_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hsrz_double) {
+  POINTERS_2
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_double, &D);
     ksl_hsrz_accurate(&D, &so);
-    store_screw_double(&so, p1 + i * step[1], core + 2);
+    STORE(screw_double, &so, 1, 2);
   }
 }
+LOOP(hsrz_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
 
-static void hsrz_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsrz_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsrz_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hsrz_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,4)->(6) */
-INLINED void hsrz_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hsrz_single) {
+  POINTERS_2
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_single, &D);
     ksl_hsrzf_accurate(&D, &so);
-    store_screw_single(&so, p1 + i * step[1], core + 2);
+    STORE(screw_single, &so, 1, 2);
   }
 }
-
-static void hsrz_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsrz_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsrz_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hsrz_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction hsrz_loops[] = {
-    hsrz_double, hsrz_single};
+LOOP(hsrz_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOPS(hsrz)
 
 /* (3,4)->(6) */
-INLINED void hsrxinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hsrxinv_double) {
+  POINTERS_2
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_double, &D);
     ksl_hsrxinv_accurate(&D, &so);
-    store_screw_double(&so, p1 + i * step[1], core + 2);
+    STORE(screw_double, &so, 1, 2);
   }
 }
+LOOP(hsrxinv_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
 
-static void hsrxinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsrxinv_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsrxinv_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hsrxinv_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,4)->(6) */
-INLINED void hsrxinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hsrxinv_single) {
+  POINTERS_2
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_single, &D);
     ksl_hsrxinvf_accurate(&D, &so);
-    store_screw_single(&so, p1 + i * step[1], core + 2);
+    STORE(screw_single, &so, 1, 2);
   }
 }
-
-static void hsrxinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsrxinv_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsrxinv_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hsrxinv_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction hsrxinv_loops[] = {
-    hsrxinv_double, hsrxinv_single};
+LOOP(hsrxinv_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOPS(hsrxinv)
 
 /* (3,4)->(6) */
-INLINED void hsryinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hsryinv_double) {
+  POINTERS_2
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_double, &D);
     ksl_hsryinv_accurate(&D, &so);
-    store_screw_double(&so, p1 + i * step[1], core + 2);
+    STORE(screw_double, &so, 1, 2);
   }
 }
+LOOP(hsryinv_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
 
-static void hsryinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsryinv_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsryinv_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hsryinv_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,4)->(6) */
-INLINED void hsryinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hsryinv_single) {
+  POINTERS_2
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_single, &D);
     ksl_hsryinvf_accurate(&D, &so);
-    store_screw_single(&so, p1 + i * step[1], core + 2);
+    STORE(screw_single, &so, 1, 2);
   }
 }
-
-static void hsryinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsryinv_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsryinv_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hsryinv_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction hsryinv_loops[] = {
-    hsryinv_double, hsryinv_single};
+LOOP(hsryinv_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOPS(hsryinv)
 
 /* (3,4)->(6) */
-INLINED void hsrzinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hsrzinv_double) {
+  POINTERS_2
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_double, &D);
     ksl_hsrzinv_accurate(&D, &so);
-    store_screw_double(&so, p1 + i * step[1], core + 2);
+    STORE(screw_double, &so, 1, 2);
   }
 }
+LOOP(hsrzinv_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
 
-static void hsrzinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 48, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsrzinv_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 32, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsrzinv_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hsrzinv_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,4)->(6) */
-INLINED void hsrzinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hsrzinv_single) {
+  POINTERS_2
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_single, &D);
     ksl_hsrzinvf_accurate(&D, &so);
-    store_screw_single(&so, p1 + i * step[1], core + 2);
+    STORE(screw_single, &so, 1, 2);
   }
 }
-
-static void hsrzinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 24, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsrzinv_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 16, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsrzinv_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  hsrzinv_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction hsrzinv_loops[] = {
-    hsrzinv_double, hsrzinv_single};
+LOOP(hsrzinv_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOPS(hsrzinv)
 
 /* (3,4)->(6,6) */
-INLINED void Ad_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(Ad_double) {
+  POINTERS_2
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_mat6x6_t M;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_double, &D);
     ksl_Ad_accurate(&D, &M);
-    store_mat6x6_double(&M, p1 + i * step[1], core + 2);
+    STORE(mat6x6_double, &M, 1, 2);
   }
 }
+LOOP(Ad_double, 2, DENSE_OR_ONE, 96, 288, 32, 8, 48, 8)
 
-static void Ad_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 288, 32, 8, 48, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    Ad_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 288, 32, 8, 48, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    Ad_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  Ad_double_over(data, n[0], step, step + 2);
-}
-
-/* (3,4)->(6,6) */
-INLINED void Ad_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(Ad_single) {
+  POINTERS_2
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_mat6x6f_t M;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_single, &D);
     ksl_Adf_accurate(&D, &M);
-    store_mat6x6_single(&M, p1 + i * step[1], core + 2);
+    STORE(mat6x6_single, &M, 1, 2);
   }
 }
-
-static void Ad_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 144, 16, 4, 24, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    Ad_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 144, 16, 4, 24, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    Ad_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  Ad_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction Ad_loops[] = {
-    Ad_double, Ad_single};
+LOOP(Ad_single, 2, DENSE_OR_ONE, 48, 144, 16, 4, 24, 4)
+LOOPS(Ad)
 
 /* (6),(6)->() */
-INLINED void dot_cs_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_coscrew_t c;
-  load_coscrew_double(&c, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(dot_cs_double) {
+  POINTERS_3
+  LOAD_FIRST(coscrew_double, ksl_coscrew_t c, &c);
+  EACH {
     ksl_screw_t s;
     double power;
-    if (step[0] != 0) {
-      load_coscrew_double(&c, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&s, p1 + i * step[1], core + 1);
+    LOAD_OTHER(coscrew_double, &c);
+    LOAD(screw_double, &s, 1, 1);
     power = ksl_dot_cs_accurate(&c, &s);
-    store_scalar_double(&power, p2 + i * step[2], core + 2);
+    STORE(scalar_double, &power, 2, 2);
   }
 }
+LOOP(dot_cs_double, 3, DENSE_OR_ONE, 48, 48, 8, 8, 8)
 
-static void dot_cs_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    dot_cs_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    dot_cs_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  dot_cs_double_over(data, n[0], step, step + 3);
-}
-
-/* (6),(6)->() */
-INLINED void dot_cs_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_coscrewf_t c;
-  load_coscrew_single(&c, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(dot_cs_single) {
+  POINTERS_3
+  LOAD_FIRST(coscrew_single, ksl_coscrewf_t c, &c);
+  EACH {
     ksl_screwf_t s;
     float power;
-    if (step[0] != 0) {
-      load_coscrew_single(&c, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&s, p1 + i * step[1], core + 1);
+    LOAD_OTHER(coscrew_single, &c);
+    LOAD(screw_single, &s, 1, 1);
     power = ksl_dot_csf_accurate(&c, &s);
-    store_scalar_single(&power, p2 + i * step[2], core + 2);
+    STORE(scalar_single, &power, 2, 2);
   }
 }
-
-static void dot_cs_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    dot_cs_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    dot_cs_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  dot_cs_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction dot_cs_loops[] = {
-    dot_cs_double, dot_cs_single};
+LOOP(dot_cs_single, 3, DENSE_OR_ONE, 24, 24, 4, 4, 4)
+LOOPS(dot_cs)
 
 /* (6),(6)->(6) */
-INLINED void cross_ss_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screw_t s1;
-  load_screw_double(&s1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(cross_ss_double) {
+  POINTERS_3
+  LOAD_FIRST(screw_double, ksl_screw_t s1, &s1);
+  EACH {
     ksl_screw_t s2;
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_screw_double(&s1, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&s2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(screw_double, &s1);
+    LOAD(screw_double, &s2, 1, 1);
     ksl_cross_ss_accurate(&s1, &s2, &so);
-    store_screw_double(&so, p2 + i * step[2], core + 2);
+    STORE(screw_double, &so, 2, 2);
   }
 }
+LOOP(cross_ss_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
-static void cross_ss_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    cross_ss_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    cross_ss_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  cross_ss_double_over(data, n[0], step, step + 3);
-}
-
-/* (6),(6)->(6) */
-INLINED void cross_ss_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screwf_t s1;
-  load_screw_single(&s1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(cross_ss_single) {
+  POINTERS_3
+  LOAD_FIRST(screw_single, ksl_screwf_t s1, &s1);
+  EACH {
     ksl_screwf_t s2;
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_screw_single(&s1, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&s2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(screw_single, &s1);
+    LOAD(screw_single, &s2, 1, 1);
     ksl_cross_ssf_accurate(&s1, &s2, &so);
-    store_screw_single(&so, p2 + i * step[2], core + 2);
+    STORE(screw_single, &so, 2, 2);
   }
 }
-
-static void cross_ss_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    cross_ss_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    cross_ss_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  cross_ss_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction cross_ss_loops[] = {
-    cross_ss_double, cross_ss_single};
+LOOP(cross_ss_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
+LOOPS(cross_ss)
 
 /* (6),(6)->(6) */
-INLINED void cross_sst_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screw_t s1;
-  load_screw_double(&s1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(cross_sst_double) {
+  POINTERS_3
+  LOAD_FIRST(screw_double, ksl_screw_t s1, &s1);
+  EACH {
     ksl_screw_t s2;
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_screw_double(&s1, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&s2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(screw_double, &s1);
+    LOAD(screw_double, &s2, 1, 1);
     ksl_cross_sst_accurate(&s1, &s2, &so);
-    store_screw_double(&so, p2 + i * step[2], core + 2);
+    STORE(screw_double, &so, 2, 2);
   }
 }
+LOOP(cross_sst_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
-static void cross_sst_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    cross_sst_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    cross_sst_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  cross_sst_double_over(data, n[0], step, step + 3);
-}
-
-/* (6),(6)->(6) */
-INLINED void cross_sst_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_screwf_t s1;
-  load_screw_single(&s1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(cross_sst_single) {
+  POINTERS_3
+  LOAD_FIRST(screw_single, ksl_screwf_t s1, &s1);
+  EACH {
     ksl_screwf_t s2;
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_screw_single(&s1, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&s2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(screw_single, &s1);
+    LOAD(screw_single, &s2, 1, 1);
     ksl_cross_sstf_accurate(&s1, &s2, &so);
-    store_screw_single(&so, p2 + i * step[2], core + 2);
+    STORE(screw_single, &so, 2, 2);
   }
 }
-
-static void cross_sst_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    cross_sst_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    cross_sst_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  cross_sst_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction cross_sst_loops[] = {
-    cross_sst_double, cross_sst_single};
+LOOP(cross_sst_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
+LOOPS(cross_sst)
 
 /* (3,4),(3)->(6) */
-INLINED void hsra_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hsra_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_vec3_t axis;
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&axis, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(vec3_double, &axis, 1, 2);
     ksl_hsra_accurate(&D, &axis, &so);
-    store_screw_double(&so, p2 + i * step[2], core + 3);
+    STORE(screw_double, &so, 2, 3);
   }
 }
+LOOP(hsra_double, 3, DENSE_OR_ONE, 96, 24, 48, 32, 8, 8, 8)
 
-static void hsra_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 24, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsra_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsra_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  hsra_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(3)->(6) */
-INLINED void hsra_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hsra_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_vec3f_t axis;
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&axis, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(vec3_single, &axis, 1, 2);
     ksl_hsraf_accurate(&D, &axis, &so);
-    store_screw_single(&so, p2 + i * step[2], core + 3);
+    STORE(screw_single, &so, 2, 3);
   }
 }
-
-static void hsra_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 12, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsra_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsra_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  hsra_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction hsra_loops[] = {
-    hsra_double, hsra_single};
+LOOP(hsra_single, 3, DENSE_OR_ONE, 48, 12, 24, 16, 4, 4, 4)
+LOOPS(hsra)
 
 /* (3,4),(3)->(6) */
-INLINED void hsta_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hsta_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_vec3_t axis;
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&axis, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(vec3_double, &axis, 1, 2);
     ksl_hsta_accurate(&D, &axis, &so);
-    store_screw_double(&so, p2 + i * step[2], core + 3);
+    STORE(screw_double, &so, 2, 3);
   }
 }
+LOOP(hsta_double, 3, DENSE_OR_ONE, 96, 24, 48, 32, 8, 8, 8)
 
-static void hsta_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 24, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsta_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsta_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  hsta_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(3)->(6) */
-INLINED void hsta_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hsta_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_vec3f_t axis;
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&axis, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(vec3_single, &axis, 1, 2);
     ksl_hstaf_accurate(&D, &axis, &so);
-    store_screw_single(&so, p2 + i * step[2], core + 3);
+    STORE(screw_single, &so, 2, 3);
   }
 }
-
-static void hsta_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 12, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsta_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsta_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  hsta_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction hsta_loops[] = {
-    hsta_double, hsta_single};
+LOOP(hsta_single, 3, DENSE_OR_ONE, 48, 12, 24, 16, 4, 4, 4)
+LOOPS(hsta)
 
 /* (3,4),(3)->(6) */
-INLINED void hsrainv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hsrainv_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_vec3_t axis;
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&axis, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(vec3_double, &axis, 1, 2);
     ksl_hsrainv_accurate(&D, &axis, &so);
-    store_screw_double(&so, p2 + i * step[2], core + 3);
+    STORE(screw_double, &so, 2, 3);
   }
 }
+LOOP(hsrainv_double, 3, DENSE_OR_ONE, 96, 24, 48, 32, 8, 8, 8)
 
-static void hsrainv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 24, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsrainv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsrainv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  hsrainv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(3)->(6) */
-INLINED void hsrainv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hsrainv_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_vec3f_t axis;
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&axis, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(vec3_single, &axis, 1, 2);
     ksl_hsrainvf_accurate(&D, &axis, &so);
-    store_screw_single(&so, p2 + i * step[2], core + 3);
+    STORE(screw_single, &so, 2, 3);
   }
 }
-
-static void hsrainv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 12, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hsrainv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hsrainv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  hsrainv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction hsrainv_loops[] = {
-    hsrainv_double, hsrainv_single};
+LOOP(hsrainv_single, 3, DENSE_OR_ONE, 48, 12, 24, 16, 4, 4, 4)
+LOOPS(hsrainv)
 
 /* (3,4),(3)->(6) */
-INLINED void hstainv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hstainv_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_vec3_t axis;
     ksl_screw_t so;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&axis, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(vec3_double, &axis, 1, 2);
     ksl_hstainv_accurate(&D, &axis, &so);
-    store_screw_double(&so, p2 + i * step[2], core + 3);
+    STORE(screw_double, &so, 2, 3);
   }
 }
+LOOP(hstainv_double, 3, DENSE_OR_ONE, 96, 24, 48, 32, 8, 8, 8)
 
-static void hstainv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 24, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hstainv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 48, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hstainv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  hstainv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4),(3)->(6) */
-INLINED void hstainv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(hstainv_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_vec3f_t axis;
     ksl_screwf_t so;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&axis, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(vec3_single, &axis, 1, 2);
     ksl_hstainvf_accurate(&D, &axis, &so);
-    store_screw_single(&so, p2 + i * step[2], core + 3);
+    STORE(screw_single, &so, 2, 3);
   }
 }
-
-static void hstainv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 12, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    hstainv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 24, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    hstainv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  hstainv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction hstainv_loops[] = {
-    hstainv_double, hstainv_single};
+LOOP(hstainv_single, 3, DENSE_OR_ONE, 48, 12, 24, 16, 4, 4, 4)
+LOOPS(hstainv)
 
 const coscrew_gufunc TABLE(screw)[] = {
   {"screw_scale", "(6),()->(6)",

@@ -8,538 +8,192 @@
 #include "_gufunc.h"
 
 /* (3,3)->(),(3,3) */
-INLINED void mat3x3_ldl_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t A;
-  load_mat3x3_double(&A, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_ldl_double) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t A, &A);
+  EACH {
     double pivot;
     ksl_mat3x3_t L;
-    if (step[0] != 0) {
-      load_mat3x3_double(&A, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(mat3x3_double, &A);
     pivot = ksl_mat3x3_ldl_accurate(&A, &L);
-    store_scalar_double(&pivot, p1 + i * step[1], core + 2);
-    store_mat3x3_double(&L, p2 + i * step[2], core + 2);
+    STORE(scalar_double, &pivot, 1, 2);
+    STORE(mat3x3_double, &L, 2, 2);
   }
 }
+LOOP(mat3x3_ldl_double, 3, DENSE_OR_ONE, 72, 8, 72, 24, 8, 24, 8)
 
-static void mat3x3_ldl_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 8, 72, 24, 8, 24, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_ldl_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 72, 24, 8, 24, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat3x3_ldl_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  mat3x3_ldl_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,3)->(),(3,3) */
-INLINED void mat3x3_ldl_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t A;
-  load_mat3x3_single(&A, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_ldl_single) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t A, &A);
+  EACH {
     float pivot;
     ksl_mat3x3f_t L;
-    if (step[0] != 0) {
-      load_mat3x3_single(&A, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(mat3x3_single, &A);
     pivot = ksl_mat3x3f_ldl_accurate(&A, &L);
-    store_scalar_single(&pivot, p1 + i * step[1], core + 2);
-    store_mat3x3_single(&L, p2 + i * step[2], core + 2);
+    STORE(scalar_single, &pivot, 1, 2);
+    STORE(mat3x3_single, &L, 2, 2);
   }
 }
-
-static void mat3x3_ldl_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 4, 36, 12, 4, 12, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_ldl_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 36, 12, 4, 12, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat3x3_ldl_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  mat3x3_ldl_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction mat3x3_ldl_loops[] = {
-    mat3x3_ldl_double, mat3x3_ldl_single};
+LOOP(mat3x3_ldl_single, 3, DENSE_OR_ONE, 36, 4, 36, 12, 4, 12, 4)
+LOOPS(mat3x3_ldl)
 
 /* (3,3),(3)->(3) */
-INLINED void mat3x3_ldl_solve_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t L;
-  load_mat3x3_double(&L, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_ldl_solve_double) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t L, &L);
+  EACH {
     ksl_vec3_t b;
     ksl_vec3_t x;
-    if (step[0] != 0) {
-      load_mat3x3_double(&L, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&b, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_double, &L);
+    LOAD(vec3_double, &b, 1, 2);
     ksl_mat3x3_ldl_solve_accurate(&L, &b, &x);
-    store_vec3_double(&x, p2 + i * step[2], core + 3);
+    STORE(vec3_double, &x, 2, 3);
   }
 }
+LOOP(mat3x3_ldl_solve_double, 3, DENSE_OR_ONE, 72, 24, 24, 24, 8, 8, 8)
 
-static void mat3x3_ldl_solve_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 24, 24, 24, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_ldl_solve_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 24, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat3x3_ldl_solve_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  mat3x3_ldl_solve_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,3),(3)->(3) */
-INLINED void mat3x3_ldl_solve_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t L;
-  load_mat3x3_single(&L, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_ldl_solve_single) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t L, &L);
+  EACH {
     ksl_vec3f_t b;
     ksl_vec3f_t x;
-    if (step[0] != 0) {
-      load_mat3x3_single(&L, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&b, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_single, &L);
+    LOAD(vec3_single, &b, 1, 2);
     ksl_mat3x3f_ldl_solve_accurate(&L, &b, &x);
-    store_vec3_single(&x, p2 + i * step[2], core + 3);
+    STORE(vec3_single, &x, 2, 3);
   }
 }
-
-static void mat3x3_ldl_solve_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 12, 12, 12, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_ldl_solve_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 12, 12, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat3x3_ldl_solve_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  mat3x3_ldl_solve_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction mat3x3_ldl_solve_loops[] = {
-    mat3x3_ldl_solve_double, mat3x3_ldl_solve_single};
+LOOP(mat3x3_ldl_solve_single, 3, DENSE_OR_ONE, 36, 12, 12, 12, 4, 4, 4)
+LOOPS(mat3x3_ldl_solve)
 
 /* (3,3),(3)->(),(3) */
-INLINED void mat3x3_solve_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t A;
-  load_mat3x3_double(&A, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_solve_double) {
+  POINTERS_4
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t A, &A);
+  EACH {
     ksl_vec3_t b;
     double pivot;
     ksl_vec3_t x;
-    if (step[0] != 0) {
-      load_mat3x3_double(&A, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&b, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_double, &A);
+    LOAD(vec3_double, &b, 1, 2);
     pivot = ksl_mat3x3_solve_accurate(&A, &b, &x);
-    store_scalar_double(&pivot, p2 + i * step[2], core + 3);
-    store_vec3_double(&x, p3 + i * step[3], core + 3);
+    STORE(scalar_double, &pivot, 2, 3);
+    STORE(vec3_double, &x, 3, 3);
   }
 }
+LOOP(mat3x3_solve_double, 4, DENSE_OR_ONE, 72, 24, 8, 24, 24, 8, 8, 8)
 
-static void mat3x3_solve_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 24, 8, 24, 24, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_solve_double_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 8, 24, 24, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat3x3_solve_double_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  mat3x3_solve_double_over(data, n[0], step, step + 4);
-}
-
-/* (3,3),(3)->(),(3) */
-INLINED void mat3x3_solve_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t A;
-  load_mat3x3_single(&A, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_solve_single) {
+  POINTERS_4
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t A, &A);
+  EACH {
     ksl_vec3f_t b;
     float pivot;
     ksl_vec3f_t x;
-    if (step[0] != 0) {
-      load_mat3x3_single(&A, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&b, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat3x3_single, &A);
+    LOAD(vec3_single, &b, 1, 2);
     pivot = ksl_mat3x3f_solve_accurate(&A, &b, &x);
-    store_scalar_single(&pivot, p2 + i * step[2], core + 3);
-    store_vec3_single(&x, p3 + i * step[3], core + 3);
+    STORE(scalar_single, &pivot, 2, 3);
+    STORE(vec3_single, &x, 3, 3);
   }
 }
-
-static void mat3x3_solve_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 12, 4, 12, 12, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_solve_single_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 4, 12, 12, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat3x3_solve_single_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  mat3x3_solve_single_over(data, n[0], step, step + 4);
-}
-
-static PyUFuncGenericFunction mat3x3_solve_loops[] = {
-    mat3x3_solve_double, mat3x3_solve_single};
+LOOP(mat3x3_solve_single, 4, DENSE_OR_ONE, 36, 12, 4, 12, 12, 4, 4, 4)
+LOOPS(mat3x3_solve)
 
 /* (6,6)->(),(6,6) */
-INLINED void mat6x6_ldl_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat6x6_t A;
-  load_mat6x6_double(&A, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat6x6_ldl_double) {
+  POINTERS_3
+  LOAD_FIRST(mat6x6_double, ksl_mat6x6_t A, &A);
+  EACH {
     double pivot;
     ksl_mat6x6_t L;
-    if (step[0] != 0) {
-      load_mat6x6_double(&A, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(mat6x6_double, &A);
     pivot = ksl_mat6x6_ldl_accurate(&A, &L);
-    store_scalar_double(&pivot, p1 + i * step[1], core + 2);
-    store_mat6x6_double(&L, p2 + i * step[2], core + 2);
+    STORE(scalar_double, &pivot, 1, 2);
+    STORE(mat6x6_double, &L, 2, 2);
   }
 }
+LOOP(mat6x6_ldl_double, 3, DENSE_OR_ONE, 288, 8, 288, 48, 8, 48, 8)
 
-static void mat6x6_ldl_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 288, 8, 288, 48, 8, 48, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat6x6_ldl_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 288, 48, 8, 48, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat6x6_ldl_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  mat6x6_ldl_double_over(data, n[0], step, step + 3);
-}
-
-/* (6,6)->(),(6,6) */
-INLINED void mat6x6_ldl_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat6x6f_t A;
-  load_mat6x6_single(&A, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat6x6_ldl_single) {
+  POINTERS_3
+  LOAD_FIRST(mat6x6_single, ksl_mat6x6f_t A, &A);
+  EACH {
     float pivot;
     ksl_mat6x6f_t L;
-    if (step[0] != 0) {
-      load_mat6x6_single(&A, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(mat6x6_single, &A);
     pivot = ksl_mat6x6f_ldl_accurate(&A, &L);
-    store_scalar_single(&pivot, p1 + i * step[1], core + 2);
-    store_mat6x6_single(&L, p2 + i * step[2], core + 2);
+    STORE(scalar_single, &pivot, 1, 2);
+    STORE(mat6x6_single, &L, 2, 2);
   }
 }
-
-static void mat6x6_ldl_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 144, 4, 144, 24, 4, 24, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat6x6_ldl_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 144, 24, 4, 24, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat6x6_ldl_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  mat6x6_ldl_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction mat6x6_ldl_loops[] = {
-    mat6x6_ldl_double, mat6x6_ldl_single};
+LOOP(mat6x6_ldl_single, 3, DENSE_OR_ONE, 144, 4, 144, 24, 4, 24, 4)
+LOOPS(mat6x6_ldl)
 
 /* (6,6),(6)->(6) */
-INLINED void mat6x6_ldl_solve_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat6x6_t L;
-  load_mat6x6_double(&L, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat6x6_ldl_solve_double) {
+  POINTERS_3
+  LOAD_FIRST(mat6x6_double, ksl_mat6x6_t L, &L);
+  EACH {
     ksl_coscrew_t b;
     ksl_screw_t x;
-    if (step[0] != 0) {
-      load_mat6x6_double(&L, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_double(&b, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat6x6_double, &L);
+    LOAD(coscrew_double, &b, 1, 2);
     ksl_mat6x6_ldl_solve_accurate(&L, &b, &x);
-    store_screw_double(&x, p2 + i * step[2], core + 3);
+    STORE(screw_double, &x, 2, 3);
   }
 }
+LOOP(mat6x6_ldl_solve_double, 3, DENSE_OR_ONE, 288, 48, 48, 48, 8, 8, 8)
 
-static void mat6x6_ldl_solve_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 288, 48, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat6x6_ldl_solve_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat6x6_ldl_solve_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  mat6x6_ldl_solve_double_over(data, n[0], step, step + 3);
-}
-
-/* (6,6),(6)->(6) */
-INLINED void mat6x6_ldl_solve_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat6x6f_t L;
-  load_mat6x6_single(&L, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat6x6_ldl_solve_single) {
+  POINTERS_3
+  LOAD_FIRST(mat6x6_single, ksl_mat6x6f_t L, &L);
+  EACH {
     ksl_coscrewf_t b;
     ksl_screwf_t x;
-    if (step[0] != 0) {
-      load_mat6x6_single(&L, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_single(&b, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat6x6_single, &L);
+    LOAD(coscrew_single, &b, 1, 2);
     ksl_mat6x6f_ldl_solve_accurate(&L, &b, &x);
-    store_screw_single(&x, p2 + i * step[2], core + 3);
+    STORE(screw_single, &x, 2, 3);
   }
 }
-
-static void mat6x6_ldl_solve_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 144, 24, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat6x6_ldl_solve_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat6x6_ldl_solve_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  mat6x6_ldl_solve_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction mat6x6_ldl_solve_loops[] = {
-    mat6x6_ldl_solve_double, mat6x6_ldl_solve_single};
+LOOP(mat6x6_ldl_solve_single, 3, DENSE_OR_ONE, 144, 24, 24, 24, 4, 4, 4)
+LOOPS(mat6x6_ldl_solve)
 
 /* (6,6),(6)->(),(6) */
-INLINED void mat6x6_solve_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat6x6_t A;
-  load_mat6x6_double(&A, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat6x6_solve_double) {
+  POINTERS_4
+  LOAD_FIRST(mat6x6_double, ksl_mat6x6_t A, &A);
+  EACH {
     ksl_coscrew_t b;
     double pivot;
     ksl_screw_t x;
-    if (step[0] != 0) {
-      load_mat6x6_double(&A, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_double(&b, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat6x6_double, &A);
+    LOAD(coscrew_double, &b, 1, 2);
     pivot = ksl_mat6x6_solve_accurate(&A, &b, &x);
-    store_scalar_double(&pivot, p2 + i * step[2], core + 3);
-    store_screw_double(&x, p3 + i * step[3], core + 3);
+    STORE(scalar_double, &pivot, 2, 3);
+    STORE(screw_double, &x, 3, 3);
   }
 }
+LOOP(mat6x6_solve_double, 4, DENSE_OR_ONE, 288, 48, 8, 48, 48, 8, 8, 8)
 
-static void mat6x6_solve_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 288, 48, 8, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat6x6_solve_double_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 8, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat6x6_solve_double_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  mat6x6_solve_double_over(data, n[0], step, step + 4);
-}
-
-/* (6,6),(6)->(),(6) */
-INLINED void mat6x6_solve_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat6x6f_t A;
-  load_mat6x6_single(&A, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat6x6_solve_single) {
+  POINTERS_4
+  LOAD_FIRST(mat6x6_single, ksl_mat6x6f_t A, &A);
+  EACH {
     ksl_coscrewf_t b;
     float pivot;
     ksl_screwf_t x;
-    if (step[0] != 0) {
-      load_mat6x6_single(&A, p0 + i * step[0], core + 0);
-    }
-    load_coscrew_single(&b, p1 + i * step[1], core + 2);
+    LOAD_OTHER(mat6x6_single, &A);
+    LOAD(coscrew_single, &b, 1, 2);
     pivot = ksl_mat6x6f_solve_accurate(&A, &b, &x);
-    store_scalar_single(&pivot, p2 + i * step[2], core + 3);
-    store_screw_single(&x, p3 + i * step[3], core + 3);
+    STORE(scalar_single, &pivot, 2, 3);
+    STORE(screw_single, &x, 3, 3);
   }
 }
-
-static void mat6x6_solve_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 144, 24, 4, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat6x6_solve_single_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 4, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat6x6_solve_single_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  mat6x6_solve_single_over(data, n[0], step, step + 4);
-}
-
-static PyUFuncGenericFunction mat6x6_solve_loops[] = {
-    mat6x6_solve_double, mat6x6_solve_single};
+LOOP(mat6x6_solve_single, 4, DENSE_OR_ONE, 144, 24, 4, 24, 24, 4, 4, 4)
+LOOPS(mat6x6_solve)
 
 const coscrew_gufunc TABLE(symmetric)[] = {
   {"mat3x3_ldl", "(3,3)->(),(3,3)",

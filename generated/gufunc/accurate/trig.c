@@ -8,85 +8,30 @@
 #include "_gufunc.h"
 
 /* ()->(2) */
-INLINED void dc_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  double theta;
-  load_scalar_double(&theta, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(dc_double) {
+  POINTERS_2
+  LOAD_FIRST(scalar_double, double theta, &theta);
+  EACH {
     double dc[2];
-    if (step[0] != 0) {
-      load_scalar_double(&theta, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(scalar_double, &theta);
     ksl_dc_accurate(theta, dc);
-    store_dc_double(dc, p1 + i * step[1], core + 0);
+    STORE(dc_double, dc, 1, 0);
   }
 }
+LOOP(dc_double, 2, DENSE_OR_ONE, 8, 16, 8)
 
-static void dc_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 8, 16, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    dc_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    dc_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  dc_double_over(data, n[0], step, step + 2);
-}
-
-/* ()->(2) */
-INLINED void dc_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  float theta;
-  load_scalar_single(&theta, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(dc_single) {
+  POINTERS_2
+  LOAD_FIRST(scalar_single, float theta, &theta);
+  EACH {
     float dc[2];
-    if (step[0] != 0) {
-      load_scalar_single(&theta, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(scalar_single, &theta);
     ksl_dcf_accurate(theta, dc);
-    store_dc_single(dc, p1 + i * step[1], core + 0);
+    STORE(dc_single, dc, 1, 0);
   }
 }
-
-static void dc_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 4, 8, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    dc_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    dc_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  dc_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction dc_loops[] = {
-    dc_double, dc_single};
+LOOP(dc_single, 2, DENSE_OR_ONE, 4, 8, 4)
+LOOPS(dc)
 
 const coscrew_gufunc TABLE(trig)[] = {
   {"dc", "()->(2)",

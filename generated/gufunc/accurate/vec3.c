@@ -8,1935 +8,676 @@
 #include "_gufunc.h"
 
 /* (3),()->(3) */
-INLINED void vec3_scale_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(vec3_scale_double) {
+  POINTERS_3
+  EACH {
     ksl_vec3_t self;
     double a;
-    load_vec3_double(&self, p0 + i * step[0], core + 0);
-    load_scalar_double(&a, p1 + i * step[1], core + 1);
+    LOAD(vec3_double, &self, 0, 0);
+    LOAD(scalar_double, &a, 1, 1);
     ksl_vec3_scale_accurate(&self, a);
-    store_vec3_double(&self, p2 + i * step[2], core + 1);
+    STORE(vec3_double, &self, 2, 1);
   }
 }
+LOOP(vec3_scale_double, 3, DENSE, 24, 8, 24, 8, 8)
 
-static void vec3_scale_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 8, 24, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    vec3_scale_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  vec3_scale_double_over(data, n[0], step, step + 3);
-}
-
-/* (3),()->(3) */
-INLINED void vec3_scale_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(vec3_scale_single) {
+  POINTERS_3
+  EACH {
     ksl_vec3f_t self;
     float a;
-    load_vec3_single(&self, p0 + i * step[0], core + 0);
-    load_scalar_single(&a, p1 + i * step[1], core + 1);
+    LOAD(vec3_single, &self, 0, 0);
+    LOAD(scalar_single, &a, 1, 1);
     ksl_vec3f_scale_accurate(&self, a);
-    store_vec3_single(&self, p2 + i * step[2], core + 1);
+    STORE(vec3_single, &self, 2, 1);
   }
 }
-
-static void vec3_scale_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 4, 12, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    vec3_scale_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  vec3_scale_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction vec3_scale_loops[] = {
-    vec3_scale_double, vec3_scale_single};
+LOOP(vec3_scale_single, 3, DENSE, 12, 4, 12, 4, 4)
+LOOPS(vec3_scale)
 
 /* (),(3),(3)->(3) */
-INLINED void axpy_vv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  double a;
-  load_scalar_double(&a, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(axpy_vv_double) {
+  POINTERS_4
+  LOAD_FIRST(scalar_double, double a, &a);
+  EACH {
     ksl_vec3_t x;
     ksl_vec3_t y;
-    if (step[0] != 0) {
-      load_scalar_double(&a, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&x, p1 + i * step[1], core + 0);
-    load_vec3_double(&y, p2 + i * step[2], core + 1);
+    LOAD_OTHER(scalar_double, &a);
+    LOAD(vec3_double, &x, 1, 0);
+    LOAD(vec3_double, &y, 2, 1);
     ksl_axpy_vv_accurate(a, &x, &y);
-    store_vec3_double(&y, p3 + i * step[3], core + 2);
+    STORE(vec3_double, &y, 3, 2);
   }
 }
+LOOP(axpy_vv_double, 4, DENSE_OR_ONE, 8, 24, 24, 24, 8, 8, 8)
 
-static void axpy_vv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 8, 24, 24, 24, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    axpy_vv_double_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 24, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    axpy_vv_double_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  axpy_vv_double_over(data, n[0], step, step + 4);
-}
-
-/* (),(3),(3)->(3) */
-INLINED void axpy_vv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  float a;
-  load_scalar_single(&a, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(axpy_vv_single) {
+  POINTERS_4
+  LOAD_FIRST(scalar_single, float a, &a);
+  EACH {
     ksl_vec3f_t x;
     ksl_vec3f_t y;
-    if (step[0] != 0) {
-      load_scalar_single(&a, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&x, p1 + i * step[1], core + 0);
-    load_vec3_single(&y, p2 + i * step[2], core + 1);
+    LOAD_OTHER(scalar_single, &a);
+    LOAD(vec3_single, &x, 1, 0);
+    LOAD(vec3_single, &y, 2, 1);
     ksl_axpy_vvf_accurate(a, &x, &y);
-    store_vec3_single(&y, p3 + i * step[3], core + 2);
+    STORE(vec3_single, &y, 3, 2);
   }
 }
-
-static void axpy_vv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 4, 12, 12, 12, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    axpy_vv_single_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 12, 12, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    axpy_vv_single_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  axpy_vv_single_over(data, n[0], step, step + 4);
-}
-
-static PyUFuncGenericFunction axpy_vv_loops[] = {
-    axpy_vv_double, axpy_vv_single};
+LOOP(axpy_vv_single, 4, DENSE_OR_ONE, 4, 12, 12, 12, 4, 4, 4)
+LOOPS(axpy_vv)
 
 /* (3),(3)->(3) */
-INLINED void xpy_vv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t x;
-  load_vec3_double(&x, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(xpy_vv_double) {
+  POINTERS_3
+  LOAD_FIRST(vec3_double, ksl_vec3_t x, &x);
+  EACH {
     ksl_vec3_t y;
-    if (step[0] != 0) {
-      load_vec3_double(&x, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&y, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &x);
+    LOAD(vec3_double, &y, 1, 1);
     ksl_xpy_vv_accurate(&x, &y);
-    store_vec3_double(&y, p2 + i * step[2], core + 2);
+    STORE(vec3_double, &y, 2, 2);
   }
 }
+LOOP(xpy_vv_double, 3, DENSE_OR_ONE, 24, 24, 24, 8, 8, 8)
 
-static void xpy_vv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 24, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    xpy_vv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    xpy_vv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  xpy_vv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3),(3)->(3) */
-INLINED void xpy_vv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t x;
-  load_vec3_single(&x, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(xpy_vv_single) {
+  POINTERS_3
+  LOAD_FIRST(vec3_single, ksl_vec3f_t x, &x);
+  EACH {
     ksl_vec3f_t y;
-    if (step[0] != 0) {
-      load_vec3_single(&x, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&y, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &x);
+    LOAD(vec3_single, &y, 1, 1);
     ksl_xpy_vvf_accurate(&x, &y);
-    store_vec3_single(&y, p2 + i * step[2], core + 2);
+    STORE(vec3_single, &y, 2, 2);
   }
 }
-
-static void xpy_vv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 12, 12, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    xpy_vv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 12, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    xpy_vv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  xpy_vv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction xpy_vv_loops[] = {
-    xpy_vv_double, xpy_vv_single};
+LOOP(xpy_vv_single, 3, DENSE_OR_ONE, 12, 12, 12, 4, 4, 4)
+LOOPS(xpy_vv)
 
 /* (3),(3)->(3) */
-INLINED void nxpy_vv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t x;
-  load_vec3_double(&x, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(nxpy_vv_double) {
+  POINTERS_3
+  LOAD_FIRST(vec3_double, ksl_vec3_t x, &x);
+  EACH {
     ksl_vec3_t y;
-    if (step[0] != 0) {
-      load_vec3_double(&x, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&y, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &x);
+    LOAD(vec3_double, &y, 1, 1);
     ksl_nxpy_vv_accurate(&x, &y);
-    store_vec3_double(&y, p2 + i * step[2], core + 2);
+    STORE(vec3_double, &y, 2, 2);
   }
 }
+LOOP(nxpy_vv_double, 3, DENSE_OR_ONE, 24, 24, 24, 8, 8, 8)
 
-static void nxpy_vv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 24, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    nxpy_vv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    nxpy_vv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  nxpy_vv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3),(3)->(3) */
-INLINED void nxpy_vv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t x;
-  load_vec3_single(&x, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(nxpy_vv_single) {
+  POINTERS_3
+  LOAD_FIRST(vec3_single, ksl_vec3f_t x, &x);
+  EACH {
     ksl_vec3f_t y;
-    if (step[0] != 0) {
-      load_vec3_single(&x, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&y, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &x);
+    LOAD(vec3_single, &y, 1, 1);
     ksl_nxpy_vvf_accurate(&x, &y);
-    store_vec3_single(&y, p2 + i * step[2], core + 2);
+    STORE(vec3_single, &y, 2, 2);
   }
 }
-
-static void nxpy_vv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 12, 12, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    nxpy_vv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 12, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    nxpy_vv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  nxpy_vv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction nxpy_vv_loops[] = {
-    nxpy_vv_double, nxpy_vv_single};
+LOOP(nxpy_vv_single, 3, DENSE_OR_ONE, 12, 12, 12, 4, 4, 4)
+LOOPS(nxpy_vv)
 
 /* (),(3)->(3) */
-INLINED void product_av_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  double a;
-  load_scalar_double(&a, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_av_double) {
+  POINTERS_3
+  LOAD_FIRST(scalar_double, double a, &a);
+  EACH {
     ksl_vec3_t vi;
     ksl_vec3_t vo;
-    if (step[0] != 0) {
-      load_scalar_double(&a, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&vi, p1 + i * step[1], core + 0);
+    LOAD_OTHER(scalar_double, &a);
+    LOAD(vec3_double, &vi, 1, 0);
     ksl_product_av_accurate(a, &vi, &vo);
-    store_vec3_double(&vo, p2 + i * step[2], core + 1);
+    STORE(vec3_double, &vo, 2, 1);
   }
 }
+LOOP(product_av_double, 3, DENSE_OR_ONE, 8, 24, 24, 8, 8)
 
-static void product_av_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 8, 24, 24, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_av_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_av_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_av_double_over(data, n[0], step, step + 3);
-}
-
-/* (),(3)->(3) */
-INLINED void product_av_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  float a;
-  load_scalar_single(&a, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_av_single) {
+  POINTERS_3
+  LOAD_FIRST(scalar_single, float a, &a);
+  EACH {
     ksl_vec3f_t vi;
     ksl_vec3f_t vo;
-    if (step[0] != 0) {
-      load_scalar_single(&a, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&vi, p1 + i * step[1], core + 0);
+    LOAD_OTHER(scalar_single, &a);
+    LOAD(vec3_single, &vi, 1, 0);
     ksl_product_avf_accurate(a, &vi, &vo);
-    store_vec3_single(&vo, p2 + i * step[2], core + 1);
+    STORE(vec3_single, &vo, 2, 1);
   }
 }
-
-static void product_av_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 4, 12, 12, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_av_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 12, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_av_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_av_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_av_loops[] = {
-    product_av_double, product_av_single};
+LOOP(product_av_single, 3, DENSE_OR_ONE, 4, 12, 12, 4, 4)
+LOOPS(product_av)
 
 /* (3),(3)->(3) */
-INLINED void add_vv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t v1;
-  load_vec3_double(&v1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(add_vv_double) {
+  POINTERS_3
+  LOAD_FIRST(vec3_double, ksl_vec3_t v1, &v1);
+  EACH {
     ksl_vec3_t v2;
     ksl_vec3_t vo;
-    if (step[0] != 0) {
-      load_vec3_double(&v1, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&v2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &v1);
+    LOAD(vec3_double, &v2, 1, 1);
     ksl_add_vv_accurate(&v1, &v2, &vo);
-    store_vec3_double(&vo, p2 + i * step[2], core + 2);
+    STORE(vec3_double, &vo, 2, 2);
   }
 }
+LOOP(add_vv_double, 3, DENSE_OR_ONE, 24, 24, 24, 8, 8, 8)
 
-static void add_vv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 24, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_vv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_vv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  add_vv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3),(3)->(3) */
-INLINED void add_vv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t v1;
-  load_vec3_single(&v1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(add_vv_single) {
+  POINTERS_3
+  LOAD_FIRST(vec3_single, ksl_vec3f_t v1, &v1);
+  EACH {
     ksl_vec3f_t v2;
     ksl_vec3f_t vo;
-    if (step[0] != 0) {
-      load_vec3_single(&v1, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&v2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &v1);
+    LOAD(vec3_single, &v2, 1, 1);
     ksl_add_vvf_accurate(&v1, &v2, &vo);
-    store_vec3_single(&vo, p2 + i * step[2], core + 2);
+    STORE(vec3_single, &vo, 2, 2);
   }
 }
-
-static void add_vv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 12, 12, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_vv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 12, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_vv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  add_vv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction add_vv_loops[] = {
-    add_vv_double, add_vv_single};
+LOOP(add_vv_single, 3, DENSE_OR_ONE, 12, 12, 12, 4, 4, 4)
+LOOPS(add_vv)
 
 /* (3),(3)->(3) */
-INLINED void subtract_vv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t v1;
-  load_vec3_double(&v1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(subtract_vv_double) {
+  POINTERS_3
+  LOAD_FIRST(vec3_double, ksl_vec3_t v1, &v1);
+  EACH {
     ksl_vec3_t v2;
     ksl_vec3_t vo;
-    if (step[0] != 0) {
-      load_vec3_double(&v1, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&v2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &v1);
+    LOAD(vec3_double, &v2, 1, 1);
     ksl_subtract_vv_accurate(&v1, &v2, &vo);
-    store_vec3_double(&vo, p2 + i * step[2], core + 2);
+    STORE(vec3_double, &vo, 2, 2);
   }
 }
+LOOP(subtract_vv_double, 3, DENSE_OR_ONE, 24, 24, 24, 8, 8, 8)
 
-static void subtract_vv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 24, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    subtract_vv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    subtract_vv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  subtract_vv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3),(3)->(3) */
-INLINED void subtract_vv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t v1;
-  load_vec3_single(&v1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(subtract_vv_single) {
+  POINTERS_3
+  LOAD_FIRST(vec3_single, ksl_vec3f_t v1, &v1);
+  EACH {
     ksl_vec3f_t v2;
     ksl_vec3f_t vo;
-    if (step[0] != 0) {
-      load_vec3_single(&v1, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&v2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &v1);
+    LOAD(vec3_single, &v2, 1, 1);
     ksl_subtract_vvf_accurate(&v1, &v2, &vo);
-    store_vec3_single(&vo, p2 + i * step[2], core + 2);
+    STORE(vec3_single, &vo, 2, 2);
   }
 }
-
-static void subtract_vv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 12, 12, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    subtract_vv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 12, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    subtract_vv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  subtract_vv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction subtract_vv_loops[] = {
-    subtract_vv_double, subtract_vv_single};
+LOOP(subtract_vv_single, 3, DENSE_OR_ONE, 12, 12, 12, 4, 4, 4)
+LOOPS(subtract_vv)
 
 /* (3),()->(3) */
-INLINED void vec3_scaled_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t v;
-  load_vec3_double(&v, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(vec3_scaled_double) {
+  POINTERS_3
+  LOAD_FIRST(vec3_double, ksl_vec3_t v, &v);
+  EACH {
     double k;
     ksl_vec3_t vo;
-    if (step[0] != 0) {
-      load_vec3_double(&v, p0 + i * step[0], core + 0);
-    }
-    load_scalar_double(&k, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &v);
+    LOAD(scalar_double, &k, 1, 1);
     ksl_vec3_scaled_accurate(&v, k, &vo);
-    store_vec3_double(&vo, p2 + i * step[2], core + 1);
+    STORE(vec3_double, &vo, 2, 1);
   }
 }
+LOOP(vec3_scaled_double, 3, DENSE_OR_ONE, 24, 8, 24, 8, 8)
 
-static void vec3_scaled_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 8, 24, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    vec3_scaled_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 24, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    vec3_scaled_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  vec3_scaled_double_over(data, n[0], step, step + 3);
-}
-
-/* (3),()->(3) */
-INLINED void vec3_scaled_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t v;
-  load_vec3_single(&v, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(vec3_scaled_single) {
+  POINTERS_3
+  LOAD_FIRST(vec3_single, ksl_vec3f_t v, &v);
+  EACH {
     float k;
     ksl_vec3f_t vo;
-    if (step[0] != 0) {
-      load_vec3_single(&v, p0 + i * step[0], core + 0);
-    }
-    load_scalar_single(&k, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &v);
+    LOAD(scalar_single, &k, 1, 1);
     ksl_vec3f_scaled_accurate(&v, k, &vo);
-    store_vec3_single(&vo, p2 + i * step[2], core + 1);
+    STORE(vec3_single, &vo, 2, 1);
   }
 }
-
-static void vec3_scaled_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 4, 12, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    vec3_scaled_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 12, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    vec3_scaled_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  vec3_scaled_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction vec3_scaled_loops[] = {
-    vec3_scaled_double, vec3_scaled_single};
+LOOP(vec3_scaled_single, 3, DENSE_OR_ONE, 12, 4, 12, 4, 4)
+LOOPS(vec3_scaled)
 
 /* (3)->() */
-INLINED void vec3_l2norm_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t v;
-  load_vec3_double(&v, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(vec3_l2norm_double) {
+  POINTERS_2
+  LOAD_FIRST(vec3_double, ksl_vec3_t v, &v);
+  EACH {
     double norm;
-    if (step[0] != 0) {
-      load_vec3_double(&v, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(vec3_double, &v);
     norm = ksl_vec3_l2norm_accurate(&v);
-    store_scalar_double(&norm, p1 + i * step[1], core + 1);
+    STORE(scalar_double, &norm, 1, 1);
   }
 }
+LOOP(vec3_l2norm_double, 2, DENSE_OR_ONE, 24, 8, 8)
 
-static void vec3_l2norm_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    vec3_l2norm_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    vec3_l2norm_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  vec3_l2norm_double_over(data, n[0], step, step + 2);
-}
-
-/* (3)->() */
-INLINED void vec3_l2norm_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t v;
-  load_vec3_single(&v, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(vec3_l2norm_single) {
+  POINTERS_2
+  LOAD_FIRST(vec3_single, ksl_vec3f_t v, &v);
+  EACH {
     float norm;
-    if (step[0] != 0) {
-      load_vec3_single(&v, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(vec3_single, &v);
     norm = ksl_vec3f_l2norm_accurate(&v);
-    store_scalar_single(&norm, p1 + i * step[1], core + 1);
+    STORE(scalar_single, &norm, 1, 1);
   }
 }
-
-static void vec3_l2norm_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    vec3_l2norm_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    vec3_l2norm_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  vec3_l2norm_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction vec3_l2norm_loops[] = {
-    vec3_l2norm_double, vec3_l2norm_single};
+LOOP(vec3_l2norm_single, 2, DENSE_OR_ONE, 12, 4, 4)
+LOOPS(vec3_l2norm)
 
 /* (3)->(3) */
-INLINED void vec3_normalize_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(vec3_normalize_double) {
+  POINTERS_2
+  EACH {
     ksl_vec3_t self;
-    load_vec3_double(&self, p0 + i * step[0], core + 0);
+    LOAD(vec3_double, &self, 0, 0);
     ksl_vec3_normalize_accurate(&self);
-    store_vec3_double(&self, p1 + i * step[1], core + 1);
+    STORE(vec3_double, &self, 1, 1);
   }
 }
+LOOP(vec3_normalize_double, 2, DENSE, 24, 24, 8, 8)
 
-static void vec3_normalize_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    vec3_normalize_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  vec3_normalize_double_over(data, n[0], step, step + 2);
-}
-
-/* (3)->(3) */
-INLINED void vec3_normalize_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(vec3_normalize_single) {
+  POINTERS_2
+  EACH {
     ksl_vec3f_t self;
-    load_vec3_single(&self, p0 + i * step[0], core + 0);
+    LOAD(vec3_single, &self, 0, 0);
     ksl_vec3f_normalize_accurate(&self);
-    store_vec3_single(&self, p1 + i * step[1], core + 1);
+    STORE(vec3_single, &self, 1, 1);
   }
 }
-
-static void vec3_normalize_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 12, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    vec3_normalize_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  vec3_normalize_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction vec3_normalize_loops[] = {
-    vec3_normalize_double, vec3_normalize_single};
+LOOP(vec3_normalize_single, 2, DENSE, 12, 12, 4, 4)
+LOOPS(vec3_normalize)
 
 /* (3)->(3) */
-INLINED void vec3_normalized_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t v;
-  load_vec3_double(&v, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(vec3_normalized_double) {
+  POINTERS_2
+  LOAD_FIRST(vec3_double, ksl_vec3_t v, &v);
+  EACH {
     ksl_vec3_t vo;
-    if (step[0] != 0) {
-      load_vec3_double(&v, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(vec3_double, &v);
     ksl_vec3_normalized_accurate(&v, &vo);
-    store_vec3_double(&vo, p1 + i * step[1], core + 1);
+    STORE(vec3_double, &vo, 1, 1);
   }
 }
+LOOP(vec3_normalized_double, 2, DENSE_OR_ONE, 24, 24, 8, 8)
 
-static void vec3_normalized_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    vec3_normalized_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    vec3_normalized_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  vec3_normalized_double_over(data, n[0], step, step + 2);
-}
-
-/* (3)->(3) */
-INLINED void vec3_normalized_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t v;
-  load_vec3_single(&v, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(vec3_normalized_single) {
+  POINTERS_2
+  LOAD_FIRST(vec3_single, ksl_vec3f_t v, &v);
+  EACH {
     ksl_vec3f_t vo;
-    if (step[0] != 0) {
-      load_vec3_single(&v, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(vec3_single, &v);
     ksl_vec3f_normalized_accurate(&v, &vo);
-    store_vec3_single(&vo, p1 + i * step[1], core + 1);
+    STORE(vec3_single, &vo, 1, 1);
   }
 }
-
-static void vec3_normalized_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 12, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    vec3_normalized_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    vec3_normalized_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  vec3_normalized_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction vec3_normalized_loops[] = {
-    vec3_normalized_double, vec3_normalized_single};
+LOOP(vec3_normalized_single, 2, DENSE_OR_ONE, 12, 12, 4, 4)
+LOOPS(vec3_normalized)
 
 /* (3),(3)->() */
-INLINED void angle_vv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t v1;
-  load_vec3_double(&v1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(angle_vv_double) {
+  POINTERS_3
+  LOAD_FIRST(vec3_double, ksl_vec3_t v1, &v1);
+  EACH {
     ksl_vec3_t v2;
     double angle;
-    if (step[0] != 0) {
-      load_vec3_double(&v1, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&v2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &v1);
+    LOAD(vec3_double, &v2, 1, 1);
     angle = ksl_angle_vv_accurate(&v1, &v2);
-    store_scalar_double(&angle, p2 + i * step[2], core + 2);
+    STORE(scalar_double, &angle, 2, 2);
   }
 }
+LOOP(angle_vv_double, 3, DENSE_OR_ONE, 24, 24, 8, 8, 8)
 
-static void angle_vv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    angle_vv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    angle_vv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  angle_vv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3),(3)->() */
-INLINED void angle_vv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t v1;
-  load_vec3_single(&v1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(angle_vv_single) {
+  POINTERS_3
+  LOAD_FIRST(vec3_single, ksl_vec3f_t v1, &v1);
+  EACH {
     ksl_vec3f_t v2;
     float angle;
-    if (step[0] != 0) {
-      load_vec3_single(&v1, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&v2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &v1);
+    LOAD(vec3_single, &v2, 1, 1);
     angle = ksl_angle_vvf_accurate(&v1, &v2);
-    store_scalar_single(&angle, p2 + i * step[2], core + 2);
+    STORE(scalar_single, &angle, 2, 2);
   }
 }
-
-static void angle_vv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 12, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    angle_vv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    angle_vv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  angle_vv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction angle_vv_loops[] = {
-    angle_vv_double, angle_vv_single};
+LOOP(angle_vv_single, 3, DENSE_OR_ONE, 12, 12, 4, 4, 4)
+LOOPS(angle_vv)
 
 /* (3),(3)->() */
-INLINED void dot_vv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t v1;
-  load_vec3_double(&v1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(dot_vv_double) {
+  POINTERS_3
+  LOAD_FIRST(vec3_double, ksl_vec3_t v1, &v1);
+  EACH {
     ksl_vec3_t v2;
     double dot;
-    if (step[0] != 0) {
-      load_vec3_double(&v1, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&v2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &v1);
+    LOAD(vec3_double, &v2, 1, 1);
     dot = ksl_dot_vv_accurate(&v1, &v2);
-    store_scalar_double(&dot, p2 + i * step[2], core + 2);
+    STORE(scalar_double, &dot, 2, 2);
   }
 }
+LOOP(dot_vv_double, 3, DENSE_OR_ONE, 24, 24, 8, 8, 8)
 
-static void dot_vv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    dot_vv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    dot_vv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  dot_vv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3),(3)->() */
-INLINED void dot_vv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t v1;
-  load_vec3_single(&v1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(dot_vv_single) {
+  POINTERS_3
+  LOAD_FIRST(vec3_single, ksl_vec3f_t v1, &v1);
+  EACH {
     ksl_vec3f_t v2;
     float dot;
-    if (step[0] != 0) {
-      load_vec3_single(&v1, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&v2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &v1);
+    LOAD(vec3_single, &v2, 1, 1);
     dot = ksl_dot_vvf_accurate(&v1, &v2);
-    store_scalar_single(&dot, p2 + i * step[2], core + 2);
+    STORE(scalar_single, &dot, 2, 2);
   }
 }
-
-static void dot_vv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 12, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    dot_vv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    dot_vv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  dot_vv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction dot_vv_loops[] = {
-    dot_vv_double, dot_vv_single};
+LOOP(dot_vv_single, 3, DENSE_OR_ONE, 12, 12, 4, 4, 4)
+LOOPS(dot_vv)
 
 /* (),(3)->(3) */
-INLINED void product_avinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  double k;
-  load_scalar_double(&k, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_avinv_double) {
+  POINTERS_3
+  LOAD_FIRST(scalar_double, double k, &k);
+  EACH {
     ksl_vec3_t v;
     ksl_vec3_t vo;
-    if (step[0] != 0) {
-      load_scalar_double(&k, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&v, p1 + i * step[1], core + 0);
+    LOAD_OTHER(scalar_double, &k);
+    LOAD(vec3_double, &v, 1, 0);
     ksl_product_avinv_accurate(k, &v, &vo);
-    store_vec3_double(&vo, p2 + i * step[2], core + 1);
+    STORE(vec3_double, &vo, 2, 1);
   }
 }
+LOOP(product_avinv_double, 3, DENSE_OR_ONE, 8, 24, 24, 8, 8)
 
-static void product_avinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 8, 24, 24, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_avinv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_avinv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_avinv_double_over(data, n[0], step, step + 3);
-}
-
-/* (),(3)->(3) */
-INLINED void product_avinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  float k;
-  load_scalar_single(&k, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_avinv_single) {
+  POINTERS_3
+  LOAD_FIRST(scalar_single, float k, &k);
+  EACH {
     ksl_vec3f_t v;
     ksl_vec3f_t vo;
-    if (step[0] != 0) {
-      load_scalar_single(&k, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&v, p1 + i * step[1], core + 0);
+    LOAD_OTHER(scalar_single, &k);
+    LOAD(vec3_single, &v, 1, 0);
     ksl_product_avinvf_accurate(k, &v, &vo);
-    store_vec3_single(&vo, p2 + i * step[2], core + 1);
+    STORE(vec3_single, &vo, 2, 1);
   }
 }
-
-static void product_avinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 4, 12, 12, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_avinv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 12, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_avinv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_avinv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_avinv_loops[] = {
-    product_avinv_double, product_avinv_single};
+LOOP(product_avinv_single, 3, DENSE_OR_ONE, 4, 12, 12, 4, 4)
+LOOPS(product_avinv)
 
 /* (),(3)->(3) */
-INLINED void product_ainvv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  double k;
-  load_scalar_double(&k, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_ainvv_double) {
+  POINTERS_3
+  LOAD_FIRST(scalar_double, double k, &k);
+  EACH {
     ksl_vec3_t v;
     ksl_vec3_t vo;
-    if (step[0] != 0) {
-      load_scalar_double(&k, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&v, p1 + i * step[1], core + 0);
+    LOAD_OTHER(scalar_double, &k);
+    LOAD(vec3_double, &v, 1, 0);
     ksl_product_ainvv_accurate(k, &v, &vo);
-    store_vec3_double(&vo, p2 + i * step[2], core + 1);
+    STORE(vec3_double, &vo, 2, 1);
   }
 }
+LOOP(product_ainvv_double, 3, DENSE_OR_ONE, 8, 24, 24, 8, 8)
 
-static void product_ainvv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 8, 24, 24, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ainvv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ainvv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_ainvv_double_over(data, n[0], step, step + 3);
-}
-
-/* (),(3)->(3) */
-INLINED void product_ainvv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  float k;
-  load_scalar_single(&k, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_ainvv_single) {
+  POINTERS_3
+  LOAD_FIRST(scalar_single, float k, &k);
+  EACH {
     ksl_vec3f_t v;
     ksl_vec3f_t vo;
-    if (step[0] != 0) {
-      load_scalar_single(&k, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&v, p1 + i * step[1], core + 0);
+    LOAD_OTHER(scalar_single, &k);
+    LOAD(vec3_single, &v, 1, 0);
     ksl_product_ainvvf_accurate(k, &v, &vo);
-    store_vec3_single(&vo, p2 + i * step[2], core + 1);
+    STORE(vec3_single, &vo, 2, 1);
   }
 }
-
-static void product_ainvv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 4, 12, 12, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_ainvv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 12, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_ainvv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_ainvv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_ainvv_loops[] = {
-    product_ainvv_double, product_ainvv_single};
+LOOP(product_ainvv_single, 3, DENSE_OR_ONE, 4, 12, 12, 4, 4)
+LOOPS(product_ainvv)
 
 /* (3),(3)->(3) */
-INLINED void cross_vv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t v1;
-  load_vec3_double(&v1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(cross_vv_double) {
+  POINTERS_3
+  LOAD_FIRST(vec3_double, ksl_vec3_t v1, &v1);
+  EACH {
     ksl_vec3_t v2;
     ksl_vec3_t vo;
-    if (step[0] != 0) {
-      load_vec3_double(&v1, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&v2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &v1);
+    LOAD(vec3_double, &v2, 1, 1);
     ksl_cross_vv_accurate(&v1, &v2, &vo);
-    store_vec3_double(&vo, p2 + i * step[2], core + 2);
+    STORE(vec3_double, &vo, 2, 2);
   }
 }
+LOOP(cross_vv_double, 3, DENSE_OR_ONE, 24, 24, 24, 8, 8, 8)
 
-static void cross_vv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 24, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    cross_vv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    cross_vv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  cross_vv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3),(3)->(3) */
-INLINED void cross_vv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t v1;
-  load_vec3_single(&v1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(cross_vv_single) {
+  POINTERS_3
+  LOAD_FIRST(vec3_single, ksl_vec3f_t v1, &v1);
+  EACH {
     ksl_vec3f_t v2;
     ksl_vec3f_t vo;
-    if (step[0] != 0) {
-      load_vec3_single(&v1, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&v2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &v1);
+    LOAD(vec3_single, &v2, 1, 1);
     ksl_cross_vvf_accurate(&v1, &v2, &vo);
-    store_vec3_single(&vo, p2 + i * step[2], core + 2);
+    STORE(vec3_single, &vo, 2, 2);
   }
 }
-
-static void cross_vv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 12, 12, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    cross_vv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 12, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    cross_vv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  cross_vv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction cross_vv_loops[] = {
-    cross_vv_double, cross_vv_single};
+LOOP(cross_vv_single, 3, DENSE_OR_ONE, 12, 12, 12, 4, 4, 4)
+LOOPS(cross_vv)
 
 /* (3),(3)->(3) */
-INLINED void cross_vvinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t v1;
-  load_vec3_double(&v1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(cross_vvinv_double) {
+  POINTERS_3
+  LOAD_FIRST(vec3_double, ksl_vec3_t v1, &v1);
+  EACH {
     ksl_vec3_t v2;
     ksl_vec3_t vo;
-    if (step[0] != 0) {
-      load_vec3_double(&v1, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&v2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &v1);
+    LOAD(vec3_double, &v2, 1, 1);
     ksl_cross_vvinv_accurate(&v1, &v2, &vo);
-    store_vec3_double(&vo, p2 + i * step[2], core + 2);
+    STORE(vec3_double, &vo, 2, 2);
   }
 }
+LOOP(cross_vvinv_double, 3, DENSE_OR_ONE, 24, 24, 24, 8, 8, 8)
 
-static void cross_vvinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 24, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    cross_vvinv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    cross_vvinv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  cross_vvinv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3),(3)->(3) */
-INLINED void cross_vvinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t v1;
-  load_vec3_single(&v1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(cross_vvinv_single) {
+  POINTERS_3
+  LOAD_FIRST(vec3_single, ksl_vec3f_t v1, &v1);
+  EACH {
     ksl_vec3f_t v2;
     ksl_vec3f_t vo;
-    if (step[0] != 0) {
-      load_vec3_single(&v1, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&v2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &v1);
+    LOAD(vec3_single, &v2, 1, 1);
     ksl_cross_vvinvf_accurate(&v1, &v2, &vo);
-    store_vec3_single(&vo, p2 + i * step[2], core + 2);
+    STORE(vec3_single, &vo, 2, 2);
   }
 }
-
-static void cross_vvinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 12, 12, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    cross_vvinv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 12, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    cross_vvinv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  cross_vvinv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction cross_vvinv_loops[] = {
-    cross_vvinv_double, cross_vvinv_single};
+LOOP(cross_vvinv_single, 3, DENSE_OR_ONE, 12, 12, 12, 4, 4, 4)
+LOOPS(cross_vvinv)
 
 /* (3),()->(3) */
-INLINED void add_vvx_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t v;
-  load_vec3_double(&v, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(add_vvx_double) {
+  POINTERS_3
+  LOAD_FIRST(vec3_double, ksl_vec3_t v, &v);
+  EACH {
     double k;
     ksl_vec3_t vo;
-    if (step[0] != 0) {
-      load_vec3_double(&v, p0 + i * step[0], core + 0);
-    }
-    load_scalar_double(&k, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &v);
+    LOAD(scalar_double, &k, 1, 1);
     ksl_add_vvx_accurate(&v, k, &vo);
-    store_vec3_double(&vo, p2 + i * step[2], core + 1);
+    STORE(vec3_double, &vo, 2, 1);
   }
 }
+LOOP(add_vvx_double, 3, DENSE_OR_ONE, 24, 8, 24, 8, 8)
 
-static void add_vvx_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 8, 24, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_vvx_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 24, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_vvx_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  add_vvx_double_over(data, n[0], step, step + 3);
-}
-
-/* (3),()->(3) */
-INLINED void add_vvx_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t v;
-  load_vec3_single(&v, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(add_vvx_single) {
+  POINTERS_3
+  LOAD_FIRST(vec3_single, ksl_vec3f_t v, &v);
+  EACH {
     float k;
     ksl_vec3f_t vo;
-    if (step[0] != 0) {
-      load_vec3_single(&v, p0 + i * step[0], core + 0);
-    }
-    load_scalar_single(&k, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &v);
+    LOAD(scalar_single, &k, 1, 1);
     ksl_add_vvxf_accurate(&v, k, &vo);
-    store_vec3_single(&vo, p2 + i * step[2], core + 1);
+    STORE(vec3_single, &vo, 2, 1);
   }
 }
-
-static void add_vvx_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 4, 12, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_vvx_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 12, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_vvx_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  add_vvx_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction add_vvx_loops[] = {
-    add_vvx_double, add_vvx_single};
+LOOP(add_vvx_single, 3, DENSE_OR_ONE, 12, 4, 12, 4, 4)
+LOOPS(add_vvx)
 
 /* (3),()->(3) */
-INLINED void add_vvxinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t v;
-  load_vec3_double(&v, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(add_vvxinv_double) {
+  POINTERS_3
+  LOAD_FIRST(vec3_double, ksl_vec3_t v, &v);
+  EACH {
     double k;
     ksl_vec3_t vo;
-    if (step[0] != 0) {
-      load_vec3_double(&v, p0 + i * step[0], core + 0);
-    }
-    load_scalar_double(&k, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &v);
+    LOAD(scalar_double, &k, 1, 1);
     ksl_add_vvxinv_accurate(&v, k, &vo);
-    store_vec3_double(&vo, p2 + i * step[2], core + 1);
+    STORE(vec3_double, &vo, 2, 1);
   }
 }
+LOOP(add_vvxinv_double, 3, DENSE_OR_ONE, 24, 8, 24, 8, 8)
 
-static void add_vvxinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 8, 24, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_vvxinv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 24, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_vvxinv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  add_vvxinv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3),()->(3) */
-INLINED void add_vvxinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t v;
-  load_vec3_single(&v, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(add_vvxinv_single) {
+  POINTERS_3
+  LOAD_FIRST(vec3_single, ksl_vec3f_t v, &v);
+  EACH {
     float k;
     ksl_vec3f_t vo;
-    if (step[0] != 0) {
-      load_vec3_single(&v, p0 + i * step[0], core + 0);
-    }
-    load_scalar_single(&k, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &v);
+    LOAD(scalar_single, &k, 1, 1);
     ksl_add_vvxinvf_accurate(&v, k, &vo);
-    store_vec3_single(&vo, p2 + i * step[2], core + 1);
+    STORE(vec3_single, &vo, 2, 1);
   }
 }
-
-static void add_vvxinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 4, 12, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_vvxinv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 12, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_vvxinv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  add_vvxinv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction add_vvxinv_loops[] = {
-    add_vvxinv_double, add_vvxinv_single};
+LOOP(add_vvxinv_single, 3, DENSE_OR_ONE, 12, 4, 12, 4, 4)
+LOOPS(add_vvxinv)
 
 /* (3),()->(3) */
-INLINED void add_vvy_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t v;
-  load_vec3_double(&v, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(add_vvy_double) {
+  POINTERS_3
+  LOAD_FIRST(vec3_double, ksl_vec3_t v, &v);
+  EACH {
     double k;
     ksl_vec3_t vo;
-    if (step[0] != 0) {
-      load_vec3_double(&v, p0 + i * step[0], core + 0);
-    }
-    load_scalar_double(&k, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &v);
+    LOAD(scalar_double, &k, 1, 1);
     ksl_add_vvy_accurate(&v, k, &vo);
-    store_vec3_double(&vo, p2 + i * step[2], core + 1);
+    STORE(vec3_double, &vo, 2, 1);
   }
 }
+LOOP(add_vvy_double, 3, DENSE_OR_ONE, 24, 8, 24, 8, 8)
 
-static void add_vvy_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 8, 24, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_vvy_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 24, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_vvy_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  add_vvy_double_over(data, n[0], step, step + 3);
-}
-
-/* (3),()->(3) */
-INLINED void add_vvy_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t v;
-  load_vec3_single(&v, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(add_vvy_single) {
+  POINTERS_3
+  LOAD_FIRST(vec3_single, ksl_vec3f_t v, &v);
+  EACH {
     float k;
     ksl_vec3f_t vo;
-    if (step[0] != 0) {
-      load_vec3_single(&v, p0 + i * step[0], core + 0);
-    }
-    load_scalar_single(&k, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &v);
+    LOAD(scalar_single, &k, 1, 1);
     ksl_add_vvyf_accurate(&v, k, &vo);
-    store_vec3_single(&vo, p2 + i * step[2], core + 1);
+    STORE(vec3_single, &vo, 2, 1);
   }
 }
-
-static void add_vvy_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 4, 12, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_vvy_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 12, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_vvy_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  add_vvy_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction add_vvy_loops[] = {
-    add_vvy_double, add_vvy_single};
+LOOP(add_vvy_single, 3, DENSE_OR_ONE, 12, 4, 12, 4, 4)
+LOOPS(add_vvy)
 
 /* (3),()->(3) */
-INLINED void add_vvyinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t v;
-  load_vec3_double(&v, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(add_vvyinv_double) {
+  POINTERS_3
+  LOAD_FIRST(vec3_double, ksl_vec3_t v, &v);
+  EACH {
     double k;
     ksl_vec3_t vo;
-    if (step[0] != 0) {
-      load_vec3_double(&v, p0 + i * step[0], core + 0);
-    }
-    load_scalar_double(&k, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &v);
+    LOAD(scalar_double, &k, 1, 1);
     ksl_add_vvyinv_accurate(&v, k, &vo);
-    store_vec3_double(&vo, p2 + i * step[2], core + 1);
+    STORE(vec3_double, &vo, 2, 1);
   }
 }
+LOOP(add_vvyinv_double, 3, DENSE_OR_ONE, 24, 8, 24, 8, 8)
 
-static void add_vvyinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 8, 24, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_vvyinv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 24, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_vvyinv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  add_vvyinv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3),()->(3) */
-INLINED void add_vvyinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t v;
-  load_vec3_single(&v, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(add_vvyinv_single) {
+  POINTERS_3
+  LOAD_FIRST(vec3_single, ksl_vec3f_t v, &v);
+  EACH {
     float k;
     ksl_vec3f_t vo;
-    if (step[0] != 0) {
-      load_vec3_single(&v, p0 + i * step[0], core + 0);
-    }
-    load_scalar_single(&k, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &v);
+    LOAD(scalar_single, &k, 1, 1);
     ksl_add_vvyinvf_accurate(&v, k, &vo);
-    store_vec3_single(&vo, p2 + i * step[2], core + 1);
+    STORE(vec3_single, &vo, 2, 1);
   }
 }
-
-static void add_vvyinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 4, 12, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_vvyinv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 12, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_vvyinv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  add_vvyinv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction add_vvyinv_loops[] = {
-    add_vvyinv_double, add_vvyinv_single};
+LOOP(add_vvyinv_single, 3, DENSE_OR_ONE, 12, 4, 12, 4, 4)
+LOOPS(add_vvyinv)
 
 /* (3),()->(3) */
-INLINED void add_vvz_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t v;
-  load_vec3_double(&v, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(add_vvz_double) {
+  POINTERS_3
+  LOAD_FIRST(vec3_double, ksl_vec3_t v, &v);
+  EACH {
     double k;
     ksl_vec3_t vo;
-    if (step[0] != 0) {
-      load_vec3_double(&v, p0 + i * step[0], core + 0);
-    }
-    load_scalar_double(&k, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &v);
+    LOAD(scalar_double, &k, 1, 1);
     ksl_add_vvz_accurate(&v, k, &vo);
-    store_vec3_double(&vo, p2 + i * step[2], core + 1);
+    STORE(vec3_double, &vo, 2, 1);
   }
 }
+LOOP(add_vvz_double, 3, DENSE_OR_ONE, 24, 8, 24, 8, 8)
 
-static void add_vvz_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 8, 24, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_vvz_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 24, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_vvz_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  add_vvz_double_over(data, n[0], step, step + 3);
-}
-
-/* (3),()->(3) */
-INLINED void add_vvz_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t v;
-  load_vec3_single(&v, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(add_vvz_single) {
+  POINTERS_3
+  LOAD_FIRST(vec3_single, ksl_vec3f_t v, &v);
+  EACH {
     float k;
     ksl_vec3f_t vo;
-    if (step[0] != 0) {
-      load_vec3_single(&v, p0 + i * step[0], core + 0);
-    }
-    load_scalar_single(&k, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &v);
+    LOAD(scalar_single, &k, 1, 1);
     ksl_add_vvzf_accurate(&v, k, &vo);
-    store_vec3_single(&vo, p2 + i * step[2], core + 1);
+    STORE(vec3_single, &vo, 2, 1);
   }
 }
-
-static void add_vvz_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 4, 12, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_vvz_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 12, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_vvz_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  add_vvz_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction add_vvz_loops[] = {
-    add_vvz_double, add_vvz_single};
+LOOP(add_vvz_single, 3, DENSE_OR_ONE, 12, 4, 12, 4, 4)
+LOOPS(add_vvz)
 
 /* (3),()->(3) */
-INLINED void add_vvzinv_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t v;
-  load_vec3_double(&v, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(add_vvzinv_double) {
+  POINTERS_3
+  LOAD_FIRST(vec3_double, ksl_vec3_t v, &v);
+  EACH {
     double k;
     ksl_vec3_t vo;
-    if (step[0] != 0) {
-      load_vec3_double(&v, p0 + i * step[0], core + 0);
-    }
-    load_scalar_double(&k, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &v);
+    LOAD(scalar_double, &k, 1, 1);
     ksl_add_vvzinv_accurate(&v, k, &vo);
-    store_vec3_double(&vo, p2 + i * step[2], core + 1);
+    STORE(vec3_double, &vo, 2, 1);
   }
 }
+LOOP(add_vvzinv_double, 3, DENSE_OR_ONE, 24, 8, 24, 8, 8)
 
-static void add_vvzinv_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 8, 24, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_vvzinv_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 24, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_vvzinv_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  add_vvzinv_double_over(data, n[0], step, step + 3);
-}
-
-/* (3),()->(3) */
-INLINED void add_vvzinv_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t v;
-  load_vec3_single(&v, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(add_vvzinv_single) {
+  POINTERS_3
+  LOAD_FIRST(vec3_single, ksl_vec3f_t v, &v);
+  EACH {
     float k;
     ksl_vec3f_t vo;
-    if (step[0] != 0) {
-      load_vec3_single(&v, p0 + i * step[0], core + 0);
-    }
-    load_scalar_single(&k, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &v);
+    LOAD(scalar_single, &k, 1, 1);
     ksl_add_vvzinvf_accurate(&v, k, &vo);
-    store_vec3_single(&vo, p2 + i * step[2], core + 1);
+    STORE(vec3_single, &vo, 2, 1);
   }
 }
-
-static void add_vvzinv_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 4, 12, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_vvzinv_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 12, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_vvzinv_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  add_vvzinv_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction add_vvzinv_loops[] = {
-    add_vvzinv_double, add_vvzinv_single};
+LOOP(add_vvzinv_single, 3, DENSE_OR_ONE, 12, 4, 12, 4, 4)
+LOOPS(add_vvzinv)
 
 const coscrew_gufunc TABLE(vec3)[] = {
   {"vec3_scale", "(3),()->(3)",

@@ -8,369 +8,138 @@
 #include "_gufunc.h"
 
 /* (4),()->(4) */
-INLINED void vec4_scale_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(vec4_scale_double) {
+  POINTERS_3
+  EACH {
     ksl_vec4_t self;
     double a;
-    load_vec4_double(&self, p0 + i * step[0], core + 0);
-    load_scalar_double(&a, p1 + i * step[1], core + 1);
+    LOAD(vec4_double, &self, 0, 0);
+    LOAD(scalar_double, &a, 1, 1);
     ksl_vec4_scale_accurate(&self, a);
-    store_vec4_double(&self, p2 + i * step[2], core + 1);
+    STORE(vec4_double, &self, 2, 1);
   }
 }
+LOOP(vec4_scale_double, 3, DENSE, 32, 8, 32, 8, 8)
 
-static void vec4_scale_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 32, 8, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    vec4_scale_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  vec4_scale_double_over(data, n[0], step, step + 3);
-}
-
-/* (4),()->(4) */
-INLINED void vec4_scale_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(vec4_scale_single) {
+  POINTERS_3
+  EACH {
     ksl_vec4f_t self;
     float a;
-    load_vec4_single(&self, p0 + i * step[0], core + 0);
-    load_scalar_single(&a, p1 + i * step[1], core + 1);
+    LOAD(vec4_single, &self, 0, 0);
+    LOAD(scalar_single, &a, 1, 1);
     ksl_vec4f_scale_accurate(&self, a);
-    store_vec4_single(&self, p2 + i * step[2], core + 1);
+    STORE(vec4_single, &self, 2, 1);
   }
 }
-
-static void vec4_scale_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 4, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    vec4_scale_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  vec4_scale_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction vec4_scale_loops[] = {
-    vec4_scale_double, vec4_scale_single};
+LOOP(vec4_scale_single, 3, DENSE, 16, 4, 16, 4, 4)
+LOOPS(vec4_scale)
 
 /* (4),()->(4) */
-INLINED void vec4_scaled_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec4_t v;
-  load_vec4_double(&v, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(vec4_scaled_double) {
+  POINTERS_3
+  LOAD_FIRST(vec4_double, ksl_vec4_t v, &v);
+  EACH {
     double k;
     ksl_vec4_t vo;
-    if (step[0] != 0) {
-      load_vec4_double(&v, p0 + i * step[0], core + 0);
-    }
-    load_scalar_double(&k, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec4_double, &v);
+    LOAD(scalar_double, &k, 1, 1);
     ksl_vec4_scaled_accurate(&v, k, &vo);
-    store_vec4_double(&vo, p2 + i * step[2], core + 1);
+    STORE(vec4_double, &vo, 2, 1);
   }
 }
+LOOP(vec4_scaled_double, 3, DENSE_OR_ONE, 32, 8, 32, 8, 8)
 
-static void vec4_scaled_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 32, 8, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    vec4_scaled_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 32, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    vec4_scaled_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  vec4_scaled_double_over(data, n[0], step, step + 3);
-}
-
-/* (4),()->(4) */
-INLINED void vec4_scaled_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec4f_t v;
-  load_vec4_single(&v, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(vec4_scaled_single) {
+  POINTERS_3
+  LOAD_FIRST(vec4_single, ksl_vec4f_t v, &v);
+  EACH {
     float k;
     ksl_vec4f_t vo;
-    if (step[0] != 0) {
-      load_vec4_single(&v, p0 + i * step[0], core + 0);
-    }
-    load_scalar_single(&k, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec4_single, &v);
+    LOAD(scalar_single, &k, 1, 1);
     ksl_vec4f_scaled_accurate(&v, k, &vo);
-    store_vec4_single(&vo, p2 + i * step[2], core + 1);
+    STORE(vec4_single, &vo, 2, 1);
   }
 }
-
-static void vec4_scaled_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 4, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    vec4_scaled_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 16, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    vec4_scaled_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  vec4_scaled_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction vec4_scaled_loops[] = {
-    vec4_scaled_double, vec4_scaled_single};
+LOOP(vec4_scaled_single, 3, DENSE_OR_ONE, 16, 4, 16, 4, 4)
+LOOPS(vec4_scaled)
 
 /* (4)->() */
-INLINED void vec4_l2norm_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec4_t v;
-  load_vec4_double(&v, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(vec4_l2norm_double) {
+  POINTERS_2
+  LOAD_FIRST(vec4_double, ksl_vec4_t v, &v);
+  EACH {
     double norm;
-    if (step[0] != 0) {
-      load_vec4_double(&v, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(vec4_double, &v);
     norm = ksl_vec4_l2norm_accurate(&v);
-    store_scalar_double(&norm, p1 + i * step[1], core + 1);
+    STORE(scalar_double, &norm, 1, 1);
   }
 }
+LOOP(vec4_l2norm_double, 2, DENSE_OR_ONE, 32, 8, 8)
 
-static void vec4_l2norm_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    vec4_l2norm_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    vec4_l2norm_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  vec4_l2norm_double_over(data, n[0], step, step + 2);
-}
-
-/* (4)->() */
-INLINED void vec4_l2norm_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec4f_t v;
-  load_vec4_single(&v, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(vec4_l2norm_single) {
+  POINTERS_2
+  LOAD_FIRST(vec4_single, ksl_vec4f_t v, &v);
+  EACH {
     float norm;
-    if (step[0] != 0) {
-      load_vec4_single(&v, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(vec4_single, &v);
     norm = ksl_vec4f_l2norm_accurate(&v);
-    store_scalar_single(&norm, p1 + i * step[1], core + 1);
+    STORE(scalar_single, &norm, 1, 1);
   }
 }
-
-static void vec4_l2norm_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    vec4_l2norm_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    vec4_l2norm_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  vec4_l2norm_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction vec4_l2norm_loops[] = {
-    vec4_l2norm_double, vec4_l2norm_single};
+LOOP(vec4_l2norm_single, 2, DENSE_OR_ONE, 16, 4, 4)
+LOOPS(vec4_l2norm)
 
 /* (4)->(4) */
-INLINED void vec4_normalize_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(vec4_normalize_double) {
+  POINTERS_2
+  EACH {
     ksl_vec4_t self;
-    load_vec4_double(&self, p0 + i * step[0], core + 0);
+    LOAD(vec4_double, &self, 0, 0);
     ksl_vec4_normalize_accurate(&self);
-    store_vec4_double(&self, p1 + i * step[1], core + 1);
+    STORE(vec4_double, &self, 1, 1);
   }
 }
+LOOP(vec4_normalize_double, 2, DENSE, 32, 32, 8, 8)
 
-static void vec4_normalize_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 32, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    vec4_normalize_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  vec4_normalize_double_over(data, n[0], step, step + 2);
-}
-
-/* (4)->(4) */
-INLINED void vec4_normalize_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(vec4_normalize_single) {
+  POINTERS_2
+  EACH {
     ksl_vec4f_t self;
-    load_vec4_single(&self, p0 + i * step[0], core + 0);
+    LOAD(vec4_single, &self, 0, 0);
     ksl_vec4f_normalize_accurate(&self);
-    store_vec4_single(&self, p1 + i * step[1], core + 1);
+    STORE(vec4_single, &self, 1, 1);
   }
 }
-
-static void vec4_normalize_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    vec4_normalize_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  vec4_normalize_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction vec4_normalize_loops[] = {
-    vec4_normalize_double, vec4_normalize_single};
+LOOP(vec4_normalize_single, 2, DENSE, 16, 16, 4, 4)
+LOOPS(vec4_normalize)
 
 /* (4)->(4) */
-INLINED void vec4_normalized_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec4_t v;
-  load_vec4_double(&v, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(vec4_normalized_double) {
+  POINTERS_2
+  LOAD_FIRST(vec4_double, ksl_vec4_t v, &v);
+  EACH {
     ksl_vec4_t vo;
-    if (step[0] != 0) {
-      load_vec4_double(&v, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(vec4_double, &v);
     ksl_vec4_normalized_accurate(&v, &vo);
-    store_vec4_double(&vo, p1 + i * step[1], core + 1);
+    STORE(vec4_double, &vo, 1, 1);
   }
 }
+LOOP(vec4_normalized_double, 2, DENSE_OR_ONE, 32, 32, 8, 8)
 
-static void vec4_normalized_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 32, 32, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    vec4_normalized_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 32, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    vec4_normalized_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  vec4_normalized_double_over(data, n[0], step, step + 2);
-}
-
-/* (4)->(4) */
-INLINED void vec4_normalized_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec4f_t v;
-  load_vec4_single(&v, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(vec4_normalized_single) {
+  POINTERS_2
+  LOAD_FIRST(vec4_single, ksl_vec4f_t v, &v);
+  EACH {
     ksl_vec4f_t vo;
-    if (step[0] != 0) {
-      load_vec4_single(&v, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(vec4_single, &v);
     ksl_vec4f_normalized_accurate(&v, &vo);
-    store_vec4_single(&vo, p1 + i * step[1], core + 1);
+    STORE(vec4_single, &vo, 1, 1);
   }
 }
-
-static void vec4_normalized_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 16, 16, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    vec4_normalized_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    vec4_normalized_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  vec4_normalized_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction vec4_normalized_loops[] = {
-    vec4_normalized_double, vec4_normalized_single};
+LOOP(vec4_normalized_single, 2, DENSE_OR_ONE, 16, 16, 4, 4)
+LOOPS(vec4_normalized)
 
 const coscrew_gufunc TABLE(vec4)[] = {
   {"vec4_scale", "(4),()->(4)",

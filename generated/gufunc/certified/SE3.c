@@ -11,156 +11,66 @@
 #include <fenv.h>
 
 /* (3,4)->(3,4),(3,4) */
-INLINED void SE3_invert_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(SE3_invert_double) {
+  POINTERS_3
+  EACH {
     ksl_SE3_t self;
     ksl_SE3_t self_bound;
-    load_SE3_double(&self, p0 + i * step[0], core + 0);
+    LOAD(SE3_double, &self, 0, 0);
     ksl_SE3_invert_certified(&self, &self_bound);
-    store_SE3_double(&self, p1 + i * step[1], core + 2);
-    store_SE3_double(&self_bound, p2 + i * step[2], core + 4);
+    STORE(SE3_double, &self, 1, 2);
+    STORE(SE3_double, &self_bound, 2, 4);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+LOOP(SE3_invert_double, 3, DENSE, 96, 96, 96, 32, 8, 32, 8, 32, 8)
 
-static void SE3_invert_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 96, 96, 32, 8, 32, 8, 32, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    SE3_invert_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  SE3_invert_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4)->(3,4),(3,4) */
-INLINED void SE3_invert_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(SE3_invert_single) {
+  POINTERS_3
+  EACH {
     ksl_SE3f_t self;
     ksl_SE3f_t self_bound;
-    load_SE3_single(&self, p0 + i * step[0], core + 0);
+    LOAD(SE3_single, &self, 0, 0);
     ksl_SE3f_invert_certified(&self, &self_bound);
-    store_SE3_single(&self, p1 + i * step[1], core + 2);
-    store_SE3_single(&self_bound, p2 + i * step[2], core + 4);
+    STORE(SE3_single, &self, 1, 2);
+    STORE(SE3_single, &self_bound, 2, 4);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-
-static void SE3_invert_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 48, 16, 4, 16, 4, 16, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    SE3_invert_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  SE3_invert_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction SE3_invert_loops[] = {
-    SE3_invert_double, SE3_invert_single};
+LOOP(SE3_invert_single, 3, DENSE, 48, 48, 48, 16, 4, 16, 4, 16, 4)
+LOOPS(SE3_invert)
 
 /* (3,4)->(3,4),(3,4) */
-INLINED void SE3_inverted_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(SE3_inverted_double) {
+  POINTERS_3
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_SE3_t Do;
     ksl_SE3_t Do_bound;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_double, &D);
     ksl_SE3_inverted_certified(&D, &Do, &Do_bound);
-    store_SE3_double(&Do, p1 + i * step[1], core + 2);
-    store_SE3_double(&Do_bound, p2 + i * step[2], core + 4);
+    STORE(SE3_double, &Do, 1, 2);
+    STORE(SE3_double, &Do_bound, 2, 4);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+LOOP(SE3_inverted_double, 3, DENSE_OR_ONE, 96, 96, 96, 32, 8, 32, 8, 32, 8)
 
-static void SE3_inverted_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 96, 96, 32, 8, 32, 8, 32, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    SE3_inverted_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 96, 96, 32, 8, 32, 8, 32, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    SE3_inverted_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  SE3_inverted_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,4)->(3,4),(3,4) */
-INLINED void SE3_inverted_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(SE3_inverted_single) {
+  POINTERS_3
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_SE3f_t Do;
     ksl_SE3f_t Do_bound;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(SE3_single, &D);
     ksl_SE3f_inverted_certified(&D, &Do, &Do_bound);
-    store_SE3_single(&Do, p1 + i * step[1], core + 2);
-    store_SE3_single(&Do_bound, p2 + i * step[2], core + 4);
+    STORE(SE3_single, &Do, 1, 2);
+    STORE(SE3_single, &Do_bound, 2, 4);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-
-static void SE3_inverted_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 48, 48, 16, 4, 16, 4, 16, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    SE3_inverted_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 16, 4, 16, 4, 16, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    SE3_inverted_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  SE3_inverted_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction SE3_inverted_loops[] = {
-    SE3_inverted_double, SE3_inverted_single};
+LOOP(SE3_inverted_single, 3, DENSE_OR_ONE, 48, 48, 48, 16, 4, 16, 4, 16, 4)
+LOOPS(SE3_inverted)
 
 const coscrew_gufunc TABLE(SE3)[] = {
   {"SE3_invert", "(3,4)->(3,4),(3,4)",

@@ -32,7 +32,7 @@
 #pragma GCC target("no-fma,no-avx512f")
 #endif
 
-#include "../../c/coscrew_certified.h"
+#include "../../c/include/ksl/ksl_certified.h"
 
 #if defined(COSCREW_FOR_AVX2)
 #define TABLE(family) coscrew_##family##_gufuncs_avx2
@@ -53,6 +53,55 @@
 #else
 #define INLINED static inline
 #endif
+
+/* A loop over n elements, which are independent of each other, with the arguments' strides and, in
+   `core`, those of their components; p0, p1, … are the arguments' first elements. */
+#define OVER(name) \
+  INLINED void name##_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core)
+#define EACH INDEPENDENT for (npy_intp i = 0; i < n; i++)
+#define POINTERS_0
+#define POINTERS_1 POINTERS_0 char *const p0 = data[0];
+#define POINTERS_2 POINTERS_1 char *const p1 = data[1];
+#define POINTERS_3 POINTERS_2 char *const p2 = data[2];
+#define POINTERS_4 POINTERS_3 char *const p3 = data[3];
+#define POINTERS_5 POINTERS_4 char *const p4 = data[4];
+#define POINTERS_6 POINTERS_5 char *const p5 = data[5];
+#define POINTERS_7 POINTERS_6 char *const p6 = data[6];
+#define POINTERS_8 POINTERS_7 char *const p7 = data[7];
+#define POINTERS_9 POINTERS_8 char *const p8 = data[8];
+#define POINTERS_10 POINTERS_9 char *const p9 = data[9];
+
+/* Element i of argument number k, whose first component's stride is core[first]. */
+#define LOAD(quantity, x, k, first) load_##quantity(x, p##k + i * step[k], core + (first))
+#define STORE(quantity, x, k, first) store_##quantity(x, p##k + i * step[k], core + (first))
+
+/* The first argument, if it is read only: once, and again where it is not the same for all elements. */
+#define LOAD_FIRST(quantity, declaration, x) \
+  if (n <= 0) return; \
+  declaration; \
+  load_##quantity(x, p0, core)
+#define LOAD_OTHER(quantity, x) if (step[0] != 0) load_##quantity(x, p0 + i * step[0], core)
+
+/* The inner loop of a gufunc.  Its loop over elements is compiled for the strides of C-ordered arrays,
+   if `dense` is DENSE_OR_ONE also with a single first argument, and for any others. */
+#define LOOP(name, arguments, dense, ...) \
+  static void name(char **data, const npy_intp *n, const npy_intp *step, void *unused) { \
+    (void)unused; \
+    dense(name, arguments, __VA_ARGS__) \
+    name##_over(data, n[0], step, step + (arguments)); \
+  }
+#define DENSE(name, arguments, ...) DENSE_IN(each, name, arguments, __VA_ARGS__)
+#define DENSE_OR_ONE(name, arguments, first, ...) \
+  DENSE_IN(each, name, arguments, first, __VA_ARGS__) DENSE_IN(one, name, arguments, 0, __VA_ARGS__)
+#define DENSE_IN(way, name, arguments, ...) \
+  static const npy_intp way[] = {__VA_ARGS__}; \
+  if (memcmp(step, way, sizeof way) == 0) { \
+    name##_over(data, n[0], way, way + (arguments)); \
+    return; \
+  }
+#define LOOPS(name) \
+  static PyUFuncGenericFunction name##_loops[] = { \
+      name##_double, name##_single};
 
 typedef struct {
   const char *name, *signature, *doc;

@@ -11,556 +11,208 @@
 #include <fenv.h>
 
 /* ()->(),(),(),() */
-INLINED void sincos_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  char *const p4 = data[4];
-  if (n <= 0) {
-    return;
-  }
-  double x;
-  load_scalar_double(&x, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(sincos_double) {
+  POINTERS_5
+  LOAD_FIRST(scalar_double, double x, &x);
+  EACH {
     double s;
     double c;
     double s_bound;
     double c_bound;
-    if (step[0] != 0) {
-      load_scalar_double(&x, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(scalar_double, &x);
     s = ksl_sincos_certified(x, &c, &s_bound, &c_bound);
-    store_scalar_double(&s, p1 + i * step[1], core + 0);
-    store_scalar_double(&c, p2 + i * step[2], core + 0);
-    store_scalar_double(&s_bound, p3 + i * step[3], core + 0);
-    store_scalar_double(&c_bound, p4 + i * step[4], core + 0);
+    STORE(scalar_double, &s, 1, 0);
+    STORE(scalar_double, &c, 2, 0);
+    STORE(scalar_double, &s_bound, 3, 0);
+    STORE(scalar_double, &c_bound, 4, 0);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+LOOP(sincos_double, 5, DENSE_OR_ONE, 8, 8, 8, 8, 8)
 
-static void sincos_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 8, 8, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    sincos_double_over(
-        data, n[0], dense_1, dense_1 + 5);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    sincos_double_over(
-        data, n[0], dense_2, dense_2 + 5);
-    return;
-  }
-  sincos_double_over(data, n[0], step, step + 5);
-}
-
-/* ()->(),(),(),() */
-INLINED void sincos_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  char *const p4 = data[4];
-  if (n <= 0) {
-    return;
-  }
-  float x;
-  load_scalar_single(&x, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(sincos_single) {
+  POINTERS_5
+  LOAD_FIRST(scalar_single, float x, &x);
+  EACH {
     float s;
     float c;
     float s_bound;
     float c_bound;
-    if (step[0] != 0) {
-      load_scalar_single(&x, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(scalar_single, &x);
     s = ksl_sincosf_certified(x, &c, &s_bound, &c_bound);
-    store_scalar_single(&s, p1 + i * step[1], core + 0);
-    store_scalar_single(&c, p2 + i * step[2], core + 0);
-    store_scalar_single(&s_bound, p3 + i * step[3], core + 0);
-    store_scalar_single(&c_bound, p4 + i * step[4], core + 0);
+    STORE(scalar_single, &s, 1, 0);
+    STORE(scalar_single, &c, 2, 0);
+    STORE(scalar_single, &s_bound, 3, 0);
+    STORE(scalar_single, &c_bound, 4, 0);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-
-static void sincos_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 4, 4, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    sincos_single_over(
-        data, n[0], dense_1, dense_1 + 5);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    sincos_single_over(
-        data, n[0], dense_2, dense_2 + 5);
-    return;
-  }
-  sincos_single_over(data, n[0], step, step + 5);
-}
-
-static PyUFuncGenericFunction sincos_loops[] = {
-    sincos_double, sincos_single};
+LOOP(sincos_single, 5, DENSE_OR_ONE, 4, 4, 4, 4, 4)
+LOOPS(sincos)
 
 /* ()->(),() */
-INLINED void sin_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  double x;
-  load_scalar_double(&x, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(sin_double) {
+  POINTERS_3
+  LOAD_FIRST(scalar_double, double x, &x);
+  EACH {
     double s;
     double s_bound;
-    if (step[0] != 0) {
-      load_scalar_double(&x, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(scalar_double, &x);
     s = ksl_sin_certified(x, &s_bound);
-    store_scalar_double(&s, p1 + i * step[1], core + 0);
-    store_scalar_double(&s_bound, p2 + i * step[2], core + 0);
+    STORE(scalar_double, &s, 1, 0);
+    STORE(scalar_double, &s_bound, 2, 0);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+LOOP(sin_double, 3, DENSE_OR_ONE, 8, 8, 8)
 
-static void sin_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    sin_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    sin_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  sin_double_over(data, n[0], step, step + 3);
-}
-
-/* ()->(),() */
-INLINED void sin_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  float x;
-  load_scalar_single(&x, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(sin_single) {
+  POINTERS_3
+  LOAD_FIRST(scalar_single, float x, &x);
+  EACH {
     float s;
     float s_bound;
-    if (step[0] != 0) {
-      load_scalar_single(&x, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(scalar_single, &x);
     s = ksl_sinf_certified(x, &s_bound);
-    store_scalar_single(&s, p1 + i * step[1], core + 0);
-    store_scalar_single(&s_bound, p2 + i * step[2], core + 0);
+    STORE(scalar_single, &s, 1, 0);
+    STORE(scalar_single, &s_bound, 2, 0);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-
-static void sin_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    sin_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    sin_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  sin_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction sin_loops[] = {
-    sin_double, sin_single};
+LOOP(sin_single, 3, DENSE_OR_ONE, 4, 4, 4)
+LOOPS(sin)
 
 /* ()->(),() */
-INLINED void cos_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  double x;
-  load_scalar_double(&x, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(cos_double) {
+  POINTERS_3
+  LOAD_FIRST(scalar_double, double x, &x);
+  EACH {
     double c;
     double c_bound;
-    if (step[0] != 0) {
-      load_scalar_double(&x, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(scalar_double, &x);
     c = ksl_cos_certified(x, &c_bound);
-    store_scalar_double(&c, p1 + i * step[1], core + 0);
-    store_scalar_double(&c_bound, p2 + i * step[2], core + 0);
+    STORE(scalar_double, &c, 1, 0);
+    STORE(scalar_double, &c_bound, 2, 0);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+LOOP(cos_double, 3, DENSE_OR_ONE, 8, 8, 8)
 
-static void cos_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    cos_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    cos_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  cos_double_over(data, n[0], step, step + 3);
-}
-
-/* ()->(),() */
-INLINED void cos_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  float x;
-  load_scalar_single(&x, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(cos_single) {
+  POINTERS_3
+  LOAD_FIRST(scalar_single, float x, &x);
+  EACH {
     float c;
     float c_bound;
-    if (step[0] != 0) {
-      load_scalar_single(&x, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(scalar_single, &x);
     c = ksl_cosf_certified(x, &c_bound);
-    store_scalar_single(&c, p1 + i * step[1], core + 0);
-    store_scalar_single(&c_bound, p2 + i * step[2], core + 0);
+    STORE(scalar_single, &c, 1, 0);
+    STORE(scalar_single, &c_bound, 2, 0);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-
-static void cos_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    cos_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    cos_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  cos_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction cos_loops[] = {
-    cos_double, cos_single};
+LOOP(cos_single, 3, DENSE_OR_ONE, 4, 4, 4)
+LOOPS(cos)
 
 /* ()->(),() */
-INLINED void exp_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  double x;
-  load_scalar_double(&x, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(exp_double) {
+  POINTERS_3
+  LOAD_FIRST(scalar_double, double x, &x);
+  EACH {
     double y;
     double y_bound;
-    if (step[0] != 0) {
-      load_scalar_double(&x, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(scalar_double, &x);
     y = ksl_exp_certified(x, &y_bound);
-    store_scalar_double(&y, p1 + i * step[1], core + 0);
-    store_scalar_double(&y_bound, p2 + i * step[2], core + 0);
+    STORE(scalar_double, &y, 1, 0);
+    STORE(scalar_double, &y_bound, 2, 0);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+LOOP(exp_double, 3, DENSE_OR_ONE, 8, 8, 8)
 
-static void exp_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    exp_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    exp_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  exp_double_over(data, n[0], step, step + 3);
-}
-
-/* ()->(),() */
-INLINED void exp_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  float x;
-  load_scalar_single(&x, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(exp_single) {
+  POINTERS_3
+  LOAD_FIRST(scalar_single, float x, &x);
+  EACH {
     float y;
     float y_bound;
-    if (step[0] != 0) {
-      load_scalar_single(&x, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(scalar_single, &x);
     y = ksl_expf_certified(x, &y_bound);
-    store_scalar_single(&y, p1 + i * step[1], core + 0);
-    store_scalar_single(&y_bound, p2 + i * step[2], core + 0);
+    STORE(scalar_single, &y, 1, 0);
+    STORE(scalar_single, &y_bound, 2, 0);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-
-static void exp_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    exp_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    exp_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  exp_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction exp_loops[] = {
-    exp_double, exp_single};
+LOOP(exp_single, 3, DENSE_OR_ONE, 4, 4, 4)
+LOOPS(exp)
 
 /* ()->(),() */
-INLINED void tanh_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  double x;
-  load_scalar_double(&x, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(tanh_double) {
+  POINTERS_3
+  LOAD_FIRST(scalar_double, double x, &x);
+  EACH {
     double y;
     double y_bound;
-    if (step[0] != 0) {
-      load_scalar_double(&x, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(scalar_double, &x);
     y = ksl_tanh_certified(x, &y_bound);
-    store_scalar_double(&y, p1 + i * step[1], core + 0);
-    store_scalar_double(&y_bound, p2 + i * step[2], core + 0);
+    STORE(scalar_double, &y, 1, 0);
+    STORE(scalar_double, &y_bound, 2, 0);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+LOOP(tanh_double, 3, DENSE_OR_ONE, 8, 8, 8)
 
-static void tanh_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    tanh_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    tanh_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  tanh_double_over(data, n[0], step, step + 3);
-}
-
-/* ()->(),() */
-INLINED void tanh_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  float x;
-  load_scalar_single(&x, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(tanh_single) {
+  POINTERS_3
+  LOAD_FIRST(scalar_single, float x, &x);
+  EACH {
     float y;
     float y_bound;
-    if (step[0] != 0) {
-      load_scalar_single(&x, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(scalar_single, &x);
     y = ksl_tanhf_certified(x, &y_bound);
-    store_scalar_single(&y, p1 + i * step[1], core + 0);
-    store_scalar_single(&y_bound, p2 + i * step[2], core + 0);
+    STORE(scalar_single, &y, 1, 0);
+    STORE(scalar_single, &y_bound, 2, 0);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-
-static void tanh_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    tanh_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    tanh_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  tanh_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction tanh_loops[] = {
-    tanh_double, tanh_single};
+LOOP(tanh_single, 3, DENSE_OR_ONE, 4, 4, 4)
+LOOPS(tanh)
 
 /* (),()->(),() */
-INLINED void atan2_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  double y;
-  load_scalar_double(&y, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(atan2_double) {
+  POINTERS_4
+  LOAD_FIRST(scalar_double, double y, &y);
+  EACH {
     double x;
     double angle;
     double angle_bound;
-    if (step[0] != 0) {
-      load_scalar_double(&y, p0 + i * step[0], core + 0);
-    }
-    load_scalar_double(&x, p1 + i * step[1], core + 0);
+    LOAD_OTHER(scalar_double, &y);
+    LOAD(scalar_double, &x, 1, 0);
     angle = ksl_atan2_certified(y, x, &angle_bound);
-    store_scalar_double(&angle, p2 + i * step[2], core + 0);
-    store_scalar_double(&angle_bound, p3 + i * step[3], core + 0);
+    STORE(scalar_double, &angle, 2, 0);
+    STORE(scalar_double, &angle_bound, 3, 0);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+LOOP(atan2_double, 4, DENSE_OR_ONE, 8, 8, 8, 8)
 
-static void atan2_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 8, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    atan2_double_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    atan2_double_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  atan2_double_over(data, n[0], step, step + 4);
-}
-
-/* (),()->(),() */
-INLINED void atan2_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  float y;
-  load_scalar_single(&y, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(atan2_single) {
+  POINTERS_4
+  LOAD_FIRST(scalar_single, float y, &y);
+  EACH {
     float x;
     float angle;
     float angle_bound;
-    if (step[0] != 0) {
-      load_scalar_single(&y, p0 + i * step[0], core + 0);
-    }
-    load_scalar_single(&x, p1 + i * step[1], core + 0);
+    LOAD_OTHER(scalar_single, &y);
+    LOAD(scalar_single, &x, 1, 0);
     angle = ksl_atan2f_certified(y, x, &angle_bound);
-    store_scalar_single(&angle, p2 + i * step[2], core + 0);
-    store_scalar_single(&angle_bound, p3 + i * step[3], core + 0);
+    STORE(scalar_single, &angle, 2, 0);
+    STORE(scalar_single, &angle_bound, 3, 0);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-
-static void atan2_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 4, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    atan2_single_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    atan2_single_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  atan2_single_over(data, n[0], step, step + 4);
-}
-
-static PyUFuncGenericFunction atan2_loops[] = {
-    atan2_double, atan2_single};
+LOOP(atan2_single, 4, DENSE_OR_ONE, 4, 4, 4, 4)
+LOOPS(atan2)
 
 const coscrew_gufunc TABLE(elementary)[] = {
   {"sincos", "()->(),(),(),()",

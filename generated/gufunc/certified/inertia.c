@@ -11,25 +11,10 @@
 #include <fenv.h>
 
 /* (),(3),(),(),(),(),(),()->(10),(10) */
-INLINED void inertia_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  char *const p4 = data[4];
-  char *const p5 = data[5];
-  char *const p6 = data[6];
-  char *const p7 = data[7];
-  char *const p8 = data[8];
-  char *const p9 = data[9];
-  if (n <= 0) {
-    return;
-  }
-  double m;
-  load_scalar_double(&m, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(inertia_double) {
+  POINTERS_10
+  LOAD_FIRST(scalar_double, double m, &m);
+  EACH {
     ksl_vec3_t t;
     double Ixx;
     double Iyy;
@@ -39,61 +24,26 @@ INLINED void inertia_double_over(
     double Izx;
     ksl_inertia_t J;
     ksl_inertia_t J_bound;
-    if (step[0] != 0) {
-      load_scalar_double(&m, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&t, p1 + i * step[1], core + 0);
-    load_scalar_double(&Ixx, p2 + i * step[2], core + 1);
-    load_scalar_double(&Iyy, p3 + i * step[3], core + 1);
-    load_scalar_double(&Izz, p4 + i * step[4], core + 1);
-    load_scalar_double(&Ixy, p5 + i * step[5], core + 1);
-    load_scalar_double(&Iyz, p6 + i * step[6], core + 1);
-    load_scalar_double(&Izx, p7 + i * step[7], core + 1);
+    LOAD_OTHER(scalar_double, &m);
+    LOAD(vec3_double, &t, 1, 0);
+    LOAD(scalar_double, &Ixx, 2, 1);
+    LOAD(scalar_double, &Iyy, 3, 1);
+    LOAD(scalar_double, &Izz, 4, 1);
+    LOAD(scalar_double, &Ixy, 5, 1);
+    LOAD(scalar_double, &Iyz, 6, 1);
+    LOAD(scalar_double, &Izx, 7, 1);
     J = ksl_inertia_certified(m, t, Ixx, Iyy, Izz, Ixy, Iyz, Izx, &J_bound);
-    store_inertia_double(&J, p8 + i * step[8], core + 1);
-    store_inertia_double(&J_bound, p9 + i * step[9], core + 2);
+    STORE(inertia_double, &J, 8, 1);
+    STORE(inertia_double, &J_bound, 9, 2);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+LOOP(inertia_double, 10, DENSE_OR_ONE, 8, 24, 8, 8, 8, 8, 8, 8, 80, 80, 8, 8, 8)
 
-static void inertia_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 8, 24, 8, 8, 8, 8, 8, 8, 80, 80, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_double_over(
-        data, n[0], dense_1, dense_1 + 10);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 8, 8, 8, 8, 8, 8, 80, 80, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    inertia_double_over(
-        data, n[0], dense_2, dense_2 + 10);
-    return;
-  }
-  inertia_double_over(data, n[0], step, step + 10);
-}
-
-/* (),(3),(),(),(),(),(),()->(10),(10) */
-INLINED void inertia_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  char *const p4 = data[4];
-  char *const p5 = data[5];
-  char *const p6 = data[6];
-  char *const p7 = data[7];
-  char *const p8 = data[8];
-  char *const p9 = data[9];
-  if (n <= 0) {
-    return;
-  }
-  float m;
-  load_scalar_single(&m, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(inertia_single) {
+  POINTERS_10
+  LOAD_FIRST(scalar_single, float m, &m);
+  EACH {
     ksl_vec3f_t t;
     float Ixx;
     float Iyy;
@@ -103,535 +53,232 @@ INLINED void inertia_single_over(
     float Izx;
     ksl_inertiaf_t J;
     ksl_inertiaf_t J_bound;
-    if (step[0] != 0) {
-      load_scalar_single(&m, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&t, p1 + i * step[1], core + 0);
-    load_scalar_single(&Ixx, p2 + i * step[2], core + 1);
-    load_scalar_single(&Iyy, p3 + i * step[3], core + 1);
-    load_scalar_single(&Izz, p4 + i * step[4], core + 1);
-    load_scalar_single(&Ixy, p5 + i * step[5], core + 1);
-    load_scalar_single(&Iyz, p6 + i * step[6], core + 1);
-    load_scalar_single(&Izx, p7 + i * step[7], core + 1);
+    LOAD_OTHER(scalar_single, &m);
+    LOAD(vec3_single, &t, 1, 0);
+    LOAD(scalar_single, &Ixx, 2, 1);
+    LOAD(scalar_single, &Iyy, 3, 1);
+    LOAD(scalar_single, &Izz, 4, 1);
+    LOAD(scalar_single, &Ixy, 5, 1);
+    LOAD(scalar_single, &Iyz, 6, 1);
+    LOAD(scalar_single, &Izx, 7, 1);
     J = ksl_inertiaf_certified(m, t, Ixx, Iyy, Izz, Ixy, Iyz, Izx, &J_bound);
-    store_inertia_single(&J, p8 + i * step[8], core + 1);
-    store_inertia_single(&J_bound, p9 + i * step[9], core + 2);
+    STORE(inertia_single, &J, 8, 1);
+    STORE(inertia_single, &J_bound, 9, 2);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-
-static void inertia_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 4, 12, 4, 4, 4, 4, 4, 4, 40, 40, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_single_over(
-        data, n[0], dense_1, dense_1 + 10);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 4, 4, 4, 4, 4, 4, 40, 40, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    inertia_single_over(
-        data, n[0], dense_2, dense_2 + 10);
-    return;
-  }
-  inertia_single_over(data, n[0], step, step + 10);
-}
-
-static PyUFuncGenericFunction inertia_loops[] = {
-    inertia_double, inertia_single};
+LOOP(inertia_single, 10, DENSE_OR_ONE, 4, 12, 4, 4, 4, 4, 4, 4, 40, 40, 4, 4, 4)
+LOOPS(inertia)
 
 /* (10),(3,3)->(10),(10) */
-INLINED void inertia_rotated_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_inertia_t Ji;
-  load_inertia_double(&Ji, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(inertia_rotated_double) {
+  POINTERS_4
+  LOAD_FIRST(inertia_double, ksl_inertia_t Ji, &Ji);
+  EACH {
     ksl_mat3x3_t R;
     ksl_inertia_t Jo;
     ksl_inertia_t Jo_bound;
-    if (step[0] != 0) {
-      load_inertia_double(&Ji, p0 + i * step[0], core + 0);
-    }
-    load_mat3x3_double(&R, p1 + i * step[1], core + 1);
+    LOAD_OTHER(inertia_double, &Ji);
+    LOAD(mat3x3_double, &R, 1, 1);
     ksl_inertia_rotated_certified(&Ji, &R, &Jo, &Jo_bound);
-    store_inertia_double(&Jo, p2 + i * step[2], core + 3);
-    store_inertia_double(&Jo_bound, p3 + i * step[3], core + 4);
+    STORE(inertia_double, &Jo, 2, 3);
+    STORE(inertia_double, &Jo_bound, 3, 4);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+LOOP(inertia_rotated_double, 4, DENSE_OR_ONE, 80, 72, 80, 80, 8, 24, 8, 8, 8)
 
-static void inertia_rotated_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 80, 72, 80, 80, 8, 24, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_rotated_double_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 72, 80, 80, 8, 24, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    inertia_rotated_double_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  inertia_rotated_double_over(data, n[0], step, step + 4);
-}
-
-/* (10),(3,3)->(10),(10) */
-INLINED void inertia_rotated_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_inertiaf_t Ji;
-  load_inertia_single(&Ji, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(inertia_rotated_single) {
+  POINTERS_4
+  LOAD_FIRST(inertia_single, ksl_inertiaf_t Ji, &Ji);
+  EACH {
     ksl_mat3x3f_t R;
     ksl_inertiaf_t Jo;
     ksl_inertiaf_t Jo_bound;
-    if (step[0] != 0) {
-      load_inertia_single(&Ji, p0 + i * step[0], core + 0);
-    }
-    load_mat3x3_single(&R, p1 + i * step[1], core + 1);
+    LOAD_OTHER(inertia_single, &Ji);
+    LOAD(mat3x3_single, &R, 1, 1);
     ksl_inertiaf_rotated_certified(&Ji, &R, &Jo, &Jo_bound);
-    store_inertia_single(&Jo, p2 + i * step[2], core + 3);
-    store_inertia_single(&Jo_bound, p3 + i * step[3], core + 4);
+    STORE(inertia_single, &Jo, 2, 3);
+    STORE(inertia_single, &Jo_bound, 3, 4);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-
-static void inertia_rotated_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 40, 36, 40, 40, 4, 12, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_rotated_single_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 36, 40, 40, 4, 12, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    inertia_rotated_single_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  inertia_rotated_single_over(data, n[0], step, step + 4);
-}
-
-static PyUFuncGenericFunction inertia_rotated_loops[] = {
-    inertia_rotated_double, inertia_rotated_single};
+LOOP(inertia_rotated_single, 4, DENSE_OR_ONE, 40, 36, 40, 40, 4, 12, 4, 4, 4)
+LOOPS(inertia_rotated)
 
 /* (10),(3,3)->(10),(10) */
-INLINED void inertia_rotate_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(inertia_rotate_double) {
+  POINTERS_4
+  EACH {
     ksl_inertia_t self;
     ksl_mat3x3_t R;
     ksl_inertia_t self_bound;
-    load_inertia_double(&self, p0 + i * step[0], core + 0);
-    load_mat3x3_double(&R, p1 + i * step[1], core + 1);
+    LOAD(inertia_double, &self, 0, 0);
+    LOAD(mat3x3_double, &R, 1, 1);
     ksl_inertia_rotate_certified(&self, &R, &self_bound);
-    store_inertia_double(&self, p2 + i * step[2], core + 3);
-    store_inertia_double(&self_bound, p3 + i * step[3], core + 4);
+    STORE(inertia_double, &self, 2, 3);
+    STORE(inertia_double, &self_bound, 3, 4);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+LOOP(inertia_rotate_double, 4, DENSE, 80, 72, 80, 80, 8, 24, 8, 8, 8)
 
-static void inertia_rotate_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 80, 72, 80, 80, 8, 24, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_rotate_double_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  inertia_rotate_double_over(data, n[0], step, step + 4);
-}
-
-/* (10),(3,3)->(10),(10) */
-INLINED void inertia_rotate_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(inertia_rotate_single) {
+  POINTERS_4
+  EACH {
     ksl_inertiaf_t self;
     ksl_mat3x3f_t R;
     ksl_inertiaf_t self_bound;
-    load_inertia_single(&self, p0 + i * step[0], core + 0);
-    load_mat3x3_single(&R, p1 + i * step[1], core + 1);
+    LOAD(inertia_single, &self, 0, 0);
+    LOAD(mat3x3_single, &R, 1, 1);
     ksl_inertiaf_rotate_certified(&self, &R, &self_bound);
-    store_inertia_single(&self, p2 + i * step[2], core + 3);
-    store_inertia_single(&self_bound, p3 + i * step[3], core + 4);
+    STORE(inertia_single, &self, 2, 3);
+    STORE(inertia_single, &self_bound, 3, 4);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-
-static void inertia_rotate_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 40, 36, 40, 40, 4, 12, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_rotate_single_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  inertia_rotate_single_over(data, n[0], step, step + 4);
-}
-
-static PyUFuncGenericFunction inertia_rotate_loops[] = {
-    inertia_rotate_double, inertia_rotate_single};
+LOOP(inertia_rotate_single, 4, DENSE, 40, 36, 40, 40, 4, 12, 4, 4, 4)
+LOOPS(inertia_rotate)
 
 /* (10),(3)->(10),(10) */
-INLINED void inertia_translated_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_inertia_t Ji;
-  load_inertia_double(&Ji, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(inertia_translated_double) {
+  POINTERS_4
+  LOAD_FIRST(inertia_double, ksl_inertia_t Ji, &Ji);
+  EACH {
     ksl_vec3_t t;
     ksl_inertia_t Jo;
     ksl_inertia_t Jo_bound;
-    if (step[0] != 0) {
-      load_inertia_double(&Ji, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&t, p1 + i * step[1], core + 1);
+    LOAD_OTHER(inertia_double, &Ji);
+    LOAD(vec3_double, &t, 1, 1);
     ksl_inertia_translated_certified(&Ji, &t, &Jo, &Jo_bound);
-    store_inertia_double(&Jo, p2 + i * step[2], core + 2);
-    store_inertia_double(&Jo_bound, p3 + i * step[3], core + 3);
+    STORE(inertia_double, &Jo, 2, 2);
+    STORE(inertia_double, &Jo_bound, 3, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+LOOP(inertia_translated_double, 4, DENSE_OR_ONE, 80, 24, 80, 80, 8, 8, 8, 8)
 
-static void inertia_translated_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 80, 24, 80, 80, 8, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_translated_double_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 80, 80, 8, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    inertia_translated_double_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  inertia_translated_double_over(data, n[0], step, step + 4);
-}
-
-/* (10),(3)->(10),(10) */
-INLINED void inertia_translated_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_inertiaf_t Ji;
-  load_inertia_single(&Ji, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(inertia_translated_single) {
+  POINTERS_4
+  LOAD_FIRST(inertia_single, ksl_inertiaf_t Ji, &Ji);
+  EACH {
     ksl_vec3f_t t;
     ksl_inertiaf_t Jo;
     ksl_inertiaf_t Jo_bound;
-    if (step[0] != 0) {
-      load_inertia_single(&Ji, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&t, p1 + i * step[1], core + 1);
+    LOAD_OTHER(inertia_single, &Ji);
+    LOAD(vec3_single, &t, 1, 1);
     ksl_inertiaf_translated_certified(&Ji, &t, &Jo, &Jo_bound);
-    store_inertia_single(&Jo, p2 + i * step[2], core + 2);
-    store_inertia_single(&Jo_bound, p3 + i * step[3], core + 3);
+    STORE(inertia_single, &Jo, 2, 2);
+    STORE(inertia_single, &Jo_bound, 3, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-
-static void inertia_translated_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 40, 12, 40, 40, 4, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_translated_single_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 40, 40, 4, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    inertia_translated_single_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  inertia_translated_single_over(data, n[0], step, step + 4);
-}
-
-static PyUFuncGenericFunction inertia_translated_loops[] = {
-    inertia_translated_double, inertia_translated_single};
+LOOP(inertia_translated_single, 4, DENSE_OR_ONE, 40, 12, 40, 40, 4, 4, 4, 4)
+LOOPS(inertia_translated)
 
 /* (10),(3)->(10),(10) */
-INLINED void inertia_translate_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(inertia_translate_double) {
+  POINTERS_4
+  EACH {
     ksl_inertia_t self;
     ksl_vec3_t t;
     ksl_inertia_t self_bound;
-    load_inertia_double(&self, p0 + i * step[0], core + 0);
-    load_vec3_double(&t, p1 + i * step[1], core + 1);
+    LOAD(inertia_double, &self, 0, 0);
+    LOAD(vec3_double, &t, 1, 1);
     ksl_inertia_translate_certified(&self, &t, &self_bound);
-    store_inertia_double(&self, p2 + i * step[2], core + 2);
-    store_inertia_double(&self_bound, p3 + i * step[3], core + 3);
+    STORE(inertia_double, &self, 2, 2);
+    STORE(inertia_double, &self_bound, 3, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+LOOP(inertia_translate_double, 4, DENSE, 80, 24, 80, 80, 8, 8, 8, 8)
 
-static void inertia_translate_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 80, 24, 80, 80, 8, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_translate_double_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  inertia_translate_double_over(data, n[0], step, step + 4);
-}
-
-/* (10),(3)->(10),(10) */
-INLINED void inertia_translate_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(inertia_translate_single) {
+  POINTERS_4
+  EACH {
     ksl_inertiaf_t self;
     ksl_vec3f_t t;
     ksl_inertiaf_t self_bound;
-    load_inertia_single(&self, p0 + i * step[0], core + 0);
-    load_vec3_single(&t, p1 + i * step[1], core + 1);
+    LOAD(inertia_single, &self, 0, 0);
+    LOAD(vec3_single, &t, 1, 1);
     ksl_inertiaf_translate_certified(&self, &t, &self_bound);
-    store_inertia_single(&self, p2 + i * step[2], core + 2);
-    store_inertia_single(&self_bound, p3 + i * step[3], core + 3);
+    STORE(inertia_single, &self, 2, 2);
+    STORE(inertia_single, &self_bound, 3, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-
-static void inertia_translate_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 40, 12, 40, 40, 4, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_translate_single_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  inertia_translate_single_over(data, n[0], step, step + 4);
-}
-
-static PyUFuncGenericFunction inertia_translate_loops[] = {
-    inertia_translate_double, inertia_translate_single};
+LOOP(inertia_translate_single, 4, DENSE, 40, 12, 40, 40, 4, 4, 4, 4)
+LOOPS(inertia_translate)
 
 /* (10),(3,4)->(10),(10) */
-INLINED void inertia_transformed_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_inertia_t Ji;
-  load_inertia_double(&Ji, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(inertia_transformed_double) {
+  POINTERS_4
+  LOAD_FIRST(inertia_double, ksl_inertia_t Ji, &Ji);
+  EACH {
     ksl_SE3_t D;
     ksl_inertia_t Jo;
     ksl_inertia_t Jo_bound;
-    if (step[0] != 0) {
-      load_inertia_double(&Ji, p0 + i * step[0], core + 0);
-    }
-    load_SE3_double(&D, p1 + i * step[1], core + 1);
+    LOAD_OTHER(inertia_double, &Ji);
+    LOAD(SE3_double, &D, 1, 1);
     ksl_inertia_transformed_certified(&Ji, &D, &Jo, &Jo_bound);
-    store_inertia_double(&Jo, p2 + i * step[2], core + 3);
-    store_inertia_double(&Jo_bound, p3 + i * step[3], core + 4);
+    STORE(inertia_double, &Jo, 2, 3);
+    STORE(inertia_double, &Jo_bound, 3, 4);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+LOOP(inertia_transformed_double, 4, DENSE_OR_ONE, 80, 96, 80, 80, 8, 32, 8, 8, 8)
 
-static void inertia_transformed_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 80, 96, 80, 80, 8, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_transformed_double_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 96, 80, 80, 8, 32, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    inertia_transformed_double_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  inertia_transformed_double_over(data, n[0], step, step + 4);
-}
-
-/* (10),(3,4)->(10),(10) */
-INLINED void inertia_transformed_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_inertiaf_t Ji;
-  load_inertia_single(&Ji, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(inertia_transformed_single) {
+  POINTERS_4
+  LOAD_FIRST(inertia_single, ksl_inertiaf_t Ji, &Ji);
+  EACH {
     ksl_SE3f_t D;
     ksl_inertiaf_t Jo;
     ksl_inertiaf_t Jo_bound;
-    if (step[0] != 0) {
-      load_inertia_single(&Ji, p0 + i * step[0], core + 0);
-    }
-    load_SE3_single(&D, p1 + i * step[1], core + 1);
+    LOAD_OTHER(inertia_single, &Ji);
+    LOAD(SE3_single, &D, 1, 1);
     ksl_inertiaf_transformed_certified(&Ji, &D, &Jo, &Jo_bound);
-    store_inertia_single(&Jo, p2 + i * step[2], core + 3);
-    store_inertia_single(&Jo_bound, p3 + i * step[3], core + 4);
+    STORE(inertia_single, &Jo, 2, 3);
+    STORE(inertia_single, &Jo_bound, 3, 4);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-
-static void inertia_transformed_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 40, 48, 40, 40, 4, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_transformed_single_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 40, 40, 4, 16, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    inertia_transformed_single_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  inertia_transformed_single_over(data, n[0], step, step + 4);
-}
-
-static PyUFuncGenericFunction inertia_transformed_loops[] = {
-    inertia_transformed_double, inertia_transformed_single};
+LOOP(inertia_transformed_single, 4, DENSE_OR_ONE, 40, 48, 40, 40, 4, 16, 4, 4, 4)
+LOOPS(inertia_transformed)
 
 /* (10),(3,4)->(10),(10) */
-INLINED void inertia_transform_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(inertia_transform_double) {
+  POINTERS_4
+  EACH {
     ksl_inertia_t self;
     ksl_SE3_t D;
     ksl_inertia_t self_bound;
-    load_inertia_double(&self, p0 + i * step[0], core + 0);
-    load_SE3_double(&D, p1 + i * step[1], core + 1);
+    LOAD(inertia_double, &self, 0, 0);
+    LOAD(SE3_double, &D, 1, 1);
     ksl_inertia_transform_certified(&self, &D, &self_bound);
-    store_inertia_double(&self, p2 + i * step[2], core + 3);
-    store_inertia_double(&self_bound, p3 + i * step[3], core + 4);
+    STORE(inertia_double, &self, 2, 3);
+    STORE(inertia_double, &self_bound, 3, 4);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+LOOP(inertia_transform_double, 4, DENSE, 80, 96, 80, 80, 8, 32, 8, 8, 8)
 
-static void inertia_transform_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 80, 96, 80, 80, 8, 32, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_transform_double_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  inertia_transform_double_over(data, n[0], step, step + 4);
-}
-
-/* (10),(3,4)->(10),(10) */
-INLINED void inertia_transform_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(inertia_transform_single) {
+  POINTERS_4
+  EACH {
     ksl_inertiaf_t self;
     ksl_SE3f_t D;
     ksl_inertiaf_t self_bound;
-    load_inertia_single(&self, p0 + i * step[0], core + 0);
-    load_SE3_single(&D, p1 + i * step[1], core + 1);
+    LOAD(inertia_single, &self, 0, 0);
+    LOAD(SE3_single, &D, 1, 1);
     ksl_inertiaf_transform_certified(&self, &D, &self_bound);
-    store_inertia_single(&self, p2 + i * step[2], core + 3);
-    store_inertia_single(&self_bound, p3 + i * step[3], core + 4);
+    STORE(inertia_single, &self, 2, 3);
+    STORE(inertia_single, &self_bound, 3, 4);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-
-static void inertia_transform_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 40, 48, 40, 40, 4, 16, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_transform_single_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  inertia_transform_single_over(data, n[0], step, step + 4);
-}
-
-static PyUFuncGenericFunction inertia_transform_loops[] = {
-    inertia_transform_double, inertia_transform_single};
+LOOP(inertia_transform_single, 4, DENSE, 40, 48, 40, 40, 4, 16, 4, 4, 4)
+LOOPS(inertia_transform)
 
 const coscrew_gufunc TABLE(inertia)[] = {
   {"inertia", "(),(3),(),(),(),(),(),()->(10),(10)",

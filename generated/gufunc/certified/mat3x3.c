@@ -11,835 +11,312 @@
 #include <fenv.h>
 
 /* (3),(3)->(3,3),(3,3) */
-INLINED void acceleration_tensor_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t w;
-  load_vec3_double(&w, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(acceleration_tensor_double) {
+  POINTERS_4
+  LOAD_FIRST(vec3_double, ksl_vec3_t w, &w);
+  EACH {
     ksl_vec3_t dw;
     ksl_mat3x3_t Ro;
     ksl_mat3x3_t Ro_bound;
-    if (step[0] != 0) {
-      load_vec3_double(&w, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&dw, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &w);
+    LOAD(vec3_double, &dw, 1, 1);
     ksl_acceleration_tensor_certified(&w, &dw, &Ro, &Ro_bound);
-    store_mat3x3_double(&Ro, p2 + i * step[2], core + 2);
-    store_mat3x3_double(&Ro_bound, p3 + i * step[3], core + 4);
+    STORE(mat3x3_double, &Ro, 2, 2);
+    STORE(mat3x3_double, &Ro_bound, 3, 4);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+LOOP(acceleration_tensor_double, 4, DENSE_OR_ONE, 24, 24, 72, 72, 8, 8, 24, 8, 24, 8)
 
-static void acceleration_tensor_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 24, 72, 72, 8, 8, 24, 8, 24, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    acceleration_tensor_double_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 72, 72, 8, 8, 24, 8, 24, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    acceleration_tensor_double_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  acceleration_tensor_double_over(data, n[0], step, step + 4);
-}
-
-/* (3),(3)->(3,3),(3,3) */
-INLINED void acceleration_tensor_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t w;
-  load_vec3_single(&w, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(acceleration_tensor_single) {
+  POINTERS_4
+  LOAD_FIRST(vec3_single, ksl_vec3f_t w, &w);
+  EACH {
     ksl_vec3f_t dw;
     ksl_mat3x3f_t Ro;
     ksl_mat3x3f_t Ro_bound;
-    if (step[0] != 0) {
-      load_vec3_single(&w, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&dw, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &w);
+    LOAD(vec3_single, &dw, 1, 1);
     ksl_acceleration_tensorf_certified(&w, &dw, &Ro, &Ro_bound);
-    store_mat3x3_single(&Ro, p2 + i * step[2], core + 2);
-    store_mat3x3_single(&Ro_bound, p3 + i * step[3], core + 4);
+    STORE(mat3x3_single, &Ro, 2, 2);
+    STORE(mat3x3_single, &Ro_bound, 3, 4);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-
-static void acceleration_tensor_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 12, 36, 36, 4, 4, 12, 4, 12, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    acceleration_tensor_single_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 36, 36, 4, 4, 12, 4, 12, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    acceleration_tensor_single_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  acceleration_tensor_single_over(data, n[0], step, step + 4);
-}
-
-static PyUFuncGenericFunction acceleration_tensor_loops[] = {
-    acceleration_tensor_double, acceleration_tensor_single};
+LOOP(acceleration_tensor_single, 4, DENSE_OR_ONE, 12, 12, 36, 36, 4, 4, 12, 4, 12, 4)
+LOOPS(acceleration_tensor)
 
 /* (3,3)->(),() */
-INLINED void mat3x3_determinant_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_determinant_double) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     double det;
     double det_bound;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(mat3x3_double, &R);
     det = ksl_mat3x3_determinant_certified(&R, &det_bound);
-    store_scalar_double(&det, p1 + i * step[1], core + 2);
-    store_scalar_double(&det_bound, p2 + i * step[2], core + 2);
+    STORE(scalar_double, &det, 1, 2);
+    STORE(scalar_double, &det_bound, 2, 2);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+LOOP(mat3x3_determinant_double, 3, DENSE_OR_ONE, 72, 8, 8, 24, 8)
 
-static void mat3x3_determinant_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 8, 8, 24, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_determinant_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 8, 24, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat3x3_determinant_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  mat3x3_determinant_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,3)->(),() */
-INLINED void mat3x3_determinant_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_determinant_single) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     float det;
     float det_bound;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(mat3x3_single, &R);
     det = ksl_mat3x3f_determinant_certified(&R, &det_bound);
-    store_scalar_single(&det, p1 + i * step[1], core + 2);
-    store_scalar_single(&det_bound, p2 + i * step[2], core + 2);
+    STORE(scalar_single, &det, 1, 2);
+    STORE(scalar_single, &det_bound, 2, 2);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-
-static void mat3x3_determinant_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 4, 4, 12, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_determinant_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 4, 12, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat3x3_determinant_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  mat3x3_determinant_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction mat3x3_determinant_loops[] = {
-    mat3x3_determinant_double, mat3x3_determinant_single};
+LOOP(mat3x3_determinant_single, 3, DENSE_OR_ONE, 36, 4, 4, 12, 4)
+LOOPS(mat3x3_determinant)
 
 /* (3),(2)->(3,3),(3,3) */
-INLINED void mat3x3_setFromAxisDC_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t axis;
-  load_vec3_double(&axis, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_setFromAxisDC_double) {
+  POINTERS_4
+  LOAD_FIRST(vec3_double, ksl_vec3_t axis, &axis);
+  EACH {
     double dc[2];
     ksl_mat3x3_t R;
     ksl_mat3x3_t R_bound;
-    if (step[0] != 0) {
-      load_vec3_double(&axis, p0 + i * step[0], core + 0);
-    }
-    load_dc_double(dc, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &axis);
+    LOAD(dc_double, dc, 1, 1);
     ksl_mat3x3_setFromAxisDC_certified(&R, &axis, dc, &R_bound);
-    store_mat3x3_double(&R, p2 + i * step[2], core + 2);
-    store_mat3x3_double(&R_bound, p3 + i * step[3], core + 4);
+    STORE(mat3x3_double, &R, 2, 2);
+    STORE(mat3x3_double, &R_bound, 3, 4);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+LOOP(mat3x3_setFromAxisDC_double, 4, DENSE_OR_ONE, 24, 16, 72, 72, 8, 8, 24, 8, 24, 8)
 
-static void mat3x3_setFromAxisDC_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 16, 72, 72, 8, 8, 24, 8, 24, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_setFromAxisDC_double_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 16, 72, 72, 8, 8, 24, 8, 24, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat3x3_setFromAxisDC_double_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  mat3x3_setFromAxisDC_double_over(data, n[0], step, step + 4);
-}
-
-/* (3),(2)->(3,3),(3,3) */
-INLINED void mat3x3_setFromAxisDC_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t axis;
-  load_vec3_single(&axis, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_setFromAxisDC_single) {
+  POINTERS_4
+  LOAD_FIRST(vec3_single, ksl_vec3f_t axis, &axis);
+  EACH {
     float dc[2];
     ksl_mat3x3f_t R;
     ksl_mat3x3f_t R_bound;
-    if (step[0] != 0) {
-      load_vec3_single(&axis, p0 + i * step[0], core + 0);
-    }
-    load_dc_single(dc, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &axis);
+    LOAD(dc_single, dc, 1, 1);
     ksl_mat3x3f_setFromAxisDC_certified(&R, &axis, dc, &R_bound);
-    store_mat3x3_single(&R, p2 + i * step[2], core + 2);
-    store_mat3x3_single(&R_bound, p3 + i * step[3], core + 4);
+    STORE(mat3x3_single, &R, 2, 2);
+    STORE(mat3x3_single, &R_bound, 3, 4);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-
-static void mat3x3_setFromAxisDC_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 8, 36, 36, 4, 4, 12, 4, 12, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_setFromAxisDC_single_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 36, 36, 4, 4, 12, 4, 12, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat3x3_setFromAxisDC_single_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  mat3x3_setFromAxisDC_single_over(data, n[0], step, step + 4);
-}
-
-static PyUFuncGenericFunction mat3x3_setFromAxisDC_loops[] = {
-    mat3x3_setFromAxisDC_double, mat3x3_setFromAxisDC_single};
+LOOP(mat3x3_setFromAxisDC_single, 4, DENSE_OR_ONE, 12, 8, 36, 36, 4, 4, 12, 4, 12, 4)
+LOOPS(mat3x3_setFromAxisDC)
 
 /* (3)->(3,3),(3,3) */
-INLINED void mat3x3_from_euler_xyz_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t angles;
-  load_vec3_double(&angles, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_from_euler_xyz_double) {
+  POINTERS_3
+  LOAD_FIRST(vec3_double, ksl_vec3_t angles, &angles);
+  EACH {
     ksl_mat3x3_t R;
     ksl_mat3x3_t R_bound;
-    if (step[0] != 0) {
-      load_vec3_double(&angles, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(vec3_double, &angles);
     ksl_mat3x3_from_euler_xyz_certified(&angles, &R, &R_bound);
-    store_mat3x3_double(&R, p1 + i * step[1], core + 1);
-    store_mat3x3_double(&R_bound, p2 + i * step[2], core + 3);
+    STORE(mat3x3_double, &R, 1, 1);
+    STORE(mat3x3_double, &R_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+LOOP(mat3x3_from_euler_xyz_double, 3, DENSE_OR_ONE, 24, 72, 72, 8, 24, 8, 24, 8)
 
-static void mat3x3_from_euler_xyz_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 72, 72, 8, 24, 8, 24, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_from_euler_xyz_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 72, 72, 8, 24, 8, 24, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat3x3_from_euler_xyz_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  mat3x3_from_euler_xyz_double_over(data, n[0], step, step + 3);
-}
-
-/* (3)->(3,3),(3,3) */
-INLINED void mat3x3_from_euler_xyz_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t angles;
-  load_vec3_single(&angles, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_from_euler_xyz_single) {
+  POINTERS_3
+  LOAD_FIRST(vec3_single, ksl_vec3f_t angles, &angles);
+  EACH {
     ksl_mat3x3f_t R;
     ksl_mat3x3f_t R_bound;
-    if (step[0] != 0) {
-      load_vec3_single(&angles, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(vec3_single, &angles);
     ksl_mat3x3f_from_euler_xyz_certified(&angles, &R, &R_bound);
-    store_mat3x3_single(&R, p1 + i * step[1], core + 1);
-    store_mat3x3_single(&R_bound, p2 + i * step[2], core + 3);
+    STORE(mat3x3_single, &R, 1, 1);
+    STORE(mat3x3_single, &R_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-
-static void mat3x3_from_euler_xyz_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 36, 36, 4, 12, 4, 12, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_from_euler_xyz_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 36, 36, 4, 12, 4, 12, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat3x3_from_euler_xyz_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  mat3x3_from_euler_xyz_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction mat3x3_from_euler_xyz_loops[] = {
-    mat3x3_from_euler_xyz_double, mat3x3_from_euler_xyz_single};
+LOOP(mat3x3_from_euler_xyz_single, 3, DENSE_OR_ONE, 12, 36, 36, 4, 12, 4, 12, 4)
+LOOPS(mat3x3_from_euler_xyz)
 
 /* (3,3)->(3),(3) */
-INLINED void euler_xyz_from_mat3x3_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(euler_xyz_from_mat3x3_double) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     ksl_vec3_t angles;
     ksl_vec3_t angles_bound;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(mat3x3_double, &R);
     ksl_euler_xyz_from_mat3x3_certified(&R, &angles, &angles_bound);
-    store_vec3_double(&angles, p1 + i * step[1], core + 2);
-    store_vec3_double(&angles_bound, p2 + i * step[2], core + 3);
+    STORE(vec3_double, &angles, 1, 2);
+    STORE(vec3_double, &angles_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+LOOP(euler_xyz_from_mat3x3_double, 3, DENSE_OR_ONE, 72, 24, 24, 24, 8, 8, 8)
 
-static void euler_xyz_from_mat3x3_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 24, 24, 24, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    euler_xyz_from_mat3x3_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 24, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    euler_xyz_from_mat3x3_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  euler_xyz_from_mat3x3_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,3)->(3),(3) */
-INLINED void euler_xyz_from_mat3x3_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(euler_xyz_from_mat3x3_single) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     ksl_vec3f_t angles;
     ksl_vec3f_t angles_bound;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(mat3x3_single, &R);
     ksl_euler_xyz_from_mat3x3f_certified(&R, &angles, &angles_bound);
-    store_vec3_single(&angles, p1 + i * step[1], core + 2);
-    store_vec3_single(&angles_bound, p2 + i * step[2], core + 3);
+    STORE(vec3_single, &angles, 1, 2);
+    STORE(vec3_single, &angles_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-
-static void euler_xyz_from_mat3x3_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 12, 12, 12, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    euler_xyz_from_mat3x3_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 12, 12, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    euler_xyz_from_mat3x3_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  euler_xyz_from_mat3x3_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction euler_xyz_from_mat3x3_loops[] = {
-    euler_xyz_from_mat3x3_double, euler_xyz_from_mat3x3_single};
+LOOP(euler_xyz_from_mat3x3_single, 3, DENSE_OR_ONE, 36, 12, 12, 12, 4, 4, 4)
+LOOPS(euler_xyz_from_mat3x3)
 
 /* (3)->(3,3),(3,3) */
-INLINED void mat3x3_from_euler_xyx_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t angles;
-  load_vec3_double(&angles, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_from_euler_xyx_double) {
+  POINTERS_3
+  LOAD_FIRST(vec3_double, ksl_vec3_t angles, &angles);
+  EACH {
     ksl_mat3x3_t R;
     ksl_mat3x3_t R_bound;
-    if (step[0] != 0) {
-      load_vec3_double(&angles, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(vec3_double, &angles);
     ksl_mat3x3_from_euler_xyx_certified(&angles, &R, &R_bound);
-    store_mat3x3_double(&R, p1 + i * step[1], core + 1);
-    store_mat3x3_double(&R_bound, p2 + i * step[2], core + 3);
+    STORE(mat3x3_double, &R, 1, 1);
+    STORE(mat3x3_double, &R_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+LOOP(mat3x3_from_euler_xyx_double, 3, DENSE_OR_ONE, 24, 72, 72, 8, 24, 8, 24, 8)
 
-static void mat3x3_from_euler_xyx_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 72, 72, 8, 24, 8, 24, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_from_euler_xyx_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 72, 72, 8, 24, 8, 24, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat3x3_from_euler_xyx_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  mat3x3_from_euler_xyx_double_over(data, n[0], step, step + 3);
-}
-
-/* (3)->(3,3),(3,3) */
-INLINED void mat3x3_from_euler_xyx_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t angles;
-  load_vec3_single(&angles, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_from_euler_xyx_single) {
+  POINTERS_3
+  LOAD_FIRST(vec3_single, ksl_vec3f_t angles, &angles);
+  EACH {
     ksl_mat3x3f_t R;
     ksl_mat3x3f_t R_bound;
-    if (step[0] != 0) {
-      load_vec3_single(&angles, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(vec3_single, &angles);
     ksl_mat3x3f_from_euler_xyx_certified(&angles, &R, &R_bound);
-    store_mat3x3_single(&R, p1 + i * step[1], core + 1);
-    store_mat3x3_single(&R_bound, p2 + i * step[2], core + 3);
+    STORE(mat3x3_single, &R, 1, 1);
+    STORE(mat3x3_single, &R_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-
-static void mat3x3_from_euler_xyx_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 36, 36, 4, 12, 4, 12, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_from_euler_xyx_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 36, 36, 4, 12, 4, 12, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat3x3_from_euler_xyx_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  mat3x3_from_euler_xyx_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction mat3x3_from_euler_xyx_loops[] = {
-    mat3x3_from_euler_xyx_double, mat3x3_from_euler_xyx_single};
+LOOP(mat3x3_from_euler_xyx_single, 3, DENSE_OR_ONE, 12, 36, 36, 4, 12, 4, 12, 4)
+LOOPS(mat3x3_from_euler_xyx)
 
 /* (3,3)->(3),(3) */
-INLINED void euler_xyx_from_mat3x3_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(euler_xyx_from_mat3x3_double) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     ksl_vec3_t angles;
     ksl_vec3_t angles_bound;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(mat3x3_double, &R);
     ksl_euler_xyx_from_mat3x3_certified(&R, &angles, &angles_bound);
-    store_vec3_double(&angles, p1 + i * step[1], core + 2);
-    store_vec3_double(&angles_bound, p2 + i * step[2], core + 3);
+    STORE(vec3_double, &angles, 1, 2);
+    STORE(vec3_double, &angles_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+LOOP(euler_xyx_from_mat3x3_double, 3, DENSE_OR_ONE, 72, 24, 24, 24, 8, 8, 8)
 
-static void euler_xyx_from_mat3x3_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 24, 24, 24, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    euler_xyx_from_mat3x3_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 24, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    euler_xyx_from_mat3x3_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  euler_xyx_from_mat3x3_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,3)->(3),(3) */
-INLINED void euler_xyx_from_mat3x3_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(euler_xyx_from_mat3x3_single) {
+  POINTERS_3
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     ksl_vec3f_t angles;
     ksl_vec3f_t angles_bound;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(mat3x3_single, &R);
     ksl_euler_xyx_from_mat3x3f_certified(&R, &angles, &angles_bound);
-    store_vec3_single(&angles, p1 + i * step[1], core + 2);
-    store_vec3_single(&angles_bound, p2 + i * step[2], core + 3);
+    STORE(vec3_single, &angles, 1, 2);
+    STORE(vec3_single, &angles_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-
-static void euler_xyx_from_mat3x3_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 12, 12, 12, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    euler_xyx_from_mat3x3_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 12, 12, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    euler_xyx_from_mat3x3_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  euler_xyx_from_mat3x3_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction euler_xyx_from_mat3x3_loops[] = {
-    euler_xyx_from_mat3x3_double, euler_xyx_from_mat3x3_single};
+LOOP(euler_xyx_from_mat3x3_single, 3, DENSE_OR_ONE, 36, 12, 12, 12, 4, 4, 4)
+LOOPS(euler_xyx_from_mat3x3)
 
 /* (3),()->(3,3),(3,3) */
-INLINED void mat3x3_from_axis_angle_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t axis;
-  load_vec3_double(&axis, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_from_axis_angle_double) {
+  POINTERS_4
+  LOAD_FIRST(vec3_double, ksl_vec3_t axis, &axis);
+  EACH {
     double angle;
     ksl_mat3x3_t R;
     ksl_mat3x3_t R_bound;
-    if (step[0] != 0) {
-      load_vec3_double(&axis, p0 + i * step[0], core + 0);
-    }
-    load_scalar_double(&angle, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &axis);
+    LOAD(scalar_double, &angle, 1, 1);
     ksl_mat3x3_from_axis_angle_certified(&axis, angle, &R, &R_bound);
-    store_mat3x3_double(&R, p2 + i * step[2], core + 1);
-    store_mat3x3_double(&R_bound, p3 + i * step[3], core + 3);
+    STORE(mat3x3_double, &R, 2, 1);
+    STORE(mat3x3_double, &R_bound, 3, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+LOOP(mat3x3_from_axis_angle_double, 4, DENSE_OR_ONE, 24, 8, 72, 72, 8, 24, 8, 24, 8)
 
-static void mat3x3_from_axis_angle_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 8, 72, 72, 8, 24, 8, 24, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_from_axis_angle_double_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 72, 72, 8, 24, 8, 24, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat3x3_from_axis_angle_double_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  mat3x3_from_axis_angle_double_over(data, n[0], step, step + 4);
-}
-
-/* (3),()->(3,3),(3,3) */
-INLINED void mat3x3_from_axis_angle_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t axis;
-  load_vec3_single(&axis, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(mat3x3_from_axis_angle_single) {
+  POINTERS_4
+  LOAD_FIRST(vec3_single, ksl_vec3f_t axis, &axis);
+  EACH {
     float angle;
     ksl_mat3x3f_t R;
     ksl_mat3x3f_t R_bound;
-    if (step[0] != 0) {
-      load_vec3_single(&axis, p0 + i * step[0], core + 0);
-    }
-    load_scalar_single(&angle, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &axis);
+    LOAD(scalar_single, &angle, 1, 1);
     ksl_mat3x3f_from_axis_angle_certified(&axis, angle, &R, &R_bound);
-    store_mat3x3_single(&R, p2 + i * step[2], core + 1);
-    store_mat3x3_single(&R_bound, p3 + i * step[3], core + 3);
+    STORE(mat3x3_single, &R, 2, 1);
+    STORE(mat3x3_single, &R_bound, 3, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-
-static void mat3x3_from_axis_angle_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 4, 36, 36, 4, 12, 4, 12, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_from_axis_angle_single_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 36, 36, 4, 12, 4, 12, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat3x3_from_axis_angle_single_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  mat3x3_from_axis_angle_single_over(data, n[0], step, step + 4);
-}
-
-static PyUFuncGenericFunction mat3x3_from_axis_angle_loops[] = {
-    mat3x3_from_axis_angle_double, mat3x3_from_axis_angle_single};
+LOOP(mat3x3_from_axis_angle_single, 4, DENSE_OR_ONE, 12, 4, 36, 36, 4, 12, 4, 12, 4)
+LOOPS(mat3x3_from_axis_angle)
 
 /* (3,3)->(),(3),(),(3) */
-INLINED void axis_angle_from_mat3x3_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  char *const p4 = data[4];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(axis_angle_from_mat3x3_double) {
+  POINTERS_5
+  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
+  EACH {
     double angle;
     ksl_vec3_t axis;
     double angle_bound;
     ksl_vec3_t axis_bound;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(mat3x3_double, &R);
     angle = ksl_axis_angle_from_mat3x3_certified(&R, &axis, &angle_bound, &axis_bound);
-    store_scalar_double(&angle, p1 + i * step[1], core + 2);
-    store_vec3_double(&axis, p2 + i * step[2], core + 2);
-    store_scalar_double(&angle_bound, p3 + i * step[3], core + 3);
-    store_vec3_double(&axis_bound, p4 + i * step[4], core + 3);
+    STORE(scalar_double, &angle, 1, 2);
+    STORE(vec3_double, &axis, 2, 2);
+    STORE(scalar_double, &angle_bound, 3, 3);
+    STORE(vec3_double, &axis_bound, 4, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+LOOP(axis_angle_from_mat3x3_double, 5, DENSE_OR_ONE, 72, 8, 24, 8, 24, 24, 8, 8, 8)
 
-static void axis_angle_from_mat3x3_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 8, 24, 8, 24, 24, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    axis_angle_from_mat3x3_double_over(
-        data, n[0], dense_1, dense_1 + 5);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 24, 8, 24, 24, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    axis_angle_from_mat3x3_double_over(
-        data, n[0], dense_2, dense_2 + 5);
-    return;
-  }
-  axis_angle_from_mat3x3_double_over(data, n[0], step, step + 5);
-}
-
-/* (3,3)->(),(3),(),(3) */
-INLINED void axis_angle_from_mat3x3_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  char *const p4 = data[4];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(axis_angle_from_mat3x3_single) {
+  POINTERS_5
+  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
+  EACH {
     float angle;
     ksl_vec3f_t axis;
     float angle_bound;
     ksl_vec3f_t axis_bound;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
+    LOAD_OTHER(mat3x3_single, &R);
     angle = ksl_axis_angle_from_mat3x3f_certified(&R, &axis, &angle_bound, &axis_bound);
-    store_scalar_single(&angle, p1 + i * step[1], core + 2);
-    store_vec3_single(&axis, p2 + i * step[2], core + 2);
-    store_scalar_single(&angle_bound, p3 + i * step[3], core + 3);
-    store_vec3_single(&axis_bound, p4 + i * step[4], core + 3);
+    STORE(scalar_single, &angle, 1, 2);
+    STORE(vec3_single, &axis, 2, 2);
+    STORE(scalar_single, &angle_bound, 3, 3);
+    STORE(vec3_single, &axis_bound, 4, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-
-static void axis_angle_from_mat3x3_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 4, 12, 4, 12, 12, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    axis_angle_from_mat3x3_single_over(
-        data, n[0], dense_1, dense_1 + 5);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 12, 4, 12, 12, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    axis_angle_from_mat3x3_single_over(
-        data, n[0], dense_2, dense_2 + 5);
-    return;
-  }
-  axis_angle_from_mat3x3_single_over(data, n[0], step, step + 5);
-}
-
-static PyUFuncGenericFunction axis_angle_from_mat3x3_loops[] = {
-    axis_angle_from_mat3x3_double, axis_angle_from_mat3x3_single};
+LOOP(axis_angle_from_mat3x3_single, 5, DENSE_OR_ONE, 36, 4, 12, 4, 12, 12, 4, 4, 4)
+LOOPS(axis_angle_from_mat3x3)
 
 const coscrew_gufunc TABLE(mat3x3)[] = {
   {"acceleration_tensor", "(3),(3)->(3,3),(3,3)",

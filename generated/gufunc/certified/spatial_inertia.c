@@ -11,845 +11,334 @@
 #include <fenv.h>
 
 /* (10),()->(10),(10) */
-INLINED void spatial_inertia_scale_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(spatial_inertia_scale_double) {
+  POINTERS_4
+  EACH {
     ksl_spatial_inertia_t self;
     double a;
     ksl_spatial_inertia_t self_bound;
-    load_spatial_inertia_double(&self, p0 + i * step[0], core + 0);
-    load_scalar_double(&a, p1 + i * step[1], core + 1);
+    LOAD(spatial_inertia_double, &self, 0, 0);
+    LOAD(scalar_double, &a, 1, 1);
     ksl_spatial_inertia_scale_certified(&self, a, &self_bound);
-    store_spatial_inertia_double(&self, p2 + i * step[2], core + 1);
-    store_spatial_inertia_double(&self_bound, p3 + i * step[3], core + 2);
+    STORE(spatial_inertia_double, &self, 2, 1);
+    STORE(spatial_inertia_double, &self_bound, 3, 2);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+LOOP(spatial_inertia_scale_double, 4, DENSE, 80, 8, 80, 80, 8, 8, 8)
 
-static void spatial_inertia_scale_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 80, 8, 80, 80, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    spatial_inertia_scale_double_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  spatial_inertia_scale_double_over(data, n[0], step, step + 4);
-}
-
-/* (10),()->(10),(10) */
-INLINED void spatial_inertia_scale_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(spatial_inertia_scale_single) {
+  POINTERS_4
+  EACH {
     ksl_spatial_inertiaf_t self;
     float a;
     ksl_spatial_inertiaf_t self_bound;
-    load_spatial_inertia_single(&self, p0 + i * step[0], core + 0);
-    load_scalar_single(&a, p1 + i * step[1], core + 1);
+    LOAD(spatial_inertia_single, &self, 0, 0);
+    LOAD(scalar_single, &a, 1, 1);
     ksl_spatial_inertiaf_scale_certified(&self, a, &self_bound);
-    store_spatial_inertia_single(&self, p2 + i * step[2], core + 1);
-    store_spatial_inertia_single(&self_bound, p3 + i * step[3], core + 2);
+    STORE(spatial_inertia_single, &self, 2, 1);
+    STORE(spatial_inertia_single, &self_bound, 3, 2);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-
-static void spatial_inertia_scale_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 40, 4, 40, 40, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    spatial_inertia_scale_single_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  spatial_inertia_scale_single_over(data, n[0], step, step + 4);
-}
-
-static PyUFuncGenericFunction spatial_inertia_scale_loops[] = {
-    spatial_inertia_scale_double, spatial_inertia_scale_single};
+LOOP(spatial_inertia_scale_single, 4, DENSE, 40, 4, 40, 40, 4, 4, 4)
+LOOPS(spatial_inertia_scale)
 
 /* (10),(10)->(10),(10) */
-INLINED void add_BB_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_spatial_inertia_t B1;
-  load_spatial_inertia_double(&B1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(add_BB_double) {
+  POINTERS_4
+  LOAD_FIRST(spatial_inertia_double, ksl_spatial_inertia_t B1, &B1);
+  EACH {
     ksl_spatial_inertia_t B2;
     ksl_spatial_inertia_t Bo;
     ksl_spatial_inertia_t Bo_bound;
-    if (step[0] != 0) {
-      load_spatial_inertia_double(&B1, p0 + i * step[0], core + 0);
-    }
-    load_spatial_inertia_double(&B2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(spatial_inertia_double, &B1);
+    LOAD(spatial_inertia_double, &B2, 1, 1);
     ksl_add_BB_certified(&B1, &B2, &Bo, &Bo_bound);
-    store_spatial_inertia_double(&Bo, p2 + i * step[2], core + 2);
-    store_spatial_inertia_double(&Bo_bound, p3 + i * step[3], core + 3);
+    STORE(spatial_inertia_double, &Bo, 2, 2);
+    STORE(spatial_inertia_double, &Bo_bound, 3, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+LOOP(add_BB_double, 4, DENSE_OR_ONE, 80, 80, 80, 80, 8, 8, 8, 8)
 
-static void add_BB_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 80, 80, 80, 80, 8, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_BB_double_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 80, 80, 80, 8, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_BB_double_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  add_BB_double_over(data, n[0], step, step + 4);
-}
-
-/* (10),(10)->(10),(10) */
-INLINED void add_BB_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_spatial_inertiaf_t B1;
-  load_spatial_inertia_single(&B1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(add_BB_single) {
+  POINTERS_4
+  LOAD_FIRST(spatial_inertia_single, ksl_spatial_inertiaf_t B1, &B1);
+  EACH {
     ksl_spatial_inertiaf_t B2;
     ksl_spatial_inertiaf_t Bo;
     ksl_spatial_inertiaf_t Bo_bound;
-    if (step[0] != 0) {
-      load_spatial_inertia_single(&B1, p0 + i * step[0], core + 0);
-    }
-    load_spatial_inertia_single(&B2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(spatial_inertia_single, &B1);
+    LOAD(spatial_inertia_single, &B2, 1, 1);
     ksl_add_BBf_certified(&B1, &B2, &Bo, &Bo_bound);
-    store_spatial_inertia_single(&Bo, p2 + i * step[2], core + 2);
-    store_spatial_inertia_single(&Bo_bound, p3 + i * step[3], core + 3);
+    STORE(spatial_inertia_single, &Bo, 2, 2);
+    STORE(spatial_inertia_single, &Bo_bound, 3, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-
-static void add_BB_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 40, 40, 40, 40, 4, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_BB_single_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 40, 40, 40, 4, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_BB_single_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  add_BB_single_over(data, n[0], step, step + 4);
-}
-
-static PyUFuncGenericFunction add_BB_loops[] = {
-    add_BB_double, add_BB_single};
+LOOP(add_BB_single, 4, DENSE_OR_ONE, 40, 40, 40, 40, 4, 4, 4, 4)
+LOOPS(add_BB)
 
 /* (10),(10)->(10),(10) */
-INLINED void subtract_BB_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_spatial_inertia_t B1;
-  load_spatial_inertia_double(&B1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(subtract_BB_double) {
+  POINTERS_4
+  LOAD_FIRST(spatial_inertia_double, ksl_spatial_inertia_t B1, &B1);
+  EACH {
     ksl_spatial_inertia_t B2;
     ksl_spatial_inertia_t Bo;
     ksl_spatial_inertia_t Bo_bound;
-    if (step[0] != 0) {
-      load_spatial_inertia_double(&B1, p0 + i * step[0], core + 0);
-    }
-    load_spatial_inertia_double(&B2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(spatial_inertia_double, &B1);
+    LOAD(spatial_inertia_double, &B2, 1, 1);
     ksl_subtract_BB_certified(&B1, &B2, &Bo, &Bo_bound);
-    store_spatial_inertia_double(&Bo, p2 + i * step[2], core + 2);
-    store_spatial_inertia_double(&Bo_bound, p3 + i * step[3], core + 3);
+    STORE(spatial_inertia_double, &Bo, 2, 2);
+    STORE(spatial_inertia_double, &Bo_bound, 3, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+LOOP(subtract_BB_double, 4, DENSE_OR_ONE, 80, 80, 80, 80, 8, 8, 8, 8)
 
-static void subtract_BB_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 80, 80, 80, 80, 8, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    subtract_BB_double_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 80, 80, 80, 8, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    subtract_BB_double_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  subtract_BB_double_over(data, n[0], step, step + 4);
-}
-
-/* (10),(10)->(10),(10) */
-INLINED void subtract_BB_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_spatial_inertiaf_t B1;
-  load_spatial_inertia_single(&B1, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(subtract_BB_single) {
+  POINTERS_4
+  LOAD_FIRST(spatial_inertia_single, ksl_spatial_inertiaf_t B1, &B1);
+  EACH {
     ksl_spatial_inertiaf_t B2;
     ksl_spatial_inertiaf_t Bo;
     ksl_spatial_inertiaf_t Bo_bound;
-    if (step[0] != 0) {
-      load_spatial_inertia_single(&B1, p0 + i * step[0], core + 0);
-    }
-    load_spatial_inertia_single(&B2, p1 + i * step[1], core + 1);
+    LOAD_OTHER(spatial_inertia_single, &B1);
+    LOAD(spatial_inertia_single, &B2, 1, 1);
     ksl_subtract_BBf_certified(&B1, &B2, &Bo, &Bo_bound);
-    store_spatial_inertia_single(&Bo, p2 + i * step[2], core + 2);
-    store_spatial_inertia_single(&Bo_bound, p3 + i * step[3], core + 3);
+    STORE(spatial_inertia_single, &Bo, 2, 2);
+    STORE(spatial_inertia_single, &Bo_bound, 3, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-
-static void subtract_BB_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 40, 40, 40, 40, 4, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    subtract_BB_single_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 40, 40, 40, 4, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    subtract_BB_single_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  subtract_BB_single_over(data, n[0], step, step + 4);
-}
-
-static PyUFuncGenericFunction subtract_BB_loops[] = {
-    subtract_BB_double, subtract_BB_single};
+LOOP(subtract_BB_single, 4, DENSE_OR_ONE, 40, 40, 40, 40, 4, 4, 4, 4)
+LOOPS(subtract_BB)
 
 /* (),(3),(3,3)->(10),(10) */
-INLINED void spatial_inertia_from_com_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  char *const p4 = data[4];
-  if (n <= 0) {
-    return;
-  }
-  double m;
-  load_scalar_double(&m, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(spatial_inertia_from_com_double) {
+  POINTERS_5
+  LOAD_FIRST(scalar_double, double m, &m);
+  EACH {
     ksl_vec3_t com;
     ksl_mat3x3_t Ic;
     ksl_spatial_inertia_t Bo;
     ksl_spatial_inertia_t Bo_bound;
-    if (step[0] != 0) {
-      load_scalar_double(&m, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&com, p1 + i * step[1], core + 0);
-    load_mat3x3_double(&Ic, p2 + i * step[2], core + 1);
+    LOAD_OTHER(scalar_double, &m);
+    LOAD(vec3_double, &com, 1, 0);
+    LOAD(mat3x3_double, &Ic, 2, 1);
     ksl_spatial_inertia_from_com_certified(m, &com, &Ic, &Bo, &Bo_bound);
-    store_spatial_inertia_double(&Bo, p3 + i * step[3], core + 3);
-    store_spatial_inertia_double(&Bo_bound, p4 + i * step[4], core + 4);
+    STORE(spatial_inertia_double, &Bo, 3, 3);
+    STORE(spatial_inertia_double, &Bo_bound, 4, 4);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+LOOP(spatial_inertia_from_com_double, 5, DENSE_OR_ONE, 8, 24, 72, 80, 80, 8, 24, 8, 8, 8)
 
-static void spatial_inertia_from_com_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 8, 24, 72, 80, 80, 8, 24, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    spatial_inertia_from_com_double_over(
-        data, n[0], dense_1, dense_1 + 5);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 72, 80, 80, 8, 24, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    spatial_inertia_from_com_double_over(
-        data, n[0], dense_2, dense_2 + 5);
-    return;
-  }
-  spatial_inertia_from_com_double_over(data, n[0], step, step + 5);
-}
-
-/* (),(3),(3,3)->(10),(10) */
-INLINED void spatial_inertia_from_com_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  char *const p4 = data[4];
-  if (n <= 0) {
-    return;
-  }
-  float m;
-  load_scalar_single(&m, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(spatial_inertia_from_com_single) {
+  POINTERS_5
+  LOAD_FIRST(scalar_single, float m, &m);
+  EACH {
     ksl_vec3f_t com;
     ksl_mat3x3f_t Ic;
     ksl_spatial_inertiaf_t Bo;
     ksl_spatial_inertiaf_t Bo_bound;
-    if (step[0] != 0) {
-      load_scalar_single(&m, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&com, p1 + i * step[1], core + 0);
-    load_mat3x3_single(&Ic, p2 + i * step[2], core + 1);
+    LOAD_OTHER(scalar_single, &m);
+    LOAD(vec3_single, &com, 1, 0);
+    LOAD(mat3x3_single, &Ic, 2, 1);
     ksl_spatial_inertiaf_from_com_certified(m, &com, &Ic, &Bo, &Bo_bound);
-    store_spatial_inertia_single(&Bo, p3 + i * step[3], core + 3);
-    store_spatial_inertia_single(&Bo_bound, p4 + i * step[4], core + 4);
+    STORE(spatial_inertia_single, &Bo, 3, 3);
+    STORE(spatial_inertia_single, &Bo_bound, 4, 4);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-
-static void spatial_inertia_from_com_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 4, 12, 36, 40, 40, 4, 12, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    spatial_inertia_from_com_single_over(
-        data, n[0], dense_1, dense_1 + 5);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 36, 40, 40, 4, 12, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    spatial_inertia_from_com_single_over(
-        data, n[0], dense_2, dense_2 + 5);
-    return;
-  }
-  spatial_inertia_from_com_single_over(data, n[0], step, step + 5);
-}
-
-static PyUFuncGenericFunction spatial_inertia_from_com_loops[] = {
-    spatial_inertia_from_com_double, spatial_inertia_from_com_single};
+LOOP(spatial_inertia_from_com_single, 5, DENSE_OR_ONE, 4, 12, 36, 40, 40, 4, 12, 4, 4, 4)
+LOOPS(spatial_inertia_from_com)
 
 /* (10),(6)->(6),(6) */
-INLINED void product_Bs_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_spatial_inertia_t B;
-  load_spatial_inertia_double(&B, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_Bs_double) {
+  POINTERS_4
+  LOAD_FIRST(spatial_inertia_double, ksl_spatial_inertia_t B, &B);
+  EACH {
     ksl_screw_t s;
     ksl_coscrew_t co;
     ksl_coscrew_t co_bound;
-    if (step[0] != 0) {
-      load_spatial_inertia_double(&B, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&s, p1 + i * step[1], core + 1);
+    LOAD_OTHER(spatial_inertia_double, &B);
+    LOAD(screw_double, &s, 1, 1);
     ksl_product_Bs_certified(&B, &s, &co, &co_bound);
-    store_coscrew_double(&co, p2 + i * step[2], core + 2);
-    store_coscrew_double(&co_bound, p3 + i * step[3], core + 3);
+    STORE(coscrew_double, &co, 2, 2);
+    STORE(coscrew_double, &co_bound, 3, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+LOOP(product_Bs_double, 4, DENSE_OR_ONE, 80, 48, 48, 48, 8, 8, 8, 8)
 
-static void product_Bs_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 80, 48, 48, 48, 8, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Bs_double_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 48, 8, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Bs_double_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  product_Bs_double_over(data, n[0], step, step + 4);
-}
-
-/* (10),(6)->(6),(6) */
-INLINED void product_Bs_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_spatial_inertiaf_t B;
-  load_spatial_inertia_single(&B, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(product_Bs_single) {
+  POINTERS_4
+  LOAD_FIRST(spatial_inertia_single, ksl_spatial_inertiaf_t B, &B);
+  EACH {
     ksl_screwf_t s;
     ksl_coscrewf_t co;
     ksl_coscrewf_t co_bound;
-    if (step[0] != 0) {
-      load_spatial_inertia_single(&B, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&s, p1 + i * step[1], core + 1);
+    LOAD_OTHER(spatial_inertia_single, &B);
+    LOAD(screw_single, &s, 1, 1);
     ksl_product_Bsf_certified(&B, &s, &co, &co_bound);
-    store_coscrew_single(&co, p2 + i * step[2], core + 2);
-    store_coscrew_single(&co_bound, p3 + i * step[3], core + 3);
+    STORE(coscrew_single, &co, 2, 2);
+    STORE(coscrew_single, &co_bound, 3, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-
-static void product_Bs_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 40, 24, 24, 24, 4, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Bs_single_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 24, 4, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Bs_single_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  product_Bs_single_over(data, n[0], step, step + 4);
-}
-
-static PyUFuncGenericFunction product_Bs_loops[] = {
-    product_Bs_double, product_Bs_single};
+LOOP(product_Bs_single, 4, DENSE_OR_ONE, 40, 24, 24, 24, 4, 4, 4, 4)
+LOOPS(product_Bs)
 
 /* (10),(6)->(),() */
-INLINED void spatial_inertia_energy_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_spatial_inertia_t B;
-  load_spatial_inertia_double(&B, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(spatial_inertia_energy_double) {
+  POINTERS_4
+  LOAD_FIRST(spatial_inertia_double, ksl_spatial_inertia_t B, &B);
+  EACH {
     ksl_screw_t s;
     double energy;
     double energy_bound;
-    if (step[0] != 0) {
-      load_spatial_inertia_double(&B, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&s, p1 + i * step[1], core + 1);
+    LOAD_OTHER(spatial_inertia_double, &B);
+    LOAD(screw_double, &s, 1, 1);
     energy = ksl_spatial_inertia_energy_certified(&B, &s, &energy_bound);
-    store_scalar_double(&energy, p2 + i * step[2], core + 2);
-    store_scalar_double(&energy_bound, p3 + i * step[3], core + 2);
+    STORE(scalar_double, &energy, 2, 2);
+    STORE(scalar_double, &energy_bound, 3, 2);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+LOOP(spatial_inertia_energy_double, 4, DENSE_OR_ONE, 80, 48, 8, 8, 8, 8)
 
-static void spatial_inertia_energy_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 80, 48, 8, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    spatial_inertia_energy_double_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 8, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    spatial_inertia_energy_double_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  spatial_inertia_energy_double_over(data, n[0], step, step + 4);
-}
-
-/* (10),(6)->(),() */
-INLINED void spatial_inertia_energy_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_spatial_inertiaf_t B;
-  load_spatial_inertia_single(&B, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(spatial_inertia_energy_single) {
+  POINTERS_4
+  LOAD_FIRST(spatial_inertia_single, ksl_spatial_inertiaf_t B, &B);
+  EACH {
     ksl_screwf_t s;
     float energy;
     float energy_bound;
-    if (step[0] != 0) {
-      load_spatial_inertia_single(&B, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&s, p1 + i * step[1], core + 1);
+    LOAD_OTHER(spatial_inertia_single, &B);
+    LOAD(screw_single, &s, 1, 1);
     energy = ksl_spatial_inertiaf_energy_certified(&B, &s, &energy_bound);
-    store_scalar_single(&energy, p2 + i * step[2], core + 2);
-    store_scalar_single(&energy_bound, p3 + i * step[3], core + 2);
+    STORE(scalar_single, &energy, 2, 2);
+    STORE(scalar_single, &energy_bound, 3, 2);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-
-static void spatial_inertia_energy_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 40, 24, 4, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    spatial_inertia_energy_single_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 4, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    spatial_inertia_energy_single_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  spatial_inertia_energy_single_over(data, n[0], step, step + 4);
-}
-
-static PyUFuncGenericFunction spatial_inertia_energy_loops[] = {
-    spatial_inertia_energy_double, spatial_inertia_energy_single};
+LOOP(spatial_inertia_energy_single, 4, DENSE_OR_ONE, 40, 24, 4, 4, 4, 4)
+LOOPS(spatial_inertia_energy)
 
 /* (10),(3),(6)->(6),(6) */
-INLINED void spatial_inertia_net_wrench_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  char *const p4 = data[4];
-  if (n <= 0) {
-    return;
-  }
-  ksl_spatial_inertia_t B;
-  load_spatial_inertia_double(&B, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(spatial_inertia_net_wrench_double) {
+  POINTERS_5
+  LOAD_FIRST(spatial_inertia_double, ksl_spatial_inertia_t B, &B);
+  EACH {
     ksl_vec3_t w;
     ksl_screw_t ds;
     ksl_coscrew_t co;
     ksl_coscrew_t co_bound;
-    if (step[0] != 0) {
-      load_spatial_inertia_double(&B, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&w, p1 + i * step[1], core + 1);
-    load_screw_double(&ds, p2 + i * step[2], core + 2);
+    LOAD_OTHER(spatial_inertia_double, &B);
+    LOAD(vec3_double, &w, 1, 1);
+    LOAD(screw_double, &ds, 2, 2);
     ksl_spatial_inertia_net_wrench_certified(&B, &w, &ds, &co, &co_bound);
-    store_coscrew_double(&co, p3 + i * step[3], core + 3);
-    store_coscrew_double(&co_bound, p4 + i * step[4], core + 4);
+    STORE(coscrew_double, &co, 3, 3);
+    STORE(coscrew_double, &co_bound, 4, 4);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+LOOP(spatial_inertia_net_wrench_double, 5, DENSE_OR_ONE, 80, 24, 48, 48, 48, 8, 8, 8, 8, 8)
 
-static void spatial_inertia_net_wrench_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 80, 24, 48, 48, 48, 8, 8, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    spatial_inertia_net_wrench_double_over(
-        data, n[0], dense_1, dense_1 + 5);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 48, 48, 48, 8, 8, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    spatial_inertia_net_wrench_double_over(
-        data, n[0], dense_2, dense_2 + 5);
-    return;
-  }
-  spatial_inertia_net_wrench_double_over(data, n[0], step, step + 5);
-}
-
-/* (10),(3),(6)->(6),(6) */
-INLINED void spatial_inertia_net_wrench_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  char *const p4 = data[4];
-  if (n <= 0) {
-    return;
-  }
-  ksl_spatial_inertiaf_t B;
-  load_spatial_inertia_single(&B, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(spatial_inertia_net_wrench_single) {
+  POINTERS_5
+  LOAD_FIRST(spatial_inertia_single, ksl_spatial_inertiaf_t B, &B);
+  EACH {
     ksl_vec3f_t w;
     ksl_screwf_t ds;
     ksl_coscrewf_t co;
     ksl_coscrewf_t co_bound;
-    if (step[0] != 0) {
-      load_spatial_inertia_single(&B, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&w, p1 + i * step[1], core + 1);
-    load_screw_single(&ds, p2 + i * step[2], core + 2);
+    LOAD_OTHER(spatial_inertia_single, &B);
+    LOAD(vec3_single, &w, 1, 1);
+    LOAD(screw_single, &ds, 2, 2);
     ksl_spatial_inertiaf_net_wrench_certified(&B, &w, &ds, &co, &co_bound);
-    store_coscrew_single(&co, p3 + i * step[3], core + 3);
-    store_coscrew_single(&co_bound, p4 + i * step[4], core + 4);
+    STORE(coscrew_single, &co, 3, 3);
+    STORE(coscrew_single, &co_bound, 4, 4);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-
-static void spatial_inertia_net_wrench_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 40, 12, 24, 24, 24, 4, 4, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    spatial_inertia_net_wrench_single_over(
-        data, n[0], dense_1, dense_1 + 5);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 24, 24, 24, 4, 4, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    spatial_inertia_net_wrench_single_over(
-        data, n[0], dense_2, dense_2 + 5);
-    return;
-  }
-  spatial_inertia_net_wrench_single_over(data, n[0], step, step + 5);
-}
-
-static PyUFuncGenericFunction spatial_inertia_net_wrench_loops[] = {
-    spatial_inertia_net_wrench_double, spatial_inertia_net_wrench_single};
+LOOP(spatial_inertia_net_wrench_single, 5, DENSE_OR_ONE, 40, 12, 24, 24, 24, 4, 4, 4, 4, 4)
+LOOPS(spatial_inertia_net_wrench)
 
 /* (3),(10)->(10),(10) */
-INLINED void spatial_inertia_shifted_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t t;
-  load_vec3_double(&t, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(spatial_inertia_shifted_double) {
+  POINTERS_4
+  LOAD_FIRST(vec3_double, ksl_vec3_t t, &t);
+  EACH {
     ksl_spatial_inertia_t B;
     ksl_spatial_inertia_t Bo;
     ksl_spatial_inertia_t Bo_bound;
-    if (step[0] != 0) {
-      load_vec3_double(&t, p0 + i * step[0], core + 0);
-    }
-    load_spatial_inertia_double(&B, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_double, &t);
+    LOAD(spatial_inertia_double, &B, 1, 1);
     ksl_spatial_inertia_shifted_certified(&t, &B, &Bo, &Bo_bound);
-    store_spatial_inertia_double(&Bo, p2 + i * step[2], core + 2);
-    store_spatial_inertia_double(&Bo_bound, p3 + i * step[3], core + 3);
+    STORE(spatial_inertia_double, &Bo, 2, 2);
+    STORE(spatial_inertia_double, &Bo_bound, 3, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+LOOP(spatial_inertia_shifted_double, 4, DENSE_OR_ONE, 24, 80, 80, 80, 8, 8, 8, 8)
 
-static void spatial_inertia_shifted_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 80, 80, 80, 8, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    spatial_inertia_shifted_double_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 80, 80, 80, 8, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    spatial_inertia_shifted_double_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  spatial_inertia_shifted_double_over(data, n[0], step, step + 4);
-}
-
-/* (3),(10)->(10),(10) */
-INLINED void spatial_inertia_shifted_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t t;
-  load_vec3_single(&t, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(spatial_inertia_shifted_single) {
+  POINTERS_4
+  LOAD_FIRST(vec3_single, ksl_vec3f_t t, &t);
+  EACH {
     ksl_spatial_inertiaf_t B;
     ksl_spatial_inertiaf_t Bo;
     ksl_spatial_inertiaf_t Bo_bound;
-    if (step[0] != 0) {
-      load_vec3_single(&t, p0 + i * step[0], core + 0);
-    }
-    load_spatial_inertia_single(&B, p1 + i * step[1], core + 1);
+    LOAD_OTHER(vec3_single, &t);
+    LOAD(spatial_inertia_single, &B, 1, 1);
     ksl_spatial_inertiaf_shifted_certified(&t, &B, &Bo, &Bo_bound);
-    store_spatial_inertia_single(&Bo, p2 + i * step[2], core + 2);
-    store_spatial_inertia_single(&Bo_bound, p3 + i * step[3], core + 3);
+    STORE(spatial_inertia_single, &Bo, 2, 2);
+    STORE(spatial_inertia_single, &Bo_bound, 3, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-
-static void spatial_inertia_shifted_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 40, 40, 40, 4, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    spatial_inertia_shifted_single_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 40, 40, 40, 4, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    spatial_inertia_shifted_single_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  spatial_inertia_shifted_single_over(data, n[0], step, step + 4);
-}
-
-static PyUFuncGenericFunction spatial_inertia_shifted_loops[] = {
-    spatial_inertia_shifted_double, spatial_inertia_shifted_single};
+LOOP(spatial_inertia_shifted_single, 4, DENSE_OR_ONE, 12, 40, 40, 40, 4, 4, 4, 4)
+LOOPS(spatial_inertia_shifted)
 
 /* (3,4),(10)->(10),(10) */
-INLINED void spatial_inertia_transformed_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(spatial_inertia_transformed_double) {
+  POINTERS_4
+  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
+  EACH {
     ksl_spatial_inertia_t B;
     ksl_spatial_inertia_t Bo;
     ksl_spatial_inertia_t Bo_bound;
-    if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
-    }
-    load_spatial_inertia_double(&B, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_double, &D);
+    LOAD(spatial_inertia_double, &B, 1, 2);
     ksl_spatial_inertia_transformed_certified(&D, &B, &Bo, &Bo_bound);
-    store_spatial_inertia_double(&Bo, p2 + i * step[2], core + 3);
-    store_spatial_inertia_double(&Bo_bound, p3 + i * step[3], core + 4);
+    STORE(spatial_inertia_double, &Bo, 2, 3);
+    STORE(spatial_inertia_double, &Bo_bound, 3, 4);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+LOOP(spatial_inertia_transformed_double, 4, DENSE_OR_ONE, 96, 80, 80, 80, 32, 8, 8, 8, 8)
 
-static void spatial_inertia_transformed_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 96, 80, 80, 80, 32, 8, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    spatial_inertia_transformed_double_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 80, 80, 80, 32, 8, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    spatial_inertia_transformed_double_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  spatial_inertia_transformed_double_over(data, n[0], step, step + 4);
-}
-
-/* (3,4),(10)->(10),(10) */
-INLINED void spatial_inertia_transformed_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
+OVER(spatial_inertia_transformed_single) {
+  POINTERS_4
+  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
+  EACH {
     ksl_spatial_inertiaf_t B;
     ksl_spatial_inertiaf_t Bo;
     ksl_spatial_inertiaf_t Bo_bound;
-    if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
-    }
-    load_spatial_inertia_single(&B, p1 + i * step[1], core + 2);
+    LOAD_OTHER(SE3_single, &D);
+    LOAD(spatial_inertia_single, &B, 1, 2);
     ksl_spatial_inertiaf_transformed_certified(&D, &B, &Bo, &Bo_bound);
-    store_spatial_inertia_single(&Bo, p2 + i * step[2], core + 3);
-    store_spatial_inertia_single(&Bo_bound, p3 + i * step[3], core + 4);
+    STORE(spatial_inertia_single, &Bo, 2, 3);
+    STORE(spatial_inertia_single, &Bo_bound, 3, 4);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-
-static void spatial_inertia_transformed_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 48, 40, 40, 40, 16, 4, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    spatial_inertia_transformed_single_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 40, 40, 40, 16, 4, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    spatial_inertia_transformed_single_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  spatial_inertia_transformed_single_over(data, n[0], step, step + 4);
-}
-
-static PyUFuncGenericFunction spatial_inertia_transformed_loops[] = {
-    spatial_inertia_transformed_double, spatial_inertia_transformed_single};
+LOOP(spatial_inertia_transformed_single, 4, DENSE_OR_ONE, 48, 40, 40, 40, 16, 4, 4, 4, 4)
+LOOPS(spatial_inertia_transformed)
 
 const coscrew_gufunc TABLE(spatial_inertia)[] = {
   {"spatial_inertia_scale", "(10),()->(10),(10)",

@@ -20,7 +20,7 @@ from pycparser.c_generator import CGenerator
 from coscrew_codegen.targets.c_ksl import MARK, REFUSED
 
 INCLUDE = Path(__file__).parents[3] / "generated" / "c" / "include" / "ksl"
-_OTHERS = re.compile("ksl|elementary|.*_(fused|accurate|certified|many)$")
+_OTHERS = re.compile("ksl|elementary|.*_(fused|accurate|certified|states)$")
 FAMILIES = tuple(sorted(path.stem for path in INCLUDE.glob("*.h")
                         if not _OTHERS.match(path.stem) and path.stem not in REFUSED))
 """The plain headers of one element, except elementary functions, whose text is no formula of what

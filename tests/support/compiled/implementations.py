@@ -1,7 +1,6 @@
-"""The implementations whose bounds are attacked: NumPy twins, and compiled C of the fused tier."""
+"""The implementations whose bounds are attacked: NumPy twins, gufuncs and compiled C."""
 
 import functools
-from collections.abc import Callable
 from importlib import import_module
 from pathlib import Path
 from types import ModuleType
@@ -12,7 +11,7 @@ import coscrew
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.operations import Operation
 from coscrew_codegen.tiers import TIERS, tier_named
-from tests.support.compiled.c_harness import COMPILERS, EXACT, call, harness
+from tests.support.compiled.c_harness import EXACT, call, harness
 from tests.support.truth.attack import TIERED, Arrays, Implementation
 
 
@@ -49,11 +48,9 @@ def compiled(folder: Path, tier: str, compiler: str, flags: tuple[str, ...]) -> 
                                                      inputs)
 
 
-def implementations(folder: Path, in_python: Callable[[ModuleType], Implementation] = twin
-                    ) -> dict[str, Implementation]:
-    """One implementation per tier: Python's, or C of those that Python has not."""
-    return {tier.name: in_python(import_module(tier.package)) if tier.in_python else
-            compiled(folder, tier.name, COMPILERS[0], ("-O2", "-march=native")) for tier in TIERS}
+def twins() -> dict[str, Implementation]:
+    """Those of each tier."""
+    return {tier.name: twin(import_module(tier.package)) for tier in TIERS}
 
 
 def same_bits(got: Arrays, want: Arrays) -> bool:

@@ -8,10 +8,10 @@ from pathlib import Path
 
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.targets.c import c_type, parameters, returned
+from tests.support.compiled import all_headers
 from tests.support.compiled.bits_program import Kernel
 from tests.support.compiled.c_harness import (
     C11,
-    INCLUDE,
     call_of,
     in_parallel,
     is_array,
@@ -70,7 +70,7 @@ def built(folder: Path, kernels: Sequence[Kernel], numbers: bool,
           command: Sequence[str | Path]) -> Path:
     """The program, compiled by this command."""
     sources = written(folder, by_family(kernels), numbers)
-    in_parallel([(*command, *C11, "-I", INCLUDE, "-c", x, "-o", x.with_suffix(".o"))
+    in_parallel([(*command, *C11, "-I", all_headers.include(), "-c", x, "-o", x.with_suffix(".o"))
                  for x in sources])
     program = folder / "many"
     run((*command, *(x.with_suffix(".o") for x in sources), "-o", program, "-lm"))

@@ -28,7 +28,6 @@ X, Y, Z = (tuple(Fraction(int(i == k)) for i in range(3)) for k in range(3))
 
 
 Exact: TypeAlias = Fraction | int | str  # "0.1" is 1/10
-Triple: TypeAlias = tuple[Exact, Exact, Exact]
 Value: TypeAlias = Scalar | int | Formula | str | None | tuple[Scalar | int | Formula | str, ...]
 
 

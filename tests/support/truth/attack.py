@@ -2,8 +2,8 @@
 
 The tests run a small sample of what tests.long_attack does.  Truth is the operation's formula,
 expanded by SymPy and evaluated in exact rationals.  The NumPy twins, whose bits the C kernels
-share, are attacked; for the fused tier, compiled C.  The bounds that the certified tier returns are
-attacked with numbers of any size, too.
+share, are attacked.  The bounds that the certified tier returns are attacked with numbers of any
+size, too.
 """
 
 import functools

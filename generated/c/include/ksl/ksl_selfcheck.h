@@ -9,8 +9,8 @@
 
 /* NULL if every operation on double is rounded once in the file that includes this; else what is
    wrong.  Looks for contraction, reassociation, reciprocals in place of quotients, lost signs of zero
-   and lost NaN, approximate functions, flush-to-zero, excess precision, and an fma (which the fused
-   tier calls) that rounds twice. */
+   and lost NaN, approximate functions, flush-to-zero, excess precision, and an fma (which the
+   accurate tier calls) that rounds twice. */
 static inline const char *ksl_selfcheck(void) {
   const volatile double given[] = {0.0, 0.5, 1.0, 2.0, 1.0000000074505806, 1.0000000149011612,
       2.2250738585072014e-308, 1.7976931348623157e+308, 1.110223057712381e-16, 1.4142135623730951,
@@ -51,15 +51,15 @@ static inline const char *ksl_selfcheck(void) {
     return "excess precision: results are rounded twice, or not to their type (x87)";
   }
   if (fma(x, x, -nearly_square) == 0) {
-    return "fma: the C library's rounds twice, and so does the fused tier";
+    return "fma: the C library's rounds twice, and the accurate tier calls it";
   }
   return NULL;
 }
 
 /* NULL if every operation on float is rounded once in the file that includes this; else what is
    wrong.  Looks for contraction, reassociation, reciprocals in place of quotients, lost signs of zero
-   and lost NaN, approximate functions, flush-to-zero, excess precision, and an fma (which the fused
-   tier calls) that rounds twice. */
+   and lost NaN, approximate functions, flush-to-zero, excess precision, and an fma (which the
+   accurate tier calls) that rounds twice. */
 static inline const char *ksl_selfcheckf(void) {
   const volatile float given[] = {0.0f, 0.5f, 1.0f, 2.0f, 1.0002441f, 1.0004883f, 1.1754944e-38f,
       3.4028235e+38f, 5.963375e-08f, 1.4142135f, 41.0f, 4109.0f, 6.937586e+10f};
@@ -99,7 +99,7 @@ static inline const char *ksl_selfcheckf(void) {
     return "excess precision: results are rounded twice, or not to their type (x87)";
   }
   if (fmaf(x, x, -nearly_square) == 0) {
-    return "fma: the C library's rounds twice, and so does the fused tier";
+    return "fma: the C library's rounds twice, and the accurate tier calls it";
   }
   return NULL;
 }

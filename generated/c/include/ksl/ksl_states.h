@@ -1,13 +1,14 @@
 /* Made by `coscrew generate`; changes are overwritten. */
 /* SPDX-License-Identifier: MIT */
 /* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
-/* Vectors with a number of each of several elements, and elementary functions of them: what functions
-   of many elements need that call these. */
+/* Vectors with a number of each of several elements, and elementary functions of them: what kernels
+   on vectors need. */
 #ifndef KSL_STATES_H
 #define KSL_STATES_H
 
+#include <stddef.h>
+
 #include "elementary.h"
-#include "ksl_planes.h"
 
 /* The registers of the processor that this is compiled for hold so many bytes of states, a number of
    each; 0 if they are not known.  KSL_LANE_BYTES may be defined as fewer: 16, 32, 64, or 0; and

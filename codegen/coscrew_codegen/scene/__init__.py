@@ -1,0 +1,1 @@
+"""Scenes: the model, effects with their parameters, the run; and their checks."""

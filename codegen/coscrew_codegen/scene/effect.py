@@ -1,0 +1,229 @@
+"""Effects: catalogue entries, and the slots of the dynamics that they fill.
+
+An effect's file knows no other effect and no algorithm: it gets the state where it acts as Numbers,
+and answers with accelerations, forces and inertias.  Slots it leaves None cost nothing.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from enum import Enum
+from fractions import Fraction
+from typing import Protocol, TypeVar
+
+from coscrew_codegen.parameter import Sign
+from coscrew_codegen.recording.numbers import Number, Vector
+
+K = TypeVar("K")
+
+
+@dataclass(frozen=True)
+class Values:
+    """Values that a scene gives for an effect's parameters; of formulas, their value at the time.
+    """
+
+    given: Mapping[str, object]
+
+    def __getitem__(self, name: str) -> Number:
+        """A number."""
+        return self._of(Number, name)
+
+    def get(self, name: str) -> Number | None:
+        """A number, if there is one."""
+        return None if self.given[name] is None else self[name]
+
+    def vector(self, name: str) -> Vector:
+        """Three numbers."""
+        return self._of(tuple, name)
+
+    def optional_vector(self, name: str) -> Vector | None:
+        """Three numbers, if there are any."""
+        return None if self.given[name] is None else self.vector(name)
+
+    def word(self, name: str) -> str:
+        """A choice."""
+        return self._of(str, name)
+
+    def _of(self, kind: type[K], name: str) -> K:
+        value = self.given.get(name)
+        if not isinstance(value, kind):
+            raise TypeError(f"parameter {name!r} is {type(value).__name__}; wanted {kind.__name__}")
+        return value
+
+
+class Place(Enum):
+    """Kinds of things that an effect acts on."""
+
+    SCENE = "the whole scene"
+    JOINT = "a joint with one coordinate; of `reaction`, any that is not fixed"
+    BODY = "a body"
+    PAIR = "two bodies, named by the value `bodies`"
+
+
+@dataclass(frozen=True)
+class ParameterOf:
+    """A parameter of an effect, as scene files write it."""
+
+    name: str
+    unit: str
+    words: str
+    kind: str = "number"  # number, vector (three numbers), formula (number or function of t),
+    # formulas (three of them), choice, body, flag (true or false)
+    default: Fraction | int | str | tuple[Fraction, ...] | None = None  # None: there is none
+    required: bool = True  # without default; if not, the value may stay None, also where the model
+    # has no such number
+    model: str = ""  # the joint's field that "model" stands for: damping, friction, effort, …
+    choices: tuple[str, ...] = ()
+    of: tuple[str, ...] = ()  # choices of the effect's `kind` it belongs to; with others it may not
+    # be given, and its value is None; (): to all
+    optional_of: tuple[str, ...] = ()  # those of these choices with which it may be left out
+    positive: bool = False  # refused if zero or below
+    nonnegative: bool = False
+    example: str = "1"  # in TOML, for messages that propose the effect
+
+    @property
+    def sign(self) -> Sign | None:
+        """The sign that its numbers must have, if any."""
+        return (Sign.POSITIVE if self.positive else
+                Sign.NONNEGATIVE if self.nonnegative else None)
+
+
+@dataclass(frozen=True)
+class CoordinateState:
+    """State of the coordinate along which a torque or force acts: a joint's, or the distance
+    between two points.
+
+    Its value q in rad or m, its rate v = q', the time t in s; for effects that compensate gravity
+    also what holds the joint against it."""
+
+    q: Number
+    v: Number
+    t: Number
+    holding: Number | None = None
+
+
+class BodyState(Protocol):
+    """A body: what it is, where it is and how it moves; time t in s.
+
+    Points and vectors are in the body's frame unless a name says `world`."""
+
+    t: Number
+
+    @property
+    def mass(self) -> Number:
+        """Mass in kg; zero if the model gives none."""
+
+    @property
+    def centre_of_mass(self) -> Vector:
+        """Centre of mass in the body's frame, in m."""
+
+    @property
+    def inertia(self) -> tuple[Number, ...]:
+        """Moments xx, yy, zz, xy, xz, yz about the centre of mass, in kg m²."""
+
+    @property
+    def gravity(self) -> Vector:
+        """The scene's acceleration of free fall, in the world's frame; zero without gravity."""
+
+    @property
+    def angular_velocity(self) -> Vector:
+        """ω."""
+
+    def world_direction(self, vector: Vector) -> Vector:
+        """R x: a vector in the body's frame expressed in the world's."""
+
+    def own_direction(self, vector: Vector) -> Vector:
+        """R^T x: a vector in the world's frame expressed in the body's."""
+
+    def world_position(self, point: Vector) -> Vector:
+        """R x + t: the position of a point of the body."""
+
+    def velocity(self, point: Vector) -> Vector:
+        """v + ω × x: the velocity of a point of the body."""
+
+
+@dataclass(frozen=True)
+class Contact:
+    """Contact by Hertz's law, k δ^1.5: steps are split while it is closed or closes."""
+
+    k: Number
+    depth: Number  # δ, zero where it is open
+
+
+@dataclass(frozen=True)
+class Torque:
+    """Torque along a joint's coordinate, or a force that pushes two points apart.
+
+    Without a `torque`, it is -∂energy/∂q.  `limit`: it acts as max(-limit, min(torque, limit)).
+    `energy`: its potential energy, if it has one.  `power`: the power of the part without potential
+    energy; by default all of the torque's power if there is no energy, else zero.
+
+    Implicit steps take -∂torque/∂v and -∂torque/∂q from the torque itself (`mechanics/slopes.py`
+    says how they are bounded).  `damping`, `stiffness`: these, at least 0, from an effect that
+    knows a shorter form."""
+
+    torque: Number | None = None
+    limit: Number | None = None
+    energy: Number | None = None
+    power: Number | None = None
+    contact: Contact | None = None
+    damping: Number | None = None
+    stiffness: Number | None = None
+
+
+@dataclass(frozen=True)
+class Force:
+    """Force on a body at a point of it and a moment, in the body's frame; energy and power as of
+    Torque.
+
+    Without point, force and moment they follow from the energy: -∂energy/∂(position, rotation).
+    Such an energy may depend on the body's pose and on time, not on its motion.
+
+    `damping` is a bound of -∂force/∂(the point's velocity), in N s/m: implicit steps take it in as
+    a point mass h · damping there."""
+
+    point: Vector | None = None
+    force: Vector | None = None
+    moment: Vector | None = None
+    energy: Number | None = None
+    power: Number | None = None
+    damping: Number | None = None
+
+
+def required(x: K | None) -> K:
+    """Returns what an effect gives.  Raises TypeError if it gives neither this nor what it follows
+    from."""
+    if x is None:
+        raise TypeError("an effect gives a torque, or a force and its point, or an energy; this "
+                        "one gives none")
+    return x
+
+
+FIRST, SECOND = "first", "second"
+POINTS = tuple(ParameterOf(name, "m", f"where it is fixed to the {name} body, in its frame",
+                           "vector", (Fraction(0),) * 3) for name in (FIRST, SECOND))
+"""The parameters of an effect on two bodies that say between which points it acts."""
+
+
+@dataclass(frozen=True)
+class Effect:
+    """One entry of the catalogue."""
+
+    name: str
+    words: str  # one line
+    equation: str
+    place: Place
+    parameters: tuple[ParameterOf, ...]
+    any_of: tuple[str, ...] = ()  # one of these parameters, at least, must have a value
+    ascending: tuple[str, str] | None = None  # the ends of the range it keeps a
+    # joint in; the first must not exceed the second
+    gravity: Callable[[Values], Vector] | None = None  # in the world's frame
+    joint_torque: Callable[[CoordinateState, Values], Torque] | None = None
+    joint_inertia: Callable[[Values], Number] | None = None
+    body_force: Callable[[BodyState, Values], Force] | None = None
+    pair_force: Callable[[CoordinateState, Values], Torque] | None = None  # between its POINTS
+    stores_energy: bool = False  # what it exerts has an energy, which can be recorded
+    limited_by: str = ""  # the parameter that limits its torque, if given
+    compensates: str = ""  # the flag with which its torque includes `holding` of CoordinateState
+    massive: bool = False  # acts on a body by its mass and inertia: only on bodies that have them
+    reaction: bool = False  # selects the joint's reaction function
+    mimic: bool = False  # makes followers follow

@@ -1,0 +1,111 @@
+"""Scene: a model, the effects that act in it, and its run.  Frozen data, no arithmetic."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+from coscrew_codegen.formats import BY_NAME, DOUBLE
+from coscrew_codegen.integrators import DEFAULT
+from coscrew_codegen.parameter import Parameter, Scalar
+from coscrew_codegen.scene.effect import Effect
+from coscrew_codegen.scene.formulas import Formula
+from coscrew_codegen.scene.model import Model
+from coscrew_codegen.scene.notices import Notice
+
+Setting = Scalar | tuple[Scalar | Formula, ...] | tuple[str, str] | Formula | str | None
+
+
+@dataclass(frozen=True)
+class Applied:
+    """An effect applied to a joint or body, or under a label (a spring between two bodies).
+
+    `on` is "" for gravity and other effects on the whole scene.  `values` has an entry for each of
+    the effect's parameters, and for pairs "bodies", the names of both.  A label distinguishes
+    several applications of one effect to one body."""
+
+    effect: Effect
+    on: str
+    values: Mapping[str, Setting]
+    label: str = ""
+
+    def vector(self, name: str) -> tuple[Scalar, ...]:
+        """The numbers of a parameter that is a vector."""
+        given = self.values[name]
+        return tuple(x for x in given if isinstance(x, Scalar)) if isinstance(given, tuple) else ()
+
+    @property
+    def bodies(self) -> tuple[str, ...]:
+        """The two bodies of an effect on two."""
+        pair = self.values.get("bodies")
+        return tuple(map(str, pair)) if isinstance(pair, tuple) else ()
+
+    @property
+    def name(self) -> str:
+        """Its name in `runtime`: viscous.elbow, wrench.push, gravity."""
+        return ".".join(part for part in (self.effect.name, self.label or self.on) if part)
+
+
+@dataclass(frozen=True)
+class Expectation:
+    """Value that a run must reach: |quantity(at) - value| <= rtol |value| + atol."""
+
+    quantity: str  # "q.elbow", "energy", "reaction.elbow.2": as in `record`, one component
+    at: float
+    value: float
+    rtol: float
+    atol: float
+
+
+@dataclass(frozen=True)
+class Tolerance:
+    """Largest rounding error allowed of an output of a function, or of all its outputs, in single
+    precision."""
+
+    function: str
+    output: str  # "" for all
+    within: float  # in the output's unit
+
+
+@dataclass(frozen=True)
+class Run:
+    """Settings of integration: `step` is for emitted integrators, the tolerances are for SciPy's.
+    """
+
+    duration: float = 1.0
+    integrator: str = DEFAULT
+    step: float = 1e-3
+    rtol: float = 1e-9
+    atol: float = 1e-9
+
+
+@dataclass(frozen=True)
+class Scene:
+    """The content of a scene file."""
+
+    name: str  # a C and Python identifier
+    model: Model
+    effects: tuple[Applied, ...] = ()
+    parameters: tuple[Parameter, ...] = ()  # run-time parameters, in the order of `runtime`
+    precision: str = DOUBLE.name  # of runs: double, single, both
+    precisions: tuple[str, ...] = tuple(BY_NAME)  # in which it is generated
+    implausible: str = "error"  # or warn: bodies that cannot exist are accepted
+    start_q: Mapping[str, tuple[float, ...]] = field(default_factory=dict)  # by joint
+    start_v: Mapping[str, tuple[float, ...]] = field(default_factory=dict)
+    record: tuple[str, ...] = ("q", "v")
+    every: float = 0.01
+    run: Run = Run()
+    expectations: tuple[Expectation, ...] = ()
+    functions: tuple[str, ...] = ()  # selected by name; (): the default functions
+    tiers: tuple[str, ...] = ()  # selected besides plain, the cheapest first
+    accuracy: tuple[Tolerance, ...] = ()  # what the mixed tier is to reach
+    notices: tuple[Notice, ...] = ()  # what the model's file says and the scene does not use
+
+    @property
+    def unused(self) -> tuple[str, ...]:
+        """Numbers of the model's file that the scene does not use, a line each."""
+        return tuple(notice.text for notice in self.notices)
+
+
+def zero(value: Setting) -> bool:
+    """Whether this is the number zero."""
+    return isinstance(value, Fraction) and value == 0

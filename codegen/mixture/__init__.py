@@ -1,1 +1,0 @@
-"""Which instructions of a function are carried in pairs for an accuracy that is asked for."""

@@ -1,1 +1,0 @@
-"""Shapes of the generated files: loops and holes, no arithmetic, no type logic."""
