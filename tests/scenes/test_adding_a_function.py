@@ -214,6 +214,8 @@ ONE = Array("y", (), ("1",))
     ({"inputs": "h q", "recorded": (Quantity("odd"),)}, "'odd' is recorded of it, but it takes h"),
     ({"recorded": (Quantity("odd", places=((1,),)),)}, r"results \(1,\); wanted some of the 1"),
     ({"recorded": (Quantity("odd", components=("a", "b")),)}, "with 2 names of its 1 components"),
+    ({"recorded": (Quantity("odd", Of.BODY),)}, "'odd' is recorded of it; wanted a quantity"),
+    ({"recorded": (Quantity("odd"),), "targets": jacobian.FUNCTION.targets}, "wanted a quant"),
     ({"outputs": (Array("y", (Size.NV,), ("m",)),), "recorded": (Quantity("odd"),)},
      "units of y depend on the scene")))
 def test_entries_that_cannot_be_are_refused(words, said):
