@@ -282,9 +282,9 @@ class SceneFunction:
         of_all = quantity.of is Of.BODY and not self.targets and (
             [x.shape[:1] for x in self.outputs] == [(Size.BODIES,)])
         if not of_all and (self.members or (quantity.of is Of.SCENE) == bool(self.targets)):
-            raise ValueError(f"{what}; wanted a quantity of the scene, of bodies or joints that are "
-                             "targets of the function, or of bodies along the first axis of its "
-                             "only output")
+            raise ValueError(f"{what}; wanted a quantity of the scene, of bodies or joints that "
+                             "are the function's targets, or of bodies along the first axis of "
+                             "its only output")
         result: list[str] = []
         for x in self.outputs:
             shape = tuple(n for n in x.shape[of_all:] if isinstance(n, int))
