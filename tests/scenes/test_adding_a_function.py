@@ -225,6 +225,8 @@ ONE = Array("y", (), ("1",))
      r"results \(1,\); wanted some of the 1"),
     ({"recorded": (SceneQuantity("odd", components=("a", "b")),)},
      "with 2 names of its 1 components"),
+    ({"recorded": (SceneQuantity("odd", Of.BODY),)}, "'odd' is recorded of it; wanted a quantity"),
+    ({"recorded": (SceneQuantity("odd"),), "targets": jacobian.FUNCTION.targets}, "wanted a quant"),
     ({"outputs": (Array("y", (AxisLength.NV,), ("m",)),), "recorded": (SceneQuantity("odd"),)},
      "units of y depend on the scene")))
 def test_entries_that_cannot_be_are_refused(words, said):
@@ -267,3 +269,28 @@ def test_a_family_is_one_entry(monkeypatch, tmp_path):
     assert done.recording.of("speed.sled").tolist() == (rail * rail).tolist()
     with pytest.raises(QuantityError, match="no body 'plinth' that has it; wanted one of frame"):
         recorded("speed.plinth", read_scene(tmp_path / "cart.toml"))
+
+
+def test_a_function_may_take_nothing(tmp_path):
+    """The mass of a scene: a number without inputs, in C and in generated Python."""
+    package = copied(tmp_path)
+    (package / "scene/functions/total_mass.py").write_text(
+        "from coscrew_codegen.scene.function import Array, Quantity, SceneFunction\n"
+        "FUNCTION = SceneFunction(\n"
+        "    'total_mass', 86, 'm = Σ m', '', (Array('m', (), ('kg',), 'in kg'),),\n"
+        "    lambda x: [[sum((x.number(y.inertia.mass) for y in x.scene.model.bodies\n"
+        "                     if y.inertia), x.number(0))]], recorded=(Quantity('total_mass'),))\n")
+    (tmp_path / "cart.toml").write_text(SCENE.replace('runtime = ["load.mass"]', "").replace(
+        '"center_of_mass", "q"', '"total_mass"').partition("[expect")[0])
+    done = command(tmp_path, "generate", "cart.toml", "-o", "out", "--many")
+    assert done.returncode == 0, done.stderr
+    found = run_in_copy(tmp_path, (
+        "import sys, coscrew_codegen as c\nsys.path.insert(0, 'out')\n"
+        "import cart.double as generated\n"
+        "run = c.run('cart.toml', until=0.25)\n"
+        "print(generated.total_mass(), c.load_scene('cart.toml').double.total_mass(),\n"
+        "      run.recording.of('total_mass').tolist(), run.recording.columns[0].unit)\n"
+        "print(generated.total_mass.__doc__)\n"))
+    assert found.startswith("7.5 7.5 [7.5, 7.5, 7.5] kg\n") and "Last axes: -> m ()." in found
+    subprocess.run(["gcc", "-std=c11", "-Wall", "-Wextra", "-Werror", "-c", "cart.c",
+                    "cart_many.c"], cwd=tmp_path / "out", check=True)

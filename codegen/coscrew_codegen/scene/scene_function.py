@@ -262,31 +262,37 @@ class SceneFunction:
     def components_of(self, quantity: SceneQuantity) -> tuple[tuple[str, tuple[int, ...]], ...]:
         """(unit, places of the results that are added) of each component of what is recorded.
         Raises ValueError for what a state does not determine, or results that there are not."""
-        told = f"{self.name}: {quantity.name!r} is recorded of it"
+        what = f"{self.name}: {quantity.name!r} is recorded of it"
         if others := [name for name in self.takes if name not in _OF_STATES]:
-            raise ValueError(f"{told}, but it takes {', '.join(others)}; wanted functions of "
+            raise ValueError(f"{what}, but it takes {', '.join(others)}; wanted functions of "
                              f"{', '.join(_OF_STATES)}")
-        units = self._units_recorded(quantity, told)
+        units = self._units_recorded(quantity, what)
         places = quantity.places or tuple((i,) for i in range(len(units)))
         if quantity.components and len(quantity.components) != len(places):
-            raise ValueError(f"{told} with {len(quantity.components)} names of its {len(places)} "
+            raise ValueError(f"{what} with {len(quantity.components)} names of its {len(places)} "
                              "components")
         for several in places:
             if not several or max(several) >= len(units) or len({units[i] for i in several}) > 1:
-                raise ValueError(f"{told}: results {several}; wanted some of the {len(units)} that "
+                raise ValueError(f"{what}: results {several}; wanted some of the {len(units)} that "
                                  "there are, of one unit")
         return tuple((units[several[0]], several) for several in places)
 
-    def _units_recorded(self, quantity: SceneQuantity, told: str) -> tuple[str, ...]:
+    def _units_recorded(self, quantity: SceneQuantity, what: str) -> tuple[str, ...]:
         """The unit of each result, of one body or joint."""
-        each, found = bool(quantity.of.value and not self.targets), list[str]()
+        of_all = quantity.of is Of.BODY and not self.targets and (
+            [x.shape[:1] for x in self.outputs] == [(AxisLength.BODIES,)])
+        if not of_all and (self.members or (quantity.of is Of.SCENE) == bool(self.targets)):
+            raise ValueError(f"{what}; wanted a quantity of the scene, of bodies or joints that "
+                             "are the function's targets, or of bodies along the first axis of "
+                             "its only output")
+        result: list[str] = []
         for x in self.outputs:
-            shape = tuple(n for n in x.shape[each:] if isinstance(n, int))
-            if callable(x.units) or len(shape) < len(x.shape) - each:
-                raise ValueError(f"{told}, but the number or the units of {x.name} depend on the "
+            shape = tuple(n for n in x.shape[of_all:] if isinstance(n, int))
+            if callable(x.units) or len(shape) < len(x.shape) - of_all:
+                raise ValueError(f"{what}, but the number or the units of {x.name} depend on the "
                                  "scene")
-            found += x.units_of(shape, ())
-        return tuple(found)
+            result += x.units_of(shape, ())
+        return tuple(result)
 
     @property
     def takes(self) -> tuple[str, ...]:

@@ -211,8 +211,8 @@ def _assembled(outputs: Sequence[Argument], results: Sequence[str],
 def _text(name: str, arguments: Sequence[str], words: Sequence[str],
           lines: Sequence[str]) -> dict[str, str]:
     body = "\n".join(f"    {row}" for line in lines for row in line.split("\n"))
-    return {"name": name, "arguments": ", ".join(arguments), "docstring": _docstring(words),
-            "body": body}
+    return {"name": name, "arguments": ", ".join((*arguments, "*", "out=None")),
+            "docstring": _docstring(words), "body": body}
 
 
 def _step(scene: SceneFunctions, step: IntegratorStep, precision: Precision) -> dict[str, str]:

@@ -108,9 +108,9 @@ def step_words(scene: SceneFunctions, step: IntegratorStep) -> tuple[str, ...]:
 
 def words(function: FunctionProgram, costs: bool = True) -> tuple[str, ...]:
     """A function's documentation in Python, a paragraph each; the last what it costs."""
-    given, made = (", ".join(f"{a.name} {tuple(a.quantity.shape)}" for a in side)
+    given, made = (" ".join(["", ", ".join(f"{a.name} {tuple(a.quantity.shape)}" for a in side)])
                    for side in (function.inputs, outputs(function)))
-    return (sentence(function.words), f"Last axes: {given} -> {made}.",
+    return (sentence(function.words), f"Last axes:{given.rstrip()} ->{made}.",
             *filter(None, [function.rounding]), *([cost(function)] if costs else []))
 
 
