@@ -240,8 +240,8 @@ MUTATIONS = {
                         "kept, ZERO, ZERO", "sign of a scaled number"),
     "both errors": ("sizes", "second = self.do(Op.ADD, second, self.do(Op.MUL, a, b))",
                     "second = self.do(Op.ADD, second, ZERO)", "wide square"),
-    "rests of both": ("sizes", "self.do(Op.MUL, p, self._beyond_of(y)),\n"
-                      "                         self.do(Op.MUL, q, self._beyond_of(x))",
+    "rests of both": ("sizes", "self.do(Op.MUL, p, self._beyond(y)),\n"
+                      "                         self.do(Op.MUL, q, self._beyond(x))",
                       "ZERO, ZERO", "wide product"),
     "series": ("sizes", "abs(near) + x.tail / (TAIL * self.u**2)", "abs(near)", "series"),
 }

@@ -118,7 +118,7 @@ def _certain(sizes: Sizes, x: Operand, size: Operand) -> Operand:
 
 
 def _is_certain(sizes: Sizes, x: Operand, size: Operand) -> Operand:
-    four = sizes.do(Op.MUL, sizes.some_bound(x), constant(Fraction(4)))
+    four = sizes.do(Op.MUL, sizes.bound(x) or ZERO, constant(Fraction(4)))
     return sizes.do(Op.LESS, four, size)
 
 
@@ -133,7 +133,7 @@ def _of_root(sizes: Sizes, step: Instruction) -> Size:
     else:
         near = sizes.do(Op.DIV, sizes.do(Op.DIV, a.s, y), x)
         near = sizes.do(Op.MUL, near, sizes.reach(x))
-        far = sizes.do(Op.SQRT, sizes.some_bound(x))
+        far = sizes.do(Op.SQRT, sizes.bound(x) or ZERO)
         low = sizes.first_order(y)
         if low is not None:
             far = sizes.do(Op.ADD, far, sizes.do(Op.ABS, low))

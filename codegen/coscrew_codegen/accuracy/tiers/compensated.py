@@ -15,6 +15,7 @@ from collections import Counter
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import partial
 
 from coscrew_codegen.program import (
     Constant,
@@ -67,7 +68,6 @@ class Carrier:
         self._normal: dict[str, Ref] = {}  # hi of normalized results, by their plain name
         self._normals: set[str] = set()
         self._rounded: dict[str, Ref] = {}  # hi + lo rounded, by hi's name
-        self._finals: dict[Operand, Ref] = {}
         self._once: dict[tuple[str, Operand], tuple[Ref, ...]] = {}
 
     def carry(self, step: Instruction) -> None:
@@ -166,14 +166,15 @@ class Carrier:
         total = self.rounded(result)
         if not guarded or total == result:
             return total
-        if total not in self._finals:
-            last = self._how.last or name_of(total)
-            at = Instruction(self.name(name_of(total), "number"), Op.EQUAL, (total, total), last)
-            choice = Instruction(self.name(name_of(result), "final"), Op.SELECT,
-                                 (Ref(at.name), total, result), last)
-            self.steps += [at, choice]
-            self._finals[total] = Ref(choice.name)
-        return self._finals[total]
+        return self.once("final", total, partial(self._guarded, total, result))[0]
+
+    def _guarded(self, total: Operand, result: Operand) -> tuple[Ref, ...]:
+        last = self._how.last or name_of(total)
+        at = Instruction(self.name(name_of(total), "number"), Op.EQUAL, (total, total), last)
+        choice = Instruction(self.name(name_of(result), "final"), Op.SELECT,
+                             (Ref(at.name), total, result), last)
+        self.steps += [at, choice]
+        return Ref(choice.name),
 
 
 def carried(program: Program, precision: Precision, how: Carrying) -> Program:

@@ -5,12 +5,12 @@ rounded: those of its operands that are pairs and matter take part as hi + lo, s
 hi + (what the lo contribute), else as hi + lo rounded.
 """
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 
 from coscrew_codegen.accuracy.tiers.accurate_scene import SCENES, compared_exactly, rounded
 from coscrew_codegen.accuracy.tiers.compensated import Carrier, cross_terms
 from coscrew_codegen.accuracy.tiers.tier import Tier
-from coscrew_codegen.program import Constant, Instruction, Op, Operand, Program, Ref
+from coscrew_codegen.program import Constant, Instruction, Op, Operand, Program
 from coscrew_codegen.program.program import name_of
 from coscrew_codegen.program.values.formats import SINGLE
 
@@ -42,7 +42,6 @@ class _Mixed:
 
     pairs: Carrier
     mixture: Mixture
-    singles: dict[str, Ref] = field(default_factory=dict)  # hi + lo rounded, by hi's name
 
     def carry(self, step: Instruction) -> None:
         """Issue the instruction as the mixture says; what does not round passes lo on."""
@@ -70,22 +69,21 @@ class _Mixed:
         a_lo, b_lo = low if len(low) == 2 else (None, None)
         if step.op is Op.MUL:
             return cross_terms(self.pairs, step, a_lo, b_lo)
+        if a_lo is None and b_lo is not None and step.op is Op.SUB:
+            return self.pairs.issue(step, Op.NEG, (b_lo,), "cross")
         if a_lo is None or b_lo is None:
-            negative = step.op is Op.SUB and b_lo is not None
-            return self.pairs.issue(step, Op.NEG, (b_lo,), "cross") if negative else a_lo or b_lo
+            return a_lo or b_lo
         return self.pairs.issue(step, step.op, (a_lo, b_lo), "cross")
 
     def _single(self, step: Instruction, x: Operand) -> Operand:
         """hi + lo of an operand rounded, computed once."""
         if isinstance(x, Constant) or self.pairs.is_exact(x):
             return x
-        if name_of(x) not in self.singles:
-            low = self.pairs.low(step, x)
-            assert low is not None
-            at = Instruction(self.pairs.name(name_of(x), "near"), Op.ADD, (x, low), step.component)
-            self.pairs.steps.append(at)
-            self.singles[name_of(x)] = Ref(at.name)
-        return self.singles[name_of(x)]
+        low = self.pairs.low(step, x)
+        assert low is not None
+        at = replace(step, name=name_of(x))
+        return self.pairs.once("single", x, lambda: (
+            self.pairs.issue(at, Op.ADD, (x, low), "near"),))[0]
 
 
 TIER = Tier(

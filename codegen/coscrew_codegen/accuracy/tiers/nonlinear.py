@@ -14,7 +14,7 @@ from functools import partial
 
 from coscrew_codegen.accuracy.tiers.compensated import Carrier, Rule, negation, product, total
 from coscrew_codegen.program import ONE, ZERO, Instruction, Op, Operand, Ref, constant
-from coscrew_codegen.program.ops import ERROR_OF
+from coscrew_codegen.program.ops import COMPARISONS, ERROR_OF
 
 Lows = list[Operand | None]
 Low = Callable[[Carrier, Instruction, Lows], Operand | None]
@@ -195,13 +195,9 @@ def _selected(c: Carrier, step: Instruction, low: Lows) -> Operand | None:
     return c.issue(step, Op.SELECT, (step.operands[0], *chosen), "lo")
 
 
-def _compared(c: Carrier, step: Instruction, low: Lows) -> None:
-    """Nothing: truth values have no lo, and hi + lo rounded are compared."""
-
-
 RULES: Mapping[Op, Rule] = {
     Op.ADD: total, Op.SUB: total, Op.MUL: product, Op.NEG: negation, Op.DIV: _by(_quotient),
     Op.SQRT: _by(_root), Op.SCALE: _by(_scaled), **{op: _by(_called) for op in _MOVED},
-    Op.ABS: _by(_absolute), Op.LESS: _by(_compared), Op.EQUAL: _by(_compared),
+    Op.ABS: _by(_absolute), **{op: _by(lambda c, step, low: None) for op in COMPARISONS},
     Op.SELECT: _by(_selected, normal=False)}
-"""A rule for every operation that tiers carry."""
+"""A rule for every operation that tiers carry; truth values have no lo."""

@@ -219,7 +219,7 @@ class Sizes:
     def _of_wide_product(self, step: Instruction) -> Size:
         (x, y), u = step.operands, self.u
         p, q = map(self.magnitude, (x, y))
-        a, b = map(self.some_bound, (x, y))
+        a, b = (self.bound(z) or ZERO for z in (x, y))
         first = self.do(Op.ADD, self.do(Op.MUL, p, b), self.do(Op.MUL, q, a))
         second = self.do(Op.ADD, self.do(Op.MUL, p, self._beyond(y)),
                          self.do(Op.MUL, q, self._beyond(x)))
@@ -238,7 +238,7 @@ class Sizes:
     def units(self, x: Operand) -> Operand:
         """B / κ u of an inexact value."""
         factor = constant(1 / (self.how.spread * self.u))
-        return self.do(Op.MUL, self.some_bound(x), factor, name="units")
+        return self.do(Op.MUL, self.bound(x) or ZERO, factor, name="units")
 
     def magnitude(self, x: Operand) -> Operand:
         """|x̂|."""
@@ -259,8 +259,8 @@ class Sizes:
             error = abs(self.precision.value(x) - self.near(x).double) + x.tail
             return self.rounded_up((1 + 4 * self.u) * error)
         low = self.first_order(x)
-        error = ZERO if low is None else self.do(Op.ABS, low, name="error")
-        return self.do(Op.ADD, error, self._beyond(x), name="bound")
+        first = ZERO if low is None else self.do(Op.ABS, low, name="error")
+        return self.do(Op.ADD, first, self._beyond(x), name="bound")
 
     def _bound_beside(self, x: Operand, other: Operand) -> Operand:
         """B >= |x - ŷ| for another approximation ŷ of x: with (1 + 8 u) |(x̂ - ŷ) + d| for |d|, as
@@ -287,12 +287,6 @@ class Sizes:
     def covered(self, k: Fraction, m: Fraction) -> Fraction:
         """The errors beside d, or all, as a part of S."""
         return m * self.u**2 if self.how.computed else k * self.u + m * self.u**2
-
-    def some_bound(self, x: Operand) -> Operand:
-        """B of an inexact value."""
-        bound = self.bound(x)
-        assert bound is not None
-        return bound
 
     def near(self, x: Constant) -> Constant:
         """The constant in this precision."""
