@@ -70,9 +70,10 @@ class _Mixed:
         a_lo, b_lo = low if len(low) == 2 else (None, None)
         if step.op is Op.MUL:
             return cross_terms(self.pairs, step, a_lo, b_lo)
+        if a_lo is None and b_lo is not None and step.op is Op.SUB:
+            return self.pairs.issue(step, Op.NEG, (b_lo,), "cross")
         if a_lo is None or b_lo is None:
-            negative = step.op is Op.SUB and b_lo is not None
-            return self.pairs.issue(step, Op.NEG, (b_lo,), "cross") if negative else a_lo or b_lo
+            return a_lo or b_lo
         return self.pairs.issue(step, step.op, (a_lo, b_lo), "cross")
 
     def _single(self, step: Instruction, x: Operand) -> Operand:
