@@ -7,34 +7,24 @@ const PRECISIONS = ["double", "single"];
 
 // What JSON has no number for stands in strings: "Infinity", "NaN"; nothing measured is null.
 const number = v => v === null || v === undefined ? NaN : Number(v);
+const distinct = values => [...new Set(values)];
 const timeName = t => [t.language, t.compiler, t.layout].filter(Boolean).join(", ");
 const variantName = e => `${e.precision} ${e.tier}`;
 const identity = e => `${e.operation} ${variantName(e)}`;
-const unit = e => e.measure === "u" ? " u" : "";
 const range = (low, high) => `${formatted(number(low))}–${formatted(number(high))}`;
 
 const state = { layout: "", inputs: "hard", precision: "", tier: "", text: "", operation: "",
                 sort: "", descending: false };
 
 const timeOf = entry => entry.times.find(t => timeName(t) === state.layout) ?? {};
-
-function element(name, attributes = {}, ...children) {
-  const node = document.createElement(name);
-  for (const [key, value] of Object.entries(attributes)) node.setAttribute(key, value);
-  node.append(...children);
-  return node;
-}
-
-// The table's columns: a value to sort by, its text, and the class of its cells.
-const error = (inputs, which) => ({
-  value: e => number(e[inputs]?.[which]),
-  text: (v, e) => formatted(v) + (isNaN(v) ? "" : unit(e)) });
+const chosenEntries = () => report.entries.filter(e =>
+  (!state.precision || e.precision === state.precision) && (!state.tier || e.tier === state.tier));
 
 // |x̂ - x| <= u |x̂| + (c1 u + c2 u²) S with 1 ulp >= u |x|, so that in ulp, as in units of u |x|,
 // the error is at most 1 + (c1 + c2 u) S/|x|; without a last rounding the 1 falls away.
 const UNIT_ROUNDOFF = { double: 2 ** -53, single: 2 ** -24 };
-const boundAt = (entry, condition) => (entry.bound.rounded ? 1 : 0) +
-  (number(entry.bound.c1) + number(entry.bound.c2) * UNIT_ROUNDOFF[entry.precision]) * condition;
+const boundAt = ({ bound, precision }, condition) => (bound.rounded ? 1 : 0) +
+  (number(bound.c1) + number(bound.c2) * UNIT_ROUNDOFF[precision]) * condition;
 
 function boundText({ bound }) {
   if (!bound) return "–";
@@ -44,93 +34,73 @@ function boundText({ bound }) {
   return terms.filter(Boolean).join(" + ") || "exact";
 }
 
+// The table's columns: a value to sort by, its text, and the class of its cells.
+const known = text => (v, e) => Number.isNaN(v) ? "–" : text(v, e);
+const words = (id, group, more = {}) =>
+  ({ id, title: id, group, className: "text", value: e => e[id], text: v => v, ...more });
+const errors = inputs => [["worst", "worst"], ["p999", "99.9 %"], ["median", "median"]].map(
+  ([which, title]) => ({ id: `${inputs}-${which}`, title, group: `error, ${inputs} inputs`,
+    value: e => number(e[inputs]?.[which]),
+    text: known((v, e) => formatted(v) + (e.measure === "u" ? " u" : "")) }));
+const time = (id, title, value, text, className = "") =>
+  ({ id, title, group: "time", value: e => value(timeOf(e)), text: known(text), className });
+
 const COLUMNS = [
-  { id: "operation", title: "operation", group: "kernel", className: "text",
-    value: e => e.operation, text: v => v },
-  { id: "precision", title: "precision", group: "variant", className: "text",
-    value: e => e.precision, text: v => v },
-  { id: "tier", title: "tier", group: "variant", className: "text",
-    value: e => report.tiers.indexOf(e.tier), text: (v, e) => e.tier },
-  { id: "hard-worst", title: "worst", group: "error, hard inputs", ...error("hard", "worst") },
-  { id: "hard-p999", title: "99.9 %", group: "error, hard inputs", ...error("hard", "p999") },
-  { id: "hard-median", title: "median", group: "error, hard inputs", ...error("hard", "median") },
-  { id: "ns", title: "ns", group: "time", value: e => number(timeOf(e).ns), text: formatted },
-  { id: "interval", title: "interval", group: "time",
-    value: e => number(timeOf(e).high) - number(timeOf(e).low),
-    text: (v, e) => isNaN(v) ? "–" : range(timeOf(e).low, timeOf(e).high) },
-  { id: "ratio", title: "to plain", group: "time", value: e => number(timeOf(e).ratio),
-    text: (v, e) => isNaN(v) ? "–" :
-      `${formatted(v)} × (${range(timeOf(e).ratio_low, timeOf(e).ratio_high)})` },
-  { id: "pareto", title: "Pareto", group: "time", className: "text pareto",
-    value: e => timeOf(e).dominated ?? NaN,
-    text: v => v === true ? "○ dominated" : v === false ? "● undominated" : "–" },
+  words("operation", "kernel"), words("precision", "variant"),
+  words("tier", "variant", { value: e => report.tiers.indexOf(e.tier), text: (v, e) => e.tier }),
+  ...errors("hard"),
+  time("ns", "ns", t => number(t.ns), formatted),
+  time("interval", "interval", t => number(t.high) - number(t.low),
+       (v, e) => range(timeOf(e).low, timeOf(e).high)),
+  time("ratio", "to plain", t => number(t.ratio),
+       (v, e) => `${formatted(v)} × (${range(timeOf(e).ratio_low, timeOf(e).ratio_high)})`),
+  time("pareto", "Pareto", t => t.dominated ?? NaN,
+       v => v ? "○ dominated" : "● undominated", "text pareto"),
   { id: "flops", title: "flops", group: "size", value: e => e.flops, text: String,
     hint: e => e.counts },
-  { id: "bound", title: "bound", group: "proof", className: "text",
-    value: e => e.bound ? boundAt(e, 1) : NaN, text: (v, e) => boundText(e),
-    hint: e => e.bound?.text },
-  { id: "ratio-to-bound", title: "error / bound", group: "proof",
-    value: e => number(e.bound?.worst_ratio), text: formatted, warns: v => v > 1 },
-  { id: "benign-worst", title: "worst", group: "error, benign inputs",
-    ...error("benign", "worst") },
-  { id: "benign-p999", title: "99.9 %", group: "error, benign inputs", ...error("benign", "p999") },
-  { id: "benign-median", title: "median", group: "error, benign inputs",
-    ...error("benign", "median") },
+  { id: "bound", title: "bound", group: "proof", className: "text", text: (v, e) => boundText(e),
+    value: e => e.bound ? boundAt(e, 1) : NaN, hint: e => e.bound?.text },
+  { id: "ratio-to-bound", title: "error / bound", group: "proof", text: formatted,
+    value: e => number(e.bound?.worst_ratio), warns: v => v > 1 },
+  ...errors("benign"),
 ];
-
-const chosenEntries = () => report.entries.filter(e =>
-  (!state.precision || e.precision === state.precision) && (!state.tier || e.tier === state.tier));
-
-function sorted(entries) {
-  const column = COLUMNS.find(c => c.id === state.sort);
-  if (!column) return entries;
-  const missing = v => v === "" || Number.isNaN(v);
-  const sign = state.descending ? -1 : 1;
-  return entries.map(e => [column.value(e), e]).sort(([a], [b]) =>
-    missing(a) || missing(b) ? missing(a) - missing(b) : a < b ? -sign : a > b ? sign : 0)
-    .map(([, e]) => e);
-}
-
-const opensGroup = i => i > 0 && COLUMNS[i - 1].group !== COLUMNS[i].group;
+COLUMNS.forEach((column, i) => {
+  column.opens = i > 0 && COLUMNS[i - 1].group !== column.group ? "start" : "";
+});
 
 function head() {
-  const groups = element("tr"), names = element("tr");
-  COLUMNS.forEach((column, i) => {
-    const place = `${i ? "" : "first"} ${opensGroup(i) ? "start" : ""}`;
-    if (!i || opensGroup(i)) {
-      groups.append(element("th", { scope: "colgroup", class: `group ${place}`,
-        colspan: COLUMNS.filter(c => c.group === column.group).length }, column.group));
-    }
-    const button = element("button", { type: "button" }, column.title);
+  const groups = distinct(COLUMNS.map(c => c.group)).map((group, i) => {
+    const of = COLUMNS.filter(c => c.group === group);
+    return node("th", { scope: "colgroup", colspan: of.length,
+                        class: `group ${of[0].opens} ${i ? "" : "first"}` }, group);
+  });
+  const names = COLUMNS.map((column, i) => {
+    const button = node("button", { type: "button" }, column.title);
     button.addEventListener("click", () => {
       state.descending = state.sort === column.id && !state.descending;
       state.sort = column.id;
       drawTable();
     });
-    names.append(element("th", { scope: "col", id: `by-${column.id}`, "aria-sort": "none",
-      class: `${column.className ?? ""} ${place}` }, button));
+    return node("th", { scope: "col", id: `by-${column.id}`, "aria-sort": "none",
+      class: `${column.className ?? ""} ${column.opens} ${i ? "" : "first"}` }, button);
   });
-  $("table-head").append(groups, names);
+  $("table-head").append(node("tr", {}, ...groups), node("tr", {}, ...names));
 }
 
 // A kernel's name may break after an underscore; where space is short its variant stands below it.
-function rowHead(entry) {
-  const parts = entry.operation.split(/(?<=_)/).flatMap(part => [element("wbr"), part]);
-  const button = element("button", { type: "button", title: entry.statement }, ...parts);
-  button.addEventListener("click", () => choose(entry.operation, true));
-  return element("th", { scope: "row", "data-column": "operation" }, button,
-                 element("span", { class: "also", "aria-hidden": "true" }, variantName(entry)));
-}
-
 function row(entry) {
-  const line = element("tr", { "data-variant": identity(entry) }, rowHead(entry));
-  COLUMNS.slice(1).forEach((column, i) => {
+  const parts = entry.operation.split(/(?<=_)/).flatMap(part => [node("wbr"), part]);
+  const button = node("button", { type: "button", title: entry.statement }, ...parts);
+  button.addEventListener("click", () => choose(entry.operation, true));
+  const cells = COLUMNS.slice(1).map(column => {
     const value = column.value(entry);
-    line.append(element("td", {
-      "data-column": column.id, "data-value": value, title: column.hint?.(entry) ?? "",
-      class: `${column.className ?? ""} ${opensGroup(i + 1) ? "start" : ""} ` +
-        (column.warns?.(value) ? "over" : "") }, column.text(value, entry)));
+    return node("td", { "data-column": column.id, "data-value": value,
+      title: column.hint?.(entry) ?? "", class: `${column.className ?? ""} ${column.opens} ` +
+        (column.warns?.(value) ? "over" : "") }, column.text(value, entry));
   });
+  const line = node("tr", { "data-variant": identity(entry) },
+    node("th", { scope: "row", "data-column": "operation" }, button,
+         node("span", { class: "also", "aria-hidden": "true" }, variantName(entry))), ...cells);
   line.classList.toggle("dominated", timeOf(entry).dominated === true);
   return line;
 }
@@ -144,16 +114,25 @@ function rowOf(entry) {
   return built.get(key);
 }
 
+function sorted(entries) {
+  const column = COLUMNS.find(c => c.id === state.sort);
+  if (!column) return entries;
+  const sign = state.descending ? -1 : 1;
+  return entries.map(e => [column.value(e), e]).sort(([a], [b]) =>
+    Number.isNaN(a) || Number.isNaN(b) ? Number.isNaN(a) - Number.isNaN(b)
+      : a < b ? -sign : a > b ? sign : 0).map(([, e]) => e);
+}
+
 function drawTable() {
-  const words = state.text.toLowerCase().split(/\s+/).filter(Boolean);
-  const rows = sorted(chosenEntries().filter(e => {
+  const wanted = state.text.toLowerCase().split(/\s+/).filter(Boolean);
+  const entries = sorted(chosenEntries().filter(e => {
     const text = `${identity(e)} ${e.family} ${e.statement}`.toLowerCase();
-    return words.every(word => text.includes(word));
+    return wanted.every(word => text.includes(word));
   }));
-  $("table-body").replaceChildren(...rows.map(rowOf));
-  for (const column of COLUMNS) {
-    $(`by-${column.id}`).setAttribute("aria-sort", column.id !== state.sort ? "none"
+  $("table-body").replaceChildren(...entries.map(rowOf));
+  for (const { id } of COLUMNS) {
+    $(`by-${id}`).setAttribute("aria-sort", id !== state.sort ? "none"
       : state.descending ? "descending" : "ascending");
   }
-  $("shown").textContent = `${rows.length} of ${report.entries.length} kernels`;
+  $("shown").textContent = `${entries.length} of ${report.entries.length} kernels`;
 }

@@ -220,7 +220,7 @@ def test_tiers_that_the_scene_selects_are_measured_too(tmp_path):
     plot(found, tmp_path / "costs.svg")
     drawn = (tmp_path / "costs.svg").read_text()
     assert 'id="forward_dynamics single pairs"' in drawn
-    labels = [x.get_text() for x in figure(found).subfigs[0].legends[0].get_texts()]
+    labels = [x.get_text() for x in figure(found).legends[0].get_texts()]
     assert labels == ["plain", "accurate", "certified", "pairs", "double", "single",
                       "recommended"]
 

@@ -15,6 +15,7 @@ from matplotlib import RcParams
 from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.figure import Figure
+from matplotlib.text import Text
 from matplotlib.ticker import Formatter, LogLocator, NullFormatter
 from matplotlib.transforms import Transform
 
@@ -87,6 +88,7 @@ def svg(figure: Figure, letters: str = "path", ground: bool = True) -> str:
 def inline(figure: Figure, label: str, titles: Mapping[str, str] | None = None) -> Markup:
     """The figure as an element of a page, in the page's colours and font; `titles` are shown at
     the artists with these ids."""
+    _fit_labels(figure)
     ElementTree.register_namespace("", _SVG)
     ElementTree.register_namespace("xlink", _LINK)
     root = ElementTree.fromstring(svg(figure, "none", ground=False))
@@ -104,6 +106,18 @@ def inline(figure: Figure, label: str, titles: Mapping[str, str] | None = None) 
     text = ElementTree.tostring(root, "unicode")
     text = re.sub(r'(\bid="|href="#|url\(#)', rf"\g<1>{own}-", text)
     return Markup(re.sub(r"(?<=: )#[0-9a-f]{6}\b", lambda found: themed(found[0]), text))
+
+
+def _fit_labels(figure: Figure) -> None:
+    """Shrink titles and labels that are longer than the figure, down to what can still be read."""
+    figure.draw_without_rendering()
+    whole = figure.bbox.padded(1)
+    for axes in figure.axes:
+        titles = [x for x in axes.get_children() if isinstance(x, Text)]
+        for text in (*titles, axes.xaxis.label, axes.yaxis.label):
+            while text.get_text() and float(text.get_fontsize()) > 4 and not all(
+                    whole.contains(*corner) for corner in text.get_window_extent().corners()):
+                text.set_fontsize(0.9 * float(text.get_fontsize()))
 
 
 def themed(colour: str) -> str:
@@ -138,6 +152,12 @@ def logarithmic(axis: Axis) -> None:
     axis.set_major_locator(LogLocator(subs=(1, 2, 5) if high < 100 * low else (1,)))
     axis.set_major_formatter(_Alike())
     axis.set_minor_formatter(NullFormatter())
+
+
+def legend_below(axes: Axes, title: str | None = None) -> None:
+    """The legend, where a phone has room."""
+    axes.legend(loc="upper left", bbox_to_anchor=(-0.1, -0.16), ncols=2, fontsize=8, title=title,
+                title_fontsize=8, alignment="left")
 
 
 def scatter(axes: Axes, marks: Sequence[Mark]) -> None:

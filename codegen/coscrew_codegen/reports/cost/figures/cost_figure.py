@@ -3,7 +3,9 @@ dynamics by effect."""
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from functools import partial
+from itertools import zip_longest
 from pathlib import Path
 
 from markupsafe import Markup
@@ -26,66 +28,67 @@ _SHOWN = "forward_dynamics"
 _ABREAST = 4  # panels in a row
 
 
+@dataclass(frozen=True)
+class Drawing:
+    """A panel: what it shows, what draws it, and the texts at its artists, by their ids."""
+
+    label: str
+    draw: Callable[[Axes], None]
+    titles: Mapping[str, str]
+
+
+def functions(costs: Costs) -> Iterator[Drawing]:
+    """A panel for each function and unit in which any choice has an error."""
+    for rows in costs.accuracy:
+        for number in units_with_errors(rows):
+            unit = written(rows[0].errors[number].unit)
+            yield Drawing(f"Error of {rows[0].function} against time, {unit}",
+                          partial(panel, rows=rows, number=number), dict(titles(rows, number)))
+
+
+def runs(costs: Costs) -> Iterator[Drawing]:
+    """Panels of effects and of runs, if they were measured."""
+    if costs.runs:
+        yield Drawing("Time of forward dynamics by effect", partial(_bars, costs=costs), {})
+        yield Drawing("Error at the end of runs against time", partial(_accuracy, costs=costs), {})
+    if errors := costs.run_errors:
+        names = [f"{x.cause}: {x.of}" for x in errors.rows]
+        yield Drawing("Errors of the run over time", partial(run_panel.panel, found=errors),
+                      dict(zip(names, names, strict=True)))
+
+
+@plots.styled
+def inline(drawing: Drawing) -> Markup:
+    """The panel as an element of a page."""
+    figure = Figure(figsize=plots.PANEL, layout="constrained")
+    drawing.draw(axes := figure.subplots())
+    if legend := axes.get_legend():
+        figure.set_figheight(plots.PANEL[1] + 0.08 * len(legend.get_texts()))
+    plots.place_labels(figure)
+    return plots.inline(figure, drawing.label, drawing.titles)
+
+
 def plot(costs: Costs, path: Path) -> None:
     """Draw the costs to an SVG or PNG.  Raises SimulateError."""
     with delivered(path) as temporary:
         plots.write(figure(costs), temporary)
 
 
-def functions(costs: Costs) -> Iterator[Markup]:
-    """A figure for each function and unit in which any choice has an error."""
-    for rows in costs.accuracy:
-        for number in units_with_errors(rows):
-            label = (f"Error of {rows[0].function} against time, "
-                     f"{written(rows[0].errors[number].unit)}")
-            yield _alone(label, partial(panel, rows=rows, number=number),
-                         dict(titles(rows, number)))
-
-
-def runs(costs: Costs) -> Iterator[Markup]:
-    """Figures of effects and of runs, if they were measured."""
-    if costs.runs:
-        yield _alone("Time of forward dynamics by effect", partial(_bars, costs=costs))
-        yield _alone("Error at the end of runs against time", partial(_accuracy, costs=costs))
-    if errors := costs.run_errors:
-        names = [f"{x.cause}: {x.of}" for x in errors.rows]
-        yield _alone("Errors of the run over time", partial(run_panel.panel, found=errors),
-                     dict(zip(names, names, strict=True)))
-
-
-@plots.styled
-def _alone(label: str, draw: Callable[[Axes], None], titles: Mapping[str, str] | None = None
-           ) -> Markup:
-    drawn = Figure(figsize=plots.PANEL, layout="constrained")
-    draw(axes := drawn.subplots())
-    if legend := axes.get_legend():  # below, where a phone has room
-        axes.legend(loc="upper left", bbox_to_anchor=(-0.1, -0.16), ncols=2, fontsize=8,
-                    title=legend.get_title().get_text(), alignment="left")
-        drawn.set_figheight(plots.PANEL[1] + 0.08 * len(legend.get_texts()))
-    plots.place_labels(drawn)
-    return plots.inline(drawn, label, titles)
-
-
 @plots.styled
 def figure(costs: Costs) -> Figure:
-    """Functions, _ABREAST in a row; below them effects and runs, if they were measured; below these
-    the errors of the run."""
-    lines = [costs.accuracy[n:n + _ABREAST] for n in range(0, len(costs.accuracy), _ABREAST)]
-    below = costs.runs + (costs.run_errors is not None)
-    widest, rows = max([len(x) for x in lines] + [3 * costs.runs]), len(lines) + below
-    figure = Figure(figsize=(4.2 * widest, 4.2 * rows + 0.4), layout="constrained")
-    parts = figure.subfigures(rows, 1, squeeze=False)[:, 0]
-    for part, some in zip(parts, lines, strict=False):
-        for axes, x in zip(part.subplots(1, len(some), squeeze=False)[0], some, strict=True):
-            panel(axes, x)
-    if lines:
-        legend(parts[0], [x for rows in costs.accuracy for x in rows])
-    if costs.runs:
-        left, right = parts[len(lines)].subplots(1, 2, width_ratios=(2, 3))
-        _bars(left, costs)
-        _accuracy(right, costs)
-    if costs.run_errors:
-        run_panel.panel(parts[-1].subplots(), costs.run_errors)
+    """All panels, _ABREAST in a row."""
+    drawings = [*functions(costs), *runs(costs)]
+    across = min(_ABREAST, len(drawings))
+    down = -(-len(drawings) // across)
+    figure = Figure(figsize=(4.2 * across, 4.2 * down + 0.4), layout="constrained")
+    panels = figure.subplots(down, across, squeeze=False).flat
+    for axes, drawing in zip_longest(panels, drawings):
+        if drawing:
+            drawing.draw(axes)
+        else:
+            axes.set_axis_off()
+    if costs.accuracy:
+        legend(figure, [x for rows in costs.accuracy for x in rows])
     plots.place_labels(figure)
     return figure
 
@@ -106,7 +109,7 @@ def _bars(axes: Axes, costs: Costs) -> None:
     axes.invert_yaxis()
     axes.set_xlabel("ns per call in C")
     axes.set_title("forward dynamics, effect by effect")
-    axes.legend(loc="lower right", bbox_to_anchor=(1, 1), ncols=len(PRECISIONS))
+    plots.legend_below(axes)
 
 
 def _whiskers(times: Sequence[Interval]) -> list[list[float]]:
@@ -134,8 +137,7 @@ def _accuracy(axes: Axes, costs: Costs) -> None:
     plots.logarithmic(axes.yaxis)
     axes.set(xlabel="time of the run, µs (SciPy's in Python)",
              ylabel="largest error of a coordinate, m or rad")
-    axes.legend(fontsize=7, loc="upper left", bbox_to_anchor=(1, 1),
-                title="hollow: no worse than the reference", title_fontsize=7)
+    plots.legend_below(axes, "hollow: no worse than the reference")
 
 
 def _curve(axes: Axes, points: Sequence[Point], costs: Costs, dash: str, marker: str,

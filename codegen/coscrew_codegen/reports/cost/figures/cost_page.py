@@ -26,7 +26,8 @@ def page(costs: Costs, command: str) -> str:
     return pages.page(
         "cost/page.html", scene=costs.scene, about=tuple(about(costs)),
         tiers=[tier for tier in OF_SCENES if tier.name in measured],
-        functions=list(cost_figure.functions(costs)), runs=list(cost_figure.runs(costs)),
+        functions=map(cost_figure.inline, cost_figure.functions(costs)),
+        runs=[cost_figure.inline(x) for x in cost_figure.runs(costs)],
         advice=[sentences(rows) for rows in costs.accuracy],
         accuracies=[x for rows in costs.accuracy for x in accuracies(rows)],
         others=tuple(others(costs)), source=(

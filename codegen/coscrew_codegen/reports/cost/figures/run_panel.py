@@ -4,7 +4,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from coscrew_codegen.accuracy.tiers import OF_SCENES, PLAIN
-from coscrew_codegen.backends.html.plots import INK, logarithmic
+from coscrew_codegen.backends.html.plots import INK, legend_below, logarithmic
 from coscrew_codegen.program.values.formats import BY_NAME
 from coscrew_codegen.reports.cost.run_errors import RunError, RunErrors
 
@@ -18,8 +18,7 @@ def panel(axes: Axes, found: RunErrors) -> None:
     logarithmic(axes.yaxis)
     axes.set(xlim=(0, found.times[-1]), xlabel="t, s", ylabel="error of a coordinate, m or rad",
              title=f"errors of the run: {found.integrator}, step {found.step:g} s")
-    axes.legend(fontsize=7, loc="upper left", bbox_to_anchor=(1, 1),
-                title="×: no digit is right from here on", title_fontsize=7)
+    legend_below(axes, "×: no digit is right from here on")
 
 
 def _curve(axes: Axes, x: RunError, times: tuple[float, ...], other: str) -> None:

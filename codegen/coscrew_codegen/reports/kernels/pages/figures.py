@@ -47,12 +47,11 @@ def figures(report: Report, operations: tuple[str, ...]) -> dict[str, str]:
 
 def _headline(report: Report, layout: str) -> Figure:
     """Accuracy against time: one panel per precision, one line per operation."""
-    operations = headline_operations(report)
     figure = Figure(figsize=(9, 4), layout="constrained")
     for axes, precision in zip(figure.subplots(1, 2, sharey=True), PRECISIONS, strict=True):
         axes.set_title(f"{precision} precision")
         _tiers(axes, [[e for e in report.entries if (e.operation, e.precision) == (name, precision)]
-                      for name in operations], layout, lambda entry: entry.operation)
+                      for name in headline_operations(report)], layout, lambda e: e.operation)
     figure.axes[1].set_ylabel("")
     place_labels(figure)
     return figure
@@ -60,13 +59,16 @@ def _headline(report: Report, layout: str) -> Figure:
 
 def _pareto(operation: str, entries: list[ReportEntry], layout: str) -> Figure:
     """Time against the worst error of one operation; hollow marks are dominated."""
-    figure = Figure(figsize=(6, 4), layout="constrained")
-    axes = figure.subplots()
-    axes.set_title(operation)
+    figure, axes = _panel(operation)
     _tiers(axes, [[e for e in entries if e.precision == precision] for precision in PRECISIONS],
-           layout, lambda entry: entry.precision)
+           layout, lambda e: e.precision)
     place_labels(figure)
     return figure
+
+
+def _panel(title: str) -> tuple[Figure, Axes]:
+    figure = Figure(figsize=(6, 4), layout="constrained")
+    return figure, figure.add_subplot(title=title)
 
 
 def _tiers(axes: Axes, lines: Sequence[list[ReportEntry]], layout: str,
@@ -100,9 +102,7 @@ def _mark(entry: ReportEntry, layout: str) -> Mark | None:
 
 def _condition(operation: str, entries: list[ReportEntry]) -> Figure:
     """Errors against condition, and the proven bounds 1 + (c1 + c2 u) S/|x| as lines."""
-    figure = Figure(figsize=(6, 4), layout="constrained")
-    axes = figure.subplots()
-    axes.set_title(f"{operation}: errors, and proven bounds as lines")
+    figure, axes = _panel(f"{operation}: errors, and proven bounds as lines")
     for entry in entries:
         if pairs := _finite_pairs(entry):
             axes.plot(*zip(*pairs, strict=True), BY_NAME[entry.precision].marker, markersize=3,
