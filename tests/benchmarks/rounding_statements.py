@@ -5,9 +5,9 @@ from collections.abc import Iterator
 from tabulate import tabulate
 
 from coscrew_codegen.runtime.load import load_scene
-from coscrew_codegen.scene.functions.bodies.jacobian import jacobians
 from tests.benchmarks.cortex_m4 import ROBOTS
 from tests.support.scenes.robots import scene_of
+from tests.support.scenes.selecting import jacobians
 from tests.support.scenes.worst_rounding import stated, worst_found
 
 NAMES = ("body_poses", "gravity_torques", "mass_matrix", "energy", "bias_torques")
@@ -18,7 +18,7 @@ def rows() -> Iterator[tuple[str, ...]]:
     """A line for each bound in single precision."""
     for name, file in ROBOTS.items():
         scene = scene_of(file)
-        kernels = load_scene(scene, functions=(*NAMES, list(jacobians(scene))[-1]))
+        kernels = load_scene(scene, functions=(*NAMES, [*jacobians(scene)][-1]))
         for function in kernels.functions.functions:
             for (output, precision), bound in stated(function).items():
                 if precision == "single":

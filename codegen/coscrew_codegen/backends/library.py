@@ -46,7 +46,7 @@ class Keep(Protocol):
 class Library:
     """The selected operations, in every tier and every selected precision.
 
-    `command` makes its files, but for those of `amalgamated` tiers and, if `many`, of functions of
+    `command` makes its files, except those of `amalgamated` tiers and, if `many`, of functions of
     many elements, which are made by an option besides."""
 
     operations: tuple[Operation, ...]

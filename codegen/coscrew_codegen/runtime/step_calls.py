@@ -20,9 +20,6 @@ if TYPE_CHECKING:
 
     from coscrew_codegen.runtime.load import Kernels
 
-Lanes = Callable[[int], "CFuncPtr | None"]
-"""The function of many states in lanes, if it pays for so many more states."""
-
 
 class Owner(Protocol):
     """Owner of a step: functions of kernels, which know their lanes."""

@@ -6,7 +6,7 @@ from pathlib import Path
 from coscrew_codegen.program.values.formats import named
 from coscrew_codegen.runtime.load import BOTH, Kernels, kernels_for
 from coscrew_codegen.scene.function_selection import DEFAULT, together
-from coscrew_codegen.scene.functions.bodies.jacobian import jacobians
+from coscrew_codegen.scene.functions.bodies import jacobian
 from coscrew_codegen.scene.integrators import EMITTED
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.scene.scene import Scene
@@ -14,6 +14,11 @@ from coscrew_codegen.simulation import required_functions
 
 STEPPED = (DEFAULT, *(x.step_name for x in EMITTED))
 """The default functions, and every emitted integrator."""
+
+
+def jacobians(scene: Scene) -> dict[str, str]:
+    """Bodies by the names of their Jacobians: jacobian_hand."""
+    return {x.name: x.target for x in jacobian.FUNCTION.of(scene)}
 
 
 def with_jacobians(scene: Scene) -> Scene:

@@ -256,8 +256,8 @@ class Sizes:
 
     def _bound(self, x: Operand, size: Size) -> Operand:
         if isinstance(x, Constant):
-            error = abs(self.precision.value(x) - self.near(x).double) + x.tail
-            return self.rounded_up((1 + 4 * self.u) * error)
+            known = abs(self.precision.value(x) - self.near(x).double) + x.tail
+            return self.rounded_up((1 + 4 * self.u) * known)
         low = self.first_order(x)
         first = ZERO if low is None else self.do(Op.ABS, low, name="error")
         return self.do(Op.ADD, first, self._beyond(x), name="bound")

@@ -18,8 +18,3 @@ FUNCTION = SceneFunction(
     "jacobian_BODY", 110, "J with J v = (v; w) of BODY in the frame of the body, at its origin",
     "q", (Array("J", (6, AxisLength.NV), units.jacobian, "screws of the velocities"),),
     lambda x: [x.jacobian(x.target)], Depends.GEOMETRY, targets=_moving)
-
-
-def jacobians(scene: Scene) -> dict[str, str]:
-    """Bodies by the names of their Jacobians: jacobian_hand."""
-    return {x.name: x.target for x in FUNCTION.of(scene)}
