@@ -1,4 +1,4 @@
-# Two commands: `make` sets up, generates, verifies and runs the main job; `make test` tests.
+# Two commands: `make` sets up, derives and generates all, and runs the main job; `make test` tests.
 
 PYTHON3 ?= python3
 VENV    := .venv
@@ -8,8 +8,10 @@ SOURCES := $(wildcard $(addprefix generated/,gufunc/*.[ch] gufunc/*/*.[ch] c/inc
 
 .PHONY: all generate check build example scene test test-quick bench attack cuda report figure docs clean
 
-all: generate
-	@$(MAKE) --no-print-directory check example scene
+# Derives everything, so that nothing is left to check, whatever the cache holds.
+all: $(VENV)/ready
+	$(PYTHON) -m coscrew_codegen generate --anew
+	@$(MAKE) --no-print-directory example scene
 
 # The environment.  Its first install finds generated/ as committed, so coscrew itself is there to
 # be regenerated from, and its extension module is built.
@@ -17,7 +19,7 @@ $(VENV)/ready: pyproject.toml hatch_build.py
 	$(PYTHON3) -m venv $(VENV)
 	$(PIP) install --upgrade pip "hatchling>=1.27" "setuptools>=77"
 	$(PIP) install "numpy>=2.0"
-	@echo "compiling the extensions takes some minutes"
+	$(COMPILE)
 	$(PIP) install --no-build-isolation --editable ".[simulate]"
 	touch $@
 	@$(COMPILED) && touch $(VENV)/built || true
@@ -34,11 +36,13 @@ build: $(VENV)/ready
 	@$(COMPILED) || echo "no working C compiler: coscrew runs in pure NumPy (gcc or clang, and the \
 	headers of Python, compile it)" >&2
 
+COMPILE = PYTHONPATH=codegen $(PYTHON) -m coscrew_codegen.runtime.build
+
 COMPILED = $(PYTHON) -c "from pathlib import Path; from coscrew_codegen.runtime.build import compiled; \
     raise SystemExit(not compiled(Path()))"
 
 $(VENV)/built: $(SOURCES) codegen/coscrew_codegen/runtime/build.py
-	$(PIP) install --no-build-isolation --no-deps --editable .
+	$(COMPILE)
 	@$(COMPILED) && touch $@ || true
 
 # The main job: static joint torques of a Panda arm with a payload, in C and Python.

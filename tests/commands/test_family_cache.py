@@ -67,6 +67,11 @@ def test_what_did_not_change_is_not_made_again(site):
     assert_true(site)
 
 
+def test_anew_derives_all_whatever_is_kept(site):
+    assert derived(generated(site, *WORDS, "--anew")) == ALL
+    assert derived(generated(site, *WORDS)) == set()
+
+
 @pytest.mark.parametrize("source, old, new", [
     ("algebra/operations/trig.py", "\nFAMILY =", "\n# A comment.\nFAMILY ="),
     ("algebra/operations/formulas/norm.py", '"""The ', '"""Of vectors: the '),

@@ -30,6 +30,8 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
                         help=f"folder to write to (default: {DEFAULT_OUTPUT}; scenes need one)")
     parser.add_argument("--check", action="store_true",
                         help="write nothing; print what is out of date as a diff and exit 1")
+    parser.add_argument("--anew", action="store_true",
+                        help="derive everything, also what is in the cache and has not changed")
     parser.add_argument("--family", metavar="NAME", nargs="+", action=Names,
                         help="only these families: vec3, SE3, …, as the headers are called")
     parser.add_argument("--precision", metavar="NAME",
@@ -82,7 +84,7 @@ def _library(options: argparse.Namespace) -> int:
     folder, check = Path(options.output or DEFAULT_OUTPUT), options.check
     whole = selection.whole
     with doing("generating") as tell:
-        kept = FamilyCache(stands, selection.base, tell)
+        kept = FamilyCache(stands, selection.base, tell, options.anew)
         library = selection.library(kept)
         files = generated_files(library) | (reference_files(library) if whole else {})
     kept.save()
@@ -109,6 +111,8 @@ def _scene(options: argparse.Namespace) -> int:
     if given:
         raise SelectionError(f"--{given[0]} selects kernels of the library; of a scene, "
                              "--functions, --tier and --precision select")
+    if options.anew:
+        raise SelectionError("--anew derives kernels of the library; a scene is always derived")
     if not options.output:
         raise SelectionError(f"where to?  Wanted: coscrew generate {options.scene} -o DIR")
     scene = scene_of(options, options.precision, tuple(options.functions or ()),

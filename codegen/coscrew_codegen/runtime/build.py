@@ -88,10 +88,21 @@ class BuildExt(build_ext):
         with ThreadPoolExecutor(self.parallel or os.cpu_count()) as pool:
 
             def compile_each(sources: list[str], **options: object) -> list[str]:
+                def compile_one(number: int, source: str) -> list[str]:
+                    print(f"compiling {source}, {number} of {len(sources)}", flush=True)
+                    return list(compile_some([source], **options))
+
                 longest_first = sorted(sources, key=os.path.getsize, reverse=True)
-                made = {x: pool.submit(compile_some, [x], **options) for x in longest_first}
+                made = {x: pool.submit(compile_one, n, x)
+                        for n, x in enumerate(longest_first, start=1)}
                 return [path for x in sources for path in made[x].result()]
 
             self.compiler.compile = compile_each
             self.parallel: int | None = len(self.extensions)
             super().build_extensions()
+
+
+if __name__ == "__main__":
+    here = Path(__file__).resolve().parents[2]
+    os.chdir(here)
+    build_modules(here, here / PYTHON)

@@ -30,17 +30,18 @@ class FamilyCache:
     """Returns cached results for a family, or derives them; `save` caches those that were derived.
 
     `stands` are the generator's sources, read before this process imported the operations; if they
-    are None, the cache is not used.  `command` selects what is generated."""
+    are None, the cache is not used.  `command` selects what is generated; `anew` derives all."""
 
-    def __init__(self, stands: Contents | None, command: str, tell: Callable[[str], None]):
-        self._stands, self._command, self._tell = stands, command, tell
+    def __init__(self, stands: Contents | None, command: str, tell: Callable[[str], None],
+                 anew: bool = False):
+        self._stands, self._command, self._tell, self._anew = stands, command, tell, anew
         self._made: dict[tuple[str, Make[object]], object] = {}
         if stands is not None:
             cache.limit()  # raises CacheError before anything is made
         self._sources = Sources.of(stands) if stands is not None and cache.lasts() else None
 
     def __call__(self, kernels: FamilyKernels, make: Make[Made]) -> Made:
-        kept = self._kept(kernels.family, make)
+        kept = None if self._anew else self._kept(kernels.family, make)
         if kept is not None:
             return cast(Made, kept)
         self._tell(f"deriving {kernels.family}")
