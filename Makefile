@@ -34,10 +34,10 @@ build: $(VENV)/ready
 	@$(COMPILED) || echo "no working C compiler: coscrew runs in pure NumPy (gcc or clang, and the \
 	headers of Python, compile it)" >&2
 
-COMPILED = $(PYTHON) -c "from pathlib import Path; from coscrew_codegen.build import compiled; \
+COMPILED = $(PYTHON) -c "from pathlib import Path; from coscrew_codegen.runtime.build import compiled; \
     raise SystemExit(not compiled(Path()))"
 
-$(VENV)/built: $(SOURCES) codegen/coscrew_codegen/build.py
+$(VENV)/built: $(SOURCES) codegen/coscrew_codegen/runtime/build.py
 	$(PIP) install --no-build-isolation --no-deps --editable .
 	@$(COMPILED) && touch $@ || true
 

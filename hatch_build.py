@@ -10,7 +10,7 @@ from hatchling.builders.hooks.plugin.interface import BuildHookInterface
 
 sys.path.insert(0, str(Path(__file__).parent / "codegen"))
 
-from coscrew_codegen.build import PYTHON, WITHIN_PACKAGES, build_modules  # noqa: E402
+from coscrew_codegen.runtime.build import PYTHON, WITHIN_PACKAGES, build_modules  # noqa: E402
 
 
 class BuildHook(BuildHookInterface[Any]):

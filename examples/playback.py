@@ -12,11 +12,11 @@ import numpy as np
 from PIL import Image, ImageDraw
 
 import coscrew
-from coscrew_codegen.scene_files.toml_scene import read_scene
-from coscrew_codegen.simulate import needs
-from coscrew_codegen.simulate.load import kernels_for
-from coscrew_codegen.simulate.outcome import RunOverrides, simulated
-from coscrew_codegen.simulate.view import drawn
+from coscrew_codegen.runtime.load import kernels_for
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
+from coscrew_codegen.simulation import required_functions
+from coscrew_codegen.simulation.recordings.playback import drawn
+from coscrew_codegen.simulation.run_summary import RunOverrides, simulated
 
 WIDTH, HEIGHT, FINER = 640, 440, 3  # pixels; each drawn with 3 × 3
 FRAMES_A_SECOND = 20
@@ -31,7 +31,7 @@ CORNERS = np.array([(x, y, z) for z, y, x in product((-1, 1), repeat=3)])
 def boxes(path: str) -> tuple[np.ndarray, np.ndarray]:
     """Corners of all boxes at all frames, (frames, boxes, 8, 3), in m; and their bodies."""
     scene = read_scene(path)
-    kernels = kernels_for(scene, needs.of_run(scene, None, view=True))
+    kernels = kernels_for(scene, required_functions.of_run(scene, None, view=True))
     run = simulated(kernels, RunOverrides(precision="double"))[0]
     t = run.trajectory.t
     chosen = np.searchsorted(t, np.arange(0, t[-1] - 1e-9, 1 / FRAMES_A_SECOND))

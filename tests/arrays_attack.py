@@ -12,12 +12,12 @@ import numpy as np
 import torch
 
 import coscrew
-from coscrew_codegen.formats import PRECISIONS, Precision
-from coscrew_codegen.operations import OPERATIONS, Operation
+from coscrew_codegen.algebra.lowering.programs import program_of
+from coscrew_codegen.algebra.operations import OPERATIONS, Operation
 from coscrew_codegen.program import Op
-from coscrew_codegen.programs import program_of
-from coscrew_codegen.report.inputs import benign
-from coscrew_codegen.simulate.load import Kernels, kernels_of
+from coscrew_codegen.program.values.formats import PRECISIONS, Precision
+from coscrew_codegen.reports.kernels.inputs import benign
+from coscrew_codegen.runtime.load import Kernels, kernels_of
 from tests.support.scenes import scene_bits
 
 ROWS = 20

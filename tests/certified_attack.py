@@ -19,11 +19,11 @@ import numpy as np
 from numpy.typing import NDArray
 from tabulate import tabulate
 
-from coscrew_codegen.formats import PRECISIONS, Precision
-from coscrew_codegen.mechanics import derive
-from coscrew_codegen.scene_files.toml_scene import read_scene
-from coscrew_codegen.scene_functions import Function, SceneFunctions
-from coscrew_codegen.simulate.load import Kernels, kernels_of
+from coscrew_codegen.dynamics import derive
+from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
+from coscrew_codegen.program.values.formats import PRECISIONS, Precision
+from coscrew_codegen.runtime.load import Kernels, kernels_of
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from tests.support.scenes.tiers import flat
 from tests.support.truth import free_motion, quad
 
@@ -71,7 +71,7 @@ def kernels(name: str, functions: tuple[str, ...] = FUNCTIONS) -> Kernels:
     return kernels_of(replace(derived, name=name, tiers=("certified",)))
 
 
-def drawn(rng: np.random.Generator, scene: SceneFunctions, function: Function, count: int,
+def drawn(rng: np.random.Generator, scene: SceneFunctions, function: FunctionProgram, count: int,
           precision: Precision) -> list[NDArray[np.floating]]:
     """Arguments: half of them ordinary with speeds of every size; the others hard, numbers of all
     sizes, zeros, equal ones and multiples of π / 2.  Quaternions have norm 1."""
@@ -104,7 +104,7 @@ def _hard(rng: np.random.Generator, x: Array, hard: NDArray[np.bool_]) -> Array:
     return np.where(hard[:, None], special, x)
 
 
-def attacked(scene: SceneFunctions, function: Function, certified: object, judge: quad.Judge,
+def attacked(scene: SceneFunctions, function: FunctionProgram, certified: object, judge: quad.Judge,
              precision: Precision, count: int, seed: int) -> Found:
     """A batch of states."""
     rng = np.random.default_rng([seed, precision.bytes, *function.name.encode()])

@@ -81,7 +81,7 @@ def pytest_configure(config: pytest.Config) -> None:
     _keep_cache_apart()
     if config.getoption("--stale-extensions") or hasattr(config, "workerinput"):
         return
-    from coscrew_codegen.build import extensions
+    from coscrew_codegen.runtime.build import extensions
 
     extended = [x.name.removesuffix("._gufunc") for x in extensions(Path(__file__).parents[1])]
     with warnings.catch_warnings(record=True) as caught:

@@ -12,10 +12,10 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
-from coscrew_codegen.mechanics import derive
-from coscrew_codegen.scene_files.toml_scene import SceneOverrides, read_scene
-from coscrew_codegen.scene_tiers import in_tier, tiers_of
-from coscrew_codegen.tiers import tier_named
+from coscrew_codegen.accuracy.scene_tiers import in_tier, tiers_of
+from coscrew_codegen.accuracy.tiers import tier_named
+from coscrew_codegen.dynamics import derive
+from coscrew_codegen.scene.readers.toml.toml_scene import SceneOverrides, read_scene
 from tests.support.compiled import nvcc
 from tests.support.compiled.c_harness import C11, COMPILERS, run
 from tests.support.scenes.cuda_program import Scene, of_scene, of_tier

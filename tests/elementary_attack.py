@@ -19,8 +19,8 @@ from pathlib import Path
 from tabulate import tabulate
 from tqdm import tqdm
 
-from coscrew_codegen.elementary import ELEMENTARY
-from coscrew_codegen.formats import PRECISIONS, SINGLE, Precision
+from coscrew_codegen.program.elementary import ELEMENTARY
+from coscrew_codegen.program.values.formats import PRECISIONS, SINGLE, Precision
 from tests.support.compiled.c_harness import C11, COMPILERS, INCLUDE, run
 from tests.support.truth.wide import IS_WIDE
 

@@ -17,10 +17,10 @@ from gmpy2 import mpfr
 from tabulate import tabulate
 
 import coscrew.certified
-from coscrew_codegen.formats import PRECISIONS, Precision
-from coscrew_codegen.operations import OPERATIONS, Operation
+from coscrew_codegen.accuracy.tiers import tier_named
+from coscrew_codegen.algebra.operations import OPERATIONS, Operation
 from coscrew_codegen.program.ops import ERROR_OF
-from coscrew_codegen.tiers import tier_named
+from coscrew_codegen.program.values.formats import PRECISIONS, Precision
 from tests.certified_attack import Found
 from tests.search import joined, split
 from tests.support.compiled.implementations import gufuncs

@@ -11,9 +11,9 @@ import tempfile
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from coscrew_codegen.mechanics import derive
-from coscrew_codegen.scene_files.toml_scene import SceneOverrides, read_scene
-from coscrew_codegen.scene_tiers import tiers_of
+from coscrew_codegen.accuracy.scene_tiers import tiers_of
+from coscrew_codegen.dynamics import derive
+from coscrew_codegen.scene.readers.toml.toml_scene import SceneOverrides, read_scene
 from tests.support.compiled.c_harness import C11, COMPILERS, in_parallel
 from tests.support.compiled.flags import HASWELL
 from tests.support.scenes import lanes_program

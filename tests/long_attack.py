@@ -23,11 +23,11 @@ import numpy as np
 from tabulate import tabulate
 from tqdm import tqdm
 
-from coscrew_codegen.exact import CONDITION, UNIT
-from coscrew_codegen.formats import PRECISIONS, Precision
-from coscrew_codegen.operations import Operation
+from coscrew_codegen.accuracy.tiers import TIERS
+from coscrew_codegen.algebra.exact import CONDITION, UNIT
+from coscrew_codegen.algebra.operations import Operation
 from coscrew_codegen.program import Program
-from coscrew_codegen.tiers import TIERS
+from coscrew_codegen.program.values.formats import PRECISIONS, Precision
 from tests.hard_cases.corpus import load
 from tests.search import joined, split, varied
 from tests.support.compiled.implementations import gufuncs

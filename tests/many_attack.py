@@ -10,7 +10,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from coscrew_codegen.tiers import TIERS
+from coscrew_codegen.accuracy.tiers import TIERS
 from tests.support.compiled import many_program
 from tests.support.compiled.bits_program import kernels
 from tests.support.compiled.c_harness import COMPILERS

@@ -19,8 +19,8 @@ import numpy as np
 from mpmath import mpf
 from tabulate import tabulate
 
-from coscrew_codegen.formats import PRECISIONS, Precision
-from coscrew_codegen.simulate.load import Kernels, kernels_for
+from coscrew_codegen.program.values.formats import PRECISIONS, Precision
+from coscrew_codegen.runtime.load import Kernels, kernels_for
 from tests.support.limits import LARGEST_CONDITION
 from tests.support.scenes.tiers import DIGITS, Result, components, flat
 from tests.support.truth.condition import conditions

@@ -15,9 +15,9 @@ import numpy as np
 from tabulate import tabulate
 from tqdm import tqdm
 
-from coscrew_codegen.domains import Generator, Rows
-from coscrew_codegen.formats import PRECISIONS, Precision
-from coscrew_codegen.operations import Operation
+from coscrew_codegen.algebra.domains import Generator, Rows
+from coscrew_codegen.algebra.operations import Operation
+from coscrew_codegen.program.values.formats import PRECISIONS, Precision
 from tests.hard_cases import climb
 from tests.hard_cases.corpus import TABLE, Case, load, save
 from tests.support.compiled.calls import TIER_NAMES, of_tier, tiers_of

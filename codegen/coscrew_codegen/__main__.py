@@ -12,8 +12,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from io import UnsupportedOperation
 
-from coscrew_codegen.console import any_encoding
-from coscrew_codegen.extras import COMMANDS, lacking
+from coscrew_codegen.runtime.console import any_encoding
+from coscrew_codegen.runtime.extras import COMMANDS, lacking
 
 RARELY = 100_000
 """New objects between two searches for cycles: modules and scenes are many objects with hardly any
@@ -83,7 +83,7 @@ def _give_up_output() -> None:
 
 def _run(words: list[str]) -> int:
     if words[:1] == ["--version"]:
-        from coscrew_codegen.version import VERSION
+        from coscrew_codegen.backends.version import VERSION
 
         print(f"coscrew {VERSION}")
         return 0
@@ -92,7 +92,7 @@ def _run(words: list[str]) -> int:
     if sentence and not {"-h", "--help"} & set(words):
         print(f"coscrew: {sentence}", file=sys.stderr)
         return 2
-    from coscrew_codegen.command_line import run
+    from coscrew_codegen.cli.command_line import run
 
     return run(words)
 

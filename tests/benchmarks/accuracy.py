@@ -13,9 +13,9 @@ from tqdm import tqdm
 
 import coscrew
 import coscrew.accurate
-from coscrew_codegen.domains import directions
-from coscrew_codegen.formats import DOUBLE
-from coscrew_codegen.operations import Operation
+from coscrew_codegen.algebra.domains import directions
+from coscrew_codegen.algebra.operations import Operation
+from coscrew_codegen.program.values.formats import DOUBLE
 from tests.benchmarks.peers import Peer, peers
 from tests.hard_cases.corpus import TABLE
 from tests.support.truth.judge import groups

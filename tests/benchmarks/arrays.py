@@ -13,7 +13,7 @@ from importlib.metadata import PackageNotFoundError, version
 import numpy as np
 from tabulate import tabulate
 
-from coscrew_codegen.native.timing import Timing
+from coscrew_codegen.reports.timing.loop_timing import Timing
 from tests.benchmarks.bars import Bar, show
 from tests.benchmarks.words import said
 

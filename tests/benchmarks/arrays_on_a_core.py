@@ -18,8 +18,8 @@ import jax.numpy as jnp
 import numpy as np
 
 from coscrew_codegen import load_scene
-from coscrew_codegen.native.timing import timed_calls
-from coscrew_codegen.simulate.load import Kernels
+from coscrew_codegen.reports.timing.loop_timing import timed_calls
+from coscrew_codegen.runtime.load import Kernels
 from tests.support.scenes.robots import path_of
 
 FUNCTIONS = ("inverse_dynamics", "forward_dynamics", "mass_matrix")

@@ -12,8 +12,8 @@ from pathlib import Path
 
 from tabulate import tabulate
 
-from coscrew_codegen.machine import processor
-from coscrew_codegen.native.intervals import Interval
+from coscrew_codegen.reports.processor import processor
+from coscrew_codegen.reports.timing.intervals import Interval
 from tests.benchmarks.words import said
 
 ROOT = Path(__file__).parents[2]

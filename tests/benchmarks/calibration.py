@@ -12,9 +12,9 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from numpy.typing import NDArray
 
-from coscrew_codegen import plots
-from coscrew_codegen.formats import PRECISIONS, Precision
-from coscrew_codegen.simulate.write import delivered
+from coscrew_codegen.backends.html import plots
+from coscrew_codegen.program.values.formats import PRECISIONS, Precision
+from coscrew_codegen.simulation.recordings.recording_writer import delivered
 
 FACTORS = (1.00001, 1.001, 1.01, 1.1, 2)
 _LEAST = 1e-8  # bound / error - 1 where curves begin

@@ -11,8 +11,8 @@ from pathlib import Path
 
 import numpy as np
 
-from coscrew_codegen.native.buffers import aligned
-from coscrew_codegen.native.timing import Loop, pointers
+from coscrew_codegen.reports.timing.buffers import aligned
+from coscrew_codegen.reports.timing.loop_timing import Loop, pointers
 from tests.benchmarks.pinocchio_loops import FUNCTIONS, OPTIMISED, library, with_joints
 from tests.benchmarks.scene_loops import sizes_of
 from tests.support.scenes.robots import Robot

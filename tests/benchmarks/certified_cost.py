@@ -13,12 +13,12 @@ from pathlib import Path
 
 from tabulate import tabulate
 
-from coscrew_codegen.formats import PRECISIONS
-from coscrew_codegen.mechanics import derive
-from coscrew_codegen.scene_functions import SceneFunctions
-from coscrew_codegen.scene_tiers import in_tier
-from coscrew_codegen.targets import scene_c, scene_c_tier
-from coscrew_codegen.tiers import tier_named
+from coscrew_codegen.accuracy.scene_tiers import in_tier
+from coscrew_codegen.accuracy.tiers import tier_named
+from coscrew_codegen.backends.scene import scene_c, scene_c_tier
+from coscrew_codegen.dynamics import derive
+from coscrew_codegen.program.scene_functions import SceneFunctions
+from coscrew_codegen.program.values.formats import PRECISIONS
 from tests.benchmarks.certified_scenes import ROBOTS
 from tests.support.compiled.c_harness import run
 from tests.support.scenes.robots import scene_of

@@ -17,13 +17,13 @@ import mpmath
 import numpy as np
 from tabulate import tabulate
 
-from coscrew_codegen.formats import PRECISIONS, Precision
-from coscrew_codegen.mechanics import derive
+from coscrew_codegen.dynamics import derive
+from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
+from coscrew_codegen.program.values.formats import PRECISIONS, Precision
+from coscrew_codegen.runtime.load import Kernels, kernels_of
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.scene.scene import Scene
-from coscrew_codegen.scene_files.toml_scene import read_scene
-from coscrew_codegen.scene_functions import Function, SceneFunctions
-from coscrew_codegen.simulate.load import Kernels, kernels_of
-from coscrew_codegen.simulate.write import check_target
+from coscrew_codegen.simulation.recordings.recording_writer import check_target
 from tests.benchmarks.calibration import FACTORS, Calibration, plot
 from tests.support.scenes.robots import scene_of
 from tests.support.scenes.tiers import DIGITS, flat, states, truths
@@ -63,7 +63,8 @@ def kernels(name: str) -> Kernels:
     return kernels_of(replace(functions, name=name, tiers=("certified",)))
 
 
-def ratios(plain: SceneFunctions, function: Function, certified: object, p: Precision, count: int
+def ratios(plain: SceneFunctions, function: FunctionProgram, certified: object, p: Precision,
+           count: int
            ) -> tuple[np.ndarray, int]:
     """Bound / error of each component that has an error, inf without a statement, at this many
     states; and how many bounds are smaller."""

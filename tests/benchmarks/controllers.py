@@ -10,16 +10,17 @@ from unittest.mock import patch
 import numpy as np
 from tabulate import tabulate
 
-from coscrew_codegen.formats import PRECISIONS, Precision
-from coscrew_codegen.integrators import named
-from coscrew_codegen.native.timing import timed_calls
-from coscrew_codegen.scene_files.toml_scene import read_scene
-from coscrew_codegen.simulate import lanes, needs
-from coscrew_codegen.simulate.control import Controller
-from coscrew_codegen.simulate.driven import Driven
-from coscrew_codegen.simulate.load import Kernels, kernels_for
-from coscrew_codegen.simulate.plan import plan
-from coscrew_codegen.simulate.system import system
+from coscrew_codegen.program.values.formats import PRECISIONS, Precision
+from coscrew_codegen.reports.timing.loop_timing import timed_calls
+from coscrew_codegen.runtime import lanes
+from coscrew_codegen.runtime.load import Kernels, kernels_for
+from coscrew_codegen.scene.integrators import named
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
+from coscrew_codegen.simulation import required_functions
+from coscrew_codegen.simulation.control import Controller
+from coscrew_codegen.simulation.controlled_run import Driven
+from coscrew_codegen.simulation.plan import plan
+from coscrew_codegen.simulation.system import system
 from tests.benchmarks.python_calls import least
 from tests.benchmarks.words import said
 from tests.support.compiled.c_harness import run
@@ -84,7 +85,7 @@ def main() -> None:
         path.write_text(scene_text())
         scene, library = read_scene(path), laws(Path(folder))
         for integrator in ("leapfrog", "rk4"):
-            kernels = kernels_for(scene, needs.of_run(scene, integrator))
+            kernels = kernels_for(scene, required_functions.of_run(scene, integrator))
             kernels._lanes._met = lanes.PAYS
             for p in PRECISIONS:
                 table += rows(kernels, library, integrator, p)

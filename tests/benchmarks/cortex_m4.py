@@ -10,15 +10,15 @@ from tempfile import TemporaryDirectory
 import numpy as np
 from tabulate import tabulate
 
-from coscrew_codegen import emit
-from coscrew_codegen.formats import DOUBLE, SINGLE
-from coscrew_codegen.layout import scene_files
-from coscrew_codegen.mechanics import derive
-from coscrew_codegen.mixture.choice import AccuracyError, chosen
+from coscrew_codegen.accuracy.precision_tuning.choice import AccuracyError, chosen
+from coscrew_codegen.backends import emit
+from coscrew_codegen.backends.output_files import scene_files
+from coscrew_codegen.dynamics import derive
+from coscrew_codegen.program.scene_functions import FunctionProgram
+from coscrew_codegen.program.values.formats import DOUBLE, SINGLE
+from coscrew_codegen.runtime.load import Kernels, load_scene
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.scene.scene import Scene, Tolerance
-from coscrew_codegen.scene_files.toml_scene import read_scene
-from coscrew_codegen.scene_functions import Function
-from coscrew_codegen.simulate.load import Kernels, load_scene
 from tests.support.compiled.cortex_m4 import built, counted
 from tests.support.scenes.robots import scene_of
 from tests.support.scenes.tiers import results, states
@@ -33,7 +33,8 @@ STATES = 100
 ASKED = {"inverse_dynamics": (1e-5, 2e-5, 5e-5), "forward_dynamics": (1e-3,)}  # N m, rad/s²
 
 
-def measured(kernels: Kernels, function: Function, folder: Path) -> Iterator[tuple[object, ...]]:
+def measured(kernels: Kernels, function: FunctionProgram,
+             folder: Path) -> Iterator[tuple[object, ...]]:
     """A line for each variant: instructions, their ratio to plain's, worst error in units of
     single's last digit, and that below a condition of 1000."""
     least = 0

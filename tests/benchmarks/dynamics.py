@@ -13,10 +13,10 @@ import numpy as np
 import pinocchio as pin
 from tabulate import tabulate
 
-from coscrew_codegen.formats import DOUBLE, PRECISIONS
-from coscrew_codegen.native.timing import Timing, timed_calls, timed_loops
 from coscrew_codegen.program import Op, Program
-from coscrew_codegen.simulate.load import kernels_of
+from coscrew_codegen.program.values.formats import DOUBLE, PRECISIONS
+from coscrew_codegen.reports.timing.loop_timing import Timing, timed_calls, timed_loops
+from coscrew_codegen.runtime.load import kernels_of
 from tests.benchmarks.bars import Bar, fastest, show
 from tests.benchmarks.casadi_loops import CasADi, written
 from tests.benchmarks.pinocchio_loops import (

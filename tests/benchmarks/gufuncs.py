@@ -9,9 +9,9 @@ from tabulate import tabulate
 
 import coscrew
 import coscrew.accurate
-from coscrew_codegen.native.buffers import aligned
-from coscrew_codegen.native.intervals import interval
-from coscrew_codegen.native.timing import timed_calls
+from coscrew_codegen.reports.timing.buffers import aligned
+from coscrew_codegen.reports.timing.intervals import interval
+from coscrew_codegen.reports.timing.loop_timing import timed_calls
 from tests.benchmarks.words import said
 
 COUNT = 1000

@@ -11,9 +11,9 @@ from pathlib import Path
 import numpy as np
 from tabulate import tabulate
 
-from coscrew_codegen.formats import PRECISIONS
-from coscrew_codegen.native.buffers import aligned
-from coscrew_codegen.native.timing import Loop, driver, pointers, timed_loops
+from coscrew_codegen.program.values.formats import PRECISIONS
+from coscrew_codegen.reports.timing.buffers import aligned
+from coscrew_codegen.reports.timing.loop_timing import Loop, driver, pointers, timed_loops
 from tests.benchmarks.bars import Bar, fastest, show
 from tests.benchmarks.words import said
 from tests.support.compiled import all_headers

@@ -12,8 +12,8 @@ from tempfile import TemporaryDirectory
 
 from tabulate import tabulate
 
-from coscrew_codegen.formats import DOUBLE, PRECISIONS
-from coscrew_codegen.native.timing import Timing, timed_loops
+from coscrew_codegen.program.values.formats import DOUBLE, PRECISIONS
+from coscrew_codegen.reports.timing.loop_timing import Timing, timed_loops
 from tests.benchmarks.bars import Bar, fastest, show
 from tests.benchmarks.pinocchio_loops import (
     FUNCTIONS,

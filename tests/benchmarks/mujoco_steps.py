@@ -17,14 +17,14 @@ import mujoco
 import numpy as np
 from tabulate import tabulate
 
-from coscrew_codegen.effects import EFFECTS
-from coscrew_codegen.formats import PRECISIONS
-from coscrew_codegen.mechanics import derive
-from coscrew_codegen.native.timing import Loop, Timing, timed_loops
-from coscrew_codegen.scene.model import Kind
+from coscrew_codegen.dynamics import derive
+from coscrew_codegen.program.scene_functions import SceneFunctions
+from coscrew_codegen.program.values.formats import PRECISIONS
+from coscrew_codegen.reports.timing.loop_timing import Loop, Timing, timed_loops
+from coscrew_codegen.runtime.load import kernels_of
+from coscrew_codegen.scene.effects import EFFECTS
+from coscrew_codegen.scene.mechanism.model import Kind
 from coscrew_codegen.scene.scene import Applied, Scene
-from coscrew_codegen.scene_functions import SceneFunctions
-from coscrew_codegen.simulate.load import kernels_of
 from tests.benchmarks.bars import Bar, fastest, show
 from tests.benchmarks.pinocchio_loops import ROBOTS, scene_named
 from tests.benchmarks.scene_loops import compiled, compilers

@@ -17,10 +17,10 @@ from pathlib import Path
 import numpy as np
 import pinocchio as pin
 
-from coscrew_codegen.machine import processor
-from coscrew_codegen.native.buffers import aligned
-from coscrew_codegen.native.timing import Loop
-from coscrew_codegen.scene.model import Kind
+from coscrew_codegen.reports.processor import processor
+from coscrew_codegen.reports.timing.buffers import aligned
+from coscrew_codegen.reports.timing.loop_timing import Loop
+from coscrew_codegen.scene.mechanism.model import Kind
 from coscrew_codegen.scene.scene import Scene
 from tests.support.scenes.robots import FOLDER, Robot, model_of, paired, scene_of
 

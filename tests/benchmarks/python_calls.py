@@ -9,12 +9,12 @@ import numpy as np
 import pinocchio as pin
 from tabulate import tabulate
 
-from coscrew_codegen.formats import DOUBLE, PRECISIONS, Precision
-from coscrew_codegen.native.timing import Timing, timed_calls
-from coscrew_codegen.scene_functions import Function, SceneFunctions
-from coscrew_codegen.simulate import lanes
-from coscrew_codegen.simulate.load import Kernels, kernels_of
-from coscrew_codegen.targets.scene_text import c_name, many
+from coscrew_codegen.backends.scene.scene_text import c_name, many
+from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
+from coscrew_codegen.program.values.formats import DOUBLE, PRECISIONS, Precision
+from coscrew_codegen.reports.timing.loop_timing import Timing, timed_calls
+from coscrew_codegen.runtime import lanes
+from coscrew_codegen.runtime.load import Kernels, kernels_of
 from tests.benchmarks.bars import Bar, show
 from tests.benchmarks.pinocchio_loops import robot_named
 from tests.benchmarks.words import said
@@ -53,7 +53,7 @@ def of_batch(robot: Robot, kernels: Kernels) -> Iterator[tuple[list[str], list[B
                    for x in others)])
 
 
-def in_c(kernels: Kernels, function: Function, precision: Precision, arrays: list[np.ndarray]
+def in_c(kernels: Kernels, function: FunctionProgram, precision: Precision, arrays: list[np.ndarray]
          ) -> Callable[[], object]:
     """The call of the function in lanes by itself."""
     found = kernels._lanes.function(c_name(many(kernels.interface), function.name, precision), 0)

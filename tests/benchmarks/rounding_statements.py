@@ -4,8 +4,8 @@ from collections.abc import Iterator
 
 from tabulate import tabulate
 
-from coscrew_codegen.scene.functions.jacobian import jacobians
-from coscrew_codegen.simulate.load import load_scene
+from coscrew_codegen.runtime.load import load_scene
+from coscrew_codegen.scene.functions.bodies.jacobian import jacobians
 from tests.benchmarks.cortex_m4 import ROBOTS
 from tests.support.scenes.robots import scene_of
 from tests.support.scenes.worst_rounding import stated, worst_found

@@ -12,12 +12,12 @@ from tempfile import TemporaryDirectory
 import numpy as np
 from tabulate import tabulate
 
-from coscrew_codegen.formats import PRECISIONS, Precision
-from coscrew_codegen.mechanics import derive
-from coscrew_codegen.native.timing import Loop, driver, pointers, timed_loops
-from coscrew_codegen.scene_functions import Function, SceneFunctions
-from coscrew_codegen.scene_tiers import tiers_of
-from coscrew_codegen.targets import scene_c, scene_c_tier
+from coscrew_codegen.accuracy.scene_tiers import tiers_of
+from coscrew_codegen.backends.scene import scene_c, scene_c_tier
+from coscrew_codegen.dynamics import derive
+from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
+from coscrew_codegen.program.values.formats import PRECISIONS, Precision
+from coscrew_codegen.reports.timing.loop_timing import Loop, driver, pointers, timed_loops
 from tests.benchmarks.words import said
 from tests.support.scenes.robots import scene_of
 from tests.support.scenes.tiers import states
@@ -77,12 +77,12 @@ def loops(scene: SceneFunctions, tier: str) -> Iterator[str]:
                    f"  for (long i = 0; i < n; i++) panda_{name}({given});\n}}\n")
 
 
-def called(function: Function, tier: str, precision: Precision) -> str:
+def called(function: FunctionProgram, tier: str, precision: Precision) -> str:
     """inverse_dynamics_accuratef"""
     return f"{function.name}{tier and f'_{tier}'}{precision.suffix}"
 
 
-def sizes_of(function: Function, tier: str) -> list[int]:
+def sizes_of(function: FunctionProgram, tier: str) -> list[int]:
     """How many numbers each argument has."""
     program = function.program
     bounds = program.outputs if tier == "certified" else ()
@@ -113,7 +113,7 @@ def rows(scene: SceneFunctions, folder: Path, compiler: str, level: tuple[str, .
                    f"{timings[0].minimum:.0f}", *(said(x.ratio(timings[0])) for x in timings[1:]))
 
 
-def loop(library: ctypes.CDLL, function: Function, tier: str, precision: Precision,
+def loop(library: ctypes.CDLL, function: FunctionProgram, tier: str, precision: Precision,
          given: list[np.ndarray]) -> Loop:
     """The loop over the given states."""
     sizes = sizes_of(function, tier)[len(given):]

@@ -9,10 +9,10 @@ from tempfile import TemporaryDirectory
 import numpy as np
 from tabulate import tabulate
 
-from coscrew_codegen.formats import PRECISIONS, Precision
-from coscrew_codegen.mechanics import derive
-from coscrew_codegen.native.timing import timed_loops
-from coscrew_codegen.scene_functions import SceneFunctions
+from coscrew_codegen.dynamics import derive
+from coscrew_codegen.program.scene_functions import SceneFunctions
+from coscrew_codegen.program.values.formats import PRECISIONS, Precision
+from coscrew_codegen.reports.timing.loop_timing import timed_loops
 from tests.benchmarks.scene_loops import WIDTHS, Loops, compiled, compilers, widths
 from tests.benchmarks.words import said
 from tests.support.scenes.robots import scene_of

@@ -9,11 +9,11 @@ from pathlib import Path
 
 import numpy as np
 
-from coscrew_codegen.formats import PRECISIONS, Precision
-from coscrew_codegen.native.buffers import aligned
-from coscrew_codegen.native.timing import Loop, driver, pointers
-from coscrew_codegen.scene_functions import Function, SceneFunctions
-from coscrew_codegen.targets import scene_c, scene_c_many
+from coscrew_codegen.backends.scene import scene_c, scene_c_many
+from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
+from coscrew_codegen.program.values.formats import PRECISIONS, Precision
+from coscrew_codegen.reports.timing.buffers import aligned
+from coscrew_codegen.reports.timing.loop_timing import Loop, driver, pointers
 
 COMPILERS = {"gcc": "-O2", "clang": "-O2"}
 WIDTHS = {"sse2": (), "avx2": ("-mavx2", "-mfma"), "avx512f": ("-march=native",)}
@@ -73,7 +73,7 @@ def compiled(scene: SceneFunctions, names: Sequence[str], folder: Path, compiler
     return Loops(scene, ctypes.CDLL(str(library)))
 
 
-def sizes_of(function: Function) -> list[int]:
+def sizes_of(function: FunctionProgram) -> list[int]:
     """How many numbers each argument has."""
     program = function.program
     return [int(np.prod(a.quantity.shape)) for a in (*program.inputs, *program.outputs)]

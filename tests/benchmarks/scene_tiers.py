@@ -8,8 +8,8 @@ import numpy as np
 from tabulate import tabulate
 
 from coscrew_codegen import load_scene
-from coscrew_codegen.formats import PRECISIONS
-from coscrew_codegen.scene.tiers import asked, known
+from coscrew_codegen.program.values.formats import PRECISIONS
+from coscrew_codegen.scene.tier_selection import asked, known
 from tests.support.scenes.tiers import states
 
 SCENE = Path(__file__).parents[2] / "examples" / "scenes" / "arm6.toml"

@@ -17,13 +17,13 @@ import numpy as np
 from mujoco import rollout
 from tabulate import tabulate
 
-from coscrew_codegen.native.timing import Timing
-from coscrew_codegen.scene_files.toml_scene import read_scene
-from coscrew_codegen.simulate.outcome import RunOverrides
-from coscrew_codegen.sweep import asked, cluster, members
-from coscrew_codegen.sweep.chunk import Job
-from coscrew_codegen.sweep.folder import opened
-from coscrew_codegen.sweep.prepare import Asked, Prepared, prepared
+from coscrew_codegen.reports.timing.loop_timing import Timing
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
+from coscrew_codegen.simulation.run_summary import RunOverrides
+from coscrew_codegen.simulation.sweep import cluster, member_values, sweep_options
+from coscrew_codegen.simulation.sweep.chunk import Job
+from coscrew_codegen.simulation.sweep.files.folder import opened
+from coscrew_codegen.simulation.sweep.prepare import Prepared, SweepRequest, prepared
 from tests.benchmarks.bars import Bar, show
 from tests.benchmarks.mujoco_steps import PASSIVE, model_of
 from tests.benchmarks.pinocchio_loops import ROBOTS
@@ -57,8 +57,9 @@ def sweep(folder: Path, samples: int, seed: int, precision: str) -> Prepared:
     """The sweep of so many starts."""
     path = folder / "ur5.toml"
     path.write_text(SCENE)
-    return prepared(read_scene(path), Asked((), (asked.sobol("start.q.*=-2:2"),), samples, seed,
-                                            (), False, RunOverrides(precision=precision)))
+    return prepared(read_scene(path),
+                    SweepRequest((), (sweep_options.sobol("start.q.*=-2:2"),), samples, seed,
+                                 (), False, RunOverrides(precision=precision)))
 
 
 def ours(client, folder: Path, its: Prepared) -> float:
@@ -104,7 +105,7 @@ def main(arguments: Sequence[str] = ()) -> list[Bar]:
             times = []
             for n in range(options.rounds):
                 its = sweep(base, options.samples, n + 1, precision)
-                starts = members.values(its.specification.varied, range(THEIRS))
+                starts = member_values.values(its.specification.varied, range(THEIRS))
                 times.append((ours(client, base / str(n), its), other(starts)[0]))
             own, rival = (Timing(np.array(x)) for x in zip(*times, strict=True))
             rows.append((precision, said(own.time, 1e6), said(rival.time, 1e6),

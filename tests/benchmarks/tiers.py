@@ -9,20 +9,20 @@ from pathlib import Path
 
 from tabulate import tabulate
 
-from coscrew_codegen.formats import PRECISIONS
-from coscrew_codegen.report import inputs
-from coscrew_codegen.report.c_text import Variant
-from coscrew_codegen.report.native import Library, compilers, libraries
-from coscrew_codegen.report.timing import contests
-from coscrew_codegen.report.variants import variants_of
-from coscrew_codegen.selection import operations_named
+from coscrew_codegen.backends.selection import operations_named
+from coscrew_codegen.program.values.formats import PRECISIONS
+from coscrew_codegen.reports.kernels import inputs
+from coscrew_codegen.reports.kernels.c_text import Variant
+from coscrew_codegen.reports.kernels.kernel_library import KernelLibrary, compilers, libraries
+from coscrew_codegen.reports.kernels.kernel_timing import contests
+from coscrew_codegen.reports.kernels.variants import variants_of
 from tests.benchmarks.words import said
 
 NAMES = ("product_CoAdc", "cross_sc", "dot_cs")
 SECONDS = 0.5  # of each operation and precision
 
 
-def rows(library: Library, variants: list[Variant]) -> Iterator[tuple[str, ...]]:
+def rows(library: KernelLibrary, variants: list[Variant]) -> Iterator[tuple[str, ...]]:
     """A line for each variant: its time, and the ratio to the plain tier's time in the same round.
     """
     for rivals in contests(variants):

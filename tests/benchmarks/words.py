@@ -1,6 +1,6 @@
 """How benchmarks print times."""
 
-from coscrew_codegen.native.intervals import Interval
+from coscrew_codegen.reports.timing.intervals import Interval
 
 
 def said(x: Interval, scale: float = 1) -> str:

@@ -21,7 +21,7 @@ def scene(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(scope="module")
 def small_chunks() -> Iterator[None]:
     """Chunks of sweeps have 64 members, though their work is little."""
-    from coscrew_codegen.sweep import prepare
+    from coscrew_codegen.simulation.sweep import prepare
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(prepare, "_STEPS", (1, 50_000_000))

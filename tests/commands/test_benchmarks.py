@@ -11,7 +11,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from coscrew_codegen.native.intervals import Interval
+from coscrew_codegen.reports.timing.intervals import Interval
 from tests.benchmarks import bars, gufuncs, pinocchio_loops
 from tests.benchmarks.__main__ import NAMES, ROOT
 from tests.benchmarks.bars import MET, MISSED, UNCLEAR, UNMEASURED, Bar

@@ -5,9 +5,9 @@ from dataclasses import replace
 import pytest
 
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.effects import EFFECTS
 from coscrew_codegen.scene.effect import Effect, ParameterOf, Place
-from coscrew_codegen.scene_files.catalogue import described
+from coscrew_codegen.scene.effects import EFFECTS
+from coscrew_codegen.scene.readers.effect_syntax import described
 
 NAMES = tuple(effect.name for effect in EFFECTS)
 

@@ -9,10 +9,10 @@ import pytest
 
 from coscrew_codegen.__main__ import main
 from coscrew_codegen.scene.scene import Expectation
-from coscrew_codegen.simulate.check import check
-from coscrew_codegen.simulate.findings import Met
-from coscrew_codegen.simulate.outcome import RunOverrides
-from coscrew_codegen.simulate.verdict import table
+from coscrew_codegen.simulation.check.check import check
+from coscrew_codegen.simulation.check.check_report import table
+from coscrew_codegen.simulation.check.findings import Met
+from coscrew_codegen.simulation.run_summary import RunOverrides
 from tests.support.scenes import scene_texts as texts
 from tests.support.scenes.selecting import checked
 from tests.support.scenes.simulated import outcome
@@ -171,9 +171,9 @@ def test_the_condition_is_that_of_the_mass_matrix(loaded):
     """Two links in a plane have M = [[a + 2 b cos θ, c + b cos θ], [c + b cos θ, c]]."""
     kernels = loaded(TWO_LINKS)
     along = check(kernels, RunOverrides()).along[0]
-    from coscrew_codegen.simulate.plan import plan
-    from coscrew_codegen.simulate.run import integrate
-    from coscrew_codegen.simulate.system import system
+    from coscrew_codegen.simulation.plan import plan
+    from coscrew_codegen.simulation.run import integrate
+    from coscrew_codegen.simulation.system import system
 
     its = system(kernels, "double")
     theta = integrate(its, plan(its, every=1e-3)).q[:, 1]

@@ -5,11 +5,11 @@ from pathlib import Path
 
 import pytest
 
-from coscrew_codegen.simulate import advice
-from coscrew_codegen.simulate.check import check
-from coscrew_codegen.simulate.findings import Along
-from coscrew_codegen.simulate.outcome import RunOverrides
-from coscrew_codegen.simulate.verdict import table
+from coscrew_codegen.simulation.check import step_advice
+from coscrew_codegen.simulation.check.check import check
+from coscrew_codegen.simulation.check.check_report import table
+from coscrew_codegen.simulation.check.findings import AlongRun
+from coscrew_codegen.simulation.run_summary import RunOverrides
 from tests.support.scenes.selecting import checked
 from tests.support.scenes.simulated import outcome
 
@@ -38,7 +38,7 @@ EULER, DEFAULT = "semi-implicit-euler", "leapfrog"
 def found(tmp_path: Path):
     """The check of a spring: its results, and its last paragraph."""
     def found(values: dict[str, float], integrator: str, precision: str,
-              step: float | None = None) -> tuple[Along, str]:
+              step: float | None = None) -> tuple[AlongRun, str]:
         path = tmp_path / "spring.toml"
         path.write_text(SPRING.format(**values))
         findings = check(checked(path, integrator),
@@ -80,7 +80,7 @@ def test_simulate_names_a_step_with_which_it_goes_on(tmp_path, capsys):
 @pytest.mark.parametrize("precision", ("single", "both"))
 def test_double_precision_is_advised_where_no_step_helps_in_single(found, precision, monkeypatch):
     """Where q is rounded so coarsely, small steps do not move it as they should."""
-    monkeypatch.setattr(advice, "HALVINGS", 6)
+    monkeypatch.setattr(step_advice, "HALVINGS", 6)
     values = {**FAR, "rest": 1e6, "start": 1e6 + 0.125}
     along, said = found(values, DEFAULT, precision)
     assert along.precision == "single" and not along.passed
@@ -89,7 +89,7 @@ def test_double_precision_is_advised_where_no_step_helps_in_single(found, precis
 
 
 def test_what_takes_long_is_not_tried_and_no_step_is_named(found, monkeypatch):
-    monkeypatch.setattr(advice, "MOST", 60)
+    monkeypatch.setattr(step_advice, "MOST", 60)
     along, said = found({**NEAR, "k": 100}, DEFAULT, "double")
     assert not along.passed and "smaller steps were not tried, since they would take long" in said
 

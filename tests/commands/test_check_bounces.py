@@ -9,9 +9,9 @@ import mpmath
 import pytest
 
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.simulate.check import check
-from coscrew_codegen.simulate.outcome import RunOverrides
-from coscrew_codegen.simulate.verdict import table
+from coscrew_codegen.simulation.check.check import check
+from coscrew_codegen.simulation.check.check_report import table
+from coscrew_codegen.simulation.run_summary import RunOverrides
 from tests.support.scenes.selecting import checked
 
 BALL = """

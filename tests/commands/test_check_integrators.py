@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.integrators import NAMES
+from coscrew_codegen.scene.integrators import NAMES
 
 EXAMPLES = sorted((Path(__file__).parents[2] / "examples" / "scenes").glob("*.toml"))
 FALL = """

@@ -12,12 +12,12 @@ import pytest
 from mpmath import mpf
 
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.formats import BY_NAME
-from coscrew_codegen.simulate import check_rounding
-from coscrew_codegen.simulate.check_rounding import STATES, Rounded, rounding
-from coscrew_codegen.simulate.load import Kernels
-from coscrew_codegen.simulate.plan import Trajectory
-from coscrew_codegen.simulate.system import System, system
+from coscrew_codegen.program.values.formats import BY_NAME
+from coscrew_codegen.runtime.load import Kernels
+from coscrew_codegen.simulation.check import check_rounding
+from coscrew_codegen.simulation.check.check_rounding import STATES, RoundedResults, rounding
+from coscrew_codegen.simulation.plan import Trajectory
+from coscrew_codegen.simulation.system import System, system
 from tests.support.scenes import scene_texts as texts
 from tests.support.scenes.selecting import checked
 
@@ -161,7 +161,7 @@ def test_large_functions_are_compiled_only_if_selected(kernels: Kernels,
     monkeypatch.setattr(check_rounding, "MOST", 0)
     assert all(x.certified is None for x in rounding(kernels, [*runs(kernels)]))
     selected = replace(kernels, _derived=replace(kernels.functions, tiers=("certified",)))
-    assert all(isinstance(x, Rounded) and x.certified for x in rounding(
+    assert all(isinstance(x, RoundedResults) and x.certified for x in rounding(
         selected, [*runs(kernels)]))
 
 

@@ -26,7 +26,7 @@ sys.exit(main(["effects"]))
 """
 
 
-@pytest.mark.parametrize("module", ("tqdm", "sympy", "coscrew_codegen.scene_files.catalogue"))
+@pytest.mark.parametrize("module", ("tqdm", "sympy", "coscrew_codegen.scene.readers.effect_syntax"))
 def test_an_interrupt_while_modules_are_imported_is_told_in_a_line(module):
     words = (sys.executable, "-c", INTERRUPTED_AT.format(module=module))
     with interruptible(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:

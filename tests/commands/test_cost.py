@@ -14,28 +14,28 @@ from matplotlib.figure import Figure
 
 from coscrew_codegen import load_scene
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.cost import CostError
-from coscrew_codegen.cost.asked import Asked
-from coscrew_codegen.cost.exact_run import exact_end
-from coscrew_codegen.cost.leaving_out import SHOWN, parts
-from coscrew_codegen.cost.loops import ELEMENTS, compiled, text
-from coscrew_codegen.cost.measure import measure
-from coscrew_codegen.cost.plot import _accuracy, _bars, plot
-from coscrew_codegen.cost.table import others, table
-from coscrew_codegen.cost.work_precision import Point, Reference, error, reference
-from coscrew_codegen.digits import three_digits
-from coscrew_codegen.formats import DOUBLE, PRECISIONS, SINGLE
-from coscrew_codegen.integrators import EMITTED
-from coscrew_codegen.native.intervals import Interval
+from coscrew_codegen.backends.scene import scene_c
+from coscrew_codegen.backends.scene.scene_text import banner_of
 from coscrew_codegen.program.flops import flops
 from coscrew_codegen.program.interpreter import evaluate
 from coscrew_codegen.program.multiprecise import MULTIPRECISE, precise
-from coscrew_codegen.scene_files.toml_scene import read_scene
-from coscrew_codegen.simulate import native
-from coscrew_codegen.simulate.outcome import RunOverrides
-from coscrew_codegen.simulate.system import system
-from coscrew_codegen.targets import scene_c
-from coscrew_codegen.targets.scene_text import banner_of
+from coscrew_codegen.program.values.digits import three_digits
+from coscrew_codegen.program.values.formats import DOUBLE, PRECISIONS, SINGLE
+from coscrew_codegen.reports.cost import CostError
+from coscrew_codegen.reports.cost.cost_measurement import measure
+from coscrew_codegen.reports.cost.cost_request import CostRequest
+from coscrew_codegen.reports.cost.effect_ablation import SHOWN, parts
+from coscrew_codegen.reports.cost.exact_run import exact_end
+from coscrew_codegen.reports.cost.figures.cost_figure import _accuracy, _bars, plot
+from coscrew_codegen.reports.cost.figures.cost_tables import others, table
+from coscrew_codegen.reports.cost.loops import ELEMENTS, compiled, text
+from coscrew_codegen.reports.cost.work_precision import Point, ReferenceRun, error, reference
+from coscrew_codegen.reports.timing.intervals import Interval
+from coscrew_codegen.runtime import compilation
+from coscrew_codegen.scene.integrators import EMITTED
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
+from coscrew_codegen.simulation.run_summary import RunOverrides
+from coscrew_codegen.simulation.system import system
 from tests.support.each import each_precision
 from tests.support.scenes import scene_texts as texts
 from tests.support.scenes.selecting import STEPPED
@@ -61,7 +61,7 @@ def few(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def costs(few):
-    return measure(few, RunOverrides(), Asked())
+    return measure(few, RunOverrides(), CostRequest())
 
 
 # what is left out
@@ -98,7 +98,7 @@ def test_operations_are_those_of_the_terms(tmp_path):
 def test_the_loops_call_the_scenes_functions(kernels, name, precision):
     """A timed loop computes the functions' values at its inputs, to the last bit."""
     whole = parts(kernels[name].scene)[0]
-    library = compiled(whole, whole.public, native.compiler())
+    library = compiled(whole, whole.public, compilation.compiler())
     its, rng = system(kernels[name], precision.name), np.random.default_rng(1)
     for f in whole.public:
         inputs = [rng.normal(size=(ELEMENTS, *a.quantity.shape)).astype(precision.numpy_type)
@@ -127,7 +127,7 @@ def test_the_loops_compile_without_warnings(kernels, tmp_path):
 def test_runs_in_c_are_the_steps_of_the_kernels(kernels, precision, integrator):
     whole = parts(kernels["BRICK"].scene)[0]
     its = system(kernels["BRICK"], precision.name)
-    library = compiled(whole, whole.public, native.compiler())
+    library = compiled(whole, whole.public, compilation.compiler())
     step = next(x for x in whole.functions.steps if x.name == integrator.step_name)
     q, v, seconds = library.run(step, precision, 50, 1e-3, its.p, its.start())
     wanted = its.stepper(step.name)(50, 0.0, 1e-3, *its.start())
@@ -196,7 +196,7 @@ eps = 1e-9
 def test_the_sign_of_a_quaternion_is_no_error(kernels):
     its = system(kernels["BRICK"], "double")
     q = np.array([1.0, 2, 3, 0.5, -0.5, 0.5, 0.5])
-    truth = Reference("", 1.0, q, np.zeros(6), 0.0)
+    truth = ReferenceRun("", 1.0, q, np.zeros(6), 0.0)
     assert error(its, q * [1, 1, 1, -1, -1, -1, -1], truth) == 0
     assert error(its, q + [0, 0.25, 0, 0, 0, 0, 0], truth) == 0.25
     assert error(its, q * np.nan, truth) == math.inf

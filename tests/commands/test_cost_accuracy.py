@@ -11,16 +11,16 @@ import numpy as np
 import pytest
 
 from coscrew_codegen import load_scene
-from coscrew_codegen.cost import measure
-from coscrew_codegen.cost.asked import Asked
-from coscrew_codegen.cost.measure import Costs
-from coscrew_codegen.cost.measured import ACCURATE, CERTIFIED, Choice, Counts, Measured
-from coscrew_codegen.cost.measured import choices as choices_of
-from coscrew_codegen.cost.plot import figure, plot
-from coscrew_codegen.cost.states import Box, Values, box_of, searched
-from coscrew_codegen.formats import DOUBLE
-from coscrew_codegen.simulate.outcome import RunOverrides
-from coscrew_codegen.simulate.system import system
+from coscrew_codegen.program.values.formats import DOUBLE
+from coscrew_codegen.reports.cost import cost_measurement
+from coscrew_codegen.reports.cost.cost_measurement import Costs
+from coscrew_codegen.reports.cost.cost_request import CostRequest
+from coscrew_codegen.reports.cost.error_states import Box, Values, box_of, searched
+from coscrew_codegen.reports.cost.figures.cost_figure import figure, plot
+from coscrew_codegen.reports.cost.measured import ACCURATE, CERTIFIED, Counts, Measured, TierChoice
+from coscrew_codegen.reports.cost.measured import choices as choices_of
+from coscrew_codegen.simulation.run_summary import RunOverrides
+from coscrew_codegen.simulation.system import system
 from tests.support.scenes import scene_texts as texts
 
 MASS, STIFFNESS, DAMPING = Fraction("0.7"), Fraction("13.3"), Fraction("0.9")
@@ -75,7 +75,7 @@ def costs(kernels, looked_at) -> Costs:
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(Measured, "states", remembered)
-        return measure.measure(kernels, RunOverrides(until=1.0), Asked(FUNCTIONS))
+        return cost_measurement.measure(kernels, RunOverrides(until=1.0), CostRequest(FUNCTIONS))
 
 
 def true(function: str, states: Values, row: int) -> Fraction:
@@ -176,7 +176,8 @@ def test_the_search_climbs_the_errors_of_each_choice(costs, looked_at, box):
         assert bad[searched_for].max() == bad.max() >= 0.99 * others.max(), choice.name
         if choice.tier == CERTIFIED:
             assert bad.max() == function.values(choice, states)[1].max()
-        if choice == Choice(ACCURATE, DOUBLE):  # half a unit of the last digit of the largest ones
+        if choice == TierChoice(ACCURATE,
+                                DOUBLE):  # half a unit of the last digit of the largest ones
             found, = function.values(choice, states)
             assert bad.tolist() == pytest.approx([
                 float(abs(Fraction(float(found[n, 0])) - true(function.name, states, n)))
@@ -205,8 +206,9 @@ def test_tiers_that_the_scene_selects_are_measured_too(tmp_path):
     """Pairs are of single precision alone, and as accurate there as the accurate tier."""
     path = tmp_path / "spring.toml"
     path.write_text('tiers = ["pairs"]\n' + TEXT)
-    found = measure.measure(load_scene(path, functions=["default"]), RunOverrides(until=0.1),
-                            Asked(("forward_dynamics",), Counts.of(16)))
+    found = cost_measurement.measure(load_scene(path, functions=["default"]),
+                                     RunOverrides(until=0.1),
+                                     CostRequest(("forward_dynamics",), Counts.of(16)))
     (rows,) = found.accuracy
     assert [x.name for x in rows] == [
         "double plain", "single plain", "double accurate", "single accurate", "double certified",
@@ -234,8 +236,8 @@ def test_parameters_and_settings_are_rounded_to_single(tmp_path):
     path = tmp_path / "scene.toml"
     path.write_text(texts.SPRING)
     its = load_scene(path, functions=["default"])
-    found = measure.measure(its, RunOverrides(settings=(("block.mass", 0.1),)),
-                            Asked(("mass_matrix",), Counts.of(4)))
+    found = cost_measurement.measure(its, RunOverrides(settings=(("block.mass", 0.1),)),
+                                     CostRequest(("mass_matrix",), Counts.of(4)))
     for row in found.accuracy[0]:
         assert row.errors[0].worst == 0 and row.worst_at["p"] == (float(np.float32(0.1)),)
 

@@ -10,22 +10,23 @@ import pytest
 from matplotlib.figure import Figure
 from matplotlib.transforms import Bbox
 
-from coscrew_codegen.cost.accuracy import Accuracy, Bounds, Errors
-from coscrew_codegen.cost.advice import recommended, sentences
-from coscrew_codegen.cost.measure import Costs
-from coscrew_codegen.cost.panels import panel
-from coscrew_codegen.cost.table import about, accuracies
-from coscrew_codegen.native.intervals import Interval
-from coscrew_codegen.plots import place_labels, styled
+from coscrew_codegen.backends.html.plots import place_labels, styled
+from coscrew_codegen.reports.cost.cost_measurement import Costs
+from coscrew_codegen.reports.cost.figures.cost_tables import about, accuracies
+from coscrew_codegen.reports.cost.figures.panels import panel
+from coscrew_codegen.reports.cost.function_errors import Bounds, ErrorStatistics, FunctionErrors
+from coscrew_codegen.reports.cost.recommendations import recommended, sentences
+from coscrew_codegen.reports.timing.intervals import Interval
 
 
-def made(tier: str, precision: str, worst: float, ns: float, bound: float = 0) -> Accuracy:
+def made(tier: str, precision: str, worst: float, ns: float, bound: float = 0) -> FunctionErrors:
     bounds = Bounds(bound, 1, 2, 3) if bound else None
-    return Accuracy("inverse_dynamics", tier, precision, 64, Interval(ns, 0.99 * ns, 1.01 * ns),
-                    (Errors("N m", worst / 3, worst, 8, 7, 100, "run", bounds),), {})
+    return FunctionErrors("inverse_dynamics", tier, precision, 64,
+                          Interval(ns, 0.99 * ns, 1.01 * ns),
+                          (ErrorStatistics("N m", worst / 3, worst, 8, 7, 100, "run", bounds),), {})
 
 
-def choices(single_accurate_ns: float = 110) -> Sequence[Accuracy]:
+def choices(single_accurate_ns: float = 110) -> Sequence[FunctionErrors]:
     return (made("plain", "double", 1e-14, 100), made("plain", "single", 1e-5, 90),
             made("accurate", "double", 1e-15, 500),
             made("accurate", "single", 1e-6, single_accurate_ns),
@@ -33,7 +34,7 @@ def choices(single_accurate_ns: float = 110) -> Sequence[Accuracy]:
             made("certified", "single", 1e-5, 480, math.inf))
 
 
-def measured(rows: Sequence[Accuracy]) -> Costs:
+def measured(rows: Sequence[FunctionErrors]) -> Costs:
     return Costs("spring", "gcc", (), None, (), (tuple(rows),))
 
 
@@ -84,7 +85,7 @@ def test_the_table_says_what_is_recommended_and_what_is_better():
                      "single certified": ""}
 
 
-def with_units(*worst: tuple[str, float]) -> list[Accuracy]:
+def with_units(*worst: tuple[str, float]) -> list[FunctionErrors]:
     """Choices with these errors in these units."""
     return [replace(x, errors=tuple(replace(x.errors[0], unit=unit, worst=error)
                                     for unit, error in worst)) for x in choices()]
@@ -108,7 +109,7 @@ def test_ratios_have_three_digits():
     assert table.rows[0][6] == "1.00, 10, 150"
 
 
-def texts_beside(rows: Sequence[Accuracy]) -> list[Bbox]:
+def texts_beside(rows: Sequence[FunctionErrors]) -> list[Bbox]:
     """The extents of the texts beside a panel's marks."""
     drawn = Figure(figsize=(12.6, 4.6), layout="constrained")
     panel(drawn.subplots(1, 3)[0], rows)

@@ -13,24 +13,25 @@ import pytest
 
 from coscrew_codegen import load_scene
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.cost import CostError, measure, page, schema
-from coscrew_codegen.cost.accuracy import Bounds
-from coscrew_codegen.cost.asked import Asked
-from coscrew_codegen.cost.measure import Costs, Row
-from coscrew_codegen.cost.measured import Counts
-from coscrew_codegen.cost.panels import shown
-from coscrew_codegen.cost.run_errors import RunError, RunErrors
-from coscrew_codegen.cost.table import accuracies, others
-from coscrew_codegen.cost.work_precision import Point, Reference
-from coscrew_codegen.digits import three_digits
-from coscrew_codegen.formats import BY_NAME
-from coscrew_codegen.native.intervals import Interval
-from coscrew_codegen.scene.selected import FunctionsError
-from coscrew_codegen.scene_files.toml_scene import read_scene
-from coscrew_codegen.simulate import SimulateError
-from coscrew_codegen.simulate.load import kernels_for
-from coscrew_codegen.simulate.outcome import RunOverrides
-from coscrew_codegen.simulate.units import in_unit
+from coscrew_codegen.program.values.digits import three_digits
+from coscrew_codegen.program.values.formats import BY_NAME
+from coscrew_codegen.reports.cost import CostError, cost_json, cost_measurement
+from coscrew_codegen.reports.cost.cost_measurement import Costs, Row
+from coscrew_codegen.reports.cost.cost_request import CostRequest
+from coscrew_codegen.reports.cost.figures import cost_page
+from coscrew_codegen.reports.cost.figures.cost_tables import accuracies, others
+from coscrew_codegen.reports.cost.figures.panels import shown
+from coscrew_codegen.reports.cost.function_errors import Bounds
+from coscrew_codegen.reports.cost.measured import Counts
+from coscrew_codegen.reports.cost.run_errors import RunError, RunErrors
+from coscrew_codegen.reports.cost.work_precision import Point, ReferenceRun
+from coscrew_codegen.reports.timing.intervals import Interval
+from coscrew_codegen.runtime.load import kernels_for
+from coscrew_codegen.scene.function_selection import FunctionsError
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
+from coscrew_codegen.simulation import SimulateError
+from coscrew_codegen.simulation.result_units import in_unit
+from coscrew_codegen.simulation.run_summary import RunOverrides
 from tests.support.browser import chromium
 from tests.support.scenes import scene_texts as texts
 
@@ -68,8 +69,8 @@ def scene(tmp_path_factory) -> Path:
 
 @pytest.fixture(scope="module")
 def costs(scene) -> Costs:
-    asked = Asked(("forward_dynamics", "energy"), Counts.of(8))
-    return measure.measure(load_scene(scene, functions=["default"]), RunOverrides(), asked)
+    asked = CostRequest(("forward_dynamics", "energy"), Counts.of(8))
+    return cost_measurement.measure(load_scene(scene, functions=["default"]), RunOverrides(), asked)
 
 
 @pytest.fixture(scope="module")
@@ -88,7 +89,7 @@ def whole(costs) -> Costs:
             RunError("model", "bare", (math.inf, math.inf)),
             RunError("step", "0.001 s", (1e-9, 1e-8))), 5000),
         rows=(Row("all effects", "energy", "3 mul", 3, (time, time)),), points=points,
-        reference=Reference("dop853, rtol 1e-13", 1.0, np.zeros(1), np.zeros(1), 1e-12))
+        reference=ReferenceRun("dop853, rtol 1e-13", 1.0, np.zeros(1), np.zeros(1), 1e-12))
 
 
 # JSON
@@ -97,7 +98,7 @@ def read(costs: Costs, folder: Path) -> dict:
     def refused(name: str):
         raise AssertionError(f"{name} is no JSON")
 
-    schema.write(costs, folder / "costs.json", "coscrew cost spring.toml")
+    cost_json.write(costs, folder / "costs.json", "coscrew cost spring.toml")
     return json.loads((folder / "costs.json").read_text("utf-8"), parse_constant=refused)
 
 
@@ -152,7 +153,7 @@ MARKS = """
 
 
 def test_the_page_is_self_contained(whole):
-    text = page.page(whole, "coscrew cost spring.toml")
+    text = cost_page.page(whole, "coscrew cost spring.toml")
     assert not re.search(r"(?:src|href)=\"(?!data:|#)", text)
     assert "://" not in re.sub(r'xmlns(:\w+)?="[^"]*"', "", text)
     assert "<b>" not in text.partition("<body>")[2].partition("<script")[0]
@@ -162,7 +163,7 @@ def test_the_page_is_self_contained(whole):
 
 
 def test_the_page_shows_the_figures_in_a_browser(whole, tmp_path):
-    page.write(whole, tmp_path / "costs.html", "coscrew cost spring.toml")
+    cost_page.write(whole, tmp_path / "costs.html", "coscrew cost spring.toml")
     with chromium() as browser:
         browser.get((tmp_path / "costs.html").as_uri())
         assert not [x for x in browser.get_log("browser") if x["level"] == "SEVERE"]
@@ -175,8 +176,9 @@ def test_the_page_shows_the_figures_in_a_browser(whole, tmp_path):
               curve.dataset.mark, curve.querySelector("path").getAttribute("d")]);"""))
         key = browser.execute_script("""
             return [...document.querySelectorAll(".key li")].map(x => x.textContent);""")
-        page.write(of_units(whole, ("N", 1e-3), ("kg", 0), ("N m", 1e-5)), tmp_path / "units.html",
-                   "")
+        cost_page.write(of_units(whole, ("N", 1e-3), ("kg", 0), ("N m", 1e-5)),
+                        tmp_path / "units.html",
+                        "")
         browser.get((tmp_path / "units.html").as_uri())
         texts = browser.execute_script("""
             return [...document.querySelectorAll("#plots figure")].map(figure =>
@@ -219,7 +221,7 @@ def test_what_cannot_be_written_leaves_the_old_file_whole(whole, tmp_path, monke
     path = tmp_path / "costs.json"
     path.write_text("old")
     monkeypatch.setattr("os.replace", lambda *_: (_ for _ in ()).throw(OSError(28, "full")))
-    for write in (schema.write, page.write):
+    for write in (cost_json.write, cost_page.write):
         with pytest.raises(SimulateError, match="cannot write .*: full"):
             write(whole, path, "")
     assert path.read_text() == "old" and list(tmp_path.iterdir()) == [path]
@@ -232,8 +234,9 @@ def test_functions_of_floating_bases_and_of_limits_can_be_asked_for(tmp_path):
     path.write_text(FLOATING)
     names = ("with_free_momentum", "closing_contacts")
     scene = read_scene(path)
-    asked = Asked(names, Counts.of(4))
-    found = measure.measure(kernels_for(scene, asked.needed(scene, None)), RunOverrides(), asked)
+    asked = CostRequest(names, Counts.of(4))
+    found = cost_measurement.measure(kernels_for(scene, asked.needed(scene, None)), RunOverrides(),
+                                     asked)
     assert {rows[0].function for rows in found.accuracy} == set(names)
     for rows in found.accuracy:
         for x in rows:
@@ -244,17 +247,17 @@ def test_functions_of_floating_bases_and_of_limits_can_be_asked_for(tmp_path):
 
 def test_the_scene_chooses_the_functions_unless_told(scene):
     plain = read_scene(scene)
-    assert Asked().of(plain) == ("inverse_dynamics", "forward_dynamics", "mass_matrix",
-                                 "body_poses")
+    assert CostRequest().of(plain) == ("inverse_dynamics", "forward_dynamics", "mass_matrix",
+                                       "body_poses")
     own = replace(plain, functions=("step_rk4", "energy", "body_twists"))
-    assert Asked().of(own) == ("energy", "body_twists")
-    assert Asked(("power",)).of(own) == ("power",)
-    assert "jacobian_block" in Asked(("all",)).of(own)
-    assert not any(name.startswith("step_") for name in Asked(("all",)).of(own))
+    assert CostRequest().of(own) == ("energy", "body_twists")
+    assert CostRequest(("power",)).of(own) == ("power",)
+    assert "jacobian_block" in CostRequest(("all",)).of(own)
+    assert not any(name.startswith("step_") for name in CostRequest(("all",)).of(own))
     with pytest.raises(FunctionsError, match="did you mean 'energy'"):
-        Asked(("enregy",)).of(own)
+        CostRequest(("enregy",)).of(own)
     with pytest.raises(CostError, match="step_rk4: the error of a step"):
-        Asked(("step_rk4",)).of(own)
+        CostRequest(("step_rk4",)).of(own)
 
 
 def test_the_readme_figure_is_made_by_its_command(tmp_path, capsys):
@@ -267,7 +270,7 @@ def test_the_readme_figure_is_made_by_its_command(tmp_path, capsys):
     assert main([*words, "--states", "4", "--json", str(made["json"]), "--page",
                  str(made["html"])]) == 0
     assert sorted(tmp_path.iterdir()) == sorted(made.values())
-    committed = Asked(tuple(re.findall(r"--function (\S+)", command[1]))).of(
+    committed = CostRequest(tuple(re.findall(r"--function (\S+)", command[1]))).of(
         read_scene(ROOT / command[2]))
     marks = {f'id="{name} {precision} {tier}"' for name in committed for precision in BY_NAME
              for tier in ("plain", "accurate", "certified")}

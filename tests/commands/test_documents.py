@@ -15,9 +15,9 @@ import pytest
 from PIL import Image, ImageChops
 
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.extras import COMMANDS
-from coscrew_codegen.simulate.allowed import ALLOWED, ENERGY, FROZEN, KEPT, STRICTLY
-from coscrew_codegen.simulate.motion_error import REST
+from coscrew_codegen.runtime.extras import COMMANDS
+from coscrew_codegen.simulation.check.error_limits import ALLOWED, ENERGY, FROZEN, KEPT, STRICTLY
+from coscrew_codegen.simulation.check.motion_error import REST
 
 ROOT = Path(__file__).parents[2]
 README = ROOT / "README.md"

@@ -8,7 +8,7 @@ import sys
 import pytest
 
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.console import _SPELLED, any_encoding
+from coscrew_codegen.runtime.console import _SPELLED, any_encoding
 from tests.support.scenes import scene_texts as texts
 
 # Tables and messages show names of joints and bodies in other scripts.

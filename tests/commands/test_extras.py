@@ -10,8 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from coscrew_codegen import extras
-from coscrew_codegen.command_line import _parser
+from coscrew_codegen.cli.command_line import _parser
+from coscrew_codegen.runtime import extras
 
 ROOT = Path(__file__).parents[2]
 SITE = Path(sysconfig.get_paths()["purelib"])
@@ -143,8 +143,8 @@ def test_help_imports_no_operations_and_no_other_command():
     """All operations are built when their module is imported."""
     for words in (("--help",), ("simulate", "--help")):
         found = imported(*words)
-        assert not {"coscrew_codegen.operations", "coscrew_codegen.tiers"} & found
-    assert not [x for x in found if x.startswith("coscrew_codegen.sweep")]
+        assert not {"coscrew_codegen.algebra.operations", "coscrew_codegen.accuracy.tiers"} & found
+    assert not [x for x in found if x.startswith("coscrew_codegen.simulation.sweep")]
 
 
 def test_an_unknown_command_is_refused_without_extras(bare):

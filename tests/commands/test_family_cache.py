@@ -14,12 +14,12 @@ from pathlib import Path
 
 import pytest
 
-from coscrew_codegen import operations
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.family_cache import FamilyCache, makers, modules
-from coscrew_codegen.library import FamilyKernels
-from coscrew_codegen.native import cache, sources
-from coscrew_codegen.operations import FAMILIES, OPERATIONS, contributors
+from coscrew_codegen.algebra import operations
+from coscrew_codegen.algebra.operations import FAMILIES, OPERATIONS, contributors
+from coscrew_codegen.backends.library import FamilyKernels
+from coscrew_codegen.runtime import cache, sources
+from coscrew_codegen.runtime.family_cache import FamilyCache, makers, modules
 from tests.support.walks import copied, generated
 
 SOME = ("vec3", "mat6x6", "trig")  # families that are derived quickly
@@ -68,12 +68,12 @@ def test_what_did_not_change_is_not_made_again(site):
 
 
 @pytest.mark.parametrize("source, old, new", [
-    ("operations/trig.py", "\nFAMILY =", "\n# A comment.\nFAMILY ="),
-    ("operations/norm.py", '"""The ', '"""Of vectors: the '),
-    ("targets/c_statements.py", "WIDTH = ", "# A comment.\nWIDTH = "),
-    ("effects/viscous.py", '-(values["d"] * state.v)', '-(2 * values["d"] * state.v)'),
-    ("effects/gravity.py", '"""', "# A comment.\n" + '"""'),
-    ("cost/page.py", "\n\n\ndef", "\n\n\nEXTRA = 1\n\n\ndef")])
+    ("algebra/operations/trig.py", "\nFAMILY =", "\n# A comment.\nFAMILY ="),
+    ("algebra/operations/formulas/norm.py", '"""The ', '"""Of vectors: the '),
+    ("backends/c/c_statements.py", "WIDTH = ", "# A comment.\nWIDTH = "),
+    ("scene/effects/viscous.py", '-(values["d"] * state.v)', '-(2 * values["d"] * state.v)'),
+    ("scene/effects/gravity.py", '"""', "# A comment.\n" + '"""'),
+    ("reports/cost/figures/cost_page.py", "\n\n\ndef", "\n\n\nEXTRA = 1\n\n\ndef")])
 def test_comments_docstrings_and_what_is_not_imported_cost_nothing(site, source, old, new):
     """A change of an effect, too: nothing of a family depends on it."""
     before = contents(site)
@@ -83,12 +83,13 @@ def test_comments_docstrings_and_what_is_not_imported_cost_nothing(site, source,
 
 
 @pytest.mark.parametrize("steps", [
-    [([("operations/trig.py", "θ in rad", "θ in radians"),
-       ("operations/mat6x6.py", "lambda M: M.T", "lambda M: 2 * M.T")], {"trig", "mat6x6"})],
-    [([("operations/linear.py", "def linear_space(",
+    [([("algebra/operations/trig.py", "θ in rad", "θ in radians"),
+       ("algebra/operations/mat6x6.py", "lambda M: M.T", "lambda M: 2 * M.T")],
+      {"trig", "mat6x6"})],
+    [([("algebra/operations/formulas/linear_formulas.py", "def linear_space(",
         "def another():\n    pass\n\n\ndef linear_space(")],
       {"vec3", "mat6x6"})],
-    [([("targets/c_statements.py", "WIDTH = ", "WIDTH = 4 + ")], ALL),
+    [([("backends/c/c_statements.py", "WIDTH = ", "WIDTH = 4 + ")], ALL),
      ([("templates/c/family.h.jinja", "#include <", "#include  <")], ALL)]])
 def test_what_changed_is_made_again_and_nothing_else(site, steps):
     before, changed = contents(site), [x for changes, _ in steps for x in changes]
@@ -184,12 +185,12 @@ def made(kernels: FamilyKernels) -> str:
     return kernels.family
 
 
-made.__module__ = "coscrew_codegen.requirements"  # a module of the generator
+made.__module__ = "coscrew_codegen.backends.requirements"  # a module of the generator
 
 
 def test_bounds_of_rotations_are_made_from_the_defect_that_they_compare():
     for family, known in (("exponential", True), ("mat3x3", True), ("trig", False)):
-        assert ("nearest" in made_from(family)) == known
+        assert ("formulas.nearest" in made_from(family)) == known
 
 
 def made_from(family: str) -> set[str]:
@@ -222,7 +223,8 @@ def files_of(function: Callable | None) -> set[str]:
         if code is None or code in seen or "/operations/" not in code.co_filename:
             continue
         seen.add(code)
-        paths.add(Path(code.co_filename).stem)
+        inner = Path(code.co_filename).with_suffix("").as_posix().rpartition("/operations/")[2]
+        paths.add(inner.replace("/", "."))
         waiting += [one.__globals__[name] for name in code.co_names if name in one.__globals__]
         waiting += [cell.cell_contents for cell in one.__closure__ or ()]
     return paths

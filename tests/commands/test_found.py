@@ -15,17 +15,18 @@ import pytest
 
 import coscrew.double
 import coscrew_codegen
-from coscrew_codegen.formats import DOUBLE
-from coscrew_codegen.operations import OPERATIONS
-from coscrew_codegen.program.bounds import bounds_of
+from coscrew_codegen.accuracy.bounds import bounds_of
+from coscrew_codegen.algebra.operations import OPERATIONS
+from coscrew_codegen.program.values.formats import DOUBLE
 from tests.support.truth.attack import TIERED, plain_program
 from tests.support.walks import command, copied, generated, walk
 
 ROOT = Path(__file__).parents[2]
 TABLE = {operation.name: operation for operation in OPERATIONS}
 DERIVED = ("vec3", "mat3x3", "coscrew")  # families; deriving all would take long
-FOLDERS = {"effects": "EFFECT", "integrators": "INTEGRATOR", "operations": "FAMILY",
-           "scene/functions": "FUNCTION", "tiers": "TIER", "targets": "TARGET"}
+FOLDERS = {"scene.effects": "EFFECT", "scene.integrators": "INTEGRATOR",
+           "scene.functions": "FUNCTION", "algebra.operations": "FAMILY",
+           "accuracy.tiers": "TIER", "backends": "TARGET"}
 
 
 @pytest.fixture(scope="module")
@@ -78,7 +79,7 @@ def test_the_tier_has_a_header_an_extension_and_a_package(made):
 def test_the_tier_adds_in_another_order(made, site):
     """The same polynomials, with as many operations; of sums of four products the constant of the
     bound falls from 3 to 2."""
-    spec = spec_from_file_location("pairwise", site / "coscrew_codegen/tiers/pairwise.py")
+    spec = spec_from_file_location("pairwise", site / "coscrew_codegen/accuracy/tiers/pairwise.py")
     pairwise = module_from_spec(spec)
     spec.loader.exec_module(pairwise)
     constants = {}
@@ -133,7 +134,7 @@ def test_an_operation_is_one_entry(tmp_path):
     walk(copied(tmp_path), "vec3")
     done = generated(tmp_path, "--family", "vec3", "--output", "out")
     assert done.returncode == 0, done.stderr
-    (tmp_path / "out/python").rename(tmp_path / "coscrew")
+    (tmp_path / "out/python/coscrew").rename(tmp_path / "coscrew")
     assert run_in(tmp_path, (
         "import numpy as np, coscrew, coscrew.accurate, coscrew.certified\n"
         "n, v = [1, 2, 2], [3, 5, 7]\n"
@@ -166,7 +167,7 @@ def test_a_family_is_one_file(tmp_path):
     assert '#include "mat3x3.h"' in header and "double ksl_area_box(const ksl_vec3_t *v)" in header
     umbrella = (tmp_path / "out/c/include/ksl/ksl.h").read_text()
     assert '"mat3x3.h"\n#include "area.h"\n#include "SE3.h"' in umbrella
-    (tmp_path / "out/python").rename(tmp_path / "coscrew")
+    (tmp_path / "out/python/coscrew").rename(tmp_path / "coscrew")
     assert run_in(tmp_path, "import coscrew; print(coscrew.area_box([1, 2, 3]))") == "22.0\n"
 
 
@@ -211,12 +212,11 @@ def test_every_file_is_found_or_helps_one_that_is(folder):
     """A file without the name by which it is found is reported here."""
     package = Path(coscrew_codegen.__file__).parent
     texts = {path: path.read_text() for path in package.rglob("*.py")}
-    for path in (package / folder).glob("[!_]*.py"):
-        of = f"coscrew_codegen.{folder.replace('/', '.')}"
-        module = f"{of}.{path.stem}"
-        imported = re.compile(rf"from {module} import|import {module}\b|"
-                              rf"from {of} import(?: \([^)]*|[^)\n]*)"
-                              rf"\b{path.stem}\b")
+    for path in (package / folder.replace(".", "/")).rglob("[!_]*.py"):
+        *above, name = path.relative_to(package.parent).with_suffix("").parts
+        inside = ".".join(above)
+        imported = re.compile(rf"from {inside}.{name} import|import {inside}.{name}\b|"
+                              rf"from {inside} import(?: \([^)]*|[^)\n]*)\b{name}\b")
         assert re.search(rf"^{FOLDERS[folder]}\b", texts[path], re.MULTILINE) or any(
             imported.search(text) for other, text in texts.items() if other != path), (
             f"{folder}/{path.name} calls nothing {FOLDERS[folder]}, and nothing imports it")
@@ -224,10 +224,10 @@ def test_every_file_is_found_or_helps_one_that_is(folder):
 
 @pytest.mark.parametrize(("text", "said"), [
     ("TIER = 'fast'\n", "TIER is str; wanted Tier"),
-    ("from coscrew_codegen.tiers.plain import TIER\n",
-     "coscrew_codegen.tiers: another.py and plain.py are both called 'plain'")])
+    ("from coscrew_codegen.accuracy.tiers.plain import TIER\n",
+     "coscrew_codegen.accuracy.tiers: another.py and plain.py are both called 'plain'")])
 def test_a_file_that_cannot_be_added_says_why(site, text, said):
-    file = site / "coscrew_codegen" / "tiers" / "another.py"
+    file = site / "coscrew_codegen/accuracy/tiers/another.py"
     file.write_text(text)
     try:
         done = generated(site, "--family", "trig", "--output", "refused")
@@ -238,9 +238,9 @@ def test_a_file_that_cannot_be_added_says_why(site, text, said):
 
 
 def test_two_targets_that_write_one_file_are_refused(site):
-    file = site / "coscrew_codegen" / "targets" / "twice.py"
-    file.write_text("from coscrew_codegen.targets.c_amalgamated import files\n"
-                    "from coscrew_codegen.targets.target import Target\n"
+    file = site / "coscrew_codegen/backends/twice.py"
+    file.write_text("from coscrew_codegen.backends.c.c_amalgamated import files\n"
+                    "from coscrew_codegen.backends.target import Target\n"
                     "TARGET = Target('twice', ('c',), library=files)\n")
     try:
         done = generated(site, "--family", "trig", "--output", "refused")

@@ -1,6 +1,5 @@
 """`coscrew generate`: selections, --check, refusals, whole files, the same bytes everywhere."""
 
-import ast
 import os
 import re
 import shutil
@@ -11,9 +10,9 @@ from pathlib import Path
 import pytest
 
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.build import extensions
-from coscrew_codegen.operations import FAMILIES
-from coscrew_codegen.tiers import TIERS
+from coscrew_codegen.accuracy.tiers import TIERS
+from coscrew_codegen.algebra.operations import FAMILIES
+from coscrew_codegen.runtime.build import extensions
 
 ROOT = Path(__file__).parents[2]
 
@@ -225,87 +224,6 @@ def test_a_run_that_cannot_finish_leaves_the_old_files_whole(tmp_path, capsys, m
         patch.setattr(os, "chmod", interrupted)
         assert main(options) == 130
     assert contents(tmp_path) == before
-
-
-def imported_modules(node: ast.AST) -> list[str]:
-    if isinstance(node, ast.Import):
-        return [alias.name for alias in node.names]
-    if isinstance(node, ast.ImportFrom):
-        inside = node.module == "coscrew_codegen"
-        return [f"{node.module}.{a.name}" for a in node.names] if inside else [node.module]
-    return []
-
-
-def test_imports_run_one_way():
-    """version < … < algebra < … < kernel < passes < schedule < tiers < targets < … < emit."""
-    order = ["version", "errors", "digits", "collection", "parameter", "found", "integrator",
-             "integrators", "identifiers", "algebra", "quantity", "program", "formats",
-             "elementary", "whole_cost",
-             "domains", "operations", "kernel", "passes", "scene_functions", "scene_symbols",
-             "schedule", "programs", "recording", "tiers", "mixture", "scene_tiers", "library",
-             "requirements",
-             "render",
-             "plots", "pages", "machine",
-             "native", "targets", "extras", "special", "exact", "selection", "family_cache",
-             "layout", "emit",
-             "name_lists", "report", "scene", "bound_arguments", "mechanics", "effects",
-             "scene_files", "documentation", "console",
-             "arrays", "simulate", "sweep", "cost",
-             "generate_command", "schema_command", "command_line", "__main__"]
-    package = ROOT / "codegen/coscrew_codegen"
-    allowed_elsewhere = {"build"}  # runs inside setuptools, on its own
-
-    def layer(path: Path) -> str:
-        return path.relative_to(package).parts[0].removesuffix(".py")
-
-    seen = set()
-    for path in sorted(package.rglob("*.py")):
-        here = layer(path)
-        if here in allowed_elsewhere or here == "__init__":
-            continue
-        seen.add(here)
-        for node in ast.walk(ast.parse(path.read_text())):
-            for module in imported_modules(node):
-                name, _, rest = module.partition(".")
-                assert name != "coscrew" or here in ("report", "simulate"), (
-                    f"{path} imports what is generated")
-                if name == "coscrew_codegen":
-                    assert order.index(rest.split(".")[0]) <= order.index(here), f"{path}: {module}"
-                if name == "sympy":
-                    known = here in ("schedule", "tiers", "exact", "documentation", "report")
-                    early = order.index(here) <= order.index("passes")
-                    assert known or early and here not in WITHOUT_SYMPY, path
-    assert seen == set(order)
-
-
-WITHOUT_SYMPY = ("program", "formats", "elementary")
-
-
-MUST_NOT_KNOW = {
-    "formats": ("operations", "tiers", "targets"), "quantity": ("operations",),
-    "operations": ("tiers", "targets"), "program": ("operations", "targets", "render"),
-    "tiers": ("targets", "render"), "recording": ("targets", "render"),
-    "mechanics": ("targets", "render", "scene_files"), "effects": ("mechanics",),
-    "scene": ("mechanics", "scene_files", "effects"), "scene_files": ("mechanics",),
-    "targets": ("mechanics", "scene", "effects", "schedule", "passes", "kernel"),
-    "native": ("mechanics", "operations", "program", "scene"),
-    "simulate": ("sweep", "report", "cost", "documentation"),
-    "sweep": ("mechanics", "targets", "report", "cost", "documentation"),
-    "cost": ("sweep", "report", "documentation"),
-    "report": ("simulate", "cost", "documentation"),
-    "documentation": ("simulate", "cost", "report")}
-
-
-def test_folders_do_not_know_what_is_not_theirs():
-    """Beyond the order: each folder's subject, and no effect another effect."""
-    package = ROOT / "codegen/coscrew_codegen"
-    for folder, others in MUST_NOT_KNOW.items():
-        for path in (*package.glob(f"{folder}.py"), *(package / folder).glob("*.py")):
-            known = {module.split(".")[1] for node in ast.walk(ast.parse(path.read_text()))
-                     for module in imported_modules(node) if module.startswith("coscrew_codegen.")}
-            assert not known & set(others), f"{path.name} imports {known & set(others)}"
-    for path in (package / "effects").glob("[!_]*.py"):
-        assert "coscrew_codegen.effects" not in path.read_text(), path.name
 
 
 def test_templates_hold_shapes_only():

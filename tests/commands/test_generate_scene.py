@@ -7,8 +7,8 @@ import pytest
 
 from coscrew_codegen import load_scene
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.identifiers import identifiers
-from coscrew_codegen.targets import scene_calls
+from coscrew_codegen.backends.python_extension import scene_calls
+from coscrew_codegen.scene.identifiers import identifiers
 from tests.support.compiled.c_harness import COMPILERS, CXX_COMPILERS, DIALECTS, EXACT, STRICT, run
 from tests.support.each import each_precision
 from tests.support.scenes.generated_scenes import imported

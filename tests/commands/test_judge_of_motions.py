@@ -10,10 +10,10 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from coscrew_codegen.formats import BY_NAME, DOUBLE
-from coscrew_codegen.simulate import advice
-from coscrew_codegen.simulate.plan import Plan
-from coscrew_codegen.simulate.windows import remedy_of_rounding
+from coscrew_codegen.program.values.formats import BY_NAME, DOUBLE
+from coscrew_codegen.simulation.check import step_advice
+from coscrew_codegen.simulation.check.windows import remedy_of_rounding
+from coscrew_codegen.simulation.plan import Plan
 from tests.support.motions import reference
 from tests.support.motions.dynamics import Dynamics
 from tests.support.motions.errors import ALLOWED, Error, judged
@@ -54,11 +54,11 @@ def said(how: Setting, right: tuple[Setting, ...], monkeypatch: pytest.MonkeyPat
 
     rtol, atol = how.tolerances or (0.0, 0.0)
     planned = Plan(10.0, how.step, how.integrator, how.step, rtol, atol)
-    monkeypatch.setattr(advice, "_right", does)
-    monkeypatch.setattr(advice, "affordable", lambda *_: True)
-    monkeypatch.setattr(advice, "in_double", lambda _: SimpleNamespace(precision=DOUBLE))
+    monkeypatch.setattr(step_advice, "_right", does)
+    monkeypatch.setattr(step_advice, "affordable", lambda *_: True)
+    monkeypatch.setattr(step_advice, "in_double", lambda _: SimpleNamespace(precision=DOUBLE))
     known = SimpleNamespace(stops=stops, step=1e-3)
-    return advice.advised(SimpleNamespace(precision=BY_NAME[how.precision]), planned, known)
+    return step_advice.advised(SimpleNamespace(precision=BY_NAME[how.precision]), planned, known)
 
 
 @pytest.mark.parametrize("how, right", TRIED)
@@ -72,7 +72,7 @@ def test_every_form_of_advice_is_read(monkeypatch):
     """What `advice` can say is in the cases above, except for advice without a name."""
     all_of_them = " | ".join([*(said(*case, monkeypatch) for case in TRIED),
                               said(RK4, (), monkeypatch, stops=True)])
-    statements = [x for of in (advice.advised, advice._helping)
+    statements = [x for of in (step_advice.advised, step_advice._helping)
                   for x in ast.parse(inspect.getsource(of)).body[0].body[1:]]
     formats = {id(x) for s in statements for y in ast.walk(s) if isinstance(y, ast.FormattedValue)
                for x in ast.walk(y)}

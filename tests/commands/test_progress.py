@@ -11,9 +11,9 @@ from pathlib import Path
 import pyarrow.parquet
 import pytest
 
-from coscrew_codegen import console
 from coscrew_codegen.__main__ import TERMINATED, main
-from coscrew_codegen.sweep import prepare
+from coscrew_codegen.runtime import console
+from coscrew_codegen.simulation.sweep import prepare
 from tests.support.processes import interruptible
 from tests.support.scenes import scene_texts as texts
 from tests.support.scenes.simulated import scene_file
@@ -109,7 +109,7 @@ import os, signal, sys
 
 class Watch:
     def find_spec(self, name, path=None, target=None):
-        if name == "coscrew_codegen.command_line":
+        if name == "coscrew_codegen.cli.command_line":
             os.kill(os.getpid(), signal.SIGTERM)
 
 sys.meta_path.insert(0, Watch())

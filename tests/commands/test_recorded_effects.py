@@ -19,12 +19,12 @@ from coscrew_codegen.scene.effect_quantities import (
     quantities_by_name,
     units_of,
 )
-from coscrew_codegen.scene.recorded import QuantityError, recorded
+from coscrew_codegen.scene.function_selection import resolved
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
+from coscrew_codegen.scene.recorded_quantities import QuantityError, recorded
 from coscrew_codegen.scene.scene import Scene
-from coscrew_codegen.scene.selected import resolved
-from coscrew_codegen.scene_files.toml_scene import read_scene
-from coscrew_codegen.simulate import SimulateError
-from coscrew_codegen.simulate.result import Result
+from coscrew_codegen.simulation import SimulateError
+from coscrew_codegen.simulation.recordings.result import Result
 from tests.support.browser import chromium
 from tests.support.scenes.effect_laws import assert_same
 from tests.support.scenes.effect_scenes import PLACES, effects, mechanism

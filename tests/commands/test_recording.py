@@ -12,16 +12,17 @@ import pytest
 
 from coscrew_codegen import load_scene
 from coscrew_codegen.scene.content import content_hash
-from coscrew_codegen.scene_files.toml_scene import read_scene
-from coscrew_codegen.simulate import SimulateError, write
-from coscrew_codegen.simulate.outcome import RunOverrides, simulated
-from coscrew_codegen.simulate.plot import plot
-from coscrew_codegen.simulate.record import differences
-from coscrew_codegen.simulate.recording import Column, Recording
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
+from coscrew_codegen.simulation import SimulateError
+from coscrew_codegen.simulation.recordings import recording_writer
+from coscrew_codegen.simulation.recordings.record import differences
+from coscrew_codegen.simulation.recordings.recording import Column, Recording
+from coscrew_codegen.simulation.recordings.recording_plot import plot
+from coscrew_codegen.simulation.run_summary import RunOverrides, simulated
 from tests.support.scenes import scene_texts as texts
 from tests.support.scenes.selecting import STEPPED
 
-ENDINGS = tuple(write.FORMATS)
+ENDINGS = tuple(recording_writer.FORMATS)
 EVERYTHING = """record = ["q", "v", "a", "energy", "momentum", "power", "pose.bob", "position.bob",
     "twist.bob", "reaction.hinge", "energy.total", "pose.bob.3"]"""
 
@@ -94,8 +95,8 @@ def test_values_are_of_the_precision_they_were_computed_in(swings):
 
 
 def test_what_is_recorded_does_not_depend_on_how_many_samples_at_once(swings, monkeypatch):
-    monkeypatch.setattr("coscrew_codegen.simulate.record._AT_ONCE", 7)
-    from coscrew_codegen.simulate.record import record
+    monkeypatch.setattr("coscrew_codegen.simulation.recordings.record._AT_ONCE", 7)
+    from coscrew_codegen.simulation.recordings.record import record
 
     again = record(swings[0].system, swings[0].trajectory, ())
     assert again.values.tobytes() == swings[0].recording.values.tobytes()
@@ -140,7 +141,7 @@ def read_back(path: Path) -> tuple[list[str], np.ndarray, np.ndarray, dict[str, 
 @pytest.mark.parametrize("ending", ENDINGS)
 def test_files_read_back_to_the_same_bits(swings, tmp_path, ending, number):
     found, path = swings[number].recording, tmp_path / f"out{ending}"
-    write.write(found, path)
+    recording_writer.write(found, path)
     names, t, values, told = read_back(path)
     assert names == ["t [s]", *(f"{x.name} [{x.unit}]" for x in found.columns)]
     assert t.tobytes() == found.t.tobytes()
@@ -175,7 +176,7 @@ def test_the_same_run_writes_the_same_bytes(swings, tmp_path, ending):
     for name in ("one", "two"):
         path = tmp_path / f"{name}{ending}"
         if ending in ENDINGS:
-            write.write(swings[0].recording, path)
+            recording_writer.write(swings[0].recording, path)
         else:
             plot([x.recording for x in swings], path)
     assert (tmp_path / f"one{ending}").read_bytes() == (tmp_path / f"two{ending}").read_bytes()
@@ -190,9 +191,9 @@ def test_an_error_leaves_the_old_file_whole(swings, tmp_path, monkeypatch, endin
         temporary.write_text("half")
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setitem(write.FORMATS, ending, failing)
+    monkeypatch.setitem(recording_writer.FORMATS, ending, failing)
     with pytest.raises(SimulateError, match="No space left on device"):
-        write.write(swings[0].recording, path)
+        recording_writer.write(swings[0].recording, path)
     assert path.read_text() == "old"
     assert list(tmp_path.iterdir()) == [path]
 
@@ -202,7 +203,7 @@ def test_awkward_names_stay_one_column(tmp_path):
     odd = Recording(np.array([0.0]), columns, np.array([[1.0, np.inf]]), (("what", "two\nlines"),))
     for ending in ENDINGS:
         path = tmp_path / f"out{ending}"
-        write.write(odd, path)
+        recording_writer.write(odd, path)
         names, _, values, told = read_back(path)
         assert names == ["t [s]", 'q.a,"b" [rad]', "q.$x_1$ [m]"]
         assert values.tolist() == [[1.0, np.inf]]

@@ -12,11 +12,11 @@ from pathlib import Path
 import pytest
 
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.formats import PRECISIONS
-from coscrew_codegen.operations import OPERATIONS
-from coscrew_codegen.report import ranking
-from coscrew_codegen.report.schema import SCHEMA, Report
-from coscrew_codegen.report.variants import variants_of
+from coscrew_codegen.algebra.operations import OPERATIONS
+from coscrew_codegen.program.values.formats import PRECISIONS
+from coscrew_codegen.reports.kernels.pages import ranking
+from coscrew_codegen.reports.kernels.report_json import SCHEMA, Report
+from coscrew_codegen.reports.kernels.variants import variants_of
 from tests.support.processes import interruptible
 
 FEW = ["report", "--op", "dot_cs", "--op", "vec3_l2norm", "--minutes", "0.02"]

@@ -10,16 +10,22 @@ import numpy as np
 import pytest
 from gmpy2 import mpq
 
-from coscrew_codegen.exact import truth, ulp
-from coscrew_codegen.formats import DOUBLE, SINGLE, Precision
-from coscrew_codegen.native.timing import Timing
-from coscrew_codegen.operations import OPERATIONS, Operation
-from coscrew_codegen.operations.operation import Normwise
-from coscrew_codegen.report import errors, inputs, measure, native, ranking
-from coscrew_codegen.report.c_text import Variant, last_component
-from coscrew_codegen.report.drift import deviations, drifts, power
-from coscrew_codegen.report.timing import Timed, python_function
-from coscrew_codegen.report.variants import variants_of
+from coscrew_codegen.algebra.exact import truth, ulp
+from coscrew_codegen.algebra.operations import OPERATIONS, Operation
+from coscrew_codegen.algebra.operations.operation import Normwise
+from coscrew_codegen.program.values.formats import DOUBLE, SINGLE, Precision
+from coscrew_codegen.reports.kernels import (
+    inputs,
+    kernel_errors,
+    kernel_library,
+    kernel_measurement,
+)
+from coscrew_codegen.reports.kernels.c_text import Variant, last_component
+from coscrew_codegen.reports.kernels.drift import deviations, drifts, power
+from coscrew_codegen.reports.kernels.kernel_timing import Timed, python_function
+from coscrew_codegen.reports.kernels.pages import ranking
+from coscrew_codegen.reports.kernels.variants import variants_of
+from coscrew_codegen.reports.timing.loop_timing import Timing
 from tests.support.each import each_precision
 from tests.support.truth.exact import FORMULAS
 
@@ -94,7 +100,7 @@ def test_a_wrong_kernel_shows_its_error(precision: Precision):
     """A result three numbers above the nearest one has an error of 2.5 to 3.5 ulp, by fractions."""
     operation = BY_NAME["cross_sc"]
     (plain, *_) = variants_of(operation, precision)
-    benign, hard = errors.samples(operation, precision, 60, 2)
+    benign, hard = kernel_errors.samples(operation, precision, 60, 2)
     results: list[np.ndarray] = []
 
     def wrong(variant: Variant, arguments: tuple[np.ndarray, ...]) -> tuple[np.ndarray, ...]:
@@ -105,7 +111,7 @@ def test_a_wrong_kernel_shows_its_error(precision: Precision):
         results.append(x)
         return (x,)
 
-    found = errors.accuracy(operation, plain, benign, hard, wrong)
+    found = kernel_errors.accuracy(operation, plain, benign, hard, wrong)
     values = exactly(operation, benign.rows)
     counted = [abs(Fraction(float(r)) - x) / spacing(x, precision) for row, got in
                zip(values, results[0], strict=True) for r, x in zip(got, row, strict=True)]
@@ -122,10 +128,10 @@ def counted_of(name: str, rows: list[list[float]],
     operation = BY_NAME[name]
     plain, *_ = variants_of(operation, DOUBLE)
     inputs_ = np.array(rows)
-    sample = errors.Sample(inputs_, truth(operation, DOUBLE, inputs_))
+    sample = kernel_errors.InputSample(inputs_, truth(operation, DOUBLE, inputs_))
     sizes = np.cumsum([a.quantity.size for a in operation.outputs])[:-1]
     outputs = tuple(np.split(np.array(results), sizes, axis=1))
-    found = errors.accuracy(operation, plain, sample, sample, lambda *_: outputs)
+    found = kernel_errors.accuracy(operation, plain, sample, sample, lambda *_: outputs)
     return (found.benign.outputs, found.benign.worst) if found.benign else (0, 0.0)
 
 
@@ -164,13 +170,13 @@ def test_quantiles_of_known_errors():
     operation = BY_NAME["dot_cs"]
     rows = np.arange(12000.0).reshape(1000, 12)
     known = np.random.default_rng(1).permutation(np.arange(1.0, 1001.0))[:, None]
-    found = errors.summarised(operation, rows, known, np.ones_like(known, bool))
+    found = kernel_errors.summarised(operation, rows, known, np.ones_like(known, bool))
     assert (found.outputs, found.worst, found.p999, found.median) == (1000, 1000, 999, 500)
     worst = int(np.argmax(known))
     assert found.witness == tuple(float(x).hex() for x in rows[worst])
-    half = errors.summarised(operation, rows, known, known <= 500)
+    half = kernel_errors.summarised(operation, rows, known, known <= 500)
     assert (half.outputs, half.worst) == (500, 500)
-    assert errors.summarised(operation, rows, known, known > 1000) is None
+    assert kernel_errors.summarised(operation, rows, known, known > 1000) is None
 
 
 @pytest.mark.parametrize("named", [("lin", "ang"), ("co",)])
@@ -189,7 +195,7 @@ def test_normwise_errors_are_relative_to_the_largest_component(named: tuple[str,
 
 @each_precision
 def test_the_same_seed_gives_the_same_errors(precision: Precision):
-    task = measure.Task("product_dv", precision, 50, 3, (), None)
+    task = kernel_measurement.Task("product_dv", precision, 50, 3, (), None)
     assert task.run() == task.run()
     assert task.run() != replace(task, seed=4).run()
 
@@ -199,7 +205,7 @@ def test_compiled_kernels_give_the_packages_bits(precision: Precision, tmp_path:
     """With both compilers, and for whole arrays: rows and columns of matrices are not exchanged."""
     names = ("product_dd", "product_drdrx", "SE3_invert", "coscrew_to_angular_first", "dot_cs")
     variants = [v for name in names for v in variants_of(BY_NAME[name], precision)]
-    for library in native.libraries(variants, native.compilers(tmp_path), tmp_path):
+    for library in kernel_library.libraries(variants, kernel_library.compilers(tmp_path), tmp_path):
         for v in filter(python_function, variants):
             arguments = inputs.split(v.operation, inputs.benign(v.operation, precision, 9, 1))
             found = python_function(v)(*arguments)
@@ -213,8 +219,8 @@ def test_a_chain_of_calls_waits_for_each(tmp_path: Path):
     moved = variants_of(BY_NAME["product_CoAdc"], DOUBLE)[0].program
     assert last_component(moved) >= 3  # the moment, t × (R f) + R τ
     plain = variants_of(BY_NAME["dot_cs"], DOUBLE)[0]
-    (compiler, *_) = native.compilers(tmp_path)
-    (library,) = native.libraries([plain], [compiler], tmp_path)
+    (compiler, *_) = kernel_library.compilers(tmp_path)
+    (library,) = kernel_library.libraries([plain], [compiler], tmp_path)
     arguments = inputs.split(plain.operation, inputs.benign(plain.operation, DOUBLE, 256, 1))
     chain, rows, planes = (library.times([plain], loop, [arguments], 2e7)[0].minimum
                            for loop in ("chain", "rows", "planes"))
@@ -263,8 +269,8 @@ def test_power_and_deviations_of_a_quarter_turn():
 
 
 def test_newton_steps_hold_the_defect(tmp_path: Path):
-    (compiler, *_) = native.compilers(tmp_path)
-    (library,) = native.libraries([], [compiler], tmp_path)
+    (compiler, *_) = kernel_library.compilers(tmp_path)
+    (library,) = kernel_library.libraries([], [compiler], tmp_path)
     found = {(d.precision, d.orthonormalised): d for d in drifts(library, 20_000)}
     for precision in DIGITS:
         without, held = found[precision, False], found[precision, True]
@@ -282,7 +288,7 @@ def test_hard_cases_are_measured(tmp_path: Path):
     cases = inputs.corpus(tmp_path)
     row = (1 + 2**-12, 1.0, 0.0, 1 + 3 * 2**-12, -1 - 2**-10, 0.0)
     assert cases == {("dot_vv", "single"): (row,)}
-    task = measure.Task("dot_vv", SINGLE, 8, 1, cases["dot_vv", "single"], None)
+    task = kernel_measurement.Task("dot_vv", SINGLE, 8, 1, cases["dot_vv", "single"], None)
     found = task.run()["dot_vv", "single", "plain"]
     assert found.hard.worst == 2**22
     assert found.hard.witness == tuple(x.hex() for x in row)

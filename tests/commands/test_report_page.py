@@ -8,8 +8,8 @@ from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.ui import Select
 
-from coscrew_codegen.report.overview import formatted
-from coscrew_codegen.report.page import write
+from coscrew_codegen.reports.kernels.pages.overview import formatted
+from coscrew_codegen.reports.kernels.pages.report_page import write
 from tests.support.browser import chromium, resize
 from tests.support.sample_report import SHOWN_FIRST, layout_name, same, sample_report, variant
 

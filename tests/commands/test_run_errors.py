@@ -11,7 +11,15 @@ import pytest
 from gmpy2 import mpfr
 from mpmath import matrix, mpf
 
-from coscrew_codegen.cost.run_errors import (
+from coscrew_codegen.algebra.recording.recorder import array
+from coscrew_codegen.program import Op, Program
+from coscrew_codegen.program.in_python import FLOATS, in_python
+from coscrew_codegen.program.interpreter import interpreter
+from coscrew_codegen.program.multiprecise import MULTIPRECISE, precise
+from coscrew_codegen.program.program import Constant, Input, Instruction, NotANumber, Ref
+from coscrew_codegen.program.values.formats import BY_NAME, DOUBLE, PRECISIONS, SINGLE
+from coscrew_codegen.reports.cost.figures.cost_tables import of_run
+from coscrew_codegen.reports.cost.run_errors import (
     DIGITS,
     RunError,
     RunErrors,
@@ -19,19 +27,11 @@ from coscrew_codegen.cost.run_errors import (
     _Steps,
     run_errors,
 )
-from coscrew_codegen.cost.table import of_run
-from coscrew_codegen.formats import BY_NAME, DOUBLE, PRECISIONS, SINGLE
-from coscrew_codegen.integrators import named
-from coscrew_codegen.program import Op, Program
-from coscrew_codegen.program.in_python import FLOATS, in_python
-from coscrew_codegen.program.interpreter import interpreter
-from coscrew_codegen.program.multiprecise import MULTIPRECISE, precise
-from coscrew_codegen.program.program import Constant, Input, Instruction, NotANumber, Ref
-from coscrew_codegen.recording.recorder import array
-from coscrew_codegen.simulate.load import Kernels
-from coscrew_codegen.simulate.outcome import RunOverrides
-from coscrew_codegen.simulate.plan import plan
-from coscrew_codegen.simulate.system import system
+from coscrew_codegen.runtime.load import Kernels
+from coscrew_codegen.scene.integrators import named
+from coscrew_codegen.simulation.plan import plan
+from coscrew_codegen.simulation.run_summary import RunOverrides
+from coscrew_codegen.simulation.system import system
 from tests.support.scenes import scene_texts as texts
 from tests.support.scenes.selecting import checked
 

@@ -19,13 +19,13 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from coscrew_codegen import load_scene
-from coscrew_codegen.integrators import EMITTED, NAMES, named
-from coscrew_codegen.simulate import SimulateError
-from coscrew_codegen.simulate.outcome import RunOverrides, simulated
-from coscrew_codegen.simulate.plan import Plan, plan
-from coscrew_codegen.simulate.progress import line
-from coscrew_codegen.simulate.run import integrate
-from coscrew_codegen.simulate.system import system
+from coscrew_codegen.scene.integrators import EMITTED, NAMES, named
+from coscrew_codegen.simulation import SimulateError
+from coscrew_codegen.simulation.plan import Plan, plan
+from coscrew_codegen.simulation.progress import line
+from coscrew_codegen.simulation.run import integrate
+from coscrew_codegen.simulation.run_summary import RunOverrides, simulated
+from coscrew_codegen.simulation.system import system
 from tests.support.processes import interruptible
 from tests.support.scenes import scene_texts as texts
 from tests.support.scenes.selecting import STEPPED

@@ -8,12 +8,12 @@ import pytest
 
 from coscrew_codegen import load_scene
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.integrators import NAMES
-from coscrew_codegen.scene.selected import FunctionsError
-from coscrew_codegen.scene_files.errors import SceneError
-from coscrew_codegen.scene_files.toml_scene import read_scene
-from coscrew_codegen.simulate import SimulateError
-from coscrew_codegen.simulate.system import system
+from coscrew_codegen.scene.function_selection import FunctionsError
+from coscrew_codegen.scene.integrators import NAMES
+from coscrew_codegen.scene.readers.scene_error import SceneError
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
+from coscrew_codegen.simulation import SimulateError
+from coscrew_codegen.simulation.system import system
 from tests.support.scenes import scene_texts as texts
 from tests.support.scenes.selecting import STEPPED
 from tests.support.scenes.simulated import run, scene_file
@@ -97,8 +97,9 @@ def test_help_tells_that_a_urdf_will_do(capsys):
 
 
 def test_without_pyarrow_nothing_runs_for_parquet(tmp_path, capsys, monkeypatch):
-    monkeypatch.setattr("coscrew_codegen.simulate.write.find_spec", lambda name: None)
-    monkeypatch.setattr("coscrew_codegen.simulate.load.load_scene", None)  # would fail if called
+    monkeypatch.setattr("coscrew_codegen.simulation.recordings.recording_writer.find_spec",
+                        lambda name: None)
+    monkeypatch.setattr("coscrew_codegen.runtime.load.load_scene", None)  # would fail if called
     path = tmp_path / "out.parquet"
     assert main(["simulate", str(scene_file(tmp_path, texts.SPRING)), "--output", str(path)]) == 2
     assert 'needs pyarrow; run `pip install "coscrew[simulate]"`' in capsys.readouterr().err

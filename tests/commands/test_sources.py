@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from coscrew_codegen.native import sources, syntax
-from coscrew_codegen.native.sources import Sources
+from coscrew_codegen.runtime import sources, syntax
+from coscrew_codegen.runtime.sources import Sources
 
 ROOT = Path(__file__).parents[2]
 MODULE = '''"""A docstring."""
@@ -29,7 +29,7 @@ class Kind:
 '''
 
 
-def meaning(text: str) -> syntax.Meaning:
+def meaning(text: str) -> syntax.SourceMeaning:
     return syntax.of_module(text.encode(), "a")
 
 
@@ -139,7 +139,7 @@ TRACED = """
 import sys
 from importlib import import_module
 from coscrew_codegen import render
-from coscrew_codegen.native import sources
+from coscrew_codegen.runtime import sources
 
 FILES, entered = {}, set()
 for name in sources.read():
@@ -157,11 +157,11 @@ source = render._source
 render._source = lambda name: (entered.add(name), source(name))[1]
 """
 FAMILIES = TRACED + """
-from coscrew_codegen.family_cache import makers, modules
-from coscrew_codegen.layout import generated_files
-from coscrew_codegen.documentation import reference_files
-from coscrew_codegen.operations import __name__ as operations
-from coscrew_codegen.selection import Selection
+from coscrew_codegen.runtime.family_cache import makers, modules
+from coscrew_codegen.backends.output_files import generated_files
+from coscrew_codegen.reports.reference import reference_files
+from coscrew_codegen.algebra.operations import __name__ as operations
+from coscrew_codegen.backends.selection import Selection
 
 its, makes = sources.Sources.of(sources.read()), set()
 
@@ -179,7 +179,7 @@ def keep(kernels, make):
 
 library = Selection(families=tuple(sys.argv[1:])).library(keep)
 generated_files(library)
-from coscrew_codegen.documentation import operations as pages
+from coscrew_codegen.reports.reference import operations as pages
 library.made(pages._derived)
 print(len(makes))
 """
@@ -197,8 +197,8 @@ def test_deriving_a_family_enters_only_what_counts():
 SCENES = TRACED + """
 from pathlib import Path
 from coscrew_codegen import effects, load_scene
-from coscrew_codegen.found import holder
-from coscrew_codegen.simulate import load
+from coscrew_codegen.program.plugins import holder
+from coscrew_codegen.simulation import load
 
 sys.setprofile(enter)
 kernels = load_scene(Path(sys.argv[1]), tiers=["accurate"])

@@ -14,13 +14,19 @@ from mpmath import mp
 from scipy.stats import qmc
 
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.simulate.outcome import RunOverrides
-from coscrew_codegen.simulate.run import integrate
-from coscrew_codegen.simulate.system import system
-from coscrew_codegen.simulate.uniform_rotations import quaternions
-from coscrew_codegen.sweep import SweepError, asked, chunk, members, summary
-from coscrew_codegen.sweep.folder import Folder
-from coscrew_codegen.sweep.specification import Varied
+from coscrew_codegen.simulation.check.uniform_rotations import quaternions
+from coscrew_codegen.simulation.run import integrate
+from coscrew_codegen.simulation.run_summary import RunOverrides
+from coscrew_codegen.simulation.sweep import (
+    SweepError,
+    chunk,
+    member_summary,
+    member_values,
+    sweep_options,
+)
+from coscrew_codegen.simulation.sweep.files.folder import Folder
+from coscrew_codegen.simulation.sweep.specification import Varied
+from coscrew_codegen.simulation.system import system
 from tests.support.scenes import scene_texts as texts
 from tests.support.scenes.simulated import scene_file
 from tests.support.scenes.sweeps import BALL, SLIDER, prepared, table
@@ -34,7 +40,7 @@ def folder(tmp_path_factory) -> Path:
 
 
 def values(varied: Varied, first: int = 0, last: int | None = None) -> np.ndarray:
-    return members.values(varied, range(first, varied.members if last is None else last))
+    return member_values.values(varied, range(first, varied.members if last is None else last))
 
 
 # What varies
@@ -176,25 +182,25 @@ def test_components_of_quaternions_do_not_vary(pattern, said, folder):
 
 
 @pytest.mark.parametrize(("parse", "text", "said"), (
-    (asked.grid, "block.mass", "wanted NAME=FROM:TO:COUNT"),
-    (asked.grid, "block.mass=1:2", "wanted FROM:TO:COUNT or FROM:TO:COUNT:log; got '1:2'"),
-    (asked.grid, "block.mass=1:2:3:lin", "got '1:2:3:lin'"),
-    (asked.grid, "block.mass=1:2:2.5", "wanted a whole number, 1 to 1000000; got '2.5'"),
-    (asked.grid, "block.mass=1:2:0", "wanted a whole number, 1 to 1000000; got '0'"),
-    (asked.grid, "block.mass=1:2:1e7", "1 to 1000000; got '1e7'"),
-    (asked.grid, f"block.mass=1:1.{'0' * 30}1:3", "wanted 1 if both ends are the same"),
-    (asked.grid, "block.mass=1:2:1", "wanted 1 if both ends are the same"),
-    (asked.grid, "block.mass=1:1:2", "wanted 1 if both ends are the same"),
-    (asked.grid, "block.mass=x:1:2", "'x' is no number"),
-    (asked.grid, "block.mass=1:inf:2", "inf is not finite"),
-    (asked.grid, "block.mass=0:1:2:log", "log wants positive ends"),
-    (asked.sobol, "start.q.*=1", "wanted LOW:HIGH"),
-    (asked.sobol, "start.q.*=2:1", "wanted LOW below HIGH; got 2 and 1"),
-    (asked.sobol, "=2:1", "wanted PATTERN=LOW:HIGH"),
-    (asked.samples, "1.5", "wanted a whole number, 1 to 4294967296; got '1.5'"),
-    (asked.samples, "1e10", "wanted a whole number, 1 to 4294967296; got '1e10'"),
-    (asked.samples, "1e9999", "got '1e9999'"),
-    (asked.seed, "-1", "wanted a whole number, 0 to")))
+    (sweep_options.grid, "block.mass", "wanted NAME=FROM:TO:COUNT"),
+    (sweep_options.grid, "block.mass=1:2", "wanted FROM:TO:COUNT or FROM:TO:COUNT:log; got '1:2'"),
+    (sweep_options.grid, "block.mass=1:2:3:lin", "got '1:2:3:lin'"),
+    (sweep_options.grid, "block.mass=1:2:2.5", "wanted a whole number, 1 to 1000000; got '2.5'"),
+    (sweep_options.grid, "block.mass=1:2:0", "wanted a whole number, 1 to 1000000; got '0'"),
+    (sweep_options.grid, "block.mass=1:2:1e7", "1 to 1000000; got '1e7'"),
+    (sweep_options.grid, f"block.mass=1:1.{'0' * 30}1:3", "wanted 1 if both ends are the same"),
+    (sweep_options.grid, "block.mass=1:2:1", "wanted 1 if both ends are the same"),
+    (sweep_options.grid, "block.mass=1:1:2", "wanted 1 if both ends are the same"),
+    (sweep_options.grid, "block.mass=x:1:2", "'x' is no number"),
+    (sweep_options.grid, "block.mass=1:inf:2", "inf is not finite"),
+    (sweep_options.grid, "block.mass=0:1:2:log", "log wants positive ends"),
+    (sweep_options.sobol, "start.q.*=1", "wanted LOW:HIGH"),
+    (sweep_options.sobol, "start.q.*=2:1", "wanted LOW below HIGH; got 2 and 1"),
+    (sweep_options.sobol, "=2:1", "wanted PATTERN=LOW:HIGH"),
+    (sweep_options.samples, "1.5", "wanted a whole number, 1 to 4294967296; got '1.5'"),
+    (sweep_options.samples, "1e10", "wanted a whole number, 1 to 4294967296; got '1e10'"),
+    (sweep_options.samples, "1e9999", "got '1e9999'"),
+    (sweep_options.seed, "-1", "wanted a whole number, 0 to")))
 def test_words_of_options_are_refused(parse, text, said):
     with pytest.raises(argparse.ArgumentTypeError) as refused:
         parse(text)
@@ -202,7 +208,7 @@ def test_words_of_options_are_refused(parse, text, said):
 
 
 def test_samples_may_have_an_exponent():
-    assert asked.samples("1e6") == asked.samples("1000000") == 10**6
+    assert sweep_options.samples("1e6") == sweep_options.samples("1000000") == 10**6
 
 
 # Chunks
@@ -260,7 +266,7 @@ def test_members_with_a_floating_base_keep_momentum_as_simulate_does(folder):
 def test_statistics_are_exact_where_they_can_be():
     t = np.array([0, 0.5, 1, 1.25])
     samples = np.array([[1, -3], [2, 5], [-4, 5], [0, 8]], np.float32)
-    found = summary.statistics(t, samples)
+    found = member_summary.statistics(t, samples)
     for k, x in enumerate(samples.T.tolist()):
         pairs = zip(itertools.pairwise(t.tolist()), itertools.pairwise(x), strict=True)
         area = sum(Fraction(b - a) * Fraction(y + z) / 2 for (a, b), (y, z) in pairs)
@@ -293,7 +299,7 @@ def test_memory_does_not_grow_with_the_members(folder, tmp_path):
     tracemalloc.start()
     try:
         last = its.specification.chunks - 1
-        rows = members.values(its.specification.varied, its.specification.members(last))
+        rows = member_values.values(its.specification.varied, its.specification.members(last))
         assert next(place.missing()) == 0
         peak = tracemalloc.get_traced_memory()[1]
     finally:

@@ -16,9 +16,10 @@ import pytest
 from distributed import LocalCluster
 
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.sweep import SweepError, aside, chunk, opened, part
-from coscrew_codegen.sweep.folder import Folder
-from coscrew_codegen.sweep.part import DamagedError
+from coscrew_codegen.simulation.sweep import SweepError, chunk, opened
+from coscrew_codegen.simulation.sweep.files import part, quarantine
+from coscrew_codegen.simulation.sweep.files.folder import Folder
+from coscrew_codegen.simulation.sweep.files.part import DamagedError
 from tests.support.scenes.sweeps import SLIDER, prepared
 from tests.support.sweeping import VARIED, after, processes, sweep, table
 
@@ -304,7 +305,7 @@ def test_a_person_is_told_what_cannot_be_set_aside(scene, workers, whole, copied
         raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
 
     with monkeypatch.context() as patch:
-        patch.setattr(aside.os, "replace", refused)
+        patch.setattr(quarantine.os, "replace", refused)
         assert sweep(scene, copied, workers) == 2
     said = capsys.readouterr().err
     assert said.endswith(f"is empty, and cannot be moved into {damaged}: Permission denied; move "

@@ -7,15 +7,18 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from coscrew_codegen import command_line, run, sweep
+from coscrew_codegen import run
 from coscrew_codegen.__main__ import main
+from coscrew_codegen.cli import command_line, sweep_command
 from coscrew_codegen.scene.parameter_units import parameter_units
-from coscrew_codegen.scene_files.toml_scene import read_scene
-from coscrew_codegen.sweep import axis, chunk, command, members, summary
-from coscrew_codegen.sweep.candidates import Candidate
-from coscrew_codegen.sweep.folder import opened
-from coscrew_codegen.sweep.prepare import Prepared
-from coscrew_codegen.sweep.specification import Grid
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
+from coscrew_codegen.simulation import sweep
+from coscrew_codegen.simulation.sweep import chunk, member_summary, member_values
+from coscrew_codegen.simulation.sweep.candidates import Candidate
+from coscrew_codegen.simulation.sweep.files.folder import opened
+from coscrew_codegen.simulation.sweep.prepare import Prepared
+from coscrew_codegen.simulation.sweep.specification import Grid
+from coscrew_codegen.simulation.sweep.statistics import axis
 from tests.support.scenes import scene_texts as texts
 from tests.support.scenes.simulated import scene_file
 from tests.support.scenes.sweeps import BALL, SLIDER, UNITS, prepared, table
@@ -62,7 +65,7 @@ def test_one_member_alone_has_the_bits_that_the_sweep_wrote(text, options, membe
     assert main([*words, "--member", str(member)]) == 0
     call, printed = capsys.readouterr().out.split("\n\nrecorded")
     asked = command_line._parser("sweep").parse_args([*words, "--series", "--out", "x"])
-    row = table(command._prepared(asked)).to_pylist()[member]
+    row = table(sweep_command._prepared(asked)).to_pylist()[member]
     exec(call, given := {})
     columns = given["member"].recorded
     for name, values in columns.items():
@@ -72,7 +75,7 @@ def test_one_member_alone_has_the_bits_that_the_sweep_wrote(text, options, membe
     for name, *_, final, least, most, mean in lines:
         kind = columns[name].dtype.type
         assert [kind(final), kind(least), kind(most), float(mean)] == [
-            row[f"{name}.{word}"] for word in summary.STATISTICS]
+            row[f"{name}.{word}"] for word in member_summary.STATISTICS]
 
 
 def test_a_member_that_failed_fails_alone(folder, capsys):
@@ -87,8 +90,8 @@ def reported(its: Prepared, folder: Path) -> str:
     """The page of a sweep of one chunk."""
     with opened(folder, its.specification, {}) as target:
         target.write(0, chunk.computed(chunk.Job.of(its.kernels, its.specification), 0).content)
-        assert command._report(its, target, "coscrew sweep x.toml") == 1
-    return (folder / "summary.html").read_text("utf-8")
+        assert sweep_command._report(its, target, "coscrew sweep x.toml") == 1
+    return (folder / "member_summary.html").read_text("utf-8")
 
 
 def test_xarray_tells_why_members_failed(folder, tmp_path, capsys):
@@ -140,7 +143,8 @@ def test_the_page_says_how_to_run_failed_members_alone(folder, tmp_path, capsys)
     assert "The seed of the Sobol sequence is 12." in text
     assert "the first is run by: coscrew sweep x.toml --member 0</p>" in text
     assert "block.mass [kg]</th><th scope=\"col\">start.v.slide [m/s]</th>" in text
-    for k, (mass, speed) in enumerate(members.values(its.specification.varied, range(4)).tolist()):
+    for k, (mass,
+            speed) in enumerate(member_values.values(its.specification.varied, range(4)).tolist()):
         assert f'<th scope="row">{k}</th><td>{mass}</td><td>{speed}</td><td>0.1' in text
 
 

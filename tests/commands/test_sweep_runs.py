@@ -19,9 +19,9 @@ import pyarrow.parquet
 import pytest
 from distributed import Client, LocalCluster, WorkerPlugin
 
-from coscrew_codegen import command_line
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.sweep import SweepError, chunk, cluster, command, opened
+from coscrew_codegen.cli import command_line, sweep_command
+from coscrew_codegen.simulation.sweep import SweepError, chunk, cluster, opened
 from tests.support.processes import interruptible
 from tests.support.sweeping import VARIED, after, awaited, dask, processes, sweep, table
 
@@ -166,7 +166,7 @@ def file_size():
 HOLDS = """
 import sys
 from pathlib import Path
-from coscrew_codegen.sweep.lock import held
+from coscrew_codegen.simulation.sweep.files.lock import held
 with held(Path(sys.argv[1]), wait=True) as mine:
     print(mine, flush=True)
     sys.stdin.read()
@@ -227,7 +227,7 @@ def test_an_interrupt_says_what_is_written(scene, tmp_path):
 def test_chunks_are_submitted_in_a_moving_window(workers, scene, whole):
     """Never more than asked for in flight, of however many there are."""
     options = command_line._parser("sweep").parse_args(["sweep", str(scene), *VARIED, "--out", "x"])
-    its, drawn = command._prepared(options), 0
+    its, drawn = sweep_command._prepared(options), 0
     job = chunk.Job.of(its.kernels, its.specification)
 
     def numbers() -> Iterator[int]:

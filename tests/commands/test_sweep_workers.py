@@ -13,7 +13,7 @@ import psutil
 import pytest
 
 from coscrew_codegen.__main__ import CLOSED, main
-from coscrew_codegen.sweep import SweepError, cluster
+from coscrew_codegen.simulation.sweep import SweepError, cluster
 from tests.support.processes import interruptible
 from tests.support.sweeping import VARIED, awaited, dask, sweep
 

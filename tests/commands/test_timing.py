@@ -9,9 +9,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from coscrew_codegen.native import buffers
-from coscrew_codegen.native.intervals import FEWEST, Interval, interval, rank
-from coscrew_codegen.native.timing import Loop, driver, pointers, timed_calls, timed_loops
+from coscrew_codegen.reports.timing import buffers
+from coscrew_codegen.reports.timing.intervals import FEWEST, Interval, interval, rank
+from coscrew_codegen.reports.timing.loop_timing import (
+    Loop,
+    driver,
+    pointers,
+    timed_calls,
+    timed_loops,
+)
 
 
 @pytest.mark.parametrize("count", (6, 7, 20, 100, 999))

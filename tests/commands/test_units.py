@@ -4,9 +4,9 @@ import math
 
 import pytest
 
-from coscrew_codegen.mechanics import derive
-from coscrew_codegen.scene_files.toml_scene import read_scene
-from coscrew_codegen.simulate.units import in_unit, units
+from coscrew_codegen.dynamics import derive
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
+from coscrew_codegen.simulation.result_units import in_unit, units
 
 
 def test_every_component_has_its_unit(tmp_path):

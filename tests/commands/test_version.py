@@ -10,9 +10,9 @@ import pytest
 
 import coscrew
 import coscrew_codegen
-from coscrew_codegen.layout import scene_files
-from coscrew_codegen.mechanics import derive
-from coscrew_codegen.scene_files.toml_scene import read_scene
+from coscrew_codegen.backends.output_files import scene_files
+from coscrew_codegen.dynamics import derive
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from tests.support.compiled import all_headers
 from tests.support.scenes import scene_texts as texts
 

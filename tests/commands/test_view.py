@@ -11,8 +11,8 @@ from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.ui import Select, WebDriverWait
 
-from coscrew_codegen.simulate.outcome import RunOverrides, simulated
-from coscrew_codegen.simulate.view import box_of, drawn, page, view
+from coscrew_codegen.simulation.recordings.playback import box_of, drawn, page, view
+from coscrew_codegen.simulation.run_summary import RunOverrides, simulated
 from tests.support.browser import chromium, resize
 from tests.support.scenes import scene_texts as texts
 from tests.support.scenes.selecting import checked

@@ -4,8 +4,8 @@ from itertools import product
 
 import numpy as np
 
-from coscrew_codegen.elementary import atan2
-from coscrew_codegen.formats import Precision
+from coscrew_codegen.program.elementary import atan2
+from coscrew_codegen.program.values.formats import Precision
 from tests.support.each import each_precision
 from tests.support.truth.elementary import errors, quotients, same, values
 

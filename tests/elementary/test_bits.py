@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from coscrew_codegen.elementary import ELEMENTARY, ERRORS, Elementary
-from coscrew_codegen.formats import PRECISIONS, Precision
+from coscrew_codegen.program.elementary import ELEMENTARY, ERRORS, Elementary
+from coscrew_codegen.program.values.formats import PRECISIONS, Precision
 from tests.support.compiled.c_harness import DIALECTS, INCLUDE, run
 from tests.support.compiled.flags import FMA
 from tests.support.each import each_precision

@@ -4,16 +4,16 @@ from collections import Counter
 
 import pytest
 
-from coscrew_codegen.elementary import ELEMENTARY, ERRORS
-from coscrew_codegen.elementary.calls import FUNCTION_OF
-from coscrew_codegen.elementary.steps import Steps
-from coscrew_codegen.formats import DOUBLE, PRECISIONS, SINGLE
-from coscrew_codegen.operations import OPERATIONS
+from coscrew_codegen.accuracy.tiers import tier_named
+from coscrew_codegen.algebra.lowering.programs import library_program, program_of
+from coscrew_codegen.algebra.operations import OPERATIONS
 from coscrew_codegen.program import Constant, Op
-from coscrew_codegen.programs import library_program, program_of
-from coscrew_codegen.quantity import ANY, SCALAR, Argument
-from coscrew_codegen.tiers import tier_named
-from coscrew_codegen.whole_cost import whole_cost, whole_counts
+from coscrew_codegen.program.elementary import ELEMENTARY, ERRORS
+from coscrew_codegen.program.elementary.elementary_calls import FUNCTION_OF
+from coscrew_codegen.program.elementary.evaluation.step_writer import StepWriter
+from coscrew_codegen.program.values.formats import DOUBLE, PRECISIONS, SINGLE
+from coscrew_codegen.program.values.quantity import ANY, SCALAR, Argument
+from coscrew_codegen.program.whole_cost import whole_cost, whole_counts
 
 X = Argument("x", SCALAR, ANY)
 FUNCTIONS = {x.name: x for x in (*ELEMENTARY, *ERRORS)}
@@ -21,7 +21,7 @@ FUNCTIONS = {x.name: x for x in (*ELEMENTARY, *ERRORS)}
 
 @pytest.mark.parametrize("second", ("z", "z_1"))
 def test_two_steps_cannot_have_the_same_name(second: str):
-    steps = Steps(X)
+    steps = StepWriter(X)
     x, = steps.inputs()
     z = steps.named("z", x * x + 1)
     y = steps.named(second, z + x)

@@ -6,11 +6,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from coscrew_codegen.elementary import ELEMENTARY, ERRORS, Elementary
-from coscrew_codegen.elementary.pairs import power_of_two
-from coscrew_codegen.formats import DOUBLE, SINGLE, Precision
-from coscrew_codegen.targets.c_elementary import written
-from coscrew_codegen.whole_cost import whole_cost
+from coscrew_codegen.backends.c.c_elementary import written
+from coscrew_codegen.program.elementary import ELEMENTARY, ERRORS, Elementary
+from coscrew_codegen.program.elementary.evaluation.double_words import power_of_two
+from coscrew_codegen.program.values.formats import DOUBLE, SINGLE, Precision
+from coscrew_codegen.program.whole_cost import whole_cost
 from tests.hard_cases.corpus import TABLE
 from tests.support.truth.attack import plain_program
 from tests.support.truth.elementary import errors, results, worst_cases

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from coscrew_codegen.formats import SINGLE, Precision
+from coscrew_codegen.program.values.formats import SINGLE, Precision
 from tests.elementary_attack import SINGLES, judged, program
 from tests.support.compiled.c_harness import INCLUDE
 from tests.support.each import each_precision

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from coscrew_codegen.elementary import exp
-from coscrew_codegen.formats import Precision
+from coscrew_codegen.program.elementary import exp
+from coscrew_codegen.program.values.formats import Precision
 from tests.support.each import each_precision
 from tests.support.truth.elementary import EXP_ENDS, errors, same, values, worst_cases
 

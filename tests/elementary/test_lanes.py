@@ -7,14 +7,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from coscrew_codegen.elementary import Elementary, sincos, sincos_error
-from coscrew_codegen.formats import PRECISIONS, Precision
-from coscrew_codegen.mechanics import derive
-from coscrew_codegen.render import render
-from coscrew_codegen.scene.model import HERE, Kind
-from coscrew_codegen.scene_tiers import tiers_of
-from coscrew_codegen.targets import c_elementary, scene_c_parts, scene_c_tier
-from coscrew_codegen.targets.c_lanes import SEVERAL
+from coscrew_codegen.accuracy.scene_tiers import tiers_of
+from coscrew_codegen.backends.c import c_elementary
+from coscrew_codegen.backends.c.c_lanes import SEVERAL
+from coscrew_codegen.backends.render import render
+from coscrew_codegen.backends.scene import scene_c_parts, scene_c_tier
+from coscrew_codegen.dynamics import derive
+from coscrew_codegen.program.elementary import Elementary, sincos, sincos_error
+from coscrew_codegen.program.values.formats import PRECISIONS, Precision
+from coscrew_codegen.scene.mechanism.model import HERE, Kind
 from tests.support.compiled.c_harness import DIALECTS, run
 from tests.support.compiled.flags import FMA
 from tests.support.each import each_precision

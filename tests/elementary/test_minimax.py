@@ -5,8 +5,8 @@ from fractions import Fraction
 import mpmath
 import pytest
 
-from coscrew_codegen.elementary import atan2, exp, tanh
-from coscrew_codegen.elementary.minimax import (
+from coscrew_codegen.program.elementary import atan2, exp, tanh
+from coscrew_codegen.program.elementary.proofs.minimax import (
     bernstein,
     difference,
     exact,
@@ -18,7 +18,7 @@ from coscrew_codegen.elementary.minimax import (
     rounded,
     supremum,
 )
-from coscrew_codegen.formats import Precision
+from coscrew_codegen.program.values.formats import Precision
 from tests.support.each import each_precision
 
 HALF = (Fraction(-1, 2), Fraction(1, 2))

@@ -5,9 +5,16 @@ from math import log2
 import numpy as np
 import pytest
 
-from coscrew_codegen.elementary import ELEMENTARY, ERRORS, Elementary, atan2, exp_error, tanh_error
-from coscrew_codegen.elementary.minimax import ln2
-from coscrew_codegen.formats import Precision
+from coscrew_codegen.program.elementary import (
+    ELEMENTARY,
+    ERRORS,
+    Elementary,
+    atan2,
+    exp_error,
+    tanh_error,
+)
+from coscrew_codegen.program.elementary.proofs.minimax import ln2
+from coscrew_codegen.program.values.formats import Precision
 from tests.support.each import each_precision
 from tests.support.truth.elementary import (
     EXP_ENDS,

@@ -6,10 +6,16 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from coscrew_codegen.elementary.pairs import Pair, Pairs, Series, power_of_two, upward
-from coscrew_codegen.elementary.steps import Steps
-from coscrew_codegen.formats import DOUBLE, Precision
-from coscrew_codegen.quantity import SCALAR, Argument
+from coscrew_codegen.program.elementary.evaluation.double_words import (
+    Pair,
+    Pairs,
+    Series,
+    power_of_two,
+    upward,
+)
+from coscrew_codegen.program.elementary.evaluation.step_writer import StepWriter
+from coscrew_codegen.program.values.formats import DOUBLE, Precision
+from coscrew_codegen.program.values.quantity import SCALAR, Argument
 from tests.support.each import each_precision
 from tests.support.truth.elementary import Array, values
 
@@ -46,7 +52,7 @@ def samples(precision: Precision) -> list[Array]:
 def test_operations_err_by_no_more_than_is_proved(name: str, precision: Precision):
     """Nor by less than a fiftieth of it, at worst."""
     rule, exact = RULES[name]
-    steps, u = Steps(*GIVEN), precision.u
+    steps, u = StepWriter(*GIVEN), precision.u
     a, a_low, b, b_low = steps.inputs()
     size = Fraction(float(precision.rounded(Fraction(7, 10))))
     found = rule(Pairs(precision), Pair(a, a_low, Fraction(1), 3 * u),
@@ -62,9 +68,9 @@ def test_operations_err_by_no_more_than_is_proved(name: str, precision: Precisio
 
 
 def test_constants_are_known_to_twice_the_digits():
-    found = Pairs(DOUBLE).constant(Steps(), Fraction(1, 3))
+    found = Pairs(DOUBLE).constant(StepWriter(), Fraction(1, 3))
     assert found.size == Fraction(1 / 3) and found.error <= Fraction(1, 3) / 2**106
-    assert Pairs(DOUBLE).constant(Steps(), Fraction(1, 2)).low is None
+    assert Pairs(DOUBLE).constant(StepWriter(), Fraction(1, 2)).low is None
 
 
 def test_bounds_are_rounded_up():
@@ -75,6 +81,6 @@ def test_bounds_are_rounded_up():
 
 
 def test_series_that_are_not_ordered_are_refused():
-    b, = Steps(GIVEN[0]).inputs()
+    b, = StepWriter(GIVEN[0]).inputs()
     with pytest.raises(AssertionError):
         Pairs(DOUBLE).series("y", (Fraction(1, 9), Fraction(1)), Pair(b, None, Fraction(1)))

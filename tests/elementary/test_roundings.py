@@ -9,13 +9,14 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from coscrew_codegen.elementary import atan2, atan2_proof, exp, tanh
-from coscrew_codegen.elementary.roundings import Roundings, UndecidedError, pieces
-from coscrew_codegen.elementary.steps import Steps, Value
-from coscrew_codegen.formats import DOUBLE, SINGLE, Precision
 from coscrew_codegen.program import Op, Program, without_dead_steps
+from coscrew_codegen.program.elementary import atan2, exp, tanh
+from coscrew_codegen.program.elementary.evaluation.step_writer import StepValue, StepWriter
+from coscrew_codegen.program.elementary.proofs import atan2_proof
+from coscrew_codegen.program.elementary.proofs.roundings import Roundings, UndecidedError, pieces
 from coscrew_codegen.program.interpreter import by_operation, evaluate, exactly
-from coscrew_codegen.quantity import ANY, SCALAR, Argument
+from coscrew_codegen.program.values.formats import DOUBLE, SINGLE, Precision
+from coscrew_codegen.program.values.quantity import ANY, SCALAR, Argument
 from tests.support.each import each_precision
 from tests.support.truth.elementary import values
 
@@ -38,7 +39,7 @@ def test_the_reduction_of_exp_is_exact(precision: Precision):
 
 def random_program(seed: int) -> Program:
     """Sums, differences, products and quotients of two inputs, constants and earlier steps."""
-    rng, steps = random.Random(seed), Steps(*INPUTS)
+    rng, steps = random.Random(seed), StepWriter(*INPUTS)
     known = [*steps.inputs(), steps.constant(3), steps.constant(Fraction(5, 8))]
     for _ in range(9):
         a, b = rng.choices(known, k=2)
@@ -89,8 +90,8 @@ def proved(program: Program, ranges: list[tuple[Fraction, Fraction]], precision:
     return analysis, analysis.number(value.error.radius)
 
 
-def written(formula: Callable[..., Value]) -> Program:
-    steps = Steps(*INPUTS)
+def written(formula: Callable[..., StepValue]) -> Program:
+    steps = StepWriter(*INPUTS)
     return steps.program("written", OUT, [steps.named("y", formula(*steps.inputs()))])
 
 
@@ -111,7 +112,7 @@ def test_differences_of_neighbours_are_exact():
 
 def test_what_a_sum_rounds_cancels():
     """s + ((a - s) + b), s = a + b rounded: the error of s is gone, one of 2^-48 is left."""
-    def corrected(a: Value, b: Value) -> Value:
+    def corrected(a: StepValue, b: StepValue) -> StepValue:
         s = a + b
         return s + ((a - s) + b)
 
@@ -135,7 +136,7 @@ def test_ulps_count_the_last_rounding_as_half_a_unit():
 
 def test_choices_that_differ_are_refused_only_if_they_matter():
     analysis = Roundings(DOUBLE)
-    steps = Steps(*INPUTS)
+    steps = StepWriter(*INPUTS)
     a, b = steps.inputs()
     doubtful = steps.named("doubtful", (a < b).where(a, b))
     program = steps.program("choice", OUT, [steps.named("y", (b < 0).where(doubtful, a * 3))])
@@ -154,7 +155,7 @@ def test_pieces_cover_the_interval():
 
 
 def test_operations_without_an_analysis_are_refused():
-    steps = Steps(*INPUTS)
+    steps = StepWriter(*INPUTS)
     a, _ = steps.inputs()
     program = steps.program("sine", OUT, [steps.named("y", steps.do(Op.SIN, a))])
     with pytest.raises(KeyError):

@@ -5,11 +5,13 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from coscrew_codegen.elementary import reduction, reduction_proof, sincos
-from coscrew_codegen.elementary.reduction import HALF_PI
-from coscrew_codegen.elementary.reduction_proof import exponent_of
-from coscrew_codegen.elementary.sincos import FUNCTION
-from coscrew_codegen.formats import DOUBLE, Precision
+from coscrew_codegen.program.elementary import sincos
+from coscrew_codegen.program.elementary.evaluation import reduction
+from coscrew_codegen.program.elementary.evaluation.reduction import HALF_PI
+from coscrew_codegen.program.elementary.proofs import reduction_proof
+from coscrew_codegen.program.elementary.proofs.reduction_proof import exponent_of
+from coscrew_codegen.program.elementary.sincos import FUNCTION
+from coscrew_codegen.program.values.formats import DOUBLE, Precision
 from tests.support.each import each_precision
 from tests.support.truth.elementary import (
     Array,

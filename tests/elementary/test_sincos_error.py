@@ -6,16 +6,10 @@ from math import log2
 import numpy as np
 import pytest
 
-from coscrew_codegen.elementary import (
-    atan2_error,
-    reduction,
-    reduction_pairs,
-    sincos,
-    sincos_error,
-    sincos_pairs,
-)
-from coscrew_codegen.elementary.reduction import HALF_PI
-from coscrew_codegen.formats import Precision
+from coscrew_codegen.program.elementary import atan2_error, sincos, sincos_error
+from coscrew_codegen.program.elementary.evaluation import reduction, reduction_pairs, sincos_pairs
+from coscrew_codegen.program.elementary.evaluation.reduction import HALF_PI
+from coscrew_codegen.program.values.formats import Precision
 from tests.support.each import each_precision
 from tests.support.truth.elementary import Array, remaining, results, values, worst_cases
 

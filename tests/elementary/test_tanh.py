@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from coscrew_codegen.elementary import tanh
-from coscrew_codegen.formats import Precision
+from coscrew_codegen.program.elementary import tanh
+from coscrew_codegen.program.values.formats import Precision
 from tests.support.each import each_precision
 from tests.support.truth.elementary import errors, same, values, worst_cases
 

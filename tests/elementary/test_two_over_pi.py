@@ -6,9 +6,9 @@ from importlib import import_module
 import mpmath
 import numpy as np
 
-from coscrew_codegen.elementary.minimax import exact
-from coscrew_codegen.formats import Precision
+from coscrew_codegen.program.elementary.proofs.minimax import exact
 from coscrew_codegen.program.two_over_pi import EXTRA, chunk, chunks, pi
+from coscrew_codegen.program.values.formats import Precision
 from tests.support.each import each_precision
 
 

@@ -11,8 +11,8 @@ import pytest
 
 import coscrew
 from coscrew import _dispatch
-from coscrew_codegen.operations import OPERATIONS
-from coscrew_codegen.tiers import TIERS
+from coscrew_codegen.accuracy.tiers import TIERS
+from coscrew_codegen.algebra.operations import OPERATIONS
 
 PACKAGES = tuple(import_module(tier.package) for tier in TIERS)
 NAMESPACES = {f"{tier.__name__} {name}": module for tier in PACKAGES for name, module in (

@@ -12,8 +12,8 @@ from mpmath import mpf
 from scipy.spatial.transform import Rotation
 
 import coscrew
-from coscrew_codegen.formats import Precision
-from coscrew_codegen.operations.nearest import BESIDE, NEAREST
+from coscrew_codegen.algebra.operations.formulas.nearest import BESIDE, NEAREST
+from coscrew_codegen.program.values.formats import Precision
 from tests.support.each import each_precision
 from tests.support.truth.nearest import nearest, off_orthonormal
 

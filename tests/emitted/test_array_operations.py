@@ -12,10 +12,10 @@ import pandas
 import pytest
 
 import coscrew
-from coscrew_codegen.elementary import ELEMENTARY, Elementary
-from coscrew_codegen.formats import DOUBLE, PRECISIONS, Precision
-from coscrew_codegen.operations import OPERATIONS
-from coscrew_codegen.report.inputs import benign
+from coscrew_codegen.algebra.operations import OPERATIONS
+from coscrew_codegen.program.elementary import ELEMENTARY, Elementary
+from coscrew_codegen.program.values.formats import DOUBLE, PRECISIONS, Precision
+from coscrew_codegen.reports.kernels.inputs import benign
 from tests.support.each import each_precision
 
 ROWS = 6

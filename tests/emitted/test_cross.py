@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from coscrew_codegen.tiers import TIERS
+from coscrew_codegen.accuracy.tiers import TIERS
 from tests.support.compiled import many_program
 from tests.support.compiled.bits_program import Kernel, kernels, text, wanted
 from tests.support.compiled.c_harness import INCLUDE, in_parallel, run

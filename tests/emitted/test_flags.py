@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from coscrew_codegen.operations import OPERATIONS
-from coscrew_codegen.tiers import MARKED, TIERS
+from coscrew_codegen.accuracy.tiers import MARKED, TIERS
+from coscrew_codegen.algebra.operations import OPERATIONS
 from tests.support.compiled.bits_program import Kernel, kernels, text, wanted
 from tests.support.compiled.c_harness import COMPILERS, INCLUDE, run
 from tests.support.compiled.flags import FMA, TUNED, UNHEEDED

@@ -14,8 +14,8 @@ import pytest
 import coscrew
 import coscrew.double
 import coscrew.single
-from coscrew_codegen.elementary.calls import FUNCTION_OF
-from coscrew_codegen.operations import OPERATIONS, Operation
+from coscrew_codegen.algebra.operations import OPERATIONS, Operation
+from coscrew_codegen.program.elementary.elementary_calls import FUNCTION_OF
 from tests.support.cases import for_all
 from tests.support.truth.attack import plain_program
 

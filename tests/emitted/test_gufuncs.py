@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 import coscrew
-from coscrew_codegen.operations import OPERATIONS, Operation
+from coscrew_codegen.algebra.operations import OPERATIONS, Operation
 from tests.support.cases import for_all
 from tests.support.truth.attack import TIERED
 
@@ -257,8 +257,8 @@ def test_the_loops_for_every_processor_give_the_same_bits():
     """The extension uses AVX2 loops if it can; COSCREW_BASELINE selects the others."""
     program = """
 import coscrew, hashlib, importlib, numpy as np
-from coscrew_codegen.operations import OPERATIONS
-from coscrew_codegen.tiers import TIERS
+from coscrew_codegen.algebra.operations import OPERATIONS
+from coscrew_codegen.accuracy.tiers import TIERS
 packages = [importlib.import_module(tier.package) for tier in TIERS]
 random = np.random.default_rng(11)
 np.seterr(all="ignore")

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from coscrew_codegen.targets.c_ksl import REFUSED
+from coscrew_codegen.backends.c.c_ksl import REFUSED
 from tests.support.compiled import all_headers
 from tests.support.compiled.c_harness import (
     C11,

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from coscrew_codegen.tiers import TIERS
+from coscrew_codegen.accuracy.tiers import TIERS
 from tests.support.compiled import all_headers, many_program
 from tests.support.compiled.bits_program import Kernel, kernels
 from tests.support.compiled.c_harness import COMPILERS, run

@@ -7,14 +7,14 @@ from fractions import Fraction
 
 import pytest
 
-from coscrew_codegen.formats import DOUBLE, Precision
-from coscrew_codegen.operations import OPERATIONS
+from coscrew_codegen.accuracy.tiers import MARKED
+from coscrew_codegen.accuracy.tiers.negation import negating_terms
+from coscrew_codegen.accuracy.tiers.tier import Tier, is_polynomial
+from coscrew_codegen.algebra.operations import OPERATIONS
+from coscrew_codegen.backends.c.c_statements import Statements
 from coscrew_codegen.program import Instruction, Op, Operand, Program, Ref
 from coscrew_codegen.program.ops import COMPARISONS
-from coscrew_codegen.targets.c_statements import Statements
-from coscrew_codegen.tiers import MARKED
-from coscrew_codegen.tiers.negation import negating_terms
-from coscrew_codegen.tiers.tier import Tier, is_polynomial
+from coscrew_codegen.program.values.formats import DOUBLE, Precision
 from tests.support.each import each_precision
 from tests.support.scenes.evaluation import evaluator, rational
 from tests.support.truth.attack import plain_program

@@ -21,12 +21,12 @@ import sympy as sp
 from gmpy2 import is_nan, mpfr
 
 import coscrew
-from coscrew_codegen.formats import DOUBLE, PRECISIONS, SINGLE, Precision
-from coscrew_codegen.kernel import Kernel, kernel_of
-from coscrew_codegen.operations import Operation
-from coscrew_codegen.passes import simplified
+from coscrew_codegen.algebra.lowering.kernel import Kernel, kernel_of
+from coscrew_codegen.algebra.lowering.passes import simplified
+from coscrew_codegen.algebra.operations import Operation
+from coscrew_codegen.backends.c.c_operations import c_name
 from coscrew_codegen.program import Op
-from coscrew_codegen.targets.c import c_name
+from coscrew_codegen.program.values.formats import DOUBLE, PRECISIONS, SINGLE, Precision
 from tests.support.cases import for_all
 from tests.support.compiled.c_reader import Header, Place, header, sign_flips
 from tests.support.each import each_precision

@@ -14,7 +14,7 @@ import pytest
 
 import coscrew
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.build import extensions
+from coscrew_codegen.runtime.build import extensions
 
 ROOT = Path(__file__).parents[2]
 
@@ -157,7 +157,7 @@ def test_the_wheel_holds_the_headers(without_compiler, tmp_path):
 
 def test_functions_can_be_pickled_without_a_compiler(without_compiler):
     program = ("import pickle, coscrew, coscrew.accurate; "
-               "from coscrew_codegen.operations import *\n"
+               "from coscrew_codegen.algebra.operations import *\n"
                "for op in OPERATIONS:\n"
                "    for module in (coscrew, coscrew.double, coscrew.accurate):\n"
                "        f = getattr(module, op.name, None)\n"

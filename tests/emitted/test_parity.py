@@ -14,8 +14,8 @@ import numpy as np
 import pytest
 
 import coscrew
-from coscrew_codegen.formats import PRECISIONS, Precision
-from coscrew_codegen.operations import OPERATIONS, Operation
+from coscrew_codegen.algebra.operations import OPERATIONS, Operation
+from coscrew_codegen.program.values.formats import PRECISIONS, Precision
 from tests.support.cases import for_all
 from tests.support.compiled.c_harness import COMPILERS, EXACT, call, harness, run
 from tests.support.each import each_compiler, each_precision

@@ -12,9 +12,9 @@ import pytest
 from docutils.utils.math.latex2mathml import tex2mathml
 
 import coscrew
-from coscrew_codegen.documentation.notation import markdown
-from coscrew_codegen.effects import EFFECTS
-from coscrew_codegen.operations import FAMILIES, OPERATIONS, Operation
+from coscrew_codegen.algebra.operations import FAMILIES, OPERATIONS, Operation
+from coscrew_codegen.reports.reference.notation import markdown
+from coscrew_codegen.scene.effects import EFFECTS
 from tests.support.cases import for_all
 
 ROOT = Path(__file__).parents[2]

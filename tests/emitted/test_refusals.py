@@ -10,12 +10,14 @@ import pytest
 
 import coscrew
 from coscrew import _dispatch
-from coscrew_codegen.formats import DOUBLE, PRECISIONS
-from coscrew_codegen.library import FamilyKernels
-from coscrew_codegen.operations import FAMILIES, OPERATIONS, Operation
+from coscrew_codegen.accuracy.tiers import TIERS
+from coscrew_codegen.algebra.lowering.programs import program_of
+from coscrew_codegen.algebra.operations import FAMILIES, OPERATIONS, Operation
+from coscrew_codegen.backends.library import FamilyKernels
+from coscrew_codegen.backends.requirements import requirements
 from coscrew_codegen.program import Input
-from coscrew_codegen.programs import program_of
-from coscrew_codegen.quantity import (
+from coscrew_codegen.program.values.formats import DOUBLE, PRECISIONS
+from coscrew_codegen.program.values.quantity import (
     DISPLACEMENT,
     NONZERO,
     NONZERO_MATRIX,
@@ -23,9 +25,7 @@ from coscrew_codegen.quantity import (
     ROTATION,
     UNIT_QUATERNION,
 )
-from coscrew_codegen.report.inputs import benign
-from coscrew_codegen.requirements import requirements
-from coscrew_codegen.tiers import TIERS
+from coscrew_codegen.reports.kernels.inputs import benign
 from tests.support.rotations import NO_ROTATIONS
 
 LETTERS = {ROTATION: "R", DISPLACEMENT: "R", UNIT_QUATERNION: "U", NONZERO: "N", ORDINARY: "N",

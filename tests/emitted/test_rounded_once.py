@@ -14,7 +14,7 @@ import pytest
 from pycparser import CParser, c_ast
 from pycparser.c_generator import CGenerator
 
-from coscrew_codegen.targets import scene_c
+from coscrew_codegen.backends.scene import scene_c
 from tests.support.compiled import all_headers
 from tests.support.scenes import scene_bits
 from tests.support.scenes.generated_scenes import BANNER, CASES

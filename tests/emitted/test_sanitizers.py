@@ -5,9 +5,9 @@ from pathlib import Path
 
 import pytest
 
-from coscrew_codegen.formats import DOUBLE, PRECISIONS, SINGLE, Precision
-from coscrew_codegen.targets.c_ksl import MARK
-from coscrew_codegen.tiers import TIERS
+from coscrew_codegen.accuracy.tiers import TIERS
+from coscrew_codegen.backends.c.c_ksl import MARK
+from coscrew_codegen.program.values.formats import DOUBLE, PRECISIONS, SINGLE, Precision
 from tests.support.compiled import c_calls
 from tests.support.compiled.c_harness import C11, COMPILERS, EXACT, INCLUDE, run
 from tests.support.compiled.flags import SANITIZERS, has_sanitizers

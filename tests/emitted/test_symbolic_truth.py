@@ -14,8 +14,8 @@ import sympy as sp
 from sympy.core.relational import Relational
 
 import coscrew
-from coscrew_codegen.formats import DOUBLE, PRECISIONS, SINGLE, Precision
-from coscrew_codegen.operations import FAMILIES, NORM_THRESHOLD, OPERATIONS, Operation
+from coscrew_codegen.algebra.operations import FAMILIES, NORM_THRESHOLD, OPERATIONS, Operation
+from coscrew_codegen.program.values.formats import DOUBLE, PRECISIONS, SINGLE, Precision
 from tests.support.cases import for_all
 from tests.support.compiled.c_reader import FAMILIES as HEADERS
 from tests.support.compiled.c_reader import Header, Place, Value, functions_in, header, sign_flips

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 import coscrew
-from coscrew_codegen.formats import Precision
-from coscrew_codegen.quantity import TOLERANCE
-from coscrew_codegen.tiers import TIERS
+from coscrew_codegen.accuracy.tiers import TIERS
+from coscrew_codegen.program.values.formats import Precision
+from coscrew_codegen.program.values.quantity import TOLERANCE
 from tests.support.each import each_precision
 
 PACKAGES = tuple(import_module(f"{tier.package}{module}") for tier in TIERS

@@ -10,12 +10,12 @@ import pytest
 
 import coscrew
 import coscrew_codegen
-from coscrew_codegen.integrators import EMITTED
-from coscrew_codegen.mechanics import derive
-from coscrew_codegen.operations import OPERATIONS
-from coscrew_codegen.scene_files.toml_scene import SceneOverrides, read_scene
-from coscrew_codegen.simulate import calls
-from coscrew_codegen.targets import scene_calls
+from coscrew_codegen.algebra.operations import OPERATIONS
+from coscrew_codegen.backends.python_extension import scene_calls
+from coscrew_codegen.dynamics import derive
+from coscrew_codegen.runtime import callables
+from coscrew_codegen.scene.integrators import EMITTED
+from coscrew_codegen.scene.readers.toml.toml_scene import SceneOverrides, read_scene
 
 PROGRAM = """
 import numpy as np
@@ -93,7 +93,7 @@ def test_programs_with_scenes_are_checked(tmp_path):
 
 def test_what_is_typed_is_there():
     stub = Path(coscrew.__file__).with_name("_steps.pyi").read_text()
-    source = ast.parse(inspect.getsource(calls.Functions) + stub)
+    source = ast.parse(inspect.getsource(callables.Functions) + stub)
     typed = {node.target.id for node in ast.walk(source) if isinstance(node, ast.AnnAssign)
              and isinstance(node.target, ast.Name)}
     scene = Path(__file__).parents[2] / "examples" / "scenes" / "pendulum.toml"

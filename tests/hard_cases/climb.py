@@ -17,8 +17,8 @@ from collections.abc import Iterator
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
-from coscrew_codegen.formats import PRECISIONS, Precision
-from coscrew_codegen.operations import Operation
+from coscrew_codegen.algebra.operations import Operation
+from coscrew_codegen.program.values.formats import PRECISIONS, Precision
 from tests.hard_cases.climb_case import parameters, parts, text_of
 from tests.hard_cases.corpus import TABLE, Case, load, save
 from tests.support.compiled.c_harness import INCLUDE

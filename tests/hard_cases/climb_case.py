@@ -10,11 +10,12 @@ import mpmath as mp
 import numpy as np
 import sympy as sp
 
-from coscrew_codegen.formats import PRECISIONS, Precision
-from coscrew_codegen.operations import Operation
-from coscrew_codegen.operations.operation import GRID, PER_PRECISION
+from coscrew_codegen.algebra.operations import Operation
+from coscrew_codegen.algebra.operations.operation import GRID, PER_PRECISION
+from coscrew_codegen.backends.c.c_operations import c_type, member
 from coscrew_codegen.program import Constant, Input, Op, Operand
-from coscrew_codegen.quantity import (
+from coscrew_codegen.program.values.formats import PRECISIONS, Precision
+from coscrew_codegen.program.values.quantity import (
     ANGLE,
     ANY,
     DISPLACEMENT,
@@ -30,7 +31,6 @@ from coscrew_codegen.quantity import (
     UNIT_VECTOR,
     Argument,
 )
-from coscrew_codegen.targets.c import c_type, member
 from tests.hard_cases.corpus import TABLE
 from tests.support.compiled.c_harness import call_of, distinct
 from tests.support.truth.attack import plain_program

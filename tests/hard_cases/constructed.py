@@ -9,10 +9,10 @@ from collections.abc import Callable, Iterator, Sequence
 import mpmath as mp
 import numpy as np
 
-from coscrew_codegen.exact import is_polynomial
-from coscrew_codegen.formats import DOUBLE, PRECISIONS, Precision
-from coscrew_codegen.operations import Operation
-from coscrew_codegen.quantity import FRACTION, ROTATION, TURN, UNIT_VECTOR, Argument
+from coscrew_codegen.algebra.exact import is_polynomial
+from coscrew_codegen.algebra.operations import Operation
+from coscrew_codegen.program.values.formats import DOUBLE, PRECISIONS, Precision
+from coscrew_codegen.program.values.quantity import FRACTION, ROTATION, TURN, UNIT_VECTOR, Argument
 from tests.hard_cases.corpus import TABLE, Case, load, save, size
 from tests.support.truth.attack import TIERED, exact_functions
 from tests.support.truth.motions import (

@@ -13,8 +13,8 @@ from pathlib import Path
 
 import numpy as np
 
-from coscrew_codegen.formats import PRECISIONS, Precision
-from coscrew_codegen.operations import FAMILIES, OPERATIONS, Operation
+from coscrew_codegen.algebra.operations import FAMILIES, OPERATIONS, Operation
+from coscrew_codegen.program.values.formats import PRECISIONS, Precision
 
 FOLDER = Path(__file__).parent
 TABLE = {op.name: op for op in OPERATIONS}

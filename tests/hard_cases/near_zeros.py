@@ -16,9 +16,9 @@ import mpmath
 import numpy as np
 
 import coscrew.accurate
-from coscrew_codegen.formats import PRECISIONS, Precision
-from coscrew_codegen.operations import OPERATIONS, Operation
+from coscrew_codegen.algebra.operations import OPERATIONS, Operation
 from coscrew_codegen.program.ops import ERROR_OF
+from coscrew_codegen.program.values.formats import PRECISIONS, Precision
 from tests.hard_cases.corpus import Case, load, save
 from tests.search import joined, split
 from tests.support.compiled.implementations import gufuncs, twin

@@ -16,15 +16,15 @@ import numpy as np
 import pytest
 from mpmath import mpf
 
-from coscrew_codegen.exact import is_polynomial
-from coscrew_codegen.formats import DOUBLE
-from coscrew_codegen.operations import Operation
+from coscrew_codegen.algebra.exact import is_polynomial
+from coscrew_codegen.algebra.lowering.programs import program_of
+from coscrew_codegen.algebra.operations import Operation
+from coscrew_codegen.algebra.recording.derivatives import adjoint, tangent
+from coscrew_codegen.algebra.recording.recorder import array
 from coscrew_codegen.program import Input, Instruction, Op, Program, Ref, differentiate
 from coscrew_codegen.program.differentiate import Dual
-from coscrew_codegen.programs import program_of
-from coscrew_codegen.recording.differentiate import adjoint, tangent
-from coscrew_codegen.recording.recorder import array
-from coscrew_codegen.report.inputs import benign
+from coscrew_codegen.program.values.formats import DOUBLE
+from coscrew_codegen.reports.kernels.inputs import benign
 from tests.support.each import each_operation
 from tests.support.scenes.evaluation import MULTIPRECISE as FIFTY
 from tests.support.scenes.evaluation import Numbers, evaluator, rational

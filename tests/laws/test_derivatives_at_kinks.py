@@ -13,13 +13,12 @@ import numpy as np
 import pytest
 from mpmath import mpf
 
-from coscrew_codegen.arrays.function import ArrayFunction
-from coscrew_codegen.arrays.standard import Library
-from coscrew_codegen.formats import DOUBLE
-from coscrew_codegen.operations import OPERATIONS, Operation
+from coscrew_codegen.algebra.lowering.programs import program_of, smooth_program
+from coscrew_codegen.algebra.operations import OPERATIONS, Operation
+from coscrew_codegen.algebra.recording.derivatives import adjoint, tangent
 from coscrew_codegen.program import Op
-from coscrew_codegen.programs import program_of, smooth_program
-from coscrew_codegen.quantity import (
+from coscrew_codegen.program.values.formats import DOUBLE
+from coscrew_codegen.program.values.quantity import (
     DISPLACEMENT,
     NEAR_ROTATION,
     NONZERO,
@@ -30,8 +29,9 @@ from coscrew_codegen.quantity import (
     UNIT_VECTOR,
     Argument,
 )
-from coscrew_codegen.recording.differentiate import adjoint, tangent
-from coscrew_codegen.report.inputs import benign
+from coscrew_codegen.reports.kernels.inputs import benign
+from coscrew_codegen.runtime.arrays.array_function import ArrayFunction
+from coscrew_codegen.runtime.arrays.standard import ArrayLibrary
 from tests.support.scenes.evaluation import evaluator, without_errors
 
 CLOSE = mpf(10)**-24
@@ -163,7 +163,7 @@ KINKED = tuple(op for op in OPERATIONS if op.name not in UNDEFINED and program_o
 @pytest.mark.parametrize("operation", KINKED, ids=lambda op: op.name)
 def test_gradients_are_numbers_wherever_results_are(operation: Operation) -> None:
     made = ArrayFunction(operation.name, program_of(operation), smooth_program(operation))
-    value, back = (x.printed(Library(np), DOUBLE) for x in (made, made.adjoint))
+    value, back = (x.printed(ArrayLibrary(np), DOUBLE) for x in (made, made.adjoint))
     with np.errstate(all="ignore"):
         for given in itertools.product(*map(special, operation.inputs)):
             if all(np.isfinite(y).all() for y in value(*given, lead=())):

@@ -14,14 +14,14 @@ import pytest
 from mpmath import mpf
 
 import coscrew
-from coscrew_codegen.arrays.function import ArrayFunction
-from coscrew_codegen.arrays.standard import Library
-from coscrew_codegen.formats import DOUBLE, Precision
-from coscrew_codegen.operations import OPERATIONS, Operation
+from coscrew_codegen.algebra.lowering.programs import program_of, smooth_program
+from coscrew_codegen.algebra.operations import OPERATIONS, Operation
 from coscrew_codegen.program import Op
-from coscrew_codegen.programs import program_of, smooth_program
-from coscrew_codegen.quantity import ANY, NEAR_ROTATION, NONZERO, ROTATION, Argument
-from coscrew_codegen.report.inputs import benign
+from coscrew_codegen.program.values.formats import DOUBLE, Precision
+from coscrew_codegen.program.values.quantity import ANY, NEAR_ROTATION, NONZERO, ROTATION, Argument
+from coscrew_codegen.reports.kernels.inputs import benign
+from coscrew_codegen.runtime.arrays.array_function import ArrayFunction
+from coscrew_codegen.runtime.arrays.standard import ArrayLibrary
 from tests.support.each import each_precision
 from tests.support.scenes.evaluation import evaluator, without_errors
 
@@ -126,7 +126,7 @@ def test_first_and_second_derivatives(operation: Operation, precision: Precision
 
     def values(of: ArrayFunction, *given: np.ndarray) -> list[float]:
         with np.errstate(all="ignore"):
-            found = of.printed(Library(np), precision)(*given, lead=())
+            found = of.printed(ArrayLibrary(np), precision)(*given, lead=())
         return [float(x) for y in found for x in np.ravel(y)]
 
     shapes = [shape for _, shape in made.inputs]

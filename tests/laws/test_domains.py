@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from coscrew_codegen.domains import LEAST_TURN, PI, hard, ordinary
-from coscrew_codegen.formats import PRECISIONS, Precision
-from coscrew_codegen.operations import OPERATIONS, Operation
-from coscrew_codegen.quantity import (
+from coscrew_codegen.algebra.domains import LEAST_TURN, PI, hard, ordinary
+from coscrew_codegen.algebra.operations import OPERATIONS, Operation
+from coscrew_codegen.program.values.formats import PRECISIONS, Precision
+from coscrew_codegen.program.values.quantity import (
     ANY,
     BODY,
     DISPLACEMENT,
@@ -33,7 +33,7 @@ from coscrew_codegen.quantity import (
     Argument,
     Domain,
 )
-from coscrew_codegen.report.inputs import benign, split
+from coscrew_codegen.reports.kernels.inputs import benign, split
 from tests.support.cases import for_all
 from tests.support.limits import LARGEST_ANGLE
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import coscrew
-from coscrew_codegen.formats import DOUBLE, PRECISIONS, Precision
-from coscrew_codegen.operations.exponential import FAR
+from coscrew_codegen.algebra.operations.exponential import FAR
+from coscrew_codegen.program.values.formats import DOUBLE, PRECISIONS, Precision
 from tests.hard_cases.corpus import TABLE
 from tests.support.each import each_precision
 from tests.support.motion_inputs import axes, motions_of

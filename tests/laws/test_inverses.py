@@ -13,7 +13,7 @@ import pytest
 
 import coscrew
 import coscrew.accurate
-from coscrew_codegen.formats import Precision
+from coscrew_codegen.program.values.formats import Precision
 from tests.support.each import each_precision
 
 REACH = {"double": Fraction(1, 2**700), "single": Fraction(1, 2**80)}

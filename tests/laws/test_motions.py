@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 import coscrew
-from coscrew_codegen.formats import DOUBLE, PRECISIONS, Precision
-from coscrew_codegen.operations import OPERATIONS, Operation
-from coscrew_codegen.operations.operation import Normwise
+from coscrew_codegen.algebra.operations import OPERATIONS, Operation
+from coscrew_codegen.algebra.operations.operation import Normwise
+from coscrew_codegen.program.values.formats import DOUBLE, PRECISIONS, Precision
 from tests.support.compiled.c_harness import COMPILERS, EXACT, call, harness
 from tests.support.domains import angle
 from tests.support.each import each_precision

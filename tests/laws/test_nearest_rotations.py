@@ -16,10 +16,10 @@ from mpmath import mpf
 
 import coscrew.accurate
 import coscrew.certified
-from coscrew_codegen.formats import Precision
-from coscrew_codegen.operations.nearest import BESIDE, NEAREST
-from coscrew_codegen.programs import library_program
-from coscrew_codegen.tiers.accurate import LARGEST
+from coscrew_codegen.accuracy.tiers.accurate import LARGEST
+from coscrew_codegen.algebra.lowering.programs import library_program
+from coscrew_codegen.algebra.operations.formulas.nearest import BESIDE, NEAREST
+from coscrew_codegen.program.values.formats import Precision
 from tests.support.each import each_precision
 from tests.support.truth.nearest import nearest, off_orthonormal
 

@@ -10,9 +10,9 @@ import pytest
 
 import coscrew
 import coscrew.accurate
-from coscrew_codegen.formats import DOUBLE, Precision
-from coscrew_codegen.operations import OPERATIONS, Operation
-from coscrew_codegen.tiers import tier_named
+from coscrew_codegen.accuracy.tiers import tier_named
+from coscrew_codegen.algebra.operations import OPERATIONS, Operation
+from coscrew_codegen.program.values.formats import DOUBLE, Precision
 from tests.support.compiled.c_harness import COMPILERS, EXACT, call, harness
 from tests.support.each import each_precision
 from tests.support.truth.attack import plain_program

@@ -8,9 +8,9 @@ from gmpy2 import mpq
 
 import coscrew
 import coscrew.accurate
-from coscrew_codegen.formats import Precision
-from coscrew_codegen.operations import OPERATIONS
-from coscrew_codegen.operations.symmetric import BACKWARD, FACTOR
+from coscrew_codegen.algebra.operations import OPERATIONS
+from coscrew_codegen.algebra.operations.symmetric import BACKWARD, FACTOR
+from coscrew_codegen.program.values.formats import Precision
 from tests.support.each import each_precision
 
 ROWS = 4000

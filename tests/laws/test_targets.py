@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import coscrew
-from coscrew_codegen.formats import Precision
+from coscrew_codegen.program.values.formats import Precision
 from tests.support.each import each_precision
 from tests.support.truth.motions import DIGITS, SE3_exp, ad, exponential_series, skew
 

@@ -8,9 +8,9 @@ import pinocchio as pin
 import pytest
 
 import coscrew
-from coscrew_codegen.effects import EFFECTS
+from coscrew_codegen.scene.effects import EFFECTS
 from coscrew_codegen.scene.functions import FUNCTIONS
-from coscrew_codegen.scene_files.keys import TYPES
+from coscrew_codegen.scene.readers.toml.keys import TYPES
 
 ROOT = Path(__file__).parents[2]
 GLOSSARY = (ROOT / "docs/glossary.md").read_text(encoding="utf-8").split("\nWords of our own")[0]

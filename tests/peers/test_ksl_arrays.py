@@ -11,7 +11,7 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from coscrew_codegen.formats import Precision
+from coscrew_codegen.program.values.formats import Precision
 from tests.support.compiled.c_harness import C11, COMPILERS, EXACT, INCLUDE, STRICT, run
 from tests.support.each import each_precision
 

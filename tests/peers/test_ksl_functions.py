@@ -16,9 +16,9 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from coscrew_codegen.formats import PRECISIONS, Precision
-from coscrew_codegen.operations.euler import BACKWARD
-from coscrew_codegen.targets.c_ksl import SEQUENCES
+from coscrew_codegen.algebra.operations.formulas.euler import BACKWARD
+from coscrew_codegen.backends.c.c_ksl import SEQUENCES
+from coscrew_codegen.program.values.formats import PRECISIONS, Precision
 from tests.support.compiled.c_harness import C11, COMPILERS, EXACT, INCLUDE, STRICT, run
 from tests.support.each import each_precision
 

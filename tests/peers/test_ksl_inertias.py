@@ -11,10 +11,10 @@ import pytest
 
 import coscrew
 import coscrew.accurate
-from coscrew_codegen.formats import Precision
-from coscrew_codegen.operations import OPERATIONS
-from coscrew_codegen.operations.inertia import MERGED
-from coscrew_codegen.operations.spatial_inertia import CONVERTED
+from coscrew_codegen.algebra.operations import OPERATIONS
+from coscrew_codegen.algebra.operations.inertia import MERGED
+from coscrew_codegen.algebra.operations.spatial_inertia import CONVERTED
+from coscrew_codegen.program.values.formats import Precision
 from tests.support.compiled.c_harness import C11, COMPILERS, EXACT, INCLUDE, STRICT, run
 from tests.support.each import each_precision
 from tests.support.truth import bodies

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.targets.c_ksl import REFUSED
+from coscrew_codegen.backends.c.c_ksl import REFUSED
 from tests.support.compiled.c_harness import C11, COMPILERS, DIALECTS, INCLUDE, STRICT, run
 from tests.support.compiled.ksl_interface import MACRO, Prototype, names, prototypes
 

@@ -11,7 +11,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from coscrew_codegen.formats import PRECISIONS, Precision
+from coscrew_codegen.program.values.formats import PRECISIONS, Precision
 from tests.support.cases import for_all
 from tests.support.compiled.c_harness import DIALECTS, EXACT, INCLUDE, STRICT, run
 from tests.support.each import each_precision

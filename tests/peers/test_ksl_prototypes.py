@@ -9,7 +9,7 @@ import re
 
 import pytest
 
-from coscrew_codegen.targets.c_ksl import REFUSED
+from coscrew_codegen.backends.c.c_ksl import REFUSED
 from tests.support.compiled.c_harness import C11, COMPILERS, CXX17, DIALECTS, INCLUDE, STRICT, run
 from tests.support.compiled.ksl_interface import MACRO, Prototype, prototypes
 from tests.support.each import each_compiler

@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 import mpmath as mp
 import numpy as np
 
-from coscrew_codegen.formats import DOUBLE, Precision
+from coscrew_codegen.program.values.formats import DOUBLE, Precision
 from tests.support.compiled.c_harness import C11, COMPILERS, INCLUDE, STRICT, run
 from tests.support.each import each_compiler, each_precision
 from tests.support.truth.motions import DIGITS, Matrix, conjugate, matrix_of, norm, product

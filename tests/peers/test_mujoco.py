@@ -17,8 +17,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from coscrew_codegen.simulate.load import Kernels
-from coscrew_codegen.simulate.system import system
+from coscrew_codegen.runtime.load import Kernels
+from coscrew_codegen.simulation.system import system
 from tests.references.figures import Figure
 from tests.support.scenes import runs
 from tests.support.scenes.selecting import checked

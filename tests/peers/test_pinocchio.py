@@ -8,9 +8,9 @@ import numpy as np
 import pinocchio as pin
 import pytest
 
-from coscrew_codegen.identifiers import identifiers
 from coscrew_codegen.program import Op
-from coscrew_codegen.scene_files.toml_scene import read_scene
+from coscrew_codegen.scene.identifiers import identifiers
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from tests.support.scenes import evaluation
 from tests.support.scenes.robots import Robot, model_of, paired, path_of, robot, scene_of
 

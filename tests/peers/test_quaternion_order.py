@@ -9,7 +9,7 @@ from scipy.spatial.transform import Rotation
 
 import coscrew
 from coscrew_codegen import load_scene
-from coscrew_codegen.simulate.system import system
+from coscrew_codegen.simulation.system import system
 from tests.support.compiled.c_harness import C11, INCLUDE, run
 from tests.support.scenes.selecting import STEPPED
 

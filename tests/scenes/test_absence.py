@@ -14,10 +14,10 @@ from pathlib import Path
 import mpmath
 import pytest
 
-from coscrew_codegen.mechanics import derive
-from coscrew_codegen.scene.model import Parameter
+from coscrew_codegen.dynamics import derive
+from coscrew_codegen.program.scene_functions import SceneFunctions
+from coscrew_codegen.scene.mechanism.model import Parameter
 from coscrew_codegen.scene.scene import Applied, Scene, Setting
-from coscrew_codegen.scene_functions import SceneFunctions
 from tests.support.scenes.effect_scenes import (
     PLACES,
     all_but,
@@ -61,7 +61,7 @@ while the other is present."""
 @pytest.mark.parametrize("names", LEFT_OUT, ids="-".join)
 def test_text_is_that_of_a_generator_without_the_effects(generator: Path,
                                                          names: tuple[str, ...]) -> None:
-    folder = generator / "coscrew_codegen" / "effects"
+    folder = generator / "coscrew_codegen/scene/effects"
     texts = {folder / f"{name}.py": (folder / f"{name}.py").read_bytes() for name in names}
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join((str(generator), str(ROOT)))}
     try:

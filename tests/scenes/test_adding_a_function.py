@@ -12,17 +12,24 @@ import mpmath
 import pytest
 
 from coscrew_codegen import run
-from coscrew_codegen.mechanics import derive
-from coscrew_codegen.mechanics.derivation import Derivation
-from coscrew_codegen.recording.numbers import dot
+from coscrew_codegen.algebra.recording.numbers import dot
+from coscrew_codegen.dynamics import derive
+from coscrew_codegen.dynamics.derivation import Derivation
 from coscrew_codegen.scene import functions
-from coscrew_codegen.scene.assembly import ModelError
 from coscrew_codegen.scene.effect import Effect, Place, Torque
-from coscrew_codegen.scene.function import Array, Depends, Of, Quantity, SceneFunction, Size
-from coscrew_codegen.scene.functions import jacobian
-from coscrew_codegen.scene.recorded import QuantityError, recorded
+from coscrew_codegen.scene.functions.bodies import jacobian
+from coscrew_codegen.scene.mechanism.assembly import ModelError
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
+from coscrew_codegen.scene.recorded_quantities import QuantityError, recorded
 from coscrew_codegen.scene.scene import Applied
-from coscrew_codegen.scene_files.toml_scene import read_scene
+from coscrew_codegen.scene.scene_function import (
+    Array,
+    AxisLength,
+    Depends,
+    Of,
+    SceneFunction,
+    SceneQuantity,
+)
 from tests.support.scenes import mechanisms as m
 from tests.support.walks import command, copied, run_in_copy, walk
 
@@ -156,7 +163,7 @@ def test_its_cost_is_measured_in_its_unit(site):
 
 def test_it_is_in_the_reference_and_the_stub(site):
     found = run_in_copy(site, (
-        "from coscrew_codegen.documentation import scenes as s\n"
+        "from coscrew_codegen.reports.reference import scene_pages as s\n"
         "print(s.functions_page('banner'), s.functions_stub('banner'))\n"))
     assert "| `center_of_mass` | `p` `q` | x = Σ m (R c + t) / Σ m, the centre" in found
     assert "| `center_of_mass` | 3 × m | 0 to 2 | `center_of_mass` |" in found
@@ -209,14 +216,19 @@ ONE = Array("y", (), ("1",))
 
 
 @pytest.mark.parametrize("words, said", (
-    ({"outputs": (Array("y", (Size.NV,), ("m", "m")),)}, "odd: y has 1 components and 2 units"),
+    ({"outputs": (Array("y", (AxisLength.NV,), ("m", "m")),)},
+     "odd: y has 1 components and 2 units"),
     ({"inputs": "q speed"}, "odd: no input 'speed'; wanted t, h, p, q"),
-    ({"inputs": "h q", "recorded": (Quantity("odd"),)}, "'odd' is recorded of it, but it takes h"),
-    ({"recorded": (Quantity("odd", places=((1,),)),)}, r"results \(1,\); wanted some of the 1"),
-    ({"recorded": (Quantity("odd", components=("a", "b")),)}, "with 2 names of its 1 components"),
-    ({"recorded": (Quantity("odd", Of.BODY),)}, "'odd' is recorded of it; wanted a quantity"),
-    ({"recorded": (Quantity("odd"),), "targets": jacobian.FUNCTION.targets}, "wanted a quant"),
-    ({"outputs": (Array("y", (Size.NV,), ("m",)),), "recorded": (Quantity("odd"),)},
+    ({"inputs": "h q", "recorded": (SceneQuantity("odd"),)},
+     "'odd' is recorded of it, but it takes h"),
+    ({"recorded": (SceneQuantity("odd", places=((1,),)),)},
+     r"results \(1,\); wanted some of the 1"),
+    ({"recorded": (SceneQuantity("odd", components=("a", "b")),)},
+     "with 2 names of its 1 components"),
+    ({"recorded": (SceneQuantity("odd", Of.BODY),)}, "'odd' is recorded of it; wanted a quantity"),
+    ({"recorded": (SceneQuantity("odd"),), "targets": jacobian.FUNCTION.targets},
+     "wanted a quantity of the scene"),
+    ({"outputs": (Array("y", (AxisLength.NV,), ("m",)),), "recorded": (SceneQuantity("odd"),)},
      "units of y depend on the scene")))
 def test_entries_that_cannot_be_are_refused(words, said):
     given = {"outputs": (ONE,), "inputs": "q", **words}
@@ -226,7 +238,7 @@ def test_entries_that_cannot_be_are_refused(words, said):
 
 def test_names_that_exclude_each_other_are_refused():
     first, second, third = (SceneFunction(name, 1, "y", "q", (ONE,), None, recorded=(
-        Quantity("odd"),)) for name in ("odd", "oddf", "Odd"))
+        SceneQuantity("odd"),)) for name in ("odd", "oddf", "Odd"))
     with pytest.raises(ValueError, match="'oddf', which is odd in single precision"):
         functions.refuse_names((first, second))
     with pytest.raises(ValueError, match="called 'Odd'; wanted a name as center_of_mass"):
@@ -244,7 +256,7 @@ def test_a_family_is_one_entry(monkeypatch, tmp_path):
     family = SceneFunction(
         "speed_BODY", 105, "s = |v|^2 of BODY", "q v",
         (Array("s", (), ("m^2/s^2",), "in m^2/s^2"),), compute, Depends.GEOMETRY,
-        recorded=(Quantity("speed", Of.BODY),), targets=jacobian.FUNCTION.targets)
+        recorded=(SceneQuantity("speed", Of.BODY),), targets=jacobian.FUNCTION.targets)
     monkeypatch.setattr(functions, "FUNCTIONS", (*functions.FUNCTIONS, family))
     monkeypatch.setitem(functions.QUANTITIES, "speed", (family, family.recorded[0]))
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
@@ -264,11 +276,12 @@ def test_a_function_may_take_nothing(tmp_path):
     """The mass of a scene: a number without inputs, in C and in generated Python."""
     package = copied(tmp_path)
     (package / "scene/functions/total_mass.py").write_text(
-        "from coscrew_codegen.scene.function import Array, Quantity, SceneFunction\n"
+        "from coscrew_codegen.scene.scene_function import Array, SceneFunction, SceneQuantity\n"
         "FUNCTION = SceneFunction(\n"
         "    'total_mass', 86, 'm = Σ m', '', (Array('m', (), ('kg',), 'in kg'),),\n"
         "    lambda x: [[sum((x.number(y.inertia.mass) for y in x.scene.model.bodies\n"
-        "                     if y.inertia), x.number(0))]], recorded=(Quantity('total_mass'),))\n")
+        "                     if y.inertia), x.number(0))]],\n"
+        "    recorded=(SceneQuantity('total_mass'),))\n")
     (tmp_path / "cart.toml").write_text(SCENE.replace('runtime = ["load.mass"]', "").replace(
         '"center_of_mass", "q"', '"total_mass"').partition("[expect")[0])
     done = command(tmp_path, "generate", "cart.toml", "-o", "out", "--many")

@@ -9,15 +9,15 @@ import pytest
 
 import coscrew
 from coscrew_codegen import load_scene
-from coscrew_codegen.formats import SINGLE
-from coscrew_codegen.simulate.advice import remedy
-from coscrew_codegen.simulate.alarm import Alarm
-from coscrew_codegen.simulate.allowed import ALLOWED
-from coscrew_codegen.simulate.load import Kernels
-from coscrew_codegen.simulate.motion_error import Extent, Parts
-from coscrew_codegen.simulate.plan import plan
-from coscrew_codegen.simulate.run import integrate
-from coscrew_codegen.simulate.system import System, system
+from coscrew_codegen.program.values.formats import SINGLE
+from coscrew_codegen.runtime.load import Kernels
+from coscrew_codegen.simulation.check.divergence_monitor import Alarm
+from coscrew_codegen.simulation.check.error_limits import ALLOWED
+from coscrew_codegen.simulation.check.motion_error import Extent, StateParts
+from coscrew_codegen.simulation.check.step_advice import remedy
+from coscrew_codegen.simulation.plan import plan
+from coscrew_codegen.simulation.run import integrate
+from coscrew_codegen.simulation.system import System, system
 
 BASE = """
 runtime = ["actuator.j1.kp"]
@@ -145,8 +145,8 @@ def test_what_floats_keeps_its_centre_of_mass_on_a_parabola_to_rounding(loaded):
         q, v = its.start()
         v[:6] = 1, 2, -1, 3, 1, 2
         run = integrate(its, plan(its, until=20.0), start=(q, v))
-        x = Parts(its).places(run.q)[1]
-        speed = Parts(its).velocities(run.q, run.v)[1]
+        x = StateParts(its).places(run.q)[1]
+        speed = StateParts(its).velocities(run.q, run.v)[1]
         path = x[0] + speed[0] * run.t[:, None]
         assert np.max(np.abs(x - path)) <= 64 * u * np.max(np.abs(path))
         assert np.max(np.abs(speed - speed[0])) <= 64 * u * np.max(np.abs(speed))
@@ -281,21 +281,21 @@ def test_distances_of_rotations_are_angles(loaded):
     q = np.stack([its.start()[0]] * 2)
     for angle in (1e-9, 0.1, 3.0):
         q[1, 3:7] = 0, np.sin(angle / 2), 0, -np.cos(angle / 2)
-        a, b = (Parts(its).places(x) for x in q)
-        assert Parts(its).distances(a, b)[0] == pytest.approx(angle, rel=1e-6)
+        a, b = (StateParts(its).places(x) for x in q)
+        assert StateParts(its).distances(a, b)[0] == pytest.approx(angle, rel=1e-6)
 
 
 def test_sizes_do_not_grow_along_the_line_of_start(loaded):
     its = loaded(BASE)
     q, v = its.start()
     v[0] = 300.0
-    extent = Extent.since(Parts(its), its.precision, 1e-3, q, v)
+    extent = Extent.since(StateParts(its), its.precision, 1e-3, q, v)
     moved = q.copy()
     moved[0] += 300.0
-    extent.add(1.0, Parts(its).places(moved))
+    extent.add(1.0, StateParts(its).places(moved))
     assert extent.sizes == pytest.approx([1e-3] * 5, abs=1e-9)  # rest
     assert replace(extent, way=np.ones(5), off=np.ones(5)).sizes == pytest.approx(1.0)
-    single = Extent.since(Parts(its), SINGLE, 1e-3, q, v)
-    single.add(1.0, Parts(its).places(moved))
+    single = Extent.since(StateParts(its), SINGLE, 1e-3, q, v)
+    single.add(1.0, StateParts(its).places(moved))
     rounded = 1000 * 2**-24 * 300 / ALLOWED  # of a thousand steps
     assert single.sizes == pytest.approx([1e-3, rounded, 1e-3, 1e-3, 1e-3], abs=1e-9)

@@ -4,9 +4,9 @@ from pathlib import Path
 
 import pytest
 
-from coscrew_codegen.scene.recorded import QuantityError, recorded
-from coscrew_codegen.scene_files.errors import SceneError
-from coscrew_codegen.scene_files.toml_scene import read_scene
+from coscrew_codegen.scene.readers.scene_error import SceneError
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
+from coscrew_codegen.scene.recorded_quantities import QuantityError, recorded
 
 BESIDE = """
 [bodies]

@@ -17,13 +17,13 @@ import numpy as np
 import pytest
 
 import coscrew
-from coscrew_codegen.arrays.function import ArrayFunction
-from coscrew_codegen.arrays.namespace import Arrays, of_scene
-from coscrew_codegen.arrays.standard import Library
-from coscrew_codegen.formats import DOUBLE, Precision
-from coscrew_codegen.recording.differentiate import tangent
-from coscrew_codegen.simulate import native
-from coscrew_codegen.simulate.load import Kernels, kernels_of, opened
+from coscrew_codegen.algebra.recording.derivatives import tangent
+from coscrew_codegen.program.values.formats import DOUBLE, Precision
+from coscrew_codegen.runtime import compilation
+from coscrew_codegen.runtime.arrays.array_function import ArrayFunction
+from coscrew_codegen.runtime.arrays.namespace import Arrays, of_scene
+from coscrew_codegen.runtime.arrays.standard import ArrayLibrary
+from coscrew_codegen.runtime.load import Kernels, kernels_of, opened
 from tests.support.each import each_precision
 from tests.support.scenes import scene_bits
 from tests.support.scenes.evaluation import MULTIPRECISE, evaluator
@@ -116,7 +116,7 @@ def adjoint_of(name: str, arguments: Sequence[np.ndarray]) -> list[np.ndarray]:
     made = ArrayFunction(name, kernels().functions.named(name).program)
     weights = np.ones((STATES, *made.shapes[0]))
     with np.errstate(all="ignore"):
-        return made.adjoint.printed(Library(np), DOUBLE)(*arguments, weights, lead=(STATES,))
+        return made.adjoint.printed(ArrayLibrary(np), DOUBLE)(*arguments, weights, lead=(STATES,))
 
 
 def test_jacobians_by_both_modes_and_batches() -> None:
@@ -166,9 +166,9 @@ def test_bits_by_the_standard() -> None:
 def test_without_a_compiler_xla_computes(monkeypatch: pytest.MonkeyPatch) -> None:
     """To the last digits."""
     def fails(*_: object) -> None:
-        raise native.CompilationError("none here")
+        raise compilation.CompilationError("none here")
 
-    monkeypatch.setattr(native, "library", fails)
+    monkeypatch.setattr(compilation, "library", fails)
     arguments = given("energy")
     found = of_scene(jnp, kernels().interface, lambda: kernels().functions, {}, opened,
                      kernels())

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 from coscrew_codegen import load_scene
-from coscrew_codegen.mechanics import derive
-from coscrew_codegen.scene.model import value
-from coscrew_codegen.scene_files.errors import SceneError
-from coscrew_codegen.scene_files.toml_scene import read_scene
-from coscrew_codegen.simulate.api import run
+from coscrew_codegen.dynamics import derive
+from coscrew_codegen.scene.mechanism.model import value
+from coscrew_codegen.scene.readers.scene_error import SceneError
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
+from coscrew_codegen.simulation.api import run
 
 ARM = """<robot name="arm"><link name="base"/>
 <link name="upper"><inertial><origin xyz="0 0 0.2"/><mass value="2"/><inertia ixx="0.1" iyy="0.1"

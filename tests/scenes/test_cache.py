@@ -13,12 +13,11 @@ import numpy as np
 import pytest
 
 import coscrew_codegen
-from coscrew_codegen import mechanics
+from coscrew_codegen import dynamics
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.native import cache, sources
-from coscrew_codegen.scene_files.toml_scene import read_scene
-from coscrew_codegen.simulate import calls, native
-from coscrew_codegen.simulate.load import kernels_for, key_of
+from coscrew_codegen.runtime import cache, callables, compilation, sources
+from coscrew_codegen.runtime.load import kernels_for, key_of
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from tests.support.walks import copied
 
 ROOT = Path(__file__).parents[2]
@@ -62,8 +61,8 @@ def filled(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, np.ndarray]:
 @pytest.fixture
 def derived(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     """A list that gets an entry for each derivation."""
-    found, derive = [], mechanics.derive
-    monkeypatch.setattr(mechanics, "derive", lambda scene, *others: (
+    found, derive = [], dynamics.derive
+    monkeypatch.setattr(dynamics, "derive", lambda scene, *others: (
         found.append(scene.name), derive(scene, *others))[1])
     return found
 
@@ -75,7 +74,7 @@ def energy(path: Path, **others: object) -> np.ndarray:
 def test_the_second_time_nothing_is_derived_or_compiled(path: Path, derived: list, monkeypatch):
     first = coscrew_codegen.load_scene(path)
     assert derived == ["swing"]
-    monkeypatch.setattr(native, "_run", lambda *words: pytest.fail("compiled again"))
+    monkeypatch.setattr(compilation, "_run", lambda *words: pytest.fail("compiled again"))
     again = coscrew_codegen.load_scene(path)
     assert derived == ["swing"]
     assert np.allclose(again.double.energy(*STATE), ENERGY, rtol=1e-15, atol=0)
@@ -98,18 +97,18 @@ def test_functions_precisions_flags_and_compilers_miss(path: Path, derived: list
     energy(path, functions=["energy"])
     energy(path, precision="double")
     kernels_for(read_scene(path), precisions=("double",))
-    monkeypatch.setattr(native, "_FLAGS", (*native._FLAGS, "-DANOTHER"))
-    native._compiler.cache_clear()
+    monkeypatch.setattr(compilation, "_FLAGS", (*compilation._FLAGS, "-DANOTHER"))
+    compilation._compiler.cache_clear()
     energy(path)
     other = shutil.which("gcc")
-    if other and native.compiler().command != ("gcc",):
+    if other and compilation.compiler().command != ("gcc",):
         monkeypatch.setenv("CC", "gcc")
         energy(path)
     count = len(derived)
     assert count >= 5
     energy(path)
     assert len(derived) == count
-    native._compiler.cache_clear()
+    compilation._compiler.cache_clear()
 
 
 @pytest.fixture
@@ -122,7 +121,7 @@ def changed(tmp_path: Path, path: Path, monkeypatch: pytest.MonkeyPatch
 
     def key() -> str:
         sources._current.cache_clear()
-        return key_of(scene, (), ("double",), native.Compiler(("cc",), "1", ()))
+        return key_of(scene, (), ("double",), compilation.Compiler(("cc",), "1", ()))
 
     def change(source: str, old: str, new: str) -> bool:
         file = copy / source
@@ -143,18 +142,18 @@ def test_a_scene_is_derived_again_if_what_it_depends_on_changes(changed):
     """The effects that it has, the mechanics, templates; not by comments, docstrings, effects that
     it does not have, nor by what others print."""
     for source, old, new in (
-            ("effects/gravity.py", "EFFECT = ", "X = 1\nEFFECT = "),
-            ("mechanics/forward.py", "\n\n\ndef ", "\n\n\nX = 1\n\n\ndef "),
-            ("operations/coscrew.py", "FAMILY = ", "X = 1\nFAMILY = "),
-            ("simulate/load.py", "BOTH = ", "X = 1\nBOTH = "),
+            ("scene/effects/gravity.py", "EFFECT = ", "X = 1\nEFFECT = "),
+            ("dynamics/algorithms/forward.py", "\n\n\ndef ", "\n\n\nX = 1\n\n\ndef "),
+            ("algebra/operations/coscrew.py", "FAMILY = ", "X = 1\nFAMILY = "),
+            ("runtime/load.py", "BOTH = ", "X = 1\nBOTH = "),
             ("templates/scene/scene.c.jinja", "#include <", "#include  <")):
         assert changed(source, old, new), source
     for source, old, new in (
-            ("effects/gravity.py", "EFFECT = ", "# A comment.\nEFFECT = "),
-            ("effects/gravity.py", '"""', '"""On Earth: '),
-            ("mechanics/forward.py", '    """', '    """Here: '),
-            ("effects/viscous.py", '-(values["d"]', '-(2 * values["d"]'),
-            ("cost/page.py", "\n\n\ndef ", "\n\n\nX = 1\n\n\ndef "),
+            ("scene/effects/gravity.py", "EFFECT = ", "# A comment.\nEFFECT = "),
+            ("scene/effects/gravity.py", '"""', '"""On Earth: '),
+            ("dynamics/algorithms/forward.py", '    """', '    """Here: '),
+            ("scene/effects/viscous.py", '-(values["d"]', '-(2 * values["d"]'),
+            ("reports/cost/figures/cost_page.py", "\n\n\ndef ", "\n\n\nX = 1\n\n\ndef "),
             ("templates/view/page.html.jinja", "<body>", "<body >")):
         assert not changed(source, old, new), source
 
@@ -260,7 +259,7 @@ def test_the_command_shows_and_empties(path: Path, folder: Path, capsys):
     assert main(["cache"]) == 0
     assert "entries  0\nsize     0 bytes\nlimit    1 GB" in capsys.readouterr().out
     assert not folder.exists()
-    calls._checks.cache_clear()
+    callables._checks.cache_clear()
     energy(path)
     assert main(["cache"]) == 0
     shown = capsys.readouterr().out
@@ -275,7 +274,7 @@ def test_entries_that_cannot_be_removed_are_told(path: Path, folder: Path, capsy
     def refused(path: Path) -> None:
         raise PermissionError(13, "Permission denied", str(path))
 
-    calls._checks.cache_clear()
+    callables._checks.cache_clear()
     energy(path)
     monkeypatch.setattr(Path, "unlink", refused)
     assert main(["cache", "--clear"]) == 1
@@ -290,7 +289,7 @@ def test_what_is_found_imports_neither_sympy_nor_scipy(path: Path):
                f"status = main(['simulate', {str(path)!r}, '--until', '0.01', '--output',\n"
                f"               {str(path.with_suffix('.csv'))!r}])\n"
                "heavy = {'sympy', 'scipy', 'matplotlib', 'jinja2', 'coscrew',\n"
-               "         'coscrew_codegen.mechanics'}\n"
+               "         'coscrew_codegen.dynamics'}\n"
                "print(status, sorted(heavy & set(sys.modules)))")
     for wanted in (None, "0 []"):
         done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True,

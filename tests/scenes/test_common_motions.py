@@ -11,9 +11,9 @@ import pytest
 
 from coscrew_codegen import load_scene
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.scene import unresisted
-from coscrew_codegen.scene.possible import why_singular
-from coscrew_codegen.scene_files.toml_scene import SceneOverrides, read_scene
+from coscrew_codegen.scene.mechanism import unresisted
+from coscrew_codegen.scene.mechanism.inertia_checks import why_singular
+from coscrew_codegen.scene.readers.toml.toml_scene import SceneOverrides, read_scene
 
 HEAVY = ('<inertial><origin xyz="0.1 0.2 0.3"/><mass value="1"/><inertia ixx="0.1" iyy="0.2" '
          'izz="0.15" ixy="0.01" ixz="0" iyz="0"/></inertial>')

@@ -8,9 +8,9 @@ import pytest
 from mpmath import mpf
 
 from coscrew_codegen import load_scene
-from coscrew_codegen.formats import DOUBLE, Precision
-from coscrew_codegen.integrators import EMITTED, named
-from coscrew_codegen.scene.model import HERE, Kind
+from coscrew_codegen.program.values.formats import DOUBLE, Precision
+from coscrew_codegen.scene.integrators import EMITTED, named
+from coscrew_codegen.scene.mechanism.model import HERE, Kind
 from tests.support.each import each_precision
 from tests.support.scenes.evaluation import MULTIPRECISE, Evaluated
 from tests.support.scenes.mechanisms import Z, chain, inertia, scene

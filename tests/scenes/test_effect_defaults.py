@@ -5,8 +5,8 @@ from fractions import Fraction
 
 import pytest
 
-from coscrew_codegen.effects import EFFECTS
-from coscrew_codegen.scene_files.toml_scene import read_scene
+from coscrew_codegen.scene.effects import EFFECTS
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 
 DEFAULTS = {"gear": 1, "g": (0, 0, Fraction(-981, 100))}  # others are 0
 GIVEN = [(effect.name, parameter) for effect in EFFECTS for parameter in effect.parameters

@@ -4,10 +4,10 @@ from dataclasses import replace
 
 import pytest
 
-from coscrew_codegen.effects import EFFECTS
 from coscrew_codegen.scene.effect import Place
-from coscrew_codegen.scene_files.errors import SceneError
-from coscrew_codegen.scene_files.toml_scene import read_scene
+from coscrew_codegen.scene.effects import EFFECTS
+from coscrew_codegen.scene.readers.scene_error import SceneError
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from tests.support.scenes.effect_scenes import assert_listed
 from tests.support.scenes.evaluation import MULTIPRECISE, Evaluated
 

@@ -12,7 +12,7 @@ import pytest
 
 from coscrew_codegen import load_scene, run
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.scene_files.toml_scene import read_scene
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from tests.support.compiled.c_harness import STRICT
 from tests.support.compiled.c_harness import run as run_program
 

@@ -8,16 +8,25 @@ from itertools import accumulate
 import mpmath
 import pytest
 
-from coscrew_codegen.mechanics import derive
+from coscrew_codegen.algebra.recording.numbers import add
+from coscrew_codegen.algebra.recording.recorder import Recorder
+from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program import Constant
-from coscrew_codegen.recording.numbers import add
-from coscrew_codegen.recording.recorder import Recorder
-from coscrew_codegen.scene import rotations
-from coscrew_codegen.scene.lumped import lumped_inertia
-from coscrew_codegen.scene.model import HERE, WORLD, Body, Inertia, Joint, Kind, Model, Placement
-from coscrew_codegen.scene.rotations import SNAP
+from coscrew_codegen.scene.mechanism import rotations
+from coscrew_codegen.scene.mechanism.lumped import lumped_inertia
+from coscrew_codegen.scene.mechanism.model import (
+    HERE,
+    WORLD,
+    Body,
+    Inertia,
+    Joint,
+    Kind,
+    Model,
+    Placement,
+)
+from coscrew_codegen.scene.mechanism.rotations import SNAP
+from coscrew_codegen.scene.mechanism.tree import PlacedBody, composed, tree_of
 from coscrew_codegen.scene.scene import Scene
-from coscrew_codegen.scene.tree import PlacedBody, composed, tree_of
 from tests.support.cases import for_all
 
 LONG = 300

@@ -6,9 +6,9 @@ import os
 import pytest
 
 from coscrew_codegen import load_scene
-from coscrew_codegen.scene_files.errors import SceneError
-from coscrew_codegen.scene_files.toml_scene import read_scene
-from coscrew_codegen.scene_files.urdf import read_urdf
+from coscrew_codegen.scene.readers.scene_error import SceneError
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
+from coscrew_codegen.scene.readers.urdf.urdf import read_urdf
 from tests.support.scenes.example_effects import CATALOGUE
 from tests.support.scenes.reading import ARM
 

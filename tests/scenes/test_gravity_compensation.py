@@ -12,10 +12,10 @@ from mpmath import mpf
 
 from coscrew_codegen import run
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.integrators import NAMES
+from coscrew_codegen.scene.integrators import NAMES
+from coscrew_codegen.scene.readers.scene_error import SceneError
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.scene.scene import Applied
-from coscrew_codegen.scene_files.errors import SceneError
-from coscrew_codegen.scene_files.toml_scene import read_scene
 from tests.support.scenes.effect_laws import assert_same, multiprecise
 from tests.support.scenes.effect_scenes import mechanism
 from tests.support.scenes.mechanisms import Formula, applied, chain_of_three, gravity, rotor

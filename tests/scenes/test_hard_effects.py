@@ -7,7 +7,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from coscrew_codegen.scene.model import HERE, Body, Joint, Kind, Model
+from coscrew_codegen.scene.mechanism.model import HERE, Body, Joint, Kind, Model
 from coscrew_codegen.scene.scene import Applied
 from tests.support.scenes.mechanisms import (
     X,

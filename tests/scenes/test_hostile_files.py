@@ -6,8 +6,8 @@ import resource
 import pytest
 
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.scene_files.errors import SceneError
-from coscrew_codegen.scene_files.toml_scene import read_scene
+from coscrew_codegen.scene.readers.scene_error import SceneError
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from tests.support.scenes.example_effects import CATALOGUE
 from tests.support.scenes.reading import ARM, MODEL
 

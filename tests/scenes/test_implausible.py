@@ -7,10 +7,10 @@ import pytest
 
 from coscrew_codegen import load_scene
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.mechanics import derive
-from coscrew_codegen.scene.possible import why_singular
-from coscrew_codegen.scene_files.errors import SceneError
-from coscrew_codegen.scene_files.toml_scene import SceneOverrides, read_scene
+from coscrew_codegen.dynamics import derive
+from coscrew_codegen.scene.mechanism.inertia_checks import why_singular
+from coscrew_codegen.scene.readers.scene_error import SceneError
+from coscrew_codegen.scene.readers.toml.toml_scene import SceneOverrides, read_scene
 from tests.support.scenes.evaluation import DOUBLE, evaluator
 from tests.support.scenes.implausible import BODIES, robot
 from tests.support.scenes.robots import path_of

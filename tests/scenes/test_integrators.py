@@ -13,13 +13,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from coscrew_codegen import integrators
-from coscrew_codegen.integrator import Composition, Drift, Integrator, Kick, Tableau, tableau
-from coscrew_codegen.integrators import EMITTED, INTEGRATORS, NAMES, named
-from coscrew_codegen.mechanics.steps import stepped
+from coscrew_codegen.dynamics.integrator_steps import stepped
 from coscrew_codegen.program.interpreter import by_operation, evaluate, exactly
-from coscrew_codegen.scene_functions import Call, SceneFunctions, Step
-from coscrew_codegen.simulate.load import kernels_of
+from coscrew_codegen.program.scene_functions import Call, IntegratorStep, SceneFunctions
+from coscrew_codegen.runtime.load import kernels_of
+from coscrew_codegen.scene import integrators
+from coscrew_codegen.scene.integrator import Composition, Drift, Integrator, Kick, Tableau, tableau
+from coscrew_codegen.scene.integrators import EMITTED, INTEGRATORS, NAMES, named
 from tests.support.operators import operators
 from tests.support.scenes.generated_scenes import CASES, files, imported, robot
 from tests.support.walks import copied, walk
@@ -118,7 +118,7 @@ def test_what_a_scene_cannot_take_is_refused():
 
 # steps as calls, in exact rationals
 
-def ran(scene: SceneFunctions, step: Step, state: dict[str, list]) -> tuple[list, list]:
+def ran(scene: SceneFunctions, step: IntegratorStep, state: dict[str, list]) -> tuple[list, list]:
     """q and v after the calls of a step, in the numbers of `state`."""
     arithmetic = by_operation(lambda x: x.double, exactly(np))
     known = {**state, **{x: [Fraction(0)] * scene.nv for x in step.zeros}}

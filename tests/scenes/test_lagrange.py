@@ -8,7 +8,15 @@ from random import Random
 import numpy as np
 import pytest
 
-from coscrew_codegen.scene.model import Body, Inertia, Joint, Kind, Mimic, Model, Placement
+from coscrew_codegen.scene.mechanism.model import (
+    Body,
+    Inertia,
+    Joint,
+    Kind,
+    Mimic,
+    Model,
+    Placement,
+)
 from tests.support.scenes.evaluation import Evaluated, rational
 from tests.support.scenes.mechanisms import applied, ball, free_body, gravity, inertia, scene
 from tests.support.truth.exact import Sample, array, rotation_of, skew

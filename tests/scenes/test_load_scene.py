@@ -15,8 +15,8 @@ import numpy as np
 import pytest
 
 import coscrew_codegen
-from coscrew_codegen.simulate import native
-from coscrew_codegen.simulate.load import Kernels, kernels_of
+from coscrew_codegen.runtime import compilation
+from coscrew_codegen.runtime.load import Kernels, kernels_of
 from tests.support.compiled.c_harness import COMPILERS
 from tests.support.scenes import scene_texts as texts
 from tests.support.scenes.generated_scenes import ARGUMENTS, pendulum, slider
@@ -104,18 +104,18 @@ def test_other_compilers_make_libraries_of_their_own(cache: Path, monkeypatch):
 
 def test_other_flags_and_processors_make_libraries_of_their_own(monkeypatch):
     def key(**changed: object) -> str:
-        return native._key({}, {}, replace(using, **changed))
+        return compilation._key({}, {}, replace(using, **changed))
 
-    using = native.compiler()
+    using = compilation.compiler()
     assert key() == key()
     keys = {key(), key(flags=("-O0",)), key(version="another"), key(command=("another",))}
-    monkeypatch.setattr(native, "_processor", lambda: "another")
+    monkeypatch.setattr(compilation, "_processor", lambda: "another")
     assert len(keys | {key()}) == 5
 
 
 LOADING = """
 import os, sys
-from coscrew_codegen.simulate.load import kernels_of
+from coscrew_codegen.runtime.load import kernels_of
 from tests.support.scenes.generated_scenes import ARGUMENTS, slider
 
 for base in sys.argv[1:]:
@@ -332,7 +332,7 @@ def test_threads_may_call_at_once(compiled: Kernels):
 
 
 def test_processes_may_fill_the_cache_at_once(cache: Path):
-    program = ("from coscrew_codegen.simulate.load import kernels_of\n"
+    program = ("from coscrew_codegen.runtime.load import kernels_of\n"
                "from tests.support.scenes.generated_scenes import pendulum\n"
                "assert kernels_of(pendulum()).compiled")
     running = [subprocess.Popen([sys.executable, "-W", "error", "-c", program],
@@ -365,7 +365,7 @@ def test_importing_the_package_loads_nothing_heavy():
 def test_the_nearest_compiler_is_preferred(monkeypatch):
     monkeypatch.delenv("CC", raising=False)
     wanted = next(x for x in ("clang", "gcc", "cc") if shutil.which(x))
-    assert native.compiler().command == (wanted,)
+    assert compilation.compiler().command == (wanted,)
     monkeypatch.setenv("PATH", "")
-    with pytest.raises(native.CompilationError, match="clang, gcc, cc cannot be run"):
-        native.compiler()
+    with pytest.raises(compilation.CompilationError, match="clang, gcc, cc cannot be run"):
+        compilation.compiler()

@@ -11,8 +11,8 @@ from gmpy2 import mpfr
 from coscrew_codegen.program import Program
 from coscrew_codegen.program.interpreter import interpreter
 from coscrew_codegen.program.multiprecise import MULTIPRECISE, precise
-from coscrew_codegen.scene_files.toml_scene import read_scene
-from coscrew_codegen.simulate.load import Kernels, kernels_for
+from coscrew_codegen.runtime.load import Kernels, kernels_for
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from tests.support.limits import LARGEST_CONDITION
 from tests.support.scenes.tiers import components
 from tests.support.truth.condition import conditions

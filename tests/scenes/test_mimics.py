@@ -5,9 +5,9 @@ from fractions import Fraction as F
 
 import pytest
 
-from coscrew_codegen.scene.assembly import ModelError
-from coscrew_codegen.scene.mimics import without_chains, wrong_mimics
-from coscrew_codegen.scene.model import Body, Joint, Kind, Mimic, Model
+from coscrew_codegen.scene.mechanism.assembly import ModelError
+from coscrew_codegen.scene.mechanism.mimics import without_chains, wrong_mimics
+from coscrew_codegen.scene.mechanism.model import Body, Joint, Kind, Mimic, Model
 from tests.support.work import calls_of
 
 

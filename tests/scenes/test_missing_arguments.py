@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 
 import coscrew_codegen
-from coscrew_codegen import load_scene, sweep
-from coscrew_codegen.simulate.load import Kernels
+from coscrew_codegen import load_scene
+from coscrew_codegen.runtime.load import Kernels
+from coscrew_codegen.simulation import sweep
 from tests.support.scenes.simulated import scene_file
 
 TEXT = """

@@ -8,12 +8,12 @@ from fractions import Fraction
 
 import pytest
 
-from coscrew_codegen.formats import DOUBLE
+from coscrew_codegen.backends.c.c_nested import declarations, language, summed_products
+from coscrew_codegen.backends.nesting import NestingPlan, planned
+from coscrew_codegen.backends.scene.scene_text import access
 from coscrew_codegen.program import Constant, Input, Op, Operand, Program
 from coscrew_codegen.program.interpreter import by_operation, evaluate, exactly
-from coscrew_codegen.targets.c_nested import declarations, language, summed_products
-from coscrew_codegen.targets.nesting import Plan, planned
-from coscrew_codegen.targets.scene_text import access
+from coscrew_codegen.program.values.formats import DOUBLE
 from tests.support.scenes.generated_scenes import Writer, argument
 
 ARITHMETIC = {Op.ADD: 2, Op.SUB: 2, Op.MUL: 2, Op.DIV: 2, Op.NEG: 1}
@@ -51,11 +51,11 @@ def drawn(seed: int, steps: int = 300) -> Program:
     return w.function("f", "numbers", (argument("y", 4),), pool[-4:]).program
 
 
-def nested(program: Program, width: int) -> Plan:
+def nested(program: Program, width: int) -> NestingPlan:
     return planned(program, language(program, DOUBLE), access(program), width)
 
 
-def shown(plan: Plan) -> tuple[str, list[str]]:
+def shown(plan: NestingPlan) -> tuple[str, list[str]]:
     """Declarations, results."""
     found = plan.printed(language(plan.program, DOUBLE), access(plan.program), {})
     return "\n".join(declarations(found.assigned, DOUBLE, 98)), found.results

@@ -4,10 +4,10 @@ import re
 
 import pytest
 
-from coscrew_codegen.effects import EFFECTS
 from coscrew_codegen.scene.content import content_hash, motion_hash
-from coscrew_codegen.scene.notices import SUBJECTS, Notice, by_importance, summary
-from coscrew_codegen.scene_files.toml_scene import read_scene
+from coscrew_codegen.scene.effects import EFFECTS
+from coscrew_codegen.scene.mechanism.notices import SUBJECTS, Notice, by_importance, summary
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 
 
 def chain(joints, extra=""):

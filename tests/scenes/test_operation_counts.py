@@ -12,11 +12,11 @@ from pathlib import Path
 
 import pytest
 
-from coscrew_codegen.mechanics import derive
+from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program import Op, Program
-from coscrew_codegen.scene.model import Kind
+from coscrew_codegen.scene.mechanism.model import Kind
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.scene.scene import Scene
-from coscrew_codegen.scene_files.toml_scene import read_scene
 from tests.support.scenes import robots
 
 FILE = Path(__file__).with_suffix(".csv")

@@ -7,12 +7,12 @@ import pytest
 from coscrew_codegen import Controller, load_scene, run
 from coscrew_codegen.__main__ import main
 from coscrew_codegen.scene.patterns import PatternError, expanded, matching
+from coscrew_codegen.scene.readers.scene_error import SceneError
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.scene.recordable import components, quantities_of, recordable
-from coscrew_codegen.scene.recorded import QuantityError, recorded
-from coscrew_codegen.scene_files.errors import SceneError
-from coscrew_codegen.scene_files.toml_scene import read_scene
-from coscrew_codegen.simulate import SimulateError
-from coscrew_codegen.simulate.control import set_by
+from coscrew_codegen.scene.recorded_quantities import QuantityError, recorded
+from coscrew_codegen.simulation import SimulateError
+from coscrew_codegen.simulation.control import set_by
 
 HEAD = """
 runtime = RUNTIME

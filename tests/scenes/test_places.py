@@ -4,10 +4,10 @@ parameter."""
 
 import pytest
 
-from coscrew_codegen.effects import EFFECTS
 from coscrew_codegen.scene.effect import Effect, ParameterOf, Place
-from coscrew_codegen.scene_files.errors import SceneError
-from coscrew_codegen.scene_files.toml_scene import read_scene
+from coscrew_codegen.scene.effects import EFFECTS
+from coscrew_codegen.scene.readers.scene_error import SceneError
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 
 SEVERAL = {Place.JOINT: "joints", Place.BODY: "bodies"}
 CLASHES = [(effect, parameter) for effect in EFFECTS if effect.place in SEVERAL

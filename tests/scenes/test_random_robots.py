@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import pytest
 
-from coscrew_codegen.mechanics import derive
+from coscrew_codegen.dynamics import derive
 from tests.robots_attack import judged, summary
 from tests.support.truth.robots import robot
 

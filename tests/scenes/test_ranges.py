@@ -10,13 +10,13 @@ import pytest
 
 from coscrew_codegen import load_scene
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.formats import DOUBLE, SINGLE
-from coscrew_codegen.layout import scene_files
-from coscrew_codegen.mechanics import derive
-from coscrew_codegen.mechanics.ranges import RangeError
+from coscrew_codegen.backends.output_files import scene_files
+from coscrew_codegen.dynamics import derive
+from coscrew_codegen.dynamics.ranges.ranges import RangeError
 from coscrew_codegen.program import Constant, Op, folding
 from coscrew_codegen.program.folding import Folded, Result, folded
-from coscrew_codegen.scene_files.toml_scene import SceneOverrides, read_scene
+from coscrew_codegen.program.values.formats import DOUBLE, SINGLE
+from coscrew_codegen.scene.readers.toml.toml_scene import SceneOverrides, read_scene
 
 SCENE = """
 {precision}

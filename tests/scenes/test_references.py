@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 from mpmath import mp, mpf
 
+from coscrew_codegen.runtime.load import Kernels
 from coscrew_codegen.scene.scene import Run, Scene
-from coscrew_codegen.simulate.load import Kernels
-from coscrew_codegen.simulate.system import system
+from coscrew_codegen.simulation.system import system
 from tests.references import figures as committed
 from tests.references import heavy_top, pendulum, rigid_body
 from tests.references.figures import Figure

@@ -6,8 +6,8 @@ from fractions import Fraction as F
 import mpmath
 import pytest
 
-from coscrew_codegen.scene import rotations
-from coscrew_codegen.scene.rotations import SNAP
+from coscrew_codegen.scene.mechanism import rotations
+from coscrew_codegen.scene.mechanism.rotations import SNAP
 from tests.support.cases import for_all
 
 mpmath.mp.dps = 60

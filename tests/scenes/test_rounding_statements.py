@@ -11,15 +11,15 @@ import numpy as np
 import pytest
 
 import coscrew
-from coscrew_codegen.formats import PRECISIONS, SINGLE
-from coscrew_codegen.layout import scene_files
-from coscrew_codegen.mechanics import derive
-from coscrew_codegen.mechanics.rounding_rules import moved
+from coscrew_codegen.backends.output_files import scene_files
+from coscrew_codegen.dynamics import derive
+from coscrew_codegen.dynamics.ranges.rounding_rules import moved
 from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
 from coscrew_codegen.program.interpreter import by_operation, exactly, interpreter
-from coscrew_codegen.scene.model import Kind, Model
+from coscrew_codegen.program.values.formats import PRECISIONS, SINGLE
+from coscrew_codegen.runtime.load import Kernels, kernels_for
+from coscrew_codegen.scene.mechanism.model import Kind, Model
 from coscrew_codegen.scene.scene import Scene
-from coscrew_codegen.simulate.load import Kernels, kernels_for
 from tests.support.scenes import mechanisms as m
 from tests.support.scenes.arms import arm
 from tests.support.scenes.generated_scenes import argument

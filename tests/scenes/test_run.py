@@ -8,7 +8,7 @@ import pytest
 
 from coscrew_codegen import Controller, load_scene, run
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.simulate import SimulateError, api
+from coscrew_codegen.simulation import SimulateError, api
 from tests.support.scenes.swing import SWING
 
 LAW = ctypes.CFUNCTYPE(None, ctypes.c_double, *[ctypes.POINTER(ctypes.c_double)] * 3,

@@ -9,7 +9,7 @@ import pytest
 
 from coscrew_codegen import Controller, again, run
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.simulate import SimulateError
+from coscrew_codegen.simulation import SimulateError
 from tests.support.scenes.swing import SWING
 from tests.support.scenes.tumbling import TUMBLING
 

@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 
 from coscrew_codegen import Controller, load_scene, run
-from coscrew_codegen.simulate import SimulateError, lanes
-from coscrew_codegen.simulate.system import System
+from coscrew_codegen.runtime import lanes
+from coscrew_codegen.simulation import SimulateError
+from coscrew_codegen.simulation.system import System
 from tests.support.compiled.c_harness import run as command
 from tests.support.scenes.swing import SWING
 from tests.support.scenes.tumbling import TUMBLING

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from coscrew_codegen import Controller, load_scene, run
-from coscrew_codegen.simulate import motion
+from coscrew_codegen.simulation import execution
 from tests.support.compiled.c_harness import run as command
 
 SLIDERS = """
@@ -104,7 +104,7 @@ def test_the_run_is_as_without_the_warning_and_calls_come_after_it(scene, monkey
     with pytest.warns(RuntimeWarning, match="joint y"):
         found = run(scene, controller=called, v0=[0.1, 0.1])
     assert len(times) > 101 and times[:101] == sorted(times[:101])
-    monkeypatch.setattr(motion, "too_fast", lambda *its: "")
+    monkeypatch.setattr(execution, "too_fast", lambda *its: "")
     assert run(scene, controller=called, v0=[0.1, 0.1]).q.tobytes() == found.q.tobytes()
 
 

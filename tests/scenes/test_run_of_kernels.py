@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from coscrew_codegen import load_scene, run
-from coscrew_codegen.simulate import SimulateError
+from coscrew_codegen.simulation import SimulateError
 
 PENDULUM = """
 [bodies]

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from coscrew_codegen import run
-from coscrew_codegen.simulate import SimulateError
+from coscrew_codegen.simulation import SimulateError
 from tests.support.scenes.swing import SWING
 
 

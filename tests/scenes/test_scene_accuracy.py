@@ -16,12 +16,12 @@ import mpmath
 import numpy as np
 import pytest
 
-from coscrew_codegen.formats import DOUBLE, Precision
-from coscrew_codegen.mechanics import derive
-from coscrew_codegen.scene.model import Model
+from coscrew_codegen.dynamics import derive
+from coscrew_codegen.program.values.formats import DOUBLE, Precision
+from coscrew_codegen.runtime.load import kernels_for
+from coscrew_codegen.scene.mechanism.model import Model
+from coscrew_codegen.scene.readers.toml.toml_scene import SceneOverrides, read_scene
 from coscrew_codegen.scene.scene import Scene
-from coscrew_codegen.scene_files.toml_scene import SceneOverrides, read_scene
-from coscrew_codegen.simulate.load import kernels_for
 from tests.support.each import each_precision
 from tests.support.limits import LARGEST_CONDITION
 from tests.support.scenes import mechanisms as m

@@ -8,8 +8,8 @@ import mpmath
 import numpy as np
 import pytest
 
-from coscrew_codegen.simulate.load import Kernels, kernels_of
-from coscrew_codegen.targets import scene_calls
+from coscrew_codegen.backends.python_extension import scene_calls
+from coscrew_codegen.runtime.load import Kernels, kernels_of
 from tests.support.each import each_precision
 from tests.support.scenes.generated_scenes import CASES, imported
 from tests.support.scenes.scene_values import inputs, same_bits

@@ -13,10 +13,10 @@ import numpy as np
 import pytest
 
 import coscrew_codegen
-from coscrew_codegen.formats import Precision
-from coscrew_codegen.simulate import calls
-from coscrew_codegen.simulate.load import Kernels, kernels_of, restored
-from coscrew_codegen.targets import scene_calls
+from coscrew_codegen.backends.python_extension import scene_calls
+from coscrew_codegen.program.values.formats import Precision
+from coscrew_codegen.runtime import callables
+from coscrew_codegen.runtime.load import Kernels, kernels_of, restored
 from tests.support.each import each_precision
 from tests.support.scenes import scene_texts as texts
 from tests.support.scenes.generated_scenes import ARGUMENTS, pendulum, slider
@@ -182,7 +182,7 @@ def test_one_state_in_the_other_precision_needs_no_checks(monkeypatch):
     def refuse(*_: object, **__: object):
         raise AssertionError("checked in Python")
 
-    monkeypatch.setattr(calls._checks(), "arrays", refuse)
+    monkeypatch.setattr(callables._checks(), "arrays", refuse)
     for kind in (np.float64, np.float32):
         q, v, tau, p = (states[:, k].astype(kind)[::-1] for k in range(4))
         for functions in (kernels.double, kernels.single):

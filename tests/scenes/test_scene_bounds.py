@@ -13,10 +13,10 @@ import mpmath
 import numpy as np
 import pytest
 
-from coscrew_codegen.formats import DOUBLE, Precision
+from coscrew_codegen.program.values.formats import DOUBLE, Precision
+from coscrew_codegen.runtime.load import Kernels, kernels_for
+from coscrew_codegen.scene.readers.toml.toml_scene import SceneOverrides, read_scene
 from coscrew_codegen.scene.scene import Scene
-from coscrew_codegen.scene_files.toml_scene import SceneOverrides, read_scene
-from coscrew_codegen.simulate.load import Kernels, kernels_for
 from tests.support.each import each_precision
 from tests.support.scenes import mechanisms as m
 from tests.support.scenes.arms import arm, inverse, motions

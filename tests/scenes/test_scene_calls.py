@@ -11,10 +11,10 @@ from contextlib import suppress
 import numpy as np
 import pytest
 
-from coscrew_codegen.formats import DOUBLE, SINGLE, Precision
-from coscrew_codegen.simulate import calls, lanes
-from coscrew_codegen.simulate.load import Kernels, kernels_of
-from coscrew_codegen.targets import scene_calls
+from coscrew_codegen.backends.python_extension import scene_calls
+from coscrew_codegen.program.values.formats import DOUBLE, SINGLE, Precision
+from coscrew_codegen.runtime import callables, lanes
+from coscrew_codegen.runtime.load import Kernels, kernels_of
 from tests.support.each import each_precision
 from tests.support.scenes.generated_scenes import ARGUMENTS, slider
 from tests.support.scenes.scene_values import same_bits
@@ -41,7 +41,7 @@ def unchecked(monkeypatch: pytest.MonkeyPatch) -> None:
     def refuse(*_: object, **__: object):
         raise AssertionError("checked in Python")
 
-    monkeypatch.setattr(calls._checks(), "arrays", refuse)
+    monkeypatch.setattr(callables._checks(), "arrays", refuse)
 
 
 def every(kernels: Kernels, precision: str):

@@ -6,10 +6,11 @@ from pathlib import Path
 
 import pytest
 
-from coscrew_codegen.formats import DOUBLE, PRECISIONS, SINGLE, Precision
-from coscrew_codegen.scene_functions import Signature
-from coscrew_codegen.targets import scene_c_parts, scene_calls
-from coscrew_codegen.targets.scene_text import c_name, count
+from coscrew_codegen.backends.python_extension import scene_calls
+from coscrew_codegen.backends.scene import scene_c_parts
+from coscrew_codegen.backends.scene.scene_text import c_name, count
+from coscrew_codegen.program.scene_functions import Signature
+from coscrew_codegen.program.values.formats import DOUBLE, PRECISIONS, SINGLE, Precision
 from tests.support.compiled.c_harness import C11, COMPILERS, DIALECTS, EXACT, STRICT, run
 from tests.support.compiled.flags import SANITIZERS, X86, has_sanitizers
 from tests.support.each import each_compiler, each_precision

@@ -12,10 +12,10 @@ from pathlib import Path
 
 import pytest
 
-from coscrew_codegen.scene_functions import SceneFunctions
-from coscrew_codegen.scene_tiers import in_tier
-from coscrew_codegen.targets import scene_c_parts
-from coscrew_codegen.tiers import tier_named
+from coscrew_codegen.accuracy.scene_tiers import in_tier
+from coscrew_codegen.accuracy.tiers import tier_named
+from coscrew_codegen.backends.scene import scene_c_parts
+from coscrew_codegen.program.scene_functions import SceneFunctions
 from tests.support.compiled.c_harness import CXX_COMPILERS, STRICT, run
 from tests.support.compiled.flags import HASWELL, SANITIZERS, X86, has_sanitizers
 from tests.support.scenes import scene_bits

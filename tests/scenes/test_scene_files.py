@@ -9,10 +9,10 @@ from pathlib import Path
 import pytest
 
 from coscrew_codegen.scene.formulas import Formula
-from coscrew_codegen.scene.model import Kind, Mimic, Parameter
-from coscrew_codegen.scene.recorded import QuantityError, coordinates, expected, recorded
+from coscrew_codegen.scene.mechanism.model import Kind, Mimic, Parameter
+from coscrew_codegen.scene.readers.scene_error import SceneError
+from coscrew_codegen.scene.recorded_quantities import QuantityError, coordinates, expected, recorded
 from coscrew_codegen.scene.scene import Expectation, Run
-from coscrew_codegen.scene_files.errors import SceneError
 from tests.support.scenes.reading import MODEL, applied
 
 
@@ -369,13 +369,11 @@ def test_readers_of_files_know_no_dynamics():
     """Reading a scene file imports readers, the scene's own classes, the lists of effects and
     integrators and what these import; no derivation, no target, no SymPy."""
     program = ("import sys; from pathlib import Path; "
-               "from coscrew_codegen.scene_files.toml_scene import read_scene; "
+               "from coscrew_codegen.scene.readers.toml.toml_scene import read_scene; "
                "read_scene(Path('examples/scenes/quadruped.toml')); print(*sys.modules)")
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True,
                           check=True, cwd=Path(__file__).parents[2])
     loaded = set(done.stdout.split())
     ours = {x.split(".")[1] for x in loaded if x.startswith("coscrew_codegen.")}
-    assert ours <= {"scene_files", "scene", "effects", "integrators", "integrator", "identifiers",
-                    "errors", "formats", "found", "parameter", "program", "quantity",
-                    "recording", "scene_functions"}
-    assert not loaded & {"coscrew_codegen.recording.recorder", "sympy", "numpy"}
+    assert ours <= {"scene", "program", "algebra"}
+    assert not loaded & {"coscrew_codegen.algebra.recording.recorder", "sympy", "numpy"}

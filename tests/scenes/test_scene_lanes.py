@@ -9,17 +9,17 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from coscrew_codegen.formats import DOUBLE, Precision
-from coscrew_codegen.mechanics import derive
-from coscrew_codegen.scene.model import Kind
+from coscrew_codegen.accuracy.scene_tiers import SceneTier, in_tier
+from coscrew_codegen.accuracy.tiers import tier_named
+from coscrew_codegen.backends.scene import scene_c, scene_c_many, scene_c_parts
+from coscrew_codegen.backends.scene.scene_text import c_name, many
+from coscrew_codegen.dynamics import derive
+from coscrew_codegen.program.scene_functions import SceneFunctions, Signature, Split
+from coscrew_codegen.program.values.formats import DOUBLE, Precision
+from coscrew_codegen.runtime import compilation, lanes
+from coscrew_codegen.runtime.load import Kernels, kernels_of
+from coscrew_codegen.scene.mechanism.model import Kind
 from coscrew_codegen.scene.scene import Scene, Tolerance
-from coscrew_codegen.scene_functions import SceneFunctions, Signature, Split
-from coscrew_codegen.scene_tiers import SceneTier, in_tier
-from coscrew_codegen.simulate import lanes, native
-from coscrew_codegen.simulate.load import Kernels, kernels_of
-from coscrew_codegen.targets import scene_c, scene_c_many, scene_c_parts
-from coscrew_codegen.targets.scene_text import c_name, many
-from coscrew_codegen.tiers import tier_named
 from tests.support.compiled.c_harness import C11, COMPILERS, CXX17, STRICT, run
 from tests.support.compiled.cross import COMPILERS as CROSS
 from tests.support.compiled.cross import needed
@@ -269,9 +269,9 @@ def test_states_without_room_for_their_results_do_not_count(kernels: Kernels):
 def test_without_lanes_states_are_computed_one_by_one(kernels: Kernels,
                                                       monkeypatch: pytest.MonkeyPatch):
     def fail(*_: object) -> None:
-        raise native.CompilationError("no such vectors")
+        raise compilation.CompilationError("no such vectors")
 
-    monkeypatch.setattr(native, "library", fail)
+    monkeypatch.setattr(compilation, "library", fail)
     described = next(x for x in kernels.interface.signatures if x.name == "forward_dynamics")
     given = states(200, described, DOUBLE)
     with pytest.warns(RuntimeWarning, match="one by one: no such vectors") as told:

@@ -20,31 +20,32 @@ import mpmath
 import numpy as np
 import pytest
 
-from coscrew_codegen import emit
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.digits import two_digits_up
-from coscrew_codegen.formats import DOUBLE, SINGLE
-from coscrew_codegen.layout import scene_files
-from coscrew_codegen.mechanics import derive
-from coscrew_codegen.mechanics.accuracy import AskedError, positions
-from coscrew_codegen.mixture.arrays import arrays, evaluator
-from coscrew_codegen.mixture.choice import AccuracyError, chosen, operations
-from coscrew_codegen.mixture.sample import States
+from coscrew_codegen.accuracy.precision_tuning.array_evaluation import arrays, evaluator
+from coscrew_codegen.accuracy.precision_tuning.choice import AccuracyError, chosen, operations
+from coscrew_codegen.accuracy.precision_tuning.sample import States
+from coscrew_codegen.accuracy.scene_tiers import NoFunctionsError, in_tier
+from coscrew_codegen.accuracy.tiers import tier_named
+from coscrew_codegen.accuracy.tiers.accurate_scene import in_pairs
+from coscrew_codegen.accuracy.tiers.certified_wide import in_double
+from coscrew_codegen.accuracy.tiers.mixed import Mixture, mixed
+from coscrew_codegen.backends import emit
+from coscrew_codegen.backends.output_files import scene_files
+from coscrew_codegen.backends.python_extension import scene_calls
+from coscrew_codegen.backends.scene import scene_c_tier
+from coscrew_codegen.dynamics import derive
+from coscrew_codegen.dynamics.ranges.accuracy_requests import AskedError, positions
 from coscrew_codegen.program import Instruction, Op, Program
+from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
+from coscrew_codegen.program.values.digits import two_digits_up
+from coscrew_codegen.program.values.formats import DOUBLE, SINGLE
+from coscrew_codegen.runtime import callables, compilation
+from coscrew_codegen.runtime.load import library_of
 from coscrew_codegen.scene.functions import FUNCTIONS
-from coscrew_codegen.scene.model import Joint, Kind
+from coscrew_codegen.scene.mechanism.model import Joint, Kind
+from coscrew_codegen.scene.readers.scene_error import SceneError
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.scene.scene import Scene, Tolerance
-from coscrew_codegen.scene_files.errors import SceneError
-from coscrew_codegen.scene_files.toml_scene import read_scene
-from coscrew_codegen.scene_functions import Function, SceneFunctions
-from coscrew_codegen.scene_tiers import NoFunctionsError, in_tier
-from coscrew_codegen.simulate import calls, native
-from coscrew_codegen.simulate.load import library_of
-from coscrew_codegen.targets import scene_c_tier, scene_calls
-from coscrew_codegen.tiers import tier_named
-from coscrew_codegen.tiers.accurate_scene import in_pairs
-from coscrew_codegen.tiers.certified_wide import in_double
-from coscrew_codegen.tiers.mixed import Mixture, mixed
 from tests.support.compiled.c_harness import C11, COMPILERS, STRICT, run
 from tests.support.scenes import mechanisms as m
 from tests.support.scenes.arms import arm, inverse
@@ -97,7 +98,7 @@ def test_a_search_between_the_limits_finds_no_larger_error(made):
     assert found <= WITHIN < plain / 1.5
 
 
-def searched(f: Function, program: Program, low: np.ndarray, high: np.ndarray) -> float:
+def searched(f: FunctionProgram, program: Program, low: np.ndarray, high: np.ndarray) -> float:
     """The largest error found by steps that shrink, against the plain program in double."""
     rng, parts = np.random.default_rng(3), np.cumsum([len(x) for x in f.accuracy.ranges])[:-1]
     single, double = evaluator(program, SINGLE), evaluator(f.program, DOUBLE)
@@ -138,14 +139,14 @@ def test_bits_are_the_same_in_c_in_numpy_and_in_the_choice(made, compiler: str, 
     tier = in_tier(functions, MIXED)
     flags = ("-O3", "-march=native", "-ffp-contract=fast")
     run([compiler, *C11, *STRICT, *flags, "-c", path / f"{tier.stem}.c", "-o", tmp_path / "x.o"])
-    using = native.Compiler((compiler,), compiler, ("-fPIC", *flags))
+    using = compilation.Compiler((compiler,), compiler, ("-fPIC", *flags))
     files = scene_c_tier.files(tier, BANNER) | scene_calls.tier_files(tier, BANNER)
     library = library_of(files, tier.plain, f"{tier.stem}_calls.c", using, ("single",))
     found = scene_calls.tier_interface(tier)
     twin = importlib.import_module(f"{functions.name}.mixed.single")
     given = drawn(functions, 500)
     columns = [np.stack(each, 1) for each in given]
-    result = calls.compiled(found, library.opened, found.signatures[0], SINGLE)(None, *columns)
+    result = callables.compiled(found, library.opened, found.signatures[0], SINGLE)(None, *columns)
     assert same_bits(result, twin.inverse_dynamics(*columns))
     chosen_at = evaluator(tier.first.named(NAME).program, SINGLE)(given)
     assert same_bits(result, np.stack(chosen_at, 1))
@@ -167,8 +168,8 @@ def test_operations_lie_between_those_of_single_and_of_pairs(made):
 TEXT = """
 import sys, hashlib
 from tests.scenes.test_scene_mixed import SCENE
-from coscrew_codegen.layout import scene_files
-from coscrew_codegen.mechanics import derive
+from coscrew_codegen.backends.output_files import scene_files
+from coscrew_codegen.dynamics import derive
 print(hashlib.sha256(scene_files(derive(SCENE))["mixed_arm_mixed.c"].encode()).hexdigest())
 """
 

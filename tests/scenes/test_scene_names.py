@@ -7,16 +7,16 @@ from pathlib import Path
 
 import pytest
 
-from coscrew_codegen import scene_symbols
-from coscrew_codegen.formats import DOUBLE
-from coscrew_codegen.mechanics import derive
+from coscrew_codegen.algebra.recording.recorder import Recorder, array
+from coscrew_codegen.backends.c.c_nested import language
+from coscrew_codegen.backends.numpy import scene_python
+from coscrew_codegen.backends.scene import scene_c, scene_symbols, scene_text
+from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program import Constant, Op
-from coscrew_codegen.recording.recorder import Recorder, array
-from coscrew_codegen.scene.model import Body, Joint, Kind, Model
+from coscrew_codegen.program.scene_functions import SceneFunctions
+from coscrew_codegen.program.values.formats import DOUBLE
+from coscrew_codegen.scene.mechanism.model import Body, Joint, Kind, Model
 from coscrew_codegen.scene.scene import Scene
-from coscrew_codegen.scene_functions import SceneFunctions
-from coscrew_codegen.targets import scene_c, scene_python, scene_text
-from coscrew_codegen.targets.c_nested import language
 from tests.support.scenes.effect_scenes import PLACES, arm, effects, mechanism
 from tests.support.scenes.generated_scenes import Writer, argument
 from tests.support.scenes.mechanisms import Y, applied, gravity, inertia, scene
@@ -91,7 +91,7 @@ def test_the_second_value_of_a_name_is_numbered() -> None:
 
 def example(name: str) -> SceneFunctions:
     """The functions of an example scene."""
-    from coscrew_codegen.scene_files.toml_scene import read_scene
+    from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 
     return derive(read_scene(Path(__file__).parents[2] / "examples" / "scenes" / f"{name}.toml"))
 

@@ -14,16 +14,17 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from coscrew_codegen import emit
-from coscrew_codegen.formats import SINGLE
-from coscrew_codegen.layout import scene_files
+from coscrew_codegen.accuracy.scene_tiers import NoFunctionsError, in_tier
+from coscrew_codegen.accuracy.tiers import tier_named
+from coscrew_codegen.backends import emit
+from coscrew_codegen.backends.output_files import scene_files
+from coscrew_codegen.backends.python_extension import scene_calls
+from coscrew_codegen.backends.scene import scene_c_tier
+from coscrew_codegen.program.scene_functions import SceneFunctions
+from coscrew_codegen.program.values.formats import SINGLE
+from coscrew_codegen.runtime import callables, compilation
+from coscrew_codegen.runtime.load import kernels_for, library_of
 from coscrew_codegen.scene.scene import Scene
-from coscrew_codegen.scene_functions import SceneFunctions
-from coscrew_codegen.scene_tiers import NoFunctionsError, in_tier
-from coscrew_codegen.simulate import calls, native
-from coscrew_codegen.simulate.load import kernels_for, library_of
-from coscrew_codegen.targets import scene_c_tier, scene_calls
-from coscrew_codegen.tiers import tier_named
 from tests.support.compiled.c_harness import C11, COMPILERS, STRICT, run
 from tests.support.compiled.cortex_m4 import built, counted
 from tests.support.compiled.flags import HASWELL
@@ -78,7 +79,7 @@ def test_bits_are_the_same_in_c_and_numpy(folder, compiler: str, flags: tuple[st
     path, scene = folder
     made = in_tier(scene, PAIRS)
     run([compiler, *C11, *STRICT, *flags, "-c", path / f"{made.stem}.c", "-o", tmp_path / "x.o"])
-    using = native.Compiler((compiler,), compiler, ("-fPIC", *flags))
+    using = compilation.Compiler((compiler,), compiler, ("-fPIC", *flags))
     files = scene_c_tier.files(made, BANNER) | scene_calls.tier_files(made, BANNER)
     library = library_of(files, made.plain, f"{made.stem}_calls.c", using, ("single",))
     found = scene_calls.tier_interface(made)
@@ -86,7 +87,7 @@ def test_bits_are_the_same_in_c_and_numpy(folder, compiler: str, flags: tuple[st
     for described in found.signatures:
         given = states(scene, scene.named(described.name), 200, SINGLE)
         given = [np.concatenate([x, x * np.float32(1e6), x * np.float32(1e-6)]) for x in given]
-        call = calls.compiled(found, library.opened, described, SINGLE)
+        call = callables.compiled(found, library.opened, described, SINGLE)
         assert same_bits(call(None, *given), getattr(twins, described.name)(*given))
 
 

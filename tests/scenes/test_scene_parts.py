@@ -13,14 +13,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from coscrew_codegen.mechanics import derive
+from coscrew_codegen.backends.scene import scene_c, scene_c_parts
+from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program import Constant, Input, Instruction, Op, Program, Ref
 from coscrew_codegen.program import parts as program_parts
 from coscrew_codegen.program.ops import COMPARISONS
 from coscrew_codegen.program.parts import Cut, Group, cut
-from coscrew_codegen.scene.model import Kind
-from coscrew_codegen.scene_functions import SceneFunctions
-from coscrew_codegen.targets import scene_c, scene_c_parts
+from coscrew_codegen.program.scene_functions import SceneFunctions
+from coscrew_codegen.scene.mechanism.model import Kind
 from tests.support.compiled.c_harness import COMPILERS, run
 from tests.support.compiled.flags import FMA
 from tests.support.scenes import scene_bits
@@ -169,7 +169,7 @@ def test_short_scenes_are_written_whole():
 
 
 def test_parts_are_the_same_on_every_hash_seed():
-    program = ("from hashlib import sha256; from coscrew_codegen.targets import scene_c;"
+    program = ("from hashlib import sha256; from coscrew_codegen.backends import scene_c;"
                "from tests.support.scenes.generated_scenes import robot;"
                "print(sha256(scene_c.files(robot(3, 4100), '')['robot.c'].encode()).hexdigest())")
     made = {subprocess.run([sys.executable, "-c", program], capture_output=True, text=True,

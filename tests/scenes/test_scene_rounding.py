@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from mpmath import mpf
 
-from coscrew_codegen.mechanics import derive
+from coscrew_codegen.dynamics import derive
 from coscrew_codegen.scene.scene import Scene
 from tests.support.scenes.effect_scenes import PLACES, arm, effects, mechanism
 from tests.support.scenes.evaluation import DOUBLE, MULTIPRECISE, SINGLE, Evaluated, Numbers

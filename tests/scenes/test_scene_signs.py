@@ -15,8 +15,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from coscrew_codegen.layout import scene_files
-from coscrew_codegen.mechanics import derive
+from coscrew_codegen.backends.output_files import scene_files
+from coscrew_codegen.dynamics import derive
 from tests.support.scenes.tiers import flat
 from tests.support.truth.sign_mutants import less_their_errors
 from tests.support.truth.signed_arm import (

@@ -11,10 +11,10 @@ from pathlib import Path
 
 import pytest
 
-from coscrew_codegen.identifiers import numbered
+from coscrew_codegen.backends.scene import scene_c
 from coscrew_codegen.program import Constant, Op, counts_in_words
-from coscrew_codegen.scene_functions import Coordinate, SceneFunctions
-from coscrew_codegen.targets import scene_c
+from coscrew_codegen.program.scene_functions import Coordinate, SceneFunctions
+from coscrew_codegen.scene.identifiers import numbered
 from tests.support.scenes.generated_scenes import (
     BANNER,
     CASES,

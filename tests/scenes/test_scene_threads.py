@@ -11,9 +11,9 @@ from pathlib import Path
 
 import pytest
 
-from coscrew_codegen.render import render
-from coscrew_codegen.simulate import lanes
-from coscrew_codegen.simulate.load import Kernels, kernels_of
+from coscrew_codegen.backends.render import render
+from coscrew_codegen.runtime import lanes
+from coscrew_codegen.runtime.load import Kernels, kernels_of
 from tests.support.compiled.c_harness import C11, COMPILERS, STRICT, run
 from tests.support.compiled.flags import SANITIZERS, has_sanitizers
 from tests.support.scenes.forks import given

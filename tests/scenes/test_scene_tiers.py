@@ -16,20 +16,21 @@ import numpy as np
 import pytest
 
 import coscrew_codegen
-from coscrew_codegen import tiers
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.formats import PRECISIONS
-from coscrew_codegen.layout import scene_files
-from coscrew_codegen.mechanics import derive
-from coscrew_codegen.scene.tiers import TiersError, known, selected
-from coscrew_codegen.scene_files.errors import SceneError
-from coscrew_codegen.scene_files.toml_scene import SceneOverrides, read_scene
-from coscrew_codegen.scene_functions import SceneFunctions
-from coscrew_codegen.scene_tiers import NoFunctionsError, in_tier, tiers_of
-from coscrew_codegen.simulate import calls, native
-from coscrew_codegen.simulate.load import kernels_of, library_of
-from coscrew_codegen.targets import scene_c_tier, scene_calls
-from coscrew_codegen.tiers import OF_SCENES, Tier, tier_named
+from coscrew_codegen.accuracy import tiers
+from coscrew_codegen.accuracy.scene_tiers import NoFunctionsError, in_tier, tiers_of
+from coscrew_codegen.accuracy.tiers import OF_SCENES, Tier, tier_named
+from coscrew_codegen.backends.output_files import scene_files
+from coscrew_codegen.backends.python_extension import scene_calls
+from coscrew_codegen.backends.scene import scene_c_tier
+from coscrew_codegen.dynamics import derive
+from coscrew_codegen.program.scene_functions import SceneFunctions
+from coscrew_codegen.program.values.formats import PRECISIONS
+from coscrew_codegen.runtime import callables, compilation
+from coscrew_codegen.runtime.load import kernels_of, library_of
+from coscrew_codegen.scene.readers.scene_error import SceneError
+from coscrew_codegen.scene.readers.toml.toml_scene import SceneOverrides, read_scene
+from coscrew_codegen.scene.tier_selection import TiersError, known, selected
 from tests.benchmarks import cortex_m4
 from tests.benchmarks import scene_calls as scene_calls_benchmark
 from tests.benchmarks import scene_tiers as scene_tiers_benchmark
@@ -273,7 +274,7 @@ def test_bits_are_the_same_in_c_and_numpy(package: Path, tier, compiler: str,
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     monkeypatch.syspath_prepend(package)
     made, files = texts(tier, *(() if {*flags} & {*WHOLE} else SOME))
-    using = native.Compiler((compiler,), compiler, ("-fPIC", *flags))
+    using = compilation.Compiler((compiler,), compiler, ("-fPIC", *flags))
     of_all = scene_bits.functions()
     library = library_of(files, of_all, f"{made.stem}_calls.c", using,
                          tuple(p.name for p in PRECISIONS))
@@ -282,7 +283,7 @@ def test_bits_are_the_same_in_c_and_numpy(package: Path, tier, compiler: str,
     for p in PRECISIONS:
         twins = importlib.import_module(f"{of_all.name}.{tier.mark}.{p.name}")
         for described in found.signatures:
-            call = calls.compiled(found, library.opened, described, p)
+            call = callables.compiled(found, library.opened, described, p)
             given = states(of_all, of_all.named(described.name), 40, p)
             assert same_bits(call(None, *given), getattr(twins, described.name)(*given)), (
                 described.name, p.name)
@@ -316,5 +317,5 @@ def test_kernels_of_a_tier_are_cached_and_pickled(write):
     assert same_bits(copied.double.inverse_dynamics([1], [2], [3]), wanted)
     script = ("import sys; from coscrew_codegen import load_scene; "
               f"load_scene({str(path)!r}).accurate.double.inverse_dynamics([1], [2], [3]); "
-              "assert 'coscrew_codegen.mechanics' not in sys.modules")
+              "assert 'coscrew_codegen.dynamics' not in sys.modules")
     subprocess.run([sys.executable, "-c", script], check=True, env={**os.environ})

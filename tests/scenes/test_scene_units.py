@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from coscrew_codegen.targets import scene_c, scene_c_many
+from coscrew_codegen.backends.scene import scene_c, scene_c_many
 from tests.support.compiled import all_headers
 from tests.support.compiled.c_harness import C11, COMPILERS, STRICT, run
 from tests.support.compiled.flags import FMA

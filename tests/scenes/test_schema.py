@@ -11,11 +11,11 @@ import jsonschema
 import pytest
 
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.effects import EFFECTS
 from coscrew_codegen.scene.effect import Place
-from coscrew_codegen.scene_files.errors import SceneError
-from coscrew_codegen.scene_files.keys import TABLES
-from coscrew_codegen.scene_files.toml_scene import read_scene
+from coscrew_codegen.scene.effects import EFFECTS
+from coscrew_codegen.scene.readers.scene_error import SceneError
+from coscrew_codegen.scene.readers.toml.keys import TABLES
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 
 ROOT = Path(__file__).parents[2]
 SCENES = sorted((ROOT / "examples/scenes").glob("*.toml"))

@@ -10,15 +10,12 @@ import numpy as np
 import pytest
 
 import coscrew_codegen
-from coscrew_codegen.integrators import EMITTED, INTEGRATORS
-from coscrew_codegen.mechanics import derive, steps
-from coscrew_codegen.mechanics.derivation import Derivation
-from coscrew_codegen.recording.recorder import Recorder
-from coscrew_codegen.scene.function import ALWAYS
-from coscrew_codegen.scene.functions import FUNCTIONS, functions_of
-from coscrew_codegen.scene.functions.mass_matrix import MANY
-from coscrew_codegen.scene.scene import Run, Scene
-from coscrew_codegen.scene.selected import (
+from coscrew_codegen.algebra.recording.recorder import Recorder
+from coscrew_codegen.backends.scene import scene_c
+from coscrew_codegen.dynamics import derive, integrator_steps
+from coscrew_codegen.dynamics.derivation import Derivation
+from coscrew_codegen.runtime import load
+from coscrew_codegen.scene.function_selection import (
     CONTACTS,
     FREE,
     MOST,
@@ -28,11 +25,16 @@ from coscrew_codegen.scene.selected import (
     resolved,
     selected_functions,
 )
-from coscrew_codegen.scene_files.errors import SceneError
-from coscrew_codegen.scene_files.toml_scene import read_scene
-from coscrew_codegen.simulate import load, needs, plan, record, run, system
-from coscrew_codegen.simulate.alarm import Alarm
-from coscrew_codegen.targets import scene_c
+from coscrew_codegen.scene.functions import FUNCTIONS, functions_of
+from coscrew_codegen.scene.functions.whole_scene.mass_matrix import MANY
+from coscrew_codegen.scene.integrators import EMITTED, INTEGRATORS
+from coscrew_codegen.scene.readers.scene_error import SceneError
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
+from coscrew_codegen.scene.scene import Run, Scene
+from coscrew_codegen.scene.scene_function import ALWAYS
+from coscrew_codegen.simulation import plan, required_functions, run, system
+from coscrew_codegen.simulation.check.divergence_monitor import Alarm
+from coscrew_codegen.simulation.recordings import record
 from tests.support.compiled.c_harness import COMPILERS, EXACT, STRICT
 from tests.support.compiled.c_harness import run as compiled
 from tests.support.scenes import mechanisms as m
@@ -196,7 +198,7 @@ def test_load_scene_takes_what_the_file_says_or_what_it_is_told(file: Path):
 def test_runs_have_all_that_they_call_and_tell_what_they_lack(file: Path):
     """A run of a scene that selects only one function."""
     scene = replace(read_scene(file), record=("reaction.wrist", "pose.hand", "a", "momentum"))
-    its = system.system(load.kernels_for(scene, needs.of_run(scene, "rk4")), "double")
+    its = system.system(load.kernels_for(scene, required_functions.of_run(scene, "rk4")), "double")
     assert not its.has("jacobian_hand") and not its.has("inverse_dynamics")
     trajectory = run.integrate(its, plan.plan(its, integrator="rk4", until=0.1))
     assert record.record(its, trajectory, ()).values.shape[1] == 6 + 12 + 1 + 6
@@ -210,7 +212,7 @@ def test_runs_have_all_that_they_call_and_tell_what_they_lack(file: Path):
 
 def test_steps_need_what_the_derivation_has():
     known = {x.name for x in functions_of(arm())}
-    assert {name for x in EMITTED for name in steps.needs(x)} <= known
+    assert {name for x in EMITTED for name in integrator_steps.needs(x)} <= known
 
 
 def chain(joints: int) -> Scene:
@@ -245,7 +247,7 @@ def test_many_joints_have_no_mass_matrix_unless_asked_and_no_end_of_them_is_refu
     assert "mass_matrix" in selected_functions(chain(MANY))
     many = chain(MANY + 1)
     assert {*selected_functions(chain(MANY))} - {*selected_functions(many)} == {"mass_matrix"}
-    assert "mass_matrix" not in needs.of_run(many, None)
+    assert "mass_matrix" not in required_functions.of_run(many, None)
     assert "mass_matrix" in selected_functions(replace(many, functions=("default", "mass_matrix")))
     with pytest.raises(FunctionsError,
                        match=f"chain: {MOST + 1} joints move; wanted at most {MOST}"):
@@ -256,9 +258,9 @@ def test_many_joints_have_no_mass_matrix_unless_asked_and_no_end_of_them_is_refu
 def test_alarms_do_without_a_mass_matrix(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     """With it, an alarm finds the centres of mass of what floats."""
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-    monkeypatch.setattr(needs, "MANY", 0)
+    monkeypatch.setattr(required_functions, "MANY", 0)
     scene = m.scene(m.slider(1), m.applied("spring", "j0", k=10**6))
-    selected = needs.of_run(scene, "semi-implicit-euler")
+    selected = required_functions.of_run(scene, "semi-implicit-euler")
     its = system.system(load.kernels_for(scene, selected), "double")
     assert not its.has("mass_matrix")
     start = replace(its, scene=replace(scene, start_q={"j0": (1.0,)}))

@@ -8,12 +8,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from coscrew_codegen.effects import EFFECTS
-from coscrew_codegen.mechanics import derive
+from coscrew_codegen.dynamics import derive
+from coscrew_codegen.runtime.callables import Functions
+from coscrew_codegen.runtime.load import Kernels, kernels_of
+from coscrew_codegen.scene.effects import EFFECTS
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.scene.scene import Scene
-from coscrew_codegen.scene_files.toml_scene import read_scene
-from coscrew_codegen.simulate.calls import Functions
-from coscrew_codegen.simulate.load import Kernels, kernels_of
 from tests.support.scenes.generated_scenes import files
 
 HINGE = """

@@ -10,10 +10,15 @@ import pytest
 
 from coscrew_codegen import load_scene
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.mechanics import derive
-from coscrew_codegen.scene.possible import unmoved, why_singular
-from coscrew_codegen.scene.selected import FunctionsError, dividing, left_out, selected_functions
-from coscrew_codegen.scene_files.toml_scene import SceneOverrides, read_scene
+from coscrew_codegen.dynamics import derive
+from coscrew_codegen.scene.function_selection import (
+    FunctionsError,
+    dividing,
+    left_out,
+    selected_functions,
+)
+from coscrew_codegen.scene.mechanism.inertia_checks import unmoved, why_singular
+from coscrew_codegen.scene.readers.toml.toml_scene import SceneOverrides, read_scene
 from tests.support.scenes.robots import path_of
 
 KINEMATIC = """<robot name="kin"><link name="base"/><link name="a"/><link name="b"/>

@@ -11,11 +11,11 @@ import mpmath
 import pytest
 from mpmath import mpf
 
-from coscrew_codegen.mechanics.slopes import Along
-from coscrew_codegen.recording.numbers import Number
-from coscrew_codegen.recording.recorder import Recorder, array
+from coscrew_codegen.algebra.recording.numbers import Number
+from coscrew_codegen.algebra.recording.recorder import Recorder, array
+from coscrew_codegen.dynamics.forces.linearization import JointEffect
 from coscrew_codegen.scene.effect import CoordinateState, Torque
-from coscrew_codegen.scene.model import HERE, Body, Joint, Kind, Model, Parameter
+from coscrew_codegen.scene.mechanism.model import HERE, Body, Joint, Kind, Model, Parameter
 from coscrew_codegen.scene.scene import Applied
 from tests.support.scenes.effect_scenes import PLACES, assert_listed, effects, mechanism
 from tests.support.scenes.evaluation import MULTIPRECISE, Evaluated, evaluator
@@ -79,7 +79,8 @@ def torque_of(name: str, values: dict) -> Callable[[mpf, mpf], dict[str, mpf | N
     recorder = Recorder([array(x, ()) for x in "qvt"])
     q, v, t = (recorder.argument(x)[0] for x in "qvt")
     made = applied(name, "joint", **values)
-    along = Along(made.effect.joint_torque, CoordinateState(q, v, t), made.values, recorder.current)
+    along = JointEffect(made.effect.joint_torque, CoordinateState(q, v, t), made.values,
+                        recorder.current)
     fields = {x: y for x, y in (*vars(along.torque).items(), *vars(along.slopes).items())
               if isinstance(y, Number) and x != "limit"}
     program = recorder.program(name, [(array(x, ()), [y]) for x, y in fields.items()])
@@ -123,7 +124,7 @@ def of_law(law: Callable[[CoordinateState, object], Torque], limit: mpf | None =
     recorder = Recorder([*(array(x, ()) for x in "qvt"), array("p", (1,))])
     q, v, t = (recorder.argument(x)[0] for x in "qvt")
     values = {} if limit is None else {"limit": Parameter("limit", 0, Fraction(1))}
-    along = Along(law, CoordinateState(q, v, t), values, recorder.current)
+    along = JointEffect(law, CoordinateState(q, v, t), values, recorder.current)
     program = recorder.program("law", [(array(x, ()), [y]) for x, y in (
         ("torque", along.torque.torque), ("damping", along.slopes.damping),
         ("stiffness", along.slopes.stiffness))])

@@ -7,11 +7,11 @@ import pytest
 
 from coscrew_codegen import load_scene
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.integrators import EMITTED
+from coscrew_codegen.runtime.load import Kernels
+from coscrew_codegen.scene.function_selection import FunctionsError, by_default, resolved
+from coscrew_codegen.scene.integrators import EMITTED
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.scene.scene import Scene
-from coscrew_codegen.scene.selected import FunctionsError, by_default, resolved
-from coscrew_codegen.scene_files.toml_scene import read_scene
-from coscrew_codegen.simulate.load import Kernels
 
 WITH_TAU = [x.step_with_tau for x in EMITTED]
 ARM = """

@@ -12,12 +12,12 @@ import mpmath
 import numpy as np
 import pytest
 
-from coscrew_codegen.scene.model import HERE, Kind
+from coscrew_codegen.runtime.load import Kernels
+from coscrew_codegen.scene.mechanism.model import HERE, Kind
 from coscrew_codegen.scene.scene import Run, Scene
-from coscrew_codegen.simulate.load import Kernels
-from coscrew_codegen.simulate.plan import Plan, Trajectory
-from coscrew_codegen.simulate.run import integrate
-from coscrew_codegen.simulate.system import system
+from coscrew_codegen.simulation.plan import Plan, Trajectory
+from coscrew_codegen.simulation.run import integrate
+from coscrew_codegen.simulation.system import system
 from tests.references import figures
 from tests.support.scenes import mechanisms as m
 from tests.support.scenes.generated_scenes import imported

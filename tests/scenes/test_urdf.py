@@ -7,12 +7,12 @@ from functools import partial
 import numpy as np
 import pytest
 
-from coscrew_codegen.mechanics import derive
-from coscrew_codegen.scene.model import Inertia, Kind, Mimic
+from coscrew_codegen.dynamics import derive
+from coscrew_codegen.scene.mechanism.model import Inertia, Kind, Mimic
+from coscrew_codegen.scene.readers.scene_error import SceneError
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
+from coscrew_codegen.scene.readers.urdf.urdf import read_urdf
 from coscrew_codegen.scene.scene import Scene
-from coscrew_codegen.scene_files.errors import SceneError
-from coscrew_codegen.scene_files.toml_scene import read_scene
-from coscrew_codegen.scene_files.urdf import read_urdf
 from tests.support.scenes.example_effects import CATALOGUE
 from tests.support.scenes.reading import ARM
 from tests.support.scenes.robots import robots

@@ -6,13 +6,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from coscrew_codegen.effects import EFFECTS
-from coscrew_codegen.scene.model import Kind
-from coscrew_codegen.scene.notices import summary
-from coscrew_codegen.scene_files.errors import SceneError
-from coscrew_codegen.scene_files.toml_scene import read_scene
-from coscrew_codegen.scene_files.urdf import read_urdf
-from coscrew_codegen.scene_files.urdf_schema import ATTRIBUTES, CHILDREN
+from coscrew_codegen.scene.effects import EFFECTS
+from coscrew_codegen.scene.mechanism.model import Kind
+from coscrew_codegen.scene.mechanism.notices import summary
+from coscrew_codegen.scene.readers.scene_error import SceneError
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
+from coscrew_codegen.scene.readers.urdf.urdf import read_urdf
+from coscrew_codegen.scene.readers.urdf.urdf_schema import ATTRIBUTES, CHILDREN
 from tests.support.scenes.reading import ARM
 
 FULL = """<robot name="full" version="1.2">

@@ -2,9 +2,9 @@
 
 import pytest
 
-from coscrew_codegen.scene_files.errors import SceneError
-from coscrew_codegen.scene_files.urdf import read_urdf
-from coscrew_codegen.scene_files.urdf_schema import ATTRIBUTES, CHILDREN
+from coscrew_codegen.scene.readers.scene_error import SceneError
+from coscrew_codegen.scene.readers.urdf.urdf import read_urdf
+from coscrew_codegen.scene.readers.urdf.urdf_schema import ATTRIBUTES, CHILDREN
 
 ARM = """<robot name="arm">
 <link name="a"/>

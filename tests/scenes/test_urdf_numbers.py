@@ -2,11 +2,11 @@
 
 import pytest
 
-from coscrew_codegen.effects import EFFECTS
-from coscrew_codegen.scene_files.errors import SceneError
-from coscrew_codegen.scene_files.toml_scene import read_scene
-from coscrew_codegen.sweep import SweepError
-from coscrew_codegen.sweep.candidates import candidates, limits_of
+from coscrew_codegen.scene.effects import EFFECTS
+from coscrew_codegen.scene.readers.scene_error import SceneError
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
+from coscrew_codegen.simulation.sweep import SweepError
+from coscrew_codegen.simulation.sweep.candidates import candidates, limits_of
 
 ROBOT = """<robot name="r" version="{version}"><link name="base"/>
 <link name="a"><inertial><mass value="2"/>

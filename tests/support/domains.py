@@ -5,10 +5,16 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from coscrew_codegen.domains import Free, anything, hard
-from coscrew_codegen.exact import is_polynomial
-from coscrew_codegen.operations import Operation
-from coscrew_codegen.quantity import DISPLACEMENT, ROTATION, TURN, UNIT_QUATERNION, UNIT_VECTOR
+from coscrew_codegen.algebra.domains import Free, anything, hard
+from coscrew_codegen.algebra.exact import is_polynomial
+from coscrew_codegen.algebra.operations import Operation
+from coscrew_codegen.program.values.quantity import (
+    DISPLACEMENT,
+    ROTATION,
+    TURN,
+    UNIT_QUATERNION,
+    UNIT_VECTOR,
+)
 
 
 def domains(operation: Operation) -> tuple[Free, ...]:

@@ -2,8 +2,8 @@
 
 import pytest
 
-from coscrew_codegen.formats import PRECISIONS
-from coscrew_codegen.operations import OPERATIONS
+from coscrew_codegen.algebra.operations import OPERATIONS
+from coscrew_codegen.program.values.formats import PRECISIONS
 from tests.support.compiled.c_harness import COMPILERS
 
 each_precision = pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from coscrew_codegen.formats import Precision
-from coscrew_codegen.operations import Operation
+from coscrew_codegen.algebra.operations import Operation
+from coscrew_codegen.program.values.formats import Precision
 from tests.hard_cases.corpus import load
 from tests.support.domains import domains
 

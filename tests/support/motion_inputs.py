@@ -9,9 +9,9 @@ from collections.abc import Callable
 
 import numpy as np
 
-from coscrew_codegen.formats import Precision
-from coscrew_codegen.operations import Operation
-from coscrew_codegen.quantity import (
+from coscrew_codegen.algebra.operations import Operation
+from coscrew_codegen.program.values.formats import Precision
+from coscrew_codegen.program.values.quantity import (
     ANGLE,
     DISPLACEMENT,
     FRACTION,

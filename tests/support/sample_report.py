@@ -2,20 +2,20 @@
 
 from math import inf, isnan, nan
 
-from coscrew_codegen.report.schema import (
+from coscrew_codegen.accuracy.tiers import TIERS as ALL_TIERS
+from coscrew_codegen.reports.kernels.report_json import (
     SCHEMA,
     Change,
     Comparison,
-    Compiler,
-    Drift,
-    Entry,
-    Errors,
+    CompilerRecord,
+    DriftErrors,
+    ErrorFigures,
     Provenance,
     ProvenBound,
     Report,
+    ReportEntry,
     Time,
 )
-from coscrew_codegen.tiers import TIERS as ALL_TIERS
 
 AWKWARD = "</script><script>alert(1)</script> <b> & \"ω~\" 'τ' | `x` *y* \u2028 <!--"
 LAYOUTS = (("C", "gcc", "array of structs"), ("C", "gcc", "structure of arrays"),
@@ -23,8 +23,9 @@ LAYOUTS = (("C", "gcc", "array of structs"), ("C", "gcc", "structure of arrays")
 TIERS = tuple(tier.name for tier in ALL_TIERS)
 
 
-def _errors(worst: float) -> Errors:
-    return Errors(1000, worst, worst / 2, 0.25, ("0x1.8p+0", "-0x1.23456789abcdep-1022"), "ang.y")
+def _errors(worst: float) -> ErrorFigures:
+    return ErrorFigures(1000, worst, worst / 2, 0.25, ("0x1.8p+0", "-0x1.23456789abcdep-1022"),
+                        "ang.y")
 
 
 def _time(language: str, compiler: str | None, layout: str, ns: float, width: float,
@@ -34,14 +35,14 @@ def _time(language: str, compiler: str | None, layout: str, ns: float, width: fl
                 low, high, dominated)
 
 
-def _entry(number: int, operation: str, family: str, precision: str, tier: str) -> Entry:
+def _entry(number: int, operation: str, family: str, precision: str, tier: str) -> ReportEntry:
     place = TIERS.index(tier)
     top = {"double": 3.25e15, "single": 7.125e7}[precision]
     times = tuple(_time(language, compiler, layout, (1.5 + number) * (place + 1) + 0.0625 * k,
                         0.03125 * (k + 1), 1.0 if place == 0 else place + 1.0, tier == "certified")
                   for k, (language, compiler, layout) in enumerate(LAYOUTS))
     worst = (top, 1.0625, 0.5)[place]
-    return Entry(
+    return ReportEntry(
         operation, family, f"co = {operation} {AWKWARD}", precision, tier, "ulp",
         _errors(2.5 - place / 2), _errors(worst),
         ProvenBound(f"{5 - place} u S", 5.0 - place, 3.0 * place, True,
@@ -57,19 +58,24 @@ def sample_report() -> Report:
                for precision in ("double", "single") for tier in TIERS]
     rounded = (_time("C", "gcc", "structure of arrays", 10.5, 0.0, None, False),)
     entries += [
-        Entry("vec3_copy", "vec3", "vo = vi", "double", "plain", "ulp", _errors(0.0), _errors(0.0),
-              ProvenBound("0", 0.0, 0.0, False, 0.0), ((1.0, 0.0),), 0, "no arithmetic", rounded),
-        Entry("vec3_l2norm", "vec3", "|v|", "double", "plain", "u", _errors(1.5), _errors(inf),
-              None, ((inf, inf), (nan, nan)), 6, "3 mul, 2 add, 1 sqrt", rounded),
-        Entry("dc", "trig", "sin θ, cos θ", "single", "plain", "ulp", None, _errors(nan), None, (),
-              2, "2 trig", ()),
+        ReportEntry("vec3_copy", "vec3", "vo = vi", "double", "plain", "ulp", _errors(0.0),
+                    _errors(0.0),
+                    ProvenBound("0", 0.0, 0.0, False, 0.0), ((1.0, 0.0),), 0, "no arithmetic",
+                    rounded),
+        ReportEntry("vec3_l2norm", "vec3", "|v|", "double", "plain", "u", _errors(1.5),
+                    _errors(inf),
+                    None, ((inf, inf), (nan, nan)), 6, "3 mul, 2 add, 1 sqrt", rounded),
+        ReportEntry("dc", "trig", "sin θ, cos θ", "single", "plain", "ulp", None, _errors(nan),
+                    None, (),
+                    2, "2 trig", ()),
     ]
     provenance = Provenance(
         f"coscrew report {AWKWARD}", 7, "0.0", f"made-up machine {AWKWARD}", 2, "system", "3.11",
-        "2.0", (Compiler("gcc", f"gcc {AWKWARD}", f"-O3 -march=native {'-ffp-contract=off ' * 12}"),
-                Compiler("clang", "clang 0", "-O3")), 12.5)
-    drift = (Drift("double", False, 1000, 12.5, 101.25, 20.5, 20.25, 21.0),
-             Drift("single", True, 1000000, 1.5, inf, 30.25, 30.0, 30.5))
+        "2.0", (CompilerRecord("gcc", f"gcc {AWKWARD}",
+                               f"-O3 -march=native {'-ffp-contract=off ' * 12}"),
+                CompilerRecord("clang", "clang 0", "-O3")), 12.5)
+    drift = (DriftErrors("double", False, 1000, 12.5, 101.25, 20.5, 20.25, 21.0),
+             DriftErrors("single", True, 1000000, 1.5, inf, 30.25, 30.0, 30.5))
     changes = (Change("product_CoAdc", "double", "plain", f"ns {AWKWARD}", 2.0, 3.0, 1.5),
                Change("cross_sc", "single", "accurate", "worst error, hard, ulp", 4.0, 4.0, 1.0),
                Change("cross_sc", "single", "plain", "worst error, hard, ulp", 4.0, 1.0, 0.25))
@@ -77,7 +83,7 @@ def sample_report() -> Report:
                   Comparison(f"before {AWKWARD}", changes))
 
 
-def variant(entry: Entry) -> str:
+def variant(entry: ReportEntry) -> str:
     """The name of an entry."""
     return f"{entry.operation} {entry.precision} {entry.tier}"
 

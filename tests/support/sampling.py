@@ -7,8 +7,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from coscrew_codegen.formats import Precision
-from coscrew_codegen.operations import Operation
+from coscrew_codegen.algebra.operations import Operation
+from coscrew_codegen.program.values.formats import Precision
 
 Rows = np.ndarray  # (n, columns): one row holds all input components of one call
 Generator = np.random.Generator

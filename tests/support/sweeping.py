@@ -17,8 +17,8 @@ import pytest
 from distributed import LocalCluster
 
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.sweep import command
-from coscrew_codegen.sweep.folder import Folder
+from coscrew_codegen.cli import sweep_command
+from coscrew_codegen.simulation.sweep.files.folder import Folder
 
 VARIED = ("--grid", "block.mass=1:7:3", "--sobol", "start.?.slide=limits", "--samples", "200")
 
@@ -33,7 +33,7 @@ def sweep(scene: Path, out: Path, workers: LocalCluster | str, *words: str) -> i
     """The command's exit status; without arrays, tables and page, which take seconds."""
     address = workers if isinstance(workers, str) else workers.scheduler_address
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(command, "_report", lambda *_: 0)
+        patch.setattr(sweep_command, "_report", lambda *_: 0)
         return main(["sweep", str(scene), *(words or VARIED), "--scheduler", address, "--out",
                      str(out)])
 

@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 
 import coscrew_codegen
-from coscrew_codegen.render import TEMPLATES
+from coscrew_codegen.backends.render import TEMPLATES
 
 GUIDE = Path(__file__).parents[2] / "CONTRIBUTING.md"
 _BLOCK = re.compile(r"```\w+\n(?:#|\{#) (codegen/coscrew_codegen|templates)/(\S+?)"

@@ -13,11 +13,11 @@ import numpy as np
 import pytest
 
 import coscrew.accurate
-from coscrew_codegen.formats import DOUBLE, SINGLE, Precision
-from coscrew_codegen.operations import Operation
+from coscrew_codegen.accuracy.tiers.accurate import accurate
+from coscrew_codegen.algebra.operations import Operation
 from coscrew_codegen.program import Input, Instruction, Op, Program, Ref
-from coscrew_codegen.quantity import SCALAR, Argument
-from coscrew_codegen.tiers.accurate import accurate
+from coscrew_codegen.program.values.formats import DOUBLE, SINGLE, Precision
+from coscrew_codegen.program.values.quantity import SCALAR, Argument
 from tests.hard_cases.corpus import load
 from tests.hard_cases.near_zeros import (
     FUNCTIONS,

@@ -7,7 +7,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from coscrew_codegen.formats import DOUBLE, PRECISIONS
+from coscrew_codegen.program.values.formats import DOUBLE, PRECISIONS
 from tests.benchmarks import certified_scenes
 from tests.benchmarks.calibration import Calibration, figure
 from tests.support.truth.wide import IS_WIDE

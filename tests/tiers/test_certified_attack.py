@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from coscrew_codegen import load_scene
-from coscrew_codegen.formats import PRECISIONS
+from coscrew_codegen.accuracy.tiers import certified_wide
+from coscrew_codegen.accuracy.tiers.sizes import Size, Sizes
 from coscrew_codegen.program import ONE, ZERO, Constant, Op, Operand
-from coscrew_codegen.tiers import certified_wide
-from coscrew_codegen.tiers.sizes import Size, Sizes
+from coscrew_codegen.program.values.formats import PRECISIONS
 from tests.certified_attack import Found, kernels, of_free_joint, of_scene
 from tests.support.scenes.tiers import flat, states
 from tests.support.truth import free_motion

@@ -10,10 +10,10 @@ import pytest
 
 import coscrew
 import coscrew.certified
-from coscrew_codegen.formats import DOUBLE, SINGLE, Precision
-from coscrew_codegen.operations import OPERATIONS, Operation
+from coscrew_codegen.accuracy.tiers import tier_named
+from coscrew_codegen.algebra.operations import OPERATIONS, Operation
 from coscrew_codegen.program.ops import ERROR_OF
-from coscrew_codegen.tiers import tier_named
+from coscrew_codegen.program.values.formats import DOUBLE, SINGLE, Precision
 from tests.functions_attack import FUNCTIONS, attacked
 from tests.search import joined, split
 from tests.support.cases import for_all

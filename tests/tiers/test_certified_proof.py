@@ -13,10 +13,10 @@ from itertools import product
 import numpy as np
 import pytest
 
-from coscrew_codegen.formats import DOUBLE, SINGLE, Format
+from coscrew_codegen.accuracy.tiers.certified import certified
 from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
-from coscrew_codegen.quantity import SCALAR, Argument
-from coscrew_codegen.tiers.certified import certified
+from coscrew_codegen.program.values.formats import DOUBLE, SINGLE, Format
+from coscrew_codegen.program.values.quantity import SCALAR, Argument
 from tests.support.truth.attack import TIERED, plain_program
 
 TOYS = (Format(2, -3), Format(3, -4))

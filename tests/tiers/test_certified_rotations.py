@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 import coscrew.certified
-from coscrew_codegen.formats import Precision
-from coscrew_codegen.operations import OPERATIONS, Operation
-from coscrew_codegen.programs import program_of
-from coscrew_codegen.quantity import DISPLACEMENT, ROTATION
-from coscrew_codegen.tiers import tier_named
-from coscrew_codegen.tiers.tier import is_polynomial
+from coscrew_codegen.accuracy.tiers import tier_named
+from coscrew_codegen.accuracy.tiers.tier import is_polynomial
+from coscrew_codegen.algebra.lowering.programs import program_of
+from coscrew_codegen.algebra.operations import OPERATIONS, Operation
+from coscrew_codegen.program.values.formats import Precision
+from coscrew_codegen.program.values.quantity import DISPLACEMENT, ROTATION
 from tests.support.compiled.c_harness import call, harness
 from tests.support.each import each_precision
 from tests.support.rotations import NO_ROTATIONS

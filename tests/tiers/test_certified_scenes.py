@@ -12,14 +12,14 @@ from types import ModuleType
 
 import pytest
 
-from coscrew_codegen.elementary import ERRORS, Elementary
-from coscrew_codegen.formats import DOUBLE, PRECISIONS
-from coscrew_codegen.mechanics import derive
+from coscrew_codegen.accuracy.tiers import certified_scene, sizes
+from coscrew_codegen.accuracy.tiers.certified_wide import SIZES_ALONE
+from coscrew_codegen.accuracy.tiers.splits import scalings, splits
+from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program import Constant, Op, Operand, Program, Ref
-from coscrew_codegen.scene_files.toml_scene import read_scene
-from coscrew_codegen.tiers import certified_scene, sizes
-from coscrew_codegen.tiers.certified_wide import SIZES_ALONE
-from coscrew_codegen.tiers.splits import scalings, splits
+from coscrew_codegen.program.elementary import ERRORS, Elementary
+from coscrew_codegen.program.values.formats import DOUBLE, PRECISIONS
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from tests.support.scenes.generated_scenes import Writer, argument
 from tests.support.truth.toys import Toy, climbs, judge
 
@@ -255,7 +255,7 @@ def _mutated(module: str, old: str, new: str) -> ModuleType:
         if name == module:
             assert source.count(old) == 1, old
             source = source.replace(old, new)
-        source = source.replace("coscrew_codegen.tiers.sizes", "mutated_sizes")
+        source = source.replace("coscrew_codegen.accuracy.tiers.sizes", "mutated_sizes")
         spec = spec_from_loader(f"mutated_{name}", None)
         assert spec
         changed[name] = sys.modules[spec.name] = module_from_spec(spec)

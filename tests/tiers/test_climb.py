@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import coscrew
-from coscrew_codegen.formats import DOUBLE, SINGLE, Precision
+from coscrew_codegen.program.values.formats import DOUBLE, SINGLE, Precision
 from tests.hard_cases import climb
 from tests.hard_cases.climb import NAMES, SAME, Found, after, compiled
 from tests.hard_cases.climb_case import parts

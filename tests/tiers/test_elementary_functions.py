@@ -6,10 +6,10 @@ import gmpy2
 import numpy as np
 import pytest
 
-from coscrew_codegen.formats import DOUBLE
+from coscrew_codegen.accuracy.tiers.accurate import accurate
 from coscrew_codegen.program import Input, Instruction, Op, Program, Ref
-from coscrew_codegen.quantity import SCALAR, Argument
-from coscrew_codegen.tiers.accurate import accurate
+from coscrew_codegen.program.values.formats import DOUBLE
+from coscrew_codegen.program.values.quantity import SCALAR, Argument
 from tests.support.truth.elementary import Array, truth, values
 
 NAMES = "abcd"

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import coscrew
-from coscrew_codegen.formats import PRECISIONS, Precision
-from coscrew_codegen.operations import Operation
+from coscrew_codegen.algebra.operations import Operation
+from coscrew_codegen.program.values.formats import PRECISIONS, Precision
 from tests.hard_cases import corpus
 from tests.hard_cases.constructed import ORIGIN, constructed
 from tests.hard_cases.corpus import TABLE, Case, CorpusError

@@ -8,8 +8,8 @@ from gmpy2 import mpq
 import coscrew
 import coscrew.accurate
 import coscrew.certified
-from coscrew_codegen.formats import PRECISIONS, Precision
-from coscrew_codegen.operations import Operation
+from coscrew_codegen.algebra.operations import Operation
+from coscrew_codegen.program.values.formats import PRECISIONS, Precision
 from tests.long_attack import attack_at_length
 from tests.search import joined, split
 from tests.support.cases import for_all

@@ -14,10 +14,10 @@ import mpmath
 import numpy as np
 import pytest
 
-from coscrew_codegen.formats import DOUBLE, SINGLE
+from coscrew_codegen.accuracy.tiers.accurate import of_scene
 from coscrew_codegen.program import Constant, Op, Operand, Program, Ref
 from coscrew_codegen.program.interpreter import by_operation, exactly, interpreter
-from coscrew_codegen.tiers.accurate import of_scene
+from coscrew_codegen.program.values.formats import DOUBLE, SINGLE
 from tests.support.scenes.generated_scenes import Writer, argument, number
 
 TENTH, THIRD, LARGE = "1/10", "-1/3", "12345678901/7"

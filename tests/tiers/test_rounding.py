@@ -10,9 +10,9 @@ import pytest
 import sympy as sp
 
 import coscrew
-from coscrew_codegen.formats import PRECISIONS, Precision
-from coscrew_codegen.operations import OPERATIONS, Operation
+from coscrew_codegen.algebra.operations import OPERATIONS, Operation
 from coscrew_codegen.program import Op
+from coscrew_codegen.program.values.formats import PRECISIONS, Precision
 from tests.support.cases import for_all
 from tests.support.each import each_precision
 from tests.support.sampling import inputs_of

@@ -26,13 +26,13 @@ from sympy.external.gmpy import MPQ
 from sympy.polys.rings import PolyElement
 
 import coscrew.accurate
-from coscrew_codegen.exact import exact_functions
-from coscrew_codegen.formats import PRECISIONS, Precision
-from coscrew_codegen.operations import Operation
+from coscrew_codegen.accuracy.tiers import MARKED, tier_named
+from coscrew_codegen.algebra.exact import exact_functions
+from coscrew_codegen.algebra.operations import Operation
+from coscrew_codegen.backends.c.c_operations import c_name, member, returned
 from coscrew_codegen.program import scales
-from coscrew_codegen.quantity import Argument
-from coscrew_codegen.targets.c import c_name, member, returned
-from coscrew_codegen.tiers import MARKED, tier_named
+from coscrew_codegen.program.values.formats import PRECISIONS, Precision
+from coscrew_codegen.program.values.quantity import Argument
 from tests.support.cases import for_all
 from tests.support.compiled.c_reader import INCLUDE
 from tests.support.truth.attack import TIERED, bounds, plain_program

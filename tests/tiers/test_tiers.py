@@ -9,8 +9,8 @@ import pytest
 
 import coscrew.accurate
 import coscrew.certified
-from coscrew_codegen.formats import PRECISIONS, Precision
-from coscrew_codegen.operations import Operation
+from coscrew_codegen.algebra.operations import Operation
+from coscrew_codegen.program.values.formats import PRECISIONS, Precision
 from tests.support.cases import for_all
 from tests.support.compiled.c_harness import COMPILERS
 from tests.support.compiled.implementations import compiled, same_bits, twin, twins

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import Any, Generic, TypeVar, cast
 
 from coscrew_codegen.program.interpreter import Arithmetic, interpreter
-from coscrew_codegen.program.ops import Functions, Op, Slopes
+from coscrew_codegen.program.ops import DerivativeFunctions, Op, Slopes
 from coscrew_codegen.program.program import Constant, Instruction, Program
 
 V = TypeVar("V")
@@ -40,7 +40,7 @@ class Dual(Generic[V]):
     slopes: tuple[V | None, ...]
 
 
-def tangent(program: Program, arithmetic: Arithmetic[V], functions: Functions,
+def tangent(program: Program, arithmetic: Arithmetic[V], functions: DerivativeFunctions,
             inputs: Sequence[Sequence[Dual[V]]], partials_of: Partials = of_table,
             product: Product = times) -> list[Dual[V]]:
     """The results with their derivatives along the directions that the inputs carry."""
@@ -72,7 +72,7 @@ def tangent(program: Program, arithmetic: Arithmetic[V], functions: Functions,
     return interpreter(program, duals)(inputs)
 
 
-def _chosen(functions: Functions, test: V, a: V | None, b: V | None) -> V | None:
+def _chosen(functions: DerivativeFunctions, test: V, a: V | None, b: V | None) -> V | None:
     if a is None and b is None:
         return None
     chosen: V = functions.where(test, 0 if a is None else a, 0 if b is None else b)
@@ -98,7 +98,7 @@ class _Node(Generic[V]):
     operands: tuple["_Node[V]", ...] = ()
 
 
-def adjoint(program: Program, arithmetic: Arithmetic[V], functions: Functions,
+def adjoint(program: Program, arithmetic: Arithmetic[V], functions: DerivativeFunctions,
             inputs: Sequence[Sequence[V]], weights: Sequence[V], partials_of: Partials = of_table,
             product: Product = times) -> tuple[list[V], list[list[V | None]]]:
     """(results, derivatives of Σ weight · result by the components of each input); None is zero.
@@ -129,7 +129,7 @@ def adjoint(program: Program, arithmetic: Arithmetic[V], functions: Functions,
     return [x.value for x in results], [[adjoints.get(x) for x in row] for row in given]
 
 
-def _propagate(functions: Functions, adjoints: dict[_Node[V], V], step: Instruction,
+def _propagate(functions: DerivativeFunctions, adjoints: dict[_Node[V], V], step: Instruction,
                node: _Node[V], derived: Slopes | None, product: Product) -> None:
     """Add a number's adjoint, times its partial derivatives, to the adjoints of its operands."""
     own, operands = adjoints[node], node.operands

@@ -39,14 +39,14 @@ class Folded:
 
 
 @dataclass(frozen=True)
-class Sign:
+class KnownSign:
     """The negative of the instruction that remains to be issued."""
 
     of: tuple[Op, tuple[Operand, ...]]
 
 
 Known = Mapping[str, Instruction]
-Result = Operand | Folded | Sign
+Result = Operand | Folded | KnownSign
 
 
 def fraction(value: Fraction | int) -> Fraction:
@@ -101,7 +101,7 @@ def _add(known: Known, a: Operand, b: Operand) -> Result | None:
         return a
     x, y = _negated(a, known), _negated(b, known)
     if x is not None and y is not None:
-        return Sign((Op.ADD, (x, y)))
+        return KnownSign((Op.ADD, (x, y)))
     if y is not None:
         return _sub(known, a, y) or Folded(Op.SUB, (a, y))
     if x is not None:
@@ -146,7 +146,7 @@ def _sub(known: Known, a: Operand, b: Operand) -> Result | None:
     if (y := _negated(b, known)) is not None:
         return _add(known, a, y) or Folded(Op.ADD, (a, y))
     if (x := _negated(a, known)) is not None:
-        return Sign((Op.ADD, (x, b)))
+        return KnownSign((Op.ADD, (x, b)))
     return _joined(known, a, b, -1)
 
 
@@ -161,9 +161,9 @@ def _mul(known: Known, a: Operand, b: Operand) -> Result | None:
     if negative_a is not None and negative_b is not None:
         return _mul(known, negative_a, negative_b) or Folded(Op.MUL, (negative_a, negative_b))
     if negative_a is not None:
-        return Sign((Op.MUL, (negative_a, b)))
+        return KnownSign((Op.MUL, (negative_a, b)))
     if negative_b is not None:
-        return Sign((Op.MUL, (a, negative_b)))
+        return KnownSign((Op.MUL, (a, negative_b)))
     return _constants_joined(known, a, b) or _constants_joined(known, b, a)
 
 
@@ -185,9 +185,9 @@ def _div(known: Known, a: Operand, b: Operand) -> Result | None:
         return a
     negative_a, negative_b = _negated(a, known), _negated(b, known)
     if negative_a is not None:
-        return Sign((Op.DIV, (negative_a, b)))
+        return KnownSign((Op.DIV, (negative_a, b)))
     if negative_b is not None:
-        return Sign((Op.DIV, (a, negative_b)))
+        return KnownSign((Op.DIV, (a, negative_b)))
     if isinstance(b, Constant) and _is_power_of_two(b):
         return Folded(Op.MUL, (Constant(1 / b.double, 1 / b.single), a))
     return None
@@ -202,10 +202,10 @@ def _abs(known: Known, a: Operand) -> Folded | None:
     return None if y is None else Folded(Op.ABS, (y,))
 
 
-def _odd(op: Op) -> Callable[[Known, Operand], Sign | None]:
-    def rule(known: Known, a: Operand) -> Sign | None:
+def _odd(op: Op) -> Callable[[Known, Operand], KnownSign | None]:
+    def rule(known: Known, a: Operand) -> KnownSign | None:
         y = _negated(a, known)
-        return None if y is None else Sign((op, (y,)))
+        return None if y is None else KnownSign((op, (y,)))
     return rule
 
 

@@ -11,14 +11,7 @@ from fractions import Fraction
 from typing import Any, Generic, TypeVar
 
 from coscrew_codegen.program.ops import ERROR_OF, Op
-from coscrew_codegen.program.program import (
-    Constant,
-    Input,
-    Instruction,
-    Operand,
-    Program,
-    Ref,
-)
+from coscrew_codegen.program.program import Constant, Input, Instruction, Operand, Program, Ref
 from coscrew_codegen.program.two_over_pi import chunk
 
 V = TypeVar("V")

@@ -18,7 +18,7 @@ class Rounding(Enum):
     REST = "to twice the digits"  # what these err by, with a small error relative to the function
 
 
-class Functions(Protocol):
+class DerivativeFunctions(Protocol):
     """The functions that partial derivatives need, on some kind of numbers with + - * /."""
 
     def sin(self, x: Any, /) -> Any: ...
@@ -97,7 +97,7 @@ def _product(*more: int) -> Slopes:
     return lambda f, a, b, *x: (b, a, *more)
 
 
-def _arctangent(f: Functions, y: Any, x: Any, angle: Any, *rest: Any) -> tuple[Any, ...]:
+def _arctangent(f: DerivativeFunctions, y: Any, x: Any, angle: Any, *rest: Any) -> tuple[Any, ...]:
     square = x * x + y * y
     return x / square, -(y / square), *(-1 for _ in rest)
 

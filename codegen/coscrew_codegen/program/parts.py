@@ -31,7 +31,7 @@ from coscrew_codegen.program.program import (
     Program,
     Ref,
 )
-from coscrew_codegen.quantity import Argument, Quantity
+from coscrew_codegen.program.values.quantity import Argument, Quantity
 
 MOST_KEPT = Fraction(1, 4)
 """Largest fraction of a group's values that other groups may read.  Without merging, inverse

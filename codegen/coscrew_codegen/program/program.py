@@ -13,7 +13,7 @@ from itertools import groupby
 from typing import NamedTuple
 
 from coscrew_codegen.program.ops import ERROR_OF, Op
-from coscrew_codegen.quantity import Argument
+from coscrew_codegen.program.values.quantity import Argument
 
 
 class Input(NamedTuple):

@@ -15,14 +15,14 @@ class Upward(float):
         return Upward(nextafter(float(self) * other, inf)) if self and other else Upward(0)
 
 
-class Number(Protocol):
+class Ring(Protocol):
     """A kind of numbers with sums and products."""
 
     def __add__(self: "N", other: "N", /) -> "N": ...
     def __mul__(self: "N", other: "N", /) -> "N": ...
 
 
-N = TypeVar("N", bound=Number)
+N = TypeVar("N", bound=Ring)
 
 
 def product_error(a: N, error_a: N, b: N, error_b: N) -> N:

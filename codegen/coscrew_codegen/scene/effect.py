@@ -10,8 +10,8 @@ from enum import Enum
 from fractions import Fraction
 from typing import Protocol, TypeVar
 
-from coscrew_codegen.parameter import Sign
-from coscrew_codegen.recording.numbers import Number, Vector
+from coscrew_codegen.algebra.recording.numbers import Number, Vector
+from coscrew_codegen.program.values.parameter import Sign
 
 K = TypeVar("K")
 
@@ -157,9 +157,9 @@ class Torque:
     `energy`: its potential energy, if it has one.  `power`: the power of the part without potential
     energy; by default all of the torque's power if there is no energy, else zero.
 
-    Implicit steps take -∂torque/∂v and -∂torque/∂q from the torque itself (`mechanics/slopes.py`
-    says how they are bounded).  `damping`, `stiffness`: these, at least 0, from an effect that
-    knows a shorter form."""
+    Implicit steps take -∂torque/∂v and -∂torque/∂q from the torque itself
+    (`dynamics/forces/linearization.py` says how they are bounded).  `damping`, `stiffness`: these,
+    at least 0, from an effect that knows a shorter form."""
 
     torque: Number | None = None
     limit: Number | None = None

@@ -13,9 +13,9 @@ An effect under a label has the label in place of the body, one on the whole sce
 
 from collections.abc import Mapping, Set
 
-from coscrew_codegen.identifiers import identifiers
 from coscrew_codegen.scene.effect import Place
-from coscrew_codegen.scene.model import Kind
+from coscrew_codegen.scene.identifiers import identifiers
+from coscrew_codegen.scene.mechanism.model import Kind
 from coscrew_codegen.scene.scene import Applied, Scene
 
 TORQUE, FORCE, POWER, ENERGY, SATURATED = "torque", "force", "power", "energy", "saturated"

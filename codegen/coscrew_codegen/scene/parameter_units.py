@@ -2,8 +2,8 @@
 
 from collections.abc import Iterator, Mapping
 
-from coscrew_codegen.parameter import Parameter
-from coscrew_codegen.scene.model import Body, Kind
+from coscrew_codegen.program.values.parameter import Parameter
+from coscrew_codegen.scene.mechanism.model import Body, Kind
 from coscrew_codegen.scene.scene import Applied, Scene
 
 

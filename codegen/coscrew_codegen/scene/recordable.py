@@ -3,11 +3,10 @@
 from collections.abc import Sequence
 
 from coscrew_codegen.scene.effect_quantities import quantities_by_name
-from coscrew_codegen.scene.function import Of
 from coscrew_codegen.scene.functions import QUANTITIES
 from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.scene.patterns import is_pattern, matching
-from coscrew_codegen.scene.recorded import (
+from coscrew_codegen.scene.recorded_quantities import (
     XYZ,
     QuantityError,
     coordinates,
@@ -15,6 +14,7 @@ from coscrew_codegen.scene.recorded import (
     targets,
 )
 from coscrew_codegen.scene.scene import Scene
+from coscrew_codegen.scene.scene_function import Of
 from coscrew_codegen.scene.units import UNITS
 
 _POSITIONS = tuple(name for name, (function, x) in QUANTITIES.items()

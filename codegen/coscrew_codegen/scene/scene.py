@@ -4,13 +4,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 
-from coscrew_codegen.formats import BY_NAME, DOUBLE
-from coscrew_codegen.integrators import DEFAULT
-from coscrew_codegen.parameter import Parameter, Scalar
+from coscrew_codegen.program.values.formats import BY_NAME, DOUBLE
+from coscrew_codegen.program.values.parameter import Parameter, Scalar
 from coscrew_codegen.scene.effect import Effect
 from coscrew_codegen.scene.formulas import Formula
-from coscrew_codegen.scene.model import Model
-from coscrew_codegen.scene.notices import Notice
+from coscrew_codegen.scene.integrators import DEFAULT
+from coscrew_codegen.scene.mechanism.model import Model
+from coscrew_codegen.scene.mechanism.notices import Notice
 
 Setting = Scalar | tuple[Scalar | Formula, ...] | tuple[str, str] | Formula | str | None
 

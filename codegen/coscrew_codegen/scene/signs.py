@@ -1,6 +1,6 @@
 """Signs that run-time parameters must have: those of the numbers that scene files accept."""
 
-from coscrew_codegen.parameter import Parameter, Sign
+from coscrew_codegen.program.values.parameter import Parameter, Sign
 from coscrew_codegen.scene.scene import Scene
 
 

@@ -729,7 +729,7 @@ def arrays(xp):
     """
     import sys
 
-    from coscrew_codegen.arrays import of_library
+    from coscrew_codegen.runtime.arrays import of_library
 
     return of_library(xp, sys.modules[__name__])
 

@@ -8,7 +8,7 @@ from typing import TypeVar
 import numpy as np
 
 from coscrew._steps import Steps
-from coscrew_codegen.simulate.calls import Function
+from coscrew_codegen.runtime.callables import Function
 
 Real = TypeVar("Real", bound=np.floating, covariant=True)
 

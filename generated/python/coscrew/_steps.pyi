@@ -7,7 +7,7 @@ from typing import Generic, TypeVar
 
 import numpy as np
 
-from coscrew_codegen.simulate.calls import Step
+from coscrew_codegen.runtime.callables import Step
 
 Real = TypeVar("Real", bound=np.floating, covariant=True)
 

@@ -8,8 +8,8 @@ import sys
 from functools import cache
 from pathlib import Path
 
-from coscrew_codegen.targets.c_amalgamated import file_name
-from coscrew_codegen.tiers import MARKED, TIERS
+from coscrew_codegen.accuracy.tiers import MARKED, TIERS
+from coscrew_codegen.backends.c.c_amalgamated import file_name
 from tests.support.compiled.c_harness import run
 
 ROOT = Path(__file__).parents[3]

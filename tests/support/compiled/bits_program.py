@@ -14,11 +14,11 @@ from types import ModuleType
 
 import numpy as np
 
-from coscrew_codegen.formats import PRECISIONS, Precision
-from coscrew_codegen.operations import OPERATIONS, Operation
-from coscrew_codegen.quantity import Argument
-from coscrew_codegen.targets.c import c_name, c_type, member
-from coscrew_codegen.tiers import TIERS
+from coscrew_codegen.accuracy.tiers import TIERS
+from coscrew_codegen.algebra.operations import OPERATIONS, Operation
+from coscrew_codegen.backends.c.c_operations import c_name, c_type, member
+from coscrew_codegen.program.values.formats import PRECISIONS, Precision
+from coscrew_codegen.program.values.quantity import Argument
 from tests.support.compiled.c_harness import call_of, distinct, is_array
 from tests.support.truth.attack import plain_program
 

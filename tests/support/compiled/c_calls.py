@@ -9,12 +9,20 @@ arithmetic.
 from collections.abc import Iterator
 from itertools import permutations
 
-from coscrew_codegen.formats import Precision
-from coscrew_codegen.operations import OPERATIONS, Operation
-from coscrew_codegen.quantity import INERTIA, MAT3X3, MAT4X4, MAT6X6, SE3, Argument, Quantity
-from coscrew_codegen.targets.c import c_type, parameters
-from coscrew_codegen.targets.c_storage import TYPES
-from coscrew_codegen.tiers import TIERS
+from coscrew_codegen.accuracy.tiers import TIERS
+from coscrew_codegen.algebra.operations import OPERATIONS, Operation
+from coscrew_codegen.backends.c.c_operations import c_type, parameters
+from coscrew_codegen.backends.c.c_storage import TYPES
+from coscrew_codegen.program.values.formats import Precision
+from coscrew_codegen.program.values.quantity import (
+    INERTIA,
+    MAT3X3,
+    MAT4X4,
+    MAT6X6,
+    SE3,
+    Argument,
+    Quantity,
+)
 from tests.support.compiled.c_harness import call_of, distinct, is_array
 from tests.support.truth.attack import plain_program
 

@@ -16,10 +16,17 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from coscrew_codegen.formats import PRECISIONS, Precision
-from coscrew_codegen.operations import OPERATIONS, Operation
-from coscrew_codegen.quantity import Argument
-from coscrew_codegen.targets.c import STRUCTS, c_name, c_type, is_pointer, parameters, returned
+from coscrew_codegen.algebra.operations import OPERATIONS, Operation
+from coscrew_codegen.backends.c.c_operations import (
+    STRUCTS,
+    c_name,
+    c_type,
+    is_pointer,
+    parameters,
+    returned,
+)
+from coscrew_codegen.program.values.formats import PRECISIONS, Precision
+from coscrew_codegen.program.values.quantity import Argument
 
 C_FOLDER = Path(__file__).resolve().parents[3] / "generated" / "c"
 INCLUDE = C_FOLDER / "include"

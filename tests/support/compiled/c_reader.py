@@ -17,7 +17,7 @@ import sympy as sp
 from pycparser import CParser, c_ast
 from pycparser.c_generator import CGenerator
 
-from coscrew_codegen.targets.c_ksl import MARK, REFUSED
+from coscrew_codegen.backends.c.c_ksl import MARK, REFUSED
 
 INCLUDE = Path(__file__).parents[3] / "generated" / "c" / "include" / "ksl"
 _OTHERS = re.compile("ksl|elementary|.*_(fused|accurate|certified|states)$")

@@ -2,8 +2,8 @@
 
 from importlib import import_module
 
-from coscrew_codegen.operations import Operation
-from coscrew_codegen.tiers import TIERS, tier_named
+from coscrew_codegen.accuracy.tiers import TIERS, tier_named
+from coscrew_codegen.algebra.operations import Operation
 from tests.support.compiled.implementations import gufuncs
 from tests.support.truth.attack import Implementation, plain_program
 

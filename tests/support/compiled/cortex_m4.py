@@ -10,9 +10,9 @@ from pathlib import Path
 
 import numpy as np
 
-from coscrew_codegen.formats import PRECISIONS, Precision
-from coscrew_codegen.scene_functions import Function
-from coscrew_codegen.targets.scene_text import outputs, size
+from coscrew_codegen.backends.scene.scene_text import outputs, size
+from coscrew_codegen.program.scene_functions import FunctionProgram
+from coscrew_codegen.program.values.formats import PRECISIONS, Precision
 from tests.support.compiled.c_harness import run
 
 COMPILER = ("arm-none-eabi-gcc", "-mcpu=cortex-m4", "-mthumb", "-mfpu=fpv4-sp-d16",
@@ -43,7 +43,8 @@ def built(folder: Path, stem: str, precision: Precision) -> Path:
     return made
 
 
-def counted(made: Path, header: str, function: Function, name: str, given: Sequence[np.ndarray],
+def counted(made: Path, header: str, function: FunctionProgram, name: str,
+            given: Sequence[np.ndarray],
             precision: Precision) -> tuple[int, np.ndarray]:
     """The instructions of a call, the difference between one call and two; and its results.
     `name` is that of the function in this object."""
@@ -59,7 +60,7 @@ def counted(made: Path, header: str, function: Function, name: str, given: Seque
     return lengths[1] - lengths[0], np.frombuffer(found, precision.numpy_type)
 
 
-def _program(function: Function, header: str, name: str, given: Sequence[np.ndarray],
+def _program(function: FunctionProgram, header: str, name: str, given: Sequence[np.ndarray],
              precision: Precision) -> str:
     """A program that calls the function with one state, and writes its results."""
     kind, suffix = precision.c_type, precision.suffix

@@ -8,9 +8,9 @@ from types import ModuleType
 import numpy as np
 
 import coscrew
-from coscrew_codegen.formats import Precision
-from coscrew_codegen.operations import Operation
-from coscrew_codegen.tiers import TIERS, tier_named
+from coscrew_codegen.accuracy.tiers import TIERS, tier_named
+from coscrew_codegen.algebra.operations import Operation
+from coscrew_codegen.program.values.formats import Precision
 from tests.support.compiled.c_harness import EXACT, call, harness
 from tests.support.truth.attack import TIERED, Arrays, Implementation
 

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from coscrew_codegen.formats import PRECISIONS, SINGLE, Precision
+from coscrew_codegen.program.values.formats import PRECISIONS, SINGLE, Precision
 
 REFERENCES = Path(__file__).parents[2] / "references"
 TABLE, NAMES = REFERENCES / "ksl_prototypes.txt", REFERENCES / "ksl_names.txt"

@@ -6,8 +6,8 @@ Knows names and types, but no arithmetic.
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from coscrew_codegen.quantity import Argument
-from coscrew_codegen.targets.c import c_type, parameters, returned
+from coscrew_codegen.backends.c.c_operations import c_type, parameters, returned
+from coscrew_codegen.program.values.quantity import Argument
 from tests.support.compiled import all_headers
 from tests.support.compiled.bits_program import Kernel
 from tests.support.compiled.c_harness import (

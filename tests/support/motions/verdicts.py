@@ -9,16 +9,17 @@ from pathlib import Path
 
 import numpy as np
 
+from coscrew_codegen.runtime.load import Kernels, kernels_for
+from coscrew_codegen.scene.function_selection import together
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.scene.scene import Scene
-from coscrew_codegen.scene.selected import together
-from coscrew_codegen.scene_files.toml_scene import read_scene
-from coscrew_codegen.simulate import needs, verdict
-from coscrew_codegen.simulate.check import check
-from coscrew_codegen.simulate.load import Kernels, kernels_for
-from coscrew_codegen.simulate.outcome import RunOverrides, simulated
-from coscrew_codegen.simulate.plan import Plan, plan
-from coscrew_codegen.simulate.run import integrate
-from coscrew_codegen.simulate.system import System, system
+from coscrew_codegen.simulation import required_functions
+from coscrew_codegen.simulation.check import check_report
+from coscrew_codegen.simulation.check.check import check
+from coscrew_codegen.simulation.plan import Plan, plan
+from coscrew_codegen.simulation.run import integrate
+from coscrew_codegen.simulation.run_summary import RunOverrides, simulated
+from coscrew_codegen.simulation.system import System, system
 from tests.support.motions.dynamics import Dynamics
 from tests.support.motions.mechanism import Motion
 
@@ -71,7 +72,8 @@ class Said:
 def _shared(text: str, integrators: tuple[str, ...]) -> Kernels:
     """The kernels of all scenes that differ in numbers given at run time alone."""
     scene = _read(text)
-    return kernels_for(scene, together(*(needs.of_check(scene, x) for x in integrators)))
+    return kernels_for(scene,
+                       together(*(required_functions.of_check(scene, x) for x in integrators)))
 
 
 @lru_cache(maxsize=8)
@@ -124,7 +126,7 @@ class Runs:
         stopped = simulated(kernels, given, told=False)[0].trajectory.stopped
         findings = check(kernels, given)
         return Said(stopped, findings.passed, findings.strictly_passed,
-                    verdict.table(findings, strict=True))
+                    check_report.table(findings, strict=True))
 
 
 def runs(motion: Motion) -> Runs:

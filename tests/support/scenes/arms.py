@@ -5,8 +5,8 @@ from fractions import Fraction
 import mpmath
 import numpy as np
 
-from coscrew_codegen.formats import Precision
-from coscrew_codegen.scene.model import Kind, Model
+from coscrew_codegen.program.values.formats import Precision
+from coscrew_codegen.scene.mechanism.model import Kind, Model
 from tests.support.scenes import mechanisms as m
 from tests.support.scenes.tiers import DIGITS
 from tests.support.truth.newton_euler import inverse_dynamics

@@ -9,12 +9,13 @@ from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
-from coscrew_codegen.formats import Precision, named
-from coscrew_codegen.scene_functions import SceneFunctions, Signature
-from coscrew_codegen.scene_tiers import SceneTier
-from coscrew_codegen.targets import cuda_kernels, scene_c, scene_c_tier, scene_cuda
-from coscrew_codegen.targets.cuda_kernels import c_name_of
-from coscrew_codegen.targets.target import Files
+from coscrew_codegen.accuracy.scene_tiers import SceneTier
+from coscrew_codegen.backends.cuda import cuda_kernels, scene_cuda
+from coscrew_codegen.backends.cuda.cuda_kernels import c_name_of
+from coscrew_codegen.backends.scene import scene_c, scene_c_tier
+from coscrew_codegen.backends.target import Files
+from coscrew_codegen.program.scene_functions import SceneFunctions, Signature
+from coscrew_codegen.program.values.formats import Precision, named
 from tests.support.scenes import lanes_program
 from tests.support.scenes.generated_scenes import BANNER
 

@@ -5,7 +5,7 @@ from typing import Unpack
 
 from mpmath import mpf
 
-from coscrew_codegen.scene.model import Model
+from coscrew_codegen.scene.mechanism.model import Model
 from coscrew_codegen.scene.scene import Applied
 from tests.support.scenes.evaluation import MULTIPRECISE, Evaluated, Given, Moving
 from tests.support.scenes.mechanisms import Settings, scene

@@ -12,10 +12,10 @@ from dataclasses import replace
 from fractions import Fraction
 from hashlib import sha256
 
-from coscrew_codegen import effects as catalogue
-from coscrew_codegen.layout import scene_files
-from coscrew_codegen.mechanics import derive
-from coscrew_codegen.scene.model import HERE, Kind, Model
+from coscrew_codegen.backends.output_files import scene_files
+from coscrew_codegen.dynamics import derive
+from coscrew_codegen.scene import effects as catalogue
+from coscrew_codegen.scene.mechanism.model import HERE, Kind, Model
 from coscrew_codegen.scene.scene import Applied, Scene
 from tests.support.scenes.mechanisms import (
     Formula,

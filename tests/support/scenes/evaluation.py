@@ -11,12 +11,12 @@ from typing import Generic, TypeAlias, TypeVar
 import mpmath
 import numpy as np
 
-from coscrew_codegen.mechanics.derivation import tree_for
-from coscrew_codegen.mechanics.functions import derive
+from coscrew_codegen.dynamics.derivation import tree_for
+from coscrew_codegen.dynamics.derive_functions import derive
 from coscrew_codegen.program import Op, Program
 from coscrew_codegen.program.interpreter import Arithmetic, by_operation, exactly, interpreter
+from coscrew_codegen.program.scene_functions import SceneFunctions
 from coscrew_codegen.scene.scene import Scene
-from coscrew_codegen.scene_functions import SceneFunctions
 
 N = TypeVar("N")
 Real = TypeVar("Real", bound=np.floating)

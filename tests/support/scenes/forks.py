@@ -10,8 +10,8 @@ from pathlib import Path
 
 import numpy as np
 
-from coscrew_codegen.simulate import lanes
-from coscrew_codegen.simulate.load import kernels_of
+from coscrew_codegen.runtime import lanes
+from coscrew_codegen.runtime.load import kernels_of
 from tests.support.scenes.generated_scenes import slider
 from tests.support.scenes.scene_values import same_bits
 

@@ -13,12 +13,13 @@ from fractions import Fraction
 from pathlib import Path
 from types import ModuleType
 
-from coscrew_codegen.integrators import named
-from coscrew_codegen.mechanics.steps import stepped
+from coscrew_codegen.backends.numpy import scene_python
+from coscrew_codegen.backends.scene import scene_c
+from coscrew_codegen.dynamics.integrator_steps import stepped
 from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
-from coscrew_codegen.quantity import Argument, Part, Quantity
-from coscrew_codegen.scene_functions import Coordinate, Function, SceneFunctions
-from coscrew_codegen.targets import scene_c, scene_python
+from coscrew_codegen.program.scene_functions import Coordinate, FunctionProgram, SceneFunctions
+from coscrew_codegen.program.values.quantity import Argument, Part, Quantity
+from coscrew_codegen.scene.integrators import named
 
 BANNER = "Made by `coscrew generate scene.toml`; changes are overwritten."
 
@@ -60,11 +61,11 @@ class Writer:
         self.headings.append((len(self.steps), words))
 
     def function(self, name: str, words: str, outputs: tuple[Argument, ...],
-                 results: Sequence[str | int | Operand], internal: bool = False) -> Function:
+                 results: Sequence[str | int | Operand], internal: bool = False) -> FunctionProgram:
         """The function that returns these results."""
         program = Program(name, self.inputs, outputs, tuple(self.steps),
                           tuple(map(number, results)))
-        return Function(name, words, program, tuple(self.headings), internal)
+        return FunctionProgram(name, words, program, tuple(self.headings), internal)
 
 
 def _stepping(scene: SceneFunctions, *integrators: str) -> SceneFunctions:
@@ -72,7 +73,7 @@ def _stepping(scene: SceneFunctions, *integrators: str) -> SceneFunctions:
     return stepped(scene, [named(x) for x in integrators])
 
 
-def _additive(n: int) -> Function:
+def _additive(n: int) -> FunctionProgram:
     w = Writer(argument("q", n), argument("phi", n))
     moved = [w.do(f"moved_{i}", Op.ADD, w.at("q", i), w.at("phi", i)) for i in range(n)]
     return w.function("integrated", "q + φ", (argument("q", n),), moved)
@@ -234,7 +235,7 @@ def robot(joints: int, steps: int) -> SceneFunctions:
     draw = random.Random(0)
     n = joints
 
-    def function(name: str, out: str) -> Function:
+    def function(name: str, out: str) -> FunctionProgram:
         w = Writer(argument("q", n), argument("v", n), argument("tau" if out == "a" else "a", n))
         pool: list[Operand] = [Input(i, j) for i in range(3) for j in range(n)]
         pool += [w.do(f"{'sine' if op is Op.SIN else 'cosine'}_{i}", op, w.at("q", i))

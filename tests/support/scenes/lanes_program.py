@@ -8,11 +8,12 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from coscrew_codegen.formats import Precision, named
-from coscrew_codegen.scene_functions import SceneFunctions, Signature
-from coscrew_codegen.scene_tiers import SceneTier
-from coscrew_codegen.targets import scene_c, scene_c_many, scene_c_tier, scene_calls
-from coscrew_codegen.targets.scene_text import c_name, count, many
+from coscrew_codegen.accuracy.scene_tiers import SceneTier
+from coscrew_codegen.backends.python_extension import scene_calls
+from coscrew_codegen.backends.scene import scene_c, scene_c_many, scene_c_tier
+from coscrew_codegen.backends.scene.scene_text import c_name, count, many
+from coscrew_codegen.program.scene_functions import SceneFunctions, Signature
+from coscrew_codegen.program.values.formats import Precision, named
 from tests.support.scenes.generated_scenes import BANNER
 
 COUNTS = (0, 1, 2, 3, 4, 5, 7, 8, 9, 15, 16, 17, 70)

@@ -4,10 +4,10 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import TypeAlias, TypedDict, Unpack
 
-from coscrew_codegen.effects import EFFECTS
-from coscrew_codegen.parameter import Parameter, Scalar
+from coscrew_codegen.program.values.parameter import Parameter, Scalar
+from coscrew_codegen.scene.effects import EFFECTS
 from coscrew_codegen.scene.formulas import Formula
-from coscrew_codegen.scene.model import (
+from coscrew_codegen.scene.mechanism.model import (
     HERE,
     WORLD,
     Body,

@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.scene.scene import Scene, Setting
-from coscrew_codegen.scene_files.toml_scene import read_scene
 from tests.support.scenes.example_effects import CATALOGUE
 
 MODEL = """

@@ -15,13 +15,13 @@ from pathlib import Path
 import numpy as np
 import pinocchio as pin
 
-from coscrew_codegen.effects import EFFECTS
-from coscrew_codegen.mechanics import derive
-from coscrew_codegen.scene.functions.jacobian import jacobians
-from coscrew_codegen.scene.model import WORLD, Joint, Kind
+from coscrew_codegen.dynamics import derive
+from coscrew_codegen.program.scene_functions import SceneFunctions
+from coscrew_codegen.scene.effects import EFFECTS
+from coscrew_codegen.scene.functions.bodies.jacobian import jacobians
+from coscrew_codegen.scene.mechanism.model import WORLD, Joint, Kind
+from coscrew_codegen.scene.readers.urdf.urdf import read_urdf
 from coscrew_codegen.scene.scene import Applied, Scene
-from coscrew_codegen.scene_files.urdf import read_urdf
-from coscrew_codegen.scene_functions import SceneFunctions
 from tests.support.scenes.selecting import with_jacobians
 
 COMPARED = ("inverse_dynamics", "forward_dynamics", "mass_matrix", "bias_torques", "energy",

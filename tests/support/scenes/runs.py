@@ -16,12 +16,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from coscrew_codegen.scene.recorded import expected
-from coscrew_codegen.simulate.load import Kernels
-from coscrew_codegen.simulate.plan import Plan, Trajectory
-from coscrew_codegen.simulate.record import quantity
-from coscrew_codegen.simulate.run import integrate
-from coscrew_codegen.simulate.system import System, system
+from coscrew_codegen.runtime.load import Kernels
+from coscrew_codegen.scene.recorded_quantities import expected
+from coscrew_codegen.simulation.plan import Plan, Trajectory
+from coscrew_codegen.simulation.recordings.record import quantity
+from coscrew_codegen.simulation.run import integrate
+from coscrew_codegen.simulation.system import System, system
 from tests.references.figures import Figure
 
 ROUNDOFF = {"double": 2.0**-53, "single": 2.0**-24}

@@ -13,13 +13,14 @@ from types import ModuleType
 
 import numpy as np
 
-from coscrew_codegen.formats import PRECISIONS, Precision
-from coscrew_codegen.mechanics import derive
-from coscrew_codegen.parameter import Parameter
-from coscrew_codegen.scene.model import HERE, Kind
-from coscrew_codegen.scene_functions import SceneFunctions, Signature
-from coscrew_codegen.targets import scene_c, scene_calls
-from coscrew_codegen.targets.scene_text import c_name, count
+from coscrew_codegen.backends.python_extension import scene_calls
+from coscrew_codegen.backends.scene import scene_c
+from coscrew_codegen.backends.scene.scene_text import c_name, count
+from coscrew_codegen.dynamics import derive
+from coscrew_codegen.program.scene_functions import SceneFunctions, Signature
+from coscrew_codegen.program.values.formats import PRECISIONS, Precision
+from coscrew_codegen.program.values.parameter import Parameter
+from coscrew_codegen.scene.mechanism.model import HERE, Kind
 from tests.support.compiled.bits_program import HEAD, ROWS, hashed, numbers, numbers_and_hashes
 from tests.support.scenes.generated_scenes import BANNER, imported
 from tests.support.scenes.mechanisms import Formula, Y, Z, applied, at, chain, inertia, scene

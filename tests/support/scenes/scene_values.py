@@ -6,7 +6,7 @@ import mpmath
 import numpy as np
 from mpmath import mpf
 
-from coscrew_codegen.scene_functions import Signature
+from coscrew_codegen.program.scene_functions import Signature
 from tests.support.scenes.evaluation import Evaluated
 
 UNIT = {"double": 2.0**-53, "single": 2.0**-24}

@@ -3,14 +3,14 @@
 from dataclasses import replace
 from pathlib import Path
 
-from coscrew_codegen.formats import named
-from coscrew_codegen.integrators import EMITTED
-from coscrew_codegen.scene.functions.jacobian import jacobians
+from coscrew_codegen.program.values.formats import named
+from coscrew_codegen.runtime.load import BOTH, Kernels, kernels_for
+from coscrew_codegen.scene.function_selection import DEFAULT, together
+from coscrew_codegen.scene.functions.bodies.jacobian import jacobians
+from coscrew_codegen.scene.integrators import EMITTED
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.scene.scene import Scene
-from coscrew_codegen.scene.selected import DEFAULT, together
-from coscrew_codegen.scene_files.toml_scene import read_scene
-from coscrew_codegen.simulate import needs
-from coscrew_codegen.simulate.load import BOTH, Kernels, kernels_for
+from coscrew_codegen.simulation import required_functions
 
 STEPPED = (DEFAULT, *(x.step_name for x in EMITTED))
 """The default functions, and every emitted integrator."""
@@ -26,7 +26,7 @@ def checked(scene: Scene | Path, *integrators: str | None, others: tuple[str, ..
     """The kernels that `coscrew check` has for these integrators (None: the scene's), and other
     functions; in these precisions."""
     read = read_scene(scene) if isinstance(scene, Path) else scene
-    wanted = (needs.of_check(read, x) for x in integrators or (None,))
+    wanted = (required_functions.of_check(read, x) for x in integrators or (None,))
     return kernels_for(read, together(*wanted, others), precisions)
 
 

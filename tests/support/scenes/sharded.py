@@ -14,7 +14,7 @@ from jax.sharding import AxisType, Mesh, NamedSharding
 from jax.sharding import PartitionSpec as P
 
 import coscrew
-from coscrew_codegen.simulate.load import kernels_of
+from coscrew_codegen.runtime.load import kernels_of
 from tests.support.scenes.generated_scenes import slider
 
 ROWS = 8

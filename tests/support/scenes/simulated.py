@@ -6,10 +6,10 @@ import pytest
 
 from coscrew_codegen import load_scene
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.simulate.load import Kernels
-from coscrew_codegen.simulate.plan import Trajectory, plan
-from coscrew_codegen.simulate.run import integrate
-from coscrew_codegen.simulate.system import system
+from coscrew_codegen.runtime.load import Kernels
+from coscrew_codegen.simulation.plan import Trajectory, plan
+from coscrew_codegen.simulation.run import integrate
+from coscrew_codegen.simulation.system import system
 from tests.support.scenes import scene_texts as texts
 from tests.support.scenes.selecting import STEPPED
 

@@ -7,10 +7,10 @@ from pathlib import Path
 import pyarrow
 import pyarrow.parquet
 
-from coscrew_codegen.scene_files.toml_scene import read_scene
-from coscrew_codegen.simulate.outcome import RunOverrides
-from coscrew_codegen.sweep import asked, chunk, prepare
-from coscrew_codegen.sweep.prepare import Prepared
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
+from coscrew_codegen.simulation.run_summary import RunOverrides
+from coscrew_codegen.simulation.sweep import chunk, prepare, sweep_options
+from coscrew_codegen.simulation.sweep.prepare import Prepared
 from tests.support.scenes.simulated import scene_file
 
 SLIDER = """
@@ -100,8 +100,9 @@ def prepared(folder: Path, text: str, grids: Sequence[str] = (), sobols: Sequenc
              samples: int | None = None, *, seed: int | None = None, record: Sequence[str] = (),
              series: bool = False, overrides: RunOverrides = _NONE) -> Prepared:
     """The sweep that these options ask for, of a scene in this folder."""
-    return prepare.prepared(read_scene(scene_file(folder, text)), prepare.Asked(
-        tuple(map(asked.grid, grids)), tuple(map(asked.sobol, sobols)), samples, seed, record,
+    return prepare.prepared(read_scene(scene_file(folder, text)), prepare.SweepRequest(
+        tuple(map(sweep_options.grid, grids)), tuple(map(sweep_options.sobol, sobols)), samples,
+                                                                                       seed, record,
         series, overrides))
 
 

@@ -6,17 +6,17 @@ from dataclasses import dataclass
 import mpmath
 import numpy as np
 
-from coscrew_codegen.formats import Precision
 from coscrew_codegen.program import Program
 from coscrew_codegen.program.interpreter import interpreter
-from coscrew_codegen.scene_functions import Function, SceneFunctions
+from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
+from coscrew_codegen.program.values.formats import Precision
 from tests.support.scenes.evaluation import MULTIPRECISE
 from tests.support.truth.condition import conditions
 
 DIGITS = 60
 
 
-def states(scene: SceneFunctions, function: Function, count: int, precision: Precision
+def states(scene: SceneFunctions, function: FunctionProgram, count: int, precision: Precision
            ) -> list[np.ndarray]:
     """Random arguments: parameters near their values, quaternions of norm 1, t and h positive."""
     draw = np.random.default_rng(len(function.name))

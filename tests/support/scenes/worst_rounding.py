@@ -8,13 +8,13 @@ from math import prod
 
 import numpy as np
 
-from coscrew_codegen.formats import Precision
-from coscrew_codegen.mechanics.derivation import tree_for
+from coscrew_codegen.dynamics.derivation import tree_for
 from coscrew_codegen.program.interpreter import interpreter
-from coscrew_codegen.scene.model import Joint
+from coscrew_codegen.program.scene_functions import FunctionProgram
+from coscrew_codegen.program.values.formats import Precision
+from coscrew_codegen.runtime.load import Kernels
+from coscrew_codegen.scene.mechanism.model import Joint
 from coscrew_codegen.scene.scene import Scene
-from coscrew_codegen.scene_functions import Function
-from coscrew_codegen.simulate.load import Kernels
 from tests.support.scenes.tiers import components, flat, truths
 from tests.support.truth.condition import ARRAYS
 
@@ -23,7 +23,7 @@ _BOUND = re.compile(r"(\w+) by at most ([^;,]+)")
 _FIGURE = re.compile(r"(\S+) in (\w+)")
 
 
-def stated(function: Function) -> dict[tuple[str, str], float]:
+def stated(function: FunctionProgram) -> dict[tuple[str, str], float]:
     """The bounds in the statement, by output and precision."""
     return {(name, precision): float(figure)
             for name, words in _BOUND.findall(function.rounding)
@@ -36,7 +36,7 @@ class Box:
 
     scene: Scene
 
-    def random(self, function: Function, count: int, seed: int) -> Given:
+    def random(self, function: FunctionProgram, count: int, seed: int) -> Given:
         """Arguments between the limits, a third of them at one; angles without limits up to 10."""
         draw = np.random.default_rng(seed)
         found = []
@@ -48,7 +48,7 @@ class Box:
             found.append(self._near(x, a.name))
         return found
 
-    def around(self, function: Function, given: Given, seed: int) -> Given:
+    def around(self, function: FunctionProgram, given: Given, seed: int) -> Given:
         """Arguments near these: each number moved with probability 1/2, by 1e-7 to 0.1."""
         draw = np.random.default_rng(seed)
         return [self._near(x + draw.choice((0, 1), x.shape) * draw.uniform(-1, 1, x.shape)
@@ -78,7 +78,7 @@ def _limits(joint: Joint, name: str) -> tuple[float, float]:
     return (-10.0, 10.0) if low is None or high is None else (float(low), float(high))
 
 
-def worst_found(kernels: Kernels, function: Function, output: str, states: int, rounds: int
+def worst_found(kernels: Kernels, function: FunctionProgram, output: str, states: int, rounds: int
                 ) -> float:
     """The largest error of an output in single precision, against double with its decimals."""
     assert kernels.scene
@@ -100,7 +100,7 @@ def worst_found(kernels: Kernels, function: Function, output: str, states: int, 
     return float(found.max())
 
 
-def worst_exactly(kernels: Kernels, function: Function, output: str, states: int,
+def worst_exactly(kernels: Kernels, function: FunctionProgram, output: str, states: int,
                   precision: Precision) -> float:
     """The largest error of an output at random states, against 60 digits."""
     assert kernels.scene
@@ -112,7 +112,7 @@ def worst_exactly(kernels: Kernels, function: Function, output: str, states: int
                for k in range(states) for place in range(found.shape[1])[_places(function, output)])
 
 
-def _places(function: Function, output: str) -> slice:
+def _places(function: FunctionProgram, output: str) -> slice:
     start = 0
     for a in function.program.outputs:
         stop = start + prod(a.quantity.shape)

@@ -15,15 +15,15 @@ from dataclasses import dataclass
 import numpy as np
 from gmpy2 import mpq
 
-from coscrew_codegen.exact import CONDITION, UNIT, exact_functions, ulp
-from coscrew_codegen.formats import Precision
-from coscrew_codegen.operations import OPERATIONS, Operation
+from coscrew_codegen.accuracy.bounds import Bound, bounds_of
+from coscrew_codegen.accuracy.tiers import tier_named
+from coscrew_codegen.accuracy.tiers.tier import is_polynomial
+from coscrew_codegen.algebra.exact import CONDITION, UNIT, exact_functions, ulp
+from coscrew_codegen.algebra.lowering.programs import program_of
+from coscrew_codegen.algebra.operations import OPERATIONS, Operation
 from coscrew_codegen.program import Program
-from coscrew_codegen.program.bounds import Bound, bounds_of
-from coscrew_codegen.programs import program_of
-from coscrew_codegen.report.inputs import cancel
-from coscrew_codegen.tiers import tier_named
-from coscrew_codegen.tiers.tier import is_polynomial
+from coscrew_codegen.program.values.formats import Precision
+from coscrew_codegen.reports.kernels.inputs import cancel
 from tests.support.sampling import inputs_of
 
 Arrays = tuple[np.ndarray, ...]

@@ -10,9 +10,10 @@ import mpmath as mp
 import numpy as np
 import sympy as sp
 
-from coscrew_codegen.formats import Precision
-from coscrew_codegen.operations import OPERATIONS, Operation, eigen, euler, mat3x3
-from coscrew_codegen.quantity import Argument
+from coscrew_codegen.algebra.operations import OPERATIONS, Operation, mat3x3
+from coscrew_codegen.algebra.operations.formulas import eigen, euler
+from coscrew_codegen.program.values.formats import Precision
+from coscrew_codegen.program.values.quantity import Argument
 from tests.support.truth.motions import DIGITS
 
 TABLE = {op.name: op for op in OPERATIONS}

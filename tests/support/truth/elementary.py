@@ -10,13 +10,13 @@ import gmpy2
 import numpy as np
 from numpy.typing import NDArray
 
-from coscrew_codegen.elementary import ELEMENTARY, ERRORS, Elementary
-from coscrew_codegen.elementary.calls import FUNCTION_OF
-from coscrew_codegen.elementary.sincos import FUNCTION as SINCOS
-from coscrew_codegen.formats import Precision
 from coscrew_codegen.program import Constant, Op, Program
+from coscrew_codegen.program.elementary import ELEMENTARY, ERRORS, Elementary
+from coscrew_codegen.program.elementary.elementary_calls import FUNCTION_OF
+from coscrew_codegen.program.elementary.sincos import FUNCTION as SINCOS
 from coscrew_codegen.program.interpreter import Arithmetic, by_operation, exactly, interpreter
 from coscrew_codegen.program.two_over_pi import chunks
+from coscrew_codegen.program.values.formats import Precision
 
 Array = NDArray[Any]
 BITS = 240  # of the truth

@@ -16,7 +16,7 @@ from typing import TypeAlias
 import mpmath
 import numpy as np
 
-from coscrew_codegen.operations import OPERATIONS
+from coscrew_codegen.algebra.operations import OPERATIONS
 from tests.support.truth.bodies import BODIES
 from tests.support.truth.motions import TRUTHS
 

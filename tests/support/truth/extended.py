@@ -9,10 +9,10 @@ from itertools import pairwise
 
 import numpy as np
 
-from coscrew_codegen.formats import Precision
 from coscrew_codegen.program import Constant, Op, Program
 from coscrew_codegen.program.interpreter import Arithmetic, by_operation, exactly
 from coscrew_codegen.program.interpreter import evaluate as evaluate_on
+from coscrew_codegen.program.values.formats import Precision
 
 _WIDE: dict[Op, Callable[..., np.ndarray]] = {**exactly(np), Op.SELECT: np.where}
 

@@ -14,11 +14,11 @@ import mpmath as mp
 import numpy as np
 from gmpy2 import mpq
 
-from coscrew_codegen.exact import UNIT, exact_functions
-from coscrew_codegen.formats import Precision
-from coscrew_codegen.operations import OPERATIONS, Operation
+from coscrew_codegen.accuracy.tiers import tier_named
+from coscrew_codegen.algebra.exact import UNIT, exact_functions
+from coscrew_codegen.algebra.operations import OPERATIONS, Operation
 from coscrew_codegen.program import Program
-from coscrew_codegen.tiers import tier_named
+from coscrew_codegen.program.values.formats import Precision
 from tests.support.domains import angle, defect
 from tests.support.truth import backward
 from tests.support.truth.attack import TIERED, bounds, plain_program

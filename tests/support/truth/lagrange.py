@@ -16,7 +16,7 @@ import numpy as np
 from sympy import QQ
 from sympy.polys.rings import PolyElement, PolyRing, ring
 
-from coscrew_codegen.scene.model import Body, Joint, Kind, Model, value
+from coscrew_codegen.scene.mechanism.model import Body, Joint, Kind, Model, value
 from tests.support.truth.exact import array, eye, rotation_of, skew, zeros
 
 Matrix = np.ndarray  # of polynomials or Fractions

@@ -5,8 +5,8 @@ from typing import TypeAlias
 import mpmath as mp
 import numpy as np
 
-from coscrew_codegen.formats import Precision
-from coscrew_codegen.operations import Operation
+from coscrew_codegen.algebra.operations import Operation
+from coscrew_codegen.program.values.formats import Precision
 from tests.support.truth.motions import DIGITS, TRUTHS, alternatives
 
 Matrix: TypeAlias = mp.matrix | mp.mpf

@@ -20,11 +20,11 @@ import numpy as np
 import sympy as sp
 from gmpy2 import mpfr, mpq
 
-from coscrew_codegen.formats import PRECISIONS, Precision
-from coscrew_codegen.kernel import Kernel
-from coscrew_codegen.operations import OPERATIONS, PER_PRECISION, scaled, truncated
-from coscrew_codegen.operations.operation import GRID
+from coscrew_codegen.algebra.lowering.kernel import Kernel
+from coscrew_codegen.algebra.operations import OPERATIONS, PER_PRECISION, scaled, truncated
+from coscrew_codegen.algebra.operations.operation import GRID
 from coscrew_codegen.program import Op
+from coscrew_codegen.program.values.formats import PRECISIONS, Precision
 from tests.support.compiled.c_reader import Arithmetic
 from tests.support.truth.attack import plain_program
 

@@ -13,7 +13,7 @@ from typing import Any, TypeAlias
 import mpmath
 from mpmath import matrix, mpf
 
-from coscrew_codegen.scene.model import WORLD, Inertia, Kind, Model, value
+from coscrew_codegen.scene.mechanism.model import WORLD, Inertia, Kind, Model, value
 
 Vector: TypeAlias = Any  # mpmath has no types
 

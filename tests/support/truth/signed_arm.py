@@ -10,12 +10,12 @@ from pathlib import Path
 import mpmath
 import numpy as np
 
-from coscrew_codegen.formats import DOUBLE
-from coscrew_codegen.layout import scene_files
-from coscrew_codegen.mechanics import derive
-from coscrew_codegen.scene.model import Kind
+from coscrew_codegen.backends.output_files import scene_files
+from coscrew_codegen.dynamics import derive
+from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
+from coscrew_codegen.program.values.formats import DOUBLE
+from coscrew_codegen.scene.mechanism.model import Kind
 from coscrew_codegen.scene.scene import Scene
-from coscrew_codegen.scene_functions import Function, SceneFunctions
 from tests.support.scenes import mechanisms as m
 from tests.support.scenes.tiers import components, states, truths
 from tests.support.truth.condition import conditions
@@ -86,7 +86,8 @@ def named_scene(arm: Links = ARMS[0]) -> SceneFunctions:
     return replace(derive(scene(arm)), name="signed_arm")
 
 
-def judge(derived: SceneFunctions, function: Function, count: int, head: str = "", text: str = ""
+def judge(derived: SceneFunctions, function: FunctionProgram, count: int, head: str = "",
+          text: str = ""
           ) -> Judged:
     """Truth at random states."""
     given = states(derived, function, count, DOUBLE)

@@ -11,9 +11,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from coscrew_codegen.formats import Format
 from coscrew_codegen.program import Constant, Op, Program
 from coscrew_codegen.program.interpreter import Arithmetic, by_operation, exactly, interpreter
+from coscrew_codegen.program.values.formats import Format
 
 Array = NDArray[Any]
 KEPT, ROWS = 64, 512

@@ -14,13 +14,18 @@ import numpy as np
 import sympy as sp
 from gmpy2 import mpfr
 
-from coscrew_codegen.formats import Precision
-from coscrew_codegen.operations import PER_PRECISION, Operation
+from coscrew_codegen.algebra.lowering.programs import library_program
+from coscrew_codegen.algebra.operations import PER_PRECISION, Operation
 from coscrew_codegen.program import Program
 from coscrew_codegen.program.interpreter import interpreter
 from coscrew_codegen.program.multiprecise import MULTIPRECISE, precise
-from coscrew_codegen.programs import library_program
-from coscrew_codegen.quantity import DISPLACEMENT, ROTATION, UNIT_QUATERNION, Argument
+from coscrew_codegen.program.values.formats import Precision
+from coscrew_codegen.program.values.quantity import (
+    DISPLACEMENT,
+    ROTATION,
+    UNIT_QUATERNION,
+    Argument,
+)
 from tests.support.truth.motions import (
     DIGITS,
     TRUTHS,

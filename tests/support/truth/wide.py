@@ -14,10 +14,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from coscrew_codegen.formats import Precision
+from coscrew_codegen.accuracy.bounds import Bound, Polynomial, bounds_of
 from coscrew_codegen.program import Input, Op, Program
-from coscrew_codegen.program.bounds import Bound, Polynomial, bounds_of
 from coscrew_codegen.program.interpreter import by_operation, evaluate
+from coscrew_codegen.program.values.formats import Precision
 
 WIDE = np.longdouble
 IS_WIDE = np.finfo(WIDE).nmant == 63 and np.finfo(WIDE).maxexp == 16384

@@ -7,9 +7,9 @@ precision and tier, in stubs and documentation.
 import re
 from collections.abc import Iterator, Sequence
 
-from coscrew_codegen.found import found
-from coscrew_codegen.scene.function import Of, Quantity, SceneFunction
+from coscrew_codegen.program.plugins import found
 from coscrew_codegen.scene.scene import Scene
+from coscrew_codegen.scene.scene_function import Of, SceneFunction, SceneQuantity
 from coscrew_codegen.scene.units import UNITS
 
 FUNCTIONS: tuple[SceneFunction, ...] = tuple(sorted(
@@ -34,10 +34,11 @@ _NAME = re.compile(r"[a-z][a-z0-9]*(_[a-z0-9]+)*(_[A-Z]+)*")
 refuse_names(FUNCTIONS)
 
 
-def quantities(functions: Sequence[SceneFunction]) -> dict[str, tuple[SceneFunction, Quantity]]:
+def quantities(functions: Sequence[SceneFunction]) -> dict[str,
+                                                           tuple[SceneFunction, SceneQuantity]]:
     """What is recorded of functions, by name: of the scene, of bodies, of joints.  Raises
     ValueError for two of one name."""
-    known: dict[str, tuple[SceneFunction, Quantity]] = {}
+    known: dict[str, tuple[SceneFunction, SceneQuantity]] = {}
     for function in functions:
         for quantity in function.recorded:
             if quantity.name in known or quantity.name in UNITS:

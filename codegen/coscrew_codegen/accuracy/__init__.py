@@ -1,0 +1,1 @@
+"""Accuracy tiers, bounds of errors, and the choice of precisions."""

@@ -1,0 +1,200 @@
+"""Chooses a mixture of single precision and pairs whose results are as accurate as asked.
+
+What is carried in pairs follows from a threshold: instructions whose rounding moves a result by
+more than it, to first order; the more an instruction costs in pairs, the larger its threshold, by
+some power of the cost.  For each of a few powers, the largest threshold is searched at which the
+certified bounds of the results' errors are within what is asked, with a margin, at the states where
+single precision errs most, of those drawn and those that a search finds; the cheapest mixture is
+taken.  Then other states are drawn, and others searched where this mixture errs most; while the
+bounds do not hold there, the worst join the sample and the margin grows.
+
+The bounds are those of the certified tier, |x̂ - w| + B with w of double precision, for the x̂ of
+the mixture: they hold at their states, whatever the mixture is.
+"""
+
+from dataclasses import dataclass
+from functools import cache
+from math import prod, sqrt
+
+import numpy as np
+
+from coscrew_codegen.accuracy.precision_tuning.array_evaluation import Array
+from coscrew_codegen.accuracy.precision_tuning.error_search import Sizes, climbed, errors, results
+from coscrew_codegen.accuracy.precision_tuning.sample import States, StateSample
+from coscrew_codegen.accuracy.precision_tuning.sample import in_double as double
+from coscrew_codegen.accuracy.precision_tuning.sensitivity import OWN, Place, sensitivities
+from coscrew_codegen.accuracy.tiers.accurate_scene import in_pairs
+from coscrew_codegen.accuracy.tiers.certified_wide import in_double
+from coscrew_codegen.accuracy.tiers.mixed import CARRYING, Mixture, mixed
+from coscrew_codegen.program import Instruction, Op, Program
+from coscrew_codegen.program.reported_error import ReportedError
+from coscrew_codegen.program.scene_functions import Accuracy
+from coscrew_codegen.program.values.digits import two_digits_up
+from coscrew_codegen.program.values.formats import SINGLE
+from coscrew_codegen.program.whole_cost import whole_counts
+
+DRAWN, SEARCHED = 20_000, 4000
+"""States; of the first, those where single precision errs most are searched with."""
+_LEAST = 0.01  # of this room; below it, all is in pairs
+SEARCHES = 3
+"""Which find no state where the bounds of the mixture do not hold."""
+ROOM = 0.97
+"""How much of what pairs leave of the accuracy may be used at the sampled states, at first."""
+_RANKED, _WORST = 64, 16  # states where sensitivities are computed: drawn; the worst of a result
+_MORE = {Op.ADD: 7, Op.SUB: 7, Op.MUL: 5, Op.DIV: 12, Op.SQRT: 12}
+_FUNCTION = 120
+"""Operations that instructions take more in pairs, about; elementary functions."""
+_POWERS = (0, 1, 2, 3)  # of the root of the cost; later that which was cheapest at first
+
+
+class AccuracyError(ReportedError, ValueError):
+    """An accuracy that is asked for and cannot be had."""
+
+
+@dataclass(frozen=True)
+class PrecisionChoice:
+    """A function's program in the mixed tier, and what is known of it."""
+
+    program: Program
+    pairs: Program  # all in pairs, for comparison
+    paired: int  # instructions of the plain program that are in pairs
+    worst: tuple[float, ...]  # largest certified bound of each component of the results
+
+
+@cache
+def chosen(program: Program, accuracy: Accuracy) -> PrecisionChoice:
+    """The mixture for a plain program, by the formulas for twice the digits.  Raises AccuracyError
+    if not even pairs are as accurate."""
+    return _Search(program.fine or program, accuracy).choice()
+
+
+class _Search:
+    def __init__(self, program: Program, accuracy: Accuracy) -> None:
+        self.program, self.accuracy = program, accuracy
+        self.tolerances = np.array(accuracy.tolerances)
+        self.pairs = in_pairs(program, SINGLE)
+        self.states = States(accuracy, in_double(program))
+        self.sensitive: dict[Place, float] = {}
+        self.powers: tuple[int, ...] = _POWERS
+
+    def choice(self) -> PrecisionChoice:
+        """Draws and searches other states until the bounds hold there and at the first ones."""
+        first = self.states.drawn(DRAWN)
+        units = self._units(self.program, first)
+        self._rank(first.at(np.arange(_RANKED)))
+        self._rank(first.at(_worst(units)))
+        self.sample = first.at(np.argsort(-units.max(axis=0), kind="stable")[:SEARCHED])
+        for sizes in (results(self.program, self.tolerances), self._errors(self.program)):
+            self._add(self._searched(sizes))
+        room = ROOM
+        while True:
+            mixture = self._cheapest(room) if room > _LEAST else self._mixture(-1, 0)
+            found = mixed(self.program, mixture) if room > _LEAST else self.pairs
+            others = self._others(found)
+            if self._units(found, others).max() <= 1:
+                worst = self.sample.joined(first).joined(others).certified(found).max(axis=1)
+                return PrecisionChoice(found, self.pairs, len(mixture.paired),
+                                       tuple(worst.tolist()))
+            self._add(others.at(_worst(self._units(found, others))))
+            room *= room
+
+    def _others(self, program: Program) -> StateSample:
+        """Fresh states: drawn, and those that searches find, until bounds do not hold at one."""
+        found = self.states.drawn(DRAWN)
+        for _ in range(SEARCHES):
+            if self._units(program, found).max() > 1:
+                break
+            found = found.joined(self._searched(self._errors(program)))
+        return found
+
+    def _errors(self, program: Program) -> Sizes:
+        return errors(program, self.program, self.tolerances)
+
+    def _searched(self, sizes: Sizes) -> StateSample:
+        """States where these are largest, as a search finds them."""
+        return self.states.sample(climbed(self.states, sizes))
+
+    def _add(self, hard: StateSample) -> None:
+        """Let the mixture be as accurate as asked at these states, too."""
+        self._refuse(hard)
+        self._rank(hard.at(_worst(self._units(self.program, hard))))
+        self.sample = self.sample.joined(hard)
+
+    def _units(self, program: Program, sample: StateSample) -> Array:
+        """Certified bounds in units of what is asked."""
+        units: Array = sample.certified(program) / self.tolerances[:, None]
+        return units
+
+    def _rank(self, sample: StateSample) -> None:
+        """Let sensitivities hold at these states, too."""
+        for place, size in sensitivities(self.program, double(sample.given),
+                                         self.accuracy.tolerances).items():
+            self.sensitive[place] = max(size, self.sensitive.get(place, 0))
+
+    def _cheapest(self, room: float) -> Mixture:
+        """The cheapest mixture found whose bounds at the sample use at most this share of what
+        pairs leave of the accuracy."""
+        least = float(self._units(self.pairs, self.sample).max())
+        aim = least + room * (1 - least)
+        found = {power: self._largest(power, aim) for power in self.powers}
+        cheapest = min(found, key=lambda x: operations(mixed(self.program, found[x])))
+        self.powers = cheapest,
+        return found[cheapest]
+
+    def _largest(self, power: int, aim: float) -> Mixture:
+        """Returns the mixture of the largest threshold that meets the aim; all in pairs if there is
+        none."""
+        thresholds = sorted({-1.0, *self.sensitive.values()})
+        low, high = 0, len(thresholds) - 1
+        while low < high:
+            middle = (low + high + 1) // 2
+            made = mixed(self.program, self._mixture(thresholds[middle], power))
+            if self._units(made, self.sample).max() <= aim:
+                low = middle
+            else:
+                high = middle - 1
+        return self._mixture(thresholds[low], power)
+
+    def _mixture(self, threshold: float, power: int) -> Mixture:
+        """Pairs are what is more sensitive than the threshold."""
+        paired: set[object] = set()
+        kept: set[Place] = set()
+        for step in self.program.instructions:
+            operands = [(step.name, k) for k in range(len(step.operands))
+                        if self.sensitive.get((step.name, k), -1) > threshold]
+            weight = prod([sqrt(_MORE.get(step.op, _FUNCTION) / _MORE[Op.ADD])] * power)
+            own = self.sensitive.get((step.name, OWN), -1) > threshold * weight
+            if own or operands and step.op not in CARRYING:
+                paired.add(_together(step))
+            kept.update(operands)
+        names = {step.name for step in self.program.instructions if _together(step) in paired}
+        return Mixture(frozenset(names), frozenset(kept))
+
+    def _refuse(self, sample: StateSample) -> None:
+        """Raise AccuracyError if pairs are not as accurate as asked at these states."""
+        bounds = sample.certified(self.pairs).max(axis=1)
+        for (name, number), bound, asked in zip(
+                self.accuracy.components, bounds, self.accuracy.tolerances, strict=True):
+            if bound > asked:
+                found = f"err by up to {two_digits_up(bound)}" if np.isfinite(bound) else \
+                    "have no certified bound at some states"
+                raise AccuracyError(
+                    f"accuracy of {self.program.name}: {asked:g} is asked of {name}; even pairs of "
+                    f"floats, rounded at the end, {found} in component {number}")
+
+
+def operations(program: Program) -> int:
+    """Counts operations of all kinds, those of elementary functions included."""
+    return sum(whole_counts(program, SINGLE).values())
+
+
+def _together(step: Instruction) -> object:
+    """Returns a key that is the same for a sine and a cosine of one angle, which are computed
+    together."""
+    return step.operands if step.op in (Op.SIN, Op.COS) else step.name
+
+
+def _worst(units: Array) -> Array:
+    """The states of the largest bounds of each component."""
+    order = np.argsort(-units, axis=1, kind="stable")
+    return np.unique(order[:, :_WORST])

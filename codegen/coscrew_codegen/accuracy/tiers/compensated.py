@@ -1,0 +1,292 @@
+"""Values carried as hi + lo through a program, and the rules for sums and products.
+
+The plain program's operations give hi.  lo is the sum, rounded, of their exact rounding errors and
+of the contributions of the operands' lo.
+
+The error of a sum s = a + b is found by Knuth's Two-Sum: t = s - a, rounded, is b's share of s, and
+u = s - t is a's.  u, a - u and b - t are exact for all a and b (Shewchuk), and the last two add up
+to the error.  Where a is a rounded product x y, its error belongs to lo as well:
+(a - u) + (x y - a) is x y - u, rounded once by a single fma.
+
+A constant that is rounded has a lo, too: the rest, rounded.
+"""
+
+from collections import Counter
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+from coscrew_codegen.program import (
+    Constant,
+    Instruction,
+    Op,
+    Operand,
+    Program,
+    Ref,
+    scales,
+    sine_cosine_pairs,
+    without_dead_steps,
+)
+from coscrew_codegen.program.ops import ERROR_OF
+from coscrew_codegen.program.program import name_of
+from coscrew_codegen.program.values.formats import DOUBLE, Precision
+
+Rule = Callable[["Carrier", Instruction], None]
+"""Issues hi of a plain instruction under its name; and lo, or the parts of lo that are added where
+it is used.  Operands that have been made non-overlapping are the new hi."""
+Name = Callable[[str, str], str]
+"""The name of an instruction, from that of the instruction it belongs to and a suffix."""
+_MAY_FAIL = frozenset({Op.DIV, Op.SQRT, Op.SCALE, *ERROR_OF})
+"""The operations whose lo may be NaN: of 0/0, or an infinite hi.  Then the result is hi."""
+
+
+@dataclass(frozen=True)
+class Carrying:
+    """How a tier carries values: which rule each operation has, and what rules leave open."""
+
+    rules: Mapping[Op, Rule]
+    names: Callable[[Program], Name]
+    normal: Callable[["Carrier", Instruction, Ref, Operand], tuple[Ref, Operand]] | None
+    """hi + lo rounded, and what that leaves; None: hi stays the plain value."""
+    last: str = ""  # component of final values; "": each is its own
+
+
+class Carrier:
+    """Carries a program's values: issues instructions, and knows the lo of each hi."""
+
+    def __init__(self, program: Program, precision: Precision, how: Carrying) -> None:
+        self.precision, self.name = precision, how.names(program)
+        self.steps: list[Instruction] = []
+        self.products: dict[str, Instruction] = {}  # whose rounding error their lo lacks, by name
+        self.overlapping: set[str] = set()  # results to be normalized before they are multiplied
+        self.nearest: set[str] = set()  # results that are the nearest numbers: hi alone is final
+        self.pairs = sine_cosine_pairs(program)
+        self.partners: dict[str, Ref] = {}  # of issued sines their cosines, of cosines their sines
+        self._how = how
+        self._low: dict[str, Operand] = {}  # lo by hi's name
+        self._normal: dict[str, Ref] = {}  # hi of normalized results, by their plain name
+        self._normals: set[str] = set()
+        self._rounded: dict[str, Ref] = {}  # hi + lo rounded, by hi's name
+        self._finals: dict[Operand, Ref] = {}
+        self._once: dict[tuple[str, Operand], tuple[Ref, ...]] = {}
+
+    def carry(self, step: Instruction) -> None:
+        """Issue a plain instruction and what carries it."""
+        self._how.rules[step.op](self, replace(step, operands=tuple(map(self.hi, step.operands))))
+
+    def finished(self, program: Program) -> Program:
+        """The program whose instructions have been carried, its results rounded."""
+        guarded = bool(program.counts.keys() & _MAY_FAIL)
+        results = tuple(self._final(result, guarded) for result in program.results)
+        names = Counter(step.name for step in self.steps)
+        if twice := [name for name, count in names.items() if count > 1]:
+            raise ValueError(f"{program.name}: rename {twice[0]!r}, as its compensation is named")
+        return without_dead_steps(replace(program, instructions=tuple(self.steps),
+                                          results=results))
+
+    # what rules need
+
+    def issue(self, step: Instruction, op: Op, operands: tuple[Operand, ...], suffix: str) -> Ref:
+        """Issue an instruction towards the component of `step`, named after `step`."""
+        name = self.name(step.name, suffix)
+        self.steps.append(Instruction(name, op, operands, step.component))
+        return Ref(name)
+
+    def once(self, what: str, x: Operand, make: Callable[[], tuple[Ref, ...]]) -> tuple[Ref, ...]:
+        """What is issued for an operand at its first use."""
+        if (what, x) not in self._once:
+            self._once[what, x] = make()
+        return self._once[what, x]
+
+    def keep(self, name: str, lo: Operand | None) -> None:
+        """Let this be the lo of the result of this name."""
+        if lo is not None:
+            self._low[name] = lo
+
+    def known(self, x: Operand) -> Operand | None:
+        """lo of an operand, as far as it is known."""
+        return rest_of(x, self.precision) if isinstance(x, Constant) else self._low.get(name_of(x))
+
+    def low(self, step: Instruction, x: Operand) -> Operand | None:
+        """lo of an operand, with its rounding error if it is a product."""
+        product = self.products.pop(name_of(x), None)
+        if product is not None:
+            own = replace(product, component=step.component)
+            cross, operands = self.known(x), (*product.operands, x)
+            if cross is None:
+                self.keep(own.name, self.issue(own, Op.PRODUCT_ERROR, operands, "lo"))
+            else:
+                error = self.issue(own, Op.PRODUCT_ERROR, operands, "error")
+                self.keep(own.name, self.issue(own, Op.ADD, (error, cross), "lo"))
+        return self.known(x)
+
+    def is_exact(self, x: Operand) -> bool:
+        """Whether an operand has no lo."""
+        return self.known(x) is None and name_of(x) not in self.products
+
+    def hi(self, x: Operand) -> Operand:
+        """hi of a value of the plain program."""
+        return self._normal.get(name_of(x), x)
+
+    def normalized(self, step: Instruction, x: Operand) -> Operand:
+        """hi + lo rounded; its rounding error is the new lo."""
+        if self._how.normal is None:
+            return x
+        low = self.low(step, x)
+        if low is None or not isinstance(x, Ref) or x.name in self._normals:
+            return x
+        total, rest = self._how.normal(self, step, x, low)
+        self._normal[x.name] = total
+        self._normals.add(total.name)
+        self.keep(total.name, rest)
+        return total
+
+    def factor(self, step: Instruction, x: Operand) -> Operand:
+        """An operand as it is multiplied."""
+        return self.normalized(step, x) if name_of(x) in self.overlapping else x
+
+    # results
+
+    def rounded(self, result: Operand) -> Operand:
+        """hi + lo rounded: the component's final value."""
+        if not isinstance(result, Ref) or result.name in self.nearest:
+            return result
+        if result.name not in self._rounded:
+            name = self.name(result.name, "rounded")
+            at = Instruction(name, Op.ADD, (), self._how.last or name)
+            low = self.low(at, result)
+            if low is None:
+                return result
+            self.steps.append(replace(at, operands=(result, low)))
+            self._rounded[result.name] = Ref(name)
+        return self._rounded[result.name]
+
+    def _final(self, result: Operand, guarded: bool) -> Operand:
+        """hi + lo rounded; if guarded, hi where that is NaN."""
+        total = self.rounded(result)
+        if not guarded or total == result:
+            return total
+        if total not in self._finals:
+            last = self._how.last or name_of(total)
+            at = Instruction(self.name(name_of(total), "number"), Op.EQUAL, (total, total), last)
+            choice = Instruction(self.name(name_of(result), "final"), Op.SELECT,
+                                 (Ref(at.name), total, result), last)
+            self.steps += [at, choice]
+            self._finals[total] = Ref(choice.name)
+        return self._finals[total]
+
+
+def carried(program: Program, precision: Precision, how: Carrying) -> Program:
+    """The plain program with its values carried as hi + lo, its results rounded."""
+    carrier = Carrier(program, precision, how)
+    for step in program.instructions:
+        carrier.carry(step)
+    return carrier.finished(program)
+
+
+def suffixed(_: Program) -> Name:
+    """Names that are the instruction's and a suffix."""
+    return lambda of, suffix: f"{of}_{suffix}"
+
+
+def two_sum(c: Carrier, step: Instruction, hi: Ref, lo: Operand) -> tuple[Ref, Operand]:
+    """hi + lo rounded, and what that leaves, exactly."""
+    total = c.issue(step, Op.ADD, (hi, lo), f"of_{hi.name}")
+    at = replace(step, name=total.name)
+    right = c.issue(at, Op.SUB, (total, hi), "right")
+    left = c.issue(at, Op.EXACT_SUB, (total, right), "left")
+    rests = (c.issue(at, Op.EXACT_SUB, (hi, left), "left_rest"),
+             c.issue(at, Op.EXACT_SUB, (lo, right), "right_rest"))
+    return total, c.issue(at, Op.EXACT_ADD, rests, "lo")
+
+
+# constants
+
+
+def rounded_constant(x: Constant, precision: Precision = DOUBLE) -> Constant:
+    """The number that a precision has for this constant, exactly."""
+    value = Fraction(float(precision.rounded(precision.value(x))))
+    return Constant(value, value, x.name)
+
+
+def rest_of(x: Constant, precision: Precision = DOUBLE) -> Constant | None:
+    """What the rounding of a constant leaves, rounded; None for nothing."""
+    rest = precision.value(x) - precision.value(rounded_constant(x, precision))
+    value = Fraction(float(precision.rounded(rest)))
+    return Constant(value, value, x.name and f"{x.name}_lo") if value else None
+
+
+# rules
+
+
+def negation(c: Carrier, step: Instruction) -> None:
+    """-a, -a_lo.  For a product, a factor and its cross terms are negated, not its error."""
+    x, = step.operands
+    product, low = c.products.get(name_of(x)), c.known(x)
+    c.steps.append(step)
+    if low is not None:
+        c.keep(step.name, c.issue(step, Op.NEG, (low,), "lo" if product is None else "cross"))
+    if product is not None:
+        a, b = product.operands
+        a = c.issue(step, Op.NEG, (a,), "factor")
+        c.products[step.name] = replace(step, op=Op.MUL, operands=(a, b))
+
+
+def product(c: Carrier, step: Instruction) -> None:
+    """(a + a_lo)(b + b_lo): hi = a b rounded, lo = a_lo b + a b_lo and the rounding error, which is
+    zero if a or b is a power of two."""
+    step = replace(step, operands=tuple(c.factor(step, x) for x in step.operands))
+    low = [c.low(step, x) for x in step.operands]
+    c.steps.append(step)
+    c.keep(step.name, cross_terms(c, step, *low))
+    if not scales(step):
+        c.products[step.name] = step
+
+
+def cross_terms(c: Carrier, step: Instruction, a_lo: Operand | None, b_lo: Operand | None
+                ) -> Operand | None:
+    """a_lo b + a b_lo of a product a b; None for 0."""
+    a, b = step.operands
+    terms = [c.issue(step, Op.MUL, (x, y), f"cross{number}")
+             for number, (x, y) in enumerate(((a_lo, b), (a, b_lo)), start=1)
+             if x is not None and y is not None]
+    return c.issue(step, Op.ADD, (terms[0], terms[1]), "cross") if len(terms) == 2 else (
+        terms[0] if terms else None)
+
+
+def total(c: Carrier, step: Instruction) -> None:
+    """s = a ± b: lo is a and b less their shares of s, plus b's lo, plus a's, in this order.
+
+    A chain of sums is the left operand, so that its lo, the largest, is added last and rounded
+    least.  The cross terms of two products are added to each other first."""
+    c.steps.append(step)
+    a, b = step.operands
+    s, add = Ref(step.name), step.op is Op.ADD
+    right = c.issue(step, Op.SUB, (s, a) if add else (a, s), "right")
+    left = c.issue(step, Op.EXACT_SUB if add else Op.EXACT_ADD, (s, right), "left")
+    rests = _rest(c, step, a, left, "left_rest"), _rest(c, step, b, right, "right_rest")
+    a_lo, b_lo = map(c.known, (a, b))
+    products = [name_of(x) in c.products for x in (a, b)]
+    exact = Op.EXACT_ADD if add else Op.EXACT_SUB
+    more: list[tuple[Op, Operand]] = []
+    if all(products) and a_lo is not None and b_lo is not None:
+        more.append((Op.ADD, c.issue(step, step.op, (a_lo, b_lo), "cross")))
+    else:
+        more += [(op, x) for op, x in ((step.op, b_lo), (Op.ADD, a_lo)) if x is not None]
+    c.keep(step.name, _added(c, step, step.op if any(products) else exact, rests, more))
+
+
+def _added(c: Carrier, step: Instruction, op: Op, operands: tuple[Operand, ...],
+           more: list[tuple[Op, Operand]]) -> Operand:
+    """The terms added in order, the last partial sum named lo."""
+    for number, (next_op, operand) in enumerate(more, start=1):
+        operands, op = (c.issue(step, op, operands, f"lo{number}"), operand), next_op
+    return c.issue(step, op, operands, "lo")
+
+
+def _rest(c: Carrier, step: Instruction, x: Operand, share: Operand, name: str) -> Operand:
+    """x less its share of the sum, exactly; a product's rounding error is added."""
+    product = c.products.get(name_of(x))
+    if product is None:
+        return c.issue(step, Op.EXACT_SUB, (x, share), name)
+    return c.issue(step, Op.PRODUCT_REST, (*product.operands, x, share), name)

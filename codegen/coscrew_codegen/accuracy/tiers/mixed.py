@@ -1,0 +1,94 @@
+"""The mixed tier: single precision, of which what an asked accuracy needs is carried in pairs.
+
+Of a Mixture, instructions in pairs are those of the pairs tier.  The others have one result,
+rounded: those of its operands that are pairs and matter take part as hi + lo, so that the result is
+hi + (what the lo contribute), else as hi + lo rounded.
+"""
+
+from dataclasses import dataclass, field, replace
+
+from coscrew_codegen.accuracy.tiers.accurate_scene import SCENES, compared_exactly, rounded
+from coscrew_codegen.accuracy.tiers.compensated import Carrier, cross_terms
+from coscrew_codegen.accuracy.tiers.tier import Tier
+from coscrew_codegen.program import Constant, Instruction, Op, Operand, Program, Ref
+from coscrew_codegen.program.program import name_of
+from coscrew_codegen.program.values.formats import SINGLE
+
+CARRYING = frozenset({Op.ADD, Op.SUB, Op.MUL})
+"""The operations to which lo of operands may contribute though the result is a single number."""
+
+
+@dataclass(frozen=True)
+class Mixture:
+    """Which instructions of a plain program are carried in pairs, by name; and for the others,
+    which operands take part as hi + lo: pairs (instruction, place of the operand)."""
+
+    paired: frozenset[str]
+    kept: frozenset[tuple[str, int]]
+
+
+def mixed(program: Program, mixture: Mixture) -> Program:
+    """The plain program in single precision with this mixture."""
+    program = compared_exactly(program, SINGLE)
+    mixed = _Mixed(Carrier(program, SINGLE, SCENES), mixture)
+    for step in program.instructions:
+        mixed.carry(step)
+    return rounded(mixed.pairs.finished(program), SINGLE)
+
+
+@dataclass(frozen=True)
+class _Mixed:
+    """Issues instructions: those in pairs as `pairs` carries them, the others with one result."""
+
+    pairs: Carrier
+    mixture: Mixture
+    singles: dict[str, Ref] = field(default_factory=dict)  # hi + lo rounded, by hi's name
+
+    def carry(self, step: Instruction) -> None:
+        """Issue the instruction as the mixture says; what does not round passes lo on."""
+        pairs, kept = self.pairs, self.mixture.kept
+        if not step.op.rounds or step.name in self.mixture.paired:
+            pairs.carry(step)
+            return
+        known = tuple(pairs.hi(x) for x in step.operands)
+        if step.op is Op.MUL and kept.issuperset((step.name, n) for n in range(2)):
+            known = tuple(pairs.factor(step, x) for x in known)
+        low = [self.pairs.low(step, x) if (step.name, place) in kept else None
+               for place, x in enumerate(known)]
+        operands = tuple(x if more is not None else self._single(step, x)
+                         for x, more in zip(known, low, strict=True))
+        step = replace(step, operands=operands)
+        more = self._contributed(step, low)
+        if more is None:
+            self.pairs.steps.append(step)
+        else:
+            high = self.pairs.issue(step, step.op, operands, "high")
+            self.pairs.steps.append(replace(step, op=Op.ADD, operands=(high, more)))
+
+    def _contributed(self, step: Instruction, low: list[Operand | None]) -> Operand | None:
+        """What the lo contribute to a sum, a difference or a product."""
+        a_lo, b_lo = low if len(low) == 2 else (None, None)
+        if step.op is Op.MUL:
+            return cross_terms(self.pairs, step, a_lo, b_lo)
+        if a_lo is None or b_lo is None:
+            negative = step.op is Op.SUB and b_lo is not None
+            return self.pairs.issue(step, Op.NEG, (b_lo,), "cross") if negative else a_lo or b_lo
+        return self.pairs.issue(step, step.op, (a_lo, b_lo), "cross")
+
+    def _single(self, step: Instruction, x: Operand) -> Operand:
+        """hi + lo of an operand rounded, computed once."""
+        if isinstance(x, Constant) or self.pairs.is_exact(x):
+            return x
+        if name_of(x) not in self.singles:
+            low = self.pairs.low(step, x)
+            assert low is not None
+            at = Instruction(self.pairs.name(name_of(x), "near"), Op.ADD, (x, low), step.component)
+            self.pairs.steps.append(at)
+            self.singles[name_of(x)] = Ref(at.name)
+        return self.singles[name_of(x)]
+
+
+TIER = Tier(
+    "mixed", 4, "Mixed tier: single precision; what the asked accuracy needs, in pairs of floats.",
+    ("#0f766e", "#5eead4"), make=None, asked=True, precisions=(SINGLE,), header="ksl_exact",
+    in_words="The mixed tier: float32, as much of it in pairs hi + lo as the asked accuracy needs.")

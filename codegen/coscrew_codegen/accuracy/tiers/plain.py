@@ -1,0 +1,10 @@
+"""The plain tier: the program as it was scheduled, every operation rounded once.
+
+Its names have no suffix; every program has it."""
+
+from coscrew_codegen.accuracy.tiers.tier import Tier
+
+TIER = Tier(
+    "plain", 0, "Plain tier: a fixed order, every operation rounded once.",
+    ("#6b7280", "#aab2bf"), make=lambda program, precision: program, has=lambda program: True,
+    in_words="Spatial algebra on screws and coscrews.", marked=False)

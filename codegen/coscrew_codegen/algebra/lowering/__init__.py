@@ -1,0 +1,1 @@
+"""Operations as plain Programs: let-bound SymPy, simplified, in an order."""

@@ -1,0 +1,1 @@
+"""C headers of the library, and the printers that all C shares."""

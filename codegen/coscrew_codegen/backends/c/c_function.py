@@ -1,0 +1,146 @@
+"""The writer of C functions, for any Program and any way to store its arguments.
+
+Results are stored last, after everything has been read: outputs may overlap inputs.
+"""
+
+import re
+from collections.abc import Callable, Collection, Iterator, Sequence
+from dataclasses import dataclass
+
+from coscrew_codegen.backends.c.c_nested import EACH, declarations, language, together
+from coscrew_codegen.backends.c.c_statements import WIDTH, Statements, broken, comment_of
+from coscrew_codegen.backends.nesting import NestingPlan
+from coscrew_codegen.program import Input, Operand, Program, Ref, by_component
+from coscrew_codegen.program.values.formats import Precision
+
+
+@dataclass(frozen=True)
+class CFunction:
+    """The text of one function: comment, head without storage class, lines of the body."""
+
+    name: str
+    comment: str
+    head: str
+    body: str
+    internal: bool = False
+
+
+@dataclass(frozen=True)
+class Stored:
+    """Places where a function stores its results.
+
+    `access` returns the expression that reads a component of an input, `targets` holds the lvalue
+    of each result, `written` the names of arguments that are written to."""
+
+    access: Callable[[Input], str]
+    targets: Sequence[str]
+    written: Collection[str]
+    returned: str = ""  # what the function returns: this variable, or the first result
+    declared: str = ""  # type of that variable; "" if the first result is returned
+
+
+@dataclass(frozen=True)
+class FunctionBody:
+    """The body of a function in a precision: declarations of the instructions, one operation each
+    and a statement a component, or nested as planned; then the stores."""
+
+    program: Program
+    precision: Precision
+    stored: Stored
+    plan: NestingPlan | None = None  # of the program, if it is nested
+    headings: Sequence[tuple[int, str]] = ()  # then: (number of an instruction, words above it)
+    apart: bool = False  # whether each angle on vectors has its own call
+
+    def text(self) -> str:
+        """All lines, indented."""
+        rows = (row for line in self._lines() for row in line.split("\n"))
+        return "\n".join(f"  {row}" for row in rows)
+
+    def _lines(self) -> Iterator[str]:
+        used = {x.argument for x in self.program.used_inputs()}
+        yield from (f"(void){a.name};" for n, a in enumerate(self.program.inputs)
+                    if n not in used and a.name not in self.stored.written)
+        declared, results = self._nested(self.plan) if self.plan else self._stated()
+        yield from declared
+        yield from self._stores(results)
+
+    def _stated(self) -> tuple[Iterator[str], list[str]]:
+        """Declarations, one operation each, and results."""
+        working = self.precision.computing(self.program.wide)
+        statements = Statements(self.program, working, self.stored.access)
+        texts = (statements.declared(steps, WIDTH - 2) for steps in by_component(self.program))
+        return ((broken(text, WIDTH - 2) for text in texts if text),
+                [self._result(statements, x) for x in self.program.results])
+
+    def _nested(self, plan: NestingPlan) -> tuple[Iterator[str], list[str]]:
+        """Declarations in which expressions nest, and results."""
+        program = plan.program
+        nesting = plan.printed(language(program, self.precision), read_by(program, self.precision,
+                               self.stored.access), dict(self.headings))
+        results = [self._narrowed(x, text)
+                   for x, text in zip(program.results, nesting.results, strict=True)]
+        working = self.precision.computing(program.wide)
+        return declarations(
+            together(nesting.assigned, working, self.apart), working, WIDTH - 2), results
+
+    def _stores(self, results: Sequence[str]) -> Iterator[str]:
+        pairs = list(zip(self.stored.targets, results, strict=True))
+        last = ""
+        if self.stored.declared:
+            yield f"{self.stored.declared} {self.stored.returned};"
+            last = f"return {self.stored.returned};"
+        elif self.stored.returned:
+            last = f"return {pairs.pop(0)[1]};"
+        saved = self._saved(pairs)
+        yield from (f"const {self.precision.c_type} {name} = {source};"
+                    for source, name in saved.items())
+        yield from (f"{target} = {saved.get(x, x)};" for target, x in pairs if target != x)
+        if last:
+            yield last
+
+    def _result(self, statements: Statements, operand: Operand) -> str:
+        return self._narrowed(operand, statements.operand(operand))
+
+    def _narrowed(self, operand: Operand, text: str) -> str:
+        """A result in the precision of the arguments.  A result that is an input is not cast."""
+        if isinstance(operand, Input):
+            return self.stored.access(operand)
+        if self.precision.lanes and not isinstance(operand, Ref):
+            return EACH.format(text, f=self.precision.called)
+        if not self.program.wide:
+            return text
+        if self.precision.device and not isinstance(operand, Ref):  # a literal of double
+            text = f"({self.precision.computing(True).c_type}){text}"
+        return f"({self.precision.c_type}){text}"
+
+    def _saved(self, pairs: Sequence[tuple[str, str]]) -> dict[str, str]:
+        """Inputs that are copied to an output are read before anything is written, since the output
+        may be the same object: input → the local variable that holds it."""
+        if len(self.stored.targets) == 1 or self.stored.returned:
+            return {}
+        names, saved = {step.name for step in self.program.instructions}, {}
+        for target, source in pairs:
+            if target != source and source not in saved and ("->" in source or "[" in source):
+                saved[source] = _local_name(source, names)
+        return saved
+
+
+def read_by(program: Program, precision: Precision, access: Callable[[Input], str]
+            ) -> Callable[[Input], str]:
+    """The text with which a program reads an input: a wide one converts it."""
+    working = precision.computing(program.wide)
+    return access if precision == working else lambda x: f"({working.c_type}){access(x)}"
+
+
+def documented(name: str, paragraphs: Sequence[str], head: str, body: FunctionBody,
+               internal: bool = False) -> CFunction:
+    """The function below its comment."""
+    return CFunction(name, comment_of(paragraphs), head, body.text(), internal)
+
+
+def _local_name(access: str, taken: Collection[str]) -> str:
+    """D->m03 → D_m03, dc[1] → dc_1."""
+    name = re.sub(r"->|\[|\.", "_", access.replace("][", "")).rstrip("]")
+    while name in taken:
+        name += "_"
+    return name

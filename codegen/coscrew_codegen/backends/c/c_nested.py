@@ -1,0 +1,225 @@
+"""Writes a Program as C with nested expressions; named values are declared.
+
+For files in which compilers do not contract within an expression.  A product that a sum uses, in
+the same or another statement, is RN(a * b), rounded on its own even by compilers that contract in
+spite of every pragma.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import groupby, pairwise
+
+from coscrew_codegen.backends.c.c_statements import (
+    ELEMENTARY,
+    chunk_of_two_over_pi,
+    listed,
+    sine_and_cosine,
+)
+from coscrew_codegen.backends.nesting import (
+    CALL,
+    CHOICE,
+    COMPARISON,
+    CONSTANTS,
+    PRODUCT,
+    SIGN,
+    SUM,
+    Assignment,
+    Language,
+    wrapped,
+)
+from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
+from coscrew_codegen.program.ops import COMPARISONS
+from coscrew_codegen.program.values.formats import BY_NAME, Precision
+
+_SPELLING = {
+    Op.ADD: ("{} + {}", SUM), Op.SUB: ("{} - {}", SUM), Op.MUL: ("{} * {}", PRODUCT),
+    Op.DIV: ("{} / {}", PRODUCT), Op.NEG: ("-{}", SIGN), Op.ABS: ("fabs%s({})", CALL),
+    Op.SCALE: ("{} * {}", PRODUCT), Op.SQRT: ("sqrt%s({})", CALL),
+    Op.COPYSIGN: ("copysign%s({}, {})", CALL),
+    Op.LESS: ("{} < {}", COMPARISON), Op.EQUAL: ("{} == {}", COMPARISON),
+    Op.SELECT: ("{} ? {} : {}", CHOICE),
+    Op.EXACT_ADD: ("{} + {}", SUM), Op.EXACT_SUB: ("{} - {}", SUM),
+    Op.PRODUCT_ERROR: ("ksl_product_error%s({}, {}, {})", CALL),
+    Op.PRODUCT_REST: ("ksl_product_rest%s({}, {}, {}, {})", CALL),
+    **{op: (pattern.replace("{f}", "%s"), CALL) for op, pattern in ELEMENTARY.items()},
+}
+_ROUNDED = "RN({} * {})", CALL
+EACH = "ksl_each{f}({})"
+"""A vector with this number for each state."""
+_ON_LANES = {
+    **_SPELLING, Op.ABS: ("ksl_abs%s({})", CALL), Op.SQRT: ("ksl_sqrt%s({})", CALL),
+    Op.COPYSIGN: ("ksl_copysign%s({}, {})", CALL), Op.SELECT: ("ksl_choice%s({}, {}, {})", CALL),
+    Op.LESS: ("ksl_less%s({}, {})", CALL), Op.EQUAL: ("ksl_equal%s({}, {})", CALL)}
+_ON_DEVICE = {**_SPELLING, **{op: _ON_LANES[op] for op in (Op.ABS, Op.SQRT, Op.COPYSIGN)}}
+LANES = 4  # angles whose sines and cosines are computed at once
+OF_STATES = 3  # the same on vectors of states: more do not fit into registers
+TOGETHER = {Op.SIN: "sincos", Op.SIN_ERROR: "sincos_error"}
+"""What is computed for several angles at once."""
+_SUMS = frozenset({Op.ADD, Op.SUB, Op.EXACT_ADD, Op.EXACT_SUB, Op.PRODUCT_ERROR, Op.PRODUCT_REST})
+_TRANSPARENT = frozenset({Op.NEG, Op.ABS, Op.SELECT})
+"""Operations through which a sum still has a product as operand."""
+
+
+def language(program: Program, precision: Precision) -> Language:
+    """C in a precision, of this program."""
+    precision = precision.computing(program.wide)
+    rounded = frozenset() if precision.device else summed_products(program)
+    spellings = _ON_LANES if precision.lanes else _ON_DEVICE if precision.device else _SPELLING
+
+    def spelling(step: Instruction) -> tuple[str, int]:
+        if step.name in rounded:
+            return _ROUNDED
+        if step.op is Op.TWO_OVER_PI:
+            return chunk_of_two_over_pi(step).replace("{f}", precision.called), CALL
+        pattern, binding = spellings[step.op]
+        if precision.lanes and (binding == CALL or not any(map(_varies, step.operands))):
+            pattern = pattern.format(*("{}" if _varies(x) else EACH for x in step.operands))
+        elif precision.device and step.op is Op.SELECT and not any(map(_varies, step.operands[1:])):
+            pattern = f"{{}} ? {precision.c_type}({{}}) : {{}}"
+        return pattern.replace("%s", precision.called).replace("{f}", precision.called), binding
+
+    def constant(x: Constant) -> str:
+        return precision.literal(x) + precision.suffix
+
+    return Language(spelling, constant, f"({BY_NAME[precision.name].c_type})NAN", "", "{arguments}")
+
+
+def _varies(x: Operand) -> bool:
+    """Whether it differs from state to state."""
+    return isinstance(x, (Input, Ref))
+
+
+def summed_products(program: Program) -> frozenset[str]:
+    """The products that a compiler could fuse into a sum of the program, or of a caller that uses
+    its results.  A product with 2 counts as a sum, since compilers replace it by one."""
+    seen = {x.name for x in program.results if isinstance(x, Ref)}
+    found = []
+    for step in reversed(program.instructions):
+        if step.op in _SUMS or _doubles(step) or step.op in _TRANSPARENT and step.name in seen:
+            seen |= {x.name for x in step.operands if isinstance(x, Ref)}
+        if step.op in (Op.MUL, Op.SCALE) and step.name in seen:
+            found.append(step.name)
+    return frozenset(found)
+
+
+def _doubles(step: Instruction) -> bool:
+    return step.op is Op.MUL and any(
+        isinstance(x, Constant) and abs(x.double) == 2 for x in step.operands)
+
+
+@dataclass(frozen=True)
+class Together:
+    """Sines and cosines that are computed by one call, or what these err by."""
+
+    pairs: Sequence[Assignment]
+    of: "Together | None" = None  # the sines and cosines whose errors these are
+
+    @property
+    def step(self) -> Instruction:
+        """The first of them."""
+        return self.pairs[0].step
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """All names that are assigned."""
+        return tuple(name for pair in self.pairs for name in pair.names)
+
+    @property
+    def arrays(self) -> list[str]:
+        """The arrays in which they are stored."""
+        return [f"{x}_of_{self.names[0]}" for x in ("sines", "cosines")]
+
+    def statements(self, precision: Precision, width: int) -> str:
+        """The call, and declarations of what it stores in arrays."""
+        real, arrays = precision.c_type, self.arrays
+        angles = [pair.expression.partition(",")[0] for pair in self.pairs]
+        given = self.of.arrays if self.of else []
+        call = listed(f"ksl_{TOGETHER[self.step.op]}_{len(angles)}{precision.called}(",
+                      [*angles, *given, *arrays], ");", width)
+        values = (f"{array}[{n}]" for n in range(len(angles)) for array in arrays)
+        return "\n".join((
+            f"{real} {', '.join(f'{x}[{LANES}]' for x in arrays)};", call,
+            listed(f"const {real} ", [f"{name} = {value}" for name, value in zip(
+                self.names, values, strict=True)], ";", width)))
+
+
+def together(assigned: Sequence[Assignment | str], precision: Precision, apart: bool = False
+             ) -> Sequence[Assignment | Together | str]:
+    """Moves the sines and cosines of inputs, and their errors, to the front, several together; on
+    vectors without the errors, and each `apart` if that is wanted.  Headings below which nothing is
+    left are left out."""
+    if precision.device:
+        return assigned
+    pairs = [x for x in assigned if isinstance(x, Assignment) and x.cosine]
+    sines = [x for x in pairs if x.step.op is Op.SIN and isinstance(x.step.operands[0], Input)]
+    most = 1 if apart else OF_STATES
+    first = list(_of_states(sines, most) if precision.lanes else _grouped(sines, pairs))
+    moved = {pair.step.name for x in first
+             for pair in (x.pairs if isinstance(x, Together) else (x,))}
+    rest = [x for x in assigned if isinstance(x, str) or x.step.name not in moved]
+    kept = [x for x, following in pairwise((*rest, ""))
+            if not (isinstance(x, str) and isinstance(following, str))]
+    return [*first, *kept]
+
+
+def _of_states(sines: Sequence[Assignment], most: int) -> Iterator[Assignment | Together]:
+    """Calls of nearly as many each, and at most of so many."""
+    calls = -(-len(sines) // most)
+    for n in range(calls):
+        found = sines[len(sines) * n // calls:len(sines) * (n + 1) // calls]
+        yield Together(found) if len(found) > 1 else found[0]
+
+
+def _grouped(sines: Sequence[Assignment], pairs: Sequence[Assignment]) -> Iterator[Together]:
+    """Calls of as many sines and cosines as one call computes; after each that of their errors, if
+    all of these are among the pairs."""
+    errors = {x.step.operands[1]: x for x in pairs if x.step.op is Op.SIN_ERROR}
+    for found in (sines[n:n + LANES] for n in range(0, len(sines), LANES)):
+        if len(found) > 1:
+            yield (group := Together(found))
+            own = [errors[Ref(x.step.name)] for x in found if Ref(x.step.name) in errors]
+            if len(own) == len(found):
+                yield Together(own, group)
+
+
+def declarations(assigned: Sequence[Assignment | Together | str], precision: Precision,
+                 width: int) -> Iterator[str]:
+    """Declarations and headings; declarations of the same component are one statement."""
+    def kind(x: Assignment | Together | str) -> tuple[str, str]:
+        if isinstance(x, str):
+            return "", f"/* {x} */"
+        if isinstance(x, Together):
+            return "", x.statements(precision, width)
+        if x.cosine:
+            return "", sine_and_cosine(x.step, x.cosine, x.expression, precision)
+        return _c_type(x.step, precision), x.step.component
+
+    for (c_type, words), group in groupby(assigned, kind):
+        if not c_type:
+            yield words
+        else:
+            items = [f"{x.step.name} = {x.expression}" for x in group if isinstance(x, Assignment)]
+            yield _declared(f"const {c_type} ", items, width)
+
+
+def _c_type(step: Instruction, precision: Precision) -> str:
+    """The type of an instruction's result."""
+    if step.op in COMPARISONS:
+        return f"ksl_tests{precision.suffix}" if precision.lanes else "int"
+    if step.component == CONSTANTS and not precision.device:
+        return BY_NAME[precision.name].c_type
+    return precision.c_type
+
+
+def _declared(head: str, items: Sequence[str], width: int) -> str:
+    """One statement of these declarators: short ones several to a line, long ones broken."""
+    lines = [head]
+    for number, item in enumerate(items):
+        text = item + (";" if number == len(items) - 1 else ",")
+        glue = " " if number else ""
+        if number and len(lines[-1]) + len(glue) + len(text) > width:
+            lines.append("    ")
+            glue = ""
+        first, *others = wrapped(lines.pop() + glue + text, width, 8)
+        lines += [first, *(f"        {row}" for row in others)]
+    return "\n".join(lines)

@@ -1,0 +1,1 @@
+"""A scene's functions as CUDA."""

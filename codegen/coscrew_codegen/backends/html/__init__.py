@@ -1,0 +1,1 @@
+"""Data and plots as self-contained pages have them."""

@@ -1,0 +1,271 @@
+"""The nesting printer: writes a Program as assignments; instructions used once are nested.
+
+For languages that round every operation of an expression once; parentheses keep the Program's
+order.  Takes time proportional to the Program's length.
+"""
+
+import re
+from collections import Counter
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from coscrew_codegen.program import (
+    Constant,
+    Input,
+    Instruction,
+    NotANumber,
+    Op,
+    Operand,
+    Program,
+    Ref,
+    operands_of_pair,
+    renamed,
+    sine_cosine_pairs,
+)
+from coscrew_codegen.program.elementary.elementary_calls import FUNCTION_OF
+
+CHOICE, COMPARISON, SUM, PRODUCT, SIGN, CALL = range(6)
+"""Precedences; the last: of function calls and names."""
+CONSTANTS = "constants"
+"""The component of constants that are assigned."""
+
+
+@dataclass(frozen=True)
+class Language:
+    """A language's spelling of an instruction, a pattern and its precedence; a constant; NaN; a
+    comment; sine and cosine of the same operand, or the errors of both, computed together by a
+    function from arguments."""
+
+    spelling: Callable[[Instruction], tuple[str, int]]
+    constant: Callable[[Constant], str]
+    not_a_number: str
+    comment: str
+    sine_and_cosine: str
+
+
+@dataclass(frozen=True)
+class Assignment:
+    """An instruction that is not nested, and its expression; or a sine with its cosine."""
+
+    step: Instruction
+    expression: str
+    cosine: Instruction | None = None
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names that are assigned: one, or those of a sine and its cosine."""
+        return (self.step.name, *([self.cosine.name] if self.cosine else []))
+
+
+@dataclass
+class Nesting:
+    """The text of a Program.
+
+    `access` returns the expression that reads an input; `named` says which instructions are
+    assigned even if they are used once; `name = expression` is at most `width` wide."""
+
+    program: Program
+    language: Language
+    access: Callable[[Input], str]
+    width: int
+    headings: Mapping[int, str] = field(default_factory=dict)
+    named: Callable[[Instruction], bool] = lambda step: False
+    constants: Mapping[str, Constant] = field(default_factory=dict)  # assigned by these names
+
+    def __post_init__(self) -> None:
+        self.assigned: list[Assignment | str] = []  # and headings
+        self._waiting: dict[str, tuple[Instruction, str, int]] = {}  # name → expression, precedence
+        self._unassigned = dict(self.constants)
+        self._section = 0  # where the section below the last heading begins
+        pairs = sine_cosine_pairs(self.program)
+        self._taken: set[str] = set()  # of pairs
+        self._uses = Counter(x.name for x in self._operands() if isinstance(x, Ref))
+        for number, step in enumerate(self.program.instructions):
+            if number in self.headings:
+                self._heading(self.headings[number])
+            if step.name in pairs:
+                self._take_pair(*pairs[step.name])
+            else:
+                self._take(step)
+        self.results = [self._result(x) for x in self.program.results]
+
+    @property
+    def lines(self) -> list[str]:
+        """Assignments and comments."""
+        return [f"{self.language.comment}{x}" if isinstance(x, str) else
+                f"{', '.join(x.names)} = {x.expression}" for x in self.assigned]
+
+    def _operands(self) -> Iterator[Operand]:
+        for step in self.program.instructions:
+            yield from step.operands
+        yield from self.program.results
+
+    def _take(self, step: Instruction) -> None:
+        """Keep the instruction's expression for its only use, or assign it.  Operands are nested
+        while the line is short enough; the longest are assigned first."""
+        inner = [x.name for x in step.operands
+                 if isinstance(x, Ref) and x.name in self._waiting]
+        expression, precedence = self._expression(step)
+        while inner and len(step.name) + len(" = ") + len(expression) > self.width:
+            longest = max(inner, key=lambda name: len(self._waiting[name][1]))
+            inner.remove(longest)
+            self._assign(*self._waiting.pop(longest)[:2])
+            expression, precedence = self._expression(step)
+        for name in inner:
+            del self._waiting[name]
+        if self._uses[step.name] == 1 and not self.named(step):
+            self._waiting[step.name] = step, expression, precedence
+        else:
+            self._assign(step, expression)
+
+    def _take_pair(self, sine: Instruction, cosine: Instruction) -> None:
+        """Assign both, where the first of them is; their operands have two uses, or are inputs or
+        assigned already."""
+        if cosine.name not in self._taken:
+            self._taken |= {sine.name, cosine.name}
+            arguments = [self._operand(x, CHOICE) for x in operands_of_pair(sine, cosine)]
+            expression = self.language.sine_and_cosine.format(
+                function=FUNCTION_OF[sine.op], arguments=", ".join(arguments))
+            self.assigned.append(Assignment(sine, expression, cosine))
+
+    def _heading(self, words: str) -> None:
+        """A comment; it replaces one with nothing below it."""
+        if self.assigned and isinstance(self.assigned[-1], str):
+            self.assigned.pop()
+        self.assigned.append(words)
+        self._section = len(self.assigned)
+
+    def _assign(self, step: Instruction, expression: str) -> None:
+        """An assignment; its constants are assigned where its section begins."""
+        for word in _WORD.findall(expression) if self._unassigned else ():
+            if (constant := self._unassigned.pop(word, None)) is not None:
+                own = Assignment(Instruction(word, Op.ADD, (constant,), CONSTANTS),
+                                 self.language.constant(constant))
+                self.assigned.insert(self._section, own)
+                self._section += 1
+        self.assigned.append(Assignment(step, expression))
+
+    def _result(self, operand: Operand) -> str:
+        if isinstance(operand, Ref) and operand.name in self._waiting:
+            self._assign(*self._waiting.pop(operand.name)[:2])
+        return self._operand(operand, CHOICE)
+
+    def _expression(self, step: Instruction) -> tuple[str, int]:
+        spelling, precedence = self.language.spelling(step)
+        operands = [self._operand(x, n)
+                    for x, n in zip(step.operands, _needed(step, precedence), strict=False)]
+        return spelling.format(*operands), precedence
+
+    def _operand(self, operand: Operand, needed: int) -> str:
+        """The operand's text, in parentheses if its precedence is below `needed`."""
+        if isinstance(operand, Input):
+            return self.access(operand)
+        if isinstance(operand, Constant):
+            if self.constants.get(operand.name) == operand:
+                return operand.name
+            text = self.language.constant(operand)
+            return f"({text})" if text.startswith("-") and needed > SIGN else text
+        if isinstance(operand, NotANumber):
+            return self.language.not_a_number
+        if operand.name not in self._waiting:
+            return operand.name
+        _, text, precedence = self._waiting[operand.name]
+        return text if precedence >= needed else f"({text})"
+
+
+def _needed(step: Instruction, precedence: int) -> Sequence[int]:
+    """The precedence that each operand of an instruction of this precedence needs."""
+    if step.op in (Op.MUL, Op.SCALE):
+        return PRODUCT, PRODUCT + 1  # also within a call
+    if precedence == CALL:
+        return [CHOICE] * 4
+    if step.op is Op.SELECT:
+        return [COMPARISON] * 3
+    return [precedence + 1] if step.op is Op.NEG else [precedence, precedence + 1]
+
+
+@dataclass(frozen=True)
+class NestingPlan:
+    """Instructions of a Program that are assigned to variables; those without names of their own
+    are numbered without gaps."""
+
+    program: Program
+    assigned: frozenset[str]
+    constants: Mapping[str, Constant] = field(default_factory=dict)  # by name
+
+    def printed(self, language: Language, access: Callable[[Input], str],
+                headings: Mapping[int, str]) -> Nesting:
+        """Its text in a language, expressions of any length."""
+        return Nesting(self.program, language, access, 1 << 30, headings,
+                       lambda step: step.name in self.assigned, self.constants)
+
+
+_WORD = re.compile(r"\w+")
+_NUMBERED = re.compile(r"(.+)_([0-9]+)")  # an instruction without a name of its own
+
+
+def planned(program: Program, language: Language, access: Callable[[Input], str], width: int,
+            named: Collection[str] = ()) -> NestingPlan:
+    """A plan that assigns what has a name of its own, is `named` or is used several times, and
+    keeps assignments at most `width` wide in this language."""
+    constants = named_constants(program)
+    found = Nesting(program, language, access, width, constants=constants, named=lambda step: (
+        step.name in named or not _NUMBERED.fullmatch(step.name)))
+    chosen = {name for x in found.assigned if isinstance(x, Assignment) for name in x.names}
+    assigned = [step.name for step in program.instructions if step.name in chosen]
+    names = _numbered(program, assigned)
+    return NestingPlan(renamed(program, names), frozenset(names[x] for x in assigned), constants)
+
+
+def named_constants(program: Program) -> dict[str, Constant]:
+    """The program's constants that have names, each of its own, by name."""
+    found: dict[str, Constant] = {}
+    taken = _names(program)
+    for step in program.instructions:
+        for x in step.operands:
+            if isinstance(x, Constant) and x.name and x.name not in taken:
+                found.setdefault(x.name, x)
+    return found
+
+
+def _names(program: Program) -> set[str]:
+    """Returns the names of instructions and arguments."""
+    arguments = [a.name for a in (*program.inputs, *program.outputs)]
+    return {*(step.name for step in program.instructions), *arguments,
+            *(f"{x}o" for x in arguments)}
+
+
+def _numbered(program: Program, assigned: Sequence[str]) -> dict[str, str]:
+    """New names by old: assigned instructions are numbered first, then the others; a result that
+    is the only one of its stem loses its number."""
+    steps = [step.name for step in program.instructions]
+    taken = {*_names(program), *named_constants(program)}
+    names: dict[str, str] = {}
+    numbers: Counter[str] = Counter()
+    for name in dict.fromkeys((*assigned, *steps)):
+        if match := _NUMBERED.fullmatch(name):
+            numbers[match[1]] += 1
+        names[name] = f"{match[1]}_{numbers[match[1]]}" if match else name
+    alone = Counter(match[1] for x in assigned if (match := _NUMBERED.fullmatch(x)))
+    for x in program.results:
+        match = _NUMBERED.fullmatch(x.name) if isinstance(x, Ref) else None
+        if match and alone[match[1]] == 1 and match[1] not in taken:
+            names[match[0]] = match[1]
+    return names
+
+
+def wrapped(text: str, width: int, indent: int) -> Iterator[str]:
+    """Rows of the text: the first at most `width` wide, the others `indent` less.  Breaks outermost
+    operators first, as late as possible."""
+    while len(text) > width:
+        depth, best, least = 0, -1, len(text)
+        for place, letter in enumerate(text[:width]):
+            depth += (letter in "([") - (letter in ")]")
+            if letter == " " and text[place + 1] in "+-*/?:<" and depth <= least:
+                best, least = place, depth
+        if best < 0:
+            break
+        yield text[:best]
+        text, width = text[best + 1:], width - indent
+        indent = 0
+    yield text

@@ -1,0 +1,1 @@
+"""The Python packages: kernels and scenes in pure NumPy."""

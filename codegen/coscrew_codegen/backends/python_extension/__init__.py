@@ -1,0 +1,1 @@
+"""C between Python and the kernels."""

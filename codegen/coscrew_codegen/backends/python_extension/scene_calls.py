@@ -1,0 +1,146 @@
+"""The C between Python and a scene's functions: callables that take arrays, of one state or many.
+
+`new_…` makes a Python function in C from a tuple, whose items templates/scene/objects.jinja names.
+The function calls the first of these with its arguments unless it can take them.  `many_…` takes n
+states: a pointer to each input and the numbers from one row to the next (0: all share one row), and
+likewise each output; it shares them among threads, which call `lanes_…`, the function of many
+states, where that has been set.  `run_…` takes n steps of h in a row, from the time t on;
+`drive_double` takes them of many states, and calls a controller in between.  All work in Python
+without its headers.
+"""
+
+from collections.abc import Collection, Iterator
+from dataclasses import replace
+
+from coscrew_codegen.accuracy.scene_tiers import SceneTier
+from coscrew_codegen.backends.render import render
+from coscrew_codegen.backends.scene import scene_text
+from coscrew_codegen.backends.scene.scene_c_steps import begun
+from coscrew_codegen.backends.scene.scene_text import c_name
+from coscrew_codegen.backends.target import Files, Target
+from coscrew_codegen.program.scene_functions import SceneFunctions, SceneInterface, Signature
+from coscrew_codegen.program.values.formats import DOUBLE, PRECISIONS, Precision, named
+
+# Times and step lengths are rounded from double, as when steps are called one by one.
+_RUN = {"t": "({real})begun(t, h, (double)k)", "h": "({real})h"}
+
+
+def interface(scene: SceneFunctions) -> SceneInterface:
+    """The interface of the scene for its callers."""
+    return SceneInterface(scene.name, scene.nq, scene.nv, scene.coordinates, scene.bodies,
+                      scene.parameters, scene.neutral, scene.precisions, scene.timed,
+                      callables(scene), scene.signs, scene.tiers, scene.mark)
+
+
+def tier_interface(made: SceneTier) -> SceneInterface:
+    """The interface of the scene's functions in a tier."""
+    return replace(interface(made.first), precisions=made.plain.precisions)
+
+
+def callables(scene: SceneFunctions) -> tuple[Signature, ...]:
+    """All public functions, steps last."""
+    found = [Signature(f.name, tuple((a.name, tuple(a.quantity.shape)) for a in f.inputs),
+                  tuple((a.name, tuple(a.quantity.shape)) for a in scene_text.outputs(f)),
+                  scene_text.words(f, not scene.mark), zero=f.program.zero)
+             for f in scene.functions if not f.internal]
+    shapes = scene_text.step_shapes(scene)
+    for step in scene.steps:
+        inputs = tuple((x, shapes[x]) for x in scene_text.step_inputs(scene, step.takes_tau))
+        found.append(Signature(step.name, inputs, (("q", shapes["q"]), ("v", shapes["v"])),
+                          scene_text.step_words(scene, step), moved=True))
+    return tuple(found)
+
+
+def files(scene: SceneFunctions, banner: str) -> Files:
+    """arm_calls.c, which is compiled with arm.c for Python and has no banner."""
+    return {f"{scene.name}_calls.c": source(scene)}
+
+
+def tier_files(made: SceneTier, banner: str) -> Files:
+    """arm_accurate_calls.c, in the same way."""
+    return {f"{made.stem}_calls.c": _source(made.first, made.stem, made.plain.precisions)}
+
+
+def source(scene: SceneFunctions) -> str:
+    """The text of the file that is compiled for Python."""
+    return _source(scene, scene.name, scene.precisions)
+
+
+def _source(scene: SceneFunctions, stem: str, precisions: Collection[str]) -> str:
+    signatures = callables(scene)
+    inputs, outputs = (max((len(x) for x in of), default=1) for of in (
+        [f.inputs for f in signatures], [f.outputs for f in signatures]))
+    room = max((sum(max(scene_text.count(shape), 1) for _, shape in f.inputs)
+                for f in signatures), default=1)
+    sections = [{"precision": p, "number": p.name.upper(), "other_number": other.name.upper(),
+                 "other": other.c_type, "inputs": max(inputs, 1), "outputs": outputs,
+                 "given": inputs + 2, "room": max(room, 1), **_lanes_of_runs(scene, p),
+                 "functions": [_function(scene, f, p) for f in signatures]}
+                for p in named(precisions) for other in PRECISIONS if other != p]
+    driven = bool(scene.steps and scene.parameters)
+    return render("scene/calls.c", name=stem, upper=scene.name.upper(), sections=sections,
+                  nq=scene.nq, nv=scene.nv, np=len(scene.parameters), driven=driven,
+                  products=[DOUBLE],
+                  begun=begun() if driven or (scene.timed and scene.steps) else "")
+
+
+def _lanes_of_runs(scene: SceneFunctions, precision: Precision) -> dict[str, str]:
+    """The parameters of a function of many steps of many states, arm_run_rk4_many, and arguments of
+    contiguous rows."""
+    real, rows = precision.c_type, {"p": len(scene.parameters), "q": scene.nq, "v": scene.nv}
+    parameters, arguments = ["ptrdiff_t", "ptrdiff_t"], ["states", "n"]
+    for name in scene_text.step_inputs(scene):
+        const = "const " if name == "p" else ""
+        parameters += [f"{const}{real} *", "ptrdiff_t"] if name in rows else ["double"]
+        arguments += [name, str(rows[name])] if name in rows else [name]
+    return {"several_parameters": ", ".join(parameters), "several_arguments": ", ".join(arguments)}
+
+
+def _function(scene: SceneFunctions, function: Signature, precision: Precision
+              ) -> dict[str, object]:
+    real, name = precision.c_type, c_name(scene, function.name, precision)
+    inputs = [x for x, _ in function.inputs]
+    passed = list(_of_states(function))
+    lanes = [f"{'' if written else 'const '}{real} *, ptrdiff_t"
+             for _, _, written in function.arguments]
+    refused = [f"p[{n}] {'<' if zero else '<='} 0" for n, _, zero in scene_text.signs(scene)]
+    return {
+        "name": name, "kernel": name, "python": function.name,
+        "refused": " || ".join(refused if "p" in inputs else ()),
+        "p": inputs.index("p") if "p" in inputs else -1,
+        "inputs": len(inputs),
+        "sizes": ", ".join(str(_size(shape)) for _, shape in function.inputs) or "0",
+        "results": [_result(x, shape, inputs if function.moved else []) for x, shape in
+                    function.outputs],
+        "lanes_parameters": ", ".join(("ptrdiff_t", *lanes)),
+        "lanes_arguments": ", ".join(("n", *map(", ".join, passed))),
+        "many_arguments": ", ".join(
+            f"{rows} + k * {step}" if shape or written else f"{rows}[k * {step}]"
+            for (rows, step), (_, shape, written) in zip(passed, function.arguments, strict=True)),
+        "run_parameters": f"ptrdiff_t n, double t, double h, const {real} *p, {real} *q, {real} *v",
+        "run_arguments": ", ".join(_RUN.get(x, x).format(real=real) for x in inputs)
+        if function.repeats else "",
+    }
+
+
+def _of_states(function: Signature) -> Iterator[tuple[str, str]]:
+    """The pointer of each argument in C and its stride."""
+    inputs, outputs = ([x for x, _ in of] for of in (function.inputs, function.outputs))
+    for name, _, written in function.arguments:
+        yield (f"y[{outputs.index(name)}]", f"places[{outputs.index(name)}]") if written else (
+            f"x[{inputs.index(name)}]", f"steps[{inputs.index(name)}]")
+
+
+def _size(shape: tuple[int, ...]) -> int:
+    """The numbers of an input with one axis; -1 without axes, -2 with several."""
+    return scene_text.count(shape) if len(shape) == 1 else -1 - min(1, len(shape))
+
+
+def _result(name: str, shape: tuple[int, ...], moved: list[str]) -> dict[str, str]:
+    return {"size": str(scene_text.count(shape)), "axes": str(len(shape)),
+            "moved": str(moved.index(name)) if name in moved else "-1",
+            "shape": ", ".join(map(str, shape)) or "1"}
+
+
+TARGET = Target("calls of a scene", ("c", "python"), scene=files,
+                tier=tier_files, generated=False)

@@ -1,0 +1,173 @@
+"""A scene's functions as C: arm.h and arm.c, both precisions in the same two files.
+
+Arrays are plain and matrices row by row.  Results are stored last, when everything has been read:
+outputs may alias inputs, also in part.
+"""
+
+from collections.abc import Iterator, Sequence
+from functools import partial
+
+from coscrew_codegen.algebra.recording.gc_pause import uncollected
+from coscrew_codegen.backends import version
+from coscrew_codegen.backends.c import c_double, c_elementary
+from coscrew_codegen.backends.c.c_function import CFunction, FunctionBody, Stored
+from coscrew_codegen.backends.c.c_statements import WIDTH, comment_of, listed
+from coscrew_codegen.backends.nesting import NestingPlan
+from coscrew_codegen.backends.render import render
+from coscrew_codegen.backends.scene import scene_c_arguments as arguments
+from coscrew_codegen.backends.scene import scene_text
+from coscrew_codegen.backends.scene.scene_c_parts import FunctionParts
+from coscrew_codegen.backends.scene.scene_c_steps import step_body
+from coscrew_codegen.backends.scene.scene_text import c_name
+from coscrew_codegen.backends.target import Files, Target
+from coscrew_codegen.program.scene_functions import FunctionProgram, IntegratorStep, SceneFunctions
+from coscrew_codegen.program.values.formats import Precision, named
+from coscrew_codegen.scene.identifiers import capitals, numbered
+
+IN_WORDS = {("double",): "double precision only, as selected",
+             ("single",): "single precision only, as selected",
+             ("double", "single"): "double and (names that end in f) single precision"}
+
+
+@uncollected()
+def files(scene: SceneFunctions, banner: str) -> Files:
+    """arm.h and arm.c.  Raises ValueError for names that cannot be used in C."""
+    scene_text.check_names(scene)
+    plans = scene_text.plans(scene)
+    parts = FunctionParts(scene, plans)
+    made = [(p, list(functions_of(scene, plans, parts, p))) for p in named(scene.precisions)]
+    sections = [{"precision": p, "functions": functions, "elementary": c_elementary.written(
+                    p, c_elementary.called(x.body for x in functions), nested=True)}
+                for p, functions in made]
+    names = scene_text.legend(plans, [x.body for _, functions in made for x in functions])
+    shared = {"banner": banner, "name": scene.name, "upper": scene.name.upper(),
+              "sections": sections}
+    return {
+        f"{scene.name}.h": render("scene/scene.h", about=comment_of(about(scene)),
+                                  macros=macros(scene), **shared,
+                                  double=c_double.of_scene(scene.name.upper(), (
+                                      (p, p) for p in named(scene.precisions)))),
+        f"{scene.name}.c": render("scene/scene.c", names=[comment_of(names)] if names else [],
+                                  products=named(scene.precisions), parts=bool(parts.cuts),
+                                  **shared)}
+
+
+def macros(scene: SceneFunctions) -> list[tuple[str, str]]:
+    """The macros of a scene and their values: version, sizes, indices, initializers."""
+    found = [("GENERATOR_VERSION", f"{version.number()}  /* 1.2.3 is 10203 */"),
+             ("GENERATOR_VERSION_STRING", f'"{version.VERSION}"'),
+             ("NQ", str(scene.nq)), ("NV", str(scene.nv))]
+    if scene.parameters:
+        found.append(("NP", str(len(scene.parameters))))
+    return [*found, *_places(scene),
+            *(entry for p in named(scene.precisions) for entry in _defaults(scene, p))]
+
+
+def about(scene: SceneFunctions) -> list[str]:
+    """Returns the comment at the top of a scene's header, in paragraphs."""
+    return [
+        f"{scene.name}: dynamics of a scene, in {IN_WORDS[scene.precisions]}.",
+        "SI units.  Arrays are plain, matrices row by row.  Pointers must be valid and "
+        "quaternions of norm 1; inputs must be finite, and are not checked: a NaN need not show, "
+        "since not every result depends on every input.  Outputs may overlap inputs.  No heap, no "
+        "state: all functions are thread-safe.",
+        *scene_text.order_in_words(scene),
+        *_named_places(scene)]
+
+
+def _named_places(scene: SceneFunctions) -> Iterator[str]:
+    tables = _tables(scene)
+    prefixes = [prefix for prefix, (names, _) in tables.items() if names]
+    if not prefixes:
+        return
+    macros = ", ".join(f"{scene.name.upper()}_{prefix}_…" for prefix in prefixes)
+    yield f"Macros for these indices (the first of several coordinates): {macros}."
+    told = [f"{prefix}_{stem} {scene_text.printable(name)}" for prefix in prefixes
+            for name, stem in zip(tables[prefix][0], numbered(tables[prefix][0]), strict=True)
+            if stem != capitals(name) or not name.isascii()]
+    if told:
+        yield ("Of names that differ only in case, or in characters that macros cannot have: "
+               f"{', '.join(told)}.")
+
+
+def _places(scene: SceneFunctions) -> Iterator[tuple[str, str]]:
+    """(Q_ELBOW, its index in q) and so on: for velocities, parameters and bodies."""
+    for prefix, (names, places) in _tables(scene).items():
+        for stem, place in zip(numbered(names), places, strict=True):
+            yield f"{prefix}_{stem}", str(place)
+
+
+def _tables(scene: SceneFunctions) -> dict[str, tuple[Sequence[str], Sequence[int]]]:
+    """Names and their indices, by the prefix of their macros."""
+    joints = [x.joint for x in scene.coordinates]
+    return {"Q": (joints, [x.q.start for x in scene.coordinates]),
+            "V": (joints, [x.v.start for x in scene.coordinates]),
+            "P": ([name for name, _ in scene.parameters], range(len(scene.parameters))),
+            "BODY": (scene.bodies, range(len(scene.bodies)))}
+
+
+def _defaults(scene: SceneFunctions, precision: Precision) -> Iterator[tuple[str, str]]:
+    """Initializers: the neutral q, and the default values of parameters."""
+    lists = {"NEUTRAL_Q": scene.neutral, "DEFAULT_P": [value for _, value in scene.parameters]}
+    for name, values in lists.items():
+        if values:
+            numbers = [scene_text.literal(x, precision) + precision.suffix for x in values]
+            text = listed("{", numbers, "}", WIDTH - 2).replace("\n", " \\\n")
+            yield f"{name}{precision.suffix.upper()}", text
+
+
+def functions_of(scene: SceneFunctions, plans: Sequence[NestingPlan], parts: FunctionParts,
+                 precision: Precision) -> Iterator[CFunction]:
+    """All emitted functions, each after those that it calls."""
+    for function, plan in zip(scene.functions, plans, strict=True):
+        if function.name in parts.cuts:
+            yield from parts.above(function, precision)
+            body = parts.body(function, precision)
+        else:
+            body = _body(function, plan, precision)
+        yield _function(scene, function, body, precision)
+    yield from (_step(scene, step, precision) for step in scene.steps)
+
+
+def _function(scene: SceneFunctions, function: FunctionProgram, body: str, precision: Precision
+              ) -> CFunction:
+    outputs = scene_text.outputs(function)
+    parameters = [*(arguments.read(a, precision) for a in function.inputs),
+                  *(arguments.written(a, precision) for a in outputs)]
+    shapes = [f"{a.name}: {' × '.join(map(str, a.quantity.shape))}."
+              for a in outputs if len(a.quantity.shape) > 1]
+    comment = comment_of([scene_text.printable(scene_text.sentence(function.words)), *shapes,
+                          *filter(None, [function.rounding]), scene_text.cost(function)])
+    head = arguments.head(c_name(scene, function.name, precision), parameters,
+                          _storage(precision, function.internal))
+    return CFunction(function.name, comment, head, body, function.internal)
+
+
+def _storage(precision: Precision, internal: bool = False) -> str:
+    return "KSL_FUNCTION" if precision.device else "static" if internal else ""
+
+
+def _body(function: FunctionProgram, plan: NestingPlan, precision: Precision) -> str:
+    """The body of a function that is written whole."""
+    outputs = scene_text.outputs(function)
+    stored = Stored(scene_text.access(plan.program), arguments.targets(outputs),
+                    [a.name for a in outputs])
+    headings = [(number, scene_text.printable(words)) for number, words in function.headings]
+    return FunctionBody(plan.program, precision, stored, plan, headings).text()
+
+
+def _step(scene: SceneFunctions, step: IntegratorStep, precision: Precision) -> CFunction:
+    """A step, which moves q and v in place."""
+    real = precision.c_type
+    declared = {"t": f"{real} t", "h": f"{real} h",
+                "p": f"const {real} p[{len(scene.parameters)}]",
+                "q": f"{real} q[{scene.nq}]", "v": f"{real} v[{scene.nv}]",
+                "tau": f"const {real} tau[{scene.nv}]"}
+    inputs = scene_text.step_inputs(scene, step.takes_tau)
+    return CFunction(step.name, comment_of([f"{step.words}.  In place."]),
+                 arguments.head(c_name(scene, step.name, precision),
+                                [declared[x] for x in inputs], _storage(precision)),
+                 step_body(scene, step, precision, partial(c_name, scene, precision=precision)))
+
+
+TARGET = Target("scene in C", ("c",), scene=files)

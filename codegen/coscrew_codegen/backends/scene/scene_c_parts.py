@@ -1,0 +1,179 @@
+"""Cuts long functions of a scene's C into parts, each a function of its own; parts that several
+functions use are written once.
+
+The time of compilers grows faster than a function's length, so no part is long.  Parts pass values
+to each other in structures on the stack of the function that calls them.
+"""
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import replace
+from itertools import groupby
+
+from coscrew_codegen.algebra.recording.recorder import headings
+from coscrew_codegen.backends.c.c_function import CFunction, FunctionBody, Stored, read_by
+from coscrew_codegen.backends.c.c_nested import declarations, language, together
+from coscrew_codegen.backends.c.c_statements import WIDTH, comment_of, listed
+from coscrew_codegen.backends.nesting import Assignment, Nesting, NestingPlan, named_constants
+from coscrew_codegen.backends.scene import scene_c_arguments as arguments
+from coscrew_codegen.backends.scene.scene_text import (
+    VALUE_WIDTH,
+    access,
+    c_name,
+    outputs,
+    printable,
+)
+from coscrew_codegen.program import Input, Instruction, Op, Program, Ref
+from coscrew_codegen.program.parts import Cut, Group, cut
+from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
+from coscrew_codegen.program.values.formats import DOUBLE, Precision
+
+LONG = 4000
+"""If a scene's longest function has at most so many instructions, its functions are not cut: those
+of arms with seven joints are shorter, and would be slower in parts."""
+LONGEST = 600
+"""Largest number of instructions of a part: those of a few links."""
+_OF_ANGLES = {Op.SIN, Op.COS, Op.SIN_ERROR, Op.COS_ERROR}
+
+
+def _cuts(plans: Sequence[NestingPlan]) -> dict[str, Cut]:
+    """The functions that are cut, by name: if one of the scene's is long, all that are longer than
+    a part."""
+    programs = [plan.program for plan in plans]
+    if max((len(x.instructions) for x in programs), default=0) <= LONG:
+        return {}
+    return cut([_angles_first(x) for x in programs if len(x.instructions) > LONGEST], LONGEST)
+
+
+def _angles_first(program: Program) -> Program:
+    """Moves what is computed for several angles at once to the front, so that one part has it all.
+    """
+    first: dict[Ref, Instruction] = {}
+    for step in program.instructions:
+        x, *others = step.operands
+        if step.op in _OF_ANGLES and isinstance(x, Input) and first.keys() >= set(others):
+            first[Ref(step.name)] = step
+    rest = (step for step in program.instructions if Ref(step.name) not in first)
+    return replace(program, instructions=(*first.values(), *rest))
+
+
+class FunctionParts:
+    """The functions of a scene that are cut into parts, as C."""
+
+    def __init__(self, scene: SceneFunctions, plans: Sequence[NestingPlan]):
+        self.scene, self.cuts = scene, _cuts(plans)
+        self.wide = any(plan.program.wide for plan in plans)
+        assigned = {plan.program.name: plan.assigned for plan in plans}
+        self._groups = {group.name: group for found in self.cuts.values() for group in found.groups}
+        self._plans = {part.name: self._planned(part, assigned[group.users[0]])
+                       for group in self._groups.values() for part in group.parts}
+        self._words = {f.program.instructions[place].component.rpartition(":")[0]: printable(words)
+                       for f in scene.functions if f.name in self.cuts
+                       for place, words in f.headings}
+        self._inputs = {a.name: a for f in scene.functions for a in f.program.inputs}
+
+    def above(self, function: FunctionProgram, precision: Precision) -> Iterator[CFunction]:
+        """The parts that no earlier function calls."""
+        for group in self.cuts[function.name].groups:
+            if group.users[0] == function.name:
+                yield from self._parts(group, precision)
+
+    def body(self, function: FunctionProgram, precision: Precision) -> str:
+        """The body of a function: calls of its parts, and its results."""
+        found = self.cuts[function.name]
+        declared = [f"{self._struct(group, precision)} {group.name};" for group in found.groups]
+        calls = [self._call(group, part, precision)
+                 for group in found.groups for part in group.parts]
+        results = FunctionBody(found.last, precision, Stored(
+            self._returned(found.last, precision), arguments.targets(outputs(function)),
+            [a.name for a in outputs(function)])).text()
+        return f"{_indented((*declared, *calls))}\n{results}"
+
+    def _parts(self, group: Group, precision: Precision) -> Iterator[CFunction]:
+        *others, last = group.users
+        users = f"{', '.join(others)} and {last}" if others else last
+        members = listed(f"{self._working(precision).c_type} ", group.kept, ";", WIDTH - 2)
+        struct = "\n".join((comment_of([f"The values that parts of {users} share."]),
+                            f"{self._struct(group, precision)} {{", _indented([members]), "};"))
+        for number, part in enumerate(group.parts):
+            links = dict.fromkeys(self._words.get(words, printable(words)).partition(":")[0]
+                                  for _, words in headings(part))
+            comment = comment_of([f"Of {', '.join(links)}."])
+            yield CFunction(
+                part.name, comment if number else f"{struct}\n\n{comment}",
+                arguments.head(c_name(self.scene, part.name, precision),
+                               [self._parameter(x, group, precision) for x in _taken(group, part)],
+                               "KSL_PART_DEVICE" if precision.device
+                               else f"{self.scene.name.upper()}_PART"),
+                _indented(self._lines(group, part, precision)), internal=True)
+
+    def _lines(self, group: Group, part: Program, precision: Precision) -> Iterator[str]:
+        """Declarations; kept values are stored as soon as they are computed, since values that are
+        stored at the end occupy registers until then."""
+        kept = {x.name for x in part.results if isinstance(x, Ref)}
+        above = {place: self._words.get(words, printable(words)) for place, words in headings(part)}
+        nesting = self._plans[part.name].printed(
+            language(part, precision), self._read(part, precision), above)
+        for _, run in groupby(together(nesting.assigned, self._working(precision)),
+                              lambda x: x if isinstance(x, str) else x.step.component):
+            assigned = list(run)
+            yield from declarations(assigned, self._working(precision), WIDTH - 2)
+            names = [name for x in assigned if not isinstance(x, str) for name in x.names]
+            yield from (f"{group.name}->{x} = {x};" for x in names if x in kept)
+
+    def _planned(self, part: Program, named: frozenset[str]) -> NestingPlan:
+        """The part's plan: values that are `named` in the whole function, or kept, are assigned."""
+        kept = named.union(x.name for x in part.results if isinstance(x, Ref))
+        constants = named_constants(part)
+        found = Nesting(part, language(part, DOUBLE), self._access(part, "->"), VALUE_WIDTH,
+                        named=lambda step: step.name in kept, constants=constants)
+        assigned = frozenset(name for x in found.assigned if isinstance(x, Assignment)
+                             for name in x.names)
+        return NestingPlan(part, assigned - constants.keys(), constants)
+
+    def _parameter(self, name: str, own: Group, precision: Precision) -> str:
+        if name in self._groups:
+            const = "" if name == own.name else "const "
+            return f"{const}{self._struct(self._groups[name], precision)} *{name}"
+        return arguments.read(self._inputs[name], precision)
+
+    def _call(self, group: Group, part: Program, precision: Precision) -> str:
+        taken = [f"&{x}" if x in self._groups else x for x in _taken(group, part)]
+        return listed(f"{c_name(self.scene, part.name, precision)}(", taken, ");", WIDTH - 2)
+
+    def _struct(self, group: Group, precision: Precision) -> str:
+        return f"struct {c_name(self.scene, f'{group.name}_values', precision)}"
+
+    def _working(self, precision: Precision) -> Precision:
+        return precision.computing(self.wide)
+
+    def _read(self, part: Program, precision: Precision) -> Callable[[Input], str]:
+        """The text with which a part reads arguments and groups; a wide one converts arguments."""
+        plain = self._access(part, "->")
+        converted = read_by(part, precision, plain)
+        return lambda x: (plain if part.inputs[x.argument].name in self._groups else converted)(x)
+
+    def _returned(self, last: Program, precision: Precision) -> Callable[[Input], str]:
+        """The text of a result that a group or an argument holds, in this precision."""
+        plain = self._access(last, ".")
+        narrowed = f"({precision.c_type})" if self.wide else ""
+        return lambda x: plain(x) if last.inputs[x.argument].name not in self._groups \
+            else narrowed + plain(x)
+
+    def _access(self, program: Program, member: str) -> Callable[[Input], str]:
+        plain = access(program)
+
+        def found(operand: Input) -> str:
+            name = program.inputs[operand.argument].name
+            if name in self._groups:
+                return f"{name}{member}{self._groups[name].kept[operand.index]}"
+            return plain(operand)
+        return found
+
+
+def _taken(group: Group, part: Program) -> list[str]:
+    """The names of a part's arguments: the inputs and groups that it reads, and its own group."""
+    return [*(a.name for a in part.inputs if a.name != group.name), group.name]
+
+
+def _indented(lines: Iterable[str]) -> str:
+    return "\n".join(f"  {row}" for line in lines for row in line.split("\n"))

@@ -1,0 +1,215 @@
+"""`coscrew simulate`: options, the run or runs, files, a short table.
+
+Imports the simulation only when it runs, since the generator does not need it."""
+
+import argparse
+import math
+import sys
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from coscrew_codegen.program.values.formats import CHOICES
+from coscrew_codegen.scene.integrators import in_words
+
+if TYPE_CHECKING:
+    from coscrew_codegen.scene.scene import Scene
+    from coscrew_codegen.simulation.recordings.result import Result
+
+
+def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    """Add `simulate` to the command line."""
+    parser = commands.add_parser(
+        "simulate", help="integrate a scene's motion",
+        description="Integrate a scene's motion, and write, plot or show what it records.")
+    add_scene(parser)
+    parser.add_argument("--start", metavar="FILE", type=Path,
+                        help="go on, to the bit, from the end of a recording that --output wrote, "
+                             "with its parameters unless --set")
+    parser.add_argument("--again", metavar="FILE", type=Path,
+                        help="the run from which a recording comes once more, with its settings "
+                             "and, written, its bytes")
+    parser.add_argument("--output", metavar="FILE", type=Path,
+                        help="write the recording: .csv, .npz or .parquet; with --precision both, "
+                             "single precision goes to FILE's name with .single before its ending")
+    parser.add_argument("--plot", metavar="FILE", type=Path, help="write a plot: .svg or .png")
+    parser.add_argument("--view", metavar="FILE", type=Path, help="write a 3D playback: .html")
+    parser.set_defaults(run=run)
+
+
+def add_scene(parser: argparse.ArgumentParser) -> None:
+    """Add the scene, and the options that replace its own settings of the run."""
+    parser.add_argument("scene", metavar="SCENE", type=Path,
+                        help="a scene file (.toml) or a URDF, which alone has no effects")
+    parser.add_argument("--until", metavar="T", type=_positive, help="end of the run, in s")
+    parser.add_argument("--step", metavar="H", type=_positive,
+                        help="longest step, in s, of the emitted integrators")
+    parser.add_argument("--integrator", metavar="NAME",
+                        help=in_words())
+    parser.add_argument("--precision", choices=CHOICES,
+                        help="precision of the dynamics")
+    add_implausible(parser)
+    add_verbose(parser)
+    parser.add_argument("--set", metavar="NAME=VALUE", type=_setting, action="append", default=[],
+                        dest="settings", help="a value of a `runtime` parameter; may be repeated")
+
+
+def add_implausible(parser: argparse.ArgumentParser) -> None:
+    """Add the option for bodies that cannot exist."""
+    parser.add_argument("--implausible", choices=("error", "warn"),
+                        help="for inertias that are impossible, massless or incomplete: refuse "
+                             "the scene (error) or report them (warn)")
+
+
+def add_verbose(parser: argparse.ArgumentParser) -> None:
+    """Add the option that lists what `tell_unused` sums up."""
+    parser.add_argument("--verbose", action="store_true",
+                        help="list all that the model's file says and nothing here uses, one a "
+                             "line, instead of summing it up")
+
+
+def tell_unused(scene: "Scene", verbose: bool, prefix: str = "coscrew") -> None:
+    """Say on standard error what the model's file says and the scene does not use: in one line, or
+    in one for each number."""
+    from coscrew_codegen.scene.mechanism.notices import by_importance, summary
+
+    lines = [x.text for x in by_importance(scene.notices)] if verbose else [summary(scene.notices)]
+    for line in filter(None, lines):
+        print(f"{prefix}: {line}", file=sys.stderr)
+
+
+def scene_of(options: argparse.Namespace, precision: str | None,
+             functions: tuple[str, ...] = (), tiers: tuple[str, ...] = ()) -> "Scene":
+    """The scene of the options, with `functions` and `tiers` instead of its own if there are any.
+
+    Implausible bodies that it allows are reported on standard error."""
+    from coscrew_codegen.scene.readers.toml.toml_scene import SceneOverrides, read_scene
+
+    overrides = SceneOverrides(precision, options.implausible, functions, tiers)
+    scene = read_scene(options.scene, overrides=overrides)
+    for line in scene.model.implausible:
+        print(f"coscrew: warning: {line}", file=sys.stderr)
+    return scene
+
+
+def _positive(text: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not (math.isfinite(value) and value > 0):
+        raise argparse.ArgumentTypeError(f"wanted a positive number of seconds; got {text!r}")
+    return value
+
+
+def _setting(text: str) -> tuple[str, float]:
+    name, equals, number = text.partition("=")
+    if not (name and equals):
+        raise argparse.ArgumentTypeError(f"wanted NAME=VALUE, such as tool.mass=2; got {text!r}")
+    try:
+        value = float(number)
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value):
+        hint = f"; components one by one, as {name}.x=1" if "," in number else ""
+        raise argparse.ArgumentTypeError(f"{name}: wanted a finite number; got {number!r}{hint}")
+    return name, value
+
+
+def run(options: argparse.Namespace) -> int:
+    """Simulate the scene; returns the exit status: 0, 1 if a run stopped early, 130 if it was
+    interrupted."""
+    from coscrew_codegen.runtime import compilation
+
+    compilation.ask()
+    from coscrew_codegen.simulation import run_summary
+    from coscrew_codegen.simulation.recordings import recording_writer
+
+    for path, endings in ((options.output, tuple(recording_writer.FORMATS)),
+                          (options.plot, recording_writer.FIGURES),
+                          (options.view, (".html",))):
+        if path:
+            recording_writer.check_target(path, endings)
+    results = _again(options) if options.again else _asked(options)
+    first = results[0]
+    for note in ("" if options.start or options.again else
+                 run_summary.outside(first.system, first.trajectory.q[0]),
+                 run_summary.bounces(first)):
+        if note:
+            print(f"coscrew: {note}", file=sys.stderr)
+    recordings = [x.recording for x in results]
+    if options.output:
+        for path, recording in zip(_outputs(options.output), recordings, strict=False):
+            recording_writer.write(recording, path)
+    if options.plot:
+        from coscrew_codegen.simulation.recordings import recording_plot  # imports Matplotlib
+
+        recording_plot.plot(recordings, options.plot)
+    if options.view:
+        from coscrew_codegen.simulation.recordings import playback
+
+        first = results[0]
+        playback.view(first.system, first.trajectory, first.recording.provenance, options.view)
+    print(run_summary.summary(results))
+    return _status(results, options)
+
+
+def _asked(options: argparse.Namespace) -> "tuple[Result, ...]":
+    """The runs with the settings of the options."""
+    from coscrew_codegen.runtime.load import BOTH, kernels_for
+    from coscrew_codegen.simulation import required_functions, run_summary
+
+    scene = scene_of(options, options.precision)
+    one = options.precision or scene.precision
+    kernels = kernels_for(scene,
+                          required_functions.of_run(scene, options.integrator, bool(options.view)),
+                          BOTH if one == "both" else (one,))
+    if all(applied.effect.reaction for applied in scene.effects):
+        print("coscrew: no effects: nothing acts, gravity included", file=sys.stderr)
+    tell_unused(scene, options.verbose)
+    return run_summary.simulated(kernels, run_summary.RunOverrides(
+        options.until, options.step, options.integrator, options.precision,
+        tuple(options.settings), options.start),
+        told=bool(options.output or options.plot or options.view))
+
+
+def _again(options: argparse.Namespace) -> "tuple[Result, ...]":
+    """The run of a recording.  Raises SimulateError for settings besides."""
+    from coscrew_codegen.runtime.load import kernels_for
+    from coscrew_codegen.simulation import SimulateError, required_functions
+    from coscrew_codegen.simulation.execution import motion
+    from coscrew_codegen.simulation.replay import asked_of
+
+    given = [name for name in ("until", "step", "integrator", "precision", "settings", "start")
+             if getattr(options, name)]
+    if given:
+        name = "set" if given[0] == "settings" else given[0]
+        raise SimulateError(f"--again: the recording tells all settings; wanted no --{name}")
+    told = asked_of(options.again)
+    scene = scene_of(options, told.precision)
+    told.refuse(scene, None)
+    recording = replace(scene, record=told.record)
+    kernels = kernels_for(scene,
+                          required_functions.of_run(recording, told.integrator, bool(options.view)),
+                          (told.precision,))
+    return (motion(kernels, told.precision, told.asked(), shown=True),)
+
+
+def _outputs(path: Path) -> tuple[Path, Path]:
+    """The files for double (or the only) precision and for single."""
+    return path, path.with_name(f"{path.stem}.single{path.suffix}")
+
+
+def _status(results: "tuple[Result, ...]", options: argparse.Namespace) -> int:
+    """The exit status; reports on standard error where runs stopped, and where samples are."""
+    files: tuple[Path | None, ...] = _outputs(options.output) if options.output else (None,) * 2
+    for x, path in zip(results, files, strict=False):
+        if x.trajectory.stopped:
+            page = options.view if x is results[0] else None
+            written = [str(y) for y in (path, options.plot, page) if y]
+            where = f" in {', '.join(written)}" if written else ""
+            print(f"coscrew: {x.system.precision.name}: {x.trajectory.stopped}; "
+                  f"{len(x.trajectory.t)} samples kept{where}", file=sys.stderr)
+    if any(x.trajectory.interrupted for x in results):
+        return 130
+    return 1 if any(x.trajectory.stopped for x in results) else 0

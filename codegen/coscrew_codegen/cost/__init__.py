@@ -1,7 +1,0 @@
-"""Costs of a scene: operations and times of functions, effect by effect; accuracy against time."""
-
-from coscrew_codegen.errors import ReportedError
-
-
-class CostError(ReportedError, ValueError):
-    """The measurement is impossible with these settings; the message says what was wanted."""

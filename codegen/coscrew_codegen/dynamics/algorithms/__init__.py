@@ -1,0 +1,1 @@
+"""Algorithms of rigid-body dynamics: kinematics, RNEA, ABA, CRBA."""

@@ -1,0 +1,211 @@
+"""Forward dynamics by articulated bodies (ABA), from the wrenches of inverse dynamics at a = 0.
+
+With these wrenches the rest is linear: a link's wrench changes with the acceleration of its frame
+by its articulated inertia, and no term contains a velocity.
+"""
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+
+from coscrew_codegen.algebra.recording.numbers import (
+    Number,
+    add,
+    angular,
+    linear,
+    rotation,
+    scaled,
+    translation,
+)
+from coscrew_codegen.dynamics.algorithms import rnea
+from coscrew_codegen.dynamics.algorithms.bodies import Rigid
+from coscrew_codegen.dynamics.algorithms.linear_systems import Factors, factored
+from coscrew_codegen.dynamics.algorithms.motion import Displacement, Motion
+from coscrew_codegen.dynamics.algorithms.rnea import Wrench, along, to_parent
+from coscrew_codegen.scene.mechanism.model import Kind
+
+Column = tuple[Number, ...]  # six: force and moment, or linear and angular acceleration
+Joint = Callable[[int, Number], tuple[Number, Number]]
+"""(number of a velocity, articulated inertia along it) -> (torque along it, additional inertia)."""
+
+
+@dataclass(frozen=True)
+class Articulated:
+    """The articulated inertia [[M, H^T], [H, I]]: maps the acceleration (linear; angular) of a link
+    to force and moment."""
+
+    entries: tuple[Number, ...]  # 36, row by row; symmetric
+
+    @classmethod
+    def of(cls, rigid: Rigid) -> "Articulated":
+        """[[m 1, -h~], [h~, I]] of a rigid body."""
+        return cls(rigid.m.recorder.call("spatial_inertia_matrix", rigid.numbers))
+
+    def plus(self, other: "Articulated") -> "Articulated":
+        """The sum."""
+        return _symmetric(lambda i, j: self.entry(i, j) + other.entry(i, j))
+
+    def entry(self, row: int, column: int) -> Number:
+        """An entry of the 6×6 matrix."""
+        return self.entries[6 * max(row, column) + min(row, column)]
+
+    def transformed(self, D: Displacement) -> "Articulated":
+        """[Ad]*(D) A [Ad]^-1(D): in the parent's frame."""
+        call = D[0].recorder.call
+        rotated = call("mat6x6_rotated", rotation(D), self.entries)
+        return Articulated(call("mat6x6_shifted", translation(D), rotated))
+
+    def without(self, joint: "Freed") -> "Articulated":
+        """A - U D^-1 U^T: the articulated inertia beyond a free joint; rows and columns of its axes
+        are zero."""
+        def less(row: int, column: int) -> Number:
+            if row in joint.axes or column in joint.axes:
+                return joint.zero
+            value = self.entry(row, column)
+            for u, w in zip(joint.U, joint.W, strict=True):
+                value = value - u[row] * w[column]
+            return value
+
+        return _symmetric(less)
+
+    def label(self, motion: Motion, symbol: str) -> None:
+        """Name its blocks: l linear, a angular, c their coupling."""
+        rows, upper = range(3), ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
+        blocks = {"l": [self.entry(i, j) for i, j in upper],
+                  "c": [self.entry(3 + i, j) for i in rows for j in rows],
+                  "a": [self.entry(3 + i, 3 + j) for i, j in upper]}
+        for block, numbers in blocks.items():
+            motion.recorder.label(f"{symbol}{block}", numbers)
+
+
+def _symmetric(entry: Callable[[int, int], Number]) -> Articulated:
+    """The symmetric matrix with these entries on and below the diagonal."""
+    lower = {(i, j): entry(i, j) for i in range(6) for j in range(i + 1)}
+    return Articulated(tuple(lower[max(i, j), min(i, j)] for i in range(6) for j in range(6)))
+
+
+@dataclass(frozen=True)
+class Freed:
+    """A joint's freedoms with the articulated inertia of its link."""
+
+    S: tuple[tuple[Number, ...], ...]  # screws of the freedoms, six numbers each
+    U: tuple[Column, ...]  # A S, a column per freedom
+    D: Factors  # of S^T A S + inertias of the joint
+    torques: tuple[Number, ...]  # along the freedoms
+    W: tuple[Column, ...]  # U D^-1
+    axes: frozenset[int]  # components that are freedoms, of joints without additional inertia
+    zero: Number
+
+
+def freedoms(motion: Motion, number: int) -> tuple[tuple[Number, ...], ...]:
+    """The screws of the joint's freedoms, in the link's frame."""
+    link, (zero, *_) = motion.tree.links[number], motion.zero
+    one = zero.like(1)
+    if link.joint.kind in (Kind.FREE, Kind.SPHERICAL):
+        first = 0 if link.joint.kind is Kind.FREE else 3
+        return tuple(tuple(one if i == k else zero for i in range(6)) for k in range(first, 6))
+    axis = motion.axis(link)
+    return ((*axis, *motion.zero),) if link.joint.kind is Kind.PRISMATIC else \
+        ((*motion.zero, *axis),)
+
+
+def freed(motion: Motion, number: int, body: Articulated, joint: Joint) -> Freed:
+    """The joint of a link, with its torques and additional inertias."""
+    zero, S = motion.zero[0], freedoms(motion, number)
+    with motion.part(number, "S"):
+        U = tuple(tuple(_sum(zero, (body.entry(i, k) * s[k] for k in range(6))) for i in range(6))
+                  for s in S)
+        for column in U:
+            _label_column(motion, "S", column)
+    with motion.part(number, "D"):
+        D = [[_sum(zero, (s[k] * u[k] for k in range(6))) for u in U] for s in S]
+        own = [joint(k, D[i][i]) for i, k in enumerate(motion.tree.links[number].v)]
+        for k, (_, inertia) in enumerate(own):
+            D[k][k] = D[k][k] + inertia
+        factors = factored(D)
+        for i, inverse_of_pivot in enumerate(factors.inverse):
+            motion.recorder.label("D", D[i][i])
+            motion.recorder.label("Di", inverse_of_pivot)
+    with motion.part(number, "K"):
+        W = tuple(zip(*(factors.solve([u[i] for u in U]) for i in range(6)), strict=True))
+        for column in W:
+            _label_column(motion, "K", column)
+    pure = all(inertia.is_zero for _, inertia in own)
+    axes = frozenset(s.index(one) for s in S for one in s if one.constant == 1) if pure else ()
+    return Freed(S, U, factors, tuple(torque for torque, _ in own), W, frozenset(axes), zero)
+
+
+def _label_column(motion: Motion, symbol: str, column: Column) -> None:
+    motion.recorder.label(f"{symbol}l", linear(column))
+    motion.recorder.label(f"{symbol}a", angular(column))
+
+
+def accelerations(motion: Motion, bodies: Sequence[Articulated], wrenches: Sequence[Wrench],
+                  joint: Joint) -> list[Number]:
+    """a, from the links' inertias `bodies` and the `wrenches` of the motion with a = 0."""
+    links, body, wrench = motion.tree.links, list(bodies), list(wrenches)
+    joints: list[tuple[Freed, list[Number]]] = []
+    for number in reversed(range(len(links))):
+        free = freed(motion, number, body[number], joint)
+        with motion.part(number, "u"):
+            rest = [torque - x for torque, x in
+                    zip(free.torques, along(motion, number, wrench[number]), strict=True)]
+            for value in rest:
+                motion.recorder.label("u", value)
+        joints.append((free, rest))
+        if links[number].parent >= 0:
+            _add_to_parent(motion, number, free, rest, body, wrench)
+    return _outwards(motion, joints[::-1])
+
+
+def _add_to_parent(motion: Motion, number: int, joint: Freed, rest: Sequence[Number],
+             body: list[Articulated], wrench: list[Wrench]) -> None:
+    """Add the inertia and the wrench beyond the joint to its parent's."""
+    parent = motion.tree.links[number].parent
+    with motion.part(number, "Ap"):
+        beyond = body[number].without(joint).transformed(motion.frame(number))
+        beyond.label(motion, "Ap")
+    with motion.part(parent, "A"):
+        body[parent] = body[parent].plus(beyond)
+        body[parent].label(motion, "A")
+    with motion.part(number, "fB"):
+        transmitted = wrench[number]
+        for w, r in zip(joint.W, rest, strict=True):
+            transmitted = tuple(x + y * r for x, y in zip(transmitted, w, strict=True))
+        rnea.label(motion, "fB", "mB", transmitted)
+    in_parent = to_parent(motion, number, transmitted)
+    with motion.part(parent, "fA"):
+        wrench[parent] = add(wrench[parent], in_parent)
+        rnea.label(motion, "fA", "mA", wrench[parent])
+
+
+def _outwards(motion: Motion, joints: Sequence[tuple[Freed, list[Number]]]) -> list[Number]:
+    """From the base on: a = D^-1 (rest - U^T A), A = [Ad]^-1 A_parent + S a."""
+    found: list[Number] = []
+    frames: list[Column] = []
+    for number, (joint, rest) in enumerate(joints):
+        link = motion.tree.links[number]
+        A: Column = (*motion.zero, *motion.zero)
+        if link.parent >= 0:
+            with motion.part(number, "al"):
+                A = motion.recorder.call("product_Adinvs", motion.frame(number),
+                                         frames[link.parent])
+        with motion.part(number, "qdd"):
+            a = [x - _sum(joint.zero, (w[i] * A[i] for i in range(6)))
+                 for x, w in zip(joint.D.solve(rest), joint.W, strict=True)]
+            for value in a:
+                motion.recorder.label("qdd", value)
+        with motion.part(number, "al"):
+            for s, x in zip(joint.S, a, strict=True):
+                A = add(A, scaled(x, s))
+            motion.recorder.label("al", linear(A))
+            motion.recorder.label("aa", angular(A))
+        found += a
+        frames.append(A)
+    return found
+
+
+def _sum(zero: Number, values: Iterable[Number]) -> Number:
+    total = zero
+    for value in values:
+        total = total + value
+    return total

@@ -1,0 +1,226 @@
+"""Forward dynamics of a scene, explicit or implicit.
+
+An implicit step solves (M + m) a = tau - c v, where the inertia m and the torque c v represent the
+damping and stiffness of the effects within the step.  For effects at joints these are diagonal, for
+forces that resist the motion of a point they are point masses, and for forces between two bodies
+they are terms m e e^T with the row e^T of the rate l' = e^T v, so that a common motion of both
+bodies is not damped.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from coscrew_codegen.algebra.recording.numbers import (
+    Number,
+    Vector,
+    add,
+    linear,
+    maximum,
+    scaled,
+    subtract,
+)
+from coscrew_codegen.dynamics.algorithms import aba, crba, rnea
+from coscrew_codegen.dynamics.algorithms.aba import Articulated, Joint
+from coscrew_codegen.dynamics.algorithms.bodies import Rigid, rigid_of
+from coscrew_codegen.dynamics.algorithms.linear_systems import factored
+from coscrew_codegen.dynamics.algorithms.motion import Motion
+from coscrew_codegen.dynamics.algorithms.rnea import Wrench
+from coscrew_codegen.dynamics.forces.applied_effects import Acting, Paired
+
+Weights = Callable[[Number, Number, Number], tuple[Number, Number]]
+"""(damping, stiffness, damping over the inertia that it acts on, in 1/s) -> (m, c)."""
+
+_LEAST = Fraction(1, 10**30)
+"""kg: used instead of a mass of zero."""
+
+_Solve = Callable[[Joint, Sequence[Wrench]], list[Number]]
+
+
+@dataclass(frozen=True)
+class Implicit:
+    """a, and for each velocity its damping over the inertia that it acts on."""
+
+    a: list[Number]
+    rates: list[Number]
+
+
+def accelerations(motion: Motion, acting: Acting, rigids: Sequence[Rigid],
+                  inertias: Mapping[str, Number], tau: Sequence[Number]) -> list[Number]:
+    """a with M a + bias = tau."""
+    own = _own(motion, inertias)
+    torques = add(tau, _gathered(motion, {n: acting.torque(n) for n in sorted(acting.torques)}))
+    return _solver(motion, rigids)(lambda k, _: (torques[k], own[k]),
+                                   rnea.net_wrenches(motion, rigids, acting))
+
+
+def implicit(motion: Motion, acting: Acting, rigids: Sequence[Rigid],
+             inertias: Mapping[str, Number], weights: Weights, tau: Sequence[Number],
+             slopes: Acting | None = None) -> Implicit:
+    """a with (M + m) a = tau - bias - c v.
+
+    Damping and stiffness are those of `slopes`, the effects on a motion with the same q and the
+    initial velocities of the step; forces are then linear about these velocities."""
+    start, own = slopes or acting, _own(motion, inertias)
+    torques = _torques(acting, start, tau)
+    damping = _gathered(motion, {n: start.damping(n) for n in sorted(start.torques)}, 2)
+    stiffness = _gathered(motion, {n: start.stiffness(n) for n in sorted(start.torques)}, 2)
+    rates = list(damping)
+
+    def at_joint(k: int, inertia: Number) -> tuple[Number, Number]:
+        rates[k] = damping[k] / (inertia + own[k])
+        mass, c = weights(damping[k], stiffness[k], rates[k])
+        return torques[k] - c * start.motion.v[k], own[k] + mass
+
+    joint: Joint = at_joint
+    solve = _solver(motion, _with_point_masses(motion, start, rigids, weights))
+    for number, pair in enumerate(start.pairs):
+        with motion.recorder.part(f"pair_{number}", heading="pairs of bodies"):
+            solve, joint = _with_pair(motion, pair, acting.pairs[number], weights, solve, joint)
+    wrenches = rnea.net_wrenches(motion, rigids, acting)
+    return Implicit(solve(joint, _about(motion, wrenches, acting, start)), rates)
+
+
+def inverse_inertia(motion: Motion, rigids: Sequence[Rigid], inertias: Mapping[str, Number],
+                    number: int) -> Number:
+    """∂a/∂tau of a joint with one coordinate, all others free to move."""
+    own = _own(motion, inertias)
+    unit = _gathered(motion, {number: motion.recorder.number(1)})
+    still = [(*motion.zero, *motion.zero)] * len(motion.tree.links)
+    a = _solver(motion, rigids)(lambda k, _: (unit[k], own[k]), still)
+    return _product(unit, a)
+
+
+def _own(motion: Motion, inertias: Mapping[str, Number]) -> list[Number]:
+    """The inertias of joints themselves, by velocity."""
+    return _gathered(motion, {n: inertias[link.joint.name]
+                              for n, link in enumerate(motion.tree.links)
+                              if link.joint.name in inertias}, 2)
+
+
+def _torques(acting: Acting, start: Acting, tau: Sequence[Number]) -> list[Number]:
+    """Torques by velocity: tau, then those of effects; if linear about the initial velocities, also
+    d (v - v_start).  In this order, in which an actuator's torque would be summed."""
+    motion, others, found = acting.motion, list(tau), dict[int, Number]()
+    for number in sorted(acting.torques):
+        link, torque = motion.tree.links[number], acting.torque(number)
+        if not link.driver:
+            torque = tau[link.v.start] + torque
+            others[link.v.start] = motion.zero[0]
+        if start is not acting:
+            faster = motion.speeds(number)[0] - start.motion.speeds(number)[0]
+            torque = torque + start.damping(number) * faster
+        found[number] = torque
+    return list(add(others, _gathered(motion, found)))
+
+
+def _gathered(motion: Motion, of_links: Mapping[int, Number], power: int = 1) -> list[Number]:
+    """Sums by velocity over joints with one coordinate; a follower's value, times its multiplier to
+    this power, is added to its leader's."""
+    found = [motion.zero[0]] * motion.tree.nv
+    for number, value in of_links.items():
+        link = motion.tree.links[number]
+        with motion.part(number, "own"):
+            if power == 2 and link.driver:
+                value = value * link.driver.multiplier
+            rnea.gather(motion, number, [value], found)
+    return found
+
+
+def _with_point_masses(motion: Motion, acting: Acting, rigids: Sequence[Rigid],
+                       weights: Weights) -> list[Rigid]:
+    """The links' inertias with point masses m for the forces that resist the motion of a point."""
+    found = list(rigids)
+    for number in range(len(found)):
+        with motion.part(number, "B"):
+            for damping, point in acting.resisting(number):
+                rate = damping / maximum(rigids[number].m, _LEAST)
+                mass, _ = weights(damping, damping.like(0), rate)
+                found[number] = _with_mass(found[number], mass, point)
+    return found
+
+
+def _about(motion: Motion, wrenches: Sequence[Wrench], acting: Acting,
+           start: Acting) -> list[Wrench]:
+    """The wrenches that links need, with d (u - u_start) added to the forces that resist a point, u
+    the point's velocity."""
+    found = list(wrenches)
+    for number in range(len(found)):
+        if start is acting:
+            break
+        with motion.part(number, "f"):
+            for damping, point in start.resisting(number):
+                call = motion.recorder.call
+                faster = subtract(motion.twist(number), start.motion.twist(number))
+                force = scaled(damping, linear(call("product_Adtinvs", point, faster)))
+                wrench = call("product_CoAdtc", point, (*force, *motion.zero))
+                found[number] = subtract(found[number], wrench)
+    return found
+
+
+def _solver(motion: Motion, rigids: Sequence[Rigid]) -> _Solve:
+    """The function from torques at the joints and wrenches of links at a = 0 to a.  Instructions
+    that depend on neither are issued once."""
+    if not motion.tree.follows:
+        bodies = [Articulated.of(body) for body in rigids]
+        return lambda joint, wrenches: aba.accelerations(motion, bodies, wrenches, joint)
+    M = crba.mass_matrix(motion, rigids, {})
+
+    def solve(joint: Joint, wrenches: Sequence[Wrench]) -> list[Number]:
+        bias = rnea.joint_torques(motion, rnea.transmitted(motion, wrenches), None, {})
+        with motion.recorder.part("solution", heading="M a = tau"):
+            torques, A = [], [list(row) for row in M]
+            for k, row in enumerate(A):
+                torque, own = joint(k, row[k])
+                torques.append(torque)
+                row[k] = row[k] + own
+            return factored(A).solve(subtract(torques, bias))
+
+    return solve
+
+
+def _with_pair(motion: Motion, pair: Paired, now: Paired, weights: Weights, solve: _Solve,
+               joint: Joint) -> tuple[_Solve, Joint]:
+    """`solve` for the matrix plus m e e^T, and `joint` with the torques -c l' e and, linear about
+    the initial rate l', d (l'_now - l') e added.
+
+    a = a' - w (m e·a')/(1 + m e·w), w = solve(e), by Sherman and Morrison; it never divides by
+    zero, and 1/(e·w) is the inertia that the pair acts on."""
+    still = [(*motion.zero, *motion.zero)] * len(motion.tree.links)
+    wrenches = list(still)
+    for link, wrench in pair.unit_wrenches:
+        if link >= 0:
+            wrenches[link] = add(wrenches[link], wrench)
+    e = rnea.joint_torques(motion, rnea.transmitted(motion, wrenches), None, {})
+    w = solve(lambda k, inertia: (e[k], joint(k, inertia)[1]), still)
+    slopes, rate, product = pair.along.slopes, pair.along.at.v, _product(e, w)
+    mass, c = weights(slopes.damping, slopes.stiffness, slopes.damping * product)
+    share = mass / (1 + mass * product)
+    pull = c * rate
+    if now is not pair:
+        pull = pull - slopes.damping * (now.along.at.v - rate)
+    less = scaled(pull, e)
+
+    def coupled(joint: Joint, wrenches: Sequence[Wrench]) -> list[Number]:
+        a = solve(joint, wrenches)
+        return list(subtract(a, scaled(share * _product(e, a), w)))
+
+    def joint_with_pair(k: int, inertia: Number) -> tuple[Number, Number]:
+        torque, own = joint(k, inertia)
+        return torque - less[k], own
+
+    return coupled, joint_with_pair
+
+
+def _product(a: Sequence[Number], b: Sequence[Number]) -> Number:
+    total = a[0].like(0)
+    for x, y in zip(a, b, strict=True):
+        total = total + x * y
+    return total
+
+
+def _with_mass(body: Rigid, mass: Number, point: Vector) -> Rigid:
+    """The body with a point mass."""
+    zero = mass.like(0)
+    return rigid_of(add(body.numbers, mass.recorder.call(
+        "spatial_inertia_from_com", mass, point, [zero] * 9)))

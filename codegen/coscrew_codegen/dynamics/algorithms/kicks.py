@@ -1,0 +1,130 @@
+"""The kick of the default integrator (drift, kick, drift), and the number of parts of split steps.
+
+For half a step the coordinates move with the initial velocities v0, to q_m.  Then the velocities
+change at once, at q_m, and the coordinates move on with the new ones, v1 = v0 + h a:
+
+    q_m = q0 ⊕ h/2 v0,   M(q_m) a = f(q_m, (v0 + v1)/2, t + h/2),   q1 = q_m ⊕ h/2 v1.
+
+The kick is solved in two passes: a' with the forces at v0, then a with those at v0 + h/2 a'.  Both
+are implicit in the damping d and stiffness k of the effects, taken at v0: with z = h d/inertia and
+θ = (1 + z)/(2 + z), forces act as at the time θ h, which adds θ (h d + h² k/2) to the inertia and
+-(θ - ½) h k v0 to the torques.  So a damped velocity shrinks by 1/(1 + z + z²/2) for any z, and
+undamped springs keep ½ v·M v + ½ q·K q.  Of second order.
+"""
+
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+
+from coscrew_codegen.algebra.recording.numbers import Number, add, less, scaled, sqrt, where
+from coscrew_codegen.dynamics.algorithms import forward
+from coscrew_codegen.dynamics.forces.applied_effects import Acting
+from coscrew_codegen.dynamics.forces.effect_parameters import settings
+from coscrew_codegen.dynamics.function_recording import FunctionRecording
+from coscrew_codegen.program import NotANumber
+from coscrew_codegen.scene.effect import Contact, CoordinateState, required
+from coscrew_codegen.scene.functions.steps.step_parts import MOST
+
+FINE = 12
+"""A step is split into parts of length s such that ω s <= 1/FINE, ω the contact's frequency at its
+deepest point.  There the implicit midpoint rule, which an elastic kick is, has an energy error of
+s²/24 ∫ v² d³V/dq³ dq = 5/72 (ω s)², relative to the bounce's: 0.0005, half of what `check` allows.
+At the end of the bounce it is far less."""
+
+
+def weights(h: Number) -> forward.Weights:
+    """(inertia, torque per velocity) that represent a damping d and a stiffness k in a step h."""
+    def found(d: Number, k: Number, rate: Number) -> tuple[Number, Number]:
+        beyond = _beyond(h, rate)
+        return (beyond + Fraction(1, 2)) * (h * (d + h * k / 2)), beyond * (h * k)
+    return found
+
+
+def _beyond(h: Number, rate: Number) -> Number:
+    """θ - ½, correct also for an infinite rate."""
+    return Fraction(1, 2) - 1 / (2 + h * rate)
+
+
+def kick(x: FunctionRecording) -> list[Number]:
+    """a of the kick at q, over a step of h."""
+    recorder = x.recorder
+    h, = recorder.argument("h")
+    q, v = recorder.argument("q"), recorder.argument("v")
+    first = x.motion(at=(q, v))
+    start = Acting(x.scene, first).act()
+    guess = forward.implicit(first, start, x.rigids, x.inertias, weights(h), x.tau)
+    second = x.motion(at=(q, _sum(v, scaled(h / 2, guess.a))))
+    acting = Acting(x.scene, second, _delays(x, h, guess.rates)).act()
+    return forward.implicit(second, acting, x.rigids, x.inertias, weights(h), x.tau, start).a
+
+
+def _delays(x: FunctionRecording, h: Number, rates: Sequence[Number]) -> dict[int, Number]:
+    """(θ - ½) h of each joint: effects act as at the time θ h, as do damping and stiffness."""
+    found = {}
+    for number, link in enumerate(x.tree.links):
+        own = x.tree.links[link.driver.link] if link.driver else link
+        if not (rate := rates[own.v.start]).is_zero:
+            with x.recorder.part(x.names[number], "own", link.heading):
+                found[number] = h * _beyond(h, rate)
+    return found
+
+
+def closing(x: FunctionRecording) -> Number:
+    """The number of contacts of joints that are closed now or, moving with v, after h."""
+    count = x.recorder.number(0)
+    for link, before, after in _contacts(x):
+        with x.recorder.part(x.names[link], "own", x.tree.links[link].heading):
+            count = count + where(less(count.like(0), before.depth + after.depth), 1, 0)
+    return count
+
+
+def split(x: FunctionRecording) -> tuple[Number, Number]:
+    """(n, h/n) with n = 2^j >= FINE h ω parts of a step h; h/n is NaN if n exceeds MOST.
+
+    A contact gets as deep as δ_p = (δ^2.5 + 1.25 m v²/k)^0.4, where the joint moves the inertia m,
+    and there ω² = 1.5 k √δ_p/m.  Several closed contacts together have at most their number times
+    the largest ω².  Fifth roots are avoided: (FINE h ω)^5 is compared with 32^j."""
+    recorder = x.recorder
+    (h,), motion = recorder.argument("h"), x.motion(accelerating=False)
+    number, worst = closing(x), recorder.number(0)
+    for link, before, after in _contacts(x):
+        with recorder.part(x.names[link], "own", x.tree.links[link].heading):
+            mobility = forward.inverse_inertia(motion, x.rigids, x.inertias, link)
+            deepest = _power(before.depth, 2) * sqrt(before.depth)
+            v = motion.speeds(link)[0]
+            deepest = deepest + v * v * Fraction(5, 4) / (mobility * before.k)
+            rate = h * h * before.k * mobility * number * Fraction(3 * FINE**2, 2)
+            fifth = _power(rate, 2) * sqrt(rate * deepest)
+            fifth = where(less(fifth.like(0), before.depth + after.depth), fifth, 0)
+            worst = where(less(worst, fifth), fifth, worst)
+    with recorder.part("parts", heading="parts of the step"):
+        parts, n = recorder.number(1), 1
+        while n < MOST:
+            parts, n = where(less(recorder.number(n**5), worst), 2 * n, parts), 2 * n
+        too_many = less(recorder.number(MOST**5), worst)
+        return parts, h / where(too_many, Number(recorder, NotANumber()), parts)
+
+
+def _contacts(x: FunctionRecording) -> Iterator[tuple[int, Contact, Contact]]:
+    """(link, contact now, contact after h) for each joint with a contact."""
+    recorder = x.recorder
+    motion, zero = x.motion(accelerating=False), recorder.number(0)
+    for applied in x.scene.effects:
+        if applied.effect.joint_torque:
+            link = x.tree.links.index(x.tree.link_of(applied.on))
+            with recorder.part(x.names[link], "own", x.tree.links[link].heading):
+                values = settings(recorder, applied.values, zero)
+                q, v = motion.coordinates(link)[0], motion.speeds(link)[0]
+                before = applied.effect.joint_torque(CoordinateState(q, v, zero), values).contact
+                if before:
+                    h, = recorder.argument("h")
+                    after = applied.effect.joint_torque(CoordinateState(q + h * v, v, zero), values)
+                    yield link, before, required(after.contact)
+
+
+def _power(x: Number, n: int) -> Number:
+    return x if n == 1 else x * _power(x, n - 1)
+
+
+def _sum(v: Sequence[Number], change: Sequence[Number]) -> list[Number]:
+    with v[0].recorder.part("speeds", heading="speeds"):
+        return list(add(v, change))

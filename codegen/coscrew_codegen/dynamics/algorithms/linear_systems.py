@@ -1,0 +1,56 @@
+"""Symmetric positive definite systems of any size, by L D L^T with structural zeros left out.
+
+The operations mat3x3_ldl and mat6x6_ldl take matrices that may not be positive definite: they
+replace such pivots, compare each pivot with its diagonal entry, and divide every entry of L by its
+pivot.  Mass matrices are positive definite and have any number of rows; here the reciprocal of a
+pivot serves its row of L and every solution.  Factorization and one solution of 6 rows without
+zeros take 86 products, 65 sums and 6 divisions; mat6x6_ldl and mat6x6_ldl_solve take 65 products,
+65 sums, 27 divisions, 15 comparisons and 21 choices.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from coscrew_codegen.algebra.recording.numbers import Number
+
+
+@dataclass(frozen=True)
+class Factors:
+    """A = L D L^T: the rows of L below its unit diagonal, and 1/D."""
+
+    L: tuple[tuple[Number, ...], ...]
+    inverse: tuple[Number, ...]
+
+    def solve(self, b: Sequence[Number]) -> list[Number]:
+        """x with A x = b."""
+        x: list[Number] = []
+        for i, row in enumerate(self.L):
+            value = b[i]
+            for k in range(i):
+                value = value - row[k] * x[k]
+            x.append(value)
+        x = [value * d for value, d in zip(x, self.inverse, strict=True)]
+        for i in reversed(range(len(x))):
+            for k in range(i + 1, len(x)):
+                x[i] = x[i] - self.L[k][i] * x[k]
+        return x
+
+
+def factored(A: Sequence[Sequence[Number]]) -> Factors:
+    """The factors of a symmetric positive definite matrix; only its lower triangle is read."""
+    L: list[list[Number]] = []
+    inverse: list[Number] = []
+    for i, row in enumerate(A):
+        scaled: list[Number] = []  # L[i][k] D[k]
+        for k in range(i):
+            value = row[k]
+            for j in range(k):
+                value = value - scaled[j] * L[k][j]
+            scaled.append(value)
+        own = [x * d for x, d in zip(scaled, inverse, strict=True)]
+        pivot = row[i]
+        for x, y in zip(scaled, own, strict=True):
+            pivot = pivot - x * y
+        L.append(own)
+        inverse.append(1 / pivot)
+    return Factors(tuple(map(tuple, L)), tuple(inverse))

@@ -1,0 +1,220 @@
+"""Motion of a tree's links: frames, velocities, accelerations, each computed on first use.
+
+All vectors of a link are in its own frame.  Accelerations are those of points (not of screws), so
+that linear velocities are needed only for prismatic and free joints, and for effects that use them.
+"""
+
+from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager
+from functools import wraps
+
+from coscrew_codegen.algebra.recording.numbers import (
+    Number,
+    Vector,
+    add,
+    angular,
+    cross,
+    displacement,
+    linear,
+    rotated,
+    rotated_back,
+    rotation,
+    scaled,
+    subtract,
+    translation,
+)
+from coscrew_codegen.algebra.recording.recorder import Recorder
+from coscrew_codegen.scene.mechanism.model import Kind
+from coscrew_codegen.scene.mechanism.tree import Link, Tree
+
+Numbers = tuple[Number, ...]
+Rotation = tuple[Number, ...]  # nine, row by row
+Displacement = tuple[Number, ...]  # twelve: [R | t], row by row
+Twist = tuple[Number, ...]  # six: velocity of the origin; angular velocity
+
+
+def _of_link(symbol: str, origin: str = "") -> Callable[["_OfLink"], "_OfLink"]:
+    """Decorator: computed once per link and named by the symbol, below the link's heading.  The
+    translation of a displacement is named by `origin`."""
+    def decorated(compute: "_OfLink") -> "_OfLink":
+        @wraps(compute)
+        def cached(self: "Motion", link: int) -> Numbers:
+            known = self._known.setdefault(symbol, {})
+            if link not in known:
+                with self.part(link, symbol):
+                    found, label = compute(self, link), self.recorder.label
+                    known[link] = displacement(
+                        label(symbol, rotation(found)), label(origin, translation(found))
+                    ) if origin else label(symbol, found)
+            return known[link]
+        return cached
+    return decorated
+
+
+_OfLink = Callable[["Motion", int], Numbers]
+
+
+class Motion:
+    """The motion of all links for the function's q, v, a; v is zero unless `moving`, a unless
+    `accelerating`; `at` = (q, v) replaces the function's."""
+
+    def __init__(self, recorder: Recorder, tree: Tree, names: Sequence[str],
+                 gravity: Vector | None = None, moving: bool = True, accelerating: bool = True,
+                 at: tuple[Sequence[Number], Sequence[Number]] | None = None):
+        self.recorder, self.tree, self.names = recorder, tree, names
+        self._known: dict[str, dict[int, Numbers]] = {}
+        zero = recorder.number(0)
+        self.zero: Vector = (zero, zero, zero)
+        self.gravity = gravity or self.zero
+        still = (zero,) * tree.nv
+        self._q: Sequence[Number] = recorder.argument("q") if recorder.has("q") else ()
+        self.v: Sequence[Number] = (
+            recorder.argument("v") if moving and recorder.has("v") else still)
+        if at:
+            self._q, self.v = at
+        self._a = recorder.argument("a") if accelerating and recorder.has("a") else still
+        self.still = not (moving and recorder.has("v"))
+
+    def at_rest(self) -> "Motion":
+        """The links at the same q, without velocities and accelerations."""
+        return Motion(self.recorder, self.tree, self.names, self.gravity, moving=False,
+                      accelerating=False, at=(self._q, (self.zero[0],) * self.tree.nv))
+
+    def part(self, link: int, symbol: str) -> AbstractContextManager[None]:
+        """Name the instructions of this block after this value of the link."""
+        if link < 0:
+            return self.recorder.part("world", symbol, "world")
+        return self.recorder.part(self.names[link], symbol, self.tree.links[link].heading)
+
+    # joints
+
+    def coordinates(self, link: int) -> tuple[Number, ...]:
+        """q of the link's joint; of a follower, from its leader."""
+        x = self.tree.links[link]
+        if x.driver is None:
+            return tuple(self._q[x.q.start:x.q.stop])
+        own = self._q[self.tree.links[x.driver.link].q.start]
+        return (own * x.driver.multiplier + x.driver.offset,)
+
+    def _rates(self, link: int, values: Sequence[Number]) -> tuple[Number, ...]:
+        x = self.tree.links[link]
+        if x.driver is None:
+            return tuple(values[x.v.start:x.v.stop])
+        return (values[self.tree.links[x.driver.link].v.start] * x.driver.multiplier,)
+
+    def speeds(self, link: int) -> tuple[Number, ...]:
+        """v of the link's joint."""
+        return self._rates(link, self.v)
+
+    def accelerations(self, link: int) -> tuple[Number, ...]:
+        """a of the link's joint."""
+        return self._rates(link, self._a)
+
+    def _relative(self, link: int, values: Sequence[Number]) -> Twist:
+        """The joint's screw for these velocities."""
+        x = self.tree.links[link]
+        if x.joint.kind is Kind.FREE:
+            return tuple(values)
+        if x.joint.kind is Kind.SPHERICAL:
+            return (*self.zero, *values)
+        along = scaled(values[0], self.axis(x))
+        return (*along, *self.zero) if x.joint.kind is Kind.PRISMATIC else (*self.zero, *along)
+
+    def axis(self, link: Link) -> Vector:
+        """The joint's axis in the link's frame."""
+        return self.recorder.numbers(link.joint.axis)
+
+    # frames
+
+    @_of_link("R", "t")
+    def frame(self, link: int) -> Displacement:
+        """D of the link in its parent: the joint's placement times its displacement."""
+        x, call = self.tree.links[link], self.recorder.call
+        R, t = self.recorder.numbers(x.placement.R), self.recorder.numbers(x.placement.t)
+        q = self.coordinates(link)
+        if x.joint.kind is Kind.PRISMATIC:
+            return displacement(R, add(t, scaled(q[0], rotated(R, self.axis(x)))))
+        if x.joint.kind is Kind.FREE:
+            own = displacement(call("mat3x3_from_quaternion", q[3:]), q[:3])
+            return call("product_dd", displacement(R, t), own)
+        own = call("mat3x3_from_quaternion", q) if x.joint.kind is Kind.SPHERICAL else \
+            call("mat3x3_setFromAxisDC", self.axis(x), self._sine_and_cosine(q[0]))
+        return call("product_ddr", displacement(R, t), own)
+
+    def _sine_and_cosine(self, angle: Number) -> tuple[Number, ...]:
+        found = self.recorder.call("dc", angle)
+        for symbol, value in zip("sc", found, strict=True):
+            self.recorder.label(symbol, value)
+        return found
+
+    @_of_link("Rw", "tw")
+    def pose(self, link: int) -> Displacement:
+        """D of the link in the world."""
+        if link < 0:
+            return displacement(self.recorder.numbers([int(i % 4 == 0) for i in range(9)]),
+                                self.zero)
+        return self.recorder.call("product_dd", self.pose(self.tree.links[link].parent),
+                                  self.frame(link))
+
+    # velocities
+
+    @_of_link("wp")
+    def parent_angular_velocity(self, link: int) -> Vector:
+        """The parent's angular velocity, in the link's frame."""
+        return rotated_back(rotation(self.frame(link)),
+                            self.angular_velocity(self.tree.links[link].parent))
+
+    @_of_link("w")
+    def angular_velocity(self, link: int) -> Vector:
+        """ω."""
+        if link < 0 or self.still:
+            return self.zero
+        return add(self.parent_angular_velocity(link),
+                   angular(self._relative(link, self.speeds(link))))
+
+    @_of_link("v")
+    def velocity(self, link: int) -> Vector:
+        """The velocity of the link's origin."""
+        if link < 0 or self.still:
+            return self.zero
+        from_parent = self.recorder.call("product_Adinvs", self.frame(link),
+                                         self.twist(self.tree.links[link].parent))
+        return add(linear(from_parent), linear(self._relative(link, self.speeds(link))))
+
+    def twist(self, link: int) -> Twist:
+        """(v; ω)."""
+        return (*self.velocity(link), *self.angular_velocity(link))
+
+    # accelerations
+
+    @_of_link("dw")
+    def angular_acceleration(self, link: int) -> Vector:
+        """ω'."""
+        if link < 0:
+            return self.zero
+        from_parent = rotated_back(rotation(self.frame(link)),
+                                   self.angular_acceleration(self.tree.links[link].parent))
+        relative = angular(self._relative(link, self.speeds(link)))
+        own = angular(self._relative(link, self.accelerations(link)))
+        return add(add(from_parent, cross(self.parent_angular_velocity(link), relative)), own)
+
+    @_of_link("U")
+    def acceleration_tensor(self, link: int) -> Rotation:
+        """ω'~ + ω~ ω~: maps a point of the link to its acceleration less the origin's."""
+        return self.recorder.call("acceleration_tensor", self.angular_velocity(link),
+                                  self.angular_acceleration(link))
+
+    @_of_link("a")
+    def acceleration(self, link: int) -> Vector:
+        """The acceleration of the link's origin, less that of gravity."""
+        if link < 0:
+            return subtract(self.zero, self.gravity)
+        D, parent = self.frame(link), self.tree.links[link].parent
+        at_origin = add(self.acceleration(parent),
+                        rotated(self.acceleration_tensor(parent), translation(D)))
+        relative = self._relative(link, self.speeds(link))
+        own = add(linear(self._relative(link, self.accelerations(link))),
+                  cross(angular(relative), linear(relative)))
+        w = self.parent_angular_velocity(link)
+        return add(rotated_back(rotation(D), at_origin),
+                   add(cross(add(w, w), linear(relative)), own))

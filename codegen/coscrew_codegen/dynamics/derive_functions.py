@@ -1,0 +1,74 @@
+"""The functions of a scene: each is recorded separately, with only what its outputs need."""
+
+from collections.abc import Callable, Collection
+from dataclasses import replace
+
+from coscrew_codegen.algebra.recording.gc_pause import uncollected
+from coscrew_codegen.dynamics.algorithms import coordinates
+from coscrew_codegen.dynamics.derivation import Derivation
+from coscrew_codegen.dynamics.integrator_steps import needs, stepped
+from coscrew_codegen.dynamics.ranges.accuracy_requests import asked
+from coscrew_codegen.dynamics.ranges.ranges import refuse_numbers
+from coscrew_codegen.dynamics.ranges.rounding import statement
+from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
+from coscrew_codegen.scene.function_selection import (
+    FunctionsError,
+    refuse_many,
+    refuse_singular,
+    selected_functions,
+    together,
+)
+from coscrew_codegen.scene.functions import functions_of
+from coscrew_codegen.scene.scene import Scene
+from coscrew_codegen.scene.scene_function import SceneFunction
+from coscrew_codegen.scene.signs import signs
+
+
+def derive(scene: Scene, functions: Collection[str] = (),
+           tell: Callable[[str], None] = lambda name: None) -> SceneFunctions:
+    """The functions that a scene selects, or those with these names that it has, and the internal
+    functions that their steps call.  `tell` is called with each name before it is derived.
+
+    Raises RangeError for numbers that one of its precisions cannot represent, ModelError if a
+    function divides by zero whatever q is, FunctionsError for functions that it cannot have, and
+    for too many joints."""
+    refuse_many(scene)
+    refuse_numbers(scene)
+    refuse_singular(scene, functions)
+    with uncollected():
+        return _functions(Derivation(scene, tell), functions)
+
+
+def _functions(its: Derivation, names: Collection[str]) -> SceneFunctions:
+    """The functions of these names, for targets."""
+    scene, tree = its.scene, its.tree
+    wanted = names or selected_functions(scene)
+    entries = tuple(functions_of(scene))
+    steps, with_tau = ([x.step for x in entries if x.step and x.name in wanted
+                        and ("tau" in x.takes) == tau] for tau in (False, True))
+    called = together(*map(needs, steps), *(needs(x, takes_tau=True) for x in with_tau))
+    made = []
+    for entry in entries:
+        if not entry.step and (entry.name in wanted or entry.name in called):
+            if reason := entry.absent(its):
+                _refuse(its, entry, reason, names)
+            else:
+                made.append(_stated(its, its.made(entry), entry.name in wanted))
+    return stepped(SceneFunctions(
+        scene.name, tree.nq, tree.nv, tree.coordinates, tuple(its.bodies),
+        tuple((p.name, float(p.value)) for p in scene.parameters), coordinates.neutral(tree),
+        tuple(made), (), scene.precisions, its.timed, tuple(signs(scene).items()), scene.tiers),
+        steps, with_tau)
+
+
+def _stated(its: Derivation, made: FunctionProgram, public: bool) -> FunctionProgram:
+    """The function, public or not, with what is proved of its rounding errors."""
+    rounding = statement(made.program, its.scene, its.tree) if public else ""
+    return replace(made, internal=not public, rounding=rounding,
+                   accuracy=asked(made.program, its.scene, its.tree) if public else None)
+
+
+def _refuse(its: Derivation, entry: SceneFunction, reason: str, names: Collection[str]) -> None:
+    """Raise FunctionsError if the scene's file selects a function by name that the scene lacks."""
+    if not names and entry.name in its.scene.functions:
+        raise FunctionsError(f"{its.scene.name}: there is no {entry.name}: {reason} in the scene")

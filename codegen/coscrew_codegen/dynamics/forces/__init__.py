@@ -1,0 +1,1 @@
+"""Effects acting on a motion: forces, potentials, derivatives of both."""

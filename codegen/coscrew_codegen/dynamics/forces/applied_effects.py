@@ -1,0 +1,265 @@
+"""The effects of a scene on a motion: torques at joints, forces on links, energies, powers."""
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from functools import cached_property, partial
+from operator import mul
+
+from coscrew_codegen.algebra.recording.numbers import (
+    Number,
+    Vector,
+    add,
+    displacement,
+    dot,
+    maximum,
+    negative,
+    scaled,
+    sqrt,
+    subtract,
+)
+from coscrew_codegen.algebra.recording.recorder import Recorder
+from coscrew_codegen.dynamics.algorithms.motion import Motion
+from coscrew_codegen.dynamics.algorithms.rnea import holding_torques
+from coscrew_codegen.dynamics.forces.body_motion import BodyOfLink
+from coscrew_codegen.dynamics.forces.effect_parameters import settings
+from coscrew_codegen.dynamics.forces.linearization import JointEffect, Law
+from coscrew_codegen.dynamics.forces.potentials import body_force
+from coscrew_codegen.scene.effect import (
+    FIRST,
+    SECOND,
+    CoordinateState,
+    Effect,
+    Force,
+    Torque,
+    required,
+)
+from coscrew_codegen.scene.identifiers import identifiers
+from coscrew_codegen.scene.scene import Applied, Scene
+
+
+@dataclass(frozen=True)
+class AppliedForce:
+    """A force on a body."""
+
+    state: BodyOfLink
+    force: Force
+
+    @property
+    def wrench(self) -> tuple[Number, ...]:
+        """(f; τ) at the point, in the body's frame."""
+        return (*required(self.force.force), *(self.force.moment or self.state.motion.zero))
+
+    @property
+    def on_link(self) -> tuple[Number, ...]:
+        """[Ad]* c: force and moment about the link's origin, in its frame."""
+        frame = self.state.frame(required(self.force.point))
+        return self.state.t.recorder.call("product_CoAdc", frame, self.wrench)
+
+    def power(self) -> Number:
+        """f·v + τ·ω."""
+        return self.state.t.recorder.call("dot_cs", self.wrench,
+                                          self.state.twist(required(self.force.point)))[0]
+
+
+CLOSEST = Fraction(1, 10**12)
+"""m: where two points are closer, the direction from one to the other fades to zero."""
+
+
+@dataclass(frozen=True)
+class Paired:
+    """A force between two points, along the line from the first to the second."""
+
+    states: tuple[BodyOfLink, BodyOfLink]
+    points: tuple[Vector, Vector]
+    direction: Vector  # of length 1, in the world's frame
+    along: JointEffect
+
+    @property
+    def forces(self) -> tuple[Force, Force]:
+        """The forces on both bodies; energy and power are counted with the first."""
+        torque = self.along.torque
+        size = required(torque.torque)
+        pull = scaled(-size, self.direction)
+        first, second = self.states
+        power = _own_power(torque, lambda: size * self.along.at.v)
+        zero = pull[0].like(0)
+        return (Force(self.points[0], first.own_direction(pull), energy=torque.energy,
+                      power=zero.like(power)),
+                Force(self.points[1], second.own_direction(negative(pull)), power=zero))
+
+    @property
+    def unit_wrenches(self) -> list[tuple[int, tuple[Number, ...]]]:
+        """(link, wrench on it) for forces of 1 N that separate the points."""
+        first, second = self.states
+        u = self.direction
+        forces = (Force(self.points[0], first.own_direction(negative(u))),
+                  Force(self.points[1], second.own_direction(u)))
+        return [(state.link, AppliedForce(state, force).on_link)
+                for state, force in zip(self.states, forces, strict=True)]
+
+
+class Acting:
+    """The effects of a scene on one motion, at its time; each is evaluated once.
+
+    At the joints of the links in `delays`, effects take place at the time plus that delay."""
+
+    def __init__(self, scene: Scene, motion: Motion, delays: Mapping[int, Number] | None = None):
+        self.scene, self.motion = scene, motion
+        recorder = motion.recorder
+        self.recorder = recorder
+        self.t = recorder.argument("t")[0] if recorder.has("t") else recorder.number(0)
+        self.delays = delays or {}
+        self.torques: dict[int, list[JointEffect]] = {}
+        self.forces: dict[int, list[AppliedForce]] = {}
+        self.pairs: list[Paired] = []
+
+    def act(self) -> "Acting":
+        """Evaluate the effects, in the order of the catalogue and of the scene."""
+        effects = self.scene.effects
+        owners = identifiers([_owner(x) for x in effects])
+        for owner, applied in zip(owners, effects, strict=True):
+            at = f" at {applied.on}" if applied.on else ""
+            with self.recorder.part(owner, heading=f"{applied.effect.name}{at}"):
+                self._apply(applied.effect, applied)
+        return self
+
+    def _apply(self, effect: Effect, applied: Applied) -> None:
+        if effect.joint_torque:
+            link = self.motion.tree.links.index(self.motion.tree.link_of(applied.on))
+            at = CoordinateState(self.motion.coordinates(link)[0], self.motion.speeds(link)[0],
+                                 self.t + self.delays.get(link, 0), self._holding(link, applied))
+            self.torques.setdefault(link, []).append(
+                JointEffect(effect.joint_torque, at, applied.values, self.recorder.current))
+        if effect.body_force:
+            state = self._body(applied.on)
+            self._add(state, body_force(effect.body_force, state, applied.values))
+        if effect.pair_force:
+            pair = self._pair(effect.pair_force, applied)
+            for state, force in zip(pair.states, pair.forces, strict=True):
+                self._add(state, force)
+            self.pairs.append(pair)
+
+    def _holding(self, link: int, applied: Applied) -> Number | None:
+        """Returns the torque that holds a joint against gravity, if the effect compensates it."""
+        flag = applied.effect.compensates
+        if not flag or applied.values[flag] is None:
+            return None
+        return self._holding_torques[self.motion.tree.links[link].v.start]
+
+    @cached_property
+    def _holding_torques(self) -> list[Number]:
+        return holding_torques(self.motion)
+
+    def _body(self, name: str) -> BodyOfLink:
+        (link, placed), numbers = self.motion.tree.link_and_body(name), self.recorder.numbers
+        place = displacement(numbers(placed.placement.R), numbers(placed.placement.t))
+        return BodyOfLink(placed.body.inertia, self.t, self.motion, link, place)
+
+    def _pair(self, law: Law, applied: Applied) -> Paired:
+        first, second = (self._body(name) for name in applied.bodies)
+        values = settings(self.recorder, applied.values, self.t)
+        a, b = values.vector(FIRST), values.vector(SECOND)
+        separation = first.line_to(a, second, b)
+        length = sqrt(dot(separation, separation))
+        direction = scaled(1 / maximum(length, CLOSEST), separation)
+        rate = dot(direction, subtract(second.world_direction(second.velocity(b)),
+                                       first.world_direction(first.velocity(a))))
+        return Paired((first, second), (a, b), direction,
+                      JointEffect(law, CoordinateState(length, rate, self.t), applied.values,
+                                  self.recorder.current))
+
+    def _add(self, state: BodyOfLink, force: Force) -> None:
+        self.forces.setdefault(state.link, []).append(AppliedForce(state, force))
+
+    # results
+
+    def torque(self, link: int) -> Number:
+        """The sum of the torques at a link's joint with one coordinate."""
+        return self._sum(required(x.torque.torque) for x in self.torques.get(link, ()))
+
+    def damping(self, link: int) -> Number:
+        """-∂torque/∂v, or a bound of it."""
+        return self._sum(x.slopes.damping for x in self.torques.get(link, ()))
+
+    def stiffness(self, link: int) -> Number:
+        """-∂torque/∂q, or a bound of it."""
+        return self._sum(x.slopes.stiffness for x in self.torques.get(link, ()))
+
+    def force(self, link: int) -> tuple[Number, ...]:
+        """The sum of the forces on a link: force; moment about its origin, in its frame."""
+        total = (*self.motion.zero, *self.motion.zero)
+        for x in self.forces.get(link, ()):
+            total = add(total, x.on_link)
+        return total
+
+    def resisting(self, link: int) -> list[tuple[Number, Vector]]:
+        """(damping, point in the link) of each force with a damping."""
+        return [(x.force.damping, x.state.in_link(required(x.force.point)))
+                for x in self.forces.get(link, ()) if x.force.damping]
+
+    def potential(self) -> Number:
+        """The sum of the potential energies of effects."""
+        torques = [x.torque.energy for link in sorted(self.torques) for x in self.torques[link]]
+        forces = [x.force.energy for link in sorted(self.forces) for x in self.forces[link]]
+        return self._sum(x for x in (*torques, *forces) if x)
+
+    def power(self) -> Number:
+        """The power of the effects without potential energy, in W; negative if dissipated."""
+        total = self.recorder.number(0)
+        for link in sorted(self.torques):
+            speed = self.motion.speeds(link)[0]
+            for x in self.torques[link]:
+                torque = x.torque
+                total = total + _own_power(torque, partial(mul, required(torque.torque), speed))
+        for link in sorted(self.forces):
+            for found in self.forces[link]:
+                total = total + _own_power(found.force, found.power)
+        return total
+
+    def _sum(self, values: Iterable[Number]) -> Number:
+        total = self.recorder.number(0)
+        for value in values:
+            total = total + value
+        return total
+
+
+def _own_power(x: Torque | Force, whole: Callable[[], Number]) -> Number | int:
+    if x.power is not None:
+        return x.power
+    return whole() if x.energy is None else 0
+
+
+def alone(scene: Scene, applied: Applied) -> Scene:
+    """The scene with this one of its effects."""
+    return replace(scene, effects=(applied,))
+
+
+def gravity(scene: Scene, recorder: Recorder) -> Vector | None:
+    """The acceleration of gravity of the scene's effects, in the world's frame; None without."""
+    total = None
+    for applied in scene.effects:
+        if applied.effect.gravity:
+            values = settings(recorder, applied.values, recorder.number(0))
+            own = applied.effect.gravity(values)
+            total = own if total is None else add(total, own)
+    return total
+
+
+def _owner(applied: Applied) -> str:
+    """The prefix of the names of an effect's values: elbow_viscous, also for a joint called
+    elbow_joint."""
+    return f"{(applied.label or applied.on).removesuffix('_joint')}_{applied.effect.name}"
+
+
+def joint_inertias(scene: Scene, recorder: Recorder) -> dict[str, Number]:
+    """The inertias that effects add to joints, by joint."""
+    total: dict[str, Number] = {}
+    for applied in scene.effects:
+        if applied.effect.joint_inertia:
+            values = settings(recorder, applied.values, recorder.number(0))
+            own = applied.effect.joint_inertia(values)
+            owner, = identifiers([_owner(applied)])
+            own, = recorder.label("I", own, owner)
+            total[applied.on] = total[applied.on] + own if applied.on in total else own
+    return total

@@ -1,0 +1,197 @@
+"""Differentiates the laws of effects: the torque of an energy, damping and stiffness of torques.
+
+A law is recorded separately, as a function of its coordinate, and differentiated.
+
+Implicit steps use the damping d and the stiffness k of a torque u(q, v):
+
+    d = -∂u/∂v,  k = -∂u/∂q
+
+if these do not depend on q and v.  Otherwise negative values are replaced by 0; these slopes are
+left to the explicit part of the step.  Where u saturates, its slopes vanish, although a step may
+still jump over the point where u changes sign; there the slope of the secant through that point is
+used:
+
+    dry friction (u is 0 at v = 0):       d = max(-∂u/∂v, |u|/|v|)
+    a limit (sat u, |sat u| <= limit):    d and k of u, times limit/max(|u|, limit)
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from functools import cached_property
+
+from coscrew_codegen.algebra.recording import numbers
+from coscrew_codegen.algebra.recording.naming import NamePart
+from coscrew_codegen.algebra.recording.numbers import (
+    Number,
+    absolute,
+    less,
+    maximum,
+    minimum,
+    where,
+)
+from coscrew_codegen.algebra.recording.recorder import Recorder, array
+from coscrew_codegen.dynamics.forces.effect_parameters import settings
+from coscrew_codegen.program import Program, differentiate
+from coscrew_codegen.program.differentiate import Dual
+from coscrew_codegen.scene.effect import CoordinateState, Torque, Values, required
+from coscrew_codegen.scene.scene import Setting
+
+Law = Callable[[CoordinateState, Values], Torque]
+
+_AT_REST = Fraction(1, 10**30)
+"""Smallest divisor |v| in |u|/|v|, in rad/s or m/s, and smallest limit, so that there is no 0/0."""
+
+
+@dataclass(frozen=True)
+class Slopes:
+    """-∂torque/∂v and -∂torque/∂q, or bounds of them; at least 0."""
+
+    damping: Number
+    stiffness: Number
+
+
+@dataclass(frozen=True)
+class JointEffect:
+    """An effect's law at a coordinate; its values are evaluated once, among those of the effect."""
+
+    law: Law
+    at: CoordinateState
+    values: Mapping[str, Setting]
+    part: NamePart
+
+    @cached_property
+    def torque(self) -> Torque:
+        """The law's Torque, with the torque derived from the energy if it gives none, and limited.
+        """
+        found = self._stated
+        torque = found.torque
+        if found.limit is not None and found.energy is not None:
+            raise TypeError("a torque with a limit has no energy: beyond the limit it would be "
+                            "another")
+        with self.at.q.recorder.resumed(self.part):
+            if torque is None:
+                torque = self._replayed(self._own.torque)
+            if found.limit is not None:
+                torque = maximum(minimum(torque, found.limit), -found.limit)
+            torque.recorder.label("tau", torque)
+            return replace(found, torque=torque)
+
+    @property
+    def saturated(self) -> Number:
+        """1 where the limit takes some of the torque, else 0; of a torque that has a limit."""
+        limit = required(self._stated.limit)
+        with self.at.q.recorder.resumed(self.part):
+            return where(less(limit, absolute(required(self._stated.torque))), 1, 0)
+
+    @cached_property
+    def slopes(self) -> Slopes:
+        """The damping and stiffness of the torque."""
+        d, k = self._stated.damping, self._stated.stiffness
+        with self.at.q.recorder.resumed(self.part):
+            return Slopes(self._replayed(self._own.damping) if d is None else d,
+                          self._replayed(self._own.stiffness) if k is None else k)
+
+    @cached_property
+    def _stated(self) -> Torque:
+        recorder = self.at.q.recorder
+        with recorder.resumed(self.part):
+            return self.law(self.at, settings(recorder, self.values, self.at.t))
+
+    @cached_property
+    def _own(self) -> "_Law":
+        return _recorded(self.law, self.values, self.at)
+
+    def _replayed(self, value: Number) -> Number:
+        """A value of the separately recorded law, at this coordinate."""
+        recorder, at = self.at.q.recorder, self.at
+        p = [recorder.argument("p")] if recorder.has("p") else []
+        held = [] if at.holding is None else [at.holding]
+        return recorder.replay(self._own.program(value), at.q, at.v, at.t, *held, *p)[0]
+
+
+def _recorded(law: Law, values: Mapping[str, Setting], outer: CoordinateState) -> "_Law":
+    """The law as a function of q, v, t, what holds the joint, and the run-time parameters of the
+    outer recording.  What holds the joint is explicit: it has no slope."""
+    names = ("q", "v", "t") if outer.holding is None else ("q", "v", "t", "holding")
+    recorder = Recorder([*(array(name, ()) for name in names), *(
+        a for a in outer.q.recorder.inputs if a.name == "p")])
+    at = CoordinateState(*(recorder.argument(name)[0] for name in names))
+    return _Law(at, law(at, settings(recorder, values, at.t)))
+
+
+@dataclass(frozen=True)
+class _Law:
+    """A separately recorded law, and its derivatives."""
+
+    at: CoordinateState
+    stated: Torque
+
+    @property
+    def recorder(self) -> Recorder:
+        """The recorder of the law."""
+        return self.at.q.recorder
+
+    @cached_property
+    def torque(self) -> Number:
+        """The torque before it is limited."""
+        if self.stated.torque is not None:
+            return self.stated.torque
+        energy = self.stated.energy
+        if energy is None:
+            raise TypeError("an effect gives a torque or an energy; this one gives neither")
+        if {self.at.v.operand, self.at.t.operand} & self.program(energy).used_inputs():
+            raise TypeError("an energy from which a torque follows depends on q alone, not on v or "
+                            "t")
+        return -self._slope(energy, "q")
+
+    @property
+    def damping(self) -> Number:
+        """d."""
+        slope = -self._slope(self.torque, "v")
+        if self._moves(slope):
+            slope = maximum(slope, self._secant() if self._rests() else 0)
+        return slope * self._share()
+
+    @property
+    def stiffness(self) -> Number:
+        """k."""
+        slope = -self._slope(self.torque, "q")
+        if self._moves(slope):
+            slope = maximum(slope, 0)
+        return slope * self._share()
+
+    def program(self, value: Number) -> Program:
+        """The Program that computes a value."""
+        return self.recorder.program("law", [(array("value", ()), [value])])
+
+    def _slope(self, value: Number, by: str) -> Number:
+        """∂value/∂q or ∂v."""
+        recorder = self.recorder
+        one = recorder.number(1)
+        inputs = [[Dual(x, (one if a.name == by else None,)) for x in recorder.argument(a.name)]
+                  for a in recorder.inputs]
+        (found,) = differentiate.tangent(self.program(value), recorder.arithmetic, numbers, inputs)
+        return recorder.number(0) if found.slopes[0] is None else found.slopes[0]
+
+    def _secant(self) -> Number:
+        """|u|/|v|."""
+        return absolute(self.torque) / maximum(absolute(self.at.v), _AT_REST)
+
+    def _share(self) -> Number | int:
+        """The factor on the slopes where the torque exceeds its limit."""
+        limit = self.stated.limit
+        if limit is None:
+            return 1
+        positive = limit if limit.constant else maximum(limit, _AT_REST)  # 0 at run time: no 0/0
+        return limit / maximum(absolute(self.torque), positive)
+
+    def _moves(self, value: Number) -> bool:
+        """Whether the value depends on q or v."""
+        return bool({self.at.q.operand, self.at.v.operand} & self.program(value).used_inputs())
+
+    def _rests(self) -> bool:
+        """Whether the torque is 0 at v = 0 for all other inputs."""
+        given = [self.recorder.numbers([0]) if a.name == "v" else self.recorder.argument(a.name)
+                 for a in self.recorder.inputs]
+        return self.recorder.replay(self.program(self.torque), *given)[0].is_zero

@@ -1,0 +1,54 @@
+"""The recording of one function of a scene, and the quantities that most functions start from."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from coscrew_codegen.algebra.recording.numbers import Number
+from coscrew_codegen.algebra.recording.recorder import Recorder
+from coscrew_codegen.dynamics.algorithms import rnea
+from coscrew_codegen.dynamics.algorithms.bodies import Rigid, rigids
+from coscrew_codegen.dynamics.algorithms.motion import Motion
+from coscrew_codegen.dynamics.forces.applied_effects import Acting, gravity, joint_inertias
+from coscrew_codegen.scene.mechanism.tree import Tree
+from coscrew_codegen.scene.scene import Scene
+
+Results = Sequence[Sequence[Number]]  # the components of each
+
+
+@dataclass
+class FunctionRecording:
+    """The recording of one function, and the quantities that most functions start from."""
+
+    scene: Scene
+    tree: Tree
+    names: tuple[str, ...]
+    recorder: Recorder
+
+    def motion(self, moving: bool = True, accelerating: bool = True, falling: bool = True,
+               at: tuple[Sequence[Number], Sequence[Number]] | None = None) -> Motion:
+        """The motion for the function's inputs, or for `at` = (q, v); `falling`: with the scene's
+        gravity."""
+        down = gravity(self.scene, self.recorder) if falling else None
+        return Motion(self.recorder, self.tree, self.names, down, moving, accelerating, at)
+
+    @property
+    def tau(self) -> Sequence[Number]:
+        """The torques of joints, zeros if the function does not take them."""
+        return self.recorder.argument("tau") if self.recorder.has("tau") else \
+            self.recorder.numbers([0] * self.tree.nv)
+
+    @cached_property
+    def rigids(self) -> list[Rigid]:
+        """The inertia of each link."""
+        return rigids(self.recorder, self.names, self.tree)
+
+    @cached_property
+    def inertias(self) -> dict[str, Number]:
+        """The inertias of joints themselves, by joint."""
+        return joint_inertias(self.scene, self.recorder)
+
+    def torques(self, motion: Motion, acting: Acting | None) -> list[Number]:
+        """The torques of inverse dynamics."""
+        wrenches = rnea.transmitted(motion, rnea.net_wrenches(motion, self.rigids, acting))
+        return rnea.joint_torques(motion, wrenches, acting, self.inertias)

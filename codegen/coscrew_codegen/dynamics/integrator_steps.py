@@ -1,0 +1,269 @@
+"""Steps of integrators: their schemes as calls of a scene's functions.
+
+All arithmetic of a step is in a few functions that the integrators share.  They are named after
+their weights, integers and their common denominator D: kick_1_2_2_1_6 has the weights of rk4.
+
+    drift_n1_n2_D(h, u1, u2) = h/D (n1 u1 + n2 u2),          phi of q ⊕ phi
+    kick_n1_n2_D(h, v, a1, a2) = v + h/D (n1 a1 + n2 a2)
+    time_n_D(t, h) = t + n h/D
+"""
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from math import lcm
+
+from coscrew_codegen.algebra.recording.numbers import Number
+from coscrew_codegen.algebra.recording.recorder import Recorder, array, headings
+from coscrew_codegen.program.scene_functions import (
+    Call,
+    FunctionProgram,
+    IntegratorStep,
+    SceneFunctions,
+    Split,
+)
+from coscrew_codegen.scene.function_selection import CONTACTS, FREE, MOVED
+from coscrew_codegen.scene.identifiers import identifiers
+from coscrew_codegen.scene.integrator import Composition, Drift, Integrator, Kick, Tableau
+from coscrew_codegen.scene.integrators import EMITTED
+
+ACCELERATION = "forward_dynamics"
+RATE = "chart_rate"
+(MOMENTUM, CORRECTED), (CLOSING, PARTS) = FREE, CONTACTS
+CHART_ORDER = 4
+"""The order of accuracy of `chart_rate`."""
+
+
+def needs(integrator: Integrator, takes_tau: bool = False) -> tuple[str, ...]:
+    """The functions that a step calls, if the scene has them."""
+    match integrator.scheme:
+        case Tableau():
+            return ACCELERATION, MOVED, RATE
+        case Composition() as scheme:
+            return (*(_accelerating(x.by, takes_tau) for x in scheme.stages
+                      if isinstance(x, Kick)), MOVED,
+                    *(CONTACTS if scheme.splits else ()),
+                    *(FREE if scheme.keeps_momentum and not takes_tau else ()))
+    return ()
+
+
+def _accelerating(by: str, takes_tau: bool) -> str:
+    """The function of the accelerations `by`, or the one that also takes torques of joints."""
+    return f"{by}_tau" if takes_tau and by != ACCELERATION else by
+
+
+def stepped(scene: SceneFunctions, integrators: Iterable[Integrator] = EMITTED,
+            with_tau: Iterable[Integrator] = ()) -> SceneFunctions:
+    """The scene with a step for each of these integrators, those `with_tau` that take torques of
+    joints, and the internal functions they need.
+
+    Raises ValueError if an integrator calls a function that the scene does not have, or has a
+    higher order than the chart for quaternions."""
+    means = _Means(scene)
+    steps = (*(_StepWriter(scene, means, x).step() for x in integrators),
+             *(_StepWriter(scene, means, x, takes_tau=True).step() for x in with_tau))
+    return replace(scene, functions=(*scene.functions, *means.functions.values()), steps=steps)
+
+
+class _Means:
+    """The functions of weighted means, each recorded once."""
+
+    def __init__(self, scene: SceneFunctions):
+        self.scene, self.functions = scene, dict[str, FunctionProgram]()
+        self.joints = identifiers([x.joint for x in scene.coordinates])
+
+    def time(self, c: Fraction) -> str:
+        """The name of t + c h."""
+        name, result = _name("time", (c,)), array("t", (), "time in s")
+        if name not in self.functions:
+            recorder = Recorder((result, array("h", (), "step in s")))
+            (t,), (h,) = recorder.argument("t"), recorder.argument("h")
+            with recorder.part("later"):
+                program = recorder.program(name, [(result, [t + h / c.denominator * c.numerator])])
+            self.functions[name] = FunctionProgram(name, f"t + {c} h", program, internal=True)
+        return name
+
+    def drift(self, weights: Sequence[Fraction]) -> str:
+        """The name of h times the weighted mean of velocities u."""
+        return self._mean("drift", "u", "phi", weights)
+
+    def kick(self, weights: Sequence[Fraction]) -> str:
+        """The name of v + h times the weighted mean of accelerations a."""
+        return self._mean("kick", "a", "v", weights)
+
+    def _mean(self, kind: str, of: str, result: str, weights: Sequence[Fraction]) -> str:
+        name, names = _name(kind, weights), numbered(of, len(weights))
+        if name in self.functions:
+            return name
+        size, added = (self.scene.nv,), ("v",) if kind == "kick" else ()
+        recorder = Recorder((array("h", (), "step in s"), *(
+            array(x, size, "along the speeds") for x in (*added, *names))))
+        given, above, below = [recorder.argument(x) for x in names], *_scaled(weights)
+        with recorder.part("part"):
+            part = recorder.argument("h")[0] / below
+        found: list[Number] = []
+        for joint, places in zip(self.joints, self.scene.coordinates, strict=True):
+            with recorder.part(joint, kind, f"joint {places.joint!r}"):
+                for k in places.v:
+                    mean = part * _sum([x[k] * n for x, n in zip(given, above, strict=True)])
+                    found.append(recorder.argument("v")[k] + mean if added else mean)
+        program = recorder.program(name, [(array(result, size, "along the speeds"), found)])
+        words = f"{result} = {'v + ' if added else ''}{_in_words(weights, names)}"
+        self.functions[name] = FunctionProgram(name, words, program, headings(program),
+                                               internal=True)
+        return name
+
+
+class _StepWriter:
+    """Writes the step of one integrator."""
+
+    def __init__(self, scene: SceneFunctions, means: _Means, integrator: Integrator,
+                 takes_tau: bool = False):
+        self.scene, self.means, self.integrator = scene, means, integrator
+        self.takes_tau = takes_tau
+        self.calls: list[Call] = []
+        self.zeros: tuple[str, ...] = ()
+        self.h = "h"
+
+    def step(self) -> IntegratorStep:
+        """The step as calls."""
+        body: Sequence[Call | Split]
+        match self.integrator.scheme:
+            case Tableau() as scheme:
+                body = self._runge_kutta(scheme)
+            case Composition() as scheme:
+                body = self._composed(scheme)
+            case _:
+                raise ValueError(f"{self.integrator.name} is SciPy's: it has no step to emit")
+        its = self.integrator
+        if not self.takes_tau:
+            return IntegratorStep(its.name, its.step_name, its.equation, tuple(body), self.zeros)
+        return IntegratorStep(its.name, its.step_with_tau,
+                              f"{its.step_name} with tau, torques and forces of joints that hold "
+                              "during the step, besides the effects; it does not correct the "
+                              "momentum of floating bases", tuple(body), takes_tau=True)
+
+    def _call(self, name: str, *results: str, **given: str) -> None:
+        self.calls.append(self._made(name, *results, **given))
+
+    def _made(self, name: str, *results: str, **given: str) -> Call:
+        """The call, with h the length of a part if the step is split."""
+        function = self.means.functions.get(name) or self._of_scene(name)
+        given = {"h": self.h, **given}
+        return Call(name, results, tuple((x, y) for x, y in given.items()
+                                         if x != y and function.takes(x)))
+
+    def _of_scene(self, name: str) -> FunctionProgram:
+        if not self.scene.has(name):
+            raise ValueError(f"scene {self.scene.name!r} has no function {name!r}, which "
+                             f"{self.integrator.name} needs")
+        return self.scene.named(name)
+
+    def _accelerate(self, by: str, a: str, c: Fraction, t: str, q: str, v: str) -> None:
+        """Append a = by(t + c h, q, v), at tau = 0 unless the step takes it; `t` is the variable of
+        that time."""
+        by = _accelerating(by, self.takes_tau)
+        function = self._of_scene(by)
+        if function.takes("t") and c:
+            self._call(self.means.time(c), t)
+        else:
+            t = "t"
+        if function.takes("tau") and not self.takes_tau:
+            self.zeros = ("tau",)
+        self._call(by, a, t=t, q=q, v=v)
+
+    # explicit Runge–Kutta methods
+
+    def _runge_kutta(self, scheme: Tableau) -> list[Call]:
+        """The rates of φ and v, stage by stage; without quaternions φ' = v."""
+        charted = self.scene.has(RATE)
+        if charted and self.integrator.order > CHART_ORDER:
+            raise ValueError(f"{self.integrator.name} is of order {self.integrator.order}; the "
+                             f"chart that moves quaternions is true to order {CHART_ORDER}")
+        speeds, accelerations = ["v"], ["a1"]
+        self._accelerate(ACCELERATION, "a1", Fraction(0), "t", "q", "v")
+        for n, (row, c) in enumerate(zip(scheme.a, scheme.c[1:], strict=True), 2):
+            t, q, v, u, a = (f"{x}{n}" for x in "tqvua")
+            self._weighted(self.means.drift, "u", row, speeds, "phi")
+            self._weighted(self.means.kick, "a", row, accelerations, v)
+            self._call(MOVED, q)
+            if charted:
+                self._call(RATE, u, v=v)
+            self._accelerate(ACCELERATION, a, c, t, q, v)
+            speeds.append(u if charted else v)
+            accelerations.append(a)
+        self._weighted(self.means.drift, "u", scheme.b, speeds, "phi")
+        self._weighted(self.means.kick, "a", scheme.b, accelerations, "v")
+        self._call(MOVED, "q")
+        return self.calls
+
+    def _weighted(self, mean: Callable[[Sequence[Fraction]], str], of: str,
+                  row: Sequence[Fraction], values: Sequence[str], result: str) -> None:
+        """Append a weighted mean, without values of weight zero."""
+        kept = [(weight, x) for weight, x in zip(row, values, strict=True) if weight]
+        names = numbered(of, len(kept))
+        self._call(mean([weight for weight, _ in kept]), result,
+                   **{name: x for name, (_, x) in zip(names, kept, strict=True)})
+
+    # drifts and kicks
+
+    def _composed(self, scheme: Composition) -> list[Call | Split]:
+        before: list[Call] = []
+        after: list[Call] = []
+        if scheme.keeps_momentum and self.scene.has(MOMENTUM) and not self.takes_tau:
+            before.append(self._made(MOMENTUM, "c"))
+            after.append(self._made(CORRECTED, "q", "v", t="h"))
+        if not (scheme.splits and self.scene.has(CLOSING)):
+            self._stages(scheme)
+            return [*before, *self.calls, *after]
+        test, parts = self._made(CLOSING, "closing"), self._made(PARTS, "count", "part")
+        self.h, timed = "part", self.scene.timed
+        self._stages(scheme)
+        if timed:
+            self._call(self.means.time(Fraction(1)), "t")
+        moved = (*(("t",) if timed else ()), "q", "v")
+        return [*before, Split(test, parts, tuple(self.calls), moved), *after]
+
+    def _stages(self, scheme: Composition) -> None:
+        passed = Fraction(0)
+        for stage in scheme.stages:
+            if isinstance(stage, Drift):
+                self._call(self.means.drift((stage.part,)), "phi", u="v")
+                self._call(MOVED, "q")
+                passed += stage.part
+            else:
+                self._accelerate(stage.by, "a", passed, "t_kick", "q", "v")
+                self._call(self.means.kick((stage.part,)), "v")
+
+
+def numbered(name: str, count: int) -> list[str]:
+    """[x], or [x1, x2, …] if there are several."""
+    return [name] if count == 1 else [f"{name}{n}" for n in range(1, count + 1)]
+
+
+def _scaled(weights: Sequence[Fraction]) -> tuple[list[int], int]:
+    """The weights as integers over their common denominator."""
+    below = lcm(*(x.denominator for x in weights))
+    return [int(x * below) for x in weights], below
+
+
+def _sum(terms: Sequence[Number]) -> Number:
+    first, *rest = terms
+    for x in rest:
+        first = first + x
+    return first
+
+
+def _name(kind: str, weights: Sequence[Fraction]) -> str:
+    """drift, drift_1_2, kick_1_2_2_1_6, kick_m1_2: m is minus."""
+    above, below = _scaled(weights)
+    numbers = [] if [*above, below] == [1, 1] else [*above, below]
+    return "_".join((kind, *(f"m{-n}" if n < 0 else f"{n}" for n in numbers)))
+
+
+def _in_words(weights: Sequence[Fraction], names: Sequence[str]) -> str:
+    """h a; h/2 a; h/6 (a1 + 2 a2)."""
+    above, below = _scaled(weights)
+    terms = " + ".join(f"{n} {x}" if n != 1 else x for n, x in zip(above, names, strict=True))
+    over = f"/{below}" if below != 1 else ""
+    return f"h{over} ({terms})" if len(names) > 1 else f"h{over} {terms}"

@@ -1,0 +1,1 @@
+"""Ranges of a scene's numbers, and how far roundings can move results."""

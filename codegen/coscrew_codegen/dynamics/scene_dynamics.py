@@ -1,0 +1,202 @@
+"""What functions of scenes are made of: poses, twists, torques, momenta, … of one recording."""
+
+from collections.abc import Callable, Sequence
+from functools import cached_property
+
+from coscrew_codegen.algebra.recording.numbers import (
+    Number,
+    Vector,
+    add,
+    rotated,
+    rotation,
+    translation,
+)
+from coscrew_codegen.dynamics.algorithms import (
+    coordinates,
+    crba,
+    energies,
+    floating,
+    forward,
+    frames,
+    kicks,
+    rnea,
+)
+from coscrew_codegen.dynamics.algorithms.motion import Motion
+from coscrew_codegen.dynamics.forces.applied_effects import Acting
+from coscrew_codegen.dynamics.forces.effect_values import Values, values_of
+from coscrew_codegen.dynamics.function_recording import FunctionRecording
+from coscrew_codegen.program.values.parameter import Parameter, Scalar
+from coscrew_codegen.scene.mechanism.tree import heading_of_body
+from coscrew_codegen.scene.scene import Applied
+from coscrew_codegen.scene.scene_function import Depends, Numbers, Results, SceneFunction
+
+
+class RecordedDynamics:
+    """The dynamics of a scene, recorded: each quantity from the inputs that the function takes.
+
+    `roots` returns the first links of floating trees."""
+
+    def __init__(self, recording: FunctionRecording, function: SceneFunction,
+                 roots: Callable[[], Sequence[int]]):
+        self._recording, self._function, self._roots = recording, function, roots
+        self.target = function.target
+        self.scene, self.recorder, self._tree = (
+            recording.scene, recording.recorder, recording.tree)
+
+    # inputs and constants
+
+    def argument(self, name: str) -> Numbers:
+        """The components of an input.  Raises ValueError for one that the function lacks."""
+        if not self.recorder.has(name):
+            has = ", ".join(a.name for a in self.recorder.inputs)
+            raise ValueError(f"no input {name!r}: it takes {has}")
+        return self.recorder.argument(name)
+
+    def number(self, value: Scalar | int) -> Number:
+        """A number of the scene, or its element of p."""
+        if isinstance(value, Parameter):
+            self._refuse_unless(Depends.MASSES, Depends.EFFECTS)
+        return self.recorder.number(value)
+
+    def numbers(self, values: Sequence[Scalar | int]) -> tuple[Number, ...]:
+        """Numbers of the scene."""
+        return tuple(map(self.number, values))
+
+    # frames
+
+    @cached_property
+    def _still(self) -> Motion:
+        """Frames and velocities, without gravity, which takes masses."""
+        return self._recording.motion(falling=False)
+
+    @cached_property
+    def _motion(self) -> Motion:
+        self._refuse_unless(Depends.MASSES, Depends.EFFECTS)
+        return self._recording.motion()
+
+    def _refuse_unless(self, *allowed: Depends) -> None:
+        """Raise ValueError if the function does not say what it depends on, so that it lacks p or
+        t."""
+        if self._function.depends not in allowed:
+            raise ValueError(f"{self._function.name} depends on {allowed[0].name.lower()}; wanted "
+                             f"depends = Depends.{allowed[0].name}")
+
+    def pose(self, body: str) -> Numbers:
+        """D of a body."""
+        return frames.pose(self._recording, self._still, body)
+
+    def position(self, body: str, point: Vector) -> Vector:
+        """R x + t."""
+        D = self.pose(body)
+        with self.recorder.part(self._numbers[body], "xw", heading_of_body(body)):
+            return add(rotated(rotation(D), point), translation(D))
+
+    def twist(self, body: str) -> Numbers:
+        """(v; ω) of a body."""
+        with self.recorder.part(self._numbers[body], "v", heading_of_body(body)):
+            return frames.twist(self._recording, self._still, body)
+
+    def jacobian(self, body: str) -> Numbers:
+        """J of a body, row by row."""
+        with self.recorder.part(self._numbers[body], "J", heading_of_body(body)):
+            columns = frames.jacobian(self._recording, self._still, body)
+        return [columns[j][i] for i in range(6) for j in range(self._tree.nv)]
+
+    @cached_property
+    def _numbers(self) -> dict[str, str]:
+        """The numbers of bodies, after which their values are named."""
+        return {body.name: str(n) for n, body in enumerate(self.scene.model.bodies)}
+
+    # dynamics
+
+    @cached_property
+    def _acting(self) -> Acting:
+        self._refuse_unless(Depends.EFFECTS)
+        return Acting(self.scene, self._motion).act()
+
+    def mass_matrix(self) -> Numbers:
+        """M(q), row by row."""
+        self._refuse_unless(Depends.MASSES, Depends.EFFECTS)
+        x = self._recording
+        M = crba.mass_matrix(self._still, x.rigids, x.inertias)
+        return [entry for row in M for entry in row]
+
+    def torques(self, effects: bool = True) -> Numbers:
+        """The torques of inverse dynamics."""
+        return self._recording.torques(self._motion, self._acting if effects else None)
+
+    def accelerations(self) -> Numbers:
+        """The accelerations of forward dynamics."""
+        x, acting = self._recording, self._acting
+        return forward.accelerations(self._motion, acting, x.rigids, x.inertias, x.tau)
+
+    def energies(self) -> Numbers:
+        """(kinetic, potential) energy."""
+        x, motion, acting = self._recording, self._motion, self._acting
+        return [energies.kinetic(x, motion), energies.potential(x, motion) + acting.potential()]
+
+    def power(self) -> Number:
+        """The power of the effects without potential energy."""
+        return self._acting.power()
+
+    def momentum(self) -> Numbers:
+        """(p; L) about the world's origin."""
+        return energies.momentum(self._recording, self._motion)
+
+    def transmitted(self, joint: str) -> Numbers:
+        """(force; moment) that a joint exerts on its child."""
+        motion, acting = self._motion, self._acting
+        wrenches = rnea.transmitted(
+            motion, rnea.net_wrenches(motion, self._recording.rigids, acting))
+        return wrenches[self._tree.links.index(self._tree.link_of(joint))]
+
+    def of_effect(self, applied: Applied) -> Values:
+        """What an effect exerts, its power and its energy."""
+        self._refuse_unless(Depends.EFFECTS)
+        return values_of(self._recording, self._motion, applied)
+
+    # steps
+
+    def integrated(self) -> Numbers:
+        """q ⊕ phi."""
+        return coordinates.integrated(self.recorder, self._tree, self._recording.names,
+                                      self.argument("q"), self.argument("phi"))
+
+    def chart_rate(self) -> Numbers:
+        """phi' while q ⊕ phi moves with v."""
+        return coordinates.chart_rate(self.recorder, self._tree, self._recording.names)
+
+    def implicit_accelerations(self) -> Numbers:
+        """a with (M + h d + h² k) a = tau - bias torques - h k v."""
+        x, acting = self._recording, self._acting
+        h, = self.argument("h")
+
+        def weights(d: Number, k: Number, _: Number) -> tuple[Number, Number]:
+            return (d + k * h) * h, k * h
+
+        return forward.implicit(self._motion, acting, x.rigids, x.inertias, weights, x.tau).a
+
+    def midpoint_accelerations(self) -> Numbers:
+        """a of the default integrator's kick."""
+        self._refuse_unless(Depends.EFFECTS)
+        return kicks.kick(self._recording)
+
+    def floating_momenta(self) -> Numbers:
+        """(p; L; x) of each floating tree."""
+        self._refuse_unless(Depends.MASSES, Depends.EFFECTS)
+        return floating.momentum(self._recording, self._roots())
+
+    def with_floating_momenta(self) -> Results:
+        """q and v corrected to the momenta c."""
+        self._refuse_unless(Depends.MASSES, Depends.EFFECTS)
+        return floating.corrected(self._recording, self._roots())
+
+    def closing(self) -> Number:
+        """The number of contacts that are closed or close."""
+        self._refuse_unless(Depends.MASSES, Depends.EFFECTS)
+        return kicks.closing(self._recording)
+
+    def split(self) -> tuple[Number, Number]:
+        """The number and length of a step's parts."""
+        self._refuse_unless(Depends.MASSES, Depends.EFFECTS)
+        return kicks.split(self._recording)

@@ -1,6 +1,0 @@
-"""SciPy's Radau method of order 5."""
-
-from coscrew_codegen.integrator import Adaptive, Integrator
-
-INTEGRATOR = Integrator("radau", 5, "SciPy's, by tolerances: reference runs of stiff motions",
-                        Adaptive("Radau", implicit=True))

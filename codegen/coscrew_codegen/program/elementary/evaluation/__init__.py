@@ -1,0 +1,1 @@
+"""Evaluation of elementary functions: reduction of angles, polynomials, pairs."""

@@ -1,0 +1,1 @@
+"""Proofs of the errors of elementary functions, and their coefficients."""

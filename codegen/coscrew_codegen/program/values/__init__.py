@@ -1,0 +1,1 @@
+"""Numbers and arguments: quantities, formats, parameters, digits."""

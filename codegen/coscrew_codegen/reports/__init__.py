@@ -1,0 +1,1 @@
+"""Measurements, and the documents made from them and from the tables."""

@@ -1,0 +1,118 @@
+"""States at which rounding errors are measured: of the run, between the joint limits, and the worst
+that a search finds there.  All numbers are numbers of single precision, so that every precision
+computes from the same ones."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coscrew_codegen.dynamics.ranges.accuracy_requests import positions
+from coscrew_codegen.scene.mechanism.model import Kind
+from coscrew_codegen.simulation.plan import Trajectory
+from coscrew_codegen.simulation.system import System
+
+Reals = NDArray[np.float64]
+Values = Mapping[str, Reals]
+"""t, h (n,), p (n, np), q (n, nq), v, a, tau, phi (n, nv), c (n, trees, 6): inputs of functions."""
+
+BATCH = 2048
+"""States that the search compares at once, unless told."""
+_ROUNDS, _KEPT, _NARROWER = 12, 32, 0.6
+_REACHED_IN = 0.1  # s, in which accelerations reach the limits of velocities
+
+
+def joined(parts: Sequence[Values]) -> dict[str, Reals]:
+    """All states in turn."""
+    return {name: np.concatenate([x[name] for x in parts]) for name in parts[0]}
+
+
+@dataclass(frozen=True)
+class Box:
+    """Half widths and centres of every number of a state: the limits of the joints, or ±π rad, 1 m,
+    π rad/s, 1 m/s for those that have none."""
+
+    system: System
+    step: float
+    centre: Values
+    half: Values
+
+    def drawn(self, rng: np.random.Generator, count: int) -> dict[str, Reals]:
+        """Random states, each number evenly distributed."""
+        return self._inputs({name: x + self.half[name] * rng.uniform(-1, 1, (count, *x.shape))
+                             for name, x in self.centre.items()})
+
+    def near(self, rng: np.random.Generator, values: Values, scale: float, count: int
+             ) -> dict[str, Reals]:
+        """`count` states near each of these, inside the box."""
+        found = {}
+        for name, middle in self.centre.items():
+            around, half = np.repeat(values[name], count, axis=0), self.half[name]
+            moved = around + scale * half * rng.normal(size=around.shape)
+            found[name] = np.clip(moved, middle - half, middle + half)
+        return self._inputs(found)
+
+    def of_run(self, trajectory: Trajectory, count: int) -> dict[str, Reals]:
+        """States of the run at equal distances; torques are random, accelerations what they
+        cause."""
+        chosen = np.linspace(0, len(trajectory.t) - 1, count).astype(int)
+        found = self.drawn(np.random.default_rng(3), count)
+        found |= {name: getattr(trajectory, name)[chosen] for name in ("t", "q", "v")}
+        found = self._inputs(found)
+        return self._inputs({**found, "a": self.system.call("forward_dynamics", **found)})
+
+    def _inputs(self, values: Values) -> dict[str, Reals]:
+        """The nearest states of single precision, with quaternions of norm 1, and the inputs that
+        belong to them: parameters, a step, the motion in it, the momenta of floating trees."""
+        its, count = self.system, len(values["t"])
+        found = {**values, "q": its.normalized(values["q"]), "h": np.full(count, self.step),
+                 "p": np.tile(np.array(its.p, float), (count, 1))}
+        found = {name: _single(x) for name, x in found.items()}
+        found["phi"] = _single(found["h"][:, None] * found["v"])
+        if its.has("free_momentum"):
+            found["c"] = _single(its.call("free_momentum", **found))
+        return found
+
+
+def _single(x: Reals) -> Reals:
+    return x.astype(np.float32).astype(float)
+
+
+def box_of(system: System, until: float, step: float) -> Box:
+    """The limits of the scene's joints."""
+    joints = {joint.name: joint for joint in system.scene.model.joints}
+    q, half_q = np.zeros(system.functions.nq), np.ones(system.functions.nq)
+    half_v, effort = np.ones(system.functions.nv), np.full(system.functions.nv, np.nan)
+    for c in system.functions.coordinates:
+        joint = joints[c.joint]
+        half_v[c.v] = float(joint.velocity or (np.pi if joint.kind is Kind.REVOLUTE else 1))
+        effort[c.v] = float(joint.effort) if joint.effort else np.nan
+        if joint.kind in (Kind.REVOLUTE, Kind.PRISMATIC):
+            lower, upper = positions(joint)
+            q[c.q], half_q[c.q] = (lower + upper) / 2, (upper - lower) / 2
+    half = {"t": np.array(until / 2), "q": half_q, "v": half_v, "a": half_v / _REACHED_IN,
+            "tau": effort}
+    centre = {"t": np.array(until / 2), "q": q, **{name: np.zeros_like(half_v)
+                                                   for name in ("v", "a", "tau")}}
+    some = Box(system, step, centre, {**half, "tau": np.zeros_like(half_v)}).drawn(
+        np.random.default_rng(0), 64)
+    needed = np.abs(system.call("inverse_dynamics", **some)).max(axis=0, initial=0)
+    return Box(system, step, centre, {**half, "tau": np.where(np.isnan(effort), needed, effort)})
+
+
+def searched(box: Box, score: Callable[[Values], Reals], count: int, batch: int = BATCH
+             ) -> dict[str, Reals]:
+    """The states of the largest scores found by climbing from the best of many."""
+    rng = np.random.default_rng(1)
+    best = box.drawn(rng, batch)
+    for number in range(_ROUNDS):
+        best = _top(best, score(best), _KEPT)
+        near = box.near(rng, best, 0.3 * _NARROWER**number, batch // _KEPT)
+        best = joined((best, near))
+    return _top(best, score(best), count)
+
+
+def _top(values: Values, scores: Reals, count: int) -> dict[str, Reals]:
+    order = np.argsort(np.where(np.isfinite(scores), scores, -1))[::-1][:count]
+    return {name: x[order] for name, x in values.items()}

@@ -1,0 +1,1 @@
+"""A scene's costs as figures, tables and a page."""

@@ -1,0 +1,157 @@
+"""A scene's costs as a figure: errors of functions and of runs against time; time of forward
+dynamics by effect."""
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
+from pathlib import Path
+
+from markupsafe import Markup
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from coscrew_codegen.backends.html import plots
+from coscrew_codegen.program.values.formats import PRECISIONS
+from coscrew_codegen.reports.cost.cost_measurement import Costs
+from coscrew_codegen.reports.cost.figures import run_panel
+from coscrew_codegen.reports.cost.figures.panels import legend, panel, titles
+from coscrew_codegen.reports.cost.function_errors import units_with_errors
+from coscrew_codegen.reports.cost.work_precision import Point
+from coscrew_codegen.reports.timing.intervals import Interval
+from coscrew_codegen.simulation.recordings.recording_writer import delivered
+from coscrew_codegen.simulation.result_units import written
+
+_MARKERS = "osD^v"
+_SHOWN = "forward_dynamics"
+_ABREAST = 4  # panels in a row
+
+
+def plot(costs: Costs, path: Path) -> None:
+    """Draw the costs to an SVG or PNG.  Raises SimulateError."""
+    with delivered(path) as temporary:
+        plots.write(figure(costs), temporary)
+
+
+def functions(costs: Costs) -> Iterator[Markup]:
+    """A figure for each function and unit in which any choice has an error."""
+    for rows in costs.accuracy:
+        for number in units_with_errors(rows):
+            label = (f"Error of {rows[0].function} against time, "
+                     f"{written(rows[0].errors[number].unit)}")
+            yield _alone(label, partial(panel, rows=rows, number=number),
+                         dict(titles(rows, number)))
+
+
+def runs(costs: Costs) -> Iterator[Markup]:
+    """Figures of effects and of runs, if they were measured."""
+    if costs.runs:
+        yield _alone("Time of forward dynamics by effect", partial(_bars, costs=costs))
+        yield _alone("Error at the end of runs against time", partial(_accuracy, costs=costs))
+    if errors := costs.run_errors:
+        names = [f"{x.cause}: {x.of}" for x in errors.rows]
+        yield _alone("Errors of the run over time", partial(run_panel.panel, found=errors),
+                     dict(zip(names, names, strict=True)))
+
+
+@plots.styled
+def _alone(label: str, draw: Callable[[Axes], None], titles: Mapping[str, str] | None = None
+           ) -> Markup:
+    drawn = Figure(figsize=plots.PANEL, layout="constrained")
+    draw(axes := drawn.subplots())
+    if legend := axes.get_legend():  # below, where a phone has room
+        axes.legend(loc="upper left", bbox_to_anchor=(-0.1, -0.16), ncols=2, fontsize=8,
+                    title=legend.get_title().get_text(), alignment="left")
+        drawn.set_figheight(plots.PANEL[1] + 0.08 * len(legend.get_texts()))
+    plots.place_labels(drawn)
+    return plots.inline(drawn, label, titles)
+
+
+@plots.styled
+def figure(costs: Costs) -> Figure:
+    """Functions, _ABREAST in a row; below them effects and runs, if they were measured; below these
+    the errors of the run."""
+    lines = [costs.accuracy[n:n + _ABREAST] for n in range(0, len(costs.accuracy), _ABREAST)]
+    below = costs.runs + (costs.run_errors is not None)
+    widest, rows = max([len(x) for x in lines] + [3 * costs.runs]), len(lines) + below
+    figure = Figure(figsize=(4.2 * widest, 4.2 * rows + 0.4), layout="constrained")
+    parts = figure.subfigures(rows, 1, squeeze=False)[:, 0]
+    for part, some in zip(parts, lines, strict=False):
+        for axes, x in zip(part.subplots(1, len(some), squeeze=False)[0], some, strict=True):
+            panel(axes, x)
+    if lines:
+        legend(parts[0], [x for rows in costs.accuracy for x in rows])
+    if costs.runs:
+        left, right = parts[len(lines)].subplots(1, 2, width_ratios=(2, 3))
+        _bars(left, costs)
+        _accuracy(right, costs)
+    if costs.run_errors:
+        run_panel.panel(parts[-1].subplots(), costs.run_errors)
+    plots.place_labels(figure)
+    return figure
+
+
+def _bars(axes: Axes, costs: Costs) -> None:
+    rows = [x for x in costs.rows if x.function == _SHOWN]
+    for i, precision in enumerate(PRECISIONS):
+        bars = axes.barh([n + 0.4 * i for n in range(len(rows))],
+                         [x.times[i].median for x in rows], 0.38, color=precision.colour,
+                         label=precision.name, xerr=_whiskers([x.times[i] for x in rows]),
+                         error_kw={"linewidth": 1})
+        for bar, row in zip(bars, rows, strict=True):
+            bar.set_gid(f"{row.part}-{precision.name}-ns")
+    for n, x in enumerate(rows):
+        axes.annotate(f"{x.flops} flops", (0, n), (4, 0), textcoords="offset points",
+                      va="center", fontsize=7, color="white")
+    axes.set_yticks([n + 0.2 for n in range(len(rows))], [x.part for x in rows])
+    axes.invert_yaxis()
+    axes.set_xlabel("ns per call in C")
+    axes.set_title("forward dynamics, effect by effect")
+    axes.legend(loc="lower right", bbox_to_anchor=(1, 1), ncols=len(PRECISIONS))
+
+
+def _whiskers(times: Sequence[Interval]) -> list[list[float]]:
+    """The distances of the intervals' ends below and above their medians."""
+    return [[x.median - x.low for x in times], [x.high - x.median for x in times]]
+
+
+def _accuracy(axes: Axes, costs: Costs) -> None:
+    axes.set_title("error at the end against time")
+    names = list(dict.fromkeys(x.integrator for x in costs.points))
+    for i, name in enumerate(names):
+        for precision in PRECISIONS:
+            found = sorted((x for x in costs.points
+                            if (x.integrator, x.precision) == (name, precision.name)
+                            and 0 < x.error < math.inf), key=lambda x: (x.time.median, x.error))
+            if found:
+                _curve(axes, found, costs, precision.dash, _MARKERS[i % len(_MARKERS)], f"C{i}")
+    if not axes.lines:
+        axes.text(0.5, 0.5, "no reference", transform=axes.transAxes, ha="center")
+        return
+    if costs.reference and costs.reference.error > 0:
+        axes.axhline(costs.reference.error, color=plots.QUIET, linewidth=1, linestyle=":",
+                     label=f"the reference's own, {costs.reference.error:.1g}", gid="reference")
+    plots.logarithmic(axes.xaxis)
+    plots.logarithmic(axes.yaxis)
+    axes.set(xlabel="time of the run, µs (SciPy's in Python)",
+             ylabel="largest error of a coordinate, m or rad")
+    axes.legend(fontsize=7, loc="upper left", bbox_to_anchor=(1, 1),
+                title="hollow: no worse than the reference", title_fontsize=7)
+
+
+def _curve(axes: Axes, points: Sequence[Point], costs: Costs, dash: str, marker: str,
+           colour: str) -> None:
+    """An integrator's runs in one precision; hollow if the error is below the reference's."""
+    first = points[0]
+    name = f"{first.integrator} {first.precision}"
+    where = [(1e6 * x.time.median, x.error) for x in points]
+    for x in points:
+        axes.plot([1e6 * x.time.low, 1e6 * x.time.high], [x.error] * 2, color=colour, linewidth=2,
+                  label="_", gid=f"{name} interval")
+    axes.plot(*zip(*where, strict=True), dash, color=colour, linewidth=1, label="_", gid=name)
+    for hollow in (False, True):
+        chosen = [at for at, x in zip(where, points, strict=True) if costs.known(x) != hollow]
+        axes.plot(*zip(*chosen, strict=True) if chosen else ((), ()), marker, linestyle="",
+                  color=colour, markersize=4, markerfacecolor="white" if hollow else colour,
+                  label="_", gid=f"{name} hollow" if hollow else f"{name} runs")
+    axes.plot((), (), dash + marker, color=colour, markersize=4, linewidth=1,
+              label=f"{first.integrator}, {first.precision}")

@@ -1,0 +1,34 @@
+"""A scene's costs as a self-contained page: plots, what they recommend, tables."""
+
+from pathlib import Path
+
+from coscrew_codegen.accuracy.tiers import OF_SCENES
+from coscrew_codegen.backends import version
+from coscrew_codegen.backends.html import pages
+from coscrew_codegen.reports.cost.cost_measurement import Costs
+from coscrew_codegen.reports.cost.figures import cost_figure
+from coscrew_codegen.reports.cost.figures.cost_tables import about, accuracies, others
+from coscrew_codegen.reports.cost.recommendations import sentences
+from coscrew_codegen.reports.processor import processor, system
+from coscrew_codegen.simulation.recordings.recording_writer import delivered
+
+
+def write(costs: Costs, path: Path, command: str) -> None:
+    """Write the page.  Raises SimulateError."""
+    text = page(costs, command)
+    with delivered(path) as temporary:
+        temporary.write_text(text, encoding="utf-8")
+
+
+def page(costs: Costs, command: str) -> str:
+    """The text of the page."""
+    measured = {x.tier for rows in costs.accuracy for x in rows}
+    return pages.page(
+        "cost/page.html", scene=costs.scene, about=tuple(about(costs)),
+        tiers=[tier for tier in OF_SCENES if tier.name in measured],
+        functions=list(cost_figure.functions(costs)), runs=list(cost_figure.runs(costs)),
+        advice=[sentences(rows) for rows in costs.accuracy],
+        accuracies=[x for rows in costs.accuracy for x in accuracies(rows)],
+        others=tuple(others(costs)), source=(
+            ("command", command), ("machine", f"{processor()}, {system()}"),
+            ("software", f"coscrew {version.described()}"), ("compiler", costs.compiler)))

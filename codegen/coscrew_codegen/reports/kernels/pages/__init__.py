@@ -1,0 +1,1 @@
+"""A report of kernels as a page, Markdown and figures."""

@@ -1,0 +1,134 @@
+"""Figures of a report as SVG, the same bytes for the same report: the headline, and per operation
+time against error and error against condition."""
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
+from math import isfinite, nan
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from coscrew_codegen.accuracy.tiers import TIERS
+from coscrew_codegen.backends.html.plots import (
+    Mark,
+    logarithmic,
+    place_labels,
+    scatter,
+    styled,
+    svg,
+)
+from coscrew_codegen.program.values.formats import BY_NAME
+from coscrew_codegen.reports.kernels.pages.overview import (
+    PRECISIONS,
+    entry_name,
+    first_layout,
+    headline_operations,
+    tiers_of,
+    time_of,
+)
+from coscrew_codegen.reports.kernels.report_json import ProvenBound, Report, ReportEntry
+
+_COLOURS = {tier.name: tier.colours[0] for tier in TIERS}
+
+
+@styled
+def figures(report: Report, operations: tuple[str, ...]) -> dict[str, str]:
+    """The SVG texts by file name."""
+    layout = first_layout(report)
+    drawn = {"headline.svg": _headline(report, layout)}
+    for name in operations:
+        entries = [entry for entry in report.entries if entry.operation == name]
+        drawn[f"pareto-{name}.svg"] = _pareto(name, entries, layout)
+        if any(map(_finite_pairs, entries)):
+            drawn[f"condition-{name}.svg"] = _condition(name, entries)
+    return {name: svg(figure) for name, figure in drawn.items()}
+
+
+def _headline(report: Report, layout: str) -> Figure:
+    """Accuracy against time: one panel per precision, one line per operation."""
+    operations = headline_operations(report)
+    figure = Figure(figsize=(9, 4), layout="constrained")
+    for axes, precision in zip(figure.subplots(1, 2, sharey=True), PRECISIONS, strict=True):
+        axes.set_title(f"{precision} precision")
+        _tiers(axes, [[e for e in report.entries if (e.operation, e.precision) == (name, precision)]
+                      for name in operations], layout, lambda entry: entry.operation)
+    figure.axes[1].set_ylabel("")
+    place_labels(figure)
+    return figure
+
+
+def _pareto(operation: str, entries: list[ReportEntry], layout: str) -> Figure:
+    """Time against the worst error of one operation; hollow marks are dominated."""
+    figure = Figure(figsize=(6, 4), layout="constrained")
+    axes = figure.subplots()
+    axes.set_title(operation)
+    _tiers(axes, [[e for e in entries if e.precision == precision] for precision in PRECISIONS],
+           layout, lambda entry: entry.precision)
+    place_labels(figure)
+    return figure
+
+
+def _tiers(axes: Axes, lines: Sequence[list[ReportEntry]], layout: str,
+           name: Callable[[ReportEntry], str]
+           ) -> None:
+    """One mark per tier at (ns, worst error); those not dominated are joined, and the fastest of
+    these is named."""
+    marks: list[Mark] = []
+    for entries in lines:
+        its = [x for x in (_mark(entry, layout) for entry in entries) if x]
+        best = sorted((x for x in its if not x.hollow), key=lambda x: x.x)
+        axes.plot([x.x for x in best], [x.y for x in best], ":", color="#9aa2b1", zorder=1)
+        marks += [replace(x, label=name(entries[0])) if best and x is best[0] else x for x in its]
+    scatter(axes, marks)
+    entries = [entry for line in lines for entry in line]
+    axes.set_xlabel(f"ns per element: {layout}")
+    axes.set_ylabel(f"worst error, hard inputs ({_measures(entries)})")
+    for tier in tiers_of(entries):
+        axes.plot([], [], "o", color=tier.colours[0], label=tier.name)
+    if entries:
+        axes.legend()
+
+
+def _mark(entry: ReportEntry, layout: str) -> Mark | None:
+    time, errors = time_of(entry, layout), entry.hard or entry.benign
+    if not time:
+        return None
+    return Mark(entry_name(entry), time.ns, time.low, time.high, errors.worst if errors else nan,
+                _COLOURS[entry.tier], BY_NAME[entry.precision].marker, time.dominated)
+
+
+def _condition(operation: str, entries: list[ReportEntry]) -> Figure:
+    """Errors against condition, and the proven bounds 1 + (c1 + c2 u) S/|x| as lines."""
+    figure = Figure(figsize=(6, 4), layout="constrained")
+    axes = figure.subplots()
+    axes.set_title(f"{operation}: errors, and proven bounds as lines")
+    for entry in entries:
+        if pairs := _finite_pairs(entry):
+            axes.plot(*zip(*pairs, strict=True), BY_NAME[entry.precision].marker, markersize=3,
+                      color=_COLOURS[entry.tier], alpha=0.5, markeredgewidth=0,
+                      label=f"{entry.precision} {entry.tier}")
+            if entry.bound:
+                _bound_line(axes, entry, entry.bound, [x for x, _ in pairs])
+    axes.set(xlabel="condition S/|x|", ylabel=f"error ({_measures(entries)})")
+    logarithmic(axes.xaxis)
+    axes.set_yscale("symlog", linthresh=0.1)  # ulp: linear below, so that it has a zero
+    axes.set_ylim(0)
+    axes.legend()
+    return figure
+
+
+def _finite_pairs(entry: ReportEntry) -> list[tuple[float, float]]:
+    return [pair for pair in entry.condition if all(map(isfinite, pair))]
+
+
+def _bound_line(axes: Axes, entry: ReportEntry, bound: ProvenBound,
+                conditions: list[float]) -> None:
+    """In ulp, as in u |x|: |err| <= u |x̂| + (c1 u + c2 u²) S and 1 ulp >= u |x|."""
+    precision, steps = BY_NAME[entry.precision], np.geomspace(min(conditions), max(conditions), 61)
+    axes.plot(steps, bound.rounded + (bound.c1 + bound.c2 * float(precision.u)) * steps,
+              precision.dash, color=_COLOURS[entry.tier], linewidth=1.2)
+
+
+def _measures(entries: Iterable[ReportEntry]) -> str:
+    return " or ".join(dict.fromkeys(entry.measure for entry in entries))

@@ -1,0 +1,1 @@
+"""Times of loops, and medians with their confidence intervals."""

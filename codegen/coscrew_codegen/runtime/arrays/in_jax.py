@@ -1,0 +1,183 @@
+"""Functions of arrays as primitives of JAX, with derivatives, batching and transposition.
+
+`value` is a function f; `linear` is its derivative along directions, linear in these: the value of
+f's tangent Program.  The transposed of `linear` is the value of f's adjoint Program.  Since these
+are functions, too, derivatives of any order follow.  Operands are rows (states, numbers), or one
+row that all states share.
+"""
+
+from collections.abc import Sequence
+from functools import cache, partial
+from itertools import count
+from math import prod
+from typing import Any
+
+import jax
+import jax.numpy as jnp
+from jax.extend.core import Primitive
+from jax.interpreters import ad, batching, mlir
+from jax.sharding import NamedSharding, get_abstract_mesh, reshard
+from jax.sharding import PartitionSpec as P
+
+from coscrew_codegen.program.values.formats import Precision
+from coscrew_codegen.runtime.arrays.array_function import ArrayFunction
+from coscrew_codegen.runtime.arrays.compiled import handler
+from coscrew_codegen.runtime.arrays.standard import ArrayLibrary, Shape
+
+LIBRARY = ArrayLibrary(jnp)
+_NUMBERS = count()
+"""Of handlers: scenes may share names."""
+
+value, linear = Primitive("coscrew_value"), Primitive("coscrew_linear")
+
+
+def call(function: ArrayFunction, lead: Shape, arrays: Sequence[Any], precision: Precision
+         ) -> list[Any]:
+    """The results for arrays that are checked."""
+    return list(_jitted(function, lead)(*arrays))
+
+
+@cache
+def _jitted(function: ArrayFunction, lead: Shape) -> Any:
+    states = prod(lead)
+
+    def rows(x: Any, shape: Shape) -> Any:
+        x = _replicated(x)
+        own = x.shape[:x.ndim - len(shape)]
+        if prod(own) != 1:
+            x, own = jnp.broadcast_to(x, (*lead, *shape)), lead
+        return x.reshape(prod(own), prod(shape))
+
+    def computed(*arrays: Any) -> list[Any]:
+        given = [rows(x, shape) for x, (_, shape) in zip(arrays, function.inputs, strict=True)]
+        found = _bound(value, *given, function=function, states=states)
+        return [y.reshape(*lead, *shape) for y, shape in zip(found, function.shapes, strict=True)]
+
+    return jax.jit(computed)
+
+
+def _evaluated(primitive: Primitive, *rows: Any, function: ArrayFunction, states: int) -> Any:
+    with jax.disable_jit(False):  # else it would evaluate itself
+        return _of_rows(primitive, function, states)(*rows)
+
+
+@cache
+def _of_rows(primitive: Primitive, function: ArrayFunction, states: int) -> Any:
+    return jax.jit(partial(primitive.bind, function=function, states=states))
+
+
+def _replicated(x: Any) -> Any:
+    """An array that each device has whole, where types say how arrays are divided."""
+    divided = jax.typeof(x).sharding
+    return reshard(x, NamedSharding(divided.mesh, P())) if any(divided.spec) else x
+
+
+def _bound(primitive: Primitive, *rows: Any, function: ArrayFunction, states: int) -> Any:
+    """The primitive of rows that all vary over the same axes of a mesh.  Under shard_map one that
+    all devices share is made to vary as the others do, as by JAX's own functions: the transposed of
+    that sums over devices."""
+    varying = [jax.typeof(x).manual_axis_type.varying for x in rows]
+    axes = frozenset().union(*varying)
+    alike = [jax.lax.pcast(x, tuple(sorted(axes - own)), to="varying")
+             for x, own in zip(rows, varying, strict=True)]
+    return primitive.bind(*alike, function=function, states=states)
+
+
+def _shapes(*rows: Any, function: ArrayFunction, states: int) -> list[Any]:
+    """Results vary over the axes of a mesh that rows vary over; else each device has them whole."""
+    mesh = next((x.sharding.mesh for x in rows if not x.sharding.mesh.empty), get_abstract_mesh())
+    return [jax.core.ShapedArray((states, n), rows[0].dtype, sharding=NamedSharding(mesh, P()),
+                                 manual_axis_type=rows[0].manual_axis_type)
+            for n in function.sizes]
+
+
+def _batched(primitive: Primitive, rows: Sequence[Any], axes: Sequence[int | None], *,
+             function: ArrayFunction, states: int) -> tuple[list[Any], list[int]]:
+    members = next(x.shape[axis] for x, axis in zip(rows, axes, strict=True) if axis is not None)
+    found = _bound(primitive, *(_flat(x, axis, members, states) for x, axis in zip(
+        rows, axes, strict=True)), function=function, states=members * states)
+    return [y.reshape(members, states, y.shape[-1]) for y in found], [0] * len(found)
+
+
+def _flat(x: Any, axis: int | None, members: int, states: int) -> Any:
+    """Rows of all members' states; one row that all share stays one."""
+    if axis is None and x.shape[0] == 1:
+        return x
+    x = _replicated(x)
+    x = x[None] if axis is None else jnp.moveaxis(x, axis, 0)
+    return jnp.broadcast_to(x, (members, states, x.shape[-1])).reshape(members * states,
+                                                                       x.shape[-1])
+
+
+def _value_jvp(primals: Sequence[Any], tangents: Sequence[Any], **of: Any) -> tuple[Any, Any]:
+    directions = map(ad.instantiate_zeros, tangents)
+    return _bound(value, *primals, **of), _bound(linear, *primals, *directions, **of)
+
+
+def _linear_jvp(primals: Sequence[Any], tangents: Sequence[Any], *, function: ArrayFunction,
+                states: int) -> tuple[Any, Any]:
+    directions = map(ad.instantiate_zeros, tangents)
+    return (_bound(linear, *primals, function=function, states=states),
+            _bound(linear, *primals, *directions, function=function.tangent, states=states))
+
+
+def _transposed(weights: Sequence[Any], *rows: Any, function: ArrayFunction, states: int
+                ) -> list[Any]:
+    at, directions = rows[:len(rows) // 2], rows[len(rows) // 2:]
+    found = _bound(value, *at, *map(ad.instantiate_zeros, weights), function=function.adjoint,
+                   states=states)
+    return [*[None] * len(at), *(
+        _shared(x, d.aval.shape[0]) if ad.is_undefined_primal(d) else None
+        for x, d in zip(found, directions, strict=True))]
+
+
+def _shared(x: Any, rows: int) -> Any:
+    """The sum over states, for a row that all share."""
+    return x.sum(axis=0, keepdims=True) if rows == 1 != x.shape[0] else x
+
+
+def _printed(*rows: Any, function: ArrayFunction, states: int) -> list[Any]:
+    precision = LIBRARY.precision(rows[0].dtype)
+    assert precision
+    arrays = [x.reshape(x.shape[0], *shape) for x, (_, shape) in zip(
+        rows, function.inputs, strict=True)]
+    found = function.printed(LIBRARY, precision)(*arrays, lead=(states,))
+    return [y.reshape(states, n) for y, n in zip(found, function.sizes, strict=True)]
+
+
+def _lowered(context: Any, *rows: Any, function: ArrayFunction, states: int) -> Any:
+    """A call of C where that can be had, else the function by calls of JAX."""
+    precision = LIBRARY.precision(context.avals_in[0].dtype)
+    assert precision
+    if function.compile and (name := _registered(function, precision)):
+        return jax.ffi.ffi_lowering(name)(context, *rows)
+    return mlir.lower_fun(_printed, multiple_results=True)(
+        context, *rows, function=function, states=states)
+
+
+@cache
+def _registered(function: ArrayFunction, precision: Precision) -> str:
+    """The name by which XLA knows the function in C; empty where nothing compiles."""
+    found = handler(function, precision, jax.ffi.include_dir())
+    name = f"{function.name}_{precision.name}_{next(_NUMBERS)}"
+    if found:
+        jax.ffi.register_ffi_target(name, jax.ffi.pycapsule(found), platform="cpu")
+    return name if found else ""
+
+
+def _along(rule: Any) -> Any:
+    """The rule of `linear` from that of `value`."""
+    return lambda *rows, function, **of: rule(*rows, function=function.tangent, **of)
+
+
+for primitive, jvp, shapes in ((value, _value_jvp, _shapes), (linear, _linear_jvp, None)):
+    primitive.multiple_results = True
+    primitive.def_impl(partial(_evaluated, primitive))
+    primitive.def_abstract_eval(shapes or _along(_shapes))
+    batching.primitive_batchers[primitive] = partial(_batched, primitive)
+    ad.primitive_jvps[primitive] = jvp
+ad.primitive_transposes[linear] = _transposed
+mlir.register_lowering(value, mlir.lower_fun(_printed, multiple_results=True))
+mlir.register_lowering(linear, mlir.lower_fun(_along(_printed), multiple_results=True))
+mlir.register_lowering(value, _lowered, platform="cpu")
+mlir.register_lowering(linear, _along(_lowered), platform="cpu")

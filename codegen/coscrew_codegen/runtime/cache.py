@@ -1,0 +1,166 @@
+"""The cache of derived and compiled files, by content, in $XDG_CACHE_HOME/coscrew.
+
+An entry's name is its key, a hash of everything that it was made from, and the hash of its content,
+so that damaged entries are recognized and made again.  Entries are written under another name and
+then renamed, so that concurrent processes see complete entries.  When all together exceed the
+limit, $COSCREW_CACHE_LIMIT, the least recently used entries are removed.
+"""
+
+import functools
+import hashlib
+import os
+import re
+import shutil
+import tempfile
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass
+from pathlib import Path
+
+from coscrew_codegen.program.reported_error import ReportedError
+
+LIMIT = "COSCREW_CACHE_LIMIT"
+"""The environment variable with the limit: 200 MB, 2 GB, 0."""
+DEFAULT_LIMIT = "1 GB"
+_UNITS = {"": 1, "B": 1, "KB": 10**3, "MB": 10**6, "GB": 10**9}
+_SIZE = re.compile(r"([0-9]+(?:\.[0-9]+)?) *([KMG]?B)?", re.I)
+_ABANDONED = 86400.0  # s after which files that another process is writing count as abandoned
+
+
+class CacheError(ReportedError, ValueError):
+    """The limit is not a size."""
+
+
+@dataclass(frozen=True)
+class CacheEntry:
+    """A file or folder of the cache."""
+
+    path: Path
+    size: int  # bytes
+    used: float  # time of the last use, in s since 1970
+
+
+def folder() -> Path:
+    """$XDG_CACHE_HOME/coscrew or ~/.cache/coscrew; if it cannot be written to, a folder of this
+    process."""
+    return wanted_folder() if lasts() else _own_folder()
+
+
+def lasts() -> bool:
+    """Whether entries are kept for later processes: the folder can be written to."""
+    place = wanted_folder()
+    try:
+        place.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=place):
+            return True
+    except OSError:
+        return False
+
+
+def wanted_folder() -> Path:
+    """The folder of the cache, whether or not it can be written to."""
+    base = os.environ.get("XDG_CACHE_HOME") or os.path.join(os.path.expanduser("~"), ".cache")
+    return Path(base) / "coscrew"
+
+
+@functools.cache
+def _own_folder() -> Path:
+    return Path(tempfile.mkdtemp(prefix="coscrew-"))
+
+
+def limit() -> int:
+    """The largest number of bytes for all entries together.  Raises CacheError."""
+    text = os.environ.get(LIMIT, "").strip() or DEFAULT_LIMIT
+    found = _SIZE.fullmatch(text)
+    if not found:
+        raise CacheError(f"{LIMIT}={text!r}: wanted a size, such as 200 MB, 2 GB or 0")
+    return int(float(found[1]) * _UNITS[(found[2] or "").upper()])
+
+
+def key_of(*parts: str) -> str:
+    """The key for these parts: their hash."""
+    return hashlib.sha256("\0".join(parts).encode()).hexdigest()[:32]
+
+
+def hashed(content: bytes) -> str:
+    """The hash of an entry's content, in its name."""
+    return hashlib.sha256(content).hexdigest()[:16]
+
+
+def found(key: str, suffix: str) -> Path | None:
+    """The entry of this key, marked as used now; None if there is none or it is damaged."""
+    for path in sorted(folder().glob(f"{key}-*{suffix}")):
+        with suppress(OSError):
+            if hashed(path.read_bytes()) == path.name.removesuffix(suffix).rpartition("-")[2]:
+                os.utime(path)
+                return path
+        _removed(path)
+    return None
+
+
+def keep(made: Path, key: str, suffix: str) -> Path:
+    """Make a file, made in a folder of `building`, an entry; removes others if the cache is full.
+    """
+    most = limit()
+    path = folder() / f"{key}-{hashed(made.read_bytes())}{suffix}"
+    os.replace(made, path)
+    evict(most, path)
+    return path
+
+
+@contextmanager
+def building() -> Iterator[Path]:
+    """A temporary folder next to the entries, to make one in."""
+    limit()  # raises CacheError before anything is made
+    with tempfile.TemporaryDirectory(prefix=".building-", dir=folder()) as name:
+        yield Path(name)
+
+
+def write(key: str, suffix: str, content: bytes) -> None:
+    """Store this content as an entry."""
+    with building() as work:
+        (work / "content").write_bytes(content)
+        keep(work / "content", key, suffix)
+
+
+def entries() -> list[CacheEntry]:
+    """All entries, the least recently used first; also abandoned unfinished files."""
+    entries = []
+    place = wanted_folder()
+    for path in place.iterdir() if place.is_dir() else ():
+        with suppress(OSError):
+            used = path.stat().st_mtime
+            if not path.name.startswith(".") or time.time() - used > _ABANDONED:
+                entries.append(CacheEntry(path, _size(path), used))
+    return sorted(entries, key=lambda x: (x.used, x.path.name))
+
+
+def evict(most: int, kept: Path | None = None) -> list[CacheEntry]:
+    """Remove the least recently used entries, except `kept`, until the rest takes at most `most`
+    bytes; returns the removed ones.  Entries that cannot be removed stay."""
+    all_of_them = entries()
+    total, gone = sum(x.size for x in all_of_them), []
+    for entry in all_of_them:
+        if total <= most:
+            break
+        if entry.path != kept and _removed(entry.path):
+            total -= entry.size
+            gone.append(entry)
+    return gone
+
+
+def _removed(path: Path) -> bool:
+    """Whether nothing is left of the path."""
+    if path.is_dir():
+        shutil.rmtree(path, ignore_errors=True)
+    else:
+        with suppress(OSError):
+            path.unlink()
+    return not path.exists()
+
+
+def _size(path: Path) -> int:
+    if path.is_dir():
+        return sum(x.stat().st_size for x in path.rglob("*") if x.is_file())
+    return path.stat().st_size

@@ -1,0 +1,278 @@
+"""Compiled functions as Python callables on arrays, which broadcast over leading axes."""
+
+import ctypes
+import functools
+import sys
+from collections.abc import Callable, Iterator, Mapping
+from types import MethodType, ModuleType
+from typing import TYPE_CHECKING, Generic, Protocol, TypeAlias, TypeVar
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from coscrew_codegen.accuracy.tiers import tier_named
+from coscrew_codegen.backends.bound_arguments import bound
+from coscrew_codegen.backends.scene.scene_text import c_name, many, signs
+from coscrew_codegen.program.scene_functions import SceneInterface, Signature
+from coscrew_codegen.program.values.formats import Precision
+from coscrew_codegen.runtime import sources, step_calls, strided_calls
+from coscrew_codegen.scene.function_selection import dividing, names
+from coscrew_codegen.scene.integrators import EMITTED
+from coscrew_codegen.scene.mechanism.inertia_checks import why_singular
+from coscrew_codegen.scene.names import or_mean
+
+if TYPE_CHECKING:
+    import inspect
+
+    from coscrew._functions import NamedFunctions
+    from coscrew_codegen.runtime.load import Kernels
+else:
+    NamedFunctions = Generic
+
+_PLAIN = frozenset((float, np.float64, np.float32, np.int64, np.int32))
+"""Types of t and h that are passed to C without a check."""
+_OF_STEPS = frozenset(("repeated", "driven"))
+"""Methods of steps that are compiled."""
+
+Real = TypeVar("Real", bound=np.floating, covariant=True)
+Made: TypeAlias = Callable[..., object]
+"""A function made at run time, whose parameters its Signature gives."""
+
+
+class Function(Protocol[Real]):
+    """A function of a scene with one result; its docstring names the arguments."""
+
+    def __call__(self, *arguments: ArrayLike,
+                 out: np.ndarray | tuple[np.ndarray | None] | None = ...,
+                 threads: int = ..., **named: ArrayLike) -> NDArray[Real]:
+        """The result, written to `out` if that is given; `threads` share the states of leading
+        axes."""
+
+
+class Step(Protocol[Real]):
+    """A step of an integrator."""
+
+    def __call__(self, *arguments: ArrayLike,
+                 out: tuple[np.ndarray | None, np.ndarray | None] | None = ...,
+                 threads: int = ..., **named: ArrayLike) -> tuple[NDArray[Real], NDArray[Real]]:
+        """q and v after the step, written to `out` if that is given; `threads` share the states of
+        leading axes."""
+
+
+class Functions(NamedFunctions[Real]):
+    """The functions of one precision as attributes."""
+
+    def __init__(self, scene: str, precision: Precision, tier: str = ""):
+        self._about = f"{scene} in {precision.name} precision{tier and f', {tier} tier'}"
+        self._precision, self._tier = precision.name, tier
+        self._kernels: Kernels | None = None  # that they belong to, for pickle
+
+    def __dir__(self) -> list[str]:
+        return [name for name in self.__dict__ if not name.startswith("_")]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(dir(self))
+
+    def __getattr__(self, name: str) -> Function[Real]:
+        if not dir(self):
+            has = [p.name for p in tier_named(self._tier).precisions] if self._tier else []
+            why = "the scene is of double precision alone, as it says"
+            if has and self._precision not in has:
+                why = f"the {self._tier} tier is of {has[0]} precision"
+            raise AttributeError(f"{self._about} is not there: {why}", name=name, obj=self)
+        scene = self._kernels.scene if self._kernels else None
+        possible = names(scene) if scene else ()
+        hint = or_mean(name, (*dir(self), *possible))
+        if self._tier and name in {y for x in EMITTED for y in (x.step_name, x.step_with_tau)}:
+            hint = "; steps have no tier, since their error is not that of rounding"
+            possible = ()
+        if name in possible:
+            hint = f"; it was not selected: functions=[\"default\", {name!r}]"
+        elif scene and name in dividing(scene) and (problem := why_singular(scene)):
+            hint = f": {problem}"
+        raise AttributeError(f"{self._about} has no function {name!r}{hint}", name=name, obj=self)
+
+    def __repr__(self) -> str:
+        return f"<{self._about}: {', '.join(dir(self))}>"
+
+    def __reduce__(self) -> tuple[Made, tuple[object, str]]:
+        return getattr, (self._kernels, self._precision)
+
+    def __copy__(self) -> "Functions[Real]":
+        return self
+
+    def __deepcopy__(self, memo: dict[int, object]) -> "Functions[Real]":
+        return self
+
+
+class _Callable:
+    """A function of a scene, as an object whose __reduce__ pickle and cloudpickle use."""
+
+    def __init__(self, of: Functions[np.floating], function: Made):
+        self.__dict__.update(vars(function))
+        self.__name__ = self.__qualname__ = function.__name__
+        self._of, self._checked = of, MethodType(function, self)
+        for name in _OF_STEPS & vars(function).keys():
+            setattr(self, name, MethodType(vars(function)[name], self))
+
+    @property
+    def __signature__(self) -> "inspect.Signature":
+        import inspect
+
+        return inspect.signature(self._checked)
+
+    def __reduce__(self) -> tuple[Made, tuple[Functions[np.floating], str]]:
+        return getattr, (self._of, self.__name__)
+
+    def __repr__(self) -> str:
+        return f"<{self.__name__} of {self._of._about}>"
+
+
+def gathered(scene: SceneInterface, precision: Precision,
+             functions: Mapping[str, Made]) -> Functions[np.floating]:
+    """The functions, whose first argument is `self`, as methods of one object."""
+    found: Functions[np.floating] = Functions(scene.name, precision, scene.mark)
+    for name, function in functions.items():
+        in_c, words = (vars(function).pop(x, None) for x in ("in_c", "words"))
+        members = {"__call__": function, "__doc__": words, "__module__": __name__}
+        made = type(name, (_Callable,), members)(found, function)
+        if in_c:
+            type.__setattr__(type(made), "__call__", in_c(made._checked))
+        found.__dict__[name] = made
+    return found
+
+
+@functools.cache
+def _checks() -> ModuleType:
+    """The checks of generated packages."""
+    def text() -> str:
+        from coscrew_codegen.backends.render import render  # imports Jinja
+
+        return render("scene/arrays.py", banner="in memory")
+
+    module = ModuleType("coscrew_scene_arrays")
+    exec(sources.text("checks", text), module.__dict__)
+    return module
+
+
+def compiled(scene: SceneInterface, library: ctypes.PyDLL, described: Signature,
+             precision: Precision) -> Made:
+    """A function of the library, with the same name and arguments after `self`.  It checks them;
+    its `in_c` makes of it the function in C that calls it where arguments want a check."""
+    kind, name = np.dtype(precision.numpy_type), c_name(scene, described.name, precision)
+    loop = getattr(_unlocked(library._name), f"many_{name}")
+    loop.restype, loop.argtypes = None, [ctypes.c_ssize_t, *[ctypes.c_void_p] * 4, ctypes.c_ssize_t]
+    in_c = functools.partial(_in_c, library, name, described, precision)
+    of_rows = strided_calls.CompiledFunction(described, kind, in_c(_declined), loop, _checks(),
+                                             signs(scene))
+    in_lanes = _lanes(library, name, c_name(many(scene), described.name, precision))
+
+    def checked(of: _Callable | None, arguments: Mapping[str, ArrayLike], out: object,
+                threads: object) -> object:
+        kernels = of._of._kernels if of else None
+        return of_rows(arguments, out, threads, functools.partial(in_lanes, kernels))
+
+    function = _written(described, checked)
+    vars(function)["in_c"] = in_c
+    if described.repeats:
+        several = c_name(many(scene), described.name.replace("step", "run", 1), precision)
+        vars(function).update(_many_steps(library, name, several, described, precision,
+                                          signs(scene)))
+    return function
+
+
+def _declined(*_: object, **__: object) -> object:
+    return NotImplemented
+
+
+def _in_c(library: ctypes.PyDLL, name: str, described: Signature, precision: Precision,
+          checked: Made) -> Made:
+    """The function in C, which calls `checked` for what it cannot take."""
+    getattr(library, f"know_{precision.name}")(ctypes.c_size_t(object.__basicsize__))
+    make = getattr(library, f"new_{name}")
+    make.restype, make.argtypes = ctypes.py_object, [ctypes.py_object]
+    kind = np.dtype(precision.numpy_type)
+    results = tuple((shape, kind) for _, shape in described.outputs)
+    names = tuple(sys.intern(x) for x in (*(x for x, _ in described.inputs), "out", "threads"))
+    function: Made = make((checked, np.ndarray, _PLAIN, int, np.empty, results, names))
+    return function
+
+
+def _lanes(library: ctypes.PyDLL, name: str, several: str) -> Callable[["Kernels | None", int],
+                                                                       None]:
+    """Returns a callback that installs the function of many states, named `several`, once it is
+    compiled and pays."""
+    place = ctypes.c_void_p.in_dll(library, f"lanes_{name}")
+
+    def prepare(kernels: "Kernels | None", states: int) -> None:
+        if kernels and not place.value and (found := kernels._lanes.function(several, states)):
+            place.value = ctypes.cast(found, ctypes.c_void_p).value
+
+    return prepare
+
+
+def in_numpy(twin: Made, described: Signature) -> Made:
+    """A function of a generated package, with the same name and arguments after `self`; one thread
+    computes."""
+    def checked(of: _Callable, arguments: Mapping[str, ArrayLike], out: object, threads: object
+                ) -> object:
+        strided_calls.positive(threads)
+        return twin(**arguments, out=out)
+
+    return _written(described, checked)
+
+
+def _written(described: Signature, checked: Made) -> Made:
+    """A function of `self` and of arguments in order or by name, whose signature is spelled out."""
+    name, inputs = described.name, described.inputs
+
+    def function(self: object, *given: ArrayLike, out: object = None, threads: object = 1,
+                 **named: ArrayLike) -> object:
+        return checked(self, bound(name, inputs, given, named), out, threads)
+
+    function.__name__ = function.__qualname__ = name
+    vars(function)["__signature__"] = _signature(tuple(x for x, _ in inputs))
+    return _described(function, described)
+
+
+def _signature(names: tuple[str, ...]) -> "inspect.Signature":
+    from inspect import Parameter, Signature
+
+    either, by_name = Parameter.POSITIONAL_OR_KEYWORD, Parameter.KEYWORD_ONLY
+    return Signature([*(Parameter(x, either) for x in ("self", *names)),
+                      Parameter("out", by_name, default=None),
+                      Parameter("threads", by_name, default=1)])
+
+
+def _described(function: Made, described: Signature) -> Made:
+    vars(function)["words"] = function.__doc__ = "\n\n".join(described.words)
+    return function
+
+
+def _many_steps(library: ctypes.PyDLL, name: str, several: str, described: Signature,
+                precision: Precision, signed: tuple[tuple[int, str, bool], ...]
+                ) -> dict[str, Made]:
+    """Methods of a step that take many steps in one call."""
+    its = step_calls.steps(_unlocked(library._name), name, several, described,
+                           np.dtype(precision.numpy_type), _checks(), signed, precision.name)
+
+    def repeated(self: _Callable, n: int, t: float, h: float, p: ArrayLike, q: ArrayLike,
+                 v: ArrayLike, *, threads: int = 1) -> tuple[np.ndarray, np.ndarray]:
+        """q and v after n steps of h, the first of them at t.
+
+        t and p are given also where the scene has no use for them.  Leading axes of p, q and v, of
+        any that have them, are states, which `threads` share."""
+        return its.repeated(self._of, n, t, h, p, q, v, threads)
+
+    def driven(self: _Callable, by: step_calls.InC, n: int, t: float, h: float, p: np.ndarray,
+               q: np.ndarray, v: np.ndarray) -> step_calls.Driven:
+        """p, q and v after n steps under a controller in C, and what it must not have returned."""
+        return its.driven(self._of, by, n, t, h, p, q, v)
+
+    return {"repeated": repeated} | ({"driven": driven} if its.drive else {})
+
+
+@functools.cache
+def _unlocked(path: str) -> ctypes.CDLL:
+    """The library opened so that its functions run without Python's global lock."""
+    return ctypes.CDLL(path)

@@ -1,0 +1,206 @@
+"""The generator's sources, and those of them that a result depends on.
+
+A result depends on the modules that its maker imports, directly or not, at the top of a module or
+inside a function, also for types only; on the packages' own files above them; and on the templates
+that all these name.  Of each, its meaning counts: comments, docstrings and positions are free.
+"""
+
+import functools
+import json
+import os
+import sys
+import tempfile
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from contextlib import suppress
+from dataclasses import astuple, dataclass
+from fnmatch import filter as matching
+from importlib import import_module
+from importlib.metadata import PackageNotFoundError, version
+from importlib.util import cache_from_source
+from pathlib import Path
+
+from coscrew_codegen.backends.render import TEMPLATES
+from coscrew_codegen.runtime import cache, syntax
+from coscrew_codegen.runtime.syntax import SourceMeaning, hashed
+
+ROOT = __name__.partition(".")[0]
+_TEMPLATE = ".jinja"
+_INSTALLED = ("coscrew", "sympy", "mpmath", "gmpy2", "numpy", "jinja2")
+"""The packages whose versions every result depends on."""
+
+Contents = Mapping[str, bytes]
+"""Modules by their names, packages too, and templates by their paths: c/family.h.jinja."""
+
+
+def read() -> Contents:
+    """The sources as they stand."""
+    package, templates = _folders()
+    found = {}
+    for folder, file in _files(package, ".py"):
+        inner = () if file == "__init__.py" else (file.removesuffix(".py"),)
+        found[".".join((ROOT, *folder, *inner))] = package.joinpath(*folder, file)
+    for folder, file in _files(templates, _TEMPLATE):
+        found["/".join((*folder, file))] = templates.joinpath(*folder, file)
+    return {name: path.read_bytes() for name, path in found.items()}
+
+
+def _folders() -> tuple[Path, Path]:
+    """The folders of the package and of the templates."""
+    return Path(next(iter(import_module(ROOT).__path__))), TEMPLATES
+
+
+def _files(root: Path, ending: str) -> Iterator[tuple[tuple[str, ...], str]]:
+    """The files below a folder: the folders from there, and the name."""
+    for folder, _, files in os.walk(root):
+        inner = Path(folder).relative_to(root).parts
+        yield from ((inner, file) for file in files if file.endswith(ending))
+
+
+@functools.cache
+def generator() -> str:
+    """The hash of all sources, byte by byte."""
+    return _total((name, hashed(content)) for name, content in read().items())
+
+
+def digest_of(*makers: str, chosen: Mapping[str, Collection[str]] | None = None) -> str:
+    """The hash of all that results of these modules depend on, as this process first found it.
+
+    Of packages in `chosen`, which import all their modules, only these modules count."""
+    return _current().digest(makers, chosen or {})
+
+
+def text(name: str, make: Callable[[], str]) -> str:
+    """A text that depends only on the generator: from the cache, or made and cached."""
+    key = cache.key_of(name, digest_of(make.__module__))
+    if path := cache.found(key, ".txt"):
+        return path.read_text("utf-8")
+    made = make()
+    cache.write(key, ".txt", made.encode())
+    return made
+
+
+@functools.cache
+def _current() -> "Sources":
+    return Sources.of(read())
+
+
+@dataclass(frozen=True)
+class Sources:
+    """The meanings of sources, by the same names."""
+
+    meanings: Mapping[str, SourceMeaning]
+
+    @classmethod
+    def of(cls, contents: Contents) -> "Sources":
+        """The meanings of these sources: kept from an earlier process, or read from their syntax.
+        """
+        kept = _kept(_maker(contents))
+        found = {name: old if (old := kept.get(name)) and old.documented == hashed(content)
+                 else _meaning(name, content, contents) for name, content in contents.items()}
+        if found != kept:
+            _keep(_maker(contents), found)
+        return cls(found)
+
+    def digest(self, makers: Iterable[str], chosen: Mapping[str, Collection[str]]) -> str:
+        """The hash of all that results of these modules depend on."""
+        names = self.reached(makers, chosen)
+        documented = any(self.meanings[name].reads_docstrings for name in names)
+        held = (name for name in self.meanings
+                if name in names or any(x.startswith(f"{name}.") for x in names))
+        return _total((("installed", _installed()), *((name, (
+            self.meanings[name].documented if documented else self.meanings[name].digest))
+            for name in held)))
+
+    def reached(self, makers: Iterable[str], chosen: Mapping[str, Collection[str]] | None = None
+                ) -> frozenset[str]:
+        """The modules that these import, directly or not, and the templates that they name."""
+        found: set[str] = set()
+        waiting = list(makers)
+        while waiting:
+            name = waiting.pop()
+            if name not in found:
+                found.add(name)
+                waiting += self._named(name, (chosen or {}).get(name))
+        return frozenset(found)
+
+    def _named(self, name: str, chosen: Collection[str] | None) -> Iterator[str]:
+        """The modules and templates that a source names; KeyError if there is no such source."""
+        meaning = self.meanings[name]
+        yield from (known for x in meaning.imports if (known := self._known(x)))
+        for text in meaning.texts:
+            if text in self.meanings:
+                yield text
+            yield from matching(self._templates, f"{text.removesuffix(_TEMPLATE)}{_TEMPLATE}")
+        if meaning.discovers:
+            yield from (x for x in self.meanings if x.startswith(f"{name}.")
+                        and (chosen is None or x in chosen))
+
+    @functools.cached_property
+    def _templates(self) -> list[str]:
+        return [name for name in self.meanings if name.endswith(_TEMPLATE)]
+
+    def _known(self, name: str) -> str:
+        """The module of an imported name, which may be an object's in it; "" for another package's.
+        """
+        while name and name not in self.meanings:
+            name = name.rpartition(".")[0]
+        return name
+
+
+def _meaning(name: str, content: bytes, among: Contents) -> SourceMeaning:
+    if name.endswith(_TEMPLATE):
+        return syntax.of_template(content)
+    package = any(x.startswith(f"{name}.") for x in among)
+    return syntax.of_module(content, name if package else name.rpartition(".")[0])
+
+
+def _total(parts: Iterable[tuple[str, str]]) -> str:
+    return hashed("\0".join(f"{name} {digest}" for name, digest in sorted(parts)).encode())
+
+
+@functools.cache
+def _installed() -> str:
+    """Python's version and those of packages."""
+    return " ".join((sys.version, *map(_version, _INSTALLED)))
+
+
+def _version(package: str) -> str:
+    try:
+        return version(package)
+    except PackageNotFoundError:
+        return ""
+
+
+def _maker(contents: Contents) -> str:
+    """What meanings depend on besides the sources: the version of Python, and how they are read."""
+    return f"{sys.version} {hashed(contents.get(syntax.__name__, b''))}"
+
+
+def _places() -> Iterator[Path]:
+    """Where meanings are kept: beside the bytecode or, if that cannot be written, in the cache."""
+    yield Path(cache_from_source(__file__)).with_suffix(".json")
+    yield cache.wanted_folder() / "sources.json"
+
+
+def _kept(maker: str) -> dict[str, SourceMeaning]:
+    """The kept meanings; empty if there are none that can be read."""
+    for place in _places():
+        with suppress(OSError, ValueError, TypeError, AttributeError, LookupError):
+            kept = json.loads(place.read_bytes())
+            if kept["maker"] == maker:
+                return {name: SourceMeaning(*x[:2], *map(tuple, x[2:4]), *x[4:])
+                        for name, x in kept["meanings"].items()}
+    return {}
+
+
+def _keep(maker: str, meanings: Mapping[str, SourceMeaning]) -> None:
+    """Keep them where that is possible."""
+    text = json.dumps({"maker": maker, "meanings": {k: astuple(x) for k, x in meanings.items()}})
+    for place in _places():
+        with suppress(OSError):
+            place.parent.mkdir(parents=True, exist_ok=True)
+            descriptor, made = tempfile.mkstemp(dir=place.parent, prefix=".sources-")
+            with os.fdopen(descriptor, "w", encoding="utf-8") as file:
+                file.write(text)
+            os.replace(made, place)
+            return

@@ -1,0 +1,61 @@
+"""Actuator: a torque as a function of time, a PD controller or a DC motor; all may saturate."""
+
+from typing import TYPE_CHECKING
+
+from coscrew_codegen.scene.effect import CoordinateState, Effect, ParameterOf, Place, Torque, Values
+
+if TYPE_CHECKING:
+    from coscrew_codegen.algebra.recording.numbers import Number
+
+
+def _torque(state: CoordinateState, values: Values) -> Torque:
+    """sat(u) = max(-limit, min(u, limit))."""
+    return Torque(_demanded(state, values), limit=values.get("limit"))
+
+
+def _demanded(state: CoordinateState, values: Values) -> "Number":
+    """The torque u before saturation."""
+    if values.word("kind") == "dc":
+        return _motor(state, values)
+    parts = []
+    if values.word("kind") == "pd":
+        parts = [values["kp"] * (values["target"] - state.q)
+                 + values["kd"] * (values["target_v"] - state.v)]
+    parts += [x for x in (values.get("torque"), state.holding) if x is not None]
+    first, *others = parts
+    for x in others:
+        first = first + x
+    return first
+
+
+def _motor(state: CoordinateState, values: Values) -> "Number":
+    """The torque of a DC motor."""
+    strength = values["gear"] * values["kt"] / values["R"]
+    return strength * (values["voltage"] - values["ke"] * values["gear"] * state.v)
+
+
+EFFECT = Effect(
+    "actuator", "drives a joint: with a torque, to a target, or by the voltage of a DC motor",
+    "tau = sat(u); torque: u = torque(t) + g; pd: u = kp (target(t) - q) + kd (target_v(t) - v) + "
+    "torque(t) + g; dc: u = (gear kt/R) (voltage(t) - ke gear v); g = gravity_torques(q) of the "
+    "joint if compensated, else 0", Place.JOINT,
+    (ParameterOf("kind", "", "kind of actuator", "choice", choices=("torque", "pd", "dc")),
+     ParameterOf("torque", "N m or N", "torque or force; of pd fed forward", "formula",
+                 of=("torque", "pd"), optional_of=("pd",)),
+     ParameterOf("gravity_compensation", "", "whether it also supplies what holds the joint "
+                 "against the weight of the scene's bodies", "flag", required=False,
+                 of=("torque", "pd")),
+     ParameterOf("target", "rad or m", "target of q", "formula", of=("pd",)),
+     ParameterOf("target_v", "rad/s or m/s", "target of v", "formula", 0, of=("pd",)),
+     ParameterOf("kp", "N m/rad or N/m", "torque by error", of=("pd",), nonnegative=True),
+     ParameterOf("kd", "N m s/rad or N s/m", "torque by error of speed", default=0, of=("pd",),
+                 nonnegative=True),
+     ParameterOf("voltage", "V", "voltage of the motor", "formula", of=("dc",)),
+     ParameterOf("gear", "1, or rad/m", "turns of the rotor for one of the joint", default=1,
+                 of=("dc",)),
+     ParameterOf("kt", "N m/A", "torque constant", of=("dc",), nonnegative=True),
+     ParameterOf("ke", "V s/rad", "speed constant", of=("dc",), nonnegative=True),
+     ParameterOf("R", "Ohm", "resistance", of=("dc",), positive=True),
+     ParameterOf("limit", "N m or N", "largest torque; none if left out", required=False,
+                 model="effort", positive=True)),
+    joint_torque=_torque, limited_by="limit", compensates="gravity_compensation")

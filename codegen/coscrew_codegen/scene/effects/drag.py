@@ -1,0 +1,29 @@
+"""Drag: the resistance of still fluid to a point of a body, quadratic or linear in its speed."""
+
+from fractions import Fraction
+
+from coscrew_codegen.algebra.recording.numbers import dot, negative, scaled, sqrt
+from coscrew_codegen.scene.effect import BodyState, Effect, Force, ParameterOf, Place, Values
+
+
+def _force(state: BodyState, values: Values) -> Force:
+    """-½ rho area |u| u, whose slope is rho area |u| along u and half of it across; or -b u."""
+    point = values.vector("point")
+    u = state.velocity(point)
+    if values.word("kind") == "stokes":
+        return Force(point, negative(scaled(values["b"], u)), damping=values["b"])
+    slope = values["rho"] * values["area"] * sqrt(dot(u, u))
+    return Force(point, negative(scaled(slope / 2, u)), damping=slope)
+
+
+EFFECT = Effect(
+    "drag", "resistance of still fluid at a point of a body",
+    "quadratic: f = -rho area |u| u / 2; stokes: f = -b u; u the point's velocity", Place.BODY,
+    (ParameterOf("kind", "", "law of resistance", "choice", "quadratic",
+                 choices=("quadratic", "stokes")),
+     ParameterOf("rho", "kg/m^3", "density of the fluid", of=("quadratic",), nonnegative=True),
+     ParameterOf("area", "m^2", "drag area: coefficient of drag times area", of=("quadratic",),
+                 nonnegative=True),
+     ParameterOf("b", "N s/m", "resistance by speed", of=("stokes",), nonnegative=True),
+     ParameterOf("point", "m", "where it acts, in the body's frame", "vector", (Fraction(0),) * 3)),
+    body_force=_force)

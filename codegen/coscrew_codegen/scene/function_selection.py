@@ -1,0 +1,122 @@
+"""The functions of a scene by name, and their selection: by `functions` in its file, by --functions
+or by load_scene.
+
+A function that is not selected is neither derived, emitted nor compiled.
+"""
+
+from collections.abc import Collection, Iterable, Sequence
+
+from coscrew_codegen.program.reported_error import ReportedError
+from coscrew_codegen.scene.functions import functions_of
+from coscrew_codegen.scene.mechanism.inertia_checks import why_singular
+from coscrew_codegen.scene.mechanism.model import Kind
+from coscrew_codegen.scene.names import did_you_mean
+from coscrew_codegen.scene.patterns import is_pattern, matching
+from coscrew_codegen.scene.recorded_quantities import recorded_functions
+from coscrew_codegen.scene.scene import Scene
+from coscrew_codegen.scene.scene_function import SceneFunction
+
+DEFAULT, ALL = "default", "all"
+"""Words for several functions: those of a scene that selects none, and all it can have."""
+
+FREE = ("free_momentum", "with_free_momentum")
+"""Functions by which steps keep the momenta of floating bases."""
+CONTACTS = ("closing_contacts", "parts")
+"""Functions by which steps resolve contacts of limits."""
+MOVED = "integrated"
+"""The function by which steps move coordinates."""
+MOST = 1000
+"""Largest number of joints that move: their functions are 100 MB of C, too much for compilers."""
+
+
+class FunctionsError(ReportedError, ValueError):
+    """A function that the scene does not have; the message gives the nearest name."""
+
+
+def names(scene: Scene) -> tuple[str, ...]:
+    """All functions that the scene can have, in the order in which they are emitted."""
+    singular = bool(why_singular(scene))
+    return tuple(x.name for x in _selectable(scene) if not (singular and x.divides))
+
+
+def dividing(scene: Scene) -> tuple[str, ...]:
+    """The functions that divide by the mass matrix, and those that only these call."""
+    return tuple(x.name for x in _selectable(scene) if x.divides)
+
+
+def _selectable(scene: Scene) -> tuple[SceneFunction, ...]:
+    """The functions that a scene whose mass matrix is regular can select."""
+    return tuple(x for x in functions_of(scene) if not x.internal)
+
+
+def _names(scene: Scene) -> tuple[str, ...]:
+    return tuple(x.name for x in _selectable(scene))
+
+
+def left_out(scene: Scene) -> str:
+    """One line on the functions that the scene selects, by DEFAULT, ALL or patterns, and cannot
+    have; "" if there are none."""
+    problem, words = why_singular(scene), scene.functions or (DEFAULT,)
+    if not problem or not ({DEFAULT, ALL}.intersection(words) or {*dividing(scene)}.intersection(
+            name for word in words for name in matching(word, _names(scene)))):
+        return ""
+    return f"forward_dynamics and steps are left out: {problem}"
+
+
+def refuse_singular(scene: Scene, functions: Collection[str]) -> None:
+    """Raise FunctionsError if one of these functions divides by a mass matrix that is singular."""
+    wanted = [name for name in reversed(dividing(scene)) if name in functions]
+    problem = why_singular(scene) if wanted else ""
+    for name in wanted:  # steps first, which call the others
+        if problem:
+            raise FunctionsError(f"{scene.name}: {name} divides by the mass matrix, but {problem}")
+
+
+def by_default(scene: Scene) -> tuple[str, ...]:
+    """The functions of a scene that selects none: those whose `default` holds, and those of which
+    it records or expects anything."""
+    recorded = recorded_functions(scene)
+    possible = {*names(scene)}
+    return tuple(x.name for x in functions_of(scene) if x.name in possible and (
+        x.name in recorded or x.default.holds(scene, x.target)))
+
+
+def refuse_many(scene: Scene) -> None:
+    """Raise FunctionsError for a scene of more than MOST joints that move."""
+    count = sum(joint.kind is not Kind.FIXED for joint in scene.model.joints)
+    if count > MOST:
+        raise FunctionsError(f"{scene.name}: {count} joints move; wanted at most {MOST}, since of "
+                             "more no C compiler takes the functions")
+
+
+def selected_functions(scene: Scene) -> tuple[str, ...]:
+    """The functions that the scene selects, each once, in their order.  Raises FunctionsError."""
+    found = resolved(scene, scene.functions)
+    return tuple(name for name in names(scene) if name in found)
+
+
+def resolved(scene: Scene, words: Sequence[str]) -> set[str]:
+    """The functions that these words select: names, patterns of them, DEFAULT, ALL; without words,
+    DEFAULT.  Raises FunctionsError with the nearest name for each unknown word, and for a word
+    that selects nothing but what divides by a singular mass matrix."""
+    known, found = names(scene), set[str]()
+    unknown = []
+    for word in words or (DEFAULT,):
+        if word in (DEFAULT, ALL):
+            found.update(by_default(scene) if word == DEFAULT else known)
+        elif of := matching(word, _names(scene)):
+            if not set(of).intersection(known):
+                refuse_singular(scene, of)
+            found.update(of)
+        else:
+            what = "matches no function of the scene" if is_pattern(word) else \
+                "is no function of the scene"
+            unknown.append(f"{word!r} {what}; {did_you_mean(word, (*known, DEFAULT, ALL))}")
+    if unknown:
+        raise FunctionsError("; ".join(unknown))
+    return found.intersection(known)
+
+
+def together(*lists: Iterable[str]) -> tuple[str, ...]:
+    """The names, each once, in the order of their first occurrence."""
+    return tuple(dict.fromkeys(name for several in lists for name in several))

@@ -1,0 +1,33 @@
+"""Reactions of joints: what they transmit."""
+
+from coscrew_codegen.scene.identifiers import identifiers
+from coscrew_codegen.scene.mechanism.model import Kind
+from coscrew_codegen.scene.scene import Scene
+from coscrew_codegen.scene.scene_function import (
+    Array,
+    Default,
+    Depends,
+    Of,
+    SceneFunction,
+    SceneQuantity,
+)
+from coscrew_codegen.scene.units import WRENCH
+
+
+def _moving(scene: Scene) -> dict[str, str]:
+    """The joints that move."""
+    joints = [joint.name for joint in scene.model.joints if joint.kind is not Kind.FIXED]
+    return dict(zip(identifiers(joints), joints, strict=True))
+
+
+def _wanted(scene: Scene, joint: str) -> bool:
+    return any(x.effect.reaction and x.on == joint for x in scene.effects)
+
+
+FUNCTION = SceneFunction(
+    "reaction_JOINT", 120, "f = (force; moment) that JOINT exerts on its child, in the frame of "
+    "the body, at its origin, while it accelerates with a", "q v a",
+    (Array("f", (6,), WRENCH, "coscrew in N, N m"),), lambda x: [x.transmitted(x.target)],
+    Depends.EFFECTS, Default("by default, for joints with the effect reaction, and those whose "
+                             "reaction is recorded", _wanted),
+    (SceneQuantity("reaction", Of.JOINT),), targets=_moving)

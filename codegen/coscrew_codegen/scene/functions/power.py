@@ -1,8 +1,0 @@
-"""The power of what dissipates or drives."""
-
-from coscrew_codegen.scene.function import ALWAYS, Array, Depends, Quantity, SceneFunction
-
-FUNCTION = SceneFunction(
-    "power", 70, "P, the power of the effects without potential energy; negative if they dissipate",
-    "q v", (Array("P", (), ("W",), "power in W"),), lambda x: [[x.power()]], Depends.EFFECTS,
-    ALWAYS, (Quantity("power"),))

@@ -1,0 +1,1 @@
+"""Functions that steps of integrators call, and the steps."""

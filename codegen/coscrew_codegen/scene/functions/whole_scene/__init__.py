@@ -1,0 +1,1 @@
+"""Functions of the whole scene, and of its effects."""

@@ -1,0 +1,31 @@
+"""The integrators, one per module: the list that commands, scenes, documentation and tests use.
+
+A module put here adds an integrator to every scene, in all languages and precisions.
+"""
+
+from coscrew_codegen.program.plugins import found
+from coscrew_codegen.scene.integrator import Adaptive, Integrator
+
+DEFAULT = "leapfrog"
+
+
+def _place(integrator: Integrator) -> tuple[bool, bool, int, str]:
+    """Sort key: the default first, then emitted ones, then SciPy's; each group by order."""
+    return integrator.name != DEFAULT, not integrator.emitted, integrator.order, integrator.name
+
+
+INTEGRATORS = tuple(sorted(found(__name__, __path__, "INTEGRATOR", Integrator), key=_place))
+
+NAMES = tuple(x.name for x in INTEGRATORS)
+EMITTED = tuple(x for x in INTEGRATORS if x.emitted)
+ADAPTIVE = {x.name: x.scheme for x in INTEGRATORS if isinstance(x.scheme, Adaptive)}
+
+
+def named(name: str) -> Integrator:
+    """The integrator of this name."""
+    return next(x for x in INTEGRATORS if x.name == name)
+
+
+def in_words() -> str:
+    """All integrators and what they are good for, in one paragraph."""
+    return "; ".join(f"{x.name}, of order {x.order}: {x.good_for}" for x in INTEGRATORS)

@@ -1,0 +1,1 @@
+"""Bodies and joints: the model, its tree, its inertias, and their checks."""

@@ -1,0 +1,110 @@
+"""Assembles bodies and joints into the tree of a Model."""
+
+import heapq
+from collections.abc import Sequence
+
+from coscrew_codegen.program.reported_error import ReportedError
+from coscrew_codegen.scene.mechanism.model import WORLD, Body, Joint, Kind, Model
+from coscrew_codegen.scene.names import did_you_mean
+
+BASE = "base"
+"""The name of the joint that joins a model's root to the world."""
+
+
+class ModelError(ReportedError, ValueError):
+    """Bodies and joints do not form a tree; `element` is the cause: "joint 'elbow'"."""
+
+    def __init__(self, element: str, problem: str) -> None:
+        super().__init__(f"{element}: {problem}")
+        self.element, self.problem = element, problem
+
+
+def assembled(name: str, bodies: Sequence[Body], joints: Sequence[Joint], base: Kind) -> Model:
+    """The model of these bodies and joints, parents first, otherwise in the given order.
+
+    A root body other than WORLD is joined to it by a joint "base" ("base_" if that name is taken)
+    of the kind `base`, FIXED or FREE.  A body called WORLD is the world.  Raises ModelError for
+    duplicate or unknown names, bodies with two parents, loops and several roots."""
+    _refuse_twice("body", [body.name for body in bodies])
+    _refuse_twice("joint", [joint.name for joint in joints])
+    by_name = {body.name: body for body in bodies if body.name != WORLD}
+    _check_ends(joints, by_name)
+    root = _root(bodies, joints)
+    if root == WORLD and base is Kind.FREE:
+        raise ModelError("base", 'wanted "fixed": the root is the world, which cannot move freely')
+    if root != WORLD:
+        joints = (Joint(_unused(BASE, joints), base, WORLD, root), *joints)
+    ordered = parents_first(joints)
+    return Model(name, tuple(by_name[joint.child] for joint in ordered), ordered)
+
+
+def _refuse_twice(what: str, names: list[str]) -> None:
+    seen = set()
+    for name in names:
+        if name in seen:
+            raise ModelError(f"{what} {name!r}", "this name is given to two of them")
+        seen.add(name)
+
+
+def _check_ends(joints: Sequence[Joint], bodies: dict[str, Body]) -> None:
+    """Refuse joints of unknown bodies, and bodies that are the child of two joints."""
+    mover: dict[str, str] = {}
+    for joint in joints:
+        element = f"joint {joint.name!r}"
+        for word, body in (("parent", joint.parent), ("child", joint.child)):
+            if body not in bodies and (body, word) != (WORLD, "parent"):
+                hint = ("the world cannot be moved" if body == WORLD
+                        else did_you_mean(body, (WORLD, *bodies) if word == "parent" else bodies))
+                raise ModelError(element, f"{word} {body!r} is no body; {hint}")
+        if joint.parent == joint.child:
+            raise ModelError(element, f"parent and child are the same body, {joint.child!r}")
+        if joint.child in mover:
+            raise ModelError(f"body {joint.child!r}", "is the child of two joints, "
+                             f"{mover[joint.child]!r} and {joint.name!r}; loops are not supported")
+        mover[joint.child] = joint.name
+
+
+def _root(bodies: Sequence[Body], joints: Sequence[Joint]) -> str:
+    """The one body that no joint moves, or WORLD."""
+    if not any(body.name != WORLD for body in bodies):
+        raise ModelError("model", "has no bodies")
+    moved = {joint.child for joint in joints}
+    roots = [body.name for body in bodies if body.name not in moved and body.name != WORLD]
+    if any(joint.parent == WORLD for joint in joints):
+        roots = [WORLD, *roots]
+    if not roots:
+        raise ModelError(f"joint {joints[0].name!r}", "is part of a loop: no body is the root")
+    if len(roots) > 1:
+        raise ModelError(f"body {roots[1]!r}", f"no joint moves it, but the root is {roots[0]!r}: "
+                         f"several roots ({', '.join(map(repr, roots[:5]))}); bodies that float "
+                         'free beside others take joints of type "free"')
+    return roots[0]
+
+
+def parents_first(joints: Sequence[Joint]) -> tuple[Joint, ...]:
+    """The joints, each after the one that moves its parent, otherwise in the given order.  Raises
+    ModelError for a loop."""
+    moved_by = {joint.child: i for i, joint in enumerate(joints)}
+    waiting: dict[str, list[int]] = {}
+    for i, joint in enumerate(joints):
+        waiting.setdefault(joint.parent, []).append(i)
+    ready, ordered = list(waiting.get(WORLD, [])), []
+    heapq.heapify(ready)
+    while ready:
+        joint = joints[heapq.heappop(ready)]
+        ordered.append(joint)
+        for i in waiting.get(joint.child, ()):
+            heapq.heappush(ready, i)
+    if len(ordered) < len(joints):
+        done = {joint.name for joint in ordered}
+        left = next(joint for joint in joints if joint.name not in done)
+        raise ModelError(f"joint {left.name!r}", "is part of a loop, or moves on one: its parent "
+                         f"{left.parent!r} is moved by {joints[moved_by[left.parent]].name!r}")
+    return tuple(ordered)
+
+
+def _unused(name: str, joints: Sequence[Joint]) -> str:
+    names = {joint.name for joint in joints}
+    while name in names:
+        name += "_"
+    return name

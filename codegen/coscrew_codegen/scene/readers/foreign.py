@@ -1,0 +1,74 @@
+"""Files of other kinds: one sentence each that says what a file is and what to do."""
+
+import re
+from collections.abc import Set
+from pathlib import Path
+
+from coscrew_codegen.scene.readers.contents import read_bytes
+from coscrew_codegen.scene.readers.scene_error import shown
+
+_FORMATS = {"mujoco": "MJCF, the format of MuJoCo", "sdf": "SDF, the format of Gazebo",
+            "collada": "Collada, a format of meshes", "html": "a web page, not the file it shows",
+            "launch": "a launch file of ROS"}
+"""By the root element of a file, in lower case."""
+_SRDF = "is an SRDF, which belongs to a URDF and has no masses"
+_OF_SRDF = frozenset({"group", "group_state", "virtual_joint", "passive_joint", "end_effector",
+                      "disable_collisions", "enable_collisions", "disable_default_collisions",
+                      "joint_property", "link_sphere_approximation"})
+"""Elements that stand directly in the root of an SRDF."""
+_AS_TABLES = "a URDF of the robot, or its bodies and joints in tables of a scene"
+_SUFFIXES = {".mjcf": "mujoco", ".sdf": "sdf", ".world": "sdf", ".dae": "collada", ".html": "html",
+             ".launch": "launch"}
+_ROOT = re.compile(rb"<([A-Za-z_][\w:.-]*)")
+_BEGINNING = 2**16  # bytes that are searched for a root element
+
+
+def of_root(tag: str) -> str:
+    """Says what a file with this root element is and what to do; "" if that is unknown."""
+    word = tag.lower()
+    if word not in _FORMATS:
+        return ""
+    wanted = {"html": "the raw file", "launch": "the URDF that it loads"}
+    return f"is {_FORMATS[word]}; wanted {wanted.get(word, _AS_TABLES)}"
+
+
+def srdf(tags: Set[str]) -> str:
+    """Says that a file with these elements in <robot> is an SRDF, and what to do; "" if it is none.
+    """
+    is_one = tags.isdisjoint(("link", "joint")) and not tags.isdisjoint(_OF_SRDF)
+    return f"{_SRDF}; wanted that URDF" if is_one else ""
+
+
+def of_suffix(path: Path) -> str:
+    """Says what a file with neither suffix, .toml nor .urdf, is: "is SDF, …"."""
+    suffix = path.suffix.lower()
+    if suffix == ".xacro":
+        return f"is a file of xacro, of which `{xacro(path)}` makes a URDF"
+    if suffix == ".srdf":
+        return _SRDF
+    root = _SUFFIXES.get(suffix, "")
+    if suffix == ".xml" and path.is_file():
+        root = _root(path).lower()
+        if root == "robot":
+            return f"is a URDF with another suffix; rename it to {path.stem}.urdf"
+    if root in _FORMATS:
+        return f"is {_FORMATS[root]}, which coscrew does not read"
+    return f"has the suffix {shown(path.suffix)}" if suffix else "has no suffix"
+
+
+def xacro(path: Path) -> str:
+    """The command that makes a URDF of a xacro file."""
+    stem = path.name.removesuffix(".xacro")
+    if stem == path.name:  # a file that is called .urdf, with xacro's elements in it
+        stem = f"{path.stem}_expanded.urdf"
+    return f"xacro {path.name} > {stem if stem.endswith('.urdf') else f'{stem}.urdf'}"
+
+
+def _root(path: Path) -> str:
+    """The tag of the root element in a file's beginning; "" if there is none."""
+    beginning = read_bytes(path, 2**26)[:_BEGINNING]
+    while (start := beginning.find(b"<!--")) >= 0:
+        end = beginning.find(b"-->", start)
+        beginning = beginning[:start] + (beginning[end + 3:] if end >= 0 else b"")
+    found = _ROOT.search(beginning)
+    return found[1].decode("ascii", "replace") if found else ""

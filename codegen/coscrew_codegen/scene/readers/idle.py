@@ -1,0 +1,40 @@
+"""Effects that exert nothing, since what drives them is zero and no argument of the functions."""
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from coscrew_codegen.scene.mechanism.notices import IDLE, Notice
+from coscrew_codegen.scene.scene import Applied, Setting
+
+_DRIVING = ("torque", "force")
+
+
+def idle(effects: tuple[Applied, ...]) -> tuple[Notice, ...]:
+    """A notice for each kind of effects whose torques and forces are constant zeros, with the entry
+    of `runtime` that makes them arguments: actuators of kind "torque", wrenches."""
+    found: dict[str, list[str]] = {}
+    for applied in effects:
+        if names := list(_unset(applied)):
+            found.setdefault(applied.effect.name, []).extend(names)
+    return tuple(Notice(IDLE, f"effect {effect}", _line(effect, names))
+                 for effect, names in found.items())
+
+
+def _unset(applied: Applied) -> Iterator[str]:
+    """The names in `runtime` of what drives an effect, if all of it is zero."""
+    kind = applied.values.get("kind", "torque")
+    given = [name for name in _DRIVING if applied.values.get(name) is not None]
+    if kind == "torque" and all(_zero(applied.values[name]) for name in given):
+        yield from (f"{applied.name}.{name}" for name in given)
+
+
+def _zero(setting: Setting) -> bool:
+    numbers = setting if isinstance(setting, tuple) else (setting,)
+    return all(isinstance(x, Fraction) and not x for x in numbers)
+
+
+def _line(effect: str, names: list[str]) -> str:
+    first = ", ".join(f'"{name}"' for name in names[:3]) + (", …" if len(names) > 3 else "")
+    does = "does nothing: it is" if len(names) == 1 else "do nothing: they are"
+    return (f"{names[0] if len(names) == 1 else f'{len(names)} torques or forces of {effect}s'} "
+            f"{does} zero, and no argument of the functions; write runtime = [{first}]")

@@ -1,0 +1,188 @@
+"""One effect's table in a scene file: what the effect can act on, and its parameters' values."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from functools import cached_property
+from typing import NoReturn, overload
+
+from coscrew_codegen.program.values.parameter import Scalar
+from coscrew_codegen.scene.effect import Effect, ParameterOf, Place
+from coscrew_codegen.scene.mechanism.model import WORLD, Body, Joint, Kind, Model, value
+from coscrew_codegen.scene.readers.toml import effect_settings
+from coscrew_codegen.scene.readers.toml.toml_tables import TomlTable
+from coscrew_codegen.scene.scene import Setting
+
+ALL, MODEL = "all", "model"
+MANY = 5
+"""Joints or bodies that a message lists."""
+
+
+@dataclass
+class Use:
+    """Collects what effects take from the model while they are read, as (joint, field)."""
+
+    of_model: set[tuple[str, str]] = field(default_factory=set)
+
+
+@dataclass(frozen=True)
+class EffectTable:
+    """The table of an effect, the effect, and the model it acts on."""
+
+    effect: Effect
+    table: TomlTable
+    model: Model
+    use: Use
+
+    @cached_property
+    def bodies(self) -> tuple[str, ...]:
+        return tuple(body.name for body in self.model.bodies)
+
+    @cached_property
+    def links(self) -> Mapping[str, str]:
+        return self.model.links()
+
+    @cached_property
+    def targets(self) -> Mapping[str, Joint | None]:
+        """The joints or bodies that the effect can act on, in the model's order."""
+        return {x.name: x if isinstance(x, Joint) else None for x in self.elements
+                if not self.obstacle(x)}
+
+    @property
+    def elements(self) -> tuple[Joint, ...] | tuple[Body, ...]:
+        """The model's joints or bodies, whichever the effect acts on."""
+        return self.model.joints if self.effect.place is Place.JOINT else self.model.bodies
+
+    @property
+    def what(self) -> str:
+        return "joint" if self.effect.place is Place.JOINT else "body"
+
+    @property
+    def several(self) -> str:
+        return "joints" if self.effect.place is Place.JOINT else "bodies"
+
+    @property
+    def parameters(self) -> tuple[str, ...]:
+        return tuple(parameter.name for parameter in self.effect.parameters)
+
+    def obstacle(self, on: Joint | Body) -> str:
+        """Why the effect cannot act on a joint or body: "is free"; "" if it can."""
+        if isinstance(on, Body):
+            return "has no mass" if self.effect.massive and on.inertia is None else ""
+        able = on.kind is not Kind.FIXED if self.effect.reaction else \
+            on.kind in (Kind.REVOLUTE, Kind.PRISMATIC)
+        return "" if able else f"is {on.kind.value}"
+
+    @property
+    def needs(self) -> str:
+        """Sentence on what a joint or body must be for the effect to act on it."""
+        if self.effect.place is not Place.JOINT:
+            return "has a mass"
+        return "moves" if self.effect.reaction else "is revolute or prismatic"
+
+    def refuse_none(self) -> NoReturn:
+        """Refuse an effect that can act on no joint or body of the model."""
+        reasons = [f"{x.name!r} {self.obstacle(x)}" for x in self.elements]
+        listed = ", ".join((*reasons[:MANY], *["…"] * (len(reasons) > MANY))) or "there is none"
+        self.table.refuse(self.several, f"no {self.what} of the model {self.needs}, as "
+                          f"{self.effect.name} needs: {listed}; wanted such a {self.what}, or no "
+                          f"{self.effect.name}")
+
+    def target(self, table: TomlTable, key: str, name: str) -> str:
+        """The name, if the effect can act on it."""
+        for on in self.elements:
+            if on.name == name and (why := self.obstacle(on)):
+                table.refuse(key, f"{self.effect.name} cannot act on {self.what} {name!r}, which "
+                                  f"{why}")
+        found = table.known(key, name, self.what, self.targets)
+        if self.effect.place is Place.BODY and self.links[found] == WORLD:
+            table.refuse(key, f"{self.effect.name} does nothing to body {name!r}, which is fixed "
+                              "to the world; wanted a body that moves")
+        return found
+
+    def pair(self, table: TomlTable, names: tuple[str, str]) -> tuple[str, str]:
+        """The names, if the effect can act between these two bodies."""
+        for name in names:
+            table.known("bodies", name, "body", (WORLD, *self.bodies))
+        one, other = (self.links[name] for name in names)
+        if one == other:
+            why = "neither moves" if one == WORLD else "they move as one"
+            table.refuse("bodies", f"{self.effect.name} does nothing between {names[0]!r} and "
+                                   f"{names[1]!r}: {why}; wanted two bodies that move apart")
+        return names
+
+    @overload
+    def values(self, table: TomlTable, given: Mapping[str, object], target: str
+               ) -> dict[str, Setting]: ...
+
+    @overload
+    def values(self, table: TomlTable, given: Mapping[str, object], target: str,
+               named: bool) -> dict[str, Setting] | None: ...
+
+    def values(self, table: TomlTable, given: Mapping[str, object], target: str,
+               named: bool = True) -> dict[str, Setting] | None:
+        """The values of the parameters; None if the model lacks one and the target is one of "all".
+        """
+        kind = self._kind(table, given)
+        values: dict[str, Setting] = {}
+        read: set[tuple[str, str]] = set()
+        for parameter in self.effect.parameters:
+            name = parameter.name
+            if parameter.of and kind not in parameter.of:
+                if name in given:
+                    table.refuse(name, f"is for kind = {' or '.join(map(repr, parameter.of))}; "
+                                       f"the kind is {kind!r}")
+                values[name] = None
+            elif parameter.model and given.get(name, parameter.default) == MODEL:
+                number = self._of_model(table, parameter, target, named)
+                if number is None and parameter.required:
+                    return None
+                values[name] = number
+                read.add((target, parameter.model))
+            elif name not in given and kind in parameter.optional_of:
+                values[name] = None
+            elif name in given:
+                values[name] = effect_settings.setting(table, parameter, given[name], self.bodies)
+            else:
+                values[name] = effect_settings.default(table, parameter)
+        if self.effect.any_of and all(values[name] is None for name in self.effect.any_of):
+            if named or not read:
+                table.missing(self.effect.any_of[0], f"{' or '.join(self.effect.any_of)}")
+            return None
+        self._refuse_descent(table, values)
+        self.use.of_model |= read | ({(target, "mimic")} if self.effect.mimic else set())
+        return values
+
+    def _refuse_descent(self, table: TomlTable, values: Mapping[str, Setting]) -> None:
+        if not self.effect.ascending:
+            return
+        low, high = (values[name] for name in self.effect.ascending)
+        if isinstance(low, Scalar) and isinstance(high, Scalar) and value(low) > value(high):
+            table.refuse(self.effect.ascending[0], f"{float(value(low)):g} is above "
+                         f"{self.effect.ascending[1]}, {float(value(high)):g}")
+
+    def _kind(self, table: TomlTable, given: Mapping[str, object]) -> str:
+        """The effect's `kind`, on which the set of parameters depends."""
+        for parameter in self.effect.parameters:
+            if parameter.name == "kind" and any(other.of for other in self.effect.parameters):
+                return str(effect_settings.setting(table, parameter, given["kind"], ())
+                           if "kind" in given else effect_settings.default(table, parameter))
+        return ""
+
+    def _of_model(self, table: TomlTable, parameter: ParameterOf, target: str, named: bool
+                  ) -> Fraction | None:
+        """The model's number for a parameter, or None.  A missing number that the effect needs is
+        an error if the joint was named."""
+        joint = self.targets.get(target)
+        number = getattr(joint, parameter.model, None)
+        fault = joint.fault(parameter.model) if joint else None
+        if fault:
+            table.refuse(parameter.name, f"{self.what} {target!r} has no {parameter.model} that "
+                         f"can be used ({fault}); give {parameter.name} a "
+                         f"number for {target!r}, or leave the joint out")
+        if number is not None:
+            effect_settings.refuse_sign(table, parameter, number, f" of {self.what} {target!r}")
+        elif named and parameter.required:
+            table.refuse(parameter.name, f"the model has no {parameter.model} for {self.what} "
+                                         f"{target!r}; wanted a number")
+        return number

@@ -1,0 +1,196 @@
+"""The tables and keys of scene files: the only list of them.
+
+The readers take names and choices from here; the documentation and the JSON Schema show it.
+"""
+
+from dataclasses import dataclass, replace
+
+from coscrew_codegen.program.values.formats import CHOICES
+from coscrew_codegen.scene.functions import QUANTITIES
+from coscrew_codegen.scene.integrators import NAMES
+from coscrew_codegen.scene.mechanism.inertia_checks import ERROR, WARN
+from coscrew_codegen.scene.mechanism.model import Kind
+from coscrew_codegen.scene.scene import Run
+from coscrew_codegen.scene.units import UNITS
+
+BASES = {"fixed": Kind.FIXED, "free": Kind.FREE}
+TYPES = {"revolute": Kind.REVOLUTE, "continuous": Kind.REVOLUTE, "prismatic": Kind.PRISMATIC,
+         "spherical": Kind.SPHERICAL, "free": Kind.FREE, "fixed": Kind.FIXED}
+
+
+@dataclass(frozen=True)
+class Key:
+    """A key of a table."""
+
+    name: str
+    words: str  # description with units
+    kind: str = "text"  # text, texts, number, positive, nonnegative, vector (3 numbers), quaternion
+    # (4), moments (3 or 6 numbers or a 3×3 matrix), coordinates (by joint: a number or a list),
+    # expectations (by quantity), tolerances (by function), effects; table and tables (by name)
+    # have `table`
+    choices: tuple[str, ...] = ()  # of a text; the first is the default unless there is another
+    default: str = ""  # in TOML
+    required: bool = False
+    table: "TableOf | None" = None
+    one_coordinate: bool = False  # only for revolute and prismatic joints
+
+
+@dataclass(frozen=True)
+class TableOf:
+    """A table: its heading and its keys."""
+
+    heading: str  # "" for the file itself
+    words: str
+    keys: tuple[Key, ...]
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The names of the keys."""
+        return tuple(key.name for key in self.keys)
+
+
+def _written(number: float) -> str:
+    """The number without padding of the exponent: 1e-9, not 1e-09."""
+    return f"{number:g}".replace("e-0", "e-")
+
+
+CYLINDER = TableOf("bodies.NAME.shape.cylinder", "A cylinder about z.", (
+    Key("radius", "in m", "positive", required=True),
+    Key("length", "in m", "positive", required=True)))
+
+SHAPE = TableOf("bodies.NAME.shape", "A homogeneous solid about the centre of mass: one of these "
+                "keys.", (
+    Key("box", "lengths of the edges along x, y, z in m", "vector"),
+    Key("cylinder", "a cylinder about z", "table", table=CYLINDER),
+    Key("sphere", "radius in m", "positive")))
+
+BODY = TableOf("bodies.NAME", "A body; without keys, a frame without mass.", (
+    Key("mass", "in kg", "nonnegative"),
+    Key("com", "centre of mass in m, in the body's frame", "vector", default="[0, 0, 0]"),
+    Key("inertia", "moments about the centre of mass in kg m²: xx, yy, zz and, if not zero, "
+        "xy, xz, yz; or the symmetric 3×3 matrix", "moments", default="[0, 0, 0]"),
+    Key("shape", "the solid whose moments, with `mass`, are the inertia; instead of `inertia`",
+        "table", table=SHAPE)))
+
+_PLACE = (
+    Key("xyz", "position in m", "vector", default="[0, 0, 0]"),
+    Key("rpy", "roll, pitch, yaw in rad, about the parent's fixed x, y, z: R = R_z R_y R_x",
+        "vector"),
+    Key("quaternion", "unit quaternion x, y, z, w: the scalar last", "quaternion"),
+    Key("axis", "axis of rotation, of any length", "vector"),
+    Key("angle", "angle about `axis` in rad", "number"))
+_ONE_ROTATION = "its rotation is given by at most one of rpy, quaternion, axis with angle"
+
+ORIGIN = TableOf("joints.NAME.origin", f"The joint's frame in the parent's; {_ONE_ROTATION}.",
+                 _PLACE)
+
+PLACE = TableOf("attach.NAME.place", f"The attached body's frame in the other's; {_ONE_ROTATION}.",
+                _PLACE)
+
+ATTACH = TableOf("attach.NAME", "A body that is fixed to one of the model, as a payload to a "
+                 "flange: effects, `record` and functions name it like the model's own.", (
+    Key("body", "the body it is fixed to", required=True),
+    Key("place", "its frame in that body's", "table", table=PLACE),
+    *(replace(key, required=key.name == "mass") for key in BODY.keys)))
+
+FRAME = TableOf("frames.NAME", "A frame that is fixed to a body of the model, as a tool's centre "
+                f"point: a body without mass; {_ONE_ROTATION}.", (
+    Key("body", "the body it is fixed to", required=True), *_PLACE))
+
+LIMITS = TableOf("joints.NAME.limits", "Limits for effects, which use them by \"model\": without "
+                 "such an effect nothing stops the joint.", (
+    Key("lower", "lower end of the range in rad or m; not of a continuous joint", "number"),
+    Key("upper", "upper end of the range in rad or m; not of a continuous joint", "number"),
+    Key("effort", "largest torque or force in N m or N", "nonnegative"),
+    Key("velocity", "largest speed in rad/s or m/s", "nonnegative")))
+
+MIMIC = TableOf("joints.NAME.mimic", "If the scene has [effects.mimic], the joint follows another: "
+                "q = multiplier q_joint + offset.", (
+    Key("joint", "the joint it follows", required=True),
+    Key("multiplier", "ratio of the velocities", "number", default="1"),
+    Key("offset", "in rad or m", "number", default="0")))
+
+JOINT = TableOf("joints.NAME", "A joint between two bodies.", (
+    Key("type", "how it moves; continuous is revolute without a range", choices=tuple(TYPES),
+        required=True),
+    Key("parent", "the body it is fixed to", default='"world"'),
+    Key("child", "the body it moves", required=True),
+    Key("origin", "its frame in the parent's", "table", table=ORIGIN),
+    Key("axis", "axis of rotation or sliding, in the joint's frame, of any length",
+        "vector", one_coordinate=True),
+    Key("limits", "limits of its range, torque and speed", "table", table=LIMITS,
+        one_coordinate=True),
+    Key("damping", "in N m s/rad or N s/m; acts by [effects.viscous]", "nonnegative",
+        one_coordinate=True),
+    Key("friction", "in N m or N; acts by [effects.coulomb] or [effects.stribeck]",
+        "nonnegative", one_coordinate=True),
+    Key("mimic", "which joint it follows", "table", table=MIMIC, one_coordinate=True)))
+
+START = TableOf("start", "The state at the start of a run; by default zero, without rotation.", (
+    Key("q", "by joint: angle in rad or position in m; of a spherical joint a unit quaternion (x, "
+        "y, z, w); of a free one position and quaternion", "coordinates"),
+    Key("v", "by joint: velocity in rad/s or m/s; of a spherical joint the angular velocity, of a "
+        "free one linear and angular velocity, in the body's frame", "coordinates")))
+
+_RECORDED = ", ".join(f'"{x}"' for x in (
+    *UNITS, *(quantity.written for _, quantity in QUANTITIES.values()), "EFFECT.WHERE.torque"))
+
+OUTPUTS = TableOf("outputs", "What a run records.", (
+    Key("record", f"quantities: {_RECORDED}, …", "texts", default='["q", "v"]'),
+    Key("every", "s between samples; a sample lies at the end of a step, so that this may shorten "
+        "steps", "positive", default="0.01")))
+
+RUN = TableOf("run", "How a run is integrated.", (
+    Key("duration", "in s", "positive", default=_written(Run().duration)),
+    Key("integrator", "see Integrators", choices=NAMES),
+    Key("step", "in s", "positive", default=_written(Run().step)),
+    Key("rtol", "relative tolerance of SciPy's integrators", "positive",
+        default=_written(Run().rtol)),
+    Key("atol", "absolute tolerance of SciPy's integrators", "positive",
+        default=_written(Run().atol))))
+
+EXPECT = TableOf('expect."QUANTITY"', "A condition for `coscrew check`: |quantity(at) - value| <= "
+                 "rtol |value| + atol.  A table, or a list of tables.  At least one of rtol and "
+                 "atol is required.", (
+    Key("at", "time in s", "nonnegative", required=True),
+    Key("value", "in the quantity's unit", "number", required=True),
+    Key("rtol", "relative tolerance", "nonnegative", default="0"),
+    Key("atol", "absolute tolerance", "nonnegative", default="0")))
+
+ACCURACY = TableOf("accuracy", "How accurate functions are in the mixed tier.", (
+    Key("FUNCTION", "how far rounding may move its outputs, in their unit; or a table of this by "
+        "output", "positive"),))
+
+SCENE = TableOf("", "The file itself.", (
+    Key("model", "a URDF file next to the scene; without it the tables `bodies` and `joints` are "
+        "the model"),
+    Key("base", "whether the root is fixed or moves freely", choices=tuple(BASES)),
+    Key("name", "name of the files and the package, and prefix of the C functions: a C identifier",
+        default="the file's name"),
+    Key("precision", 'of runs, and of the files of `coscrew generate`; "both" runs both and shows '
+        'the difference.  "double" is necessary if a number exceeds single precision\'s range '
+        "(1.2e-38 to 3.4e38)", choices=CHOICES, default="runs in double, files in both"),
+    Key("implausible", '"warn" accepts inertias that no body has, that are massless or '
+        "incomplete, and reports them; on the command line --implausible warn",
+        choices=(ERROR, WARN)),
+    Key("functions", "what is generated: names of functions; \"default\" and \"all\" stand for "
+        "several", "texts", default='["default"]'),
+    Key("tiers", "in which the functions, steps excepted, are generated besides plain: accurate, "
+        "certified, mixed, pairs", "texts", default='["plain"]'),
+    Key("accuracy", "how accurate functions in single precision are in the mixed tier, which they "
+        "then have", "tolerances", table=ACCURACY),
+    Key("runtime", "numbers that stay arguments of functions: BODY.mass, BODY.com, BODY.inertia, "
+        "EFFECT.WHERE.PARAMETER", "texts", default="[]"),
+    Key("attach", "bodies that are fixed to those of the model, by name", "tables", table=ATTACH),
+    Key("frames", "frames that are fixed to bodies, by name", "tables", table=FRAME),
+    Key("bodies", "the bodies, by name", "tables", table=BODY),
+    Key("joints", "the joints, by name", "tables", table=JOINT),
+    Key("effects", "what acts: see Effects", "effects"),
+    Key("start", "the state at the start of a run", "table", table=START),
+    Key("outputs", "what a run records", "table", table=OUTPUTS),
+    Key("run", "how a run is integrated", "table", table=RUN),
+    Key("expect", "conditions on a run, by quantity", "expectations", table=EXPECT)))
+
+TABLES = (SCENE, ATTACH, PLACE, FRAME, BODY, SHAPE, CYLINDER, JOINT, ORIGIN, LIMITS, MIMIC,
+          ACCURACY, START, OUTPUTS, RUN, EXPECT)
+"""All tables except those of effects."""

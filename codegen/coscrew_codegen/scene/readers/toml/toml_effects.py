@@ -1,0 +1,246 @@
+"""The tables [effects.*] of a scene file as Applied effects.
+
+An effect on joints or bodies is given for several at once, with `joints = "all"` or a list of them,
+or by tables of its parameters ({ elbow = 0.1 }); or in a table for each, [effects.stribeck.elbow].
+A table under the name of a joint or body belongs to it, even if a parameter has the same name.
+"""
+
+from collections.abc import Iterator, Mapping
+
+from coscrew_codegen.scene.effect import Effect, Place
+from coscrew_codegen.scene.mechanism.model import Model
+from coscrew_codegen.scene.names import did_you_mean
+from coscrew_codegen.scene.patterns import PatternError, expanded
+from coscrew_codegen.scene.readers.toml.effect_table import ALL, MANY, MODEL, EffectTable, Use
+from coscrew_codegen.scene.readers.toml.toml_tables import TomlTable, described
+from coscrew_codegen.scene.recorded_quantities import expected, recorded
+from coscrew_codegen.scene.scene import Applied, Scene
+
+
+def read_effects(effects: TomlTable, model: Model, catalogue: tuple[Effect, ...], use: Use
+                 ) -> tuple[Applied, ...]:
+    """The effects in the catalogue's order, each on joints or bodies in the model's order.
+
+    Raises SceneError for anything unknown, missing, given twice or out of range."""
+    effects.only(*(effect.name for effect in catalogue))
+    readers = {Place.SCENE: _on_scene, Place.JOINT: _on_several, Place.BODY: _on_several,
+               Place.PAIR: _on_pairs}
+    found: list[Applied] = []
+    for effect in catalogue:
+        if effect.name in effects:
+            reading = EffectTable(effect, effects.table(effect.name), model, use)
+            found += readers[effect.place](reading)
+    _refuse_compensation(effects, model, found)
+    return tuple(found)
+
+
+def _refuse_compensation(effects: TomlTable, model: Model, found: list[Applied]) -> None:
+    """Refuse to compensate gravity where there is none, and at joints that follow others."""
+    falls, follows = (any(getattr(x.effect, name) for x in found) for name in ("gravity", "mimic"))
+    leaders = {j.name: j.mimic.joint for j in model.joints if j.mimic and follows}
+    for applied in found:
+        flag = applied.effect.compensates
+        if not flag or applied.values[flag] is None:
+            continue
+        table = effects.table(applied.effect.name)
+        if not falls:
+            table.refuse(flag, f"the scene of {applied.name} has no gravity; wanted "
+                               f"[effects.gravity], or no {flag}")
+        if applied.on in leaders:
+            table.refuse(flag, f"joint {applied.on!r} follows {leaders[applied.on]!r}, which holds "
+                               f"its weight; wanted {flag} there")
+
+
+def _on_scene(reading: EffectTable) -> list[Applied]:
+    """[effects.gravity] g = …"""
+    table = reading.table
+    table.only(*reading.parameters)
+    applied = Applied(reading.effect, "", reading.values(table, table.values, ""))
+    if reading.effect.mimic:
+        _refuse_wrong_mimics(reading)
+        following = {(j.name, "mimic") for j in reading.model.joints if j.mimic}
+        if not following:
+            table.refuse("", "no joint of the model follows another; wanted mimic = { joint, … } "
+                             f"of a joint, or no {reading.effect.name}")
+        reading.use.of_model |= following
+    return [applied]
+
+
+def _refuse_wrong_mimics(reading: EffectTable) -> None:
+    """Refuse followers that cannot follow, the first ones by name."""
+    wrong = [(joint.name, fault) for joint in reading.model.joints
+             if (fault := joint.fault("mimic"))]
+    listed = ", ".join(f"joint {name!r} cannot follow ({fault})"
+                       for name, fault in wrong[:MANY])
+    if wrong:
+        reading.table.refuse("", f"{listed}{', …' * (len(wrong) > MANY)}; mend the file, or leave "
+                                 f"out {reading.effect.name}")
+
+
+def _on_several(reading: EffectTable) -> list[Applied]:
+    """[effects.viscous] joints = …, d = …, and [effects.viscous.elbow] d = …"""
+    table = reading.table
+    plain = {key: value for key, value in table.values.items()
+             if key in (*reading.parameters, reading.several) and not _is_place(reading, key)}
+    for key, value in table.values.items():
+        if key not in plain and not isinstance(value, dict):
+            _refuse_unknown(reading, key)
+    if not table.values:
+        _refuse_nowhere(reading)
+    found = [_in_own_table(reading, key) for key in table.values if key not in plain]
+    found += _on_named(reading, plain)
+    order = {name: i for i, name in enumerate(reading.targets)}
+    found.sort(key=lambda applied: (order[applied.on], applied.label))
+    for one, next_one in zip(found, found[1:], strict=False):
+        if (one.on, one.label) == (next_one.on, next_one.label):
+            table.refuse(one.on, f"{reading.effect.name} is given twice for {reading.what} "
+                                 f"{one.on!r}; wanted it once")
+    return found
+
+
+def _is_place(reading: EffectTable, key: str) -> bool:
+    """Whether a key that is a parameter's name stands for a joint or body: if its value is a table.
+
+    Raises SceneError if that table could also hold the parameter for each joint or body."""
+    given = reading.table.values[key]
+    if not isinstance(given, dict):
+        return False
+    if key in reading.targets:
+        if given and key in reading.parameters and all(name in reading.targets for name in given):
+            place = f"[{reading.table.where}.{reading.what.upper()}]"
+            reading.table.refuse(key, f"{key!r} is a {reading.what} and a parameter, and this "
+                                      f'table could be of either; wanted {reading.several} = '
+                                      f'["{key}"] with numbers, or tables {place} of the others')
+        return True
+    if reading.what == "body" and "body" in given and "body" not in reading.targets:
+        reading.table.refuse(key, f"{key!r} is a parameter; wanted another label")
+    return False
+
+
+def _refuse_unknown(reading: EffectTable, key: str) -> None:
+    known = (*reading.parameters, reading.several)
+    near = did_you_mean(key, (*known, *reading.targets))
+    reading.table.refuse(key, f"unknown key; {near}")
+
+
+def _in_own_table(reading: EffectTable, key: str) -> Applied:
+    """[effects.viscous.elbow], or under a label [effects.wrench.push] body = "tool"."""
+    table = reading.table
+    own = table.table(key)
+    if reading.what == "body" and "body" in own:
+        if key in reading.targets:  # in `runtime`, its name would mean two effects
+            own.refuse("body", f"{key!r} is itself a body; wanted another label")
+        own.only("body", *reading.parameters)
+        on = reading.target(own, "body", own.text("body"))
+        return Applied(reading.effect, on, reading.values(own, own.values, on), key)
+    label = "; or body = … under a label" if reading.what == "body" else ""
+    if key not in {x.name for x in reading.elements}:
+        known = (*reading.targets, *reading.parameters, reading.several)
+        table.refuse(key, f"no {reading.what} {key!r}{label}; {did_you_mean(key, known)}")
+    on = reading.target(table, key, key)
+    own.only(*reading.parameters)
+    return Applied(reading.effect, on, reading.values(own, own.values, on))
+
+
+def _on_named(reading: EffectTable, plain: Mapping[str, object]) -> Iterator[Applied]:
+    """joints = "all" or a list, or the joints that tables of parameters name."""
+    if not plain:
+        return
+    table, several = reading.table, reading.several
+    by_target = {key: table.table(key) for key, value in plain.items()
+                 if isinstance(value, dict) and key != several}
+    for of_each in by_target.values():
+        for name in of_each.values:
+            reading.target(of_each, name, name)
+    if not reading.targets:
+        reading.refuse_none()
+    chosen, named = _chosen(reading, plain.get(several), by_target)
+    for key, of_each in by_target.items():
+        for name in of_each.values:
+            if name not in chosen:
+                of_each.refuse(name, f"is not among the {several} of {table.key(several)}")
+        for name in chosen:
+            if name not in of_each:
+                of_each.missing(name, f"{key} of {reading.what} {name!r}, as for the others")
+    applied = False
+    for name in chosen:
+        given = {key: by_target[key].values[name] if key in by_target else value
+                 for key, value in plain.items() if key != several}
+        values = reading.values(table, given, name, named)
+        if values is not None:
+            applied = True
+            yield Applied(reading.effect, name, values)
+    if not applied:
+        lacking = ", ".join(p.model for p in reading.effect.parameters
+                            if p.model and plain.get(p.name, p.default) == MODEL)
+        table.refuse("", f"no {reading.what} of the model has {lacking}; wanted numbers, or no "
+                         f"{reading.effect.name}")
+
+
+def _chosen(reading: EffectTable, several: object, by_target: Mapping[str, TomlTable]
+            ) -> tuple[tuple[str, ...], bool]:
+    """The targets in the model's order, and whether they were named one by one."""
+    table = reading.table
+    if several is None:
+        names = {name for of_each in by_target.values() for name in of_each.values}
+        if not names:
+            _refuse_nowhere(reading)
+    elif several == ALL:
+        return tuple(reading.targets), False
+    elif isinstance(several, list):
+        names = {reading.target(table, reading.several, name)
+                 for name in _listed(reading, table.as_texts(reading.several, several))}
+        if not names:
+            table.refuse(reading.several, f'an empty list; wanted "{ALL}" or names')
+    else:
+        table.refuse(reading.several, f'{described(several)}; wanted "{ALL}" or a list of names')
+    return tuple(name for name in reading.targets if name in names), True
+
+
+def _listed(reading: EffectTable, given: tuple[str, ...]) -> tuple[str, ...]:
+    """Names of joints or bodies, patterns among them replaced by those on which it can act."""
+    try:
+        return expanded(given, tuple(reading.targets))
+    except PatternError as error:
+        reading.table.refuse(reading.several, str(error))
+
+
+def _refuse_nowhere(reading: EffectTable) -> None:
+    name = reading.table.where
+    reading.table.missing(reading.several, f'{reading.several} = "{ALL}", a list of names, or '
+                                           f"tables [{name}.{reading.what.upper()}]")
+
+
+def _on_pairs(reading: EffectTable) -> list[Applied]:
+    """[effects.tendon.LABEL] bodies = [a, b], …"""
+    found = []
+    if not reading.table.values:
+        reading.table.refuse("", f"is empty; wanted tables [{reading.table.where}.LABEL]")
+    for label, value in reading.table.values.items():
+        if not isinstance(value, dict):
+            reading.table.refuse(label, f"{described(value)}; wanted a table under a label, "
+                                        f"[{reading.table.where}.LABEL], with bodies = [a, b]")
+        own = reading.table.table(label)
+        own.only("bodies", *reading.parameters)
+        pair = own.as_texts("bodies", own.value("bodies", "the two bodies, [a, b]"))
+        if len(pair) != 2:
+            own.refuse("bodies", f"a list of {len(pair)}; wanted two bodies")
+        given = {key: value for key, value in own.values.items() if key != "bodies"}
+        values = {**reading.values(own, given, ""), "bodies": reading.pair(own, pair)}
+        found.append(Applied(reading.effect, label, values, label))
+    return found
+
+
+def with_reactions(scene: Scene, catalogue: tuple[Effect, ...]) -> tuple[Applied, ...]:
+    """The effects of a scene, with a reaction for each joint of which it is recorded or expected.
+    """
+    effect = next((effect for effect in catalogue if effect.reaction), None)
+    wanted = {recorded(text, scene) for text in scene.record}
+    wanted |= {expected(x.quantity, scene) for x in scene.expectations}
+    there = {applied.on for applied in scene.effects if applied.effect is effect}
+    joints = {x.target for x in wanted if x.quantity == "reaction"} - there
+    if effect is None or not joints:
+        return scene.effects
+    found = [*scene.effects, *(Applied(effect, joint.name, {}) for joint in scene.model.joints
+                               if joint.name in joints)]
+    return tuple(sorted(found, key=lambda applied: catalogue.index(applied.effect)))

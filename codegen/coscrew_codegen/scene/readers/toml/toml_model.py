@@ -1,0 +1,195 @@
+"""A model in a scene file itself: tables [bodies.NAME] and [joints.NAME]."""
+
+from dataclasses import replace
+from fractions import Fraction
+
+from coscrew_codegen.scene.mechanism import rotations
+from coscrew_codegen.scene.mechanism.assembly import ModelError, assembled
+from coscrew_codegen.scene.mechanism.inertia_checks import WARN, judged
+from coscrew_codegen.scene.mechanism.mimics import without_chains
+from coscrew_codegen.scene.mechanism.model import (
+    HERE,
+    WORLD,
+    Body,
+    Inertia,
+    Joint,
+    Kind,
+    Limits,
+    Mimic,
+    Model,
+    Placement,
+)
+from coscrew_codegen.scene.mechanism.roundoff_cleanup import without_residues
+from coscrew_codegen.scene.readers.scene_error import SceneError
+from coscrew_codegen.scene.readers.toml.keys import (
+    BODY,
+    CYLINDER,
+    JOINT,
+    LIMITS,
+    MIMIC,
+    ORIGIN,
+    SHAPE,
+    TYPES,
+)
+from coscrew_codegen.scene.readers.toml.toml_tables import TomlTable, described
+
+_ZERO = (Fraction(0),) * 3
+_OF_ONE_COORDINATE = tuple(key.name for key in JOINT.keys if key.one_coordinate)
+_INERTIA = "a list of 3 or 6 numbers: xx, yy, zz, xy, xz, yz; or a symmetric 3×3 matrix"
+_TOLERANCE = Fraction(1, 10**6)  # of a quaternion's norm: people write six digits
+
+
+def read_model(file: TomlTable, name: str, base: Kind, implausible: str) -> Model:
+    """The model in the tables `bodies` and `joints`.  With `implausible` "warn", impossible and
+    massless inertias are accepted and listed in the model.  Raises SceneError."""
+    massless: list[str] = []
+    bodies = tuple(body(name, table, massless if implausible == WARN else None)
+                   for name, table in file.tables("bodies"))
+    joints = tuple(_joint(name, table) for name, table in file.tables("joints"))
+    try:
+        model = without_residues(without_chains(assembled(name, bodies, joints, base)))
+        return judged(replace(model, implausible=tuple(massless)), implausible)
+    except ModelError as error:
+        raise SceneError(file.file, error.element, error.problem) from None
+
+
+def body(name: str, table: TomlTable, massless: list[str] | None) -> Body:
+    """The body.  A mass of zero is refused or, if `massless` is a list, reported there."""
+    table.only(*BODY.names)
+    if name == WORLD:
+        table.refuse("", "this name is the world's; wanted another one")
+    if "mass" not in table:
+        if table.values:
+            table.missing("mass", "the mass in kg")
+        return Body(name)
+    mass = table.positive("mass", Fraction(0)) if massless is None else \
+        table.nonnegative("mass", Fraction(0))
+    inertia = Inertia(mass, table.numbers("com", (3,), _ZERO), _inertia(table, mass))
+    if massless is None or mass or any(inertia.moments):
+        return Body(name, inertia)
+    massless.append(f"body {name!r}: its mass is zero, and so are its moments")
+    return Body(name)
+
+
+def _inertia(table: TomlTable, mass: Fraction) -> tuple[Fraction, ...]:
+    """The moments that `inertia` gives, or `shape` with the mass."""
+    if "shape" not in table:
+        return _moments(table)
+    if "inertia" in table:
+        table.refuse("shape", "`inertia` gives the moments already; wanted one of both")
+    shape = table.table("shape")
+    shape.only(*SHAPE.names)
+    if len(shape.values) != 1:
+        shape.refuse("", f"has {len(shape.values)} keys; wanted one of {', '.join(SHAPE.names)}")
+    return (*(mass * x for x in _radii(shape)), *_ZERO)
+
+
+def _radii(shape: TomlTable) -> tuple[Fraction, ...]:
+    """The squares of the radii of gyration of a homogeneous solid, about x, y, z, in m²."""
+    if "sphere" in shape:
+        square = shape.positive("sphere")**2 * Fraction(2, 5)
+        return square, square, square
+    if "cylinder" in shape:
+        cylinder = shape.table("cylinder")
+        cylinder.only(*CYLINDER.names)
+        radius, length = (cylinder.positive(key) for key in CYLINDER.names)
+        across = radius**2 / 4 + length**2 / 12
+        return across, across, radius**2 / 2
+    edges = shape.numbers("box", (3,))
+    if min(edges) <= 0:
+        shape.refuse("box", f"an edge of {float(min(edges)):g} m; wanted positive lengths")
+    x, y, z = (edge**2 / 12 for edge in edges)
+    return y + z, x + z, x + y
+
+
+def _moments(table: TomlTable) -> tuple[Fraction, ...]:
+    """xx, yy, zz, xy, xz, yz, from three or six numbers in this order or a symmetric matrix."""
+    rows = table.values.get("inertia", [0, 0, 0])
+    if isinstance(rows, list) and any(isinstance(row, list) for row in rows):
+        if [len(row) if isinstance(row, list) else 0 for row in rows] != [3, 3, 3]:
+            table.refuse("inertia", f"a list of {len(rows)} with lists in it; wanted {_INERTIA}")
+        (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = (table.as_numbers("inertia", row, (3,))
+                                                    for row in rows)
+        for name, above, below in (("xy", xy, yx), ("xz", xz, zx), ("yz", yz, zy)):
+            if above != below:
+                table.refuse("inertia", f"{name} is {float(above):.17g} above the diagonal and "
+                                        f"{float(below):.17g} below; wanted {_INERTIA}")
+        return xx, yy, zz, xy, xz, yz
+    if not isinstance(rows, list) or len(rows) not in (3, 6):
+        table.refuse("inertia", f"{described(rows)}; wanted {_INERTIA}")
+    moments = table.as_numbers("inertia", rows, (3, 6))
+    return moments if len(moments) == 6 else (*moments, *_ZERO)
+
+
+def _joint(name: str, table: TomlTable) -> Joint:
+    table.only(*JOINT.names)
+    word = table.choice("type", tuple(TYPES))
+    kind = TYPES[word]
+    ends = table.text("parent", WORLD), table.text("child")
+    if kind not in (Kind.REVOLUTE, Kind.PRISMATIC):
+        for key in _OF_ONE_COORDINATE:
+            if key in table:
+                table.refuse(key, f"is for revolute and prismatic joints; {name!r} is {word}")
+        return Joint(name, kind, *ends, _placement(table))
+    return Joint(name, kind, *ends, _placement(table), _direction(table, "axis"),
+                 *_limits(table.table("limits"), word == "continuous"),
+                 damping=table.nonnegative("damping"), friction=table.nonnegative("friction"),
+                 mimic=_mimic(table.table("mimic")) if "mimic" in table else None)
+
+
+def _limits(table: TomlTable, continuous: bool) -> Limits:
+    table.only(*(key for key in LIMITS.names if not continuous or key not in ("lower", "upper")))
+    lower, upper = (table.number(key) if key in table else None for key in ("lower", "upper"))
+    if lower is not None and upper is not None and lower > upper:
+        table.refuse("lower", f"{float(lower):g} is above upper, {float(upper):g}")
+    return lower, upper, table.nonnegative("effort"), table.nonnegative("velocity")
+
+
+def _mimic(table: TomlTable) -> Mimic:
+    table.only(*MIMIC.names)
+    return Mimic(table.text("joint"), table.number("multiplier", Fraction(1)),
+                 table.number("offset", Fraction(0)))
+
+
+def _placement(table: TomlTable) -> Placement:
+    """origin = { xyz, and one of rpy, quaternion (x, y, z, w), axis with angle }."""
+    if "origin" not in table:
+        return HERE
+    origin = table.table("origin")
+    origin.only(*ORIGIN.names)
+    return placement(origin)
+
+
+def placement(origin: TomlTable) -> Placement:
+    """The frame that xyz, and one of rpy, quaternion, axis with angle, give."""
+    ways = [key for key in ("rpy", "quaternion", "axis") if key in origin]
+    if len(ways) > 1:
+        origin.refuse(ways[1], f"the rotation is given by {ways[0]} already")
+    if "angle" in origin and "axis" not in origin:
+        origin.missing("axis", "the axis to turn about")
+    return Placement(_rotation(origin), origin.numbers("xyz", (3,), _ZERO))
+
+
+def _rotation(origin: TomlTable) -> tuple[Fraction, ...]:
+    if "quaternion" in origin:
+        quaternion = origin.numbers("quaternion", (4,))
+        refuse_not_unit(origin, "quaternion", quaternion)
+        return rotations.from_quaternion(quaternion)
+    if "axis" in origin:
+        return rotations.from_axis_angle(_direction(origin, "axis"), origin.number("angle"))
+    return rotations.from_rpy(*origin.numbers("rpy", (3,), _ZERO))
+
+
+def refuse_not_unit(table: TomlTable, key: str, quaternion: tuple[Fraction, ...]) -> None:
+    """Refuse quaternions whose norm is not 1 within 1e-6."""
+    square = sum(x * x for x in quaternion)
+    if not (1 - _TOLERANCE)**2 <= square <= (1 + _TOLERANCE)**2:
+        table.refuse(key, f"a quaternion of norm {float(square)**0.5:.9g}; wanted 1 within 1e-6, "
+                          "in the order x, y, z, w")
+
+
+def _direction(table: TomlTable, key: str) -> tuple[Fraction, ...]:
+    vector = table.numbers(key, (3,))
+    if not any(vector):
+        table.refuse(key, "is zero; wanted a direction")
+    return rotations.unit(vector)

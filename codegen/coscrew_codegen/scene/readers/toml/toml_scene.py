@@ -1,0 +1,286 @@
+"""Scene files: reads a TOML file, or a URDF file alone, as a Scene."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from pathlib import Path
+
+from coscrew_codegen.program.values.formats import BY_NAME, CHOICES, DOUBLE
+from coscrew_codegen.scene.effect import Effect
+from coscrew_codegen.scene.function_selection import FunctionsError, resolved
+from coscrew_codegen.scene.integrators import NAMES
+from coscrew_codegen.scene.mechanism.inertia_checks import ERROR, WARN
+from coscrew_codegen.scene.mechanism.mimics import followers
+from coscrew_codegen.scene.mechanism.model import Joint, Kind, Model
+from coscrew_codegen.scene.mechanism.rotations import unit
+from coscrew_codegen.scene.readers.foreign import of_suffix
+from coscrew_codegen.scene.readers.idle import idle
+from coscrew_codegen.scene.readers.reader_identifiers import identifier, refused
+from coscrew_codegen.scene.readers.scene_error import SceneError, shown
+from coscrew_codegen.scene.readers.toml.accuracy_table import (
+    limits_used,
+    read_accuracy,
+    refuse_faults,
+)
+from coscrew_codegen.scene.readers.toml.attached import with_attached
+from coscrew_codegen.scene.readers.toml.effect_table import Use
+from coscrew_codegen.scene.readers.toml.keys import BASES, EXPECT, OUTPUTS, RUN, SCENE, START
+from coscrew_codegen.scene.readers.toml.runtime import with_parameters
+from coscrew_codegen.scene.readers.toml.toml_effects import read_effects, with_reactions
+from coscrew_codegen.scene.readers.toml.toml_model import read_model, refuse_not_unit
+from coscrew_codegen.scene.readers.toml.toml_tables import TomlTable, described, read_toml
+from coscrew_codegen.scene.readers.unused import unused
+from coscrew_codegen.scene.recordable import quantities_of
+from coscrew_codegen.scene.recorded_quantities import QuantityError, expected
+from coscrew_codegen.scene.scene import Expectation, Run, Scene
+from coscrew_codegen.scene.tier_selection import TiersError, asked, selected
+
+
+@dataclass(frozen=True)
+class SceneOverrides:
+    """Settings that override those in a scene's file; None: the file's."""
+
+    precision: str | None = None  # double, single, both
+    implausible: str | None = None  # error, warn
+    functions: tuple[str, ...] | None = None  # names, "default", "all"
+    tiers: tuple[str, ...] | None = None  # names
+
+    def __post_init__(self) -> None:
+        for key, choices in (("precision", CHOICES), ("implausible", (ERROR, WARN))):
+            if (word := getattr(self, key)) not in (None, *choices):
+                raise ValueError(f"{key} = {word!r}; wanted one of {', '.join(choices)}")
+
+
+def read_scene(path: Path | str, catalogue: tuple[Effect, ...] | None = None,
+               overrides: SceneOverrides = SceneOverrides()) -> Scene:
+    """The scene in a TOML file; for a URDF file alone, a scene without effects, even gravity.
+
+    `catalogue` holds the known effects (None: all).  Raises SceneError, naming file and key, for
+    anything unknown, missing, of the wrong type, out of range, or not used."""
+    path = Path(path)
+    effects = _all_effects() if catalogue is None else catalogue
+    suffix = path.suffix.lower()
+    if suffix == ".urdf":
+        implausible = overrides.implausible or ERROR
+        from coscrew_codegen.scene.readers.urdf.urdf import read_urdf
+        model = read_urdf(path, implausible=implausible)
+        _refuse_still(path, model)
+        scene = Scene(identifier(path.stem), model, notices=unused(model, set(), effects),
+                      implausible=implausible, precision=overrides.precision or "double",
+                      precisions=_emitted(overrides.precision))
+        return _selecting(replace(scene, tiers=selected(overrides.tiers or ())),
+                          overrides.functions or ())
+    if suffix != ".toml":
+        raise SceneError(path, "", f"{of_suffix(path)}; wanted a .toml or .urdf file")
+    return _scene(read_toml(path), effects, overrides)
+
+
+def _all_effects() -> tuple[Effect, ...]:
+    from coscrew_codegen.scene.effects import EFFECTS
+    return EFFECTS
+
+
+def _emitted(precision: str | None) -> tuple[str, ...]:
+    """The precisions that a scene is generated in: only double if that is selected, since single
+    may not hold the scene's numbers; else both."""
+    return (DOUBLE.name,) if precision == DOUBLE.name else tuple(BY_NAME)
+
+
+def _overridden(by: str | None, file: TomlTable, key: str, choices: tuple[str, ...]) -> str | None:
+    """The overriding word, or else the file's."""
+    written = file.choice(key, choices) if key in file else None
+    return by or written
+
+
+def _scene(file: TomlTable, catalogue: tuple[Effect, ...], overrides: SceneOverrides) -> Scene:
+    file.only(*SCENE.names)
+    name = _name(file)
+    implausible = _overridden(overrides.implausible, file, "implausible", (ERROR, WARN)) or ERROR
+    precision = _overridden(overrides.precision, file, "precision", CHOICES)
+    model = with_attached(file, _model(file, name, implausible), implausible)
+    use = Use()
+    effects = read_effects(file.table("effects"), model, catalogue, use)
+    _refuse_still(file.file, model)
+    scene = Scene(name, model, effects, precision=precision or "double",
+                  precisions=_emitted(precision), implausible=implausible,
+                  run=_run(file.table("run")))
+    start, outputs = file.table("start"), file.table("outputs")
+    start.only(*START.names)
+    outputs.only(*OUTPUTS.names)
+    scene = replace(scene, start_q=_start_q(start.table("q"), scene),
+                    start_v=_start_v(start.table("v"), scene), record=_record(outputs, scene),
+                    every=float(outputs.positive("every", Fraction(1, 100))),
+                    expectations=_expectations(file, scene))
+    functions = _functions(file, scene)
+    accuracy = read_accuracy(file, scene, resolved(scene, functions))
+    functions = overrides.functions or functions
+    accuracy = tuple(x for x in accuracy if x.function in resolved(scene, functions))
+    tiers = selected((*_tiers(file), *(asked() if accuracy else ())))
+    drawn = limits_used(scene, accuracy)
+    refuse_faults(file, scene, drawn)
+    told = unused(model, use.of_model | drawn, catalogue, effects)
+    effects = with_reactions(scene, catalogue)
+    model, effects, parameters = with_parameters(file, model, effects, catalogue)
+    if overrides.tiers:
+        tiers = selected(overrides.tiers)
+    return _selecting(replace(scene, model=model, effects=effects, parameters=parameters,
+                              accuracy=accuracy, tiers=tiers,
+                              notices=(*idle(effects), *told)), functions)
+
+
+def _functions(file: TomlTable, scene: Scene) -> tuple[str, ...]:
+    """The functions that the file selects; (): the default functions."""
+    names = file.texts("functions", ())
+    if "functions" in file and not names:
+        file.refuse("functions", 'an empty list; wanted names, as ["inverse_dynamics"], "default" '
+                                 'or "all" among them')
+    try:
+        return _selecting(scene, names).functions
+    except FunctionsError as error:
+        file.refuse("functions", str(error))
+
+
+def _tiers(file: TomlTable) -> tuple[str, ...]:
+    """The tiers that the file selects besides plain."""
+    names = file.texts("tiers", ())
+    if "tiers" in file and not names:
+        file.refuse("tiers", 'an empty list; wanted names, as ["plain", "accurate"]')
+    try:
+        return selected(names)
+    except TiersError as error:
+        file.refuse("tiers", str(error))
+
+
+def _selecting(scene: Scene, functions: tuple[str, ...]) -> Scene:
+    """The scene with these functions selected.  Raises FunctionsError for unknown functions."""
+    resolved(scene, functions)
+    return replace(scene, functions=functions)
+
+
+def _name(file: TomlTable) -> str:
+    if "name" not in file:
+        return identifier(file.file.stem)
+    name = file.text("name")
+    if reason := refused(name):
+        file.refuse("name", f"{shown(name)} {reason}; wanted a C identifier such as "
+                            f"{identifier(name)!r}")
+    return name
+
+
+def _model(file: TomlTable, name: str, implausible: str) -> Model:
+    """The model of the URDF file that `model` names, or of this file's own tables."""
+    base = BASES[file.choice("base", tuple(BASES), "fixed")]
+    own = [key for key in ("bodies", "joints") if key in file]
+    if "model" not in file:
+        if not own:
+            file.missing("model", "a URDF file, or tables [bodies.NAME] and [joints.NAME]")
+        return read_model(file, name, base, implausible)
+    if own:
+        file.refuse(own[0], "the model comes from the file that `model` names; wanted one of both")
+    named = Path(file.text("model"))
+    path = file.file.parent / named
+    if named.suffix.lower() != ".urdf":
+        file.refuse("model", f"{shown(str(named))} {of_suffix(path)}; wanted a .urdf file")
+    if not path.exists():
+        file.refuse("model", f"{shown(str(named))}: there is no such file; it is looked for in the "
+                             "folder of the scene")
+    from coscrew_codegen.scene.readers.urdf.urdf import read_urdf
+    return read_urdf(path, base, implausible)
+
+
+def _refuse_still(file: Path, model: Model) -> None:
+    """Refuse models in which nothing moves."""
+    if all(joint.kind is Kind.FIXED for joint in model.joints):
+        raise SceneError(file, "model", 'has no joint that moves; base = "free" frees its root')
+
+
+def _moving(table: TomlTable, key: str, scene: Scene) -> Joint:
+    """The joint that a key of [start] names."""
+    joints = {joint.name: joint for joint in scene.model.joints if joint.kind is not Kind.FIXED}
+    name = table.known(key, key, "joint that moves", joints)
+    if leader := followers(scene).get(name):
+        table.refuse(key, f"follows joint {leader.joint!r}; wanted the start of that one")
+    return joints[name]
+
+
+def _start_q(table: TomlTable, scene: Scene) -> Mapping[str, tuple[float, ...]]:
+    """Coordinates by joint; quaternions normalised."""
+    start = {}
+    for key in table.values:
+        joint = _moving(table, key, scene)
+        numbers = _start(table, key, joint.kind.nq)
+        if joint.kind in (Kind.SPHERICAL, Kind.FREE):
+            refuse_not_unit(table, key, numbers[-4:])
+            numbers = (*numbers[:-4], *unit(numbers[-4:]))
+        start[key] = tuple(float(x) for x in numbers)
+    return start
+
+
+def _start_v(table: TomlTable, scene: Scene) -> Mapping[str, tuple[float, ...]]:
+    return {key: tuple(float(x) for x in _start(table, key, _moving(table, key, scene).kind.nv))
+            for key in table.values}
+
+
+def _start(table: TomlTable, key: str, count: int) -> tuple[Fraction, ...]:
+    value = table.values[key]
+    if count == 1 and not isinstance(value, list):
+        return (table.as_number(key, value),)
+    return table.as_numbers(key, value, (count,))
+
+
+def _record(outputs: TomlTable, scene: Scene) -> tuple[str, ...]:
+    texts = outputs.texts("record", ("q", "v"))
+    if not texts:
+        outputs.refuse("record", 'an empty list; wanted quantities, as ["q", "v"]')
+    try:
+        return quantities_of(texts, scene)
+    except QuantityError as error:
+        outputs.refuse("record", str(error))
+
+
+def _run(table: TomlTable) -> Run:
+    table.only(*RUN.names)
+    run = Run()
+    duration, step, rtol, atol = (
+        float(table.positive(key, Fraction(getattr(run, key))))
+        for key in ("duration", "step", "rtol", "atol"))
+    if step > duration:
+        table.refuse("step", f"{step:g} s is longer than the duration, {duration:g} s")
+    return Run(duration, table.choice("integrator", NAMES, run.integrator), step, rtol, atol)
+
+
+def _expectations(file: TomlTable, scene: Scene) -> tuple[Expectation, ...]:
+    """[expect]: a table for each quantity, or a list of tables."""
+    expectations = []
+    outer = file.table("expect")
+    for quantity, value in outer.values.items():
+        try:
+            names = quantities_of((quantity,), scene)
+            for name in names:
+                expected(name, scene)
+        except QuantityError as error:
+            outer.refuse(quantity, f"{error}{_quotes(quantity, value)}")
+        for given in value if isinstance(value, list) else [value]:
+            if not isinstance(given, dict):
+                outer.refuse(quantity, f"{described(given)}; wanted a table: at, value, rtol")
+            table = TomlTable(file.file, outer.key(quantity), given)
+            expectations += [_expectation(table, name, scene.run.duration) for name in names]
+    return tuple(expectations)
+
+
+def _quotes(quantity: str, value: object) -> str:
+    """A hint for q.elbow = { … }, which TOML reads as a table q."""
+    inside = [key for key, x in value.items() if isinstance(x, dict)] \
+        if isinstance(value, dict) else []
+    return f'; keys with a dot take quotes: "{quantity}.{inside[0]}" = …' if inside else ""
+
+
+def _expectation(table: TomlTable, quantity: str, duration: float) -> Expectation:
+    table.only(*EXPECT.names)
+    at = float(table.nonnegative("at", Fraction(0)) if "at" in table else table.number("at"))
+    if at > duration:
+        table.refuse("at", f"{at:g} s is after the end of the run, {duration:g} s")
+    rtol, atol = (table.nonnegative(key, Fraction(0)) for key in ("rtol", "atol"))
+    if not rtol and not atol:
+        table.missing("rtol", "a tolerance: rtol, atol or both")
+    return Expectation(quantity, at, float(table.number("value")), float(rtol), float(atol))

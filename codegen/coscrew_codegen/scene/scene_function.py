@@ -1,0 +1,327 @@
+"""What a function of scenes is: the entry of the catalogue from which it is selected, recorded,
+emitted, measured and documented.
+
+A function's file knows no other function and no algorithm: its `compute` gets the scene's motion
+as Dynamics, and answers with Numbers.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from enum import Enum
+from math import prod
+from string import ascii_uppercase
+from typing import TYPE_CHECKING, Protocol
+
+from coscrew_codegen.algebra.recording.numbers import Number, Vector
+from coscrew_codegen.program.values.parameter import Scalar
+from coscrew_codegen.scene import units
+from coscrew_codegen.scene.integrator import Integrator
+from coscrew_codegen.scene.scene import Applied, Scene
+from coscrew_codegen.scene.units import Kinds, Units
+
+if TYPE_CHECKING:
+    from coscrew_codegen.algebra.recording.recorder import Recorder
+
+Numbers = Sequence[Number]
+Results = Sequence[Numbers]
+"""The components of each output, row by row."""
+
+
+class AxisLength(Enum):
+    """The length of an axis that depends on the scene."""
+
+    NQ = "coordinates"
+    NV = "velocities"
+    BODIES = "bodies"
+    PARAMETERS = "run-time parameters"
+    FLOATING = "floating trees"
+
+
+@dataclass(frozen=True)
+class Array:
+    """An input or output: shape, the unit of each component, and words for comments."""
+
+    name: str
+    shape: tuple[int | AxisLength, ...]
+    units: Units
+    words: str = ""
+
+    def sized(self, size: Callable[[AxisLength], int]) -> tuple[int, ...]:
+        """The shape in a scene."""
+        return tuple(size(x) if isinstance(x, AxisLength) else x for x in self.shape)
+
+    @property
+    def each(self) -> int:
+        """The number of components of each body, joint, … along the first axis."""
+        return prod(x for x in self.shape[1:] if isinstance(x, int))
+
+    def units_of(self, shape: tuple[int, ...], kinds: Kinds) -> tuple[str, ...]:
+        """The unit of each component.  Raises ValueError if they do not fit the shape."""
+        given = self.units(kinds) if callable(self.units) else self.units
+        count = prod(shape)
+        if count and (not given or count % len(given)):
+            raise ValueError(f"{self.name} has {count} components and {len(given)} units; wanted "
+                             "a unit for each, or units that are repeated")
+        return given * (count // len(given)) if given else ()
+
+
+Q = Array("q", (AxisLength.NQ,), units.coordinates,
+          "coordinates: positions in m, angles in rad, unit quaternions (x, y, z, w)")
+V = Array("v", (AxisLength.NV,), units.velocities, "velocities in m/s, rad/s")
+A = Array("a", (AxisLength.NV,), units.accelerations, "accelerations in m/s^2, rad/s^2")
+TAU = Array("tau", (AxisLength.NV,), units.torques, "forces and torques of joints in N, N m")
+MOMENTA = Array("c", (AxisLength.FLOATING, 9), (*units.MOMENTUM, "m", "m", "m"),
+                "in kg m/s, kg m^2/s, m")
+COUNT = Array("count", (), ("1",))
+INPUTS = {x.name: x for x in (
+    Array("t", (), ("s",), "time in s"), Array("h", (), ("s",), "step in s"),
+    Array("p", (AxisLength.PARAMETERS,), ("1",), "parameters"), Q, V, A, TAU,
+    Array("phi", (AxisLength.NV,), units.displacements,
+          "displacements along the velocities, in m, rad"), MOMENTA)}
+"""What functions take, by name."""
+
+
+class Dynamics(Protocol):
+    """A scene at the inputs of a function: constants and inputs as Numbers, and what algorithms
+    compute from them.  Velocities, accelerations and torques that the function does not take are
+    zero.
+
+    `recorder.call` records an operation of the library."""
+
+    scene: Scene
+    recorder: "Recorder"
+    target: str  # of a family's member: its body or joint
+
+    def argument(self, name: str) -> Numbers:
+        """The components of an input."""
+
+    def number(self, value: Scalar | int) -> Number:
+        """A number of the scene: a constant, or its element of p if it is a run-time parameter."""
+
+    def numbers(self, values: Sequence[Scalar | int]) -> tuple[Number, ...]:
+        """Numbers of the scene."""
+
+    def pose(self, body: str) -> Numbers:
+        """D = [R | t] of a body, row by row."""
+
+    def position(self, body: str, point: Vector) -> Vector:
+        """R x + t of a point of a body, which is in the body's frame."""
+
+    def twist(self, body: str) -> Numbers:
+        """(v; ω) of a body at its origin, in its own frame."""
+
+    def jacobian(self, body: str) -> Numbers:
+        """J with J v = (v; ω) of a body at its origin, in its own frame; row by row."""
+
+    def mass_matrix(self) -> Numbers:
+        """M(q), row by row."""
+
+    def torques(self, effects: bool = True) -> Numbers:
+        """M(q) a + bias torques; without `effects`, those of inertia and gravity alone."""
+
+    def accelerations(self) -> Numbers:
+        """a with M(q) a + bias torques = tau."""
+
+    def energies(self) -> Numbers:
+        """(kinetic, potential) energy."""
+
+    def power(self) -> Number:
+        """The power of the effects without potential energy."""
+
+    def momentum(self) -> Numbers:
+        """(p; L) about the world's origin."""
+
+    def transmitted(self, joint: str) -> Numbers:
+        """(force; moment) that a joint exerts on its child, in the child's frame, at its origin."""
+
+    def of_effect(self, applied: Applied) -> Mapping[str, Callable[[], Numbers]]:
+        """What an effect exerts, its power and its energy, by quantity."""
+
+    def integrated(self) -> Numbers:
+        """q ⊕ phi."""
+
+    def chart_rate(self) -> Numbers:
+        """phi' while q ⊕ phi moves with v."""
+
+    def implicit_accelerations(self) -> Numbers:
+        """a with (M + h d + h² k) a = tau - bias torques - h k v."""
+
+    def midpoint_accelerations(self) -> Numbers:
+        """a of the default integrator's kick."""
+
+    def floating_momenta(self) -> Numbers:
+        """(p; L; x) of each floating tree."""
+
+    def with_floating_momenta(self) -> Results:
+        """q and v corrected to the momenta c."""
+
+    def closing(self) -> Number:
+        """The number of limits that are closed, or would be after moving with v for h."""
+
+    def split(self) -> tuple[Number, Number]:
+        """The number and length of the parts of a step that resolve contacts of limits."""
+
+
+class Situation(Protocol):
+    """What a scene has, as far as functions depend on it."""
+
+    scene: Scene
+
+    @property
+    def floating(self) -> tuple[str, ...]:
+        """The first bodies of trees on which gravity is the only external force."""
+
+    @property
+    def closes(self) -> bool:
+        """Whether it has a limit that can be hit."""
+
+
+class Depends(Enum):
+    """What a function depends on, besides its inputs."""
+
+    GEOMETRY = "frames of joints and bodies"
+    MASSES = "masses, too, and so on p if the scene has run-time parameters"
+    EFFECTS = "effects, too, and so on t if they depend on time"
+
+
+@dataclass(frozen=True)
+class Default:
+    """Whether a scene that selects no functions has a function (of a target), and in words."""
+
+    words: str
+    holds: Callable[[Scene, str], bool]
+
+
+ALWAYS = Default("by default", lambda scene, target: True)
+IF_SELECTED = Default("if selected or recorded", lambda scene, target: False)
+
+
+class Of(Enum):
+    """What a recorded quantity belongs to."""
+
+    SCENE = ""
+    BODY = "body"
+    JOINT = "joint"
+
+
+@dataclass(frozen=True)
+class SceneQuantity:
+    """What is recorded of a function's results: `name`, or `name.BODY`, `name.JOINT`.
+
+    Each component is the sum of the results at its `places`; without places, every result is a
+    component.  Of a function of all bodies, places are counted from the body's own results."""
+
+    name: str
+    of: Of = Of.SCENE
+    components: tuple[str, ...] = ()  # names in place of numbers
+    places: tuple[tuple[int, ...], ...] = ()
+    expected: str = ""  # the component that an expectation without one is about
+
+    @property
+    def written(self) -> str:
+        """pose.BODY."""
+        return f"{self.name}.{self.of.value.upper()}" if self.of.value else self.name
+
+
+_OF_STATES = ("q", "v", "a", "tau")
+
+
+@dataclass(frozen=True)
+class SceneFunction:
+    """A function of scenes, or a family of them: the members are those of a scene, one for each
+    body, joint, effect or integrator.  A family's name and words are those of its members, with
+    BODY, JOINT and so on in place of names."""
+
+    name: str  # in scenes, C and Python
+    place: int  # among the functions, in the order in which they are emitted
+    words: str  # its equation, and its outputs
+    inputs: str  # names of INPUTS; p and t, on which masses and effects depend, are added
+    outputs: tuple[Array, ...]
+    compute: Callable[[Dynamics], Results] | None  # None of a step, which calls others
+    depends: Depends = Depends.MASSES
+    default: Default = IF_SELECTED
+    recorded: tuple[SceneQuantity, ...] = ()
+    divides: bool = False  # by the mass matrix, or called only by functions that do
+    lacks: Callable[[Situation], str] | None = None  # why a scene cannot have it, "" if it can
+    words_in: Callable[[Situation], str] | None = None  # where words depend on the scene
+    internal: bool = False  # called by steps alone, so that it cannot be selected
+    targets: Callable[[Scene], Mapping[str, str]] | None = None  # of a family: what stands in
+    # names for BODY or JOINT, and the body or joint
+    members: Callable[["SceneFunction", Scene], tuple["SceneFunction", ...]] | None = None  # of a
+    # family whose members differ in more than targets
+    target: str = ""  # of a member: its body or joint
+    step: Integrator | None = None  # whose step it is
+
+    def __post_init__(self) -> None:
+        for name in self.takes:
+            if name not in INPUTS:
+                raise ValueError(f"{self.name}: no input {name!r}; wanted {', '.join(INPUTS)}")
+        for quantity in self.recorded:
+            self.components_of(quantity)
+
+    def components_of(self, quantity: SceneQuantity) -> tuple[tuple[str, tuple[int, ...]], ...]:
+        """(unit, places of the results that are added) of each component of what is recorded.
+        Raises ValueError for what a state does not determine, or results that there are not."""
+        what = f"{self.name}: {quantity.name!r} is recorded of it"
+        if others := [name for name in self.takes if name not in _OF_STATES]:
+            raise ValueError(f"{what}, but it takes {', '.join(others)}; wanted functions of "
+                             f"{', '.join(_OF_STATES)}")
+        units = self._units_recorded(quantity, what)
+        places = quantity.places or tuple((i,) for i in range(len(units)))
+        if quantity.components and len(quantity.components) != len(places):
+            raise ValueError(f"{what} with {len(quantity.components)} names of its {len(places)} "
+                             "components")
+        for several in places:
+            if not several or max(several) >= len(units) or len({units[i] for i in several}) > 1:
+                raise ValueError(f"{what}: results {several}; wanted some of the {len(units)} that "
+                                 "there are, of one unit")
+        return tuple((units[several[0]], several) for several in places)
+
+    def _units_recorded(self, quantity: SceneQuantity, what: str) -> tuple[str, ...]:
+        """The unit of each result, of one body or joint."""
+        of_all = quantity.of is Of.BODY and not self.targets and (
+            [x.shape[:1] for x in self.outputs] == [(AxisLength.BODIES,)])
+        if not of_all and (self.members or (quantity.of is Of.SCENE) == bool(self.targets)):
+            raise ValueError(f"{what}; wanted a quantity of the scene, of bodies or joints that "
+                             "are the function's targets, or of bodies along the first axis of "
+                             "its only output")
+        result: list[str] = []
+        for x in self.outputs:
+            shape = tuple(n for n in x.shape[of_all:] if isinstance(n, int))
+            if callable(x.units) or len(shape) < len(x.shape) - of_all:
+                raise ValueError(f"{what}, but the number or the units of {x.name} depend on the "
+                                 "scene")
+            result += x.units_of(shape, ())
+        return tuple(result)
+
+    @property
+    def takes(self) -> tuple[str, ...]:
+        """The names of its inputs."""
+        return tuple(self.inputs.split())
+
+    def absent(self, its: Situation) -> str:
+        """Why a scene cannot have it; "" if it can."""
+        return self.lacks(its) if self.lacks else ""
+
+    def of(self, scene: Scene) -> tuple["SceneFunction", ...]:
+        """The function, or the members of the family that a scene has."""
+        if self.members:
+            return self.members(self, scene)
+        if not self.targets:
+            return (self,)
+        return tuple(
+            replace(self, name=self._named(stem), words=self.words.replace(self._word, target),
+                    target=target) for stem, target in self.targets(scene).items())
+
+    def names(self, scene: Scene) -> dict[str, str]:
+        """The names of a family's members, by target."""
+        targets = self.targets(scene) if self.targets else {}
+        return {target: self._named(stem) for stem, target in targets.items()}
+
+    def _named(self, stem: str) -> str:
+        return self.name.replace(self._word, stem)
+
+    @property
+    def _word(self) -> str:
+        """BODY of jacobian_BODY."""
+        return self.name[len(self.name.rstrip(ascii_uppercase)):]

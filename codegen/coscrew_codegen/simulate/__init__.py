@@ -1,7 +1,0 @@
-"""Simulates scenes: integrates their equations of motion, records, writes, plots and shows."""
-
-from coscrew_codegen.errors import ReportedError
-
-
-class SimulateError(ReportedError, ValueError):
-    """The run is impossible with these settings; the message says what came and what was wanted."""

@@ -1,0 +1,116 @@
+"""Integration by SciPy, which chooses its steps by tolerances.
+
+The state is y = (q; v), with q' = v for angles and lengths and r' = r (ω; 0) / 2 for quaternions.
+That keeps |r| only within the tolerance; so r is normalized before the dynamics use it, and in
+samples.
+"""
+
+from collections.abc import Callable, Iterator
+
+import numpy as np
+import scipy.integrate
+from scipy.integrate import OdeSolver
+
+import coscrew
+from coscrew_codegen.scene.integrators import ADAPTIVE
+from coscrew_codegen.simulation.plan import Plan
+from coscrew_codegen.simulation.system import State, System, Watch
+
+Rates = Callable[[float, np.ndarray], np.ndarray]
+
+
+def adaptive(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.ndarray,
+             watch: Watch | None = None) -> Iterator[tuple[np.ndarray, np.ndarray, int, str]]:
+    """(q, v, steps so far, "") at each sample after the first; instead of "" the place and reason
+    if the run stopped early."""
+    rates, steps, sample = rates_of(system), 0, 1
+    scheme = ADAPTIVE[plan.integrator]
+    options = {"jac": jacobian_of(system, rates)} if scheme.implicit else {}
+    y = np.concatenate((q, v)).astype(float)
+    with np.errstate(all="ignore"):
+        solver: OdeSolver = getattr(scipy.integrate, scheme.solver)(
+            rates, 0.0, y, float(times[-1]), rtol=plan.rtol, atol=plan.atol, **options)
+        while sample < len(times):
+            if failed := _step(solver):
+                yield q, v, steps, f"{failed} at t = {solver.t:.9g} s: {_trouble(system, solver)}"
+                return
+            steps += 1
+            if watch and solver.t < times[sample]:
+                watch(solver.t, *_state(system, solver.y))
+            interpolant = solver.dense_output() if times[sample] < solver.t else None
+            while sample < len(times) and times[sample] <= solver.t:
+                y = interpolant(times[sample]) if interpolant and times[sample] < solver.t \
+                    else solver.y
+                q, v = _state(system, y)
+                yield q, v, steps, ""
+                sample += 1
+
+
+def _state(system: System, y: np.ndarray) -> State:
+    """q and v of y, in the system's precision."""
+    nq = system.functions.nq
+    return system.normalized(y[:nq]).astype(system.dtype), y[nq:].astype(system.dtype)
+
+
+def rates_of(system: System) -> Rates:
+    """(t, y) -> y'.  (…), (…, nq + nv)->(…, nq + nv)."""
+    nq, nv = system.functions.nq, system.functions.nv
+    tau = np.zeros(nv)
+
+    def rates(t: float, y: np.ndarray) -> np.ndarray:
+        q, v = system.normalized(y[..., :nq]), y[..., nq:]
+        a = system.call("forward_dynamics", t=t, q=q, v=v, tau=tau)
+        return np.concatenate((_q_rates(system, y[..., :nq], q, v), a), -1)
+
+    return rates
+
+
+def _q_rates(system: System, r: np.ndarray, q: np.ndarray, v: np.ndarray) -> np.ndarray:
+    """The rates of the coordinates r; q is r with normalized quaternions."""
+    result = np.empty(q.shape)
+    for c in system.functions.coordinates:
+        if c.kind in ("spherical", "free"):
+            turn = slice(c.q.stop - 4, c.q.stop)
+            omega = np.zeros((*v.shape[:-1], 4))
+            omega[..., :3] = v[..., c.v.stop - 3:c.v.stop] / 2
+            result[..., turn] = coscrew.double.quaternion_product_qq(r[..., turn], omega)
+        if c.kind == "free":
+            forward = v[..., c.v.start:c.v.start + 3]
+            result[..., c.q.start:c.q.start + 3] = coscrew.double.rotate_qv(q[..., turn], forward)
+        elif c.kind != "spherical":
+            result[..., c.q] = v[..., c.v]
+    return result
+
+
+def jacobian_of(system: System, rates: Rates) -> Rates:
+    """(t, y) -> ∂y'/∂y by central differences, all in one call.
+
+    Their steps suit the precision of the dynamics: SciPy's steps, made for double, would give only
+    noise in single."""
+    step = float(np.cbrt(np.finfo(system.dtype).eps))
+
+    def jacobian(t: float, y: np.ndarray) -> np.ndarray:
+        moved = np.diag(step * np.maximum(1, np.abs(y)))
+        above, below = y + moved, y - moved
+        size = np.diag(above - below)
+        return ((rates(t, above) - rates(t, below)) / size[:, None]).T
+
+    return jacobian
+
+
+def _step(solver: OdeSolver) -> str:
+    """Take a step; returns the reason if it failed, else ""."""
+    try:
+        solver.step()
+    except (ValueError, np.linalg.LinAlgError):  # from Radau's linear algebra
+        return "the solver met a state that is not finite"
+    return "the solver's steps became too small" if solver.status == "failed" else ""
+
+
+def _trouble(system: System, solver: OdeSolver) -> str:
+    """A sentence on the joint whose acceleration is not finite, or else the largest."""
+    a = solver.fun(solver.t, solver.y)[system.functions.nq:]
+    finite = np.where(np.isfinite(a), np.abs(a), np.inf)
+    worst = int(np.argmax(finite))
+    joint = next(c.joint for c in system.functions.coordinates if worst in c.v)
+    return f"joint {joint}: acceleration {a[worst]:.3g}"

@@ -1,0 +1,140 @@
+"""The findings of a check as text: tables, what is false, what helps."""
+
+import math
+
+from tabulate import tabulate
+
+from coscrew_codegen.simulation.check.check_rounding import DIGITS, Certified, RoundedResults
+from coscrew_codegen.simulation.check.error_limits import ALLOWED, ENERGY, STRICTLY
+from coscrew_codegen.simulation.check.findings import THIRD_RUN, AlongRun, Findings, Met
+from coscrew_codegen.simulation.result_units import in_unit
+from coscrew_codegen.simulation.run_summary import gaps
+
+
+def table(findings: Findings, strict: bool = False) -> str:
+    """The findings as text; with what fails `strict` alone, if that is given."""
+    parts = [_expectations(findings.met)] if findings.met else []
+    parts += [_checks(findings.along)]
+    parts += [gaps(findings.apart)] if findings.apart else []
+    parts += [_rounding(findings.rounding)] if findings.rounding else []
+    parts += [findings.outside] if findings.outside else []
+    parts += [f"{x.precision}: {x.stopped}" for x in findings.along if x.stopped]
+    parts += [f"FALSE: {x.precision}: {_false(x)}" for x in findings.along
+              if not (x.passed or x.stopped)]
+    parts += [f"FALSE: {x.precision}: {_broken(x)}" for x in findings.rounding
+              if x.certified and x.certified.broken]
+    parts += [f"FALSE with --strict: {x.precision}: {_strictly_false(x)}" for x in findings.along
+              if strict and x.passed and not (x.strictly_passed or x.stopped)]
+    return "\n\n".join(parts)
+
+
+def _strictly_false(along: AlongRun) -> str:
+    return f"{_off(along)}, allowed is {STRICTLY:g}"
+
+
+def _expectations(met: tuple[Met, ...]) -> str:
+    rows = [("pass" if x.passed else "FAIL", x.wanted.quantity, x.wanted.at, x.wanted.value, x.came,
+             abs(x.came - x.wanted.value), x.wanted.rtol * abs(x.wanted.value) + x.wanted.atol,
+             x.unit) for x in met]
+    columns = ("", "expected", "at t, s", "value", "came", "apart", "allowed", "unit")
+    return str(tabulate(rows, columns, floatfmt=("", "", "g", ".12g", ".12g", ".2g", ".2g", "")))
+
+
+def _checks(along: tuple[AlongRun, ...]) -> str:
+    rows = [("largest error of the motion, relative to the way a part moves",
+             *(f"{x.error.relative:.2g} ({x.error.part})" if x.known else "unknown"
+               for x in along)),
+            ("compared with a motion in steps of, s",
+             *(f"{x.smallest:.2g}" for x in along)),
+            ("largest error of energy, relative",
+             *(f"{x.coarse.relative:.2g}" for x in along)),
+            ("the same with " + " or ".join(dict.fromkeys(_finer(x) for x in along)),
+             *(f"{x.fine.relative:.2g}" for x in along)),
+            ("cause of this error", *(_verdict(x) for x in along)),
+            *([("largest error of the momentum of floating bases, relative",
+                *(f"{x.coarse.momentum:.2g}" for x in along))]
+              if any(x.coarse.momentum for x in along) else []),
+            ("forward after inverse dynamics: largest error, in u",
+             *(f"{x.round_trip:.3g}" for x in along)),
+            ("largest condition number of the mass matrix, SI units",
+             *(f"{x.condition:.3g}" for x in along)),
+            ("reached at t, s", *(f"{x.at:g}" for x in along))]
+    columns = ("", *(f"{x.precision}, {x.step}" for x in along))
+    return str(tabulate(rows, columns, disable_numparse=True,
+                        colalign=("left", *("right" for _ in along))))
+
+
+def _rounding(found: tuple[RoundedResults, ...]) -> str:
+    rows = [(f"{x.function}, {x.precision}", in_unit(x.error, x.unit), f"{x.at:g}",
+             f"{x.digits:.1f}", f"{x.lost:.1f}", _bounds(x.certified)) for x in found]
+    columns = (f"at states of the run, against {DIGITS} digits", "largest error",
+               "at t, s", "digits right", "digits lost", "certified bounds")
+    return str(tabulate(rows, columns, disable_numparse=True,
+                        colalign=("left", *["right"] * 4, "left")))
+
+
+def _bounds(certified: Certified | None) -> str:
+    if certified is None:
+        return 'not computed: large; select tiers = ["certified"]'
+    if certified.broken:
+        return "BROKEN"
+    if not certified.stated:
+        return f"0 of {certified.of} stated"
+    said = f"{certified.stated} of {certified.of} " if certified.stated < certified.of else ""
+    return f"{said or 'all '}hold, {certified.ratio:#.3g} times the error (median)"
+
+
+def _broken(found: RoundedResults) -> str:
+    """A sentence on the bound that is exceeded most."""
+    assert found.certified and found.certified.broken
+    worst = found.certified.broken
+    return (f"{found.function}: component {worst.place} at t = {worst.t:g} s errs by "
+            f"{worst.error:.3g}, beyond its certified bound {worst.bound:.3g}: this is a defect of "
+            "coscrew or of the compiler; please report it with the scene")
+
+
+def _false(along: AlongRun) -> str:
+    """A sentence on a motion that is wrong or not known, or energies that do not balance, with the
+    cause and what was found to help."""
+    if not along.right:
+        why = ("single precision does not resolve it" if along.by_rounding else
+               "the step is too large" if along.length else "the tolerances are too large")
+        return f"{_off(along)}, allowed is {ALLOWED:g}: {why}; {along.remedy}"
+    if math.isnan(along.coarse.relative):
+        return (f"energies or powers are not finite at t = {along.coarse.at:.4g} s: a formula of "
+                "an effect is not, or numbers grow too large")
+    if not along.resolved:
+        until = f"; check a shorter run: --until {along.known:.3g}" if along.known else ""
+        return (f"the motion is known until t = {along.known:.3g} s alone: later, steps of "
+                f"{along.smallest:.2g} s and larger ones give different motions, as of what is "
+                f"chaotic, or too stiff for them{until}")
+    return (f"energy is off by {along.coarse.relative:.2g}, allowed is {ENERGY:g}, and neither "
+            f"half the step nor 1/{THIRD_RUN} of it helps: the power of an effect is not that of "
+            "its force, or changes between the samples")
+
+
+def _off(along: AlongRun) -> str:
+    return (f"{along.error.part} is off by {along.error.relative:.2g} of the way it moves, at t = "
+            f"{along.error.t:.4g} s")
+
+
+def _finer(along: AlongRun) -> str:
+    return "a sixteenth of the tolerance" if along.step.startswith("rtol") else "half the step"
+
+
+def _verdict(along: AlongRun) -> str:
+    """The cause of the defect of energy."""
+    if along.still or along.resting and not along.untold:
+        return "none: nothing moves"
+    if along.doubtful and along.balanced and not along.untold:
+        return "small: smaller steps do not help"
+    if along.doubtful:
+        return "DOUBTFUL: smaller steps do not help"
+    if along.untold:
+        return "unknown: potential energy rounds by more than moved"
+    if along.rounding:
+        return "rounding"
+    if along.step.startswith("rtol"):
+        return "integrator: smaller tolerances help"
+    order = along.order
+    return f"integrator, of order {order:.1f}" if order else "integrator, as in double"

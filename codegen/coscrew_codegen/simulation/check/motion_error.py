@@ -1,0 +1,271 @@
+"""Errors of motions, part by part, and the sizes that they are compared with.
+
+The parts are a joint's angle or length; a rotation; of a base that floats, its position relative to
+the centre of mass of the tree that it carries, and that centre of mass.  The size of a part is the
+largest distance from its start; of centres of mass, and of joints that slide along the world, the
+largest distance from the straight line on which they start, if that is less, but no less than what
+makes the rounding of the way along it right.  So neither the speed or place or direction of a whole
+scene matters, nor a heavy neighbour.
+"""
+
+from dataclasses import dataclass
+from enum import Enum
+from fractions import Fraction
+from functools import cached_property
+
+import numpy as np
+
+from coscrew_codegen.program.scene_functions import Coordinate
+from coscrew_codegen.program.values.formats import Precision
+from coscrew_codegen.scene.mechanism.model import Joint, Kind, Model, value
+from coscrew_codegen.simulation.check.error_limits import ALLOWED
+from coscrew_codegen.simulation.system import System
+
+REST = 1e-3
+"""Sizes count as no smaller than this, in rad, and than this in m, or REST/100 of a scene's largest
+length if that is less: a robot that rests trembles by what nobody sees."""
+
+Places = tuple[np.ndarray, ...]
+"""Where each part is, (…, k): k = 1 for a coordinate, 3 for a position, 4 for a rotation."""
+
+
+class PartKind(Enum):
+    """Kinds of parts of a joint's motion, and how messages name them."""
+
+    OWN = "joint {}"  # its coordinate or rotation
+    CENTRE = "centre of mass of {}"  # of the tree that a free joint carries
+    OFFSET = "position of {}"  # of a free joint relative to that centre
+
+
+@dataclass(frozen=True)
+class StatePart:
+    """A part of a scene's motion."""
+
+    kind: PartKind
+    coordinate: Coordinate
+    least: float  # its size counts as no smaller
+
+    @property
+    def joint(self) -> str:
+        """The joint's name."""
+        return self.coordinate.joint
+
+    @property
+    def name(self) -> str:
+        """Its name in messages: "joint elbow", "centre of mass of base"."""
+        return self.kind.value.format(self.joint)
+
+
+@dataclass(frozen=True)
+class StateParts:
+    """The parts of a system's motion."""
+
+    system: System
+
+    @cached_property
+    def parts(self) -> tuple[StatePart, ...]:
+        """One or more for each joint that moves."""
+        length = REST * min(1.0, 10 * _length(self.system.scene.model) or 1.0)
+        return tuple(
+            StatePart(kind, c, length if kind is not PartKind.OWN or c.kind == "prismatic"
+                      else REST)
+            for c in self.system.functions.coordinates
+            for kind in (PartKind if c.kind == "free" else (PartKind.OWN,)))
+
+    @property
+    def least(self) -> np.ndarray:
+        """The sizes that count as rest.  (k)."""
+        return np.array([x.least for x in self.parts])
+
+    def places(self, q: np.ndarray) -> Places:
+        """Returns the places of the parts, in double.  (…, nq)."""
+        M = self._mass_matrix(q)
+        return tuple(_place(part, q, M) for part in self.parts)
+
+    def velocities(self, q: np.ndarray, v: np.ndarray) -> Places:
+        """The velocities of centres of mass and of joints that slide along the world, and zeros for
+        all other parts."""
+        M, sliding = self._mass_matrix(q), _sliding(self.system.scene.model)
+        return tuple(
+            _velocity(x.coordinate, q, v, M) if x.kind is PartKind.CENTRE else
+            v[..., x.coordinate.v].astype(float) if x.joint in sliding else
+            np.zeros(3 if x.kind is PartKind.OFFSET else 1) for x in self.parts)
+
+    def distances(self, x: Places, y: Places) -> np.ndarray:
+        """Returns the distances of parts at x from parts at y, in rad or m; infinite if either is
+        not finite.  (…, k)."""
+        with np.errstate(all="ignore"):
+            each = [_angle(a, b) if a.shape[-1] == 4 else np.linalg.norm(a - b, axis=-1)
+                    for a, b in zip(x, y, strict=True)]
+        if not each:
+            return np.zeros((*self._lead(x), 0))
+        found = np.stack(np.broadcast_arrays(*each), -1)
+        return np.where(np.isnan(found), np.inf, found)
+
+    def kinetic(self, q: np.ndarray, v: np.ndarray, line: Places) -> np.ndarray:
+        """The kinetic energy in frames that move with the trees' centres of mass as `line` says:
+        Σ T - m V·u + m V²/2, in J.  (…)."""
+        found: np.ndarray = self.system.energies(0.0, q, v)[0]
+        M = self._mass_matrix(q)
+        for part, V in zip(self.parts, line, strict=True):
+            if part.kind is PartKind.CENTRE and M is not None and V.any():
+                m, u = _mass(part.coordinate, M), _velocity(part.coordinate, q, v, M)
+                found = found + m * np.sum(V * (V / 2 - u), -1)
+        positive: np.ndarray = np.maximum(found, 0)
+        return positive
+
+    def _lead(self, x: Places) -> tuple[int, ...]:
+        return x[0].shape[:-1] if x else ()
+
+    def _mass_matrix(self, q: np.ndarray) -> np.ndarray | None:
+        """M where something floats; None where nothing does, or where the scene has no mass matrix,
+        having many joints.  (…, nv, nv)."""
+        if all(x.kind is PartKind.OWN for x in self.parts) or not self.system.has("mass_matrix"):
+            return None
+        return np.asarray(self.system.call("mass_matrix", q=q), float)
+
+
+def _place(part: StatePart, q: np.ndarray, M: np.ndarray | None) -> np.ndarray:
+    """Returns the place of a part."""
+    c = part.coordinate
+    own: np.ndarray = q[..., c.q].astype(float)
+    if c.kind != "free":
+        return own
+    if part.kind is PartKind.OWN:
+        return own[..., 3:]
+    centre = _centre(c, q, M)
+    return centre if part.kind is PartKind.CENTRE else own[..., :3] - centre
+
+
+def _mass(c: Coordinate, M: np.ndarray) -> np.ndarray:
+    """The mass of the tree that a free joint carries, from the mass matrix."""
+    found: np.ndarray = M[..., c.v.start, c.v.start]
+    return found
+
+
+def _centre(c: Coordinate, q: np.ndarray, M: np.ndarray | None) -> np.ndarray:
+    """The centre of mass of the tree that a free joint carries; without a mass matrix the joint's
+    own position.  (…, 3)."""
+    own: np.ndarray = q[..., c.q].astype(float)
+    if M is None:
+        return own[..., :3]
+    i = c.v.start
+    with np.errstate(all="ignore"):
+        com = np.stack((M[..., i + 1, i + 5], M[..., i + 2, i + 3], M[..., i, i + 4]), -1) / _mass(
+            c, M)[..., None]
+        return own[..., :3] + np.where(np.isfinite(com), rotated(own[..., 3:], com), 0.0)
+
+
+def _velocity(c: Coordinate, q: np.ndarray, v: np.ndarray, M: np.ndarray | None) -> np.ndarray:
+    """The velocity of that centre of mass.  (…, 3)."""
+    velocity = v[..., c.v.start:c.v.start + 3].astype(float)
+    if M is not None:
+        with np.errstate(all="ignore"):
+            rows = M[..., c.v.start:c.v.start + 3, :]
+            velocity = np.einsum("...ij,...j->...i", rows, v.astype(float)) / _mass(
+                c, M)[..., None]
+    return rotated(q[..., c.q][..., 3:].astype(float), velocity)
+
+
+def rotated(q: np.ndarray, v: np.ndarray) -> np.ndarray:
+    """R(q) v.  (…, 4), (…, 3)->(…, 3)."""
+    import coscrew  # takes as long to import as short runs, and only what floats needs it
+
+    found: np.ndarray = coscrew.double.rotate_qv(q, v)
+    return found
+
+
+def turned(x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    """The rotation vector from one rotation to another, in the frame of the first.  (…, 4),
+    (…, 4)->(…, 3)."""
+    import coscrew
+
+    to: np.ndarray = coscrew.double.quaternion_product_qq(x * np.array([-1, -1, -1, 1]), y)
+    found: np.ndarray = coscrew.double.quaternion_log(to)
+    return found
+
+
+def _angle(x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    """The angle between two rotations, from the chord of their quaternions."""
+    chord = np.minimum(np.linalg.norm(x - y, axis=-1), np.linalg.norm(x + y, axis=-1))
+    found: np.ndarray = 4 * np.arcsin(np.minimum(chord / 2, 1))
+    return found
+
+
+def _length(model: Model) -> float:
+    """The largest length in a model: from a joint to the next or to a centre of mass, or a radius
+    of gyration, in m."""
+    found = [abs(value(x)) for joint in model.joints for x in joint.placement.t]
+    for body in model.bodies:
+        if body.inertia:
+            found += [abs(value(x)) for x in body.inertia.com]
+            mass = value(body.inertia.mass)
+            moments = sum((abs(value(x)) for x in body.inertia.moments[:3]), Fraction(0))
+            found += [Fraction(float(moments / mass / 2)**0.5)] if mass else []
+    return float(max(found, default=Fraction(0)))
+
+
+def _sliding(model: Model) -> frozenset[str]:
+    """The joints that slide along the world: nothing turns what carries them."""
+    above = {joint.child: joint for joint in model.joints}
+
+    def slides(joint: Joint) -> bool:
+        return joint.kind in (Kind.PRISMATIC, Kind.FIXED) and (
+            joint.parent not in above or slides(above[joint.parent]))
+
+    return frozenset(x.name for x in model.joints if x.kind is Kind.PRISMATIC and slides(x))
+
+
+@dataclass
+class Extent:
+    """Distances of parts from their starts, and from their lines of start, since a run in this
+    precision and in steps of h began."""
+
+    parts: StateParts
+    precision: Precision
+    h: float
+    start: Places
+    line: Places
+    way: np.ndarray  # from the starts, (…, k)
+    off: np.ndarray  # from the lines
+    rounded: np.ndarray  # of the ways along the lines: at most u a step
+
+    @staticmethod
+    def since(parts: StateParts, precision: Precision, h: float, q: np.ndarray, v: np.ndarray
+              ) -> "Extent":
+        """The extent of a run which starts at q and v."""
+        none = np.zeros((*q.shape[:-1], len(parts.parts)))
+        return Extent(parts, precision, h, parts.places(q), parts.velocities(q, v), none, none,
+                      none)
+
+    def add(self, after: float | np.ndarray, places: Places) -> None:
+        """Note where the parts are after so many seconds; arrays of times and places have an axis
+        of samples before the last one."""
+        times = np.asarray(after, float)[..., None]
+        start, line = ([x[..., None, :] if times.ndim > 1 and x.ndim > 1 else x for x in of]
+                       for of in (self.start, self.line))
+        gone = [times * u for u in line]
+        self.way = self._largest(self.way, self.parts.distances(places, tuple(start)))
+        if not any(u.any() for u in line):
+            self.off = self.way
+            return
+        ends = tuple(x + u for x, u in zip(start, gone, strict=True))
+        self.off = self._largest(self.off, self.parts.distances(places, ends))
+        ways = np.stack(np.broadcast_arrays(*(np.linalg.norm(u, axis=-1) for u in gone)), -1)
+        ways = np.minimum(ways, self.way[..., None, :] if times.ndim > 1 else self.way)
+        self.rounded = self._largest(self.rounded, ways * times * (
+            float(self.precision.u) / self.h))
+
+    def _largest(self, so_far: np.ndarray, now: np.ndarray) -> np.ndarray:
+        """The largest of the distances so far and now, which may have an axis of samples."""
+        if now.ndim > so_far.ndim:
+            now = np.max(now, axis=-2)
+        found: np.ndarray = np.fmax(so_far, np.where(np.isfinite(now), now, 0))
+        return found
+
+    @property
+    def sizes(self) -> np.ndarray:
+        """The sizes of the parts, none below what counts as rest.  (…, k)."""
+        found: np.ndarray = np.maximum(np.minimum(self.way, self.off), self.parts.least)
+        found[...] = np.maximum(found, self.rounded / ALLOWED)
+        return found

@@ -1,0 +1,142 @@
+"""Start and end of a run: all that its following steps depend on, from a Result or recording."""
+
+import json
+import math
+import warnings
+from collections.abc import Mapping
+from dataclasses import dataclass
+from hashlib import sha256
+from pathlib import Path
+
+import numpy as np
+
+from coscrew_codegen.scene.content import motion_hash
+from coscrew_codegen.scene.integrators import named
+from coscrew_codegen.simulation import SimulateError
+from coscrew_codegen.simulation.plan import Plan, Stop, Trajectory
+from coscrew_codegen.simulation.recordings.recording_reader import provenance_of
+from coscrew_codegen.simulation.system import System
+
+START, END = "start", "end"
+"""What provenance calls the first and the last instant of a run, as JSON."""
+
+
+@dataclass(frozen=True)
+class Instant:
+    """A run, or each member of a batch, at one time: all that the following steps depend on."""
+
+    t: float
+    steps: int  # since t = 0, for a controller that is called every n steps
+    q: np.ndarray  # (…, nq)
+    v: np.ndarray  # (…, nv)
+    p: np.ndarray  # (…, np)
+    momentum: np.ndarray | None  # of floating bases at t = 0, if the run keeps it
+    of: tuple[str, str] = ("", "")  # the precision's name and the scene's sha256
+    failed: tuple[Stop, ...] = ()  # members that have stopped; their numbers are NaN
+    controller: str = ""  # what provenance says of that of the run before
+
+    @property
+    def told(self) -> str:
+        """JSON, whose decimals read back the same; of a batch, a hash of the numbers."""
+        arrays = {name: np.asarray(values, float) for name, values in (
+            ("q", self.q), ("v", self.v), ("p", self.p), ("momentum", self.momentum))
+            if values is not None}
+        known: dict[str, object] = {"t": self.t, "steps": self.steps}
+        if self.q.ndim < 2:
+            return json.dumps(known | {name: x.tolist() for name, x in arrays.items()})
+        axes = {"momentum": 2}  # of one member
+        rows = [np.broadcast_to(x, (len(self.q), *x.shape[-axes.get(name, 1):])).reshape(
+            len(self.q), -1) for name, x in arrays.items()]
+        numbers = np.concatenate(rows, -1).astype("<f8")
+        numbers[np.isnan(numbers)] = np.nan
+        return json.dumps(known | {"members": len(self.q),
+                                   "sha256": sha256(numbers.tobytes()).hexdigest()})
+
+
+def start_at(system: System, q: np.ndarray, v: np.ndarray, momentum: np.ndarray | None
+             ) -> Instant:
+    """The start of a run at t = 0."""
+    return Instant(0.0, 0, q, v, np.asarray(system.p, float), momentum, of_run(system))
+
+
+def end_of(system: System, trajectory: Trajectory, start: Instant) -> Instant:
+    """The end of a run from this start."""
+    p = np.asarray(system.p, float)
+    if trajectory.held is not None:
+        held = trajectory.held[..., -1, :]  # not finite: of members that stopped
+        p = np.where(np.isfinite(held) & (held != p.astype(held.dtype)), held, p)
+    return Instant(float(trajectory.t[-1]), start.steps + trajectory.steps,
+                   trajectory.q[..., -1, :], trajectory.v[..., -1, :], p, trajectory.momentum,
+                   of_run(system), trajectory.failed)
+
+
+def of_run(system: System) -> tuple[str, str]:
+    """The precision's name and the scene's hash."""
+    return system.precision.name, motion_hash(system.scene)
+
+
+def end_in(path: Path) -> Instant:
+    """The end that a recording tells.  Raises SimulateError."""
+    told = provenance_of(path, "start")
+    if END not in told:
+        why = f": {told['stopped']}" if "stopped" in told else ""
+        raise SimulateError(f"start: {path} does not tell the end of a run{why}; wanted a "
+                            "recording of an emitted integrator that did not stop early")
+    return instant(told, END, f"start: {path}: its end")
+
+
+def instant(told: Mapping[str, str], which: str, said: str) -> Instant:
+    """The first or the last instant that provenance tells.  Raises SimulateError."""
+    try:
+        given = json.loads(told[which])
+        q, v, p = (_numbers(given[name], 1) for name in ("q", "v", "p"))
+        momentum = _numbers(given["momentum"], 2) if "momentum" in given else None
+        t, steps = float(given["t"]), given["steps"]
+        begun = t > 0 or which == START and t == 0
+        if not (type(steps) is int and steps >= 0 and math.isfinite(t) and begun):
+            raise ValueError
+    except (ValueError, TypeError, KeyError, AttributeError, OverflowError, RecursionError):
+        raise SimulateError(f"{said} is not as coscrew writes it") from None
+    return Instant(t, steps, q, v, p, momentum, (told.get("precision", ""),
+                                                 told.get("scene sha256", "")),
+                   controller=told.get("controller", ""))
+
+
+def refuse(start: Instant, system: System) -> None:
+    """Raise SimulateError if no run of this system can begin there; warn if it is of another scene.
+    """
+    its, (precision, scene) = system.functions, start.of
+    sizes = tuple(x.shape[-1] for x in (start.q, start.v, start.p))
+    if sizes != (its.nq, its.nv, len(its.parameters)):
+        raise SimulateError(
+            f"start: another scene: {sizes[0]} coordinates, {sizes[1]} velocities, {sizes[2]} "
+            f"parameters; wanted {its.nq}, {its.nv}, {len(its.parameters)}")
+    if precision != system.precision.name:
+        raise SimulateError(f"start: a run in {precision or 'unknown'} precision; wanted "
+                            f"{system.precision.name}")
+    free = system.momentum(start.q, start.v)
+    if start.momentum is not None and (
+            free is None or free.shape[-2:] != start.momentum.shape[-2:]):
+        raise SimulateError("start: another scene: the momentum of its floating bases differs in "
+                            "size")
+    if scene != of_run(system)[1]:
+        warnings.warn("start: the recording is of another scene, or of one that has changed since",
+                      RuntimeWarning, stacklevel=5)
+
+
+def refuse_plan(start: Instant, system: System, plan: Plan) -> None:
+    """Raise SimulateError if the integrator cannot go on from there."""
+    if plan.adaptive and start.t > 0:
+        raise SimulateError(f"start: integrator {plan.integrator} begins with steps of its own; "
+                            "wanted an emitted integrator")
+    free = system.has("free_momentum")
+    if start.momentum is None and free and named(plan.integrator).keeps_momentum:
+        raise SimulateError("start: a run that did not keep the momentum of floating bases, as "
+                            f"{plan.integrator} does; wanted the integrator of that run")
+
+
+def _numbers(values: object, axes: int) -> np.ndarray:
+    found = np.array(values, float)
+    if found.ndim != axes or not np.isfinite(found).all():
+        raise ValueError
+    return found

@@ -1,0 +1,134 @@
+"""A run, from what is asked of it to its Result: for `run`, `again` and the command."""
+
+import warnings
+from dataclasses import dataclass, field, replace
+from functools import partial
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from coscrew_codegen.runtime.load import Kernels
+from coscrew_codegen.scene.integrators import named
+from coscrew_codegen.simulation import SimulateError, required_functions
+from coscrew_codegen.simulation.batch_inputs import Values, start_of, with_parameters
+from coscrew_codegen.simulation.check.divergence_monitor import Alarm
+from coscrew_codegen.simulation.check.overshoot import too_fast
+from coscrew_codegen.simulation.check.step_advice import drifting, loose, remedy
+from coscrew_codegen.simulation.checkpoint import Instant, refuse, refuse_plan, start_at
+from coscrew_codegen.simulation.control import Controller, set_by
+from coscrew_codegen.simulation.controlled_run import Driven
+from coscrew_codegen.simulation.plan import Plan, Trajectory, known, plan
+from coscrew_codegen.simulation.progress import Progress
+from coscrew_codegen.simulation.recordings.record import record
+from coscrew_codegen.simulation.recordings.recording import Provenance
+from coscrew_codegen.simulation.recordings.result import Result
+from coscrew_codegen.simulation.run import integrate
+from coscrew_codegen.simulation.system import State, System, scene_of, system
+
+
+@dataclass(frozen=True)
+class RunRequest:
+    """Settings of a run; None: as the scene says; p: those that differ from the scene's, or
+    from the run's that it goes on from."""
+
+    until: float | None = None
+    step: float | None = None
+    integrator: str | None = None
+    every: float | None = None
+    record: tuple[str, ...] | None = None
+    p: Values = field(default_factory=dict)
+    q0: ArrayLike | None = None
+    v0: ArrayLike | None = None
+    start: Instant | None = None
+    controller: Controller | None = None
+
+
+def motion(kernels: Kernels, precision: str, asked: RunRequest, *, shown: bool = False,
+           told: bool = True) -> Result:
+    """The run in the precision of this name.  If `shown`, a terminal shows the progress; without
+    `told`, the recording has no provenance.  Raises SimulateError."""
+    its, state = _begun(_complete(kernels, asked), precision, asked)
+    start = asked.start
+    if start and start.controller and not asked.controller:
+        warnings.warn(f"start: the run before had a controller ({start.controller}), this one has "
+                      "none: what it set last holds", RuntimeWarning, stacklevel=4)
+    planned = plan(its, asked.until, asked.step, asked.integrator, asked.every,
+                   begin=start.t if start else 0.0)
+    if start:
+        refuse_plan(start, its, planned)
+    if planned.adaptive and (state[0].ndim > 1 or asked.controller):
+        raise SimulateError(f"integrator {planned.integrator} chooses its steps as one motion needs"
+                            "; wanted an emitted integrator for batches and controllers")
+    by = asked.controller
+    driven = Driven(by, its, planned, state[0], start.steps if start else 0) if by else None
+    trajectory = _integrated(its, planned, state, start, driven, shown)
+    if not driven and state[0].ndim == 1:
+        stop = loose(its, planned, trajectory, state) if planned.adaptive else drifting(
+            its, planned, trajectory, state, _momentum(its, start, state) if start else None)
+        if stop:
+            trajectory = replace(trajectory, stopped=stop.cause, failed=(stop,))
+    if by and driven and (warning := too_fast(by, driven, its, planned, trajectory)):
+        warnings.warn(warning, RuntimeWarning, stacklevel=3)
+    began = start_at(its, *state, trajectory.momentum)
+    if start:
+        began = replace(began, t=start.t, steps=start.steps, failed=start.failed)
+    origin: Provenance = ()
+    if told:
+        from coscrew_codegen.simulation.recordings.provenance import provenance  # slow: runs Git
+
+        origin = provenance(its, planned, trajectory, kernels.compiler or "none: NumPy", began,
+                            its.scene.record if asked.record is None else asked.record,
+                            asked.controller.told(its.scene) if asked.controller else "")
+    return Result(its, planned, trajectory, record(its, trajectory, origin, asked.record), began)
+
+
+def _complete(kernels: Kernels, asked: RunRequest) -> Kernels:
+    """Returns the kernels with all that the run needs, if they have the step of its integrator; the
+    plan refuses them if not."""
+    scene = scene_of(kernels)
+    own = named(known(asked.integrator or scene.run.integrator)).step_name
+    if kernels.plain or (own and own not in (x.name for x in kernels.interface.signatures)):
+        return kernels
+    recording = scene if asked.record is None else replace(scene, record=asked.record)
+    return kernels._with(*required_functions.of_run(recording, asked.integrator,
+                                                    held=asked.controller is not None))
+
+
+def _begun(kernels: Kernels, precision: str, asked: RunRequest) -> tuple[System, State]:
+    """The system and the state from which the run goes on."""
+    its, start = system(kernels, precision), asked.start
+    if start:
+        refuse(start, its)
+        its = its.at(start.p)
+    its = with_parameters(its, asked.p)
+    if start and asked.controller:  # what it set holds until it is called again
+        places = list(set_by(asked.controller, its.scene))
+        p = np.array(np.broadcast_arrays(its.p, start.p)[0], float)
+        p[..., places] = start.p[..., places]
+        its = its.at(p)
+    return its, start_of(its, asked.q0, asked.v0, start)
+
+
+def _integrated(its: System, planned: Plan, state: State, start: Instant | None,
+                driven: Driven | None, shown: bool) -> Trajectory:
+    alarm = partial(Alarm, driven=driven is not None, remedy=remedy)
+    momentum, failed = (_momentum(its, start, state), start.failed) if start else (None, ())
+    if not shown:
+        return integrate(its, planned, None, alarm, state, driven, momentum, failed)
+    with Progress(its, planned.until) as watch:
+        return integrate(its, planned, watch, alarm, state, driven, momentum, failed)
+
+
+def _momentum(its: System, start: Instant, state: State) -> np.ndarray | None:
+    """The momentum of floating bases at t = 0 that leads to the state from which the run goes on:
+    as the run before kept it, except for members whose parameters change what it leads to."""
+    if start.momentum is None:
+        return None
+    with np.errstate(all="ignore"):
+        kept = start.momentum.astype(its.dtype)
+        before, now = (x.kept(kept, start.t, *state) for x in (its.at(start.p), its))
+        changed = np.any([(abs(a - b) > 0).any(-1) for a, b in zip(before, now, strict=True)], 0)
+        if not changed.any():
+            return start.momentum
+        own = its.momentum(*its.kept(its.momentum(*state), -start.t, *state))
+        return kept if own is None else np.where(changed[..., None, None], own, kept)

@@ -1,0 +1,1 @@
+"""Recorded quantities: computed, written, read, plotted, played back."""

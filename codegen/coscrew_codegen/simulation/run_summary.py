@@ -1,0 +1,147 @@
+"""Runs of a scene in the selected precisions, their recordings, and a short table of them."""
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from tabulate import tabulate
+
+from coscrew_codegen.program.values.formats import BY_NAME
+from coscrew_codegen.scene.integrators import DEFAULT, named
+from coscrew_codegen.scene.mechanism.mimics import without_chains
+from coscrew_codegen.simulation import SimulateError
+from coscrew_codegen.simulation.batch_inputs import values_of
+from coscrew_codegen.simulation.checkpoint import end_in
+from coscrew_codegen.simulation.execution import RunRequest, motion
+from coscrew_codegen.simulation.parameter_checks import ranges
+from coscrew_codegen.simulation.recordings.record import Difference, differences
+from coscrew_codegen.simulation.recordings.result import Result
+from coscrew_codegen.simulation.system import System, scene_of
+
+if TYPE_CHECKING:
+    from coscrew_codegen.runtime.load import Kernels
+
+
+@dataclass(frozen=True)
+class RunOverrides:
+    """Settings that override the scene's own; None: the scene's."""
+
+    until: float | None = None
+    step: float | None = None
+    integrator: str | None = None
+    precision: str | None = None
+    settings: tuple[tuple[str, float], ...] = ()
+    start: Path | None = None  # a recording to go on from
+
+
+def simulated(kernels: "Kernels", overrides: RunOverrides, told: bool = True
+              ) -> tuple[Result, ...]:
+    """The runs, double first; without `told`, recordings have no provenance.  Raises SimulateError.
+    """
+    precision = overrides.precision or scene_of(kernels).precision
+    if overrides.start and precision == "both":
+        raise SimulateError("--start: a recording is of one precision; wanted --precision double "
+                            "or single")
+    asked = RunRequest(overrides.until, overrides.step, overrides.integrator,
+                       start=end_in(overrides.start) if overrides.start else None)
+    names = tuple(BY_NAME) if precision == "both" else (precision,)
+    results: list[Result] = []
+    for name in names:
+        p = values_of(scene_of(kernels), BY_NAME[name], dict(overrides.settings), "--set ")
+        results.append(motion(kernels, name, replace(asked, p=p), shown=True, told=told))
+        if results[-1].trajectory.interrupted:
+            break
+    return tuple(results)
+
+
+def summary(results: tuple[Result, ...]) -> str:
+    """The final state and the energies of each run, and the differences between precisions."""
+    first = results[0]
+    parts = [_heading(first), _states(results), _energies(results)]
+    if len(results) == 2:
+        parts.append(gaps(differences(*(x.recording for x in results))))
+    return "\n\n".join(parts)
+
+
+def gaps(found: tuple[Difference, ...]) -> str:
+    """The table of differences between the precisions."""
+    rows = [(x.quantity, x.unit, x.size, x.apart, x.column, x.t) for x in found]
+    return str(tabulate(rows, ("quantity", "unit", "max |double|", "max |double - single|", "in",
+                           "at t, s"), floatfmt=("", "", ".3g", ".3g", "", "g")))
+
+
+def bounces(result: Result) -> str:
+    """A warning that bounces are lost, if the integrator does not resolve them and a limit is hit
+    in a step that the default integrator would split; else ""."""
+    its, planned, run = result.system, result.plan, result.trajectory
+    if not (named(planned.integrator).damps_bounces and its.has("parts")):
+        return ""
+    with np.errstate(all="ignore"):
+        closing = its.call("closing_contacts", h=planned.step, q=run.q, v=run.v) > 0
+        parts = its.outputs("parts", h=planned.step, q=run.q, v=run.v)[0]
+    if not np.any(closing & (parts > 1)):
+        return ""
+    return (f"limits close, and {planned.integrator} does not resolve bounces in steps of "
+            f"{planned.step:g} s: they lose speed; integrator {DEFAULT} splits such steps")
+
+
+def outside(its: System, q: np.ndarray) -> str:
+    """A warning that names joints that start outside the range of a limit, which then acts from the
+    start; else "".  (…, nq): of several members the one that is farthest outside."""
+    values = dict(zip((x for x, _ in its.functions.parameters), np.array(its.p).T, strict=True))
+    start = {c.joint: q[..., c.q.start].astype(float) for c in its.functions.coordinates}
+    for joint in without_chains(its.scene.model).joints:
+        if joint.mimic and joint.name not in start:
+            start[joint.name] = (float(joint.mimic.multiplier) * start[joint.mimic.joint]
+                                 + float(joint.mimic.offset))
+    found = []
+    for limited, *ends in ranges(its.scene, values):
+        if limited.on in start:
+            x, low, high = (y.ravel() for y in np.broadcast_arrays(start[limited.on], *ends))
+            rounding = 4 * np.finfo(q.dtype).eps * np.abs(x)  # of followers, and of the precision
+            k = int(np.argmax(beyond := np.maximum(low - x, x - high) - rounding))
+            if beyond[k] > 0:
+                found.append(f"joint {limited.on} starts at {x[k]:g}, outside its range from "
+                             f"{low[k]:g} to {high[k]:g}")
+    return f"{'; '.join(found)}: pushed from the start" if found else ""
+
+
+def _heading(result: Result) -> str:
+    trajectory = result.trajectory
+    begin, end, seconds = result.plan.begin, trajectory.t[-1], trajectory.seconds
+    speed = f", {(end - begin) / seconds:.3g}x real time" if seconds > 0 else ""
+    since = f"{begin:g} to " if begin else ""
+    return (f"{result.system.scene.name}: {since}{end:g} s in {trajectory.steps} steps of "
+            f"{result.plan.integrator}, {seconds:.3g} s{speed}")
+
+
+def _states(results: tuple[Result, ...]) -> str:
+    rows = []
+    for c in results[0].system.functions.coordinates:
+        for name, places in (("q", c.q), ("v", c.v)):
+            for i, place in enumerate(places):
+                label = f"{name}.{c.joint}" + (f".{i}" if len(places) > 1 else "")
+                rows.append((label, *(getattr(x.trajectory, name)[-1, place] for x in results)))
+    at = f"at t = {results[0].trajectory.t[-1]:g} s"
+    return str(tabulate(rows, (at, *(x.system.precision.name for x in results)), floatfmt=(
+        "", *(f".{x.system.precision.decimals}g" for x in results))))
+
+
+def _energies(results: tuple[Result, ...]) -> str:
+    """Energies at both ends.  The samples are too sparse for the work between them."""
+    with np.errstate(all="ignore"):  # a run that stopped may end with huge numbers
+        found = [_ends(x) for x in results]
+    rows = [(f"energy at the {where}", *(x[i] for x in found))
+            for i, where in enumerate(("start", "end"))]
+    table = tabulate(rows, ("J", *(x.system.precision.name for x in results)), floatfmt=".9g")
+    return f"{table}\n(`coscrew check` compares the change with the work of effects.)"
+
+
+def _ends(result: Result) -> np.ndarray:
+    """Energy in J at the start and at the end."""
+    ends = [0, -1]
+    t, q, v = (x[ends] for x in (result.trajectory.t, result.trajectory.q, result.trajectory.v))
+    kinetic, potential = result.system.energies(t, q, v)
+    total: np.ndarray = kinetic + potential
+    return total

@@ -1,0 +1,37 @@
+"""Sweeps: many runs of a scene with varied parameters and starts, on Dask, into a folder.
+
+    sweep_options    the words of the command line, --grid and --sobol
+    candidates       what of a scene can vary
+    specification    what varies how: from it follow the values of each member, and its hash
+    member_values    the values of member k, whoever computes them
+    refusals         parameters that the scene's rules refuse, before anything starts
+    batch, member_summary   chunks of members run at once, and what is kept of them
+    single_member    one member by itself, as `run` runs it
+    chunk            from the number of a chunk to its Parquet file, in a worker
+    cluster          workers of this machine or of a cluster; chunks in a moving window
+    files/           Parquet files, Zarr and sweep.json with checksums; damaged ones move aside
+    statistics/      counts and sums over the members; distributions, heat maps, the page
+
+Knows nothing of how a scene's functions are derived."""
+
+from typing import TYPE_CHECKING
+
+from coscrew_codegen.program.reported_error import ReportedError
+
+if TYPE_CHECKING:
+    from coscrew_codegen.simulation.sweep.files.zarr_store import opened as opened
+
+__all__ = ["SweepError", "opened"]
+
+
+class SweepError(ReportedError, ValueError):
+    """The sweep is impossible; the message says what came and what was wanted."""
+
+
+def __getattr__(name: str) -> object:
+    """Import `opened` on first use: it needs xarray."""
+    if name == "opened":
+        from coscrew_codegen.simulation.sweep.files.zarr_store import opened
+
+        return opened
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

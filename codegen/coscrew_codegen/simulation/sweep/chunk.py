@@ -1,0 +1,149 @@
+"""Workers' task: from the number of a chunk to its Parquet file."""
+
+import functools
+import json
+import pickle
+import platform
+import warnings
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from importlib.metadata import version
+
+import numpy as np
+
+from coscrew_codegen.runtime import cache, sources
+from coscrew_codegen.runtime.load import Kernels, restored
+from coscrew_codegen.simulation.check.uniform_rotations import quaternions
+from coscrew_codegen.simulation.sweep import SweepError
+from coscrew_codegen.simulation.sweep.files.lock import held
+from coscrew_codegen.simulation.sweep.files.part import sealed
+from coscrew_codegen.simulation.sweep.specification import Specification
+from coscrew_codegen.simulation.system import scene_of, system
+
+_COMPILING = ".sweep-compiles"  # in the cache: workers of a machine compile one after the other
+_PAYS = 1_000_000  # states, for which the functions of many states are compiled at once
+
+
+@dataclass(frozen=True)
+class Job:
+    """Data that a worker needs: the scene's kernels, pickled, which it compiles or finds in its
+    cache."""
+
+    kernels: bytes
+    compiled: bool  # whether they are in C, as they must be then in the worker
+    specification: Specification
+    generator: str  # the hash of the sources that must run it
+
+    @classmethod
+    def of(cls, kernels: Kernels, specification: Specification) -> "Job":
+        """The job of a sweep, for workers with these sources."""
+        return cls(pickle.dumps(kernels), kernels.compiled, specification, sources.generator())
+
+
+@dataclass(frozen=True)
+class ChunkCall:
+    """Pickled, the call of `computed`, which unpickling makes: a worker without coscrew fails then,
+    in the task, and not while it receives the task, which would end it."""
+
+    job: Job
+    number: int
+
+    def __reduce__(self) -> "tuple[Callable[[Job, int], Chunk], tuple[Job, int]]":
+        return computed, (self.job, self.number)
+
+
+@dataclass(frozen=True)
+class Chunk:
+    """A chunk's file, and how many of its members failed."""
+
+    content: bytes
+    members: int
+    failed: int
+
+
+def computed(job: Job, number: int) -> Chunk:
+    """The chunk of this number: the same numbers wherever this runs.
+
+    Raises SweepError if the worker has other sources than the command, cannot compile what the
+    command could, or has no disk or memory left."""
+    worker = f"the worker on {platform.node()}"
+    if sources.generator() != job.generator:
+        raise SweepError(f"{worker} has another version of coscrew than this command; install the "
+                         "same on both")
+    try:
+        return _computed(job, number)
+    except _Uncompiled as error:
+        raise SweepError(f"{worker} cannot compile the scene, as this command can: {error}"
+                         ) from None
+    except OSError as error:
+        where = f" {error.filename}" if error.filename else ""
+        raise SweepError(f"{worker} cannot use its disk:{where} {error.strerror or error}"
+                         ) from None
+    except MemoryError:
+        raise SweepError(f"{worker} has too little memory for a chunk of "
+                         f"{job.specification.chunk} members") from None
+
+
+class _Uncompiled(Exception):
+    """There is no compiler, or it fails."""
+
+
+def _computed(job: Job, number: int) -> Chunk:
+    from coscrew_codegen.simulation.sweep import batch, member_summary, member_values
+
+    its, kernels = job.specification, _loaded(job)
+    rows = its.members(number)
+    values = member_values.values(its.varied, rows)
+    found = batch.run(kernels, its.conditions, **states(kernels, its, values))
+    table = member_summary.table(scene_of(kernels), its, rows, values, found)
+    told = json.dumps(provenance(kernels, its), ensure_ascii=False)
+    return Chunk(sealed(table.replace_schema_metadata({"coscrew": told})), len(rows),
+                 len(found.failed))
+
+
+def _loaded(job: Job) -> Kernels:
+    """The kernels; compiled, also for many states at once if that pays, by one worker of a machine.
+    """
+    its = job.specification
+    with held(cache.folder() / _COMPILING, wait=True), warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        kernels: Kernels = pickle.loads(job.kernels)
+        if job.compiled and not kernels.compiled:
+            restored.cache_clear()  # the next chunk tries again
+            raise _Uncompiled(*(_reason(str(x.message)) for x in said[-1:]))
+        if its.varied.members * its.conditions.until / its.conditions.step >= _PAYS:
+            kernels._lanes.function("", _PAYS)
+    return kernels
+
+
+def _reason(warning: str) -> str:
+    """The first line in which a compiler speaks of an error, or else what is said of compilers."""
+    first, *lines = warning.splitlines()
+    return next((x for x in lines if "error" in x.lower()), first.partition(": ")[2])
+
+
+def states(kernels: Kernels, its: Specification, values: np.ndarray) -> Mapping[str, np.ndarray]:
+    """The members' parameters and starts, a row each."""
+    plain = system(kernels, its.conditions.precision, dict(its.conditions.settings))
+    q, v = plain.start()
+    arrays = {name: np.tile(np.asarray(row, float), (len(values), 1))
+              for name, row in (("p", plain.p), ("q", q), ("v", v))}
+    u = np.zeros((len(values), len(plain.quaternions), 3))
+    varied = arrays | {"u": u.reshape(len(values), -1)}
+    for column, x in zip(values.T, its.varied.columns, strict=True):
+        varied[x.array][:, x.index] = column
+    for n in sorted({x.index // 3 for x in its.varied.columns if x.array == "u"}):
+        arrays["q"][:, plain.quaternions[n]] = quaternions(u[:, n])
+    return arrays
+
+
+def provenance(kernels: Kernels, its: Specification) -> Mapping[str, str]:
+    """Returns the origin of a chunk's numbers."""
+    return {"scene": its.scene, "scene sha256": its.scene_sha256, "sweep sha256": its.sha256,
+            "compiler": kernels.compiler or "none: NumPy", **_versions()}
+
+
+@functools.cache
+def _versions() -> Mapping[str, str]:
+    return {name: version(name) for name in ("coscrew", "numpy", "scipy", "pyarrow")}
+

@@ -1,0 +1,39 @@
+"""sweep.json: what a sweep is and where its numbers come from, with a checksum of both."""
+
+import json
+from collections.abc import Mapping
+from hashlib import sha256
+from pathlib import Path
+
+from coscrew_codegen.backends.html.pages import Json
+from coscrew_codegen.simulation.sweep.files.part import DamagedError, read_bytes
+
+ABOUT = "sweep.json"
+HASH, SPECIFICATION, CHECKSUM = "sha256", "specification", "checksum"
+
+
+def as_text(about: Mapping[str, Json]) -> bytes:
+    """The file's bytes."""
+    whole = {**about, CHECKSUM: _digest(about)}
+    return (json.dumps(whole, indent=2, ensure_ascii=False) + "\n").encode()
+
+
+def read_description(folder: Path) -> Mapping[str, Json]:
+    """Reads the description of the sweep in this folder.  Raises DamagedError if it is not as it
+    was written."""
+    path = folder / ABOUT
+    content = read_bytes(path)
+    try:
+        found = dict(json.loads(content.decode()))
+    except (ValueError, TypeError):
+        raise DamagedError(path, "cannot be read as that of a sweep") from None
+    if CHECKSUM not in found:
+        raise DamagedError(path, f"has no {CHECKSUM}, as those of older versions, or lost it")
+    if found.pop(CHECKSUM) != _digest(found):
+        raise DamagedError(path, f"differs from its {CHECKSUM}")
+    return found
+
+
+def _digest(about: Mapping[str, Json]) -> str:
+    """The SHA-256 of the content, whatever the order of its keys."""
+    return sha256(json.dumps(about, sort_keys=True).encode()).hexdigest()

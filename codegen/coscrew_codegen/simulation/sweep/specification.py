@@ -1,0 +1,172 @@
+"""Specification of a sweep: all from which the values and results of its members follow."""
+
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import asdict, dataclass
+from fractions import Fraction
+from functools import cached_property
+from hashlib import sha256
+from math import prod
+
+from coscrew_codegen.backends.html.pages import Json
+from coscrew_codegen.scene.scene import Scene
+from coscrew_codegen.simulation.sweep import SweepError
+from coscrew_codegen.simulation.sweep.candidates import (
+    Candidate,
+    candidates,
+    limits_of,
+    matching,
+    one,
+    turned,
+)
+from coscrew_codegen.simulation.sweep.sweep_options import GridAsked, SobolAsked
+
+
+@dataclass(frozen=True)
+class Grid:
+    """Values that an input takes, one after the other."""
+
+    of: Candidate
+    values: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class Range:
+    """A coordinate of the Sobol sequence, from `low` to `high`; if `log`, in logarithms."""
+
+    of: Candidate
+    low: float
+    high: float
+    log: bool
+
+
+@dataclass(frozen=True)
+class Varied:
+    """Inputs that vary: all points of the grids, each with all samples of the ranges."""
+
+    grids: tuple[Grid, ...]
+    ranges: tuple[Range, ...]
+    samples: int
+    seed: int
+
+    @property
+    def columns(self) -> tuple[Candidate, ...]:
+        """Inputs that vary, in the order of a member's values."""
+        return tuple(x.of for x in self.each)
+
+    @property
+    def each(self) -> tuple[Grid | Range, ...]:
+        """The grids, then the ranges."""
+        found: tuple[Grid | Range, ...] = self.grids
+        return found + self.ranges
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Lengths of the grids."""
+        return tuple(len(x.values) for x in self.grids)
+
+    @property
+    def members(self) -> int:
+        """The number of runs."""
+        return self.samples * prod(self.shape)
+
+    @property
+    def ends(self) -> Mapping[str, tuple[float, float]]:
+        """Smallest and largest value of what varies, by name."""
+        return ({x.of.name: (min(x.values), max(x.values)) for x in self.grids}
+                | {x.of.name: (x.low, x.high) for x in self.ranges})
+
+
+@dataclass(frozen=True)
+class Conditions:
+    """Settings of each member's run, and what is kept of it."""
+
+    settings: tuple[tuple[str, float], ...]  # of parameters that do not vary
+    until: float
+    step: float
+    integrator: str
+    every: float
+    precision: str
+    record: tuple[str, ...]
+    series: bool
+
+
+@dataclass(frozen=True)
+class Specification:
+    """A sweep of a scene with this content, in chunks of so many members."""
+
+    scene: str
+    scene_sha256: str
+    coscrew: str  # version
+    varied: Varied
+    conditions: Conditions
+    chunk: int
+
+    @property
+    def chunks(self) -> int:
+        """The number of chunks; the last may be shorter."""
+        return -(-self.varied.members // self.chunk)
+
+    def members(self, number: int) -> range:
+        """The members of a chunk."""
+        first = number * self.chunk
+        return range(first, min(first + self.chunk, self.varied.members))
+
+    @property
+    def data(self) -> Mapping[str, Json]:
+        """Returns the specification as JSON."""
+        found: Mapping[str, Json] = json.loads(json.dumps(asdict(self)))
+        return found
+
+    @cached_property
+    def sha256(self) -> str:
+        """The hash by which a folder knows its sweep."""
+        return sha256(json.dumps(self.data, sort_keys=True).encode()).hexdigest()
+
+
+def varied(scene: Scene, settings: Mapping[str, float], grids: Sequence[GridAsked],
+           sobols: Sequence[SobolAsked], samples: int | None, seed: int | None) -> Varied:
+    """Reads the inputs to vary from the options.  Raises SweepError."""
+    if not (grids or sobols):
+        raise SweepError("nothing varies; wanted --grid NAME=FROM:TO:COUNT or --sobol "
+                         "PATTERN=LOW:HIGH with --samples N")
+    if bool(sobols) != (samples is not None) or seed is not None and not sobols:
+        raise SweepError("--sobol wants --samples N" if sobols else
+                         "--samples and --seed want --sobol PATTERN=LOW:HIGH")
+    known = candidates(scene, settings)
+    made = Varied(tuple(_grid(x, one("--grid", x.name, scene, known)) for x in grids),
+                  tuple(r for x in sobols for r in _ranges(x, scene, known)),
+                  samples or 1, seed or 0)
+    names = [x.name for x in made.columns]
+    for name in names:
+        if names.count(name) > 1:
+            raise SweepError(f"{name}: varies by two options; wanted one")
+        if name in settings:
+            raise SweepError(f"--set {name}: it varies; wanted one of the two")
+    return made
+
+
+def _grid(asked: GridAsked, of: Candidate) -> Grid:
+    first, last = asked.ends
+    steps = max(asked.count - 1, 1)
+    if not asked.log:
+        return Grid(of, tuple(float(first + Fraction(i, steps) * (last - first))
+                              for i in range(asked.count)))
+    from mpmath import mp
+
+    with mp.workdps(50):
+        a, b = (mp.mpf(x.numerator) / x.denominator for x in asked.ends)
+        inner = [float(a * (b / a)**(mp.mpf(i) / steps)) for i in range(1, steps)]
+    return Grid(of, (float(first), *inner, float(last))[:asked.count])
+
+
+def _ranges(asked: SobolAsked, scene: Scene, known: Mapping[str, Candidate]) -> Iterator[Range]:
+    if asked.uniform:
+        yield from (Range(x, 0.0, 1.0, False) for x in turned("--sobol", asked.pattern, scene))
+    else:
+        yield from (_range(asked, x) for x in matching("--sobol", asked.pattern, scene, known))
+
+
+def _range(asked: SobolAsked, of: Candidate) -> Range:
+    low, high = map(float, asked.ends) if asked.ends else limits_of(f"--sobol {asked.pattern}", of)
+    return Range(of, low, high, asked.log)

@@ -1,0 +1,1 @@
+"""Distributions over the members of a sweep, as tables and figures."""

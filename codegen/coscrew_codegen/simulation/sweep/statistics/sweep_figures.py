@@ -1,0 +1,93 @@
+"""Figures of a sweep: how a recorded column is distributed, and what of what varied moves it."""
+
+from collections.abc import Callable
+from functools import partial
+
+import numpy as np
+from markupsafe import Markup
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from coscrew_codegen.backends.html import plots
+from coscrew_codegen.simulation.sweep.member_summary import STATISTICS
+from coscrew_codegen.simulation.sweep.statistics.axis import Axis
+from coscrew_codegen.simulation.sweep.statistics.column import ColumnStatistics
+
+_MOST = 3  # heat maps of the final value against what explains most of it
+_MAP, _FAILED = "viridis", "#d62728"
+_SIZE = (3.3, 2.7)  # inches: four stand in a row of a wide page, one on a phone
+
+
+@plots.styled
+def figures(column: ColumnStatistics) -> list[Markup]:
+    """The figures of a column: its distribution, members against each of what explains most, and
+    its mean over two of these."""
+    order = by_share(column)
+    drawn = [_alone(f"distribution of {column.own.name}", partial(_distribution, column=column))]
+    drawn += [_alone(f"{column.own.name} against {column.axes[i].name}",
+                     partial(_against, column=column, i=i)) for i in order[:_MOST]]
+    if pair := min(column.pairs, key=lambda p: sum(map(order.index, p)), default=None):
+        names = " and ".join(column.axes[i].name for i in pair)
+        drawn.append(_alone(f"mean of {column.own.name} over {names}",
+                            partial(_means, column=column, pair=pair)))
+    return drawn
+
+
+def _alone(label: str, draw: Callable[[Axes], None]) -> Markup:
+    drawn = Figure(figsize=_SIZE, layout="constrained")
+    draw(drawn.subplots())
+    return plots.inline(drawn, label)
+
+
+def _means(axes: Axes, column: ColumnStatistics, pair: tuple[int, int]) -> None:
+    """The mean of the final value over two axes."""
+    x, y = (column.axes[i] for i in pair)
+    _map(axes, x, y, column.means(pair), f"mean of the final {_label(column.own)}")
+    cells = np.nonzero(column.pairs[pair][2])
+    _cross(axes, x.middles[cells[0]], y.middles[cells[1]])
+
+
+def by_share(column: ColumnStatistics) -> list[int]:
+    """The axes, those first that explain most of the final value's variance."""
+    shares = [np.nan_to_num(column.explained(i)[0]) for i in range(len(column.axes))]
+    return sorted(range(len(shares)), key=lambda i: -shares[i])
+
+
+def _distribution(axes: Axes, column: ColumnStatistics) -> None:
+    for counts, word in zip(column.histogram, STATISTICS, strict=True):
+        first = word == STATISTICS[0]
+        axes.stairs(counts, column.own.edges, label=word, fill=first, alpha=0.45 if first else 1)
+    axes.set_xlabel(_label(column.own))
+    axes.set_ylabel("members")
+    axes.legend(fontsize=7)
+
+
+def _against(axes: Axes, column: ColumnStatistics, i: int) -> None:
+    """Members by the final value and one axis."""
+    counts = column.joint[i]
+    _map(axes, column.axes[i], column.own, np.where(counts > 0, counts, np.nan), "members")
+    axes.set_ylabel(f"final {_label(column.own)}")
+    where = column.axes[i].middles[column.lost[i] > 0]
+    _cross(axes, where, np.full(len(where), 0.97), of_axes=True)
+
+
+def _cross(axes: Axes, x: np.ndarray, y: np.ndarray, of_axes: bool = False) -> None:
+    """Mark where members failed; with `of_axes`, y from 0, the lower end of the axis, to 1."""
+    if len(x):
+        axes.scatter(x, y, 12, _FAILED, marker="x", linewidths=1, clip_on=False,
+                     transform=axes.get_xaxis_transform() if of_axes else axes.transData)
+
+
+def _map(axes: Axes, x: Axis, y: Axis, values: np.ndarray, words: str) -> None:
+    mesh = axes.pcolormesh(x.edges, y.edges, values.T, cmap=_MAP, rasterized=True)
+    axes.grid(False)
+    for axis, of in ((axes.xaxis, x), (axes.yaxis, y)):
+        axis.set_label_text(_label(of))
+        if of.log:
+            plots.logarithmic(axis)
+    axes.figure.colorbar(mesh, ax=axes).set_label(words, fontsize=7)
+
+
+def _label(axis: Axis) -> str:
+    """Its name and unit."""
+    return plots.escaped(axis.label)
