@@ -163,7 +163,7 @@ def test_its_cost_is_measured_in_its_unit(site):
 
 def test_it_is_in_the_reference_and_the_stub(site):
     found = run_in_copy(site, (
-        "from coscrew_codegen.reports.reference import scenes as s\n"
+        "from coscrew_codegen.reports.reference import scene_pages as s\n"
         "print(s.functions_page('banner'), s.functions_stub('banner'))\n"))
     assert "| `center_of_mass` | `p` `q` | x = Σ m (R c + t) / Σ m, the centre" in found
     assert "| `center_of_mass` | 3 × m | 0 to 2 | `center_of_mass` |" in found
@@ -226,7 +226,8 @@ ONE = Array("y", (), ("1",))
     ({"recorded": (SceneQuantity("odd", components=("a", "b")),)},
      "with 2 names of its 1 components"),
     ({"recorded": (SceneQuantity("odd", Of.BODY),)}, "'odd' is recorded of it; wanted a quantity"),
-    ({"recorded": (SceneQuantity("odd"),), "targets": jacobian.FUNCTION.targets}, "wanted a quant"),
+    ({"recorded": (SceneQuantity("odd"),), "targets": jacobian.FUNCTION.targets},
+     "wanted a quantity of the scene"),
     ({"outputs": (Array("y", (AxisLength.NV,), ("m",)),), "recorded": (SceneQuantity("odd"),)},
      "units of y depend on the scene")))
 def test_entries_that_cannot_be_are_refused(words, said):
@@ -275,11 +276,12 @@ def test_a_function_may_take_nothing(tmp_path):
     """The mass of a scene: a number without inputs, in C and in generated Python."""
     package = copied(tmp_path)
     (package / "scene/functions/total_mass.py").write_text(
-        "from coscrew_codegen.scene.function import Array, Quantity, SceneFunction\n"
+        "from coscrew_codegen.scene.scene_function import Array, SceneFunction, SceneQuantity\n"
         "FUNCTION = SceneFunction(\n"
         "    'total_mass', 86, 'm = Σ m', '', (Array('m', (), ('kg',), 'in kg'),),\n"
         "    lambda x: [[sum((x.number(y.inertia.mass) for y in x.scene.model.bodies\n"
-        "                     if y.inertia), x.number(0))]], recorded=(Quantity('total_mass'),))\n")
+        "                     if y.inertia), x.number(0))]],\n"
+        "    recorded=(SceneQuantity('total_mass'),))\n")
     (tmp_path / "cart.toml").write_text(SCENE.replace('runtime = ["load.mass"]', "").replace(
         '"center_of_mass", "q"', '"total_mass"').partition("[expect")[0])
     done = command(tmp_path, "generate", "cart.toml", "-o", "out", "--many")

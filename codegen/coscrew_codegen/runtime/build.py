@@ -103,6 +103,6 @@ class BuildExt(build_ext):
 
 
 if __name__ == "__main__":
-    here = Path(__file__).resolve().parents[2]
+    here = Path(__file__).resolve().parents[3]
     os.chdir(here)
     build_modules(here, here / PYTHON)
