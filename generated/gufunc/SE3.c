@@ -6,6 +6,7 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "../c/include/ksl/SE3.h"
 
 /* (3,3),(3)->(3,4) */
 OVER(SE3_fromRt_double) {
@@ -40,27 +41,27 @@ LOOPS(SE3_fromRt)
 /* (3,4)->(3,4) */
 OVER(SE3_copy_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_SE3_t Do;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_SE3_copy(&D, &Do);
     STORE(SE3_double, &Do, 1, 2);
   }
 }
-LOOP(SE3_copy_double, 2, DENSE_OR_ONE, 96, 96, 32, 8, 32, 8)
+LOOP(SE3_copy_double, 2, DENSE, 96, 96, 32, 8, 32, 8)
 
 OVER(SE3_copy_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_SE3f_t Do;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_SE3f_copy(&D, &Do);
     STORE(SE3_single, &Do, 1, 2);
   }
 }
-LOOP(SE3_copy_single, 2, DENSE_OR_ONE, 48, 48, 16, 4, 16, 4)
+LOOP(SE3_copy_single, 2, DENSE, 48, 48, 16, 4, 16, 4)
 LOOPS(SE3_copy)
 
 /* (3,4)->(3,4) */
@@ -90,53 +91,53 @@ LOOPS(SE3_setIdentity)
 /* (3,4)->(3) */
 OVER(SE3_getTranslation_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_vec3_t t;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_SE3_getTranslation(&D, &t);
     STORE(vec3_double, &t, 1, 2);
   }
 }
-LOOP(SE3_getTranslation_double, 2, DENSE_OR_ONE, 96, 24, 32, 8, 8)
+LOOP(SE3_getTranslation_double, 2, DENSE, 96, 24, 32, 8, 8)
 
 OVER(SE3_getTranslation_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_vec3f_t t;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_SE3f_getTranslation(&D, &t);
     STORE(vec3_single, &t, 1, 2);
   }
 }
-LOOP(SE3_getTranslation_single, 2, DENSE_OR_ONE, 48, 12, 16, 4, 4)
+LOOP(SE3_getTranslation_single, 2, DENSE, 48, 12, 16, 4, 4)
 LOOPS(SE3_getTranslation)
 
 /* (3,4)->(3,3) */
 OVER(SE3_getRotation_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_mat3x3_t R;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_SE3_getRotation(&D, &R);
     STORE(mat3x3_double, &R, 1, 2);
   }
 }
-LOOP(SE3_getRotation_double, 2, DENSE_OR_ONE, 96, 72, 32, 8, 24, 8)
+LOOP(SE3_getRotation_double, 2, DENSE, 96, 72, 32, 8, 24, 8)
 
 OVER(SE3_getRotation_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_mat3x3f_t R;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_SE3f_getRotation(&D, &R);
     STORE(mat3x3_single, &R, 1, 2);
   }
 }
-LOOP(SE3_getRotation_single, 2, DENSE_OR_ONE, 48, 36, 16, 4, 12, 4)
+LOOP(SE3_getRotation_single, 2, DENSE, 48, 36, 16, 4, 12, 4)
 LOOPS(SE3_getRotation)
 
 /* (3,4)->(3,4) */
@@ -166,53 +167,53 @@ LOOPS(SE3_invert)
 /* (3,4)->(4,4) */
 OVER(SE3_toMat4x4_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_mat4x4_t M;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_SE3_toMat4x4(&D, &M);
     STORE(mat4x4_double, &M, 1, 2);
   }
 }
-LOOP(SE3_toMat4x4_double, 2, DENSE_OR_ONE, 96, 128, 32, 8, 32, 8)
+LOOP(SE3_toMat4x4_double, 2, DENSE, 96, 128, 32, 8, 32, 8)
 
 OVER(SE3_toMat4x4_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_mat4x4f_t M;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_SE3f_toMat4x4f(&D, &M);
     STORE(mat4x4_single, &M, 1, 2);
   }
 }
-LOOP(SE3_toMat4x4_single, 2, DENSE_OR_ONE, 48, 64, 16, 4, 16, 4)
+LOOP(SE3_toMat4x4_single, 2, DENSE, 48, 64, 16, 4, 16, 4)
 LOOPS(SE3_toMat4x4)
 
 /* (3,4)->(3,4) */
 OVER(SE3_inverted_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_SE3_t Do;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_SE3_inverted(&D, &Do);
     STORE(SE3_double, &Do, 1, 2);
   }
 }
-LOOP(SE3_inverted_double, 2, DENSE_OR_ONE, 96, 96, 32, 8, 32, 8)
+LOOP(SE3_inverted_double, 2, DENSE, 96, 96, 32, 8, 32, 8)
 
 OVER(SE3_inverted_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_SE3f_t Do;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_SE3f_inverted(&D, &Do);
     STORE(SE3_single, &Do, 1, 2);
   }
 }
-LOOP(SE3_inverted_single, 2, DENSE_OR_ONE, 48, 48, 16, 4, 16, 4)
+LOOP(SE3_inverted_single, 2, DENSE, 48, 48, 16, 4, 16, 4)
 LOOPS(SE3_inverted)
 
 const coscrew_gufunc TABLE(SE3)[] = {

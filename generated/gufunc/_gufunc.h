@@ -35,7 +35,7 @@
 #pragma GCC target("no-fma,no-avx512f")
 #endif
 
-#include "../c/include/ksl/ksl.h"
+#include "../c/include/ksl/ksl_types.h"
 
 #if defined(COSCREW_FOR_AVX2)
 #define TABLE(family) coscrew_##family##_gufuncs_avx2

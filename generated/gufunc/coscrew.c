@@ -6,31 +6,32 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "../c/include/ksl/coscrew.h"
 
 /* (6)->(6) */
 OVER(coscrew_copy_double) {
   POINTERS_2
-  LOAD_FIRST(coscrew_double, ksl_coscrew_t ci, &ci);
   EACH {
+    ksl_coscrew_t ci;
     ksl_coscrew_t co;
-    LOAD_OTHER(coscrew_double, &ci);
+    LOAD(coscrew_double, &ci, 0, 0);
     ksl_coscrew_copy(&ci, &co);
     STORE(coscrew_double, &co, 1, 1);
   }
 }
-LOOP(coscrew_copy_double, 2, DENSE_OR_ONE, 48, 48, 8, 8)
+LOOP(coscrew_copy_double, 2, DENSE, 48, 48, 8, 8)
 
 OVER(coscrew_copy_single) {
   POINTERS_2
-  LOAD_FIRST(coscrew_single, ksl_coscrewf_t ci, &ci);
   EACH {
+    ksl_coscrewf_t ci;
     ksl_coscrewf_t co;
-    LOAD_OTHER(coscrew_single, &ci);
+    LOAD(coscrew_single, &ci, 0, 0);
     ksl_coscrewf_copy(&ci, &co);
     STORE(coscrew_single, &co, 1, 1);
   }
 }
-LOOP(coscrew_copy_single, 2, DENSE_OR_ONE, 24, 24, 4, 4)
+LOOP(coscrew_copy_single, 2, DENSE, 24, 24, 4, 4)
 LOOPS(coscrew_copy)
 
 /* (6),()->(6) */
@@ -64,27 +65,27 @@ LOOPS(coscrew_scale)
 /* (6)->(6) */
 OVER(coscrew_inverted_double) {
   POINTERS_2
-  LOAD_FIRST(coscrew_double, ksl_coscrew_t ci, &ci);
   EACH {
+    ksl_coscrew_t ci;
     ksl_coscrew_t co;
-    LOAD_OTHER(coscrew_double, &ci);
+    LOAD(coscrew_double, &ci, 0, 0);
     ksl_coscrew_inverted(&ci, &co);
     STORE(coscrew_double, &co, 1, 1);
   }
 }
-LOOP(coscrew_inverted_double, 2, DENSE_OR_ONE, 48, 48, 8, 8)
+LOOP(coscrew_inverted_double, 2, DENSE, 48, 48, 8, 8)
 
 OVER(coscrew_inverted_single) {
   POINTERS_2
-  LOAD_FIRST(coscrew_single, ksl_coscrewf_t ci, &ci);
   EACH {
+    ksl_coscrewf_t ci;
     ksl_coscrewf_t co;
-    LOAD_OTHER(coscrew_single, &ci);
+    LOAD(coscrew_single, &ci, 0, 0);
     ksl_coscrewf_inverted(&ci, &co);
     STORE(coscrew_single, &co, 1, 1);
   }
 }
-LOOP(coscrew_inverted_single, 2, DENSE_OR_ONE, 24, 24, 4, 4)
+LOOP(coscrew_inverted_single, 2, DENSE, 24, 24, 4, 4)
 LOOPS(coscrew_inverted)
 
 /* (6)->(6) */
@@ -292,27 +293,27 @@ LOOPS(subtract_cc)
 /* (6)->() */
 OVER(coscrew_norm_double) {
   POINTERS_2
-  LOAD_FIRST(coscrew_double, ksl_coscrew_t ci, &ci);
   EACH {
+    ksl_coscrew_t ci;
     double norm;
-    LOAD_OTHER(coscrew_double, &ci);
+    LOAD(coscrew_double, &ci, 0, 0);
     norm = ksl_coscrew_norm(&ci);
     STORE(scalar_double, &norm, 1, 1);
   }
 }
-LOOP(coscrew_norm_double, 2, DENSE_OR_ONE, 48, 8, 8)
+LOOP(coscrew_norm_double, 2, DENSE, 48, 8, 8)
 
 OVER(coscrew_norm_single) {
   POINTERS_2
-  LOAD_FIRST(coscrew_single, ksl_coscrewf_t ci, &ci);
   EACH {
+    ksl_coscrewf_t ci;
     float norm;
-    LOAD_OTHER(coscrew_single, &ci);
+    LOAD(coscrew_single, &ci, 0, 0);
     norm = ksl_coscrewf_norm(&ci);
     STORE(scalar_single, &norm, 1, 1);
   }
 }
-LOOP(coscrew_norm_single, 2, DENSE_OR_ONE, 24, 4, 4)
+LOOP(coscrew_norm_single, 2, DENSE, 24, 4, 4)
 LOOPS(coscrew_norm)
 
 /* (6)->(6) */
@@ -342,27 +343,27 @@ LOOPS(coscrew_normalize)
 /* (6)->(6) */
 OVER(coscrew_normalized_double) {
   POINTERS_2
-  LOAD_FIRST(coscrew_double, ksl_coscrew_t ci, &ci);
   EACH {
+    ksl_coscrew_t ci;
     ksl_coscrew_t co;
-    LOAD_OTHER(coscrew_double, &ci);
+    LOAD(coscrew_double, &ci, 0, 0);
     ksl_coscrew_normalized(&ci, &co);
     STORE(coscrew_double, &co, 1, 1);
   }
 }
-LOOP(coscrew_normalized_double, 2, DENSE_OR_ONE, 48, 48, 8, 8)
+LOOP(coscrew_normalized_double, 2, DENSE, 48, 48, 8, 8)
 
 OVER(coscrew_normalized_single) {
   POINTERS_2
-  LOAD_FIRST(coscrew_single, ksl_coscrewf_t ci, &ci);
   EACH {
+    ksl_coscrewf_t ci;
     ksl_coscrewf_t co;
-    LOAD_OTHER(coscrew_single, &ci);
+    LOAD(coscrew_single, &ci, 0, 0);
     ksl_coscrewf_normalized(&ci, &co);
     STORE(coscrew_single, &co, 1, 1);
   }
 }
-LOOP(coscrew_normalized_single, 2, DENSE_OR_ONE, 24, 24, 4, 4)
+LOOP(coscrew_normalized_single, 2, DENSE, 24, 24, 4, 4)
 LOOPS(coscrew_normalized)
 
 /* (3),(3)->(6) */
@@ -398,53 +399,53 @@ LOOPS(coscrew_from_lin_ang)
 /* (6)->(6) */
 OVER(coscrew_to_angular_first_double) {
   POINTERS_2
-  LOAD_FIRST(coscrew_double, ksl_coscrew_t ci, &ci);
   EACH {
+    ksl_coscrew_t ci;
     double x[6];
-    LOAD_OTHER(coscrew_double, &ci);
+    LOAD(coscrew_double, &ci, 0, 0);
     ksl_coscrew_to_angular_first(&ci, x);
     STORE(angular_first_double, x, 1, 1);
   }
 }
-LOOP(coscrew_to_angular_first_double, 2, DENSE_OR_ONE, 48, 48, 8, 8)
+LOOP(coscrew_to_angular_first_double, 2, DENSE, 48, 48, 8, 8)
 
 OVER(coscrew_to_angular_first_single) {
   POINTERS_2
-  LOAD_FIRST(coscrew_single, ksl_coscrewf_t ci, &ci);
   EACH {
+    ksl_coscrewf_t ci;
     float x[6];
-    LOAD_OTHER(coscrew_single, &ci);
+    LOAD(coscrew_single, &ci, 0, 0);
     ksl_coscrewf_to_angular_first(&ci, x);
     STORE(angular_first_single, x, 1, 1);
   }
 }
-LOOP(coscrew_to_angular_first_single, 2, DENSE_OR_ONE, 24, 24, 4, 4)
+LOOP(coscrew_to_angular_first_single, 2, DENSE, 24, 24, 4, 4)
 LOOPS(coscrew_to_angular_first)
 
 /* (6)->(6) */
 OVER(coscrew_from_angular_first_double) {
   POINTERS_2
-  LOAD_FIRST(angular_first_double, double x[6], x);
   EACH {
+    double x[6];
     ksl_coscrew_t co;
-    LOAD_OTHER(angular_first_double, x);
+    LOAD(angular_first_double, x, 0, 0);
     ksl_coscrew_from_angular_first(x, &co);
     STORE(coscrew_double, &co, 1, 1);
   }
 }
-LOOP(coscrew_from_angular_first_double, 2, DENSE_OR_ONE, 48, 48, 8, 8)
+LOOP(coscrew_from_angular_first_double, 2, DENSE, 48, 48, 8, 8)
 
 OVER(coscrew_from_angular_first_single) {
   POINTERS_2
-  LOAD_FIRST(angular_first_single, float x[6], x);
   EACH {
+    float x[6];
     ksl_coscrewf_t co;
-    LOAD_OTHER(angular_first_single, x);
+    LOAD(angular_first_single, x, 0, 0);
     ksl_coscrewf_from_angular_first(x, &co);
     STORE(coscrew_single, &co, 1, 1);
   }
 }
-LOOP(coscrew_from_angular_first_single, 2, DENSE_OR_ONE, 24, 24, 4, 4)
+LOOP(coscrew_from_angular_first_single, 2, DENSE, 24, 24, 4, 4)
 LOOPS(coscrew_from_angular_first)
 
 /* (6),(6)->(6) */
@@ -750,339 +751,339 @@ LOOPS(product_CoAdcinv)
 /* (3,4)->(6) */
 OVER(hctx_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_coscrew_t co;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hctx(&D, &co);
     STORE(coscrew_double, &co, 1, 2);
   }
 }
-LOOP(hctx_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
+LOOP(hctx_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hctx_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_coscrewf_t co;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hctxf(&D, &co);
     STORE(coscrew_single, &co, 1, 2);
   }
 }
-LOOP(hctx_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOP(hctx_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hctx)
 
 /* (3,4)->(6) */
 OVER(hcty_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_coscrew_t co;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hcty(&D, &co);
     STORE(coscrew_double, &co, 1, 2);
   }
 }
-LOOP(hcty_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
+LOOP(hcty_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hcty_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_coscrewf_t co;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hctyf(&D, &co);
     STORE(coscrew_single, &co, 1, 2);
   }
 }
-LOOP(hcty_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOP(hcty_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hcty)
 
 /* (3,4)->(6) */
 OVER(hctz_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_coscrew_t co;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hctz(&D, &co);
     STORE(coscrew_double, &co, 1, 2);
   }
 }
-LOOP(hctz_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
+LOOP(hctz_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hctz_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_coscrewf_t co;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hctzf(&D, &co);
     STORE(coscrew_single, &co, 1, 2);
   }
 }
-LOOP(hctz_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOP(hctz_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hctz)
 
 /* (3,4)->(6) */
 OVER(hcrx_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_coscrew_t co;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hcrx(&D, &co);
     STORE(coscrew_double, &co, 1, 2);
   }
 }
-LOOP(hcrx_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
+LOOP(hcrx_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hcrx_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_coscrewf_t co;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hcrxf(&D, &co);
     STORE(coscrew_single, &co, 1, 2);
   }
 }
-LOOP(hcrx_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOP(hcrx_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hcrx)
 
 /* (3,4)->(6) */
 OVER(hcry_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_coscrew_t co;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hcry(&D, &co);
     STORE(coscrew_double, &co, 1, 2);
   }
 }
-LOOP(hcry_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
+LOOP(hcry_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hcry_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_coscrewf_t co;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hcryf(&D, &co);
     STORE(coscrew_single, &co, 1, 2);
   }
 }
-LOOP(hcry_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOP(hcry_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hcry)
 
 /* (3,4)->(6) */
 OVER(hcrz_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_coscrew_t co;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hcrz(&D, &co);
     STORE(coscrew_double, &co, 1, 2);
   }
 }
-LOOP(hcrz_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
+LOOP(hcrz_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hcrz_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_coscrewf_t co;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hcrzf(&D, &co);
     STORE(coscrew_single, &co, 1, 2);
   }
 }
-LOOP(hcrz_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOP(hcrz_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hcrz)
 
 /* (3,4)->(6) */
 OVER(hctxinv_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_coscrew_t co;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hctxinv(&D, &co);
     STORE(coscrew_double, &co, 1, 2);
   }
 }
-LOOP(hctxinv_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
+LOOP(hctxinv_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hctxinv_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_coscrewf_t co;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hctxinvf(&D, &co);
     STORE(coscrew_single, &co, 1, 2);
   }
 }
-LOOP(hctxinv_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOP(hctxinv_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hctxinv)
 
 /* (3,4)->(6) */
 OVER(hctyinv_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_coscrew_t co;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hctyinv(&D, &co);
     STORE(coscrew_double, &co, 1, 2);
   }
 }
-LOOP(hctyinv_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
+LOOP(hctyinv_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hctyinv_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_coscrewf_t co;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hctyinvf(&D, &co);
     STORE(coscrew_single, &co, 1, 2);
   }
 }
-LOOP(hctyinv_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOP(hctyinv_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hctyinv)
 
 /* (3,4)->(6) */
 OVER(hctzinv_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_coscrew_t co;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hctzinv(&D, &co);
     STORE(coscrew_double, &co, 1, 2);
   }
 }
-LOOP(hctzinv_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
+LOOP(hctzinv_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hctzinv_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_coscrewf_t co;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hctzinvf(&D, &co);
     STORE(coscrew_single, &co, 1, 2);
   }
 }
-LOOP(hctzinv_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOP(hctzinv_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hctzinv)
 
 /* (3,4)->(6) */
 OVER(hcrxinv_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_coscrew_t co;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hcrxinv(&D, &co);
     STORE(coscrew_double, &co, 1, 2);
   }
 }
-LOOP(hcrxinv_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
+LOOP(hcrxinv_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hcrxinv_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_coscrewf_t co;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hcrxinvf(&D, &co);
     STORE(coscrew_single, &co, 1, 2);
   }
 }
-LOOP(hcrxinv_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOP(hcrxinv_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hcrxinv)
 
 /* (3,4)->(6) */
 OVER(hcryinv_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_coscrew_t co;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hcryinv(&D, &co);
     STORE(coscrew_double, &co, 1, 2);
   }
 }
-LOOP(hcryinv_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
+LOOP(hcryinv_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hcryinv_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_coscrewf_t co;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hcryinvf(&D, &co);
     STORE(coscrew_single, &co, 1, 2);
   }
 }
-LOOP(hcryinv_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOP(hcryinv_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hcryinv)
 
 /* (3,4)->(6) */
 OVER(hcrzinv_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_coscrew_t co;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hcrzinv(&D, &co);
     STORE(coscrew_double, &co, 1, 2);
   }
 }
-LOOP(hcrzinv_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
+LOOP(hcrzinv_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hcrzinv_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_coscrewf_t co;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hcrzinvf(&D, &co);
     STORE(coscrew_single, &co, 1, 2);
   }
 }
-LOOP(hcrzinv_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOP(hcrzinv_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hcrzinv)
 
 /* (3,4)->(6,6) */
 OVER(CoAd_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_mat6x6_t M;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_CoAd(&D, &M);
     STORE(mat6x6_double, &M, 1, 2);
   }
 }
-LOOP(CoAd_double, 2, DENSE_OR_ONE, 96, 288, 32, 8, 48, 8)
+LOOP(CoAd_double, 2, DENSE, 96, 288, 32, 8, 48, 8)
 
 OVER(CoAd_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_mat6x6f_t M;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_CoAdf(&D, &M);
     STORE(mat6x6_single, &M, 1, 2);
   }
 }
-LOOP(CoAd_single, 2, DENSE_OR_ONE, 48, 144, 16, 4, 24, 4)
+LOOP(CoAd_single, 2, DENSE, 48, 144, 16, 4, 24, 4)
 LOOPS(CoAd)
 
 /* (6),(6)->() */
@@ -1538,27 +1539,27 @@ LOOPS(working_crz)
 /* (6)->(6,6) */
 OVER(coad_double) {
   POINTERS_2
-  LOAD_FIRST(screw_double, ksl_screw_t s, &s);
   EACH {
+    ksl_screw_t s;
     ksl_mat6x6_t M;
-    LOAD_OTHER(screw_double, &s);
+    LOAD(screw_double, &s, 0, 0);
     ksl_coad(&s, &M);
     STORE(mat6x6_double, &M, 1, 1);
   }
 }
-LOOP(coad_double, 2, DENSE_OR_ONE, 48, 288, 8, 48, 8)
+LOOP(coad_double, 2, DENSE, 48, 288, 8, 48, 8)
 
 OVER(coad_single) {
   POINTERS_2
-  LOAD_FIRST(screw_single, ksl_screwf_t s, &s);
   EACH {
+    ksl_screwf_t s;
     ksl_mat6x6f_t M;
-    LOAD_OTHER(screw_single, &s);
+    LOAD(screw_single, &s, 0, 0);
     ksl_coadf(&s, &M);
     STORE(mat6x6_single, &M, 1, 1);
   }
 }
-LOOP(coad_single, 2, DENSE_OR_ONE, 24, 144, 4, 24, 4)
+LOOP(coad_single, 2, DENSE, 24, 144, 4, 24, 4)
 LOOPS(coad)
 
 const coscrew_gufunc TABLE(coscrew)[] = {

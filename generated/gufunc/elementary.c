@@ -6,17 +6,18 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "../c/include/ksl/elementary.h"
 #include "_lanes.h"
 #include "../c/include/ksl/elementary_states.h"
 
 /* ()->(),() */
 OVER(sincos_double) {
   POINTERS_3
-  LOAD_FIRST(scalar_double, double x, &x);
   EACH {
+    double x;
     double s;
     double c;
-    LOAD_OTHER(scalar_double, &x);
+    LOAD(scalar_double, &x, 0, 0);
     s = ksl_sincos(x, &c);
     STORE(scalar_double, &s, 1, 0);
     STORE(scalar_double, &c, 2, 0);
@@ -81,15 +82,15 @@ static APART void sincos_double_many(
   sincos_double_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(sincos_double, 3, DENSE_OR_ONE, 8, 8, 8)
+LOOP_ON_VECTORS(sincos_double, 3, DENSE, 8, 8, 8)
 
 OVER(sincos_single) {
   POINTERS_3
-  LOAD_FIRST(scalar_single, float x, &x);
   EACH {
+    float x;
     float s;
     float c;
-    LOAD_OTHER(scalar_single, &x);
+    LOAD(scalar_single, &x, 0, 0);
     s = ksl_sincosf(x, &c);
     STORE(scalar_single, &s, 1, 0);
     STORE(scalar_single, &c, 2, 0);
@@ -154,16 +155,16 @@ static APART void sincos_single_many(
   sincos_single_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(sincos_single, 3, DENSE_OR_ONE, 4, 4, 4)
+LOOP_ON_VECTORS(sincos_single, 3, DENSE, 4, 4, 4)
 LOOPS(sincos)
 
 /* ()->() */
 OVER(sin_double) {
   POINTERS_2
-  LOAD_FIRST(scalar_double, double x, &x);
   EACH {
+    double x;
     double s;
-    LOAD_OTHER(scalar_double, &x);
+    LOAD(scalar_double, &x, 0, 0);
     s = ksl_sin(x);
     STORE(scalar_double, &s, 1, 0);
   }
@@ -223,14 +224,14 @@ static APART void sin_double_many(
   sin_double_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(sin_double, 2, DENSE_OR_ONE, 8, 8)
+LOOP_ON_VECTORS(sin_double, 2, DENSE, 8, 8)
 
 OVER(sin_single) {
   POINTERS_2
-  LOAD_FIRST(scalar_single, float x, &x);
   EACH {
+    float x;
     float s;
-    LOAD_OTHER(scalar_single, &x);
+    LOAD(scalar_single, &x, 0, 0);
     s = ksl_sinf(x);
     STORE(scalar_single, &s, 1, 0);
   }
@@ -290,16 +291,16 @@ static APART void sin_single_many(
   sin_single_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(sin_single, 2, DENSE_OR_ONE, 4, 4)
+LOOP_ON_VECTORS(sin_single, 2, DENSE, 4, 4)
 LOOPS(sin)
 
 /* ()->() */
 OVER(cos_double) {
   POINTERS_2
-  LOAD_FIRST(scalar_double, double x, &x);
   EACH {
+    double x;
     double c;
-    LOAD_OTHER(scalar_double, &x);
+    LOAD(scalar_double, &x, 0, 0);
     c = ksl_cos(x);
     STORE(scalar_double, &c, 1, 0);
   }
@@ -359,14 +360,14 @@ static APART void cos_double_many(
   cos_double_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(cos_double, 2, DENSE_OR_ONE, 8, 8)
+LOOP_ON_VECTORS(cos_double, 2, DENSE, 8, 8)
 
 OVER(cos_single) {
   POINTERS_2
-  LOAD_FIRST(scalar_single, float x, &x);
   EACH {
+    float x;
     float c;
-    LOAD_OTHER(scalar_single, &x);
+    LOAD(scalar_single, &x, 0, 0);
     c = ksl_cosf(x);
     STORE(scalar_single, &c, 1, 0);
   }
@@ -426,16 +427,16 @@ static APART void cos_single_many(
   cos_single_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(cos_single, 2, DENSE_OR_ONE, 4, 4)
+LOOP_ON_VECTORS(cos_single, 2, DENSE, 4, 4)
 LOOPS(cos)
 
 /* ()->() */
 OVER(exp_double) {
   POINTERS_2
-  LOAD_FIRST(scalar_double, double x, &x);
   EACH {
+    double x;
     double y;
-    LOAD_OTHER(scalar_double, &x);
+    LOAD(scalar_double, &x, 0, 0);
     y = ksl_exp(x);
     STORE(scalar_double, &y, 1, 0);
   }
@@ -495,14 +496,14 @@ static APART void exp_double_many(
   exp_double_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(exp_double, 2, DENSE_OR_ONE, 8, 8)
+LOOP_ON_VECTORS(exp_double, 2, DENSE, 8, 8)
 
 OVER(exp_single) {
   POINTERS_2
-  LOAD_FIRST(scalar_single, float x, &x);
   EACH {
+    float x;
     float y;
-    LOAD_OTHER(scalar_single, &x);
+    LOAD(scalar_single, &x, 0, 0);
     y = ksl_expf(x);
     STORE(scalar_single, &y, 1, 0);
   }
@@ -562,16 +563,16 @@ static APART void exp_single_many(
   exp_single_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(exp_single, 2, DENSE_OR_ONE, 4, 4)
+LOOP_ON_VECTORS(exp_single, 2, DENSE, 4, 4)
 LOOPS(exp)
 
 /* ()->() */
 OVER(tanh_double) {
   POINTERS_2
-  LOAD_FIRST(scalar_double, double x, &x);
   EACH {
+    double x;
     double y;
-    LOAD_OTHER(scalar_double, &x);
+    LOAD(scalar_double, &x, 0, 0);
     y = ksl_tanh(x);
     STORE(scalar_double, &y, 1, 0);
   }
@@ -631,14 +632,14 @@ static APART void tanh_double_many(
   tanh_double_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(tanh_double, 2, DENSE_OR_ONE, 8, 8)
+LOOP_ON_VECTORS(tanh_double, 2, DENSE, 8, 8)
 
 OVER(tanh_single) {
   POINTERS_2
-  LOAD_FIRST(scalar_single, float x, &x);
   EACH {
+    float x;
     float y;
-    LOAD_OTHER(scalar_single, &x);
+    LOAD(scalar_single, &x, 0, 0);
     y = ksl_tanhf(x);
     STORE(scalar_single, &y, 1, 0);
   }
@@ -698,7 +699,7 @@ static APART void tanh_single_many(
   tanh_single_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(tanh_single, 2, DENSE_OR_ONE, 4, 4)
+LOOP_ON_VECTORS(tanh_single, 2, DENSE, 4, 4)
 LOOPS(tanh)
 
 /* (),()->() */

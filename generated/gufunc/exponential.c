@@ -6,16 +6,17 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "../c/include/ksl/exponential.h"
 #include "_lanes.h"
 #include "../c/include/ksl/exponential_states.h"
 
 /* (3)->(3,3) */
 OVER(SO3_exp_double) {
   POINTERS_2
-  LOAD_FIRST(vec3_double, ksl_vec3_t v, &v);
   EACH {
+    ksl_vec3_t v;
     ksl_mat3x3_t R;
-    LOAD_OTHER(vec3_double, &v);
+    LOAD(vec3_double, &v, 0, 0);
     ksl_SO3_exp(&v, &R);
     STORE(mat3x3_double, &R, 1, 1);
   }
@@ -75,14 +76,14 @@ static APART void SO3_exp_double_many(
   SO3_exp_double_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SO3_exp_double, 2, DENSE_OR_ONE, 24, 72, 8, 24, 8)
+LOOP_ON_VECTORS(SO3_exp_double, 2, DENSE, 24, 72, 8, 24, 8)
 
 OVER(SO3_exp_single) {
   POINTERS_2
-  LOAD_FIRST(vec3_single, ksl_vec3f_t v, &v);
   EACH {
+    ksl_vec3f_t v;
     ksl_mat3x3f_t R;
-    LOAD_OTHER(vec3_single, &v);
+    LOAD(vec3_single, &v, 0, 0);
     ksl_SO3_expf(&v, &R);
     STORE(mat3x3_single, &R, 1, 1);
   }
@@ -142,16 +143,16 @@ static APART void SO3_exp_single_many(
   SO3_exp_single_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SO3_exp_single, 2, DENSE_OR_ONE, 12, 36, 4, 12, 4)
+LOOP_ON_VECTORS(SO3_exp_single, 2, DENSE, 12, 36, 4, 12, 4)
 LOOPS(SO3_exp)
 
 /* (3,3)->(3) */
 OVER(SO3_log_double) {
   POINTERS_2
-  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
   EACH {
+    ksl_mat3x3_t R;
     ksl_vec3_t vo;
-    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(mat3x3_double, &R, 0, 0);
     ksl_SO3_log(&R, &vo);
     STORE(vec3_double, &vo, 1, 2);
   }
@@ -211,14 +212,14 @@ static APART void SO3_log_double_many(
   SO3_log_double_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SO3_log_double, 2, DENSE_OR_ONE, 72, 24, 24, 8, 8)
+LOOP_ON_VECTORS(SO3_log_double, 2, DENSE, 72, 24, 24, 8, 8)
 
 OVER(SO3_log_single) {
   POINTERS_2
-  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
   EACH {
+    ksl_mat3x3f_t R;
     ksl_vec3f_t vo;
-    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(mat3x3_single, &R, 0, 0);
     ksl_SO3_logf(&R, &vo);
     STORE(vec3_single, &vo, 1, 2);
   }
@@ -278,16 +279,16 @@ static APART void SO3_log_single_many(
   SO3_log_single_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SO3_log_single, 2, DENSE_OR_ONE, 36, 12, 12, 4, 4)
+LOOP_ON_VECTORS(SO3_log_single, 2, DENSE, 36, 12, 12, 4, 4)
 LOOPS(SO3_log)
 
 /* (3)->(3,3) */
 OVER(SO3_leftJacobian_double) {
   POINTERS_2
-  LOAD_FIRST(vec3_double, ksl_vec3_t v, &v);
   EACH {
+    ksl_vec3_t v;
     ksl_mat3x3_t R;
-    LOAD_OTHER(vec3_double, &v);
+    LOAD(vec3_double, &v, 0, 0);
     ksl_SO3_leftJacobian(&v, &R);
     STORE(mat3x3_double, &R, 1, 1);
   }
@@ -347,14 +348,14 @@ static APART void SO3_leftJacobian_double_many(
   SO3_leftJacobian_double_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SO3_leftJacobian_double, 2, DENSE_OR_ONE, 24, 72, 8, 24, 8)
+LOOP_ON_VECTORS(SO3_leftJacobian_double, 2, DENSE, 24, 72, 8, 24, 8)
 
 OVER(SO3_leftJacobian_single) {
   POINTERS_2
-  LOAD_FIRST(vec3_single, ksl_vec3f_t v, &v);
   EACH {
+    ksl_vec3f_t v;
     ksl_mat3x3f_t R;
-    LOAD_OTHER(vec3_single, &v);
+    LOAD(vec3_single, &v, 0, 0);
     ksl_SO3_leftJacobianf(&v, &R);
     STORE(mat3x3_single, &R, 1, 1);
   }
@@ -414,16 +415,16 @@ static APART void SO3_leftJacobian_single_many(
   SO3_leftJacobian_single_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SO3_leftJacobian_single, 2, DENSE_OR_ONE, 12, 36, 4, 12, 4)
+LOOP_ON_VECTORS(SO3_leftJacobian_single, 2, DENSE, 12, 36, 4, 12, 4)
 LOOPS(SO3_leftJacobian)
 
 /* (3)->(3,3) */
 OVER(SO3_rightJacobian_double) {
   POINTERS_2
-  LOAD_FIRST(vec3_double, ksl_vec3_t v, &v);
   EACH {
+    ksl_vec3_t v;
     ksl_mat3x3_t R;
-    LOAD_OTHER(vec3_double, &v);
+    LOAD(vec3_double, &v, 0, 0);
     ksl_SO3_rightJacobian(&v, &R);
     STORE(mat3x3_double, &R, 1, 1);
   }
@@ -483,14 +484,14 @@ static APART void SO3_rightJacobian_double_many(
   SO3_rightJacobian_double_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SO3_rightJacobian_double, 2, DENSE_OR_ONE, 24, 72, 8, 24, 8)
+LOOP_ON_VECTORS(SO3_rightJacobian_double, 2, DENSE, 24, 72, 8, 24, 8)
 
 OVER(SO3_rightJacobian_single) {
   POINTERS_2
-  LOAD_FIRST(vec3_single, ksl_vec3f_t v, &v);
   EACH {
+    ksl_vec3f_t v;
     ksl_mat3x3f_t R;
-    LOAD_OTHER(vec3_single, &v);
+    LOAD(vec3_single, &v, 0, 0);
     ksl_SO3_rightJacobianf(&v, &R);
     STORE(mat3x3_single, &R, 1, 1);
   }
@@ -550,16 +551,16 @@ static APART void SO3_rightJacobian_single_many(
   SO3_rightJacobian_single_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SO3_rightJacobian_single, 2, DENSE_OR_ONE, 12, 36, 4, 12, 4)
+LOOP_ON_VECTORS(SO3_rightJacobian_single, 2, DENSE, 12, 36, 4, 12, 4)
 LOOPS(SO3_rightJacobian)
 
 /* (3)->(3,3) */
 OVER(SO3_leftJacobianInverse_double) {
   POINTERS_2
-  LOAD_FIRST(vec3_double, ksl_vec3_t v, &v);
   EACH {
+    ksl_vec3_t v;
     ksl_mat3x3_t R;
-    LOAD_OTHER(vec3_double, &v);
+    LOAD(vec3_double, &v, 0, 0);
     ksl_SO3_leftJacobianInverse(&v, &R);
     STORE(mat3x3_double, &R, 1, 1);
   }
@@ -619,14 +620,14 @@ static APART void SO3_leftJacobianInverse_double_many(
   SO3_leftJacobianInverse_double_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SO3_leftJacobianInverse_double, 2, DENSE_OR_ONE, 24, 72, 8, 24, 8)
+LOOP_ON_VECTORS(SO3_leftJacobianInverse_double, 2, DENSE, 24, 72, 8, 24, 8)
 
 OVER(SO3_leftJacobianInverse_single) {
   POINTERS_2
-  LOAD_FIRST(vec3_single, ksl_vec3f_t v, &v);
   EACH {
+    ksl_vec3f_t v;
     ksl_mat3x3f_t R;
-    LOAD_OTHER(vec3_single, &v);
+    LOAD(vec3_single, &v, 0, 0);
     ksl_SO3_leftJacobianInversef(&v, &R);
     STORE(mat3x3_single, &R, 1, 1);
   }
@@ -686,16 +687,16 @@ static APART void SO3_leftJacobianInverse_single_many(
   SO3_leftJacobianInverse_single_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SO3_leftJacobianInverse_single, 2, DENSE_OR_ONE, 12, 36, 4, 12, 4)
+LOOP_ON_VECTORS(SO3_leftJacobianInverse_single, 2, DENSE, 12, 36, 4, 12, 4)
 LOOPS(SO3_leftJacobianInverse)
 
 /* (3)->(3,3) */
 OVER(SO3_rightJacobianInverse_double) {
   POINTERS_2
-  LOAD_FIRST(vec3_double, ksl_vec3_t v, &v);
   EACH {
+    ksl_vec3_t v;
     ksl_mat3x3_t R;
-    LOAD_OTHER(vec3_double, &v);
+    LOAD(vec3_double, &v, 0, 0);
     ksl_SO3_rightJacobianInverse(&v, &R);
     STORE(mat3x3_double, &R, 1, 1);
   }
@@ -755,14 +756,14 @@ static APART void SO3_rightJacobianInverse_double_many(
   SO3_rightJacobianInverse_double_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SO3_rightJacobianInverse_double, 2, DENSE_OR_ONE, 24, 72, 8, 24, 8)
+LOOP_ON_VECTORS(SO3_rightJacobianInverse_double, 2, DENSE, 24, 72, 8, 24, 8)
 
 OVER(SO3_rightJacobianInverse_single) {
   POINTERS_2
-  LOAD_FIRST(vec3_single, ksl_vec3f_t v, &v);
   EACH {
+    ksl_vec3f_t v;
     ksl_mat3x3f_t R;
-    LOAD_OTHER(vec3_single, &v);
+    LOAD(vec3_single, &v, 0, 0);
     ksl_SO3_rightJacobianInversef(&v, &R);
     STORE(mat3x3_single, &R, 1, 1);
   }
@@ -822,7 +823,7 @@ static APART void SO3_rightJacobianInverse_single_many(
   SO3_rightJacobianInverse_single_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SO3_rightJacobianInverse_single, 2, DENSE_OR_ONE, 12, 36, 4, 12, 4)
+LOOP_ON_VECTORS(SO3_rightJacobianInverse_single, 2, DENSE, 12, 36, 4, 12, 4)
 LOOPS(SO3_rightJacobianInverse)
 
 /* (3,3)->(3,3) */
@@ -852,36 +853,36 @@ LOOPS(mat3x3_orthonormalize)
 /* (3,3)->(3,3) */
 OVER(mat3x3_orthonormalized_double) {
   POINTERS_2
-  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
   EACH {
+    ksl_mat3x3_t R;
     ksl_mat3x3_t Ro;
-    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(mat3x3_double, &R, 0, 0);
     ksl_mat3x3_orthonormalized(&R, &Ro);
     STORE(mat3x3_double, &Ro, 1, 2);
   }
 }
-LOOP(mat3x3_orthonormalized_double, 2, DENSE_OR_ONE, 72, 72, 24, 8, 24, 8)
+LOOP(mat3x3_orthonormalized_double, 2, DENSE, 72, 72, 24, 8, 24, 8)
 
 OVER(mat3x3_orthonormalized_single) {
   POINTERS_2
-  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
   EACH {
+    ksl_mat3x3f_t R;
     ksl_mat3x3f_t Ro;
-    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(mat3x3_single, &R, 0, 0);
     ksl_mat3x3f_orthonormalized(&R, &Ro);
     STORE(mat3x3_single, &Ro, 1, 2);
   }
 }
-LOOP(mat3x3_orthonormalized_single, 2, DENSE_OR_ONE, 36, 36, 12, 4, 12, 4)
+LOOP(mat3x3_orthonormalized_single, 2, DENSE, 36, 36, 12, 4, 12, 4)
 LOOPS(mat3x3_orthonormalized)
 
 /* (6)->(3,4) */
 OVER(SE3_exp_double) {
   POINTERS_2
-  LOAD_FIRST(screw_double, ksl_screw_t s, &s);
   EACH {
+    ksl_screw_t s;
     ksl_SE3_t D;
-    LOAD_OTHER(screw_double, &s);
+    LOAD(screw_double, &s, 0, 0);
     ksl_SE3_exp(&s, &D);
     STORE(SE3_double, &D, 1, 1);
   }
@@ -941,14 +942,14 @@ static APART void SE3_exp_double_many(
   SE3_exp_double_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SE3_exp_double, 2, DENSE_OR_ONE, 48, 96, 8, 32, 8)
+LOOP_ON_VECTORS(SE3_exp_double, 2, DENSE, 48, 96, 8, 32, 8)
 
 OVER(SE3_exp_single) {
   POINTERS_2
-  LOAD_FIRST(screw_single, ksl_screwf_t s, &s);
   EACH {
+    ksl_screwf_t s;
     ksl_SE3f_t D;
-    LOAD_OTHER(screw_single, &s);
+    LOAD(screw_single, &s, 0, 0);
     ksl_SE3f_exp(&s, &D);
     STORE(SE3_single, &D, 1, 1);
   }
@@ -1008,16 +1009,16 @@ static APART void SE3_exp_single_many(
   SE3_exp_single_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SE3_exp_single, 2, DENSE_OR_ONE, 24, 48, 4, 16, 4)
+LOOP_ON_VECTORS(SE3_exp_single, 2, DENSE, 24, 48, 4, 16, 4)
 LOOPS(SE3_exp)
 
 /* (3,4)->(6) */
 OVER(SE3_log_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_screw_t so;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_SE3_log(&D, &so);
     STORE(screw_double, &so, 1, 2);
   }
@@ -1077,14 +1078,14 @@ static APART void SE3_log_double_many(
   SE3_log_double_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SE3_log_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
+LOOP_ON_VECTORS(SE3_log_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(SE3_log_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_screwf_t so;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_SE3f_log(&D, &so);
     STORE(screw_single, &so, 1, 2);
   }
@@ -1144,16 +1145,16 @@ static APART void SE3_log_single_many(
   SE3_log_single_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SE3_log_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOP_ON_VECTORS(SE3_log_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(SE3_log)
 
 /* (6)->(6,6) */
 OVER(SE3_leftJacobian_double) {
   POINTERS_2
-  LOAD_FIRST(screw_double, ksl_screw_t s, &s);
   EACH {
+    ksl_screw_t s;
     ksl_mat6x6_t M;
-    LOAD_OTHER(screw_double, &s);
+    LOAD(screw_double, &s, 0, 0);
     ksl_SE3_leftJacobian(&s, &M);
     STORE(mat6x6_double, &M, 1, 1);
   }
@@ -1213,14 +1214,14 @@ static APART void SE3_leftJacobian_double_many(
   SE3_leftJacobian_double_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SE3_leftJacobian_double, 2, DENSE_OR_ONE, 48, 288, 8, 48, 8)
+LOOP_ON_VECTORS(SE3_leftJacobian_double, 2, DENSE, 48, 288, 8, 48, 8)
 
 OVER(SE3_leftJacobian_single) {
   POINTERS_2
-  LOAD_FIRST(screw_single, ksl_screwf_t s, &s);
   EACH {
+    ksl_screwf_t s;
     ksl_mat6x6f_t M;
-    LOAD_OTHER(screw_single, &s);
+    LOAD(screw_single, &s, 0, 0);
     ksl_SE3f_leftJacobian(&s, &M);
     STORE(mat6x6_single, &M, 1, 1);
   }
@@ -1280,16 +1281,16 @@ static APART void SE3_leftJacobian_single_many(
   SE3_leftJacobian_single_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SE3_leftJacobian_single, 2, DENSE_OR_ONE, 24, 144, 4, 24, 4)
+LOOP_ON_VECTORS(SE3_leftJacobian_single, 2, DENSE, 24, 144, 4, 24, 4)
 LOOPS(SE3_leftJacobian)
 
 /* (6)->(6,6) */
 OVER(SE3_rightJacobian_double) {
   POINTERS_2
-  LOAD_FIRST(screw_double, ksl_screw_t s, &s);
   EACH {
+    ksl_screw_t s;
     ksl_mat6x6_t M;
-    LOAD_OTHER(screw_double, &s);
+    LOAD(screw_double, &s, 0, 0);
     ksl_SE3_rightJacobian(&s, &M);
     STORE(mat6x6_double, &M, 1, 1);
   }
@@ -1349,14 +1350,14 @@ static APART void SE3_rightJacobian_double_many(
   SE3_rightJacobian_double_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SE3_rightJacobian_double, 2, DENSE_OR_ONE, 48, 288, 8, 48, 8)
+LOOP_ON_VECTORS(SE3_rightJacobian_double, 2, DENSE, 48, 288, 8, 48, 8)
 
 OVER(SE3_rightJacobian_single) {
   POINTERS_2
-  LOAD_FIRST(screw_single, ksl_screwf_t s, &s);
   EACH {
+    ksl_screwf_t s;
     ksl_mat6x6f_t M;
-    LOAD_OTHER(screw_single, &s);
+    LOAD(screw_single, &s, 0, 0);
     ksl_SE3f_rightJacobian(&s, &M);
     STORE(mat6x6_single, &M, 1, 1);
   }
@@ -1416,16 +1417,16 @@ static APART void SE3_rightJacobian_single_many(
   SE3_rightJacobian_single_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SE3_rightJacobian_single, 2, DENSE_OR_ONE, 24, 144, 4, 24, 4)
+LOOP_ON_VECTORS(SE3_rightJacobian_single, 2, DENSE, 24, 144, 4, 24, 4)
 LOOPS(SE3_rightJacobian)
 
 /* (6)->(6,6) */
 OVER(SE3_leftJacobianInverse_double) {
   POINTERS_2
-  LOAD_FIRST(screw_double, ksl_screw_t s, &s);
   EACH {
+    ksl_screw_t s;
     ksl_mat6x6_t M;
-    LOAD_OTHER(screw_double, &s);
+    LOAD(screw_double, &s, 0, 0);
     ksl_SE3_leftJacobianInverse(&s, &M);
     STORE(mat6x6_double, &M, 1, 1);
   }
@@ -1485,14 +1486,14 @@ static APART void SE3_leftJacobianInverse_double_many(
   SE3_leftJacobianInverse_double_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SE3_leftJacobianInverse_double, 2, DENSE_OR_ONE, 48, 288, 8, 48, 8)
+LOOP_ON_VECTORS(SE3_leftJacobianInverse_double, 2, DENSE, 48, 288, 8, 48, 8)
 
 OVER(SE3_leftJacobianInverse_single) {
   POINTERS_2
-  LOAD_FIRST(screw_single, ksl_screwf_t s, &s);
   EACH {
+    ksl_screwf_t s;
     ksl_mat6x6f_t M;
-    LOAD_OTHER(screw_single, &s);
+    LOAD(screw_single, &s, 0, 0);
     ksl_SE3f_leftJacobianInverse(&s, &M);
     STORE(mat6x6_single, &M, 1, 1);
   }
@@ -1552,16 +1553,16 @@ static APART void SE3_leftJacobianInverse_single_many(
   SE3_leftJacobianInverse_single_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SE3_leftJacobianInverse_single, 2, DENSE_OR_ONE, 24, 144, 4, 24, 4)
+LOOP_ON_VECTORS(SE3_leftJacobianInverse_single, 2, DENSE, 24, 144, 4, 24, 4)
 LOOPS(SE3_leftJacobianInverse)
 
 /* (6)->(6,6) */
 OVER(SE3_rightJacobianInverse_double) {
   POINTERS_2
-  LOAD_FIRST(screw_double, ksl_screw_t s, &s);
   EACH {
+    ksl_screw_t s;
     ksl_mat6x6_t M;
-    LOAD_OTHER(screw_double, &s);
+    LOAD(screw_double, &s, 0, 0);
     ksl_SE3_rightJacobianInverse(&s, &M);
     STORE(mat6x6_double, &M, 1, 1);
   }
@@ -1621,14 +1622,14 @@ static APART void SE3_rightJacobianInverse_double_many(
   SE3_rightJacobianInverse_double_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SE3_rightJacobianInverse_double, 2, DENSE_OR_ONE, 48, 288, 8, 48, 8)
+LOOP_ON_VECTORS(SE3_rightJacobianInverse_double, 2, DENSE, 48, 288, 8, 48, 8)
 
 OVER(SE3_rightJacobianInverse_single) {
   POINTERS_2
-  LOAD_FIRST(screw_single, ksl_screwf_t s, &s);
   EACH {
+    ksl_screwf_t s;
     ksl_mat6x6f_t M;
-    LOAD_OTHER(screw_single, &s);
+    LOAD(screw_single, &s, 0, 0);
     ksl_SE3f_rightJacobianInverse(&s, &M);
     STORE(mat6x6_single, &M, 1, 1);
   }
@@ -1688,7 +1689,7 @@ static APART void SE3_rightJacobianInverse_single_many(
   SE3_rightJacobianInverse_single_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SE3_rightJacobianInverse_single, 2, DENSE_OR_ONE, 24, 144, 4, 24, 4)
+LOOP_ON_VECTORS(SE3_rightJacobianInverse_single, 2, DENSE, 24, 144, 4, 24, 4)
 LOOPS(SE3_rightJacobianInverse)
 
 /* (3,4),(3,4),()->(3,4) */

@@ -6,6 +6,7 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "../c/include/ksl/inertia.h"
 
 /* (),(3),(),(),(),(),(),()->(10) */
 OVER(inertia_double) {
@@ -64,27 +65,27 @@ LOOPS(inertia)
 /* (10)->(10) */
 OVER(inertia_copy_double) {
   POINTERS_2
-  LOAD_FIRST(inertia_double, ksl_inertia_t Ji, &Ji);
   EACH {
+    ksl_inertia_t Ji;
     ksl_inertia_t Jo;
-    LOAD_OTHER(inertia_double, &Ji);
+    LOAD(inertia_double, &Ji, 0, 0);
     ksl_inertia_copy(&Ji, &Jo);
     STORE(inertia_double, &Jo, 1, 1);
   }
 }
-LOOP(inertia_copy_double, 2, DENSE_OR_ONE, 80, 80, 8, 8)
+LOOP(inertia_copy_double, 2, DENSE, 80, 80, 8, 8)
 
 OVER(inertia_copy_single) {
   POINTERS_2
-  LOAD_FIRST(inertia_single, ksl_inertiaf_t Ji, &Ji);
   EACH {
+    ksl_inertiaf_t Ji;
     ksl_inertiaf_t Jo;
-    LOAD_OTHER(inertia_single, &Ji);
+    LOAD(inertia_single, &Ji, 0, 0);
     ksl_inertiaf_copy(&Ji, &Jo);
     STORE(inertia_single, &Jo, 1, 1);
   }
 }
-LOOP(inertia_copy_single, 2, DENSE_OR_ONE, 40, 40, 4, 4)
+LOOP(inertia_copy_single, 2, DENSE, 40, 40, 4, 4)
 LOOPS(inertia_copy)
 
 /* (10),(3,3)->(10) */

@@ -6,33 +6,34 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "../c/include/ksl/mat3x3.h"
 #include "_lanes.h"
 #include "../c/include/ksl/mat3x3_states.h"
 
 /* (3,3)->(3,3) */
 OVER(mat3x3_copy_double) {
   POINTERS_2
-  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
   EACH {
+    ksl_mat3x3_t R;
     ksl_mat3x3_t Ro;
-    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(mat3x3_double, &R, 0, 0);
     ksl_mat3x3_copy(&R, &Ro);
     STORE(mat3x3_double, &Ro, 1, 2);
   }
 }
-LOOP(mat3x3_copy_double, 2, DENSE_OR_ONE, 72, 72, 24, 8, 24, 8)
+LOOP(mat3x3_copy_double, 2, DENSE, 72, 72, 24, 8, 24, 8)
 
 OVER(mat3x3_copy_single) {
   POINTERS_2
-  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
   EACH {
+    ksl_mat3x3f_t R;
     ksl_mat3x3f_t Ro;
-    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(mat3x3_single, &R, 0, 0);
     ksl_mat3x3f_copy(&R, &Ro);
     STORE(mat3x3_single, &Ro, 1, 2);
   }
 }
-LOOP(mat3x3_copy_single, 2, DENSE_OR_ONE, 36, 36, 12, 4, 12, 4)
+LOOP(mat3x3_copy_single, 2, DENSE, 36, 36, 12, 4, 12, 4)
 LOOPS(mat3x3_copy)
 
 /* (3,3)->(3,3) */
@@ -96,27 +97,27 @@ LOOPS(mat3x3_setFromVectors)
 /* (3)->(3,3) */
 OVER(skew_double) {
   POINTERS_2
-  LOAD_FIRST(vec3_double, ksl_vec3_t v, &v);
   EACH {
+    ksl_vec3_t v;
     ksl_mat3x3_t Ro;
-    LOAD_OTHER(vec3_double, &v);
+    LOAD(vec3_double, &v, 0, 0);
     ksl_skew(&v, &Ro);
     STORE(mat3x3_double, &Ro, 1, 1);
   }
 }
-LOOP(skew_double, 2, DENSE_OR_ONE, 24, 72, 8, 24, 8)
+LOOP(skew_double, 2, DENSE, 24, 72, 8, 24, 8)
 
 OVER(skew_single) {
   POINTERS_2
-  LOAD_FIRST(vec3_single, ksl_vec3f_t v, &v);
   EACH {
+    ksl_vec3f_t v;
     ksl_mat3x3f_t Ro;
-    LOAD_OTHER(vec3_single, &v);
+    LOAD(vec3_single, &v, 0, 0);
     ksl_skewf(&v, &Ro);
     STORE(mat3x3_single, &Ro, 1, 1);
   }
 }
-LOOP(skew_single, 2, DENSE_OR_ONE, 12, 36, 4, 12, 4)
+LOOP(skew_single, 2, DENSE, 12, 36, 4, 12, 4)
 LOOPS(skew)
 
 /* (3),(3)->(3,3) */
@@ -176,83 +177,83 @@ LOOPS(mat3x3_transpose)
 /* (3,3)->(3,3) */
 OVER(mat3x3_transposed_double) {
   POINTERS_2
-  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
   EACH {
+    ksl_mat3x3_t R;
     ksl_mat3x3_t Ro;
-    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(mat3x3_double, &R, 0, 0);
     ksl_mat3x3_transposed(&R, &Ro);
     STORE(mat3x3_double, &Ro, 1, 2);
   }
 }
-LOOP(mat3x3_transposed_double, 2, DENSE_OR_ONE, 72, 72, 24, 8, 24, 8)
+LOOP(mat3x3_transposed_double, 2, DENSE, 72, 72, 24, 8, 24, 8)
 
 OVER(mat3x3_transposed_single) {
   POINTERS_2
-  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
   EACH {
+    ksl_mat3x3f_t R;
     ksl_mat3x3f_t Ro;
-    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(mat3x3_single, &R, 0, 0);
     ksl_mat3x3f_transposed(&R, &Ro);
     STORE(mat3x3_single, &Ro, 1, 2);
   }
 }
-LOOP(mat3x3_transposed_single, 2, DENSE_OR_ONE, 36, 36, 12, 4, 12, 4)
+LOOP(mat3x3_transposed_single, 2, DENSE, 36, 36, 12, 4, 12, 4)
 LOOPS(mat3x3_transposed)
 
 /* (3,3)->() */
 OVER(mat3x3_determinant_double) {
   POINTERS_2
-  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
   EACH {
+    ksl_mat3x3_t R;
     double det;
-    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(mat3x3_double, &R, 0, 0);
     det = ksl_mat3x3_determinant(&R);
     STORE(scalar_double, &det, 1, 2);
   }
 }
-LOOP(mat3x3_determinant_double, 2, DENSE_OR_ONE, 72, 8, 24, 8)
+LOOP(mat3x3_determinant_double, 2, DENSE, 72, 8, 24, 8)
 
 OVER(mat3x3_determinant_single) {
   POINTERS_2
-  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
   EACH {
+    ksl_mat3x3f_t R;
     float det;
-    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(mat3x3_single, &R, 0, 0);
     det = ksl_mat3x3f_determinant(&R);
     STORE(scalar_single, &det, 1, 2);
   }
 }
-LOOP(mat3x3_determinant_single, 2, DENSE_OR_ONE, 36, 4, 12, 4)
+LOOP(mat3x3_determinant_single, 2, DENSE, 36, 4, 12, 4)
 LOOPS(mat3x3_determinant)
 
 /* (3,3)->(),(3,3) */
 OVER(mat3x3_inverse_double) {
   POINTERS_3
-  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
   EACH {
+    ksl_mat3x3_t R;
     double det;
     ksl_mat3x3_t Ro;
-    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(mat3x3_double, &R, 0, 0);
     det = ksl_mat3x3_inverse(&R, &Ro);
     STORE(scalar_double, &det, 1, 2);
     STORE(mat3x3_double, &Ro, 2, 2);
   }
 }
-LOOP(mat3x3_inverse_double, 3, DENSE_OR_ONE, 72, 8, 72, 24, 8, 24, 8)
+LOOP(mat3x3_inverse_double, 3, DENSE, 72, 8, 72, 24, 8, 24, 8)
 
 OVER(mat3x3_inverse_single) {
   POINTERS_3
-  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
   EACH {
+    ksl_mat3x3f_t R;
     float det;
     ksl_mat3x3f_t Ro;
-    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(mat3x3_single, &R, 0, 0);
     det = ksl_mat3x3f_inverse(&R, &Ro);
     STORE(scalar_single, &det, 1, 2);
     STORE(mat3x3_single, &Ro, 2, 2);
   }
 }
-LOOP(mat3x3_inverse_single, 3, DENSE_OR_ONE, 36, 4, 36, 12, 4, 12, 4)
+LOOP(mat3x3_inverse_single, 3, DENSE, 36, 4, 36, 12, 4, 12, 4)
 LOOPS(mat3x3_inverse)
 
 /* (3,3)->(3,3) */
@@ -282,27 +283,27 @@ LOOPS(mat3x3_normalize)
 /* (3,3)->(3,3) */
 OVER(mat3x3_normalized_double) {
   POINTERS_2
-  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
   EACH {
+    ksl_mat3x3_t R;
     ksl_mat3x3_t Ro;
-    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(mat3x3_double, &R, 0, 0);
     ksl_mat3x3_normalized(&R, &Ro);
     STORE(mat3x3_double, &Ro, 1, 2);
   }
 }
-LOOP(mat3x3_normalized_double, 2, DENSE_OR_ONE, 72, 72, 24, 8, 24, 8)
+LOOP(mat3x3_normalized_double, 2, DENSE, 72, 72, 24, 8, 24, 8)
 
 OVER(mat3x3_normalized_single) {
   POINTERS_2
-  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
   EACH {
+    ksl_mat3x3f_t R;
     ksl_mat3x3f_t Ro;
-    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(mat3x3_single, &R, 0, 0);
     ksl_mat3x3f_normalized(&R, &Ro);
     STORE(mat3x3_single, &Ro, 1, 2);
   }
 }
-LOOP(mat3x3_normalized_single, 2, DENSE_OR_ONE, 36, 36, 12, 4, 12, 4)
+LOOP(mat3x3_normalized_single, 2, DENSE, 36, 36, 12, 4, 12, 4)
 LOOPS(mat3x3_normalized)
 
 /* (3),(2)->(3,3) */
@@ -338,10 +339,10 @@ LOOPS(mat3x3_setFromAxisDC)
 /* (3)->(3,3) */
 OVER(mat3x3_from_euler_xyz_double) {
   POINTERS_2
-  LOAD_FIRST(vec3_double, ksl_vec3_t angles, &angles);
   EACH {
+    ksl_vec3_t angles;
     ksl_mat3x3_t R;
-    LOAD_OTHER(vec3_double, &angles);
+    LOAD(vec3_double, &angles, 0, 0);
     ksl_mat3x3_from_euler_xyz(&angles, &R);
     STORE(mat3x3_double, &R, 1, 1);
   }
@@ -401,14 +402,14 @@ static APART void mat3x3_from_euler_xyz_double_many(
   mat3x3_from_euler_xyz_double_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(mat3x3_from_euler_xyz_double, 2, DENSE_OR_ONE, 24, 72, 8, 24, 8)
+LOOP_ON_VECTORS(mat3x3_from_euler_xyz_double, 2, DENSE, 24, 72, 8, 24, 8)
 
 OVER(mat3x3_from_euler_xyz_single) {
   POINTERS_2
-  LOAD_FIRST(vec3_single, ksl_vec3f_t angles, &angles);
   EACH {
+    ksl_vec3f_t angles;
     ksl_mat3x3f_t R;
-    LOAD_OTHER(vec3_single, &angles);
+    LOAD(vec3_single, &angles, 0, 0);
     ksl_mat3x3f_from_euler_xyz(&angles, &R);
     STORE(mat3x3_single, &R, 1, 1);
   }
@@ -468,16 +469,16 @@ static APART void mat3x3_from_euler_xyz_single_many(
   mat3x3_from_euler_xyz_single_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(mat3x3_from_euler_xyz_single, 2, DENSE_OR_ONE, 12, 36, 4, 12, 4)
+LOOP_ON_VECTORS(mat3x3_from_euler_xyz_single, 2, DENSE, 12, 36, 4, 12, 4)
 LOOPS(mat3x3_from_euler_xyz)
 
 /* (3,3)->(3) */
 OVER(euler_xyz_from_mat3x3_double) {
   POINTERS_2
-  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
   EACH {
+    ksl_mat3x3_t R;
     ksl_vec3_t angles;
-    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(mat3x3_double, &R, 0, 0);
     ksl_euler_xyz_from_mat3x3(&R, &angles);
     STORE(vec3_double, &angles, 1, 2);
   }
@@ -537,14 +538,14 @@ static APART void euler_xyz_from_mat3x3_double_many(
   euler_xyz_from_mat3x3_double_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(euler_xyz_from_mat3x3_double, 2, DENSE_OR_ONE, 72, 24, 24, 8, 8)
+LOOP_ON_VECTORS(euler_xyz_from_mat3x3_double, 2, DENSE, 72, 24, 24, 8, 8)
 
 OVER(euler_xyz_from_mat3x3_single) {
   POINTERS_2
-  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
   EACH {
+    ksl_mat3x3f_t R;
     ksl_vec3f_t angles;
-    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(mat3x3_single, &R, 0, 0);
     ksl_euler_xyz_from_mat3x3f(&R, &angles);
     STORE(vec3_single, &angles, 1, 2);
   }
@@ -604,16 +605,16 @@ static APART void euler_xyz_from_mat3x3_single_many(
   euler_xyz_from_mat3x3_single_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(euler_xyz_from_mat3x3_single, 2, DENSE_OR_ONE, 36, 12, 12, 4, 4)
+LOOP_ON_VECTORS(euler_xyz_from_mat3x3_single, 2, DENSE, 36, 12, 12, 4, 4)
 LOOPS(euler_xyz_from_mat3x3)
 
 /* (3)->(3,3) */
 OVER(mat3x3_from_euler_xyx_double) {
   POINTERS_2
-  LOAD_FIRST(vec3_double, ksl_vec3_t angles, &angles);
   EACH {
+    ksl_vec3_t angles;
     ksl_mat3x3_t R;
-    LOAD_OTHER(vec3_double, &angles);
+    LOAD(vec3_double, &angles, 0, 0);
     ksl_mat3x3_from_euler_xyx(&angles, &R);
     STORE(mat3x3_double, &R, 1, 1);
   }
@@ -673,14 +674,14 @@ static APART void mat3x3_from_euler_xyx_double_many(
   mat3x3_from_euler_xyx_double_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(mat3x3_from_euler_xyx_double, 2, DENSE_OR_ONE, 24, 72, 8, 24, 8)
+LOOP_ON_VECTORS(mat3x3_from_euler_xyx_double, 2, DENSE, 24, 72, 8, 24, 8)
 
 OVER(mat3x3_from_euler_xyx_single) {
   POINTERS_2
-  LOAD_FIRST(vec3_single, ksl_vec3f_t angles, &angles);
   EACH {
+    ksl_vec3f_t angles;
     ksl_mat3x3f_t R;
-    LOAD_OTHER(vec3_single, &angles);
+    LOAD(vec3_single, &angles, 0, 0);
     ksl_mat3x3f_from_euler_xyx(&angles, &R);
     STORE(mat3x3_single, &R, 1, 1);
   }
@@ -740,16 +741,16 @@ static APART void mat3x3_from_euler_xyx_single_many(
   mat3x3_from_euler_xyx_single_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(mat3x3_from_euler_xyx_single, 2, DENSE_OR_ONE, 12, 36, 4, 12, 4)
+LOOP_ON_VECTORS(mat3x3_from_euler_xyx_single, 2, DENSE, 12, 36, 4, 12, 4)
 LOOPS(mat3x3_from_euler_xyx)
 
 /* (3,3)->(3) */
 OVER(euler_xyx_from_mat3x3_double) {
   POINTERS_2
-  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
   EACH {
+    ksl_mat3x3_t R;
     ksl_vec3_t angles;
-    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(mat3x3_double, &R, 0, 0);
     ksl_euler_xyx_from_mat3x3(&R, &angles);
     STORE(vec3_double, &angles, 1, 2);
   }
@@ -809,14 +810,14 @@ static APART void euler_xyx_from_mat3x3_double_many(
   euler_xyx_from_mat3x3_double_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(euler_xyx_from_mat3x3_double, 2, DENSE_OR_ONE, 72, 24, 24, 8, 8)
+LOOP_ON_VECTORS(euler_xyx_from_mat3x3_double, 2, DENSE, 72, 24, 24, 8, 8)
 
 OVER(euler_xyx_from_mat3x3_single) {
   POINTERS_2
-  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
   EACH {
+    ksl_mat3x3f_t R;
     ksl_vec3f_t angles;
-    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(mat3x3_single, &R, 0, 0);
     ksl_euler_xyx_from_mat3x3f(&R, &angles);
     STORE(vec3_single, &angles, 1, 2);
   }
@@ -876,7 +877,7 @@ static APART void euler_xyx_from_mat3x3_single_many(
   euler_xyx_from_mat3x3_single_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(euler_xyx_from_mat3x3_single, 2, DENSE_OR_ONE, 36, 12, 12, 4, 4)
+LOOP_ON_VECTORS(euler_xyx_from_mat3x3_single, 2, DENSE, 36, 12, 12, 4, 4)
 LOOPS(euler_xyx_from_mat3x3)
 
 /* (3,3),(3,3)->(3,3),(3,3) */
@@ -912,53 +913,53 @@ LOOPS(mat3x3_jacobi)
 /* (3,3)->() */
 OVER(mat3x3_rotation_defect_double) {
   POINTERS_2
-  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
   EACH {
+    ksl_mat3x3_t R;
     double defect;
-    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(mat3x3_double, &R, 0, 0);
     defect = ksl_mat3x3_rotation_defect(&R);
     STORE(scalar_double, &defect, 1, 2);
   }
 }
-LOOP(mat3x3_rotation_defect_double, 2, DENSE_OR_ONE, 72, 8, 24, 8)
+LOOP(mat3x3_rotation_defect_double, 2, DENSE, 72, 8, 24, 8)
 
 OVER(mat3x3_rotation_defect_single) {
   POINTERS_2
-  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
   EACH {
+    ksl_mat3x3f_t R;
     float defect;
-    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(mat3x3_single, &R, 0, 0);
     defect = ksl_mat3x3f_rotation_defect(&R);
     STORE(scalar_single, &defect, 1, 2);
   }
 }
-LOOP(mat3x3_rotation_defect_single, 2, DENSE_OR_ONE, 36, 4, 12, 4)
+LOOP(mat3x3_rotation_defect_single, 2, DENSE, 36, 4, 12, 4)
 LOOPS(mat3x3_rotation_defect)
 
 /* (3,3)->(3,3) */
 OVER(mat3x3_nearest_rotation_double) {
   POINTERS_2
-  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t A, &A);
   EACH {
+    ksl_mat3x3_t A;
     ksl_mat3x3_t Ro;
-    LOAD_OTHER(mat3x3_double, &A);
+    LOAD(mat3x3_double, &A, 0, 0);
     ksl_mat3x3_nearest_rotation(&A, &Ro);
     STORE(mat3x3_double, &Ro, 1, 2);
   }
 }
-LOOP(mat3x3_nearest_rotation_double, 2, DENSE_OR_ONE, 72, 72, 24, 8, 24, 8)
+LOOP(mat3x3_nearest_rotation_double, 2, DENSE, 72, 72, 24, 8, 24, 8)
 
 OVER(mat3x3_nearest_rotation_single) {
   POINTERS_2
-  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t A, &A);
   EACH {
+    ksl_mat3x3f_t A;
     ksl_mat3x3f_t Ro;
-    LOAD_OTHER(mat3x3_single, &A);
+    LOAD(mat3x3_single, &A, 0, 0);
     ksl_mat3x3f_nearest_rotation(&A, &Ro);
     STORE(mat3x3_single, &Ro, 1, 2);
   }
 }
-LOOP(mat3x3_nearest_rotation_single, 2, DENSE_OR_ONE, 36, 36, 12, 4, 12, 4)
+LOOP(mat3x3_nearest_rotation_single, 2, DENSE, 36, 36, 12, 4, 12, 4)
 LOOPS(mat3x3_nearest_rotation)
 
 /* (3),()->(3,3) */
@@ -1110,11 +1111,11 @@ LOOPS(mat3x3_from_axis_angle)
 /* (3,3)->(),(3) */
 OVER(axis_angle_from_mat3x3_double) {
   POINTERS_3
-  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
   EACH {
+    ksl_mat3x3_t R;
     double angle;
     ksl_vec3_t axis;
-    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(mat3x3_double, &R, 0, 0);
     angle = ksl_axis_angle_from_mat3x3(&R, &axis);
     STORE(scalar_double, &angle, 1, 2);
     STORE(vec3_double, &axis, 2, 2);
@@ -1179,15 +1180,15 @@ static APART void axis_angle_from_mat3x3_double_many(
   axis_angle_from_mat3x3_double_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(axis_angle_from_mat3x3_double, 3, DENSE_OR_ONE, 72, 8, 24, 24, 8, 8)
+LOOP_ON_VECTORS(axis_angle_from_mat3x3_double, 3, DENSE, 72, 8, 24, 24, 8, 8)
 
 OVER(axis_angle_from_mat3x3_single) {
   POINTERS_3
-  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
   EACH {
+    ksl_mat3x3f_t R;
     float angle;
     ksl_vec3f_t axis;
-    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(mat3x3_single, &R, 0, 0);
     angle = ksl_axis_angle_from_mat3x3f(&R, &axis);
     STORE(scalar_single, &angle, 1, 2);
     STORE(vec3_single, &axis, 2, 2);
@@ -1252,7 +1253,7 @@ static APART void axis_angle_from_mat3x3_single_many(
   axis_angle_from_mat3x3_single_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(axis_angle_from_mat3x3_single, 3, DENSE_OR_ONE, 36, 4, 12, 12, 4, 4)
+LOOP_ON_VECTORS(axis_angle_from_mat3x3_single, 3, DENSE, 36, 4, 12, 12, 4, 4)
 LOOPS(axis_angle_from_mat3x3)
 
 const coscrew_gufunc TABLE(mat3x3)[] = {

@@ -6,31 +6,32 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "../c/include/ksl/mat4x4.h"
 
 /* (3,4)->(4,4) */
 OVER(mat4x4_fromSE3_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_mat4x4_t M;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     M = ksl_mat4x4_fromSE3(D);
     STORE(mat4x4_double, &M, 1, 2);
   }
 }
-LOOP(mat4x4_fromSE3_double, 2, DENSE_OR_ONE, 96, 128, 32, 8, 32, 8)
+LOOP(mat4x4_fromSE3_double, 2, DENSE, 96, 128, 32, 8, 32, 8)
 
 OVER(mat4x4_fromSE3_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_mat4x4f_t M;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     M = ksl_mat4x4f_fromSE3f(D);
     STORE(mat4x4_single, &M, 1, 2);
   }
 }
-LOOP(mat4x4_fromSE3_single, 2, DENSE_OR_ONE, 48, 64, 16, 4, 16, 4)
+LOOP(mat4x4_fromSE3_single, 2, DENSE, 48, 64, 16, 4, 16, 4)
 LOOPS(mat4x4_fromSE3)
 
 /* (3,3),(3)->(4,4) */
@@ -66,27 +67,27 @@ LOOPS(mat4x4_fromRt)
 /* (4,4)->(3,4) */
 OVER(mat4x4_toSE3_double) {
   POINTERS_2
-  LOAD_FIRST(mat4x4_double, ksl_mat4x4_t M, &M);
   EACH {
+    ksl_mat4x4_t M;
     ksl_SE3_t D;
-    LOAD_OTHER(mat4x4_double, &M);
+    LOAD(mat4x4_double, &M, 0, 0);
     ksl_mat4x4_toSE3(&M, &D);
     STORE(SE3_double, &D, 1, 2);
   }
 }
-LOOP(mat4x4_toSE3_double, 2, DENSE_OR_ONE, 128, 96, 32, 8, 32, 8)
+LOOP(mat4x4_toSE3_double, 2, DENSE, 128, 96, 32, 8, 32, 8)
 
 OVER(mat4x4_toSE3_single) {
   POINTERS_2
-  LOAD_FIRST(mat4x4_single, ksl_mat4x4f_t M, &M);
   EACH {
+    ksl_mat4x4f_t M;
     ksl_SE3f_t D;
-    LOAD_OTHER(mat4x4_single, &M);
+    LOAD(mat4x4_single, &M, 0, 0);
     ksl_mat4x4f_toSE3f(&M, &D);
     STORE(SE3_single, &D, 1, 2);
   }
 }
-LOOP(mat4x4_toSE3_single, 2, DENSE_OR_ONE, 64, 48, 16, 4, 16, 4)
+LOOP(mat4x4_toSE3_single, 2, DENSE, 64, 48, 16, 4, 16, 4)
 LOOPS(mat4x4_toSE3)
 
 /* (4,4)->(4,4) */
@@ -116,27 +117,27 @@ LOOPS(mat4x4_setIdentity)
 /* (4,4)->(3) */
 OVER(mat4x4_getTranslation_double) {
   POINTERS_2
-  LOAD_FIRST(mat4x4_double, ksl_mat4x4_t M, &M);
   EACH {
+    ksl_mat4x4_t M;
     ksl_vec3_t t;
-    LOAD_OTHER(mat4x4_double, &M);
+    LOAD(mat4x4_double, &M, 0, 0);
     ksl_mat4x4_getTranslation(&M, &t);
     STORE(vec3_double, &t, 1, 2);
   }
 }
-LOOP(mat4x4_getTranslation_double, 2, DENSE_OR_ONE, 128, 24, 32, 8, 8)
+LOOP(mat4x4_getTranslation_double, 2, DENSE, 128, 24, 32, 8, 8)
 
 OVER(mat4x4_getTranslation_single) {
   POINTERS_2
-  LOAD_FIRST(mat4x4_single, ksl_mat4x4f_t M, &M);
   EACH {
+    ksl_mat4x4f_t M;
     ksl_vec3f_t t;
-    LOAD_OTHER(mat4x4_single, &M);
+    LOAD(mat4x4_single, &M, 0, 0);
     ksl_mat4x4f_getTranslation(&M, &t);
     STORE(vec3_single, &t, 1, 2);
   }
 }
-LOOP(mat4x4_getTranslation_single, 2, DENSE_OR_ONE, 64, 12, 16, 4, 4)
+LOOP(mat4x4_getTranslation_single, 2, DENSE, 64, 12, 16, 4, 4)
 LOOPS(mat4x4_getTranslation)
 
 const coscrew_gufunc TABLE(mat4x4)[] = {

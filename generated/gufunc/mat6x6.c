@@ -6,31 +6,32 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "../c/include/ksl/mat6x6.h"
 
 /* (6,6)->(6,6) */
 OVER(mat6x6_copy_double) {
   POINTERS_2
-  LOAD_FIRST(mat6x6_double, ksl_mat6x6_t M, &M);
   EACH {
+    ksl_mat6x6_t M;
     ksl_mat6x6_t Mo;
-    LOAD_OTHER(mat6x6_double, &M);
+    LOAD(mat6x6_double, &M, 0, 0);
     ksl_mat6x6_copy(&M, &Mo);
     STORE(mat6x6_double, &Mo, 1, 2);
   }
 }
-LOOP(mat6x6_copy_double, 2, DENSE_OR_ONE, 288, 288, 48, 8, 48, 8)
+LOOP(mat6x6_copy_double, 2, DENSE, 288, 288, 48, 8, 48, 8)
 
 OVER(mat6x6_copy_single) {
   POINTERS_2
-  LOAD_FIRST(mat6x6_single, ksl_mat6x6f_t M, &M);
   EACH {
+    ksl_mat6x6f_t M;
     ksl_mat6x6f_t Mo;
-    LOAD_OTHER(mat6x6_single, &M);
+    LOAD(mat6x6_single, &M, 0, 0);
     ksl_mat6x6f_copy(&M, &Mo);
     STORE(mat6x6_single, &Mo, 1, 2);
   }
 }
-LOOP(mat6x6_copy_single, 2, DENSE_OR_ONE, 144, 144, 24, 4, 24, 4)
+LOOP(mat6x6_copy_single, 2, DENSE, 144, 144, 24, 4, 24, 4)
 LOOPS(mat6x6_copy)
 
 /* (6,6)->(6,6) */
@@ -60,27 +61,27 @@ LOOPS(mat6x6_setIdentity)
 /* (6,6)->(6,6) */
 OVER(mat6x6_transposed_double) {
   POINTERS_2
-  LOAD_FIRST(mat6x6_double, ksl_mat6x6_t M, &M);
   EACH {
+    ksl_mat6x6_t M;
     ksl_mat6x6_t Mo;
-    LOAD_OTHER(mat6x6_double, &M);
+    LOAD(mat6x6_double, &M, 0, 0);
     ksl_mat6x6_transposed(&M, &Mo);
     STORE(mat6x6_double, &Mo, 1, 2);
   }
 }
-LOOP(mat6x6_transposed_double, 2, DENSE_OR_ONE, 288, 288, 48, 8, 48, 8)
+LOOP(mat6x6_transposed_double, 2, DENSE, 288, 288, 48, 8, 48, 8)
 
 OVER(mat6x6_transposed_single) {
   POINTERS_2
-  LOAD_FIRST(mat6x6_single, ksl_mat6x6f_t M, &M);
   EACH {
+    ksl_mat6x6f_t M;
     ksl_mat6x6f_t Mo;
-    LOAD_OTHER(mat6x6_single, &M);
+    LOAD(mat6x6_single, &M, 0, 0);
     ksl_mat6x6f_transposed(&M, &Mo);
     STORE(mat6x6_single, &Mo, 1, 2);
   }
 }
-LOOP(mat6x6_transposed_single, 2, DENSE_OR_ONE, 144, 144, 24, 4, 24, 4)
+LOOP(mat6x6_transposed_single, 2, DENSE, 144, 144, 24, 4, 24, 4)
 LOOPS(mat6x6_transposed)
 
 /* (3,3),(6,6)->(6,6) */

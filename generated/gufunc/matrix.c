@@ -6,6 +6,7 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "../c/include/ksl/matrix.h"
 
 /* (3,3),(3)->(3) */
 OVER(product_drv_double) {

@@ -106,7 +106,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "dcb54dc9b5738f0f") < 0
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "bb9c4561774f10ea") < 0
       || PyModule_AddStringConstant(
           module, "LOOPS", families == baseline ? "baseline" : "AVX2") < 0) {
     Py_DECREF(module);

@@ -6,33 +6,34 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "../c/include/ksl/quaternion.h"
 #include "_lanes.h"
 #include "../c/include/ksl/quaternion_states.h"
 
 /* (4)->(4) */
 OVER(quaternion_copy_double) {
   POINTERS_2
-  LOAD_FIRST(quaternion_double, ksl_quaternion_t qi, &qi);
   EACH {
+    ksl_quaternion_t qi;
     ksl_quaternion_t qo;
-    LOAD_OTHER(quaternion_double, &qi);
+    LOAD(quaternion_double, &qi, 0, 0);
     ksl_quaternion_copy(&qi, &qo);
     STORE(quaternion_double, &qo, 1, 1);
   }
 }
-LOOP(quaternion_copy_double, 2, DENSE_OR_ONE, 32, 32, 8, 8)
+LOOP(quaternion_copy_double, 2, DENSE, 32, 32, 8, 8)
 
 OVER(quaternion_copy_single) {
   POINTERS_2
-  LOAD_FIRST(quaternion_single, ksl_quaternionf_t qi, &qi);
   EACH {
+    ksl_quaternionf_t qi;
     ksl_quaternionf_t qo;
-    LOAD_OTHER(quaternion_single, &qi);
+    LOAD(quaternion_single, &qi, 0, 0);
     ksl_quaternionf_copy(&qi, &qo);
     STORE(quaternion_single, &qo, 1, 1);
   }
 }
-LOOP(quaternion_copy_single, 2, DENSE_OR_ONE, 16, 16, 4, 4)
+LOOP(quaternion_copy_single, 2, DENSE, 16, 16, 4, 4)
 LOOPS(quaternion_copy)
 
 /* (4),()->(4) */
@@ -122,53 +123,53 @@ LOOPS(quaternion_setIdentity)
 /* (4)->(4) */
 OVER(quaternion_conjugated_double) {
   POINTERS_2
-  LOAD_FIRST(quaternion_double, ksl_quaternion_t q, &q);
   EACH {
+    ksl_quaternion_t q;
     ksl_quaternion_t qo;
-    LOAD_OTHER(quaternion_double, &q);
+    LOAD(quaternion_double, &q, 0, 0);
     ksl_quaternion_conjugated(&q, &qo);
     STORE(quaternion_double, &qo, 1, 1);
   }
 }
-LOOP(quaternion_conjugated_double, 2, DENSE_OR_ONE, 32, 32, 8, 8)
+LOOP(quaternion_conjugated_double, 2, DENSE, 32, 32, 8, 8)
 
 OVER(quaternion_conjugated_single) {
   POINTERS_2
-  LOAD_FIRST(quaternion_single, ksl_quaternionf_t q, &q);
   EACH {
+    ksl_quaternionf_t q;
     ksl_quaternionf_t qo;
-    LOAD_OTHER(quaternion_single, &q);
+    LOAD(quaternion_single, &q, 0, 0);
     ksl_quaternionf_conjugated(&q, &qo);
     STORE(quaternion_single, &qo, 1, 1);
   }
 }
-LOOP(quaternion_conjugated_single, 2, DENSE_OR_ONE, 16, 16, 4, 4)
+LOOP(quaternion_conjugated_single, 2, DENSE, 16, 16, 4, 4)
 LOOPS(quaternion_conjugated)
 
 /* (4)->() */
 OVER(quaternion_norm_double) {
   POINTERS_2
-  LOAD_FIRST(quaternion_double, ksl_quaternion_t q, &q);
   EACH {
+    ksl_quaternion_t q;
     double norm;
-    LOAD_OTHER(quaternion_double, &q);
+    LOAD(quaternion_double, &q, 0, 0);
     norm = ksl_quaternion_norm(&q);
     STORE(scalar_double, &norm, 1, 1);
   }
 }
-LOOP(quaternion_norm_double, 2, DENSE_OR_ONE, 32, 8, 8)
+LOOP(quaternion_norm_double, 2, DENSE, 32, 8, 8)
 
 OVER(quaternion_norm_single) {
   POINTERS_2
-  LOAD_FIRST(quaternion_single, ksl_quaternionf_t q, &q);
   EACH {
+    ksl_quaternionf_t q;
     float norm;
-    LOAD_OTHER(quaternion_single, &q);
+    LOAD(quaternion_single, &q, 0, 0);
     norm = ksl_quaternionf_norm(&q);
     STORE(scalar_single, &norm, 1, 1);
   }
 }
-LOOP(quaternion_norm_single, 2, DENSE_OR_ONE, 16, 4, 4)
+LOOP(quaternion_norm_single, 2, DENSE, 16, 4, 4)
 LOOPS(quaternion_norm)
 
 /* (4)->(4) */
@@ -198,79 +199,79 @@ LOOPS(quaternion_normalize)
 /* (4)->(4) */
 OVER(quaternion_normalized_double) {
   POINTERS_2
-  LOAD_FIRST(quaternion_double, ksl_quaternion_t q, &q);
   EACH {
+    ksl_quaternion_t q;
     ksl_quaternion_t qo;
-    LOAD_OTHER(quaternion_double, &q);
+    LOAD(quaternion_double, &q, 0, 0);
     ksl_quaternion_normalized(&q, &qo);
     STORE(quaternion_double, &qo, 1, 1);
   }
 }
-LOOP(quaternion_normalized_double, 2, DENSE_OR_ONE, 32, 32, 8, 8)
+LOOP(quaternion_normalized_double, 2, DENSE, 32, 32, 8, 8)
 
 OVER(quaternion_normalized_single) {
   POINTERS_2
-  LOAD_FIRST(quaternion_single, ksl_quaternionf_t q, &q);
   EACH {
+    ksl_quaternionf_t q;
     ksl_quaternionf_t qo;
-    LOAD_OTHER(quaternion_single, &q);
+    LOAD(quaternion_single, &q, 0, 0);
     ksl_quaternionf_normalized(&q, &qo);
     STORE(quaternion_single, &qo, 1, 1);
   }
 }
-LOOP(quaternion_normalized_single, 2, DENSE_OR_ONE, 16, 16, 4, 4)
+LOOP(quaternion_normalized_single, 2, DENSE, 16, 16, 4, 4)
 LOOPS(quaternion_normalized)
 
 /* (4)->() */
 OVER(quaternion_unit_defect_double) {
   POINTERS_2
-  LOAD_FIRST(quaternion_double, ksl_quaternion_t q, &q);
   EACH {
+    ksl_quaternion_t q;
     double defect;
-    LOAD_OTHER(quaternion_double, &q);
+    LOAD(quaternion_double, &q, 0, 0);
     defect = ksl_quaternion_unit_defect(&q);
     STORE(scalar_double, &defect, 1, 1);
   }
 }
-LOOP(quaternion_unit_defect_double, 2, DENSE_OR_ONE, 32, 8, 8)
+LOOP(quaternion_unit_defect_double, 2, DENSE, 32, 8, 8)
 
 OVER(quaternion_unit_defect_single) {
   POINTERS_2
-  LOAD_FIRST(quaternion_single, ksl_quaternionf_t q, &q);
   EACH {
+    ksl_quaternionf_t q;
     float defect;
-    LOAD_OTHER(quaternion_single, &q);
+    LOAD(quaternion_single, &q, 0, 0);
     defect = ksl_quaternionf_unit_defect(&q);
     STORE(scalar_single, &defect, 1, 1);
   }
 }
-LOOP(quaternion_unit_defect_single, 2, DENSE_OR_ONE, 16, 4, 4)
+LOOP(quaternion_unit_defect_single, 2, DENSE, 16, 4, 4)
 LOOPS(quaternion_unit_defect)
 
 /* (4)->(4) */
 OVER(quaternion_nearest_unit_double) {
   POINTERS_2
-  LOAD_FIRST(quaternion_double, ksl_quaternion_t q, &q);
   EACH {
+    ksl_quaternion_t q;
     ksl_quaternion_t qo;
-    LOAD_OTHER(quaternion_double, &q);
+    LOAD(quaternion_double, &q, 0, 0);
     ksl_quaternion_nearest_unit(&q, &qo);
     STORE(quaternion_double, &qo, 1, 1);
   }
 }
-LOOP(quaternion_nearest_unit_double, 2, DENSE_OR_ONE, 32, 32, 8, 8)
+LOOP(quaternion_nearest_unit_double, 2, DENSE, 32, 32, 8, 8)
 
 OVER(quaternion_nearest_unit_single) {
   POINTERS_2
-  LOAD_FIRST(quaternion_single, ksl_quaternionf_t q, &q);
   EACH {
+    ksl_quaternionf_t q;
     ksl_quaternionf_t qo;
-    LOAD_OTHER(quaternion_single, &q);
+    LOAD(quaternion_single, &q, 0, 0);
     ksl_quaternionf_nearest_unit(&q, &qo);
     STORE(quaternion_single, &qo, 1, 1);
   }
 }
-LOOP(quaternion_nearest_unit_single, 2, DENSE_OR_ONE, 16, 16, 4, 4)
+LOOP(quaternion_nearest_unit_single, 2, DENSE, 16, 16, 4, 4)
 LOOPS(quaternion_nearest_unit)
 
 /* (4),(3)->(3) */
@@ -1412,53 +1413,53 @@ LOOPS(omega_to_dquaternion)
 /* (4)->(3,3) */
 OVER(mat3x3_from_quaternion_double) {
   POINTERS_2
-  LOAD_FIRST(quaternion_double, ksl_quaternion_t q, &q);
   EACH {
+    ksl_quaternion_t q;
     ksl_mat3x3_t R;
-    LOAD_OTHER(quaternion_double, &q);
+    LOAD(quaternion_double, &q, 0, 0);
     ksl_mat3x3_from_quaternion(&q, &R);
     STORE(mat3x3_double, &R, 1, 1);
   }
 }
-LOOP(mat3x3_from_quaternion_double, 2, DENSE_OR_ONE, 32, 72, 8, 24, 8)
+LOOP(mat3x3_from_quaternion_double, 2, DENSE, 32, 72, 8, 24, 8)
 
 OVER(mat3x3_from_quaternion_single) {
   POINTERS_2
-  LOAD_FIRST(quaternion_single, ksl_quaternionf_t q, &q);
   EACH {
+    ksl_quaternionf_t q;
     ksl_mat3x3f_t R;
-    LOAD_OTHER(quaternion_single, &q);
+    LOAD(quaternion_single, &q, 0, 0);
     ksl_mat3x3f_from_quaternion(&q, &R);
     STORE(mat3x3_single, &R, 1, 1);
   }
 }
-LOOP(mat3x3_from_quaternion_single, 2, DENSE_OR_ONE, 16, 36, 4, 12, 4)
+LOOP(mat3x3_from_quaternion_single, 2, DENSE, 16, 36, 4, 12, 4)
 LOOPS(mat3x3_from_quaternion)
 
 /* (3,3)->(4) */
 OVER(quaternion_from_mat3x3_double) {
   POINTERS_2
-  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
   EACH {
+    ksl_mat3x3_t R;
     ksl_quaternion_t qo;
-    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(mat3x3_double, &R, 0, 0);
     ksl_quaternion_from_mat3x3(&R, &qo);
     STORE(quaternion_double, &qo, 1, 2);
   }
 }
-LOOP(quaternion_from_mat3x3_double, 2, DENSE_OR_ONE, 72, 32, 24, 8, 8)
+LOOP(quaternion_from_mat3x3_double, 2, DENSE, 72, 32, 24, 8, 8)
 
 OVER(quaternion_from_mat3x3_single) {
   POINTERS_2
-  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
   EACH {
+    ksl_mat3x3f_t R;
     ksl_quaternionf_t qo;
-    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(mat3x3_single, &R, 0, 0);
     ksl_quaternionf_from_mat3x3(&R, &qo);
     STORE(quaternion_single, &qo, 1, 2);
   }
 }
-LOOP(quaternion_from_mat3x3_single, 2, DENSE_OR_ONE, 36, 16, 12, 4, 4)
+LOOP(quaternion_from_mat3x3_single, 2, DENSE, 36, 16, 12, 4, 4)
 LOOPS(quaternion_from_mat3x3)
 
 /* (3),()->(4) */
@@ -1610,11 +1611,11 @@ LOOPS(quaternion_from_axis_angle)
 /* (4)->(),(3) */
 OVER(axis_angle_from_quaternion_double) {
   POINTERS_3
-  LOAD_FIRST(quaternion_double, ksl_quaternion_t q, &q);
   EACH {
+    ksl_quaternion_t q;
     double angle;
     ksl_vec3_t axis;
-    LOAD_OTHER(quaternion_double, &q);
+    LOAD(quaternion_double, &q, 0, 0);
     angle = ksl_axis_angle_from_quaternion(&q, &axis);
     STORE(scalar_double, &angle, 1, 1);
     STORE(vec3_double, &axis, 2, 1);
@@ -1679,15 +1680,15 @@ static APART void axis_angle_from_quaternion_double_many(
   axis_angle_from_quaternion_double_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(axis_angle_from_quaternion_double, 3, DENSE_OR_ONE, 32, 8, 24, 8, 8)
+LOOP_ON_VECTORS(axis_angle_from_quaternion_double, 3, DENSE, 32, 8, 24, 8, 8)
 
 OVER(axis_angle_from_quaternion_single) {
   POINTERS_3
-  LOAD_FIRST(quaternion_single, ksl_quaternionf_t q, &q);
   EACH {
+    ksl_quaternionf_t q;
     float angle;
     ksl_vec3f_t axis;
-    LOAD_OTHER(quaternion_single, &q);
+    LOAD(quaternion_single, &q, 0, 0);
     angle = ksl_axis_angle_from_quaternionf(&q, &axis);
     STORE(scalar_single, &angle, 1, 1);
     STORE(vec3_single, &axis, 2, 1);
@@ -1752,16 +1753,16 @@ static APART void axis_angle_from_quaternion_single_many(
   axis_angle_from_quaternion_single_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(axis_angle_from_quaternion_single, 3, DENSE_OR_ONE, 16, 4, 12, 4, 4)
+LOOP_ON_VECTORS(axis_angle_from_quaternion_single, 3, DENSE, 16, 4, 12, 4, 4)
 LOOPS(axis_angle_from_quaternion)
 
 /* (3)->(4) */
 OVER(quaternion_exp_double) {
   POINTERS_2
-  LOAD_FIRST(vec3_double, ksl_vec3_t v, &v);
   EACH {
+    ksl_vec3_t v;
     ksl_quaternion_t qo;
-    LOAD_OTHER(vec3_double, &v);
+    LOAD(vec3_double, &v, 0, 0);
     ksl_quaternion_exp(&v, &qo);
     STORE(quaternion_double, &qo, 1, 1);
   }
@@ -1821,14 +1822,14 @@ static APART void quaternion_exp_double_many(
   quaternion_exp_double_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(quaternion_exp_double, 2, DENSE_OR_ONE, 24, 32, 8, 8)
+LOOP_ON_VECTORS(quaternion_exp_double, 2, DENSE, 24, 32, 8, 8)
 
 OVER(quaternion_exp_single) {
   POINTERS_2
-  LOAD_FIRST(vec3_single, ksl_vec3f_t v, &v);
   EACH {
+    ksl_vec3f_t v;
     ksl_quaternionf_t qo;
-    LOAD_OTHER(vec3_single, &v);
+    LOAD(vec3_single, &v, 0, 0);
     ksl_quaternionf_exp(&v, &qo);
     STORE(quaternion_single, &qo, 1, 1);
   }
@@ -1888,16 +1889,16 @@ static APART void quaternion_exp_single_many(
   quaternion_exp_single_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(quaternion_exp_single, 2, DENSE_OR_ONE, 12, 16, 4, 4)
+LOOP_ON_VECTORS(quaternion_exp_single, 2, DENSE, 12, 16, 4, 4)
 LOOPS(quaternion_exp)
 
 /* (4)->(3) */
 OVER(quaternion_log_double) {
   POINTERS_2
-  LOAD_FIRST(quaternion_double, ksl_quaternion_t q, &q);
   EACH {
+    ksl_quaternion_t q;
     ksl_vec3_t vo;
-    LOAD_OTHER(quaternion_double, &q);
+    LOAD(quaternion_double, &q, 0, 0);
     ksl_quaternion_log(&q, &vo);
     STORE(vec3_double, &vo, 1, 1);
   }
@@ -1957,14 +1958,14 @@ static APART void quaternion_log_double_many(
   quaternion_log_double_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(quaternion_log_double, 2, DENSE_OR_ONE, 32, 24, 8, 8)
+LOOP_ON_VECTORS(quaternion_log_double, 2, DENSE, 32, 24, 8, 8)
 
 OVER(quaternion_log_single) {
   POINTERS_2
-  LOAD_FIRST(quaternion_single, ksl_quaternionf_t q, &q);
   EACH {
+    ksl_quaternionf_t q;
     ksl_vec3f_t vo;
-    LOAD_OTHER(quaternion_single, &q);
+    LOAD(quaternion_single, &q, 0, 0);
     ksl_quaternionf_log(&q, &vo);
     STORE(vec3_single, &vo, 1, 1);
   }
@@ -2024,7 +2025,7 @@ static APART void quaternion_log_single_many(
   quaternion_log_single_from(data, i, n - i, step, core);
 }
 #endif
-LOOP_ON_VECTORS(quaternion_log_single, 2, DENSE_OR_ONE, 16, 12, 4, 4)
+LOOP_ON_VECTORS(quaternion_log_single, 2, DENSE, 16, 12, 4, 4)
 LOOPS(quaternion_log)
 
 /* (4),(4),()->(4) */

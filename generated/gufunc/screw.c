@@ -6,31 +6,32 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "../c/include/ksl/screw.h"
 
 /* (6)->(6) */
 OVER(screw_copy_double) {
   POINTERS_2
-  LOAD_FIRST(screw_double, ksl_screw_t si, &si);
   EACH {
+    ksl_screw_t si;
     ksl_screw_t so;
-    LOAD_OTHER(screw_double, &si);
+    LOAD(screw_double, &si, 0, 0);
     ksl_screw_copy(&si, &so);
     STORE(screw_double, &so, 1, 1);
   }
 }
-LOOP(screw_copy_double, 2, DENSE_OR_ONE, 48, 48, 8, 8)
+LOOP(screw_copy_double, 2, DENSE, 48, 48, 8, 8)
 
 OVER(screw_copy_single) {
   POINTERS_2
-  LOAD_FIRST(screw_single, ksl_screwf_t si, &si);
   EACH {
+    ksl_screwf_t si;
     ksl_screwf_t so;
-    LOAD_OTHER(screw_single, &si);
+    LOAD(screw_single, &si, 0, 0);
     ksl_screwf_copy(&si, &so);
     STORE(screw_single, &so, 1, 1);
   }
 }
-LOOP(screw_copy_single, 2, DENSE_OR_ONE, 24, 24, 4, 4)
+LOOP(screw_copy_single, 2, DENSE, 24, 24, 4, 4)
 LOOPS(screw_copy)
 
 /* (6),()->(6) */
@@ -64,27 +65,27 @@ LOOPS(screw_scale)
 /* (6)->(6) */
 OVER(screw_inverted_double) {
   POINTERS_2
-  LOAD_FIRST(screw_double, ksl_screw_t si, &si);
   EACH {
+    ksl_screw_t si;
     ksl_screw_t so;
-    LOAD_OTHER(screw_double, &si);
+    LOAD(screw_double, &si, 0, 0);
     ksl_screw_inverted(&si, &so);
     STORE(screw_double, &so, 1, 1);
   }
 }
-LOOP(screw_inverted_double, 2, DENSE_OR_ONE, 48, 48, 8, 8)
+LOOP(screw_inverted_double, 2, DENSE, 48, 48, 8, 8)
 
 OVER(screw_inverted_single) {
   POINTERS_2
-  LOAD_FIRST(screw_single, ksl_screwf_t si, &si);
   EACH {
+    ksl_screwf_t si;
     ksl_screwf_t so;
-    LOAD_OTHER(screw_single, &si);
+    LOAD(screw_single, &si, 0, 0);
     ksl_screwf_inverted(&si, &so);
     STORE(screw_single, &so, 1, 1);
   }
 }
-LOOP(screw_inverted_single, 2, DENSE_OR_ONE, 24, 24, 4, 4)
+LOOP(screw_inverted_single, 2, DENSE, 24, 24, 4, 4)
 LOOPS(screw_inverted)
 
 /* (6)->(6) */
@@ -292,27 +293,27 @@ LOOPS(subtract_ss)
 /* (6)->() */
 OVER(screw_norm_double) {
   POINTERS_2
-  LOAD_FIRST(screw_double, ksl_screw_t si, &si);
   EACH {
+    ksl_screw_t si;
     double norm;
-    LOAD_OTHER(screw_double, &si);
+    LOAD(screw_double, &si, 0, 0);
     norm = ksl_screw_norm(&si);
     STORE(scalar_double, &norm, 1, 1);
   }
 }
-LOOP(screw_norm_double, 2, DENSE_OR_ONE, 48, 8, 8)
+LOOP(screw_norm_double, 2, DENSE, 48, 8, 8)
 
 OVER(screw_norm_single) {
   POINTERS_2
-  LOAD_FIRST(screw_single, ksl_screwf_t si, &si);
   EACH {
+    ksl_screwf_t si;
     float norm;
-    LOAD_OTHER(screw_single, &si);
+    LOAD(screw_single, &si, 0, 0);
     norm = ksl_screwf_norm(&si);
     STORE(scalar_single, &norm, 1, 1);
   }
 }
-LOOP(screw_norm_single, 2, DENSE_OR_ONE, 24, 4, 4)
+LOOP(screw_norm_single, 2, DENSE, 24, 4, 4)
 LOOPS(screw_norm)
 
 /* (6)->(6) */
@@ -342,27 +343,27 @@ LOOPS(screw_normalize)
 /* (6)->(6) */
 OVER(screw_normalized_double) {
   POINTERS_2
-  LOAD_FIRST(screw_double, ksl_screw_t si, &si);
   EACH {
+    ksl_screw_t si;
     ksl_screw_t so;
-    LOAD_OTHER(screw_double, &si);
+    LOAD(screw_double, &si, 0, 0);
     ksl_screw_normalized(&si, &so);
     STORE(screw_double, &so, 1, 1);
   }
 }
-LOOP(screw_normalized_double, 2, DENSE_OR_ONE, 48, 48, 8, 8)
+LOOP(screw_normalized_double, 2, DENSE, 48, 48, 8, 8)
 
 OVER(screw_normalized_single) {
   POINTERS_2
-  LOAD_FIRST(screw_single, ksl_screwf_t si, &si);
   EACH {
+    ksl_screwf_t si;
     ksl_screwf_t so;
-    LOAD_OTHER(screw_single, &si);
+    LOAD(screw_single, &si, 0, 0);
     ksl_screwf_normalized(&si, &so);
     STORE(screw_single, &so, 1, 1);
   }
 }
-LOOP(screw_normalized_single, 2, DENSE_OR_ONE, 24, 24, 4, 4)
+LOOP(screw_normalized_single, 2, DENSE, 24, 24, 4, 4)
 LOOPS(screw_normalized)
 
 /* (3),(3)->(6) */
@@ -398,53 +399,53 @@ LOOPS(screw_from_lin_ang)
 /* (6)->(6) */
 OVER(screw_to_angular_first_double) {
   POINTERS_2
-  LOAD_FIRST(screw_double, ksl_screw_t si, &si);
   EACH {
+    ksl_screw_t si;
     double x[6];
-    LOAD_OTHER(screw_double, &si);
+    LOAD(screw_double, &si, 0, 0);
     ksl_screw_to_angular_first(&si, x);
     STORE(angular_first_double, x, 1, 1);
   }
 }
-LOOP(screw_to_angular_first_double, 2, DENSE_OR_ONE, 48, 48, 8, 8)
+LOOP(screw_to_angular_first_double, 2, DENSE, 48, 48, 8, 8)
 
 OVER(screw_to_angular_first_single) {
   POINTERS_2
-  LOAD_FIRST(screw_single, ksl_screwf_t si, &si);
   EACH {
+    ksl_screwf_t si;
     float x[6];
-    LOAD_OTHER(screw_single, &si);
+    LOAD(screw_single, &si, 0, 0);
     ksl_screwf_to_angular_first(&si, x);
     STORE(angular_first_single, x, 1, 1);
   }
 }
-LOOP(screw_to_angular_first_single, 2, DENSE_OR_ONE, 24, 24, 4, 4)
+LOOP(screw_to_angular_first_single, 2, DENSE, 24, 24, 4, 4)
 LOOPS(screw_to_angular_first)
 
 /* (6)->(6) */
 OVER(screw_from_angular_first_double) {
   POINTERS_2
-  LOAD_FIRST(angular_first_double, double x[6], x);
   EACH {
+    double x[6];
     ksl_screw_t so;
-    LOAD_OTHER(angular_first_double, x);
+    LOAD(angular_first_double, x, 0, 0);
     ksl_screw_from_angular_first(x, &so);
     STORE(screw_double, &so, 1, 1);
   }
 }
-LOOP(screw_from_angular_first_double, 2, DENSE_OR_ONE, 48, 48, 8, 8)
+LOOP(screw_from_angular_first_double, 2, DENSE, 48, 48, 8, 8)
 
 OVER(screw_from_angular_first_single) {
   POINTERS_2
-  LOAD_FIRST(angular_first_single, float x[6], x);
   EACH {
+    float x[6];
     ksl_screwf_t so;
-    LOAD_OTHER(angular_first_single, x);
+    LOAD(angular_first_single, x, 0, 0);
     ksl_screwf_from_angular_first(x, &so);
     STORE(screw_single, &so, 1, 1);
   }
 }
-LOOP(screw_from_angular_first_single, 2, DENSE_OR_ONE, 24, 24, 4, 4)
+LOOP(screw_from_angular_first_single, 2, DENSE, 24, 24, 4, 4)
 LOOPS(screw_from_angular_first)
 
 /* (6),(6)->(6) */
@@ -750,339 +751,339 @@ LOOPS(product_Adsinv)
 /* (3,4)->(6) */
 OVER(hstx_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_screw_t so;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hstx(&D, &so);
     STORE(screw_double, &so, 1, 2);
   }
 }
-LOOP(hstx_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
+LOOP(hstx_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hstx_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_screwf_t so;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hstxf(&D, &so);
     STORE(screw_single, &so, 1, 2);
   }
 }
-LOOP(hstx_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOP(hstx_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hstx)
 
 /* (3,4)->(6) */
 OVER(hsty_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_screw_t so;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hsty(&D, &so);
     STORE(screw_double, &so, 1, 2);
   }
 }
-LOOP(hsty_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
+LOOP(hsty_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hsty_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_screwf_t so;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hstyf(&D, &so);
     STORE(screw_single, &so, 1, 2);
   }
 }
-LOOP(hsty_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOP(hsty_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hsty)
 
 /* (3,4)->(6) */
 OVER(hstz_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_screw_t so;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hstz(&D, &so);
     STORE(screw_double, &so, 1, 2);
   }
 }
-LOOP(hstz_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
+LOOP(hstz_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hstz_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_screwf_t so;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hstzf(&D, &so);
     STORE(screw_single, &so, 1, 2);
   }
 }
-LOOP(hstz_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOP(hstz_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hstz)
 
 /* (3,4)->(6) */
 OVER(hsrx_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_screw_t so;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hsrx(&D, &so);
     STORE(screw_double, &so, 1, 2);
   }
 }
-LOOP(hsrx_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
+LOOP(hsrx_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hsrx_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_screwf_t so;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hsrxf(&D, &so);
     STORE(screw_single, &so, 1, 2);
   }
 }
-LOOP(hsrx_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOP(hsrx_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hsrx)
 
 /* (3,4)->(6) */
 OVER(hsry_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_screw_t so;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hsry(&D, &so);
     STORE(screw_double, &so, 1, 2);
   }
 }
-LOOP(hsry_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
+LOOP(hsry_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hsry_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_screwf_t so;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hsryf(&D, &so);
     STORE(screw_single, &so, 1, 2);
   }
 }
-LOOP(hsry_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOP(hsry_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hsry)
 
 /* (3,4)->(6) */
 OVER(hsrz_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_screw_t so;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hsrz(&D, &so);
     STORE(screw_double, &so, 1, 2);
   }
 }
-LOOP(hsrz_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
+LOOP(hsrz_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hsrz_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_screwf_t so;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hsrzf(&D, &so);
     STORE(screw_single, &so, 1, 2);
   }
 }
-LOOP(hsrz_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOP(hsrz_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hsrz)
 
 /* (3,4)->(6) */
 OVER(hstxinv_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_screw_t so;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hstxinv(&D, &so);
     STORE(screw_double, &so, 1, 2);
   }
 }
-LOOP(hstxinv_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
+LOOP(hstxinv_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hstxinv_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_screwf_t so;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hstxinvf(&D, &so);
     STORE(screw_single, &so, 1, 2);
   }
 }
-LOOP(hstxinv_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOP(hstxinv_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hstxinv)
 
 /* (3,4)->(6) */
 OVER(hstyinv_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_screw_t so;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hstyinv(&D, &so);
     STORE(screw_double, &so, 1, 2);
   }
 }
-LOOP(hstyinv_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
+LOOP(hstyinv_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hstyinv_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_screwf_t so;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hstyinvf(&D, &so);
     STORE(screw_single, &so, 1, 2);
   }
 }
-LOOP(hstyinv_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOP(hstyinv_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hstyinv)
 
 /* (3,4)->(6) */
 OVER(hstzinv_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_screw_t so;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hstzinv(&D, &so);
     STORE(screw_double, &so, 1, 2);
   }
 }
-LOOP(hstzinv_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
+LOOP(hstzinv_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hstzinv_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_screwf_t so;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hstzinvf(&D, &so);
     STORE(screw_single, &so, 1, 2);
   }
 }
-LOOP(hstzinv_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOP(hstzinv_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hstzinv)
 
 /* (3,4)->(6) */
 OVER(hsrxinv_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_screw_t so;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hsrxinv(&D, &so);
     STORE(screw_double, &so, 1, 2);
   }
 }
-LOOP(hsrxinv_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
+LOOP(hsrxinv_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hsrxinv_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_screwf_t so;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hsrxinvf(&D, &so);
     STORE(screw_single, &so, 1, 2);
   }
 }
-LOOP(hsrxinv_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOP(hsrxinv_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hsrxinv)
 
 /* (3,4)->(6) */
 OVER(hsryinv_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_screw_t so;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hsryinv(&D, &so);
     STORE(screw_double, &so, 1, 2);
   }
 }
-LOOP(hsryinv_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
+LOOP(hsryinv_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hsryinv_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_screwf_t so;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hsryinvf(&D, &so);
     STORE(screw_single, &so, 1, 2);
   }
 }
-LOOP(hsryinv_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOP(hsryinv_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hsryinv)
 
 /* (3,4)->(6) */
 OVER(hsrzinv_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_screw_t so;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hsrzinv(&D, &so);
     STORE(screw_double, &so, 1, 2);
   }
 }
-LOOP(hsrzinv_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
+LOOP(hsrzinv_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hsrzinv_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_screwf_t so;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hsrzinvf(&D, &so);
     STORE(screw_single, &so, 1, 2);
   }
 }
-LOOP(hsrzinv_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOP(hsrzinv_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hsrzinv)
 
 /* (3,4)->(6,6) */
 OVER(Ad_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_mat6x6_t M;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_Ad(&D, &M);
     STORE(mat6x6_double, &M, 1, 2);
   }
 }
-LOOP(Ad_double, 2, DENSE_OR_ONE, 96, 288, 32, 8, 48, 8)
+LOOP(Ad_double, 2, DENSE, 96, 288, 32, 8, 48, 8)
 
 OVER(Ad_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_mat6x6f_t M;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_Adf(&D, &M);
     STORE(mat6x6_single, &M, 1, 2);
   }
 }
-LOOP(Ad_single, 2, DENSE_OR_ONE, 48, 144, 16, 4, 24, 4)
+LOOP(Ad_single, 2, DENSE, 48, 144, 16, 4, 24, 4)
 LOOPS(Ad)
 
 /* (6),(6)->() */
@@ -1298,27 +1299,27 @@ LOOPS(hstainv)
 /* (6)->(6,6) */
 OVER(ad_double) {
   POINTERS_2
-  LOAD_FIRST(screw_double, ksl_screw_t s, &s);
   EACH {
+    ksl_screw_t s;
     ksl_mat6x6_t M;
-    LOAD_OTHER(screw_double, &s);
+    LOAD(screw_double, &s, 0, 0);
     ksl_ad(&s, &M);
     STORE(mat6x6_double, &M, 1, 1);
   }
 }
-LOOP(ad_double, 2, DENSE_OR_ONE, 48, 288, 8, 48, 8)
+LOOP(ad_double, 2, DENSE, 48, 288, 8, 48, 8)
 
 OVER(ad_single) {
   POINTERS_2
-  LOAD_FIRST(screw_single, ksl_screwf_t s, &s);
   EACH {
+    ksl_screwf_t s;
     ksl_mat6x6f_t M;
-    LOAD_OTHER(screw_single, &s);
+    LOAD(screw_single, &s, 0, 0);
     ksl_adf(&s, &M);
     STORE(mat6x6_single, &M, 1, 1);
   }
 }
-LOOP(ad_single, 2, DENSE_OR_ONE, 24, 144, 4, 24, 4)
+LOOP(ad_single, 2, DENSE, 24, 144, 4, 24, 4)
 LOOPS(ad)
 
 const coscrew_gufunc TABLE(screw)[] = {

@@ -6,31 +6,32 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "../c/include/ksl/spatial_inertia.h"
 
 /* (10)->(10) */
 OVER(spatial_inertia_copy_double) {
   POINTERS_2
-  LOAD_FIRST(spatial_inertia_double, ksl_spatial_inertia_t Bi, &Bi);
   EACH {
+    ksl_spatial_inertia_t Bi;
     ksl_spatial_inertia_t Bo;
-    LOAD_OTHER(spatial_inertia_double, &Bi);
+    LOAD(spatial_inertia_double, &Bi, 0, 0);
     ksl_spatial_inertia_copy(&Bi, &Bo);
     STORE(spatial_inertia_double, &Bo, 1, 1);
   }
 }
-LOOP(spatial_inertia_copy_double, 2, DENSE_OR_ONE, 80, 80, 8, 8)
+LOOP(spatial_inertia_copy_double, 2, DENSE, 80, 80, 8, 8)
 
 OVER(spatial_inertia_copy_single) {
   POINTERS_2
-  LOAD_FIRST(spatial_inertia_single, ksl_spatial_inertiaf_t Bi, &Bi);
   EACH {
+    ksl_spatial_inertiaf_t Bi;
     ksl_spatial_inertiaf_t Bo;
-    LOAD_OTHER(spatial_inertia_single, &Bi);
+    LOAD(spatial_inertia_single, &Bi, 0, 0);
     ksl_spatial_inertiaf_copy(&Bi, &Bo);
     STORE(spatial_inertia_single, &Bo, 1, 1);
   }
 }
-LOOP(spatial_inertia_copy_single, 2, DENSE_OR_ONE, 40, 40, 4, 4)
+LOOP(spatial_inertia_copy_single, 2, DENSE, 40, 40, 4, 4)
 LOOPS(spatial_inertia_copy)
 
 /* (10),()->(10) */
@@ -158,131 +159,131 @@ LOOPS(spatial_inertia_from_com)
 /* (10)->(10) */
 OVER(spatial_inertia_from_inertia_double) {
   POINTERS_2
-  LOAD_FIRST(inertia_double, ksl_inertia_t J, &J);
   EACH {
+    ksl_inertia_t J;
     ksl_spatial_inertia_t Bo;
-    LOAD_OTHER(inertia_double, &J);
+    LOAD(inertia_double, &J, 0, 0);
     ksl_spatial_inertia_from_inertia(&J, &Bo);
     STORE(spatial_inertia_double, &Bo, 1, 1);
   }
 }
-LOOP(spatial_inertia_from_inertia_double, 2, DENSE_OR_ONE, 80, 80, 8, 8)
+LOOP(spatial_inertia_from_inertia_double, 2, DENSE, 80, 80, 8, 8)
 
 OVER(spatial_inertia_from_inertia_single) {
   POINTERS_2
-  LOAD_FIRST(inertia_single, ksl_inertiaf_t J, &J);
   EACH {
+    ksl_inertiaf_t J;
     ksl_spatial_inertiaf_t Bo;
-    LOAD_OTHER(inertia_single, &J);
+    LOAD(inertia_single, &J, 0, 0);
     ksl_spatial_inertiaf_from_inertia(&J, &Bo);
     STORE(spatial_inertia_single, &Bo, 1, 1);
   }
 }
-LOOP(spatial_inertia_from_inertia_single, 2, DENSE_OR_ONE, 40, 40, 4, 4)
+LOOP(spatial_inertia_from_inertia_single, 2, DENSE, 40, 40, 4, 4)
 LOOPS(spatial_inertia_from_inertia)
 
 /* (10)->(10) */
 OVER(inertia_from_spatial_inertia_double) {
   POINTERS_2
-  LOAD_FIRST(spatial_inertia_double, ksl_spatial_inertia_t B, &B);
   EACH {
+    ksl_spatial_inertia_t B;
     ksl_inertia_t Jo;
-    LOAD_OTHER(spatial_inertia_double, &B);
+    LOAD(spatial_inertia_double, &B, 0, 0);
     ksl_inertia_from_spatial_inertia(&B, &Jo);
     STORE(inertia_double, &Jo, 1, 1);
   }
 }
-LOOP(inertia_from_spatial_inertia_double, 2, DENSE_OR_ONE, 80, 80, 8, 8)
+LOOP(inertia_from_spatial_inertia_double, 2, DENSE, 80, 80, 8, 8)
 
 OVER(inertia_from_spatial_inertia_single) {
   POINTERS_2
-  LOAD_FIRST(spatial_inertia_single, ksl_spatial_inertiaf_t B, &B);
   EACH {
+    ksl_spatial_inertiaf_t B;
     ksl_inertiaf_t Jo;
-    LOAD_OTHER(spatial_inertia_single, &B);
+    LOAD(spatial_inertia_single, &B, 0, 0);
     ksl_inertiaf_from_spatial_inertia(&B, &Jo);
     STORE(inertia_single, &Jo, 1, 1);
   }
 }
-LOOP(inertia_from_spatial_inertia_single, 2, DENSE_OR_ONE, 40, 40, 4, 4)
+LOOP(inertia_from_spatial_inertia_single, 2, DENSE, 40, 40, 4, 4)
 LOOPS(inertia_from_spatial_inertia)
 
 /* (10)->(3) */
 OVER(spatial_inertia_com_double) {
   POINTERS_2
-  LOAD_FIRST(spatial_inertia_double, ksl_spatial_inertia_t B, &B);
   EACH {
+    ksl_spatial_inertia_t B;
     ksl_vec3_t vo;
-    LOAD_OTHER(spatial_inertia_double, &B);
+    LOAD(spatial_inertia_double, &B, 0, 0);
     ksl_spatial_inertia_com(&B, &vo);
     STORE(vec3_double, &vo, 1, 1);
   }
 }
-LOOP(spatial_inertia_com_double, 2, DENSE_OR_ONE, 80, 24, 8, 8)
+LOOP(spatial_inertia_com_double, 2, DENSE, 80, 24, 8, 8)
 
 OVER(spatial_inertia_com_single) {
   POINTERS_2
-  LOAD_FIRST(spatial_inertia_single, ksl_spatial_inertiaf_t B, &B);
   EACH {
+    ksl_spatial_inertiaf_t B;
     ksl_vec3f_t vo;
-    LOAD_OTHER(spatial_inertia_single, &B);
+    LOAD(spatial_inertia_single, &B, 0, 0);
     ksl_spatial_inertiaf_com(&B, &vo);
     STORE(vec3_single, &vo, 1, 1);
   }
 }
-LOOP(spatial_inertia_com_single, 2, DENSE_OR_ONE, 40, 12, 4, 4)
+LOOP(spatial_inertia_com_single, 2, DENSE, 40, 12, 4, 4)
 LOOPS(spatial_inertia_com)
 
 /* (10)->(3,3) */
 OVER(spatial_inertia_about_com_double) {
   POINTERS_2
-  LOAD_FIRST(spatial_inertia_double, ksl_spatial_inertia_t B, &B);
   EACH {
+    ksl_spatial_inertia_t B;
     ksl_mat3x3_t Ro;
-    LOAD_OTHER(spatial_inertia_double, &B);
+    LOAD(spatial_inertia_double, &B, 0, 0);
     ksl_spatial_inertia_about_com(&B, &Ro);
     STORE(mat3x3_double, &Ro, 1, 1);
   }
 }
-LOOP(spatial_inertia_about_com_double, 2, DENSE_OR_ONE, 80, 72, 8, 24, 8)
+LOOP(spatial_inertia_about_com_double, 2, DENSE, 80, 72, 8, 24, 8)
 
 OVER(spatial_inertia_about_com_single) {
   POINTERS_2
-  LOAD_FIRST(spatial_inertia_single, ksl_spatial_inertiaf_t B, &B);
   EACH {
+    ksl_spatial_inertiaf_t B;
     ksl_mat3x3f_t Ro;
-    LOAD_OTHER(spatial_inertia_single, &B);
+    LOAD(spatial_inertia_single, &B, 0, 0);
     ksl_spatial_inertiaf_about_com(&B, &Ro);
     STORE(mat3x3_single, &Ro, 1, 1);
   }
 }
-LOOP(spatial_inertia_about_com_single, 2, DENSE_OR_ONE, 40, 36, 4, 12, 4)
+LOOP(spatial_inertia_about_com_single, 2, DENSE, 40, 36, 4, 12, 4)
 LOOPS(spatial_inertia_about_com)
 
 /* (10)->(6,6) */
 OVER(spatial_inertia_matrix_double) {
   POINTERS_2
-  LOAD_FIRST(spatial_inertia_double, ksl_spatial_inertia_t B, &B);
   EACH {
+    ksl_spatial_inertia_t B;
     ksl_mat6x6_t Mo;
-    LOAD_OTHER(spatial_inertia_double, &B);
+    LOAD(spatial_inertia_double, &B, 0, 0);
     ksl_spatial_inertia_matrix(&B, &Mo);
     STORE(mat6x6_double, &Mo, 1, 1);
   }
 }
-LOOP(spatial_inertia_matrix_double, 2, DENSE_OR_ONE, 80, 288, 8, 48, 8)
+LOOP(spatial_inertia_matrix_double, 2, DENSE, 80, 288, 8, 48, 8)
 
 OVER(spatial_inertia_matrix_single) {
   POINTERS_2
-  LOAD_FIRST(spatial_inertia_single, ksl_spatial_inertiaf_t B, &B);
   EACH {
+    ksl_spatial_inertiaf_t B;
     ksl_mat6x6f_t Mo;
-    LOAD_OTHER(spatial_inertia_single, &B);
+    LOAD(spatial_inertia_single, &B, 0, 0);
     ksl_spatial_inertiaf_matrix(&B, &Mo);
     STORE(mat6x6_single, &Mo, 1, 1);
   }
 }
-LOOP(spatial_inertia_matrix_single, 2, DENSE_OR_ONE, 40, 144, 4, 24, 4)
+LOOP(spatial_inertia_matrix_single, 2, DENSE, 40, 144, 4, 24, 4)
 LOOPS(spatial_inertia_matrix)
 
 /* (10),(6)->(6) */
@@ -442,27 +443,27 @@ LOOPS(spatial_inertia_transformed)
 /* (10)->() */
 OVER(spatial_inertia_consistency_double) {
   POINTERS_2
-  LOAD_FIRST(spatial_inertia_double, ksl_spatial_inertia_t B, &B);
   EACH {
+    ksl_spatial_inertia_t B;
     double pivot;
-    LOAD_OTHER(spatial_inertia_double, &B);
+    LOAD(spatial_inertia_double, &B, 0, 0);
     pivot = ksl_spatial_inertia_consistency(&B);
     STORE(scalar_double, &pivot, 1, 1);
   }
 }
-LOOP(spatial_inertia_consistency_double, 2, DENSE_OR_ONE, 80, 8, 8)
+LOOP(spatial_inertia_consistency_double, 2, DENSE, 80, 8, 8)
 
 OVER(spatial_inertia_consistency_single) {
   POINTERS_2
-  LOAD_FIRST(spatial_inertia_single, ksl_spatial_inertiaf_t B, &B);
   EACH {
+    ksl_spatial_inertiaf_t B;
     float pivot;
-    LOAD_OTHER(spatial_inertia_single, &B);
+    LOAD(spatial_inertia_single, &B, 0, 0);
     pivot = ksl_spatial_inertiaf_consistency(&B);
     STORE(scalar_single, &pivot, 1, 1);
   }
 }
-LOOP(spatial_inertia_consistency_single, 2, DENSE_OR_ONE, 40, 4, 4)
+LOOP(spatial_inertia_consistency_single, 2, DENSE, 40, 4, 4)
 LOOPS(spatial_inertia_consistency)
 
 const coscrew_gufunc TABLE(spatial_inertia)[] = {

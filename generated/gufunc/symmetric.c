@@ -6,35 +6,36 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "../c/include/ksl/symmetric.h"
 
 /* (3,3)->(),(3,3) */
 OVER(mat3x3_ldl_double) {
   POINTERS_3
-  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t A, &A);
   EACH {
+    ksl_mat3x3_t A;
     double pivot;
     ksl_mat3x3_t L;
-    LOAD_OTHER(mat3x3_double, &A);
+    LOAD(mat3x3_double, &A, 0, 0);
     pivot = ksl_mat3x3_ldl(&A, &L);
     STORE(scalar_double, &pivot, 1, 2);
     STORE(mat3x3_double, &L, 2, 2);
   }
 }
-LOOP(mat3x3_ldl_double, 3, DENSE_OR_ONE, 72, 8, 72, 24, 8, 24, 8)
+LOOP(mat3x3_ldl_double, 3, DENSE, 72, 8, 72, 24, 8, 24, 8)
 
 OVER(mat3x3_ldl_single) {
   POINTERS_3
-  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t A, &A);
   EACH {
+    ksl_mat3x3f_t A;
     float pivot;
     ksl_mat3x3f_t L;
-    LOAD_OTHER(mat3x3_single, &A);
+    LOAD(mat3x3_single, &A, 0, 0);
     pivot = ksl_mat3x3f_ldl(&A, &L);
     STORE(scalar_single, &pivot, 1, 2);
     STORE(mat3x3_single, &L, 2, 2);
   }
 }
-LOOP(mat3x3_ldl_single, 3, DENSE_OR_ONE, 36, 4, 36, 12, 4, 12, 4)
+LOOP(mat3x3_ldl_single, 3, DENSE, 36, 4, 36, 12, 4, 12, 4)
 LOOPS(mat3x3_ldl)
 
 /* (3,3),(3)->(3) */
@@ -104,31 +105,31 @@ LOOPS(mat3x3_solve)
 /* (6,6)->(),(6,6) */
 OVER(mat6x6_ldl_double) {
   POINTERS_3
-  LOAD_FIRST(mat6x6_double, ksl_mat6x6_t A, &A);
   EACH {
+    ksl_mat6x6_t A;
     double pivot;
     ksl_mat6x6_t L;
-    LOAD_OTHER(mat6x6_double, &A);
+    LOAD(mat6x6_double, &A, 0, 0);
     pivot = ksl_mat6x6_ldl(&A, &L);
     STORE(scalar_double, &pivot, 1, 2);
     STORE(mat6x6_double, &L, 2, 2);
   }
 }
-LOOP(mat6x6_ldl_double, 3, DENSE_OR_ONE, 288, 8, 288, 48, 8, 48, 8)
+LOOP(mat6x6_ldl_double, 3, DENSE, 288, 8, 288, 48, 8, 48, 8)
 
 OVER(mat6x6_ldl_single) {
   POINTERS_3
-  LOAD_FIRST(mat6x6_single, ksl_mat6x6f_t A, &A);
   EACH {
+    ksl_mat6x6f_t A;
     float pivot;
     ksl_mat6x6f_t L;
-    LOAD_OTHER(mat6x6_single, &A);
+    LOAD(mat6x6_single, &A, 0, 0);
     pivot = ksl_mat6x6f_ldl(&A, &L);
     STORE(scalar_single, &pivot, 1, 2);
     STORE(mat6x6_single, &L, 2, 2);
   }
 }
-LOOP(mat6x6_ldl_single, 3, DENSE_OR_ONE, 144, 4, 144, 24, 4, 24, 4)
+LOOP(mat6x6_ldl_single, 3, DENSE, 144, 4, 144, 24, 4, 24, 4)
 LOOPS(mat6x6_ldl)
 
 /* (6,6),(6)->(6) */

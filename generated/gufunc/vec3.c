@@ -6,33 +6,34 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "../c/include/ksl/vec3.h"
 #include "_lanes.h"
 #include "../c/include/ksl/vec3_states.h"
 
 /* (3)->(3) */
 OVER(vec3_copy_double) {
   POINTERS_2
-  LOAD_FIRST(vec3_double, ksl_vec3_t vi, &vi);
   EACH {
+    ksl_vec3_t vi;
     ksl_vec3_t vo;
-    LOAD_OTHER(vec3_double, &vi);
+    LOAD(vec3_double, &vi, 0, 0);
     ksl_vec3_copy(&vi, &vo);
     STORE(vec3_double, &vo, 1, 1);
   }
 }
-LOOP(vec3_copy_double, 2, DENSE_OR_ONE, 24, 24, 8, 8)
+LOOP(vec3_copy_double, 2, DENSE, 24, 24, 8, 8)
 
 OVER(vec3_copy_single) {
   POINTERS_2
-  LOAD_FIRST(vec3_single, ksl_vec3f_t vi, &vi);
   EACH {
+    ksl_vec3f_t vi;
     ksl_vec3f_t vo;
-    LOAD_OTHER(vec3_single, &vi);
+    LOAD(vec3_single, &vi, 0, 0);
     ksl_vec3f_copy(&vi, &vo);
     STORE(vec3_single, &vo, 1, 1);
   }
 }
-LOOP(vec3_copy_single, 2, DENSE_OR_ONE, 12, 12, 4, 4)
+LOOP(vec3_copy_single, 2, DENSE, 12, 12, 4, 4)
 LOOPS(vec3_copy)
 
 /* (3),()->(3) */
@@ -66,27 +67,27 @@ LOOPS(vec3_scale)
 /* (3)->(3) */
 OVER(vec3_inverted_double) {
   POINTERS_2
-  LOAD_FIRST(vec3_double, ksl_vec3_t vi, &vi);
   EACH {
+    ksl_vec3_t vi;
     ksl_vec3_t vo;
-    LOAD_OTHER(vec3_double, &vi);
+    LOAD(vec3_double, &vi, 0, 0);
     ksl_vec3_inverted(&vi, &vo);
     STORE(vec3_double, &vo, 1, 1);
   }
 }
-LOOP(vec3_inverted_double, 2, DENSE_OR_ONE, 24, 24, 8, 8)
+LOOP(vec3_inverted_double, 2, DENSE, 24, 24, 8, 8)
 
 OVER(vec3_inverted_single) {
   POINTERS_2
-  LOAD_FIRST(vec3_single, ksl_vec3f_t vi, &vi);
   EACH {
+    ksl_vec3f_t vi;
     ksl_vec3f_t vo;
-    LOAD_OTHER(vec3_single, &vi);
+    LOAD(vec3_single, &vi, 0, 0);
     ksl_vec3f_inverted(&vi, &vo);
     STORE(vec3_single, &vo, 1, 1);
   }
 }
-LOOP(vec3_inverted_single, 2, DENSE_OR_ONE, 12, 12, 4, 4)
+LOOP(vec3_inverted_single, 2, DENSE, 12, 12, 4, 4)
 LOOPS(vec3_inverted)
 
 /* (3)->(3) */
@@ -354,27 +355,27 @@ LOOPS(vec3_swap)
 /* (3)->() */
 OVER(vec3_l2norm_double) {
   POINTERS_2
-  LOAD_FIRST(vec3_double, ksl_vec3_t v, &v);
   EACH {
+    ksl_vec3_t v;
     double norm;
-    LOAD_OTHER(vec3_double, &v);
+    LOAD(vec3_double, &v, 0, 0);
     norm = ksl_vec3_l2norm(&v);
     STORE(scalar_double, &norm, 1, 1);
   }
 }
-LOOP(vec3_l2norm_double, 2, DENSE_OR_ONE, 24, 8, 8)
+LOOP(vec3_l2norm_double, 2, DENSE, 24, 8, 8)
 
 OVER(vec3_l2norm_single) {
   POINTERS_2
-  LOAD_FIRST(vec3_single, ksl_vec3f_t v, &v);
   EACH {
+    ksl_vec3f_t v;
     float norm;
-    LOAD_OTHER(vec3_single, &v);
+    LOAD(vec3_single, &v, 0, 0);
     norm = ksl_vec3f_l2norm(&v);
     STORE(scalar_single, &norm, 1, 1);
   }
 }
-LOOP(vec3_l2norm_single, 2, DENSE_OR_ONE, 12, 4, 4)
+LOOP(vec3_l2norm_single, 2, DENSE, 12, 4, 4)
 LOOPS(vec3_l2norm)
 
 /* (3)->(3) */
@@ -404,27 +405,27 @@ LOOPS(vec3_normalize)
 /* (3)->(3) */
 OVER(vec3_normalized_double) {
   POINTERS_2
-  LOAD_FIRST(vec3_double, ksl_vec3_t v, &v);
   EACH {
+    ksl_vec3_t v;
     ksl_vec3_t vo;
-    LOAD_OTHER(vec3_double, &v);
+    LOAD(vec3_double, &v, 0, 0);
     ksl_vec3_normalized(&v, &vo);
     STORE(vec3_double, &vo, 1, 1);
   }
 }
-LOOP(vec3_normalized_double, 2, DENSE_OR_ONE, 24, 24, 8, 8)
+LOOP(vec3_normalized_double, 2, DENSE, 24, 24, 8, 8)
 
 OVER(vec3_normalized_single) {
   POINTERS_2
-  LOAD_FIRST(vec3_single, ksl_vec3f_t v, &v);
   EACH {
+    ksl_vec3f_t v;
     ksl_vec3f_t vo;
-    LOAD_OTHER(vec3_single, &v);
+    LOAD(vec3_single, &v, 0, 0);
     ksl_vec3f_normalized(&v, &vo);
     STORE(vec3_single, &vo, 1, 1);
   }
 }
-LOOP(vec3_normalized_single, 2, DENSE_OR_ONE, 12, 12, 4, 4)
+LOOP(vec3_normalized_single, 2, DENSE, 12, 12, 4, 4)
 LOOPS(vec3_normalized)
 
 /* (3),(3)->() */

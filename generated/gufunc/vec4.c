@@ -6,31 +6,32 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "../c/include/ksl/vec4.h"
 
 /* (4)->(4) */
 OVER(vec4_copy_double) {
   POINTERS_2
-  LOAD_FIRST(vec4_double, ksl_vec4_t vi, &vi);
   EACH {
+    ksl_vec4_t vi;
     ksl_vec4_t vo;
-    LOAD_OTHER(vec4_double, &vi);
+    LOAD(vec4_double, &vi, 0, 0);
     ksl_vec4_copy(&vi, &vo);
     STORE(vec4_double, &vo, 1, 1);
   }
 }
-LOOP(vec4_copy_double, 2, DENSE_OR_ONE, 32, 32, 8, 8)
+LOOP(vec4_copy_double, 2, DENSE, 32, 32, 8, 8)
 
 OVER(vec4_copy_single) {
   POINTERS_2
-  LOAD_FIRST(vec4_single, ksl_vec4f_t vi, &vi);
   EACH {
+    ksl_vec4f_t vi;
     ksl_vec4f_t vo;
-    LOAD_OTHER(vec4_single, &vi);
+    LOAD(vec4_single, &vi, 0, 0);
     ksl_vec4f_copy(&vi, &vo);
     STORE(vec4_single, &vo, 1, 1);
   }
 }
-LOOP(vec4_copy_single, 2, DENSE_OR_ONE, 16, 16, 4, 4)
+LOOP(vec4_copy_single, 2, DENSE, 16, 16, 4, 4)
 LOOPS(vec4_copy)
 
 /* (4),()->(4) */
@@ -64,27 +65,27 @@ LOOPS(vec4_scale)
 /* (4)->(4) */
 OVER(vec4_inverted_double) {
   POINTERS_2
-  LOAD_FIRST(vec4_double, ksl_vec4_t vi, &vi);
   EACH {
+    ksl_vec4_t vi;
     ksl_vec4_t vo;
-    LOAD_OTHER(vec4_double, &vi);
+    LOAD(vec4_double, &vi, 0, 0);
     ksl_vec4_inverted(&vi, &vo);
     STORE(vec4_double, &vo, 1, 1);
   }
 }
-LOOP(vec4_inverted_double, 2, DENSE_OR_ONE, 32, 32, 8, 8)
+LOOP(vec4_inverted_double, 2, DENSE, 32, 32, 8, 8)
 
 OVER(vec4_inverted_single) {
   POINTERS_2
-  LOAD_FIRST(vec4_single, ksl_vec4f_t vi, &vi);
   EACH {
+    ksl_vec4f_t vi;
     ksl_vec4f_t vo;
-    LOAD_OTHER(vec4_single, &vi);
+    LOAD(vec4_single, &vi, 0, 0);
     ksl_vec4f_inverted(&vi, &vo);
     STORE(vec4_single, &vo, 1, 1);
   }
 }
-LOOP(vec4_inverted_single, 2, DENSE_OR_ONE, 16, 16, 4, 4)
+LOOP(vec4_inverted_single, 2, DENSE, 16, 16, 4, 4)
 LOOPS(vec4_inverted)
 
 /* (4)->(4) */
@@ -174,27 +175,27 @@ LOOPS(vec4_swap)
 /* (4)->() */
 OVER(vec4_l2norm_double) {
   POINTERS_2
-  LOAD_FIRST(vec4_double, ksl_vec4_t v, &v);
   EACH {
+    ksl_vec4_t v;
     double norm;
-    LOAD_OTHER(vec4_double, &v);
+    LOAD(vec4_double, &v, 0, 0);
     norm = ksl_vec4_l2norm(&v);
     STORE(scalar_double, &norm, 1, 1);
   }
 }
-LOOP(vec4_l2norm_double, 2, DENSE_OR_ONE, 32, 8, 8)
+LOOP(vec4_l2norm_double, 2, DENSE, 32, 8, 8)
 
 OVER(vec4_l2norm_single) {
   POINTERS_2
-  LOAD_FIRST(vec4_single, ksl_vec4f_t v, &v);
   EACH {
+    ksl_vec4f_t v;
     float norm;
-    LOAD_OTHER(vec4_single, &v);
+    LOAD(vec4_single, &v, 0, 0);
     norm = ksl_vec4f_l2norm(&v);
     STORE(scalar_single, &norm, 1, 1);
   }
 }
-LOOP(vec4_l2norm_single, 2, DENSE_OR_ONE, 16, 4, 4)
+LOOP(vec4_l2norm_single, 2, DENSE, 16, 4, 4)
 LOOPS(vec4_l2norm)
 
 /* (4)->(4) */
@@ -224,27 +225,27 @@ LOOPS(vec4_normalize)
 /* (4)->(4) */
 OVER(vec4_normalized_double) {
   POINTERS_2
-  LOAD_FIRST(vec4_double, ksl_vec4_t v, &v);
   EACH {
+    ksl_vec4_t v;
     ksl_vec4_t vo;
-    LOAD_OTHER(vec4_double, &v);
+    LOAD(vec4_double, &v, 0, 0);
     ksl_vec4_normalized(&v, &vo);
     STORE(vec4_double, &vo, 1, 1);
   }
 }
-LOOP(vec4_normalized_double, 2, DENSE_OR_ONE, 32, 32, 8, 8)
+LOOP(vec4_normalized_double, 2, DENSE, 32, 32, 8, 8)
 
 OVER(vec4_normalized_single) {
   POINTERS_2
-  LOAD_FIRST(vec4_single, ksl_vec4f_t v, &v);
   EACH {
+    ksl_vec4f_t v;
     ksl_vec4f_t vo;
-    LOAD_OTHER(vec4_single, &v);
+    LOAD(vec4_single, &v, 0, 0);
     ksl_vec4f_normalized(&v, &vo);
     STORE(vec4_single, &vo, 1, 1);
   }
 }
-LOOP(vec4_normalized_single, 2, DENSE_OR_ONE, 16, 16, 4, 4)
+LOOP(vec4_normalized_single, 2, DENSE, 16, 16, 4, 4)
 LOOPS(vec4_normalized)
 
 const coscrew_gufunc TABLE(vec4)[] = {

@@ -6,6 +6,7 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "../../c/include/ksl/SE3_accurate.h"
 
 /* (3,4)->(3,4) */
 OVER(SE3_invert_double) {
@@ -34,27 +35,27 @@ LOOPS(SE3_invert)
 /* (3,4)->(3,4) */
 OVER(SE3_inverted_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_SE3_t Do;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_SE3_inverted_accurate(&D, &Do);
     STORE(SE3_double, &Do, 1, 2);
   }
 }
-LOOP(SE3_inverted_double, 2, DENSE_OR_ONE, 96, 96, 32, 8, 32, 8)
+LOOP(SE3_inverted_double, 2, DENSE, 96, 96, 32, 8, 32, 8)
 
 OVER(SE3_inverted_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_SE3f_t Do;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_SE3f_inverted_accurate(&D, &Do);
     STORE(SE3_single, &Do, 1, 2);
   }
 }
-LOOP(SE3_inverted_single, 2, DENSE_OR_ONE, 48, 48, 16, 4, 16, 4)
+LOOP(SE3_inverted_single, 2, DENSE, 48, 48, 16, 4, 16, 4)
 LOOPS(SE3_inverted)
 
 const coscrew_gufunc TABLE(SE3)[] = {

@@ -6,6 +6,7 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "../../c/include/ksl/coscrew_accurate.h"
 
 /* (6),()->(6) */
 OVER(coscrew_scale_double) {
@@ -216,27 +217,27 @@ LOOPS(subtract_cc)
 /* (6)->() */
 OVER(coscrew_norm_double) {
   POINTERS_2
-  LOAD_FIRST(coscrew_double, ksl_coscrew_t ci, &ci);
   EACH {
+    ksl_coscrew_t ci;
     double norm;
-    LOAD_OTHER(coscrew_double, &ci);
+    LOAD(coscrew_double, &ci, 0, 0);
     norm = ksl_coscrew_norm_accurate(&ci);
     STORE(scalar_double, &norm, 1, 1);
   }
 }
-LOOP(coscrew_norm_double, 2, DENSE_OR_ONE, 48, 8, 8)
+LOOP(coscrew_norm_double, 2, DENSE, 48, 8, 8)
 
 OVER(coscrew_norm_single) {
   POINTERS_2
-  LOAD_FIRST(coscrew_single, ksl_coscrewf_t ci, &ci);
   EACH {
+    ksl_coscrewf_t ci;
     float norm;
-    LOAD_OTHER(coscrew_single, &ci);
+    LOAD(coscrew_single, &ci, 0, 0);
     norm = ksl_coscrewf_norm_accurate(&ci);
     STORE(scalar_single, &norm, 1, 1);
   }
 }
-LOOP(coscrew_norm_single, 2, DENSE_OR_ONE, 24, 4, 4)
+LOOP(coscrew_norm_single, 2, DENSE, 24, 4, 4)
 LOOPS(coscrew_norm)
 
 /* (6)->(6) */
@@ -266,27 +267,27 @@ LOOPS(coscrew_normalize)
 /* (6)->(6) */
 OVER(coscrew_normalized_double) {
   POINTERS_2
-  LOAD_FIRST(coscrew_double, ksl_coscrew_t ci, &ci);
   EACH {
+    ksl_coscrew_t ci;
     ksl_coscrew_t co;
-    LOAD_OTHER(coscrew_double, &ci);
+    LOAD(coscrew_double, &ci, 0, 0);
     ksl_coscrew_normalized_accurate(&ci, &co);
     STORE(coscrew_double, &co, 1, 1);
   }
 }
-LOOP(coscrew_normalized_double, 2, DENSE_OR_ONE, 48, 48, 8, 8)
+LOOP(coscrew_normalized_double, 2, DENSE, 48, 48, 8, 8)
 
 OVER(coscrew_normalized_single) {
   POINTERS_2
-  LOAD_FIRST(coscrew_single, ksl_coscrewf_t ci, &ci);
   EACH {
+    ksl_coscrewf_t ci;
     ksl_coscrewf_t co;
-    LOAD_OTHER(coscrew_single, &ci);
+    LOAD(coscrew_single, &ci, 0, 0);
     ksl_coscrewf_normalized_accurate(&ci, &co);
     STORE(coscrew_single, &co, 1, 1);
   }
 }
-LOOP(coscrew_normalized_single, 2, DENSE_OR_ONE, 24, 24, 4, 4)
+LOOP(coscrew_normalized_single, 2, DENSE, 24, 24, 4, 4)
 LOOPS(coscrew_normalized)
 
 /* (6),(6)->(6) */
@@ -592,183 +593,183 @@ LOOPS(product_CoAdcinv)
 /* (3,4)->(6) */
 OVER(hctx_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_coscrew_t co;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hctx_accurate(&D, &co);
     STORE(coscrew_double, &co, 1, 2);
   }
 }
-LOOP(hctx_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
+LOOP(hctx_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hctx_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_coscrewf_t co;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hctxf_accurate(&D, &co);
     STORE(coscrew_single, &co, 1, 2);
   }
 }
-LOOP(hctx_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOP(hctx_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hctx)
 
 /* (3,4)->(6) */
 OVER(hcty_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_coscrew_t co;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hcty_accurate(&D, &co);
     STORE(coscrew_double, &co, 1, 2);
   }
 }
-LOOP(hcty_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
+LOOP(hcty_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hcty_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_coscrewf_t co;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hctyf_accurate(&D, &co);
     STORE(coscrew_single, &co, 1, 2);
   }
 }
-LOOP(hcty_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOP(hcty_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hcty)
 
 /* (3,4)->(6) */
 OVER(hctz_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_coscrew_t co;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hctz_accurate(&D, &co);
     STORE(coscrew_double, &co, 1, 2);
   }
 }
-LOOP(hctz_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
+LOOP(hctz_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hctz_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_coscrewf_t co;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hctzf_accurate(&D, &co);
     STORE(coscrew_single, &co, 1, 2);
   }
 }
-LOOP(hctz_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOP(hctz_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hctz)
 
 /* (3,4)->(6) */
 OVER(hctxinv_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_coscrew_t co;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hctxinv_accurate(&D, &co);
     STORE(coscrew_double, &co, 1, 2);
   }
 }
-LOOP(hctxinv_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
+LOOP(hctxinv_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hctxinv_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_coscrewf_t co;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hctxinvf_accurate(&D, &co);
     STORE(coscrew_single, &co, 1, 2);
   }
 }
-LOOP(hctxinv_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOP(hctxinv_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hctxinv)
 
 /* (3,4)->(6) */
 OVER(hctyinv_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_coscrew_t co;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hctyinv_accurate(&D, &co);
     STORE(coscrew_double, &co, 1, 2);
   }
 }
-LOOP(hctyinv_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
+LOOP(hctyinv_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hctyinv_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_coscrewf_t co;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hctyinvf_accurate(&D, &co);
     STORE(coscrew_single, &co, 1, 2);
   }
 }
-LOOP(hctyinv_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOP(hctyinv_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hctyinv)
 
 /* (3,4)->(6) */
 OVER(hctzinv_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_coscrew_t co;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hctzinv_accurate(&D, &co);
     STORE(coscrew_double, &co, 1, 2);
   }
 }
-LOOP(hctzinv_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
+LOOP(hctzinv_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hctzinv_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_coscrewf_t co;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hctzinvf_accurate(&D, &co);
     STORE(coscrew_single, &co, 1, 2);
   }
 }
-LOOP(hctzinv_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOP(hctzinv_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hctzinv)
 
 /* (3,4)->(6,6) */
 OVER(CoAd_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_mat6x6_t M;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_CoAd_accurate(&D, &M);
     STORE(mat6x6_double, &M, 1, 2);
   }
 }
-LOOP(CoAd_double, 2, DENSE_OR_ONE, 96, 288, 32, 8, 48, 8)
+LOOP(CoAd_double, 2, DENSE, 96, 288, 32, 8, 48, 8)
 
 OVER(CoAd_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_mat6x6f_t M;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_CoAdf_accurate(&D, &M);
     STORE(mat6x6_single, &M, 1, 2);
   }
 }
-LOOP(CoAd_single, 2, DENSE_OR_ONE, 48, 144, 16, 4, 24, 4)
+LOOP(CoAd_single, 2, DENSE, 48, 144, 16, 4, 24, 4)
 LOOPS(CoAd)
 
 /* (6),(6)->() */

@@ -6,139 +6,140 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "../../c/include/ksl/elementary_accurate.h"
 
 /* ()->(),() */
 OVER(sincos_double) {
   POINTERS_3
-  LOAD_FIRST(scalar_double, double x, &x);
   EACH {
+    double x;
     double s;
     double c;
-    LOAD_OTHER(scalar_double, &x);
+    LOAD(scalar_double, &x, 0, 0);
     s = ksl_sincos_accurate(x, &c);
     STORE(scalar_double, &s, 1, 0);
     STORE(scalar_double, &c, 2, 0);
   }
 }
-LOOP(sincos_double, 3, DENSE_OR_ONE, 8, 8, 8)
+LOOP(sincos_double, 3, DENSE, 8, 8, 8)
 
 OVER(sincos_single) {
   POINTERS_3
-  LOAD_FIRST(scalar_single, float x, &x);
   EACH {
+    float x;
     float s;
     float c;
-    LOAD_OTHER(scalar_single, &x);
+    LOAD(scalar_single, &x, 0, 0);
     s = ksl_sincosf_accurate(x, &c);
     STORE(scalar_single, &s, 1, 0);
     STORE(scalar_single, &c, 2, 0);
   }
 }
-LOOP(sincos_single, 3, DENSE_OR_ONE, 4, 4, 4)
+LOOP(sincos_single, 3, DENSE, 4, 4, 4)
 LOOPS(sincos)
 
 /* ()->() */
 OVER(sin_double) {
   POINTERS_2
-  LOAD_FIRST(scalar_double, double x, &x);
   EACH {
+    double x;
     double s;
-    LOAD_OTHER(scalar_double, &x);
+    LOAD(scalar_double, &x, 0, 0);
     s = ksl_sin_accurate(x);
     STORE(scalar_double, &s, 1, 0);
   }
 }
-LOOP(sin_double, 2, DENSE_OR_ONE, 8, 8)
+LOOP(sin_double, 2, DENSE, 8, 8)
 
 OVER(sin_single) {
   POINTERS_2
-  LOAD_FIRST(scalar_single, float x, &x);
   EACH {
+    float x;
     float s;
-    LOAD_OTHER(scalar_single, &x);
+    LOAD(scalar_single, &x, 0, 0);
     s = ksl_sinf_accurate(x);
     STORE(scalar_single, &s, 1, 0);
   }
 }
-LOOP(sin_single, 2, DENSE_OR_ONE, 4, 4)
+LOOP(sin_single, 2, DENSE, 4, 4)
 LOOPS(sin)
 
 /* ()->() */
 OVER(cos_double) {
   POINTERS_2
-  LOAD_FIRST(scalar_double, double x, &x);
   EACH {
+    double x;
     double c;
-    LOAD_OTHER(scalar_double, &x);
+    LOAD(scalar_double, &x, 0, 0);
     c = ksl_cos_accurate(x);
     STORE(scalar_double, &c, 1, 0);
   }
 }
-LOOP(cos_double, 2, DENSE_OR_ONE, 8, 8)
+LOOP(cos_double, 2, DENSE, 8, 8)
 
 OVER(cos_single) {
   POINTERS_2
-  LOAD_FIRST(scalar_single, float x, &x);
   EACH {
+    float x;
     float c;
-    LOAD_OTHER(scalar_single, &x);
+    LOAD(scalar_single, &x, 0, 0);
     c = ksl_cosf_accurate(x);
     STORE(scalar_single, &c, 1, 0);
   }
 }
-LOOP(cos_single, 2, DENSE_OR_ONE, 4, 4)
+LOOP(cos_single, 2, DENSE, 4, 4)
 LOOPS(cos)
 
 /* ()->() */
 OVER(exp_double) {
   POINTERS_2
-  LOAD_FIRST(scalar_double, double x, &x);
   EACH {
+    double x;
     double y;
-    LOAD_OTHER(scalar_double, &x);
+    LOAD(scalar_double, &x, 0, 0);
     y = ksl_exp_accurate(x);
     STORE(scalar_double, &y, 1, 0);
   }
 }
-LOOP(exp_double, 2, DENSE_OR_ONE, 8, 8)
+LOOP(exp_double, 2, DENSE, 8, 8)
 
 OVER(exp_single) {
   POINTERS_2
-  LOAD_FIRST(scalar_single, float x, &x);
   EACH {
+    float x;
     float y;
-    LOAD_OTHER(scalar_single, &x);
+    LOAD(scalar_single, &x, 0, 0);
     y = ksl_expf_accurate(x);
     STORE(scalar_single, &y, 1, 0);
   }
 }
-LOOP(exp_single, 2, DENSE_OR_ONE, 4, 4)
+LOOP(exp_single, 2, DENSE, 4, 4)
 LOOPS(exp)
 
 /* ()->() */
 OVER(tanh_double) {
   POINTERS_2
-  LOAD_FIRST(scalar_double, double x, &x);
   EACH {
+    double x;
     double y;
-    LOAD_OTHER(scalar_double, &x);
+    LOAD(scalar_double, &x, 0, 0);
     y = ksl_tanh_accurate(x);
     STORE(scalar_double, &y, 1, 0);
   }
 }
-LOOP(tanh_double, 2, DENSE_OR_ONE, 8, 8)
+LOOP(tanh_double, 2, DENSE, 8, 8)
 
 OVER(tanh_single) {
   POINTERS_2
-  LOAD_FIRST(scalar_single, float x, &x);
   EACH {
+    float x;
     float y;
-    LOAD_OTHER(scalar_single, &x);
+    LOAD(scalar_single, &x, 0, 0);
     y = ksl_tanhf_accurate(x);
     STORE(scalar_single, &y, 1, 0);
   }
 }
-LOOP(tanh_single, 2, DENSE_OR_ONE, 4, 4)
+LOOP(tanh_single, 2, DENSE, 4, 4)
 LOOPS(tanh)
 
 /* (),()->() */

@@ -6,6 +6,7 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "../../c/include/ksl/inertia_accurate.h"
 
 /* (),(3),(),(),(),(),(),()->(10) */
 OVER(inertia_double) {

@@ -6,6 +6,7 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "../../c/include/ksl/mat3x3_accurate.h"
 
 /* (3),(3)->(3,3) */
 OVER(acceleration_tensor_double) {
@@ -40,57 +41,57 @@ LOOPS(acceleration_tensor)
 /* (3,3)->() */
 OVER(mat3x3_determinant_double) {
   POINTERS_2
-  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
   EACH {
+    ksl_mat3x3_t R;
     double det;
-    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(mat3x3_double, &R, 0, 0);
     det = ksl_mat3x3_determinant_accurate(&R);
     STORE(scalar_double, &det, 1, 2);
   }
 }
-LOOP(mat3x3_determinant_double, 2, DENSE_OR_ONE, 72, 8, 24, 8)
+LOOP(mat3x3_determinant_double, 2, DENSE, 72, 8, 24, 8)
 
 OVER(mat3x3_determinant_single) {
   POINTERS_2
-  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
   EACH {
+    ksl_mat3x3f_t R;
     float det;
-    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(mat3x3_single, &R, 0, 0);
     det = ksl_mat3x3f_determinant_accurate(&R);
     STORE(scalar_single, &det, 1, 2);
   }
 }
-LOOP(mat3x3_determinant_single, 2, DENSE_OR_ONE, 36, 4, 12, 4)
+LOOP(mat3x3_determinant_single, 2, DENSE, 36, 4, 12, 4)
 LOOPS(mat3x3_determinant)
 
 /* (3,3)->(),(3,3) */
 OVER(mat3x3_inverse_double) {
   POINTERS_3
-  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
   EACH {
+    ksl_mat3x3_t R;
     double det;
     ksl_mat3x3_t Ro;
-    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(mat3x3_double, &R, 0, 0);
     det = ksl_mat3x3_inverse_accurate(&R, &Ro);
     STORE(scalar_double, &det, 1, 2);
     STORE(mat3x3_double, &Ro, 2, 2);
   }
 }
-LOOP(mat3x3_inverse_double, 3, DENSE_OR_ONE, 72, 8, 72, 24, 8, 24, 8)
+LOOP(mat3x3_inverse_double, 3, DENSE, 72, 8, 72, 24, 8, 24, 8)
 
 OVER(mat3x3_inverse_single) {
   POINTERS_3
-  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
   EACH {
+    ksl_mat3x3f_t R;
     float det;
     ksl_mat3x3f_t Ro;
-    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(mat3x3_single, &R, 0, 0);
     det = ksl_mat3x3f_inverse_accurate(&R, &Ro);
     STORE(scalar_single, &det, 1, 2);
     STORE(mat3x3_single, &Ro, 2, 2);
   }
 }
-LOOP(mat3x3_inverse_single, 3, DENSE_OR_ONE, 36, 4, 36, 12, 4, 12, 4)
+LOOP(mat3x3_inverse_single, 3, DENSE, 36, 4, 36, 12, 4, 12, 4)
 LOOPS(mat3x3_inverse)
 
 /* (3,3)->(3,3) */
@@ -120,27 +121,27 @@ LOOPS(mat3x3_normalize)
 /* (3,3)->(3,3) */
 OVER(mat3x3_normalized_double) {
   POINTERS_2
-  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
   EACH {
+    ksl_mat3x3_t R;
     ksl_mat3x3_t Ro;
-    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(mat3x3_double, &R, 0, 0);
     ksl_mat3x3_normalized_accurate(&R, &Ro);
     STORE(mat3x3_double, &Ro, 1, 2);
   }
 }
-LOOP(mat3x3_normalized_double, 2, DENSE_OR_ONE, 72, 72, 24, 8, 24, 8)
+LOOP(mat3x3_normalized_double, 2, DENSE, 72, 72, 24, 8, 24, 8)
 
 OVER(mat3x3_normalized_single) {
   POINTERS_2
-  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
   EACH {
+    ksl_mat3x3f_t R;
     ksl_mat3x3f_t Ro;
-    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(mat3x3_single, &R, 0, 0);
     ksl_mat3x3f_normalized_accurate(&R, &Ro);
     STORE(mat3x3_single, &Ro, 1, 2);
   }
 }
-LOOP(mat3x3_normalized_single, 2, DENSE_OR_ONE, 36, 36, 12, 4, 12, 4)
+LOOP(mat3x3_normalized_single, 2, DENSE, 36, 36, 12, 4, 12, 4)
 LOOPS(mat3x3_normalized)
 
 /* (3),(2)->(3,3) */
@@ -176,105 +177,105 @@ LOOPS(mat3x3_setFromAxisDC)
 /* (3)->(3,3) */
 OVER(mat3x3_from_euler_xyz_double) {
   POINTERS_2
-  LOAD_FIRST(vec3_double, ksl_vec3_t angles, &angles);
   EACH {
+    ksl_vec3_t angles;
     ksl_mat3x3_t R;
-    LOAD_OTHER(vec3_double, &angles);
+    LOAD(vec3_double, &angles, 0, 0);
     ksl_mat3x3_from_euler_xyz_accurate(&angles, &R);
     STORE(mat3x3_double, &R, 1, 1);
   }
 }
-LOOP(mat3x3_from_euler_xyz_double, 2, DENSE_OR_ONE, 24, 72, 8, 24, 8)
+LOOP(mat3x3_from_euler_xyz_double, 2, DENSE, 24, 72, 8, 24, 8)
 
 OVER(mat3x3_from_euler_xyz_single) {
   POINTERS_2
-  LOAD_FIRST(vec3_single, ksl_vec3f_t angles, &angles);
   EACH {
+    ksl_vec3f_t angles;
     ksl_mat3x3f_t R;
-    LOAD_OTHER(vec3_single, &angles);
+    LOAD(vec3_single, &angles, 0, 0);
     ksl_mat3x3f_from_euler_xyz_accurate(&angles, &R);
     STORE(mat3x3_single, &R, 1, 1);
   }
 }
-LOOP(mat3x3_from_euler_xyz_single, 2, DENSE_OR_ONE, 12, 36, 4, 12, 4)
+LOOP(mat3x3_from_euler_xyz_single, 2, DENSE, 12, 36, 4, 12, 4)
 LOOPS(mat3x3_from_euler_xyz)
 
 /* (3,3)->(3) */
 OVER(euler_xyz_from_mat3x3_double) {
   POINTERS_2
-  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
   EACH {
+    ksl_mat3x3_t R;
     ksl_vec3_t angles;
-    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(mat3x3_double, &R, 0, 0);
     ksl_euler_xyz_from_mat3x3_accurate(&R, &angles);
     STORE(vec3_double, &angles, 1, 2);
   }
 }
-LOOP(euler_xyz_from_mat3x3_double, 2, DENSE_OR_ONE, 72, 24, 24, 8, 8)
+LOOP(euler_xyz_from_mat3x3_double, 2, DENSE, 72, 24, 24, 8, 8)
 
 OVER(euler_xyz_from_mat3x3_single) {
   POINTERS_2
-  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
   EACH {
+    ksl_mat3x3f_t R;
     ksl_vec3f_t angles;
-    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(mat3x3_single, &R, 0, 0);
     ksl_euler_xyz_from_mat3x3f_accurate(&R, &angles);
     STORE(vec3_single, &angles, 1, 2);
   }
 }
-LOOP(euler_xyz_from_mat3x3_single, 2, DENSE_OR_ONE, 36, 12, 12, 4, 4)
+LOOP(euler_xyz_from_mat3x3_single, 2, DENSE, 36, 12, 12, 4, 4)
 LOOPS(euler_xyz_from_mat3x3)
 
 /* (3)->(3,3) */
 OVER(mat3x3_from_euler_xyx_double) {
   POINTERS_2
-  LOAD_FIRST(vec3_double, ksl_vec3_t angles, &angles);
   EACH {
+    ksl_vec3_t angles;
     ksl_mat3x3_t R;
-    LOAD_OTHER(vec3_double, &angles);
+    LOAD(vec3_double, &angles, 0, 0);
     ksl_mat3x3_from_euler_xyx_accurate(&angles, &R);
     STORE(mat3x3_double, &R, 1, 1);
   }
 }
-LOOP(mat3x3_from_euler_xyx_double, 2, DENSE_OR_ONE, 24, 72, 8, 24, 8)
+LOOP(mat3x3_from_euler_xyx_double, 2, DENSE, 24, 72, 8, 24, 8)
 
 OVER(mat3x3_from_euler_xyx_single) {
   POINTERS_2
-  LOAD_FIRST(vec3_single, ksl_vec3f_t angles, &angles);
   EACH {
+    ksl_vec3f_t angles;
     ksl_mat3x3f_t R;
-    LOAD_OTHER(vec3_single, &angles);
+    LOAD(vec3_single, &angles, 0, 0);
     ksl_mat3x3f_from_euler_xyx_accurate(&angles, &R);
     STORE(mat3x3_single, &R, 1, 1);
   }
 }
-LOOP(mat3x3_from_euler_xyx_single, 2, DENSE_OR_ONE, 12, 36, 4, 12, 4)
+LOOP(mat3x3_from_euler_xyx_single, 2, DENSE, 12, 36, 4, 12, 4)
 LOOPS(mat3x3_from_euler_xyx)
 
 /* (3,3)->(3) */
 OVER(euler_xyx_from_mat3x3_double) {
   POINTERS_2
-  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
   EACH {
+    ksl_mat3x3_t R;
     ksl_vec3_t angles;
-    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(mat3x3_double, &R, 0, 0);
     ksl_euler_xyx_from_mat3x3_accurate(&R, &angles);
     STORE(vec3_double, &angles, 1, 2);
   }
 }
-LOOP(euler_xyx_from_mat3x3_double, 2, DENSE_OR_ONE, 72, 24, 24, 8, 8)
+LOOP(euler_xyx_from_mat3x3_double, 2, DENSE, 72, 24, 24, 8, 8)
 
 OVER(euler_xyx_from_mat3x3_single) {
   POINTERS_2
-  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
   EACH {
+    ksl_mat3x3f_t R;
     ksl_vec3f_t angles;
-    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(mat3x3_single, &R, 0, 0);
     ksl_euler_xyx_from_mat3x3f_accurate(&R, &angles);
     STORE(vec3_single, &angles, 1, 2);
   }
 }
-LOOP(euler_xyx_from_mat3x3_single, 2, DENSE_OR_ONE, 36, 12, 12, 4, 4)
+LOOP(euler_xyx_from_mat3x3_single, 2, DENSE, 36, 12, 12, 4, 4)
 LOOPS(euler_xyx_from_mat3x3)
 
 /* (3,3),(3,3)->(3,3),(3,3) */
@@ -310,27 +311,27 @@ LOOPS(mat3x3_jacobi)
 /* (3,3)->() */
 OVER(mat3x3_rotation_defect_double) {
   POINTERS_2
-  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
   EACH {
+    ksl_mat3x3_t R;
     double defect;
-    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(mat3x3_double, &R, 0, 0);
     defect = ksl_mat3x3_rotation_defect_accurate(&R);
     STORE(scalar_double, &defect, 1, 2);
   }
 }
-LOOP(mat3x3_rotation_defect_double, 2, DENSE_OR_ONE, 72, 8, 24, 8)
+LOOP(mat3x3_rotation_defect_double, 2, DENSE, 72, 8, 24, 8)
 
 OVER(mat3x3_rotation_defect_single) {
   POINTERS_2
-  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
   EACH {
+    ksl_mat3x3f_t R;
     float defect;
-    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(mat3x3_single, &R, 0, 0);
     defect = ksl_mat3x3f_rotation_defect_accurate(&R);
     STORE(scalar_single, &defect, 1, 2);
   }
 }
-LOOP(mat3x3_rotation_defect_single, 2, DENSE_OR_ONE, 36, 4, 12, 4)
+LOOP(mat3x3_rotation_defect_single, 2, DENSE, 36, 4, 12, 4)
 LOOPS(mat3x3_rotation_defect)
 
 /* (3),()->(3,3) */
@@ -366,31 +367,31 @@ LOOPS(mat3x3_from_axis_angle)
 /* (3,3)->(),(3) */
 OVER(axis_angle_from_mat3x3_double) {
   POINTERS_3
-  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
   EACH {
+    ksl_mat3x3_t R;
     double angle;
     ksl_vec3_t axis;
-    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(mat3x3_double, &R, 0, 0);
     angle = ksl_axis_angle_from_mat3x3_accurate(&R, &axis);
     STORE(scalar_double, &angle, 1, 2);
     STORE(vec3_double, &axis, 2, 2);
   }
 }
-LOOP(axis_angle_from_mat3x3_double, 3, DENSE_OR_ONE, 72, 8, 24, 24, 8, 8)
+LOOP(axis_angle_from_mat3x3_double, 3, DENSE, 72, 8, 24, 24, 8, 8)
 
 OVER(axis_angle_from_mat3x3_single) {
   POINTERS_3
-  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
   EACH {
+    ksl_mat3x3f_t R;
     float angle;
     ksl_vec3f_t axis;
-    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(mat3x3_single, &R, 0, 0);
     angle = ksl_axis_angle_from_mat3x3f_accurate(&R, &axis);
     STORE(scalar_single, &angle, 1, 2);
     STORE(vec3_single, &axis, 2, 2);
   }
 }
-LOOP(axis_angle_from_mat3x3_single, 3, DENSE_OR_ONE, 36, 4, 12, 12, 4, 4)
+LOOP(axis_angle_from_mat3x3_single, 3, DENSE, 36, 4, 12, 12, 4, 4)
 LOOPS(axis_angle_from_mat3x3)
 
 const coscrew_gufunc TABLE(mat3x3)[] = {

@@ -6,6 +6,7 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "../../c/include/ksl/mat6x6_accurate.h"
 
 /* (3,3),(6,6)->(6,6) */
 OVER(mat6x6_rotated_double) {

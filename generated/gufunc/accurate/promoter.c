@@ -5,6 +5,7 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "../../c/include/ksl/ksl_accurate.h"
 
 /* Whether arguments of this type are accepted.  float64 would lose digits of wider types, float16 is
    not a precision of these kernels, and bool is not a number. */

@@ -6,6 +6,7 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "../../c/include/ksl/quaternion_accurate.h"
 
 /* (4),()->(4) */
 OVER(quaternion_scale_double) {
@@ -70,27 +71,27 @@ LOOPS(axpy_qq)
 /* (4)->() */
 OVER(quaternion_norm_double) {
   POINTERS_2
-  LOAD_FIRST(quaternion_double, ksl_quaternion_t q, &q);
   EACH {
+    ksl_quaternion_t q;
     double norm;
-    LOAD_OTHER(quaternion_double, &q);
+    LOAD(quaternion_double, &q, 0, 0);
     norm = ksl_quaternion_norm_accurate(&q);
     STORE(scalar_double, &norm, 1, 1);
   }
 }
-LOOP(quaternion_norm_double, 2, DENSE_OR_ONE, 32, 8, 8)
+LOOP(quaternion_norm_double, 2, DENSE, 32, 8, 8)
 
 OVER(quaternion_norm_single) {
   POINTERS_2
-  LOAD_FIRST(quaternion_single, ksl_quaternionf_t q, &q);
   EACH {
+    ksl_quaternionf_t q;
     float norm;
-    LOAD_OTHER(quaternion_single, &q);
+    LOAD(quaternion_single, &q, 0, 0);
     norm = ksl_quaternionf_norm_accurate(&q);
     STORE(scalar_single, &norm, 1, 1);
   }
 }
-LOOP(quaternion_norm_single, 2, DENSE_OR_ONE, 16, 4, 4)
+LOOP(quaternion_norm_single, 2, DENSE, 16, 4, 4)
 LOOPS(quaternion_norm)
 
 /* (4)->(4) */
@@ -120,79 +121,79 @@ LOOPS(quaternion_normalize)
 /* (4)->(4) */
 OVER(quaternion_normalized_double) {
   POINTERS_2
-  LOAD_FIRST(quaternion_double, ksl_quaternion_t q, &q);
   EACH {
+    ksl_quaternion_t q;
     ksl_quaternion_t qo;
-    LOAD_OTHER(quaternion_double, &q);
+    LOAD(quaternion_double, &q, 0, 0);
     ksl_quaternion_normalized_accurate(&q, &qo);
     STORE(quaternion_double, &qo, 1, 1);
   }
 }
-LOOP(quaternion_normalized_double, 2, DENSE_OR_ONE, 32, 32, 8, 8)
+LOOP(quaternion_normalized_double, 2, DENSE, 32, 32, 8, 8)
 
 OVER(quaternion_normalized_single) {
   POINTERS_2
-  LOAD_FIRST(quaternion_single, ksl_quaternionf_t q, &q);
   EACH {
+    ksl_quaternionf_t q;
     ksl_quaternionf_t qo;
-    LOAD_OTHER(quaternion_single, &q);
+    LOAD(quaternion_single, &q, 0, 0);
     ksl_quaternionf_normalized_accurate(&q, &qo);
     STORE(quaternion_single, &qo, 1, 1);
   }
 }
-LOOP(quaternion_normalized_single, 2, DENSE_OR_ONE, 16, 16, 4, 4)
+LOOP(quaternion_normalized_single, 2, DENSE, 16, 16, 4, 4)
 LOOPS(quaternion_normalized)
 
 /* (4)->() */
 OVER(quaternion_unit_defect_double) {
   POINTERS_2
-  LOAD_FIRST(quaternion_double, ksl_quaternion_t q, &q);
   EACH {
+    ksl_quaternion_t q;
     double defect;
-    LOAD_OTHER(quaternion_double, &q);
+    LOAD(quaternion_double, &q, 0, 0);
     defect = ksl_quaternion_unit_defect_accurate(&q);
     STORE(scalar_double, &defect, 1, 1);
   }
 }
-LOOP(quaternion_unit_defect_double, 2, DENSE_OR_ONE, 32, 8, 8)
+LOOP(quaternion_unit_defect_double, 2, DENSE, 32, 8, 8)
 
 OVER(quaternion_unit_defect_single) {
   POINTERS_2
-  LOAD_FIRST(quaternion_single, ksl_quaternionf_t q, &q);
   EACH {
+    ksl_quaternionf_t q;
     float defect;
-    LOAD_OTHER(quaternion_single, &q);
+    LOAD(quaternion_single, &q, 0, 0);
     defect = ksl_quaternionf_unit_defect_accurate(&q);
     STORE(scalar_single, &defect, 1, 1);
   }
 }
-LOOP(quaternion_unit_defect_single, 2, DENSE_OR_ONE, 16, 4, 4)
+LOOP(quaternion_unit_defect_single, 2, DENSE, 16, 4, 4)
 LOOPS(quaternion_unit_defect)
 
 /* (4)->(4) */
 OVER(quaternion_nearest_unit_double) {
   POINTERS_2
-  LOAD_FIRST(quaternion_double, ksl_quaternion_t q, &q);
   EACH {
+    ksl_quaternion_t q;
     ksl_quaternion_t qo;
-    LOAD_OTHER(quaternion_double, &q);
+    LOAD(quaternion_double, &q, 0, 0);
     ksl_quaternion_nearest_unit_accurate(&q, &qo);
     STORE(quaternion_double, &qo, 1, 1);
   }
 }
-LOOP(quaternion_nearest_unit_double, 2, DENSE_OR_ONE, 32, 32, 8, 8)
+LOOP(quaternion_nearest_unit_double, 2, DENSE, 32, 32, 8, 8)
 
 OVER(quaternion_nearest_unit_single) {
   POINTERS_2
-  LOAD_FIRST(quaternion_single, ksl_quaternionf_t q, &q);
   EACH {
+    ksl_quaternionf_t q;
     ksl_quaternionf_t qo;
-    LOAD_OTHER(quaternion_single, &q);
+    LOAD(quaternion_single, &q, 0, 0);
     ksl_quaternionf_nearest_unit_accurate(&q, &qo);
     STORE(quaternion_single, &qo, 1, 1);
   }
 }
-LOOP(quaternion_nearest_unit_single, 2, DENSE_OR_ONE, 16, 16, 4, 4)
+LOOP(quaternion_nearest_unit_single, 2, DENSE, 16, 16, 4, 4)
 LOOPS(quaternion_nearest_unit)
 
 /* (4),(3)->(3) */
@@ -1334,53 +1335,53 @@ LOOPS(omega_to_dquaternion)
 /* (4)->(3,3) */
 OVER(mat3x3_from_quaternion_double) {
   POINTERS_2
-  LOAD_FIRST(quaternion_double, ksl_quaternion_t q, &q);
   EACH {
+    ksl_quaternion_t q;
     ksl_mat3x3_t R;
-    LOAD_OTHER(quaternion_double, &q);
+    LOAD(quaternion_double, &q, 0, 0);
     ksl_mat3x3_from_quaternion_accurate(&q, &R);
     STORE(mat3x3_double, &R, 1, 1);
   }
 }
-LOOP(mat3x3_from_quaternion_double, 2, DENSE_OR_ONE, 32, 72, 8, 24, 8)
+LOOP(mat3x3_from_quaternion_double, 2, DENSE, 32, 72, 8, 24, 8)
 
 OVER(mat3x3_from_quaternion_single) {
   POINTERS_2
-  LOAD_FIRST(quaternion_single, ksl_quaternionf_t q, &q);
   EACH {
+    ksl_quaternionf_t q;
     ksl_mat3x3f_t R;
-    LOAD_OTHER(quaternion_single, &q);
+    LOAD(quaternion_single, &q, 0, 0);
     ksl_mat3x3f_from_quaternion_accurate(&q, &R);
     STORE(mat3x3_single, &R, 1, 1);
   }
 }
-LOOP(mat3x3_from_quaternion_single, 2, DENSE_OR_ONE, 16, 36, 4, 12, 4)
+LOOP(mat3x3_from_quaternion_single, 2, DENSE, 16, 36, 4, 12, 4)
 LOOPS(mat3x3_from_quaternion)
 
 /* (3,3)->(4) */
 OVER(quaternion_from_mat3x3_double) {
   POINTERS_2
-  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
   EACH {
+    ksl_mat3x3_t R;
     ksl_quaternion_t qo;
-    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(mat3x3_double, &R, 0, 0);
     ksl_quaternion_from_mat3x3_accurate(&R, &qo);
     STORE(quaternion_double, &qo, 1, 2);
   }
 }
-LOOP(quaternion_from_mat3x3_double, 2, DENSE_OR_ONE, 72, 32, 24, 8, 8)
+LOOP(quaternion_from_mat3x3_double, 2, DENSE, 72, 32, 24, 8, 8)
 
 OVER(quaternion_from_mat3x3_single) {
   POINTERS_2
-  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
   EACH {
+    ksl_mat3x3f_t R;
     ksl_quaternionf_t qo;
-    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(mat3x3_single, &R, 0, 0);
     ksl_quaternionf_from_mat3x3_accurate(&R, &qo);
     STORE(quaternion_single, &qo, 1, 2);
   }
 }
-LOOP(quaternion_from_mat3x3_single, 2, DENSE_OR_ONE, 36, 16, 12, 4, 4)
+LOOP(quaternion_from_mat3x3_single, 2, DENSE, 36, 16, 12, 4, 4)
 LOOPS(quaternion_from_mat3x3)
 
 /* (3),()->(4) */
@@ -1416,83 +1417,83 @@ LOOPS(quaternion_from_axis_angle)
 /* (4)->(),(3) */
 OVER(axis_angle_from_quaternion_double) {
   POINTERS_3
-  LOAD_FIRST(quaternion_double, ksl_quaternion_t q, &q);
   EACH {
+    ksl_quaternion_t q;
     double angle;
     ksl_vec3_t axis;
-    LOAD_OTHER(quaternion_double, &q);
+    LOAD(quaternion_double, &q, 0, 0);
     angle = ksl_axis_angle_from_quaternion_accurate(&q, &axis);
     STORE(scalar_double, &angle, 1, 1);
     STORE(vec3_double, &axis, 2, 1);
   }
 }
-LOOP(axis_angle_from_quaternion_double, 3, DENSE_OR_ONE, 32, 8, 24, 8, 8)
+LOOP(axis_angle_from_quaternion_double, 3, DENSE, 32, 8, 24, 8, 8)
 
 OVER(axis_angle_from_quaternion_single) {
   POINTERS_3
-  LOAD_FIRST(quaternion_single, ksl_quaternionf_t q, &q);
   EACH {
+    ksl_quaternionf_t q;
     float angle;
     ksl_vec3f_t axis;
-    LOAD_OTHER(quaternion_single, &q);
+    LOAD(quaternion_single, &q, 0, 0);
     angle = ksl_axis_angle_from_quaternionf_accurate(&q, &axis);
     STORE(scalar_single, &angle, 1, 1);
     STORE(vec3_single, &axis, 2, 1);
   }
 }
-LOOP(axis_angle_from_quaternion_single, 3, DENSE_OR_ONE, 16, 4, 12, 4, 4)
+LOOP(axis_angle_from_quaternion_single, 3, DENSE, 16, 4, 12, 4, 4)
 LOOPS(axis_angle_from_quaternion)
 
 /* (3)->(4) */
 OVER(quaternion_exp_double) {
   POINTERS_2
-  LOAD_FIRST(vec3_double, ksl_vec3_t v, &v);
   EACH {
+    ksl_vec3_t v;
     ksl_quaternion_t qo;
-    LOAD_OTHER(vec3_double, &v);
+    LOAD(vec3_double, &v, 0, 0);
     ksl_quaternion_exp_accurate(&v, &qo);
     STORE(quaternion_double, &qo, 1, 1);
   }
 }
-LOOP(quaternion_exp_double, 2, DENSE_OR_ONE, 24, 32, 8, 8)
+LOOP(quaternion_exp_double, 2, DENSE, 24, 32, 8, 8)
 
 OVER(quaternion_exp_single) {
   POINTERS_2
-  LOAD_FIRST(vec3_single, ksl_vec3f_t v, &v);
   EACH {
+    ksl_vec3f_t v;
     ksl_quaternionf_t qo;
-    LOAD_OTHER(vec3_single, &v);
+    LOAD(vec3_single, &v, 0, 0);
     ksl_quaternionf_exp_accurate(&v, &qo);
     STORE(quaternion_single, &qo, 1, 1);
   }
 }
-LOOP(quaternion_exp_single, 2, DENSE_OR_ONE, 12, 16, 4, 4)
+LOOP(quaternion_exp_single, 2, DENSE, 12, 16, 4, 4)
 LOOPS(quaternion_exp)
 
 /* (4)->(3) */
 OVER(quaternion_log_double) {
   POINTERS_2
-  LOAD_FIRST(quaternion_double, ksl_quaternion_t q, &q);
   EACH {
+    ksl_quaternion_t q;
     ksl_vec3_t vo;
-    LOAD_OTHER(quaternion_double, &q);
+    LOAD(quaternion_double, &q, 0, 0);
     ksl_quaternion_log_accurate(&q, &vo);
     STORE(vec3_double, &vo, 1, 1);
   }
 }
-LOOP(quaternion_log_double, 2, DENSE_OR_ONE, 32, 24, 8, 8)
+LOOP(quaternion_log_double, 2, DENSE, 32, 24, 8, 8)
 
 OVER(quaternion_log_single) {
   POINTERS_2
-  LOAD_FIRST(quaternion_single, ksl_quaternionf_t q, &q);
   EACH {
+    ksl_quaternionf_t q;
     ksl_vec3f_t vo;
-    LOAD_OTHER(quaternion_single, &q);
+    LOAD(quaternion_single, &q, 0, 0);
     ksl_quaternionf_log_accurate(&q, &vo);
     STORE(vec3_single, &vo, 1, 1);
   }
 }
-LOOP(quaternion_log_single, 2, DENSE_OR_ONE, 16, 12, 4, 4)
+LOOP(quaternion_log_single, 2, DENSE, 16, 12, 4, 4)
 LOOPS(quaternion_log)
 
 /* (4),(4),()->(4) */

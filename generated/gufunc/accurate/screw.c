@@ -6,6 +6,7 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "../../c/include/ksl/screw_accurate.h"
 
 /* (6),()->(6) */
 OVER(screw_scale_double) {
@@ -216,27 +217,27 @@ LOOPS(subtract_ss)
 /* (6)->() */
 OVER(screw_norm_double) {
   POINTERS_2
-  LOAD_FIRST(screw_double, ksl_screw_t si, &si);
   EACH {
+    ksl_screw_t si;
     double norm;
-    LOAD_OTHER(screw_double, &si);
+    LOAD(screw_double, &si, 0, 0);
     norm = ksl_screw_norm_accurate(&si);
     STORE(scalar_double, &norm, 1, 1);
   }
 }
-LOOP(screw_norm_double, 2, DENSE_OR_ONE, 48, 8, 8)
+LOOP(screw_norm_double, 2, DENSE, 48, 8, 8)
 
 OVER(screw_norm_single) {
   POINTERS_2
-  LOAD_FIRST(screw_single, ksl_screwf_t si, &si);
   EACH {
+    ksl_screwf_t si;
     float norm;
-    LOAD_OTHER(screw_single, &si);
+    LOAD(screw_single, &si, 0, 0);
     norm = ksl_screwf_norm_accurate(&si);
     STORE(scalar_single, &norm, 1, 1);
   }
 }
-LOOP(screw_norm_single, 2, DENSE_OR_ONE, 24, 4, 4)
+LOOP(screw_norm_single, 2, DENSE, 24, 4, 4)
 LOOPS(screw_norm)
 
 /* (6)->(6) */
@@ -266,27 +267,27 @@ LOOPS(screw_normalize)
 /* (6)->(6) */
 OVER(screw_normalized_double) {
   POINTERS_2
-  LOAD_FIRST(screw_double, ksl_screw_t si, &si);
   EACH {
+    ksl_screw_t si;
     ksl_screw_t so;
-    LOAD_OTHER(screw_double, &si);
+    LOAD(screw_double, &si, 0, 0);
     ksl_screw_normalized_accurate(&si, &so);
     STORE(screw_double, &so, 1, 1);
   }
 }
-LOOP(screw_normalized_double, 2, DENSE_OR_ONE, 48, 48, 8, 8)
+LOOP(screw_normalized_double, 2, DENSE, 48, 48, 8, 8)
 
 OVER(screw_normalized_single) {
   POINTERS_2
-  LOAD_FIRST(screw_single, ksl_screwf_t si, &si);
   EACH {
+    ksl_screwf_t si;
     ksl_screwf_t so;
-    LOAD_OTHER(screw_single, &si);
+    LOAD(screw_single, &si, 0, 0);
     ksl_screwf_normalized_accurate(&si, &so);
     STORE(screw_single, &so, 1, 1);
   }
 }
-LOOP(screw_normalized_single, 2, DENSE_OR_ONE, 24, 24, 4, 4)
+LOOP(screw_normalized_single, 2, DENSE, 24, 24, 4, 4)
 LOOPS(screw_normalized)
 
 /* (6),(6)->(6) */
@@ -592,183 +593,183 @@ LOOPS(product_Adsinv)
 /* (3,4)->(6) */
 OVER(hsrx_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_screw_t so;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hsrx_accurate(&D, &so);
     STORE(screw_double, &so, 1, 2);
   }
 }
-LOOP(hsrx_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
+LOOP(hsrx_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hsrx_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_screwf_t so;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hsrxf_accurate(&D, &so);
     STORE(screw_single, &so, 1, 2);
   }
 }
-LOOP(hsrx_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOP(hsrx_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hsrx)
 
 /* (3,4)->(6) */
 OVER(hsry_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_screw_t so;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hsry_accurate(&D, &so);
     STORE(screw_double, &so, 1, 2);
   }
 }
-LOOP(hsry_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
+LOOP(hsry_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hsry_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_screwf_t so;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hsryf_accurate(&D, &so);
     STORE(screw_single, &so, 1, 2);
   }
 }
-LOOP(hsry_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOP(hsry_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hsry)
 
 /* (3,4)->(6) */
 OVER(hsrz_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_screw_t so;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hsrz_accurate(&D, &so);
     STORE(screw_double, &so, 1, 2);
   }
 }
-LOOP(hsrz_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
+LOOP(hsrz_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hsrz_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_screwf_t so;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hsrzf_accurate(&D, &so);
     STORE(screw_single, &so, 1, 2);
   }
 }
-LOOP(hsrz_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOP(hsrz_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hsrz)
 
 /* (3,4)->(6) */
 OVER(hsrxinv_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_screw_t so;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hsrxinv_accurate(&D, &so);
     STORE(screw_double, &so, 1, 2);
   }
 }
-LOOP(hsrxinv_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
+LOOP(hsrxinv_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hsrxinv_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_screwf_t so;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hsrxinvf_accurate(&D, &so);
     STORE(screw_single, &so, 1, 2);
   }
 }
-LOOP(hsrxinv_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOP(hsrxinv_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hsrxinv)
 
 /* (3,4)->(6) */
 OVER(hsryinv_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_screw_t so;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hsryinv_accurate(&D, &so);
     STORE(screw_double, &so, 1, 2);
   }
 }
-LOOP(hsryinv_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
+LOOP(hsryinv_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hsryinv_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_screwf_t so;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hsryinvf_accurate(&D, &so);
     STORE(screw_single, &so, 1, 2);
   }
 }
-LOOP(hsryinv_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOP(hsryinv_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hsryinv)
 
 /* (3,4)->(6) */
 OVER(hsrzinv_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_screw_t so;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hsrzinv_accurate(&D, &so);
     STORE(screw_double, &so, 1, 2);
   }
 }
-LOOP(hsrzinv_double, 2, DENSE_OR_ONE, 96, 48, 32, 8, 8)
+LOOP(hsrzinv_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hsrzinv_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_screwf_t so;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hsrzinvf_accurate(&D, &so);
     STORE(screw_single, &so, 1, 2);
   }
 }
-LOOP(hsrzinv_single, 2, DENSE_OR_ONE, 48, 24, 16, 4, 4)
+LOOP(hsrzinv_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hsrzinv)
 
 /* (3,4)->(6,6) */
 OVER(Ad_double) {
   POINTERS_2
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_mat6x6_t M;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_Ad_accurate(&D, &M);
     STORE(mat6x6_double, &M, 1, 2);
   }
 }
-LOOP(Ad_double, 2, DENSE_OR_ONE, 96, 288, 32, 8, 48, 8)
+LOOP(Ad_double, 2, DENSE, 96, 288, 32, 8, 48, 8)
 
 OVER(Ad_single) {
   POINTERS_2
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_mat6x6f_t M;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_Adf_accurate(&D, &M);
     STORE(mat6x6_single, &M, 1, 2);
   }
 }
-LOOP(Ad_single, 2, DENSE_OR_ONE, 48, 144, 16, 4, 24, 4)
+LOOP(Ad_single, 2, DENSE, 48, 144, 16, 4, 24, 4)
 LOOPS(Ad)
 
 /* (6),(6)->() */

@@ -6,31 +6,32 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "../../c/include/ksl/trig_accurate.h"
 
 /* ()->(2) */
 OVER(dc_double) {
   POINTERS_2
-  LOAD_FIRST(scalar_double, double theta, &theta);
   EACH {
+    double theta;
     double dc[2];
-    LOAD_OTHER(scalar_double, &theta);
+    LOAD(scalar_double, &theta, 0, 0);
     ksl_dc_accurate(theta, dc);
     STORE(dc_double, dc, 1, 0);
   }
 }
-LOOP(dc_double, 2, DENSE_OR_ONE, 8, 16, 8)
+LOOP(dc_double, 2, DENSE, 8, 16, 8)
 
 OVER(dc_single) {
   POINTERS_2
-  LOAD_FIRST(scalar_single, float theta, &theta);
   EACH {
+    float theta;
     float dc[2];
-    LOAD_OTHER(scalar_single, &theta);
+    LOAD(scalar_single, &theta, 0, 0);
     ksl_dcf_accurate(theta, dc);
     STORE(dc_single, dc, 1, 0);
   }
 }
-LOOP(dc_single, 2, DENSE_OR_ONE, 4, 8, 4)
+LOOP(dc_single, 2, DENSE, 4, 8, 4)
 LOOPS(dc)
 
 const coscrew_gufunc TABLE(trig)[] = {

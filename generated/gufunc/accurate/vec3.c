@@ -6,6 +6,7 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "../../c/include/ksl/vec3_accurate.h"
 
 /* (3),()->(3) */
 OVER(vec3_scale_double) {
@@ -246,27 +247,27 @@ LOOPS(vec3_scaled)
 /* (3)->() */
 OVER(vec3_l2norm_double) {
   POINTERS_2
-  LOAD_FIRST(vec3_double, ksl_vec3_t v, &v);
   EACH {
+    ksl_vec3_t v;
     double norm;
-    LOAD_OTHER(vec3_double, &v);
+    LOAD(vec3_double, &v, 0, 0);
     norm = ksl_vec3_l2norm_accurate(&v);
     STORE(scalar_double, &norm, 1, 1);
   }
 }
-LOOP(vec3_l2norm_double, 2, DENSE_OR_ONE, 24, 8, 8)
+LOOP(vec3_l2norm_double, 2, DENSE, 24, 8, 8)
 
 OVER(vec3_l2norm_single) {
   POINTERS_2
-  LOAD_FIRST(vec3_single, ksl_vec3f_t v, &v);
   EACH {
+    ksl_vec3f_t v;
     float norm;
-    LOAD_OTHER(vec3_single, &v);
+    LOAD(vec3_single, &v, 0, 0);
     norm = ksl_vec3f_l2norm_accurate(&v);
     STORE(scalar_single, &norm, 1, 1);
   }
 }
-LOOP(vec3_l2norm_single, 2, DENSE_OR_ONE, 12, 4, 4)
+LOOP(vec3_l2norm_single, 2, DENSE, 12, 4, 4)
 LOOPS(vec3_l2norm)
 
 /* (3)->(3) */
@@ -296,27 +297,27 @@ LOOPS(vec3_normalize)
 /* (3)->(3) */
 OVER(vec3_normalized_double) {
   POINTERS_2
-  LOAD_FIRST(vec3_double, ksl_vec3_t v, &v);
   EACH {
+    ksl_vec3_t v;
     ksl_vec3_t vo;
-    LOAD_OTHER(vec3_double, &v);
+    LOAD(vec3_double, &v, 0, 0);
     ksl_vec3_normalized_accurate(&v, &vo);
     STORE(vec3_double, &vo, 1, 1);
   }
 }
-LOOP(vec3_normalized_double, 2, DENSE_OR_ONE, 24, 24, 8, 8)
+LOOP(vec3_normalized_double, 2, DENSE, 24, 24, 8, 8)
 
 OVER(vec3_normalized_single) {
   POINTERS_2
-  LOAD_FIRST(vec3_single, ksl_vec3f_t v, &v);
   EACH {
+    ksl_vec3f_t v;
     ksl_vec3f_t vo;
-    LOAD_OTHER(vec3_single, &v);
+    LOAD(vec3_single, &v, 0, 0);
     ksl_vec3f_normalized_accurate(&v, &vo);
     STORE(vec3_single, &vo, 1, 1);
   }
 }
-LOOP(vec3_normalized_single, 2, DENSE_OR_ONE, 12, 12, 4, 4)
+LOOP(vec3_normalized_single, 2, DENSE, 12, 12, 4, 4)
 LOOPS(vec3_normalized)
 
 /* (3),(3)->() */

@@ -6,6 +6,7 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "../../c/include/ksl/vec4_accurate.h"
 
 /* (4),()->(4) */
 OVER(vec4_scale_double) {
@@ -68,27 +69,27 @@ LOOPS(vec4_scaled)
 /* (4)->() */
 OVER(vec4_l2norm_double) {
   POINTERS_2
-  LOAD_FIRST(vec4_double, ksl_vec4_t v, &v);
   EACH {
+    ksl_vec4_t v;
     double norm;
-    LOAD_OTHER(vec4_double, &v);
+    LOAD(vec4_double, &v, 0, 0);
     norm = ksl_vec4_l2norm_accurate(&v);
     STORE(scalar_double, &norm, 1, 1);
   }
 }
-LOOP(vec4_l2norm_double, 2, DENSE_OR_ONE, 32, 8, 8)
+LOOP(vec4_l2norm_double, 2, DENSE, 32, 8, 8)
 
 OVER(vec4_l2norm_single) {
   POINTERS_2
-  LOAD_FIRST(vec4_single, ksl_vec4f_t v, &v);
   EACH {
+    ksl_vec4f_t v;
     float norm;
-    LOAD_OTHER(vec4_single, &v);
+    LOAD(vec4_single, &v, 0, 0);
     norm = ksl_vec4f_l2norm_accurate(&v);
     STORE(scalar_single, &norm, 1, 1);
   }
 }
-LOOP(vec4_l2norm_single, 2, DENSE_OR_ONE, 16, 4, 4)
+LOOP(vec4_l2norm_single, 2, DENSE, 16, 4, 4)
 LOOPS(vec4_l2norm)
 
 /* (4)->(4) */
@@ -118,27 +119,27 @@ LOOPS(vec4_normalize)
 /* (4)->(4) */
 OVER(vec4_normalized_double) {
   POINTERS_2
-  LOAD_FIRST(vec4_double, ksl_vec4_t v, &v);
   EACH {
+    ksl_vec4_t v;
     ksl_vec4_t vo;
-    LOAD_OTHER(vec4_double, &v);
+    LOAD(vec4_double, &v, 0, 0);
     ksl_vec4_normalized_accurate(&v, &vo);
     STORE(vec4_double, &vo, 1, 1);
   }
 }
-LOOP(vec4_normalized_double, 2, DENSE_OR_ONE, 32, 32, 8, 8)
+LOOP(vec4_normalized_double, 2, DENSE, 32, 32, 8, 8)
 
 OVER(vec4_normalized_single) {
   POINTERS_2
-  LOAD_FIRST(vec4_single, ksl_vec4f_t v, &v);
   EACH {
+    ksl_vec4f_t v;
     ksl_vec4f_t vo;
-    LOAD_OTHER(vec4_single, &v);
+    LOAD(vec4_single, &v, 0, 0);
     ksl_vec4f_normalized_accurate(&v, &vo);
     STORE(vec4_single, &vo, 1, 1);
   }
 }
-LOOP(vec4_normalized_single, 2, DENSE_OR_ONE, 16, 16, 4, 4)
+LOOP(vec4_normalized_single, 2, DENSE, 16, 16, 4, 4)
 LOOPS(vec4_normalized)
 
 const coscrew_gufunc TABLE(vec4)[] = {

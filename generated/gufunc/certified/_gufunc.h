@@ -32,7 +32,7 @@
 #pragma GCC target("no-fma,no-avx512f")
 #endif
 
-#include "../../c/include/ksl/ksl_certified.h"
+#include "../../c/include/ksl/ksl_types.h"
 
 #if defined(COSCREW_FOR_AVX2)
 #define TABLE(family) coscrew_##family##_gufuncs_avx2

@@ -8,6 +8,7 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "../../c/include/ksl/coscrew_certified.h"
 #include <fenv.h>
 
 /* (6),()->(6),(6) */
@@ -621,225 +622,225 @@ LOOPS(product_CoAdcinv)
 /* (3,4)->(6),(6) */
 OVER(hctx_double) {
   POINTERS_3
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_coscrew_t co;
     ksl_coscrew_t co_bound;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hctx_certified(&D, &co, &co_bound);
     STORE(coscrew_double, &co, 1, 2);
     STORE(coscrew_double, &co_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(hctx_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
+LOOP(hctx_double, 3, DENSE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(hctx_single) {
   POINTERS_3
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_coscrewf_t co;
     ksl_coscrewf_t co_bound;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hctxf_certified(&D, &co, &co_bound);
     STORE(coscrew_single, &co, 1, 2);
     STORE(coscrew_single, &co_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(hctx_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
+LOOP(hctx_single, 3, DENSE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(hctx)
 
 /* (3,4)->(6),(6) */
 OVER(hcty_double) {
   POINTERS_3
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_coscrew_t co;
     ksl_coscrew_t co_bound;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hcty_certified(&D, &co, &co_bound);
     STORE(coscrew_double, &co, 1, 2);
     STORE(coscrew_double, &co_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(hcty_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
+LOOP(hcty_double, 3, DENSE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(hcty_single) {
   POINTERS_3
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_coscrewf_t co;
     ksl_coscrewf_t co_bound;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hctyf_certified(&D, &co, &co_bound);
     STORE(coscrew_single, &co, 1, 2);
     STORE(coscrew_single, &co_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(hcty_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
+LOOP(hcty_single, 3, DENSE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(hcty)
 
 /* (3,4)->(6),(6) */
 OVER(hctz_double) {
   POINTERS_3
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_coscrew_t co;
     ksl_coscrew_t co_bound;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hctz_certified(&D, &co, &co_bound);
     STORE(coscrew_double, &co, 1, 2);
     STORE(coscrew_double, &co_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(hctz_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
+LOOP(hctz_double, 3, DENSE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(hctz_single) {
   POINTERS_3
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_coscrewf_t co;
     ksl_coscrewf_t co_bound;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hctzf_certified(&D, &co, &co_bound);
     STORE(coscrew_single, &co, 1, 2);
     STORE(coscrew_single, &co_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(hctz_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
+LOOP(hctz_single, 3, DENSE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(hctz)
 
 /* (3,4)->(6),(6) */
 OVER(hctxinv_double) {
   POINTERS_3
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_coscrew_t co;
     ksl_coscrew_t co_bound;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hctxinv_certified(&D, &co, &co_bound);
     STORE(coscrew_double, &co, 1, 2);
     STORE(coscrew_double, &co_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(hctxinv_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
+LOOP(hctxinv_double, 3, DENSE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(hctxinv_single) {
   POINTERS_3
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_coscrewf_t co;
     ksl_coscrewf_t co_bound;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hctxinvf_certified(&D, &co, &co_bound);
     STORE(coscrew_single, &co, 1, 2);
     STORE(coscrew_single, &co_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(hctxinv_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
+LOOP(hctxinv_single, 3, DENSE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(hctxinv)
 
 /* (3,4)->(6),(6) */
 OVER(hctyinv_double) {
   POINTERS_3
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_coscrew_t co;
     ksl_coscrew_t co_bound;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hctyinv_certified(&D, &co, &co_bound);
     STORE(coscrew_double, &co, 1, 2);
     STORE(coscrew_double, &co_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(hctyinv_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
+LOOP(hctyinv_double, 3, DENSE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(hctyinv_single) {
   POINTERS_3
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_coscrewf_t co;
     ksl_coscrewf_t co_bound;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hctyinvf_certified(&D, &co, &co_bound);
     STORE(coscrew_single, &co, 1, 2);
     STORE(coscrew_single, &co_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(hctyinv_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
+LOOP(hctyinv_single, 3, DENSE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(hctyinv)
 
 /* (3,4)->(6),(6) */
 OVER(hctzinv_double) {
   POINTERS_3
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_coscrew_t co;
     ksl_coscrew_t co_bound;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hctzinv_certified(&D, &co, &co_bound);
     STORE(coscrew_double, &co, 1, 2);
     STORE(coscrew_double, &co_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(hctzinv_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
+LOOP(hctzinv_double, 3, DENSE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(hctzinv_single) {
   POINTERS_3
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_coscrewf_t co;
     ksl_coscrewf_t co_bound;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hctzinvf_certified(&D, &co, &co_bound);
     STORE(coscrew_single, &co, 1, 2);
     STORE(coscrew_single, &co_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(hctzinv_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
+LOOP(hctzinv_single, 3, DENSE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(hctzinv)
 
 /* (3,4)->(6,6),(6,6) */
 OVER(CoAd_double) {
   POINTERS_3
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_mat6x6_t M;
     ksl_mat6x6_t M_bound;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_CoAd_certified(&D, &M, &M_bound);
     STORE(mat6x6_double, &M, 1, 2);
     STORE(mat6x6_double, &M_bound, 2, 4);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(CoAd_double, 3, DENSE_OR_ONE, 96, 288, 288, 32, 8, 48, 8, 48, 8)
+LOOP(CoAd_double, 3, DENSE, 96, 288, 288, 32, 8, 48, 8, 48, 8)
 
 OVER(CoAd_single) {
   POINTERS_3
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_mat6x6f_t M;
     ksl_mat6x6f_t M_bound;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_CoAdf_certified(&D, &M, &M_bound);
     STORE(mat6x6_single, &M, 1, 2);
     STORE(mat6x6_single, &M_bound, 2, 4);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(CoAd_single, 3, DENSE_OR_ONE, 48, 144, 144, 16, 4, 24, 4, 24, 4)
+LOOP(CoAd_single, 3, DENSE, 48, 144, 144, 16, 4, 24, 4, 24, 4)
 LOOPS(CoAd)
 
 /* (6),(6)->(),() */

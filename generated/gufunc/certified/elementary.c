@@ -8,18 +8,19 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "../../c/include/ksl/elementary_certified.h"
 #include <fenv.h>
 
 /* ()->(),(),(),() */
 OVER(sincos_double) {
   POINTERS_5
-  LOAD_FIRST(scalar_double, double x, &x);
   EACH {
+    double x;
     double s;
     double c;
     double s_bound;
     double c_bound;
-    LOAD_OTHER(scalar_double, &x);
+    LOAD(scalar_double, &x, 0, 0);
     s = ksl_sincos_certified(x, &c, &s_bound, &c_bound);
     STORE(scalar_double, &s, 1, 0);
     STORE(scalar_double, &c, 2, 0);
@@ -28,17 +29,17 @@ OVER(sincos_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(sincos_double, 5, DENSE_OR_ONE, 8, 8, 8, 8, 8)
+LOOP(sincos_double, 5, DENSE, 8, 8, 8, 8, 8)
 
 OVER(sincos_single) {
   POINTERS_5
-  LOAD_FIRST(scalar_single, float x, &x);
   EACH {
+    float x;
     float s;
     float c;
     float s_bound;
     float c_bound;
-    LOAD_OTHER(scalar_single, &x);
+    LOAD(scalar_single, &x, 0, 0);
     s = ksl_sincosf_certified(x, &c, &s_bound, &c_bound);
     STORE(scalar_single, &s, 1, 0);
     STORE(scalar_single, &c, 2, 0);
@@ -47,135 +48,135 @@ OVER(sincos_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(sincos_single, 5, DENSE_OR_ONE, 4, 4, 4, 4, 4)
+LOOP(sincos_single, 5, DENSE, 4, 4, 4, 4, 4)
 LOOPS(sincos)
 
 /* ()->(),() */
 OVER(sin_double) {
   POINTERS_3
-  LOAD_FIRST(scalar_double, double x, &x);
   EACH {
+    double x;
     double s;
     double s_bound;
-    LOAD_OTHER(scalar_double, &x);
+    LOAD(scalar_double, &x, 0, 0);
     s = ksl_sin_certified(x, &s_bound);
     STORE(scalar_double, &s, 1, 0);
     STORE(scalar_double, &s_bound, 2, 0);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(sin_double, 3, DENSE_OR_ONE, 8, 8, 8)
+LOOP(sin_double, 3, DENSE, 8, 8, 8)
 
 OVER(sin_single) {
   POINTERS_3
-  LOAD_FIRST(scalar_single, float x, &x);
   EACH {
+    float x;
     float s;
     float s_bound;
-    LOAD_OTHER(scalar_single, &x);
+    LOAD(scalar_single, &x, 0, 0);
     s = ksl_sinf_certified(x, &s_bound);
     STORE(scalar_single, &s, 1, 0);
     STORE(scalar_single, &s_bound, 2, 0);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(sin_single, 3, DENSE_OR_ONE, 4, 4, 4)
+LOOP(sin_single, 3, DENSE, 4, 4, 4)
 LOOPS(sin)
 
 /* ()->(),() */
 OVER(cos_double) {
   POINTERS_3
-  LOAD_FIRST(scalar_double, double x, &x);
   EACH {
+    double x;
     double c;
     double c_bound;
-    LOAD_OTHER(scalar_double, &x);
+    LOAD(scalar_double, &x, 0, 0);
     c = ksl_cos_certified(x, &c_bound);
     STORE(scalar_double, &c, 1, 0);
     STORE(scalar_double, &c_bound, 2, 0);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(cos_double, 3, DENSE_OR_ONE, 8, 8, 8)
+LOOP(cos_double, 3, DENSE, 8, 8, 8)
 
 OVER(cos_single) {
   POINTERS_3
-  LOAD_FIRST(scalar_single, float x, &x);
   EACH {
+    float x;
     float c;
     float c_bound;
-    LOAD_OTHER(scalar_single, &x);
+    LOAD(scalar_single, &x, 0, 0);
     c = ksl_cosf_certified(x, &c_bound);
     STORE(scalar_single, &c, 1, 0);
     STORE(scalar_single, &c_bound, 2, 0);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(cos_single, 3, DENSE_OR_ONE, 4, 4, 4)
+LOOP(cos_single, 3, DENSE, 4, 4, 4)
 LOOPS(cos)
 
 /* ()->(),() */
 OVER(exp_double) {
   POINTERS_3
-  LOAD_FIRST(scalar_double, double x, &x);
   EACH {
+    double x;
     double y;
     double y_bound;
-    LOAD_OTHER(scalar_double, &x);
+    LOAD(scalar_double, &x, 0, 0);
     y = ksl_exp_certified(x, &y_bound);
     STORE(scalar_double, &y, 1, 0);
     STORE(scalar_double, &y_bound, 2, 0);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(exp_double, 3, DENSE_OR_ONE, 8, 8, 8)
+LOOP(exp_double, 3, DENSE, 8, 8, 8)
 
 OVER(exp_single) {
   POINTERS_3
-  LOAD_FIRST(scalar_single, float x, &x);
   EACH {
+    float x;
     float y;
     float y_bound;
-    LOAD_OTHER(scalar_single, &x);
+    LOAD(scalar_single, &x, 0, 0);
     y = ksl_expf_certified(x, &y_bound);
     STORE(scalar_single, &y, 1, 0);
     STORE(scalar_single, &y_bound, 2, 0);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(exp_single, 3, DENSE_OR_ONE, 4, 4, 4)
+LOOP(exp_single, 3, DENSE, 4, 4, 4)
 LOOPS(exp)
 
 /* ()->(),() */
 OVER(tanh_double) {
   POINTERS_3
-  LOAD_FIRST(scalar_double, double x, &x);
   EACH {
+    double x;
     double y;
     double y_bound;
-    LOAD_OTHER(scalar_double, &x);
+    LOAD(scalar_double, &x, 0, 0);
     y = ksl_tanh_certified(x, &y_bound);
     STORE(scalar_double, &y, 1, 0);
     STORE(scalar_double, &y_bound, 2, 0);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(tanh_double, 3, DENSE_OR_ONE, 8, 8, 8)
+LOOP(tanh_double, 3, DENSE, 8, 8, 8)
 
 OVER(tanh_single) {
   POINTERS_3
-  LOAD_FIRST(scalar_single, float x, &x);
   EACH {
+    float x;
     float y;
     float y_bound;
-    LOAD_OTHER(scalar_single, &x);
+    LOAD(scalar_single, &x, 0, 0);
     y = ksl_tanhf_certified(x, &y_bound);
     STORE(scalar_single, &y, 1, 0);
     STORE(scalar_single, &y_bound, 2, 0);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(tanh_single, 3, DENSE_OR_ONE, 4, 4, 4)
+LOOP(tanh_single, 3, DENSE, 4, 4, 4)
 LOOPS(tanh)
 
 /* (),()->(),() */

@@ -8,198 +8,199 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "../../c/include/ksl/exponential_certified.h"
 #include <fenv.h>
 
 /* (3)->(3,3),(3,3) */
 OVER(SO3_exp_double) {
   POINTERS_3
-  LOAD_FIRST(vec3_double, ksl_vec3_t v, &v);
   EACH {
+    ksl_vec3_t v;
     ksl_mat3x3_t R;
     ksl_mat3x3_t R_bound;
-    LOAD_OTHER(vec3_double, &v);
+    LOAD(vec3_double, &v, 0, 0);
     ksl_SO3_exp_certified(&v, &R, &R_bound);
     STORE(mat3x3_double, &R, 1, 1);
     STORE(mat3x3_double, &R_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(SO3_exp_double, 3, DENSE_OR_ONE, 24, 72, 72, 8, 24, 8, 24, 8)
+LOOP(SO3_exp_double, 3, DENSE, 24, 72, 72, 8, 24, 8, 24, 8)
 
 OVER(SO3_exp_single) {
   POINTERS_3
-  LOAD_FIRST(vec3_single, ksl_vec3f_t v, &v);
   EACH {
+    ksl_vec3f_t v;
     ksl_mat3x3f_t R;
     ksl_mat3x3f_t R_bound;
-    LOAD_OTHER(vec3_single, &v);
+    LOAD(vec3_single, &v, 0, 0);
     ksl_SO3_expf_certified(&v, &R, &R_bound);
     STORE(mat3x3_single, &R, 1, 1);
     STORE(mat3x3_single, &R_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(SO3_exp_single, 3, DENSE_OR_ONE, 12, 36, 36, 4, 12, 4, 12, 4)
+LOOP(SO3_exp_single, 3, DENSE, 12, 36, 36, 4, 12, 4, 12, 4)
 LOOPS(SO3_exp)
 
 /* (3,3)->(3),(3) */
 OVER(SO3_log_double) {
   POINTERS_3
-  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
   EACH {
+    ksl_mat3x3_t R;
     ksl_vec3_t vo;
     ksl_vec3_t vo_bound;
-    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(mat3x3_double, &R, 0, 0);
     ksl_SO3_log_certified(&R, &vo, &vo_bound);
     STORE(vec3_double, &vo, 1, 2);
     STORE(vec3_double, &vo_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(SO3_log_double, 3, DENSE_OR_ONE, 72, 24, 24, 24, 8, 8, 8)
+LOOP(SO3_log_double, 3, DENSE, 72, 24, 24, 24, 8, 8, 8)
 
 OVER(SO3_log_single) {
   POINTERS_3
-  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
   EACH {
+    ksl_mat3x3f_t R;
     ksl_vec3f_t vo;
     ksl_vec3f_t vo_bound;
-    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(mat3x3_single, &R, 0, 0);
     ksl_SO3_logf_certified(&R, &vo, &vo_bound);
     STORE(vec3_single, &vo, 1, 2);
     STORE(vec3_single, &vo_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(SO3_log_single, 3, DENSE_OR_ONE, 36, 12, 12, 12, 4, 4, 4)
+LOOP(SO3_log_single, 3, DENSE, 36, 12, 12, 12, 4, 4, 4)
 LOOPS(SO3_log)
 
 /* (3)->(3,3),(3,3) */
 OVER(SO3_leftJacobian_double) {
   POINTERS_3
-  LOAD_FIRST(vec3_double, ksl_vec3_t v, &v);
   EACH {
+    ksl_vec3_t v;
     ksl_mat3x3_t R;
     ksl_mat3x3_t R_bound;
-    LOAD_OTHER(vec3_double, &v);
+    LOAD(vec3_double, &v, 0, 0);
     ksl_SO3_leftJacobian_certified(&v, &R, &R_bound);
     STORE(mat3x3_double, &R, 1, 1);
     STORE(mat3x3_double, &R_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(SO3_leftJacobian_double, 3, DENSE_OR_ONE, 24, 72, 72, 8, 24, 8, 24, 8)
+LOOP(SO3_leftJacobian_double, 3, DENSE, 24, 72, 72, 8, 24, 8, 24, 8)
 
 OVER(SO3_leftJacobian_single) {
   POINTERS_3
-  LOAD_FIRST(vec3_single, ksl_vec3f_t v, &v);
   EACH {
+    ksl_vec3f_t v;
     ksl_mat3x3f_t R;
     ksl_mat3x3f_t R_bound;
-    LOAD_OTHER(vec3_single, &v);
+    LOAD(vec3_single, &v, 0, 0);
     ksl_SO3_leftJacobianf_certified(&v, &R, &R_bound);
     STORE(mat3x3_single, &R, 1, 1);
     STORE(mat3x3_single, &R_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(SO3_leftJacobian_single, 3, DENSE_OR_ONE, 12, 36, 36, 4, 12, 4, 12, 4)
+LOOP(SO3_leftJacobian_single, 3, DENSE, 12, 36, 36, 4, 12, 4, 12, 4)
 LOOPS(SO3_leftJacobian)
 
 /* (3)->(3,3),(3,3) */
 OVER(SO3_rightJacobian_double) {
   POINTERS_3
-  LOAD_FIRST(vec3_double, ksl_vec3_t v, &v);
   EACH {
+    ksl_vec3_t v;
     ksl_mat3x3_t R;
     ksl_mat3x3_t R_bound;
-    LOAD_OTHER(vec3_double, &v);
+    LOAD(vec3_double, &v, 0, 0);
     ksl_SO3_rightJacobian_certified(&v, &R, &R_bound);
     STORE(mat3x3_double, &R, 1, 1);
     STORE(mat3x3_double, &R_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(SO3_rightJacobian_double, 3, DENSE_OR_ONE, 24, 72, 72, 8, 24, 8, 24, 8)
+LOOP(SO3_rightJacobian_double, 3, DENSE, 24, 72, 72, 8, 24, 8, 24, 8)
 
 OVER(SO3_rightJacobian_single) {
   POINTERS_3
-  LOAD_FIRST(vec3_single, ksl_vec3f_t v, &v);
   EACH {
+    ksl_vec3f_t v;
     ksl_mat3x3f_t R;
     ksl_mat3x3f_t R_bound;
-    LOAD_OTHER(vec3_single, &v);
+    LOAD(vec3_single, &v, 0, 0);
     ksl_SO3_rightJacobianf_certified(&v, &R, &R_bound);
     STORE(mat3x3_single, &R, 1, 1);
     STORE(mat3x3_single, &R_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(SO3_rightJacobian_single, 3, DENSE_OR_ONE, 12, 36, 36, 4, 12, 4, 12, 4)
+LOOP(SO3_rightJacobian_single, 3, DENSE, 12, 36, 36, 4, 12, 4, 12, 4)
 LOOPS(SO3_rightJacobian)
 
 /* (3)->(3,3),(3,3) */
 OVER(SO3_leftJacobianInverse_double) {
   POINTERS_3
-  LOAD_FIRST(vec3_double, ksl_vec3_t v, &v);
   EACH {
+    ksl_vec3_t v;
     ksl_mat3x3_t R;
     ksl_mat3x3_t R_bound;
-    LOAD_OTHER(vec3_double, &v);
+    LOAD(vec3_double, &v, 0, 0);
     ksl_SO3_leftJacobianInverse_certified(&v, &R, &R_bound);
     STORE(mat3x3_double, &R, 1, 1);
     STORE(mat3x3_double, &R_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(SO3_leftJacobianInverse_double, 3, DENSE_OR_ONE, 24, 72, 72, 8, 24, 8, 24, 8)
+LOOP(SO3_leftJacobianInverse_double, 3, DENSE, 24, 72, 72, 8, 24, 8, 24, 8)
 
 OVER(SO3_leftJacobianInverse_single) {
   POINTERS_3
-  LOAD_FIRST(vec3_single, ksl_vec3f_t v, &v);
   EACH {
+    ksl_vec3f_t v;
     ksl_mat3x3f_t R;
     ksl_mat3x3f_t R_bound;
-    LOAD_OTHER(vec3_single, &v);
+    LOAD(vec3_single, &v, 0, 0);
     ksl_SO3_leftJacobianInversef_certified(&v, &R, &R_bound);
     STORE(mat3x3_single, &R, 1, 1);
     STORE(mat3x3_single, &R_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(SO3_leftJacobianInverse_single, 3, DENSE_OR_ONE, 12, 36, 36, 4, 12, 4, 12, 4)
+LOOP(SO3_leftJacobianInverse_single, 3, DENSE, 12, 36, 36, 4, 12, 4, 12, 4)
 LOOPS(SO3_leftJacobianInverse)
 
 /* (3)->(3,3),(3,3) */
 OVER(SO3_rightJacobianInverse_double) {
   POINTERS_3
-  LOAD_FIRST(vec3_double, ksl_vec3_t v, &v);
   EACH {
+    ksl_vec3_t v;
     ksl_mat3x3_t R;
     ksl_mat3x3_t R_bound;
-    LOAD_OTHER(vec3_double, &v);
+    LOAD(vec3_double, &v, 0, 0);
     ksl_SO3_rightJacobianInverse_certified(&v, &R, &R_bound);
     STORE(mat3x3_double, &R, 1, 1);
     STORE(mat3x3_double, &R_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(SO3_rightJacobianInverse_double, 3, DENSE_OR_ONE, 24, 72, 72, 8, 24, 8, 24, 8)
+LOOP(SO3_rightJacobianInverse_double, 3, DENSE, 24, 72, 72, 8, 24, 8, 24, 8)
 
 OVER(SO3_rightJacobianInverse_single) {
   POINTERS_3
-  LOAD_FIRST(vec3_single, ksl_vec3f_t v, &v);
   EACH {
+    ksl_vec3f_t v;
     ksl_mat3x3f_t R;
     ksl_mat3x3f_t R_bound;
-    LOAD_OTHER(vec3_single, &v);
+    LOAD(vec3_single, &v, 0, 0);
     ksl_SO3_rightJacobianInversef_certified(&v, &R, &R_bound);
     STORE(mat3x3_single, &R, 1, 1);
     STORE(mat3x3_single, &R_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(SO3_rightJacobianInverse_single, 3, DENSE_OR_ONE, 12, 36, 36, 4, 12, 4, 12, 4)
+LOOP(SO3_rightJacobianInverse_single, 3, DENSE, 12, 36, 36, 4, 12, 4, 12, 4)
 LOOPS(SO3_rightJacobianInverse)
 
 /* (3,3)->(3,3),(3,3) */
@@ -235,97 +236,97 @@ LOOPS(mat3x3_orthonormalize)
 /* (3,3)->(3,3),(3,3) */
 OVER(mat3x3_orthonormalized_double) {
   POINTERS_3
-  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
   EACH {
+    ksl_mat3x3_t R;
     ksl_mat3x3_t Ro;
     ksl_mat3x3_t Ro_bound;
-    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(mat3x3_double, &R, 0, 0);
     ksl_mat3x3_orthonormalized_certified(&R, &Ro, &Ro_bound);
     STORE(mat3x3_double, &Ro, 1, 2);
     STORE(mat3x3_double, &Ro_bound, 2, 4);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(mat3x3_orthonormalized_double, 3, DENSE_OR_ONE, 72, 72, 72, 24, 8, 24, 8, 24, 8)
+LOOP(mat3x3_orthonormalized_double, 3, DENSE, 72, 72, 72, 24, 8, 24, 8, 24, 8)
 
 OVER(mat3x3_orthonormalized_single) {
   POINTERS_3
-  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
   EACH {
+    ksl_mat3x3f_t R;
     ksl_mat3x3f_t Ro;
     ksl_mat3x3f_t Ro_bound;
-    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(mat3x3_single, &R, 0, 0);
     ksl_mat3x3f_orthonormalized_certified(&R, &Ro, &Ro_bound);
     STORE(mat3x3_single, &Ro, 1, 2);
     STORE(mat3x3_single, &Ro_bound, 2, 4);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(mat3x3_orthonormalized_single, 3, DENSE_OR_ONE, 36, 36, 36, 12, 4, 12, 4, 12, 4)
+LOOP(mat3x3_orthonormalized_single, 3, DENSE, 36, 36, 36, 12, 4, 12, 4, 12, 4)
 LOOPS(mat3x3_orthonormalized)
 
 /* (6)->(3,4),(3,4) */
 OVER(SE3_exp_double) {
   POINTERS_3
-  LOAD_FIRST(screw_double, ksl_screw_t s, &s);
   EACH {
+    ksl_screw_t s;
     ksl_SE3_t D;
     ksl_SE3_t D_bound;
-    LOAD_OTHER(screw_double, &s);
+    LOAD(screw_double, &s, 0, 0);
     ksl_SE3_exp_certified(&s, &D, &D_bound);
     STORE(SE3_double, &D, 1, 1);
     STORE(SE3_double, &D_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(SE3_exp_double, 3, DENSE_OR_ONE, 48, 96, 96, 8, 32, 8, 32, 8)
+LOOP(SE3_exp_double, 3, DENSE, 48, 96, 96, 8, 32, 8, 32, 8)
 
 OVER(SE3_exp_single) {
   POINTERS_3
-  LOAD_FIRST(screw_single, ksl_screwf_t s, &s);
   EACH {
+    ksl_screwf_t s;
     ksl_SE3f_t D;
     ksl_SE3f_t D_bound;
-    LOAD_OTHER(screw_single, &s);
+    LOAD(screw_single, &s, 0, 0);
     ksl_SE3f_exp_certified(&s, &D, &D_bound);
     STORE(SE3_single, &D, 1, 1);
     STORE(SE3_single, &D_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(SE3_exp_single, 3, DENSE_OR_ONE, 24, 48, 48, 4, 16, 4, 16, 4)
+LOOP(SE3_exp_single, 3, DENSE, 24, 48, 48, 4, 16, 4, 16, 4)
 LOOPS(SE3_exp)
 
 /* (3,4)->(6),(6) */
 OVER(SE3_log_double) {
   POINTERS_3
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_screw_t so;
     ksl_screw_t so_bound;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_SE3_log_certified(&D, &so, &so_bound);
     STORE(screw_double, &so, 1, 2);
     STORE(screw_double, &so_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(SE3_log_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
+LOOP(SE3_log_double, 3, DENSE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(SE3_log_single) {
   POINTERS_3
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_screwf_t so;
     ksl_screwf_t so_bound;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_SE3f_log_certified(&D, &so, &so_bound);
     STORE(screw_single, &so, 1, 2);
     STORE(screw_single, &so_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(SE3_log_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
+LOOP(SE3_log_single, 3, DENSE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(SE3_log)
 
 const coscrew_gufunc TABLE(exponential)[] = {

@@ -8,6 +8,7 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "../../c/include/ksl/mat3x3_certified.h"
 #include <fenv.h>
 
 /* (3),(3)->(3,3),(3,3) */
@@ -49,33 +50,33 @@ LOOPS(acceleration_tensor)
 /* (3,3)->(),() */
 OVER(mat3x3_determinant_double) {
   POINTERS_3
-  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
   EACH {
+    ksl_mat3x3_t R;
     double det;
     double det_bound;
-    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(mat3x3_double, &R, 0, 0);
     det = ksl_mat3x3_determinant_certified(&R, &det_bound);
     STORE(scalar_double, &det, 1, 2);
     STORE(scalar_double, &det_bound, 2, 2);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(mat3x3_determinant_double, 3, DENSE_OR_ONE, 72, 8, 8, 24, 8)
+LOOP(mat3x3_determinant_double, 3, DENSE, 72, 8, 8, 24, 8)
 
 OVER(mat3x3_determinant_single) {
   POINTERS_3
-  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
   EACH {
+    ksl_mat3x3f_t R;
     float det;
     float det_bound;
-    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(mat3x3_single, &R, 0, 0);
     det = ksl_mat3x3f_determinant_certified(&R, &det_bound);
     STORE(scalar_single, &det, 1, 2);
     STORE(scalar_single, &det_bound, 2, 2);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(mat3x3_determinant_single, 3, DENSE_OR_ONE, 36, 4, 4, 12, 4)
+LOOP(mat3x3_determinant_single, 3, DENSE, 36, 4, 4, 12, 4)
 LOOPS(mat3x3_determinant)
 
 /* (3),(2)->(3,3),(3,3) */
@@ -117,129 +118,129 @@ LOOPS(mat3x3_setFromAxisDC)
 /* (3)->(3,3),(3,3) */
 OVER(mat3x3_from_euler_xyz_double) {
   POINTERS_3
-  LOAD_FIRST(vec3_double, ksl_vec3_t angles, &angles);
   EACH {
+    ksl_vec3_t angles;
     ksl_mat3x3_t R;
     ksl_mat3x3_t R_bound;
-    LOAD_OTHER(vec3_double, &angles);
+    LOAD(vec3_double, &angles, 0, 0);
     ksl_mat3x3_from_euler_xyz_certified(&angles, &R, &R_bound);
     STORE(mat3x3_double, &R, 1, 1);
     STORE(mat3x3_double, &R_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(mat3x3_from_euler_xyz_double, 3, DENSE_OR_ONE, 24, 72, 72, 8, 24, 8, 24, 8)
+LOOP(mat3x3_from_euler_xyz_double, 3, DENSE, 24, 72, 72, 8, 24, 8, 24, 8)
 
 OVER(mat3x3_from_euler_xyz_single) {
   POINTERS_3
-  LOAD_FIRST(vec3_single, ksl_vec3f_t angles, &angles);
   EACH {
+    ksl_vec3f_t angles;
     ksl_mat3x3f_t R;
     ksl_mat3x3f_t R_bound;
-    LOAD_OTHER(vec3_single, &angles);
+    LOAD(vec3_single, &angles, 0, 0);
     ksl_mat3x3f_from_euler_xyz_certified(&angles, &R, &R_bound);
     STORE(mat3x3_single, &R, 1, 1);
     STORE(mat3x3_single, &R_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(mat3x3_from_euler_xyz_single, 3, DENSE_OR_ONE, 12, 36, 36, 4, 12, 4, 12, 4)
+LOOP(mat3x3_from_euler_xyz_single, 3, DENSE, 12, 36, 36, 4, 12, 4, 12, 4)
 LOOPS(mat3x3_from_euler_xyz)
 
 /* (3,3)->(3),(3) */
 OVER(euler_xyz_from_mat3x3_double) {
   POINTERS_3
-  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
   EACH {
+    ksl_mat3x3_t R;
     ksl_vec3_t angles;
     ksl_vec3_t angles_bound;
-    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(mat3x3_double, &R, 0, 0);
     ksl_euler_xyz_from_mat3x3_certified(&R, &angles, &angles_bound);
     STORE(vec3_double, &angles, 1, 2);
     STORE(vec3_double, &angles_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(euler_xyz_from_mat3x3_double, 3, DENSE_OR_ONE, 72, 24, 24, 24, 8, 8, 8)
+LOOP(euler_xyz_from_mat3x3_double, 3, DENSE, 72, 24, 24, 24, 8, 8, 8)
 
 OVER(euler_xyz_from_mat3x3_single) {
   POINTERS_3
-  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
   EACH {
+    ksl_mat3x3f_t R;
     ksl_vec3f_t angles;
     ksl_vec3f_t angles_bound;
-    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(mat3x3_single, &R, 0, 0);
     ksl_euler_xyz_from_mat3x3f_certified(&R, &angles, &angles_bound);
     STORE(vec3_single, &angles, 1, 2);
     STORE(vec3_single, &angles_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(euler_xyz_from_mat3x3_single, 3, DENSE_OR_ONE, 36, 12, 12, 12, 4, 4, 4)
+LOOP(euler_xyz_from_mat3x3_single, 3, DENSE, 36, 12, 12, 12, 4, 4, 4)
 LOOPS(euler_xyz_from_mat3x3)
 
 /* (3)->(3,3),(3,3) */
 OVER(mat3x3_from_euler_xyx_double) {
   POINTERS_3
-  LOAD_FIRST(vec3_double, ksl_vec3_t angles, &angles);
   EACH {
+    ksl_vec3_t angles;
     ksl_mat3x3_t R;
     ksl_mat3x3_t R_bound;
-    LOAD_OTHER(vec3_double, &angles);
+    LOAD(vec3_double, &angles, 0, 0);
     ksl_mat3x3_from_euler_xyx_certified(&angles, &R, &R_bound);
     STORE(mat3x3_double, &R, 1, 1);
     STORE(mat3x3_double, &R_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(mat3x3_from_euler_xyx_double, 3, DENSE_OR_ONE, 24, 72, 72, 8, 24, 8, 24, 8)
+LOOP(mat3x3_from_euler_xyx_double, 3, DENSE, 24, 72, 72, 8, 24, 8, 24, 8)
 
 OVER(mat3x3_from_euler_xyx_single) {
   POINTERS_3
-  LOAD_FIRST(vec3_single, ksl_vec3f_t angles, &angles);
   EACH {
+    ksl_vec3f_t angles;
     ksl_mat3x3f_t R;
     ksl_mat3x3f_t R_bound;
-    LOAD_OTHER(vec3_single, &angles);
+    LOAD(vec3_single, &angles, 0, 0);
     ksl_mat3x3f_from_euler_xyx_certified(&angles, &R, &R_bound);
     STORE(mat3x3_single, &R, 1, 1);
     STORE(mat3x3_single, &R_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(mat3x3_from_euler_xyx_single, 3, DENSE_OR_ONE, 12, 36, 36, 4, 12, 4, 12, 4)
+LOOP(mat3x3_from_euler_xyx_single, 3, DENSE, 12, 36, 36, 4, 12, 4, 12, 4)
 LOOPS(mat3x3_from_euler_xyx)
 
 /* (3,3)->(3),(3) */
 OVER(euler_xyx_from_mat3x3_double) {
   POINTERS_3
-  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
   EACH {
+    ksl_mat3x3_t R;
     ksl_vec3_t angles;
     ksl_vec3_t angles_bound;
-    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(mat3x3_double, &R, 0, 0);
     ksl_euler_xyx_from_mat3x3_certified(&R, &angles, &angles_bound);
     STORE(vec3_double, &angles, 1, 2);
     STORE(vec3_double, &angles_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(euler_xyx_from_mat3x3_double, 3, DENSE_OR_ONE, 72, 24, 24, 24, 8, 8, 8)
+LOOP(euler_xyx_from_mat3x3_double, 3, DENSE, 72, 24, 24, 24, 8, 8, 8)
 
 OVER(euler_xyx_from_mat3x3_single) {
   POINTERS_3
-  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
   EACH {
+    ksl_mat3x3f_t R;
     ksl_vec3f_t angles;
     ksl_vec3f_t angles_bound;
-    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(mat3x3_single, &R, 0, 0);
     ksl_euler_xyx_from_mat3x3f_certified(&R, &angles, &angles_bound);
     STORE(vec3_single, &angles, 1, 2);
     STORE(vec3_single, &angles_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(euler_xyx_from_mat3x3_single, 3, DENSE_OR_ONE, 36, 12, 12, 12, 4, 4, 4)
+LOOP(euler_xyx_from_mat3x3_single, 3, DENSE, 36, 12, 12, 12, 4, 4, 4)
 LOOPS(euler_xyx_from_mat3x3)
 
 /* (3),()->(3,3),(3,3) */
@@ -281,13 +282,13 @@ LOOPS(mat3x3_from_axis_angle)
 /* (3,3)->(),(3),(),(3) */
 OVER(axis_angle_from_mat3x3_double) {
   POINTERS_5
-  LOAD_FIRST(mat3x3_double, ksl_mat3x3_t R, &R);
   EACH {
+    ksl_mat3x3_t R;
     double angle;
     ksl_vec3_t axis;
     double angle_bound;
     ksl_vec3_t axis_bound;
-    LOAD_OTHER(mat3x3_double, &R);
+    LOAD(mat3x3_double, &R, 0, 0);
     angle = ksl_axis_angle_from_mat3x3_certified(&R, &axis, &angle_bound, &axis_bound);
     STORE(scalar_double, &angle, 1, 2);
     STORE(vec3_double, &axis, 2, 2);
@@ -296,17 +297,17 @@ OVER(axis_angle_from_mat3x3_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(axis_angle_from_mat3x3_double, 5, DENSE_OR_ONE, 72, 8, 24, 8, 24, 24, 8, 8, 8)
+LOOP(axis_angle_from_mat3x3_double, 5, DENSE, 72, 8, 24, 8, 24, 24, 8, 8, 8)
 
 OVER(axis_angle_from_mat3x3_single) {
   POINTERS_5
-  LOAD_FIRST(mat3x3_single, ksl_mat3x3f_t R, &R);
   EACH {
+    ksl_mat3x3f_t R;
     float angle;
     ksl_vec3f_t axis;
     float angle_bound;
     ksl_vec3f_t axis_bound;
-    LOAD_OTHER(mat3x3_single, &R);
+    LOAD(mat3x3_single, &R, 0, 0);
     angle = ksl_axis_angle_from_mat3x3f_certified(&R, &axis, &angle_bound, &axis_bound);
     STORE(scalar_single, &angle, 1, 2);
     STORE(vec3_single, &axis, 2, 2);
@@ -315,7 +316,7 @@ OVER(axis_angle_from_mat3x3_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(axis_angle_from_mat3x3_single, 5, DENSE_OR_ONE, 36, 4, 12, 4, 12, 12, 4, 4, 4)
+LOOP(axis_angle_from_mat3x3_single, 5, DENSE, 36, 4, 12, 4, 12, 12, 4, 4, 4)
 LOOPS(axis_angle_from_mat3x3)
 
 const coscrew_gufunc TABLE(mat3x3)[] = {

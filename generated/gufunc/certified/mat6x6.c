@@ -8,6 +8,7 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "../../c/include/ksl/mat6x6_certified.h"
 #include <fenv.h>
 
 /* (3,3),(6,6)->(6,6),(6,6) */

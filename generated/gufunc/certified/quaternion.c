@@ -8,6 +8,7 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "../../c/include/ksl/quaternion_certified.h"
 #include <fenv.h>
 
 /* (4),()->(4),(4) */
@@ -1485,13 +1486,13 @@ LOOPS(quaternion_from_axis_angle)
 /* (4)->(),(3),(),(3) */
 OVER(axis_angle_from_quaternion_double) {
   POINTERS_5
-  LOAD_FIRST(quaternion_double, ksl_quaternion_t q, &q);
   EACH {
+    ksl_quaternion_t q;
     double angle;
     ksl_vec3_t axis;
     double angle_bound;
     ksl_vec3_t axis_bound;
-    LOAD_OTHER(quaternion_double, &q);
+    LOAD(quaternion_double, &q, 0, 0);
     angle = ksl_axis_angle_from_quaternion_certified(&q, &axis, &angle_bound, &axis_bound);
     STORE(scalar_double, &angle, 1, 1);
     STORE(vec3_double, &axis, 2, 1);
@@ -1500,17 +1501,17 @@ OVER(axis_angle_from_quaternion_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(axis_angle_from_quaternion_double, 5, DENSE_OR_ONE, 32, 8, 24, 8, 24, 8, 8, 8)
+LOOP(axis_angle_from_quaternion_double, 5, DENSE, 32, 8, 24, 8, 24, 8, 8, 8)
 
 OVER(axis_angle_from_quaternion_single) {
   POINTERS_5
-  LOAD_FIRST(quaternion_single, ksl_quaternionf_t q, &q);
   EACH {
+    ksl_quaternionf_t q;
     float angle;
     ksl_vec3f_t axis;
     float angle_bound;
     ksl_vec3f_t axis_bound;
-    LOAD_OTHER(quaternion_single, &q);
+    LOAD(quaternion_single, &q, 0, 0);
     angle = ksl_axis_angle_from_quaternionf_certified(&q, &axis, &angle_bound, &axis_bound);
     STORE(scalar_single, &angle, 1, 1);
     STORE(vec3_single, &axis, 2, 1);
@@ -1519,71 +1520,71 @@ OVER(axis_angle_from_quaternion_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(axis_angle_from_quaternion_single, 5, DENSE_OR_ONE, 16, 4, 12, 4, 12, 4, 4, 4)
+LOOP(axis_angle_from_quaternion_single, 5, DENSE, 16, 4, 12, 4, 12, 4, 4, 4)
 LOOPS(axis_angle_from_quaternion)
 
 /* (3)->(4),(4) */
 OVER(quaternion_exp_double) {
   POINTERS_3
-  LOAD_FIRST(vec3_double, ksl_vec3_t v, &v);
   EACH {
+    ksl_vec3_t v;
     ksl_quaternion_t qo;
     ksl_quaternion_t qo_bound;
-    LOAD_OTHER(vec3_double, &v);
+    LOAD(vec3_double, &v, 0, 0);
     ksl_quaternion_exp_certified(&v, &qo, &qo_bound);
     STORE(quaternion_double, &qo, 1, 1);
     STORE(quaternion_double, &qo_bound, 2, 2);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(quaternion_exp_double, 3, DENSE_OR_ONE, 24, 32, 32, 8, 8, 8)
+LOOP(quaternion_exp_double, 3, DENSE, 24, 32, 32, 8, 8, 8)
 
 OVER(quaternion_exp_single) {
   POINTERS_3
-  LOAD_FIRST(vec3_single, ksl_vec3f_t v, &v);
   EACH {
+    ksl_vec3f_t v;
     ksl_quaternionf_t qo;
     ksl_quaternionf_t qo_bound;
-    LOAD_OTHER(vec3_single, &v);
+    LOAD(vec3_single, &v, 0, 0);
     ksl_quaternionf_exp_certified(&v, &qo, &qo_bound);
     STORE(quaternion_single, &qo, 1, 1);
     STORE(quaternion_single, &qo_bound, 2, 2);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(quaternion_exp_single, 3, DENSE_OR_ONE, 12, 16, 16, 4, 4, 4)
+LOOP(quaternion_exp_single, 3, DENSE, 12, 16, 16, 4, 4, 4)
 LOOPS(quaternion_exp)
 
 /* (4)->(3),(3) */
 OVER(quaternion_log_double) {
   POINTERS_3
-  LOAD_FIRST(quaternion_double, ksl_quaternion_t q, &q);
   EACH {
+    ksl_quaternion_t q;
     ksl_vec3_t vo;
     ksl_vec3_t vo_bound;
-    LOAD_OTHER(quaternion_double, &q);
+    LOAD(quaternion_double, &q, 0, 0);
     ksl_quaternion_log_certified(&q, &vo, &vo_bound);
     STORE(vec3_double, &vo, 1, 1);
     STORE(vec3_double, &vo_bound, 2, 2);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(quaternion_log_double, 3, DENSE_OR_ONE, 32, 24, 24, 8, 8, 8)
+LOOP(quaternion_log_double, 3, DENSE, 32, 24, 24, 8, 8, 8)
 
 OVER(quaternion_log_single) {
   POINTERS_3
-  LOAD_FIRST(quaternion_single, ksl_quaternionf_t q, &q);
   EACH {
+    ksl_quaternionf_t q;
     ksl_vec3f_t vo;
     ksl_vec3f_t vo_bound;
-    LOAD_OTHER(quaternion_single, &q);
+    LOAD(quaternion_single, &q, 0, 0);
     ksl_quaternionf_log_certified(&q, &vo, &vo_bound);
     STORE(vec3_single, &vo, 1, 1);
     STORE(vec3_single, &vo_bound, 2, 2);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(quaternion_log_single, 3, DENSE_OR_ONE, 16, 12, 12, 4, 4, 4)
+LOOP(quaternion_log_single, 3, DENSE, 16, 12, 12, 4, 4, 4)
 LOOPS(quaternion_log)
 
 const coscrew_gufunc TABLE(quaternion)[] = {

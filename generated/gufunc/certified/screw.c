@@ -8,6 +8,7 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "../../c/include/ksl/screw_certified.h"
 #include <fenv.h>
 
 /* (6),()->(6),(6) */
@@ -621,225 +622,225 @@ LOOPS(product_Adsinv)
 /* (3,4)->(6),(6) */
 OVER(hsrx_double) {
   POINTERS_3
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_screw_t so;
     ksl_screw_t so_bound;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hsrx_certified(&D, &so, &so_bound);
     STORE(screw_double, &so, 1, 2);
     STORE(screw_double, &so_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(hsrx_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
+LOOP(hsrx_double, 3, DENSE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(hsrx_single) {
   POINTERS_3
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_screwf_t so;
     ksl_screwf_t so_bound;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hsrxf_certified(&D, &so, &so_bound);
     STORE(screw_single, &so, 1, 2);
     STORE(screw_single, &so_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(hsrx_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
+LOOP(hsrx_single, 3, DENSE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(hsrx)
 
 /* (3,4)->(6),(6) */
 OVER(hsry_double) {
   POINTERS_3
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_screw_t so;
     ksl_screw_t so_bound;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hsry_certified(&D, &so, &so_bound);
     STORE(screw_double, &so, 1, 2);
     STORE(screw_double, &so_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(hsry_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
+LOOP(hsry_double, 3, DENSE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(hsry_single) {
   POINTERS_3
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_screwf_t so;
     ksl_screwf_t so_bound;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hsryf_certified(&D, &so, &so_bound);
     STORE(screw_single, &so, 1, 2);
     STORE(screw_single, &so_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(hsry_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
+LOOP(hsry_single, 3, DENSE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(hsry)
 
 /* (3,4)->(6),(6) */
 OVER(hsrz_double) {
   POINTERS_3
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_screw_t so;
     ksl_screw_t so_bound;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hsrz_certified(&D, &so, &so_bound);
     STORE(screw_double, &so, 1, 2);
     STORE(screw_double, &so_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(hsrz_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
+LOOP(hsrz_double, 3, DENSE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(hsrz_single) {
   POINTERS_3
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_screwf_t so;
     ksl_screwf_t so_bound;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hsrzf_certified(&D, &so, &so_bound);
     STORE(screw_single, &so, 1, 2);
     STORE(screw_single, &so_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(hsrz_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
+LOOP(hsrz_single, 3, DENSE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(hsrz)
 
 /* (3,4)->(6),(6) */
 OVER(hsrxinv_double) {
   POINTERS_3
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_screw_t so;
     ksl_screw_t so_bound;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hsrxinv_certified(&D, &so, &so_bound);
     STORE(screw_double, &so, 1, 2);
     STORE(screw_double, &so_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(hsrxinv_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
+LOOP(hsrxinv_double, 3, DENSE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(hsrxinv_single) {
   POINTERS_3
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_screwf_t so;
     ksl_screwf_t so_bound;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hsrxinvf_certified(&D, &so, &so_bound);
     STORE(screw_single, &so, 1, 2);
     STORE(screw_single, &so_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(hsrxinv_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
+LOOP(hsrxinv_single, 3, DENSE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(hsrxinv)
 
 /* (3,4)->(6),(6) */
 OVER(hsryinv_double) {
   POINTERS_3
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_screw_t so;
     ksl_screw_t so_bound;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hsryinv_certified(&D, &so, &so_bound);
     STORE(screw_double, &so, 1, 2);
     STORE(screw_double, &so_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(hsryinv_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
+LOOP(hsryinv_double, 3, DENSE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(hsryinv_single) {
   POINTERS_3
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_screwf_t so;
     ksl_screwf_t so_bound;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hsryinvf_certified(&D, &so, &so_bound);
     STORE(screw_single, &so, 1, 2);
     STORE(screw_single, &so_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(hsryinv_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
+LOOP(hsryinv_single, 3, DENSE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(hsryinv)
 
 /* (3,4)->(6),(6) */
 OVER(hsrzinv_double) {
   POINTERS_3
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_screw_t so;
     ksl_screw_t so_bound;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_hsrzinv_certified(&D, &so, &so_bound);
     STORE(screw_double, &so, 1, 2);
     STORE(screw_double, &so_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(hsrzinv_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
+LOOP(hsrzinv_double, 3, DENSE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(hsrzinv_single) {
   POINTERS_3
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_screwf_t so;
     ksl_screwf_t so_bound;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_hsrzinvf_certified(&D, &so, &so_bound);
     STORE(screw_single, &so, 1, 2);
     STORE(screw_single, &so_bound, 2, 3);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(hsrzinv_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
+LOOP(hsrzinv_single, 3, DENSE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(hsrzinv)
 
 /* (3,4)->(6,6),(6,6) */
 OVER(Ad_double) {
   POINTERS_3
-  LOAD_FIRST(SE3_double, ksl_SE3_t D, &D);
   EACH {
+    ksl_SE3_t D;
     ksl_mat6x6_t M;
     ksl_mat6x6_t M_bound;
-    LOAD_OTHER(SE3_double, &D);
+    LOAD(SE3_double, &D, 0, 0);
     ksl_Ad_certified(&D, &M, &M_bound);
     STORE(mat6x6_double, &M, 1, 2);
     STORE(mat6x6_double, &M_bound, 2, 4);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(Ad_double, 3, DENSE_OR_ONE, 96, 288, 288, 32, 8, 48, 8, 48, 8)
+LOOP(Ad_double, 3, DENSE, 96, 288, 288, 32, 8, 48, 8, 48, 8)
 
 OVER(Ad_single) {
   POINTERS_3
-  LOAD_FIRST(SE3_single, ksl_SE3f_t D, &D);
   EACH {
+    ksl_SE3f_t D;
     ksl_mat6x6f_t M;
     ksl_mat6x6f_t M_bound;
-    LOAD_OTHER(SE3_single, &D);
+    LOAD(SE3_single, &D, 0, 0);
     ksl_Adf_certified(&D, &M, &M_bound);
     STORE(mat6x6_single, &M, 1, 2);
     STORE(mat6x6_single, &M_bound, 2, 4);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(Ad_single, 3, DENSE_OR_ONE, 48, 144, 144, 16, 4, 24, 4, 24, 4)
+LOOP(Ad_single, 3, DENSE, 48, 144, 144, 16, 4, 24, 4, 24, 4)
 LOOPS(Ad)
 
 /* (6),(6)->(),() */

@@ -8,6 +8,7 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "../../c/include/ksl/spatial_inertia_certified.h"
 #include <fenv.h>
 
 /* (10),()->(10),(10) */

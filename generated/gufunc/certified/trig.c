@@ -8,38 +8,39 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "../../c/include/ksl/trig_certified.h"
 #include <fenv.h>
 
 /* ()->(2),(2) */
 OVER(dc_double) {
   POINTERS_3
-  LOAD_FIRST(scalar_double, double theta, &theta);
   EACH {
+    double theta;
     double dc[2];
     double dc_bound[2];
-    LOAD_OTHER(scalar_double, &theta);
+    LOAD(scalar_double, &theta, 0, 0);
     ksl_dc_certified(theta, dc, dc_bound);
     STORE(dc_double, dc, 1, 0);
     STORE(dc_double, dc_bound, 2, 1);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(dc_double, 3, DENSE_OR_ONE, 8, 16, 16, 8, 8)
+LOOP(dc_double, 3, DENSE, 8, 16, 16, 8, 8)
 
 OVER(dc_single) {
   POINTERS_3
-  LOAD_FIRST(scalar_single, float theta, &theta);
   EACH {
+    float theta;
     float dc[2];
     float dc_bound[2];
-    LOAD_OTHER(scalar_single, &theta);
+    LOAD(scalar_single, &theta, 0, 0);
     ksl_dcf_certified(theta, dc, dc_bound);
     STORE(dc_single, dc, 1, 0);
     STORE(dc_single, dc_bound, 2, 1);
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(dc_single, 3, DENSE_OR_ONE, 4, 8, 8, 4, 4)
+LOOP(dc_single, 3, DENSE, 4, 8, 8, 4, 4)
 LOOPS(dc)
 
 const coscrew_gufunc TABLE(trig)[] = {

@@ -8,6 +8,7 @@
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
+#include "../../c/include/ksl/vec4_certified.h"
 #include <fenv.h>
 
 /* (4),()->(4),(4) */

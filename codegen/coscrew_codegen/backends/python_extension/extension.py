@@ -78,12 +78,13 @@ def _loops(library: Library, tier: Tier) -> Files:
                                    families=families, lanes=bool(on_vectors), **asdict(best),
                                    most_arguments=_most_arguments(library, tier),
                                    precisions=library.precisions,
-                                   kernels=f"{headers}/{tier.umbrella}.h")}
+                                   types=f"{headers}/ksl_types.h")}
     if on_vectors:
         sources["_lanes.h"] = _lanes(library, tier)
     dtypes = [f"PyArray_{precision.c_type.title()}DType" for precision in library.precisions]
     sources["promoter.c"] = render("gufunc/promoter.c", banner=library.banner, dtypes=dtypes,
                                    package=tier.package, precisions=library.precisions,
+                                   header=f"{headers}/{tier.umbrella}.h",
                                    types=_types(library), **_checks(library, tier))
     for family in families:
         gufuncs = [gufunc.gufunc(op, library.precisions, docstrings[op.name], tier.mark,
@@ -91,7 +92,7 @@ def _loops(library: Library, tier: Tier) -> Files:
                    for op in library.having(tier) if op.family == family]
         sources[f"{family}.c"] = render(
             "gufunc/family.c", banner=library.banner, family=family, gufuncs=gufuncs,
-            quiet=tier.bounds,
+            quiet=tier.bounds, kernels=f"{headers}/{'_'.join(filter(None, (family, tier.mark)))}.h",
             states=f"{headers}/{c_many_lanes.named(family)}.h" * (family in on_vectors))
         sources[f"{family}_avx2.c"] = render("gufunc/family_avx2.c", banner=library.banner,
                                              family=family, best=best.best)

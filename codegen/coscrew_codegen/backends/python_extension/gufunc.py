@@ -54,7 +54,7 @@ class GufuncLoop:
     """The inner loop of one gufunc in one precision."""
 
     name: str  # of the C function
-    first: FirstInput | None  # None if the kernel writes to its first input
+    first: FirstInput | None  # None if it is the only one, or the kernel writes to it
     declarations: tuple[str, ...]
     loads: tuple[str, ...]
     call: str
@@ -133,8 +133,8 @@ def _loop(operation: Operation, precision: Precision, tier: str, states: CFuncti
         return tuple(f"{verb}({kind(n)}, {_pointer(arguments[n])}, {n}, {starts[n]});"
                      for n in numbers)
 
-    fixed = operation.inputs[0] not in operation.outputs
     inputs = len(operation.inputs)
+    fixed = inputs > 1 and operation.inputs[0] not in operation.outputs
     distinct = tuple({a.name: a for a in arguments}.values())
     name, x = f"{operation.name}_{precision.name}", _pointer(arguments[0])
     return GufuncLoop(
