@@ -17,6 +17,7 @@ from coscrew_codegen.simulate import advice, check_rounding
 from coscrew_codegen.simulate.alarm import Alarm
 from coscrew_codegen.simulate.balance import Balance, balance
 from coscrew_codegen.simulate.findings import SECOND_RUN, THIRD_RUN, Along, Findings, Met
+from coscrew_codegen.simulate.lanes import one_by_one
 from coscrew_codegen.simulate.outcome import RunOverrides, outside
 from coscrew_codegen.simulate.plan import Plan, Trajectory, plan
 from coscrew_codegen.simulate.progress import Progress
@@ -40,7 +41,7 @@ def check(kernels: "Kernels", overrides: RunOverrides, rounding: bool = False) -
     Expectations are checked in double precision, unless only single is run.  With `rounding`, also
     rounding errors and certified bounds, for which functions are compiled.  Raises SimulateError.
     """
-    with kernels._lanes.not_worth():
+    with one_by_one():
         return _check(kernels, overrides, rounding)
 
 
