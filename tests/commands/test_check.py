@@ -9,6 +9,7 @@ import pytest
 
 from coscrew_codegen.__main__ import main
 from coscrew_codegen.scene.scene import Expectation
+from coscrew_codegen.runtime import lanes
 from coscrew_codegen.simulation.check.check import check
 from coscrew_codegen.simulation.check.check_report import table
 from coscrew_codegen.simulation.check.findings import Met
@@ -136,6 +137,14 @@ def test_dynamics_that_are_no_inverses_are_found(loaded):
     found = check(broken, RunOverrides())
     assert found.along[0].round_trip > 1e10
     assert found.along[1].round_trip > 1e3
+
+
+def test_functions_of_many_states_are_not_compiled(loaded, monkeypatch):
+    """They would take longer than the check, whichever kernels its functions belong to."""
+    kernels = loaded(texts.SPRING)
+    monkeypatch.setattr(lanes, "PAYS", 1)
+    monkeypatch.setattr(lanes, "_library", None)  # which cannot be called
+    check(replace(kernels), RunOverrides())
 
 
 TWO_LINKS = """

@@ -7,8 +7,8 @@ import functools
 import pickle
 from collections.abc import Iterator
 from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import dataclass, field
-from math import inf
 from typing import TYPE_CHECKING
 
 from coscrew_codegen.accuracy.tiers import tier_named
@@ -22,27 +22,32 @@ PAYS = 4096
 """So many states of a scene, in one call or several, are computed one by one before its functions
 of many states are compiled, which takes seconds."""
 
+_ONE_BY_ONE = ContextVar("_ONE_BY_ONE", default=False)
+
+
+@contextmanager
+def one_by_one() -> Iterator[None]:
+    """Compute states one by one within, those of all kernels: too few to pay for compiling."""
+    before = _ONE_BY_ONE.set(True)
+    try:
+        yield
+    finally:
+        _ONE_BY_ONE.reset(before)
+
 
 @dataclass
 class CompiledLanes:
     """The functions of many states of a scene."""
 
     kernels: load.Kernels
-    _met: float = field(default=0, init=False)  # states so far
+    _met: int = field(default=0, init=False)  # states so far
 
     def function(self, name: str, states: int) -> CFuncPtr | None:
         """The function of this name, if it is there and pays for so many more states."""
+        if _ONE_BY_ONE.get():
+            return None
         self._met += states
         return getattr(self._library, name, None) if self._met >= PAYS else None
-
-    @contextmanager
-    def not_worth(self) -> Iterator[None]:
-        """Compute states one by one within: too few to pay for compiling, however many."""
-        met, self._met = self._met, -inf
-        try:
-            yield
-        finally:
-            self._met = met
 
     @functools.cached_property
     def _library(self) -> ctypes.CDLL | None:

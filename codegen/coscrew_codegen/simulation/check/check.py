@@ -13,6 +13,7 @@ from coscrew_codegen.program.values.formats import BY_NAME
 from coscrew_codegen.scene.integrators import DEFAULT, named
 from coscrew_codegen.scene.recorded_quantities import expected, recorded
 from coscrew_codegen.scene.scene import Expectation
+from coscrew_codegen.runtime.lanes import one_by_one
 from coscrew_codegen.simulation.check import check_rounding, step_advice
 from coscrew_codegen.simulation.check.divergence_monitor import Alarm
 from coscrew_codegen.simulation.check.energy_balance import Balance, balance
@@ -45,7 +46,7 @@ def check(kernels: "Kernels", overrides: RunOverrides, rounding: bool = False) -
     Expectations are checked in double precision, unless only single is run.  With `rounding`, also
     rounding errors and certified bounds, for which functions are compiled.  Raises SimulateError.
     """
-    with kernels._lanes.not_worth():
+    with one_by_one():
         return _check(kernels, overrides, rounding)
 
 
