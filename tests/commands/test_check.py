@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.scene.scene import Expectation
 from coscrew_codegen.runtime import lanes
+from coscrew_codegen.scene.scene import Expectation
 from coscrew_codegen.simulation.check.check import check
 from coscrew_codegen.simulation.check.check_report import table
 from coscrew_codegen.simulation.check.findings import Met

@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from coscrew_codegen.program.values.formats import BY_NAME
+from coscrew_codegen.runtime.lanes import one_by_one
 from coscrew_codegen.scene.integrators import DEFAULT, named
 from coscrew_codegen.scene.recorded_quantities import expected, recorded
 from coscrew_codegen.scene.scene import Expectation
-from coscrew_codegen.runtime.lanes import one_by_one
 from coscrew_codegen.simulation.check import check_rounding, step_advice
 from coscrew_codegen.simulation.check.divergence_monitor import Alarm
 from coscrew_codegen.simulation.check.energy_balance import Balance, balance
