@@ -114,7 +114,6 @@ def test_files_name_no_folder(folder: Path):
     (["arm.toml", "-o", "out", "--functions", "jacobian_hnd"],
      "'jacobian_hnd' is no function of the scene; did you mean 'jacobian_hand'?"),
     (["--functions", "energy"], "--functions selects functions of a scene, and no scene is given"),
-    (["--many"], "--many selects functions of a scene, and no scene is given"),
     (["--cuda"], "--cuda selects functions of a scene, and no scene is given"),
 ))
 def test_errors_are_one_line(folder: Path, capsys: pytest.CaptureFixture[str], arguments: list[str],
