@@ -295,6 +295,9 @@ def test_sizes_do_not_grow_along_the_line_of_start(loaded):
     extent.add(1.0, StateParts(its).places(moved))
     assert extent.sizes == pytest.approx([1e-3] * 5, abs=1e-9)  # rest
     assert replace(extent, way=np.ones(5), off=np.ones(5)).sizes == pytest.approx(1.0)
+    about_centre = (1.5 + 0.003) / 2 + 10 * 0.2 / 10.2 * (0.3**2 + 0.1**2)  # half the trace
+    turned = replace(extent, way=np.array([2.0, 0, 0, 0, 0]), off=np.zeros(5))
+    assert turned.sizes[1] == pytest.approx((about_centre / 10.2)**0.5, rel=1e-3)
     single = Extent.since(StateParts(its), SINGLE, 1e-3, q, v)
     single.add(1.0, StateParts(its).places(moved))
     rounded = 1000 * 2**-24 * 300 / ALLOWED  # of a thousand steps

@@ -4,7 +4,8 @@ The parts are a joint's angle or length; a rotation; of a base that floats, its 
 the centre of mass of the tree that it carries, and that centre of mass.  The size of a part is the
 largest distance from its start; of centres of mass, and of joints that slide along the world, the
 largest distance from the straight line on which they start, if that is less, but no less than what
-makes the rounding of the way along it right.  So neither the speed or place or direction of a whole
+makes the rounding of the way along it right; and of centres of mass no less than the way that the
+tree's radius of gyration turns, up to 1 rad.  So neither the speed or place or direction of a whole
 scene matters, nor a heavy neighbour.
 """
 
@@ -76,6 +77,27 @@ class StateParts:
     def least(self) -> np.ndarray:
         """The sizes that count as rest.  (k)."""
         return np.array([x.least for x in self.parts])
+
+    @cached_property
+    def turning(self) -> tuple[tuple[int, int], ...]:
+        """(centre of mass, rotation of the same joint): numbers of parts."""
+        own = {x.joint: k for k, x in enumerate(self.parts) if x.kind is PartKind.OWN}
+        return tuple((k, own[x.joint]) for k, x in enumerate(self.parts)
+                     if x.kind is PartKind.CENTRE)
+
+    def radii(self, q: np.ndarray) -> np.ndarray:
+        """The radii of gyration of floating trees about their centres of mass, and zeros for all
+        other parts, in m.  (…, k)."""
+        M, found = self._mass_matrix(q), np.zeros((*q.shape[:-1], len(self.parts)))
+        if M is None:
+            return found
+        for k, _ in self.turning:
+            c, i = self.parts[k].coordinate, self.parts[k].coordinate.v.start
+            with np.errstate(all="ignore"):
+                about_origin = np.trace(M[..., i + 3:i + 6, i + 3:i + 6], axis1=-2, axis2=-1)
+                square = about_origin / 2 / _mass(c, M) - np.sum(_com(c, M)**2, -1)
+                found[..., k] = np.sqrt(np.where(square > 0, square, 0.0))
+        return found
 
     def places(self, q: np.ndarray) -> Places:
         """Returns the places of the parts, in double.  (…, nq)."""
@@ -149,11 +171,17 @@ def _centre(c: Coordinate, q: np.ndarray, M: np.ndarray | None) -> np.ndarray:
     own: np.ndarray = q[..., c.q].astype(float)
     if M is None:
         return own[..., :3]
-    i = c.v.start
     with np.errstate(all="ignore"):
-        com = np.stack((M[..., i + 1, i + 5], M[..., i + 2, i + 3], M[..., i, i + 4]), -1) / _mass(
-            c, M)[..., None]
+        com = _com(c, M)
         return own[..., :3] + np.where(np.isfinite(com), rotated(own[..., 3:], com), 0.0)
+
+
+def _com(c: Coordinate, M: np.ndarray) -> np.ndarray:
+    """The centre of mass of the tree that a free joint carries, in its body's frame.  (…, 3)."""
+    i = c.v.start
+    first: np.ndarray = np.stack((M[..., i + 1, i + 5], M[..., i + 2, i + 3], M[..., i, i + 4]), -1)
+    found: np.ndarray = first / _mass(c, M)[..., None]
+    return found
 
 
 def _velocity(c: Coordinate, q: np.ndarray, v: np.ndarray, M: np.ndarray | None) -> np.ndarray:
@@ -226,6 +254,7 @@ class Extent:
     h: float
     start: Places
     line: Places
+    radii: np.ndarray  # of gyration
     way: np.ndarray  # from the starts, (…, k)
     off: np.ndarray  # from the lines
     rounded: np.ndarray  # of the ways along the lines: at most u a step
@@ -235,8 +264,8 @@ class Extent:
               ) -> "Extent":
         """The extent of a run which starts at q and v."""
         none = np.zeros((*q.shape[:-1], len(parts.parts)))
-        return Extent(parts, precision, h, parts.places(q), parts.velocities(q, v), none, none,
-                      none)
+        return Extent(parts, precision, h, parts.places(q), parts.velocities(q, v),
+                      parts.radii(q), none, none, none)
 
     def add(self, after: float | np.ndarray, places: Places) -> None:
         """Note where the parts are after so many seconds; arrays of times and places have an axis
@@ -268,4 +297,7 @@ class Extent:
         """The sizes of the parts, none below what counts as rest.  (…, k)."""
         found: np.ndarray = np.maximum(np.minimum(self.way, self.off), self.parts.least)
         found[...] = np.maximum(found, self.rounded / ALLOWED)
+        for k, turn in self.parts.turning:
+            arc = self.radii[..., k] * np.minimum(self.way[..., turn], 1.0)
+            found[..., k] = np.maximum(found[..., k], arc)
         return found
