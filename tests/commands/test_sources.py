@@ -138,7 +138,7 @@ def test_meanings_are_kept_and_damaged_ones_are_read_again(tmp_path, monkeypatch
 TRACED = """
 import sys
 from importlib import import_module
-from coscrew_codegen import render
+from coscrew_codegen.backends import render
 from coscrew_codegen.runtime import sources
 
 FILES, entered = {}, set()
@@ -179,7 +179,7 @@ def keep(kernels, make):
 
 library = Selection(families=tuple(sys.argv[1:])).library(keep)
 generated_files(library)
-from coscrew_codegen.reports.reference import operations as pages
+from coscrew_codegen.reports.reference import operation_pages as pages
 library.made(pages._derived)
 print(len(makes))
 """
@@ -196,9 +196,10 @@ def test_deriving_a_family_enters_only_what_counts():
 
 SCENES = TRACED + """
 from pathlib import Path
-from coscrew_codegen import effects, load_scene
+from coscrew_codegen import load_scene
 from coscrew_codegen.program.plugins import holder
-from coscrew_codegen.simulation import load
+from coscrew_codegen.runtime import load
+from coscrew_codegen.scene import effects
 
 sys.setprofile(enter)
 kernels = load_scene(Path(sys.argv[1]), tiers=["accurate"])

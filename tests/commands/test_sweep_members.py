@@ -91,7 +91,7 @@ def reported(its: Prepared, folder: Path) -> str:
     with opened(folder, its.specification, {}) as target:
         target.write(0, chunk.computed(chunk.Job.of(its.kernels, its.specification), 0).content)
         assert sweep_command._report(its, target, "coscrew sweep x.toml") == 1
-    return (folder / "member_summary.html").read_text("utf-8")
+    return (folder / "summary.html").read_text("utf-8")
 
 
 def test_xarray_tells_why_members_failed(folder, tmp_path, capsys):

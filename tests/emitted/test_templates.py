@@ -31,7 +31,7 @@ EXEMPT = {
     "c/ksl_exact.h.jinja": PRIMITIVES,
     **{f"{x}.jinja": PLACES for x in (
         "gufunc/module.c", "gufunc/promoter.c", "gufunc/refusals", "gufunc/ufuncs",
-        "gufunc/loop", "gufunc/lanes", "gufunc/checks", "gufunc/axes",
+        "gufunc/loop_on_vectors", "gufunc/macros", "gufunc/lanes", "gufunc/checks", "gufunc/axes",
         "gufunc/_lanes.h", "python/_arrays.py",
         "python/_kernel.py", "scene/arrays", "scene/arrays.py", "scene/out", "scene/objects",
         "scene/arguments", "scene/states", "scene/threads", "scene/share", "scene/called",

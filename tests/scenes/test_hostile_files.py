@@ -210,7 +210,7 @@ def test_marks_of_byte_order_and_of_other_systems_lines_are_read(tmp_path):
     "cost none.toml", "cost SCENE --function nope", "cost SCENE --function step_rk4",
     "cost SCENE --function free_momentum", "cost SCENE --json /none/x.json",
     "cost SCENE --json x.txt", "cost SCENE --page FOLDER", "cost SCENE --plot x.pdf",
-    "effects nope", "report --op nope", "report --minutes nan",
+    "nope", "effects nope", "report --op nope", "report --minutes nan",
     "report --seed -1", "report --output /dev/null/x", "report --compare /none",
     "report --compare FILE", "report --hard-cases /none"])
 def test_commands_end_in_one_line_and_write_nothing(tmp_path, capsys, words):
@@ -233,7 +233,7 @@ def test_commands_end_in_one_line_and_write_nothing(tmp_path, capsys, words):
     "simulate S --until nan", "simulate S --until -1", "simulate S --until 1e400",
     "simulate S --step 0", "simulate S --set x", "simulate S --set x=nan", "simulate S --set =1",
     "simulate S --precision half", "simulate S --implausible maybe", "simulate S more", "cost S "
-    "--digits 5", "cost S --states 3", "nope", "", "--nope", "report --minutes x"])
+    "--digits 5", "cost S --states 3", "", "--nope", "report --minutes x"])
 def test_options_that_mean_nothing_end_in_usage_and_one_line(capsys, words):
     with pytest.raises(SystemExit) as ended:
         main(words.split())

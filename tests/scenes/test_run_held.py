@@ -137,9 +137,9 @@ def test_heavy_joints_under_gravity_are_judged_alike(tmp_path, precision):
         assert bool(warned(path, one, precision=precision)) == (share > 1)
 
 
-def test_without_forward_dynamics_a_warning_says_that_nothing_is_judged(scene):
+def test_kernels_without_forward_dynamics_are_judged_alike(scene):
     few = load_scene(scene, functions=["energy", "power", "step_leapfrog"])
-    with pytest.warns(RuntimeWarning, match="judged only with forward_dynamics among"):
+    with pytest.warns(RuntimeWarning, match="controller: at joint . it answers"):
         run(few, controller=law(d=(750, 750)), v0=[0.1, 0.1])
 
 

@@ -169,7 +169,7 @@ def test_short_scenes_are_written_whole():
 
 
 def test_parts_are_the_same_on_every_hash_seed():
-    program = ("from hashlib import sha256; from coscrew_codegen.backends import scene_c;"
+    program = ("from hashlib import sha256; from coscrew_codegen.backends.scene import scene_c;"
                "from tests.support.scenes.generated_scenes import robot;"
                "print(sha256(scene_c.files(robot(3, 4100), '')['robot.c'].encode()).hexdigest())")
     made = {subprocess.run([sys.executable, "-c", program], capture_output=True, text=True,

@@ -4,6 +4,7 @@ import hashlib
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass
 from functools import cache
+from itertools import pairwise
 
 from coscrew_codegen.accuracy.tiers import TIERS, Tier
 from coscrew_codegen.algebra.lowering.programs import library_program
@@ -76,7 +77,8 @@ def _loops(library: Library, tier: Tier) -> Files:
     sources = {"_gufunc.h": render("gufunc/_gufunc.h", banner=library.banner,
                                    accesses=_accesses(library, QUANTITIES),
                                    families=families, lanes=bool(on_vectors), **asdict(best),
-                                   most_arguments=_most_arguments(library, tier),
+                                   arguments=tuple(pairwise(range(
+                                       _most_arguments(library, tier) + 1))),
                                    precisions=library.precisions,
                                    types=f"{headers}/ksl_types.h")}
     if on_vectors:

@@ -58,9 +58,6 @@ def too_fast(controller: Controller, driven: Driven, system: System, plan: Plan,
     turn back and forth this is known without calls."""
     if controller.context is not None or run.interrupted or not driven.turned:
         return ""
-    if not system.has("forward_dynamics"):
-        return ("controller: its torques turn back and forth; whether it is called too seldom is "
-                "judged only with forward_dynamics among the functions loaded")
     with np.errstate(all="ignore"):
         try:
             shares = tuple(_shares(driven, system, run, plan.step * controller.steps))
