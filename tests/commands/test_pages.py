@@ -7,8 +7,8 @@ import pytest
 from markdown_it import MarkdownIt
 from matplotlib.figure import Figure
 
-from coscrew_codegen.pages import Table
-from coscrew_codegen.plots import LINES, THEME, inline, logarithmic, styled
+from coscrew_codegen.backends.html.pages import Table
+from coscrew_codegen.backends.html.plots import LINES, THEME, inline, logarithmic, styled
 
 LONG = "final spring_damper.front_left_knee_actuator_with_a_long_name.torque [N m]"
 AWKWARD = "</script><b> & `x` *y* | [z](w) ~a~ \\"

@@ -1,7 +1,4 @@
-"""Gufuncs of arrays with any strides: the bits of C-ordered copies.
-
-Loops are compiled for C-ordered arrays; of others, elements are copied some at a time.  So the
-counts here are less than a block, several blocks, and several with a remainder."""
+"""Gufuncs of arrays with any strides: the bits of C-ordered copies."""
 
 import importlib
 from collections.abc import Callable
@@ -10,8 +7,8 @@ import numpy as np
 import pytest
 
 import coscrew
-from coscrew_codegen.operations import OPERATIONS, Operation
-from coscrew_codegen.tiers import TIERS
+from coscrew_codegen.accuracy.tiers import TIERS
+from coscrew_codegen.algebra.operations import OPERATIONS, Operation
 
 LAYOUTS: dict[str, Callable[[np.ndarray], np.ndarray]] = {
     "every second element": lambda x: x.repeat(2, axis=0)[::2],

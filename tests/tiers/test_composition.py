@@ -7,13 +7,13 @@ from pathlib import Path
 
 import pytest
 
-from coscrew_codegen import tiers
-from coscrew_codegen.tiers.accurate import CAREFUL, QUICK
-from coscrew_codegen.tiers.accurate_scene import SCENES
-from coscrew_codegen.tiers.certified_scene import BOUNDED
-from coscrew_codegen.tiers.compensated import Carrying
-from coscrew_codegen.tiers.nonlinear import RULES
-from coscrew_codegen.tiers.sizes import ERRORS
+from coscrew_codegen.accuracy import tiers
+from coscrew_codegen.accuracy.tiers.accurate import CAREFUL, QUICK
+from coscrew_codegen.accuracy.tiers.accurate_scene import SCENES
+from coscrew_codegen.accuracy.tiers.certified_scene import BOUNDED
+from coscrew_codegen.accuracy.tiers.compensated import Carrying
+from coscrew_codegen.accuracy.tiers.nonlinear import RULES
+from coscrew_codegen.accuracy.tiers.sizes import ERRORS
 
 FOLDER = Path(tiers.__file__ or "").parent
 MODULES = {path.stem: ast.parse(path.read_text(encoding="utf-8"))
