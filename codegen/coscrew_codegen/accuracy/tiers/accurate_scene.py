@@ -98,7 +98,7 @@ def _once(op: Op) -> Rule:
 
 
 def _passing(op: Op) -> Rule:
-    """What is chosen among sums that overlap, or is one's negative, overlaps."""
+    """Marks the result as overlapping if an operand is a sum that overlaps."""
     def rule(c: Carrier, step: Instruction) -> None:
         if any(name_of(x) in c.overlapping for x in step.operands):
             c.overlapping.add(step.name)

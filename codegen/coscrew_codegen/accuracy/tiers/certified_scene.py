@@ -58,7 +58,7 @@ MANY = 16
 """Up to so many sines and cosines, 1 is a good size: it makes those of turned vectors up to √2
 larger at each joint, but factors of 1 cost nothing."""
 REST = 256
-"""What is computed as an elementary function's error is right to REST u² of its result."""
+"""Bound of the error of an elementary function's computed error, in u² of the function's result."""
 
 
 class NoRuleError(ReportedError, ValueError):
@@ -143,7 +143,7 @@ def _of_root(sizes: Sizes, step: Instruction) -> Size:
 
 
 def _in_size(sizes: Sizes, error: Operand, k: Fraction, m: Fraction) -> Operand:
-    """What s grows by if the bound shall by this error."""
+    """Returns the increase of s that makes the bound larger by this error."""
     return sizes.do(Op.MUL, error, sizes.rounded_up((1 + 32 * sizes.u) / sizes.covered(k, m)))
 
 

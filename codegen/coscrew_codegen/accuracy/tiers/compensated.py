@@ -93,7 +93,7 @@ class Carrier:
         return Ref(name)
 
     def once(self, what: str, x: Operand, make: Callable[[], tuple[Ref, ...]]) -> tuple[Ref, ...]:
-        """What is issued for an operand at its first use."""
+        """Returns the value made for an operand at its first use."""
         if (what, x) not in self._once:
             self._once[what, x] = make()
         return self._once[what, x]
@@ -211,7 +211,7 @@ def rounded_constant(x: Constant, precision: Precision = DOUBLE) -> Constant:
 
 
 def rest_of(x: Constant, precision: Precision = DOUBLE) -> Constant | None:
-    """What the rounding of a constant leaves, rounded; None for nothing."""
+    """Returns the rounded rest of a constant beyond its rounding; None if that is zero."""
     rest = precision.value(x) - precision.value(rounded_constant(x, precision))
     value = Fraction(float(precision.rounded(rest)))
     return Constant(value, value, x.name and f"{x.name}_lo") if value else None

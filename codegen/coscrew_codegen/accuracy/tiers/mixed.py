@@ -1,4 +1,4 @@
-"""The mixed tier: single precision, of which what an asked accuracy needs is carried in pairs.
+"""The mixed tier: single precision, with pairs where the accuracy that is asked for needs them.
 
 Of a Mixture, instructions in pairs are those of the pairs tier.  The others have one result,
 rounded: those of its operands that are pairs and matter take part as hi + lo, so that the result is
@@ -65,7 +65,7 @@ class _Mixed:
             self.pairs.steps.append(replace(step, op=Op.ADD, operands=(high, more)))
 
     def _contributed(self, step: Instruction, low: list[Operand | None]) -> Operand | None:
-        """What the lo contribute to a sum, a difference or a product."""
+        """Returns the contribution of the lo parts to a sum, a difference or a product."""
         a_lo, b_lo = low if len(low) == 2 else (None, None)
         if step.op is Op.MUL:
             return cross_terms(self.pairs, step, a_lo, b_lo)
