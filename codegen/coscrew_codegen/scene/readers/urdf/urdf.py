@@ -8,18 +8,20 @@ from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 
+from coscrew_codegen.scene.joints.fixed import JOINT as FIXED
 from coscrew_codegen.scene.mechanism import rotations
 from coscrew_codegen.scene.mechanism.assembly import ModelError, assembled
 from coscrew_codegen.scene.mechanism.inertia_checks import ERROR, WARN, judged
+from coscrew_codegen.scene.mechanism.joint_kind import JointKind
 from coscrew_codegen.scene.mechanism.mimics import without_chains, wrong_mimics
-from coscrew_codegen.scene.mechanism.model import Body, Fault, Inertia, Kind, Model
+from coscrew_codegen.scene.mechanism.model import Body, Fault, Inertia, Model
 from coscrew_codegen.scene.mechanism.roundoff_cleanup import without_residues
 from coscrew_codegen.scene.readers.urdf.urdf_joints import Joints
 from coscrew_codegen.scene.readers.urdf.urdf_schema import MIRRORED, MOMENTS
 from coscrew_codegen.scene.readers.urdf.xml import Element
 
 
-def read_urdf(path: Path | str, base: Kind = Kind.FIXED, implausible: str = ERROR) -> Model:
+def read_urdf(path: Path | str, base: JointKind = FIXED, implausible: str = ERROR) -> Model:
     """The model in a URDF file, its root joined to the world by a joint of the kind `base`.
 
     With `implausible` "warn", inertias that are impossible, massless or incomplete are accepted and
@@ -38,7 +40,7 @@ class _Urdf(Joints):
         self.implausible = implausible
         self.lacking: list[str] = []  # incomplete inertias that were accepted
 
-    def model(self, base: Kind) -> Model:
+    def model(self, base: JointKind) -> Model:
         links, joints = self.root.all("link"), self.root.all("joint")
         lines = {f"body {e.attributes.get('name')!r}": e for e in reversed(links)}
         lines |= {f"joint {e.attributes.get('name')!r}": e for e in reversed(joints)}
