@@ -18,7 +18,6 @@ from coscrew_codegen.program.scene_functions import SceneFunctions, Signature, S
 from coscrew_codegen.program.values.formats import DOUBLE, Precision
 from coscrew_codegen.runtime import compilation, lanes
 from coscrew_codegen.runtime.load import Kernels, kernels_of
-from coscrew_codegen.scene.mechanism.model import Kind
 from coscrew_codegen.scene.scene import Scene, Tolerance
 from tests.support.compiled.c_harness import C11, COMPILERS, CXX17, STRICT, run
 from tests.support.compiled.cross import COMPILERS as CROSS
@@ -28,6 +27,7 @@ from tests.support.each import each_precision
 from tests.support.scenes import effect_scenes, lanes_program, mechanisms
 from tests.support.scenes.arms import arm
 from tests.support.scenes.generated_scenes import pendulum, slider, spinner
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.mechanisms import gravity
 from tests.support.scenes.scene_values import same_bits
 

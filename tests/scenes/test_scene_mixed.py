@@ -42,7 +42,7 @@ from coscrew_codegen.program.values.formats import DOUBLE, SINGLE
 from coscrew_codegen.runtime import callables, compilation
 from coscrew_codegen.runtime.load import library_of
 from coscrew_codegen.scene.functions import FUNCTIONS
-from coscrew_codegen.scene.mechanism.model import Joint, Kind
+from coscrew_codegen.scene.mechanism.model import Joint
 from coscrew_codegen.scene.readers.scene_error import SceneError
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.scene.scene import Scene, Tolerance
@@ -50,6 +50,7 @@ from tests.support.compiled.c_harness import C11, COMPILERS, STRICT, run
 from tests.support.scenes import mechanisms as m
 from tests.support.scenes.arms import arm, inverse
 from tests.support.scenes.generated_scenes import BANNER
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.scene_values import same_bits
 
 MIXED = tier_named("mixed")

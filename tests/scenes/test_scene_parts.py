@@ -20,13 +20,13 @@ from coscrew_codegen.program import parts as program_parts
 from coscrew_codegen.program.ops import COMPARISONS
 from coscrew_codegen.program.parts import Cut, Group, cut
 from coscrew_codegen.program.scene_functions import SceneFunctions
-from coscrew_codegen.scene.mechanism.model import Kind
 from tests.support.compiled.c_harness import COMPILERS, run
 from tests.support.compiled.flags import FMA
 from tests.support.scenes import scene_bits
 from tests.support.scenes.effect_scenes import PLACES, arm, effects, mechanism
 from tests.support.scenes.evaluation import DOUBLE, evaluator
 from tests.support.scenes.generated_scenes import BANNER, CASES, argument, robot
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.mechanisms import Y, at, chain, inertia, scene
 
 LENGTHS = (1, 25, 600)

@@ -268,14 +268,16 @@ def _compiler(name: str) -> compilation.Compiler | None:
 
 def key_of(scene: Scene, functions: Collection[str], precisions: tuple[str, ...],
            compiler: compilation.Compiler, *tier: str) -> str:
-    """The cache key: a hash of all that the kernels are made from.  "" if an effect is not in the
-    catalogue, since its name does not identify its equations."""
-    from coscrew_codegen.scene import effects
+    """The cache key: a hash of all that the kernels are made from.  "" if an effect or a kind of
+    joint is not in its catalogue, since its name does not identify its equations."""
+    from coscrew_codegen.scene import effects, joints
 
-    used = {holder(effects.__name__, "EFFECT", x.effect) for x in scene.effects}
-    if "" in used:
+    used = {effects.__name__: {
+        holder(effects.__name__, "EFFECT", x.effect) for x in scene.effects},
+        joints.__name__: {holder(joints.__name__, "JOINT", x.kind) for x in scene.model.joints}}
+    if any("" in modules for modules in used.values()):
         return ""
-    made_from = sources.digest_of(__name__, chosen={effects.__name__: used})
+    made_from = sources.digest_of(__name__, chosen=used)
     return cache.key_of(made_from, content_hash(scene), *compilation.place(compiler),
                         " ".join(precisions), *functions, *(f"tier {x}" for x in tier))
 

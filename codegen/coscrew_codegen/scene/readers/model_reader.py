@@ -11,10 +11,12 @@ from dataclasses import dataclass, field, replace
 from importlib.util import find_spec
 from pathlib import Path
 
+from coscrew_codegen.scene.joints.fixed import JOINT as FIXED
 from coscrew_codegen.scene.mechanism.assembly import ModelError, assembled
 from coscrew_codegen.scene.mechanism.inertia_checks import ERROR, WARN, judged
+from coscrew_codegen.scene.mechanism.joint_kind import JointKind
 from coscrew_codegen.scene.mechanism.mimics import with_faults, without_chains
-from coscrew_codegen.scene.mechanism.model import Body, Joint, Kind, Model
+from coscrew_codegen.scene.mechanism.model import Body, Joint, Model
 from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.mechanism.roundoff_cleanup import without_residues
 from coscrew_codegen.scene.readers.scene_error import SceneError
@@ -25,7 +27,7 @@ class ModelSource:
     """The file of a model, and how a scene wants it read."""
 
     path: Path
-    base: Kind = Kind.FIXED  # of the joint between the world and a root that no joint moves
+    base: JointKind = FIXED  # of the joint between the world and a root that no joint moves
     implausible: str = ERROR  # or WARN: accept inertias that no body has
 
     @property

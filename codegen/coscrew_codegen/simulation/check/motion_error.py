@@ -1,14 +1,15 @@
 """Errors of motions, part by part, and the sizes that they are compared with.
 
-The parts are a joint's angle or length; a rotation; of a base that floats, its position relative to
-the centre of mass of the tree that it carries, and that centre of mass.  The size of a part is the
-largest distance from its start; of centres of mass, and of joints that slide along the world, the
-largest distance from the straight line on which they start, if that is less, but no less than what
-makes the rounding of the way along it right; and of centres of mass no less than the way that the
-tree's radius of gyration turns, up to 1 rad.  So neither the speed or place or direction of a whole
-scene matters, nor a heavy neighbour.
+The parts are a joint's angles, positions and rotations; of a base that floats, its position
+relative to the centre of mass of the tree that it carries, and that centre of mass.  The size of a
+part is the largest distance from its start; of centres of mass, and of positions along the world,
+the largest distance from the straight line on which they start, if that is less, but no less than
+what makes the rounding of the way along it right; and of centres of mass no less than the way that
+the tree's radius of gyration turns, up to 1 rad.  So neither the speed or place or direction of a
+whole scene matters, nor a heavy neighbour.
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import Enum
 from fractions import Fraction
@@ -18,7 +19,8 @@ import numpy as np
 
 from coscrew_codegen.program.scene_functions import Coordinate
 from coscrew_codegen.program.values.formats import Precision
-from coscrew_codegen.scene.mechanism.model import Joint, Kind, Model, value
+from coscrew_codegen.scene.joints import kind_named
+from coscrew_codegen.scene.mechanism.model import Model, value
 from coscrew_codegen.simulation.check.error_limits import ALLOWED
 from coscrew_codegen.simulation.system import System
 
@@ -45,16 +47,15 @@ class StatePart:
     kind: PartKind
     coordinate: Coordinate
     least: float  # its size counts as no smaller
+    q: slice  # its places in the joint's q and v
+    v: slice
+    name: str  # in messages: "joint elbow", "centre of mass of base"
+    along_world: bool = False  # whether it is a position in a frame that does not turn
 
     @property
     def joint(self) -> str:
         """The joint's name."""
         return self.coordinate.joint
-
-    @property
-    def name(self) -> str:
-        """Its name in messages: "joint elbow", "centre of mass of base"."""
-        return self.kind.value.format(self.joint)
 
 
 @dataclass(frozen=True)
@@ -66,12 +67,10 @@ class StateParts:
     @cached_property
     def parts(self) -> tuple[StatePart, ...]:
         """One or more for each joint that moves."""
-        length = REST * min(1.0, 10 * _length(self.system.scene.model) or 1.0)
-        return tuple(
-            StatePart(kind, c, length if kind is not PartKind.OWN or c.kind == "prismatic"
-                      else REST)
-            for c in self.system.functions.coordinates
-            for kind in (PartKind if c.kind == "free" else (PartKind.OWN,)))
+        model = self.system.scene.model
+        length, steady = REST * min(1.0, 10 * _length(model) or 1.0), _steady(model)
+        return tuple(x for c in self.system.functions.coordinates
+                     for x in _parts_of(c, length, c.joint in steady))
 
     @property
     def least(self) -> np.ndarray:
@@ -105,12 +104,12 @@ class StateParts:
         return tuple(_place(part, q, M) for part in self.parts)
 
     def velocities(self, q: np.ndarray, v: np.ndarray) -> Places:
-        """The velocities of centres of mass and of joints that slide along the world, and zeros for
-        all other parts."""
-        M, sliding = self._mass_matrix(q), _sliding(self.system.scene.model)
+        """The velocities of centres of mass and of positions along the world, and zeros for all
+        other parts."""
+        M = self._mass_matrix(q)
         return tuple(
             _velocity(x.coordinate, q, v, M) if x.kind is PartKind.CENTRE else
-            v[..., x.coordinate.v].astype(float) if x.joint in sliding else
+            v[..., x.coordinate.v][..., x.v].astype(float) if x.along_world else
             np.zeros(3 if x.kind is PartKind.OFFSET else 1) for x in self.parts)
 
     def distances(self, x: Places, y: Places) -> np.ndarray:
@@ -147,14 +146,26 @@ class StateParts:
         return np.asarray(self.system.call("mass_matrix", q=q), float)
 
 
+def _parts_of(c: Coordinate, length: float, steady: bool) -> Iterator[StatePart]:
+    """The parts of a joint's motion.  Positions and centres of mass count as no smaller than this
+    length; what carries the joint is `steady` if nothing turns it."""
+    kind = kind_named(c.kind)
+    own = [x for x in kind.q_parts if x[0].turns or not kind.floats]
+    for part, q, v in own:
+        name = PartKind.OWN.value.format(c.joint)
+        yield StatePart(PartKind.OWN, c, REST if part.turns else length, q, v,
+                        f"{name} ({part.words})" if len(own) > 1 else name,
+                        steady and not part.turns and kind.manifold is None)
+    for of_tree in (PartKind.CENTRE, PartKind.OFFSET) if kind.floats else ():
+        yield StatePart(of_tree, c, length, slice(3), slice(3), of_tree.value.format(c.joint))
+
+
 def _place(part: StatePart, q: np.ndarray, M: np.ndarray | None) -> np.ndarray:
     """Returns the place of a part."""
     c = part.coordinate
     own: np.ndarray = q[..., c.q].astype(float)
-    if c.kind != "free":
-        return own
     if part.kind is PartKind.OWN:
-        return own[..., 3:]
+        return own[..., part.q]
     centre = _centre(c, q, M)
     return centre if part.kind is PartKind.CENTRE else own[..., :3] - centre
 
@@ -233,15 +244,16 @@ def _length(model: Model) -> float:
     return float(max(found, default=Fraction(0)))
 
 
-def _sliding(model: Model) -> frozenset[str]:
-    """The joints that slide along the world: nothing turns what carries them."""
-    above = {joint.child: joint for joint in model.joints}
-
-    def slides(joint: Joint) -> bool:
-        return joint.kind in (Kind.PRISMATIC, Kind.FIXED) and (
-            joint.parent not in above or slides(above[joint.parent]))
-
-    return frozenset(x.name for x in model.joints if x.kind is Kind.PRISMATIC and slides(x))
+def _steady(model: Model) -> frozenset[str]:
+    """The joints that nothing turns which carries them: they slide along the world."""
+    turned: set[str] = set()  # bodies
+    found = set()
+    for joint in model.joints:
+        if joint.parent not in turned:
+            found.add(joint.name)
+        if joint.parent in turned or any(x.turns for x in joint.kind.parts):
+            turned.add(joint.child)
+    return frozenset(found)
 
 
 @dataclass
