@@ -30,8 +30,7 @@ EXEMPT = {
     "c/ksl_types.h.jinja": "a version's number as an integer",
     "c/ksl_exact.h.jinja": PRIMITIVES,
     **{f"{x}.jinja": PLACES for x in (
-        "gufunc/module.c", "gufunc/promoter.c", "gufunc/refusals", "gufunc/ufuncs",
-        "gufunc/loop_on_vectors", "gufunc/macros", "gufunc/lanes", "gufunc/checks", "gufunc/axes",
+        "gufunc/module.c", "gufunc/lanes", "gufunc/checks",
         "gufunc/_lanes.h", "python/_arrays.py",
         "python/_kernel.py", "scene/arrays.py", "scene/out",
         "scene/many_states", "scene/step_of_states", "c/rows", "c/blocks", "c/tiles",
