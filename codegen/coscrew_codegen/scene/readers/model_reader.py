@@ -19,6 +19,7 @@ from coscrew_codegen.scene.mechanism.mimics import with_faults, without_chains
 from coscrew_codegen.scene.mechanism.model import Body, Joint, Model
 from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.mechanism.roundoff_cleanup import without_residues
+from coscrew_codegen.scene.readers.declared_effects import Effects, notices
 from coscrew_codegen.scene.readers.scene_error import SceneError
 
 
@@ -47,6 +48,7 @@ class Parts:
     # where elements stand: "joint 'elbow'": "line 7"; "" for all that have no entry
     mimic_places: Mapping[str, str] = field(default_factory=dict)
     # where followers do, by joint: a wrong one is then refused only where it is used
+    effects: Effects = field(default_factory=dict)  # what acts by the file, as springs of joints
     implausible: tuple[str, ...] = ()  # inertias that the reader has accepted, a line each
     notices: tuple[Notice, ...] = ()  # what was read and is not used
 
@@ -57,7 +59,8 @@ class Parts:
             tree = assembled(self.name, self.bodies, self.joints, source.base)
             clean = without_residues(without_chains(with_faults(tree, {
                 name: f"{source.path.name}, {at}" for name, at in self.mimic_places.items()})))
-            return judged(replace(clean, implausible=self.implausible, notices=self.notices),
+            told = (*notices(self.effects, clean), *self.notices)
+            return judged(replace(clean, implausible=self.implausible, notices=told),
                           source.implausible)
         except ModelError as error:
             place = self.places.get(error.element, self.places.get("", ""))
@@ -81,7 +84,11 @@ class ModelReader:
 
     def read(self, source: ModelSource) -> Model:
         """The model in a file.  Raises SceneError."""
+        return self.parts_of(source).model(source)
+
+    def parts_of(self, source: ModelSource) -> Parts:
+        """The parts in a file.  Raises SceneError, also where a package is missing."""
         if missing := [x for x in self.modules if find_spec(x) is None]:
             raise SceneError(source.path, "", f"is {self.name}, which needs {', '.join(missing)}; "
                              f'run `pip install "coscrew[{self.extra}]"`')
-        return self.parts(source).model(source)
+        return self.parts(source)
