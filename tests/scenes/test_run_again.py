@@ -174,7 +174,7 @@ def test_another_scene_controller_or_version_is_refused(scenes, tmp_path):
             again(scene, tmp_path / name, controller=controller)
     text = (tmp_path / "free.csv").read_text()
     for name, broken, said in (
-            ("a.csv", text.replace("# start: ", "# tart: "), "does not tell the start and the se"),
+            ("a.csv", text.replace("# start: ", "# tart: "), "does not contain the start"),
             ("b.csv", text.replace('"until": 0.05', '"until": '), "settings are not as coscrew"),
             ("c.csv", text.replace('"steps": 0', '"steps": -1'), "its start is not as coscrew"),
             ("d.csv", "x,y\n1,2\n", "no recording"), ("e.txt", "x", "wanted a recording, .csv")):

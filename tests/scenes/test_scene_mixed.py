@@ -207,7 +207,7 @@ def test_all_in_pairs_is_as_accurate_as_pairs(tmp_path: Path):
 
 def test_an_accuracy_that_pairs_do_not_have_is_refused():
     scene = replace(SCENE, accuracy=(Tolerance(NAME, "tau", 1e-9),))
-    with pytest.raises(AccuracyError, match=r"accuracy of inverse_dynamics: 1e-09 is asked of tau; "
+    with pytest.raises(AccuracyError, match=r"accuracy of inverse_dynamics: 1e-09 is requested for tau; "
                                             r"even pairs of floats, rounded at the end, err by"):
         in_tier(derive(scene), MIXED)
 

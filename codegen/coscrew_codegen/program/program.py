@@ -20,7 +20,7 @@ class Input(NamedTuple):
     """Component `index` (row by row) of the input number `argument`."""
 
     argument: int
-    index: int  # type: ignore[assignment]  # of the component: nobody asks a tuple's index()
+    index: int  # type: ignore[assignment]  # of the component; hides tuple.index()
 
 
 @dataclass(frozen=True)
@@ -30,7 +30,7 @@ class Constant:
     double: Fraction
     single: Fraction
     name: str = field(default="", compare=False)  # what a text may call it
-    tail: Fraction = Fraction(0)  # a series' last: how far those that are left out may move it
+    tail: Fraction = Fraction(0)  # a last coefficient's margin for truncated terms
 
     def __hash__(self) -> int:
         return self._hash
@@ -65,7 +65,7 @@ Operand = Input | Constant | NotANumber | Ref
 
 
 def name_of(x: Operand) -> str:
-    """The name of the instruction whose result it is; empty for what no instruction computes."""
+    """The name of the instruction whose result it is; empty for an input or a constant."""
     return x.name if isinstance(x, Ref) else ""
 
 
@@ -204,7 +204,7 @@ def counts_in_words(program: Program) -> str:
 
 
 def in_words(found: Mapping[Op, int]) -> str:
-    """'24 mul, 18 add' of counts."""
+    """Writes counts as '24 mul, 18 add'."""
     counts = Counter(found)
     counts[Op.ADD] += counts.pop(Op.SUB, 0)
     counts[Op.MUL] += counts.pop(Op.SCALE, 0)

@@ -1,4 +1,5 @@
-"""What a tier is: a description, a transformation of plain programs, and which it can transform."""
+"""Tiers: a description, a transformation of plain programs, and the programs that it can transform.
+"""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -48,8 +49,8 @@ class Tier:
     operation: Callable[["Operation"], "Operation"] = lambda plain: plain  # may add outputs
     scene: Callable[[Program, Precision], Program] | None = None  # plain program of a scene's
     # function → the tier's, which may have more outputs; None: scenes do not have the tier
-    bounds: bool = False  # whether operations return bounds, of which inf and NaN are no statement
-    asked: bool = False  # whether, of scenes, only functions of an asked accuracy have it
+    bounds: bool = False  # whether operations return bounds, where inf and NaN make no statement
+    asked: bool = False  # whether only scenes' functions with a requested accuracy have it
     precisions: tuple[Precision, ...] = PRECISIONS  # that it has in scenes
     header: str = "ksl_types"  # that its C functions need; ksl_exact computes rounding errors
     promise: str = ""  # what results of scenes' functions are, and when, in words

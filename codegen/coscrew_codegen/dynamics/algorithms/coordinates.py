@@ -41,7 +41,7 @@ def integrated(recorder: Recorder, tree: Tree, names: Sequence[str], q: Sequence
 
 def _turned(recorder: Recorder, q: Sequence[Number], step: Sequence[Number]) -> tuple[Number, ...]:
     """q exp(step/2) / |q exp(step/2)|: of norm 1 to rounding for any q whose square neither over-
-    nor underflows, so that neither rounding errors add up nor does a wrong norm stay."""
+    nor underflows.  So rounding errors do not add up, and a wrong norm does not last."""
     turned = recorder.call("quaternion_product_qq", q, recorder.call("quaternion_exp", step))
     (square,) = recorder.call("dot_qq", turned, turned)
     return scaled(1 / sqrt(square), turned)

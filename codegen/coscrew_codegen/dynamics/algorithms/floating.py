@@ -1,6 +1,6 @@
 """Floating trees: their first joint is free, and no external force acts on them except uniform
-gravity.  Their momentum is known at all times: p(t) = p + m g t, and the angular momentum about the
-centre of mass is constant.  So is the path of the centre of mass: x(t) = x + p t/m + g t²/2."""
+gravity.  Their motion as a whole is known at all times: momentum p(t) = p + m g t, constant angular
+momentum about the centre of mass, and the centre of mass x(t) = x + p t/m + g t²/2."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace

@@ -1,4 +1,4 @@
-"""What accuracy a scene asks of a function, and between which limits states are drawn for it."""
+"""Accuracy that a scene requests of a function, and the limits between which states are drawn."""
 
 from collections.abc import Mapping
 from math import inf, pi
@@ -13,16 +13,16 @@ from coscrew_codegen.scene.scene import Scene
 
 Ranges = tuple[tuple[float, float], ...]
 REACHED_IN = 0.1
-"""s, in which accelerations reach the limits of velocities."""
+"""Time in which accelerations reach the velocity limits, in s."""
 
 
 class AskedError(ReportedError, ValueError):
-    """An accuracy that cannot be asked: of an output that a function does not have, or where no
-    states can be drawn."""
+    """A request that cannot be met: for an output that the function lacks, or where no states can
+    be drawn."""
 
 
 def asked(program: Program, scene: Scene, tree: Tree) -> Accuracy | None:
-    """What is asked of this function; None for nothing.  Raises AskedError."""
+    """The accuracy requested of this function; None without a request.  Raises AskedError."""
     within = {x.output: x.within for x in scene.accuracy if x.function == program.name}
     if not within:
         return None
@@ -59,8 +59,8 @@ def _ranges(name: str, program: Program, scene: Scene, tree: Tree) -> Ranges:
 
 
 def positions(joint: Joint) -> tuple[float, float]:
-    """A joint's positions: where a limit is missing, as if a turn, or 2 m, led from the other one,
-    or half of that from zero."""
+    """Range of a joint's position.  A missing limit is one turn, or 2 m, from the other one;
+    without both limits the range is half of that to either side of zero."""
     half = pi if joint.kind is Kind.REVOLUTE else 1.0
     lower, upper = (None if x is None else float(x) for x in (joint.lower, joint.upper))
     if lower is None:
@@ -69,7 +69,7 @@ def positions(joint: Joint) -> tuple[float, float]:
 
 
 def _half(name: str, joint: Joint, scene: Scene, program: Program) -> float:
-    """Without limits, velocities are up to π rad/s, or 1 m/s and 1 rad/s."""
+    """Largest velocity without a limit: π rad/s, or 1 m/s and 1 rad/s."""
     speed = float(joint.velocity or (pi if joint.kind is Kind.REVOLUTE else 1))
     if name == "tau":
         if not joint.effort:
@@ -79,6 +79,6 @@ def _half(name: str, joint: Joint, scene: Scene, program: Program) -> float:
         return float(joint.effort)
     sizes = {"v": speed, "a": speed / REACHED_IN, "phi": speed * scene.run.step}
     if name not in sizes:
-        raise AskedError(f"{scene.name}: accuracy.{program.name}: no states are drawn for its "
+        raise AskedError(f"{scene.name}: accuracy.{program.name}: states cannot be drawn for its "
                          f"input {name}")
     return sizes[name]

@@ -24,7 +24,7 @@ class Met:
     """An expectation and the value that was reached."""
 
     wanted: Expectation
-    came: float  # NaN if the run did not get there
+    came: float  # NaN if the run stopped before
     unit: str
 
     @property
@@ -51,13 +51,13 @@ class AlongRun:
     integrator: Integrator
     length: float  # of steps in s; 0 for SciPy's
     error: Error  # of the motion, while it is known
-    known: float  # until when motions with smaller steps agree, in s
+    known: float  # time up to which motions with smaller steps agree, in s
     end: float  # of the run, in s
     smallest: float  # steps of the motion with which it was compared, in s
     resting: bool = False  # no part moves farther than what counts as rest
     exact: Balance | None = None  # of that motion, if energies are off with the steps above
     double: "AlongRun | None" = None  # in single precision: the results in double
-    remedy: str = ""  # what was tried and makes a false run right
+    remedy: str = ""  # settings that were tried and make a false run right
 
     @property
     def as_double(self) -> bool:
@@ -131,8 +131,8 @@ class AlongRun:
 
     @property
     def balanced(self) -> bool:
-        """Whether energies balance, with the given steps or smaller ones; of what rests they need
-        not."""
+        """Whether energies balance, with the given steps or smaller ones; true if all parts rest.
+        """
         balances = (x for x in (self.coarse, self.fine, self.finest, self.exact) if x is not None)
         return not math.isnan(self.coarse.relative) and (
             self.resting or any(x.rounded or x.relative <= ENERGY for x in balances))

@@ -1,13 +1,12 @@
 """Errors of motions, part by part, and the sizes that they are compared with.
 
-The parts are a joint's angle or length; a rotation; of a base that floats, its position relative to
-the centre of mass of the tree that it carries, and that centre of mass.  The size of a part is the
-largest distance from its start; of centres of mass, and of joints that slide along the world, the
-largest distance from the straight line on which they start, if that is less, but no less than what
-makes the rounding of the way along it right; and of centres of mass no less than the way that the
-tree's radius of gyration turns, up to 1 rad.  So neither the speed or place or direction of a whole
-scene matters, nor a heavy neighbour.
-"""
+The parts are a joint's angle or length; a rotation; for a floating base, its position relative to
+the centre of mass of its tree, and that centre of mass.  The size of a part is the largest distance
+from its start.  For centres of mass, and for joints that slide along the world, it is the largest
+distance from the straight line on which they start, if that is less, but at least so large that the
+rounding of the way along that line is no error; for centres of mass it is also at least the way
+that the tree's radius of gyration turns, up to 1 rad.  So the speed, place and direction of a whole
+scene do not matter, nor do heavy neighbours."""
 
 from dataclasses import dataclass
 from enum import Enum
@@ -23,11 +22,11 @@ from coscrew_codegen.simulation.check.error_limits import ALLOWED
 from coscrew_codegen.simulation.system import System
 
 REST = 1e-3
-"""Sizes count as no smaller than this, in rad, and than this in m, or REST/100 of a scene's largest
-length if that is less: a robot that rests trembles by what nobody sees."""
+"""Least size of a part, in rad or m, or in m REST/100 of a scene's largest length if that is less:
+the invisible trembling of a resting robot is no error."""
 
 Places = tuple[np.ndarray, ...]
-"""Where each part is, (…, k): k = 1 for a coordinate, 3 for a position, 4 for a rotation."""
+"""Place of each part, (…, k): k = 1 for a coordinate, 3 for a position, 4 for a rotation."""
 
 
 class PartKind(Enum):
@@ -44,7 +43,7 @@ class StatePart:
 
     kind: PartKind
     coordinate: Coordinate
-    least: float  # its size counts as no smaller
+    least: float  # least size
 
     @property
     def joint(self) -> str:
@@ -140,8 +139,8 @@ class StateParts:
         return x[0].shape[:-1] if x else ()
 
     def _mass_matrix(self, q: np.ndarray) -> np.ndarray | None:
-        """M where something floats; None where nothing does, or where the scene has no mass matrix,
-        having many joints.  (…, nv, nv)."""
+        """M if a tree floats; None if none does, or if the scene has no mass matrix because of many
+        joints.  (…, nv, nv)."""
         if all(x.kind is PartKind.OWN for x in self.parts) or not self.system.has("mass_matrix"):
             return None
         return np.asarray(self.system.call("mass_matrix", q=q), float)
@@ -197,7 +196,7 @@ def _velocity(c: Coordinate, q: np.ndarray, v: np.ndarray, M: np.ndarray | None)
 
 def rotated(q: np.ndarray, v: np.ndarray) -> np.ndarray:
     """R(q) v.  (…, 4), (…, 3)->(…, 3)."""
-    import coscrew  # takes as long to import as short runs, and only what floats needs it
+    import coscrew  # takes as long to import as short runs, and only floating trees need it
 
     found: np.ndarray = coscrew.double.rotate_qv(q, v)
     return found
@@ -234,7 +233,7 @@ def _length(model: Model) -> float:
 
 
 def _sliding(model: Model) -> frozenset[str]:
-    """The joints that slide along the world: nothing turns what carries them."""
+    """The joints that slide along the world: none of their ancestors rotates."""
     above = {joint.child: joint for joint in model.joints}
 
     def slides(joint: Joint) -> bool:
@@ -257,7 +256,7 @@ class Extent:
     radii: np.ndarray  # of gyration
     way: np.ndarray  # from the starts, (…, k)
     off: np.ndarray  # from the lines
-    rounded: np.ndarray  # of the ways along the lines: at most u a step
+    rounded: np.ndarray  # rounding of the ways along the lines: at most u a step
 
     @staticmethod
     def since(parts: StateParts, precision: Precision, h: float, q: np.ndarray, v: np.ndarray
@@ -268,8 +267,8 @@ class Extent:
                       parts.radii(q), none, none, none)
 
     def add(self, after: float | np.ndarray, places: Places) -> None:
-        """Note where the parts are after so many seconds; arrays of times and places have an axis
-        of samples before the last one."""
+        """Notes the places of the parts after so many seconds; arrays of times and places have an
+        axis of samples before the last one."""
         times = np.asarray(after, float)[..., None]
         start, line = ([x[..., None, :] if times.ndim > 1 and x.ndim > 1 else x for x in of]
                        for of in (self.start, self.line))
@@ -294,7 +293,7 @@ class Extent:
 
     @property
     def sizes(self) -> np.ndarray:
-        """The sizes of the parts, none below what counts as rest.  (…, k)."""
+        """The sizes of the parts, none below that of rest.  (…, k)."""
         found: np.ndarray = np.maximum(np.minimum(self.way, self.off), self.parts.least)
         found[...] = np.maximum(found, self.rounded / ALLOWED)
         for k, turn in self.parts.turning:

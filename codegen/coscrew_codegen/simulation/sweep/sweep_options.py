@@ -1,4 +1,4 @@
-"""Readers of the options --grid, --sobol, --samples and --seed: words and exact numbers."""
+"""Reads the options --grid, --sobol, --samples and --seed: words and exact numbers."""
 
 import argparse
 from dataclasses import dataclass

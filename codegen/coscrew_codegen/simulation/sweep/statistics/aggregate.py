@@ -1,7 +1,7 @@
 """Counts and sums over all members: the figures of the page and of the tables.
 
-Memory does not grow with the number of members: a first look at the files' statistics gives the
-ranges, a second reads one chunk after the other."""
+Memory does not grow with the number of members: a first pass over the files' statistics gives the
+ranges, a second pass reads one chunk after the other."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field

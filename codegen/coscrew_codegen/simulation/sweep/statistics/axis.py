@@ -76,7 +76,7 @@ def parts_for(members: int) -> int:
 
 
 def of_varied(x: Grid | Range, parts: int) -> Axis:
-    """The axis of what varies."""
+    """The axis of a varied quantity."""
     if isinstance(x, Range):
         return Axis(x.of.name, x.of.unit, x.low, x.high, parts, x.log)
     few = tuple(sorted({*x.values})) if len(x.values) <= _MOST else ()
