@@ -1,4 +1,4 @@
-"""`coscrew sweep`: what varies, the values of members, refusals, chunks; without workers."""
+"""`coscrew sweep`: varied quantities, the values of members, refusals, chunks; without workers."""
 
 import argparse
 import itertools
@@ -283,7 +283,7 @@ def test_workers_with_other_sources_refuse(folder):
 
 
 def test_a_worker_without_memory_for_a_chunk_says_so(folder):
-    """Of 4e15 members: more than a process can address."""
+    """A chunk of 4e15 members is more than a process can address."""
     its = prepared(folder, SLIDER, ("block.mass=1:7:1e6",), ("start.q.slide=0:1",), 4 * 10**9)
     job = chunk.Job.of(its.kernels, replace(its.specification, chunk=4 * 10**15))
     with pytest.raises(SweepError, match="has too little memory for a chunk of 4000000000000000 m"):

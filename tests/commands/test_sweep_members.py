@@ -107,7 +107,7 @@ def test_xarray_tells_why_members_failed(folder, tmp_path, capsys):
 
 
 def test_maps_mark_where_members_failed(folder, tmp_path, capsys):
-    """At their values of what varied, of whatever spacing."""
+    """Marks are at their values of the varied quantities, with any spacing."""
     its = prepared(folder, UNSTABLE, ("block.mass=1e-6:1e6:7:log",), ("start.v.slide=0:1",), 8)
     page, failed = reported(its, tmp_path), table(its).to_pylist()
     assert "Crosses mark where members failed." in page

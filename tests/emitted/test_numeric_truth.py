@@ -284,7 +284,7 @@ def noticed(operation: Operation, precision: Precision, run: Run,
 
 
 def results(operation: Operation, precision: Precision) -> list[list[mpfr]]:
-    """Of the kernel, for each row."""
+    """The kernel's results for each row."""
     return evaluated(operation, precision)[0]
 
 
@@ -310,8 +310,8 @@ def fails(run: Run, operation: Operation, rules: Rules, row: Row, wanted: list[m
 @pytest.mark.parametrize("operation", [op for op in NUMERIC if op.name in TRUTHS],
                          ids=lambda op: op.name)
 def test_series_and_text_are_their_truth(operation, precision):
-    """For rotations and axes that are exact to the last digit. With exact constants, the truncation
-    error of series is below u / 2; rounded constants add less than a third of the stated bound."""
+    """Rotations and axes are exact to the last digit.  With exact constants, the truncation error
+    of series is below u / 2; rounded constants add less than a third of the stated bound."""
     u, bounds = unit(precision), {b.part: b.k for b in operation.normwise}
     runs = [(run_kernel, Rules(precision, exact=True), lambda part: u / 2),
             *((run, Rules(precision), lambda part: bounds[part] * u / 3) for run in RUNS.values())]

@@ -124,7 +124,7 @@ _TYPES = "typedef unsigned long uint64_t; typedef unsigned int uint32_t;\n"
 
 
 def fused(text: str) -> list[str]:
-    """Where a product could be fused into a sum."""
+    """Places where a product could be fused into a sum."""
     visitor = Fused()
     plain = _ASSEMBLY.sub("", _REMOVED.sub("", text))
     for word, meaning in _WORDS.items():

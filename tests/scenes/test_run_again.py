@@ -44,7 +44,7 @@ def scenes(tmp_path_factory):
 
 
 def same_bytes(path, first, folder, ending=".csv", controller=None):
-    """`first`, and what is made of its recording, write the same bytes."""
+    """Asserts that `first` and the repeated run of its recording write the same bytes."""
     one, other = folder / f"first{ending}", folder / f"again{ending}"
     first.write(one)
     again(path, one, controller=controller).write(other)
@@ -81,7 +81,7 @@ def test_so_does_that_of_a_run_that_went_on(scenes, tmp_path, scene, controller,
 
 @pytest.mark.parametrize("ending", (".csv", ".npz", ".parquet"))
 def test_so_does_every_file_of_the_command(scenes, tmp_path, capsys, ending):
-    """Of runs in both precisions each file, too."""
+    """Each file of runs in both precisions does, too."""
     path, both = scenes / "swing.toml", tmp_path / f"both{ending}"
     assert main(["simulate", str(path), "--until", "0.1", "--step", "0.0007", "--set",
                  "bob.mass=1.1", "--precision", "both", "--output", str(both)]) == 0

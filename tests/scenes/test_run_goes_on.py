@@ -1,4 +1,4 @@
-"""A run that goes on from the end of another has the bits of one long run."""
+"""A run that continues another has the bits of one long run."""
 
 import json
 import re

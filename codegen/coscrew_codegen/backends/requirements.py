@@ -34,8 +34,8 @@ class Required(Enum):
 
 @cache
 def defects() -> Mapping[Required, Operation]:
-    """The operations whose results, where their size is above TOLERANCE, tell that an argument is
-    not what is required."""
+    """The operations whose results show, by a size above TOLERANCE, that an argument violates its
+    requirement."""
     named = {op.name: op for op in OPERATIONS}
     return {Required.ROTATION: named["mat3x3_rotation_defect"],
             Required.UNIT: named["quaternion_unit_defect"]}

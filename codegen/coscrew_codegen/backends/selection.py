@@ -55,7 +55,7 @@ class Selection:
 
     @property
     def base(self) -> str:
-        """The command that generates what is selected, without what is written besides."""
+        """The command that generates the selected files, without additional ones."""
         words = ["coscrew generate"]
         if self.families != FAMILIES:
             words.append(f"--family {' '.join(self.families)}")

@@ -1,6 +1,6 @@
 """The command line `coscrew generate`, `coscrew simulate`, …: parses options, runs the command.
 
-Only the command that runs is imported.  Modules of commands import what is beyond NumPy only when
+Only the command that runs is imported.  Modules of commands import packages besides NumPy only when
 they run, so that help needs no extra."""
 
 import argparse

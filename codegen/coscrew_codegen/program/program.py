@@ -29,7 +29,7 @@ class Constant:
 
     double: Fraction
     single: Fraction
-    name: str = field(default="", compare=False)  # what a text may call it
+    name: str = field(default="", compare=False)  # its name in text, if any
     tail: Fraction = Fraction(0)  # a last coefficient's margin for truncated terms
 
     def __hash__(self) -> int:

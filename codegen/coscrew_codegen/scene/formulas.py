@@ -51,7 +51,7 @@ class _Step:
     word: str  # number, t, pi, name of a function, operator, power, sqrt
     operands: int = 0
     number: Fraction | None = None  # of a number; of a power, its exponent
-    apply: Callable[..., Any] | None = None  # of an operator, on whatever numbers come
+    apply: Callable[..., Any] | None = None  # of an operator, on any kind of numbers
 
 
 @dataclass(frozen=True)

@@ -100,7 +100,7 @@ class Integrator:
 
     name: str  # in scenes and commands
     order: int
-    good_for: str  # and what it is not good for
+    good_for: str  # and its limits
     scheme: Scheme
     equation: str = ""  # of its step, if it is emitted
 

@@ -118,8 +118,8 @@ def _shown(given: object) -> str:
 
 
 def refuse_precision(controller: Controller, dtype: np.dtype) -> None:
-    """Raise SimulateError if a pointer of ctypes declares arrays of the other precision, beyond the
-    ends of which the function would write or read."""
+    """Raise SimulateError if a pointer of ctypes declares arrays of the other precision: the
+    function would write or read beyond their ends."""
     wanted = np.ctypeslib.as_ctypes_type(dtype)
     declared = getattr(controller.function, "argtypes", None) if controller.address else None
     for x in (declared or ())[1:4]:

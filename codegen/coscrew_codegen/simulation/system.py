@@ -110,7 +110,7 @@ class System:
 
     def driver(self, name: str) -> "Driver | None":
         """The integrator under a controller in C, if it is compiled: (by, n, t, h, p, q, v) -> p, q
-        and v after n steps, and what the controller must not have returned."""
+        and v after n steps, and the first value of the controller that is not finite."""
         found: Driver | None = getattr(getattr(self.kernels, name), "driven", None)
         return found
 

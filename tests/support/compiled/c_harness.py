@@ -33,7 +33,7 @@ INCLUDE = C_FOLDER / "include"
 
 
 def _installed(*names: str) -> tuple[str, ...]:
-    """The installed compilers; on a build server all, so that `run` reports what is missing."""
+    """The installed compilers; on a build server all, so that `run` reports missing ones."""
     found = tuple(name for name in names if os.environ.get("CI") or shutil.which(name))
     return found or names[:1]
 
@@ -117,7 +117,7 @@ def call_of(operation: Operation, precision: Precision, values: dict[str, str],
 
 
 def distinct(operation: Operation) -> tuple[Argument, ...]:
-    """Inputs, then outputs; what is both, once."""
+    """Inputs, then outputs; arguments that are both occur once."""
     return tuple({a.name: a for a in (*operation.inputs, *operation.outputs)}.values())
 
 

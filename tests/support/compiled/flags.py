@@ -27,7 +27,7 @@ TUNED = ("-march=sapphirerapids",) if _can("avx512_fp16", "amx_tile") else (
 def has_sanitizers(compiler: str) -> bool:
     """Whether the compiler's sanitizers are installed; a build server must have them."""
     if os.environ.get("CI") or shutil.which(compiler) is None:
-        return True  # so that the test says what is missing
+        return True  # so that the test names the missing compiler
     command = (compiler, *SANITIZERS, "-x", "c", "-", "-o", os.devnull)
     return not subprocess.run(command, input="int main(void) { return 0; }", text=True,
                               capture_output=True).returncode

@@ -201,5 +201,5 @@ def _normwise(operation: Operation, precision: Precision, tier: str, given: Sequ
 
 def _defect_in_u(operation: Operation, precision: Precision, given: Sequence[float],
                  free: float = FREE) -> float:
-    """The defect of rotations and unit vectors among the inputs, beyond what is free."""
+    """The defect of rotations and unit vectors among the inputs, beyond the allowed one."""
     return max(0.0, defect(operation, given) / float(UNIT[precision.name]) - free)

@@ -58,7 +58,7 @@ class Rules:
 
     @cached_property
     def arithmetic(self) -> gmpy2.context:
-        """Of operations that may be rounded."""
+        """The arithmetic of operations that may be rounded."""
         return _NARROW[self.precision] if self.rounds else WIDE
 
     @cached_property

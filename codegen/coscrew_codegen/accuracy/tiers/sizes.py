@@ -176,7 +176,7 @@ class Sizes:
         return Size(s, grown * size.k, grown * size.m, widened=size.widened)
 
     def of_sum(self, step: Instruction) -> Size:
-        """Of a + b or a - b."""
+        """The size of a + b or a - b."""
         a, b = map(self.size, step.operands)
         k, m, u = max(a.k, b.k), max(a.m, b.m), self.u
         return Size(self.do(Op.ADD, a.s, b.s), (1 + 64 * u) * (k + 1),
@@ -184,7 +184,7 @@ class Sizes:
                     a.widened or b.widened)
 
     def of_product(self, step: Instruction) -> Size:
-        """Of a b."""
+        """The size of a b."""
         a, b = map(self.size, step.operands)
         widened = a.widened or b.widened
         plain = a.exact or b.exact or any(isinstance(x, Constant) for x in step.operands)

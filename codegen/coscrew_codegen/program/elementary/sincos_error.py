@@ -1,9 +1,9 @@
 """sin x - s and cos x - c, s and c being what `sincos` returns.
 
 With x = k π/2 + r + r_low, s and c turned back by k right angles are S and C, near the sine and
-cosine of r + r_low, of which C is the larger.  S errs by E = sin r - S + r_low C, where the sine is
-r + r³ (…), a series in pairs.  Then C errs by ((1 - C² - S²)/2 - S E) / C, since the squares of the
-exact sine and cosine add to 1: no second series is needed."""
+cosine of r + r_low; C is the larger.  S errs by E = sin r - S + r_low C, where the sine is r + r³
+(…), a series in pairs.  Then C errs by ((1 - C² - S²)/2 - S E) / C, since the squares of the exact
+sine and cosine add to 1: no second series is needed."""
 
 from dataclasses import dataclass, replace
 from fractions import Fraction

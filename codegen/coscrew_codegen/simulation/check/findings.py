@@ -54,7 +54,7 @@ class AlongRun:
     known: float  # time up to which motions with smaller steps agree, in s
     end: float  # of the run, in s
     smallest: float  # steps of the motion with which it was compared, in s
-    resting: bool = False  # no part moves farther than what counts as rest
+    resting: bool = False  # no part moves farther than a resting one may
     exact: Balance | None = None  # of that motion, if energies are off with the steps above
     double: "AlongRun | None" = None  # in single precision: the results in double
     remedy: str = ""  # settings that were tried and make a false run right

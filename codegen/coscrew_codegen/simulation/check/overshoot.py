@@ -112,7 +112,7 @@ def _share(of_period: np.ndarray, slope: np.ndarray, joint: Joint, what: str) ->
 
 
 def _torques(system: System, names: tuple[str, ...]) -> Iterator[_Torque]:
-    """The torques of actuators among what a controller sets."""
+    """The torques of actuators among the parameters that a controller sets."""
     joints = {joint.name: (joint, q, v) for joint, q, v in coordinates(system.scene)}
     for place, name in enumerate(names):
         on = name.removeprefix("actuator.").removesuffix(EFFORT)

@@ -122,7 +122,7 @@ def sizes(parts: StateParts, precision: Precision, h: float, motion: Trajectory 
 
 
 def resting(system: System, motion: ReferenceStep) -> bool:
-    """Whether no part moves farther than what counts as rest."""
+    """Whether no part moves farther than a resting one may."""
     parts = StateParts(in_double(system))
     found = sizes(parts, system.precision, motion.h, motion)
     return bool(motion.resolved and (found <= parts.least).all())

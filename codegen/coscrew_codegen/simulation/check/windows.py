@@ -15,7 +15,7 @@ from coscrew_codegen.simulation.system import State, System
 _GRID = (1, 2, 3, 4, 6, 8, 12, 16, 24, 32)  # steps after which motions are compared
 _DIVISOR = 4
 _POWERS = 5  # of _DIVISOR, by which steps are divided, at most
-_SEEN = 0.01  # rad or m: least way in the judgement of what rounding takes
+_SEEN = 0.01  # rad or m: least way of which a loss to rounding counts
 _MOST = 4_000_000  # steps of the finest reference motion of a window, of all members together
 
 

@@ -40,7 +40,7 @@ class Drawn:
     lines: Entries = field(default_factory=list)  # body, points, rod: to a centre of mass?
     slides: Entries = field(default_factory=list)  # body, point, child: from point to its origin
     joints: Entries = field(default_factory=list)  # body, point
-    extent: Entries = field(default_factory=list)  # body, points: what the camera shows
+    extent: Entries = field(default_factory=list)  # body, points: in the camera's view
 
 
 def view(system: System, trajectory: Trajectory, provenance: Provenance, path: Path) -> None:

@@ -64,8 +64,8 @@ class Chunk:
 def computed(job: Job, number: int) -> Chunk:
     """The chunk of this number: the same numbers wherever this runs.
 
-    Raises SweepError if the worker has other sources than the command, cannot compile what the
-    command could, or has no disk or memory left."""
+    Raises SweepError if the worker has other sources than the command, cannot compile the scene
+    although the command could, or has no disk or memory left."""
     worker = f"the worker on {platform.node()}"
     if sources.generator() != job.generator:
         raise SweepError(f"{worker} has another version of coscrew than this command; install the "

@@ -146,7 +146,7 @@ def _level_is_exact(precision: Precision, n: int) -> None:
 
 @cache
 def _levels(precision: Precision) -> tuple[tuple[Fraction, ...], tuple[Fraction, ...]]:
-    """The chunks of 2/π, and the powers of 2 of which they are multiples."""
+    """The chunks of 2/π, and powers of 2 that divide them."""
     some = chunks(precision.digits)
     return (tuple(x / Fraction(2)**some.scale for x in some.values),
             tuple(Fraction(2)**(-some.bits * (n - 1)) for n in range(len(some.values))))

@@ -232,8 +232,8 @@ def _on_pairs(reading: EffectTable) -> list[Applied]:
 
 
 def with_reactions(scene: Scene, catalogue: tuple[Effect, ...]) -> tuple[Applied, ...]:
-    """The effects of a scene, with a reaction for each joint of which it is recorded or expected.
-    """
+    """The effects of a scene, with a reaction for each joint whose reaction is recorded or
+    expected."""
     effect = next((effect for effect in catalogue if effect.reaction), None)
     wanted = {recorded(text, scene) for text in scene.record}
     wanted |= {expected(x.quantity, scene) for x in scene.expectations}

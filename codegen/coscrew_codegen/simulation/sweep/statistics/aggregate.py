@@ -34,7 +34,7 @@ class Tally:
 
 
 def tally(specification: Specification, units: Mapping[str, str], files: Iterable[Path]) -> Tally:
-    """The counts of the members in these Parquet files, of which there is at least one."""
+    """The counts of the members in these Parquet files, at least one."""
     paths = tuple(files)
     varied = specification.varied
     parts = parts_for(varied.samples if varied.ranges else varied.members)

@@ -8,7 +8,7 @@ import numpy as np
 from coscrew_codegen.simulation.sweep.member_summary import STATISTICS
 from coscrew_codegen.simulation.sweep.statistics.axis import Axis
 
-_PAIRED = 6  # most varied quantities of which all pairs are looked at
+_PAIRED = 6  # largest number of varied quantities for maps of all pairs
 
 
 @dataclass
