@@ -118,7 +118,8 @@ def judged(operation: Operation, given: Array, precision: Precision) -> Found:
 
 
 def _is_other_sign(x: float, y: mpfr) -> bool:
-    """Whether these are π and -π: the sign of a zero says which, and exact zeros have none."""
+    """Returns whether these are π and -π: the sign of a zero says which, and exact zeros have none.
+    """
     return abs(abs(x) - math.pi) < 1e-6 and abs(x + y) < 1e-6
 
 

@@ -273,8 +273,8 @@ def compared(operation: Operation, precision: Precision) -> list[tuple[Row, list
 
 def noticed(operation: Operation, precision: Precision, run: Run,
             tried: list[tuple[Row, list[mpfr]]]) -> bool:
-    """Whether any row shows a difference.  The row that does becomes the first to be tried: the
-    next sign is likely to be in the same branch."""
+    """Returns whether any row shows a difference.  The row that does becomes the first to be tried:
+    the next sign is likely to be in the same branch."""
     rules = Rules(precision, rounds=True)
     for number, (row, wanted) in enumerate(tried):
         if fails(run, operation, rules, row, wanted):
@@ -296,7 +296,7 @@ def evaluated(operation: Operation, precision: Precision) -> tuple[list[list[mpf
 
 
 def fails(run: Run, operation: Operation, rules: Rules, row: Row, wanted: list[mpfr]) -> bool:
-    """Whether the result differs, or there is a division by zero."""
+    """Returns whether the result differs, or there is a division by zero."""
     try:
         return differs(run(operation, rules, row), wanted)
     except ZeroDivisionError:

@@ -50,7 +50,7 @@ class Exact:
         return new
 
     def regular(self, precision: Precision) -> bool:
-        """Whether it can be distinguished from a singular matrix."""
+        """Returns whether it can be distinguished from a singular matrix."""
         least = 8 * unit(precision) * self.permanent + SPOILED[precision.name] * self.largest**3
         return abs(self.det) > least
 

@@ -113,7 +113,7 @@ def test_functions_precisions_flags_and_compilers_miss(path: Path, derived: list
 @pytest.fixture
 def changed(tmp_path: Path, path: Path, monkeypatch: pytest.MonkeyPatch
             ) -> Callable[[str, str, str], bool]:
-    """Whether the scene's key changes with a source of the generator, in a copy of it."""
+    """Returns whether the scene's key changes with a source of the generator, in a copy of it."""
     copy = copied(tmp_path / "copy")
     monkeypatch.setattr(sources, "_folders", lambda: (copy, copy / "templates"))
     scene = read_scene(path)

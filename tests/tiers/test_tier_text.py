@@ -207,7 +207,8 @@ def test_c_is_its_truth(operation: Operation, precision: Precision, tier: str):
 
 
 def first_order_error(text: str, operation: Operation) -> bool:
-    """Whether errors of size h in the results that are compensated leave errors of that order."""
+    """Returns whether errors of size h in the results that are compensated leave errors of that
+    order."""
     numbers, h = random.Random(operation.name), QQ(1, 10**30)
     inputs = [QQ(numbers.randrange(1, 1000), 8)
               for a in operation.inputs for _ in range(a.quantity.size)]

@@ -121,7 +121,7 @@ def test_certified_bounds_hold_for_any_numbers(operation: Operation, precision: 
 
 
 def _copies(operation: Operation) -> bool:
-    """Whether some components are copies of inputs, finite or not, with zero bounds."""
+    """Returns whether some components are copies of inputs, finite or not, with zero bounds."""
     symbols = {symbol for a in operation.inputs for symbol in a.symbols}
     return any(abs(x) in map(abs, symbols) or -x in symbols for x in operation.truth())
 

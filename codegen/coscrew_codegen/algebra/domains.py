@@ -48,7 +48,7 @@ def ordinary(argument: Argument) -> Ordinary | None:
 
 
 def holds_less(argument: Argument) -> bool:
-    """Whether values of the domain, scaled down by any factor, stay in it."""
+    """Returns whether values of the domain, scaled down by any factor, stay in it."""
     return argument.domain == HALF_TURN or ordinary(argument) is None
 
 

@@ -67,7 +67,7 @@ def formula(operation: Operation) -> tuple[sp.Expr, ...]:
 
 @functools.cache
 def is_polynomial(operation: Operation) -> bool:
-    """Whether every component is a polynomial in the inputs."""
+    """Returns whether every component is a polynomial in the inputs."""
     return all(x.is_polynomial(*_symbols(operation)) and not x.has(*PER_PRECISION)
                for x in formula(operation))
 

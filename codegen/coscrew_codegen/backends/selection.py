@@ -40,7 +40,7 @@ class Selection:
 
     @property
     def whole(self) -> bool:
-        """Whether no part is left out."""
+        """True if no part is left out."""
         return replace(self, amalgamated=(), many=False) == Selection()
 
     @property

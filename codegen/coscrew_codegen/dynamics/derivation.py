@@ -29,7 +29,7 @@ from coscrew_codegen.scene.scene_function import (
 
 
 def is_timed(scene: Scene) -> bool:
-    """Whether any effect is a function of time."""
+    """Returns whether any effect is a function of time."""
     def timed(value: object) -> bool:
         parts = value if isinstance(value, tuple) else (value,)
         return any(isinstance(x, Formula) and x.timed for x in parts)
@@ -71,7 +71,7 @@ class Derivation:
 
     @cached_property
     def closes(self) -> bool:
-        """Whether any limit can be hit."""
+        """True if any limit can be hit."""
         return bool(self.made(closing_contacts.FUNCTION).program.instructions)
 
     def size(self, size: AxisLength) -> int:

@@ -84,7 +84,7 @@ class Op(Enum):
 
     @property
     def rounds(self) -> bool:
-        """Whether the result may differ from the exact one."""
+        """True if the result may differ from the exact one."""
         return self.meaning.rounding is not Rounding.EXACT
 
 

@@ -64,7 +64,7 @@ class FunctionProgram:
         return self.program.inputs[len(self.inputs):]
 
     def takes(self, name: str) -> bool:
-        """Whether an input has this name."""
+        """Returns whether an input has this name."""
         return any(a.name == name for a in self.program.inputs)
 
 
@@ -126,7 +126,7 @@ class Signature:
 
     @property
     def repeats(self) -> bool:
-        """Whether it is a step that many steps in one call repeat: one that does not take tau."""
+        """True if it is a step that many steps in one call repeat: one that does not take tau."""
         return self.moved and "tau" not in dict(self.inputs)
 
     @property
@@ -190,5 +190,5 @@ class SceneFunctions:
         return found
 
     def has(self, name: str) -> bool:
-        """Whether there is a function of this name."""
+        """Returns whether there is a function of this name."""
         return any(f.name == name for f in self.functions)

@@ -70,12 +70,12 @@ class Formula:
 
     @property
     def timed(self) -> bool:
-        """Whether t occurs; without it a formula is a constant."""
+        """True if t occurs; without it a formula is a constant."""
         return any(step.word == "t" for step in self._steps)
 
     @property
     def is_number(self) -> bool:
-        """Whether it is a plain number, perhaps with a sign: "2", "-1e-3"."""
+        """True if it is a plain number, perhaps with a sign: "2", "-1e-3"."""
         return all(step.word in ("number", "negative") for step in self._steps)
 
     def value(self, t: V, functions: Mapping[str, object]) -> V:

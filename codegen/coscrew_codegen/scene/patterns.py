@@ -14,7 +14,7 @@ class PatternError(ValueError):
 
 
 def is_pattern(name: str) -> bool:
-    """Whether the name has letters with a meaning in patterns."""
+    """Returns whether the name has letters with a meaning in patterns."""
     return not _WILD.isdisjoint(name)
 
 

@@ -107,5 +107,5 @@ class Scene:
 
 
 def zero(value: Setting) -> bool:
-    """Whether this is the number zero."""
+    """Returns whether this is the number zero."""
     return isinstance(value, Fraction) and value == 0

@@ -172,7 +172,7 @@ class Situation(Protocol):
 
     @property
     def closes(self) -> bool:
-        """Whether it has a limit that can be hit."""
+        """True if it has a limit that can be hit."""
 
 
 class Depends(Enum):

@@ -72,7 +72,7 @@ class Controller:
 
     @property
     def in_python(self) -> bool:
-        """Whether Python runs when it is called, also through a pointer that ctypes made."""
+        """True if Python runs when it is called, also through a pointer that ctypes made."""
         kept = (getattr(self.function, "_objects", None) or {}).values()
         return not self.address or any("Thunk" in type(x).__name__ for x in kept)
 

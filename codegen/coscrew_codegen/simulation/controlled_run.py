@@ -76,7 +76,7 @@ class Driven:
 
     @property
     def turned(self) -> bool:
-        """Whether its values changed direction from call to call; unknown, and so false, for calls
+        """True if its values changed direction from call to call; unknown, and so false, for calls
         by compiled steps."""
         return self._turns.many or self._in_c is not None and not self._controller.in_python
 

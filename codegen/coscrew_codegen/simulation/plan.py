@@ -39,7 +39,7 @@ class Plan:
 
     @property
     def adaptive(self) -> bool:
-        """Whether SciPy integrates."""
+        """True if SciPy integrates."""
         return self.integrator in ADAPTIVE
 
     def steps(self, interval: float) -> tuple[int, float]:

@@ -94,7 +94,7 @@ class _Samples:
 
     @property
     def ended(self) -> bool:
-        """Whether all members have stopped."""
+        """True if all members have stopped."""
         return not self._alive.any()
 
     def add(self, q: np.ndarray, v: np.ndarray, steps: int, stops: tuple[Stop, ...]) -> None:

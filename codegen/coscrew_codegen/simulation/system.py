@@ -62,11 +62,12 @@ class System:
         return {f.name: f.program for f in found if not f.internal}
 
     def zero(self, name: str) -> bool:
-        """Whether the scene lacks the function, or its outputs are zero whatever the inputs."""
+        """Returns whether the scene lacks the function, or its outputs are zero whatever the
+        inputs."""
         return all(x.zero for x in self.functions.signatures if x.name == name)
 
     def has(self, name: str) -> bool:
-        """Whether the scene has this function."""
+        """Returns whether the scene has this function."""
         return name in self.inputs
 
     def call(self, name: str, **values: object) -> np.ndarray:

@@ -122,12 +122,12 @@ def distinct(operation: Operation) -> tuple[Argument, ...]:
 
 
 def is_struct(argument: Argument) -> bool:
-    """Whether C passes a struct (else a number or an array of numbers)."""
+    """Returns whether C passes a struct (else a number or an array of numbers)."""
     return argument.quantity.name in STRUCTS
 
 
 def is_array(argument: Argument) -> bool:
-    """Whether C passes a plain array, as dc[2]."""
+    """Returns whether C passes a plain array, as dc[2]."""
     return bool(argument.quantity.shape) and not is_struct(argument)
 
 

@@ -385,7 +385,7 @@ def _record(node: c_ast.Struct | c_ast.Union, types: dict[str, Type]) -> Record:
 
 
 def _is_scalar(value: Value) -> bool:
-    """Whether this is a variable of one cell."""
+    """Returns whether this is a variable of one cell."""
     return isinstance(value, Place) and isinstance(value.type, Scalar)
 
 

@@ -89,7 +89,7 @@ class Judge:
     its: Dynamics
 
     def truth(self, how: Setting) -> tuple[str, Error]:
-        """Whether a run is right, and its worst part.  Raises Unjudged."""
+        """Returns whether a run is right, and its worst part.  Raises Unjudged."""
         q, v = self.runs.states(how, self.its)
         true = reference(self.motion, self.runs.times(how))
         part = true.t <= true.horizon
@@ -102,7 +102,7 @@ class Judge:
         return verdict, worst
 
     def _keeps_energy(self, true: Reference, q: np.ndarray, v: np.ndarray) -> bool:
-        """Whether a chaotic motion keeps its energy to the end."""
+        """Returns whether a chaotic motion keeps its energy to the end."""
         if not (np.isfinite(q).all() and np.isfinite(v).all()):
             return False
         energies, true_ones = (np.array([self.its.energy(*x) for x in zip(*states, strict=True)])

@@ -53,7 +53,7 @@ class Said:
 
     @property
     def goes_on(self) -> bool:
-        """Whether neither command refuses the motion."""
+        """True if neither command refuses the motion."""
         return self.passed and not self.stopped
 
     @property

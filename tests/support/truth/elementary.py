@@ -157,7 +157,7 @@ def remaining(name: str, got: Array, rest: Array, *inputs: Array, slack: float =
 
 
 def same(got: Array, want: Array) -> bool:
-    """Whether all bits agree, except the sign and the payload of NaN."""
+    """Returns whether all bits agree, except the sign and the payload of NaN."""
     kind = f"u{want.dtype.itemsize}"
     agree = (got.view(kind) == want.view(kind)) | (np.isnan(got) & np.isnan(want))
     return got.dtype == want.dtype and bool(agree.all())

@@ -40,7 +40,7 @@ class Judged:
 
     @property
     def told(self) -> np.ndarray:
-        """Whether the condition allows a judgement."""
+        """True if the condition allows a judgement."""
         return self.condition < LARGEST
 
 

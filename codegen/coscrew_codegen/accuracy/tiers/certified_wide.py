@@ -75,8 +75,8 @@ def _with_plain_results(plain: Program, certified: Program) -> Program:
 
 
 def _is_kept(w: Operand, bound: Operand) -> bool:
-    """Whether w is a number of single precision, so that the result has no error, or the result is
-    NaN."""
+    """Returns whether w is a number of single precision, so that the result has no error, or the
+    result is NaN."""
     exact = isinstance(w, Input) or isinstance(w, Constant) and w.double == Fraction(
         float(SINGLE.rounded(w.double)))
     return bound == ZERO and exact or isinstance(bound, NotANumber)

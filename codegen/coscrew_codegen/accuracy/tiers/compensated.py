@@ -122,7 +122,7 @@ class Carrier:
         return self.known(x)
 
     def is_exact(self, x: Operand) -> bool:
-        """Whether an operand has no lo."""
+        """Returns whether an operand has no lo."""
         return self.known(x) is None and name_of(x) not in self.products
 
     def hi(self, x: Operand) -> Operand:

@@ -93,7 +93,7 @@ class Size:
 
     @property
     def exact(self) -> bool:
-        """Whether the plain value has no error."""
+        """True if the plain value has no error."""
         return not self.k
 
 

@@ -17,12 +17,13 @@ if TYPE_CHECKING:  # with it comes SymPy, for which `coscrew simulate` need not 
 
 
 def is_polynomial(program: Program) -> bool:
-    """Whether the program rounds, by sums and products only, and all its constants are exact."""
+    """Returns whether the program rounds, by sums and products only, and all its constants are
+    exact."""
     return rounds_by(POLYNOMIAL, program) and not has_rounded_constants(program)
 
 
 def rounds_by(ops: frozenset[Op], program: Program) -> bool:
-    """Whether the program rounds, by these operations only."""
+    """Returns whether the program rounds, by these operations only."""
     held = program.counts.keys()
     return any(op.rounds for op in held) and held <= ops
 
@@ -81,5 +82,5 @@ class Tier:
 
     @property
     def exact(self) -> bool:
-        """Whether its C computes rounding errors, for which fma needs one instruction."""
+        """True if its C computes rounding errors, for which fma needs one instruction."""
         return self.header == "ksl_exact"

@@ -69,8 +69,8 @@ class Choices:
         return taken
 
     def _may_be_infinite(self, x: Any) -> bool:
-        """Whether a number may be infinite for small or large arguments, because it depends on a
-        quotient."""
+        """Returns whether a number may be infinite for small or large arguments, because it depends
+        on a quotient."""
         if not (isinstance(x, Number) and isinstance(x.operand, Ref)):
             return False
         for step in self._recorder.issued(len(self._unbounded)):
@@ -109,5 +109,5 @@ def _either(a: Cases, b: Cases) -> Cases:
 
 
 def _differ(a: Case, b: Case) -> bool:
-    """Whether they differ in the outcome of exactly one test."""
+    """Returns whether they differ in the outcome of exactly one test."""
     return {(test, not holds) for test, holds in a - b} == b - a and len(a - b) == 1

@@ -79,7 +79,7 @@ class Recorder:
                      for k in range(self.inputs[index].quantity.size))
 
     def has(self, name: str) -> bool:
-        """Whether there is an input of this name."""
+        """Returns whether there is an input of this name."""
         return any(a.name == name for a in self.inputs)
 
     def number(self, value: Scalar | int) -> Number:

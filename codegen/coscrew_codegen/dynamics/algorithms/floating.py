@@ -54,7 +54,7 @@ def _tied(applied: Applied, tree: Tree) -> set[int]:
 
 
 def _idle(scene: Scene, tree: Tree, applied: Applied) -> bool:
-    """Whether the numbers of an effect make its forces zero in every state."""
+    """Returns whether the numbers of an effect make its forces zero in every state."""
     recorder = Recorder([array("t", ()), array("p", (len(scene.parameters),)),
                          array("q", (tree.nq,)), array("v", (tree.nv,))])
     motion = Motion(recorder, tree, [f"link{n}" for n in range(len(tree.links))],

@@ -186,11 +186,11 @@ class _Law:
         return limit / maximum(absolute(self.torque), positive)
 
     def _moves(self, value: Number) -> bool:
-        """Whether the value depends on q or v."""
+        """Returns whether the value depends on q or v."""
         return bool({self.at.q.operand, self.at.v.operand} & self.program(value).used_inputs())
 
     def _rests(self) -> bool:
-        """Whether the torque is 0 at v = 0 for all other inputs."""
+        """Returns whether the torque is 0 at v = 0 for all other inputs."""
         given = [self.recorder.numbers([0]) if a.name == "v" else self.recorder.argument(a.name)
                  for a in self.recorder.inputs]
         return self.recorder.replay(self.program(self.torque), *given)[0].is_zero

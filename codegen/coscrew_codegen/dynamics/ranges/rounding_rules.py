@@ -110,6 +110,6 @@ def _above(x: Fraction) -> Upward:
 
 
 def _turn(a: RoundedRange, b: RoundedRange) -> bool:
-    """Whether these are multiples of a sine and a cosine of the same number."""
+    """Returns whether these are multiples of a sine and a cosine of the same number."""
     return (a.circular is not None and b.circular is not None and None not in (a.factor, b.factor)
             and a.circular[0] is not b.circular[0] and a.circular[1] == b.circular[1])

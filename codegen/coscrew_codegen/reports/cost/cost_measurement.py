@@ -72,8 +72,8 @@ class Costs:
     run_errors: RunErrors | None = None
 
     def known(self, point: Point) -> bool:
-        """Whether a run's error exceeds the reference's, and so is known; a smaller error is only
-        known to be small."""
+        """Returns whether a run's error exceeds the reference's, and so is known; a smaller error
+        is only known to be small."""
         return self.reference is not None and point.error > self.reference.error
 
 

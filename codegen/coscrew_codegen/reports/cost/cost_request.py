@@ -29,7 +29,7 @@ class CostRequest:
 
     @property
     def alone(self) -> bool:
-        """Whether only functions are requested: no effects, no runs."""
+        """True if only functions are requested: no effects, no runs."""
         return bool(self.functions)
 
     def of(self, scene: Scene) -> tuple[str, ...]:

@@ -74,5 +74,5 @@ def whole(scene: Scene, asked: Sequence[str] = ()) -> tuple[str, ...]:
 
 
 def _optional(applied: Applied) -> bool:
-    """Whether the effect can be left out and adds to the cost of functions."""
+    """Returns whether the effect can be left out and adds to the cost of functions."""
     return not (applied.effect.mimic or applied.effect.reaction)

@@ -80,8 +80,8 @@ class FunctionErrors:
         return max(x.worst / x.largest if x.worst else 0.0 for x in self.errors)
 
     def better(self, other: "FunctionErrors") -> bool:
-        """Whether it is faster, with disjoint intervals, at least as accurate in every unit, and
-        gives bounds if the other does: plain is not better than certified."""
+        """Returns whether it is faster, with disjoint intervals, at least as accurate in every
+        unit, and gives bounds if the other does: plain is not better than certified."""
         return (self.time.below(other.time) and (self.tier == CERTIFIED) >= (
             other.tier == CERTIFIED) and all(
                 a.worst <= b.worst for a, b in zip(self.errors, other.errors, strict=True)))

@@ -76,7 +76,7 @@ class RunErrors:
 
     @property
     def whole(self) -> bool:
-        """Whether the times reach to the run's end."""
+        """True if the times reach to the run's end."""
         return self.times[-1] > self.until - self.step
 
 

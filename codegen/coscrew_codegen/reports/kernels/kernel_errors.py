@@ -79,7 +79,7 @@ def accuracy(operation: Operation, variant: Variant, benign: InputSample, hard: 
 
 
 def _may_refuse(program: Program) -> bool:
-    """Whether a NaN can mean that a result does not exist."""
+    """Returns whether a NaN can mean that a result does not exist."""
     return any(isinstance(x, NotANumber) for step in program.instructions for x in step.operands)
 
 

@@ -44,7 +44,7 @@ class Balance:
 
     @property
     def rounded(self) -> bool:
-        """Whether the defect is within the rounding error of energies."""
+        """True if the defect is within the rounding error of energies."""
         return self.defect <= self.rounding
 
     @property

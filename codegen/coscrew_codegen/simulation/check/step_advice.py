@@ -51,12 +51,12 @@ class ReferenceStep:
 
     @property
     def stops(self) -> bool:
-        """Whether it stops before the end, because it is no longer finite."""
+        """True if it stops before the end, because it is no longer finite."""
         return bool(self.t[-1] < self.end)
 
     @property
     def resolved(self) -> bool:
-        """Whether it is known to the end."""
+        """True if it is known to the end."""
         return bool(self.until >= self.end)
 
 
@@ -71,7 +71,7 @@ class Error:
 
 
 def affordable(system: System, steps: float) -> bool:
-    """Whether so many steps take no more than some seconds."""
+    """Returns whether so many steps take no more than some seconds."""
     return bool(steps * max(1, system.functions.nv) <= MOST)
 
 
@@ -122,7 +122,7 @@ def sizes(parts: StateParts, precision: Precision, h: float, motion: Trajectory 
 
 
 def resting(system: System, motion: ReferenceStep) -> bool:
-    """Whether no part moves farther than a resting one may."""
+    """Returns whether no part moves farther than a resting one may."""
     parts = StateParts(in_double(system))
     found = sizes(parts, system.precision, motion.h, motion)
     return bool(motion.resolved and (found <= parts.least).all())
@@ -152,7 +152,7 @@ class _Errors:
 
     @property
     def add_up(self) -> bool:
-        """Whether the largest error became too large no faster than by adding up."""
+        """True if the largest error became too large no faster than by adding up."""
         if not self.relative.size:
             return False
         grown = self.relative[:, self.relative.max(0).argmax()]
@@ -336,8 +336,8 @@ def _halved(system: System, planned: Plan) -> Iterator[Plan]:
 
 
 def _right(system: System, planned: Plan, true: ReferenceStep, start: State | None) -> bool:
-    """Whether the run reaches its end, is right, and passes the Alarm, which takes most of the time
-    and runs last."""
+    """Returns whether the run reaches its end, is right, and passes the Alarm, which takes most of
+    the time and runs last."""
     for alarm in (None, Alarm):
         trajectory = integrate(system, planned, alarm=alarm, start=start)
         if trajectory.stopped or error(system, trajectory, true).relative > ALLOWED:

@@ -199,6 +199,6 @@ def _mark(point: Point, costs: Costs) -> str:
 
 
 def best(point: Point, costs: Costs) -> bool:
-    """Whether no other run is faster, with disjoint intervals, and at least as accurate."""
+    """Returns whether no other run is faster, with disjoint intervals, and at least as accurate."""
     return math.isfinite(point.error) and not any(
         x.time.below(point.time) and x.error <= point.error for x in costs.points)

@@ -99,7 +99,8 @@ def _on_several(reading: EffectTable) -> list[Applied]:
 
 
 def _is_place(reading: EffectTable, key: str) -> bool:
-    """Whether a key that is a parameter's name stands for a joint or body: if its value is a table.
+    """Returns whether a key that is a parameter's name stands for a joint or body: if its value is
+    a table.
 
     Raises SceneError if that table could also hold the parameter for each joint or body."""
     given = reading.table.values[key]

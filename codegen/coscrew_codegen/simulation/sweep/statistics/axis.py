@@ -85,7 +85,7 @@ def of_varied(x: Grid | Range, parts: int) -> Axis:
 
 
 def _geometric(values: tuple[float, ...]) -> bool:
-    """Whether each is the one before times the same number."""
+    """Returns whether each is the one before times the same number."""
     if len(values) < 3 or min(values) <= 0:
         return False
     steps = np.diff(np.log(values))

@@ -104,7 +104,7 @@ class ColumnStatistics:
 
     @property
     def varies(self) -> bool:
-        """Whether its values differ."""
+        """True if its values differ."""
         return self.count > 0 and self.own.high > self.own.low
 
 
