@@ -26,7 +26,7 @@ TABLE = {operation.name: operation for operation in OPERATIONS}
 DERIVED = ("vec3", "mat3x3", "coscrew")  # families; deriving all would take long
 FOLDERS = {"scene.effects": "EFFECT", "scene.integrators": "INTEGRATOR",
            "scene.functions": "FUNCTION", "algebra.operations": "FAMILY",
-           "accuracy.tiers": "TIER", "backends": "TARGET"}
+           "scene.readers": "READER", "accuracy.tiers": "TIER", "backends": "TARGET"}
 
 
 @pytest.fixture(scope="module")

@@ -11,10 +11,9 @@ from coscrew_codegen.dynamics import derive
 from coscrew_codegen.scene.mechanism.model import Inertia, Kind, Mimic
 from coscrew_codegen.scene.readers.scene_error import SceneError
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
-from coscrew_codegen.scene.readers.urdf.urdf import read_urdf
 from coscrew_codegen.scene.scene import Scene
 from tests.support.scenes.example_effects import CATALOGUE
-from tests.support.scenes.reading import ARM
+from tests.support.scenes.reading import ARM, read_urdf
 from tests.support.scenes.robots import robots
 from tests.support.work import calls_of
 
@@ -205,8 +204,9 @@ def test_a_scene_names_its_file_beside_it(tmp_path):
 
 
 @pytest.mark.parametrize("model, words", [
-    ("arm.urd", "wanted a .urdf file"), ("arm.URDF2", "wanted a .urdf file"),
-    ("none.urdf", "there is no such file"), (".", "wanted a .urdf file")])
+    ("arm.urd", "has the suffix '.urd'; wanted a model ("),
+    ("arm.urd", "); did you mean '.urdf'?"), ("arm.URDF2", "); did you mean '.urdf'?"),
+    ("none.urdf", "there is no such file"), (".", "has no suffix; wanted a model (")])
 def test_files_that_are_not_there(tmp_path, model, words):
     path = tmp_path / "arm.toml"
     path.write_text(f'model = "{model}"\n')

@@ -40,7 +40,7 @@ def srdf(tags: Set[str]) -> str:
 
 
 def of_suffix(path: Path) -> str:
-    """Says what a file with neither suffix, .toml nor .urdf, is: "is SDF, …"."""
+    """Says what a file is whose suffix no reader has: "is SDF, …"."""
     suffix = path.suffix.lower()
     if suffix == ".xacro":
         return f"is a file of xacro, of which `{xacro(path)}` makes a URDF"

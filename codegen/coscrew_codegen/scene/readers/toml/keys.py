@@ -162,8 +162,8 @@ ACCURACY = TableOf("accuracy", "How accurate functions are in the mixed tier.", 
         "output", "positive"),))
 
 SCENE = TableOf("", "The file itself.", (
-    Key("model", "a URDF file next to the scene; without it the tables `bodies` and `joints` are "
-        "the model"),
+    Key("model", "a file next to the scene that holds the model, in one of the formats of models; "
+        "without it the tables `bodies` and `joints` are the model"),
     Key("base", "whether the root is fixed or moves freely", choices=tuple(BASES)),
     Key("name", "name of the files and the package, and prefix of the C functions: a C identifier",
         default="the file's name"),
