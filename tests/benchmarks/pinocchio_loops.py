@@ -65,7 +65,8 @@ def pinocchio_model(name: str) -> pin.Model:
 
 def library(compiler: str, source: Path = SOURCE, flags: Sequence[str] = FLAGS
             ) -> tuple[ctypes.CDLL | None, str]:
-    """The loops, compiled once for a compiler and a processor; or None, and what is missing."""
+    """The loops, compiled once for a compiler and a processor; or None, and the missing libraries.
+    """
     if not shutil.which(compiler):
         return None, f"no {compiler}"
     eigen = next((x for x in EIGEN if (x / "Eigen").is_dir()), None)

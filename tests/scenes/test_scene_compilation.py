@@ -72,7 +72,7 @@ def test_fast_math_is_refused_unless_allowed(flag: str, tmp_path: Path):
                                                ("-DSLIDER_NO_DOUBLE", False)])
 def test_a_double_of_32_bits_is_refused_unless_left_out(left_out: str, refused: bool,
                                                         compiler: str, tmp_path: Path):
-    """As on AVR, whose float.h says that a double has 24 digits."""
+    """AVR is such a processor: its float.h says that a double has 24 digits."""
     written(CASES["slider"](), tmp_path)
     command = [compiler, *C11, "-Wno-builtin-macro-redefined", "-D__DBL_MANT_DIG__=24",
                *filter(None, [left_out]), "-c", tmp_path / "slider.c", "-o", tmp_path / "x.o"]

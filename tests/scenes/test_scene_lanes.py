@@ -46,7 +46,7 @@ by_build = pytest.mark.parametrize("compiler, flags", [
 
 
 def compared(scene: SceneFunctions, folder: Path, compiler: str, *flags: str) -> int:
-    """How many numbers were compared; they are the same."""
+    """Compares numbers, which are equal; returns how many."""
     sources = lanes_program.written(scene, folder)
     run((compiler, *flags, *sources, "-o", folder / "lanes", "-lm"))
     return int(run([folder / "lanes"]))
@@ -67,8 +67,8 @@ def test_bits_of_other_scenes(scene: Callable[[], SceneFunctions], compiler: str
     *((x, ("-march=native",) if X86 else ()) for x in COMPILERS), (COMPILERS[-1], FMA),
     (COMPILERS[0], ("-O2", "-DKSL_LANE_BYTES=16"))), ids=str)
 def test_rows_of_many_lengths(joints: int, compiler: str, flags: tuple[str, ...], tmp_path: Path):
-    """Rows are transposed in blocks and tiles: shorter ones than these, what is left of longer
-    ones, and so many that a loop takes the first."""
+    """Rows are transposed in blocks and tiles: shorter ones than these, the rest of longer ones,
+    and so many that a loop takes the first."""
     link = Kind.REVOLUTE, mechanisms.Z, mechanisms.at(1, 0, 0), mechanisms.inertia(1, (1, 0, 0))
     plane = Scene("plane", mechanisms.chain(*[link] * joints), ())
     made = derive(plane, ("inverse_dynamics", "mass_matrix"))

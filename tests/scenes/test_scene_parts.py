@@ -93,7 +93,7 @@ def test_no_part_is_longer_than_asked(longest: int):
 
 
 def test_long_chains_are_linear_in_length():
-    """For longer chains parts are no longer, and their number, their steps and the values they keep
+    """Parts of longer chains are no longer, and their number, their steps and the values they keep
     grow linearly."""
     found = []
     for joints in (8, 16, 32):
@@ -140,7 +140,7 @@ def test_a_group_that_only_keeps_dissolves():
 
 @pytest.fixture(scope="module")
 def right(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
-    """What the program must print."""
+    """The expected output of the program."""
     return scene_bits.wanted(tmp_path_factory.mktemp("package"))
 
 

@@ -1,5 +1,5 @@
-"""URDF files give Pinocchio's masses, placements and axes; an error in one is told with its line.
-"""
+"""URDF files give Pinocchio's masses, placements and axes; an error in one is reported with its
+line."""
 
 from fractions import Fraction as F
 from functools import partial
@@ -26,7 +26,7 @@ WRONG = {
 """Files of example-robot-data that are wrong, with what is: moments that no body has, and a file
 that holds nothing but the comment of its generator."""
 
-SNAPPED = 1.1e-11  # what an entry may differ by where a right angle was snapped
+SNAPPED = 1.1e-11  # largest difference of an entry where a right angle was snapped
 
 ROBOTS = robots()
 RIGHT = [path for path in ROBOTS if path.name not in WRONG]

@@ -177,12 +177,13 @@ def _version(package: str) -> str:
 
 
 def _maker(contents: Contents) -> str:
-    """What meanings depend on besides the sources: the version of Python, and how they are read."""
+    """Further dependencies of meanings besides the sources: the version of Python, and the code
+    that reads them."""
     return f"{sys.version} {hashed(contents.get(syntax.__name__, b''))}"
 
 
 def _places() -> Iterator[Path]:
-    """Where meanings are kept: beside the bytecode or, if that cannot be written, in the cache."""
+    """Folders of the meanings: beside the bytecode or, if that cannot be written, in the cache."""
     yield Path(cache_from_source(__file__)).with_suffix(".json")
     yield cache.wanted_folder() / "sources.json"
 

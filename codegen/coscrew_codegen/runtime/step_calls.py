@@ -116,7 +116,8 @@ class StepCalls:
 
     def _ready(self, given: tuple[ArrayLike, ...]
                ) -> TypeGuard[tuple[np.ndarray, np.ndarray, np.ndarray]]:
-        """Whether p, q and v are right and of one state, and none of them has to be converted."""
+        """Returns whether p, q and v are right and of one state, and none of them has to be
+        converted."""
         for x, shape in zip(given, self._shapes, strict=True):
             if type(x) is not np.ndarray or x.dtype != self.kind or x.shape != shape:
                 return False

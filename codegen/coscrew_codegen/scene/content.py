@@ -16,8 +16,8 @@ def content_hash(scene: Scene) -> str:
 
 
 def motion_hash(scene: Scene) -> str:
-    """Hashes all that a motion in a given precision depends on: not the selected precisions,
-    functions and tiers, which options replace."""
+    """Hashes everything that a motion in a given precision depends on; the selected precisions,
+    functions and tiers, which options replace, do not count."""
     return content_hash(replace(scene, precision="", precisions=(), implausible="", functions=(),
                                 tiers=(), accuracy=(), notices=()))
 

@@ -64,8 +64,8 @@ def quantities_by_name(scene: Scene) -> Mapping[str, tuple[str, Applied, str]]:
 
 
 def lacks(text: str, scene: Scene) -> str:
-    """Why an effect of the scene has no quantity of this name, and those that it has; "" if the
-    text names no quantity of effects after an effect of the scene."""
+    """Says why an effect of the scene has no quantity of this name, and lists its quantities; "" if
+    the text does not consist of an effect of the scene and a quantity of effects."""
     name, _, quantity = text.rpartition(".")
     for applied in scene.effects:
         if applied.name == name and quantity in EFFECT_QUANTITIES:

@@ -1,6 +1,6 @@
 """Floating trees: their first joint is free, and no external force acts on them except uniform
-gravity.  Their momentum is known at all times: p(t) = p + m g t, and the angular momentum about the
-centre of mass is constant.  So is the path of the centre of mass: x(t) = x + p t/m + g t²/2."""
+gravity.  Their motion as a whole is known at all times: momentum p(t) = p + m g t, constant angular
+momentum about the centre of mass, and the centre of mass x(t) = x + p t/m + g t²/2."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -53,7 +53,7 @@ def _tied(applied: Applied, tree: Tree) -> set[int]:
 
 
 def _idle(scene: Scene, tree: Tree, applied: Applied) -> bool:
-    """Whether the numbers of an effect make its forces zero in every state."""
+    """Returns whether the numbers of an effect make its forces zero in every state."""
     recorder = Recorder([array("t", ()), array("p", (len(scene.parameters),)),
                          array("q", (tree.nq,)), array("v", (tree.nv,))])
     motion = Motion(recorder, tree, [f"link{n}" for n in range(len(tree.links))],

@@ -34,8 +34,8 @@ Twist = tuple[Number, ...]  # six: velocity of the origin; angular velocity
 
 
 def _of_link(symbol: str, origin: str = "") -> Callable[["_OfLink"], "_OfLink"]:
-    """Decorator: computed once per link and named by the symbol, below the link's heading.  The
-    translation of a displacement is named by `origin`."""
+    """Decorates a method: its value is computed once per link and named by the symbol, below the
+    link's heading.  `origin` names the translation of a displacement."""
     def decorated(compute: "_OfLink") -> "_OfLink":
         @wraps(compute)
         def cached(self: "Motion", link: int) -> Numbers:

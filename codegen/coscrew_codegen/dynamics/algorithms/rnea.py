@@ -73,8 +73,9 @@ def along(motion: Motion, number: int, wrench: Wrench) -> tuple[Number, ...]:
 
 def joint_torques(motion: Motion, wrenches: Sequence[Wrench], acting: "Acting | None",
                   inertias: Mapping[str, Number]) -> list[Number]:
-    """A torque per velocity: the wrench along the freedom, plus that of the joint's own inertia,
-    less those of effects; torques of followers are added to those of their leaders."""
+    """A torque per velocity: the wrench along the freedom, plus the torque of the joint's own
+    inertia, less the torques of effects; torques of followers are added to those of their leaders.
+    """
     torques = [motion.recorder.number(0)] * motion.tree.nv
     for number, link in enumerate(motion.tree.links):
         with motion.part(number, "tau"):
@@ -95,7 +96,8 @@ def holding_torques(motion: Motion) -> list[Number]:
 
 
 def gather(motion: Motion, number: int, parts: Sequence[Number], total: list[Number]) -> None:
-    """Add torques along a joint's freedoms to those of the velocities that these depend on."""
+    """Adds torques along a joint's freedoms to the torques of the velocities that drive these
+    freedoms."""
     link = motion.tree.links[number]
     start = link.v.start
     if link.driver:

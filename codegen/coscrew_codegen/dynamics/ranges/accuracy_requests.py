@@ -1,4 +1,4 @@
-"""What accuracy a scene asks of a function, and between which limits states are drawn for it."""
+"""Accuracy that a scene requests of a function, and the limits between which states are drawn."""
 
 from collections.abc import Iterator, Mapping
 from math import inf, pi
@@ -14,16 +14,16 @@ from coscrew_codegen.scene.scene import Scene
 
 Ranges = tuple[tuple[float, float], ...]
 REACHED_IN = 0.1
-"""s, in which accelerations reach the limits of velocities."""
+"""Time in which accelerations reach the velocity limits, in s."""
 
 
 class AskedError(ReportedError, ValueError):
-    """An accuracy that cannot be asked: of an output that a function does not have, or where no
-    states can be drawn."""
+    """A request that cannot be met: for an output that the function lacks, or where no states can
+    be drawn."""
 
 
 def asked(program: Program, scene: Scene, tree: Tree) -> Accuracy | None:
-    """What is asked of this function; None for nothing.  Raises AskedError."""
+    """The accuracy requested of this function; None without a request.  Raises AskedError."""
     within = {x.output: x.within for x in scene.accuracy if x.function == program.name}
     if not within:
         return None
@@ -59,8 +59,8 @@ def _ranges(name: str, program: Program, scene: Scene, tree: Tree) -> Ranges:
 
 
 def positions(joint: Joint) -> Ranges:
-    """A joint's positions: where a limit is missing, as if a turn, or 2 m, led from the other one,
-    or half of that from zero."""
+    """Ranges of a joint's positions.  A missing limit is one turn, or 2 m, from the other one;
+    without both limits the range is half of that to either side of zero."""
     lower, upper = (None if x is None else float(x) for x in (joint.lower, joint.upper))
     found = []
     for unit in joint.kind.units("q"):
@@ -71,14 +71,14 @@ def positions(joint: Joint) -> Ranges:
 
 
 def speeds(joint: Joint) -> tuple[float, ...]:
-    """The largest velocities of a joint: without limits π rad/s of angles, 1 m/s and 1 rad/s of
+    """Largest velocities of a joint: without limits π rad/s of angles, 1 m/s and 1 rad/s of
     others."""
     return tuple(float(joint.velocity or (pi if part.unit == "rad" else 1))
                  for part in joint.kind.parts for _ in range(part.speeds))
 
 
 def _halves(name: str, joint: Joint, scene: Scene, program: Program) -> Iterator[float]:
-    """The largest sizes of an input's components at a joint."""
+    """Largest sizes of an input's components at a joint."""
     if name == "tau":
         if not joint.effort:
             raise AskedError(f"{scene.name}: accuracy.{program.name}: joint {joint.name!r} has no "
@@ -88,6 +88,6 @@ def _halves(name: str, joint: Joint, scene: Scene, program: Program) -> Iterator
         return
     factors = {"v": 1.0, "a": 1 / REACHED_IN, "phi": scene.run.step}
     if name not in factors:
-        raise AskedError(f"{scene.name}: accuracy.{program.name}: no states are drawn for its "
+        raise AskedError(f"{scene.name}: accuracy.{program.name}: states cannot be drawn for its "
                          f"input {name}")
     yield from (speed * factors[name] for speed in speeds(joint))

@@ -1,8 +1,7 @@
-"""Times of several variants, in ns, measured in turn.
+"""Measures times of several variants, in ns, in turn.
 
 In every round each variant is timed once, after an untimed call, and the order rotates from round
-to round, so that disturbances affect all of them.  Ratios are of times in the same round.
-"""
+to round, so that disturbances affect all of them.  Ratios are of times in the same round."""
 
 import ctypes
 import gc

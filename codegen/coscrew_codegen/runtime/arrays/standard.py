@@ -27,7 +27,7 @@ class ArrayLibrary:
 
     @property
     def traced(self) -> bool:
-        """Whether arrays may have no values yet: a program is made of what is called."""
+        """True if arrays may have no values yet: a program is made of what is called."""
         return self.name == "jax"
 
     @cached_property
@@ -47,7 +47,8 @@ class ArrayLibrary:
         return self._key(dtype)
 
     def takes(self, x: Any) -> bool:
-        """Whether x is an array of this library, without a mask; JAX takes those of NumPy, too."""
+        """Returns whether x is an array of this library, without a mask; JAX takes those of NumPy,
+        too."""
         if self.traced and isinstance(x, self.xp.ndarray):  # also one whose values are not known
             return True
         package = "numpy" if self.traced else self.name
@@ -55,13 +56,14 @@ class ArrayLibrary:
                 and not isinstance(x, np.ma.MaskedArray))
 
     def numeral(self, x: Any) -> bool:
-        """Whether x is a Python number, or stands for one in a function that JAX traces."""
+        """Returns whether x is a Python number, or stands for one in a function that JAX traces."""
         if self.traced and isinstance(x, self.xp.ndarray):
             return getattr(x, "weak_type", False) and str(x.dtype).startswith(("float", "int"))
         return isinstance(x, (int, float)) and not (isinstance(x, bool) or hasattr(x, "dtype"))
 
     def holds(self, precision: Precision) -> bool:
-        """Whether arrays of this precision stay what they are: without x64, JAX rounds them."""
+        """Returns whether arrays of this precision stay what they are: without x64, JAX rounds
+        them."""
         if not self.traced:
             return True
         import jax

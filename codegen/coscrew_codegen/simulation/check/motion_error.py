@@ -1,12 +1,12 @@
 """Errors of motions, part by part, and the sizes that they are compared with.
 
-The parts are a joint's angles, positions and rotations; of a base that floats, its position
-relative to the centre of mass of the tree that it carries, and that centre of mass.  The size of a
-part is the largest distance from its start; of centres of mass, and of positions along the world,
-the largest distance from the straight line on which they start, if that is less, but no less than
-what makes the rounding of the way along it right; and of centres of mass no less than the way that
-the tree's radius of gyration turns, up to 1 rad.  So neither the speed or place or direction of a
-whole scene matters, nor a heavy neighbour.
+The parts are a joint's angles, positions and rotations; for a floating base, its position relative
+to the centre of mass of its tree, and that centre of mass.  The size of a part is the largest
+distance from its start.  For centres of mass, and for positions along the world, it is the largest
+distance from the straight line on which they start, if that is less, but at least so large that the
+rounding of the way along that line is no error; for centres of mass it is also at least the way
+that the tree's radius of gyration turns, up to 1 rad.  So the speed, place and direction of a whole
+scene do not matter, nor do heavy neighbours.
 """
 
 from collections.abc import Iterator
@@ -25,11 +25,11 @@ from coscrew_codegen.simulation.check.error_limits import ALLOWED
 from coscrew_codegen.simulation.system import System
 
 REST = 1e-3
-"""Sizes count as no smaller than this, in rad, and than this in m, or REST/100 of a scene's largest
-length if that is less: a robot that rests trembles by what nobody sees."""
+"""Least size of a part, in rad or m, or in m REST/100 of a scene's largest length if that is less:
+the invisible trembling of a resting robot is no error."""
 
 Places = tuple[np.ndarray, ...]
-"""Where each part is, (…, k): k = 1 for a coordinate, 3 for a position, 4 for a rotation."""
+"""Place of each part, (…, k): k = 1 for a coordinate, 3 for a position, 4 for a rotation."""
 
 
 class PartKind(Enum):
@@ -46,7 +46,7 @@ class StatePart:
 
     kind: PartKind
     coordinate: Coordinate
-    least: float  # its size counts as no smaller
+    least: float  # least size
     q: slice  # its places in the joint's q and v
     v: slice
     name: str  # in messages: "joint elbow", "centre of mass of base"
@@ -139,8 +139,8 @@ class StateParts:
         return x[0].shape[:-1] if x else ()
 
     def _mass_matrix(self, q: np.ndarray) -> np.ndarray | None:
-        """M where something floats; None where nothing does, or where the scene has no mass matrix,
-        having many joints.  (…, nv, nv)."""
+        """M if a tree floats; None if none does, or if the scene has no mass matrix because of many
+        joints.  (…, nv, nv)."""
         if all(x.kind is PartKind.OWN for x in self.parts) or not self.system.has("mass_matrix"):
             return None
         return np.asarray(self.system.call("mass_matrix", q=q), float)
@@ -208,7 +208,7 @@ def _velocity(c: Coordinate, q: np.ndarray, v: np.ndarray, M: np.ndarray | None)
 
 def rotated(q: np.ndarray, v: np.ndarray) -> np.ndarray:
     """R(q) v.  (…, 4), (…, 3)->(…, 3)."""
-    import coscrew  # takes as long to import as short runs, and only what floats needs it
+    import coscrew  # takes as long to import as short runs, and only floating trees need it
 
     found: np.ndarray = coscrew.double.rotate_qv(q, v)
     return found
@@ -245,7 +245,7 @@ def _length(model: Model) -> float:
 
 
 def _steady(model: Model) -> frozenset[str]:
-    """The joints that nothing turns which carries them: they slide along the world."""
+    """The joints of whose ancestors none rotates: their positions are along the world."""
     turned: set[str] = set()  # bodies
     found = set()
     for joint in model.joints:
@@ -269,7 +269,7 @@ class Extent:
     radii: np.ndarray  # of gyration
     way: np.ndarray  # from the starts, (…, k)
     off: np.ndarray  # from the lines
-    rounded: np.ndarray  # of the ways along the lines: at most u a step
+    rounded: np.ndarray  # rounding of the ways along the lines: at most u a step
 
     @staticmethod
     def since(parts: StateParts, precision: Precision, h: float, q: np.ndarray, v: np.ndarray
@@ -280,8 +280,8 @@ class Extent:
                       parts.radii(q), none, none, none)
 
     def add(self, after: float | np.ndarray, places: Places) -> None:
-        """Note where the parts are after so many seconds; arrays of times and places have an axis
-        of samples before the last one."""
+        """Notes the places of the parts after so many seconds; arrays of times and places have an
+        axis of samples before the last one."""
         times = np.asarray(after, float)[..., None]
         start, line = ([x[..., None, :] if times.ndim > 1 and x.ndim > 1 else x for x in of]
                        for of in (self.start, self.line))
@@ -306,7 +306,7 @@ class Extent:
 
     @property
     def sizes(self) -> np.ndarray:
-        """The sizes of the parts, none below what counts as rest.  (…, k)."""
+        """The sizes of the parts, none below that of rest.  (…, k)."""
         found: np.ndarray = np.maximum(np.minimum(self.way, self.off), self.parts.least)
         found[...] = np.maximum(found, self.rounded / ALLOWED)
         for k, turn in self.parts.turning:

@@ -18,7 +18,7 @@ from coscrew_codegen.simulation.sweep import SweepError
 from coscrew_codegen.simulation.sweep.sweep_options import UNIFORM
 
 START = "start."
-"""How names of coordinates and velocities begin: start.q.elbow, start.v.base.2."""
+"""Prefixes of the names of coordinates and velocities: start.q.elbow, start.v.base.2."""
 
 Ends = tuple[float, float]
 
@@ -33,7 +33,7 @@ class Candidate:
     index: int
     unit: str = ""
     limits: Ends | None = None  # of its joint
-    fault: str = ""  # why limits that the joint has cannot be used
+    fault: str = ""  # why the joint's limits cannot be used
 
 
 def candidates(scene: Scene, settings: Mapping[str, float]) -> Mapping[str, Candidate]:
