@@ -85,5 +85,5 @@ def _made(kernels: load.Kernels, compiler: compilation.Compiler) -> compilation.
             files |= scene_c_many.tier_files(tier, banner)
         else:
             files = scene_c.files(functions, banner) | scene_c_many.files(functions, banner)
-    return load.library_of(files, functions, f"{stem}_many.c", compiler, kernels.precisions,
+    return load.library_of(files, functions, f"{stem}_many{{f}}.c", compiler, kernels.precisions,
                            "-DKSL_LANES_ONLY", scene_c_many.LEVEL)

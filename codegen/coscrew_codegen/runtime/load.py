@@ -358,9 +358,10 @@ def _library(functions: SceneFunctions, compiler: compilation.Compiler, precisio
 def library_of(files: Mapping[str, str], functions: SceneFunctions, source: str,
                compiler: compilation.Compiler, precisions: tuple[str, ...], *flags: str
                ) -> compilation.CompiledLibrary:
-    """The library of a source in these precisions."""
-    units = {p.name: (source, *(f"-D{functions.name.upper()}_NO_{other.name.upper()}"
-                                for other in PRECISIONS if other != p), *flags)
+    """The library of a source in these precisions; {f} in its name stands for their suffix."""
+    units = {p.name: (source.format(f=p.suffix), *(
+        f"-D{functions.name.upper()}_NO_{other.name.upper()}" for other in PRECISIONS
+        if other != p), *flags)
              for p in named(functions.precisions) if p.name in precisions}
     return compilation.library(units, files, compiler)
 

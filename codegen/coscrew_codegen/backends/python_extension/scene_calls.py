@@ -19,7 +19,7 @@ from coscrew_codegen.backends.scene.scene_c_steps import begun
 from coscrew_codegen.backends.scene.scene_text import c_name
 from coscrew_codegen.backends.target import Files, Target
 from coscrew_codegen.program.scene_functions import SceneFunctions, SceneInterface, Signature
-from coscrew_codegen.program.values.formats import DOUBLE, PRECISIONS, Precision, named
+from coscrew_codegen.program.values.formats import PRECISIONS, Precision, named
 
 # Times and step lengths are rounded from double, as when steps are called one by one.
 _RUN = {"t": "({real})begun(t, h, (double)k)", "h": "({real})h"}
@@ -80,7 +80,6 @@ def _source(scene: SceneFunctions, stem: str, precisions: Collection[str]) -> st
     driven = bool(scene.steps and scene.parameters)
     return render("scene/calls.c", name=stem, upper=scene.name.upper(), sections=sections,
                   nq=scene.nq, nv=scene.nv, np=len(scene.parameters), driven=driven,
-                  products=[DOUBLE],
                   begun=begun() if driven or (scene.timed and scene.steps) else "")
 
 

@@ -70,7 +70,7 @@ def _opened(function: ArrayFunction, precision: Precision, texts: dict[str, str]
         banner = banner_of(scene.name)
         files = {**scene_c.files(scene, banner), **scene_c_many.files(scene, banner), **texts}
     only = [f"-D{scene.name.upper()}_NO_{p.name.upper()}" for p in PRECISIONS if p != precision]
-    units = {"states": (f"{scene.name}_many.c", *only, "-DKSL_LANES_ONLY",
+    units = {"states": (f"{scene.name}_many{precision.suffix}.c", *only, "-DKSL_LANES_ONLY",
                         scene_c_many.LEVEL)}
     if unit:
         units["handler"] = (unit[0], *only, *unit[1:])
