@@ -135,7 +135,7 @@ def test_bits_are_the_same_in_c_in_numpy_and_in_the_choice(made, compiler: str, 
     functions, path = made
     tier = in_tier(functions, MIXED)
     flags = ("-O3", "-march=native", "-ffp-contract=fast")
-    run([compiler, *C11, *STRICT, *flags, "-c", path / f"{tier.stem}.c", "-o", tmp_path / "x.o"])
+    run([compiler, *C11, *STRICT, *flags, "-c", path / f"{tier.stem}f.c", "-o", tmp_path / "x.o"])
     using = compilation.Compiler((compiler,), compiler, ("-fPIC", *flags))
     text = source_text.of_one(tier)
     library = compilation.library(text.units(("single",)), text.files, using)
@@ -167,12 +167,12 @@ import sys, hashlib
 from tests.scenes.test_scene_mixed import SCENE
 from coscrew_codegen.backends.output_files import scene_files
 from coscrew_codegen.dynamics import derive
-print(hashlib.sha256(scene_files(derive(SCENE))["mixed_arm_mixed.c"].encode()).hexdigest())
+print(hashlib.sha256(scene_files(derive(SCENE))["mixed_arm_mixedf.c"].encode()).hexdigest())
 """
 
 
 def test_text_is_the_same_for_every_hash_seed(made):
-    mine = hashlib.sha256((made[1] / "mixed_arm_mixed.c").read_bytes()).hexdigest()
+    mine = hashlib.sha256((made[1] / "mixed_arm_mixedf.c").read_bytes()).hexdigest()
     there = subprocess.run([sys.executable, "-c", TEXT], capture_output=True, text=True, check=True,
                            cwd=Path(__file__).parents[2],
                            env={**os.environ, "PYTHONHASHSEED": "4242"}).stdout.strip()
