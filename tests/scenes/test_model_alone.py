@@ -8,7 +8,7 @@ import pytest
 from coscrew_codegen import load_scene
 from coscrew_codegen.scene.content import content_hash
 from coscrew_codegen.scene.effects import EFFECTS
-from coscrew_codegen.scene.mechanism.model import Body, Inertia, Joint, Kind
+from coscrew_codegen.scene.mechanism.model import Body, Inertia, Joint
 from coscrew_codegen.scene.readers.decimals import decimal
 from coscrew_codegen.scene.readers.model_reader import ModelReader, Parts
 from coscrew_codegen.scene.readers.toml.toml_scene import SceneOverrides, read_scene
