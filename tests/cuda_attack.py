@@ -34,7 +34,7 @@ def by_hand() -> Iterator[Scene]:
 
 
 def of_example(name: str) -> Iterator[Scene]:
-    """What the scene has by default; forward dynamics in tiers."""
+    """The scene's default functions; forward dynamics in tiers."""
     path = EXAMPLES / f"{name}.toml"
     yield of_scene(derive(read_scene(path)))
     yield from map(of_tier, tiers_of(derive(read_scene(path, overrides=SceneOverrides(
@@ -42,7 +42,8 @@ def of_example(name: str) -> Iterator[Scene]:
 
 
 def assembled(scene: Scene, folder: Path) -> Iterator[str]:
-    """For each architecture, the most registers of a kernel, and whether registers are spilled."""
+    """Assembles for each architecture: the most registers of a kernel, and whether registers are
+    spilled."""
     program, _ = scene.on_device(folder)
     for architecture in ARCHITECTURES:
         said = nvcc.run(program, folder / "cuda.o", "-c", f"-arch={architecture}", "-Xptxas", "-v",
@@ -53,7 +54,7 @@ def assembled(scene: Scene, folder: Path) -> Iterator[str]:
 
 
 def launched(scene: Scene, folder: Path) -> str:
-    """How many numbers were compared on a device; they are the same."""
+    """Compares numbers on a device, which are the same; returns how many."""
     program, reference = scene.on_device(folder)
     run((COMPILERS[0], *C11, "-c", reference, "-o", folder / "one.o"))
     nvcc.run(program, folder / "cuda", "-arch=native", *FLAGS["nvcc"], str(folder / "one.o"))

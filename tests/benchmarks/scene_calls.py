@@ -1,4 +1,4 @@
-"""What a call of a Panda's functions takes from C: plain, with the C library's sine and cosine, and
+"""Times of a call of a Panda's functions from C: plain, with the C library's sine and cosine, and
 in the accurate and certified tiers; with every compiler, by usual flags and for this processor."""
 
 import ctypes
@@ -83,7 +83,7 @@ def called(function: FunctionProgram, tier: str, precision: Precision) -> str:
 
 
 def sizes_of(function: FunctionProgram, tier: str) -> list[int]:
-    """How many numbers each argument has."""
+    """Number of components of each argument."""
     program = function.program
     bounds = program.outputs if tier == "certified" else ()
     return [int(np.prod(a.quantity.shape)) for a in (*program.inputs, *program.outputs, *bounds)]

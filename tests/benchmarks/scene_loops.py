@@ -24,12 +24,12 @@ BANNER = "for the benchmark"
 
 
 def compilers() -> list[str]:
-    """Those that are there."""
+    """The installed compilers."""
     return [x for x in COMPILERS if shutil.which(x)]
 
 
 def widths() -> list[str]:
-    """Those that this processor has."""
+    """The vector widths that this processor has."""
     words = Path("/proc/cpuinfo").read_text().split()
     return [x for x in WIDTHS if x in words]
 
@@ -74,7 +74,7 @@ def compiled(scene: SceneFunctions, names: Sequence[str], folder: Path, compiler
 
 
 def sizes_of(function: FunctionProgram) -> list[int]:
-    """How many numbers each argument has."""
+    """Number of components of each argument."""
     program = function.program
     return [int(np.prod(a.quantity.shape)) for a in (*program.inputs, *program.outputs)]
 

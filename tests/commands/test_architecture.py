@@ -49,7 +49,7 @@ def imported(name: str) -> Iterator[str]:
 
 
 def own(name: str) -> set[str]:
-    """Those of the generator, without its name."""
+    """The generator's modules among these, without the generator's name."""
     return {x.removeprefix("coscrew_codegen").removeprefix(".") for x in imported(name)
             if x.split(".")[0] == "coscrew_codegen"}
 

@@ -75,7 +75,7 @@ def kernels(path: Path) -> Kernels:
 
 
 def runs(kernels: Kernels) -> Iterator[tuple[System, Trajectory]]:
-    """As many states as are judged, in both precisions."""
+    """Runs with as many states as are judged, in both precisions."""
     draw = np.random.default_rng(3)
     q, v = draw.uniform(-3, 3, (2, STATES, 1))
     for name in BY_NAME:

@@ -85,7 +85,7 @@ def test_the_guide_to_sweeps_runs(tmp_path, monkeypatch, capsys):
 
 
 def firmware(folder: Path) -> Path:
-    """What is generated of the scene in docs/c.md."""
+    """Generates the scene in docs/c.md."""
     (scene,) = re.findall(r"```toml\n(.*?)```", TEXTS["docs/c.md"], re.DOTALL)
     (folder / "swing.toml").write_text(scene)
     assert main(["generate", str(folder / "swing.toml"), "--many", "-o",
@@ -164,7 +164,7 @@ def test_the_scene_of_the_readme_runs_as_it_stands(tmp_path, capsys):
 
 
 def test_shell_snippets_run(tmp_path, monkeypatch, capsys):
-    """Those that make everything, for one family: test_generate.py runs them whole."""
+    """Commands that make everything run for one family; test_generate.py runs them whole."""
     others = "".join(text for name, text in TEXTS.items() if name != SWEEPS)
     blocks = re.findall(r"```sh\n(.*?)```", others, re.DOTALL)
     commands = [line.split("#")[0].split() for block in blocks for line in block.splitlines()]

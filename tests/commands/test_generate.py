@@ -64,7 +64,7 @@ def test_regenerating_restores_what_is_committed(copy):
 
 
 def test_check_shows_each_difference_and_the_command_that_mends_it(copy, tmp_path, capsys):
-    """And no other difference: it derives everything anew, with this process's hash seed and
+    """There is no other difference: it derives everything anew, with this process's hash seed and
     locale."""
     folder = tmp_path / "changed"
     shutil.copytree(copy, folder)

@@ -23,8 +23,8 @@ FUSING = {Op.PRODUCT_ERROR, Op.PRODUCT_REST}
 
 
 def negated(step: Instruction, product: Instruction | None) -> Iterator[Operand]:
-    """What C negates, or subtracts from a fused product; `product` is the one that this sum fuses
-    in C alone."""
+    """The sum that C negates, or subtracts from a fused product; `product` is the one that this sum
+    fuses in C alone."""
     if step.op is Op.NEG:
         yield step.operands[0]
     if step.op is Op.SUB and product is not None and step.operands[1] != Ref(product.name):
@@ -65,6 +65,6 @@ def test_negating_terms_changes_no_value_and_adds_no_rounding():
 
 
 def _rounded(program: Program) -> tuple[int, int]:
-    """How many products, and how many sums and differences."""
+    """Numbers of products, and of sums and differences."""
     counts = program.counts
     return counts[Op.MUL], counts[Op.ADD] + counts[Op.SUB]

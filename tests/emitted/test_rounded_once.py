@@ -53,7 +53,7 @@ def _rounds_twice(expression: str) -> bool:
 
 
 def _exact(expression: str) -> bool:
-    """Whether this is a product of halves or zero or, in double, of two numbers of single
+    """Returns whether this is a product of halves or zero or, in double, of two numbers of single
     precision."""
     if _HALVES.search(expression):
         return True
@@ -87,8 +87,8 @@ class Fused(c_ast.NodeVisitor):
             self.found.append(CGenerator().visit(node))
 
     def is_product(self, node: c_ast.Node) -> bool:
-        """Whether the value is a product that is not rounded separately; collects sums of such
-        products."""
+        """Returns whether the value is a product that is not rounded separately; collects sums of
+        such products."""
         if isinstance(node, c_ast.ID):
             return node.name in self.products
         if isinstance(node, c_ast.Cast):
@@ -114,7 +114,7 @@ class Fused(c_ast.NodeVisitor):
 
 
 def _is_two(node: c_ast.BinaryOp) -> bool:
-    """Whether one factor is 2: compilers make a sum of that product."""
+    """Returns whether one factor is 2: compilers make a sum of that product."""
     return any(isinstance(x, c_ast.Constant) and float(x.value.rstrip("f")) == 2
                for x in (node.left, node.right))
 
@@ -124,7 +124,7 @@ _TYPES = "typedef unsigned long uint64_t; typedef unsigned int uint32_t;\n"
 
 
 def fused(text: str) -> list[str]:
-    """Where a product could be fused into a sum."""
+    """Places where a product could be fused into a sum."""
     visitor = Fused()
     plain = _ASSEMBLY.sub("", _REMOVED.sub("", text))
     for word, meaning in _WORDS.items():

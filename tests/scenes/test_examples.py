@@ -32,7 +32,7 @@ def test_there_are_scenes_from_trivial_to_rich():
 
 
 def test_scenes_use_every_number_of_their_own(scene):
-    """Of the models in scene files; a URDF file may contain more than a scene needs."""
+    """Models in scene files are tested; a URDF file may contain more than a scene needs."""
     if "model" not in tomllib.loads(scene.read_text()):
         assert not read_scene(scene).unused
 

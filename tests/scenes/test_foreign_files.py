@@ -6,11 +6,11 @@ import os
 import pytest
 
 from coscrew_codegen import load_scene
+from coscrew_codegen.scene.readers.model_formats import readers
 from coscrew_codegen.scene.readers.scene_error import SceneError
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
-from coscrew_codegen.scene.readers.urdf.urdf import read_urdf
 from tests.support.scenes.example_effects import CATALOGUE
-from tests.support.scenes.reading import ARM
+from tests.support.scenes.reading import ARM, read_urdf
 
 BODY = ARM.removeprefix('<?xml version="1.0"?>\n')
 GREEK = BODY.replace('"tip"', '"ώμος"')
@@ -149,10 +149,11 @@ def test_other_suffixes_are_named_with_what_to_do(tmp_path, name, contents, word
     path, scene = tmp_path / name, tmp_path / "scene.toml"
     path.write_bytes(contents)
     scene.write_text(f'model = "{name}"\n')
-    for file, wanted in ((path, "wanted a .toml or .urdf file"), (scene, "wanted a .urdf file")):
+    for file, wanted in ((path, "; wanted a scene (.toml) or a model ("), (scene, "a model (")):
         with pytest.raises(SceneError) as caught:
             read_scene(file, CATALOGUE)
-        assert words in str(caught.value) and str(caught.value).endswith(wanted)
+        assert words in str(caught.value) and wanted in str(caught.value)
+        assert all(x in str(caught.value) for reader in readers() for x in reader.suffixes)
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="needs POSIX")

@@ -1,4 +1,4 @@
-"""What integrators declare is true; another integrator is one more entry."""
+"""Integrators' declarations are true; another integrator is one more entry."""
 
 import re
 import shutil
@@ -51,7 +51,7 @@ def test_each_integrator_is_a_file_of_its_name():
 
 
 def test_names_of_integrators_stand_in_their_files_alone():
-    """Elsewhere they are asked for."""
+    """Other modules look them up."""
     words = re.compile("|".join(rf"\b{x}\b|step_{x}\b" for name in NAMES
                                 for x in {name, name.replace("-", "_")} if name != "leapfrog"))
     for path in sorted((ROOT / "codegen").rglob("*.py")):

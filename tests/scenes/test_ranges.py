@@ -150,7 +150,7 @@ def test_exponentials_of_constants_have_sixty_digits(x):
 @pytest.mark.parametrize("x", [Fraction(x) for x in (
     "-2e4", "-2.5e11", "-1e400", "2e4", "2.5e11")])
 def test_exponentials_beyond_all_formats_are_no_long_fractions(x):
-    """Zero is what they round to; what rounds to infinity is left to the program."""
+    """They round to zero; numbers that round to infinity are left to the program."""
     with mpmath.workdps(20):  # 2^-16495: half of the least number of 128 bits; 2^16384: beyond them
         truth = mpmath.exp(mpmath.mpf(x.numerator) / x.denominator)
         assert truth < mpmath.mpf(2)**-16495 or truth > mpmath.mpf(2)**16384

@@ -23,7 +23,7 @@ BUILDS = tuple((compiler, flags) for compiler in COMPILERS for flags in FLAGS[co
 
 @pytest.fixture(scope="module")
 def right(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
-    """What the program must print."""
+    """The expected output of the program."""
     return scene_bits.wanted(tmp_path_factory.mktemp("package"))
 
 

@@ -18,7 +18,6 @@ from coscrew_codegen.program.scene_functions import SceneFunctions, Signature, S
 from coscrew_codegen.program.values.formats import DOUBLE, Precision
 from coscrew_codegen.runtime import compilation, lanes
 from coscrew_codegen.runtime.load import Kernels, kernels_for, kernels_of
-from coscrew_codegen.scene.mechanism.model import Kind
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.scene.scene import Scene, Tolerance
 from tests.support.compiled.c_harness import C11, COMPILERS, CXX17, STRICT, run
@@ -29,6 +28,7 @@ from tests.support.each import each_precision
 from tests.support.scenes import effect_scenes, lanes_program, mechanisms
 from tests.support.scenes.arms import arm
 from tests.support.scenes.generated_scenes import pendulum, slider, spinner
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.mechanisms import gravity
 from tests.support.scenes.scene_values import same_bits
 
@@ -47,7 +47,7 @@ by_build = pytest.mark.parametrize("compiler, flags", [
 
 
 def compared(scene: SceneFunctions, folder: Path, compiler: str, *flags: str) -> int:
-    """How many numbers were compared; they are the same."""
+    """Compares numbers, which are equal; returns how many."""
     sources = lanes_program.written(scene, folder)
     run((compiler, *flags, *sources, "-o", folder / "lanes", "-lm"))
     return int(run([folder / "lanes"]))
@@ -68,8 +68,8 @@ def test_bits_of_other_scenes(scene: Callable[[], SceneFunctions], compiler: str
     *((x, ("-march=native",) if X86 else ()) for x in COMPILERS), (COMPILERS[-1], FMA),
     (COMPILERS[0], ("-O2", "-DKSL_LANE_BYTES=16"))), ids=str)
 def test_rows_of_many_lengths(joints: int, compiler: str, flags: tuple[str, ...], tmp_path: Path):
-    """Rows are transposed in blocks and tiles: shorter ones than these, what is left of longer
-    ones, and so many that a loop takes the first."""
+    """Rows are transposed in blocks and tiles: shorter ones than these, the rest of longer ones,
+    and so many that a loop takes the first."""
     link = Kind.REVOLUTE, mechanisms.Z, mechanisms.at(1, 0, 0), mechanisms.inertia(1, (1, 0, 0))
     plane = Scene("plane", mechanisms.chain(*[link] * joints), ())
     made = derive(plane, ("inverse_dynamics", "mass_matrix"))

@@ -15,10 +15,11 @@ from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program import Constant, Op
 from coscrew_codegen.program.scene_functions import SceneFunctions
 from coscrew_codegen.program.values.formats import DOUBLE
-from coscrew_codegen.scene.mechanism.model import Body, Joint, Kind, Model
+from coscrew_codegen.scene.mechanism.model import Body, Joint, Model
 from coscrew_codegen.scene.scene import Scene
 from tests.support.scenes.effect_scenes import PLACES, arm, effects, mechanism
 from tests.support.scenes.generated_scenes import Writer, argument
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.mechanisms import Y, applied, gravity, inertia, scene
 
 SCENES: dict[str, Scene] = {

@@ -90,7 +90,7 @@ def test_bits_are_the_same_in_c_and_numpy(folder, compiler: str, flags: tuple[st
 
 
 def test_a_cortex_m4f_has_the_same_bits_and_calls_no_double(folder):
-    """And pairs take a fraction of the instructions of double precision's software."""
+    """Pairs take a fraction of the instructions of double precision in software."""
     path, scene = folder
     took: dict[str, int] = {}
     f = scene.named("forward_dynamics")

@@ -20,13 +20,13 @@ from coscrew_codegen.program import parts as program_parts
 from coscrew_codegen.program.ops import COMPARISONS
 from coscrew_codegen.program.parts import Cut, Group, cut
 from coscrew_codegen.program.scene_functions import SceneFunctions
-from coscrew_codegen.scene.mechanism.model import Kind
 from tests.support.compiled.c_harness import COMPILERS, run
 from tests.support.compiled.flags import FMA
 from tests.support.scenes import scene_bits
 from tests.support.scenes.effect_scenes import PLACES, arm, effects, mechanism
 from tests.support.scenes.evaluation import DOUBLE, evaluator
 from tests.support.scenes.generated_scenes import BANNER, CASES, argument, robot
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.mechanisms import Y, at, chain, inertia, scene
 
 LENGTHS = (1, 25, 600)
@@ -93,7 +93,7 @@ def test_no_part_is_longer_than_asked(longest: int):
 
 
 def test_long_chains_are_linear_in_length():
-    """For longer chains parts are no longer, and their number, their steps and the values they keep
+    """Parts of longer chains are no longer, and their number, their steps and the values they keep
     grow linearly."""
     found = []
     for joints in (8, 16, 32):
@@ -140,7 +140,7 @@ def test_a_group_that_only_keeps_dissolves():
 
 @pytest.fixture(scope="module")
 def right(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
-    """What the program must print."""
+    """The expected output of the program."""
     return scene_bits.wanted(tmp_path_factory.mktemp("package"))
 
 

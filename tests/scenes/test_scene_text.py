@@ -1,4 +1,4 @@
-"""What scenes' files say, and how they look."""
+"""Content and layout of scenes' files."""
 
 import ast
 import os

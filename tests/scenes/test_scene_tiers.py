@@ -79,7 +79,7 @@ def contents(folder: Path) -> dict[str, str]:
 
 
 def test_files_options_and_load_scene_select_tiers(write, tmp_path: Path):
-    """What a tier adds is the same by file and by option; nothing else changes but its mention."""
+    """A tier adds the same by file and by option; nothing else changes but its mention."""
     assert main(["generate", str(write()), "-o", str(tmp_path / "plain")]) == 0
     assert main(["generate", str(write('tiers = ["plain", "accurate"]')), "-o",
                  str(tmp_path / "file")]) == 0

@@ -59,7 +59,7 @@ BODIES = {found[1]: found[2] for text in TEXT.values() for found in FUNCTION.fin
 
 MOST_SIGNS = 30  # flipped in a text
 
-TAU = sp.Symbol("tau")  # what is added for underflow
+TAU = sp.Symbol("tau")  # added for underflow
 
 operations = pytest.mark.parametrize("operation", TIERED, ids=lambda op: op.name)
 
@@ -81,7 +81,7 @@ def body(operation: Operation, precision: Precision, tier: str) -> str:
 
 
 def names(argument: Argument) -> list[str]:
-    """How the text names the argument's components, as Python identifiers."""
+    """The names of the argument's components in the text, as Python identifiers."""
     return [identifier(f"{argument.name}{member(argument.quantity, i).replace('.', '->', 1)}")
             for i in range(argument.quantity.size)]
 
@@ -126,7 +126,7 @@ def evaluated(text: str, operation: Operation, inputs: Sequence[object],
 
 @cache
 def assignments(statement: str) -> tuple[tuple[str, CodeType, bool], ...]:
-    """What a statement of C assigns, as Python: to which name, and whether it is an error."""
+    """The assignment of a C statement, as Python: the name, and whether it is an error."""
     text = identifier(re.sub(r"\s+", " ", statement.strip()))
     text = re.sub(r"^return ", "returned = ", re.sub(r"^const (double|float) ", "", text))
     each = [x.lstrip("*") for x in re.split(r", (?=\w+ = )", text) if x]
@@ -147,8 +147,8 @@ def is_truth(found: Sequence[PolyElement], operation: Operation) -> bool:
 
 
 class Size:
-    """A sum of absolute values, a polynomial in the inputs' and, last, τ: what arithmetic makes of
-    it when no sign counts."""
+    """A sum of absolute values: a polynomial in those of the inputs and, last, τ, by arithmetic
+    that ignores signs."""
 
     def __init__(self, value: PolyElement):
         self.value = value
@@ -207,7 +207,8 @@ def test_c_is_its_truth(operation: Operation, precision: Precision, tier: str):
 
 
 def first_order_error(text: str, operation: Operation) -> bool:
-    """Whether errors of size h in the results that are compensated leave errors of that order."""
+    """Returns whether errors of size h in the results that are compensated leave errors of that
+    order."""
     numbers, h = random.Random(operation.name), QQ(1, 10**30)
     inputs = [QQ(numbers.randrange(1, 1000), 8)
               for a in operation.inputs for _ in range(a.quantity.size)]

@@ -1,5 +1,5 @@
-"""A Program as a function of Python, for any kind of numbers; Python's own floats as such a kind.
-"""
+"""Turns a Program into a Python function, for any kind of numbers; defines Python's floats as one
+kind."""
 
 import math
 import operator
@@ -22,8 +22,8 @@ _INFIX: dict[Callable[..., Any], str] = {
 
 def in_python(program: Program, arithmetic: Arithmetic[V]
               ) -> Callable[[Sequence[Sequence[V]]], list[V]]:
-    """Returns the function that `interpreter` returns, with the same results: several times as
-    fast, but made in the time that the interpreter takes for ten states or so."""
+    """Returns a function with the results of `interpreter`'s, several times as fast; making it
+    takes as long as interpreting about ten states."""
     used = (*(x for step in program.instructions for x in step.operands), *program.results)
     inputs = {x: f"x{n}" for n, x in enumerate(
         dict.fromkeys(x for x in used if isinstance(x, Input)))}

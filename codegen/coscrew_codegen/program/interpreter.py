@@ -22,8 +22,8 @@ V = TypeVar("V")
 class Arithmetic(Generic[V]):
     """A kind of numbers V.
 
-    `constant` converts a constant; `function` returns what computes an instruction, given the
-    instruction and its number in the program."""
+    `constant` converts a constant; `function` returns a callable that computes an instruction,
+    given the instruction and its number in the program."""
 
     constant: Callable[[Constant], V]
     function: Callable[[Instruction, int], Callable[..., V]]

@@ -1,4 +1,4 @@
-"""Finds effects, tiers, targets and integrators: adding or deleting a file adds or removes one.
+"""Finds effects, tiers, targets, readers …: adding or deleting a file adds or removes one.
 
 Each is a module of its package and assigns the object to an agreed name, such as `EFFECT`.  Modules
 without that name are helpers of the others."""

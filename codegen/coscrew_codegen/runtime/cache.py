@@ -53,7 +53,7 @@ def folder() -> Path:
 
 
 def lasts() -> bool:
-    """Whether entries are kept for later processes: the folder can be written to."""
+    """Returns whether entries are kept for later processes: the folder can be written to."""
     place = wanted_folder()
     try:
         place.mkdir(parents=True, exist_ok=True)
@@ -197,7 +197,7 @@ def evict(most: int, kept: Path | None = None) -> list[CacheEntry]:
 
 
 def _removed(path: Path) -> bool:
-    """Whether nothing is left of the path."""
+    """Returns whether nothing is left of the path."""
     if path.is_dir():
         shutil.rmtree(path, ignore_errors=True)
     else:

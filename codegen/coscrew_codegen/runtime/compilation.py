@@ -167,6 +167,7 @@ def _built(units: Mapping[str, Sequence[str]], files: Mapping[str, str], using: 
 
     with doing(f"compiling {' and '.join(sorted(units))}"), cache.building() as work:
         for file, text in files.items():
+            (work / file).parent.mkdir(exist_ok=True)
             (work / file).write_text(text, encoding="utf-8")
         with ThreadPoolExecutor(len(units)) as pool:
             objects = list(pool.map(lambda unit: _object(using, work, unit, *units[unit]), units))

@@ -138,7 +138,7 @@ class Kernels:
 
     @property
     def compiled(self) -> bool:
-        """Whether the functions are compiled C, not generated Python."""
+        """True if the functions are compiled C, not generated Python."""
         return bool(self.compiler)
 
     def arrays(self, xp: ModuleType) -> Arrays:

@@ -22,7 +22,7 @@ from coscrew_codegen.runtime.caller_warnings import warn
 from coscrew_codegen.runtime.compilation import CompiledLibrary, Compiler
 from coscrew_codegen.runtime.pickles import packed, unpacked
 from coscrew_codegen.runtime.request import Request
-from coscrew_codegen.scene import effects
+from coscrew_codegen.scene import effects, joints
 from coscrew_codegen.scene.content import content_hash
 
 _SUFFIX = ".scene"
@@ -58,12 +58,17 @@ def kept(request: Request, using: Compiler) -> SceneLibrary | None:
 
 def key_of(request: Request, using: Compiler) -> str:
     """The cache key: a hash of all that the functions are made from.  "" if they are given, or if
-    an effect is not in the catalogue, since its name does not identify its equations."""
+    an effect or a kind of joint is not in its catalogue, since its name does not identify its
+    equations."""
     scene = request.scene
-    used = {holder(effects.__name__, "EFFECT", x.effect) for x in scene.effects} if scene else {""}
-    if scene is None or "" in used:
+    if scene is None:
         return ""
-    made_from = sources.digest_of(__name__, chosen={effects.__name__: used})
+    used = {effects.__name__: {
+        holder(effects.__name__, "EFFECT", x.effect) for x in scene.effects},
+        joints.__name__: {holder(joints.__name__, "JOINT", x.kind) for x in scene.model.joints}}
+    if any("" in modules for modules in used.values()):
+        return ""
+    made_from = sources.digest_of(__name__, chosen=used)
     return cache.key_of(made_from, content_hash(scene), *compilation.place(using),
                         " ".join(request.precisions), *request.selected,
                         f"tier {request.tier}", f"lanes {request.lanes}")

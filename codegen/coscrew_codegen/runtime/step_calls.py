@@ -61,7 +61,7 @@ class _Controller(ctypes.Structure):
                 ("places", ctypes.c_void_p))
 
 
-MOST = 256  # threads, as in threads.jinja
+MOST = 256  # threads, as in runtime/calls/threads.h
 _REFUSED = np.dtype([("number", np.intp), ("t", float), ("value", float)], align=True)
 
 
@@ -117,7 +117,8 @@ class StepCalls:
 
     def _ready(self, given: tuple[ArrayLike, ...]
                ) -> TypeGuard[tuple[np.ndarray, np.ndarray, np.ndarray]]:
-        """Whether p, q and v are right and of one state, and none of them has to be converted."""
+        """Returns whether p, q and v are right and of one state, and none of them has to be
+        converted."""
         for x, shape in zip(given, self._shapes, strict=True):
             if type(x) is not np.ndarray or x.dtype != self.kind or x.shape != shape:
                 return False

@@ -87,7 +87,8 @@ class Scene:
             f'#define KSL_KERNEL static\n#include "{self.stem}.cuh"\n'))
 
     def translated(self, folder: Path) -> tuple[Path, Path, Path]:
-        """The same, to be linked with kernels of C linkage; the file to make those from."""
+        """The program to be linked with kernels of C linkage, and the file from which these are
+        made."""
         kernels = [x for p in named(self.scene.precisions)
                    for x in cuda_kernels.kernels(self.scene, self.scene, p)]
         declared = (f"{x.kernel};\n".replace("KSL_KERNEL", 'extern "C"') for x in kernels)
@@ -96,7 +97,7 @@ class Scene:
         return *written, folder / "device.cu"
 
     def on_device(self, folder: Path) -> tuple[Path, Path]:
-        """The same, which launches the kernels on a device."""
+        """The program that launches the kernels on a device."""
         return self._written(folder, "cuda.cu", lanes_program.Compared(
             f'#include "{self.stem}.h"\n#include "{self.stem}.cuh"',
             partial(_called, self.scene, "launch"), _ON_DEVICE))
@@ -118,7 +119,7 @@ def of_scene(scene: SceneFunctions) -> Scene:
 
 
 def of_tier(made: SceneTier) -> Scene:
-    """Those of a tier."""
+    """The functions of a tier."""
     scene = replace(made.first, precisions=tuple(p.name for p, _ in made.in_precisions))
     return Scene(scene, made.stem,
                  scene_c_tier.files(made, BANNER) | scene_cuda.tier_files(made, BANNER))

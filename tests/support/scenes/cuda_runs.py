@@ -16,7 +16,7 @@ WITHOUT = {"clang++": ("-O1",), "nvcc": ()}
 
 
 def compared(scene: Scene, folder: Path, compiler: str, *flags: str) -> int:
-    """How many numbers were compared, of the header as C++; they are the same."""
+    """Compares the numbers of the header as C++, which are equal; returns how many."""
     program, reference = scene.on_host(folder)
     run((COMPILERS[0], *C11, "-c", reference, "-o", folder / "one.o"))
     run((compiler, *CXX11, *flags, *STRICT, program, folder / "one.o", "-o", folder / "cuda",
@@ -37,8 +37,8 @@ def ptx_of(source: Path, compiler: str, *flags: str) -> str:
 
 
 def executed(scene: Scene, folder: Path, compiler: str) -> tuple[int, str]:
-    """How many numbers were compared, of the kernels in PTX, executed on the host; and these
-    kernels.  The numbers are the same, and no flag changes the kernels."""
+    """Compares the numbers of the kernels in PTX, executed on the host; returns how many, and the
+    kernels.  The numbers are equal, and no flag changes the kernels."""
     program, reference, device = scene.translated(folder)
     ptx = ptx_of(device, compiler, *FLAGS[compiler])
     assert ptx == ptx_of(device, compiler, *WITHOUT[compiler])

@@ -76,8 +76,8 @@ static void compare_{name}(const char *what, const {real} *a, const {real} *b,
 
 @dataclass(frozen=True)
 class Compared:
-    """What is compared with functions of one state: from which headers, what is called for n
-    states, and what defines malloc and free if they are not C's."""
+    """Functions to be compared with functions of one state: headers, calls for n states, and
+    definitions of malloc and free if they are not C's."""
 
     include: str
     called: Callable[[Signature, Precision], str]
@@ -94,7 +94,7 @@ def written(scene: SceneFunctions, folder: Path) -> tuple[Path, ...]:
 
 
 def tier_written(made: SceneTier, folder: Path) -> tuple[Path, ...]:
-    """The same of a tier."""
+    """Writes the program of a tier."""
     files = scene_c_tier.files(made, BANNER) | scene_c_many.tier_files(made, BANNER)
     for path, content in files.items():
         (folder / path).write_text(content)

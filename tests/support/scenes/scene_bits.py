@@ -20,9 +20,10 @@ from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program.scene_functions import SceneFunctions, Signature
 from coscrew_codegen.program.values.formats import PRECISIONS, Precision
 from coscrew_codegen.program.values.parameter import Parameter
-from coscrew_codegen.scene.mechanism.model import HERE, Kind
+from coscrew_codegen.scene.mechanism.model import HERE
 from tests.support.compiled.bits_program import HEAD, ROWS, hashed, numbers, numbers_and_hashes
 from tests.support.scenes.generated_scenes import BANNER, imported
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.mechanisms import Formula, Y, Z, applied, at, chain, inertia, scene
 
 STEPS = 20  # of each integrator, from each of the rows

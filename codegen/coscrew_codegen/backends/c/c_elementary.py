@@ -37,7 +37,7 @@ _CALL = re.compile(rf"\bksl_({'|'.join(_NAMES)})(?:_lanes|_device)?f?\(")
 
 @dataclass(frozen=True)
 class ElementaryText:
-    """An elementary function in a precision: what a template needs of it."""
+    """An elementary function in a precision, as data for templates."""
 
     name: str  # exp, sincos
     comment: str
@@ -55,7 +55,7 @@ class ElementaryText:
 
 
 def called(texts: Iterable[str]) -> frozenset[str]:
-    """The names of what these texts call: sincos, sin, exp."""
+    """The names of the functions that these texts call: sincos, sin, exp."""
     return frozenset(name for text in texts for name in _CALL.findall(text))
 
 

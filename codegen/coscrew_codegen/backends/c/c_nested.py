@@ -85,7 +85,7 @@ def language(program: Program, precision: Precision) -> Language:
 
 
 def _varies(x: Operand) -> bool:
-    """Whether it differs from state to state."""
+    """Returns whether it differs from state to state."""
     return isinstance(x, (Input, Ref))
 
 

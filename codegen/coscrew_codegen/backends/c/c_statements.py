@@ -200,7 +200,7 @@ class Statements:
         return f"ksl_product_sum({a}, {b}, {c})"
 
     def _exact(self, step: Instruction) -> bool:
-        """Whether this is a product, in double, of two single-precision numbers."""
+        """Returns whether this is a product, in double, of two single-precision numbers."""
         return self.program.wide and step.op is Op.MUL and all(map(self._single, step.operands))
 
     def _single(self, operand: Operand) -> bool:

@@ -174,7 +174,7 @@ def language(precision: Precision, constant: Callable[[Constant], str], module: 
 
 
 def _is_choice_of_constants(step: Instruction) -> bool:
-    """Whether this chooses between numbers that have no type of their own."""
+    """Returns whether this chooses between numbers that have no type of their own."""
     return step.op is Op.SELECT and all(isinstance(x, Constant) for x in step.operands[1:])
 
 

@@ -39,7 +39,7 @@ class VectorKernels:
 
     @property
     def parts(self) -> bool:
-        """Whether functions are cut."""
+        """True if functions are cut."""
         return any(x.parts.cuts for x in self.sections)
 
     @cached_property

@@ -69,7 +69,7 @@ class TierSection:
 
     @property
     def public(self) -> bool:
-        """Whether they are declared in the header."""
+        """True if they are declared in the header."""
         return not all(f.internal for f in self.scene.functions)
 
     @property

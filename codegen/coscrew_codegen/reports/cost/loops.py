@@ -1,4 +1,4 @@
-"""C loops over a scene's functions, compiled for timing beside the runs that simulations use."""
+"""Compiles C loops over a scene's functions for timing, beside the runs that simulations use."""
 
 import ctypes
 import time

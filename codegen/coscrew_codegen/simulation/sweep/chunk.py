@@ -1,4 +1,4 @@
-"""Workers' task: from the number of a chunk to its Parquet file."""
+"""Computes a chunk in a worker: from its number to its Parquet file."""
 
 import functools
 import json
@@ -30,7 +30,7 @@ class Job:
     cache."""
 
     kernels: bytes
-    compiled: bool  # whether they are in C, as they must be then in the worker
+    compiled: bool  # whether they are in C; if so, the worker's must be, too
     specification: Specification
     generator: str  # the hash of the sources that must run it
 
@@ -42,8 +42,8 @@ class Job:
 
 @dataclass(frozen=True)
 class ChunkCall:
-    """Pickled, the call of `computed`, which unpickling makes: a worker without coscrew fails then,
-    in the task, and not while it receives the task, which would end it."""
+    """Pickled call of `computed`, unpickled and made in the task.  So a worker without coscrew
+    fails in the task, and not while it receives it, which would end the worker."""
 
     job: Job
     number: int
@@ -64,8 +64,8 @@ class Chunk:
 def computed(job: Job, number: int) -> Chunk:
     """The chunk of this number: the same numbers wherever this runs.
 
-    Raises SweepError if the worker has other sources than the command, cannot compile what the
-    command could, or has no disk or memory left."""
+    Raises SweepError if the worker has other sources than the command, cannot compile the scene
+    although the command could, or has no disk or memory left."""
     worker = f"the worker on {platform.node()}"
     if sources.generator() != job.generator:
         raise SweepError(f"{worker} has another version of coscrew than this command; install the "
@@ -85,7 +85,7 @@ def computed(job: Job, number: int) -> Chunk:
 
 
 class _Uncompiled(Exception):
-    """There is no compiler, or it fails."""
+    """The compiler is missing, or fails."""
 
 
 def _computed(job: Job, number: int) -> Chunk:
@@ -102,8 +102,8 @@ def _computed(job: Job, number: int) -> Chunk:
 
 
 def _loaded(job: Job) -> Kernels:
-    """The kernels; compiled, also for many states at once if that pays, by one worker of a machine.
-    """
+    """The kernels, compiled by one worker of each machine; for many states, too, if that is
+    worthwhile."""
     its = job.specification
     with held(cache.folder() / _COMPILING, wait=True), warnings.catch_warnings(record=True) as said:
         warnings.simplefilter("always")
@@ -117,7 +117,8 @@ def _loaded(job: Job) -> Kernels:
 
 
 def _reason(warning: str) -> str:
-    """The first line in which a compiler speaks of an error, or else what is said of compilers."""
+    """The first line of a compiler's output with an error, or else the message on the missing
+    compiler."""
     first, *lines = warning.splitlines()
     return next((x for x in lines if "error" in x.lower()), first.partition(": ")[2])
 

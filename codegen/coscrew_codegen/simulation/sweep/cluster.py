@@ -28,7 +28,7 @@ class SchedulerError(SweepError):
 
 
 def cores() -> int:
-    """The number of cores of this process."""
+    """The number of cores that this process may use."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
@@ -47,8 +47,8 @@ def local(workers: int) -> Iterator["Client"]:
 
 @contextmanager
 def _starting() -> Iterator[None]:
-    """Processes that start in the block, and this one meanwhile, do not hear Ctrl-C, of which they
-    would die loudly; this one hears it at the end."""
+    """Blocks SIGINT, here and in processes that start in the block, which would print tracebacks;
+    it is delivered here on exit."""
     if not hasattr(signal, "pthread_sigmask"):  # Windows
         yield
         return
@@ -64,7 +64,7 @@ def _heedless() -> object:
     from distributed import WorkerPlugin
 
     class Heedless(WorkerPlugin):
-        """Workers ignore Ctrl-C, which a terminal sends to all processes."""
+        """Makes workers ignore Ctrl-C, which a terminal sends to all processes."""
 
         def setup(self, worker: "Worker") -> None:
             signal.signal(signal.SIGINT, signal.SIG_IGN)
@@ -77,7 +77,7 @@ def remote(address: str) -> Iterator["Client"]:
     """A client of the scheduler at this address.  Raises SchedulerError if none answers."""
     from distributed import Client
 
-    logging.getLogger("distributed.client").setLevel(logging.CRITICAL)  # errors say it below
+    logging.getLogger("distributed.client").setLevel(logging.CRITICAL)  # the errors below say so
     try:
         client = Client(address, timeout=_PATIENCE)
     except (OSError, ValueError) as error:
@@ -85,7 +85,7 @@ def remote(address: str) -> Iterator["Client"]:
     try:
         yield client
     finally:
-        with suppress(RuntimeError):  # of timeouts that expire meanwhile, if the scheduler is gone
+        with suppress(RuntimeError):  # logs of timeouts if the scheduler is gone
             client.close()
 
 
