@@ -50,6 +50,12 @@ def compiled(request: Request, using: Compiler) -> SceneLibrary:
     return cache.cached(key, _SUFFIX, made, _read)
 
 
+def kept(request: Request, using: Compiler) -> SceneLibrary | None:
+    """The functions in C, if the cache has them."""
+    key = key_of(request, using)
+    return cache.kept_as(key, _SUFFIX, _read) if key else None
+
+
 def key_of(request: Request, using: Compiler) -> str:
     """The cache key: a hash of all that the functions are made from.  "" if they are given, or if
     an effect or a kind of joint is not in its catalogue, since its name does not identify its

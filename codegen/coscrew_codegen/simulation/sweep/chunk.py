@@ -11,6 +11,7 @@ from importlib.metadata import version
 import numpy as np
 
 from coscrew_codegen.runtime import cache, sources
+from coscrew_codegen.runtime.lanes import PAYS
 from coscrew_codegen.runtime.load import Kernels, restored
 from coscrew_codegen.runtime.pickles import packed, unpacked
 from coscrew_codegen.simulation.check.uniform_rotations import quaternions
@@ -21,7 +22,6 @@ from coscrew_codegen.simulation.sweep.specification import Specification
 from coscrew_codegen.simulation.system import scene_of, system
 
 _COMPILING = ".sweep-compiles"  # in the cache: workers of a machine compile one after the other
-_PAYS = 1_000_000  # states, for which the functions of many states are compiled at once
 
 
 @dataclass(frozen=True)
@@ -111,8 +111,8 @@ def _loaded(job: Job) -> Kernels:
         if job.compiled and not kernels.compiled:
             restored.cache_clear()  # the next chunk tries again
             raise _Uncompiled(*(_reason(str(x.message)) for x in said[-1:]))
-        if its.varied.members * its.conditions.until / its.conditions.step >= _PAYS:
-            kernels._lanes.function("", _PAYS)
+        if its.varied.members * its.conditions.until / its.conditions.step >= PAYS:
+            kernels._lanes.function("", PAYS)
     return kernels
 
 
