@@ -73,10 +73,10 @@ def _q_rates(system: System, r: np.ndarray, q: np.ndarray, v: np.ndarray) -> np.
             turn = slice(c.q.stop - 4, c.q.stop)
             omega = np.zeros((*v.shape[:-1], 4))
             omega[..., :3] = v[..., c.v.stop - 3:c.v.stop] / 2
-            result[..., turn] = coscrew.double.quaternion_product_qq(r[..., turn], omega)
+            result[..., turn] = coscrew.quaternion_product_qq(r[..., turn], omega)
         if c.kind == "free":
             forward = v[..., c.v.start:c.v.start + 3]
-            result[..., c.q.start:c.q.start + 3] = coscrew.double.rotate_qv(q[..., turn], forward)
+            result[..., c.q.start:c.q.start + 3] = coscrew.rotate_qv(q[..., turn], forward)
         elif c.kind != "spherical":
             result[..., c.q] = v[..., c.v]
     return result

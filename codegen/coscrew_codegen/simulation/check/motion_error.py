@@ -9,6 +9,7 @@ tree's radius of gyration turns, up to 1 rad.  So neither the speed or place or 
 scene matters, nor a heavy neighbour.
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import Enum
 from fractions import Fraction
@@ -102,7 +103,9 @@ class StateParts:
     def places(self, q: np.ndarray) -> Places:
         """Returns the places of the parts, in double.  (…, nq)."""
         M = self._mass_matrix(q)
-        return tuple(_place(part, q, M) for part in self.parts)
+        centres = {x.joint: _centre(x.coordinate, q, M) for x in self.parts
+                   if x.kind is PartKind.CENTRE}
+        return tuple(_place(part, q, centres) for part in self.parts)
 
     def velocities(self, q: np.ndarray, v: np.ndarray) -> Places:
         """The velocities of centres of mass and of joints that slide along the world, and zeros for
@@ -147,15 +150,15 @@ class StateParts:
         return np.asarray(self.system.call("mass_matrix", q=q), float)
 
 
-def _place(part: StatePart, q: np.ndarray, M: np.ndarray | None) -> np.ndarray:
-    """Returns the place of a part."""
+def _place(part: StatePart, q: np.ndarray, centres: Mapping[str, np.ndarray]) -> np.ndarray:
+    """The place of a part; `centres` are the centres of mass of what free joints carry."""
     c = part.coordinate
     own: np.ndarray = q[..., c.q].astype(float)
     if c.kind != "free":
         return own
     if part.kind is PartKind.OWN:
         return own[..., 3:]
-    centre = _centre(c, q, M)
+    centre = centres[part.joint]
     return centre if part.kind is PartKind.CENTRE else own[..., :3] - centre
 
 
@@ -199,7 +202,7 @@ def rotated(q: np.ndarray, v: np.ndarray) -> np.ndarray:
     """R(q) v.  (…, 4), (…, 3)->(…, 3)."""
     import coscrew  # takes as long to import as short runs, and only what floats needs it
 
-    found: np.ndarray = coscrew.double.rotate_qv(q, v)
+    found: np.ndarray = coscrew.rotate_qv(q, v)
     return found
 
 
@@ -208,8 +211,8 @@ def turned(x: np.ndarray, y: np.ndarray) -> np.ndarray:
     (…, 4)->(…, 3)."""
     import coscrew
 
-    to: np.ndarray = coscrew.double.quaternion_product_qq(x * np.array([-1, -1, -1, 1]), y)
-    found: np.ndarray = coscrew.double.quaternion_log(to)
+    to: np.ndarray = coscrew.quaternion_product_qq(x * np.array([-1, -1, -1, 1]), y)
+    found: np.ndarray = coscrew.quaternion_log(to)
     return found
 
 
