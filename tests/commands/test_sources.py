@@ -71,7 +71,9 @@ GRAPH = {
     "p.typed": b"if TYPE_CHECKING:\n    from p.e import E\nTABLE = {'name': 'p.named'}\n",
     "p.patterns": b"def f(x):\n    return render(f'c/{x}.h')\n",
     "p.computed": b"def f(x):\n    return render(x)\n",
-    "c/d.h.jinja": b"{% include 'c/inner.jinja' %}", "c/inner.jinja": b"", "q/e.jinja": b""}
+    "p.copied": b"def f():\n    return runtime('runtime/r/*.h'), copied('runtime/d.c')\n",
+    "c/d.h.jinja": b"{% include 'c/inner.jinja' %}", "c/inner.jinja": b"", "q/e.jinja": b"",
+    "runtime/r/a.h": b"", "runtime/r/b.h": b"", "runtime/s/c.h": b"", "runtime/d.c": b""}
 
 
 @pytest.mark.parametrize("maker, wanted", [
@@ -80,10 +82,12 @@ GRAPH = {
     ("p.all", "p.all p.inner p.found p.inner.d p.inner.other p p.e p.typed p.named c/d.h.jinja "
               "c/inner.jinja"),
     ("p.patterns", "p.patterns c/d.h.jinja c/inner.jinja"),
-    ("p.computed", "p.computed c/d.h.jinja c/inner.jinja q/e.jinja"), ("p.e", "p.e")])
+    ("p.computed", "p.computed c/d.h.jinja c/inner.jinja q/e.jinja"), ("p.e", "p.e"),
+    ("p.copied", "p.copied runtime/r/a.h runtime/r/b.h runtime/d.c")])
 def test_what_a_module_imports_is_found(maker, wanted):
     """Also inside functions, relatively, for types, by a name in a table, and by looking into a
-    folder; of templates those that are named, by a pattern too, or all if the name is computed."""
+    folder; of templates those that are named, by a pattern too, or all if the name is computed; C
+    that is copied, by its name or a pattern."""
     assert Sources.of(GRAPH).reached([maker]) - {"p"} == {*wanted.split()} - {"p"}
 
 
@@ -105,7 +109,8 @@ def test_a_load_costs_little_more_than_a_look_at_each_source():
 @pytest.mark.parametrize("name, maker, counts", [
     ("p.b", "p.read", True), ("p.inner.other", "p.read", False), ("p.inner", "p.read", True),
     ("c/inner.jinja", "p.read", True), ("q/e.jinja", "p.read", False), ("p", "p.e", True),
-    ("p.read", "p.b", False), ("p.named", "p.all", True)])
+    ("p.read", "p.b", False), ("p.named", "p.all", True), ("runtime/r/b.h", "p.copied", True),
+    ("runtime/s/c.h", "p.copied", False)])
 def test_a_change_counts_where_it_is_reached(name, maker, counts):
     """A package's own file counts for all modules in it, as importing these runs it."""
     changed = Sources.of(GRAPH | {name: GRAPH[name] + b"\nX = 1\n"})
@@ -132,7 +137,7 @@ def test_meanings_are_kept_and_damaged_ones_are_read_again(tmp_path, monkeypatch
     monkeypatch.setattr(syntax, "of_module", lambda content, package: (
         read.append(content), of_module(content, package))[1])
     wanted = Sources.of(GRAPH)
-    modules = [x for x in GRAPH if not x.endswith(".jinja")]
+    modules = [x for x in GRAPH if "/" not in x]
     assert len(read) == len(modules)
     assert Sources.of(GRAPH) == wanted and len(read) == len(modules)
     changed = GRAPH | {"p.e": b"X = 1\n"}
@@ -153,7 +158,7 @@ from coscrew_codegen.runtime import sources
 
 FILES, entered = {}, set()
 for name in sources.read():
-    if not name.endswith(".jinja") and name != "coscrew_codegen.__main__":
+    if "/" not in name and name != "coscrew_codegen.__main__":
         try:
             FILES[import_module(name).__file__] = name
         except ImportError:

@@ -146,7 +146,8 @@ def test_a_scene_is_derived_again_if_what_it_depends_on_changes(changed):
             ("dynamics/algorithms/forward.py", "\n\n\ndef ", "\n\n\nX = 1\n\n\ndef "),
             ("algebra/operations/coscrew.py", "FAMILY = ", "X = 1\nFAMILY = "),
             ("runtime/load.py", "BOTH = ", "X = 1\nBOTH = "),
-            ("templates/scene/scene.c.jinja", "#include <", "#include  <")):
+            ("templates/scene/scene.c.jinja", "#include <", "#include  <"),
+            ("templates/runtime/calls/threads.h", "#include <", "#include  <")):
         assert changed(source, old, new), source
     for source, old, new in (
             ("scene/effects/gravity.py", "EFFECT = ", "# A comment.\nEFFECT = "),

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from coscrew_codegen.backends import emit
 from coscrew_codegen.backends.python_extension import scene_calls
 from coscrew_codegen.backends.scene import scene_c_parts
 from coscrew_codegen.backends.scene.scene_text import c_name, count
@@ -46,10 +47,10 @@ def test_both_files_compile_without_a_warning(case, compiler: str, language: tup
 @each_compiler
 def test_what_python_calls_compiles_without_a_warning(case, compiler: str, tmp_path: Path):
     written(case, tmp_path)
-    (tmp_path / "calls.c").write_text(scene_calls.source(case))
-    flags = [x for x in STRICT if x != "-pedantic"]
-    run([compiler, *C11, *flags, "-O2", "-fPIC",
-         "-c", tmp_path / "calls.c", "-o", tmp_path / "x.o"])
+    made = scene_calls.files(case, "")
+    emit.write(made, tmp_path)
+    run([compiler, *C11, *STRICT, "-O2", "-fPIC",
+         "-c", tmp_path / next(iter(made)), "-o", tmp_path / "x.o"])
 
 
 @pytest.mark.skipif(COMPILERS[0] != "gcc", reason="these are flags of gcc's")

@@ -197,6 +197,7 @@ def _built(units: Mapping[str, Sequence[str]], files: Mapping[str, str], using: 
            key: str) -> Path:
     with cache.building() as work:
         for file, text in files.items():
+            (work / file).parent.mkdir(exist_ok=True)
             (work / file).write_text(text, encoding="utf-8")
         from concurrent.futures import ThreadPoolExecutor
 

@@ -25,21 +25,24 @@ from coscrew_codegen.runtime.syntax import SourceMeaning, hashed
 
 ROOT = __name__.partition(".")[0]
 _TEMPLATE = ".jinja"
+_COPIED = (".c", ".h")
+"""How files in templates/ end that are copied as they are."""
 _INSTALLED = ("coscrew", "sympy", "mpmath", "gmpy2", "numpy", "jinja2")
 """The packages whose versions every result depends on."""
 
 Contents = Mapping[str, bytes]
-"""Modules by their names, packages too, and templates by their paths: c/family.h.jinja."""
+"""Modules by their names, packages too; templates, and what is copied, by their paths, which have a
+slash: c/family.h.jinja, runtime/calls/threads.h."""
 
 
 def read() -> Contents:
     """The sources as they stand."""
     package, templates = _folders()
     found = {}
-    for folder, file in _files(package, ".py"):
+    for folder, file in _files(package, (".py",)):
         inner = () if file == "__init__.py" else (file.removesuffix(".py"),)
         found[".".join((ROOT, *folder, *inner))] = package.joinpath(*folder, file)
-    for folder, file in _files(templates, _TEMPLATE):
+    for folder, file in _files(templates, (_TEMPLATE, *_COPIED)):
         found["/".join((*folder, file))] = templates.joinpath(*folder, file)
     return {name: path.read_bytes() for name, path in found.items()}
 
@@ -49,11 +52,11 @@ def _folders() -> tuple[Path, Path]:
     return Path(next(iter(import_module(ROOT).__path__))), TEMPLATES
 
 
-def _files(root: Path, ending: str) -> Iterator[tuple[tuple[str, ...], str]]:
-    """The files below a folder: the folders from there, and the name."""
+def _files(root: Path, endings: tuple[str, ...]) -> Iterator[tuple[tuple[str, ...], str]]:
+    """The files below a folder that end so: the folders from there, and the name."""
     for folder, _, files in os.walk(root):
         inner = Path(folder).relative_to(root).parts
-        yield from ((inner, file) for file in files if file.endswith(ending))
+        yield from ((inner, file) for file in files if file.endswith(endings))
 
 
 @functools.cache
@@ -140,6 +143,8 @@ class Sources:
             if text in self.meanings:
                 yield text
             yield from matching(self._templates, f"{text.removesuffix(_TEMPLATE)}{_TEMPLATE}")
+            if text.endswith(_COPIED):
+                yield from matching(self._templates, text)
 
     @functools.cached_property
     def _spelled(self) -> dict[str, tuple[str, ...]]:
@@ -148,7 +153,7 @@ class Sources:
 
     @functools.cached_property
     def _templates(self) -> list[str]:
-        return [name for name in self.meanings if name.endswith(_TEMPLATE)]
+        return [name for name in self.meanings if "/" in name]
 
     def _known(self, name: str) -> str:
         """The module of an imported name, which may be an object's in it; "" for another package's.
@@ -165,7 +170,7 @@ def _packages(name: str) -> Iterator[str]:
 
 
 def _meaning(name: str, content: bytes, among: Contents) -> SourceMeaning:
-    if name.endswith(_TEMPLATE):
+    if "/" in name:
         return syntax.of_template(content)
     package = any(x.startswith(f"{name}.") for x in among)
     return syntax.of_module(content, name if package else name.rpartition(".")[0])

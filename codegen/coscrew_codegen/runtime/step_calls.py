@@ -60,7 +60,7 @@ class _Controller(ctypes.Structure):
                 ("places", ctypes.c_void_p))
 
 
-MOST = 256  # threads, as in threads.jinja
+MOST = 256  # threads, as in runtime/calls/threads.h
 _REFUSED = np.dtype([("number", np.intp), ("t", float), ("value", float)], align=True)
 
 

@@ -6,7 +6,7 @@ import ctypes
 from collections.abc import Callable, Sequence
 from functools import cache
 
-from coscrew_codegen.backends.render import render
+from coscrew_codegen.backends.render import render, runtime
 from coscrew_codegen.backends.scene import scene_c, scene_c_many
 from coscrew_codegen.backends.scene.scene_text import banner_of, c_name, many
 from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
@@ -25,7 +25,8 @@ def handler(function: ArrayFunction, precision: Precision, include: str) -> obje
     scene = _scene(function)
     text = {f"{scene.name}_xla.c": render(
         "scene/xla.c", name=scene.name, upper=scene.name.upper(),
-        handlers=[_handler(scene, function, p) for p in PRECISIONS])}
+        handlers=[_handler(scene, function, p) for p in PRECISIONS]),
+        **runtime("runtime/arrays/*.h")}
     opened = _opened(function, precision, text, (f"{scene.name}_xla.c", f"-I{include}"))
     return opened and getattr(opened, _symbol(scene, precision))
 

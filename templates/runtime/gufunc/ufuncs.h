@@ -1,20 +1,32 @@
-/* The type numbers of each loop: as many as the gufunc with the most arguments needs. */
-enum { MOST_ARGUMENTS = {{ most_arguments }}, LOOPS = {{ types|length }} };
+/* Registers gufuncs in an extension module. */
+#ifndef COSCREW_UFUNCS_H
+#define COSCREW_UFUNCS_H
+
+#include "numpy.h"
+#include "processors.h"
+
+#ifndef MOST_ARGUMENTS
+#define MOST_ARGUMENTS 1 /* of a gufunc */
+#define GUFUNCS 1        /* how many there are */
+#endif
+
+static const char loop_types[] = { LOOP_TYPES };
+enum { LOOPS = sizeof loop_types };
 
 /* Each ufunc's data: its entry of the table, for every loop. */
-static void *data[{{ count }}][LOOPS];
+static void *data[GUFUNCS][LOOPS];
 
 /* The entries of those that refuse arguments, for ufuncs that do not. */
-static coscrew_gufunc taking_all[{{ count }}];
-static void *data_taking_all[{{ count }}][LOOPS];
+static coscrew_gufunc taking_all[GUFUNCS];
+static void *data_taking_all[GUFUNCS][LOOPS];
 
+/* The type numbers of each loop, by the number of arguments. */
 static char types[MOST_ARGUMENTS + 1][LOOPS * (MOST_ARGUMENTS + 1)];
 
 static void fill_types(void) {
-  static const char numbers[LOOPS] = { {{ types|join(", ") }} };
   for (int arguments = 0; arguments <= MOST_ARGUMENTS; arguments++) {
     for (int k = 0; k < LOOPS * arguments; k++) {
-      types[arguments][k] = numbers[k / arguments];
+      types[arguments][k] = loop_types[k / arguments];
     }
   }
 }
@@ -35,8 +47,8 @@ static int add_gufunc(
   return failed ? -1 : 0;
 }
 
-/* Adds each gufunc, and one called unchecked_… for each that refuses arguments. */
-static int add_gufuncs(PyObject *module, const coscrew_gufunc *g) {
+/* Adds each gufunc of a table, and one called unchecked_… for each that refuses arguments. */
+static int add_table(PyObject *module, const coscrew_gufunc *g) {
   static size_t number = 0;
   for (; g->name != NULL; g++, number++) {
     if (add_gufunc(module, g, data[number], "") < 0) {
@@ -52,3 +64,29 @@ static int add_gufuncs(PyObject *module, const coscrew_gufunc *g) {
   }
   return 0;
 }
+
+/* Adds the gufuncs of these tables. */
+static inline int add_gufuncs(
+    PyObject *module, const coscrew_gufunc *const *tables, size_t count) {
+  fill_types();
+  for (size_t k = 0; k < count; k++) {
+    if (add_table(module, tables[k]) < 0) {
+      return -1;
+    }
+  }
+  return 0;
+}
+
+/* Whether this processor runs the loops for AVX2, and COSCREW_BASELINE is not in the environment.
+   */
+static inline int takes_avx2(void) {
+#if COSCREW_HAS_AVX2
+  __builtin_cpu_init();
+  return __builtin_cpu_supports("avx2") && (!COSCREW_WITH_FMA || __builtin_cpu_supports("fma"))
+      && getenv("COSCREW_BASELINE") == NULL;
+#else
+  return 0;
+#endif
+}
+
+#endif

@@ -1,6 +1,13 @@
-/* Python's functions, all of its stable application binary interface from 3.12 on and there in 3.11,
-   and the fields of NumPy's arrays behind `head` bytes that all objects begin with, which NumPy's
-   binary interface fixes: no header of either is needed. */
+/* Objects of Python and arrays of NumPy, without the headers of either.
+
+   Python's functions are all of its stable application binary interface from 3.12 on and there in
+   3.11; the fields of NumPy's arrays, behind `head` bytes that all objects begin with, are fixed by
+   NumPy's binary interface. */
+#ifndef COSCREW_OBJECTS_H
+#define COSCREW_OBJECTS_H
+
+#include <stddef.h>
+
 extern void Py_IncRef(void *object);
 extern void Py_DecRef(void *object);
 extern void *PyObject_Type(void *object);
@@ -23,6 +30,7 @@ extern void *PyEval_SaveThread(void);
 extern void PyEval_RestoreThread(void *state);
 extern char _Py_NoneStruct;
 
+typedef void (*anything)(void); /* a function of another type */
 typedef void *called(void *self, void *const *arguments, ptrdiff_t n, void *names);
 typedef struct {
   const char *name;
@@ -42,33 +50,32 @@ typedef struct {
   void *base, *type;
   int flags;
 } array;
-enum { FAST = 0x80 | 0x02, SINGLE = 11, DOUBLE = 12, CONTIGUOUS = 1, ALIGNED = 0x100, WRITABLE = 0x400 };
+enum { FAST = 0x80 | 0x02 };         /* flags of a method: it takes a vector of arguments, names */
+enum { SINGLE = 11, DOUBLE = 12 };   /* numbers of dtypes */
+enum { CONTIGUOUS = 1, ALIGNED = 0x100, WRITABLE = 0x400 }; /* flags of an array */
 
-/* What a function's `self` holds: the function that checks its arguments; the types of arrays, of
-   numbers and of `threads` that are taken; numpy.empty, and its arguments for each result; names. */
+/* Items of a function's `self`: the function that checks its arguments; the types of arrays, of
+   numbers and of `threads` that are taken; numpy.empty, and its arguments for each result; names.
+   */
 enum { CHECKED, ARRAY, NUMBERS, INTEGER, EMPTY, RESULTS, NAMES };
-
-typedef void (*anything)(void);
-typedef struct {
-  ptrdiff_t size;
-  int axes, moved; /* number of the input that it begins as, or -1 */
-  const ptrdiff_t *shape;
-} result;
 
 static size_t head;
 
-static const void *behind_head(void *object) {
+static inline const void *behind_head(void *object) {
   return (const char *)object + head;
 }
 
 /* The array; NULL if it is none.  Subclasses may be more than numbers and are not taken. */
-static const array *array_of(void *self, void *object) {
+static inline const array *array_of(void *self, void *object) {
   void *type = PyObject_Type(object);
   Py_DecRef(type);
   return type == PyTuple_GetItem(self, ARRAY) ? (const array *)behind_head(object) : NULL;
 }
 
-static int holds(const array *x, int number) {
+/* Whether an array's numbers are of this dtype, in the byte order of the processor. */
+static inline int holds(const array *x, int number) {
   const dtype *type = (const dtype *)behind_head(x->type);
   return type->number == number && type->order == '=';
 }
+
+#endif

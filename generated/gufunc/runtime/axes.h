@@ -1,5 +1,14 @@
+/* Made by `coscrew generate`; changes are overwritten. */
+/* SPDX-License-Identifier: MIT */
+/* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
+/* The keywords `axes` and `axis` of a call. */
+#ifndef COSCREW_AXES_H
+#define COSCREW_AXES_H
+
+#include "numpy.h"
+
 /* The value of a keyword, which stand after `count` arguments; NULL if it is missing or None. */
-static PyObject *keyword(
+static inline PyObject *keyword(
     PyObject *const *given, size_t count, PyObject *names, const char *name) {
   const Py_ssize_t keywords = names == NULL ? 0 : PyTuple_GET_SIZE(names);
   PyObject *const *values = given + count;
@@ -25,9 +34,9 @@ static PyObject *last_axes(int count) {
   return last;
 }
 
-/* An argument with the axes of its elements last, as the gufunc takes them: `axes` has those of each
-   argument, `axis` is the one of all.  NULL if they are no axes of it. */
-static PyObject *with_axes_last(
+/* An argument with the axes of its elements last, as the gufunc takes them: `axes` has those of
+   each argument, `axis` is the one of all.  NULL if they are no axes of it. */
+static inline PyObject *with_axes_last(
     PyObject *x, PyObject *axes, PyObject *axis, Py_ssize_t number, int count) {
   if ((axes == NULL && count != 1)
       || (!PyArray_Check(x) && PyObject_HasAttrString(x, "__array_ufunc__"))) {
@@ -46,3 +55,5 @@ static PyObject *with_axes_last(
   Py_XDECREF(numpy);
   return moved;
 }
+
+#endif

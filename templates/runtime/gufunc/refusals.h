@@ -1,3 +1,9 @@
+/* Arguments that functions refuse: arrays with an element that is not what a letter requires. */
+#ifndef COSCREW_REFUSALS_H
+#define COSCREW_REFUSALS_H
+
+#include "numpy.h"
+
 /* The number of axes of what the letter stands for, if the array ends in such; else 0. */
 static int axes_of(char letter, PyArrayObject *array) {
   const int count = PyArray_NDIM(array), is_matrix = letter == 'R' || letter == 'M';
@@ -10,6 +16,9 @@ static int axes_of(char letter, PyArrayObject *array) {
 
 /* Whether any element of the array is refused.  A stride of 0 repeats one element. */
 static int refuses_array(char letter, PyArrayObject *array, int axes) {
+  coscrew_refusal *const refuses = PyArray_TYPE(array) == NPY_FLOAT
+      ? NARROW(coscrew_refuses_double, coscrew_refuses_single)
+      : WIDE(coscrew_refuses_double, coscrew_refuses_single);
   const int lead = PyArray_NDIM(array) - axes, last = lead - 1;
   const npy_intp *shape = PyArray_DIMS(array), *stride = PyArray_STRIDES(array);
   const npy_intp n = last < 0 || stride[last] == 0 ? 1 : shape[last];
@@ -19,8 +28,7 @@ static int refuses_array(char letter, PyArrayObject *array, int axes) {
     return 0;
   }
   for (;;) {
-    if ((PyArray_TYPE(array) == NPY_FLOAT ? refuses_{{ precisions[-1].name }} : refuses_{{ precisions[0].name }})(
-            letter, p, n, last < 0 ? 0 : stride[last], stride + lead)) {
+    if (refuses(letter, p, n, last < 0 ? 0 : stride[last], stride + lead)) {
       return 1;
     }
     int k = last - 1;
@@ -36,9 +44,27 @@ static int refuses_array(char letter, PyArrayObject *array, int axes) {
   }
 }
 
-/* Whether the argument holds an element that the letter refuses.  What is no array of numbers is left
-   to NumPy, and so is the argument of another library, whose parts come later. */
-static int refuses(char letter, PyObject *given) {
+/* Whether an array of numbers, converted to a type of the loops, has a refused element. */
+static int refuses_numbers(char letter, PyArrayObject *array, int axes) {
+  int found = 0;
+  const int wide = WIDE(NPY_DOUBLE, NPY_FLOAT), narrow = NARROW(NPY_DOUBLE, NPY_FLOAT);
+  PyArrayObject *numbers = (PyArrayObject *)PyArray_FROM_OTF((PyObject *)array,
+      PyArray_TYPE(array) == NPY_FLOAT ? narrow : wide,
+      NPY_ARRAY_ALIGNED | NPY_ARRAY_NOTSWAPPED | NPY_ARRAY_FORCECAST);
+  if (numbers == NULL) {
+    PyErr_Clear();
+    return 0;
+  }
+  Py_BEGIN_ALLOW_THREADS
+  found = refuses_array(letter, numbers, axes);
+  Py_END_ALLOW_THREADS
+  Py_DECREF(numbers);
+  return found;
+}
+
+/* Whether the argument holds an element that the letter refuses.  What is no array of numbers is
+   left to NumPy, and so is the argument of another library, whose parts come later. */
+static inline int refuses(char letter, PyObject *given) {
   if (!PyArray_Check(given) && PyObject_HasAttrString(given, "__array_ufunc__")) {
     return 0;
   }
@@ -48,20 +74,10 @@ static int refuses(char letter, PyObject *given) {
     return 0;
   }
   const int type = PyArray_TYPE(array), axes = axes_of(letter, array);
-  int found = 0;
-  if (axes > 0 && (type == NPY_FLOAT || type == NPY_DOUBLE || PyTypeNum_ISINTEGER(type))) {
-    PyArrayObject *numbers = (PyArrayObject *)PyArray_FROM_OTF((PyObject *)array,
-        type == NPY_FLOAT ? {{ types[-1] }} : {{ types[0] }},
-        NPY_ARRAY_ALIGNED | NPY_ARRAY_NOTSWAPPED | NPY_ARRAY_FORCECAST);
-    if (numbers == NULL) {
-      PyErr_Clear();
-    } else {
-      Py_BEGIN_ALLOW_THREADS
-      found = refuses_array(letter, numbers, axes);
-      Py_END_ALLOW_THREADS
-      Py_DECREF(numbers);
-    }
-  }
+  const int is_number = type == NPY_FLOAT || type == NPY_DOUBLE || PyTypeNum_ISINTEGER(type);
+  const int found = axes > 0 && is_number && refuses_numbers(letter, array, axes);
   Py_DECREF(array);
   return found;
 }
+
+#endif

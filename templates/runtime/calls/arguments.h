@@ -1,13 +1,26 @@
-/* The arguments in the order of inputs; then `out` and `threads`, NULL if not given.  Whether there is
-   each input once. */
-static int matched(void *self, void *const *arguments, ptrdiff_t n, void *names, int inputs, void **given) {
+/* Arguments and results of a call from Python, whatever the precision. */
+#ifndef COSCREW_ARGUMENTS_H
+#define COSCREW_ARGUMENTS_H
+
+#include "objects.h"
+
+typedef struct {
+  ptrdiff_t size;
+  int axes, moved; /* number of the input that it begins as, or -1 */
+  const ptrdiff_t *shape;
+} result;
+
+/* The arguments in the order of inputs; then `out` and `threads`, NULL if not given.  Whether there
+   is each input once. */
+static inline int matched(void *self, void *const *arguments, ptrdiff_t n, void *names, int inputs,
+    void **given) {
   const ptrdiff_t named = names ? PyTuple_Size(names) : 0;
   if (n > inputs) return 0;
   for (ptrdiff_t k = 0; k < n; k++) given[k] = arguments[k];
   for (ptrdiff_t k = 0; k < named; k++) {
-    void *known = PyTuple_GetItem(self, NAMES);
+    void *known = PyTuple_GetItem(self, NAMES), *name = PyTuple_GetItem(names, k);
     int place = 0;
-    while (place < inputs + 2 && PyTuple_GetItem(known, place) != PyTuple_GetItem(names, k)) place++;
+    while (place < inputs + 2 && PyTuple_GetItem(known, place) != name) place++;
     if (place == inputs + 2 || given[place]) return 0;
     given[place] = arguments[n + k];
   }
@@ -18,7 +31,7 @@ static int matched(void *self, void *const *arguments, ptrdiff_t n, void *names,
 }
 
 /* The number of threads, 0 if it is none that is taken, maybe with an error. */
-static ptrdiff_t threads_of(void *self, void *object) {
+static inline ptrdiff_t threads_of(void *self, void *object) {
   if (!object) return 1;
   void *type = PyObject_Type(object);
   Py_DecRef(type);
@@ -26,9 +39,11 @@ static ptrdiff_t threads_of(void *self, void *object) {
   return count > 0 ? count : 0;
 }
 
-/* An array for result k: of one state, or with the first `axes` axes of `lead`.  NULL on an error. */
-static void *made(void *self, int k, const result *of, const array *lead, int axes) {
-  void *empty = PyTuple_GetItem(self, EMPTY), *one = PyTuple_GetItem(PyTuple_GetItem(self, RESULTS), k);
+/* An array for result k: of one state, or with the first `axes` axes of `lead`.  NULL on an error.
+   */
+static inline void *made(void *self, int k, const result *of, const array *lead, int axes) {
+  void *empty = PyTuple_GetItem(self, EMPTY);
+  void *one = PyTuple_GetItem(PyTuple_GetItem(self, RESULTS), k);
   if (!axes) return PyObject_Call(empty, one, NULL);
   void *shape = PyTuple_New(axes + of->axes), *arguments = NULL, *found = NULL;
   int filled = shape != NULL;
@@ -43,8 +58,17 @@ static void *made(void *self, int k, const result *of, const array *lead, int ax
   return found;
 }
 
+/* Whether the axes of x before its own are those of `lead`, and its rows stand in one line. */
+static inline int aligned(const array *x, const array *lead, int axes) {
+  for (int i = 0; i < axes; i++) {
+    if (x->shape[i] != lead->shape[i]) return 0;
+    if (i && x->strides[i - 1] != x->shape[i] * x->strides[i]) return 0;
+  }
+  return 1;
+}
+
 /* Whether `out` can take the result. */
-static int fits(const array *out, const result *of, const array *lead, int axes) {
+static inline int fits(const array *out, const result *of, const array *lead, int axes) {
   const int wanted = CONTIGUOUS | ALIGNED | WRITABLE;
   if ((out->flags & wanted) != wanted || out->axes != axes + of->axes) return 0;
   for (int i = 0; i < out->axes; i++)
@@ -54,7 +78,7 @@ static int fits(const array *out, const result *of, const array *lead, int axes)
 
 /* The results as Python returns them: numbers of one state as NumPy's, several as a tuple.  Takes
    over the references. */
-static void *returned(void **results, int count, const result *of, int numbers) {
+static inline void *returned(void **results, int count, const result *of, int numbers) {
   int whole = 1;
   for (int k = 0; numbers && k < count; k++)
     if (!of[k].axes) {
@@ -72,3 +96,4 @@ static void *returned(void **results, int count, const result *of, int numbers) 
   return all;
 }
 
+#endif
