@@ -9,7 +9,7 @@ that the tree's radius of gyration turns, up to 1 rad.  So the speed, place and 
 scene do not matter, nor do heavy neighbours.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from enum import Enum
 from fractions import Fraction
@@ -101,7 +101,9 @@ class StateParts:
     def places(self, q: np.ndarray) -> Places:
         """Returns the places of the parts, in double.  (…, nq)."""
         M = self._mass_matrix(q)
-        return tuple(_place(part, q, M) for part in self.parts)
+        centres = {x.joint: _centre(x.coordinate, q, M) for x in self.parts
+                   if x.kind is PartKind.CENTRE}
+        return tuple(_place(part, q, centres) for part in self.parts)
 
     def velocities(self, q: np.ndarray, v: np.ndarray) -> Places:
         """The velocities of centres of mass and of positions along the world, and zeros for all
@@ -160,13 +162,13 @@ def _parts_of(c: Coordinate, length: float, steady: bool) -> Iterator[StatePart]
         yield StatePart(of_tree, c, length, slice(3), slice(3), of_tree.value.format(c.joint))
 
 
-def _place(part: StatePart, q: np.ndarray, M: np.ndarray | None) -> np.ndarray:
-    """Returns the place of a part."""
+def _place(part: StatePart, q: np.ndarray, centres: Mapping[str, np.ndarray]) -> np.ndarray:
+    """Returns the place of a part; `centres` are the centres of mass of what free joints carry."""
     c = part.coordinate
     own: np.ndarray = q[..., c.q].astype(float)
     if part.kind is PartKind.OWN:
         return own[..., part.q]
-    centre = _centre(c, q, M)
+    centre = centres[part.joint]
     return centre if part.kind is PartKind.CENTRE else own[..., :3] - centre
 
 
@@ -210,7 +212,7 @@ def rotated(q: np.ndarray, v: np.ndarray) -> np.ndarray:
     """R(q) v.  (…, 4), (…, 3)->(…, 3)."""
     import coscrew  # takes as long to import as short runs, and only floating trees need it
 
-    found: np.ndarray = coscrew.double.rotate_qv(q, v)
+    found: np.ndarray = coscrew.rotate_qv(q, v)
     return found
 
 
@@ -219,8 +221,8 @@ def turned(x: np.ndarray, y: np.ndarray) -> np.ndarray:
     (…, 4)->(…, 3)."""
     import coscrew
 
-    to: np.ndarray = coscrew.double.quaternion_product_qq(x * np.array([-1, -1, -1, 1]), y)
-    found: np.ndarray = coscrew.double.quaternion_log(to)
+    to: np.ndarray = coscrew.quaternion_product_qq(x * np.array([-1, -1, -1, 1]), y)
+    found: np.ndarray = coscrew.quaternion_log(to)
     return found
 
 
