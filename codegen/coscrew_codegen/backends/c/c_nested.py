@@ -70,7 +70,7 @@ def language(program: Program, precision: Precision) -> Language:
         if step.name in rounded:
             return _ROUNDED
         if step.op is Op.TWO_OVER_PI:
-            return chunk_of_two_over_pi(step).replace("{f}", precision.called), CALL
+            return spelled(step, precision)
         pattern, binding = spellings[step.op]
         if precision.lanes and (binding == CALL or not any(map(_varies, step.operands))):
             pattern = pattern.format(*("{}" if _varies(x) else EACH for x in step.operands))
@@ -82,6 +82,12 @@ def language(program: Program, precision: Precision) -> Language:
         return precision.literal(x) + precision.suffix
 
     return Language(spelling, constant, f"({BY_NAME[precision.name].c_type})NAN", "", "{arguments}")
+
+
+def spelled(step: Instruction, precision: Precision) -> tuple[str, int]:
+    """A pattern of the operation on numbers, and its precedence."""
+    pattern, binding = _SPELLING.get(step.op) or (chunk_of_two_over_pi(step), CALL)
+    return pattern.replace("%s", precision.called).replace("{f}", precision.called), binding
 
 
 def _varies(x: Operand) -> bool:

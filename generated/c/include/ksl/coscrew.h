@@ -103,12 +103,12 @@ static inline void ksl_coscrew_invert(ksl_coscrew_t *self) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_axpy_cc(const double a, const ksl_coscrew_t *x, ksl_coscrew_t *y) {
-  const double y_0_new_a = KSL_MUL(a, x->m0), y_0_new = y_0_new_a + y->m0;
-  const double y_1_new_a = KSL_MUL(a, x->m1), y_1_new = y_1_new_a + y->m1;
-  const double y_2_new_a = KSL_MUL(a, x->m2), y_2_new = y_2_new_a + y->m2;
-  const double y_3_new_a = KSL_MUL(a, x->m3), y_3_new = y_3_new_a + y->m3;
-  const double y_4_new_a = KSL_MUL(a, x->m4), y_4_new = y_4_new_a + y->m4;
-  const double y_5_new_a = KSL_MUL(a, x->m5), y_5_new = y_5_new_a + y->m5;
+  const double y_0_new = KSL_MUL(a, x->m0) + y->m0;
+  const double y_1_new = KSL_MUL(a, x->m1) + y->m1;
+  const double y_2_new = KSL_MUL(a, x->m2) + y->m2;
+  const double y_3_new = KSL_MUL(a, x->m3) + y->m3;
+  const double y_4_new = KSL_MUL(a, x->m4) + y->m4;
+  const double y_5_new = KSL_MUL(a, x->m5) + y->m5;
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -217,9 +217,8 @@ static inline void ksl_subtract_cc(const ksl_coscrew_t *c1, const ksl_coscrew_t 
    ci: coscrew (f in N; τ in N m).
    7 mul, 2 add, 1 sqrt, 6 abs, 11 less, 1 equal, 14 select. */
 static inline double ksl_coscrew_norm(const ksl_coscrew_t *ci) {
-  const double small_a = fabs(ci->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
-      small_d = fabs(ci->m1), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(ci->m0),
-      small = small_g < 1e-09 ? small_f : 0.0;
+  const double small_c = fabs(ci->m2) < 1e-09 ? 1.0 : 0.0,
+      small_f = fabs(ci->m1) < 1e-09 ? small_c : 0.0, small = fabs(ci->m0) < 1e-09 ? small_f : 0.0;
   const double p_0 = small == 1.0 ? ci->m3 : ci->m0;
   const double p_1 = small == 1.0 ? ci->m4 : ci->m1;
   const double p_2 = small == 1.0 ? ci->m5 : ci->m2;
@@ -234,8 +233,7 @@ static inline double ksl_coscrew_norm(const ksl_coscrew_t *ci) {
   const double y_0 = KSL_MUL(p_0, s);
   const double y_1 = KSL_MUL(p_1, s);
   const double y_2 = KSL_MUL(p_2, s);
-  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
+  const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2));
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
       r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
@@ -266,8 +264,7 @@ static inline void ksl_coscrew_normalize(ksl_coscrew_t *self) {
   const double y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
+  const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2));
   const double divisor = n == 0.0 ? up : n;
   const double size_3 = fabs(self->m3);
   const double size_4 = fabs(self->m4);
@@ -333,8 +330,7 @@ static inline void ksl_coscrew_normalized(const ksl_coscrew_t *ci, ksl_coscrew_t
   const double y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
+  const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2));
   const double divisor = n == 0.0 ? up : n;
   const double size_3 = fabs(ci->m3);
   const double size_4 = fabs(ci->m4);
@@ -462,12 +458,9 @@ static inline void ksl_add_cct(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2,
      barring over- and underflow. */
 static inline void ksl_product_CoAdtc(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_3a = KSL_MUL(t->y, ci->m2), co_3b = KSL_MUL(t->z, ci->m1), co_3c = co_3a - co_3b,
-      co_3 = co_3c + ci->m3;
-  const double co_4a = KSL_MUL(t->z, ci->m0), co_4b = KSL_MUL(t->x, ci->m2), co_4c = co_4a - co_4b,
-      co_4 = co_4c + ci->m4;
-  const double co_5a = KSL_MUL(t->x, ci->m1), co_5b = KSL_MUL(t->y, ci->m0), co_5c = co_5a - co_5b,
-      co_5 = co_5c + ci->m5;
+  const double co_3 = KSL_MUL(t->y, ci->m2) - KSL_MUL(t->z, ci->m1) + ci->m3;
+  const double co_4 = KSL_MUL(t->z, ci->m0) - KSL_MUL(t->x, ci->m2) + ci->m4;
+  const double co_5 = KSL_MUL(t->x, ci->m1) - KSL_MUL(t->y, ci->m0) + ci->m5;
   const double ci_m0 = ci->m0;
   const double ci_m1 = ci->m1;
   const double ci_m2 = ci->m2;
@@ -486,12 +479,9 @@ static inline void ksl_product_CoAdtc(const ksl_vec3_t *t, const ksl_coscrew_t *
      barring over- and underflow. */
 static inline void ksl_product_CoAdtinvc(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_3a = KSL_MUL(t->z, ci->m1), co_3b = KSL_MUL(t->y, ci->m2), co_3c = co_3a - co_3b,
-      co_3 = co_3c + ci->m3;
-  const double co_4a = KSL_MUL(t->x, ci->m2), co_4b = KSL_MUL(t->z, ci->m0), co_4c = co_4a - co_4b,
-      co_4 = co_4c + ci->m4;
-  const double co_5a = KSL_MUL(t->y, ci->m0), co_5b = KSL_MUL(t->x, ci->m1), co_5c = co_5a - co_5b,
-      co_5 = co_5c + ci->m5;
+  const double co_3 = KSL_MUL(t->z, ci->m1) - KSL_MUL(t->y, ci->m2) + ci->m3;
+  const double co_4 = KSL_MUL(t->x, ci->m2) - KSL_MUL(t->z, ci->m0) + ci->m4;
+  const double co_5 = KSL_MUL(t->y, ci->m0) - KSL_MUL(t->x, ci->m1) + ci->m5;
   const double ci_m0 = ci->m0;
   const double ci_m1 = ci->m1;
   const double ci_m2 = ci->m2;
@@ -513,12 +503,9 @@ static inline void ksl_product_CoAdtcinv(const ksl_vec3_t *t, const ksl_coscrew_
   const double co_0 = -ci->m0;
   const double co_1 = -ci->m1;
   const double co_2 = -ci->m2;
-  const double co_3a = KSL_MUL(t->z, ci->m1), co_3b = KSL_MUL(t->y, ci->m2), co_3c = co_3a - co_3b,
-      co_3 = co_3c - ci->m3;
-  const double co_4a = KSL_MUL(t->x, ci->m2), co_4b = KSL_MUL(t->z, ci->m0), co_4c = co_4a - co_4b,
-      co_4 = co_4c - ci->m4;
-  const double co_5a = KSL_MUL(t->y, ci->m0), co_5b = KSL_MUL(t->x, ci->m1), co_5c = co_5a - co_5b,
-      co_5 = co_5c - ci->m5;
+  const double co_3 = KSL_MUL(t->z, ci->m1) - KSL_MUL(t->y, ci->m2) - ci->m3;
+  const double co_4 = KSL_MUL(t->x, ci->m2) - KSL_MUL(t->z, ci->m0) - ci->m4;
+  const double co_5 = KSL_MUL(t->y, ci->m0) - KSL_MUL(t->x, ci->m1) - ci->m5;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -534,18 +521,12 @@ static inline void ksl_product_CoAdtcinv(const ksl_vec3_t *t, const ksl_coscrew_
      and underflow. */
 static inline void ksl_product_CoAdrc(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_0a = KSL_MUL(R->m00, ci->m0), co_0b = KSL_MUL(R->m01, ci->m1),
-      co_0c = co_0a + co_0b, co_0d = KSL_MUL(R->m02, ci->m2), co_0 = co_0c + co_0d;
-  const double co_1a = KSL_MUL(R->m10, ci->m0), co_1b = KSL_MUL(R->m11, ci->m1),
-      co_1c = co_1a + co_1b, co_1d = KSL_MUL(R->m12, ci->m2), co_1 = co_1c + co_1d;
-  const double co_2a = KSL_MUL(R->m20, ci->m0), co_2b = KSL_MUL(R->m21, ci->m1),
-      co_2c = co_2a + co_2b, co_2d = KSL_MUL(R->m22, ci->m2), co_2 = co_2c + co_2d;
-  const double co_3a = KSL_MUL(R->m00, ci->m3), co_3b = KSL_MUL(R->m01, ci->m4),
-      co_3c = co_3a + co_3b, co_3d = KSL_MUL(R->m02, ci->m5), co_3 = co_3c + co_3d;
-  const double co_4a = KSL_MUL(R->m10, ci->m3), co_4b = KSL_MUL(R->m11, ci->m4),
-      co_4c = co_4a + co_4b, co_4d = KSL_MUL(R->m12, ci->m5), co_4 = co_4c + co_4d;
-  const double co_5a = KSL_MUL(R->m20, ci->m3), co_5b = KSL_MUL(R->m21, ci->m4),
-      co_5c = co_5a + co_5b, co_5d = KSL_MUL(R->m22, ci->m5), co_5 = co_5c + co_5d;
+  const double co_0 = KSL_MUL(R->m00, ci->m0) + KSL_MUL(R->m01, ci->m1) + KSL_MUL(R->m02, ci->m2);
+  const double co_1 = KSL_MUL(R->m10, ci->m0) + KSL_MUL(R->m11, ci->m1) + KSL_MUL(R->m12, ci->m2);
+  const double co_2 = KSL_MUL(R->m20, ci->m0) + KSL_MUL(R->m21, ci->m1) + KSL_MUL(R->m22, ci->m2);
+  const double co_3 = KSL_MUL(R->m00, ci->m3) + KSL_MUL(R->m01, ci->m4) + KSL_MUL(R->m02, ci->m5);
+  const double co_4 = KSL_MUL(R->m10, ci->m3) + KSL_MUL(R->m11, ci->m4) + KSL_MUL(R->m12, ci->m5);
+  const double co_5 = KSL_MUL(R->m20, ci->m3) + KSL_MUL(R->m21, ci->m4) + KSL_MUL(R->m22, ci->m5);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -561,18 +542,12 @@ static inline void ksl_product_CoAdrc(const ksl_mat3x3_t *R, const ksl_coscrew_t
      and underflow. */
 static inline void ksl_product_CoAdrinvc(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_0a = KSL_MUL(R->m00, ci->m0), co_0b = KSL_MUL(R->m10, ci->m1),
-      co_0c = co_0a + co_0b, co_0d = KSL_MUL(R->m20, ci->m2), co_0 = co_0c + co_0d;
-  const double co_1a = KSL_MUL(R->m01, ci->m0), co_1b = KSL_MUL(R->m11, ci->m1),
-      co_1c = co_1a + co_1b, co_1d = KSL_MUL(R->m21, ci->m2), co_1 = co_1c + co_1d;
-  const double co_2a = KSL_MUL(R->m02, ci->m0), co_2b = KSL_MUL(R->m12, ci->m1),
-      co_2c = co_2a + co_2b, co_2d = KSL_MUL(R->m22, ci->m2), co_2 = co_2c + co_2d;
-  const double co_3a = KSL_MUL(R->m00, ci->m3), co_3b = KSL_MUL(R->m10, ci->m4),
-      co_3c = co_3a + co_3b, co_3d = KSL_MUL(R->m20, ci->m5), co_3 = co_3c + co_3d;
-  const double co_4a = KSL_MUL(R->m01, ci->m3), co_4b = KSL_MUL(R->m11, ci->m4),
-      co_4c = co_4a + co_4b, co_4d = KSL_MUL(R->m21, ci->m5), co_4 = co_4c + co_4d;
-  const double co_5a = KSL_MUL(R->m02, ci->m3), co_5b = KSL_MUL(R->m12, ci->m4),
-      co_5c = co_5a + co_5b, co_5d = KSL_MUL(R->m22, ci->m5), co_5 = co_5c + co_5d;
+  const double co_0 = KSL_MUL(R->m00, ci->m0) + KSL_MUL(R->m10, ci->m1) + KSL_MUL(R->m20, ci->m2);
+  const double co_1 = KSL_MUL(R->m01, ci->m0) + KSL_MUL(R->m11, ci->m1) + KSL_MUL(R->m21, ci->m2);
+  const double co_2 = KSL_MUL(R->m02, ci->m0) + KSL_MUL(R->m12, ci->m1) + KSL_MUL(R->m22, ci->m2);
+  const double co_3 = KSL_MUL(R->m00, ci->m3) + KSL_MUL(R->m10, ci->m4) + KSL_MUL(R->m20, ci->m5);
+  const double co_4 = KSL_MUL(R->m01, ci->m3) + KSL_MUL(R->m11, ci->m4) + KSL_MUL(R->m21, ci->m5);
+  const double co_5 = KSL_MUL(R->m02, ci->m3) + KSL_MUL(R->m12, ci->m4) + KSL_MUL(R->m22, ci->m5);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -588,18 +563,18 @@ static inline void ksl_product_CoAdrinvc(const ksl_mat3x3_t *R, const ksl_coscre
      and underflow. */
 static inline void ksl_product_CoAdrcinv(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_0a = KSL_MUL(R->m00, ci->m0), co_0b = KSL_MUL(R->m01, ci->m1),
-      co_0c = co_0a + co_0b, co_0d = KSL_MUL(R->m02, ci->m2), co_0e = co_0c + co_0d, co_0 = -co_0e;
-  const double co_1a = KSL_MUL(R->m10, ci->m0), co_1b = KSL_MUL(R->m11, ci->m1),
-      co_1c = co_1a + co_1b, co_1d = KSL_MUL(R->m12, ci->m2), co_1e = co_1c + co_1d, co_1 = -co_1e;
-  const double co_2a = KSL_MUL(R->m20, ci->m0), co_2b = KSL_MUL(R->m21, ci->m1),
-      co_2c = co_2a + co_2b, co_2d = KSL_MUL(R->m22, ci->m2), co_2e = co_2c + co_2d, co_2 = -co_2e;
-  const double co_3a = KSL_MUL(R->m00, ci->m3), co_3b = KSL_MUL(R->m01, ci->m4),
-      co_3c = co_3a + co_3b, co_3d = KSL_MUL(R->m02, ci->m5), co_3e = co_3c + co_3d, co_3 = -co_3e;
-  const double co_4a = KSL_MUL(R->m10, ci->m3), co_4b = KSL_MUL(R->m11, ci->m4),
-      co_4c = co_4a + co_4b, co_4d = KSL_MUL(R->m12, ci->m5), co_4e = co_4c + co_4d, co_4 = -co_4e;
-  const double co_5a = KSL_MUL(R->m20, ci->m3), co_5b = KSL_MUL(R->m21, ci->m4),
-      co_5c = co_5a + co_5b, co_5d = KSL_MUL(R->m22, ci->m5), co_5e = co_5c + co_5d, co_5 = -co_5e;
+  const double co_0 =
+          -(KSL_MUL(R->m00, ci->m0) + KSL_MUL(R->m01, ci->m1) + KSL_MUL(R->m02, ci->m2));
+  const double co_1 =
+          -(KSL_MUL(R->m10, ci->m0) + KSL_MUL(R->m11, ci->m1) + KSL_MUL(R->m12, ci->m2));
+  const double co_2 =
+          -(KSL_MUL(R->m20, ci->m0) + KSL_MUL(R->m21, ci->m1) + KSL_MUL(R->m22, ci->m2));
+  const double co_3 =
+          -(KSL_MUL(R->m00, ci->m3) + KSL_MUL(R->m01, ci->m4) + KSL_MUL(R->m02, ci->m5));
+  const double co_4 =
+          -(KSL_MUL(R->m10, ci->m3) + KSL_MUL(R->m11, ci->m4) + KSL_MUL(R->m12, ci->m5));
+  const double co_5 =
+          -(KSL_MUL(R->m20, ci->m3) + KSL_MUL(R->m21, ci->m4) + KSL_MUL(R->m22, ci->m5));
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -615,24 +590,15 @@ static inline void ksl_product_CoAdrcinv(const ksl_mat3x3_t *R, const ksl_coscre
      barring over- and underflow. */
 static inline void ksl_product_CoAdc(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double w_0a = KSL_MUL(D->m00, ci->m0), w_0b = KSL_MUL(D->m01, ci->m1), w_0c = w_0a + w_0b,
-      w_0d = KSL_MUL(D->m02, ci->m2), w_0 = w_0c + w_0d;
-  const double w_1a = KSL_MUL(D->m10, ci->m0), w_1b = KSL_MUL(D->m11, ci->m1), w_1c = w_1a + w_1b,
-      w_1d = KSL_MUL(D->m12, ci->m2), w_1 = w_1c + w_1d;
-  const double w_2a = KSL_MUL(D->m20, ci->m0), w_2b = KSL_MUL(D->m21, ci->m1), w_2c = w_2a + w_2b,
-      w_2d = KSL_MUL(D->m22, ci->m2), w_2 = w_2c + w_2d;
-  const double w_3a = KSL_MUL(D->m00, ci->m3), w_3b = KSL_MUL(D->m01, ci->m4), w_3c = w_3a + w_3b,
-      w_3d = KSL_MUL(D->m02, ci->m5), w_3 = w_3c + w_3d;
-  const double w_4a = KSL_MUL(D->m10, ci->m3), w_4b = KSL_MUL(D->m11, ci->m4), w_4c = w_4a + w_4b,
-      w_4d = KSL_MUL(D->m12, ci->m5), w_4 = w_4c + w_4d;
-  const double w_5a = KSL_MUL(D->m20, ci->m3), w_5b = KSL_MUL(D->m21, ci->m4), w_5c = w_5a + w_5b,
-      w_5d = KSL_MUL(D->m22, ci->m5), w_5 = w_5c + w_5d;
-  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
-      co_3 = co_3c + w_3;
-  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
-      co_4 = co_4c + w_4;
-  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
-      co_5 = co_5c + w_5;
+  const double w_0 = KSL_MUL(D->m00, ci->m0) + KSL_MUL(D->m01, ci->m1) + KSL_MUL(D->m02, ci->m2);
+  const double w_1 = KSL_MUL(D->m10, ci->m0) + KSL_MUL(D->m11, ci->m1) + KSL_MUL(D->m12, ci->m2);
+  const double w_2 = KSL_MUL(D->m20, ci->m0) + KSL_MUL(D->m21, ci->m1) + KSL_MUL(D->m22, ci->m2);
+  const double w_3 = KSL_MUL(D->m00, ci->m3) + KSL_MUL(D->m01, ci->m4) + KSL_MUL(D->m02, ci->m5);
+  const double w_4 = KSL_MUL(D->m10, ci->m3) + KSL_MUL(D->m11, ci->m4) + KSL_MUL(D->m12, ci->m5);
+  const double w_5 = KSL_MUL(D->m20, ci->m3) + KSL_MUL(D->m21, ci->m4) + KSL_MUL(D->m22, ci->m5);
+  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1) + w_3;
+  const double co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2) + w_4;
+  const double co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -648,24 +614,15 @@ static inline void ksl_product_CoAdc(const ksl_SE3_t *D, const ksl_coscrew_t *ci
      barring over- and underflow. */
 static inline void ksl_product_CoAdinvc(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double w_3a = KSL_MUL(D->m23, ci->m1), w_3b = KSL_MUL(D->m13, ci->m2), w_3c = w_3a - w_3b,
-      w_3 = w_3c + ci->m3;
-  const double w_4a = KSL_MUL(D->m03, ci->m2), w_4b = KSL_MUL(D->m23, ci->m0), w_4c = w_4a - w_4b,
-      w_4 = w_4c + ci->m4;
-  const double w_5a = KSL_MUL(D->m13, ci->m0), w_5b = KSL_MUL(D->m03, ci->m1), w_5c = w_5a - w_5b,
-      w_5 = w_5c + ci->m5;
-  const double co_0a = KSL_MUL(D->m00, ci->m0), co_0b = KSL_MUL(D->m10, ci->m1),
-      co_0c = co_0a + co_0b, co_0d = KSL_MUL(D->m20, ci->m2), co_0 = co_0c + co_0d;
-  const double co_1a = KSL_MUL(D->m01, ci->m0), co_1b = KSL_MUL(D->m11, ci->m1),
-      co_1c = co_1a + co_1b, co_1d = KSL_MUL(D->m21, ci->m2), co_1 = co_1c + co_1d;
-  const double co_2a = KSL_MUL(D->m02, ci->m0), co_2b = KSL_MUL(D->m12, ci->m1),
-      co_2c = co_2a + co_2b, co_2d = KSL_MUL(D->m22, ci->m2), co_2 = co_2c + co_2d;
-  const double co_3a = KSL_MUL(D->m00, w_3), co_3b = KSL_MUL(D->m10, w_4), co_3c = co_3a + co_3b,
-      co_3d = KSL_MUL(D->m20, w_5), co_3 = co_3c + co_3d;
-  const double co_4a = KSL_MUL(D->m01, w_3), co_4b = KSL_MUL(D->m11, w_4), co_4c = co_4a + co_4b,
-      co_4d = KSL_MUL(D->m21, w_5), co_4 = co_4c + co_4d;
-  const double co_5a = KSL_MUL(D->m02, w_3), co_5b = KSL_MUL(D->m12, w_4), co_5c = co_5a + co_5b,
-      co_5d = KSL_MUL(D->m22, w_5), co_5 = co_5c + co_5d;
+  const double w_3 = KSL_MUL(D->m23, ci->m1) - KSL_MUL(D->m13, ci->m2) + ci->m3;
+  const double w_4 = KSL_MUL(D->m03, ci->m2) - KSL_MUL(D->m23, ci->m0) + ci->m4;
+  const double w_5 = KSL_MUL(D->m13, ci->m0) - KSL_MUL(D->m03, ci->m1) + ci->m5;
+  const double co_0 = KSL_MUL(D->m00, ci->m0) + KSL_MUL(D->m10, ci->m1) + KSL_MUL(D->m20, ci->m2);
+  const double co_1 = KSL_MUL(D->m01, ci->m0) + KSL_MUL(D->m11, ci->m1) + KSL_MUL(D->m21, ci->m2);
+  const double co_2 = KSL_MUL(D->m02, ci->m0) + KSL_MUL(D->m12, ci->m1) + KSL_MUL(D->m22, ci->m2);
+  const double co_3 = KSL_MUL(D->m00, w_3) + KSL_MUL(D->m10, w_4) + KSL_MUL(D->m20, w_5);
+  const double co_4 = KSL_MUL(D->m01, w_3) + KSL_MUL(D->m11, w_4) + KSL_MUL(D->m21, w_5);
+  const double co_5 = KSL_MUL(D->m02, w_3) + KSL_MUL(D->m12, w_4) + KSL_MUL(D->m22, w_5);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -681,24 +638,15 @@ static inline void ksl_product_CoAdinvc(const ksl_SE3_t *D, const ksl_coscrew_t 
      barring over- and underflow. */
 static inline void ksl_product_CoAdcinv(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double w_0a = KSL_MUL(D->m00, ci->m0), w_0b = KSL_MUL(D->m01, ci->m1), w_0c = w_0a + w_0b,
-      w_0d = KSL_MUL(D->m02, ci->m2), w_0e = w_0c + w_0d, w_0 = -w_0e;
-  const double w_1a = KSL_MUL(D->m10, ci->m0), w_1b = KSL_MUL(D->m11, ci->m1), w_1c = w_1a + w_1b,
-      w_1d = KSL_MUL(D->m12, ci->m2), w_1e = w_1c + w_1d, w_1 = -w_1e;
-  const double w_2a = KSL_MUL(D->m20, ci->m0), w_2b = KSL_MUL(D->m21, ci->m1), w_2c = w_2a + w_2b,
-      w_2d = KSL_MUL(D->m22, ci->m2), w_2e = w_2c + w_2d, w_2 = -w_2e;
-  const double w_3a = KSL_MUL(D->m00, ci->m3), w_3b = KSL_MUL(D->m01, ci->m4), w_3c = w_3a + w_3b,
-      w_3d = KSL_MUL(D->m02, ci->m5), w_3e = w_3c + w_3d, w_3 = -w_3e;
-  const double w_4a = KSL_MUL(D->m10, ci->m3), w_4b = KSL_MUL(D->m11, ci->m4), w_4c = w_4a + w_4b,
-      w_4d = KSL_MUL(D->m12, ci->m5), w_4e = w_4c + w_4d, w_4 = -w_4e;
-  const double w_5a = KSL_MUL(D->m20, ci->m3), w_5b = KSL_MUL(D->m21, ci->m4), w_5c = w_5a + w_5b,
-      w_5d = KSL_MUL(D->m22, ci->m5), w_5e = w_5c + w_5d, w_5 = -w_5e;
-  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
-      co_3 = co_3c + w_3;
-  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
-      co_4 = co_4c + w_4;
-  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
-      co_5 = co_5c + w_5;
+  const double w_0 = -(KSL_MUL(D->m00, ci->m0) + KSL_MUL(D->m01, ci->m1) + KSL_MUL(D->m02, ci->m2));
+  const double w_1 = -(KSL_MUL(D->m10, ci->m0) + KSL_MUL(D->m11, ci->m1) + KSL_MUL(D->m12, ci->m2));
+  const double w_2 = -(KSL_MUL(D->m20, ci->m0) + KSL_MUL(D->m21, ci->m1) + KSL_MUL(D->m22, ci->m2));
+  const double w_3 = -(KSL_MUL(D->m00, ci->m3) + KSL_MUL(D->m01, ci->m4) + KSL_MUL(D->m02, ci->m5));
+  const double w_4 = -(KSL_MUL(D->m10, ci->m3) + KSL_MUL(D->m11, ci->m4) + KSL_MUL(D->m12, ci->m5));
+  const double w_5 = -(KSL_MUL(D->m20, ci->m3) + KSL_MUL(D->m21, ci->m4) + KSL_MUL(D->m22, ci->m5));
+  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1) + w_3;
+  const double co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2) + w_4;
+  const double co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -713,12 +661,9 @@ static inline void ksl_product_CoAdcinv(const ksl_SE3_t *D, const ksl_coscrew_t 
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctx(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_3a = KSL_MUL(D->m20, D->m13), co_3b = KSL_MUL(D->m10, D->m23),
-      co_3 = co_3a - co_3b;
-  const double co_4a = KSL_MUL(D->m00, D->m23), co_4b = KSL_MUL(D->m20, D->m03),
-      co_4 = co_4a - co_4b;
-  const double co_5a = KSL_MUL(D->m10, D->m03), co_5b = KSL_MUL(D->m00, D->m13),
-      co_5 = co_5a - co_5b;
+  const double co_3 = KSL_MUL(D->m20, D->m13) - KSL_MUL(D->m10, D->m23);
+  const double co_4 = KSL_MUL(D->m00, D->m23) - KSL_MUL(D->m20, D->m03);
+  const double co_5 = KSL_MUL(D->m10, D->m03) - KSL_MUL(D->m00, D->m13);
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
   const double D_m20 = D->m20;
@@ -736,12 +681,9 @@ static inline void ksl_hctx(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hcty(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_3a = KSL_MUL(D->m21, D->m13), co_3b = KSL_MUL(D->m11, D->m23),
-      co_3 = co_3a - co_3b;
-  const double co_4a = KSL_MUL(D->m01, D->m23), co_4b = KSL_MUL(D->m21, D->m03),
-      co_4 = co_4a - co_4b;
-  const double co_5a = KSL_MUL(D->m11, D->m03), co_5b = KSL_MUL(D->m01, D->m13),
-      co_5 = co_5a - co_5b;
+  const double co_3 = KSL_MUL(D->m21, D->m13) - KSL_MUL(D->m11, D->m23);
+  const double co_4 = KSL_MUL(D->m01, D->m23) - KSL_MUL(D->m21, D->m03);
+  const double co_5 = KSL_MUL(D->m11, D->m03) - KSL_MUL(D->m01, D->m13);
   const double D_m01 = D->m01;
   const double D_m11 = D->m11;
   const double D_m21 = D->m21;
@@ -759,12 +701,9 @@ static inline void ksl_hcty(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctz(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_3a = KSL_MUL(D->m22, D->m13), co_3b = KSL_MUL(D->m12, D->m23),
-      co_3 = co_3a - co_3b;
-  const double co_4a = KSL_MUL(D->m02, D->m23), co_4b = KSL_MUL(D->m22, D->m03),
-      co_4 = co_4a - co_4b;
-  const double co_5a = KSL_MUL(D->m12, D->m03), co_5b = KSL_MUL(D->m02, D->m13),
-      co_5 = co_5a - co_5b;
+  const double co_3 = KSL_MUL(D->m22, D->m13) - KSL_MUL(D->m12, D->m23);
+  const double co_4 = KSL_MUL(D->m02, D->m23) - KSL_MUL(D->m22, D->m03);
+  const double co_5 = KSL_MUL(D->m12, D->m03) - KSL_MUL(D->m02, D->m13);
   const double D_m02 = D->m02;
   const double D_m12 = D->m12;
   const double D_m22 = D->m22;
@@ -833,12 +772,9 @@ static inline void ksl_hctxinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_0 = -D->m00;
   const double co_1 = -D->m10;
   const double co_2 = -D->m20;
-  const double co_3a = KSL_MUL(D->m10, D->m23), co_3b = KSL_MUL(D->m20, D->m13),
-      co_3 = co_3a - co_3b;
-  const double co_4a = KSL_MUL(D->m20, D->m03), co_4b = KSL_MUL(D->m00, D->m23),
-      co_4 = co_4a - co_4b;
-  const double co_5a = KSL_MUL(D->m00, D->m13), co_5b = KSL_MUL(D->m10, D->m03),
-      co_5 = co_5a - co_5b;
+  const double co_3 = KSL_MUL(D->m10, D->m23) - KSL_MUL(D->m20, D->m13);
+  const double co_4 = KSL_MUL(D->m20, D->m03) - KSL_MUL(D->m00, D->m23);
+  const double co_5 = KSL_MUL(D->m00, D->m13) - KSL_MUL(D->m10, D->m03);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -856,12 +792,9 @@ static inline void ksl_hctyinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_0 = -D->m01;
   const double co_1 = -D->m11;
   const double co_2 = -D->m21;
-  const double co_3a = KSL_MUL(D->m11, D->m23), co_3b = KSL_MUL(D->m21, D->m13),
-      co_3 = co_3a - co_3b;
-  const double co_4a = KSL_MUL(D->m21, D->m03), co_4b = KSL_MUL(D->m01, D->m23),
-      co_4 = co_4a - co_4b;
-  const double co_5a = KSL_MUL(D->m01, D->m13), co_5b = KSL_MUL(D->m11, D->m03),
-      co_5 = co_5a - co_5b;
+  const double co_3 = KSL_MUL(D->m11, D->m23) - KSL_MUL(D->m21, D->m13);
+  const double co_4 = KSL_MUL(D->m21, D->m03) - KSL_MUL(D->m01, D->m23);
+  const double co_5 = KSL_MUL(D->m01, D->m13) - KSL_MUL(D->m11, D->m03);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -879,12 +812,9 @@ static inline void ksl_hctzinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_0 = -D->m02;
   const double co_1 = -D->m12;
   const double co_2 = -D->m22;
-  const double co_3a = KSL_MUL(D->m12, D->m23), co_3b = KSL_MUL(D->m22, D->m13),
-      co_3 = co_3a - co_3b;
-  const double co_4a = KSL_MUL(D->m22, D->m03), co_4b = KSL_MUL(D->m02, D->m23),
-      co_4 = co_4a - co_4b;
-  const double co_5a = KSL_MUL(D->m02, D->m13), co_5b = KSL_MUL(D->m12, D->m03),
-      co_5 = co_5a - co_5b;
+  const double co_3 = KSL_MUL(D->m12, D->m23) - KSL_MUL(D->m22, D->m13);
+  const double co_4 = KSL_MUL(D->m22, D->m03) - KSL_MUL(D->m02, D->m23);
+  const double co_5 = KSL_MUL(D->m02, D->m13) - KSL_MUL(D->m12, D->m03);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -947,24 +877,15 @@ static inline void ksl_hcrzinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_CoAd(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
-  const double M_30a = KSL_MUL(D->m20, D->m13), M_30b = KSL_MUL(D->m10, D->m23),
-      M_30 = M_30a - M_30b;
-  const double M_31a = KSL_MUL(D->m21, D->m13), M_31b = KSL_MUL(D->m11, D->m23),
-      M_31 = M_31a - M_31b;
-  const double M_32a = KSL_MUL(D->m22, D->m13), M_32b = KSL_MUL(D->m12, D->m23),
-      M_32 = M_32a - M_32b;
-  const double M_40a = KSL_MUL(D->m00, D->m23), M_40b = KSL_MUL(D->m20, D->m03),
-      M_40 = M_40a - M_40b;
-  const double M_41a = KSL_MUL(D->m01, D->m23), M_41b = KSL_MUL(D->m21, D->m03),
-      M_41 = M_41a - M_41b;
-  const double M_42a = KSL_MUL(D->m02, D->m23), M_42b = KSL_MUL(D->m22, D->m03),
-      M_42 = M_42a - M_42b;
-  const double M_50a = KSL_MUL(D->m10, D->m03), M_50b = KSL_MUL(D->m00, D->m13),
-      M_50 = M_50a - M_50b;
-  const double M_51a = KSL_MUL(D->m11, D->m03), M_51b = KSL_MUL(D->m01, D->m13),
-      M_51 = M_51a - M_51b;
-  const double M_52a = KSL_MUL(D->m12, D->m03), M_52b = KSL_MUL(D->m02, D->m13),
-      M_52 = M_52a - M_52b;
+  const double M_30 = KSL_MUL(D->m20, D->m13) - KSL_MUL(D->m10, D->m23);
+  const double M_31 = KSL_MUL(D->m21, D->m13) - KSL_MUL(D->m11, D->m23);
+  const double M_32 = KSL_MUL(D->m22, D->m13) - KSL_MUL(D->m12, D->m23);
+  const double M_40 = KSL_MUL(D->m00, D->m23) - KSL_MUL(D->m20, D->m03);
+  const double M_41 = KSL_MUL(D->m01, D->m23) - KSL_MUL(D->m21, D->m03);
+  const double M_42 = KSL_MUL(D->m02, D->m23) - KSL_MUL(D->m22, D->m03);
+  const double M_50 = KSL_MUL(D->m10, D->m03) - KSL_MUL(D->m00, D->m13);
+  const double M_51 = KSL_MUL(D->m11, D->m03) - KSL_MUL(D->m01, D->m13);
+  const double M_52 = KSL_MUL(D->m12, D->m03) - KSL_MUL(D->m02, D->m13);
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -1018,10 +939,8 @@ static inline void ksl_CoAd(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline double ksl_reciprocal_product(const ksl_coscrew_t *c, const double x[6]) {
-  const double power_a = KSL_MUL(c->m0, x[3]), power_b = KSL_MUL(c->m1, x[4]),
-      power_c = power_a + power_b, power_d = KSL_MUL(c->m2, x[5]), power_e = power_c + power_d,
-      power_f = KSL_MUL(c->m3, x[0]), power_g = KSL_MUL(c->m4, x[1]), power_h = power_f + power_g,
-      power_i = KSL_MUL(c->m5, x[2]), power_j = power_h + power_i, power = power_e + power_j;
+  const double power = KSL_MUL(c->m0, x[3]) + KSL_MUL(c->m1, x[4]) + KSL_MUL(c->m2, x[5])
+          + (KSL_MUL(c->m3, x[0]) + KSL_MUL(c->m4, x[1]) + KSL_MUL(c->m5, x[2]));
   return power;
 }
 
@@ -1031,18 +950,15 @@ static inline double ksl_reciprocal_product(const ksl_coscrew_t *c, const double
    Error <= u |result| + (lin: 1, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_cross_sc(const ksl_screw_t *s, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
-  const double co_0a = KSL_MUL(s->m4, c->m2), co_0b = KSL_MUL(s->m5, c->m1), co_0 = co_0a - co_0b;
-  const double co_1a = KSL_MUL(s->m5, c->m0), co_1b = KSL_MUL(s->m3, c->m2), co_1 = co_1a - co_1b;
-  const double co_2a = KSL_MUL(s->m3, c->m1), co_2b = KSL_MUL(s->m4, c->m0), co_2 = co_2a - co_2b;
-  const double co_3a = KSL_MUL(s->m1, c->m2), co_3b = KSL_MUL(s->m2, c->m1), co_3c = co_3a - co_3b,
-      co_3d = KSL_MUL(s->m4, c->m5), co_3e = KSL_MUL(s->m5, c->m4), co_3f = co_3d - co_3e,
-      co_3 = co_3c + co_3f;
-  const double co_4a = KSL_MUL(s->m2, c->m0), co_4b = KSL_MUL(s->m0, c->m2), co_4c = co_4a - co_4b,
-      co_4d = KSL_MUL(s->m5, c->m3), co_4e = KSL_MUL(s->m3, c->m5), co_4f = co_4d - co_4e,
-      co_4 = co_4c + co_4f;
-  const double co_5a = KSL_MUL(s->m0, c->m1), co_5b = KSL_MUL(s->m1, c->m0), co_5c = co_5a - co_5b,
-      co_5d = KSL_MUL(s->m3, c->m4), co_5e = KSL_MUL(s->m4, c->m3), co_5f = co_5d - co_5e,
-      co_5 = co_5c + co_5f;
+  const double co_0 = KSL_MUL(s->m4, c->m2) - KSL_MUL(s->m5, c->m1);
+  const double co_1 = KSL_MUL(s->m5, c->m0) - KSL_MUL(s->m3, c->m2);
+  const double co_2 = KSL_MUL(s->m3, c->m1) - KSL_MUL(s->m4, c->m0);
+  const double co_3 = KSL_MUL(s->m1, c->m2) - KSL_MUL(s->m2, c->m1)
+          + (KSL_MUL(s->m4, c->m5) - KSL_MUL(s->m5, c->m4));
+  const double co_4 = KSL_MUL(s->m2, c->m0) - KSL_MUL(s->m0, c->m2)
+          + (KSL_MUL(s->m5, c->m3) - KSL_MUL(s->m3, c->m5));
+  const double co_5 = KSL_MUL(s->m0, c->m1) - KSL_MUL(s->m1, c->m0)
+          + (KSL_MUL(s->m3, c->m4) - KSL_MUL(s->m4, c->m3));
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1057,9 +973,9 @@ static inline void ksl_cross_sc(const ksl_screw_t *s, const ksl_coscrew_t *c, ks
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_cross_sca(const ksl_screw_t *s, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
-  const double co_3a = KSL_MUL(s->m4, c->m5), co_3b = KSL_MUL(s->m5, c->m4), co_3 = co_3a - co_3b;
-  const double co_4a = KSL_MUL(s->m5, c->m3), co_4b = KSL_MUL(s->m3, c->m5), co_4 = co_4a - co_4b;
-  const double co_5a = KSL_MUL(s->m3, c->m4), co_5b = KSL_MUL(s->m4, c->m3), co_5 = co_5a - co_5b;
+  const double co_3 = KSL_MUL(s->m4, c->m5) - KSL_MUL(s->m5, c->m4);
+  const double co_4 = KSL_MUL(s->m5, c->m3) - KSL_MUL(s->m3, c->m5);
+  const double co_5 = KSL_MUL(s->m3, c->m4) - KSL_MUL(s->m4, c->m3);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -1075,21 +991,15 @@ static inline void ksl_cross_sca(const ksl_screw_t *s, const ksl_coscrew_t *c, k
      barring over- and underflow. */
 static inline void ksl_constraint_ctx(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = KSL_MUL(D->m01, c->m1), w_0b = KSL_MUL(D->m02, c->m2), w_0 = w_0a + w_0b;
-  const double w_1a = KSL_MUL(D->m11, c->m1), w_1b = KSL_MUL(D->m12, c->m2), w_1 = w_1a + w_1b;
-  const double w_2a = KSL_MUL(D->m21, c->m1), w_2b = KSL_MUL(D->m22, c->m2), w_2 = w_2a + w_2b;
-  const double w_3a = KSL_MUL(D->m00, c->m3), w_3b = KSL_MUL(D->m01, c->m4), w_3c = w_3a + w_3b,
-      w_3d = KSL_MUL(D->m02, c->m5), w_3 = w_3c + w_3d;
-  const double w_4a = KSL_MUL(D->m10, c->m3), w_4b = KSL_MUL(D->m11, c->m4), w_4c = w_4a + w_4b,
-      w_4d = KSL_MUL(D->m12, c->m5), w_4 = w_4c + w_4d;
-  const double w_5a = KSL_MUL(D->m20, c->m3), w_5b = KSL_MUL(D->m21, c->m4), w_5c = w_5a + w_5b,
-      w_5d = KSL_MUL(D->m22, c->m5), w_5 = w_5c + w_5d;
-  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
-      co_3 = co_3c + w_3;
-  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
-      co_4 = co_4c + w_4;
-  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
-      co_5 = co_5c + w_5;
+  const double w_0 = KSL_MUL(D->m01, c->m1) + KSL_MUL(D->m02, c->m2);
+  const double w_1 = KSL_MUL(D->m11, c->m1) + KSL_MUL(D->m12, c->m2);
+  const double w_2 = KSL_MUL(D->m21, c->m1) + KSL_MUL(D->m22, c->m2);
+  const double w_3 = KSL_MUL(D->m00, c->m3) + KSL_MUL(D->m01, c->m4) + KSL_MUL(D->m02, c->m5);
+  const double w_4 = KSL_MUL(D->m10, c->m3) + KSL_MUL(D->m11, c->m4) + KSL_MUL(D->m12, c->m5);
+  const double w_5 = KSL_MUL(D->m20, c->m3) + KSL_MUL(D->m21, c->m4) + KSL_MUL(D->m22, c->m5);
+  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1) + w_3;
+  const double co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2) + w_4;
+  const double co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1105,21 +1015,15 @@ static inline void ksl_constraint_ctx(const ksl_SE3_t *D, const ksl_coscrew_t *c
      barring over- and underflow. */
 static inline void ksl_constraint_cty(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = KSL_MUL(D->m00, c->m0), w_0b = KSL_MUL(D->m02, c->m2), w_0 = w_0a + w_0b;
-  const double w_1a = KSL_MUL(D->m10, c->m0), w_1b = KSL_MUL(D->m12, c->m2), w_1 = w_1a + w_1b;
-  const double w_2a = KSL_MUL(D->m20, c->m0), w_2b = KSL_MUL(D->m22, c->m2), w_2 = w_2a + w_2b;
-  const double w_3a = KSL_MUL(D->m00, c->m3), w_3b = KSL_MUL(D->m01, c->m4), w_3c = w_3a + w_3b,
-      w_3d = KSL_MUL(D->m02, c->m5), w_3 = w_3c + w_3d;
-  const double w_4a = KSL_MUL(D->m10, c->m3), w_4b = KSL_MUL(D->m11, c->m4), w_4c = w_4a + w_4b,
-      w_4d = KSL_MUL(D->m12, c->m5), w_4 = w_4c + w_4d;
-  const double w_5a = KSL_MUL(D->m20, c->m3), w_5b = KSL_MUL(D->m21, c->m4), w_5c = w_5a + w_5b,
-      w_5d = KSL_MUL(D->m22, c->m5), w_5 = w_5c + w_5d;
-  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
-      co_3 = co_3c + w_3;
-  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
-      co_4 = co_4c + w_4;
-  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
-      co_5 = co_5c + w_5;
+  const double w_0 = KSL_MUL(D->m00, c->m0) + KSL_MUL(D->m02, c->m2);
+  const double w_1 = KSL_MUL(D->m10, c->m0) + KSL_MUL(D->m12, c->m2);
+  const double w_2 = KSL_MUL(D->m20, c->m0) + KSL_MUL(D->m22, c->m2);
+  const double w_3 = KSL_MUL(D->m00, c->m3) + KSL_MUL(D->m01, c->m4) + KSL_MUL(D->m02, c->m5);
+  const double w_4 = KSL_MUL(D->m10, c->m3) + KSL_MUL(D->m11, c->m4) + KSL_MUL(D->m12, c->m5);
+  const double w_5 = KSL_MUL(D->m20, c->m3) + KSL_MUL(D->m21, c->m4) + KSL_MUL(D->m22, c->m5);
+  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1) + w_3;
+  const double co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2) + w_4;
+  const double co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1135,21 +1039,15 @@ static inline void ksl_constraint_cty(const ksl_SE3_t *D, const ksl_coscrew_t *c
      barring over- and underflow. */
 static inline void ksl_constraint_ctz(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = KSL_MUL(D->m00, c->m0), w_0b = KSL_MUL(D->m01, c->m1), w_0 = w_0a + w_0b;
-  const double w_1a = KSL_MUL(D->m10, c->m0), w_1b = KSL_MUL(D->m11, c->m1), w_1 = w_1a + w_1b;
-  const double w_2a = KSL_MUL(D->m20, c->m0), w_2b = KSL_MUL(D->m21, c->m1), w_2 = w_2a + w_2b;
-  const double w_3a = KSL_MUL(D->m00, c->m3), w_3b = KSL_MUL(D->m01, c->m4), w_3c = w_3a + w_3b,
-      w_3d = KSL_MUL(D->m02, c->m5), w_3 = w_3c + w_3d;
-  const double w_4a = KSL_MUL(D->m10, c->m3), w_4b = KSL_MUL(D->m11, c->m4), w_4c = w_4a + w_4b,
-      w_4d = KSL_MUL(D->m12, c->m5), w_4 = w_4c + w_4d;
-  const double w_5a = KSL_MUL(D->m20, c->m3), w_5b = KSL_MUL(D->m21, c->m4), w_5c = w_5a + w_5b,
-      w_5d = KSL_MUL(D->m22, c->m5), w_5 = w_5c + w_5d;
-  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
-      co_3 = co_3c + w_3;
-  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
-      co_4 = co_4c + w_4;
-  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
-      co_5 = co_5c + w_5;
+  const double w_0 = KSL_MUL(D->m00, c->m0) + KSL_MUL(D->m01, c->m1);
+  const double w_1 = KSL_MUL(D->m10, c->m0) + KSL_MUL(D->m11, c->m1);
+  const double w_2 = KSL_MUL(D->m20, c->m0) + KSL_MUL(D->m21, c->m1);
+  const double w_3 = KSL_MUL(D->m00, c->m3) + KSL_MUL(D->m01, c->m4) + KSL_MUL(D->m02, c->m5);
+  const double w_4 = KSL_MUL(D->m10, c->m3) + KSL_MUL(D->m11, c->m4) + KSL_MUL(D->m12, c->m5);
+  const double w_5 = KSL_MUL(D->m20, c->m3) + KSL_MUL(D->m21, c->m4) + KSL_MUL(D->m22, c->m5);
+  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1) + w_3;
+  const double co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2) + w_4;
+  const double co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1165,21 +1063,15 @@ static inline void ksl_constraint_ctz(const ksl_SE3_t *D, const ksl_coscrew_t *c
      barring over- and underflow. */
 static inline void ksl_constraint_crx(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = KSL_MUL(D->m00, c->m0), w_0b = KSL_MUL(D->m01, c->m1), w_0c = w_0a + w_0b,
-      w_0d = KSL_MUL(D->m02, c->m2), w_0 = w_0c + w_0d;
-  const double w_1a = KSL_MUL(D->m10, c->m0), w_1b = KSL_MUL(D->m11, c->m1), w_1c = w_1a + w_1b,
-      w_1d = KSL_MUL(D->m12, c->m2), w_1 = w_1c + w_1d;
-  const double w_2a = KSL_MUL(D->m20, c->m0), w_2b = KSL_MUL(D->m21, c->m1), w_2c = w_2a + w_2b,
-      w_2d = KSL_MUL(D->m22, c->m2), w_2 = w_2c + w_2d;
-  const double w_3a = KSL_MUL(D->m01, c->m4), w_3b = KSL_MUL(D->m02, c->m5), w_3 = w_3a + w_3b;
-  const double w_4a = KSL_MUL(D->m11, c->m4), w_4b = KSL_MUL(D->m12, c->m5), w_4 = w_4a + w_4b;
-  const double w_5a = KSL_MUL(D->m21, c->m4), w_5b = KSL_MUL(D->m22, c->m5), w_5 = w_5a + w_5b;
-  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
-      co_3 = co_3c + w_3;
-  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
-      co_4 = co_4c + w_4;
-  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
-      co_5 = co_5c + w_5;
+  const double w_0 = KSL_MUL(D->m00, c->m0) + KSL_MUL(D->m01, c->m1) + KSL_MUL(D->m02, c->m2);
+  const double w_1 = KSL_MUL(D->m10, c->m0) + KSL_MUL(D->m11, c->m1) + KSL_MUL(D->m12, c->m2);
+  const double w_2 = KSL_MUL(D->m20, c->m0) + KSL_MUL(D->m21, c->m1) + KSL_MUL(D->m22, c->m2);
+  const double w_3 = KSL_MUL(D->m01, c->m4) + KSL_MUL(D->m02, c->m5);
+  const double w_4 = KSL_MUL(D->m11, c->m4) + KSL_MUL(D->m12, c->m5);
+  const double w_5 = KSL_MUL(D->m21, c->m4) + KSL_MUL(D->m22, c->m5);
+  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1) + w_3;
+  const double co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2) + w_4;
+  const double co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1195,21 +1087,15 @@ static inline void ksl_constraint_crx(const ksl_SE3_t *D, const ksl_coscrew_t *c
      barring over- and underflow. */
 static inline void ksl_constraint_cry(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = KSL_MUL(D->m00, c->m0), w_0b = KSL_MUL(D->m01, c->m1), w_0c = w_0a + w_0b,
-      w_0d = KSL_MUL(D->m02, c->m2), w_0 = w_0c + w_0d;
-  const double w_1a = KSL_MUL(D->m10, c->m0), w_1b = KSL_MUL(D->m11, c->m1), w_1c = w_1a + w_1b,
-      w_1d = KSL_MUL(D->m12, c->m2), w_1 = w_1c + w_1d;
-  const double w_2a = KSL_MUL(D->m20, c->m0), w_2b = KSL_MUL(D->m21, c->m1), w_2c = w_2a + w_2b,
-      w_2d = KSL_MUL(D->m22, c->m2), w_2 = w_2c + w_2d;
-  const double w_3a = KSL_MUL(D->m00, c->m3), w_3b = KSL_MUL(D->m02, c->m5), w_3 = w_3a + w_3b;
-  const double w_4a = KSL_MUL(D->m10, c->m3), w_4b = KSL_MUL(D->m12, c->m5), w_4 = w_4a + w_4b;
-  const double w_5a = KSL_MUL(D->m20, c->m3), w_5b = KSL_MUL(D->m22, c->m5), w_5 = w_5a + w_5b;
-  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
-      co_3 = co_3c + w_3;
-  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
-      co_4 = co_4c + w_4;
-  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
-      co_5 = co_5c + w_5;
+  const double w_0 = KSL_MUL(D->m00, c->m0) + KSL_MUL(D->m01, c->m1) + KSL_MUL(D->m02, c->m2);
+  const double w_1 = KSL_MUL(D->m10, c->m0) + KSL_MUL(D->m11, c->m1) + KSL_MUL(D->m12, c->m2);
+  const double w_2 = KSL_MUL(D->m20, c->m0) + KSL_MUL(D->m21, c->m1) + KSL_MUL(D->m22, c->m2);
+  const double w_3 = KSL_MUL(D->m00, c->m3) + KSL_MUL(D->m02, c->m5);
+  const double w_4 = KSL_MUL(D->m10, c->m3) + KSL_MUL(D->m12, c->m5);
+  const double w_5 = KSL_MUL(D->m20, c->m3) + KSL_MUL(D->m22, c->m5);
+  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1) + w_3;
+  const double co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2) + w_4;
+  const double co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1225,21 +1111,15 @@ static inline void ksl_constraint_cry(const ksl_SE3_t *D, const ksl_coscrew_t *c
      barring over- and underflow. */
 static inline void ksl_constraint_crz(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = KSL_MUL(D->m00, c->m0), w_0b = KSL_MUL(D->m01, c->m1), w_0c = w_0a + w_0b,
-      w_0d = KSL_MUL(D->m02, c->m2), w_0 = w_0c + w_0d;
-  const double w_1a = KSL_MUL(D->m10, c->m0), w_1b = KSL_MUL(D->m11, c->m1), w_1c = w_1a + w_1b,
-      w_1d = KSL_MUL(D->m12, c->m2), w_1 = w_1c + w_1d;
-  const double w_2a = KSL_MUL(D->m20, c->m0), w_2b = KSL_MUL(D->m21, c->m1), w_2c = w_2a + w_2b,
-      w_2d = KSL_MUL(D->m22, c->m2), w_2 = w_2c + w_2d;
-  const double w_3a = KSL_MUL(D->m00, c->m3), w_3b = KSL_MUL(D->m01, c->m4), w_3 = w_3a + w_3b;
-  const double w_4a = KSL_MUL(D->m10, c->m3), w_4b = KSL_MUL(D->m11, c->m4), w_4 = w_4a + w_4b;
-  const double w_5a = KSL_MUL(D->m20, c->m3), w_5b = KSL_MUL(D->m21, c->m4), w_5 = w_5a + w_5b;
-  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
-      co_3 = co_3c + w_3;
-  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
-      co_4 = co_4c + w_4;
-  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
-      co_5 = co_5c + w_5;
+  const double w_0 = KSL_MUL(D->m00, c->m0) + KSL_MUL(D->m01, c->m1) + KSL_MUL(D->m02, c->m2);
+  const double w_1 = KSL_MUL(D->m10, c->m0) + KSL_MUL(D->m11, c->m1) + KSL_MUL(D->m12, c->m2);
+  const double w_2 = KSL_MUL(D->m20, c->m0) + KSL_MUL(D->m21, c->m1) + KSL_MUL(D->m22, c->m2);
+  const double w_3 = KSL_MUL(D->m00, c->m3) + KSL_MUL(D->m01, c->m4);
+  const double w_4 = KSL_MUL(D->m10, c->m3) + KSL_MUL(D->m11, c->m4);
+  const double w_5 = KSL_MUL(D->m20, c->m3) + KSL_MUL(D->m21, c->m4);
+  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1) + w_3;
+  const double co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2) + w_4;
+  const double co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1257,9 +1137,9 @@ static inline void ksl_working_ctx(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
   const double w_0 = KSL_MUL(D->m00, c->m0);
   const double w_1 = KSL_MUL(D->m10, c->m0);
   const double w_2 = KSL_MUL(D->m20, c->m0);
-  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3 = co_3a - co_3b;
-  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4 = co_4a - co_4b;
-  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5 = co_5a - co_5b;
+  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1);
+  const double co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2);
+  const double co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1277,9 +1157,9 @@ static inline void ksl_working_cty(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
   const double w_0 = KSL_MUL(D->m01, c->m1);
   const double w_1 = KSL_MUL(D->m11, c->m1);
   const double w_2 = KSL_MUL(D->m21, c->m1);
-  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3 = co_3a - co_3b;
-  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4 = co_4a - co_4b;
-  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5 = co_5a - co_5b;
+  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1);
+  const double co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2);
+  const double co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1297,9 +1177,9 @@ static inline void ksl_working_ctz(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
   const double w_0 = KSL_MUL(D->m02, c->m2);
   const double w_1 = KSL_MUL(D->m12, c->m2);
   const double w_2 = KSL_MUL(D->m22, c->m2);
-  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3 = co_3a - co_3b;
-  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4 = co_4a - co_4b;
-  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5 = co_5a - co_5b;
+  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1);
+  const double co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2);
+  const double co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1506,12 +1386,12 @@ static inline void ksl_coscrewf_invert(ksl_coscrewf_t *self) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_axpy_ccf(const float a, const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
-  const float y_0_new_a = KSL_MULF(a, x->m0), y_0_new = y_0_new_a + y->m0;
-  const float y_1_new_a = KSL_MULF(a, x->m1), y_1_new = y_1_new_a + y->m1;
-  const float y_2_new_a = KSL_MULF(a, x->m2), y_2_new = y_2_new_a + y->m2;
-  const float y_3_new_a = KSL_MULF(a, x->m3), y_3_new = y_3_new_a + y->m3;
-  const float y_4_new_a = KSL_MULF(a, x->m4), y_4_new = y_4_new_a + y->m4;
-  const float y_5_new_a = KSL_MULF(a, x->m5), y_5_new = y_5_new_a + y->m5;
+  const float y_0_new = KSL_MULF(a, x->m0) + y->m0;
+  const float y_1_new = KSL_MULF(a, x->m1) + y->m1;
+  const float y_2_new = KSL_MULF(a, x->m2) + y->m2;
+  const float y_3_new = KSL_MULF(a, x->m3) + y->m3;
+  const float y_4_new = KSL_MULF(a, x->m4) + y->m4;
+  const float y_5_new = KSL_MULF(a, x->m5) + y->m5;
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -1621,9 +1501,9 @@ static inline void ksl_subtract_ccf(const ksl_coscrewf_t *c1, const ksl_coscrewf
    ci: coscrew (f in N; τ in N m).
    7 mul, 2 add, 1 sqrt, 6 abs, 11 less, 1 equal, 14 select. */
 static inline float ksl_coscrewf_norm(const ksl_coscrewf_t *ci) {
-  const float small_a = fabsf(ci->m2), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
-      small_d = fabsf(ci->m1), small_f = small_d < 1e-06f ? small_c : 0.0f, small_g = fabsf(ci->m0),
-      small = small_g < 1e-06f ? small_f : 0.0f;
+  const float small_c = fabsf(ci->m2) < 1e-06f ? 1.0f : 0.0f,
+      small_f = fabsf(ci->m1) < 1e-06f ? small_c : 0.0f,
+      small = fabsf(ci->m0) < 1e-06f ? small_f : 0.0f;
   const float p_0 = small == 1.0f ? ci->m3 : ci->m0;
   const float p_1 = small == 1.0f ? ci->m4 : ci->m1;
   const float p_2 = small == 1.0f ? ci->m5 : ci->m2;
@@ -1638,8 +1518,7 @@ static inline float ksl_coscrewf_norm(const ksl_coscrewf_t *ci) {
   const float y_0 = KSL_MULF(p_0, s);
   const float y_1 = KSL_MULF(p_1, s);
   const float y_2 = KSL_MULF(p_2, s);
-  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
+  const float n = sqrtf(KSL_MULF(y_0, y_0) + KSL_MULF(y_1, y_1) + KSL_MULF(y_2, y_2));
   const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r_d = 1.0f < s ? 5.551115e-17f : r_b,
       r = 1.8014399e+16f < s ? 3.081488e-33f : r_d;
   const float norm = KSL_MULF(n, r);
@@ -1669,8 +1548,7 @@ static inline void ksl_coscrewf_normalize(ksl_coscrewf_t *self) {
   const float y_2 = KSL_MULF(p_2, s);
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
-  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
+  const float n = sqrtf(KSL_MULF(y_0, y_0) + KSL_MULF(y_1, y_1) + KSL_MULF(y_2, y_2));
   const float divisor = n == 0.0f ? up : n;
   const float size_3 = fabsf(self->m3);
   const float size_4 = fabsf(self->m4);
@@ -1736,8 +1614,7 @@ static inline void ksl_coscrewf_normalized(const ksl_coscrewf_t *ci, ksl_coscrew
   const float y_2 = KSL_MULF(p_2, s);
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
-  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
+  const float n = sqrtf(KSL_MULF(y_0, y_0) + KSL_MULF(y_1, y_1) + KSL_MULF(y_2, y_2));
   const float divisor = n == 0.0f ? up : n;
   const float size_3 = fabsf(ci->m3);
   const float size_4 = fabsf(ci->m4);
@@ -1865,12 +1742,9 @@ static inline void ksl_add_cctf(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *
      barring over- and underflow. */
 static inline void ksl_product_CoAdtcf(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float co_3a = KSL_MULF(t->y, ci->m2), co_3b = KSL_MULF(t->z, ci->m1), co_3c = co_3a - co_3b,
-      co_3 = co_3c + ci->m3;
-  const float co_4a = KSL_MULF(t->z, ci->m0), co_4b = KSL_MULF(t->x, ci->m2), co_4c = co_4a - co_4b,
-      co_4 = co_4c + ci->m4;
-  const float co_5a = KSL_MULF(t->x, ci->m1), co_5b = KSL_MULF(t->y, ci->m0), co_5c = co_5a - co_5b,
-      co_5 = co_5c + ci->m5;
+  const float co_3 = KSL_MULF(t->y, ci->m2) - KSL_MULF(t->z, ci->m1) + ci->m3;
+  const float co_4 = KSL_MULF(t->z, ci->m0) - KSL_MULF(t->x, ci->m2) + ci->m4;
+  const float co_5 = KSL_MULF(t->x, ci->m1) - KSL_MULF(t->y, ci->m0) + ci->m5;
   const float ci_m0 = ci->m0;
   const float ci_m1 = ci->m1;
   const float ci_m2 = ci->m2;
@@ -1889,12 +1763,9 @@ static inline void ksl_product_CoAdtcf(const ksl_vec3f_t *t, const ksl_coscrewf_
      barring over- and underflow. */
 static inline void ksl_product_CoAdtinvcf(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float co_3a = KSL_MULF(t->z, ci->m1), co_3b = KSL_MULF(t->y, ci->m2), co_3c = co_3a - co_3b,
-      co_3 = co_3c + ci->m3;
-  const float co_4a = KSL_MULF(t->x, ci->m2), co_4b = KSL_MULF(t->z, ci->m0), co_4c = co_4a - co_4b,
-      co_4 = co_4c + ci->m4;
-  const float co_5a = KSL_MULF(t->y, ci->m0), co_5b = KSL_MULF(t->x, ci->m1), co_5c = co_5a - co_5b,
-      co_5 = co_5c + ci->m5;
+  const float co_3 = KSL_MULF(t->z, ci->m1) - KSL_MULF(t->y, ci->m2) + ci->m3;
+  const float co_4 = KSL_MULF(t->x, ci->m2) - KSL_MULF(t->z, ci->m0) + ci->m4;
+  const float co_5 = KSL_MULF(t->y, ci->m0) - KSL_MULF(t->x, ci->m1) + ci->m5;
   const float ci_m0 = ci->m0;
   const float ci_m1 = ci->m1;
   const float ci_m2 = ci->m2;
@@ -1916,12 +1787,9 @@ static inline void ksl_product_CoAdtcinvf(const ksl_vec3f_t *t, const ksl_coscre
   const float co_0 = -ci->m0;
   const float co_1 = -ci->m1;
   const float co_2 = -ci->m2;
-  const float co_3a = KSL_MULF(t->z, ci->m1), co_3b = KSL_MULF(t->y, ci->m2), co_3c = co_3a - co_3b,
-      co_3 = co_3c - ci->m3;
-  const float co_4a = KSL_MULF(t->x, ci->m2), co_4b = KSL_MULF(t->z, ci->m0), co_4c = co_4a - co_4b,
-      co_4 = co_4c - ci->m4;
-  const float co_5a = KSL_MULF(t->y, ci->m0), co_5b = KSL_MULF(t->x, ci->m1), co_5c = co_5a - co_5b,
-      co_5 = co_5c - ci->m5;
+  const float co_3 = KSL_MULF(t->z, ci->m1) - KSL_MULF(t->y, ci->m2) - ci->m3;
+  const float co_4 = KSL_MULF(t->x, ci->m2) - KSL_MULF(t->z, ci->m0) - ci->m4;
+  const float co_5 = KSL_MULF(t->y, ci->m0) - KSL_MULF(t->x, ci->m1) - ci->m5;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1937,18 +1805,12 @@ static inline void ksl_product_CoAdtcinvf(const ksl_vec3f_t *t, const ksl_coscre
      and underflow. */
 static inline void ksl_product_CoAdrcf(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float co_0a = KSL_MULF(R->m00, ci->m0), co_0b = KSL_MULF(R->m01, ci->m1),
-      co_0c = co_0a + co_0b, co_0d = KSL_MULF(R->m02, ci->m2), co_0 = co_0c + co_0d;
-  const float co_1a = KSL_MULF(R->m10, ci->m0), co_1b = KSL_MULF(R->m11, ci->m1),
-      co_1c = co_1a + co_1b, co_1d = KSL_MULF(R->m12, ci->m2), co_1 = co_1c + co_1d;
-  const float co_2a = KSL_MULF(R->m20, ci->m0), co_2b = KSL_MULF(R->m21, ci->m1),
-      co_2c = co_2a + co_2b, co_2d = KSL_MULF(R->m22, ci->m2), co_2 = co_2c + co_2d;
-  const float co_3a = KSL_MULF(R->m00, ci->m3), co_3b = KSL_MULF(R->m01, ci->m4),
-      co_3c = co_3a + co_3b, co_3d = KSL_MULF(R->m02, ci->m5), co_3 = co_3c + co_3d;
-  const float co_4a = KSL_MULF(R->m10, ci->m3), co_4b = KSL_MULF(R->m11, ci->m4),
-      co_4c = co_4a + co_4b, co_4d = KSL_MULF(R->m12, ci->m5), co_4 = co_4c + co_4d;
-  const float co_5a = KSL_MULF(R->m20, ci->m3), co_5b = KSL_MULF(R->m21, ci->m4),
-      co_5c = co_5a + co_5b, co_5d = KSL_MULF(R->m22, ci->m5), co_5 = co_5c + co_5d;
+  const float co_0 = KSL_MULF(R->m00, ci->m0) + KSL_MULF(R->m01, ci->m1) + KSL_MULF(R->m02, ci->m2);
+  const float co_1 = KSL_MULF(R->m10, ci->m0) + KSL_MULF(R->m11, ci->m1) + KSL_MULF(R->m12, ci->m2);
+  const float co_2 = KSL_MULF(R->m20, ci->m0) + KSL_MULF(R->m21, ci->m1) + KSL_MULF(R->m22, ci->m2);
+  const float co_3 = KSL_MULF(R->m00, ci->m3) + KSL_MULF(R->m01, ci->m4) + KSL_MULF(R->m02, ci->m5);
+  const float co_4 = KSL_MULF(R->m10, ci->m3) + KSL_MULF(R->m11, ci->m4) + KSL_MULF(R->m12, ci->m5);
+  const float co_5 = KSL_MULF(R->m20, ci->m3) + KSL_MULF(R->m21, ci->m4) + KSL_MULF(R->m22, ci->m5);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1964,18 +1826,12 @@ static inline void ksl_product_CoAdrcf(const ksl_mat3x3f_t *R, const ksl_coscrew
      and underflow. */
 static inline void ksl_product_CoAdrinvcf(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float co_0a = KSL_MULF(R->m00, ci->m0), co_0b = KSL_MULF(R->m10, ci->m1),
-      co_0c = co_0a + co_0b, co_0d = KSL_MULF(R->m20, ci->m2), co_0 = co_0c + co_0d;
-  const float co_1a = KSL_MULF(R->m01, ci->m0), co_1b = KSL_MULF(R->m11, ci->m1),
-      co_1c = co_1a + co_1b, co_1d = KSL_MULF(R->m21, ci->m2), co_1 = co_1c + co_1d;
-  const float co_2a = KSL_MULF(R->m02, ci->m0), co_2b = KSL_MULF(R->m12, ci->m1),
-      co_2c = co_2a + co_2b, co_2d = KSL_MULF(R->m22, ci->m2), co_2 = co_2c + co_2d;
-  const float co_3a = KSL_MULF(R->m00, ci->m3), co_3b = KSL_MULF(R->m10, ci->m4),
-      co_3c = co_3a + co_3b, co_3d = KSL_MULF(R->m20, ci->m5), co_3 = co_3c + co_3d;
-  const float co_4a = KSL_MULF(R->m01, ci->m3), co_4b = KSL_MULF(R->m11, ci->m4),
-      co_4c = co_4a + co_4b, co_4d = KSL_MULF(R->m21, ci->m5), co_4 = co_4c + co_4d;
-  const float co_5a = KSL_MULF(R->m02, ci->m3), co_5b = KSL_MULF(R->m12, ci->m4),
-      co_5c = co_5a + co_5b, co_5d = KSL_MULF(R->m22, ci->m5), co_5 = co_5c + co_5d;
+  const float co_0 = KSL_MULF(R->m00, ci->m0) + KSL_MULF(R->m10, ci->m1) + KSL_MULF(R->m20, ci->m2);
+  const float co_1 = KSL_MULF(R->m01, ci->m0) + KSL_MULF(R->m11, ci->m1) + KSL_MULF(R->m21, ci->m2);
+  const float co_2 = KSL_MULF(R->m02, ci->m0) + KSL_MULF(R->m12, ci->m1) + KSL_MULF(R->m22, ci->m2);
+  const float co_3 = KSL_MULF(R->m00, ci->m3) + KSL_MULF(R->m10, ci->m4) + KSL_MULF(R->m20, ci->m5);
+  const float co_4 = KSL_MULF(R->m01, ci->m3) + KSL_MULF(R->m11, ci->m4) + KSL_MULF(R->m21, ci->m5);
+  const float co_5 = KSL_MULF(R->m02, ci->m3) + KSL_MULF(R->m12, ci->m4) + KSL_MULF(R->m22, ci->m5);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1991,18 +1847,18 @@ static inline void ksl_product_CoAdrinvcf(const ksl_mat3x3f_t *R, const ksl_cosc
      and underflow. */
 static inline void ksl_product_CoAdrcinvf(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float co_0a = KSL_MULF(R->m00, ci->m0), co_0b = KSL_MULF(R->m01, ci->m1),
-      co_0c = co_0a + co_0b, co_0d = KSL_MULF(R->m02, ci->m2), co_0e = co_0c + co_0d, co_0 = -co_0e;
-  const float co_1a = KSL_MULF(R->m10, ci->m0), co_1b = KSL_MULF(R->m11, ci->m1),
-      co_1c = co_1a + co_1b, co_1d = KSL_MULF(R->m12, ci->m2), co_1e = co_1c + co_1d, co_1 = -co_1e;
-  const float co_2a = KSL_MULF(R->m20, ci->m0), co_2b = KSL_MULF(R->m21, ci->m1),
-      co_2c = co_2a + co_2b, co_2d = KSL_MULF(R->m22, ci->m2), co_2e = co_2c + co_2d, co_2 = -co_2e;
-  const float co_3a = KSL_MULF(R->m00, ci->m3), co_3b = KSL_MULF(R->m01, ci->m4),
-      co_3c = co_3a + co_3b, co_3d = KSL_MULF(R->m02, ci->m5), co_3e = co_3c + co_3d, co_3 = -co_3e;
-  const float co_4a = KSL_MULF(R->m10, ci->m3), co_4b = KSL_MULF(R->m11, ci->m4),
-      co_4c = co_4a + co_4b, co_4d = KSL_MULF(R->m12, ci->m5), co_4e = co_4c + co_4d, co_4 = -co_4e;
-  const float co_5a = KSL_MULF(R->m20, ci->m3), co_5b = KSL_MULF(R->m21, ci->m4),
-      co_5c = co_5a + co_5b, co_5d = KSL_MULF(R->m22, ci->m5), co_5e = co_5c + co_5d, co_5 = -co_5e;
+  const float co_0 =
+          -(KSL_MULF(R->m00, ci->m0) + KSL_MULF(R->m01, ci->m1) + KSL_MULF(R->m02, ci->m2));
+  const float co_1 =
+          -(KSL_MULF(R->m10, ci->m0) + KSL_MULF(R->m11, ci->m1) + KSL_MULF(R->m12, ci->m2));
+  const float co_2 =
+          -(KSL_MULF(R->m20, ci->m0) + KSL_MULF(R->m21, ci->m1) + KSL_MULF(R->m22, ci->m2));
+  const float co_3 =
+          -(KSL_MULF(R->m00, ci->m3) + KSL_MULF(R->m01, ci->m4) + KSL_MULF(R->m02, ci->m5));
+  const float co_4 =
+          -(KSL_MULF(R->m10, ci->m3) + KSL_MULF(R->m11, ci->m4) + KSL_MULF(R->m12, ci->m5));
+  const float co_5 =
+          -(KSL_MULF(R->m20, ci->m3) + KSL_MULF(R->m21, ci->m4) + KSL_MULF(R->m22, ci->m5));
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -2018,24 +1874,15 @@ static inline void ksl_product_CoAdrcinvf(const ksl_mat3x3f_t *R, const ksl_cosc
      barring over- and underflow. */
 static inline void ksl_product_CoAdcf(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float w_0a = KSL_MULF(D->m00, ci->m0), w_0b = KSL_MULF(D->m01, ci->m1), w_0c = w_0a + w_0b,
-      w_0d = KSL_MULF(D->m02, ci->m2), w_0 = w_0c + w_0d;
-  const float w_1a = KSL_MULF(D->m10, ci->m0), w_1b = KSL_MULF(D->m11, ci->m1), w_1c = w_1a + w_1b,
-      w_1d = KSL_MULF(D->m12, ci->m2), w_1 = w_1c + w_1d;
-  const float w_2a = KSL_MULF(D->m20, ci->m0), w_2b = KSL_MULF(D->m21, ci->m1), w_2c = w_2a + w_2b,
-      w_2d = KSL_MULF(D->m22, ci->m2), w_2 = w_2c + w_2d;
-  const float w_3a = KSL_MULF(D->m00, ci->m3), w_3b = KSL_MULF(D->m01, ci->m4), w_3c = w_3a + w_3b,
-      w_3d = KSL_MULF(D->m02, ci->m5), w_3 = w_3c + w_3d;
-  const float w_4a = KSL_MULF(D->m10, ci->m3), w_4b = KSL_MULF(D->m11, ci->m4), w_4c = w_4a + w_4b,
-      w_4d = KSL_MULF(D->m12, ci->m5), w_4 = w_4c + w_4d;
-  const float w_5a = KSL_MULF(D->m20, ci->m3), w_5b = KSL_MULF(D->m21, ci->m4), w_5c = w_5a + w_5b,
-      w_5d = KSL_MULF(D->m22, ci->m5), w_5 = w_5c + w_5d;
-  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
-      co_3 = co_3c + w_3;
-  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
-      co_4 = co_4c + w_4;
-  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
-      co_5 = co_5c + w_5;
+  const float w_0 = KSL_MULF(D->m00, ci->m0) + KSL_MULF(D->m01, ci->m1) + KSL_MULF(D->m02, ci->m2);
+  const float w_1 = KSL_MULF(D->m10, ci->m0) + KSL_MULF(D->m11, ci->m1) + KSL_MULF(D->m12, ci->m2);
+  const float w_2 = KSL_MULF(D->m20, ci->m0) + KSL_MULF(D->m21, ci->m1) + KSL_MULF(D->m22, ci->m2);
+  const float w_3 = KSL_MULF(D->m00, ci->m3) + KSL_MULF(D->m01, ci->m4) + KSL_MULF(D->m02, ci->m5);
+  const float w_4 = KSL_MULF(D->m10, ci->m3) + KSL_MULF(D->m11, ci->m4) + KSL_MULF(D->m12, ci->m5);
+  const float w_5 = KSL_MULF(D->m20, ci->m3) + KSL_MULF(D->m21, ci->m4) + KSL_MULF(D->m22, ci->m5);
+  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1) + w_3;
+  const float co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2) + w_4;
+  const float co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2051,24 +1898,15 @@ static inline void ksl_product_CoAdcf(const ksl_SE3f_t *D, const ksl_coscrewf_t 
      barring over- and underflow. */
 static inline void ksl_product_CoAdinvcf(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float w_3a = KSL_MULF(D->m23, ci->m1), w_3b = KSL_MULF(D->m13, ci->m2), w_3c = w_3a - w_3b,
-      w_3 = w_3c + ci->m3;
-  const float w_4a = KSL_MULF(D->m03, ci->m2), w_4b = KSL_MULF(D->m23, ci->m0), w_4c = w_4a - w_4b,
-      w_4 = w_4c + ci->m4;
-  const float w_5a = KSL_MULF(D->m13, ci->m0), w_5b = KSL_MULF(D->m03, ci->m1), w_5c = w_5a - w_5b,
-      w_5 = w_5c + ci->m5;
-  const float co_0a = KSL_MULF(D->m00, ci->m0), co_0b = KSL_MULF(D->m10, ci->m1),
-      co_0c = co_0a + co_0b, co_0d = KSL_MULF(D->m20, ci->m2), co_0 = co_0c + co_0d;
-  const float co_1a = KSL_MULF(D->m01, ci->m0), co_1b = KSL_MULF(D->m11, ci->m1),
-      co_1c = co_1a + co_1b, co_1d = KSL_MULF(D->m21, ci->m2), co_1 = co_1c + co_1d;
-  const float co_2a = KSL_MULF(D->m02, ci->m0), co_2b = KSL_MULF(D->m12, ci->m1),
-      co_2c = co_2a + co_2b, co_2d = KSL_MULF(D->m22, ci->m2), co_2 = co_2c + co_2d;
-  const float co_3a = KSL_MULF(D->m00, w_3), co_3b = KSL_MULF(D->m10, w_4), co_3c = co_3a + co_3b,
-      co_3d = KSL_MULF(D->m20, w_5), co_3 = co_3c + co_3d;
-  const float co_4a = KSL_MULF(D->m01, w_3), co_4b = KSL_MULF(D->m11, w_4), co_4c = co_4a + co_4b,
-      co_4d = KSL_MULF(D->m21, w_5), co_4 = co_4c + co_4d;
-  const float co_5a = KSL_MULF(D->m02, w_3), co_5b = KSL_MULF(D->m12, w_4), co_5c = co_5a + co_5b,
-      co_5d = KSL_MULF(D->m22, w_5), co_5 = co_5c + co_5d;
+  const float w_3 = KSL_MULF(D->m23, ci->m1) - KSL_MULF(D->m13, ci->m2) + ci->m3;
+  const float w_4 = KSL_MULF(D->m03, ci->m2) - KSL_MULF(D->m23, ci->m0) + ci->m4;
+  const float w_5 = KSL_MULF(D->m13, ci->m0) - KSL_MULF(D->m03, ci->m1) + ci->m5;
+  const float co_0 = KSL_MULF(D->m00, ci->m0) + KSL_MULF(D->m10, ci->m1) + KSL_MULF(D->m20, ci->m2);
+  const float co_1 = KSL_MULF(D->m01, ci->m0) + KSL_MULF(D->m11, ci->m1) + KSL_MULF(D->m21, ci->m2);
+  const float co_2 = KSL_MULF(D->m02, ci->m0) + KSL_MULF(D->m12, ci->m1) + KSL_MULF(D->m22, ci->m2);
+  const float co_3 = KSL_MULF(D->m00, w_3) + KSL_MULF(D->m10, w_4) + KSL_MULF(D->m20, w_5);
+  const float co_4 = KSL_MULF(D->m01, w_3) + KSL_MULF(D->m11, w_4) + KSL_MULF(D->m21, w_5);
+  const float co_5 = KSL_MULF(D->m02, w_3) + KSL_MULF(D->m12, w_4) + KSL_MULF(D->m22, w_5);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -2084,24 +1922,21 @@ static inline void ksl_product_CoAdinvcf(const ksl_SE3f_t *D, const ksl_coscrewf
      barring over- and underflow. */
 static inline void ksl_product_CoAdcinvf(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float w_0a = KSL_MULF(D->m00, ci->m0), w_0b = KSL_MULF(D->m01, ci->m1), w_0c = w_0a + w_0b,
-      w_0d = KSL_MULF(D->m02, ci->m2), w_0e = w_0c + w_0d, w_0 = -w_0e;
-  const float w_1a = KSL_MULF(D->m10, ci->m0), w_1b = KSL_MULF(D->m11, ci->m1), w_1c = w_1a + w_1b,
-      w_1d = KSL_MULF(D->m12, ci->m2), w_1e = w_1c + w_1d, w_1 = -w_1e;
-  const float w_2a = KSL_MULF(D->m20, ci->m0), w_2b = KSL_MULF(D->m21, ci->m1), w_2c = w_2a + w_2b,
-      w_2d = KSL_MULF(D->m22, ci->m2), w_2e = w_2c + w_2d, w_2 = -w_2e;
-  const float w_3a = KSL_MULF(D->m00, ci->m3), w_3b = KSL_MULF(D->m01, ci->m4), w_3c = w_3a + w_3b,
-      w_3d = KSL_MULF(D->m02, ci->m5), w_3e = w_3c + w_3d, w_3 = -w_3e;
-  const float w_4a = KSL_MULF(D->m10, ci->m3), w_4b = KSL_MULF(D->m11, ci->m4), w_4c = w_4a + w_4b,
-      w_4d = KSL_MULF(D->m12, ci->m5), w_4e = w_4c + w_4d, w_4 = -w_4e;
-  const float w_5a = KSL_MULF(D->m20, ci->m3), w_5b = KSL_MULF(D->m21, ci->m4), w_5c = w_5a + w_5b,
-      w_5d = KSL_MULF(D->m22, ci->m5), w_5e = w_5c + w_5d, w_5 = -w_5e;
-  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
-      co_3 = co_3c + w_3;
-  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
-      co_4 = co_4c + w_4;
-  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
-      co_5 = co_5c + w_5;
+  const float w_0 =
+          -(KSL_MULF(D->m00, ci->m0) + KSL_MULF(D->m01, ci->m1) + KSL_MULF(D->m02, ci->m2));
+  const float w_1 =
+          -(KSL_MULF(D->m10, ci->m0) + KSL_MULF(D->m11, ci->m1) + KSL_MULF(D->m12, ci->m2));
+  const float w_2 =
+          -(KSL_MULF(D->m20, ci->m0) + KSL_MULF(D->m21, ci->m1) + KSL_MULF(D->m22, ci->m2));
+  const float w_3 =
+          -(KSL_MULF(D->m00, ci->m3) + KSL_MULF(D->m01, ci->m4) + KSL_MULF(D->m02, ci->m5));
+  const float w_4 =
+          -(KSL_MULF(D->m10, ci->m3) + KSL_MULF(D->m11, ci->m4) + KSL_MULF(D->m12, ci->m5));
+  const float w_5 =
+          -(KSL_MULF(D->m20, ci->m3) + KSL_MULF(D->m21, ci->m4) + KSL_MULF(D->m22, ci->m5));
+  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1) + w_3;
+  const float co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2) + w_4;
+  const float co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2116,12 +1951,9 @@ static inline void ksl_product_CoAdcinvf(const ksl_SE3f_t *D, const ksl_coscrewf
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctxf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const float co_3a = KSL_MULF(D->m20, D->m13), co_3b = KSL_MULF(D->m10, D->m23),
-      co_3 = co_3a - co_3b;
-  const float co_4a = KSL_MULF(D->m00, D->m23), co_4b = KSL_MULF(D->m20, D->m03),
-      co_4 = co_4a - co_4b;
-  const float co_5a = KSL_MULF(D->m10, D->m03), co_5b = KSL_MULF(D->m00, D->m13),
-      co_5 = co_5a - co_5b;
+  const float co_3 = KSL_MULF(D->m20, D->m13) - KSL_MULF(D->m10, D->m23);
+  const float co_4 = KSL_MULF(D->m00, D->m23) - KSL_MULF(D->m20, D->m03);
+  const float co_5 = KSL_MULF(D->m10, D->m03) - KSL_MULF(D->m00, D->m13);
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;
@@ -2139,12 +1971,9 @@ static inline void ksl_hctxf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctyf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const float co_3a = KSL_MULF(D->m21, D->m13), co_3b = KSL_MULF(D->m11, D->m23),
-      co_3 = co_3a - co_3b;
-  const float co_4a = KSL_MULF(D->m01, D->m23), co_4b = KSL_MULF(D->m21, D->m03),
-      co_4 = co_4a - co_4b;
-  const float co_5a = KSL_MULF(D->m11, D->m03), co_5b = KSL_MULF(D->m01, D->m13),
-      co_5 = co_5a - co_5b;
+  const float co_3 = KSL_MULF(D->m21, D->m13) - KSL_MULF(D->m11, D->m23);
+  const float co_4 = KSL_MULF(D->m01, D->m23) - KSL_MULF(D->m21, D->m03);
+  const float co_5 = KSL_MULF(D->m11, D->m03) - KSL_MULF(D->m01, D->m13);
   const float D_m01 = D->m01;
   const float D_m11 = D->m11;
   const float D_m21 = D->m21;
@@ -2162,12 +1991,9 @@ static inline void ksl_hctyf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctzf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const float co_3a = KSL_MULF(D->m22, D->m13), co_3b = KSL_MULF(D->m12, D->m23),
-      co_3 = co_3a - co_3b;
-  const float co_4a = KSL_MULF(D->m02, D->m23), co_4b = KSL_MULF(D->m22, D->m03),
-      co_4 = co_4a - co_4b;
-  const float co_5a = KSL_MULF(D->m12, D->m03), co_5b = KSL_MULF(D->m02, D->m13),
-      co_5 = co_5a - co_5b;
+  const float co_3 = KSL_MULF(D->m22, D->m13) - KSL_MULF(D->m12, D->m23);
+  const float co_4 = KSL_MULF(D->m02, D->m23) - KSL_MULF(D->m22, D->m03);
+  const float co_5 = KSL_MULF(D->m12, D->m03) - KSL_MULF(D->m02, D->m13);
   const float D_m02 = D->m02;
   const float D_m12 = D->m12;
   const float D_m22 = D->m22;
@@ -2236,12 +2062,9 @@ static inline void ksl_hctxinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_0 = -D->m00;
   const float co_1 = -D->m10;
   const float co_2 = -D->m20;
-  const float co_3a = KSL_MULF(D->m10, D->m23), co_3b = KSL_MULF(D->m20, D->m13),
-      co_3 = co_3a - co_3b;
-  const float co_4a = KSL_MULF(D->m20, D->m03), co_4b = KSL_MULF(D->m00, D->m23),
-      co_4 = co_4a - co_4b;
-  const float co_5a = KSL_MULF(D->m00, D->m13), co_5b = KSL_MULF(D->m10, D->m03),
-      co_5 = co_5a - co_5b;
+  const float co_3 = KSL_MULF(D->m10, D->m23) - KSL_MULF(D->m20, D->m13);
+  const float co_4 = KSL_MULF(D->m20, D->m03) - KSL_MULF(D->m00, D->m23);
+  const float co_5 = KSL_MULF(D->m00, D->m13) - KSL_MULF(D->m10, D->m03);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -2259,12 +2082,9 @@ static inline void ksl_hctyinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_0 = -D->m01;
   const float co_1 = -D->m11;
   const float co_2 = -D->m21;
-  const float co_3a = KSL_MULF(D->m11, D->m23), co_3b = KSL_MULF(D->m21, D->m13),
-      co_3 = co_3a - co_3b;
-  const float co_4a = KSL_MULF(D->m21, D->m03), co_4b = KSL_MULF(D->m01, D->m23),
-      co_4 = co_4a - co_4b;
-  const float co_5a = KSL_MULF(D->m01, D->m13), co_5b = KSL_MULF(D->m11, D->m03),
-      co_5 = co_5a - co_5b;
+  const float co_3 = KSL_MULF(D->m11, D->m23) - KSL_MULF(D->m21, D->m13);
+  const float co_4 = KSL_MULF(D->m21, D->m03) - KSL_MULF(D->m01, D->m23);
+  const float co_5 = KSL_MULF(D->m01, D->m13) - KSL_MULF(D->m11, D->m03);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -2282,12 +2102,9 @@ static inline void ksl_hctzinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_0 = -D->m02;
   const float co_1 = -D->m12;
   const float co_2 = -D->m22;
-  const float co_3a = KSL_MULF(D->m12, D->m23), co_3b = KSL_MULF(D->m22, D->m13),
-      co_3 = co_3a - co_3b;
-  const float co_4a = KSL_MULF(D->m22, D->m03), co_4b = KSL_MULF(D->m02, D->m23),
-      co_4 = co_4a - co_4b;
-  const float co_5a = KSL_MULF(D->m02, D->m13), co_5b = KSL_MULF(D->m12, D->m03),
-      co_5 = co_5a - co_5b;
+  const float co_3 = KSL_MULF(D->m12, D->m23) - KSL_MULF(D->m22, D->m13);
+  const float co_4 = KSL_MULF(D->m22, D->m03) - KSL_MULF(D->m02, D->m23);
+  const float co_5 = KSL_MULF(D->m02, D->m13) - KSL_MULF(D->m12, D->m03);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -2350,24 +2167,15 @@ static inline void ksl_hcrzinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_CoAdf(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
-  const float M_30a = KSL_MULF(D->m20, D->m13), M_30b = KSL_MULF(D->m10, D->m23),
-      M_30 = M_30a - M_30b;
-  const float M_31a = KSL_MULF(D->m21, D->m13), M_31b = KSL_MULF(D->m11, D->m23),
-      M_31 = M_31a - M_31b;
-  const float M_32a = KSL_MULF(D->m22, D->m13), M_32b = KSL_MULF(D->m12, D->m23),
-      M_32 = M_32a - M_32b;
-  const float M_40a = KSL_MULF(D->m00, D->m23), M_40b = KSL_MULF(D->m20, D->m03),
-      M_40 = M_40a - M_40b;
-  const float M_41a = KSL_MULF(D->m01, D->m23), M_41b = KSL_MULF(D->m21, D->m03),
-      M_41 = M_41a - M_41b;
-  const float M_42a = KSL_MULF(D->m02, D->m23), M_42b = KSL_MULF(D->m22, D->m03),
-      M_42 = M_42a - M_42b;
-  const float M_50a = KSL_MULF(D->m10, D->m03), M_50b = KSL_MULF(D->m00, D->m13),
-      M_50 = M_50a - M_50b;
-  const float M_51a = KSL_MULF(D->m11, D->m03), M_51b = KSL_MULF(D->m01, D->m13),
-      M_51 = M_51a - M_51b;
-  const float M_52a = KSL_MULF(D->m12, D->m03), M_52b = KSL_MULF(D->m02, D->m13),
-      M_52 = M_52a - M_52b;
+  const float M_30 = KSL_MULF(D->m20, D->m13) - KSL_MULF(D->m10, D->m23);
+  const float M_31 = KSL_MULF(D->m21, D->m13) - KSL_MULF(D->m11, D->m23);
+  const float M_32 = KSL_MULF(D->m22, D->m13) - KSL_MULF(D->m12, D->m23);
+  const float M_40 = KSL_MULF(D->m00, D->m23) - KSL_MULF(D->m20, D->m03);
+  const float M_41 = KSL_MULF(D->m01, D->m23) - KSL_MULF(D->m21, D->m03);
+  const float M_42 = KSL_MULF(D->m02, D->m23) - KSL_MULF(D->m22, D->m03);
+  const float M_50 = KSL_MULF(D->m10, D->m03) - KSL_MULF(D->m00, D->m13);
+  const float M_51 = KSL_MULF(D->m11, D->m03) - KSL_MULF(D->m01, D->m13);
+  const float M_52 = KSL_MULF(D->m12, D->m03) - KSL_MULF(D->m02, D->m13);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -2421,10 +2229,8 @@ static inline void ksl_CoAdf(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline float ksl_reciprocal_productf(const ksl_coscrewf_t *c, const float x[6]) {
-  const float power_a = KSL_MULF(c->m0, x[3]), power_b = KSL_MULF(c->m1, x[4]),
-      power_c = power_a + power_b, power_d = KSL_MULF(c->m2, x[5]), power_e = power_c + power_d,
-      power_f = KSL_MULF(c->m3, x[0]), power_g = KSL_MULF(c->m4, x[1]), power_h = power_f + power_g,
-      power_i = KSL_MULF(c->m5, x[2]), power_j = power_h + power_i, power = power_e + power_j;
+  const float power_e = KSL_MULF(c->m0, x[3]) + KSL_MULF(c->m1, x[4]) + KSL_MULF(c->m2, x[5]),
+      power = power_e + (KSL_MULF(c->m3, x[0]) + KSL_MULF(c->m4, x[1]) + KSL_MULF(c->m5, x[2]));
   return power;
 }
 
@@ -2435,18 +2241,15 @@ static inline float ksl_reciprocal_productf(const ksl_coscrewf_t *c, const float
      barring over- and underflow. */
 static inline void ksl_cross_scf(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float co_0a = KSL_MULF(s->m4, c->m2), co_0b = KSL_MULF(s->m5, c->m1), co_0 = co_0a - co_0b;
-  const float co_1a = KSL_MULF(s->m5, c->m0), co_1b = KSL_MULF(s->m3, c->m2), co_1 = co_1a - co_1b;
-  const float co_2a = KSL_MULF(s->m3, c->m1), co_2b = KSL_MULF(s->m4, c->m0), co_2 = co_2a - co_2b;
-  const float co_3a = KSL_MULF(s->m1, c->m2), co_3b = KSL_MULF(s->m2, c->m1), co_3c = co_3a - co_3b,
-      co_3d = KSL_MULF(s->m4, c->m5), co_3e = KSL_MULF(s->m5, c->m4), co_3f = co_3d - co_3e,
-      co_3 = co_3c + co_3f;
-  const float co_4a = KSL_MULF(s->m2, c->m0), co_4b = KSL_MULF(s->m0, c->m2), co_4c = co_4a - co_4b,
-      co_4d = KSL_MULF(s->m5, c->m3), co_4e = KSL_MULF(s->m3, c->m5), co_4f = co_4d - co_4e,
-      co_4 = co_4c + co_4f;
-  const float co_5a = KSL_MULF(s->m0, c->m1), co_5b = KSL_MULF(s->m1, c->m0), co_5c = co_5a - co_5b,
-      co_5d = KSL_MULF(s->m3, c->m4), co_5e = KSL_MULF(s->m4, c->m3), co_5f = co_5d - co_5e,
-      co_5 = co_5c + co_5f;
+  const float co_0 = KSL_MULF(s->m4, c->m2) - KSL_MULF(s->m5, c->m1);
+  const float co_1 = KSL_MULF(s->m5, c->m0) - KSL_MULF(s->m3, c->m2);
+  const float co_2 = KSL_MULF(s->m3, c->m1) - KSL_MULF(s->m4, c->m0);
+  const float co_3 = KSL_MULF(s->m1, c->m2) - KSL_MULF(s->m2, c->m1)
+          + (KSL_MULF(s->m4, c->m5) - KSL_MULF(s->m5, c->m4));
+  const float co_4 = KSL_MULF(s->m2, c->m0) - KSL_MULF(s->m0, c->m2)
+          + (KSL_MULF(s->m5, c->m3) - KSL_MULF(s->m3, c->m5));
+  const float co_5 = KSL_MULF(s->m0, c->m1) - KSL_MULF(s->m1, c->m0)
+          + (KSL_MULF(s->m3, c->m4) - KSL_MULF(s->m4, c->m3));
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -2462,9 +2265,9 @@ static inline void ksl_cross_scf(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
      barring over- and underflow. */
 static inline void ksl_cross_scaf(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float co_3a = KSL_MULF(s->m4, c->m5), co_3b = KSL_MULF(s->m5, c->m4), co_3 = co_3a - co_3b;
-  const float co_4a = KSL_MULF(s->m5, c->m3), co_4b = KSL_MULF(s->m3, c->m5), co_4 = co_4a - co_4b;
-  const float co_5a = KSL_MULF(s->m3, c->m4), co_5b = KSL_MULF(s->m4, c->m3), co_5 = co_5a - co_5b;
+  const float co_3 = KSL_MULF(s->m4, c->m5) - KSL_MULF(s->m5, c->m4);
+  const float co_4 = KSL_MULF(s->m5, c->m3) - KSL_MULF(s->m3, c->m5);
+  const float co_5 = KSL_MULF(s->m3, c->m4) - KSL_MULF(s->m4, c->m3);
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;
@@ -2480,21 +2283,15 @@ static inline void ksl_cross_scaf(const ksl_screwf_t *s, const ksl_coscrewf_t *c
      barring over- and underflow. */
 static inline void ksl_constraint_ctxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0a = KSL_MULF(D->m01, c->m1), w_0b = KSL_MULF(D->m02, c->m2), w_0 = w_0a + w_0b;
-  const float w_1a = KSL_MULF(D->m11, c->m1), w_1b = KSL_MULF(D->m12, c->m2), w_1 = w_1a + w_1b;
-  const float w_2a = KSL_MULF(D->m21, c->m1), w_2b = KSL_MULF(D->m22, c->m2), w_2 = w_2a + w_2b;
-  const float w_3a = KSL_MULF(D->m00, c->m3), w_3b = KSL_MULF(D->m01, c->m4), w_3c = w_3a + w_3b,
-      w_3d = KSL_MULF(D->m02, c->m5), w_3 = w_3c + w_3d;
-  const float w_4a = KSL_MULF(D->m10, c->m3), w_4b = KSL_MULF(D->m11, c->m4), w_4c = w_4a + w_4b,
-      w_4d = KSL_MULF(D->m12, c->m5), w_4 = w_4c + w_4d;
-  const float w_5a = KSL_MULF(D->m20, c->m3), w_5b = KSL_MULF(D->m21, c->m4), w_5c = w_5a + w_5b,
-      w_5d = KSL_MULF(D->m22, c->m5), w_5 = w_5c + w_5d;
-  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
-      co_3 = co_3c + w_3;
-  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
-      co_4 = co_4c + w_4;
-  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
-      co_5 = co_5c + w_5;
+  const float w_0 = KSL_MULF(D->m01, c->m1) + KSL_MULF(D->m02, c->m2);
+  const float w_1 = KSL_MULF(D->m11, c->m1) + KSL_MULF(D->m12, c->m2);
+  const float w_2 = KSL_MULF(D->m21, c->m1) + KSL_MULF(D->m22, c->m2);
+  const float w_3 = KSL_MULF(D->m00, c->m3) + KSL_MULF(D->m01, c->m4) + KSL_MULF(D->m02, c->m5);
+  const float w_4 = KSL_MULF(D->m10, c->m3) + KSL_MULF(D->m11, c->m4) + KSL_MULF(D->m12, c->m5);
+  const float w_5 = KSL_MULF(D->m20, c->m3) + KSL_MULF(D->m21, c->m4) + KSL_MULF(D->m22, c->m5);
+  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1) + w_3;
+  const float co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2) + w_4;
+  const float co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2510,21 +2307,15 @@ static inline void ksl_constraint_ctxf(const ksl_SE3f_t *D, const ksl_coscrewf_t
      barring over- and underflow. */
 static inline void ksl_constraint_ctyf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0a = KSL_MULF(D->m00, c->m0), w_0b = KSL_MULF(D->m02, c->m2), w_0 = w_0a + w_0b;
-  const float w_1a = KSL_MULF(D->m10, c->m0), w_1b = KSL_MULF(D->m12, c->m2), w_1 = w_1a + w_1b;
-  const float w_2a = KSL_MULF(D->m20, c->m0), w_2b = KSL_MULF(D->m22, c->m2), w_2 = w_2a + w_2b;
-  const float w_3a = KSL_MULF(D->m00, c->m3), w_3b = KSL_MULF(D->m01, c->m4), w_3c = w_3a + w_3b,
-      w_3d = KSL_MULF(D->m02, c->m5), w_3 = w_3c + w_3d;
-  const float w_4a = KSL_MULF(D->m10, c->m3), w_4b = KSL_MULF(D->m11, c->m4), w_4c = w_4a + w_4b,
-      w_4d = KSL_MULF(D->m12, c->m5), w_4 = w_4c + w_4d;
-  const float w_5a = KSL_MULF(D->m20, c->m3), w_5b = KSL_MULF(D->m21, c->m4), w_5c = w_5a + w_5b,
-      w_5d = KSL_MULF(D->m22, c->m5), w_5 = w_5c + w_5d;
-  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
-      co_3 = co_3c + w_3;
-  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
-      co_4 = co_4c + w_4;
-  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
-      co_5 = co_5c + w_5;
+  const float w_0 = KSL_MULF(D->m00, c->m0) + KSL_MULF(D->m02, c->m2);
+  const float w_1 = KSL_MULF(D->m10, c->m0) + KSL_MULF(D->m12, c->m2);
+  const float w_2 = KSL_MULF(D->m20, c->m0) + KSL_MULF(D->m22, c->m2);
+  const float w_3 = KSL_MULF(D->m00, c->m3) + KSL_MULF(D->m01, c->m4) + KSL_MULF(D->m02, c->m5);
+  const float w_4 = KSL_MULF(D->m10, c->m3) + KSL_MULF(D->m11, c->m4) + KSL_MULF(D->m12, c->m5);
+  const float w_5 = KSL_MULF(D->m20, c->m3) + KSL_MULF(D->m21, c->m4) + KSL_MULF(D->m22, c->m5);
+  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1) + w_3;
+  const float co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2) + w_4;
+  const float co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2540,21 +2331,15 @@ static inline void ksl_constraint_ctyf(const ksl_SE3f_t *D, const ksl_coscrewf_t
      barring over- and underflow. */
 static inline void ksl_constraint_ctzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0a = KSL_MULF(D->m00, c->m0), w_0b = KSL_MULF(D->m01, c->m1), w_0 = w_0a + w_0b;
-  const float w_1a = KSL_MULF(D->m10, c->m0), w_1b = KSL_MULF(D->m11, c->m1), w_1 = w_1a + w_1b;
-  const float w_2a = KSL_MULF(D->m20, c->m0), w_2b = KSL_MULF(D->m21, c->m1), w_2 = w_2a + w_2b;
-  const float w_3a = KSL_MULF(D->m00, c->m3), w_3b = KSL_MULF(D->m01, c->m4), w_3c = w_3a + w_3b,
-      w_3d = KSL_MULF(D->m02, c->m5), w_3 = w_3c + w_3d;
-  const float w_4a = KSL_MULF(D->m10, c->m3), w_4b = KSL_MULF(D->m11, c->m4), w_4c = w_4a + w_4b,
-      w_4d = KSL_MULF(D->m12, c->m5), w_4 = w_4c + w_4d;
-  const float w_5a = KSL_MULF(D->m20, c->m3), w_5b = KSL_MULF(D->m21, c->m4), w_5c = w_5a + w_5b,
-      w_5d = KSL_MULF(D->m22, c->m5), w_5 = w_5c + w_5d;
-  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
-      co_3 = co_3c + w_3;
-  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
-      co_4 = co_4c + w_4;
-  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
-      co_5 = co_5c + w_5;
+  const float w_0 = KSL_MULF(D->m00, c->m0) + KSL_MULF(D->m01, c->m1);
+  const float w_1 = KSL_MULF(D->m10, c->m0) + KSL_MULF(D->m11, c->m1);
+  const float w_2 = KSL_MULF(D->m20, c->m0) + KSL_MULF(D->m21, c->m1);
+  const float w_3 = KSL_MULF(D->m00, c->m3) + KSL_MULF(D->m01, c->m4) + KSL_MULF(D->m02, c->m5);
+  const float w_4 = KSL_MULF(D->m10, c->m3) + KSL_MULF(D->m11, c->m4) + KSL_MULF(D->m12, c->m5);
+  const float w_5 = KSL_MULF(D->m20, c->m3) + KSL_MULF(D->m21, c->m4) + KSL_MULF(D->m22, c->m5);
+  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1) + w_3;
+  const float co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2) + w_4;
+  const float co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2570,21 +2355,15 @@ static inline void ksl_constraint_ctzf(const ksl_SE3f_t *D, const ksl_coscrewf_t
      barring over- and underflow. */
 static inline void ksl_constraint_crxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0a = KSL_MULF(D->m00, c->m0), w_0b = KSL_MULF(D->m01, c->m1), w_0c = w_0a + w_0b,
-      w_0d = KSL_MULF(D->m02, c->m2), w_0 = w_0c + w_0d;
-  const float w_1a = KSL_MULF(D->m10, c->m0), w_1b = KSL_MULF(D->m11, c->m1), w_1c = w_1a + w_1b,
-      w_1d = KSL_MULF(D->m12, c->m2), w_1 = w_1c + w_1d;
-  const float w_2a = KSL_MULF(D->m20, c->m0), w_2b = KSL_MULF(D->m21, c->m1), w_2c = w_2a + w_2b,
-      w_2d = KSL_MULF(D->m22, c->m2), w_2 = w_2c + w_2d;
-  const float w_3a = KSL_MULF(D->m01, c->m4), w_3b = KSL_MULF(D->m02, c->m5), w_3 = w_3a + w_3b;
-  const float w_4a = KSL_MULF(D->m11, c->m4), w_4b = KSL_MULF(D->m12, c->m5), w_4 = w_4a + w_4b;
-  const float w_5a = KSL_MULF(D->m21, c->m4), w_5b = KSL_MULF(D->m22, c->m5), w_5 = w_5a + w_5b;
-  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
-      co_3 = co_3c + w_3;
-  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
-      co_4 = co_4c + w_4;
-  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
-      co_5 = co_5c + w_5;
+  const float w_0 = KSL_MULF(D->m00, c->m0) + KSL_MULF(D->m01, c->m1) + KSL_MULF(D->m02, c->m2);
+  const float w_1 = KSL_MULF(D->m10, c->m0) + KSL_MULF(D->m11, c->m1) + KSL_MULF(D->m12, c->m2);
+  const float w_2 = KSL_MULF(D->m20, c->m0) + KSL_MULF(D->m21, c->m1) + KSL_MULF(D->m22, c->m2);
+  const float w_3 = KSL_MULF(D->m01, c->m4) + KSL_MULF(D->m02, c->m5);
+  const float w_4 = KSL_MULF(D->m11, c->m4) + KSL_MULF(D->m12, c->m5);
+  const float w_5 = KSL_MULF(D->m21, c->m4) + KSL_MULF(D->m22, c->m5);
+  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1) + w_3;
+  const float co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2) + w_4;
+  const float co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2600,21 +2379,15 @@ static inline void ksl_constraint_crxf(const ksl_SE3f_t *D, const ksl_coscrewf_t
      barring over- and underflow. */
 static inline void ksl_constraint_cryf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0a = KSL_MULF(D->m00, c->m0), w_0b = KSL_MULF(D->m01, c->m1), w_0c = w_0a + w_0b,
-      w_0d = KSL_MULF(D->m02, c->m2), w_0 = w_0c + w_0d;
-  const float w_1a = KSL_MULF(D->m10, c->m0), w_1b = KSL_MULF(D->m11, c->m1), w_1c = w_1a + w_1b,
-      w_1d = KSL_MULF(D->m12, c->m2), w_1 = w_1c + w_1d;
-  const float w_2a = KSL_MULF(D->m20, c->m0), w_2b = KSL_MULF(D->m21, c->m1), w_2c = w_2a + w_2b,
-      w_2d = KSL_MULF(D->m22, c->m2), w_2 = w_2c + w_2d;
-  const float w_3a = KSL_MULF(D->m00, c->m3), w_3b = KSL_MULF(D->m02, c->m5), w_3 = w_3a + w_3b;
-  const float w_4a = KSL_MULF(D->m10, c->m3), w_4b = KSL_MULF(D->m12, c->m5), w_4 = w_4a + w_4b;
-  const float w_5a = KSL_MULF(D->m20, c->m3), w_5b = KSL_MULF(D->m22, c->m5), w_5 = w_5a + w_5b;
-  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
-      co_3 = co_3c + w_3;
-  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
-      co_4 = co_4c + w_4;
-  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
-      co_5 = co_5c + w_5;
+  const float w_0 = KSL_MULF(D->m00, c->m0) + KSL_MULF(D->m01, c->m1) + KSL_MULF(D->m02, c->m2);
+  const float w_1 = KSL_MULF(D->m10, c->m0) + KSL_MULF(D->m11, c->m1) + KSL_MULF(D->m12, c->m2);
+  const float w_2 = KSL_MULF(D->m20, c->m0) + KSL_MULF(D->m21, c->m1) + KSL_MULF(D->m22, c->m2);
+  const float w_3 = KSL_MULF(D->m00, c->m3) + KSL_MULF(D->m02, c->m5);
+  const float w_4 = KSL_MULF(D->m10, c->m3) + KSL_MULF(D->m12, c->m5);
+  const float w_5 = KSL_MULF(D->m20, c->m3) + KSL_MULF(D->m22, c->m5);
+  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1) + w_3;
+  const float co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2) + w_4;
+  const float co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2630,21 +2403,15 @@ static inline void ksl_constraint_cryf(const ksl_SE3f_t *D, const ksl_coscrewf_t
      barring over- and underflow. */
 static inline void ksl_constraint_crzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0a = KSL_MULF(D->m00, c->m0), w_0b = KSL_MULF(D->m01, c->m1), w_0c = w_0a + w_0b,
-      w_0d = KSL_MULF(D->m02, c->m2), w_0 = w_0c + w_0d;
-  const float w_1a = KSL_MULF(D->m10, c->m0), w_1b = KSL_MULF(D->m11, c->m1), w_1c = w_1a + w_1b,
-      w_1d = KSL_MULF(D->m12, c->m2), w_1 = w_1c + w_1d;
-  const float w_2a = KSL_MULF(D->m20, c->m0), w_2b = KSL_MULF(D->m21, c->m1), w_2c = w_2a + w_2b,
-      w_2d = KSL_MULF(D->m22, c->m2), w_2 = w_2c + w_2d;
-  const float w_3a = KSL_MULF(D->m00, c->m3), w_3b = KSL_MULF(D->m01, c->m4), w_3 = w_3a + w_3b;
-  const float w_4a = KSL_MULF(D->m10, c->m3), w_4b = KSL_MULF(D->m11, c->m4), w_4 = w_4a + w_4b;
-  const float w_5a = KSL_MULF(D->m20, c->m3), w_5b = KSL_MULF(D->m21, c->m4), w_5 = w_5a + w_5b;
-  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
-      co_3 = co_3c + w_3;
-  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
-      co_4 = co_4c + w_4;
-  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
-      co_5 = co_5c + w_5;
+  const float w_0 = KSL_MULF(D->m00, c->m0) + KSL_MULF(D->m01, c->m1) + KSL_MULF(D->m02, c->m2);
+  const float w_1 = KSL_MULF(D->m10, c->m0) + KSL_MULF(D->m11, c->m1) + KSL_MULF(D->m12, c->m2);
+  const float w_2 = KSL_MULF(D->m20, c->m0) + KSL_MULF(D->m21, c->m1) + KSL_MULF(D->m22, c->m2);
+  const float w_3 = KSL_MULF(D->m00, c->m3) + KSL_MULF(D->m01, c->m4);
+  const float w_4 = KSL_MULF(D->m10, c->m3) + KSL_MULF(D->m11, c->m4);
+  const float w_5 = KSL_MULF(D->m20, c->m3) + KSL_MULF(D->m21, c->m4);
+  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1) + w_3;
+  const float co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2) + w_4;
+  const float co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2663,9 +2430,9 @@ static inline void ksl_working_ctxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
   const float w_0 = KSL_MULF(D->m00, c->m0);
   const float w_1 = KSL_MULF(D->m10, c->m0);
   const float w_2 = KSL_MULF(D->m20, c->m0);
-  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3 = co_3a - co_3b;
-  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4 = co_4a - co_4b;
-  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5 = co_5a - co_5b;
+  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1);
+  const float co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2);
+  const float co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2684,9 +2451,9 @@ static inline void ksl_working_ctyf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
   const float w_0 = KSL_MULF(D->m01, c->m1);
   const float w_1 = KSL_MULF(D->m11, c->m1);
   const float w_2 = KSL_MULF(D->m21, c->m1);
-  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3 = co_3a - co_3b;
-  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4 = co_4a - co_4b;
-  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5 = co_5a - co_5b;
+  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1);
+  const float co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2);
+  const float co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2705,9 +2472,9 @@ static inline void ksl_working_ctzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
   const float w_0 = KSL_MULF(D->m02, c->m2);
   const float w_1 = KSL_MULF(D->m12, c->m2);
   const float w_2 = KSL_MULF(D->m22, c->m2);
-  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3 = co_3a - co_3b;
-  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4 = co_4a - co_4b;
-  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5 = co_5a - co_5b;
+  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1);
+  const float co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2);
+  const float co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;

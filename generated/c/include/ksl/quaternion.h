@@ -57,10 +57,10 @@ static inline void ksl_quaternion_scale(ksl_quaternion_t *self, const double a) 
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_axpy_qq(const double a, const ksl_quaternion_t *x, ksl_quaternion_t *y) {
-  const double y_0_new_a = KSL_MUL(a, x->x), y_0_new = y_0_new_a + y->x;
-  const double y_1_new_a = KSL_MUL(a, x->y), y_1_new = y_1_new_a + y->y;
-  const double y_2_new_a = KSL_MUL(a, x->z), y_2_new = y_2_new_a + y->z;
-  const double y_3_new_a = KSL_MUL(a, x->w), y_3_new = y_3_new_a + y->w;
+  const double y_0_new = KSL_MUL(a, x->x) + y->x;
+  const double y_1_new = KSL_MUL(a, x->y) + y->y;
+  const double y_2_new = KSL_MUL(a, x->z) + y->z;
+  const double y_3_new = KSL_MUL(a, x->w) + y->w;
   y->x = y_0_new;
   y->y = y_1_new;
   y->z = y_2_new;
@@ -111,9 +111,8 @@ static inline double ksl_quaternion_norm(const ksl_quaternion_t *q) {
   const double y_1 = KSL_MUL(q->y, s);
   const double y_2 = KSL_MUL(q->z, s);
   const double y_3 = KSL_MUL(q->w, s);
-  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
-      n = sqrt(n_g);
+  const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2)
+          + KSL_MUL(y_3, y_3));
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
       r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
@@ -141,9 +140,8 @@ static inline void ksl_quaternion_normalize(ksl_quaternion_t *self) {
   const double y_3 = KSL_MUL(self->w, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
-      n = sqrt(n_g);
+  const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2)
+          + KSL_MUL(y_3, y_3));
   const double divisor = n == 0.0 ? up : n;
   const double sized_0 = KSL_MUL(self->x, up);
   const double sized_1 = KSL_MUL(self->y, up);
@@ -183,9 +181,8 @@ static inline void ksl_quaternion_normalized(const ksl_quaternion_t *q, ksl_quat
   const double y_3 = KSL_MUL(q->w, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
-      n = sqrt(n_g);
+  const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2)
+          + KSL_MUL(y_3, y_3));
   const double divisor = n == 0.0 ? up : n;
   const double sized_0 = KSL_MUL(q->x, up);
   const double sized_1 = KSL_MUL(q->y, up);
@@ -223,9 +220,8 @@ static inline double ksl_quaternion_unit_defect(const ksl_quaternion_t *q) {
   const double y_1 = KSL_MUL(q->y, s);
   const double y_2 = KSL_MUL(q->z, s);
   const double y_3 = KSL_MUL(q->w, s);
-  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
-      n = sqrt(n_g);
+  const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2)
+          + KSL_MUL(y_3, y_3));
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
       r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
@@ -252,9 +248,8 @@ static inline void ksl_quaternion_nearest_unit(const ksl_quaternion_t *q, ksl_qu
   const double scaled_s_1 = KSL_MUL(q->y, s);
   const double scaled_s_2 = KSL_MUL(q->z, s);
   const double scaled_s_3 = KSL_MUL(q->w, s);
-  const double n_a = KSL_MUL(scaled_s_0, scaled_s_0), n_b = KSL_MUL(scaled_s_1, scaled_s_1),
-      n_c = n_a + n_b, n_d = KSL_MUL(scaled_s_2, scaled_s_2), n_e = n_c + n_d,
-      n_f = KSL_MUL(scaled_s_3, scaled_s_3), n_g = n_e + n_f, n = sqrt(n_g);
+  const double n = sqrt(KSL_MUL(scaled_s_0, scaled_s_0) + KSL_MUL(scaled_s_1, scaled_s_1)
+          + KSL_MUL(scaled_s_2, scaled_s_2) + KSL_MUL(scaled_s_3, scaled_s_3));
   const double divisor = n == 0.0 ? 1.0 : n;
   const double unit_0 = scaled_s_0 / divisor;
   const double unit_1 = scaled_s_1 / divisor;
@@ -276,18 +271,15 @@ static inline void ksl_quaternion_nearest_unit(const ksl_quaternion_t *q, ksl_qu
    Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_rotate_qv(const ksl_quaternion_t *q, const ksl_vec3_t *v, ksl_vec3_t *vo) {
-  const double c_0a = KSL_MUL(q->y, v->z), c_0b = KSL_MUL(q->z, v->y), c_0 = c_0a - c_0b;
-  const double c_1a = KSL_MUL(q->z, v->x), c_1b = KSL_MUL(q->x, v->z), c_1 = c_1a - c_1b;
-  const double c_2a = KSL_MUL(q->x, v->y), c_2b = KSL_MUL(q->y, v->x), c_2 = c_2a - c_2b;
+  const double c_0 = KSL_MUL(q->y, v->z) - KSL_MUL(q->z, v->y);
+  const double c_1 = KSL_MUL(q->z, v->x) - KSL_MUL(q->x, v->z);
+  const double c_2 = KSL_MUL(q->x, v->y) - KSL_MUL(q->y, v->x);
   const double t_0 = KSL_MUL(2.0, c_0);
   const double t_1 = KSL_MUL(2.0, c_1);
   const double t_2 = KSL_MUL(2.0, c_2);
-  const double turn_0a = KSL_MUL(q->y, t_2), turn_0b = KSL_MUL(q->z, t_1),
-      turn_0c = turn_0a - turn_0b, turn_0d = KSL_MUL(q->w, t_0), turn_0 = turn_0c + turn_0d;
-  const double turn_1a = KSL_MUL(q->z, t_0), turn_1b = KSL_MUL(q->x, t_2),
-      turn_1c = turn_1a - turn_1b, turn_1d = KSL_MUL(q->w, t_1), turn_1 = turn_1c + turn_1d;
-  const double turn_2a = KSL_MUL(q->x, t_1), turn_2b = KSL_MUL(q->y, t_0),
-      turn_2c = turn_2a - turn_2b, turn_2d = KSL_MUL(q->w, t_2), turn_2 = turn_2c + turn_2d;
+  const double turn_0 = KSL_MUL(q->y, t_2) - KSL_MUL(q->z, t_1) + KSL_MUL(q->w, t_0);
+  const double turn_1 = KSL_MUL(q->z, t_0) - KSL_MUL(q->x, t_2) + KSL_MUL(q->w, t_1);
+  const double turn_2 = KSL_MUL(q->x, t_1) - KSL_MUL(q->y, t_0) + KSL_MUL(q->w, t_2);
   const double vo_0 = v->x + turn_0;
   const double vo_1 = v->y + turn_1;
   const double vo_2 = v->z + turn_2;
@@ -303,18 +295,15 @@ static inline void ksl_rotate_qv(const ksl_quaternion_t *q, const ksl_vec3_t *v,
      and underflow. */
 static inline void ksl_rotate_qconjv(const ksl_quaternion_t *q, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
-  const double c_0a = KSL_MUL(q->z, v->y), c_0b = KSL_MUL(q->y, v->z), c_0 = c_0a - c_0b;
-  const double c_1a = KSL_MUL(q->x, v->z), c_1b = KSL_MUL(q->z, v->x), c_1 = c_1a - c_1b;
-  const double c_2a = KSL_MUL(q->y, v->x), c_2b = KSL_MUL(q->x, v->y), c_2 = c_2a - c_2b;
+  const double c_0 = KSL_MUL(q->z, v->y) - KSL_MUL(q->y, v->z);
+  const double c_1 = KSL_MUL(q->x, v->z) - KSL_MUL(q->z, v->x);
+  const double c_2 = KSL_MUL(q->y, v->x) - KSL_MUL(q->x, v->y);
   const double t_0 = KSL_MUL(2.0, c_0);
   const double t_1 = KSL_MUL(2.0, c_1);
   const double t_2 = KSL_MUL(2.0, c_2);
-  const double turn_0a = KSL_MUL(q->z, t_1), turn_0b = KSL_MUL(q->y, t_2),
-      turn_0c = turn_0a - turn_0b, turn_0d = KSL_MUL(q->w, t_0), turn_0 = turn_0c + turn_0d;
-  const double turn_1a = KSL_MUL(q->x, t_2), turn_1b = KSL_MUL(q->z, t_0),
-      turn_1c = turn_1a - turn_1b, turn_1d = KSL_MUL(q->w, t_1), turn_1 = turn_1c + turn_1d;
-  const double turn_2a = KSL_MUL(q->y, t_0), turn_2b = KSL_MUL(q->x, t_1),
-      turn_2c = turn_2a - turn_2b, turn_2d = KSL_MUL(q->w, t_2), turn_2 = turn_2c + turn_2d;
+  const double turn_0 = KSL_MUL(q->z, t_1) - KSL_MUL(q->y, t_2) + KSL_MUL(q->w, t_0);
+  const double turn_1 = KSL_MUL(q->x, t_2) - KSL_MUL(q->z, t_0) + KSL_MUL(q->w, t_1);
+  const double turn_2 = KSL_MUL(q->y, t_0) - KSL_MUL(q->x, t_1) + KSL_MUL(q->w, t_2);
   const double vo_0 = v->x + turn_0;
   const double vo_1 = v->y + turn_1;
   const double vo_2 = v->z + turn_2;
@@ -330,18 +319,14 @@ static inline void ksl_rotate_qconjv(const ksl_quaternion_t *q, const ksl_vec3_t
      and underflow. */
 static inline void ksl_quaternion_product_qq(const ksl_quaternion_t *q1i,
     const ksl_quaternion_t *q2i, ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(q1i->x, q2i->w), qo_0b = KSL_MUL(q1i->y, q2i->z),
-      qo_0c = KSL_MUL(q1i->z, q2i->y), qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d,
-      qo_0f = KSL_MUL(q1i->w, q2i->x), qo_0 = qo_0e + qo_0f;
-  const double qo_1a = KSL_MUL(q1i->z, q2i->x), qo_1b = KSL_MUL(q1i->x, q2i->z),
-      qo_1c = qo_1a - qo_1b, qo_1d = KSL_MUL(q1i->y, q2i->w), qo_1e = qo_1c + qo_1d,
-      qo_1f = KSL_MUL(q1i->w, q2i->y), qo_1 = qo_1e + qo_1f;
-  const double qo_2a = KSL_MUL(q1i->x, q2i->y), qo_2b = KSL_MUL(q1i->y, q2i->x),
-      qo_2c = qo_2a - qo_2b, qo_2d = KSL_MUL(q1i->z, q2i->w), qo_2e = qo_2c + qo_2d,
-      qo_2f = KSL_MUL(q1i->w, q2i->z), qo_2 = qo_2e + qo_2f;
-  const double qo_3a = KSL_MUL(q1i->w, q2i->w), qo_3b = KSL_MUL(q1i->x, q2i->x),
-      qo_3c = KSL_MUL(q1i->y, q2i->y), qo_3d = qo_3b + qo_3c, qo_3e = KSL_MUL(q1i->z, q2i->z),
-      qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
+  const double qo_0 = KSL_MUL(q1i->x, q2i->w) + (KSL_MUL(q1i->y, q2i->z) - KSL_MUL(q1i->z, q2i->y))
+          + KSL_MUL(q1i->w, q2i->x);
+  const double qo_1 = KSL_MUL(q1i->z, q2i->x) - KSL_MUL(q1i->x, q2i->z) + KSL_MUL(q1i->y, q2i->w)
+          + KSL_MUL(q1i->w, q2i->y);
+  const double qo_2 = KSL_MUL(q1i->x, q2i->y) - KSL_MUL(q1i->y, q2i->x) + KSL_MUL(q1i->z, q2i->w)
+          + KSL_MUL(q1i->w, q2i->z);
+  const double qo_3 = KSL_MUL(q1i->w, q2i->w)
+          - (KSL_MUL(q1i->x, q2i->x) + KSL_MUL(q1i->y, q2i->y) + KSL_MUL(q1i->z, q2i->z));
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -355,18 +340,14 @@ static inline void ksl_quaternion_product_qq(const ksl_quaternion_t *q1i,
      barring over- and underflow. */
 static inline void ksl_quaternion_product_qqconj(const ksl_quaternion_t *q1i,
     const ksl_quaternion_t *q2i, ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(q1i->x, q2i->w), qo_0b = KSL_MUL(q1i->w, q2i->x),
-      qo_0c = qo_0a - qo_0b, qo_0d = KSL_MUL(q1i->z, q2i->y), qo_0e = KSL_MUL(q1i->y, q2i->z),
-      qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
-  const double qo_1a = KSL_MUL(q1i->x, q2i->z), qo_1b = KSL_MUL(q1i->z, q2i->x),
-      qo_1c = qo_1a - qo_1b, qo_1d = KSL_MUL(q1i->y, q2i->w), qo_1e = KSL_MUL(q1i->w, q2i->y),
-      qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const double qo_2a = KSL_MUL(q1i->y, q2i->x), qo_2b = KSL_MUL(q1i->x, q2i->y),
-      qo_2c = qo_2a - qo_2b, qo_2d = KSL_MUL(q1i->z, q2i->w), qo_2e = KSL_MUL(q1i->w, q2i->z),
-      qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
-  const double qo_3a = KSL_MUL(q1i->x, q2i->x), qo_3b = KSL_MUL(q1i->y, q2i->y),
-      qo_3c = qo_3a + qo_3b, qo_3d = KSL_MUL(q1i->z, q2i->z), qo_3e = qo_3c + qo_3d,
-      qo_3f = KSL_MUL(q1i->w, q2i->w), qo_3 = qo_3e + qo_3f;
+  const double qo_0 = KSL_MUL(q1i->x, q2i->w) - KSL_MUL(q1i->w, q2i->x)
+          + (KSL_MUL(q1i->z, q2i->y) - KSL_MUL(q1i->y, q2i->z));
+  const double qo_1 = KSL_MUL(q1i->x, q2i->z) - KSL_MUL(q1i->z, q2i->x)
+          + (KSL_MUL(q1i->y, q2i->w) - KSL_MUL(q1i->w, q2i->y));
+  const double qo_2 = KSL_MUL(q1i->y, q2i->x) - KSL_MUL(q1i->x, q2i->y)
+          + (KSL_MUL(q1i->z, q2i->w) - KSL_MUL(q1i->w, q2i->z));
+  const double qo_3 = KSL_MUL(q1i->x, q2i->x) + KSL_MUL(q1i->y, q2i->y) + KSL_MUL(q1i->z, q2i->z)
+          + KSL_MUL(q1i->w, q2i->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -380,18 +361,14 @@ static inline void ksl_quaternion_product_qqconj(const ksl_quaternion_t *q1i,
      barring over- and underflow. */
 static inline void ksl_quaternion_product_qconjq(const ksl_quaternion_t *q1i,
     const ksl_quaternion_t *q2i, ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(q1i->w, q2i->x), qo_0b = KSL_MUL(q1i->x, q2i->w),
-      qo_0c = qo_0a - qo_0b, qo_0d = KSL_MUL(q1i->z, q2i->y), qo_0e = KSL_MUL(q1i->y, q2i->z),
-      qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
-  const double qo_1a = KSL_MUL(q1i->x, q2i->z), qo_1b = KSL_MUL(q1i->z, q2i->x),
-      qo_1c = qo_1a - qo_1b, qo_1d = KSL_MUL(q1i->w, q2i->y), qo_1e = KSL_MUL(q1i->y, q2i->w),
-      qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const double qo_2a = KSL_MUL(q1i->y, q2i->x), qo_2b = KSL_MUL(q1i->x, q2i->y),
-      qo_2c = qo_2a - qo_2b, qo_2d = KSL_MUL(q1i->w, q2i->z), qo_2e = KSL_MUL(q1i->z, q2i->w),
-      qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
-  const double qo_3a = KSL_MUL(q1i->x, q2i->x), qo_3b = KSL_MUL(q1i->y, q2i->y),
-      qo_3c = qo_3a + qo_3b, qo_3d = KSL_MUL(q1i->z, q2i->z), qo_3e = qo_3c + qo_3d,
-      qo_3f = KSL_MUL(q1i->w, q2i->w), qo_3 = qo_3e + qo_3f;
+  const double qo_0 = KSL_MUL(q1i->w, q2i->x) - KSL_MUL(q1i->x, q2i->w)
+          + (KSL_MUL(q1i->z, q2i->y) - KSL_MUL(q1i->y, q2i->z));
+  const double qo_1 = KSL_MUL(q1i->x, q2i->z) - KSL_MUL(q1i->z, q2i->x)
+          + (KSL_MUL(q1i->w, q2i->y) - KSL_MUL(q1i->y, q2i->w));
+  const double qo_2 = KSL_MUL(q1i->y, q2i->x) - KSL_MUL(q1i->x, q2i->y)
+          + (KSL_MUL(q1i->w, q2i->z) - KSL_MUL(q1i->z, q2i->w));
+  const double qo_3 = KSL_MUL(q1i->x, q2i->x) + KSL_MUL(q1i->y, q2i->y) + KSL_MUL(q1i->z, q2i->z)
+          + KSL_MUL(q1i->w, q2i->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -405,18 +382,14 @@ static inline void ksl_quaternion_product_qconjq(const ksl_quaternion_t *q1i,
      and underflow. */
 static inline void ksl_quaternion_product_qconjqconj(const ksl_quaternion_t *q1i,
     const ksl_quaternion_t *q2i, ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(q1i->y, q2i->z), qo_0b = KSL_MUL(q1i->z, q2i->y),
-      qo_0c = qo_0a - qo_0b, qo_0d = KSL_MUL(q1i->x, q2i->w), qo_0e = qo_0c - qo_0d,
-      qo_0f = KSL_MUL(q1i->w, q2i->x), qo_0 = qo_0e - qo_0f;
-  const double qo_1a = KSL_MUL(q1i->z, q2i->x), qo_1b = KSL_MUL(q1i->x, q2i->z),
-      qo_1c = qo_1a - qo_1b, qo_1d = KSL_MUL(q1i->y, q2i->w), qo_1e = qo_1c - qo_1d,
-      qo_1f = KSL_MUL(q1i->w, q2i->y), qo_1 = qo_1e - qo_1f;
-  const double qo_2a = KSL_MUL(q1i->x, q2i->y), qo_2b = KSL_MUL(q1i->y, q2i->x),
-      qo_2c = qo_2a - qo_2b, qo_2d = KSL_MUL(q1i->z, q2i->w), qo_2e = qo_2c - qo_2d,
-      qo_2f = KSL_MUL(q1i->w, q2i->z), qo_2 = qo_2e - qo_2f;
-  const double qo_3a = KSL_MUL(q1i->w, q2i->w), qo_3b = KSL_MUL(q1i->x, q2i->x),
-      qo_3c = KSL_MUL(q1i->y, q2i->y), qo_3d = qo_3b + qo_3c, qo_3e = KSL_MUL(q1i->z, q2i->z),
-      qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
+  const double qo_0 = KSL_MUL(q1i->y, q2i->z) - KSL_MUL(q1i->z, q2i->y) - KSL_MUL(q1i->x, q2i->w)
+          - KSL_MUL(q1i->w, q2i->x);
+  const double qo_1 = KSL_MUL(q1i->z, q2i->x) - KSL_MUL(q1i->x, q2i->z) - KSL_MUL(q1i->y, q2i->w)
+          - KSL_MUL(q1i->w, q2i->y);
+  const double qo_2 = KSL_MUL(q1i->x, q2i->y) - KSL_MUL(q1i->y, q2i->x) - KSL_MUL(q1i->z, q2i->w)
+          - KSL_MUL(q1i->w, q2i->z);
+  const double qo_3 = KSL_MUL(q1i->w, q2i->w)
+          - (KSL_MUL(q1i->x, q2i->x) + KSL_MUL(q1i->y, q2i->y) + KSL_MUL(q1i->z, q2i->z));
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -430,10 +403,10 @@ static inline void ksl_quaternion_product_qconjqconj(const ksl_quaternion_t *q1i
      and underflow. */
 static inline void ksl_quaternion_product_qxq(const double dci[2], const ksl_quaternion_t *qi,
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(dci[0], qi->w), qo_0b = KSL_MUL(dci[1], qi->x), qo_0 = qo_0a + qo_0b;
-  const double qo_1a = KSL_MUL(dci[1], qi->y), qo_1b = KSL_MUL(dci[0], qi->z), qo_1 = qo_1a - qo_1b;
-  const double qo_2a = KSL_MUL(dci[0], qi->y), qo_2b = KSL_MUL(dci[1], qi->z), qo_2 = qo_2a + qo_2b;
-  const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3b = KSL_MUL(dci[0], qi->x), qo_3 = qo_3a - qo_3b;
+  const double qo_0 = KSL_MUL(dci[0], qi->w) + KSL_MUL(dci[1], qi->x);
+  const double qo_1 = KSL_MUL(dci[1], qi->y) - KSL_MUL(dci[0], qi->z);
+  const double qo_2 = KSL_MUL(dci[0], qi->y) + KSL_MUL(dci[1], qi->z);
+  const double qo_3 = KSL_MUL(dci[1], qi->w) - KSL_MUL(dci[0], qi->x);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -447,11 +420,10 @@ static inline void ksl_quaternion_product_qxq(const double dci[2], const ksl_qua
      and underflow. */
 static inline void ksl_quaternion_product_qxqconj(const double dci[2], const ksl_quaternion_t *qi,
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(dci[0], qi->w), qo_0b = KSL_MUL(dci[1], qi->x), qo_0 = qo_0a - qo_0b;
-  const double qo_1a = KSL_MUL(dci[0], qi->z), qo_1b = KSL_MUL(dci[1], qi->y), qo_1 = qo_1a - qo_1b;
-  const double qo_2a = KSL_MUL(dci[0], qi->y), qo_2b = KSL_MUL(dci[1], qi->z),
-      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const double qo_3a = KSL_MUL(dci[0], qi->x), qo_3b = KSL_MUL(dci[1], qi->w), qo_3 = qo_3a + qo_3b;
+  const double qo_0 = KSL_MUL(dci[0], qi->w) - KSL_MUL(dci[1], qi->x);
+  const double qo_1 = KSL_MUL(dci[0], qi->z) - KSL_MUL(dci[1], qi->y);
+  const double qo_2 = -(KSL_MUL(dci[0], qi->y) + KSL_MUL(dci[1], qi->z));
+  const double qo_3 = KSL_MUL(dci[0], qi->x) + KSL_MUL(dci[1], qi->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -465,10 +437,10 @@ static inline void ksl_quaternion_product_qxqconj(const double dci[2], const ksl
      and underflow. */
 static inline void ksl_quaternion_product_qxconjq(const double dci[2], const ksl_quaternion_t *qi,
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(dci[1], qi->x), qo_0b = KSL_MUL(dci[0], qi->w), qo_0 = qo_0a - qo_0b;
-  const double qo_1a = KSL_MUL(dci[0], qi->z), qo_1b = KSL_MUL(dci[1], qi->y), qo_1 = qo_1a + qo_1b;
-  const double qo_2a = KSL_MUL(dci[1], qi->z), qo_2b = KSL_MUL(dci[0], qi->y), qo_2 = qo_2a - qo_2b;
-  const double qo_3a = KSL_MUL(dci[0], qi->x), qo_3b = KSL_MUL(dci[1], qi->w), qo_3 = qo_3a + qo_3b;
+  const double qo_0 = KSL_MUL(dci[1], qi->x) - KSL_MUL(dci[0], qi->w);
+  const double qo_1 = KSL_MUL(dci[0], qi->z) + KSL_MUL(dci[1], qi->y);
+  const double qo_2 = KSL_MUL(dci[1], qi->z) - KSL_MUL(dci[0], qi->y);
+  const double qo_3 = KSL_MUL(dci[0], qi->x) + KSL_MUL(dci[1], qi->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -482,12 +454,10 @@ static inline void ksl_quaternion_product_qxconjq(const double dci[2], const ksl
      and underflow. */
 static inline void ksl_quaternion_product_qxconjqconj(const double dci[2],
     const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(dci[0], qi->w), qo_0b = KSL_MUL(dci[1], qi->x),
-      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const double qo_1a = KSL_MUL(dci[0], qi->z), qo_1b = KSL_MUL(dci[1], qi->y),
-      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const double qo_2a = KSL_MUL(dci[0], qi->y), qo_2b = KSL_MUL(dci[1], qi->z), qo_2 = qo_2a - qo_2b;
-  const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3b = KSL_MUL(dci[0], qi->x), qo_3 = qo_3a - qo_3b;
+  const double qo_0 = -(KSL_MUL(dci[0], qi->w) + KSL_MUL(dci[1], qi->x));
+  const double qo_1 = -(KSL_MUL(dci[0], qi->z) + KSL_MUL(dci[1], qi->y));
+  const double qo_2 = KSL_MUL(dci[0], qi->y) - KSL_MUL(dci[1], qi->z);
+  const double qo_3 = KSL_MUL(dci[1], qi->w) - KSL_MUL(dci[0], qi->x);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -501,10 +471,10 @@ static inline void ksl_quaternion_product_qxconjqconj(const double dci[2],
      and underflow. */
 static inline void ksl_quaternion_product_qqx(const ksl_quaternion_t *qi, const double dci[2],
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->w, dci[0]), qo_0 = qo_0a + qo_0b;
-  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1b = KSL_MUL(qi->z, dci[0]), qo_1 = qo_1a + qo_1b;
-  const double qo_2a = KSL_MUL(qi->z, dci[1]), qo_2b = KSL_MUL(qi->y, dci[0]), qo_2 = qo_2a - qo_2b;
-  const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3b = KSL_MUL(qi->x, dci[0]), qo_3 = qo_3a - qo_3b;
+  const double qo_0 = KSL_MUL(qi->x, dci[1]) + KSL_MUL(qi->w, dci[0]);
+  const double qo_1 = KSL_MUL(qi->y, dci[1]) + KSL_MUL(qi->z, dci[0]);
+  const double qo_2 = KSL_MUL(qi->z, dci[1]) - KSL_MUL(qi->y, dci[0]);
+  const double qo_3 = KSL_MUL(qi->w, dci[1]) - KSL_MUL(qi->x, dci[0]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -518,10 +488,10 @@ static inline void ksl_quaternion_product_qqx(const ksl_quaternion_t *qi, const 
      and underflow. */
 static inline void ksl_quaternion_product_qqxconj(const ksl_quaternion_t *qi, const double dci[2],
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->w, dci[0]), qo_0 = qo_0a - qo_0b;
-  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1b = KSL_MUL(qi->z, dci[0]), qo_1 = qo_1a - qo_1b;
-  const double qo_2a = KSL_MUL(qi->y, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]), qo_2 = qo_2a + qo_2b;
-  const double qo_3a = KSL_MUL(qi->x, dci[0]), qo_3b = KSL_MUL(qi->w, dci[1]), qo_3 = qo_3a + qo_3b;
+  const double qo_0 = KSL_MUL(qi->x, dci[1]) - KSL_MUL(qi->w, dci[0]);
+  const double qo_1 = KSL_MUL(qi->y, dci[1]) - KSL_MUL(qi->z, dci[0]);
+  const double qo_2 = KSL_MUL(qi->y, dci[0]) + KSL_MUL(qi->z, dci[1]);
+  const double qo_3 = KSL_MUL(qi->x, dci[0]) + KSL_MUL(qi->w, dci[1]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -535,11 +505,10 @@ static inline void ksl_quaternion_product_qqxconj(const ksl_quaternion_t *qi, co
      and underflow. */
 static inline void ksl_quaternion_product_qconjqx(const ksl_quaternion_t *qi, const double dci[2],
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(qi->w, dci[0]), qo_0b = KSL_MUL(qi->x, dci[1]), qo_0 = qo_0a - qo_0b;
-  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1b = KSL_MUL(qi->z, dci[0]),
-      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const double qo_2a = KSL_MUL(qi->y, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]), qo_2 = qo_2a - qo_2b;
-  const double qo_3a = KSL_MUL(qi->x, dci[0]), qo_3b = KSL_MUL(qi->w, dci[1]), qo_3 = qo_3a + qo_3b;
+  const double qo_0 = KSL_MUL(qi->w, dci[0]) - KSL_MUL(qi->x, dci[1]);
+  const double qo_1 = -(KSL_MUL(qi->y, dci[1]) + KSL_MUL(qi->z, dci[0]));
+  const double qo_2 = KSL_MUL(qi->y, dci[0]) - KSL_MUL(qi->z, dci[1]);
+  const double qo_3 = KSL_MUL(qi->x, dci[0]) + KSL_MUL(qi->w, dci[1]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -553,12 +522,10 @@ static inline void ksl_quaternion_product_qconjqx(const ksl_quaternion_t *qi, co
      and underflow. */
 static inline void ksl_quaternion_product_qconjqxconj(const ksl_quaternion_t *qi,
     const double dci[2], ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->w, dci[0]),
-      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const double qo_1a = KSL_MUL(qi->z, dci[0]), qo_1b = KSL_MUL(qi->y, dci[1]), qo_1 = qo_1a - qo_1b;
-  const double qo_2a = KSL_MUL(qi->y, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]),
-      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3b = KSL_MUL(qi->x, dci[0]), qo_3 = qo_3a - qo_3b;
+  const double qo_0 = -(KSL_MUL(qi->x, dci[1]) + KSL_MUL(qi->w, dci[0]));
+  const double qo_1 = KSL_MUL(qi->z, dci[0]) - KSL_MUL(qi->y, dci[1]);
+  const double qo_2 = -(KSL_MUL(qi->y, dci[0]) + KSL_MUL(qi->z, dci[1]));
+  const double qo_3 = KSL_MUL(qi->w, dci[1]) - KSL_MUL(qi->x, dci[0]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -572,10 +539,10 @@ static inline void ksl_quaternion_product_qconjqxconj(const ksl_quaternion_t *qi
      and underflow. */
 static inline void ksl_quaternion_product_qyq(const double dci[2], const ksl_quaternion_t *qi,
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(dci[0], qi->z), qo_0b = KSL_MUL(dci[1], qi->x), qo_0 = qo_0a + qo_0b;
-  const double qo_1a = KSL_MUL(dci[0], qi->w), qo_1b = KSL_MUL(dci[1], qi->y), qo_1 = qo_1a + qo_1b;
-  const double qo_2a = KSL_MUL(dci[1], qi->z), qo_2b = KSL_MUL(dci[0], qi->x), qo_2 = qo_2a - qo_2b;
-  const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3b = KSL_MUL(dci[0], qi->y), qo_3 = qo_3a - qo_3b;
+  const double qo_0 = KSL_MUL(dci[0], qi->z) + KSL_MUL(dci[1], qi->x);
+  const double qo_1 = KSL_MUL(dci[0], qi->w) + KSL_MUL(dci[1], qi->y);
+  const double qo_2 = KSL_MUL(dci[1], qi->z) - KSL_MUL(dci[0], qi->x);
+  const double qo_3 = KSL_MUL(dci[1], qi->w) - KSL_MUL(dci[0], qi->y);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -589,11 +556,10 @@ static inline void ksl_quaternion_product_qyq(const double dci[2], const ksl_qua
      and underflow. */
 static inline void ksl_quaternion_product_qyqconj(const double dci[2], const ksl_quaternion_t *qi,
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(dci[0], qi->z), qo_0b = KSL_MUL(dci[1], qi->x),
-      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const double qo_1a = KSL_MUL(dci[0], qi->w), qo_1b = KSL_MUL(dci[1], qi->y), qo_1 = qo_1a - qo_1b;
-  const double qo_2a = KSL_MUL(dci[0], qi->x), qo_2b = KSL_MUL(dci[1], qi->z), qo_2 = qo_2a - qo_2b;
-  const double qo_3a = KSL_MUL(dci[0], qi->y), qo_3b = KSL_MUL(dci[1], qi->w), qo_3 = qo_3a + qo_3b;
+  const double qo_0 = -(KSL_MUL(dci[0], qi->z) + KSL_MUL(dci[1], qi->x));
+  const double qo_1 = KSL_MUL(dci[0], qi->w) - KSL_MUL(dci[1], qi->y);
+  const double qo_2 = KSL_MUL(dci[0], qi->x) - KSL_MUL(dci[1], qi->z);
+  const double qo_3 = KSL_MUL(dci[0], qi->y) + KSL_MUL(dci[1], qi->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -607,10 +573,10 @@ static inline void ksl_quaternion_product_qyqconj(const double dci[2], const ksl
      and underflow. */
 static inline void ksl_quaternion_product_qyconjq(const double dci[2], const ksl_quaternion_t *qi,
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(dci[1], qi->x), qo_0b = KSL_MUL(dci[0], qi->z), qo_0 = qo_0a - qo_0b;
-  const double qo_1a = KSL_MUL(dci[1], qi->y), qo_1b = KSL_MUL(dci[0], qi->w), qo_1 = qo_1a - qo_1b;
-  const double qo_2a = KSL_MUL(dci[0], qi->x), qo_2b = KSL_MUL(dci[1], qi->z), qo_2 = qo_2a + qo_2b;
-  const double qo_3a = KSL_MUL(dci[0], qi->y), qo_3b = KSL_MUL(dci[1], qi->w), qo_3 = qo_3a + qo_3b;
+  const double qo_0 = KSL_MUL(dci[1], qi->x) - KSL_MUL(dci[0], qi->z);
+  const double qo_1 = KSL_MUL(dci[1], qi->y) - KSL_MUL(dci[0], qi->w);
+  const double qo_2 = KSL_MUL(dci[0], qi->x) + KSL_MUL(dci[1], qi->z);
+  const double qo_3 = KSL_MUL(dci[0], qi->y) + KSL_MUL(dci[1], qi->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -624,12 +590,10 @@ static inline void ksl_quaternion_product_qyconjq(const double dci[2], const ksl
      and underflow. */
 static inline void ksl_quaternion_product_qyconjqconj(const double dci[2],
     const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(dci[0], qi->z), qo_0b = KSL_MUL(dci[1], qi->x), qo_0 = qo_0a - qo_0b;
-  const double qo_1a = KSL_MUL(dci[0], qi->w), qo_1b = KSL_MUL(dci[1], qi->y),
-      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const double qo_2a = KSL_MUL(dci[0], qi->x), qo_2b = KSL_MUL(dci[1], qi->z),
-      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3b = KSL_MUL(dci[0], qi->y), qo_3 = qo_3a - qo_3b;
+  const double qo_0 = KSL_MUL(dci[0], qi->z) - KSL_MUL(dci[1], qi->x);
+  const double qo_1 = -(KSL_MUL(dci[0], qi->w) + KSL_MUL(dci[1], qi->y));
+  const double qo_2 = -(KSL_MUL(dci[0], qi->x) + KSL_MUL(dci[1], qi->z));
+  const double qo_3 = KSL_MUL(dci[1], qi->w) - KSL_MUL(dci[0], qi->y);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -643,10 +607,10 @@ static inline void ksl_quaternion_product_qyconjqconj(const double dci[2],
      and underflow. */
 static inline void ksl_quaternion_product_qqy(const ksl_quaternion_t *qi, const double dci[2],
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->z, dci[0]), qo_0 = qo_0a - qo_0b;
-  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1b = KSL_MUL(qi->w, dci[0]), qo_1 = qo_1a + qo_1b;
-  const double qo_2a = KSL_MUL(qi->x, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]), qo_2 = qo_2a + qo_2b;
-  const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3b = KSL_MUL(qi->y, dci[0]), qo_3 = qo_3a - qo_3b;
+  const double qo_0 = KSL_MUL(qi->x, dci[1]) - KSL_MUL(qi->z, dci[0]);
+  const double qo_1 = KSL_MUL(qi->y, dci[1]) + KSL_MUL(qi->w, dci[0]);
+  const double qo_2 = KSL_MUL(qi->x, dci[0]) + KSL_MUL(qi->z, dci[1]);
+  const double qo_3 = KSL_MUL(qi->w, dci[1]) - KSL_MUL(qi->y, dci[0]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -660,10 +624,10 @@ static inline void ksl_quaternion_product_qqy(const ksl_quaternion_t *qi, const 
      and underflow. */
 static inline void ksl_quaternion_product_qqyconj(const ksl_quaternion_t *qi, const double dci[2],
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->z, dci[0]), qo_0 = qo_0a + qo_0b;
-  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1b = KSL_MUL(qi->w, dci[0]), qo_1 = qo_1a - qo_1b;
-  const double qo_2a = KSL_MUL(qi->z, dci[1]), qo_2b = KSL_MUL(qi->x, dci[0]), qo_2 = qo_2a - qo_2b;
-  const double qo_3a = KSL_MUL(qi->y, dci[0]), qo_3b = KSL_MUL(qi->w, dci[1]), qo_3 = qo_3a + qo_3b;
+  const double qo_0 = KSL_MUL(qi->x, dci[1]) + KSL_MUL(qi->z, dci[0]);
+  const double qo_1 = KSL_MUL(qi->y, dci[1]) - KSL_MUL(qi->w, dci[0]);
+  const double qo_2 = KSL_MUL(qi->z, dci[1]) - KSL_MUL(qi->x, dci[0]);
+  const double qo_3 = KSL_MUL(qi->y, dci[0]) + KSL_MUL(qi->w, dci[1]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -677,11 +641,10 @@ static inline void ksl_quaternion_product_qqyconj(const ksl_quaternion_t *qi, co
      and underflow. */
 static inline void ksl_quaternion_product_qconjqy(const ksl_quaternion_t *qi, const double dci[2],
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(qi->z, dci[0]), qo_0b = KSL_MUL(qi->x, dci[1]), qo_0 = qo_0a - qo_0b;
-  const double qo_1a = KSL_MUL(qi->w, dci[0]), qo_1b = KSL_MUL(qi->y, dci[1]), qo_1 = qo_1a - qo_1b;
-  const double qo_2a = KSL_MUL(qi->x, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]),
-      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const double qo_3a = KSL_MUL(qi->y, dci[0]), qo_3b = KSL_MUL(qi->w, dci[1]), qo_3 = qo_3a + qo_3b;
+  const double qo_0 = KSL_MUL(qi->z, dci[0]) - KSL_MUL(qi->x, dci[1]);
+  const double qo_1 = KSL_MUL(qi->w, dci[0]) - KSL_MUL(qi->y, dci[1]);
+  const double qo_2 = -(KSL_MUL(qi->x, dci[0]) + KSL_MUL(qi->z, dci[1]));
+  const double qo_3 = KSL_MUL(qi->y, dci[0]) + KSL_MUL(qi->w, dci[1]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -695,12 +658,10 @@ static inline void ksl_quaternion_product_qconjqy(const ksl_quaternion_t *qi, co
      and underflow. */
 static inline void ksl_quaternion_product_qconjqyconj(const ksl_quaternion_t *qi,
     const double dci[2], ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->z, dci[0]),
-      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1b = KSL_MUL(qi->w, dci[0]),
-      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const double qo_2a = KSL_MUL(qi->x, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]), qo_2 = qo_2a - qo_2b;
-  const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3b = KSL_MUL(qi->y, dci[0]), qo_3 = qo_3a - qo_3b;
+  const double qo_0 = -(KSL_MUL(qi->x, dci[1]) + KSL_MUL(qi->z, dci[0]));
+  const double qo_1 = -(KSL_MUL(qi->y, dci[1]) + KSL_MUL(qi->w, dci[0]));
+  const double qo_2 = KSL_MUL(qi->x, dci[0]) - KSL_MUL(qi->z, dci[1]);
+  const double qo_3 = KSL_MUL(qi->w, dci[1]) - KSL_MUL(qi->y, dci[0]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -714,10 +675,10 @@ static inline void ksl_quaternion_product_qconjqyconj(const ksl_quaternion_t *qi
      and underflow. */
 static inline void ksl_quaternion_product_qzq(const double dci[2], const ksl_quaternion_t *qi,
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(dci[1], qi->x), qo_0b = KSL_MUL(dci[0], qi->y), qo_0 = qo_0a - qo_0b;
-  const double qo_1a = KSL_MUL(dci[0], qi->x), qo_1b = KSL_MUL(dci[1], qi->y), qo_1 = qo_1a + qo_1b;
-  const double qo_2a = KSL_MUL(dci[0], qi->w), qo_2b = KSL_MUL(dci[1], qi->z), qo_2 = qo_2a + qo_2b;
-  const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3b = KSL_MUL(dci[0], qi->z), qo_3 = qo_3a - qo_3b;
+  const double qo_0 = KSL_MUL(dci[1], qi->x) - KSL_MUL(dci[0], qi->y);
+  const double qo_1 = KSL_MUL(dci[0], qi->x) + KSL_MUL(dci[1], qi->y);
+  const double qo_2 = KSL_MUL(dci[0], qi->w) + KSL_MUL(dci[1], qi->z);
+  const double qo_3 = KSL_MUL(dci[1], qi->w) - KSL_MUL(dci[0], qi->z);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -731,11 +692,10 @@ static inline void ksl_quaternion_product_qzq(const double dci[2], const ksl_qua
      and underflow. */
 static inline void ksl_quaternion_product_qzqconj(const double dci[2], const ksl_quaternion_t *qi,
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(dci[0], qi->y), qo_0b = KSL_MUL(dci[1], qi->x), qo_0 = qo_0a - qo_0b;
-  const double qo_1a = KSL_MUL(dci[0], qi->x), qo_1b = KSL_MUL(dci[1], qi->y),
-      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const double qo_2a = KSL_MUL(dci[0], qi->w), qo_2b = KSL_MUL(dci[1], qi->z), qo_2 = qo_2a - qo_2b;
-  const double qo_3a = KSL_MUL(dci[0], qi->z), qo_3b = KSL_MUL(dci[1], qi->w), qo_3 = qo_3a + qo_3b;
+  const double qo_0 = KSL_MUL(dci[0], qi->y) - KSL_MUL(dci[1], qi->x);
+  const double qo_1 = -(KSL_MUL(dci[0], qi->x) + KSL_MUL(dci[1], qi->y));
+  const double qo_2 = KSL_MUL(dci[0], qi->w) - KSL_MUL(dci[1], qi->z);
+  const double qo_3 = KSL_MUL(dci[0], qi->z) + KSL_MUL(dci[1], qi->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -749,10 +709,10 @@ static inline void ksl_quaternion_product_qzqconj(const double dci[2], const ksl
      and underflow. */
 static inline void ksl_quaternion_product_qzconjq(const double dci[2], const ksl_quaternion_t *qi,
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(dci[0], qi->y), qo_0b = KSL_MUL(dci[1], qi->x), qo_0 = qo_0a + qo_0b;
-  const double qo_1a = KSL_MUL(dci[1], qi->y), qo_1b = KSL_MUL(dci[0], qi->x), qo_1 = qo_1a - qo_1b;
-  const double qo_2a = KSL_MUL(dci[1], qi->z), qo_2b = KSL_MUL(dci[0], qi->w), qo_2 = qo_2a - qo_2b;
-  const double qo_3a = KSL_MUL(dci[0], qi->z), qo_3b = KSL_MUL(dci[1], qi->w), qo_3 = qo_3a + qo_3b;
+  const double qo_0 = KSL_MUL(dci[0], qi->y) + KSL_MUL(dci[1], qi->x);
+  const double qo_1 = KSL_MUL(dci[1], qi->y) - KSL_MUL(dci[0], qi->x);
+  const double qo_2 = KSL_MUL(dci[1], qi->z) - KSL_MUL(dci[0], qi->w);
+  const double qo_3 = KSL_MUL(dci[0], qi->z) + KSL_MUL(dci[1], qi->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -766,12 +726,10 @@ static inline void ksl_quaternion_product_qzconjq(const double dci[2], const ksl
      and underflow. */
 static inline void ksl_quaternion_product_qzconjqconj(const double dci[2],
     const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(dci[0], qi->y), qo_0b = KSL_MUL(dci[1], qi->x),
-      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const double qo_1a = KSL_MUL(dci[0], qi->x), qo_1b = KSL_MUL(dci[1], qi->y), qo_1 = qo_1a - qo_1b;
-  const double qo_2a = KSL_MUL(dci[0], qi->w), qo_2b = KSL_MUL(dci[1], qi->z),
-      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3b = KSL_MUL(dci[0], qi->z), qo_3 = qo_3a - qo_3b;
+  const double qo_0 = -(KSL_MUL(dci[0], qi->y) + KSL_MUL(dci[1], qi->x));
+  const double qo_1 = KSL_MUL(dci[0], qi->x) - KSL_MUL(dci[1], qi->y);
+  const double qo_2 = -(KSL_MUL(dci[0], qi->w) + KSL_MUL(dci[1], qi->z));
+  const double qo_3 = KSL_MUL(dci[1], qi->w) - KSL_MUL(dci[0], qi->z);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -785,10 +743,10 @@ static inline void ksl_quaternion_product_qzconjqconj(const double dci[2],
      and underflow. */
 static inline void ksl_quaternion_product_qqz(const ksl_quaternion_t *qi, const double dci[2],
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->y, dci[0]), qo_0 = qo_0a + qo_0b;
-  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1b = KSL_MUL(qi->x, dci[0]), qo_1 = qo_1a - qo_1b;
-  const double qo_2a = KSL_MUL(qi->z, dci[1]), qo_2b = KSL_MUL(qi->w, dci[0]), qo_2 = qo_2a + qo_2b;
-  const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3b = KSL_MUL(qi->z, dci[0]), qo_3 = qo_3a - qo_3b;
+  const double qo_0 = KSL_MUL(qi->x, dci[1]) + KSL_MUL(qi->y, dci[0]);
+  const double qo_1 = KSL_MUL(qi->y, dci[1]) - KSL_MUL(qi->x, dci[0]);
+  const double qo_2 = KSL_MUL(qi->z, dci[1]) + KSL_MUL(qi->w, dci[0]);
+  const double qo_3 = KSL_MUL(qi->w, dci[1]) - KSL_MUL(qi->z, dci[0]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -802,10 +760,10 @@ static inline void ksl_quaternion_product_qqz(const ksl_quaternion_t *qi, const 
      and underflow. */
 static inline void ksl_quaternion_product_qqzconj(const ksl_quaternion_t *qi, const double dci[2],
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->y, dci[0]), qo_0 = qo_0a - qo_0b;
-  const double qo_1a = KSL_MUL(qi->x, dci[0]), qo_1b = KSL_MUL(qi->y, dci[1]), qo_1 = qo_1a + qo_1b;
-  const double qo_2a = KSL_MUL(qi->z, dci[1]), qo_2b = KSL_MUL(qi->w, dci[0]), qo_2 = qo_2a - qo_2b;
-  const double qo_3a = KSL_MUL(qi->z, dci[0]), qo_3b = KSL_MUL(qi->w, dci[1]), qo_3 = qo_3a + qo_3b;
+  const double qo_0 = KSL_MUL(qi->x, dci[1]) - KSL_MUL(qi->y, dci[0]);
+  const double qo_1 = KSL_MUL(qi->x, dci[0]) + KSL_MUL(qi->y, dci[1]);
+  const double qo_2 = KSL_MUL(qi->z, dci[1]) - KSL_MUL(qi->w, dci[0]);
+  const double qo_3 = KSL_MUL(qi->z, dci[0]) + KSL_MUL(qi->w, dci[1]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -819,11 +777,10 @@ static inline void ksl_quaternion_product_qqzconj(const ksl_quaternion_t *qi, co
      and underflow. */
 static inline void ksl_quaternion_product_qconjqz(const ksl_quaternion_t *qi, const double dci[2],
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->y, dci[0]),
-      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const double qo_1a = KSL_MUL(qi->x, dci[0]), qo_1b = KSL_MUL(qi->y, dci[1]), qo_1 = qo_1a - qo_1b;
-  const double qo_2a = KSL_MUL(qi->w, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]), qo_2 = qo_2a - qo_2b;
-  const double qo_3a = KSL_MUL(qi->z, dci[0]), qo_3b = KSL_MUL(qi->w, dci[1]), qo_3 = qo_3a + qo_3b;
+  const double qo_0 = -(KSL_MUL(qi->x, dci[1]) + KSL_MUL(qi->y, dci[0]));
+  const double qo_1 = KSL_MUL(qi->x, dci[0]) - KSL_MUL(qi->y, dci[1]);
+  const double qo_2 = KSL_MUL(qi->w, dci[0]) - KSL_MUL(qi->z, dci[1]);
+  const double qo_3 = KSL_MUL(qi->z, dci[0]) + KSL_MUL(qi->w, dci[1]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -837,12 +794,10 @@ static inline void ksl_quaternion_product_qconjqz(const ksl_quaternion_t *qi, co
      and underflow. */
 static inline void ksl_quaternion_product_qconjqzconj(const ksl_quaternion_t *qi,
     const double dci[2], ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(qi->y, dci[0]), qo_0b = KSL_MUL(qi->x, dci[1]), qo_0 = qo_0a - qo_0b;
-  const double qo_1a = KSL_MUL(qi->x, dci[0]), qo_1b = KSL_MUL(qi->y, dci[1]),
-      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const double qo_2a = KSL_MUL(qi->z, dci[1]), qo_2b = KSL_MUL(qi->w, dci[0]),
-      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3b = KSL_MUL(qi->z, dci[0]), qo_3 = qo_3a - qo_3b;
+  const double qo_0 = KSL_MUL(qi->y, dci[0]) - KSL_MUL(qi->x, dci[1]);
+  const double qo_1 = -(KSL_MUL(qi->x, dci[0]) + KSL_MUL(qi->y, dci[1]));
+  const double qo_2 = -(KSL_MUL(qi->z, dci[1]) + KSL_MUL(qi->w, dci[0]));
+  const double qo_3 = KSL_MUL(qi->w, dci[1]) - KSL_MUL(qi->z, dci[0]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -856,14 +811,10 @@ static inline void ksl_quaternion_product_qconjqzconj(const ksl_quaternion_t *qi
      and underflow. */
 static inline void ksl_quaternion_product_qv(const ksl_quaternion_t *qi, const ksl_vec3_t *vi,
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(qi->y, vi->z), qo_0b = KSL_MUL(qi->z, vi->y), qo_0c = qo_0a - qo_0b,
-      qo_0d = KSL_MUL(qi->w, vi->x), qo_0 = qo_0c + qo_0d;
-  const double qo_1a = KSL_MUL(qi->z, vi->x), qo_1b = KSL_MUL(qi->x, vi->z), qo_1c = qo_1a - qo_1b,
-      qo_1d = KSL_MUL(qi->w, vi->y), qo_1 = qo_1c + qo_1d;
-  const double qo_2a = KSL_MUL(qi->x, vi->y), qo_2b = KSL_MUL(qi->y, vi->x), qo_2c = qo_2a - qo_2b,
-      qo_2d = KSL_MUL(qi->w, vi->z), qo_2 = qo_2c + qo_2d;
-  const double qo_3a = KSL_MUL(qi->x, vi->x), qo_3b = KSL_MUL(qi->y, vi->y), qo_3c = qo_3a + qo_3b,
-      qo_3d = KSL_MUL(qi->z, vi->z), qo_3e = qo_3c + qo_3d, qo_3 = -qo_3e;
+  const double qo_0 = KSL_MUL(qi->y, vi->z) - KSL_MUL(qi->z, vi->y) + KSL_MUL(qi->w, vi->x);
+  const double qo_1 = KSL_MUL(qi->z, vi->x) - KSL_MUL(qi->x, vi->z) + KSL_MUL(qi->w, vi->y);
+  const double qo_2 = KSL_MUL(qi->x, vi->y) - KSL_MUL(qi->y, vi->x) + KSL_MUL(qi->w, vi->z);
+  const double qo_3 = -(KSL_MUL(qi->x, vi->x) + KSL_MUL(qi->y, vi->y) + KSL_MUL(qi->z, vi->z));
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -877,14 +828,10 @@ static inline void ksl_quaternion_product_qv(const ksl_quaternion_t *qi, const k
      and underflow. */
 static inline void ksl_quaternion_product_qconjv(const ksl_quaternion_t *qi, const ksl_vec3_t *vi,
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(qi->z, vi->y), qo_0b = KSL_MUL(qi->y, vi->z), qo_0c = qo_0a - qo_0b,
-      qo_0d = KSL_MUL(qi->w, vi->x), qo_0 = qo_0c + qo_0d;
-  const double qo_1a = KSL_MUL(qi->x, vi->z), qo_1b = KSL_MUL(qi->z, vi->x), qo_1c = qo_1a - qo_1b,
-      qo_1d = KSL_MUL(qi->w, vi->y), qo_1 = qo_1c + qo_1d;
-  const double qo_2a = KSL_MUL(qi->y, vi->x), qo_2b = KSL_MUL(qi->x, vi->y), qo_2c = qo_2a - qo_2b,
-      qo_2d = KSL_MUL(qi->w, vi->z), qo_2 = qo_2c + qo_2d;
-  const double qo_3a = KSL_MUL(qi->x, vi->x), qo_3b = KSL_MUL(qi->y, vi->y), qo_3c = qo_3a + qo_3b,
-      qo_3d = KSL_MUL(qi->z, vi->z), qo_3 = qo_3c + qo_3d;
+  const double qo_0 = KSL_MUL(qi->z, vi->y) - KSL_MUL(qi->y, vi->z) + KSL_MUL(qi->w, vi->x);
+  const double qo_1 = KSL_MUL(qi->x, vi->z) - KSL_MUL(qi->z, vi->x) + KSL_MUL(qi->w, vi->y);
+  const double qo_2 = KSL_MUL(qi->y, vi->x) - KSL_MUL(qi->x, vi->y) + KSL_MUL(qi->w, vi->z);
+  const double qo_3 = KSL_MUL(qi->x, vi->x) + KSL_MUL(qi->y, vi->y) + KSL_MUL(qi->z, vi->z);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -898,14 +845,10 @@ static inline void ksl_quaternion_product_qconjv(const ksl_quaternion_t *qi, con
      and underflow. */
 static inline void ksl_quaternion_product_vq(const ksl_vec3_t *vi, const ksl_quaternion_t *qi,
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(vi->x, qi->w), qo_0b = KSL_MUL(vi->y, qi->z),
-      qo_0c = KSL_MUL(vi->z, qi->y), qo_0d = qo_0b - qo_0c, qo_0 = qo_0a + qo_0d;
-  const double qo_1a = KSL_MUL(vi->z, qi->x), qo_1b = KSL_MUL(vi->x, qi->z), qo_1c = qo_1a - qo_1b,
-      qo_1d = KSL_MUL(vi->y, qi->w), qo_1 = qo_1c + qo_1d;
-  const double qo_2a = KSL_MUL(vi->x, qi->y), qo_2b = KSL_MUL(vi->y, qi->x), qo_2c = qo_2a - qo_2b,
-      qo_2d = KSL_MUL(vi->z, qi->w), qo_2 = qo_2c + qo_2d;
-  const double qo_3a = KSL_MUL(vi->x, qi->x), qo_3b = KSL_MUL(vi->y, qi->y), qo_3c = qo_3a + qo_3b,
-      qo_3d = KSL_MUL(vi->z, qi->z), qo_3e = qo_3c + qo_3d, qo_3 = -qo_3e;
+  const double qo_0 = KSL_MUL(vi->x, qi->w) + (KSL_MUL(vi->y, qi->z) - KSL_MUL(vi->z, qi->y));
+  const double qo_1 = KSL_MUL(vi->z, qi->x) - KSL_MUL(vi->x, qi->z) + KSL_MUL(vi->y, qi->w);
+  const double qo_2 = KSL_MUL(vi->x, qi->y) - KSL_MUL(vi->y, qi->x) + KSL_MUL(vi->z, qi->w);
+  const double qo_3 = -(KSL_MUL(vi->x, qi->x) + KSL_MUL(vi->y, qi->y) + KSL_MUL(vi->z, qi->z));
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -919,14 +862,10 @@ static inline void ksl_quaternion_product_vq(const ksl_vec3_t *vi, const ksl_qua
      and underflow. */
 static inline void ksl_quaternion_product_vqconj(const ksl_vec3_t *vi, const ksl_quaternion_t *qi,
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(vi->x, qi->w), qo_0b = KSL_MUL(vi->z, qi->y),
-      qo_0c = KSL_MUL(vi->y, qi->z), qo_0d = qo_0b - qo_0c, qo_0 = qo_0a + qo_0d;
-  const double qo_1a = KSL_MUL(vi->x, qi->z), qo_1b = KSL_MUL(vi->z, qi->x), qo_1c = qo_1a - qo_1b,
-      qo_1d = KSL_MUL(vi->y, qi->w), qo_1 = qo_1c + qo_1d;
-  const double qo_2a = KSL_MUL(vi->y, qi->x), qo_2b = KSL_MUL(vi->x, qi->y), qo_2c = qo_2a - qo_2b,
-      qo_2d = KSL_MUL(vi->z, qi->w), qo_2 = qo_2c + qo_2d;
-  const double qo_3a = KSL_MUL(vi->x, qi->x), qo_3b = KSL_MUL(vi->y, qi->y), qo_3c = qo_3a + qo_3b,
-      qo_3d = KSL_MUL(vi->z, qi->z), qo_3 = qo_3c + qo_3d;
+  const double qo_0 = KSL_MUL(vi->x, qi->w) + (KSL_MUL(vi->z, qi->y) - KSL_MUL(vi->y, qi->z));
+  const double qo_1 = KSL_MUL(vi->x, qi->z) - KSL_MUL(vi->z, qi->x) + KSL_MUL(vi->y, qi->w);
+  const double qo_2 = KSL_MUL(vi->y, qi->x) - KSL_MUL(vi->x, qi->y) + KSL_MUL(vi->z, qi->w);
+  const double qo_3 = KSL_MUL(vi->x, qi->x) + KSL_MUL(vi->y, qi->y) + KSL_MUL(vi->z, qi->z);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -939,9 +878,8 @@ static inline void ksl_quaternion_product_vqconj(const ksl_vec3_t *vi, const ksl
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline double ksl_dot_qq(const ksl_quaternion_t *q1i, const ksl_quaternion_t *q2i) {
-  const double dot_a = KSL_MUL(q1i->x, q2i->x), dot_b = KSL_MUL(q1i->y, q2i->y),
-      dot_c = dot_a + dot_b, dot_d = KSL_MUL(q1i->z, q2i->z), dot_e = dot_c + dot_d,
-      dot_f = KSL_MUL(q1i->w, q2i->w), dot = dot_e + dot_f;
+  const double dot = KSL_MUL(q1i->x, q2i->x) + KSL_MUL(q1i->y, q2i->y) + KSL_MUL(q1i->z, q2i->z)
+          + KSL_MUL(q1i->w, q2i->w);
   return dot;
 }
 
@@ -952,20 +890,16 @@ static inline double ksl_dot_qq(const ksl_quaternion_t *q1i, const ksl_quaternio
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_add_dpiToq(const ksl_vec3_t *dpi, ksl_quaternion_t *qi) {
-  const double qi_0_new_a = KSL_MUL(0.5, dpi->x), qi_0_new_b = KSL_MUL(qi_0_new_a, qi->w),
-      qi_0_new_c = KSL_MUL(0.5, dpi->z), qi_0_new_d = KSL_MUL(qi_0_new_c, qi->y),
-      qi_0_new_e = KSL_MUL(0.5, dpi->y), qi_0_new_f = KSL_MUL(qi_0_new_e, qi->z),
-      qi_0_new_g = qi_0_new_d - qi_0_new_f, qi_0_new_h = qi_0_new_b + qi_0_new_g,
-      qi_0_new = qi_0_new_h + qi->x;
-  const double qi_1_new_a = KSL_MUL(qi_0_new_a, qi->z), qi_1_new_b = KSL_MUL(qi_0_new_c, qi->x),
-      qi_1_new_c = qi_1_new_a - qi_1_new_b, qi_1_new_d = KSL_MUL(qi_0_new_e, qi->w),
-      qi_1_new_e = qi_1_new_c + qi_1_new_d, qi_1_new = qi_1_new_e + qi->y;
-  const double qi_2_new_a = KSL_MUL(qi_0_new_e, qi->x), qi_2_new_b = KSL_MUL(qi_0_new_a, qi->y),
-      qi_2_new_c = qi_2_new_a - qi_2_new_b, qi_2_new_d = KSL_MUL(qi_0_new_c, qi->w),
-      qi_2_new_e = qi_2_new_c + qi_2_new_d, qi_2_new = qi_2_new_e + qi->z;
-  const double qi_3_new_a = KSL_MUL(qi_0_new_a, qi->x), qi_3_new_b = KSL_MUL(qi_0_new_e, qi->y),
-      qi_3_new_c = qi_3_new_a + qi_3_new_b, qi_3_new_d = KSL_MUL(qi_0_new_c, qi->z),
-      qi_3_new_e = qi_3_new_c + qi_3_new_d, qi_3_new = qi->w - qi_3_new_e;
+  const double qi_0_new_a = KSL_MUL(0.5, dpi->x), qi_0_new_c = KSL_MUL(0.5, dpi->z),
+      qi_0_new_e = KSL_MUL(0.5, dpi->y),
+      qi_0_new = KSL_MUL(qi_0_new_a, qi->w)
+          + (KSL_MUL(qi_0_new_c, qi->y) - KSL_MUL(qi_0_new_e, qi->z)) + qi->x;
+  const double qi_1_new = KSL_MUL(qi_0_new_a, qi->z) - KSL_MUL(qi_0_new_c, qi->x)
+          + KSL_MUL(qi_0_new_e, qi->w) + qi->y;
+  const double qi_2_new = KSL_MUL(qi_0_new_e, qi->x) - KSL_MUL(qi_0_new_a, qi->y)
+          + KSL_MUL(qi_0_new_c, qi->w) + qi->z;
+  const double qi_3_new = qi->w
+          - (KSL_MUL(qi_0_new_a, qi->x) + KSL_MUL(qi_0_new_e, qi->y) + KSL_MUL(qi_0_new_c, qi->z));
   qi->x = qi_0_new;
   qi->y = qi_1_new;
   qi->z = qi_2_new;
@@ -978,20 +912,16 @@ static inline void ksl_add_dpiToq(const ksl_vec3_t *dpi, ksl_quaternion_t *qi) {
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_subtract_dpiFromq(const ksl_vec3_t *dpi, ksl_quaternion_t *qi) {
-  const double qi_0_new_a = KSL_MUL(0.5, dpi->y), qi_0_new_b = KSL_MUL(qi_0_new_a, qi->z),
-      qi_0_new_c = KSL_MUL(0.5, dpi->z), qi_0_new_d = KSL_MUL(qi_0_new_c, qi->y),
-      qi_0_new_e = qi_0_new_b - qi_0_new_d, qi_0_new_f = KSL_MUL(0.5, dpi->x),
-      qi_0_new_g = KSL_MUL(qi_0_new_f, qi->w), qi_0_new_h = qi_0_new_e - qi_0_new_g,
-      qi_0_new = qi_0_new_h + qi->x;
-  const double qi_1_new_a = KSL_MUL(qi_0_new_c, qi->x), qi_1_new_b = KSL_MUL(qi_0_new_f, qi->z),
-      qi_1_new_c = qi_1_new_a - qi_1_new_b, qi_1_new_d = KSL_MUL(qi_0_new_a, qi->w),
-      qi_1_new_e = qi_1_new_c - qi_1_new_d, qi_1_new = qi_1_new_e + qi->y;
-  const double qi_2_new_a = KSL_MUL(qi_0_new_f, qi->y), qi_2_new_b = KSL_MUL(qi_0_new_a, qi->x),
-      qi_2_new_c = qi_2_new_a - qi_2_new_b, qi_2_new_d = KSL_MUL(qi_0_new_c, qi->w),
-      qi_2_new_e = qi_2_new_c - qi_2_new_d, qi_2_new = qi_2_new_e + qi->z;
-  const double qi_3_new_a = KSL_MUL(qi_0_new_f, qi->x), qi_3_new_b = KSL_MUL(qi_0_new_a, qi->y),
-      qi_3_new_c = qi_3_new_a + qi_3_new_b, qi_3_new_d = KSL_MUL(qi_0_new_c, qi->z),
-      qi_3_new_e = qi_3_new_c + qi_3_new_d, qi_3_new = qi_3_new_e + qi->w;
+  const double qi_0_new_a = KSL_MUL(0.5, dpi->y), qi_0_new_c = KSL_MUL(0.5, dpi->z),
+      qi_0_new_f = KSL_MUL(0.5, dpi->x),
+      qi_0_new = KSL_MUL(qi_0_new_a, qi->z) - KSL_MUL(qi_0_new_c, qi->y)
+          - KSL_MUL(qi_0_new_f, qi->w) + qi->x;
+  const double qi_1_new = KSL_MUL(qi_0_new_c, qi->x) - KSL_MUL(qi_0_new_f, qi->z)
+          - KSL_MUL(qi_0_new_a, qi->w) + qi->y;
+  const double qi_2_new = KSL_MUL(qi_0_new_f, qi->y) - KSL_MUL(qi_0_new_a, qi->x)
+          - KSL_MUL(qi_0_new_c, qi->w) + qi->z;
+  const double qi_3_new = KSL_MUL(qi_0_new_f, qi->x) + KSL_MUL(qi_0_new_a, qi->y)
+          + KSL_MUL(qi_0_new_c, qi->z) + qi->w;
   qi->x = qi_0_new;
   qi->y = qi_1_new;
   qi->z = qi_2_new;
@@ -1006,22 +936,18 @@ static inline void ksl_subtract_dpiFromq(const ksl_vec3_t *dpi, ksl_quaternion_t
      and underflow. */
 static inline void ksl_omega_to_dquaternion(const ksl_vec3_t *w, const ksl_quaternion_t *qi,
     ksl_quaternion_t *dqo) {
-  const double dqo_0a = KSL_MUL(0.5, w->x), dqo_0b = KSL_MUL(dqo_0a, qi->w),
-      dqo_0c = KSL_MUL(0.5, w->y), dqo_0d = KSL_MUL(dqo_0c, qi->z), dqo_0e = KSL_MUL(0.5, w->z),
-      dqo_0f = KSL_MUL(dqo_0e, qi->y), dqo_0g = dqo_0d - dqo_0f, dqo_0h = dqo_0b + dqo_0g,
-      dqo_0i = KSL_MUL(qi->x, qi->x), dqo_0j = 1.0 - dqo_0i, dqo_0k = KSL_MUL(qi->y, qi->y),
-      dqo_0l = dqo_0j - dqo_0k, dqo_0m = KSL_MUL(qi->z, qi->z), dqo_0n = dqo_0l - dqo_0m,
-      dqo_0o = KSL_MUL(qi->w, qi->w), dqo_0p = dqo_0n - dqo_0o, dqo_0q = KSL_MUL(qi->x, dqo_0p),
-      dqo_0 = dqo_0h + dqo_0q;
-  const double dqo_1a = KSL_MUL(dqo_0e, qi->x), dqo_1b = KSL_MUL(dqo_0a, qi->z),
-      dqo_1c = dqo_1a - dqo_1b, dqo_1d = KSL_MUL(dqo_0c, qi->w), dqo_1e = dqo_1c + dqo_1d,
-      dqo_1f = KSL_MUL(qi->y, dqo_0p), dqo_1 = dqo_1e + dqo_1f;
-  const double dqo_2a = KSL_MUL(dqo_0a, qi->y), dqo_2b = KSL_MUL(dqo_0c, qi->x),
-      dqo_2c = dqo_2a - dqo_2b, dqo_2d = KSL_MUL(dqo_0e, qi->w), dqo_2e = dqo_2c + dqo_2d,
-      dqo_2f = KSL_MUL(qi->z, dqo_0p), dqo_2 = dqo_2e + dqo_2f;
-  const double dqo_3a = KSL_MUL(qi->w, dqo_0p), dqo_3b = KSL_MUL(dqo_0a, qi->x),
-      dqo_3c = KSL_MUL(dqo_0c, qi->y), dqo_3d = dqo_3b + dqo_3c, dqo_3e = KSL_MUL(dqo_0e, qi->z),
-      dqo_3f = dqo_3d + dqo_3e, dqo_3 = dqo_3a - dqo_3f;
+  const double dqo_0a = KSL_MUL(0.5, w->x), dqo_0c = KSL_MUL(0.5, w->y),
+      dqo_0e = KSL_MUL(0.5, w->z),
+      dqo_0p = 1.0 - KSL_MUL(qi->x, qi->x) - KSL_MUL(qi->y, qi->y) - KSL_MUL(qi->z, qi->z)
+          - KSL_MUL(qi->w, qi->w),
+      dqo_0 = KSL_MUL(dqo_0a, qi->w) + (KSL_MUL(dqo_0c, qi->z) - KSL_MUL(dqo_0e, qi->y))
+          + KSL_MUL(qi->x, dqo_0p);
+  const double dqo_1 = KSL_MUL(dqo_0e, qi->x) - KSL_MUL(dqo_0a, qi->z) + KSL_MUL(dqo_0c, qi->w)
+          + KSL_MUL(qi->y, dqo_0p);
+  const double dqo_2 = KSL_MUL(dqo_0a, qi->y) - KSL_MUL(dqo_0c, qi->x) + KSL_MUL(dqo_0e, qi->w)
+          + KSL_MUL(qi->z, dqo_0p);
+  const double dqo_3 = KSL_MUL(qi->w, dqo_0p)
+          - (KSL_MUL(dqo_0a, qi->x) + KSL_MUL(dqo_0c, qi->y) + KSL_MUL(dqo_0e, qi->z));
   dqo->x = dqo_0;
   dqo->y = dqo_1;
   dqo->z = dqo_2;
@@ -1111,10 +1037,8 @@ static inline void ksl_quaternion_from_mat3x3(const ksl_mat3x3_t *R, ksl_quatern
   const double upper_1a = -column_1, upper_1 = column_3 < 0.0 ? upper_1a : column_1;
   const double upper_2a = -column_2, upper_2 = column_3 < 0.0 ? upper_2a : column_2;
   const double upper_3a = -column_3, upper_3 = column_3 < 0.0 ? upper_3a : column_3;
-  const double length_a = KSL_MUL(upper_0, upper_0), length_b = KSL_MUL(upper_1, upper_1),
-      length_c = length_a + length_b, length_d = KSL_MUL(upper_2, upper_2),
-      length_e = length_c + length_d, length_f = KSL_MUL(upper_3, upper_3),
-      length_g = length_e + length_f, length = sqrt(length_g);
+  const double length = sqrt(KSL_MUL(upper_0, upper_0) + KSL_MUL(upper_1, upper_1)
+          + KSL_MUL(upper_2, upper_2) + KSL_MUL(upper_3, upper_3));
   const double qo_0 = upper_0 / length;
   const double qo_1 = upper_1 / length;
   const double qo_2 = upper_2 / length;
@@ -1177,8 +1101,7 @@ static inline double ksl_axis_angle_from_quaternion(const ksl_quaternion_t *q, k
   const double v_y_0 = KSL_MUL(upper_0, v_s);
   const double v_y_1 = KSL_MUL(upper_1, v_s);
   const double v_y_2 = KSL_MUL(upper_2, v_s);
-  const double v_n_a = KSL_MUL(v_y_0, v_y_0), v_n_b = KSL_MUL(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
-      v_n_d = KSL_MUL(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
+  const double v_n = sqrt(KSL_MUL(v_y_0, v_y_0) + KSL_MUL(v_y_1, v_y_1) + KSL_MUL(v_y_2, v_y_2));
   const double v_r_b = 1.0 < v_s ? 7.637340908749012e-152 : 1.0,
       v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_b;
   const double n = KSL_MUL(v_n, v_r);
@@ -1207,7 +1130,7 @@ static inline void ksl_quaternion_exp(const ksl_vec3_t *v, ksl_quaternion_t *qo)
   const double size_0 = fabs(h_0);
   const double size_1 = fabs(h_1);
   const double size_2 = fabs(h_2);
-  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const double sizes = size_0 + size_1 + size_2;
   const double grid = KSL_MUL(sizes, 268435456.0);
   const double shifted_0 = h_0 + grid;
   const double shifted_1 = h_1 + grid;
@@ -1221,47 +1144,41 @@ static inline void ksl_quaternion_exp(const ksl_vec3_t *v, ksl_quaternion_t *qo)
   const double sum_0 = h_0 + high_0;
   const double sum_1 = h_1 + high_1;
   const double sum_2 = h_2 + high_2;
-  const double squares_a = KSL_MUL(high_0, high_0), squares_b = KSL_MUL(high_1, high_1),
-      squares_c = squares_a + squares_b, squares_d = KSL_MUL(high_2, high_2),
-      squares = squares_c + squares_d;
-  const double cross_a = KSL_MUL(low_0, sum_0), cross_b = KSL_MUL(low_1, sum_1),
-      cross_c = cross_a + cross_b, cross_d = KSL_MUL(low_2, sum_2), cross = cross_c + cross_d;
+  const double squares = KSL_MUL(high_0, high_0) + KSL_MUL(high_1, high_1)
+          + KSL_MUL(high_2, high_2);
+  const double cross = KSL_MUL(low_0, sum_0) + KSL_MUL(low_1, sum_1) + KSL_MUL(low_2, sum_2);
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
   const double theta_shifted = grid + theta;
   const double theta_high = theta_shifted - grid;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
-  const double cross_rest_a = KSL_MUL(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
-  const double exact_a = KSL_MUL(theta_high, theta_high), exact = squares - exact_a;
+  const double cross_rest = cross - KSL_MUL(theta_low, theta_sum);
+  const double exact = squares - KSL_MUL(theta_high, theta_high);
   const double residual = cross_rest + exact;
-  const double small_a = KSL_MUL(0.5, residual), small = small_a / theta;
-  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
+  const double small = KSL_MUL(0.5, residual) / theta;
+  const double delta = fabs(small) < 0.0078125 ? small : 0.0;
   double far_cosine_a; const double far_sine_a = ksl_sincos(theta, &far_cosine_a);
   const double far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
-  const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
-  const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
+  const double sine = KSL_MUL(delta, far_cosine) + far_sine;
+  const double cosine = far_cosine - KSL_MUL(delta, far_sine);
   const double far_k = sine / theta;
-  const double k_a = KSL_MUL(6.446950284384474e-26, x), k_b = k_a - 3.868170170630684e-23,
-      k_c = KSL_MUL(x, k_b), k_d = k_c + 1.9572941063391263e-20, k_e = KSL_MUL(x, k_d),
-      k_f = k_e - 8.22063524662433e-18, k_g = KSL_MUL(x, k_f), k_h = k_g + 2.8114572543455206e-15,
-      k_i = KSL_MUL(x, k_h), k_j = k_i - 7.647163731819816e-13, k_k = KSL_MUL(x, k_j),
-      k_l = k_k + 1.6059043836821613e-10, k_m = KSL_MUL(x, k_l), k_n = k_m - 2.505210838544172e-08,
-      k_o = KSL_MUL(x, k_n), k_p = k_o + 2.7557319223985893e-06, k_q = KSL_MUL(x, k_p),
-      k_r = k_q - 0.0001984126984126984, k_s = KSL_MUL(x, k_r), k_t = k_s + 0.008333333333333333,
-      k_u = KSL_MUL(x, k_t), k_v = k_u - 0.16666666666666666, k_w = KSL_MUL(x, k_v),
-      k_x = k_w + 1.0, k = x < 1.0 ? k_x : far_k;
-  const double g2a = KSL_MUL(2.4795962632247976e-27, x), g2b = g2a - 1.6117375710961184e-24,
-      g2c = KSL_MUL(x, g2b), g2d = g2c + 8.896791392450574e-22, g2e = KSL_MUL(x, g2d),
-      g2f = g2e - 4.110317623312165e-19, g2g = KSL_MUL(x, g2f), g2h = g2g + 1.5619206968586225e-16,
-      g2i = KSL_MUL(x, g2h), g2j = g2i - 4.779477332387385e-14, g2k = KSL_MUL(x, g2j),
-      g2l = g2k + 1.1470745597729725e-11, g2m = KSL_MUL(x, g2l), g2n = g2m - 2.08767569878681e-09,
-      g2o = KSL_MUL(x, g2n), g2p = g2o + 2.755731922398589e-07, g2q = KSL_MUL(x, g2p),
-      g2r = g2q - 2.48015873015873e-05, g2s = KSL_MUL(x, g2r), g2t = g2s + 0.001388888888888889,
-      g2u = KSL_MUL(x, g2t), g2v = g2u - 0.041666666666666664, g2w = KSL_MUL(x, g2v),
-      g2 = g2w + 0.5;
-  const double near_a = KSL_MUL(x, g2), near = 1.0 - near_a;
+  const double k_g = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(6.446950284384474e-26, x)
+          - 3.868170170630684e-23) + 1.9572941063391263e-20) - 8.22063524662433e-18),
+      k_n = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, k_g + 2.8114572543455206e-15) - 7.647163731819816e-13)
+          + 1.6059043836821613e-10) - 2.505210838544172e-08,
+      k_u = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, k_n) + 2.7557319223985893e-06)
+          - 0.0001984126984126984) + 0.008333333333333333),
+      k_x = KSL_MUL(x, k_u - 0.16666666666666666) + 1.0, k = x < 1.0 ? k_x : far_k;
+  const double g2g = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(2.4795962632247976e-27, x)
+          - 1.6117375710961184e-24) + 8.896791392450574e-22) - 4.110317623312165e-19),
+      g2n = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, g2g + 1.5619206968586225e-16) - 4.779477332387385e-14)
+          + 1.1470745597729725e-11) - 2.08767569878681e-09,
+      g2v = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, g2n) + 2.755731922398589e-07)
+          - 2.48015873015873e-05) + 0.001388888888888889) - 0.041666666666666664,
+      g2 = KSL_MUL(x, g2v) + 0.5;
+  const double near = 1.0 - KSL_MUL(x, g2);
   const double qo_0 = KSL_MUL(h_0, k);
   const double qo_1 = KSL_MUL(h_1, k);
   const double qo_2 = KSL_MUL(h_2, k);
@@ -1305,8 +1222,7 @@ static inline void ksl_quaternion_log(const ksl_quaternion_t *q, ksl_vec3_t *vo)
   const double v_y_0 = KSL_MUL(upper_0, v_s);
   const double v_y_1 = KSL_MUL(upper_1, v_s);
   const double v_y_2 = KSL_MUL(upper_2, v_s);
-  const double v_n_a = KSL_MUL(v_y_0, v_y_0), v_n_b = KSL_MUL(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
-      v_n_d = KSL_MUL(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
+  const double v_n = sqrt(KSL_MUL(v_y_0, v_y_0) + KSL_MUL(v_y_1, v_y_1) + KSL_MUL(v_y_2, v_y_2));
   const double v_r_b = 1.0 < v_s ? 7.637340908749012e-152 : 1.0,
       v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_b;
   const double n = KSL_MUL(v_n, v_r);
@@ -1329,22 +1245,14 @@ static inline void ksl_quaternion_log(const ksl_quaternion_t *q, ksl_vec3_t *vo)
      searched, not proved. */
 static inline void ksl_quaternion_interpolated(const ksl_quaternion_t *q1,
     const ksl_quaternion_t *q2, const double k, ksl_quaternion_t *qo) {
-  const double between_0a = KSL_MUL(q1->w, q2->x), between_0b = KSL_MUL(q1->x, q2->w),
-      between_0c = between_0a - between_0b, between_0d = KSL_MUL(q1->z, q2->y),
-      between_0e = KSL_MUL(q1->y, q2->z), between_0f = between_0d - between_0e,
-      between_0 = between_0c + between_0f;
-  const double between_1a = KSL_MUL(q1->x, q2->z), between_1b = KSL_MUL(q1->z, q2->x),
-      between_1c = between_1a - between_1b, between_1d = KSL_MUL(q1->w, q2->y),
-      between_1e = KSL_MUL(q1->y, q2->w), between_1f = between_1d - between_1e,
-      between_1 = between_1c + between_1f;
-  const double between_2a = KSL_MUL(q1->y, q2->x), between_2b = KSL_MUL(q1->x, q2->y),
-      between_2c = between_2a - between_2b, between_2d = KSL_MUL(q1->w, q2->z),
-      between_2e = KSL_MUL(q1->z, q2->w), between_2f = between_2d - between_2e,
-      between_2 = between_2c + between_2f;
-  const double between_3a = KSL_MUL(q1->x, q2->x), between_3b = KSL_MUL(q1->y, q2->y),
-      between_3c = between_3a + between_3b, between_3d = KSL_MUL(q1->z, q2->z),
-      between_3e = between_3c + between_3d, between_3f = KSL_MUL(q1->w, q2->w),
-      between_3 = between_3e + between_3f;
+  const double between_0 = KSL_MUL(q1->w, q2->x) - KSL_MUL(q1->x, q2->w)
+          + (KSL_MUL(q1->z, q2->y) - KSL_MUL(q1->y, q2->z));
+  const double between_1 = KSL_MUL(q1->x, q2->z) - KSL_MUL(q1->z, q2->x)
+          + (KSL_MUL(q1->w, q2->y) - KSL_MUL(q1->y, q2->w));
+  const double between_2 = KSL_MUL(q1->y, q2->x) - KSL_MUL(q1->x, q2->y)
+          + (KSL_MUL(q1->w, q2->z) - KSL_MUL(q1->z, q2->w));
+  const double between_3 = KSL_MUL(q1->x, q2->x) + KSL_MUL(q1->y, q2->y) + KSL_MUL(q1->z, q2->z)
+          + KSL_MUL(q1->w, q2->w);
   const double upper_0a = -between_0, upper_0 = between_3 < 0.0 ? upper_0a : between_0;
   const double upper_1a = -between_1, upper_1 = between_3 < 0.0 ? upper_1a : between_1;
   const double upper_2a = -between_2, upper_2 = between_3 < 0.0 ? upper_2a : between_2;
@@ -1360,8 +1268,7 @@ static inline void ksl_quaternion_interpolated(const ksl_quaternion_t *q1,
   const double v_y_0 = KSL_MUL(upper_0, v_s);
   const double v_y_1 = KSL_MUL(upper_1, v_s);
   const double v_y_2 = KSL_MUL(upper_2, v_s);
-  const double v_n_a = KSL_MUL(v_y_0, v_y_0), v_n_b = KSL_MUL(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
-      v_n_d = KSL_MUL(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
+  const double v_n = sqrt(KSL_MUL(v_y_0, v_y_0) + KSL_MUL(v_y_1, v_y_1) + KSL_MUL(v_y_2, v_y_2));
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
       v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d;
@@ -1378,7 +1285,7 @@ static inline void ksl_quaternion_interpolated(const ksl_quaternion_t *q1,
   const double exp_size_0 = fabs(step_0);
   const double exp_size_1 = fabs(step_1);
   const double exp_size_2 = fabs(step_2);
-  const double exp_sizes_a = exp_size_0 + exp_size_1, exp_sizes = exp_sizes_a + exp_size_2;
+  const double exp_sizes = exp_size_0 + exp_size_1 + exp_size_2;
   const double exp_grid = KSL_MUL(exp_sizes, 268435456.0);
   const double exp_shifted_0 = step_0 + exp_grid;
   const double exp_shifted_1 = step_1 + exp_grid;
@@ -1392,77 +1299,57 @@ static inline void ksl_quaternion_interpolated(const ksl_quaternion_t *q1,
   const double exp_sum_0 = step_0 + exp_high_0;
   const double exp_sum_1 = step_1 + exp_high_1;
   const double exp_sum_2 = step_2 + exp_high_2;
-  const double exp_squares_a = KSL_MUL(exp_high_0, exp_high_0),
-      exp_squares_b = KSL_MUL(exp_high_1, exp_high_1),
-      exp_squares_c = exp_squares_a + exp_squares_b,
-      exp_squares_d = KSL_MUL(exp_high_2, exp_high_2), exp_squares = exp_squares_c + exp_squares_d;
-  const double exp_cross_a = KSL_MUL(exp_low_0, exp_sum_0),
-      exp_cross_b = KSL_MUL(exp_low_1, exp_sum_1), exp_cross_c = exp_cross_a + exp_cross_b,
-      exp_cross_d = KSL_MUL(exp_low_2, exp_sum_2), exp_cross = exp_cross_c + exp_cross_d;
+  const double exp_squares = KSL_MUL(exp_high_0, exp_high_0) + KSL_MUL(exp_high_1, exp_high_1)
+          + KSL_MUL(exp_high_2, exp_high_2);
+  const double exp_cross = KSL_MUL(exp_low_0, exp_sum_0) + KSL_MUL(exp_low_1, exp_sum_1)
+          + KSL_MUL(exp_low_2, exp_sum_2);
   const double exp_x = exp_squares + exp_cross;
   const double exp_theta_a = sqrt(exp_x), exp_theta = exp_x < 1.0 ? 1.0 : exp_theta_a;
   const double exp_theta_shifted = exp_grid + exp_theta;
   const double exp_theta_high = exp_theta_shifted - exp_grid;
   const double exp_theta_low = exp_theta - exp_theta_high;
   const double exp_theta_sum = exp_theta + exp_theta_high;
-  const double exp_cross_rest_a = KSL_MUL(exp_theta_low, exp_theta_sum),
-      exp_cross_rest = exp_cross - exp_cross_rest_a;
-  const double exp_exact_a = KSL_MUL(exp_theta_high, exp_theta_high),
-      exp_exact = exp_squares - exp_exact_a;
+  const double exp_cross_rest = exp_cross - KSL_MUL(exp_theta_low, exp_theta_sum);
+  const double exp_exact = exp_squares - KSL_MUL(exp_theta_high, exp_theta_high);
   const double exp_residual = exp_cross_rest + exp_exact;
-  const double exp_small_a = KSL_MUL(0.5, exp_residual), exp_small = exp_small_a / exp_theta;
-  const double exp_delta_a = fabs(exp_small), exp_delta = exp_delta_a < 0.0078125 ? exp_small : 0.0;
+  const double exp_small = KSL_MUL(0.5, exp_residual) / exp_theta;
+  const double exp_delta = fabs(exp_small) < 0.0078125 ? exp_small : 0.0;
   double exp_far_cosine_a; const double exp_far_sine_a = ksl_sincos(exp_theta, &exp_far_cosine_a);
   const double exp_far_sine = exp_x < 1.0 ? 1.0 : exp_far_sine_a;
   const double exp_far_cosine = exp_x < 1.0 ? 0.0 : exp_far_cosine_a;
-  const double exp_sine_a = KSL_MUL(exp_delta, exp_far_cosine),
-      exp_sine = exp_sine_a + exp_far_sine;
-  const double exp_cosine_a = KSL_MUL(exp_delta, exp_far_sine),
-      exp_cosine = exp_far_cosine - exp_cosine_a;
+  const double exp_sine = KSL_MUL(exp_delta, exp_far_cosine) + exp_far_sine;
+  const double exp_cosine = exp_far_cosine - KSL_MUL(exp_delta, exp_far_sine);
   const double exp_far_k = exp_sine / exp_theta;
-  const double exp_k_a = KSL_MUL(6.446950284384474e-26, exp_x),
-      exp_k_b = exp_k_a - 3.868170170630684e-23, exp_k_c = KSL_MUL(exp_x, exp_k_b),
-      exp_k_d = exp_k_c + 1.9572941063391263e-20, exp_k_e = KSL_MUL(exp_x, exp_k_d),
-      exp_k_f = exp_k_e - 8.22063524662433e-18, exp_k_g = KSL_MUL(exp_x, exp_k_f),
-      exp_k_h = exp_k_g + 2.8114572543455206e-15, exp_k_i = KSL_MUL(exp_x, exp_k_h),
-      exp_k_j = exp_k_i - 7.647163731819816e-13, exp_k_k = KSL_MUL(exp_x, exp_k_j),
-      exp_k_l = exp_k_k + 1.6059043836821613e-10, exp_k_m = KSL_MUL(exp_x, exp_k_l),
-      exp_k_n = exp_k_m - 2.505210838544172e-08, exp_k_o = KSL_MUL(exp_x, exp_k_n),
-      exp_k_p = exp_k_o + 2.7557319223985893e-06, exp_k_q = KSL_MUL(exp_x, exp_k_p),
-      exp_k_r = exp_k_q - 0.0001984126984126984, exp_k_s = KSL_MUL(exp_x, exp_k_r),
-      exp_k_t = exp_k_s + 0.008333333333333333, exp_k_u = KSL_MUL(exp_x, exp_k_t),
-      exp_k_v = exp_k_u - 0.16666666666666666, exp_k_w = KSL_MUL(exp_x, exp_k_v),
-      exp_k_x = exp_k_w + 1.0, exp_k = exp_x < 1.0 ? exp_k_x : exp_far_k;
-  const double exp_g2a = KSL_MUL(2.4795962632247976e-27, exp_x),
-      exp_g2b = exp_g2a - 1.6117375710961184e-24, exp_g2c = KSL_MUL(exp_x, exp_g2b),
-      exp_g2d = exp_g2c + 8.896791392450574e-22, exp_g2e = KSL_MUL(exp_x, exp_g2d),
-      exp_g2f = exp_g2e - 4.110317623312165e-19, exp_g2g = KSL_MUL(exp_x, exp_g2f),
-      exp_g2h = exp_g2g + 1.5619206968586225e-16, exp_g2i = KSL_MUL(exp_x, exp_g2h),
-      exp_g2j = exp_g2i - 4.779477332387385e-14, exp_g2k = KSL_MUL(exp_x, exp_g2j),
-      exp_g2l = exp_g2k + 1.1470745597729725e-11, exp_g2m = KSL_MUL(exp_x, exp_g2l),
-      exp_g2n = exp_g2m - 2.08767569878681e-09, exp_g2o = KSL_MUL(exp_x, exp_g2n),
-      exp_g2p = exp_g2o + 2.755731922398589e-07, exp_g2q = KSL_MUL(exp_x, exp_g2p),
-      exp_g2r = exp_g2q - 2.48015873015873e-05, exp_g2s = KSL_MUL(exp_x, exp_g2r),
-      exp_g2t = exp_g2s + 0.001388888888888889, exp_g2u = KSL_MUL(exp_x, exp_g2t),
-      exp_g2v = exp_g2u - 0.041666666666666664, exp_g2w = KSL_MUL(exp_x, exp_g2v),
-      exp_g2 = exp_g2w + 0.5;
-  const double exp_near_a = KSL_MUL(exp_x, exp_g2), exp_near = 1.0 - exp_near_a;
+  const double exp_k_e = KSL_MUL(exp_x, KSL_MUL(exp_x, KSL_MUL(6.446950284384474e-26, exp_x)
+          - 3.868170170630684e-23) + 1.9572941063391263e-20),
+      exp_k_k = KSL_MUL(exp_x, KSL_MUL(exp_x, KSL_MUL(exp_x, exp_k_e - 8.22063524662433e-18)
+          + 2.8114572543455206e-15) - 7.647163731819816e-13),
+      exp_k_q = KSL_MUL(exp_x, KSL_MUL(exp_x, KSL_MUL(exp_x, exp_k_k + 1.6059043836821613e-10)
+          - 2.505210838544172e-08) + 2.7557319223985893e-06),
+      exp_k_x = KSL_MUL(exp_x, KSL_MUL(exp_x, KSL_MUL(exp_x, exp_k_q - 0.0001984126984126984)
+          + 0.008333333333333333) - 0.16666666666666666) + 1.0,
+      exp_k = exp_x < 1.0 ? exp_k_x : exp_far_k;
+  const double exp_g2e = KSL_MUL(exp_x, KSL_MUL(exp_x, KSL_MUL(2.4795962632247976e-27, exp_x)
+          - 1.6117375710961184e-24) + 8.896791392450574e-22),
+      exp_g2k = KSL_MUL(exp_x, KSL_MUL(exp_x, KSL_MUL(exp_x, exp_g2e - 4.110317623312165e-19)
+          + 1.5619206968586225e-16) - 4.779477332387385e-14),
+      exp_g2q = KSL_MUL(exp_x, KSL_MUL(exp_x, KSL_MUL(exp_x, exp_g2k + 1.1470745597729725e-11)
+          - 2.08767569878681e-09) + 2.755731922398589e-07),
+      exp_g2 = KSL_MUL(exp_x, KSL_MUL(exp_x, KSL_MUL(exp_x, exp_g2q - 2.48015873015873e-05)
+          + 0.001388888888888889) - 0.041666666666666664) + 0.5;
+  const double exp_near = 1.0 - KSL_MUL(exp_x, exp_g2);
   const double power_0 = KSL_MUL(step_0, exp_k);
   const double power_1 = KSL_MUL(step_1, exp_k);
   const double power_2 = KSL_MUL(step_2, exp_k);
   const double power_3 = exp_x < 1.0 ? exp_near : exp_cosine;
-  const double qo_0a = KSL_MUL(q1->x, power_3), qo_0b = KSL_MUL(q1->y, power_2),
-      qo_0c = KSL_MUL(q1->z, power_1), qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d,
-      qo_0f = KSL_MUL(q1->w, power_0), qo_0 = qo_0e + qo_0f;
-  const double qo_1a = KSL_MUL(q1->z, power_0), qo_1b = KSL_MUL(q1->x, power_2),
-      qo_1c = qo_1a - qo_1b, qo_1d = KSL_MUL(q1->y, power_3), qo_1e = qo_1c + qo_1d,
-      qo_1f = KSL_MUL(q1->w, power_1), qo_1 = qo_1e + qo_1f;
-  const double qo_2a = KSL_MUL(q1->x, power_1), qo_2b = KSL_MUL(q1->y, power_0),
-      qo_2c = qo_2a - qo_2b, qo_2d = KSL_MUL(q1->z, power_3), qo_2e = qo_2c + qo_2d,
-      qo_2f = KSL_MUL(q1->w, power_2), qo_2 = qo_2e + qo_2f;
-  const double qo_3a = KSL_MUL(q1->w, power_3), qo_3b = KSL_MUL(q1->x, power_0),
-      qo_3c = KSL_MUL(q1->y, power_1), qo_3d = qo_3b + qo_3c, qo_3e = KSL_MUL(q1->z, power_2),
-      qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
+  const double qo_0 = KSL_MUL(q1->x, power_3) + (KSL_MUL(q1->y, power_2) - KSL_MUL(q1->z, power_1))
+          + KSL_MUL(q1->w, power_0);
+  const double qo_1 = KSL_MUL(q1->z, power_0) - KSL_MUL(q1->x, power_2) + KSL_MUL(q1->y, power_3)
+          + KSL_MUL(q1->w, power_1);
+  const double qo_2 = KSL_MUL(q1->x, power_1) - KSL_MUL(q1->y, power_0) + KSL_MUL(q1->z, power_3)
+          + KSL_MUL(q1->w, power_2);
+  const double qo_3 = KSL_MUL(q1->w, power_3)
+          - (KSL_MUL(q1->x, power_0) + KSL_MUL(q1->y, power_1) + KSL_MUL(q1->z, power_2));
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1516,10 +1403,10 @@ static inline void ksl_quaternionf_scale(ksl_quaternionf_t *self, const float a)
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_axpy_qqf(const float a, const ksl_quaternionf_t *x, ksl_quaternionf_t *y) {
-  const float y_0_new_a = KSL_MULF(a, x->x), y_0_new = y_0_new_a + y->x;
-  const float y_1_new_a = KSL_MULF(a, x->y), y_1_new = y_1_new_a + y->y;
-  const float y_2_new_a = KSL_MULF(a, x->z), y_2_new = y_2_new_a + y->z;
-  const float y_3_new_a = KSL_MULF(a, x->w), y_3_new = y_3_new_a + y->w;
+  const float y_0_new = KSL_MULF(a, x->x) + y->x;
+  const float y_1_new = KSL_MULF(a, x->y) + y->y;
+  const float y_2_new = KSL_MULF(a, x->z) + y->z;
+  const float y_3_new = KSL_MULF(a, x->w) + y->w;
   y->x = y_0_new;
   y->y = y_1_new;
   y->z = y_2_new;
@@ -1570,9 +1457,8 @@ static inline float ksl_quaternionf_norm(const ksl_quaternionf_t *q) {
   const float y_1 = KSL_MULF(q->y, s);
   const float y_2 = KSL_MULF(q->z, s);
   const float y_3 = KSL_MULF(q->w, s);
-  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MULF(y_3, y_3), n_g = n_e + n_f,
-      n = sqrtf(n_g);
+  const float n = sqrtf(KSL_MULF(y_0, y_0) + KSL_MULF(y_1, y_1) + KSL_MULF(y_2, y_2)
+          + KSL_MULF(y_3, y_3));
   const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r_d = 1.0f < s ? 5.551115e-17f : r_b,
       r = 1.8014399e+16f < s ? 3.081488e-33f : r_d;
   const float norm = KSL_MULF(n, r);
@@ -1599,9 +1485,8 @@ static inline void ksl_quaternionf_normalize(ksl_quaternionf_t *self) {
   const float y_3 = KSL_MULF(self->w, s);
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
-  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MULF(y_3, y_3), n_g = n_e + n_f,
-      n = sqrtf(n_g);
+  const float n = sqrtf(KSL_MULF(y_0, y_0) + KSL_MULF(y_1, y_1) + KSL_MULF(y_2, y_2)
+          + KSL_MULF(y_3, y_3));
   const float divisor = n == 0.0f ? up : n;
   const float sized_0 = KSL_MULF(self->x, up);
   const float sized_1 = KSL_MULF(self->y, up);
@@ -1641,9 +1526,8 @@ static inline void ksl_quaternionf_normalized(const ksl_quaternionf_t *q, ksl_qu
   const float y_3 = KSL_MULF(q->w, s);
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
-  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MULF(y_3, y_3), n_g = n_e + n_f,
-      n = sqrtf(n_g);
+  const float n = sqrtf(KSL_MULF(y_0, y_0) + KSL_MULF(y_1, y_1) + KSL_MULF(y_2, y_2)
+          + KSL_MULF(y_3, y_3));
   const float divisor = n == 0.0f ? up : n;
   const float sized_0 = KSL_MULF(q->x, up);
   const float sized_1 = KSL_MULF(q->y, up);
@@ -1681,9 +1565,8 @@ static inline float ksl_quaternionf_unit_defect(const ksl_quaternionf_t *q) {
   const float y_1 = KSL_MULF(q->y, s);
   const float y_2 = KSL_MULF(q->z, s);
   const float y_3 = KSL_MULF(q->w, s);
-  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MULF(y_3, y_3), n_g = n_e + n_f,
-      n = sqrtf(n_g);
+  const float n = sqrtf(KSL_MULF(y_0, y_0) + KSL_MULF(y_1, y_1) + KSL_MULF(y_2, y_2)
+          + KSL_MULF(y_3, y_3));
   const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r_d = 1.0f < s ? 5.551115e-17f : r_b,
       r = 1.8014399e+16f < s ? 3.081488e-33f : r_d;
   const float length = KSL_MULF(n, r);
@@ -1709,9 +1592,8 @@ static inline void ksl_quaternionf_nearest_unit(const ksl_quaternionf_t *q, ksl_
   const float scaled_s_1 = KSL_MULF(q->y, s);
   const float scaled_s_2 = KSL_MULF(q->z, s);
   const float scaled_s_3 = KSL_MULF(q->w, s);
-  const float n_a = KSL_MULF(scaled_s_0, scaled_s_0), n_b = KSL_MULF(scaled_s_1, scaled_s_1),
-      n_c = n_a + n_b, n_d = KSL_MULF(scaled_s_2, scaled_s_2), n_e = n_c + n_d,
-      n_f = KSL_MULF(scaled_s_3, scaled_s_3), n_g = n_e + n_f, n = sqrtf(n_g);
+  const float n = sqrtf(KSL_MULF(scaled_s_0, scaled_s_0) + KSL_MULF(scaled_s_1, scaled_s_1)
+          + KSL_MULF(scaled_s_2, scaled_s_2) + KSL_MULF(scaled_s_3, scaled_s_3));
   const float divisor = n == 0.0f ? 1.0f : n;
   const float unit_0 = scaled_s_0 / divisor;
   const float unit_1 = scaled_s_1 / divisor;
@@ -1734,18 +1616,15 @@ static inline void ksl_quaternionf_nearest_unit(const ksl_quaternionf_t *q, ksl_
      and underflow. */
 static inline void ksl_rotate_qvf(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const float c_0a = KSL_MULF(q->y, v->z), c_0b = KSL_MULF(q->z, v->y), c_0 = c_0a - c_0b;
-  const float c_1a = KSL_MULF(q->z, v->x), c_1b = KSL_MULF(q->x, v->z), c_1 = c_1a - c_1b;
-  const float c_2a = KSL_MULF(q->x, v->y), c_2b = KSL_MULF(q->y, v->x), c_2 = c_2a - c_2b;
+  const float c_0 = KSL_MULF(q->y, v->z) - KSL_MULF(q->z, v->y);
+  const float c_1 = KSL_MULF(q->z, v->x) - KSL_MULF(q->x, v->z);
+  const float c_2 = KSL_MULF(q->x, v->y) - KSL_MULF(q->y, v->x);
   const float t_0 = KSL_MULF(2.0f, c_0);
   const float t_1 = KSL_MULF(2.0f, c_1);
   const float t_2 = KSL_MULF(2.0f, c_2);
-  const float turn_0a = KSL_MULF(q->y, t_2), turn_0b = KSL_MULF(q->z, t_1),
-      turn_0c = turn_0a - turn_0b, turn_0d = KSL_MULF(q->w, t_0), turn_0 = turn_0c + turn_0d;
-  const float turn_1a = KSL_MULF(q->z, t_0), turn_1b = KSL_MULF(q->x, t_2),
-      turn_1c = turn_1a - turn_1b, turn_1d = KSL_MULF(q->w, t_1), turn_1 = turn_1c + turn_1d;
-  const float turn_2a = KSL_MULF(q->x, t_1), turn_2b = KSL_MULF(q->y, t_0),
-      turn_2c = turn_2a - turn_2b, turn_2d = KSL_MULF(q->w, t_2), turn_2 = turn_2c + turn_2d;
+  const float turn_0 = KSL_MULF(q->y, t_2) - KSL_MULF(q->z, t_1) + KSL_MULF(q->w, t_0);
+  const float turn_1 = KSL_MULF(q->z, t_0) - KSL_MULF(q->x, t_2) + KSL_MULF(q->w, t_1);
+  const float turn_2 = KSL_MULF(q->x, t_1) - KSL_MULF(q->y, t_0) + KSL_MULF(q->w, t_2);
   const float vo_0 = v->x + turn_0;
   const float vo_1 = v->y + turn_1;
   const float vo_2 = v->z + turn_2;
@@ -1761,18 +1640,15 @@ static inline void ksl_rotate_qvf(const ksl_quaternionf_t *q, const ksl_vec3f_t 
      and underflow. */
 static inline void ksl_rotate_qconjvf(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const float c_0a = KSL_MULF(q->z, v->y), c_0b = KSL_MULF(q->y, v->z), c_0 = c_0a - c_0b;
-  const float c_1a = KSL_MULF(q->x, v->z), c_1b = KSL_MULF(q->z, v->x), c_1 = c_1a - c_1b;
-  const float c_2a = KSL_MULF(q->y, v->x), c_2b = KSL_MULF(q->x, v->y), c_2 = c_2a - c_2b;
+  const float c_0 = KSL_MULF(q->z, v->y) - KSL_MULF(q->y, v->z);
+  const float c_1 = KSL_MULF(q->x, v->z) - KSL_MULF(q->z, v->x);
+  const float c_2 = KSL_MULF(q->y, v->x) - KSL_MULF(q->x, v->y);
   const float t_0 = KSL_MULF(2.0f, c_0);
   const float t_1 = KSL_MULF(2.0f, c_1);
   const float t_2 = KSL_MULF(2.0f, c_2);
-  const float turn_0a = KSL_MULF(q->z, t_1), turn_0b = KSL_MULF(q->y, t_2),
-      turn_0c = turn_0a - turn_0b, turn_0d = KSL_MULF(q->w, t_0), turn_0 = turn_0c + turn_0d;
-  const float turn_1a = KSL_MULF(q->x, t_2), turn_1b = KSL_MULF(q->z, t_0),
-      turn_1c = turn_1a - turn_1b, turn_1d = KSL_MULF(q->w, t_1), turn_1 = turn_1c + turn_1d;
-  const float turn_2a = KSL_MULF(q->y, t_0), turn_2b = KSL_MULF(q->x, t_1),
-      turn_2c = turn_2a - turn_2b, turn_2d = KSL_MULF(q->w, t_2), turn_2 = turn_2c + turn_2d;
+  const float turn_0 = KSL_MULF(q->z, t_1) - KSL_MULF(q->y, t_2) + KSL_MULF(q->w, t_0);
+  const float turn_1 = KSL_MULF(q->x, t_2) - KSL_MULF(q->z, t_0) + KSL_MULF(q->w, t_1);
+  const float turn_2 = KSL_MULF(q->y, t_0) - KSL_MULF(q->x, t_1) + KSL_MULF(q->w, t_2);
   const float vo_0 = v->x + turn_0;
   const float vo_1 = v->y + turn_1;
   const float vo_2 = v->z + turn_2;
@@ -1788,18 +1664,14 @@ static inline void ksl_rotate_qconjvf(const ksl_quaternionf_t *q, const ksl_vec3
      and underflow. */
 static inline void ksl_product_qqf(const ksl_quaternionf_t *q1i, const ksl_quaternionf_t *q2i,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(q1i->x, q2i->w), qo_0b = KSL_MULF(q1i->y, q2i->z),
-      qo_0c = KSL_MULF(q1i->z, q2i->y), qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d,
-      qo_0f = KSL_MULF(q1i->w, q2i->x), qo_0 = qo_0e + qo_0f;
-  const float qo_1a = KSL_MULF(q1i->z, q2i->x), qo_1b = KSL_MULF(q1i->x, q2i->z),
-      qo_1c = qo_1a - qo_1b, qo_1d = KSL_MULF(q1i->y, q2i->w), qo_1e = qo_1c + qo_1d,
-      qo_1f = KSL_MULF(q1i->w, q2i->y), qo_1 = qo_1e + qo_1f;
-  const float qo_2a = KSL_MULF(q1i->x, q2i->y), qo_2b = KSL_MULF(q1i->y, q2i->x),
-      qo_2c = qo_2a - qo_2b, qo_2d = KSL_MULF(q1i->z, q2i->w), qo_2e = qo_2c + qo_2d,
-      qo_2f = KSL_MULF(q1i->w, q2i->z), qo_2 = qo_2e + qo_2f;
-  const float qo_3a = KSL_MULF(q1i->w, q2i->w), qo_3b = KSL_MULF(q1i->x, q2i->x),
-      qo_3c = KSL_MULF(q1i->y, q2i->y), qo_3d = qo_3b + qo_3c, qo_3e = KSL_MULF(q1i->z, q2i->z),
-      qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
+  const float qo_0 = KSL_MULF(q1i->x, q2i->w)
+          + (KSL_MULF(q1i->y, q2i->z) - KSL_MULF(q1i->z, q2i->y)) + KSL_MULF(q1i->w, q2i->x);
+  const float qo_1 = KSL_MULF(q1i->z, q2i->x) - KSL_MULF(q1i->x, q2i->z) + KSL_MULF(q1i->y, q2i->w)
+          + KSL_MULF(q1i->w, q2i->y);
+  const float qo_2 = KSL_MULF(q1i->x, q2i->y) - KSL_MULF(q1i->y, q2i->x) + KSL_MULF(q1i->z, q2i->w)
+          + KSL_MULF(q1i->w, q2i->z);
+  const float qo_3 = KSL_MULF(q1i->w, q2i->w)
+          - (KSL_MULF(q1i->x, q2i->x) + KSL_MULF(q1i->y, q2i->y) + KSL_MULF(q1i->z, q2i->z));
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1813,18 +1685,14 @@ static inline void ksl_product_qqf(const ksl_quaternionf_t *q1i, const ksl_quate
      barring over- and underflow. */
 static inline void ksl_product_qqconjf(const ksl_quaternionf_t *q1i, const ksl_quaternionf_t *q2i,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(q1i->x, q2i->w), qo_0b = KSL_MULF(q1i->w, q2i->x),
-      qo_0c = qo_0a - qo_0b, qo_0d = KSL_MULF(q1i->z, q2i->y), qo_0e = KSL_MULF(q1i->y, q2i->z),
-      qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
-  const float qo_1a = KSL_MULF(q1i->x, q2i->z), qo_1b = KSL_MULF(q1i->z, q2i->x),
-      qo_1c = qo_1a - qo_1b, qo_1d = KSL_MULF(q1i->y, q2i->w), qo_1e = KSL_MULF(q1i->w, q2i->y),
-      qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const float qo_2a = KSL_MULF(q1i->y, q2i->x), qo_2b = KSL_MULF(q1i->x, q2i->y),
-      qo_2c = qo_2a - qo_2b, qo_2d = KSL_MULF(q1i->z, q2i->w), qo_2e = KSL_MULF(q1i->w, q2i->z),
-      qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
-  const float qo_3a = KSL_MULF(q1i->x, q2i->x), qo_3b = KSL_MULF(q1i->y, q2i->y),
-      qo_3c = qo_3a + qo_3b, qo_3d = KSL_MULF(q1i->z, q2i->z), qo_3e = qo_3c + qo_3d,
-      qo_3f = KSL_MULF(q1i->w, q2i->w), qo_3 = qo_3e + qo_3f;
+  const float qo_0 = KSL_MULF(q1i->x, q2i->w) - KSL_MULF(q1i->w, q2i->x)
+          + (KSL_MULF(q1i->z, q2i->y) - KSL_MULF(q1i->y, q2i->z));
+  const float qo_1 = KSL_MULF(q1i->x, q2i->z) - KSL_MULF(q1i->z, q2i->x)
+          + (KSL_MULF(q1i->y, q2i->w) - KSL_MULF(q1i->w, q2i->y));
+  const float qo_2 = KSL_MULF(q1i->y, q2i->x) - KSL_MULF(q1i->x, q2i->y)
+          + (KSL_MULF(q1i->z, q2i->w) - KSL_MULF(q1i->w, q2i->z));
+  const float qo_3 = KSL_MULF(q1i->x, q2i->x) + KSL_MULF(q1i->y, q2i->y) + KSL_MULF(q1i->z, q2i->z)
+          + KSL_MULF(q1i->w, q2i->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1838,18 +1706,14 @@ static inline void ksl_product_qqconjf(const ksl_quaternionf_t *q1i, const ksl_q
      barring over- and underflow. */
 static inline void ksl_product_qconjqf(const ksl_quaternionf_t *q1i, const ksl_quaternionf_t *q2i,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(q1i->w, q2i->x), qo_0b = KSL_MULF(q1i->x, q2i->w),
-      qo_0c = qo_0a - qo_0b, qo_0d = KSL_MULF(q1i->z, q2i->y), qo_0e = KSL_MULF(q1i->y, q2i->z),
-      qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
-  const float qo_1a = KSL_MULF(q1i->x, q2i->z), qo_1b = KSL_MULF(q1i->z, q2i->x),
-      qo_1c = qo_1a - qo_1b, qo_1d = KSL_MULF(q1i->w, q2i->y), qo_1e = KSL_MULF(q1i->y, q2i->w),
-      qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const float qo_2a = KSL_MULF(q1i->y, q2i->x), qo_2b = KSL_MULF(q1i->x, q2i->y),
-      qo_2c = qo_2a - qo_2b, qo_2d = KSL_MULF(q1i->w, q2i->z), qo_2e = KSL_MULF(q1i->z, q2i->w),
-      qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
-  const float qo_3a = KSL_MULF(q1i->x, q2i->x), qo_3b = KSL_MULF(q1i->y, q2i->y),
-      qo_3c = qo_3a + qo_3b, qo_3d = KSL_MULF(q1i->z, q2i->z), qo_3e = qo_3c + qo_3d,
-      qo_3f = KSL_MULF(q1i->w, q2i->w), qo_3 = qo_3e + qo_3f;
+  const float qo_0 = KSL_MULF(q1i->w, q2i->x) - KSL_MULF(q1i->x, q2i->w)
+          + (KSL_MULF(q1i->z, q2i->y) - KSL_MULF(q1i->y, q2i->z));
+  const float qo_1 = KSL_MULF(q1i->x, q2i->z) - KSL_MULF(q1i->z, q2i->x)
+          + (KSL_MULF(q1i->w, q2i->y) - KSL_MULF(q1i->y, q2i->w));
+  const float qo_2 = KSL_MULF(q1i->y, q2i->x) - KSL_MULF(q1i->x, q2i->y)
+          + (KSL_MULF(q1i->w, q2i->z) - KSL_MULF(q1i->z, q2i->w));
+  const float qo_3 = KSL_MULF(q1i->x, q2i->x) + KSL_MULF(q1i->y, q2i->y) + KSL_MULF(q1i->z, q2i->z)
+          + KSL_MULF(q1i->w, q2i->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1863,18 +1727,14 @@ static inline void ksl_product_qconjqf(const ksl_quaternionf_t *q1i, const ksl_q
      and underflow. */
 static inline void ksl_product_qconjqconjf(const ksl_quaternionf_t *q1i,
     const ksl_quaternionf_t *q2i, ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(q1i->y, q2i->z), qo_0b = KSL_MULF(q1i->z, q2i->y),
-      qo_0c = qo_0a - qo_0b, qo_0d = KSL_MULF(q1i->x, q2i->w), qo_0e = qo_0c - qo_0d,
-      qo_0f = KSL_MULF(q1i->w, q2i->x), qo_0 = qo_0e - qo_0f;
-  const float qo_1a = KSL_MULF(q1i->z, q2i->x), qo_1b = KSL_MULF(q1i->x, q2i->z),
-      qo_1c = qo_1a - qo_1b, qo_1d = KSL_MULF(q1i->y, q2i->w), qo_1e = qo_1c - qo_1d,
-      qo_1f = KSL_MULF(q1i->w, q2i->y), qo_1 = qo_1e - qo_1f;
-  const float qo_2a = KSL_MULF(q1i->x, q2i->y), qo_2b = KSL_MULF(q1i->y, q2i->x),
-      qo_2c = qo_2a - qo_2b, qo_2d = KSL_MULF(q1i->z, q2i->w), qo_2e = qo_2c - qo_2d,
-      qo_2f = KSL_MULF(q1i->w, q2i->z), qo_2 = qo_2e - qo_2f;
-  const float qo_3a = KSL_MULF(q1i->w, q2i->w), qo_3b = KSL_MULF(q1i->x, q2i->x),
-      qo_3c = KSL_MULF(q1i->y, q2i->y), qo_3d = qo_3b + qo_3c, qo_3e = KSL_MULF(q1i->z, q2i->z),
-      qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
+  const float qo_0 = KSL_MULF(q1i->y, q2i->z) - KSL_MULF(q1i->z, q2i->y) - KSL_MULF(q1i->x, q2i->w)
+          - KSL_MULF(q1i->w, q2i->x);
+  const float qo_1 = KSL_MULF(q1i->z, q2i->x) - KSL_MULF(q1i->x, q2i->z) - KSL_MULF(q1i->y, q2i->w)
+          - KSL_MULF(q1i->w, q2i->y);
+  const float qo_2 = KSL_MULF(q1i->x, q2i->y) - KSL_MULF(q1i->y, q2i->x) - KSL_MULF(q1i->z, q2i->w)
+          - KSL_MULF(q1i->w, q2i->z);
+  const float qo_3 = KSL_MULF(q1i->w, q2i->w)
+          - (KSL_MULF(q1i->x, q2i->x) + KSL_MULF(q1i->y, q2i->y) + KSL_MULF(q1i->z, q2i->z));
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1888,14 +1748,10 @@ static inline void ksl_product_qconjqconjf(const ksl_quaternionf_t *q1i,
      and underflow. */
 static inline void ksl_product_qxqf(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(dci[0], qi->w), qo_0b = KSL_MULF(dci[1], qi->x),
-      qo_0 = qo_0a + qo_0b;
-  const float qo_1a = KSL_MULF(dci[1], qi->y), qo_1b = KSL_MULF(dci[0], qi->z),
-      qo_1 = qo_1a - qo_1b;
-  const float qo_2a = KSL_MULF(dci[0], qi->y), qo_2b = KSL_MULF(dci[1], qi->z),
-      qo_2 = qo_2a + qo_2b;
-  const float qo_3a = KSL_MULF(dci[1], qi->w), qo_3b = KSL_MULF(dci[0], qi->x),
-      qo_3 = qo_3a - qo_3b;
+  const float qo_0 = KSL_MULF(dci[0], qi->w) + KSL_MULF(dci[1], qi->x);
+  const float qo_1 = KSL_MULF(dci[1], qi->y) - KSL_MULF(dci[0], qi->z);
+  const float qo_2 = KSL_MULF(dci[0], qi->y) + KSL_MULF(dci[1], qi->z);
+  const float qo_3 = KSL_MULF(dci[1], qi->w) - KSL_MULF(dci[0], qi->x);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1909,14 +1765,10 @@ static inline void ksl_product_qxqf(const float dci[2], const ksl_quaternionf_t 
      and underflow. */
 static inline void ksl_product_qxqconjf(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(dci[0], qi->w), qo_0b = KSL_MULF(dci[1], qi->x),
-      qo_0 = qo_0a - qo_0b;
-  const float qo_1a = KSL_MULF(dci[0], qi->z), qo_1b = KSL_MULF(dci[1], qi->y),
-      qo_1 = qo_1a - qo_1b;
-  const float qo_2a = KSL_MULF(dci[0], qi->y), qo_2b = KSL_MULF(dci[1], qi->z),
-      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const float qo_3a = KSL_MULF(dci[0], qi->x), qo_3b = KSL_MULF(dci[1], qi->w),
-      qo_3 = qo_3a + qo_3b;
+  const float qo_0 = KSL_MULF(dci[0], qi->w) - KSL_MULF(dci[1], qi->x);
+  const float qo_1 = KSL_MULF(dci[0], qi->z) - KSL_MULF(dci[1], qi->y);
+  const float qo_2 = -(KSL_MULF(dci[0], qi->y) + KSL_MULF(dci[1], qi->z));
+  const float qo_3 = KSL_MULF(dci[0], qi->x) + KSL_MULF(dci[1], qi->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1930,14 +1782,10 @@ static inline void ksl_product_qxqconjf(const float dci[2], const ksl_quaternion
      and underflow. */
 static inline void ksl_product_qxconjqf(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(dci[1], qi->x), qo_0b = KSL_MULF(dci[0], qi->w),
-      qo_0 = qo_0a - qo_0b;
-  const float qo_1a = KSL_MULF(dci[0], qi->z), qo_1b = KSL_MULF(dci[1], qi->y),
-      qo_1 = qo_1a + qo_1b;
-  const float qo_2a = KSL_MULF(dci[1], qi->z), qo_2b = KSL_MULF(dci[0], qi->y),
-      qo_2 = qo_2a - qo_2b;
-  const float qo_3a = KSL_MULF(dci[0], qi->x), qo_3b = KSL_MULF(dci[1], qi->w),
-      qo_3 = qo_3a + qo_3b;
+  const float qo_0 = KSL_MULF(dci[1], qi->x) - KSL_MULF(dci[0], qi->w);
+  const float qo_1 = KSL_MULF(dci[0], qi->z) + KSL_MULF(dci[1], qi->y);
+  const float qo_2 = KSL_MULF(dci[1], qi->z) - KSL_MULF(dci[0], qi->y);
+  const float qo_3 = KSL_MULF(dci[0], qi->x) + KSL_MULF(dci[1], qi->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1951,14 +1799,10 @@ static inline void ksl_product_qxconjqf(const float dci[2], const ksl_quaternion
      and underflow. */
 static inline void ksl_product_qxconjqconjf(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(dci[0], qi->w), qo_0b = KSL_MULF(dci[1], qi->x),
-      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const float qo_1a = KSL_MULF(dci[0], qi->z), qo_1b = KSL_MULF(dci[1], qi->y),
-      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const float qo_2a = KSL_MULF(dci[0], qi->y), qo_2b = KSL_MULF(dci[1], qi->z),
-      qo_2 = qo_2a - qo_2b;
-  const float qo_3a = KSL_MULF(dci[1], qi->w), qo_3b = KSL_MULF(dci[0], qi->x),
-      qo_3 = qo_3a - qo_3b;
+  const float qo_0 = -(KSL_MULF(dci[0], qi->w) + KSL_MULF(dci[1], qi->x));
+  const float qo_1 = -(KSL_MULF(dci[0], qi->z) + KSL_MULF(dci[1], qi->y));
+  const float qo_2 = KSL_MULF(dci[0], qi->y) - KSL_MULF(dci[1], qi->z);
+  const float qo_3 = KSL_MULF(dci[1], qi->w) - KSL_MULF(dci[0], qi->x);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1972,14 +1816,10 @@ static inline void ksl_product_qxconjqconjf(const float dci[2], const ksl_quater
      and underflow. */
 static inline void ksl_product_qqxf(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0b = KSL_MULF(qi->w, dci[0]),
-      qo_0 = qo_0a + qo_0b;
-  const float qo_1a = KSL_MULF(qi->y, dci[1]), qo_1b = KSL_MULF(qi->z, dci[0]),
-      qo_1 = qo_1a + qo_1b;
-  const float qo_2a = KSL_MULF(qi->z, dci[1]), qo_2b = KSL_MULF(qi->y, dci[0]),
-      qo_2 = qo_2a - qo_2b;
-  const float qo_3a = KSL_MULF(qi->w, dci[1]), qo_3b = KSL_MULF(qi->x, dci[0]),
-      qo_3 = qo_3a - qo_3b;
+  const float qo_0 = KSL_MULF(qi->x, dci[1]) + KSL_MULF(qi->w, dci[0]);
+  const float qo_1 = KSL_MULF(qi->y, dci[1]) + KSL_MULF(qi->z, dci[0]);
+  const float qo_2 = KSL_MULF(qi->z, dci[1]) - KSL_MULF(qi->y, dci[0]);
+  const float qo_3 = KSL_MULF(qi->w, dci[1]) - KSL_MULF(qi->x, dci[0]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1993,14 +1833,10 @@ static inline void ksl_product_qqxf(const ksl_quaternionf_t *qi, const float dci
      and underflow. */
 static inline void ksl_product_qqxconjf(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0b = KSL_MULF(qi->w, dci[0]),
-      qo_0 = qo_0a - qo_0b;
-  const float qo_1a = KSL_MULF(qi->y, dci[1]), qo_1b = KSL_MULF(qi->z, dci[0]),
-      qo_1 = qo_1a - qo_1b;
-  const float qo_2a = KSL_MULF(qi->y, dci[0]), qo_2b = KSL_MULF(qi->z, dci[1]),
-      qo_2 = qo_2a + qo_2b;
-  const float qo_3a = KSL_MULF(qi->x, dci[0]), qo_3b = KSL_MULF(qi->w, dci[1]),
-      qo_3 = qo_3a + qo_3b;
+  const float qo_0 = KSL_MULF(qi->x, dci[1]) - KSL_MULF(qi->w, dci[0]);
+  const float qo_1 = KSL_MULF(qi->y, dci[1]) - KSL_MULF(qi->z, dci[0]);
+  const float qo_2 = KSL_MULF(qi->y, dci[0]) + KSL_MULF(qi->z, dci[1]);
+  const float qo_3 = KSL_MULF(qi->x, dci[0]) + KSL_MULF(qi->w, dci[1]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2014,14 +1850,10 @@ static inline void ksl_product_qqxconjf(const ksl_quaternionf_t *qi, const float
      and underflow. */
 static inline void ksl_product_qconjqxf(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(qi->w, dci[0]), qo_0b = KSL_MULF(qi->x, dci[1]),
-      qo_0 = qo_0a - qo_0b;
-  const float qo_1a = KSL_MULF(qi->y, dci[1]), qo_1b = KSL_MULF(qi->z, dci[0]),
-      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const float qo_2a = KSL_MULF(qi->y, dci[0]), qo_2b = KSL_MULF(qi->z, dci[1]),
-      qo_2 = qo_2a - qo_2b;
-  const float qo_3a = KSL_MULF(qi->x, dci[0]), qo_3b = KSL_MULF(qi->w, dci[1]),
-      qo_3 = qo_3a + qo_3b;
+  const float qo_0 = KSL_MULF(qi->w, dci[0]) - KSL_MULF(qi->x, dci[1]);
+  const float qo_1 = -(KSL_MULF(qi->y, dci[1]) + KSL_MULF(qi->z, dci[0]));
+  const float qo_2 = KSL_MULF(qi->y, dci[0]) - KSL_MULF(qi->z, dci[1]);
+  const float qo_3 = KSL_MULF(qi->x, dci[0]) + KSL_MULF(qi->w, dci[1]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2035,14 +1867,10 @@ static inline void ksl_product_qconjqxf(const ksl_quaternionf_t *qi, const float
      and underflow. */
 static inline void ksl_product_qconjqxconjf(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0b = KSL_MULF(qi->w, dci[0]),
-      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const float qo_1a = KSL_MULF(qi->z, dci[0]), qo_1b = KSL_MULF(qi->y, dci[1]),
-      qo_1 = qo_1a - qo_1b;
-  const float qo_2a = KSL_MULF(qi->y, dci[0]), qo_2b = KSL_MULF(qi->z, dci[1]),
-      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const float qo_3a = KSL_MULF(qi->w, dci[1]), qo_3b = KSL_MULF(qi->x, dci[0]),
-      qo_3 = qo_3a - qo_3b;
+  const float qo_0 = -(KSL_MULF(qi->x, dci[1]) + KSL_MULF(qi->w, dci[0]));
+  const float qo_1 = KSL_MULF(qi->z, dci[0]) - KSL_MULF(qi->y, dci[1]);
+  const float qo_2 = -(KSL_MULF(qi->y, dci[0]) + KSL_MULF(qi->z, dci[1]));
+  const float qo_3 = KSL_MULF(qi->w, dci[1]) - KSL_MULF(qi->x, dci[0]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2056,14 +1884,10 @@ static inline void ksl_product_qconjqxconjf(const ksl_quaternionf_t *qi, const f
      and underflow. */
 static inline void ksl_product_qyqf(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(dci[0], qi->z), qo_0b = KSL_MULF(dci[1], qi->x),
-      qo_0 = qo_0a + qo_0b;
-  const float qo_1a = KSL_MULF(dci[0], qi->w), qo_1b = KSL_MULF(dci[1], qi->y),
-      qo_1 = qo_1a + qo_1b;
-  const float qo_2a = KSL_MULF(dci[1], qi->z), qo_2b = KSL_MULF(dci[0], qi->x),
-      qo_2 = qo_2a - qo_2b;
-  const float qo_3a = KSL_MULF(dci[1], qi->w), qo_3b = KSL_MULF(dci[0], qi->y),
-      qo_3 = qo_3a - qo_3b;
+  const float qo_0 = KSL_MULF(dci[0], qi->z) + KSL_MULF(dci[1], qi->x);
+  const float qo_1 = KSL_MULF(dci[0], qi->w) + KSL_MULF(dci[1], qi->y);
+  const float qo_2 = KSL_MULF(dci[1], qi->z) - KSL_MULF(dci[0], qi->x);
+  const float qo_3 = KSL_MULF(dci[1], qi->w) - KSL_MULF(dci[0], qi->y);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2077,14 +1901,10 @@ static inline void ksl_product_qyqf(const float dci[2], const ksl_quaternionf_t 
      and underflow. */
 static inline void ksl_product_qyqconjf(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(dci[0], qi->z), qo_0b = KSL_MULF(dci[1], qi->x),
-      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const float qo_1a = KSL_MULF(dci[0], qi->w), qo_1b = KSL_MULF(dci[1], qi->y),
-      qo_1 = qo_1a - qo_1b;
-  const float qo_2a = KSL_MULF(dci[0], qi->x), qo_2b = KSL_MULF(dci[1], qi->z),
-      qo_2 = qo_2a - qo_2b;
-  const float qo_3a = KSL_MULF(dci[0], qi->y), qo_3b = KSL_MULF(dci[1], qi->w),
-      qo_3 = qo_3a + qo_3b;
+  const float qo_0 = -(KSL_MULF(dci[0], qi->z) + KSL_MULF(dci[1], qi->x));
+  const float qo_1 = KSL_MULF(dci[0], qi->w) - KSL_MULF(dci[1], qi->y);
+  const float qo_2 = KSL_MULF(dci[0], qi->x) - KSL_MULF(dci[1], qi->z);
+  const float qo_3 = KSL_MULF(dci[0], qi->y) + KSL_MULF(dci[1], qi->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2098,14 +1918,10 @@ static inline void ksl_product_qyqconjf(const float dci[2], const ksl_quaternion
      and underflow. */
 static inline void ksl_product_qyconjqf(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(dci[1], qi->x), qo_0b = KSL_MULF(dci[0], qi->z),
-      qo_0 = qo_0a - qo_0b;
-  const float qo_1a = KSL_MULF(dci[1], qi->y), qo_1b = KSL_MULF(dci[0], qi->w),
-      qo_1 = qo_1a - qo_1b;
-  const float qo_2a = KSL_MULF(dci[0], qi->x), qo_2b = KSL_MULF(dci[1], qi->z),
-      qo_2 = qo_2a + qo_2b;
-  const float qo_3a = KSL_MULF(dci[0], qi->y), qo_3b = KSL_MULF(dci[1], qi->w),
-      qo_3 = qo_3a + qo_3b;
+  const float qo_0 = KSL_MULF(dci[1], qi->x) - KSL_MULF(dci[0], qi->z);
+  const float qo_1 = KSL_MULF(dci[1], qi->y) - KSL_MULF(dci[0], qi->w);
+  const float qo_2 = KSL_MULF(dci[0], qi->x) + KSL_MULF(dci[1], qi->z);
+  const float qo_3 = KSL_MULF(dci[0], qi->y) + KSL_MULF(dci[1], qi->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2119,14 +1935,10 @@ static inline void ksl_product_qyconjqf(const float dci[2], const ksl_quaternion
      and underflow. */
 static inline void ksl_product_qyconjqconjf(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(dci[0], qi->z), qo_0b = KSL_MULF(dci[1], qi->x),
-      qo_0 = qo_0a - qo_0b;
-  const float qo_1a = KSL_MULF(dci[0], qi->w), qo_1b = KSL_MULF(dci[1], qi->y),
-      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const float qo_2a = KSL_MULF(dci[0], qi->x), qo_2b = KSL_MULF(dci[1], qi->z),
-      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const float qo_3a = KSL_MULF(dci[1], qi->w), qo_3b = KSL_MULF(dci[0], qi->y),
-      qo_3 = qo_3a - qo_3b;
+  const float qo_0 = KSL_MULF(dci[0], qi->z) - KSL_MULF(dci[1], qi->x);
+  const float qo_1 = -(KSL_MULF(dci[0], qi->w) + KSL_MULF(dci[1], qi->y));
+  const float qo_2 = -(KSL_MULF(dci[0], qi->x) + KSL_MULF(dci[1], qi->z));
+  const float qo_3 = KSL_MULF(dci[1], qi->w) - KSL_MULF(dci[0], qi->y);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2140,14 +1952,10 @@ static inline void ksl_product_qyconjqconjf(const float dci[2], const ksl_quater
      and underflow. */
 static inline void ksl_product_qqyf(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0b = KSL_MULF(qi->z, dci[0]),
-      qo_0 = qo_0a - qo_0b;
-  const float qo_1a = KSL_MULF(qi->y, dci[1]), qo_1b = KSL_MULF(qi->w, dci[0]),
-      qo_1 = qo_1a + qo_1b;
-  const float qo_2a = KSL_MULF(qi->x, dci[0]), qo_2b = KSL_MULF(qi->z, dci[1]),
-      qo_2 = qo_2a + qo_2b;
-  const float qo_3a = KSL_MULF(qi->w, dci[1]), qo_3b = KSL_MULF(qi->y, dci[0]),
-      qo_3 = qo_3a - qo_3b;
+  const float qo_0 = KSL_MULF(qi->x, dci[1]) - KSL_MULF(qi->z, dci[0]);
+  const float qo_1 = KSL_MULF(qi->y, dci[1]) + KSL_MULF(qi->w, dci[0]);
+  const float qo_2 = KSL_MULF(qi->x, dci[0]) + KSL_MULF(qi->z, dci[1]);
+  const float qo_3 = KSL_MULF(qi->w, dci[1]) - KSL_MULF(qi->y, dci[0]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2161,14 +1969,10 @@ static inline void ksl_product_qqyf(const ksl_quaternionf_t *qi, const float dci
      and underflow. */
 static inline void ksl_product_qqyconjf(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0b = KSL_MULF(qi->z, dci[0]),
-      qo_0 = qo_0a + qo_0b;
-  const float qo_1a = KSL_MULF(qi->y, dci[1]), qo_1b = KSL_MULF(qi->w, dci[0]),
-      qo_1 = qo_1a - qo_1b;
-  const float qo_2a = KSL_MULF(qi->z, dci[1]), qo_2b = KSL_MULF(qi->x, dci[0]),
-      qo_2 = qo_2a - qo_2b;
-  const float qo_3a = KSL_MULF(qi->y, dci[0]), qo_3b = KSL_MULF(qi->w, dci[1]),
-      qo_3 = qo_3a + qo_3b;
+  const float qo_0 = KSL_MULF(qi->x, dci[1]) + KSL_MULF(qi->z, dci[0]);
+  const float qo_1 = KSL_MULF(qi->y, dci[1]) - KSL_MULF(qi->w, dci[0]);
+  const float qo_2 = KSL_MULF(qi->z, dci[1]) - KSL_MULF(qi->x, dci[0]);
+  const float qo_3 = KSL_MULF(qi->y, dci[0]) + KSL_MULF(qi->w, dci[1]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2182,14 +1986,10 @@ static inline void ksl_product_qqyconjf(const ksl_quaternionf_t *qi, const float
      and underflow. */
 static inline void ksl_product_qconjqyf(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(qi->z, dci[0]), qo_0b = KSL_MULF(qi->x, dci[1]),
-      qo_0 = qo_0a - qo_0b;
-  const float qo_1a = KSL_MULF(qi->w, dci[0]), qo_1b = KSL_MULF(qi->y, dci[1]),
-      qo_1 = qo_1a - qo_1b;
-  const float qo_2a = KSL_MULF(qi->x, dci[0]), qo_2b = KSL_MULF(qi->z, dci[1]),
-      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const float qo_3a = KSL_MULF(qi->y, dci[0]), qo_3b = KSL_MULF(qi->w, dci[1]),
-      qo_3 = qo_3a + qo_3b;
+  const float qo_0 = KSL_MULF(qi->z, dci[0]) - KSL_MULF(qi->x, dci[1]);
+  const float qo_1 = KSL_MULF(qi->w, dci[0]) - KSL_MULF(qi->y, dci[1]);
+  const float qo_2 = -(KSL_MULF(qi->x, dci[0]) + KSL_MULF(qi->z, dci[1]));
+  const float qo_3 = KSL_MULF(qi->y, dci[0]) + KSL_MULF(qi->w, dci[1]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2203,14 +2003,10 @@ static inline void ksl_product_qconjqyf(const ksl_quaternionf_t *qi, const float
      and underflow. */
 static inline void ksl_product_qconjqyconjf(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0b = KSL_MULF(qi->z, dci[0]),
-      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const float qo_1a = KSL_MULF(qi->y, dci[1]), qo_1b = KSL_MULF(qi->w, dci[0]),
-      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const float qo_2a = KSL_MULF(qi->x, dci[0]), qo_2b = KSL_MULF(qi->z, dci[1]),
-      qo_2 = qo_2a - qo_2b;
-  const float qo_3a = KSL_MULF(qi->w, dci[1]), qo_3b = KSL_MULF(qi->y, dci[0]),
-      qo_3 = qo_3a - qo_3b;
+  const float qo_0 = -(KSL_MULF(qi->x, dci[1]) + KSL_MULF(qi->z, dci[0]));
+  const float qo_1 = -(KSL_MULF(qi->y, dci[1]) + KSL_MULF(qi->w, dci[0]));
+  const float qo_2 = KSL_MULF(qi->x, dci[0]) - KSL_MULF(qi->z, dci[1]);
+  const float qo_3 = KSL_MULF(qi->w, dci[1]) - KSL_MULF(qi->y, dci[0]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2224,14 +2020,10 @@ static inline void ksl_product_qconjqyconjf(const ksl_quaternionf_t *qi, const f
      and underflow. */
 static inline void ksl_product_qzqf(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(dci[1], qi->x), qo_0b = KSL_MULF(dci[0], qi->y),
-      qo_0 = qo_0a - qo_0b;
-  const float qo_1a = KSL_MULF(dci[0], qi->x), qo_1b = KSL_MULF(dci[1], qi->y),
-      qo_1 = qo_1a + qo_1b;
-  const float qo_2a = KSL_MULF(dci[0], qi->w), qo_2b = KSL_MULF(dci[1], qi->z),
-      qo_2 = qo_2a + qo_2b;
-  const float qo_3a = KSL_MULF(dci[1], qi->w), qo_3b = KSL_MULF(dci[0], qi->z),
-      qo_3 = qo_3a - qo_3b;
+  const float qo_0 = KSL_MULF(dci[1], qi->x) - KSL_MULF(dci[0], qi->y);
+  const float qo_1 = KSL_MULF(dci[0], qi->x) + KSL_MULF(dci[1], qi->y);
+  const float qo_2 = KSL_MULF(dci[0], qi->w) + KSL_MULF(dci[1], qi->z);
+  const float qo_3 = KSL_MULF(dci[1], qi->w) - KSL_MULF(dci[0], qi->z);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2245,14 +2037,10 @@ static inline void ksl_product_qzqf(const float dci[2], const ksl_quaternionf_t 
      and underflow. */
 static inline void ksl_product_qzqconjf(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(dci[0], qi->y), qo_0b = KSL_MULF(dci[1], qi->x),
-      qo_0 = qo_0a - qo_0b;
-  const float qo_1a = KSL_MULF(dci[0], qi->x), qo_1b = KSL_MULF(dci[1], qi->y),
-      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const float qo_2a = KSL_MULF(dci[0], qi->w), qo_2b = KSL_MULF(dci[1], qi->z),
-      qo_2 = qo_2a - qo_2b;
-  const float qo_3a = KSL_MULF(dci[0], qi->z), qo_3b = KSL_MULF(dci[1], qi->w),
-      qo_3 = qo_3a + qo_3b;
+  const float qo_0 = KSL_MULF(dci[0], qi->y) - KSL_MULF(dci[1], qi->x);
+  const float qo_1 = -(KSL_MULF(dci[0], qi->x) + KSL_MULF(dci[1], qi->y));
+  const float qo_2 = KSL_MULF(dci[0], qi->w) - KSL_MULF(dci[1], qi->z);
+  const float qo_3 = KSL_MULF(dci[0], qi->z) + KSL_MULF(dci[1], qi->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2266,14 +2054,10 @@ static inline void ksl_product_qzqconjf(const float dci[2], const ksl_quaternion
      and underflow. */
 static inline void ksl_product_qzconjqf(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(dci[0], qi->y), qo_0b = KSL_MULF(dci[1], qi->x),
-      qo_0 = qo_0a + qo_0b;
-  const float qo_1a = KSL_MULF(dci[1], qi->y), qo_1b = KSL_MULF(dci[0], qi->x),
-      qo_1 = qo_1a - qo_1b;
-  const float qo_2a = KSL_MULF(dci[1], qi->z), qo_2b = KSL_MULF(dci[0], qi->w),
-      qo_2 = qo_2a - qo_2b;
-  const float qo_3a = KSL_MULF(dci[0], qi->z), qo_3b = KSL_MULF(dci[1], qi->w),
-      qo_3 = qo_3a + qo_3b;
+  const float qo_0 = KSL_MULF(dci[0], qi->y) + KSL_MULF(dci[1], qi->x);
+  const float qo_1 = KSL_MULF(dci[1], qi->y) - KSL_MULF(dci[0], qi->x);
+  const float qo_2 = KSL_MULF(dci[1], qi->z) - KSL_MULF(dci[0], qi->w);
+  const float qo_3 = KSL_MULF(dci[0], qi->z) + KSL_MULF(dci[1], qi->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2287,14 +2071,10 @@ static inline void ksl_product_qzconjqf(const float dci[2], const ksl_quaternion
      and underflow. */
 static inline void ksl_product_qzconjqconjf(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(dci[0], qi->y), qo_0b = KSL_MULF(dci[1], qi->x),
-      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const float qo_1a = KSL_MULF(dci[0], qi->x), qo_1b = KSL_MULF(dci[1], qi->y),
-      qo_1 = qo_1a - qo_1b;
-  const float qo_2a = KSL_MULF(dci[0], qi->w), qo_2b = KSL_MULF(dci[1], qi->z),
-      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const float qo_3a = KSL_MULF(dci[1], qi->w), qo_3b = KSL_MULF(dci[0], qi->z),
-      qo_3 = qo_3a - qo_3b;
+  const float qo_0 = -(KSL_MULF(dci[0], qi->y) + KSL_MULF(dci[1], qi->x));
+  const float qo_1 = KSL_MULF(dci[0], qi->x) - KSL_MULF(dci[1], qi->y);
+  const float qo_2 = -(KSL_MULF(dci[0], qi->w) + KSL_MULF(dci[1], qi->z));
+  const float qo_3 = KSL_MULF(dci[1], qi->w) - KSL_MULF(dci[0], qi->z);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2308,14 +2088,10 @@ static inline void ksl_product_qzconjqconjf(const float dci[2], const ksl_quater
      and underflow. */
 static inline void ksl_product_qqzf(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0b = KSL_MULF(qi->y, dci[0]),
-      qo_0 = qo_0a + qo_0b;
-  const float qo_1a = KSL_MULF(qi->y, dci[1]), qo_1b = KSL_MULF(qi->x, dci[0]),
-      qo_1 = qo_1a - qo_1b;
-  const float qo_2a = KSL_MULF(qi->z, dci[1]), qo_2b = KSL_MULF(qi->w, dci[0]),
-      qo_2 = qo_2a + qo_2b;
-  const float qo_3a = KSL_MULF(qi->w, dci[1]), qo_3b = KSL_MULF(qi->z, dci[0]),
-      qo_3 = qo_3a - qo_3b;
+  const float qo_0 = KSL_MULF(qi->x, dci[1]) + KSL_MULF(qi->y, dci[0]);
+  const float qo_1 = KSL_MULF(qi->y, dci[1]) - KSL_MULF(qi->x, dci[0]);
+  const float qo_2 = KSL_MULF(qi->z, dci[1]) + KSL_MULF(qi->w, dci[0]);
+  const float qo_3 = KSL_MULF(qi->w, dci[1]) - KSL_MULF(qi->z, dci[0]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2329,14 +2105,10 @@ static inline void ksl_product_qqzf(const ksl_quaternionf_t *qi, const float dci
      and underflow. */
 static inline void ksl_product_qqzconjf(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0b = KSL_MULF(qi->y, dci[0]),
-      qo_0 = qo_0a - qo_0b;
-  const float qo_1a = KSL_MULF(qi->x, dci[0]), qo_1b = KSL_MULF(qi->y, dci[1]),
-      qo_1 = qo_1a + qo_1b;
-  const float qo_2a = KSL_MULF(qi->z, dci[1]), qo_2b = KSL_MULF(qi->w, dci[0]),
-      qo_2 = qo_2a - qo_2b;
-  const float qo_3a = KSL_MULF(qi->z, dci[0]), qo_3b = KSL_MULF(qi->w, dci[1]),
-      qo_3 = qo_3a + qo_3b;
+  const float qo_0 = KSL_MULF(qi->x, dci[1]) - KSL_MULF(qi->y, dci[0]);
+  const float qo_1 = KSL_MULF(qi->x, dci[0]) + KSL_MULF(qi->y, dci[1]);
+  const float qo_2 = KSL_MULF(qi->z, dci[1]) - KSL_MULF(qi->w, dci[0]);
+  const float qo_3 = KSL_MULF(qi->z, dci[0]) + KSL_MULF(qi->w, dci[1]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2350,14 +2122,10 @@ static inline void ksl_product_qqzconjf(const ksl_quaternionf_t *qi, const float
      and underflow. */
 static inline void ksl_product_qconjqzf(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0b = KSL_MULF(qi->y, dci[0]),
-      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const float qo_1a = KSL_MULF(qi->x, dci[0]), qo_1b = KSL_MULF(qi->y, dci[1]),
-      qo_1 = qo_1a - qo_1b;
-  const float qo_2a = KSL_MULF(qi->w, dci[0]), qo_2b = KSL_MULF(qi->z, dci[1]),
-      qo_2 = qo_2a - qo_2b;
-  const float qo_3a = KSL_MULF(qi->z, dci[0]), qo_3b = KSL_MULF(qi->w, dci[1]),
-      qo_3 = qo_3a + qo_3b;
+  const float qo_0 = -(KSL_MULF(qi->x, dci[1]) + KSL_MULF(qi->y, dci[0]));
+  const float qo_1 = KSL_MULF(qi->x, dci[0]) - KSL_MULF(qi->y, dci[1]);
+  const float qo_2 = KSL_MULF(qi->w, dci[0]) - KSL_MULF(qi->z, dci[1]);
+  const float qo_3 = KSL_MULF(qi->z, dci[0]) + KSL_MULF(qi->w, dci[1]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2371,14 +2139,10 @@ static inline void ksl_product_qconjqzf(const ksl_quaternionf_t *qi, const float
      and underflow. */
 static inline void ksl_product_qconjqzconjf(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(qi->y, dci[0]), qo_0b = KSL_MULF(qi->x, dci[1]),
-      qo_0 = qo_0a - qo_0b;
-  const float qo_1a = KSL_MULF(qi->x, dci[0]), qo_1b = KSL_MULF(qi->y, dci[1]),
-      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const float qo_2a = KSL_MULF(qi->z, dci[1]), qo_2b = KSL_MULF(qi->w, dci[0]),
-      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const float qo_3a = KSL_MULF(qi->w, dci[1]), qo_3b = KSL_MULF(qi->z, dci[0]),
-      qo_3 = qo_3a - qo_3b;
+  const float qo_0 = KSL_MULF(qi->y, dci[0]) - KSL_MULF(qi->x, dci[1]);
+  const float qo_1 = -(KSL_MULF(qi->x, dci[0]) + KSL_MULF(qi->y, dci[1]));
+  const float qo_2 = -(KSL_MULF(qi->z, dci[1]) + KSL_MULF(qi->w, dci[0]));
+  const float qo_3 = KSL_MULF(qi->w, dci[1]) - KSL_MULF(qi->z, dci[0]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2392,14 +2156,10 @@ static inline void ksl_product_qconjqzconjf(const ksl_quaternionf_t *qi, const f
      and underflow. */
 static inline void ksl_product_qvf(const ksl_quaternionf_t *qi, const ksl_vec3f_t *vi,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(qi->y, vi->z), qo_0b = KSL_MULF(qi->z, vi->y), qo_0c = qo_0a - qo_0b,
-      qo_0d = KSL_MULF(qi->w, vi->x), qo_0 = qo_0c + qo_0d;
-  const float qo_1a = KSL_MULF(qi->z, vi->x), qo_1b = KSL_MULF(qi->x, vi->z), qo_1c = qo_1a - qo_1b,
-      qo_1d = KSL_MULF(qi->w, vi->y), qo_1 = qo_1c + qo_1d;
-  const float qo_2a = KSL_MULF(qi->x, vi->y), qo_2b = KSL_MULF(qi->y, vi->x), qo_2c = qo_2a - qo_2b,
-      qo_2d = KSL_MULF(qi->w, vi->z), qo_2 = qo_2c + qo_2d;
-  const float qo_3a = KSL_MULF(qi->x, vi->x), qo_3b = KSL_MULF(qi->y, vi->y), qo_3c = qo_3a + qo_3b,
-      qo_3d = KSL_MULF(qi->z, vi->z), qo_3e = qo_3c + qo_3d, qo_3 = -qo_3e;
+  const float qo_0 = KSL_MULF(qi->y, vi->z) - KSL_MULF(qi->z, vi->y) + KSL_MULF(qi->w, vi->x);
+  const float qo_1 = KSL_MULF(qi->z, vi->x) - KSL_MULF(qi->x, vi->z) + KSL_MULF(qi->w, vi->y);
+  const float qo_2 = KSL_MULF(qi->x, vi->y) - KSL_MULF(qi->y, vi->x) + KSL_MULF(qi->w, vi->z);
+  const float qo_3 = -(KSL_MULF(qi->x, vi->x) + KSL_MULF(qi->y, vi->y) + KSL_MULF(qi->z, vi->z));
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2413,14 +2173,10 @@ static inline void ksl_product_qvf(const ksl_quaternionf_t *qi, const ksl_vec3f_
      and underflow. */
 static inline void ksl_product_qconjvf(const ksl_quaternionf_t *qi, const ksl_vec3f_t *vi,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(qi->z, vi->y), qo_0b = KSL_MULF(qi->y, vi->z), qo_0c = qo_0a - qo_0b,
-      qo_0d = KSL_MULF(qi->w, vi->x), qo_0 = qo_0c + qo_0d;
-  const float qo_1a = KSL_MULF(qi->x, vi->z), qo_1b = KSL_MULF(qi->z, vi->x), qo_1c = qo_1a - qo_1b,
-      qo_1d = KSL_MULF(qi->w, vi->y), qo_1 = qo_1c + qo_1d;
-  const float qo_2a = KSL_MULF(qi->y, vi->x), qo_2b = KSL_MULF(qi->x, vi->y), qo_2c = qo_2a - qo_2b,
-      qo_2d = KSL_MULF(qi->w, vi->z), qo_2 = qo_2c + qo_2d;
-  const float qo_3a = KSL_MULF(qi->x, vi->x), qo_3b = KSL_MULF(qi->y, vi->y), qo_3c = qo_3a + qo_3b,
-      qo_3d = KSL_MULF(qi->z, vi->z), qo_3 = qo_3c + qo_3d;
+  const float qo_0 = KSL_MULF(qi->z, vi->y) - KSL_MULF(qi->y, vi->z) + KSL_MULF(qi->w, vi->x);
+  const float qo_1 = KSL_MULF(qi->x, vi->z) - KSL_MULF(qi->z, vi->x) + KSL_MULF(qi->w, vi->y);
+  const float qo_2 = KSL_MULF(qi->y, vi->x) - KSL_MULF(qi->x, vi->y) + KSL_MULF(qi->w, vi->z);
+  const float qo_3 = KSL_MULF(qi->x, vi->x) + KSL_MULF(qi->y, vi->y) + KSL_MULF(qi->z, vi->z);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2434,14 +2190,10 @@ static inline void ksl_product_qconjvf(const ksl_quaternionf_t *qi, const ksl_ve
      and underflow. */
 static inline void ksl_product_vqf(const ksl_vec3f_t *vi, const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(vi->x, qi->w), qo_0b = KSL_MULF(vi->y, qi->z),
-      qo_0c = KSL_MULF(vi->z, qi->y), qo_0d = qo_0b - qo_0c, qo_0 = qo_0a + qo_0d;
-  const float qo_1a = KSL_MULF(vi->z, qi->x), qo_1b = KSL_MULF(vi->x, qi->z), qo_1c = qo_1a - qo_1b,
-      qo_1d = KSL_MULF(vi->y, qi->w), qo_1 = qo_1c + qo_1d;
-  const float qo_2a = KSL_MULF(vi->x, qi->y), qo_2b = KSL_MULF(vi->y, qi->x), qo_2c = qo_2a - qo_2b,
-      qo_2d = KSL_MULF(vi->z, qi->w), qo_2 = qo_2c + qo_2d;
-  const float qo_3a = KSL_MULF(vi->x, qi->x), qo_3b = KSL_MULF(vi->y, qi->y), qo_3c = qo_3a + qo_3b,
-      qo_3d = KSL_MULF(vi->z, qi->z), qo_3e = qo_3c + qo_3d, qo_3 = -qo_3e;
+  const float qo_0 = KSL_MULF(vi->x, qi->w) + (KSL_MULF(vi->y, qi->z) - KSL_MULF(vi->z, qi->y));
+  const float qo_1 = KSL_MULF(vi->z, qi->x) - KSL_MULF(vi->x, qi->z) + KSL_MULF(vi->y, qi->w);
+  const float qo_2 = KSL_MULF(vi->x, qi->y) - KSL_MULF(vi->y, qi->x) + KSL_MULF(vi->z, qi->w);
+  const float qo_3 = -(KSL_MULF(vi->x, qi->x) + KSL_MULF(vi->y, qi->y) + KSL_MULF(vi->z, qi->z));
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2455,14 +2207,10 @@ static inline void ksl_product_vqf(const ksl_vec3f_t *vi, const ksl_quaternionf_
      and underflow. */
 static inline void ksl_product_vqconjf(const ksl_vec3f_t *vi, const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(vi->x, qi->w), qo_0b = KSL_MULF(vi->z, qi->y),
-      qo_0c = KSL_MULF(vi->y, qi->z), qo_0d = qo_0b - qo_0c, qo_0 = qo_0a + qo_0d;
-  const float qo_1a = KSL_MULF(vi->x, qi->z), qo_1b = KSL_MULF(vi->z, qi->x), qo_1c = qo_1a - qo_1b,
-      qo_1d = KSL_MULF(vi->y, qi->w), qo_1 = qo_1c + qo_1d;
-  const float qo_2a = KSL_MULF(vi->y, qi->x), qo_2b = KSL_MULF(vi->x, qi->y), qo_2c = qo_2a - qo_2b,
-      qo_2d = KSL_MULF(vi->z, qi->w), qo_2 = qo_2c + qo_2d;
-  const float qo_3a = KSL_MULF(vi->x, qi->x), qo_3b = KSL_MULF(vi->y, qi->y), qo_3c = qo_3a + qo_3b,
-      qo_3d = KSL_MULF(vi->z, qi->z), qo_3 = qo_3c + qo_3d;
+  const float qo_0 = KSL_MULF(vi->x, qi->w) + (KSL_MULF(vi->z, qi->y) - KSL_MULF(vi->y, qi->z));
+  const float qo_1 = KSL_MULF(vi->x, qi->z) - KSL_MULF(vi->z, qi->x) + KSL_MULF(vi->y, qi->w);
+  const float qo_2 = KSL_MULF(vi->y, qi->x) - KSL_MULF(vi->x, qi->y) + KSL_MULF(vi->z, qi->w);
+  const float qo_3 = KSL_MULF(vi->x, qi->x) + KSL_MULF(vi->y, qi->y) + KSL_MULF(vi->z, qi->z);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2475,9 +2223,8 @@ static inline void ksl_product_vqconjf(const ksl_vec3f_t *vi, const ksl_quaterni
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline float ksl_dot_qqf(const ksl_quaternionf_t *q1i, const ksl_quaternionf_t *q2i) {
-  const float dot_a = KSL_MULF(q1i->x, q2i->x), dot_b = KSL_MULF(q1i->y, q2i->y),
-      dot_c = dot_a + dot_b, dot_d = KSL_MULF(q1i->z, q2i->z), dot_e = dot_c + dot_d,
-      dot_f = KSL_MULF(q1i->w, q2i->w), dot = dot_e + dot_f;
+  const float dot = KSL_MULF(q1i->x, q2i->x) + KSL_MULF(q1i->y, q2i->y) + KSL_MULF(q1i->z, q2i->z)
+          + KSL_MULF(q1i->w, q2i->w);
   return dot;
 }
 
@@ -2488,20 +2235,17 @@ static inline float ksl_dot_qqf(const ksl_quaternionf_t *q1i, const ksl_quaterni
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_add_dpiToqf(const ksl_vec3f_t *dpi, ksl_quaternionf_t *qi) {
-  const float qi_0_new_a = KSL_MULF(0.5f, dpi->x), qi_0_new_b = KSL_MULF(qi_0_new_a, qi->w),
-      qi_0_new_c = KSL_MULF(0.5f, dpi->z), qi_0_new_d = KSL_MULF(qi_0_new_c, qi->y),
-      qi_0_new_e = KSL_MULF(0.5f, dpi->y), qi_0_new_f = KSL_MULF(qi_0_new_e, qi->z),
-      qi_0_new_g = qi_0_new_d - qi_0_new_f, qi_0_new_h = qi_0_new_b + qi_0_new_g,
-      qi_0_new = qi_0_new_h + qi->x;
-  const float qi_1_new_a = KSL_MULF(qi_0_new_a, qi->z), qi_1_new_b = KSL_MULF(qi_0_new_c, qi->x),
-      qi_1_new_c = qi_1_new_a - qi_1_new_b, qi_1_new_d = KSL_MULF(qi_0_new_e, qi->w),
-      qi_1_new_e = qi_1_new_c + qi_1_new_d, qi_1_new = qi_1_new_e + qi->y;
-  const float qi_2_new_a = KSL_MULF(qi_0_new_e, qi->x), qi_2_new_b = KSL_MULF(qi_0_new_a, qi->y),
-      qi_2_new_c = qi_2_new_a - qi_2_new_b, qi_2_new_d = KSL_MULF(qi_0_new_c, qi->w),
-      qi_2_new_e = qi_2_new_c + qi_2_new_d, qi_2_new = qi_2_new_e + qi->z;
-  const float qi_3_new_a = KSL_MULF(qi_0_new_a, qi->x), qi_3_new_b = KSL_MULF(qi_0_new_e, qi->y),
-      qi_3_new_c = qi_3_new_a + qi_3_new_b, qi_3_new_d = KSL_MULF(qi_0_new_c, qi->z),
-      qi_3_new_e = qi_3_new_c + qi_3_new_d, qi_3_new = qi->w - qi_3_new_e;
+  const float qi_0_new_a = KSL_MULF(0.5f, dpi->x), qi_0_new_c = KSL_MULF(0.5f, dpi->z),
+      qi_0_new_e = KSL_MULF(0.5f, dpi->y),
+      qi_0_new = KSL_MULF(qi_0_new_a, qi->w)
+          + (KSL_MULF(qi_0_new_c, qi->y) - KSL_MULF(qi_0_new_e, qi->z)) + qi->x;
+  const float qi_1_new = KSL_MULF(qi_0_new_a, qi->z) - KSL_MULF(qi_0_new_c, qi->x)
+          + KSL_MULF(qi_0_new_e, qi->w) + qi->y;
+  const float qi_2_new = KSL_MULF(qi_0_new_e, qi->x) - KSL_MULF(qi_0_new_a, qi->y)
+          + KSL_MULF(qi_0_new_c, qi->w) + qi->z;
+  const float qi_3_new = qi->w
+          - (KSL_MULF(qi_0_new_a, qi->x) + KSL_MULF(qi_0_new_e, qi->y)
+          + KSL_MULF(qi_0_new_c, qi->z));
   qi->x = qi_0_new;
   qi->y = qi_1_new;
   qi->z = qi_2_new;
@@ -2514,20 +2258,16 @@ static inline void ksl_add_dpiToqf(const ksl_vec3f_t *dpi, ksl_quaternionf_t *qi
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_subtract_dpiFromqf(const ksl_vec3f_t *dpi, ksl_quaternionf_t *qi) {
-  const float qi_0_new_a = KSL_MULF(0.5f, dpi->y), qi_0_new_b = KSL_MULF(qi_0_new_a, qi->z),
-      qi_0_new_c = KSL_MULF(0.5f, dpi->z), qi_0_new_d = KSL_MULF(qi_0_new_c, qi->y),
-      qi_0_new_e = qi_0_new_b - qi_0_new_d, qi_0_new_f = KSL_MULF(0.5f, dpi->x),
-      qi_0_new_g = KSL_MULF(qi_0_new_f, qi->w), qi_0_new_h = qi_0_new_e - qi_0_new_g,
-      qi_0_new = qi_0_new_h + qi->x;
-  const float qi_1_new_a = KSL_MULF(qi_0_new_c, qi->x), qi_1_new_b = KSL_MULF(qi_0_new_f, qi->z),
-      qi_1_new_c = qi_1_new_a - qi_1_new_b, qi_1_new_d = KSL_MULF(qi_0_new_a, qi->w),
-      qi_1_new_e = qi_1_new_c - qi_1_new_d, qi_1_new = qi_1_new_e + qi->y;
-  const float qi_2_new_a = KSL_MULF(qi_0_new_f, qi->y), qi_2_new_b = KSL_MULF(qi_0_new_a, qi->x),
-      qi_2_new_c = qi_2_new_a - qi_2_new_b, qi_2_new_d = KSL_MULF(qi_0_new_c, qi->w),
-      qi_2_new_e = qi_2_new_c - qi_2_new_d, qi_2_new = qi_2_new_e + qi->z;
-  const float qi_3_new_a = KSL_MULF(qi_0_new_f, qi->x), qi_3_new_b = KSL_MULF(qi_0_new_a, qi->y),
-      qi_3_new_c = qi_3_new_a + qi_3_new_b, qi_3_new_d = KSL_MULF(qi_0_new_c, qi->z),
-      qi_3_new_e = qi_3_new_c + qi_3_new_d, qi_3_new = qi_3_new_e + qi->w;
+  const float qi_0_new_a = KSL_MULF(0.5f, dpi->y), qi_0_new_c = KSL_MULF(0.5f, dpi->z),
+      qi_0_new_f = KSL_MULF(0.5f, dpi->x),
+      qi_0_new = KSL_MULF(qi_0_new_a, qi->z) - KSL_MULF(qi_0_new_c, qi->y)
+          - KSL_MULF(qi_0_new_f, qi->w) + qi->x;
+  const float qi_1_new = KSL_MULF(qi_0_new_c, qi->x) - KSL_MULF(qi_0_new_f, qi->z)
+          - KSL_MULF(qi_0_new_a, qi->w) + qi->y;
+  const float qi_2_new = KSL_MULF(qi_0_new_f, qi->y) - KSL_MULF(qi_0_new_a, qi->x)
+          - KSL_MULF(qi_0_new_c, qi->w) + qi->z;
+  const float qi_3_new = KSL_MULF(qi_0_new_f, qi->x) + KSL_MULF(qi_0_new_a, qi->y)
+          + KSL_MULF(qi_0_new_c, qi->z) + qi->w;
   qi->x = qi_0_new;
   qi->y = qi_1_new;
   qi->z = qi_2_new;
@@ -2542,22 +2282,18 @@ static inline void ksl_subtract_dpiFromqf(const ksl_vec3f_t *dpi, ksl_quaternion
      and underflow. */
 static inline void ksl_omega_to_dquaternionf(const ksl_vec3f_t *w, const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *dqo) {
-  const float dqo_0a = KSL_MULF(0.5f, w->x), dqo_0b = KSL_MULF(dqo_0a, qi->w),
-      dqo_0c = KSL_MULF(0.5f, w->y), dqo_0d = KSL_MULF(dqo_0c, qi->z),
-      dqo_0e = KSL_MULF(0.5f, w->z), dqo_0f = KSL_MULF(dqo_0e, qi->y), dqo_0g = dqo_0d - dqo_0f,
-      dqo_0h = dqo_0b + dqo_0g, dqo_0i = KSL_MULF(qi->x, qi->x), dqo_0j = 1.0f - dqo_0i,
-      dqo_0k = KSL_MULF(qi->y, qi->y), dqo_0l = dqo_0j - dqo_0k, dqo_0m = KSL_MULF(qi->z, qi->z),
-      dqo_0n = dqo_0l - dqo_0m, dqo_0o = KSL_MULF(qi->w, qi->w), dqo_0p = dqo_0n - dqo_0o,
-      dqo_0q = KSL_MULF(qi->x, dqo_0p), dqo_0 = dqo_0h + dqo_0q;
-  const float dqo_1a = KSL_MULF(dqo_0e, qi->x), dqo_1b = KSL_MULF(dqo_0a, qi->z),
-      dqo_1c = dqo_1a - dqo_1b, dqo_1d = KSL_MULF(dqo_0c, qi->w), dqo_1e = dqo_1c + dqo_1d,
-      dqo_1f = KSL_MULF(qi->y, dqo_0p), dqo_1 = dqo_1e + dqo_1f;
-  const float dqo_2a = KSL_MULF(dqo_0a, qi->y), dqo_2b = KSL_MULF(dqo_0c, qi->x),
-      dqo_2c = dqo_2a - dqo_2b, dqo_2d = KSL_MULF(dqo_0e, qi->w), dqo_2e = dqo_2c + dqo_2d,
-      dqo_2f = KSL_MULF(qi->z, dqo_0p), dqo_2 = dqo_2e + dqo_2f;
-  const float dqo_3a = KSL_MULF(qi->w, dqo_0p), dqo_3b = KSL_MULF(dqo_0a, qi->x),
-      dqo_3c = KSL_MULF(dqo_0c, qi->y), dqo_3d = dqo_3b + dqo_3c, dqo_3e = KSL_MULF(dqo_0e, qi->z),
-      dqo_3f = dqo_3d + dqo_3e, dqo_3 = dqo_3a - dqo_3f;
+  const float dqo_0a = KSL_MULF(0.5f, w->x), dqo_0c = KSL_MULF(0.5f, w->y),
+      dqo_0e = KSL_MULF(0.5f, w->z),
+      dqo_0p = 1.0f - KSL_MULF(qi->x, qi->x) - KSL_MULF(qi->y, qi->y) - KSL_MULF(qi->z, qi->z)
+          - KSL_MULF(qi->w, qi->w),
+      dqo_0 = KSL_MULF(dqo_0a, qi->w) + (KSL_MULF(dqo_0c, qi->z) - KSL_MULF(dqo_0e, qi->y))
+          + KSL_MULF(qi->x, dqo_0p);
+  const float dqo_1 = KSL_MULF(dqo_0e, qi->x) - KSL_MULF(dqo_0a, qi->z) + KSL_MULF(dqo_0c, qi->w)
+          + KSL_MULF(qi->y, dqo_0p);
+  const float dqo_2 = KSL_MULF(dqo_0a, qi->y) - KSL_MULF(dqo_0c, qi->x) + KSL_MULF(dqo_0e, qi->w)
+          + KSL_MULF(qi->z, dqo_0p);
+  const float dqo_3 = KSL_MULF(qi->w, dqo_0p)
+          - (KSL_MULF(dqo_0a, qi->x) + KSL_MULF(dqo_0c, qi->y) + KSL_MULF(dqo_0e, qi->z));
   dqo->x = dqo_0;
   dqo->y = dqo_1;
   dqo->z = dqo_2;
@@ -2647,10 +2383,8 @@ static inline void ksl_quaternionf_from_mat3x3(const ksl_mat3x3f_t *R, ksl_quate
   const float upper_1a = -column_1, upper_1 = column_3 < 0.0f ? upper_1a : column_1;
   const float upper_2a = -column_2, upper_2 = column_3 < 0.0f ? upper_2a : column_2;
   const float upper_3a = -column_3, upper_3 = column_3 < 0.0f ? upper_3a : column_3;
-  const float length_a = KSL_MULF(upper_0, upper_0), length_b = KSL_MULF(upper_1, upper_1),
-      length_c = length_a + length_b, length_d = KSL_MULF(upper_2, upper_2),
-      length_e = length_c + length_d, length_f = KSL_MULF(upper_3, upper_3),
-      length_g = length_e + length_f, length = sqrtf(length_g);
+  const float length = sqrtf(KSL_MULF(upper_0, upper_0) + KSL_MULF(upper_1, upper_1)
+          + KSL_MULF(upper_2, upper_2) + KSL_MULF(upper_3, upper_3));
   const float qo_0 = upper_0 / length;
   const float qo_1 = upper_1 / length;
   const float qo_2 = upper_2 / length;
@@ -2713,8 +2447,7 @@ static inline float ksl_axis_angle_from_quaternionf(const ksl_quaternionf_t *q, 
   const float v_y_0 = KSL_MULF(upper_0, v_s);
   const float v_y_1 = KSL_MULF(upper_1, v_s);
   const float v_y_2 = KSL_MULF(upper_2, v_s);
-  const float v_n_a = KSL_MULF(v_y_0, v_y_0), v_n_b = KSL_MULF(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
-      v_n_d = KSL_MULF(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
+  const float v_n = sqrtf(KSL_MULF(v_y_0, v_y_0) + KSL_MULF(v_y_1, v_y_1) + KSL_MULF(v_y_2, v_y_2));
   const float v_r_b = 1.0f < v_s ? 5.551115e-17f : 1.0f,
       v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_b;
   const float n = KSL_MULF(v_n, v_r);
@@ -2743,7 +2476,7 @@ static inline void ksl_quaternionf_exp(const ksl_vec3f_t *v, ksl_quaternionf_t *
   const float size_0 = fabsf(h_0);
   const float size_1 = fabsf(h_1);
   const float size_2 = fabsf(h_2);
-  const float sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const float sizes = size_0 + size_1 + size_2;
   const float grid = KSL_MULF(sizes, 8192.0f);
   const float shifted_0 = h_0 + grid;
   const float shifted_1 = h_1 + grid;
@@ -2757,45 +2490,39 @@ static inline void ksl_quaternionf_exp(const ksl_vec3f_t *v, ksl_quaternionf_t *
   const float sum_0 = h_0 + high_0;
   const float sum_1 = h_1 + high_1;
   const float sum_2 = h_2 + high_2;
-  const float squares_a = KSL_MULF(high_0, high_0), squares_b = KSL_MULF(high_1, high_1),
-      squares_c = squares_a + squares_b, squares_d = KSL_MULF(high_2, high_2),
-      squares = squares_c + squares_d;
-  const float cross_a = KSL_MULF(low_0, sum_0), cross_b = KSL_MULF(low_1, sum_1),
-      cross_c = cross_a + cross_b, cross_d = KSL_MULF(low_2, sum_2), cross = cross_c + cross_d;
+  const float squares = KSL_MULF(high_0, high_0) + KSL_MULF(high_1, high_1)
+          + KSL_MULF(high_2, high_2);
+  const float cross = KSL_MULF(low_0, sum_0) + KSL_MULF(low_1, sum_1) + KSL_MULF(low_2, sum_2);
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
   const float theta_shifted = grid + theta;
   const float theta_high = theta_shifted - grid;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
-  const float cross_rest_a = KSL_MULF(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
-  const float exact_a = KSL_MULF(theta_high, theta_high), exact = squares - exact_a;
+  const float cross_rest = cross - KSL_MULF(theta_low, theta_sum);
+  const float exact = squares - KSL_MULF(theta_high, theta_high);
   const float residual = cross_rest + exact;
-  const float small_a = KSL_MULF(0.5f, residual), small = small_a / theta;
-  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
+  const float small = KSL_MULF(0.5f, residual) / theta;
+  const float delta = fabsf(small) < 0.0078125f ? small : 0.0f;
   float far_cosine_a; const float far_sine_a = ksl_sincosf(theta, &far_cosine_a);
   const float far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
-  const float sine_a = KSL_MULF(delta, far_cosine), sine = sine_a + far_sine;
-  const float cosine_a = KSL_MULF(delta, far_sine), cosine = far_cosine - cosine_a;
+  const float sine = KSL_MULF(delta, far_cosine) + far_sine;
+  const float cosine = far_cosine - KSL_MULF(delta, far_sine);
   const float far_k = sine / theta;
-  const float k_a = KSL_MULF(6.4469503e-26f, x), k_b = k_a - 3.8681703e-23f, k_c = KSL_MULF(x, k_b),
-      k_d = k_c + 1.9572942e-20f, k_e = KSL_MULF(x, k_d), k_f = k_e - 8.220635e-18f,
-      k_g = KSL_MULF(x, k_f), k_h = k_g + 2.8114574e-15f, k_i = KSL_MULF(x, k_h),
-      k_j = k_i - 7.6471636e-13f, k_k = KSL_MULF(x, k_j), k_l = k_k + 1.6059044e-10f,
-      k_m = KSL_MULF(x, k_l), k_n = k_m - 2.5052108e-08f, k_o = KSL_MULF(x, k_n),
-      k_p = k_o + 2.7557319e-06f, k_q = KSL_MULF(x, k_p), k_r = k_q - 0.0001984127f,
-      k_s = KSL_MULF(x, k_r), k_t = k_s + 0.008333334f, k_u = KSL_MULF(x, k_t),
-      k_v = k_u - 0.16666667f, k_w = KSL_MULF(x, k_v), k_x = k_w + 1.0f, k = x < 1.0f ? k_x : far_k;
-  const float g2a = KSL_MULF(2.4795963e-27f, x), g2b = g2a - 1.6117376e-24f, g2c = KSL_MULF(x, g2b),
-      g2d = g2c + 8.896791e-22f, g2e = KSL_MULF(x, g2d), g2f = g2e - 4.1103176e-19f,
-      g2g = KSL_MULF(x, g2f), g2h = g2g + 1.5619207e-16f, g2i = KSL_MULF(x, g2h),
-      g2j = g2i - 4.7794773e-14f, g2k = KSL_MULF(x, g2j), g2l = g2k + 1.1470745e-11f,
-      g2m = KSL_MULF(x, g2l), g2n = g2m - 2.0876756e-09f, g2o = KSL_MULF(x, g2n),
-      g2p = g2o + 2.755732e-07f, g2q = KSL_MULF(x, g2p), g2r = g2q - 2.4801588e-05f,
-      g2s = KSL_MULF(x, g2r), g2t = g2s + 0.0013888889f, g2u = KSL_MULF(x, g2t),
-      g2v = g2u - 0.041666668f, g2w = KSL_MULF(x, g2v), g2 = g2w + 0.5f;
-  const float near_a = KSL_MULF(x, g2), near = 1.0f - near_a;
+  const float k_h = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(6.4469503e-26f, x)
+          - 3.8681703e-23f) + 1.9572942e-20f) - 8.220635e-18f) + 2.8114574e-15f,
+      k_q = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, k_h) - 7.6471636e-13f)
+          + 1.6059044e-10f) - 2.5052108e-08f) + 2.7557319e-06f),
+      k_x = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, k_q - 0.0001984127f) + 0.008333334f) - 0.16666667f)
+          + 1.0f, k = x < 1.0f ? k_x : far_k;
+  const float g2h = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(2.4795963e-27f, x)
+          - 1.6117376e-24f) + 8.896791e-22f) - 4.1103176e-19f) + 1.5619207e-16f,
+      g2q = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g2h) - 4.7794773e-14f)
+          + 1.1470745e-11f) - 2.0876756e-09f) + 2.755732e-07f),
+      g2 = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g2q - 2.4801588e-05f) + 0.0013888889f)
+          - 0.041666668f) + 0.5f;
+  const float near = 1.0f - KSL_MULF(x, g2);
   const float qo_0 = KSL_MULF(h_0, k);
   const float qo_1 = KSL_MULF(h_1, k);
   const float qo_2 = KSL_MULF(h_2, k);
@@ -2839,8 +2566,7 @@ static inline void ksl_quaternionf_log(const ksl_quaternionf_t *q, ksl_vec3f_t *
   const float v_y_0 = KSL_MULF(upper_0, v_s);
   const float v_y_1 = KSL_MULF(upper_1, v_s);
   const float v_y_2 = KSL_MULF(upper_2, v_s);
-  const float v_n_a = KSL_MULF(v_y_0, v_y_0), v_n_b = KSL_MULF(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
-      v_n_d = KSL_MULF(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
+  const float v_n = sqrtf(KSL_MULF(v_y_0, v_y_0) + KSL_MULF(v_y_1, v_y_1) + KSL_MULF(v_y_2, v_y_2));
   const float v_r_b = 1.0f < v_s ? 5.551115e-17f : 1.0f,
       v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_b;
   const float n = KSL_MULF(v_n, v_r);
@@ -2863,22 +2589,14 @@ static inline void ksl_quaternionf_log(const ksl_quaternionf_t *q, ksl_vec3f_t *
      searched, not proved. */
 static inline void ksl_quaternionf_interpolated(const ksl_quaternionf_t *q1,
     const ksl_quaternionf_t *q2, const float k, ksl_quaternionf_t *qo) {
-  const float between_0a = KSL_MULF(q1->w, q2->x), between_0b = KSL_MULF(q1->x, q2->w),
-      between_0c = between_0a - between_0b, between_0d = KSL_MULF(q1->z, q2->y),
-      between_0e = KSL_MULF(q1->y, q2->z), between_0f = between_0d - between_0e,
-      between_0 = between_0c + between_0f;
-  const float between_1a = KSL_MULF(q1->x, q2->z), between_1b = KSL_MULF(q1->z, q2->x),
-      between_1c = between_1a - between_1b, between_1d = KSL_MULF(q1->w, q2->y),
-      between_1e = KSL_MULF(q1->y, q2->w), between_1f = between_1d - between_1e,
-      between_1 = between_1c + between_1f;
-  const float between_2a = KSL_MULF(q1->y, q2->x), between_2b = KSL_MULF(q1->x, q2->y),
-      between_2c = between_2a - between_2b, between_2d = KSL_MULF(q1->w, q2->z),
-      between_2e = KSL_MULF(q1->z, q2->w), between_2f = between_2d - between_2e,
-      between_2 = between_2c + between_2f;
-  const float between_3a = KSL_MULF(q1->x, q2->x), between_3b = KSL_MULF(q1->y, q2->y),
-      between_3c = between_3a + between_3b, between_3d = KSL_MULF(q1->z, q2->z),
-      between_3e = between_3c + between_3d, between_3f = KSL_MULF(q1->w, q2->w),
-      between_3 = between_3e + between_3f;
+  const float between_0 = KSL_MULF(q1->w, q2->x) - KSL_MULF(q1->x, q2->w)
+          + (KSL_MULF(q1->z, q2->y) - KSL_MULF(q1->y, q2->z));
+  const float between_1 = KSL_MULF(q1->x, q2->z) - KSL_MULF(q1->z, q2->x)
+          + (KSL_MULF(q1->w, q2->y) - KSL_MULF(q1->y, q2->w));
+  const float between_2 = KSL_MULF(q1->y, q2->x) - KSL_MULF(q1->x, q2->y)
+          + (KSL_MULF(q1->w, q2->z) - KSL_MULF(q1->z, q2->w));
+  const float between_3 = KSL_MULF(q1->x, q2->x) + KSL_MULF(q1->y, q2->y) + KSL_MULF(q1->z, q2->z)
+          + KSL_MULF(q1->w, q2->w);
   const float upper_0a = -between_0, upper_0 = between_3 < 0.0f ? upper_0a : between_0;
   const float upper_1a = -between_1, upper_1 = between_3 < 0.0f ? upper_1a : between_1;
   const float upper_2a = -between_2, upper_2 = between_3 < 0.0f ? upper_2a : between_2;
@@ -2894,8 +2612,7 @@ static inline void ksl_quaternionf_interpolated(const ksl_quaternionf_t *q1,
   const float v_y_0 = KSL_MULF(upper_0, v_s);
   const float v_y_1 = KSL_MULF(upper_1, v_s);
   const float v_y_2 = KSL_MULF(upper_2, v_s);
-  const float v_n_a = KSL_MULF(v_y_0, v_y_0), v_n_b = KSL_MULF(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
-      v_n_d = KSL_MULF(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
+  const float v_n = sqrtf(KSL_MULF(v_y_0, v_y_0) + KSL_MULF(v_y_1, v_y_1) + KSL_MULF(v_y_2, v_y_2));
   const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r_d = 1.0f < v_s ? 5.551115e-17f : v_r_b,
       v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_d;
   const float n = KSL_MULF(v_n, v_r);
@@ -2911,7 +2628,7 @@ static inline void ksl_quaternionf_interpolated(const ksl_quaternionf_t *q1,
   const float exp_size_0 = fabsf(step_0);
   const float exp_size_1 = fabsf(step_1);
   const float exp_size_2 = fabsf(step_2);
-  const float exp_sizes_a = exp_size_0 + exp_size_1, exp_sizes = exp_sizes_a + exp_size_2;
+  const float exp_sizes = exp_size_0 + exp_size_1 + exp_size_2;
   const float exp_grid = KSL_MULF(exp_sizes, 8192.0f);
   const float exp_shifted_0 = step_0 + exp_grid;
   const float exp_shifted_1 = step_1 + exp_grid;
@@ -2925,77 +2642,54 @@ static inline void ksl_quaternionf_interpolated(const ksl_quaternionf_t *q1,
   const float exp_sum_0 = step_0 + exp_high_0;
   const float exp_sum_1 = step_1 + exp_high_1;
   const float exp_sum_2 = step_2 + exp_high_2;
-  const float exp_squares_a = KSL_MULF(exp_high_0, exp_high_0),
-      exp_squares_b = KSL_MULF(exp_high_1, exp_high_1),
-      exp_squares_c = exp_squares_a + exp_squares_b,
-      exp_squares_d = KSL_MULF(exp_high_2, exp_high_2), exp_squares = exp_squares_c + exp_squares_d;
-  const float exp_cross_a = KSL_MULF(exp_low_0, exp_sum_0),
-      exp_cross_b = KSL_MULF(exp_low_1, exp_sum_1), exp_cross_c = exp_cross_a + exp_cross_b,
-      exp_cross_d = KSL_MULF(exp_low_2, exp_sum_2), exp_cross = exp_cross_c + exp_cross_d;
+  const float exp_squares = KSL_MULF(exp_high_0, exp_high_0) + KSL_MULF(exp_high_1, exp_high_1)
+          + KSL_MULF(exp_high_2, exp_high_2);
+  const float exp_cross = KSL_MULF(exp_low_0, exp_sum_0) + KSL_MULF(exp_low_1, exp_sum_1)
+          + KSL_MULF(exp_low_2, exp_sum_2);
   const float exp_x = exp_squares + exp_cross;
   const float exp_theta_a = sqrtf(exp_x), exp_theta = exp_x < 1.0f ? 1.0f : exp_theta_a;
   const float exp_theta_shifted = exp_grid + exp_theta;
   const float exp_theta_high = exp_theta_shifted - exp_grid;
   const float exp_theta_low = exp_theta - exp_theta_high;
   const float exp_theta_sum = exp_theta + exp_theta_high;
-  const float exp_cross_rest_a = KSL_MULF(exp_theta_low, exp_theta_sum),
-      exp_cross_rest = exp_cross - exp_cross_rest_a;
-  const float exp_exact_a = KSL_MULF(exp_theta_high, exp_theta_high),
-      exp_exact = exp_squares - exp_exact_a;
+  const float exp_cross_rest = exp_cross - KSL_MULF(exp_theta_low, exp_theta_sum);
+  const float exp_exact = exp_squares - KSL_MULF(exp_theta_high, exp_theta_high);
   const float exp_residual = exp_cross_rest + exp_exact;
-  const float exp_small_a = KSL_MULF(0.5f, exp_residual), exp_small = exp_small_a / exp_theta;
-  const float exp_delta_a = fabsf(exp_small),
-      exp_delta = exp_delta_a < 0.0078125f ? exp_small : 0.0f;
+  const float exp_small = KSL_MULF(0.5f, exp_residual) / exp_theta;
+  const float exp_delta = fabsf(exp_small) < 0.0078125f ? exp_small : 0.0f;
   float exp_far_cosine_a; const float exp_far_sine_a = ksl_sincosf(exp_theta, &exp_far_cosine_a);
   const float exp_far_sine = exp_x < 1.0f ? 1.0f : exp_far_sine_a;
   const float exp_far_cosine = exp_x < 1.0f ? 0.0f : exp_far_cosine_a;
-  const float exp_sine_a = KSL_MULF(exp_delta, exp_far_cosine),
-      exp_sine = exp_sine_a + exp_far_sine;
-  const float exp_cosine_a = KSL_MULF(exp_delta, exp_far_sine),
-      exp_cosine = exp_far_cosine - exp_cosine_a;
+  const float exp_sine = KSL_MULF(exp_delta, exp_far_cosine) + exp_far_sine;
+  const float exp_cosine = exp_far_cosine - KSL_MULF(exp_delta, exp_far_sine);
   const float exp_far_k = exp_sine / exp_theta;
-  const float exp_k_a = KSL_MULF(6.4469503e-26f, exp_x), exp_k_b = exp_k_a - 3.8681703e-23f,
-      exp_k_c = KSL_MULF(exp_x, exp_k_b), exp_k_d = exp_k_c + 1.9572942e-20f,
-      exp_k_e = KSL_MULF(exp_x, exp_k_d), exp_k_f = exp_k_e - 8.220635e-18f,
-      exp_k_g = KSL_MULF(exp_x, exp_k_f), exp_k_h = exp_k_g + 2.8114574e-15f,
-      exp_k_i = KSL_MULF(exp_x, exp_k_h), exp_k_j = exp_k_i - 7.6471636e-13f,
-      exp_k_k = KSL_MULF(exp_x, exp_k_j), exp_k_l = exp_k_k + 1.6059044e-10f,
-      exp_k_m = KSL_MULF(exp_x, exp_k_l), exp_k_n = exp_k_m - 2.5052108e-08f,
-      exp_k_o = KSL_MULF(exp_x, exp_k_n), exp_k_p = exp_k_o + 2.7557319e-06f,
-      exp_k_q = KSL_MULF(exp_x, exp_k_p), exp_k_r = exp_k_q - 0.0001984127f,
-      exp_k_s = KSL_MULF(exp_x, exp_k_r), exp_k_t = exp_k_s + 0.008333334f,
-      exp_k_u = KSL_MULF(exp_x, exp_k_t), exp_k_v = exp_k_u - 0.16666667f,
-      exp_k_w = KSL_MULF(exp_x, exp_k_v), exp_k_x = exp_k_w + 1.0f,
-      exp_k = exp_x < 1.0f ? exp_k_x : exp_far_k;
-  const float exp_g2a = KSL_MULF(2.4795963e-27f, exp_x), exp_g2b = exp_g2a - 1.6117376e-24f,
-      exp_g2c = KSL_MULF(exp_x, exp_g2b), exp_g2d = exp_g2c + 8.896791e-22f,
-      exp_g2e = KSL_MULF(exp_x, exp_g2d), exp_g2f = exp_g2e - 4.1103176e-19f,
-      exp_g2g = KSL_MULF(exp_x, exp_g2f), exp_g2h = exp_g2g + 1.5619207e-16f,
-      exp_g2i = KSL_MULF(exp_x, exp_g2h), exp_g2j = exp_g2i - 4.7794773e-14f,
-      exp_g2k = KSL_MULF(exp_x, exp_g2j), exp_g2l = exp_g2k + 1.1470745e-11f,
-      exp_g2m = KSL_MULF(exp_x, exp_g2l), exp_g2n = exp_g2m - 2.0876756e-09f,
-      exp_g2o = KSL_MULF(exp_x, exp_g2n), exp_g2p = exp_g2o + 2.755732e-07f,
-      exp_g2q = KSL_MULF(exp_x, exp_g2p), exp_g2r = exp_g2q - 2.4801588e-05f,
-      exp_g2s = KSL_MULF(exp_x, exp_g2r), exp_g2t = exp_g2s + 0.0013888889f,
-      exp_g2u = KSL_MULF(exp_x, exp_g2t), exp_g2v = exp_g2u - 0.041666668f,
-      exp_g2w = KSL_MULF(exp_x, exp_g2v), exp_g2 = exp_g2w + 0.5f;
-  const float exp_near_a = KSL_MULF(exp_x, exp_g2), exp_near = 1.0f - exp_near_a;
+  const float exp_k_g = KSL_MULF(exp_x, KSL_MULF(exp_x, KSL_MULF(exp_x, KSL_MULF(6.4469503e-26f,
+      exp_x) - 3.8681703e-23f) + 1.9572942e-20f) - 8.220635e-18f),
+      exp_k_n = KSL_MULF(exp_x, KSL_MULF(exp_x, KSL_MULF(exp_x, exp_k_g + 2.8114574e-15f)
+          - 7.6471636e-13f) + 1.6059044e-10f) - 2.5052108e-08f,
+      exp_k_v = KSL_MULF(exp_x, KSL_MULF(exp_x, KSL_MULF(exp_x, KSL_MULF(exp_x, exp_k_n)
+          + 2.7557319e-06f) - 0.0001984127f) + 0.008333334f) - 0.16666667f,
+      exp_k_x = KSL_MULF(exp_x, exp_k_v) + 1.0f, exp_k = exp_x < 1.0f ? exp_k_x : exp_far_k;
+  const float exp_g2g = KSL_MULF(exp_x, KSL_MULF(exp_x, KSL_MULF(exp_x, KSL_MULF(2.4795963e-27f,
+      exp_x) - 1.6117376e-24f) + 8.896791e-22f) - 4.1103176e-19f),
+      exp_g2n = KSL_MULF(exp_x, KSL_MULF(exp_x, KSL_MULF(exp_x, exp_g2g + 1.5619207e-16f)
+          - 4.7794773e-14f) + 1.1470745e-11f) - 2.0876756e-09f,
+      exp_g2v = KSL_MULF(exp_x, KSL_MULF(exp_x, KSL_MULF(exp_x, KSL_MULF(exp_x, exp_g2n)
+          + 2.755732e-07f) - 2.4801588e-05f) + 0.0013888889f) - 0.041666668f,
+      exp_g2 = KSL_MULF(exp_x, exp_g2v) + 0.5f;
+  const float exp_near = 1.0f - KSL_MULF(exp_x, exp_g2);
   const float power_0 = KSL_MULF(step_0, exp_k);
   const float power_1 = KSL_MULF(step_1, exp_k);
   const float power_2 = KSL_MULF(step_2, exp_k);
   const float power_3 = exp_x < 1.0f ? exp_near : exp_cosine;
-  const float qo_0a = KSL_MULF(q1->x, power_3), qo_0b = KSL_MULF(q1->y, power_2),
-      qo_0c = KSL_MULF(q1->z, power_1), qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d,
-      qo_0f = KSL_MULF(q1->w, power_0), qo_0 = qo_0e + qo_0f;
-  const float qo_1a = KSL_MULF(q1->z, power_0), qo_1b = KSL_MULF(q1->x, power_2),
-      qo_1c = qo_1a - qo_1b, qo_1d = KSL_MULF(q1->y, power_3), qo_1e = qo_1c + qo_1d,
-      qo_1f = KSL_MULF(q1->w, power_1), qo_1 = qo_1e + qo_1f;
-  const float qo_2a = KSL_MULF(q1->x, power_1), qo_2b = KSL_MULF(q1->y, power_0),
-      qo_2c = qo_2a - qo_2b, qo_2d = KSL_MULF(q1->z, power_3), qo_2e = qo_2c + qo_2d,
-      qo_2f = KSL_MULF(q1->w, power_2), qo_2 = qo_2e + qo_2f;
-  const float qo_3a = KSL_MULF(q1->w, power_3), qo_3b = KSL_MULF(q1->x, power_0),
-      qo_3c = KSL_MULF(q1->y, power_1), qo_3d = qo_3b + qo_3c, qo_3e = KSL_MULF(q1->z, power_2),
-      qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
+  const float qo_0 = KSL_MULF(q1->x, power_3)
+          + (KSL_MULF(q1->y, power_2) - KSL_MULF(q1->z, power_1)) + KSL_MULF(q1->w, power_0);
+  const float qo_1 = KSL_MULF(q1->z, power_0) - KSL_MULF(q1->x, power_2) + KSL_MULF(q1->y, power_3)
+          + KSL_MULF(q1->w, power_1);
+  const float qo_2 = KSL_MULF(q1->x, power_1) - KSL_MULF(q1->y, power_0) + KSL_MULF(q1->z, power_3)
+          + KSL_MULF(q1->w, power_2);
+  const float qo_3 = KSL_MULF(q1->w, power_3)
+          - (KSL_MULF(q1->x, power_0) + KSL_MULF(q1->y, power_1) + KSL_MULF(q1->z, power_2));
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;

@@ -76,9 +76,9 @@ static inline void ksl_vec3_invert(ksl_vec3_t *self) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_axpy_vv(const double a, const ksl_vec3_t *x, ksl_vec3_t *y) {
-  const double y_0_new_a = KSL_MUL(a, x->x), y_0_new = y_0_new_a + y->x;
-  const double y_1_new_a = KSL_MUL(a, x->y), y_1_new = y_1_new_a + y->y;
-  const double y_2_new_a = KSL_MUL(a, x->z), y_2_new = y_2_new_a + y->z;
+  const double y_0_new = KSL_MUL(a, x->x) + y->x;
+  const double y_1_new = KSL_MUL(a, x->y) + y->y;
+  const double y_2_new = KSL_MUL(a, x->z) + y->z;
   y->x = y_0_new;
   y->y = y_1_new;
   y->z = y_2_new;
@@ -196,8 +196,7 @@ static inline double ksl_vec3_l2norm(const ksl_vec3_t *v) {
   const double y_0 = KSL_MUL(v->x, s);
   const double y_1 = KSL_MUL(v->y, s);
   const double y_2 = KSL_MUL(v->z, s);
-  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
+  const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2));
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
       r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
@@ -222,8 +221,7 @@ static inline void ksl_vec3_normalize(ksl_vec3_t *self) {
   const double y_2 = KSL_MUL(self->z, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
+  const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2));
   const double divisor = n == 0.0 ? up : n;
   const double sized_0 = KSL_MUL(self->x, up);
   const double sized_1 = KSL_MUL(self->y, up);
@@ -256,8 +254,7 @@ static inline void ksl_vec3_normalized(const ksl_vec3_t *v, ksl_vec3_t *vo) {
   const double y_2 = KSL_MUL(v->z, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
+  const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2));
   const double divisor = n == 0.0 ? up : n;
   const double sized_0 = KSL_MUL(v->x, up);
   const double sized_1 = KSL_MUL(v->y, up);
@@ -299,12 +296,9 @@ static inline double ksl_angle_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
   const double scaled_s2_0 = KSL_MUL(v2->x, s2);
   const double scaled_s2_1 = KSL_MUL(v2->y, s2);
   const double scaled_s2_2 = KSL_MUL(v2->z, s2);
-  const double c_0a = KSL_MUL(scaled_s1_1, scaled_s2_2), c_0b = KSL_MUL(scaled_s1_2, scaled_s2_1),
-      c_0 = c_0a - c_0b;
-  const double c_1a = KSL_MUL(scaled_s1_2, scaled_s2_0), c_1b = KSL_MUL(scaled_s1_0, scaled_s2_2),
-      c_1 = c_1a - c_1b;
-  const double c_2a = KSL_MUL(scaled_s1_0, scaled_s2_1), c_2b = KSL_MUL(scaled_s1_1, scaled_s2_0),
-      c_2 = c_2a - c_2b;
+  const double c_0 = KSL_MUL(scaled_s1_1, scaled_s2_2) - KSL_MUL(scaled_s1_2, scaled_s2_1);
+  const double c_1 = KSL_MUL(scaled_s1_2, scaled_s2_0) - KSL_MUL(scaled_s1_0, scaled_s2_2);
+  const double c_2 = KSL_MUL(scaled_s1_0, scaled_s2_1) - KSL_MUL(scaled_s1_1, scaled_s2_0);
   const double s_size_0 = fabs(c_0);
   const double s_size_1 = fabs(c_1);
   const double s_size_2 = fabs(c_2);
@@ -316,15 +310,13 @@ static inline double ksl_angle_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
   const double y_0 = KSL_MUL(c_0, s);
   const double y_1 = KSL_MUL(c_1, s);
   const double y_2 = KSL_MUL(c_2, s);
-  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
+  const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2));
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
       r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
   const double cross = KSL_MUL(n, r);
-  const double dot__a = KSL_MUL(scaled_s1_0, scaled_s2_0),
-      dot__b = KSL_MUL(scaled_s1_1, scaled_s2_1), dot__c = dot__a + dot__b,
-      dot__d = KSL_MUL(scaled_s1_2, scaled_s2_2), dot_ = dot__c + dot__d;
+  const double dot_ = KSL_MUL(scaled_s1_0, scaled_s2_0) + KSL_MUL(scaled_s1_1, scaled_s2_1)
+          + KSL_MUL(scaled_s1_2, scaled_s2_2);
   const double angle = ksl_atan2(cross, dot_);
   return angle;
 }
@@ -335,8 +327,7 @@ static inline double ksl_angle_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
    Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline double ksl_dot_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
-  const double dot_a = KSL_MUL(v1->x, v2->x), dot_b = KSL_MUL(v1->y, v2->y), dot_c = dot_a + dot_b,
-      dot_d = KSL_MUL(v1->z, v2->z), dot = dot_c + dot_d;
+  const double dot = KSL_MUL(v1->x, v2->x) + KSL_MUL(v1->y, v2->y) + KSL_MUL(v1->z, v2->z);
   return dot;
 }
 
@@ -345,9 +336,9 @@ static inline double ksl_dot_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
    3 mul, 3 neg.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_avinv(const double k, const ksl_vec3_t *v, ksl_vec3_t *vo) {
-  const double vo_0a = KSL_MUL(k, v->x), vo_0 = -vo_0a;
-  const double vo_1a = KSL_MUL(k, v->y), vo_1 = -vo_1a;
-  const double vo_2a = KSL_MUL(k, v->z), vo_2 = -vo_2a;
+  const double vo_0 = -KSL_MUL(k, v->x);
+  const double vo_1 = -KSL_MUL(k, v->y);
+  const double vo_2 = -KSL_MUL(k, v->z);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -371,9 +362,9 @@ static inline void ksl_product_ainvv(const double k, const ksl_vec3_t *v, ksl_ve
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_cross_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_vec3_t *vo) {
-  const double vo_0a = KSL_MUL(v1->y, v2->z), vo_0b = KSL_MUL(v1->z, v2->y), vo_0 = vo_0a - vo_0b;
-  const double vo_1a = KSL_MUL(v1->z, v2->x), vo_1b = KSL_MUL(v1->x, v2->z), vo_1 = vo_1a - vo_1b;
-  const double vo_2a = KSL_MUL(v1->x, v2->y), vo_2b = KSL_MUL(v1->y, v2->x), vo_2 = vo_2a - vo_2b;
+  const double vo_0 = KSL_MUL(v1->y, v2->z) - KSL_MUL(v1->z, v2->y);
+  const double vo_1 = KSL_MUL(v1->z, v2->x) - KSL_MUL(v1->x, v2->z);
+  const double vo_2 = KSL_MUL(v1->x, v2->y) - KSL_MUL(v1->y, v2->x);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -385,9 +376,9 @@ static inline void ksl_cross_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_cross_vvinv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_vec3_t *vo) {
-  const double vo_0a = KSL_MUL(v1->z, v2->y), vo_0b = KSL_MUL(v1->y, v2->z), vo_0 = vo_0a - vo_0b;
-  const double vo_1a = KSL_MUL(v1->x, v2->z), vo_1b = KSL_MUL(v1->z, v2->x), vo_1 = vo_1a - vo_1b;
-  const double vo_2a = KSL_MUL(v1->y, v2->x), vo_2b = KSL_MUL(v1->x, v2->y), vo_2 = vo_2a - vo_2b;
+  const double vo_0 = KSL_MUL(v1->z, v2->y) - KSL_MUL(v1->y, v2->z);
+  const double vo_1 = KSL_MUL(v1->x, v2->z) - KSL_MUL(v1->z, v2->x);
+  const double vo_2 = KSL_MUL(v1->y, v2->x) - KSL_MUL(v1->x, v2->y);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -538,9 +529,9 @@ static inline void ksl_vec3f_invert(ksl_vec3f_t *self) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_axpy_vvf(const float a, const ksl_vec3f_t *x, ksl_vec3f_t *y) {
-  const float y_0_new_a = KSL_MULF(a, x->x), y_0_new = y_0_new_a + y->x;
-  const float y_1_new_a = KSL_MULF(a, x->y), y_1_new = y_1_new_a + y->y;
-  const float y_2_new_a = KSL_MULF(a, x->z), y_2_new = y_2_new_a + y->z;
+  const float y_0_new = KSL_MULF(a, x->x) + y->x;
+  const float y_1_new = KSL_MULF(a, x->y) + y->y;
+  const float y_2_new = KSL_MULF(a, x->z) + y->z;
   y->x = y_0_new;
   y->y = y_1_new;
   y->z = y_2_new;
@@ -658,8 +649,7 @@ static inline float ksl_vec3f_l2norm(const ksl_vec3f_t *v) {
   const float y_0 = KSL_MULF(v->x, s);
   const float y_1 = KSL_MULF(v->y, s);
   const float y_2 = KSL_MULF(v->z, s);
-  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
+  const float n = sqrtf(KSL_MULF(y_0, y_0) + KSL_MULF(y_1, y_1) + KSL_MULF(y_2, y_2));
   const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r_d = 1.0f < s ? 5.551115e-17f : r_b,
       r = 1.8014399e+16f < s ? 3.081488e-33f : r_d;
   const float norm = KSL_MULF(n, r);
@@ -683,8 +673,7 @@ static inline void ksl_vec3f_normalize(ksl_vec3f_t *self) {
   const float y_2 = KSL_MULF(self->z, s);
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
-  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
+  const float n = sqrtf(KSL_MULF(y_0, y_0) + KSL_MULF(y_1, y_1) + KSL_MULF(y_2, y_2));
   const float divisor = n == 0.0f ? up : n;
   const float sized_0 = KSL_MULF(self->x, up);
   const float sized_1 = KSL_MULF(self->y, up);
@@ -717,8 +706,7 @@ static inline void ksl_vec3f_normalized(const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
   const float y_2 = KSL_MULF(v->z, s);
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
-  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
+  const float n = sqrtf(KSL_MULF(y_0, y_0) + KSL_MULF(y_1, y_1) + KSL_MULF(y_2, y_2));
   const float divisor = n == 0.0f ? up : n;
   const float sized_0 = KSL_MULF(v->x, up);
   const float sized_1 = KSL_MULF(v->y, up);
@@ -760,12 +748,9 @@ static inline float ksl_angle_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) 
   const float scaled_s2_0 = KSL_MULF(v2->x, s2);
   const float scaled_s2_1 = KSL_MULF(v2->y, s2);
   const float scaled_s2_2 = KSL_MULF(v2->z, s2);
-  const float c_0a = KSL_MULF(scaled_s1_1, scaled_s2_2), c_0b = KSL_MULF(scaled_s1_2, scaled_s2_1),
-      c_0 = c_0a - c_0b;
-  const float c_1a = KSL_MULF(scaled_s1_2, scaled_s2_0), c_1b = KSL_MULF(scaled_s1_0, scaled_s2_2),
-      c_1 = c_1a - c_1b;
-  const float c_2a = KSL_MULF(scaled_s1_0, scaled_s2_1), c_2b = KSL_MULF(scaled_s1_1, scaled_s2_0),
-      c_2 = c_2a - c_2b;
+  const float c_0 = KSL_MULF(scaled_s1_1, scaled_s2_2) - KSL_MULF(scaled_s1_2, scaled_s2_1);
+  const float c_1 = KSL_MULF(scaled_s1_2, scaled_s2_0) - KSL_MULF(scaled_s1_0, scaled_s2_2);
+  const float c_2 = KSL_MULF(scaled_s1_0, scaled_s2_1) - KSL_MULF(scaled_s1_1, scaled_s2_0);
   const float s_size_0 = fabsf(c_0);
   const float s_size_1 = fabsf(c_1);
   const float s_size_2 = fabsf(c_2);
@@ -777,14 +762,12 @@ static inline float ksl_angle_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) 
   const float y_0 = KSL_MULF(c_0, s);
   const float y_1 = KSL_MULF(c_1, s);
   const float y_2 = KSL_MULF(c_2, s);
-  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
+  const float n = sqrtf(KSL_MULF(y_0, y_0) + KSL_MULF(y_1, y_1) + KSL_MULF(y_2, y_2));
   const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r_d = 1.0f < s ? 5.551115e-17f : r_b,
       r = 1.8014399e+16f < s ? 3.081488e-33f : r_d;
   const float cross = KSL_MULF(n, r);
-  const float dot__a = KSL_MULF(scaled_s1_0, scaled_s2_0),
-      dot__b = KSL_MULF(scaled_s1_1, scaled_s2_1), dot__c = dot__a + dot__b,
-      dot__d = KSL_MULF(scaled_s1_2, scaled_s2_2), dot_ = dot__c + dot__d;
+  const float dot_ = KSL_MULF(scaled_s1_0, scaled_s2_0) + KSL_MULF(scaled_s1_1, scaled_s2_1)
+          + KSL_MULF(scaled_s1_2, scaled_s2_2);
   const float angle = ksl_atan2f(cross, dot_);
   return angle;
 }
@@ -795,8 +778,7 @@ static inline float ksl_angle_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) 
    Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline float ksl_dot_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) {
-  const float dot_a = KSL_MULF(v1->x, v2->x), dot_b = KSL_MULF(v1->y, v2->y), dot_c = dot_a + dot_b,
-      dot_d = KSL_MULF(v1->z, v2->z), dot = dot_c + dot_d;
+  const float dot = KSL_MULF(v1->x, v2->x) + KSL_MULF(v1->y, v2->y) + KSL_MULF(v1->z, v2->z);
   return dot;
 }
 
@@ -805,9 +787,9 @@ static inline float ksl_dot_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) {
    3 mul, 3 neg.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_avinvf(const float k, const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
-  const float vo_0a = KSL_MULF(k, v->x), vo_0 = -vo_0a;
-  const float vo_1a = KSL_MULF(k, v->y), vo_1 = -vo_1a;
-  const float vo_2a = KSL_MULF(k, v->z), vo_2 = -vo_2a;
+  const float vo_0 = -KSL_MULF(k, v->x);
+  const float vo_1 = -KSL_MULF(k, v->y);
+  const float vo_2 = -KSL_MULF(k, v->z);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -831,9 +813,9 @@ static inline void ksl_product_ainvvf(const float k, const ksl_vec3f_t *v, ksl_v
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_cross_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2, ksl_vec3f_t *vo) {
-  const float vo_0a = KSL_MULF(v1->y, v2->z), vo_0b = KSL_MULF(v1->z, v2->y), vo_0 = vo_0a - vo_0b;
-  const float vo_1a = KSL_MULF(v1->z, v2->x), vo_1b = KSL_MULF(v1->x, v2->z), vo_1 = vo_1a - vo_1b;
-  const float vo_2a = KSL_MULF(v1->x, v2->y), vo_2b = KSL_MULF(v1->y, v2->x), vo_2 = vo_2a - vo_2b;
+  const float vo_0 = KSL_MULF(v1->y, v2->z) - KSL_MULF(v1->z, v2->y);
+  const float vo_1 = KSL_MULF(v1->z, v2->x) - KSL_MULF(v1->x, v2->z);
+  const float vo_2 = KSL_MULF(v1->x, v2->y) - KSL_MULF(v1->y, v2->x);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -845,9 +827,9 @@ static inline void ksl_cross_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2, k
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_cross_vvinvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2, ksl_vec3f_t *vo) {
-  const float vo_0a = KSL_MULF(v1->z, v2->y), vo_0b = KSL_MULF(v1->y, v2->z), vo_0 = vo_0a - vo_0b;
-  const float vo_1a = KSL_MULF(v1->x, v2->z), vo_1b = KSL_MULF(v1->z, v2->x), vo_1 = vo_1a - vo_1b;
-  const float vo_2a = KSL_MULF(v1->y, v2->x), vo_2b = KSL_MULF(v1->x, v2->y), vo_2 = vo_2a - vo_2b;
+  const float vo_0 = KSL_MULF(v1->z, v2->y) - KSL_MULF(v1->y, v2->z);
+  const float vo_1 = KSL_MULF(v1->x, v2->z) - KSL_MULF(v1->z, v2->x);
+  const float vo_2 = KSL_MULF(v1->y, v2->x) - KSL_MULF(v1->x, v2->y);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;

@@ -133,9 +133,8 @@ static inline double ksl_vec4_l2norm(const ksl_vec4_t *v) {
   const double y_1 = KSL_MUL(v->y, s);
   const double y_2 = KSL_MUL(v->z, s);
   const double y_3 = KSL_MUL(v->w, s);
-  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
-      n = sqrt(n_g);
+  const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2)
+          + KSL_MUL(y_3, y_3));
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
       r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
@@ -163,9 +162,8 @@ static inline void ksl_vec4_normalize(ksl_vec4_t *self) {
   const double y_3 = KSL_MUL(self->w, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
-      n = sqrt(n_g);
+  const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2)
+          + KSL_MUL(y_3, y_3));
   const double divisor = n == 0.0 ? up : n;
   const double sized_0 = KSL_MUL(self->x, up);
   const double sized_1 = KSL_MUL(self->y, up);
@@ -205,9 +203,8 @@ static inline void ksl_vec4_normalized(const ksl_vec4_t *v, ksl_vec4_t *vo) {
   const double y_3 = KSL_MUL(v->w, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
-      n = sqrt(n_g);
+  const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2)
+          + KSL_MUL(y_3, y_3));
   const double divisor = n == 0.0 ? up : n;
   const double sized_0 = KSL_MUL(v->x, up);
   const double sized_1 = KSL_MUL(v->y, up);
@@ -353,9 +350,8 @@ static inline float ksl_vec4f_l2norm(const ksl_vec4f_t *v) {
   const float y_1 = KSL_MULF(v->y, s);
   const float y_2 = KSL_MULF(v->z, s);
   const float y_3 = KSL_MULF(v->w, s);
-  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MULF(y_3, y_3), n_g = n_e + n_f,
-      n = sqrtf(n_g);
+  const float n = sqrtf(KSL_MULF(y_0, y_0) + KSL_MULF(y_1, y_1) + KSL_MULF(y_2, y_2)
+          + KSL_MULF(y_3, y_3));
   const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r_d = 1.0f < s ? 5.551115e-17f : r_b,
       r = 1.8014399e+16f < s ? 3.081488e-33f : r_d;
   const float norm = KSL_MULF(n, r);
@@ -382,9 +378,8 @@ static inline void ksl_vec4f_normalize(ksl_vec4f_t *self) {
   const float y_3 = KSL_MULF(self->w, s);
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
-  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MULF(y_3, y_3), n_g = n_e + n_f,
-      n = sqrtf(n_g);
+  const float n = sqrtf(KSL_MULF(y_0, y_0) + KSL_MULF(y_1, y_1) + KSL_MULF(y_2, y_2)
+          + KSL_MULF(y_3, y_3));
   const float divisor = n == 0.0f ? up : n;
   const float sized_0 = KSL_MULF(self->x, up);
   const float sized_1 = KSL_MULF(self->y, up);
@@ -424,9 +419,8 @@ static inline void ksl_vec4f_normalized(const ksl_vec4f_t *v, ksl_vec4f_t *vo) {
   const float y_3 = KSL_MULF(v->w, s);
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
-  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MULF(y_3, y_3), n_g = n_e + n_f,
-      n = sqrtf(n_g);
+  const float n = sqrtf(KSL_MULF(y_0, y_0) + KSL_MULF(y_1, y_1) + KSL_MULF(y_2, y_2)
+          + KSL_MULF(y_3, y_3));
   const float divisor = n == 0.0f ? up : n;
   const float sized_0 = KSL_MULF(v->x, up);
   const float sized_1 = KSL_MULF(v->y, up);
