@@ -106,7 +106,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "622de1b27f6b1816") < 0
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "f026a17ca436011d") < 0
       || PyModule_AddStringConstant(
           module, "LOOPS", families == baseline ? "baseline" : "AVX2 with FMA") < 0) {
     Py_DECREF(module);

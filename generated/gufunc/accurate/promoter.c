@@ -80,27 +80,20 @@ static void explain(const PyUFuncObject *ufunc, PyObject *const *given, size_t i
    27 mul, 21 add, 7 abs, 6 less, 6 select.
    Error <= 6 u near a rotation; measured, not proved. */
 static inline double ksl_mat3x3_rotation_defect(const ksl_mat3x3_t *R) {
-  const double n_0 = KSL_MUL(R->m11, R->m22) - KSL_MUL(R->m12, R->m21);
-  const double n_1 = KSL_MUL(R->m02, R->m21) - KSL_MUL(R->m01, R->m22);
-  const double n_2 = KSL_MUL(R->m01, R->m12) - KSL_MUL(R->m02, R->m11);
+  const double n_0 = KSL_MUL(R->m11, R->m22) - KSL_MUL(R->m12, R->m21),
+      n_1 = KSL_MUL(R->m02, R->m21) - KSL_MUL(R->m01, R->m22),
+      n_2 = KSL_MUL(R->m01, R->m12) - KSL_MUL(R->m02, R->m11);
   const double det = KSL_MUL(R->m00, n_0) + KSL_MUL(R->m10, n_1) + KSL_MUL(R->m20, n_2);
-  const double g_0 = KSL_MUL(R->m00, R->m00) + KSL_MUL(R->m10, R->m10) + KSL_MUL(R->m20, R->m20);
-  const double g_1 = KSL_MUL(R->m00, R->m01) + KSL_MUL(R->m10, R->m11) + KSL_MUL(R->m20, R->m21);
-  const double g_2 = KSL_MUL(R->m00, R->m02) + KSL_MUL(R->m10, R->m12) + KSL_MUL(R->m20, R->m22);
-  const double g_3 = KSL_MUL(R->m01, R->m01) + KSL_MUL(R->m11, R->m11) + KSL_MUL(R->m21, R->m21);
-  const double g_4 = KSL_MUL(R->m01, R->m02) + KSL_MUL(R->m11, R->m12) + KSL_MUL(R->m21, R->m22);
-  const double g_5 = KSL_MUL(R->m02, R->m02) + KSL_MUL(R->m12, R->m12) + KSL_MUL(R->m22, R->m22);
-  const double off_0 = det - 1.0;
-  const double off_1 = g_0 - 1.0;
-  const double off_4 = g_3 - 1.0;
-  const double off_6 = g_5 - 1.0;
-  const double defect_size_0 = fabs(off_0);
-  const double defect_size_1 = fabs(off_1);
-  const double defect_size_2 = fabs(g_1);
-  const double defect_size_3 = fabs(g_2);
-  const double defect_size_4 = fabs(off_4);
-  const double defect_size_5 = fabs(g_4);
-  const double defect_size_6 = fabs(off_6);
+  const double g_0 = KSL_MUL(R->m00, R->m00) + KSL_MUL(R->m10, R->m10) + KSL_MUL(R->m20, R->m20),
+      g_1 = KSL_MUL(R->m00, R->m01) + KSL_MUL(R->m10, R->m11) + KSL_MUL(R->m20, R->m21),
+      g_2 = KSL_MUL(R->m00, R->m02) + KSL_MUL(R->m10, R->m12) + KSL_MUL(R->m20, R->m22),
+      g_3 = KSL_MUL(R->m01, R->m01) + KSL_MUL(R->m11, R->m11) + KSL_MUL(R->m21, R->m21),
+      g_4 = KSL_MUL(R->m01, R->m02) + KSL_MUL(R->m11, R->m12) + KSL_MUL(R->m21, R->m22),
+      g_5 = KSL_MUL(R->m02, R->m02) + KSL_MUL(R->m12, R->m12) + KSL_MUL(R->m22, R->m22);
+  const double off_0 = det - 1.0, off_1 = g_0 - 1.0, off_4 = g_3 - 1.0, off_6 = g_5 - 1.0;
+  const double defect_size_0 = fabs(off_0), defect_size_1 = fabs(off_1), defect_size_2 = fabs(g_1),
+      defect_size_3 = fabs(g_2), defect_size_4 = fabs(off_4), defect_size_5 = fabs(g_4),
+      defect_size_6 = fabs(off_6);
   const double defect_largest1 = defect_size_0 < defect_size_1 ? defect_size_1 : defect_size_0;
   const double defect_largest2 = defect_largest1 < defect_size_2 ? defect_size_2 : defect_largest1;
   const double defect_largest3 = defect_largest2 < defect_size_3 ? defect_size_3 : defect_largest2;
@@ -116,27 +109,20 @@ static inline double ksl_mat3x3_rotation_defect(const ksl_mat3x3_t *R) {
    27 mul, 21 add, 7 abs, 6 less, 6 select.
    Error <= 6 u near a rotation; measured, not proved. */
 static inline float ksl_mat3x3f_rotation_defect(const ksl_mat3x3f_t *R) {
-  const float n_0 = KSL_MULF(R->m11, R->m22) - KSL_MULF(R->m12, R->m21);
-  const float n_1 = KSL_MULF(R->m02, R->m21) - KSL_MULF(R->m01, R->m22);
-  const float n_2 = KSL_MULF(R->m01, R->m12) - KSL_MULF(R->m02, R->m11);
+  const float n_0 = KSL_MULF(R->m11, R->m22) - KSL_MULF(R->m12, R->m21),
+      n_1 = KSL_MULF(R->m02, R->m21) - KSL_MULF(R->m01, R->m22),
+      n_2 = KSL_MULF(R->m01, R->m12) - KSL_MULF(R->m02, R->m11);
   const float det = KSL_MULF(R->m00, n_0) + KSL_MULF(R->m10, n_1) + KSL_MULF(R->m20, n_2);
-  const float g_0 = KSL_MULF(R->m00, R->m00) + KSL_MULF(R->m10, R->m10) + KSL_MULF(R->m20, R->m20);
-  const float g_1 = KSL_MULF(R->m00, R->m01) + KSL_MULF(R->m10, R->m11) + KSL_MULF(R->m20, R->m21);
-  const float g_2 = KSL_MULF(R->m00, R->m02) + KSL_MULF(R->m10, R->m12) + KSL_MULF(R->m20, R->m22);
-  const float g_3 = KSL_MULF(R->m01, R->m01) + KSL_MULF(R->m11, R->m11) + KSL_MULF(R->m21, R->m21);
-  const float g_4 = KSL_MULF(R->m01, R->m02) + KSL_MULF(R->m11, R->m12) + KSL_MULF(R->m21, R->m22);
-  const float g_5 = KSL_MULF(R->m02, R->m02) + KSL_MULF(R->m12, R->m12) + KSL_MULF(R->m22, R->m22);
-  const float off_0 = det - 1.0f;
-  const float off_1 = g_0 - 1.0f;
-  const float off_4 = g_3 - 1.0f;
-  const float off_6 = g_5 - 1.0f;
-  const float defect_size_0 = fabsf(off_0);
-  const float defect_size_1 = fabsf(off_1);
-  const float defect_size_2 = fabsf(g_1);
-  const float defect_size_3 = fabsf(g_2);
-  const float defect_size_4 = fabsf(off_4);
-  const float defect_size_5 = fabsf(g_4);
-  const float defect_size_6 = fabsf(off_6);
+  const float g_0 = KSL_MULF(R->m00, R->m00) + KSL_MULF(R->m10, R->m10) + KSL_MULF(R->m20, R->m20),
+      g_1 = KSL_MULF(R->m00, R->m01) + KSL_MULF(R->m10, R->m11) + KSL_MULF(R->m20, R->m21),
+      g_2 = KSL_MULF(R->m00, R->m02) + KSL_MULF(R->m10, R->m12) + KSL_MULF(R->m20, R->m22),
+      g_3 = KSL_MULF(R->m01, R->m01) + KSL_MULF(R->m11, R->m11) + KSL_MULF(R->m21, R->m21),
+      g_4 = KSL_MULF(R->m01, R->m02) + KSL_MULF(R->m11, R->m12) + KSL_MULF(R->m21, R->m22),
+      g_5 = KSL_MULF(R->m02, R->m02) + KSL_MULF(R->m12, R->m12) + KSL_MULF(R->m22, R->m22);
+  const float off_0 = det - 1.0f, off_1 = g_0 - 1.0f, off_4 = g_3 - 1.0f, off_6 = g_5 - 1.0f;
+  const float defect_size_0 = fabsf(off_0), defect_size_1 = fabsf(off_1),
+      defect_size_2 = fabsf(g_1), defect_size_3 = fabsf(g_2), defect_size_4 = fabsf(off_4),
+      defect_size_5 = fabsf(g_4), defect_size_6 = fabsf(off_6);
   const float defect_largest1 = defect_size_0 < defect_size_1 ? defect_size_1 : defect_size_0;
   const float defect_largest2 = defect_largest1 < defect_size_2 ? defect_size_2 : defect_largest1;
   const float defect_largest3 = defect_largest2 < defect_size_3 ? defect_size_3 : defect_largest2;
@@ -150,20 +136,16 @@ static inline float ksl_mat3x3f_rotation_defect(const ksl_mat3x3f_t *R) {
    q: quaternion (x, y, z, w), the scalar last.
    9 mul, 4 add, 1 sqrt, 4 abs, 9 less, 9 select. */
 static inline double ksl_quaternion_unit_defect(const ksl_quaternion_t *q) {
-  const double s_size_0 = fabs(q->x);
-  const double s_size_1 = fabs(q->y);
-  const double s_size_2 = fabs(q->z);
-  const double s_size_3 = fabs(q->w);
+  const double s_size_0 = fabs(q->x), s_size_1 = fabs(q->y), s_size_2 = fabs(q->z),
+      s_size_3 = fabs(q->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(q->x, s);
-  const double y_1 = KSL_MUL(q->y, s);
-  const double y_2 = KSL_MUL(q->z, s);
-  const double y_3 = KSL_MUL(q->w, s);
+  const double y_0 = KSL_MUL(q->x, s), y_1 = KSL_MUL(q->y, s), y_2 = KSL_MUL(q->z, s),
+      y_3 = KSL_MUL(q->w, s);
   const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2)
           + KSL_MUL(y_3, y_3));
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
@@ -178,20 +160,16 @@ static inline double ksl_quaternion_unit_defect(const ksl_quaternion_t *q) {
    q: quaternion (x, y, z, w), the scalar last.
    9 mul, 4 add, 1 sqrt, 4 abs, 9 less, 9 select. */
 static inline float ksl_quaternionf_unit_defect(const ksl_quaternionf_t *q) {
-  const float s_size_0 = fabsf(q->x);
-  const float s_size_1 = fabsf(q->y);
-  const float s_size_2 = fabsf(q->z);
-  const float s_size_3 = fabsf(q->w);
+  const float s_size_0 = fabsf(q->x), s_size_1 = fabsf(q->y), s_size_2 = fabsf(q->z),
+      s_size_3 = fabsf(q->w);
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float y_0 = KSL_MULF(q->x, s);
-  const float y_1 = KSL_MULF(q->y, s);
-  const float y_2 = KSL_MULF(q->z, s);
-  const float y_3 = KSL_MULF(q->w, s);
+  const float y_0 = KSL_MULF(q->x, s), y_1 = KSL_MULF(q->y, s), y_2 = KSL_MULF(q->z, s),
+      y_3 = KSL_MULF(q->w, s);
   const float n = sqrtf(KSL_MULF(y_0, y_0) + KSL_MULF(y_1, y_1) + KSL_MULF(y_2, y_2)
           + KSL_MULF(y_3, y_3));
   const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r_d = 1.0f < s ? 5.551115e-17f : r_b,

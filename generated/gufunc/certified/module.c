@@ -105,7 +105,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "c880e0fc06edad89") < 0
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "09b4b4e9dfdbecbe") < 0
       || PyModule_AddStringConstant(
           module, "LOOPS", families == baseline ? "baseline" : "AVX2 with FMA") < 0) {
     Py_DECREF(module);

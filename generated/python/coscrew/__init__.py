@@ -16,7 +16,7 @@ import numpy as np
 from coscrew import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "e2f5b961b7b7fcae")
+COMPILED: bool = is_compiled("coscrew._gufunc", "6a22866e658416b5")
 
 if COMPILED:
     from coscrew._gufunc import (

@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
 
-from coscrew_codegen.backends.c.c_library import nested
+from coscrew_codegen.backends.c.c_library import nested, quantity
 from coscrew_codegen.backends.c.c_nested import EACH, declarations, language, together
 from coscrew_codegen.backends.c.c_statements import WIDTH, broken, comment_of
 from coscrew_codegen.backends.nesting import NestingPlan
@@ -70,7 +70,7 @@ class FunctionBody:
         working = self.precision.computing(self.program.wide)
         text = nested(self.program, working, read_by(self.program, self.precision,
                                                      self.stored.access))
-        texts = declarations(text.assigned, working, WIDTH - 2)
+        texts = declarations(text.assigned, working, WIDTH - 2, quantity)
         return ((broken(x, WIDTH - 2) for x in texts),
                 [self._narrowed(*x) for x in zip(self.program.results, text.results, strict=True)])
 

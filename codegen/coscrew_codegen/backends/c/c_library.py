@@ -7,6 +7,7 @@ the machine has one.  The options of a choice are named, so that compilers compu
 comparison stands in it.
 """
 
+import re
 from collections import Counter
 from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass, replace
@@ -19,6 +20,8 @@ from coscrew_codegen.backends.nesting import CALL, PRODUCT, Language, Nesting
 from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
 from coscrew_codegen.program.ops import COMPARISONS
 from coscrew_codegen.program.values.formats import SINGLE, Precision
+
+_INDEX = re.compile(r"_\d+(?=_|$)")
 
 
 def nested(program: Program, working: Precision, access: Callable[[Input], str]) -> Nesting:
@@ -43,6 +46,12 @@ def nested(program: Program, working: Precision, access: Callable[[Input], str])
                    access, 150,
                    named=lambda step: step.name == step.component or step.name in chosen,
                    inlined=lambda step: step.op in COMPARISONS)
+
+
+def quantity(component: str) -> str:
+    """The name of the vector or matrix that has this component: R for R_01, Bo_size for Bo_3_size.
+    """
+    return _INDEX.sub("", component)
 
 
 def exact_products(program: Program, working: Precision) -> frozenset[str]:

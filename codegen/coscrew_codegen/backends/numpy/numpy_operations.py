@@ -108,12 +108,13 @@ class Stub:
     docstring: str
 
 
-def stub(operation: Operation, docstring: str, scalar: str) -> Stub:
-    """The operation's typed signature, its results arrays of `scalar` (np.float64, …)."""
+def stub(operation: Operation, docstring: str) -> Stub:
+    """The operation's typed signature: its results are of the type _Array of the stubs, and the
+    arrays that may be given for them _Out."""
     arguments = ", ".join(f"{a.name}: ArrayLike" for a in operation.inputs)
-    array, count = f"NDArray[{scalar}]", len(operation.outputs)
-    result = array if count == 1 else f"tuple[{', '.join([array] * count)}]"
-    out = array if count == 1 else f"tuple[{', '.join([f'{array} | None'] * count)}]"
+    count = len(operation.outputs)
+    result = "_Array" if count == 1 else f"tuple[{', '.join(['_Array'] * count)}]"
+    out = "_Out" if count == 1 else f"tuple[{', '.join(['_Out'] * count)}] | None"
     return Stub(operation.name, arguments, out, result, _indented(docstring))
 
 

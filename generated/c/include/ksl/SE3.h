@@ -186,11 +186,11 @@ static inline void ksl_SE3_getRotation(const ksl_SE3_t *D, ksl_mat3x3_t *R) {
 static inline void ksl_SE3_invert(ksl_SE3_t *self) {
   const double self_03_new =
           -(KSL_MUL(self->m00, self->m03) + KSL_MUL(self->m10, self->m13)
-          + KSL_MUL(self->m20, self->m23));
-  const double self_13_new =
+          + KSL_MUL(self->m20, self->m23)),
+      self_13_new =
           -(KSL_MUL(self->m01, self->m03) + KSL_MUL(self->m11, self->m13)
-          + KSL_MUL(self->m21, self->m23));
-  const double self_23_new =
+          + KSL_MUL(self->m21, self->m23)),
+      self_23_new =
           -(KSL_MUL(self->m02, self->m03) + KSL_MUL(self->m12, self->m13)
           + KSL_MUL(self->m22, self->m23));
   const double self_m10 = self->m10;
@@ -252,11 +252,9 @@ static inline void ksl_SE3_toMat4x4(const ksl_SE3_t *D, ksl_mat4x4_t *M) {
      barring over- and underflow. */
 static inline void ksl_SE3_inverted(const ksl_SE3_t *D, ksl_SE3_t *Do) {
   const double Do_03 =
-          -(KSL_MUL(D->m00, D->m03) + KSL_MUL(D->m10, D->m13) + KSL_MUL(D->m20, D->m23));
-  const double Do_13 =
-          -(KSL_MUL(D->m01, D->m03) + KSL_MUL(D->m11, D->m13) + KSL_MUL(D->m21, D->m23));
-  const double Do_23 =
-          -(KSL_MUL(D->m02, D->m03) + KSL_MUL(D->m12, D->m13) + KSL_MUL(D->m22, D->m23));
+          -(KSL_MUL(D->m00, D->m03) + KSL_MUL(D->m10, D->m13) + KSL_MUL(D->m20, D->m23)),
+      Do_13 = -(KSL_MUL(D->m01, D->m03) + KSL_MUL(D->m11, D->m13) + KSL_MUL(D->m21, D->m23)),
+      Do_23 = -(KSL_MUL(D->m02, D->m03) + KSL_MUL(D->m12, D->m13) + KSL_MUL(D->m22, D->m23));
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
   const double D_m20 = D->m20;
@@ -458,11 +456,11 @@ static inline void ksl_SE3f_getRotation(const ksl_SE3f_t *D, ksl_mat3x3f_t *R) {
 static inline void ksl_SE3f_invert(ksl_SE3f_t *self) {
   const float self_03_new =
           -(KSL_MULF(self->m00, self->m03) + KSL_MULF(self->m10, self->m13)
-          + KSL_MULF(self->m20, self->m23));
-  const float self_13_new =
+          + KSL_MULF(self->m20, self->m23)),
+      self_13_new =
           -(KSL_MULF(self->m01, self->m03) + KSL_MULF(self->m11, self->m13)
-          + KSL_MULF(self->m21, self->m23));
-  const float self_23_new =
+          + KSL_MULF(self->m21, self->m23)),
+      self_23_new =
           -(KSL_MULF(self->m02, self->m03) + KSL_MULF(self->m12, self->m13)
           + KSL_MULF(self->m22, self->m23));
   const float self_m10 = self->m10;
@@ -524,11 +522,9 @@ static inline void ksl_SE3f_toMat4x4f(const ksl_SE3f_t *D, ksl_mat4x4f_t *M) {
      barring over- and underflow. */
 static inline void ksl_SE3f_inverted(const ksl_SE3f_t *D, ksl_SE3f_t *Do) {
   const float Do_03 =
-          -(KSL_MULF(D->m00, D->m03) + KSL_MULF(D->m10, D->m13) + KSL_MULF(D->m20, D->m23));
-  const float Do_13 =
-          -(KSL_MULF(D->m01, D->m03) + KSL_MULF(D->m11, D->m13) + KSL_MULF(D->m21, D->m23));
-  const float Do_23 =
-          -(KSL_MULF(D->m02, D->m03) + KSL_MULF(D->m12, D->m13) + KSL_MULF(D->m22, D->m23));
+          -(KSL_MULF(D->m00, D->m03) + KSL_MULF(D->m10, D->m13) + KSL_MULF(D->m20, D->m23)),
+      Do_13 = -(KSL_MULF(D->m01, D->m03) + KSL_MULF(D->m11, D->m13) + KSL_MULF(D->m21, D->m23)),
+      Do_23 = -(KSL_MULF(D->m02, D->m03) + KSL_MULF(D->m12, D->m13) + KSL_MULF(D->m22, D->m23));
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;

@@ -99,11 +99,11 @@ static inline void ksl_SE3_inverted_accurate(const ksl_SE3_t *D, ksl_SE3_t *Do) 
           + ksl_product_rest(D->m12, D->m13, Do_23b, Do_23c_right), Do_23 = -Do_23e;
   const double Do_03_rounded = Do_03 +
           -(Do_03c - (Do_03e - Do_03e_right)
-          + ksl_product_rest(D->m20, D->m23, Do_03d, Do_03e_right) + Do_03c_lo);
-  const double Do_13_rounded = Do_13 +
+          + ksl_product_rest(D->m20, D->m23, Do_03d, Do_03e_right) + Do_03c_lo),
+      Do_13_rounded = Do_13 +
           -(Do_13c - (Do_13e - Do_13e_right)
-          + ksl_product_rest(D->m21, D->m23, Do_13d, Do_13e_right) + Do_13c_lo);
-  const double Do_23_rounded = Do_23 +
+          + ksl_product_rest(D->m21, D->m23, Do_13d, Do_13e_right) + Do_13c_lo),
+      Do_23_rounded = Do_23 +
           -(Do_23c - (Do_23e - Do_23e_right)
           + ksl_product_rest(D->m22, D->m23, Do_23d, Do_23e_right) + Do_23c_lo);
   const double D_m00 = D->m00;
@@ -168,11 +168,11 @@ static inline void ksl_SE3f_invert_accurate(ksl_SE3f_t *self) {
      barring over- and underflow. */
 static inline void ksl_SE3f_inverted_accurate(const ksl_SE3f_t *D, ksl_SE3f_t *Do) {
   const double Do_03 = ksl_product_sum(-(double)D->m20, (double)D->m23,
-      ksl_product_sum(-(double)D->m10, (double)D->m13, -((double)D->m00 * (double)D->m03)));
-  const double Do_13 = ksl_product_sum(-(double)D->m21, (double)D->m23,
-      ksl_product_sum(-(double)D->m11, (double)D->m13, -((double)D->m01 * (double)D->m03)));
-  const double Do_23 = ksl_product_sum(-(double)D->m22, (double)D->m23,
-      ksl_product_sum(-(double)D->m12, (double)D->m13, -((double)D->m02 * (double)D->m03)));
+      ksl_product_sum(-(double)D->m10, (double)D->m13, -((double)D->m00 * (double)D->m03))),
+      Do_13 = ksl_product_sum(-(double)D->m21, (double)D->m23, ksl_product_sum(-(double)D->m11,
+          (double)D->m13, -((double)D->m01 * (double)D->m03))),
+      Do_23 = ksl_product_sum(-(double)D->m22, (double)D->m23, ksl_product_sum(-(double)D->m12,
+          (double)D->m13, -((double)D->m02 * (double)D->m03)));
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;

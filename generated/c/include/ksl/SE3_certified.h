@@ -22,10 +22,10 @@ static inline void ksl_SE3_invert_certified(ksl_SE3_t *self, ksl_SE3_t *self_bou
       self_23_new_b = KSL_MUL(self->m12, self->m13), self_23_new_d = KSL_MUL(self->m22, self->m23),
       self_23_new = -(self_23_new_a + self_23_new_b + self_23_new_d);
   const double self_03_new_e_bound = KSL_MUL(3.3306690738754706e-16, fabs(self_03_new_a)
-          + fabs(self_03_new_b) + fabs(self_03_new_d) + 2.004168360008973e-292);
-  const double self_13_new_e_bound = KSL_MUL(3.3306690738754706e-16, fabs(self_13_new_a)
-          + fabs(self_13_new_b) + fabs(self_13_new_d) + 2.004168360008973e-292);
-  const double self_23_new_e_bound = KSL_MUL(3.3306690738754706e-16, fabs(self_23_new_a)
+          + fabs(self_03_new_b) + fabs(self_03_new_d) + 2.004168360008973e-292),
+      self_13_new_e_bound = KSL_MUL(3.3306690738754706e-16, fabs(self_13_new_a)
+          + fabs(self_13_new_b) + fabs(self_13_new_d) + 2.004168360008973e-292),
+      self_23_new_e_bound = KSL_MUL(3.3306690738754706e-16, fabs(self_23_new_a)
           + fabs(self_23_new_b) + fabs(self_23_new_d) + 2.004168360008973e-292);
   const double self_m10 = self->m10;
   const double self_m20 = self->m20;
@@ -125,11 +125,11 @@ static inline void ksl_SE3f_invert_certified(ksl_SE3f_t *self, ksl_SE3f_t *self_
       self_23_new_d = KSL_MULF(self->m22, self->m23),
       self_23_new = -(self_23_new_a + self_23_new_b + self_23_new_d);
   const float self_03_new_e_bound = KSL_MULF(1.7881396e-07f, fabsf(self_03_new_a)
-          + fabsf(self_03_new_b) + fabsf(self_03_new_d) + 1.9721523e-31f);
-  const float self_13_new_e_bound = KSL_MULF(1.7881396e-07f, fabsf(self_13_new_a)
-          + fabsf(self_13_new_b) + fabsf(self_13_new_d) + 1.9721523e-31f);
-  const float self_23_new_e_bound = KSL_MULF(1.7881396e-07f, fabsf(self_23_new_a)
-          + fabsf(self_23_new_b) + fabsf(self_23_new_d) + 1.9721523e-31f);
+          + fabsf(self_03_new_b) + fabsf(self_03_new_d) + 1.9721523e-31f),
+      self_13_new_e_bound = KSL_MULF(1.7881396e-07f, fabsf(self_13_new_a) + fabsf(self_13_new_b)
+          + fabsf(self_13_new_d) + 1.9721523e-31f),
+      self_23_new_e_bound = KSL_MULF(1.7881396e-07f, fabsf(self_23_new_a) + fabsf(self_23_new_b)
+          + fabsf(self_23_new_d) + 1.9721523e-31f);
   const float self_m10 = self->m10;
   const float self_m20 = self->m20;
   const float self_m01 = self->m01;

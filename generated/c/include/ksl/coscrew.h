@@ -45,12 +45,9 @@ static inline void ksl_coscrew_copy(const ksl_coscrew_t *ci, ksl_coscrew_t *co) 
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_coscrew_scale(ksl_coscrew_t *self, const double a) {
-  const double self_0_new = KSL_MUL(self->m0, a);
-  const double self_1_new = KSL_MUL(self->m1, a);
-  const double self_2_new = KSL_MUL(self->m2, a);
-  const double self_3_new = KSL_MUL(self->m3, a);
-  const double self_4_new = KSL_MUL(self->m4, a);
-  const double self_5_new = KSL_MUL(self->m5, a);
+  const double self_0_new = KSL_MUL(self->m0, a), self_1_new = KSL_MUL(self->m1, a),
+      self_2_new = KSL_MUL(self->m2, a), self_3_new = KSL_MUL(self->m3, a),
+      self_4_new = KSL_MUL(self->m4, a), self_5_new = KSL_MUL(self->m5, a);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -64,12 +61,8 @@ static inline void ksl_coscrew_scale(ksl_coscrew_t *self, const double a) {
    6 neg.
    Exact. */
 static inline void ksl_coscrew_inverted(const ksl_coscrew_t *ci, ksl_coscrew_t *co) {
-  const double co_0 = -ci->m0;
-  const double co_1 = -ci->m1;
-  const double co_2 = -ci->m2;
-  const double co_3 = -ci->m3;
-  const double co_4 = -ci->m4;
-  const double co_5 = -ci->m5;
+  const double co_0 = -ci->m0, co_1 = -ci->m1, co_2 = -ci->m2, co_3 = -ci->m3, co_4 = -ci->m4,
+      co_5 = -ci->m5;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -83,12 +76,8 @@ static inline void ksl_coscrew_inverted(const ksl_coscrew_t *ci, ksl_coscrew_t *
    6 neg.
    Exact. */
 static inline void ksl_coscrew_invert(ksl_coscrew_t *self) {
-  const double self_0_new = -self->m0;
-  const double self_1_new = -self->m1;
-  const double self_2_new = -self->m2;
-  const double self_3_new = -self->m3;
-  const double self_4_new = -self->m4;
-  const double self_5_new = -self->m5;
+  const double self_0_new = -self->m0, self_1_new = -self->m1, self_2_new = -self->m2,
+      self_3_new = -self->m3, self_4_new = -self->m4, self_5_new = -self->m5;
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -103,12 +92,9 @@ static inline void ksl_coscrew_invert(ksl_coscrew_t *self) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_axpy_cc(const double a, const ksl_coscrew_t *x, ksl_coscrew_t *y) {
-  const double y_0_new = KSL_MUL(a, x->m0) + y->m0;
-  const double y_1_new = KSL_MUL(a, x->m1) + y->m1;
-  const double y_2_new = KSL_MUL(a, x->m2) + y->m2;
-  const double y_3_new = KSL_MUL(a, x->m3) + y->m3;
-  const double y_4_new = KSL_MUL(a, x->m4) + y->m4;
-  const double y_5_new = KSL_MUL(a, x->m5) + y->m5;
+  const double y_0_new = KSL_MUL(a, x->m0) + y->m0, y_1_new = KSL_MUL(a, x->m1) + y->m1,
+      y_2_new = KSL_MUL(a, x->m2) + y->m2, y_3_new = KSL_MUL(a, x->m3) + y->m3,
+      y_4_new = KSL_MUL(a, x->m4) + y->m4, y_5_new = KSL_MUL(a, x->m5) + y->m5;
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -122,12 +108,8 @@ static inline void ksl_axpy_cc(const double a, const ksl_coscrew_t *x, ksl_coscr
    6 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_xpy_cc(const ksl_coscrew_t *x, ksl_coscrew_t *y) {
-  const double y_0_new = x->m0 + y->m0;
-  const double y_1_new = x->m1 + y->m1;
-  const double y_2_new = x->m2 + y->m2;
-  const double y_3_new = x->m3 + y->m3;
-  const double y_4_new = x->m4 + y->m4;
-  const double y_5_new = x->m5 + y->m5;
+  const double y_0_new = x->m0 + y->m0, y_1_new = x->m1 + y->m1, y_2_new = x->m2 + y->m2,
+      y_3_new = x->m3 + y->m3, y_4_new = x->m4 + y->m4, y_5_new = x->m5 + y->m5;
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -141,12 +123,8 @@ static inline void ksl_xpy_cc(const ksl_coscrew_t *x, ksl_coscrew_t *y) {
    6 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_nxpy_cc(const ksl_coscrew_t *x, ksl_coscrew_t *y) {
-  const double y_0_new = y->m0 - x->m0;
-  const double y_1_new = y->m1 - x->m1;
-  const double y_2_new = y->m2 - x->m2;
-  const double y_3_new = y->m3 - x->m3;
-  const double y_4_new = y->m4 - x->m4;
-  const double y_5_new = y->m5 - x->m5;
+  const double y_0_new = y->m0 - x->m0, y_1_new = y->m1 - x->m1, y_2_new = y->m2 - x->m2,
+      y_3_new = y->m3 - x->m3, y_4_new = y->m4 - x->m4, y_5_new = y->m5 - x->m5;
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -160,12 +138,8 @@ static inline void ksl_nxpy_cc(const ksl_coscrew_t *x, ksl_coscrew_t *y) {
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_ac(const double a, const ksl_coscrew_t *ci, ksl_coscrew_t *co) {
-  const double co_0 = KSL_MUL(a, ci->m0);
-  const double co_1 = KSL_MUL(a, ci->m1);
-  const double co_2 = KSL_MUL(a, ci->m2);
-  const double co_3 = KSL_MUL(a, ci->m3);
-  const double co_4 = KSL_MUL(a, ci->m4);
-  const double co_5 = KSL_MUL(a, ci->m5);
+  const double co_0 = KSL_MUL(a, ci->m0), co_1 = KSL_MUL(a, ci->m1), co_2 = KSL_MUL(a, ci->m2),
+      co_3 = KSL_MUL(a, ci->m3), co_4 = KSL_MUL(a, ci->m4), co_5 = KSL_MUL(a, ci->m5);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -179,12 +153,8 @@ static inline void ksl_product_ac(const double a, const ksl_coscrew_t *ci, ksl_c
    6 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_cc(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2, ksl_coscrew_t *co) {
-  const double co_0 = c1->m0 + c2->m0;
-  const double co_1 = c1->m1 + c2->m1;
-  const double co_2 = c1->m2 + c2->m2;
-  const double co_3 = c1->m3 + c2->m3;
-  const double co_4 = c1->m4 + c2->m4;
-  const double co_5 = c1->m5 + c2->m5;
+  const double co_0 = c1->m0 + c2->m0, co_1 = c1->m1 + c2->m1, co_2 = c1->m2 + c2->m2,
+      co_3 = c1->m3 + c2->m3, co_4 = c1->m4 + c2->m4, co_5 = c1->m5 + c2->m5;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -199,12 +169,8 @@ static inline void ksl_add_cc(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2, 
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_subtract_cc(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2,
     ksl_coscrew_t *co) {
-  const double co_0 = c1->m0 - c2->m0;
-  const double co_1 = c1->m1 - c2->m1;
-  const double co_2 = c1->m2 - c2->m2;
-  const double co_3 = c1->m3 - c2->m3;
-  const double co_4 = c1->m4 - c2->m4;
-  const double co_5 = c1->m5 - c2->m5;
+  const double co_0 = c1->m0 - c2->m0, co_1 = c1->m1 - c2->m1, co_2 = c1->m2 - c2->m2,
+      co_3 = c1->m3 - c2->m3, co_4 = c1->m4 - c2->m4, co_5 = c1->m5 - c2->m5;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -219,20 +185,15 @@ static inline void ksl_subtract_cc(const ksl_coscrew_t *c1, const ksl_coscrew_t 
 static inline double ksl_coscrew_norm(const ksl_coscrew_t *ci) {
   const double small_c = fabs(ci->m2) < 1e-09 ? 1.0 : 0.0,
       small_f = fabs(ci->m1) < 1e-09 ? small_c : 0.0, small = fabs(ci->m0) < 1e-09 ? small_f : 0.0;
-  const double p_0 = small == 1.0 ? ci->m3 : ci->m0;
-  const double p_1 = small == 1.0 ? ci->m4 : ci->m1;
-  const double p_2 = small == 1.0 ? ci->m5 : ci->m2;
-  const double s_size_0 = fabs(p_0);
-  const double s_size_1 = fabs(p_1);
-  const double s_size_2 = fabs(p_2);
+  const double p_0 = small == 1.0 ? ci->m3 : ci->m0, p_1 = small == 1.0 ? ci->m4 : ci->m1,
+      p_2 = small == 1.0 ? ci->m5 : ci->m2;
+  const double s_size_0 = fabs(p_0), s_size_1 = fabs(p_1), s_size_2 = fabs(p_2);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(p_0, s);
-  const double y_1 = KSL_MUL(p_1, s);
-  const double y_2 = KSL_MUL(p_2, s);
+  const double y_0 = KSL_MUL(p_0, s), y_1 = KSL_MUL(p_1, s), y_2 = KSL_MUL(p_2, s);
   const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2));
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
@@ -248,57 +209,35 @@ static inline void ksl_coscrew_normalize(ksl_coscrew_t *self) {
   const double small_a = fabs(self->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(self->m1), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(self->m0),
       small = small_g < 1e-09 ? small_f : 0.0;
-  const double p_0 = small == 1.0 ? self->m3 : self->m0;
-  const double p_1 = small == 1.0 ? self->m4 : self->m1;
-  const double p_2 = small == 1.0 ? self->m5 : self->m2;
-  const double s_size_0 = fabs(p_0);
-  const double s_size_1 = fabs(p_1);
-  const double s_size_2 = fabs(p_2);
+  const double p_0 = small == 1.0 ? self->m3 : self->m0, p_1 = small == 1.0 ? self->m4 : self->m1,
+      p_2 = small == 1.0 ? self->m5 : self->m2;
+  const double s_size_0 = fabs(p_0), s_size_1 = fabs(p_1), s_size_2 = fabs(p_2);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(p_0, s);
-  const double y_1 = KSL_MUL(p_1, s);
-  const double y_2 = KSL_MUL(p_2, s);
+  const double y_0 = KSL_MUL(p_0, s), y_1 = KSL_MUL(p_1, s), y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2));
   const double divisor = n == 0.0 ? up : n;
-  const double size_3 = fabs(self->m3);
-  const double size_4 = fabs(self->m4);
-  const double size_5 = fabs(self->m5);
-  const double before_0 = small_g < 256.0 ? up : down;
-  const double before_1 = small_d < 256.0 ? up : down;
-  const double before_2 = small_a < 256.0 ? up : down;
-  const double before_3 = size_3 < 256.0 ? up : down;
-  const double before_4 = size_4 < 256.0 ? up : down;
-  const double before_5 = size_5 < 256.0 ? up : down;
-  const double after_0 = small_g < 256.0 ? down : up;
-  const double after_1 = small_d < 256.0 ? down : up;
-  const double after_2 = small_a < 256.0 ? down : up;
-  const double after_3 = size_3 < 256.0 ? down : up;
-  const double after_4 = size_4 < 256.0 ? down : up;
-  const double after_5 = size_5 < 256.0 ? down : up;
-  const double sized_0 = KSL_MUL(self->m0, before_0);
-  const double sized_1 = KSL_MUL(self->m1, before_1);
-  const double sized_2 = KSL_MUL(self->m2, before_2);
-  const double sized_3 = KSL_MUL(self->m3, before_3);
-  const double sized_4 = KSL_MUL(self->m4, before_4);
-  const double sized_5 = KSL_MUL(self->m5, before_5);
-  const double quotient_0 = sized_0 / divisor;
-  const double quotient_1 = sized_1 / divisor;
-  const double quotient_2 = sized_2 / divisor;
-  const double quotient_3 = sized_3 / divisor;
-  const double quotient_4 = sized_4 / divisor;
-  const double quotient_5 = sized_5 / divisor;
-  const double self_0_new = KSL_MUL(quotient_0, after_0);
-  const double self_1_new = KSL_MUL(quotient_1, after_1);
-  const double self_2_new = KSL_MUL(quotient_2, after_2);
-  const double self_3_new = KSL_MUL(quotient_3, after_3);
-  const double self_4_new = KSL_MUL(quotient_4, after_4);
-  const double self_5_new = KSL_MUL(quotient_5, after_5);
+  const double size_3 = fabs(self->m3), size_4 = fabs(self->m4), size_5 = fabs(self->m5);
+  const double before_0 = small_g < 256.0 ? up : down, before_1 = small_d < 256.0 ? up : down,
+      before_2 = small_a < 256.0 ? up : down, before_3 = size_3 < 256.0 ? up : down,
+      before_4 = size_4 < 256.0 ? up : down, before_5 = size_5 < 256.0 ? up : down;
+  const double after_0 = small_g < 256.0 ? down : up, after_1 = small_d < 256.0 ? down : up,
+      after_2 = small_a < 256.0 ? down : up, after_3 = size_3 < 256.0 ? down : up,
+      after_4 = size_4 < 256.0 ? down : up, after_5 = size_5 < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL(self->m0, before_0), sized_1 = KSL_MUL(self->m1, before_1),
+      sized_2 = KSL_MUL(self->m2, before_2), sized_3 = KSL_MUL(self->m3, before_3),
+      sized_4 = KSL_MUL(self->m4, before_4), sized_5 = KSL_MUL(self->m5, before_5);
+  const double quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor, quotient_3 = sized_3 / divisor,
+      quotient_4 = sized_4 / divisor, quotient_5 = sized_5 / divisor;
+  const double self_0_new = KSL_MUL(quotient_0, after_0), self_1_new = KSL_MUL(quotient_1, after_1),
+      self_2_new = KSL_MUL(quotient_2, after_2), self_3_new = KSL_MUL(quotient_3, after_3),
+      self_4_new = KSL_MUL(quotient_4, after_4), self_5_new = KSL_MUL(quotient_5, after_5);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -314,57 +253,35 @@ static inline void ksl_coscrew_normalized(const ksl_coscrew_t *ci, ksl_coscrew_t
   const double small_a = fabs(ci->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(ci->m1), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(ci->m0),
       small = small_g < 1e-09 ? small_f : 0.0;
-  const double p_0 = small == 1.0 ? ci->m3 : ci->m0;
-  const double p_1 = small == 1.0 ? ci->m4 : ci->m1;
-  const double p_2 = small == 1.0 ? ci->m5 : ci->m2;
-  const double s_size_0 = fabs(p_0);
-  const double s_size_1 = fabs(p_1);
-  const double s_size_2 = fabs(p_2);
+  const double p_0 = small == 1.0 ? ci->m3 : ci->m0, p_1 = small == 1.0 ? ci->m4 : ci->m1,
+      p_2 = small == 1.0 ? ci->m5 : ci->m2;
+  const double s_size_0 = fabs(p_0), s_size_1 = fabs(p_1), s_size_2 = fabs(p_2);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(p_0, s);
-  const double y_1 = KSL_MUL(p_1, s);
-  const double y_2 = KSL_MUL(p_2, s);
+  const double y_0 = KSL_MUL(p_0, s), y_1 = KSL_MUL(p_1, s), y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2));
   const double divisor = n == 0.0 ? up : n;
-  const double size_3 = fabs(ci->m3);
-  const double size_4 = fabs(ci->m4);
-  const double size_5 = fabs(ci->m5);
-  const double before_0 = small_g < 256.0 ? up : down;
-  const double before_1 = small_d < 256.0 ? up : down;
-  const double before_2 = small_a < 256.0 ? up : down;
-  const double before_3 = size_3 < 256.0 ? up : down;
-  const double before_4 = size_4 < 256.0 ? up : down;
-  const double before_5 = size_5 < 256.0 ? up : down;
-  const double after_0 = small_g < 256.0 ? down : up;
-  const double after_1 = small_d < 256.0 ? down : up;
-  const double after_2 = small_a < 256.0 ? down : up;
-  const double after_3 = size_3 < 256.0 ? down : up;
-  const double after_4 = size_4 < 256.0 ? down : up;
-  const double after_5 = size_5 < 256.0 ? down : up;
-  const double sized_0 = KSL_MUL(ci->m0, before_0);
-  const double sized_1 = KSL_MUL(ci->m1, before_1);
-  const double sized_2 = KSL_MUL(ci->m2, before_2);
-  const double sized_3 = KSL_MUL(ci->m3, before_3);
-  const double sized_4 = KSL_MUL(ci->m4, before_4);
-  const double sized_5 = KSL_MUL(ci->m5, before_5);
-  const double quotient_0 = sized_0 / divisor;
-  const double quotient_1 = sized_1 / divisor;
-  const double quotient_2 = sized_2 / divisor;
-  const double quotient_3 = sized_3 / divisor;
-  const double quotient_4 = sized_4 / divisor;
-  const double quotient_5 = sized_5 / divisor;
-  const double co_0 = KSL_MUL(quotient_0, after_0);
-  const double co_1 = KSL_MUL(quotient_1, after_1);
-  const double co_2 = KSL_MUL(quotient_2, after_2);
-  const double co_3 = KSL_MUL(quotient_3, after_3);
-  const double co_4 = KSL_MUL(quotient_4, after_4);
-  const double co_5 = KSL_MUL(quotient_5, after_5);
+  const double size_3 = fabs(ci->m3), size_4 = fabs(ci->m4), size_5 = fabs(ci->m5);
+  const double before_0 = small_g < 256.0 ? up : down, before_1 = small_d < 256.0 ? up : down,
+      before_2 = small_a < 256.0 ? up : down, before_3 = size_3 < 256.0 ? up : down,
+      before_4 = size_4 < 256.0 ? up : down, before_5 = size_5 < 256.0 ? up : down;
+  const double after_0 = small_g < 256.0 ? down : up, after_1 = small_d < 256.0 ? down : up,
+      after_2 = small_a < 256.0 ? down : up, after_3 = size_3 < 256.0 ? down : up,
+      after_4 = size_4 < 256.0 ? down : up, after_5 = size_5 < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL(ci->m0, before_0), sized_1 = KSL_MUL(ci->m1, before_1),
+      sized_2 = KSL_MUL(ci->m2, before_2), sized_3 = KSL_MUL(ci->m3, before_3),
+      sized_4 = KSL_MUL(ci->m4, before_4), sized_5 = KSL_MUL(ci->m5, before_5);
+  const double quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor, quotient_3 = sized_3 / divisor,
+      quotient_4 = sized_4 / divisor, quotient_5 = sized_5 / divisor;
+  const double co_0 = KSL_MUL(quotient_0, after_0), co_1 = KSL_MUL(quotient_1, after_1),
+      co_2 = KSL_MUL(quotient_2, after_2), co_3 = KSL_MUL(quotient_3, after_3),
+      co_4 = KSL_MUL(quotient_4, after_4), co_5 = KSL_MUL(quotient_5, after_5);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -437,9 +354,7 @@ static inline void ksl_coscrew_from_angular_first(const double x[6], ksl_coscrew
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_cct(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2,
     ksl_coscrew_t *co) {
-  const double co_0 = c1->m0 + c2->m0;
-  const double co_1 = c1->m1 + c2->m1;
-  const double co_2 = c1->m2 + c2->m2;
+  const double co_0 = c1->m0 + c2->m0, co_1 = c1->m1 + c2->m1, co_2 = c1->m2 + c2->m2;
   const double c1_m3 = c1->m3;
   const double c1_m4 = c1->m4;
   const double c1_m5 = c1->m5;
@@ -458,9 +373,9 @@ static inline void ksl_add_cct(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2,
      barring over- and underflow. */
 static inline void ksl_product_CoAdtc(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_3 = KSL_MUL(t->y, ci->m2) - KSL_MUL(t->z, ci->m1) + ci->m3;
-  const double co_4 = KSL_MUL(t->z, ci->m0) - KSL_MUL(t->x, ci->m2) + ci->m4;
-  const double co_5 = KSL_MUL(t->x, ci->m1) - KSL_MUL(t->y, ci->m0) + ci->m5;
+  const double co_3 = KSL_MUL(t->y, ci->m2) - KSL_MUL(t->z, ci->m1) + ci->m3,
+      co_4 = KSL_MUL(t->z, ci->m0) - KSL_MUL(t->x, ci->m2) + ci->m4,
+      co_5 = KSL_MUL(t->x, ci->m1) - KSL_MUL(t->y, ci->m0) + ci->m5;
   const double ci_m0 = ci->m0;
   const double ci_m1 = ci->m1;
   const double ci_m2 = ci->m2;
@@ -479,9 +394,9 @@ static inline void ksl_product_CoAdtc(const ksl_vec3_t *t, const ksl_coscrew_t *
      barring over- and underflow. */
 static inline void ksl_product_CoAdtinvc(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_3 = KSL_MUL(t->z, ci->m1) - KSL_MUL(t->y, ci->m2) + ci->m3;
-  const double co_4 = KSL_MUL(t->x, ci->m2) - KSL_MUL(t->z, ci->m0) + ci->m4;
-  const double co_5 = KSL_MUL(t->y, ci->m0) - KSL_MUL(t->x, ci->m1) + ci->m5;
+  const double co_3 = KSL_MUL(t->z, ci->m1) - KSL_MUL(t->y, ci->m2) + ci->m3,
+      co_4 = KSL_MUL(t->x, ci->m2) - KSL_MUL(t->z, ci->m0) + ci->m4,
+      co_5 = KSL_MUL(t->y, ci->m0) - KSL_MUL(t->x, ci->m1) + ci->m5;
   const double ci_m0 = ci->m0;
   const double ci_m1 = ci->m1;
   const double ci_m2 = ci->m2;
@@ -500,12 +415,10 @@ static inline void ksl_product_CoAdtinvc(const ksl_vec3_t *t, const ksl_coscrew_
      barring over- and underflow. */
 static inline void ksl_product_CoAdtcinv(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_0 = -ci->m0;
-  const double co_1 = -ci->m1;
-  const double co_2 = -ci->m2;
-  const double co_3 = KSL_MUL(t->z, ci->m1) - KSL_MUL(t->y, ci->m2) - ci->m3;
-  const double co_4 = KSL_MUL(t->x, ci->m2) - KSL_MUL(t->z, ci->m0) - ci->m4;
-  const double co_5 = KSL_MUL(t->y, ci->m0) - KSL_MUL(t->x, ci->m1) - ci->m5;
+  const double co_0 = -ci->m0, co_1 = -ci->m1, co_2 = -ci->m2,
+      co_3 = KSL_MUL(t->z, ci->m1) - KSL_MUL(t->y, ci->m2) - ci->m3,
+      co_4 = KSL_MUL(t->x, ci->m2) - KSL_MUL(t->z, ci->m0) - ci->m4,
+      co_5 = KSL_MUL(t->y, ci->m0) - KSL_MUL(t->x, ci->m1) - ci->m5;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -521,12 +434,12 @@ static inline void ksl_product_CoAdtcinv(const ksl_vec3_t *t, const ksl_coscrew_
      and underflow. */
 static inline void ksl_product_CoAdrc(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_0 = KSL_MUL(R->m00, ci->m0) + KSL_MUL(R->m01, ci->m1) + KSL_MUL(R->m02, ci->m2);
-  const double co_1 = KSL_MUL(R->m10, ci->m0) + KSL_MUL(R->m11, ci->m1) + KSL_MUL(R->m12, ci->m2);
-  const double co_2 = KSL_MUL(R->m20, ci->m0) + KSL_MUL(R->m21, ci->m1) + KSL_MUL(R->m22, ci->m2);
-  const double co_3 = KSL_MUL(R->m00, ci->m3) + KSL_MUL(R->m01, ci->m4) + KSL_MUL(R->m02, ci->m5);
-  const double co_4 = KSL_MUL(R->m10, ci->m3) + KSL_MUL(R->m11, ci->m4) + KSL_MUL(R->m12, ci->m5);
-  const double co_5 = KSL_MUL(R->m20, ci->m3) + KSL_MUL(R->m21, ci->m4) + KSL_MUL(R->m22, ci->m5);
+  const double co_0 = KSL_MUL(R->m00, ci->m0) + KSL_MUL(R->m01, ci->m1) + KSL_MUL(R->m02, ci->m2),
+      co_1 = KSL_MUL(R->m10, ci->m0) + KSL_MUL(R->m11, ci->m1) + KSL_MUL(R->m12, ci->m2),
+      co_2 = KSL_MUL(R->m20, ci->m0) + KSL_MUL(R->m21, ci->m1) + KSL_MUL(R->m22, ci->m2),
+      co_3 = KSL_MUL(R->m00, ci->m3) + KSL_MUL(R->m01, ci->m4) + KSL_MUL(R->m02, ci->m5),
+      co_4 = KSL_MUL(R->m10, ci->m3) + KSL_MUL(R->m11, ci->m4) + KSL_MUL(R->m12, ci->m5),
+      co_5 = KSL_MUL(R->m20, ci->m3) + KSL_MUL(R->m21, ci->m4) + KSL_MUL(R->m22, ci->m5);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -542,12 +455,12 @@ static inline void ksl_product_CoAdrc(const ksl_mat3x3_t *R, const ksl_coscrew_t
      and underflow. */
 static inline void ksl_product_CoAdrinvc(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_0 = KSL_MUL(R->m00, ci->m0) + KSL_MUL(R->m10, ci->m1) + KSL_MUL(R->m20, ci->m2);
-  const double co_1 = KSL_MUL(R->m01, ci->m0) + KSL_MUL(R->m11, ci->m1) + KSL_MUL(R->m21, ci->m2);
-  const double co_2 = KSL_MUL(R->m02, ci->m0) + KSL_MUL(R->m12, ci->m1) + KSL_MUL(R->m22, ci->m2);
-  const double co_3 = KSL_MUL(R->m00, ci->m3) + KSL_MUL(R->m10, ci->m4) + KSL_MUL(R->m20, ci->m5);
-  const double co_4 = KSL_MUL(R->m01, ci->m3) + KSL_MUL(R->m11, ci->m4) + KSL_MUL(R->m21, ci->m5);
-  const double co_5 = KSL_MUL(R->m02, ci->m3) + KSL_MUL(R->m12, ci->m4) + KSL_MUL(R->m22, ci->m5);
+  const double co_0 = KSL_MUL(R->m00, ci->m0) + KSL_MUL(R->m10, ci->m1) + KSL_MUL(R->m20, ci->m2),
+      co_1 = KSL_MUL(R->m01, ci->m0) + KSL_MUL(R->m11, ci->m1) + KSL_MUL(R->m21, ci->m2),
+      co_2 = KSL_MUL(R->m02, ci->m0) + KSL_MUL(R->m12, ci->m1) + KSL_MUL(R->m22, ci->m2),
+      co_3 = KSL_MUL(R->m00, ci->m3) + KSL_MUL(R->m10, ci->m4) + KSL_MUL(R->m20, ci->m5),
+      co_4 = KSL_MUL(R->m01, ci->m3) + KSL_MUL(R->m11, ci->m4) + KSL_MUL(R->m21, ci->m5),
+      co_5 = KSL_MUL(R->m02, ci->m3) + KSL_MUL(R->m12, ci->m4) + KSL_MUL(R->m22, ci->m5);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -564,17 +477,12 @@ static inline void ksl_product_CoAdrinvc(const ksl_mat3x3_t *R, const ksl_coscre
 static inline void ksl_product_CoAdrcinv(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
   const double co_0 =
-          -(KSL_MUL(R->m00, ci->m0) + KSL_MUL(R->m01, ci->m1) + KSL_MUL(R->m02, ci->m2));
-  const double co_1 =
-          -(KSL_MUL(R->m10, ci->m0) + KSL_MUL(R->m11, ci->m1) + KSL_MUL(R->m12, ci->m2));
-  const double co_2 =
-          -(KSL_MUL(R->m20, ci->m0) + KSL_MUL(R->m21, ci->m1) + KSL_MUL(R->m22, ci->m2));
-  const double co_3 =
-          -(KSL_MUL(R->m00, ci->m3) + KSL_MUL(R->m01, ci->m4) + KSL_MUL(R->m02, ci->m5));
-  const double co_4 =
-          -(KSL_MUL(R->m10, ci->m3) + KSL_MUL(R->m11, ci->m4) + KSL_MUL(R->m12, ci->m5));
-  const double co_5 =
-          -(KSL_MUL(R->m20, ci->m3) + KSL_MUL(R->m21, ci->m4) + KSL_MUL(R->m22, ci->m5));
+          -(KSL_MUL(R->m00, ci->m0) + KSL_MUL(R->m01, ci->m1) + KSL_MUL(R->m02, ci->m2)),
+      co_1 = -(KSL_MUL(R->m10, ci->m0) + KSL_MUL(R->m11, ci->m1) + KSL_MUL(R->m12, ci->m2)),
+      co_2 = -(KSL_MUL(R->m20, ci->m0) + KSL_MUL(R->m21, ci->m1) + KSL_MUL(R->m22, ci->m2)),
+      co_3 = -(KSL_MUL(R->m00, ci->m3) + KSL_MUL(R->m01, ci->m4) + KSL_MUL(R->m02, ci->m5)),
+      co_4 = -(KSL_MUL(R->m10, ci->m3) + KSL_MUL(R->m11, ci->m4) + KSL_MUL(R->m12, ci->m5)),
+      co_5 = -(KSL_MUL(R->m20, ci->m3) + KSL_MUL(R->m21, ci->m4) + KSL_MUL(R->m22, ci->m5));
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -590,15 +498,15 @@ static inline void ksl_product_CoAdrcinv(const ksl_mat3x3_t *R, const ksl_coscre
      barring over- and underflow. */
 static inline void ksl_product_CoAdc(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double w_0 = KSL_MUL(D->m00, ci->m0) + KSL_MUL(D->m01, ci->m1) + KSL_MUL(D->m02, ci->m2);
-  const double w_1 = KSL_MUL(D->m10, ci->m0) + KSL_MUL(D->m11, ci->m1) + KSL_MUL(D->m12, ci->m2);
-  const double w_2 = KSL_MUL(D->m20, ci->m0) + KSL_MUL(D->m21, ci->m1) + KSL_MUL(D->m22, ci->m2);
-  const double w_3 = KSL_MUL(D->m00, ci->m3) + KSL_MUL(D->m01, ci->m4) + KSL_MUL(D->m02, ci->m5);
-  const double w_4 = KSL_MUL(D->m10, ci->m3) + KSL_MUL(D->m11, ci->m4) + KSL_MUL(D->m12, ci->m5);
-  const double w_5 = KSL_MUL(D->m20, ci->m3) + KSL_MUL(D->m21, ci->m4) + KSL_MUL(D->m22, ci->m5);
-  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1) + w_3;
-  const double co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2) + w_4;
-  const double co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0) + w_5;
+  const double w_0 = KSL_MUL(D->m00, ci->m0) + KSL_MUL(D->m01, ci->m1) + KSL_MUL(D->m02, ci->m2),
+      w_1 = KSL_MUL(D->m10, ci->m0) + KSL_MUL(D->m11, ci->m1) + KSL_MUL(D->m12, ci->m2),
+      w_2 = KSL_MUL(D->m20, ci->m0) + KSL_MUL(D->m21, ci->m1) + KSL_MUL(D->m22, ci->m2),
+      w_3 = KSL_MUL(D->m00, ci->m3) + KSL_MUL(D->m01, ci->m4) + KSL_MUL(D->m02, ci->m5),
+      w_4 = KSL_MUL(D->m10, ci->m3) + KSL_MUL(D->m11, ci->m4) + KSL_MUL(D->m12, ci->m5),
+      w_5 = KSL_MUL(D->m20, ci->m3) + KSL_MUL(D->m21, ci->m4) + KSL_MUL(D->m22, ci->m5);
+  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1) + w_3,
+      co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2) + w_4,
+      co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -614,15 +522,15 @@ static inline void ksl_product_CoAdc(const ksl_SE3_t *D, const ksl_coscrew_t *ci
      barring over- and underflow. */
 static inline void ksl_product_CoAdinvc(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double w_3 = KSL_MUL(D->m23, ci->m1) - KSL_MUL(D->m13, ci->m2) + ci->m3;
-  const double w_4 = KSL_MUL(D->m03, ci->m2) - KSL_MUL(D->m23, ci->m0) + ci->m4;
-  const double w_5 = KSL_MUL(D->m13, ci->m0) - KSL_MUL(D->m03, ci->m1) + ci->m5;
-  const double co_0 = KSL_MUL(D->m00, ci->m0) + KSL_MUL(D->m10, ci->m1) + KSL_MUL(D->m20, ci->m2);
-  const double co_1 = KSL_MUL(D->m01, ci->m0) + KSL_MUL(D->m11, ci->m1) + KSL_MUL(D->m21, ci->m2);
-  const double co_2 = KSL_MUL(D->m02, ci->m0) + KSL_MUL(D->m12, ci->m1) + KSL_MUL(D->m22, ci->m2);
-  const double co_3 = KSL_MUL(D->m00, w_3) + KSL_MUL(D->m10, w_4) + KSL_MUL(D->m20, w_5);
-  const double co_4 = KSL_MUL(D->m01, w_3) + KSL_MUL(D->m11, w_4) + KSL_MUL(D->m21, w_5);
-  const double co_5 = KSL_MUL(D->m02, w_3) + KSL_MUL(D->m12, w_4) + KSL_MUL(D->m22, w_5);
+  const double w_3 = KSL_MUL(D->m23, ci->m1) - KSL_MUL(D->m13, ci->m2) + ci->m3,
+      w_4 = KSL_MUL(D->m03, ci->m2) - KSL_MUL(D->m23, ci->m0) + ci->m4,
+      w_5 = KSL_MUL(D->m13, ci->m0) - KSL_MUL(D->m03, ci->m1) + ci->m5;
+  const double co_0 = KSL_MUL(D->m00, ci->m0) + KSL_MUL(D->m10, ci->m1) + KSL_MUL(D->m20, ci->m2),
+      co_1 = KSL_MUL(D->m01, ci->m0) + KSL_MUL(D->m11, ci->m1) + KSL_MUL(D->m21, ci->m2),
+      co_2 = KSL_MUL(D->m02, ci->m0) + KSL_MUL(D->m12, ci->m1) + KSL_MUL(D->m22, ci->m2),
+      co_3 = KSL_MUL(D->m00, w_3) + KSL_MUL(D->m10, w_4) + KSL_MUL(D->m20, w_5),
+      co_4 = KSL_MUL(D->m01, w_3) + KSL_MUL(D->m11, w_4) + KSL_MUL(D->m21, w_5),
+      co_5 = KSL_MUL(D->m02, w_3) + KSL_MUL(D->m12, w_4) + KSL_MUL(D->m22, w_5);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -638,15 +546,15 @@ static inline void ksl_product_CoAdinvc(const ksl_SE3_t *D, const ksl_coscrew_t 
      barring over- and underflow. */
 static inline void ksl_product_CoAdcinv(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double w_0 = -(KSL_MUL(D->m00, ci->m0) + KSL_MUL(D->m01, ci->m1) + KSL_MUL(D->m02, ci->m2));
-  const double w_1 = -(KSL_MUL(D->m10, ci->m0) + KSL_MUL(D->m11, ci->m1) + KSL_MUL(D->m12, ci->m2));
-  const double w_2 = -(KSL_MUL(D->m20, ci->m0) + KSL_MUL(D->m21, ci->m1) + KSL_MUL(D->m22, ci->m2));
-  const double w_3 = -(KSL_MUL(D->m00, ci->m3) + KSL_MUL(D->m01, ci->m4) + KSL_MUL(D->m02, ci->m5));
-  const double w_4 = -(KSL_MUL(D->m10, ci->m3) + KSL_MUL(D->m11, ci->m4) + KSL_MUL(D->m12, ci->m5));
-  const double w_5 = -(KSL_MUL(D->m20, ci->m3) + KSL_MUL(D->m21, ci->m4) + KSL_MUL(D->m22, ci->m5));
-  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1) + w_3;
-  const double co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2) + w_4;
-  const double co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0) + w_5;
+  const double w_0 = -(KSL_MUL(D->m00, ci->m0) + KSL_MUL(D->m01, ci->m1) + KSL_MUL(D->m02, ci->m2)),
+      w_1 = -(KSL_MUL(D->m10, ci->m0) + KSL_MUL(D->m11, ci->m1) + KSL_MUL(D->m12, ci->m2)),
+      w_2 = -(KSL_MUL(D->m20, ci->m0) + KSL_MUL(D->m21, ci->m1) + KSL_MUL(D->m22, ci->m2)),
+      w_3 = -(KSL_MUL(D->m00, ci->m3) + KSL_MUL(D->m01, ci->m4) + KSL_MUL(D->m02, ci->m5)),
+      w_4 = -(KSL_MUL(D->m10, ci->m3) + KSL_MUL(D->m11, ci->m4) + KSL_MUL(D->m12, ci->m5)),
+      w_5 = -(KSL_MUL(D->m20, ci->m3) + KSL_MUL(D->m21, ci->m4) + KSL_MUL(D->m22, ci->m5));
+  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1) + w_3,
+      co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2) + w_4,
+      co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -661,9 +569,9 @@ static inline void ksl_product_CoAdcinv(const ksl_SE3_t *D, const ksl_coscrew_t 
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctx(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_3 = KSL_MUL(D->m20, D->m13) - KSL_MUL(D->m10, D->m23);
-  const double co_4 = KSL_MUL(D->m00, D->m23) - KSL_MUL(D->m20, D->m03);
-  const double co_5 = KSL_MUL(D->m10, D->m03) - KSL_MUL(D->m00, D->m13);
+  const double co_3 = KSL_MUL(D->m20, D->m13) - KSL_MUL(D->m10, D->m23),
+      co_4 = KSL_MUL(D->m00, D->m23) - KSL_MUL(D->m20, D->m03),
+      co_5 = KSL_MUL(D->m10, D->m03) - KSL_MUL(D->m00, D->m13);
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
   const double D_m20 = D->m20;
@@ -681,9 +589,9 @@ static inline void ksl_hctx(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hcty(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_3 = KSL_MUL(D->m21, D->m13) - KSL_MUL(D->m11, D->m23);
-  const double co_4 = KSL_MUL(D->m01, D->m23) - KSL_MUL(D->m21, D->m03);
-  const double co_5 = KSL_MUL(D->m11, D->m03) - KSL_MUL(D->m01, D->m13);
+  const double co_3 = KSL_MUL(D->m21, D->m13) - KSL_MUL(D->m11, D->m23),
+      co_4 = KSL_MUL(D->m01, D->m23) - KSL_MUL(D->m21, D->m03),
+      co_5 = KSL_MUL(D->m11, D->m03) - KSL_MUL(D->m01, D->m13);
   const double D_m01 = D->m01;
   const double D_m11 = D->m11;
   const double D_m21 = D->m21;
@@ -701,9 +609,9 @@ static inline void ksl_hcty(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctz(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_3 = KSL_MUL(D->m22, D->m13) - KSL_MUL(D->m12, D->m23);
-  const double co_4 = KSL_MUL(D->m02, D->m23) - KSL_MUL(D->m22, D->m03);
-  const double co_5 = KSL_MUL(D->m12, D->m03) - KSL_MUL(D->m02, D->m13);
+  const double co_3 = KSL_MUL(D->m22, D->m13) - KSL_MUL(D->m12, D->m23),
+      co_4 = KSL_MUL(D->m02, D->m23) - KSL_MUL(D->m22, D->m03),
+      co_5 = KSL_MUL(D->m12, D->m03) - KSL_MUL(D->m02, D->m13);
   const double D_m02 = D->m02;
   const double D_m12 = D->m12;
   const double D_m22 = D->m22;
@@ -769,12 +677,10 @@ static inline void ksl_hcrz(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctxinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_0 = -D->m00;
-  const double co_1 = -D->m10;
-  const double co_2 = -D->m20;
-  const double co_3 = KSL_MUL(D->m10, D->m23) - KSL_MUL(D->m20, D->m13);
-  const double co_4 = KSL_MUL(D->m20, D->m03) - KSL_MUL(D->m00, D->m23);
-  const double co_5 = KSL_MUL(D->m00, D->m13) - KSL_MUL(D->m10, D->m03);
+  const double co_0 = -D->m00, co_1 = -D->m10, co_2 = -D->m20,
+      co_3 = KSL_MUL(D->m10, D->m23) - KSL_MUL(D->m20, D->m13),
+      co_4 = KSL_MUL(D->m20, D->m03) - KSL_MUL(D->m00, D->m23),
+      co_5 = KSL_MUL(D->m00, D->m13) - KSL_MUL(D->m10, D->m03);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -789,12 +695,10 @@ static inline void ksl_hctxinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctyinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_0 = -D->m01;
-  const double co_1 = -D->m11;
-  const double co_2 = -D->m21;
-  const double co_3 = KSL_MUL(D->m11, D->m23) - KSL_MUL(D->m21, D->m13);
-  const double co_4 = KSL_MUL(D->m21, D->m03) - KSL_MUL(D->m01, D->m23);
-  const double co_5 = KSL_MUL(D->m01, D->m13) - KSL_MUL(D->m11, D->m03);
+  const double co_0 = -D->m01, co_1 = -D->m11, co_2 = -D->m21,
+      co_3 = KSL_MUL(D->m11, D->m23) - KSL_MUL(D->m21, D->m13),
+      co_4 = KSL_MUL(D->m21, D->m03) - KSL_MUL(D->m01, D->m23),
+      co_5 = KSL_MUL(D->m01, D->m13) - KSL_MUL(D->m11, D->m03);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -809,12 +713,10 @@ static inline void ksl_hctyinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctzinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_0 = -D->m02;
-  const double co_1 = -D->m12;
-  const double co_2 = -D->m22;
-  const double co_3 = KSL_MUL(D->m12, D->m23) - KSL_MUL(D->m22, D->m13);
-  const double co_4 = KSL_MUL(D->m22, D->m03) - KSL_MUL(D->m02, D->m23);
-  const double co_5 = KSL_MUL(D->m02, D->m13) - KSL_MUL(D->m12, D->m03);
+  const double co_0 = -D->m02, co_1 = -D->m12, co_2 = -D->m22,
+      co_3 = KSL_MUL(D->m12, D->m23) - KSL_MUL(D->m22, D->m13),
+      co_4 = KSL_MUL(D->m22, D->m03) - KSL_MUL(D->m02, D->m23),
+      co_5 = KSL_MUL(D->m02, D->m13) - KSL_MUL(D->m12, D->m03);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -828,9 +730,7 @@ static inline void ksl_hctzinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    3 neg.
    Exact. */
 static inline void ksl_hcrxinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_3 = -D->m00;
-  const double co_4 = -D->m10;
-  const double co_5 = -D->m20;
+  const double co_3 = -D->m00, co_4 = -D->m10, co_5 = -D->m20;
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -844,9 +744,7 @@ static inline void ksl_hcrxinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    3 neg.
    Exact. */
 static inline void ksl_hcryinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_3 = -D->m01;
-  const double co_4 = -D->m11;
-  const double co_5 = -D->m21;
+  const double co_3 = -D->m01, co_4 = -D->m11, co_5 = -D->m21;
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -860,9 +758,7 @@ static inline void ksl_hcryinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    3 neg.
    Exact. */
 static inline void ksl_hcrzinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_3 = -D->m02;
-  const double co_4 = -D->m12;
-  const double co_5 = -D->m22;
+  const double co_3 = -D->m02, co_4 = -D->m12, co_5 = -D->m22;
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -877,15 +773,15 @@ static inline void ksl_hcrzinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_CoAd(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
-  const double M_30 = KSL_MUL(D->m20, D->m13) - KSL_MUL(D->m10, D->m23);
-  const double M_31 = KSL_MUL(D->m21, D->m13) - KSL_MUL(D->m11, D->m23);
-  const double M_32 = KSL_MUL(D->m22, D->m13) - KSL_MUL(D->m12, D->m23);
-  const double M_40 = KSL_MUL(D->m00, D->m23) - KSL_MUL(D->m20, D->m03);
-  const double M_41 = KSL_MUL(D->m01, D->m23) - KSL_MUL(D->m21, D->m03);
-  const double M_42 = KSL_MUL(D->m02, D->m23) - KSL_MUL(D->m22, D->m03);
-  const double M_50 = KSL_MUL(D->m10, D->m03) - KSL_MUL(D->m00, D->m13);
-  const double M_51 = KSL_MUL(D->m11, D->m03) - KSL_MUL(D->m01, D->m13);
-  const double M_52 = KSL_MUL(D->m12, D->m03) - KSL_MUL(D->m02, D->m13);
+  const double M_30 = KSL_MUL(D->m20, D->m13) - KSL_MUL(D->m10, D->m23),
+      M_31 = KSL_MUL(D->m21, D->m13) - KSL_MUL(D->m11, D->m23),
+      M_32 = KSL_MUL(D->m22, D->m13) - KSL_MUL(D->m12, D->m23),
+      M_40 = KSL_MUL(D->m00, D->m23) - KSL_MUL(D->m20, D->m03),
+      M_41 = KSL_MUL(D->m01, D->m23) - KSL_MUL(D->m21, D->m03),
+      M_42 = KSL_MUL(D->m02, D->m23) - KSL_MUL(D->m22, D->m03),
+      M_50 = KSL_MUL(D->m10, D->m03) - KSL_MUL(D->m00, D->m13),
+      M_51 = KSL_MUL(D->m11, D->m03) - KSL_MUL(D->m01, D->m13),
+      M_52 = KSL_MUL(D->m12, D->m03) - KSL_MUL(D->m02, D->m13);
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -950,14 +846,14 @@ static inline double ksl_reciprocal_product(const ksl_coscrew_t *c, const double
    Error <= u |result| + (lin: 1, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_cross_sc(const ksl_screw_t *s, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
-  const double co_0 = KSL_MUL(s->m4, c->m2) - KSL_MUL(s->m5, c->m1);
-  const double co_1 = KSL_MUL(s->m5, c->m0) - KSL_MUL(s->m3, c->m2);
-  const double co_2 = KSL_MUL(s->m3, c->m1) - KSL_MUL(s->m4, c->m0);
-  const double co_3 = KSL_MUL(s->m1, c->m2) - KSL_MUL(s->m2, c->m1)
-          + (KSL_MUL(s->m4, c->m5) - KSL_MUL(s->m5, c->m4));
-  const double co_4 = KSL_MUL(s->m2, c->m0) - KSL_MUL(s->m0, c->m2)
-          + (KSL_MUL(s->m5, c->m3) - KSL_MUL(s->m3, c->m5));
-  const double co_5 = KSL_MUL(s->m0, c->m1) - KSL_MUL(s->m1, c->m0)
+  const double co_0 = KSL_MUL(s->m4, c->m2) - KSL_MUL(s->m5, c->m1),
+      co_1 = KSL_MUL(s->m5, c->m0) - KSL_MUL(s->m3, c->m2),
+      co_2 = KSL_MUL(s->m3, c->m1) - KSL_MUL(s->m4, c->m0),
+      co_3 = KSL_MUL(s->m1, c->m2) - KSL_MUL(s->m2, c->m1)
+          + (KSL_MUL(s->m4, c->m5) - KSL_MUL(s->m5, c->m4)),
+      co_4 = KSL_MUL(s->m2, c->m0) - KSL_MUL(s->m0, c->m2)
+          + (KSL_MUL(s->m5, c->m3) - KSL_MUL(s->m3, c->m5)),
+      co_5 = KSL_MUL(s->m0, c->m1) - KSL_MUL(s->m1, c->m0)
           + (KSL_MUL(s->m3, c->m4) - KSL_MUL(s->m4, c->m3));
   co->m0 = co_0;
   co->m1 = co_1;
@@ -973,9 +869,9 @@ static inline void ksl_cross_sc(const ksl_screw_t *s, const ksl_coscrew_t *c, ks
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_cross_sca(const ksl_screw_t *s, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
-  const double co_3 = KSL_MUL(s->m4, c->m5) - KSL_MUL(s->m5, c->m4);
-  const double co_4 = KSL_MUL(s->m5, c->m3) - KSL_MUL(s->m3, c->m5);
-  const double co_5 = KSL_MUL(s->m3, c->m4) - KSL_MUL(s->m4, c->m3);
+  const double co_3 = KSL_MUL(s->m4, c->m5) - KSL_MUL(s->m5, c->m4),
+      co_4 = KSL_MUL(s->m5, c->m3) - KSL_MUL(s->m3, c->m5),
+      co_5 = KSL_MUL(s->m3, c->m4) - KSL_MUL(s->m4, c->m3);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -991,15 +887,15 @@ static inline void ksl_cross_sca(const ksl_screw_t *s, const ksl_coscrew_t *c, k
      barring over- and underflow. */
 static inline void ksl_constraint_ctx(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0 = KSL_MUL(D->m01, c->m1) + KSL_MUL(D->m02, c->m2);
-  const double w_1 = KSL_MUL(D->m11, c->m1) + KSL_MUL(D->m12, c->m2);
-  const double w_2 = KSL_MUL(D->m21, c->m1) + KSL_MUL(D->m22, c->m2);
-  const double w_3 = KSL_MUL(D->m00, c->m3) + KSL_MUL(D->m01, c->m4) + KSL_MUL(D->m02, c->m5);
-  const double w_4 = KSL_MUL(D->m10, c->m3) + KSL_MUL(D->m11, c->m4) + KSL_MUL(D->m12, c->m5);
-  const double w_5 = KSL_MUL(D->m20, c->m3) + KSL_MUL(D->m21, c->m4) + KSL_MUL(D->m22, c->m5);
-  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1) + w_3;
-  const double co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2) + w_4;
-  const double co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0) + w_5;
+  const double w_0 = KSL_MUL(D->m01, c->m1) + KSL_MUL(D->m02, c->m2),
+      w_1 = KSL_MUL(D->m11, c->m1) + KSL_MUL(D->m12, c->m2),
+      w_2 = KSL_MUL(D->m21, c->m1) + KSL_MUL(D->m22, c->m2),
+      w_3 = KSL_MUL(D->m00, c->m3) + KSL_MUL(D->m01, c->m4) + KSL_MUL(D->m02, c->m5),
+      w_4 = KSL_MUL(D->m10, c->m3) + KSL_MUL(D->m11, c->m4) + KSL_MUL(D->m12, c->m5),
+      w_5 = KSL_MUL(D->m20, c->m3) + KSL_MUL(D->m21, c->m4) + KSL_MUL(D->m22, c->m5);
+  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1) + w_3,
+      co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2) + w_4,
+      co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1015,15 +911,15 @@ static inline void ksl_constraint_ctx(const ksl_SE3_t *D, const ksl_coscrew_t *c
      barring over- and underflow. */
 static inline void ksl_constraint_cty(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0 = KSL_MUL(D->m00, c->m0) + KSL_MUL(D->m02, c->m2);
-  const double w_1 = KSL_MUL(D->m10, c->m0) + KSL_MUL(D->m12, c->m2);
-  const double w_2 = KSL_MUL(D->m20, c->m0) + KSL_MUL(D->m22, c->m2);
-  const double w_3 = KSL_MUL(D->m00, c->m3) + KSL_MUL(D->m01, c->m4) + KSL_MUL(D->m02, c->m5);
-  const double w_4 = KSL_MUL(D->m10, c->m3) + KSL_MUL(D->m11, c->m4) + KSL_MUL(D->m12, c->m5);
-  const double w_5 = KSL_MUL(D->m20, c->m3) + KSL_MUL(D->m21, c->m4) + KSL_MUL(D->m22, c->m5);
-  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1) + w_3;
-  const double co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2) + w_4;
-  const double co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0) + w_5;
+  const double w_0 = KSL_MUL(D->m00, c->m0) + KSL_MUL(D->m02, c->m2),
+      w_1 = KSL_MUL(D->m10, c->m0) + KSL_MUL(D->m12, c->m2),
+      w_2 = KSL_MUL(D->m20, c->m0) + KSL_MUL(D->m22, c->m2),
+      w_3 = KSL_MUL(D->m00, c->m3) + KSL_MUL(D->m01, c->m4) + KSL_MUL(D->m02, c->m5),
+      w_4 = KSL_MUL(D->m10, c->m3) + KSL_MUL(D->m11, c->m4) + KSL_MUL(D->m12, c->m5),
+      w_5 = KSL_MUL(D->m20, c->m3) + KSL_MUL(D->m21, c->m4) + KSL_MUL(D->m22, c->m5);
+  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1) + w_3,
+      co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2) + w_4,
+      co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1039,15 +935,15 @@ static inline void ksl_constraint_cty(const ksl_SE3_t *D, const ksl_coscrew_t *c
      barring over- and underflow. */
 static inline void ksl_constraint_ctz(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0 = KSL_MUL(D->m00, c->m0) + KSL_MUL(D->m01, c->m1);
-  const double w_1 = KSL_MUL(D->m10, c->m0) + KSL_MUL(D->m11, c->m1);
-  const double w_2 = KSL_MUL(D->m20, c->m0) + KSL_MUL(D->m21, c->m1);
-  const double w_3 = KSL_MUL(D->m00, c->m3) + KSL_MUL(D->m01, c->m4) + KSL_MUL(D->m02, c->m5);
-  const double w_4 = KSL_MUL(D->m10, c->m3) + KSL_MUL(D->m11, c->m4) + KSL_MUL(D->m12, c->m5);
-  const double w_5 = KSL_MUL(D->m20, c->m3) + KSL_MUL(D->m21, c->m4) + KSL_MUL(D->m22, c->m5);
-  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1) + w_3;
-  const double co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2) + w_4;
-  const double co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0) + w_5;
+  const double w_0 = KSL_MUL(D->m00, c->m0) + KSL_MUL(D->m01, c->m1),
+      w_1 = KSL_MUL(D->m10, c->m0) + KSL_MUL(D->m11, c->m1),
+      w_2 = KSL_MUL(D->m20, c->m0) + KSL_MUL(D->m21, c->m1),
+      w_3 = KSL_MUL(D->m00, c->m3) + KSL_MUL(D->m01, c->m4) + KSL_MUL(D->m02, c->m5),
+      w_4 = KSL_MUL(D->m10, c->m3) + KSL_MUL(D->m11, c->m4) + KSL_MUL(D->m12, c->m5),
+      w_5 = KSL_MUL(D->m20, c->m3) + KSL_MUL(D->m21, c->m4) + KSL_MUL(D->m22, c->m5);
+  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1) + w_3,
+      co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2) + w_4,
+      co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1063,15 +959,15 @@ static inline void ksl_constraint_ctz(const ksl_SE3_t *D, const ksl_coscrew_t *c
      barring over- and underflow. */
 static inline void ksl_constraint_crx(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0 = KSL_MUL(D->m00, c->m0) + KSL_MUL(D->m01, c->m1) + KSL_MUL(D->m02, c->m2);
-  const double w_1 = KSL_MUL(D->m10, c->m0) + KSL_MUL(D->m11, c->m1) + KSL_MUL(D->m12, c->m2);
-  const double w_2 = KSL_MUL(D->m20, c->m0) + KSL_MUL(D->m21, c->m1) + KSL_MUL(D->m22, c->m2);
-  const double w_3 = KSL_MUL(D->m01, c->m4) + KSL_MUL(D->m02, c->m5);
-  const double w_4 = KSL_MUL(D->m11, c->m4) + KSL_MUL(D->m12, c->m5);
-  const double w_5 = KSL_MUL(D->m21, c->m4) + KSL_MUL(D->m22, c->m5);
-  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1) + w_3;
-  const double co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2) + w_4;
-  const double co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0) + w_5;
+  const double w_0 = KSL_MUL(D->m00, c->m0) + KSL_MUL(D->m01, c->m1) + KSL_MUL(D->m02, c->m2),
+      w_1 = KSL_MUL(D->m10, c->m0) + KSL_MUL(D->m11, c->m1) + KSL_MUL(D->m12, c->m2),
+      w_2 = KSL_MUL(D->m20, c->m0) + KSL_MUL(D->m21, c->m1) + KSL_MUL(D->m22, c->m2),
+      w_3 = KSL_MUL(D->m01, c->m4) + KSL_MUL(D->m02, c->m5),
+      w_4 = KSL_MUL(D->m11, c->m4) + KSL_MUL(D->m12, c->m5),
+      w_5 = KSL_MUL(D->m21, c->m4) + KSL_MUL(D->m22, c->m5);
+  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1) + w_3,
+      co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2) + w_4,
+      co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1087,15 +983,15 @@ static inline void ksl_constraint_crx(const ksl_SE3_t *D, const ksl_coscrew_t *c
      barring over- and underflow. */
 static inline void ksl_constraint_cry(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0 = KSL_MUL(D->m00, c->m0) + KSL_MUL(D->m01, c->m1) + KSL_MUL(D->m02, c->m2);
-  const double w_1 = KSL_MUL(D->m10, c->m0) + KSL_MUL(D->m11, c->m1) + KSL_MUL(D->m12, c->m2);
-  const double w_2 = KSL_MUL(D->m20, c->m0) + KSL_MUL(D->m21, c->m1) + KSL_MUL(D->m22, c->m2);
-  const double w_3 = KSL_MUL(D->m00, c->m3) + KSL_MUL(D->m02, c->m5);
-  const double w_4 = KSL_MUL(D->m10, c->m3) + KSL_MUL(D->m12, c->m5);
-  const double w_5 = KSL_MUL(D->m20, c->m3) + KSL_MUL(D->m22, c->m5);
-  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1) + w_3;
-  const double co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2) + w_4;
-  const double co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0) + w_5;
+  const double w_0 = KSL_MUL(D->m00, c->m0) + KSL_MUL(D->m01, c->m1) + KSL_MUL(D->m02, c->m2),
+      w_1 = KSL_MUL(D->m10, c->m0) + KSL_MUL(D->m11, c->m1) + KSL_MUL(D->m12, c->m2),
+      w_2 = KSL_MUL(D->m20, c->m0) + KSL_MUL(D->m21, c->m1) + KSL_MUL(D->m22, c->m2),
+      w_3 = KSL_MUL(D->m00, c->m3) + KSL_MUL(D->m02, c->m5),
+      w_4 = KSL_MUL(D->m10, c->m3) + KSL_MUL(D->m12, c->m5),
+      w_5 = KSL_MUL(D->m20, c->m3) + KSL_MUL(D->m22, c->m5);
+  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1) + w_3,
+      co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2) + w_4,
+      co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1111,15 +1007,15 @@ static inline void ksl_constraint_cry(const ksl_SE3_t *D, const ksl_coscrew_t *c
      barring over- and underflow. */
 static inline void ksl_constraint_crz(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0 = KSL_MUL(D->m00, c->m0) + KSL_MUL(D->m01, c->m1) + KSL_MUL(D->m02, c->m2);
-  const double w_1 = KSL_MUL(D->m10, c->m0) + KSL_MUL(D->m11, c->m1) + KSL_MUL(D->m12, c->m2);
-  const double w_2 = KSL_MUL(D->m20, c->m0) + KSL_MUL(D->m21, c->m1) + KSL_MUL(D->m22, c->m2);
-  const double w_3 = KSL_MUL(D->m00, c->m3) + KSL_MUL(D->m01, c->m4);
-  const double w_4 = KSL_MUL(D->m10, c->m3) + KSL_MUL(D->m11, c->m4);
-  const double w_5 = KSL_MUL(D->m20, c->m3) + KSL_MUL(D->m21, c->m4);
-  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1) + w_3;
-  const double co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2) + w_4;
-  const double co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0) + w_5;
+  const double w_0 = KSL_MUL(D->m00, c->m0) + KSL_MUL(D->m01, c->m1) + KSL_MUL(D->m02, c->m2),
+      w_1 = KSL_MUL(D->m10, c->m0) + KSL_MUL(D->m11, c->m1) + KSL_MUL(D->m12, c->m2),
+      w_2 = KSL_MUL(D->m20, c->m0) + KSL_MUL(D->m21, c->m1) + KSL_MUL(D->m22, c->m2),
+      w_3 = KSL_MUL(D->m00, c->m3) + KSL_MUL(D->m01, c->m4),
+      w_4 = KSL_MUL(D->m10, c->m3) + KSL_MUL(D->m11, c->m4),
+      w_5 = KSL_MUL(D->m20, c->m3) + KSL_MUL(D->m21, c->m4);
+  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1) + w_3,
+      co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2) + w_4,
+      co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1134,12 +1030,11 @@ static inline void ksl_constraint_crz(const ksl_SE3_t *D, const ksl_coscrew_t *c
    Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_working_ctx(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
-  const double w_0 = KSL_MUL(D->m00, c->m0);
-  const double w_1 = KSL_MUL(D->m10, c->m0);
-  const double w_2 = KSL_MUL(D->m20, c->m0);
-  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1);
-  const double co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2);
-  const double co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0);
+  const double w_0 = KSL_MUL(D->m00, c->m0), w_1 = KSL_MUL(D->m10, c->m0),
+      w_2 = KSL_MUL(D->m20, c->m0);
+  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1),
+      co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2),
+      co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1154,12 +1049,11 @@ static inline void ksl_working_ctx(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
    Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_working_cty(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
-  const double w_0 = KSL_MUL(D->m01, c->m1);
-  const double w_1 = KSL_MUL(D->m11, c->m1);
-  const double w_2 = KSL_MUL(D->m21, c->m1);
-  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1);
-  const double co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2);
-  const double co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0);
+  const double w_0 = KSL_MUL(D->m01, c->m1), w_1 = KSL_MUL(D->m11, c->m1),
+      w_2 = KSL_MUL(D->m21, c->m1);
+  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1),
+      co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2),
+      co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1174,12 +1068,11 @@ static inline void ksl_working_cty(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
    Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_working_ctz(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
-  const double w_0 = KSL_MUL(D->m02, c->m2);
-  const double w_1 = KSL_MUL(D->m12, c->m2);
-  const double w_2 = KSL_MUL(D->m22, c->m2);
-  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1);
-  const double co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2);
-  const double co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0);
+  const double w_0 = KSL_MUL(D->m02, c->m2), w_1 = KSL_MUL(D->m12, c->m2),
+      w_2 = KSL_MUL(D->m22, c->m2);
+  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1),
+      co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2),
+      co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1193,9 +1086,8 @@ static inline void ksl_working_ctz(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_crx(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
-  const double w_3 = KSL_MUL(D->m00, c->m3);
-  const double w_4 = KSL_MUL(D->m10, c->m3);
-  const double w_5 = KSL_MUL(D->m20, c->m3);
+  const double w_3 = KSL_MUL(D->m00, c->m3), w_4 = KSL_MUL(D->m10, c->m3),
+      w_5 = KSL_MUL(D->m20, c->m3);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -1209,9 +1101,8 @@ static inline void ksl_working_crx(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_cry(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
-  const double w_3 = KSL_MUL(D->m01, c->m4);
-  const double w_4 = KSL_MUL(D->m11, c->m4);
-  const double w_5 = KSL_MUL(D->m21, c->m4);
+  const double w_3 = KSL_MUL(D->m01, c->m4), w_4 = KSL_MUL(D->m11, c->m4),
+      w_5 = KSL_MUL(D->m21, c->m4);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -1225,9 +1116,8 @@ static inline void ksl_working_cry(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_crz(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
-  const double w_3 = KSL_MUL(D->m02, c->m5);
-  const double w_4 = KSL_MUL(D->m12, c->m5);
-  const double w_5 = KSL_MUL(D->m22, c->m5);
+  const double w_3 = KSL_MUL(D->m02, c->m5), w_4 = KSL_MUL(D->m12, c->m5),
+      w_5 = KSL_MUL(D->m22, c->m5);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -1241,12 +1131,8 @@ static inline void ksl_working_crz(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
    6 neg.
    Exact. */
 static inline void ksl_coad(const ksl_screw_t *s, ksl_mat6x6_t *M) {
-  const double M_01 = -s->m5;
-  const double M_12 = -s->m3;
-  const double M_20 = -s->m4;
-  const double M_31 = -s->m2;
-  const double M_42 = -s->m0;
-  const double M_50 = -s->m1;
+  const double M_01 = -s->m5, M_12 = -s->m3, M_20 = -s->m4, M_31 = -s->m2, M_42 = -s->m0,
+      M_50 = -s->m1;
   const double s_m4 = s->m4;
   const double s_m5 = s->m5;
   const double s_m3 = s->m3;
@@ -1328,12 +1214,9 @@ static inline void ksl_coscrewf_copy(const ksl_coscrewf_t *ci, ksl_coscrewf_t *c
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_coscrewf_scale(ksl_coscrewf_t *self, const float a) {
-  const float self_0_new = KSL_MULF(self->m0, a);
-  const float self_1_new = KSL_MULF(self->m1, a);
-  const float self_2_new = KSL_MULF(self->m2, a);
-  const float self_3_new = KSL_MULF(self->m3, a);
-  const float self_4_new = KSL_MULF(self->m4, a);
-  const float self_5_new = KSL_MULF(self->m5, a);
+  const float self_0_new = KSL_MULF(self->m0, a), self_1_new = KSL_MULF(self->m1, a),
+      self_2_new = KSL_MULF(self->m2, a), self_3_new = KSL_MULF(self->m3, a),
+      self_4_new = KSL_MULF(self->m4, a), self_5_new = KSL_MULF(self->m5, a);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -1347,12 +1230,8 @@ static inline void ksl_coscrewf_scale(ksl_coscrewf_t *self, const float a) {
    6 neg.
    Exact. */
 static inline void ksl_coscrewf_inverted(const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
-  const float co_0 = -ci->m0;
-  const float co_1 = -ci->m1;
-  const float co_2 = -ci->m2;
-  const float co_3 = -ci->m3;
-  const float co_4 = -ci->m4;
-  const float co_5 = -ci->m5;
+  const float co_0 = -ci->m0, co_1 = -ci->m1, co_2 = -ci->m2, co_3 = -ci->m3, co_4 = -ci->m4,
+      co_5 = -ci->m5;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1366,12 +1245,8 @@ static inline void ksl_coscrewf_inverted(const ksl_coscrewf_t *ci, ksl_coscrewf_
    6 neg.
    Exact. */
 static inline void ksl_coscrewf_invert(ksl_coscrewf_t *self) {
-  const float self_0_new = -self->m0;
-  const float self_1_new = -self->m1;
-  const float self_2_new = -self->m2;
-  const float self_3_new = -self->m3;
-  const float self_4_new = -self->m4;
-  const float self_5_new = -self->m5;
+  const float self_0_new = -self->m0, self_1_new = -self->m1, self_2_new = -self->m2,
+      self_3_new = -self->m3, self_4_new = -self->m4, self_5_new = -self->m5;
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -1386,12 +1261,9 @@ static inline void ksl_coscrewf_invert(ksl_coscrewf_t *self) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_axpy_ccf(const float a, const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
-  const float y_0_new = KSL_MULF(a, x->m0) + y->m0;
-  const float y_1_new = KSL_MULF(a, x->m1) + y->m1;
-  const float y_2_new = KSL_MULF(a, x->m2) + y->m2;
-  const float y_3_new = KSL_MULF(a, x->m3) + y->m3;
-  const float y_4_new = KSL_MULF(a, x->m4) + y->m4;
-  const float y_5_new = KSL_MULF(a, x->m5) + y->m5;
+  const float y_0_new = KSL_MULF(a, x->m0) + y->m0, y_1_new = KSL_MULF(a, x->m1) + y->m1,
+      y_2_new = KSL_MULF(a, x->m2) + y->m2, y_3_new = KSL_MULF(a, x->m3) + y->m3,
+      y_4_new = KSL_MULF(a, x->m4) + y->m4, y_5_new = KSL_MULF(a, x->m5) + y->m5;
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -1405,12 +1277,8 @@ static inline void ksl_axpy_ccf(const float a, const ksl_coscrewf_t *x, ksl_cosc
    6 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_xpy_ccf(const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
-  const float y_0_new = x->m0 + y->m0;
-  const float y_1_new = x->m1 + y->m1;
-  const float y_2_new = x->m2 + y->m2;
-  const float y_3_new = x->m3 + y->m3;
-  const float y_4_new = x->m4 + y->m4;
-  const float y_5_new = x->m5 + y->m5;
+  const float y_0_new = x->m0 + y->m0, y_1_new = x->m1 + y->m1, y_2_new = x->m2 + y->m2,
+      y_3_new = x->m3 + y->m3, y_4_new = x->m4 + y->m4, y_5_new = x->m5 + y->m5;
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -1424,12 +1292,8 @@ static inline void ksl_xpy_ccf(const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
    6 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_nxpy_ccf(const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
-  const float y_0_new = y->m0 - x->m0;
-  const float y_1_new = y->m1 - x->m1;
-  const float y_2_new = y->m2 - x->m2;
-  const float y_3_new = y->m3 - x->m3;
-  const float y_4_new = y->m4 - x->m4;
-  const float y_5_new = y->m5 - x->m5;
+  const float y_0_new = y->m0 - x->m0, y_1_new = y->m1 - x->m1, y_2_new = y->m2 - x->m2,
+      y_3_new = y->m3 - x->m3, y_4_new = y->m4 - x->m4, y_5_new = y->m5 - x->m5;
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -1443,12 +1307,8 @@ static inline void ksl_nxpy_ccf(const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_acf(const float a, const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
-  const float co_0 = KSL_MULF(a, ci->m0);
-  const float co_1 = KSL_MULF(a, ci->m1);
-  const float co_2 = KSL_MULF(a, ci->m2);
-  const float co_3 = KSL_MULF(a, ci->m3);
-  const float co_4 = KSL_MULF(a, ci->m4);
-  const float co_5 = KSL_MULF(a, ci->m5);
+  const float co_0 = KSL_MULF(a, ci->m0), co_1 = KSL_MULF(a, ci->m1), co_2 = KSL_MULF(a, ci->m2),
+      co_3 = KSL_MULF(a, ci->m3), co_4 = KSL_MULF(a, ci->m4), co_5 = KSL_MULF(a, ci->m5);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1463,12 +1323,8 @@ static inline void ksl_product_acf(const float a, const ksl_coscrewf_t *ci, ksl_
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_ccf(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c2,
     ksl_coscrewf_t *co) {
-  const float co_0 = c1->m0 + c2->m0;
-  const float co_1 = c1->m1 + c2->m1;
-  const float co_2 = c1->m2 + c2->m2;
-  const float co_3 = c1->m3 + c2->m3;
-  const float co_4 = c1->m4 + c2->m4;
-  const float co_5 = c1->m5 + c2->m5;
+  const float co_0 = c1->m0 + c2->m0, co_1 = c1->m1 + c2->m1, co_2 = c1->m2 + c2->m2,
+      co_3 = c1->m3 + c2->m3, co_4 = c1->m4 + c2->m4, co_5 = c1->m5 + c2->m5;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1483,12 +1339,8 @@ static inline void ksl_add_ccf(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_subtract_ccf(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c2,
     ksl_coscrewf_t *co) {
-  const float co_0 = c1->m0 - c2->m0;
-  const float co_1 = c1->m1 - c2->m1;
-  const float co_2 = c1->m2 - c2->m2;
-  const float co_3 = c1->m3 - c2->m3;
-  const float co_4 = c1->m4 - c2->m4;
-  const float co_5 = c1->m5 - c2->m5;
+  const float co_0 = c1->m0 - c2->m0, co_1 = c1->m1 - c2->m1, co_2 = c1->m2 - c2->m2,
+      co_3 = c1->m3 - c2->m3, co_4 = c1->m4 - c2->m4, co_5 = c1->m5 - c2->m5;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1504,20 +1356,15 @@ static inline float ksl_coscrewf_norm(const ksl_coscrewf_t *ci) {
   const float small_c = fabsf(ci->m2) < 1e-06f ? 1.0f : 0.0f,
       small_f = fabsf(ci->m1) < 1e-06f ? small_c : 0.0f,
       small = fabsf(ci->m0) < 1e-06f ? small_f : 0.0f;
-  const float p_0 = small == 1.0f ? ci->m3 : ci->m0;
-  const float p_1 = small == 1.0f ? ci->m4 : ci->m1;
-  const float p_2 = small == 1.0f ? ci->m5 : ci->m2;
-  const float s_size_0 = fabsf(p_0);
-  const float s_size_1 = fabsf(p_1);
-  const float s_size_2 = fabsf(p_2);
+  const float p_0 = small == 1.0f ? ci->m3 : ci->m0, p_1 = small == 1.0f ? ci->m4 : ci->m1,
+      p_2 = small == 1.0f ? ci->m5 : ci->m2;
+  const float s_size_0 = fabsf(p_0), s_size_1 = fabsf(p_1), s_size_2 = fabsf(p_2);
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float y_0 = KSL_MULF(p_0, s);
-  const float y_1 = KSL_MULF(p_1, s);
-  const float y_2 = KSL_MULF(p_2, s);
+  const float y_0 = KSL_MULF(p_0, s), y_1 = KSL_MULF(p_1, s), y_2 = KSL_MULF(p_2, s);
   const float n = sqrtf(KSL_MULF(y_0, y_0) + KSL_MULF(y_1, y_1) + KSL_MULF(y_2, y_2));
   const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r_d = 1.0f < s ? 5.551115e-17f : r_b,
       r = 1.8014399e+16f < s ? 3.081488e-33f : r_d;
@@ -1532,57 +1379,36 @@ static inline void ksl_coscrewf_normalize(ksl_coscrewf_t *self) {
   const float small_a = fabsf(self->m2), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
       small_d = fabsf(self->m1), small_f = small_d < 1e-06f ? small_c : 0.0f,
       small_g = fabsf(self->m0), small = small_g < 1e-06f ? small_f : 0.0f;
-  const float p_0 = small == 1.0f ? self->m3 : self->m0;
-  const float p_1 = small == 1.0f ? self->m4 : self->m1;
-  const float p_2 = small == 1.0f ? self->m5 : self->m2;
-  const float s_size_0 = fabsf(p_0);
-  const float s_size_1 = fabsf(p_1);
-  const float s_size_2 = fabsf(p_2);
+  const float p_0 = small == 1.0f ? self->m3 : self->m0, p_1 = small == 1.0f ? self->m4 : self->m1,
+      p_2 = small == 1.0f ? self->m5 : self->m2;
+  const float s_size_0 = fabsf(p_0), s_size_1 = fabsf(p_1), s_size_2 = fabsf(p_2);
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float y_0 = KSL_MULF(p_0, s);
-  const float y_1 = KSL_MULF(p_1, s);
-  const float y_2 = KSL_MULF(p_2, s);
+  const float y_0 = KSL_MULF(p_0, s), y_1 = KSL_MULF(p_1, s), y_2 = KSL_MULF(p_2, s);
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
   const float n = sqrtf(KSL_MULF(y_0, y_0) + KSL_MULF(y_1, y_1) + KSL_MULF(y_2, y_2));
   const float divisor = n == 0.0f ? up : n;
-  const float size_3 = fabsf(self->m3);
-  const float size_4 = fabsf(self->m4);
-  const float size_5 = fabsf(self->m5);
-  const float before_0 = small_g < 256.0f ? up : down;
-  const float before_1 = small_d < 256.0f ? up : down;
-  const float before_2 = small_a < 256.0f ? up : down;
-  const float before_3 = size_3 < 256.0f ? up : down;
-  const float before_4 = size_4 < 256.0f ? up : down;
-  const float before_5 = size_5 < 256.0f ? up : down;
-  const float after_0 = small_g < 256.0f ? down : up;
-  const float after_1 = small_d < 256.0f ? down : up;
-  const float after_2 = small_a < 256.0f ? down : up;
-  const float after_3 = size_3 < 256.0f ? down : up;
-  const float after_4 = size_4 < 256.0f ? down : up;
-  const float after_5 = size_5 < 256.0f ? down : up;
-  const float sized_0 = KSL_MULF(self->m0, before_0);
-  const float sized_1 = KSL_MULF(self->m1, before_1);
-  const float sized_2 = KSL_MULF(self->m2, before_2);
-  const float sized_3 = KSL_MULF(self->m3, before_3);
-  const float sized_4 = KSL_MULF(self->m4, before_4);
-  const float sized_5 = KSL_MULF(self->m5, before_5);
-  const float quotient_0 = sized_0 / divisor;
-  const float quotient_1 = sized_1 / divisor;
-  const float quotient_2 = sized_2 / divisor;
-  const float quotient_3 = sized_3 / divisor;
-  const float quotient_4 = sized_4 / divisor;
-  const float quotient_5 = sized_5 / divisor;
-  const float self_0_new = KSL_MULF(quotient_0, after_0);
-  const float self_1_new = KSL_MULF(quotient_1, after_1);
-  const float self_2_new = KSL_MULF(quotient_2, after_2);
-  const float self_3_new = KSL_MULF(quotient_3, after_3);
-  const float self_4_new = KSL_MULF(quotient_4, after_4);
-  const float self_5_new = KSL_MULF(quotient_5, after_5);
+  const float size_3 = fabsf(self->m3), size_4 = fabsf(self->m4), size_5 = fabsf(self->m5);
+  const float before_0 = small_g < 256.0f ? up : down, before_1 = small_d < 256.0f ? up : down,
+      before_2 = small_a < 256.0f ? up : down, before_3 = size_3 < 256.0f ? up : down,
+      before_4 = size_4 < 256.0f ? up : down, before_5 = size_5 < 256.0f ? up : down;
+  const float after_0 = small_g < 256.0f ? down : up, after_1 = small_d < 256.0f ? down : up,
+      after_2 = small_a < 256.0f ? down : up, after_3 = size_3 < 256.0f ? down : up,
+      after_4 = size_4 < 256.0f ? down : up, after_5 = size_5 < 256.0f ? down : up;
+  const float sized_0 = KSL_MULF(self->m0, before_0), sized_1 = KSL_MULF(self->m1, before_1),
+      sized_2 = KSL_MULF(self->m2, before_2), sized_3 = KSL_MULF(self->m3, before_3),
+      sized_4 = KSL_MULF(self->m4, before_4), sized_5 = KSL_MULF(self->m5, before_5);
+  const float quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor, quotient_3 = sized_3 / divisor,
+      quotient_4 = sized_4 / divisor, quotient_5 = sized_5 / divisor;
+  const float self_0_new = KSL_MULF(quotient_0, after_0),
+      self_1_new = KSL_MULF(quotient_1, after_1), self_2_new = KSL_MULF(quotient_2, after_2),
+      self_3_new = KSL_MULF(quotient_3, after_3), self_4_new = KSL_MULF(quotient_4, after_4),
+      self_5_new = KSL_MULF(quotient_5, after_5);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -1598,57 +1424,35 @@ static inline void ksl_coscrewf_normalized(const ksl_coscrewf_t *ci, ksl_coscrew
   const float small_a = fabsf(ci->m2), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
       small_d = fabsf(ci->m1), small_f = small_d < 1e-06f ? small_c : 0.0f, small_g = fabsf(ci->m0),
       small = small_g < 1e-06f ? small_f : 0.0f;
-  const float p_0 = small == 1.0f ? ci->m3 : ci->m0;
-  const float p_1 = small == 1.0f ? ci->m4 : ci->m1;
-  const float p_2 = small == 1.0f ? ci->m5 : ci->m2;
-  const float s_size_0 = fabsf(p_0);
-  const float s_size_1 = fabsf(p_1);
-  const float s_size_2 = fabsf(p_2);
+  const float p_0 = small == 1.0f ? ci->m3 : ci->m0, p_1 = small == 1.0f ? ci->m4 : ci->m1,
+      p_2 = small == 1.0f ? ci->m5 : ci->m2;
+  const float s_size_0 = fabsf(p_0), s_size_1 = fabsf(p_1), s_size_2 = fabsf(p_2);
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float y_0 = KSL_MULF(p_0, s);
-  const float y_1 = KSL_MULF(p_1, s);
-  const float y_2 = KSL_MULF(p_2, s);
+  const float y_0 = KSL_MULF(p_0, s), y_1 = KSL_MULF(p_1, s), y_2 = KSL_MULF(p_2, s);
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
   const float n = sqrtf(KSL_MULF(y_0, y_0) + KSL_MULF(y_1, y_1) + KSL_MULF(y_2, y_2));
   const float divisor = n == 0.0f ? up : n;
-  const float size_3 = fabsf(ci->m3);
-  const float size_4 = fabsf(ci->m4);
-  const float size_5 = fabsf(ci->m5);
-  const float before_0 = small_g < 256.0f ? up : down;
-  const float before_1 = small_d < 256.0f ? up : down;
-  const float before_2 = small_a < 256.0f ? up : down;
-  const float before_3 = size_3 < 256.0f ? up : down;
-  const float before_4 = size_4 < 256.0f ? up : down;
-  const float before_5 = size_5 < 256.0f ? up : down;
-  const float after_0 = small_g < 256.0f ? down : up;
-  const float after_1 = small_d < 256.0f ? down : up;
-  const float after_2 = small_a < 256.0f ? down : up;
-  const float after_3 = size_3 < 256.0f ? down : up;
-  const float after_4 = size_4 < 256.0f ? down : up;
-  const float after_5 = size_5 < 256.0f ? down : up;
-  const float sized_0 = KSL_MULF(ci->m0, before_0);
-  const float sized_1 = KSL_MULF(ci->m1, before_1);
-  const float sized_2 = KSL_MULF(ci->m2, before_2);
-  const float sized_3 = KSL_MULF(ci->m3, before_3);
-  const float sized_4 = KSL_MULF(ci->m4, before_4);
-  const float sized_5 = KSL_MULF(ci->m5, before_5);
-  const float quotient_0 = sized_0 / divisor;
-  const float quotient_1 = sized_1 / divisor;
-  const float quotient_2 = sized_2 / divisor;
-  const float quotient_3 = sized_3 / divisor;
-  const float quotient_4 = sized_4 / divisor;
-  const float quotient_5 = sized_5 / divisor;
-  const float co_0 = KSL_MULF(quotient_0, after_0);
-  const float co_1 = KSL_MULF(quotient_1, after_1);
-  const float co_2 = KSL_MULF(quotient_2, after_2);
-  const float co_3 = KSL_MULF(quotient_3, after_3);
-  const float co_4 = KSL_MULF(quotient_4, after_4);
-  const float co_5 = KSL_MULF(quotient_5, after_5);
+  const float size_3 = fabsf(ci->m3), size_4 = fabsf(ci->m4), size_5 = fabsf(ci->m5);
+  const float before_0 = small_g < 256.0f ? up : down, before_1 = small_d < 256.0f ? up : down,
+      before_2 = small_a < 256.0f ? up : down, before_3 = size_3 < 256.0f ? up : down,
+      before_4 = size_4 < 256.0f ? up : down, before_5 = size_5 < 256.0f ? up : down;
+  const float after_0 = small_g < 256.0f ? down : up, after_1 = small_d < 256.0f ? down : up,
+      after_2 = small_a < 256.0f ? down : up, after_3 = size_3 < 256.0f ? down : up,
+      after_4 = size_4 < 256.0f ? down : up, after_5 = size_5 < 256.0f ? down : up;
+  const float sized_0 = KSL_MULF(ci->m0, before_0), sized_1 = KSL_MULF(ci->m1, before_1),
+      sized_2 = KSL_MULF(ci->m2, before_2), sized_3 = KSL_MULF(ci->m3, before_3),
+      sized_4 = KSL_MULF(ci->m4, before_4), sized_5 = KSL_MULF(ci->m5, before_5);
+  const float quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor, quotient_3 = sized_3 / divisor,
+      quotient_4 = sized_4 / divisor, quotient_5 = sized_5 / divisor;
+  const float co_0 = KSL_MULF(quotient_0, after_0), co_1 = KSL_MULF(quotient_1, after_1),
+      co_2 = KSL_MULF(quotient_2, after_2), co_3 = KSL_MULF(quotient_3, after_3),
+      co_4 = KSL_MULF(quotient_4, after_4), co_5 = KSL_MULF(quotient_5, after_5);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1721,9 +1525,7 @@ static inline void ksl_coscrewf_from_angular_first(const float x[6], ksl_coscrew
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_cctf(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c2,
     ksl_coscrewf_t *co) {
-  const float co_0 = c1->m0 + c2->m0;
-  const float co_1 = c1->m1 + c2->m1;
-  const float co_2 = c1->m2 + c2->m2;
+  const float co_0 = c1->m0 + c2->m0, co_1 = c1->m1 + c2->m1, co_2 = c1->m2 + c2->m2;
   const float c1_m3 = c1->m3;
   const float c1_m4 = c1->m4;
   const float c1_m5 = c1->m5;
@@ -1742,9 +1544,9 @@ static inline void ksl_add_cctf(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *
      barring over- and underflow. */
 static inline void ksl_product_CoAdtcf(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float co_3 = KSL_MULF(t->y, ci->m2) - KSL_MULF(t->z, ci->m1) + ci->m3;
-  const float co_4 = KSL_MULF(t->z, ci->m0) - KSL_MULF(t->x, ci->m2) + ci->m4;
-  const float co_5 = KSL_MULF(t->x, ci->m1) - KSL_MULF(t->y, ci->m0) + ci->m5;
+  const float co_3 = KSL_MULF(t->y, ci->m2) - KSL_MULF(t->z, ci->m1) + ci->m3,
+      co_4 = KSL_MULF(t->z, ci->m0) - KSL_MULF(t->x, ci->m2) + ci->m4,
+      co_5 = KSL_MULF(t->x, ci->m1) - KSL_MULF(t->y, ci->m0) + ci->m5;
   const float ci_m0 = ci->m0;
   const float ci_m1 = ci->m1;
   const float ci_m2 = ci->m2;
@@ -1763,9 +1565,9 @@ static inline void ksl_product_CoAdtcf(const ksl_vec3f_t *t, const ksl_coscrewf_
      barring over- and underflow. */
 static inline void ksl_product_CoAdtinvcf(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float co_3 = KSL_MULF(t->z, ci->m1) - KSL_MULF(t->y, ci->m2) + ci->m3;
-  const float co_4 = KSL_MULF(t->x, ci->m2) - KSL_MULF(t->z, ci->m0) + ci->m4;
-  const float co_5 = KSL_MULF(t->y, ci->m0) - KSL_MULF(t->x, ci->m1) + ci->m5;
+  const float co_3 = KSL_MULF(t->z, ci->m1) - KSL_MULF(t->y, ci->m2) + ci->m3,
+      co_4 = KSL_MULF(t->x, ci->m2) - KSL_MULF(t->z, ci->m0) + ci->m4,
+      co_5 = KSL_MULF(t->y, ci->m0) - KSL_MULF(t->x, ci->m1) + ci->m5;
   const float ci_m0 = ci->m0;
   const float ci_m1 = ci->m1;
   const float ci_m2 = ci->m2;
@@ -1784,12 +1586,10 @@ static inline void ksl_product_CoAdtinvcf(const ksl_vec3f_t *t, const ksl_coscre
      barring over- and underflow. */
 static inline void ksl_product_CoAdtcinvf(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float co_0 = -ci->m0;
-  const float co_1 = -ci->m1;
-  const float co_2 = -ci->m2;
-  const float co_3 = KSL_MULF(t->z, ci->m1) - KSL_MULF(t->y, ci->m2) - ci->m3;
-  const float co_4 = KSL_MULF(t->x, ci->m2) - KSL_MULF(t->z, ci->m0) - ci->m4;
-  const float co_5 = KSL_MULF(t->y, ci->m0) - KSL_MULF(t->x, ci->m1) - ci->m5;
+  const float co_0 = -ci->m0, co_1 = -ci->m1, co_2 = -ci->m2,
+      co_3 = KSL_MULF(t->z, ci->m1) - KSL_MULF(t->y, ci->m2) - ci->m3,
+      co_4 = KSL_MULF(t->x, ci->m2) - KSL_MULF(t->z, ci->m0) - ci->m4,
+      co_5 = KSL_MULF(t->y, ci->m0) - KSL_MULF(t->x, ci->m1) - ci->m5;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1805,12 +1605,12 @@ static inline void ksl_product_CoAdtcinvf(const ksl_vec3f_t *t, const ksl_coscre
      and underflow. */
 static inline void ksl_product_CoAdrcf(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float co_0 = KSL_MULF(R->m00, ci->m0) + KSL_MULF(R->m01, ci->m1) + KSL_MULF(R->m02, ci->m2);
-  const float co_1 = KSL_MULF(R->m10, ci->m0) + KSL_MULF(R->m11, ci->m1) + KSL_MULF(R->m12, ci->m2);
-  const float co_2 = KSL_MULF(R->m20, ci->m0) + KSL_MULF(R->m21, ci->m1) + KSL_MULF(R->m22, ci->m2);
-  const float co_3 = KSL_MULF(R->m00, ci->m3) + KSL_MULF(R->m01, ci->m4) + KSL_MULF(R->m02, ci->m5);
-  const float co_4 = KSL_MULF(R->m10, ci->m3) + KSL_MULF(R->m11, ci->m4) + KSL_MULF(R->m12, ci->m5);
-  const float co_5 = KSL_MULF(R->m20, ci->m3) + KSL_MULF(R->m21, ci->m4) + KSL_MULF(R->m22, ci->m5);
+  const float co_0 = KSL_MULF(R->m00, ci->m0) + KSL_MULF(R->m01, ci->m1) + KSL_MULF(R->m02, ci->m2),
+      co_1 = KSL_MULF(R->m10, ci->m0) + KSL_MULF(R->m11, ci->m1) + KSL_MULF(R->m12, ci->m2),
+      co_2 = KSL_MULF(R->m20, ci->m0) + KSL_MULF(R->m21, ci->m1) + KSL_MULF(R->m22, ci->m2),
+      co_3 = KSL_MULF(R->m00, ci->m3) + KSL_MULF(R->m01, ci->m4) + KSL_MULF(R->m02, ci->m5),
+      co_4 = KSL_MULF(R->m10, ci->m3) + KSL_MULF(R->m11, ci->m4) + KSL_MULF(R->m12, ci->m5),
+      co_5 = KSL_MULF(R->m20, ci->m3) + KSL_MULF(R->m21, ci->m4) + KSL_MULF(R->m22, ci->m5);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1826,12 +1626,12 @@ static inline void ksl_product_CoAdrcf(const ksl_mat3x3f_t *R, const ksl_coscrew
      and underflow. */
 static inline void ksl_product_CoAdrinvcf(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float co_0 = KSL_MULF(R->m00, ci->m0) + KSL_MULF(R->m10, ci->m1) + KSL_MULF(R->m20, ci->m2);
-  const float co_1 = KSL_MULF(R->m01, ci->m0) + KSL_MULF(R->m11, ci->m1) + KSL_MULF(R->m21, ci->m2);
-  const float co_2 = KSL_MULF(R->m02, ci->m0) + KSL_MULF(R->m12, ci->m1) + KSL_MULF(R->m22, ci->m2);
-  const float co_3 = KSL_MULF(R->m00, ci->m3) + KSL_MULF(R->m10, ci->m4) + KSL_MULF(R->m20, ci->m5);
-  const float co_4 = KSL_MULF(R->m01, ci->m3) + KSL_MULF(R->m11, ci->m4) + KSL_MULF(R->m21, ci->m5);
-  const float co_5 = KSL_MULF(R->m02, ci->m3) + KSL_MULF(R->m12, ci->m4) + KSL_MULF(R->m22, ci->m5);
+  const float co_0 = KSL_MULF(R->m00, ci->m0) + KSL_MULF(R->m10, ci->m1) + KSL_MULF(R->m20, ci->m2),
+      co_1 = KSL_MULF(R->m01, ci->m0) + KSL_MULF(R->m11, ci->m1) + KSL_MULF(R->m21, ci->m2),
+      co_2 = KSL_MULF(R->m02, ci->m0) + KSL_MULF(R->m12, ci->m1) + KSL_MULF(R->m22, ci->m2),
+      co_3 = KSL_MULF(R->m00, ci->m3) + KSL_MULF(R->m10, ci->m4) + KSL_MULF(R->m20, ci->m5),
+      co_4 = KSL_MULF(R->m01, ci->m3) + KSL_MULF(R->m11, ci->m4) + KSL_MULF(R->m21, ci->m5),
+      co_5 = KSL_MULF(R->m02, ci->m3) + KSL_MULF(R->m12, ci->m4) + KSL_MULF(R->m22, ci->m5);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1848,17 +1648,12 @@ static inline void ksl_product_CoAdrinvcf(const ksl_mat3x3f_t *R, const ksl_cosc
 static inline void ksl_product_CoAdrcinvf(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
   const float co_0 =
-          -(KSL_MULF(R->m00, ci->m0) + KSL_MULF(R->m01, ci->m1) + KSL_MULF(R->m02, ci->m2));
-  const float co_1 =
-          -(KSL_MULF(R->m10, ci->m0) + KSL_MULF(R->m11, ci->m1) + KSL_MULF(R->m12, ci->m2));
-  const float co_2 =
-          -(KSL_MULF(R->m20, ci->m0) + KSL_MULF(R->m21, ci->m1) + KSL_MULF(R->m22, ci->m2));
-  const float co_3 =
-          -(KSL_MULF(R->m00, ci->m3) + KSL_MULF(R->m01, ci->m4) + KSL_MULF(R->m02, ci->m5));
-  const float co_4 =
-          -(KSL_MULF(R->m10, ci->m3) + KSL_MULF(R->m11, ci->m4) + KSL_MULF(R->m12, ci->m5));
-  const float co_5 =
-          -(KSL_MULF(R->m20, ci->m3) + KSL_MULF(R->m21, ci->m4) + KSL_MULF(R->m22, ci->m5));
+          -(KSL_MULF(R->m00, ci->m0) + KSL_MULF(R->m01, ci->m1) + KSL_MULF(R->m02, ci->m2)),
+      co_1 = -(KSL_MULF(R->m10, ci->m0) + KSL_MULF(R->m11, ci->m1) + KSL_MULF(R->m12, ci->m2)),
+      co_2 = -(KSL_MULF(R->m20, ci->m0) + KSL_MULF(R->m21, ci->m1) + KSL_MULF(R->m22, ci->m2)),
+      co_3 = -(KSL_MULF(R->m00, ci->m3) + KSL_MULF(R->m01, ci->m4) + KSL_MULF(R->m02, ci->m5)),
+      co_4 = -(KSL_MULF(R->m10, ci->m3) + KSL_MULF(R->m11, ci->m4) + KSL_MULF(R->m12, ci->m5)),
+      co_5 = -(KSL_MULF(R->m20, ci->m3) + KSL_MULF(R->m21, ci->m4) + KSL_MULF(R->m22, ci->m5));
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1874,15 +1669,15 @@ static inline void ksl_product_CoAdrcinvf(const ksl_mat3x3f_t *R, const ksl_cosc
      barring over- and underflow. */
 static inline void ksl_product_CoAdcf(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float w_0 = KSL_MULF(D->m00, ci->m0) + KSL_MULF(D->m01, ci->m1) + KSL_MULF(D->m02, ci->m2);
-  const float w_1 = KSL_MULF(D->m10, ci->m0) + KSL_MULF(D->m11, ci->m1) + KSL_MULF(D->m12, ci->m2);
-  const float w_2 = KSL_MULF(D->m20, ci->m0) + KSL_MULF(D->m21, ci->m1) + KSL_MULF(D->m22, ci->m2);
-  const float w_3 = KSL_MULF(D->m00, ci->m3) + KSL_MULF(D->m01, ci->m4) + KSL_MULF(D->m02, ci->m5);
-  const float w_4 = KSL_MULF(D->m10, ci->m3) + KSL_MULF(D->m11, ci->m4) + KSL_MULF(D->m12, ci->m5);
-  const float w_5 = KSL_MULF(D->m20, ci->m3) + KSL_MULF(D->m21, ci->m4) + KSL_MULF(D->m22, ci->m5);
-  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1) + w_3;
-  const float co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2) + w_4;
-  const float co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0) + w_5;
+  const float w_0 = KSL_MULF(D->m00, ci->m0) + KSL_MULF(D->m01, ci->m1) + KSL_MULF(D->m02, ci->m2),
+      w_1 = KSL_MULF(D->m10, ci->m0) + KSL_MULF(D->m11, ci->m1) + KSL_MULF(D->m12, ci->m2),
+      w_2 = KSL_MULF(D->m20, ci->m0) + KSL_MULF(D->m21, ci->m1) + KSL_MULF(D->m22, ci->m2),
+      w_3 = KSL_MULF(D->m00, ci->m3) + KSL_MULF(D->m01, ci->m4) + KSL_MULF(D->m02, ci->m5),
+      w_4 = KSL_MULF(D->m10, ci->m3) + KSL_MULF(D->m11, ci->m4) + KSL_MULF(D->m12, ci->m5),
+      w_5 = KSL_MULF(D->m20, ci->m3) + KSL_MULF(D->m21, ci->m4) + KSL_MULF(D->m22, ci->m5);
+  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1) + w_3,
+      co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2) + w_4,
+      co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1898,15 +1693,15 @@ static inline void ksl_product_CoAdcf(const ksl_SE3f_t *D, const ksl_coscrewf_t 
      barring over- and underflow. */
 static inline void ksl_product_CoAdinvcf(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float w_3 = KSL_MULF(D->m23, ci->m1) - KSL_MULF(D->m13, ci->m2) + ci->m3;
-  const float w_4 = KSL_MULF(D->m03, ci->m2) - KSL_MULF(D->m23, ci->m0) + ci->m4;
-  const float w_5 = KSL_MULF(D->m13, ci->m0) - KSL_MULF(D->m03, ci->m1) + ci->m5;
-  const float co_0 = KSL_MULF(D->m00, ci->m0) + KSL_MULF(D->m10, ci->m1) + KSL_MULF(D->m20, ci->m2);
-  const float co_1 = KSL_MULF(D->m01, ci->m0) + KSL_MULF(D->m11, ci->m1) + KSL_MULF(D->m21, ci->m2);
-  const float co_2 = KSL_MULF(D->m02, ci->m0) + KSL_MULF(D->m12, ci->m1) + KSL_MULF(D->m22, ci->m2);
-  const float co_3 = KSL_MULF(D->m00, w_3) + KSL_MULF(D->m10, w_4) + KSL_MULF(D->m20, w_5);
-  const float co_4 = KSL_MULF(D->m01, w_3) + KSL_MULF(D->m11, w_4) + KSL_MULF(D->m21, w_5);
-  const float co_5 = KSL_MULF(D->m02, w_3) + KSL_MULF(D->m12, w_4) + KSL_MULF(D->m22, w_5);
+  const float w_3 = KSL_MULF(D->m23, ci->m1) - KSL_MULF(D->m13, ci->m2) + ci->m3,
+      w_4 = KSL_MULF(D->m03, ci->m2) - KSL_MULF(D->m23, ci->m0) + ci->m4,
+      w_5 = KSL_MULF(D->m13, ci->m0) - KSL_MULF(D->m03, ci->m1) + ci->m5;
+  const float co_0 = KSL_MULF(D->m00, ci->m0) + KSL_MULF(D->m10, ci->m1) + KSL_MULF(D->m20, ci->m2),
+      co_1 = KSL_MULF(D->m01, ci->m0) + KSL_MULF(D->m11, ci->m1) + KSL_MULF(D->m21, ci->m2),
+      co_2 = KSL_MULF(D->m02, ci->m0) + KSL_MULF(D->m12, ci->m1) + KSL_MULF(D->m22, ci->m2),
+      co_3 = KSL_MULF(D->m00, w_3) + KSL_MULF(D->m10, w_4) + KSL_MULF(D->m20, w_5),
+      co_4 = KSL_MULF(D->m01, w_3) + KSL_MULF(D->m11, w_4) + KSL_MULF(D->m21, w_5),
+      co_5 = KSL_MULF(D->m02, w_3) + KSL_MULF(D->m12, w_4) + KSL_MULF(D->m22, w_5);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1923,20 +1718,15 @@ static inline void ksl_product_CoAdinvcf(const ksl_SE3f_t *D, const ksl_coscrewf
 static inline void ksl_product_CoAdcinvf(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
   const float w_0 =
-          -(KSL_MULF(D->m00, ci->m0) + KSL_MULF(D->m01, ci->m1) + KSL_MULF(D->m02, ci->m2));
-  const float w_1 =
-          -(KSL_MULF(D->m10, ci->m0) + KSL_MULF(D->m11, ci->m1) + KSL_MULF(D->m12, ci->m2));
-  const float w_2 =
-          -(KSL_MULF(D->m20, ci->m0) + KSL_MULF(D->m21, ci->m1) + KSL_MULF(D->m22, ci->m2));
-  const float w_3 =
-          -(KSL_MULF(D->m00, ci->m3) + KSL_MULF(D->m01, ci->m4) + KSL_MULF(D->m02, ci->m5));
-  const float w_4 =
-          -(KSL_MULF(D->m10, ci->m3) + KSL_MULF(D->m11, ci->m4) + KSL_MULF(D->m12, ci->m5));
-  const float w_5 =
-          -(KSL_MULF(D->m20, ci->m3) + KSL_MULF(D->m21, ci->m4) + KSL_MULF(D->m22, ci->m5));
-  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1) + w_3;
-  const float co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2) + w_4;
-  const float co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0) + w_5;
+          -(KSL_MULF(D->m00, ci->m0) + KSL_MULF(D->m01, ci->m1) + KSL_MULF(D->m02, ci->m2)),
+      w_1 = -(KSL_MULF(D->m10, ci->m0) + KSL_MULF(D->m11, ci->m1) + KSL_MULF(D->m12, ci->m2)),
+      w_2 = -(KSL_MULF(D->m20, ci->m0) + KSL_MULF(D->m21, ci->m1) + KSL_MULF(D->m22, ci->m2)),
+      w_3 = -(KSL_MULF(D->m00, ci->m3) + KSL_MULF(D->m01, ci->m4) + KSL_MULF(D->m02, ci->m5)),
+      w_4 = -(KSL_MULF(D->m10, ci->m3) + KSL_MULF(D->m11, ci->m4) + KSL_MULF(D->m12, ci->m5)),
+      w_5 = -(KSL_MULF(D->m20, ci->m3) + KSL_MULF(D->m21, ci->m4) + KSL_MULF(D->m22, ci->m5));
+  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1) + w_3,
+      co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2) + w_4,
+      co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1951,9 +1741,9 @@ static inline void ksl_product_CoAdcinvf(const ksl_SE3f_t *D, const ksl_coscrewf
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctxf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const float co_3 = KSL_MULF(D->m20, D->m13) - KSL_MULF(D->m10, D->m23);
-  const float co_4 = KSL_MULF(D->m00, D->m23) - KSL_MULF(D->m20, D->m03);
-  const float co_5 = KSL_MULF(D->m10, D->m03) - KSL_MULF(D->m00, D->m13);
+  const float co_3 = KSL_MULF(D->m20, D->m13) - KSL_MULF(D->m10, D->m23),
+      co_4 = KSL_MULF(D->m00, D->m23) - KSL_MULF(D->m20, D->m03),
+      co_5 = KSL_MULF(D->m10, D->m03) - KSL_MULF(D->m00, D->m13);
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;
@@ -1971,9 +1761,9 @@ static inline void ksl_hctxf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctyf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const float co_3 = KSL_MULF(D->m21, D->m13) - KSL_MULF(D->m11, D->m23);
-  const float co_4 = KSL_MULF(D->m01, D->m23) - KSL_MULF(D->m21, D->m03);
-  const float co_5 = KSL_MULF(D->m11, D->m03) - KSL_MULF(D->m01, D->m13);
+  const float co_3 = KSL_MULF(D->m21, D->m13) - KSL_MULF(D->m11, D->m23),
+      co_4 = KSL_MULF(D->m01, D->m23) - KSL_MULF(D->m21, D->m03),
+      co_5 = KSL_MULF(D->m11, D->m03) - KSL_MULF(D->m01, D->m13);
   const float D_m01 = D->m01;
   const float D_m11 = D->m11;
   const float D_m21 = D->m21;
@@ -1991,9 +1781,9 @@ static inline void ksl_hctyf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctzf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const float co_3 = KSL_MULF(D->m22, D->m13) - KSL_MULF(D->m12, D->m23);
-  const float co_4 = KSL_MULF(D->m02, D->m23) - KSL_MULF(D->m22, D->m03);
-  const float co_5 = KSL_MULF(D->m12, D->m03) - KSL_MULF(D->m02, D->m13);
+  const float co_3 = KSL_MULF(D->m22, D->m13) - KSL_MULF(D->m12, D->m23),
+      co_4 = KSL_MULF(D->m02, D->m23) - KSL_MULF(D->m22, D->m03),
+      co_5 = KSL_MULF(D->m12, D->m03) - KSL_MULF(D->m02, D->m13);
   const float D_m02 = D->m02;
   const float D_m12 = D->m12;
   const float D_m22 = D->m22;
@@ -2059,12 +1849,10 @@ static inline void ksl_hcrzf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctxinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const float co_0 = -D->m00;
-  const float co_1 = -D->m10;
-  const float co_2 = -D->m20;
-  const float co_3 = KSL_MULF(D->m10, D->m23) - KSL_MULF(D->m20, D->m13);
-  const float co_4 = KSL_MULF(D->m20, D->m03) - KSL_MULF(D->m00, D->m23);
-  const float co_5 = KSL_MULF(D->m00, D->m13) - KSL_MULF(D->m10, D->m03);
+  const float co_0 = -D->m00, co_1 = -D->m10, co_2 = -D->m20,
+      co_3 = KSL_MULF(D->m10, D->m23) - KSL_MULF(D->m20, D->m13),
+      co_4 = KSL_MULF(D->m20, D->m03) - KSL_MULF(D->m00, D->m23),
+      co_5 = KSL_MULF(D->m00, D->m13) - KSL_MULF(D->m10, D->m03);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -2079,12 +1867,10 @@ static inline void ksl_hctxinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctyinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const float co_0 = -D->m01;
-  const float co_1 = -D->m11;
-  const float co_2 = -D->m21;
-  const float co_3 = KSL_MULF(D->m11, D->m23) - KSL_MULF(D->m21, D->m13);
-  const float co_4 = KSL_MULF(D->m21, D->m03) - KSL_MULF(D->m01, D->m23);
-  const float co_5 = KSL_MULF(D->m01, D->m13) - KSL_MULF(D->m11, D->m03);
+  const float co_0 = -D->m01, co_1 = -D->m11, co_2 = -D->m21,
+      co_3 = KSL_MULF(D->m11, D->m23) - KSL_MULF(D->m21, D->m13),
+      co_4 = KSL_MULF(D->m21, D->m03) - KSL_MULF(D->m01, D->m23),
+      co_5 = KSL_MULF(D->m01, D->m13) - KSL_MULF(D->m11, D->m03);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -2099,12 +1885,10 @@ static inline void ksl_hctyinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctzinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const float co_0 = -D->m02;
-  const float co_1 = -D->m12;
-  const float co_2 = -D->m22;
-  const float co_3 = KSL_MULF(D->m12, D->m23) - KSL_MULF(D->m22, D->m13);
-  const float co_4 = KSL_MULF(D->m22, D->m03) - KSL_MULF(D->m02, D->m23);
-  const float co_5 = KSL_MULF(D->m02, D->m13) - KSL_MULF(D->m12, D->m03);
+  const float co_0 = -D->m02, co_1 = -D->m12, co_2 = -D->m22,
+      co_3 = KSL_MULF(D->m12, D->m23) - KSL_MULF(D->m22, D->m13),
+      co_4 = KSL_MULF(D->m22, D->m03) - KSL_MULF(D->m02, D->m23),
+      co_5 = KSL_MULF(D->m02, D->m13) - KSL_MULF(D->m12, D->m03);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -2118,9 +1902,7 @@ static inline void ksl_hctzinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    3 neg.
    Exact. */
 static inline void ksl_hcrxinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const float co_3 = -D->m00;
-  const float co_4 = -D->m10;
-  const float co_5 = -D->m20;
+  const float co_3 = -D->m00, co_4 = -D->m10, co_5 = -D->m20;
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;
@@ -2134,9 +1916,7 @@ static inline void ksl_hcrxinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    3 neg.
    Exact. */
 static inline void ksl_hcryinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const float co_3 = -D->m01;
-  const float co_4 = -D->m11;
-  const float co_5 = -D->m21;
+  const float co_3 = -D->m01, co_4 = -D->m11, co_5 = -D->m21;
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;
@@ -2150,9 +1930,7 @@ static inline void ksl_hcryinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    3 neg.
    Exact. */
 static inline void ksl_hcrzinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const float co_3 = -D->m02;
-  const float co_4 = -D->m12;
-  const float co_5 = -D->m22;
+  const float co_3 = -D->m02, co_4 = -D->m12, co_5 = -D->m22;
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;
@@ -2167,15 +1945,15 @@ static inline void ksl_hcrzinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_CoAdf(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
-  const float M_30 = KSL_MULF(D->m20, D->m13) - KSL_MULF(D->m10, D->m23);
-  const float M_31 = KSL_MULF(D->m21, D->m13) - KSL_MULF(D->m11, D->m23);
-  const float M_32 = KSL_MULF(D->m22, D->m13) - KSL_MULF(D->m12, D->m23);
-  const float M_40 = KSL_MULF(D->m00, D->m23) - KSL_MULF(D->m20, D->m03);
-  const float M_41 = KSL_MULF(D->m01, D->m23) - KSL_MULF(D->m21, D->m03);
-  const float M_42 = KSL_MULF(D->m02, D->m23) - KSL_MULF(D->m22, D->m03);
-  const float M_50 = KSL_MULF(D->m10, D->m03) - KSL_MULF(D->m00, D->m13);
-  const float M_51 = KSL_MULF(D->m11, D->m03) - KSL_MULF(D->m01, D->m13);
-  const float M_52 = KSL_MULF(D->m12, D->m03) - KSL_MULF(D->m02, D->m13);
+  const float M_30 = KSL_MULF(D->m20, D->m13) - KSL_MULF(D->m10, D->m23),
+      M_31 = KSL_MULF(D->m21, D->m13) - KSL_MULF(D->m11, D->m23),
+      M_32 = KSL_MULF(D->m22, D->m13) - KSL_MULF(D->m12, D->m23),
+      M_40 = KSL_MULF(D->m00, D->m23) - KSL_MULF(D->m20, D->m03),
+      M_41 = KSL_MULF(D->m01, D->m23) - KSL_MULF(D->m21, D->m03),
+      M_42 = KSL_MULF(D->m02, D->m23) - KSL_MULF(D->m22, D->m03),
+      M_50 = KSL_MULF(D->m10, D->m03) - KSL_MULF(D->m00, D->m13),
+      M_51 = KSL_MULF(D->m11, D->m03) - KSL_MULF(D->m01, D->m13),
+      M_52 = KSL_MULF(D->m12, D->m03) - KSL_MULF(D->m02, D->m13);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -2241,14 +2019,14 @@ static inline float ksl_reciprocal_productf(const ksl_coscrewf_t *c, const float
      barring over- and underflow. */
 static inline void ksl_cross_scf(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float co_0 = KSL_MULF(s->m4, c->m2) - KSL_MULF(s->m5, c->m1);
-  const float co_1 = KSL_MULF(s->m5, c->m0) - KSL_MULF(s->m3, c->m2);
-  const float co_2 = KSL_MULF(s->m3, c->m1) - KSL_MULF(s->m4, c->m0);
-  const float co_3 = KSL_MULF(s->m1, c->m2) - KSL_MULF(s->m2, c->m1)
-          + (KSL_MULF(s->m4, c->m5) - KSL_MULF(s->m5, c->m4));
-  const float co_4 = KSL_MULF(s->m2, c->m0) - KSL_MULF(s->m0, c->m2)
-          + (KSL_MULF(s->m5, c->m3) - KSL_MULF(s->m3, c->m5));
-  const float co_5 = KSL_MULF(s->m0, c->m1) - KSL_MULF(s->m1, c->m0)
+  const float co_0 = KSL_MULF(s->m4, c->m2) - KSL_MULF(s->m5, c->m1),
+      co_1 = KSL_MULF(s->m5, c->m0) - KSL_MULF(s->m3, c->m2),
+      co_2 = KSL_MULF(s->m3, c->m1) - KSL_MULF(s->m4, c->m0),
+      co_3 = KSL_MULF(s->m1, c->m2) - KSL_MULF(s->m2, c->m1)
+          + (KSL_MULF(s->m4, c->m5) - KSL_MULF(s->m5, c->m4)),
+      co_4 = KSL_MULF(s->m2, c->m0) - KSL_MULF(s->m0, c->m2)
+          + (KSL_MULF(s->m5, c->m3) - KSL_MULF(s->m3, c->m5)),
+      co_5 = KSL_MULF(s->m0, c->m1) - KSL_MULF(s->m1, c->m0)
           + (KSL_MULF(s->m3, c->m4) - KSL_MULF(s->m4, c->m3));
   co->m0 = co_0;
   co->m1 = co_1;
@@ -2265,9 +2043,9 @@ static inline void ksl_cross_scf(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
      barring over- and underflow. */
 static inline void ksl_cross_scaf(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float co_3 = KSL_MULF(s->m4, c->m5) - KSL_MULF(s->m5, c->m4);
-  const float co_4 = KSL_MULF(s->m5, c->m3) - KSL_MULF(s->m3, c->m5);
-  const float co_5 = KSL_MULF(s->m3, c->m4) - KSL_MULF(s->m4, c->m3);
+  const float co_3 = KSL_MULF(s->m4, c->m5) - KSL_MULF(s->m5, c->m4),
+      co_4 = KSL_MULF(s->m5, c->m3) - KSL_MULF(s->m3, c->m5),
+      co_5 = KSL_MULF(s->m3, c->m4) - KSL_MULF(s->m4, c->m3);
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;
@@ -2283,15 +2061,15 @@ static inline void ksl_cross_scaf(const ksl_screwf_t *s, const ksl_coscrewf_t *c
      barring over- and underflow. */
 static inline void ksl_constraint_ctxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0 = KSL_MULF(D->m01, c->m1) + KSL_MULF(D->m02, c->m2);
-  const float w_1 = KSL_MULF(D->m11, c->m1) + KSL_MULF(D->m12, c->m2);
-  const float w_2 = KSL_MULF(D->m21, c->m1) + KSL_MULF(D->m22, c->m2);
-  const float w_3 = KSL_MULF(D->m00, c->m3) + KSL_MULF(D->m01, c->m4) + KSL_MULF(D->m02, c->m5);
-  const float w_4 = KSL_MULF(D->m10, c->m3) + KSL_MULF(D->m11, c->m4) + KSL_MULF(D->m12, c->m5);
-  const float w_5 = KSL_MULF(D->m20, c->m3) + KSL_MULF(D->m21, c->m4) + KSL_MULF(D->m22, c->m5);
-  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1) + w_3;
-  const float co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2) + w_4;
-  const float co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0) + w_5;
+  const float w_0 = KSL_MULF(D->m01, c->m1) + KSL_MULF(D->m02, c->m2),
+      w_1 = KSL_MULF(D->m11, c->m1) + KSL_MULF(D->m12, c->m2),
+      w_2 = KSL_MULF(D->m21, c->m1) + KSL_MULF(D->m22, c->m2),
+      w_3 = KSL_MULF(D->m00, c->m3) + KSL_MULF(D->m01, c->m4) + KSL_MULF(D->m02, c->m5),
+      w_4 = KSL_MULF(D->m10, c->m3) + KSL_MULF(D->m11, c->m4) + KSL_MULF(D->m12, c->m5),
+      w_5 = KSL_MULF(D->m20, c->m3) + KSL_MULF(D->m21, c->m4) + KSL_MULF(D->m22, c->m5);
+  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1) + w_3,
+      co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2) + w_4,
+      co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2307,15 +2085,15 @@ static inline void ksl_constraint_ctxf(const ksl_SE3f_t *D, const ksl_coscrewf_t
      barring over- and underflow. */
 static inline void ksl_constraint_ctyf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0 = KSL_MULF(D->m00, c->m0) + KSL_MULF(D->m02, c->m2);
-  const float w_1 = KSL_MULF(D->m10, c->m0) + KSL_MULF(D->m12, c->m2);
-  const float w_2 = KSL_MULF(D->m20, c->m0) + KSL_MULF(D->m22, c->m2);
-  const float w_3 = KSL_MULF(D->m00, c->m3) + KSL_MULF(D->m01, c->m4) + KSL_MULF(D->m02, c->m5);
-  const float w_4 = KSL_MULF(D->m10, c->m3) + KSL_MULF(D->m11, c->m4) + KSL_MULF(D->m12, c->m5);
-  const float w_5 = KSL_MULF(D->m20, c->m3) + KSL_MULF(D->m21, c->m4) + KSL_MULF(D->m22, c->m5);
-  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1) + w_3;
-  const float co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2) + w_4;
-  const float co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0) + w_5;
+  const float w_0 = KSL_MULF(D->m00, c->m0) + KSL_MULF(D->m02, c->m2),
+      w_1 = KSL_MULF(D->m10, c->m0) + KSL_MULF(D->m12, c->m2),
+      w_2 = KSL_MULF(D->m20, c->m0) + KSL_MULF(D->m22, c->m2),
+      w_3 = KSL_MULF(D->m00, c->m3) + KSL_MULF(D->m01, c->m4) + KSL_MULF(D->m02, c->m5),
+      w_4 = KSL_MULF(D->m10, c->m3) + KSL_MULF(D->m11, c->m4) + KSL_MULF(D->m12, c->m5),
+      w_5 = KSL_MULF(D->m20, c->m3) + KSL_MULF(D->m21, c->m4) + KSL_MULF(D->m22, c->m5);
+  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1) + w_3,
+      co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2) + w_4,
+      co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2331,15 +2109,15 @@ static inline void ksl_constraint_ctyf(const ksl_SE3f_t *D, const ksl_coscrewf_t
      barring over- and underflow. */
 static inline void ksl_constraint_ctzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0 = KSL_MULF(D->m00, c->m0) + KSL_MULF(D->m01, c->m1);
-  const float w_1 = KSL_MULF(D->m10, c->m0) + KSL_MULF(D->m11, c->m1);
-  const float w_2 = KSL_MULF(D->m20, c->m0) + KSL_MULF(D->m21, c->m1);
-  const float w_3 = KSL_MULF(D->m00, c->m3) + KSL_MULF(D->m01, c->m4) + KSL_MULF(D->m02, c->m5);
-  const float w_4 = KSL_MULF(D->m10, c->m3) + KSL_MULF(D->m11, c->m4) + KSL_MULF(D->m12, c->m5);
-  const float w_5 = KSL_MULF(D->m20, c->m3) + KSL_MULF(D->m21, c->m4) + KSL_MULF(D->m22, c->m5);
-  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1) + w_3;
-  const float co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2) + w_4;
-  const float co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0) + w_5;
+  const float w_0 = KSL_MULF(D->m00, c->m0) + KSL_MULF(D->m01, c->m1),
+      w_1 = KSL_MULF(D->m10, c->m0) + KSL_MULF(D->m11, c->m1),
+      w_2 = KSL_MULF(D->m20, c->m0) + KSL_MULF(D->m21, c->m1),
+      w_3 = KSL_MULF(D->m00, c->m3) + KSL_MULF(D->m01, c->m4) + KSL_MULF(D->m02, c->m5),
+      w_4 = KSL_MULF(D->m10, c->m3) + KSL_MULF(D->m11, c->m4) + KSL_MULF(D->m12, c->m5),
+      w_5 = KSL_MULF(D->m20, c->m3) + KSL_MULF(D->m21, c->m4) + KSL_MULF(D->m22, c->m5);
+  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1) + w_3,
+      co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2) + w_4,
+      co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2355,15 +2133,15 @@ static inline void ksl_constraint_ctzf(const ksl_SE3f_t *D, const ksl_coscrewf_t
      barring over- and underflow. */
 static inline void ksl_constraint_crxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0 = KSL_MULF(D->m00, c->m0) + KSL_MULF(D->m01, c->m1) + KSL_MULF(D->m02, c->m2);
-  const float w_1 = KSL_MULF(D->m10, c->m0) + KSL_MULF(D->m11, c->m1) + KSL_MULF(D->m12, c->m2);
-  const float w_2 = KSL_MULF(D->m20, c->m0) + KSL_MULF(D->m21, c->m1) + KSL_MULF(D->m22, c->m2);
-  const float w_3 = KSL_MULF(D->m01, c->m4) + KSL_MULF(D->m02, c->m5);
-  const float w_4 = KSL_MULF(D->m11, c->m4) + KSL_MULF(D->m12, c->m5);
-  const float w_5 = KSL_MULF(D->m21, c->m4) + KSL_MULF(D->m22, c->m5);
-  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1) + w_3;
-  const float co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2) + w_4;
-  const float co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0) + w_5;
+  const float w_0 = KSL_MULF(D->m00, c->m0) + KSL_MULF(D->m01, c->m1) + KSL_MULF(D->m02, c->m2),
+      w_1 = KSL_MULF(D->m10, c->m0) + KSL_MULF(D->m11, c->m1) + KSL_MULF(D->m12, c->m2),
+      w_2 = KSL_MULF(D->m20, c->m0) + KSL_MULF(D->m21, c->m1) + KSL_MULF(D->m22, c->m2),
+      w_3 = KSL_MULF(D->m01, c->m4) + KSL_MULF(D->m02, c->m5),
+      w_4 = KSL_MULF(D->m11, c->m4) + KSL_MULF(D->m12, c->m5),
+      w_5 = KSL_MULF(D->m21, c->m4) + KSL_MULF(D->m22, c->m5);
+  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1) + w_3,
+      co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2) + w_4,
+      co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2379,15 +2157,15 @@ static inline void ksl_constraint_crxf(const ksl_SE3f_t *D, const ksl_coscrewf_t
      barring over- and underflow. */
 static inline void ksl_constraint_cryf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0 = KSL_MULF(D->m00, c->m0) + KSL_MULF(D->m01, c->m1) + KSL_MULF(D->m02, c->m2);
-  const float w_1 = KSL_MULF(D->m10, c->m0) + KSL_MULF(D->m11, c->m1) + KSL_MULF(D->m12, c->m2);
-  const float w_2 = KSL_MULF(D->m20, c->m0) + KSL_MULF(D->m21, c->m1) + KSL_MULF(D->m22, c->m2);
-  const float w_3 = KSL_MULF(D->m00, c->m3) + KSL_MULF(D->m02, c->m5);
-  const float w_4 = KSL_MULF(D->m10, c->m3) + KSL_MULF(D->m12, c->m5);
-  const float w_5 = KSL_MULF(D->m20, c->m3) + KSL_MULF(D->m22, c->m5);
-  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1) + w_3;
-  const float co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2) + w_4;
-  const float co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0) + w_5;
+  const float w_0 = KSL_MULF(D->m00, c->m0) + KSL_MULF(D->m01, c->m1) + KSL_MULF(D->m02, c->m2),
+      w_1 = KSL_MULF(D->m10, c->m0) + KSL_MULF(D->m11, c->m1) + KSL_MULF(D->m12, c->m2),
+      w_2 = KSL_MULF(D->m20, c->m0) + KSL_MULF(D->m21, c->m1) + KSL_MULF(D->m22, c->m2),
+      w_3 = KSL_MULF(D->m00, c->m3) + KSL_MULF(D->m02, c->m5),
+      w_4 = KSL_MULF(D->m10, c->m3) + KSL_MULF(D->m12, c->m5),
+      w_5 = KSL_MULF(D->m20, c->m3) + KSL_MULF(D->m22, c->m5);
+  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1) + w_3,
+      co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2) + w_4,
+      co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2403,15 +2181,15 @@ static inline void ksl_constraint_cryf(const ksl_SE3f_t *D, const ksl_coscrewf_t
      barring over- and underflow. */
 static inline void ksl_constraint_crzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0 = KSL_MULF(D->m00, c->m0) + KSL_MULF(D->m01, c->m1) + KSL_MULF(D->m02, c->m2);
-  const float w_1 = KSL_MULF(D->m10, c->m0) + KSL_MULF(D->m11, c->m1) + KSL_MULF(D->m12, c->m2);
-  const float w_2 = KSL_MULF(D->m20, c->m0) + KSL_MULF(D->m21, c->m1) + KSL_MULF(D->m22, c->m2);
-  const float w_3 = KSL_MULF(D->m00, c->m3) + KSL_MULF(D->m01, c->m4);
-  const float w_4 = KSL_MULF(D->m10, c->m3) + KSL_MULF(D->m11, c->m4);
-  const float w_5 = KSL_MULF(D->m20, c->m3) + KSL_MULF(D->m21, c->m4);
-  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1) + w_3;
-  const float co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2) + w_4;
-  const float co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0) + w_5;
+  const float w_0 = KSL_MULF(D->m00, c->m0) + KSL_MULF(D->m01, c->m1) + KSL_MULF(D->m02, c->m2),
+      w_1 = KSL_MULF(D->m10, c->m0) + KSL_MULF(D->m11, c->m1) + KSL_MULF(D->m12, c->m2),
+      w_2 = KSL_MULF(D->m20, c->m0) + KSL_MULF(D->m21, c->m1) + KSL_MULF(D->m22, c->m2),
+      w_3 = KSL_MULF(D->m00, c->m3) + KSL_MULF(D->m01, c->m4),
+      w_4 = KSL_MULF(D->m10, c->m3) + KSL_MULF(D->m11, c->m4),
+      w_5 = KSL_MULF(D->m20, c->m3) + KSL_MULF(D->m21, c->m4);
+  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1) + w_3,
+      co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2) + w_4,
+      co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2427,12 +2205,11 @@ static inline void ksl_constraint_crzf(const ksl_SE3f_t *D, const ksl_coscrewf_t
      barring over- and underflow. */
 static inline void ksl_working_ctxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0 = KSL_MULF(D->m00, c->m0);
-  const float w_1 = KSL_MULF(D->m10, c->m0);
-  const float w_2 = KSL_MULF(D->m20, c->m0);
-  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1);
-  const float co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2);
-  const float co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0);
+  const float w_0 = KSL_MULF(D->m00, c->m0), w_1 = KSL_MULF(D->m10, c->m0),
+      w_2 = KSL_MULF(D->m20, c->m0);
+  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1),
+      co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2),
+      co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2448,12 +2225,11 @@ static inline void ksl_working_ctxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
      barring over- and underflow. */
 static inline void ksl_working_ctyf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0 = KSL_MULF(D->m01, c->m1);
-  const float w_1 = KSL_MULF(D->m11, c->m1);
-  const float w_2 = KSL_MULF(D->m21, c->m1);
-  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1);
-  const float co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2);
-  const float co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0);
+  const float w_0 = KSL_MULF(D->m01, c->m1), w_1 = KSL_MULF(D->m11, c->m1),
+      w_2 = KSL_MULF(D->m21, c->m1);
+  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1),
+      co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2),
+      co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2469,12 +2245,11 @@ static inline void ksl_working_ctyf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
      barring over- and underflow. */
 static inline void ksl_working_ctzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0 = KSL_MULF(D->m02, c->m2);
-  const float w_1 = KSL_MULF(D->m12, c->m2);
-  const float w_2 = KSL_MULF(D->m22, c->m2);
-  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1);
-  const float co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2);
-  const float co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0);
+  const float w_0 = KSL_MULF(D->m02, c->m2), w_1 = KSL_MULF(D->m12, c->m2),
+      w_2 = KSL_MULF(D->m22, c->m2);
+  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1),
+      co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2),
+      co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2489,9 +2264,8 @@ static inline void ksl_working_ctzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_crxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_3 = KSL_MULF(D->m00, c->m3);
-  const float w_4 = KSL_MULF(D->m10, c->m3);
-  const float w_5 = KSL_MULF(D->m20, c->m3);
+  const float w_3 = KSL_MULF(D->m00, c->m3), w_4 = KSL_MULF(D->m10, c->m3),
+      w_5 = KSL_MULF(D->m20, c->m3);
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;
@@ -2506,9 +2280,8 @@ static inline void ksl_working_crxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_cryf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_3 = KSL_MULF(D->m01, c->m4);
-  const float w_4 = KSL_MULF(D->m11, c->m4);
-  const float w_5 = KSL_MULF(D->m21, c->m4);
+  const float w_3 = KSL_MULF(D->m01, c->m4), w_4 = KSL_MULF(D->m11, c->m4),
+      w_5 = KSL_MULF(D->m21, c->m4);
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;
@@ -2523,9 +2296,8 @@ static inline void ksl_working_cryf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_crzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_3 = KSL_MULF(D->m02, c->m5);
-  const float w_4 = KSL_MULF(D->m12, c->m5);
-  const float w_5 = KSL_MULF(D->m22, c->m5);
+  const float w_3 = KSL_MULF(D->m02, c->m5), w_4 = KSL_MULF(D->m12, c->m5),
+      w_5 = KSL_MULF(D->m22, c->m5);
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;
@@ -2539,12 +2311,8 @@ static inline void ksl_working_crzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
    6 neg.
    Exact. */
 static inline void ksl_coadf(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
-  const float M_01 = -s->m5;
-  const float M_12 = -s->m3;
-  const float M_20 = -s->m4;
-  const float M_31 = -s->m2;
-  const float M_42 = -s->m0;
-  const float M_50 = -s->m1;
+  const float M_01 = -s->m5, M_12 = -s->m3, M_20 = -s->m4, M_31 = -s->m2, M_42 = -s->m0,
+      M_50 = -s->m1;
   const float s_m4 = s->m4;
   const float s_m5 = s->m5;
   const float s_m3 = s->m3;

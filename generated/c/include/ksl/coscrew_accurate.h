@@ -13,18 +13,15 @@
    6 mul, 6 add, 6 product error.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_coscrew_scale_accurate(ksl_coscrew_t *self, const double a) {
-  const double self_0_new = KSL_MUL(self->m0, a);
-  const double self_1_new = KSL_MUL(self->m1, a);
-  const double self_2_new = KSL_MUL(self->m2, a);
-  const double self_3_new = KSL_MUL(self->m3, a);
-  const double self_4_new = KSL_MUL(self->m4, a);
-  const double self_5_new = KSL_MUL(self->m5, a);
-  const double self_0_new_rounded = self_0_new + ksl_product_error(self->m0, a, self_0_new);
-  const double self_1_new_rounded = self_1_new + ksl_product_error(self->m1, a, self_1_new);
-  const double self_2_new_rounded = self_2_new + ksl_product_error(self->m2, a, self_2_new);
-  const double self_3_new_rounded = self_3_new + ksl_product_error(self->m3, a, self_3_new);
-  const double self_4_new_rounded = self_4_new + ksl_product_error(self->m4, a, self_4_new);
-  const double self_5_new_rounded = self_5_new + ksl_product_error(self->m5, a, self_5_new);
+  const double self_0_new = KSL_MUL(self->m0, a), self_1_new = KSL_MUL(self->m1, a),
+      self_2_new = KSL_MUL(self->m2, a), self_3_new = KSL_MUL(self->m3, a),
+      self_4_new = KSL_MUL(self->m4, a), self_5_new = KSL_MUL(self->m5, a);
+  const double self_0_new_rounded = self_0_new + ksl_product_error(self->m0, a, self_0_new),
+      self_1_new_rounded = self_1_new + ksl_product_error(self->m1, a, self_1_new),
+      self_2_new_rounded = self_2_new + ksl_product_error(self->m2, a, self_2_new),
+      self_3_new_rounded = self_3_new + ksl_product_error(self->m3, a, self_3_new),
+      self_4_new_rounded = self_4_new + ksl_product_error(self->m4, a, self_4_new),
+      self_5_new_rounded = self_5_new + ksl_product_error(self->m5, a, self_5_new);
   self->m0 = self_0_new_rounded;
   self->m1 = self_1_new_rounded;
   self->m2 = self_2_new_rounded;
@@ -53,20 +50,20 @@ static inline void ksl_axpy_cc_accurate(const double a, const ksl_coscrew_t *x, 
       y_5_new_right = y_5_new - y_5_new_a;
   const double y_0_new_rounded = y_0_new
           + (ksl_product_rest(a, x->m0, y_0_new_a, y_0_new - y_0_new_right)
-          + (y->m0 - y_0_new_right));
-  const double y_1_new_rounded = y_1_new
+          + (y->m0 - y_0_new_right)),
+      y_1_new_rounded = y_1_new
           + (ksl_product_rest(a, x->m1, y_1_new_a, y_1_new - y_1_new_right)
-          + (y->m1 - y_1_new_right));
-  const double y_2_new_rounded = y_2_new
+          + (y->m1 - y_1_new_right)),
+      y_2_new_rounded = y_2_new
           + (ksl_product_rest(a, x->m2, y_2_new_a, y_2_new - y_2_new_right)
-          + (y->m2 - y_2_new_right));
-  const double y_3_new_rounded = y_3_new
+          + (y->m2 - y_2_new_right)),
+      y_3_new_rounded = y_3_new
           + (ksl_product_rest(a, x->m3, y_3_new_a, y_3_new - y_3_new_right)
-          + (y->m3 - y_3_new_right));
-  const double y_4_new_rounded = y_4_new
+          + (y->m3 - y_3_new_right)),
+      y_4_new_rounded = y_4_new
           + (ksl_product_rest(a, x->m4, y_4_new_a, y_4_new - y_4_new_right)
-          + (y->m4 - y_4_new_right));
-  const double y_5_new_rounded = y_5_new
+          + (y->m4 - y_4_new_right)),
+      y_5_new_rounded = y_5_new
           + (ksl_product_rest(a, x->m5, y_5_new_a, y_5_new - y_5_new_right)
           + (y->m5 - y_5_new_right));
   y->m0 = y_0_new_rounded;
@@ -89,17 +86,12 @@ static inline void ksl_xpy_cc_accurate(const ksl_coscrew_t *x, ksl_coscrew_t *y)
   const double y_4_new = x->m4 + y->m4, y_4_new_right = y_4_new - x->m4;
   const double y_5_new = x->m5 + y->m5, y_5_new_right = y_5_new - x->m5;
   const double y_0_new_rounded = y_0_new
-          + (x->m0 - (y_0_new - y_0_new_right) + (y->m0 - y_0_new_right));
-  const double y_1_new_rounded = y_1_new
-          + (x->m1 - (y_1_new - y_1_new_right) + (y->m1 - y_1_new_right));
-  const double y_2_new_rounded = y_2_new
-          + (x->m2 - (y_2_new - y_2_new_right) + (y->m2 - y_2_new_right));
-  const double y_3_new_rounded = y_3_new
-          + (x->m3 - (y_3_new - y_3_new_right) + (y->m3 - y_3_new_right));
-  const double y_4_new_rounded = y_4_new
-          + (x->m4 - (y_4_new - y_4_new_right) + (y->m4 - y_4_new_right));
-  const double y_5_new_rounded = y_5_new
-          + (x->m5 - (y_5_new - y_5_new_right) + (y->m5 - y_5_new_right));
+          + (x->m0 - (y_0_new - y_0_new_right) + (y->m0 - y_0_new_right)),
+      y_1_new_rounded = y_1_new + (x->m1 - (y_1_new - y_1_new_right) + (y->m1 - y_1_new_right)),
+      y_2_new_rounded = y_2_new + (x->m2 - (y_2_new - y_2_new_right) + (y->m2 - y_2_new_right)),
+      y_3_new_rounded = y_3_new + (x->m3 - (y_3_new - y_3_new_right) + (y->m3 - y_3_new_right)),
+      y_4_new_rounded = y_4_new + (x->m4 - (y_4_new - y_4_new_right) + (y->m4 - y_4_new_right)),
+      y_5_new_rounded = y_5_new + (x->m5 - (y_5_new - y_5_new_right) + (y->m5 - y_5_new_right));
   y->m0 = y_0_new_rounded;
   y->m1 = y_1_new_rounded;
   y->m2 = y_2_new_rounded;
@@ -120,17 +112,12 @@ static inline void ksl_nxpy_cc_accurate(const ksl_coscrew_t *x, ksl_coscrew_t *y
   const double y_4_new = y->m4 - x->m4, y_4_new_right = y->m4 - y_4_new;
   const double y_5_new = y->m5 - x->m5, y_5_new_right = y->m5 - y_5_new;
   const double y_0_new_rounded = y_0_new
-          + (y->m0 - (y_0_new + y_0_new_right) - (x->m0 - y_0_new_right));
-  const double y_1_new_rounded = y_1_new
-          + (y->m1 - (y_1_new + y_1_new_right) - (x->m1 - y_1_new_right));
-  const double y_2_new_rounded = y_2_new
-          + (y->m2 - (y_2_new + y_2_new_right) - (x->m2 - y_2_new_right));
-  const double y_3_new_rounded = y_3_new
-          + (y->m3 - (y_3_new + y_3_new_right) - (x->m3 - y_3_new_right));
-  const double y_4_new_rounded = y_4_new
-          + (y->m4 - (y_4_new + y_4_new_right) - (x->m4 - y_4_new_right));
-  const double y_5_new_rounded = y_5_new
-          + (y->m5 - (y_5_new + y_5_new_right) - (x->m5 - y_5_new_right));
+          + (y->m0 - (y_0_new + y_0_new_right) - (x->m0 - y_0_new_right)),
+      y_1_new_rounded = y_1_new + (y->m1 - (y_1_new + y_1_new_right) - (x->m1 - y_1_new_right)),
+      y_2_new_rounded = y_2_new + (y->m2 - (y_2_new + y_2_new_right) - (x->m2 - y_2_new_right)),
+      y_3_new_rounded = y_3_new + (y->m3 - (y_3_new + y_3_new_right) - (x->m3 - y_3_new_right)),
+      y_4_new_rounded = y_4_new + (y->m4 - (y_4_new + y_4_new_right) - (x->m4 - y_4_new_right)),
+      y_5_new_rounded = y_5_new + (y->m5 - (y_5_new + y_5_new_right) - (x->m5 - y_5_new_right));
   y->m0 = y_0_new_rounded;
   y->m1 = y_1_new_rounded;
   y->m2 = y_2_new_rounded;
@@ -145,18 +132,14 @@ static inline void ksl_nxpy_cc_accurate(const ksl_coscrew_t *x, ksl_coscrew_t *y
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_ac_accurate(const double a, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_0 = KSL_MUL(a, ci->m0);
-  const double co_1 = KSL_MUL(a, ci->m1);
-  const double co_2 = KSL_MUL(a, ci->m2);
-  const double co_3 = KSL_MUL(a, ci->m3);
-  const double co_4 = KSL_MUL(a, ci->m4);
-  const double co_5 = KSL_MUL(a, ci->m5);
-  const double co_0_rounded = co_0 + ksl_product_error(a, ci->m0, co_0);
-  const double co_1_rounded = co_1 + ksl_product_error(a, ci->m1, co_1);
-  const double co_2_rounded = co_2 + ksl_product_error(a, ci->m2, co_2);
-  const double co_3_rounded = co_3 + ksl_product_error(a, ci->m3, co_3);
-  const double co_4_rounded = co_4 + ksl_product_error(a, ci->m4, co_4);
-  const double co_5_rounded = co_5 + ksl_product_error(a, ci->m5, co_5);
+  const double co_0 = KSL_MUL(a, ci->m0), co_1 = KSL_MUL(a, ci->m1), co_2 = KSL_MUL(a, ci->m2),
+      co_3 = KSL_MUL(a, ci->m3), co_4 = KSL_MUL(a, ci->m4), co_5 = KSL_MUL(a, ci->m5);
+  const double co_0_rounded = co_0 + ksl_product_error(a, ci->m0, co_0),
+      co_1_rounded = co_1 + ksl_product_error(a, ci->m1, co_1),
+      co_2_rounded = co_2 + ksl_product_error(a, ci->m2, co_2),
+      co_3_rounded = co_3 + ksl_product_error(a, ci->m3, co_3),
+      co_4_rounded = co_4 + ksl_product_error(a, ci->m4, co_4),
+      co_5_rounded = co_5 + ksl_product_error(a, ci->m5, co_5);
   co->m0 = co_0_rounded;
   co->m1 = co_1_rounded;
   co->m2 = co_2_rounded;
@@ -177,12 +160,12 @@ static inline void ksl_add_cc_accurate(const ksl_coscrew_t *c1, const ksl_coscre
   const double co_3 = c1->m3 + c2->m3, co_3_right = co_3 - c1->m3;
   const double co_4 = c1->m4 + c2->m4, co_4_right = co_4 - c1->m4;
   const double co_5 = c1->m5 + c2->m5, co_5_right = co_5 - c1->m5;
-  const double co_0_rounded = co_0 + (c1->m0 - (co_0 - co_0_right) + (c2->m0 - co_0_right));
-  const double co_1_rounded = co_1 + (c1->m1 - (co_1 - co_1_right) + (c2->m1 - co_1_right));
-  const double co_2_rounded = co_2 + (c1->m2 - (co_2 - co_2_right) + (c2->m2 - co_2_right));
-  const double co_3_rounded = co_3 + (c1->m3 - (co_3 - co_3_right) + (c2->m3 - co_3_right));
-  const double co_4_rounded = co_4 + (c1->m4 - (co_4 - co_4_right) + (c2->m4 - co_4_right));
-  const double co_5_rounded = co_5 + (c1->m5 - (co_5 - co_5_right) + (c2->m5 - co_5_right));
+  const double co_0_rounded = co_0 + (c1->m0 - (co_0 - co_0_right) + (c2->m0 - co_0_right)),
+      co_1_rounded = co_1 + (c1->m1 - (co_1 - co_1_right) + (c2->m1 - co_1_right)),
+      co_2_rounded = co_2 + (c1->m2 - (co_2 - co_2_right) + (c2->m2 - co_2_right)),
+      co_3_rounded = co_3 + (c1->m3 - (co_3 - co_3_right) + (c2->m3 - co_3_right)),
+      co_4_rounded = co_4 + (c1->m4 - (co_4 - co_4_right) + (c2->m4 - co_4_right)),
+      co_5_rounded = co_5 + (c1->m5 - (co_5 - co_5_right) + (c2->m5 - co_5_right));
   co->m0 = co_0_rounded;
   co->m1 = co_1_rounded;
   co->m2 = co_2_rounded;
@@ -203,12 +186,12 @@ static inline void ksl_subtract_cc_accurate(const ksl_coscrew_t *c1, const ksl_c
   const double co_3 = c1->m3 - c2->m3, co_3_right = c1->m3 - co_3;
   const double co_4 = c1->m4 - c2->m4, co_4_right = c1->m4 - co_4;
   const double co_5 = c1->m5 - c2->m5, co_5_right = c1->m5 - co_5;
-  const double co_0_rounded = co_0 + (c1->m0 - (co_0 + co_0_right) - (c2->m0 - co_0_right));
-  const double co_1_rounded = co_1 + (c1->m1 - (co_1 + co_1_right) - (c2->m1 - co_1_right));
-  const double co_2_rounded = co_2 + (c1->m2 - (co_2 + co_2_right) - (c2->m2 - co_2_right));
-  const double co_3_rounded = co_3 + (c1->m3 - (co_3 + co_3_right) - (c2->m3 - co_3_right));
-  const double co_4_rounded = co_4 + (c1->m4 - (co_4 + co_4_right) - (c2->m4 - co_4_right));
-  const double co_5_rounded = co_5 + (c1->m5 - (co_5 + co_5_right) - (c2->m5 - co_5_right));
+  const double co_0_rounded = co_0 + (c1->m0 - (co_0 + co_0_right) - (c2->m0 - co_0_right)),
+      co_1_rounded = co_1 + (c1->m1 - (co_1 + co_1_right) - (c2->m1 - co_1_right)),
+      co_2_rounded = co_2 + (c1->m2 - (co_2 + co_2_right) - (c2->m2 - co_2_right)),
+      co_3_rounded = co_3 + (c1->m3 - (co_3 + co_3_right) - (c2->m3 - co_3_right)),
+      co_4_rounded = co_4 + (c1->m4 - (co_4 + co_4_right) - (c2->m4 - co_4_right)),
+      co_5_rounded = co_5 + (c1->m5 - (co_5 + co_5_right) - (c2->m5 - co_5_right));
   co->m0 = co_0_rounded;
   co->m1 = co_1_rounded;
   co->m2 = co_2_rounded;
@@ -224,20 +207,15 @@ static inline void ksl_subtract_cc_accurate(const ksl_coscrew_t *c1, const ksl_c
 static inline double ksl_coscrew_norm_accurate(const ksl_coscrew_t *ci) {
   const double small_c = fabs(ci->m2) < 1e-09 ? 1.0 : 0.0,
       small_f = fabs(ci->m1) < 1e-09 ? small_c : 0.0, small = fabs(ci->m0) < 1e-09 ? small_f : 0.0;
-  const double p_0 = small == 1.0 ? ci->m3 : ci->m0;
-  const double p_1 = small == 1.0 ? ci->m4 : ci->m1;
-  const double p_2 = small == 1.0 ? ci->m5 : ci->m2;
-  const double s_size_0 = fabs(p_0);
-  const double s_size_1 = fabs(p_1);
-  const double s_size_2 = fabs(p_2);
+  const double p_0 = small == 1.0 ? ci->m3 : ci->m0, p_1 = small == 1.0 ? ci->m4 : ci->m1,
+      p_2 = small == 1.0 ? ci->m5 : ci->m2;
+  const double s_size_0 = fabs(p_0), s_size_1 = fabs(p_1), s_size_2 = fabs(p_2);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(p_0, s);
-  const double y_1 = KSL_MUL(p_1, s);
-  const double y_2 = KSL_MUL(p_2, s);
+  const double y_0 = KSL_MUL(p_0, s), y_1 = KSL_MUL(p_1, s), y_2 = KSL_MUL(p_2, s);
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_c_right = n_c - n_a, n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_e_right = n_e - n_c,
       n_c_lo = ksl_product_rest(y_0, y_0, n_a, n_c - n_c_right)
@@ -267,20 +245,15 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
   const double small_a = fabs(self->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(self->m1), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(self->m0),
       small = small_g < 1e-09 ? small_f : 0.0;
-  const double p_0 = small == 1.0 ? self->m3 : self->m0;
-  const double p_1 = small == 1.0 ? self->m4 : self->m1;
-  const double p_2 = small == 1.0 ? self->m5 : self->m2;
-  const double s_size_0 = fabs(p_0);
-  const double s_size_1 = fabs(p_1);
-  const double s_size_2 = fabs(p_2);
+  const double p_0 = small == 1.0 ? self->m3 : self->m0, p_1 = small == 1.0 ? self->m4 : self->m1,
+      p_2 = small == 1.0 ? self->m5 : self->m2;
+  const double s_size_0 = fabs(p_0), s_size_1 = fabs(p_1), s_size_2 = fabs(p_2);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(p_0, s);
-  const double y_1 = KSL_MUL(p_1, s);
-  const double y_2 = KSL_MUL(p_2, s);
+  const double y_0 = KSL_MUL(p_0, s), y_1 = KSL_MUL(p_1, s), y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
@@ -296,27 +269,16 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
   const double n_sum = n + n_lo, n_sum_right = n_sum - n,
       n_sum_lo = n - (n_sum - n_sum_right) + (n_lo - n_sum_right),
       divisor = n_sum == 0.0 ? up : n_sum, divisor_lo = n_sum == 0.0 ? 0.0 : n_sum_lo;
-  const double size_3 = fabs(self->m3);
-  const double size_4 = fabs(self->m4);
-  const double size_5 = fabs(self->m5);
-  const double before_0 = small_g < 256.0 ? up : down;
-  const double before_1 = small_d < 256.0 ? up : down;
-  const double before_2 = small_a < 256.0 ? up : down;
-  const double before_3 = size_3 < 256.0 ? up : down;
-  const double before_4 = size_4 < 256.0 ? up : down;
-  const double before_5 = size_5 < 256.0 ? up : down;
-  const double after_0 = small_g < 256.0 ? down : up;
-  const double after_1 = small_d < 256.0 ? down : up;
-  const double after_2 = small_a < 256.0 ? down : up;
-  const double after_3 = size_3 < 256.0 ? down : up;
-  const double after_4 = size_4 < 256.0 ? down : up;
-  const double after_5 = size_5 < 256.0 ? down : up;
-  const double sized_0 = KSL_MUL(self->m0, before_0);
-  const double sized_1 = KSL_MUL(self->m1, before_1);
-  const double sized_2 = KSL_MUL(self->m2, before_2);
-  const double sized_3 = KSL_MUL(self->m3, before_3);
-  const double sized_4 = KSL_MUL(self->m4, before_4);
-  const double sized_5 = KSL_MUL(self->m5, before_5);
+  const double size_3 = fabs(self->m3), size_4 = fabs(self->m4), size_5 = fabs(self->m5);
+  const double before_0 = small_g < 256.0 ? up : down, before_1 = small_d < 256.0 ? up : down,
+      before_2 = small_a < 256.0 ? up : down, before_3 = size_3 < 256.0 ? up : down,
+      before_4 = size_4 < 256.0 ? up : down, before_5 = size_5 < 256.0 ? up : down;
+  const double after_0 = small_g < 256.0 ? down : up, after_1 = small_d < 256.0 ? down : up,
+      after_2 = small_a < 256.0 ? down : up, after_3 = size_3 < 256.0 ? down : up,
+      after_4 = size_4 < 256.0 ? down : up, after_5 = size_5 < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL(self->m0, before_0), sized_1 = KSL_MUL(self->m1, before_1),
+      sized_2 = KSL_MUL(self->m2, before_2), sized_3 = KSL_MUL(self->m3, before_3),
+      sized_4 = KSL_MUL(self->m4, before_4), sized_5 = KSL_MUL(self->m5, before_5);
   const double divisor_sum = divisor + divisor_lo, divisor_sum_right = divisor_sum - divisor,
       divisor_sum_lo = divisor - (divisor_sum - divisor_sum_right)
           + (divisor_lo - divisor_sum_right), quotient_0 = sized_0 / divisor_sum,
@@ -425,20 +387,15 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
   const double small_a = fabs(ci->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(ci->m1), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(ci->m0),
       small = small_g < 1e-09 ? small_f : 0.0;
-  const double p_0 = small == 1.0 ? ci->m3 : ci->m0;
-  const double p_1 = small == 1.0 ? ci->m4 : ci->m1;
-  const double p_2 = small == 1.0 ? ci->m5 : ci->m2;
-  const double s_size_0 = fabs(p_0);
-  const double s_size_1 = fabs(p_1);
-  const double s_size_2 = fabs(p_2);
+  const double p_0 = small == 1.0 ? ci->m3 : ci->m0, p_1 = small == 1.0 ? ci->m4 : ci->m1,
+      p_2 = small == 1.0 ? ci->m5 : ci->m2;
+  const double s_size_0 = fabs(p_0), s_size_1 = fabs(p_1), s_size_2 = fabs(p_2);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(p_0, s);
-  const double y_1 = KSL_MUL(p_1, s);
-  const double y_2 = KSL_MUL(p_2, s);
+  const double y_0 = KSL_MUL(p_0, s), y_1 = KSL_MUL(p_1, s), y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
@@ -454,27 +411,16 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
   const double n_sum = n + n_lo, n_sum_right = n_sum - n,
       n_sum_lo = n - (n_sum - n_sum_right) + (n_lo - n_sum_right),
       divisor = n_sum == 0.0 ? up : n_sum, divisor_lo = n_sum == 0.0 ? 0.0 : n_sum_lo;
-  const double size_3 = fabs(ci->m3);
-  const double size_4 = fabs(ci->m4);
-  const double size_5 = fabs(ci->m5);
-  const double before_0 = small_g < 256.0 ? up : down;
-  const double before_1 = small_d < 256.0 ? up : down;
-  const double before_2 = small_a < 256.0 ? up : down;
-  const double before_3 = size_3 < 256.0 ? up : down;
-  const double before_4 = size_4 < 256.0 ? up : down;
-  const double before_5 = size_5 < 256.0 ? up : down;
-  const double after_0 = small_g < 256.0 ? down : up;
-  const double after_1 = small_d < 256.0 ? down : up;
-  const double after_2 = small_a < 256.0 ? down : up;
-  const double after_3 = size_3 < 256.0 ? down : up;
-  const double after_4 = size_4 < 256.0 ? down : up;
-  const double after_5 = size_5 < 256.0 ? down : up;
-  const double sized_0 = KSL_MUL(ci->m0, before_0);
-  const double sized_1 = KSL_MUL(ci->m1, before_1);
-  const double sized_2 = KSL_MUL(ci->m2, before_2);
-  const double sized_3 = KSL_MUL(ci->m3, before_3);
-  const double sized_4 = KSL_MUL(ci->m4, before_4);
-  const double sized_5 = KSL_MUL(ci->m5, before_5);
+  const double size_3 = fabs(ci->m3), size_4 = fabs(ci->m4), size_5 = fabs(ci->m5);
+  const double before_0 = small_g < 256.0 ? up : down, before_1 = small_d < 256.0 ? up : down,
+      before_2 = small_a < 256.0 ? up : down, before_3 = size_3 < 256.0 ? up : down,
+      before_4 = size_4 < 256.0 ? up : down, before_5 = size_5 < 256.0 ? up : down;
+  const double after_0 = small_g < 256.0 ? down : up, after_1 = small_d < 256.0 ? down : up,
+      after_2 = small_a < 256.0 ? down : up, after_3 = size_3 < 256.0 ? down : up,
+      after_4 = size_4 < 256.0 ? down : up, after_5 = size_5 < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL(ci->m0, before_0), sized_1 = KSL_MUL(ci->m1, before_1),
+      sized_2 = KSL_MUL(ci->m2, before_2), sized_3 = KSL_MUL(ci->m3, before_3),
+      sized_4 = KSL_MUL(ci->m4, before_4), sized_5 = KSL_MUL(ci->m5, before_5);
   const double divisor_sum = divisor + divisor_lo, divisor_sum_right = divisor_sum - divisor,
       divisor_sum_lo = divisor - (divisor_sum - divisor_sum_right)
           + (divisor_lo - divisor_sum_right), quotient_0 = sized_0 / divisor_sum,
@@ -566,9 +512,9 @@ static inline void ksl_add_cct_accurate(const ksl_coscrew_t *c1, const ksl_coscr
   const double co_0 = c1->m0 + c2->m0, co_0_right = co_0 - c1->m0;
   const double co_1 = c1->m1 + c2->m1, co_1_right = co_1 - c1->m1;
   const double co_2 = c1->m2 + c2->m2, co_2_right = co_2 - c1->m2;
-  const double co_0_rounded = co_0 + (c1->m0 - (co_0 - co_0_right) + (c2->m0 - co_0_right));
-  const double co_1_rounded = co_1 + (c1->m1 - (co_1 - co_1_right) + (c2->m1 - co_1_right));
-  const double co_2_rounded = co_2 + (c1->m2 - (co_2 - co_2_right) + (c2->m2 - co_2_right));
+  const double co_0_rounded = co_0 + (c1->m0 - (co_0 - co_0_right) + (c2->m0 - co_0_right)),
+      co_1_rounded = co_1 + (c1->m1 - (co_1 - co_1_right) + (c2->m1 - co_1_right)),
+      co_2_rounded = co_2 + (c1->m2 - (co_2 - co_2_right) + (c2->m2 - co_2_right));
   const double c1_m3 = c1->m3;
   const double c1_m4 = c1->m4;
   const double c1_m5 = c1->m5;
@@ -600,11 +546,9 @@ static inline void ksl_product_CoAdtc_accurate(const ksl_vec3_t *t, const ksl_co
       co_5c_lo = ksl_product_rest(t->x, ci->m1, co_5a, co_5c + co_5c_right)
           - ksl_product_rest(t->y, ci->m0, co_5b, co_5c_right);
   const double co_3_rounded = co_3
-          + (co_3c - (co_3 - co_3_right) + (ci->m3 - co_3_right) + co_3c_lo);
-  const double co_4_rounded = co_4
-          + (co_4c - (co_4 - co_4_right) + (ci->m4 - co_4_right) + co_4c_lo);
-  const double co_5_rounded = co_5
-          + (co_5c - (co_5 - co_5_right) + (ci->m5 - co_5_right) + co_5c_lo);
+          + (co_3c - (co_3 - co_3_right) + (ci->m3 - co_3_right) + co_3c_lo),
+      co_4_rounded = co_4 + (co_4c - (co_4 - co_4_right) + (ci->m4 - co_4_right) + co_4c_lo),
+      co_5_rounded = co_5 + (co_5c - (co_5 - co_5_right) + (ci->m5 - co_5_right) + co_5c_lo);
   const double ci_m0 = ci->m0;
   const double ci_m1 = ci->m1;
   const double ci_m2 = ci->m2;
@@ -636,11 +580,9 @@ static inline void ksl_product_CoAdtinvc_accurate(const ksl_vec3_t *t, const ksl
       co_5c_lo = ksl_product_rest(t->y, ci->m0, co_5a, co_5c + co_5c_right)
           - ksl_product_rest(t->x, ci->m1, co_5b, co_5c_right);
   const double co_3_rounded = co_3
-          + (co_3c - (co_3 - co_3_right) + (ci->m3 - co_3_right) + co_3c_lo);
-  const double co_4_rounded = co_4
-          + (co_4c - (co_4 - co_4_right) + (ci->m4 - co_4_right) + co_4c_lo);
-  const double co_5_rounded = co_5
-          + (co_5c - (co_5 - co_5_right) + (ci->m5 - co_5_right) + co_5c_lo);
+          + (co_3c - (co_3 - co_3_right) + (ci->m3 - co_3_right) + co_3c_lo),
+      co_4_rounded = co_4 + (co_4c - (co_4 - co_4_right) + (ci->m4 - co_4_right) + co_4c_lo),
+      co_5_rounded = co_5 + (co_5c - (co_5 - co_5_right) + (ci->m5 - co_5_right) + co_5c_lo);
   const double ci_m0 = ci->m0;
   const double ci_m1 = ci->m1;
   const double ci_m2 = ci->m2;
@@ -659,9 +601,7 @@ static inline void ksl_product_CoAdtinvc_accurate(const ksl_vec3_t *t, const ksl
      formula; barring over- and underflow. */
 static inline void ksl_product_CoAdtcinv_accurate(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_0 = -ci->m0;
-  const double co_1 = -ci->m1;
-  const double co_2 = -ci->m2;
+  const double co_0 = -ci->m0, co_1 = -ci->m1, co_2 = -ci->m2;
   const double co_3a = KSL_MUL(t->z, ci->m1), co_3b = KSL_MUL(t->y, ci->m2), co_3c = co_3a - co_3b,
       co_3c_right = co_3a - co_3c, co_3 = co_3c - ci->m3, co_3_right = co_3c - co_3,
       co_3c_lo = ksl_product_rest(t->z, ci->m1, co_3a, co_3c + co_3c_right)
@@ -675,11 +615,9 @@ static inline void ksl_product_CoAdtcinv_accurate(const ksl_vec3_t *t, const ksl
       co_5c_lo = ksl_product_rest(t->y, ci->m0, co_5a, co_5c + co_5c_right)
           - ksl_product_rest(t->x, ci->m1, co_5b, co_5c_right);
   const double co_3_rounded = co_3
-          + (co_3c - (co_3 + co_3_right) - (ci->m3 - co_3_right) + co_3c_lo);
-  const double co_4_rounded = co_4
-          + (co_4c - (co_4 + co_4_right) - (ci->m4 - co_4_right) + co_4c_lo);
-  const double co_5_rounded = co_5
-          + (co_5c - (co_5 + co_5_right) - (ci->m5 - co_5_right) + co_5c_lo);
+          + (co_3c - (co_3 + co_3_right) - (ci->m3 - co_3_right) + co_3c_lo),
+      co_4_rounded = co_4 + (co_4c - (co_4 + co_4_right) - (ci->m4 - co_4_right) + co_4c_lo),
+      co_5_rounded = co_5 + (co_5c - (co_5 + co_5_right) - (ci->m5 - co_5_right) + co_5c_lo);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -727,20 +665,20 @@ static inline void ksl_product_CoAdrc_accurate(const ksl_mat3x3_t *R, const ksl_
           + ksl_product_rest(R->m21, ci->m4, co_5b, co_5c_right);
   const double co_0_rounded = co_0
           + (co_0c - (co_0 - co_0_right) + ksl_product_rest(R->m02, ci->m2, co_0d, co_0_right)
-          + co_0c_lo);
-  const double co_1_rounded = co_1
+          + co_0c_lo),
+      co_1_rounded = co_1
           + (co_1c - (co_1 - co_1_right) + ksl_product_rest(R->m12, ci->m2, co_1d, co_1_right)
-          + co_1c_lo);
-  const double co_2_rounded = co_2
+          + co_1c_lo),
+      co_2_rounded = co_2
           + (co_2c - (co_2 - co_2_right) + ksl_product_rest(R->m22, ci->m2, co_2d, co_2_right)
-          + co_2c_lo);
-  const double co_3_rounded = co_3
+          + co_2c_lo),
+      co_3_rounded = co_3
           + (co_3c - (co_3 - co_3_right) + ksl_product_rest(R->m02, ci->m5, co_3d, co_3_right)
-          + co_3c_lo);
-  const double co_4_rounded = co_4
+          + co_3c_lo),
+      co_4_rounded = co_4
           + (co_4c - (co_4 - co_4_right) + ksl_product_rest(R->m12, ci->m5, co_4d, co_4_right)
-          + co_4c_lo);
-  const double co_5_rounded = co_5
+          + co_4c_lo),
+      co_5_rounded = co_5
           + (co_5c - (co_5 - co_5_right) + ksl_product_rest(R->m22, ci->m5, co_5d, co_5_right)
           + co_5c_lo);
   co->m0 = co_0_rounded;
@@ -790,20 +728,20 @@ static inline void ksl_product_CoAdrinvc_accurate(const ksl_mat3x3_t *R, const k
           + ksl_product_rest(R->m12, ci->m4, co_5b, co_5c_right);
   const double co_0_rounded = co_0
           + (co_0c - (co_0 - co_0_right) + ksl_product_rest(R->m20, ci->m2, co_0d, co_0_right)
-          + co_0c_lo);
-  const double co_1_rounded = co_1
+          + co_0c_lo),
+      co_1_rounded = co_1
           + (co_1c - (co_1 - co_1_right) + ksl_product_rest(R->m21, ci->m2, co_1d, co_1_right)
-          + co_1c_lo);
-  const double co_2_rounded = co_2
+          + co_1c_lo),
+      co_2_rounded = co_2
           + (co_2c - (co_2 - co_2_right) + ksl_product_rest(R->m22, ci->m2, co_2d, co_2_right)
-          + co_2c_lo);
-  const double co_3_rounded = co_3
+          + co_2c_lo),
+      co_3_rounded = co_3
           + (co_3c - (co_3 - co_3_right) + ksl_product_rest(R->m20, ci->m5, co_3d, co_3_right)
-          + co_3c_lo);
-  const double co_4_rounded = co_4
+          + co_3c_lo),
+      co_4_rounded = co_4
           + (co_4c - (co_4 - co_4_right) + ksl_product_rest(R->m21, ci->m5, co_4d, co_4_right)
-          + co_4c_lo);
-  const double co_5_rounded = co_5
+          + co_4c_lo),
+      co_5_rounded = co_5
           + (co_5c - (co_5 - co_5_right) + ksl_product_rest(R->m22, ci->m5, co_5d, co_5_right)
           + co_5c_lo);
   co->m0 = co_0_rounded;
@@ -853,20 +791,20 @@ static inline void ksl_product_CoAdrcinv_accurate(const ksl_mat3x3_t *R, const k
           + ksl_product_rest(R->m21, ci->m4, co_5b, co_5c_right), co_5 = -co_5e;
   const double co_0_rounded = co_0 +
           -(co_0c - (co_0e - co_0e_right) + ksl_product_rest(R->m02, ci->m2, co_0d, co_0e_right)
-          + co_0c_lo);
-  const double co_1_rounded = co_1 +
+          + co_0c_lo),
+      co_1_rounded = co_1 +
           -(co_1c - (co_1e - co_1e_right) + ksl_product_rest(R->m12, ci->m2, co_1d, co_1e_right)
-          + co_1c_lo);
-  const double co_2_rounded = co_2 +
+          + co_1c_lo),
+      co_2_rounded = co_2 +
           -(co_2c - (co_2e - co_2e_right) + ksl_product_rest(R->m22, ci->m2, co_2d, co_2e_right)
-          + co_2c_lo);
-  const double co_3_rounded = co_3 +
+          + co_2c_lo),
+      co_3_rounded = co_3 +
           -(co_3c - (co_3e - co_3e_right) + ksl_product_rest(R->m02, ci->m5, co_3d, co_3e_right)
-          + co_3c_lo);
-  const double co_4_rounded = co_4 +
+          + co_3c_lo),
+      co_4_rounded = co_4 +
           -(co_4c - (co_4e - co_4e_right) + ksl_product_rest(R->m12, ci->m5, co_4d, co_4e_right)
-          + co_4c_lo);
-  const double co_5_rounded = co_5 +
+          + co_4c_lo),
+      co_5_rounded = co_5 +
           -(co_5c - (co_5e - co_5e_right) + ksl_product_rest(R->m22, ci->m5, co_5d, co_5e_right)
           + co_5c_lo);
   co->m0 = co_0_rounded;
@@ -944,14 +882,12 @@ static inline void ksl_product_CoAdc_accurate(const ksl_SE3_t *D, const ksl_cosc
       co_5_lo2 = co_5c - (co_5 - co_5_right) + (w_5 - co_5_right)
           + (w_5c - (w_5 - w_5_right) + ksl_product_rest(D->m22, ci->m5, w_5d, w_5_right)
           + w_5c_lo);
-  const double w_0_rounded = w_0 + w_0_lo;
-  const double w_1_rounded = w_1 + w_1_lo;
-  const double w_2_rounded = w_2 + w_2_lo;
+  const double w_0_rounded = w_0 + w_0_lo, w_1_rounded = w_1 + w_1_lo, w_2_rounded = w_2 + w_2_lo;
   const double co_3_rounded = co_3
-          + (co_3_lo2 + (co_3c_lo1 + (KSL_MUL(D->m13, w_2_lo) - KSL_MUL(D->m23, w_1_lo))));
-  const double co_4_rounded = co_4
-          + (co_4_lo2 + (co_4c_lo1 + (KSL_MUL(D->m23, w_0_lo) - KSL_MUL(D->m03, w_2_lo))));
-  const double co_5_rounded = co_5
+          + (co_3_lo2 + (co_3c_lo1 + (KSL_MUL(D->m13, w_2_lo) - KSL_MUL(D->m23, w_1_lo)))),
+      co_4_rounded = co_4
+          + (co_4_lo2 + (co_4c_lo1 + (KSL_MUL(D->m23, w_0_lo) - KSL_MUL(D->m03, w_2_lo)))),
+      co_5_rounded = co_5
           + (co_5_lo2 + (co_5c_lo1 + (KSL_MUL(D->m03, w_1_lo) - KSL_MUL(D->m13, w_0_lo))));
   co->m0 = w_0_rounded;
   co->m1 = w_1_rounded;
@@ -1021,18 +957,18 @@ static inline void ksl_product_CoAdinvc_accurate(const ksl_SE3_t *D, const ksl_c
           + KSL_MUL(D->m22, w_5_lo);
   const double co_0_rounded = co_0
           + (co_0c - (co_0 - co_0_right) + ksl_product_rest(D->m20, ci->m2, co_0d, co_0_right)
-          + co_0c_lo);
-  const double co_1_rounded = co_1
+          + co_0c_lo),
+      co_1_rounded = co_1
           + (co_1c - (co_1 - co_1_right) + ksl_product_rest(D->m21, ci->m2, co_1d, co_1_right)
-          + co_1c_lo);
-  const double co_2_rounded = co_2
+          + co_1c_lo),
+      co_2_rounded = co_2
           + (co_2c - (co_2 - co_2_right) + ksl_product_rest(D->m22, ci->m2, co_2d, co_2_right)
-          + co_2c_lo);
-  const double co_3_rounded = co_3
-          + (co_3_lo2 + (co_3c_lo1 + (KSL_MUL(D->m00, w_3_lo) + KSL_MUL(D->m10, w_4_lo))));
-  const double co_4_rounded = co_4
-          + (co_4_lo2 + (co_4c_lo1 + (KSL_MUL(D->m01, w_3_lo) + KSL_MUL(D->m11, w_4_lo))));
-  const double co_5_rounded = co_5
+          + co_2c_lo),
+      co_3_rounded = co_3
+          + (co_3_lo2 + (co_3c_lo1 + (KSL_MUL(D->m00, w_3_lo) + KSL_MUL(D->m10, w_4_lo)))),
+      co_4_rounded = co_4
+          + (co_4_lo2 + (co_4c_lo1 + (KSL_MUL(D->m01, w_3_lo) + KSL_MUL(D->m11, w_4_lo)))),
+      co_5_rounded = co_5
           + (co_5_lo2 + (co_5c_lo1 + (KSL_MUL(D->m02, w_3_lo) + KSL_MUL(D->m12, w_4_lo))));
   co->m0 = co_0_rounded;
   co->m1 = co_1_rounded;
@@ -1112,16 +1048,14 @@ static inline void ksl_product_CoAdcinv_accurate(const ksl_SE3_t *D, const ksl_c
   const double w_5_lo =
           -(w_5c - (w_5e - w_5e_right) + ksl_product_rest(D->m22, ci->m5, w_5d, w_5e_right)
           + w_5c_lo);
-  const double w_0_rounded = w_0 + w_0_lo;
-  const double w_1_rounded = w_1 + w_1_lo;
-  const double w_2_rounded = w_2 + w_2_lo;
+  const double w_0_rounded = w_0 + w_0_lo, w_1_rounded = w_1 + w_1_lo, w_2_rounded = w_2 + w_2_lo;
   const double co_3_rounded = co_3
           + (co_3c - (co_3 - co_3_right) + (w_3 - co_3_right) + w_3_lo
-          + (co_3c_lo1 + (KSL_MUL(D->m13, w_2_lo) - KSL_MUL(D->m23, w_1_lo))));
-  const double co_4_rounded = co_4
+          + (co_3c_lo1 + (KSL_MUL(D->m13, w_2_lo) - KSL_MUL(D->m23, w_1_lo)))),
+      co_4_rounded = co_4
           + (co_4c - (co_4 - co_4_right) + (w_4 - co_4_right) + w_4_lo
-          + (co_4c_lo1 + (KSL_MUL(D->m23, w_0_lo) - KSL_MUL(D->m03, w_2_lo))));
-  const double co_5_rounded = co_5
+          + (co_4c_lo1 + (KSL_MUL(D->m23, w_0_lo) - KSL_MUL(D->m03, w_2_lo)))),
+      co_5_rounded = co_5
           + (co_5c - (co_5 - co_5_right) + (w_5 - co_5_right) + w_5_lo
           + (co_5c_lo1 + (KSL_MUL(D->m03, w_1_lo) - KSL_MUL(D->m13, w_0_lo))));
   co->m0 = w_0_rounded;
@@ -1146,11 +1080,11 @@ static inline void ksl_hctx_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
       co_5 = co_5a - co_5b, co_5_right = co_5a - co_5;
   const double co_3_rounded = co_3
           + (ksl_product_rest(D->m20, D->m13, co_3a, co_3 + co_3_right)
-          - ksl_product_rest(D->m10, D->m23, co_3b, co_3_right));
-  const double co_4_rounded = co_4
+          - ksl_product_rest(D->m10, D->m23, co_3b, co_3_right)),
+      co_4_rounded = co_4
           + (ksl_product_rest(D->m00, D->m23, co_4a, co_4 + co_4_right)
-          - ksl_product_rest(D->m20, D->m03, co_4b, co_4_right));
-  const double co_5_rounded = co_5
+          - ksl_product_rest(D->m20, D->m03, co_4b, co_4_right)),
+      co_5_rounded = co_5
           + (ksl_product_rest(D->m10, D->m03, co_5a, co_5 + co_5_right)
           - ksl_product_rest(D->m00, D->m13, co_5b, co_5_right));
   const double D_m00 = D->m00;
@@ -1178,11 +1112,11 @@ static inline void ksl_hcty_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
       co_5 = co_5a - co_5b, co_5_right = co_5a - co_5;
   const double co_3_rounded = co_3
           + (ksl_product_rest(D->m21, D->m13, co_3a, co_3 + co_3_right)
-          - ksl_product_rest(D->m11, D->m23, co_3b, co_3_right));
-  const double co_4_rounded = co_4
+          - ksl_product_rest(D->m11, D->m23, co_3b, co_3_right)),
+      co_4_rounded = co_4
           + (ksl_product_rest(D->m01, D->m23, co_4a, co_4 + co_4_right)
-          - ksl_product_rest(D->m21, D->m03, co_4b, co_4_right));
-  const double co_5_rounded = co_5
+          - ksl_product_rest(D->m21, D->m03, co_4b, co_4_right)),
+      co_5_rounded = co_5
           + (ksl_product_rest(D->m11, D->m03, co_5a, co_5 + co_5_right)
           - ksl_product_rest(D->m01, D->m13, co_5b, co_5_right));
   const double D_m01 = D->m01;
@@ -1210,11 +1144,11 @@ static inline void ksl_hctz_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
       co_5 = co_5a - co_5b, co_5_right = co_5a - co_5;
   const double co_3_rounded = co_3
           + (ksl_product_rest(D->m22, D->m13, co_3a, co_3 + co_3_right)
-          - ksl_product_rest(D->m12, D->m23, co_3b, co_3_right));
-  const double co_4_rounded = co_4
+          - ksl_product_rest(D->m12, D->m23, co_3b, co_3_right)),
+      co_4_rounded = co_4
           + (ksl_product_rest(D->m02, D->m23, co_4a, co_4 + co_4_right)
-          - ksl_product_rest(D->m22, D->m03, co_4b, co_4_right));
-  const double co_5_rounded = co_5
+          - ksl_product_rest(D->m22, D->m03, co_4b, co_4_right)),
+      co_5_rounded = co_5
           + (ksl_product_rest(D->m12, D->m03, co_5a, co_5 + co_5_right)
           - ksl_product_rest(D->m02, D->m13, co_5b, co_5_right));
   const double D_m02 = D->m02;
@@ -1234,9 +1168,7 @@ static inline void ksl_hctz_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hctxinv_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_0 = -D->m00;
-  const double co_1 = -D->m10;
-  const double co_2 = -D->m20;
+  const double co_0 = -D->m00, co_1 = -D->m10, co_2 = -D->m20;
   const double co_3a = KSL_MUL(D->m10, D->m23), co_3b = KSL_MUL(D->m20, D->m13),
       co_3 = co_3a - co_3b, co_3_right = co_3a - co_3;
   const double co_4a = KSL_MUL(D->m20, D->m03), co_4b = KSL_MUL(D->m00, D->m23),
@@ -1245,11 +1177,11 @@ static inline void ksl_hctxinv_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
       co_5 = co_5a - co_5b, co_5_right = co_5a - co_5;
   const double co_3_rounded = co_3
           + (ksl_product_rest(D->m10, D->m23, co_3a, co_3 + co_3_right)
-          - ksl_product_rest(D->m20, D->m13, co_3b, co_3_right));
-  const double co_4_rounded = co_4
+          - ksl_product_rest(D->m20, D->m13, co_3b, co_3_right)),
+      co_4_rounded = co_4
           + (ksl_product_rest(D->m20, D->m03, co_4a, co_4 + co_4_right)
-          - ksl_product_rest(D->m00, D->m23, co_4b, co_4_right));
-  const double co_5_rounded = co_5
+          - ksl_product_rest(D->m00, D->m23, co_4b, co_4_right)),
+      co_5_rounded = co_5
           + (ksl_product_rest(D->m00, D->m13, co_5a, co_5 + co_5_right)
           - ksl_product_rest(D->m10, D->m03, co_5b, co_5_right));
   co->m0 = co_0;
@@ -1266,9 +1198,7 @@ static inline void ksl_hctxinv_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hctyinv_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_0 = -D->m01;
-  const double co_1 = -D->m11;
-  const double co_2 = -D->m21;
+  const double co_0 = -D->m01, co_1 = -D->m11, co_2 = -D->m21;
   const double co_3a = KSL_MUL(D->m11, D->m23), co_3b = KSL_MUL(D->m21, D->m13),
       co_3 = co_3a - co_3b, co_3_right = co_3a - co_3;
   const double co_4a = KSL_MUL(D->m21, D->m03), co_4b = KSL_MUL(D->m01, D->m23),
@@ -1277,11 +1207,11 @@ static inline void ksl_hctyinv_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
       co_5 = co_5a - co_5b, co_5_right = co_5a - co_5;
   const double co_3_rounded = co_3
           + (ksl_product_rest(D->m11, D->m23, co_3a, co_3 + co_3_right)
-          - ksl_product_rest(D->m21, D->m13, co_3b, co_3_right));
-  const double co_4_rounded = co_4
+          - ksl_product_rest(D->m21, D->m13, co_3b, co_3_right)),
+      co_4_rounded = co_4
           + (ksl_product_rest(D->m21, D->m03, co_4a, co_4 + co_4_right)
-          - ksl_product_rest(D->m01, D->m23, co_4b, co_4_right));
-  const double co_5_rounded = co_5
+          - ksl_product_rest(D->m01, D->m23, co_4b, co_4_right)),
+      co_5_rounded = co_5
           + (ksl_product_rest(D->m01, D->m13, co_5a, co_5 + co_5_right)
           - ksl_product_rest(D->m11, D->m03, co_5b, co_5_right));
   co->m0 = co_0;
@@ -1298,9 +1228,7 @@ static inline void ksl_hctyinv_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hctzinv_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_0 = -D->m02;
-  const double co_1 = -D->m12;
-  const double co_2 = -D->m22;
+  const double co_0 = -D->m02, co_1 = -D->m12, co_2 = -D->m22;
   const double co_3a = KSL_MUL(D->m12, D->m23), co_3b = KSL_MUL(D->m22, D->m13),
       co_3 = co_3a - co_3b, co_3_right = co_3a - co_3;
   const double co_4a = KSL_MUL(D->m22, D->m03), co_4b = KSL_MUL(D->m02, D->m23),
@@ -1309,11 +1237,11 @@ static inline void ksl_hctzinv_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
       co_5 = co_5a - co_5b, co_5_right = co_5a - co_5;
   const double co_3_rounded = co_3
           + (ksl_product_rest(D->m12, D->m23, co_3a, co_3 + co_3_right)
-          - ksl_product_rest(D->m22, D->m13, co_3b, co_3_right));
-  const double co_4_rounded = co_4
+          - ksl_product_rest(D->m22, D->m13, co_3b, co_3_right)),
+      co_4_rounded = co_4
           + (ksl_product_rest(D->m22, D->m03, co_4a, co_4 + co_4_right)
-          - ksl_product_rest(D->m02, D->m23, co_4b, co_4_right));
-  const double co_5_rounded = co_5
+          - ksl_product_rest(D->m02, D->m23, co_4b, co_4_right)),
+      co_5_rounded = co_5
           + (ksl_product_rest(D->m02, D->m13, co_5a, co_5 + co_5_right)
           - ksl_product_rest(D->m12, D->m03, co_5b, co_5_right));
   co->m0 = co_0;
@@ -1350,29 +1278,29 @@ static inline void ksl_CoAd_accurate(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
       M_52 = M_52a - M_52b, M_52_right = M_52a - M_52;
   const double M_30_rounded = M_30
           + (ksl_product_rest(D->m20, D->m13, M_30a, M_30 + M_30_right)
-          - ksl_product_rest(D->m10, D->m23, M_30b, M_30_right));
-  const double M_31_rounded = M_31
+          - ksl_product_rest(D->m10, D->m23, M_30b, M_30_right)),
+      M_31_rounded = M_31
           + (ksl_product_rest(D->m21, D->m13, M_31a, M_31 + M_31_right)
-          - ksl_product_rest(D->m11, D->m23, M_31b, M_31_right));
-  const double M_32_rounded = M_32
+          - ksl_product_rest(D->m11, D->m23, M_31b, M_31_right)),
+      M_32_rounded = M_32
           + (ksl_product_rest(D->m22, D->m13, M_32a, M_32 + M_32_right)
-          - ksl_product_rest(D->m12, D->m23, M_32b, M_32_right));
-  const double M_40_rounded = M_40
+          - ksl_product_rest(D->m12, D->m23, M_32b, M_32_right)),
+      M_40_rounded = M_40
           + (ksl_product_rest(D->m00, D->m23, M_40a, M_40 + M_40_right)
-          - ksl_product_rest(D->m20, D->m03, M_40b, M_40_right));
-  const double M_41_rounded = M_41
+          - ksl_product_rest(D->m20, D->m03, M_40b, M_40_right)),
+      M_41_rounded = M_41
           + (ksl_product_rest(D->m01, D->m23, M_41a, M_41 + M_41_right)
-          - ksl_product_rest(D->m21, D->m03, M_41b, M_41_right));
-  const double M_42_rounded = M_42
+          - ksl_product_rest(D->m21, D->m03, M_41b, M_41_right)),
+      M_42_rounded = M_42
           + (ksl_product_rest(D->m02, D->m23, M_42a, M_42 + M_42_right)
-          - ksl_product_rest(D->m22, D->m03, M_42b, M_42_right));
-  const double M_50_rounded = M_50
+          - ksl_product_rest(D->m22, D->m03, M_42b, M_42_right)),
+      M_50_rounded = M_50
           + (ksl_product_rest(D->m10, D->m03, M_50a, M_50 + M_50_right)
-          - ksl_product_rest(D->m00, D->m13, M_50b, M_50_right));
-  const double M_51_rounded = M_51
+          - ksl_product_rest(D->m00, D->m13, M_50b, M_50_right)),
+      M_51_rounded = M_51
           + (ksl_product_rest(D->m11, D->m03, M_51a, M_51 + M_51_right)
-          - ksl_product_rest(D->m01, D->m13, M_51b, M_51_right));
-  const double M_52_rounded = M_52
+          - ksl_product_rest(D->m01, D->m13, M_51b, M_51_right)),
+      M_52_rounded = M_52
           + (ksl_product_rest(D->m12, D->m03, M_52a, M_52 + M_52_right)
           - ksl_product_rest(D->m02, D->m13, M_52b, M_52_right));
   const double D_m00 = D->m00;
@@ -1488,18 +1416,18 @@ static inline void ksl_cross_sc_accurate(const ksl_screw_t *s, const ksl_coscrew
           - ksl_product_rest(s->m1, c->m0, co_5b, co_5c_right);
   const double co_0_rounded = co_0
           + (ksl_product_rest(s->m4, c->m2, co_0a, co_0 + co_0_right)
-          - ksl_product_rest(s->m5, c->m1, co_0b, co_0_right));
-  const double co_1_rounded = co_1
+          - ksl_product_rest(s->m5, c->m1, co_0b, co_0_right)),
+      co_1_rounded = co_1
           + (ksl_product_rest(s->m5, c->m0, co_1a, co_1 + co_1_right)
-          - ksl_product_rest(s->m3, c->m2, co_1b, co_1_right));
-  const double co_2_rounded = co_2
+          - ksl_product_rest(s->m3, c->m2, co_1b, co_1_right)),
+      co_2_rounded = co_2
           + (ksl_product_rest(s->m3, c->m1, co_2a, co_2 + co_2_right)
-          - ksl_product_rest(s->m4, c->m0, co_2b, co_2_right));
-  const double co_3_rounded = co_3
-          + (co_3c - (co_3 - co_3_right) + (co_3f - co_3_right) + co_3f_lo + co_3c_lo);
-  const double co_4_rounded = co_4
-          + (co_4c - (co_4 - co_4_right) + (co_4f - co_4_right) + co_4f_lo + co_4c_lo);
-  const double co_5_rounded = co_5
+          - ksl_product_rest(s->m4, c->m0, co_2b, co_2_right)),
+      co_3_rounded = co_3
+          + (co_3c - (co_3 - co_3_right) + (co_3f - co_3_right) + co_3f_lo + co_3c_lo),
+      co_4_rounded = co_4
+          + (co_4c - (co_4 - co_4_right) + (co_4f - co_4_right) + co_4f_lo + co_4c_lo),
+      co_5_rounded = co_5
           + (co_5c - (co_5 - co_5_right) + (co_5f - co_5_right) + co_5f_lo + co_5c_lo);
   co->m0 = co_0_rounded;
   co->m1 = co_1_rounded;
@@ -1524,11 +1452,11 @@ static inline void ksl_cross_sca_accurate(const ksl_screw_t *s, const ksl_coscre
       co_5_right = co_5a - co_5;
   const double co_3_rounded = co_3
           + (ksl_product_rest(s->m4, c->m5, co_3a, co_3 + co_3_right)
-          - ksl_product_rest(s->m5, c->m4, co_3b, co_3_right));
-  const double co_4_rounded = co_4
+          - ksl_product_rest(s->m5, c->m4, co_3b, co_3_right)),
+      co_4_rounded = co_4
           + (ksl_product_rest(s->m5, c->m3, co_4a, co_4 + co_4_right)
-          - ksl_product_rest(s->m3, c->m5, co_4b, co_4_right));
-  const double co_5_rounded = co_5
+          - ksl_product_rest(s->m3, c->m5, co_4b, co_4_right)),
+      co_5_rounded = co_5
           + (ksl_product_rest(s->m3, c->m4, co_5a, co_5 + co_5_right)
           - ksl_product_rest(s->m4, c->m3, co_5b, co_5_right));
   co->m0 = 0.0;
@@ -1594,14 +1522,12 @@ static inline void ksl_constraint_ctx_accurate(const ksl_SE3_t *D, const ksl_cos
       co_5_right = co_5 - co_5c,
       co_5_lo2 = co_5c - (co_5 - co_5_right) + (w_5 - co_5_right)
           + (w_5c - (w_5 - w_5_right) + ksl_product_rest(D->m22, c->m5, w_5d, w_5_right) + w_5c_lo);
-  const double w_0_rounded = w_0 + w_0_lo;
-  const double w_1_rounded = w_1 + w_1_lo;
-  const double w_2_rounded = w_2 + w_2_lo;
+  const double w_0_rounded = w_0 + w_0_lo, w_1_rounded = w_1 + w_1_lo, w_2_rounded = w_2 + w_2_lo;
   const double co_3_rounded = co_3
-          + (co_3_lo2 + (co_3c_lo1 + (KSL_MUL(D->m13, w_2_lo) - KSL_MUL(D->m23, w_1_lo))));
-  const double co_4_rounded = co_4
-          + (co_4_lo2 + (co_4c_lo1 + (KSL_MUL(D->m23, w_0_lo) - KSL_MUL(D->m03, w_2_lo))));
-  const double co_5_rounded = co_5
+          + (co_3_lo2 + (co_3c_lo1 + (KSL_MUL(D->m13, w_2_lo) - KSL_MUL(D->m23, w_1_lo)))),
+      co_4_rounded = co_4
+          + (co_4_lo2 + (co_4c_lo1 + (KSL_MUL(D->m23, w_0_lo) - KSL_MUL(D->m03, w_2_lo)))),
+      co_5_rounded = co_5
           + (co_5_lo2 + (co_5c_lo1 + (KSL_MUL(D->m03, w_1_lo) - KSL_MUL(D->m13, w_0_lo))));
   co->m0 = w_0_rounded;
   co->m1 = w_1_rounded;
@@ -1666,14 +1592,12 @@ static inline void ksl_constraint_cty_accurate(const ksl_SE3_t *D, const ksl_cos
       co_5_right = co_5 - co_5c,
       co_5_lo2 = co_5c - (co_5 - co_5_right) + (w_5 - co_5_right)
           + (w_5c - (w_5 - w_5_right) + ksl_product_rest(D->m22, c->m5, w_5d, w_5_right) + w_5c_lo);
-  const double w_0_rounded = w_0 + w_0_lo;
-  const double w_1_rounded = w_1 + w_1_lo;
-  const double w_2_rounded = w_2 + w_2_lo;
+  const double w_0_rounded = w_0 + w_0_lo, w_1_rounded = w_1 + w_1_lo, w_2_rounded = w_2 + w_2_lo;
   const double co_3_rounded = co_3
-          + (co_3_lo2 + (co_3c_lo1 + (KSL_MUL(D->m13, w_2_lo) - KSL_MUL(D->m23, w_1_lo))));
-  const double co_4_rounded = co_4
-          + (co_4_lo2 + (co_4c_lo1 + (KSL_MUL(D->m23, w_0_lo) - KSL_MUL(D->m03, w_2_lo))));
-  const double co_5_rounded = co_5
+          + (co_3_lo2 + (co_3c_lo1 + (KSL_MUL(D->m13, w_2_lo) - KSL_MUL(D->m23, w_1_lo)))),
+      co_4_rounded = co_4
+          + (co_4_lo2 + (co_4c_lo1 + (KSL_MUL(D->m23, w_0_lo) - KSL_MUL(D->m03, w_2_lo)))),
+      co_5_rounded = co_5
           + (co_5_lo2 + (co_5c_lo1 + (KSL_MUL(D->m03, w_1_lo) - KSL_MUL(D->m13, w_0_lo))));
   co->m0 = w_0_rounded;
   co->m1 = w_1_rounded;
@@ -1738,14 +1662,12 @@ static inline void ksl_constraint_ctz_accurate(const ksl_SE3_t *D, const ksl_cos
       co_5_right = co_5 - co_5c,
       co_5_lo2 = co_5c - (co_5 - co_5_right) + (w_5 - co_5_right)
           + (w_5c - (w_5 - w_5_right) + ksl_product_rest(D->m22, c->m5, w_5d, w_5_right) + w_5c_lo);
-  const double w_0_rounded = w_0 + w_0_lo;
-  const double w_1_rounded = w_1 + w_1_lo;
-  const double w_2_rounded = w_2 + w_2_lo;
+  const double w_0_rounded = w_0 + w_0_lo, w_1_rounded = w_1 + w_1_lo, w_2_rounded = w_2 + w_2_lo;
   const double co_3_rounded = co_3
-          + (co_3_lo2 + (co_3c_lo1 + (KSL_MUL(D->m13, w_2_lo) - KSL_MUL(D->m23, w_1_lo))));
-  const double co_4_rounded = co_4
-          + (co_4_lo2 + (co_4c_lo1 + (KSL_MUL(D->m23, w_0_lo) - KSL_MUL(D->m03, w_2_lo))));
-  const double co_5_rounded = co_5
+          + (co_3_lo2 + (co_3c_lo1 + (KSL_MUL(D->m13, w_2_lo) - KSL_MUL(D->m23, w_1_lo)))),
+      co_4_rounded = co_4
+          + (co_4_lo2 + (co_4c_lo1 + (KSL_MUL(D->m23, w_0_lo) - KSL_MUL(D->m03, w_2_lo)))),
+      co_5_rounded = co_5
           + (co_5_lo2 + (co_5c_lo1 + (KSL_MUL(D->m03, w_1_lo) - KSL_MUL(D->m13, w_0_lo))));
   co->m0 = w_0_rounded;
   co->m1 = w_1_rounded;
@@ -1810,16 +1732,14 @@ static inline void ksl_constraint_crx_accurate(const ksl_SE3_t *D, const ksl_cos
       co_5_right = co_5 - co_5c;
   const double w_5_lo = ksl_product_rest(D->m21, c->m4, w_5a, w_5 - w_5_right)
           + ksl_product_rest(D->m22, c->m5, w_5b, w_5_right);
-  const double w_0_rounded = w_0 + w_0_lo;
-  const double w_1_rounded = w_1 + w_1_lo;
-  const double w_2_rounded = w_2 + w_2_lo;
+  const double w_0_rounded = w_0 + w_0_lo, w_1_rounded = w_1 + w_1_lo, w_2_rounded = w_2 + w_2_lo;
   const double co_3_rounded = co_3
           + (co_3c - (co_3 - co_3_right) + (w_3 - co_3_right) + w_3_lo
-          + (co_3c_lo1 + (KSL_MUL(D->m13, w_2_lo) - KSL_MUL(D->m23, w_1_lo))));
-  const double co_4_rounded = co_4
+          + (co_3c_lo1 + (KSL_MUL(D->m13, w_2_lo) - KSL_MUL(D->m23, w_1_lo)))),
+      co_4_rounded = co_4
           + (co_4c - (co_4 - co_4_right) + (w_4 - co_4_right) + w_4_lo
-          + (co_4c_lo1 + (KSL_MUL(D->m23, w_0_lo) - KSL_MUL(D->m03, w_2_lo))));
-  const double co_5_rounded = co_5
+          + (co_4c_lo1 + (KSL_MUL(D->m23, w_0_lo) - KSL_MUL(D->m03, w_2_lo)))),
+      co_5_rounded = co_5
           + (co_5c - (co_5 - co_5_right) + (w_5 - co_5_right) + w_5_lo
           + (co_5c_lo1 + (KSL_MUL(D->m03, w_1_lo) - KSL_MUL(D->m13, w_0_lo))));
   co->m0 = w_0_rounded;
@@ -1885,16 +1805,14 @@ static inline void ksl_constraint_cry_accurate(const ksl_SE3_t *D, const ksl_cos
       co_5_right = co_5 - co_5c;
   const double w_5_lo = ksl_product_rest(D->m20, c->m3, w_5a, w_5 - w_5_right)
           + ksl_product_rest(D->m22, c->m5, w_5b, w_5_right);
-  const double w_0_rounded = w_0 + w_0_lo;
-  const double w_1_rounded = w_1 + w_1_lo;
-  const double w_2_rounded = w_2 + w_2_lo;
+  const double w_0_rounded = w_0 + w_0_lo, w_1_rounded = w_1 + w_1_lo, w_2_rounded = w_2 + w_2_lo;
   const double co_3_rounded = co_3
           + (co_3c - (co_3 - co_3_right) + (w_3 - co_3_right) + w_3_lo
-          + (co_3c_lo1 + (KSL_MUL(D->m13, w_2_lo) - KSL_MUL(D->m23, w_1_lo))));
-  const double co_4_rounded = co_4
+          + (co_3c_lo1 + (KSL_MUL(D->m13, w_2_lo) - KSL_MUL(D->m23, w_1_lo)))),
+      co_4_rounded = co_4
           + (co_4c - (co_4 - co_4_right) + (w_4 - co_4_right) + w_4_lo
-          + (co_4c_lo1 + (KSL_MUL(D->m23, w_0_lo) - KSL_MUL(D->m03, w_2_lo))));
-  const double co_5_rounded = co_5
+          + (co_4c_lo1 + (KSL_MUL(D->m23, w_0_lo) - KSL_MUL(D->m03, w_2_lo)))),
+      co_5_rounded = co_5
           + (co_5c - (co_5 - co_5_right) + (w_5 - co_5_right) + w_5_lo
           + (co_5c_lo1 + (KSL_MUL(D->m03, w_1_lo) - KSL_MUL(D->m13, w_0_lo))));
   co->m0 = w_0_rounded;
@@ -1960,16 +1878,14 @@ static inline void ksl_constraint_crz_accurate(const ksl_SE3_t *D, const ksl_cos
       co_5_right = co_5 - co_5c;
   const double w_5_lo = ksl_product_rest(D->m20, c->m3, w_5a, w_5 - w_5_right)
           + ksl_product_rest(D->m21, c->m4, w_5b, w_5_right);
-  const double w_0_rounded = w_0 + w_0_lo;
-  const double w_1_rounded = w_1 + w_1_lo;
-  const double w_2_rounded = w_2 + w_2_lo;
+  const double w_0_rounded = w_0 + w_0_lo, w_1_rounded = w_1 + w_1_lo, w_2_rounded = w_2 + w_2_lo;
   const double co_3_rounded = co_3
           + (co_3c - (co_3 - co_3_right) + (w_3 - co_3_right) + w_3_lo
-          + (co_3c_lo1 + (KSL_MUL(D->m13, w_2_lo) - KSL_MUL(D->m23, w_1_lo))));
-  const double co_4_rounded = co_4
+          + (co_3c_lo1 + (KSL_MUL(D->m13, w_2_lo) - KSL_MUL(D->m23, w_1_lo)))),
+      co_4_rounded = co_4
           + (co_4c - (co_4 - co_4_right) + (w_4 - co_4_right) + w_4_lo
-          + (co_4c_lo1 + (KSL_MUL(D->m23, w_0_lo) - KSL_MUL(D->m03, w_2_lo))));
-  const double co_5_rounded = co_5
+          + (co_4c_lo1 + (KSL_MUL(D->m23, w_0_lo) - KSL_MUL(D->m03, w_2_lo)))),
+      co_5_rounded = co_5
           + (co_5c - (co_5 - co_5_right) + (w_5 - co_5_right) + w_5_lo
           + (co_5c_lo1 + (KSL_MUL(D->m03, w_1_lo) - KSL_MUL(D->m13, w_0_lo))));
   co->m0 = w_0_rounded;
@@ -1987,9 +1903,8 @@ static inline void ksl_constraint_crz_accurate(const ksl_SE3_t *D, const ksl_cos
      formula; barring over- and underflow. */
 static inline void ksl_working_ctx_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0 = KSL_MUL(D->m00, c->m0);
-  const double w_1 = KSL_MUL(D->m10, c->m0);
-  const double w_2 = KSL_MUL(D->m20, c->m0);
+  const double w_0 = KSL_MUL(D->m00, c->m0), w_1 = KSL_MUL(D->m10, c->m0),
+      w_2 = KSL_MUL(D->m20, c->m0);
   const double w_2_lo = ksl_product_error(D->m20, c->m0, w_2), co_3a = KSL_MUL(D->m13, w_2),
       w_1_lo = ksl_product_error(D->m10, c->m0, w_1), co_3b = KSL_MUL(D->m23, w_1),
       co_3 = co_3a - co_3b, co_3_right = co_3a - co_3,
@@ -2003,15 +1918,11 @@ static inline void ksl_working_ctx_accurate(const ksl_SE3_t *D, const ksl_coscre
       co_5_right = co_5a - co_5,
       co_5_lo1 = ksl_product_rest(D->m03, w_1, co_5a, co_5 + co_5_right)
           - ksl_product_rest(D->m13, w_0, co_5b, co_5_right);
-  const double w_0_rounded = w_0 + w_0_lo;
-  const double w_1_rounded = w_1 + w_1_lo;
-  const double w_2_rounded = w_2 + w_2_lo;
+  const double w_0_rounded = w_0 + w_0_lo, w_1_rounded = w_1 + w_1_lo, w_2_rounded = w_2 + w_2_lo;
   const double co_3_rounded = co_3
-          + (co_3_lo1 + (KSL_MUL(D->m13, w_2_lo) - KSL_MUL(D->m23, w_1_lo)));
-  const double co_4_rounded = co_4
-          + (co_4_lo1 + (KSL_MUL(D->m23, w_0_lo) - KSL_MUL(D->m03, w_2_lo)));
-  const double co_5_rounded = co_5
-          + (co_5_lo1 + (KSL_MUL(D->m03, w_1_lo) - KSL_MUL(D->m13, w_0_lo)));
+          + (co_3_lo1 + (KSL_MUL(D->m13, w_2_lo) - KSL_MUL(D->m23, w_1_lo))),
+      co_4_rounded = co_4 + (co_4_lo1 + (KSL_MUL(D->m23, w_0_lo) - KSL_MUL(D->m03, w_2_lo))),
+      co_5_rounded = co_5 + (co_5_lo1 + (KSL_MUL(D->m03, w_1_lo) - KSL_MUL(D->m13, w_0_lo)));
   co->m0 = w_0_rounded;
   co->m1 = w_1_rounded;
   co->m2 = w_2_rounded;
@@ -2027,9 +1938,8 @@ static inline void ksl_working_ctx_accurate(const ksl_SE3_t *D, const ksl_coscre
      formula; barring over- and underflow. */
 static inline void ksl_working_cty_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0 = KSL_MUL(D->m01, c->m1);
-  const double w_1 = KSL_MUL(D->m11, c->m1);
-  const double w_2 = KSL_MUL(D->m21, c->m1);
+  const double w_0 = KSL_MUL(D->m01, c->m1), w_1 = KSL_MUL(D->m11, c->m1),
+      w_2 = KSL_MUL(D->m21, c->m1);
   const double w_2_lo = ksl_product_error(D->m21, c->m1, w_2), co_3a = KSL_MUL(D->m13, w_2),
       w_1_lo = ksl_product_error(D->m11, c->m1, w_1), co_3b = KSL_MUL(D->m23, w_1),
       co_3 = co_3a - co_3b, co_3_right = co_3a - co_3,
@@ -2043,15 +1953,11 @@ static inline void ksl_working_cty_accurate(const ksl_SE3_t *D, const ksl_coscre
       co_5_right = co_5a - co_5,
       co_5_lo1 = ksl_product_rest(D->m03, w_1, co_5a, co_5 + co_5_right)
           - ksl_product_rest(D->m13, w_0, co_5b, co_5_right);
-  const double w_0_rounded = w_0 + w_0_lo;
-  const double w_1_rounded = w_1 + w_1_lo;
-  const double w_2_rounded = w_2 + w_2_lo;
+  const double w_0_rounded = w_0 + w_0_lo, w_1_rounded = w_1 + w_1_lo, w_2_rounded = w_2 + w_2_lo;
   const double co_3_rounded = co_3
-          + (co_3_lo1 + (KSL_MUL(D->m13, w_2_lo) - KSL_MUL(D->m23, w_1_lo)));
-  const double co_4_rounded = co_4
-          + (co_4_lo1 + (KSL_MUL(D->m23, w_0_lo) - KSL_MUL(D->m03, w_2_lo)));
-  const double co_5_rounded = co_5
-          + (co_5_lo1 + (KSL_MUL(D->m03, w_1_lo) - KSL_MUL(D->m13, w_0_lo)));
+          + (co_3_lo1 + (KSL_MUL(D->m13, w_2_lo) - KSL_MUL(D->m23, w_1_lo))),
+      co_4_rounded = co_4 + (co_4_lo1 + (KSL_MUL(D->m23, w_0_lo) - KSL_MUL(D->m03, w_2_lo))),
+      co_5_rounded = co_5 + (co_5_lo1 + (KSL_MUL(D->m03, w_1_lo) - KSL_MUL(D->m13, w_0_lo)));
   co->m0 = w_0_rounded;
   co->m1 = w_1_rounded;
   co->m2 = w_2_rounded;
@@ -2067,9 +1973,8 @@ static inline void ksl_working_cty_accurate(const ksl_SE3_t *D, const ksl_coscre
      formula; barring over- and underflow. */
 static inline void ksl_working_ctz_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0 = KSL_MUL(D->m02, c->m2);
-  const double w_1 = KSL_MUL(D->m12, c->m2);
-  const double w_2 = KSL_MUL(D->m22, c->m2);
+  const double w_0 = KSL_MUL(D->m02, c->m2), w_1 = KSL_MUL(D->m12, c->m2),
+      w_2 = KSL_MUL(D->m22, c->m2);
   const double w_2_lo = ksl_product_error(D->m22, c->m2, w_2), co_3a = KSL_MUL(D->m13, w_2),
       w_1_lo = ksl_product_error(D->m12, c->m2, w_1), co_3b = KSL_MUL(D->m23, w_1),
       co_3 = co_3a - co_3b, co_3_right = co_3a - co_3,
@@ -2083,15 +1988,11 @@ static inline void ksl_working_ctz_accurate(const ksl_SE3_t *D, const ksl_coscre
       co_5_right = co_5a - co_5,
       co_5_lo1 = ksl_product_rest(D->m03, w_1, co_5a, co_5 + co_5_right)
           - ksl_product_rest(D->m13, w_0, co_5b, co_5_right);
-  const double w_0_rounded = w_0 + w_0_lo;
-  const double w_1_rounded = w_1 + w_1_lo;
-  const double w_2_rounded = w_2 + w_2_lo;
+  const double w_0_rounded = w_0 + w_0_lo, w_1_rounded = w_1 + w_1_lo, w_2_rounded = w_2 + w_2_lo;
   const double co_3_rounded = co_3
-          + (co_3_lo1 + (KSL_MUL(D->m13, w_2_lo) - KSL_MUL(D->m23, w_1_lo)));
-  const double co_4_rounded = co_4
-          + (co_4_lo1 + (KSL_MUL(D->m23, w_0_lo) - KSL_MUL(D->m03, w_2_lo)));
-  const double co_5_rounded = co_5
-          + (co_5_lo1 + (KSL_MUL(D->m03, w_1_lo) - KSL_MUL(D->m13, w_0_lo)));
+          + (co_3_lo1 + (KSL_MUL(D->m13, w_2_lo) - KSL_MUL(D->m23, w_1_lo))),
+      co_4_rounded = co_4 + (co_4_lo1 + (KSL_MUL(D->m23, w_0_lo) - KSL_MUL(D->m03, w_2_lo))),
+      co_5_rounded = co_5 + (co_5_lo1 + (KSL_MUL(D->m03, w_1_lo) - KSL_MUL(D->m13, w_0_lo)));
   co->m0 = w_0_rounded;
   co->m1 = w_1_rounded;
   co->m2 = w_2_rounded;
@@ -2106,12 +2007,11 @@ static inline void ksl_working_ctz_accurate(const ksl_SE3_t *D, const ksl_coscre
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_crx_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_3 = KSL_MUL(D->m00, c->m3);
-  const double w_4 = KSL_MUL(D->m10, c->m3);
-  const double w_5 = KSL_MUL(D->m20, c->m3);
-  const double w_3_rounded = w_3 + ksl_product_error(D->m00, c->m3, w_3);
-  const double w_4_rounded = w_4 + ksl_product_error(D->m10, c->m3, w_4);
-  const double w_5_rounded = w_5 + ksl_product_error(D->m20, c->m3, w_5);
+  const double w_3 = KSL_MUL(D->m00, c->m3), w_4 = KSL_MUL(D->m10, c->m3),
+      w_5 = KSL_MUL(D->m20, c->m3);
+  const double w_3_rounded = w_3 + ksl_product_error(D->m00, c->m3, w_3),
+      w_4_rounded = w_4 + ksl_product_error(D->m10, c->m3, w_4),
+      w_5_rounded = w_5 + ksl_product_error(D->m20, c->m3, w_5);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -2126,12 +2026,11 @@ static inline void ksl_working_crx_accurate(const ksl_SE3_t *D, const ksl_coscre
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_cry_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_3 = KSL_MUL(D->m01, c->m4);
-  const double w_4 = KSL_MUL(D->m11, c->m4);
-  const double w_5 = KSL_MUL(D->m21, c->m4);
-  const double w_3_rounded = w_3 + ksl_product_error(D->m01, c->m4, w_3);
-  const double w_4_rounded = w_4 + ksl_product_error(D->m11, c->m4, w_4);
-  const double w_5_rounded = w_5 + ksl_product_error(D->m21, c->m4, w_5);
+  const double w_3 = KSL_MUL(D->m01, c->m4), w_4 = KSL_MUL(D->m11, c->m4),
+      w_5 = KSL_MUL(D->m21, c->m4);
+  const double w_3_rounded = w_3 + ksl_product_error(D->m01, c->m4, w_3),
+      w_4_rounded = w_4 + ksl_product_error(D->m11, c->m4, w_4),
+      w_5_rounded = w_5 + ksl_product_error(D->m21, c->m4, w_5);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -2146,12 +2045,11 @@ static inline void ksl_working_cry_accurate(const ksl_SE3_t *D, const ksl_coscre
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_crz_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_3 = KSL_MUL(D->m02, c->m5);
-  const double w_4 = KSL_MUL(D->m12, c->m5);
-  const double w_5 = KSL_MUL(D->m22, c->m5);
-  const double w_3_rounded = w_3 + ksl_product_error(D->m02, c->m5, w_3);
-  const double w_4_rounded = w_4 + ksl_product_error(D->m12, c->m5, w_4);
-  const double w_5_rounded = w_5 + ksl_product_error(D->m22, c->m5, w_5);
+  const double w_3 = KSL_MUL(D->m02, c->m5), w_4 = KSL_MUL(D->m12, c->m5),
+      w_5 = KSL_MUL(D->m22, c->m5);
+  const double w_3_rounded = w_3 + ksl_product_error(D->m02, c->m5, w_3),
+      w_4_rounded = w_4 + ksl_product_error(D->m12, c->m5, w_4),
+      w_5_rounded = w_5 + ksl_product_error(D->m22, c->m5, w_5);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -2166,12 +2064,9 @@ static inline void ksl_working_crz_accurate(const ksl_SE3_t *D, const ksl_coscre
    Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_coscrewf_scale_accurate(ksl_coscrewf_t *self, const float a) {
-  const double self_0_new = (double)self->m0 * (double)a;
-  const double self_1_new = (double)self->m1 * (double)a;
-  const double self_2_new = (double)self->m2 * (double)a;
-  const double self_3_new = (double)self->m3 * (double)a;
-  const double self_4_new = (double)self->m4 * (double)a;
-  const double self_5_new = (double)self->m5 * (double)a;
+  const double self_0_new = (double)self->m0 * (double)a, self_1_new = (double)self->m1 * (double)a,
+      self_2_new = (double)self->m2 * (double)a, self_3_new = (double)self->m3 * (double)a,
+      self_4_new = (double)self->m4 * (double)a, self_5_new = (double)self->m5 * (double)a;
   self->m0 = (float)self_0_new;
   self->m1 = (float)self_1_new;
   self->m2 = (float)self_2_new;
@@ -2187,12 +2082,12 @@ static inline void ksl_coscrewf_scale_accurate(ksl_coscrewf_t *self, const float
      over- and underflow. */
 static inline void ksl_axpy_ccf_accurate(const float a, const ksl_coscrewf_t *x,
     ksl_coscrewf_t *y) {
-  const double y_0_new = ksl_product_sum((double)a, (double)x->m0, (double)y->m0);
-  const double y_1_new = ksl_product_sum((double)a, (double)x->m1, (double)y->m1);
-  const double y_2_new = ksl_product_sum((double)a, (double)x->m2, (double)y->m2);
-  const double y_3_new = ksl_product_sum((double)a, (double)x->m3, (double)y->m3);
-  const double y_4_new = ksl_product_sum((double)a, (double)x->m4, (double)y->m4);
-  const double y_5_new = ksl_product_sum((double)a, (double)x->m5, (double)y->m5);
+  const double y_0_new = ksl_product_sum((double)a, (double)x->m0, (double)y->m0),
+      y_1_new = ksl_product_sum((double)a, (double)x->m1, (double)y->m1),
+      y_2_new = ksl_product_sum((double)a, (double)x->m2, (double)y->m2),
+      y_3_new = ksl_product_sum((double)a, (double)x->m3, (double)y->m3),
+      y_4_new = ksl_product_sum((double)a, (double)x->m4, (double)y->m4),
+      y_5_new = ksl_product_sum((double)a, (double)x->m5, (double)y->m5);
   y->m0 = (float)y_0_new;
   y->m1 = (float)y_1_new;
   y->m2 = (float)y_2_new;
@@ -2207,12 +2102,9 @@ static inline void ksl_axpy_ccf_accurate(const float a, const ksl_coscrewf_t *x,
    Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_xpy_ccf_accurate(const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
-  const double y_0_new = (double)x->m0 + (double)y->m0;
-  const double y_1_new = (double)x->m1 + (double)y->m1;
-  const double y_2_new = (double)x->m2 + (double)y->m2;
-  const double y_3_new = (double)x->m3 + (double)y->m3;
-  const double y_4_new = (double)x->m4 + (double)y->m4;
-  const double y_5_new = (double)x->m5 + (double)y->m5;
+  const double y_0_new = (double)x->m0 + (double)y->m0, y_1_new = (double)x->m1 + (double)y->m1,
+      y_2_new = (double)x->m2 + (double)y->m2, y_3_new = (double)x->m3 + (double)y->m3,
+      y_4_new = (double)x->m4 + (double)y->m4, y_5_new = (double)x->m5 + (double)y->m5;
   y->m0 = (float)y_0_new;
   y->m1 = (float)y_1_new;
   y->m2 = (float)y_2_new;
@@ -2227,12 +2119,9 @@ static inline void ksl_xpy_ccf_accurate(const ksl_coscrewf_t *x, ksl_coscrewf_t 
    Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_nxpy_ccf_accurate(const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
-  const double y_0_new = (double)y->m0 - (double)x->m0;
-  const double y_1_new = (double)y->m1 - (double)x->m1;
-  const double y_2_new = (double)y->m2 - (double)x->m2;
-  const double y_3_new = (double)y->m3 - (double)x->m3;
-  const double y_4_new = (double)y->m4 - (double)x->m4;
-  const double y_5_new = (double)y->m5 - (double)x->m5;
+  const double y_0_new = (double)y->m0 - (double)x->m0, y_1_new = (double)y->m1 - (double)x->m1,
+      y_2_new = (double)y->m2 - (double)x->m2, y_3_new = (double)y->m3 - (double)x->m3,
+      y_4_new = (double)y->m4 - (double)x->m4, y_5_new = (double)y->m5 - (double)x->m5;
   y->m0 = (float)y_0_new;
   y->m1 = (float)y_1_new;
   y->m2 = (float)y_2_new;
@@ -2248,12 +2137,9 @@ static inline void ksl_nxpy_ccf_accurate(const ksl_coscrewf_t *x, ksl_coscrewf_t
      over- and underflow. */
 static inline void ksl_product_acf_accurate(const float a, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const double co_0 = (double)a * (double)ci->m0;
-  const double co_1 = (double)a * (double)ci->m1;
-  const double co_2 = (double)a * (double)ci->m2;
-  const double co_3 = (double)a * (double)ci->m3;
-  const double co_4 = (double)a * (double)ci->m4;
-  const double co_5 = (double)a * (double)ci->m5;
+  const double co_0 = (double)a * (double)ci->m0, co_1 = (double)a * (double)ci->m1,
+      co_2 = (double)a * (double)ci->m2, co_3 = (double)a * (double)ci->m3,
+      co_4 = (double)a * (double)ci->m4, co_5 = (double)a * (double)ci->m5;
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -2269,12 +2155,9 @@ static inline void ksl_product_acf_accurate(const float a, const ksl_coscrewf_t 
      over- and underflow. */
 static inline void ksl_add_ccf_accurate(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c2,
     ksl_coscrewf_t *co) {
-  const double co_0 = (double)c1->m0 + (double)c2->m0;
-  const double co_1 = (double)c1->m1 + (double)c2->m1;
-  const double co_2 = (double)c1->m2 + (double)c2->m2;
-  const double co_3 = (double)c1->m3 + (double)c2->m3;
-  const double co_4 = (double)c1->m4 + (double)c2->m4;
-  const double co_5 = (double)c1->m5 + (double)c2->m5;
+  const double co_0 = (double)c1->m0 + (double)c2->m0, co_1 = (double)c1->m1 + (double)c2->m1,
+      co_2 = (double)c1->m2 + (double)c2->m2, co_3 = (double)c1->m3 + (double)c2->m3,
+      co_4 = (double)c1->m4 + (double)c2->m4, co_5 = (double)c1->m5 + (double)c2->m5;
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -2290,12 +2173,9 @@ static inline void ksl_add_ccf_accurate(const ksl_coscrewf_t *c1, const ksl_cosc
      over- and underflow. */
 static inline void ksl_subtract_ccf_accurate(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c2,
     ksl_coscrewf_t *co) {
-  const double co_0 = (double)c1->m0 - (double)c2->m0;
-  const double co_1 = (double)c1->m1 - (double)c2->m1;
-  const double co_2 = (double)c1->m2 - (double)c2->m2;
-  const double co_3 = (double)c1->m3 - (double)c2->m3;
-  const double co_4 = (double)c1->m4 - (double)c2->m4;
-  const double co_5 = (double)c1->m5 - (double)c2->m5;
+  const double co_0 = (double)c1->m0 - (double)c2->m0, co_1 = (double)c1->m1 - (double)c2->m1,
+      co_2 = (double)c1->m2 - (double)c2->m2, co_3 = (double)c1->m3 - (double)c2->m3,
+      co_4 = (double)c1->m4 - (double)c2->m4, co_5 = (double)c1->m5 - (double)c2->m5;
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -2311,20 +2191,16 @@ static inline float ksl_coscrewf_norm_accurate(const ksl_coscrewf_t *ci) {
   const double small_c = fabs((double)ci->m2) < 9.999999974752427e-07 ? 1.0 : 0.0,
       small_f = fabs((double)ci->m1) < 9.999999974752427e-07 ? small_c : 0.0,
       small = fabs((double)ci->m0) < 9.999999974752427e-07 ? small_f : 0.0;
-  const double p_0 = small == 1.0 ? (double)ci->m3 : (double)ci->m0;
-  const double p_1 = small == 1.0 ? (double)ci->m4 : (double)ci->m1;
-  const double p_2 = small == 1.0 ? (double)ci->m5 : (double)ci->m2;
-  const double s_size_0 = fabs(p_0);
-  const double s_size_1 = fabs(p_1);
-  const double s_size_2 = fabs(p_2);
+  const double p_0 = small == 1.0 ? (double)ci->m3 : (double)ci->m0,
+      p_1 = small == 1.0 ? (double)ci->m4 : (double)ci->m1,
+      p_2 = small == 1.0 ? (double)ci->m5 : (double)ci->m2;
+  const double s_size_0 = fabs(p_0), s_size_1 = fabs(p_1), s_size_2 = fabs(p_2);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double y_0 = KSL_MUL(p_0, s);
-  const double y_1 = KSL_MUL(p_1, s);
-  const double y_2 = KSL_MUL(p_2, s);
+  const double y_0 = KSL_MUL(p_0, s), y_1 = KSL_MUL(p_1, s), y_2 = KSL_MUL(p_2, s);
   const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2));
   const double r_b = s < 1.0 ? 3.6893488147419103e+19 : 1.0,
       r_d = 1.0 < s ? 5.551115123125783e-17 : r_b,
@@ -2341,57 +2217,38 @@ static inline void ksl_coscrewf_normalize_accurate(ksl_coscrewf_t *self) {
       small_c = small_a < 9.999999974752427e-07 ? 1.0 : 0.0, small_d = fabs((double)self->m1),
       small_f = small_d < 9.999999974752427e-07 ? small_c : 0.0, small_g = fabs((double)self->m0),
       small = small_g < 9.999999974752427e-07 ? small_f : 0.0;
-  const double p_0 = small == 1.0 ? (double)self->m3 : (double)self->m0;
-  const double p_1 = small == 1.0 ? (double)self->m4 : (double)self->m1;
-  const double p_2 = small == 1.0 ? (double)self->m5 : (double)self->m2;
-  const double s_size_0 = fabs(p_0);
-  const double s_size_1 = fabs(p_1);
-  const double s_size_2 = fabs(p_2);
+  const double p_0 = small == 1.0 ? (double)self->m3 : (double)self->m0,
+      p_1 = small == 1.0 ? (double)self->m4 : (double)self->m1,
+      p_2 = small == 1.0 ? (double)self->m5 : (double)self->m2;
+  const double s_size_0 = fabs(p_0), s_size_1 = fabs(p_1), s_size_2 = fabs(p_2);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double y_0 = KSL_MUL(p_0, s);
-  const double y_1 = KSL_MUL(p_1, s);
-  const double y_2 = KSL_MUL(p_2, s);
+  const double y_0 = KSL_MUL(p_0, s), y_1 = KSL_MUL(p_1, s), y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2));
   const double divisor = n == 0.0 ? up : n;
-  const double size_3 = fabs((double)self->m3);
-  const double size_4 = fabs((double)self->m4);
-  const double size_5 = fabs((double)self->m5);
-  const double before_0 = small_g < 256.0 ? up : down;
-  const double before_1 = small_d < 256.0 ? up : down;
-  const double before_2 = small_a < 256.0 ? up : down;
-  const double before_3 = size_3 < 256.0 ? up : down;
-  const double before_4 = size_4 < 256.0 ? up : down;
-  const double before_5 = size_5 < 256.0 ? up : down;
-  const double after_0 = small_g < 256.0 ? down : up;
-  const double after_1 = small_d < 256.0 ? down : up;
-  const double after_2 = small_a < 256.0 ? down : up;
-  const double after_3 = size_3 < 256.0 ? down : up;
-  const double after_4 = size_4 < 256.0 ? down : up;
-  const double after_5 = size_5 < 256.0 ? down : up;
-  const double sized_0 = KSL_MUL((double)self->m0, before_0);
-  const double sized_1 = KSL_MUL((double)self->m1, before_1);
-  const double sized_2 = KSL_MUL((double)self->m2, before_2);
-  const double sized_3 = KSL_MUL((double)self->m3, before_3);
-  const double sized_4 = KSL_MUL((double)self->m4, before_4);
-  const double sized_5 = KSL_MUL((double)self->m5, before_5);
-  const double quotient_0 = sized_0 / divisor;
-  const double quotient_1 = sized_1 / divisor;
-  const double quotient_2 = sized_2 / divisor;
-  const double quotient_3 = sized_3 / divisor;
-  const double quotient_4 = sized_4 / divisor;
-  const double quotient_5 = sized_5 / divisor;
-  const double self_0_new = KSL_MUL(quotient_0, after_0);
-  const double self_1_new = KSL_MUL(quotient_1, after_1);
-  const double self_2_new = KSL_MUL(quotient_2, after_2);
-  const double self_3_new = KSL_MUL(quotient_3, after_3);
-  const double self_4_new = KSL_MUL(quotient_4, after_4);
-  const double self_5_new = KSL_MUL(quotient_5, after_5);
+  const double size_3 = fabs((double)self->m3), size_4 = fabs((double)self->m4),
+      size_5 = fabs((double)self->m5);
+  const double before_0 = small_g < 256.0 ? up : down, before_1 = small_d < 256.0 ? up : down,
+      before_2 = small_a < 256.0 ? up : down, before_3 = size_3 < 256.0 ? up : down,
+      before_4 = size_4 < 256.0 ? up : down, before_5 = size_5 < 256.0 ? up : down;
+  const double after_0 = small_g < 256.0 ? down : up, after_1 = small_d < 256.0 ? down : up,
+      after_2 = small_a < 256.0 ? down : up, after_3 = size_3 < 256.0 ? down : up,
+      after_4 = size_4 < 256.0 ? down : up, after_5 = size_5 < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL((double)self->m0, before_0),
+      sized_1 = KSL_MUL((double)self->m1, before_1), sized_2 = KSL_MUL((double)self->m2, before_2),
+      sized_3 = KSL_MUL((double)self->m3, before_3), sized_4 = KSL_MUL((double)self->m4, before_4),
+      sized_5 = KSL_MUL((double)self->m5, before_5);
+  const double quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor, quotient_3 = sized_3 / divisor,
+      quotient_4 = sized_4 / divisor, quotient_5 = sized_5 / divisor;
+  const double self_0_new = KSL_MUL(quotient_0, after_0), self_1_new = KSL_MUL(quotient_1, after_1),
+      self_2_new = KSL_MUL(quotient_2, after_2), self_3_new = KSL_MUL(quotient_3, after_3),
+      self_4_new = KSL_MUL(quotient_4, after_4), self_5_new = KSL_MUL(quotient_5, after_5);
   self->m0 = (float)self_0_new;
   self->m1 = (float)self_1_new;
   self->m2 = (float)self_2_new;
@@ -2408,57 +2265,38 @@ static inline void ksl_coscrewf_normalized_accurate(const ksl_coscrewf_t *ci, ks
       small_c = small_a < 9.999999974752427e-07 ? 1.0 : 0.0, small_d = fabs((double)ci->m1),
       small_f = small_d < 9.999999974752427e-07 ? small_c : 0.0, small_g = fabs((double)ci->m0),
       small = small_g < 9.999999974752427e-07 ? small_f : 0.0;
-  const double p_0 = small == 1.0 ? (double)ci->m3 : (double)ci->m0;
-  const double p_1 = small == 1.0 ? (double)ci->m4 : (double)ci->m1;
-  const double p_2 = small == 1.0 ? (double)ci->m5 : (double)ci->m2;
-  const double s_size_0 = fabs(p_0);
-  const double s_size_1 = fabs(p_1);
-  const double s_size_2 = fabs(p_2);
+  const double p_0 = small == 1.0 ? (double)ci->m3 : (double)ci->m0,
+      p_1 = small == 1.0 ? (double)ci->m4 : (double)ci->m1,
+      p_2 = small == 1.0 ? (double)ci->m5 : (double)ci->m2;
+  const double s_size_0 = fabs(p_0), s_size_1 = fabs(p_1), s_size_2 = fabs(p_2);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double y_0 = KSL_MUL(p_0, s);
-  const double y_1 = KSL_MUL(p_1, s);
-  const double y_2 = KSL_MUL(p_2, s);
+  const double y_0 = KSL_MUL(p_0, s), y_1 = KSL_MUL(p_1, s), y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2));
   const double divisor = n == 0.0 ? up : n;
-  const double size_3 = fabs((double)ci->m3);
-  const double size_4 = fabs((double)ci->m4);
-  const double size_5 = fabs((double)ci->m5);
-  const double before_0 = small_g < 256.0 ? up : down;
-  const double before_1 = small_d < 256.0 ? up : down;
-  const double before_2 = small_a < 256.0 ? up : down;
-  const double before_3 = size_3 < 256.0 ? up : down;
-  const double before_4 = size_4 < 256.0 ? up : down;
-  const double before_5 = size_5 < 256.0 ? up : down;
-  const double after_0 = small_g < 256.0 ? down : up;
-  const double after_1 = small_d < 256.0 ? down : up;
-  const double after_2 = small_a < 256.0 ? down : up;
-  const double after_3 = size_3 < 256.0 ? down : up;
-  const double after_4 = size_4 < 256.0 ? down : up;
-  const double after_5 = size_5 < 256.0 ? down : up;
-  const double sized_0 = KSL_MUL((double)ci->m0, before_0);
-  const double sized_1 = KSL_MUL((double)ci->m1, before_1);
-  const double sized_2 = KSL_MUL((double)ci->m2, before_2);
-  const double sized_3 = KSL_MUL((double)ci->m3, before_3);
-  const double sized_4 = KSL_MUL((double)ci->m4, before_4);
-  const double sized_5 = KSL_MUL((double)ci->m5, before_5);
-  const double quotient_0 = sized_0 / divisor;
-  const double quotient_1 = sized_1 / divisor;
-  const double quotient_2 = sized_2 / divisor;
-  const double quotient_3 = sized_3 / divisor;
-  const double quotient_4 = sized_4 / divisor;
-  const double quotient_5 = sized_5 / divisor;
-  const double co_0 = KSL_MUL(quotient_0, after_0);
-  const double co_1 = KSL_MUL(quotient_1, after_1);
-  const double co_2 = KSL_MUL(quotient_2, after_2);
-  const double co_3 = KSL_MUL(quotient_3, after_3);
-  const double co_4 = KSL_MUL(quotient_4, after_4);
-  const double co_5 = KSL_MUL(quotient_5, after_5);
+  const double size_3 = fabs((double)ci->m3), size_4 = fabs((double)ci->m4),
+      size_5 = fabs((double)ci->m5);
+  const double before_0 = small_g < 256.0 ? up : down, before_1 = small_d < 256.0 ? up : down,
+      before_2 = small_a < 256.0 ? up : down, before_3 = size_3 < 256.0 ? up : down,
+      before_4 = size_4 < 256.0 ? up : down, before_5 = size_5 < 256.0 ? up : down;
+  const double after_0 = small_g < 256.0 ? down : up, after_1 = small_d < 256.0 ? down : up,
+      after_2 = small_a < 256.0 ? down : up, after_3 = size_3 < 256.0 ? down : up,
+      after_4 = size_4 < 256.0 ? down : up, after_5 = size_5 < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL((double)ci->m0, before_0),
+      sized_1 = KSL_MUL((double)ci->m1, before_1), sized_2 = KSL_MUL((double)ci->m2, before_2),
+      sized_3 = KSL_MUL((double)ci->m3, before_3), sized_4 = KSL_MUL((double)ci->m4, before_4),
+      sized_5 = KSL_MUL((double)ci->m5, before_5);
+  const double quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor, quotient_3 = sized_3 / divisor,
+      quotient_4 = sized_4 / divisor, quotient_5 = sized_5 / divisor;
+  const double co_0 = KSL_MUL(quotient_0, after_0), co_1 = KSL_MUL(quotient_1, after_1),
+      co_2 = KSL_MUL(quotient_2, after_2), co_3 = KSL_MUL(quotient_3, after_3),
+      co_4 = KSL_MUL(quotient_4, after_4), co_5 = KSL_MUL(quotient_5, after_5);
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -2474,9 +2312,8 @@ static inline void ksl_coscrewf_normalized_accurate(const ksl_coscrewf_t *ci, ks
      formula; barring over- and underflow. */
 static inline void ksl_add_cctf_accurate(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c2,
     ksl_coscrewf_t *co) {
-  const double co_0 = (double)c1->m0 + (double)c2->m0;
-  const double co_1 = (double)c1->m1 + (double)c2->m1;
-  const double co_2 = (double)c1->m2 + (double)c2->m2;
+  const double co_0 = (double)c1->m0 + (double)c2->m0, co_1 = (double)c1->m1 + (double)c2->m1,
+      co_2 = (double)c1->m2 + (double)c2->m2;
   const float c1_m3 = c1->m3;
   const float c1_m4 = c1->m4;
   const float c1_m5 = c1->m5;
@@ -2496,10 +2333,10 @@ static inline void ksl_add_cctf_accurate(const ksl_coscrewf_t *c1, const ksl_cos
 static inline void ksl_product_CoAdtcf_accurate(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
   const double co_3 = ksl_product_sum(-(double)t->z, (double)ci->m1, (double)t->y * (double)ci->m2)
-          + (double)ci->m3;
-  const double co_4 = ksl_product_sum(-(double)t->x, (double)ci->m2, (double)t->z * (double)ci->m0)
-          + (double)ci->m4;
-  const double co_5 = ksl_product_sum(-(double)t->y, (double)ci->m0, (double)t->x * (double)ci->m1)
+          + (double)ci->m3,
+      co_4 = ksl_product_sum(-(double)t->x, (double)ci->m2, (double)t->z * (double)ci->m0)
+          + (double)ci->m4,
+      co_5 = ksl_product_sum(-(double)t->y, (double)ci->m0, (double)t->x * (double)ci->m1)
           + (double)ci->m5;
   const float ci_m0 = ci->m0;
   const float ci_m1 = ci->m1;
@@ -2520,10 +2357,10 @@ static inline void ksl_product_CoAdtcf_accurate(const ksl_vec3f_t *t, const ksl_
 static inline void ksl_product_CoAdtinvcf_accurate(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
   const double co_3 = ksl_product_sum(-(double)t->y, (double)ci->m2, (double)t->z * (double)ci->m1)
-          + (double)ci->m3;
-  const double co_4 = ksl_product_sum(-(double)t->z, (double)ci->m0, (double)t->x * (double)ci->m2)
-          + (double)ci->m4;
-  const double co_5 = ksl_product_sum(-(double)t->x, (double)ci->m1, (double)t->y * (double)ci->m0)
+          + (double)ci->m3,
+      co_4 = ksl_product_sum(-(double)t->z, (double)ci->m0, (double)t->x * (double)ci->m2)
+          + (double)ci->m4,
+      co_5 = ksl_product_sum(-(double)t->x, (double)ci->m1, (double)t->y * (double)ci->m0)
           + (double)ci->m5;
   const float ci_m0 = ci->m0;
   const float ci_m1 = ci->m1;
@@ -2543,14 +2380,12 @@ static inline void ksl_product_CoAdtinvcf_accurate(const ksl_vec3f_t *t, const k
      formula; barring over- and underflow. */
 static inline void ksl_product_CoAdtcinvf_accurate(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const double co_0 = -(double)ci->m0;
-  const double co_1 = -(double)ci->m1;
-  const double co_2 = -(double)ci->m2;
-  const double co_3 = ksl_product_sum(-(double)t->y, (double)ci->m2, (double)t->z * (double)ci->m1)
-          - (double)ci->m3;
-  const double co_4 = ksl_product_sum(-(double)t->z, (double)ci->m0, (double)t->x * (double)ci->m2)
-          - (double)ci->m4;
-  const double co_5 = ksl_product_sum(-(double)t->x, (double)ci->m1, (double)t->y * (double)ci->m0)
+  const double co_0 = -(double)ci->m0, co_1 = -(double)ci->m1, co_2 = -(double)ci->m2,
+      co_3 = ksl_product_sum(-(double)t->y, (double)ci->m2, (double)t->z * (double)ci->m1)
+          - (double)ci->m3,
+      co_4 = ksl_product_sum(-(double)t->z, (double)ci->m0, (double)t->x * (double)ci->m2)
+          - (double)ci->m4,
+      co_5 = ksl_product_sum(-(double)t->x, (double)ci->m1, (double)t->y * (double)ci->m0)
           - (double)ci->m5;
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
@@ -2568,17 +2403,17 @@ static inline void ksl_product_CoAdtcinvf_accurate(const ksl_vec3f_t *t, const k
 static inline void ksl_product_CoAdrcf_accurate(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
   const double co_0 = ksl_product_sum((double)R->m02, (double)ci->m2,
-      ksl_product_sum((double)R->m01, (double)ci->m1, (double)R->m00 * (double)ci->m0));
-  const double co_1 = ksl_product_sum((double)R->m12, (double)ci->m2,
-      ksl_product_sum((double)R->m11, (double)ci->m1, (double)R->m10 * (double)ci->m0));
-  const double co_2 = ksl_product_sum((double)R->m22, (double)ci->m2,
-      ksl_product_sum((double)R->m21, (double)ci->m1, (double)R->m20 * (double)ci->m0));
-  const double co_3 = ksl_product_sum((double)R->m02, (double)ci->m5,
-      ksl_product_sum((double)R->m01, (double)ci->m4, (double)R->m00 * (double)ci->m3));
-  const double co_4 = ksl_product_sum((double)R->m12, (double)ci->m5,
-      ksl_product_sum((double)R->m11, (double)ci->m4, (double)R->m10 * (double)ci->m3));
-  const double co_5 = ksl_product_sum((double)R->m22, (double)ci->m5,
-      ksl_product_sum((double)R->m21, (double)ci->m4, (double)R->m20 * (double)ci->m3));
+      ksl_product_sum((double)R->m01, (double)ci->m1, (double)R->m00 * (double)ci->m0)),
+      co_1 = ksl_product_sum((double)R->m12, (double)ci->m2, ksl_product_sum((double)R->m11,
+          (double)ci->m1, (double)R->m10 * (double)ci->m0)),
+      co_2 = ksl_product_sum((double)R->m22, (double)ci->m2, ksl_product_sum((double)R->m21,
+          (double)ci->m1, (double)R->m20 * (double)ci->m0)),
+      co_3 = ksl_product_sum((double)R->m02, (double)ci->m5, ksl_product_sum((double)R->m01,
+          (double)ci->m4, (double)R->m00 * (double)ci->m3)),
+      co_4 = ksl_product_sum((double)R->m12, (double)ci->m5, ksl_product_sum((double)R->m11,
+          (double)ci->m4, (double)R->m10 * (double)ci->m3)),
+      co_5 = ksl_product_sum((double)R->m22, (double)ci->m5, ksl_product_sum((double)R->m21,
+          (double)ci->m4, (double)R->m20 * (double)ci->m3));
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -2595,17 +2430,17 @@ static inline void ksl_product_CoAdrcf_accurate(const ksl_mat3x3f_t *R, const ks
 static inline void ksl_product_CoAdrinvcf_accurate(const ksl_mat3x3f_t *R,
     const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
   const double co_0 = ksl_product_sum((double)R->m20, (double)ci->m2,
-      ksl_product_sum((double)R->m10, (double)ci->m1, (double)R->m00 * (double)ci->m0));
-  const double co_1 = ksl_product_sum((double)R->m21, (double)ci->m2,
-      ksl_product_sum((double)R->m11, (double)ci->m1, (double)R->m01 * (double)ci->m0));
-  const double co_2 = ksl_product_sum((double)R->m22, (double)ci->m2,
-      ksl_product_sum((double)R->m12, (double)ci->m1, (double)R->m02 * (double)ci->m0));
-  const double co_3 = ksl_product_sum((double)R->m20, (double)ci->m5,
-      ksl_product_sum((double)R->m10, (double)ci->m4, (double)R->m00 * (double)ci->m3));
-  const double co_4 = ksl_product_sum((double)R->m21, (double)ci->m5,
-      ksl_product_sum((double)R->m11, (double)ci->m4, (double)R->m01 * (double)ci->m3));
-  const double co_5 = ksl_product_sum((double)R->m22, (double)ci->m5,
-      ksl_product_sum((double)R->m12, (double)ci->m4, (double)R->m02 * (double)ci->m3));
+      ksl_product_sum((double)R->m10, (double)ci->m1, (double)R->m00 * (double)ci->m0)),
+      co_1 = ksl_product_sum((double)R->m21, (double)ci->m2, ksl_product_sum((double)R->m11,
+          (double)ci->m1, (double)R->m01 * (double)ci->m0)),
+      co_2 = ksl_product_sum((double)R->m22, (double)ci->m2, ksl_product_sum((double)R->m12,
+          (double)ci->m1, (double)R->m02 * (double)ci->m0)),
+      co_3 = ksl_product_sum((double)R->m20, (double)ci->m5, ksl_product_sum((double)R->m10,
+          (double)ci->m4, (double)R->m00 * (double)ci->m3)),
+      co_4 = ksl_product_sum((double)R->m21, (double)ci->m5, ksl_product_sum((double)R->m11,
+          (double)ci->m4, (double)R->m01 * (double)ci->m3)),
+      co_5 = ksl_product_sum((double)R->m22, (double)ci->m5, ksl_product_sum((double)R->m12,
+          (double)ci->m4, (double)R->m02 * (double)ci->m3));
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -2622,17 +2457,17 @@ static inline void ksl_product_CoAdrinvcf_accurate(const ksl_mat3x3f_t *R,
 static inline void ksl_product_CoAdrcinvf_accurate(const ksl_mat3x3f_t *R,
     const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
   const double co_0 = ksl_product_sum(-(double)R->m02, (double)ci->m2,
-      ksl_product_sum(-(double)R->m01, (double)ci->m1, -((double)R->m00 * (double)ci->m0)));
-  const double co_1 = ksl_product_sum(-(double)R->m12, (double)ci->m2,
-      ksl_product_sum(-(double)R->m11, (double)ci->m1, -((double)R->m10 * (double)ci->m0)));
-  const double co_2 = ksl_product_sum(-(double)R->m22, (double)ci->m2,
-      ksl_product_sum(-(double)R->m21, (double)ci->m1, -((double)R->m20 * (double)ci->m0)));
-  const double co_3 = ksl_product_sum(-(double)R->m02, (double)ci->m5,
-      ksl_product_sum(-(double)R->m01, (double)ci->m4, -((double)R->m00 * (double)ci->m3)));
-  const double co_4 = ksl_product_sum(-(double)R->m12, (double)ci->m5,
-      ksl_product_sum(-(double)R->m11, (double)ci->m4, -((double)R->m10 * (double)ci->m3)));
-  const double co_5 = ksl_product_sum(-(double)R->m22, (double)ci->m5,
-      ksl_product_sum(-(double)R->m21, (double)ci->m4, -((double)R->m20 * (double)ci->m3)));
+      ksl_product_sum(-(double)R->m01, (double)ci->m1, -((double)R->m00 * (double)ci->m0))),
+      co_1 = ksl_product_sum(-(double)R->m12, (double)ci->m2, ksl_product_sum(-(double)R->m11,
+          (double)ci->m1, -((double)R->m10 * (double)ci->m0))),
+      co_2 = ksl_product_sum(-(double)R->m22, (double)ci->m2, ksl_product_sum(-(double)R->m21,
+          (double)ci->m1, -((double)R->m20 * (double)ci->m0))),
+      co_3 = ksl_product_sum(-(double)R->m02, (double)ci->m5, ksl_product_sum(-(double)R->m01,
+          (double)ci->m4, -((double)R->m00 * (double)ci->m3))),
+      co_4 = ksl_product_sum(-(double)R->m12, (double)ci->m5, ksl_product_sum(-(double)R->m11,
+          (double)ci->m4, -((double)R->m10 * (double)ci->m3))),
+      co_5 = ksl_product_sum(-(double)R->m22, (double)ci->m5, ksl_product_sum(-(double)R->m21,
+          (double)ci->m4, -((double)R->m20 * (double)ci->m3)));
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -2649,20 +2484,20 @@ static inline void ksl_product_CoAdrcinvf_accurate(const ksl_mat3x3f_t *R,
 static inline void ksl_product_CoAdcf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
   const double w_0 = ksl_product_sum((double)D->m02, (double)ci->m2, ksl_product_sum((double)D->m01,
-      (double)ci->m1, (double)D->m00 * (double)ci->m0));
-  const double w_1 = ksl_product_sum((double)D->m12, (double)ci->m2, ksl_product_sum((double)D->m11,
-      (double)ci->m1, (double)D->m10 * (double)ci->m0));
-  const double w_2 = ksl_product_sum((double)D->m22, (double)ci->m2, ksl_product_sum((double)D->m21,
-      (double)ci->m1, (double)D->m20 * (double)ci->m0));
-  const double w_3 = ksl_product_sum((double)D->m02, (double)ci->m5, ksl_product_sum((double)D->m01,
-      (double)ci->m4, (double)D->m00 * (double)ci->m3));
-  const double w_4 = ksl_product_sum((double)D->m12, (double)ci->m5, ksl_product_sum((double)D->m11,
-      (double)ci->m4, (double)D->m10 * (double)ci->m3));
-  const double w_5 = ksl_product_sum((double)D->m22, (double)ci->m5, ksl_product_sum((double)D->m21,
-      (double)ci->m4, (double)D->m20 * (double)ci->m3));
-  const double co_3 = KSL_MUL((double)D->m13, w_2) - KSL_MUL((double)D->m23, w_1) + w_3;
-  const double co_4 = KSL_MUL((double)D->m23, w_0) - KSL_MUL((double)D->m03, w_2) + w_4;
-  const double co_5 = KSL_MUL((double)D->m03, w_1) - KSL_MUL((double)D->m13, w_0) + w_5;
+      (double)ci->m1, (double)D->m00 * (double)ci->m0)),
+      w_1 = ksl_product_sum((double)D->m12, (double)ci->m2, ksl_product_sum((double)D->m11,
+          (double)ci->m1, (double)D->m10 * (double)ci->m0)),
+      w_2 = ksl_product_sum((double)D->m22, (double)ci->m2, ksl_product_sum((double)D->m21,
+          (double)ci->m1, (double)D->m20 * (double)ci->m0)),
+      w_3 = ksl_product_sum((double)D->m02, (double)ci->m5, ksl_product_sum((double)D->m01,
+          (double)ci->m4, (double)D->m00 * (double)ci->m3)),
+      w_4 = ksl_product_sum((double)D->m12, (double)ci->m5, ksl_product_sum((double)D->m11,
+          (double)ci->m4, (double)D->m10 * (double)ci->m3)),
+      w_5 = ksl_product_sum((double)D->m22, (double)ci->m5, ksl_product_sum((double)D->m21,
+          (double)ci->m4, (double)D->m20 * (double)ci->m3));
+  const double co_3 = KSL_MUL((double)D->m13, w_2) - KSL_MUL((double)D->m23, w_1) + w_3,
+      co_4 = KSL_MUL((double)D->m23, w_0) - KSL_MUL((double)D->m03, w_2) + w_4,
+      co_5 = KSL_MUL((double)D->m03, w_1) - KSL_MUL((double)D->m13, w_0) + w_5;
   co->m0 = (float)w_0;
   co->m1 = (float)w_1;
   co->m2 = (float)w_2;
@@ -2679,22 +2514,22 @@ static inline void ksl_product_CoAdcf_accurate(const ksl_SE3f_t *D, const ksl_co
 static inline void ksl_product_CoAdinvcf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
   const double w_3 = ksl_product_sum(-(double)D->m13, (double)ci->m2, (double)D->m23
-          * (double)ci->m1) + (double)ci->m3;
-  const double w_4 = ksl_product_sum(-(double)D->m23, (double)ci->m0, (double)D->m03
-          * (double)ci->m2) + (double)ci->m4;
-  const double w_5 = ksl_product_sum(-(double)D->m03, (double)ci->m1, (double)D->m13
-          * (double)ci->m0) + (double)ci->m5;
+          * (double)ci->m1) + (double)ci->m3,
+      w_4 = ksl_product_sum(-(double)D->m23, (double)ci->m0, (double)D->m03 * (double)ci->m2)
+          + (double)ci->m4,
+      w_5 = ksl_product_sum(-(double)D->m03, (double)ci->m1, (double)D->m13 * (double)ci->m0)
+          + (double)ci->m5;
   const double co_0 = ksl_product_sum((double)D->m20, (double)ci->m2,
-      ksl_product_sum((double)D->m10, (double)ci->m1, (double)D->m00 * (double)ci->m0));
-  const double co_1 = ksl_product_sum((double)D->m21, (double)ci->m2,
-      ksl_product_sum((double)D->m11, (double)ci->m1, (double)D->m01 * (double)ci->m0));
-  const double co_2 = ksl_product_sum((double)D->m22, (double)ci->m2,
-      ksl_product_sum((double)D->m12, (double)ci->m1, (double)D->m02 * (double)ci->m0));
-  const double co_3 = KSL_MUL((double)D->m00, w_3) + KSL_MUL((double)D->m10, w_4)
-          + KSL_MUL((double)D->m20, w_5);
-  const double co_4 = KSL_MUL((double)D->m01, w_3) + KSL_MUL((double)D->m11, w_4)
-          + KSL_MUL((double)D->m21, w_5);
-  const double co_5 = KSL_MUL((double)D->m02, w_3) + KSL_MUL((double)D->m12, w_4)
+      ksl_product_sum((double)D->m10, (double)ci->m1, (double)D->m00 * (double)ci->m0)),
+      co_1 = ksl_product_sum((double)D->m21, (double)ci->m2, ksl_product_sum((double)D->m11,
+          (double)ci->m1, (double)D->m01 * (double)ci->m0)),
+      co_2 = ksl_product_sum((double)D->m22, (double)ci->m2, ksl_product_sum((double)D->m12,
+          (double)ci->m1, (double)D->m02 * (double)ci->m0)),
+      co_3 = KSL_MUL((double)D->m00, w_3) + KSL_MUL((double)D->m10, w_4)
+          + KSL_MUL((double)D->m20, w_5),
+      co_4 = KSL_MUL((double)D->m01, w_3) + KSL_MUL((double)D->m11, w_4)
+          + KSL_MUL((double)D->m21, w_5),
+      co_5 = KSL_MUL((double)D->m02, w_3) + KSL_MUL((double)D->m12, w_4)
           + KSL_MUL((double)D->m22, w_5);
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
@@ -2712,20 +2547,20 @@ static inline void ksl_product_CoAdinvcf_accurate(const ksl_SE3f_t *D, const ksl
 static inline void ksl_product_CoAdcinvf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
   const double w_0 = ksl_product_sum(-(double)D->m02, (double)ci->m2,
-      ksl_product_sum(-(double)D->m01, (double)ci->m1, -((double)D->m00 * (double)ci->m0)));
-  const double w_1 = ksl_product_sum(-(double)D->m12, (double)ci->m2,
-      ksl_product_sum(-(double)D->m11, (double)ci->m1, -((double)D->m10 * (double)ci->m0)));
-  const double w_2 = ksl_product_sum(-(double)D->m22, (double)ci->m2,
-      ksl_product_sum(-(double)D->m21, (double)ci->m1, -((double)D->m20 * (double)ci->m0)));
-  const double w_3 = ksl_product_sum(-(double)D->m02, (double)ci->m5,
-      ksl_product_sum(-(double)D->m01, (double)ci->m4, -((double)D->m00 * (double)ci->m3)));
-  const double w_4 = ksl_product_sum(-(double)D->m12, (double)ci->m5,
-      ksl_product_sum(-(double)D->m11, (double)ci->m4, -((double)D->m10 * (double)ci->m3)));
-  const double w_5 = ksl_product_sum(-(double)D->m22, (double)ci->m5,
-      ksl_product_sum(-(double)D->m21, (double)ci->m4, -((double)D->m20 * (double)ci->m3)));
-  const double co_3 = KSL_MUL((double)D->m13, w_2) - KSL_MUL((double)D->m23, w_1) + w_3;
-  const double co_4 = KSL_MUL((double)D->m23, w_0) - KSL_MUL((double)D->m03, w_2) + w_4;
-  const double co_5 = KSL_MUL((double)D->m03, w_1) - KSL_MUL((double)D->m13, w_0) + w_5;
+      ksl_product_sum(-(double)D->m01, (double)ci->m1, -((double)D->m00 * (double)ci->m0))),
+      w_1 = ksl_product_sum(-(double)D->m12, (double)ci->m2, ksl_product_sum(-(double)D->m11,
+          (double)ci->m1, -((double)D->m10 * (double)ci->m0))),
+      w_2 = ksl_product_sum(-(double)D->m22, (double)ci->m2, ksl_product_sum(-(double)D->m21,
+          (double)ci->m1, -((double)D->m20 * (double)ci->m0))),
+      w_3 = ksl_product_sum(-(double)D->m02, (double)ci->m5, ksl_product_sum(-(double)D->m01,
+          (double)ci->m4, -((double)D->m00 * (double)ci->m3))),
+      w_4 = ksl_product_sum(-(double)D->m12, (double)ci->m5, ksl_product_sum(-(double)D->m11,
+          (double)ci->m4, -((double)D->m10 * (double)ci->m3))),
+      w_5 = ksl_product_sum(-(double)D->m22, (double)ci->m5, ksl_product_sum(-(double)D->m21,
+          (double)ci->m4, -((double)D->m20 * (double)ci->m3)));
+  const double co_3 = KSL_MUL((double)D->m13, w_2) - KSL_MUL((double)D->m23, w_1) + w_3,
+      co_4 = KSL_MUL((double)D->m23, w_0) - KSL_MUL((double)D->m03, w_2) + w_4,
+      co_5 = KSL_MUL((double)D->m03, w_1) - KSL_MUL((double)D->m13, w_0) + w_5;
   co->m0 = (float)w_0;
   co->m1 = (float)w_1;
   co->m2 = (float)w_2;
@@ -2741,11 +2576,9 @@ static inline void ksl_product_CoAdcinvf_accurate(const ksl_SE3f_t *D, const ksl
      formula; barring over- and underflow. */
 static inline void ksl_hctxf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const double co_3 = ksl_product_sum(-(double)D->m10, (double)D->m23, (double)D->m20
-          * (double)D->m13);
-  const double co_4 = ksl_product_sum(-(double)D->m20, (double)D->m03, (double)D->m00
-          * (double)D->m23);
-  const double co_5 = ksl_product_sum(-(double)D->m00, (double)D->m13, (double)D->m10
-          * (double)D->m03);
+          * (double)D->m13),
+      co_4 = ksl_product_sum(-(double)D->m20, (double)D->m03, (double)D->m00 * (double)D->m23),
+      co_5 = ksl_product_sum(-(double)D->m00, (double)D->m13, (double)D->m10 * (double)D->m03);
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;
@@ -2764,11 +2597,9 @@ static inline void ksl_hctxf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
      formula; barring over- and underflow. */
 static inline void ksl_hctyf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const double co_3 = ksl_product_sum(-(double)D->m11, (double)D->m23, (double)D->m21
-          * (double)D->m13);
-  const double co_4 = ksl_product_sum(-(double)D->m21, (double)D->m03, (double)D->m01
-          * (double)D->m23);
-  const double co_5 = ksl_product_sum(-(double)D->m01, (double)D->m13, (double)D->m11
-          * (double)D->m03);
+          * (double)D->m13),
+      co_4 = ksl_product_sum(-(double)D->m21, (double)D->m03, (double)D->m01 * (double)D->m23),
+      co_5 = ksl_product_sum(-(double)D->m01, (double)D->m13, (double)D->m11 * (double)D->m03);
   const float D_m01 = D->m01;
   const float D_m11 = D->m11;
   const float D_m21 = D->m21;
@@ -2787,11 +2618,9 @@ static inline void ksl_hctyf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
      formula; barring over- and underflow. */
 static inline void ksl_hctzf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const double co_3 = ksl_product_sum(-(double)D->m12, (double)D->m23, (double)D->m22
-          * (double)D->m13);
-  const double co_4 = ksl_product_sum(-(double)D->m22, (double)D->m03, (double)D->m02
-          * (double)D->m23);
-  const double co_5 = ksl_product_sum(-(double)D->m02, (double)D->m13, (double)D->m12
-          * (double)D->m03);
+          * (double)D->m13),
+      co_4 = ksl_product_sum(-(double)D->m22, (double)D->m03, (double)D->m02 * (double)D->m23),
+      co_5 = ksl_product_sum(-(double)D->m02, (double)D->m13, (double)D->m12 * (double)D->m03);
   const float D_m02 = D->m02;
   const float D_m12 = D->m12;
   const float D_m22 = D->m22;
@@ -2809,15 +2638,10 @@ static inline void ksl_hctzf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    Error <= u |result| + (lin: 0, ang: 1/16) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hctxinvf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const double co_0 = -(double)D->m00;
-  const double co_1 = -(double)D->m10;
-  const double co_2 = -(double)D->m20;
-  const double co_3 = ksl_product_sum(-(double)D->m20, (double)D->m13, (double)D->m10
-          * (double)D->m23);
-  const double co_4 = ksl_product_sum(-(double)D->m00, (double)D->m23, (double)D->m20
-          * (double)D->m03);
-  const double co_5 = ksl_product_sum(-(double)D->m10, (double)D->m03, (double)D->m00
-          * (double)D->m13);
+  const double co_0 = -(double)D->m00, co_1 = -(double)D->m10, co_2 = -(double)D->m20,
+      co_3 = ksl_product_sum(-(double)D->m20, (double)D->m13, (double)D->m10 * (double)D->m23),
+      co_4 = ksl_product_sum(-(double)D->m00, (double)D->m23, (double)D->m20 * (double)D->m03),
+      co_5 = ksl_product_sum(-(double)D->m10, (double)D->m03, (double)D->m00 * (double)D->m13);
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -2832,15 +2656,10 @@ static inline void ksl_hctxinvf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co
    Error <= u |result| + (lin: 0, ang: 1/16) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hctyinvf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const double co_0 = -(double)D->m01;
-  const double co_1 = -(double)D->m11;
-  const double co_2 = -(double)D->m21;
-  const double co_3 = ksl_product_sum(-(double)D->m21, (double)D->m13, (double)D->m11
-          * (double)D->m23);
-  const double co_4 = ksl_product_sum(-(double)D->m01, (double)D->m23, (double)D->m21
-          * (double)D->m03);
-  const double co_5 = ksl_product_sum(-(double)D->m11, (double)D->m03, (double)D->m01
-          * (double)D->m13);
+  const double co_0 = -(double)D->m01, co_1 = -(double)D->m11, co_2 = -(double)D->m21,
+      co_3 = ksl_product_sum(-(double)D->m21, (double)D->m13, (double)D->m11 * (double)D->m23),
+      co_4 = ksl_product_sum(-(double)D->m01, (double)D->m23, (double)D->m21 * (double)D->m03),
+      co_5 = ksl_product_sum(-(double)D->m11, (double)D->m03, (double)D->m01 * (double)D->m13);
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -2855,15 +2674,10 @@ static inline void ksl_hctyinvf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co
    Error <= u |result| + (lin: 0, ang: 1/16) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hctzinvf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const double co_0 = -(double)D->m02;
-  const double co_1 = -(double)D->m12;
-  const double co_2 = -(double)D->m22;
-  const double co_3 = ksl_product_sum(-(double)D->m22, (double)D->m13, (double)D->m12
-          * (double)D->m23);
-  const double co_4 = ksl_product_sum(-(double)D->m02, (double)D->m23, (double)D->m22
-          * (double)D->m03);
-  const double co_5 = ksl_product_sum(-(double)D->m12, (double)D->m03, (double)D->m02
-          * (double)D->m13);
+  const double co_0 = -(double)D->m02, co_1 = -(double)D->m12, co_2 = -(double)D->m22,
+      co_3 = ksl_product_sum(-(double)D->m22, (double)D->m13, (double)D->m12 * (double)D->m23),
+      co_4 = ksl_product_sum(-(double)D->m02, (double)D->m23, (double)D->m22 * (double)D->m03),
+      co_5 = ksl_product_sum(-(double)D->m12, (double)D->m03, (double)D->m02 * (double)D->m13);
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -2879,23 +2693,15 @@ static inline void ksl_hctzinvf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co
      over- and underflow. */
 static inline void ksl_CoAdf_accurate(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
   const double M_30 = ksl_product_sum(-(double)D->m10, (double)D->m23, (double)D->m20
-          * (double)D->m13);
-  const double M_31 = ksl_product_sum(-(double)D->m11, (double)D->m23, (double)D->m21
-          * (double)D->m13);
-  const double M_32 = ksl_product_sum(-(double)D->m12, (double)D->m23, (double)D->m22
-          * (double)D->m13);
-  const double M_40 = ksl_product_sum(-(double)D->m20, (double)D->m03, (double)D->m00
-          * (double)D->m23);
-  const double M_41 = ksl_product_sum(-(double)D->m21, (double)D->m03, (double)D->m01
-          * (double)D->m23);
-  const double M_42 = ksl_product_sum(-(double)D->m22, (double)D->m03, (double)D->m02
-          * (double)D->m23);
-  const double M_50 = ksl_product_sum(-(double)D->m00, (double)D->m13, (double)D->m10
-          * (double)D->m03);
-  const double M_51 = ksl_product_sum(-(double)D->m01, (double)D->m13, (double)D->m11
-          * (double)D->m03);
-  const double M_52 = ksl_product_sum(-(double)D->m02, (double)D->m13, (double)D->m12
-          * (double)D->m03);
+          * (double)D->m13),
+      M_31 = ksl_product_sum(-(double)D->m11, (double)D->m23, (double)D->m21 * (double)D->m13),
+      M_32 = ksl_product_sum(-(double)D->m12, (double)D->m23, (double)D->m22 * (double)D->m13),
+      M_40 = ksl_product_sum(-(double)D->m20, (double)D->m03, (double)D->m00 * (double)D->m23),
+      M_41 = ksl_product_sum(-(double)D->m21, (double)D->m03, (double)D->m01 * (double)D->m23),
+      M_42 = ksl_product_sum(-(double)D->m22, (double)D->m03, (double)D->m02 * (double)D->m23),
+      M_50 = ksl_product_sum(-(double)D->m00, (double)D->m13, (double)D->m10 * (double)D->m03),
+      M_51 = ksl_product_sum(-(double)D->m01, (double)D->m13, (double)D->m11 * (double)D->m03),
+      M_52 = ksl_product_sum(-(double)D->m02, (double)D->m13, (double)D->m12 * (double)D->m03);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -2964,9 +2770,9 @@ static inline float ksl_reciprocal_productf_accurate(const ksl_coscrewf_t *c, co
      formula; barring over- and underflow. */
 static inline void ksl_cross_scf_accurate(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double co_0 = ksl_product_sum(-(double)s->m5, (double)c->m1, (double)s->m4 * (double)c->m2);
-  const double co_1 = ksl_product_sum(-(double)s->m3, (double)c->m2, (double)s->m5 * (double)c->m0);
-  const double co_2 = ksl_product_sum(-(double)s->m4, (double)c->m0, (double)s->m3 * (double)c->m1);
+  const double co_0 = ksl_product_sum(-(double)s->m5, (double)c->m1, (double)s->m4 * (double)c->m2),
+      co_1 = ksl_product_sum(-(double)s->m3, (double)c->m2, (double)s->m5 * (double)c->m0),
+      co_2 = ksl_product_sum(-(double)s->m4, (double)c->m0, (double)s->m3 * (double)c->m1);
   const double co_3c = ksl_product_sum(-(double)s->m2, (double)c->m1, (double)s->m1
           * (double)c->m2),
       co_3 = co_3c + ksl_product_sum(-(double)s->m5, (double)c->m4, (double)s->m4 * (double)c->m5);
@@ -2991,9 +2797,9 @@ static inline void ksl_cross_scf_accurate(const ksl_screwf_t *s, const ksl_coscr
      formula; barring over- and underflow. */
 static inline void ksl_cross_scaf_accurate(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double co_3 = ksl_product_sum(-(double)s->m5, (double)c->m4, (double)s->m4 * (double)c->m5);
-  const double co_4 = ksl_product_sum(-(double)s->m3, (double)c->m5, (double)s->m5 * (double)c->m3);
-  const double co_5 = ksl_product_sum(-(double)s->m4, (double)c->m3, (double)s->m3 * (double)c->m4);
+  const double co_3 = ksl_product_sum(-(double)s->m5, (double)c->m4, (double)s->m4 * (double)c->m5),
+      co_4 = ksl_product_sum(-(double)s->m3, (double)c->m5, (double)s->m5 * (double)c->m3),
+      co_5 = ksl_product_sum(-(double)s->m4, (double)c->m3, (double)s->m3 * (double)c->m4);
   co->m0 = (float)0.0;
   co->m1 = (float)0.0;
   co->m2 = (float)0.0;
@@ -3009,18 +2815,18 @@ static inline void ksl_cross_scaf_accurate(const ksl_screwf_t *s, const ksl_cosc
      formula; barring over- and underflow. */
 static inline void ksl_constraint_ctxf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double w_0 = ksl_product_sum((double)D->m02, (double)c->m2, (double)D->m01 * (double)c->m1);
-  const double w_1 = ksl_product_sum((double)D->m12, (double)c->m2, (double)D->m11 * (double)c->m1);
-  const double w_2 = ksl_product_sum((double)D->m22, (double)c->m2, (double)D->m21 * (double)c->m1);
-  const double w_3 = ksl_product_sum((double)D->m02, (double)c->m5, ksl_product_sum((double)D->m01,
-      (double)c->m4, (double)D->m00 * (double)c->m3));
-  const double w_4 = ksl_product_sum((double)D->m12, (double)c->m5, ksl_product_sum((double)D->m11,
-      (double)c->m4, (double)D->m10 * (double)c->m3));
-  const double w_5 = ksl_product_sum((double)D->m22, (double)c->m5, ksl_product_sum((double)D->m21,
-      (double)c->m4, (double)D->m20 * (double)c->m3));
-  const double co_3 = KSL_MUL((double)D->m13, w_2) - KSL_MUL((double)D->m23, w_1) + w_3;
-  const double co_4 = KSL_MUL((double)D->m23, w_0) - KSL_MUL((double)D->m03, w_2) + w_4;
-  const double co_5 = KSL_MUL((double)D->m03, w_1) - KSL_MUL((double)D->m13, w_0) + w_5;
+  const double w_0 = ksl_product_sum((double)D->m02, (double)c->m2, (double)D->m01 * (double)c->m1),
+      w_1 = ksl_product_sum((double)D->m12, (double)c->m2, (double)D->m11 * (double)c->m1),
+      w_2 = ksl_product_sum((double)D->m22, (double)c->m2, (double)D->m21 * (double)c->m1),
+      w_3 = ksl_product_sum((double)D->m02, (double)c->m5, ksl_product_sum((double)D->m01,
+          (double)c->m4, (double)D->m00 * (double)c->m3)),
+      w_4 = ksl_product_sum((double)D->m12, (double)c->m5, ksl_product_sum((double)D->m11,
+          (double)c->m4, (double)D->m10 * (double)c->m3)),
+      w_5 = ksl_product_sum((double)D->m22, (double)c->m5, ksl_product_sum((double)D->m21,
+          (double)c->m4, (double)D->m20 * (double)c->m3));
+  const double co_3 = KSL_MUL((double)D->m13, w_2) - KSL_MUL((double)D->m23, w_1) + w_3,
+      co_4 = KSL_MUL((double)D->m23, w_0) - KSL_MUL((double)D->m03, w_2) + w_4,
+      co_5 = KSL_MUL((double)D->m03, w_1) - KSL_MUL((double)D->m13, w_0) + w_5;
   co->m0 = (float)w_0;
   co->m1 = (float)w_1;
   co->m2 = (float)w_2;
@@ -3036,18 +2842,18 @@ static inline void ksl_constraint_ctxf_accurate(const ksl_SE3f_t *D, const ksl_c
      formula; barring over- and underflow. */
 static inline void ksl_constraint_ctyf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double w_0 = ksl_product_sum((double)D->m02, (double)c->m2, (double)D->m00 * (double)c->m0);
-  const double w_1 = ksl_product_sum((double)D->m12, (double)c->m2, (double)D->m10 * (double)c->m0);
-  const double w_2 = ksl_product_sum((double)D->m22, (double)c->m2, (double)D->m20 * (double)c->m0);
-  const double w_3 = ksl_product_sum((double)D->m02, (double)c->m5, ksl_product_sum((double)D->m01,
-      (double)c->m4, (double)D->m00 * (double)c->m3));
-  const double w_4 = ksl_product_sum((double)D->m12, (double)c->m5, ksl_product_sum((double)D->m11,
-      (double)c->m4, (double)D->m10 * (double)c->m3));
-  const double w_5 = ksl_product_sum((double)D->m22, (double)c->m5, ksl_product_sum((double)D->m21,
-      (double)c->m4, (double)D->m20 * (double)c->m3));
-  const double co_3 = KSL_MUL((double)D->m13, w_2) - KSL_MUL((double)D->m23, w_1) + w_3;
-  const double co_4 = KSL_MUL((double)D->m23, w_0) - KSL_MUL((double)D->m03, w_2) + w_4;
-  const double co_5 = KSL_MUL((double)D->m03, w_1) - KSL_MUL((double)D->m13, w_0) + w_5;
+  const double w_0 = ksl_product_sum((double)D->m02, (double)c->m2, (double)D->m00 * (double)c->m0),
+      w_1 = ksl_product_sum((double)D->m12, (double)c->m2, (double)D->m10 * (double)c->m0),
+      w_2 = ksl_product_sum((double)D->m22, (double)c->m2, (double)D->m20 * (double)c->m0),
+      w_3 = ksl_product_sum((double)D->m02, (double)c->m5, ksl_product_sum((double)D->m01,
+          (double)c->m4, (double)D->m00 * (double)c->m3)),
+      w_4 = ksl_product_sum((double)D->m12, (double)c->m5, ksl_product_sum((double)D->m11,
+          (double)c->m4, (double)D->m10 * (double)c->m3)),
+      w_5 = ksl_product_sum((double)D->m22, (double)c->m5, ksl_product_sum((double)D->m21,
+          (double)c->m4, (double)D->m20 * (double)c->m3));
+  const double co_3 = KSL_MUL((double)D->m13, w_2) - KSL_MUL((double)D->m23, w_1) + w_3,
+      co_4 = KSL_MUL((double)D->m23, w_0) - KSL_MUL((double)D->m03, w_2) + w_4,
+      co_5 = KSL_MUL((double)D->m03, w_1) - KSL_MUL((double)D->m13, w_0) + w_5;
   co->m0 = (float)w_0;
   co->m1 = (float)w_1;
   co->m2 = (float)w_2;
@@ -3063,18 +2869,18 @@ static inline void ksl_constraint_ctyf_accurate(const ksl_SE3f_t *D, const ksl_c
      formula; barring over- and underflow. */
 static inline void ksl_constraint_ctzf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double w_0 = ksl_product_sum((double)D->m01, (double)c->m1, (double)D->m00 * (double)c->m0);
-  const double w_1 = ksl_product_sum((double)D->m11, (double)c->m1, (double)D->m10 * (double)c->m0);
-  const double w_2 = ksl_product_sum((double)D->m21, (double)c->m1, (double)D->m20 * (double)c->m0);
-  const double w_3 = ksl_product_sum((double)D->m02, (double)c->m5, ksl_product_sum((double)D->m01,
-      (double)c->m4, (double)D->m00 * (double)c->m3));
-  const double w_4 = ksl_product_sum((double)D->m12, (double)c->m5, ksl_product_sum((double)D->m11,
-      (double)c->m4, (double)D->m10 * (double)c->m3));
-  const double w_5 = ksl_product_sum((double)D->m22, (double)c->m5, ksl_product_sum((double)D->m21,
-      (double)c->m4, (double)D->m20 * (double)c->m3));
-  const double co_3 = KSL_MUL((double)D->m13, w_2) - KSL_MUL((double)D->m23, w_1) + w_3;
-  const double co_4 = KSL_MUL((double)D->m23, w_0) - KSL_MUL((double)D->m03, w_2) + w_4;
-  const double co_5 = KSL_MUL((double)D->m03, w_1) - KSL_MUL((double)D->m13, w_0) + w_5;
+  const double w_0 = ksl_product_sum((double)D->m01, (double)c->m1, (double)D->m00 * (double)c->m0),
+      w_1 = ksl_product_sum((double)D->m11, (double)c->m1, (double)D->m10 * (double)c->m0),
+      w_2 = ksl_product_sum((double)D->m21, (double)c->m1, (double)D->m20 * (double)c->m0),
+      w_3 = ksl_product_sum((double)D->m02, (double)c->m5, ksl_product_sum((double)D->m01,
+          (double)c->m4, (double)D->m00 * (double)c->m3)),
+      w_4 = ksl_product_sum((double)D->m12, (double)c->m5, ksl_product_sum((double)D->m11,
+          (double)c->m4, (double)D->m10 * (double)c->m3)),
+      w_5 = ksl_product_sum((double)D->m22, (double)c->m5, ksl_product_sum((double)D->m21,
+          (double)c->m4, (double)D->m20 * (double)c->m3));
+  const double co_3 = KSL_MUL((double)D->m13, w_2) - KSL_MUL((double)D->m23, w_1) + w_3,
+      co_4 = KSL_MUL((double)D->m23, w_0) - KSL_MUL((double)D->m03, w_2) + w_4,
+      co_5 = KSL_MUL((double)D->m03, w_1) - KSL_MUL((double)D->m13, w_0) + w_5;
   co->m0 = (float)w_0;
   co->m1 = (float)w_1;
   co->m2 = (float)w_2;
@@ -3091,17 +2897,17 @@ static inline void ksl_constraint_ctzf_accurate(const ksl_SE3f_t *D, const ksl_c
 static inline void ksl_constraint_crxf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
   const double w_0 = ksl_product_sum((double)D->m02, (double)c->m2, ksl_product_sum((double)D->m01,
-      (double)c->m1, (double)D->m00 * (double)c->m0));
-  const double w_1 = ksl_product_sum((double)D->m12, (double)c->m2, ksl_product_sum((double)D->m11,
-      (double)c->m1, (double)D->m10 * (double)c->m0));
-  const double w_2 = ksl_product_sum((double)D->m22, (double)c->m2, ksl_product_sum((double)D->m21,
-      (double)c->m1, (double)D->m20 * (double)c->m0));
-  const double w_3 = ksl_product_sum((double)D->m02, (double)c->m5, (double)D->m01 * (double)c->m4);
-  const double w_4 = ksl_product_sum((double)D->m12, (double)c->m5, (double)D->m11 * (double)c->m4);
-  const double w_5 = ksl_product_sum((double)D->m22, (double)c->m5, (double)D->m21 * (double)c->m4);
-  const double co_3 = KSL_MUL((double)D->m13, w_2) - KSL_MUL((double)D->m23, w_1) + w_3;
-  const double co_4 = KSL_MUL((double)D->m23, w_0) - KSL_MUL((double)D->m03, w_2) + w_4;
-  const double co_5 = KSL_MUL((double)D->m03, w_1) - KSL_MUL((double)D->m13, w_0) + w_5;
+      (double)c->m1, (double)D->m00 * (double)c->m0)),
+      w_1 = ksl_product_sum((double)D->m12, (double)c->m2, ksl_product_sum((double)D->m11,
+          (double)c->m1, (double)D->m10 * (double)c->m0)),
+      w_2 = ksl_product_sum((double)D->m22, (double)c->m2, ksl_product_sum((double)D->m21,
+          (double)c->m1, (double)D->m20 * (double)c->m0)),
+      w_3 = ksl_product_sum((double)D->m02, (double)c->m5, (double)D->m01 * (double)c->m4),
+      w_4 = ksl_product_sum((double)D->m12, (double)c->m5, (double)D->m11 * (double)c->m4),
+      w_5 = ksl_product_sum((double)D->m22, (double)c->m5, (double)D->m21 * (double)c->m4);
+  const double co_3 = KSL_MUL((double)D->m13, w_2) - KSL_MUL((double)D->m23, w_1) + w_3,
+      co_4 = KSL_MUL((double)D->m23, w_0) - KSL_MUL((double)D->m03, w_2) + w_4,
+      co_5 = KSL_MUL((double)D->m03, w_1) - KSL_MUL((double)D->m13, w_0) + w_5;
   co->m0 = (float)w_0;
   co->m1 = (float)w_1;
   co->m2 = (float)w_2;
@@ -3118,17 +2924,17 @@ static inline void ksl_constraint_crxf_accurate(const ksl_SE3f_t *D, const ksl_c
 static inline void ksl_constraint_cryf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
   const double w_0 = ksl_product_sum((double)D->m02, (double)c->m2, ksl_product_sum((double)D->m01,
-      (double)c->m1, (double)D->m00 * (double)c->m0));
-  const double w_1 = ksl_product_sum((double)D->m12, (double)c->m2, ksl_product_sum((double)D->m11,
-      (double)c->m1, (double)D->m10 * (double)c->m0));
-  const double w_2 = ksl_product_sum((double)D->m22, (double)c->m2, ksl_product_sum((double)D->m21,
-      (double)c->m1, (double)D->m20 * (double)c->m0));
-  const double w_3 = ksl_product_sum((double)D->m02, (double)c->m5, (double)D->m00 * (double)c->m3);
-  const double w_4 = ksl_product_sum((double)D->m12, (double)c->m5, (double)D->m10 * (double)c->m3);
-  const double w_5 = ksl_product_sum((double)D->m22, (double)c->m5, (double)D->m20 * (double)c->m3);
-  const double co_3 = KSL_MUL((double)D->m13, w_2) - KSL_MUL((double)D->m23, w_1) + w_3;
-  const double co_4 = KSL_MUL((double)D->m23, w_0) - KSL_MUL((double)D->m03, w_2) + w_4;
-  const double co_5 = KSL_MUL((double)D->m03, w_1) - KSL_MUL((double)D->m13, w_0) + w_5;
+      (double)c->m1, (double)D->m00 * (double)c->m0)),
+      w_1 = ksl_product_sum((double)D->m12, (double)c->m2, ksl_product_sum((double)D->m11,
+          (double)c->m1, (double)D->m10 * (double)c->m0)),
+      w_2 = ksl_product_sum((double)D->m22, (double)c->m2, ksl_product_sum((double)D->m21,
+          (double)c->m1, (double)D->m20 * (double)c->m0)),
+      w_3 = ksl_product_sum((double)D->m02, (double)c->m5, (double)D->m00 * (double)c->m3),
+      w_4 = ksl_product_sum((double)D->m12, (double)c->m5, (double)D->m10 * (double)c->m3),
+      w_5 = ksl_product_sum((double)D->m22, (double)c->m5, (double)D->m20 * (double)c->m3);
+  const double co_3 = KSL_MUL((double)D->m13, w_2) - KSL_MUL((double)D->m23, w_1) + w_3,
+      co_4 = KSL_MUL((double)D->m23, w_0) - KSL_MUL((double)D->m03, w_2) + w_4,
+      co_5 = KSL_MUL((double)D->m03, w_1) - KSL_MUL((double)D->m13, w_0) + w_5;
   co->m0 = (float)w_0;
   co->m1 = (float)w_1;
   co->m2 = (float)w_2;
@@ -3145,17 +2951,17 @@ static inline void ksl_constraint_cryf_accurate(const ksl_SE3f_t *D, const ksl_c
 static inline void ksl_constraint_crzf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
   const double w_0 = ksl_product_sum((double)D->m02, (double)c->m2, ksl_product_sum((double)D->m01,
-      (double)c->m1, (double)D->m00 * (double)c->m0));
-  const double w_1 = ksl_product_sum((double)D->m12, (double)c->m2, ksl_product_sum((double)D->m11,
-      (double)c->m1, (double)D->m10 * (double)c->m0));
-  const double w_2 = ksl_product_sum((double)D->m22, (double)c->m2, ksl_product_sum((double)D->m21,
-      (double)c->m1, (double)D->m20 * (double)c->m0));
-  const double w_3 = ksl_product_sum((double)D->m01, (double)c->m4, (double)D->m00 * (double)c->m3);
-  const double w_4 = ksl_product_sum((double)D->m11, (double)c->m4, (double)D->m10 * (double)c->m3);
-  const double w_5 = ksl_product_sum((double)D->m21, (double)c->m4, (double)D->m20 * (double)c->m3);
-  const double co_3 = KSL_MUL((double)D->m13, w_2) - KSL_MUL((double)D->m23, w_1) + w_3;
-  const double co_4 = KSL_MUL((double)D->m23, w_0) - KSL_MUL((double)D->m03, w_2) + w_4;
-  const double co_5 = KSL_MUL((double)D->m03, w_1) - KSL_MUL((double)D->m13, w_0) + w_5;
+      (double)c->m1, (double)D->m00 * (double)c->m0)),
+      w_1 = ksl_product_sum((double)D->m12, (double)c->m2, ksl_product_sum((double)D->m11,
+          (double)c->m1, (double)D->m10 * (double)c->m0)),
+      w_2 = ksl_product_sum((double)D->m22, (double)c->m2, ksl_product_sum((double)D->m21,
+          (double)c->m1, (double)D->m20 * (double)c->m0)),
+      w_3 = ksl_product_sum((double)D->m01, (double)c->m4, (double)D->m00 * (double)c->m3),
+      w_4 = ksl_product_sum((double)D->m11, (double)c->m4, (double)D->m10 * (double)c->m3),
+      w_5 = ksl_product_sum((double)D->m21, (double)c->m4, (double)D->m20 * (double)c->m3);
+  const double co_3 = KSL_MUL((double)D->m13, w_2) - KSL_MUL((double)D->m23, w_1) + w_3,
+      co_4 = KSL_MUL((double)D->m23, w_0) - KSL_MUL((double)D->m03, w_2) + w_4,
+      co_5 = KSL_MUL((double)D->m03, w_1) - KSL_MUL((double)D->m13, w_0) + w_5;
   co->m0 = (float)w_0;
   co->m1 = (float)w_1;
   co->m2 = (float)w_2;
@@ -3171,12 +2977,11 @@ static inline void ksl_constraint_crzf_accurate(const ksl_SE3f_t *D, const ksl_c
      formula; barring over- and underflow. */
 static inline void ksl_working_ctxf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double w_0 = (double)D->m00 * (double)c->m0;
-  const double w_1 = (double)D->m10 * (double)c->m0;
-  const double w_2 = (double)D->m20 * (double)c->m0;
-  const double co_3 = KSL_MUL((double)D->m13, w_2) - KSL_MUL((double)D->m23, w_1);
-  const double co_4 = KSL_MUL((double)D->m23, w_0) - KSL_MUL((double)D->m03, w_2);
-  const double co_5 = KSL_MUL((double)D->m03, w_1) - KSL_MUL((double)D->m13, w_0);
+  const double w_0 = (double)D->m00 * (double)c->m0, w_1 = (double)D->m10 * (double)c->m0,
+      w_2 = (double)D->m20 * (double)c->m0;
+  const double co_3 = KSL_MUL((double)D->m13, w_2) - KSL_MUL((double)D->m23, w_1),
+      co_4 = KSL_MUL((double)D->m23, w_0) - KSL_MUL((double)D->m03, w_2),
+      co_5 = KSL_MUL((double)D->m03, w_1) - KSL_MUL((double)D->m13, w_0);
   co->m0 = (float)w_0;
   co->m1 = (float)w_1;
   co->m2 = (float)w_2;
@@ -3192,12 +2997,11 @@ static inline void ksl_working_ctxf_accurate(const ksl_SE3f_t *D, const ksl_cosc
      formula; barring over- and underflow. */
 static inline void ksl_working_ctyf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double w_0 = (double)D->m01 * (double)c->m1;
-  const double w_1 = (double)D->m11 * (double)c->m1;
-  const double w_2 = (double)D->m21 * (double)c->m1;
-  const double co_3 = KSL_MUL((double)D->m13, w_2) - KSL_MUL((double)D->m23, w_1);
-  const double co_4 = KSL_MUL((double)D->m23, w_0) - KSL_MUL((double)D->m03, w_2);
-  const double co_5 = KSL_MUL((double)D->m03, w_1) - KSL_MUL((double)D->m13, w_0);
+  const double w_0 = (double)D->m01 * (double)c->m1, w_1 = (double)D->m11 * (double)c->m1,
+      w_2 = (double)D->m21 * (double)c->m1;
+  const double co_3 = KSL_MUL((double)D->m13, w_2) - KSL_MUL((double)D->m23, w_1),
+      co_4 = KSL_MUL((double)D->m23, w_0) - KSL_MUL((double)D->m03, w_2),
+      co_5 = KSL_MUL((double)D->m03, w_1) - KSL_MUL((double)D->m13, w_0);
   co->m0 = (float)w_0;
   co->m1 = (float)w_1;
   co->m2 = (float)w_2;
@@ -3213,12 +3017,11 @@ static inline void ksl_working_ctyf_accurate(const ksl_SE3f_t *D, const ksl_cosc
      formula; barring over- and underflow. */
 static inline void ksl_working_ctzf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double w_0 = (double)D->m02 * (double)c->m2;
-  const double w_1 = (double)D->m12 * (double)c->m2;
-  const double w_2 = (double)D->m22 * (double)c->m2;
-  const double co_3 = KSL_MUL((double)D->m13, w_2) - KSL_MUL((double)D->m23, w_1);
-  const double co_4 = KSL_MUL((double)D->m23, w_0) - KSL_MUL((double)D->m03, w_2);
-  const double co_5 = KSL_MUL((double)D->m03, w_1) - KSL_MUL((double)D->m13, w_0);
+  const double w_0 = (double)D->m02 * (double)c->m2, w_1 = (double)D->m12 * (double)c->m2,
+      w_2 = (double)D->m22 * (double)c->m2;
+  const double co_3 = KSL_MUL((double)D->m13, w_2) - KSL_MUL((double)D->m23, w_1),
+      co_4 = KSL_MUL((double)D->m23, w_0) - KSL_MUL((double)D->m03, w_2),
+      co_5 = KSL_MUL((double)D->m03, w_1) - KSL_MUL((double)D->m13, w_0);
   co->m0 = (float)w_0;
   co->m1 = (float)w_1;
   co->m2 = (float)w_2;
@@ -3234,9 +3037,8 @@ static inline void ksl_working_ctzf_accurate(const ksl_SE3f_t *D, const ksl_cosc
      formula; barring over- and underflow. */
 static inline void ksl_working_crxf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double w_3 = (double)D->m00 * (double)c->m3;
-  const double w_4 = (double)D->m10 * (double)c->m3;
-  const double w_5 = (double)D->m20 * (double)c->m3;
+  const double w_3 = (double)D->m00 * (double)c->m3, w_4 = (double)D->m10 * (double)c->m3,
+      w_5 = (double)D->m20 * (double)c->m3;
   co->m0 = (float)0.0;
   co->m1 = (float)0.0;
   co->m2 = (float)0.0;
@@ -3252,9 +3054,8 @@ static inline void ksl_working_crxf_accurate(const ksl_SE3f_t *D, const ksl_cosc
      formula; barring over- and underflow. */
 static inline void ksl_working_cryf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double w_3 = (double)D->m01 * (double)c->m4;
-  const double w_4 = (double)D->m11 * (double)c->m4;
-  const double w_5 = (double)D->m21 * (double)c->m4;
+  const double w_3 = (double)D->m01 * (double)c->m4, w_4 = (double)D->m11 * (double)c->m4,
+      w_5 = (double)D->m21 * (double)c->m4;
   co->m0 = (float)0.0;
   co->m1 = (float)0.0;
   co->m2 = (float)0.0;
@@ -3270,9 +3071,8 @@ static inline void ksl_working_cryf_accurate(const ksl_SE3f_t *D, const ksl_cosc
      formula; barring over- and underflow. */
 static inline void ksl_working_crzf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double w_3 = (double)D->m02 * (double)c->m5;
-  const double w_4 = (double)D->m12 * (double)c->m5;
-  const double w_5 = (double)D->m22 * (double)c->m5;
+  const double w_3 = (double)D->m02 * (double)c->m5, w_4 = (double)D->m12 * (double)c->m5,
+      w_5 = (double)D->m22 * (double)c->m5;
   co->m0 = (float)0.0;
   co->m1 = (float)0.0;
   co->m2 = (float)0.0;

@@ -13,24 +13,16 @@
    12 mul, 6 add, 6 abs. */
 static inline void ksl_coscrew_scale_certified(ksl_coscrew_t *self, const double a,
     ksl_coscrew_t *self_bound) {
-  const double self_0_new = KSL_MUL(self->m0, a);
-  const double self_1_new = KSL_MUL(self->m1, a);
-  const double self_2_new = KSL_MUL(self->m2, a);
-  const double self_3_new = KSL_MUL(self->m3, a);
-  const double self_4_new = KSL_MUL(self->m4, a);
-  const double self_5_new = KSL_MUL(self->m5, a);
+  const double self_0_new = KSL_MUL(self->m0, a), self_1_new = KSL_MUL(self->m1, a),
+      self_2_new = KSL_MUL(self->m2, a), self_3_new = KSL_MUL(self->m3, a),
+      self_4_new = KSL_MUL(self->m4, a), self_5_new = KSL_MUL(self->m5, a);
   const double self_0_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_0_new)
-          + 2.004168360008973e-292);
-  const double self_1_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_1_new)
-          + 2.004168360008973e-292);
-  const double self_2_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_2_new)
-          + 2.004168360008973e-292);
-  const double self_3_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_3_new)
-          + 2.004168360008973e-292);
-  const double self_4_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_4_new)
-          + 2.004168360008973e-292);
-  const double self_5_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_5_new)
-          + 2.004168360008973e-292);
+          + 2.004168360008973e-292),
+      self_1_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_1_new) + 2.004168360008973e-292),
+      self_2_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_2_new) + 2.004168360008973e-292),
+      self_3_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_3_new) + 2.004168360008973e-292),
+      self_4_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_4_new) + 2.004168360008973e-292),
+      self_5_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_5_new) + 2.004168360008973e-292);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -56,24 +48,17 @@ static inline void ksl_axpy_cc_certified(const double a, const ksl_coscrew_t *x,
   const double y_3_new_a = KSL_MUL(a, x->m3), y_3_new = y_3_new_a + y->m3;
   const double y_4_new_a = KSL_MUL(a, x->m4), y_4_new = y_4_new_a + y->m4;
   const double y_5_new_a = KSL_MUL(a, x->m5), y_5_new = y_5_new_a + y->m5;
-  const double y_0_new_size = fabs(y_0_new_a) + fabs(y->m0);
-  const double y_1_new_size = fabs(y_1_new_a) + fabs(y->m1);
-  const double y_2_new_size = fabs(y_2_new_a) + fabs(y->m2);
-  const double y_3_new_size = fabs(y_3_new_a) + fabs(y->m3);
-  const double y_4_new_size = fabs(y_4_new_a) + fabs(y->m4);
-  const double y_5_new_size = fabs(y_5_new_a) + fabs(y->m5);
+  const double y_0_new_size = fabs(y_0_new_a) + fabs(y->m0),
+      y_1_new_size = fabs(y_1_new_a) + fabs(y->m1), y_2_new_size = fabs(y_2_new_a) + fabs(y->m2),
+      y_3_new_size = fabs(y_3_new_a) + fabs(y->m3), y_4_new_size = fabs(y_4_new_a) + fabs(y->m4),
+      y_5_new_size = fabs(y_5_new_a) + fabs(y->m5);
   const double y_0_new_bound = KSL_MUL(2.2204460492503136e-16, y_0_new_size
-          + 2.004168360008973e-292);
-  const double y_1_new_bound = KSL_MUL(2.2204460492503136e-16, y_1_new_size
-          + 2.004168360008973e-292);
-  const double y_2_new_bound = KSL_MUL(2.2204460492503136e-16, y_2_new_size
-          + 2.004168360008973e-292);
-  const double y_3_new_bound = KSL_MUL(2.2204460492503136e-16, y_3_new_size
-          + 2.004168360008973e-292);
-  const double y_4_new_bound = KSL_MUL(2.2204460492503136e-16, y_4_new_size
-          + 2.004168360008973e-292);
-  const double y_5_new_bound = KSL_MUL(2.2204460492503136e-16, y_5_new_size
-          + 2.004168360008973e-292);
+          + 2.004168360008973e-292),
+      y_1_new_bound = KSL_MUL(2.2204460492503136e-16, y_1_new_size + 2.004168360008973e-292),
+      y_2_new_bound = KSL_MUL(2.2204460492503136e-16, y_2_new_size + 2.004168360008973e-292),
+      y_3_new_bound = KSL_MUL(2.2204460492503136e-16, y_3_new_size + 2.004168360008973e-292),
+      y_4_new_bound = KSL_MUL(2.2204460492503136e-16, y_4_new_size + 2.004168360008973e-292),
+      y_5_new_bound = KSL_MUL(2.2204460492503136e-16, y_5_new_size + 2.004168360008973e-292);
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -93,18 +78,14 @@ static inline void ksl_axpy_cc_certified(const double a, const ksl_coscrew_t *x,
    6 mul, 6 add, 6 abs. */
 static inline void ksl_xpy_cc_certified(const ksl_coscrew_t *x, ksl_coscrew_t *y,
     ksl_coscrew_t *y_bound) {
-  const double y_0_new = x->m0 + y->m0;
-  const double y_1_new = x->m1 + y->m1;
-  const double y_2_new = x->m2 + y->m2;
-  const double y_3_new = x->m3 + y->m3;
-  const double y_4_new = x->m4 + y->m4;
-  const double y_5_new = x->m5 + y->m5;
-  const double y_0_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_0_new));
-  const double y_1_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_1_new));
-  const double y_2_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_2_new));
-  const double y_3_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_3_new));
-  const double y_4_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_4_new));
-  const double y_5_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_5_new));
+  const double y_0_new = x->m0 + y->m0, y_1_new = x->m1 + y->m1, y_2_new = x->m2 + y->m2,
+      y_3_new = x->m3 + y->m3, y_4_new = x->m4 + y->m4, y_5_new = x->m5 + y->m5;
+  const double y_0_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_0_new)),
+      y_1_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_1_new)),
+      y_2_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_2_new)),
+      y_3_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_3_new)),
+      y_4_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_4_new)),
+      y_5_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_5_new));
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -124,18 +105,14 @@ static inline void ksl_xpy_cc_certified(const ksl_coscrew_t *x, ksl_coscrew_t *y
    6 mul, 6 add, 6 abs. */
 static inline void ksl_nxpy_cc_certified(const ksl_coscrew_t *x, ksl_coscrew_t *y,
     ksl_coscrew_t *y_bound) {
-  const double y_0_new = y->m0 - x->m0;
-  const double y_1_new = y->m1 - x->m1;
-  const double y_2_new = y->m2 - x->m2;
-  const double y_3_new = y->m3 - x->m3;
-  const double y_4_new = y->m4 - x->m4;
-  const double y_5_new = y->m5 - x->m5;
-  const double y_0_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_0_new));
-  const double y_1_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_1_new));
-  const double y_2_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_2_new));
-  const double y_3_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_3_new));
-  const double y_4_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_4_new));
-  const double y_5_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_5_new));
+  const double y_0_new = y->m0 - x->m0, y_1_new = y->m1 - x->m1, y_2_new = y->m2 - x->m2,
+      y_3_new = y->m3 - x->m3, y_4_new = y->m4 - x->m4, y_5_new = y->m5 - x->m5;
+  const double y_0_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_0_new)),
+      y_1_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_1_new)),
+      y_2_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_2_new)),
+      y_3_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_3_new)),
+      y_4_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_4_new)),
+      y_5_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_5_new));
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -155,18 +132,14 @@ static inline void ksl_nxpy_cc_certified(const ksl_coscrew_t *x, ksl_coscrew_t *
    12 mul, 6 add, 6 abs. */
 static inline void ksl_product_ac_certified(const double a, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double co_0 = KSL_MUL(a, ci->m0);
-  const double co_1 = KSL_MUL(a, ci->m1);
-  const double co_2 = KSL_MUL(a, ci->m2);
-  const double co_3 = KSL_MUL(a, ci->m3);
-  const double co_4 = KSL_MUL(a, ci->m4);
-  const double co_5 = KSL_MUL(a, ci->m5);
-  const double co_0_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_0) + 2.004168360008973e-292);
-  const double co_1_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_1) + 2.004168360008973e-292);
-  const double co_2_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_2) + 2.004168360008973e-292);
-  const double co_3_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_3) + 2.004168360008973e-292);
-  const double co_4_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_4) + 2.004168360008973e-292);
-  const double co_5_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_5) + 2.004168360008973e-292);
+  const double co_0 = KSL_MUL(a, ci->m0), co_1 = KSL_MUL(a, ci->m1), co_2 = KSL_MUL(a, ci->m2),
+      co_3 = KSL_MUL(a, ci->m3), co_4 = KSL_MUL(a, ci->m4), co_5 = KSL_MUL(a, ci->m5);
+  const double co_0_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_0) + 2.004168360008973e-292),
+      co_1_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_1) + 2.004168360008973e-292),
+      co_2_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_2) + 2.004168360008973e-292),
+      co_3_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_3) + 2.004168360008973e-292),
+      co_4_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_4) + 2.004168360008973e-292),
+      co_5_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_5) + 2.004168360008973e-292);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -186,18 +159,14 @@ static inline void ksl_product_ac_certified(const double a, const ksl_coscrew_t 
    6 mul, 6 add, 6 abs. */
 static inline void ksl_add_cc_certified(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double co_0 = c1->m0 + c2->m0;
-  const double co_1 = c1->m1 + c2->m1;
-  const double co_2 = c1->m2 + c2->m2;
-  const double co_3 = c1->m3 + c2->m3;
-  const double co_4 = c1->m4 + c2->m4;
-  const double co_5 = c1->m5 + c2->m5;
-  const double co_0_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_0));
-  const double co_1_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_1));
-  const double co_2_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_2));
-  const double co_3_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_3));
-  const double co_4_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_4));
-  const double co_5_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_5));
+  const double co_0 = c1->m0 + c2->m0, co_1 = c1->m1 + c2->m1, co_2 = c1->m2 + c2->m2,
+      co_3 = c1->m3 + c2->m3, co_4 = c1->m4 + c2->m4, co_5 = c1->m5 + c2->m5;
+  const double co_0_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_0)),
+      co_1_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_1)),
+      co_2_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_2)),
+      co_3_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_3)),
+      co_4_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_4)),
+      co_5_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_5));
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -217,18 +186,14 @@ static inline void ksl_add_cc_certified(const ksl_coscrew_t *c1, const ksl_coscr
    6 mul, 6 add, 6 abs. */
 static inline void ksl_subtract_cc_certified(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double co_0 = c1->m0 - c2->m0;
-  const double co_1 = c1->m1 - c2->m1;
-  const double co_2 = c1->m2 - c2->m2;
-  const double co_3 = c1->m3 - c2->m3;
-  const double co_4 = c1->m4 - c2->m4;
-  const double co_5 = c1->m5 - c2->m5;
-  const double co_0_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_0));
-  const double co_1_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_1));
-  const double co_2_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_2));
-  const double co_3_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_3));
-  const double co_4_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_4));
-  const double co_5_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_5));
+  const double co_0 = c1->m0 - c2->m0, co_1 = c1->m1 - c2->m1, co_2 = c1->m2 - c2->m2,
+      co_3 = c1->m3 - c2->m3, co_4 = c1->m4 - c2->m4, co_5 = c1->m5 - c2->m5;
+  const double co_0_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_0)),
+      co_1_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_1)),
+      co_2_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_2)),
+      co_3_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_3)),
+      co_4_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_4)),
+      co_5_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_5));
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -248,12 +213,10 @@ static inline void ksl_subtract_cc_certified(const ksl_coscrew_t *c1, const ksl_
    3 mul, 3 add, 3 abs. */
 static inline void ksl_add_cct_certified(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double co_0 = c1->m0 + c2->m0;
-  const double co_1 = c1->m1 + c2->m1;
-  const double co_2 = c1->m2 + c2->m2;
-  const double co_0_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_0));
-  const double co_1_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_1));
-  const double co_2_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_2));
+  const double co_0 = c1->m0 + c2->m0, co_1 = c1->m1 + c2->m1, co_2 = c1->m2 + c2->m2;
+  const double co_0_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_0)),
+      co_1_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_1)),
+      co_2_bound = KSL_MUL(1.1102230246251568e-16, fabs(co_2));
   const double c1_m3 = c1->m3;
   const double c1_m4 = c1->m4;
   const double c1_m5 = c1->m5;
@@ -282,12 +245,12 @@ static inline void ksl_product_CoAdtc_certified(const ksl_vec3_t *t, const ksl_c
       co_4 = co_4a - co_4b + ci->m4;
   const double co_5a = KSL_MUL(t->x, ci->m1), co_5b = KSL_MUL(t->y, ci->m0),
       co_5 = co_5a - co_5b + ci->m5;
-  const double co_3_size = fabs(co_3a) + fabs(co_3b) + fabs(ci->m3);
-  const double co_4_size = fabs(co_4a) + fabs(co_4b) + fabs(ci->m4);
-  const double co_5_size = fabs(co_5a) + fabs(co_5b) + fabs(ci->m5);
-  const double co_3_bound = KSL_MUL(3.3306690738754706e-16, co_3_size + 2.004168360008973e-292);
-  const double co_4_bound = KSL_MUL(3.3306690738754706e-16, co_4_size + 2.004168360008973e-292);
-  const double co_5_bound = KSL_MUL(3.3306690738754706e-16, co_5_size + 2.004168360008973e-292);
+  const double co_3_size = fabs(co_3a) + fabs(co_3b) + fabs(ci->m3),
+      co_4_size = fabs(co_4a) + fabs(co_4b) + fabs(ci->m4),
+      co_5_size = fabs(co_5a) + fabs(co_5b) + fabs(ci->m5);
+  const double co_3_bound = KSL_MUL(3.3306690738754706e-16, co_3_size + 2.004168360008973e-292),
+      co_4_bound = KSL_MUL(3.3306690738754706e-16, co_4_size + 2.004168360008973e-292),
+      co_5_bound = KSL_MUL(3.3306690738754706e-16, co_5_size + 2.004168360008973e-292);
   const double ci_m0 = ci->m0;
   const double ci_m1 = ci->m1;
   const double ci_m2 = ci->m2;
@@ -316,12 +279,12 @@ static inline void ksl_product_CoAdtinvc_certified(const ksl_vec3_t *t, const ks
       co_4 = co_4a - co_4b + ci->m4;
   const double co_5a = KSL_MUL(t->y, ci->m0), co_5b = KSL_MUL(t->x, ci->m1),
       co_5 = co_5a - co_5b + ci->m5;
-  const double co_3_size = fabs(co_3a) + fabs(co_3b) + fabs(ci->m3);
-  const double co_4_size = fabs(co_4a) + fabs(co_4b) + fabs(ci->m4);
-  const double co_5_size = fabs(co_5a) + fabs(co_5b) + fabs(ci->m5);
-  const double co_3_bound = KSL_MUL(3.3306690738754706e-16, co_3_size + 2.004168360008973e-292);
-  const double co_4_bound = KSL_MUL(3.3306690738754706e-16, co_4_size + 2.004168360008973e-292);
-  const double co_5_bound = KSL_MUL(3.3306690738754706e-16, co_5_size + 2.004168360008973e-292);
+  const double co_3_size = fabs(co_3a) + fabs(co_3b) + fabs(ci->m3),
+      co_4_size = fabs(co_4a) + fabs(co_4b) + fabs(ci->m4),
+      co_5_size = fabs(co_5a) + fabs(co_5b) + fabs(ci->m5);
+  const double co_3_bound = KSL_MUL(3.3306690738754706e-16, co_3_size + 2.004168360008973e-292),
+      co_4_bound = KSL_MUL(3.3306690738754706e-16, co_4_size + 2.004168360008973e-292),
+      co_5_bound = KSL_MUL(3.3306690738754706e-16, co_5_size + 2.004168360008973e-292);
   const double ci_m0 = ci->m0;
   const double ci_m1 = ci->m1;
   const double ci_m2 = ci->m2;
@@ -344,21 +307,19 @@ static inline void ksl_product_CoAdtinvc_certified(const ksl_vec3_t *t, const ks
    9 mul, 15 add, 3 neg, 9 abs. */
 static inline void ksl_product_CoAdtcinv_certified(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double co_0 = -ci->m0;
-  const double co_1 = -ci->m1;
-  const double co_2 = -ci->m2;
+  const double co_0 = -ci->m0, co_1 = -ci->m1, co_2 = -ci->m2;
   const double co_3a = KSL_MUL(t->z, ci->m1), co_3b = KSL_MUL(t->y, ci->m2),
       co_3 = co_3a - co_3b - ci->m3;
   const double co_4a = KSL_MUL(t->x, ci->m2), co_4b = KSL_MUL(t->z, ci->m0),
       co_4 = co_4a - co_4b - ci->m4;
   const double co_5a = KSL_MUL(t->y, ci->m0), co_5b = KSL_MUL(t->x, ci->m1),
       co_5 = co_5a - co_5b - ci->m5;
-  const double co_3_size = fabs(co_3a) + fabs(co_3b) + fabs(ci->m3);
-  const double co_4_size = fabs(co_4a) + fabs(co_4b) + fabs(ci->m4);
-  const double co_5_size = fabs(co_5a) + fabs(co_5b) + fabs(ci->m5);
-  const double co_3_bound = KSL_MUL(3.3306690738754706e-16, co_3_size + 2.004168360008973e-292);
-  const double co_4_bound = KSL_MUL(3.3306690738754706e-16, co_4_size + 2.004168360008973e-292);
-  const double co_5_bound = KSL_MUL(3.3306690738754706e-16, co_5_size + 2.004168360008973e-292);
+  const double co_3_size = fabs(co_3a) + fabs(co_3b) + fabs(ci->m3),
+      co_4_size = fabs(co_4a) + fabs(co_4b) + fabs(ci->m4),
+      co_5_size = fabs(co_5a) + fabs(co_5b) + fabs(ci->m5);
+  const double co_3_bound = KSL_MUL(3.3306690738754706e-16, co_3_size + 2.004168360008973e-292),
+      co_4_bound = KSL_MUL(3.3306690738754706e-16, co_4_size + 2.004168360008973e-292),
+      co_5_bound = KSL_MUL(3.3306690738754706e-16, co_5_size + 2.004168360008973e-292);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -390,18 +351,18 @@ static inline void ksl_product_CoAdrc_certified(const ksl_mat3x3_t *R, const ksl
       co_4d = KSL_MUL(R->m12, ci->m5), co_4 = co_4a + co_4b + co_4d;
   const double co_5a = KSL_MUL(R->m20, ci->m3), co_5b = KSL_MUL(R->m21, ci->m4),
       co_5d = KSL_MUL(R->m22, ci->m5), co_5 = co_5a + co_5b + co_5d;
-  const double co_0_size = fabs(co_0a) + fabs(co_0b) + fabs(co_0d);
-  const double co_1_size = fabs(co_1a) + fabs(co_1b) + fabs(co_1d);
-  const double co_2_size = fabs(co_2a) + fabs(co_2b) + fabs(co_2d);
-  const double co_3_size = fabs(co_3a) + fabs(co_3b) + fabs(co_3d);
-  const double co_4_size = fabs(co_4a) + fabs(co_4b) + fabs(co_4d);
-  const double co_5_size = fabs(co_5a) + fabs(co_5b) + fabs(co_5d);
-  const double co_0_bound = KSL_MUL(3.3306690738754706e-16, co_0_size + 2.004168360008973e-292);
-  const double co_1_bound = KSL_MUL(3.3306690738754706e-16, co_1_size + 2.004168360008973e-292);
-  const double co_2_bound = KSL_MUL(3.3306690738754706e-16, co_2_size + 2.004168360008973e-292);
-  const double co_3_bound = KSL_MUL(3.3306690738754706e-16, co_3_size + 2.004168360008973e-292);
-  const double co_4_bound = KSL_MUL(3.3306690738754706e-16, co_4_size + 2.004168360008973e-292);
-  const double co_5_bound = KSL_MUL(3.3306690738754706e-16, co_5_size + 2.004168360008973e-292);
+  const double co_0_size = fabs(co_0a) + fabs(co_0b) + fabs(co_0d),
+      co_1_size = fabs(co_1a) + fabs(co_1b) + fabs(co_1d),
+      co_2_size = fabs(co_2a) + fabs(co_2b) + fabs(co_2d),
+      co_3_size = fabs(co_3a) + fabs(co_3b) + fabs(co_3d),
+      co_4_size = fabs(co_4a) + fabs(co_4b) + fabs(co_4d),
+      co_5_size = fabs(co_5a) + fabs(co_5b) + fabs(co_5d);
+  const double co_0_bound = KSL_MUL(3.3306690738754706e-16, co_0_size + 2.004168360008973e-292),
+      co_1_bound = KSL_MUL(3.3306690738754706e-16, co_1_size + 2.004168360008973e-292),
+      co_2_bound = KSL_MUL(3.3306690738754706e-16, co_2_size + 2.004168360008973e-292),
+      co_3_bound = KSL_MUL(3.3306690738754706e-16, co_3_size + 2.004168360008973e-292),
+      co_4_bound = KSL_MUL(3.3306690738754706e-16, co_4_size + 2.004168360008973e-292),
+      co_5_bound = KSL_MUL(3.3306690738754706e-16, co_5_size + 2.004168360008973e-292);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -433,18 +394,18 @@ static inline void ksl_product_CoAdrinvc_certified(const ksl_mat3x3_t *R, const 
       co_4d = KSL_MUL(R->m21, ci->m5), co_4 = co_4a + co_4b + co_4d;
   const double co_5a = KSL_MUL(R->m02, ci->m3), co_5b = KSL_MUL(R->m12, ci->m4),
       co_5d = KSL_MUL(R->m22, ci->m5), co_5 = co_5a + co_5b + co_5d;
-  const double co_0_size = fabs(co_0a) + fabs(co_0b) + fabs(co_0d);
-  const double co_1_size = fabs(co_1a) + fabs(co_1b) + fabs(co_1d);
-  const double co_2_size = fabs(co_2a) + fabs(co_2b) + fabs(co_2d);
-  const double co_3_size = fabs(co_3a) + fabs(co_3b) + fabs(co_3d);
-  const double co_4_size = fabs(co_4a) + fabs(co_4b) + fabs(co_4d);
-  const double co_5_size = fabs(co_5a) + fabs(co_5b) + fabs(co_5d);
-  const double co_0_bound = KSL_MUL(3.3306690738754706e-16, co_0_size + 2.004168360008973e-292);
-  const double co_1_bound = KSL_MUL(3.3306690738754706e-16, co_1_size + 2.004168360008973e-292);
-  const double co_2_bound = KSL_MUL(3.3306690738754706e-16, co_2_size + 2.004168360008973e-292);
-  const double co_3_bound = KSL_MUL(3.3306690738754706e-16, co_3_size + 2.004168360008973e-292);
-  const double co_4_bound = KSL_MUL(3.3306690738754706e-16, co_4_size + 2.004168360008973e-292);
-  const double co_5_bound = KSL_MUL(3.3306690738754706e-16, co_5_size + 2.004168360008973e-292);
+  const double co_0_size = fabs(co_0a) + fabs(co_0b) + fabs(co_0d),
+      co_1_size = fabs(co_1a) + fabs(co_1b) + fabs(co_1d),
+      co_2_size = fabs(co_2a) + fabs(co_2b) + fabs(co_2d),
+      co_3_size = fabs(co_3a) + fabs(co_3b) + fabs(co_3d),
+      co_4_size = fabs(co_4a) + fabs(co_4b) + fabs(co_4d),
+      co_5_size = fabs(co_5a) + fabs(co_5b) + fabs(co_5d);
+  const double co_0_bound = KSL_MUL(3.3306690738754706e-16, co_0_size + 2.004168360008973e-292),
+      co_1_bound = KSL_MUL(3.3306690738754706e-16, co_1_size + 2.004168360008973e-292),
+      co_2_bound = KSL_MUL(3.3306690738754706e-16, co_2_size + 2.004168360008973e-292),
+      co_3_bound = KSL_MUL(3.3306690738754706e-16, co_3_size + 2.004168360008973e-292),
+      co_4_bound = KSL_MUL(3.3306690738754706e-16, co_4_size + 2.004168360008973e-292),
+      co_5_bound = KSL_MUL(3.3306690738754706e-16, co_5_size + 2.004168360008973e-292);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -522,12 +483,12 @@ static inline void ksl_product_CoAdc_certified(const ksl_SE3_t *D, const ksl_cos
   const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1) + w_3;
   const double co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2) + w_4;
   const double co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0) + w_5;
-  const double w_0_size = fabs(w_0a) + fabs(w_0b) + fabs(w_0d);
-  const double w_1_size = fabs(w_1a) + fabs(w_1b) + fabs(w_1d);
-  const double w_2_size = fabs(w_2a) + fabs(w_2b) + fabs(w_2d);
-  const double w_3_size = fabs(w_3a) + fabs(w_3b) + fabs(w_3d);
-  const double w_4_size = fabs(w_4a) + fabs(w_4b) + fabs(w_4d);
-  const double w_5_size = fabs(w_5a) + fabs(w_5b) + fabs(w_5d);
+  const double w_0_size = fabs(w_0a) + fabs(w_0b) + fabs(w_0d),
+      w_1_size = fabs(w_1a) + fabs(w_1b) + fabs(w_1d),
+      w_2_size = fabs(w_2a) + fabs(w_2b) + fabs(w_2d),
+      w_3_size = fabs(w_3a) + fabs(w_3b) + fabs(w_3d),
+      w_4_size = fabs(w_4a) + fabs(w_4b) + fabs(w_4d),
+      w_5_size = fabs(w_5a) + fabs(w_5b) + fabs(w_5d);
   const double w_2_padded = w_2_size + 2.004168360008973e-292;
   const double D_13_abs = fabs(D->m13);
   const double w_1_padded = w_1_size + 2.004168360008973e-292;
@@ -537,12 +498,12 @@ static inline void ksl_product_CoAdc_certified(const ksl_SE3_t *D, const ksl_cos
   const double D_03_abs = fabs(D->m03),
       co_4_size = KSL_MUL(D_23_abs, w_0_padded) + KSL_MUL(D_03_abs, w_2_padded) + w_4_size;
   const double co_5_size = KSL_MUL(D_03_abs, w_1_padded) + KSL_MUL(D_13_abs, w_0_padded) + w_5_size;
-  const double w_0_bound = KSL_MUL(3.3306690738754706e-16, w_0_padded);
-  const double w_1_bound = KSL_MUL(3.3306690738754706e-16, w_1_padded);
-  const double w_2_bound = KSL_MUL(3.3306690738754706e-16, w_2_padded);
-  const double co_3_bound = KSL_MUL(6.661338147750942e-16, co_3_size + 2.004168360008973e-292);
-  const double co_4_bound = KSL_MUL(6.661338147750942e-16, co_4_size + 2.004168360008973e-292);
-  const double co_5_bound = KSL_MUL(6.661338147750942e-16, co_5_size + 2.004168360008973e-292);
+  const double w_0_bound = KSL_MUL(3.3306690738754706e-16, w_0_padded),
+      w_1_bound = KSL_MUL(3.3306690738754706e-16, w_1_padded),
+      w_2_bound = KSL_MUL(3.3306690738754706e-16, w_2_padded);
+  const double co_3_bound = KSL_MUL(6.661338147750942e-16, co_3_size + 2.004168360008973e-292),
+      co_4_bound = KSL_MUL(6.661338147750942e-16, co_4_size + 2.004168360008973e-292),
+      co_5_bound = KSL_MUL(6.661338147750942e-16, co_5_size + 2.004168360008973e-292);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -575,29 +536,29 @@ static inline void ksl_product_CoAdinvc_certified(const ksl_SE3_t *D, const ksl_
   const double co_2a = KSL_MUL(D->m02, ci->m0), co_2b = KSL_MUL(D->m12, ci->m1),
       co_2d = KSL_MUL(D->m22, ci->m2), co_2 = co_2a + co_2b + co_2d;
   const double co_3 = KSL_MUL(D->m00, w_3) + KSL_MUL(D->m10, w_4) + KSL_MUL(D->m20, w_5);
-  const double co_4 = KSL_MUL(D->m01, w_3) + KSL_MUL(D->m11, w_4) + KSL_MUL(D->m21, w_5);
-  const double co_5 = KSL_MUL(D->m02, w_3) + KSL_MUL(D->m12, w_4) + KSL_MUL(D->m22, w_5);
-  const double w_3_size = fabs(w_3a) + fabs(w_3b) + fabs(ci->m3);
-  const double w_4_size = fabs(w_4a) + fabs(w_4b) + fabs(ci->m4);
-  const double w_5_size = fabs(w_5a) + fabs(w_5b) + fabs(ci->m5);
-  const double co_0_size = fabs(co_0a) + fabs(co_0b) + fabs(co_0d);
-  const double co_1_size = fabs(co_1a) + fabs(co_1b) + fabs(co_1d);
-  const double co_2_size = fabs(co_2a) + fabs(co_2b) + fabs(co_2d);
+  const double co_4 = KSL_MUL(D->m01, w_3) + KSL_MUL(D->m11, w_4) + KSL_MUL(D->m21, w_5),
+      co_5 = KSL_MUL(D->m02, w_3) + KSL_MUL(D->m12, w_4) + KSL_MUL(D->m22, w_5);
+  const double w_3_size = fabs(w_3a) + fabs(w_3b) + fabs(ci->m3),
+      w_4_size = fabs(w_4a) + fabs(w_4b) + fabs(ci->m4),
+      w_5_size = fabs(w_5a) + fabs(w_5b) + fabs(ci->m5);
+  const double co_0_size = fabs(co_0a) + fabs(co_0b) + fabs(co_0d),
+      co_1_size = fabs(co_1a) + fabs(co_1b) + fabs(co_1d),
+      co_2_size = fabs(co_2a) + fabs(co_2b) + fabs(co_2d);
   const double w_3_padded = w_3_size + 2.004168360008973e-292,
       w_4_padded = w_4_size + 2.004168360008973e-292,
       w_5_padded = w_5_size + 2.004168360008973e-292;
   const double co_3_size = KSL_MUL(fabs(D->m00), w_3_padded) + KSL_MUL(fabs(D->m10), w_4_padded)
-          + KSL_MUL(fabs(D->m20), w_5_padded);
-  const double co_4_size = KSL_MUL(fabs(D->m01), w_3_padded) + KSL_MUL(fabs(D->m11), w_4_padded)
-          + KSL_MUL(fabs(D->m21), w_5_padded);
-  const double co_5_size = KSL_MUL(fabs(D->m02), w_3_padded) + KSL_MUL(fabs(D->m12), w_4_padded)
+          + KSL_MUL(fabs(D->m20), w_5_padded),
+      co_4_size = KSL_MUL(fabs(D->m01), w_3_padded) + KSL_MUL(fabs(D->m11), w_4_padded)
+          + KSL_MUL(fabs(D->m21), w_5_padded),
+      co_5_size = KSL_MUL(fabs(D->m02), w_3_padded) + KSL_MUL(fabs(D->m12), w_4_padded)
           + KSL_MUL(fabs(D->m22), w_5_padded);
-  const double co_0_bound = KSL_MUL(3.3306690738754706e-16, co_0_size + 2.004168360008973e-292);
-  const double co_1_bound = KSL_MUL(3.3306690738754706e-16, co_1_size + 2.004168360008973e-292);
-  const double co_2_bound = KSL_MUL(3.3306690738754706e-16, co_2_size + 2.004168360008973e-292);
-  const double co_3_bound = KSL_MUL(6.661338147750942e-16, co_3_size + 2.004168360008973e-292);
-  const double co_4_bound = KSL_MUL(6.661338147750942e-16, co_4_size + 2.004168360008973e-292);
-  const double co_5_bound = KSL_MUL(6.661338147750942e-16, co_5_size + 2.004168360008973e-292);
+  const double co_0_bound = KSL_MUL(3.3306690738754706e-16, co_0_size + 2.004168360008973e-292),
+      co_1_bound = KSL_MUL(3.3306690738754706e-16, co_1_size + 2.004168360008973e-292),
+      co_2_bound = KSL_MUL(3.3306690738754706e-16, co_2_size + 2.004168360008973e-292),
+      co_3_bound = KSL_MUL(6.661338147750942e-16, co_3_size + 2.004168360008973e-292),
+      co_4_bound = KSL_MUL(6.661338147750942e-16, co_4_size + 2.004168360008973e-292),
+      co_5_bound = KSL_MUL(6.661338147750942e-16, co_5_size + 2.004168360008973e-292);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -647,9 +608,9 @@ static inline void ksl_product_CoAdcinv_certified(const ksl_SE3_t *D, const ksl_
   const double w_0e_bound = KSL_MUL(3.3306690738754706e-16, w_0e_padded);
   const double w_1e_bound = KSL_MUL(3.3306690738754706e-16, w_1e_padded);
   const double w_2e_bound = KSL_MUL(3.3306690738754706e-16, w_2e_padded);
-  const double co_3_bound = KSL_MUL(6.661338147750942e-16, co_3_size + 2.004168360008973e-292);
-  const double co_4_bound = KSL_MUL(6.661338147750942e-16, co_4_size + 2.004168360008973e-292);
-  const double co_5_bound = KSL_MUL(6.661338147750942e-16, co_5_size + 2.004168360008973e-292);
+  const double co_3_bound = KSL_MUL(6.661338147750942e-16, co_3_size + 2.004168360008973e-292),
+      co_4_bound = KSL_MUL(6.661338147750942e-16, co_4_size + 2.004168360008973e-292),
+      co_5_bound = KSL_MUL(6.661338147750942e-16, co_5_size + 2.004168360008973e-292);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -675,12 +636,11 @@ static inline void ksl_hctx_certified(const ksl_SE3_t *D, ksl_coscrew_t *co,
       co_4 = co_4a - co_4b;
   const double co_5a = KSL_MUL(D->m10, D->m03), co_5b = KSL_MUL(D->m00, D->m13),
       co_5 = co_5a - co_5b;
-  const double co_3_size = fabs(co_3a) + fabs(co_3b);
-  const double co_4_size = fabs(co_4a) + fabs(co_4b);
-  const double co_5_size = fabs(co_5a) + fabs(co_5b);
-  const double co_3_bound = KSL_MUL(2.2204460492503136e-16, co_3_size + 2.004168360008973e-292);
-  const double co_4_bound = KSL_MUL(2.2204460492503136e-16, co_4_size + 2.004168360008973e-292);
-  const double co_5_bound = KSL_MUL(2.2204460492503136e-16, co_5_size + 2.004168360008973e-292);
+  const double co_3_size = fabs(co_3a) + fabs(co_3b), co_4_size = fabs(co_4a) + fabs(co_4b),
+      co_5_size = fabs(co_5a) + fabs(co_5b);
+  const double co_3_bound = KSL_MUL(2.2204460492503136e-16, co_3_size + 2.004168360008973e-292),
+      co_4_bound = KSL_MUL(2.2204460492503136e-16, co_4_size + 2.004168360008973e-292),
+      co_5_bound = KSL_MUL(2.2204460492503136e-16, co_5_size + 2.004168360008973e-292);
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
   const double D_m20 = D->m20;
@@ -709,12 +669,11 @@ static inline void ksl_hcty_certified(const ksl_SE3_t *D, ksl_coscrew_t *co,
       co_4 = co_4a - co_4b;
   const double co_5a = KSL_MUL(D->m11, D->m03), co_5b = KSL_MUL(D->m01, D->m13),
       co_5 = co_5a - co_5b;
-  const double co_3_size = fabs(co_3a) + fabs(co_3b);
-  const double co_4_size = fabs(co_4a) + fabs(co_4b);
-  const double co_5_size = fabs(co_5a) + fabs(co_5b);
-  const double co_3_bound = KSL_MUL(2.2204460492503136e-16, co_3_size + 2.004168360008973e-292);
-  const double co_4_bound = KSL_MUL(2.2204460492503136e-16, co_4_size + 2.004168360008973e-292);
-  const double co_5_bound = KSL_MUL(2.2204460492503136e-16, co_5_size + 2.004168360008973e-292);
+  const double co_3_size = fabs(co_3a) + fabs(co_3b), co_4_size = fabs(co_4a) + fabs(co_4b),
+      co_5_size = fabs(co_5a) + fabs(co_5b);
+  const double co_3_bound = KSL_MUL(2.2204460492503136e-16, co_3_size + 2.004168360008973e-292),
+      co_4_bound = KSL_MUL(2.2204460492503136e-16, co_4_size + 2.004168360008973e-292),
+      co_5_bound = KSL_MUL(2.2204460492503136e-16, co_5_size + 2.004168360008973e-292);
   const double D_m01 = D->m01;
   const double D_m11 = D->m11;
   const double D_m21 = D->m21;
@@ -743,12 +702,11 @@ static inline void ksl_hctz_certified(const ksl_SE3_t *D, ksl_coscrew_t *co,
       co_4 = co_4a - co_4b;
   const double co_5a = KSL_MUL(D->m12, D->m03), co_5b = KSL_MUL(D->m02, D->m13),
       co_5 = co_5a - co_5b;
-  const double co_3_size = fabs(co_3a) + fabs(co_3b);
-  const double co_4_size = fabs(co_4a) + fabs(co_4b);
-  const double co_5_size = fabs(co_5a) + fabs(co_5b);
-  const double co_3_bound = KSL_MUL(2.2204460492503136e-16, co_3_size + 2.004168360008973e-292);
-  const double co_4_bound = KSL_MUL(2.2204460492503136e-16, co_4_size + 2.004168360008973e-292);
-  const double co_5_bound = KSL_MUL(2.2204460492503136e-16, co_5_size + 2.004168360008973e-292);
+  const double co_3_size = fabs(co_3a) + fabs(co_3b), co_4_size = fabs(co_4a) + fabs(co_4b),
+      co_5_size = fabs(co_5a) + fabs(co_5b);
+  const double co_3_bound = KSL_MUL(2.2204460492503136e-16, co_3_size + 2.004168360008973e-292),
+      co_4_bound = KSL_MUL(2.2204460492503136e-16, co_4_size + 2.004168360008973e-292),
+      co_5_bound = KSL_MUL(2.2204460492503136e-16, co_5_size + 2.004168360008973e-292);
   const double D_m02 = D->m02;
   const double D_m12 = D->m12;
   const double D_m22 = D->m22;
@@ -771,21 +729,18 @@ static inline void ksl_hctz_certified(const ksl_SE3_t *D, ksl_coscrew_t *co,
    9 mul, 9 add, 3 neg, 6 abs. */
 static inline void ksl_hctxinv_certified(const ksl_SE3_t *D, ksl_coscrew_t *co,
     ksl_coscrew_t *co_bound) {
-  const double co_0 = -D->m00;
-  const double co_1 = -D->m10;
-  const double co_2 = -D->m20;
+  const double co_0 = -D->m00, co_1 = -D->m10, co_2 = -D->m20;
   const double co_3a = KSL_MUL(D->m10, D->m23), co_3b = KSL_MUL(D->m20, D->m13),
       co_3 = co_3a - co_3b;
   const double co_4a = KSL_MUL(D->m20, D->m03), co_4b = KSL_MUL(D->m00, D->m23),
       co_4 = co_4a - co_4b;
   const double co_5a = KSL_MUL(D->m00, D->m13), co_5b = KSL_MUL(D->m10, D->m03),
       co_5 = co_5a - co_5b;
-  const double co_3_size = fabs(co_3a) + fabs(co_3b);
-  const double co_4_size = fabs(co_4a) + fabs(co_4b);
-  const double co_5_size = fabs(co_5a) + fabs(co_5b);
-  const double co_3_bound = KSL_MUL(2.2204460492503136e-16, co_3_size + 2.004168360008973e-292);
-  const double co_4_bound = KSL_MUL(2.2204460492503136e-16, co_4_size + 2.004168360008973e-292);
-  const double co_5_bound = KSL_MUL(2.2204460492503136e-16, co_5_size + 2.004168360008973e-292);
+  const double co_3_size = fabs(co_3a) + fabs(co_3b), co_4_size = fabs(co_4a) + fabs(co_4b),
+      co_5_size = fabs(co_5a) + fabs(co_5b);
+  const double co_3_bound = KSL_MUL(2.2204460492503136e-16, co_3_size + 2.004168360008973e-292),
+      co_4_bound = KSL_MUL(2.2204460492503136e-16, co_4_size + 2.004168360008973e-292),
+      co_5_bound = KSL_MUL(2.2204460492503136e-16, co_5_size + 2.004168360008973e-292);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -805,21 +760,18 @@ static inline void ksl_hctxinv_certified(const ksl_SE3_t *D, ksl_coscrew_t *co,
    9 mul, 9 add, 3 neg, 6 abs. */
 static inline void ksl_hctyinv_certified(const ksl_SE3_t *D, ksl_coscrew_t *co,
     ksl_coscrew_t *co_bound) {
-  const double co_0 = -D->m01;
-  const double co_1 = -D->m11;
-  const double co_2 = -D->m21;
+  const double co_0 = -D->m01, co_1 = -D->m11, co_2 = -D->m21;
   const double co_3a = KSL_MUL(D->m11, D->m23), co_3b = KSL_MUL(D->m21, D->m13),
       co_3 = co_3a - co_3b;
   const double co_4a = KSL_MUL(D->m21, D->m03), co_4b = KSL_MUL(D->m01, D->m23),
       co_4 = co_4a - co_4b;
   const double co_5a = KSL_MUL(D->m01, D->m13), co_5b = KSL_MUL(D->m11, D->m03),
       co_5 = co_5a - co_5b;
-  const double co_3_size = fabs(co_3a) + fabs(co_3b);
-  const double co_4_size = fabs(co_4a) + fabs(co_4b);
-  const double co_5_size = fabs(co_5a) + fabs(co_5b);
-  const double co_3_bound = KSL_MUL(2.2204460492503136e-16, co_3_size + 2.004168360008973e-292);
-  const double co_4_bound = KSL_MUL(2.2204460492503136e-16, co_4_size + 2.004168360008973e-292);
-  const double co_5_bound = KSL_MUL(2.2204460492503136e-16, co_5_size + 2.004168360008973e-292);
+  const double co_3_size = fabs(co_3a) + fabs(co_3b), co_4_size = fabs(co_4a) + fabs(co_4b),
+      co_5_size = fabs(co_5a) + fabs(co_5b);
+  const double co_3_bound = KSL_MUL(2.2204460492503136e-16, co_3_size + 2.004168360008973e-292),
+      co_4_bound = KSL_MUL(2.2204460492503136e-16, co_4_size + 2.004168360008973e-292),
+      co_5_bound = KSL_MUL(2.2204460492503136e-16, co_5_size + 2.004168360008973e-292);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -839,21 +791,18 @@ static inline void ksl_hctyinv_certified(const ksl_SE3_t *D, ksl_coscrew_t *co,
    9 mul, 9 add, 3 neg, 6 abs. */
 static inline void ksl_hctzinv_certified(const ksl_SE3_t *D, ksl_coscrew_t *co,
     ksl_coscrew_t *co_bound) {
-  const double co_0 = -D->m02;
-  const double co_1 = -D->m12;
-  const double co_2 = -D->m22;
+  const double co_0 = -D->m02, co_1 = -D->m12, co_2 = -D->m22;
   const double co_3a = KSL_MUL(D->m12, D->m23), co_3b = KSL_MUL(D->m22, D->m13),
       co_3 = co_3a - co_3b;
   const double co_4a = KSL_MUL(D->m22, D->m03), co_4b = KSL_MUL(D->m02, D->m23),
       co_4 = co_4a - co_4b;
   const double co_5a = KSL_MUL(D->m02, D->m13), co_5b = KSL_MUL(D->m12, D->m03),
       co_5 = co_5a - co_5b;
-  const double co_3_size = fabs(co_3a) + fabs(co_3b);
-  const double co_4_size = fabs(co_4a) + fabs(co_4b);
-  const double co_5_size = fabs(co_5a) + fabs(co_5b);
-  const double co_3_bound = KSL_MUL(2.2204460492503136e-16, co_3_size + 2.004168360008973e-292);
-  const double co_4_bound = KSL_MUL(2.2204460492503136e-16, co_4_size + 2.004168360008973e-292);
-  const double co_5_bound = KSL_MUL(2.2204460492503136e-16, co_5_size + 2.004168360008973e-292);
+  const double co_3_size = fabs(co_3a) + fabs(co_3b), co_4_size = fabs(co_4a) + fabs(co_4b),
+      co_5_size = fabs(co_5a) + fabs(co_5b);
+  const double co_3_bound = KSL_MUL(2.2204460492503136e-16, co_3_size + 2.004168360008973e-292),
+      co_4_bound = KSL_MUL(2.2204460492503136e-16, co_4_size + 2.004168360008973e-292),
+      co_5_bound = KSL_MUL(2.2204460492503136e-16, co_5_size + 2.004168360008973e-292);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -890,24 +839,20 @@ static inline void ksl_CoAd_certified(const ksl_SE3_t *D, ksl_mat6x6_t *M, ksl_m
       M_51 = M_51a - M_51b;
   const double M_52a = KSL_MUL(D->m12, D->m03), M_52b = KSL_MUL(D->m02, D->m13),
       M_52 = M_52a - M_52b;
-  const double M_30_size = fabs(M_30a) + fabs(M_30b);
-  const double M_31_size = fabs(M_31a) + fabs(M_31b);
-  const double M_32_size = fabs(M_32a) + fabs(M_32b);
-  const double M_40_size = fabs(M_40a) + fabs(M_40b);
-  const double M_41_size = fabs(M_41a) + fabs(M_41b);
-  const double M_42_size = fabs(M_42a) + fabs(M_42b);
-  const double M_50_size = fabs(M_50a) + fabs(M_50b);
-  const double M_51_size = fabs(M_51a) + fabs(M_51b);
-  const double M_52_size = fabs(M_52a) + fabs(M_52b);
-  const double M_30_bound = KSL_MUL(2.2204460492503136e-16, M_30_size + 2.004168360008973e-292);
-  const double M_31_bound = KSL_MUL(2.2204460492503136e-16, M_31_size + 2.004168360008973e-292);
-  const double M_32_bound = KSL_MUL(2.2204460492503136e-16, M_32_size + 2.004168360008973e-292);
-  const double M_40_bound = KSL_MUL(2.2204460492503136e-16, M_40_size + 2.004168360008973e-292);
-  const double M_41_bound = KSL_MUL(2.2204460492503136e-16, M_41_size + 2.004168360008973e-292);
-  const double M_42_bound = KSL_MUL(2.2204460492503136e-16, M_42_size + 2.004168360008973e-292);
-  const double M_50_bound = KSL_MUL(2.2204460492503136e-16, M_50_size + 2.004168360008973e-292);
-  const double M_51_bound = KSL_MUL(2.2204460492503136e-16, M_51_size + 2.004168360008973e-292);
-  const double M_52_bound = KSL_MUL(2.2204460492503136e-16, M_52_size + 2.004168360008973e-292);
+  const double M_30_size = fabs(M_30a) + fabs(M_30b), M_31_size = fabs(M_31a) + fabs(M_31b),
+      M_32_size = fabs(M_32a) + fabs(M_32b), M_40_size = fabs(M_40a) + fabs(M_40b),
+      M_41_size = fabs(M_41a) + fabs(M_41b), M_42_size = fabs(M_42a) + fabs(M_42b),
+      M_50_size = fabs(M_50a) + fabs(M_50b), M_51_size = fabs(M_51a) + fabs(M_51b),
+      M_52_size = fabs(M_52a) + fabs(M_52b);
+  const double M_30_bound = KSL_MUL(2.2204460492503136e-16, M_30_size + 2.004168360008973e-292),
+      M_31_bound = KSL_MUL(2.2204460492503136e-16, M_31_size + 2.004168360008973e-292),
+      M_32_bound = KSL_MUL(2.2204460492503136e-16, M_32_size + 2.004168360008973e-292),
+      M_40_bound = KSL_MUL(2.2204460492503136e-16, M_40_size + 2.004168360008973e-292),
+      M_41_bound = KSL_MUL(2.2204460492503136e-16, M_41_size + 2.004168360008973e-292),
+      M_42_bound = KSL_MUL(2.2204460492503136e-16, M_42_size + 2.004168360008973e-292),
+      M_50_bound = KSL_MUL(2.2204460492503136e-16, M_50_size + 2.004168360008973e-292),
+      M_51_bound = KSL_MUL(2.2204460492503136e-16, M_51_size + 2.004168360008973e-292),
+      M_52_bound = KSL_MUL(2.2204460492503136e-16, M_52_size + 2.004168360008973e-292);
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -1026,18 +971,17 @@ static inline void ksl_cross_sc_certified(const ksl_screw_t *s, const ksl_coscre
   const double co_5a = KSL_MUL(s->m0, c->m1), co_5b = KSL_MUL(s->m1, c->m0),
       co_5d = KSL_MUL(s->m3, c->m4), co_5e = KSL_MUL(s->m4, c->m3),
       co_5 = co_5a - co_5b + (co_5d - co_5e);
-  const double co_0_size = fabs(co_0a) + fabs(co_0b);
-  const double co_1_size = fabs(co_1a) + fabs(co_1b);
-  const double co_2_size = fabs(co_2a) + fabs(co_2b);
-  const double co_3_size = fabs(co_3a) + fabs(co_3b) + (fabs(co_3d) + fabs(co_3e));
-  const double co_4_size = fabs(co_4a) + fabs(co_4b) + (fabs(co_4d) + fabs(co_4e));
-  const double co_5_size = fabs(co_5a) + fabs(co_5b) + (fabs(co_5d) + fabs(co_5e));
-  const double co_0_bound = KSL_MUL(2.2204460492503136e-16, co_0_size + 2.004168360008973e-292);
-  const double co_1_bound = KSL_MUL(2.2204460492503136e-16, co_1_size + 2.004168360008973e-292);
-  const double co_2_bound = KSL_MUL(2.2204460492503136e-16, co_2_size + 2.004168360008973e-292);
-  const double co_3_bound = KSL_MUL(3.3306690738754706e-16, co_3_size + 2.004168360008973e-292);
-  const double co_4_bound = KSL_MUL(3.3306690738754706e-16, co_4_size + 2.004168360008973e-292);
-  const double co_5_bound = KSL_MUL(3.3306690738754706e-16, co_5_size + 2.004168360008973e-292);
+  const double co_0_size = fabs(co_0a) + fabs(co_0b), co_1_size = fabs(co_1a) + fabs(co_1b),
+      co_2_size = fabs(co_2a) + fabs(co_2b),
+      co_3_size = fabs(co_3a) + fabs(co_3b) + (fabs(co_3d) + fabs(co_3e)),
+      co_4_size = fabs(co_4a) + fabs(co_4b) + (fabs(co_4d) + fabs(co_4e)),
+      co_5_size = fabs(co_5a) + fabs(co_5b) + (fabs(co_5d) + fabs(co_5e));
+  const double co_0_bound = KSL_MUL(2.2204460492503136e-16, co_0_size + 2.004168360008973e-292),
+      co_1_bound = KSL_MUL(2.2204460492503136e-16, co_1_size + 2.004168360008973e-292),
+      co_2_bound = KSL_MUL(2.2204460492503136e-16, co_2_size + 2.004168360008973e-292),
+      co_3_bound = KSL_MUL(3.3306690738754706e-16, co_3_size + 2.004168360008973e-292),
+      co_4_bound = KSL_MUL(3.3306690738754706e-16, co_4_size + 2.004168360008973e-292),
+      co_5_bound = KSL_MUL(3.3306690738754706e-16, co_5_size + 2.004168360008973e-292);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1060,12 +1004,11 @@ static inline void ksl_cross_sca_certified(const ksl_screw_t *s, const ksl_coscr
   const double co_3a = KSL_MUL(s->m4, c->m5), co_3b = KSL_MUL(s->m5, c->m4), co_3 = co_3a - co_3b;
   const double co_4a = KSL_MUL(s->m5, c->m3), co_4b = KSL_MUL(s->m3, c->m5), co_4 = co_4a - co_4b;
   const double co_5a = KSL_MUL(s->m3, c->m4), co_5b = KSL_MUL(s->m4, c->m3), co_5 = co_5a - co_5b;
-  const double co_3_size = fabs(co_3a) + fabs(co_3b);
-  const double co_4_size = fabs(co_4a) + fabs(co_4b);
-  const double co_5_size = fabs(co_5a) + fabs(co_5b);
-  const double co_3_bound = KSL_MUL(2.2204460492503136e-16, co_3_size + 2.004168360008973e-292);
-  const double co_4_bound = KSL_MUL(2.2204460492503136e-16, co_4_size + 2.004168360008973e-292);
-  const double co_5_bound = KSL_MUL(2.2204460492503136e-16, co_5_size + 2.004168360008973e-292);
+  const double co_3_size = fabs(co_3a) + fabs(co_3b), co_4_size = fabs(co_4a) + fabs(co_4b),
+      co_5_size = fabs(co_5a) + fabs(co_5b);
+  const double co_3_bound = KSL_MUL(2.2204460492503136e-16, co_3_size + 2.004168360008973e-292),
+      co_4_bound = KSL_MUL(2.2204460492503136e-16, co_4_size + 2.004168360008973e-292),
+      co_5_bound = KSL_MUL(2.2204460492503136e-16, co_5_size + 2.004168360008973e-292);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -1098,12 +1041,10 @@ static inline void ksl_constraint_ctx_certified(const ksl_SE3_t *D, const ksl_co
   const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1) + w_3;
   const double co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2) + w_4;
   const double co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0) + w_5;
-  const double w_0_size = fabs(w_0a) + fabs(w_0b);
-  const double w_1_size = fabs(w_1a) + fabs(w_1b);
-  const double w_2_size = fabs(w_2a) + fabs(w_2b);
-  const double w_3_size = fabs(w_3a) + fabs(w_3b) + fabs(w_3d);
-  const double w_4_size = fabs(w_4a) + fabs(w_4b) + fabs(w_4d);
-  const double w_5_size = fabs(w_5a) + fabs(w_5b) + fabs(w_5d);
+  const double w_0_size = fabs(w_0a) + fabs(w_0b), w_1_size = fabs(w_1a) + fabs(w_1b),
+      w_2_size = fabs(w_2a) + fabs(w_2b), w_3_size = fabs(w_3a) + fabs(w_3b) + fabs(w_3d),
+      w_4_size = fabs(w_4a) + fabs(w_4b) + fabs(w_4d),
+      w_5_size = fabs(w_5a) + fabs(w_5b) + fabs(w_5d);
   const double w_2_padded = w_2_size + 2.004168360008973e-292;
   const double D_13_abs = fabs(D->m13);
   const double w_1_padded = w_1_size + 2.004168360008973e-292;
@@ -1113,12 +1054,12 @@ static inline void ksl_constraint_ctx_certified(const ksl_SE3_t *D, const ksl_co
   const double D_03_abs = fabs(D->m03),
       co_4_size = KSL_MUL(D_23_abs, w_0_padded) + KSL_MUL(D_03_abs, w_2_padded) + w_4_size;
   const double co_5_size = KSL_MUL(D_03_abs, w_1_padded) + KSL_MUL(D_13_abs, w_0_padded) + w_5_size;
-  const double w_0_bound = KSL_MUL(2.2204460492503136e-16, w_0_padded);
-  const double w_1_bound = KSL_MUL(2.2204460492503136e-16, w_1_padded);
-  const double w_2_bound = KSL_MUL(2.2204460492503136e-16, w_2_padded);
-  const double co_3_bound = KSL_MUL(5.551115123125785e-16, co_3_size + 2.004168360008973e-292);
-  const double co_4_bound = KSL_MUL(5.551115123125785e-16, co_4_size + 2.004168360008973e-292);
-  const double co_5_bound = KSL_MUL(5.551115123125785e-16, co_5_size + 2.004168360008973e-292);
+  const double w_0_bound = KSL_MUL(2.2204460492503136e-16, w_0_padded),
+      w_1_bound = KSL_MUL(2.2204460492503136e-16, w_1_padded),
+      w_2_bound = KSL_MUL(2.2204460492503136e-16, w_2_padded);
+  const double co_3_bound = KSL_MUL(5.551115123125785e-16, co_3_size + 2.004168360008973e-292),
+      co_4_bound = KSL_MUL(5.551115123125785e-16, co_4_size + 2.004168360008973e-292),
+      co_5_bound = KSL_MUL(5.551115123125785e-16, co_5_size + 2.004168360008973e-292);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1151,12 +1092,10 @@ static inline void ksl_constraint_cty_certified(const ksl_SE3_t *D, const ksl_co
   const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1) + w_3;
   const double co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2) + w_4;
   const double co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0) + w_5;
-  const double w_0_size = fabs(w_0a) + fabs(w_0b);
-  const double w_1_size = fabs(w_1a) + fabs(w_1b);
-  const double w_2_size = fabs(w_2a) + fabs(w_2b);
-  const double w_3_size = fabs(w_3a) + fabs(w_3b) + fabs(w_3d);
-  const double w_4_size = fabs(w_4a) + fabs(w_4b) + fabs(w_4d);
-  const double w_5_size = fabs(w_5a) + fabs(w_5b) + fabs(w_5d);
+  const double w_0_size = fabs(w_0a) + fabs(w_0b), w_1_size = fabs(w_1a) + fabs(w_1b),
+      w_2_size = fabs(w_2a) + fabs(w_2b), w_3_size = fabs(w_3a) + fabs(w_3b) + fabs(w_3d),
+      w_4_size = fabs(w_4a) + fabs(w_4b) + fabs(w_4d),
+      w_5_size = fabs(w_5a) + fabs(w_5b) + fabs(w_5d);
   const double w_2_padded = w_2_size + 2.004168360008973e-292;
   const double D_13_abs = fabs(D->m13);
   const double w_1_padded = w_1_size + 2.004168360008973e-292;
@@ -1166,12 +1105,12 @@ static inline void ksl_constraint_cty_certified(const ksl_SE3_t *D, const ksl_co
   const double D_03_abs = fabs(D->m03),
       co_4_size = KSL_MUL(D_23_abs, w_0_padded) + KSL_MUL(D_03_abs, w_2_padded) + w_4_size;
   const double co_5_size = KSL_MUL(D_03_abs, w_1_padded) + KSL_MUL(D_13_abs, w_0_padded) + w_5_size;
-  const double w_0_bound = KSL_MUL(2.2204460492503136e-16, w_0_padded);
-  const double w_1_bound = KSL_MUL(2.2204460492503136e-16, w_1_padded);
-  const double w_2_bound = KSL_MUL(2.2204460492503136e-16, w_2_padded);
-  const double co_3_bound = KSL_MUL(5.551115123125785e-16, co_3_size + 2.004168360008973e-292);
-  const double co_4_bound = KSL_MUL(5.551115123125785e-16, co_4_size + 2.004168360008973e-292);
-  const double co_5_bound = KSL_MUL(5.551115123125785e-16, co_5_size + 2.004168360008973e-292);
+  const double w_0_bound = KSL_MUL(2.2204460492503136e-16, w_0_padded),
+      w_1_bound = KSL_MUL(2.2204460492503136e-16, w_1_padded),
+      w_2_bound = KSL_MUL(2.2204460492503136e-16, w_2_padded);
+  const double co_3_bound = KSL_MUL(5.551115123125785e-16, co_3_size + 2.004168360008973e-292),
+      co_4_bound = KSL_MUL(5.551115123125785e-16, co_4_size + 2.004168360008973e-292),
+      co_5_bound = KSL_MUL(5.551115123125785e-16, co_5_size + 2.004168360008973e-292);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1204,12 +1143,10 @@ static inline void ksl_constraint_ctz_certified(const ksl_SE3_t *D, const ksl_co
   const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1) + w_3;
   const double co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2) + w_4;
   const double co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0) + w_5;
-  const double w_0_size = fabs(w_0a) + fabs(w_0b);
-  const double w_1_size = fabs(w_1a) + fabs(w_1b);
-  const double w_2_size = fabs(w_2a) + fabs(w_2b);
-  const double w_3_size = fabs(w_3a) + fabs(w_3b) + fabs(w_3d);
-  const double w_4_size = fabs(w_4a) + fabs(w_4b) + fabs(w_4d);
-  const double w_5_size = fabs(w_5a) + fabs(w_5b) + fabs(w_5d);
+  const double w_0_size = fabs(w_0a) + fabs(w_0b), w_1_size = fabs(w_1a) + fabs(w_1b),
+      w_2_size = fabs(w_2a) + fabs(w_2b), w_3_size = fabs(w_3a) + fabs(w_3b) + fabs(w_3d),
+      w_4_size = fabs(w_4a) + fabs(w_4b) + fabs(w_4d),
+      w_5_size = fabs(w_5a) + fabs(w_5b) + fabs(w_5d);
   const double w_2_padded = w_2_size + 2.004168360008973e-292;
   const double D_13_abs = fabs(D->m13);
   const double w_1_padded = w_1_size + 2.004168360008973e-292;
@@ -1219,12 +1156,12 @@ static inline void ksl_constraint_ctz_certified(const ksl_SE3_t *D, const ksl_co
   const double D_03_abs = fabs(D->m03),
       co_4_size = KSL_MUL(D_23_abs, w_0_padded) + KSL_MUL(D_03_abs, w_2_padded) + w_4_size;
   const double co_5_size = KSL_MUL(D_03_abs, w_1_padded) + KSL_MUL(D_13_abs, w_0_padded) + w_5_size;
-  const double w_0_bound = KSL_MUL(2.2204460492503136e-16, w_0_padded);
-  const double w_1_bound = KSL_MUL(2.2204460492503136e-16, w_1_padded);
-  const double w_2_bound = KSL_MUL(2.2204460492503136e-16, w_2_padded);
-  const double co_3_bound = KSL_MUL(5.551115123125785e-16, co_3_size + 2.004168360008973e-292);
-  const double co_4_bound = KSL_MUL(5.551115123125785e-16, co_4_size + 2.004168360008973e-292);
-  const double co_5_bound = KSL_MUL(5.551115123125785e-16, co_5_size + 2.004168360008973e-292);
+  const double w_0_bound = KSL_MUL(2.2204460492503136e-16, w_0_padded),
+      w_1_bound = KSL_MUL(2.2204460492503136e-16, w_1_padded),
+      w_2_bound = KSL_MUL(2.2204460492503136e-16, w_2_padded);
+  const double co_3_bound = KSL_MUL(5.551115123125785e-16, co_3_size + 2.004168360008973e-292),
+      co_4_bound = KSL_MUL(5.551115123125785e-16, co_4_size + 2.004168360008973e-292),
+      co_5_bound = KSL_MUL(5.551115123125785e-16, co_5_size + 2.004168360008973e-292);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1257,12 +1194,10 @@ static inline void ksl_constraint_crx_certified(const ksl_SE3_t *D, const ksl_co
   const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1) + w_3;
   const double co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2) + w_4;
   const double co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0) + w_5;
-  const double w_0_size = fabs(w_0a) + fabs(w_0b) + fabs(w_0d);
-  const double w_1_size = fabs(w_1a) + fabs(w_1b) + fabs(w_1d);
-  const double w_2_size = fabs(w_2a) + fabs(w_2b) + fabs(w_2d);
-  const double w_3_size = fabs(w_3a) + fabs(w_3b);
-  const double w_4_size = fabs(w_4a) + fabs(w_4b);
-  const double w_5_size = fabs(w_5a) + fabs(w_5b);
+  const double w_0_size = fabs(w_0a) + fabs(w_0b) + fabs(w_0d),
+      w_1_size = fabs(w_1a) + fabs(w_1b) + fabs(w_1d),
+      w_2_size = fabs(w_2a) + fabs(w_2b) + fabs(w_2d), w_3_size = fabs(w_3a) + fabs(w_3b),
+      w_4_size = fabs(w_4a) + fabs(w_4b), w_5_size = fabs(w_5a) + fabs(w_5b);
   const double w_2_padded = w_2_size + 2.004168360008973e-292;
   const double D_13_abs = fabs(D->m13);
   const double w_1_padded = w_1_size + 2.004168360008973e-292;
@@ -1272,12 +1207,12 @@ static inline void ksl_constraint_crx_certified(const ksl_SE3_t *D, const ksl_co
   const double D_03_abs = fabs(D->m03),
       co_4_size = KSL_MUL(D_23_abs, w_0_padded) + KSL_MUL(D_03_abs, w_2_padded) + w_4_size;
   const double co_5_size = KSL_MUL(D_03_abs, w_1_padded) + KSL_MUL(D_13_abs, w_0_padded) + w_5_size;
-  const double w_0_bound = KSL_MUL(3.3306690738754706e-16, w_0_padded);
-  const double w_1_bound = KSL_MUL(3.3306690738754706e-16, w_1_padded);
-  const double w_2_bound = KSL_MUL(3.3306690738754706e-16, w_2_padded);
-  const double co_3_bound = KSL_MUL(6.661338147750942e-16, co_3_size + 2.004168360008973e-292);
-  const double co_4_bound = KSL_MUL(6.661338147750942e-16, co_4_size + 2.004168360008973e-292);
-  const double co_5_bound = KSL_MUL(6.661338147750942e-16, co_5_size + 2.004168360008973e-292);
+  const double w_0_bound = KSL_MUL(3.3306690738754706e-16, w_0_padded),
+      w_1_bound = KSL_MUL(3.3306690738754706e-16, w_1_padded),
+      w_2_bound = KSL_MUL(3.3306690738754706e-16, w_2_padded);
+  const double co_3_bound = KSL_MUL(6.661338147750942e-16, co_3_size + 2.004168360008973e-292),
+      co_4_bound = KSL_MUL(6.661338147750942e-16, co_4_size + 2.004168360008973e-292),
+      co_5_bound = KSL_MUL(6.661338147750942e-16, co_5_size + 2.004168360008973e-292);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1310,12 +1245,10 @@ static inline void ksl_constraint_cry_certified(const ksl_SE3_t *D, const ksl_co
   const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1) + w_3;
   const double co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2) + w_4;
   const double co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0) + w_5;
-  const double w_0_size = fabs(w_0a) + fabs(w_0b) + fabs(w_0d);
-  const double w_1_size = fabs(w_1a) + fabs(w_1b) + fabs(w_1d);
-  const double w_2_size = fabs(w_2a) + fabs(w_2b) + fabs(w_2d);
-  const double w_3_size = fabs(w_3a) + fabs(w_3b);
-  const double w_4_size = fabs(w_4a) + fabs(w_4b);
-  const double w_5_size = fabs(w_5a) + fabs(w_5b);
+  const double w_0_size = fabs(w_0a) + fabs(w_0b) + fabs(w_0d),
+      w_1_size = fabs(w_1a) + fabs(w_1b) + fabs(w_1d),
+      w_2_size = fabs(w_2a) + fabs(w_2b) + fabs(w_2d), w_3_size = fabs(w_3a) + fabs(w_3b),
+      w_4_size = fabs(w_4a) + fabs(w_4b), w_5_size = fabs(w_5a) + fabs(w_5b);
   const double w_2_padded = w_2_size + 2.004168360008973e-292;
   const double D_13_abs = fabs(D->m13);
   const double w_1_padded = w_1_size + 2.004168360008973e-292;
@@ -1325,12 +1258,12 @@ static inline void ksl_constraint_cry_certified(const ksl_SE3_t *D, const ksl_co
   const double D_03_abs = fabs(D->m03),
       co_4_size = KSL_MUL(D_23_abs, w_0_padded) + KSL_MUL(D_03_abs, w_2_padded) + w_4_size;
   const double co_5_size = KSL_MUL(D_03_abs, w_1_padded) + KSL_MUL(D_13_abs, w_0_padded) + w_5_size;
-  const double w_0_bound = KSL_MUL(3.3306690738754706e-16, w_0_padded);
-  const double w_1_bound = KSL_MUL(3.3306690738754706e-16, w_1_padded);
-  const double w_2_bound = KSL_MUL(3.3306690738754706e-16, w_2_padded);
-  const double co_3_bound = KSL_MUL(6.661338147750942e-16, co_3_size + 2.004168360008973e-292);
-  const double co_4_bound = KSL_MUL(6.661338147750942e-16, co_4_size + 2.004168360008973e-292);
-  const double co_5_bound = KSL_MUL(6.661338147750942e-16, co_5_size + 2.004168360008973e-292);
+  const double w_0_bound = KSL_MUL(3.3306690738754706e-16, w_0_padded),
+      w_1_bound = KSL_MUL(3.3306690738754706e-16, w_1_padded),
+      w_2_bound = KSL_MUL(3.3306690738754706e-16, w_2_padded);
+  const double co_3_bound = KSL_MUL(6.661338147750942e-16, co_3_size + 2.004168360008973e-292),
+      co_4_bound = KSL_MUL(6.661338147750942e-16, co_4_size + 2.004168360008973e-292),
+      co_5_bound = KSL_MUL(6.661338147750942e-16, co_5_size + 2.004168360008973e-292);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1363,12 +1296,10 @@ static inline void ksl_constraint_crz_certified(const ksl_SE3_t *D, const ksl_co
   const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1) + w_3;
   const double co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2) + w_4;
   const double co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0) + w_5;
-  const double w_0_size = fabs(w_0a) + fabs(w_0b) + fabs(w_0d);
-  const double w_1_size = fabs(w_1a) + fabs(w_1b) + fabs(w_1d);
-  const double w_2_size = fabs(w_2a) + fabs(w_2b) + fabs(w_2d);
-  const double w_3_size = fabs(w_3a) + fabs(w_3b);
-  const double w_4_size = fabs(w_4a) + fabs(w_4b);
-  const double w_5_size = fabs(w_5a) + fabs(w_5b);
+  const double w_0_size = fabs(w_0a) + fabs(w_0b) + fabs(w_0d),
+      w_1_size = fabs(w_1a) + fabs(w_1b) + fabs(w_1d),
+      w_2_size = fabs(w_2a) + fabs(w_2b) + fabs(w_2d), w_3_size = fabs(w_3a) + fabs(w_3b),
+      w_4_size = fabs(w_4a) + fabs(w_4b), w_5_size = fabs(w_5a) + fabs(w_5b);
   const double w_2_padded = w_2_size + 2.004168360008973e-292;
   const double D_13_abs = fabs(D->m13);
   const double w_1_padded = w_1_size + 2.004168360008973e-292;
@@ -1378,12 +1309,12 @@ static inline void ksl_constraint_crz_certified(const ksl_SE3_t *D, const ksl_co
   const double D_03_abs = fabs(D->m03),
       co_4_size = KSL_MUL(D_23_abs, w_0_padded) + KSL_MUL(D_03_abs, w_2_padded) + w_4_size;
   const double co_5_size = KSL_MUL(D_03_abs, w_1_padded) + KSL_MUL(D_13_abs, w_0_padded) + w_5_size;
-  const double w_0_bound = KSL_MUL(3.3306690738754706e-16, w_0_padded);
-  const double w_1_bound = KSL_MUL(3.3306690738754706e-16, w_1_padded);
-  const double w_2_bound = KSL_MUL(3.3306690738754706e-16, w_2_padded);
-  const double co_3_bound = KSL_MUL(6.661338147750942e-16, co_3_size + 2.004168360008973e-292);
-  const double co_4_bound = KSL_MUL(6.661338147750942e-16, co_4_size + 2.004168360008973e-292);
-  const double co_5_bound = KSL_MUL(6.661338147750942e-16, co_5_size + 2.004168360008973e-292);
+  const double w_0_bound = KSL_MUL(3.3306690738754706e-16, w_0_padded),
+      w_1_bound = KSL_MUL(3.3306690738754706e-16, w_1_padded),
+      w_2_bound = KSL_MUL(3.3306690738754706e-16, w_2_padded);
+  const double co_3_bound = KSL_MUL(6.661338147750942e-16, co_3_size + 2.004168360008973e-292),
+      co_4_bound = KSL_MUL(6.661338147750942e-16, co_4_size + 2.004168360008973e-292),
+      co_5_bound = KSL_MUL(6.661338147750942e-16, co_5_size + 2.004168360008973e-292);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1404,9 +1335,8 @@ static inline void ksl_constraint_crz_certified(const ksl_SE3_t *D, const ksl_co
    21 mul, 12 add, 6 abs. */
 static inline void ksl_working_ctx_certified(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double w_0 = KSL_MUL(D->m00, c->m0);
-  const double w_1 = KSL_MUL(D->m10, c->m0);
-  const double w_2 = KSL_MUL(D->m20, c->m0);
+  const double w_0 = KSL_MUL(D->m00, c->m0), w_1 = KSL_MUL(D->m10, c->m0),
+      w_2 = KSL_MUL(D->m20, c->m0);
   const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1);
   const double co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2);
   const double co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0);
@@ -1419,12 +1349,12 @@ static inline void ksl_working_ctx_certified(const ksl_SE3_t *D, const ksl_coscr
   const double D_03_abs = fabs(D->m03),
       co_4_size = KSL_MUL(D_23_abs, w_0_padded) + KSL_MUL(D_03_abs, w_2_padded);
   const double co_5_size = KSL_MUL(D_03_abs, w_1_padded) + KSL_MUL(D_13_abs, w_0_padded);
-  const double w_0_bound = KSL_MUL(1.1102230246251568e-16, w_0_padded);
-  const double w_1_bound = KSL_MUL(1.1102230246251568e-16, w_1_padded);
-  const double w_2_bound = KSL_MUL(1.1102230246251568e-16, w_2_padded);
-  const double co_3_bound = KSL_MUL(3.3306690738754706e-16, co_3_size + 2.004168360008973e-292);
-  const double co_4_bound = KSL_MUL(3.3306690738754706e-16, co_4_size + 2.004168360008973e-292);
-  const double co_5_bound = KSL_MUL(3.3306690738754706e-16, co_5_size + 2.004168360008973e-292);
+  const double w_0_bound = KSL_MUL(1.1102230246251568e-16, w_0_padded),
+      w_1_bound = KSL_MUL(1.1102230246251568e-16, w_1_padded),
+      w_2_bound = KSL_MUL(1.1102230246251568e-16, w_2_padded);
+  const double co_3_bound = KSL_MUL(3.3306690738754706e-16, co_3_size + 2.004168360008973e-292),
+      co_4_bound = KSL_MUL(3.3306690738754706e-16, co_4_size + 2.004168360008973e-292),
+      co_5_bound = KSL_MUL(3.3306690738754706e-16, co_5_size + 2.004168360008973e-292);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1445,9 +1375,8 @@ static inline void ksl_working_ctx_certified(const ksl_SE3_t *D, const ksl_coscr
    21 mul, 12 add, 6 abs. */
 static inline void ksl_working_cty_certified(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double w_0 = KSL_MUL(D->m01, c->m1);
-  const double w_1 = KSL_MUL(D->m11, c->m1);
-  const double w_2 = KSL_MUL(D->m21, c->m1);
+  const double w_0 = KSL_MUL(D->m01, c->m1), w_1 = KSL_MUL(D->m11, c->m1),
+      w_2 = KSL_MUL(D->m21, c->m1);
   const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1);
   const double co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2);
   const double co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0);
@@ -1460,12 +1389,12 @@ static inline void ksl_working_cty_certified(const ksl_SE3_t *D, const ksl_coscr
   const double D_03_abs = fabs(D->m03),
       co_4_size = KSL_MUL(D_23_abs, w_0_padded) + KSL_MUL(D_03_abs, w_2_padded);
   const double co_5_size = KSL_MUL(D_03_abs, w_1_padded) + KSL_MUL(D_13_abs, w_0_padded);
-  const double w_0_bound = KSL_MUL(1.1102230246251568e-16, w_0_padded);
-  const double w_1_bound = KSL_MUL(1.1102230246251568e-16, w_1_padded);
-  const double w_2_bound = KSL_MUL(1.1102230246251568e-16, w_2_padded);
-  const double co_3_bound = KSL_MUL(3.3306690738754706e-16, co_3_size + 2.004168360008973e-292);
-  const double co_4_bound = KSL_MUL(3.3306690738754706e-16, co_4_size + 2.004168360008973e-292);
-  const double co_5_bound = KSL_MUL(3.3306690738754706e-16, co_5_size + 2.004168360008973e-292);
+  const double w_0_bound = KSL_MUL(1.1102230246251568e-16, w_0_padded),
+      w_1_bound = KSL_MUL(1.1102230246251568e-16, w_1_padded),
+      w_2_bound = KSL_MUL(1.1102230246251568e-16, w_2_padded);
+  const double co_3_bound = KSL_MUL(3.3306690738754706e-16, co_3_size + 2.004168360008973e-292),
+      co_4_bound = KSL_MUL(3.3306690738754706e-16, co_4_size + 2.004168360008973e-292),
+      co_5_bound = KSL_MUL(3.3306690738754706e-16, co_5_size + 2.004168360008973e-292);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1486,9 +1415,8 @@ static inline void ksl_working_cty_certified(const ksl_SE3_t *D, const ksl_coscr
    21 mul, 12 add, 6 abs. */
 static inline void ksl_working_ctz_certified(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double w_0 = KSL_MUL(D->m02, c->m2);
-  const double w_1 = KSL_MUL(D->m12, c->m2);
-  const double w_2 = KSL_MUL(D->m22, c->m2);
+  const double w_0 = KSL_MUL(D->m02, c->m2), w_1 = KSL_MUL(D->m12, c->m2),
+      w_2 = KSL_MUL(D->m22, c->m2);
   const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1);
   const double co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2);
   const double co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0);
@@ -1501,12 +1429,12 @@ static inline void ksl_working_ctz_certified(const ksl_SE3_t *D, const ksl_coscr
   const double D_03_abs = fabs(D->m03),
       co_4_size = KSL_MUL(D_23_abs, w_0_padded) + KSL_MUL(D_03_abs, w_2_padded);
   const double co_5_size = KSL_MUL(D_03_abs, w_1_padded) + KSL_MUL(D_13_abs, w_0_padded);
-  const double w_0_bound = KSL_MUL(1.1102230246251568e-16, w_0_padded);
-  const double w_1_bound = KSL_MUL(1.1102230246251568e-16, w_1_padded);
-  const double w_2_bound = KSL_MUL(1.1102230246251568e-16, w_2_padded);
-  const double co_3_bound = KSL_MUL(3.3306690738754706e-16, co_3_size + 2.004168360008973e-292);
-  const double co_4_bound = KSL_MUL(3.3306690738754706e-16, co_4_size + 2.004168360008973e-292);
-  const double co_5_bound = KSL_MUL(3.3306690738754706e-16, co_5_size + 2.004168360008973e-292);
+  const double w_0_bound = KSL_MUL(1.1102230246251568e-16, w_0_padded),
+      w_1_bound = KSL_MUL(1.1102230246251568e-16, w_1_padded),
+      w_2_bound = KSL_MUL(1.1102230246251568e-16, w_2_padded);
+  const double co_3_bound = KSL_MUL(3.3306690738754706e-16, co_3_size + 2.004168360008973e-292),
+      co_4_bound = KSL_MUL(3.3306690738754706e-16, co_4_size + 2.004168360008973e-292),
+      co_5_bound = KSL_MUL(3.3306690738754706e-16, co_5_size + 2.004168360008973e-292);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1527,12 +1455,11 @@ static inline void ksl_working_ctz_certified(const ksl_SE3_t *D, const ksl_coscr
    6 mul, 3 add, 3 abs. */
 static inline void ksl_working_crx_certified(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double w_3 = KSL_MUL(D->m00, c->m3);
-  const double w_4 = KSL_MUL(D->m10, c->m3);
-  const double w_5 = KSL_MUL(D->m20, c->m3);
-  const double w_3_bound = KSL_MUL(1.1102230246251568e-16, fabs(w_3) + 2.004168360008973e-292);
-  const double w_4_bound = KSL_MUL(1.1102230246251568e-16, fabs(w_4) + 2.004168360008973e-292);
-  const double w_5_bound = KSL_MUL(1.1102230246251568e-16, fabs(w_5) + 2.004168360008973e-292);
+  const double w_3 = KSL_MUL(D->m00, c->m3), w_4 = KSL_MUL(D->m10, c->m3),
+      w_5 = KSL_MUL(D->m20, c->m3);
+  const double w_3_bound = KSL_MUL(1.1102230246251568e-16, fabs(w_3) + 2.004168360008973e-292),
+      w_4_bound = KSL_MUL(1.1102230246251568e-16, fabs(w_4) + 2.004168360008973e-292),
+      w_5_bound = KSL_MUL(1.1102230246251568e-16, fabs(w_5) + 2.004168360008973e-292);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -1553,12 +1480,11 @@ static inline void ksl_working_crx_certified(const ksl_SE3_t *D, const ksl_coscr
    6 mul, 3 add, 3 abs. */
 static inline void ksl_working_cry_certified(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double w_3 = KSL_MUL(D->m01, c->m4);
-  const double w_4 = KSL_MUL(D->m11, c->m4);
-  const double w_5 = KSL_MUL(D->m21, c->m4);
-  const double w_3_bound = KSL_MUL(1.1102230246251568e-16, fabs(w_3) + 2.004168360008973e-292);
-  const double w_4_bound = KSL_MUL(1.1102230246251568e-16, fabs(w_4) + 2.004168360008973e-292);
-  const double w_5_bound = KSL_MUL(1.1102230246251568e-16, fabs(w_5) + 2.004168360008973e-292);
+  const double w_3 = KSL_MUL(D->m01, c->m4), w_4 = KSL_MUL(D->m11, c->m4),
+      w_5 = KSL_MUL(D->m21, c->m4);
+  const double w_3_bound = KSL_MUL(1.1102230246251568e-16, fabs(w_3) + 2.004168360008973e-292),
+      w_4_bound = KSL_MUL(1.1102230246251568e-16, fabs(w_4) + 2.004168360008973e-292),
+      w_5_bound = KSL_MUL(1.1102230246251568e-16, fabs(w_5) + 2.004168360008973e-292);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -1579,12 +1505,11 @@ static inline void ksl_working_cry_certified(const ksl_SE3_t *D, const ksl_coscr
    6 mul, 3 add, 3 abs. */
 static inline void ksl_working_crz_certified(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double w_3 = KSL_MUL(D->m02, c->m5);
-  const double w_4 = KSL_MUL(D->m12, c->m5);
-  const double w_5 = KSL_MUL(D->m22, c->m5);
-  const double w_3_bound = KSL_MUL(1.1102230246251568e-16, fabs(w_3) + 2.004168360008973e-292);
-  const double w_4_bound = KSL_MUL(1.1102230246251568e-16, fabs(w_4) + 2.004168360008973e-292);
-  const double w_5_bound = KSL_MUL(1.1102230246251568e-16, fabs(w_5) + 2.004168360008973e-292);
+  const double w_3 = KSL_MUL(D->m02, c->m5), w_4 = KSL_MUL(D->m12, c->m5),
+      w_5 = KSL_MUL(D->m22, c->m5);
+  const double w_3_bound = KSL_MUL(1.1102230246251568e-16, fabs(w_3) + 2.004168360008973e-292),
+      w_4_bound = KSL_MUL(1.1102230246251568e-16, fabs(w_4) + 2.004168360008973e-292),
+      w_5_bound = KSL_MUL(1.1102230246251568e-16, fabs(w_5) + 2.004168360008973e-292);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -1604,18 +1529,15 @@ static inline void ksl_working_crz_certified(const ksl_SE3_t *D, const ksl_coscr
    12 mul, 6 add, 6 abs. */
 static inline void ksl_coscrewf_scale_certified(ksl_coscrewf_t *self, const float a,
     ksl_coscrewf_t *self_bound) {
-  const float self_0_new = KSL_MULF(self->m0, a);
-  const float self_1_new = KSL_MULF(self->m1, a);
-  const float self_2_new = KSL_MULF(self->m2, a);
-  const float self_3_new = KSL_MULF(self->m3, a);
-  const float self_4_new = KSL_MULF(self->m4, a);
-  const float self_5_new = KSL_MULF(self->m5, a);
-  const float self_0_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_0_new) + 1.9721523e-31f);
-  const float self_1_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_1_new) + 1.9721523e-31f);
-  const float self_2_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_2_new) + 1.9721523e-31f);
-  const float self_3_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_3_new) + 1.9721523e-31f);
-  const float self_4_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_4_new) + 1.9721523e-31f);
-  const float self_5_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_5_new) + 1.9721523e-31f);
+  const float self_0_new = KSL_MULF(self->m0, a), self_1_new = KSL_MULF(self->m1, a),
+      self_2_new = KSL_MULF(self->m2, a), self_3_new = KSL_MULF(self->m3, a),
+      self_4_new = KSL_MULF(self->m4, a), self_5_new = KSL_MULF(self->m5, a);
+  const float self_0_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_0_new) + 1.9721523e-31f),
+      self_1_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_1_new) + 1.9721523e-31f),
+      self_2_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_2_new) + 1.9721523e-31f),
+      self_3_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_3_new) + 1.9721523e-31f),
+      self_4_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_4_new) + 1.9721523e-31f),
+      self_5_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_5_new) + 1.9721523e-31f);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -1641,18 +1563,18 @@ static inline void ksl_axpy_ccf_certified(const float a, const ksl_coscrewf_t *x
   const float y_3_new_a = KSL_MULF(a, x->m3), y_3_new = y_3_new_a + y->m3;
   const float y_4_new_a = KSL_MULF(a, x->m4), y_4_new = y_4_new_a + y->m4;
   const float y_5_new_a = KSL_MULF(a, x->m5), y_5_new = y_5_new_a + y->m5;
-  const float y_0_new_size = fabsf(y_0_new_a) + fabsf(y->m0);
-  const float y_1_new_size = fabsf(y_1_new_a) + fabsf(y->m1);
-  const float y_2_new_size = fabsf(y_2_new_a) + fabsf(y->m2);
-  const float y_3_new_size = fabsf(y_3_new_a) + fabsf(y->m3);
-  const float y_4_new_size = fabsf(y_4_new_a) + fabsf(y->m4);
-  const float y_5_new_size = fabsf(y_5_new_a) + fabsf(y->m5);
-  const float y_0_new_bound = KSL_MULF(1.192093e-07f, y_0_new_size + 1.9721523e-31f);
-  const float y_1_new_bound = KSL_MULF(1.192093e-07f, y_1_new_size + 1.9721523e-31f);
-  const float y_2_new_bound = KSL_MULF(1.192093e-07f, y_2_new_size + 1.9721523e-31f);
-  const float y_3_new_bound = KSL_MULF(1.192093e-07f, y_3_new_size + 1.9721523e-31f);
-  const float y_4_new_bound = KSL_MULF(1.192093e-07f, y_4_new_size + 1.9721523e-31f);
-  const float y_5_new_bound = KSL_MULF(1.192093e-07f, y_5_new_size + 1.9721523e-31f);
+  const float y_0_new_size = fabsf(y_0_new_a) + fabsf(y->m0),
+      y_1_new_size = fabsf(y_1_new_a) + fabsf(y->m1),
+      y_2_new_size = fabsf(y_2_new_a) + fabsf(y->m2),
+      y_3_new_size = fabsf(y_3_new_a) + fabsf(y->m3),
+      y_4_new_size = fabsf(y_4_new_a) + fabsf(y->m4),
+      y_5_new_size = fabsf(y_5_new_a) + fabsf(y->m5);
+  const float y_0_new_bound = KSL_MULF(1.192093e-07f, y_0_new_size + 1.9721523e-31f),
+      y_1_new_bound = KSL_MULF(1.192093e-07f, y_1_new_size + 1.9721523e-31f),
+      y_2_new_bound = KSL_MULF(1.192093e-07f, y_2_new_size + 1.9721523e-31f),
+      y_3_new_bound = KSL_MULF(1.192093e-07f, y_3_new_size + 1.9721523e-31f),
+      y_4_new_bound = KSL_MULF(1.192093e-07f, y_4_new_size + 1.9721523e-31f),
+      y_5_new_bound = KSL_MULF(1.192093e-07f, y_5_new_size + 1.9721523e-31f);
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -1672,18 +1594,14 @@ static inline void ksl_axpy_ccf_certified(const float a, const ksl_coscrewf_t *x
    6 mul, 6 add, 6 abs. */
 static inline void ksl_xpy_ccf_certified(const ksl_coscrewf_t *x, ksl_coscrewf_t *y,
     ksl_coscrewf_t *y_bound) {
-  const float y_0_new = x->m0 + y->m0;
-  const float y_1_new = x->m1 + y->m1;
-  const float y_2_new = x->m2 + y->m2;
-  const float y_3_new = x->m3 + y->m3;
-  const float y_4_new = x->m4 + y->m4;
-  const float y_5_new = x->m5 + y->m5;
-  const float y_0_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_0_new));
-  const float y_1_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_1_new));
-  const float y_2_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_2_new));
-  const float y_3_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_3_new));
-  const float y_4_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_4_new));
-  const float y_5_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_5_new));
+  const float y_0_new = x->m0 + y->m0, y_1_new = x->m1 + y->m1, y_2_new = x->m2 + y->m2,
+      y_3_new = x->m3 + y->m3, y_4_new = x->m4 + y->m4, y_5_new = x->m5 + y->m5;
+  const float y_0_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_0_new)),
+      y_1_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_1_new)),
+      y_2_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_2_new)),
+      y_3_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_3_new)),
+      y_4_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_4_new)),
+      y_5_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_5_new));
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -1703,18 +1621,14 @@ static inline void ksl_xpy_ccf_certified(const ksl_coscrewf_t *x, ksl_coscrewf_t
    6 mul, 6 add, 6 abs. */
 static inline void ksl_nxpy_ccf_certified(const ksl_coscrewf_t *x, ksl_coscrewf_t *y,
     ksl_coscrewf_t *y_bound) {
-  const float y_0_new = y->m0 - x->m0;
-  const float y_1_new = y->m1 - x->m1;
-  const float y_2_new = y->m2 - x->m2;
-  const float y_3_new = y->m3 - x->m3;
-  const float y_4_new = y->m4 - x->m4;
-  const float y_5_new = y->m5 - x->m5;
-  const float y_0_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_0_new));
-  const float y_1_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_1_new));
-  const float y_2_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_2_new));
-  const float y_3_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_3_new));
-  const float y_4_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_4_new));
-  const float y_5_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_5_new));
+  const float y_0_new = y->m0 - x->m0, y_1_new = y->m1 - x->m1, y_2_new = y->m2 - x->m2,
+      y_3_new = y->m3 - x->m3, y_4_new = y->m4 - x->m4, y_5_new = y->m5 - x->m5;
+  const float y_0_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_0_new)),
+      y_1_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_1_new)),
+      y_2_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_2_new)),
+      y_3_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_3_new)),
+      y_4_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_4_new)),
+      y_5_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_5_new));
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -1734,18 +1648,14 @@ static inline void ksl_nxpy_ccf_certified(const ksl_coscrewf_t *x, ksl_coscrewf_
    12 mul, 6 add, 6 abs. */
 static inline void ksl_product_acf_certified(const float a, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float co_0 = KSL_MULF(a, ci->m0);
-  const float co_1 = KSL_MULF(a, ci->m1);
-  const float co_2 = KSL_MULF(a, ci->m2);
-  const float co_3 = KSL_MULF(a, ci->m3);
-  const float co_4 = KSL_MULF(a, ci->m4);
-  const float co_5 = KSL_MULF(a, ci->m5);
-  const float co_0_bound = KSL_MULF(5.960465e-08f, fabsf(co_0) + 1.9721523e-31f);
-  const float co_1_bound = KSL_MULF(5.960465e-08f, fabsf(co_1) + 1.9721523e-31f);
-  const float co_2_bound = KSL_MULF(5.960465e-08f, fabsf(co_2) + 1.9721523e-31f);
-  const float co_3_bound = KSL_MULF(5.960465e-08f, fabsf(co_3) + 1.9721523e-31f);
-  const float co_4_bound = KSL_MULF(5.960465e-08f, fabsf(co_4) + 1.9721523e-31f);
-  const float co_5_bound = KSL_MULF(5.960465e-08f, fabsf(co_5) + 1.9721523e-31f);
+  const float co_0 = KSL_MULF(a, ci->m0), co_1 = KSL_MULF(a, ci->m1), co_2 = KSL_MULF(a, ci->m2),
+      co_3 = KSL_MULF(a, ci->m3), co_4 = KSL_MULF(a, ci->m4), co_5 = KSL_MULF(a, ci->m5);
+  const float co_0_bound = KSL_MULF(5.960465e-08f, fabsf(co_0) + 1.9721523e-31f),
+      co_1_bound = KSL_MULF(5.960465e-08f, fabsf(co_1) + 1.9721523e-31f),
+      co_2_bound = KSL_MULF(5.960465e-08f, fabsf(co_2) + 1.9721523e-31f),
+      co_3_bound = KSL_MULF(5.960465e-08f, fabsf(co_3) + 1.9721523e-31f),
+      co_4_bound = KSL_MULF(5.960465e-08f, fabsf(co_4) + 1.9721523e-31f),
+      co_5_bound = KSL_MULF(5.960465e-08f, fabsf(co_5) + 1.9721523e-31f);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1765,18 +1675,14 @@ static inline void ksl_product_acf_certified(const float a, const ksl_coscrewf_t
    6 mul, 6 add, 6 abs. */
 static inline void ksl_add_ccf_certified(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c2,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float co_0 = c1->m0 + c2->m0;
-  const float co_1 = c1->m1 + c2->m1;
-  const float co_2 = c1->m2 + c2->m2;
-  const float co_3 = c1->m3 + c2->m3;
-  const float co_4 = c1->m4 + c2->m4;
-  const float co_5 = c1->m5 + c2->m5;
-  const float co_0_bound = KSL_MULF(5.960465e-08f, fabsf(co_0));
-  const float co_1_bound = KSL_MULF(5.960465e-08f, fabsf(co_1));
-  const float co_2_bound = KSL_MULF(5.960465e-08f, fabsf(co_2));
-  const float co_3_bound = KSL_MULF(5.960465e-08f, fabsf(co_3));
-  const float co_4_bound = KSL_MULF(5.960465e-08f, fabsf(co_4));
-  const float co_5_bound = KSL_MULF(5.960465e-08f, fabsf(co_5));
+  const float co_0 = c1->m0 + c2->m0, co_1 = c1->m1 + c2->m1, co_2 = c1->m2 + c2->m2,
+      co_3 = c1->m3 + c2->m3, co_4 = c1->m4 + c2->m4, co_5 = c1->m5 + c2->m5;
+  const float co_0_bound = KSL_MULF(5.960465e-08f, fabsf(co_0)),
+      co_1_bound = KSL_MULF(5.960465e-08f, fabsf(co_1)),
+      co_2_bound = KSL_MULF(5.960465e-08f, fabsf(co_2)),
+      co_3_bound = KSL_MULF(5.960465e-08f, fabsf(co_3)),
+      co_4_bound = KSL_MULF(5.960465e-08f, fabsf(co_4)),
+      co_5_bound = KSL_MULF(5.960465e-08f, fabsf(co_5));
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1796,18 +1702,14 @@ static inline void ksl_add_ccf_certified(const ksl_coscrewf_t *c1, const ksl_cos
    6 mul, 6 add, 6 abs. */
 static inline void ksl_subtract_ccf_certified(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c2,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float co_0 = c1->m0 - c2->m0;
-  const float co_1 = c1->m1 - c2->m1;
-  const float co_2 = c1->m2 - c2->m2;
-  const float co_3 = c1->m3 - c2->m3;
-  const float co_4 = c1->m4 - c2->m4;
-  const float co_5 = c1->m5 - c2->m5;
-  const float co_0_bound = KSL_MULF(5.960465e-08f, fabsf(co_0));
-  const float co_1_bound = KSL_MULF(5.960465e-08f, fabsf(co_1));
-  const float co_2_bound = KSL_MULF(5.960465e-08f, fabsf(co_2));
-  const float co_3_bound = KSL_MULF(5.960465e-08f, fabsf(co_3));
-  const float co_4_bound = KSL_MULF(5.960465e-08f, fabsf(co_4));
-  const float co_5_bound = KSL_MULF(5.960465e-08f, fabsf(co_5));
+  const float co_0 = c1->m0 - c2->m0, co_1 = c1->m1 - c2->m1, co_2 = c1->m2 - c2->m2,
+      co_3 = c1->m3 - c2->m3, co_4 = c1->m4 - c2->m4, co_5 = c1->m5 - c2->m5;
+  const float co_0_bound = KSL_MULF(5.960465e-08f, fabsf(co_0)),
+      co_1_bound = KSL_MULF(5.960465e-08f, fabsf(co_1)),
+      co_2_bound = KSL_MULF(5.960465e-08f, fabsf(co_2)),
+      co_3_bound = KSL_MULF(5.960465e-08f, fabsf(co_3)),
+      co_4_bound = KSL_MULF(5.960465e-08f, fabsf(co_4)),
+      co_5_bound = KSL_MULF(5.960465e-08f, fabsf(co_5));
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1827,12 +1729,10 @@ static inline void ksl_subtract_ccf_certified(const ksl_coscrewf_t *c1, const ks
    3 mul, 3 add, 3 abs. */
 static inline void ksl_add_cctf_certified(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c2,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float co_0 = c1->m0 + c2->m0;
-  const float co_1 = c1->m1 + c2->m1;
-  const float co_2 = c1->m2 + c2->m2;
-  const float co_0_bound = KSL_MULF(5.960465e-08f, fabsf(co_0));
-  const float co_1_bound = KSL_MULF(5.960465e-08f, fabsf(co_1));
-  const float co_2_bound = KSL_MULF(5.960465e-08f, fabsf(co_2));
+  const float co_0 = c1->m0 + c2->m0, co_1 = c1->m1 + c2->m1, co_2 = c1->m2 + c2->m2;
+  const float co_0_bound = KSL_MULF(5.960465e-08f, fabsf(co_0)),
+      co_1_bound = KSL_MULF(5.960465e-08f, fabsf(co_1)),
+      co_2_bound = KSL_MULF(5.960465e-08f, fabsf(co_2));
   const float c1_m3 = c1->m3;
   const float c1_m4 = c1->m4;
   const float c1_m5 = c1->m5;
@@ -1861,12 +1761,12 @@ static inline void ksl_product_CoAdtcf_certified(const ksl_vec3f_t *t, const ksl
       co_4 = co_4a - co_4b + ci->m4;
   const float co_5a = KSL_MULF(t->x, ci->m1), co_5b = KSL_MULF(t->y, ci->m0),
       co_5 = co_5a - co_5b + ci->m5;
-  const float co_3_size = fabsf(co_3a) + fabsf(co_3b) + fabsf(ci->m3);
-  const float co_4_size = fabsf(co_4a) + fabsf(co_4b) + fabsf(ci->m4);
-  const float co_5_size = fabsf(co_5a) + fabsf(co_5b) + fabsf(ci->m5);
-  const float co_3_bound = KSL_MULF(1.7881396e-07f, co_3_size + 1.9721523e-31f);
-  const float co_4_bound = KSL_MULF(1.7881396e-07f, co_4_size + 1.9721523e-31f);
-  const float co_5_bound = KSL_MULF(1.7881396e-07f, co_5_size + 1.9721523e-31f);
+  const float co_3_size = fabsf(co_3a) + fabsf(co_3b) + fabsf(ci->m3),
+      co_4_size = fabsf(co_4a) + fabsf(co_4b) + fabsf(ci->m4),
+      co_5_size = fabsf(co_5a) + fabsf(co_5b) + fabsf(ci->m5);
+  const float co_3_bound = KSL_MULF(1.7881396e-07f, co_3_size + 1.9721523e-31f),
+      co_4_bound = KSL_MULF(1.7881396e-07f, co_4_size + 1.9721523e-31f),
+      co_5_bound = KSL_MULF(1.7881396e-07f, co_5_size + 1.9721523e-31f);
   const float ci_m0 = ci->m0;
   const float ci_m1 = ci->m1;
   const float ci_m2 = ci->m2;
@@ -1895,12 +1795,12 @@ static inline void ksl_product_CoAdtinvcf_certified(const ksl_vec3f_t *t,
       co_4 = co_4a - co_4b + ci->m4;
   const float co_5a = KSL_MULF(t->y, ci->m0), co_5b = KSL_MULF(t->x, ci->m1),
       co_5 = co_5a - co_5b + ci->m5;
-  const float co_3_size = fabsf(co_3a) + fabsf(co_3b) + fabsf(ci->m3);
-  const float co_4_size = fabsf(co_4a) + fabsf(co_4b) + fabsf(ci->m4);
-  const float co_5_size = fabsf(co_5a) + fabsf(co_5b) + fabsf(ci->m5);
-  const float co_3_bound = KSL_MULF(1.7881396e-07f, co_3_size + 1.9721523e-31f);
-  const float co_4_bound = KSL_MULF(1.7881396e-07f, co_4_size + 1.9721523e-31f);
-  const float co_5_bound = KSL_MULF(1.7881396e-07f, co_5_size + 1.9721523e-31f);
+  const float co_3_size = fabsf(co_3a) + fabsf(co_3b) + fabsf(ci->m3),
+      co_4_size = fabsf(co_4a) + fabsf(co_4b) + fabsf(ci->m4),
+      co_5_size = fabsf(co_5a) + fabsf(co_5b) + fabsf(ci->m5);
+  const float co_3_bound = KSL_MULF(1.7881396e-07f, co_3_size + 1.9721523e-31f),
+      co_4_bound = KSL_MULF(1.7881396e-07f, co_4_size + 1.9721523e-31f),
+      co_5_bound = KSL_MULF(1.7881396e-07f, co_5_size + 1.9721523e-31f);
   const float ci_m0 = ci->m0;
   const float ci_m1 = ci->m1;
   const float ci_m2 = ci->m2;
@@ -1923,21 +1823,19 @@ static inline void ksl_product_CoAdtinvcf_certified(const ksl_vec3f_t *t,
    9 mul, 15 add, 3 neg, 9 abs. */
 static inline void ksl_product_CoAdtcinvf_certified(const ksl_vec3f_t *t,
     const ksl_coscrewf_t *ci, ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float co_0 = -ci->m0;
-  const float co_1 = -ci->m1;
-  const float co_2 = -ci->m2;
+  const float co_0 = -ci->m0, co_1 = -ci->m1, co_2 = -ci->m2;
   const float co_3a = KSL_MULF(t->z, ci->m1), co_3b = KSL_MULF(t->y, ci->m2),
       co_3 = co_3a - co_3b - ci->m3;
   const float co_4a = KSL_MULF(t->x, ci->m2), co_4b = KSL_MULF(t->z, ci->m0),
       co_4 = co_4a - co_4b - ci->m4;
   const float co_5a = KSL_MULF(t->y, ci->m0), co_5b = KSL_MULF(t->x, ci->m1),
       co_5 = co_5a - co_5b - ci->m5;
-  const float co_3_size = fabsf(co_3a) + fabsf(co_3b) + fabsf(ci->m3);
-  const float co_4_size = fabsf(co_4a) + fabsf(co_4b) + fabsf(ci->m4);
-  const float co_5_size = fabsf(co_5a) + fabsf(co_5b) + fabsf(ci->m5);
-  const float co_3_bound = KSL_MULF(1.7881396e-07f, co_3_size + 1.9721523e-31f);
-  const float co_4_bound = KSL_MULF(1.7881396e-07f, co_4_size + 1.9721523e-31f);
-  const float co_5_bound = KSL_MULF(1.7881396e-07f, co_5_size + 1.9721523e-31f);
+  const float co_3_size = fabsf(co_3a) + fabsf(co_3b) + fabsf(ci->m3),
+      co_4_size = fabsf(co_4a) + fabsf(co_4b) + fabsf(ci->m4),
+      co_5_size = fabsf(co_5a) + fabsf(co_5b) + fabsf(ci->m5);
+  const float co_3_bound = KSL_MULF(1.7881396e-07f, co_3_size + 1.9721523e-31f),
+      co_4_bound = KSL_MULF(1.7881396e-07f, co_4_size + 1.9721523e-31f),
+      co_5_bound = KSL_MULF(1.7881396e-07f, co_5_size + 1.9721523e-31f);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1969,18 +1867,18 @@ static inline void ksl_product_CoAdrcf_certified(const ksl_mat3x3f_t *R, const k
       co_4d = KSL_MULF(R->m12, ci->m5), co_4 = co_4a + co_4b + co_4d;
   const float co_5a = KSL_MULF(R->m20, ci->m3), co_5b = KSL_MULF(R->m21, ci->m4),
       co_5d = KSL_MULF(R->m22, ci->m5), co_5 = co_5a + co_5b + co_5d;
-  const float co_0_size = fabsf(co_0a) + fabsf(co_0b) + fabsf(co_0d);
-  const float co_1_size = fabsf(co_1a) + fabsf(co_1b) + fabsf(co_1d);
-  const float co_2_size = fabsf(co_2a) + fabsf(co_2b) + fabsf(co_2d);
-  const float co_3_size = fabsf(co_3a) + fabsf(co_3b) + fabsf(co_3d);
-  const float co_4_size = fabsf(co_4a) + fabsf(co_4b) + fabsf(co_4d);
-  const float co_5_size = fabsf(co_5a) + fabsf(co_5b) + fabsf(co_5d);
-  const float co_0_bound = KSL_MULF(1.7881396e-07f, co_0_size + 1.9721523e-31f);
-  const float co_1_bound = KSL_MULF(1.7881396e-07f, co_1_size + 1.9721523e-31f);
-  const float co_2_bound = KSL_MULF(1.7881396e-07f, co_2_size + 1.9721523e-31f);
-  const float co_3_bound = KSL_MULF(1.7881396e-07f, co_3_size + 1.9721523e-31f);
-  const float co_4_bound = KSL_MULF(1.7881396e-07f, co_4_size + 1.9721523e-31f);
-  const float co_5_bound = KSL_MULF(1.7881396e-07f, co_5_size + 1.9721523e-31f);
+  const float co_0_size = fabsf(co_0a) + fabsf(co_0b) + fabsf(co_0d),
+      co_1_size = fabsf(co_1a) + fabsf(co_1b) + fabsf(co_1d),
+      co_2_size = fabsf(co_2a) + fabsf(co_2b) + fabsf(co_2d),
+      co_3_size = fabsf(co_3a) + fabsf(co_3b) + fabsf(co_3d),
+      co_4_size = fabsf(co_4a) + fabsf(co_4b) + fabsf(co_4d),
+      co_5_size = fabsf(co_5a) + fabsf(co_5b) + fabsf(co_5d);
+  const float co_0_bound = KSL_MULF(1.7881396e-07f, co_0_size + 1.9721523e-31f),
+      co_1_bound = KSL_MULF(1.7881396e-07f, co_1_size + 1.9721523e-31f),
+      co_2_bound = KSL_MULF(1.7881396e-07f, co_2_size + 1.9721523e-31f),
+      co_3_bound = KSL_MULF(1.7881396e-07f, co_3_size + 1.9721523e-31f),
+      co_4_bound = KSL_MULF(1.7881396e-07f, co_4_size + 1.9721523e-31f),
+      co_5_bound = KSL_MULF(1.7881396e-07f, co_5_size + 1.9721523e-31f);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -2012,18 +1910,18 @@ static inline void ksl_product_CoAdrinvcf_certified(const ksl_mat3x3f_t *R,
       co_4d = KSL_MULF(R->m21, ci->m5), co_4 = co_4a + co_4b + co_4d;
   const float co_5a = KSL_MULF(R->m02, ci->m3), co_5b = KSL_MULF(R->m12, ci->m4),
       co_5d = KSL_MULF(R->m22, ci->m5), co_5 = co_5a + co_5b + co_5d;
-  const float co_0_size = fabsf(co_0a) + fabsf(co_0b) + fabsf(co_0d);
-  const float co_1_size = fabsf(co_1a) + fabsf(co_1b) + fabsf(co_1d);
-  const float co_2_size = fabsf(co_2a) + fabsf(co_2b) + fabsf(co_2d);
-  const float co_3_size = fabsf(co_3a) + fabsf(co_3b) + fabsf(co_3d);
-  const float co_4_size = fabsf(co_4a) + fabsf(co_4b) + fabsf(co_4d);
-  const float co_5_size = fabsf(co_5a) + fabsf(co_5b) + fabsf(co_5d);
-  const float co_0_bound = KSL_MULF(1.7881396e-07f, co_0_size + 1.9721523e-31f);
-  const float co_1_bound = KSL_MULF(1.7881396e-07f, co_1_size + 1.9721523e-31f);
-  const float co_2_bound = KSL_MULF(1.7881396e-07f, co_2_size + 1.9721523e-31f);
-  const float co_3_bound = KSL_MULF(1.7881396e-07f, co_3_size + 1.9721523e-31f);
-  const float co_4_bound = KSL_MULF(1.7881396e-07f, co_4_size + 1.9721523e-31f);
-  const float co_5_bound = KSL_MULF(1.7881396e-07f, co_5_size + 1.9721523e-31f);
+  const float co_0_size = fabsf(co_0a) + fabsf(co_0b) + fabsf(co_0d),
+      co_1_size = fabsf(co_1a) + fabsf(co_1b) + fabsf(co_1d),
+      co_2_size = fabsf(co_2a) + fabsf(co_2b) + fabsf(co_2d),
+      co_3_size = fabsf(co_3a) + fabsf(co_3b) + fabsf(co_3d),
+      co_4_size = fabsf(co_4a) + fabsf(co_4b) + fabsf(co_4d),
+      co_5_size = fabsf(co_5a) + fabsf(co_5b) + fabsf(co_5d);
+  const float co_0_bound = KSL_MULF(1.7881396e-07f, co_0_size + 1.9721523e-31f),
+      co_1_bound = KSL_MULF(1.7881396e-07f, co_1_size + 1.9721523e-31f),
+      co_2_bound = KSL_MULF(1.7881396e-07f, co_2_size + 1.9721523e-31f),
+      co_3_bound = KSL_MULF(1.7881396e-07f, co_3_size + 1.9721523e-31f),
+      co_4_bound = KSL_MULF(1.7881396e-07f, co_4_size + 1.9721523e-31f),
+      co_5_bound = KSL_MULF(1.7881396e-07f, co_5_size + 1.9721523e-31f);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -2101,12 +1999,12 @@ static inline void ksl_product_CoAdcf_certified(const ksl_SE3f_t *D, const ksl_c
   const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1) + w_3;
   const float co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2) + w_4;
   const float co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0) + w_5;
-  const float w_0_size = fabsf(w_0a) + fabsf(w_0b) + fabsf(w_0d);
-  const float w_1_size = fabsf(w_1a) + fabsf(w_1b) + fabsf(w_1d);
-  const float w_2_size = fabsf(w_2a) + fabsf(w_2b) + fabsf(w_2d);
-  const float w_3_size = fabsf(w_3a) + fabsf(w_3b) + fabsf(w_3d);
-  const float w_4_size = fabsf(w_4a) + fabsf(w_4b) + fabsf(w_4d);
-  const float w_5_size = fabsf(w_5a) + fabsf(w_5b) + fabsf(w_5d);
+  const float w_0_size = fabsf(w_0a) + fabsf(w_0b) + fabsf(w_0d),
+      w_1_size = fabsf(w_1a) + fabsf(w_1b) + fabsf(w_1d),
+      w_2_size = fabsf(w_2a) + fabsf(w_2b) + fabsf(w_2d),
+      w_3_size = fabsf(w_3a) + fabsf(w_3b) + fabsf(w_3d),
+      w_4_size = fabsf(w_4a) + fabsf(w_4b) + fabsf(w_4d),
+      w_5_size = fabsf(w_5a) + fabsf(w_5b) + fabsf(w_5d);
   const float w_2_padded = w_2_size + 1.9721523e-31f;
   const float D_13_abs = fabsf(D->m13);
   const float w_1_padded = w_1_size + 1.9721523e-31f;
@@ -2117,12 +2015,12 @@ static inline void ksl_product_CoAdcf_certified(const ksl_SE3f_t *D, const ksl_c
       co_4_size = KSL_MULF(D_23_abs, w_0_padded) + KSL_MULF(D_03_abs, w_2_padded) + w_4_size;
   const float co_5_size = KSL_MULF(D_03_abs, w_1_padded) + KSL_MULF(D_13_abs, w_0_padded)
           + w_5_size;
-  const float w_0_bound = KSL_MULF(1.7881396e-07f, w_0_padded);
-  const float w_1_bound = KSL_MULF(1.7881396e-07f, w_1_padded);
-  const float w_2_bound = KSL_MULF(1.7881396e-07f, w_2_padded);
-  const float co_3_bound = KSL_MULF(3.5762795e-07f, co_3_size + 1.9721523e-31f);
-  const float co_4_bound = KSL_MULF(3.5762795e-07f, co_4_size + 1.9721523e-31f);
-  const float co_5_bound = KSL_MULF(3.5762795e-07f, co_5_size + 1.9721523e-31f);
+  const float w_0_bound = KSL_MULF(1.7881396e-07f, w_0_padded),
+      w_1_bound = KSL_MULF(1.7881396e-07f, w_1_padded),
+      w_2_bound = KSL_MULF(1.7881396e-07f, w_2_padded);
+  const float co_3_bound = KSL_MULF(3.5762795e-07f, co_3_size + 1.9721523e-31f),
+      co_4_bound = KSL_MULF(3.5762795e-07f, co_4_size + 1.9721523e-31f),
+      co_5_bound = KSL_MULF(3.5762795e-07f, co_5_size + 1.9721523e-31f);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2155,28 +2053,28 @@ static inline void ksl_product_CoAdinvcf_certified(const ksl_SE3f_t *D, const ks
   const float co_2a = KSL_MULF(D->m02, ci->m0), co_2b = KSL_MULF(D->m12, ci->m1),
       co_2d = KSL_MULF(D->m22, ci->m2), co_2 = co_2a + co_2b + co_2d;
   const float co_3 = KSL_MULF(D->m00, w_3) + KSL_MULF(D->m10, w_4) + KSL_MULF(D->m20, w_5);
-  const float co_4 = KSL_MULF(D->m01, w_3) + KSL_MULF(D->m11, w_4) + KSL_MULF(D->m21, w_5);
-  const float co_5 = KSL_MULF(D->m02, w_3) + KSL_MULF(D->m12, w_4) + KSL_MULF(D->m22, w_5);
-  const float w_3_size = fabsf(w_3a) + fabsf(w_3b) + fabsf(ci->m3);
-  const float w_4_size = fabsf(w_4a) + fabsf(w_4b) + fabsf(ci->m4);
-  const float w_5_size = fabsf(w_5a) + fabsf(w_5b) + fabsf(ci->m5);
-  const float co_0_size = fabsf(co_0a) + fabsf(co_0b) + fabsf(co_0d);
-  const float co_1_size = fabsf(co_1a) + fabsf(co_1b) + fabsf(co_1d);
-  const float co_2_size = fabsf(co_2a) + fabsf(co_2b) + fabsf(co_2d);
+  const float co_4 = KSL_MULF(D->m01, w_3) + KSL_MULF(D->m11, w_4) + KSL_MULF(D->m21, w_5),
+      co_5 = KSL_MULF(D->m02, w_3) + KSL_MULF(D->m12, w_4) + KSL_MULF(D->m22, w_5);
+  const float w_3_size = fabsf(w_3a) + fabsf(w_3b) + fabsf(ci->m3),
+      w_4_size = fabsf(w_4a) + fabsf(w_4b) + fabsf(ci->m4),
+      w_5_size = fabsf(w_5a) + fabsf(w_5b) + fabsf(ci->m5);
+  const float co_0_size = fabsf(co_0a) + fabsf(co_0b) + fabsf(co_0d),
+      co_1_size = fabsf(co_1a) + fabsf(co_1b) + fabsf(co_1d),
+      co_2_size = fabsf(co_2a) + fabsf(co_2b) + fabsf(co_2d);
   const float w_3_padded = w_3_size + 1.9721523e-31f, w_4_padded = w_4_size + 1.9721523e-31f,
       w_5_padded = w_5_size + 1.9721523e-31f;
   const float co_3_size = KSL_MULF(fabsf(D->m00), w_3_padded) + KSL_MULF(fabsf(D->m10), w_4_padded)
-          + KSL_MULF(fabsf(D->m20), w_5_padded);
-  const float co_4_size = KSL_MULF(fabsf(D->m01), w_3_padded) + KSL_MULF(fabsf(D->m11), w_4_padded)
-          + KSL_MULF(fabsf(D->m21), w_5_padded);
-  const float co_5_size = KSL_MULF(fabsf(D->m02), w_3_padded) + KSL_MULF(fabsf(D->m12), w_4_padded)
+          + KSL_MULF(fabsf(D->m20), w_5_padded),
+      co_4_size = KSL_MULF(fabsf(D->m01), w_3_padded) + KSL_MULF(fabsf(D->m11), w_4_padded)
+          + KSL_MULF(fabsf(D->m21), w_5_padded),
+      co_5_size = KSL_MULF(fabsf(D->m02), w_3_padded) + KSL_MULF(fabsf(D->m12), w_4_padded)
           + KSL_MULF(fabsf(D->m22), w_5_padded);
-  const float co_0_bound = KSL_MULF(1.7881396e-07f, co_0_size + 1.9721523e-31f);
-  const float co_1_bound = KSL_MULF(1.7881396e-07f, co_1_size + 1.9721523e-31f);
-  const float co_2_bound = KSL_MULF(1.7881396e-07f, co_2_size + 1.9721523e-31f);
-  const float co_3_bound = KSL_MULF(3.5762795e-07f, co_3_size + 1.9721523e-31f);
-  const float co_4_bound = KSL_MULF(3.5762795e-07f, co_4_size + 1.9721523e-31f);
-  const float co_5_bound = KSL_MULF(3.5762795e-07f, co_5_size + 1.9721523e-31f);
+  const float co_0_bound = KSL_MULF(1.7881396e-07f, co_0_size + 1.9721523e-31f),
+      co_1_bound = KSL_MULF(1.7881396e-07f, co_1_size + 1.9721523e-31f),
+      co_2_bound = KSL_MULF(1.7881396e-07f, co_2_size + 1.9721523e-31f),
+      co_3_bound = KSL_MULF(3.5762795e-07f, co_3_size + 1.9721523e-31f),
+      co_4_bound = KSL_MULF(3.5762795e-07f, co_4_size + 1.9721523e-31f),
+      co_5_bound = KSL_MULF(3.5762795e-07f, co_5_size + 1.9721523e-31f);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -2226,9 +2124,9 @@ static inline void ksl_product_CoAdcinvf_certified(const ksl_SE3f_t *D, const ks
   const float w_0e_bound = KSL_MULF(1.7881396e-07f, w_0e_padded);
   const float w_1e_bound = KSL_MULF(1.7881396e-07f, w_1e_padded);
   const float w_2e_bound = KSL_MULF(1.7881396e-07f, w_2e_padded);
-  const float co_3_bound = KSL_MULF(3.5762795e-07f, co_3_size + 1.9721523e-31f);
-  const float co_4_bound = KSL_MULF(3.5762795e-07f, co_4_size + 1.9721523e-31f);
-  const float co_5_bound = KSL_MULF(3.5762795e-07f, co_5_size + 1.9721523e-31f);
+  const float co_3_bound = KSL_MULF(3.5762795e-07f, co_3_size + 1.9721523e-31f),
+      co_4_bound = KSL_MULF(3.5762795e-07f, co_4_size + 1.9721523e-31f),
+      co_5_bound = KSL_MULF(3.5762795e-07f, co_5_size + 1.9721523e-31f);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2254,12 +2152,11 @@ static inline void ksl_hctxf_certified(const ksl_SE3f_t *D, ksl_coscrewf_t *co,
       co_4 = co_4a - co_4b;
   const float co_5a = KSL_MULF(D->m10, D->m03), co_5b = KSL_MULF(D->m00, D->m13),
       co_5 = co_5a - co_5b;
-  const float co_3_size = fabsf(co_3a) + fabsf(co_3b);
-  const float co_4_size = fabsf(co_4a) + fabsf(co_4b);
-  const float co_5_size = fabsf(co_5a) + fabsf(co_5b);
-  const float co_3_bound = KSL_MULF(1.192093e-07f, co_3_size + 1.9721523e-31f);
-  const float co_4_bound = KSL_MULF(1.192093e-07f, co_4_size + 1.9721523e-31f);
-  const float co_5_bound = KSL_MULF(1.192093e-07f, co_5_size + 1.9721523e-31f);
+  const float co_3_size = fabsf(co_3a) + fabsf(co_3b), co_4_size = fabsf(co_4a) + fabsf(co_4b),
+      co_5_size = fabsf(co_5a) + fabsf(co_5b);
+  const float co_3_bound = KSL_MULF(1.192093e-07f, co_3_size + 1.9721523e-31f),
+      co_4_bound = KSL_MULF(1.192093e-07f, co_4_size + 1.9721523e-31f),
+      co_5_bound = KSL_MULF(1.192093e-07f, co_5_size + 1.9721523e-31f);
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;
@@ -2288,12 +2185,11 @@ static inline void ksl_hctyf_certified(const ksl_SE3f_t *D, ksl_coscrewf_t *co,
       co_4 = co_4a - co_4b;
   const float co_5a = KSL_MULF(D->m11, D->m03), co_5b = KSL_MULF(D->m01, D->m13),
       co_5 = co_5a - co_5b;
-  const float co_3_size = fabsf(co_3a) + fabsf(co_3b);
-  const float co_4_size = fabsf(co_4a) + fabsf(co_4b);
-  const float co_5_size = fabsf(co_5a) + fabsf(co_5b);
-  const float co_3_bound = KSL_MULF(1.192093e-07f, co_3_size + 1.9721523e-31f);
-  const float co_4_bound = KSL_MULF(1.192093e-07f, co_4_size + 1.9721523e-31f);
-  const float co_5_bound = KSL_MULF(1.192093e-07f, co_5_size + 1.9721523e-31f);
+  const float co_3_size = fabsf(co_3a) + fabsf(co_3b), co_4_size = fabsf(co_4a) + fabsf(co_4b),
+      co_5_size = fabsf(co_5a) + fabsf(co_5b);
+  const float co_3_bound = KSL_MULF(1.192093e-07f, co_3_size + 1.9721523e-31f),
+      co_4_bound = KSL_MULF(1.192093e-07f, co_4_size + 1.9721523e-31f),
+      co_5_bound = KSL_MULF(1.192093e-07f, co_5_size + 1.9721523e-31f);
   const float D_m01 = D->m01;
   const float D_m11 = D->m11;
   const float D_m21 = D->m21;
@@ -2322,12 +2218,11 @@ static inline void ksl_hctzf_certified(const ksl_SE3f_t *D, ksl_coscrewf_t *co,
       co_4 = co_4a - co_4b;
   const float co_5a = KSL_MULF(D->m12, D->m03), co_5b = KSL_MULF(D->m02, D->m13),
       co_5 = co_5a - co_5b;
-  const float co_3_size = fabsf(co_3a) + fabsf(co_3b);
-  const float co_4_size = fabsf(co_4a) + fabsf(co_4b);
-  const float co_5_size = fabsf(co_5a) + fabsf(co_5b);
-  const float co_3_bound = KSL_MULF(1.192093e-07f, co_3_size + 1.9721523e-31f);
-  const float co_4_bound = KSL_MULF(1.192093e-07f, co_4_size + 1.9721523e-31f);
-  const float co_5_bound = KSL_MULF(1.192093e-07f, co_5_size + 1.9721523e-31f);
+  const float co_3_size = fabsf(co_3a) + fabsf(co_3b), co_4_size = fabsf(co_4a) + fabsf(co_4b),
+      co_5_size = fabsf(co_5a) + fabsf(co_5b);
+  const float co_3_bound = KSL_MULF(1.192093e-07f, co_3_size + 1.9721523e-31f),
+      co_4_bound = KSL_MULF(1.192093e-07f, co_4_size + 1.9721523e-31f),
+      co_5_bound = KSL_MULF(1.192093e-07f, co_5_size + 1.9721523e-31f);
   const float D_m02 = D->m02;
   const float D_m12 = D->m12;
   const float D_m22 = D->m22;
@@ -2350,21 +2245,18 @@ static inline void ksl_hctzf_certified(const ksl_SE3f_t *D, ksl_coscrewf_t *co,
    9 mul, 9 add, 3 neg, 6 abs. */
 static inline void ksl_hctxinvf_certified(const ksl_SE3f_t *D, ksl_coscrewf_t *co,
     ksl_coscrewf_t *co_bound) {
-  const float co_0 = -D->m00;
-  const float co_1 = -D->m10;
-  const float co_2 = -D->m20;
+  const float co_0 = -D->m00, co_1 = -D->m10, co_2 = -D->m20;
   const float co_3a = KSL_MULF(D->m10, D->m23), co_3b = KSL_MULF(D->m20, D->m13),
       co_3 = co_3a - co_3b;
   const float co_4a = KSL_MULF(D->m20, D->m03), co_4b = KSL_MULF(D->m00, D->m23),
       co_4 = co_4a - co_4b;
   const float co_5a = KSL_MULF(D->m00, D->m13), co_5b = KSL_MULF(D->m10, D->m03),
       co_5 = co_5a - co_5b;
-  const float co_3_size = fabsf(co_3a) + fabsf(co_3b);
-  const float co_4_size = fabsf(co_4a) + fabsf(co_4b);
-  const float co_5_size = fabsf(co_5a) + fabsf(co_5b);
-  const float co_3_bound = KSL_MULF(1.192093e-07f, co_3_size + 1.9721523e-31f);
-  const float co_4_bound = KSL_MULF(1.192093e-07f, co_4_size + 1.9721523e-31f);
-  const float co_5_bound = KSL_MULF(1.192093e-07f, co_5_size + 1.9721523e-31f);
+  const float co_3_size = fabsf(co_3a) + fabsf(co_3b), co_4_size = fabsf(co_4a) + fabsf(co_4b),
+      co_5_size = fabsf(co_5a) + fabsf(co_5b);
+  const float co_3_bound = KSL_MULF(1.192093e-07f, co_3_size + 1.9721523e-31f),
+      co_4_bound = KSL_MULF(1.192093e-07f, co_4_size + 1.9721523e-31f),
+      co_5_bound = KSL_MULF(1.192093e-07f, co_5_size + 1.9721523e-31f);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -2384,21 +2276,18 @@ static inline void ksl_hctxinvf_certified(const ksl_SE3f_t *D, ksl_coscrewf_t *c
    9 mul, 9 add, 3 neg, 6 abs. */
 static inline void ksl_hctyinvf_certified(const ksl_SE3f_t *D, ksl_coscrewf_t *co,
     ksl_coscrewf_t *co_bound) {
-  const float co_0 = -D->m01;
-  const float co_1 = -D->m11;
-  const float co_2 = -D->m21;
+  const float co_0 = -D->m01, co_1 = -D->m11, co_2 = -D->m21;
   const float co_3a = KSL_MULF(D->m11, D->m23), co_3b = KSL_MULF(D->m21, D->m13),
       co_3 = co_3a - co_3b;
   const float co_4a = KSL_MULF(D->m21, D->m03), co_4b = KSL_MULF(D->m01, D->m23),
       co_4 = co_4a - co_4b;
   const float co_5a = KSL_MULF(D->m01, D->m13), co_5b = KSL_MULF(D->m11, D->m03),
       co_5 = co_5a - co_5b;
-  const float co_3_size = fabsf(co_3a) + fabsf(co_3b);
-  const float co_4_size = fabsf(co_4a) + fabsf(co_4b);
-  const float co_5_size = fabsf(co_5a) + fabsf(co_5b);
-  const float co_3_bound = KSL_MULF(1.192093e-07f, co_3_size + 1.9721523e-31f);
-  const float co_4_bound = KSL_MULF(1.192093e-07f, co_4_size + 1.9721523e-31f);
-  const float co_5_bound = KSL_MULF(1.192093e-07f, co_5_size + 1.9721523e-31f);
+  const float co_3_size = fabsf(co_3a) + fabsf(co_3b), co_4_size = fabsf(co_4a) + fabsf(co_4b),
+      co_5_size = fabsf(co_5a) + fabsf(co_5b);
+  const float co_3_bound = KSL_MULF(1.192093e-07f, co_3_size + 1.9721523e-31f),
+      co_4_bound = KSL_MULF(1.192093e-07f, co_4_size + 1.9721523e-31f),
+      co_5_bound = KSL_MULF(1.192093e-07f, co_5_size + 1.9721523e-31f);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -2418,21 +2307,18 @@ static inline void ksl_hctyinvf_certified(const ksl_SE3f_t *D, ksl_coscrewf_t *c
    9 mul, 9 add, 3 neg, 6 abs. */
 static inline void ksl_hctzinvf_certified(const ksl_SE3f_t *D, ksl_coscrewf_t *co,
     ksl_coscrewf_t *co_bound) {
-  const float co_0 = -D->m02;
-  const float co_1 = -D->m12;
-  const float co_2 = -D->m22;
+  const float co_0 = -D->m02, co_1 = -D->m12, co_2 = -D->m22;
   const float co_3a = KSL_MULF(D->m12, D->m23), co_3b = KSL_MULF(D->m22, D->m13),
       co_3 = co_3a - co_3b;
   const float co_4a = KSL_MULF(D->m22, D->m03), co_4b = KSL_MULF(D->m02, D->m23),
       co_4 = co_4a - co_4b;
   const float co_5a = KSL_MULF(D->m02, D->m13), co_5b = KSL_MULF(D->m12, D->m03),
       co_5 = co_5a - co_5b;
-  const float co_3_size = fabsf(co_3a) + fabsf(co_3b);
-  const float co_4_size = fabsf(co_4a) + fabsf(co_4b);
-  const float co_5_size = fabsf(co_5a) + fabsf(co_5b);
-  const float co_3_bound = KSL_MULF(1.192093e-07f, co_3_size + 1.9721523e-31f);
-  const float co_4_bound = KSL_MULF(1.192093e-07f, co_4_size + 1.9721523e-31f);
-  const float co_5_bound = KSL_MULF(1.192093e-07f, co_5_size + 1.9721523e-31f);
+  const float co_3_size = fabsf(co_3a) + fabsf(co_3b), co_4_size = fabsf(co_4a) + fabsf(co_4b),
+      co_5_size = fabsf(co_5a) + fabsf(co_5b);
+  const float co_3_bound = KSL_MULF(1.192093e-07f, co_3_size + 1.9721523e-31f),
+      co_4_bound = KSL_MULF(1.192093e-07f, co_4_size + 1.9721523e-31f),
+      co_5_bound = KSL_MULF(1.192093e-07f, co_5_size + 1.9721523e-31f);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -2470,24 +2356,20 @@ static inline void ksl_CoAdf_certified(const ksl_SE3f_t *D, ksl_mat6x6f_t *M,
       M_51 = M_51a - M_51b;
   const float M_52a = KSL_MULF(D->m12, D->m03), M_52b = KSL_MULF(D->m02, D->m13),
       M_52 = M_52a - M_52b;
-  const float M_30_size = fabsf(M_30a) + fabsf(M_30b);
-  const float M_31_size = fabsf(M_31a) + fabsf(M_31b);
-  const float M_32_size = fabsf(M_32a) + fabsf(M_32b);
-  const float M_40_size = fabsf(M_40a) + fabsf(M_40b);
-  const float M_41_size = fabsf(M_41a) + fabsf(M_41b);
-  const float M_42_size = fabsf(M_42a) + fabsf(M_42b);
-  const float M_50_size = fabsf(M_50a) + fabsf(M_50b);
-  const float M_51_size = fabsf(M_51a) + fabsf(M_51b);
-  const float M_52_size = fabsf(M_52a) + fabsf(M_52b);
-  const float M_30_bound = KSL_MULF(1.192093e-07f, M_30_size + 1.9721523e-31f);
-  const float M_31_bound = KSL_MULF(1.192093e-07f, M_31_size + 1.9721523e-31f);
-  const float M_32_bound = KSL_MULF(1.192093e-07f, M_32_size + 1.9721523e-31f);
-  const float M_40_bound = KSL_MULF(1.192093e-07f, M_40_size + 1.9721523e-31f);
-  const float M_41_bound = KSL_MULF(1.192093e-07f, M_41_size + 1.9721523e-31f);
-  const float M_42_bound = KSL_MULF(1.192093e-07f, M_42_size + 1.9721523e-31f);
-  const float M_50_bound = KSL_MULF(1.192093e-07f, M_50_size + 1.9721523e-31f);
-  const float M_51_bound = KSL_MULF(1.192093e-07f, M_51_size + 1.9721523e-31f);
-  const float M_52_bound = KSL_MULF(1.192093e-07f, M_52_size + 1.9721523e-31f);
+  const float M_30_size = fabsf(M_30a) + fabsf(M_30b), M_31_size = fabsf(M_31a) + fabsf(M_31b),
+      M_32_size = fabsf(M_32a) + fabsf(M_32b), M_40_size = fabsf(M_40a) + fabsf(M_40b),
+      M_41_size = fabsf(M_41a) + fabsf(M_41b), M_42_size = fabsf(M_42a) + fabsf(M_42b),
+      M_50_size = fabsf(M_50a) + fabsf(M_50b), M_51_size = fabsf(M_51a) + fabsf(M_51b),
+      M_52_size = fabsf(M_52a) + fabsf(M_52b);
+  const float M_30_bound = KSL_MULF(1.192093e-07f, M_30_size + 1.9721523e-31f),
+      M_31_bound = KSL_MULF(1.192093e-07f, M_31_size + 1.9721523e-31f),
+      M_32_bound = KSL_MULF(1.192093e-07f, M_32_size + 1.9721523e-31f),
+      M_40_bound = KSL_MULF(1.192093e-07f, M_40_size + 1.9721523e-31f),
+      M_41_bound = KSL_MULF(1.192093e-07f, M_41_size + 1.9721523e-31f),
+      M_42_bound = KSL_MULF(1.192093e-07f, M_42_size + 1.9721523e-31f),
+      M_50_bound = KSL_MULF(1.192093e-07f, M_50_size + 1.9721523e-31f),
+      M_51_bound = KSL_MULF(1.192093e-07f, M_51_size + 1.9721523e-31f),
+      M_52_bound = KSL_MULF(1.192093e-07f, M_52_size + 1.9721523e-31f);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -2606,18 +2488,17 @@ static inline void ksl_cross_scf_certified(const ksl_screwf_t *s, const ksl_cosc
   const float co_5a = KSL_MULF(s->m0, c->m1), co_5b = KSL_MULF(s->m1, c->m0),
       co_5d = KSL_MULF(s->m3, c->m4), co_5e = KSL_MULF(s->m4, c->m3),
       co_5 = co_5a - co_5b + (co_5d - co_5e);
-  const float co_0_size = fabsf(co_0a) + fabsf(co_0b);
-  const float co_1_size = fabsf(co_1a) + fabsf(co_1b);
-  const float co_2_size = fabsf(co_2a) + fabsf(co_2b);
-  const float co_3_size = fabsf(co_3a) + fabsf(co_3b) + (fabsf(co_3d) + fabsf(co_3e));
-  const float co_4_size = fabsf(co_4a) + fabsf(co_4b) + (fabsf(co_4d) + fabsf(co_4e));
-  const float co_5_size = fabsf(co_5a) + fabsf(co_5b) + (fabsf(co_5d) + fabsf(co_5e));
-  const float co_0_bound = KSL_MULF(1.192093e-07f, co_0_size + 1.9721523e-31f);
-  const float co_1_bound = KSL_MULF(1.192093e-07f, co_1_size + 1.9721523e-31f);
-  const float co_2_bound = KSL_MULF(1.192093e-07f, co_2_size + 1.9721523e-31f);
-  const float co_3_bound = KSL_MULF(1.7881396e-07f, co_3_size + 1.9721523e-31f);
-  const float co_4_bound = KSL_MULF(1.7881396e-07f, co_4_size + 1.9721523e-31f);
-  const float co_5_bound = KSL_MULF(1.7881396e-07f, co_5_size + 1.9721523e-31f);
+  const float co_0_size = fabsf(co_0a) + fabsf(co_0b), co_1_size = fabsf(co_1a) + fabsf(co_1b),
+      co_2_size = fabsf(co_2a) + fabsf(co_2b),
+      co_3_size = fabsf(co_3a) + fabsf(co_3b) + (fabsf(co_3d) + fabsf(co_3e)),
+      co_4_size = fabsf(co_4a) + fabsf(co_4b) + (fabsf(co_4d) + fabsf(co_4e)),
+      co_5_size = fabsf(co_5a) + fabsf(co_5b) + (fabsf(co_5d) + fabsf(co_5e));
+  const float co_0_bound = KSL_MULF(1.192093e-07f, co_0_size + 1.9721523e-31f),
+      co_1_bound = KSL_MULF(1.192093e-07f, co_1_size + 1.9721523e-31f),
+      co_2_bound = KSL_MULF(1.192093e-07f, co_2_size + 1.9721523e-31f),
+      co_3_bound = KSL_MULF(1.7881396e-07f, co_3_size + 1.9721523e-31f),
+      co_4_bound = KSL_MULF(1.7881396e-07f, co_4_size + 1.9721523e-31f),
+      co_5_bound = KSL_MULF(1.7881396e-07f, co_5_size + 1.9721523e-31f);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -2640,12 +2521,11 @@ static inline void ksl_cross_scaf_certified(const ksl_screwf_t *s, const ksl_cos
   const float co_3a = KSL_MULF(s->m4, c->m5), co_3b = KSL_MULF(s->m5, c->m4), co_3 = co_3a - co_3b;
   const float co_4a = KSL_MULF(s->m5, c->m3), co_4b = KSL_MULF(s->m3, c->m5), co_4 = co_4a - co_4b;
   const float co_5a = KSL_MULF(s->m3, c->m4), co_5b = KSL_MULF(s->m4, c->m3), co_5 = co_5a - co_5b;
-  const float co_3_size = fabsf(co_3a) + fabsf(co_3b);
-  const float co_4_size = fabsf(co_4a) + fabsf(co_4b);
-  const float co_5_size = fabsf(co_5a) + fabsf(co_5b);
-  const float co_3_bound = KSL_MULF(1.192093e-07f, co_3_size + 1.9721523e-31f);
-  const float co_4_bound = KSL_MULF(1.192093e-07f, co_4_size + 1.9721523e-31f);
-  const float co_5_bound = KSL_MULF(1.192093e-07f, co_5_size + 1.9721523e-31f);
+  const float co_3_size = fabsf(co_3a) + fabsf(co_3b), co_4_size = fabsf(co_4a) + fabsf(co_4b),
+      co_5_size = fabsf(co_5a) + fabsf(co_5b);
+  const float co_3_bound = KSL_MULF(1.192093e-07f, co_3_size + 1.9721523e-31f),
+      co_4_bound = KSL_MULF(1.192093e-07f, co_4_size + 1.9721523e-31f),
+      co_5_bound = KSL_MULF(1.192093e-07f, co_5_size + 1.9721523e-31f);
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;
@@ -2678,12 +2558,10 @@ static inline void ksl_constraint_ctxf_certified(const ksl_SE3f_t *D, const ksl_
   const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1) + w_3;
   const float co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2) + w_4;
   const float co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0) + w_5;
-  const float w_0_size = fabsf(w_0a) + fabsf(w_0b);
-  const float w_1_size = fabsf(w_1a) + fabsf(w_1b);
-  const float w_2_size = fabsf(w_2a) + fabsf(w_2b);
-  const float w_3_size = fabsf(w_3a) + fabsf(w_3b) + fabsf(w_3d);
-  const float w_4_size = fabsf(w_4a) + fabsf(w_4b) + fabsf(w_4d);
-  const float w_5_size = fabsf(w_5a) + fabsf(w_5b) + fabsf(w_5d);
+  const float w_0_size = fabsf(w_0a) + fabsf(w_0b), w_1_size = fabsf(w_1a) + fabsf(w_1b),
+      w_2_size = fabsf(w_2a) + fabsf(w_2b), w_3_size = fabsf(w_3a) + fabsf(w_3b) + fabsf(w_3d),
+      w_4_size = fabsf(w_4a) + fabsf(w_4b) + fabsf(w_4d),
+      w_5_size = fabsf(w_5a) + fabsf(w_5b) + fabsf(w_5d);
   const float w_2_padded = w_2_size + 1.9721523e-31f;
   const float D_13_abs = fabsf(D->m13);
   const float w_1_padded = w_1_size + 1.9721523e-31f;
@@ -2694,12 +2572,12 @@ static inline void ksl_constraint_ctxf_certified(const ksl_SE3f_t *D, const ksl_
       co_4_size = KSL_MULF(D_23_abs, w_0_padded) + KSL_MULF(D_03_abs, w_2_padded) + w_4_size;
   const float co_5_size = KSL_MULF(D_03_abs, w_1_padded) + KSL_MULF(D_13_abs, w_0_padded)
           + w_5_size;
-  const float w_0_bound = KSL_MULF(1.192093e-07f, w_0_padded);
-  const float w_1_bound = KSL_MULF(1.192093e-07f, w_1_padded);
-  const float w_2_bound = KSL_MULF(1.192093e-07f, w_2_padded);
-  const float co_3_bound = KSL_MULF(2.9802328e-07f, co_3_size + 1.9721523e-31f);
-  const float co_4_bound = KSL_MULF(2.9802328e-07f, co_4_size + 1.9721523e-31f);
-  const float co_5_bound = KSL_MULF(2.9802328e-07f, co_5_size + 1.9721523e-31f);
+  const float w_0_bound = KSL_MULF(1.192093e-07f, w_0_padded),
+      w_1_bound = KSL_MULF(1.192093e-07f, w_1_padded),
+      w_2_bound = KSL_MULF(1.192093e-07f, w_2_padded);
+  const float co_3_bound = KSL_MULF(2.9802328e-07f, co_3_size + 1.9721523e-31f),
+      co_4_bound = KSL_MULF(2.9802328e-07f, co_4_size + 1.9721523e-31f),
+      co_5_bound = KSL_MULF(2.9802328e-07f, co_5_size + 1.9721523e-31f);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2732,12 +2610,10 @@ static inline void ksl_constraint_ctyf_certified(const ksl_SE3f_t *D, const ksl_
   const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1) + w_3;
   const float co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2) + w_4;
   const float co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0) + w_5;
-  const float w_0_size = fabsf(w_0a) + fabsf(w_0b);
-  const float w_1_size = fabsf(w_1a) + fabsf(w_1b);
-  const float w_2_size = fabsf(w_2a) + fabsf(w_2b);
-  const float w_3_size = fabsf(w_3a) + fabsf(w_3b) + fabsf(w_3d);
-  const float w_4_size = fabsf(w_4a) + fabsf(w_4b) + fabsf(w_4d);
-  const float w_5_size = fabsf(w_5a) + fabsf(w_5b) + fabsf(w_5d);
+  const float w_0_size = fabsf(w_0a) + fabsf(w_0b), w_1_size = fabsf(w_1a) + fabsf(w_1b),
+      w_2_size = fabsf(w_2a) + fabsf(w_2b), w_3_size = fabsf(w_3a) + fabsf(w_3b) + fabsf(w_3d),
+      w_4_size = fabsf(w_4a) + fabsf(w_4b) + fabsf(w_4d),
+      w_5_size = fabsf(w_5a) + fabsf(w_5b) + fabsf(w_5d);
   const float w_2_padded = w_2_size + 1.9721523e-31f;
   const float D_13_abs = fabsf(D->m13);
   const float w_1_padded = w_1_size + 1.9721523e-31f;
@@ -2748,12 +2624,12 @@ static inline void ksl_constraint_ctyf_certified(const ksl_SE3f_t *D, const ksl_
       co_4_size = KSL_MULF(D_23_abs, w_0_padded) + KSL_MULF(D_03_abs, w_2_padded) + w_4_size;
   const float co_5_size = KSL_MULF(D_03_abs, w_1_padded) + KSL_MULF(D_13_abs, w_0_padded)
           + w_5_size;
-  const float w_0_bound = KSL_MULF(1.192093e-07f, w_0_padded);
-  const float w_1_bound = KSL_MULF(1.192093e-07f, w_1_padded);
-  const float w_2_bound = KSL_MULF(1.192093e-07f, w_2_padded);
-  const float co_3_bound = KSL_MULF(2.9802328e-07f, co_3_size + 1.9721523e-31f);
-  const float co_4_bound = KSL_MULF(2.9802328e-07f, co_4_size + 1.9721523e-31f);
-  const float co_5_bound = KSL_MULF(2.9802328e-07f, co_5_size + 1.9721523e-31f);
+  const float w_0_bound = KSL_MULF(1.192093e-07f, w_0_padded),
+      w_1_bound = KSL_MULF(1.192093e-07f, w_1_padded),
+      w_2_bound = KSL_MULF(1.192093e-07f, w_2_padded);
+  const float co_3_bound = KSL_MULF(2.9802328e-07f, co_3_size + 1.9721523e-31f),
+      co_4_bound = KSL_MULF(2.9802328e-07f, co_4_size + 1.9721523e-31f),
+      co_5_bound = KSL_MULF(2.9802328e-07f, co_5_size + 1.9721523e-31f);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2786,12 +2662,10 @@ static inline void ksl_constraint_ctzf_certified(const ksl_SE3f_t *D, const ksl_
   const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1) + w_3;
   const float co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2) + w_4;
   const float co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0) + w_5;
-  const float w_0_size = fabsf(w_0a) + fabsf(w_0b);
-  const float w_1_size = fabsf(w_1a) + fabsf(w_1b);
-  const float w_2_size = fabsf(w_2a) + fabsf(w_2b);
-  const float w_3_size = fabsf(w_3a) + fabsf(w_3b) + fabsf(w_3d);
-  const float w_4_size = fabsf(w_4a) + fabsf(w_4b) + fabsf(w_4d);
-  const float w_5_size = fabsf(w_5a) + fabsf(w_5b) + fabsf(w_5d);
+  const float w_0_size = fabsf(w_0a) + fabsf(w_0b), w_1_size = fabsf(w_1a) + fabsf(w_1b),
+      w_2_size = fabsf(w_2a) + fabsf(w_2b), w_3_size = fabsf(w_3a) + fabsf(w_3b) + fabsf(w_3d),
+      w_4_size = fabsf(w_4a) + fabsf(w_4b) + fabsf(w_4d),
+      w_5_size = fabsf(w_5a) + fabsf(w_5b) + fabsf(w_5d);
   const float w_2_padded = w_2_size + 1.9721523e-31f;
   const float D_13_abs = fabsf(D->m13);
   const float w_1_padded = w_1_size + 1.9721523e-31f;
@@ -2802,12 +2676,12 @@ static inline void ksl_constraint_ctzf_certified(const ksl_SE3f_t *D, const ksl_
       co_4_size = KSL_MULF(D_23_abs, w_0_padded) + KSL_MULF(D_03_abs, w_2_padded) + w_4_size;
   const float co_5_size = KSL_MULF(D_03_abs, w_1_padded) + KSL_MULF(D_13_abs, w_0_padded)
           + w_5_size;
-  const float w_0_bound = KSL_MULF(1.192093e-07f, w_0_padded);
-  const float w_1_bound = KSL_MULF(1.192093e-07f, w_1_padded);
-  const float w_2_bound = KSL_MULF(1.192093e-07f, w_2_padded);
-  const float co_3_bound = KSL_MULF(2.9802328e-07f, co_3_size + 1.9721523e-31f);
-  const float co_4_bound = KSL_MULF(2.9802328e-07f, co_4_size + 1.9721523e-31f);
-  const float co_5_bound = KSL_MULF(2.9802328e-07f, co_5_size + 1.9721523e-31f);
+  const float w_0_bound = KSL_MULF(1.192093e-07f, w_0_padded),
+      w_1_bound = KSL_MULF(1.192093e-07f, w_1_padded),
+      w_2_bound = KSL_MULF(1.192093e-07f, w_2_padded);
+  const float co_3_bound = KSL_MULF(2.9802328e-07f, co_3_size + 1.9721523e-31f),
+      co_4_bound = KSL_MULF(2.9802328e-07f, co_4_size + 1.9721523e-31f),
+      co_5_bound = KSL_MULF(2.9802328e-07f, co_5_size + 1.9721523e-31f);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2840,12 +2714,10 @@ static inline void ksl_constraint_crxf_certified(const ksl_SE3f_t *D, const ksl_
   const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1) + w_3;
   const float co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2) + w_4;
   const float co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0) + w_5;
-  const float w_0_size = fabsf(w_0a) + fabsf(w_0b) + fabsf(w_0d);
-  const float w_1_size = fabsf(w_1a) + fabsf(w_1b) + fabsf(w_1d);
-  const float w_2_size = fabsf(w_2a) + fabsf(w_2b) + fabsf(w_2d);
-  const float w_3_size = fabsf(w_3a) + fabsf(w_3b);
-  const float w_4_size = fabsf(w_4a) + fabsf(w_4b);
-  const float w_5_size = fabsf(w_5a) + fabsf(w_5b);
+  const float w_0_size = fabsf(w_0a) + fabsf(w_0b) + fabsf(w_0d),
+      w_1_size = fabsf(w_1a) + fabsf(w_1b) + fabsf(w_1d),
+      w_2_size = fabsf(w_2a) + fabsf(w_2b) + fabsf(w_2d), w_3_size = fabsf(w_3a) + fabsf(w_3b),
+      w_4_size = fabsf(w_4a) + fabsf(w_4b), w_5_size = fabsf(w_5a) + fabsf(w_5b);
   const float w_2_padded = w_2_size + 1.9721523e-31f;
   const float D_13_abs = fabsf(D->m13);
   const float w_1_padded = w_1_size + 1.9721523e-31f;
@@ -2856,12 +2728,12 @@ static inline void ksl_constraint_crxf_certified(const ksl_SE3f_t *D, const ksl_
       co_4_size = KSL_MULF(D_23_abs, w_0_padded) + KSL_MULF(D_03_abs, w_2_padded) + w_4_size;
   const float co_5_size = KSL_MULF(D_03_abs, w_1_padded) + KSL_MULF(D_13_abs, w_0_padded)
           + w_5_size;
-  const float w_0_bound = KSL_MULF(1.7881396e-07f, w_0_padded);
-  const float w_1_bound = KSL_MULF(1.7881396e-07f, w_1_padded);
-  const float w_2_bound = KSL_MULF(1.7881396e-07f, w_2_padded);
-  const float co_3_bound = KSL_MULF(3.5762795e-07f, co_3_size + 1.9721523e-31f);
-  const float co_4_bound = KSL_MULF(3.5762795e-07f, co_4_size + 1.9721523e-31f);
-  const float co_5_bound = KSL_MULF(3.5762795e-07f, co_5_size + 1.9721523e-31f);
+  const float w_0_bound = KSL_MULF(1.7881396e-07f, w_0_padded),
+      w_1_bound = KSL_MULF(1.7881396e-07f, w_1_padded),
+      w_2_bound = KSL_MULF(1.7881396e-07f, w_2_padded);
+  const float co_3_bound = KSL_MULF(3.5762795e-07f, co_3_size + 1.9721523e-31f),
+      co_4_bound = KSL_MULF(3.5762795e-07f, co_4_size + 1.9721523e-31f),
+      co_5_bound = KSL_MULF(3.5762795e-07f, co_5_size + 1.9721523e-31f);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2894,12 +2766,10 @@ static inline void ksl_constraint_cryf_certified(const ksl_SE3f_t *D, const ksl_
   const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1) + w_3;
   const float co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2) + w_4;
   const float co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0) + w_5;
-  const float w_0_size = fabsf(w_0a) + fabsf(w_0b) + fabsf(w_0d);
-  const float w_1_size = fabsf(w_1a) + fabsf(w_1b) + fabsf(w_1d);
-  const float w_2_size = fabsf(w_2a) + fabsf(w_2b) + fabsf(w_2d);
-  const float w_3_size = fabsf(w_3a) + fabsf(w_3b);
-  const float w_4_size = fabsf(w_4a) + fabsf(w_4b);
-  const float w_5_size = fabsf(w_5a) + fabsf(w_5b);
+  const float w_0_size = fabsf(w_0a) + fabsf(w_0b) + fabsf(w_0d),
+      w_1_size = fabsf(w_1a) + fabsf(w_1b) + fabsf(w_1d),
+      w_2_size = fabsf(w_2a) + fabsf(w_2b) + fabsf(w_2d), w_3_size = fabsf(w_3a) + fabsf(w_3b),
+      w_4_size = fabsf(w_4a) + fabsf(w_4b), w_5_size = fabsf(w_5a) + fabsf(w_5b);
   const float w_2_padded = w_2_size + 1.9721523e-31f;
   const float D_13_abs = fabsf(D->m13);
   const float w_1_padded = w_1_size + 1.9721523e-31f;
@@ -2910,12 +2780,12 @@ static inline void ksl_constraint_cryf_certified(const ksl_SE3f_t *D, const ksl_
       co_4_size = KSL_MULF(D_23_abs, w_0_padded) + KSL_MULF(D_03_abs, w_2_padded) + w_4_size;
   const float co_5_size = KSL_MULF(D_03_abs, w_1_padded) + KSL_MULF(D_13_abs, w_0_padded)
           + w_5_size;
-  const float w_0_bound = KSL_MULF(1.7881396e-07f, w_0_padded);
-  const float w_1_bound = KSL_MULF(1.7881396e-07f, w_1_padded);
-  const float w_2_bound = KSL_MULF(1.7881396e-07f, w_2_padded);
-  const float co_3_bound = KSL_MULF(3.5762795e-07f, co_3_size + 1.9721523e-31f);
-  const float co_4_bound = KSL_MULF(3.5762795e-07f, co_4_size + 1.9721523e-31f);
-  const float co_5_bound = KSL_MULF(3.5762795e-07f, co_5_size + 1.9721523e-31f);
+  const float w_0_bound = KSL_MULF(1.7881396e-07f, w_0_padded),
+      w_1_bound = KSL_MULF(1.7881396e-07f, w_1_padded),
+      w_2_bound = KSL_MULF(1.7881396e-07f, w_2_padded);
+  const float co_3_bound = KSL_MULF(3.5762795e-07f, co_3_size + 1.9721523e-31f),
+      co_4_bound = KSL_MULF(3.5762795e-07f, co_4_size + 1.9721523e-31f),
+      co_5_bound = KSL_MULF(3.5762795e-07f, co_5_size + 1.9721523e-31f);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2948,12 +2818,10 @@ static inline void ksl_constraint_crzf_certified(const ksl_SE3f_t *D, const ksl_
   const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1) + w_3;
   const float co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2) + w_4;
   const float co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0) + w_5;
-  const float w_0_size = fabsf(w_0a) + fabsf(w_0b) + fabsf(w_0d);
-  const float w_1_size = fabsf(w_1a) + fabsf(w_1b) + fabsf(w_1d);
-  const float w_2_size = fabsf(w_2a) + fabsf(w_2b) + fabsf(w_2d);
-  const float w_3_size = fabsf(w_3a) + fabsf(w_3b);
-  const float w_4_size = fabsf(w_4a) + fabsf(w_4b);
-  const float w_5_size = fabsf(w_5a) + fabsf(w_5b);
+  const float w_0_size = fabsf(w_0a) + fabsf(w_0b) + fabsf(w_0d),
+      w_1_size = fabsf(w_1a) + fabsf(w_1b) + fabsf(w_1d),
+      w_2_size = fabsf(w_2a) + fabsf(w_2b) + fabsf(w_2d), w_3_size = fabsf(w_3a) + fabsf(w_3b),
+      w_4_size = fabsf(w_4a) + fabsf(w_4b), w_5_size = fabsf(w_5a) + fabsf(w_5b);
   const float w_2_padded = w_2_size + 1.9721523e-31f;
   const float D_13_abs = fabsf(D->m13);
   const float w_1_padded = w_1_size + 1.9721523e-31f;
@@ -2964,12 +2832,12 @@ static inline void ksl_constraint_crzf_certified(const ksl_SE3f_t *D, const ksl_
       co_4_size = KSL_MULF(D_23_abs, w_0_padded) + KSL_MULF(D_03_abs, w_2_padded) + w_4_size;
   const float co_5_size = KSL_MULF(D_03_abs, w_1_padded) + KSL_MULF(D_13_abs, w_0_padded)
           + w_5_size;
-  const float w_0_bound = KSL_MULF(1.7881396e-07f, w_0_padded);
-  const float w_1_bound = KSL_MULF(1.7881396e-07f, w_1_padded);
-  const float w_2_bound = KSL_MULF(1.7881396e-07f, w_2_padded);
-  const float co_3_bound = KSL_MULF(3.5762795e-07f, co_3_size + 1.9721523e-31f);
-  const float co_4_bound = KSL_MULF(3.5762795e-07f, co_4_size + 1.9721523e-31f);
-  const float co_5_bound = KSL_MULF(3.5762795e-07f, co_5_size + 1.9721523e-31f);
+  const float w_0_bound = KSL_MULF(1.7881396e-07f, w_0_padded),
+      w_1_bound = KSL_MULF(1.7881396e-07f, w_1_padded),
+      w_2_bound = KSL_MULF(1.7881396e-07f, w_2_padded);
+  const float co_3_bound = KSL_MULF(3.5762795e-07f, co_3_size + 1.9721523e-31f),
+      co_4_bound = KSL_MULF(3.5762795e-07f, co_4_size + 1.9721523e-31f),
+      co_5_bound = KSL_MULF(3.5762795e-07f, co_5_size + 1.9721523e-31f);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2990,9 +2858,8 @@ static inline void ksl_constraint_crzf_certified(const ksl_SE3f_t *D, const ksl_
    21 mul, 12 add, 6 abs. */
 static inline void ksl_working_ctxf_certified(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float w_0 = KSL_MULF(D->m00, c->m0);
-  const float w_1 = KSL_MULF(D->m10, c->m0);
-  const float w_2 = KSL_MULF(D->m20, c->m0);
+  const float w_0 = KSL_MULF(D->m00, c->m0), w_1 = KSL_MULF(D->m10, c->m0),
+      w_2 = KSL_MULF(D->m20, c->m0);
   const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1);
   const float co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2);
   const float co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0);
@@ -3005,12 +2872,12 @@ static inline void ksl_working_ctxf_certified(const ksl_SE3f_t *D, const ksl_cos
   const float D_03_abs = fabsf(D->m03),
       co_4_size = KSL_MULF(D_23_abs, w_0_padded) + KSL_MULF(D_03_abs, w_2_padded);
   const float co_5_size = KSL_MULF(D_03_abs, w_1_padded) + KSL_MULF(D_13_abs, w_0_padded);
-  const float w_0_bound = KSL_MULF(5.960465e-08f, w_0_padded);
-  const float w_1_bound = KSL_MULF(5.960465e-08f, w_1_padded);
-  const float w_2_bound = KSL_MULF(5.960465e-08f, w_2_padded);
-  const float co_3_bound = KSL_MULF(1.7881396e-07f, co_3_size + 1.9721523e-31f);
-  const float co_4_bound = KSL_MULF(1.7881396e-07f, co_4_size + 1.9721523e-31f);
-  const float co_5_bound = KSL_MULF(1.7881396e-07f, co_5_size + 1.9721523e-31f);
+  const float w_0_bound = KSL_MULF(5.960465e-08f, w_0_padded),
+      w_1_bound = KSL_MULF(5.960465e-08f, w_1_padded),
+      w_2_bound = KSL_MULF(5.960465e-08f, w_2_padded);
+  const float co_3_bound = KSL_MULF(1.7881396e-07f, co_3_size + 1.9721523e-31f),
+      co_4_bound = KSL_MULF(1.7881396e-07f, co_4_size + 1.9721523e-31f),
+      co_5_bound = KSL_MULF(1.7881396e-07f, co_5_size + 1.9721523e-31f);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -3031,9 +2898,8 @@ static inline void ksl_working_ctxf_certified(const ksl_SE3f_t *D, const ksl_cos
    21 mul, 12 add, 6 abs. */
 static inline void ksl_working_ctyf_certified(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float w_0 = KSL_MULF(D->m01, c->m1);
-  const float w_1 = KSL_MULF(D->m11, c->m1);
-  const float w_2 = KSL_MULF(D->m21, c->m1);
+  const float w_0 = KSL_MULF(D->m01, c->m1), w_1 = KSL_MULF(D->m11, c->m1),
+      w_2 = KSL_MULF(D->m21, c->m1);
   const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1);
   const float co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2);
   const float co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0);
@@ -3046,12 +2912,12 @@ static inline void ksl_working_ctyf_certified(const ksl_SE3f_t *D, const ksl_cos
   const float D_03_abs = fabsf(D->m03),
       co_4_size = KSL_MULF(D_23_abs, w_0_padded) + KSL_MULF(D_03_abs, w_2_padded);
   const float co_5_size = KSL_MULF(D_03_abs, w_1_padded) + KSL_MULF(D_13_abs, w_0_padded);
-  const float w_0_bound = KSL_MULF(5.960465e-08f, w_0_padded);
-  const float w_1_bound = KSL_MULF(5.960465e-08f, w_1_padded);
-  const float w_2_bound = KSL_MULF(5.960465e-08f, w_2_padded);
-  const float co_3_bound = KSL_MULF(1.7881396e-07f, co_3_size + 1.9721523e-31f);
-  const float co_4_bound = KSL_MULF(1.7881396e-07f, co_4_size + 1.9721523e-31f);
-  const float co_5_bound = KSL_MULF(1.7881396e-07f, co_5_size + 1.9721523e-31f);
+  const float w_0_bound = KSL_MULF(5.960465e-08f, w_0_padded),
+      w_1_bound = KSL_MULF(5.960465e-08f, w_1_padded),
+      w_2_bound = KSL_MULF(5.960465e-08f, w_2_padded);
+  const float co_3_bound = KSL_MULF(1.7881396e-07f, co_3_size + 1.9721523e-31f),
+      co_4_bound = KSL_MULF(1.7881396e-07f, co_4_size + 1.9721523e-31f),
+      co_5_bound = KSL_MULF(1.7881396e-07f, co_5_size + 1.9721523e-31f);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -3072,9 +2938,8 @@ static inline void ksl_working_ctyf_certified(const ksl_SE3f_t *D, const ksl_cos
    21 mul, 12 add, 6 abs. */
 static inline void ksl_working_ctzf_certified(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float w_0 = KSL_MULF(D->m02, c->m2);
-  const float w_1 = KSL_MULF(D->m12, c->m2);
-  const float w_2 = KSL_MULF(D->m22, c->m2);
+  const float w_0 = KSL_MULF(D->m02, c->m2), w_1 = KSL_MULF(D->m12, c->m2),
+      w_2 = KSL_MULF(D->m22, c->m2);
   const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1);
   const float co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2);
   const float co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0);
@@ -3087,12 +2952,12 @@ static inline void ksl_working_ctzf_certified(const ksl_SE3f_t *D, const ksl_cos
   const float D_03_abs = fabsf(D->m03),
       co_4_size = KSL_MULF(D_23_abs, w_0_padded) + KSL_MULF(D_03_abs, w_2_padded);
   const float co_5_size = KSL_MULF(D_03_abs, w_1_padded) + KSL_MULF(D_13_abs, w_0_padded);
-  const float w_0_bound = KSL_MULF(5.960465e-08f, w_0_padded);
-  const float w_1_bound = KSL_MULF(5.960465e-08f, w_1_padded);
-  const float w_2_bound = KSL_MULF(5.960465e-08f, w_2_padded);
-  const float co_3_bound = KSL_MULF(1.7881396e-07f, co_3_size + 1.9721523e-31f);
-  const float co_4_bound = KSL_MULF(1.7881396e-07f, co_4_size + 1.9721523e-31f);
-  const float co_5_bound = KSL_MULF(1.7881396e-07f, co_5_size + 1.9721523e-31f);
+  const float w_0_bound = KSL_MULF(5.960465e-08f, w_0_padded),
+      w_1_bound = KSL_MULF(5.960465e-08f, w_1_padded),
+      w_2_bound = KSL_MULF(5.960465e-08f, w_2_padded);
+  const float co_3_bound = KSL_MULF(1.7881396e-07f, co_3_size + 1.9721523e-31f),
+      co_4_bound = KSL_MULF(1.7881396e-07f, co_4_size + 1.9721523e-31f),
+      co_5_bound = KSL_MULF(1.7881396e-07f, co_5_size + 1.9721523e-31f);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -3113,12 +2978,11 @@ static inline void ksl_working_ctzf_certified(const ksl_SE3f_t *D, const ksl_cos
    6 mul, 3 add, 3 abs. */
 static inline void ksl_working_crxf_certified(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float w_3 = KSL_MULF(D->m00, c->m3);
-  const float w_4 = KSL_MULF(D->m10, c->m3);
-  const float w_5 = KSL_MULF(D->m20, c->m3);
-  const float w_3_bound = KSL_MULF(5.960465e-08f, fabsf(w_3) + 1.9721523e-31f);
-  const float w_4_bound = KSL_MULF(5.960465e-08f, fabsf(w_4) + 1.9721523e-31f);
-  const float w_5_bound = KSL_MULF(5.960465e-08f, fabsf(w_5) + 1.9721523e-31f);
+  const float w_3 = KSL_MULF(D->m00, c->m3), w_4 = KSL_MULF(D->m10, c->m3),
+      w_5 = KSL_MULF(D->m20, c->m3);
+  const float w_3_bound = KSL_MULF(5.960465e-08f, fabsf(w_3) + 1.9721523e-31f),
+      w_4_bound = KSL_MULF(5.960465e-08f, fabsf(w_4) + 1.9721523e-31f),
+      w_5_bound = KSL_MULF(5.960465e-08f, fabsf(w_5) + 1.9721523e-31f);
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;
@@ -3139,12 +3003,11 @@ static inline void ksl_working_crxf_certified(const ksl_SE3f_t *D, const ksl_cos
    6 mul, 3 add, 3 abs. */
 static inline void ksl_working_cryf_certified(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float w_3 = KSL_MULF(D->m01, c->m4);
-  const float w_4 = KSL_MULF(D->m11, c->m4);
-  const float w_5 = KSL_MULF(D->m21, c->m4);
-  const float w_3_bound = KSL_MULF(5.960465e-08f, fabsf(w_3) + 1.9721523e-31f);
-  const float w_4_bound = KSL_MULF(5.960465e-08f, fabsf(w_4) + 1.9721523e-31f);
-  const float w_5_bound = KSL_MULF(5.960465e-08f, fabsf(w_5) + 1.9721523e-31f);
+  const float w_3 = KSL_MULF(D->m01, c->m4), w_4 = KSL_MULF(D->m11, c->m4),
+      w_5 = KSL_MULF(D->m21, c->m4);
+  const float w_3_bound = KSL_MULF(5.960465e-08f, fabsf(w_3) + 1.9721523e-31f),
+      w_4_bound = KSL_MULF(5.960465e-08f, fabsf(w_4) + 1.9721523e-31f),
+      w_5_bound = KSL_MULF(5.960465e-08f, fabsf(w_5) + 1.9721523e-31f);
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;
@@ -3165,12 +3028,11 @@ static inline void ksl_working_cryf_certified(const ksl_SE3f_t *D, const ksl_cos
    6 mul, 3 add, 3 abs. */
 static inline void ksl_working_crzf_certified(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float w_3 = KSL_MULF(D->m02, c->m5);
-  const float w_4 = KSL_MULF(D->m12, c->m5);
-  const float w_5 = KSL_MULF(D->m22, c->m5);
-  const float w_3_bound = KSL_MULF(5.960465e-08f, fabsf(w_3) + 1.9721523e-31f);
-  const float w_4_bound = KSL_MULF(5.960465e-08f, fabsf(w_4) + 1.9721523e-31f);
-  const float w_5_bound = KSL_MULF(5.960465e-08f, fabsf(w_5) + 1.9721523e-31f);
+  const float w_3 = KSL_MULF(D->m02, c->m5), w_4 = KSL_MULF(D->m12, c->m5),
+      w_5 = KSL_MULF(D->m22, c->m5);
+  const float w_3_bound = KSL_MULF(5.960465e-08f, fabsf(w_3) + 1.9721523e-31f),
+      w_4_bound = KSL_MULF(5.960465e-08f, fabsf(w_4) + 1.9721523e-31f),
+      w_5_bound = KSL_MULF(5.960465e-08f, fabsf(w_5) + 1.9721523e-31f);
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;

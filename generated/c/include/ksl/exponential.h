@@ -17,23 +17,13 @@
    Error <= R: (6 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
      searched, not proved. */
 static inline void ksl_SO3_exp(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
-  const double size_0 = fabs(v->x);
-  const double size_1 = fabs(v->y);
-  const double size_2 = fabs(v->z);
+  const double size_0 = fabs(v->x), size_1 = fabs(v->y), size_2 = fabs(v->z);
   const double sizes = size_0 + size_1 + size_2;
   const double grid = KSL_MUL(sizes, 268435456.0);
-  const double shifted_0 = v->x + grid;
-  const double shifted_1 = v->y + grid;
-  const double shifted_2 = v->z + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = v->x - high_0;
-  const double low_1 = v->y - high_1;
-  const double low_2 = v->z - high_2;
-  const double sum_0 = v->x + high_0;
-  const double sum_1 = v->y + high_1;
-  const double sum_2 = v->z + high_2;
+  const double shifted_0 = v->x + grid, shifted_1 = v->y + grid, shifted_2 = v->z + grid;
+  const double high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const double low_0 = v->x - high_0, low_1 = v->y - high_1, low_2 = v->z - high_2;
+  const double sum_0 = v->x + high_0, sum_1 = v->y + high_1, sum_2 = v->z + high_2;
   const double squares = KSL_MUL(high_0, high_0) + KSL_MUL(high_1, high_1)
           + KSL_MUL(high_2, high_2);
   const double cross = KSL_MUL(low_0, sum_0) + KSL_MUL(low_1, sum_1) + KSL_MUL(low_2, sum_2);
@@ -72,33 +62,22 @@ static inline void ksl_SO3_exp(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
           - 2.48015873015873e-05) + 0.001388888888888889) - 0.041666666666666664,
       g2x = KSL_MUL(x, g2v) + 0.5, g2 = x < 1.0 ? g2x : closed2;
   const double g0b = 1.0 - KSL_MUL(x, g2), g0 = x < 1.0 ? g0b : cosine;
-  const double beta_v_0 = KSL_MUL(v->x, g2);
-  const double beta_v_1 = KSL_MUL(v->y, g2);
-  const double beta_v_2 = KSL_MUL(v->z, g2);
-  const double m_0 = KSL_MUL(v->x, beta_v_0);
-  const double m_1 = KSL_MUL(v->y, beta_v_1);
-  const double m_2 = KSL_MUL(v->z, beta_v_2);
-  const double m_3 = KSL_MUL(v->y, beta_v_0);
-  const double m_4 = KSL_MUL(v->z, beta_v_0);
-  const double m_5 = KSL_MUL(v->z, beta_v_1);
-  const double others_0 = m_1 + m_2;
-  const double others_1 = m_0 + m_2;
-  const double others_2 = m_0 + m_1;
+  const double beta_v_0 = KSL_MUL(v->x, g2), beta_v_1 = KSL_MUL(v->y, g2),
+      beta_v_2 = KSL_MUL(v->z, g2);
+  const double m_0 = KSL_MUL(v->x, beta_v_0), m_1 = KSL_MUL(v->y, beta_v_1),
+      m_2 = KSL_MUL(v->z, beta_v_2), m_3 = KSL_MUL(v->y, beta_v_0), m_4 = KSL_MUL(v->z, beta_v_0),
+      m_5 = KSL_MUL(v->z, beta_v_1);
+  const double others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const double diagonal0a = 1.0 - others_0, diagonal0b = g0 + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const double diagonal1a = 1.0 - others_1, diagonal1b = g0 + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = g0 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0 = KSL_MUL(v->x, g1);
-  const double alpha_v_1 = KSL_MUL(v->y, g1);
-  const double alpha_v_2 = KSL_MUL(v->z, g1);
-  const double R_01 = m_3 - alpha_v_2;
-  const double R_02 = m_4 + alpha_v_1;
-  const double R_10 = m_3 + alpha_v_2;
-  const double R_12 = m_5 - alpha_v_0;
-  const double R_20 = m_4 - alpha_v_1;
-  const double R_21 = m_5 + alpha_v_0;
+  const double alpha_v_0 = KSL_MUL(v->x, g1), alpha_v_1 = KSL_MUL(v->y, g1),
+      alpha_v_2 = KSL_MUL(v->z, g1);
+  const double R_01 = m_3 - alpha_v_2, R_02 = m_4 + alpha_v_1, R_10 = m_3 + alpha_v_2,
+      R_12 = m_5 - alpha_v_0, R_20 = m_4 - alpha_v_1, R_21 = m_5 + alpha_v_0;
   R->m00 = diagonal0;
   R->m01 = R_01;
   R->m02 = R_02;
@@ -115,47 +94,31 @@ static inline void ksl_SO3_exp(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
    40 mul, 51 add, 2 div, 1 sqrt, 6 neg, 5 abs, 2 copysign, 18 less, 2 equal, 39 select.
    Error <= vo: 7 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_SO3_log(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
-  const double p_0 = R->m21 - R->m12;
-  const double p_1 = R->m02 - R->m20;
-  const double p_2 = R->m10 - R->m01;
-  const double s_0 = R->m12 + R->m21;
-  const double s_1 = R->m02 + R->m20;
-  const double s_2 = R->m01 + R->m10;
-  const double first_0 = R->m00 + 1.0;
-  const double first_1 = 1.0 - R->m00;
-  const double others_0 = R->m11 + R->m22;
-  const double others_1 = R->m11 - R->m22;
-  const double d_0 = first_0 + others_0;
-  const double d_1 = first_0 - others_0;
-  const double d_2 = first_1 + others_1;
-  const double d_3 = first_1 - others_1;
-  const double low_0 = R->m11 < R->m00 ? d_1 : s_2;
-  const double low_1 = R->m11 < R->m00 ? s_2 : d_2;
-  const double low_2 = R->m11 < R->m00 ? s_1 : s_0;
-  const double low_3 = R->m11 < R->m00 ? p_0 : p_1;
+  const double p_0 = R->m21 - R->m12, p_1 = R->m02 - R->m20, p_2 = R->m10 - R->m01;
+  const double s_0 = R->m12 + R->m21, s_1 = R->m02 + R->m20, s_2 = R->m01 + R->m10;
+  const double first_0 = R->m00 + 1.0, first_1 = 1.0 - R->m00;
+  const double others_0 = R->m11 + R->m22, others_1 = R->m11 - R->m22;
+  const double d_0 = first_0 + others_0, d_1 = first_0 - others_0, d_2 = first_1 + others_1,
+      d_3 = first_1 - others_1;
+  const double low_0 = R->m11 < R->m00 ? d_1 : s_2, low_1 = R->m11 < R->m00 ? s_2 : d_2,
+      low_2 = R->m11 < R->m00 ? s_1 : s_0, low_3 = R->m11 < R->m00 ? p_0 : p_1;
   const double high_0a = -R->m11, high_0 = R->m00 < high_0a ? s_1 : p_0;
-  const double high_1 = R->m00 < high_0a ? s_0 : p_1;
-  const double high_2 = R->m00 < high_0a ? d_3 : p_2;
-  const double high_3 = R->m00 < high_0a ? p_2 : d_0;
-  const double column_0 = R->m22 < 0.0 ? low_0 : high_0;
-  const double column_1 = R->m22 < 0.0 ? low_1 : high_1;
-  const double column_2 = R->m22 < 0.0 ? low_2 : high_2;
-  const double column_3 = R->m22 < 0.0 ? low_3 : high_3;
+  const double high_1 = R->m00 < high_0a ? s_0 : p_1, high_2 = R->m00 < high_0a ? d_3 : p_2,
+      high_3 = R->m00 < high_0a ? p_2 : d_0;
+  const double column_0 = R->m22 < 0.0 ? low_0 : high_0, column_1 = R->m22 < 0.0 ? low_1 : high_1,
+      column_2 = R->m22 < 0.0 ? low_2 : high_2, column_3 = R->m22 < 0.0 ? low_3 : high_3;
   const double upper_0a = -column_0, upper_0 = column_3 < 0.0 ? upper_0a : column_0;
   const double upper_1a = -column_1, upper_1 = column_3 < 0.0 ? upper_1a : column_1;
   const double upper_2a = -column_2, upper_2 = column_3 < 0.0 ? upper_2a : column_2;
   const double upper_3a = -column_3, upper_3 = column_3 < 0.0 ? upper_3a : column_3;
-  const double v_s_size_0 = fabs(upper_0);
-  const double v_s_size_1 = fabs(upper_1);
-  const double v_s_size_2 = fabs(upper_2);
+  const double v_s_size_0 = fabs(upper_0), v_s_size_1 = fabs(upper_1), v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       v_s_d = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
       v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
-  const double v_y_0 = KSL_MUL(upper_0, v_s);
-  const double v_y_1 = KSL_MUL(upper_1, v_s);
-  const double v_y_2 = KSL_MUL(upper_2, v_s);
+  const double v_y_0 = KSL_MUL(upper_0, v_s), v_y_1 = KSL_MUL(upper_1, v_s),
+      v_y_2 = KSL_MUL(upper_2, v_s);
   const double v_n = sqrt(KSL_MUL(v_y_0, v_y_0) + KSL_MUL(v_y_1, v_y_1) + KSL_MUL(v_y_2, v_y_2));
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
@@ -165,9 +128,8 @@ static inline void ksl_SO3_log(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   const double divisor = n == 0.0 ? 1.0 : n;
   const double theta = KSL_MUL(2.0, half);
   const double k = theta / divisor;
-  const double vector_0 = KSL_MUL(upper_0, k);
-  const double vector_1 = KSL_MUL(upper_1, k);
-  const double vector_2 = KSL_MUL(upper_2, k);
+  const double vector_0 = KSL_MUL(upper_0, k), vector_1 = KSL_MUL(upper_1, k),
+      vector_2 = KSL_MUL(upper_2, k);
   vo->x = vector_0;
   vo->y = vector_1;
   vo->z = vector_2;
@@ -179,23 +141,13 @@ static inline void ksl_SO3_log(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
    Error <= R: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
      searched, not proved. */
 static inline void ksl_SO3_leftJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
-  const double size_0 = fabs(v->x);
-  const double size_1 = fabs(v->y);
-  const double size_2 = fabs(v->z);
+  const double size_0 = fabs(v->x), size_1 = fabs(v->y), size_2 = fabs(v->z);
   const double sizes = size_0 + size_1 + size_2;
   const double grid = KSL_MUL(sizes, 268435456.0);
-  const double shifted_0 = v->x + grid;
-  const double shifted_1 = v->y + grid;
-  const double shifted_2 = v->z + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = v->x - high_0;
-  const double low_1 = v->y - high_1;
-  const double low_2 = v->z - high_2;
-  const double sum_0 = v->x + high_0;
-  const double sum_1 = v->y + high_1;
-  const double sum_2 = v->z + high_2;
+  const double shifted_0 = v->x + grid, shifted_1 = v->y + grid, shifted_2 = v->z + grid;
+  const double high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const double low_0 = v->x - high_0, low_1 = v->y - high_1, low_2 = v->z - high_2;
+  const double sum_0 = v->x + high_0, sum_1 = v->y + high_1, sum_2 = v->z + high_2;
   const double squares = KSL_MUL(high_0, high_0) + KSL_MUL(high_1, high_1)
           + KSL_MUL(high_2, high_2);
   const double cross = KSL_MUL(low_0, sum_0) + KSL_MUL(low_1, sum_1) + KSL_MUL(low_2, sum_2);
@@ -244,33 +196,22 @@ static inline void ksl_SO3_leftJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
           - 2.7557319223985893e-06) + 0.0001984126984126984),
       g3x = KSL_MUL(x, g3u - 0.008333333333333333) + 0.16666666666666666,
       g3 = x < 4.0 ? g3x : closed3;
-  const double beta_v_0 = KSL_MUL(v->x, g3);
-  const double beta_v_1 = KSL_MUL(v->y, g3);
-  const double beta_v_2 = KSL_MUL(v->z, g3);
-  const double m_0 = KSL_MUL(v->x, beta_v_0);
-  const double m_1 = KSL_MUL(v->y, beta_v_1);
-  const double m_2 = KSL_MUL(v->z, beta_v_2);
-  const double m_3 = KSL_MUL(v->y, beta_v_0);
-  const double m_4 = KSL_MUL(v->z, beta_v_0);
-  const double m_5 = KSL_MUL(v->z, beta_v_1);
-  const double others_0 = m_1 + m_2;
-  const double others_1 = m_0 + m_2;
-  const double others_2 = m_0 + m_1;
+  const double beta_v_0 = KSL_MUL(v->x, g3), beta_v_1 = KSL_MUL(v->y, g3),
+      beta_v_2 = KSL_MUL(v->z, g3);
+  const double m_0 = KSL_MUL(v->x, beta_v_0), m_1 = KSL_MUL(v->y, beta_v_1),
+      m_2 = KSL_MUL(v->z, beta_v_2), m_3 = KSL_MUL(v->y, beta_v_0), m_4 = KSL_MUL(v->z, beta_v_0),
+      m_5 = KSL_MUL(v->z, beta_v_1);
+  const double others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const double diagonal0a = 1.0 - others_0, diagonal0b = g1 + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const double diagonal1a = 1.0 - others_1, diagonal1b = g1 + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = g1 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0 = KSL_MUL(v->x, g2);
-  const double alpha_v_1 = KSL_MUL(v->y, g2);
-  const double alpha_v_2 = KSL_MUL(v->z, g2);
-  const double R_01 = m_3 - alpha_v_2;
-  const double R_02 = m_4 + alpha_v_1;
-  const double R_10 = m_3 + alpha_v_2;
-  const double R_12 = m_5 - alpha_v_0;
-  const double R_20 = m_4 - alpha_v_1;
-  const double R_21 = m_5 + alpha_v_0;
+  const double alpha_v_0 = KSL_MUL(v->x, g2), alpha_v_1 = KSL_MUL(v->y, g2),
+      alpha_v_2 = KSL_MUL(v->z, g2);
+  const double R_01 = m_3 - alpha_v_2, R_02 = m_4 + alpha_v_1, R_10 = m_3 + alpha_v_2,
+      R_12 = m_5 - alpha_v_0, R_20 = m_4 - alpha_v_1, R_21 = m_5 + alpha_v_0;
   R->m00 = diagonal0;
   R->m01 = R_01;
   R->m02 = R_02;
@@ -288,23 +229,13 @@ static inline void ksl_SO3_leftJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
    Error <= R: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
      searched, not proved. */
 static inline void ksl_SO3_rightJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
-  const double size_0 = fabs(v->x);
-  const double size_1 = fabs(v->y);
-  const double size_2 = fabs(v->z);
+  const double size_0 = fabs(v->x), size_1 = fabs(v->y), size_2 = fabs(v->z);
   const double sizes = size_0 + size_1 + size_2;
   const double grid = KSL_MUL(sizes, 268435456.0);
-  const double shifted_0 = v->x + grid;
-  const double shifted_1 = v->y + grid;
-  const double shifted_2 = v->z + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = v->x - high_0;
-  const double low_1 = v->y - high_1;
-  const double low_2 = v->z - high_2;
-  const double sum_0 = v->x + high_0;
-  const double sum_1 = v->y + high_1;
-  const double sum_2 = v->z + high_2;
+  const double shifted_0 = v->x + grid, shifted_1 = v->y + grid, shifted_2 = v->z + grid;
+  const double high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const double low_0 = v->x - high_0, low_1 = v->y - high_1, low_2 = v->z - high_2;
+  const double sum_0 = v->x + high_0, sum_1 = v->y + high_1, sum_2 = v->z + high_2;
   const double squares = KSL_MUL(high_0, high_0) + KSL_MUL(high_1, high_1)
           + KSL_MUL(high_2, high_2);
   const double cross = KSL_MUL(low_0, sum_0) + KSL_MUL(low_1, sum_1) + KSL_MUL(low_2, sum_2);
@@ -353,33 +284,22 @@ static inline void ksl_SO3_rightJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
           - 2.7557319223985893e-06) + 0.0001984126984126984),
       g3x = KSL_MUL(x, g3u - 0.008333333333333333) + 0.16666666666666666,
       g3 = x < 4.0 ? g3x : closed3;
-  const double beta_v_0 = KSL_MUL(v->x, g3);
-  const double beta_v_1 = KSL_MUL(v->y, g3);
-  const double beta_v_2 = KSL_MUL(v->z, g3);
-  const double m_0 = KSL_MUL(v->x, beta_v_0);
-  const double m_1 = KSL_MUL(v->y, beta_v_1);
-  const double m_2 = KSL_MUL(v->z, beta_v_2);
-  const double m_3 = KSL_MUL(v->y, beta_v_0);
-  const double m_4 = KSL_MUL(v->z, beta_v_0);
-  const double m_5 = KSL_MUL(v->z, beta_v_1);
-  const double others_0 = m_1 + m_2;
-  const double others_1 = m_0 + m_2;
-  const double others_2 = m_0 + m_1;
+  const double beta_v_0 = KSL_MUL(v->x, g3), beta_v_1 = KSL_MUL(v->y, g3),
+      beta_v_2 = KSL_MUL(v->z, g3);
+  const double m_0 = KSL_MUL(v->x, beta_v_0), m_1 = KSL_MUL(v->y, beta_v_1),
+      m_2 = KSL_MUL(v->z, beta_v_2), m_3 = KSL_MUL(v->y, beta_v_0), m_4 = KSL_MUL(v->z, beta_v_0),
+      m_5 = KSL_MUL(v->z, beta_v_1);
+  const double others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const double diagonal0a = 1.0 - others_0, diagonal0b = g1 + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const double diagonal1a = 1.0 - others_1, diagonal1b = g1 + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = g1 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0 = -KSL_MUL(v->x, g2);
-  const double alpha_v_1 = -KSL_MUL(v->y, g2);
-  const double alpha_v_2 = -KSL_MUL(v->z, g2);
-  const double R_01 = m_3 - alpha_v_2;
-  const double R_02 = m_4 + alpha_v_1;
-  const double R_10 = m_3 + alpha_v_2;
-  const double R_12 = m_5 - alpha_v_0;
-  const double R_20 = m_4 - alpha_v_1;
-  const double R_21 = m_5 + alpha_v_0;
+  const double alpha_v_0 = -KSL_MUL(v->x, g2), alpha_v_1 = -KSL_MUL(v->y, g2),
+      alpha_v_2 = -KSL_MUL(v->z, g2);
+  const double R_01 = m_3 - alpha_v_2, R_02 = m_4 + alpha_v_1, R_10 = m_3 + alpha_v_2,
+      R_12 = m_5 - alpha_v_0, R_20 = m_4 - alpha_v_1, R_21 = m_5 + alpha_v_0;
   R->m00 = diagonal0;
   R->m01 = R_01;
   R->m02 = R_02;
@@ -397,23 +317,13 @@ static inline void ksl_SO3_rightJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
    71 mul, 96 add, 3 div, 1 sqrt, 3 neg, 5 abs, 7 less, 12 select.
    Error <= R: 6 u of its largest component for |v| <= π; searched, not proved. */
 static inline void ksl_SO3_leftJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
-  const double size_0 = fabs(v->x);
-  const double size_1 = fabs(v->y);
-  const double size_2 = fabs(v->z);
+  const double size_0 = fabs(v->x), size_1 = fabs(v->y), size_2 = fabs(v->z);
   const double sizes = size_0 + size_1 + size_2;
   const double grid = KSL_MUL(sizes, 268435456.0);
-  const double shifted_0 = v->x + grid;
-  const double shifted_1 = v->y + grid;
-  const double shifted_2 = v->z + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = v->x - high_0;
-  const double low_1 = v->y - high_1;
-  const double low_2 = v->z - high_2;
-  const double sum_0 = v->x + high_0;
-  const double sum_1 = v->y + high_1;
-  const double sum_2 = v->z + high_2;
+  const double shifted_0 = v->x + grid, shifted_1 = v->y + grid, shifted_2 = v->z + grid;
+  const double high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const double low_0 = v->x - high_0, low_1 = v->y - high_1, low_2 = v->z - high_2;
+  const double sum_0 = v->x + high_0, sum_1 = v->y + high_1, sum_2 = v->z + high_2;
   const double squares = KSL_MUL(high_0, high_0) + KSL_MUL(high_1, high_1)
           + KSL_MUL(high_2, high_2);
   const double cross = KSL_MUL(low_0, sum_0) + KSL_MUL(low_1, sum_1) + KSL_MUL(low_2, sum_2);
@@ -451,33 +361,22 @@ static inline void ksl_SO3_leftJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_t
       b_af = KSL_MUL(x, KSL_MUL(x, b_ab) + 0.001388888888888889) + 0.08333333333333333,
       b = x < 4.0 ? b_af : closed_b;
   const double b_across_b = 1.0 - KSL_MUL(x, b), b_across = x < 4.0 ? b_across_b : half_cotangent;
-  const double beta_v_0 = KSL_MUL(v->x, b);
-  const double beta_v_1 = KSL_MUL(v->y, b);
-  const double beta_v_2 = KSL_MUL(v->z, b);
-  const double m_0 = KSL_MUL(v->x, beta_v_0);
-  const double m_1 = KSL_MUL(v->y, beta_v_1);
-  const double m_2 = KSL_MUL(v->z, beta_v_2);
-  const double m_3 = KSL_MUL(v->y, beta_v_0);
-  const double m_4 = KSL_MUL(v->z, beta_v_0);
-  const double m_5 = KSL_MUL(v->z, beta_v_1);
-  const double others_0 = m_1 + m_2;
-  const double others_1 = m_0 + m_2;
-  const double others_2 = m_0 + m_1;
+  const double beta_v_0 = KSL_MUL(v->x, b), beta_v_1 = KSL_MUL(v->y, b),
+      beta_v_2 = KSL_MUL(v->z, b);
+  const double m_0 = KSL_MUL(v->x, beta_v_0), m_1 = KSL_MUL(v->y, beta_v_1),
+      m_2 = KSL_MUL(v->z, beta_v_2), m_3 = KSL_MUL(v->y, beta_v_0), m_4 = KSL_MUL(v->z, beta_v_0),
+      m_5 = KSL_MUL(v->z, beta_v_1);
+  const double others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const double diagonal0a = 1.0 - others_0, diagonal0b = b_across + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const double diagonal1a = 1.0 - others_1, diagonal1b = b_across + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = b_across + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0 = -KSL_MUL(0.5, v->x);
-  const double alpha_v_1 = -KSL_MUL(0.5, v->y);
-  const double alpha_v_2 = -KSL_MUL(0.5, v->z);
-  const double R_01 = m_3 - alpha_v_2;
-  const double R_02 = m_4 + alpha_v_1;
-  const double R_10 = m_3 + alpha_v_2;
-  const double R_12 = m_5 - alpha_v_0;
-  const double R_20 = m_4 - alpha_v_1;
-  const double R_21 = m_5 + alpha_v_0;
+  const double alpha_v_0 = -KSL_MUL(0.5, v->x), alpha_v_1 = -KSL_MUL(0.5, v->y),
+      alpha_v_2 = -KSL_MUL(0.5, v->z);
+  const double R_01 = m_3 - alpha_v_2, R_02 = m_4 + alpha_v_1, R_10 = m_3 + alpha_v_2,
+      R_12 = m_5 - alpha_v_0, R_20 = m_4 - alpha_v_1, R_21 = m_5 + alpha_v_0;
   R->m00 = diagonal0;
   R->m01 = R_01;
   R->m02 = R_02;
@@ -495,23 +394,13 @@ static inline void ksl_SO3_leftJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_t
    71 mul, 96 add, 3 div, 1 sqrt, 5 abs, 7 less, 12 select.
    Error <= R: 6 u of its largest component for |v| <= π; searched, not proved. */
 static inline void ksl_SO3_rightJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
-  const double size_0 = fabs(v->x);
-  const double size_1 = fabs(v->y);
-  const double size_2 = fabs(v->z);
+  const double size_0 = fabs(v->x), size_1 = fabs(v->y), size_2 = fabs(v->z);
   const double sizes = size_0 + size_1 + size_2;
   const double grid = KSL_MUL(sizes, 268435456.0);
-  const double shifted_0 = v->x + grid;
-  const double shifted_1 = v->y + grid;
-  const double shifted_2 = v->z + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = v->x - high_0;
-  const double low_1 = v->y - high_1;
-  const double low_2 = v->z - high_2;
-  const double sum_0 = v->x + high_0;
-  const double sum_1 = v->y + high_1;
-  const double sum_2 = v->z + high_2;
+  const double shifted_0 = v->x + grid, shifted_1 = v->y + grid, shifted_2 = v->z + grid;
+  const double high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const double low_0 = v->x - high_0, low_1 = v->y - high_1, low_2 = v->z - high_2;
+  const double sum_0 = v->x + high_0, sum_1 = v->y + high_1, sum_2 = v->z + high_2;
   const double squares = KSL_MUL(high_0, high_0) + KSL_MUL(high_1, high_1)
           + KSL_MUL(high_2, high_2);
   const double cross = KSL_MUL(low_0, sum_0) + KSL_MUL(low_1, sum_1) + KSL_MUL(low_2, sum_2);
@@ -549,33 +438,22 @@ static inline void ksl_SO3_rightJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_
       b_af = KSL_MUL(x, KSL_MUL(x, b_ab) + 0.001388888888888889) + 0.08333333333333333,
       b = x < 4.0 ? b_af : closed_b;
   const double b_across_b = 1.0 - KSL_MUL(x, b), b_across = x < 4.0 ? b_across_b : half_cotangent;
-  const double beta_v_0 = KSL_MUL(v->x, b);
-  const double beta_v_1 = KSL_MUL(v->y, b);
-  const double beta_v_2 = KSL_MUL(v->z, b);
-  const double m_0 = KSL_MUL(v->x, beta_v_0);
-  const double m_1 = KSL_MUL(v->y, beta_v_1);
-  const double m_2 = KSL_MUL(v->z, beta_v_2);
-  const double m_3 = KSL_MUL(v->y, beta_v_0);
-  const double m_4 = KSL_MUL(v->z, beta_v_0);
-  const double m_5 = KSL_MUL(v->z, beta_v_1);
-  const double others_0 = m_1 + m_2;
-  const double others_1 = m_0 + m_2;
-  const double others_2 = m_0 + m_1;
+  const double beta_v_0 = KSL_MUL(v->x, b), beta_v_1 = KSL_MUL(v->y, b),
+      beta_v_2 = KSL_MUL(v->z, b);
+  const double m_0 = KSL_MUL(v->x, beta_v_0), m_1 = KSL_MUL(v->y, beta_v_1),
+      m_2 = KSL_MUL(v->z, beta_v_2), m_3 = KSL_MUL(v->y, beta_v_0), m_4 = KSL_MUL(v->z, beta_v_0),
+      m_5 = KSL_MUL(v->z, beta_v_1);
+  const double others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const double diagonal0a = 1.0 - others_0, diagonal0b = b_across + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const double diagonal1a = 1.0 - others_1, diagonal1b = b_across + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = b_across + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0 = KSL_MUL(0.5, v->x);
-  const double alpha_v_1 = KSL_MUL(0.5, v->y);
-  const double alpha_v_2 = KSL_MUL(0.5, v->z);
-  const double R_01 = m_3 - alpha_v_2;
-  const double R_02 = m_4 + alpha_v_1;
-  const double R_10 = m_3 + alpha_v_2;
-  const double R_12 = m_5 - alpha_v_0;
-  const double R_20 = m_4 - alpha_v_1;
-  const double R_21 = m_5 + alpha_v_0;
+  const double alpha_v_0 = KSL_MUL(0.5, v->x), alpha_v_1 = KSL_MUL(0.5, v->y),
+      alpha_v_2 = KSL_MUL(0.5, v->z);
+  const double R_01 = m_3 - alpha_v_2, R_02 = m_4 + alpha_v_1, R_10 = m_3 + alpha_v_2,
+      R_12 = m_5 - alpha_v_0, R_20 = m_4 - alpha_v_1, R_21 = m_5 + alpha_v_0;
   R->m00 = diagonal0;
   R->m01 = R_01;
   R->m02 = R_02;
@@ -594,46 +472,43 @@ static inline void ksl_SO3_rightJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_
      and underflow. */
 static inline void ksl_mat3x3_orthonormalize(ksl_mat3x3_t *self) {
   const double defect_0 = 1.0 - KSL_MUL(self->m00, self->m00) - KSL_MUL(self->m10, self->m10)
-          - KSL_MUL(self->m20, self->m20);
-  const double defect_1 = 1.0 - KSL_MUL(self->m01, self->m01) - KSL_MUL(self->m11, self->m11)
-          - KSL_MUL(self->m21, self->m21);
-  const double defect_2 = 1.0 - KSL_MUL(self->m02, self->m02) - KSL_MUL(self->m12, self->m12)
-          - KSL_MUL(self->m22, self->m22);
-  const double defect_3 =
+          - KSL_MUL(self->m20, self->m20),
+      defect_1 = 1.0 - KSL_MUL(self->m01, self->m01) - KSL_MUL(self->m11, self->m11)
+          - KSL_MUL(self->m21, self->m21),
+      defect_2 = 1.0 - KSL_MUL(self->m02, self->m02) - KSL_MUL(self->m12, self->m12)
+          - KSL_MUL(self->m22, self->m22),
+      defect_3 =
           -(KSL_MUL(self->m00, self->m01) + KSL_MUL(self->m10, self->m11)
-          + KSL_MUL(self->m20, self->m21));
-  const double defect_4 =
+          + KSL_MUL(self->m20, self->m21)),
+      defect_4 =
           -(KSL_MUL(self->m00, self->m02) + KSL_MUL(self->m10, self->m12)
-          + KSL_MUL(self->m20, self->m22));
-  const double defect_5 =
+          + KSL_MUL(self->m20, self->m22)),
+      defect_5 =
           -(KSL_MUL(self->m01, self->m02) + KSL_MUL(self->m11, self->m12)
           + KSL_MUL(self->m21, self->m22));
-  const double correction_0 = KSL_MUL(0.5, defect_0);
-  const double correction_1 = KSL_MUL(0.5, defect_1);
-  const double correction_2 = KSL_MUL(0.5, defect_2);
-  const double correction_3 = KSL_MUL(0.5, defect_3);
-  const double correction_4 = KSL_MUL(0.5, defect_4);
-  const double correction_5 = KSL_MUL(0.5, defect_5);
+  const double correction_0 = KSL_MUL(0.5, defect_0), correction_1 = KSL_MUL(0.5, defect_1),
+      correction_2 = KSL_MUL(0.5, defect_2), correction_3 = KSL_MUL(0.5, defect_3),
+      correction_4 = KSL_MUL(0.5, defect_4), correction_5 = KSL_MUL(0.5, defect_5);
   const double self_00_new = self->m00
           + (KSL_MUL(self->m00, correction_0) + KSL_MUL(self->m01, correction_3)
-          + KSL_MUL(self->m02, correction_4));
-  const double self_01_new = KSL_MUL(self->m00, correction_3) + KSL_MUL(self->m01, correction_1)
-          + KSL_MUL(self->m02, correction_5) + self->m01;
-  const double self_02_new = KSL_MUL(self->m00, correction_4) + KSL_MUL(self->m01, correction_5)
-          + KSL_MUL(self->m02, correction_2) + self->m02;
-  const double self_10_new = self->m10
+          + KSL_MUL(self->m02, correction_4)),
+      self_01_new = KSL_MUL(self->m00, correction_3) + KSL_MUL(self->m01, correction_1)
+          + KSL_MUL(self->m02, correction_5) + self->m01,
+      self_02_new = KSL_MUL(self->m00, correction_4) + KSL_MUL(self->m01, correction_5)
+          + KSL_MUL(self->m02, correction_2) + self->m02,
+      self_10_new = self->m10
           + (KSL_MUL(self->m10, correction_0) + KSL_MUL(self->m11, correction_3)
-          + KSL_MUL(self->m12, correction_4));
-  const double self_11_new = KSL_MUL(self->m10, correction_3) + KSL_MUL(self->m11, correction_1)
-          + KSL_MUL(self->m12, correction_5) + self->m11;
-  const double self_12_new = KSL_MUL(self->m10, correction_4) + KSL_MUL(self->m11, correction_5)
-          + KSL_MUL(self->m12, correction_2) + self->m12;
-  const double self_20_new = self->m20
+          + KSL_MUL(self->m12, correction_4)),
+      self_11_new = KSL_MUL(self->m10, correction_3) + KSL_MUL(self->m11, correction_1)
+          + KSL_MUL(self->m12, correction_5) + self->m11,
+      self_12_new = KSL_MUL(self->m10, correction_4) + KSL_MUL(self->m11, correction_5)
+          + KSL_MUL(self->m12, correction_2) + self->m12,
+      self_20_new = self->m20
           + (KSL_MUL(self->m20, correction_0) + KSL_MUL(self->m21, correction_3)
-          + KSL_MUL(self->m22, correction_4));
-  const double self_21_new = KSL_MUL(self->m20, correction_3) + KSL_MUL(self->m21, correction_1)
-          + KSL_MUL(self->m22, correction_5) + self->m21;
-  const double self_22_new = KSL_MUL(self->m20, correction_4) + KSL_MUL(self->m21, correction_5)
+          + KSL_MUL(self->m22, correction_4)),
+      self_21_new = KSL_MUL(self->m20, correction_3) + KSL_MUL(self->m21, correction_1)
+          + KSL_MUL(self->m22, correction_5) + self->m21,
+      self_22_new = KSL_MUL(self->m20, correction_4) + KSL_MUL(self->m21, correction_5)
           + KSL_MUL(self->m22, correction_2) + self->m22;
   self->m00 = self_00_new;
   self->m01 = self_01_new;
@@ -653,43 +528,35 @@ static inline void ksl_mat3x3_orthonormalize(ksl_mat3x3_t *self) {
      and underflow. */
 static inline void ksl_mat3x3_orthonormalized(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
   const double defect_0 = 1.0 - KSL_MUL(R->m00, R->m00) - KSL_MUL(R->m10, R->m10)
-          - KSL_MUL(R->m20, R->m20);
-  const double defect_1 = 1.0 - KSL_MUL(R->m01, R->m01) - KSL_MUL(R->m11, R->m11)
-          - KSL_MUL(R->m21, R->m21);
-  const double defect_2 = 1.0 - KSL_MUL(R->m02, R->m02) - KSL_MUL(R->m12, R->m12)
-          - KSL_MUL(R->m22, R->m22);
-  const double defect_3 =
-          -(KSL_MUL(R->m00, R->m01) + KSL_MUL(R->m10, R->m11) + KSL_MUL(R->m20, R->m21));
-  const double defect_4 =
-          -(KSL_MUL(R->m00, R->m02) + KSL_MUL(R->m10, R->m12) + KSL_MUL(R->m20, R->m22));
-  const double defect_5 =
-          -(KSL_MUL(R->m01, R->m02) + KSL_MUL(R->m11, R->m12) + KSL_MUL(R->m21, R->m22));
-  const double correction_0 = KSL_MUL(0.5, defect_0);
-  const double correction_1 = KSL_MUL(0.5, defect_1);
-  const double correction_2 = KSL_MUL(0.5, defect_2);
-  const double correction_3 = KSL_MUL(0.5, defect_3);
-  const double correction_4 = KSL_MUL(0.5, defect_4);
-  const double correction_5 = KSL_MUL(0.5, defect_5);
+          - KSL_MUL(R->m20, R->m20),
+      defect_1 = 1.0 - KSL_MUL(R->m01, R->m01) - KSL_MUL(R->m11, R->m11) - KSL_MUL(R->m21, R->m21),
+      defect_2 = 1.0 - KSL_MUL(R->m02, R->m02) - KSL_MUL(R->m12, R->m12) - KSL_MUL(R->m22, R->m22),
+      defect_3 = -(KSL_MUL(R->m00, R->m01) + KSL_MUL(R->m10, R->m11) + KSL_MUL(R->m20, R->m21)),
+      defect_4 = -(KSL_MUL(R->m00, R->m02) + KSL_MUL(R->m10, R->m12) + KSL_MUL(R->m20, R->m22)),
+      defect_5 = -(KSL_MUL(R->m01, R->m02) + KSL_MUL(R->m11, R->m12) + KSL_MUL(R->m21, R->m22));
+  const double correction_0 = KSL_MUL(0.5, defect_0), correction_1 = KSL_MUL(0.5, defect_1),
+      correction_2 = KSL_MUL(0.5, defect_2), correction_3 = KSL_MUL(0.5, defect_3),
+      correction_4 = KSL_MUL(0.5, defect_4), correction_5 = KSL_MUL(0.5, defect_5);
   const double Ro_00 = R->m00
           + (KSL_MUL(R->m00, correction_0) + KSL_MUL(R->m01, correction_3)
-          + KSL_MUL(R->m02, correction_4));
-  const double Ro_01 = KSL_MUL(R->m00, correction_3) + KSL_MUL(R->m01, correction_1)
-          + KSL_MUL(R->m02, correction_5) + R->m01;
-  const double Ro_02 = KSL_MUL(R->m00, correction_4) + KSL_MUL(R->m01, correction_5)
-          + KSL_MUL(R->m02, correction_2) + R->m02;
-  const double Ro_10 = R->m10
+          + KSL_MUL(R->m02, correction_4)),
+      Ro_01 = KSL_MUL(R->m00, correction_3) + KSL_MUL(R->m01, correction_1)
+          + KSL_MUL(R->m02, correction_5) + R->m01,
+      Ro_02 = KSL_MUL(R->m00, correction_4) + KSL_MUL(R->m01, correction_5)
+          + KSL_MUL(R->m02, correction_2) + R->m02,
+      Ro_10 = R->m10
           + (KSL_MUL(R->m10, correction_0) + KSL_MUL(R->m11, correction_3)
-          + KSL_MUL(R->m12, correction_4));
-  const double Ro_11 = KSL_MUL(R->m10, correction_3) + KSL_MUL(R->m11, correction_1)
-          + KSL_MUL(R->m12, correction_5) + R->m11;
-  const double Ro_12 = KSL_MUL(R->m10, correction_4) + KSL_MUL(R->m11, correction_5)
-          + KSL_MUL(R->m12, correction_2) + R->m12;
-  const double Ro_20 = R->m20
+          + KSL_MUL(R->m12, correction_4)),
+      Ro_11 = KSL_MUL(R->m10, correction_3) + KSL_MUL(R->m11, correction_1)
+          + KSL_MUL(R->m12, correction_5) + R->m11,
+      Ro_12 = KSL_MUL(R->m10, correction_4) + KSL_MUL(R->m11, correction_5)
+          + KSL_MUL(R->m12, correction_2) + R->m12,
+      Ro_20 = R->m20
           + (KSL_MUL(R->m20, correction_0) + KSL_MUL(R->m21, correction_3)
-          + KSL_MUL(R->m22, correction_4));
-  const double Ro_21 = KSL_MUL(R->m20, correction_3) + KSL_MUL(R->m21, correction_1)
-          + KSL_MUL(R->m22, correction_5) + R->m21;
-  const double Ro_22 = KSL_MUL(R->m20, correction_4) + KSL_MUL(R->m21, correction_5)
+          + KSL_MUL(R->m22, correction_4)),
+      Ro_21 = KSL_MUL(R->m20, correction_3) + KSL_MUL(R->m21, correction_1)
+          + KSL_MUL(R->m22, correction_5) + R->m21,
+      Ro_22 = KSL_MUL(R->m20, correction_4) + KSL_MUL(R->m21, correction_5)
           + KSL_MUL(R->m22, correction_2) + R->m22;
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
@@ -709,23 +576,13 @@ static inline void ksl_mat3x3_orthonormalized(const ksl_mat3x3_t *R, ksl_mat3x3_
      larger, for |ω of s| <= 1e13, in single precision 1e5; searched, not proved.  Intermediate
      sums may overflow where |v|, or |ω| |v|, is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3_exp(const ksl_screw_t *s, ksl_SE3_t *D) {
-  const double size_0 = fabs(s->m3);
-  const double size_1 = fabs(s->m4);
-  const double size_2 = fabs(s->m5);
+  const double size_0 = fabs(s->m3), size_1 = fabs(s->m4), size_2 = fabs(s->m5);
   const double sizes = size_0 + size_1 + size_2;
   const double grid = KSL_MUL(sizes, 268435456.0);
-  const double shifted_0 = s->m3 + grid;
-  const double shifted_1 = s->m4 + grid;
-  const double shifted_2 = s->m5 + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = s->m3 - high_0;
-  const double low_1 = s->m4 - high_1;
-  const double low_2 = s->m5 - high_2;
-  const double sum_0 = s->m3 + high_0;
-  const double sum_1 = s->m4 + high_1;
-  const double sum_2 = s->m5 + high_2;
+  const double shifted_0 = s->m3 + grid, shifted_1 = s->m4 + grid, shifted_2 = s->m5 + grid;
+  const double high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const double low_0 = s->m3 - high_0, low_1 = s->m4 - high_1, low_2 = s->m5 - high_2;
+  const double sum_0 = s->m3 + high_0, sum_1 = s->m4 + high_1, sum_2 = s->m5 + high_2;
   const double squares = KSL_MUL(high_0, high_0) + KSL_MUL(high_1, high_1)
           + KSL_MUL(high_2, high_2);
   const double cross = KSL_MUL(low_0, sum_0) + KSL_MUL(low_1, sum_1) + KSL_MUL(low_2, sum_2);
@@ -775,50 +632,35 @@ static inline void ksl_SE3_exp(const ksl_screw_t *s, ksl_SE3_t *D) {
       g3x = KSL_MUL(x, g3u - 0.008333333333333333) + 0.16666666666666666,
       g3 = x < 4.0 ? g3x : closed3;
   const double g0b = 1.0 - KSL_MUL(x, g2), g0 = x < 1.0 ? g0b : cosine;
-  const double u_0 = KSL_MUL(s->m2, s->m4) - KSL_MUL(s->m1, s->m5);
-  const double u_1 = KSL_MUL(s->m0, s->m5) - KSL_MUL(s->m2, s->m3);
-  const double u_2 = KSL_MUL(s->m1, s->m3) - KSL_MUL(s->m0, s->m4);
-  const double turned_0 = KSL_MUL(g2, u_0);
-  const double turned_1 = KSL_MUL(g2, u_1);
-  const double turned_2 = KSL_MUL(g2, u_2);
+  const double u_0 = KSL_MUL(s->m2, s->m4) - KSL_MUL(s->m1, s->m5),
+      u_1 = KSL_MUL(s->m0, s->m5) - KSL_MUL(s->m2, s->m3),
+      u_2 = KSL_MUL(s->m1, s->m3) - KSL_MUL(s->m0, s->m4);
+  const double turned_0 = KSL_MUL(g2, u_0), turned_1 = KSL_MUL(g2, u_1),
+      turned_2 = KSL_MUL(g2, u_2);
   const double wv = KSL_MUL(s->m0, s->m3) + KSL_MUL(s->m1, s->m4) + KSL_MUL(s->m2, s->m5);
   const double pitch = KSL_MUL(g3, wv);
-  const double along_0 = KSL_MUL(s->m3, pitch);
-  const double along_1 = KSL_MUL(s->m4, pitch);
-  const double along_2 = KSL_MUL(s->m5, pitch);
-  const double beta_v_0 = KSL_MUL(s->m3, g2);
-  const double beta_v_1 = KSL_MUL(s->m4, g2);
-  const double beta_v_2 = KSL_MUL(s->m5, g2);
-  const double m_0 = KSL_MUL(s->m3, beta_v_0);
-  const double m_1 = KSL_MUL(s->m4, beta_v_1);
-  const double m_2 = KSL_MUL(s->m5, beta_v_2);
-  const double m_3 = KSL_MUL(s->m4, beta_v_0);
-  const double m_4 = KSL_MUL(s->m5, beta_v_0);
-  const double m_5 = KSL_MUL(s->m5, beta_v_1);
-  const double others_0 = m_1 + m_2;
-  const double others_1 = m_0 + m_2;
-  const double others_2 = m_0 + m_1;
+  const double along_0 = KSL_MUL(s->m3, pitch), along_1 = KSL_MUL(s->m4, pitch),
+      along_2 = KSL_MUL(s->m5, pitch);
+  const double beta_v_0 = KSL_MUL(s->m3, g2), beta_v_1 = KSL_MUL(s->m4, g2),
+      beta_v_2 = KSL_MUL(s->m5, g2);
+  const double m_0 = KSL_MUL(s->m3, beta_v_0), m_1 = KSL_MUL(s->m4, beta_v_1),
+      m_2 = KSL_MUL(s->m5, beta_v_2), m_3 = KSL_MUL(s->m4, beta_v_0),
+      m_4 = KSL_MUL(s->m5, beta_v_0), m_5 = KSL_MUL(s->m5, beta_v_1);
+  const double others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const double diagonal0a = 1.0 - others_0, diagonal0b = g0 + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const double diagonal1a = 1.0 - others_1, diagonal1b = g0 + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = g0 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0 = KSL_MUL(s->m3, g1);
-  const double alpha_v_1 = KSL_MUL(s->m4, g1);
-  const double alpha_v_2 = KSL_MUL(s->m5, g1);
-  const double across_axis_0 = turned_0 + along_0;
-  const double across_axis_1 = turned_1 + along_1;
-  const double across_axis_2 = turned_2 + along_2;
-  const double D_01 = m_3 - alpha_v_2;
-  const double D_02 = m_4 + alpha_v_1;
-  const double D_03 = KSL_MUL(s->m0, g1) + across_axis_0;
-  const double D_10 = m_3 + alpha_v_2;
-  const double D_12 = m_5 - alpha_v_0;
-  const double D_13 = KSL_MUL(s->m1, g1) + across_axis_1;
-  const double D_20 = m_4 - alpha_v_1;
-  const double D_21 = m_5 + alpha_v_0;
-  const double D_23 = KSL_MUL(s->m2, g1) + across_axis_2;
+  const double alpha_v_0 = KSL_MUL(s->m3, g1), alpha_v_1 = KSL_MUL(s->m4, g1),
+      alpha_v_2 = KSL_MUL(s->m5, g1);
+  const double across_axis_0 = turned_0 + along_0, across_axis_1 = turned_1 + along_1,
+      across_axis_2 = turned_2 + along_2;
+  const double D_01 = m_3 - alpha_v_2, D_02 = m_4 + alpha_v_1,
+      D_03 = KSL_MUL(s->m0, g1) + across_axis_0, D_10 = m_3 + alpha_v_2, D_12 = m_5 - alpha_v_0,
+      D_13 = KSL_MUL(s->m1, g1) + across_axis_1, D_20 = m_4 - alpha_v_1, D_21 = m_5 + alpha_v_0,
+      D_23 = KSL_MUL(s->m2, g1) + across_axis_2;
   D->m00 = diagonal0;
   D->m01 = D_01;
   D->m02 = D_02;
@@ -839,47 +681,31 @@ static inline void ksl_SE3_exp(const ksl_screw_t *s, ksl_SE3_t *D) {
    Error <= lin: 18 u, ang: 8 u of its largest component for R of D a rotation; searched, not
      proved.  Intermediate sums may overflow where |t| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3_log(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double p_0 = D->m21 - D->m12;
-  const double p_1 = D->m02 - D->m20;
-  const double p_2 = D->m10 - D->m01;
-  const double s_0 = D->m12 + D->m21;
-  const double s_1 = D->m02 + D->m20;
-  const double s_2 = D->m01 + D->m10;
-  const double first_0 = D->m00 + 1.0;
-  const double first_1 = 1.0 - D->m00;
-  const double others_0 = D->m11 + D->m22;
-  const double others_1 = D->m11 - D->m22;
-  const double d_0 = first_0 + others_0;
-  const double d_1 = first_0 - others_0;
-  const double d_2 = first_1 + others_1;
-  const double d_3 = first_1 - others_1;
-  const double low_0 = D->m11 < D->m00 ? d_1 : s_2;
-  const double low_1 = D->m11 < D->m00 ? s_2 : d_2;
-  const double low_2 = D->m11 < D->m00 ? s_1 : s_0;
-  const double low_3 = D->m11 < D->m00 ? p_0 : p_1;
+  const double p_0 = D->m21 - D->m12, p_1 = D->m02 - D->m20, p_2 = D->m10 - D->m01;
+  const double s_0 = D->m12 + D->m21, s_1 = D->m02 + D->m20, s_2 = D->m01 + D->m10;
+  const double first_0 = D->m00 + 1.0, first_1 = 1.0 - D->m00;
+  const double others_0 = D->m11 + D->m22, others_1 = D->m11 - D->m22;
+  const double d_0 = first_0 + others_0, d_1 = first_0 - others_0, d_2 = first_1 + others_1,
+      d_3 = first_1 - others_1;
+  const double low_0 = D->m11 < D->m00 ? d_1 : s_2, low_1 = D->m11 < D->m00 ? s_2 : d_2,
+      low_2 = D->m11 < D->m00 ? s_1 : s_0, low_3 = D->m11 < D->m00 ? p_0 : p_1;
   const double high_0a = -D->m11, high_0 = D->m00 < high_0a ? s_1 : p_0;
-  const double high_1 = D->m00 < high_0a ? s_0 : p_1;
-  const double high_2 = D->m00 < high_0a ? d_3 : p_2;
-  const double high_3 = D->m00 < high_0a ? p_2 : d_0;
-  const double column_0 = D->m22 < 0.0 ? low_0 : high_0;
-  const double column_1 = D->m22 < 0.0 ? low_1 : high_1;
-  const double column_2 = D->m22 < 0.0 ? low_2 : high_2;
-  const double column_3 = D->m22 < 0.0 ? low_3 : high_3;
+  const double high_1 = D->m00 < high_0a ? s_0 : p_1, high_2 = D->m00 < high_0a ? d_3 : p_2,
+      high_3 = D->m00 < high_0a ? p_2 : d_0;
+  const double column_0 = D->m22 < 0.0 ? low_0 : high_0, column_1 = D->m22 < 0.0 ? low_1 : high_1,
+      column_2 = D->m22 < 0.0 ? low_2 : high_2, column_3 = D->m22 < 0.0 ? low_3 : high_3;
   const double upper_0a = -column_0, upper_0 = column_3 < 0.0 ? upper_0a : column_0;
   const double upper_1a = -column_1, upper_1 = column_3 < 0.0 ? upper_1a : column_1;
   const double upper_2a = -column_2, upper_2 = column_3 < 0.0 ? upper_2a : column_2;
   const double upper_3a = -column_3, upper_3 = column_3 < 0.0 ? upper_3a : column_3;
-  const double v_s_size_0 = fabs(upper_0);
-  const double v_s_size_1 = fabs(upper_1);
-  const double v_s_size_2 = fabs(upper_2);
+  const double v_s_size_0 = fabs(upper_0), v_s_size_1 = fabs(upper_1), v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       v_s_d = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
       v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
-  const double v_y_0 = KSL_MUL(upper_0, v_s);
-  const double v_y_1 = KSL_MUL(upper_1, v_s);
-  const double v_y_2 = KSL_MUL(upper_2, v_s);
+  const double v_y_0 = KSL_MUL(upper_0, v_s), v_y_1 = KSL_MUL(upper_1, v_s),
+      v_y_2 = KSL_MUL(upper_2, v_s);
   const double v_n = sqrt(KSL_MUL(v_y_0, v_y_0) + KSL_MUL(v_y_1, v_y_1) + KSL_MUL(v_y_2, v_y_2));
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
@@ -889,9 +715,8 @@ static inline void ksl_SE3_log(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double divisor = n == 0.0 ? 1.0 : n;
   const double theta = KSL_MUL(2.0, half);
   const double k = theta / divisor;
-  const double vector_0 = KSL_MUL(upper_0, k);
-  const double vector_1 = KSL_MUL(upper_1, k);
-  const double vector_2 = KSL_MUL(upper_2, k);
+  const double vector_0 = KSL_MUL(upper_0, k), vector_1 = KSL_MUL(upper_1, k),
+      vector_2 = KSL_MUL(upper_2, k);
   const double x = KSL_MUL(theta, theta);
   const double far_sine = x < 1.0 ? 1.0 : n;
   const double cotangent = upper_3 / far_sine;
@@ -913,21 +738,18 @@ static inline void ksl_SE3_log(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double wt = KSL_MUL(D->m03, vector_0) + KSL_MUL(D->m13, vector_1)
           + KSL_MUL(D->m23, vector_2);
   const double pitch = KSL_MUL(b, wt);
-  const double along_0 = KSL_MUL(vector_0, pitch);
-  const double along_1 = KSL_MUL(vector_1, pitch);
-  const double along_2 = KSL_MUL(vector_2, pitch);
-  const double u_0 = KSL_MUL(D->m23, vector_1) - KSL_MUL(D->m13, vector_2);
-  const double u_1 = KSL_MUL(D->m03, vector_2) - KSL_MUL(D->m23, vector_0);
-  const double u_2 = KSL_MUL(D->m13, vector_0) - KSL_MUL(D->m03, vector_1);
-  const double turned_0 = KSL_MUL(0.5, u_0);
-  const double turned_1 = KSL_MUL(0.5, u_1);
-  const double turned_2 = KSL_MUL(0.5, u_2);
-  const double across_axis_0 = along_0 - turned_0;
-  const double across_axis_1 = along_1 - turned_1;
-  const double across_axis_2 = along_2 - turned_2;
-  const double so_0 = KSL_MUL(D->m03, b_across) + across_axis_0;
-  const double so_1 = KSL_MUL(D->m13, b_across) + across_axis_1;
-  const double so_2 = KSL_MUL(D->m23, b_across) + across_axis_2;
+  const double along_0 = KSL_MUL(vector_0, pitch), along_1 = KSL_MUL(vector_1, pitch),
+      along_2 = KSL_MUL(vector_2, pitch);
+  const double u_0 = KSL_MUL(D->m23, vector_1) - KSL_MUL(D->m13, vector_2),
+      u_1 = KSL_MUL(D->m03, vector_2) - KSL_MUL(D->m23, vector_0),
+      u_2 = KSL_MUL(D->m13, vector_0) - KSL_MUL(D->m03, vector_1);
+  const double turned_0 = KSL_MUL(0.5, u_0), turned_1 = KSL_MUL(0.5, u_1),
+      turned_2 = KSL_MUL(0.5, u_2);
+  const double across_axis_0 = along_0 - turned_0, across_axis_1 = along_1 - turned_1,
+      across_axis_2 = along_2 - turned_2;
+  const double so_0 = KSL_MUL(D->m03, b_across) + across_axis_0,
+      so_1 = KSL_MUL(D->m13, b_across) + across_axis_1,
+      so_2 = KSL_MUL(D->m23, b_across) + across_axis_2;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -942,23 +764,13 @@ static inline void ksl_SE3_log(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= M: 20 u of its largest component for |ω of s| <= π; searched, not proved.
      Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3_leftJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
-  const double size_0 = fabs(s->m3);
-  const double size_1 = fabs(s->m4);
-  const double size_2 = fabs(s->m5);
+  const double size_0 = fabs(s->m3), size_1 = fabs(s->m4), size_2 = fabs(s->m5);
   const double sizes = size_0 + size_1 + size_2;
   const double grid = KSL_MUL(sizes, 268435456.0);
-  const double shifted_0 = s->m3 + grid;
-  const double shifted_1 = s->m4 + grid;
-  const double shifted_2 = s->m5 + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = s->m3 - high_0;
-  const double low_1 = s->m4 - high_1;
-  const double low_2 = s->m5 - high_2;
-  const double sum_0 = s->m3 + high_0;
-  const double sum_1 = s->m4 + high_1;
-  const double sum_2 = s->m5 + high_2;
+  const double shifted_0 = s->m3 + grid, shifted_1 = s->m4 + grid, shifted_2 = s->m5 + grid;
+  const double high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const double low_0 = s->m3 - high_0, low_1 = s->m4 - high_1, low_2 = s->m5 - high_2;
+  const double sum_0 = s->m3 + high_0, sum_1 = s->m4 + high_1, sum_2 = s->m5 + high_2;
   const double squares = KSL_MUL(high_0, high_0) + KSL_MUL(high_1, high_1)
           + KSL_MUL(high_2, high_2);
   const double cross = KSL_MUL(low_0, sum_0) + KSL_MUL(low_1, sum_1) + KSL_MUL(low_2, sum_2);
@@ -1028,50 +840,37 @@ static inline void ksl_SE3_leftJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
           - 1.6059043836821615e-09) + 2.0041686708353376e-07) - 1.6534391534391536e-05,
       rate3x = KSL_MUL(x, KSL_MUL(x, rate3t) + 0.0007936507936507937) - 0.016666666666666666,
       rate3 = x < 9.0 ? rate3x : closed_rate3;
-  const double beta_v_0 = KSL_MUL(s->m3, g3);
-  const double beta_v_1 = KSL_MUL(s->m4, g3);
-  const double beta_v_2 = KSL_MUL(s->m5, g3);
-  const double m_0 = KSL_MUL(s->m3, beta_v_0);
-  const double m_1 = KSL_MUL(s->m4, beta_v_1);
-  const double m_2 = KSL_MUL(s->m5, beta_v_2);
-  const double m_3 = KSL_MUL(s->m4, beta_v_0);
-  const double m_4 = KSL_MUL(s->m5, beta_v_0);
-  const double m_5 = KSL_MUL(s->m5, beta_v_1);
-  const double others_0 = m_1 + m_2;
-  const double others_1 = m_0 + m_2;
-  const double others_2 = m_0 + m_1;
+  const double beta_v_0 = KSL_MUL(s->m3, g3), beta_v_1 = KSL_MUL(s->m4, g3),
+      beta_v_2 = KSL_MUL(s->m5, g3);
+  const double m_0 = KSL_MUL(s->m3, beta_v_0), m_1 = KSL_MUL(s->m4, beta_v_1),
+      m_2 = KSL_MUL(s->m5, beta_v_2), m_3 = KSL_MUL(s->m4, beta_v_0),
+      m_4 = KSL_MUL(s->m5, beta_v_0), m_5 = KSL_MUL(s->m5, beta_v_1);
+  const double others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const double diagonal0a = 1.0 - others_0, diagonal0b = g1 + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const double diagonal1a = 1.0 - others_1, diagonal1b = g1 + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = g1 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0 = KSL_MUL(s->m3, g2);
-  const double alpha_v_1 = KSL_MUL(s->m4, g2);
-  const double alpha_v_2 = KSL_MUL(s->m5, g2);
-  const double J_1 = m_3 - alpha_v_2;
-  const double J_2 = m_4 + alpha_v_1;
-  const double J_3 = m_3 + alpha_v_2;
-  const double J_5 = m_5 - alpha_v_0;
-  const double J_6 = m_4 - alpha_v_1;
-  const double J_7 = m_5 + alpha_v_0;
+  const double alpha_v_0 = KSL_MUL(s->m3, g2), alpha_v_1 = KSL_MUL(s->m4, g2),
+      alpha_v_2 = KSL_MUL(s->m5, g2);
+  const double J_1 = m_3 - alpha_v_2, J_2 = m_4 + alpha_v_1, J_3 = m_3 + alpha_v_2,
+      J_5 = m_5 - alpha_v_0, J_6 = m_4 - alpha_v_1, J_7 = m_5 + alpha_v_0;
   const double rate_vw = KSL_MUL(s->m0, s->m3) + KSL_MUL(s->m1, s->m4) + KSL_MUL(s->m2, s->m5);
   const double rate_turn = KSL_MUL(rate2, rate_vw);
   const double rate_bend = -KSL_MUL(rate3, rate_vw);
-  const double rate_q_0 = KSL_MUL(s->m0, g2) + KSL_MUL(s->m3, rate_turn);
-  const double rate_q_1 = KSL_MUL(s->m1, g2) + KSL_MUL(s->m4, rate_turn);
-  const double rate_q_2 = KSL_MUL(s->m2, g2) + KSL_MUL(s->m5, rate_turn);
-  const double rate_beta_v_0 = KSL_MUL(s->m0, g3);
-  const double rate_beta_v_1 = KSL_MUL(s->m1, g3);
-  const double rate_beta_v_2 = KSL_MUL(s->m2, g3);
-  const double rate_bend_w_0 = KSL_MUL(s->m3, rate_bend);
-  const double rate_bend_w_1 = KSL_MUL(s->m4, rate_bend);
-  const double rate_bend_w_2 = KSL_MUL(s->m5, rate_bend);
+  const double rate_q_0 = KSL_MUL(s->m0, g2) + KSL_MUL(s->m3, rate_turn),
+      rate_q_1 = KSL_MUL(s->m1, g2) + KSL_MUL(s->m4, rate_turn),
+      rate_q_2 = KSL_MUL(s->m2, g2) + KSL_MUL(s->m5, rate_turn);
+  const double rate_beta_v_0 = KSL_MUL(s->m0, g3), rate_beta_v_1 = KSL_MUL(s->m1, g3),
+      rate_beta_v_2 = KSL_MUL(s->m2, g3);
+  const double rate_bend_w_0 = KSL_MUL(s->m3, rate_bend), rate_bend_w_1 = KSL_MUL(s->m4, rate_bend),
+      rate_bend_w_2 = KSL_MUL(s->m5, rate_bend);
   const double rate_symmetric_0 = KSL_MUL(s->m3, rate_beta_v_1) + KSL_MUL(s->m4, rate_beta_v_0)
-          - KSL_MUL(s->m4, rate_bend_w_0);
-  const double rate_symmetric_1 = KSL_MUL(s->m3, rate_beta_v_2) + KSL_MUL(s->m5, rate_beta_v_0)
-          - KSL_MUL(s->m5, rate_bend_w_0);
-  const double rate_symmetric_2 = KSL_MUL(s->m4, rate_beta_v_2) + KSL_MUL(s->m5, rate_beta_v_1)
+          - KSL_MUL(s->m4, rate_bend_w_0),
+      rate_symmetric_1 = KSL_MUL(s->m3, rate_beta_v_2) + KSL_MUL(s->m5, rate_beta_v_0)
+          - KSL_MUL(s->m5, rate_bend_w_0),
+      rate_symmetric_2 = KSL_MUL(s->m4, rate_beta_v_2) + KSL_MUL(s->m5, rate_beta_v_1)
           - KSL_MUL(s->m5, rate_bend_w_1);
   const double rate_diagonal_0a = KSL_MUL(s->m4, rate_bend_w_1),
       rate_diagonal_0b = KSL_MUL(s->m5, rate_bend_w_2),
@@ -1083,12 +882,9 @@ static inline void ksl_SE3_leftJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
       rate_diagonal_1 = rate_diagonal_1a + rate_diagonal_0b - (rate_diagonal_1d + rate_diagonal_0g);
   const double rate_diagonal_2 = rate_diagonal_1a + rate_diagonal_0a
           - (rate_diagonal_1d + rate_diagonal_0e);
-  const double M_04 = rate_symmetric_0 - rate_q_2;
-  const double M_05 = rate_q_1 + rate_symmetric_1;
-  const double M_13 = rate_q_2 + rate_symmetric_0;
-  const double M_15 = rate_symmetric_2 - rate_q_0;
-  const double M_23 = rate_symmetric_1 - rate_q_1;
-  const double M_24 = rate_q_0 + rate_symmetric_2;
+  const double M_04 = rate_symmetric_0 - rate_q_2, M_05 = rate_q_1 + rate_symmetric_1,
+      M_13 = rate_q_2 + rate_symmetric_0, M_15 = rate_symmetric_2 - rate_q_0,
+      M_23 = rate_symmetric_1 - rate_q_1, M_24 = rate_q_0 + rate_symmetric_2;
   M->at[0][0] = diagonal0;
   M->at[1][0] = J_1;
   M->at[2][0] = J_2;
@@ -1133,23 +929,13 @@ static inline void ksl_SE3_leftJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
    Error <= M: 20 u of its largest component for |ω of s| <= π; searched, not proved.
      Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3_rightJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
-  const double size_0 = fabs(s->m3);
-  const double size_1 = fabs(s->m4);
-  const double size_2 = fabs(s->m5);
+  const double size_0 = fabs(s->m3), size_1 = fabs(s->m4), size_2 = fabs(s->m5);
   const double sizes = size_0 + size_1 + size_2;
   const double grid = KSL_MUL(sizes, 268435456.0);
-  const double shifted_0 = s->m3 + grid;
-  const double shifted_1 = s->m4 + grid;
-  const double shifted_2 = s->m5 + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = s->m3 - high_0;
-  const double low_1 = s->m4 - high_1;
-  const double low_2 = s->m5 - high_2;
-  const double sum_0 = s->m3 + high_0;
-  const double sum_1 = s->m4 + high_1;
-  const double sum_2 = s->m5 + high_2;
+  const double shifted_0 = s->m3 + grid, shifted_1 = s->m4 + grid, shifted_2 = s->m5 + grid;
+  const double high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const double low_0 = s->m3 - high_0, low_1 = s->m4 - high_1, low_2 = s->m5 - high_2;
+  const double sum_0 = s->m3 + high_0, sum_1 = s->m4 + high_1, sum_2 = s->m5 + high_2;
   const double squares = KSL_MUL(high_0, high_0) + KSL_MUL(high_1, high_1)
           + KSL_MUL(high_2, high_2);
   const double cross = KSL_MUL(low_0, sum_0) + KSL_MUL(low_1, sum_1) + KSL_MUL(low_2, sum_2);
@@ -1219,50 +1005,37 @@ static inline void ksl_SE3_rightJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) 
           - 1.6059043836821615e-09) + 2.0041686708353376e-07) - 1.6534391534391536e-05,
       rate3x = KSL_MUL(x, KSL_MUL(x, rate3t) + 0.0007936507936507937) - 0.016666666666666666,
       rate3 = x < 9.0 ? rate3x : closed_rate3;
-  const double beta_v_0 = KSL_MUL(s->m3, g3);
-  const double beta_v_1 = KSL_MUL(s->m4, g3);
-  const double beta_v_2 = KSL_MUL(s->m5, g3);
-  const double m_0 = KSL_MUL(s->m3, beta_v_0);
-  const double m_1 = KSL_MUL(s->m4, beta_v_1);
-  const double m_2 = KSL_MUL(s->m5, beta_v_2);
-  const double m_3 = KSL_MUL(s->m4, beta_v_0);
-  const double m_4 = KSL_MUL(s->m5, beta_v_0);
-  const double m_5 = KSL_MUL(s->m5, beta_v_1);
-  const double others_0 = m_1 + m_2;
-  const double others_1 = m_0 + m_2;
-  const double others_2 = m_0 + m_1;
+  const double beta_v_0 = KSL_MUL(s->m3, g3), beta_v_1 = KSL_MUL(s->m4, g3),
+      beta_v_2 = KSL_MUL(s->m5, g3);
+  const double m_0 = KSL_MUL(s->m3, beta_v_0), m_1 = KSL_MUL(s->m4, beta_v_1),
+      m_2 = KSL_MUL(s->m5, beta_v_2), m_3 = KSL_MUL(s->m4, beta_v_0),
+      m_4 = KSL_MUL(s->m5, beta_v_0), m_5 = KSL_MUL(s->m5, beta_v_1);
+  const double others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const double diagonal0a = 1.0 - others_0, diagonal0b = g1 + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const double diagonal1a = 1.0 - others_1, diagonal1b = g1 + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = g1 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0 = -KSL_MUL(s->m3, g2);
-  const double alpha_v_1 = -KSL_MUL(s->m4, g2);
-  const double alpha_v_2 = -KSL_MUL(s->m5, g2);
-  const double J_1 = m_3 - alpha_v_2;
-  const double J_2 = m_4 + alpha_v_1;
-  const double J_3 = m_3 + alpha_v_2;
-  const double J_5 = m_5 - alpha_v_0;
-  const double J_6 = m_4 - alpha_v_1;
-  const double J_7 = m_5 + alpha_v_0;
+  const double alpha_v_0 = -KSL_MUL(s->m3, g2), alpha_v_1 = -KSL_MUL(s->m4, g2),
+      alpha_v_2 = -KSL_MUL(s->m5, g2);
+  const double J_1 = m_3 - alpha_v_2, J_2 = m_4 + alpha_v_1, J_3 = m_3 + alpha_v_2,
+      J_5 = m_5 - alpha_v_0, J_6 = m_4 - alpha_v_1, J_7 = m_5 + alpha_v_0;
   const double rate_vw = KSL_MUL(s->m0, s->m3) + KSL_MUL(s->m1, s->m4) + KSL_MUL(s->m2, s->m5);
   const double rate_turn = KSL_MUL(rate2, rate_vw);
   const double rate_bend = -KSL_MUL(rate3, rate_vw);
-  const double rate_q_0 = -(KSL_MUL(s->m0, g2) + KSL_MUL(s->m3, rate_turn));
-  const double rate_q_1 = -(KSL_MUL(s->m1, g2) + KSL_MUL(s->m4, rate_turn));
-  const double rate_q_2 = -(KSL_MUL(s->m2, g2) + KSL_MUL(s->m5, rate_turn));
-  const double rate_beta_v_0 = -KSL_MUL(s->m0, g3);
-  const double rate_beta_v_1 = -KSL_MUL(s->m1, g3);
-  const double rate_beta_v_2 = -KSL_MUL(s->m2, g3);
-  const double rate_bend_w_0 = -KSL_MUL(s->m3, rate_bend);
-  const double rate_bend_w_1 = -KSL_MUL(s->m4, rate_bend);
-  const double rate_bend_w_2 = -KSL_MUL(s->m5, rate_bend);
+  const double rate_q_0 = -(KSL_MUL(s->m0, g2) + KSL_MUL(s->m3, rate_turn)),
+      rate_q_1 = -(KSL_MUL(s->m1, g2) + KSL_MUL(s->m4, rate_turn)),
+      rate_q_2 = -(KSL_MUL(s->m2, g2) + KSL_MUL(s->m5, rate_turn));
+  const double rate_beta_v_0 = -KSL_MUL(s->m0, g3), rate_beta_v_1 = -KSL_MUL(s->m1, g3),
+      rate_beta_v_2 = -KSL_MUL(s->m2, g3);
+  const double rate_bend_w_0 = -KSL_MUL(s->m3, rate_bend),
+      rate_bend_w_1 = -KSL_MUL(s->m4, rate_bend), rate_bend_w_2 = -KSL_MUL(s->m5, rate_bend);
   const double rate_symmetric_0 = KSL_MUL(s->m4, rate_bend_w_0)
-          - (KSL_MUL(s->m3, rate_beta_v_1) + KSL_MUL(s->m4, rate_beta_v_0));
-  const double rate_symmetric_1 = KSL_MUL(s->m5, rate_bend_w_0)
-          - (KSL_MUL(s->m3, rate_beta_v_2) + KSL_MUL(s->m5, rate_beta_v_0));
-  const double rate_symmetric_2 = KSL_MUL(s->m5, rate_bend_w_1)
+          - (KSL_MUL(s->m3, rate_beta_v_1) + KSL_MUL(s->m4, rate_beta_v_0)),
+      rate_symmetric_1 = KSL_MUL(s->m5, rate_bend_w_0)
+          - (KSL_MUL(s->m3, rate_beta_v_2) + KSL_MUL(s->m5, rate_beta_v_0)),
+      rate_symmetric_2 = KSL_MUL(s->m5, rate_bend_w_1)
           - (KSL_MUL(s->m4, rate_beta_v_2) + KSL_MUL(s->m5, rate_beta_v_1));
   const double rate_diagonal_0b = KSL_MUL(KSL_MUL(2.0, s->m4), rate_beta_v_1),
       rate_diagonal_0d = KSL_MUL(KSL_MUL(2.0, s->m5), rate_beta_v_2),
@@ -1274,12 +1047,9 @@ static inline void ksl_SE3_rightJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) 
       rate_diagonal_1 = rate_diagonal_1b + rate_diagonal_0d - (rate_diagonal_1d + rate_diagonal_0g);
   const double rate_diagonal_2 = rate_diagonal_1b + rate_diagonal_0b
           - (rate_diagonal_1d + rate_diagonal_0f);
-  const double M_04 = rate_symmetric_0 - rate_q_2;
-  const double M_05 = rate_q_1 + rate_symmetric_1;
-  const double M_13 = rate_q_2 + rate_symmetric_0;
-  const double M_15 = rate_symmetric_2 - rate_q_0;
-  const double M_23 = rate_symmetric_1 - rate_q_1;
-  const double M_24 = rate_q_0 + rate_symmetric_2;
+  const double M_04 = rate_symmetric_0 - rate_q_2, M_05 = rate_q_1 + rate_symmetric_1,
+      M_13 = rate_q_2 + rate_symmetric_0, M_15 = rate_symmetric_2 - rate_q_0,
+      M_23 = rate_symmetric_1 - rate_q_1, M_24 = rate_q_0 + rate_symmetric_2;
   M->at[0][0] = diagonal0;
   M->at[1][0] = J_1;
   M->at[2][0] = J_2;
@@ -1324,23 +1094,13 @@ static inline void ksl_SE3_rightJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) 
    Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved.
      Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3_leftJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_t *M) {
-  const double size_0 = fabs(s->m3);
-  const double size_1 = fabs(s->m4);
-  const double size_2 = fabs(s->m5);
+  const double size_0 = fabs(s->m3), size_1 = fabs(s->m4), size_2 = fabs(s->m5);
   const double sizes = size_0 + size_1 + size_2;
   const double grid = KSL_MUL(sizes, 268435456.0);
-  const double shifted_0 = s->m3 + grid;
-  const double shifted_1 = s->m4 + grid;
-  const double shifted_2 = s->m5 + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = s->m3 - high_0;
-  const double low_1 = s->m4 - high_1;
-  const double low_2 = s->m5 - high_2;
-  const double sum_0 = s->m3 + high_0;
-  const double sum_1 = s->m4 + high_1;
-  const double sum_2 = s->m5 + high_2;
+  const double shifted_0 = s->m3 + grid, shifted_1 = s->m4 + grid, shifted_2 = s->m5 + grid;
+  const double high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const double low_0 = s->m3 - high_0, low_1 = s->m4 - high_1, low_2 = s->m5 - high_2;
+  const double sum_0 = s->m3 + high_0, sum_1 = s->m4 + high_1, sum_2 = s->m5 + high_2;
   const double squares = KSL_MUL(high_0, high_0) + KSL_MUL(high_1, high_1)
           + KSL_MUL(high_2, high_2);
   const double cross = KSL_MUL(low_0, sum_0) + KSL_MUL(low_1, sum_1) + KSL_MUL(low_2, sum_2);
@@ -1378,33 +1138,22 @@ static inline void ksl_SE3_leftJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_
       b_af = KSL_MUL(x, KSL_MUL(x, b_ab) + 0.001388888888888889) + 0.08333333333333333,
       b = x < 4.0 ? b_af : closed_b;
   const double b_across_b = 1.0 - KSL_MUL(x, b), b_across = x < 4.0 ? b_across_b : half_cotangent;
-  const double beta_v_0 = KSL_MUL(s->m3, b);
-  const double beta_v_1 = KSL_MUL(s->m4, b);
-  const double beta_v_2 = KSL_MUL(s->m5, b);
-  const double m_0 = KSL_MUL(s->m3, beta_v_0);
-  const double m_1 = KSL_MUL(s->m4, beta_v_1);
-  const double m_2 = KSL_MUL(s->m5, beta_v_2);
-  const double m_3 = KSL_MUL(s->m4, beta_v_0);
-  const double m_4 = KSL_MUL(s->m5, beta_v_0);
-  const double m_5 = KSL_MUL(s->m5, beta_v_1);
-  const double others_0 = m_1 + m_2;
-  const double others_1 = m_0 + m_2;
-  const double others_2 = m_0 + m_1;
+  const double beta_v_0 = KSL_MUL(s->m3, b), beta_v_1 = KSL_MUL(s->m4, b),
+      beta_v_2 = KSL_MUL(s->m5, b);
+  const double m_0 = KSL_MUL(s->m3, beta_v_0), m_1 = KSL_MUL(s->m4, beta_v_1),
+      m_2 = KSL_MUL(s->m5, beta_v_2), m_3 = KSL_MUL(s->m4, beta_v_0),
+      m_4 = KSL_MUL(s->m5, beta_v_0), m_5 = KSL_MUL(s->m5, beta_v_1);
+  const double others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const double diagonal0a = 1.0 - others_0, diagonal0b = b_across + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const double diagonal1a = 1.0 - others_1, diagonal1b = b_across + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = b_across + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0 = -KSL_MUL(0.5, s->m3);
-  const double alpha_v_1 = -KSL_MUL(0.5, s->m4);
-  const double alpha_v_2 = -KSL_MUL(0.5, s->m5);
-  const double J_1 = m_3 - alpha_v_2;
-  const double J_2 = m_4 + alpha_v_1;
-  const double J_3 = m_3 + alpha_v_2;
-  const double J_5 = m_5 - alpha_v_0;
-  const double J_6 = m_4 - alpha_v_1;
-  const double J_7 = m_5 + alpha_v_0;
+  const double alpha_v_0 = -KSL_MUL(0.5, s->m3), alpha_v_1 = -KSL_MUL(0.5, s->m4),
+      alpha_v_2 = -KSL_MUL(0.5, s->m5);
+  const double J_1 = m_3 - alpha_v_2, J_2 = m_4 + alpha_v_1, J_3 = m_3 + alpha_v_2,
+      J_5 = m_5 - alpha_v_0, J_6 = m_4 - alpha_v_1, J_7 = m_5 + alpha_v_0;
   const double b_rate_across = (2.0 - half_cotangent) / b_divisor;
   const double b_rate_square = 0.25 + KSL_MUL(0.25, KSL_MUL(cotangent, cotangent));
   const double b_rate_rest = b_rate_square - b_rate_across;
@@ -1423,20 +1172,17 @@ static inline void ksl_SE3_leftJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_
       b_rate = x < 4.0 ? b_rate_ah : closed_b_rate;
   const double rate_vw = KSL_MUL(s->m0, s->m3) + KSL_MUL(s->m1, s->m4) + KSL_MUL(s->m2, s->m5);
   const double rate_bend = -KSL_MUL(b_rate, rate_vw);
-  const double rate_q_0 = -KSL_MUL(0.5, s->m0);
-  const double rate_q_1 = -KSL_MUL(0.5, s->m1);
-  const double rate_q_2 = -KSL_MUL(0.5, s->m2);
-  const double rate_beta_v_0 = KSL_MUL(s->m0, b);
-  const double rate_beta_v_1 = KSL_MUL(s->m1, b);
-  const double rate_beta_v_2 = KSL_MUL(s->m2, b);
-  const double rate_bend_w_0 = KSL_MUL(s->m3, rate_bend);
-  const double rate_bend_w_1 = KSL_MUL(s->m4, rate_bend);
-  const double rate_bend_w_2 = KSL_MUL(s->m5, rate_bend);
+  const double rate_q_0 = -KSL_MUL(0.5, s->m0), rate_q_1 = -KSL_MUL(0.5, s->m1),
+      rate_q_2 = -KSL_MUL(0.5, s->m2);
+  const double rate_beta_v_0 = KSL_MUL(s->m0, b), rate_beta_v_1 = KSL_MUL(s->m1, b),
+      rate_beta_v_2 = KSL_MUL(s->m2, b);
+  const double rate_bend_w_0 = KSL_MUL(s->m3, rate_bend), rate_bend_w_1 = KSL_MUL(s->m4, rate_bend),
+      rate_bend_w_2 = KSL_MUL(s->m5, rate_bend);
   const double rate_symmetric_0 = KSL_MUL(s->m3, rate_beta_v_1) + KSL_MUL(s->m4, rate_beta_v_0)
-          - KSL_MUL(s->m4, rate_bend_w_0);
-  const double rate_symmetric_1 = KSL_MUL(s->m3, rate_beta_v_2) + KSL_MUL(s->m5, rate_beta_v_0)
-          - KSL_MUL(s->m5, rate_bend_w_0);
-  const double rate_symmetric_2 = KSL_MUL(s->m4, rate_beta_v_2) + KSL_MUL(s->m5, rate_beta_v_1)
+          - KSL_MUL(s->m4, rate_bend_w_0),
+      rate_symmetric_1 = KSL_MUL(s->m3, rate_beta_v_2) + KSL_MUL(s->m5, rate_beta_v_0)
+          - KSL_MUL(s->m5, rate_bend_w_0),
+      rate_symmetric_2 = KSL_MUL(s->m4, rate_beta_v_2) + KSL_MUL(s->m5, rate_beta_v_1)
           - KSL_MUL(s->m5, rate_bend_w_1);
   const double rate_diagonal_0a = KSL_MUL(s->m4, rate_bend_w_1),
       rate_diagonal_0b = KSL_MUL(s->m5, rate_bend_w_2),
@@ -1448,12 +1194,9 @@ static inline void ksl_SE3_leftJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_
       rate_diagonal_1 = rate_diagonal_1a + rate_diagonal_0b - (rate_diagonal_1d + rate_diagonal_0g);
   const double rate_diagonal_2 = rate_diagonal_1a + rate_diagonal_0a
           - (rate_diagonal_1d + rate_diagonal_0e);
-  const double M_04 = rate_symmetric_0 - rate_q_2;
-  const double M_05 = rate_q_1 + rate_symmetric_1;
-  const double M_13 = rate_q_2 + rate_symmetric_0;
-  const double M_15 = rate_symmetric_2 - rate_q_0;
-  const double M_23 = rate_symmetric_1 - rate_q_1;
-  const double M_24 = rate_q_0 + rate_symmetric_2;
+  const double M_04 = rate_symmetric_0 - rate_q_2, M_05 = rate_q_1 + rate_symmetric_1,
+      M_13 = rate_q_2 + rate_symmetric_0, M_15 = rate_symmetric_2 - rate_q_0,
+      M_23 = rate_symmetric_1 - rate_q_1, M_24 = rate_q_0 + rate_symmetric_2;
   M->at[0][0] = diagonal0;
   M->at[1][0] = J_1;
   M->at[2][0] = J_2;
@@ -1498,23 +1241,13 @@ static inline void ksl_SE3_leftJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_
    Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved.
      Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3_rightJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_t *M) {
-  const double size_0 = fabs(s->m3);
-  const double size_1 = fabs(s->m4);
-  const double size_2 = fabs(s->m5);
+  const double size_0 = fabs(s->m3), size_1 = fabs(s->m4), size_2 = fabs(s->m5);
   const double sizes = size_0 + size_1 + size_2;
   const double grid = KSL_MUL(sizes, 268435456.0);
-  const double shifted_0 = s->m3 + grid;
-  const double shifted_1 = s->m4 + grid;
-  const double shifted_2 = s->m5 + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = s->m3 - high_0;
-  const double low_1 = s->m4 - high_1;
-  const double low_2 = s->m5 - high_2;
-  const double sum_0 = s->m3 + high_0;
-  const double sum_1 = s->m4 + high_1;
-  const double sum_2 = s->m5 + high_2;
+  const double shifted_0 = s->m3 + grid, shifted_1 = s->m4 + grid, shifted_2 = s->m5 + grid;
+  const double high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const double low_0 = s->m3 - high_0, low_1 = s->m4 - high_1, low_2 = s->m5 - high_2;
+  const double sum_0 = s->m3 + high_0, sum_1 = s->m4 + high_1, sum_2 = s->m5 + high_2;
   const double squares = KSL_MUL(high_0, high_0) + KSL_MUL(high_1, high_1)
           + KSL_MUL(high_2, high_2);
   const double cross = KSL_MUL(low_0, sum_0) + KSL_MUL(low_1, sum_1) + KSL_MUL(low_2, sum_2);
@@ -1552,33 +1285,22 @@ static inline void ksl_SE3_rightJacobianInverse(const ksl_screw_t *s, ksl_mat6x6
       b_af = KSL_MUL(x, KSL_MUL(x, b_ab) + 0.001388888888888889) + 0.08333333333333333,
       b = x < 4.0 ? b_af : closed_b;
   const double b_across_b = 1.0 - KSL_MUL(x, b), b_across = x < 4.0 ? b_across_b : half_cotangent;
-  const double beta_v_0 = KSL_MUL(s->m3, b);
-  const double beta_v_1 = KSL_MUL(s->m4, b);
-  const double beta_v_2 = KSL_MUL(s->m5, b);
-  const double m_0 = KSL_MUL(s->m3, beta_v_0);
-  const double m_1 = KSL_MUL(s->m4, beta_v_1);
-  const double m_2 = KSL_MUL(s->m5, beta_v_2);
-  const double m_3 = KSL_MUL(s->m4, beta_v_0);
-  const double m_4 = KSL_MUL(s->m5, beta_v_0);
-  const double m_5 = KSL_MUL(s->m5, beta_v_1);
-  const double others_0 = m_1 + m_2;
-  const double others_1 = m_0 + m_2;
-  const double others_2 = m_0 + m_1;
+  const double beta_v_0 = KSL_MUL(s->m3, b), beta_v_1 = KSL_MUL(s->m4, b),
+      beta_v_2 = KSL_MUL(s->m5, b);
+  const double m_0 = KSL_MUL(s->m3, beta_v_0), m_1 = KSL_MUL(s->m4, beta_v_1),
+      m_2 = KSL_MUL(s->m5, beta_v_2), m_3 = KSL_MUL(s->m4, beta_v_0),
+      m_4 = KSL_MUL(s->m5, beta_v_0), m_5 = KSL_MUL(s->m5, beta_v_1);
+  const double others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const double diagonal0a = 1.0 - others_0, diagonal0b = b_across + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const double diagonal1a = 1.0 - others_1, diagonal1b = b_across + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = b_across + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0 = KSL_MUL(0.5, s->m3);
-  const double alpha_v_1 = KSL_MUL(0.5, s->m4);
-  const double alpha_v_2 = KSL_MUL(0.5, s->m5);
-  const double J_1 = m_3 - alpha_v_2;
-  const double J_2 = m_4 + alpha_v_1;
-  const double J_3 = m_3 + alpha_v_2;
-  const double J_5 = m_5 - alpha_v_0;
-  const double J_6 = m_4 - alpha_v_1;
-  const double J_7 = m_5 + alpha_v_0;
+  const double alpha_v_0 = KSL_MUL(0.5, s->m3), alpha_v_1 = KSL_MUL(0.5, s->m4),
+      alpha_v_2 = KSL_MUL(0.5, s->m5);
+  const double J_1 = m_3 - alpha_v_2, J_2 = m_4 + alpha_v_1, J_3 = m_3 + alpha_v_2,
+      J_5 = m_5 - alpha_v_0, J_6 = m_4 - alpha_v_1, J_7 = m_5 + alpha_v_0;
   const double b_rate_across = (2.0 - half_cotangent) / b_divisor;
   const double b_rate_square = 0.25 + KSL_MUL(0.25, KSL_MUL(cotangent, cotangent));
   const double b_rate_rest = b_rate_square - b_rate_across;
@@ -1597,20 +1319,17 @@ static inline void ksl_SE3_rightJacobianInverse(const ksl_screw_t *s, ksl_mat6x6
       b_rate = x < 4.0 ? b_rate_ah : closed_b_rate;
   const double rate_vw = KSL_MUL(s->m0, s->m3) + KSL_MUL(s->m1, s->m4) + KSL_MUL(s->m2, s->m5);
   const double rate_bend = -KSL_MUL(b_rate, rate_vw);
-  const double rate_q_0 = KSL_MUL(0.5, s->m0);
-  const double rate_q_1 = KSL_MUL(0.5, s->m1);
-  const double rate_q_2 = KSL_MUL(0.5, s->m2);
-  const double rate_beta_v_0 = -KSL_MUL(s->m0, b);
-  const double rate_beta_v_1 = -KSL_MUL(s->m1, b);
-  const double rate_beta_v_2 = -KSL_MUL(s->m2, b);
-  const double rate_bend_w_0 = -KSL_MUL(s->m3, rate_bend);
-  const double rate_bend_w_1 = -KSL_MUL(s->m4, rate_bend);
-  const double rate_bend_w_2 = -KSL_MUL(s->m5, rate_bend);
+  const double rate_q_0 = KSL_MUL(0.5, s->m0), rate_q_1 = KSL_MUL(0.5, s->m1),
+      rate_q_2 = KSL_MUL(0.5, s->m2);
+  const double rate_beta_v_0 = -KSL_MUL(s->m0, b), rate_beta_v_1 = -KSL_MUL(s->m1, b),
+      rate_beta_v_2 = -KSL_MUL(s->m2, b);
+  const double rate_bend_w_0 = -KSL_MUL(s->m3, rate_bend),
+      rate_bend_w_1 = -KSL_MUL(s->m4, rate_bend), rate_bend_w_2 = -KSL_MUL(s->m5, rate_bend);
   const double rate_symmetric_0 = KSL_MUL(s->m4, rate_bend_w_0)
-          - (KSL_MUL(s->m3, rate_beta_v_1) + KSL_MUL(s->m4, rate_beta_v_0));
-  const double rate_symmetric_1 = KSL_MUL(s->m5, rate_bend_w_0)
-          - (KSL_MUL(s->m3, rate_beta_v_2) + KSL_MUL(s->m5, rate_beta_v_0));
-  const double rate_symmetric_2 = KSL_MUL(s->m5, rate_bend_w_1)
+          - (KSL_MUL(s->m3, rate_beta_v_1) + KSL_MUL(s->m4, rate_beta_v_0)),
+      rate_symmetric_1 = KSL_MUL(s->m5, rate_bend_w_0)
+          - (KSL_MUL(s->m3, rate_beta_v_2) + KSL_MUL(s->m5, rate_beta_v_0)),
+      rate_symmetric_2 = KSL_MUL(s->m5, rate_bend_w_1)
           - (KSL_MUL(s->m4, rate_beta_v_2) + KSL_MUL(s->m5, rate_beta_v_1));
   const double rate_diagonal_0b = KSL_MUL(KSL_MUL(2.0, s->m4), rate_beta_v_1),
       rate_diagonal_0d = KSL_MUL(KSL_MUL(2.0, s->m5), rate_beta_v_2),
@@ -1622,12 +1341,9 @@ static inline void ksl_SE3_rightJacobianInverse(const ksl_screw_t *s, ksl_mat6x6
       rate_diagonal_1 = rate_diagonal_1b + rate_diagonal_0d - (rate_diagonal_1d + rate_diagonal_0g);
   const double rate_diagonal_2 = rate_diagonal_1b + rate_diagonal_0b
           - (rate_diagonal_1d + rate_diagonal_0f);
-  const double M_04 = rate_symmetric_0 - rate_q_2;
-  const double M_05 = rate_q_1 + rate_symmetric_1;
-  const double M_13 = rate_q_2 + rate_symmetric_0;
-  const double M_15 = rate_symmetric_2 - rate_q_0;
-  const double M_23 = rate_symmetric_1 - rate_q_1;
-  const double M_24 = rate_q_0 + rate_symmetric_2;
+  const double M_04 = rate_symmetric_0 - rate_q_2, M_05 = rate_q_1 + rate_symmetric_1,
+      M_13 = rate_q_2 + rate_symmetric_0, M_15 = rate_symmetric_2 - rate_q_0,
+      M_23 = rate_symmetric_1 - rate_q_1, M_24 = rate_q_0 + rate_symmetric_2;
   M->at[0][0] = diagonal0;
   M->at[1][0] = J_1;
   M->at[2][0] = J_2;
@@ -1675,59 +1391,43 @@ static inline void ksl_SE3_rightJacobianInverse(const ksl_screw_t *s, ksl_mat6x6
      5e36. */
 static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2, const double k,
     ksl_SE3_t *Do) {
-  const double apart_0 = D2->m03 - D1->m03;
-  const double apart_1 = D2->m13 - D1->m13;
-  const double apart_2 = D2->m23 - D1->m23;
+  const double apart_0 = D2->m03 - D1->m03, apart_1 = D2->m13 - D1->m13,
+      apart_2 = D2->m23 - D1->m23;
   const double between_0 = KSL_MUL(D1->m00, D2->m00) + KSL_MUL(D1->m10, D2->m10)
-          + KSL_MUL(D1->m20, D2->m20);
-  const double between_1 = KSL_MUL(D1->m00, D2->m01) + KSL_MUL(D1->m10, D2->m11)
-          + KSL_MUL(D1->m20, D2->m21);
-  const double between_2 = KSL_MUL(D1->m00, D2->m02) + KSL_MUL(D1->m10, D2->m12)
-          + KSL_MUL(D1->m20, D2->m22);
-  const double between_3 = KSL_MUL(D1->m00, apart_0) + KSL_MUL(D1->m10, apart_1)
-          + KSL_MUL(D1->m20, apart_2);
-  const double between_4 = KSL_MUL(D1->m01, D2->m00) + KSL_MUL(D1->m11, D2->m10)
-          + KSL_MUL(D1->m21, D2->m20);
-  const double between_5 = KSL_MUL(D1->m01, D2->m01) + KSL_MUL(D1->m11, D2->m11)
-          + KSL_MUL(D1->m21, D2->m21);
-  const double between_6 = KSL_MUL(D1->m01, D2->m02) + KSL_MUL(D1->m11, D2->m12)
-          + KSL_MUL(D1->m21, D2->m22);
-  const double between_7 = KSL_MUL(D1->m01, apart_0) + KSL_MUL(D1->m11, apart_1)
-          + KSL_MUL(D1->m21, apart_2);
-  const double between_8 = KSL_MUL(D1->m02, D2->m00) + KSL_MUL(D1->m12, D2->m10)
-          + KSL_MUL(D1->m22, D2->m20);
-  const double between_9 = KSL_MUL(D1->m02, D2->m01) + KSL_MUL(D1->m12, D2->m11)
-          + KSL_MUL(D1->m22, D2->m21);
-  const double between_10 = KSL_MUL(D1->m02, D2->m02) + KSL_MUL(D1->m12, D2->m12)
-          + KSL_MUL(D1->m22, D2->m22);
-  const double between_11 = KSL_MUL(D1->m02, apart_0) + KSL_MUL(D1->m12, apart_1)
+          + KSL_MUL(D1->m20, D2->m20),
+      between_1 = KSL_MUL(D1->m00, D2->m01) + KSL_MUL(D1->m10, D2->m11) + KSL_MUL(D1->m20, D2->m21),
+      between_2 = KSL_MUL(D1->m00, D2->m02) + KSL_MUL(D1->m10, D2->m12) + KSL_MUL(D1->m20, D2->m22),
+      between_3 = KSL_MUL(D1->m00, apart_0) + KSL_MUL(D1->m10, apart_1) + KSL_MUL(D1->m20, apart_2),
+      between_4 = KSL_MUL(D1->m01, D2->m00) + KSL_MUL(D1->m11, D2->m10) + KSL_MUL(D1->m21, D2->m20),
+      between_5 = KSL_MUL(D1->m01, D2->m01) + KSL_MUL(D1->m11, D2->m11) + KSL_MUL(D1->m21, D2->m21),
+      between_6 = KSL_MUL(D1->m01, D2->m02) + KSL_MUL(D1->m11, D2->m12) + KSL_MUL(D1->m21, D2->m22),
+      between_7 = KSL_MUL(D1->m01, apart_0) + KSL_MUL(D1->m11, apart_1) + KSL_MUL(D1->m21, apart_2),
+      between_8 = KSL_MUL(D1->m02, D2->m00) + KSL_MUL(D1->m12, D2->m10) + KSL_MUL(D1->m22, D2->m20),
+      between_9 = KSL_MUL(D1->m02, D2->m01) + KSL_MUL(D1->m12, D2->m11) + KSL_MUL(D1->m22, D2->m21),
+      between_10 = KSL_MUL(D1->m02, D2->m02) + KSL_MUL(D1->m12, D2->m12)
+          + KSL_MUL(D1->m22, D2->m22),
+      between_11 = KSL_MUL(D1->m02, apart_0) + KSL_MUL(D1->m12, apart_1)
           + KSL_MUL(D1->m22, apart_2);
-  const double log_p_0 = between_9 - between_6;
-  const double log_p_1 = between_2 - between_8;
-  const double log_p_2 = between_4 - between_1;
-  const double log_s_0 = between_6 + between_9;
-  const double log_s_1 = between_2 + between_8;
-  const double log_s_2 = between_1 + between_4;
-  const double log_first_0 = between_0 + 1.0;
-  const double log_first_1 = 1.0 - between_0;
-  const double log_others_0 = between_5 + between_10;
-  const double log_others_1 = between_5 - between_10;
-  const double log_d_0 = log_first_0 + log_others_0;
-  const double log_d_1 = log_first_0 - log_others_0;
-  const double log_d_2 = log_first_1 + log_others_1;
-  const double log_d_3 = log_first_1 - log_others_1;
-  const double log_low_0 = between_5 < between_0 ? log_d_1 : log_s_2;
-  const double log_low_1 = between_5 < between_0 ? log_s_2 : log_d_2;
-  const double log_low_2 = between_5 < between_0 ? log_s_1 : log_s_0;
-  const double log_low_3 = between_5 < between_0 ? log_p_0 : log_p_1;
+  const double log_p_0 = between_9 - between_6, log_p_1 = between_2 - between_8,
+      log_p_2 = between_4 - between_1;
+  const double log_s_0 = between_6 + between_9, log_s_1 = between_2 + between_8,
+      log_s_2 = between_1 + between_4;
+  const double log_first_0 = between_0 + 1.0, log_first_1 = 1.0 - between_0;
+  const double log_others_0 = between_5 + between_10, log_others_1 = between_5 - between_10;
+  const double log_d_0 = log_first_0 + log_others_0, log_d_1 = log_first_0 - log_others_0,
+      log_d_2 = log_first_1 + log_others_1, log_d_3 = log_first_1 - log_others_1;
+  const double log_low_0 = between_5 < between_0 ? log_d_1 : log_s_2,
+      log_low_1 = between_5 < between_0 ? log_s_2 : log_d_2,
+      log_low_2 = between_5 < between_0 ? log_s_1 : log_s_0,
+      log_low_3 = between_5 < between_0 ? log_p_0 : log_p_1;
   const double log_high_0a = -between_5, log_high_0 = between_0 < log_high_0a ? log_s_1 : log_p_0;
-  const double log_high_1 = between_0 < log_high_0a ? log_s_0 : log_p_1;
-  const double log_high_2 = between_0 < log_high_0a ? log_d_3 : log_p_2;
-  const double log_high_3 = between_0 < log_high_0a ? log_p_2 : log_d_0;
-  const double log_column_0 = between_10 < 0.0 ? log_low_0 : log_high_0;
-  const double log_column_1 = between_10 < 0.0 ? log_low_1 : log_high_1;
-  const double log_column_2 = between_10 < 0.0 ? log_low_2 : log_high_2;
-  const double log_column_3 = between_10 < 0.0 ? log_low_3 : log_high_3;
+  const double log_high_1 = between_0 < log_high_0a ? log_s_0 : log_p_1,
+      log_high_2 = between_0 < log_high_0a ? log_d_3 : log_p_2,
+      log_high_3 = between_0 < log_high_0a ? log_p_2 : log_d_0;
+  const double log_column_0 = between_10 < 0.0 ? log_low_0 : log_high_0,
+      log_column_1 = between_10 < 0.0 ? log_low_1 : log_high_1,
+      log_column_2 = between_10 < 0.0 ? log_low_2 : log_high_2,
+      log_column_3 = between_10 < 0.0 ? log_low_3 : log_high_3;
   const double log_upper_0a = -log_column_0,
       log_upper_0 = log_column_3 < 0.0 ? log_upper_0a : log_column_0;
   const double log_upper_1a = -log_column_1,
@@ -1736,18 +1436,16 @@ static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2
       log_upper_2 = log_column_3 < 0.0 ? log_upper_2a : log_column_2;
   const double log_upper_3a = -log_column_3,
       log_upper_3 = log_column_3 < 0.0 ? log_upper_3a : log_column_3;
-  const double log_v_s_size_0 = fabs(log_upper_0);
-  const double log_v_s_size_1 = fabs(log_upper_1);
-  const double log_v_s_size_2 = fabs(log_upper_2);
+  const double log_v_s_size_0 = fabs(log_upper_0), log_v_s_size_1 = fabs(log_upper_1),
+      log_v_s_size_2 = fabs(log_upper_2);
   const double log_v_s_largest1 = log_v_s_size_0 < log_v_s_size_1 ? log_v_s_size_1 : log_v_s_size_0;
   const double log_v_s_largest2 = log_v_s_largest1 < log_v_s_size_2 ? log_v_s_size_2
           : log_v_s_largest1;
   const double log_v_s_b = 6.703903964971299e+153 < log_v_s_largest2 ? 3.7291703656001034e-155
           : 1.0, log_v_s_d = log_v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : log_v_s_b,
       log_v_s = log_v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : log_v_s_d;
-  const double log_v_y_0 = KSL_MUL(log_upper_0, log_v_s);
-  const double log_v_y_1 = KSL_MUL(log_upper_1, log_v_s);
-  const double log_v_y_2 = KSL_MUL(log_upper_2, log_v_s);
+  const double log_v_y_0 = KSL_MUL(log_upper_0, log_v_s), log_v_y_1 = KSL_MUL(log_upper_1, log_v_s),
+      log_v_y_2 = KSL_MUL(log_upper_2, log_v_s);
   const double log_v_n = sqrt(KSL_MUL(log_v_y_0, log_v_y_0) + KSL_MUL(log_v_y_1, log_v_y_1)
           + KSL_MUL(log_v_y_2, log_v_y_2));
   const double log_v_r_b = log_v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
@@ -1758,9 +1456,8 @@ static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2
   const double log_divisor = log_n == 0.0 ? 1.0 : log_n;
   const double log_theta = KSL_MUL(2.0, log_half);
   const double log_k = log_theta / log_divisor;
-  const double log_vector_0 = KSL_MUL(log_upper_0, log_k);
-  const double log_vector_1 = KSL_MUL(log_upper_1, log_k);
-  const double log_vector_2 = KSL_MUL(log_upper_2, log_k);
+  const double log_vector_0 = KSL_MUL(log_upper_0, log_k),
+      log_vector_1 = KSL_MUL(log_upper_1, log_k), log_vector_2 = KSL_MUL(log_upper_2, log_k);
   const double log_x = KSL_MUL(log_theta, log_theta);
   const double log_far_sine = log_x < 1.0 ? 1.0 : log_n;
   const double log_cotangent = log_upper_3 / log_far_sine;
@@ -1785,44 +1482,34 @@ static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2
   const double log_wt = KSL_MUL(between_3, log_vector_0) + KSL_MUL(between_7, log_vector_1)
           + KSL_MUL(between_11, log_vector_2);
   const double log_pitch = KSL_MUL(log_b, log_wt);
-  const double log_along_0 = KSL_MUL(log_vector_0, log_pitch);
-  const double log_along_1 = KSL_MUL(log_vector_1, log_pitch);
-  const double log_along_2 = KSL_MUL(log_vector_2, log_pitch);
-  const double log_u_0 = KSL_MUL(between_11, log_vector_1) - KSL_MUL(between_7, log_vector_2);
-  const double log_u_1 = KSL_MUL(between_3, log_vector_2) - KSL_MUL(between_11, log_vector_0);
-  const double log_u_2 = KSL_MUL(between_7, log_vector_0) - KSL_MUL(between_3, log_vector_1);
-  const double log_turned_0 = KSL_MUL(0.5, log_u_0);
-  const double log_turned_1 = KSL_MUL(0.5, log_u_1);
-  const double log_turned_2 = KSL_MUL(0.5, log_u_2);
-  const double log_across_axis_0 = log_along_0 - log_turned_0;
-  const double log_across_axis_1 = log_along_1 - log_turned_1;
-  const double log_across_axis_2 = log_along_2 - log_turned_2;
-  const double whole_0 = KSL_MUL(between_3, log_b_across) + log_across_axis_0;
-  const double whole_1 = KSL_MUL(between_7, log_b_across) + log_across_axis_1;
-  const double whole_2 = KSL_MUL(between_11, log_b_across) + log_across_axis_2;
-  const double screw_0 = KSL_MUL(k, whole_0);
-  const double screw_1 = KSL_MUL(k, whole_1);
-  const double screw_2 = KSL_MUL(k, whole_2);
-  const double screw_3 = KSL_MUL(k, log_vector_0);
-  const double screw_4 = KSL_MUL(k, log_vector_1);
-  const double screw_5 = KSL_MUL(k, log_vector_2);
-  const double exp_size_0 = fabs(screw_3);
-  const double exp_size_1 = fabs(screw_4);
-  const double exp_size_2 = fabs(screw_5);
+  const double log_along_0 = KSL_MUL(log_vector_0, log_pitch),
+      log_along_1 = KSL_MUL(log_vector_1, log_pitch),
+      log_along_2 = KSL_MUL(log_vector_2, log_pitch);
+  const double log_u_0 = KSL_MUL(between_11, log_vector_1) - KSL_MUL(between_7, log_vector_2),
+      log_u_1 = KSL_MUL(between_3, log_vector_2) - KSL_MUL(between_11, log_vector_0),
+      log_u_2 = KSL_MUL(between_7, log_vector_0) - KSL_MUL(between_3, log_vector_1);
+  const double log_turned_0 = KSL_MUL(0.5, log_u_0), log_turned_1 = KSL_MUL(0.5, log_u_1),
+      log_turned_2 = KSL_MUL(0.5, log_u_2);
+  const double log_across_axis_0 = log_along_0 - log_turned_0,
+      log_across_axis_1 = log_along_1 - log_turned_1,
+      log_across_axis_2 = log_along_2 - log_turned_2;
+  const double whole_0 = KSL_MUL(between_3, log_b_across) + log_across_axis_0,
+      whole_1 = KSL_MUL(between_7, log_b_across) + log_across_axis_1,
+      whole_2 = KSL_MUL(between_11, log_b_across) + log_across_axis_2;
+  const double screw_0 = KSL_MUL(k, whole_0), screw_1 = KSL_MUL(k, whole_1),
+      screw_2 = KSL_MUL(k, whole_2), screw_3 = KSL_MUL(k, log_vector_0),
+      screw_4 = KSL_MUL(k, log_vector_1), screw_5 = KSL_MUL(k, log_vector_2);
+  const double exp_size_0 = fabs(screw_3), exp_size_1 = fabs(screw_4), exp_size_2 = fabs(screw_5);
   const double exp_sizes = exp_size_0 + exp_size_1 + exp_size_2;
   const double exp_grid = KSL_MUL(exp_sizes, 268435456.0);
-  const double exp_shifted_0 = screw_3 + exp_grid;
-  const double exp_shifted_1 = screw_4 + exp_grid;
-  const double exp_shifted_2 = screw_5 + exp_grid;
-  const double exp_high_0 = exp_shifted_0 - exp_grid;
-  const double exp_high_1 = exp_shifted_1 - exp_grid;
-  const double exp_high_2 = exp_shifted_2 - exp_grid;
-  const double exp_low_0 = screw_3 - exp_high_0;
-  const double exp_low_1 = screw_4 - exp_high_1;
-  const double exp_low_2 = screw_5 - exp_high_2;
-  const double exp_sum_0 = screw_3 + exp_high_0;
-  const double exp_sum_1 = screw_4 + exp_high_1;
-  const double exp_sum_2 = screw_5 + exp_high_2;
+  const double exp_shifted_0 = screw_3 + exp_grid, exp_shifted_1 = screw_4 + exp_grid,
+      exp_shifted_2 = screw_5 + exp_grid;
+  const double exp_high_0 = exp_shifted_0 - exp_grid, exp_high_1 = exp_shifted_1 - exp_grid,
+      exp_high_2 = exp_shifted_2 - exp_grid;
+  const double exp_low_0 = screw_3 - exp_high_0, exp_low_1 = screw_4 - exp_high_1,
+      exp_low_2 = screw_5 - exp_high_2;
+  const double exp_sum_0 = screw_3 + exp_high_0, exp_sum_1 = screw_4 + exp_high_1,
+      exp_sum_2 = screw_5 + exp_high_2;
   const double exp_squares = KSL_MUL(exp_high_0, exp_high_0) + KSL_MUL(exp_high_1, exp_high_1)
           + KSL_MUL(exp_high_2, exp_high_2);
   const double exp_cross = KSL_MUL(exp_low_0, exp_sum_0) + KSL_MUL(exp_low_1, exp_sum_1)
@@ -1878,75 +1565,57 @@ static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2
           + 0.0001984126984126984) - 0.008333333333333333), exp_g3x = exp_g3w + 0.16666666666666666,
       exp_g3 = exp_x < 4.0 ? exp_g3x : exp_closed3;
   const double exp_g0b = 1.0 - KSL_MUL(exp_x, exp_g2), exp_g0 = exp_x < 1.0 ? exp_g0b : exp_cosine;
-  const double exp_u_0 = KSL_MUL(screw_2, screw_4) - KSL_MUL(screw_1, screw_5);
-  const double exp_u_1 = KSL_MUL(screw_0, screw_5) - KSL_MUL(screw_2, screw_3);
-  const double exp_u_2 = KSL_MUL(screw_1, screw_3) - KSL_MUL(screw_0, screw_4);
-  const double exp_turned_0 = KSL_MUL(exp_g2, exp_u_0);
-  const double exp_turned_1 = KSL_MUL(exp_g2, exp_u_1);
-  const double exp_turned_2 = KSL_MUL(exp_g2, exp_u_2);
+  const double exp_u_0 = KSL_MUL(screw_2, screw_4) - KSL_MUL(screw_1, screw_5),
+      exp_u_1 = KSL_MUL(screw_0, screw_5) - KSL_MUL(screw_2, screw_3),
+      exp_u_2 = KSL_MUL(screw_1, screw_3) - KSL_MUL(screw_0, screw_4);
+  const double exp_turned_0 = KSL_MUL(exp_g2, exp_u_0), exp_turned_1 = KSL_MUL(exp_g2, exp_u_1),
+      exp_turned_2 = KSL_MUL(exp_g2, exp_u_2);
   const double exp_wv = KSL_MUL(screw_0, screw_3) + KSL_MUL(screw_1, screw_4)
           + KSL_MUL(screw_2, screw_5);
   const double exp_pitch = KSL_MUL(exp_g3, exp_wv);
-  const double exp_along_0 = KSL_MUL(screw_3, exp_pitch);
-  const double exp_along_1 = KSL_MUL(screw_4, exp_pitch);
-  const double exp_along_2 = KSL_MUL(screw_5, exp_pitch);
-  const double exp_beta_v_0 = KSL_MUL(screw_3, exp_g2);
-  const double exp_beta_v_1 = KSL_MUL(screw_4, exp_g2);
-  const double exp_beta_v_2 = KSL_MUL(screw_5, exp_g2);
-  const double exp_m_0 = KSL_MUL(screw_3, exp_beta_v_0);
-  const double exp_m_1 = KSL_MUL(screw_4, exp_beta_v_1);
-  const double exp_m_2 = KSL_MUL(screw_5, exp_beta_v_2);
-  const double exp_m_3 = KSL_MUL(screw_4, exp_beta_v_0);
-  const double exp_m_4 = KSL_MUL(screw_5, exp_beta_v_0);
-  const double exp_m_5 = KSL_MUL(screw_5, exp_beta_v_1);
-  const double exp_others_0 = exp_m_1 + exp_m_2;
-  const double exp_others_1 = exp_m_0 + exp_m_2;
-  const double exp_others_2 = exp_m_0 + exp_m_1;
+  const double exp_along_0 = KSL_MUL(screw_3, exp_pitch), exp_along_1 = KSL_MUL(screw_4, exp_pitch),
+      exp_along_2 = KSL_MUL(screw_5, exp_pitch);
+  const double exp_beta_v_0 = KSL_MUL(screw_3, exp_g2), exp_beta_v_1 = KSL_MUL(screw_4, exp_g2),
+      exp_beta_v_2 = KSL_MUL(screw_5, exp_g2);
+  const double exp_m_0 = KSL_MUL(screw_3, exp_beta_v_0), exp_m_1 = KSL_MUL(screw_4, exp_beta_v_1),
+      exp_m_2 = KSL_MUL(screw_5, exp_beta_v_2), exp_m_3 = KSL_MUL(screw_4, exp_beta_v_0),
+      exp_m_4 = KSL_MUL(screw_5, exp_beta_v_0), exp_m_5 = KSL_MUL(screw_5, exp_beta_v_1);
+  const double exp_others_0 = exp_m_1 + exp_m_2, exp_others_1 = exp_m_0 + exp_m_2,
+      exp_others_2 = exp_m_0 + exp_m_1;
   const double exp_diagonal0a = 1.0 - exp_others_0, exp_diagonal0b = exp_g0 + exp_m_0,
       exp_diagonal0 = exp_m_0 < exp_others_0 ? exp_diagonal0b : exp_diagonal0a;
   const double exp_diagonal1a = 1.0 - exp_others_1, exp_diagonal1b = exp_g0 + exp_m_1,
       exp_diagonal1 = exp_m_1 < exp_others_1 ? exp_diagonal1b : exp_diagonal1a;
   const double exp_diagonal2a = 1.0 - exp_others_2, exp_diagonal2b = exp_g0 + exp_m_2,
       exp_diagonal2 = exp_m_2 < exp_others_2 ? exp_diagonal2b : exp_diagonal2a;
-  const double exp_alpha_v_0 = KSL_MUL(screw_3, exp_g1);
-  const double exp_alpha_v_1 = KSL_MUL(screw_4, exp_g1);
-  const double exp_alpha_v_2 = KSL_MUL(screw_5, exp_g1);
-  const double exp_across_axis_0 = exp_turned_0 + exp_along_0;
-  const double exp_across_axis_1 = exp_turned_1 + exp_along_1;
-  const double exp_across_axis_2 = exp_turned_2 + exp_along_2;
-  const double step_1 = exp_m_3 - exp_alpha_v_2;
-  const double step_2 = exp_m_4 + exp_alpha_v_1;
-  const double step_3 = KSL_MUL(screw_0, exp_g1) + exp_across_axis_0;
-  const double step_4 = exp_m_3 + exp_alpha_v_2;
-  const double step_6 = exp_m_5 - exp_alpha_v_0;
-  const double step_7 = KSL_MUL(screw_1, exp_g1) + exp_across_axis_1;
-  const double step_8 = exp_m_4 - exp_alpha_v_1;
-  const double step_9 = exp_m_5 + exp_alpha_v_0;
-  const double step_11 = KSL_MUL(screw_2, exp_g1) + exp_across_axis_2;
+  const double exp_alpha_v_0 = KSL_MUL(screw_3, exp_g1), exp_alpha_v_1 = KSL_MUL(screw_4, exp_g1),
+      exp_alpha_v_2 = KSL_MUL(screw_5, exp_g1);
+  const double exp_across_axis_0 = exp_turned_0 + exp_along_0,
+      exp_across_axis_1 = exp_turned_1 + exp_along_1,
+      exp_across_axis_2 = exp_turned_2 + exp_along_2;
+  const double step_1 = exp_m_3 - exp_alpha_v_2, step_2 = exp_m_4 + exp_alpha_v_1,
+      step_3 = KSL_MUL(screw_0, exp_g1) + exp_across_axis_0, step_4 = exp_m_3 + exp_alpha_v_2,
+      step_6 = exp_m_5 - exp_alpha_v_0, step_7 = KSL_MUL(screw_1, exp_g1) + exp_across_axis_1,
+      step_8 = exp_m_4 - exp_alpha_v_1, step_9 = exp_m_5 + exp_alpha_v_0,
+      step_11 = KSL_MUL(screw_2, exp_g1) + exp_across_axis_2;
   const double Do_00 = KSL_MUL(D1->m00, exp_diagonal0)
-          + (KSL_MUL(D1->m01, step_4) + KSL_MUL(D1->m02, step_8));
-  const double Do_01 = KSL_MUL(D1->m00, step_1) + KSL_MUL(D1->m02, step_9)
-          + KSL_MUL(D1->m01, exp_diagonal1);
-  const double Do_02 = KSL_MUL(D1->m00, step_2) + KSL_MUL(D1->m01, step_6)
-          + KSL_MUL(D1->m02, exp_diagonal2);
-  const double Do_03 = KSL_MUL(D1->m00, step_3) + KSL_MUL(D1->m01, step_7)
-          + KSL_MUL(D1->m02, step_11) + D1->m03;
-  const double Do_10 = KSL_MUL(D1->m10, exp_diagonal0)
-          + (KSL_MUL(D1->m11, step_4) + KSL_MUL(D1->m12, step_8));
-  const double Do_11 = KSL_MUL(D1->m10, step_1) + KSL_MUL(D1->m12, step_9)
-          + KSL_MUL(D1->m11, exp_diagonal1);
-  const double Do_12 = KSL_MUL(D1->m10, step_2) + KSL_MUL(D1->m11, step_6)
-          + KSL_MUL(D1->m12, exp_diagonal2);
-  const double Do_13 = KSL_MUL(D1->m10, step_3) + KSL_MUL(D1->m11, step_7)
-          + KSL_MUL(D1->m12, step_11) + D1->m13;
-  const double Do_20 = KSL_MUL(D1->m20, exp_diagonal0)
-          + (KSL_MUL(D1->m21, step_4) + KSL_MUL(D1->m22, step_8));
-  const double Do_21 = KSL_MUL(D1->m20, step_1) + KSL_MUL(D1->m22, step_9)
-          + KSL_MUL(D1->m21, exp_diagonal1);
-  const double Do_22 = KSL_MUL(D1->m20, step_2) + KSL_MUL(D1->m21, step_6)
-          + KSL_MUL(D1->m22, exp_diagonal2);
-  const double Do_23 = KSL_MUL(D1->m20, step_3) + KSL_MUL(D1->m21, step_7)
-          + KSL_MUL(D1->m22, step_11) + D1->m23;
+          + (KSL_MUL(D1->m01, step_4) + KSL_MUL(D1->m02, step_8)),
+      Do_01 = KSL_MUL(D1->m00, step_1) + KSL_MUL(D1->m02, step_9) + KSL_MUL(D1->m01, exp_diagonal1),
+      Do_02 = KSL_MUL(D1->m00, step_2) + KSL_MUL(D1->m01, step_6) + KSL_MUL(D1->m02, exp_diagonal2),
+      Do_03 = KSL_MUL(D1->m00, step_3) + KSL_MUL(D1->m01, step_7) + KSL_MUL(D1->m02, step_11)
+          + D1->m03,
+      Do_10 = KSL_MUL(D1->m10, exp_diagonal0)
+          + (KSL_MUL(D1->m11, step_4) + KSL_MUL(D1->m12, step_8)),
+      Do_11 = KSL_MUL(D1->m10, step_1) + KSL_MUL(D1->m12, step_9) + KSL_MUL(D1->m11, exp_diagonal1),
+      Do_12 = KSL_MUL(D1->m10, step_2) + KSL_MUL(D1->m11, step_6) + KSL_MUL(D1->m12, exp_diagonal2),
+      Do_13 = KSL_MUL(D1->m10, step_3) + KSL_MUL(D1->m11, step_7) + KSL_MUL(D1->m12, step_11)
+          + D1->m13,
+      Do_20 = KSL_MUL(D1->m20, exp_diagonal0)
+          + (KSL_MUL(D1->m21, step_4) + KSL_MUL(D1->m22, step_8)),
+      Do_21 = KSL_MUL(D1->m20, step_1) + KSL_MUL(D1->m22, step_9) + KSL_MUL(D1->m21, exp_diagonal1),
+      Do_22 = KSL_MUL(D1->m20, step_2) + KSL_MUL(D1->m21, step_6) + KSL_MUL(D1->m22, exp_diagonal2),
+      Do_23 = KSL_MUL(D1->m20, step_3) + KSL_MUL(D1->m21, step_7) + KSL_MUL(D1->m22, step_11)
+          + D1->m23;
   Do->m00 = Do_00;
   Do->m01 = Do_01;
   Do->m02 = Do_02;
@@ -1967,23 +1636,13 @@ static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2
    Error <= R: (6 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
      searched, not proved. */
 static inline void ksl_SO3_expf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
-  const float size_0 = fabsf(v->x);
-  const float size_1 = fabsf(v->y);
-  const float size_2 = fabsf(v->z);
+  const float size_0 = fabsf(v->x), size_1 = fabsf(v->y), size_2 = fabsf(v->z);
   const float sizes = size_0 + size_1 + size_2;
   const float grid = KSL_MULF(sizes, 8192.0f);
-  const float shifted_0 = v->x + grid;
-  const float shifted_1 = v->y + grid;
-  const float shifted_2 = v->z + grid;
-  const float high_0 = shifted_0 - grid;
-  const float high_1 = shifted_1 - grid;
-  const float high_2 = shifted_2 - grid;
-  const float low_0 = v->x - high_0;
-  const float low_1 = v->y - high_1;
-  const float low_2 = v->z - high_2;
-  const float sum_0 = v->x + high_0;
-  const float sum_1 = v->y + high_1;
-  const float sum_2 = v->z + high_2;
+  const float shifted_0 = v->x + grid, shifted_1 = v->y + grid, shifted_2 = v->z + grid;
+  const float high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const float low_0 = v->x - high_0, low_1 = v->y - high_1, low_2 = v->z - high_2;
+  const float sum_0 = v->x + high_0, sum_1 = v->y + high_1, sum_2 = v->z + high_2;
   const float squares = KSL_MULF(high_0, high_0) + KSL_MULF(high_1, high_1)
           + KSL_MULF(high_2, high_2);
   const float cross = KSL_MULF(low_0, sum_0) + KSL_MULF(low_1, sum_1) + KSL_MULF(low_2, sum_2);
@@ -2020,33 +1679,22 @@ static inline void ksl_SO3_expf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
       g2x = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g2q - 2.4801588e-05f) + 0.0013888889f)
           - 0.041666668f) + 0.5f, g2 = x < 1.0f ? g2x : closed2;
   const float g0b = 1.0f - KSL_MULF(x, g2), g0 = x < 1.0f ? g0b : cosine;
-  const float beta_v_0 = KSL_MULF(v->x, g2);
-  const float beta_v_1 = KSL_MULF(v->y, g2);
-  const float beta_v_2 = KSL_MULF(v->z, g2);
-  const float m_0 = KSL_MULF(v->x, beta_v_0);
-  const float m_1 = KSL_MULF(v->y, beta_v_1);
-  const float m_2 = KSL_MULF(v->z, beta_v_2);
-  const float m_3 = KSL_MULF(v->y, beta_v_0);
-  const float m_4 = KSL_MULF(v->z, beta_v_0);
-  const float m_5 = KSL_MULF(v->z, beta_v_1);
-  const float others_0 = m_1 + m_2;
-  const float others_1 = m_0 + m_2;
-  const float others_2 = m_0 + m_1;
+  const float beta_v_0 = KSL_MULF(v->x, g2), beta_v_1 = KSL_MULF(v->y, g2),
+      beta_v_2 = KSL_MULF(v->z, g2);
+  const float m_0 = KSL_MULF(v->x, beta_v_0), m_1 = KSL_MULF(v->y, beta_v_1),
+      m_2 = KSL_MULF(v->z, beta_v_2), m_3 = KSL_MULF(v->y, beta_v_0),
+      m_4 = KSL_MULF(v->z, beta_v_0), m_5 = KSL_MULF(v->z, beta_v_1);
+  const float others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const float diagonal0a = 1.0f - others_0, diagonal0b = g0 + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const float diagonal1a = 1.0f - others_1, diagonal1b = g0 + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const float diagonal2a = 1.0f - others_2, diagonal2b = g0 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const float alpha_v_0 = KSL_MULF(v->x, g1);
-  const float alpha_v_1 = KSL_MULF(v->y, g1);
-  const float alpha_v_2 = KSL_MULF(v->z, g1);
-  const float R_01 = m_3 - alpha_v_2;
-  const float R_02 = m_4 + alpha_v_1;
-  const float R_10 = m_3 + alpha_v_2;
-  const float R_12 = m_5 - alpha_v_0;
-  const float R_20 = m_4 - alpha_v_1;
-  const float R_21 = m_5 + alpha_v_0;
+  const float alpha_v_0 = KSL_MULF(v->x, g1), alpha_v_1 = KSL_MULF(v->y, g1),
+      alpha_v_2 = KSL_MULF(v->z, g1);
+  const float R_01 = m_3 - alpha_v_2, R_02 = m_4 + alpha_v_1, R_10 = m_3 + alpha_v_2,
+      R_12 = m_5 - alpha_v_0, R_20 = m_4 - alpha_v_1, R_21 = m_5 + alpha_v_0;
   R->m00 = diagonal0;
   R->m01 = R_01;
   R->m02 = R_02;
@@ -2063,47 +1711,31 @@ static inline void ksl_SO3_expf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
    33 mul, 45 add, 2 div, 1 sqrt, 6 neg, 5 abs, 2 copysign, 18 less, 2 equal, 39 select.
    Error <= vo: 7 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_SO3_logf(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo) {
-  const float p_0 = R->m21 - R->m12;
-  const float p_1 = R->m02 - R->m20;
-  const float p_2 = R->m10 - R->m01;
-  const float s_0 = R->m12 + R->m21;
-  const float s_1 = R->m02 + R->m20;
-  const float s_2 = R->m01 + R->m10;
-  const float first_0 = R->m00 + 1.0f;
-  const float first_1 = 1.0f - R->m00;
-  const float others_0 = R->m11 + R->m22;
-  const float others_1 = R->m11 - R->m22;
-  const float d_0 = first_0 + others_0;
-  const float d_1 = first_0 - others_0;
-  const float d_2 = first_1 + others_1;
-  const float d_3 = first_1 - others_1;
-  const float low_0 = R->m11 < R->m00 ? d_1 : s_2;
-  const float low_1 = R->m11 < R->m00 ? s_2 : d_2;
-  const float low_2 = R->m11 < R->m00 ? s_1 : s_0;
-  const float low_3 = R->m11 < R->m00 ? p_0 : p_1;
+  const float p_0 = R->m21 - R->m12, p_1 = R->m02 - R->m20, p_2 = R->m10 - R->m01;
+  const float s_0 = R->m12 + R->m21, s_1 = R->m02 + R->m20, s_2 = R->m01 + R->m10;
+  const float first_0 = R->m00 + 1.0f, first_1 = 1.0f - R->m00;
+  const float others_0 = R->m11 + R->m22, others_1 = R->m11 - R->m22;
+  const float d_0 = first_0 + others_0, d_1 = first_0 - others_0, d_2 = first_1 + others_1,
+      d_3 = first_1 - others_1;
+  const float low_0 = R->m11 < R->m00 ? d_1 : s_2, low_1 = R->m11 < R->m00 ? s_2 : d_2,
+      low_2 = R->m11 < R->m00 ? s_1 : s_0, low_3 = R->m11 < R->m00 ? p_0 : p_1;
   const float high_0a = -R->m11, high_0 = R->m00 < high_0a ? s_1 : p_0;
-  const float high_1 = R->m00 < high_0a ? s_0 : p_1;
-  const float high_2 = R->m00 < high_0a ? d_3 : p_2;
-  const float high_3 = R->m00 < high_0a ? p_2 : d_0;
-  const float column_0 = R->m22 < 0.0f ? low_0 : high_0;
-  const float column_1 = R->m22 < 0.0f ? low_1 : high_1;
-  const float column_2 = R->m22 < 0.0f ? low_2 : high_2;
-  const float column_3 = R->m22 < 0.0f ? low_3 : high_3;
+  const float high_1 = R->m00 < high_0a ? s_0 : p_1, high_2 = R->m00 < high_0a ? d_3 : p_2,
+      high_3 = R->m00 < high_0a ? p_2 : d_0;
+  const float column_0 = R->m22 < 0.0f ? low_0 : high_0, column_1 = R->m22 < 0.0f ? low_1 : high_1,
+      column_2 = R->m22 < 0.0f ? low_2 : high_2, column_3 = R->m22 < 0.0f ? low_3 : high_3;
   const float upper_0a = -column_0, upper_0 = column_3 < 0.0f ? upper_0a : column_0;
   const float upper_1a = -column_1, upper_1 = column_3 < 0.0f ? upper_1a : column_1;
   const float upper_2a = -column_2, upper_2 = column_3 < 0.0f ? upper_2a : column_2;
   const float upper_3a = -column_3, upper_3 = column_3 < 0.0f ? upper_3a : column_3;
-  const float v_s_size_0 = fabsf(upper_0);
-  const float v_s_size_1 = fabsf(upper_1);
-  const float v_s_size_2 = fabsf(upper_2);
+  const float v_s_size_0 = fabsf(upper_0), v_s_size_1 = fabsf(upper_1), v_s_size_2 = fabsf(upper_2);
   const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
       v_s_d = v_s_largest2 < 256.0f ? 1.8014399e+16f : v_s_b,
       v_s = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_d;
-  const float v_y_0 = KSL_MULF(upper_0, v_s);
-  const float v_y_1 = KSL_MULF(upper_1, v_s);
-  const float v_y_2 = KSL_MULF(upper_2, v_s);
+  const float v_y_0 = KSL_MULF(upper_0, v_s), v_y_1 = KSL_MULF(upper_1, v_s),
+      v_y_2 = KSL_MULF(upper_2, v_s);
   const float v_n = sqrtf(KSL_MULF(v_y_0, v_y_0) + KSL_MULF(v_y_1, v_y_1) + KSL_MULF(v_y_2, v_y_2));
   const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r_d = 1.0f < v_s ? 5.551115e-17f : v_r_b,
       v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_d;
@@ -2112,9 +1744,8 @@ static inline void ksl_SO3_logf(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo) {
   const float divisor = n == 0.0f ? 1.0f : n;
   const float theta = KSL_MULF(2.0f, half);
   const float k = theta / divisor;
-  const float vector_0 = KSL_MULF(upper_0, k);
-  const float vector_1 = KSL_MULF(upper_1, k);
-  const float vector_2 = KSL_MULF(upper_2, k);
+  const float vector_0 = KSL_MULF(upper_0, k), vector_1 = KSL_MULF(upper_1, k),
+      vector_2 = KSL_MULF(upper_2, k);
   vo->x = vector_0;
   vo->y = vector_1;
   vo->z = vector_2;
@@ -2126,23 +1757,13 @@ static inline void ksl_SO3_logf(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo) {
    Error <= R: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
      searched, not proved. */
 static inline void ksl_SO3_leftJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
-  const float size_0 = fabsf(v->x);
-  const float size_1 = fabsf(v->y);
-  const float size_2 = fabsf(v->z);
+  const float size_0 = fabsf(v->x), size_1 = fabsf(v->y), size_2 = fabsf(v->z);
   const float sizes = size_0 + size_1 + size_2;
   const float grid = KSL_MULF(sizes, 8192.0f);
-  const float shifted_0 = v->x + grid;
-  const float shifted_1 = v->y + grid;
-  const float shifted_2 = v->z + grid;
-  const float high_0 = shifted_0 - grid;
-  const float high_1 = shifted_1 - grid;
-  const float high_2 = shifted_2 - grid;
-  const float low_0 = v->x - high_0;
-  const float low_1 = v->y - high_1;
-  const float low_2 = v->z - high_2;
-  const float sum_0 = v->x + high_0;
-  const float sum_1 = v->y + high_1;
-  const float sum_2 = v->z + high_2;
+  const float shifted_0 = v->x + grid, shifted_1 = v->y + grid, shifted_2 = v->z + grid;
+  const float high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const float low_0 = v->x - high_0, low_1 = v->y - high_1, low_2 = v->z - high_2;
+  const float sum_0 = v->x + high_0, sum_1 = v->y + high_1, sum_2 = v->z + high_2;
   const float squares = KSL_MULF(high_0, high_0) + KSL_MULF(high_1, high_1)
           + KSL_MULF(high_2, high_2);
   const float cross = KSL_MULF(low_0, sum_0) + KSL_MULF(low_1, sum_1) + KSL_MULF(low_2, sum_2);
@@ -2187,33 +1808,22 @@ static inline void ksl_SO3_leftJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R)
           - 1.6059044e-10f) + 2.5052108e-08f) - 2.7557319e-06f,
       g3x = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g3r) + 0.0001984127f) - 0.008333334f) + 0.16666667f,
       g3 = x < 4.0f ? g3x : closed3;
-  const float beta_v_0 = KSL_MULF(v->x, g3);
-  const float beta_v_1 = KSL_MULF(v->y, g3);
-  const float beta_v_2 = KSL_MULF(v->z, g3);
-  const float m_0 = KSL_MULF(v->x, beta_v_0);
-  const float m_1 = KSL_MULF(v->y, beta_v_1);
-  const float m_2 = KSL_MULF(v->z, beta_v_2);
-  const float m_3 = KSL_MULF(v->y, beta_v_0);
-  const float m_4 = KSL_MULF(v->z, beta_v_0);
-  const float m_5 = KSL_MULF(v->z, beta_v_1);
-  const float others_0 = m_1 + m_2;
-  const float others_1 = m_0 + m_2;
-  const float others_2 = m_0 + m_1;
+  const float beta_v_0 = KSL_MULF(v->x, g3), beta_v_1 = KSL_MULF(v->y, g3),
+      beta_v_2 = KSL_MULF(v->z, g3);
+  const float m_0 = KSL_MULF(v->x, beta_v_0), m_1 = KSL_MULF(v->y, beta_v_1),
+      m_2 = KSL_MULF(v->z, beta_v_2), m_3 = KSL_MULF(v->y, beta_v_0),
+      m_4 = KSL_MULF(v->z, beta_v_0), m_5 = KSL_MULF(v->z, beta_v_1);
+  const float others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const float diagonal0a = 1.0f - others_0, diagonal0b = g1 + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const float diagonal1a = 1.0f - others_1, diagonal1b = g1 + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const float diagonal2a = 1.0f - others_2, diagonal2b = g1 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const float alpha_v_0 = KSL_MULF(v->x, g2);
-  const float alpha_v_1 = KSL_MULF(v->y, g2);
-  const float alpha_v_2 = KSL_MULF(v->z, g2);
-  const float R_01 = m_3 - alpha_v_2;
-  const float R_02 = m_4 + alpha_v_1;
-  const float R_10 = m_3 + alpha_v_2;
-  const float R_12 = m_5 - alpha_v_0;
-  const float R_20 = m_4 - alpha_v_1;
-  const float R_21 = m_5 + alpha_v_0;
+  const float alpha_v_0 = KSL_MULF(v->x, g2), alpha_v_1 = KSL_MULF(v->y, g2),
+      alpha_v_2 = KSL_MULF(v->z, g2);
+  const float R_01 = m_3 - alpha_v_2, R_02 = m_4 + alpha_v_1, R_10 = m_3 + alpha_v_2,
+      R_12 = m_5 - alpha_v_0, R_20 = m_4 - alpha_v_1, R_21 = m_5 + alpha_v_0;
   R->m00 = diagonal0;
   R->m01 = R_01;
   R->m02 = R_02;
@@ -2231,23 +1841,13 @@ static inline void ksl_SO3_leftJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R)
    Error <= R: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
      searched, not proved. */
 static inline void ksl_SO3_rightJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
-  const float size_0 = fabsf(v->x);
-  const float size_1 = fabsf(v->y);
-  const float size_2 = fabsf(v->z);
+  const float size_0 = fabsf(v->x), size_1 = fabsf(v->y), size_2 = fabsf(v->z);
   const float sizes = size_0 + size_1 + size_2;
   const float grid = KSL_MULF(sizes, 8192.0f);
-  const float shifted_0 = v->x + grid;
-  const float shifted_1 = v->y + grid;
-  const float shifted_2 = v->z + grid;
-  const float high_0 = shifted_0 - grid;
-  const float high_1 = shifted_1 - grid;
-  const float high_2 = shifted_2 - grid;
-  const float low_0 = v->x - high_0;
-  const float low_1 = v->y - high_1;
-  const float low_2 = v->z - high_2;
-  const float sum_0 = v->x + high_0;
-  const float sum_1 = v->y + high_1;
-  const float sum_2 = v->z + high_2;
+  const float shifted_0 = v->x + grid, shifted_1 = v->y + grid, shifted_2 = v->z + grid;
+  const float high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const float low_0 = v->x - high_0, low_1 = v->y - high_1, low_2 = v->z - high_2;
+  const float sum_0 = v->x + high_0, sum_1 = v->y + high_1, sum_2 = v->z + high_2;
   const float squares = KSL_MULF(high_0, high_0) + KSL_MULF(high_1, high_1)
           + KSL_MULF(high_2, high_2);
   const float cross = KSL_MULF(low_0, sum_0) + KSL_MULF(low_1, sum_1) + KSL_MULF(low_2, sum_2);
@@ -2292,33 +1892,22 @@ static inline void ksl_SO3_rightJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
           - 1.6059044e-10f) + 2.5052108e-08f) - 2.7557319e-06f,
       g3x = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g3r) + 0.0001984127f) - 0.008333334f) + 0.16666667f,
       g3 = x < 4.0f ? g3x : closed3;
-  const float beta_v_0 = KSL_MULF(v->x, g3);
-  const float beta_v_1 = KSL_MULF(v->y, g3);
-  const float beta_v_2 = KSL_MULF(v->z, g3);
-  const float m_0 = KSL_MULF(v->x, beta_v_0);
-  const float m_1 = KSL_MULF(v->y, beta_v_1);
-  const float m_2 = KSL_MULF(v->z, beta_v_2);
-  const float m_3 = KSL_MULF(v->y, beta_v_0);
-  const float m_4 = KSL_MULF(v->z, beta_v_0);
-  const float m_5 = KSL_MULF(v->z, beta_v_1);
-  const float others_0 = m_1 + m_2;
-  const float others_1 = m_0 + m_2;
-  const float others_2 = m_0 + m_1;
+  const float beta_v_0 = KSL_MULF(v->x, g3), beta_v_1 = KSL_MULF(v->y, g3),
+      beta_v_2 = KSL_MULF(v->z, g3);
+  const float m_0 = KSL_MULF(v->x, beta_v_0), m_1 = KSL_MULF(v->y, beta_v_1),
+      m_2 = KSL_MULF(v->z, beta_v_2), m_3 = KSL_MULF(v->y, beta_v_0),
+      m_4 = KSL_MULF(v->z, beta_v_0), m_5 = KSL_MULF(v->z, beta_v_1);
+  const float others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const float diagonal0a = 1.0f - others_0, diagonal0b = g1 + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const float diagonal1a = 1.0f - others_1, diagonal1b = g1 + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const float diagonal2a = 1.0f - others_2, diagonal2b = g1 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const float alpha_v_0 = -KSL_MULF(v->x, g2);
-  const float alpha_v_1 = -KSL_MULF(v->y, g2);
-  const float alpha_v_2 = -KSL_MULF(v->z, g2);
-  const float R_01 = m_3 - alpha_v_2;
-  const float R_02 = m_4 + alpha_v_1;
-  const float R_10 = m_3 + alpha_v_2;
-  const float R_12 = m_5 - alpha_v_0;
-  const float R_20 = m_4 - alpha_v_1;
-  const float R_21 = m_5 + alpha_v_0;
+  const float alpha_v_0 = -KSL_MULF(v->x, g2), alpha_v_1 = -KSL_MULF(v->y, g2),
+      alpha_v_2 = -KSL_MULF(v->z, g2);
+  const float R_01 = m_3 - alpha_v_2, R_02 = m_4 + alpha_v_1, R_10 = m_3 + alpha_v_2,
+      R_12 = m_5 - alpha_v_0, R_20 = m_4 - alpha_v_1, R_21 = m_5 + alpha_v_0;
   R->m00 = diagonal0;
   R->m01 = R_01;
   R->m02 = R_02;
@@ -2336,23 +1925,13 @@ static inline void ksl_SO3_rightJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
    65 mul, 90 add, 3 div, 1 sqrt, 3 neg, 5 abs, 7 less, 12 select.
    Error <= R: 6 u of its largest component for |v| <= π; searched, not proved. */
 static inline void ksl_SO3_leftJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
-  const float size_0 = fabsf(v->x);
-  const float size_1 = fabsf(v->y);
-  const float size_2 = fabsf(v->z);
+  const float size_0 = fabsf(v->x), size_1 = fabsf(v->y), size_2 = fabsf(v->z);
   const float sizes = size_0 + size_1 + size_2;
   const float grid = KSL_MULF(sizes, 8192.0f);
-  const float shifted_0 = v->x + grid;
-  const float shifted_1 = v->y + grid;
-  const float shifted_2 = v->z + grid;
-  const float high_0 = shifted_0 - grid;
-  const float high_1 = shifted_1 - grid;
-  const float high_2 = shifted_2 - grid;
-  const float low_0 = v->x - high_0;
-  const float low_1 = v->y - high_1;
-  const float low_2 = v->z - high_2;
-  const float sum_0 = v->x + high_0;
-  const float sum_1 = v->y + high_1;
-  const float sum_2 = v->z + high_2;
+  const float shifted_0 = v->x + grid, shifted_1 = v->y + grid, shifted_2 = v->z + grid;
+  const float high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const float low_0 = v->x - high_0, low_1 = v->y - high_1, low_2 = v->z - high_2;
+  const float sum_0 = v->x + high_0, sum_1 = v->y + high_1, sum_2 = v->z + high_2;
   const float squares = KSL_MULF(high_0, high_0) + KSL_MULF(high_1, high_1)
           + KSL_MULF(high_2, high_2);
   const float cross = KSL_MULF(low_0, sum_0) + KSL_MULF(low_1, sum_1) + KSL_MULF(low_2, sum_2);
@@ -2388,33 +1967,22 @@ static inline void ksl_SO3_leftJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x3
       b_af = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, b_z) + 3.3068784e-05f) + 0.0013888889f)
           + 0.083333336f, b = x < 4.0f ? b_af : closed_b;
   const float b_across_b = 1.0f - KSL_MULF(x, b), b_across = x < 4.0f ? b_across_b : half_cotangent;
-  const float beta_v_0 = KSL_MULF(v->x, b);
-  const float beta_v_1 = KSL_MULF(v->y, b);
-  const float beta_v_2 = KSL_MULF(v->z, b);
-  const float m_0 = KSL_MULF(v->x, beta_v_0);
-  const float m_1 = KSL_MULF(v->y, beta_v_1);
-  const float m_2 = KSL_MULF(v->z, beta_v_2);
-  const float m_3 = KSL_MULF(v->y, beta_v_0);
-  const float m_4 = KSL_MULF(v->z, beta_v_0);
-  const float m_5 = KSL_MULF(v->z, beta_v_1);
-  const float others_0 = m_1 + m_2;
-  const float others_1 = m_0 + m_2;
-  const float others_2 = m_0 + m_1;
+  const float beta_v_0 = KSL_MULF(v->x, b), beta_v_1 = KSL_MULF(v->y, b),
+      beta_v_2 = KSL_MULF(v->z, b);
+  const float m_0 = KSL_MULF(v->x, beta_v_0), m_1 = KSL_MULF(v->y, beta_v_1),
+      m_2 = KSL_MULF(v->z, beta_v_2), m_3 = KSL_MULF(v->y, beta_v_0),
+      m_4 = KSL_MULF(v->z, beta_v_0), m_5 = KSL_MULF(v->z, beta_v_1);
+  const float others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const float diagonal0a = 1.0f - others_0, diagonal0b = b_across + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const float diagonal1a = 1.0f - others_1, diagonal1b = b_across + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const float diagonal2a = 1.0f - others_2, diagonal2b = b_across + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const float alpha_v_0 = -KSL_MULF(0.5f, v->x);
-  const float alpha_v_1 = -KSL_MULF(0.5f, v->y);
-  const float alpha_v_2 = -KSL_MULF(0.5f, v->z);
-  const float R_01 = m_3 - alpha_v_2;
-  const float R_02 = m_4 + alpha_v_1;
-  const float R_10 = m_3 + alpha_v_2;
-  const float R_12 = m_5 - alpha_v_0;
-  const float R_20 = m_4 - alpha_v_1;
-  const float R_21 = m_5 + alpha_v_0;
+  const float alpha_v_0 = -KSL_MULF(0.5f, v->x), alpha_v_1 = -KSL_MULF(0.5f, v->y),
+      alpha_v_2 = -KSL_MULF(0.5f, v->z);
+  const float R_01 = m_3 - alpha_v_2, R_02 = m_4 + alpha_v_1, R_10 = m_3 + alpha_v_2,
+      R_12 = m_5 - alpha_v_0, R_20 = m_4 - alpha_v_1, R_21 = m_5 + alpha_v_0;
   R->m00 = diagonal0;
   R->m01 = R_01;
   R->m02 = R_02;
@@ -2432,23 +2000,13 @@ static inline void ksl_SO3_leftJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x3
    65 mul, 90 add, 3 div, 1 sqrt, 5 abs, 7 less, 12 select.
    Error <= R: 6 u of its largest component for |v| <= π; searched, not proved. */
 static inline void ksl_SO3_rightJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
-  const float size_0 = fabsf(v->x);
-  const float size_1 = fabsf(v->y);
-  const float size_2 = fabsf(v->z);
+  const float size_0 = fabsf(v->x), size_1 = fabsf(v->y), size_2 = fabsf(v->z);
   const float sizes = size_0 + size_1 + size_2;
   const float grid = KSL_MULF(sizes, 8192.0f);
-  const float shifted_0 = v->x + grid;
-  const float shifted_1 = v->y + grid;
-  const float shifted_2 = v->z + grid;
-  const float high_0 = shifted_0 - grid;
-  const float high_1 = shifted_1 - grid;
-  const float high_2 = shifted_2 - grid;
-  const float low_0 = v->x - high_0;
-  const float low_1 = v->y - high_1;
-  const float low_2 = v->z - high_2;
-  const float sum_0 = v->x + high_0;
-  const float sum_1 = v->y + high_1;
-  const float sum_2 = v->z + high_2;
+  const float shifted_0 = v->x + grid, shifted_1 = v->y + grid, shifted_2 = v->z + grid;
+  const float high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const float low_0 = v->x - high_0, low_1 = v->y - high_1, low_2 = v->z - high_2;
+  const float sum_0 = v->x + high_0, sum_1 = v->y + high_1, sum_2 = v->z + high_2;
   const float squares = KSL_MULF(high_0, high_0) + KSL_MULF(high_1, high_1)
           + KSL_MULF(high_2, high_2);
   const float cross = KSL_MULF(low_0, sum_0) + KSL_MULF(low_1, sum_1) + KSL_MULF(low_2, sum_2);
@@ -2484,33 +2042,22 @@ static inline void ksl_SO3_rightJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x
       b_af = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, b_z) + 3.3068784e-05f) + 0.0013888889f)
           + 0.083333336f, b = x < 4.0f ? b_af : closed_b;
   const float b_across_b = 1.0f - KSL_MULF(x, b), b_across = x < 4.0f ? b_across_b : half_cotangent;
-  const float beta_v_0 = KSL_MULF(v->x, b);
-  const float beta_v_1 = KSL_MULF(v->y, b);
-  const float beta_v_2 = KSL_MULF(v->z, b);
-  const float m_0 = KSL_MULF(v->x, beta_v_0);
-  const float m_1 = KSL_MULF(v->y, beta_v_1);
-  const float m_2 = KSL_MULF(v->z, beta_v_2);
-  const float m_3 = KSL_MULF(v->y, beta_v_0);
-  const float m_4 = KSL_MULF(v->z, beta_v_0);
-  const float m_5 = KSL_MULF(v->z, beta_v_1);
-  const float others_0 = m_1 + m_2;
-  const float others_1 = m_0 + m_2;
-  const float others_2 = m_0 + m_1;
+  const float beta_v_0 = KSL_MULF(v->x, b), beta_v_1 = KSL_MULF(v->y, b),
+      beta_v_2 = KSL_MULF(v->z, b);
+  const float m_0 = KSL_MULF(v->x, beta_v_0), m_1 = KSL_MULF(v->y, beta_v_1),
+      m_2 = KSL_MULF(v->z, beta_v_2), m_3 = KSL_MULF(v->y, beta_v_0),
+      m_4 = KSL_MULF(v->z, beta_v_0), m_5 = KSL_MULF(v->z, beta_v_1);
+  const float others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const float diagonal0a = 1.0f - others_0, diagonal0b = b_across + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const float diagonal1a = 1.0f - others_1, diagonal1b = b_across + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const float diagonal2a = 1.0f - others_2, diagonal2b = b_across + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const float alpha_v_0 = KSL_MULF(0.5f, v->x);
-  const float alpha_v_1 = KSL_MULF(0.5f, v->y);
-  const float alpha_v_2 = KSL_MULF(0.5f, v->z);
-  const float R_01 = m_3 - alpha_v_2;
-  const float R_02 = m_4 + alpha_v_1;
-  const float R_10 = m_3 + alpha_v_2;
-  const float R_12 = m_5 - alpha_v_0;
-  const float R_20 = m_4 - alpha_v_1;
-  const float R_21 = m_5 + alpha_v_0;
+  const float alpha_v_0 = KSL_MULF(0.5f, v->x), alpha_v_1 = KSL_MULF(0.5f, v->y),
+      alpha_v_2 = KSL_MULF(0.5f, v->z);
+  const float R_01 = m_3 - alpha_v_2, R_02 = m_4 + alpha_v_1, R_10 = m_3 + alpha_v_2,
+      R_12 = m_5 - alpha_v_0, R_20 = m_4 - alpha_v_1, R_21 = m_5 + alpha_v_0;
   R->m00 = diagonal0;
   R->m01 = R_01;
   R->m02 = R_02;
@@ -2529,46 +2076,43 @@ static inline void ksl_SO3_rightJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x
      and underflow. */
 static inline void ksl_mat3x3f_orthonormalize(ksl_mat3x3f_t *self) {
   const float defect_0 = 1.0f - KSL_MULF(self->m00, self->m00) - KSL_MULF(self->m10, self->m10)
-          - KSL_MULF(self->m20, self->m20);
-  const float defect_1 = 1.0f - KSL_MULF(self->m01, self->m01) - KSL_MULF(self->m11, self->m11)
-          - KSL_MULF(self->m21, self->m21);
-  const float defect_2 = 1.0f - KSL_MULF(self->m02, self->m02) - KSL_MULF(self->m12, self->m12)
-          - KSL_MULF(self->m22, self->m22);
-  const float defect_3 =
+          - KSL_MULF(self->m20, self->m20),
+      defect_1 = 1.0f - KSL_MULF(self->m01, self->m01) - KSL_MULF(self->m11, self->m11)
+          - KSL_MULF(self->m21, self->m21),
+      defect_2 = 1.0f - KSL_MULF(self->m02, self->m02) - KSL_MULF(self->m12, self->m12)
+          - KSL_MULF(self->m22, self->m22),
+      defect_3 =
           -(KSL_MULF(self->m00, self->m01) + KSL_MULF(self->m10, self->m11)
-          + KSL_MULF(self->m20, self->m21));
-  const float defect_4 =
+          + KSL_MULF(self->m20, self->m21)),
+      defect_4 =
           -(KSL_MULF(self->m00, self->m02) + KSL_MULF(self->m10, self->m12)
-          + KSL_MULF(self->m20, self->m22));
-  const float defect_5 =
+          + KSL_MULF(self->m20, self->m22)),
+      defect_5 =
           -(KSL_MULF(self->m01, self->m02) + KSL_MULF(self->m11, self->m12)
           + KSL_MULF(self->m21, self->m22));
-  const float correction_0 = KSL_MULF(0.5f, defect_0);
-  const float correction_1 = KSL_MULF(0.5f, defect_1);
-  const float correction_2 = KSL_MULF(0.5f, defect_2);
-  const float correction_3 = KSL_MULF(0.5f, defect_3);
-  const float correction_4 = KSL_MULF(0.5f, defect_4);
-  const float correction_5 = KSL_MULF(0.5f, defect_5);
+  const float correction_0 = KSL_MULF(0.5f, defect_0), correction_1 = KSL_MULF(0.5f, defect_1),
+      correction_2 = KSL_MULF(0.5f, defect_2), correction_3 = KSL_MULF(0.5f, defect_3),
+      correction_4 = KSL_MULF(0.5f, defect_4), correction_5 = KSL_MULF(0.5f, defect_5);
   const float self_00_new = self->m00
           + (KSL_MULF(self->m00, correction_0) + KSL_MULF(self->m01, correction_3)
-          + KSL_MULF(self->m02, correction_4));
-  const float self_01_new = KSL_MULF(self->m00, correction_3) + KSL_MULF(self->m01, correction_1)
-          + KSL_MULF(self->m02, correction_5) + self->m01;
-  const float self_02_new = KSL_MULF(self->m00, correction_4) + KSL_MULF(self->m01, correction_5)
-          + KSL_MULF(self->m02, correction_2) + self->m02;
-  const float self_10_new = self->m10
+          + KSL_MULF(self->m02, correction_4)),
+      self_01_new = KSL_MULF(self->m00, correction_3) + KSL_MULF(self->m01, correction_1)
+          + KSL_MULF(self->m02, correction_5) + self->m01,
+      self_02_new = KSL_MULF(self->m00, correction_4) + KSL_MULF(self->m01, correction_5)
+          + KSL_MULF(self->m02, correction_2) + self->m02,
+      self_10_new = self->m10
           + (KSL_MULF(self->m10, correction_0) + KSL_MULF(self->m11, correction_3)
-          + KSL_MULF(self->m12, correction_4));
-  const float self_11_new = KSL_MULF(self->m10, correction_3) + KSL_MULF(self->m11, correction_1)
-          + KSL_MULF(self->m12, correction_5) + self->m11;
-  const float self_12_new = KSL_MULF(self->m10, correction_4) + KSL_MULF(self->m11, correction_5)
-          + KSL_MULF(self->m12, correction_2) + self->m12;
-  const float self_20_new = self->m20
+          + KSL_MULF(self->m12, correction_4)),
+      self_11_new = KSL_MULF(self->m10, correction_3) + KSL_MULF(self->m11, correction_1)
+          + KSL_MULF(self->m12, correction_5) + self->m11,
+      self_12_new = KSL_MULF(self->m10, correction_4) + KSL_MULF(self->m11, correction_5)
+          + KSL_MULF(self->m12, correction_2) + self->m12,
+      self_20_new = self->m20
           + (KSL_MULF(self->m20, correction_0) + KSL_MULF(self->m21, correction_3)
-          + KSL_MULF(self->m22, correction_4));
-  const float self_21_new = KSL_MULF(self->m20, correction_3) + KSL_MULF(self->m21, correction_1)
-          + KSL_MULF(self->m22, correction_5) + self->m21;
-  const float self_22_new = KSL_MULF(self->m20, correction_4) + KSL_MULF(self->m21, correction_5)
+          + KSL_MULF(self->m22, correction_4)),
+      self_21_new = KSL_MULF(self->m20, correction_3) + KSL_MULF(self->m21, correction_1)
+          + KSL_MULF(self->m22, correction_5) + self->m21,
+      self_22_new = KSL_MULF(self->m20, correction_4) + KSL_MULF(self->m21, correction_5)
           + KSL_MULF(self->m22, correction_2) + self->m22;
   self->m00 = self_00_new;
   self->m01 = self_01_new;
@@ -2588,43 +2132,37 @@ static inline void ksl_mat3x3f_orthonormalize(ksl_mat3x3f_t *self) {
      and underflow. */
 static inline void ksl_mat3x3f_orthonormalized(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
   const float defect_0 = 1.0f - KSL_MULF(R->m00, R->m00) - KSL_MULF(R->m10, R->m10)
-          - KSL_MULF(R->m20, R->m20);
-  const float defect_1 = 1.0f - KSL_MULF(R->m01, R->m01) - KSL_MULF(R->m11, R->m11)
-          - KSL_MULF(R->m21, R->m21);
-  const float defect_2 = 1.0f - KSL_MULF(R->m02, R->m02) - KSL_MULF(R->m12, R->m12)
-          - KSL_MULF(R->m22, R->m22);
-  const float defect_3 =
-          -(KSL_MULF(R->m00, R->m01) + KSL_MULF(R->m10, R->m11) + KSL_MULF(R->m20, R->m21));
-  const float defect_4 =
-          -(KSL_MULF(R->m00, R->m02) + KSL_MULF(R->m10, R->m12) + KSL_MULF(R->m20, R->m22));
-  const float defect_5 =
-          -(KSL_MULF(R->m01, R->m02) + KSL_MULF(R->m11, R->m12) + KSL_MULF(R->m21, R->m22));
-  const float correction_0 = KSL_MULF(0.5f, defect_0);
-  const float correction_1 = KSL_MULF(0.5f, defect_1);
-  const float correction_2 = KSL_MULF(0.5f, defect_2);
-  const float correction_3 = KSL_MULF(0.5f, defect_3);
-  const float correction_4 = KSL_MULF(0.5f, defect_4);
-  const float correction_5 = KSL_MULF(0.5f, defect_5);
+          - KSL_MULF(R->m20, R->m20),
+      defect_1 = 1.0f - KSL_MULF(R->m01, R->m01) - KSL_MULF(R->m11, R->m11)
+          - KSL_MULF(R->m21, R->m21),
+      defect_2 = 1.0f - KSL_MULF(R->m02, R->m02) - KSL_MULF(R->m12, R->m12)
+          - KSL_MULF(R->m22, R->m22),
+      defect_3 = -(KSL_MULF(R->m00, R->m01) + KSL_MULF(R->m10, R->m11) + KSL_MULF(R->m20, R->m21)),
+      defect_4 = -(KSL_MULF(R->m00, R->m02) + KSL_MULF(R->m10, R->m12) + KSL_MULF(R->m20, R->m22)),
+      defect_5 = -(KSL_MULF(R->m01, R->m02) + KSL_MULF(R->m11, R->m12) + KSL_MULF(R->m21, R->m22));
+  const float correction_0 = KSL_MULF(0.5f, defect_0), correction_1 = KSL_MULF(0.5f, defect_1),
+      correction_2 = KSL_MULF(0.5f, defect_2), correction_3 = KSL_MULF(0.5f, defect_3),
+      correction_4 = KSL_MULF(0.5f, defect_4), correction_5 = KSL_MULF(0.5f, defect_5);
   const float Ro_00 = R->m00
           + (KSL_MULF(R->m00, correction_0) + KSL_MULF(R->m01, correction_3)
-          + KSL_MULF(R->m02, correction_4));
-  const float Ro_01 = KSL_MULF(R->m00, correction_3) + KSL_MULF(R->m01, correction_1)
-          + KSL_MULF(R->m02, correction_5) + R->m01;
-  const float Ro_02 = KSL_MULF(R->m00, correction_4) + KSL_MULF(R->m01, correction_5)
-          + KSL_MULF(R->m02, correction_2) + R->m02;
-  const float Ro_10 = R->m10
+          + KSL_MULF(R->m02, correction_4)),
+      Ro_01 = KSL_MULF(R->m00, correction_3) + KSL_MULF(R->m01, correction_1)
+          + KSL_MULF(R->m02, correction_5) + R->m01,
+      Ro_02 = KSL_MULF(R->m00, correction_4) + KSL_MULF(R->m01, correction_5)
+          + KSL_MULF(R->m02, correction_2) + R->m02,
+      Ro_10 = R->m10
           + (KSL_MULF(R->m10, correction_0) + KSL_MULF(R->m11, correction_3)
-          + KSL_MULF(R->m12, correction_4));
-  const float Ro_11 = KSL_MULF(R->m10, correction_3) + KSL_MULF(R->m11, correction_1)
-          + KSL_MULF(R->m12, correction_5) + R->m11;
-  const float Ro_12 = KSL_MULF(R->m10, correction_4) + KSL_MULF(R->m11, correction_5)
-          + KSL_MULF(R->m12, correction_2) + R->m12;
-  const float Ro_20 = R->m20
+          + KSL_MULF(R->m12, correction_4)),
+      Ro_11 = KSL_MULF(R->m10, correction_3) + KSL_MULF(R->m11, correction_1)
+          + KSL_MULF(R->m12, correction_5) + R->m11,
+      Ro_12 = KSL_MULF(R->m10, correction_4) + KSL_MULF(R->m11, correction_5)
+          + KSL_MULF(R->m12, correction_2) + R->m12,
+      Ro_20 = R->m20
           + (KSL_MULF(R->m20, correction_0) + KSL_MULF(R->m21, correction_3)
-          + KSL_MULF(R->m22, correction_4));
-  const float Ro_21 = KSL_MULF(R->m20, correction_3) + KSL_MULF(R->m21, correction_1)
-          + KSL_MULF(R->m22, correction_5) + R->m21;
-  const float Ro_22 = KSL_MULF(R->m20, correction_4) + KSL_MULF(R->m21, correction_5)
+          + KSL_MULF(R->m22, correction_4)),
+      Ro_21 = KSL_MULF(R->m20, correction_3) + KSL_MULF(R->m21, correction_1)
+          + KSL_MULF(R->m22, correction_5) + R->m21,
+      Ro_22 = KSL_MULF(R->m20, correction_4) + KSL_MULF(R->m21, correction_5)
           + KSL_MULF(R->m22, correction_2) + R->m22;
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
@@ -2644,23 +2182,13 @@ static inline void ksl_mat3x3f_orthonormalized(const ksl_mat3x3f_t *R, ksl_mat3x
      larger, for |ω of s| <= 1e13, in single precision 1e5; searched, not proved.  Intermediate
      sums may overflow where |v|, or |ω| |v|, is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_exp(const ksl_screwf_t *s, ksl_SE3f_t *D) {
-  const float size_0 = fabsf(s->m3);
-  const float size_1 = fabsf(s->m4);
-  const float size_2 = fabsf(s->m5);
+  const float size_0 = fabsf(s->m3), size_1 = fabsf(s->m4), size_2 = fabsf(s->m5);
   const float sizes = size_0 + size_1 + size_2;
   const float grid = KSL_MULF(sizes, 8192.0f);
-  const float shifted_0 = s->m3 + grid;
-  const float shifted_1 = s->m4 + grid;
-  const float shifted_2 = s->m5 + grid;
-  const float high_0 = shifted_0 - grid;
-  const float high_1 = shifted_1 - grid;
-  const float high_2 = shifted_2 - grid;
-  const float low_0 = s->m3 - high_0;
-  const float low_1 = s->m4 - high_1;
-  const float low_2 = s->m5 - high_2;
-  const float sum_0 = s->m3 + high_0;
-  const float sum_1 = s->m4 + high_1;
-  const float sum_2 = s->m5 + high_2;
+  const float shifted_0 = s->m3 + grid, shifted_1 = s->m4 + grid, shifted_2 = s->m5 + grid;
+  const float high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const float low_0 = s->m3 - high_0, low_1 = s->m4 - high_1, low_2 = s->m5 - high_2;
+  const float sum_0 = s->m3 + high_0, sum_1 = s->m4 + high_1, sum_2 = s->m5 + high_2;
   const float squares = KSL_MULF(high_0, high_0) + KSL_MULF(high_1, high_1)
           + KSL_MULF(high_2, high_2);
   const float cross = KSL_MULF(low_0, sum_0) + KSL_MULF(low_1, sum_1) + KSL_MULF(low_2, sum_2);
@@ -2706,50 +2234,35 @@ static inline void ksl_SE3f_exp(const ksl_screwf_t *s, ksl_SE3f_t *D) {
       g3x = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g3r) + 0.0001984127f) - 0.008333334f) + 0.16666667f,
       g3 = x < 4.0f ? g3x : closed3;
   const float g0b = 1.0f - KSL_MULF(x, g2), g0 = x < 1.0f ? g0b : cosine;
-  const float u_0 = KSL_MULF(s->m2, s->m4) - KSL_MULF(s->m1, s->m5);
-  const float u_1 = KSL_MULF(s->m0, s->m5) - KSL_MULF(s->m2, s->m3);
-  const float u_2 = KSL_MULF(s->m1, s->m3) - KSL_MULF(s->m0, s->m4);
-  const float turned_0 = KSL_MULF(g2, u_0);
-  const float turned_1 = KSL_MULF(g2, u_1);
-  const float turned_2 = KSL_MULF(g2, u_2);
+  const float u_0 = KSL_MULF(s->m2, s->m4) - KSL_MULF(s->m1, s->m5),
+      u_1 = KSL_MULF(s->m0, s->m5) - KSL_MULF(s->m2, s->m3),
+      u_2 = KSL_MULF(s->m1, s->m3) - KSL_MULF(s->m0, s->m4);
+  const float turned_0 = KSL_MULF(g2, u_0), turned_1 = KSL_MULF(g2, u_1),
+      turned_2 = KSL_MULF(g2, u_2);
   const float wv = KSL_MULF(s->m0, s->m3) + KSL_MULF(s->m1, s->m4) + KSL_MULF(s->m2, s->m5);
   const float pitch = KSL_MULF(g3, wv);
-  const float along_0 = KSL_MULF(s->m3, pitch);
-  const float along_1 = KSL_MULF(s->m4, pitch);
-  const float along_2 = KSL_MULF(s->m5, pitch);
-  const float beta_v_0 = KSL_MULF(s->m3, g2);
-  const float beta_v_1 = KSL_MULF(s->m4, g2);
-  const float beta_v_2 = KSL_MULF(s->m5, g2);
-  const float m_0 = KSL_MULF(s->m3, beta_v_0);
-  const float m_1 = KSL_MULF(s->m4, beta_v_1);
-  const float m_2 = KSL_MULF(s->m5, beta_v_2);
-  const float m_3 = KSL_MULF(s->m4, beta_v_0);
-  const float m_4 = KSL_MULF(s->m5, beta_v_0);
-  const float m_5 = KSL_MULF(s->m5, beta_v_1);
-  const float others_0 = m_1 + m_2;
-  const float others_1 = m_0 + m_2;
-  const float others_2 = m_0 + m_1;
+  const float along_0 = KSL_MULF(s->m3, pitch), along_1 = KSL_MULF(s->m4, pitch),
+      along_2 = KSL_MULF(s->m5, pitch);
+  const float beta_v_0 = KSL_MULF(s->m3, g2), beta_v_1 = KSL_MULF(s->m4, g2),
+      beta_v_2 = KSL_MULF(s->m5, g2);
+  const float m_0 = KSL_MULF(s->m3, beta_v_0), m_1 = KSL_MULF(s->m4, beta_v_1),
+      m_2 = KSL_MULF(s->m5, beta_v_2), m_3 = KSL_MULF(s->m4, beta_v_0),
+      m_4 = KSL_MULF(s->m5, beta_v_0), m_5 = KSL_MULF(s->m5, beta_v_1);
+  const float others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const float diagonal0a = 1.0f - others_0, diagonal0b = g0 + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const float diagonal1a = 1.0f - others_1, diagonal1b = g0 + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const float diagonal2a = 1.0f - others_2, diagonal2b = g0 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const float alpha_v_0 = KSL_MULF(s->m3, g1);
-  const float alpha_v_1 = KSL_MULF(s->m4, g1);
-  const float alpha_v_2 = KSL_MULF(s->m5, g1);
-  const float across_axis_0 = turned_0 + along_0;
-  const float across_axis_1 = turned_1 + along_1;
-  const float across_axis_2 = turned_2 + along_2;
-  const float D_01 = m_3 - alpha_v_2;
-  const float D_02 = m_4 + alpha_v_1;
-  const float D_03 = KSL_MULF(s->m0, g1) + across_axis_0;
-  const float D_10 = m_3 + alpha_v_2;
-  const float D_12 = m_5 - alpha_v_0;
-  const float D_13 = KSL_MULF(s->m1, g1) + across_axis_1;
-  const float D_20 = m_4 - alpha_v_1;
-  const float D_21 = m_5 + alpha_v_0;
-  const float D_23 = KSL_MULF(s->m2, g1) + across_axis_2;
+  const float alpha_v_0 = KSL_MULF(s->m3, g1), alpha_v_1 = KSL_MULF(s->m4, g1),
+      alpha_v_2 = KSL_MULF(s->m5, g1);
+  const float across_axis_0 = turned_0 + along_0, across_axis_1 = turned_1 + along_1,
+      across_axis_2 = turned_2 + along_2;
+  const float D_01 = m_3 - alpha_v_2, D_02 = m_4 + alpha_v_1,
+      D_03 = KSL_MULF(s->m0, g1) + across_axis_0, D_10 = m_3 + alpha_v_2, D_12 = m_5 - alpha_v_0,
+      D_13 = KSL_MULF(s->m1, g1) + across_axis_1, D_20 = m_4 - alpha_v_1, D_21 = m_5 + alpha_v_0,
+      D_23 = KSL_MULF(s->m2, g1) + across_axis_2;
   D->m00 = diagonal0;
   D->m01 = D_01;
   D->m02 = D_02;
@@ -2770,47 +2283,31 @@ static inline void ksl_SE3f_exp(const ksl_screwf_t *s, ksl_SE3f_t *D) {
    Error <= lin: 18 u, ang: 8 u of its largest component for R of D a rotation; searched, not
      proved.  Intermediate sums may overflow where |t| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_log(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float p_0 = D->m21 - D->m12;
-  const float p_1 = D->m02 - D->m20;
-  const float p_2 = D->m10 - D->m01;
-  const float s_0 = D->m12 + D->m21;
-  const float s_1 = D->m02 + D->m20;
-  const float s_2 = D->m01 + D->m10;
-  const float first_0 = D->m00 + 1.0f;
-  const float first_1 = 1.0f - D->m00;
-  const float others_0 = D->m11 + D->m22;
-  const float others_1 = D->m11 - D->m22;
-  const float d_0 = first_0 + others_0;
-  const float d_1 = first_0 - others_0;
-  const float d_2 = first_1 + others_1;
-  const float d_3 = first_1 - others_1;
-  const float low_0 = D->m11 < D->m00 ? d_1 : s_2;
-  const float low_1 = D->m11 < D->m00 ? s_2 : d_2;
-  const float low_2 = D->m11 < D->m00 ? s_1 : s_0;
-  const float low_3 = D->m11 < D->m00 ? p_0 : p_1;
+  const float p_0 = D->m21 - D->m12, p_1 = D->m02 - D->m20, p_2 = D->m10 - D->m01;
+  const float s_0 = D->m12 + D->m21, s_1 = D->m02 + D->m20, s_2 = D->m01 + D->m10;
+  const float first_0 = D->m00 + 1.0f, first_1 = 1.0f - D->m00;
+  const float others_0 = D->m11 + D->m22, others_1 = D->m11 - D->m22;
+  const float d_0 = first_0 + others_0, d_1 = first_0 - others_0, d_2 = first_1 + others_1,
+      d_3 = first_1 - others_1;
+  const float low_0 = D->m11 < D->m00 ? d_1 : s_2, low_1 = D->m11 < D->m00 ? s_2 : d_2,
+      low_2 = D->m11 < D->m00 ? s_1 : s_0, low_3 = D->m11 < D->m00 ? p_0 : p_1;
   const float high_0a = -D->m11, high_0 = D->m00 < high_0a ? s_1 : p_0;
-  const float high_1 = D->m00 < high_0a ? s_0 : p_1;
-  const float high_2 = D->m00 < high_0a ? d_3 : p_2;
-  const float high_3 = D->m00 < high_0a ? p_2 : d_0;
-  const float column_0 = D->m22 < 0.0f ? low_0 : high_0;
-  const float column_1 = D->m22 < 0.0f ? low_1 : high_1;
-  const float column_2 = D->m22 < 0.0f ? low_2 : high_2;
-  const float column_3 = D->m22 < 0.0f ? low_3 : high_3;
+  const float high_1 = D->m00 < high_0a ? s_0 : p_1, high_2 = D->m00 < high_0a ? d_3 : p_2,
+      high_3 = D->m00 < high_0a ? p_2 : d_0;
+  const float column_0 = D->m22 < 0.0f ? low_0 : high_0, column_1 = D->m22 < 0.0f ? low_1 : high_1,
+      column_2 = D->m22 < 0.0f ? low_2 : high_2, column_3 = D->m22 < 0.0f ? low_3 : high_3;
   const float upper_0a = -column_0, upper_0 = column_3 < 0.0f ? upper_0a : column_0;
   const float upper_1a = -column_1, upper_1 = column_3 < 0.0f ? upper_1a : column_1;
   const float upper_2a = -column_2, upper_2 = column_3 < 0.0f ? upper_2a : column_2;
   const float upper_3a = -column_3, upper_3 = column_3 < 0.0f ? upper_3a : column_3;
-  const float v_s_size_0 = fabsf(upper_0);
-  const float v_s_size_1 = fabsf(upper_1);
-  const float v_s_size_2 = fabsf(upper_2);
+  const float v_s_size_0 = fabsf(upper_0), v_s_size_1 = fabsf(upper_1), v_s_size_2 = fabsf(upper_2);
   const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
       v_s_d = v_s_largest2 < 256.0f ? 1.8014399e+16f : v_s_b,
       v_s = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_d;
-  const float v_y_0 = KSL_MULF(upper_0, v_s);
-  const float v_y_1 = KSL_MULF(upper_1, v_s);
-  const float v_y_2 = KSL_MULF(upper_2, v_s);
+  const float v_y_0 = KSL_MULF(upper_0, v_s), v_y_1 = KSL_MULF(upper_1, v_s),
+      v_y_2 = KSL_MULF(upper_2, v_s);
   const float v_n = sqrtf(KSL_MULF(v_y_0, v_y_0) + KSL_MULF(v_y_1, v_y_1) + KSL_MULF(v_y_2, v_y_2));
   const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r_d = 1.0f < v_s ? 5.551115e-17f : v_r_b,
       v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_d;
@@ -2819,9 +2316,8 @@ static inline void ksl_SE3f_log(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float divisor = n == 0.0f ? 1.0f : n;
   const float theta = KSL_MULF(2.0f, half);
   const float k = theta / divisor;
-  const float vector_0 = KSL_MULF(upper_0, k);
-  const float vector_1 = KSL_MULF(upper_1, k);
-  const float vector_2 = KSL_MULF(upper_2, k);
+  const float vector_0 = KSL_MULF(upper_0, k), vector_1 = KSL_MULF(upper_1, k),
+      vector_2 = KSL_MULF(upper_2, k);
   const float x = KSL_MULF(theta, theta);
   const float far_sine = x < 1.0f ? 1.0f : n;
   const float cotangent = upper_3 / far_sine;
@@ -2841,21 +2337,18 @@ static inline void ksl_SE3f_log(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float wt = KSL_MULF(D->m03, vector_0) + KSL_MULF(D->m13, vector_1)
           + KSL_MULF(D->m23, vector_2);
   const float pitch = KSL_MULF(b, wt);
-  const float along_0 = KSL_MULF(vector_0, pitch);
-  const float along_1 = KSL_MULF(vector_1, pitch);
-  const float along_2 = KSL_MULF(vector_2, pitch);
-  const float u_0 = KSL_MULF(D->m23, vector_1) - KSL_MULF(D->m13, vector_2);
-  const float u_1 = KSL_MULF(D->m03, vector_2) - KSL_MULF(D->m23, vector_0);
-  const float u_2 = KSL_MULF(D->m13, vector_0) - KSL_MULF(D->m03, vector_1);
-  const float turned_0 = KSL_MULF(0.5f, u_0);
-  const float turned_1 = KSL_MULF(0.5f, u_1);
-  const float turned_2 = KSL_MULF(0.5f, u_2);
-  const float across_axis_0 = along_0 - turned_0;
-  const float across_axis_1 = along_1 - turned_1;
-  const float across_axis_2 = along_2 - turned_2;
-  const float so_0 = KSL_MULF(D->m03, b_across) + across_axis_0;
-  const float so_1 = KSL_MULF(D->m13, b_across) + across_axis_1;
-  const float so_2 = KSL_MULF(D->m23, b_across) + across_axis_2;
+  const float along_0 = KSL_MULF(vector_0, pitch), along_1 = KSL_MULF(vector_1, pitch),
+      along_2 = KSL_MULF(vector_2, pitch);
+  const float u_0 = KSL_MULF(D->m23, vector_1) - KSL_MULF(D->m13, vector_2),
+      u_1 = KSL_MULF(D->m03, vector_2) - KSL_MULF(D->m23, vector_0),
+      u_2 = KSL_MULF(D->m13, vector_0) - KSL_MULF(D->m03, vector_1);
+  const float turned_0 = KSL_MULF(0.5f, u_0), turned_1 = KSL_MULF(0.5f, u_1),
+      turned_2 = KSL_MULF(0.5f, u_2);
+  const float across_axis_0 = along_0 - turned_0, across_axis_1 = along_1 - turned_1,
+      across_axis_2 = along_2 - turned_2;
+  const float so_0 = KSL_MULF(D->m03, b_across) + across_axis_0,
+      so_1 = KSL_MULF(D->m13, b_across) + across_axis_1,
+      so_2 = KSL_MULF(D->m23, b_across) + across_axis_2;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2870,23 +2363,13 @@ static inline void ksl_SE3f_log(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= M: 20 u of its largest component for |ω of s| <= π; searched, not proved.
      Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_leftJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
-  const float size_0 = fabsf(s->m3);
-  const float size_1 = fabsf(s->m4);
-  const float size_2 = fabsf(s->m5);
+  const float size_0 = fabsf(s->m3), size_1 = fabsf(s->m4), size_2 = fabsf(s->m5);
   const float sizes = size_0 + size_1 + size_2;
   const float grid = KSL_MULF(sizes, 8192.0f);
-  const float shifted_0 = s->m3 + grid;
-  const float shifted_1 = s->m4 + grid;
-  const float shifted_2 = s->m5 + grid;
-  const float high_0 = shifted_0 - grid;
-  const float high_1 = shifted_1 - grid;
-  const float high_2 = shifted_2 - grid;
-  const float low_0 = s->m3 - high_0;
-  const float low_1 = s->m4 - high_1;
-  const float low_2 = s->m5 - high_2;
-  const float sum_0 = s->m3 + high_0;
-  const float sum_1 = s->m4 + high_1;
-  const float sum_2 = s->m5 + high_2;
+  const float shifted_0 = s->m3 + grid, shifted_1 = s->m4 + grid, shifted_2 = s->m5 + grid;
+  const float high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const float low_0 = s->m3 - high_0, low_1 = s->m4 - high_1, low_2 = s->m5 - high_2;
+  const float sum_0 = s->m3 + high_0, sum_1 = s->m4 + high_1, sum_2 = s->m5 + high_2;
   const float squares = KSL_MULF(high_0, high_0) + KSL_MULF(high_1, high_1)
           + KSL_MULF(high_2, high_2);
   const float cross = KSL_MULF(low_0, sum_0) + KSL_MULF(low_1, sum_1) + KSL_MULF(low_2, sum_2);
@@ -2948,50 +2431,37 @@ static inline void ksl_SE3f_leftJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M
           + 1.3153016e-16f) - 3.93604e-14f) + 9.176596e-12f) - 1.6059044e-09f),
       rate3x = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, rate3q + 2.0041686e-07f) - 1.6534392e-05f)
           + 0.0007936508f) - 0.016666668f, rate3 = x < 9.0f ? rate3x : closed_rate3;
-  const float beta_v_0 = KSL_MULF(s->m3, g3);
-  const float beta_v_1 = KSL_MULF(s->m4, g3);
-  const float beta_v_2 = KSL_MULF(s->m5, g3);
-  const float m_0 = KSL_MULF(s->m3, beta_v_0);
-  const float m_1 = KSL_MULF(s->m4, beta_v_1);
-  const float m_2 = KSL_MULF(s->m5, beta_v_2);
-  const float m_3 = KSL_MULF(s->m4, beta_v_0);
-  const float m_4 = KSL_MULF(s->m5, beta_v_0);
-  const float m_5 = KSL_MULF(s->m5, beta_v_1);
-  const float others_0 = m_1 + m_2;
-  const float others_1 = m_0 + m_2;
-  const float others_2 = m_0 + m_1;
+  const float beta_v_0 = KSL_MULF(s->m3, g3), beta_v_1 = KSL_MULF(s->m4, g3),
+      beta_v_2 = KSL_MULF(s->m5, g3);
+  const float m_0 = KSL_MULF(s->m3, beta_v_0), m_1 = KSL_MULF(s->m4, beta_v_1),
+      m_2 = KSL_MULF(s->m5, beta_v_2), m_3 = KSL_MULF(s->m4, beta_v_0),
+      m_4 = KSL_MULF(s->m5, beta_v_0), m_5 = KSL_MULF(s->m5, beta_v_1);
+  const float others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const float diagonal0a = 1.0f - others_0, diagonal0b = g1 + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const float diagonal1a = 1.0f - others_1, diagonal1b = g1 + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const float diagonal2a = 1.0f - others_2, diagonal2b = g1 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const float alpha_v_0 = KSL_MULF(s->m3, g2);
-  const float alpha_v_1 = KSL_MULF(s->m4, g2);
-  const float alpha_v_2 = KSL_MULF(s->m5, g2);
-  const float J_1 = m_3 - alpha_v_2;
-  const float J_2 = m_4 + alpha_v_1;
-  const float J_3 = m_3 + alpha_v_2;
-  const float J_5 = m_5 - alpha_v_0;
-  const float J_6 = m_4 - alpha_v_1;
-  const float J_7 = m_5 + alpha_v_0;
+  const float alpha_v_0 = KSL_MULF(s->m3, g2), alpha_v_1 = KSL_MULF(s->m4, g2),
+      alpha_v_2 = KSL_MULF(s->m5, g2);
+  const float J_1 = m_3 - alpha_v_2, J_2 = m_4 + alpha_v_1, J_3 = m_3 + alpha_v_2,
+      J_5 = m_5 - alpha_v_0, J_6 = m_4 - alpha_v_1, J_7 = m_5 + alpha_v_0;
   const float rate_vw = KSL_MULF(s->m0, s->m3) + KSL_MULF(s->m1, s->m4) + KSL_MULF(s->m2, s->m5);
   const float rate_turn = KSL_MULF(rate2, rate_vw);
   const float rate_bend = -KSL_MULF(rate3, rate_vw);
-  const float rate_q_0 = KSL_MULF(s->m0, g2) + KSL_MULF(s->m3, rate_turn);
-  const float rate_q_1 = KSL_MULF(s->m1, g2) + KSL_MULF(s->m4, rate_turn);
-  const float rate_q_2 = KSL_MULF(s->m2, g2) + KSL_MULF(s->m5, rate_turn);
-  const float rate_beta_v_0 = KSL_MULF(s->m0, g3);
-  const float rate_beta_v_1 = KSL_MULF(s->m1, g3);
-  const float rate_beta_v_2 = KSL_MULF(s->m2, g3);
-  const float rate_bend_w_0 = KSL_MULF(s->m3, rate_bend);
-  const float rate_bend_w_1 = KSL_MULF(s->m4, rate_bend);
-  const float rate_bend_w_2 = KSL_MULF(s->m5, rate_bend);
+  const float rate_q_0 = KSL_MULF(s->m0, g2) + KSL_MULF(s->m3, rate_turn),
+      rate_q_1 = KSL_MULF(s->m1, g2) + KSL_MULF(s->m4, rate_turn),
+      rate_q_2 = KSL_MULF(s->m2, g2) + KSL_MULF(s->m5, rate_turn);
+  const float rate_beta_v_0 = KSL_MULF(s->m0, g3), rate_beta_v_1 = KSL_MULF(s->m1, g3),
+      rate_beta_v_2 = KSL_MULF(s->m2, g3);
+  const float rate_bend_w_0 = KSL_MULF(s->m3, rate_bend),
+      rate_bend_w_1 = KSL_MULF(s->m4, rate_bend), rate_bend_w_2 = KSL_MULF(s->m5, rate_bend);
   const float rate_symmetric_0 = KSL_MULF(s->m3, rate_beta_v_1) + KSL_MULF(s->m4, rate_beta_v_0)
-          - KSL_MULF(s->m4, rate_bend_w_0);
-  const float rate_symmetric_1 = KSL_MULF(s->m3, rate_beta_v_2) + KSL_MULF(s->m5, rate_beta_v_0)
-          - KSL_MULF(s->m5, rate_bend_w_0);
-  const float rate_symmetric_2 = KSL_MULF(s->m4, rate_beta_v_2) + KSL_MULF(s->m5, rate_beta_v_1)
+          - KSL_MULF(s->m4, rate_bend_w_0),
+      rate_symmetric_1 = KSL_MULF(s->m3, rate_beta_v_2) + KSL_MULF(s->m5, rate_beta_v_0)
+          - KSL_MULF(s->m5, rate_bend_w_0),
+      rate_symmetric_2 = KSL_MULF(s->m4, rate_beta_v_2) + KSL_MULF(s->m5, rate_beta_v_1)
           - KSL_MULF(s->m5, rate_bend_w_1);
   const float rate_diagonal_0a = KSL_MULF(s->m4, rate_bend_w_1),
       rate_diagonal_0b = KSL_MULF(s->m5, rate_bend_w_2),
@@ -3003,12 +2473,9 @@ static inline void ksl_SE3f_leftJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M
       rate_diagonal_1 = rate_diagonal_1a + rate_diagonal_0b - (rate_diagonal_1d + rate_diagonal_0g);
   const float rate_diagonal_2 = rate_diagonal_1a + rate_diagonal_0a
           - (rate_diagonal_1d + rate_diagonal_0e);
-  const float M_04 = rate_symmetric_0 - rate_q_2;
-  const float M_05 = rate_q_1 + rate_symmetric_1;
-  const float M_13 = rate_q_2 + rate_symmetric_0;
-  const float M_15 = rate_symmetric_2 - rate_q_0;
-  const float M_23 = rate_symmetric_1 - rate_q_1;
-  const float M_24 = rate_q_0 + rate_symmetric_2;
+  const float M_04 = rate_symmetric_0 - rate_q_2, M_05 = rate_q_1 + rate_symmetric_1,
+      M_13 = rate_q_2 + rate_symmetric_0, M_15 = rate_symmetric_2 - rate_q_0,
+      M_23 = rate_symmetric_1 - rate_q_1, M_24 = rate_q_0 + rate_symmetric_2;
   M->at[0][0] = diagonal0;
   M->at[1][0] = J_1;
   M->at[2][0] = J_2;
@@ -3053,23 +2520,13 @@ static inline void ksl_SE3f_leftJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M
    Error <= M: 20 u of its largest component for |ω of s| <= π; searched, not proved.
      Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_rightJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
-  const float size_0 = fabsf(s->m3);
-  const float size_1 = fabsf(s->m4);
-  const float size_2 = fabsf(s->m5);
+  const float size_0 = fabsf(s->m3), size_1 = fabsf(s->m4), size_2 = fabsf(s->m5);
   const float sizes = size_0 + size_1 + size_2;
   const float grid = KSL_MULF(sizes, 8192.0f);
-  const float shifted_0 = s->m3 + grid;
-  const float shifted_1 = s->m4 + grid;
-  const float shifted_2 = s->m5 + grid;
-  const float high_0 = shifted_0 - grid;
-  const float high_1 = shifted_1 - grid;
-  const float high_2 = shifted_2 - grid;
-  const float low_0 = s->m3 - high_0;
-  const float low_1 = s->m4 - high_1;
-  const float low_2 = s->m5 - high_2;
-  const float sum_0 = s->m3 + high_0;
-  const float sum_1 = s->m4 + high_1;
-  const float sum_2 = s->m5 + high_2;
+  const float shifted_0 = s->m3 + grid, shifted_1 = s->m4 + grid, shifted_2 = s->m5 + grid;
+  const float high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const float low_0 = s->m3 - high_0, low_1 = s->m4 - high_1, low_2 = s->m5 - high_2;
+  const float sum_0 = s->m3 + high_0, sum_1 = s->m4 + high_1, sum_2 = s->m5 + high_2;
   const float squares = KSL_MULF(high_0, high_0) + KSL_MULF(high_1, high_1)
           + KSL_MULF(high_2, high_2);
   const float cross = KSL_MULF(low_0, sum_0) + KSL_MULF(low_1, sum_1) + KSL_MULF(low_2, sum_2);
@@ -3131,50 +2588,37 @@ static inline void ksl_SE3f_rightJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *
           + 1.3153016e-16f) - 3.93604e-14f) + 9.176596e-12f) - 1.6059044e-09f),
       rate3x = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, rate3q + 2.0041686e-07f) - 1.6534392e-05f)
           + 0.0007936508f) - 0.016666668f, rate3 = x < 9.0f ? rate3x : closed_rate3;
-  const float beta_v_0 = KSL_MULF(s->m3, g3);
-  const float beta_v_1 = KSL_MULF(s->m4, g3);
-  const float beta_v_2 = KSL_MULF(s->m5, g3);
-  const float m_0 = KSL_MULF(s->m3, beta_v_0);
-  const float m_1 = KSL_MULF(s->m4, beta_v_1);
-  const float m_2 = KSL_MULF(s->m5, beta_v_2);
-  const float m_3 = KSL_MULF(s->m4, beta_v_0);
-  const float m_4 = KSL_MULF(s->m5, beta_v_0);
-  const float m_5 = KSL_MULF(s->m5, beta_v_1);
-  const float others_0 = m_1 + m_2;
-  const float others_1 = m_0 + m_2;
-  const float others_2 = m_0 + m_1;
+  const float beta_v_0 = KSL_MULF(s->m3, g3), beta_v_1 = KSL_MULF(s->m4, g3),
+      beta_v_2 = KSL_MULF(s->m5, g3);
+  const float m_0 = KSL_MULF(s->m3, beta_v_0), m_1 = KSL_MULF(s->m4, beta_v_1),
+      m_2 = KSL_MULF(s->m5, beta_v_2), m_3 = KSL_MULF(s->m4, beta_v_0),
+      m_4 = KSL_MULF(s->m5, beta_v_0), m_5 = KSL_MULF(s->m5, beta_v_1);
+  const float others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const float diagonal0a = 1.0f - others_0, diagonal0b = g1 + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const float diagonal1a = 1.0f - others_1, diagonal1b = g1 + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const float diagonal2a = 1.0f - others_2, diagonal2b = g1 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const float alpha_v_0 = -KSL_MULF(s->m3, g2);
-  const float alpha_v_1 = -KSL_MULF(s->m4, g2);
-  const float alpha_v_2 = -KSL_MULF(s->m5, g2);
-  const float J_1 = m_3 - alpha_v_2;
-  const float J_2 = m_4 + alpha_v_1;
-  const float J_3 = m_3 + alpha_v_2;
-  const float J_5 = m_5 - alpha_v_0;
-  const float J_6 = m_4 - alpha_v_1;
-  const float J_7 = m_5 + alpha_v_0;
+  const float alpha_v_0 = -KSL_MULF(s->m3, g2), alpha_v_1 = -KSL_MULF(s->m4, g2),
+      alpha_v_2 = -KSL_MULF(s->m5, g2);
+  const float J_1 = m_3 - alpha_v_2, J_2 = m_4 + alpha_v_1, J_3 = m_3 + alpha_v_2,
+      J_5 = m_5 - alpha_v_0, J_6 = m_4 - alpha_v_1, J_7 = m_5 + alpha_v_0;
   const float rate_vw = KSL_MULF(s->m0, s->m3) + KSL_MULF(s->m1, s->m4) + KSL_MULF(s->m2, s->m5);
   const float rate_turn = KSL_MULF(rate2, rate_vw);
   const float rate_bend = -KSL_MULF(rate3, rate_vw);
-  const float rate_q_0 = -(KSL_MULF(s->m0, g2) + KSL_MULF(s->m3, rate_turn));
-  const float rate_q_1 = -(KSL_MULF(s->m1, g2) + KSL_MULF(s->m4, rate_turn));
-  const float rate_q_2 = -(KSL_MULF(s->m2, g2) + KSL_MULF(s->m5, rate_turn));
-  const float rate_beta_v_0 = -KSL_MULF(s->m0, g3);
-  const float rate_beta_v_1 = -KSL_MULF(s->m1, g3);
-  const float rate_beta_v_2 = -KSL_MULF(s->m2, g3);
-  const float rate_bend_w_0 = -KSL_MULF(s->m3, rate_bend);
-  const float rate_bend_w_1 = -KSL_MULF(s->m4, rate_bend);
-  const float rate_bend_w_2 = -KSL_MULF(s->m5, rate_bend);
+  const float rate_q_0 = -(KSL_MULF(s->m0, g2) + KSL_MULF(s->m3, rate_turn)),
+      rate_q_1 = -(KSL_MULF(s->m1, g2) + KSL_MULF(s->m4, rate_turn)),
+      rate_q_2 = -(KSL_MULF(s->m2, g2) + KSL_MULF(s->m5, rate_turn));
+  const float rate_beta_v_0 = -KSL_MULF(s->m0, g3), rate_beta_v_1 = -KSL_MULF(s->m1, g3),
+      rate_beta_v_2 = -KSL_MULF(s->m2, g3);
+  const float rate_bend_w_0 = -KSL_MULF(s->m3, rate_bend),
+      rate_bend_w_1 = -KSL_MULF(s->m4, rate_bend), rate_bend_w_2 = -KSL_MULF(s->m5, rate_bend);
   const float rate_symmetric_0 = KSL_MULF(s->m4, rate_bend_w_0)
-          - (KSL_MULF(s->m3, rate_beta_v_1) + KSL_MULF(s->m4, rate_beta_v_0));
-  const float rate_symmetric_1 = KSL_MULF(s->m5, rate_bend_w_0)
-          - (KSL_MULF(s->m3, rate_beta_v_2) + KSL_MULF(s->m5, rate_beta_v_0));
-  const float rate_symmetric_2 = KSL_MULF(s->m5, rate_bend_w_1)
+          - (KSL_MULF(s->m3, rate_beta_v_1) + KSL_MULF(s->m4, rate_beta_v_0)),
+      rate_symmetric_1 = KSL_MULF(s->m5, rate_bend_w_0)
+          - (KSL_MULF(s->m3, rate_beta_v_2) + KSL_MULF(s->m5, rate_beta_v_0)),
+      rate_symmetric_2 = KSL_MULF(s->m5, rate_bend_w_1)
           - (KSL_MULF(s->m4, rate_beta_v_2) + KSL_MULF(s->m5, rate_beta_v_1));
   const float rate_diagonal_0b = KSL_MULF(KSL_MULF(2.0f, s->m4), rate_beta_v_1),
       rate_diagonal_0d = KSL_MULF(KSL_MULF(2.0f, s->m5), rate_beta_v_2),
@@ -3186,12 +2630,9 @@ static inline void ksl_SE3f_rightJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *
       rate_diagonal_1 = rate_diagonal_1b + rate_diagonal_0d - (rate_diagonal_1d + rate_diagonal_0g);
   const float rate_diagonal_2 = rate_diagonal_1b + rate_diagonal_0b
           - (rate_diagonal_1d + rate_diagonal_0f);
-  const float M_04 = rate_symmetric_0 - rate_q_2;
-  const float M_05 = rate_q_1 + rate_symmetric_1;
-  const float M_13 = rate_q_2 + rate_symmetric_0;
-  const float M_15 = rate_symmetric_2 - rate_q_0;
-  const float M_23 = rate_symmetric_1 - rate_q_1;
-  const float M_24 = rate_q_0 + rate_symmetric_2;
+  const float M_04 = rate_symmetric_0 - rate_q_2, M_05 = rate_q_1 + rate_symmetric_1,
+      M_13 = rate_q_2 + rate_symmetric_0, M_15 = rate_symmetric_2 - rate_q_0,
+      M_23 = rate_symmetric_1 - rate_q_1, M_24 = rate_q_0 + rate_symmetric_2;
   M->at[0][0] = diagonal0;
   M->at[1][0] = J_1;
   M->at[2][0] = J_2;
@@ -3236,23 +2677,13 @@ static inline void ksl_SE3f_rightJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *
    Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved.
      Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_leftJacobianInverse(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
-  const float size_0 = fabsf(s->m3);
-  const float size_1 = fabsf(s->m4);
-  const float size_2 = fabsf(s->m5);
+  const float size_0 = fabsf(s->m3), size_1 = fabsf(s->m4), size_2 = fabsf(s->m5);
   const float sizes = size_0 + size_1 + size_2;
   const float grid = KSL_MULF(sizes, 8192.0f);
-  const float shifted_0 = s->m3 + grid;
-  const float shifted_1 = s->m4 + grid;
-  const float shifted_2 = s->m5 + grid;
-  const float high_0 = shifted_0 - grid;
-  const float high_1 = shifted_1 - grid;
-  const float high_2 = shifted_2 - grid;
-  const float low_0 = s->m3 - high_0;
-  const float low_1 = s->m4 - high_1;
-  const float low_2 = s->m5 - high_2;
-  const float sum_0 = s->m3 + high_0;
-  const float sum_1 = s->m4 + high_1;
-  const float sum_2 = s->m5 + high_2;
+  const float shifted_0 = s->m3 + grid, shifted_1 = s->m4 + grid, shifted_2 = s->m5 + grid;
+  const float high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const float low_0 = s->m3 - high_0, low_1 = s->m4 - high_1, low_2 = s->m5 - high_2;
+  const float sum_0 = s->m3 + high_0, sum_1 = s->m4 + high_1, sum_2 = s->m5 + high_2;
   const float squares = KSL_MULF(high_0, high_0) + KSL_MULF(high_1, high_1)
           + KSL_MULF(high_2, high_2);
   const float cross = KSL_MULF(low_0, sum_0) + KSL_MULF(low_1, sum_1) + KSL_MULF(low_2, sum_2);
@@ -3288,33 +2719,22 @@ static inline void ksl_SE3f_leftJacobianInverse(const ksl_screwf_t *s, ksl_mat6x
       b_af = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, b_z) + 3.3068784e-05f) + 0.0013888889f)
           + 0.083333336f, b = x < 4.0f ? b_af : closed_b;
   const float b_across_b = 1.0f - KSL_MULF(x, b), b_across = x < 4.0f ? b_across_b : half_cotangent;
-  const float beta_v_0 = KSL_MULF(s->m3, b);
-  const float beta_v_1 = KSL_MULF(s->m4, b);
-  const float beta_v_2 = KSL_MULF(s->m5, b);
-  const float m_0 = KSL_MULF(s->m3, beta_v_0);
-  const float m_1 = KSL_MULF(s->m4, beta_v_1);
-  const float m_2 = KSL_MULF(s->m5, beta_v_2);
-  const float m_3 = KSL_MULF(s->m4, beta_v_0);
-  const float m_4 = KSL_MULF(s->m5, beta_v_0);
-  const float m_5 = KSL_MULF(s->m5, beta_v_1);
-  const float others_0 = m_1 + m_2;
-  const float others_1 = m_0 + m_2;
-  const float others_2 = m_0 + m_1;
+  const float beta_v_0 = KSL_MULF(s->m3, b), beta_v_1 = KSL_MULF(s->m4, b),
+      beta_v_2 = KSL_MULF(s->m5, b);
+  const float m_0 = KSL_MULF(s->m3, beta_v_0), m_1 = KSL_MULF(s->m4, beta_v_1),
+      m_2 = KSL_MULF(s->m5, beta_v_2), m_3 = KSL_MULF(s->m4, beta_v_0),
+      m_4 = KSL_MULF(s->m5, beta_v_0), m_5 = KSL_MULF(s->m5, beta_v_1);
+  const float others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const float diagonal0a = 1.0f - others_0, diagonal0b = b_across + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const float diagonal1a = 1.0f - others_1, diagonal1b = b_across + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const float diagonal2a = 1.0f - others_2, diagonal2b = b_across + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const float alpha_v_0 = -KSL_MULF(0.5f, s->m3);
-  const float alpha_v_1 = -KSL_MULF(0.5f, s->m4);
-  const float alpha_v_2 = -KSL_MULF(0.5f, s->m5);
-  const float J_1 = m_3 - alpha_v_2;
-  const float J_2 = m_4 + alpha_v_1;
-  const float J_3 = m_3 + alpha_v_2;
-  const float J_5 = m_5 - alpha_v_0;
-  const float J_6 = m_4 - alpha_v_1;
-  const float J_7 = m_5 + alpha_v_0;
+  const float alpha_v_0 = -KSL_MULF(0.5f, s->m3), alpha_v_1 = -KSL_MULF(0.5f, s->m4),
+      alpha_v_2 = -KSL_MULF(0.5f, s->m5);
+  const float J_1 = m_3 - alpha_v_2, J_2 = m_4 + alpha_v_1, J_3 = m_3 + alpha_v_2,
+      J_5 = m_5 - alpha_v_0, J_6 = m_4 - alpha_v_1, J_7 = m_5 + alpha_v_0;
   const float b_rate_across = (2.0f - half_cotangent) / b_divisor;
   const float b_rate_square = 0.25f + KSL_MULF(0.25f, KSL_MULF(cotangent, cotangent));
   const float b_rate_rest = b_rate_square - b_rate_across;
@@ -3330,20 +2750,17 @@ static inline void ksl_SE3f_leftJacobianInverse(const ksl_screwf_t *s, ksl_mat6x
       b_rate_ah = b_rate_ag + 0.0027777778f, b_rate = x < 4.0f ? b_rate_ah : closed_b_rate;
   const float rate_vw = KSL_MULF(s->m0, s->m3) + KSL_MULF(s->m1, s->m4) + KSL_MULF(s->m2, s->m5);
   const float rate_bend = -KSL_MULF(b_rate, rate_vw);
-  const float rate_q_0 = -KSL_MULF(0.5f, s->m0);
-  const float rate_q_1 = -KSL_MULF(0.5f, s->m1);
-  const float rate_q_2 = -KSL_MULF(0.5f, s->m2);
-  const float rate_beta_v_0 = KSL_MULF(s->m0, b);
-  const float rate_beta_v_1 = KSL_MULF(s->m1, b);
-  const float rate_beta_v_2 = KSL_MULF(s->m2, b);
-  const float rate_bend_w_0 = KSL_MULF(s->m3, rate_bend);
-  const float rate_bend_w_1 = KSL_MULF(s->m4, rate_bend);
-  const float rate_bend_w_2 = KSL_MULF(s->m5, rate_bend);
+  const float rate_q_0 = -KSL_MULF(0.5f, s->m0), rate_q_1 = -KSL_MULF(0.5f, s->m1),
+      rate_q_2 = -KSL_MULF(0.5f, s->m2);
+  const float rate_beta_v_0 = KSL_MULF(s->m0, b), rate_beta_v_1 = KSL_MULF(s->m1, b),
+      rate_beta_v_2 = KSL_MULF(s->m2, b);
+  const float rate_bend_w_0 = KSL_MULF(s->m3, rate_bend),
+      rate_bend_w_1 = KSL_MULF(s->m4, rate_bend), rate_bend_w_2 = KSL_MULF(s->m5, rate_bend);
   const float rate_symmetric_0 = KSL_MULF(s->m3, rate_beta_v_1) + KSL_MULF(s->m4, rate_beta_v_0)
-          - KSL_MULF(s->m4, rate_bend_w_0);
-  const float rate_symmetric_1 = KSL_MULF(s->m3, rate_beta_v_2) + KSL_MULF(s->m5, rate_beta_v_0)
-          - KSL_MULF(s->m5, rate_bend_w_0);
-  const float rate_symmetric_2 = KSL_MULF(s->m4, rate_beta_v_2) + KSL_MULF(s->m5, rate_beta_v_1)
+          - KSL_MULF(s->m4, rate_bend_w_0),
+      rate_symmetric_1 = KSL_MULF(s->m3, rate_beta_v_2) + KSL_MULF(s->m5, rate_beta_v_0)
+          - KSL_MULF(s->m5, rate_bend_w_0),
+      rate_symmetric_2 = KSL_MULF(s->m4, rate_beta_v_2) + KSL_MULF(s->m5, rate_beta_v_1)
           - KSL_MULF(s->m5, rate_bend_w_1);
   const float rate_diagonal_0a = KSL_MULF(s->m4, rate_bend_w_1),
       rate_diagonal_0b = KSL_MULF(s->m5, rate_bend_w_2),
@@ -3355,12 +2772,9 @@ static inline void ksl_SE3f_leftJacobianInverse(const ksl_screwf_t *s, ksl_mat6x
       rate_diagonal_1 = rate_diagonal_1a + rate_diagonal_0b - (rate_diagonal_1d + rate_diagonal_0g);
   const float rate_diagonal_2 = rate_diagonal_1a + rate_diagonal_0a
           - (rate_diagonal_1d + rate_diagonal_0e);
-  const float M_04 = rate_symmetric_0 - rate_q_2;
-  const float M_05 = rate_q_1 + rate_symmetric_1;
-  const float M_13 = rate_q_2 + rate_symmetric_0;
-  const float M_15 = rate_symmetric_2 - rate_q_0;
-  const float M_23 = rate_symmetric_1 - rate_q_1;
-  const float M_24 = rate_q_0 + rate_symmetric_2;
+  const float M_04 = rate_symmetric_0 - rate_q_2, M_05 = rate_q_1 + rate_symmetric_1,
+      M_13 = rate_q_2 + rate_symmetric_0, M_15 = rate_symmetric_2 - rate_q_0,
+      M_23 = rate_symmetric_1 - rate_q_1, M_24 = rate_q_0 + rate_symmetric_2;
   M->at[0][0] = diagonal0;
   M->at[1][0] = J_1;
   M->at[2][0] = J_2;
@@ -3405,23 +2819,13 @@ static inline void ksl_SE3f_leftJacobianInverse(const ksl_screwf_t *s, ksl_mat6x
    Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved.
      Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_rightJacobianInverse(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
-  const float size_0 = fabsf(s->m3);
-  const float size_1 = fabsf(s->m4);
-  const float size_2 = fabsf(s->m5);
+  const float size_0 = fabsf(s->m3), size_1 = fabsf(s->m4), size_2 = fabsf(s->m5);
   const float sizes = size_0 + size_1 + size_2;
   const float grid = KSL_MULF(sizes, 8192.0f);
-  const float shifted_0 = s->m3 + grid;
-  const float shifted_1 = s->m4 + grid;
-  const float shifted_2 = s->m5 + grid;
-  const float high_0 = shifted_0 - grid;
-  const float high_1 = shifted_1 - grid;
-  const float high_2 = shifted_2 - grid;
-  const float low_0 = s->m3 - high_0;
-  const float low_1 = s->m4 - high_1;
-  const float low_2 = s->m5 - high_2;
-  const float sum_0 = s->m3 + high_0;
-  const float sum_1 = s->m4 + high_1;
-  const float sum_2 = s->m5 + high_2;
+  const float shifted_0 = s->m3 + grid, shifted_1 = s->m4 + grid, shifted_2 = s->m5 + grid;
+  const float high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const float low_0 = s->m3 - high_0, low_1 = s->m4 - high_1, low_2 = s->m5 - high_2;
+  const float sum_0 = s->m3 + high_0, sum_1 = s->m4 + high_1, sum_2 = s->m5 + high_2;
   const float squares = KSL_MULF(high_0, high_0) + KSL_MULF(high_1, high_1)
           + KSL_MULF(high_2, high_2);
   const float cross = KSL_MULF(low_0, sum_0) + KSL_MULF(low_1, sum_1) + KSL_MULF(low_2, sum_2);
@@ -3457,33 +2861,22 @@ static inline void ksl_SE3f_rightJacobianInverse(const ksl_screwf_t *s, ksl_mat6
       b_af = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, b_z) + 3.3068784e-05f) + 0.0013888889f)
           + 0.083333336f, b = x < 4.0f ? b_af : closed_b;
   const float b_across_b = 1.0f - KSL_MULF(x, b), b_across = x < 4.0f ? b_across_b : half_cotangent;
-  const float beta_v_0 = KSL_MULF(s->m3, b);
-  const float beta_v_1 = KSL_MULF(s->m4, b);
-  const float beta_v_2 = KSL_MULF(s->m5, b);
-  const float m_0 = KSL_MULF(s->m3, beta_v_0);
-  const float m_1 = KSL_MULF(s->m4, beta_v_1);
-  const float m_2 = KSL_MULF(s->m5, beta_v_2);
-  const float m_3 = KSL_MULF(s->m4, beta_v_0);
-  const float m_4 = KSL_MULF(s->m5, beta_v_0);
-  const float m_5 = KSL_MULF(s->m5, beta_v_1);
-  const float others_0 = m_1 + m_2;
-  const float others_1 = m_0 + m_2;
-  const float others_2 = m_0 + m_1;
+  const float beta_v_0 = KSL_MULF(s->m3, b), beta_v_1 = KSL_MULF(s->m4, b),
+      beta_v_2 = KSL_MULF(s->m5, b);
+  const float m_0 = KSL_MULF(s->m3, beta_v_0), m_1 = KSL_MULF(s->m4, beta_v_1),
+      m_2 = KSL_MULF(s->m5, beta_v_2), m_3 = KSL_MULF(s->m4, beta_v_0),
+      m_4 = KSL_MULF(s->m5, beta_v_0), m_5 = KSL_MULF(s->m5, beta_v_1);
+  const float others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const float diagonal0a = 1.0f - others_0, diagonal0b = b_across + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const float diagonal1a = 1.0f - others_1, diagonal1b = b_across + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const float diagonal2a = 1.0f - others_2, diagonal2b = b_across + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const float alpha_v_0 = KSL_MULF(0.5f, s->m3);
-  const float alpha_v_1 = KSL_MULF(0.5f, s->m4);
-  const float alpha_v_2 = KSL_MULF(0.5f, s->m5);
-  const float J_1 = m_3 - alpha_v_2;
-  const float J_2 = m_4 + alpha_v_1;
-  const float J_3 = m_3 + alpha_v_2;
-  const float J_5 = m_5 - alpha_v_0;
-  const float J_6 = m_4 - alpha_v_1;
-  const float J_7 = m_5 + alpha_v_0;
+  const float alpha_v_0 = KSL_MULF(0.5f, s->m3), alpha_v_1 = KSL_MULF(0.5f, s->m4),
+      alpha_v_2 = KSL_MULF(0.5f, s->m5);
+  const float J_1 = m_3 - alpha_v_2, J_2 = m_4 + alpha_v_1, J_3 = m_3 + alpha_v_2,
+      J_5 = m_5 - alpha_v_0, J_6 = m_4 - alpha_v_1, J_7 = m_5 + alpha_v_0;
   const float b_rate_across = (2.0f - half_cotangent) / b_divisor;
   const float b_rate_square = 0.25f + KSL_MULF(0.25f, KSL_MULF(cotangent, cotangent));
   const float b_rate_rest = b_rate_square - b_rate_across;
@@ -3499,20 +2892,17 @@ static inline void ksl_SE3f_rightJacobianInverse(const ksl_screwf_t *s, ksl_mat6
       b_rate_ah = b_rate_ag + 0.0027777778f, b_rate = x < 4.0f ? b_rate_ah : closed_b_rate;
   const float rate_vw = KSL_MULF(s->m0, s->m3) + KSL_MULF(s->m1, s->m4) + KSL_MULF(s->m2, s->m5);
   const float rate_bend = -KSL_MULF(b_rate, rate_vw);
-  const float rate_q_0 = KSL_MULF(0.5f, s->m0);
-  const float rate_q_1 = KSL_MULF(0.5f, s->m1);
-  const float rate_q_2 = KSL_MULF(0.5f, s->m2);
-  const float rate_beta_v_0 = -KSL_MULF(s->m0, b);
-  const float rate_beta_v_1 = -KSL_MULF(s->m1, b);
-  const float rate_beta_v_2 = -KSL_MULF(s->m2, b);
-  const float rate_bend_w_0 = -KSL_MULF(s->m3, rate_bend);
-  const float rate_bend_w_1 = -KSL_MULF(s->m4, rate_bend);
-  const float rate_bend_w_2 = -KSL_MULF(s->m5, rate_bend);
+  const float rate_q_0 = KSL_MULF(0.5f, s->m0), rate_q_1 = KSL_MULF(0.5f, s->m1),
+      rate_q_2 = KSL_MULF(0.5f, s->m2);
+  const float rate_beta_v_0 = -KSL_MULF(s->m0, b), rate_beta_v_1 = -KSL_MULF(s->m1, b),
+      rate_beta_v_2 = -KSL_MULF(s->m2, b);
+  const float rate_bend_w_0 = -KSL_MULF(s->m3, rate_bend),
+      rate_bend_w_1 = -KSL_MULF(s->m4, rate_bend), rate_bend_w_2 = -KSL_MULF(s->m5, rate_bend);
   const float rate_symmetric_0 = KSL_MULF(s->m4, rate_bend_w_0)
-          - (KSL_MULF(s->m3, rate_beta_v_1) + KSL_MULF(s->m4, rate_beta_v_0));
-  const float rate_symmetric_1 = KSL_MULF(s->m5, rate_bend_w_0)
-          - (KSL_MULF(s->m3, rate_beta_v_2) + KSL_MULF(s->m5, rate_beta_v_0));
-  const float rate_symmetric_2 = KSL_MULF(s->m5, rate_bend_w_1)
+          - (KSL_MULF(s->m3, rate_beta_v_1) + KSL_MULF(s->m4, rate_beta_v_0)),
+      rate_symmetric_1 = KSL_MULF(s->m5, rate_bend_w_0)
+          - (KSL_MULF(s->m3, rate_beta_v_2) + KSL_MULF(s->m5, rate_beta_v_0)),
+      rate_symmetric_2 = KSL_MULF(s->m5, rate_bend_w_1)
           - (KSL_MULF(s->m4, rate_beta_v_2) + KSL_MULF(s->m5, rate_beta_v_1));
   const float rate_diagonal_0b = KSL_MULF(KSL_MULF(2.0f, s->m4), rate_beta_v_1),
       rate_diagonal_0d = KSL_MULF(KSL_MULF(2.0f, s->m5), rate_beta_v_2),
@@ -3524,12 +2914,9 @@ static inline void ksl_SE3f_rightJacobianInverse(const ksl_screwf_t *s, ksl_mat6
       rate_diagonal_1 = rate_diagonal_1b + rate_diagonal_0d - (rate_diagonal_1d + rate_diagonal_0g);
   const float rate_diagonal_2 = rate_diagonal_1b + rate_diagonal_0b
           - (rate_diagonal_1d + rate_diagonal_0f);
-  const float M_04 = rate_symmetric_0 - rate_q_2;
-  const float M_05 = rate_q_1 + rate_symmetric_1;
-  const float M_13 = rate_q_2 + rate_symmetric_0;
-  const float M_15 = rate_symmetric_2 - rate_q_0;
-  const float M_23 = rate_symmetric_1 - rate_q_1;
-  const float M_24 = rate_q_0 + rate_symmetric_2;
+  const float M_04 = rate_symmetric_0 - rate_q_2, M_05 = rate_q_1 + rate_symmetric_1,
+      M_13 = rate_q_2 + rate_symmetric_0, M_15 = rate_symmetric_2 - rate_q_0,
+      M_23 = rate_symmetric_1 - rate_q_1, M_24 = rate_q_0 + rate_symmetric_2;
   M->at[0][0] = diagonal0;
   M->at[1][0] = J_1;
   M->at[2][0] = J_2;
@@ -3577,59 +2964,51 @@ static inline void ksl_SE3f_rightJacobianInverse(const ksl_screwf_t *s, ksl_mat6
      5e36. */
 static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2,
     const float k, ksl_SE3f_t *Do) {
-  const float apart_0 = D2->m03 - D1->m03;
-  const float apart_1 = D2->m13 - D1->m13;
-  const float apart_2 = D2->m23 - D1->m23;
+  const float apart_0 = D2->m03 - D1->m03, apart_1 = D2->m13 - D1->m13, apart_2 = D2->m23 - D1->m23;
   const float between_0 = KSL_MULF(D1->m00, D2->m00) + KSL_MULF(D1->m10, D2->m10)
-          + KSL_MULF(D1->m20, D2->m20);
-  const float between_1 = KSL_MULF(D1->m00, D2->m01) + KSL_MULF(D1->m10, D2->m11)
-          + KSL_MULF(D1->m20, D2->m21);
-  const float between_2 = KSL_MULF(D1->m00, D2->m02) + KSL_MULF(D1->m10, D2->m12)
-          + KSL_MULF(D1->m20, D2->m22);
-  const float between_3 = KSL_MULF(D1->m00, apart_0) + KSL_MULF(D1->m10, apart_1)
-          + KSL_MULF(D1->m20, apart_2);
-  const float between_4 = KSL_MULF(D1->m01, D2->m00) + KSL_MULF(D1->m11, D2->m10)
-          + KSL_MULF(D1->m21, D2->m20);
-  const float between_5 = KSL_MULF(D1->m01, D2->m01) + KSL_MULF(D1->m11, D2->m11)
-          + KSL_MULF(D1->m21, D2->m21);
-  const float between_6 = KSL_MULF(D1->m01, D2->m02) + KSL_MULF(D1->m11, D2->m12)
-          + KSL_MULF(D1->m21, D2->m22);
-  const float between_7 = KSL_MULF(D1->m01, apart_0) + KSL_MULF(D1->m11, apart_1)
-          + KSL_MULF(D1->m21, apart_2);
-  const float between_8 = KSL_MULF(D1->m02, D2->m00) + KSL_MULF(D1->m12, D2->m10)
-          + KSL_MULF(D1->m22, D2->m20);
-  const float between_9 = KSL_MULF(D1->m02, D2->m01) + KSL_MULF(D1->m12, D2->m11)
-          + KSL_MULF(D1->m22, D2->m21);
-  const float between_10 = KSL_MULF(D1->m02, D2->m02) + KSL_MULF(D1->m12, D2->m12)
-          + KSL_MULF(D1->m22, D2->m22);
-  const float between_11 = KSL_MULF(D1->m02, apart_0) + KSL_MULF(D1->m12, apart_1)
+          + KSL_MULF(D1->m20, D2->m20),
+      between_1 = KSL_MULF(D1->m00, D2->m01) + KSL_MULF(D1->m10, D2->m11)
+          + KSL_MULF(D1->m20, D2->m21),
+      between_2 = KSL_MULF(D1->m00, D2->m02) + KSL_MULF(D1->m10, D2->m12)
+          + KSL_MULF(D1->m20, D2->m22),
+      between_3 = KSL_MULF(D1->m00, apart_0) + KSL_MULF(D1->m10, apart_1)
+          + KSL_MULF(D1->m20, apart_2),
+      between_4 = KSL_MULF(D1->m01, D2->m00) + KSL_MULF(D1->m11, D2->m10)
+          + KSL_MULF(D1->m21, D2->m20),
+      between_5 = KSL_MULF(D1->m01, D2->m01) + KSL_MULF(D1->m11, D2->m11)
+          + KSL_MULF(D1->m21, D2->m21),
+      between_6 = KSL_MULF(D1->m01, D2->m02) + KSL_MULF(D1->m11, D2->m12)
+          + KSL_MULF(D1->m21, D2->m22),
+      between_7 = KSL_MULF(D1->m01, apart_0) + KSL_MULF(D1->m11, apart_1)
+          + KSL_MULF(D1->m21, apart_2),
+      between_8 = KSL_MULF(D1->m02, D2->m00) + KSL_MULF(D1->m12, D2->m10)
+          + KSL_MULF(D1->m22, D2->m20),
+      between_9 = KSL_MULF(D1->m02, D2->m01) + KSL_MULF(D1->m12, D2->m11)
+          + KSL_MULF(D1->m22, D2->m21),
+      between_10 = KSL_MULF(D1->m02, D2->m02) + KSL_MULF(D1->m12, D2->m12)
+          + KSL_MULF(D1->m22, D2->m22),
+      between_11 = KSL_MULF(D1->m02, apart_0) + KSL_MULF(D1->m12, apart_1)
           + KSL_MULF(D1->m22, apart_2);
-  const float log_p_0 = between_9 - between_6;
-  const float log_p_1 = between_2 - between_8;
-  const float log_p_2 = between_4 - between_1;
-  const float log_s_0 = between_6 + between_9;
-  const float log_s_1 = between_2 + between_8;
-  const float log_s_2 = between_1 + between_4;
-  const float log_first_0 = between_0 + 1.0f;
-  const float log_first_1 = 1.0f - between_0;
-  const float log_others_0 = between_5 + between_10;
-  const float log_others_1 = between_5 - between_10;
-  const float log_d_0 = log_first_0 + log_others_0;
-  const float log_d_1 = log_first_0 - log_others_0;
-  const float log_d_2 = log_first_1 + log_others_1;
-  const float log_d_3 = log_first_1 - log_others_1;
-  const float log_low_0 = between_5 < between_0 ? log_d_1 : log_s_2;
-  const float log_low_1 = between_5 < between_0 ? log_s_2 : log_d_2;
-  const float log_low_2 = between_5 < between_0 ? log_s_1 : log_s_0;
-  const float log_low_3 = between_5 < between_0 ? log_p_0 : log_p_1;
+  const float log_p_0 = between_9 - between_6, log_p_1 = between_2 - between_8,
+      log_p_2 = between_4 - between_1;
+  const float log_s_0 = between_6 + between_9, log_s_1 = between_2 + between_8,
+      log_s_2 = between_1 + between_4;
+  const float log_first_0 = between_0 + 1.0f, log_first_1 = 1.0f - between_0;
+  const float log_others_0 = between_5 + between_10, log_others_1 = between_5 - between_10;
+  const float log_d_0 = log_first_0 + log_others_0, log_d_1 = log_first_0 - log_others_0,
+      log_d_2 = log_first_1 + log_others_1, log_d_3 = log_first_1 - log_others_1;
+  const float log_low_0 = between_5 < between_0 ? log_d_1 : log_s_2,
+      log_low_1 = between_5 < between_0 ? log_s_2 : log_d_2,
+      log_low_2 = between_5 < between_0 ? log_s_1 : log_s_0,
+      log_low_3 = between_5 < between_0 ? log_p_0 : log_p_1;
   const float log_high_0a = -between_5, log_high_0 = between_0 < log_high_0a ? log_s_1 : log_p_0;
-  const float log_high_1 = between_0 < log_high_0a ? log_s_0 : log_p_1;
-  const float log_high_2 = between_0 < log_high_0a ? log_d_3 : log_p_2;
-  const float log_high_3 = between_0 < log_high_0a ? log_p_2 : log_d_0;
-  const float log_column_0 = between_10 < 0.0f ? log_low_0 : log_high_0;
-  const float log_column_1 = between_10 < 0.0f ? log_low_1 : log_high_1;
-  const float log_column_2 = between_10 < 0.0f ? log_low_2 : log_high_2;
-  const float log_column_3 = between_10 < 0.0f ? log_low_3 : log_high_3;
+  const float log_high_1 = between_0 < log_high_0a ? log_s_0 : log_p_1,
+      log_high_2 = between_0 < log_high_0a ? log_d_3 : log_p_2,
+      log_high_3 = between_0 < log_high_0a ? log_p_2 : log_d_0;
+  const float log_column_0 = between_10 < 0.0f ? log_low_0 : log_high_0,
+      log_column_1 = between_10 < 0.0f ? log_low_1 : log_high_1,
+      log_column_2 = between_10 < 0.0f ? log_low_2 : log_high_2,
+      log_column_3 = between_10 < 0.0f ? log_low_3 : log_high_3;
   const float log_upper_0a = -log_column_0,
       log_upper_0 = log_column_3 < 0.0f ? log_upper_0a : log_column_0;
   const float log_upper_1a = -log_column_1,
@@ -3638,18 +3017,16 @@ static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t 
       log_upper_2 = log_column_3 < 0.0f ? log_upper_2a : log_column_2;
   const float log_upper_3a = -log_column_3,
       log_upper_3 = log_column_3 < 0.0f ? log_upper_3a : log_column_3;
-  const float log_v_s_size_0 = fabsf(log_upper_0);
-  const float log_v_s_size_1 = fabsf(log_upper_1);
-  const float log_v_s_size_2 = fabsf(log_upper_2);
+  const float log_v_s_size_0 = fabsf(log_upper_0), log_v_s_size_1 = fabsf(log_upper_1),
+      log_v_s_size_2 = fabsf(log_upper_2);
   const float log_v_s_largest1 = log_v_s_size_0 < log_v_s_size_1 ? log_v_s_size_1 : log_v_s_size_0;
   const float log_v_s_largest2 = log_v_s_largest1 < log_v_s_size_2 ? log_v_s_size_2
           : log_v_s_largest1;
   const float log_v_s_b = 4.611686e+18f < log_v_s_largest2 ? 2.7105054e-20f : 1.0f,
       log_v_s_d = log_v_s_largest2 < 256.0f ? 1.8014399e+16f : log_v_s_b,
       log_v_s = log_v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : log_v_s_d;
-  const float log_v_y_0 = KSL_MULF(log_upper_0, log_v_s);
-  const float log_v_y_1 = KSL_MULF(log_upper_1, log_v_s);
-  const float log_v_y_2 = KSL_MULF(log_upper_2, log_v_s);
+  const float log_v_y_0 = KSL_MULF(log_upper_0, log_v_s),
+      log_v_y_1 = KSL_MULF(log_upper_1, log_v_s), log_v_y_2 = KSL_MULF(log_upper_2, log_v_s);
   const float log_v_n = sqrtf(KSL_MULF(log_v_y_0, log_v_y_0) + KSL_MULF(log_v_y_1, log_v_y_1)
           + KSL_MULF(log_v_y_2, log_v_y_2));
   const float log_v_r_b = log_v_s < 1.0f ? 3.689349e+19f : 1.0f,
@@ -3660,9 +3037,8 @@ static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t 
   const float log_divisor = log_n == 0.0f ? 1.0f : log_n;
   const float log_theta = KSL_MULF(2.0f, log_half);
   const float log_k = log_theta / log_divisor;
-  const float log_vector_0 = KSL_MULF(log_upper_0, log_k);
-  const float log_vector_1 = KSL_MULF(log_upper_1, log_k);
-  const float log_vector_2 = KSL_MULF(log_upper_2, log_k);
+  const float log_vector_0 = KSL_MULF(log_upper_0, log_k),
+      log_vector_1 = KSL_MULF(log_upper_1, log_k), log_vector_2 = KSL_MULF(log_upper_2, log_k);
   const float log_x = KSL_MULF(log_theta, log_theta);
   const float log_far_sine = log_x < 1.0f ? 1.0f : log_n;
   const float log_cotangent = log_upper_3 / log_far_sine;
@@ -3685,44 +3061,34 @@ static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t 
   const float log_wt = KSL_MULF(between_3, log_vector_0) + KSL_MULF(between_7, log_vector_1)
           + KSL_MULF(between_11, log_vector_2);
   const float log_pitch = KSL_MULF(log_b, log_wt);
-  const float log_along_0 = KSL_MULF(log_vector_0, log_pitch);
-  const float log_along_1 = KSL_MULF(log_vector_1, log_pitch);
-  const float log_along_2 = KSL_MULF(log_vector_2, log_pitch);
-  const float log_u_0 = KSL_MULF(between_11, log_vector_1) - KSL_MULF(between_7, log_vector_2);
-  const float log_u_1 = KSL_MULF(between_3, log_vector_2) - KSL_MULF(between_11, log_vector_0);
-  const float log_u_2 = KSL_MULF(between_7, log_vector_0) - KSL_MULF(between_3, log_vector_1);
-  const float log_turned_0 = KSL_MULF(0.5f, log_u_0);
-  const float log_turned_1 = KSL_MULF(0.5f, log_u_1);
-  const float log_turned_2 = KSL_MULF(0.5f, log_u_2);
-  const float log_across_axis_0 = log_along_0 - log_turned_0;
-  const float log_across_axis_1 = log_along_1 - log_turned_1;
-  const float log_across_axis_2 = log_along_2 - log_turned_2;
-  const float whole_0 = KSL_MULF(between_3, log_b_across) + log_across_axis_0;
-  const float whole_1 = KSL_MULF(between_7, log_b_across) + log_across_axis_1;
-  const float whole_2 = KSL_MULF(between_11, log_b_across) + log_across_axis_2;
-  const float screw_0 = KSL_MULF(k, whole_0);
-  const float screw_1 = KSL_MULF(k, whole_1);
-  const float screw_2 = KSL_MULF(k, whole_2);
-  const float screw_3 = KSL_MULF(k, log_vector_0);
-  const float screw_4 = KSL_MULF(k, log_vector_1);
-  const float screw_5 = KSL_MULF(k, log_vector_2);
-  const float exp_size_0 = fabsf(screw_3);
-  const float exp_size_1 = fabsf(screw_4);
-  const float exp_size_2 = fabsf(screw_5);
+  const float log_along_0 = KSL_MULF(log_vector_0, log_pitch),
+      log_along_1 = KSL_MULF(log_vector_1, log_pitch),
+      log_along_2 = KSL_MULF(log_vector_2, log_pitch);
+  const float log_u_0 = KSL_MULF(between_11, log_vector_1) - KSL_MULF(between_7, log_vector_2),
+      log_u_1 = KSL_MULF(between_3, log_vector_2) - KSL_MULF(between_11, log_vector_0),
+      log_u_2 = KSL_MULF(between_7, log_vector_0) - KSL_MULF(between_3, log_vector_1);
+  const float log_turned_0 = KSL_MULF(0.5f, log_u_0), log_turned_1 = KSL_MULF(0.5f, log_u_1),
+      log_turned_2 = KSL_MULF(0.5f, log_u_2);
+  const float log_across_axis_0 = log_along_0 - log_turned_0,
+      log_across_axis_1 = log_along_1 - log_turned_1,
+      log_across_axis_2 = log_along_2 - log_turned_2;
+  const float whole_0 = KSL_MULF(between_3, log_b_across) + log_across_axis_0,
+      whole_1 = KSL_MULF(between_7, log_b_across) + log_across_axis_1,
+      whole_2 = KSL_MULF(between_11, log_b_across) + log_across_axis_2;
+  const float screw_0 = KSL_MULF(k, whole_0), screw_1 = KSL_MULF(k, whole_1),
+      screw_2 = KSL_MULF(k, whole_2), screw_3 = KSL_MULF(k, log_vector_0),
+      screw_4 = KSL_MULF(k, log_vector_1), screw_5 = KSL_MULF(k, log_vector_2);
+  const float exp_size_0 = fabsf(screw_3), exp_size_1 = fabsf(screw_4), exp_size_2 = fabsf(screw_5);
   const float exp_sizes = exp_size_0 + exp_size_1 + exp_size_2;
   const float exp_grid = KSL_MULF(exp_sizes, 8192.0f);
-  const float exp_shifted_0 = screw_3 + exp_grid;
-  const float exp_shifted_1 = screw_4 + exp_grid;
-  const float exp_shifted_2 = screw_5 + exp_grid;
-  const float exp_high_0 = exp_shifted_0 - exp_grid;
-  const float exp_high_1 = exp_shifted_1 - exp_grid;
-  const float exp_high_2 = exp_shifted_2 - exp_grid;
-  const float exp_low_0 = screw_3 - exp_high_0;
-  const float exp_low_1 = screw_4 - exp_high_1;
-  const float exp_low_2 = screw_5 - exp_high_2;
-  const float exp_sum_0 = screw_3 + exp_high_0;
-  const float exp_sum_1 = screw_4 + exp_high_1;
-  const float exp_sum_2 = screw_5 + exp_high_2;
+  const float exp_shifted_0 = screw_3 + exp_grid, exp_shifted_1 = screw_4 + exp_grid,
+      exp_shifted_2 = screw_5 + exp_grid;
+  const float exp_high_0 = exp_shifted_0 - exp_grid, exp_high_1 = exp_shifted_1 - exp_grid,
+      exp_high_2 = exp_shifted_2 - exp_grid;
+  const float exp_low_0 = screw_3 - exp_high_0, exp_low_1 = screw_4 - exp_high_1,
+      exp_low_2 = screw_5 - exp_high_2;
+  const float exp_sum_0 = screw_3 + exp_high_0, exp_sum_1 = screw_4 + exp_high_1,
+      exp_sum_2 = screw_5 + exp_high_2;
   const float exp_squares = KSL_MULF(exp_high_0, exp_high_0) + KSL_MULF(exp_high_1, exp_high_1)
           + KSL_MULF(exp_high_2, exp_high_2);
   const float exp_cross = KSL_MULF(exp_low_0, exp_sum_0) + KSL_MULF(exp_low_1, exp_sum_1)
@@ -3774,75 +3140,63 @@ static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t 
       exp_g3 = exp_x < 4.0f ? exp_g3x : exp_closed3;
   const float exp_g0b = 1.0f - KSL_MULF(exp_x, exp_g2),
       exp_g0 = exp_x < 1.0f ? exp_g0b : exp_cosine;
-  const float exp_u_0 = KSL_MULF(screw_2, screw_4) - KSL_MULF(screw_1, screw_5);
-  const float exp_u_1 = KSL_MULF(screw_0, screw_5) - KSL_MULF(screw_2, screw_3);
-  const float exp_u_2 = KSL_MULF(screw_1, screw_3) - KSL_MULF(screw_0, screw_4);
-  const float exp_turned_0 = KSL_MULF(exp_g2, exp_u_0);
-  const float exp_turned_1 = KSL_MULF(exp_g2, exp_u_1);
-  const float exp_turned_2 = KSL_MULF(exp_g2, exp_u_2);
+  const float exp_u_0 = KSL_MULF(screw_2, screw_4) - KSL_MULF(screw_1, screw_5),
+      exp_u_1 = KSL_MULF(screw_0, screw_5) - KSL_MULF(screw_2, screw_3),
+      exp_u_2 = KSL_MULF(screw_1, screw_3) - KSL_MULF(screw_0, screw_4);
+  const float exp_turned_0 = KSL_MULF(exp_g2, exp_u_0), exp_turned_1 = KSL_MULF(exp_g2, exp_u_1),
+      exp_turned_2 = KSL_MULF(exp_g2, exp_u_2);
   const float exp_wv = KSL_MULF(screw_0, screw_3) + KSL_MULF(screw_1, screw_4)
           + KSL_MULF(screw_2, screw_5);
   const float exp_pitch = KSL_MULF(exp_g3, exp_wv);
-  const float exp_along_0 = KSL_MULF(screw_3, exp_pitch);
-  const float exp_along_1 = KSL_MULF(screw_4, exp_pitch);
-  const float exp_along_2 = KSL_MULF(screw_5, exp_pitch);
-  const float exp_beta_v_0 = KSL_MULF(screw_3, exp_g2);
-  const float exp_beta_v_1 = KSL_MULF(screw_4, exp_g2);
-  const float exp_beta_v_2 = KSL_MULF(screw_5, exp_g2);
-  const float exp_m_0 = KSL_MULF(screw_3, exp_beta_v_0);
-  const float exp_m_1 = KSL_MULF(screw_4, exp_beta_v_1);
-  const float exp_m_2 = KSL_MULF(screw_5, exp_beta_v_2);
-  const float exp_m_3 = KSL_MULF(screw_4, exp_beta_v_0);
-  const float exp_m_4 = KSL_MULF(screw_5, exp_beta_v_0);
-  const float exp_m_5 = KSL_MULF(screw_5, exp_beta_v_1);
-  const float exp_others_0 = exp_m_1 + exp_m_2;
-  const float exp_others_1 = exp_m_0 + exp_m_2;
-  const float exp_others_2 = exp_m_0 + exp_m_1;
+  const float exp_along_0 = KSL_MULF(screw_3, exp_pitch),
+      exp_along_1 = KSL_MULF(screw_4, exp_pitch), exp_along_2 = KSL_MULF(screw_5, exp_pitch);
+  const float exp_beta_v_0 = KSL_MULF(screw_3, exp_g2), exp_beta_v_1 = KSL_MULF(screw_4, exp_g2),
+      exp_beta_v_2 = KSL_MULF(screw_5, exp_g2);
+  const float exp_m_0 = KSL_MULF(screw_3, exp_beta_v_0), exp_m_1 = KSL_MULF(screw_4, exp_beta_v_1),
+      exp_m_2 = KSL_MULF(screw_5, exp_beta_v_2), exp_m_3 = KSL_MULF(screw_4, exp_beta_v_0),
+      exp_m_4 = KSL_MULF(screw_5, exp_beta_v_0), exp_m_5 = KSL_MULF(screw_5, exp_beta_v_1);
+  const float exp_others_0 = exp_m_1 + exp_m_2, exp_others_1 = exp_m_0 + exp_m_2,
+      exp_others_2 = exp_m_0 + exp_m_1;
   const float exp_diagonal0a = 1.0f - exp_others_0, exp_diagonal0b = exp_g0 + exp_m_0,
       exp_diagonal0 = exp_m_0 < exp_others_0 ? exp_diagonal0b : exp_diagonal0a;
   const float exp_diagonal1a = 1.0f - exp_others_1, exp_diagonal1b = exp_g0 + exp_m_1,
       exp_diagonal1 = exp_m_1 < exp_others_1 ? exp_diagonal1b : exp_diagonal1a;
   const float exp_diagonal2a = 1.0f - exp_others_2, exp_diagonal2b = exp_g0 + exp_m_2,
       exp_diagonal2 = exp_m_2 < exp_others_2 ? exp_diagonal2b : exp_diagonal2a;
-  const float exp_alpha_v_0 = KSL_MULF(screw_3, exp_g1);
-  const float exp_alpha_v_1 = KSL_MULF(screw_4, exp_g1);
-  const float exp_alpha_v_2 = KSL_MULF(screw_5, exp_g1);
-  const float exp_across_axis_0 = exp_turned_0 + exp_along_0;
-  const float exp_across_axis_1 = exp_turned_1 + exp_along_1;
-  const float exp_across_axis_2 = exp_turned_2 + exp_along_2;
-  const float step_1 = exp_m_3 - exp_alpha_v_2;
-  const float step_2 = exp_m_4 + exp_alpha_v_1;
-  const float step_3 = KSL_MULF(screw_0, exp_g1) + exp_across_axis_0;
-  const float step_4 = exp_m_3 + exp_alpha_v_2;
-  const float step_6 = exp_m_5 - exp_alpha_v_0;
-  const float step_7 = KSL_MULF(screw_1, exp_g1) + exp_across_axis_1;
-  const float step_8 = exp_m_4 - exp_alpha_v_1;
-  const float step_9 = exp_m_5 + exp_alpha_v_0;
-  const float step_11 = KSL_MULF(screw_2, exp_g1) + exp_across_axis_2;
+  const float exp_alpha_v_0 = KSL_MULF(screw_3, exp_g1), exp_alpha_v_1 = KSL_MULF(screw_4, exp_g1),
+      exp_alpha_v_2 = KSL_MULF(screw_5, exp_g1);
+  const float exp_across_axis_0 = exp_turned_0 + exp_along_0,
+      exp_across_axis_1 = exp_turned_1 + exp_along_1,
+      exp_across_axis_2 = exp_turned_2 + exp_along_2;
+  const float step_1 = exp_m_3 - exp_alpha_v_2, step_2 = exp_m_4 + exp_alpha_v_1,
+      step_3 = KSL_MULF(screw_0, exp_g1) + exp_across_axis_0, step_4 = exp_m_3 + exp_alpha_v_2,
+      step_6 = exp_m_5 - exp_alpha_v_0, step_7 = KSL_MULF(screw_1, exp_g1) + exp_across_axis_1,
+      step_8 = exp_m_4 - exp_alpha_v_1, step_9 = exp_m_5 + exp_alpha_v_0,
+      step_11 = KSL_MULF(screw_2, exp_g1) + exp_across_axis_2;
   const float Do_00 = KSL_MULF(D1->m00, exp_diagonal0)
-          + (KSL_MULF(D1->m01, step_4) + KSL_MULF(D1->m02, step_8));
-  const float Do_01 = KSL_MULF(D1->m00, step_1) + KSL_MULF(D1->m02, step_9)
-          + KSL_MULF(D1->m01, exp_diagonal1);
-  const float Do_02 = KSL_MULF(D1->m00, step_2) + KSL_MULF(D1->m01, step_6)
-          + KSL_MULF(D1->m02, exp_diagonal2);
-  const float Do_03 = KSL_MULF(D1->m00, step_3) + KSL_MULF(D1->m01, step_7)
-          + KSL_MULF(D1->m02, step_11) + D1->m03;
-  const float Do_10 = KSL_MULF(D1->m10, exp_diagonal0)
-          + (KSL_MULF(D1->m11, step_4) + KSL_MULF(D1->m12, step_8));
-  const float Do_11 = KSL_MULF(D1->m10, step_1) + KSL_MULF(D1->m12, step_9)
-          + KSL_MULF(D1->m11, exp_diagonal1);
-  const float Do_12 = KSL_MULF(D1->m10, step_2) + KSL_MULF(D1->m11, step_6)
-          + KSL_MULF(D1->m12, exp_diagonal2);
-  const float Do_13 = KSL_MULF(D1->m10, step_3) + KSL_MULF(D1->m11, step_7)
-          + KSL_MULF(D1->m12, step_11) + D1->m13;
-  const float Do_20 = KSL_MULF(D1->m20, exp_diagonal0)
-          + (KSL_MULF(D1->m21, step_4) + KSL_MULF(D1->m22, step_8));
-  const float Do_21 = KSL_MULF(D1->m20, step_1) + KSL_MULF(D1->m22, step_9)
-          + KSL_MULF(D1->m21, exp_diagonal1);
-  const float Do_22 = KSL_MULF(D1->m20, step_2) + KSL_MULF(D1->m21, step_6)
-          + KSL_MULF(D1->m22, exp_diagonal2);
-  const float Do_23 = KSL_MULF(D1->m20, step_3) + KSL_MULF(D1->m21, step_7)
-          + KSL_MULF(D1->m22, step_11) + D1->m23;
+          + (KSL_MULF(D1->m01, step_4) + KSL_MULF(D1->m02, step_8)),
+      Do_01 = KSL_MULF(D1->m00, step_1) + KSL_MULF(D1->m02, step_9)
+          + KSL_MULF(D1->m01, exp_diagonal1),
+      Do_02 = KSL_MULF(D1->m00, step_2) + KSL_MULF(D1->m01, step_6)
+          + KSL_MULF(D1->m02, exp_diagonal2),
+      Do_03 = KSL_MULF(D1->m00, step_3) + KSL_MULF(D1->m01, step_7) + KSL_MULF(D1->m02, step_11)
+          + D1->m03,
+      Do_10 = KSL_MULF(D1->m10, exp_diagonal0)
+          + (KSL_MULF(D1->m11, step_4) + KSL_MULF(D1->m12, step_8)),
+      Do_11 = KSL_MULF(D1->m10, step_1) + KSL_MULF(D1->m12, step_9)
+          + KSL_MULF(D1->m11, exp_diagonal1),
+      Do_12 = KSL_MULF(D1->m10, step_2) + KSL_MULF(D1->m11, step_6)
+          + KSL_MULF(D1->m12, exp_diagonal2),
+      Do_13 = KSL_MULF(D1->m10, step_3) + KSL_MULF(D1->m11, step_7) + KSL_MULF(D1->m12, step_11)
+          + D1->m13,
+      Do_20 = KSL_MULF(D1->m20, exp_diagonal0)
+          + (KSL_MULF(D1->m21, step_4) + KSL_MULF(D1->m22, step_8)),
+      Do_21 = KSL_MULF(D1->m20, step_1) + KSL_MULF(D1->m22, step_9)
+          + KSL_MULF(D1->m21, exp_diagonal1),
+      Do_22 = KSL_MULF(D1->m20, step_2) + KSL_MULF(D1->m21, step_6)
+          + KSL_MULF(D1->m22, exp_diagonal2),
+      Do_23 = KSL_MULF(D1->m20, step_3) + KSL_MULF(D1->m21, step_7) + KSL_MULF(D1->m22, step_11)
+          + D1->m23;
   Do->m00 = Do_00;
   Do->m01 = Do_01;
   Do->m02 = Do_02;

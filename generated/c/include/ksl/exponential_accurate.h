@@ -19,18 +19,14 @@
      single precision it is the nearest number, except near ties, as long as that is below 1e5;
      searched, not proved. */
 static inline void ksl_SO3_exp_accurate(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
-  const double halved_0 = KSL_MUL(0.5, v->x);
-  const double halved_1 = KSL_MUL(0.5, v->y);
-  const double halved_2 = KSL_MUL(0.5, v->z);
-  const double h_size_0 = fabs(halved_0);
-  const double h_size_1 = fabs(halved_1);
-  const double h_size_2 = fabs(halved_2);
+  const double halved_0 = KSL_MUL(0.5, v->x), halved_1 = KSL_MUL(0.5, v->y),
+      halved_2 = KSL_MUL(0.5, v->z);
+  const double h_size_0 = fabs(halved_0), h_size_1 = fabs(halved_1), h_size_2 = fabs(halved_2);
   const double h_largest1 = h_size_0 < h_size_1 ? h_size_1 : h_size_0;
   const double h_largest2 = h_largest1 < h_size_2 ? h_size_2 : h_largest1;
   const double s = 6.703903964971299e+153 < h_largest2 ? 3.7291703656001034e-155 : 1.0;
-  const double reduced_0 = KSL_MUL(halved_0, s);
-  const double reduced_1 = KSL_MUL(halved_1, s);
-  const double reduced_2 = KSL_MUL(halved_2, s);
+  const double reduced_0 = KSL_MUL(halved_0, s), reduced_1 = KSL_MUL(halved_1, s),
+      reduced_2 = KSL_MUL(halved_2, s);
   const double up = s < 1.0 ? 2.6815615859885194e+154 : 1.0;
   const double reduced_length_a = KSL_MUL(reduced_0, reduced_0),
       reduced_length_b = KSL_MUL(reduced_1, reduced_1),
@@ -107,9 +103,8 @@ static inline void ksl_SO3_exp_accurate(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
           - (KSL_MUL(9.25185853854297e-18, y) + KSL_MUL(0.16666666666666666, y_lo)),
       sinc = half_angle_sum < 1.4901161193847656e-08 ? sinc_b : sinc_quotient,
       sinc_lo = half_angle_sum < 1.4901161193847656e-08 ? sinc_b_lo : sinc_quotient_lo;
-  const double turning_0 = KSL_MUL(v->x, sinc);
-  const double turning_1 = KSL_MUL(v->y, sinc);
-  const double turning_2 = KSL_MUL(v->z, sinc);
+  const double turning_0 = KSL_MUL(v->x, sinc), turning_1 = KSL_MUL(v->y, sinc),
+      turning_2 = KSL_MUL(v->z, sinc);
   const double turning_0_lo = ksl_product_error(v->x, sinc, turning_0) + KSL_MUL(v->x, sinc_lo),
       beta_v_0 = KSL_MUL(0.5, turning_0), beta_v_0_cross2 = KSL_MUL(0.5, turning_0_lo);
   const double turning_1_lo = ksl_product_error(v->y, sinc, turning_1) + KSL_MUL(v->y, sinc_lo),
@@ -359,9 +354,8 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
           + (divisor_lo - divisor_sum_right)),
       k_lo = (theta_sum - k_product - ksl_product_error(k, divisor_sum, k_product) + theta_sum_lo
           - k_cross) / divisor_sum;
-  const double vector_0 = KSL_MUL(upper_0_sum, k);
-  const double vector_1 = KSL_MUL(upper_1_sum, k);
-  const double vector_2 = KSL_MUL(upper_2_sum, k);
+  const double vector_0 = KSL_MUL(upper_0_sum, k), vector_1 = KSL_MUL(upper_1_sum, k),
+      vector_2 = KSL_MUL(upper_2_sum, k);
   const double vector_0_rounded = vector_0
           + (ksl_product_error(upper_0_sum, k, vector_0)
           + (KSL_MUL(upper_0_sum_lo, k) + KSL_MUL(upper_0_sum, k_lo)));
@@ -388,9 +382,8 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
      single precision it is the nearest number, except near ties, as long as that is below 1e5;
      searched, not proved. */
 static inline void ksl_SO3_leftJacobian_accurate(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
-  const double halved_0 = KSL_MUL(0.5, v->x);
-  const double halved_1 = KSL_MUL(0.5, v->y);
-  const double halved_2 = KSL_MUL(0.5, v->z);
+  const double halved_0 = KSL_MUL(0.5, v->x), halved_1 = KSL_MUL(0.5, v->y),
+      halved_2 = KSL_MUL(0.5, v->z);
   const double y_a = KSL_MUL(halved_0, halved_0), y_b = KSL_MUL(halved_1, halved_1),
       y_c = y_a + y_b, y_c_right = y_c - y_a, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d,
       y_right = y - y_c,
@@ -546,9 +539,8 @@ static inline void ksl_SO3_leftJacobian_accurate(const ksl_vec3_t *v, ksl_mat3x3
           - ksl_product_rest(x_sum, series5, g3a, g3b_right)
           - (KSL_MUL(x_sum_lo, series5) + g3a_cross2), g3b_lo = g3b_lo2 + 9.25185853854297e-18,
       g3 = x_sum < 1.0 ? g3b : closed3, g3_lo = x_sum < 1.0 ? g3b_lo : closed3_lo;
-  const double beta_v_0 = KSL_MUL(v->x, g3);
-  const double beta_v_1 = KSL_MUL(v->y, g3);
-  const double beta_v_2 = KSL_MUL(v->z, g3);
+  const double beta_v_0 = KSL_MUL(v->x, g3), beta_v_1 = KSL_MUL(v->y, g3),
+      beta_v_2 = KSL_MUL(v->z, g3);
   const double beta_v_0_lo = ksl_product_error(v->x, g3, beta_v_0) + KSL_MUL(v->x, g3_lo),
       m_0 = KSL_MUL(v->x, beta_v_0), m_0_cross2 = KSL_MUL(v->x, beta_v_0_lo);
   const double beta_v_1_lo = ksl_product_error(v->y, g3, beta_v_1) + KSL_MUL(v->y, g3_lo),
@@ -662,9 +654,8 @@ static inline void ksl_SO3_leftJacobian_accurate(const ksl_vec3_t *v, ksl_mat3x3
      single precision it is the nearest number, except near ties, as long as that is below 1e5;
      searched, not proved. */
 static inline void ksl_SO3_rightJacobian_accurate(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
-  const double halved_0 = KSL_MUL(0.5, v->x);
-  const double halved_1 = KSL_MUL(0.5, v->y);
-  const double halved_2 = KSL_MUL(0.5, v->z);
+  const double halved_0 = KSL_MUL(0.5, v->x), halved_1 = KSL_MUL(0.5, v->y),
+      halved_2 = KSL_MUL(0.5, v->z);
   const double y_a = KSL_MUL(halved_0, halved_0), y_b = KSL_MUL(halved_1, halved_1),
       y_c = y_a + y_b, y_c_right = y_c - y_a, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d,
       y_right = y - y_c,
@@ -820,9 +811,8 @@ static inline void ksl_SO3_rightJacobian_accurate(const ksl_vec3_t *v, ksl_mat3x
           - ksl_product_rest(x_sum, series5, g3a, g3b_right)
           - (KSL_MUL(x_sum_lo, series5) + g3a_cross2), g3b_lo = g3b_lo2 + 9.25185853854297e-18,
       g3 = x_sum < 1.0 ? g3b : closed3, g3_lo = x_sum < 1.0 ? g3b_lo : closed3_lo;
-  const double beta_v_0 = KSL_MUL(v->x, g3);
-  const double beta_v_1 = KSL_MUL(v->y, g3);
-  const double beta_v_2 = KSL_MUL(v->z, g3);
+  const double beta_v_0 = KSL_MUL(v->x, g3), beta_v_1 = KSL_MUL(v->y, g3),
+      beta_v_2 = KSL_MUL(v->z, g3);
   const double beta_v_0_lo = ksl_product_error(v->x, g3, beta_v_0) + KSL_MUL(v->x, g3_lo),
       m_0 = KSL_MUL(v->x, beta_v_0), m_0_cross2 = KSL_MUL(v->x, beta_v_0_lo);
   const double beta_v_1_lo = ksl_product_error(v->y, g3, beta_v_1) + KSL_MUL(v->y, g3_lo),
@@ -939,9 +929,8 @@ static inline void ksl_SO3_rightJacobian_accurate(const ksl_vec3_t *v, ksl_mat3x
      is within 1 ulp as long as its condition is below 1e13; in single precision it is the
      nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
 static inline void ksl_SO3_leftJacobianInverse_accurate(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
-  const double halved_0 = KSL_MUL(0.5, v->x);
-  const double halved_1 = KSL_MUL(0.5, v->y);
-  const double halved_2 = KSL_MUL(0.5, v->z);
+  const double halved_0 = KSL_MUL(0.5, v->x), halved_1 = KSL_MUL(0.5, v->y),
+      halved_2 = KSL_MUL(0.5, v->z);
   const double y_a = KSL_MUL(halved_0, halved_0), y_b = KSL_MUL(halved_1, halved_1),
       y_c = y_a + y_b, y_c_right = y_c - y_a, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d,
       y_right = y - y_c,
@@ -1143,9 +1132,8 @@ static inline void ksl_SO3_leftJacobianInverse_accurate(const ksl_vec3_t *v, ksl
           + (sinc_lo - sinc_sum_right)),
       b_across_lo = (b_across_exact + (c - (c_sum - c_sum_right) + (c_lo - c_sum_right))
           - b_across_cross) / sinc_sum;
-  const double beta_v_0 = KSL_MUL(v->x, b);
-  const double beta_v_1 = KSL_MUL(v->y, b);
-  const double beta_v_2 = KSL_MUL(v->z, b);
+  const double beta_v_0 = KSL_MUL(v->x, b), beta_v_1 = KSL_MUL(v->y, b),
+      beta_v_2 = KSL_MUL(v->z, b);
   const double beta_v_0_lo = ksl_product_error(v->x, b, beta_v_0) + KSL_MUL(v->x, b_lo),
       m_0 = KSL_MUL(v->x, beta_v_0), m_0_cross2 = KSL_MUL(v->x, beta_v_0_lo);
   const double beta_v_1_lo = ksl_product_error(v->y, b, beta_v_1) + KSL_MUL(v->y, b_lo),
@@ -1191,9 +1179,7 @@ static inline void ksl_SO3_leftJacobianInverse_accurate(const ksl_vec3_t *v, ksl
       m_2_sum = m_2 + (ksl_product_error(v->z, beta_v_2, m_2) + m_2_cross2),
       others_2_sum = others_2 + others_2_lo,
       diagonal2 = m_2_sum < others_2_sum ? diagonal2b : diagonal2a;
-  const double alpha_v_0 = -halved_0;
-  const double alpha_v_1 = -halved_1;
-  const double alpha_v_2 = -halved_2;
+  const double alpha_v_0 = -halved_0, alpha_v_1 = -halved_1, alpha_v_2 = -halved_2;
   const double R_01 = m_3 - alpha_v_2, R_01_right = m_3 - R_01;
   const double R_02 = m_4 + alpha_v_1, R_02_right = R_02 - m_4;
   const double R_10 = m_3 + alpha_v_2, R_10_right = R_10 - m_3;
@@ -1256,9 +1242,8 @@ static inline void ksl_SO3_leftJacobianInverse_accurate(const ksl_vec3_t *v, ksl
      is within 1 ulp as long as its condition is below 1e13; in single precision it is the
      nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
 static inline void ksl_SO3_rightJacobianInverse_accurate(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
-  const double halved_0 = KSL_MUL(0.5, v->x);
-  const double halved_1 = KSL_MUL(0.5, v->y);
-  const double halved_2 = KSL_MUL(0.5, v->z);
+  const double halved_0 = KSL_MUL(0.5, v->x), halved_1 = KSL_MUL(0.5, v->y),
+      halved_2 = KSL_MUL(0.5, v->z);
   const double y_a = KSL_MUL(halved_0, halved_0), y_b = KSL_MUL(halved_1, halved_1),
       y_c = y_a + y_b, y_c_right = y_c - y_a, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d,
       y_right = y - y_c,
@@ -1460,9 +1445,8 @@ static inline void ksl_SO3_rightJacobianInverse_accurate(const ksl_vec3_t *v, ks
           + (sinc_lo - sinc_sum_right)),
       b_across_lo = (b_across_exact + (c - (c_sum - c_sum_right) + (c_lo - c_sum_right))
           - b_across_cross) / sinc_sum;
-  const double beta_v_0 = KSL_MUL(v->x, b);
-  const double beta_v_1 = KSL_MUL(v->y, b);
-  const double beta_v_2 = KSL_MUL(v->z, b);
+  const double beta_v_0 = KSL_MUL(v->x, b), beta_v_1 = KSL_MUL(v->y, b),
+      beta_v_2 = KSL_MUL(v->z, b);
   const double beta_v_0_lo = ksl_product_error(v->x, b, beta_v_0) + KSL_MUL(v->x, b_lo),
       m_0 = KSL_MUL(v->x, beta_v_0), m_0_cross2 = KSL_MUL(v->x, beta_v_0_lo);
   const double beta_v_1_lo = ksl_product_error(v->y, b, beta_v_1) + KSL_MUL(v->y, b_lo),
@@ -1827,29 +1811,29 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
           + (KSL_MUL(self->m20, correction_4_cross2) + KSL_MUL(self->m21, correction_5_cross2)));
   const double self_00_new_rounded = self_00_new
           + (self->m00 - (self_00_new - self_00_new_right) + (self_00_new_e - self_00_new_right)
-          + self_00_new_e_lo);
-  const double self_01_new_rounded = self_01_new
+          + self_00_new_e_lo),
+      self_01_new_rounded = self_01_new
           + (self_01_new_e - (self_01_new - self_01_new_right) + (self->m01 - self_01_new_right)
-          + self_01_new_e_lo);
-  const double self_02_new_rounded = self_02_new
+          + self_01_new_e_lo),
+      self_02_new_rounded = self_02_new
           + (self_02_new_e - (self_02_new - self_02_new_right) + (self->m02 - self_02_new_right)
-          + self_02_new_e_lo);
-  const double self_10_new_rounded = self_10_new
+          + self_02_new_e_lo),
+      self_10_new_rounded = self_10_new
           + (self->m10 - (self_10_new - self_10_new_right) + (self_10_new_e - self_10_new_right)
-          + self_10_new_e_lo);
-  const double self_11_new_rounded = self_11_new
+          + self_10_new_e_lo),
+      self_11_new_rounded = self_11_new
           + (self_11_new_e - (self_11_new - self_11_new_right) + (self->m11 - self_11_new_right)
-          + self_11_new_e_lo);
-  const double self_12_new_rounded = self_12_new
+          + self_11_new_e_lo),
+      self_12_new_rounded = self_12_new
           + (self_12_new_e - (self_12_new - self_12_new_right) + (self->m12 - self_12_new_right)
-          + self_12_new_e_lo);
-  const double self_20_new_rounded = self_20_new
+          + self_12_new_e_lo),
+      self_20_new_rounded = self_20_new
           + (self->m20 - (self_20_new - self_20_new_right) + (self_20_new_e - self_20_new_right)
-          + self_20_new_e_lo);
-  const double self_21_new_rounded = self_21_new
+          + self_20_new_e_lo),
+      self_21_new_rounded = self_21_new
           + (self_21_new_e - (self_21_new - self_21_new_right) + (self->m21 - self_21_new_right)
-          + self_21_new_e_lo);
-  const double self_22_new_rounded = self_22_new
+          + self_21_new_e_lo),
+      self_22_new_rounded = self_22_new
           + (self_22_new_e - (self_22_new - self_22_new_right) + (self->m22 - self_22_new_right)
           + self_22_new_e_lo);
   self->m00 = self_00_new_rounded;
@@ -2068,23 +2052,15 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
           + (Ro_22c_lo1
           + (KSL_MUL(R->m20, correction_4_cross2) + KSL_MUL(R->m21, correction_5_cross2)));
   const double Ro_00_rounded = Ro_00
-          + (R->m00 - (Ro_00 - Ro_00_right) + (Ro_00e - Ro_00_right) + Ro_00e_lo);
-  const double Ro_01_rounded = Ro_01
-          + (Ro_01e - (Ro_01 - Ro_01_right) + (R->m01 - Ro_01_right) + Ro_01e_lo);
-  const double Ro_02_rounded = Ro_02
-          + (Ro_02e - (Ro_02 - Ro_02_right) + (R->m02 - Ro_02_right) + Ro_02e_lo);
-  const double Ro_10_rounded = Ro_10
-          + (R->m10 - (Ro_10 - Ro_10_right) + (Ro_10e - Ro_10_right) + Ro_10e_lo);
-  const double Ro_11_rounded = Ro_11
-          + (Ro_11e - (Ro_11 - Ro_11_right) + (R->m11 - Ro_11_right) + Ro_11e_lo);
-  const double Ro_12_rounded = Ro_12
-          + (Ro_12e - (Ro_12 - Ro_12_right) + (R->m12 - Ro_12_right) + Ro_12e_lo);
-  const double Ro_20_rounded = Ro_20
-          + (R->m20 - (Ro_20 - Ro_20_right) + (Ro_20e - Ro_20_right) + Ro_20e_lo);
-  const double Ro_21_rounded = Ro_21
-          + (Ro_21e - (Ro_21 - Ro_21_right) + (R->m21 - Ro_21_right) + Ro_21e_lo);
-  const double Ro_22_rounded = Ro_22
-          + (Ro_22e - (Ro_22 - Ro_22_right) + (R->m22 - Ro_22_right) + Ro_22e_lo);
+          + (R->m00 - (Ro_00 - Ro_00_right) + (Ro_00e - Ro_00_right) + Ro_00e_lo),
+      Ro_01_rounded = Ro_01 + (Ro_01e - (Ro_01 - Ro_01_right) + (R->m01 - Ro_01_right) + Ro_01e_lo),
+      Ro_02_rounded = Ro_02 + (Ro_02e - (Ro_02 - Ro_02_right) + (R->m02 - Ro_02_right) + Ro_02e_lo),
+      Ro_10_rounded = Ro_10 + (R->m10 - (Ro_10 - Ro_10_right) + (Ro_10e - Ro_10_right) + Ro_10e_lo),
+      Ro_11_rounded = Ro_11 + (Ro_11e - (Ro_11 - Ro_11_right) + (R->m11 - Ro_11_right) + Ro_11e_lo),
+      Ro_12_rounded = Ro_12 + (Ro_12e - (Ro_12 - Ro_12_right) + (R->m12 - Ro_12_right) + Ro_12e_lo),
+      Ro_20_rounded = Ro_20 + (R->m20 - (Ro_20 - Ro_20_right) + (Ro_20e - Ro_20_right) + Ro_20e_lo),
+      Ro_21_rounded = Ro_21 + (Ro_21e - (Ro_21 - Ro_21_right) + (R->m21 - Ro_21_right) + Ro_21e_lo),
+      Ro_22_rounded = Ro_22 + (Ro_22e - (Ro_22 - Ro_22_right) + (R->m22 - Ro_22_right) + Ro_22e_lo);
   Ro->m00 = Ro_00_rounded;
   Ro->m01 = Ro_01_rounded;
   Ro->m02 = Ro_02_rounded;
@@ -2106,9 +2082,8 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
      near ties, as long as that is below 1e5; searched, not proved.  Intermediate sums may
      overflow where |v|, or |ω| |v|, is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3_exp_accurate(const ksl_screw_t *s, ksl_SE3_t *D) {
-  const double halved_0 = KSL_MUL(0.5, s->m3);
-  const double halved_1 = KSL_MUL(0.5, s->m4);
-  const double halved_2 = KSL_MUL(0.5, s->m5);
+  const double halved_0 = KSL_MUL(0.5, s->m3), halved_1 = KSL_MUL(0.5, s->m4),
+      halved_2 = KSL_MUL(0.5, s->m5);
   const double y_a = KSL_MUL(halved_0, halved_0), y_b = KSL_MUL(halved_1, halved_1),
       y_c = y_a + y_b, y_c_right = y_c - y_a, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d,
       y_right = y - y_c,
@@ -2294,11 +2269,9 @@ static inline void ksl_SE3_exp_accurate(const ksl_screw_t *s, ksl_SE3_t *D) {
   const double pitch_lo = ksl_product_error(g3, wv, pitch)
           + (KSL_MUL(x_sum < 1.0 ? g3b_lo : closed3_lo, wv) + pitch_cross2),
       along_0 = KSL_MUL(s->m3, pitch);
-  const double along_1 = KSL_MUL(s->m4, pitch);
-  const double along_2 = KSL_MUL(s->m5, pitch);
-  const double beta_v_0 = KSL_MUL(s->m3, g2);
-  const double beta_v_1 = KSL_MUL(s->m4, g2);
-  const double beta_v_2 = KSL_MUL(s->m5, g2);
+  const double along_1 = KSL_MUL(s->m4, pitch), along_2 = KSL_MUL(s->m5, pitch);
+  const double beta_v_0 = KSL_MUL(s->m3, g2), beta_v_1 = KSL_MUL(s->m4, g2),
+      beta_v_2 = KSL_MUL(s->m5, g2);
   const double beta_v_0_lo = ksl_product_error(s->m3, g2, beta_v_0) + KSL_MUL(s->m3, g2_cross2),
       m_0 = KSL_MUL(s->m3, beta_v_0), m_0_cross2 = KSL_MUL(s->m3, beta_v_0_lo);
   const double beta_v_1_lo = ksl_product_error(s->m4, g2, beta_v_1) + KSL_MUL(s->m4, g2_cross2),
@@ -2602,9 +2575,8 @@ static inline void ksl_SE3_log_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
           + (divisor_lo - divisor_sum_right)),
       k_lo = (theta_sum - k_product - ksl_product_error(k, divisor_sum, k_product) + theta_sum_lo
           - k_cross) / divisor_sum;
-  const double vector_0 = KSL_MUL(upper_0_sum, k);
-  const double vector_1 = KSL_MUL(upper_1_sum, k);
-  const double vector_2 = KSL_MUL(upper_2_sum, k);
+  const double vector_0 = KSL_MUL(upper_0_sum, k), vector_1 = KSL_MUL(upper_1_sum, k),
+      vector_2 = KSL_MUL(upper_2_sum, k);
   const double half_angle = KSL_MUL(0.5, theta_sum), half_angle_cross2 = KSL_MUL(0.5, theta_sum_lo);
   const double length_a = KSL_MUL(n_sum, n_sum), length_b = KSL_MUL(upper_3_sum, upper_3_sum),
       length_c = length_a + length_b, length_c_right = length_c - length_a,
@@ -2816,8 +2788,7 @@ static inline void ksl_SE3_log_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
           + (wt_c_lo1 + (KSL_MUL(D->m03, vector_0_lo) + KSL_MUL(D->m13, vector_1_lo))));
   const double pitch_lo = ksl_product_error(b, wt, pitch) + pitch_cross,
       along_0 = KSL_MUL(vector_0, pitch);
-  const double along_1 = KSL_MUL(vector_1, pitch);
-  const double along_2 = KSL_MUL(vector_2, pitch);
+  const double along_1 = KSL_MUL(vector_1, pitch), along_2 = KSL_MUL(vector_2, pitch);
   const double u_0a = KSL_MUL(D->m23, vector_1), u_0b = KSL_MUL(D->m13, vector_2),
       u_0 = u_0a - u_0b, u_0_right = u_0a - u_0,
       u_0_lo1 = ksl_product_rest(D->m23, vector_1, u_0a, u_0 + u_0_right)
@@ -2830,9 +2801,8 @@ static inline void ksl_SE3_log_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
       u_2 = u_2a - u_2b, u_2_right = u_2a - u_2,
       u_2_lo1 = ksl_product_rest(D->m13, vector_0, u_2a, u_2 + u_2_right)
           - ksl_product_rest(D->m03, vector_1, u_2b, u_2_right);
-  const double turned_0 = KSL_MUL(0.5, u_0);
-  const double turned_1 = KSL_MUL(0.5, u_1);
-  const double turned_2 = KSL_MUL(0.5, u_2);
+  const double turned_0 = KSL_MUL(0.5, u_0), turned_1 = KSL_MUL(0.5, u_1),
+      turned_2 = KSL_MUL(0.5, u_2);
   const double across_axis_0 = along_0 - turned_0, across_axis_0_right = along_0 - across_axis_0,
       across_axis_0_lo1 = ksl_product_rest(vector_0, pitch, along_0, across_axis_0
           + across_axis_0_right) - (turned_0 - across_axis_0_right),
@@ -2898,9 +2868,8 @@ static inline void ksl_SE3_log_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
      the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
      Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3_leftJacobian_accurate(const ksl_screw_t *s, ksl_mat6x6_t *M) {
-  const double halved_0 = KSL_MUL(0.5, s->m3);
-  const double halved_1 = KSL_MUL(0.5, s->m4);
-  const double halved_2 = KSL_MUL(0.5, s->m5);
+  const double halved_0 = KSL_MUL(0.5, s->m3), halved_1 = KSL_MUL(0.5, s->m4),
+      halved_2 = KSL_MUL(0.5, s->m5);
   const double y_a = KSL_MUL(halved_0, halved_0), y_b = KSL_MUL(halved_1, halved_1),
       y_c = y_a + y_b, y_c_right = y_c - y_a, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d,
       y_right = y - y_c,
@@ -3155,9 +3124,8 @@ static inline void ksl_SE3_leftJacobian_accurate(const ksl_screw_t *s, ksl_mat6x
   const double g5 = x_sum < 1.0 ? series5 : closed5;
   const double rate2a = KSL_MUL(2.0, g4), rate2 = rate2a - g3, rate2_right = rate2a - rate2;
   const double rate3a = KSL_MUL(3.0, g5), rate3 = rate3a - g4, rate3_right = rate3a - rate3;
-  const double beta_v_0 = KSL_MUL(s->m3, g3);
-  const double beta_v_1 = KSL_MUL(s->m4, g3);
-  const double beta_v_2 = KSL_MUL(s->m5, g3);
+  const double beta_v_0 = KSL_MUL(s->m3, g3), beta_v_1 = KSL_MUL(s->m4, g3),
+      beta_v_2 = KSL_MUL(s->m5, g3);
   const double beta_v_0_lo = ksl_product_error(s->m3, g3, beta_v_0) + KSL_MUL(s->m3, g3_lo),
       m_0 = KSL_MUL(s->m3, beta_v_0), m_0_cross2 = KSL_MUL(s->m3, beta_v_0_lo);
   const double beta_v_1_lo = ksl_product_error(s->m4, g3, beta_v_1) + KSL_MUL(s->m4, g3_lo),
@@ -3246,14 +3214,12 @@ static inline void ksl_SE3_leftJacobian_accurate(const ksl_screw_t *s, ksl_mat6x
       rate_q_2_lo1 = ksl_product_rest(s->m2, g2, rate_q_2a, rate_q_2 - rate_q_2_right)
           + ksl_product_rest(s->m5, rate_turn, rate_q_2b, rate_q_2_right),
       rate_q_2_lo = rate_q_2_lo1 + (KSL_MUL(s->m2, g2_cross2) + KSL_MUL(s->m5, rate_turn_lo));
-  const double rate_beta_v_0 = KSL_MUL(s->m0, g3);
-  const double rate_beta_v_1 = KSL_MUL(s->m1, g3);
-  const double rate_beta_v_2 = KSL_MUL(s->m2, g3);
+  const double rate_beta_v_0 = KSL_MUL(s->m0, g3), rate_beta_v_1 = KSL_MUL(s->m1, g3),
+      rate_beta_v_2 = KSL_MUL(s->m2, g3);
   const double rate_bend_lo = ksl_product_error(-rate3, rate_vw, rate_bend) +
           -(KSL_MUL(rate3_lo, rate_vw) + KSL_MUL(rate3, rate_vw_lo)),
       rate_bend_w_0 = KSL_MUL(s->m3, rate_bend);
-  const double rate_bend_w_1 = KSL_MUL(s->m4, rate_bend);
-  const double rate_bend_w_2 = KSL_MUL(s->m5, rate_bend);
+  const double rate_bend_w_1 = KSL_MUL(s->m4, rate_bend), rate_bend_w_2 = KSL_MUL(s->m5, rate_bend);
   const double rate_beta_v_1_lo = ksl_product_error(s->m1, g3, rate_beta_v_1)
           + KSL_MUL(s->m1, g3_lo), rate_symmetric_0a = KSL_MUL(s->m3, rate_beta_v_1),
       rate_beta_v_0_lo = ksl_product_error(s->m0, g3, rate_beta_v_0) + KSL_MUL(s->m0, g3_lo),
@@ -3513,9 +3479,8 @@ static inline void ksl_SE3_leftJacobian_accurate(const ksl_screw_t *s, ksl_mat6x
      the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
      Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3_rightJacobian_accurate(const ksl_screw_t *s, ksl_mat6x6_t *M) {
-  const double halved_0 = KSL_MUL(0.5, s->m3);
-  const double halved_1 = KSL_MUL(0.5, s->m4);
-  const double halved_2 = KSL_MUL(0.5, s->m5);
+  const double halved_0 = KSL_MUL(0.5, s->m3), halved_1 = KSL_MUL(0.5, s->m4),
+      halved_2 = KSL_MUL(0.5, s->m5);
   const double y_a = KSL_MUL(halved_0, halved_0), y_b = KSL_MUL(halved_1, halved_1),
       y_c = y_a + y_b, y_c_right = y_c - y_a, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d,
       y_right = y - y_c,
@@ -3770,9 +3735,8 @@ static inline void ksl_SE3_rightJacobian_accurate(const ksl_screw_t *s, ksl_mat6
   const double g5 = x_sum < 1.0 ? series5 : closed5;
   const double rate2a = KSL_MUL(2.0, g4), rate2 = rate2a - g3, rate2_right = rate2a - rate2;
   const double rate3a = KSL_MUL(3.0, g5), rate3 = rate3a - g4, rate3_right = rate3a - rate3;
-  const double beta_v_0 = KSL_MUL(s->m3, g3);
-  const double beta_v_1 = KSL_MUL(s->m4, g3);
-  const double beta_v_2 = KSL_MUL(s->m5, g3);
+  const double beta_v_0 = KSL_MUL(s->m3, g3), beta_v_1 = KSL_MUL(s->m4, g3),
+      beta_v_2 = KSL_MUL(s->m5, g3);
   const double beta_v_0_lo = ksl_product_error(s->m3, g3, beta_v_0) + KSL_MUL(s->m3, g3_lo),
       m_0 = KSL_MUL(s->m3, beta_v_0), m_0_cross2 = KSL_MUL(s->m3, beta_v_0_lo);
   const double beta_v_1_lo = ksl_product_error(s->m4, g3, beta_v_1) + KSL_MUL(s->m4, g3_lo),
@@ -3876,14 +3840,13 @@ static inline void ksl_SE3_rightJacobian_accurate(const ksl_screw_t *s, ksl_mat6
       rate_q_2c_lo1 = ksl_product_rest(s->m2, g2, rate_q_2a, rate_q_2c - rate_q_2c_right)
           + ksl_product_rest(s->m5, rate_turn, rate_q_2b, rate_q_2c_right), rate_q_2 = -rate_q_2c,
       rate_q_2_lo = -(rate_q_2c_lo1 + (KSL_MUL(s->m2, g2_cross2) + KSL_MUL(s->m5, rate_turn_lo)));
-  const double rate_beta_v_0 = -KSL_MUL(s->m0, g3);
-  const double rate_beta_v_1 = -KSL_MUL(s->m1, g3);
-  const double rate_beta_v_2 = -KSL_MUL(s->m2, g3);
+  const double rate_beta_v_0 = -KSL_MUL(s->m0, g3), rate_beta_v_1 = -KSL_MUL(s->m1, g3),
+      rate_beta_v_2 = -KSL_MUL(s->m2, g3);
   const double rate_bend_lo = ksl_product_error(-rate3, rate_vw, rate_bend) +
           -(KSL_MUL(rate3_lo, rate_vw) + KSL_MUL(rate3, rate_vw_lo)),
       rate_bend_w_0 = -KSL_MUL(s->m3, rate_bend);
-  const double rate_bend_w_1 = -KSL_MUL(s->m4, rate_bend);
-  const double rate_bend_w_2 = -KSL_MUL(s->m5, rate_bend);
+  const double rate_bend_w_1 = -KSL_MUL(s->m4, rate_bend),
+      rate_bend_w_2 = -KSL_MUL(s->m5, rate_bend);
   const double rate_bend_w_0_lo = ksl_product_error(-s->m3, rate_bend, rate_bend_w_0) +
           -KSL_MUL(s->m3, rate_bend_lo), rate_symmetric_0a = KSL_MUL(s->m4, rate_bend_w_0),
       rate_beta_v_1_lo = ksl_product_error(-s->m1, g3, rate_beta_v_1) + -KSL_MUL(s->m1, g3_lo),
@@ -4128,9 +4091,8 @@ static inline void ksl_SE3_rightJacobian_accurate(const ksl_screw_t *s, ksl_mat6
      the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
      Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3_leftJacobianInverse_accurate(const ksl_screw_t *s, ksl_mat6x6_t *M) {
-  const double halved_0 = KSL_MUL(0.5, s->m3);
-  const double halved_1 = KSL_MUL(0.5, s->m4);
-  const double halved_2 = KSL_MUL(0.5, s->m5);
+  const double halved_0 = KSL_MUL(0.5, s->m3), halved_1 = KSL_MUL(0.5, s->m4),
+      halved_2 = KSL_MUL(0.5, s->m5);
   const double y_a = KSL_MUL(halved_0, halved_0), y_b = KSL_MUL(halved_1, halved_1),
       y_c = y_a + y_b, y_c_right = y_c - y_a, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d,
       y_right = y - y_c,
@@ -4330,9 +4292,8 @@ static inline void ksl_SE3_leftJacobianInverse_accurate(const ksl_screw_t *s, ks
           - ksl_product_error(b_across, sinc_sum, b_across_product),
       b_across_lo = (b_across_exact + (c - (c_sum - c_sum_right) + (c_lo - c_sum_right))
           - KSL_MUL(b_across, sinc_sum_lo)) / sinc_sum;
-  const double beta_v_0 = KSL_MUL(s->m3, b);
-  const double beta_v_1 = KSL_MUL(s->m4, b);
-  const double beta_v_2 = KSL_MUL(s->m5, b);
+  const double beta_v_0 = KSL_MUL(s->m3, b), beta_v_1 = KSL_MUL(s->m4, b),
+      beta_v_2 = KSL_MUL(s->m5, b);
   const double beta_v_0_lo = ksl_product_error(s->m3, b, beta_v_0) + KSL_MUL(s->m3, b_lo),
       m_0 = KSL_MUL(s->m3, beta_v_0), m_0_cross2 = KSL_MUL(s->m3, beta_v_0_lo);
   const double beta_v_1_lo = ksl_product_error(s->m4, b, beta_v_1) + KSL_MUL(s->m4, b_lo),
@@ -4378,9 +4339,7 @@ static inline void ksl_SE3_leftJacobianInverse_accurate(const ksl_screw_t *s, ks
       m_2_sum = m_2 + (ksl_product_error(s->m5, beta_v_2, m_2) + m_2_cross2),
       others_2_sum = others_2 + others_2_lo,
       diagonal2 = m_2_sum < others_2_sum ? diagonal2b : diagonal2a;
-  const double alpha_v_0 = -halved_0;
-  const double alpha_v_1 = -halved_1;
-  const double alpha_v_2 = -halved_2;
+  const double alpha_v_0 = -halved_0, alpha_v_1 = -halved_1, alpha_v_2 = -halved_2;
   const double J_1 = m_3 - alpha_v_2, J_1_right = m_3 - J_1;
   const double J_2 = m_4 + alpha_v_1, J_2_right = J_2 - m_4;
   const double J_3 = m_3 + alpha_v_2, J_3_right = J_3 - m_3;
@@ -4444,17 +4403,14 @@ static inline void ksl_SE3_leftJacobianInverse_accurate(const ksl_screw_t *s, ks
   const double rate_bend_a_cross2 = KSL_MUL(b_rate, rate_vw_c - (rate_vw - rate_vw_right)
           + ksl_product_rest(s->m2, s->m5, rate_vw_d, rate_vw_right) + rate_vw_c_lo),
       rate_bend = -KSL_MUL(b_rate, rate_vw);
-  const double rate_q_0 = -KSL_MUL(0.5, s->m0);
-  const double rate_q_1 = -KSL_MUL(0.5, s->m1);
-  const double rate_q_2 = -KSL_MUL(0.5, s->m2);
-  const double rate_beta_v_0 = KSL_MUL(s->m0, b);
-  const double rate_beta_v_1 = KSL_MUL(s->m1, b);
-  const double rate_beta_v_2 = KSL_MUL(s->m2, b);
+  const double rate_q_0 = -KSL_MUL(0.5, s->m0), rate_q_1 = -KSL_MUL(0.5, s->m1),
+      rate_q_2 = -KSL_MUL(0.5, s->m2);
+  const double rate_beta_v_0 = KSL_MUL(s->m0, b), rate_beta_v_1 = KSL_MUL(s->m1, b),
+      rate_beta_v_2 = KSL_MUL(s->m2, b);
   const double rate_bend_lo = ksl_product_error(-b_rate, rate_vw, rate_bend) +
           -(KSL_MUL(b_rate_residual / b_rate_below_sum, rate_vw) + rate_bend_a_cross2),
       rate_bend_w_0 = KSL_MUL(s->m3, rate_bend);
-  const double rate_bend_w_1 = KSL_MUL(s->m4, rate_bend);
-  const double rate_bend_w_2 = KSL_MUL(s->m5, rate_bend);
+  const double rate_bend_w_1 = KSL_MUL(s->m4, rate_bend), rate_bend_w_2 = KSL_MUL(s->m5, rate_bend);
   const double rate_beta_v_1_lo = ksl_product_error(s->m1, b, rate_beta_v_1) + KSL_MUL(s->m1, b_lo),
       rate_symmetric_0a = KSL_MUL(s->m3, rate_beta_v_1),
       rate_beta_v_0_lo = ksl_product_error(s->m0, b, rate_beta_v_0) + KSL_MUL(s->m0, b_lo),
@@ -4708,9 +4664,8 @@ static inline void ksl_SE3_leftJacobianInverse_accurate(const ksl_screw_t *s, ks
      the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
      Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3_rightJacobianInverse_accurate(const ksl_screw_t *s, ksl_mat6x6_t *M) {
-  const double halved_0 = KSL_MUL(0.5, s->m3);
-  const double halved_1 = KSL_MUL(0.5, s->m4);
-  const double halved_2 = KSL_MUL(0.5, s->m5);
+  const double halved_0 = KSL_MUL(0.5, s->m3), halved_1 = KSL_MUL(0.5, s->m4),
+      halved_2 = KSL_MUL(0.5, s->m5);
   const double y_a = KSL_MUL(halved_0, halved_0), y_b = KSL_MUL(halved_1, halved_1),
       y_c = y_a + y_b, y_c_right = y_c - y_a, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d,
       y_right = y - y_c,
@@ -4910,9 +4865,8 @@ static inline void ksl_SE3_rightJacobianInverse_accurate(const ksl_screw_t *s, k
           - ksl_product_error(b_across, sinc_sum, b_across_product),
       b_across_lo = (b_across_exact + (c - (c_sum - c_sum_right) + (c_lo - c_sum_right))
           - KSL_MUL(b_across, sinc_sum_lo)) / sinc_sum;
-  const double beta_v_0 = KSL_MUL(s->m3, b);
-  const double beta_v_1 = KSL_MUL(s->m4, b);
-  const double beta_v_2 = KSL_MUL(s->m5, b);
+  const double beta_v_0 = KSL_MUL(s->m3, b), beta_v_1 = KSL_MUL(s->m4, b),
+      beta_v_2 = KSL_MUL(s->m5, b);
   const double beta_v_0_lo = ksl_product_error(s->m3, b, beta_v_0) + KSL_MUL(s->m3, b_lo),
       m_0 = KSL_MUL(s->m3, beta_v_0), m_0_cross2 = KSL_MUL(s->m3, beta_v_0_lo);
   const double beta_v_1_lo = ksl_product_error(s->m4, b, beta_v_1) + KSL_MUL(s->m4, b_lo),
@@ -5021,17 +4975,15 @@ static inline void ksl_SE3_rightJacobianInverse_accurate(const ksl_screw_t *s, k
   const double rate_bend_a_cross2 = KSL_MUL(b_rate, rate_vw_c - (rate_vw - rate_vw_right)
           + ksl_product_rest(s->m2, s->m5, rate_vw_d, rate_vw_right) + rate_vw_c_lo),
       rate_bend = -KSL_MUL(b_rate, rate_vw);
-  const double rate_q_0 = KSL_MUL(0.5, s->m0);
-  const double rate_q_1 = KSL_MUL(0.5, s->m1);
-  const double rate_q_2 = KSL_MUL(0.5, s->m2);
-  const double rate_beta_v_0 = -KSL_MUL(s->m0, b);
-  const double rate_beta_v_1 = -KSL_MUL(s->m1, b);
-  const double rate_beta_v_2 = -KSL_MUL(s->m2, b);
+  const double rate_q_0 = KSL_MUL(0.5, s->m0), rate_q_1 = KSL_MUL(0.5, s->m1),
+      rate_q_2 = KSL_MUL(0.5, s->m2);
+  const double rate_beta_v_0 = -KSL_MUL(s->m0, b), rate_beta_v_1 = -KSL_MUL(s->m1, b),
+      rate_beta_v_2 = -KSL_MUL(s->m2, b);
   const double rate_bend_lo = ksl_product_error(-b_rate, rate_vw, rate_bend) +
           -(KSL_MUL(b_rate_residual / b_rate_below_sum, rate_vw) + rate_bend_a_cross2),
       rate_bend_w_0 = -KSL_MUL(s->m3, rate_bend);
-  const double rate_bend_w_1 = -KSL_MUL(s->m4, rate_bend);
-  const double rate_bend_w_2 = -KSL_MUL(s->m5, rate_bend);
+  const double rate_bend_w_1 = -KSL_MUL(s->m4, rate_bend),
+      rate_bend_w_2 = -KSL_MUL(s->m5, rate_bend);
   const double rate_bend_w_0_lo = ksl_product_error(-s->m3, rate_bend, rate_bend_w_0) +
           -KSL_MUL(s->m3, rate_bend_lo), rate_symmetric_0a = KSL_MUL(s->m4, rate_bend_w_0),
       rate_beta_v_1_lo = ksl_product_error(-s->m1, b, rate_beta_v_1) + -KSL_MUL(s->m1, b_lo),
@@ -5625,9 +5577,9 @@ static inline void ksl_SE3_interpolated_accurate(const ksl_SE3_t *D1, const ksl_
       log_k_residual = log_theta_sum - log_k_product
           - ksl_product_error(log_k, log_divisor_sum, log_k_product) + log_theta_sum_lo
           - log_k_cross, log_k_lo = log_k_residual / log_divisor_sum;
-  const double log_vector_0 = KSL_MUL(log_upper_0_sum, log_k);
-  const double log_vector_1 = KSL_MUL(log_upper_1_sum, log_k);
-  const double log_vector_2 = KSL_MUL(log_upper_2_sum, log_k);
+  const double log_vector_0 = KSL_MUL(log_upper_0_sum, log_k),
+      log_vector_1 = KSL_MUL(log_upper_1_sum, log_k),
+      log_vector_2 = KSL_MUL(log_upper_2_sum, log_k);
   const double log_half_angle = KSL_MUL(0.5, log_theta_sum),
       log_half_angle_cross2 = KSL_MUL(0.5, log_theta_sum_lo);
   const double log_length_a = KSL_MUL(log_n_sum, log_n_sum),
@@ -5904,8 +5856,8 @@ static inline void ksl_SE3_interpolated_accurate(const ksl_SE3_t *D1, const ksl_
   const double log_pitch_lo = ksl_product_error(log_b, log_wt, log_pitch)
           + (KSL_MUL(log_b_lo, log_wt) + log_pitch_cross2),
       log_along_0 = KSL_MUL(log_vector_0, log_pitch);
-  const double log_along_1 = KSL_MUL(log_vector_1, log_pitch);
-  const double log_along_2 = KSL_MUL(log_vector_2, log_pitch);
+  const double log_along_1 = KSL_MUL(log_vector_1, log_pitch),
+      log_along_2 = KSL_MUL(log_vector_2, log_pitch);
   const double log_u_0a = KSL_MUL(between_11, log_vector_1),
       log_u_0b = KSL_MUL(between_7, log_vector_2), log_u_0 = log_u_0a - log_u_0b,
       log_u_0_right = log_u_0a - log_u_0,
@@ -5981,9 +5933,8 @@ static inline void ksl_SE3_interpolated_accurate(const ksl_SE3_t *D1, const ksl_
   const double screw_0 = KSL_MUL(k, whole_0);
   const double screw_1 = KSL_MUL(k, whole_1);
   const double screw_2 = KSL_MUL(k, whole_2);
-  const double screw_3 = KSL_MUL(k, log_vector_0);
-  const double screw_4 = KSL_MUL(k, log_vector_1);
-  const double screw_5 = KSL_MUL(k, log_vector_2);
+  const double screw_3 = KSL_MUL(k, log_vector_0), screw_4 = KSL_MUL(k, log_vector_1),
+      screw_5 = KSL_MUL(k, log_vector_2);
   const double screw_3_lo = ksl_product_error(k, log_vector_0, screw_3)
           + KSL_MUL(k, log_vector_0_lo), exp_halved_0 = KSL_MUL(0.5, screw_3),
       exp_halved_0_cross2 = KSL_MUL(0.5, screw_3_lo);
@@ -6261,11 +6212,9 @@ static inline void ksl_SE3_interpolated_accurate(const ksl_SE3_t *D1, const ksl_
   const double exp_pitch_lo = ksl_product_error(exp_g3, exp_wv, exp_pitch)
           + (KSL_MUL(exp_x_sum < 1.0 ? exp_g3b_lo : exp_closed3_lo, exp_wv) + exp_pitch_cross2),
       exp_along_0 = KSL_MUL(screw_3, exp_pitch);
-  const double exp_along_1 = KSL_MUL(screw_4, exp_pitch);
-  const double exp_along_2 = KSL_MUL(screw_5, exp_pitch);
-  const double exp_beta_v_0 = KSL_MUL(screw_3, exp_g2);
-  const double exp_beta_v_1 = KSL_MUL(screw_4, exp_g2);
-  const double exp_beta_v_2 = KSL_MUL(screw_5, exp_g2);
+  const double exp_along_1 = KSL_MUL(screw_4, exp_pitch), exp_along_2 = KSL_MUL(screw_5, exp_pitch);
+  const double exp_beta_v_0 = KSL_MUL(screw_3, exp_g2), exp_beta_v_1 = KSL_MUL(screw_4, exp_g2),
+      exp_beta_v_2 = KSL_MUL(screw_5, exp_g2);
   const double exp_beta_v_0_lo = ksl_product_error(screw_3, exp_g2, exp_beta_v_0)
           + (KSL_MUL(screw_3_lo, exp_g2) + KSL_MUL(screw_3, exp_g2_cross2)),
       exp_m_0 = KSL_MUL(screw_3, exp_beta_v_0),
@@ -6586,18 +6535,14 @@ static inline void ksl_SE3_interpolated_accurate(const ksl_SE3_t *D1, const ksl_
      single precision it is the nearest number, except near ties, as long as that is below 1e5;
      searched, not proved. */
 static inline void ksl_SO3_expf_accurate(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
-  const double halved_0 = 0.5 * (double)v->x;
-  const double halved_1 = 0.5 * (double)v->y;
-  const double halved_2 = 0.5 * (double)v->z;
-  const double h_size_0 = fabs(halved_0);
-  const double h_size_1 = fabs(halved_1);
-  const double h_size_2 = fabs(halved_2);
+  const double halved_0 = 0.5 * (double)v->x, halved_1 = 0.5 * (double)v->y,
+      halved_2 = 0.5 * (double)v->z;
+  const double h_size_0 = fabs(halved_0), h_size_1 = fabs(halved_1), h_size_2 = fabs(halved_2);
   const double h_largest1 = h_size_0 < h_size_1 ? h_size_1 : h_size_0;
   const double h_largest2 = h_largest1 < h_size_2 ? h_size_2 : h_largest1;
   const double s = 4.611686018427388e+18 < h_largest2 ? 2.710505431213761e-20 : 1.0;
-  const double reduced_0 = KSL_MUL(halved_0, s);
-  const double reduced_1 = KSL_MUL(halved_1, s);
-  const double reduced_2 = KSL_MUL(halved_2, s);
+  const double reduced_0 = KSL_MUL(halved_0, s), reduced_1 = KSL_MUL(halved_1, s),
+      reduced_2 = KSL_MUL(halved_2, s);
   const double up = s < 1.0 ? 3.6893488147419103e+19 : 1.0;
   const double reduced_length = sqrt(KSL_MUL(reduced_0, reduced_0) + KSL_MUL(reduced_1, reduced_1)
           + KSL_MUL(reduced_2, reduced_2));
@@ -6609,33 +6554,19 @@ static inline void ksl_SO3_expf_accurate(const ksl_vec3f_t *v, ksl_mat3x3f_t *R)
   const double sinc_quotient = sine / sinc_divisor;
   const double sinc_b = 1.0 - KSL_MUL(0.16666666666666666, y),
       sinc = half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient;
-  const double turning_0 = KSL_MUL((double)v->x, sinc);
-  const double turning_1 = KSL_MUL((double)v->y, sinc);
-  const double turning_2 = KSL_MUL((double)v->z, sinc);
-  const double beta_v_0 = KSL_MUL(0.5, turning_0);
-  const double beta_v_1 = KSL_MUL(0.5, turning_1);
-  const double beta_v_2 = KSL_MUL(0.5, turning_2);
-  const double m_0 = KSL_MUL(turning_0, beta_v_0);
-  const double m_1 = KSL_MUL(turning_1, beta_v_1);
-  const double m_2 = KSL_MUL(turning_2, beta_v_2);
-  const double m_3 = KSL_MUL(turning_1, beta_v_0);
-  const double m_4 = KSL_MUL(turning_2, beta_v_0);
-  const double m_5 = KSL_MUL(turning_2, beta_v_1);
-  const double others_0 = m_1 + m_2;
-  const double others_1 = m_0 + m_2;
-  const double others_2 = m_0 + m_1;
-  const double alpha_v_0 = KSL_MUL(c, turning_0);
-  const double alpha_v_1 = KSL_MUL(c, turning_1);
-  const double alpha_v_2 = KSL_MUL(c, turning_2);
-  const double R_00 = 1.0 - others_0;
-  const double R_01 = m_3 - alpha_v_2;
-  const double R_02 = m_4 + alpha_v_1;
-  const double R_10 = m_3 + alpha_v_2;
-  const double R_11 = 1.0 - others_1;
-  const double R_12 = m_5 - alpha_v_0;
-  const double R_20 = m_4 - alpha_v_1;
-  const double R_21 = m_5 + alpha_v_0;
-  const double R_22 = 1.0 - others_2;
+  const double turning_0 = KSL_MUL((double)v->x, sinc), turning_1 = KSL_MUL((double)v->y, sinc),
+      turning_2 = KSL_MUL((double)v->z, sinc);
+  const double beta_v_0 = KSL_MUL(0.5, turning_0), beta_v_1 = KSL_MUL(0.5, turning_1),
+      beta_v_2 = KSL_MUL(0.5, turning_2);
+  const double m_0 = KSL_MUL(turning_0, beta_v_0), m_1 = KSL_MUL(turning_1, beta_v_1),
+      m_2 = KSL_MUL(turning_2, beta_v_2), m_3 = KSL_MUL(turning_1, beta_v_0),
+      m_4 = KSL_MUL(turning_2, beta_v_0), m_5 = KSL_MUL(turning_2, beta_v_1);
+  const double others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
+  const double alpha_v_0 = KSL_MUL(c, turning_0), alpha_v_1 = KSL_MUL(c, turning_1),
+      alpha_v_2 = KSL_MUL(c, turning_2);
+  const double R_00 = 1.0 - others_0, R_01 = m_3 - alpha_v_2, R_02 = m_4 + alpha_v_1,
+      R_10 = m_3 + alpha_v_2, R_11 = 1.0 - others_1, R_12 = m_5 - alpha_v_0, R_20 = m_4 - alpha_v_1,
+      R_21 = m_5 + alpha_v_0, R_22 = 1.0 - others_2;
   R->m00 = (float)R_00;
   R->m01 = (float)R_01;
   R->m02 = (float)R_02;
@@ -6654,47 +6585,38 @@ static inline void ksl_SO3_expf_accurate(const ksl_vec3f_t *v, ksl_mat3x3f_t *R)
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
      the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
 static inline void ksl_SO3_logf_accurate(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo) {
-  const double p_0 = (double)R->m21 - (double)R->m12;
-  const double p_1 = (double)R->m02 - (double)R->m20;
-  const double p_2 = (double)R->m10 - (double)R->m01;
-  const double s_0 = (double)R->m12 + (double)R->m21;
-  const double s_1 = (double)R->m02 + (double)R->m20;
-  const double s_2 = (double)R->m01 + (double)R->m10;
-  const double first_0 = (double)R->m00 + 1.0;
-  const double first_1 = 1.0 - (double)R->m00;
-  const double others_0 = (double)R->m11 + (double)R->m22;
-  const double others_1 = (double)R->m11 - (double)R->m22;
-  const double d_0 = first_0 + others_0;
-  const double d_1 = first_0 - others_0;
-  const double d_2 = first_1 + others_1;
-  const double d_3 = first_1 - others_1;
-  const double low_0 = (double)R->m11 < (double)R->m00 ? d_1 : s_2;
-  const double low_1 = (double)R->m11 < (double)R->m00 ? s_2 : d_2;
-  const double low_2 = (double)R->m11 < (double)R->m00 ? s_1 : s_0;
-  const double low_3 = (double)R->m11 < (double)R->m00 ? p_0 : p_1;
+  const double p_0 = (double)R->m21 - (double)R->m12, p_1 = (double)R->m02 - (double)R->m20,
+      p_2 = (double)R->m10 - (double)R->m01;
+  const double s_0 = (double)R->m12 + (double)R->m21, s_1 = (double)R->m02 + (double)R->m20,
+      s_2 = (double)R->m01 + (double)R->m10;
+  const double first_0 = (double)R->m00 + 1.0, first_1 = 1.0 - (double)R->m00;
+  const double others_0 = (double)R->m11 + (double)R->m22,
+      others_1 = (double)R->m11 - (double)R->m22;
+  const double d_0 = first_0 + others_0, d_1 = first_0 - others_0, d_2 = first_1 + others_1,
+      d_3 = first_1 - others_1;
+  const double low_0 = (double)R->m11 < (double)R->m00 ? d_1 : s_2,
+      low_1 = (double)R->m11 < (double)R->m00 ? s_2 : d_2,
+      low_2 = (double)R->m11 < (double)R->m00 ? s_1 : s_0,
+      low_3 = (double)R->m11 < (double)R->m00 ? p_0 : p_1;
   const double high_0a = -(double)R->m11, high_0 = (double)R->m00 < high_0a ? s_1 : p_0;
-  const double high_1 = (double)R->m00 < high_0a ? s_0 : p_1;
-  const double high_2 = (double)R->m00 < high_0a ? d_3 : p_2;
-  const double high_3 = (double)R->m00 < high_0a ? p_2 : d_0;
-  const double column_0 = (double)R->m22 < 0.0 ? low_0 : high_0;
-  const double column_1 = (double)R->m22 < 0.0 ? low_1 : high_1;
-  const double column_2 = (double)R->m22 < 0.0 ? low_2 : high_2;
-  const double column_3 = (double)R->m22 < 0.0 ? low_3 : high_3;
+  const double high_1 = (double)R->m00 < high_0a ? s_0 : p_1,
+      high_2 = (double)R->m00 < high_0a ? d_3 : p_2, high_3 = (double)R->m00 < high_0a ? p_2 : d_0;
+  const double column_0 = (double)R->m22 < 0.0 ? low_0 : high_0,
+      column_1 = (double)R->m22 < 0.0 ? low_1 : high_1,
+      column_2 = (double)R->m22 < 0.0 ? low_2 : high_2,
+      column_3 = (double)R->m22 < 0.0 ? low_3 : high_3;
   const double upper_0a = -column_0, upper_0 = column_3 < 0.0 ? upper_0a : column_0;
   const double upper_1a = -column_1, upper_1 = column_3 < 0.0 ? upper_1a : column_1;
   const double upper_2a = -column_2, upper_2 = column_3 < 0.0 ? upper_2a : column_2;
   const double upper_3a = -column_3, upper_3 = column_3 < 0.0 ? upper_3a : column_3;
-  const double v_s_size_0 = fabs(upper_0);
-  const double v_s_size_1 = fabs(upper_1);
-  const double v_s_size_2 = fabs(upper_2);
+  const double v_s_size_0 = fabs(upper_0), v_s_size_1 = fabs(upper_1), v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 4.611686018427388e+18 < v_s_largest2 ? 2.710505431213761e-20 : 1.0,
       v_s_d = v_s_largest2 < 256.0 ? 1.8014398509481984e+16 : v_s_b,
       v_s = v_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : v_s_d;
-  const double v_y_0 = KSL_MUL(upper_0, v_s);
-  const double v_y_1 = KSL_MUL(upper_1, v_s);
-  const double v_y_2 = KSL_MUL(upper_2, v_s);
+  const double v_y_0 = KSL_MUL(upper_0, v_s), v_y_1 = KSL_MUL(upper_1, v_s),
+      v_y_2 = KSL_MUL(upper_2, v_s);
   const double v_n = sqrt(KSL_MUL(v_y_0, v_y_0) + KSL_MUL(v_y_1, v_y_1) + KSL_MUL(v_y_2, v_y_2));
   const double v_r_b = v_s < 1.0 ? 3.6893488147419103e+19 : 1.0,
       v_r_d = 1.0 < v_s ? 5.551115123125783e-17 : v_r_b,
@@ -6704,9 +6626,8 @@ static inline void ksl_SO3_logf_accurate(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo
   const double divisor = n == 0.0 ? 1.0 : n;
   const double theta = KSL_MUL(2.0, half);
   const double k = theta / divisor;
-  const double vector_0 = KSL_MUL(upper_0, k);
-  const double vector_1 = KSL_MUL(upper_1, k);
-  const double vector_2 = KSL_MUL(upper_2, k);
+  const double vector_0 = KSL_MUL(upper_0, k), vector_1 = KSL_MUL(upper_1, k),
+      vector_2 = KSL_MUL(upper_2, k);
   vo->x = (float)vector_0;
   vo->y = (float)vector_1;
   vo->z = (float)vector_2;
@@ -6720,9 +6641,8 @@ static inline void ksl_SO3_logf_accurate(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo
      single precision it is the nearest number, except near ties, as long as that is below 1e5;
      searched, not proved. */
 static inline void ksl_SO3_leftJacobianf_accurate(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
-  const double halved_0 = 0.5 * (double)v->x;
-  const double halved_1 = 0.5 * (double)v->y;
-  const double halved_2 = 0.5 * (double)v->z;
+  const double halved_0 = 0.5 * (double)v->x, halved_1 = 0.5 * (double)v->y,
+      halved_2 = 0.5 * (double)v->z;
   const double y = KSL_MUL(halved_0, halved_0) + KSL_MUL(halved_1, halved_1)
           + KSL_MUL(halved_2, halved_2);
   const double half_angle = sqrt(y);
@@ -6747,33 +6667,22 @@ static inline void ksl_SO3_leftJacobianf_accurate(const ksl_vec3f_t *v, ksl_mat3
       series5 = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, series5s - 2.505210838544172e-08)
           + 2.7557319223985893e-06) - 0.0001984126984126984) + 0.008333333333333333;
   const double g3b = 0.16666666666666666 - KSL_MUL(x, series5), g3 = x < 1.0 ? g3b : closed3;
-  const double beta_v_0 = KSL_MUL((double)v->x, g3);
-  const double beta_v_1 = KSL_MUL((double)v->y, g3);
-  const double beta_v_2 = KSL_MUL((double)v->z, g3);
-  const double m_0 = KSL_MUL((double)v->x, beta_v_0);
-  const double m_1 = KSL_MUL((double)v->y, beta_v_1);
-  const double m_2 = KSL_MUL((double)v->z, beta_v_2);
-  const double m_3 = KSL_MUL((double)v->y, beta_v_0);
-  const double m_4 = KSL_MUL((double)v->z, beta_v_0);
-  const double m_5 = KSL_MUL((double)v->z, beta_v_1);
-  const double others_0 = m_1 + m_2;
-  const double others_1 = m_0 + m_2;
-  const double others_2 = m_0 + m_1;
+  const double beta_v_0 = KSL_MUL((double)v->x, g3), beta_v_1 = KSL_MUL((double)v->y, g3),
+      beta_v_2 = KSL_MUL((double)v->z, g3);
+  const double m_0 = KSL_MUL((double)v->x, beta_v_0), m_1 = KSL_MUL((double)v->y, beta_v_1),
+      m_2 = KSL_MUL((double)v->z, beta_v_2), m_3 = KSL_MUL((double)v->y, beta_v_0),
+      m_4 = KSL_MUL((double)v->z, beta_v_0), m_5 = KSL_MUL((double)v->z, beta_v_1);
+  const double others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const double diagonal0a = 1.0 - others_0, diagonal0b = g1 + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const double diagonal1a = 1.0 - others_1, diagonal1b = g1 + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = g1 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0 = KSL_MUL((double)v->x, g2);
-  const double alpha_v_1 = KSL_MUL((double)v->y, g2);
-  const double alpha_v_2 = KSL_MUL((double)v->z, g2);
-  const double R_01 = m_3 - alpha_v_2;
-  const double R_02 = m_4 + alpha_v_1;
-  const double R_10 = m_3 + alpha_v_2;
-  const double R_12 = m_5 - alpha_v_0;
-  const double R_20 = m_4 - alpha_v_1;
-  const double R_21 = m_5 + alpha_v_0;
+  const double alpha_v_0 = KSL_MUL((double)v->x, g2), alpha_v_1 = KSL_MUL((double)v->y, g2),
+      alpha_v_2 = KSL_MUL((double)v->z, g2);
+  const double R_01 = m_3 - alpha_v_2, R_02 = m_4 + alpha_v_1, R_10 = m_3 + alpha_v_2,
+      R_12 = m_5 - alpha_v_0, R_20 = m_4 - alpha_v_1, R_21 = m_5 + alpha_v_0;
   R->m00 = (float)diagonal0;
   R->m01 = (float)R_01;
   R->m02 = (float)R_02;
@@ -6793,9 +6702,8 @@ static inline void ksl_SO3_leftJacobianf_accurate(const ksl_vec3f_t *v, ksl_mat3
      single precision it is the nearest number, except near ties, as long as that is below 1e5;
      searched, not proved. */
 static inline void ksl_SO3_rightJacobianf_accurate(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
-  const double halved_0 = 0.5 * (double)v->x;
-  const double halved_1 = 0.5 * (double)v->y;
-  const double halved_2 = 0.5 * (double)v->z;
+  const double halved_0 = 0.5 * (double)v->x, halved_1 = 0.5 * (double)v->y,
+      halved_2 = 0.5 * (double)v->z;
   const double y = KSL_MUL(halved_0, halved_0) + KSL_MUL(halved_1, halved_1)
           + KSL_MUL(halved_2, halved_2);
   const double half_angle = sqrt(y);
@@ -6820,33 +6728,22 @@ static inline void ksl_SO3_rightJacobianf_accurate(const ksl_vec3f_t *v, ksl_mat
       series5 = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, series5s - 2.505210838544172e-08)
           + 2.7557319223985893e-06) - 0.0001984126984126984) + 0.008333333333333333;
   const double g3b = 0.16666666666666666 - KSL_MUL(x, series5), g3 = x < 1.0 ? g3b : closed3;
-  const double beta_v_0 = KSL_MUL((double)v->x, g3);
-  const double beta_v_1 = KSL_MUL((double)v->y, g3);
-  const double beta_v_2 = KSL_MUL((double)v->z, g3);
-  const double m_0 = KSL_MUL((double)v->x, beta_v_0);
-  const double m_1 = KSL_MUL((double)v->y, beta_v_1);
-  const double m_2 = KSL_MUL((double)v->z, beta_v_2);
-  const double m_3 = KSL_MUL((double)v->y, beta_v_0);
-  const double m_4 = KSL_MUL((double)v->z, beta_v_0);
-  const double m_5 = KSL_MUL((double)v->z, beta_v_1);
-  const double others_0 = m_1 + m_2;
-  const double others_1 = m_0 + m_2;
-  const double others_2 = m_0 + m_1;
+  const double beta_v_0 = KSL_MUL((double)v->x, g3), beta_v_1 = KSL_MUL((double)v->y, g3),
+      beta_v_2 = KSL_MUL((double)v->z, g3);
+  const double m_0 = KSL_MUL((double)v->x, beta_v_0), m_1 = KSL_MUL((double)v->y, beta_v_1),
+      m_2 = KSL_MUL((double)v->z, beta_v_2), m_3 = KSL_MUL((double)v->y, beta_v_0),
+      m_4 = KSL_MUL((double)v->z, beta_v_0), m_5 = KSL_MUL((double)v->z, beta_v_1);
+  const double others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const double diagonal0a = 1.0 - others_0, diagonal0b = g1 + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const double diagonal1a = 1.0 - others_1, diagonal1b = g1 + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = g1 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0 = -KSL_MUL((double)v->x, g2);
-  const double alpha_v_1 = -KSL_MUL((double)v->y, g2);
-  const double alpha_v_2 = -KSL_MUL((double)v->z, g2);
-  const double R_01 = m_3 - alpha_v_2;
-  const double R_02 = m_4 + alpha_v_1;
-  const double R_10 = m_3 + alpha_v_2;
-  const double R_12 = m_5 - alpha_v_0;
-  const double R_20 = m_4 - alpha_v_1;
-  const double R_21 = m_5 + alpha_v_0;
+  const double alpha_v_0 = -KSL_MUL((double)v->x, g2), alpha_v_1 = -KSL_MUL((double)v->y, g2),
+      alpha_v_2 = -KSL_MUL((double)v->z, g2);
+  const double R_01 = m_3 - alpha_v_2, R_02 = m_4 + alpha_v_1, R_10 = m_3 + alpha_v_2,
+      R_12 = m_5 - alpha_v_0, R_20 = m_4 - alpha_v_1, R_21 = m_5 + alpha_v_0;
   R->m00 = (float)diagonal0;
   R->m01 = (float)R_01;
   R->m02 = (float)R_02;
@@ -6866,9 +6763,8 @@ static inline void ksl_SO3_rightJacobianf_accurate(const ksl_vec3f_t *v, ksl_mat
      is within 1 ulp as long as its condition is below 1e13; in single precision it is the
      nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
 static inline void ksl_SO3_leftJacobianInversef_accurate(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
-  const double halved_0 = 0.5 * (double)v->x;
-  const double halved_1 = 0.5 * (double)v->y;
-  const double halved_2 = 0.5 * (double)v->z;
+  const double halved_0 = 0.5 * (double)v->x, halved_1 = 0.5 * (double)v->y,
+      halved_2 = 0.5 * (double)v->z;
   const double y = KSL_MUL(halved_0, halved_0) + KSL_MUL(halved_1, halved_1)
           + KSL_MUL(halved_2, halved_2);
   const double half_angle = sqrt(y);
@@ -6897,33 +6793,21 @@ static inline void ksl_SO3_leftJacobianInversef_accurate(const ksl_vec3f_t *v, k
   const double four_k = KSL_MUL(4.0, sinc);
   const double b = f / four_k;
   const double b_across = c / sinc;
-  const double beta_v_0 = KSL_MUL((double)v->x, b);
-  const double beta_v_1 = KSL_MUL((double)v->y, b);
-  const double beta_v_2 = KSL_MUL((double)v->z, b);
-  const double m_0 = KSL_MUL((double)v->x, beta_v_0);
-  const double m_1 = KSL_MUL((double)v->y, beta_v_1);
-  const double m_2 = KSL_MUL((double)v->z, beta_v_2);
-  const double m_3 = KSL_MUL((double)v->y, beta_v_0);
-  const double m_4 = KSL_MUL((double)v->z, beta_v_0);
-  const double m_5 = KSL_MUL((double)v->z, beta_v_1);
-  const double others_0 = m_1 + m_2;
-  const double others_1 = m_0 + m_2;
-  const double others_2 = m_0 + m_1;
+  const double beta_v_0 = KSL_MUL((double)v->x, b), beta_v_1 = KSL_MUL((double)v->y, b),
+      beta_v_2 = KSL_MUL((double)v->z, b);
+  const double m_0 = KSL_MUL((double)v->x, beta_v_0), m_1 = KSL_MUL((double)v->y, beta_v_1),
+      m_2 = KSL_MUL((double)v->z, beta_v_2), m_3 = KSL_MUL((double)v->y, beta_v_0),
+      m_4 = KSL_MUL((double)v->z, beta_v_0), m_5 = KSL_MUL((double)v->z, beta_v_1);
+  const double others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const double diagonal0a = 1.0 - others_0, diagonal0b = b_across + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const double diagonal1a = 1.0 - others_1, diagonal1b = b_across + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = b_across + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0 = -halved_0;
-  const double alpha_v_1 = -halved_1;
-  const double alpha_v_2 = -halved_2;
-  const double R_01 = m_3 - alpha_v_2;
-  const double R_02 = m_4 + alpha_v_1;
-  const double R_10 = m_3 + alpha_v_2;
-  const double R_12 = m_5 - alpha_v_0;
-  const double R_20 = m_4 - alpha_v_1;
-  const double R_21 = m_5 + alpha_v_0;
+  const double alpha_v_0 = -halved_0, alpha_v_1 = -halved_1, alpha_v_2 = -halved_2;
+  const double R_01 = m_3 - alpha_v_2, R_02 = m_4 + alpha_v_1, R_10 = m_3 + alpha_v_2,
+      R_12 = m_5 - alpha_v_0, R_20 = m_4 - alpha_v_1, R_21 = m_5 + alpha_v_0;
   R->m00 = (float)diagonal0;
   R->m01 = (float)R_01;
   R->m02 = (float)R_02;
@@ -6943,9 +6827,8 @@ static inline void ksl_SO3_leftJacobianInversef_accurate(const ksl_vec3f_t *v, k
      is within 1 ulp as long as its condition is below 1e13; in single precision it is the
      nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
 static inline void ksl_SO3_rightJacobianInversef_accurate(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
-  const double halved_0 = 0.5 * (double)v->x;
-  const double halved_1 = 0.5 * (double)v->y;
-  const double halved_2 = 0.5 * (double)v->z;
+  const double halved_0 = 0.5 * (double)v->x, halved_1 = 0.5 * (double)v->y,
+      halved_2 = 0.5 * (double)v->z;
   const double y = KSL_MUL(halved_0, halved_0) + KSL_MUL(halved_1, halved_1)
           + KSL_MUL(halved_2, halved_2);
   const double half_angle = sqrt(y);
@@ -6974,30 +6857,20 @@ static inline void ksl_SO3_rightJacobianInversef_accurate(const ksl_vec3f_t *v, 
   const double four_k = KSL_MUL(4.0, sinc);
   const double b = f / four_k;
   const double b_across = c / sinc;
-  const double beta_v_0 = KSL_MUL((double)v->x, b);
-  const double beta_v_1 = KSL_MUL((double)v->y, b);
-  const double beta_v_2 = KSL_MUL((double)v->z, b);
-  const double m_0 = KSL_MUL((double)v->x, beta_v_0);
-  const double m_1 = KSL_MUL((double)v->y, beta_v_1);
-  const double m_2 = KSL_MUL((double)v->z, beta_v_2);
-  const double m_3 = KSL_MUL((double)v->y, beta_v_0);
-  const double m_4 = KSL_MUL((double)v->z, beta_v_0);
-  const double m_5 = KSL_MUL((double)v->z, beta_v_1);
-  const double others_0 = m_1 + m_2;
-  const double others_1 = m_0 + m_2;
-  const double others_2 = m_0 + m_1;
+  const double beta_v_0 = KSL_MUL((double)v->x, b), beta_v_1 = KSL_MUL((double)v->y, b),
+      beta_v_2 = KSL_MUL((double)v->z, b);
+  const double m_0 = KSL_MUL((double)v->x, beta_v_0), m_1 = KSL_MUL((double)v->y, beta_v_1),
+      m_2 = KSL_MUL((double)v->z, beta_v_2), m_3 = KSL_MUL((double)v->y, beta_v_0),
+      m_4 = KSL_MUL((double)v->z, beta_v_0), m_5 = KSL_MUL((double)v->z, beta_v_1);
+  const double others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const double diagonal0a = 1.0 - others_0, diagonal0b = b_across + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const double diagonal1a = 1.0 - others_1, diagonal1b = b_across + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = b_across + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double R_01 = m_3 - halved_2;
-  const double R_02 = halved_1 + m_4;
-  const double R_10 = halved_2 + m_3;
-  const double R_12 = m_5 - halved_0;
-  const double R_20 = m_4 - halved_1;
-  const double R_21 = halved_0 + m_5;
+  const double R_01 = m_3 - halved_2, R_02 = halved_1 + m_4, R_10 = halved_2 + m_3,
+      R_12 = m_5 - halved_0, R_20 = m_4 - halved_1, R_21 = halved_0 + m_5;
   R->m00 = (float)diagonal0;
   R->m01 = (float)R_01;
   R->m02 = (float)R_02;
@@ -7033,12 +6906,9 @@ static inline void ksl_mat3x3f_orthonormalize_accurate(ksl_mat3x3f_t *self) {
   const double defect_5c = ksl_product_sum(-(double)self->m11, (double)self->m12,
           -((double)self->m01 * (double)self->m02)),
       defect_5 = ksl_product_sum(-(double)self->m21, (double)self->m22, defect_5c);
-  const double correction_0 = KSL_MUL(0.5, defect_0);
-  const double correction_1 = KSL_MUL(0.5, defect_1);
-  const double correction_2 = KSL_MUL(0.5, defect_2);
-  const double correction_3 = KSL_MUL(0.5, defect_3);
-  const double correction_4 = KSL_MUL(0.5, defect_4);
-  const double correction_5 = KSL_MUL(0.5, defect_5);
+  const double correction_0 = KSL_MUL(0.5, defect_0), correction_1 = KSL_MUL(0.5, defect_1),
+      correction_2 = KSL_MUL(0.5, defect_2), correction_3 = KSL_MUL(0.5, defect_3),
+      correction_4 = KSL_MUL(0.5, defect_4), correction_5 = KSL_MUL(0.5, defect_5);
   const double self_00_new_e = KSL_MUL((double)self->m00, correction_0)
           + KSL_MUL((double)self->m01, correction_3) + KSL_MUL((double)self->m02, correction_4),
       self_00_new = (double)self->m00 + self_00_new_e;
@@ -7093,44 +6963,35 @@ static inline void ksl_mat3x3f_orthonormalized_accurate(const ksl_mat3x3f_t *R, 
       ksl_product_sum(-(double)R->m02, (double)R->m02, 1.0)),
       defect_2 = ksl_product_sum(-(double)R->m22, (double)R->m22, defect_2d);
   const double defect_3 = ksl_product_sum(-(double)R->m20, (double)R->m21,
-      ksl_product_sum(-(double)R->m10, (double)R->m11, -((double)R->m00 * (double)R->m01)));
-  const double defect_4 = ksl_product_sum(-(double)R->m20, (double)R->m22,
-      ksl_product_sum(-(double)R->m10, (double)R->m12, -((double)R->m00 * (double)R->m02)));
-  const double defect_5 = ksl_product_sum(-(double)R->m21, (double)R->m22,
-      ksl_product_sum(-(double)R->m11, (double)R->m12, -((double)R->m01 * (double)R->m02)));
-  const double correction_0 = KSL_MUL(0.5, defect_0);
-  const double correction_1 = KSL_MUL(0.5, defect_1);
-  const double correction_2 = KSL_MUL(0.5, defect_2);
-  const double correction_3 = KSL_MUL(0.5, defect_3);
-  const double correction_4 = KSL_MUL(0.5, defect_4);
-  const double correction_5 = KSL_MUL(0.5, defect_5);
+      ksl_product_sum(-(double)R->m10, (double)R->m11, -((double)R->m00 * (double)R->m01))),
+      defect_4 = ksl_product_sum(-(double)R->m20, (double)R->m22, ksl_product_sum(-(double)R->m10,
+          (double)R->m12, -((double)R->m00 * (double)R->m02))),
+      defect_5 = ksl_product_sum(-(double)R->m21, (double)R->m22, ksl_product_sum(-(double)R->m11,
+          (double)R->m12, -((double)R->m01 * (double)R->m02)));
+  const double correction_0 = KSL_MUL(0.5, defect_0), correction_1 = KSL_MUL(0.5, defect_1),
+      correction_2 = KSL_MUL(0.5, defect_2), correction_3 = KSL_MUL(0.5, defect_3),
+      correction_4 = KSL_MUL(0.5, defect_4), correction_5 = KSL_MUL(0.5, defect_5);
   const double Ro_00 = (double)R->m00
           + (KSL_MUL((double)R->m00, correction_0) + KSL_MUL((double)R->m01, correction_3)
-          + KSL_MUL((double)R->m02, correction_4));
-  const double Ro_01 = KSL_MUL((double)R->m00, correction_3)
-          + KSL_MUL((double)R->m01, correction_1) + KSL_MUL((double)R->m02, correction_5)
-          + (double)R->m01;
-  const double Ro_02 = KSL_MUL((double)R->m00, correction_4)
-          + KSL_MUL((double)R->m01, correction_5) + KSL_MUL((double)R->m02, correction_2)
-          + (double)R->m02;
-  const double Ro_10 = (double)R->m10
+          + KSL_MUL((double)R->m02, correction_4)),
+      Ro_01 = KSL_MUL((double)R->m00, correction_3) + KSL_MUL((double)R->m01, correction_1)
+          + KSL_MUL((double)R->m02, correction_5) + (double)R->m01,
+      Ro_02 = KSL_MUL((double)R->m00, correction_4) + KSL_MUL((double)R->m01, correction_5)
+          + KSL_MUL((double)R->m02, correction_2) + (double)R->m02,
+      Ro_10 = (double)R->m10
           + (KSL_MUL((double)R->m10, correction_0) + KSL_MUL((double)R->m11, correction_3)
-          + KSL_MUL((double)R->m12, correction_4));
-  const double Ro_11 = KSL_MUL((double)R->m10, correction_3)
-          + KSL_MUL((double)R->m11, correction_1) + KSL_MUL((double)R->m12, correction_5)
-          + (double)R->m11;
-  const double Ro_12 = KSL_MUL((double)R->m10, correction_4)
-          + KSL_MUL((double)R->m11, correction_5) + KSL_MUL((double)R->m12, correction_2)
-          + (double)R->m12;
-  const double Ro_20 = (double)R->m20
+          + KSL_MUL((double)R->m12, correction_4)),
+      Ro_11 = KSL_MUL((double)R->m10, correction_3) + KSL_MUL((double)R->m11, correction_1)
+          + KSL_MUL((double)R->m12, correction_5) + (double)R->m11,
+      Ro_12 = KSL_MUL((double)R->m10, correction_4) + KSL_MUL((double)R->m11, correction_5)
+          + KSL_MUL((double)R->m12, correction_2) + (double)R->m12,
+      Ro_20 = (double)R->m20
           + (KSL_MUL((double)R->m20, correction_0) + KSL_MUL((double)R->m21, correction_3)
-          + KSL_MUL((double)R->m22, correction_4));
-  const double Ro_21 = KSL_MUL((double)R->m20, correction_3)
-          + KSL_MUL((double)R->m21, correction_1) + KSL_MUL((double)R->m22, correction_5)
-          + (double)R->m21;
-  const double Ro_22 = KSL_MUL((double)R->m20, correction_4)
-          + KSL_MUL((double)R->m21, correction_5) + KSL_MUL((double)R->m22, correction_2)
-          + (double)R->m22;
+          + KSL_MUL((double)R->m22, correction_4)),
+      Ro_21 = KSL_MUL((double)R->m20, correction_3) + KSL_MUL((double)R->m21, correction_1)
+          + KSL_MUL((double)R->m22, correction_5) + (double)R->m21,
+      Ro_22 = KSL_MUL((double)R->m20, correction_4) + KSL_MUL((double)R->m21, correction_5)
+          + KSL_MUL((double)R->m22, correction_2) + (double)R->m22;
   Ro->m00 = (float)Ro_00;
   Ro->m01 = (float)Ro_01;
   Ro->m02 = (float)Ro_02;
@@ -7151,9 +7012,8 @@ static inline void ksl_mat3x3f_orthonormalized_accurate(const ksl_mat3x3f_t *R, 
      near ties, as long as that is below 1e5; searched, not proved.  Intermediate sums may
      overflow where |v|, or |ω| |v|, is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_exp_accurate(const ksl_screwf_t *s, ksl_SE3f_t *D) {
-  const double halved_0 = 0.5 * (double)s->m3;
-  const double halved_1 = 0.5 * (double)s->m4;
-  const double halved_2 = 0.5 * (double)s->m5;
+  const double halved_0 = 0.5 * (double)s->m3, halved_1 = 0.5 * (double)s->m4,
+      halved_2 = 0.5 * (double)s->m5;
   const double y = KSL_MUL(halved_0, halved_0) + KSL_MUL(halved_1, halved_1)
           + KSL_MUL(halved_2, halved_2);
   const double half_angle = sqrt(y);
@@ -7180,51 +7040,37 @@ static inline void ksl_SE3f_exp_accurate(const ksl_screwf_t *s, ksl_SE3f_t *D) {
       series5 = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, series5s - 2.505210838544172e-08)
           + 2.7557319223985893e-06) - 0.0001984126984126984) + 0.008333333333333333;
   const double g3b = 0.16666666666666666 - KSL_MUL(x, series5), g3 = x < 1.0 ? g3b : closed3;
-  const double u_0 = ksl_product_sum(-(double)s->m1, (double)s->m5, (double)s->m2 * (double)s->m4);
-  const double u_1 = ksl_product_sum(-(double)s->m2, (double)s->m3, (double)s->m0 * (double)s->m5);
-  const double u_2 = ksl_product_sum(-(double)s->m0, (double)s->m4, (double)s->m1 * (double)s->m3);
-  const double turned_0 = KSL_MUL(g2, u_0);
-  const double turned_1 = KSL_MUL(g2, u_1);
-  const double turned_2 = KSL_MUL(g2, u_2);
+  const double u_0 = ksl_product_sum(-(double)s->m1, (double)s->m5, (double)s->m2 * (double)s->m4),
+      u_1 = ksl_product_sum(-(double)s->m2, (double)s->m3, (double)s->m0 * (double)s->m5),
+      u_2 = ksl_product_sum(-(double)s->m0, (double)s->m4, (double)s->m1 * (double)s->m3);
+  const double turned_0 = KSL_MUL(g2, u_0), turned_1 = KSL_MUL(g2, u_1),
+      turned_2 = KSL_MUL(g2, u_2);
   const double wv = ksl_product_sum((double)s->m2, (double)s->m5, ksl_product_sum((double)s->m1,
       (double)s->m4, (double)s->m0 * (double)s->m3));
   const double pitch = KSL_MUL(g3, wv);
-  const double along_0 = KSL_MUL((double)s->m3, pitch);
-  const double along_1 = KSL_MUL((double)s->m4, pitch);
-  const double along_2 = KSL_MUL((double)s->m5, pitch);
-  const double beta_v_0 = KSL_MUL((double)s->m3, g2);
-  const double beta_v_1 = KSL_MUL((double)s->m4, g2);
-  const double beta_v_2 = KSL_MUL((double)s->m5, g2);
-  const double m_0 = KSL_MUL((double)s->m3, beta_v_0);
-  const double m_1 = KSL_MUL((double)s->m4, beta_v_1);
-  const double m_2 = KSL_MUL((double)s->m5, beta_v_2);
-  const double m_3 = KSL_MUL((double)s->m4, beta_v_0);
-  const double m_4 = KSL_MUL((double)s->m5, beta_v_0);
-  const double m_5 = KSL_MUL((double)s->m5, beta_v_1);
-  const double others_0 = m_1 + m_2;
-  const double others_1 = m_0 + m_2;
-  const double others_2 = m_0 + m_1;
+  const double along_0 = KSL_MUL((double)s->m3, pitch), along_1 = KSL_MUL((double)s->m4, pitch),
+      along_2 = KSL_MUL((double)s->m5, pitch);
+  const double beta_v_0 = KSL_MUL((double)s->m3, g2), beta_v_1 = KSL_MUL((double)s->m4, g2),
+      beta_v_2 = KSL_MUL((double)s->m5, g2);
+  const double m_0 = KSL_MUL((double)s->m3, beta_v_0), m_1 = KSL_MUL((double)s->m4, beta_v_1),
+      m_2 = KSL_MUL((double)s->m5, beta_v_2), m_3 = KSL_MUL((double)s->m4, beta_v_0),
+      m_4 = KSL_MUL((double)s->m5, beta_v_0), m_5 = KSL_MUL((double)s->m5, beta_v_1);
+  const double others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const double diagonal0a = 1.0 - others_0, diagonal0b = g0 + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const double diagonal1a = 1.0 - others_1, diagonal1b = g0 + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = g0 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0 = KSL_MUL((double)s->m3, g1);
-  const double alpha_v_1 = KSL_MUL((double)s->m4, g1);
-  const double alpha_v_2 = KSL_MUL((double)s->m5, g1);
-  const double across_axis_0 = turned_0 + along_0;
-  const double across_axis_1 = turned_1 + along_1;
-  const double across_axis_2 = turned_2 + along_2;
-  const double D_01 = m_3 - alpha_v_2;
-  const double D_02 = m_4 + alpha_v_1;
-  const double D_03 = KSL_MUL((double)s->m0, g1) + across_axis_0;
-  const double D_10 = m_3 + alpha_v_2;
-  const double D_12 = m_5 - alpha_v_0;
-  const double D_13 = KSL_MUL((double)s->m1, g1) + across_axis_1;
-  const double D_20 = m_4 - alpha_v_1;
-  const double D_21 = m_5 + alpha_v_0;
-  const double D_23 = KSL_MUL((double)s->m2, g1) + across_axis_2;
+  const double alpha_v_0 = KSL_MUL((double)s->m3, g1), alpha_v_1 = KSL_MUL((double)s->m4, g1),
+      alpha_v_2 = KSL_MUL((double)s->m5, g1);
+  const double across_axis_0 = turned_0 + along_0, across_axis_1 = turned_1 + along_1,
+      across_axis_2 = turned_2 + along_2;
+  const double D_01 = m_3 - alpha_v_2, D_02 = m_4 + alpha_v_1,
+      D_03 = KSL_MUL((double)s->m0, g1) + across_axis_0, D_10 = m_3 + alpha_v_2,
+      D_12 = m_5 - alpha_v_0, D_13 = KSL_MUL((double)s->m1, g1) + across_axis_1,
+      D_20 = m_4 - alpha_v_1, D_21 = m_5 + alpha_v_0,
+      D_23 = KSL_MUL((double)s->m2, g1) + across_axis_2;
   D->m00 = (float)diagonal0;
   D->m01 = (float)D_01;
   D->m02 = (float)D_02;
@@ -7248,47 +7094,38 @@ static inline void ksl_SE3f_exp_accurate(const ksl_screwf_t *s, ksl_SE3f_t *D) {
      searched, not proved.  Intermediate sums may overflow where |t| is above 2e306, in single
      precision 5e36. */
 static inline void ksl_SE3f_log_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const double p_0 = (double)D->m21 - (double)D->m12;
-  const double p_1 = (double)D->m02 - (double)D->m20;
-  const double p_2 = (double)D->m10 - (double)D->m01;
-  const double s_0 = (double)D->m12 + (double)D->m21;
-  const double s_1 = (double)D->m02 + (double)D->m20;
-  const double s_2 = (double)D->m01 + (double)D->m10;
-  const double first_0 = (double)D->m00 + 1.0;
-  const double first_1 = 1.0 - (double)D->m00;
-  const double others_0 = (double)D->m11 + (double)D->m22;
-  const double others_1 = (double)D->m11 - (double)D->m22;
-  const double d_0 = first_0 + others_0;
-  const double d_1 = first_0 - others_0;
-  const double d_2 = first_1 + others_1;
-  const double d_3 = first_1 - others_1;
-  const double low_0 = (double)D->m11 < (double)D->m00 ? d_1 : s_2;
-  const double low_1 = (double)D->m11 < (double)D->m00 ? s_2 : d_2;
-  const double low_2 = (double)D->m11 < (double)D->m00 ? s_1 : s_0;
-  const double low_3 = (double)D->m11 < (double)D->m00 ? p_0 : p_1;
+  const double p_0 = (double)D->m21 - (double)D->m12, p_1 = (double)D->m02 - (double)D->m20,
+      p_2 = (double)D->m10 - (double)D->m01;
+  const double s_0 = (double)D->m12 + (double)D->m21, s_1 = (double)D->m02 + (double)D->m20,
+      s_2 = (double)D->m01 + (double)D->m10;
+  const double first_0 = (double)D->m00 + 1.0, first_1 = 1.0 - (double)D->m00;
+  const double others_0 = (double)D->m11 + (double)D->m22,
+      others_1 = (double)D->m11 - (double)D->m22;
+  const double d_0 = first_0 + others_0, d_1 = first_0 - others_0, d_2 = first_1 + others_1,
+      d_3 = first_1 - others_1;
+  const double low_0 = (double)D->m11 < (double)D->m00 ? d_1 : s_2,
+      low_1 = (double)D->m11 < (double)D->m00 ? s_2 : d_2,
+      low_2 = (double)D->m11 < (double)D->m00 ? s_1 : s_0,
+      low_3 = (double)D->m11 < (double)D->m00 ? p_0 : p_1;
   const double high_0a = -(double)D->m11, high_0 = (double)D->m00 < high_0a ? s_1 : p_0;
-  const double high_1 = (double)D->m00 < high_0a ? s_0 : p_1;
-  const double high_2 = (double)D->m00 < high_0a ? d_3 : p_2;
-  const double high_3 = (double)D->m00 < high_0a ? p_2 : d_0;
-  const double column_0 = (double)D->m22 < 0.0 ? low_0 : high_0;
-  const double column_1 = (double)D->m22 < 0.0 ? low_1 : high_1;
-  const double column_2 = (double)D->m22 < 0.0 ? low_2 : high_2;
-  const double column_3 = (double)D->m22 < 0.0 ? low_3 : high_3;
+  const double high_1 = (double)D->m00 < high_0a ? s_0 : p_1,
+      high_2 = (double)D->m00 < high_0a ? d_3 : p_2, high_3 = (double)D->m00 < high_0a ? p_2 : d_0;
+  const double column_0 = (double)D->m22 < 0.0 ? low_0 : high_0,
+      column_1 = (double)D->m22 < 0.0 ? low_1 : high_1,
+      column_2 = (double)D->m22 < 0.0 ? low_2 : high_2,
+      column_3 = (double)D->m22 < 0.0 ? low_3 : high_3;
   const double upper_0a = -column_0, upper_0 = column_3 < 0.0 ? upper_0a : column_0;
   const double upper_1a = -column_1, upper_1 = column_3 < 0.0 ? upper_1a : column_1;
   const double upper_2a = -column_2, upper_2 = column_3 < 0.0 ? upper_2a : column_2;
   const double upper_3 = fabs(column_3);
-  const double v_s_size_0 = fabs(upper_0);
-  const double v_s_size_1 = fabs(upper_1);
-  const double v_s_size_2 = fabs(upper_2);
+  const double v_s_size_0 = fabs(upper_0), v_s_size_1 = fabs(upper_1), v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 4.611686018427388e+18 < v_s_largest2 ? 2.710505431213761e-20 : 1.0,
       v_s_d = v_s_largest2 < 256.0 ? 1.8014398509481984e+16 : v_s_b,
       v_s = v_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : v_s_d;
-  const double v_y_0 = KSL_MUL(upper_0, v_s);
-  const double v_y_1 = KSL_MUL(upper_1, v_s);
-  const double v_y_2 = KSL_MUL(upper_2, v_s);
+  const double v_y_0 = KSL_MUL(upper_0, v_s), v_y_1 = KSL_MUL(upper_1, v_s),
+      v_y_2 = KSL_MUL(upper_2, v_s);
   const double v_n = sqrt(KSL_MUL(v_y_0, v_y_0) + KSL_MUL(v_y_1, v_y_1) + KSL_MUL(v_y_2, v_y_2));
   const double v_r_b = v_s < 1.0 ? 3.6893488147419103e+19 : 1.0,
       v_r_d = 1.0 < v_s ? 5.551115123125783e-17 : v_r_b,
@@ -7298,9 +7135,8 @@ static inline void ksl_SE3f_log_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) 
   const double divisor = n == 0.0 ? 1.0 : n;
   const double theta = KSL_MUL(2.0, half);
   const double k = theta / divisor;
-  const double vector_0 = KSL_MUL(upper_0, k);
-  const double vector_1 = KSL_MUL(upper_1, k);
-  const double vector_2 = KSL_MUL(upper_2, k);
+  const double vector_0 = KSL_MUL(upper_0, k), vector_1 = KSL_MUL(upper_1, k),
+      vector_2 = KSL_MUL(upper_2, k);
   const double half_angle = KSL_MUL(0.5, theta);
   const double length = sqrt(KSL_MUL(n, n) + KSL_MUL(upper_3, upper_3));
   const double sine = n / length;
@@ -7333,21 +7169,18 @@ static inline void ksl_SE3f_log_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) 
   const double wt = KSL_MUL((double)D->m03, vector_0) + KSL_MUL((double)D->m13, vector_1)
           + KSL_MUL((double)D->m23, vector_2);
   const double pitch = KSL_MUL(b, wt);
-  const double along_0 = KSL_MUL(vector_0, pitch);
-  const double along_1 = KSL_MUL(vector_1, pitch);
-  const double along_2 = KSL_MUL(vector_2, pitch);
-  const double u_0 = KSL_MUL((double)D->m23, vector_1) - KSL_MUL((double)D->m13, vector_2);
-  const double u_1 = KSL_MUL((double)D->m03, vector_2) - KSL_MUL((double)D->m23, vector_0);
-  const double u_2 = KSL_MUL((double)D->m13, vector_0) - KSL_MUL((double)D->m03, vector_1);
-  const double turned_0 = KSL_MUL(0.5, u_0);
-  const double turned_1 = KSL_MUL(0.5, u_1);
-  const double turned_2 = KSL_MUL(0.5, u_2);
-  const double across_axis_0 = along_0 - turned_0;
-  const double across_axis_1 = along_1 - turned_1;
-  const double across_axis_2 = along_2 - turned_2;
-  const double so_0 = KSL_MUL((double)D->m03, b_across) + across_axis_0;
-  const double so_1 = KSL_MUL((double)D->m13, b_across) + across_axis_1;
-  const double so_2 = KSL_MUL((double)D->m23, b_across) + across_axis_2;
+  const double along_0 = KSL_MUL(vector_0, pitch), along_1 = KSL_MUL(vector_1, pitch),
+      along_2 = KSL_MUL(vector_2, pitch);
+  const double u_0 = KSL_MUL((double)D->m23, vector_1) - KSL_MUL((double)D->m13, vector_2),
+      u_1 = KSL_MUL((double)D->m03, vector_2) - KSL_MUL((double)D->m23, vector_0),
+      u_2 = KSL_MUL((double)D->m13, vector_0) - KSL_MUL((double)D->m03, vector_1);
+  const double turned_0 = KSL_MUL(0.5, u_0), turned_1 = KSL_MUL(0.5, u_1),
+      turned_2 = KSL_MUL(0.5, u_2);
+  const double across_axis_0 = along_0 - turned_0, across_axis_1 = along_1 - turned_1,
+      across_axis_2 = along_2 - turned_2;
+  const double so_0 = KSL_MUL((double)D->m03, b_across) + across_axis_0,
+      so_1 = KSL_MUL((double)D->m13, b_across) + across_axis_1,
+      so_2 = KSL_MUL((double)D->m23, b_across) + across_axis_2;
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -7364,9 +7197,8 @@ static inline void ksl_SE3f_log_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) 
      the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
      Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_leftJacobian_accurate(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
-  const double halved_0 = 0.5 * (double)s->m3;
-  const double halved_1 = 0.5 * (double)s->m4;
-  const double halved_2 = 0.5 * (double)s->m5;
+  const double halved_0 = 0.5 * (double)s->m3, halved_1 = 0.5 * (double)s->m4,
+      halved_2 = 0.5 * (double)s->m5;
   const double y = KSL_MUL(halved_0, halved_0) + KSL_MUL(halved_1, halved_1)
           + KSL_MUL(halved_2, halved_2);
   const double half_angle = sqrt(y);
@@ -7407,51 +7239,39 @@ static inline void ksl_SE3f_leftJacobian_accurate(const ksl_screwf_t *s, ksl_mat
   const double g5 = x < 1.0 ? series5 : closed5;
   const double rate2 = KSL_MUL(2.0, g4) - g3;
   const double rate3 = KSL_MUL(3.0, g5) - g4;
-  const double beta_v_0 = KSL_MUL((double)s->m3, g3);
-  const double beta_v_1 = KSL_MUL((double)s->m4, g3);
-  const double beta_v_2 = KSL_MUL((double)s->m5, g3);
-  const double m_0 = KSL_MUL((double)s->m3, beta_v_0);
-  const double m_1 = KSL_MUL((double)s->m4, beta_v_1);
-  const double m_2 = KSL_MUL((double)s->m5, beta_v_2);
-  const double m_3 = KSL_MUL((double)s->m4, beta_v_0);
-  const double m_4 = KSL_MUL((double)s->m5, beta_v_0);
-  const double m_5 = KSL_MUL((double)s->m5, beta_v_1);
-  const double others_0 = m_1 + m_2;
-  const double others_1 = m_0 + m_2;
-  const double others_2 = m_0 + m_1;
+  const double beta_v_0 = KSL_MUL((double)s->m3, g3), beta_v_1 = KSL_MUL((double)s->m4, g3),
+      beta_v_2 = KSL_MUL((double)s->m5, g3);
+  const double m_0 = KSL_MUL((double)s->m3, beta_v_0), m_1 = KSL_MUL((double)s->m4, beta_v_1),
+      m_2 = KSL_MUL((double)s->m5, beta_v_2), m_3 = KSL_MUL((double)s->m4, beta_v_0),
+      m_4 = KSL_MUL((double)s->m5, beta_v_0), m_5 = KSL_MUL((double)s->m5, beta_v_1);
+  const double others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const double diagonal0a = 1.0 - others_0, diagonal0b = g1 + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const double diagonal1a = 1.0 - others_1, diagonal1b = g1 + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = g1 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0 = KSL_MUL((double)s->m3, g2);
-  const double alpha_v_1 = KSL_MUL((double)s->m4, g2);
-  const double alpha_v_2 = KSL_MUL((double)s->m5, g2);
-  const double J_1 = m_3 - alpha_v_2;
-  const double J_2 = m_4 + alpha_v_1;
-  const double J_3 = m_3 + alpha_v_2;
-  const double J_5 = m_5 - alpha_v_0;
-  const double J_6 = m_4 - alpha_v_1;
-  const double J_7 = m_5 + alpha_v_0;
+  const double alpha_v_0 = KSL_MUL((double)s->m3, g2), alpha_v_1 = KSL_MUL((double)s->m4, g2),
+      alpha_v_2 = KSL_MUL((double)s->m5, g2);
+  const double J_1 = m_3 - alpha_v_2, J_2 = m_4 + alpha_v_1, J_3 = m_3 + alpha_v_2,
+      J_5 = m_5 - alpha_v_0, J_6 = m_4 - alpha_v_1, J_7 = m_5 + alpha_v_0;
   const double rate_vw = ksl_product_sum((double)s->m2, (double)s->m5,
       ksl_product_sum((double)s->m1, (double)s->m4, (double)s->m0 * (double)s->m3));
   const double rate_turn = KSL_MUL(rate2, rate_vw);
   const double rate_bend = -KSL_MUL(rate3, rate_vw);
-  const double rate_q_0 = KSL_MUL((double)s->m0, g2) + KSL_MUL((double)s->m3, rate_turn);
-  const double rate_q_1 = KSL_MUL((double)s->m1, g2) + KSL_MUL((double)s->m4, rate_turn);
-  const double rate_q_2 = KSL_MUL((double)s->m2, g2) + KSL_MUL((double)s->m5, rate_turn);
-  const double rate_beta_v_0 = KSL_MUL((double)s->m0, g3);
-  const double rate_beta_v_1 = KSL_MUL((double)s->m1, g3);
-  const double rate_beta_v_2 = KSL_MUL((double)s->m2, g3);
-  const double rate_bend_w_0 = KSL_MUL((double)s->m3, rate_bend);
-  const double rate_bend_w_1 = KSL_MUL((double)s->m4, rate_bend);
-  const double rate_bend_w_2 = KSL_MUL((double)s->m5, rate_bend);
+  const double rate_q_0 = KSL_MUL((double)s->m0, g2) + KSL_MUL((double)s->m3, rate_turn),
+      rate_q_1 = KSL_MUL((double)s->m1, g2) + KSL_MUL((double)s->m4, rate_turn),
+      rate_q_2 = KSL_MUL((double)s->m2, g2) + KSL_MUL((double)s->m5, rate_turn);
+  const double rate_beta_v_0 = KSL_MUL((double)s->m0, g3),
+      rate_beta_v_1 = KSL_MUL((double)s->m1, g3), rate_beta_v_2 = KSL_MUL((double)s->m2, g3);
+  const double rate_bend_w_0 = KSL_MUL((double)s->m3, rate_bend),
+      rate_bend_w_1 = KSL_MUL((double)s->m4, rate_bend),
+      rate_bend_w_2 = KSL_MUL((double)s->m5, rate_bend);
   const double rate_symmetric_0 = KSL_MUL((double)s->m3, rate_beta_v_1)
-          + KSL_MUL((double)s->m4, rate_beta_v_0) - KSL_MUL((double)s->m4, rate_bend_w_0);
-  const double rate_symmetric_1 = KSL_MUL((double)s->m3, rate_beta_v_2)
-          + KSL_MUL((double)s->m5, rate_beta_v_0) - KSL_MUL((double)s->m5, rate_bend_w_0);
-  const double rate_symmetric_2 = KSL_MUL((double)s->m4, rate_beta_v_2)
+          + KSL_MUL((double)s->m4, rate_beta_v_0) - KSL_MUL((double)s->m4, rate_bend_w_0),
+      rate_symmetric_1 = KSL_MUL((double)s->m3, rate_beta_v_2)
+          + KSL_MUL((double)s->m5, rate_beta_v_0) - KSL_MUL((double)s->m5, rate_bend_w_0),
+      rate_symmetric_2 = KSL_MUL((double)s->m4, rate_beta_v_2)
           + KSL_MUL((double)s->m5, rate_beta_v_1) - KSL_MUL((double)s->m5, rate_bend_w_1);
   const double rate_diagonal_0a = KSL_MUL((double)s->m4, rate_bend_w_1),
       rate_diagonal_0b = KSL_MUL((double)s->m5, rate_bend_w_2),
@@ -7463,12 +7283,9 @@ static inline void ksl_SE3f_leftJacobian_accurate(const ksl_screwf_t *s, ksl_mat
       rate_diagonal_1 = rate_diagonal_1a + rate_diagonal_0b - (rate_diagonal_1d + rate_diagonal_0g);
   const double rate_diagonal_2 = rate_diagonal_1a + rate_diagonal_0a
           - (rate_diagonal_1d + rate_diagonal_0e);
-  const double M_04 = rate_symmetric_0 - rate_q_2;
-  const double M_05 = rate_q_1 + rate_symmetric_1;
-  const double M_13 = rate_q_2 + rate_symmetric_0;
-  const double M_15 = rate_symmetric_2 - rate_q_0;
-  const double M_23 = rate_symmetric_1 - rate_q_1;
-  const double M_24 = rate_q_0 + rate_symmetric_2;
+  const double M_04 = rate_symmetric_0 - rate_q_2, M_05 = rate_q_1 + rate_symmetric_1,
+      M_13 = rate_q_2 + rate_symmetric_0, M_15 = rate_symmetric_2 - rate_q_0,
+      M_23 = rate_symmetric_1 - rate_q_1, M_24 = rate_q_0 + rate_symmetric_2;
   M->at[0][0] = (float)diagonal0;
   M->at[1][0] = (float)J_1;
   M->at[2][0] = (float)J_2;
@@ -7515,9 +7332,8 @@ static inline void ksl_SE3f_leftJacobian_accurate(const ksl_screwf_t *s, ksl_mat
      the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
      Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_rightJacobian_accurate(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
-  const double halved_0 = 0.5 * (double)s->m3;
-  const double halved_1 = 0.5 * (double)s->m4;
-  const double halved_2 = 0.5 * (double)s->m5;
+  const double halved_0 = 0.5 * (double)s->m3, halved_1 = 0.5 * (double)s->m4,
+      halved_2 = 0.5 * (double)s->m5;
   const double y = KSL_MUL(halved_0, halved_0) + KSL_MUL(halved_1, halved_1)
           + KSL_MUL(halved_2, halved_2);
   const double half_angle = sqrt(y);
@@ -7558,51 +7374,39 @@ static inline void ksl_SE3f_rightJacobian_accurate(const ksl_screwf_t *s, ksl_ma
   const double g5 = x < 1.0 ? series5 : closed5;
   const double rate2 = KSL_MUL(2.0, g4) - g3;
   const double rate3 = KSL_MUL(3.0, g5) - g4;
-  const double beta_v_0 = KSL_MUL((double)s->m3, g3);
-  const double beta_v_1 = KSL_MUL((double)s->m4, g3);
-  const double beta_v_2 = KSL_MUL((double)s->m5, g3);
-  const double m_0 = KSL_MUL((double)s->m3, beta_v_0);
-  const double m_1 = KSL_MUL((double)s->m4, beta_v_1);
-  const double m_2 = KSL_MUL((double)s->m5, beta_v_2);
-  const double m_3 = KSL_MUL((double)s->m4, beta_v_0);
-  const double m_4 = KSL_MUL((double)s->m5, beta_v_0);
-  const double m_5 = KSL_MUL((double)s->m5, beta_v_1);
-  const double others_0 = m_1 + m_2;
-  const double others_1 = m_0 + m_2;
-  const double others_2 = m_0 + m_1;
+  const double beta_v_0 = KSL_MUL((double)s->m3, g3), beta_v_1 = KSL_MUL((double)s->m4, g3),
+      beta_v_2 = KSL_MUL((double)s->m5, g3);
+  const double m_0 = KSL_MUL((double)s->m3, beta_v_0), m_1 = KSL_MUL((double)s->m4, beta_v_1),
+      m_2 = KSL_MUL((double)s->m5, beta_v_2), m_3 = KSL_MUL((double)s->m4, beta_v_0),
+      m_4 = KSL_MUL((double)s->m5, beta_v_0), m_5 = KSL_MUL((double)s->m5, beta_v_1);
+  const double others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const double diagonal0a = 1.0 - others_0, diagonal0b = g1 + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const double diagonal1a = 1.0 - others_1, diagonal1b = g1 + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = g1 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0 = -KSL_MUL((double)s->m3, g2);
-  const double alpha_v_1 = -KSL_MUL((double)s->m4, g2);
-  const double alpha_v_2 = -KSL_MUL((double)s->m5, g2);
-  const double J_1 = m_3 - alpha_v_2;
-  const double J_2 = m_4 + alpha_v_1;
-  const double J_3 = m_3 + alpha_v_2;
-  const double J_5 = m_5 - alpha_v_0;
-  const double J_6 = m_4 - alpha_v_1;
-  const double J_7 = m_5 + alpha_v_0;
+  const double alpha_v_0 = -KSL_MUL((double)s->m3, g2), alpha_v_1 = -KSL_MUL((double)s->m4, g2),
+      alpha_v_2 = -KSL_MUL((double)s->m5, g2);
+  const double J_1 = m_3 - alpha_v_2, J_2 = m_4 + alpha_v_1, J_3 = m_3 + alpha_v_2,
+      J_5 = m_5 - alpha_v_0, J_6 = m_4 - alpha_v_1, J_7 = m_5 + alpha_v_0;
   const double rate_vw = ksl_product_sum((double)s->m2, (double)s->m5,
       ksl_product_sum((double)s->m1, (double)s->m4, (double)s->m0 * (double)s->m3));
   const double rate_turn = KSL_MUL(rate2, rate_vw);
   const double rate_bend = -KSL_MUL(rate3, rate_vw);
-  const double rate_q_0 = -KSL_MUL((double)s->m0, g2) - KSL_MUL((double)s->m3, rate_turn);
-  const double rate_q_1 = -KSL_MUL((double)s->m1, g2) - KSL_MUL((double)s->m4, rate_turn);
-  const double rate_q_2 = -KSL_MUL((double)s->m2, g2) - KSL_MUL((double)s->m5, rate_turn);
-  const double rate_beta_v_0 = -KSL_MUL((double)s->m0, g3);
-  const double rate_beta_v_1 = -KSL_MUL((double)s->m1, g3);
-  const double rate_beta_v_2 = -KSL_MUL((double)s->m2, g3);
-  const double rate_bend_w_0 = -KSL_MUL((double)s->m3, rate_bend);
-  const double rate_bend_w_1 = -KSL_MUL((double)s->m4, rate_bend);
-  const double rate_bend_w_2 = -KSL_MUL((double)s->m5, rate_bend);
+  const double rate_q_0 = -KSL_MUL((double)s->m0, g2) - KSL_MUL((double)s->m3, rate_turn),
+      rate_q_1 = -KSL_MUL((double)s->m1, g2) - KSL_MUL((double)s->m4, rate_turn),
+      rate_q_2 = -KSL_MUL((double)s->m2, g2) - KSL_MUL((double)s->m5, rate_turn);
+  const double rate_beta_v_0 = -KSL_MUL((double)s->m0, g3),
+      rate_beta_v_1 = -KSL_MUL((double)s->m1, g3), rate_beta_v_2 = -KSL_MUL((double)s->m2, g3);
+  const double rate_bend_w_0 = -KSL_MUL((double)s->m3, rate_bend),
+      rate_bend_w_1 = -KSL_MUL((double)s->m4, rate_bend),
+      rate_bend_w_2 = -KSL_MUL((double)s->m5, rate_bend);
   const double rate_symmetric_0 = -KSL_MUL((double)s->m3, rate_beta_v_1)
-          - KSL_MUL((double)s->m4, rate_beta_v_0) + KSL_MUL((double)s->m4, rate_bend_w_0);
-  const double rate_symmetric_1 = -KSL_MUL((double)s->m3, rate_beta_v_2)
-          - KSL_MUL((double)s->m5, rate_beta_v_0) + KSL_MUL((double)s->m5, rate_bend_w_0);
-  const double rate_symmetric_2 = -KSL_MUL((double)s->m4, rate_beta_v_2)
+          - KSL_MUL((double)s->m4, rate_beta_v_0) + KSL_MUL((double)s->m4, rate_bend_w_0),
+      rate_symmetric_1 = -KSL_MUL((double)s->m3, rate_beta_v_2)
+          - KSL_MUL((double)s->m5, rate_beta_v_0) + KSL_MUL((double)s->m5, rate_bend_w_0),
+      rate_symmetric_2 = -KSL_MUL((double)s->m4, rate_beta_v_2)
           - KSL_MUL((double)s->m5, rate_beta_v_1) + KSL_MUL((double)s->m5, rate_bend_w_1);
   const double rate_diagonal_0b = KSL_MUL(2.0 * (double)s->m4, rate_beta_v_1),
       rate_diagonal_0d = KSL_MUL(2.0 * (double)s->m5, rate_beta_v_2),
@@ -7614,12 +7418,9 @@ static inline void ksl_SE3f_rightJacobian_accurate(const ksl_screwf_t *s, ksl_ma
       rate_diagonal_1 = rate_diagonal_1b + rate_diagonal_0d - (rate_diagonal_1d + rate_diagonal_0g);
   const double rate_diagonal_2 = rate_diagonal_1b + rate_diagonal_0b
           - (rate_diagonal_1d + rate_diagonal_0f);
-  const double M_04 = rate_symmetric_0 - rate_q_2;
-  const double M_05 = rate_q_1 + rate_symmetric_1;
-  const double M_13 = rate_q_2 + rate_symmetric_0;
-  const double M_15 = rate_symmetric_2 - rate_q_0;
-  const double M_23 = rate_symmetric_1 - rate_q_1;
-  const double M_24 = rate_q_0 + rate_symmetric_2;
+  const double M_04 = rate_symmetric_0 - rate_q_2, M_05 = rate_q_1 + rate_symmetric_1,
+      M_13 = rate_q_2 + rate_symmetric_0, M_15 = rate_symmetric_2 - rate_q_0,
+      M_23 = rate_symmetric_1 - rate_q_1, M_24 = rate_q_0 + rate_symmetric_2;
   M->at[0][0] = (float)diagonal0;
   M->at[1][0] = (float)J_1;
   M->at[2][0] = (float)J_2;
@@ -7666,9 +7467,8 @@ static inline void ksl_SE3f_rightJacobian_accurate(const ksl_screwf_t *s, ksl_ma
      the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
      Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_leftJacobianInverse_accurate(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
-  const double halved_0 = 0.5 * (double)s->m3;
-  const double halved_1 = 0.5 * (double)s->m4;
-  const double halved_2 = 0.5 * (double)s->m5;
+  const double halved_0 = 0.5 * (double)s->m3, halved_1 = 0.5 * (double)s->m4,
+      halved_2 = 0.5 * (double)s->m5;
   const double y = KSL_MUL(halved_0, halved_0) + KSL_MUL(halved_1, halved_1)
           + KSL_MUL(halved_2, halved_2);
   const double half_angle = sqrt(y);
@@ -7697,33 +7497,21 @@ static inline void ksl_SE3f_leftJacobianInverse_accurate(const ksl_screwf_t *s, 
   const double four_k = KSL_MUL(4.0, sinc);
   const double b = f / four_k;
   const double b_across = c / sinc;
-  const double beta_v_0 = KSL_MUL((double)s->m3, b);
-  const double beta_v_1 = KSL_MUL((double)s->m4, b);
-  const double beta_v_2 = KSL_MUL((double)s->m5, b);
-  const double m_0 = KSL_MUL((double)s->m3, beta_v_0);
-  const double m_1 = KSL_MUL((double)s->m4, beta_v_1);
-  const double m_2 = KSL_MUL((double)s->m5, beta_v_2);
-  const double m_3 = KSL_MUL((double)s->m4, beta_v_0);
-  const double m_4 = KSL_MUL((double)s->m5, beta_v_0);
-  const double m_5 = KSL_MUL((double)s->m5, beta_v_1);
-  const double others_0 = m_1 + m_2;
-  const double others_1 = m_0 + m_2;
-  const double others_2 = m_0 + m_1;
+  const double beta_v_0 = KSL_MUL((double)s->m3, b), beta_v_1 = KSL_MUL((double)s->m4, b),
+      beta_v_2 = KSL_MUL((double)s->m5, b);
+  const double m_0 = KSL_MUL((double)s->m3, beta_v_0), m_1 = KSL_MUL((double)s->m4, beta_v_1),
+      m_2 = KSL_MUL((double)s->m5, beta_v_2), m_3 = KSL_MUL((double)s->m4, beta_v_0),
+      m_4 = KSL_MUL((double)s->m5, beta_v_0), m_5 = KSL_MUL((double)s->m5, beta_v_1);
+  const double others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const double diagonal0a = 1.0 - others_0, diagonal0b = b_across + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const double diagonal1a = 1.0 - others_1, diagonal1b = b_across + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = b_across + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0 = -halved_0;
-  const double alpha_v_1 = -halved_1;
-  const double alpha_v_2 = -halved_2;
-  const double J_1 = m_3 - alpha_v_2;
-  const double J_2 = m_4 + alpha_v_1;
-  const double J_3 = m_3 + alpha_v_2;
-  const double J_5 = m_5 - alpha_v_0;
-  const double J_6 = m_4 - alpha_v_1;
-  const double J_7 = m_5 + alpha_v_0;
+  const double alpha_v_0 = -halved_0, alpha_v_1 = -halved_1, alpha_v_2 = -halved_2;
+  const double J_1 = m_3 - alpha_v_2, J_2 = m_4 + alpha_v_1, J_3 = m_3 + alpha_v_2,
+      J_5 = m_5 - alpha_v_0, J_6 = m_4 - alpha_v_1, J_7 = m_5 + alpha_v_0;
   const double phi_rest = KSL_MUL(3.0, f) - sinc;
   const double twice_y = KSL_MUL(2.0, far_y);
   const double closed_phi = phi_rest / twice_y;
@@ -7734,20 +7522,18 @@ static inline void ksl_SE3f_leftJacobianInverse_accurate(const ksl_screwf_t *s, 
   const double rate_vw = ksl_product_sum((double)s->m2, (double)s->m5,
       ksl_product_sum((double)s->m1, (double)s->m4, (double)s->m0 * (double)s->m3));
   const double rate_bend = -KSL_MUL(b_rate, rate_vw);
-  const double rate_q_0 = -(0.5 * (double)s->m0);
-  const double rate_q_1 = -(0.5 * (double)s->m1);
-  const double rate_q_2 = -(0.5 * (double)s->m2);
-  const double rate_beta_v_0 = KSL_MUL((double)s->m0, b);
-  const double rate_beta_v_1 = KSL_MUL((double)s->m1, b);
-  const double rate_beta_v_2 = KSL_MUL((double)s->m2, b);
-  const double rate_bend_w_0 = KSL_MUL((double)s->m3, rate_bend);
-  const double rate_bend_w_1 = KSL_MUL((double)s->m4, rate_bend);
-  const double rate_bend_w_2 = KSL_MUL((double)s->m5, rate_bend);
+  const double rate_q_0 = -(0.5 * (double)s->m0), rate_q_1 = -(0.5 * (double)s->m1),
+      rate_q_2 = -(0.5 * (double)s->m2);
+  const double rate_beta_v_0 = KSL_MUL((double)s->m0, b), rate_beta_v_1 = KSL_MUL((double)s->m1, b),
+      rate_beta_v_2 = KSL_MUL((double)s->m2, b);
+  const double rate_bend_w_0 = KSL_MUL((double)s->m3, rate_bend),
+      rate_bend_w_1 = KSL_MUL((double)s->m4, rate_bend),
+      rate_bend_w_2 = KSL_MUL((double)s->m5, rate_bend);
   const double rate_symmetric_0 = KSL_MUL((double)s->m3, rate_beta_v_1)
-          + KSL_MUL((double)s->m4, rate_beta_v_0) - KSL_MUL((double)s->m4, rate_bend_w_0);
-  const double rate_symmetric_1 = KSL_MUL((double)s->m3, rate_beta_v_2)
-          + KSL_MUL((double)s->m5, rate_beta_v_0) - KSL_MUL((double)s->m5, rate_bend_w_0);
-  const double rate_symmetric_2 = KSL_MUL((double)s->m4, rate_beta_v_2)
+          + KSL_MUL((double)s->m4, rate_beta_v_0) - KSL_MUL((double)s->m4, rate_bend_w_0),
+      rate_symmetric_1 = KSL_MUL((double)s->m3, rate_beta_v_2)
+          + KSL_MUL((double)s->m5, rate_beta_v_0) - KSL_MUL((double)s->m5, rate_bend_w_0),
+      rate_symmetric_2 = KSL_MUL((double)s->m4, rate_beta_v_2)
           + KSL_MUL((double)s->m5, rate_beta_v_1) - KSL_MUL((double)s->m5, rate_bend_w_1);
   const double rate_diagonal_0a = KSL_MUL((double)s->m4, rate_bend_w_1),
       rate_diagonal_0b = KSL_MUL((double)s->m5, rate_bend_w_2),
@@ -7759,12 +7545,9 @@ static inline void ksl_SE3f_leftJacobianInverse_accurate(const ksl_screwf_t *s, 
       rate_diagonal_1 = rate_diagonal_1a + rate_diagonal_0b - (rate_diagonal_1d + rate_diagonal_0g);
   const double rate_diagonal_2 = rate_diagonal_1a + rate_diagonal_0a
           - (rate_diagonal_1d + rate_diagonal_0e);
-  const double M_04 = rate_symmetric_0 - rate_q_2;
-  const double M_05 = rate_q_1 + rate_symmetric_1;
-  const double M_13 = rate_q_2 + rate_symmetric_0;
-  const double M_15 = rate_symmetric_2 - rate_q_0;
-  const double M_23 = rate_symmetric_1 - rate_q_1;
-  const double M_24 = rate_q_0 + rate_symmetric_2;
+  const double M_04 = rate_symmetric_0 - rate_q_2, M_05 = rate_q_1 + rate_symmetric_1,
+      M_13 = rate_q_2 + rate_symmetric_0, M_15 = rate_symmetric_2 - rate_q_0,
+      M_23 = rate_symmetric_1 - rate_q_1, M_24 = rate_q_0 + rate_symmetric_2;
   M->at[0][0] = (float)diagonal0;
   M->at[1][0] = (float)J_1;
   M->at[2][0] = (float)J_2;
@@ -7811,9 +7594,8 @@ static inline void ksl_SE3f_leftJacobianInverse_accurate(const ksl_screwf_t *s, 
      the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
      Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_rightJacobianInverse_accurate(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
-  const double halved_0 = 0.5 * (double)s->m3;
-  const double halved_1 = 0.5 * (double)s->m4;
-  const double halved_2 = 0.5 * (double)s->m5;
+  const double halved_0 = 0.5 * (double)s->m3, halved_1 = 0.5 * (double)s->m4,
+      halved_2 = 0.5 * (double)s->m5;
   const double y = KSL_MUL(halved_0, halved_0) + KSL_MUL(halved_1, halved_1)
           + KSL_MUL(halved_2, halved_2);
   const double half_angle = sqrt(y);
@@ -7842,30 +7624,20 @@ static inline void ksl_SE3f_rightJacobianInverse_accurate(const ksl_screwf_t *s,
   const double four_k = KSL_MUL(4.0, sinc);
   const double b = f / four_k;
   const double b_across = c / sinc;
-  const double beta_v_0 = KSL_MUL((double)s->m3, b);
-  const double beta_v_1 = KSL_MUL((double)s->m4, b);
-  const double beta_v_2 = KSL_MUL((double)s->m5, b);
-  const double m_0 = KSL_MUL((double)s->m3, beta_v_0);
-  const double m_1 = KSL_MUL((double)s->m4, beta_v_1);
-  const double m_2 = KSL_MUL((double)s->m5, beta_v_2);
-  const double m_3 = KSL_MUL((double)s->m4, beta_v_0);
-  const double m_4 = KSL_MUL((double)s->m5, beta_v_0);
-  const double m_5 = KSL_MUL((double)s->m5, beta_v_1);
-  const double others_0 = m_1 + m_2;
-  const double others_1 = m_0 + m_2;
-  const double others_2 = m_0 + m_1;
+  const double beta_v_0 = KSL_MUL((double)s->m3, b), beta_v_1 = KSL_MUL((double)s->m4, b),
+      beta_v_2 = KSL_MUL((double)s->m5, b);
+  const double m_0 = KSL_MUL((double)s->m3, beta_v_0), m_1 = KSL_MUL((double)s->m4, beta_v_1),
+      m_2 = KSL_MUL((double)s->m5, beta_v_2), m_3 = KSL_MUL((double)s->m4, beta_v_0),
+      m_4 = KSL_MUL((double)s->m5, beta_v_0), m_5 = KSL_MUL((double)s->m5, beta_v_1);
+  const double others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const double diagonal0a = 1.0 - others_0, diagonal0b = b_across + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const double diagonal1a = 1.0 - others_1, diagonal1b = b_across + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = b_across + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double J_1 = m_3 - halved_2;
-  const double J_2 = halved_1 + m_4;
-  const double J_3 = halved_2 + m_3;
-  const double J_5 = m_5 - halved_0;
-  const double J_6 = m_4 - halved_1;
-  const double J_7 = halved_0 + m_5;
+  const double J_1 = m_3 - halved_2, J_2 = halved_1 + m_4, J_3 = halved_2 + m_3,
+      J_5 = m_5 - halved_0, J_6 = m_4 - halved_1, J_7 = halved_0 + m_5;
   const double phi_rest = KSL_MUL(3.0, f) - sinc;
   const double twice_y = KSL_MUL(2.0, far_y);
   const double closed_phi = phi_rest / twice_y;
@@ -7876,20 +7648,18 @@ static inline void ksl_SE3f_rightJacobianInverse_accurate(const ksl_screwf_t *s,
   const double rate_vw = ksl_product_sum((double)s->m2, (double)s->m5,
       ksl_product_sum((double)s->m1, (double)s->m4, (double)s->m0 * (double)s->m3));
   const double rate_bend = -KSL_MUL(b_rate, rate_vw);
-  const double rate_q_0 = 0.5 * (double)s->m0;
-  const double rate_q_1 = 0.5 * (double)s->m1;
-  const double rate_q_2 = 0.5 * (double)s->m2;
-  const double rate_beta_v_0 = -KSL_MUL((double)s->m0, b);
-  const double rate_beta_v_1 = -KSL_MUL((double)s->m1, b);
-  const double rate_beta_v_2 = -KSL_MUL((double)s->m2, b);
-  const double rate_bend_w_0 = -KSL_MUL((double)s->m3, rate_bend);
-  const double rate_bend_w_1 = -KSL_MUL((double)s->m4, rate_bend);
-  const double rate_bend_w_2 = -KSL_MUL((double)s->m5, rate_bend);
+  const double rate_q_0 = 0.5 * (double)s->m0, rate_q_1 = 0.5 * (double)s->m1,
+      rate_q_2 = 0.5 * (double)s->m2;
+  const double rate_beta_v_0 = -KSL_MUL((double)s->m0, b),
+      rate_beta_v_1 = -KSL_MUL((double)s->m1, b), rate_beta_v_2 = -KSL_MUL((double)s->m2, b);
+  const double rate_bend_w_0 = -KSL_MUL((double)s->m3, rate_bend),
+      rate_bend_w_1 = -KSL_MUL((double)s->m4, rate_bend),
+      rate_bend_w_2 = -KSL_MUL((double)s->m5, rate_bend);
   const double rate_symmetric_0 = -KSL_MUL((double)s->m3, rate_beta_v_1)
-          - KSL_MUL((double)s->m4, rate_beta_v_0) + KSL_MUL((double)s->m4, rate_bend_w_0);
-  const double rate_symmetric_1 = -KSL_MUL((double)s->m3, rate_beta_v_2)
-          - KSL_MUL((double)s->m5, rate_beta_v_0) + KSL_MUL((double)s->m5, rate_bend_w_0);
-  const double rate_symmetric_2 = -KSL_MUL((double)s->m4, rate_beta_v_2)
+          - KSL_MUL((double)s->m4, rate_beta_v_0) + KSL_MUL((double)s->m4, rate_bend_w_0),
+      rate_symmetric_1 = -KSL_MUL((double)s->m3, rate_beta_v_2)
+          - KSL_MUL((double)s->m5, rate_beta_v_0) + KSL_MUL((double)s->m5, rate_bend_w_0),
+      rate_symmetric_2 = -KSL_MUL((double)s->m4, rate_beta_v_2)
           - KSL_MUL((double)s->m5, rate_beta_v_1) + KSL_MUL((double)s->m5, rate_bend_w_1);
   const double rate_diagonal_0b = KSL_MUL(2.0 * (double)s->m4, rate_beta_v_1),
       rate_diagonal_0d = KSL_MUL(2.0 * (double)s->m5, rate_beta_v_2),
@@ -7901,12 +7671,9 @@ static inline void ksl_SE3f_rightJacobianInverse_accurate(const ksl_screwf_t *s,
       rate_diagonal_1 = rate_diagonal_1b + rate_diagonal_0d - (rate_diagonal_1d + rate_diagonal_0g);
   const double rate_diagonal_2 = rate_diagonal_1b + rate_diagonal_0b
           - (rate_diagonal_1d + rate_diagonal_0f);
-  const double M_04 = rate_symmetric_0 - rate_q_2;
-  const double M_05 = rate_q_1 + rate_symmetric_1;
-  const double M_13 = rate_q_2 + rate_symmetric_0;
-  const double M_15 = rate_symmetric_2 - rate_q_0;
-  const double M_23 = rate_symmetric_1 - rate_q_1;
-  const double M_24 = rate_q_0 + rate_symmetric_2;
+  const double M_04 = rate_symmetric_0 - rate_q_2, M_05 = rate_q_1 + rate_symmetric_1,
+      M_13 = rate_q_2 + rate_symmetric_0, M_15 = rate_symmetric_2 - rate_q_0,
+      M_23 = rate_symmetric_1 - rate_q_1, M_24 = rate_q_0 + rate_symmetric_2;
   M->at[0][0] = (float)diagonal0;
   M->at[1][0] = (float)J_1;
   M->at[2][0] = (float)J_2;
@@ -7956,59 +7723,52 @@ static inline void ksl_SE3f_rightJacobianInverse_accurate(const ksl_screwf_t *s,
      5e36. */
 static inline void ksl_SE3f_interpolated_accurate(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2,
     const float k, ksl_SE3f_t *Do) {
-  const double apart_0 = (double)D2->m03 - (double)D1->m03;
-  const double apart_1 = (double)D2->m13 - (double)D1->m13;
-  const double apart_2 = (double)D2->m23 - (double)D1->m23;
+  const double apart_0 = (double)D2->m03 - (double)D1->m03,
+      apart_1 = (double)D2->m13 - (double)D1->m13, apart_2 = (double)D2->m23 - (double)D1->m23;
   const double between_0 = ksl_product_sum((double)D1->m20, (double)D2->m20,
-      ksl_product_sum((double)D1->m10, (double)D2->m10, (double)D1->m00 * (double)D2->m00));
-  const double between_1 = ksl_product_sum((double)D1->m20, (double)D2->m21,
-      ksl_product_sum((double)D1->m10, (double)D2->m11, (double)D1->m00 * (double)D2->m01));
-  const double between_2 = ksl_product_sum((double)D1->m20, (double)D2->m22,
-      ksl_product_sum((double)D1->m10, (double)D2->m12, (double)D1->m00 * (double)D2->m02));
-  const double between_3 = KSL_MUL((double)D1->m00, apart_0) + KSL_MUL((double)D1->m10, apart_1)
-          + KSL_MUL((double)D1->m20, apart_2);
-  const double between_4 = ksl_product_sum((double)D1->m21, (double)D2->m20,
-      ksl_product_sum((double)D1->m11, (double)D2->m10, (double)D1->m01 * (double)D2->m00));
-  const double between_5 = ksl_product_sum((double)D1->m21, (double)D2->m21,
-      ksl_product_sum((double)D1->m11, (double)D2->m11, (double)D1->m01 * (double)D2->m01));
-  const double between_6 = ksl_product_sum((double)D1->m21, (double)D2->m22,
-      ksl_product_sum((double)D1->m11, (double)D2->m12, (double)D1->m01 * (double)D2->m02));
-  const double between_7 = KSL_MUL((double)D1->m01, apart_0) + KSL_MUL((double)D1->m11, apart_1)
-          + KSL_MUL((double)D1->m21, apart_2);
-  const double between_8 = ksl_product_sum((double)D1->m22, (double)D2->m20,
-      ksl_product_sum((double)D1->m12, (double)D2->m10, (double)D1->m02 * (double)D2->m00));
-  const double between_9 = ksl_product_sum((double)D1->m22, (double)D2->m21,
-      ksl_product_sum((double)D1->m12, (double)D2->m11, (double)D1->m02 * (double)D2->m01));
-  const double between_10 = ksl_product_sum((double)D1->m22, (double)D2->m22,
-      ksl_product_sum((double)D1->m12, (double)D2->m12, (double)D1->m02 * (double)D2->m02));
-  const double between_11 = KSL_MUL((double)D1->m02, apart_0) + KSL_MUL((double)D1->m12, apart_1)
+      ksl_product_sum((double)D1->m10, (double)D2->m10, (double)D1->m00 * (double)D2->m00)),
+      between_1 = ksl_product_sum((double)D1->m20, (double)D2->m21, ksl_product_sum((double)D1->m10,
+          (double)D2->m11, (double)D1->m00 * (double)D2->m01)),
+      between_2 = ksl_product_sum((double)D1->m20, (double)D2->m22, ksl_product_sum((double)D1->m10,
+          (double)D2->m12, (double)D1->m00 * (double)D2->m02)),
+      between_3 = KSL_MUL((double)D1->m00, apart_0) + KSL_MUL((double)D1->m10, apart_1)
+          + KSL_MUL((double)D1->m20, apart_2),
+      between_4 = ksl_product_sum((double)D1->m21, (double)D2->m20, ksl_product_sum((double)D1->m11,
+          (double)D2->m10, (double)D1->m01 * (double)D2->m00)),
+      between_5 = ksl_product_sum((double)D1->m21, (double)D2->m21, ksl_product_sum((double)D1->m11,
+          (double)D2->m11, (double)D1->m01 * (double)D2->m01)),
+      between_6 = ksl_product_sum((double)D1->m21, (double)D2->m22, ksl_product_sum((double)D1->m11,
+          (double)D2->m12, (double)D1->m01 * (double)D2->m02)),
+      between_7 = KSL_MUL((double)D1->m01, apart_0) + KSL_MUL((double)D1->m11, apart_1)
+          + KSL_MUL((double)D1->m21, apart_2),
+      between_8 = ksl_product_sum((double)D1->m22, (double)D2->m20, ksl_product_sum((double)D1->m12,
+          (double)D2->m10, (double)D1->m02 * (double)D2->m00)),
+      between_9 = ksl_product_sum((double)D1->m22, (double)D2->m21, ksl_product_sum((double)D1->m12,
+          (double)D2->m11, (double)D1->m02 * (double)D2->m01)),
+      between_10 = ksl_product_sum((double)D1->m22, (double)D2->m22,
+          ksl_product_sum((double)D1->m12, (double)D2->m12, (double)D1->m02 * (double)D2->m02)),
+      between_11 = KSL_MUL((double)D1->m02, apart_0) + KSL_MUL((double)D1->m12, apart_1)
           + KSL_MUL((double)D1->m22, apart_2);
-  const double log_p_0 = between_9 - between_6;
-  const double log_p_1 = between_2 - between_8;
-  const double log_p_2 = between_4 - between_1;
-  const double log_s_0 = between_6 + between_9;
-  const double log_s_1 = between_2 + between_8;
-  const double log_s_2 = between_1 + between_4;
-  const double log_first_0 = between_0 + 1.0;
-  const double log_first_1 = 1.0 - between_0;
-  const double log_others_0 = between_5 + between_10;
-  const double log_others_1 = between_5 - between_10;
-  const double log_d_0 = log_first_0 + log_others_0;
-  const double log_d_1 = log_first_0 - log_others_0;
-  const double log_d_2 = log_first_1 + log_others_1;
-  const double log_d_3 = log_first_1 - log_others_1;
-  const double log_low_0 = between_5 < between_0 ? log_d_1 : log_s_2;
-  const double log_low_1 = between_5 < between_0 ? log_s_2 : log_d_2;
-  const double log_low_2 = between_5 < between_0 ? log_s_1 : log_s_0;
-  const double log_low_3 = between_5 < between_0 ? log_p_0 : log_p_1;
+  const double log_p_0 = between_9 - between_6, log_p_1 = between_2 - between_8,
+      log_p_2 = between_4 - between_1;
+  const double log_s_0 = between_6 + between_9, log_s_1 = between_2 + between_8,
+      log_s_2 = between_1 + between_4;
+  const double log_first_0 = between_0 + 1.0, log_first_1 = 1.0 - between_0;
+  const double log_others_0 = between_5 + between_10, log_others_1 = between_5 - between_10;
+  const double log_d_0 = log_first_0 + log_others_0, log_d_1 = log_first_0 - log_others_0,
+      log_d_2 = log_first_1 + log_others_1, log_d_3 = log_first_1 - log_others_1;
+  const double log_low_0 = between_5 < between_0 ? log_d_1 : log_s_2,
+      log_low_1 = between_5 < between_0 ? log_s_2 : log_d_2,
+      log_low_2 = between_5 < between_0 ? log_s_1 : log_s_0,
+      log_low_3 = between_5 < between_0 ? log_p_0 : log_p_1;
   const double log_high_0a = -between_5, log_high_0 = between_0 < log_high_0a ? log_s_1 : log_p_0;
-  const double log_high_1 = between_0 < log_high_0a ? log_s_0 : log_p_1;
-  const double log_high_2 = between_0 < log_high_0a ? log_d_3 : log_p_2;
-  const double log_high_3 = between_0 < log_high_0a ? log_p_2 : log_d_0;
-  const double log_column_0 = between_10 < 0.0 ? log_low_0 : log_high_0;
-  const double log_column_1 = between_10 < 0.0 ? log_low_1 : log_high_1;
-  const double log_column_2 = between_10 < 0.0 ? log_low_2 : log_high_2;
-  const double log_column_3 = between_10 < 0.0 ? log_low_3 : log_high_3;
+  const double log_high_1 = between_0 < log_high_0a ? log_s_0 : log_p_1,
+      log_high_2 = between_0 < log_high_0a ? log_d_3 : log_p_2,
+      log_high_3 = between_0 < log_high_0a ? log_p_2 : log_d_0;
+  const double log_column_0 = between_10 < 0.0 ? log_low_0 : log_high_0,
+      log_column_1 = between_10 < 0.0 ? log_low_1 : log_high_1,
+      log_column_2 = between_10 < 0.0 ? log_low_2 : log_high_2,
+      log_column_3 = between_10 < 0.0 ? log_low_3 : log_high_3;
   const double log_upper_0a = -log_column_0,
       log_upper_0 = log_column_3 < 0.0 ? log_upper_0a : log_column_0;
   const double log_upper_1a = -log_column_1,
@@ -8016,18 +7776,16 @@ static inline void ksl_SE3f_interpolated_accurate(const ksl_SE3f_t *D1, const ks
   const double log_upper_2a = -log_column_2,
       log_upper_2 = log_column_3 < 0.0 ? log_upper_2a : log_column_2;
   const double log_upper_3 = fabs(log_column_3);
-  const double log_v_s_size_0 = fabs(log_upper_0);
-  const double log_v_s_size_1 = fabs(log_upper_1);
-  const double log_v_s_size_2 = fabs(log_upper_2);
+  const double log_v_s_size_0 = fabs(log_upper_0), log_v_s_size_1 = fabs(log_upper_1),
+      log_v_s_size_2 = fabs(log_upper_2);
   const double log_v_s_largest1 = log_v_s_size_0 < log_v_s_size_1 ? log_v_s_size_1 : log_v_s_size_0;
   const double log_v_s_largest2 = log_v_s_largest1 < log_v_s_size_2 ? log_v_s_size_2
           : log_v_s_largest1;
   const double log_v_s_b = 4.611686018427388e+18 < log_v_s_largest2 ? 2.710505431213761e-20 : 1.0,
       log_v_s_d = log_v_s_largest2 < 256.0 ? 1.8014398509481984e+16 : log_v_s_b,
       log_v_s = log_v_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : log_v_s_d;
-  const double log_v_y_0 = KSL_MUL(log_upper_0, log_v_s);
-  const double log_v_y_1 = KSL_MUL(log_upper_1, log_v_s);
-  const double log_v_y_2 = KSL_MUL(log_upper_2, log_v_s);
+  const double log_v_y_0 = KSL_MUL(log_upper_0, log_v_s), log_v_y_1 = KSL_MUL(log_upper_1, log_v_s),
+      log_v_y_2 = KSL_MUL(log_upper_2, log_v_s);
   const double log_v_n = sqrt(KSL_MUL(log_v_y_0, log_v_y_0) + KSL_MUL(log_v_y_1, log_v_y_1)
           + KSL_MUL(log_v_y_2, log_v_y_2));
   const double log_v_r_b = log_v_s < 1.0 ? 3.6893488147419103e+19 : 1.0,
@@ -8038,9 +7796,8 @@ static inline void ksl_SE3f_interpolated_accurate(const ksl_SE3f_t *D1, const ks
   const double log_divisor = log_n == 0.0 ? 1.0 : log_n;
   const double log_theta = KSL_MUL(2.0, log_half);
   const double log_k = log_theta / log_divisor;
-  const double log_vector_0 = KSL_MUL(log_upper_0, log_k);
-  const double log_vector_1 = KSL_MUL(log_upper_1, log_k);
-  const double log_vector_2 = KSL_MUL(log_upper_2, log_k);
+  const double log_vector_0 = KSL_MUL(log_upper_0, log_k),
+      log_vector_1 = KSL_MUL(log_upper_1, log_k), log_vector_2 = KSL_MUL(log_upper_2, log_k);
   const double log_half_angle = KSL_MUL(0.5, log_theta);
   const double log_length = sqrt(KSL_MUL(log_n, log_n) + KSL_MUL(log_upper_3, log_upper_3));
   const double log_sine = log_n / log_length;
@@ -8075,30 +7832,25 @@ static inline void ksl_SE3f_interpolated_accurate(const ksl_SE3f_t *D1, const ks
   const double log_wt = KSL_MUL(between_3, log_vector_0) + KSL_MUL(between_7, log_vector_1)
           + KSL_MUL(between_11, log_vector_2);
   const double log_pitch = KSL_MUL(log_b, log_wt);
-  const double log_along_0 = KSL_MUL(log_vector_0, log_pitch);
-  const double log_along_1 = KSL_MUL(log_vector_1, log_pitch);
-  const double log_along_2 = KSL_MUL(log_vector_2, log_pitch);
-  const double log_u_0 = KSL_MUL(between_11, log_vector_1) - KSL_MUL(between_7, log_vector_2);
-  const double log_u_1 = KSL_MUL(between_3, log_vector_2) - KSL_MUL(between_11, log_vector_0);
-  const double log_u_2 = KSL_MUL(between_7, log_vector_0) - KSL_MUL(between_3, log_vector_1);
-  const double log_turned_0 = KSL_MUL(0.5, log_u_0);
-  const double log_turned_1 = KSL_MUL(0.5, log_u_1);
-  const double log_turned_2 = KSL_MUL(0.5, log_u_2);
-  const double log_across_axis_0 = log_along_0 - log_turned_0;
-  const double log_across_axis_1 = log_along_1 - log_turned_1;
-  const double log_across_axis_2 = log_along_2 - log_turned_2;
-  const double whole_0 = KSL_MUL(between_3, log_b_across) + log_across_axis_0;
-  const double whole_1 = KSL_MUL(between_7, log_b_across) + log_across_axis_1;
-  const double whole_2 = KSL_MUL(between_11, log_b_across) + log_across_axis_2;
-  const double screw_0 = KSL_MUL((double)k, whole_0);
-  const double screw_1 = KSL_MUL((double)k, whole_1);
-  const double screw_2 = KSL_MUL((double)k, whole_2);
-  const double screw_3 = KSL_MUL((double)k, log_vector_0);
-  const double screw_4 = KSL_MUL((double)k, log_vector_1);
-  const double screw_5 = KSL_MUL((double)k, log_vector_2);
-  const double exp_halved_0 = KSL_MUL(0.5, screw_3);
-  const double exp_halved_1 = KSL_MUL(0.5, screw_4);
-  const double exp_halved_2 = KSL_MUL(0.5, screw_5);
+  const double log_along_0 = KSL_MUL(log_vector_0, log_pitch),
+      log_along_1 = KSL_MUL(log_vector_1, log_pitch),
+      log_along_2 = KSL_MUL(log_vector_2, log_pitch);
+  const double log_u_0 = KSL_MUL(between_11, log_vector_1) - KSL_MUL(between_7, log_vector_2),
+      log_u_1 = KSL_MUL(between_3, log_vector_2) - KSL_MUL(between_11, log_vector_0),
+      log_u_2 = KSL_MUL(between_7, log_vector_0) - KSL_MUL(between_3, log_vector_1);
+  const double log_turned_0 = KSL_MUL(0.5, log_u_0), log_turned_1 = KSL_MUL(0.5, log_u_1),
+      log_turned_2 = KSL_MUL(0.5, log_u_2);
+  const double log_across_axis_0 = log_along_0 - log_turned_0,
+      log_across_axis_1 = log_along_1 - log_turned_1,
+      log_across_axis_2 = log_along_2 - log_turned_2;
+  const double whole_0 = KSL_MUL(between_3, log_b_across) + log_across_axis_0,
+      whole_1 = KSL_MUL(between_7, log_b_across) + log_across_axis_1,
+      whole_2 = KSL_MUL(between_11, log_b_across) + log_across_axis_2;
+  const double screw_0 = KSL_MUL((double)k, whole_0), screw_1 = KSL_MUL((double)k, whole_1),
+      screw_2 = KSL_MUL((double)k, whole_2), screw_3 = KSL_MUL((double)k, log_vector_0),
+      screw_4 = KSL_MUL((double)k, log_vector_1), screw_5 = KSL_MUL((double)k, log_vector_2);
+  const double exp_halved_0 = KSL_MUL(0.5, screw_3), exp_halved_1 = KSL_MUL(0.5, screw_4),
+      exp_halved_2 = KSL_MUL(0.5, screw_5);
   const double exp_y = KSL_MUL(exp_halved_0, exp_halved_0) + KSL_MUL(exp_halved_1, exp_halved_1)
           + KSL_MUL(exp_halved_2, exp_halved_2);
   const double exp_half_angle = sqrt(exp_y);
@@ -8127,74 +7879,62 @@ static inline void ksl_SE3f_interpolated_accurate(const ksl_SE3f_t *D1, const ks
       exp_series5 = KSL_MUL(exp_x, exp_series5w - 0.0001984126984126984) + 0.008333333333333333;
   const double exp_g3b = 0.16666666666666666 - KSL_MUL(exp_x, exp_series5),
       exp_g3 = exp_x < 1.0 ? exp_g3b : exp_closed3;
-  const double exp_u_0 = KSL_MUL(screw_2, screw_4) - KSL_MUL(screw_1, screw_5);
-  const double exp_u_1 = KSL_MUL(screw_0, screw_5) - KSL_MUL(screw_2, screw_3);
-  const double exp_u_2 = KSL_MUL(screw_1, screw_3) - KSL_MUL(screw_0, screw_4);
-  const double exp_turned_0 = KSL_MUL(exp_g2, exp_u_0);
-  const double exp_turned_1 = KSL_MUL(exp_g2, exp_u_1);
-  const double exp_turned_2 = KSL_MUL(exp_g2, exp_u_2);
+  const double exp_u_0 = KSL_MUL(screw_2, screw_4) - KSL_MUL(screw_1, screw_5),
+      exp_u_1 = KSL_MUL(screw_0, screw_5) - KSL_MUL(screw_2, screw_3),
+      exp_u_2 = KSL_MUL(screw_1, screw_3) - KSL_MUL(screw_0, screw_4);
+  const double exp_turned_0 = KSL_MUL(exp_g2, exp_u_0), exp_turned_1 = KSL_MUL(exp_g2, exp_u_1),
+      exp_turned_2 = KSL_MUL(exp_g2, exp_u_2);
   const double exp_wv = KSL_MUL(screw_0, screw_3) + KSL_MUL(screw_1, screw_4)
           + KSL_MUL(screw_2, screw_5);
   const double exp_pitch = KSL_MUL(exp_g3, exp_wv);
-  const double exp_along_0 = KSL_MUL(screw_3, exp_pitch);
-  const double exp_along_1 = KSL_MUL(screw_4, exp_pitch);
-  const double exp_along_2 = KSL_MUL(screw_5, exp_pitch);
-  const double exp_beta_v_0 = KSL_MUL(screw_3, exp_g2);
-  const double exp_beta_v_1 = KSL_MUL(screw_4, exp_g2);
-  const double exp_beta_v_2 = KSL_MUL(screw_5, exp_g2);
-  const double exp_m_0 = KSL_MUL(screw_3, exp_beta_v_0);
-  const double exp_m_1 = KSL_MUL(screw_4, exp_beta_v_1);
-  const double exp_m_2 = KSL_MUL(screw_5, exp_beta_v_2);
-  const double exp_m_3 = KSL_MUL(screw_4, exp_beta_v_0);
-  const double exp_m_4 = KSL_MUL(screw_5, exp_beta_v_0);
-  const double exp_m_5 = KSL_MUL(screw_5, exp_beta_v_1);
-  const double exp_others_0 = exp_m_1 + exp_m_2;
-  const double exp_others_1 = exp_m_0 + exp_m_2;
-  const double exp_others_2 = exp_m_0 + exp_m_1;
+  const double exp_along_0 = KSL_MUL(screw_3, exp_pitch), exp_along_1 = KSL_MUL(screw_4, exp_pitch),
+      exp_along_2 = KSL_MUL(screw_5, exp_pitch);
+  const double exp_beta_v_0 = KSL_MUL(screw_3, exp_g2), exp_beta_v_1 = KSL_MUL(screw_4, exp_g2),
+      exp_beta_v_2 = KSL_MUL(screw_5, exp_g2);
+  const double exp_m_0 = KSL_MUL(screw_3, exp_beta_v_0), exp_m_1 = KSL_MUL(screw_4, exp_beta_v_1),
+      exp_m_2 = KSL_MUL(screw_5, exp_beta_v_2), exp_m_3 = KSL_MUL(screw_4, exp_beta_v_0),
+      exp_m_4 = KSL_MUL(screw_5, exp_beta_v_0), exp_m_5 = KSL_MUL(screw_5, exp_beta_v_1);
+  const double exp_others_0 = exp_m_1 + exp_m_2, exp_others_1 = exp_m_0 + exp_m_2,
+      exp_others_2 = exp_m_0 + exp_m_1;
   const double exp_diagonal0a = 1.0 - exp_others_0, exp_diagonal0b = exp_g0 + exp_m_0,
       exp_diagonal0 = exp_m_0 < exp_others_0 ? exp_diagonal0b : exp_diagonal0a;
   const double exp_diagonal1a = 1.0 - exp_others_1, exp_diagonal1b = exp_g0 + exp_m_1,
       exp_diagonal1 = exp_m_1 < exp_others_1 ? exp_diagonal1b : exp_diagonal1a;
   const double exp_diagonal2a = 1.0 - exp_others_2, exp_diagonal2b = exp_g0 + exp_m_2,
       exp_diagonal2 = exp_m_2 < exp_others_2 ? exp_diagonal2b : exp_diagonal2a;
-  const double exp_alpha_v_0 = KSL_MUL(screw_3, exp_g1);
-  const double exp_alpha_v_1 = KSL_MUL(screw_4, exp_g1);
-  const double exp_alpha_v_2 = KSL_MUL(screw_5, exp_g1);
-  const double exp_across_axis_0 = exp_turned_0 + exp_along_0;
-  const double exp_across_axis_1 = exp_turned_1 + exp_along_1;
-  const double exp_across_axis_2 = exp_turned_2 + exp_along_2;
-  const double step_1 = exp_m_3 - exp_alpha_v_2;
-  const double step_2 = exp_m_4 + exp_alpha_v_1;
-  const double step_3 = KSL_MUL(screw_0, exp_g1) + exp_across_axis_0;
-  const double step_4 = exp_m_3 + exp_alpha_v_2;
-  const double step_6 = exp_m_5 - exp_alpha_v_0;
-  const double step_7 = KSL_MUL(screw_1, exp_g1) + exp_across_axis_1;
-  const double step_8 = exp_m_4 - exp_alpha_v_1;
-  const double step_9 = exp_m_5 + exp_alpha_v_0;
-  const double step_11 = KSL_MUL(screw_2, exp_g1) + exp_across_axis_2;
+  const double exp_alpha_v_0 = KSL_MUL(screw_3, exp_g1), exp_alpha_v_1 = KSL_MUL(screw_4, exp_g1),
+      exp_alpha_v_2 = KSL_MUL(screw_5, exp_g1);
+  const double exp_across_axis_0 = exp_turned_0 + exp_along_0,
+      exp_across_axis_1 = exp_turned_1 + exp_along_1,
+      exp_across_axis_2 = exp_turned_2 + exp_along_2;
+  const double step_1 = exp_m_3 - exp_alpha_v_2, step_2 = exp_m_4 + exp_alpha_v_1,
+      step_3 = KSL_MUL(screw_0, exp_g1) + exp_across_axis_0, step_4 = exp_m_3 + exp_alpha_v_2,
+      step_6 = exp_m_5 - exp_alpha_v_0, step_7 = KSL_MUL(screw_1, exp_g1) + exp_across_axis_1,
+      step_8 = exp_m_4 - exp_alpha_v_1, step_9 = exp_m_5 + exp_alpha_v_0,
+      step_11 = KSL_MUL(screw_2, exp_g1) + exp_across_axis_2;
   const double Do_00 = KSL_MUL((double)D1->m00, exp_diagonal0)
-          + (KSL_MUL((double)D1->m01, step_4) + KSL_MUL((double)D1->m02, step_8));
-  const double Do_01 = KSL_MUL((double)D1->m00, step_1) + KSL_MUL((double)D1->m02, step_9)
-          + KSL_MUL((double)D1->m01, exp_diagonal1);
-  const double Do_02 = KSL_MUL((double)D1->m00, step_2) + KSL_MUL((double)D1->m01, step_6)
-          + KSL_MUL((double)D1->m02, exp_diagonal2);
-  const double Do_03 = KSL_MUL((double)D1->m00, step_3) + KSL_MUL((double)D1->m01, step_7)
-          + KSL_MUL((double)D1->m02, step_11) + (double)D1->m03;
-  const double Do_10 = KSL_MUL((double)D1->m10, exp_diagonal0)
-          + (KSL_MUL((double)D1->m11, step_4) + KSL_MUL((double)D1->m12, step_8));
-  const double Do_11 = KSL_MUL((double)D1->m10, step_1) + KSL_MUL((double)D1->m12, step_9)
-          + KSL_MUL((double)D1->m11, exp_diagonal1);
-  const double Do_12 = KSL_MUL((double)D1->m10, step_2) + KSL_MUL((double)D1->m11, step_6)
-          + KSL_MUL((double)D1->m12, exp_diagonal2);
-  const double Do_13 = KSL_MUL((double)D1->m10, step_3) + KSL_MUL((double)D1->m11, step_7)
-          + KSL_MUL((double)D1->m12, step_11) + (double)D1->m13;
-  const double Do_20 = KSL_MUL((double)D1->m20, exp_diagonal0)
-          + (KSL_MUL((double)D1->m21, step_4) + KSL_MUL((double)D1->m22, step_8));
-  const double Do_21 = KSL_MUL((double)D1->m20, step_1) + KSL_MUL((double)D1->m22, step_9)
-          + KSL_MUL((double)D1->m21, exp_diagonal1);
-  const double Do_22 = KSL_MUL((double)D1->m20, step_2) + KSL_MUL((double)D1->m21, step_6)
-          + KSL_MUL((double)D1->m22, exp_diagonal2);
-  const double Do_23 = KSL_MUL((double)D1->m20, step_3) + KSL_MUL((double)D1->m21, step_7)
+          + (KSL_MUL((double)D1->m01, step_4) + KSL_MUL((double)D1->m02, step_8)),
+      Do_01 = KSL_MUL((double)D1->m00, step_1) + KSL_MUL((double)D1->m02, step_9)
+          + KSL_MUL((double)D1->m01, exp_diagonal1),
+      Do_02 = KSL_MUL((double)D1->m00, step_2) + KSL_MUL((double)D1->m01, step_6)
+          + KSL_MUL((double)D1->m02, exp_diagonal2),
+      Do_03 = KSL_MUL((double)D1->m00, step_3) + KSL_MUL((double)D1->m01, step_7)
+          + KSL_MUL((double)D1->m02, step_11) + (double)D1->m03,
+      Do_10 = KSL_MUL((double)D1->m10, exp_diagonal0)
+          + (KSL_MUL((double)D1->m11, step_4) + KSL_MUL((double)D1->m12, step_8)),
+      Do_11 = KSL_MUL((double)D1->m10, step_1) + KSL_MUL((double)D1->m12, step_9)
+          + KSL_MUL((double)D1->m11, exp_diagonal1),
+      Do_12 = KSL_MUL((double)D1->m10, step_2) + KSL_MUL((double)D1->m11, step_6)
+          + KSL_MUL((double)D1->m12, exp_diagonal2),
+      Do_13 = KSL_MUL((double)D1->m10, step_3) + KSL_MUL((double)D1->m11, step_7)
+          + KSL_MUL((double)D1->m12, step_11) + (double)D1->m13,
+      Do_20 = KSL_MUL((double)D1->m20, exp_diagonal0)
+          + (KSL_MUL((double)D1->m21, step_4) + KSL_MUL((double)D1->m22, step_8)),
+      Do_21 = KSL_MUL((double)D1->m20, step_1) + KSL_MUL((double)D1->m22, step_9)
+          + KSL_MUL((double)D1->m21, exp_diagonal1),
+      Do_22 = KSL_MUL((double)D1->m20, step_2) + KSL_MUL((double)D1->m21, step_6)
+          + KSL_MUL((double)D1->m22, exp_diagonal2),
+      Do_23 = KSL_MUL((double)D1->m20, step_3) + KSL_MUL((double)D1->m21, step_7)
           + KSL_MUL((double)D1->m22, step_11) + (double)D1->m23;
   Do->m00 = (float)Do_00;
   Do->m01 = (float)Do_01;

@@ -19,23 +19,13 @@
      29 select. */
 static inline void ksl_SO3_exp_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
     ksl_mat3x3_t *R_bound) {
-  const double size_0 = fabs(v->x);
-  const double size_1 = fabs(v->y);
-  const double size_2 = fabs(v->z);
+  const double size_0 = fabs(v->x), size_1 = fabs(v->y), size_2 = fabs(v->z);
   const double sizes = size_0 + size_1 + size_2;
   const double grid = KSL_MUL(sizes, 268435456.0);
-  const double shifted_0 = v->x + grid;
-  const double shifted_1 = v->y + grid;
-  const double shifted_2 = v->z + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = v->x - high_0;
-  const double low_1 = v->y - high_1;
-  const double low_2 = v->z - high_2;
-  const double sum_0 = v->x + high_0;
-  const double sum_1 = v->y + high_1;
-  const double sum_2 = v->z + high_2;
+  const double shifted_0 = v->x + grid, shifted_1 = v->y + grid, shifted_2 = v->z + grid;
+  const double high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const double low_0 = v->x - high_0, low_1 = v->y - high_1, low_2 = v->z - high_2;
+  const double sum_0 = v->x + high_0, sum_1 = v->y + high_1, sum_2 = v->z + high_2;
   const double squares = KSL_MUL(high_0, high_0) + KSL_MUL(high_1, high_1)
           + KSL_MUL(high_2, high_2);
   const double cross = KSL_MUL(low_0, sum_0) + KSL_MUL(low_1, sum_1) + KSL_MUL(low_2, sum_2);
@@ -104,16 +94,13 @@ static inline void ksl_SO3_exp_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
   const double halved_0 = KSL_MUL(0.5, v->x), halved_size_1 = fabs(v->x);
   const double halved_1 = KSL_MUL(0.5, v->y), halved_size_3 = fabs(v->y);
   const double halved_2 = KSL_MUL(0.5, v->z), halved_size_5 = fabs(v->z);
-  const double h_size_0 = fabs(halved_0);
-  const double h_size_1 = fabs(halved_1);
-  const double h_size_2 = fabs(halved_2);
+  const double h_size_0 = fabs(halved_0), h_size_1 = fabs(halved_1), h_size_2 = fabs(halved_2);
   const double h_largest1 = h_size_0 < h_size_1 ? h_size_1 : h_size_0;
   const double h_largest2 = h_largest1 < h_size_2 ? h_size_2 : h_largest1;
   const double s = 6.703903964971299e+153 < h_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_size_1 = 6.703903964971299e+153 < h_largest2 ? 3.7291703656001034e-155 : 1.0;
-  const double reduced_0 = KSL_MUL(halved_0, s);
-  const double reduced_1 = KSL_MUL(halved_1, s);
-  const double reduced_2 = KSL_MUL(halved_2, s);
+  const double reduced_0 = KSL_MUL(halved_0, s), reduced_1 = KSL_MUL(halved_1, s),
+      reduced_2 = KSL_MUL(halved_2, s);
   const double up = s < 1.0 ? 2.6815615859885194e+154 : 1.0;
   const double reduced_length_a = KSL_MUL(reduced_0, reduced_0),
       reduced_length_a_padded_1 = 1.8051943758648296e-276
@@ -650,27 +637,21 @@ static inline void ksl_SO3_log_certified(const ksl_mat3x3_t *R, ksl_vec3_t *vo,
           + (KSL_MUL(vector_padded_1, vector_reach_4) + KSL_MUL(v_s_size_padded_3, vector_reach_2)),
       vector_error_7 = fabs(ksl_product_error(upper_2, k, vector_2)
           + (KSL_MUL(upper_lo_3, k) + KSL_MUL(upper_2, k_lo)));
-  const double R_n_0 = KSL_MUL(R->m11, R->m22) - KSL_MUL(R->m12, R->m21);
-  const double R_n_1 = KSL_MUL(R->m02, R->m21) - KSL_MUL(R->m01, R->m22);
-  const double R_n_2 = KSL_MUL(R->m01, R->m12) - KSL_MUL(R->m02, R->m11);
+  const double R_n_0 = KSL_MUL(R->m11, R->m22) - KSL_MUL(R->m12, R->m21),
+      R_n_1 = KSL_MUL(R->m02, R->m21) - KSL_MUL(R->m01, R->m22),
+      R_n_2 = KSL_MUL(R->m01, R->m12) - KSL_MUL(R->m02, R->m11);
   const double R_det = KSL_MUL(R->m00, R_n_0) + KSL_MUL(R->m10, R_n_1) + KSL_MUL(R->m20, R_n_2);
-  const double R_g_0 = KSL_MUL(R->m00, R->m00) + KSL_MUL(R->m10, R->m10) + KSL_MUL(R->m20, R->m20);
-  const double R_g_1 = KSL_MUL(R->m00, R->m01) + KSL_MUL(R->m10, R->m11) + KSL_MUL(R->m20, R->m21);
-  const double R_g_2 = KSL_MUL(R->m00, R->m02) + KSL_MUL(R->m10, R->m12) + KSL_MUL(R->m20, R->m22);
-  const double R_g_3 = KSL_MUL(R->m01, R->m01) + KSL_MUL(R->m11, R->m11) + KSL_MUL(R->m21, R->m21);
-  const double R_g_4 = KSL_MUL(R->m01, R->m02) + KSL_MUL(R->m11, R->m12) + KSL_MUL(R->m21, R->m22);
-  const double R_g_5 = KSL_MUL(R->m02, R->m02) + KSL_MUL(R->m12, R->m12) + KSL_MUL(R->m22, R->m22);
-  const double R_off_0 = R_det - 1.0;
-  const double R_off_1 = R_g_0 - 1.0;
-  const double R_off_4 = R_g_3 - 1.0;
-  const double R_off_6 = R_g_5 - 1.0;
-  const double R_defect_size_0 = fabs(R_off_0);
-  const double R_defect_size_1 = fabs(R_off_1);
-  const double R_defect_size_2 = fabs(R_g_1);
-  const double R_defect_size_3 = fabs(R_g_2);
-  const double R_defect_size_4 = fabs(R_off_4);
-  const double R_defect_size_5 = fabs(R_g_4);
-  const double R_defect_size_6 = fabs(R_off_6);
+  const double R_g_0 = KSL_MUL(R->m00, R->m00) + KSL_MUL(R->m10, R->m10) + KSL_MUL(R->m20, R->m20),
+      R_g_1 = KSL_MUL(R->m00, R->m01) + KSL_MUL(R->m10, R->m11) + KSL_MUL(R->m20, R->m21),
+      R_g_2 = KSL_MUL(R->m00, R->m02) + KSL_MUL(R->m10, R->m12) + KSL_MUL(R->m20, R->m22),
+      R_g_3 = KSL_MUL(R->m01, R->m01) + KSL_MUL(R->m11, R->m11) + KSL_MUL(R->m21, R->m21),
+      R_g_4 = KSL_MUL(R->m01, R->m02) + KSL_MUL(R->m11, R->m12) + KSL_MUL(R->m21, R->m22),
+      R_g_5 = KSL_MUL(R->m02, R->m02) + KSL_MUL(R->m12, R->m12) + KSL_MUL(R->m22, R->m22);
+  const double R_off_0 = R_det - 1.0, R_off_1 = R_g_0 - 1.0, R_off_4 = R_g_3 - 1.0,
+      R_off_6 = R_g_5 - 1.0;
+  const double R_defect_size_0 = fabs(R_off_0), R_defect_size_1 = fabs(R_off_1),
+      R_defect_size_2 = fabs(R_g_1), R_defect_size_3 = fabs(R_g_2), R_defect_size_4 = fabs(R_off_4),
+      R_defect_size_5 = fabs(R_g_4), R_defect_size_6 = fabs(R_off_6);
   const double R_defect_largest1 = R_defect_size_0 < R_defect_size_1 ? R_defect_size_1
           : R_defect_size_0;
   const double R_defect_largest2 = R_defect_largest1 < R_defect_size_2 ? R_defect_size_2
@@ -685,13 +666,10 @@ static inline void ksl_SO3_log_certified(const ksl_mat3x3_t *R, ksl_vec3_t *vo,
           : R_defect_largest5;
   const double R_unless_equal = R_defect_largest6 == 0.001 ? 0.0 : 1.0715086071862673e+301;
   const double R_unless_rotation = R_defect_largest6 < 0.001 ? 0.0 : R_unless_equal;
-  const double R_excess = KSL_MUL(R_unless_rotation, 1.0715086071862673e+301);
-  const double R_excess_0 = vector_error_3 + KSL_MUL(3.5202936421278755e-29, vector_padded_2)
-          + R_excess;
-  const double R_excess_1 = vector_error_5 + KSL_MUL(3.5202936421278755e-29, vector_padded_3)
-          + R_excess;
-  const double R_excess_2 = vector_error_7 + KSL_MUL(3.5202936421278755e-29, vector_padded_4)
-          + R_excess;
+  const double R_excess = KSL_MUL(R_unless_rotation, 1.0715086071862673e+301),
+      R_excess_0 = vector_error_3 + KSL_MUL(3.5202936421278755e-29, vector_padded_2) + R_excess,
+      R_excess_1 = vector_error_5 + KSL_MUL(3.5202936421278755e-29, vector_padded_3) + R_excess,
+      R_excess_2 = vector_error_7 + KSL_MUL(3.5202936421278755e-29, vector_padded_4) + R_excess;
   vo->x = vector_0;
   vo->y = vector_1;
   vo->z = vector_2;
@@ -707,23 +685,13 @@ static inline void ksl_SO3_log_certified(const ksl_mat3x3_t *R, ksl_vec3_t *vo,
      45 select. */
 static inline void ksl_SO3_leftJacobian_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
     ksl_mat3x3_t *R_bound) {
-  const double size_0 = fabs(v->x);
-  const double size_1 = fabs(v->y);
-  const double size_2 = fabs(v->z);
+  const double size_0 = fabs(v->x), size_1 = fabs(v->y), size_2 = fabs(v->z);
   const double sizes = size_0 + size_1 + size_2;
   const double grid = KSL_MUL(sizes, 268435456.0);
-  const double shifted_0 = v->x + grid;
-  const double shifted_1 = v->y + grid;
-  const double shifted_2 = v->z + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = v->x - high_0;
-  const double low_1 = v->y - high_1;
-  const double low_2 = v->z - high_2;
-  const double sum_0 = v->x + high_0;
-  const double sum_1 = v->y + high_1;
-  const double sum_2 = v->z + high_2;
+  const double shifted_0 = v->x + grid, shifted_1 = v->y + grid, shifted_2 = v->z + grid;
+  const double high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const double low_0 = v->x - high_0, low_1 = v->y - high_1, low_2 = v->z - high_2;
+  const double sum_0 = v->x + high_0, sum_1 = v->y + high_1, sum_2 = v->z + high_2;
   const double squares = KSL_MUL(high_0, high_0) + KSL_MUL(high_1, high_1)
           + KSL_MUL(high_2, high_2);
   const double cross = KSL_MUL(low_0, sum_0) + KSL_MUL(low_1, sum_1) + KSL_MUL(low_2, sum_2);
@@ -1368,23 +1336,13 @@ static inline void ksl_SO3_leftJacobian_certified(const ksl_vec3_t *v, ksl_mat3x
      1 equal, 45 select. */
 static inline void ksl_SO3_rightJacobian_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
     ksl_mat3x3_t *R_bound) {
-  const double size_0 = fabs(v->x);
-  const double size_1 = fabs(v->y);
-  const double size_2 = fabs(v->z);
+  const double size_0 = fabs(v->x), size_1 = fabs(v->y), size_2 = fabs(v->z);
   const double sizes = size_0 + size_1 + size_2;
   const double grid = KSL_MUL(sizes, 268435456.0);
-  const double shifted_0 = v->x + grid;
-  const double shifted_1 = v->y + grid;
-  const double shifted_2 = v->z + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = v->x - high_0;
-  const double low_1 = v->y - high_1;
-  const double low_2 = v->z - high_2;
-  const double sum_0 = v->x + high_0;
-  const double sum_1 = v->y + high_1;
-  const double sum_2 = v->z + high_2;
+  const double shifted_0 = v->x + grid, shifted_1 = v->y + grid, shifted_2 = v->z + grid;
+  const double high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const double low_0 = v->x - high_0, low_1 = v->y - high_1, low_2 = v->z - high_2;
+  const double sum_0 = v->x + high_0, sum_1 = v->y + high_1, sum_2 = v->z + high_2;
   const double squares = KSL_MUL(high_0, high_0) + KSL_MUL(high_1, high_1)
           + KSL_MUL(high_2, high_2);
   const double cross = KSL_MUL(low_0, sum_0) + KSL_MUL(low_1, sum_1) + KSL_MUL(low_2, sum_2);
@@ -2029,23 +1987,13 @@ static inline void ksl_SO3_rightJacobian_certified(const ksl_vec3_t *v, ksl_mat3
      equal, 47 select. */
 static inline void ksl_SO3_leftJacobianInverse_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
     ksl_mat3x3_t *R_bound) {
-  const double size_0 = fabs(v->x);
-  const double size_1 = fabs(v->y);
-  const double size_2 = fabs(v->z);
+  const double size_0 = fabs(v->x), size_1 = fabs(v->y), size_2 = fabs(v->z);
   const double sizes = size_0 + size_1 + size_2;
   const double grid = KSL_MUL(sizes, 268435456.0);
-  const double shifted_0 = v->x + grid;
-  const double shifted_1 = v->y + grid;
-  const double shifted_2 = v->z + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = v->x - high_0;
-  const double low_1 = v->y - high_1;
-  const double low_2 = v->z - high_2;
-  const double sum_0 = v->x + high_0;
-  const double sum_1 = v->y + high_1;
-  const double sum_2 = v->z + high_2;
+  const double shifted_0 = v->x + grid, shifted_1 = v->y + grid, shifted_2 = v->z + grid;
+  const double high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const double low_0 = v->x - high_0, low_1 = v->y - high_1, low_2 = v->z - high_2;
+  const double sum_0 = v->x + high_0, sum_1 = v->y + high_1, sum_2 = v->z + high_2;
   const double squares = KSL_MUL(high_0, high_0) + KSL_MUL(high_1, high_1)
           + KSL_MUL(high_2, high_2);
   const double cross = KSL_MUL(low_0, sum_0) + KSL_MUL(low_1, sum_1) + KSL_MUL(low_2, sum_2);
@@ -2699,23 +2647,13 @@ static inline void ksl_SO3_leftJacobianInverse_certified(const ksl_vec3_t *v, ks
      47 select. */
 static inline void ksl_SO3_rightJacobianInverse_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
     ksl_mat3x3_t *R_bound) {
-  const double size_0 = fabs(v->x);
-  const double size_1 = fabs(v->y);
-  const double size_2 = fabs(v->z);
+  const double size_0 = fabs(v->x), size_1 = fabs(v->y), size_2 = fabs(v->z);
   const double sizes = size_0 + size_1 + size_2;
   const double grid = KSL_MUL(sizes, 268435456.0);
-  const double shifted_0 = v->x + grid;
-  const double shifted_1 = v->y + grid;
-  const double shifted_2 = v->z + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = v->x - high_0;
-  const double low_1 = v->y - high_1;
-  const double low_2 = v->z - high_2;
-  const double sum_0 = v->x + high_0;
-  const double sum_1 = v->y + high_1;
-  const double sum_2 = v->z + high_2;
+  const double shifted_0 = v->x + grid, shifted_1 = v->y + grid, shifted_2 = v->z + grid;
+  const double high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const double low_0 = v->x - high_0, low_1 = v->y - high_1, low_2 = v->z - high_2;
+  const double sum_0 = v->x + high_0, sum_1 = v->y + high_1, sum_2 = v->z + high_2;
   const double squares = KSL_MUL(high_0, high_0) + KSL_MUL(high_1, high_1)
           + KSL_MUL(high_2, high_2);
   const double cross = KSL_MUL(low_0, sum_0) + KSL_MUL(low_1, sum_1) + KSL_MUL(low_2, sum_2);
@@ -2771,9 +2709,8 @@ static inline void ksl_SO3_rightJacobianInverse_certified(const ksl_vec3_t *v, k
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = b_across + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0 = KSL_MUL(0.5, v->x);
-  const double alpha_v_1 = KSL_MUL(0.5, v->y);
-  const double alpha_v_2 = KSL_MUL(0.5, v->z);
+  const double alpha_v_0 = KSL_MUL(0.5, v->x), alpha_v_1 = KSL_MUL(0.5, v->y),
+      alpha_v_2 = KSL_MUL(0.5, v->z);
   const double R_01 = m_3 - alpha_v_2;
   const double R_02 = m_4 + alpha_v_1;
   const double R_10 = m_3 + alpha_v_2;
@@ -3377,12 +3314,9 @@ static inline void ksl_mat3x3_orthonormalize_certified(ksl_mat3x3_t *self,
       defect_4d = KSL_MUL(self->m20, self->m22), defect_4 = -(defect_4a + defect_4b + defect_4d);
   const double defect_5a = KSL_MUL(self->m01, self->m02), defect_5b = KSL_MUL(self->m11, self->m12),
       defect_5d = KSL_MUL(self->m21, self->m22), defect_5 = -(defect_5a + defect_5b + defect_5d);
-  const double correction_0 = KSL_MUL(0.5, defect_0);
-  const double correction_1 = KSL_MUL(0.5, defect_1);
-  const double correction_2 = KSL_MUL(0.5, defect_2);
-  const double correction_3 = KSL_MUL(0.5, defect_3);
-  const double correction_4 = KSL_MUL(0.5, defect_4);
-  const double correction_5 = KSL_MUL(0.5, defect_5);
+  const double correction_0 = KSL_MUL(0.5, defect_0), correction_1 = KSL_MUL(0.5, defect_1),
+      correction_2 = KSL_MUL(0.5, defect_2), correction_3 = KSL_MUL(0.5, defect_3),
+      correction_4 = KSL_MUL(0.5, defect_4), correction_5 = KSL_MUL(0.5, defect_5);
   const double self_00_new = self->m00
           + (KSL_MUL(self->m00, correction_0) + KSL_MUL(self->m01, correction_3)
           + KSL_MUL(self->m02, correction_4));
@@ -3392,29 +3326,29 @@ static inline void ksl_mat3x3_orthonormalize_certified(ksl_mat3x3_t *self,
           + KSL_MUL(self->m02, correction_2) + self->m02;
   const double self_10_new = self->m10
           + (KSL_MUL(self->m10, correction_0) + KSL_MUL(self->m11, correction_3)
-          + KSL_MUL(self->m12, correction_4));
-  const double self_11_new = KSL_MUL(self->m10, correction_3) + KSL_MUL(self->m11, correction_1)
-          + KSL_MUL(self->m12, correction_5) + self->m11;
-  const double self_12_new = KSL_MUL(self->m10, correction_4) + KSL_MUL(self->m11, correction_5)
-          + KSL_MUL(self->m12, correction_2) + self->m12;
-  const double self_20_new = self->m20
+          + KSL_MUL(self->m12, correction_4)),
+      self_11_new = KSL_MUL(self->m10, correction_3) + KSL_MUL(self->m11, correction_1)
+          + KSL_MUL(self->m12, correction_5) + self->m11,
+      self_12_new = KSL_MUL(self->m10, correction_4) + KSL_MUL(self->m11, correction_5)
+          + KSL_MUL(self->m12, correction_2) + self->m12,
+      self_20_new = self->m20
           + (KSL_MUL(self->m20, correction_0) + KSL_MUL(self->m21, correction_3)
-          + KSL_MUL(self->m22, correction_4));
-  const double self_21_new = KSL_MUL(self->m20, correction_3) + KSL_MUL(self->m21, correction_1)
-          + KSL_MUL(self->m22, correction_5) + self->m21;
-  const double self_22_new = KSL_MUL(self->m20, correction_4) + KSL_MUL(self->m21, correction_5)
+          + KSL_MUL(self->m22, correction_4)),
+      self_21_new = KSL_MUL(self->m20, correction_3) + KSL_MUL(self->m21, correction_1)
+          + KSL_MUL(self->m22, correction_5) + self->m21,
+      self_22_new = KSL_MUL(self->m20, correction_4) + KSL_MUL(self->m21, correction_5)
           + KSL_MUL(self->m22, correction_2) + self->m22;
-  const double defect_0_size = 1.0 + fabs(defect_0a) + fabs(defect_0c) + fabs(defect_0e);
-  const double defect_1_size = 1.0 + fabs(defect_1a) + fabs(defect_1c) + fabs(defect_1e);
-  const double defect_2_size = 1.0 + fabs(defect_2a) + fabs(defect_2c) + fabs(defect_2e);
-  const double correction_0_size = KSL_MUL(0.5, defect_0_size + 2.004168360008973e-292);
-  const double correction_1_size = KSL_MUL(0.5, defect_1_size + 2.004168360008973e-292);
-  const double correction_2_size = KSL_MUL(0.5, defect_2_size + 2.004168360008973e-292);
-  const double correction_3_size = KSL_MUL(0.5, fabs(defect_3a) + fabs(defect_3b) + fabs(defect_3d)
-          + 2.004168360008973e-292);
-  const double correction_4_size = KSL_MUL(0.5, fabs(defect_4a) + fabs(defect_4b) + fabs(defect_4d)
-          + 2.004168360008973e-292);
-  const double correction_5_size = KSL_MUL(0.5, fabs(defect_5a) + fabs(defect_5b) + fabs(defect_5d)
+  const double defect_0_size = 1.0 + fabs(defect_0a) + fabs(defect_0c) + fabs(defect_0e),
+      defect_1_size = 1.0 + fabs(defect_1a) + fabs(defect_1c) + fabs(defect_1e),
+      defect_2_size = 1.0 + fabs(defect_2a) + fabs(defect_2c) + fabs(defect_2e);
+  const double correction_0_size = KSL_MUL(0.5, defect_0_size + 2.004168360008973e-292),
+      correction_1_size = KSL_MUL(0.5, defect_1_size + 2.004168360008973e-292),
+      correction_2_size = KSL_MUL(0.5, defect_2_size + 2.004168360008973e-292),
+      correction_3_size = KSL_MUL(0.5, fabs(defect_3a) + fabs(defect_3b) + fabs(defect_3d)
+          + 2.004168360008973e-292),
+      correction_4_size = KSL_MUL(0.5, fabs(defect_4a) + fabs(defect_4b) + fabs(defect_4d)
+          + 2.004168360008973e-292),
+      correction_5_size = KSL_MUL(0.5, fabs(defect_5a) + fabs(defect_5b) + fabs(defect_5d)
           + 2.004168360008973e-292);
   const double correction_0_padded = correction_0_size + 2.004168360008973e-292;
   const double self_00_abs = fabs(self->m00);
@@ -3457,23 +3391,15 @@ static inline void ksl_mat3x3_orthonormalize_certified(ksl_mat3x3_t *self,
           + KSL_MUL(self_21_abs, correction_5_padded) + KSL_MUL(self_22_abs, correction_2_padded),
       self_22_new_size = self_22_new_e_size + self_22_abs;
   const double self_00_new_bound = KSL_MUL(9.992007221626415e-16, self_00_new_size
-          + 2.004168360008973e-292);
-  const double self_01_new_bound = KSL_MUL(9.992007221626415e-16, self_01_new_size
-          + 2.004168360008973e-292);
-  const double self_02_new_bound = KSL_MUL(8.881784197001258e-16, self_02_new_size
-          + 2.004168360008973e-292);
-  const double self_10_new_bound = KSL_MUL(9.992007221626415e-16, self_10_new_size
-          + 2.004168360008973e-292);
-  const double self_11_new_bound = KSL_MUL(9.992007221626415e-16, self_11_new_size
-          + 2.004168360008973e-292);
-  const double self_12_new_bound = KSL_MUL(8.881784197001258e-16, self_12_new_size
-          + 2.004168360008973e-292);
-  const double self_20_new_bound = KSL_MUL(9.992007221626415e-16, self_20_new_size
-          + 2.004168360008973e-292);
-  const double self_21_new_bound = KSL_MUL(9.992007221626415e-16, self_21_new_size
-          + 2.004168360008973e-292);
-  const double self_22_new_bound = KSL_MUL(8.881784197001258e-16, self_22_new_size
-          + 2.004168360008973e-292);
+          + 2.004168360008973e-292),
+      self_01_new_bound = KSL_MUL(9.992007221626415e-16, self_01_new_size + 2.004168360008973e-292),
+      self_02_new_bound = KSL_MUL(8.881784197001258e-16, self_02_new_size + 2.004168360008973e-292),
+      self_10_new_bound = KSL_MUL(9.992007221626415e-16, self_10_new_size + 2.004168360008973e-292),
+      self_11_new_bound = KSL_MUL(9.992007221626415e-16, self_11_new_size + 2.004168360008973e-292),
+      self_12_new_bound = KSL_MUL(8.881784197001258e-16, self_12_new_size + 2.004168360008973e-292),
+      self_20_new_bound = KSL_MUL(9.992007221626415e-16, self_20_new_size + 2.004168360008973e-292),
+      self_21_new_bound = KSL_MUL(9.992007221626415e-16, self_21_new_size + 2.004168360008973e-292),
+      self_22_new_bound = KSL_MUL(8.881784197001258e-16, self_22_new_size + 2.004168360008973e-292);
   self->m00 = self_00_new;
   self->m01 = self_01_new;
   self->m02 = self_02_new;
@@ -3512,12 +3438,9 @@ static inline void ksl_mat3x3_orthonormalized_certified(const ksl_mat3x3_t *R, k
       defect_4d = KSL_MUL(R->m20, R->m22), defect_4 = -(defect_4a + defect_4b + defect_4d);
   const double defect_5a = KSL_MUL(R->m01, R->m02), defect_5b = KSL_MUL(R->m11, R->m12),
       defect_5d = KSL_MUL(R->m21, R->m22), defect_5 = -(defect_5a + defect_5b + defect_5d);
-  const double correction_0 = KSL_MUL(0.5, defect_0);
-  const double correction_1 = KSL_MUL(0.5, defect_1);
-  const double correction_2 = KSL_MUL(0.5, defect_2);
-  const double correction_3 = KSL_MUL(0.5, defect_3);
-  const double correction_4 = KSL_MUL(0.5, defect_4);
-  const double correction_5 = KSL_MUL(0.5, defect_5);
+  const double correction_0 = KSL_MUL(0.5, defect_0), correction_1 = KSL_MUL(0.5, defect_1),
+      correction_2 = KSL_MUL(0.5, defect_2), correction_3 = KSL_MUL(0.5, defect_3),
+      correction_4 = KSL_MUL(0.5, defect_4), correction_5 = KSL_MUL(0.5, defect_5);
   const double Ro_00 = R->m00
           + (KSL_MUL(R->m00, correction_0) + KSL_MUL(R->m01, correction_3)
           + KSL_MUL(R->m02, correction_4));
@@ -3527,29 +3450,29 @@ static inline void ksl_mat3x3_orthonormalized_certified(const ksl_mat3x3_t *R, k
           + KSL_MUL(R->m02, correction_2) + R->m02;
   const double Ro_10 = R->m10
           + (KSL_MUL(R->m10, correction_0) + KSL_MUL(R->m11, correction_3)
-          + KSL_MUL(R->m12, correction_4));
-  const double Ro_11 = KSL_MUL(R->m10, correction_3) + KSL_MUL(R->m11, correction_1)
-          + KSL_MUL(R->m12, correction_5) + R->m11;
-  const double Ro_12 = KSL_MUL(R->m10, correction_4) + KSL_MUL(R->m11, correction_5)
-          + KSL_MUL(R->m12, correction_2) + R->m12;
-  const double Ro_20 = R->m20
+          + KSL_MUL(R->m12, correction_4)),
+      Ro_11 = KSL_MUL(R->m10, correction_3) + KSL_MUL(R->m11, correction_1)
+          + KSL_MUL(R->m12, correction_5) + R->m11,
+      Ro_12 = KSL_MUL(R->m10, correction_4) + KSL_MUL(R->m11, correction_5)
+          + KSL_MUL(R->m12, correction_2) + R->m12,
+      Ro_20 = R->m20
           + (KSL_MUL(R->m20, correction_0) + KSL_MUL(R->m21, correction_3)
-          + KSL_MUL(R->m22, correction_4));
-  const double Ro_21 = KSL_MUL(R->m20, correction_3) + KSL_MUL(R->m21, correction_1)
-          + KSL_MUL(R->m22, correction_5) + R->m21;
-  const double Ro_22 = KSL_MUL(R->m20, correction_4) + KSL_MUL(R->m21, correction_5)
+          + KSL_MUL(R->m22, correction_4)),
+      Ro_21 = KSL_MUL(R->m20, correction_3) + KSL_MUL(R->m21, correction_1)
+          + KSL_MUL(R->m22, correction_5) + R->m21,
+      Ro_22 = KSL_MUL(R->m20, correction_4) + KSL_MUL(R->m21, correction_5)
           + KSL_MUL(R->m22, correction_2) + R->m22;
-  const double defect_0_size = 1.0 + fabs(defect_0a) + fabs(defect_0c) + fabs(defect_0e);
-  const double defect_1_size = 1.0 + fabs(defect_1a) + fabs(defect_1c) + fabs(defect_1e);
-  const double defect_2_size = 1.0 + fabs(defect_2a) + fabs(defect_2c) + fabs(defect_2e);
-  const double correction_0_size = KSL_MUL(0.5, defect_0_size + 2.004168360008973e-292);
-  const double correction_1_size = KSL_MUL(0.5, defect_1_size + 2.004168360008973e-292);
-  const double correction_2_size = KSL_MUL(0.5, defect_2_size + 2.004168360008973e-292);
-  const double correction_3_size = KSL_MUL(0.5, fabs(defect_3a) + fabs(defect_3b) + fabs(defect_3d)
-          + 2.004168360008973e-292);
-  const double correction_4_size = KSL_MUL(0.5, fabs(defect_4a) + fabs(defect_4b) + fabs(defect_4d)
-          + 2.004168360008973e-292);
-  const double correction_5_size = KSL_MUL(0.5, fabs(defect_5a) + fabs(defect_5b) + fabs(defect_5d)
+  const double defect_0_size = 1.0 + fabs(defect_0a) + fabs(defect_0c) + fabs(defect_0e),
+      defect_1_size = 1.0 + fabs(defect_1a) + fabs(defect_1c) + fabs(defect_1e),
+      defect_2_size = 1.0 + fabs(defect_2a) + fabs(defect_2c) + fabs(defect_2e);
+  const double correction_0_size = KSL_MUL(0.5, defect_0_size + 2.004168360008973e-292),
+      correction_1_size = KSL_MUL(0.5, defect_1_size + 2.004168360008973e-292),
+      correction_2_size = KSL_MUL(0.5, defect_2_size + 2.004168360008973e-292),
+      correction_3_size = KSL_MUL(0.5, fabs(defect_3a) + fabs(defect_3b) + fabs(defect_3d)
+          + 2.004168360008973e-292),
+      correction_4_size = KSL_MUL(0.5, fabs(defect_4a) + fabs(defect_4b) + fabs(defect_4d)
+          + 2.004168360008973e-292),
+      correction_5_size = KSL_MUL(0.5, fabs(defect_5a) + fabs(defect_5b) + fabs(defect_5d)
           + 2.004168360008973e-292);
   const double correction_0_padded = correction_0_size + 2.004168360008973e-292;
   const double R_00_abs = fabs(R->m00);
@@ -3575,29 +3498,27 @@ static inline void ksl_mat3x3_orthonormalized_certified(const ksl_mat3x3_t *R, k
           + KSL_MUL(R_12_abs, correction_4_padded));
   const double Ro_11_size = KSL_MUL(R_10_abs, correction_3_padded)
           + KSL_MUL(R_11_abs, correction_1_padded) + KSL_MUL(R_12_abs, correction_5_padded)
-          + R_11_abs;
-  const double Ro_12_size = KSL_MUL(R_10_abs, correction_4_padded)
-          + KSL_MUL(R_11_abs, correction_5_padded) + KSL_MUL(R_12_abs, correction_2_padded)
-          + R_12_abs;
+          + R_11_abs,
+      Ro_12_size = KSL_MUL(R_10_abs, correction_4_padded) + KSL_MUL(R_11_abs, correction_5_padded)
+          + KSL_MUL(R_12_abs, correction_2_padded) + R_12_abs;
   const double R_20_abs = fabs(R->m20), R_21_abs = fabs(R->m21), R_22_abs = fabs(R->m22),
       Ro_20_size = R_20_abs
           + (KSL_MUL(R_20_abs, correction_0_padded) + KSL_MUL(R_21_abs, correction_3_padded)
           + KSL_MUL(R_22_abs, correction_4_padded));
   const double Ro_21_size = KSL_MUL(R_20_abs, correction_3_padded)
           + KSL_MUL(R_21_abs, correction_1_padded) + KSL_MUL(R_22_abs, correction_5_padded)
-          + R_21_abs;
-  const double Ro_22_size = KSL_MUL(R_20_abs, correction_4_padded)
-          + KSL_MUL(R_21_abs, correction_5_padded) + KSL_MUL(R_22_abs, correction_2_padded)
-          + R_22_abs;
-  const double Ro_00_bound = KSL_MUL(9.992007221626415e-16, Ro_00_size + 2.004168360008973e-292);
-  const double Ro_01_bound = KSL_MUL(9.992007221626415e-16, Ro_01_size + 2.004168360008973e-292);
-  const double Ro_02_bound = KSL_MUL(8.881784197001258e-16, Ro_02_size + 2.004168360008973e-292);
-  const double Ro_10_bound = KSL_MUL(9.992007221626415e-16, Ro_10_size + 2.004168360008973e-292);
-  const double Ro_11_bound = KSL_MUL(9.992007221626415e-16, Ro_11_size + 2.004168360008973e-292);
-  const double Ro_12_bound = KSL_MUL(8.881784197001258e-16, Ro_12_size + 2.004168360008973e-292);
-  const double Ro_20_bound = KSL_MUL(9.992007221626415e-16, Ro_20_size + 2.004168360008973e-292);
-  const double Ro_21_bound = KSL_MUL(9.992007221626415e-16, Ro_21_size + 2.004168360008973e-292);
-  const double Ro_22_bound = KSL_MUL(8.881784197001258e-16, Ro_22_size + 2.004168360008973e-292);
+          + R_21_abs,
+      Ro_22_size = KSL_MUL(R_20_abs, correction_4_padded) + KSL_MUL(R_21_abs, correction_5_padded)
+          + KSL_MUL(R_22_abs, correction_2_padded) + R_22_abs;
+  const double Ro_00_bound = KSL_MUL(9.992007221626415e-16, Ro_00_size + 2.004168360008973e-292),
+      Ro_01_bound = KSL_MUL(9.992007221626415e-16, Ro_01_size + 2.004168360008973e-292),
+      Ro_02_bound = KSL_MUL(8.881784197001258e-16, Ro_02_size + 2.004168360008973e-292),
+      Ro_10_bound = KSL_MUL(9.992007221626415e-16, Ro_10_size + 2.004168360008973e-292),
+      Ro_11_bound = KSL_MUL(9.992007221626415e-16, Ro_11_size + 2.004168360008973e-292),
+      Ro_12_bound = KSL_MUL(8.881784197001258e-16, Ro_12_size + 2.004168360008973e-292),
+      Ro_20_bound = KSL_MUL(9.992007221626415e-16, Ro_20_size + 2.004168360008973e-292),
+      Ro_21_bound = KSL_MUL(9.992007221626415e-16, Ro_21_size + 2.004168360008973e-292),
+      Ro_22_bound = KSL_MUL(8.881784197001258e-16, Ro_22_size + 2.004168360008973e-292);
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -3623,23 +3544,13 @@ static inline void ksl_mat3x3_orthonormalized_certified(const ksl_mat3x3_t *R, k
    524 mul, 876 add, 24 product error, 58 product rest, 16 div, 3 sqrt, 102 abs, 20 less, 1
      equal, 46 select. */
 static inline void ksl_SE3_exp_certified(const ksl_screw_t *s, ksl_SE3_t *D, ksl_SE3_t *D_bound) {
-  const double size_0 = fabs(s->m3);
-  const double size_1 = fabs(s->m4);
-  const double size_2 = fabs(s->m5);
+  const double size_0 = fabs(s->m3), size_1 = fabs(s->m4), size_2 = fabs(s->m5);
   const double sizes = size_0 + size_1 + size_2;
   const double grid = KSL_MUL(sizes, 268435456.0);
-  const double shifted_0 = s->m3 + grid;
-  const double shifted_1 = s->m4 + grid;
-  const double shifted_2 = s->m5 + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = s->m3 - high_0;
-  const double low_1 = s->m4 - high_1;
-  const double low_2 = s->m5 - high_2;
-  const double sum_0 = s->m3 + high_0;
-  const double sum_1 = s->m4 + high_1;
-  const double sum_2 = s->m5 + high_2;
+  const double shifted_0 = s->m3 + grid, shifted_1 = s->m4 + grid, shifted_2 = s->m5 + grid;
+  const double high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const double low_0 = s->m3 - high_0, low_1 = s->m4 - high_1, low_2 = s->m5 - high_2;
+  const double sum_0 = s->m3 + high_0, sum_1 = s->m4 + high_1, sum_2 = s->m5 + high_2;
   const double squares = KSL_MUL(high_0, high_0) + KSL_MUL(high_1, high_1)
           + KSL_MUL(high_2, high_2);
   const double cross = KSL_MUL(low_0, sum_0) + KSL_MUL(low_1, sum_1) + KSL_MUL(low_2, sum_2);
@@ -5320,27 +5231,21 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
           + (fine_across_axis_size_2 + KSL_MUL(fine_so_0a_padded_1, fine_wt_b_size_1))),
       so_rest_3 = KSL_MUL(1.0715106821527331e-27, 1.8051943758648296e-276
           + (fine_across_axis_size_3 + KSL_MUL(fine_so_0a_padded_1, fine_wt_d_size_1)));
-  const double D_n_0 = KSL_MUL(D->m11, D->m22) - KSL_MUL(D->m12, D->m21);
-  const double D_n_1 = KSL_MUL(D->m02, D->m21) - KSL_MUL(D->m01, D->m22);
-  const double D_n_2 = KSL_MUL(D->m01, D->m12) - KSL_MUL(D->m02, D->m11);
+  const double D_n_0 = KSL_MUL(D->m11, D->m22) - KSL_MUL(D->m12, D->m21),
+      D_n_1 = KSL_MUL(D->m02, D->m21) - KSL_MUL(D->m01, D->m22),
+      D_n_2 = KSL_MUL(D->m01, D->m12) - KSL_MUL(D->m02, D->m11);
   const double D_det = KSL_MUL(D->m00, D_n_0) + KSL_MUL(D->m10, D_n_1) + KSL_MUL(D->m20, D_n_2);
-  const double D_g_0 = KSL_MUL(D->m00, D->m00) + KSL_MUL(D->m10, D->m10) + KSL_MUL(D->m20, D->m20);
-  const double D_g_1 = KSL_MUL(D->m00, D->m01) + KSL_MUL(D->m10, D->m11) + KSL_MUL(D->m20, D->m21);
-  const double D_g_2 = KSL_MUL(D->m00, D->m02) + KSL_MUL(D->m10, D->m12) + KSL_MUL(D->m20, D->m22);
-  const double D_g_3 = KSL_MUL(D->m01, D->m01) + KSL_MUL(D->m11, D->m11) + KSL_MUL(D->m21, D->m21);
-  const double D_g_4 = KSL_MUL(D->m01, D->m02) + KSL_MUL(D->m11, D->m12) + KSL_MUL(D->m21, D->m22);
-  const double D_g_5 = KSL_MUL(D->m02, D->m02) + KSL_MUL(D->m12, D->m12) + KSL_MUL(D->m22, D->m22);
-  const double D_off_0 = D_det - 1.0;
-  const double D_off_1 = D_g_0 - 1.0;
-  const double D_off_4 = D_g_3 - 1.0;
-  const double D_off_6 = D_g_5 - 1.0;
-  const double D_defect_size_0 = fabs(D_off_0);
-  const double D_defect_size_1 = fabs(D_off_1);
-  const double D_defect_size_2 = fabs(D_g_1);
-  const double D_defect_size_3 = fabs(D_g_2);
-  const double D_defect_size_4 = fabs(D_off_4);
-  const double D_defect_size_5 = fabs(D_g_4);
-  const double D_defect_size_6 = fabs(D_off_6);
+  const double D_g_0 = KSL_MUL(D->m00, D->m00) + KSL_MUL(D->m10, D->m10) + KSL_MUL(D->m20, D->m20),
+      D_g_1 = KSL_MUL(D->m00, D->m01) + KSL_MUL(D->m10, D->m11) + KSL_MUL(D->m20, D->m21),
+      D_g_2 = KSL_MUL(D->m00, D->m02) + KSL_MUL(D->m10, D->m12) + KSL_MUL(D->m20, D->m22),
+      D_g_3 = KSL_MUL(D->m01, D->m01) + KSL_MUL(D->m11, D->m11) + KSL_MUL(D->m21, D->m21),
+      D_g_4 = KSL_MUL(D->m01, D->m02) + KSL_MUL(D->m11, D->m12) + KSL_MUL(D->m21, D->m22),
+      D_g_5 = KSL_MUL(D->m02, D->m02) + KSL_MUL(D->m12, D->m12) + KSL_MUL(D->m22, D->m22);
+  const double D_off_0 = D_det - 1.0, D_off_1 = D_g_0 - 1.0, D_off_4 = D_g_3 - 1.0,
+      D_off_6 = D_g_5 - 1.0;
+  const double D_defect_size_0 = fabs(D_off_0), D_defect_size_1 = fabs(D_off_1),
+      D_defect_size_2 = fabs(D_g_1), D_defect_size_3 = fabs(D_g_2), D_defect_size_4 = fabs(D_off_4),
+      D_defect_size_5 = fabs(D_g_4), D_defect_size_6 = fabs(D_off_6);
   const double D_defect_largest1 = D_defect_size_0 < D_defect_size_1 ? D_defect_size_1
           : D_defect_size_0;
   const double D_defect_largest2 = D_defect_largest1 < D_defect_size_2 ? D_defect_size_2
@@ -5355,20 +5260,20 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
           : D_defect_largest5;
   const double D_unless_equal = D_defect_largest6 == 0.001 ? 0.0 : 1.0715086071862673e+301;
   const double D_unless_rotation = D_defect_largest6 < 0.001 ? 0.0 : D_unless_equal;
-  const double D_excess = KSL_MUL(D_unless_rotation, 1.0715086071862673e+301);
-  const double D_excess_0 = KSL_MUL(1.0000000000000009, fabs(fine_so_lo2_1
-          + KSL_MUL(D->m03, fine_b_across_lo) + (fine_so_0 - so_0))) + so_rest_1 + D_excess;
-  const double D_excess_1 = KSL_MUL(1.0000000000000009, fabs(fine_so_lo2_2
-          + KSL_MUL(D->m13, fine_b_across_lo) + (fine_so_1 - so_1))) + so_rest_2 + D_excess;
-  const double D_excess_2 = KSL_MUL(1.0000000000000009, fabs(fine_so_lo2_3
-          + KSL_MUL(D->m23, fine_b_across_lo) + (fine_so_2 - so_2))) + so_rest_3 + D_excess;
-  const double D_excess_3 = fine_along_rest_1
+  const double D_excess = KSL_MUL(D_unless_rotation, 1.0715086071862673e+301),
+      D_excess_0 = KSL_MUL(1.0000000000000009, fabs(fine_so_lo2_1
+          + KSL_MUL(D->m03, fine_b_across_lo) + (fine_so_0 - so_0))) + so_rest_1 + D_excess,
+      D_excess_1 = KSL_MUL(1.0000000000000009, fabs(fine_so_lo2_2
+          + KSL_MUL(D->m13, fine_b_across_lo) + (fine_so_1 - so_1))) + so_rest_2 + D_excess,
+      D_excess_2 = KSL_MUL(1.0000000000000009, fabs(fine_so_lo2_3
+          + KSL_MUL(D->m23, fine_b_across_lo) + (fine_so_2 - so_2))) + so_rest_3 + D_excess,
+      D_excess_3 = fine_along_rest_1
           + KSL_MUL(1.0000000000000009, fabs(fine_vector_lo_1 + (fine_vector_0 - vector_0)))
-          + D_excess;
-  const double D_excess_4 = fine_along_rest_3
+          + D_excess,
+      D_excess_4 = fine_along_rest_3
           + KSL_MUL(1.0000000000000009, fabs(fine_vector_lo_2 + (fine_vector_1 - vector_1)))
-          + D_excess;
-  const double D_excess_5 = fine_along_rest_4
+          + D_excess,
+      D_excess_5 = fine_along_rest_4
           + KSL_MUL(1.0000000000000009, fabs(fine_vector_lo_3 + (fine_vector_2 - vector_2)))
           + D_excess;
   so->m0 = so_0;
@@ -5392,23 +5297,13 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
      29 select. */
 static inline void ksl_SO3_expf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R,
     ksl_mat3x3f_t *R_bound) {
-  const float size_0 = fabsf(v->x);
-  const float size_1 = fabsf(v->y);
-  const float size_2 = fabsf(v->z);
+  const float size_0 = fabsf(v->x), size_1 = fabsf(v->y), size_2 = fabsf(v->z);
   const float sizes = size_0 + size_1 + size_2;
   const float grid = KSL_MULF(sizes, 8192.0f);
-  const float shifted_0 = v->x + grid;
-  const float shifted_1 = v->y + grid;
-  const float shifted_2 = v->z + grid;
-  const float high_0 = shifted_0 - grid;
-  const float high_1 = shifted_1 - grid;
-  const float high_2 = shifted_2 - grid;
-  const float low_0 = v->x - high_0;
-  const float low_1 = v->y - high_1;
-  const float low_2 = v->z - high_2;
-  const float sum_0 = v->x + high_0;
-  const float sum_1 = v->y + high_1;
-  const float sum_2 = v->z + high_2;
+  const float shifted_0 = v->x + grid, shifted_1 = v->y + grid, shifted_2 = v->z + grid;
+  const float high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const float low_0 = v->x - high_0, low_1 = v->y - high_1, low_2 = v->z - high_2;
+  const float sum_0 = v->x + high_0, sum_1 = v->y + high_1, sum_2 = v->z + high_2;
   const float squares = KSL_MULF(high_0, high_0) + KSL_MULF(high_1, high_1)
           + KSL_MULF(high_2, high_2);
   const float cross = KSL_MULF(low_0, sum_0) + KSL_MULF(low_1, sum_1) + KSL_MULF(low_2, sum_2);
@@ -5475,16 +5370,13 @@ static inline void ksl_SO3_expf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
   const float halved_0 = KSL_MULF(0.5f, v->x), halved_size_1 = fabsf(v->x);
   const float halved_1 = KSL_MULF(0.5f, v->y), halved_size_3 = fabsf(v->y);
   const float halved_2 = KSL_MULF(0.5f, v->z), halved_size_5 = fabsf(v->z);
-  const float h_size_0 = fabsf(halved_0);
-  const float h_size_1 = fabsf(halved_1);
-  const float h_size_2 = fabsf(halved_2);
+  const float h_size_0 = fabsf(halved_0), h_size_1 = fabsf(halved_1), h_size_2 = fabsf(halved_2);
   const float h_largest1 = h_size_0 < h_size_1 ? h_size_1 : h_size_0;
   const float h_largest2 = h_largest1 < h_size_2 ? h_size_2 : h_largest1;
   const float s = 4.611686e+18f < h_largest2 ? 2.7105054e-20f : 1.0f,
       s_size_1 = 4.611686e+18f < h_largest2 ? 2.7105054e-20f : 1.0f;
-  const float reduced_0 = KSL_MULF(halved_0, s);
-  const float reduced_1 = KSL_MULF(halved_1, s);
-  const float reduced_2 = KSL_MULF(halved_2, s);
+  const float reduced_0 = KSL_MULF(halved_0, s), reduced_1 = KSL_MULF(halved_1, s),
+      reduced_2 = KSL_MULF(halved_2, s);
   const float up = s < 1.0f ? 3.689349e+19f : 1.0f;
   const float reduced_length_a = KSL_MULF(reduced_0, reduced_0),
       reduced_length_a_padded_1 = 3.3087225e-24f
@@ -5998,33 +5890,23 @@ static inline void ksl_SO3_logf_certified(const ksl_mat3x3f_t *R, ksl_vec3f_t *v
           + (vector_size_6 + KSL_MULF(v_s_size_padded_2, vector_reach_2))),
       vector_rest_4 = KSL_MULF(1.0146962e-11f, 3.3087225e-24f
           + (vector_size_10 + KSL_MULF(v_s_size_padded_3, vector_reach_2)));
-  const float R_n_0 = KSL_MULF(R->m11, R->m22) - KSL_MULF(R->m12, R->m21);
-  const float R_n_1 = KSL_MULF(R->m02, R->m21) - KSL_MULF(R->m01, R->m22);
-  const float R_n_2 = KSL_MULF(R->m01, R->m12) - KSL_MULF(R->m02, R->m11);
+  const float R_n_0 = KSL_MULF(R->m11, R->m22) - KSL_MULF(R->m12, R->m21),
+      R_n_1 = KSL_MULF(R->m02, R->m21) - KSL_MULF(R->m01, R->m22),
+      R_n_2 = KSL_MULF(R->m01, R->m12) - KSL_MULF(R->m02, R->m11);
   const float R_det = KSL_MULF(R->m00, R_n_0) + KSL_MULF(R->m10, R_n_1) + KSL_MULF(R->m20, R_n_2);
   const float R_g_0 = KSL_MULF(R->m00, R->m00) + KSL_MULF(R->m10, R->m10)
-          + KSL_MULF(R->m20, R->m20);
-  const float R_g_1 = KSL_MULF(R->m00, R->m01) + KSL_MULF(R->m10, R->m11)
-          + KSL_MULF(R->m20, R->m21);
-  const float R_g_2 = KSL_MULF(R->m00, R->m02) + KSL_MULF(R->m10, R->m12)
-          + KSL_MULF(R->m20, R->m22);
-  const float R_g_3 = KSL_MULF(R->m01, R->m01) + KSL_MULF(R->m11, R->m11)
-          + KSL_MULF(R->m21, R->m21);
-  const float R_g_4 = KSL_MULF(R->m01, R->m02) + KSL_MULF(R->m11, R->m12)
-          + KSL_MULF(R->m21, R->m22);
-  const float R_g_5 = KSL_MULF(R->m02, R->m02) + KSL_MULF(R->m12, R->m12)
-          + KSL_MULF(R->m22, R->m22);
-  const float R_off_0 = R_det - 1.0f;
-  const float R_off_1 = R_g_0 - 1.0f;
-  const float R_off_4 = R_g_3 - 1.0f;
-  const float R_off_6 = R_g_5 - 1.0f;
-  const float R_defect_size_0 = fabsf(R_off_0);
-  const float R_defect_size_1 = fabsf(R_off_1);
-  const float R_defect_size_2 = fabsf(R_g_1);
-  const float R_defect_size_3 = fabsf(R_g_2);
-  const float R_defect_size_4 = fabsf(R_off_4);
-  const float R_defect_size_5 = fabsf(R_g_4);
-  const float R_defect_size_6 = fabsf(R_off_6);
+          + KSL_MULF(R->m20, R->m20),
+      R_g_1 = KSL_MULF(R->m00, R->m01) + KSL_MULF(R->m10, R->m11) + KSL_MULF(R->m20, R->m21),
+      R_g_2 = KSL_MULF(R->m00, R->m02) + KSL_MULF(R->m10, R->m12) + KSL_MULF(R->m20, R->m22),
+      R_g_3 = KSL_MULF(R->m01, R->m01) + KSL_MULF(R->m11, R->m11) + KSL_MULF(R->m21, R->m21),
+      R_g_4 = KSL_MULF(R->m01, R->m02) + KSL_MULF(R->m11, R->m12) + KSL_MULF(R->m21, R->m22),
+      R_g_5 = KSL_MULF(R->m02, R->m02) + KSL_MULF(R->m12, R->m12) + KSL_MULF(R->m22, R->m22);
+  const float R_off_0 = R_det - 1.0f, R_off_1 = R_g_0 - 1.0f, R_off_4 = R_g_3 - 1.0f,
+      R_off_6 = R_g_5 - 1.0f;
+  const float R_defect_size_0 = fabsf(R_off_0), R_defect_size_1 = fabsf(R_off_1),
+      R_defect_size_2 = fabsf(R_g_1), R_defect_size_3 = fabsf(R_g_2),
+      R_defect_size_4 = fabsf(R_off_4), R_defect_size_5 = fabsf(R_g_4),
+      R_defect_size_6 = fabsf(R_off_6);
   const float R_defect_largest1 = R_defect_size_0 < R_defect_size_1 ? R_defect_size_1
           : R_defect_size_0;
   const float R_defect_largest2 = R_defect_largest1 < R_defect_size_2 ? R_defect_size_2
@@ -6039,12 +5921,12 @@ static inline void ksl_SO3_logf_certified(const ksl_mat3x3f_t *R, ksl_vec3f_t *v
           : R_defect_largest5;
   const float R_unless_equal = R_defect_largest6 == 0.001f ? 0.0f : 1.2676506e+30f;
   const float R_unless_rotation = R_defect_largest6 < 0.001f ? 0.0f : R_unless_equal;
-  const float R_excess = KSL_MULF(R_unless_rotation, 1.2676506e+30f);
-  const float R_excess_0 = fabsf(ksl_product_errorf(upper_0, k, vector_0)
-          + (KSL_MULF(upper_lo_1, k) + KSL_MULF(upper_0, k_lo))) + vector_rest_2 + R_excess;
-  const float R_excess_1 = fabsf(ksl_product_errorf(upper_1, k, vector_1)
-          + (KSL_MULF(upper_lo_2, k) + KSL_MULF(upper_1, k_lo))) + vector_rest_3 + R_excess;
-  const float R_excess_2 = fabsf(ksl_product_errorf(upper_2, k, vector_2)
+  const float R_excess = KSL_MULF(R_unless_rotation, 1.2676506e+30f),
+      R_excess_0 = fabsf(ksl_product_errorf(upper_0, k, vector_0)
+          + (KSL_MULF(upper_lo_1, k) + KSL_MULF(upper_0, k_lo))) + vector_rest_2 + R_excess,
+      R_excess_1 = fabsf(ksl_product_errorf(upper_1, k, vector_1)
+          + (KSL_MULF(upper_lo_2, k) + KSL_MULF(upper_1, k_lo))) + vector_rest_3 + R_excess,
+      R_excess_2 = fabsf(ksl_product_errorf(upper_2, k, vector_2)
           + (KSL_MULF(upper_lo_3, k) + KSL_MULF(upper_2, k_lo))) + vector_rest_4 + R_excess;
   vo->x = vector_0;
   vo->y = vector_1;
@@ -6061,23 +5943,13 @@ static inline void ksl_SO3_logf_certified(const ksl_mat3x3f_t *R, ksl_vec3f_t *v
      45 select. */
 static inline void ksl_SO3_leftJacobianf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R,
     ksl_mat3x3f_t *R_bound) {
-  const float size_0 = fabsf(v->x);
-  const float size_1 = fabsf(v->y);
-  const float size_2 = fabsf(v->z);
+  const float size_0 = fabsf(v->x), size_1 = fabsf(v->y), size_2 = fabsf(v->z);
   const float sizes = size_0 + size_1 + size_2;
   const float grid = KSL_MULF(sizes, 8192.0f);
-  const float shifted_0 = v->x + grid;
-  const float shifted_1 = v->y + grid;
-  const float shifted_2 = v->z + grid;
-  const float high_0 = shifted_0 - grid;
-  const float high_1 = shifted_1 - grid;
-  const float high_2 = shifted_2 - grid;
-  const float low_0 = v->x - high_0;
-  const float low_1 = v->y - high_1;
-  const float low_2 = v->z - high_2;
-  const float sum_0 = v->x + high_0;
-  const float sum_1 = v->y + high_1;
-  const float sum_2 = v->z + high_2;
+  const float shifted_0 = v->x + grid, shifted_1 = v->y + grid, shifted_2 = v->z + grid;
+  const float high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const float low_0 = v->x - high_0, low_1 = v->y - high_1, low_2 = v->z - high_2;
+  const float sum_0 = v->x + high_0, sum_1 = v->y + high_1, sum_2 = v->z + high_2;
   const float squares = KSL_MULF(high_0, high_0) + KSL_MULF(high_1, high_1)
           + KSL_MULF(high_2, high_2);
   const float cross = KSL_MULF(low_0, sum_0) + KSL_MULF(low_1, sum_1) + KSL_MULF(low_2, sum_2);
@@ -6685,23 +6557,13 @@ static inline void ksl_SO3_leftJacobianf_certified(const ksl_vec3f_t *v, ksl_mat
      1 equal, 45 select. */
 static inline void ksl_SO3_rightJacobianf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R,
     ksl_mat3x3f_t *R_bound) {
-  const float size_0 = fabsf(v->x);
-  const float size_1 = fabsf(v->y);
-  const float size_2 = fabsf(v->z);
+  const float size_0 = fabsf(v->x), size_1 = fabsf(v->y), size_2 = fabsf(v->z);
   const float sizes = size_0 + size_1 + size_2;
   const float grid = KSL_MULF(sizes, 8192.0f);
-  const float shifted_0 = v->x + grid;
-  const float shifted_1 = v->y + grid;
-  const float shifted_2 = v->z + grid;
-  const float high_0 = shifted_0 - grid;
-  const float high_1 = shifted_1 - grid;
-  const float high_2 = shifted_2 - grid;
-  const float low_0 = v->x - high_0;
-  const float low_1 = v->y - high_1;
-  const float low_2 = v->z - high_2;
-  const float sum_0 = v->x + high_0;
-  const float sum_1 = v->y + high_1;
-  const float sum_2 = v->z + high_2;
+  const float shifted_0 = v->x + grid, shifted_1 = v->y + grid, shifted_2 = v->z + grid;
+  const float high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const float low_0 = v->x - high_0, low_1 = v->y - high_1, low_2 = v->z - high_2;
+  const float sum_0 = v->x + high_0, sum_1 = v->y + high_1, sum_2 = v->z + high_2;
   const float squares = KSL_MULF(high_0, high_0) + KSL_MULF(high_1, high_1)
           + KSL_MULF(high_2, high_2);
   const float cross = KSL_MULF(low_0, sum_0) + KSL_MULF(low_1, sum_1) + KSL_MULF(low_2, sum_2);
@@ -7310,23 +7172,13 @@ static inline void ksl_SO3_rightJacobianf_certified(const ksl_vec3f_t *v, ksl_ma
      equal, 47 select. */
 static inline void ksl_SO3_leftJacobianInversef_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R,
     ksl_mat3x3f_t *R_bound) {
-  const float size_0 = fabsf(v->x);
-  const float size_1 = fabsf(v->y);
-  const float size_2 = fabsf(v->z);
+  const float size_0 = fabsf(v->x), size_1 = fabsf(v->y), size_2 = fabsf(v->z);
   const float sizes = size_0 + size_1 + size_2;
   const float grid = KSL_MULF(sizes, 8192.0f);
-  const float shifted_0 = v->x + grid;
-  const float shifted_1 = v->y + grid;
-  const float shifted_2 = v->z + grid;
-  const float high_0 = shifted_0 - grid;
-  const float high_1 = shifted_1 - grid;
-  const float high_2 = shifted_2 - grid;
-  const float low_0 = v->x - high_0;
-  const float low_1 = v->y - high_1;
-  const float low_2 = v->z - high_2;
-  const float sum_0 = v->x + high_0;
-  const float sum_1 = v->y + high_1;
-  const float sum_2 = v->z + high_2;
+  const float shifted_0 = v->x + grid, shifted_1 = v->y + grid, shifted_2 = v->z + grid;
+  const float high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const float low_0 = v->x - high_0, low_1 = v->y - high_1, low_2 = v->z - high_2;
+  const float sum_0 = v->x + high_0, sum_1 = v->y + high_1, sum_2 = v->z + high_2;
   const float squares = KSL_MULF(high_0, high_0) + KSL_MULF(high_1, high_1)
           + KSL_MULF(high_2, high_2);
   const float cross = KSL_MULF(low_0, sum_0) + KSL_MULF(low_1, sum_1) + KSL_MULF(low_2, sum_2);
@@ -7941,23 +7793,13 @@ static inline void ksl_SO3_leftJacobianInversef_certified(const ksl_vec3f_t *v, 
      47 select. */
 static inline void ksl_SO3_rightJacobianInversef_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R,
     ksl_mat3x3f_t *R_bound) {
-  const float size_0 = fabsf(v->x);
-  const float size_1 = fabsf(v->y);
-  const float size_2 = fabsf(v->z);
+  const float size_0 = fabsf(v->x), size_1 = fabsf(v->y), size_2 = fabsf(v->z);
   const float sizes = size_0 + size_1 + size_2;
   const float grid = KSL_MULF(sizes, 8192.0f);
-  const float shifted_0 = v->x + grid;
-  const float shifted_1 = v->y + grid;
-  const float shifted_2 = v->z + grid;
-  const float high_0 = shifted_0 - grid;
-  const float high_1 = shifted_1 - grid;
-  const float high_2 = shifted_2 - grid;
-  const float low_0 = v->x - high_0;
-  const float low_1 = v->y - high_1;
-  const float low_2 = v->z - high_2;
-  const float sum_0 = v->x + high_0;
-  const float sum_1 = v->y + high_1;
-  const float sum_2 = v->z + high_2;
+  const float shifted_0 = v->x + grid, shifted_1 = v->y + grid, shifted_2 = v->z + grid;
+  const float high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const float low_0 = v->x - high_0, low_1 = v->y - high_1, low_2 = v->z - high_2;
+  const float sum_0 = v->x + high_0, sum_1 = v->y + high_1, sum_2 = v->z + high_2;
   const float squares = KSL_MULF(high_0, high_0) + KSL_MULF(high_1, high_1)
           + KSL_MULF(high_2, high_2);
   const float cross = KSL_MULF(low_0, sum_0) + KSL_MULF(low_1, sum_1) + KSL_MULF(low_2, sum_2);
@@ -8011,9 +7853,8 @@ static inline void ksl_SO3_rightJacobianInversef_certified(const ksl_vec3f_t *v,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const float diagonal2a = 1.0f - others_2, diagonal2b = b_across + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const float alpha_v_0 = KSL_MULF(0.5f, v->x);
-  const float alpha_v_1 = KSL_MULF(0.5f, v->y);
-  const float alpha_v_2 = KSL_MULF(0.5f, v->z);
+  const float alpha_v_0 = KSL_MULF(0.5f, v->x), alpha_v_1 = KSL_MULF(0.5f, v->y),
+      alpha_v_2 = KSL_MULF(0.5f, v->z);
   const float R_01 = m_3 - alpha_v_2;
   const float R_02 = m_4 + alpha_v_1;
   const float R_10 = m_3 + alpha_v_2;
@@ -8586,12 +8427,9 @@ static inline void ksl_mat3x3f_orthonormalize_certified(ksl_mat3x3f_t *self,
   const float defect_5a = KSL_MULF(self->m01, self->m02),
       defect_5b = KSL_MULF(self->m11, self->m12), defect_5d = KSL_MULF(self->m21, self->m22),
       defect_5 = -(defect_5a + defect_5b + defect_5d);
-  const float correction_0 = KSL_MULF(0.5f, defect_0);
-  const float correction_1 = KSL_MULF(0.5f, defect_1);
-  const float correction_2 = KSL_MULF(0.5f, defect_2);
-  const float correction_3 = KSL_MULF(0.5f, defect_3);
-  const float correction_4 = KSL_MULF(0.5f, defect_4);
-  const float correction_5 = KSL_MULF(0.5f, defect_5);
+  const float correction_0 = KSL_MULF(0.5f, defect_0), correction_1 = KSL_MULF(0.5f, defect_1),
+      correction_2 = KSL_MULF(0.5f, defect_2), correction_3 = KSL_MULF(0.5f, defect_3),
+      correction_4 = KSL_MULF(0.5f, defect_4), correction_5 = KSL_MULF(0.5f, defect_5);
   const float self_00_new = self->m00
           + (KSL_MULF(self->m00, correction_0) + KSL_MULF(self->m01, correction_3)
           + KSL_MULF(self->m02, correction_4));
@@ -8601,30 +8439,30 @@ static inline void ksl_mat3x3f_orthonormalize_certified(ksl_mat3x3f_t *self,
           + KSL_MULF(self->m02, correction_2) + self->m02;
   const float self_10_new = self->m10
           + (KSL_MULF(self->m10, correction_0) + KSL_MULF(self->m11, correction_3)
-          + KSL_MULF(self->m12, correction_4));
-  const float self_11_new = KSL_MULF(self->m10, correction_3) + KSL_MULF(self->m11, correction_1)
-          + KSL_MULF(self->m12, correction_5) + self->m11;
-  const float self_12_new = KSL_MULF(self->m10, correction_4) + KSL_MULF(self->m11, correction_5)
-          + KSL_MULF(self->m12, correction_2) + self->m12;
-  const float self_20_new = self->m20
+          + KSL_MULF(self->m12, correction_4)),
+      self_11_new = KSL_MULF(self->m10, correction_3) + KSL_MULF(self->m11, correction_1)
+          + KSL_MULF(self->m12, correction_5) + self->m11,
+      self_12_new = KSL_MULF(self->m10, correction_4) + KSL_MULF(self->m11, correction_5)
+          + KSL_MULF(self->m12, correction_2) + self->m12,
+      self_20_new = self->m20
           + (KSL_MULF(self->m20, correction_0) + KSL_MULF(self->m21, correction_3)
-          + KSL_MULF(self->m22, correction_4));
-  const float self_21_new = KSL_MULF(self->m20, correction_3) + KSL_MULF(self->m21, correction_1)
-          + KSL_MULF(self->m22, correction_5) + self->m21;
-  const float self_22_new = KSL_MULF(self->m20, correction_4) + KSL_MULF(self->m21, correction_5)
+          + KSL_MULF(self->m22, correction_4)),
+      self_21_new = KSL_MULF(self->m20, correction_3) + KSL_MULF(self->m21, correction_1)
+          + KSL_MULF(self->m22, correction_5) + self->m21,
+      self_22_new = KSL_MULF(self->m20, correction_4) + KSL_MULF(self->m21, correction_5)
           + KSL_MULF(self->m22, correction_2) + self->m22;
-  const float defect_0_size = 1.0f + fabsf(defect_0a) + fabsf(defect_0c) + fabsf(defect_0e);
-  const float defect_1_size = 1.0f + fabsf(defect_1a) + fabsf(defect_1c) + fabsf(defect_1e);
-  const float defect_2_size = 1.0f + fabsf(defect_2a) + fabsf(defect_2c) + fabsf(defect_2e);
-  const float correction_0_size = KSL_MULF(0.5f, defect_0_size + 1.9721523e-31f);
-  const float correction_1_size = KSL_MULF(0.5f, defect_1_size + 1.9721523e-31f);
-  const float correction_2_size = KSL_MULF(0.5f, defect_2_size + 1.9721523e-31f);
-  const float correction_3_size = KSL_MULF(0.5f, fabsf(defect_3a) + fabsf(defect_3b)
-          + fabsf(defect_3d) + 1.9721523e-31f);
-  const float correction_4_size = KSL_MULF(0.5f, fabsf(defect_4a) + fabsf(defect_4b)
-          + fabsf(defect_4d) + 1.9721523e-31f);
-  const float correction_5_size = KSL_MULF(0.5f, fabsf(defect_5a) + fabsf(defect_5b)
-          + fabsf(defect_5d) + 1.9721523e-31f);
+  const float defect_0_size = 1.0f + fabsf(defect_0a) + fabsf(defect_0c) + fabsf(defect_0e),
+      defect_1_size = 1.0f + fabsf(defect_1a) + fabsf(defect_1c) + fabsf(defect_1e),
+      defect_2_size = 1.0f + fabsf(defect_2a) + fabsf(defect_2c) + fabsf(defect_2e);
+  const float correction_0_size = KSL_MULF(0.5f, defect_0_size + 1.9721523e-31f),
+      correction_1_size = KSL_MULF(0.5f, defect_1_size + 1.9721523e-31f),
+      correction_2_size = KSL_MULF(0.5f, defect_2_size + 1.9721523e-31f),
+      correction_3_size = KSL_MULF(0.5f, fabsf(defect_3a) + fabsf(defect_3b) + fabsf(defect_3d)
+          + 1.9721523e-31f),
+      correction_4_size = KSL_MULF(0.5f, fabsf(defect_4a) + fabsf(defect_4b) + fabsf(defect_4d)
+          + 1.9721523e-31f),
+      correction_5_size = KSL_MULF(0.5f, fabsf(defect_5a) + fabsf(defect_5b) + fabsf(defect_5d)
+          + 1.9721523e-31f);
   const float correction_0_padded = correction_0_size + 1.9721523e-31f;
   const float self_00_abs = fabsf(self->m00);
   const float correction_3_padded = correction_3_size + 1.9721523e-31f;
@@ -8674,15 +8512,15 @@ static inline void ksl_mat3x3f_orthonormalize_certified(ksl_mat3x3f_t *self,
           + KSL_MULF(self_21_abs, correction_5_padded),
       self_22_new_size = self_22_new_c_size + KSL_MULF(self_22_abs, correction_2_padded)
           + self_22_abs;
-  const float self_00_new_bound = KSL_MULF(5.36442e-07f, self_00_new_size + 1.9721523e-31f);
-  const float self_01_new_bound = KSL_MULF(5.36442e-07f, self_01_new_size + 1.9721523e-31f);
-  const float self_02_new_bound = KSL_MULF(4.7683733e-07f, self_02_new_size + 1.9721523e-31f);
-  const float self_10_new_bound = KSL_MULF(5.36442e-07f, self_10_new_size + 1.9721523e-31f);
-  const float self_11_new_bound = KSL_MULF(5.36442e-07f, self_11_new_size + 1.9721523e-31f);
-  const float self_12_new_bound = KSL_MULF(4.7683733e-07f, self_12_new_size + 1.9721523e-31f);
-  const float self_20_new_bound = KSL_MULF(5.36442e-07f, self_20_new_size + 1.9721523e-31f);
-  const float self_21_new_bound = KSL_MULF(5.36442e-07f, self_21_new_size + 1.9721523e-31f);
-  const float self_22_new_bound = KSL_MULF(4.7683733e-07f, self_22_new_size + 1.9721523e-31f);
+  const float self_00_new_bound = KSL_MULF(5.36442e-07f, self_00_new_size + 1.9721523e-31f),
+      self_01_new_bound = KSL_MULF(5.36442e-07f, self_01_new_size + 1.9721523e-31f),
+      self_02_new_bound = KSL_MULF(4.7683733e-07f, self_02_new_size + 1.9721523e-31f),
+      self_10_new_bound = KSL_MULF(5.36442e-07f, self_10_new_size + 1.9721523e-31f),
+      self_11_new_bound = KSL_MULF(5.36442e-07f, self_11_new_size + 1.9721523e-31f),
+      self_12_new_bound = KSL_MULF(4.7683733e-07f, self_12_new_size + 1.9721523e-31f),
+      self_20_new_bound = KSL_MULF(5.36442e-07f, self_20_new_size + 1.9721523e-31f),
+      self_21_new_bound = KSL_MULF(5.36442e-07f, self_21_new_size + 1.9721523e-31f),
+      self_22_new_bound = KSL_MULF(4.7683733e-07f, self_22_new_size + 1.9721523e-31f);
   self->m00 = self_00_new;
   self->m01 = self_01_new;
   self->m02 = self_02_new;
@@ -8721,12 +8559,9 @@ static inline void ksl_mat3x3f_orthonormalized_certified(const ksl_mat3x3f_t *R,
       defect_4d = KSL_MULF(R->m20, R->m22), defect_4 = -(defect_4a + defect_4b + defect_4d);
   const float defect_5a = KSL_MULF(R->m01, R->m02), defect_5b = KSL_MULF(R->m11, R->m12),
       defect_5d = KSL_MULF(R->m21, R->m22), defect_5 = -(defect_5a + defect_5b + defect_5d);
-  const float correction_0 = KSL_MULF(0.5f, defect_0);
-  const float correction_1 = KSL_MULF(0.5f, defect_1);
-  const float correction_2 = KSL_MULF(0.5f, defect_2);
-  const float correction_3 = KSL_MULF(0.5f, defect_3);
-  const float correction_4 = KSL_MULF(0.5f, defect_4);
-  const float correction_5 = KSL_MULF(0.5f, defect_5);
+  const float correction_0 = KSL_MULF(0.5f, defect_0), correction_1 = KSL_MULF(0.5f, defect_1),
+      correction_2 = KSL_MULF(0.5f, defect_2), correction_3 = KSL_MULF(0.5f, defect_3),
+      correction_4 = KSL_MULF(0.5f, defect_4), correction_5 = KSL_MULF(0.5f, defect_5);
   const float Ro_00 = R->m00
           + (KSL_MULF(R->m00, correction_0) + KSL_MULF(R->m01, correction_3)
           + KSL_MULF(R->m02, correction_4));
@@ -8736,30 +8571,30 @@ static inline void ksl_mat3x3f_orthonormalized_certified(const ksl_mat3x3f_t *R,
           + KSL_MULF(R->m02, correction_2) + R->m02;
   const float Ro_10 = R->m10
           + (KSL_MULF(R->m10, correction_0) + KSL_MULF(R->m11, correction_3)
-          + KSL_MULF(R->m12, correction_4));
-  const float Ro_11 = KSL_MULF(R->m10, correction_3) + KSL_MULF(R->m11, correction_1)
-          + KSL_MULF(R->m12, correction_5) + R->m11;
-  const float Ro_12 = KSL_MULF(R->m10, correction_4) + KSL_MULF(R->m11, correction_5)
-          + KSL_MULF(R->m12, correction_2) + R->m12;
-  const float Ro_20 = R->m20
+          + KSL_MULF(R->m12, correction_4)),
+      Ro_11 = KSL_MULF(R->m10, correction_3) + KSL_MULF(R->m11, correction_1)
+          + KSL_MULF(R->m12, correction_5) + R->m11,
+      Ro_12 = KSL_MULF(R->m10, correction_4) + KSL_MULF(R->m11, correction_5)
+          + KSL_MULF(R->m12, correction_2) + R->m12,
+      Ro_20 = R->m20
           + (KSL_MULF(R->m20, correction_0) + KSL_MULF(R->m21, correction_3)
-          + KSL_MULF(R->m22, correction_4));
-  const float Ro_21 = KSL_MULF(R->m20, correction_3) + KSL_MULF(R->m21, correction_1)
-          + KSL_MULF(R->m22, correction_5) + R->m21;
-  const float Ro_22 = KSL_MULF(R->m20, correction_4) + KSL_MULF(R->m21, correction_5)
+          + KSL_MULF(R->m22, correction_4)),
+      Ro_21 = KSL_MULF(R->m20, correction_3) + KSL_MULF(R->m21, correction_1)
+          + KSL_MULF(R->m22, correction_5) + R->m21,
+      Ro_22 = KSL_MULF(R->m20, correction_4) + KSL_MULF(R->m21, correction_5)
           + KSL_MULF(R->m22, correction_2) + R->m22;
-  const float defect_0_size = 1.0f + fabsf(defect_0a) + fabsf(defect_0c) + fabsf(defect_0e);
-  const float defect_1_size = 1.0f + fabsf(defect_1a) + fabsf(defect_1c) + fabsf(defect_1e);
-  const float defect_2_size = 1.0f + fabsf(defect_2a) + fabsf(defect_2c) + fabsf(defect_2e);
-  const float correction_0_size = KSL_MULF(0.5f, defect_0_size + 1.9721523e-31f);
-  const float correction_1_size = KSL_MULF(0.5f, defect_1_size + 1.9721523e-31f);
-  const float correction_2_size = KSL_MULF(0.5f, defect_2_size + 1.9721523e-31f);
-  const float correction_3_size = KSL_MULF(0.5f, fabsf(defect_3a) + fabsf(defect_3b)
-          + fabsf(defect_3d) + 1.9721523e-31f);
-  const float correction_4_size = KSL_MULF(0.5f, fabsf(defect_4a) + fabsf(defect_4b)
-          + fabsf(defect_4d) + 1.9721523e-31f);
-  const float correction_5_size = KSL_MULF(0.5f, fabsf(defect_5a) + fabsf(defect_5b)
-          + fabsf(defect_5d) + 1.9721523e-31f);
+  const float defect_0_size = 1.0f + fabsf(defect_0a) + fabsf(defect_0c) + fabsf(defect_0e),
+      defect_1_size = 1.0f + fabsf(defect_1a) + fabsf(defect_1c) + fabsf(defect_1e),
+      defect_2_size = 1.0f + fabsf(defect_2a) + fabsf(defect_2c) + fabsf(defect_2e);
+  const float correction_0_size = KSL_MULF(0.5f, defect_0_size + 1.9721523e-31f),
+      correction_1_size = KSL_MULF(0.5f, defect_1_size + 1.9721523e-31f),
+      correction_2_size = KSL_MULF(0.5f, defect_2_size + 1.9721523e-31f),
+      correction_3_size = KSL_MULF(0.5f, fabsf(defect_3a) + fabsf(defect_3b) + fabsf(defect_3d)
+          + 1.9721523e-31f),
+      correction_4_size = KSL_MULF(0.5f, fabsf(defect_4a) + fabsf(defect_4b) + fabsf(defect_4d)
+          + 1.9721523e-31f),
+      correction_5_size = KSL_MULF(0.5f, fabsf(defect_5a) + fabsf(defect_5b) + fabsf(defect_5d)
+          + 1.9721523e-31f);
   const float correction_0_padded = correction_0_size + 1.9721523e-31f;
   const float R_00_abs = fabsf(R->m00);
   const float correction_3_padded = correction_3_size + 1.9721523e-31f;
@@ -8784,8 +8619,8 @@ static inline void ksl_mat3x3f_orthonormalized_certified(const ksl_mat3x3f_t *R,
           + KSL_MULF(R_12_abs, correction_4_padded));
   const float Ro_11_size = KSL_MULF(R_10_abs, correction_3_padded)
           + KSL_MULF(R_11_abs, correction_1_padded) + KSL_MULF(R_12_abs, correction_5_padded)
-          + R_11_abs;
-  const float Ro_12_size = KSL_MULF(R_10_abs, correction_4_padded)
+          + R_11_abs,
+      Ro_12_size = KSL_MULF(R_10_abs, correction_4_padded)
           + KSL_MULF(R_11_abs, correction_5_padded) + KSL_MULF(R_12_abs, correction_2_padded)
           + R_12_abs;
   const float R_20_abs = fabsf(R->m20), R_21_abs = fabsf(R->m21), R_22_abs = fabsf(R->m22),
@@ -8794,19 +8629,19 @@ static inline void ksl_mat3x3f_orthonormalized_certified(const ksl_mat3x3f_t *R,
           + KSL_MULF(R_22_abs, correction_4_padded));
   const float Ro_21_size = KSL_MULF(R_20_abs, correction_3_padded)
           + KSL_MULF(R_21_abs, correction_1_padded) + KSL_MULF(R_22_abs, correction_5_padded)
-          + R_21_abs;
-  const float Ro_22_size = KSL_MULF(R_20_abs, correction_4_padded)
+          + R_21_abs,
+      Ro_22_size = KSL_MULF(R_20_abs, correction_4_padded)
           + KSL_MULF(R_21_abs, correction_5_padded) + KSL_MULF(R_22_abs, correction_2_padded)
           + R_22_abs;
-  const float Ro_00_bound = KSL_MULF(5.36442e-07f, Ro_00_size + 1.9721523e-31f);
-  const float Ro_01_bound = KSL_MULF(5.36442e-07f, Ro_01_size + 1.9721523e-31f);
-  const float Ro_02_bound = KSL_MULF(4.7683733e-07f, Ro_02_size + 1.9721523e-31f);
-  const float Ro_10_bound = KSL_MULF(5.36442e-07f, Ro_10_size + 1.9721523e-31f);
-  const float Ro_11_bound = KSL_MULF(5.36442e-07f, Ro_11_size + 1.9721523e-31f);
-  const float Ro_12_bound = KSL_MULF(4.7683733e-07f, Ro_12_size + 1.9721523e-31f);
-  const float Ro_20_bound = KSL_MULF(5.36442e-07f, Ro_20_size + 1.9721523e-31f);
-  const float Ro_21_bound = KSL_MULF(5.36442e-07f, Ro_21_size + 1.9721523e-31f);
-  const float Ro_22_bound = KSL_MULF(4.7683733e-07f, Ro_22_size + 1.9721523e-31f);
+  const float Ro_00_bound = KSL_MULF(5.36442e-07f, Ro_00_size + 1.9721523e-31f),
+      Ro_01_bound = KSL_MULF(5.36442e-07f, Ro_01_size + 1.9721523e-31f),
+      Ro_02_bound = KSL_MULF(4.7683733e-07f, Ro_02_size + 1.9721523e-31f),
+      Ro_10_bound = KSL_MULF(5.36442e-07f, Ro_10_size + 1.9721523e-31f),
+      Ro_11_bound = KSL_MULF(5.36442e-07f, Ro_11_size + 1.9721523e-31f),
+      Ro_12_bound = KSL_MULF(4.7683733e-07f, Ro_12_size + 1.9721523e-31f),
+      Ro_20_bound = KSL_MULF(5.36442e-07f, Ro_20_size + 1.9721523e-31f),
+      Ro_21_bound = KSL_MULF(5.36442e-07f, Ro_21_size + 1.9721523e-31f),
+      Ro_22_bound = KSL_MULF(4.7683733e-07f, Ro_22_size + 1.9721523e-31f);
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -8833,23 +8668,13 @@ static inline void ksl_mat3x3f_orthonormalized_certified(const ksl_mat3x3f_t *R,
      equal, 46 select. */
 static inline void ksl_SE3f_exp_certified(const ksl_screwf_t *s, ksl_SE3f_t *D,
     ksl_SE3f_t *D_bound) {
-  const float size_0 = fabsf(s->m3);
-  const float size_1 = fabsf(s->m4);
-  const float size_2 = fabsf(s->m5);
+  const float size_0 = fabsf(s->m3), size_1 = fabsf(s->m4), size_2 = fabsf(s->m5);
   const float sizes = size_0 + size_1 + size_2;
   const float grid = KSL_MULF(sizes, 8192.0f);
-  const float shifted_0 = s->m3 + grid;
-  const float shifted_1 = s->m4 + grid;
-  const float shifted_2 = s->m5 + grid;
-  const float high_0 = shifted_0 - grid;
-  const float high_1 = shifted_1 - grid;
-  const float high_2 = shifted_2 - grid;
-  const float low_0 = s->m3 - high_0;
-  const float low_1 = s->m4 - high_1;
-  const float low_2 = s->m5 - high_2;
-  const float sum_0 = s->m3 + high_0;
-  const float sum_1 = s->m4 + high_1;
-  const float sum_2 = s->m5 + high_2;
+  const float shifted_0 = s->m3 + grid, shifted_1 = s->m4 + grid, shifted_2 = s->m5 + grid;
+  const float high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const float low_0 = s->m3 - high_0, low_1 = s->m4 - high_1, low_2 = s->m5 - high_2;
+  const float sum_0 = s->m3 + high_0, sum_1 = s->m4 + high_1, sum_2 = s->m5 + high_2;
   const float squares = KSL_MULF(high_0, high_0) + KSL_MULF(high_1, high_1)
           + KSL_MULF(high_2, high_2);
   const float cross = KSL_MULF(low_0, sum_0) + KSL_MULF(low_1, sum_1) + KSL_MULF(low_2, sum_2);
@@ -10443,33 +10268,23 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
           + (fine_across_axis_size_2 + KSL_MULF(fine_so_0a_padded_1, fine_wt_b_size_1))),
       so_rest_3 = KSL_MULF(3.0891278e-10f, 3.3087225e-24f
           + (fine_across_axis_size_3 + KSL_MULF(fine_so_0a_padded_1, fine_wt_d_size_1)));
-  const float D_n_0 = KSL_MULF(D->m11, D->m22) - KSL_MULF(D->m12, D->m21);
-  const float D_n_1 = KSL_MULF(D->m02, D->m21) - KSL_MULF(D->m01, D->m22);
-  const float D_n_2 = KSL_MULF(D->m01, D->m12) - KSL_MULF(D->m02, D->m11);
+  const float D_n_0 = KSL_MULF(D->m11, D->m22) - KSL_MULF(D->m12, D->m21),
+      D_n_1 = KSL_MULF(D->m02, D->m21) - KSL_MULF(D->m01, D->m22),
+      D_n_2 = KSL_MULF(D->m01, D->m12) - KSL_MULF(D->m02, D->m11);
   const float D_det = KSL_MULF(D->m00, D_n_0) + KSL_MULF(D->m10, D_n_1) + KSL_MULF(D->m20, D_n_2);
   const float D_g_0 = KSL_MULF(D->m00, D->m00) + KSL_MULF(D->m10, D->m10)
-          + KSL_MULF(D->m20, D->m20);
-  const float D_g_1 = KSL_MULF(D->m00, D->m01) + KSL_MULF(D->m10, D->m11)
-          + KSL_MULF(D->m20, D->m21);
-  const float D_g_2 = KSL_MULF(D->m00, D->m02) + KSL_MULF(D->m10, D->m12)
-          + KSL_MULF(D->m20, D->m22);
-  const float D_g_3 = KSL_MULF(D->m01, D->m01) + KSL_MULF(D->m11, D->m11)
-          + KSL_MULF(D->m21, D->m21);
-  const float D_g_4 = KSL_MULF(D->m01, D->m02) + KSL_MULF(D->m11, D->m12)
-          + KSL_MULF(D->m21, D->m22);
-  const float D_g_5 = KSL_MULF(D->m02, D->m02) + KSL_MULF(D->m12, D->m12)
-          + KSL_MULF(D->m22, D->m22);
-  const float D_off_0 = D_det - 1.0f;
-  const float D_off_1 = D_g_0 - 1.0f;
-  const float D_off_4 = D_g_3 - 1.0f;
-  const float D_off_6 = D_g_5 - 1.0f;
-  const float D_defect_size_0 = fabsf(D_off_0);
-  const float D_defect_size_1 = fabsf(D_off_1);
-  const float D_defect_size_2 = fabsf(D_g_1);
-  const float D_defect_size_3 = fabsf(D_g_2);
-  const float D_defect_size_4 = fabsf(D_off_4);
-  const float D_defect_size_5 = fabsf(D_g_4);
-  const float D_defect_size_6 = fabsf(D_off_6);
+          + KSL_MULF(D->m20, D->m20),
+      D_g_1 = KSL_MULF(D->m00, D->m01) + KSL_MULF(D->m10, D->m11) + KSL_MULF(D->m20, D->m21),
+      D_g_2 = KSL_MULF(D->m00, D->m02) + KSL_MULF(D->m10, D->m12) + KSL_MULF(D->m20, D->m22),
+      D_g_3 = KSL_MULF(D->m01, D->m01) + KSL_MULF(D->m11, D->m11) + KSL_MULF(D->m21, D->m21),
+      D_g_4 = KSL_MULF(D->m01, D->m02) + KSL_MULF(D->m11, D->m12) + KSL_MULF(D->m21, D->m22),
+      D_g_5 = KSL_MULF(D->m02, D->m02) + KSL_MULF(D->m12, D->m12) + KSL_MULF(D->m22, D->m22);
+  const float D_off_0 = D_det - 1.0f, D_off_1 = D_g_0 - 1.0f, D_off_4 = D_g_3 - 1.0f,
+      D_off_6 = D_g_5 - 1.0f;
+  const float D_defect_size_0 = fabsf(D_off_0), D_defect_size_1 = fabsf(D_off_1),
+      D_defect_size_2 = fabsf(D_g_1), D_defect_size_3 = fabsf(D_g_2),
+      D_defect_size_4 = fabsf(D_off_4), D_defect_size_5 = fabsf(D_g_4),
+      D_defect_size_6 = fabsf(D_off_6);
   const float D_defect_largest1 = D_defect_size_0 < D_defect_size_1 ? D_defect_size_1
           : D_defect_size_0;
   const float D_defect_largest2 = D_defect_largest1 < D_defect_size_2 ? D_defect_size_2
@@ -10484,18 +10299,18 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
           : D_defect_largest5;
   const float D_unless_equal = D_defect_largest6 == 0.001f ? 0.0f : 1.2676506e+30f;
   const float D_unless_rotation = D_defect_largest6 < 0.001f ? 0.0f : D_unless_equal;
-  const float D_excess = KSL_MULF(D_unless_rotation, 1.2676506e+30f);
-  const float D_excess_0 = KSL_MULF(1.0000005f, fabsf(fine_so_lo2_1
-          + KSL_MULF(D->m03, fine_b_across_lo) + (fine_so_0 - so_0))) + so_rest_1 + D_excess;
-  const float D_excess_1 = KSL_MULF(1.0000005f, fabsf(fine_so_lo2_2
-          + KSL_MULF(D->m13, fine_b_across_lo) + (fine_so_1 - so_1))) + so_rest_2 + D_excess;
-  const float D_excess_2 = KSL_MULF(1.0000005f, fabsf(fine_so_lo2_3
-          + KSL_MULF(D->m23, fine_b_across_lo) + (fine_so_2 - so_2))) + so_rest_3 + D_excess;
-  const float D_excess_3 = fine_along_rest_1
-          + KSL_MULF(1.0000005f, fabsf(fine_vector_lo_1 + (fine_vector_0 - vector_0))) + D_excess;
-  const float D_excess_4 = fine_along_rest_3
-          + KSL_MULF(1.0000005f, fabsf(fine_vector_lo_2 + (fine_vector_1 - vector_1))) + D_excess;
-  const float D_excess_5 = fine_along_rest_4
+  const float D_excess = KSL_MULF(D_unless_rotation, 1.2676506e+30f),
+      D_excess_0 = KSL_MULF(1.0000005f, fabsf(fine_so_lo2_1 + KSL_MULF(D->m03, fine_b_across_lo)
+          + (fine_so_0 - so_0))) + so_rest_1 + D_excess,
+      D_excess_1 = KSL_MULF(1.0000005f, fabsf(fine_so_lo2_2 + KSL_MULF(D->m13, fine_b_across_lo)
+          + (fine_so_1 - so_1))) + so_rest_2 + D_excess,
+      D_excess_2 = KSL_MULF(1.0000005f, fabsf(fine_so_lo2_3 + KSL_MULF(D->m23, fine_b_across_lo)
+          + (fine_so_2 - so_2))) + so_rest_3 + D_excess,
+      D_excess_3 = fine_along_rest_1
+          + KSL_MULF(1.0000005f, fabsf(fine_vector_lo_1 + (fine_vector_0 - vector_0))) + D_excess,
+      D_excess_4 = fine_along_rest_3
+          + KSL_MULF(1.0000005f, fabsf(fine_vector_lo_2 + (fine_vector_1 - vector_1))) + D_excess,
+      D_excess_5 = fine_along_rest_4
           + KSL_MULF(1.0000005f, fabsf(fine_vector_lo_3 + (fine_vector_2 - vector_2))) + D_excess;
   so->m0 = so_0;
   so->m1 = so_1;

@@ -16,12 +16,10 @@
 static inline ksl_inertia_t ksl_inertia_accurate(const double m, const ksl_vec3_t t,
     const double Ixx, const double Iyy, const double Izz, const double Ixy,
     const double Iyz, const double Izx) {
-  const double J_1 = KSL_MUL(m, t.x);
-  const double J_2 = KSL_MUL(m, t.y);
-  const double J_3 = KSL_MUL(m, t.z);
-  const double J_1_rounded = J_1 + ksl_product_error(m, t.x, J_1);
-  const double J_2_rounded = J_2 + ksl_product_error(m, t.y, J_2);
-  const double J_3_rounded = J_3 + ksl_product_error(m, t.z, J_3);
+  const double J_1 = KSL_MUL(m, t.x), J_2 = KSL_MUL(m, t.y), J_3 = KSL_MUL(m, t.z);
+  const double J_1_rounded = J_1 + ksl_product_error(m, t.x, J_1),
+      J_2_rounded = J_2 + ksl_product_error(m, t.y, J_2),
+      J_3_rounded = J_3 + ksl_product_error(m, t.z, J_3);
   ksl_inertia_t J;
   J.m = m;
   J.mt.x = J_1_rounded;
@@ -165,25 +163,25 @@ static inline void ksl_inertia_rotated_accurate(const ksl_inertia_t *Ji, const k
           + KSL_MUL(R->m22, RI_2_lo);
   const double Jo_1_rounded = Jo_1
           + (Jo_1c - (Jo_1 - Jo_1_right) + ksl_product_rest(Ji->mt.z, R->m02, Jo_1d, Jo_1_right)
-          + Jo_1c_lo);
-  const double Jo_2_rounded = Jo_2
+          + Jo_1c_lo),
+      Jo_2_rounded = Jo_2
           + (Jo_2c - (Jo_2 - Jo_2_right) + ksl_product_rest(Ji->mt.z, R->m12, Jo_2d, Jo_2_right)
-          + Jo_2c_lo);
-  const double Jo_3_rounded = Jo_3
+          + Jo_2c_lo),
+      Jo_3_rounded = Jo_3
           + (Jo_3c - (Jo_3 - Jo_3_right) + ksl_product_rest(Ji->mt.z, R->m22, Jo_3d, Jo_3_right)
-          + Jo_3c_lo);
-  const double Jo_4_rounded = Jo_4
-          + (Jo_4_lo2 + (Jo_4c_lo1 + (KSL_MUL(R->m00, RI_0_lo) + KSL_MUL(R->m01, RI_1_lo))));
-  const double Jo_5_rounded = Jo_5
-          + (Jo_5_lo2 + (Jo_5c_lo1 + (KSL_MUL(R->m10, RI_3_lo) + KSL_MUL(R->m11, RI_4_lo))));
-  const double Jo_6_rounded = Jo_6
+          + Jo_3c_lo),
+      Jo_4_rounded = Jo_4
+          + (Jo_4_lo2 + (Jo_4c_lo1 + (KSL_MUL(R->m00, RI_0_lo) + KSL_MUL(R->m01, RI_1_lo)))),
+      Jo_5_rounded = Jo_5
+          + (Jo_5_lo2 + (Jo_5c_lo1 + (KSL_MUL(R->m10, RI_3_lo) + KSL_MUL(R->m11, RI_4_lo)))),
+      Jo_6_rounded = Jo_6
           + (Jo_6c - (Jo_6 - Jo_6_right) + ksl_product_rest(R->m22, RI_8, Jo_6d, Jo_6_right)
-          + Jo_6d_cross2 + Jo_6c_lo);
-  const double Jo_7_rounded = Jo_7
-          + (Jo_7_lo2 + (Jo_7c_lo1 + (KSL_MUL(R->m10, RI_0_lo) + KSL_MUL(R->m11, RI_1_lo))));
-  const double Jo_8_rounded = Jo_8
-          + (Jo_8_lo2 + (Jo_8c_lo1 + (KSL_MUL(R->m20, RI_3_lo) + KSL_MUL(R->m21, RI_4_lo))));
-  const double Jo_9_rounded = Jo_9
+          + Jo_6d_cross2 + Jo_6c_lo),
+      Jo_7_rounded = Jo_7
+          + (Jo_7_lo2 + (Jo_7c_lo1 + (KSL_MUL(R->m10, RI_0_lo) + KSL_MUL(R->m11, RI_1_lo)))),
+      Jo_8_rounded = Jo_8
+          + (Jo_8_lo2 + (Jo_8c_lo1 + (KSL_MUL(R->m20, RI_3_lo) + KSL_MUL(R->m21, RI_4_lo)))),
+      Jo_9_rounded = Jo_9
           + (Jo_9_lo2 + (Jo_9c_lo1 + (KSL_MUL(R->m20, RI_0_lo) + KSL_MUL(R->m21, RI_1_lo))));
   const double Ji_m = Ji->m;
   Jo->m = Ji_m;
@@ -355,12 +353,12 @@ static inline void ksl_inertia_rotate_accurate(ksl_inertia_t *self, const ksl_ma
   const double self_1_new_rounded = self_1_new
           + (self_1_new_lo1
           + (self_1_new_c_left_rest
-          + ksl_product_rest(self->mt.y, R->m01, self_1_new_b, self_1_new_c_right)));
-  const double self_2_new_rounded = self_2_new
+          + ksl_product_rest(self->mt.y, R->m01, self_1_new_b, self_1_new_c_right))),
+      self_2_new_rounded = self_2_new
           + (self_2_new_lo1
           + (self_2_new_c_left_rest
-          + ksl_product_rest(self->mt.y, R->m11, self_2_new_b, self_2_new_c_right)));
-  const double self_3_new_rounded = self_3_new
+          + ksl_product_rest(self->mt.y, R->m11, self_2_new_b, self_2_new_c_right))),
+      self_3_new_rounded = self_3_new
           + (self_3_new_lo1
           + (self_3_new_c_left_rest
           + ksl_product_rest(self->mt.y, R->m21, self_3_new_b, self_3_new_c_right)));
@@ -369,8 +367,8 @@ static inline void ksl_inertia_rotate_accurate(ksl_inertia_t *self, const ksl_ma
   const double self_4_new_rounded = self_4_new + self_4_new_lo;
   const double self_5_new_lo = self_5_new_lo1 + KSL_MUL(R->m12, RI_5_lo)
           + (self_5_new_c_lo1 + (KSL_MUL(R->m10, RI_3_lo) + KSL_MUL(R->m11, RI_4_lo)));
-  const double self_5_new_rounded = self_5_new + self_5_new_lo;
-  const double self_6_new_rounded = self_6_new
+  const double self_5_new_rounded = self_5_new + self_5_new_lo,
+      self_6_new_rounded = self_6_new
           + (self_6_new_lo2 + (self_6_new_c_lo1 + (self_6_new_a_cross2 + self_6_new_b_cross2)));
   const double self_7_new_lo = self_7_new_lo1 + KSL_MUL(R->m12, RI_2_lo)
           + (self_7_new_c_lo1 + (KSL_MUL(R->m10, RI_0_lo) + KSL_MUL(R->m11, RI_1_lo)));
@@ -404,10 +402,10 @@ static inline void ksl_inertia_translated_accurate(const ksl_inertia_t *Ji, cons
   const double Jo_2a = KSL_MUL(Ji->m, t->y), Jo_2 = Jo_2a + Ji->mt.y, Jo_2_right = Jo_2 - Jo_2a;
   const double Jo_3a = KSL_MUL(Ji->m, t->z), Jo_3 = Jo_3a + Ji->mt.z, Jo_3_right = Jo_3 - Jo_3a;
   const double Jo_1_rounded = Jo_1
-          + (ksl_product_rest(Ji->m, t->x, Jo_1a, Jo_1 - Jo_1_right) + (Ji->mt.x - Jo_1_right));
-  const double Jo_2_rounded = Jo_2
-          + (ksl_product_rest(Ji->m, t->y, Jo_2a, Jo_2 - Jo_2_right) + (Ji->mt.y - Jo_2_right));
-  const double Jo_3_rounded = Jo_3
+          + (ksl_product_rest(Ji->m, t->x, Jo_1a, Jo_1 - Jo_1_right) + (Ji->mt.x - Jo_1_right)),
+      Jo_2_rounded = Jo_2
+          + (ksl_product_rest(Ji->m, t->y, Jo_2a, Jo_2 - Jo_2_right) + (Ji->mt.y - Jo_2_right)),
+      Jo_3_rounded = Jo_3
           + (ksl_product_rest(Ji->m, t->z, Jo_3a, Jo_3 - Jo_3_right) + (Ji->mt.z - Jo_3_right));
   const double Ji_m = Ji->m;
   const double Ji_Ixx = Ji->Ixx;
@@ -443,11 +441,11 @@ static inline void ksl_inertia_translate_accurate(ksl_inertia_t *self, const ksl
       self_3_new_right = self_3_new - self_3_new_a;
   const double self_1_new_rounded = self_1_new
           + (ksl_product_rest(self->m, t->x, self_1_new_a, self_1_new - self_1_new_right)
-          + (self->mt.x - self_1_new_right));
-  const double self_2_new_rounded = self_2_new
+          + (self->mt.x - self_1_new_right)),
+      self_2_new_rounded = self_2_new
           + (ksl_product_rest(self->m, t->y, self_2_new_a, self_2_new - self_2_new_right)
-          + (self->mt.y - self_2_new_right));
-  const double self_3_new_rounded = self_3_new
+          + (self->mt.y - self_2_new_right)),
+      self_3_new_rounded = self_3_new
           + (ksl_product_rest(self->m, t->z, self_3_new_a, self_3_new - self_3_new_right)
           + (self->mt.z - self_3_new_right));
   self->mt.x = self_1_new_rounded;
@@ -593,25 +591,25 @@ static inline void ksl_inertia_transformed_accurate(const ksl_inertia_t *Ji, con
           + KSL_MUL(D->m22, RI_2_lo);
   const double Jo_1_rounded = Jo_1
           + (ksl_product_rest(Ji->m, D->m03, Jo_1a, Jo_1 - Jo_1_right) + (Jo_1f - Jo_1_right)
-          + Jo_1f_lo);
-  const double Jo_2_rounded = Jo_2
+          + Jo_1f_lo),
+      Jo_2_rounded = Jo_2
           + (ksl_product_rest(Ji->m, D->m13, Jo_2a, Jo_2 - Jo_2_right) + (Jo_2f - Jo_2_right)
-          + Jo_2f_lo);
-  const double Jo_3_rounded = Jo_3
+          + Jo_2f_lo),
+      Jo_3_rounded = Jo_3
           + (ksl_product_rest(Ji->m, D->m23, Jo_3a, Jo_3 - Jo_3_right) + (Jo_3f - Jo_3_right)
-          + Jo_3f_lo);
-  const double Jo_4_rounded = Jo_4
-          + (Jo_4_lo2 + (Jo_4c_lo1 + (KSL_MUL(D->m00, RI_0_lo) + KSL_MUL(D->m01, RI_1_lo))));
-  const double Jo_5_rounded = Jo_5
-          + (Jo_5_lo2 + (Jo_5c_lo1 + (KSL_MUL(D->m10, RI_3_lo) + KSL_MUL(D->m11, RI_4_lo))));
-  const double Jo_6_rounded = Jo_6
+          + Jo_3f_lo),
+      Jo_4_rounded = Jo_4
+          + (Jo_4_lo2 + (Jo_4c_lo1 + (KSL_MUL(D->m00, RI_0_lo) + KSL_MUL(D->m01, RI_1_lo)))),
+      Jo_5_rounded = Jo_5
+          + (Jo_5_lo2 + (Jo_5c_lo1 + (KSL_MUL(D->m10, RI_3_lo) + KSL_MUL(D->m11, RI_4_lo)))),
+      Jo_6_rounded = Jo_6
           + (Jo_6c - (Jo_6 - Jo_6_right) + ksl_product_rest(D->m22, RI_8, Jo_6d, Jo_6_right)
-          + Jo_6d_cross2 + Jo_6c_lo);
-  const double Jo_7_rounded = Jo_7
-          + (Jo_7_lo2 + (Jo_7c_lo1 + (KSL_MUL(D->m10, RI_0_lo) + KSL_MUL(D->m11, RI_1_lo))));
-  const double Jo_8_rounded = Jo_8
-          + (Jo_8_lo2 + (Jo_8c_lo1 + (KSL_MUL(D->m20, RI_3_lo) + KSL_MUL(D->m21, RI_4_lo))));
-  const double Jo_9_rounded = Jo_9
+          + Jo_6d_cross2 + Jo_6c_lo),
+      Jo_7_rounded = Jo_7
+          + (Jo_7_lo2 + (Jo_7c_lo1 + (KSL_MUL(D->m10, RI_0_lo) + KSL_MUL(D->m11, RI_1_lo)))),
+      Jo_8_rounded = Jo_8
+          + (Jo_8_lo2 + (Jo_8c_lo1 + (KSL_MUL(D->m20, RI_3_lo) + KSL_MUL(D->m21, RI_4_lo)))),
+      Jo_9_rounded = Jo_9
           + (Jo_9_lo2 + (Jo_9c_lo1 + (KSL_MUL(D->m20, RI_0_lo) + KSL_MUL(D->m21, RI_1_lo))));
   const double Ji_m = Ji->m;
   Jo->m = Ji_m;
@@ -806,8 +804,8 @@ static inline void ksl_inertia_transform_accurate(ksl_inertia_t *self, const ksl
   const double self_4_new_rounded = self_4_new + self_4_new_lo;
   const double self_5_new_lo = self_5_new_lo1 + KSL_MUL(D->m12, RI_5_lo)
           + (self_5_new_c_lo1 + (KSL_MUL(D->m10, RI_3_lo) + KSL_MUL(D->m11, RI_4_lo)));
-  const double self_5_new_rounded = self_5_new + self_5_new_lo;
-  const double self_6_new_rounded = self_6_new
+  const double self_5_new_rounded = self_5_new + self_5_new_lo,
+      self_6_new_rounded = self_6_new
           + (self_6_new_lo2 + (self_6_new_c_lo1 + (self_6_new_a_cross2 + self_6_new_b_cross2)));
   const double self_7_new_lo = self_7_new_lo1 + KSL_MUL(D->m12, RI_2_lo)
           + (self_7_new_c_lo1 + (KSL_MUL(D->m10, RI_0_lo) + KSL_MUL(D->m11, RI_1_lo)));
@@ -879,8 +877,7 @@ static inline void ksl_inertia_merge_accurate(ksl_inertia_t *Ji, const ksl_vec3_
   const double reduced = KSL_MUL(Ji->m, part);
   const double reduced_lo = ksl_product_error(Ji->m, part, reduced)
           + KSL_MUL(Ji->m, part_residual / m_sum), p_0 = KSL_MUL(d_0, reduced);
-  const double p_1 = KSL_MUL(d_1, reduced);
-  const double p_2 = KSL_MUL(d_2, reduced);
+  const double p_1 = KSL_MUL(d_1, reduced), p_2 = KSL_MUL(d_2, reduced);
   const double p_0_lo = ksl_product_error(d_0, reduced, p_0)
           + (KSL_MUL(d_0_lo, reduced) + KSL_MUL(d_0, reduced_lo)), squares_0 = KSL_MUL(d_0, p_0),
       squares_0_cross = KSL_MUL(d_0_lo, p_0) + KSL_MUL(d_0, p_0_lo);
@@ -1131,9 +1128,8 @@ static inline void ksl_inertia_merge_accurate(ksl_inertia_t *Ji, const ksl_vec3_
 static inline ksl_inertiaf_t ksl_inertiaf_accurate(const float m, const ksl_vec3f_t t,
     const float Ixx, const float Iyy, const float Izz, const float Ixy,
     const float Iyz, const float Izx) {
-  const double J_1 = (double)m * (double)t.x;
-  const double J_2 = (double)m * (double)t.y;
-  const double J_3 = (double)m * (double)t.z;
+  const double J_1 = (double)m * (double)t.x, J_2 = (double)m * (double)t.y,
+      J_3 = (double)m * (double)t.z;
   ksl_inertiaf_t J;
   J.m = m;
   J.mt.x = (float)J_1;
@@ -1157,40 +1153,40 @@ static inline ksl_inertiaf_t ksl_inertiaf_accurate(const float m, const ksl_vec3
 static inline void ksl_inertiaf_rotated_accurate(const ksl_inertiaf_t *Ji, const ksl_mat3x3f_t *R,
     ksl_inertiaf_t *Jo) {
   const double RI_0 = ksl_product_sum((double)Ji->Izx, (double)R->m02,
-      ksl_product_sum((double)Ji->Ixy, (double)R->m01, (double)Ji->Ixx * (double)R->m00));
-  const double RI_1 = ksl_product_sum((double)Ji->Iyz, (double)R->m02,
-      ksl_product_sum((double)Ji->Ixy, (double)R->m00, (double)Ji->Iyy * (double)R->m01));
-  const double RI_2 = ksl_product_sum((double)Ji->Izx, (double)R->m00,
-      ksl_product_sum((double)Ji->Iyz, (double)R->m01, (double)Ji->Izz * (double)R->m02));
-  const double RI_3 = ksl_product_sum((double)Ji->Izx, (double)R->m12,
-      ksl_product_sum((double)Ji->Ixy, (double)R->m11, (double)Ji->Ixx * (double)R->m10));
-  const double RI_4 = ksl_product_sum((double)Ji->Iyz, (double)R->m12,
-      ksl_product_sum((double)Ji->Ixy, (double)R->m10, (double)Ji->Iyy * (double)R->m11));
-  const double RI_5 = ksl_product_sum((double)Ji->Izx, (double)R->m10,
-      ksl_product_sum((double)Ji->Iyz, (double)R->m11, (double)Ji->Izz * (double)R->m12));
-  const double RI_6 = ksl_product_sum((double)Ji->Izx, (double)R->m22,
-      ksl_product_sum((double)Ji->Ixy, (double)R->m21, (double)Ji->Ixx * (double)R->m20));
-  const double RI_7 = ksl_product_sum((double)Ji->Iyz, (double)R->m22,
-      ksl_product_sum((double)Ji->Ixy, (double)R->m20, (double)Ji->Iyy * (double)R->m21));
-  const double RI_8 = ksl_product_sum((double)Ji->Izx, (double)R->m20,
-      ksl_product_sum((double)Ji->Iyz, (double)R->m21, (double)Ji->Izz * (double)R->m22));
+      ksl_product_sum((double)Ji->Ixy, (double)R->m01, (double)Ji->Ixx * (double)R->m00)),
+      RI_1 = ksl_product_sum((double)Ji->Iyz, (double)R->m02, ksl_product_sum((double)Ji->Ixy,
+          (double)R->m00, (double)Ji->Iyy * (double)R->m01)),
+      RI_2 = ksl_product_sum((double)Ji->Izx, (double)R->m00, ksl_product_sum((double)Ji->Iyz,
+          (double)R->m01, (double)Ji->Izz * (double)R->m02)),
+      RI_3 = ksl_product_sum((double)Ji->Izx, (double)R->m12, ksl_product_sum((double)Ji->Ixy,
+          (double)R->m11, (double)Ji->Ixx * (double)R->m10)),
+      RI_4 = ksl_product_sum((double)Ji->Iyz, (double)R->m12, ksl_product_sum((double)Ji->Ixy,
+          (double)R->m10, (double)Ji->Iyy * (double)R->m11)),
+      RI_5 = ksl_product_sum((double)Ji->Izx, (double)R->m10, ksl_product_sum((double)Ji->Iyz,
+          (double)R->m11, (double)Ji->Izz * (double)R->m12)),
+      RI_6 = ksl_product_sum((double)Ji->Izx, (double)R->m22, ksl_product_sum((double)Ji->Ixy,
+          (double)R->m21, (double)Ji->Ixx * (double)R->m20)),
+      RI_7 = ksl_product_sum((double)Ji->Iyz, (double)R->m22, ksl_product_sum((double)Ji->Ixy,
+          (double)R->m20, (double)Ji->Iyy * (double)R->m21)),
+      RI_8 = ksl_product_sum((double)Ji->Izx, (double)R->m20, ksl_product_sum((double)Ji->Iyz,
+          (double)R->m21, (double)Ji->Izz * (double)R->m22));
   const double Jo_1 = ksl_product_sum((double)Ji->mt.z, (double)R->m02,
-      ksl_product_sum((double)Ji->mt.y, (double)R->m01, (double)Ji->mt.x * (double)R->m00));
-  const double Jo_2 = ksl_product_sum((double)Ji->mt.z, (double)R->m12,
-      ksl_product_sum((double)Ji->mt.y, (double)R->m11, (double)Ji->mt.x * (double)R->m10));
-  const double Jo_3 = ksl_product_sum((double)Ji->mt.z, (double)R->m22,
-      ksl_product_sum((double)Ji->mt.y, (double)R->m21, (double)Ji->mt.x * (double)R->m20));
-  const double Jo_4 = KSL_MUL((double)R->m00, RI_0) + KSL_MUL((double)R->m01, RI_1)
-          + KSL_MUL((double)R->m02, RI_2);
-  const double Jo_5 = KSL_MUL((double)R->m10, RI_3) + KSL_MUL((double)R->m11, RI_4)
-          + KSL_MUL((double)R->m12, RI_5);
-  const double Jo_6 = KSL_MUL((double)R->m20, RI_6) + KSL_MUL((double)R->m21, RI_7)
-          + KSL_MUL((double)R->m22, RI_8);
-  const double Jo_7 = KSL_MUL((double)R->m10, RI_0) + KSL_MUL((double)R->m11, RI_1)
-          + KSL_MUL((double)R->m12, RI_2);
-  const double Jo_8 = KSL_MUL((double)R->m20, RI_3) + KSL_MUL((double)R->m21, RI_4)
-          + KSL_MUL((double)R->m22, RI_5);
-  const double Jo_9 = KSL_MUL((double)R->m20, RI_0) + KSL_MUL((double)R->m21, RI_1)
+      ksl_product_sum((double)Ji->mt.y, (double)R->m01, (double)Ji->mt.x * (double)R->m00)),
+      Jo_2 = ksl_product_sum((double)Ji->mt.z, (double)R->m12, ksl_product_sum((double)Ji->mt.y,
+          (double)R->m11, (double)Ji->mt.x * (double)R->m10)),
+      Jo_3 = ksl_product_sum((double)Ji->mt.z, (double)R->m22, ksl_product_sum((double)Ji->mt.y,
+          (double)R->m21, (double)Ji->mt.x * (double)R->m20)),
+      Jo_4 = KSL_MUL((double)R->m00, RI_0) + KSL_MUL((double)R->m01, RI_1)
+          + KSL_MUL((double)R->m02, RI_2),
+      Jo_5 = KSL_MUL((double)R->m10, RI_3) + KSL_MUL((double)R->m11, RI_4)
+          + KSL_MUL((double)R->m12, RI_5),
+      Jo_6 = KSL_MUL((double)R->m20, RI_6) + KSL_MUL((double)R->m21, RI_7)
+          + KSL_MUL((double)R->m22, RI_8),
+      Jo_7 = KSL_MUL((double)R->m10, RI_0) + KSL_MUL((double)R->m11, RI_1)
+          + KSL_MUL((double)R->m12, RI_2),
+      Jo_8 = KSL_MUL((double)R->m20, RI_3) + KSL_MUL((double)R->m21, RI_4)
+          + KSL_MUL((double)R->m22, RI_5),
+      Jo_9 = KSL_MUL((double)R->m20, RI_0) + KSL_MUL((double)R->m21, RI_1)
           + KSL_MUL((double)R->m22, RI_2);
   const float Ji_m = Ji->m;
   Jo->m = Ji_m;
@@ -1213,23 +1209,23 @@ static inline void ksl_inertiaf_rotated_accurate(const ksl_inertiaf_t *Ji, const
      expanded formula; barring over- and underflow. */
 static inline void ksl_inertiaf_rotate_accurate(ksl_inertiaf_t *self, const ksl_mat3x3f_t *R) {
   const double RI_0 = ksl_product_sum((double)self->Izx, (double)R->m02,
-      ksl_product_sum((double)self->Ixy, (double)R->m01, (double)self->Ixx * (double)R->m00));
-  const double RI_1 = ksl_product_sum((double)self->Iyz, (double)R->m02,
-      ksl_product_sum((double)self->Ixy, (double)R->m00, (double)self->Iyy * (double)R->m01));
-  const double RI_2 = ksl_product_sum((double)self->Izx, (double)R->m00,
-      ksl_product_sum((double)self->Iyz, (double)R->m01, (double)self->Izz * (double)R->m02));
-  const double RI_3 = ksl_product_sum((double)self->Izx, (double)R->m12,
-      ksl_product_sum((double)self->Ixy, (double)R->m11, (double)self->Ixx * (double)R->m10));
-  const double RI_4 = ksl_product_sum((double)self->Iyz, (double)R->m12,
-      ksl_product_sum((double)self->Ixy, (double)R->m10, (double)self->Iyy * (double)R->m11));
-  const double RI_5 = ksl_product_sum((double)self->Izx, (double)R->m10,
-      ksl_product_sum((double)self->Iyz, (double)R->m11, (double)self->Izz * (double)R->m12));
-  const double RI_6 = ksl_product_sum((double)self->Izx, (double)R->m22,
-      ksl_product_sum((double)self->Ixy, (double)R->m21, (double)self->Ixx * (double)R->m20));
-  const double RI_7 = ksl_product_sum((double)self->Iyz, (double)R->m22,
-      ksl_product_sum((double)self->Ixy, (double)R->m20, (double)self->Iyy * (double)R->m21));
-  const double RI_8 = ksl_product_sum((double)self->Izx, (double)R->m20,
-      ksl_product_sum((double)self->Iyz, (double)R->m21, (double)self->Izz * (double)R->m22));
+      ksl_product_sum((double)self->Ixy, (double)R->m01, (double)self->Ixx * (double)R->m00)),
+      RI_1 = ksl_product_sum((double)self->Iyz, (double)R->m02, ksl_product_sum((double)self->Ixy,
+          (double)R->m00, (double)self->Iyy * (double)R->m01)),
+      RI_2 = ksl_product_sum((double)self->Izx, (double)R->m00, ksl_product_sum((double)self->Iyz,
+          (double)R->m01, (double)self->Izz * (double)R->m02)),
+      RI_3 = ksl_product_sum((double)self->Izx, (double)R->m12, ksl_product_sum((double)self->Ixy,
+          (double)R->m11, (double)self->Ixx * (double)R->m10)),
+      RI_4 = ksl_product_sum((double)self->Iyz, (double)R->m12, ksl_product_sum((double)self->Ixy,
+          (double)R->m10, (double)self->Iyy * (double)R->m11)),
+      RI_5 = ksl_product_sum((double)self->Izx, (double)R->m10, ksl_product_sum((double)self->Iyz,
+          (double)R->m11, (double)self->Izz * (double)R->m12)),
+      RI_6 = ksl_product_sum((double)self->Izx, (double)R->m22, ksl_product_sum((double)self->Ixy,
+          (double)R->m21, (double)self->Ixx * (double)R->m20)),
+      RI_7 = ksl_product_sum((double)self->Iyz, (double)R->m22, ksl_product_sum((double)self->Ixy,
+          (double)R->m20, (double)self->Iyy * (double)R->m21)),
+      RI_8 = ksl_product_sum((double)self->Izx, (double)R->m20, ksl_product_sum((double)self->Iyz,
+          (double)R->m21, (double)self->Izz * (double)R->m22));
   const double self_1_new_c = ksl_product_sum((double)self->mt.y, (double)R->m01, (double)self->mt.x
       * (double)R->m00),
       self_1_new = ksl_product_sum((double)self->mt.z, (double)R->m02, self_1_new_c);
@@ -1240,16 +1236,16 @@ static inline void ksl_inertiaf_rotate_accurate(ksl_inertiaf_t *self, const ksl_
       * (double)R->m20),
       self_3_new = ksl_product_sum((double)self->mt.z, (double)R->m22, self_3_new_c);
   const double self_4_new = KSL_MUL((double)R->m00, RI_0) + KSL_MUL((double)R->m01, RI_1)
-          + KSL_MUL((double)R->m02, RI_2);
-  const double self_5_new = KSL_MUL((double)R->m10, RI_3) + KSL_MUL((double)R->m11, RI_4)
-          + KSL_MUL((double)R->m12, RI_5);
-  const double self_6_new = KSL_MUL((double)R->m20, RI_6) + KSL_MUL((double)R->m21, RI_7)
-          + KSL_MUL((double)R->m22, RI_8);
-  const double self_7_new = KSL_MUL((double)R->m10, RI_0) + KSL_MUL((double)R->m11, RI_1)
-          + KSL_MUL((double)R->m12, RI_2);
-  const double self_8_new = KSL_MUL((double)R->m20, RI_3) + KSL_MUL((double)R->m21, RI_4)
-          + KSL_MUL((double)R->m22, RI_5);
-  const double self_9_new = KSL_MUL((double)R->m20, RI_0) + KSL_MUL((double)R->m21, RI_1)
+          + KSL_MUL((double)R->m02, RI_2),
+      self_5_new = KSL_MUL((double)R->m10, RI_3) + KSL_MUL((double)R->m11, RI_4)
+          + KSL_MUL((double)R->m12, RI_5),
+      self_6_new = KSL_MUL((double)R->m20, RI_6) + KSL_MUL((double)R->m21, RI_7)
+          + KSL_MUL((double)R->m22, RI_8),
+      self_7_new = KSL_MUL((double)R->m10, RI_0) + KSL_MUL((double)R->m11, RI_1)
+          + KSL_MUL((double)R->m12, RI_2),
+      self_8_new = KSL_MUL((double)R->m20, RI_3) + KSL_MUL((double)R->m21, RI_4)
+          + KSL_MUL((double)R->m22, RI_5),
+      self_9_new = KSL_MUL((double)R->m20, RI_0) + KSL_MUL((double)R->m21, RI_1)
           + KSL_MUL((double)R->m22, RI_2);
   self->mt.x = (float)self_1_new;
   self->mt.y = (float)self_2_new;
@@ -1270,9 +1266,9 @@ static inline void ksl_inertiaf_rotate_accurate(ksl_inertiaf_t *self, const ksl_
      formula; barring over- and underflow. */
 static inline void ksl_inertiaf_translated_accurate(const ksl_inertiaf_t *Ji,
     const ksl_vec3f_t *t, ksl_inertiaf_t *Jo) {
-  const double Jo_1 = ksl_product_sum((double)Ji->m, (double)t->x, (double)Ji->mt.x);
-  const double Jo_2 = ksl_product_sum((double)Ji->m, (double)t->y, (double)Ji->mt.y);
-  const double Jo_3 = ksl_product_sum((double)Ji->m, (double)t->z, (double)Ji->mt.z);
+  const double Jo_1 = ksl_product_sum((double)Ji->m, (double)t->x, (double)Ji->mt.x),
+      Jo_2 = ksl_product_sum((double)Ji->m, (double)t->y, (double)Ji->mt.y),
+      Jo_3 = ksl_product_sum((double)Ji->m, (double)t->z, (double)Ji->mt.z);
   const float Ji_m = Ji->m;
   const float Ji_Ixx = Ji->Ixx;
   const float Ji_Iyy = Ji->Iyy;
@@ -1299,9 +1295,9 @@ static inline void ksl_inertiaf_translated_accurate(const ksl_inertiaf_t *Ji,
    Error <= u |result| + (m: 0, mt: 1/16, I: 0) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_inertiaf_translate_accurate(ksl_inertiaf_t *self, const ksl_vec3f_t *t) {
-  const double self_1_new = ksl_product_sum((double)self->m, (double)t->x, (double)self->mt.x);
-  const double self_2_new = ksl_product_sum((double)self->m, (double)t->y, (double)self->mt.y);
-  const double self_3_new = ksl_product_sum((double)self->m, (double)t->z, (double)self->mt.z);
+  const double self_1_new = ksl_product_sum((double)self->m, (double)t->x, (double)self->mt.x),
+      self_2_new = ksl_product_sum((double)self->m, (double)t->y, (double)self->mt.y),
+      self_3_new = ksl_product_sum((double)self->m, (double)t->z, (double)self->mt.z);
   self->mt.x = (float)self_1_new;
   self->mt.y = (float)self_2_new;
   self->mt.z = (float)self_3_new;
@@ -1316,23 +1312,23 @@ static inline void ksl_inertiaf_translate_accurate(ksl_inertiaf_t *self, const k
 static inline void ksl_inertiaf_transformed_accurate(const ksl_inertiaf_t *Ji,
     const ksl_SE3f_t *D, ksl_inertiaf_t *Jo) {
   const double RI_0 = ksl_product_sum((double)Ji->Izx, (double)D->m02,
-      ksl_product_sum((double)Ji->Ixy, (double)D->m01, (double)Ji->Ixx * (double)D->m00));
-  const double RI_1 = ksl_product_sum((double)Ji->Iyz, (double)D->m02,
-      ksl_product_sum((double)Ji->Ixy, (double)D->m00, (double)Ji->Iyy * (double)D->m01));
-  const double RI_2 = ksl_product_sum((double)Ji->Izx, (double)D->m00,
-      ksl_product_sum((double)Ji->Iyz, (double)D->m01, (double)Ji->Izz * (double)D->m02));
-  const double RI_3 = ksl_product_sum((double)Ji->Izx, (double)D->m12,
-      ksl_product_sum((double)Ji->Ixy, (double)D->m11, (double)Ji->Ixx * (double)D->m10));
-  const double RI_4 = ksl_product_sum((double)Ji->Iyz, (double)D->m12,
-      ksl_product_sum((double)Ji->Ixy, (double)D->m10, (double)Ji->Iyy * (double)D->m11));
-  const double RI_5 = ksl_product_sum((double)Ji->Izx, (double)D->m10,
-      ksl_product_sum((double)Ji->Iyz, (double)D->m11, (double)Ji->Izz * (double)D->m12));
-  const double RI_6 = ksl_product_sum((double)Ji->Izx, (double)D->m22,
-      ksl_product_sum((double)Ji->Ixy, (double)D->m21, (double)Ji->Ixx * (double)D->m20));
-  const double RI_7 = ksl_product_sum((double)Ji->Iyz, (double)D->m22,
-      ksl_product_sum((double)Ji->Ixy, (double)D->m20, (double)Ji->Iyy * (double)D->m21));
-  const double RI_8 = ksl_product_sum((double)Ji->Izx, (double)D->m20,
-      ksl_product_sum((double)Ji->Iyz, (double)D->m21, (double)Ji->Izz * (double)D->m22));
+      ksl_product_sum((double)Ji->Ixy, (double)D->m01, (double)Ji->Ixx * (double)D->m00)),
+      RI_1 = ksl_product_sum((double)Ji->Iyz, (double)D->m02, ksl_product_sum((double)Ji->Ixy,
+          (double)D->m00, (double)Ji->Iyy * (double)D->m01)),
+      RI_2 = ksl_product_sum((double)Ji->Izx, (double)D->m00, ksl_product_sum((double)Ji->Iyz,
+          (double)D->m01, (double)Ji->Izz * (double)D->m02)),
+      RI_3 = ksl_product_sum((double)Ji->Izx, (double)D->m12, ksl_product_sum((double)Ji->Ixy,
+          (double)D->m11, (double)Ji->Ixx * (double)D->m10)),
+      RI_4 = ksl_product_sum((double)Ji->Iyz, (double)D->m12, ksl_product_sum((double)Ji->Ixy,
+          (double)D->m10, (double)Ji->Iyy * (double)D->m11)),
+      RI_5 = ksl_product_sum((double)Ji->Izx, (double)D->m10, ksl_product_sum((double)Ji->Iyz,
+          (double)D->m11, (double)Ji->Izz * (double)D->m12)),
+      RI_6 = ksl_product_sum((double)Ji->Izx, (double)D->m22, ksl_product_sum((double)Ji->Ixy,
+          (double)D->m21, (double)Ji->Ixx * (double)D->m20)),
+      RI_7 = ksl_product_sum((double)Ji->Iyz, (double)D->m22, ksl_product_sum((double)Ji->Ixy,
+          (double)D->m20, (double)Ji->Iyy * (double)D->m21)),
+      RI_8 = ksl_product_sum((double)Ji->Izx, (double)D->m20, ksl_product_sum((double)Ji->Iyz,
+          (double)D->m21, (double)Ji->Izz * (double)D->m22));
   const double Jo_1f = ksl_product_sum((double)Ji->mt.z, (double)D->m02,
       ksl_product_sum((double)Ji->mt.y, (double)D->m01, (double)Ji->mt.x * (double)D->m00)),
       Jo_1 = ksl_product_sum((double)Ji->m, (double)D->m03, Jo_1f);
@@ -1343,16 +1339,16 @@ static inline void ksl_inertiaf_transformed_accurate(const ksl_inertiaf_t *Ji,
       ksl_product_sum((double)Ji->mt.y, (double)D->m21, (double)Ji->mt.x * (double)D->m20)),
       Jo_3 = ksl_product_sum((double)Ji->m, (double)D->m23, Jo_3f);
   const double Jo_4 = KSL_MUL((double)D->m00, RI_0) + KSL_MUL((double)D->m01, RI_1)
-          + KSL_MUL((double)D->m02, RI_2);
-  const double Jo_5 = KSL_MUL((double)D->m10, RI_3) + KSL_MUL((double)D->m11, RI_4)
-          + KSL_MUL((double)D->m12, RI_5);
-  const double Jo_6 = KSL_MUL((double)D->m20, RI_6) + KSL_MUL((double)D->m21, RI_7)
-          + KSL_MUL((double)D->m22, RI_8);
-  const double Jo_7 = KSL_MUL((double)D->m10, RI_0) + KSL_MUL((double)D->m11, RI_1)
-          + KSL_MUL((double)D->m12, RI_2);
-  const double Jo_8 = KSL_MUL((double)D->m20, RI_3) + KSL_MUL((double)D->m21, RI_4)
-          + KSL_MUL((double)D->m22, RI_5);
-  const double Jo_9 = KSL_MUL((double)D->m20, RI_0) + KSL_MUL((double)D->m21, RI_1)
+          + KSL_MUL((double)D->m02, RI_2),
+      Jo_5 = KSL_MUL((double)D->m10, RI_3) + KSL_MUL((double)D->m11, RI_4)
+          + KSL_MUL((double)D->m12, RI_5),
+      Jo_6 = KSL_MUL((double)D->m20, RI_6) + KSL_MUL((double)D->m21, RI_7)
+          + KSL_MUL((double)D->m22, RI_8),
+      Jo_7 = KSL_MUL((double)D->m10, RI_0) + KSL_MUL((double)D->m11, RI_1)
+          + KSL_MUL((double)D->m12, RI_2),
+      Jo_8 = KSL_MUL((double)D->m20, RI_3) + KSL_MUL((double)D->m21, RI_4)
+          + KSL_MUL((double)D->m22, RI_5),
+      Jo_9 = KSL_MUL((double)D->m20, RI_0) + KSL_MUL((double)D->m21, RI_1)
           + KSL_MUL((double)D->m22, RI_2);
   const float Ji_m = Ji->m;
   Jo->m = Ji_m;
@@ -1375,23 +1371,23 @@ static inline void ksl_inertiaf_transformed_accurate(const ksl_inertiaf_t *Ji,
      formula; barring over- and underflow. */
 static inline void ksl_inertiaf_transform_accurate(ksl_inertiaf_t *self, const ksl_SE3f_t *D) {
   const double RI_0 = ksl_product_sum((double)self->Izx, (double)D->m02,
-      ksl_product_sum((double)self->Ixy, (double)D->m01, (double)self->Ixx * (double)D->m00));
-  const double RI_1 = ksl_product_sum((double)self->Iyz, (double)D->m02,
-      ksl_product_sum((double)self->Ixy, (double)D->m00, (double)self->Iyy * (double)D->m01));
-  const double RI_2 = ksl_product_sum((double)self->Izx, (double)D->m00,
-      ksl_product_sum((double)self->Iyz, (double)D->m01, (double)self->Izz * (double)D->m02));
-  const double RI_3 = ksl_product_sum((double)self->Izx, (double)D->m12,
-      ksl_product_sum((double)self->Ixy, (double)D->m11, (double)self->Ixx * (double)D->m10));
-  const double RI_4 = ksl_product_sum((double)self->Iyz, (double)D->m12,
-      ksl_product_sum((double)self->Ixy, (double)D->m10, (double)self->Iyy * (double)D->m11));
-  const double RI_5 = ksl_product_sum((double)self->Izx, (double)D->m10,
-      ksl_product_sum((double)self->Iyz, (double)D->m11, (double)self->Izz * (double)D->m12));
-  const double RI_6 = ksl_product_sum((double)self->Izx, (double)D->m22,
-      ksl_product_sum((double)self->Ixy, (double)D->m21, (double)self->Ixx * (double)D->m20));
-  const double RI_7 = ksl_product_sum((double)self->Iyz, (double)D->m22,
-      ksl_product_sum((double)self->Ixy, (double)D->m20, (double)self->Iyy * (double)D->m21));
-  const double RI_8 = ksl_product_sum((double)self->Izx, (double)D->m20,
-      ksl_product_sum((double)self->Iyz, (double)D->m21, (double)self->Izz * (double)D->m22));
+      ksl_product_sum((double)self->Ixy, (double)D->m01, (double)self->Ixx * (double)D->m00)),
+      RI_1 = ksl_product_sum((double)self->Iyz, (double)D->m02, ksl_product_sum((double)self->Ixy,
+          (double)D->m00, (double)self->Iyy * (double)D->m01)),
+      RI_2 = ksl_product_sum((double)self->Izx, (double)D->m00, ksl_product_sum((double)self->Iyz,
+          (double)D->m01, (double)self->Izz * (double)D->m02)),
+      RI_3 = ksl_product_sum((double)self->Izx, (double)D->m12, ksl_product_sum((double)self->Ixy,
+          (double)D->m11, (double)self->Ixx * (double)D->m10)),
+      RI_4 = ksl_product_sum((double)self->Iyz, (double)D->m12, ksl_product_sum((double)self->Ixy,
+          (double)D->m10, (double)self->Iyy * (double)D->m11)),
+      RI_5 = ksl_product_sum((double)self->Izx, (double)D->m10, ksl_product_sum((double)self->Iyz,
+          (double)D->m11, (double)self->Izz * (double)D->m12)),
+      RI_6 = ksl_product_sum((double)self->Izx, (double)D->m22, ksl_product_sum((double)self->Ixy,
+          (double)D->m21, (double)self->Ixx * (double)D->m20)),
+      RI_7 = ksl_product_sum((double)self->Iyz, (double)D->m22, ksl_product_sum((double)self->Ixy,
+          (double)D->m20, (double)self->Iyy * (double)D->m21)),
+      RI_8 = ksl_product_sum((double)self->Izx, (double)D->m20, ksl_product_sum((double)self->Iyz,
+          (double)D->m21, (double)self->Izz * (double)D->m22));
   const double self_1_new_d = ksl_product_sum((double)self->mt.y, (double)D->m01, (double)self->mt.x
       * (double)D->m00),
       self_1_new = ksl_product_sum((double)self->m, (double)D->m03,
@@ -1405,16 +1401,16 @@ static inline void ksl_inertiaf_transform_accurate(ksl_inertiaf_t *self, const k
       self_3_new = ksl_product_sum((double)self->m, (double)D->m23,
           ksl_product_sum((double)self->mt.z, (double)D->m22, self_3_new_d));
   const double self_4_new = KSL_MUL((double)D->m00, RI_0) + KSL_MUL((double)D->m01, RI_1)
-          + KSL_MUL((double)D->m02, RI_2);
-  const double self_5_new = KSL_MUL((double)D->m10, RI_3) + KSL_MUL((double)D->m11, RI_4)
-          + KSL_MUL((double)D->m12, RI_5);
-  const double self_6_new = KSL_MUL((double)D->m20, RI_6) + KSL_MUL((double)D->m21, RI_7)
-          + KSL_MUL((double)D->m22, RI_8);
-  const double self_7_new = KSL_MUL((double)D->m10, RI_0) + KSL_MUL((double)D->m11, RI_1)
-          + KSL_MUL((double)D->m12, RI_2);
-  const double self_8_new = KSL_MUL((double)D->m20, RI_3) + KSL_MUL((double)D->m21, RI_4)
-          + KSL_MUL((double)D->m22, RI_5);
-  const double self_9_new = KSL_MUL((double)D->m20, RI_0) + KSL_MUL((double)D->m21, RI_1)
+          + KSL_MUL((double)D->m02, RI_2),
+      self_5_new = KSL_MUL((double)D->m10, RI_3) + KSL_MUL((double)D->m11, RI_4)
+          + KSL_MUL((double)D->m12, RI_5),
+      self_6_new = KSL_MUL((double)D->m20, RI_6) + KSL_MUL((double)D->m21, RI_7)
+          + KSL_MUL((double)D->m22, RI_8),
+      self_7_new = KSL_MUL((double)D->m10, RI_0) + KSL_MUL((double)D->m11, RI_1)
+          + KSL_MUL((double)D->m12, RI_2),
+      self_8_new = KSL_MUL((double)D->m20, RI_3) + KSL_MUL((double)D->m21, RI_4)
+          + KSL_MUL((double)D->m22, RI_5),
+      self_9_new = KSL_MUL((double)D->m20, RI_0) + KSL_MUL((double)D->m21, RI_1)
           + KSL_MUL((double)D->m22, RI_2);
   self->mt.x = (float)self_1_new;
   self->mt.y = (float)self_2_new;
@@ -1448,38 +1444,35 @@ static inline void ksl_inertiaf_merge_accurate(ksl_inertiaf_t *Ji, const ksl_vec
   const double c_2e = ksl_product_sum((double)t_jc->z, (double)D_ij->m22,
       ksl_product_sum((double)t_jc->y, (double)D_ij->m21, (double)t_jc->x * (double)D_ij->m20)),
       c_2 = c_2e + (double)D_ij->m23;
-  const double d_0 = c_0 - (double)t_ic->x;
-  const double d_1 = c_1 - (double)t_ic->y;
-  const double d_2 = c_2 - (double)t_ic->z;
+  const double d_0 = c_0 - (double)t_ic->x, d_1 = c_1 - (double)t_ic->y,
+      d_2 = c_2 - (double)t_ic->z;
   const double part = (double)Jj->m / m;
   const double reduced = KSL_MUL((double)Ji->m, part);
-  const double p_0 = KSL_MUL(d_0, reduced);
-  const double p_1 = KSL_MUL(d_1, reduced);
-  const double p_2 = KSL_MUL(d_2, reduced);
-  const double squares_0 = KSL_MUL(d_0, p_0);
-  const double squares_1 = KSL_MUL(d_1, p_1);
-  const double squares_2 = KSL_MUL(d_2, p_2);
+  const double p_0 = KSL_MUL(d_0, reduced), p_1 = KSL_MUL(d_1, reduced),
+      p_2 = KSL_MUL(d_2, reduced);
+  const double squares_0 = KSL_MUL(d_0, p_0), squares_1 = KSL_MUL(d_1, p_1),
+      squares_2 = KSL_MUL(d_2, p_2);
   const double RI_0 = ksl_product_sum((double)Jj->Izx, (double)D_ij->m02,
-      ksl_product_sum((double)Jj->Ixy, (double)D_ij->m01, (double)Jj->Ixx * (double)D_ij->m00));
-  const double RI_1 = ksl_product_sum((double)Jj->Iyz, (double)D_ij->m02,
-      ksl_product_sum((double)Jj->Ixy, (double)D_ij->m00, (double)Jj->Iyy * (double)D_ij->m01));
-  const double RI_2 = ksl_product_sum((double)Jj->Izx, (double)D_ij->m00,
-      ksl_product_sum((double)Jj->Iyz, (double)D_ij->m01, (double)Jj->Izz * (double)D_ij->m02));
-  const double RI_3 = ksl_product_sum((double)Jj->Izx, (double)D_ij->m12,
-      ksl_product_sum((double)Jj->Ixy, (double)D_ij->m11, (double)Jj->Ixx * (double)D_ij->m10));
-  const double RI_4 = ksl_product_sum((double)Jj->Iyz, (double)D_ij->m12,
-      ksl_product_sum((double)Jj->Ixy, (double)D_ij->m10, (double)Jj->Iyy * (double)D_ij->m11));
-  const double RI_5 = ksl_product_sum((double)Jj->Izx, (double)D_ij->m10,
-      ksl_product_sum((double)Jj->Iyz, (double)D_ij->m11, (double)Jj->Izz * (double)D_ij->m12));
-  const double RI_6 = ksl_product_sum((double)Jj->Izx, (double)D_ij->m22,
-      ksl_product_sum((double)Jj->Ixy, (double)D_ij->m21, (double)Jj->Ixx * (double)D_ij->m20));
-  const double RI_7 = ksl_product_sum((double)Jj->Iyz, (double)D_ij->m22,
-      ksl_product_sum((double)Jj->Ixy, (double)D_ij->m20, (double)Jj->Iyy * (double)D_ij->m21));
-  const double RI_8 = ksl_product_sum((double)Jj->Izx, (double)D_ij->m20,
-      ksl_product_sum((double)Jj->Iyz, (double)D_ij->m21, (double)Jj->Izz * (double)D_ij->m22));
-  const double Ji_1_new = (double)Ji->mt.x + KSL_MUL((double)Jj->m, c_0);
-  const double Ji_2_new = (double)Ji->mt.y + KSL_MUL((double)Jj->m, c_1);
-  const double Ji_3_new = (double)Ji->mt.z + KSL_MUL((double)Jj->m, c_2);
+      ksl_product_sum((double)Jj->Ixy, (double)D_ij->m01, (double)Jj->Ixx * (double)D_ij->m00)),
+      RI_1 = ksl_product_sum((double)Jj->Iyz, (double)D_ij->m02, ksl_product_sum((double)Jj->Ixy,
+          (double)D_ij->m00, (double)Jj->Iyy * (double)D_ij->m01)),
+      RI_2 = ksl_product_sum((double)Jj->Izx, (double)D_ij->m00, ksl_product_sum((double)Jj->Iyz,
+          (double)D_ij->m01, (double)Jj->Izz * (double)D_ij->m02)),
+      RI_3 = ksl_product_sum((double)Jj->Izx, (double)D_ij->m12, ksl_product_sum((double)Jj->Ixy,
+          (double)D_ij->m11, (double)Jj->Ixx * (double)D_ij->m10)),
+      RI_4 = ksl_product_sum((double)Jj->Iyz, (double)D_ij->m12, ksl_product_sum((double)Jj->Ixy,
+          (double)D_ij->m10, (double)Jj->Iyy * (double)D_ij->m11)),
+      RI_5 = ksl_product_sum((double)Jj->Izx, (double)D_ij->m10, ksl_product_sum((double)Jj->Iyz,
+          (double)D_ij->m11, (double)Jj->Izz * (double)D_ij->m12)),
+      RI_6 = ksl_product_sum((double)Jj->Izx, (double)D_ij->m22, ksl_product_sum((double)Jj->Ixy,
+          (double)D_ij->m21, (double)Jj->Ixx * (double)D_ij->m20)),
+      RI_7 = ksl_product_sum((double)Jj->Iyz, (double)D_ij->m22, ksl_product_sum((double)Jj->Ixy,
+          (double)D_ij->m20, (double)Jj->Iyy * (double)D_ij->m21)),
+      RI_8 = ksl_product_sum((double)Jj->Izx, (double)D_ij->m20, ksl_product_sum((double)Jj->Iyz,
+          (double)D_ij->m21, (double)Jj->Izz * (double)D_ij->m22));
+  const double Ji_1_new = (double)Ji->mt.x + KSL_MUL((double)Jj->m, c_0),
+      Ji_2_new = (double)Ji->mt.y + KSL_MUL((double)Jj->m, c_1),
+      Ji_3_new = (double)Ji->mt.z + KSL_MUL((double)Jj->m, c_2);
   const double Ji_4_new_f = (double)Ji->Ixx
           + (KSL_MUL((double)D_ij->m00, RI_0) + KSL_MUL((double)D_ij->m01, RI_1)
           + KSL_MUL((double)D_ij->m02, RI_2)), Ji_4_new = Ji_4_new_f + (squares_1 + squares_2);

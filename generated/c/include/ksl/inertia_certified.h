@@ -17,12 +17,10 @@
 static inline ksl_inertia_t ksl_inertia_certified(const double m, const ksl_vec3_t t,
     const double Ixx, const double Iyy, const double Izz, const double Ixy,
     const double Iyz, const double Izx, ksl_inertia_t *J_bound) {
-  const double J_1 = KSL_MUL(m, t.x);
-  const double J_2 = KSL_MUL(m, t.y);
-  const double J_3 = KSL_MUL(m, t.z);
-  const double J_1_bound = KSL_MUL(1.1102230246251568e-16, fabs(J_1) + 2.004168360008973e-292);
-  const double J_2_bound = KSL_MUL(1.1102230246251568e-16, fabs(J_2) + 2.004168360008973e-292);
-  const double J_3_bound = KSL_MUL(1.1102230246251568e-16, fabs(J_3) + 2.004168360008973e-292);
+  const double J_1 = KSL_MUL(m, t.x), J_2 = KSL_MUL(m, t.y), J_3 = KSL_MUL(m, t.z);
+  const double J_1_bound = KSL_MUL(1.1102230246251568e-16, fabs(J_1) + 2.004168360008973e-292),
+      J_2_bound = KSL_MUL(1.1102230246251568e-16, fabs(J_2) + 2.004168360008973e-292),
+      J_3_bound = KSL_MUL(1.1102230246251568e-16, fabs(J_3) + 2.004168360008973e-292);
   ksl_inertia_t J;
   J.m = m;
   J.mt.x = J_1;
@@ -79,22 +77,22 @@ static inline void ksl_inertia_rotated_certified(const ksl_inertia_t *Ji, const 
       Jo_3d = KSL_MUL(Ji->mt.z, R->m22), Jo_3 = Jo_3a + Jo_3b + Jo_3d;
   const double Jo_4 = KSL_MUL(R->m00, RI_0) + KSL_MUL(R->m01, RI_1) + KSL_MUL(R->m02, RI_2);
   const double Jo_5 = KSL_MUL(R->m10, RI_3) + KSL_MUL(R->m11, RI_4) + KSL_MUL(R->m12, RI_5);
-  const double Jo_6 = KSL_MUL(R->m20, RI_6) + KSL_MUL(R->m21, RI_7) + KSL_MUL(R->m22, RI_8);
-  const double Jo_7 = KSL_MUL(R->m10, RI_0) + KSL_MUL(R->m11, RI_1) + KSL_MUL(R->m12, RI_2);
-  const double Jo_8 = KSL_MUL(R->m20, RI_3) + KSL_MUL(R->m21, RI_4) + KSL_MUL(R->m22, RI_5);
-  const double Jo_9 = KSL_MUL(R->m20, RI_0) + KSL_MUL(R->m21, RI_1) + KSL_MUL(R->m22, RI_2);
-  const double RI_0_size = fabs(RI_0a) + fabs(RI_0b) + fabs(RI_0d);
-  const double RI_1_size = fabs(RI_1a) + fabs(RI_1b) + fabs(RI_1d);
-  const double RI_2_size = fabs(RI_2a) + fabs(RI_2b) + fabs(RI_2d);
-  const double RI_3_size = fabs(RI_3a) + fabs(RI_3b) + fabs(RI_3d);
-  const double RI_4_size = fabs(RI_4a) + fabs(RI_4b) + fabs(RI_4d);
-  const double RI_5_size = fabs(RI_5a) + fabs(RI_5b) + fabs(RI_5d);
-  const double RI_6_size = fabs(RI_6a) + fabs(RI_6b) + fabs(RI_6d);
-  const double RI_7_size = fabs(RI_7a) + fabs(RI_7b) + fabs(RI_7d);
-  const double RI_8_size = fabs(RI_8a) + fabs(RI_8b) + fabs(RI_8d);
-  const double Jo_1_size = fabs(Jo_1a) + fabs(Jo_1b) + fabs(Jo_1d);
-  const double Jo_2_size = fabs(Jo_2a) + fabs(Jo_2b) + fabs(Jo_2d);
-  const double Jo_3_size = fabs(Jo_3a) + fabs(Jo_3b) + fabs(Jo_3d);
+  const double Jo_6 = KSL_MUL(R->m20, RI_6) + KSL_MUL(R->m21, RI_7) + KSL_MUL(R->m22, RI_8),
+      Jo_7 = KSL_MUL(R->m10, RI_0) + KSL_MUL(R->m11, RI_1) + KSL_MUL(R->m12, RI_2),
+      Jo_8 = KSL_MUL(R->m20, RI_3) + KSL_MUL(R->m21, RI_4) + KSL_MUL(R->m22, RI_5),
+      Jo_9 = KSL_MUL(R->m20, RI_0) + KSL_MUL(R->m21, RI_1) + KSL_MUL(R->m22, RI_2);
+  const double RI_0_size = fabs(RI_0a) + fabs(RI_0b) + fabs(RI_0d),
+      RI_1_size = fabs(RI_1a) + fabs(RI_1b) + fabs(RI_1d),
+      RI_2_size = fabs(RI_2a) + fabs(RI_2b) + fabs(RI_2d),
+      RI_3_size = fabs(RI_3a) + fabs(RI_3b) + fabs(RI_3d),
+      RI_4_size = fabs(RI_4a) + fabs(RI_4b) + fabs(RI_4d),
+      RI_5_size = fabs(RI_5a) + fabs(RI_5b) + fabs(RI_5d),
+      RI_6_size = fabs(RI_6a) + fabs(RI_6b) + fabs(RI_6d),
+      RI_7_size = fabs(RI_7a) + fabs(RI_7b) + fabs(RI_7d),
+      RI_8_size = fabs(RI_8a) + fabs(RI_8b) + fabs(RI_8d);
+  const double Jo_1_size = fabs(Jo_1a) + fabs(Jo_1b) + fabs(Jo_1d),
+      Jo_2_size = fabs(Jo_2a) + fabs(Jo_2b) + fabs(Jo_2d),
+      Jo_3_size = fabs(Jo_3a) + fabs(Jo_3b) + fabs(Jo_3d);
   const double RI_0_padded = RI_0_size + 2.004168360008973e-292,
       RI_1_padded = RI_1_size + 2.004168360008973e-292,
       RI_2_padded = RI_2_size + 2.004168360008973e-292;
@@ -113,20 +111,20 @@ static inline void ksl_inertia_rotated_certified(const ksl_inertia_t *Ji, const 
           + KSL_MUL(R_21_abs, RI_7_size + 2.004168360008973e-292),
       Jo_6_size = Jo_6c_size + KSL_MUL(R_22_abs, RI_8_size + 2.004168360008973e-292);
   const double Jo_7_size = KSL_MUL(R_10_abs, RI_0_padded) + KSL_MUL(R_11_abs, RI_1_padded)
-          + KSL_MUL(R_12_abs, RI_2_padded);
-  const double Jo_8_size = KSL_MUL(R_20_abs, RI_3_padded) + KSL_MUL(R_21_abs, RI_4_padded)
-          + KSL_MUL(R_22_abs, RI_5_padded);
-  const double Jo_9_size = KSL_MUL(R_20_abs, RI_0_padded) + KSL_MUL(R_21_abs, RI_1_padded)
+          + KSL_MUL(R_12_abs, RI_2_padded),
+      Jo_8_size = KSL_MUL(R_20_abs, RI_3_padded) + KSL_MUL(R_21_abs, RI_4_padded)
+          + KSL_MUL(R_22_abs, RI_5_padded),
+      Jo_9_size = KSL_MUL(R_20_abs, RI_0_padded) + KSL_MUL(R_21_abs, RI_1_padded)
           + KSL_MUL(R_22_abs, RI_2_padded);
-  const double Jo_1_bound = KSL_MUL(3.3306690738754706e-16, Jo_1_size + 2.004168360008973e-292);
-  const double Jo_2_bound = KSL_MUL(3.3306690738754706e-16, Jo_2_size + 2.004168360008973e-292);
-  const double Jo_3_bound = KSL_MUL(3.3306690738754706e-16, Jo_3_size + 2.004168360008973e-292);
-  const double Jo_4_bound = KSL_MUL(6.661338147750942e-16, Jo_4_size + 2.004168360008973e-292);
-  const double Jo_5_bound = KSL_MUL(6.661338147750942e-16, Jo_5_size + 2.004168360008973e-292);
-  const double Jo_6_bound = KSL_MUL(6.661338147750942e-16, Jo_6_size + 2.004168360008973e-292);
-  const double Jo_7_bound = KSL_MUL(6.661338147750942e-16, Jo_7_size + 2.004168360008973e-292);
-  const double Jo_8_bound = KSL_MUL(6.661338147750942e-16, Jo_8_size + 2.004168360008973e-292);
-  const double Jo_9_bound = KSL_MUL(6.661338147750942e-16, Jo_9_size + 2.004168360008973e-292);
+  const double Jo_1_bound = KSL_MUL(3.3306690738754706e-16, Jo_1_size + 2.004168360008973e-292),
+      Jo_2_bound = KSL_MUL(3.3306690738754706e-16, Jo_2_size + 2.004168360008973e-292),
+      Jo_3_bound = KSL_MUL(3.3306690738754706e-16, Jo_3_size + 2.004168360008973e-292),
+      Jo_4_bound = KSL_MUL(6.661338147750942e-16, Jo_4_size + 2.004168360008973e-292),
+      Jo_5_bound = KSL_MUL(6.661338147750942e-16, Jo_5_size + 2.004168360008973e-292),
+      Jo_6_bound = KSL_MUL(6.661338147750942e-16, Jo_6_size + 2.004168360008973e-292),
+      Jo_7_bound = KSL_MUL(6.661338147750942e-16, Jo_7_size + 2.004168360008973e-292),
+      Jo_8_bound = KSL_MUL(6.661338147750942e-16, Jo_8_size + 2.004168360008973e-292),
+      Jo_9_bound = KSL_MUL(6.661338147750942e-16, Jo_9_size + 2.004168360008973e-292);
   const double Ji_m = Ji->m;
   Jo->m = Ji_m;
   Jo->mt.x = Jo_1;
@@ -185,22 +183,22 @@ static inline void ksl_inertia_rotate_certified(ksl_inertia_t *self, const ksl_m
       self_3_new = self_3_new_a + self_3_new_b + self_3_new_d;
   const double self_4_new = KSL_MUL(R->m00, RI_0) + KSL_MUL(R->m01, RI_1) + KSL_MUL(R->m02, RI_2);
   const double self_5_new = KSL_MUL(R->m10, RI_3) + KSL_MUL(R->m11, RI_4) + KSL_MUL(R->m12, RI_5);
-  const double self_6_new = KSL_MUL(R->m20, RI_6) + KSL_MUL(R->m21, RI_7) + KSL_MUL(R->m22, RI_8);
-  const double self_7_new = KSL_MUL(R->m10, RI_0) + KSL_MUL(R->m11, RI_1) + KSL_MUL(R->m12, RI_2);
-  const double self_8_new = KSL_MUL(R->m20, RI_3) + KSL_MUL(R->m21, RI_4) + KSL_MUL(R->m22, RI_5);
-  const double self_9_new = KSL_MUL(R->m20, RI_0) + KSL_MUL(R->m21, RI_1) + KSL_MUL(R->m22, RI_2);
-  const double RI_0_size = fabs(RI_0a) + fabs(RI_0b) + fabs(RI_0d);
-  const double RI_1_size = fabs(RI_1a) + fabs(RI_1b) + fabs(RI_1d);
-  const double RI_2_size = fabs(RI_2a) + fabs(RI_2b) + fabs(RI_2d);
-  const double RI_3_size = fabs(RI_3a) + fabs(RI_3b) + fabs(RI_3d);
-  const double RI_4_size = fabs(RI_4a) + fabs(RI_4b) + fabs(RI_4d);
-  const double RI_5_size = fabs(RI_5a) + fabs(RI_5b) + fabs(RI_5d);
-  const double RI_6_size = fabs(RI_6a) + fabs(RI_6b) + fabs(RI_6d);
-  const double RI_7_size = fabs(RI_7a) + fabs(RI_7b) + fabs(RI_7d);
-  const double RI_8_size = fabs(RI_8a) + fabs(RI_8b) + fabs(RI_8d);
-  const double self_1_new_size = fabs(self_1_new_a) + fabs(self_1_new_b) + fabs(self_1_new_d);
-  const double self_2_new_size = fabs(self_2_new_a) + fabs(self_2_new_b) + fabs(self_2_new_d);
-  const double self_3_new_size = fabs(self_3_new_a) + fabs(self_3_new_b) + fabs(self_3_new_d);
+  const double self_6_new = KSL_MUL(R->m20, RI_6) + KSL_MUL(R->m21, RI_7) + KSL_MUL(R->m22, RI_8),
+      self_7_new = KSL_MUL(R->m10, RI_0) + KSL_MUL(R->m11, RI_1) + KSL_MUL(R->m12, RI_2),
+      self_8_new = KSL_MUL(R->m20, RI_3) + KSL_MUL(R->m21, RI_4) + KSL_MUL(R->m22, RI_5),
+      self_9_new = KSL_MUL(R->m20, RI_0) + KSL_MUL(R->m21, RI_1) + KSL_MUL(R->m22, RI_2);
+  const double RI_0_size = fabs(RI_0a) + fabs(RI_0b) + fabs(RI_0d),
+      RI_1_size = fabs(RI_1a) + fabs(RI_1b) + fabs(RI_1d),
+      RI_2_size = fabs(RI_2a) + fabs(RI_2b) + fabs(RI_2d),
+      RI_3_size = fabs(RI_3a) + fabs(RI_3b) + fabs(RI_3d),
+      RI_4_size = fabs(RI_4a) + fabs(RI_4b) + fabs(RI_4d),
+      RI_5_size = fabs(RI_5a) + fabs(RI_5b) + fabs(RI_5d),
+      RI_6_size = fabs(RI_6a) + fabs(RI_6b) + fabs(RI_6d),
+      RI_7_size = fabs(RI_7a) + fabs(RI_7b) + fabs(RI_7d),
+      RI_8_size = fabs(RI_8a) + fabs(RI_8b) + fabs(RI_8d);
+  const double self_1_new_size = fabs(self_1_new_a) + fabs(self_1_new_b) + fabs(self_1_new_d),
+      self_2_new_size = fabs(self_2_new_a) + fabs(self_2_new_b) + fabs(self_2_new_d),
+      self_3_new_size = fabs(self_3_new_a) + fabs(self_3_new_b) + fabs(self_3_new_d);
   const double RI_0_padded = RI_0_size + 2.004168360008973e-292,
       RI_1_padded = RI_1_size + 2.004168360008973e-292,
       RI_2_padded = RI_2_size + 2.004168360008973e-292;
@@ -219,29 +217,21 @@ static inline void ksl_inertia_rotate_certified(ksl_inertia_t *self, const ksl_m
           + KSL_MUL(R_21_abs, RI_7_size + 2.004168360008973e-292),
       self_6_new_size = self_6_new_c_size + KSL_MUL(R_22_abs, RI_8_size + 2.004168360008973e-292);
   const double self_7_new_size = KSL_MUL(R_10_abs, RI_0_padded) + KSL_MUL(R_11_abs, RI_1_padded)
-          + KSL_MUL(R_12_abs, RI_2_padded);
-  const double self_8_new_size = KSL_MUL(R_20_abs, RI_3_padded) + KSL_MUL(R_21_abs, RI_4_padded)
-          + KSL_MUL(R_22_abs, RI_5_padded);
-  const double self_9_new_size = KSL_MUL(R_20_abs, RI_0_padded) + KSL_MUL(R_21_abs, RI_1_padded)
+          + KSL_MUL(R_12_abs, RI_2_padded),
+      self_8_new_size = KSL_MUL(R_20_abs, RI_3_padded) + KSL_MUL(R_21_abs, RI_4_padded)
+          + KSL_MUL(R_22_abs, RI_5_padded),
+      self_9_new_size = KSL_MUL(R_20_abs, RI_0_padded) + KSL_MUL(R_21_abs, RI_1_padded)
           + KSL_MUL(R_22_abs, RI_2_padded);
   const double self_1_new_bound = KSL_MUL(3.3306690738754706e-16, self_1_new_size
-          + 2.004168360008973e-292);
-  const double self_2_new_bound = KSL_MUL(3.3306690738754706e-16, self_2_new_size
-          + 2.004168360008973e-292);
-  const double self_3_new_bound = KSL_MUL(3.3306690738754706e-16, self_3_new_size
-          + 2.004168360008973e-292);
-  const double self_4_new_bound = KSL_MUL(6.661338147750942e-16, self_4_new_size
-          + 2.004168360008973e-292);
-  const double self_5_new_bound = KSL_MUL(6.661338147750942e-16, self_5_new_size
-          + 2.004168360008973e-292);
-  const double self_6_new_bound = KSL_MUL(6.661338147750942e-16, self_6_new_size
-          + 2.004168360008973e-292);
-  const double self_7_new_bound = KSL_MUL(6.661338147750942e-16, self_7_new_size
-          + 2.004168360008973e-292);
-  const double self_8_new_bound = KSL_MUL(6.661338147750942e-16, self_8_new_size
-          + 2.004168360008973e-292);
-  const double self_9_new_bound = KSL_MUL(6.661338147750942e-16, self_9_new_size
-          + 2.004168360008973e-292);
+          + 2.004168360008973e-292),
+      self_2_new_bound = KSL_MUL(3.3306690738754706e-16, self_2_new_size + 2.004168360008973e-292),
+      self_3_new_bound = KSL_MUL(3.3306690738754706e-16, self_3_new_size + 2.004168360008973e-292),
+      self_4_new_bound = KSL_MUL(6.661338147750942e-16, self_4_new_size + 2.004168360008973e-292),
+      self_5_new_bound = KSL_MUL(6.661338147750942e-16, self_5_new_size + 2.004168360008973e-292),
+      self_6_new_bound = KSL_MUL(6.661338147750942e-16, self_6_new_size + 2.004168360008973e-292),
+      self_7_new_bound = KSL_MUL(6.661338147750942e-16, self_7_new_size + 2.004168360008973e-292),
+      self_8_new_bound = KSL_MUL(6.661338147750942e-16, self_8_new_size + 2.004168360008973e-292),
+      self_9_new_bound = KSL_MUL(6.661338147750942e-16, self_9_new_size + 2.004168360008973e-292);
   self->mt.x = self_1_new;
   self->mt.y = self_2_new;
   self->mt.z = self_3_new;
@@ -272,12 +262,11 @@ static inline void ksl_inertia_translated_certified(const ksl_inertia_t *Ji, con
   const double Jo_1a = KSL_MUL(Ji->m, t->x), Jo_1 = Jo_1a + Ji->mt.x;
   const double Jo_2a = KSL_MUL(Ji->m, t->y), Jo_2 = Jo_2a + Ji->mt.y;
   const double Jo_3a = KSL_MUL(Ji->m, t->z), Jo_3 = Jo_3a + Ji->mt.z;
-  const double Jo_1_size = fabs(Jo_1a) + fabs(Ji->mt.x);
-  const double Jo_2_size = fabs(Jo_2a) + fabs(Ji->mt.y);
-  const double Jo_3_size = fabs(Jo_3a) + fabs(Ji->mt.z);
-  const double Jo_1_bound = KSL_MUL(2.2204460492503136e-16, Jo_1_size + 2.004168360008973e-292);
-  const double Jo_2_bound = KSL_MUL(2.2204460492503136e-16, Jo_2_size + 2.004168360008973e-292);
-  const double Jo_3_bound = KSL_MUL(2.2204460492503136e-16, Jo_3_size + 2.004168360008973e-292);
+  const double Jo_1_size = fabs(Jo_1a) + fabs(Ji->mt.x), Jo_2_size = fabs(Jo_2a) + fabs(Ji->mt.y),
+      Jo_3_size = fabs(Jo_3a) + fabs(Ji->mt.z);
+  const double Jo_1_bound = KSL_MUL(2.2204460492503136e-16, Jo_1_size + 2.004168360008973e-292),
+      Jo_2_bound = KSL_MUL(2.2204460492503136e-16, Jo_2_size + 2.004168360008973e-292),
+      Jo_3_bound = KSL_MUL(2.2204460492503136e-16, Jo_3_size + 2.004168360008973e-292);
   const double Ji_m = Ji->m;
   const double Ji_Ixx = Ji->Ixx;
   const double Ji_Iyy = Ji->Iyy;
@@ -316,15 +305,13 @@ static inline void ksl_inertia_translate_certified(ksl_inertia_t *self, const ks
   const double self_1_new_a = KSL_MUL(self->m, t->x), self_1_new = self_1_new_a + self->mt.x;
   const double self_2_new_a = KSL_MUL(self->m, t->y), self_2_new = self_2_new_a + self->mt.y;
   const double self_3_new_a = KSL_MUL(self->m, t->z), self_3_new = self_3_new_a + self->mt.z;
-  const double self_1_new_size = fabs(self_1_new_a) + fabs(self->mt.x);
-  const double self_2_new_size = fabs(self_2_new_a) + fabs(self->mt.y);
-  const double self_3_new_size = fabs(self_3_new_a) + fabs(self->mt.z);
+  const double self_1_new_size = fabs(self_1_new_a) + fabs(self->mt.x),
+      self_2_new_size = fabs(self_2_new_a) + fabs(self->mt.y),
+      self_3_new_size = fabs(self_3_new_a) + fabs(self->mt.z);
   const double self_1_new_bound = KSL_MUL(2.2204460492503136e-16, self_1_new_size
-          + 2.004168360008973e-292);
-  const double self_2_new_bound = KSL_MUL(2.2204460492503136e-16, self_2_new_size
-          + 2.004168360008973e-292);
-  const double self_3_new_bound = KSL_MUL(2.2204460492503136e-16, self_3_new_size
-          + 2.004168360008973e-292);
+          + 2.004168360008973e-292),
+      self_2_new_bound = KSL_MUL(2.2204460492503136e-16, self_2_new_size + 2.004168360008973e-292),
+      self_3_new_bound = KSL_MUL(2.2204460492503136e-16, self_3_new_size + 2.004168360008973e-292);
   self->mt.x = self_1_new;
   self->mt.y = self_2_new;
   self->mt.z = self_3_new;
@@ -376,22 +363,22 @@ static inline void ksl_inertia_transformed_certified(const ksl_inertia_t *Ji, co
       Jo_3 = Jo_3a + (Jo_3b + Jo_3c + Jo_3e);
   const double Jo_4 = KSL_MUL(D->m00, RI_0) + KSL_MUL(D->m01, RI_1) + KSL_MUL(D->m02, RI_2);
   const double Jo_5 = KSL_MUL(D->m10, RI_3) + KSL_MUL(D->m11, RI_4) + KSL_MUL(D->m12, RI_5);
-  const double Jo_6 = KSL_MUL(D->m20, RI_6) + KSL_MUL(D->m21, RI_7) + KSL_MUL(D->m22, RI_8);
-  const double Jo_7 = KSL_MUL(D->m10, RI_0) + KSL_MUL(D->m11, RI_1) + KSL_MUL(D->m12, RI_2);
-  const double Jo_8 = KSL_MUL(D->m20, RI_3) + KSL_MUL(D->m21, RI_4) + KSL_MUL(D->m22, RI_5);
-  const double Jo_9 = KSL_MUL(D->m20, RI_0) + KSL_MUL(D->m21, RI_1) + KSL_MUL(D->m22, RI_2);
-  const double RI_0_size = fabs(RI_0a) + fabs(RI_0b) + fabs(RI_0d);
-  const double RI_1_size = fabs(RI_1a) + fabs(RI_1b) + fabs(RI_1d);
-  const double RI_2_size = fabs(RI_2a) + fabs(RI_2b) + fabs(RI_2d);
-  const double RI_3_size = fabs(RI_3a) + fabs(RI_3b) + fabs(RI_3d);
-  const double RI_4_size = fabs(RI_4a) + fabs(RI_4b) + fabs(RI_4d);
-  const double RI_5_size = fabs(RI_5a) + fabs(RI_5b) + fabs(RI_5d);
-  const double RI_6_size = fabs(RI_6a) + fabs(RI_6b) + fabs(RI_6d);
-  const double RI_7_size = fabs(RI_7a) + fabs(RI_7b) + fabs(RI_7d);
-  const double RI_8_size = fabs(RI_8a) + fabs(RI_8b) + fabs(RI_8d);
-  const double Jo_1_size = fabs(Jo_1a) + (fabs(Jo_1b) + fabs(Jo_1c) + fabs(Jo_1e));
-  const double Jo_2_size = fabs(Jo_2a) + (fabs(Jo_2b) + fabs(Jo_2c) + fabs(Jo_2e));
-  const double Jo_3_size = fabs(Jo_3a) + (fabs(Jo_3b) + fabs(Jo_3c) + fabs(Jo_3e));
+  const double Jo_6 = KSL_MUL(D->m20, RI_6) + KSL_MUL(D->m21, RI_7) + KSL_MUL(D->m22, RI_8),
+      Jo_7 = KSL_MUL(D->m10, RI_0) + KSL_MUL(D->m11, RI_1) + KSL_MUL(D->m12, RI_2),
+      Jo_8 = KSL_MUL(D->m20, RI_3) + KSL_MUL(D->m21, RI_4) + KSL_MUL(D->m22, RI_5),
+      Jo_9 = KSL_MUL(D->m20, RI_0) + KSL_MUL(D->m21, RI_1) + KSL_MUL(D->m22, RI_2);
+  const double RI_0_size = fabs(RI_0a) + fabs(RI_0b) + fabs(RI_0d),
+      RI_1_size = fabs(RI_1a) + fabs(RI_1b) + fabs(RI_1d),
+      RI_2_size = fabs(RI_2a) + fabs(RI_2b) + fabs(RI_2d),
+      RI_3_size = fabs(RI_3a) + fabs(RI_3b) + fabs(RI_3d),
+      RI_4_size = fabs(RI_4a) + fabs(RI_4b) + fabs(RI_4d),
+      RI_5_size = fabs(RI_5a) + fabs(RI_5b) + fabs(RI_5d),
+      RI_6_size = fabs(RI_6a) + fabs(RI_6b) + fabs(RI_6d),
+      RI_7_size = fabs(RI_7a) + fabs(RI_7b) + fabs(RI_7d),
+      RI_8_size = fabs(RI_8a) + fabs(RI_8b) + fabs(RI_8d);
+  const double Jo_1_size = fabs(Jo_1a) + (fabs(Jo_1b) + fabs(Jo_1c) + fabs(Jo_1e)),
+      Jo_2_size = fabs(Jo_2a) + (fabs(Jo_2b) + fabs(Jo_2c) + fabs(Jo_2e)),
+      Jo_3_size = fabs(Jo_3a) + (fabs(Jo_3b) + fabs(Jo_3c) + fabs(Jo_3e));
   const double RI_0_padded = RI_0_size + 2.004168360008973e-292,
       RI_1_padded = RI_1_size + 2.004168360008973e-292,
       RI_2_padded = RI_2_size + 2.004168360008973e-292;
@@ -410,20 +397,20 @@ static inline void ksl_inertia_transformed_certified(const ksl_inertia_t *Ji, co
           + KSL_MUL(D_21_abs, RI_7_size + 2.004168360008973e-292),
       Jo_6_size = Jo_6c_size + KSL_MUL(D_22_abs, RI_8_size + 2.004168360008973e-292);
   const double Jo_7_size = KSL_MUL(D_10_abs, RI_0_padded) + KSL_MUL(D_11_abs, RI_1_padded)
-          + KSL_MUL(D_12_abs, RI_2_padded);
-  const double Jo_8_size = KSL_MUL(D_20_abs, RI_3_padded) + KSL_MUL(D_21_abs, RI_4_padded)
-          + KSL_MUL(D_22_abs, RI_5_padded);
-  const double Jo_9_size = KSL_MUL(D_20_abs, RI_0_padded) + KSL_MUL(D_21_abs, RI_1_padded)
+          + KSL_MUL(D_12_abs, RI_2_padded),
+      Jo_8_size = KSL_MUL(D_20_abs, RI_3_padded) + KSL_MUL(D_21_abs, RI_4_padded)
+          + KSL_MUL(D_22_abs, RI_5_padded),
+      Jo_9_size = KSL_MUL(D_20_abs, RI_0_padded) + KSL_MUL(D_21_abs, RI_1_padded)
           + KSL_MUL(D_22_abs, RI_2_padded);
-  const double Jo_1_bound = KSL_MUL(4.440892098500628e-16, Jo_1_size + 2.004168360008973e-292);
-  const double Jo_2_bound = KSL_MUL(4.440892098500628e-16, Jo_2_size + 2.004168360008973e-292);
-  const double Jo_3_bound = KSL_MUL(4.440892098500628e-16, Jo_3_size + 2.004168360008973e-292);
-  const double Jo_4_bound = KSL_MUL(6.661338147750942e-16, Jo_4_size + 2.004168360008973e-292);
-  const double Jo_5_bound = KSL_MUL(6.661338147750942e-16, Jo_5_size + 2.004168360008973e-292);
-  const double Jo_6_bound = KSL_MUL(6.661338147750942e-16, Jo_6_size + 2.004168360008973e-292);
-  const double Jo_7_bound = KSL_MUL(6.661338147750942e-16, Jo_7_size + 2.004168360008973e-292);
-  const double Jo_8_bound = KSL_MUL(6.661338147750942e-16, Jo_8_size + 2.004168360008973e-292);
-  const double Jo_9_bound = KSL_MUL(6.661338147750942e-16, Jo_9_size + 2.004168360008973e-292);
+  const double Jo_1_bound = KSL_MUL(4.440892098500628e-16, Jo_1_size + 2.004168360008973e-292),
+      Jo_2_bound = KSL_MUL(4.440892098500628e-16, Jo_2_size + 2.004168360008973e-292),
+      Jo_3_bound = KSL_MUL(4.440892098500628e-16, Jo_3_size + 2.004168360008973e-292),
+      Jo_4_bound = KSL_MUL(6.661338147750942e-16, Jo_4_size + 2.004168360008973e-292),
+      Jo_5_bound = KSL_MUL(6.661338147750942e-16, Jo_5_size + 2.004168360008973e-292),
+      Jo_6_bound = KSL_MUL(6.661338147750942e-16, Jo_6_size + 2.004168360008973e-292),
+      Jo_7_bound = KSL_MUL(6.661338147750942e-16, Jo_7_size + 2.004168360008973e-292),
+      Jo_8_bound = KSL_MUL(6.661338147750942e-16, Jo_8_size + 2.004168360008973e-292),
+      Jo_9_bound = KSL_MUL(6.661338147750942e-16, Jo_9_size + 2.004168360008973e-292);
   const double Ji_m = Ji->m;
   Jo->m = Ji_m;
   Jo->mt.x = Jo_1;
@@ -483,24 +470,24 @@ static inline void ksl_inertia_transform_certified(ksl_inertia_t *self, const ks
       self_3_new = self_3_new_a + (self_3_new_b + self_3_new_c + self_3_new_e);
   const double self_4_new = KSL_MUL(D->m00, RI_0) + KSL_MUL(D->m01, RI_1) + KSL_MUL(D->m02, RI_2);
   const double self_5_new = KSL_MUL(D->m10, RI_3) + KSL_MUL(D->m11, RI_4) + KSL_MUL(D->m12, RI_5);
-  const double self_6_new = KSL_MUL(D->m20, RI_6) + KSL_MUL(D->m21, RI_7) + KSL_MUL(D->m22, RI_8);
-  const double self_7_new = KSL_MUL(D->m10, RI_0) + KSL_MUL(D->m11, RI_1) + KSL_MUL(D->m12, RI_2);
-  const double self_8_new = KSL_MUL(D->m20, RI_3) + KSL_MUL(D->m21, RI_4) + KSL_MUL(D->m22, RI_5);
-  const double self_9_new = KSL_MUL(D->m20, RI_0) + KSL_MUL(D->m21, RI_1) + KSL_MUL(D->m22, RI_2);
-  const double RI_0_size = fabs(RI_0a) + fabs(RI_0b) + fabs(RI_0d);
-  const double RI_1_size = fabs(RI_1a) + fabs(RI_1b) + fabs(RI_1d);
-  const double RI_2_size = fabs(RI_2a) + fabs(RI_2b) + fabs(RI_2d);
-  const double RI_3_size = fabs(RI_3a) + fabs(RI_3b) + fabs(RI_3d);
-  const double RI_4_size = fabs(RI_4a) + fabs(RI_4b) + fabs(RI_4d);
-  const double RI_5_size = fabs(RI_5a) + fabs(RI_5b) + fabs(RI_5d);
-  const double RI_6_size = fabs(RI_6a) + fabs(RI_6b) + fabs(RI_6d);
-  const double RI_7_size = fabs(RI_7a) + fabs(RI_7b) + fabs(RI_7d);
-  const double RI_8_size = fabs(RI_8a) + fabs(RI_8b) + fabs(RI_8d);
+  const double self_6_new = KSL_MUL(D->m20, RI_6) + KSL_MUL(D->m21, RI_7) + KSL_MUL(D->m22, RI_8),
+      self_7_new = KSL_MUL(D->m10, RI_0) + KSL_MUL(D->m11, RI_1) + KSL_MUL(D->m12, RI_2),
+      self_8_new = KSL_MUL(D->m20, RI_3) + KSL_MUL(D->m21, RI_4) + KSL_MUL(D->m22, RI_5),
+      self_9_new = KSL_MUL(D->m20, RI_0) + KSL_MUL(D->m21, RI_1) + KSL_MUL(D->m22, RI_2);
+  const double RI_0_size = fabs(RI_0a) + fabs(RI_0b) + fabs(RI_0d),
+      RI_1_size = fabs(RI_1a) + fabs(RI_1b) + fabs(RI_1d),
+      RI_2_size = fabs(RI_2a) + fabs(RI_2b) + fabs(RI_2d),
+      RI_3_size = fabs(RI_3a) + fabs(RI_3b) + fabs(RI_3d),
+      RI_4_size = fabs(RI_4a) + fabs(RI_4b) + fabs(RI_4d),
+      RI_5_size = fabs(RI_5a) + fabs(RI_5b) + fabs(RI_5d),
+      RI_6_size = fabs(RI_6a) + fabs(RI_6b) + fabs(RI_6d),
+      RI_7_size = fabs(RI_7a) + fabs(RI_7b) + fabs(RI_7d),
+      RI_8_size = fabs(RI_8a) + fabs(RI_8b) + fabs(RI_8d);
   const double self_1_new_size = fabs(self_1_new_a)
-          + (fabs(self_1_new_b) + fabs(self_1_new_c) + fabs(self_1_new_e));
-  const double self_2_new_size = fabs(self_2_new_a)
-          + (fabs(self_2_new_b) + fabs(self_2_new_c) + fabs(self_2_new_e));
-  const double self_3_new_size = fabs(self_3_new_a)
+          + (fabs(self_1_new_b) + fabs(self_1_new_c) + fabs(self_1_new_e)),
+      self_2_new_size = fabs(self_2_new_a)
+          + (fabs(self_2_new_b) + fabs(self_2_new_c) + fabs(self_2_new_e)),
+      self_3_new_size = fabs(self_3_new_a)
           + (fabs(self_3_new_b) + fabs(self_3_new_c) + fabs(self_3_new_e));
   const double RI_0_padded = RI_0_size + 2.004168360008973e-292,
       RI_1_padded = RI_1_size + 2.004168360008973e-292,
@@ -520,29 +507,21 @@ static inline void ksl_inertia_transform_certified(ksl_inertia_t *self, const ks
           + KSL_MUL(D_21_abs, RI_7_size + 2.004168360008973e-292),
       self_6_new_size = self_6_new_c_size + KSL_MUL(D_22_abs, RI_8_size + 2.004168360008973e-292);
   const double self_7_new_size = KSL_MUL(D_10_abs, RI_0_padded) + KSL_MUL(D_11_abs, RI_1_padded)
-          + KSL_MUL(D_12_abs, RI_2_padded);
-  const double self_8_new_size = KSL_MUL(D_20_abs, RI_3_padded) + KSL_MUL(D_21_abs, RI_4_padded)
-          + KSL_MUL(D_22_abs, RI_5_padded);
-  const double self_9_new_size = KSL_MUL(D_20_abs, RI_0_padded) + KSL_MUL(D_21_abs, RI_1_padded)
+          + KSL_MUL(D_12_abs, RI_2_padded),
+      self_8_new_size = KSL_MUL(D_20_abs, RI_3_padded) + KSL_MUL(D_21_abs, RI_4_padded)
+          + KSL_MUL(D_22_abs, RI_5_padded),
+      self_9_new_size = KSL_MUL(D_20_abs, RI_0_padded) + KSL_MUL(D_21_abs, RI_1_padded)
           + KSL_MUL(D_22_abs, RI_2_padded);
   const double self_1_new_bound = KSL_MUL(4.440892098500628e-16, self_1_new_size
-          + 2.004168360008973e-292);
-  const double self_2_new_bound = KSL_MUL(4.440892098500628e-16, self_2_new_size
-          + 2.004168360008973e-292);
-  const double self_3_new_bound = KSL_MUL(4.440892098500628e-16, self_3_new_size
-          + 2.004168360008973e-292);
-  const double self_4_new_bound = KSL_MUL(6.661338147750942e-16, self_4_new_size
-          + 2.004168360008973e-292);
-  const double self_5_new_bound = KSL_MUL(6.661338147750942e-16, self_5_new_size
-          + 2.004168360008973e-292);
-  const double self_6_new_bound = KSL_MUL(6.661338147750942e-16, self_6_new_size
-          + 2.004168360008973e-292);
-  const double self_7_new_bound = KSL_MUL(6.661338147750942e-16, self_7_new_size
-          + 2.004168360008973e-292);
-  const double self_8_new_bound = KSL_MUL(6.661338147750942e-16, self_8_new_size
-          + 2.004168360008973e-292);
-  const double self_9_new_bound = KSL_MUL(6.661338147750942e-16, self_9_new_size
-          + 2.004168360008973e-292);
+          + 2.004168360008973e-292),
+      self_2_new_bound = KSL_MUL(4.440892098500628e-16, self_2_new_size + 2.004168360008973e-292),
+      self_3_new_bound = KSL_MUL(4.440892098500628e-16, self_3_new_size + 2.004168360008973e-292),
+      self_4_new_bound = KSL_MUL(6.661338147750942e-16, self_4_new_size + 2.004168360008973e-292),
+      self_5_new_bound = KSL_MUL(6.661338147750942e-16, self_5_new_size + 2.004168360008973e-292),
+      self_6_new_bound = KSL_MUL(6.661338147750942e-16, self_6_new_size + 2.004168360008973e-292),
+      self_7_new_bound = KSL_MUL(6.661338147750942e-16, self_7_new_size + 2.004168360008973e-292),
+      self_8_new_bound = KSL_MUL(6.661338147750942e-16, self_8_new_size + 2.004168360008973e-292),
+      self_9_new_bound = KSL_MUL(6.661338147750942e-16, self_9_new_size + 2.004168360008973e-292);
   self->mt.x = self_1_new;
   self->mt.y = self_2_new;
   self->mt.z = self_3_new;
@@ -573,12 +552,10 @@ static inline void ksl_inertia_transform_certified(ksl_inertia_t *self, const ks
 static inline ksl_inertiaf_t ksl_inertiaf_certified(const float m, const ksl_vec3f_t t,
     const float Ixx, const float Iyy, const float Izz, const float Ixy,
     const float Iyz, const float Izx, ksl_inertiaf_t *J_bound) {
-  const float J_1 = KSL_MULF(m, t.x);
-  const float J_2 = KSL_MULF(m, t.y);
-  const float J_3 = KSL_MULF(m, t.z);
-  const float J_1_bound = KSL_MULF(5.960465e-08f, fabsf(J_1) + 1.9721523e-31f);
-  const float J_2_bound = KSL_MULF(5.960465e-08f, fabsf(J_2) + 1.9721523e-31f);
-  const float J_3_bound = KSL_MULF(5.960465e-08f, fabsf(J_3) + 1.9721523e-31f);
+  const float J_1 = KSL_MULF(m, t.x), J_2 = KSL_MULF(m, t.y), J_3 = KSL_MULF(m, t.z);
+  const float J_1_bound = KSL_MULF(5.960465e-08f, fabsf(J_1) + 1.9721523e-31f),
+      J_2_bound = KSL_MULF(5.960465e-08f, fabsf(J_2) + 1.9721523e-31f),
+      J_3_bound = KSL_MULF(5.960465e-08f, fabsf(J_3) + 1.9721523e-31f);
   ksl_inertiaf_t J;
   J.m = m;
   J.mt.x = J_1;
@@ -635,22 +612,22 @@ static inline void ksl_inertiaf_rotated_certified(const ksl_inertiaf_t *Ji,
       Jo_3d = KSL_MULF(Ji->mt.z, R->m22), Jo_3 = Jo_3a + Jo_3b + Jo_3d;
   const float Jo_4 = KSL_MULF(R->m00, RI_0) + KSL_MULF(R->m01, RI_1) + KSL_MULF(R->m02, RI_2);
   const float Jo_5 = KSL_MULF(R->m10, RI_3) + KSL_MULF(R->m11, RI_4) + KSL_MULF(R->m12, RI_5);
-  const float Jo_6 = KSL_MULF(R->m20, RI_6) + KSL_MULF(R->m21, RI_7) + KSL_MULF(R->m22, RI_8);
-  const float Jo_7 = KSL_MULF(R->m10, RI_0) + KSL_MULF(R->m11, RI_1) + KSL_MULF(R->m12, RI_2);
-  const float Jo_8 = KSL_MULF(R->m20, RI_3) + KSL_MULF(R->m21, RI_4) + KSL_MULF(R->m22, RI_5);
-  const float Jo_9 = KSL_MULF(R->m20, RI_0) + KSL_MULF(R->m21, RI_1) + KSL_MULF(R->m22, RI_2);
-  const float RI_0_size = fabsf(RI_0a) + fabsf(RI_0b) + fabsf(RI_0d);
-  const float RI_1_size = fabsf(RI_1a) + fabsf(RI_1b) + fabsf(RI_1d);
-  const float RI_2_size = fabsf(RI_2a) + fabsf(RI_2b) + fabsf(RI_2d);
-  const float RI_3_size = fabsf(RI_3a) + fabsf(RI_3b) + fabsf(RI_3d);
-  const float RI_4_size = fabsf(RI_4a) + fabsf(RI_4b) + fabsf(RI_4d);
-  const float RI_5_size = fabsf(RI_5a) + fabsf(RI_5b) + fabsf(RI_5d);
-  const float RI_6_size = fabsf(RI_6a) + fabsf(RI_6b) + fabsf(RI_6d);
-  const float RI_7_size = fabsf(RI_7a) + fabsf(RI_7b) + fabsf(RI_7d);
-  const float RI_8_size = fabsf(RI_8a) + fabsf(RI_8b) + fabsf(RI_8d);
-  const float Jo_1_size = fabsf(Jo_1a) + fabsf(Jo_1b) + fabsf(Jo_1d);
-  const float Jo_2_size = fabsf(Jo_2a) + fabsf(Jo_2b) + fabsf(Jo_2d);
-  const float Jo_3_size = fabsf(Jo_3a) + fabsf(Jo_3b) + fabsf(Jo_3d);
+  const float Jo_6 = KSL_MULF(R->m20, RI_6) + KSL_MULF(R->m21, RI_7) + KSL_MULF(R->m22, RI_8),
+      Jo_7 = KSL_MULF(R->m10, RI_0) + KSL_MULF(R->m11, RI_1) + KSL_MULF(R->m12, RI_2),
+      Jo_8 = KSL_MULF(R->m20, RI_3) + KSL_MULF(R->m21, RI_4) + KSL_MULF(R->m22, RI_5),
+      Jo_9 = KSL_MULF(R->m20, RI_0) + KSL_MULF(R->m21, RI_1) + KSL_MULF(R->m22, RI_2);
+  const float RI_0_size = fabsf(RI_0a) + fabsf(RI_0b) + fabsf(RI_0d),
+      RI_1_size = fabsf(RI_1a) + fabsf(RI_1b) + fabsf(RI_1d),
+      RI_2_size = fabsf(RI_2a) + fabsf(RI_2b) + fabsf(RI_2d),
+      RI_3_size = fabsf(RI_3a) + fabsf(RI_3b) + fabsf(RI_3d),
+      RI_4_size = fabsf(RI_4a) + fabsf(RI_4b) + fabsf(RI_4d),
+      RI_5_size = fabsf(RI_5a) + fabsf(RI_5b) + fabsf(RI_5d),
+      RI_6_size = fabsf(RI_6a) + fabsf(RI_6b) + fabsf(RI_6d),
+      RI_7_size = fabsf(RI_7a) + fabsf(RI_7b) + fabsf(RI_7d),
+      RI_8_size = fabsf(RI_8a) + fabsf(RI_8b) + fabsf(RI_8d);
+  const float Jo_1_size = fabsf(Jo_1a) + fabsf(Jo_1b) + fabsf(Jo_1d),
+      Jo_2_size = fabsf(Jo_2a) + fabsf(Jo_2b) + fabsf(Jo_2d),
+      Jo_3_size = fabsf(Jo_3a) + fabsf(Jo_3b) + fabsf(Jo_3d);
   const float RI_0_padded = RI_0_size + 1.9721523e-31f, RI_1_padded = RI_1_size + 1.9721523e-31f,
       RI_2_padded = RI_2_size + 1.9721523e-31f;
   const float Jo_4_size = KSL_MULF(fabsf(R->m00), RI_0_padded)
@@ -668,20 +645,20 @@ static inline void ksl_inertiaf_rotated_certified(const ksl_inertiaf_t *Ji,
           + KSL_MULF(R_21_abs, RI_7_size + 1.9721523e-31f),
       Jo_6_size = Jo_6c_size + KSL_MULF(R_22_abs, RI_8_size + 1.9721523e-31f);
   const float Jo_7_size = KSL_MULF(R_10_abs, RI_0_padded) + KSL_MULF(R_11_abs, RI_1_padded)
-          + KSL_MULF(R_12_abs, RI_2_padded);
-  const float Jo_8_size = KSL_MULF(R_20_abs, RI_3_padded) + KSL_MULF(R_21_abs, RI_4_padded)
-          + KSL_MULF(R_22_abs, RI_5_padded);
-  const float Jo_9_size = KSL_MULF(R_20_abs, RI_0_padded) + KSL_MULF(R_21_abs, RI_1_padded)
+          + KSL_MULF(R_12_abs, RI_2_padded),
+      Jo_8_size = KSL_MULF(R_20_abs, RI_3_padded) + KSL_MULF(R_21_abs, RI_4_padded)
+          + KSL_MULF(R_22_abs, RI_5_padded),
+      Jo_9_size = KSL_MULF(R_20_abs, RI_0_padded) + KSL_MULF(R_21_abs, RI_1_padded)
           + KSL_MULF(R_22_abs, RI_2_padded);
-  const float Jo_1_bound = KSL_MULF(1.7881396e-07f, Jo_1_size + 1.9721523e-31f);
-  const float Jo_2_bound = KSL_MULF(1.7881396e-07f, Jo_2_size + 1.9721523e-31f);
-  const float Jo_3_bound = KSL_MULF(1.7881396e-07f, Jo_3_size + 1.9721523e-31f);
-  const float Jo_4_bound = KSL_MULF(3.5762795e-07f, Jo_4_size + 1.9721523e-31f);
-  const float Jo_5_bound = KSL_MULF(3.5762795e-07f, Jo_5_size + 1.9721523e-31f);
-  const float Jo_6_bound = KSL_MULF(3.5762795e-07f, Jo_6_size + 1.9721523e-31f);
-  const float Jo_7_bound = KSL_MULF(3.5762795e-07f, Jo_7_size + 1.9721523e-31f);
-  const float Jo_8_bound = KSL_MULF(3.5762795e-07f, Jo_8_size + 1.9721523e-31f);
-  const float Jo_9_bound = KSL_MULF(3.5762795e-07f, Jo_9_size + 1.9721523e-31f);
+  const float Jo_1_bound = KSL_MULF(1.7881396e-07f, Jo_1_size + 1.9721523e-31f),
+      Jo_2_bound = KSL_MULF(1.7881396e-07f, Jo_2_size + 1.9721523e-31f),
+      Jo_3_bound = KSL_MULF(1.7881396e-07f, Jo_3_size + 1.9721523e-31f),
+      Jo_4_bound = KSL_MULF(3.5762795e-07f, Jo_4_size + 1.9721523e-31f),
+      Jo_5_bound = KSL_MULF(3.5762795e-07f, Jo_5_size + 1.9721523e-31f),
+      Jo_6_bound = KSL_MULF(3.5762795e-07f, Jo_6_size + 1.9721523e-31f),
+      Jo_7_bound = KSL_MULF(3.5762795e-07f, Jo_7_size + 1.9721523e-31f),
+      Jo_8_bound = KSL_MULF(3.5762795e-07f, Jo_8_size + 1.9721523e-31f),
+      Jo_9_bound = KSL_MULF(3.5762795e-07f, Jo_9_size + 1.9721523e-31f);
   const float Ji_m = Ji->m;
   Jo->m = Ji_m;
   Jo->mt.x = Jo_1;
@@ -740,22 +717,22 @@ static inline void ksl_inertiaf_rotate_certified(ksl_inertiaf_t *self, const ksl
       self_3_new = self_3_new_a + self_3_new_b + self_3_new_d;
   const float self_4_new = KSL_MULF(R->m00, RI_0) + KSL_MULF(R->m01, RI_1) + KSL_MULF(R->m02, RI_2);
   const float self_5_new = KSL_MULF(R->m10, RI_3) + KSL_MULF(R->m11, RI_4) + KSL_MULF(R->m12, RI_5);
-  const float self_6_new = KSL_MULF(R->m20, RI_6) + KSL_MULF(R->m21, RI_7) + KSL_MULF(R->m22, RI_8);
-  const float self_7_new = KSL_MULF(R->m10, RI_0) + KSL_MULF(R->m11, RI_1) + KSL_MULF(R->m12, RI_2);
-  const float self_8_new = KSL_MULF(R->m20, RI_3) + KSL_MULF(R->m21, RI_4) + KSL_MULF(R->m22, RI_5);
-  const float self_9_new = KSL_MULF(R->m20, RI_0) + KSL_MULF(R->m21, RI_1) + KSL_MULF(R->m22, RI_2);
-  const float RI_0_size = fabsf(RI_0a) + fabsf(RI_0b) + fabsf(RI_0d);
-  const float RI_1_size = fabsf(RI_1a) + fabsf(RI_1b) + fabsf(RI_1d);
-  const float RI_2_size = fabsf(RI_2a) + fabsf(RI_2b) + fabsf(RI_2d);
-  const float RI_3_size = fabsf(RI_3a) + fabsf(RI_3b) + fabsf(RI_3d);
-  const float RI_4_size = fabsf(RI_4a) + fabsf(RI_4b) + fabsf(RI_4d);
-  const float RI_5_size = fabsf(RI_5a) + fabsf(RI_5b) + fabsf(RI_5d);
-  const float RI_6_size = fabsf(RI_6a) + fabsf(RI_6b) + fabsf(RI_6d);
-  const float RI_7_size = fabsf(RI_7a) + fabsf(RI_7b) + fabsf(RI_7d);
-  const float RI_8_size = fabsf(RI_8a) + fabsf(RI_8b) + fabsf(RI_8d);
-  const float self_1_new_size = fabsf(self_1_new_a) + fabsf(self_1_new_b) + fabsf(self_1_new_d);
-  const float self_2_new_size = fabsf(self_2_new_a) + fabsf(self_2_new_b) + fabsf(self_2_new_d);
-  const float self_3_new_size = fabsf(self_3_new_a) + fabsf(self_3_new_b) + fabsf(self_3_new_d);
+  const float self_6_new = KSL_MULF(R->m20, RI_6) + KSL_MULF(R->m21, RI_7) + KSL_MULF(R->m22, RI_8),
+      self_7_new = KSL_MULF(R->m10, RI_0) + KSL_MULF(R->m11, RI_1) + KSL_MULF(R->m12, RI_2),
+      self_8_new = KSL_MULF(R->m20, RI_3) + KSL_MULF(R->m21, RI_4) + KSL_MULF(R->m22, RI_5),
+      self_9_new = KSL_MULF(R->m20, RI_0) + KSL_MULF(R->m21, RI_1) + KSL_MULF(R->m22, RI_2);
+  const float RI_0_size = fabsf(RI_0a) + fabsf(RI_0b) + fabsf(RI_0d),
+      RI_1_size = fabsf(RI_1a) + fabsf(RI_1b) + fabsf(RI_1d),
+      RI_2_size = fabsf(RI_2a) + fabsf(RI_2b) + fabsf(RI_2d),
+      RI_3_size = fabsf(RI_3a) + fabsf(RI_3b) + fabsf(RI_3d),
+      RI_4_size = fabsf(RI_4a) + fabsf(RI_4b) + fabsf(RI_4d),
+      RI_5_size = fabsf(RI_5a) + fabsf(RI_5b) + fabsf(RI_5d),
+      RI_6_size = fabsf(RI_6a) + fabsf(RI_6b) + fabsf(RI_6d),
+      RI_7_size = fabsf(RI_7a) + fabsf(RI_7b) + fabsf(RI_7d),
+      RI_8_size = fabsf(RI_8a) + fabsf(RI_8b) + fabsf(RI_8d);
+  const float self_1_new_size = fabsf(self_1_new_a) + fabsf(self_1_new_b) + fabsf(self_1_new_d),
+      self_2_new_size = fabsf(self_2_new_a) + fabsf(self_2_new_b) + fabsf(self_2_new_d),
+      self_3_new_size = fabsf(self_3_new_a) + fabsf(self_3_new_b) + fabsf(self_3_new_d);
   const float RI_0_padded = RI_0_size + 1.9721523e-31f, RI_1_padded = RI_1_size + 1.9721523e-31f,
       RI_2_padded = RI_2_size + 1.9721523e-31f;
   const float self_4_new_size = KSL_MULF(fabsf(R->m00), RI_0_padded)
@@ -773,20 +750,20 @@ static inline void ksl_inertiaf_rotate_certified(ksl_inertiaf_t *self, const ksl
           + KSL_MULF(R_21_abs, RI_7_size + 1.9721523e-31f),
       self_6_new_size = self_6_new_c_size + KSL_MULF(R_22_abs, RI_8_size + 1.9721523e-31f);
   const float self_7_new_size = KSL_MULF(R_10_abs, RI_0_padded) + KSL_MULF(R_11_abs, RI_1_padded)
-          + KSL_MULF(R_12_abs, RI_2_padded);
-  const float self_8_new_size = KSL_MULF(R_20_abs, RI_3_padded) + KSL_MULF(R_21_abs, RI_4_padded)
-          + KSL_MULF(R_22_abs, RI_5_padded);
-  const float self_9_new_size = KSL_MULF(R_20_abs, RI_0_padded) + KSL_MULF(R_21_abs, RI_1_padded)
+          + KSL_MULF(R_12_abs, RI_2_padded),
+      self_8_new_size = KSL_MULF(R_20_abs, RI_3_padded) + KSL_MULF(R_21_abs, RI_4_padded)
+          + KSL_MULF(R_22_abs, RI_5_padded),
+      self_9_new_size = KSL_MULF(R_20_abs, RI_0_padded) + KSL_MULF(R_21_abs, RI_1_padded)
           + KSL_MULF(R_22_abs, RI_2_padded);
-  const float self_1_new_bound = KSL_MULF(1.7881396e-07f, self_1_new_size + 1.9721523e-31f);
-  const float self_2_new_bound = KSL_MULF(1.7881396e-07f, self_2_new_size + 1.9721523e-31f);
-  const float self_3_new_bound = KSL_MULF(1.7881396e-07f, self_3_new_size + 1.9721523e-31f);
-  const float self_4_new_bound = KSL_MULF(3.5762795e-07f, self_4_new_size + 1.9721523e-31f);
-  const float self_5_new_bound = KSL_MULF(3.5762795e-07f, self_5_new_size + 1.9721523e-31f);
-  const float self_6_new_bound = KSL_MULF(3.5762795e-07f, self_6_new_size + 1.9721523e-31f);
-  const float self_7_new_bound = KSL_MULF(3.5762795e-07f, self_7_new_size + 1.9721523e-31f);
-  const float self_8_new_bound = KSL_MULF(3.5762795e-07f, self_8_new_size + 1.9721523e-31f);
-  const float self_9_new_bound = KSL_MULF(3.5762795e-07f, self_9_new_size + 1.9721523e-31f);
+  const float self_1_new_bound = KSL_MULF(1.7881396e-07f, self_1_new_size + 1.9721523e-31f),
+      self_2_new_bound = KSL_MULF(1.7881396e-07f, self_2_new_size + 1.9721523e-31f),
+      self_3_new_bound = KSL_MULF(1.7881396e-07f, self_3_new_size + 1.9721523e-31f),
+      self_4_new_bound = KSL_MULF(3.5762795e-07f, self_4_new_size + 1.9721523e-31f),
+      self_5_new_bound = KSL_MULF(3.5762795e-07f, self_5_new_size + 1.9721523e-31f),
+      self_6_new_bound = KSL_MULF(3.5762795e-07f, self_6_new_size + 1.9721523e-31f),
+      self_7_new_bound = KSL_MULF(3.5762795e-07f, self_7_new_size + 1.9721523e-31f),
+      self_8_new_bound = KSL_MULF(3.5762795e-07f, self_8_new_size + 1.9721523e-31f),
+      self_9_new_bound = KSL_MULF(3.5762795e-07f, self_9_new_size + 1.9721523e-31f);
   self->mt.x = self_1_new;
   self->mt.y = self_2_new;
   self->mt.z = self_3_new;
@@ -817,12 +794,11 @@ static inline void ksl_inertiaf_translated_certified(const ksl_inertiaf_t *Ji,
   const float Jo_1a = KSL_MULF(Ji->m, t->x), Jo_1 = Jo_1a + Ji->mt.x;
   const float Jo_2a = KSL_MULF(Ji->m, t->y), Jo_2 = Jo_2a + Ji->mt.y;
   const float Jo_3a = KSL_MULF(Ji->m, t->z), Jo_3 = Jo_3a + Ji->mt.z;
-  const float Jo_1_size = fabsf(Jo_1a) + fabsf(Ji->mt.x);
-  const float Jo_2_size = fabsf(Jo_2a) + fabsf(Ji->mt.y);
-  const float Jo_3_size = fabsf(Jo_3a) + fabsf(Ji->mt.z);
-  const float Jo_1_bound = KSL_MULF(1.192093e-07f, Jo_1_size + 1.9721523e-31f);
-  const float Jo_2_bound = KSL_MULF(1.192093e-07f, Jo_2_size + 1.9721523e-31f);
-  const float Jo_3_bound = KSL_MULF(1.192093e-07f, Jo_3_size + 1.9721523e-31f);
+  const float Jo_1_size = fabsf(Jo_1a) + fabsf(Ji->mt.x),
+      Jo_2_size = fabsf(Jo_2a) + fabsf(Ji->mt.y), Jo_3_size = fabsf(Jo_3a) + fabsf(Ji->mt.z);
+  const float Jo_1_bound = KSL_MULF(1.192093e-07f, Jo_1_size + 1.9721523e-31f),
+      Jo_2_bound = KSL_MULF(1.192093e-07f, Jo_2_size + 1.9721523e-31f),
+      Jo_3_bound = KSL_MULF(1.192093e-07f, Jo_3_size + 1.9721523e-31f);
   const float Ji_m = Ji->m;
   const float Ji_Ixx = Ji->Ixx;
   const float Ji_Iyy = Ji->Iyy;
@@ -861,12 +837,12 @@ static inline void ksl_inertiaf_translate_certified(ksl_inertiaf_t *self, const 
   const float self_1_new_a = KSL_MULF(self->m, t->x), self_1_new = self_1_new_a + self->mt.x;
   const float self_2_new_a = KSL_MULF(self->m, t->y), self_2_new = self_2_new_a + self->mt.y;
   const float self_3_new_a = KSL_MULF(self->m, t->z), self_3_new = self_3_new_a + self->mt.z;
-  const float self_1_new_size = fabsf(self_1_new_a) + fabsf(self->mt.x);
-  const float self_2_new_size = fabsf(self_2_new_a) + fabsf(self->mt.y);
-  const float self_3_new_size = fabsf(self_3_new_a) + fabsf(self->mt.z);
-  const float self_1_new_bound = KSL_MULF(1.192093e-07f, self_1_new_size + 1.9721523e-31f);
-  const float self_2_new_bound = KSL_MULF(1.192093e-07f, self_2_new_size + 1.9721523e-31f);
-  const float self_3_new_bound = KSL_MULF(1.192093e-07f, self_3_new_size + 1.9721523e-31f);
+  const float self_1_new_size = fabsf(self_1_new_a) + fabsf(self->mt.x),
+      self_2_new_size = fabsf(self_2_new_a) + fabsf(self->mt.y),
+      self_3_new_size = fabsf(self_3_new_a) + fabsf(self->mt.z);
+  const float self_1_new_bound = KSL_MULF(1.192093e-07f, self_1_new_size + 1.9721523e-31f),
+      self_2_new_bound = KSL_MULF(1.192093e-07f, self_2_new_size + 1.9721523e-31f),
+      self_3_new_bound = KSL_MULF(1.192093e-07f, self_3_new_size + 1.9721523e-31f);
   self->mt.x = self_1_new;
   self->mt.y = self_2_new;
   self->mt.z = self_3_new;
@@ -918,22 +894,22 @@ static inline void ksl_inertiaf_transformed_certified(const ksl_inertiaf_t *Ji,
       Jo_3 = Jo_3a + (Jo_3b + Jo_3c + Jo_3e);
   const float Jo_4 = KSL_MULF(D->m00, RI_0) + KSL_MULF(D->m01, RI_1) + KSL_MULF(D->m02, RI_2);
   const float Jo_5 = KSL_MULF(D->m10, RI_3) + KSL_MULF(D->m11, RI_4) + KSL_MULF(D->m12, RI_5);
-  const float Jo_6 = KSL_MULF(D->m20, RI_6) + KSL_MULF(D->m21, RI_7) + KSL_MULF(D->m22, RI_8);
-  const float Jo_7 = KSL_MULF(D->m10, RI_0) + KSL_MULF(D->m11, RI_1) + KSL_MULF(D->m12, RI_2);
-  const float Jo_8 = KSL_MULF(D->m20, RI_3) + KSL_MULF(D->m21, RI_4) + KSL_MULF(D->m22, RI_5);
-  const float Jo_9 = KSL_MULF(D->m20, RI_0) + KSL_MULF(D->m21, RI_1) + KSL_MULF(D->m22, RI_2);
-  const float RI_0_size = fabsf(RI_0a) + fabsf(RI_0b) + fabsf(RI_0d);
-  const float RI_1_size = fabsf(RI_1a) + fabsf(RI_1b) + fabsf(RI_1d);
-  const float RI_2_size = fabsf(RI_2a) + fabsf(RI_2b) + fabsf(RI_2d);
-  const float RI_3_size = fabsf(RI_3a) + fabsf(RI_3b) + fabsf(RI_3d);
-  const float RI_4_size = fabsf(RI_4a) + fabsf(RI_4b) + fabsf(RI_4d);
-  const float RI_5_size = fabsf(RI_5a) + fabsf(RI_5b) + fabsf(RI_5d);
-  const float RI_6_size = fabsf(RI_6a) + fabsf(RI_6b) + fabsf(RI_6d);
-  const float RI_7_size = fabsf(RI_7a) + fabsf(RI_7b) + fabsf(RI_7d);
-  const float RI_8_size = fabsf(RI_8a) + fabsf(RI_8b) + fabsf(RI_8d);
-  const float Jo_1_size = fabsf(Jo_1a) + (fabsf(Jo_1b) + fabsf(Jo_1c) + fabsf(Jo_1e));
-  const float Jo_2_size = fabsf(Jo_2a) + (fabsf(Jo_2b) + fabsf(Jo_2c) + fabsf(Jo_2e));
-  const float Jo_3_size = fabsf(Jo_3a) + (fabsf(Jo_3b) + fabsf(Jo_3c) + fabsf(Jo_3e));
+  const float Jo_6 = KSL_MULF(D->m20, RI_6) + KSL_MULF(D->m21, RI_7) + KSL_MULF(D->m22, RI_8),
+      Jo_7 = KSL_MULF(D->m10, RI_0) + KSL_MULF(D->m11, RI_1) + KSL_MULF(D->m12, RI_2),
+      Jo_8 = KSL_MULF(D->m20, RI_3) + KSL_MULF(D->m21, RI_4) + KSL_MULF(D->m22, RI_5),
+      Jo_9 = KSL_MULF(D->m20, RI_0) + KSL_MULF(D->m21, RI_1) + KSL_MULF(D->m22, RI_2);
+  const float RI_0_size = fabsf(RI_0a) + fabsf(RI_0b) + fabsf(RI_0d),
+      RI_1_size = fabsf(RI_1a) + fabsf(RI_1b) + fabsf(RI_1d),
+      RI_2_size = fabsf(RI_2a) + fabsf(RI_2b) + fabsf(RI_2d),
+      RI_3_size = fabsf(RI_3a) + fabsf(RI_3b) + fabsf(RI_3d),
+      RI_4_size = fabsf(RI_4a) + fabsf(RI_4b) + fabsf(RI_4d),
+      RI_5_size = fabsf(RI_5a) + fabsf(RI_5b) + fabsf(RI_5d),
+      RI_6_size = fabsf(RI_6a) + fabsf(RI_6b) + fabsf(RI_6d),
+      RI_7_size = fabsf(RI_7a) + fabsf(RI_7b) + fabsf(RI_7d),
+      RI_8_size = fabsf(RI_8a) + fabsf(RI_8b) + fabsf(RI_8d);
+  const float Jo_1_size = fabsf(Jo_1a) + (fabsf(Jo_1b) + fabsf(Jo_1c) + fabsf(Jo_1e)),
+      Jo_2_size = fabsf(Jo_2a) + (fabsf(Jo_2b) + fabsf(Jo_2c) + fabsf(Jo_2e)),
+      Jo_3_size = fabsf(Jo_3a) + (fabsf(Jo_3b) + fabsf(Jo_3c) + fabsf(Jo_3e));
   const float RI_0_padded = RI_0_size + 1.9721523e-31f, RI_1_padded = RI_1_size + 1.9721523e-31f,
       RI_2_padded = RI_2_size + 1.9721523e-31f;
   const float Jo_4_size = KSL_MULF(fabsf(D->m00), RI_0_padded)
@@ -951,20 +927,20 @@ static inline void ksl_inertiaf_transformed_certified(const ksl_inertiaf_t *Ji,
           + KSL_MULF(D_21_abs, RI_7_size + 1.9721523e-31f),
       Jo_6_size = Jo_6c_size + KSL_MULF(D_22_abs, RI_8_size + 1.9721523e-31f);
   const float Jo_7_size = KSL_MULF(D_10_abs, RI_0_padded) + KSL_MULF(D_11_abs, RI_1_padded)
-          + KSL_MULF(D_12_abs, RI_2_padded);
-  const float Jo_8_size = KSL_MULF(D_20_abs, RI_3_padded) + KSL_MULF(D_21_abs, RI_4_padded)
-          + KSL_MULF(D_22_abs, RI_5_padded);
-  const float Jo_9_size = KSL_MULF(D_20_abs, RI_0_padded) + KSL_MULF(D_21_abs, RI_1_padded)
+          + KSL_MULF(D_12_abs, RI_2_padded),
+      Jo_8_size = KSL_MULF(D_20_abs, RI_3_padded) + KSL_MULF(D_21_abs, RI_4_padded)
+          + KSL_MULF(D_22_abs, RI_5_padded),
+      Jo_9_size = KSL_MULF(D_20_abs, RI_0_padded) + KSL_MULF(D_21_abs, RI_1_padded)
           + KSL_MULF(D_22_abs, RI_2_padded);
-  const float Jo_1_bound = KSL_MULF(2.3841864e-07f, Jo_1_size + 1.9721523e-31f);
-  const float Jo_2_bound = KSL_MULF(2.3841864e-07f, Jo_2_size + 1.9721523e-31f);
-  const float Jo_3_bound = KSL_MULF(2.3841864e-07f, Jo_3_size + 1.9721523e-31f);
-  const float Jo_4_bound = KSL_MULF(3.5762795e-07f, Jo_4_size + 1.9721523e-31f);
-  const float Jo_5_bound = KSL_MULF(3.5762795e-07f, Jo_5_size + 1.9721523e-31f);
-  const float Jo_6_bound = KSL_MULF(3.5762795e-07f, Jo_6_size + 1.9721523e-31f);
-  const float Jo_7_bound = KSL_MULF(3.5762795e-07f, Jo_7_size + 1.9721523e-31f);
-  const float Jo_8_bound = KSL_MULF(3.5762795e-07f, Jo_8_size + 1.9721523e-31f);
-  const float Jo_9_bound = KSL_MULF(3.5762795e-07f, Jo_9_size + 1.9721523e-31f);
+  const float Jo_1_bound = KSL_MULF(2.3841864e-07f, Jo_1_size + 1.9721523e-31f),
+      Jo_2_bound = KSL_MULF(2.3841864e-07f, Jo_2_size + 1.9721523e-31f),
+      Jo_3_bound = KSL_MULF(2.3841864e-07f, Jo_3_size + 1.9721523e-31f),
+      Jo_4_bound = KSL_MULF(3.5762795e-07f, Jo_4_size + 1.9721523e-31f),
+      Jo_5_bound = KSL_MULF(3.5762795e-07f, Jo_5_size + 1.9721523e-31f),
+      Jo_6_bound = KSL_MULF(3.5762795e-07f, Jo_6_size + 1.9721523e-31f),
+      Jo_7_bound = KSL_MULF(3.5762795e-07f, Jo_7_size + 1.9721523e-31f),
+      Jo_8_bound = KSL_MULF(3.5762795e-07f, Jo_8_size + 1.9721523e-31f),
+      Jo_9_bound = KSL_MULF(3.5762795e-07f, Jo_9_size + 1.9721523e-31f);
   const float Ji_m = Ji->m;
   Jo->m = Ji_m;
   Jo->mt.x = Jo_1;
@@ -1024,24 +1000,24 @@ static inline void ksl_inertiaf_transform_certified(ksl_inertiaf_t *self, const 
       self_3_new = self_3_new_a + (self_3_new_b + self_3_new_c + self_3_new_e);
   const float self_4_new = KSL_MULF(D->m00, RI_0) + KSL_MULF(D->m01, RI_1) + KSL_MULF(D->m02, RI_2);
   const float self_5_new = KSL_MULF(D->m10, RI_3) + KSL_MULF(D->m11, RI_4) + KSL_MULF(D->m12, RI_5);
-  const float self_6_new = KSL_MULF(D->m20, RI_6) + KSL_MULF(D->m21, RI_7) + KSL_MULF(D->m22, RI_8);
-  const float self_7_new = KSL_MULF(D->m10, RI_0) + KSL_MULF(D->m11, RI_1) + KSL_MULF(D->m12, RI_2);
-  const float self_8_new = KSL_MULF(D->m20, RI_3) + KSL_MULF(D->m21, RI_4) + KSL_MULF(D->m22, RI_5);
-  const float self_9_new = KSL_MULF(D->m20, RI_0) + KSL_MULF(D->m21, RI_1) + KSL_MULF(D->m22, RI_2);
-  const float RI_0_size = fabsf(RI_0a) + fabsf(RI_0b) + fabsf(RI_0d);
-  const float RI_1_size = fabsf(RI_1a) + fabsf(RI_1b) + fabsf(RI_1d);
-  const float RI_2_size = fabsf(RI_2a) + fabsf(RI_2b) + fabsf(RI_2d);
-  const float RI_3_size = fabsf(RI_3a) + fabsf(RI_3b) + fabsf(RI_3d);
-  const float RI_4_size = fabsf(RI_4a) + fabsf(RI_4b) + fabsf(RI_4d);
-  const float RI_5_size = fabsf(RI_5a) + fabsf(RI_5b) + fabsf(RI_5d);
-  const float RI_6_size = fabsf(RI_6a) + fabsf(RI_6b) + fabsf(RI_6d);
-  const float RI_7_size = fabsf(RI_7a) + fabsf(RI_7b) + fabsf(RI_7d);
-  const float RI_8_size = fabsf(RI_8a) + fabsf(RI_8b) + fabsf(RI_8d);
+  const float self_6_new = KSL_MULF(D->m20, RI_6) + KSL_MULF(D->m21, RI_7) + KSL_MULF(D->m22, RI_8),
+      self_7_new = KSL_MULF(D->m10, RI_0) + KSL_MULF(D->m11, RI_1) + KSL_MULF(D->m12, RI_2),
+      self_8_new = KSL_MULF(D->m20, RI_3) + KSL_MULF(D->m21, RI_4) + KSL_MULF(D->m22, RI_5),
+      self_9_new = KSL_MULF(D->m20, RI_0) + KSL_MULF(D->m21, RI_1) + KSL_MULF(D->m22, RI_2);
+  const float RI_0_size = fabsf(RI_0a) + fabsf(RI_0b) + fabsf(RI_0d),
+      RI_1_size = fabsf(RI_1a) + fabsf(RI_1b) + fabsf(RI_1d),
+      RI_2_size = fabsf(RI_2a) + fabsf(RI_2b) + fabsf(RI_2d),
+      RI_3_size = fabsf(RI_3a) + fabsf(RI_3b) + fabsf(RI_3d),
+      RI_4_size = fabsf(RI_4a) + fabsf(RI_4b) + fabsf(RI_4d),
+      RI_5_size = fabsf(RI_5a) + fabsf(RI_5b) + fabsf(RI_5d),
+      RI_6_size = fabsf(RI_6a) + fabsf(RI_6b) + fabsf(RI_6d),
+      RI_7_size = fabsf(RI_7a) + fabsf(RI_7b) + fabsf(RI_7d),
+      RI_8_size = fabsf(RI_8a) + fabsf(RI_8b) + fabsf(RI_8d);
   const float self_1_new_size = fabsf(self_1_new_a)
-          + (fabsf(self_1_new_b) + fabsf(self_1_new_c) + fabsf(self_1_new_e));
-  const float self_2_new_size = fabsf(self_2_new_a)
-          + (fabsf(self_2_new_b) + fabsf(self_2_new_c) + fabsf(self_2_new_e));
-  const float self_3_new_size = fabsf(self_3_new_a)
+          + (fabsf(self_1_new_b) + fabsf(self_1_new_c) + fabsf(self_1_new_e)),
+      self_2_new_size = fabsf(self_2_new_a)
+          + (fabsf(self_2_new_b) + fabsf(self_2_new_c) + fabsf(self_2_new_e)),
+      self_3_new_size = fabsf(self_3_new_a)
           + (fabsf(self_3_new_b) + fabsf(self_3_new_c) + fabsf(self_3_new_e));
   const float RI_0_padded = RI_0_size + 1.9721523e-31f, RI_1_padded = RI_1_size + 1.9721523e-31f,
       RI_2_padded = RI_2_size + 1.9721523e-31f;
@@ -1060,20 +1036,20 @@ static inline void ksl_inertiaf_transform_certified(ksl_inertiaf_t *self, const 
           + KSL_MULF(D_21_abs, RI_7_size + 1.9721523e-31f),
       self_6_new_size = self_6_new_c_size + KSL_MULF(D_22_abs, RI_8_size + 1.9721523e-31f);
   const float self_7_new_size = KSL_MULF(D_10_abs, RI_0_padded) + KSL_MULF(D_11_abs, RI_1_padded)
-          + KSL_MULF(D_12_abs, RI_2_padded);
-  const float self_8_new_size = KSL_MULF(D_20_abs, RI_3_padded) + KSL_MULF(D_21_abs, RI_4_padded)
-          + KSL_MULF(D_22_abs, RI_5_padded);
-  const float self_9_new_size = KSL_MULF(D_20_abs, RI_0_padded) + KSL_MULF(D_21_abs, RI_1_padded)
+          + KSL_MULF(D_12_abs, RI_2_padded),
+      self_8_new_size = KSL_MULF(D_20_abs, RI_3_padded) + KSL_MULF(D_21_abs, RI_4_padded)
+          + KSL_MULF(D_22_abs, RI_5_padded),
+      self_9_new_size = KSL_MULF(D_20_abs, RI_0_padded) + KSL_MULF(D_21_abs, RI_1_padded)
           + KSL_MULF(D_22_abs, RI_2_padded);
-  const float self_1_new_bound = KSL_MULF(2.3841864e-07f, self_1_new_size + 1.9721523e-31f);
-  const float self_2_new_bound = KSL_MULF(2.3841864e-07f, self_2_new_size + 1.9721523e-31f);
-  const float self_3_new_bound = KSL_MULF(2.3841864e-07f, self_3_new_size + 1.9721523e-31f);
-  const float self_4_new_bound = KSL_MULF(3.5762795e-07f, self_4_new_size + 1.9721523e-31f);
-  const float self_5_new_bound = KSL_MULF(3.5762795e-07f, self_5_new_size + 1.9721523e-31f);
-  const float self_6_new_bound = KSL_MULF(3.5762795e-07f, self_6_new_size + 1.9721523e-31f);
-  const float self_7_new_bound = KSL_MULF(3.5762795e-07f, self_7_new_size + 1.9721523e-31f);
-  const float self_8_new_bound = KSL_MULF(3.5762795e-07f, self_8_new_size + 1.9721523e-31f);
-  const float self_9_new_bound = KSL_MULF(3.5762795e-07f, self_9_new_size + 1.9721523e-31f);
+  const float self_1_new_bound = KSL_MULF(2.3841864e-07f, self_1_new_size + 1.9721523e-31f),
+      self_2_new_bound = KSL_MULF(2.3841864e-07f, self_2_new_size + 1.9721523e-31f),
+      self_3_new_bound = KSL_MULF(2.3841864e-07f, self_3_new_size + 1.9721523e-31f),
+      self_4_new_bound = KSL_MULF(3.5762795e-07f, self_4_new_size + 1.9721523e-31f),
+      self_5_new_bound = KSL_MULF(3.5762795e-07f, self_5_new_size + 1.9721523e-31f),
+      self_6_new_bound = KSL_MULF(3.5762795e-07f, self_6_new_size + 1.9721523e-31f),
+      self_7_new_bound = KSL_MULF(3.5762795e-07f, self_7_new_size + 1.9721523e-31f),
+      self_8_new_bound = KSL_MULF(3.5762795e-07f, self_8_new_size + 1.9721523e-31f),
+      self_9_new_bound = KSL_MULF(3.5762795e-07f, self_9_new_size + 1.9721523e-31f);
   self->mt.x = self_1_new;
   self->mt.y = self_2_new;
   self->mt.z = self_3_new;

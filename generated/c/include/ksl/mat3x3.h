@@ -132,9 +132,7 @@ static inline void ksl_mat3x3_setFromVectors(ksl_mat3x3_t *R, const ksl_vec3_t *
    3 neg.
    Exact. */
 static inline void ksl_skew(const ksl_vec3_t *v, ksl_mat3x3_t *Ro) {
-  const double Ro_01 = -v->z;
-  const double Ro_12 = -v->x;
-  const double Ro_20 = -v->y;
+  const double Ro_01 = -v->z, Ro_12 = -v->x, Ro_20 = -v->y;
   const double v_y = v->y;
   const double v_z = v->z;
   const double v_x = v->x;
@@ -157,21 +155,11 @@ static inline void ksl_skew(const ksl_vec3_t *v, ksl_mat3x3_t *Ro) {
      and underflow. */
 static inline void ksl_acceleration_tensor(const ksl_vec3_t *w, const ksl_vec3_t *dw,
     ksl_mat3x3_t *Ro) {
-  const double ww_0 = KSL_MUL(w->x, w->x);
-  const double ww_1 = KSL_MUL(w->y, w->y);
-  const double ww_2 = KSL_MUL(w->z, w->z);
-  const double ww_3 = KSL_MUL(w->x, w->y);
-  const double ww_4 = KSL_MUL(w->x, w->z);
-  const double ww_5 = KSL_MUL(w->y, w->z);
-  const double Ro_00 = -(ww_1 + ww_2);
-  const double Ro_01 = ww_3 - dw->z;
-  const double Ro_02 = dw->y + ww_4;
-  const double Ro_10 = dw->z + ww_3;
-  const double Ro_11 = -(ww_0 + ww_2);
-  const double Ro_12 = ww_5 - dw->x;
-  const double Ro_20 = ww_4 - dw->y;
-  const double Ro_21 = dw->x + ww_5;
-  const double Ro_22 = -(ww_0 + ww_1);
+  const double ww_0 = KSL_MUL(w->x, w->x), ww_1 = KSL_MUL(w->y, w->y), ww_2 = KSL_MUL(w->z, w->z),
+      ww_3 = KSL_MUL(w->x, w->y), ww_4 = KSL_MUL(w->x, w->z), ww_5 = KSL_MUL(w->y, w->z);
+  const double Ro_00 = -(ww_1 + ww_2), Ro_01 = ww_3 - dw->z, Ro_02 = dw->y + ww_4,
+      Ro_10 = dw->z + ww_3, Ro_11 = -(ww_0 + ww_2), Ro_12 = ww_5 - dw->x, Ro_20 = ww_4 - dw->y,
+      Ro_21 = dw->x + ww_5, Ro_22 = -(ww_0 + ww_1);
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -233,9 +221,9 @@ static inline void ksl_mat3x3_transposed(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro
    Error <= u |result| + 4 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline double ksl_mat3x3_determinant(const ksl_mat3x3_t *R) {
-  const double n_0 = KSL_MUL(R->m11, R->m22) - KSL_MUL(R->m12, R->m21);
-  const double n_1 = KSL_MUL(R->m02, R->m21) - KSL_MUL(R->m01, R->m22);
-  const double n_2 = KSL_MUL(R->m01, R->m12) - KSL_MUL(R->m02, R->m11);
+  const double n_0 = KSL_MUL(R->m11, R->m22) - KSL_MUL(R->m12, R->m21),
+      n_1 = KSL_MUL(R->m02, R->m21) - KSL_MUL(R->m01, R->m22),
+      n_2 = KSL_MUL(R->m01, R->m12) - KSL_MUL(R->m02, R->m11);
   const double det = KSL_MUL(R->m00, n_0) + KSL_MUL(R->m10, n_1) + KSL_MUL(R->m20, n_2);
   return det;
 }
@@ -249,15 +237,9 @@ static inline double ksl_mat3x3_determinant(const ksl_mat3x3_t *R) {
      the cofactor, or 2^-80 m^2 (double 2^-700 m^2) if that is more; barring over- and underflow
      of Ro_ij itself. */
 static inline double ksl_mat3x3_inverse(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
-  const double R_size_0 = fabs(R->m00);
-  const double R_size_1 = fabs(R->m01);
-  const double R_size_2 = fabs(R->m02);
-  const double R_size_3 = fabs(R->m10);
-  const double R_size_4 = fabs(R->m11);
-  const double R_size_5 = fabs(R->m12);
-  const double R_size_6 = fabs(R->m20);
-  const double R_size_7 = fabs(R->m21);
-  const double R_size_8 = fabs(R->m22);
+  const double R_size_0 = fabs(R->m00), R_size_1 = fabs(R->m01), R_size_2 = fabs(R->m02),
+      R_size_3 = fabs(R->m10), R_size_4 = fabs(R->m11), R_size_5 = fabs(R->m12),
+      R_size_6 = fabs(R->m20), R_size_7 = fabs(R->m21), R_size_8 = fabs(R->m22);
   const double R_largest1 = R_size_0 < R_size_1 ? R_size_1 : R_size_0;
   const double R_largest2 = R_largest1 < R_size_2 ? R_size_2 : R_largest1;
   const double R_largest3 = R_largest2 < R_size_3 ? R_size_3 : R_largest2;
@@ -273,34 +255,19 @@ static inline double ksl_mat3x3_inverse(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro)
       s_h = R_largest8 < 1.0 ? 2.037035976334486e+90 : s_f,
       s_j = R_largest8 < 4.909093465297727e-91 ? 4.149515568880993e+180 : s_h,
       s = R_largest8 < 2.409919865102884e-181 ? 8.452712498170644e+270 : s_j;
-  const double A_0 = KSL_MUL(R->m00, s);
-  const double A_1 = KSL_MUL(R->m01, s);
-  const double A_2 = KSL_MUL(R->m02, s);
-  const double A_3 = KSL_MUL(R->m10, s);
-  const double A_4 = KSL_MUL(R->m11, s);
-  const double A_5 = KSL_MUL(R->m12, s);
-  const double A_6 = KSL_MUL(R->m20, s);
-  const double A_7 = KSL_MUL(R->m21, s);
-  const double A_8 = KSL_MUL(R->m22, s);
-  const double n0_0 = KSL_MUL(A_4, A_8) - KSL_MUL(A_5, A_7);
-  const double n0_1 = KSL_MUL(A_2, A_7) - KSL_MUL(A_1, A_8);
-  const double n0_2 = KSL_MUL(A_1, A_5) - KSL_MUL(A_2, A_4);
-  const double n1_0 = KSL_MUL(A_5, A_6) - KSL_MUL(A_3, A_8);
-  const double n1_1 = KSL_MUL(A_0, A_8) - KSL_MUL(A_2, A_6);
-  const double n1_2 = KSL_MUL(A_2, A_3) - KSL_MUL(A_0, A_5);
-  const double n2_0 = KSL_MUL(A_3, A_7) - KSL_MUL(A_4, A_6);
-  const double n2_1 = KSL_MUL(A_1, A_6) - KSL_MUL(A_0, A_7);
-  const double n2_2 = KSL_MUL(A_0, A_4) - KSL_MUL(A_1, A_3);
+  const double A_0 = KSL_MUL(R->m00, s), A_1 = KSL_MUL(R->m01, s), A_2 = KSL_MUL(R->m02, s),
+      A_3 = KSL_MUL(R->m10, s), A_4 = KSL_MUL(R->m11, s), A_5 = KSL_MUL(R->m12, s),
+      A_6 = KSL_MUL(R->m20, s), A_7 = KSL_MUL(R->m21, s), A_8 = KSL_MUL(R->m22, s);
+  const double n0_0 = KSL_MUL(A_4, A_8) - KSL_MUL(A_5, A_7),
+      n0_1 = KSL_MUL(A_2, A_7) - KSL_MUL(A_1, A_8), n0_2 = KSL_MUL(A_1, A_5) - KSL_MUL(A_2, A_4);
+  const double n1_0 = KSL_MUL(A_5, A_6) - KSL_MUL(A_3, A_8),
+      n1_1 = KSL_MUL(A_0, A_8) - KSL_MUL(A_2, A_6), n1_2 = KSL_MUL(A_2, A_3) - KSL_MUL(A_0, A_5);
+  const double n2_0 = KSL_MUL(A_3, A_7) - KSL_MUL(A_4, A_6),
+      n2_1 = KSL_MUL(A_1, A_6) - KSL_MUL(A_0, A_7), n2_2 = KSL_MUL(A_0, A_4) - KSL_MUL(A_1, A_3);
   const double d = KSL_MUL(A_0, n0_0) + KSL_MUL(A_3, n0_1) + KSL_MUL(A_6, n0_2);
-  const double size0_0 = fabs(A_0);
-  const double size0_1 = fabs(A_3);
-  const double size0_2 = fabs(A_6);
-  const double size1_0 = fabs(A_1);
-  const double size1_1 = fabs(A_4);
-  const double size1_2 = fabs(A_7);
-  const double size2_0 = fabs(A_2);
-  const double size2_1 = fabs(A_5);
-  const double size2_2 = fabs(A_8);
+  const double size0_0 = fabs(A_0), size0_1 = fabs(A_3), size0_2 = fabs(A_6);
+  const double size1_0 = fabs(A_1), size1_1 = fabs(A_4), size1_2 = fabs(A_7);
+  const double size2_0 = fabs(A_2), size2_1 = fabs(A_5), size2_2 = fabs(A_8);
   const double permanent_d = KSL_MUL(size0_0, KSL_MUL(size1_1, size2_2)
           + KSL_MUL(size1_2, size2_1)),
       permanent_i = permanent_d
@@ -313,24 +280,15 @@ static inline double ksl_mat3x3_inverse(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro)
           + KSL_MUL(spoiled, KSL_MUL(top, top));
   const double regular = least < fabs(d) ? 1.0 : 0.0;
   const double divisor = regular == 1.0 ? d : 1.0;
-  const double quotient_0 = n0_0 / divisor;
-  const double quotient_1 = n0_1 / divisor;
-  const double quotient_2 = n0_2 / divisor;
-  const double quotient_3 = n1_0 / divisor;
-  const double quotient_4 = n1_1 / divisor;
-  const double quotient_5 = n1_2 / divisor;
-  const double quotient_6 = n2_0 / divisor;
-  const double quotient_7 = n2_1 / divisor;
-  const double quotient_8 = n2_2 / divisor;
-  const double inverse_0 = KSL_MUL(quotient_0, s);
-  const double inverse_1 = KSL_MUL(quotient_1, s);
-  const double inverse_2 = KSL_MUL(quotient_2, s);
-  const double inverse_3 = KSL_MUL(quotient_3, s);
-  const double inverse_4 = KSL_MUL(quotient_4, s);
-  const double inverse_5 = KSL_MUL(quotient_5, s);
-  const double inverse_6 = KSL_MUL(quotient_6, s);
-  const double inverse_7 = KSL_MUL(quotient_7, s);
-  const double inverse_8 = KSL_MUL(quotient_8, s);
+  const double quotient_0 = n0_0 / divisor, quotient_1 = n0_1 / divisor,
+      quotient_2 = n0_2 / divisor, quotient_3 = n1_0 / divisor, quotient_4 = n1_1 / divisor,
+      quotient_5 = n1_2 / divisor, quotient_6 = n2_0 / divisor, quotient_7 = n2_1 / divisor,
+      quotient_8 = n2_2 / divisor;
+  const double inverse_0 = KSL_MUL(quotient_0, s), inverse_1 = KSL_MUL(quotient_1, s),
+      inverse_2 = KSL_MUL(quotient_2, s), inverse_3 = KSL_MUL(quotient_3, s),
+      inverse_4 = KSL_MUL(quotient_4, s), inverse_5 = KSL_MUL(quotient_5, s),
+      inverse_6 = KSL_MUL(quotient_6, s), inverse_7 = KSL_MUL(quotient_7, s),
+      inverse_8 = KSL_MUL(quotient_8, s);
   const double start_a = -8.452712498170644e+270,
       start_c = d < 0.0 ? start_a : 8.452712498170644e+270,
       start = R_largest8 < 4.149515568880993e+180 ? d : start_c;
@@ -342,15 +300,15 @@ static inline double ksl_mat3x3_inverse(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro)
       r = R_largest8 < 1.0 ? 1.1830521861667747e-271 : r_a;
   const double det_R = KSL_MUL(twice, r);
   const double det = regular == 1.0 ? det_R : 0.0;
-  const double Ro_00 = regular == 1.0 ? inverse_0 : (double)NAN;
-  const double Ro_01 = regular == 1.0 ? inverse_1 : (double)NAN;
-  const double Ro_02 = regular == 1.0 ? inverse_2 : (double)NAN;
-  const double Ro_10 = regular == 1.0 ? inverse_3 : (double)NAN;
-  const double Ro_11 = regular == 1.0 ? inverse_4 : (double)NAN;
-  const double Ro_12 = regular == 1.0 ? inverse_5 : (double)NAN;
-  const double Ro_20 = regular == 1.0 ? inverse_6 : (double)NAN;
-  const double Ro_21 = regular == 1.0 ? inverse_7 : (double)NAN;
-  const double Ro_22 = regular == 1.0 ? inverse_8 : (double)NAN;
+  const double Ro_00 = regular == 1.0 ? inverse_0 : (double)NAN,
+      Ro_01 = regular == 1.0 ? inverse_1 : (double)NAN,
+      Ro_02 = regular == 1.0 ? inverse_2 : (double)NAN,
+      Ro_10 = regular == 1.0 ? inverse_3 : (double)NAN,
+      Ro_11 = regular == 1.0 ? inverse_4 : (double)NAN,
+      Ro_12 = regular == 1.0 ? inverse_5 : (double)NAN,
+      Ro_20 = regular == 1.0 ? inverse_6 : (double)NAN,
+      Ro_21 = regular == 1.0 ? inverse_7 : (double)NAN,
+      Ro_22 = regular == 1.0 ? inverse_8 : (double)NAN;
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -370,98 +328,79 @@ static inline double ksl_mat3x3_inverse(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro)
    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
    |R R^T - I|_ij <= 8 u for the result R; searched, not proved. */
 static inline void ksl_mat3x3_normalize(ksl_mat3x3_t *self) {
-  const double q0_s_size_0 = fabs(self->m00);
-  const double q0_s_size_1 = fabs(self->m01);
-  const double q0_s_size_2 = fabs(self->m02);
+  const double q0_s_size_0 = fabs(self->m00), q0_s_size_1 = fabs(self->m01),
+      q0_s_size_2 = fabs(self->m02);
   const double q0_s_largest1 = q0_s_size_0 < q0_s_size_1 ? q0_s_size_1 : q0_s_size_0;
   const double q0_s_largest2 = q0_s_largest1 < q0_s_size_2 ? q0_s_size_2 : q0_s_largest1;
   const double q0_s_b = 6.703903964971299e+153 < q0_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       q0_s_d = q0_s_largest2 < 256.0 ? 1.3093562431584567e+151 : q0_s_b,
       q0_s = q0_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : q0_s_d;
-  const double q0_y_0 = KSL_MUL(self->m00, q0_s);
-  const double q0_y_1 = KSL_MUL(self->m01, q0_s);
-  const double q0_y_2 = KSL_MUL(self->m02, q0_s);
+  const double q0_y_0 = KSL_MUL(self->m00, q0_s), q0_y_1 = KSL_MUL(self->m01, q0_s),
+      q0_y_2 = KSL_MUL(self->m02, q0_s);
   const double q0_up = 1.0 < q0_s ? q0_s : 1.0;
   const double q0_down = q0_s < 1.0 ? q0_s : 1.0;
   const double q0_n = sqrt(KSL_MUL(q0_y_0, q0_y_0) + KSL_MUL(q0_y_1, q0_y_1)
           + KSL_MUL(q0_y_2, q0_y_2));
   const double q0_divisor = q0_n == 0.0 ? q0_up : q0_n;
-  const double q0_sized_0 = KSL_MUL(self->m00, q0_up);
-  const double q0_sized_1 = KSL_MUL(self->m01, q0_up);
-  const double q0_sized_2 = KSL_MUL(self->m02, q0_up);
-  const double q0_quotient_0 = q0_sized_0 / q0_divisor;
-  const double q0_quotient_1 = q0_sized_1 / q0_divisor;
-  const double q0_quotient_2 = q0_sized_2 / q0_divisor;
-  const double q0_0 = KSL_MUL(q0_quotient_0, q0_down);
-  const double q0_1 = KSL_MUL(q0_quotient_1, q0_down);
-  const double q0_2 = KSL_MUL(q0_quotient_2, q0_down);
-  const double u1_s_size_0 = fabs(self->m10);
-  const double u1_s_size_1 = fabs(self->m11);
-  const double u1_s_size_2 = fabs(self->m12);
+  const double q0_sized_0 = KSL_MUL(self->m00, q0_up), q0_sized_1 = KSL_MUL(self->m01, q0_up),
+      q0_sized_2 = KSL_MUL(self->m02, q0_up);
+  const double q0_quotient_0 = q0_sized_0 / q0_divisor, q0_quotient_1 = q0_sized_1 / q0_divisor,
+      q0_quotient_2 = q0_sized_2 / q0_divisor;
+  const double q0_0 = KSL_MUL(q0_quotient_0, q0_down), q0_1 = KSL_MUL(q0_quotient_1, q0_down),
+      q0_2 = KSL_MUL(q0_quotient_2, q0_down);
+  const double u1_s_size_0 = fabs(self->m10), u1_s_size_1 = fabs(self->m11),
+      u1_s_size_2 = fabs(self->m12);
   const double u1_s_largest1 = u1_s_size_0 < u1_s_size_1 ? u1_s_size_1 : u1_s_size_0;
   const double u1_s_largest2 = u1_s_largest1 < u1_s_size_2 ? u1_s_size_2 : u1_s_largest1;
   const double u1_s_b = 6.703903964971299e+153 < u1_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       u1_s_d = u1_s_largest2 < 256.0 ? 1.3093562431584567e+151 : u1_s_b,
       u1_s = u1_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : u1_s_d;
-  const double u1_y_0 = KSL_MUL(self->m10, u1_s);
-  const double u1_y_1 = KSL_MUL(self->m11, u1_s);
-  const double u1_y_2 = KSL_MUL(self->m12, u1_s);
+  const double u1_y_0 = KSL_MUL(self->m10, u1_s), u1_y_1 = KSL_MUL(self->m11, u1_s),
+      u1_y_2 = KSL_MUL(self->m12, u1_s);
   const double u1_up = 1.0 < u1_s ? u1_s : 1.0;
   const double u1_down = u1_s < 1.0 ? u1_s : 1.0;
   const double u1_n = sqrt(KSL_MUL(u1_y_0, u1_y_0) + KSL_MUL(u1_y_1, u1_y_1)
           + KSL_MUL(u1_y_2, u1_y_2));
   const double u1_divisor = u1_n == 0.0 ? u1_up : u1_n;
-  const double u1_sized_0 = KSL_MUL(self->m10, u1_up);
-  const double u1_sized_1 = KSL_MUL(self->m11, u1_up);
-  const double u1_sized_2 = KSL_MUL(self->m12, u1_up);
-  const double u1_quotient_0 = u1_sized_0 / u1_divisor;
-  const double u1_quotient_1 = u1_sized_1 / u1_divisor;
-  const double u1_quotient_2 = u1_sized_2 / u1_divisor;
-  const double u1_0 = KSL_MUL(u1_quotient_0, u1_down);
-  const double u1_1 = KSL_MUL(u1_quotient_1, u1_down);
-  const double u1_2 = KSL_MUL(u1_quotient_2, u1_down);
+  const double u1_sized_0 = KSL_MUL(self->m10, u1_up), u1_sized_1 = KSL_MUL(self->m11, u1_up),
+      u1_sized_2 = KSL_MUL(self->m12, u1_up);
+  const double u1_quotient_0 = u1_sized_0 / u1_divisor, u1_quotient_1 = u1_sized_1 / u1_divisor,
+      u1_quotient_2 = u1_sized_2 / u1_divisor;
+  const double u1_0 = KSL_MUL(u1_quotient_0, u1_down), u1_1 = KSL_MUL(u1_quotient_1, u1_down),
+      u1_2 = KSL_MUL(u1_quotient_2, u1_down);
   const double along = KSL_MUL(q0_0, u1_0) + KSL_MUL(q0_1, u1_1) + KSL_MUL(q0_2, u1_2);
-  const double once_0 = u1_0 - KSL_MUL(q0_0, along);
-  const double once_1 = u1_1 - KSL_MUL(q0_1, along);
-  const double once_2 = u1_2 - KSL_MUL(q0_2, along);
+  const double once_0 = u1_0 - KSL_MUL(q0_0, along), once_1 = u1_1 - KSL_MUL(q0_1, along),
+      once_2 = u1_2 - KSL_MUL(q0_2, along);
   const double rest = KSL_MUL(q0_0, once_0) + KSL_MUL(q0_1, once_1) + KSL_MUL(q0_2, once_2);
-  const double twice_0 = once_0 - KSL_MUL(q0_0, rest);
-  const double twice_1 = once_1 - KSL_MUL(q0_1, rest);
-  const double twice_2 = once_2 - KSL_MUL(q0_2, rest);
+  const double twice_0 = once_0 - KSL_MUL(q0_0, rest), twice_1 = once_1 - KSL_MUL(q0_1, rest),
+      twice_2 = once_2 - KSL_MUL(q0_2, rest);
   const double n = sqrt(KSL_MUL(twice_0, twice_0) + KSL_MUL(twice_1, twice_1)
           + KSL_MUL(twice_2, twice_2));
   const double divisor = n == 0.0 ? 1.0 : n;
-  const double q1_0 = twice_0 / divisor;
-  const double q1_1 = twice_1 / divisor;
-  const double q1_2 = twice_2 / divisor;
-  const double normal_0 = KSL_MUL(q0_1, q1_2) - KSL_MUL(q0_2, q1_1);
-  const double normal_1 = KSL_MUL(q0_2, q1_0) - KSL_MUL(q0_0, q1_2);
-  const double normal_2 = KSL_MUL(q0_0, q1_1) - KSL_MUL(q0_1, q1_0);
-  const double u2_s_size_0 = fabs(self->m20);
-  const double u2_s_size_1 = fabs(self->m21);
-  const double u2_s_size_2 = fabs(self->m22);
+  const double q1_0 = twice_0 / divisor, q1_1 = twice_1 / divisor, q1_2 = twice_2 / divisor;
+  const double normal_0 = KSL_MUL(q0_1, q1_2) - KSL_MUL(q0_2, q1_1),
+      normal_1 = KSL_MUL(q0_2, q1_0) - KSL_MUL(q0_0, q1_2),
+      normal_2 = KSL_MUL(q0_0, q1_1) - KSL_MUL(q0_1, q1_0);
+  const double u2_s_size_0 = fabs(self->m20), u2_s_size_1 = fabs(self->m21),
+      u2_s_size_2 = fabs(self->m22);
   const double u2_s_largest1 = u2_s_size_0 < u2_s_size_1 ? u2_s_size_1 : u2_s_size_0;
   const double u2_s_largest2 = u2_s_largest1 < u2_s_size_2 ? u2_s_size_2 : u2_s_largest1;
   const double u2_s_b = 6.703903964971299e+153 < u2_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       u2_s_d = u2_s_largest2 < 256.0 ? 1.3093562431584567e+151 : u2_s_b,
       u2_s = u2_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : u2_s_d;
-  const double u2_y_0 = KSL_MUL(self->m20, u2_s);
-  const double u2_y_1 = KSL_MUL(self->m21, u2_s);
-  const double u2_y_2 = KSL_MUL(self->m22, u2_s);
+  const double u2_y_0 = KSL_MUL(self->m20, u2_s), u2_y_1 = KSL_MUL(self->m21, u2_s),
+      u2_y_2 = KSL_MUL(self->m22, u2_s);
   const double u2_up = 1.0 < u2_s ? u2_s : 1.0;
   const double u2_down = u2_s < 1.0 ? u2_s : 1.0;
   const double u2_n = sqrt(KSL_MUL(u2_y_0, u2_y_0) + KSL_MUL(u2_y_1, u2_y_1)
           + KSL_MUL(u2_y_2, u2_y_2));
   const double u2_divisor = u2_n == 0.0 ? u2_up : u2_n;
-  const double u2_sized_0 = KSL_MUL(self->m20, u2_up);
-  const double u2_sized_1 = KSL_MUL(self->m21, u2_up);
-  const double u2_sized_2 = KSL_MUL(self->m22, u2_up);
-  const double u2_quotient_0 = u2_sized_0 / u2_divisor;
-  const double u2_quotient_1 = u2_sized_1 / u2_divisor;
-  const double u2_quotient_2 = u2_sized_2 / u2_divisor;
-  const double u2_0 = KSL_MUL(u2_quotient_0, u2_down);
-  const double u2_1 = KSL_MUL(u2_quotient_1, u2_down);
-  const double u2_2 = KSL_MUL(u2_quotient_2, u2_down);
+  const double u2_sized_0 = KSL_MUL(self->m20, u2_up), u2_sized_1 = KSL_MUL(self->m21, u2_up),
+      u2_sized_2 = KSL_MUL(self->m22, u2_up);
+  const double u2_quotient_0 = u2_sized_0 / u2_divisor, u2_quotient_1 = u2_sized_1 / u2_divisor,
+      u2_quotient_2 = u2_sized_2 / u2_divisor;
+  const double u2_0 = KSL_MUL(u2_quotient_0, u2_down), u2_1 = KSL_MUL(u2_quotient_1, u2_down),
+      u2_2 = KSL_MUL(u2_quotient_2, u2_down);
   const double side = KSL_MUL(normal_0, u2_0) + KSL_MUL(normal_1, u2_1) + KSL_MUL(normal_2, u2_2);
   const double q2_0a = -normal_0, q2_0 = side < 0.0 ? q2_0a : normal_0;
   const double q2_1a = -normal_1, q2_1 = side < 0.0 ? q2_1a : normal_1;
@@ -469,15 +408,15 @@ static inline void ksl_mat3x3_normalize(ksl_mat3x3_t *self) {
   const double size = fabs(side);
   const double less = n < size ? n : size;
   const double dependent = less < 1.7763568394002505e-15 ? 1.0 : 0.0;
-  const double self_00_new = dependent == 1.0 ? (double)NAN : q0_0;
-  const double self_01_new = dependent == 1.0 ? (double)NAN : q0_1;
-  const double self_02_new = dependent == 1.0 ? (double)NAN : q0_2;
-  const double self_10_new = dependent == 1.0 ? (double)NAN : q1_0;
-  const double self_11_new = dependent == 1.0 ? (double)NAN : q1_1;
-  const double self_12_new = dependent == 1.0 ? (double)NAN : q1_2;
-  const double self_20_new = dependent == 1.0 ? (double)NAN : q2_0;
-  const double self_21_new = dependent == 1.0 ? (double)NAN : q2_1;
-  const double self_22_new = dependent == 1.0 ? (double)NAN : q2_2;
+  const double self_00_new = dependent == 1.0 ? (double)NAN : q0_0,
+      self_01_new = dependent == 1.0 ? (double)NAN : q0_1,
+      self_02_new = dependent == 1.0 ? (double)NAN : q0_2,
+      self_10_new = dependent == 1.0 ? (double)NAN : q1_0,
+      self_11_new = dependent == 1.0 ? (double)NAN : q1_1,
+      self_12_new = dependent == 1.0 ? (double)NAN : q1_2,
+      self_20_new = dependent == 1.0 ? (double)NAN : q2_0,
+      self_21_new = dependent == 1.0 ? (double)NAN : q2_1,
+      self_22_new = dependent == 1.0 ? (double)NAN : q2_2;
   self->m00 = self_00_new;
   self->m01 = self_01_new;
   self->m02 = self_02_new;
@@ -496,98 +435,76 @@ static inline void ksl_mat3x3_normalize(ksl_mat3x3_t *self) {
    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
    |R R^T - I|_ij <= 8 u for the result R; searched, not proved. */
 static inline void ksl_mat3x3_normalized(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
-  const double q0_s_size_0 = fabs(R->m00);
-  const double q0_s_size_1 = fabs(R->m01);
-  const double q0_s_size_2 = fabs(R->m02);
+  const double q0_s_size_0 = fabs(R->m00), q0_s_size_1 = fabs(R->m01), q0_s_size_2 = fabs(R->m02);
   const double q0_s_largest1 = q0_s_size_0 < q0_s_size_1 ? q0_s_size_1 : q0_s_size_0;
   const double q0_s_largest2 = q0_s_largest1 < q0_s_size_2 ? q0_s_size_2 : q0_s_largest1;
   const double q0_s_b = 6.703903964971299e+153 < q0_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       q0_s_d = q0_s_largest2 < 256.0 ? 1.3093562431584567e+151 : q0_s_b,
       q0_s = q0_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : q0_s_d;
-  const double q0_y_0 = KSL_MUL(R->m00, q0_s);
-  const double q0_y_1 = KSL_MUL(R->m01, q0_s);
-  const double q0_y_2 = KSL_MUL(R->m02, q0_s);
+  const double q0_y_0 = KSL_MUL(R->m00, q0_s), q0_y_1 = KSL_MUL(R->m01, q0_s),
+      q0_y_2 = KSL_MUL(R->m02, q0_s);
   const double q0_up = 1.0 < q0_s ? q0_s : 1.0;
   const double q0_down = q0_s < 1.0 ? q0_s : 1.0;
   const double q0_n = sqrt(KSL_MUL(q0_y_0, q0_y_0) + KSL_MUL(q0_y_1, q0_y_1)
           + KSL_MUL(q0_y_2, q0_y_2));
   const double q0_divisor = q0_n == 0.0 ? q0_up : q0_n;
-  const double q0_sized_0 = KSL_MUL(R->m00, q0_up);
-  const double q0_sized_1 = KSL_MUL(R->m01, q0_up);
-  const double q0_sized_2 = KSL_MUL(R->m02, q0_up);
-  const double q0_quotient_0 = q0_sized_0 / q0_divisor;
-  const double q0_quotient_1 = q0_sized_1 / q0_divisor;
-  const double q0_quotient_2 = q0_sized_2 / q0_divisor;
-  const double q0_0 = KSL_MUL(q0_quotient_0, q0_down);
-  const double q0_1 = KSL_MUL(q0_quotient_1, q0_down);
-  const double q0_2 = KSL_MUL(q0_quotient_2, q0_down);
-  const double u1_s_size_0 = fabs(R->m10);
-  const double u1_s_size_1 = fabs(R->m11);
-  const double u1_s_size_2 = fabs(R->m12);
+  const double q0_sized_0 = KSL_MUL(R->m00, q0_up), q0_sized_1 = KSL_MUL(R->m01, q0_up),
+      q0_sized_2 = KSL_MUL(R->m02, q0_up);
+  const double q0_quotient_0 = q0_sized_0 / q0_divisor, q0_quotient_1 = q0_sized_1 / q0_divisor,
+      q0_quotient_2 = q0_sized_2 / q0_divisor;
+  const double q0_0 = KSL_MUL(q0_quotient_0, q0_down), q0_1 = KSL_MUL(q0_quotient_1, q0_down),
+      q0_2 = KSL_MUL(q0_quotient_2, q0_down);
+  const double u1_s_size_0 = fabs(R->m10), u1_s_size_1 = fabs(R->m11), u1_s_size_2 = fabs(R->m12);
   const double u1_s_largest1 = u1_s_size_0 < u1_s_size_1 ? u1_s_size_1 : u1_s_size_0;
   const double u1_s_largest2 = u1_s_largest1 < u1_s_size_2 ? u1_s_size_2 : u1_s_largest1;
   const double u1_s_b = 6.703903964971299e+153 < u1_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       u1_s_d = u1_s_largest2 < 256.0 ? 1.3093562431584567e+151 : u1_s_b,
       u1_s = u1_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : u1_s_d;
-  const double u1_y_0 = KSL_MUL(R->m10, u1_s);
-  const double u1_y_1 = KSL_MUL(R->m11, u1_s);
-  const double u1_y_2 = KSL_MUL(R->m12, u1_s);
+  const double u1_y_0 = KSL_MUL(R->m10, u1_s), u1_y_1 = KSL_MUL(R->m11, u1_s),
+      u1_y_2 = KSL_MUL(R->m12, u1_s);
   const double u1_up = 1.0 < u1_s ? u1_s : 1.0;
   const double u1_down = u1_s < 1.0 ? u1_s : 1.0;
   const double u1_n = sqrt(KSL_MUL(u1_y_0, u1_y_0) + KSL_MUL(u1_y_1, u1_y_1)
           + KSL_MUL(u1_y_2, u1_y_2));
   const double u1_divisor = u1_n == 0.0 ? u1_up : u1_n;
-  const double u1_sized_0 = KSL_MUL(R->m10, u1_up);
-  const double u1_sized_1 = KSL_MUL(R->m11, u1_up);
-  const double u1_sized_2 = KSL_MUL(R->m12, u1_up);
-  const double u1_quotient_0 = u1_sized_0 / u1_divisor;
-  const double u1_quotient_1 = u1_sized_1 / u1_divisor;
-  const double u1_quotient_2 = u1_sized_2 / u1_divisor;
-  const double u1_0 = KSL_MUL(u1_quotient_0, u1_down);
-  const double u1_1 = KSL_MUL(u1_quotient_1, u1_down);
-  const double u1_2 = KSL_MUL(u1_quotient_2, u1_down);
+  const double u1_sized_0 = KSL_MUL(R->m10, u1_up), u1_sized_1 = KSL_MUL(R->m11, u1_up),
+      u1_sized_2 = KSL_MUL(R->m12, u1_up);
+  const double u1_quotient_0 = u1_sized_0 / u1_divisor, u1_quotient_1 = u1_sized_1 / u1_divisor,
+      u1_quotient_2 = u1_sized_2 / u1_divisor;
+  const double u1_0 = KSL_MUL(u1_quotient_0, u1_down), u1_1 = KSL_MUL(u1_quotient_1, u1_down),
+      u1_2 = KSL_MUL(u1_quotient_2, u1_down);
   const double along = KSL_MUL(q0_0, u1_0) + KSL_MUL(q0_1, u1_1) + KSL_MUL(q0_2, u1_2);
-  const double once_0 = u1_0 - KSL_MUL(q0_0, along);
-  const double once_1 = u1_1 - KSL_MUL(q0_1, along);
-  const double once_2 = u1_2 - KSL_MUL(q0_2, along);
+  const double once_0 = u1_0 - KSL_MUL(q0_0, along), once_1 = u1_1 - KSL_MUL(q0_1, along),
+      once_2 = u1_2 - KSL_MUL(q0_2, along);
   const double rest = KSL_MUL(q0_0, once_0) + KSL_MUL(q0_1, once_1) + KSL_MUL(q0_2, once_2);
-  const double twice_0 = once_0 - KSL_MUL(q0_0, rest);
-  const double twice_1 = once_1 - KSL_MUL(q0_1, rest);
-  const double twice_2 = once_2 - KSL_MUL(q0_2, rest);
+  const double twice_0 = once_0 - KSL_MUL(q0_0, rest), twice_1 = once_1 - KSL_MUL(q0_1, rest),
+      twice_2 = once_2 - KSL_MUL(q0_2, rest);
   const double n = sqrt(KSL_MUL(twice_0, twice_0) + KSL_MUL(twice_1, twice_1)
           + KSL_MUL(twice_2, twice_2));
   const double divisor = n == 0.0 ? 1.0 : n;
-  const double q1_0 = twice_0 / divisor;
-  const double q1_1 = twice_1 / divisor;
-  const double q1_2 = twice_2 / divisor;
-  const double normal_0 = KSL_MUL(q0_1, q1_2) - KSL_MUL(q0_2, q1_1);
-  const double normal_1 = KSL_MUL(q0_2, q1_0) - KSL_MUL(q0_0, q1_2);
-  const double normal_2 = KSL_MUL(q0_0, q1_1) - KSL_MUL(q0_1, q1_0);
-  const double u2_s_size_0 = fabs(R->m20);
-  const double u2_s_size_1 = fabs(R->m21);
-  const double u2_s_size_2 = fabs(R->m22);
+  const double q1_0 = twice_0 / divisor, q1_1 = twice_1 / divisor, q1_2 = twice_2 / divisor;
+  const double normal_0 = KSL_MUL(q0_1, q1_2) - KSL_MUL(q0_2, q1_1),
+      normal_1 = KSL_MUL(q0_2, q1_0) - KSL_MUL(q0_0, q1_2),
+      normal_2 = KSL_MUL(q0_0, q1_1) - KSL_MUL(q0_1, q1_0);
+  const double u2_s_size_0 = fabs(R->m20), u2_s_size_1 = fabs(R->m21), u2_s_size_2 = fabs(R->m22);
   const double u2_s_largest1 = u2_s_size_0 < u2_s_size_1 ? u2_s_size_1 : u2_s_size_0;
   const double u2_s_largest2 = u2_s_largest1 < u2_s_size_2 ? u2_s_size_2 : u2_s_largest1;
   const double u2_s_b = 6.703903964971299e+153 < u2_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       u2_s_d = u2_s_largest2 < 256.0 ? 1.3093562431584567e+151 : u2_s_b,
       u2_s = u2_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : u2_s_d;
-  const double u2_y_0 = KSL_MUL(R->m20, u2_s);
-  const double u2_y_1 = KSL_MUL(R->m21, u2_s);
-  const double u2_y_2 = KSL_MUL(R->m22, u2_s);
+  const double u2_y_0 = KSL_MUL(R->m20, u2_s), u2_y_1 = KSL_MUL(R->m21, u2_s),
+      u2_y_2 = KSL_MUL(R->m22, u2_s);
   const double u2_up = 1.0 < u2_s ? u2_s : 1.0;
   const double u2_down = u2_s < 1.0 ? u2_s : 1.0;
   const double u2_n = sqrt(KSL_MUL(u2_y_0, u2_y_0) + KSL_MUL(u2_y_1, u2_y_1)
           + KSL_MUL(u2_y_2, u2_y_2));
   const double u2_divisor = u2_n == 0.0 ? u2_up : u2_n;
-  const double u2_sized_0 = KSL_MUL(R->m20, u2_up);
-  const double u2_sized_1 = KSL_MUL(R->m21, u2_up);
-  const double u2_sized_2 = KSL_MUL(R->m22, u2_up);
-  const double u2_quotient_0 = u2_sized_0 / u2_divisor;
-  const double u2_quotient_1 = u2_sized_1 / u2_divisor;
-  const double u2_quotient_2 = u2_sized_2 / u2_divisor;
-  const double u2_0 = KSL_MUL(u2_quotient_0, u2_down);
-  const double u2_1 = KSL_MUL(u2_quotient_1, u2_down);
-  const double u2_2 = KSL_MUL(u2_quotient_2, u2_down);
+  const double u2_sized_0 = KSL_MUL(R->m20, u2_up), u2_sized_1 = KSL_MUL(R->m21, u2_up),
+      u2_sized_2 = KSL_MUL(R->m22, u2_up);
+  const double u2_quotient_0 = u2_sized_0 / u2_divisor, u2_quotient_1 = u2_sized_1 / u2_divisor,
+      u2_quotient_2 = u2_sized_2 / u2_divisor;
+  const double u2_0 = KSL_MUL(u2_quotient_0, u2_down), u2_1 = KSL_MUL(u2_quotient_1, u2_down),
+      u2_2 = KSL_MUL(u2_quotient_2, u2_down);
   const double side = KSL_MUL(normal_0, u2_0) + KSL_MUL(normal_1, u2_1) + KSL_MUL(normal_2, u2_2);
   const double q2_0a = -normal_0, q2_0 = side < 0.0 ? q2_0a : normal_0;
   const double q2_1a = -normal_1, q2_1 = side < 0.0 ? q2_1a : normal_1;
@@ -595,15 +512,11 @@ static inline void ksl_mat3x3_normalized(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro
   const double size = fabs(side);
   const double less = n < size ? n : size;
   const double dependent = less < 1.7763568394002505e-15 ? 1.0 : 0.0;
-  const double Ro_00 = dependent == 1.0 ? (double)NAN : q0_0;
-  const double Ro_01 = dependent == 1.0 ? (double)NAN : q0_1;
-  const double Ro_02 = dependent == 1.0 ? (double)NAN : q0_2;
-  const double Ro_10 = dependent == 1.0 ? (double)NAN : q1_0;
-  const double Ro_11 = dependent == 1.0 ? (double)NAN : q1_1;
-  const double Ro_12 = dependent == 1.0 ? (double)NAN : q1_2;
-  const double Ro_20 = dependent == 1.0 ? (double)NAN : q2_0;
-  const double Ro_21 = dependent == 1.0 ? (double)NAN : q2_1;
-  const double Ro_22 = dependent == 1.0 ? (double)NAN : q2_2;
+  const double Ro_00 = dependent == 1.0 ? (double)NAN : q0_0,
+      Ro_01 = dependent == 1.0 ? (double)NAN : q0_1, Ro_02 = dependent == 1.0 ? (double)NAN : q0_2,
+      Ro_10 = dependent == 1.0 ? (double)NAN : q1_0, Ro_11 = dependent == 1.0 ? (double)NAN : q1_1,
+      Ro_12 = dependent == 1.0 ? (double)NAN : q1_2, Ro_20 = dependent == 1.0 ? (double)NAN : q2_0,
+      Ro_21 = dependent == 1.0 ? (double)NAN : q2_1, Ro_22 = dependent == 1.0 ? (double)NAN : q2_2;
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -624,27 +537,16 @@ static inline void ksl_mat3x3_normalized(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro
 static inline void ksl_mat3x3_setFromAxisDC(ksl_mat3x3_t *R, const ksl_vec3_t *axis,
     const double dc[2]) {
   const double versine = 1.0 - dc[1];
-  const double versine_axis_0 = KSL_MUL(axis->x, versine);
-  const double versine_axis_1 = KSL_MUL(axis->y, versine);
-  const double versine_axis_2 = KSL_MUL(axis->z, versine);
-  const double m_0 = KSL_MUL(axis->x, versine_axis_0);
-  const double m_1 = KSL_MUL(axis->y, versine_axis_1);
-  const double m_2 = KSL_MUL(axis->z, versine_axis_2);
-  const double m_3 = KSL_MUL(axis->y, versine_axis_0);
-  const double m_4 = KSL_MUL(axis->z, versine_axis_0);
-  const double m_5 = KSL_MUL(axis->z, versine_axis_1);
-  const double sine_axis_0 = KSL_MUL(axis->x, dc[0]);
-  const double sine_axis_1 = KSL_MUL(axis->y, dc[0]);
-  const double sine_axis_2 = KSL_MUL(axis->z, dc[0]);
-  const double R_00 = dc[1] + m_0;
-  const double R_01 = m_3 - sine_axis_2;
-  const double R_02 = m_4 + sine_axis_1;
-  const double R_10 = m_3 + sine_axis_2;
-  const double R_11 = dc[1] + m_1;
-  const double R_12 = m_5 - sine_axis_0;
-  const double R_20 = m_4 - sine_axis_1;
-  const double R_21 = m_5 + sine_axis_0;
-  const double R_22 = dc[1] + m_2;
+  const double versine_axis_0 = KSL_MUL(axis->x, versine),
+      versine_axis_1 = KSL_MUL(axis->y, versine), versine_axis_2 = KSL_MUL(axis->z, versine);
+  const double m_0 = KSL_MUL(axis->x, versine_axis_0), m_1 = KSL_MUL(axis->y, versine_axis_1),
+      m_2 = KSL_MUL(axis->z, versine_axis_2), m_3 = KSL_MUL(axis->y, versine_axis_0),
+      m_4 = KSL_MUL(axis->z, versine_axis_0), m_5 = KSL_MUL(axis->z, versine_axis_1);
+  const double sine_axis_0 = KSL_MUL(axis->x, dc[0]), sine_axis_1 = KSL_MUL(axis->y, dc[0]),
+      sine_axis_2 = KSL_MUL(axis->z, dc[0]);
+  const double R_00 = dc[1] + m_0, R_01 = m_3 - sine_axis_2, R_02 = m_4 + sine_axis_1,
+      R_10 = m_3 + sine_axis_2, R_11 = dc[1] + m_1, R_12 = m_5 - sine_axis_0,
+      R_20 = m_4 - sine_axis_1, R_21 = m_5 + sine_axis_0, R_22 = dc[1] + m_2;
   R->m00 = R_00;
   R->m01 = R_01;
   R->m02 = R_02;
@@ -663,16 +565,12 @@ static inline void ksl_mat3x3_from_euler_xyz(const ksl_vec3_t *angles, ksl_mat3x
   double c_0; const double s_0 = ksl_sincos(angles->x, &c_0);
   double c_1; const double s_1 = ksl_sincos(angles->y, &c_1);
   double c_2; const double s_2 = ksl_sincos(angles->z, &c_2);
-  const double first_0 = KSL_MUL(c_1, c_2);
-  const double first_1 = -KSL_MUL(s_2, c_1);
-  const double first_6 = -KSL_MUL(s_1, c_2);
-  const double first_7 = KSL_MUL(s_1, s_2);
-  const double last_3 = KSL_MUL(s_2, c_0) - KSL_MUL(s_0, first_6);
-  const double last_4 = KSL_MUL(c_0, c_2) - KSL_MUL(s_0, first_7);
-  const double last_5 = -KSL_MUL(s_0, c_1);
-  const double last_6 = KSL_MUL(s_0, s_2) + KSL_MUL(c_0, first_6);
-  const double last_7 = KSL_MUL(s_0, c_2) + KSL_MUL(c_0, first_7);
-  const double last_8 = KSL_MUL(c_0, c_1);
+  const double first_0 = KSL_MUL(c_1, c_2), first_1 = -KSL_MUL(s_2, c_1),
+      first_6 = -KSL_MUL(s_1, c_2), first_7 = KSL_MUL(s_1, s_2);
+  const double last_3 = KSL_MUL(s_2, c_0) - KSL_MUL(s_0, first_6),
+      last_4 = KSL_MUL(c_0, c_2) - KSL_MUL(s_0, first_7), last_5 = -KSL_MUL(s_0, c_1),
+      last_6 = KSL_MUL(s_0, s_2) + KSL_MUL(c_0, first_6),
+      last_7 = KSL_MUL(s_0, c_2) + KSL_MUL(c_0, first_7), last_8 = KSL_MUL(c_0, c_1);
   R->m00 = first_0;
   R->m01 = first_1;
   R->m02 = s_1;
@@ -697,12 +595,12 @@ static inline void ksl_euler_xyz_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *
   const double sine_a = -R->m01, sine = sine_a / divisor;
   const double polar = ksl_atan2(sine_a, R->m00);
   const double third = n == 0.0 ? 0.0 : polar;
-  const double left_1 = KSL_MUL(R->m10, sine) + KSL_MUL(R->m11, cosine);
-  const double left_2 = KSL_MUL(R->m20, sine) + KSL_MUL(R->m21, cosine);
+  const double left_1 = KSL_MUL(R->m10, sine) + KSL_MUL(R->m11, cosine),
+      left_2 = KSL_MUL(R->m20, sine) + KSL_MUL(R->m21, cosine);
   const double rest = R->m12 + R->m22;
   const double first = ksl_atan2(left_2, left_1);
-  const double angles_0 = rest < 1.2676506002282294e+30 ? first : rest;
-  const double angles_1 = ksl_atan2(R->m02, n);
+  const double angles_0 = rest < 1.2676506002282294e+30 ? first : rest,
+      angles_1 = ksl_atan2(R->m02, n);
   angles->x = angles_0;
   angles->y = angles_1;
   angles->z = third;
@@ -715,16 +613,12 @@ static inline void ksl_mat3x3_from_euler_xyx(const ksl_vec3_t *angles, ksl_mat3x
   double c_0; const double s_0 = ksl_sincos(angles->x, &c_0);
   double c_1; const double s_1 = ksl_sincos(angles->y, &c_1);
   double c_2; const double s_2 = ksl_sincos(angles->z, &c_2);
-  const double first_1 = KSL_MUL(s_1, s_2);
-  const double first_2 = KSL_MUL(s_1, c_2);
-  const double first_7 = KSL_MUL(s_2, c_1);
-  const double first_8 = KSL_MUL(c_1, c_2);
-  const double last_3 = KSL_MUL(s_0, s_1);
-  const double last_4 = KSL_MUL(c_0, c_2) - KSL_MUL(s_0, first_7);
-  const double last_5 = -(KSL_MUL(s_0, first_8) + KSL_MUL(s_2, c_0));
-  const double last_6 = -KSL_MUL(s_1, c_0);
-  const double last_7 = KSL_MUL(s_0, c_2) + KSL_MUL(c_0, first_7);
-  const double last_8 = KSL_MUL(c_0, first_8) - KSL_MUL(s_0, s_2);
+  const double first_1 = KSL_MUL(s_1, s_2), first_2 = KSL_MUL(s_1, c_2),
+      first_7 = KSL_MUL(s_2, c_1), first_8 = KSL_MUL(c_1, c_2);
+  const double last_3 = KSL_MUL(s_0, s_1), last_4 = KSL_MUL(c_0, c_2) - KSL_MUL(s_0, first_7),
+      last_5 = -(KSL_MUL(s_0, first_8) + KSL_MUL(s_2, c_0)), last_6 = -KSL_MUL(s_1, c_0),
+      last_7 = KSL_MUL(s_0, c_2) + KSL_MUL(c_0, first_7),
+      last_8 = KSL_MUL(c_0, first_8) - KSL_MUL(s_0, s_2);
   R->m00 = c_1;
   R->m01 = first_1;
   R->m02 = first_2;
@@ -749,12 +643,12 @@ static inline void ksl_euler_xyx_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *
   const double sine = R->m01 / divisor;
   const double polar = ksl_atan2(R->m01, R->m02);
   const double third = n == 0.0 ? 0.0 : polar;
-  const double left_1 = KSL_MUL(R->m11, cosine) - KSL_MUL(R->m12, sine);
-  const double left_2 = KSL_MUL(R->m21, cosine) - KSL_MUL(R->m22, sine);
+  const double left_1 = KSL_MUL(R->m11, cosine) - KSL_MUL(R->m12, sine),
+      left_2 = KSL_MUL(R->m21, cosine) - KSL_MUL(R->m22, sine);
   const double rest = R->m10 + R->m20;
   const double first = ksl_atan2(left_2, left_1);
-  const double angles_0 = rest < 1.2676506002282294e+30 ? first : rest;
-  const double angles_1 = ksl_atan2(n, R->m00);
+  const double angles_0 = rest < 1.2676506002282294e+30 ? first : rest,
+      angles_1 = ksl_atan2(n, R->m00);
   angles->x = angles_0;
   angles->y = angles_1;
   angles->z = third;
@@ -781,14 +675,13 @@ static inline void ksl_mat3x3_jacobi(ksl_mat3x3_t *A, ksl_mat3x3_t *V) {
   const double change = KSL_MUL(A->m10, t);
   const double zp = KSL_MUL(A->m20, c) - KSL_MUL(A->m21, s);
   const double zq = KSL_MUL(A->m20, s) + KSL_MUL(A->m21, c);
-  const double vp_0 = KSL_MUL(V->m00, c) - KSL_MUL(V->m01, s);
-  const double vp_1 = KSL_MUL(V->m10, c) - KSL_MUL(V->m11, s);
-  const double vp_2 = KSL_MUL(V->m20, c) - KSL_MUL(V->m21, s);
-  const double vq_0 = KSL_MUL(V->m00, s) + KSL_MUL(V->m01, c);
-  const double vq_1 = KSL_MUL(V->m10, s) + KSL_MUL(V->m11, c);
-  const double vq_2 = KSL_MUL(V->m20, s) + KSL_MUL(V->m21, c);
-  const double A_00_new = A->m11 + change;
-  const double A_22_new = A->m00 - change;
+  const double vp_0 = KSL_MUL(V->m00, c) - KSL_MUL(V->m01, s),
+      vp_1 = KSL_MUL(V->m10, c) - KSL_MUL(V->m11, s),
+      vp_2 = KSL_MUL(V->m20, c) - KSL_MUL(V->m21, s);
+  const double vq_0 = KSL_MUL(V->m00, s) + KSL_MUL(V->m01, c),
+      vq_1 = KSL_MUL(V->m10, s) + KSL_MUL(V->m11, c),
+      vq_2 = KSL_MUL(V->m20, s) + KSL_MUL(V->m21, c);
+  const double A_00_new = A->m11 + change, A_22_new = A->m00 - change;
   const double A_m22 = A->m22;
   const double V_m02 = V->m02;
   const double V_m12 = V->m12;
@@ -819,27 +712,20 @@ static inline void ksl_mat3x3_jacobi(ksl_mat3x3_t *A, ksl_mat3x3_t *V) {
    27 mul, 21 add, 7 abs, 6 less, 6 select.
    Error <= 6 u near a rotation; measured, not proved. */
 static inline double ksl_mat3x3_rotation_defect(const ksl_mat3x3_t *R) {
-  const double n_0 = KSL_MUL(R->m11, R->m22) - KSL_MUL(R->m12, R->m21);
-  const double n_1 = KSL_MUL(R->m02, R->m21) - KSL_MUL(R->m01, R->m22);
-  const double n_2 = KSL_MUL(R->m01, R->m12) - KSL_MUL(R->m02, R->m11);
+  const double n_0 = KSL_MUL(R->m11, R->m22) - KSL_MUL(R->m12, R->m21),
+      n_1 = KSL_MUL(R->m02, R->m21) - KSL_MUL(R->m01, R->m22),
+      n_2 = KSL_MUL(R->m01, R->m12) - KSL_MUL(R->m02, R->m11);
   const double det = KSL_MUL(R->m00, n_0) + KSL_MUL(R->m10, n_1) + KSL_MUL(R->m20, n_2);
-  const double g_0 = KSL_MUL(R->m00, R->m00) + KSL_MUL(R->m10, R->m10) + KSL_MUL(R->m20, R->m20);
-  const double g_1 = KSL_MUL(R->m00, R->m01) + KSL_MUL(R->m10, R->m11) + KSL_MUL(R->m20, R->m21);
-  const double g_2 = KSL_MUL(R->m00, R->m02) + KSL_MUL(R->m10, R->m12) + KSL_MUL(R->m20, R->m22);
-  const double g_3 = KSL_MUL(R->m01, R->m01) + KSL_MUL(R->m11, R->m11) + KSL_MUL(R->m21, R->m21);
-  const double g_4 = KSL_MUL(R->m01, R->m02) + KSL_MUL(R->m11, R->m12) + KSL_MUL(R->m21, R->m22);
-  const double g_5 = KSL_MUL(R->m02, R->m02) + KSL_MUL(R->m12, R->m12) + KSL_MUL(R->m22, R->m22);
-  const double off_0 = det - 1.0;
-  const double off_1 = g_0 - 1.0;
-  const double off_4 = g_3 - 1.0;
-  const double off_6 = g_5 - 1.0;
-  const double defect_size_0 = fabs(off_0);
-  const double defect_size_1 = fabs(off_1);
-  const double defect_size_2 = fabs(g_1);
-  const double defect_size_3 = fabs(g_2);
-  const double defect_size_4 = fabs(off_4);
-  const double defect_size_5 = fabs(g_4);
-  const double defect_size_6 = fabs(off_6);
+  const double g_0 = KSL_MUL(R->m00, R->m00) + KSL_MUL(R->m10, R->m10) + KSL_MUL(R->m20, R->m20),
+      g_1 = KSL_MUL(R->m00, R->m01) + KSL_MUL(R->m10, R->m11) + KSL_MUL(R->m20, R->m21),
+      g_2 = KSL_MUL(R->m00, R->m02) + KSL_MUL(R->m10, R->m12) + KSL_MUL(R->m20, R->m22),
+      g_3 = KSL_MUL(R->m01, R->m01) + KSL_MUL(R->m11, R->m11) + KSL_MUL(R->m21, R->m21),
+      g_4 = KSL_MUL(R->m01, R->m02) + KSL_MUL(R->m11, R->m12) + KSL_MUL(R->m21, R->m22),
+      g_5 = KSL_MUL(R->m02, R->m02) + KSL_MUL(R->m12, R->m12) + KSL_MUL(R->m22, R->m22);
+  const double off_0 = det - 1.0, off_1 = g_0 - 1.0, off_4 = g_3 - 1.0, off_6 = g_5 - 1.0;
+  const double defect_size_0 = fabs(off_0), defect_size_1 = fabs(off_1), defect_size_2 = fabs(g_1),
+      defect_size_3 = fabs(g_2), defect_size_4 = fabs(off_4), defect_size_5 = fabs(g_4),
+      defect_size_6 = fabs(off_6);
   const double defect_largest1 = defect_size_0 < defect_size_1 ? defect_size_1 : defect_size_0;
   const double defect_largest2 = defect_largest1 < defect_size_2 ? defect_size_2 : defect_largest1;
   const double defect_largest3 = defect_largest2 < defect_size_3 ? defect_size_3 : defect_largest2;
@@ -858,15 +744,9 @@ static inline double ksl_mat3x3_rotation_defect(const ksl_mat3x3_t *R) {
    |Ro - nearest|_F <= 16 u s1 / (s2 ± s3), + if det A > 0, and |Ro^T Ro - I|_ij <= 6 u;
      measured, not proved. */
 static inline void ksl_mat3x3_nearest_rotation(const ksl_mat3x3_t *A, ksl_mat3x3_t *Ro) {
-  const double s_size_0 = fabs(A->m00);
-  const double s_size_1 = fabs(A->m01);
-  const double s_size_2 = fabs(A->m02);
-  const double s_size_3 = fabs(A->m10);
-  const double s_size_4 = fabs(A->m11);
-  const double s_size_5 = fabs(A->m12);
-  const double s_size_6 = fabs(A->m20);
-  const double s_size_7 = fabs(A->m21);
-  const double s_size_8 = fabs(A->m22);
+  const double s_size_0 = fabs(A->m00), s_size_1 = fabs(A->m01), s_size_2 = fabs(A->m02),
+      s_size_3 = fabs(A->m10), s_size_4 = fabs(A->m11), s_size_5 = fabs(A->m12),
+      s_size_6 = fabs(A->m20), s_size_7 = fabs(A->m21), s_size_8 = fabs(A->m22);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
@@ -878,15 +758,11 @@ static inline void ksl_mat3x3_nearest_rotation(const ksl_mat3x3_t *A, ksl_mat3x3
   const double s_b = 6.703903964971299e+153 < s_largest8 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest8 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest8 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double scaled_s_0 = KSL_MUL(A->m00, s);
-  const double scaled_s_1 = KSL_MUL(A->m01, s);
-  const double scaled_s_2 = KSL_MUL(A->m02, s);
-  const double scaled_s_3 = KSL_MUL(A->m10, s);
-  const double scaled_s_4 = KSL_MUL(A->m11, s);
-  const double scaled_s_5 = KSL_MUL(A->m12, s);
-  const double scaled_s_6 = KSL_MUL(A->m20, s);
-  const double scaled_s_7 = KSL_MUL(A->m21, s);
-  const double scaled_s_8 = KSL_MUL(A->m22, s);
+  const double scaled_s_0 = KSL_MUL(A->m00, s), scaled_s_1 = KSL_MUL(A->m01, s),
+      scaled_s_2 = KSL_MUL(A->m02, s), scaled_s_3 = KSL_MUL(A->m10, s),
+      scaled_s_4 = KSL_MUL(A->m11, s), scaled_s_5 = KSL_MUL(A->m12, s),
+      scaled_s_6 = KSL_MUL(A->m20, s), scaled_s_7 = KSL_MUL(A->m21, s),
+      scaled_s_8 = KSL_MUL(A->m22, s);
   const double turn001_aa = KSL_MUL(scaled_s_0, scaled_s_0) + KSL_MUL(scaled_s_3, scaled_s_3)
           + KSL_MUL(scaled_s_6, scaled_s_6);
   const double turn001_bb = KSL_MUL(scaled_s_1, scaled_s_1) + KSL_MUL(scaled_s_4, scaled_s_4)
@@ -916,12 +792,12 @@ static inline void ksl_mat3x3_nearest_rotation(const ksl_mat3x3_t *A, ksl_mat3x3
   const double turn001_p = turn001_aa < turn001_bb ? turn001_sine : turn001_cosine;
   const double turn001_q_a = -turn001_cosine,
       turn001_q = turn001_aa < turn001_bb ? turn001_q_a : turn001_sine;
-  const double turn001_a_0 = KSL_MUL(scaled_s_0, turn001_p) - KSL_MUL(scaled_s_1, turn001_q);
-  const double turn001_a_1 = KSL_MUL(scaled_s_3, turn001_p) - KSL_MUL(scaled_s_4, turn001_q);
-  const double turn001_a_2 = KSL_MUL(scaled_s_6, turn001_p) - KSL_MUL(scaled_s_7, turn001_q);
-  const double turn001_b_0 = KSL_MUL(scaled_s_0, turn001_q) + KSL_MUL(scaled_s_1, turn001_p);
-  const double turn001_b_1 = KSL_MUL(scaled_s_3, turn001_q) + KSL_MUL(scaled_s_4, turn001_p);
-  const double turn001_b_2 = KSL_MUL(scaled_s_6, turn001_q) + KSL_MUL(scaled_s_7, turn001_p);
+  const double turn001_a_0 = KSL_MUL(scaled_s_0, turn001_p) - KSL_MUL(scaled_s_1, turn001_q),
+      turn001_a_1 = KSL_MUL(scaled_s_3, turn001_p) - KSL_MUL(scaled_s_4, turn001_q),
+      turn001_a_2 = KSL_MUL(scaled_s_6, turn001_p) - KSL_MUL(scaled_s_7, turn001_q);
+  const double turn001_b_0 = KSL_MUL(scaled_s_0, turn001_q) + KSL_MUL(scaled_s_1, turn001_p),
+      turn001_b_1 = KSL_MUL(scaled_s_3, turn001_q) + KSL_MUL(scaled_s_4, turn001_p),
+      turn001_b_2 = KSL_MUL(scaled_s_6, turn001_q) + KSL_MUL(scaled_s_7, turn001_p);
   const double turn002_aa = KSL_MUL(turn001_a_0, turn001_a_0) + KSL_MUL(turn001_a_1, turn001_a_1)
           + KSL_MUL(turn001_a_2, turn001_a_2);
   const double turn002_bb = KSL_MUL(scaled_s_2, scaled_s_2) + KSL_MUL(scaled_s_5, scaled_s_5)
@@ -951,16 +827,16 @@ static inline void ksl_mat3x3_nearest_rotation(const ksl_mat3x3_t *A, ksl_mat3x3
   const double turn002_p = turn002_aa < turn002_bb ? turn002_sine : turn002_cosine;
   const double turn002_q_a = -turn002_cosine,
       turn002_q = turn002_aa < turn002_bb ? turn002_q_a : turn002_sine;
-  const double turn002_a_0 = KSL_MUL(turn001_a_0, turn002_p) - KSL_MUL(scaled_s_2, turn002_q);
-  const double turn002_a_1 = KSL_MUL(turn001_a_1, turn002_p) - KSL_MUL(scaled_s_5, turn002_q);
-  const double turn002_a_2 = KSL_MUL(turn001_a_2, turn002_p) - KSL_MUL(scaled_s_8, turn002_q);
-  const double turn002_b_0 = KSL_MUL(scaled_s_2, turn002_p) + KSL_MUL(turn001_a_0, turn002_q);
-  const double turn002_b_1 = KSL_MUL(scaled_s_5, turn002_p) + KSL_MUL(turn001_a_1, turn002_q);
-  const double turn002_b_2 = KSL_MUL(scaled_s_8, turn002_p) + KSL_MUL(turn001_a_2, turn002_q);
-  const double turn002_c_0 = KSL_MUL(turn001_p, turn002_p);
-  const double turn002_c_1 = -KSL_MUL(turn001_q, turn002_p);
-  const double turn002_d_0 = KSL_MUL(turn001_p, turn002_q);
-  const double turn002_d_1 = -KSL_MUL(turn001_q, turn002_q);
+  const double turn002_a_0 = KSL_MUL(turn001_a_0, turn002_p) - KSL_MUL(scaled_s_2, turn002_q),
+      turn002_a_1 = KSL_MUL(turn001_a_1, turn002_p) - KSL_MUL(scaled_s_5, turn002_q),
+      turn002_a_2 = KSL_MUL(turn001_a_2, turn002_p) - KSL_MUL(scaled_s_8, turn002_q);
+  const double turn002_b_0 = KSL_MUL(scaled_s_2, turn002_p) + KSL_MUL(turn001_a_0, turn002_q),
+      turn002_b_1 = KSL_MUL(scaled_s_5, turn002_p) + KSL_MUL(turn001_a_1, turn002_q),
+      turn002_b_2 = KSL_MUL(scaled_s_8, turn002_p) + KSL_MUL(turn001_a_2, turn002_q);
+  const double turn002_c_0 = KSL_MUL(turn001_p, turn002_p),
+      turn002_c_1 = -KSL_MUL(turn001_q, turn002_p);
+  const double turn002_d_0 = KSL_MUL(turn001_p, turn002_q),
+      turn002_d_1 = -KSL_MUL(turn001_q, turn002_q);
   const double turn012_aa = KSL_MUL(turn001_b_0, turn001_b_0) + KSL_MUL(turn001_b_1, turn001_b_1)
           + KSL_MUL(turn001_b_2, turn001_b_2);
   const double turn012_bb = KSL_MUL(turn002_b_0, turn002_b_0) + KSL_MUL(turn002_b_1, turn002_b_1)
@@ -990,18 +866,18 @@ static inline void ksl_mat3x3_nearest_rotation(const ksl_mat3x3_t *A, ksl_mat3x3
   const double turn012_p = turn012_aa < turn012_bb ? turn012_sine : turn012_cosine;
   const double turn012_q_a = -turn012_cosine,
       turn012_q = turn012_aa < turn012_bb ? turn012_q_a : turn012_sine;
-  const double turn012_a_0 = KSL_MUL(turn001_b_0, turn012_p) - KSL_MUL(turn002_b_0, turn012_q);
-  const double turn012_a_1 = KSL_MUL(turn001_b_1, turn012_p) - KSL_MUL(turn002_b_1, turn012_q);
-  const double turn012_a_2 = KSL_MUL(turn001_b_2, turn012_p) - KSL_MUL(turn002_b_2, turn012_q);
-  const double turn012_b_0 = KSL_MUL(turn001_b_0, turn012_q) + KSL_MUL(turn002_b_0, turn012_p);
-  const double turn012_b_1 = KSL_MUL(turn001_b_1, turn012_q) + KSL_MUL(turn002_b_1, turn012_p);
-  const double turn012_b_2 = KSL_MUL(turn001_b_2, turn012_q) + KSL_MUL(turn002_b_2, turn012_p);
-  const double turn012_c_0 = KSL_MUL(turn001_q, turn012_p) - KSL_MUL(turn002_d_0, turn012_q);
-  const double turn012_c_1 = KSL_MUL(turn001_p, turn012_p) - KSL_MUL(turn002_d_1, turn012_q);
-  const double turn012_c_2 = -KSL_MUL(turn002_p, turn012_q);
-  const double turn012_d_0 = KSL_MUL(turn001_q, turn012_q) + KSL_MUL(turn002_d_0, turn012_p);
-  const double turn012_d_1 = KSL_MUL(turn001_p, turn012_q) + KSL_MUL(turn002_d_1, turn012_p);
-  const double turn012_d_2 = KSL_MUL(turn002_p, turn012_p);
+  const double turn012_a_0 = KSL_MUL(turn001_b_0, turn012_p) - KSL_MUL(turn002_b_0, turn012_q),
+      turn012_a_1 = KSL_MUL(turn001_b_1, turn012_p) - KSL_MUL(turn002_b_1, turn012_q),
+      turn012_a_2 = KSL_MUL(turn001_b_2, turn012_p) - KSL_MUL(turn002_b_2, turn012_q);
+  const double turn012_b_0 = KSL_MUL(turn001_b_0, turn012_q) + KSL_MUL(turn002_b_0, turn012_p),
+      turn012_b_1 = KSL_MUL(turn001_b_1, turn012_q) + KSL_MUL(turn002_b_1, turn012_p),
+      turn012_b_2 = KSL_MUL(turn001_b_2, turn012_q) + KSL_MUL(turn002_b_2, turn012_p);
+  const double turn012_c_0 = KSL_MUL(turn001_q, turn012_p) - KSL_MUL(turn002_d_0, turn012_q),
+      turn012_c_1 = KSL_MUL(turn001_p, turn012_p) - KSL_MUL(turn002_d_1, turn012_q),
+      turn012_c_2 = -KSL_MUL(turn002_p, turn012_q);
+  const double turn012_d_0 = KSL_MUL(turn001_q, turn012_q) + KSL_MUL(turn002_d_0, turn012_p),
+      turn012_d_1 = KSL_MUL(turn001_p, turn012_q) + KSL_MUL(turn002_d_1, turn012_p),
+      turn012_d_2 = KSL_MUL(turn002_p, turn012_p);
   const double turn101_aa = KSL_MUL(turn002_a_0, turn002_a_0) + KSL_MUL(turn002_a_1, turn002_a_1)
           + KSL_MUL(turn002_a_2, turn002_a_2);
   const double turn101_bb = KSL_MUL(turn012_a_0, turn012_a_0) + KSL_MUL(turn012_a_1, turn012_a_1)
@@ -1031,18 +907,18 @@ static inline void ksl_mat3x3_nearest_rotation(const ksl_mat3x3_t *A, ksl_mat3x3
   const double turn101_p = turn101_aa < turn101_bb ? turn101_sine : turn101_cosine;
   const double turn101_q_a = -turn101_cosine,
       turn101_q = turn101_aa < turn101_bb ? turn101_q_a : turn101_sine;
-  const double turn101_a_0 = KSL_MUL(turn002_a_0, turn101_p) - KSL_MUL(turn012_a_0, turn101_q);
-  const double turn101_a_1 = KSL_MUL(turn002_a_1, turn101_p) - KSL_MUL(turn012_a_1, turn101_q);
-  const double turn101_a_2 = KSL_MUL(turn002_a_2, turn101_p) - KSL_MUL(turn012_a_2, turn101_q);
-  const double turn101_b_0 = KSL_MUL(turn002_a_0, turn101_q) + KSL_MUL(turn012_a_0, turn101_p);
-  const double turn101_b_1 = KSL_MUL(turn002_a_1, turn101_q) + KSL_MUL(turn012_a_1, turn101_p);
-  const double turn101_b_2 = KSL_MUL(turn002_a_2, turn101_q) + KSL_MUL(turn012_a_2, turn101_p);
-  const double turn101_c_0 = KSL_MUL(turn002_c_0, turn101_p) - KSL_MUL(turn012_c_0, turn101_q);
-  const double turn101_c_1 = KSL_MUL(turn002_c_1, turn101_p) - KSL_MUL(turn012_c_1, turn101_q);
-  const double turn101_c_2 = -(KSL_MUL(turn002_q, turn101_p) + KSL_MUL(turn012_c_2, turn101_q));
-  const double turn101_d_0 = KSL_MUL(turn002_c_0, turn101_q) + KSL_MUL(turn012_c_0, turn101_p);
-  const double turn101_d_1 = KSL_MUL(turn002_c_1, turn101_q) + KSL_MUL(turn012_c_1, turn101_p);
-  const double turn101_d_2 = KSL_MUL(turn012_c_2, turn101_p) - KSL_MUL(turn002_q, turn101_q);
+  const double turn101_a_0 = KSL_MUL(turn002_a_0, turn101_p) - KSL_MUL(turn012_a_0, turn101_q),
+      turn101_a_1 = KSL_MUL(turn002_a_1, turn101_p) - KSL_MUL(turn012_a_1, turn101_q),
+      turn101_a_2 = KSL_MUL(turn002_a_2, turn101_p) - KSL_MUL(turn012_a_2, turn101_q);
+  const double turn101_b_0 = KSL_MUL(turn002_a_0, turn101_q) + KSL_MUL(turn012_a_0, turn101_p),
+      turn101_b_1 = KSL_MUL(turn002_a_1, turn101_q) + KSL_MUL(turn012_a_1, turn101_p),
+      turn101_b_2 = KSL_MUL(turn002_a_2, turn101_q) + KSL_MUL(turn012_a_2, turn101_p);
+  const double turn101_c_0 = KSL_MUL(turn002_c_0, turn101_p) - KSL_MUL(turn012_c_0, turn101_q),
+      turn101_c_1 = KSL_MUL(turn002_c_1, turn101_p) - KSL_MUL(turn012_c_1, turn101_q),
+      turn101_c_2 = -(KSL_MUL(turn002_q, turn101_p) + KSL_MUL(turn012_c_2, turn101_q));
+  const double turn101_d_0 = KSL_MUL(turn002_c_0, turn101_q) + KSL_MUL(turn012_c_0, turn101_p),
+      turn101_d_1 = KSL_MUL(turn002_c_1, turn101_q) + KSL_MUL(turn012_c_1, turn101_p),
+      turn101_d_2 = KSL_MUL(turn012_c_2, turn101_p) - KSL_MUL(turn002_q, turn101_q);
   const double turn102_aa = KSL_MUL(turn101_a_0, turn101_a_0) + KSL_MUL(turn101_a_1, turn101_a_1)
           + KSL_MUL(turn101_a_2, turn101_a_2);
   const double turn102_bb = KSL_MUL(turn012_b_0, turn012_b_0) + KSL_MUL(turn012_b_1, turn012_b_1)
@@ -1072,18 +948,18 @@ static inline void ksl_mat3x3_nearest_rotation(const ksl_mat3x3_t *A, ksl_mat3x3
   const double turn102_p = turn102_aa < turn102_bb ? turn102_sine : turn102_cosine;
   const double turn102_q_a = -turn102_cosine,
       turn102_q = turn102_aa < turn102_bb ? turn102_q_a : turn102_sine;
-  const double turn102_a_0 = KSL_MUL(turn101_a_0, turn102_p) - KSL_MUL(turn012_b_0, turn102_q);
-  const double turn102_a_1 = KSL_MUL(turn101_a_1, turn102_p) - KSL_MUL(turn012_b_1, turn102_q);
-  const double turn102_a_2 = KSL_MUL(turn101_a_2, turn102_p) - KSL_MUL(turn012_b_2, turn102_q);
-  const double turn102_b_0 = KSL_MUL(turn012_b_0, turn102_p) + KSL_MUL(turn101_a_0, turn102_q);
-  const double turn102_b_1 = KSL_MUL(turn012_b_1, turn102_p) + KSL_MUL(turn101_a_1, turn102_q);
-  const double turn102_b_2 = KSL_MUL(turn012_b_2, turn102_p) + KSL_MUL(turn101_a_2, turn102_q);
-  const double turn102_c_0 = KSL_MUL(turn101_c_0, turn102_p) - KSL_MUL(turn012_d_0, turn102_q);
-  const double turn102_c_1 = KSL_MUL(turn101_c_1, turn102_p) - KSL_MUL(turn012_d_1, turn102_q);
-  const double turn102_c_2 = KSL_MUL(turn101_c_2, turn102_p) - KSL_MUL(turn012_d_2, turn102_q);
-  const double turn102_d_0 = KSL_MUL(turn012_d_0, turn102_p) + KSL_MUL(turn101_c_0, turn102_q);
-  const double turn102_d_1 = KSL_MUL(turn012_d_1, turn102_p) + KSL_MUL(turn101_c_1, turn102_q);
-  const double turn102_d_2 = KSL_MUL(turn012_d_2, turn102_p) + KSL_MUL(turn101_c_2, turn102_q);
+  const double turn102_a_0 = KSL_MUL(turn101_a_0, turn102_p) - KSL_MUL(turn012_b_0, turn102_q),
+      turn102_a_1 = KSL_MUL(turn101_a_1, turn102_p) - KSL_MUL(turn012_b_1, turn102_q),
+      turn102_a_2 = KSL_MUL(turn101_a_2, turn102_p) - KSL_MUL(turn012_b_2, turn102_q);
+  const double turn102_b_0 = KSL_MUL(turn012_b_0, turn102_p) + KSL_MUL(turn101_a_0, turn102_q),
+      turn102_b_1 = KSL_MUL(turn012_b_1, turn102_p) + KSL_MUL(turn101_a_1, turn102_q),
+      turn102_b_2 = KSL_MUL(turn012_b_2, turn102_p) + KSL_MUL(turn101_a_2, turn102_q);
+  const double turn102_c_0 = KSL_MUL(turn101_c_0, turn102_p) - KSL_MUL(turn012_d_0, turn102_q),
+      turn102_c_1 = KSL_MUL(turn101_c_1, turn102_p) - KSL_MUL(turn012_d_1, turn102_q),
+      turn102_c_2 = KSL_MUL(turn101_c_2, turn102_p) - KSL_MUL(turn012_d_2, turn102_q);
+  const double turn102_d_0 = KSL_MUL(turn012_d_0, turn102_p) + KSL_MUL(turn101_c_0, turn102_q),
+      turn102_d_1 = KSL_MUL(turn012_d_1, turn102_p) + KSL_MUL(turn101_c_1, turn102_q),
+      turn102_d_2 = KSL_MUL(turn012_d_2, turn102_p) + KSL_MUL(turn101_c_2, turn102_q);
   const double turn112_aa = KSL_MUL(turn101_b_0, turn101_b_0) + KSL_MUL(turn101_b_1, turn101_b_1)
           + KSL_MUL(turn101_b_2, turn101_b_2);
   const double turn112_bb = KSL_MUL(turn102_b_0, turn102_b_0) + KSL_MUL(turn102_b_1, turn102_b_1)
@@ -1113,18 +989,18 @@ static inline void ksl_mat3x3_nearest_rotation(const ksl_mat3x3_t *A, ksl_mat3x3
   const double turn112_p = turn112_aa < turn112_bb ? turn112_sine : turn112_cosine;
   const double turn112_q_a = -turn112_cosine,
       turn112_q = turn112_aa < turn112_bb ? turn112_q_a : turn112_sine;
-  const double turn112_a_0 = KSL_MUL(turn101_b_0, turn112_p) - KSL_MUL(turn102_b_0, turn112_q);
-  const double turn112_a_1 = KSL_MUL(turn101_b_1, turn112_p) - KSL_MUL(turn102_b_1, turn112_q);
-  const double turn112_a_2 = KSL_MUL(turn101_b_2, turn112_p) - KSL_MUL(turn102_b_2, turn112_q);
-  const double turn112_b_0 = KSL_MUL(turn101_b_0, turn112_q) + KSL_MUL(turn102_b_0, turn112_p);
-  const double turn112_b_1 = KSL_MUL(turn101_b_1, turn112_q) + KSL_MUL(turn102_b_1, turn112_p);
-  const double turn112_b_2 = KSL_MUL(turn101_b_2, turn112_q) + KSL_MUL(turn102_b_2, turn112_p);
-  const double turn112_c_0 = KSL_MUL(turn101_d_0, turn112_p) - KSL_MUL(turn102_d_0, turn112_q);
-  const double turn112_c_1 = KSL_MUL(turn101_d_1, turn112_p) - KSL_MUL(turn102_d_1, turn112_q);
-  const double turn112_c_2 = KSL_MUL(turn101_d_2, turn112_p) - KSL_MUL(turn102_d_2, turn112_q);
-  const double turn112_d_0 = KSL_MUL(turn101_d_0, turn112_q) + KSL_MUL(turn102_d_0, turn112_p);
-  const double turn112_d_1 = KSL_MUL(turn101_d_1, turn112_q) + KSL_MUL(turn102_d_1, turn112_p);
-  const double turn112_d_2 = KSL_MUL(turn101_d_2, turn112_q) + KSL_MUL(turn102_d_2, turn112_p);
+  const double turn112_a_0 = KSL_MUL(turn101_b_0, turn112_p) - KSL_MUL(turn102_b_0, turn112_q),
+      turn112_a_1 = KSL_MUL(turn101_b_1, turn112_p) - KSL_MUL(turn102_b_1, turn112_q),
+      turn112_a_2 = KSL_MUL(turn101_b_2, turn112_p) - KSL_MUL(turn102_b_2, turn112_q);
+  const double turn112_b_0 = KSL_MUL(turn101_b_0, turn112_q) + KSL_MUL(turn102_b_0, turn112_p),
+      turn112_b_1 = KSL_MUL(turn101_b_1, turn112_q) + KSL_MUL(turn102_b_1, turn112_p),
+      turn112_b_2 = KSL_MUL(turn101_b_2, turn112_q) + KSL_MUL(turn102_b_2, turn112_p);
+  const double turn112_c_0 = KSL_MUL(turn101_d_0, turn112_p) - KSL_MUL(turn102_d_0, turn112_q),
+      turn112_c_1 = KSL_MUL(turn101_d_1, turn112_p) - KSL_MUL(turn102_d_1, turn112_q),
+      turn112_c_2 = KSL_MUL(turn101_d_2, turn112_p) - KSL_MUL(turn102_d_2, turn112_q);
+  const double turn112_d_0 = KSL_MUL(turn101_d_0, turn112_q) + KSL_MUL(turn102_d_0, turn112_p),
+      turn112_d_1 = KSL_MUL(turn101_d_1, turn112_q) + KSL_MUL(turn102_d_1, turn112_p),
+      turn112_d_2 = KSL_MUL(turn101_d_2, turn112_q) + KSL_MUL(turn102_d_2, turn112_p);
   const double turn201_aa = KSL_MUL(turn102_a_0, turn102_a_0) + KSL_MUL(turn102_a_1, turn102_a_1)
           + KSL_MUL(turn102_a_2, turn102_a_2);
   const double turn201_bb = KSL_MUL(turn112_a_0, turn112_a_0) + KSL_MUL(turn112_a_1, turn112_a_1)
@@ -1154,18 +1030,18 @@ static inline void ksl_mat3x3_nearest_rotation(const ksl_mat3x3_t *A, ksl_mat3x3
   const double turn201_p = turn201_aa < turn201_bb ? turn201_sine : turn201_cosine;
   const double turn201_q_a = -turn201_cosine,
       turn201_q = turn201_aa < turn201_bb ? turn201_q_a : turn201_sine;
-  const double turn201_a_0 = KSL_MUL(turn102_a_0, turn201_p) - KSL_MUL(turn112_a_0, turn201_q);
-  const double turn201_a_1 = KSL_MUL(turn102_a_1, turn201_p) - KSL_MUL(turn112_a_1, turn201_q);
-  const double turn201_a_2 = KSL_MUL(turn102_a_2, turn201_p) - KSL_MUL(turn112_a_2, turn201_q);
-  const double turn201_b_0 = KSL_MUL(turn102_a_0, turn201_q) + KSL_MUL(turn112_a_0, turn201_p);
-  const double turn201_b_1 = KSL_MUL(turn102_a_1, turn201_q) + KSL_MUL(turn112_a_1, turn201_p);
-  const double turn201_b_2 = KSL_MUL(turn102_a_2, turn201_q) + KSL_MUL(turn112_a_2, turn201_p);
-  const double turn201_c_0 = KSL_MUL(turn102_c_0, turn201_p) - KSL_MUL(turn112_c_0, turn201_q);
-  const double turn201_c_1 = KSL_MUL(turn102_c_1, turn201_p) - KSL_MUL(turn112_c_1, turn201_q);
-  const double turn201_c_2 = KSL_MUL(turn102_c_2, turn201_p) - KSL_MUL(turn112_c_2, turn201_q);
-  const double turn201_d_0 = KSL_MUL(turn102_c_0, turn201_q) + KSL_MUL(turn112_c_0, turn201_p);
-  const double turn201_d_1 = KSL_MUL(turn102_c_1, turn201_q) + KSL_MUL(turn112_c_1, turn201_p);
-  const double turn201_d_2 = KSL_MUL(turn102_c_2, turn201_q) + KSL_MUL(turn112_c_2, turn201_p);
+  const double turn201_a_0 = KSL_MUL(turn102_a_0, turn201_p) - KSL_MUL(turn112_a_0, turn201_q),
+      turn201_a_1 = KSL_MUL(turn102_a_1, turn201_p) - KSL_MUL(turn112_a_1, turn201_q),
+      turn201_a_2 = KSL_MUL(turn102_a_2, turn201_p) - KSL_MUL(turn112_a_2, turn201_q);
+  const double turn201_b_0 = KSL_MUL(turn102_a_0, turn201_q) + KSL_MUL(turn112_a_0, turn201_p),
+      turn201_b_1 = KSL_MUL(turn102_a_1, turn201_q) + KSL_MUL(turn112_a_1, turn201_p),
+      turn201_b_2 = KSL_MUL(turn102_a_2, turn201_q) + KSL_MUL(turn112_a_2, turn201_p);
+  const double turn201_c_0 = KSL_MUL(turn102_c_0, turn201_p) - KSL_MUL(turn112_c_0, turn201_q),
+      turn201_c_1 = KSL_MUL(turn102_c_1, turn201_p) - KSL_MUL(turn112_c_1, turn201_q),
+      turn201_c_2 = KSL_MUL(turn102_c_2, turn201_p) - KSL_MUL(turn112_c_2, turn201_q);
+  const double turn201_d_0 = KSL_MUL(turn102_c_0, turn201_q) + KSL_MUL(turn112_c_0, turn201_p),
+      turn201_d_1 = KSL_MUL(turn102_c_1, turn201_q) + KSL_MUL(turn112_c_1, turn201_p),
+      turn201_d_2 = KSL_MUL(turn102_c_2, turn201_q) + KSL_MUL(turn112_c_2, turn201_p);
   const double turn202_aa = KSL_MUL(turn201_a_0, turn201_a_0) + KSL_MUL(turn201_a_1, turn201_a_1)
           + KSL_MUL(turn201_a_2, turn201_a_2);
   const double turn202_bb = KSL_MUL(turn112_b_0, turn112_b_0) + KSL_MUL(turn112_b_1, turn112_b_1)
@@ -1195,18 +1071,18 @@ static inline void ksl_mat3x3_nearest_rotation(const ksl_mat3x3_t *A, ksl_mat3x3
   const double turn202_p = turn202_aa < turn202_bb ? turn202_sine : turn202_cosine;
   const double turn202_q_a = -turn202_cosine,
       turn202_q = turn202_aa < turn202_bb ? turn202_q_a : turn202_sine;
-  const double turn202_a_0 = KSL_MUL(turn201_a_0, turn202_p) - KSL_MUL(turn112_b_0, turn202_q);
-  const double turn202_a_1 = KSL_MUL(turn201_a_1, turn202_p) - KSL_MUL(turn112_b_1, turn202_q);
-  const double turn202_a_2 = KSL_MUL(turn201_a_2, turn202_p) - KSL_MUL(turn112_b_2, turn202_q);
-  const double turn202_b_0 = KSL_MUL(turn112_b_0, turn202_p) + KSL_MUL(turn201_a_0, turn202_q);
-  const double turn202_b_1 = KSL_MUL(turn112_b_1, turn202_p) + KSL_MUL(turn201_a_1, turn202_q);
-  const double turn202_b_2 = KSL_MUL(turn112_b_2, turn202_p) + KSL_MUL(turn201_a_2, turn202_q);
-  const double turn202_c_0 = KSL_MUL(turn201_c_0, turn202_p) - KSL_MUL(turn112_d_0, turn202_q);
-  const double turn202_c_1 = KSL_MUL(turn201_c_1, turn202_p) - KSL_MUL(turn112_d_1, turn202_q);
-  const double turn202_c_2 = KSL_MUL(turn201_c_2, turn202_p) - KSL_MUL(turn112_d_2, turn202_q);
-  const double turn202_d_0 = KSL_MUL(turn112_d_0, turn202_p) + KSL_MUL(turn201_c_0, turn202_q);
-  const double turn202_d_1 = KSL_MUL(turn112_d_1, turn202_p) + KSL_MUL(turn201_c_1, turn202_q);
-  const double turn202_d_2 = KSL_MUL(turn112_d_2, turn202_p) + KSL_MUL(turn201_c_2, turn202_q);
+  const double turn202_a_0 = KSL_MUL(turn201_a_0, turn202_p) - KSL_MUL(turn112_b_0, turn202_q),
+      turn202_a_1 = KSL_MUL(turn201_a_1, turn202_p) - KSL_MUL(turn112_b_1, turn202_q),
+      turn202_a_2 = KSL_MUL(turn201_a_2, turn202_p) - KSL_MUL(turn112_b_2, turn202_q);
+  const double turn202_b_0 = KSL_MUL(turn112_b_0, turn202_p) + KSL_MUL(turn201_a_0, turn202_q),
+      turn202_b_1 = KSL_MUL(turn112_b_1, turn202_p) + KSL_MUL(turn201_a_1, turn202_q),
+      turn202_b_2 = KSL_MUL(turn112_b_2, turn202_p) + KSL_MUL(turn201_a_2, turn202_q);
+  const double turn202_c_0 = KSL_MUL(turn201_c_0, turn202_p) - KSL_MUL(turn112_d_0, turn202_q),
+      turn202_c_1 = KSL_MUL(turn201_c_1, turn202_p) - KSL_MUL(turn112_d_1, turn202_q),
+      turn202_c_2 = KSL_MUL(turn201_c_2, turn202_p) - KSL_MUL(turn112_d_2, turn202_q);
+  const double turn202_d_0 = KSL_MUL(turn112_d_0, turn202_p) + KSL_MUL(turn201_c_0, turn202_q),
+      turn202_d_1 = KSL_MUL(turn112_d_1, turn202_p) + KSL_MUL(turn201_c_1, turn202_q),
+      turn202_d_2 = KSL_MUL(turn112_d_2, turn202_p) + KSL_MUL(turn201_c_2, turn202_q);
   const double turn212_aa = KSL_MUL(turn201_b_0, turn201_b_0) + KSL_MUL(turn201_b_1, turn201_b_1)
           + KSL_MUL(turn201_b_2, turn201_b_2);
   const double turn212_bb = KSL_MUL(turn202_b_0, turn202_b_0) + KSL_MUL(turn202_b_1, turn202_b_1)
@@ -1236,18 +1112,18 @@ static inline void ksl_mat3x3_nearest_rotation(const ksl_mat3x3_t *A, ksl_mat3x3
   const double turn212_p = turn212_aa < turn212_bb ? turn212_sine : turn212_cosine;
   const double turn212_q_a = -turn212_cosine,
       turn212_q = turn212_aa < turn212_bb ? turn212_q_a : turn212_sine;
-  const double turn212_a_0 = KSL_MUL(turn201_b_0, turn212_p) - KSL_MUL(turn202_b_0, turn212_q);
-  const double turn212_a_1 = KSL_MUL(turn201_b_1, turn212_p) - KSL_MUL(turn202_b_1, turn212_q);
-  const double turn212_a_2 = KSL_MUL(turn201_b_2, turn212_p) - KSL_MUL(turn202_b_2, turn212_q);
-  const double turn212_b_0 = KSL_MUL(turn201_b_0, turn212_q) + KSL_MUL(turn202_b_0, turn212_p);
-  const double turn212_b_1 = KSL_MUL(turn201_b_1, turn212_q) + KSL_MUL(turn202_b_1, turn212_p);
-  const double turn212_b_2 = KSL_MUL(turn201_b_2, turn212_q) + KSL_MUL(turn202_b_2, turn212_p);
-  const double turn212_c_0 = KSL_MUL(turn201_d_0, turn212_p) - KSL_MUL(turn202_d_0, turn212_q);
-  const double turn212_c_1 = KSL_MUL(turn201_d_1, turn212_p) - KSL_MUL(turn202_d_1, turn212_q);
-  const double turn212_c_2 = KSL_MUL(turn201_d_2, turn212_p) - KSL_MUL(turn202_d_2, turn212_q);
-  const double turn212_d_0 = KSL_MUL(turn201_d_0, turn212_q) + KSL_MUL(turn202_d_0, turn212_p);
-  const double turn212_d_1 = KSL_MUL(turn201_d_1, turn212_q) + KSL_MUL(turn202_d_1, turn212_p);
-  const double turn212_d_2 = KSL_MUL(turn201_d_2, turn212_q) + KSL_MUL(turn202_d_2, turn212_p);
+  const double turn212_a_0 = KSL_MUL(turn201_b_0, turn212_p) - KSL_MUL(turn202_b_0, turn212_q),
+      turn212_a_1 = KSL_MUL(turn201_b_1, turn212_p) - KSL_MUL(turn202_b_1, turn212_q),
+      turn212_a_2 = KSL_MUL(turn201_b_2, turn212_p) - KSL_MUL(turn202_b_2, turn212_q);
+  const double turn212_b_0 = KSL_MUL(turn201_b_0, turn212_q) + KSL_MUL(turn202_b_0, turn212_p),
+      turn212_b_1 = KSL_MUL(turn201_b_1, turn212_q) + KSL_MUL(turn202_b_1, turn212_p),
+      turn212_b_2 = KSL_MUL(turn201_b_2, turn212_q) + KSL_MUL(turn202_b_2, turn212_p);
+  const double turn212_c_0 = KSL_MUL(turn201_d_0, turn212_p) - KSL_MUL(turn202_d_0, turn212_q),
+      turn212_c_1 = KSL_MUL(turn201_d_1, turn212_p) - KSL_MUL(turn202_d_1, turn212_q),
+      turn212_c_2 = KSL_MUL(turn201_d_2, turn212_p) - KSL_MUL(turn202_d_2, turn212_q);
+  const double turn212_d_0 = KSL_MUL(turn201_d_0, turn212_q) + KSL_MUL(turn202_d_0, turn212_p),
+      turn212_d_1 = KSL_MUL(turn201_d_1, turn212_q) + KSL_MUL(turn202_d_1, turn212_p),
+      turn212_d_2 = KSL_MUL(turn201_d_2, turn212_q) + KSL_MUL(turn202_d_2, turn212_p);
   const double turn301_aa = KSL_MUL(turn202_a_0, turn202_a_0) + KSL_MUL(turn202_a_1, turn202_a_1)
           + KSL_MUL(turn202_a_2, turn202_a_2);
   const double turn301_bb = KSL_MUL(turn212_a_0, turn212_a_0) + KSL_MUL(turn212_a_1, turn212_a_1)
@@ -1277,18 +1153,18 @@ static inline void ksl_mat3x3_nearest_rotation(const ksl_mat3x3_t *A, ksl_mat3x3
   const double turn301_p = turn301_aa < turn301_bb ? turn301_sine : turn301_cosine;
   const double turn301_q_a = -turn301_cosine,
       turn301_q = turn301_aa < turn301_bb ? turn301_q_a : turn301_sine;
-  const double turn301_a_0 = KSL_MUL(turn202_a_0, turn301_p) - KSL_MUL(turn212_a_0, turn301_q);
-  const double turn301_a_1 = KSL_MUL(turn202_a_1, turn301_p) - KSL_MUL(turn212_a_1, turn301_q);
-  const double turn301_a_2 = KSL_MUL(turn202_a_2, turn301_p) - KSL_MUL(turn212_a_2, turn301_q);
-  const double turn301_b_0 = KSL_MUL(turn202_a_0, turn301_q) + KSL_MUL(turn212_a_0, turn301_p);
-  const double turn301_b_1 = KSL_MUL(turn202_a_1, turn301_q) + KSL_MUL(turn212_a_1, turn301_p);
-  const double turn301_b_2 = KSL_MUL(turn202_a_2, turn301_q) + KSL_MUL(turn212_a_2, turn301_p);
-  const double turn301_c_0 = KSL_MUL(turn202_c_0, turn301_p) - KSL_MUL(turn212_c_0, turn301_q);
-  const double turn301_c_1 = KSL_MUL(turn202_c_1, turn301_p) - KSL_MUL(turn212_c_1, turn301_q);
-  const double turn301_c_2 = KSL_MUL(turn202_c_2, turn301_p) - KSL_MUL(turn212_c_2, turn301_q);
-  const double turn301_d_0 = KSL_MUL(turn202_c_0, turn301_q) + KSL_MUL(turn212_c_0, turn301_p);
-  const double turn301_d_1 = KSL_MUL(turn202_c_1, turn301_q) + KSL_MUL(turn212_c_1, turn301_p);
-  const double turn301_d_2 = KSL_MUL(turn202_c_2, turn301_q) + KSL_MUL(turn212_c_2, turn301_p);
+  const double turn301_a_0 = KSL_MUL(turn202_a_0, turn301_p) - KSL_MUL(turn212_a_0, turn301_q),
+      turn301_a_1 = KSL_MUL(turn202_a_1, turn301_p) - KSL_MUL(turn212_a_1, turn301_q),
+      turn301_a_2 = KSL_MUL(turn202_a_2, turn301_p) - KSL_MUL(turn212_a_2, turn301_q);
+  const double turn301_b_0 = KSL_MUL(turn202_a_0, turn301_q) + KSL_MUL(turn212_a_0, turn301_p),
+      turn301_b_1 = KSL_MUL(turn202_a_1, turn301_q) + KSL_MUL(turn212_a_1, turn301_p),
+      turn301_b_2 = KSL_MUL(turn202_a_2, turn301_q) + KSL_MUL(turn212_a_2, turn301_p);
+  const double turn301_c_0 = KSL_MUL(turn202_c_0, turn301_p) - KSL_MUL(turn212_c_0, turn301_q),
+      turn301_c_1 = KSL_MUL(turn202_c_1, turn301_p) - KSL_MUL(turn212_c_1, turn301_q),
+      turn301_c_2 = KSL_MUL(turn202_c_2, turn301_p) - KSL_MUL(turn212_c_2, turn301_q);
+  const double turn301_d_0 = KSL_MUL(turn202_c_0, turn301_q) + KSL_MUL(turn212_c_0, turn301_p),
+      turn301_d_1 = KSL_MUL(turn202_c_1, turn301_q) + KSL_MUL(turn212_c_1, turn301_p),
+      turn301_d_2 = KSL_MUL(turn202_c_2, turn301_q) + KSL_MUL(turn212_c_2, turn301_p);
   const double turn302_aa = KSL_MUL(turn301_a_0, turn301_a_0) + KSL_MUL(turn301_a_1, turn301_a_1)
           + KSL_MUL(turn301_a_2, turn301_a_2);
   const double turn302_bb = KSL_MUL(turn212_b_0, turn212_b_0) + KSL_MUL(turn212_b_1, turn212_b_1)
@@ -1318,18 +1194,18 @@ static inline void ksl_mat3x3_nearest_rotation(const ksl_mat3x3_t *A, ksl_mat3x3
   const double turn302_p = turn302_aa < turn302_bb ? turn302_sine : turn302_cosine;
   const double turn302_q_a = -turn302_cosine,
       turn302_q = turn302_aa < turn302_bb ? turn302_q_a : turn302_sine;
-  const double turn302_a_0 = KSL_MUL(turn301_a_0, turn302_p) - KSL_MUL(turn212_b_0, turn302_q);
-  const double turn302_a_1 = KSL_MUL(turn301_a_1, turn302_p) - KSL_MUL(turn212_b_1, turn302_q);
-  const double turn302_a_2 = KSL_MUL(turn301_a_2, turn302_p) - KSL_MUL(turn212_b_2, turn302_q);
-  const double turn302_b_0 = KSL_MUL(turn212_b_0, turn302_p) + KSL_MUL(turn301_a_0, turn302_q);
-  const double turn302_b_1 = KSL_MUL(turn212_b_1, turn302_p) + KSL_MUL(turn301_a_1, turn302_q);
-  const double turn302_b_2 = KSL_MUL(turn212_b_2, turn302_p) + KSL_MUL(turn301_a_2, turn302_q);
-  const double turn302_c_0 = KSL_MUL(turn301_c_0, turn302_p) - KSL_MUL(turn212_d_0, turn302_q);
-  const double turn302_c_1 = KSL_MUL(turn301_c_1, turn302_p) - KSL_MUL(turn212_d_1, turn302_q);
-  const double turn302_c_2 = KSL_MUL(turn301_c_2, turn302_p) - KSL_MUL(turn212_d_2, turn302_q);
-  const double turn302_d_0 = KSL_MUL(turn212_d_0, turn302_p) + KSL_MUL(turn301_c_0, turn302_q);
-  const double turn302_d_1 = KSL_MUL(turn212_d_1, turn302_p) + KSL_MUL(turn301_c_1, turn302_q);
-  const double turn302_d_2 = KSL_MUL(turn212_d_2, turn302_p) + KSL_MUL(turn301_c_2, turn302_q);
+  const double turn302_a_0 = KSL_MUL(turn301_a_0, turn302_p) - KSL_MUL(turn212_b_0, turn302_q),
+      turn302_a_1 = KSL_MUL(turn301_a_1, turn302_p) - KSL_MUL(turn212_b_1, turn302_q),
+      turn302_a_2 = KSL_MUL(turn301_a_2, turn302_p) - KSL_MUL(turn212_b_2, turn302_q);
+  const double turn302_b_0 = KSL_MUL(turn212_b_0, turn302_p) + KSL_MUL(turn301_a_0, turn302_q),
+      turn302_b_1 = KSL_MUL(turn212_b_1, turn302_p) + KSL_MUL(turn301_a_1, turn302_q),
+      turn302_b_2 = KSL_MUL(turn212_b_2, turn302_p) + KSL_MUL(turn301_a_2, turn302_q);
+  const double turn302_c_0 = KSL_MUL(turn301_c_0, turn302_p) - KSL_MUL(turn212_d_0, turn302_q),
+      turn302_c_1 = KSL_MUL(turn301_c_1, turn302_p) - KSL_MUL(turn212_d_1, turn302_q),
+      turn302_c_2 = KSL_MUL(turn301_c_2, turn302_p) - KSL_MUL(turn212_d_2, turn302_q);
+  const double turn302_d_0 = KSL_MUL(turn212_d_0, turn302_p) + KSL_MUL(turn301_c_0, turn302_q),
+      turn302_d_1 = KSL_MUL(turn212_d_1, turn302_p) + KSL_MUL(turn301_c_1, turn302_q),
+      turn302_d_2 = KSL_MUL(turn212_d_2, turn302_p) + KSL_MUL(turn301_c_2, turn302_q);
   const double turn312_aa = KSL_MUL(turn301_b_0, turn301_b_0) + KSL_MUL(turn301_b_1, turn301_b_1)
           + KSL_MUL(turn301_b_2, turn301_b_2);
   const double turn312_bb = KSL_MUL(turn302_b_0, turn302_b_0) + KSL_MUL(turn302_b_1, turn302_b_1)
@@ -1359,18 +1235,18 @@ static inline void ksl_mat3x3_nearest_rotation(const ksl_mat3x3_t *A, ksl_mat3x3
   const double turn312_p = turn312_aa < turn312_bb ? turn312_sine : turn312_cosine;
   const double turn312_q_a = -turn312_cosine,
       turn312_q = turn312_aa < turn312_bb ? turn312_q_a : turn312_sine;
-  const double turn312_a_0 = KSL_MUL(turn301_b_0, turn312_p) - KSL_MUL(turn302_b_0, turn312_q);
-  const double turn312_a_1 = KSL_MUL(turn301_b_1, turn312_p) - KSL_MUL(turn302_b_1, turn312_q);
-  const double turn312_a_2 = KSL_MUL(turn301_b_2, turn312_p) - KSL_MUL(turn302_b_2, turn312_q);
-  const double turn312_b_0 = KSL_MUL(turn301_b_0, turn312_q) + KSL_MUL(turn302_b_0, turn312_p);
-  const double turn312_b_1 = KSL_MUL(turn301_b_1, turn312_q) + KSL_MUL(turn302_b_1, turn312_p);
-  const double turn312_b_2 = KSL_MUL(turn301_b_2, turn312_q) + KSL_MUL(turn302_b_2, turn312_p);
-  const double turn312_c_0 = KSL_MUL(turn301_d_0, turn312_p) - KSL_MUL(turn302_d_0, turn312_q);
-  const double turn312_c_1 = KSL_MUL(turn301_d_1, turn312_p) - KSL_MUL(turn302_d_1, turn312_q);
-  const double turn312_c_2 = KSL_MUL(turn301_d_2, turn312_p) - KSL_MUL(turn302_d_2, turn312_q);
-  const double turn312_d_0 = KSL_MUL(turn301_d_0, turn312_q) + KSL_MUL(turn302_d_0, turn312_p);
-  const double turn312_d_1 = KSL_MUL(turn301_d_1, turn312_q) + KSL_MUL(turn302_d_1, turn312_p);
-  const double turn312_d_2 = KSL_MUL(turn301_d_2, turn312_q) + KSL_MUL(turn302_d_2, turn312_p);
+  const double turn312_a_0 = KSL_MUL(turn301_b_0, turn312_p) - KSL_MUL(turn302_b_0, turn312_q),
+      turn312_a_1 = KSL_MUL(turn301_b_1, turn312_p) - KSL_MUL(turn302_b_1, turn312_q),
+      turn312_a_2 = KSL_MUL(turn301_b_2, turn312_p) - KSL_MUL(turn302_b_2, turn312_q);
+  const double turn312_b_0 = KSL_MUL(turn301_b_0, turn312_q) + KSL_MUL(turn302_b_0, turn312_p),
+      turn312_b_1 = KSL_MUL(turn301_b_1, turn312_q) + KSL_MUL(turn302_b_1, turn312_p),
+      turn312_b_2 = KSL_MUL(turn301_b_2, turn312_q) + KSL_MUL(turn302_b_2, turn312_p);
+  const double turn312_c_0 = KSL_MUL(turn301_d_0, turn312_p) - KSL_MUL(turn302_d_0, turn312_q),
+      turn312_c_1 = KSL_MUL(turn301_d_1, turn312_p) - KSL_MUL(turn302_d_1, turn312_q),
+      turn312_c_2 = KSL_MUL(turn301_d_2, turn312_p) - KSL_MUL(turn302_d_2, turn312_q);
+  const double turn312_d_0 = KSL_MUL(turn301_d_0, turn312_q) + KSL_MUL(turn302_d_0, turn312_p),
+      turn312_d_1 = KSL_MUL(turn301_d_1, turn312_q) + KSL_MUL(turn302_d_1, turn312_p),
+      turn312_d_2 = KSL_MUL(turn301_d_2, turn312_q) + KSL_MUL(turn302_d_2, turn312_p);
   const double turn401_aa = KSL_MUL(turn302_a_0, turn302_a_0) + KSL_MUL(turn302_a_1, turn302_a_1)
           + KSL_MUL(turn302_a_2, turn302_a_2);
   const double turn401_bb = KSL_MUL(turn312_a_0, turn312_a_0) + KSL_MUL(turn312_a_1, turn312_a_1)
@@ -1400,18 +1276,18 @@ static inline void ksl_mat3x3_nearest_rotation(const ksl_mat3x3_t *A, ksl_mat3x3
   const double turn401_p = turn401_aa < turn401_bb ? turn401_sine : turn401_cosine;
   const double turn401_q_a = -turn401_cosine,
       turn401_q = turn401_aa < turn401_bb ? turn401_q_a : turn401_sine;
-  const double turn401_a_0 = KSL_MUL(turn302_a_0, turn401_p) - KSL_MUL(turn312_a_0, turn401_q);
-  const double turn401_a_1 = KSL_MUL(turn302_a_1, turn401_p) - KSL_MUL(turn312_a_1, turn401_q);
-  const double turn401_a_2 = KSL_MUL(turn302_a_2, turn401_p) - KSL_MUL(turn312_a_2, turn401_q);
-  const double turn401_b_0 = KSL_MUL(turn302_a_0, turn401_q) + KSL_MUL(turn312_a_0, turn401_p);
-  const double turn401_b_1 = KSL_MUL(turn302_a_1, turn401_q) + KSL_MUL(turn312_a_1, turn401_p);
-  const double turn401_b_2 = KSL_MUL(turn302_a_2, turn401_q) + KSL_MUL(turn312_a_2, turn401_p);
-  const double turn401_c_0 = KSL_MUL(turn302_c_0, turn401_p) - KSL_MUL(turn312_c_0, turn401_q);
-  const double turn401_c_1 = KSL_MUL(turn302_c_1, turn401_p) - KSL_MUL(turn312_c_1, turn401_q);
-  const double turn401_c_2 = KSL_MUL(turn302_c_2, turn401_p) - KSL_MUL(turn312_c_2, turn401_q);
-  const double turn401_d_0 = KSL_MUL(turn302_c_0, turn401_q) + KSL_MUL(turn312_c_0, turn401_p);
-  const double turn401_d_1 = KSL_MUL(turn302_c_1, turn401_q) + KSL_MUL(turn312_c_1, turn401_p);
-  const double turn401_d_2 = KSL_MUL(turn302_c_2, turn401_q) + KSL_MUL(turn312_c_2, turn401_p);
+  const double turn401_a_0 = KSL_MUL(turn302_a_0, turn401_p) - KSL_MUL(turn312_a_0, turn401_q),
+      turn401_a_1 = KSL_MUL(turn302_a_1, turn401_p) - KSL_MUL(turn312_a_1, turn401_q),
+      turn401_a_2 = KSL_MUL(turn302_a_2, turn401_p) - KSL_MUL(turn312_a_2, turn401_q);
+  const double turn401_b_0 = KSL_MUL(turn302_a_0, turn401_q) + KSL_MUL(turn312_a_0, turn401_p),
+      turn401_b_1 = KSL_MUL(turn302_a_1, turn401_q) + KSL_MUL(turn312_a_1, turn401_p),
+      turn401_b_2 = KSL_MUL(turn302_a_2, turn401_q) + KSL_MUL(turn312_a_2, turn401_p);
+  const double turn401_c_0 = KSL_MUL(turn302_c_0, turn401_p) - KSL_MUL(turn312_c_0, turn401_q),
+      turn401_c_1 = KSL_MUL(turn302_c_1, turn401_p) - KSL_MUL(turn312_c_1, turn401_q),
+      turn401_c_2 = KSL_MUL(turn302_c_2, turn401_p) - KSL_MUL(turn312_c_2, turn401_q);
+  const double turn401_d_0 = KSL_MUL(turn302_c_0, turn401_q) + KSL_MUL(turn312_c_0, turn401_p),
+      turn401_d_1 = KSL_MUL(turn302_c_1, turn401_q) + KSL_MUL(turn312_c_1, turn401_p),
+      turn401_d_2 = KSL_MUL(turn302_c_2, turn401_q) + KSL_MUL(turn312_c_2, turn401_p);
   const double turn402_aa = KSL_MUL(turn401_a_0, turn401_a_0) + KSL_MUL(turn401_a_1, turn401_a_1)
           + KSL_MUL(turn401_a_2, turn401_a_2);
   const double turn402_bb = KSL_MUL(turn312_b_0, turn312_b_0) + KSL_MUL(turn312_b_1, turn312_b_1)
@@ -1441,18 +1317,18 @@ static inline void ksl_mat3x3_nearest_rotation(const ksl_mat3x3_t *A, ksl_mat3x3
   const double turn402_p = turn402_aa < turn402_bb ? turn402_sine : turn402_cosine;
   const double turn402_q_a = -turn402_cosine,
       turn402_q = turn402_aa < turn402_bb ? turn402_q_a : turn402_sine;
-  const double turn402_a_0 = KSL_MUL(turn401_a_0, turn402_p) - KSL_MUL(turn312_b_0, turn402_q);
-  const double turn402_a_1 = KSL_MUL(turn401_a_1, turn402_p) - KSL_MUL(turn312_b_1, turn402_q);
-  const double turn402_a_2 = KSL_MUL(turn401_a_2, turn402_p) - KSL_MUL(turn312_b_2, turn402_q);
-  const double turn402_b_0 = KSL_MUL(turn312_b_0, turn402_p) + KSL_MUL(turn401_a_0, turn402_q);
-  const double turn402_b_1 = KSL_MUL(turn312_b_1, turn402_p) + KSL_MUL(turn401_a_1, turn402_q);
-  const double turn402_b_2 = KSL_MUL(turn312_b_2, turn402_p) + KSL_MUL(turn401_a_2, turn402_q);
-  const double turn402_c_0 = KSL_MUL(turn401_c_0, turn402_p) - KSL_MUL(turn312_d_0, turn402_q);
-  const double turn402_c_1 = KSL_MUL(turn401_c_1, turn402_p) - KSL_MUL(turn312_d_1, turn402_q);
-  const double turn402_c_2 = KSL_MUL(turn401_c_2, turn402_p) - KSL_MUL(turn312_d_2, turn402_q);
-  const double turn402_d_0 = KSL_MUL(turn312_d_0, turn402_p) + KSL_MUL(turn401_c_0, turn402_q);
-  const double turn402_d_1 = KSL_MUL(turn312_d_1, turn402_p) + KSL_MUL(turn401_c_1, turn402_q);
-  const double turn402_d_2 = KSL_MUL(turn312_d_2, turn402_p) + KSL_MUL(turn401_c_2, turn402_q);
+  const double turn402_a_0 = KSL_MUL(turn401_a_0, turn402_p) - KSL_MUL(turn312_b_0, turn402_q),
+      turn402_a_1 = KSL_MUL(turn401_a_1, turn402_p) - KSL_MUL(turn312_b_1, turn402_q),
+      turn402_a_2 = KSL_MUL(turn401_a_2, turn402_p) - KSL_MUL(turn312_b_2, turn402_q);
+  const double turn402_b_0 = KSL_MUL(turn312_b_0, turn402_p) + KSL_MUL(turn401_a_0, turn402_q),
+      turn402_b_1 = KSL_MUL(turn312_b_1, turn402_p) + KSL_MUL(turn401_a_1, turn402_q),
+      turn402_b_2 = KSL_MUL(turn312_b_2, turn402_p) + KSL_MUL(turn401_a_2, turn402_q);
+  const double turn402_c_0 = KSL_MUL(turn401_c_0, turn402_p) - KSL_MUL(turn312_d_0, turn402_q),
+      turn402_c_1 = KSL_MUL(turn401_c_1, turn402_p) - KSL_MUL(turn312_d_1, turn402_q),
+      turn402_c_2 = KSL_MUL(turn401_c_2, turn402_p) - KSL_MUL(turn312_d_2, turn402_q);
+  const double turn402_d_0 = KSL_MUL(turn312_d_0, turn402_p) + KSL_MUL(turn401_c_0, turn402_q),
+      turn402_d_1 = KSL_MUL(turn312_d_1, turn402_p) + KSL_MUL(turn401_c_1, turn402_q),
+      turn402_d_2 = KSL_MUL(turn312_d_2, turn402_p) + KSL_MUL(turn401_c_2, turn402_q);
   const double turn412_aa = KSL_MUL(turn401_b_0, turn401_b_0) + KSL_MUL(turn401_b_1, turn401_b_1)
           + KSL_MUL(turn401_b_2, turn401_b_2);
   const double turn412_bb = KSL_MUL(turn402_b_0, turn402_b_0) + KSL_MUL(turn402_b_1, turn402_b_1)
@@ -1482,28 +1358,27 @@ static inline void ksl_mat3x3_nearest_rotation(const ksl_mat3x3_t *A, ksl_mat3x3
   const double turn412_p = turn412_aa < turn412_bb ? turn412_sine : turn412_cosine;
   const double turn412_q_a = -turn412_cosine,
       turn412_q = turn412_aa < turn412_bb ? turn412_q_a : turn412_sine;
-  const double turn412_a_0 = KSL_MUL(turn401_b_0, turn412_p) - KSL_MUL(turn402_b_0, turn412_q);
-  const double turn412_a_1 = KSL_MUL(turn401_b_1, turn412_p) - KSL_MUL(turn402_b_1, turn412_q);
-  const double turn412_a_2 = KSL_MUL(turn401_b_2, turn412_p) - KSL_MUL(turn402_b_2, turn412_q);
-  const double turn412_c_0 = KSL_MUL(turn401_d_0, turn412_p) - KSL_MUL(turn402_d_0, turn412_q);
-  const double turn412_c_1 = KSL_MUL(turn401_d_1, turn412_p) - KSL_MUL(turn402_d_1, turn412_q);
-  const double turn412_c_2 = KSL_MUL(turn401_d_2, turn412_p) - KSL_MUL(turn402_d_2, turn412_q);
-  const double turn412_d_0 = KSL_MUL(turn401_d_0, turn412_q) + KSL_MUL(turn402_d_0, turn412_p);
-  const double turn412_d_1 = KSL_MUL(turn401_d_1, turn412_q) + KSL_MUL(turn402_d_1, turn412_p);
-  const double turn412_d_2 = KSL_MUL(turn401_d_2, turn412_q) + KSL_MUL(turn402_d_2, turn412_p);
+  const double turn412_a_0 = KSL_MUL(turn401_b_0, turn412_p) - KSL_MUL(turn402_b_0, turn412_q),
+      turn412_a_1 = KSL_MUL(turn401_b_1, turn412_p) - KSL_MUL(turn402_b_1, turn412_q),
+      turn412_a_2 = KSL_MUL(turn401_b_2, turn412_p) - KSL_MUL(turn402_b_2, turn412_q);
+  const double turn412_c_0 = KSL_MUL(turn401_d_0, turn412_p) - KSL_MUL(turn402_d_0, turn412_q),
+      turn412_c_1 = KSL_MUL(turn401_d_1, turn412_p) - KSL_MUL(turn402_d_1, turn412_q),
+      turn412_c_2 = KSL_MUL(turn401_d_2, turn412_p) - KSL_MUL(turn402_d_2, turn412_q);
+  const double turn412_d_0 = KSL_MUL(turn401_d_0, turn412_q) + KSL_MUL(turn402_d_0, turn412_p),
+      turn412_d_1 = KSL_MUL(turn401_d_1, turn412_q) + KSL_MUL(turn402_d_1, turn412_p),
+      turn412_d_2 = KSL_MUL(turn401_d_2, turn412_q) + KSL_MUL(turn402_d_2, turn412_p);
   const double longest = sqrt(KSL_MUL(turn402_a_0, turn402_a_0) + KSL_MUL(turn402_a_1, turn402_a_1)
           + KSL_MUL(turn402_a_2, turn402_a_2));
   const double first_divisor = longest == 0.0 ? 1.0 : longest;
-  const double u0_0 = turn402_a_0 / first_divisor;
-  const double u0_1 = turn402_a_1 / first_divisor;
-  const double u0_2 = turn402_a_2 / first_divisor;
+  const double u0_0 = turn402_a_0 / first_divisor, u0_1 = turn402_a_1 / first_divisor,
+      u0_2 = turn402_a_2 / first_divisor;
   const double least = KSL_MUL(KSL_MUL(0.015625, KSL_MUL(1.7763568394002505e-15,
       1.7763568394002505e-15)), KSL_MUL(longest, longest));
   const double second_along = KSL_MUL(turn412_a_0, u0_0) + KSL_MUL(turn412_a_1, u0_1)
           + KSL_MUL(turn412_a_2, u0_2);
-  const double second_part_0 = turn412_a_0 - KSL_MUL(u0_0, second_along);
-  const double second_part_1 = turn412_a_1 - KSL_MUL(u0_1, second_along);
-  const double second_part_2 = turn412_a_2 - KSL_MUL(u0_2, second_along);
+  const double second_part_0 = turn412_a_0 - KSL_MUL(u0_0, second_along),
+      second_part_1 = turn412_a_1 - KSL_MUL(u0_1, second_along),
+      second_part_2 = turn412_a_2 - KSL_MUL(u0_2, second_along);
   const double second_whole = KSL_MUL(turn412_a_0, turn412_a_0) + KSL_MUL(turn412_a_1, turn412_a_1)
           + KSL_MUL(turn412_a_2, turn412_a_2);
   const double second_kept = KSL_MUL(second_part_0, second_part_0)
@@ -1511,69 +1386,64 @@ static inline void ksl_mat3x3_nearest_rotation(const ksl_mat3x3_t *A, ksl_mat3x3
   const double second_enough_a = KSL_MUL(0.25, second_whole),
       second_enough = second_enough_a < least ? least : second_enough_a;
   const double second_is_kept = second_enough < second_kept ? 1.0 : 0.0;
-  const double second_size_0 = fabs(u0_0);
-  const double second_size_1 = fabs(u0_1);
-  const double second_size_2 = fabs(u0_2);
+  const double second_size_0 = fabs(u0_0), second_size_1 = fabs(u0_1), second_size_2 = fabs(u0_2);
   const double second_is_y = second_size_1 < second_size_0 ? 1.0 : 0.0;
   const double second_less = second_is_y == 0.0 ? second_size_0 : second_size_1;
   const double second_is_z = second_size_2 < second_less ? 1.0 : 0.0;
-  const double second_xy_0 = second_is_y == 0.0 ? 1.0 : 0.0;
-  const double second_xy_1 = second_is_y == 0.0 ? 0.0 : 1.0;
-  const double second_axis_0 = second_is_z == 1.0 ? 0.0 : second_xy_0;
-  const double second_axis_1 = second_is_z == 1.0 ? 0.0 : second_xy_1;
-  const double second_axis_2 = second_is_z == 1.0 ? 1.0 : 0.0;
+  const double second_xy_0 = second_is_y == 0.0 ? 1.0 : 0.0,
+      second_xy_1 = second_is_y == 0.0 ? 0.0 : 1.0;
+  const double second_axis_0 = second_is_z == 1.0 ? 0.0 : second_xy_0,
+      second_axis_1 = second_is_z == 1.0 ? 0.0 : second_xy_1,
+      second_axis_2 = second_is_z == 1.0 ? 1.0 : 0.0;
   const double second_along_axis = KSL_MUL(u0_0, second_axis_0) + KSL_MUL(u0_1, second_axis_1)
           + KSL_MUL(u0_2, second_axis_2);
-  const double second_other_0 = second_axis_0 - KSL_MUL(u0_0, second_along_axis);
-  const double second_other_1 = second_axis_1 - KSL_MUL(u0_1, second_along_axis);
-  const double second_other_2 = second_axis_2 - KSL_MUL(u0_2, second_along_axis);
-  const double second_found_0 = second_is_kept == 1.0 ? second_part_0 : second_other_0;
-  const double second_found_1 = second_is_kept == 1.0 ? second_part_1 : second_other_1;
-  const double second_found_2 = second_is_kept == 1.0 ? second_part_2 : second_other_2;
+  const double second_other_0 = second_axis_0 - KSL_MUL(u0_0, second_along_axis),
+      second_other_1 = second_axis_1 - KSL_MUL(u0_1, second_along_axis),
+      second_other_2 = second_axis_2 - KSL_MUL(u0_2, second_along_axis);
+  const double second_found_0 = second_is_kept == 1.0 ? second_part_0 : second_other_0,
+      second_found_1 = second_is_kept == 1.0 ? second_part_1 : second_other_1,
+      second_found_2 = second_is_kept == 1.0 ? second_part_2 : second_other_2;
   const double second_length = sqrt(KSL_MUL(second_found_0, second_found_0)
           + KSL_MUL(second_found_1, second_found_1) + KSL_MUL(second_found_2, second_found_2));
-  const double second_across_0 = second_found_0 / second_length;
-  const double second_across_1 = second_found_1 / second_length;
-  const double second_across_2 = second_found_2 / second_length;
-  const double u2_0 = KSL_MUL(u0_1, second_across_2) - KSL_MUL(u0_2, second_across_1);
-  const double u2_1 = KSL_MUL(u0_2, second_across_0) - KSL_MUL(u0_0, second_across_2);
-  const double u2_2 = KSL_MUL(u0_0, second_across_1) - KSL_MUL(u0_1, second_across_0);
+  const double second_across_0 = second_found_0 / second_length,
+      second_across_1 = second_found_1 / second_length,
+      second_across_2 = second_found_2 / second_length;
+  const double u2_0 = KSL_MUL(u0_1, second_across_2) - KSL_MUL(u0_2, second_across_1),
+      u2_1 = KSL_MUL(u0_2, second_across_0) - KSL_MUL(u0_0, second_across_2),
+      u2_2 = KSL_MUL(u0_0, second_across_1) - KSL_MUL(u0_1, second_across_0);
   const double turned_0 = KSL_MUL(turn402_c_0, u0_0) + KSL_MUL(turn412_c_0, second_across_0)
-          + KSL_MUL(turn412_d_0, u2_0);
-  const double turned_1 = KSL_MUL(turn402_c_1, u0_0) + KSL_MUL(turn412_c_1, second_across_0)
-          + KSL_MUL(turn412_d_1, u2_0);
-  const double turned_2 = KSL_MUL(turn402_c_2, u0_0) + KSL_MUL(turn412_c_2, second_across_0)
-          + KSL_MUL(turn412_d_2, u2_0);
-  const double turned_3 = KSL_MUL(turn402_c_0, u0_1) + KSL_MUL(turn412_c_0, second_across_1)
-          + KSL_MUL(turn412_d_0, u2_1);
-  const double turned_4 = KSL_MUL(turn402_c_1, u0_1) + KSL_MUL(turn412_c_1, second_across_1)
-          + KSL_MUL(turn412_d_1, u2_1);
-  const double turned_5 = KSL_MUL(turn402_c_2, u0_1) + KSL_MUL(turn412_c_2, second_across_1)
-          + KSL_MUL(turn412_d_2, u2_1);
-  const double turned_6 = KSL_MUL(turn402_c_0, u0_2) + KSL_MUL(turn412_c_0, second_across_2)
-          + KSL_MUL(turn412_d_0, u2_2);
-  const double turned_7 = KSL_MUL(turn402_c_1, u0_2) + KSL_MUL(turn412_c_1, second_across_2)
-          + KSL_MUL(turn412_d_1, u2_2);
-  const double turned_8 = KSL_MUL(turn402_c_2, u0_2) + KSL_MUL(turn412_c_2, second_across_2)
+          + KSL_MUL(turn412_d_0, u2_0),
+      turned_1 = KSL_MUL(turn402_c_1, u0_0) + KSL_MUL(turn412_c_1, second_across_0)
+          + KSL_MUL(turn412_d_1, u2_0),
+      turned_2 = KSL_MUL(turn402_c_2, u0_0) + KSL_MUL(turn412_c_2, second_across_0)
+          + KSL_MUL(turn412_d_2, u2_0),
+      turned_3 = KSL_MUL(turn402_c_0, u0_1) + KSL_MUL(turn412_c_0, second_across_1)
+          + KSL_MUL(turn412_d_0, u2_1),
+      turned_4 = KSL_MUL(turn402_c_1, u0_1) + KSL_MUL(turn412_c_1, second_across_1)
+          + KSL_MUL(turn412_d_1, u2_1),
+      turned_5 = KSL_MUL(turn402_c_2, u0_1) + KSL_MUL(turn412_c_2, second_across_1)
+          + KSL_MUL(turn412_d_2, u2_1),
+      turned_6 = KSL_MUL(turn402_c_0, u0_2) + KSL_MUL(turn412_c_0, second_across_2)
+          + KSL_MUL(turn412_d_0, u2_2),
+      turned_7 = KSL_MUL(turn402_c_1, u0_2) + KSL_MUL(turn412_c_1, second_across_2)
+          + KSL_MUL(turn412_d_1, u2_2),
+      turned_8 = KSL_MUL(turn402_c_2, u0_2) + KSL_MUL(turn412_c_2, second_across_2)
           + KSL_MUL(turn412_d_2, u2_2);
   const double gram_0 = KSL_MUL(turned_0, turned_0) + KSL_MUL(turned_3, turned_3)
-          + KSL_MUL(turned_6, turned_6);
-  const double gram_1 = KSL_MUL(turned_0, turned_1) + KSL_MUL(turned_3, turned_4)
-          + KSL_MUL(turned_6, turned_7);
-  const double gram_2 = KSL_MUL(turned_0, turned_2) + KSL_MUL(turned_3, turned_5)
-          + KSL_MUL(turned_6, turned_8);
-  const double gram_3 = KSL_MUL(turned_1, turned_1) + KSL_MUL(turned_4, turned_4)
-          + KSL_MUL(turned_7, turned_7);
-  const double gram_4 = KSL_MUL(turned_1, turned_2) + KSL_MUL(turned_4, turned_5)
-          + KSL_MUL(turned_7, turned_8);
-  const double gram_5 = KSL_MUL(turned_2, turned_2) + KSL_MUL(turned_5, turned_5)
+          + KSL_MUL(turned_6, turned_6),
+      gram_1 = KSL_MUL(turned_0, turned_1) + KSL_MUL(turned_3, turned_4)
+          + KSL_MUL(turned_6, turned_7),
+      gram_2 = KSL_MUL(turned_0, turned_2) + KSL_MUL(turned_3, turned_5)
+          + KSL_MUL(turned_6, turned_8),
+      gram_3 = KSL_MUL(turned_1, turned_1) + KSL_MUL(turned_4, turned_4)
+          + KSL_MUL(turned_7, turned_7),
+      gram_4 = KSL_MUL(turned_1, turned_2) + KSL_MUL(turned_4, turned_5)
+          + KSL_MUL(turned_7, turned_8),
+      gram_5 = KSL_MUL(turned_2, turned_2) + KSL_MUL(turned_5, turned_5)
           + KSL_MUL(turned_8, turned_8);
-  const double half_0 = 1.5 - KSL_MUL(0.5, gram_0);
-  const double half_1 = -KSL_MUL(0.5, gram_1);
-  const double half_2 = -KSL_MUL(0.5, gram_2);
-  const double half_4 = 1.5 - KSL_MUL(0.5, gram_3);
-  const double half_5 = -KSL_MUL(0.5, gram_4);
-  const double half_8 = 1.5 - KSL_MUL(0.5, gram_5);
+  const double half_0 = 1.5 - KSL_MUL(0.5, gram_0), half_1 = -KSL_MUL(0.5, gram_1),
+      half_2 = -KSL_MUL(0.5, gram_2), half_4 = 1.5 - KSL_MUL(0.5, gram_3),
+      half_5 = -KSL_MUL(0.5, gram_4), half_8 = 1.5 - KSL_MUL(0.5, gram_5);
   const double Ro_00e = KSL_MUL(turned_0, half_0) + KSL_MUL(turned_1, half_1)
           + KSL_MUL(turned_2, half_2), Ro_00 = longest == 0.0 ? (double)NAN : Ro_00e;
   const double Ro_01e = KSL_MUL(turned_0, half_1) + KSL_MUL(turned_1, half_4)
@@ -1615,30 +1485,17 @@ static inline void ksl_mat3x3_from_axis_angle(const ksl_vec3_t *axis, const doub
   double cosine; const double sine = ksl_sincos(angle, &cosine);
   const double versine_b = KSL_MUL(2.0, KSL_MUL(h, h)), versine_c = 1.0 - cosine,
       versine = cosine < 0.0 ? versine_c : versine_b;
-  const double beta_v_0 = KSL_MUL(axis->x, versine);
-  const double beta_v_1 = KSL_MUL(axis->y, versine);
-  const double beta_v_2 = KSL_MUL(axis->z, versine);
-  const double m_0 = KSL_MUL(axis->x, beta_v_0);
-  const double m_1 = KSL_MUL(axis->y, beta_v_1);
-  const double m_2 = KSL_MUL(axis->z, beta_v_2);
-  const double m_3 = KSL_MUL(axis->y, beta_v_0);
-  const double m_4 = KSL_MUL(axis->z, beta_v_0);
-  const double m_5 = KSL_MUL(axis->z, beta_v_1);
-  const double others_0 = m_1 + m_2;
-  const double others_1 = m_0 + m_2;
-  const double others_2 = m_0 + m_1;
-  const double alpha_v_0 = KSL_MUL(axis->x, sine);
-  const double alpha_v_1 = KSL_MUL(axis->y, sine);
-  const double alpha_v_2 = KSL_MUL(axis->z, sine);
-  const double R_00 = 1.0 - others_0;
-  const double R_01 = m_3 - alpha_v_2;
-  const double R_02 = m_4 + alpha_v_1;
-  const double R_10 = m_3 + alpha_v_2;
-  const double R_11 = 1.0 - others_1;
-  const double R_12 = m_5 - alpha_v_0;
-  const double R_20 = m_4 - alpha_v_1;
-  const double R_21 = m_5 + alpha_v_0;
-  const double R_22 = 1.0 - others_2;
+  const double beta_v_0 = KSL_MUL(axis->x, versine), beta_v_1 = KSL_MUL(axis->y, versine),
+      beta_v_2 = KSL_MUL(axis->z, versine);
+  const double m_0 = KSL_MUL(axis->x, beta_v_0), m_1 = KSL_MUL(axis->y, beta_v_1),
+      m_2 = KSL_MUL(axis->z, beta_v_2), m_3 = KSL_MUL(axis->y, beta_v_0),
+      m_4 = KSL_MUL(axis->z, beta_v_0), m_5 = KSL_MUL(axis->z, beta_v_1);
+  const double others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
+  const double alpha_v_0 = KSL_MUL(axis->x, sine), alpha_v_1 = KSL_MUL(axis->y, sine),
+      alpha_v_2 = KSL_MUL(axis->z, sine);
+  const double R_00 = 1.0 - others_0, R_01 = m_3 - alpha_v_2, R_02 = m_4 + alpha_v_1,
+      R_10 = m_3 + alpha_v_2, R_11 = 1.0 - others_1, R_12 = m_5 - alpha_v_0, R_20 = m_4 - alpha_v_1,
+      R_21 = m_5 + alpha_v_0, R_22 = 1.0 - others_2;
   R->m00 = R_00;
   R->m01 = R_01;
   R->m02 = R_02;
@@ -1656,47 +1513,31 @@ static inline void ksl_mat3x3_from_axis_angle(const ksl_vec3_t *axis, const doub
    Error <= angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not
      proved. */
 static inline double ksl_axis_angle_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *axis) {
-  const double p_0 = R->m21 - R->m12;
-  const double p_1 = R->m02 - R->m20;
-  const double p_2 = R->m10 - R->m01;
-  const double s_0 = R->m12 + R->m21;
-  const double s_1 = R->m02 + R->m20;
-  const double s_2 = R->m01 + R->m10;
-  const double first_0 = R->m00 + 1.0;
-  const double first_1 = 1.0 - R->m00;
-  const double others_0 = R->m11 + R->m22;
-  const double others_1 = R->m11 - R->m22;
-  const double d_0 = first_0 + others_0;
-  const double d_1 = first_0 - others_0;
-  const double d_2 = first_1 + others_1;
-  const double d_3 = first_1 - others_1;
-  const double low_0 = R->m11 < R->m00 ? d_1 : s_2;
-  const double low_1 = R->m11 < R->m00 ? s_2 : d_2;
-  const double low_2 = R->m11 < R->m00 ? s_1 : s_0;
-  const double low_3 = R->m11 < R->m00 ? p_0 : p_1;
+  const double p_0 = R->m21 - R->m12, p_1 = R->m02 - R->m20, p_2 = R->m10 - R->m01;
+  const double s_0 = R->m12 + R->m21, s_1 = R->m02 + R->m20, s_2 = R->m01 + R->m10;
+  const double first_0 = R->m00 + 1.0, first_1 = 1.0 - R->m00;
+  const double others_0 = R->m11 + R->m22, others_1 = R->m11 - R->m22;
+  const double d_0 = first_0 + others_0, d_1 = first_0 - others_0, d_2 = first_1 + others_1,
+      d_3 = first_1 - others_1;
+  const double low_0 = R->m11 < R->m00 ? d_1 : s_2, low_1 = R->m11 < R->m00 ? s_2 : d_2,
+      low_2 = R->m11 < R->m00 ? s_1 : s_0, low_3 = R->m11 < R->m00 ? p_0 : p_1;
   const double high_0a = -R->m11, high_0 = R->m00 < high_0a ? s_1 : p_0;
-  const double high_1 = R->m00 < high_0a ? s_0 : p_1;
-  const double high_2 = R->m00 < high_0a ? d_3 : p_2;
-  const double high_3 = R->m00 < high_0a ? p_2 : d_0;
-  const double column_0 = R->m22 < 0.0 ? low_0 : high_0;
-  const double column_1 = R->m22 < 0.0 ? low_1 : high_1;
-  const double column_2 = R->m22 < 0.0 ? low_2 : high_2;
-  const double column_3 = R->m22 < 0.0 ? low_3 : high_3;
+  const double high_1 = R->m00 < high_0a ? s_0 : p_1, high_2 = R->m00 < high_0a ? d_3 : p_2,
+      high_3 = R->m00 < high_0a ? p_2 : d_0;
+  const double column_0 = R->m22 < 0.0 ? low_0 : high_0, column_1 = R->m22 < 0.0 ? low_1 : high_1,
+      column_2 = R->m22 < 0.0 ? low_2 : high_2, column_3 = R->m22 < 0.0 ? low_3 : high_3;
   const double upper_0a = -column_0, upper_0 = column_3 < 0.0 ? upper_0a : column_0;
   const double upper_1a = -column_1, upper_1 = column_3 < 0.0 ? upper_1a : column_1;
   const double upper_2a = -column_2, upper_2 = column_3 < 0.0 ? upper_2a : column_2;
   const double upper_3a = -column_3, upper_3 = column_3 < 0.0 ? upper_3a : column_3;
-  const double v_s_size_0 = fabs(upper_0);
-  const double v_s_size_1 = fabs(upper_1);
-  const double v_s_size_2 = fabs(upper_2);
+  const double v_s_size_0 = fabs(upper_0), v_s_size_1 = fabs(upper_1), v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       v_s_d = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
       v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
-  const double v_y_0 = KSL_MUL(upper_0, v_s);
-  const double v_y_1 = KSL_MUL(upper_1, v_s);
-  const double v_y_2 = KSL_MUL(upper_2, v_s);
+  const double v_y_0 = KSL_MUL(upper_0, v_s), v_y_1 = KSL_MUL(upper_1, v_s),
+      v_y_2 = KSL_MUL(upper_2, v_s);
   const double v_n = sqrt(KSL_MUL(v_y_0, v_y_0) + KSL_MUL(v_y_1, v_y_1) + KSL_MUL(v_y_2, v_y_2));
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
@@ -1704,9 +1545,7 @@ static inline double ksl_axis_angle_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_
   const double n = KSL_MUL(v_n, v_r);
   const double half = ksl_atan2(n, upper_3);
   const double divisor = v_n == 0.0 ? 1.0 : v_n;
-  const double unit_0 = v_y_0 / divisor;
-  const double unit_1 = v_y_1 / divisor;
-  const double unit_2 = v_y_2 / divisor;
+  const double unit_0 = v_y_0 / divisor, unit_1 = v_y_1 / divisor, unit_2 = v_y_2 / divisor;
   const double angle = KSL_MUL(2.0, half);
   const double axis_0 = v_n == 0.0 ? 1.0 : unit_0;
   axis->x = axis_0;
@@ -1835,9 +1674,7 @@ static inline void ksl_mat3x3f_setFromVectors(ksl_mat3x3f_t *R, const ksl_vec3f_
    3 neg.
    Exact. */
 static inline void ksl_skewf(const ksl_vec3f_t *v, ksl_mat3x3f_t *Ro) {
-  const float Ro_01 = -v->z;
-  const float Ro_12 = -v->x;
-  const float Ro_20 = -v->y;
+  const float Ro_01 = -v->z, Ro_12 = -v->x, Ro_20 = -v->y;
   const float v_y = v->y;
   const float v_z = v->z;
   const float v_x = v->x;
@@ -1860,21 +1697,11 @@ static inline void ksl_skewf(const ksl_vec3f_t *v, ksl_mat3x3f_t *Ro) {
      and underflow. */
 static inline void ksl_acceleration_tensorf(const ksl_vec3f_t *w, const ksl_vec3f_t *dw,
     ksl_mat3x3f_t *Ro) {
-  const float ww_0 = KSL_MULF(w->x, w->x);
-  const float ww_1 = KSL_MULF(w->y, w->y);
-  const float ww_2 = KSL_MULF(w->z, w->z);
-  const float ww_3 = KSL_MULF(w->x, w->y);
-  const float ww_4 = KSL_MULF(w->x, w->z);
-  const float ww_5 = KSL_MULF(w->y, w->z);
-  const float Ro_00 = -(ww_1 + ww_2);
-  const float Ro_01 = ww_3 - dw->z;
-  const float Ro_02 = dw->y + ww_4;
-  const float Ro_10 = dw->z + ww_3;
-  const float Ro_11 = -(ww_0 + ww_2);
-  const float Ro_12 = ww_5 - dw->x;
-  const float Ro_20 = ww_4 - dw->y;
-  const float Ro_21 = dw->x + ww_5;
-  const float Ro_22 = -(ww_0 + ww_1);
+  const float ww_0 = KSL_MULF(w->x, w->x), ww_1 = KSL_MULF(w->y, w->y), ww_2 = KSL_MULF(w->z, w->z),
+      ww_3 = KSL_MULF(w->x, w->y), ww_4 = KSL_MULF(w->x, w->z), ww_5 = KSL_MULF(w->y, w->z);
+  const float Ro_00 = -(ww_1 + ww_2), Ro_01 = ww_3 - dw->z, Ro_02 = dw->y + ww_4,
+      Ro_10 = dw->z + ww_3, Ro_11 = -(ww_0 + ww_2), Ro_12 = ww_5 - dw->x, Ro_20 = ww_4 - dw->y,
+      Ro_21 = dw->x + ww_5, Ro_22 = -(ww_0 + ww_1);
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -1936,9 +1763,9 @@ static inline void ksl_mat3x3f_transposed(const ksl_mat3x3f_t *R, ksl_mat3x3f_t 
    Error <= u |result| + 4 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline float ksl_mat3x3f_determinant(const ksl_mat3x3f_t *R) {
-  const float n_0 = KSL_MULF(R->m11, R->m22) - KSL_MULF(R->m12, R->m21);
-  const float n_1 = KSL_MULF(R->m02, R->m21) - KSL_MULF(R->m01, R->m22);
-  const float n_2 = KSL_MULF(R->m01, R->m12) - KSL_MULF(R->m02, R->m11);
+  const float n_0 = KSL_MULF(R->m11, R->m22) - KSL_MULF(R->m12, R->m21),
+      n_1 = KSL_MULF(R->m02, R->m21) - KSL_MULF(R->m01, R->m22),
+      n_2 = KSL_MULF(R->m01, R->m12) - KSL_MULF(R->m02, R->m11);
   const float det = KSL_MULF(R->m00, n_0) + KSL_MULF(R->m10, n_1) + KSL_MULF(R->m20, n_2);
   return det;
 }
@@ -1952,15 +1779,9 @@ static inline float ksl_mat3x3f_determinant(const ksl_mat3x3f_t *R) {
      the cofactor, or 2^-80 m^2 (double 2^-700 m^2) if that is more; barring over- and underflow
      of Ro_ij itself. */
 static inline float ksl_mat3x3f_inverse(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
-  const float R_size_0 = fabsf(R->m00);
-  const float R_size_1 = fabsf(R->m01);
-  const float R_size_2 = fabsf(R->m02);
-  const float R_size_3 = fabsf(R->m10);
-  const float R_size_4 = fabsf(R->m11);
-  const float R_size_5 = fabsf(R->m12);
-  const float R_size_6 = fabsf(R->m20);
-  const float R_size_7 = fabsf(R->m21);
-  const float R_size_8 = fabsf(R->m22);
+  const float R_size_0 = fabsf(R->m00), R_size_1 = fabsf(R->m01), R_size_2 = fabsf(R->m02),
+      R_size_3 = fabsf(R->m10), R_size_4 = fabsf(R->m11), R_size_5 = fabsf(R->m12),
+      R_size_6 = fabsf(R->m20), R_size_7 = fabsf(R->m21), R_size_8 = fabsf(R->m22);
   const float R_largest1 = R_size_0 < R_size_1 ? R_size_1 : R_size_0;
   const float R_largest2 = R_largest1 < R_size_2 ? R_size_2 : R_largest1;
   const float R_largest3 = R_largest2 < R_size_3 ? R_size_3 : R_largest2;
@@ -1975,34 +1796,22 @@ static inline float ksl_mat3x3f_inverse(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *R
       s_h = R_largest8 < 1.0f ? 1.0995116e+12f : s_f,
       s_j = R_largest8 < 9.094947e-13f ? 1.2089258e+24f : s_h,
       s = R_largest8 < 8.271806e-25f ? 1.329228e+36f : s_j;
-  const float A_0 = KSL_MULF(R->m00, s);
-  const float A_1 = KSL_MULF(R->m01, s);
-  const float A_2 = KSL_MULF(R->m02, s);
-  const float A_3 = KSL_MULF(R->m10, s);
-  const float A_4 = KSL_MULF(R->m11, s);
-  const float A_5 = KSL_MULF(R->m12, s);
-  const float A_6 = KSL_MULF(R->m20, s);
-  const float A_7 = KSL_MULF(R->m21, s);
-  const float A_8 = KSL_MULF(R->m22, s);
-  const float n0_0 = KSL_MULF(A_4, A_8) - KSL_MULF(A_5, A_7);
-  const float n0_1 = KSL_MULF(A_2, A_7) - KSL_MULF(A_1, A_8);
-  const float n0_2 = KSL_MULF(A_1, A_5) - KSL_MULF(A_2, A_4);
-  const float n1_0 = KSL_MULF(A_5, A_6) - KSL_MULF(A_3, A_8);
-  const float n1_1 = KSL_MULF(A_0, A_8) - KSL_MULF(A_2, A_6);
-  const float n1_2 = KSL_MULF(A_2, A_3) - KSL_MULF(A_0, A_5);
-  const float n2_0 = KSL_MULF(A_3, A_7) - KSL_MULF(A_4, A_6);
-  const float n2_1 = KSL_MULF(A_1, A_6) - KSL_MULF(A_0, A_7);
-  const float n2_2 = KSL_MULF(A_0, A_4) - KSL_MULF(A_1, A_3);
+  const float A_0 = KSL_MULF(R->m00, s), A_1 = KSL_MULF(R->m01, s), A_2 = KSL_MULF(R->m02, s),
+      A_3 = KSL_MULF(R->m10, s), A_4 = KSL_MULF(R->m11, s), A_5 = KSL_MULF(R->m12, s),
+      A_6 = KSL_MULF(R->m20, s), A_7 = KSL_MULF(R->m21, s), A_8 = KSL_MULF(R->m22, s);
+  const float n0_0 = KSL_MULF(A_4, A_8) - KSL_MULF(A_5, A_7),
+      n0_1 = KSL_MULF(A_2, A_7) - KSL_MULF(A_1, A_8),
+      n0_2 = KSL_MULF(A_1, A_5) - KSL_MULF(A_2, A_4);
+  const float n1_0 = KSL_MULF(A_5, A_6) - KSL_MULF(A_3, A_8),
+      n1_1 = KSL_MULF(A_0, A_8) - KSL_MULF(A_2, A_6),
+      n1_2 = KSL_MULF(A_2, A_3) - KSL_MULF(A_0, A_5);
+  const float n2_0 = KSL_MULF(A_3, A_7) - KSL_MULF(A_4, A_6),
+      n2_1 = KSL_MULF(A_1, A_6) - KSL_MULF(A_0, A_7),
+      n2_2 = KSL_MULF(A_0, A_4) - KSL_MULF(A_1, A_3);
   const float d = KSL_MULF(A_0, n0_0) + KSL_MULF(A_3, n0_1) + KSL_MULF(A_6, n0_2);
-  const float size0_0 = fabsf(A_0);
-  const float size0_1 = fabsf(A_3);
-  const float size0_2 = fabsf(A_6);
-  const float size1_0 = fabsf(A_1);
-  const float size1_1 = fabsf(A_4);
-  const float size1_2 = fabsf(A_7);
-  const float size2_0 = fabsf(A_2);
-  const float size2_1 = fabsf(A_5);
-  const float size2_2 = fabsf(A_8);
+  const float size0_0 = fabsf(A_0), size0_1 = fabsf(A_3), size0_2 = fabsf(A_6);
+  const float size1_0 = fabsf(A_1), size1_1 = fabsf(A_4), size1_2 = fabsf(A_7);
+  const float size2_0 = fabsf(A_2), size2_1 = fabsf(A_5), size2_2 = fabsf(A_8);
   const float permanent_d = KSL_MULF(size0_0, KSL_MULF(size1_1, size2_2)
           + KSL_MULF(size1_2, size2_1)),
       permanent_i = permanent_d
@@ -2014,24 +1823,14 @@ static inline float ksl_mat3x3f_inverse(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *R
   const float least = KSL_MULF(permanent, 4.7683716e-07f) + KSL_MULF(spoiled, KSL_MULF(top, top));
   const float regular = least < fabsf(d) ? 1.0f : 0.0f;
   const float divisor = regular == 1.0f ? d : 1.0f;
-  const float quotient_0 = n0_0 / divisor;
-  const float quotient_1 = n0_1 / divisor;
-  const float quotient_2 = n0_2 / divisor;
-  const float quotient_3 = n1_0 / divisor;
-  const float quotient_4 = n1_1 / divisor;
-  const float quotient_5 = n1_2 / divisor;
-  const float quotient_6 = n2_0 / divisor;
-  const float quotient_7 = n2_1 / divisor;
-  const float quotient_8 = n2_2 / divisor;
-  const float inverse_0 = KSL_MULF(quotient_0, s);
-  const float inverse_1 = KSL_MULF(quotient_1, s);
-  const float inverse_2 = KSL_MULF(quotient_2, s);
-  const float inverse_3 = KSL_MULF(quotient_3, s);
-  const float inverse_4 = KSL_MULF(quotient_4, s);
-  const float inverse_5 = KSL_MULF(quotient_5, s);
-  const float inverse_6 = KSL_MULF(quotient_6, s);
-  const float inverse_7 = KSL_MULF(quotient_7, s);
-  const float inverse_8 = KSL_MULF(quotient_8, s);
+  const float quotient_0 = n0_0 / divisor, quotient_1 = n0_1 / divisor, quotient_2 = n0_2 / divisor,
+      quotient_3 = n1_0 / divisor, quotient_4 = n1_1 / divisor, quotient_5 = n1_2 / divisor,
+      quotient_6 = n2_0 / divisor, quotient_7 = n2_1 / divisor, quotient_8 = n2_2 / divisor;
+  const float inverse_0 = KSL_MULF(quotient_0, s), inverse_1 = KSL_MULF(quotient_1, s),
+      inverse_2 = KSL_MULF(quotient_2, s), inverse_3 = KSL_MULF(quotient_3, s),
+      inverse_4 = KSL_MULF(quotient_4, s), inverse_5 = KSL_MULF(quotient_5, s),
+      inverse_6 = KSL_MULF(quotient_6, s), inverse_7 = KSL_MULF(quotient_7, s),
+      inverse_8 = KSL_MULF(quotient_8, s);
   const float start_a = -1.329228e+36f, start_c = d < 0.0f ? start_a : 1.329228e+36f,
       start = R_largest8 < 1.2089258e+24f ? d : start_c;
   const float r2 = R_largest8 < 9.094947e-13f ? 7.523164e-37f : 1.0f;
@@ -2042,15 +1841,15 @@ static inline float ksl_mat3x3f_inverse(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *R
       r = R_largest8 < 1.0f ? 7.523164e-37f : r_a;
   const float det_R = KSL_MULF(twice, r);
   const float det = regular == 1.0f ? det_R : 0.0f;
-  const float Ro_00 = regular == 1.0f ? inverse_0 : (float)NAN;
-  const float Ro_01 = regular == 1.0f ? inverse_1 : (float)NAN;
-  const float Ro_02 = regular == 1.0f ? inverse_2 : (float)NAN;
-  const float Ro_10 = regular == 1.0f ? inverse_3 : (float)NAN;
-  const float Ro_11 = regular == 1.0f ? inverse_4 : (float)NAN;
-  const float Ro_12 = regular == 1.0f ? inverse_5 : (float)NAN;
-  const float Ro_20 = regular == 1.0f ? inverse_6 : (float)NAN;
-  const float Ro_21 = regular == 1.0f ? inverse_7 : (float)NAN;
-  const float Ro_22 = regular == 1.0f ? inverse_8 : (float)NAN;
+  const float Ro_00 = regular == 1.0f ? inverse_0 : (float)NAN,
+      Ro_01 = regular == 1.0f ? inverse_1 : (float)NAN,
+      Ro_02 = regular == 1.0f ? inverse_2 : (float)NAN,
+      Ro_10 = regular == 1.0f ? inverse_3 : (float)NAN,
+      Ro_11 = regular == 1.0f ? inverse_4 : (float)NAN,
+      Ro_12 = regular == 1.0f ? inverse_5 : (float)NAN,
+      Ro_20 = regular == 1.0f ? inverse_6 : (float)NAN,
+      Ro_21 = regular == 1.0f ? inverse_7 : (float)NAN,
+      Ro_22 = regular == 1.0f ? inverse_8 : (float)NAN;
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -2070,98 +1869,79 @@ static inline float ksl_mat3x3f_inverse(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *R
    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
    |R R^T - I|_ij <= 8 u for the result R; searched, not proved. */
 static inline void ksl_mat3x3f_normalize(ksl_mat3x3f_t *self) {
-  const float q0_s_size_0 = fabsf(self->m00);
-  const float q0_s_size_1 = fabsf(self->m01);
-  const float q0_s_size_2 = fabsf(self->m02);
+  const float q0_s_size_0 = fabsf(self->m00), q0_s_size_1 = fabsf(self->m01),
+      q0_s_size_2 = fabsf(self->m02);
   const float q0_s_largest1 = q0_s_size_0 < q0_s_size_1 ? q0_s_size_1 : q0_s_size_0;
   const float q0_s_largest2 = q0_s_largest1 < q0_s_size_2 ? q0_s_size_2 : q0_s_largest1;
   const float q0_s_b = 4.611686e+18f < q0_s_largest2 ? 2.7105054e-20f : 1.0f,
       q0_s_d = q0_s_largest2 < 256.0f ? 1.8014399e+16f : q0_s_b,
       q0_s = q0_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : q0_s_d;
-  const float q0_y_0 = KSL_MULF(self->m00, q0_s);
-  const float q0_y_1 = KSL_MULF(self->m01, q0_s);
-  const float q0_y_2 = KSL_MULF(self->m02, q0_s);
+  const float q0_y_0 = KSL_MULF(self->m00, q0_s), q0_y_1 = KSL_MULF(self->m01, q0_s),
+      q0_y_2 = KSL_MULF(self->m02, q0_s);
   const float q0_up = 1.0f < q0_s ? q0_s : 1.0f;
   const float q0_down = q0_s < 1.0f ? q0_s : 1.0f;
   const float q0_n = sqrtf(KSL_MULF(q0_y_0, q0_y_0) + KSL_MULF(q0_y_1, q0_y_1)
           + KSL_MULF(q0_y_2, q0_y_2));
   const float q0_divisor = q0_n == 0.0f ? q0_up : q0_n;
-  const float q0_sized_0 = KSL_MULF(self->m00, q0_up);
-  const float q0_sized_1 = KSL_MULF(self->m01, q0_up);
-  const float q0_sized_2 = KSL_MULF(self->m02, q0_up);
-  const float q0_quotient_0 = q0_sized_0 / q0_divisor;
-  const float q0_quotient_1 = q0_sized_1 / q0_divisor;
-  const float q0_quotient_2 = q0_sized_2 / q0_divisor;
-  const float q0_0 = KSL_MULF(q0_quotient_0, q0_down);
-  const float q0_1 = KSL_MULF(q0_quotient_1, q0_down);
-  const float q0_2 = KSL_MULF(q0_quotient_2, q0_down);
-  const float u1_s_size_0 = fabsf(self->m10);
-  const float u1_s_size_1 = fabsf(self->m11);
-  const float u1_s_size_2 = fabsf(self->m12);
+  const float q0_sized_0 = KSL_MULF(self->m00, q0_up), q0_sized_1 = KSL_MULF(self->m01, q0_up),
+      q0_sized_2 = KSL_MULF(self->m02, q0_up);
+  const float q0_quotient_0 = q0_sized_0 / q0_divisor, q0_quotient_1 = q0_sized_1 / q0_divisor,
+      q0_quotient_2 = q0_sized_2 / q0_divisor;
+  const float q0_0 = KSL_MULF(q0_quotient_0, q0_down), q0_1 = KSL_MULF(q0_quotient_1, q0_down),
+      q0_2 = KSL_MULF(q0_quotient_2, q0_down);
+  const float u1_s_size_0 = fabsf(self->m10), u1_s_size_1 = fabsf(self->m11),
+      u1_s_size_2 = fabsf(self->m12);
   const float u1_s_largest1 = u1_s_size_0 < u1_s_size_1 ? u1_s_size_1 : u1_s_size_0;
   const float u1_s_largest2 = u1_s_largest1 < u1_s_size_2 ? u1_s_size_2 : u1_s_largest1;
   const float u1_s_b = 4.611686e+18f < u1_s_largest2 ? 2.7105054e-20f : 1.0f,
       u1_s_d = u1_s_largest2 < 256.0f ? 1.8014399e+16f : u1_s_b,
       u1_s = u1_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : u1_s_d;
-  const float u1_y_0 = KSL_MULF(self->m10, u1_s);
-  const float u1_y_1 = KSL_MULF(self->m11, u1_s);
-  const float u1_y_2 = KSL_MULF(self->m12, u1_s);
+  const float u1_y_0 = KSL_MULF(self->m10, u1_s), u1_y_1 = KSL_MULF(self->m11, u1_s),
+      u1_y_2 = KSL_MULF(self->m12, u1_s);
   const float u1_up = 1.0f < u1_s ? u1_s : 1.0f;
   const float u1_down = u1_s < 1.0f ? u1_s : 1.0f;
   const float u1_n = sqrtf(KSL_MULF(u1_y_0, u1_y_0) + KSL_MULF(u1_y_1, u1_y_1)
           + KSL_MULF(u1_y_2, u1_y_2));
   const float u1_divisor = u1_n == 0.0f ? u1_up : u1_n;
-  const float u1_sized_0 = KSL_MULF(self->m10, u1_up);
-  const float u1_sized_1 = KSL_MULF(self->m11, u1_up);
-  const float u1_sized_2 = KSL_MULF(self->m12, u1_up);
-  const float u1_quotient_0 = u1_sized_0 / u1_divisor;
-  const float u1_quotient_1 = u1_sized_1 / u1_divisor;
-  const float u1_quotient_2 = u1_sized_2 / u1_divisor;
-  const float u1_0 = KSL_MULF(u1_quotient_0, u1_down);
-  const float u1_1 = KSL_MULF(u1_quotient_1, u1_down);
-  const float u1_2 = KSL_MULF(u1_quotient_2, u1_down);
+  const float u1_sized_0 = KSL_MULF(self->m10, u1_up), u1_sized_1 = KSL_MULF(self->m11, u1_up),
+      u1_sized_2 = KSL_MULF(self->m12, u1_up);
+  const float u1_quotient_0 = u1_sized_0 / u1_divisor, u1_quotient_1 = u1_sized_1 / u1_divisor,
+      u1_quotient_2 = u1_sized_2 / u1_divisor;
+  const float u1_0 = KSL_MULF(u1_quotient_0, u1_down), u1_1 = KSL_MULF(u1_quotient_1, u1_down),
+      u1_2 = KSL_MULF(u1_quotient_2, u1_down);
   const float along = KSL_MULF(q0_0, u1_0) + KSL_MULF(q0_1, u1_1) + KSL_MULF(q0_2, u1_2);
-  const float once_0 = u1_0 - KSL_MULF(q0_0, along);
-  const float once_1 = u1_1 - KSL_MULF(q0_1, along);
-  const float once_2 = u1_2 - KSL_MULF(q0_2, along);
+  const float once_0 = u1_0 - KSL_MULF(q0_0, along), once_1 = u1_1 - KSL_MULF(q0_1, along),
+      once_2 = u1_2 - KSL_MULF(q0_2, along);
   const float rest = KSL_MULF(q0_0, once_0) + KSL_MULF(q0_1, once_1) + KSL_MULF(q0_2, once_2);
-  const float twice_0 = once_0 - KSL_MULF(q0_0, rest);
-  const float twice_1 = once_1 - KSL_MULF(q0_1, rest);
-  const float twice_2 = once_2 - KSL_MULF(q0_2, rest);
+  const float twice_0 = once_0 - KSL_MULF(q0_0, rest), twice_1 = once_1 - KSL_MULF(q0_1, rest),
+      twice_2 = once_2 - KSL_MULF(q0_2, rest);
   const float n = sqrtf(KSL_MULF(twice_0, twice_0) + KSL_MULF(twice_1, twice_1)
           + KSL_MULF(twice_2, twice_2));
   const float divisor = n == 0.0f ? 1.0f : n;
-  const float q1_0 = twice_0 / divisor;
-  const float q1_1 = twice_1 / divisor;
-  const float q1_2 = twice_2 / divisor;
-  const float normal_0 = KSL_MULF(q0_1, q1_2) - KSL_MULF(q0_2, q1_1);
-  const float normal_1 = KSL_MULF(q0_2, q1_0) - KSL_MULF(q0_0, q1_2);
-  const float normal_2 = KSL_MULF(q0_0, q1_1) - KSL_MULF(q0_1, q1_0);
-  const float u2_s_size_0 = fabsf(self->m20);
-  const float u2_s_size_1 = fabsf(self->m21);
-  const float u2_s_size_2 = fabsf(self->m22);
+  const float q1_0 = twice_0 / divisor, q1_1 = twice_1 / divisor, q1_2 = twice_2 / divisor;
+  const float normal_0 = KSL_MULF(q0_1, q1_2) - KSL_MULF(q0_2, q1_1),
+      normal_1 = KSL_MULF(q0_2, q1_0) - KSL_MULF(q0_0, q1_2),
+      normal_2 = KSL_MULF(q0_0, q1_1) - KSL_MULF(q0_1, q1_0);
+  const float u2_s_size_0 = fabsf(self->m20), u2_s_size_1 = fabsf(self->m21),
+      u2_s_size_2 = fabsf(self->m22);
   const float u2_s_largest1 = u2_s_size_0 < u2_s_size_1 ? u2_s_size_1 : u2_s_size_0;
   const float u2_s_largest2 = u2_s_largest1 < u2_s_size_2 ? u2_s_size_2 : u2_s_largest1;
   const float u2_s_b = 4.611686e+18f < u2_s_largest2 ? 2.7105054e-20f : 1.0f,
       u2_s_d = u2_s_largest2 < 256.0f ? 1.8014399e+16f : u2_s_b,
       u2_s = u2_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : u2_s_d;
-  const float u2_y_0 = KSL_MULF(self->m20, u2_s);
-  const float u2_y_1 = KSL_MULF(self->m21, u2_s);
-  const float u2_y_2 = KSL_MULF(self->m22, u2_s);
+  const float u2_y_0 = KSL_MULF(self->m20, u2_s), u2_y_1 = KSL_MULF(self->m21, u2_s),
+      u2_y_2 = KSL_MULF(self->m22, u2_s);
   const float u2_up = 1.0f < u2_s ? u2_s : 1.0f;
   const float u2_down = u2_s < 1.0f ? u2_s : 1.0f;
   const float u2_n = sqrtf(KSL_MULF(u2_y_0, u2_y_0) + KSL_MULF(u2_y_1, u2_y_1)
           + KSL_MULF(u2_y_2, u2_y_2));
   const float u2_divisor = u2_n == 0.0f ? u2_up : u2_n;
-  const float u2_sized_0 = KSL_MULF(self->m20, u2_up);
-  const float u2_sized_1 = KSL_MULF(self->m21, u2_up);
-  const float u2_sized_2 = KSL_MULF(self->m22, u2_up);
-  const float u2_quotient_0 = u2_sized_0 / u2_divisor;
-  const float u2_quotient_1 = u2_sized_1 / u2_divisor;
-  const float u2_quotient_2 = u2_sized_2 / u2_divisor;
-  const float u2_0 = KSL_MULF(u2_quotient_0, u2_down);
-  const float u2_1 = KSL_MULF(u2_quotient_1, u2_down);
-  const float u2_2 = KSL_MULF(u2_quotient_2, u2_down);
+  const float u2_sized_0 = KSL_MULF(self->m20, u2_up), u2_sized_1 = KSL_MULF(self->m21, u2_up),
+      u2_sized_2 = KSL_MULF(self->m22, u2_up);
+  const float u2_quotient_0 = u2_sized_0 / u2_divisor, u2_quotient_1 = u2_sized_1 / u2_divisor,
+      u2_quotient_2 = u2_sized_2 / u2_divisor;
+  const float u2_0 = KSL_MULF(u2_quotient_0, u2_down), u2_1 = KSL_MULF(u2_quotient_1, u2_down),
+      u2_2 = KSL_MULF(u2_quotient_2, u2_down);
   const float side = KSL_MULF(normal_0, u2_0) + KSL_MULF(normal_1, u2_1) + KSL_MULF(normal_2, u2_2);
   const float q2_0a = -normal_0, q2_0 = side < 0.0f ? q2_0a : normal_0;
   const float q2_1a = -normal_1, q2_1 = side < 0.0f ? q2_1a : normal_1;
@@ -2169,15 +1949,15 @@ static inline void ksl_mat3x3f_normalize(ksl_mat3x3f_t *self) {
   const float size = fabsf(side);
   const float less = n < size ? n : size;
   const float dependent = less < 9.536743e-07f ? 1.0f : 0.0f;
-  const float self_00_new = dependent == 1.0f ? (float)NAN : q0_0;
-  const float self_01_new = dependent == 1.0f ? (float)NAN : q0_1;
-  const float self_02_new = dependent == 1.0f ? (float)NAN : q0_2;
-  const float self_10_new = dependent == 1.0f ? (float)NAN : q1_0;
-  const float self_11_new = dependent == 1.0f ? (float)NAN : q1_1;
-  const float self_12_new = dependent == 1.0f ? (float)NAN : q1_2;
-  const float self_20_new = dependent == 1.0f ? (float)NAN : q2_0;
-  const float self_21_new = dependent == 1.0f ? (float)NAN : q2_1;
-  const float self_22_new = dependent == 1.0f ? (float)NAN : q2_2;
+  const float self_00_new = dependent == 1.0f ? (float)NAN : q0_0,
+      self_01_new = dependent == 1.0f ? (float)NAN : q0_1,
+      self_02_new = dependent == 1.0f ? (float)NAN : q0_2,
+      self_10_new = dependent == 1.0f ? (float)NAN : q1_0,
+      self_11_new = dependent == 1.0f ? (float)NAN : q1_1,
+      self_12_new = dependent == 1.0f ? (float)NAN : q1_2,
+      self_20_new = dependent == 1.0f ? (float)NAN : q2_0,
+      self_21_new = dependent == 1.0f ? (float)NAN : q2_1,
+      self_22_new = dependent == 1.0f ? (float)NAN : q2_2;
   self->m00 = self_00_new;
   self->m01 = self_01_new;
   self->m02 = self_02_new;
@@ -2196,98 +1976,76 @@ static inline void ksl_mat3x3f_normalize(ksl_mat3x3f_t *self) {
    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
    |R R^T - I|_ij <= 8 u for the result R; searched, not proved. */
 static inline void ksl_mat3x3f_normalized(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
-  const float q0_s_size_0 = fabsf(R->m00);
-  const float q0_s_size_1 = fabsf(R->m01);
-  const float q0_s_size_2 = fabsf(R->m02);
+  const float q0_s_size_0 = fabsf(R->m00), q0_s_size_1 = fabsf(R->m01), q0_s_size_2 = fabsf(R->m02);
   const float q0_s_largest1 = q0_s_size_0 < q0_s_size_1 ? q0_s_size_1 : q0_s_size_0;
   const float q0_s_largest2 = q0_s_largest1 < q0_s_size_2 ? q0_s_size_2 : q0_s_largest1;
   const float q0_s_b = 4.611686e+18f < q0_s_largest2 ? 2.7105054e-20f : 1.0f,
       q0_s_d = q0_s_largest2 < 256.0f ? 1.8014399e+16f : q0_s_b,
       q0_s = q0_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : q0_s_d;
-  const float q0_y_0 = KSL_MULF(R->m00, q0_s);
-  const float q0_y_1 = KSL_MULF(R->m01, q0_s);
-  const float q0_y_2 = KSL_MULF(R->m02, q0_s);
+  const float q0_y_0 = KSL_MULF(R->m00, q0_s), q0_y_1 = KSL_MULF(R->m01, q0_s),
+      q0_y_2 = KSL_MULF(R->m02, q0_s);
   const float q0_up = 1.0f < q0_s ? q0_s : 1.0f;
   const float q0_down = q0_s < 1.0f ? q0_s : 1.0f;
   const float q0_n = sqrtf(KSL_MULF(q0_y_0, q0_y_0) + KSL_MULF(q0_y_1, q0_y_1)
           + KSL_MULF(q0_y_2, q0_y_2));
   const float q0_divisor = q0_n == 0.0f ? q0_up : q0_n;
-  const float q0_sized_0 = KSL_MULF(R->m00, q0_up);
-  const float q0_sized_1 = KSL_MULF(R->m01, q0_up);
-  const float q0_sized_2 = KSL_MULF(R->m02, q0_up);
-  const float q0_quotient_0 = q0_sized_0 / q0_divisor;
-  const float q0_quotient_1 = q0_sized_1 / q0_divisor;
-  const float q0_quotient_2 = q0_sized_2 / q0_divisor;
-  const float q0_0 = KSL_MULF(q0_quotient_0, q0_down);
-  const float q0_1 = KSL_MULF(q0_quotient_1, q0_down);
-  const float q0_2 = KSL_MULF(q0_quotient_2, q0_down);
-  const float u1_s_size_0 = fabsf(R->m10);
-  const float u1_s_size_1 = fabsf(R->m11);
-  const float u1_s_size_2 = fabsf(R->m12);
+  const float q0_sized_0 = KSL_MULF(R->m00, q0_up), q0_sized_1 = KSL_MULF(R->m01, q0_up),
+      q0_sized_2 = KSL_MULF(R->m02, q0_up);
+  const float q0_quotient_0 = q0_sized_0 / q0_divisor, q0_quotient_1 = q0_sized_1 / q0_divisor,
+      q0_quotient_2 = q0_sized_2 / q0_divisor;
+  const float q0_0 = KSL_MULF(q0_quotient_0, q0_down), q0_1 = KSL_MULF(q0_quotient_1, q0_down),
+      q0_2 = KSL_MULF(q0_quotient_2, q0_down);
+  const float u1_s_size_0 = fabsf(R->m10), u1_s_size_1 = fabsf(R->m11), u1_s_size_2 = fabsf(R->m12);
   const float u1_s_largest1 = u1_s_size_0 < u1_s_size_1 ? u1_s_size_1 : u1_s_size_0;
   const float u1_s_largest2 = u1_s_largest1 < u1_s_size_2 ? u1_s_size_2 : u1_s_largest1;
   const float u1_s_b = 4.611686e+18f < u1_s_largest2 ? 2.7105054e-20f : 1.0f,
       u1_s_d = u1_s_largest2 < 256.0f ? 1.8014399e+16f : u1_s_b,
       u1_s = u1_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : u1_s_d;
-  const float u1_y_0 = KSL_MULF(R->m10, u1_s);
-  const float u1_y_1 = KSL_MULF(R->m11, u1_s);
-  const float u1_y_2 = KSL_MULF(R->m12, u1_s);
+  const float u1_y_0 = KSL_MULF(R->m10, u1_s), u1_y_1 = KSL_MULF(R->m11, u1_s),
+      u1_y_2 = KSL_MULF(R->m12, u1_s);
   const float u1_up = 1.0f < u1_s ? u1_s : 1.0f;
   const float u1_down = u1_s < 1.0f ? u1_s : 1.0f;
   const float u1_n = sqrtf(KSL_MULF(u1_y_0, u1_y_0) + KSL_MULF(u1_y_1, u1_y_1)
           + KSL_MULF(u1_y_2, u1_y_2));
   const float u1_divisor = u1_n == 0.0f ? u1_up : u1_n;
-  const float u1_sized_0 = KSL_MULF(R->m10, u1_up);
-  const float u1_sized_1 = KSL_MULF(R->m11, u1_up);
-  const float u1_sized_2 = KSL_MULF(R->m12, u1_up);
-  const float u1_quotient_0 = u1_sized_0 / u1_divisor;
-  const float u1_quotient_1 = u1_sized_1 / u1_divisor;
-  const float u1_quotient_2 = u1_sized_2 / u1_divisor;
-  const float u1_0 = KSL_MULF(u1_quotient_0, u1_down);
-  const float u1_1 = KSL_MULF(u1_quotient_1, u1_down);
-  const float u1_2 = KSL_MULF(u1_quotient_2, u1_down);
+  const float u1_sized_0 = KSL_MULF(R->m10, u1_up), u1_sized_1 = KSL_MULF(R->m11, u1_up),
+      u1_sized_2 = KSL_MULF(R->m12, u1_up);
+  const float u1_quotient_0 = u1_sized_0 / u1_divisor, u1_quotient_1 = u1_sized_1 / u1_divisor,
+      u1_quotient_2 = u1_sized_2 / u1_divisor;
+  const float u1_0 = KSL_MULF(u1_quotient_0, u1_down), u1_1 = KSL_MULF(u1_quotient_1, u1_down),
+      u1_2 = KSL_MULF(u1_quotient_2, u1_down);
   const float along = KSL_MULF(q0_0, u1_0) + KSL_MULF(q0_1, u1_1) + KSL_MULF(q0_2, u1_2);
-  const float once_0 = u1_0 - KSL_MULF(q0_0, along);
-  const float once_1 = u1_1 - KSL_MULF(q0_1, along);
-  const float once_2 = u1_2 - KSL_MULF(q0_2, along);
+  const float once_0 = u1_0 - KSL_MULF(q0_0, along), once_1 = u1_1 - KSL_MULF(q0_1, along),
+      once_2 = u1_2 - KSL_MULF(q0_2, along);
   const float rest = KSL_MULF(q0_0, once_0) + KSL_MULF(q0_1, once_1) + KSL_MULF(q0_2, once_2);
-  const float twice_0 = once_0 - KSL_MULF(q0_0, rest);
-  const float twice_1 = once_1 - KSL_MULF(q0_1, rest);
-  const float twice_2 = once_2 - KSL_MULF(q0_2, rest);
+  const float twice_0 = once_0 - KSL_MULF(q0_0, rest), twice_1 = once_1 - KSL_MULF(q0_1, rest),
+      twice_2 = once_2 - KSL_MULF(q0_2, rest);
   const float n = sqrtf(KSL_MULF(twice_0, twice_0) + KSL_MULF(twice_1, twice_1)
           + KSL_MULF(twice_2, twice_2));
   const float divisor = n == 0.0f ? 1.0f : n;
-  const float q1_0 = twice_0 / divisor;
-  const float q1_1 = twice_1 / divisor;
-  const float q1_2 = twice_2 / divisor;
-  const float normal_0 = KSL_MULF(q0_1, q1_2) - KSL_MULF(q0_2, q1_1);
-  const float normal_1 = KSL_MULF(q0_2, q1_0) - KSL_MULF(q0_0, q1_2);
-  const float normal_2 = KSL_MULF(q0_0, q1_1) - KSL_MULF(q0_1, q1_0);
-  const float u2_s_size_0 = fabsf(R->m20);
-  const float u2_s_size_1 = fabsf(R->m21);
-  const float u2_s_size_2 = fabsf(R->m22);
+  const float q1_0 = twice_0 / divisor, q1_1 = twice_1 / divisor, q1_2 = twice_2 / divisor;
+  const float normal_0 = KSL_MULF(q0_1, q1_2) - KSL_MULF(q0_2, q1_1),
+      normal_1 = KSL_MULF(q0_2, q1_0) - KSL_MULF(q0_0, q1_2),
+      normal_2 = KSL_MULF(q0_0, q1_1) - KSL_MULF(q0_1, q1_0);
+  const float u2_s_size_0 = fabsf(R->m20), u2_s_size_1 = fabsf(R->m21), u2_s_size_2 = fabsf(R->m22);
   const float u2_s_largest1 = u2_s_size_0 < u2_s_size_1 ? u2_s_size_1 : u2_s_size_0;
   const float u2_s_largest2 = u2_s_largest1 < u2_s_size_2 ? u2_s_size_2 : u2_s_largest1;
   const float u2_s_b = 4.611686e+18f < u2_s_largest2 ? 2.7105054e-20f : 1.0f,
       u2_s_d = u2_s_largest2 < 256.0f ? 1.8014399e+16f : u2_s_b,
       u2_s = u2_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : u2_s_d;
-  const float u2_y_0 = KSL_MULF(R->m20, u2_s);
-  const float u2_y_1 = KSL_MULF(R->m21, u2_s);
-  const float u2_y_2 = KSL_MULF(R->m22, u2_s);
+  const float u2_y_0 = KSL_MULF(R->m20, u2_s), u2_y_1 = KSL_MULF(R->m21, u2_s),
+      u2_y_2 = KSL_MULF(R->m22, u2_s);
   const float u2_up = 1.0f < u2_s ? u2_s : 1.0f;
   const float u2_down = u2_s < 1.0f ? u2_s : 1.0f;
   const float u2_n = sqrtf(KSL_MULF(u2_y_0, u2_y_0) + KSL_MULF(u2_y_1, u2_y_1)
           + KSL_MULF(u2_y_2, u2_y_2));
   const float u2_divisor = u2_n == 0.0f ? u2_up : u2_n;
-  const float u2_sized_0 = KSL_MULF(R->m20, u2_up);
-  const float u2_sized_1 = KSL_MULF(R->m21, u2_up);
-  const float u2_sized_2 = KSL_MULF(R->m22, u2_up);
-  const float u2_quotient_0 = u2_sized_0 / u2_divisor;
-  const float u2_quotient_1 = u2_sized_1 / u2_divisor;
-  const float u2_quotient_2 = u2_sized_2 / u2_divisor;
-  const float u2_0 = KSL_MULF(u2_quotient_0, u2_down);
-  const float u2_1 = KSL_MULF(u2_quotient_1, u2_down);
-  const float u2_2 = KSL_MULF(u2_quotient_2, u2_down);
+  const float u2_sized_0 = KSL_MULF(R->m20, u2_up), u2_sized_1 = KSL_MULF(R->m21, u2_up),
+      u2_sized_2 = KSL_MULF(R->m22, u2_up);
+  const float u2_quotient_0 = u2_sized_0 / u2_divisor, u2_quotient_1 = u2_sized_1 / u2_divisor,
+      u2_quotient_2 = u2_sized_2 / u2_divisor;
+  const float u2_0 = KSL_MULF(u2_quotient_0, u2_down), u2_1 = KSL_MULF(u2_quotient_1, u2_down),
+      u2_2 = KSL_MULF(u2_quotient_2, u2_down);
   const float side = KSL_MULF(normal_0, u2_0) + KSL_MULF(normal_1, u2_1) + KSL_MULF(normal_2, u2_2);
   const float q2_0a = -normal_0, q2_0 = side < 0.0f ? q2_0a : normal_0;
   const float q2_1a = -normal_1, q2_1 = side < 0.0f ? q2_1a : normal_1;
@@ -2295,15 +2053,11 @@ static inline void ksl_mat3x3f_normalized(const ksl_mat3x3f_t *R, ksl_mat3x3f_t 
   const float size = fabsf(side);
   const float less = n < size ? n : size;
   const float dependent = less < 9.536743e-07f ? 1.0f : 0.0f;
-  const float Ro_00 = dependent == 1.0f ? (float)NAN : q0_0;
-  const float Ro_01 = dependent == 1.0f ? (float)NAN : q0_1;
-  const float Ro_02 = dependent == 1.0f ? (float)NAN : q0_2;
-  const float Ro_10 = dependent == 1.0f ? (float)NAN : q1_0;
-  const float Ro_11 = dependent == 1.0f ? (float)NAN : q1_1;
-  const float Ro_12 = dependent == 1.0f ? (float)NAN : q1_2;
-  const float Ro_20 = dependent == 1.0f ? (float)NAN : q2_0;
-  const float Ro_21 = dependent == 1.0f ? (float)NAN : q2_1;
-  const float Ro_22 = dependent == 1.0f ? (float)NAN : q2_2;
+  const float Ro_00 = dependent == 1.0f ? (float)NAN : q0_0,
+      Ro_01 = dependent == 1.0f ? (float)NAN : q0_1, Ro_02 = dependent == 1.0f ? (float)NAN : q0_2,
+      Ro_10 = dependent == 1.0f ? (float)NAN : q1_0, Ro_11 = dependent == 1.0f ? (float)NAN : q1_1,
+      Ro_12 = dependent == 1.0f ? (float)NAN : q1_2, Ro_20 = dependent == 1.0f ? (float)NAN : q2_0,
+      Ro_21 = dependent == 1.0f ? (float)NAN : q2_1, Ro_22 = dependent == 1.0f ? (float)NAN : q2_2;
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -2324,27 +2078,16 @@ static inline void ksl_mat3x3f_normalized(const ksl_mat3x3f_t *R, ksl_mat3x3f_t 
 static inline void ksl_mat3x3f_setFromAxisDC(ksl_mat3x3f_t *R, const ksl_vec3f_t *axis,
     const float dc[2]) {
   const float versine = 1.0f - dc[1];
-  const float versine_axis_0 = KSL_MULF(axis->x, versine);
-  const float versine_axis_1 = KSL_MULF(axis->y, versine);
-  const float versine_axis_2 = KSL_MULF(axis->z, versine);
-  const float m_0 = KSL_MULF(axis->x, versine_axis_0);
-  const float m_1 = KSL_MULF(axis->y, versine_axis_1);
-  const float m_2 = KSL_MULF(axis->z, versine_axis_2);
-  const float m_3 = KSL_MULF(axis->y, versine_axis_0);
-  const float m_4 = KSL_MULF(axis->z, versine_axis_0);
-  const float m_5 = KSL_MULF(axis->z, versine_axis_1);
-  const float sine_axis_0 = KSL_MULF(axis->x, dc[0]);
-  const float sine_axis_1 = KSL_MULF(axis->y, dc[0]);
-  const float sine_axis_2 = KSL_MULF(axis->z, dc[0]);
-  const float R_00 = dc[1] + m_0;
-  const float R_01 = m_3 - sine_axis_2;
-  const float R_02 = m_4 + sine_axis_1;
-  const float R_10 = m_3 + sine_axis_2;
-  const float R_11 = dc[1] + m_1;
-  const float R_12 = m_5 - sine_axis_0;
-  const float R_20 = m_4 - sine_axis_1;
-  const float R_21 = m_5 + sine_axis_0;
-  const float R_22 = dc[1] + m_2;
+  const float versine_axis_0 = KSL_MULF(axis->x, versine),
+      versine_axis_1 = KSL_MULF(axis->y, versine), versine_axis_2 = KSL_MULF(axis->z, versine);
+  const float m_0 = KSL_MULF(axis->x, versine_axis_0), m_1 = KSL_MULF(axis->y, versine_axis_1),
+      m_2 = KSL_MULF(axis->z, versine_axis_2), m_3 = KSL_MULF(axis->y, versine_axis_0),
+      m_4 = KSL_MULF(axis->z, versine_axis_0), m_5 = KSL_MULF(axis->z, versine_axis_1);
+  const float sine_axis_0 = KSL_MULF(axis->x, dc[0]), sine_axis_1 = KSL_MULF(axis->y, dc[0]),
+      sine_axis_2 = KSL_MULF(axis->z, dc[0]);
+  const float R_00 = dc[1] + m_0, R_01 = m_3 - sine_axis_2, R_02 = m_4 + sine_axis_1,
+      R_10 = m_3 + sine_axis_2, R_11 = dc[1] + m_1, R_12 = m_5 - sine_axis_0,
+      R_20 = m_4 - sine_axis_1, R_21 = m_5 + sine_axis_0, R_22 = dc[1] + m_2;
   R->m00 = R_00;
   R->m01 = R_01;
   R->m02 = R_02;
@@ -2363,16 +2106,12 @@ static inline void ksl_mat3x3f_from_euler_xyz(const ksl_vec3f_t *angles, ksl_mat
   float c_0; const float s_0 = ksl_sincosf(angles->x, &c_0);
   float c_1; const float s_1 = ksl_sincosf(angles->y, &c_1);
   float c_2; const float s_2 = ksl_sincosf(angles->z, &c_2);
-  const float first_0 = KSL_MULF(c_1, c_2);
-  const float first_1 = -KSL_MULF(s_2, c_1);
-  const float first_6 = -KSL_MULF(s_1, c_2);
-  const float first_7 = KSL_MULF(s_1, s_2);
-  const float last_3 = KSL_MULF(s_2, c_0) - KSL_MULF(s_0, first_6);
-  const float last_4 = KSL_MULF(c_0, c_2) - KSL_MULF(s_0, first_7);
-  const float last_5 = -KSL_MULF(s_0, c_1);
-  const float last_6 = KSL_MULF(s_0, s_2) + KSL_MULF(c_0, first_6);
-  const float last_7 = KSL_MULF(s_0, c_2) + KSL_MULF(c_0, first_7);
-  const float last_8 = KSL_MULF(c_0, c_1);
+  const float first_0 = KSL_MULF(c_1, c_2), first_1 = -KSL_MULF(s_2, c_1),
+      first_6 = -KSL_MULF(s_1, c_2), first_7 = KSL_MULF(s_1, s_2);
+  const float last_3 = KSL_MULF(s_2, c_0) - KSL_MULF(s_0, first_6),
+      last_4 = KSL_MULF(c_0, c_2) - KSL_MULF(s_0, first_7), last_5 = -KSL_MULF(s_0, c_1),
+      last_6 = KSL_MULF(s_0, s_2) + KSL_MULF(c_0, first_6),
+      last_7 = KSL_MULF(s_0, c_2) + KSL_MULF(c_0, first_7), last_8 = KSL_MULF(c_0, c_1);
   R->m00 = first_0;
   R->m01 = first_1;
   R->m02 = s_1;
@@ -2397,12 +2136,11 @@ static inline void ksl_euler_xyz_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_
   const float sine_a = -R->m01, sine = sine_a / divisor;
   const float polar = ksl_atan2f(sine_a, R->m00);
   const float third = n == 0.0f ? 0.0f : polar;
-  const float left_1 = KSL_MULF(R->m10, sine) + KSL_MULF(R->m11, cosine);
-  const float left_2 = KSL_MULF(R->m20, sine) + KSL_MULF(R->m21, cosine);
+  const float left_1 = KSL_MULF(R->m10, sine) + KSL_MULF(R->m11, cosine),
+      left_2 = KSL_MULF(R->m20, sine) + KSL_MULF(R->m21, cosine);
   const float rest = R->m12 + R->m22;
   const float first = ksl_atan2f(left_2, left_1);
-  const float angles_0 = rest < 1.2676506e+30f ? first : rest;
-  const float angles_1 = ksl_atan2f(R->m02, n);
+  const float angles_0 = rest < 1.2676506e+30f ? first : rest, angles_1 = ksl_atan2f(R->m02, n);
   angles->x = angles_0;
   angles->y = angles_1;
   angles->z = third;
@@ -2415,16 +2153,12 @@ static inline void ksl_mat3x3f_from_euler_xyx(const ksl_vec3f_t *angles, ksl_mat
   float c_0; const float s_0 = ksl_sincosf(angles->x, &c_0);
   float c_1; const float s_1 = ksl_sincosf(angles->y, &c_1);
   float c_2; const float s_2 = ksl_sincosf(angles->z, &c_2);
-  const float first_1 = KSL_MULF(s_1, s_2);
-  const float first_2 = KSL_MULF(s_1, c_2);
-  const float first_7 = KSL_MULF(s_2, c_1);
-  const float first_8 = KSL_MULF(c_1, c_2);
-  const float last_3 = KSL_MULF(s_0, s_1);
-  const float last_4 = KSL_MULF(c_0, c_2) - KSL_MULF(s_0, first_7);
-  const float last_5 = -(KSL_MULF(s_0, first_8) + KSL_MULF(s_2, c_0));
-  const float last_6 = -KSL_MULF(s_1, c_0);
-  const float last_7 = KSL_MULF(s_0, c_2) + KSL_MULF(c_0, first_7);
-  const float last_8 = KSL_MULF(c_0, first_8) - KSL_MULF(s_0, s_2);
+  const float first_1 = KSL_MULF(s_1, s_2), first_2 = KSL_MULF(s_1, c_2),
+      first_7 = KSL_MULF(s_2, c_1), first_8 = KSL_MULF(c_1, c_2);
+  const float last_3 = KSL_MULF(s_0, s_1), last_4 = KSL_MULF(c_0, c_2) - KSL_MULF(s_0, first_7),
+      last_5 = -(KSL_MULF(s_0, first_8) + KSL_MULF(s_2, c_0)), last_6 = -KSL_MULF(s_1, c_0),
+      last_7 = KSL_MULF(s_0, c_2) + KSL_MULF(c_0, first_7),
+      last_8 = KSL_MULF(c_0, first_8) - KSL_MULF(s_0, s_2);
   R->m00 = c_1;
   R->m01 = first_1;
   R->m02 = first_2;
@@ -2449,12 +2183,11 @@ static inline void ksl_euler_xyx_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_
   const float sine = R->m01 / divisor;
   const float polar = ksl_atan2f(R->m01, R->m02);
   const float third = n == 0.0f ? 0.0f : polar;
-  const float left_1 = KSL_MULF(R->m11, cosine) - KSL_MULF(R->m12, sine);
-  const float left_2 = KSL_MULF(R->m21, cosine) - KSL_MULF(R->m22, sine);
+  const float left_1 = KSL_MULF(R->m11, cosine) - KSL_MULF(R->m12, sine),
+      left_2 = KSL_MULF(R->m21, cosine) - KSL_MULF(R->m22, sine);
   const float rest = R->m10 + R->m20;
   const float first = ksl_atan2f(left_2, left_1);
-  const float angles_0 = rest < 1.2676506e+30f ? first : rest;
-  const float angles_1 = ksl_atan2f(n, R->m00);
+  const float angles_0 = rest < 1.2676506e+30f ? first : rest, angles_1 = ksl_atan2f(n, R->m00);
   angles->x = angles_0;
   angles->y = angles_1;
   angles->z = third;
@@ -2481,14 +2214,13 @@ static inline void ksl_mat3x3f_jacobi(ksl_mat3x3f_t *A, ksl_mat3x3f_t *V) {
   const float change = KSL_MULF(A->m10, t);
   const float zp = KSL_MULF(A->m20, c) - KSL_MULF(A->m21, s);
   const float zq = KSL_MULF(A->m20, s) + KSL_MULF(A->m21, c);
-  const float vp_0 = KSL_MULF(V->m00, c) - KSL_MULF(V->m01, s);
-  const float vp_1 = KSL_MULF(V->m10, c) - KSL_MULF(V->m11, s);
-  const float vp_2 = KSL_MULF(V->m20, c) - KSL_MULF(V->m21, s);
-  const float vq_0 = KSL_MULF(V->m00, s) + KSL_MULF(V->m01, c);
-  const float vq_1 = KSL_MULF(V->m10, s) + KSL_MULF(V->m11, c);
-  const float vq_2 = KSL_MULF(V->m20, s) + KSL_MULF(V->m21, c);
-  const float A_00_new = A->m11 + change;
-  const float A_22_new = A->m00 - change;
+  const float vp_0 = KSL_MULF(V->m00, c) - KSL_MULF(V->m01, s),
+      vp_1 = KSL_MULF(V->m10, c) - KSL_MULF(V->m11, s),
+      vp_2 = KSL_MULF(V->m20, c) - KSL_MULF(V->m21, s);
+  const float vq_0 = KSL_MULF(V->m00, s) + KSL_MULF(V->m01, c),
+      vq_1 = KSL_MULF(V->m10, s) + KSL_MULF(V->m11, c),
+      vq_2 = KSL_MULF(V->m20, s) + KSL_MULF(V->m21, c);
+  const float A_00_new = A->m11 + change, A_22_new = A->m00 - change;
   const float A_m22 = A->m22;
   const float V_m02 = V->m02;
   const float V_m12 = V->m12;
@@ -2519,27 +2251,20 @@ static inline void ksl_mat3x3f_jacobi(ksl_mat3x3f_t *A, ksl_mat3x3f_t *V) {
    27 mul, 21 add, 7 abs, 6 less, 6 select.
    Error <= 6 u near a rotation; measured, not proved. */
 static inline float ksl_mat3x3f_rotation_defect(const ksl_mat3x3f_t *R) {
-  const float n_0 = KSL_MULF(R->m11, R->m22) - KSL_MULF(R->m12, R->m21);
-  const float n_1 = KSL_MULF(R->m02, R->m21) - KSL_MULF(R->m01, R->m22);
-  const float n_2 = KSL_MULF(R->m01, R->m12) - KSL_MULF(R->m02, R->m11);
+  const float n_0 = KSL_MULF(R->m11, R->m22) - KSL_MULF(R->m12, R->m21),
+      n_1 = KSL_MULF(R->m02, R->m21) - KSL_MULF(R->m01, R->m22),
+      n_2 = KSL_MULF(R->m01, R->m12) - KSL_MULF(R->m02, R->m11);
   const float det = KSL_MULF(R->m00, n_0) + KSL_MULF(R->m10, n_1) + KSL_MULF(R->m20, n_2);
-  const float g_0 = KSL_MULF(R->m00, R->m00) + KSL_MULF(R->m10, R->m10) + KSL_MULF(R->m20, R->m20);
-  const float g_1 = KSL_MULF(R->m00, R->m01) + KSL_MULF(R->m10, R->m11) + KSL_MULF(R->m20, R->m21);
-  const float g_2 = KSL_MULF(R->m00, R->m02) + KSL_MULF(R->m10, R->m12) + KSL_MULF(R->m20, R->m22);
-  const float g_3 = KSL_MULF(R->m01, R->m01) + KSL_MULF(R->m11, R->m11) + KSL_MULF(R->m21, R->m21);
-  const float g_4 = KSL_MULF(R->m01, R->m02) + KSL_MULF(R->m11, R->m12) + KSL_MULF(R->m21, R->m22);
-  const float g_5 = KSL_MULF(R->m02, R->m02) + KSL_MULF(R->m12, R->m12) + KSL_MULF(R->m22, R->m22);
-  const float off_0 = det - 1.0f;
-  const float off_1 = g_0 - 1.0f;
-  const float off_4 = g_3 - 1.0f;
-  const float off_6 = g_5 - 1.0f;
-  const float defect_size_0 = fabsf(off_0);
-  const float defect_size_1 = fabsf(off_1);
-  const float defect_size_2 = fabsf(g_1);
-  const float defect_size_3 = fabsf(g_2);
-  const float defect_size_4 = fabsf(off_4);
-  const float defect_size_5 = fabsf(g_4);
-  const float defect_size_6 = fabsf(off_6);
+  const float g_0 = KSL_MULF(R->m00, R->m00) + KSL_MULF(R->m10, R->m10) + KSL_MULF(R->m20, R->m20),
+      g_1 = KSL_MULF(R->m00, R->m01) + KSL_MULF(R->m10, R->m11) + KSL_MULF(R->m20, R->m21),
+      g_2 = KSL_MULF(R->m00, R->m02) + KSL_MULF(R->m10, R->m12) + KSL_MULF(R->m20, R->m22),
+      g_3 = KSL_MULF(R->m01, R->m01) + KSL_MULF(R->m11, R->m11) + KSL_MULF(R->m21, R->m21),
+      g_4 = KSL_MULF(R->m01, R->m02) + KSL_MULF(R->m11, R->m12) + KSL_MULF(R->m21, R->m22),
+      g_5 = KSL_MULF(R->m02, R->m02) + KSL_MULF(R->m12, R->m12) + KSL_MULF(R->m22, R->m22);
+  const float off_0 = det - 1.0f, off_1 = g_0 - 1.0f, off_4 = g_3 - 1.0f, off_6 = g_5 - 1.0f;
+  const float defect_size_0 = fabsf(off_0), defect_size_1 = fabsf(off_1),
+      defect_size_2 = fabsf(g_1), defect_size_3 = fabsf(g_2), defect_size_4 = fabsf(off_4),
+      defect_size_5 = fabsf(g_4), defect_size_6 = fabsf(off_6);
   const float defect_largest1 = defect_size_0 < defect_size_1 ? defect_size_1 : defect_size_0;
   const float defect_largest2 = defect_largest1 < defect_size_2 ? defect_size_2 : defect_largest1;
   const float defect_largest3 = defect_largest2 < defect_size_3 ? defect_size_3 : defect_largest2;
@@ -2558,15 +2283,9 @@ static inline float ksl_mat3x3f_rotation_defect(const ksl_mat3x3f_t *R) {
    |Ro - nearest|_F <= 16 u s1 / (s2 ± s3), + if det A > 0, and |Ro^T Ro - I|_ij <= 6 u;
      measured, not proved. */
 static inline void ksl_mat3x3f_nearest_rotation(const ksl_mat3x3f_t *A, ksl_mat3x3f_t *Ro) {
-  const float s_size_0 = fabsf(A->m00);
-  const float s_size_1 = fabsf(A->m01);
-  const float s_size_2 = fabsf(A->m02);
-  const float s_size_3 = fabsf(A->m10);
-  const float s_size_4 = fabsf(A->m11);
-  const float s_size_5 = fabsf(A->m12);
-  const float s_size_6 = fabsf(A->m20);
-  const float s_size_7 = fabsf(A->m21);
-  const float s_size_8 = fabsf(A->m22);
+  const float s_size_0 = fabsf(A->m00), s_size_1 = fabsf(A->m01), s_size_2 = fabsf(A->m02),
+      s_size_3 = fabsf(A->m10), s_size_4 = fabsf(A->m11), s_size_5 = fabsf(A->m12),
+      s_size_6 = fabsf(A->m20), s_size_7 = fabsf(A->m21), s_size_8 = fabsf(A->m22);
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
@@ -2578,15 +2297,11 @@ static inline void ksl_mat3x3f_nearest_rotation(const ksl_mat3x3f_t *A, ksl_mat3
   const float s_b = 4.611686e+18f < s_largest8 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest8 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest8 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float scaled_s_0 = KSL_MULF(A->m00, s);
-  const float scaled_s_1 = KSL_MULF(A->m01, s);
-  const float scaled_s_2 = KSL_MULF(A->m02, s);
-  const float scaled_s_3 = KSL_MULF(A->m10, s);
-  const float scaled_s_4 = KSL_MULF(A->m11, s);
-  const float scaled_s_5 = KSL_MULF(A->m12, s);
-  const float scaled_s_6 = KSL_MULF(A->m20, s);
-  const float scaled_s_7 = KSL_MULF(A->m21, s);
-  const float scaled_s_8 = KSL_MULF(A->m22, s);
+  const float scaled_s_0 = KSL_MULF(A->m00, s), scaled_s_1 = KSL_MULF(A->m01, s),
+      scaled_s_2 = KSL_MULF(A->m02, s), scaled_s_3 = KSL_MULF(A->m10, s),
+      scaled_s_4 = KSL_MULF(A->m11, s), scaled_s_5 = KSL_MULF(A->m12, s),
+      scaled_s_6 = KSL_MULF(A->m20, s), scaled_s_7 = KSL_MULF(A->m21, s),
+      scaled_s_8 = KSL_MULF(A->m22, s);
   const float turn001_aa = KSL_MULF(scaled_s_0, scaled_s_0) + KSL_MULF(scaled_s_3, scaled_s_3)
           + KSL_MULF(scaled_s_6, scaled_s_6);
   const float turn001_bb = KSL_MULF(scaled_s_1, scaled_s_1) + KSL_MULF(scaled_s_4, scaled_s_4)
@@ -2616,12 +2331,12 @@ static inline void ksl_mat3x3f_nearest_rotation(const ksl_mat3x3f_t *A, ksl_mat3
   const float turn001_p = turn001_aa < turn001_bb ? turn001_sine : turn001_cosine;
   const float turn001_q_a = -turn001_cosine,
       turn001_q = turn001_aa < turn001_bb ? turn001_q_a : turn001_sine;
-  const float turn001_a_0 = KSL_MULF(scaled_s_0, turn001_p) - KSL_MULF(scaled_s_1, turn001_q);
-  const float turn001_a_1 = KSL_MULF(scaled_s_3, turn001_p) - KSL_MULF(scaled_s_4, turn001_q);
-  const float turn001_a_2 = KSL_MULF(scaled_s_6, turn001_p) - KSL_MULF(scaled_s_7, turn001_q);
-  const float turn001_b_0 = KSL_MULF(scaled_s_0, turn001_q) + KSL_MULF(scaled_s_1, turn001_p);
-  const float turn001_b_1 = KSL_MULF(scaled_s_3, turn001_q) + KSL_MULF(scaled_s_4, turn001_p);
-  const float turn001_b_2 = KSL_MULF(scaled_s_6, turn001_q) + KSL_MULF(scaled_s_7, turn001_p);
+  const float turn001_a_0 = KSL_MULF(scaled_s_0, turn001_p) - KSL_MULF(scaled_s_1, turn001_q),
+      turn001_a_1 = KSL_MULF(scaled_s_3, turn001_p) - KSL_MULF(scaled_s_4, turn001_q),
+      turn001_a_2 = KSL_MULF(scaled_s_6, turn001_p) - KSL_MULF(scaled_s_7, turn001_q);
+  const float turn001_b_0 = KSL_MULF(scaled_s_0, turn001_q) + KSL_MULF(scaled_s_1, turn001_p),
+      turn001_b_1 = KSL_MULF(scaled_s_3, turn001_q) + KSL_MULF(scaled_s_4, turn001_p),
+      turn001_b_2 = KSL_MULF(scaled_s_6, turn001_q) + KSL_MULF(scaled_s_7, turn001_p);
   const float turn002_aa = KSL_MULF(turn001_a_0, turn001_a_0) + KSL_MULF(turn001_a_1, turn001_a_1)
           + KSL_MULF(turn001_a_2, turn001_a_2);
   const float turn002_bb = KSL_MULF(scaled_s_2, scaled_s_2) + KSL_MULF(scaled_s_5, scaled_s_5)
@@ -2651,16 +2366,16 @@ static inline void ksl_mat3x3f_nearest_rotation(const ksl_mat3x3f_t *A, ksl_mat3
   const float turn002_p = turn002_aa < turn002_bb ? turn002_sine : turn002_cosine;
   const float turn002_q_a = -turn002_cosine,
       turn002_q = turn002_aa < turn002_bb ? turn002_q_a : turn002_sine;
-  const float turn002_a_0 = KSL_MULF(turn001_a_0, turn002_p) - KSL_MULF(scaled_s_2, turn002_q);
-  const float turn002_a_1 = KSL_MULF(turn001_a_1, turn002_p) - KSL_MULF(scaled_s_5, turn002_q);
-  const float turn002_a_2 = KSL_MULF(turn001_a_2, turn002_p) - KSL_MULF(scaled_s_8, turn002_q);
-  const float turn002_b_0 = KSL_MULF(scaled_s_2, turn002_p) + KSL_MULF(turn001_a_0, turn002_q);
-  const float turn002_b_1 = KSL_MULF(scaled_s_5, turn002_p) + KSL_MULF(turn001_a_1, turn002_q);
-  const float turn002_b_2 = KSL_MULF(scaled_s_8, turn002_p) + KSL_MULF(turn001_a_2, turn002_q);
-  const float turn002_c_0 = KSL_MULF(turn001_p, turn002_p);
-  const float turn002_c_1 = -KSL_MULF(turn001_q, turn002_p);
-  const float turn002_d_0 = KSL_MULF(turn001_p, turn002_q);
-  const float turn002_d_1 = -KSL_MULF(turn001_q, turn002_q);
+  const float turn002_a_0 = KSL_MULF(turn001_a_0, turn002_p) - KSL_MULF(scaled_s_2, turn002_q),
+      turn002_a_1 = KSL_MULF(turn001_a_1, turn002_p) - KSL_MULF(scaled_s_5, turn002_q),
+      turn002_a_2 = KSL_MULF(turn001_a_2, turn002_p) - KSL_MULF(scaled_s_8, turn002_q);
+  const float turn002_b_0 = KSL_MULF(scaled_s_2, turn002_p) + KSL_MULF(turn001_a_0, turn002_q),
+      turn002_b_1 = KSL_MULF(scaled_s_5, turn002_p) + KSL_MULF(turn001_a_1, turn002_q),
+      turn002_b_2 = KSL_MULF(scaled_s_8, turn002_p) + KSL_MULF(turn001_a_2, turn002_q);
+  const float turn002_c_0 = KSL_MULF(turn001_p, turn002_p),
+      turn002_c_1 = -KSL_MULF(turn001_q, turn002_p);
+  const float turn002_d_0 = KSL_MULF(turn001_p, turn002_q),
+      turn002_d_1 = -KSL_MULF(turn001_q, turn002_q);
   const float turn012_aa = KSL_MULF(turn001_b_0, turn001_b_0) + KSL_MULF(turn001_b_1, turn001_b_1)
           + KSL_MULF(turn001_b_2, turn001_b_2);
   const float turn012_bb = KSL_MULF(turn002_b_0, turn002_b_0) + KSL_MULF(turn002_b_1, turn002_b_1)
@@ -2690,18 +2405,18 @@ static inline void ksl_mat3x3f_nearest_rotation(const ksl_mat3x3f_t *A, ksl_mat3
   const float turn012_p = turn012_aa < turn012_bb ? turn012_sine : turn012_cosine;
   const float turn012_q_a = -turn012_cosine,
       turn012_q = turn012_aa < turn012_bb ? turn012_q_a : turn012_sine;
-  const float turn012_a_0 = KSL_MULF(turn001_b_0, turn012_p) - KSL_MULF(turn002_b_0, turn012_q);
-  const float turn012_a_1 = KSL_MULF(turn001_b_1, turn012_p) - KSL_MULF(turn002_b_1, turn012_q);
-  const float turn012_a_2 = KSL_MULF(turn001_b_2, turn012_p) - KSL_MULF(turn002_b_2, turn012_q);
-  const float turn012_b_0 = KSL_MULF(turn001_b_0, turn012_q) + KSL_MULF(turn002_b_0, turn012_p);
-  const float turn012_b_1 = KSL_MULF(turn001_b_1, turn012_q) + KSL_MULF(turn002_b_1, turn012_p);
-  const float turn012_b_2 = KSL_MULF(turn001_b_2, turn012_q) + KSL_MULF(turn002_b_2, turn012_p);
-  const float turn012_c_0 = KSL_MULF(turn001_q, turn012_p) - KSL_MULF(turn002_d_0, turn012_q);
-  const float turn012_c_1 = KSL_MULF(turn001_p, turn012_p) - KSL_MULF(turn002_d_1, turn012_q);
-  const float turn012_c_2 = -KSL_MULF(turn002_p, turn012_q);
-  const float turn012_d_0 = KSL_MULF(turn001_q, turn012_q) + KSL_MULF(turn002_d_0, turn012_p);
-  const float turn012_d_1 = KSL_MULF(turn001_p, turn012_q) + KSL_MULF(turn002_d_1, turn012_p);
-  const float turn012_d_2 = KSL_MULF(turn002_p, turn012_p);
+  const float turn012_a_0 = KSL_MULF(turn001_b_0, turn012_p) - KSL_MULF(turn002_b_0, turn012_q),
+      turn012_a_1 = KSL_MULF(turn001_b_1, turn012_p) - KSL_MULF(turn002_b_1, turn012_q),
+      turn012_a_2 = KSL_MULF(turn001_b_2, turn012_p) - KSL_MULF(turn002_b_2, turn012_q);
+  const float turn012_b_0 = KSL_MULF(turn001_b_0, turn012_q) + KSL_MULF(turn002_b_0, turn012_p),
+      turn012_b_1 = KSL_MULF(turn001_b_1, turn012_q) + KSL_MULF(turn002_b_1, turn012_p),
+      turn012_b_2 = KSL_MULF(turn001_b_2, turn012_q) + KSL_MULF(turn002_b_2, turn012_p);
+  const float turn012_c_0 = KSL_MULF(turn001_q, turn012_p) - KSL_MULF(turn002_d_0, turn012_q),
+      turn012_c_1 = KSL_MULF(turn001_p, turn012_p) - KSL_MULF(turn002_d_1, turn012_q),
+      turn012_c_2 = -KSL_MULF(turn002_p, turn012_q);
+  const float turn012_d_0 = KSL_MULF(turn001_q, turn012_q) + KSL_MULF(turn002_d_0, turn012_p),
+      turn012_d_1 = KSL_MULF(turn001_p, turn012_q) + KSL_MULF(turn002_d_1, turn012_p),
+      turn012_d_2 = KSL_MULF(turn002_p, turn012_p);
   const float turn101_aa = KSL_MULF(turn002_a_0, turn002_a_0) + KSL_MULF(turn002_a_1, turn002_a_1)
           + KSL_MULF(turn002_a_2, turn002_a_2);
   const float turn101_bb = KSL_MULF(turn012_a_0, turn012_a_0) + KSL_MULF(turn012_a_1, turn012_a_1)
@@ -2731,18 +2446,18 @@ static inline void ksl_mat3x3f_nearest_rotation(const ksl_mat3x3f_t *A, ksl_mat3
   const float turn101_p = turn101_aa < turn101_bb ? turn101_sine : turn101_cosine;
   const float turn101_q_a = -turn101_cosine,
       turn101_q = turn101_aa < turn101_bb ? turn101_q_a : turn101_sine;
-  const float turn101_a_0 = KSL_MULF(turn002_a_0, turn101_p) - KSL_MULF(turn012_a_0, turn101_q);
-  const float turn101_a_1 = KSL_MULF(turn002_a_1, turn101_p) - KSL_MULF(turn012_a_1, turn101_q);
-  const float turn101_a_2 = KSL_MULF(turn002_a_2, turn101_p) - KSL_MULF(turn012_a_2, turn101_q);
-  const float turn101_b_0 = KSL_MULF(turn002_a_0, turn101_q) + KSL_MULF(turn012_a_0, turn101_p);
-  const float turn101_b_1 = KSL_MULF(turn002_a_1, turn101_q) + KSL_MULF(turn012_a_1, turn101_p);
-  const float turn101_b_2 = KSL_MULF(turn002_a_2, turn101_q) + KSL_MULF(turn012_a_2, turn101_p);
-  const float turn101_c_0 = KSL_MULF(turn002_c_0, turn101_p) - KSL_MULF(turn012_c_0, turn101_q);
-  const float turn101_c_1 = KSL_MULF(turn002_c_1, turn101_p) - KSL_MULF(turn012_c_1, turn101_q);
-  const float turn101_c_2 = -(KSL_MULF(turn002_q, turn101_p) + KSL_MULF(turn012_c_2, turn101_q));
-  const float turn101_d_0 = KSL_MULF(turn002_c_0, turn101_q) + KSL_MULF(turn012_c_0, turn101_p);
-  const float turn101_d_1 = KSL_MULF(turn002_c_1, turn101_q) + KSL_MULF(turn012_c_1, turn101_p);
-  const float turn101_d_2 = KSL_MULF(turn012_c_2, turn101_p) - KSL_MULF(turn002_q, turn101_q);
+  const float turn101_a_0 = KSL_MULF(turn002_a_0, turn101_p) - KSL_MULF(turn012_a_0, turn101_q),
+      turn101_a_1 = KSL_MULF(turn002_a_1, turn101_p) - KSL_MULF(turn012_a_1, turn101_q),
+      turn101_a_2 = KSL_MULF(turn002_a_2, turn101_p) - KSL_MULF(turn012_a_2, turn101_q);
+  const float turn101_b_0 = KSL_MULF(turn002_a_0, turn101_q) + KSL_MULF(turn012_a_0, turn101_p),
+      turn101_b_1 = KSL_MULF(turn002_a_1, turn101_q) + KSL_MULF(turn012_a_1, turn101_p),
+      turn101_b_2 = KSL_MULF(turn002_a_2, turn101_q) + KSL_MULF(turn012_a_2, turn101_p);
+  const float turn101_c_0 = KSL_MULF(turn002_c_0, turn101_p) - KSL_MULF(turn012_c_0, turn101_q),
+      turn101_c_1 = KSL_MULF(turn002_c_1, turn101_p) - KSL_MULF(turn012_c_1, turn101_q),
+      turn101_c_2 = -(KSL_MULF(turn002_q, turn101_p) + KSL_MULF(turn012_c_2, turn101_q));
+  const float turn101_d_0 = KSL_MULF(turn002_c_0, turn101_q) + KSL_MULF(turn012_c_0, turn101_p),
+      turn101_d_1 = KSL_MULF(turn002_c_1, turn101_q) + KSL_MULF(turn012_c_1, turn101_p),
+      turn101_d_2 = KSL_MULF(turn012_c_2, turn101_p) - KSL_MULF(turn002_q, turn101_q);
   const float turn102_aa = KSL_MULF(turn101_a_0, turn101_a_0) + KSL_MULF(turn101_a_1, turn101_a_1)
           + KSL_MULF(turn101_a_2, turn101_a_2);
   const float turn102_bb = KSL_MULF(turn012_b_0, turn012_b_0) + KSL_MULF(turn012_b_1, turn012_b_1)
@@ -2772,18 +2487,18 @@ static inline void ksl_mat3x3f_nearest_rotation(const ksl_mat3x3f_t *A, ksl_mat3
   const float turn102_p = turn102_aa < turn102_bb ? turn102_sine : turn102_cosine;
   const float turn102_q_a = -turn102_cosine,
       turn102_q = turn102_aa < turn102_bb ? turn102_q_a : turn102_sine;
-  const float turn102_a_0 = KSL_MULF(turn101_a_0, turn102_p) - KSL_MULF(turn012_b_0, turn102_q);
-  const float turn102_a_1 = KSL_MULF(turn101_a_1, turn102_p) - KSL_MULF(turn012_b_1, turn102_q);
-  const float turn102_a_2 = KSL_MULF(turn101_a_2, turn102_p) - KSL_MULF(turn012_b_2, turn102_q);
-  const float turn102_b_0 = KSL_MULF(turn012_b_0, turn102_p) + KSL_MULF(turn101_a_0, turn102_q);
-  const float turn102_b_1 = KSL_MULF(turn012_b_1, turn102_p) + KSL_MULF(turn101_a_1, turn102_q);
-  const float turn102_b_2 = KSL_MULF(turn012_b_2, turn102_p) + KSL_MULF(turn101_a_2, turn102_q);
-  const float turn102_c_0 = KSL_MULF(turn101_c_0, turn102_p) - KSL_MULF(turn012_d_0, turn102_q);
-  const float turn102_c_1 = KSL_MULF(turn101_c_1, turn102_p) - KSL_MULF(turn012_d_1, turn102_q);
-  const float turn102_c_2 = KSL_MULF(turn101_c_2, turn102_p) - KSL_MULF(turn012_d_2, turn102_q);
-  const float turn102_d_0 = KSL_MULF(turn012_d_0, turn102_p) + KSL_MULF(turn101_c_0, turn102_q);
-  const float turn102_d_1 = KSL_MULF(turn012_d_1, turn102_p) + KSL_MULF(turn101_c_1, turn102_q);
-  const float turn102_d_2 = KSL_MULF(turn012_d_2, turn102_p) + KSL_MULF(turn101_c_2, turn102_q);
+  const float turn102_a_0 = KSL_MULF(turn101_a_0, turn102_p) - KSL_MULF(turn012_b_0, turn102_q),
+      turn102_a_1 = KSL_MULF(turn101_a_1, turn102_p) - KSL_MULF(turn012_b_1, turn102_q),
+      turn102_a_2 = KSL_MULF(turn101_a_2, turn102_p) - KSL_MULF(turn012_b_2, turn102_q);
+  const float turn102_b_0 = KSL_MULF(turn012_b_0, turn102_p) + KSL_MULF(turn101_a_0, turn102_q),
+      turn102_b_1 = KSL_MULF(turn012_b_1, turn102_p) + KSL_MULF(turn101_a_1, turn102_q),
+      turn102_b_2 = KSL_MULF(turn012_b_2, turn102_p) + KSL_MULF(turn101_a_2, turn102_q);
+  const float turn102_c_0 = KSL_MULF(turn101_c_0, turn102_p) - KSL_MULF(turn012_d_0, turn102_q),
+      turn102_c_1 = KSL_MULF(turn101_c_1, turn102_p) - KSL_MULF(turn012_d_1, turn102_q),
+      turn102_c_2 = KSL_MULF(turn101_c_2, turn102_p) - KSL_MULF(turn012_d_2, turn102_q);
+  const float turn102_d_0 = KSL_MULF(turn012_d_0, turn102_p) + KSL_MULF(turn101_c_0, turn102_q),
+      turn102_d_1 = KSL_MULF(turn012_d_1, turn102_p) + KSL_MULF(turn101_c_1, turn102_q),
+      turn102_d_2 = KSL_MULF(turn012_d_2, turn102_p) + KSL_MULF(turn101_c_2, turn102_q);
   const float turn112_aa = KSL_MULF(turn101_b_0, turn101_b_0) + KSL_MULF(turn101_b_1, turn101_b_1)
           + KSL_MULF(turn101_b_2, turn101_b_2);
   const float turn112_bb = KSL_MULF(turn102_b_0, turn102_b_0) + KSL_MULF(turn102_b_1, turn102_b_1)
@@ -2813,18 +2528,18 @@ static inline void ksl_mat3x3f_nearest_rotation(const ksl_mat3x3f_t *A, ksl_mat3
   const float turn112_p = turn112_aa < turn112_bb ? turn112_sine : turn112_cosine;
   const float turn112_q_a = -turn112_cosine,
       turn112_q = turn112_aa < turn112_bb ? turn112_q_a : turn112_sine;
-  const float turn112_a_0 = KSL_MULF(turn101_b_0, turn112_p) - KSL_MULF(turn102_b_0, turn112_q);
-  const float turn112_a_1 = KSL_MULF(turn101_b_1, turn112_p) - KSL_MULF(turn102_b_1, turn112_q);
-  const float turn112_a_2 = KSL_MULF(turn101_b_2, turn112_p) - KSL_MULF(turn102_b_2, turn112_q);
-  const float turn112_b_0 = KSL_MULF(turn101_b_0, turn112_q) + KSL_MULF(turn102_b_0, turn112_p);
-  const float turn112_b_1 = KSL_MULF(turn101_b_1, turn112_q) + KSL_MULF(turn102_b_1, turn112_p);
-  const float turn112_b_2 = KSL_MULF(turn101_b_2, turn112_q) + KSL_MULF(turn102_b_2, turn112_p);
-  const float turn112_c_0 = KSL_MULF(turn101_d_0, turn112_p) - KSL_MULF(turn102_d_0, turn112_q);
-  const float turn112_c_1 = KSL_MULF(turn101_d_1, turn112_p) - KSL_MULF(turn102_d_1, turn112_q);
-  const float turn112_c_2 = KSL_MULF(turn101_d_2, turn112_p) - KSL_MULF(turn102_d_2, turn112_q);
-  const float turn112_d_0 = KSL_MULF(turn101_d_0, turn112_q) + KSL_MULF(turn102_d_0, turn112_p);
-  const float turn112_d_1 = KSL_MULF(turn101_d_1, turn112_q) + KSL_MULF(turn102_d_1, turn112_p);
-  const float turn112_d_2 = KSL_MULF(turn101_d_2, turn112_q) + KSL_MULF(turn102_d_2, turn112_p);
+  const float turn112_a_0 = KSL_MULF(turn101_b_0, turn112_p) - KSL_MULF(turn102_b_0, turn112_q),
+      turn112_a_1 = KSL_MULF(turn101_b_1, turn112_p) - KSL_MULF(turn102_b_1, turn112_q),
+      turn112_a_2 = KSL_MULF(turn101_b_2, turn112_p) - KSL_MULF(turn102_b_2, turn112_q);
+  const float turn112_b_0 = KSL_MULF(turn101_b_0, turn112_q) + KSL_MULF(turn102_b_0, turn112_p),
+      turn112_b_1 = KSL_MULF(turn101_b_1, turn112_q) + KSL_MULF(turn102_b_1, turn112_p),
+      turn112_b_2 = KSL_MULF(turn101_b_2, turn112_q) + KSL_MULF(turn102_b_2, turn112_p);
+  const float turn112_c_0 = KSL_MULF(turn101_d_0, turn112_p) - KSL_MULF(turn102_d_0, turn112_q),
+      turn112_c_1 = KSL_MULF(turn101_d_1, turn112_p) - KSL_MULF(turn102_d_1, turn112_q),
+      turn112_c_2 = KSL_MULF(turn101_d_2, turn112_p) - KSL_MULF(turn102_d_2, turn112_q);
+  const float turn112_d_0 = KSL_MULF(turn101_d_0, turn112_q) + KSL_MULF(turn102_d_0, turn112_p),
+      turn112_d_1 = KSL_MULF(turn101_d_1, turn112_q) + KSL_MULF(turn102_d_1, turn112_p),
+      turn112_d_2 = KSL_MULF(turn101_d_2, turn112_q) + KSL_MULF(turn102_d_2, turn112_p);
   const float turn201_aa = KSL_MULF(turn102_a_0, turn102_a_0) + KSL_MULF(turn102_a_1, turn102_a_1)
           + KSL_MULF(turn102_a_2, turn102_a_2);
   const float turn201_bb = KSL_MULF(turn112_a_0, turn112_a_0) + KSL_MULF(turn112_a_1, turn112_a_1)
@@ -2854,18 +2569,18 @@ static inline void ksl_mat3x3f_nearest_rotation(const ksl_mat3x3f_t *A, ksl_mat3
   const float turn201_p = turn201_aa < turn201_bb ? turn201_sine : turn201_cosine;
   const float turn201_q_a = -turn201_cosine,
       turn201_q = turn201_aa < turn201_bb ? turn201_q_a : turn201_sine;
-  const float turn201_a_0 = KSL_MULF(turn102_a_0, turn201_p) - KSL_MULF(turn112_a_0, turn201_q);
-  const float turn201_a_1 = KSL_MULF(turn102_a_1, turn201_p) - KSL_MULF(turn112_a_1, turn201_q);
-  const float turn201_a_2 = KSL_MULF(turn102_a_2, turn201_p) - KSL_MULF(turn112_a_2, turn201_q);
-  const float turn201_b_0 = KSL_MULF(turn102_a_0, turn201_q) + KSL_MULF(turn112_a_0, turn201_p);
-  const float turn201_b_1 = KSL_MULF(turn102_a_1, turn201_q) + KSL_MULF(turn112_a_1, turn201_p);
-  const float turn201_b_2 = KSL_MULF(turn102_a_2, turn201_q) + KSL_MULF(turn112_a_2, turn201_p);
-  const float turn201_c_0 = KSL_MULF(turn102_c_0, turn201_p) - KSL_MULF(turn112_c_0, turn201_q);
-  const float turn201_c_1 = KSL_MULF(turn102_c_1, turn201_p) - KSL_MULF(turn112_c_1, turn201_q);
-  const float turn201_c_2 = KSL_MULF(turn102_c_2, turn201_p) - KSL_MULF(turn112_c_2, turn201_q);
-  const float turn201_d_0 = KSL_MULF(turn102_c_0, turn201_q) + KSL_MULF(turn112_c_0, turn201_p);
-  const float turn201_d_1 = KSL_MULF(turn102_c_1, turn201_q) + KSL_MULF(turn112_c_1, turn201_p);
-  const float turn201_d_2 = KSL_MULF(turn102_c_2, turn201_q) + KSL_MULF(turn112_c_2, turn201_p);
+  const float turn201_a_0 = KSL_MULF(turn102_a_0, turn201_p) - KSL_MULF(turn112_a_0, turn201_q),
+      turn201_a_1 = KSL_MULF(turn102_a_1, turn201_p) - KSL_MULF(turn112_a_1, turn201_q),
+      turn201_a_2 = KSL_MULF(turn102_a_2, turn201_p) - KSL_MULF(turn112_a_2, turn201_q);
+  const float turn201_b_0 = KSL_MULF(turn102_a_0, turn201_q) + KSL_MULF(turn112_a_0, turn201_p),
+      turn201_b_1 = KSL_MULF(turn102_a_1, turn201_q) + KSL_MULF(turn112_a_1, turn201_p),
+      turn201_b_2 = KSL_MULF(turn102_a_2, turn201_q) + KSL_MULF(turn112_a_2, turn201_p);
+  const float turn201_c_0 = KSL_MULF(turn102_c_0, turn201_p) - KSL_MULF(turn112_c_0, turn201_q),
+      turn201_c_1 = KSL_MULF(turn102_c_1, turn201_p) - KSL_MULF(turn112_c_1, turn201_q),
+      turn201_c_2 = KSL_MULF(turn102_c_2, turn201_p) - KSL_MULF(turn112_c_2, turn201_q);
+  const float turn201_d_0 = KSL_MULF(turn102_c_0, turn201_q) + KSL_MULF(turn112_c_0, turn201_p),
+      turn201_d_1 = KSL_MULF(turn102_c_1, turn201_q) + KSL_MULF(turn112_c_1, turn201_p),
+      turn201_d_2 = KSL_MULF(turn102_c_2, turn201_q) + KSL_MULF(turn112_c_2, turn201_p);
   const float turn202_aa = KSL_MULF(turn201_a_0, turn201_a_0) + KSL_MULF(turn201_a_1, turn201_a_1)
           + KSL_MULF(turn201_a_2, turn201_a_2);
   const float turn202_bb = KSL_MULF(turn112_b_0, turn112_b_0) + KSL_MULF(turn112_b_1, turn112_b_1)
@@ -2895,18 +2610,18 @@ static inline void ksl_mat3x3f_nearest_rotation(const ksl_mat3x3f_t *A, ksl_mat3
   const float turn202_p = turn202_aa < turn202_bb ? turn202_sine : turn202_cosine;
   const float turn202_q_a = -turn202_cosine,
       turn202_q = turn202_aa < turn202_bb ? turn202_q_a : turn202_sine;
-  const float turn202_a_0 = KSL_MULF(turn201_a_0, turn202_p) - KSL_MULF(turn112_b_0, turn202_q);
-  const float turn202_a_1 = KSL_MULF(turn201_a_1, turn202_p) - KSL_MULF(turn112_b_1, turn202_q);
-  const float turn202_a_2 = KSL_MULF(turn201_a_2, turn202_p) - KSL_MULF(turn112_b_2, turn202_q);
-  const float turn202_b_0 = KSL_MULF(turn112_b_0, turn202_p) + KSL_MULF(turn201_a_0, turn202_q);
-  const float turn202_b_1 = KSL_MULF(turn112_b_1, turn202_p) + KSL_MULF(turn201_a_1, turn202_q);
-  const float turn202_b_2 = KSL_MULF(turn112_b_2, turn202_p) + KSL_MULF(turn201_a_2, turn202_q);
-  const float turn202_c_0 = KSL_MULF(turn201_c_0, turn202_p) - KSL_MULF(turn112_d_0, turn202_q);
-  const float turn202_c_1 = KSL_MULF(turn201_c_1, turn202_p) - KSL_MULF(turn112_d_1, turn202_q);
-  const float turn202_c_2 = KSL_MULF(turn201_c_2, turn202_p) - KSL_MULF(turn112_d_2, turn202_q);
-  const float turn202_d_0 = KSL_MULF(turn112_d_0, turn202_p) + KSL_MULF(turn201_c_0, turn202_q);
-  const float turn202_d_1 = KSL_MULF(turn112_d_1, turn202_p) + KSL_MULF(turn201_c_1, turn202_q);
-  const float turn202_d_2 = KSL_MULF(turn112_d_2, turn202_p) + KSL_MULF(turn201_c_2, turn202_q);
+  const float turn202_a_0 = KSL_MULF(turn201_a_0, turn202_p) - KSL_MULF(turn112_b_0, turn202_q),
+      turn202_a_1 = KSL_MULF(turn201_a_1, turn202_p) - KSL_MULF(turn112_b_1, turn202_q),
+      turn202_a_2 = KSL_MULF(turn201_a_2, turn202_p) - KSL_MULF(turn112_b_2, turn202_q);
+  const float turn202_b_0 = KSL_MULF(turn112_b_0, turn202_p) + KSL_MULF(turn201_a_0, turn202_q),
+      turn202_b_1 = KSL_MULF(turn112_b_1, turn202_p) + KSL_MULF(turn201_a_1, turn202_q),
+      turn202_b_2 = KSL_MULF(turn112_b_2, turn202_p) + KSL_MULF(turn201_a_2, turn202_q);
+  const float turn202_c_0 = KSL_MULF(turn201_c_0, turn202_p) - KSL_MULF(turn112_d_0, turn202_q),
+      turn202_c_1 = KSL_MULF(turn201_c_1, turn202_p) - KSL_MULF(turn112_d_1, turn202_q),
+      turn202_c_2 = KSL_MULF(turn201_c_2, turn202_p) - KSL_MULF(turn112_d_2, turn202_q);
+  const float turn202_d_0 = KSL_MULF(turn112_d_0, turn202_p) + KSL_MULF(turn201_c_0, turn202_q),
+      turn202_d_1 = KSL_MULF(turn112_d_1, turn202_p) + KSL_MULF(turn201_c_1, turn202_q),
+      turn202_d_2 = KSL_MULF(turn112_d_2, turn202_p) + KSL_MULF(turn201_c_2, turn202_q);
   const float turn212_aa = KSL_MULF(turn201_b_0, turn201_b_0) + KSL_MULF(turn201_b_1, turn201_b_1)
           + KSL_MULF(turn201_b_2, turn201_b_2);
   const float turn212_bb = KSL_MULF(turn202_b_0, turn202_b_0) + KSL_MULF(turn202_b_1, turn202_b_1)
@@ -2936,18 +2651,18 @@ static inline void ksl_mat3x3f_nearest_rotation(const ksl_mat3x3f_t *A, ksl_mat3
   const float turn212_p = turn212_aa < turn212_bb ? turn212_sine : turn212_cosine;
   const float turn212_q_a = -turn212_cosine,
       turn212_q = turn212_aa < turn212_bb ? turn212_q_a : turn212_sine;
-  const float turn212_a_0 = KSL_MULF(turn201_b_0, turn212_p) - KSL_MULF(turn202_b_0, turn212_q);
-  const float turn212_a_1 = KSL_MULF(turn201_b_1, turn212_p) - KSL_MULF(turn202_b_1, turn212_q);
-  const float turn212_a_2 = KSL_MULF(turn201_b_2, turn212_p) - KSL_MULF(turn202_b_2, turn212_q);
-  const float turn212_b_0 = KSL_MULF(turn201_b_0, turn212_q) + KSL_MULF(turn202_b_0, turn212_p);
-  const float turn212_b_1 = KSL_MULF(turn201_b_1, turn212_q) + KSL_MULF(turn202_b_1, turn212_p);
-  const float turn212_b_2 = KSL_MULF(turn201_b_2, turn212_q) + KSL_MULF(turn202_b_2, turn212_p);
-  const float turn212_c_0 = KSL_MULF(turn201_d_0, turn212_p) - KSL_MULF(turn202_d_0, turn212_q);
-  const float turn212_c_1 = KSL_MULF(turn201_d_1, turn212_p) - KSL_MULF(turn202_d_1, turn212_q);
-  const float turn212_c_2 = KSL_MULF(turn201_d_2, turn212_p) - KSL_MULF(turn202_d_2, turn212_q);
-  const float turn212_d_0 = KSL_MULF(turn201_d_0, turn212_q) + KSL_MULF(turn202_d_0, turn212_p);
-  const float turn212_d_1 = KSL_MULF(turn201_d_1, turn212_q) + KSL_MULF(turn202_d_1, turn212_p);
-  const float turn212_d_2 = KSL_MULF(turn201_d_2, turn212_q) + KSL_MULF(turn202_d_2, turn212_p);
+  const float turn212_a_0 = KSL_MULF(turn201_b_0, turn212_p) - KSL_MULF(turn202_b_0, turn212_q),
+      turn212_a_1 = KSL_MULF(turn201_b_1, turn212_p) - KSL_MULF(turn202_b_1, turn212_q),
+      turn212_a_2 = KSL_MULF(turn201_b_2, turn212_p) - KSL_MULF(turn202_b_2, turn212_q);
+  const float turn212_b_0 = KSL_MULF(turn201_b_0, turn212_q) + KSL_MULF(turn202_b_0, turn212_p),
+      turn212_b_1 = KSL_MULF(turn201_b_1, turn212_q) + KSL_MULF(turn202_b_1, turn212_p),
+      turn212_b_2 = KSL_MULF(turn201_b_2, turn212_q) + KSL_MULF(turn202_b_2, turn212_p);
+  const float turn212_c_0 = KSL_MULF(turn201_d_0, turn212_p) - KSL_MULF(turn202_d_0, turn212_q),
+      turn212_c_1 = KSL_MULF(turn201_d_1, turn212_p) - KSL_MULF(turn202_d_1, turn212_q),
+      turn212_c_2 = KSL_MULF(turn201_d_2, turn212_p) - KSL_MULF(turn202_d_2, turn212_q);
+  const float turn212_d_0 = KSL_MULF(turn201_d_0, turn212_q) + KSL_MULF(turn202_d_0, turn212_p),
+      turn212_d_1 = KSL_MULF(turn201_d_1, turn212_q) + KSL_MULF(turn202_d_1, turn212_p),
+      turn212_d_2 = KSL_MULF(turn201_d_2, turn212_q) + KSL_MULF(turn202_d_2, turn212_p);
   const float turn301_aa = KSL_MULF(turn202_a_0, turn202_a_0) + KSL_MULF(turn202_a_1, turn202_a_1)
           + KSL_MULF(turn202_a_2, turn202_a_2);
   const float turn301_bb = KSL_MULF(turn212_a_0, turn212_a_0) + KSL_MULF(turn212_a_1, turn212_a_1)
@@ -2977,18 +2692,18 @@ static inline void ksl_mat3x3f_nearest_rotation(const ksl_mat3x3f_t *A, ksl_mat3
   const float turn301_p = turn301_aa < turn301_bb ? turn301_sine : turn301_cosine;
   const float turn301_q_a = -turn301_cosine,
       turn301_q = turn301_aa < turn301_bb ? turn301_q_a : turn301_sine;
-  const float turn301_a_0 = KSL_MULF(turn202_a_0, turn301_p) - KSL_MULF(turn212_a_0, turn301_q);
-  const float turn301_a_1 = KSL_MULF(turn202_a_1, turn301_p) - KSL_MULF(turn212_a_1, turn301_q);
-  const float turn301_a_2 = KSL_MULF(turn202_a_2, turn301_p) - KSL_MULF(turn212_a_2, turn301_q);
-  const float turn301_b_0 = KSL_MULF(turn202_a_0, turn301_q) + KSL_MULF(turn212_a_0, turn301_p);
-  const float turn301_b_1 = KSL_MULF(turn202_a_1, turn301_q) + KSL_MULF(turn212_a_1, turn301_p);
-  const float turn301_b_2 = KSL_MULF(turn202_a_2, turn301_q) + KSL_MULF(turn212_a_2, turn301_p);
-  const float turn301_c_0 = KSL_MULF(turn202_c_0, turn301_p) - KSL_MULF(turn212_c_0, turn301_q);
-  const float turn301_c_1 = KSL_MULF(turn202_c_1, turn301_p) - KSL_MULF(turn212_c_1, turn301_q);
-  const float turn301_c_2 = KSL_MULF(turn202_c_2, turn301_p) - KSL_MULF(turn212_c_2, turn301_q);
-  const float turn301_d_0 = KSL_MULF(turn202_c_0, turn301_q) + KSL_MULF(turn212_c_0, turn301_p);
-  const float turn301_d_1 = KSL_MULF(turn202_c_1, turn301_q) + KSL_MULF(turn212_c_1, turn301_p);
-  const float turn301_d_2 = KSL_MULF(turn202_c_2, turn301_q) + KSL_MULF(turn212_c_2, turn301_p);
+  const float turn301_a_0 = KSL_MULF(turn202_a_0, turn301_p) - KSL_MULF(turn212_a_0, turn301_q),
+      turn301_a_1 = KSL_MULF(turn202_a_1, turn301_p) - KSL_MULF(turn212_a_1, turn301_q),
+      turn301_a_2 = KSL_MULF(turn202_a_2, turn301_p) - KSL_MULF(turn212_a_2, turn301_q);
+  const float turn301_b_0 = KSL_MULF(turn202_a_0, turn301_q) + KSL_MULF(turn212_a_0, turn301_p),
+      turn301_b_1 = KSL_MULF(turn202_a_1, turn301_q) + KSL_MULF(turn212_a_1, turn301_p),
+      turn301_b_2 = KSL_MULF(turn202_a_2, turn301_q) + KSL_MULF(turn212_a_2, turn301_p);
+  const float turn301_c_0 = KSL_MULF(turn202_c_0, turn301_p) - KSL_MULF(turn212_c_0, turn301_q),
+      turn301_c_1 = KSL_MULF(turn202_c_1, turn301_p) - KSL_MULF(turn212_c_1, turn301_q),
+      turn301_c_2 = KSL_MULF(turn202_c_2, turn301_p) - KSL_MULF(turn212_c_2, turn301_q);
+  const float turn301_d_0 = KSL_MULF(turn202_c_0, turn301_q) + KSL_MULF(turn212_c_0, turn301_p),
+      turn301_d_1 = KSL_MULF(turn202_c_1, turn301_q) + KSL_MULF(turn212_c_1, turn301_p),
+      turn301_d_2 = KSL_MULF(turn202_c_2, turn301_q) + KSL_MULF(turn212_c_2, turn301_p);
   const float turn302_aa = KSL_MULF(turn301_a_0, turn301_a_0) + KSL_MULF(turn301_a_1, turn301_a_1)
           + KSL_MULF(turn301_a_2, turn301_a_2);
   const float turn302_bb = KSL_MULF(turn212_b_0, turn212_b_0) + KSL_MULF(turn212_b_1, turn212_b_1)
@@ -3018,18 +2733,18 @@ static inline void ksl_mat3x3f_nearest_rotation(const ksl_mat3x3f_t *A, ksl_mat3
   const float turn302_p = turn302_aa < turn302_bb ? turn302_sine : turn302_cosine;
   const float turn302_q_a = -turn302_cosine,
       turn302_q = turn302_aa < turn302_bb ? turn302_q_a : turn302_sine;
-  const float turn302_a_0 = KSL_MULF(turn301_a_0, turn302_p) - KSL_MULF(turn212_b_0, turn302_q);
-  const float turn302_a_1 = KSL_MULF(turn301_a_1, turn302_p) - KSL_MULF(turn212_b_1, turn302_q);
-  const float turn302_a_2 = KSL_MULF(turn301_a_2, turn302_p) - KSL_MULF(turn212_b_2, turn302_q);
-  const float turn302_b_0 = KSL_MULF(turn212_b_0, turn302_p) + KSL_MULF(turn301_a_0, turn302_q);
-  const float turn302_b_1 = KSL_MULF(turn212_b_1, turn302_p) + KSL_MULF(turn301_a_1, turn302_q);
-  const float turn302_b_2 = KSL_MULF(turn212_b_2, turn302_p) + KSL_MULF(turn301_a_2, turn302_q);
-  const float turn302_c_0 = KSL_MULF(turn301_c_0, turn302_p) - KSL_MULF(turn212_d_0, turn302_q);
-  const float turn302_c_1 = KSL_MULF(turn301_c_1, turn302_p) - KSL_MULF(turn212_d_1, turn302_q);
-  const float turn302_c_2 = KSL_MULF(turn301_c_2, turn302_p) - KSL_MULF(turn212_d_2, turn302_q);
-  const float turn302_d_0 = KSL_MULF(turn212_d_0, turn302_p) + KSL_MULF(turn301_c_0, turn302_q);
-  const float turn302_d_1 = KSL_MULF(turn212_d_1, turn302_p) + KSL_MULF(turn301_c_1, turn302_q);
-  const float turn302_d_2 = KSL_MULF(turn212_d_2, turn302_p) + KSL_MULF(turn301_c_2, turn302_q);
+  const float turn302_a_0 = KSL_MULF(turn301_a_0, turn302_p) - KSL_MULF(turn212_b_0, turn302_q),
+      turn302_a_1 = KSL_MULF(turn301_a_1, turn302_p) - KSL_MULF(turn212_b_1, turn302_q),
+      turn302_a_2 = KSL_MULF(turn301_a_2, turn302_p) - KSL_MULF(turn212_b_2, turn302_q);
+  const float turn302_b_0 = KSL_MULF(turn212_b_0, turn302_p) + KSL_MULF(turn301_a_0, turn302_q),
+      turn302_b_1 = KSL_MULF(turn212_b_1, turn302_p) + KSL_MULF(turn301_a_1, turn302_q),
+      turn302_b_2 = KSL_MULF(turn212_b_2, turn302_p) + KSL_MULF(turn301_a_2, turn302_q);
+  const float turn302_c_0 = KSL_MULF(turn301_c_0, turn302_p) - KSL_MULF(turn212_d_0, turn302_q),
+      turn302_c_1 = KSL_MULF(turn301_c_1, turn302_p) - KSL_MULF(turn212_d_1, turn302_q),
+      turn302_c_2 = KSL_MULF(turn301_c_2, turn302_p) - KSL_MULF(turn212_d_2, turn302_q);
+  const float turn302_d_0 = KSL_MULF(turn212_d_0, turn302_p) + KSL_MULF(turn301_c_0, turn302_q),
+      turn302_d_1 = KSL_MULF(turn212_d_1, turn302_p) + KSL_MULF(turn301_c_1, turn302_q),
+      turn302_d_2 = KSL_MULF(turn212_d_2, turn302_p) + KSL_MULF(turn301_c_2, turn302_q);
   const float turn312_aa = KSL_MULF(turn301_b_0, turn301_b_0) + KSL_MULF(turn301_b_1, turn301_b_1)
           + KSL_MULF(turn301_b_2, turn301_b_2);
   const float turn312_bb = KSL_MULF(turn302_b_0, turn302_b_0) + KSL_MULF(turn302_b_1, turn302_b_1)
@@ -3059,18 +2774,18 @@ static inline void ksl_mat3x3f_nearest_rotation(const ksl_mat3x3f_t *A, ksl_mat3
   const float turn312_p = turn312_aa < turn312_bb ? turn312_sine : turn312_cosine;
   const float turn312_q_a = -turn312_cosine,
       turn312_q = turn312_aa < turn312_bb ? turn312_q_a : turn312_sine;
-  const float turn312_a_0 = KSL_MULF(turn301_b_0, turn312_p) - KSL_MULF(turn302_b_0, turn312_q);
-  const float turn312_a_1 = KSL_MULF(turn301_b_1, turn312_p) - KSL_MULF(turn302_b_1, turn312_q);
-  const float turn312_a_2 = KSL_MULF(turn301_b_2, turn312_p) - KSL_MULF(turn302_b_2, turn312_q);
-  const float turn312_b_0 = KSL_MULF(turn301_b_0, turn312_q) + KSL_MULF(turn302_b_0, turn312_p);
-  const float turn312_b_1 = KSL_MULF(turn301_b_1, turn312_q) + KSL_MULF(turn302_b_1, turn312_p);
-  const float turn312_b_2 = KSL_MULF(turn301_b_2, turn312_q) + KSL_MULF(turn302_b_2, turn312_p);
-  const float turn312_c_0 = KSL_MULF(turn301_d_0, turn312_p) - KSL_MULF(turn302_d_0, turn312_q);
-  const float turn312_c_1 = KSL_MULF(turn301_d_1, turn312_p) - KSL_MULF(turn302_d_1, turn312_q);
-  const float turn312_c_2 = KSL_MULF(turn301_d_2, turn312_p) - KSL_MULF(turn302_d_2, turn312_q);
-  const float turn312_d_0 = KSL_MULF(turn301_d_0, turn312_q) + KSL_MULF(turn302_d_0, turn312_p);
-  const float turn312_d_1 = KSL_MULF(turn301_d_1, turn312_q) + KSL_MULF(turn302_d_1, turn312_p);
-  const float turn312_d_2 = KSL_MULF(turn301_d_2, turn312_q) + KSL_MULF(turn302_d_2, turn312_p);
+  const float turn312_a_0 = KSL_MULF(turn301_b_0, turn312_p) - KSL_MULF(turn302_b_0, turn312_q),
+      turn312_a_1 = KSL_MULF(turn301_b_1, turn312_p) - KSL_MULF(turn302_b_1, turn312_q),
+      turn312_a_2 = KSL_MULF(turn301_b_2, turn312_p) - KSL_MULF(turn302_b_2, turn312_q);
+  const float turn312_b_0 = KSL_MULF(turn301_b_0, turn312_q) + KSL_MULF(turn302_b_0, turn312_p),
+      turn312_b_1 = KSL_MULF(turn301_b_1, turn312_q) + KSL_MULF(turn302_b_1, turn312_p),
+      turn312_b_2 = KSL_MULF(turn301_b_2, turn312_q) + KSL_MULF(turn302_b_2, turn312_p);
+  const float turn312_c_0 = KSL_MULF(turn301_d_0, turn312_p) - KSL_MULF(turn302_d_0, turn312_q),
+      turn312_c_1 = KSL_MULF(turn301_d_1, turn312_p) - KSL_MULF(turn302_d_1, turn312_q),
+      turn312_c_2 = KSL_MULF(turn301_d_2, turn312_p) - KSL_MULF(turn302_d_2, turn312_q);
+  const float turn312_d_0 = KSL_MULF(turn301_d_0, turn312_q) + KSL_MULF(turn302_d_0, turn312_p),
+      turn312_d_1 = KSL_MULF(turn301_d_1, turn312_q) + KSL_MULF(turn302_d_1, turn312_p),
+      turn312_d_2 = KSL_MULF(turn301_d_2, turn312_q) + KSL_MULF(turn302_d_2, turn312_p);
   const float turn401_aa = KSL_MULF(turn302_a_0, turn302_a_0) + KSL_MULF(turn302_a_1, turn302_a_1)
           + KSL_MULF(turn302_a_2, turn302_a_2);
   const float turn401_bb = KSL_MULF(turn312_a_0, turn312_a_0) + KSL_MULF(turn312_a_1, turn312_a_1)
@@ -3100,18 +2815,18 @@ static inline void ksl_mat3x3f_nearest_rotation(const ksl_mat3x3f_t *A, ksl_mat3
   const float turn401_p = turn401_aa < turn401_bb ? turn401_sine : turn401_cosine;
   const float turn401_q_a = -turn401_cosine,
       turn401_q = turn401_aa < turn401_bb ? turn401_q_a : turn401_sine;
-  const float turn401_a_0 = KSL_MULF(turn302_a_0, turn401_p) - KSL_MULF(turn312_a_0, turn401_q);
-  const float turn401_a_1 = KSL_MULF(turn302_a_1, turn401_p) - KSL_MULF(turn312_a_1, turn401_q);
-  const float turn401_a_2 = KSL_MULF(turn302_a_2, turn401_p) - KSL_MULF(turn312_a_2, turn401_q);
-  const float turn401_b_0 = KSL_MULF(turn302_a_0, turn401_q) + KSL_MULF(turn312_a_0, turn401_p);
-  const float turn401_b_1 = KSL_MULF(turn302_a_1, turn401_q) + KSL_MULF(turn312_a_1, turn401_p);
-  const float turn401_b_2 = KSL_MULF(turn302_a_2, turn401_q) + KSL_MULF(turn312_a_2, turn401_p);
-  const float turn401_c_0 = KSL_MULF(turn302_c_0, turn401_p) - KSL_MULF(turn312_c_0, turn401_q);
-  const float turn401_c_1 = KSL_MULF(turn302_c_1, turn401_p) - KSL_MULF(turn312_c_1, turn401_q);
-  const float turn401_c_2 = KSL_MULF(turn302_c_2, turn401_p) - KSL_MULF(turn312_c_2, turn401_q);
-  const float turn401_d_0 = KSL_MULF(turn302_c_0, turn401_q) + KSL_MULF(turn312_c_0, turn401_p);
-  const float turn401_d_1 = KSL_MULF(turn302_c_1, turn401_q) + KSL_MULF(turn312_c_1, turn401_p);
-  const float turn401_d_2 = KSL_MULF(turn302_c_2, turn401_q) + KSL_MULF(turn312_c_2, turn401_p);
+  const float turn401_a_0 = KSL_MULF(turn302_a_0, turn401_p) - KSL_MULF(turn312_a_0, turn401_q),
+      turn401_a_1 = KSL_MULF(turn302_a_1, turn401_p) - KSL_MULF(turn312_a_1, turn401_q),
+      turn401_a_2 = KSL_MULF(turn302_a_2, turn401_p) - KSL_MULF(turn312_a_2, turn401_q);
+  const float turn401_b_0 = KSL_MULF(turn302_a_0, turn401_q) + KSL_MULF(turn312_a_0, turn401_p),
+      turn401_b_1 = KSL_MULF(turn302_a_1, turn401_q) + KSL_MULF(turn312_a_1, turn401_p),
+      turn401_b_2 = KSL_MULF(turn302_a_2, turn401_q) + KSL_MULF(turn312_a_2, turn401_p);
+  const float turn401_c_0 = KSL_MULF(turn302_c_0, turn401_p) - KSL_MULF(turn312_c_0, turn401_q),
+      turn401_c_1 = KSL_MULF(turn302_c_1, turn401_p) - KSL_MULF(turn312_c_1, turn401_q),
+      turn401_c_2 = KSL_MULF(turn302_c_2, turn401_p) - KSL_MULF(turn312_c_2, turn401_q);
+  const float turn401_d_0 = KSL_MULF(turn302_c_0, turn401_q) + KSL_MULF(turn312_c_0, turn401_p),
+      turn401_d_1 = KSL_MULF(turn302_c_1, turn401_q) + KSL_MULF(turn312_c_1, turn401_p),
+      turn401_d_2 = KSL_MULF(turn302_c_2, turn401_q) + KSL_MULF(turn312_c_2, turn401_p);
   const float turn402_aa = KSL_MULF(turn401_a_0, turn401_a_0) + KSL_MULF(turn401_a_1, turn401_a_1)
           + KSL_MULF(turn401_a_2, turn401_a_2);
   const float turn402_bb = KSL_MULF(turn312_b_0, turn312_b_0) + KSL_MULF(turn312_b_1, turn312_b_1)
@@ -3141,18 +2856,18 @@ static inline void ksl_mat3x3f_nearest_rotation(const ksl_mat3x3f_t *A, ksl_mat3
   const float turn402_p = turn402_aa < turn402_bb ? turn402_sine : turn402_cosine;
   const float turn402_q_a = -turn402_cosine,
       turn402_q = turn402_aa < turn402_bb ? turn402_q_a : turn402_sine;
-  const float turn402_a_0 = KSL_MULF(turn401_a_0, turn402_p) - KSL_MULF(turn312_b_0, turn402_q);
-  const float turn402_a_1 = KSL_MULF(turn401_a_1, turn402_p) - KSL_MULF(turn312_b_1, turn402_q);
-  const float turn402_a_2 = KSL_MULF(turn401_a_2, turn402_p) - KSL_MULF(turn312_b_2, turn402_q);
-  const float turn402_b_0 = KSL_MULF(turn312_b_0, turn402_p) + KSL_MULF(turn401_a_0, turn402_q);
-  const float turn402_b_1 = KSL_MULF(turn312_b_1, turn402_p) + KSL_MULF(turn401_a_1, turn402_q);
-  const float turn402_b_2 = KSL_MULF(turn312_b_2, turn402_p) + KSL_MULF(turn401_a_2, turn402_q);
-  const float turn402_c_0 = KSL_MULF(turn401_c_0, turn402_p) - KSL_MULF(turn312_d_0, turn402_q);
-  const float turn402_c_1 = KSL_MULF(turn401_c_1, turn402_p) - KSL_MULF(turn312_d_1, turn402_q);
-  const float turn402_c_2 = KSL_MULF(turn401_c_2, turn402_p) - KSL_MULF(turn312_d_2, turn402_q);
-  const float turn402_d_0 = KSL_MULF(turn312_d_0, turn402_p) + KSL_MULF(turn401_c_0, turn402_q);
-  const float turn402_d_1 = KSL_MULF(turn312_d_1, turn402_p) + KSL_MULF(turn401_c_1, turn402_q);
-  const float turn402_d_2 = KSL_MULF(turn312_d_2, turn402_p) + KSL_MULF(turn401_c_2, turn402_q);
+  const float turn402_a_0 = KSL_MULF(turn401_a_0, turn402_p) - KSL_MULF(turn312_b_0, turn402_q),
+      turn402_a_1 = KSL_MULF(turn401_a_1, turn402_p) - KSL_MULF(turn312_b_1, turn402_q),
+      turn402_a_2 = KSL_MULF(turn401_a_2, turn402_p) - KSL_MULF(turn312_b_2, turn402_q);
+  const float turn402_b_0 = KSL_MULF(turn312_b_0, turn402_p) + KSL_MULF(turn401_a_0, turn402_q),
+      turn402_b_1 = KSL_MULF(turn312_b_1, turn402_p) + KSL_MULF(turn401_a_1, turn402_q),
+      turn402_b_2 = KSL_MULF(turn312_b_2, turn402_p) + KSL_MULF(turn401_a_2, turn402_q);
+  const float turn402_c_0 = KSL_MULF(turn401_c_0, turn402_p) - KSL_MULF(turn312_d_0, turn402_q),
+      turn402_c_1 = KSL_MULF(turn401_c_1, turn402_p) - KSL_MULF(turn312_d_1, turn402_q),
+      turn402_c_2 = KSL_MULF(turn401_c_2, turn402_p) - KSL_MULF(turn312_d_2, turn402_q);
+  const float turn402_d_0 = KSL_MULF(turn312_d_0, turn402_p) + KSL_MULF(turn401_c_0, turn402_q),
+      turn402_d_1 = KSL_MULF(turn312_d_1, turn402_p) + KSL_MULF(turn401_c_1, turn402_q),
+      turn402_d_2 = KSL_MULF(turn312_d_2, turn402_p) + KSL_MULF(turn401_c_2, turn402_q);
   const float turn412_aa = KSL_MULF(turn401_b_0, turn401_b_0) + KSL_MULF(turn401_b_1, turn401_b_1)
           + KSL_MULF(turn401_b_2, turn401_b_2);
   const float turn412_bb = KSL_MULF(turn402_b_0, turn402_b_0) + KSL_MULF(turn402_b_1, turn402_b_1)
@@ -3182,28 +2897,27 @@ static inline void ksl_mat3x3f_nearest_rotation(const ksl_mat3x3f_t *A, ksl_mat3
   const float turn412_p = turn412_aa < turn412_bb ? turn412_sine : turn412_cosine;
   const float turn412_q_a = -turn412_cosine,
       turn412_q = turn412_aa < turn412_bb ? turn412_q_a : turn412_sine;
-  const float turn412_a_0 = KSL_MULF(turn401_b_0, turn412_p) - KSL_MULF(turn402_b_0, turn412_q);
-  const float turn412_a_1 = KSL_MULF(turn401_b_1, turn412_p) - KSL_MULF(turn402_b_1, turn412_q);
-  const float turn412_a_2 = KSL_MULF(turn401_b_2, turn412_p) - KSL_MULF(turn402_b_2, turn412_q);
-  const float turn412_c_0 = KSL_MULF(turn401_d_0, turn412_p) - KSL_MULF(turn402_d_0, turn412_q);
-  const float turn412_c_1 = KSL_MULF(turn401_d_1, turn412_p) - KSL_MULF(turn402_d_1, turn412_q);
-  const float turn412_c_2 = KSL_MULF(turn401_d_2, turn412_p) - KSL_MULF(turn402_d_2, turn412_q);
-  const float turn412_d_0 = KSL_MULF(turn401_d_0, turn412_q) + KSL_MULF(turn402_d_0, turn412_p);
-  const float turn412_d_1 = KSL_MULF(turn401_d_1, turn412_q) + KSL_MULF(turn402_d_1, turn412_p);
-  const float turn412_d_2 = KSL_MULF(turn401_d_2, turn412_q) + KSL_MULF(turn402_d_2, turn412_p);
+  const float turn412_a_0 = KSL_MULF(turn401_b_0, turn412_p) - KSL_MULF(turn402_b_0, turn412_q),
+      turn412_a_1 = KSL_MULF(turn401_b_1, turn412_p) - KSL_MULF(turn402_b_1, turn412_q),
+      turn412_a_2 = KSL_MULF(turn401_b_2, turn412_p) - KSL_MULF(turn402_b_2, turn412_q);
+  const float turn412_c_0 = KSL_MULF(turn401_d_0, turn412_p) - KSL_MULF(turn402_d_0, turn412_q),
+      turn412_c_1 = KSL_MULF(turn401_d_1, turn412_p) - KSL_MULF(turn402_d_1, turn412_q),
+      turn412_c_2 = KSL_MULF(turn401_d_2, turn412_p) - KSL_MULF(turn402_d_2, turn412_q);
+  const float turn412_d_0 = KSL_MULF(turn401_d_0, turn412_q) + KSL_MULF(turn402_d_0, turn412_p),
+      turn412_d_1 = KSL_MULF(turn401_d_1, turn412_q) + KSL_MULF(turn402_d_1, turn412_p),
+      turn412_d_2 = KSL_MULF(turn401_d_2, turn412_q) + KSL_MULF(turn402_d_2, turn412_p);
   const float longest = sqrtf(KSL_MULF(turn402_a_0, turn402_a_0)
           + KSL_MULF(turn402_a_1, turn402_a_1) + KSL_MULF(turn402_a_2, turn402_a_2));
   const float first_divisor = longest == 0.0f ? 1.0f : longest;
-  const float u0_0 = turn402_a_0 / first_divisor;
-  const float u0_1 = turn402_a_1 / first_divisor;
-  const float u0_2 = turn402_a_2 / first_divisor;
+  const float u0_0 = turn402_a_0 / first_divisor, u0_1 = turn402_a_1 / first_divisor,
+      u0_2 = turn402_a_2 / first_divisor;
   const float least = KSL_MULF(KSL_MULF(0.015625f, KSL_MULF(9.536743e-07f, 9.536743e-07f)),
       KSL_MULF(longest, longest));
   const float second_along = KSL_MULF(turn412_a_0, u0_0) + KSL_MULF(turn412_a_1, u0_1)
           + KSL_MULF(turn412_a_2, u0_2);
-  const float second_part_0 = turn412_a_0 - KSL_MULF(u0_0, second_along);
-  const float second_part_1 = turn412_a_1 - KSL_MULF(u0_1, second_along);
-  const float second_part_2 = turn412_a_2 - KSL_MULF(u0_2, second_along);
+  const float second_part_0 = turn412_a_0 - KSL_MULF(u0_0, second_along),
+      second_part_1 = turn412_a_1 - KSL_MULF(u0_1, second_along),
+      second_part_2 = turn412_a_2 - KSL_MULF(u0_2, second_along);
   const float second_whole = KSL_MULF(turn412_a_0, turn412_a_0)
           + KSL_MULF(turn412_a_1, turn412_a_1) + KSL_MULF(turn412_a_2, turn412_a_2);
   const float second_kept = KSL_MULF(second_part_0, second_part_0)
@@ -3211,69 +2925,64 @@ static inline void ksl_mat3x3f_nearest_rotation(const ksl_mat3x3f_t *A, ksl_mat3
   const float second_enough_a = KSL_MULF(0.25f, second_whole),
       second_enough = second_enough_a < least ? least : second_enough_a;
   const float second_is_kept = second_enough < second_kept ? 1.0f : 0.0f;
-  const float second_size_0 = fabsf(u0_0);
-  const float second_size_1 = fabsf(u0_1);
-  const float second_size_2 = fabsf(u0_2);
+  const float second_size_0 = fabsf(u0_0), second_size_1 = fabsf(u0_1), second_size_2 = fabsf(u0_2);
   const float second_is_y = second_size_1 < second_size_0 ? 1.0f : 0.0f;
   const float second_less = second_is_y == 0.0f ? second_size_0 : second_size_1;
   const float second_is_z = second_size_2 < second_less ? 1.0f : 0.0f;
-  const float second_xy_0 = second_is_y == 0.0f ? 1.0f : 0.0f;
-  const float second_xy_1 = second_is_y == 0.0f ? 0.0f : 1.0f;
-  const float second_axis_0 = second_is_z == 1.0f ? 0.0f : second_xy_0;
-  const float second_axis_1 = second_is_z == 1.0f ? 0.0f : second_xy_1;
-  const float second_axis_2 = second_is_z == 1.0f ? 1.0f : 0.0f;
+  const float second_xy_0 = second_is_y == 0.0f ? 1.0f : 0.0f,
+      second_xy_1 = second_is_y == 0.0f ? 0.0f : 1.0f;
+  const float second_axis_0 = second_is_z == 1.0f ? 0.0f : second_xy_0,
+      second_axis_1 = second_is_z == 1.0f ? 0.0f : second_xy_1,
+      second_axis_2 = second_is_z == 1.0f ? 1.0f : 0.0f;
   const float second_along_axis = KSL_MULF(u0_0, second_axis_0) + KSL_MULF(u0_1, second_axis_1)
           + KSL_MULF(u0_2, second_axis_2);
-  const float second_other_0 = second_axis_0 - KSL_MULF(u0_0, second_along_axis);
-  const float second_other_1 = second_axis_1 - KSL_MULF(u0_1, second_along_axis);
-  const float second_other_2 = second_axis_2 - KSL_MULF(u0_2, second_along_axis);
-  const float second_found_0 = second_is_kept == 1.0f ? second_part_0 : second_other_0;
-  const float second_found_1 = second_is_kept == 1.0f ? second_part_1 : second_other_1;
-  const float second_found_2 = second_is_kept == 1.0f ? second_part_2 : second_other_2;
+  const float second_other_0 = second_axis_0 - KSL_MULF(u0_0, second_along_axis),
+      second_other_1 = second_axis_1 - KSL_MULF(u0_1, second_along_axis),
+      second_other_2 = second_axis_2 - KSL_MULF(u0_2, second_along_axis);
+  const float second_found_0 = second_is_kept == 1.0f ? second_part_0 : second_other_0,
+      second_found_1 = second_is_kept == 1.0f ? second_part_1 : second_other_1,
+      second_found_2 = second_is_kept == 1.0f ? second_part_2 : second_other_2;
   const float second_length = sqrtf(KSL_MULF(second_found_0, second_found_0)
           + KSL_MULF(second_found_1, second_found_1) + KSL_MULF(second_found_2, second_found_2));
-  const float second_across_0 = second_found_0 / second_length;
-  const float second_across_1 = second_found_1 / second_length;
-  const float second_across_2 = second_found_2 / second_length;
-  const float u2_0 = KSL_MULF(u0_1, second_across_2) - KSL_MULF(u0_2, second_across_1);
-  const float u2_1 = KSL_MULF(u0_2, second_across_0) - KSL_MULF(u0_0, second_across_2);
-  const float u2_2 = KSL_MULF(u0_0, second_across_1) - KSL_MULF(u0_1, second_across_0);
+  const float second_across_0 = second_found_0 / second_length,
+      second_across_1 = second_found_1 / second_length,
+      second_across_2 = second_found_2 / second_length;
+  const float u2_0 = KSL_MULF(u0_1, second_across_2) - KSL_MULF(u0_2, second_across_1),
+      u2_1 = KSL_MULF(u0_2, second_across_0) - KSL_MULF(u0_0, second_across_2),
+      u2_2 = KSL_MULF(u0_0, second_across_1) - KSL_MULF(u0_1, second_across_0);
   const float turned_0 = KSL_MULF(turn402_c_0, u0_0) + KSL_MULF(turn412_c_0, second_across_0)
-          + KSL_MULF(turn412_d_0, u2_0);
-  const float turned_1 = KSL_MULF(turn402_c_1, u0_0) + KSL_MULF(turn412_c_1, second_across_0)
-          + KSL_MULF(turn412_d_1, u2_0);
-  const float turned_2 = KSL_MULF(turn402_c_2, u0_0) + KSL_MULF(turn412_c_2, second_across_0)
-          + KSL_MULF(turn412_d_2, u2_0);
-  const float turned_3 = KSL_MULF(turn402_c_0, u0_1) + KSL_MULF(turn412_c_0, second_across_1)
-          + KSL_MULF(turn412_d_0, u2_1);
-  const float turned_4 = KSL_MULF(turn402_c_1, u0_1) + KSL_MULF(turn412_c_1, second_across_1)
-          + KSL_MULF(turn412_d_1, u2_1);
-  const float turned_5 = KSL_MULF(turn402_c_2, u0_1) + KSL_MULF(turn412_c_2, second_across_1)
-          + KSL_MULF(turn412_d_2, u2_1);
-  const float turned_6 = KSL_MULF(turn402_c_0, u0_2) + KSL_MULF(turn412_c_0, second_across_2)
-          + KSL_MULF(turn412_d_0, u2_2);
-  const float turned_7 = KSL_MULF(turn402_c_1, u0_2) + KSL_MULF(turn412_c_1, second_across_2)
-          + KSL_MULF(turn412_d_1, u2_2);
-  const float turned_8 = KSL_MULF(turn402_c_2, u0_2) + KSL_MULF(turn412_c_2, second_across_2)
+          + KSL_MULF(turn412_d_0, u2_0),
+      turned_1 = KSL_MULF(turn402_c_1, u0_0) + KSL_MULF(turn412_c_1, second_across_0)
+          + KSL_MULF(turn412_d_1, u2_0),
+      turned_2 = KSL_MULF(turn402_c_2, u0_0) + KSL_MULF(turn412_c_2, second_across_0)
+          + KSL_MULF(turn412_d_2, u2_0),
+      turned_3 = KSL_MULF(turn402_c_0, u0_1) + KSL_MULF(turn412_c_0, second_across_1)
+          + KSL_MULF(turn412_d_0, u2_1),
+      turned_4 = KSL_MULF(turn402_c_1, u0_1) + KSL_MULF(turn412_c_1, second_across_1)
+          + KSL_MULF(turn412_d_1, u2_1),
+      turned_5 = KSL_MULF(turn402_c_2, u0_1) + KSL_MULF(turn412_c_2, second_across_1)
+          + KSL_MULF(turn412_d_2, u2_1),
+      turned_6 = KSL_MULF(turn402_c_0, u0_2) + KSL_MULF(turn412_c_0, second_across_2)
+          + KSL_MULF(turn412_d_0, u2_2),
+      turned_7 = KSL_MULF(turn402_c_1, u0_2) + KSL_MULF(turn412_c_1, second_across_2)
+          + KSL_MULF(turn412_d_1, u2_2),
+      turned_8 = KSL_MULF(turn402_c_2, u0_2) + KSL_MULF(turn412_c_2, second_across_2)
           + KSL_MULF(turn412_d_2, u2_2);
   const float gram_0 = KSL_MULF(turned_0, turned_0) + KSL_MULF(turned_3, turned_3)
-          + KSL_MULF(turned_6, turned_6);
-  const float gram_1 = KSL_MULF(turned_0, turned_1) + KSL_MULF(turned_3, turned_4)
-          + KSL_MULF(turned_6, turned_7);
-  const float gram_2 = KSL_MULF(turned_0, turned_2) + KSL_MULF(turned_3, turned_5)
-          + KSL_MULF(turned_6, turned_8);
-  const float gram_3 = KSL_MULF(turned_1, turned_1) + KSL_MULF(turned_4, turned_4)
-          + KSL_MULF(turned_7, turned_7);
-  const float gram_4 = KSL_MULF(turned_1, turned_2) + KSL_MULF(turned_4, turned_5)
-          + KSL_MULF(turned_7, turned_8);
-  const float gram_5 = KSL_MULF(turned_2, turned_2) + KSL_MULF(turned_5, turned_5)
+          + KSL_MULF(turned_6, turned_6),
+      gram_1 = KSL_MULF(turned_0, turned_1) + KSL_MULF(turned_3, turned_4)
+          + KSL_MULF(turned_6, turned_7),
+      gram_2 = KSL_MULF(turned_0, turned_2) + KSL_MULF(turned_3, turned_5)
+          + KSL_MULF(turned_6, turned_8),
+      gram_3 = KSL_MULF(turned_1, turned_1) + KSL_MULF(turned_4, turned_4)
+          + KSL_MULF(turned_7, turned_7),
+      gram_4 = KSL_MULF(turned_1, turned_2) + KSL_MULF(turned_4, turned_5)
+          + KSL_MULF(turned_7, turned_8),
+      gram_5 = KSL_MULF(turned_2, turned_2) + KSL_MULF(turned_5, turned_5)
           + KSL_MULF(turned_8, turned_8);
-  const float half_0 = 1.5f - KSL_MULF(0.5f, gram_0);
-  const float half_1 = -KSL_MULF(0.5f, gram_1);
-  const float half_2 = -KSL_MULF(0.5f, gram_2);
-  const float half_4 = 1.5f - KSL_MULF(0.5f, gram_3);
-  const float half_5 = -KSL_MULF(0.5f, gram_4);
-  const float half_8 = 1.5f - KSL_MULF(0.5f, gram_5);
+  const float half_0 = 1.5f - KSL_MULF(0.5f, gram_0), half_1 = -KSL_MULF(0.5f, gram_1),
+      half_2 = -KSL_MULF(0.5f, gram_2), half_4 = 1.5f - KSL_MULF(0.5f, gram_3),
+      half_5 = -KSL_MULF(0.5f, gram_4), half_8 = 1.5f - KSL_MULF(0.5f, gram_5);
   const float Ro_00e = KSL_MULF(turned_0, half_0) + KSL_MULF(turned_1, half_1)
           + KSL_MULF(turned_2, half_2), Ro_00 = longest == 0.0f ? (float)NAN : Ro_00e;
   const float Ro_01e = KSL_MULF(turned_0, half_1) + KSL_MULF(turned_1, half_4)
@@ -3315,30 +3024,17 @@ static inline void ksl_mat3x3f_from_axis_angle(const ksl_vec3f_t *axis, const fl
   float cosine; const float sine = ksl_sincosf(angle, &cosine);
   const float versine_b = KSL_MULF(2.0f, KSL_MULF(h, h)), versine_c = 1.0f - cosine,
       versine = cosine < 0.0f ? versine_c : versine_b;
-  const float beta_v_0 = KSL_MULF(axis->x, versine);
-  const float beta_v_1 = KSL_MULF(axis->y, versine);
-  const float beta_v_2 = KSL_MULF(axis->z, versine);
-  const float m_0 = KSL_MULF(axis->x, beta_v_0);
-  const float m_1 = KSL_MULF(axis->y, beta_v_1);
-  const float m_2 = KSL_MULF(axis->z, beta_v_2);
-  const float m_3 = KSL_MULF(axis->y, beta_v_0);
-  const float m_4 = KSL_MULF(axis->z, beta_v_0);
-  const float m_5 = KSL_MULF(axis->z, beta_v_1);
-  const float others_0 = m_1 + m_2;
-  const float others_1 = m_0 + m_2;
-  const float others_2 = m_0 + m_1;
-  const float alpha_v_0 = KSL_MULF(axis->x, sine);
-  const float alpha_v_1 = KSL_MULF(axis->y, sine);
-  const float alpha_v_2 = KSL_MULF(axis->z, sine);
-  const float R_00 = 1.0f - others_0;
-  const float R_01 = m_3 - alpha_v_2;
-  const float R_02 = m_4 + alpha_v_1;
-  const float R_10 = m_3 + alpha_v_2;
-  const float R_11 = 1.0f - others_1;
-  const float R_12 = m_5 - alpha_v_0;
-  const float R_20 = m_4 - alpha_v_1;
-  const float R_21 = m_5 + alpha_v_0;
-  const float R_22 = 1.0f - others_2;
+  const float beta_v_0 = KSL_MULF(axis->x, versine), beta_v_1 = KSL_MULF(axis->y, versine),
+      beta_v_2 = KSL_MULF(axis->z, versine);
+  const float m_0 = KSL_MULF(axis->x, beta_v_0), m_1 = KSL_MULF(axis->y, beta_v_1),
+      m_2 = KSL_MULF(axis->z, beta_v_2), m_3 = KSL_MULF(axis->y, beta_v_0),
+      m_4 = KSL_MULF(axis->z, beta_v_0), m_5 = KSL_MULF(axis->z, beta_v_1);
+  const float others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
+  const float alpha_v_0 = KSL_MULF(axis->x, sine), alpha_v_1 = KSL_MULF(axis->y, sine),
+      alpha_v_2 = KSL_MULF(axis->z, sine);
+  const float R_00 = 1.0f - others_0, R_01 = m_3 - alpha_v_2, R_02 = m_4 + alpha_v_1,
+      R_10 = m_3 + alpha_v_2, R_11 = 1.0f - others_1, R_12 = m_5 - alpha_v_0,
+      R_20 = m_4 - alpha_v_1, R_21 = m_5 + alpha_v_0, R_22 = 1.0f - others_2;
   R->m00 = R_00;
   R->m01 = R_01;
   R->m02 = R_02;
@@ -3356,56 +3052,38 @@ static inline void ksl_mat3x3f_from_axis_angle(const ksl_vec3f_t *axis, const fl
    Error <= angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not
      proved. */
 static inline float ksl_axis_angle_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_t *axis) {
-  const float p_0 = R->m21 - R->m12;
-  const float p_1 = R->m02 - R->m20;
-  const float p_2 = R->m10 - R->m01;
-  const float s_0 = R->m12 + R->m21;
-  const float s_1 = R->m02 + R->m20;
-  const float s_2 = R->m01 + R->m10;
-  const float first_0 = R->m00 + 1.0f;
-  const float first_1 = 1.0f - R->m00;
-  const float others_0 = R->m11 + R->m22;
-  const float others_1 = R->m11 - R->m22;
-  const float d_0 = first_0 + others_0;
-  const float d_1 = first_0 - others_0;
-  const float d_2 = first_1 + others_1;
-  const float d_3 = first_1 - others_1;
-  const float low_0 = R->m11 < R->m00 ? d_1 : s_2;
-  const float low_1 = R->m11 < R->m00 ? s_2 : d_2;
-  const float low_2 = R->m11 < R->m00 ? s_1 : s_0;
-  const float low_3 = R->m11 < R->m00 ? p_0 : p_1;
+  const float p_0 = R->m21 - R->m12, p_1 = R->m02 - R->m20, p_2 = R->m10 - R->m01;
+  const float s_0 = R->m12 + R->m21, s_1 = R->m02 + R->m20, s_2 = R->m01 + R->m10;
+  const float first_0 = R->m00 + 1.0f, first_1 = 1.0f - R->m00;
+  const float others_0 = R->m11 + R->m22, others_1 = R->m11 - R->m22;
+  const float d_0 = first_0 + others_0, d_1 = first_0 - others_0, d_2 = first_1 + others_1,
+      d_3 = first_1 - others_1;
+  const float low_0 = R->m11 < R->m00 ? d_1 : s_2, low_1 = R->m11 < R->m00 ? s_2 : d_2,
+      low_2 = R->m11 < R->m00 ? s_1 : s_0, low_3 = R->m11 < R->m00 ? p_0 : p_1;
   const float high_0a = -R->m11, high_0 = R->m00 < high_0a ? s_1 : p_0;
-  const float high_1 = R->m00 < high_0a ? s_0 : p_1;
-  const float high_2 = R->m00 < high_0a ? d_3 : p_2;
-  const float high_3 = R->m00 < high_0a ? p_2 : d_0;
-  const float column_0 = R->m22 < 0.0f ? low_0 : high_0;
-  const float column_1 = R->m22 < 0.0f ? low_1 : high_1;
-  const float column_2 = R->m22 < 0.0f ? low_2 : high_2;
-  const float column_3 = R->m22 < 0.0f ? low_3 : high_3;
+  const float high_1 = R->m00 < high_0a ? s_0 : p_1, high_2 = R->m00 < high_0a ? d_3 : p_2,
+      high_3 = R->m00 < high_0a ? p_2 : d_0;
+  const float column_0 = R->m22 < 0.0f ? low_0 : high_0, column_1 = R->m22 < 0.0f ? low_1 : high_1,
+      column_2 = R->m22 < 0.0f ? low_2 : high_2, column_3 = R->m22 < 0.0f ? low_3 : high_3;
   const float upper_0a = -column_0, upper_0 = column_3 < 0.0f ? upper_0a : column_0;
   const float upper_1a = -column_1, upper_1 = column_3 < 0.0f ? upper_1a : column_1;
   const float upper_2a = -column_2, upper_2 = column_3 < 0.0f ? upper_2a : column_2;
   const float upper_3a = -column_3, upper_3 = column_3 < 0.0f ? upper_3a : column_3;
-  const float v_s_size_0 = fabsf(upper_0);
-  const float v_s_size_1 = fabsf(upper_1);
-  const float v_s_size_2 = fabsf(upper_2);
+  const float v_s_size_0 = fabsf(upper_0), v_s_size_1 = fabsf(upper_1), v_s_size_2 = fabsf(upper_2);
   const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
       v_s_d = v_s_largest2 < 256.0f ? 1.8014399e+16f : v_s_b,
       v_s = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_d;
-  const float v_y_0 = KSL_MULF(upper_0, v_s);
-  const float v_y_1 = KSL_MULF(upper_1, v_s);
-  const float v_y_2 = KSL_MULF(upper_2, v_s);
+  const float v_y_0 = KSL_MULF(upper_0, v_s), v_y_1 = KSL_MULF(upper_1, v_s),
+      v_y_2 = KSL_MULF(upper_2, v_s);
   const float v_n = sqrtf(KSL_MULF(v_y_0, v_y_0) + KSL_MULF(v_y_1, v_y_1) + KSL_MULF(v_y_2, v_y_2));
   const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r_d = 1.0f < v_s ? 5.551115e-17f : v_r_b,
       v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_d;
   const float n = KSL_MULF(v_n, v_r);
   const float half = ksl_atan2f(n, upper_3);
   const float divisor = v_n == 0.0f ? 1.0f : v_n;
-  const float unit_0 = v_y_0 / divisor;
-  const float unit_1 = v_y_1 / divisor;
-  const float unit_2 = v_y_2 / divisor;
+  const float unit_0 = v_y_0 / divisor, unit_1 = v_y_1 / divisor, unit_2 = v_y_2 / divisor;
   const float angle = KSL_MULF(2.0f, half);
   const float axis_0 = v_n == 0.0f ? 1.0f : unit_0;
   axis->x = axis_0;

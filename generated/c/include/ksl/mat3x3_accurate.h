@@ -18,12 +18,8 @@
      and underflow. */
 static inline void ksl_acceleration_tensor_accurate(const ksl_vec3_t *w, const ksl_vec3_t *dw,
     ksl_mat3x3_t *Ro) {
-  const double ww_0 = KSL_MUL(w->x, w->x);
-  const double ww_1 = KSL_MUL(w->y, w->y);
-  const double ww_2 = KSL_MUL(w->z, w->z);
-  const double ww_3 = KSL_MUL(w->x, w->y);
-  const double ww_4 = KSL_MUL(w->x, w->z);
-  const double ww_5 = KSL_MUL(w->y, w->z);
+  const double ww_0 = KSL_MUL(w->x, w->x), ww_1 = KSL_MUL(w->y, w->y), ww_2 = KSL_MUL(w->z, w->z),
+      ww_3 = KSL_MUL(w->x, w->y), ww_4 = KSL_MUL(w->x, w->z), ww_5 = KSL_MUL(w->y, w->z);
   const double Ro_00a = ww_1 + ww_2, Ro_00a_right = Ro_00a - ww_1, Ro_00 = -Ro_00a;
   const double Ro_01 = ww_3 - dw->z, Ro_01_right = ww_3 - Ro_01;
   const double Ro_02 = dw->y + ww_4, Ro_02_right = Ro_02 - dw->y;
@@ -35,23 +31,23 @@ static inline void ksl_acceleration_tensor_accurate(const ksl_vec3_t *w, const k
   const double Ro_22a = ww_0 + ww_1, Ro_22a_right = Ro_22a - ww_0, Ro_22 = -Ro_22a;
   const double Ro_00_rounded = Ro_00 +
           -(ksl_product_rest(w->y, w->y, ww_1, Ro_00a - Ro_00a_right)
-          + ksl_product_rest(w->z, w->z, ww_2, Ro_00a_right));
-  const double Ro_01_rounded = Ro_01
-          + (ksl_product_rest(w->x, w->y, ww_3, Ro_01 + Ro_01_right) - (dw->z - Ro_01_right));
-  const double Ro_02_rounded = Ro_02
-          + (dw->y - (Ro_02 - Ro_02_right) + ksl_product_rest(w->x, w->z, ww_4, Ro_02_right));
-  const double Ro_10_rounded = Ro_10
-          + (dw->z - (Ro_10 - Ro_10_right) + ksl_product_rest(w->x, w->y, ww_3, Ro_10_right));
-  const double Ro_11_rounded = Ro_11 +
+          + ksl_product_rest(w->z, w->z, ww_2, Ro_00a_right)),
+      Ro_01_rounded = Ro_01
+          + (ksl_product_rest(w->x, w->y, ww_3, Ro_01 + Ro_01_right) - (dw->z - Ro_01_right)),
+      Ro_02_rounded = Ro_02
+          + (dw->y - (Ro_02 - Ro_02_right) + ksl_product_rest(w->x, w->z, ww_4, Ro_02_right)),
+      Ro_10_rounded = Ro_10
+          + (dw->z - (Ro_10 - Ro_10_right) + ksl_product_rest(w->x, w->y, ww_3, Ro_10_right)),
+      Ro_11_rounded = Ro_11 +
           -(ksl_product_rest(w->x, w->x, ww_0, Ro_11a - Ro_11a_right)
-          + ksl_product_rest(w->z, w->z, ww_2, Ro_11a_right));
-  const double Ro_12_rounded = Ro_12
-          + (ksl_product_rest(w->y, w->z, ww_5, Ro_12 + Ro_12_right) - (dw->x - Ro_12_right));
-  const double Ro_20_rounded = Ro_20
-          + (ksl_product_rest(w->x, w->z, ww_4, Ro_20 + Ro_20_right) - (dw->y - Ro_20_right));
-  const double Ro_21_rounded = Ro_21
-          + (dw->x - (Ro_21 - Ro_21_right) + ksl_product_rest(w->y, w->z, ww_5, Ro_21_right));
-  const double Ro_22_rounded = Ro_22 +
+          + ksl_product_rest(w->z, w->z, ww_2, Ro_11a_right)),
+      Ro_12_rounded = Ro_12
+          + (ksl_product_rest(w->y, w->z, ww_5, Ro_12 + Ro_12_right) - (dw->x - Ro_12_right)),
+      Ro_20_rounded = Ro_20
+          + (ksl_product_rest(w->x, w->z, ww_4, Ro_20 + Ro_20_right) - (dw->y - Ro_20_right)),
+      Ro_21_rounded = Ro_21
+          + (dw->x - (Ro_21 - Ro_21_right) + ksl_product_rest(w->y, w->z, ww_5, Ro_21_right)),
+      Ro_22_rounded = Ro_22 +
           -(ksl_product_rest(w->x, w->x, ww_0, Ro_22a - Ro_22a_right)
           + ksl_product_rest(w->y, w->y, ww_1, Ro_22a_right));
   Ro->m00 = Ro_00_rounded;
@@ -104,15 +100,9 @@ static inline double ksl_mat3x3_determinant_accurate(const ksl_mat3x3_t *R) {
      the cofactor, or 2^-80 m^2 (double 2^-700 m^2) if that is more; barring over- and underflow
      of Ro_ij itself. */
 static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
-  const double R_size_0 = fabs(R->m00);
-  const double R_size_1 = fabs(R->m01);
-  const double R_size_2 = fabs(R->m02);
-  const double R_size_3 = fabs(R->m10);
-  const double R_size_4 = fabs(R->m11);
-  const double R_size_5 = fabs(R->m12);
-  const double R_size_6 = fabs(R->m20);
-  const double R_size_7 = fabs(R->m21);
-  const double R_size_8 = fabs(R->m22);
+  const double R_size_0 = fabs(R->m00), R_size_1 = fabs(R->m01), R_size_2 = fabs(R->m02),
+      R_size_3 = fabs(R->m10), R_size_4 = fabs(R->m11), R_size_5 = fabs(R->m12),
+      R_size_6 = fabs(R->m20), R_size_7 = fabs(R->m21), R_size_8 = fabs(R->m22);
   const double R_largest1 = R_size_0 < R_size_1 ? R_size_1 : R_size_0;
   const double R_largest2 = R_largest1 < R_size_2 ? R_size_2 : R_largest1;
   const double R_largest3 = R_largest2 < R_size_3 ? R_size_3 : R_largest2;
@@ -128,15 +118,9 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       s_h = R_largest8 < 1.0 ? 2.037035976334486e+90 : s_f,
       s_j = R_largest8 < 4.909093465297727e-91 ? 4.149515568880993e+180 : s_h,
       s = R_largest8 < 2.409919865102884e-181 ? 8.452712498170644e+270 : s_j;
-  const double A_0 = KSL_MUL(R->m00, s);
-  const double A_1 = KSL_MUL(R->m01, s);
-  const double A_2 = KSL_MUL(R->m02, s);
-  const double A_3 = KSL_MUL(R->m10, s);
-  const double A_4 = KSL_MUL(R->m11, s);
-  const double A_5 = KSL_MUL(R->m12, s);
-  const double A_6 = KSL_MUL(R->m20, s);
-  const double A_7 = KSL_MUL(R->m21, s);
-  const double A_8 = KSL_MUL(R->m22, s);
+  const double A_0 = KSL_MUL(R->m00, s), A_1 = KSL_MUL(R->m01, s), A_2 = KSL_MUL(R->m02, s),
+      A_3 = KSL_MUL(R->m10, s), A_4 = KSL_MUL(R->m11, s), A_5 = KSL_MUL(R->m12, s),
+      A_6 = KSL_MUL(R->m20, s), A_7 = KSL_MUL(R->m21, s), A_8 = KSL_MUL(R->m22, s);
   const double n0_0a = KSL_MUL(A_4, A_8), n0_0b = KSL_MUL(A_5, A_7), n0_0 = n0_0a - n0_0b,
       n0_0_right = n0_0a - n0_0,
       n0_0_lo = ksl_product_rest(A_4, A_8, n0_0a, n0_0 + n0_0_right)
@@ -181,15 +165,9 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       d_lo2 = d_c - (d - d_right) + ksl_product_rest(A_6, n0_2, d_d, d_right)
           + KSL_MUL(A_6, n0_2_lo),
       d_lo = d_lo2 + (d_c_lo1 + (KSL_MUL(A_0, n0_0_lo) + KSL_MUL(A_3, n0_1_lo)));
-  const double size0_0 = fabs(A_0);
-  const double size0_1 = fabs(A_3);
-  const double size0_2 = fabs(A_6);
-  const double size1_0 = fabs(A_1);
-  const double size1_1 = fabs(A_4);
-  const double size1_2 = fabs(A_7);
-  const double size2_0 = fabs(A_2);
-  const double size2_1 = fabs(A_5);
-  const double size2_2 = fabs(A_8);
+  const double size0_0 = fabs(A_0), size0_1 = fabs(A_3), size0_2 = fabs(A_6);
+  const double size1_0 = fabs(A_1), size1_1 = fabs(A_4), size1_2 = fabs(A_7);
+  const double size2_0 = fabs(A_2), size2_1 = fabs(A_5), size2_2 = fabs(A_8);
   const double permanent_a = KSL_MUL(size1_1, size2_2), permanent_b = KSL_MUL(size1_2, size2_1),
       permanent_c = permanent_a + permanent_b, permanent_c_right = permanent_c - permanent_a,
       permanent_c_left_rest = ksl_product_rest(size1_1, size2_2, permanent_a, permanent_c
@@ -378,15 +356,15 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       det_R_lo = KSL_MUL(twice_sum - KSL_MUL(det_R, 1.0 / r)
           + (twice - (twice_sum - twice_sum_right) + (twice_lo - twice_sum_right)), r);
   const double det = regular == 1.0 ? det_R : 0.0;
-  const double Ro_00 = regular == 1.0 ? inverse_0 : (double)NAN;
-  const double Ro_01 = regular == 1.0 ? inverse_1 : (double)NAN;
-  const double Ro_02 = regular == 1.0 ? inverse_2 : (double)NAN;
-  const double Ro_10 = regular == 1.0 ? inverse_3 : (double)NAN;
-  const double Ro_11 = regular == 1.0 ? inverse_4 : (double)NAN;
-  const double Ro_12 = regular == 1.0 ? inverse_5 : (double)NAN;
-  const double Ro_20 = regular == 1.0 ? inverse_6 : (double)NAN;
-  const double Ro_21 = regular == 1.0 ? inverse_7 : (double)NAN;
-  const double Ro_22 = regular == 1.0 ? inverse_8 : (double)NAN;
+  const double Ro_00 = regular == 1.0 ? inverse_0 : (double)NAN,
+      Ro_01 = regular == 1.0 ? inverse_1 : (double)NAN,
+      Ro_02 = regular == 1.0 ? inverse_2 : (double)NAN,
+      Ro_10 = regular == 1.0 ? inverse_3 : (double)NAN,
+      Ro_11 = regular == 1.0 ? inverse_4 : (double)NAN,
+      Ro_12 = regular == 1.0 ? inverse_5 : (double)NAN,
+      Ro_20 = regular == 1.0 ? inverse_6 : (double)NAN,
+      Ro_21 = regular == 1.0 ? inverse_7 : (double)NAN,
+      Ro_22 = regular == 1.0 ? inverse_8 : (double)NAN;
   const double det_rounded = det + (regular == 1.0 ? det_R_lo : 0.0);
   const double Ro_00_rounded = Ro_00 + (regular == 1.0 ? inverse_0_lo : 0.0);
   const double Ro_01_rounded = Ro_01 + (regular == 1.0 ? inverse_1_lo : 0.0);
@@ -427,17 +405,15 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
      18 equal, 70 select.
    |R R^T - I|_ij <= 8 u for the result R; searched, not proved. */
 static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
-  const double q0_s_size_0 = fabs(self->m00);
-  const double q0_s_size_1 = fabs(self->m01);
-  const double q0_s_size_2 = fabs(self->m02);
+  const double q0_s_size_0 = fabs(self->m00), q0_s_size_1 = fabs(self->m01),
+      q0_s_size_2 = fabs(self->m02);
   const double q0_s_largest1 = q0_s_size_0 < q0_s_size_1 ? q0_s_size_1 : q0_s_size_0;
   const double q0_s_largest2 = q0_s_largest1 < q0_s_size_2 ? q0_s_size_2 : q0_s_largest1;
   const double q0_s_b = 6.703903964971299e+153 < q0_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       q0_s_d = q0_s_largest2 < 256.0 ? 1.3093562431584567e+151 : q0_s_b,
       q0_s = q0_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : q0_s_d;
-  const double q0_y_0 = KSL_MUL(self->m00, q0_s);
-  const double q0_y_1 = KSL_MUL(self->m01, q0_s);
-  const double q0_y_2 = KSL_MUL(self->m02, q0_s);
+  const double q0_y_0 = KSL_MUL(self->m00, q0_s), q0_y_1 = KSL_MUL(self->m01, q0_s),
+      q0_y_2 = KSL_MUL(self->m02, q0_s);
   const double q0_up = 1.0 < q0_s ? q0_s : 1.0;
   const double q0_down = q0_s < 1.0 ? q0_s : 1.0;
   const double q0_n_a = KSL_MUL(q0_y_0, q0_y_0), q0_n_b = KSL_MUL(q0_y_1, q0_y_1),
@@ -457,9 +433,8 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       q0_n_sum_lo = q0_n - (q0_n_sum - q0_n_sum_right) + (q0_n_lo - q0_n_sum_right),
       q0_divisor = q0_n_sum == 0.0 ? q0_up : q0_n_sum,
       q0_divisor_lo = q0_n_sum == 0.0 ? 0.0 : q0_n_sum_lo;
-  const double q0_sized_0 = KSL_MUL(self->m00, q0_up);
-  const double q0_sized_1 = KSL_MUL(self->m01, q0_up);
-  const double q0_sized_2 = KSL_MUL(self->m02, q0_up);
+  const double q0_sized_0 = KSL_MUL(self->m00, q0_up), q0_sized_1 = KSL_MUL(self->m01, q0_up),
+      q0_sized_2 = KSL_MUL(self->m02, q0_up);
   const double q0_divisor_sum = q0_divisor + q0_divisor_lo,
       q0_divisor_sum_right = q0_divisor_sum - q0_divisor,
       q0_divisor_sum_lo = q0_divisor - (q0_divisor_sum - q0_divisor_sum_right)
@@ -502,17 +477,15 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
           + (q0_quotient_2_lo - q0_quotient_2_sum_right),
       q0_2_lo = KSL_MUL(q0_quotient_2_sum - KSL_MUL(q0_2, q0_0_inverse)
           + q0_quotient_2_sum_lo, q0_down);
-  const double u1_s_size_0 = fabs(self->m10);
-  const double u1_s_size_1 = fabs(self->m11);
-  const double u1_s_size_2 = fabs(self->m12);
+  const double u1_s_size_0 = fabs(self->m10), u1_s_size_1 = fabs(self->m11),
+      u1_s_size_2 = fabs(self->m12);
   const double u1_s_largest1 = u1_s_size_0 < u1_s_size_1 ? u1_s_size_1 : u1_s_size_0;
   const double u1_s_largest2 = u1_s_largest1 < u1_s_size_2 ? u1_s_size_2 : u1_s_largest1;
   const double u1_s_b = 6.703903964971299e+153 < u1_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       u1_s_d = u1_s_largest2 < 256.0 ? 1.3093562431584567e+151 : u1_s_b,
       u1_s = u1_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : u1_s_d;
-  const double u1_y_0 = KSL_MUL(self->m10, u1_s);
-  const double u1_y_1 = KSL_MUL(self->m11, u1_s);
-  const double u1_y_2 = KSL_MUL(self->m12, u1_s);
+  const double u1_y_0 = KSL_MUL(self->m10, u1_s), u1_y_1 = KSL_MUL(self->m11, u1_s),
+      u1_y_2 = KSL_MUL(self->m12, u1_s);
   const double u1_up = 1.0 < u1_s ? u1_s : 1.0;
   const double u1_down = u1_s < 1.0 ? u1_s : 1.0;
   const double u1_n_a = KSL_MUL(u1_y_0, u1_y_0), u1_n_b = KSL_MUL(u1_y_1, u1_y_1),
@@ -532,9 +505,8 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       u1_n_sum_lo = u1_n - (u1_n_sum - u1_n_sum_right) + (u1_n_lo - u1_n_sum_right),
       u1_divisor = u1_n_sum == 0.0 ? u1_up : u1_n_sum,
       u1_divisor_lo = u1_n_sum == 0.0 ? 0.0 : u1_n_sum_lo;
-  const double u1_sized_0 = KSL_MUL(self->m10, u1_up);
-  const double u1_sized_1 = KSL_MUL(self->m11, u1_up);
-  const double u1_sized_2 = KSL_MUL(self->m12, u1_up);
+  const double u1_sized_0 = KSL_MUL(self->m10, u1_up), u1_sized_1 = KSL_MUL(self->m11, u1_up),
+      u1_sized_2 = KSL_MUL(self->m12, u1_up);
   const double u1_divisor_sum = u1_divisor + u1_divisor_lo,
       u1_divisor_sum_right = u1_divisor_sum - u1_divisor,
       u1_divisor_sum_lo = u1_divisor - (u1_divisor_sum - u1_divisor_sum_right)
@@ -689,17 +661,15 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       normal_2_lo = normal_2_lo1
           + (KSL_MUL(q0_0_lo, q1_1) + KSL_MUL(q0_0, q1_1_lo)
           - (KSL_MUL(q0_1_lo, q1_0) + KSL_MUL(q0_1, q1_0_lo)));
-  const double u2_s_size_0 = fabs(self->m20);
-  const double u2_s_size_1 = fabs(self->m21);
-  const double u2_s_size_2 = fabs(self->m22);
+  const double u2_s_size_0 = fabs(self->m20), u2_s_size_1 = fabs(self->m21),
+      u2_s_size_2 = fabs(self->m22);
   const double u2_s_largest1 = u2_s_size_0 < u2_s_size_1 ? u2_s_size_1 : u2_s_size_0;
   const double u2_s_largest2 = u2_s_largest1 < u2_s_size_2 ? u2_s_size_2 : u2_s_largest1;
   const double u2_s_b = 6.703903964971299e+153 < u2_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       u2_s_d = u2_s_largest2 < 256.0 ? 1.3093562431584567e+151 : u2_s_b,
       u2_s = u2_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : u2_s_d;
-  const double u2_y_0 = KSL_MUL(self->m20, u2_s);
-  const double u2_y_1 = KSL_MUL(self->m21, u2_s);
-  const double u2_y_2 = KSL_MUL(self->m22, u2_s);
+  const double u2_y_0 = KSL_MUL(self->m20, u2_s), u2_y_1 = KSL_MUL(self->m21, u2_s),
+      u2_y_2 = KSL_MUL(self->m22, u2_s);
   const double u2_up = 1.0 < u2_s ? u2_s : 1.0;
   const double u2_down = u2_s < 1.0 ? u2_s : 1.0;
   const double u2_n_a = KSL_MUL(u2_y_0, u2_y_0), u2_n_b = KSL_MUL(u2_y_1, u2_y_1),
@@ -719,9 +689,8 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       u2_n_sum_lo = u2_n - (u2_n_sum - u2_n_sum_right) + (u2_n_lo - u2_n_sum_right),
       u2_divisor = u2_n_sum == 0.0 ? u2_up : u2_n_sum,
       u2_divisor_lo = u2_n_sum == 0.0 ? 0.0 : u2_n_sum_lo;
-  const double u2_sized_0 = KSL_MUL(self->m20, u2_up);
-  const double u2_sized_1 = KSL_MUL(self->m21, u2_up);
-  const double u2_sized_2 = KSL_MUL(self->m22, u2_up);
+  const double u2_sized_0 = KSL_MUL(self->m20, u2_up), u2_sized_1 = KSL_MUL(self->m21, u2_up),
+      u2_sized_2 = KSL_MUL(self->m22, u2_up);
   const double u2_divisor_sum = u2_divisor + u2_divisor_lo,
       u2_divisor_sum_right = u2_divisor_sum - u2_divisor,
       u2_divisor_sum_lo = u2_divisor - (u2_divisor_sum - u2_divisor_sum_right)
@@ -791,15 +760,15 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       less = n_sum < size_sum ? n_sum : size_sum;
   const double dependent = less + (n_sum < size_sum ? n_sum_lo : size_sum_lo)
           < 1.7763568394002505e-15 ? 1.0 : 0.0;
-  const double self_00_new = dependent == 1.0 ? (double)NAN : q0_0;
-  const double self_01_new = dependent == 1.0 ? (double)NAN : q0_1;
-  const double self_02_new = dependent == 1.0 ? (double)NAN : q0_2;
-  const double self_10_new = dependent == 1.0 ? (double)NAN : q1_0;
-  const double self_11_new = dependent == 1.0 ? (double)NAN : q1_1;
-  const double self_12_new = dependent == 1.0 ? (double)NAN : q1_2;
-  const double self_20_new = dependent == 1.0 ? (double)NAN : q2_0;
-  const double self_21_new = dependent == 1.0 ? (double)NAN : q2_1;
-  const double self_22_new = dependent == 1.0 ? (double)NAN : q2_2;
+  const double self_00_new = dependent == 1.0 ? (double)NAN : q0_0,
+      self_01_new = dependent == 1.0 ? (double)NAN : q0_1,
+      self_02_new = dependent == 1.0 ? (double)NAN : q0_2,
+      self_10_new = dependent == 1.0 ? (double)NAN : q1_0,
+      self_11_new = dependent == 1.0 ? (double)NAN : q1_1,
+      self_12_new = dependent == 1.0 ? (double)NAN : q1_2,
+      self_20_new = dependent == 1.0 ? (double)NAN : q2_0,
+      self_21_new = dependent == 1.0 ? (double)NAN : q2_1,
+      self_22_new = dependent == 1.0 ? (double)NAN : q2_2;
   const double self_00_new_rounded = self_00_new + (dependent == 1.0 ? 0.0 : q0_0_lo);
   const double self_01_new_rounded = self_01_new + (dependent == 1.0 ? 0.0 : q0_1_lo);
   const double self_02_new_rounded = self_02_new + (dependent == 1.0 ? 0.0 : q0_2_lo);
@@ -846,17 +815,14 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
      18 equal, 70 select.
    |R R^T - I|_ij <= 8 u for the result R; searched, not proved. */
 static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
-  const double q0_s_size_0 = fabs(R->m00);
-  const double q0_s_size_1 = fabs(R->m01);
-  const double q0_s_size_2 = fabs(R->m02);
+  const double q0_s_size_0 = fabs(R->m00), q0_s_size_1 = fabs(R->m01), q0_s_size_2 = fabs(R->m02);
   const double q0_s_largest1 = q0_s_size_0 < q0_s_size_1 ? q0_s_size_1 : q0_s_size_0;
   const double q0_s_largest2 = q0_s_largest1 < q0_s_size_2 ? q0_s_size_2 : q0_s_largest1;
   const double q0_s_b = 6.703903964971299e+153 < q0_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       q0_s_d = q0_s_largest2 < 256.0 ? 1.3093562431584567e+151 : q0_s_b,
       q0_s = q0_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : q0_s_d;
-  const double q0_y_0 = KSL_MUL(R->m00, q0_s);
-  const double q0_y_1 = KSL_MUL(R->m01, q0_s);
-  const double q0_y_2 = KSL_MUL(R->m02, q0_s);
+  const double q0_y_0 = KSL_MUL(R->m00, q0_s), q0_y_1 = KSL_MUL(R->m01, q0_s),
+      q0_y_2 = KSL_MUL(R->m02, q0_s);
   const double q0_up = 1.0 < q0_s ? q0_s : 1.0;
   const double q0_down = q0_s < 1.0 ? q0_s : 1.0;
   const double q0_n_a = KSL_MUL(q0_y_0, q0_y_0), q0_n_b = KSL_MUL(q0_y_1, q0_y_1),
@@ -876,9 +842,8 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       q0_n_sum_lo = q0_n - (q0_n_sum - q0_n_sum_right) + (q0_n_lo - q0_n_sum_right),
       q0_divisor = q0_n_sum == 0.0 ? q0_up : q0_n_sum,
       q0_divisor_lo = q0_n_sum == 0.0 ? 0.0 : q0_n_sum_lo;
-  const double q0_sized_0 = KSL_MUL(R->m00, q0_up);
-  const double q0_sized_1 = KSL_MUL(R->m01, q0_up);
-  const double q0_sized_2 = KSL_MUL(R->m02, q0_up);
+  const double q0_sized_0 = KSL_MUL(R->m00, q0_up), q0_sized_1 = KSL_MUL(R->m01, q0_up),
+      q0_sized_2 = KSL_MUL(R->m02, q0_up);
   const double q0_divisor_sum = q0_divisor + q0_divisor_lo,
       q0_divisor_sum_right = q0_divisor_sum - q0_divisor,
       q0_divisor_sum_lo = q0_divisor - (q0_divisor_sum - q0_divisor_sum_right)
@@ -921,17 +886,14 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
           + (q0_quotient_2_lo - q0_quotient_2_sum_right),
       q0_2_lo = KSL_MUL(q0_quotient_2_sum - KSL_MUL(q0_2, q0_0_inverse)
           + q0_quotient_2_sum_lo, q0_down);
-  const double u1_s_size_0 = fabs(R->m10);
-  const double u1_s_size_1 = fabs(R->m11);
-  const double u1_s_size_2 = fabs(R->m12);
+  const double u1_s_size_0 = fabs(R->m10), u1_s_size_1 = fabs(R->m11), u1_s_size_2 = fabs(R->m12);
   const double u1_s_largest1 = u1_s_size_0 < u1_s_size_1 ? u1_s_size_1 : u1_s_size_0;
   const double u1_s_largest2 = u1_s_largest1 < u1_s_size_2 ? u1_s_size_2 : u1_s_largest1;
   const double u1_s_b = 6.703903964971299e+153 < u1_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       u1_s_d = u1_s_largest2 < 256.0 ? 1.3093562431584567e+151 : u1_s_b,
       u1_s = u1_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : u1_s_d;
-  const double u1_y_0 = KSL_MUL(R->m10, u1_s);
-  const double u1_y_1 = KSL_MUL(R->m11, u1_s);
-  const double u1_y_2 = KSL_MUL(R->m12, u1_s);
+  const double u1_y_0 = KSL_MUL(R->m10, u1_s), u1_y_1 = KSL_MUL(R->m11, u1_s),
+      u1_y_2 = KSL_MUL(R->m12, u1_s);
   const double u1_up = 1.0 < u1_s ? u1_s : 1.0;
   const double u1_down = u1_s < 1.0 ? u1_s : 1.0;
   const double u1_n_a = KSL_MUL(u1_y_0, u1_y_0), u1_n_b = KSL_MUL(u1_y_1, u1_y_1),
@@ -951,9 +913,8 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       u1_n_sum_lo = u1_n - (u1_n_sum - u1_n_sum_right) + (u1_n_lo - u1_n_sum_right),
       u1_divisor = u1_n_sum == 0.0 ? u1_up : u1_n_sum,
       u1_divisor_lo = u1_n_sum == 0.0 ? 0.0 : u1_n_sum_lo;
-  const double u1_sized_0 = KSL_MUL(R->m10, u1_up);
-  const double u1_sized_1 = KSL_MUL(R->m11, u1_up);
-  const double u1_sized_2 = KSL_MUL(R->m12, u1_up);
+  const double u1_sized_0 = KSL_MUL(R->m10, u1_up), u1_sized_1 = KSL_MUL(R->m11, u1_up),
+      u1_sized_2 = KSL_MUL(R->m12, u1_up);
   const double u1_divisor_sum = u1_divisor + u1_divisor_lo,
       u1_divisor_sum_right = u1_divisor_sum - u1_divisor,
       u1_divisor_sum_lo = u1_divisor - (u1_divisor_sum - u1_divisor_sum_right)
@@ -1108,17 +1069,14 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       normal_2_lo = normal_2_lo1
           + (KSL_MUL(q0_0_lo, q1_1) + KSL_MUL(q0_0, q1_1_lo)
           - (KSL_MUL(q0_1_lo, q1_0) + KSL_MUL(q0_1, q1_0_lo)));
-  const double u2_s_size_0 = fabs(R->m20);
-  const double u2_s_size_1 = fabs(R->m21);
-  const double u2_s_size_2 = fabs(R->m22);
+  const double u2_s_size_0 = fabs(R->m20), u2_s_size_1 = fabs(R->m21), u2_s_size_2 = fabs(R->m22);
   const double u2_s_largest1 = u2_s_size_0 < u2_s_size_1 ? u2_s_size_1 : u2_s_size_0;
   const double u2_s_largest2 = u2_s_largest1 < u2_s_size_2 ? u2_s_size_2 : u2_s_largest1;
   const double u2_s_b = 6.703903964971299e+153 < u2_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       u2_s_d = u2_s_largest2 < 256.0 ? 1.3093562431584567e+151 : u2_s_b,
       u2_s = u2_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : u2_s_d;
-  const double u2_y_0 = KSL_MUL(R->m20, u2_s);
-  const double u2_y_1 = KSL_MUL(R->m21, u2_s);
-  const double u2_y_2 = KSL_MUL(R->m22, u2_s);
+  const double u2_y_0 = KSL_MUL(R->m20, u2_s), u2_y_1 = KSL_MUL(R->m21, u2_s),
+      u2_y_2 = KSL_MUL(R->m22, u2_s);
   const double u2_up = 1.0 < u2_s ? u2_s : 1.0;
   const double u2_down = u2_s < 1.0 ? u2_s : 1.0;
   const double u2_n_a = KSL_MUL(u2_y_0, u2_y_0), u2_n_b = KSL_MUL(u2_y_1, u2_y_1),
@@ -1138,9 +1096,8 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       u2_n_sum_lo = u2_n - (u2_n_sum - u2_n_sum_right) + (u2_n_lo - u2_n_sum_right),
       u2_divisor = u2_n_sum == 0.0 ? u2_up : u2_n_sum,
       u2_divisor_lo = u2_n_sum == 0.0 ? 0.0 : u2_n_sum_lo;
-  const double u2_sized_0 = KSL_MUL(R->m20, u2_up);
-  const double u2_sized_1 = KSL_MUL(R->m21, u2_up);
-  const double u2_sized_2 = KSL_MUL(R->m22, u2_up);
+  const double u2_sized_0 = KSL_MUL(R->m20, u2_up), u2_sized_1 = KSL_MUL(R->m21, u2_up),
+      u2_sized_2 = KSL_MUL(R->m22, u2_up);
   const double u2_divisor_sum = u2_divisor + u2_divisor_lo,
       u2_divisor_sum_right = u2_divisor_sum - u2_divisor,
       u2_divisor_sum_lo = u2_divisor - (u2_divisor_sum - u2_divisor_sum_right)
@@ -1210,15 +1167,11 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       less = n_sum < size_sum ? n_sum : size_sum;
   const double dependent = less + (n_sum < size_sum ? n_sum_lo : size_sum_lo)
           < 1.7763568394002505e-15 ? 1.0 : 0.0;
-  const double Ro_00 = dependent == 1.0 ? (double)NAN : q0_0;
-  const double Ro_01 = dependent == 1.0 ? (double)NAN : q0_1;
-  const double Ro_02 = dependent == 1.0 ? (double)NAN : q0_2;
-  const double Ro_10 = dependent == 1.0 ? (double)NAN : q1_0;
-  const double Ro_11 = dependent == 1.0 ? (double)NAN : q1_1;
-  const double Ro_12 = dependent == 1.0 ? (double)NAN : q1_2;
-  const double Ro_20 = dependent == 1.0 ? (double)NAN : q2_0;
-  const double Ro_21 = dependent == 1.0 ? (double)NAN : q2_1;
-  const double Ro_22 = dependent == 1.0 ? (double)NAN : q2_2;
+  const double Ro_00 = dependent == 1.0 ? (double)NAN : q0_0,
+      Ro_01 = dependent == 1.0 ? (double)NAN : q0_1, Ro_02 = dependent == 1.0 ? (double)NAN : q0_2,
+      Ro_10 = dependent == 1.0 ? (double)NAN : q1_0, Ro_11 = dependent == 1.0 ? (double)NAN : q1_1,
+      Ro_12 = dependent == 1.0 ? (double)NAN : q1_2, Ro_20 = dependent == 1.0 ? (double)NAN : q2_0,
+      Ro_21 = dependent == 1.0 ? (double)NAN : q2_1, Ro_22 = dependent == 1.0 ? (double)NAN : q2_2;
   const double Ro_00_rounded = Ro_00 + (dependent == 1.0 ? 0.0 : q0_0_lo);
   const double Ro_01_rounded = Ro_01 + (dependent == 1.0 ? 0.0 : q0_1_lo);
   const double Ro_02_rounded = Ro_02 + (dependent == 1.0 ? 0.0 : q0_2_lo);
@@ -1258,9 +1211,8 @@ static inline void ksl_mat3x3_setFromAxisDC_accurate(ksl_mat3x3_t *R, const ksl_
     const double dc[2]) {
   const double versine = 1.0 - dc[1], versine_right = 1.0 - versine,
       versine_lo = 1.0 - (versine + versine_right) - (dc[1] - versine_right);
-  const double versine_axis_0 = KSL_MUL(axis->x, versine);
-  const double versine_axis_1 = KSL_MUL(axis->y, versine);
-  const double versine_axis_2 = KSL_MUL(axis->z, versine);
+  const double versine_axis_0 = KSL_MUL(axis->x, versine),
+      versine_axis_1 = KSL_MUL(axis->y, versine), versine_axis_2 = KSL_MUL(axis->z, versine);
   const double versine_axis_0_lo = ksl_product_error(axis->x, versine, versine_axis_0)
           + KSL_MUL(axis->x, versine_lo), m_0 = KSL_MUL(axis->x, versine_axis_0);
   const double versine_axis_1_lo = ksl_product_error(axis->y, versine, versine_axis_1)
@@ -1272,9 +1224,8 @@ static inline void ksl_mat3x3_setFromAxisDC_accurate(ksl_mat3x3_t *R, const ksl_
       m_4_cross2 = KSL_MUL(axis->z, versine_axis_0_lo);
   const double m_5 = KSL_MUL(axis->z, versine_axis_1),
       m_5_cross2 = KSL_MUL(axis->z, versine_axis_1_lo);
-  const double sine_axis_0 = KSL_MUL(axis->x, dc[0]);
-  const double sine_axis_1 = KSL_MUL(axis->y, dc[0]);
-  const double sine_axis_2 = KSL_MUL(axis->z, dc[0]);
+  const double sine_axis_0 = KSL_MUL(axis->x, dc[0]), sine_axis_1 = KSL_MUL(axis->y, dc[0]),
+      sine_axis_2 = KSL_MUL(axis->z, dc[0]);
   const double R_00 = dc[1] + m_0, R_00_right = R_00 - dc[1];
   const double R_01 = m_3 - sine_axis_2, R_01_right = m_3 - R_01;
   const double R_02 = m_4 + sine_axis_1, R_02_right = R_02 - m_4;
@@ -1298,8 +1249,8 @@ static inline void ksl_mat3x3_setFromAxisDC_accurate(ksl_mat3x3_t *R, const ksl_
   const double R_02_rounded = R_02 + R_02_lo;
   const double R_10_lo = ksl_product_rest(axis->y, versine_axis_0, m_3, R_10 - R_10_right)
           + ksl_product_rest(axis->z, dc[0], sine_axis_2, R_10_right) + m_3_cross2;
-  const double R_10_rounded = R_10 + R_10_lo;
-  const double R_11_rounded = R_11
+  const double R_10_rounded = R_10 + R_10_lo,
+      R_11_rounded = R_11
           + (dc[1] - (R_11 - R_11_right)
           + ksl_product_rest(axis->y, versine_axis_1, m_1, R_11_right)
           + KSL_MUL(axis->y, versine_axis_1_lo));
@@ -1311,8 +1262,8 @@ static inline void ksl_mat3x3_setFromAxisDC_accurate(ksl_mat3x3_t *R, const ksl_
   const double R_20_rounded = R_20 + R_20_lo;
   const double R_21_lo = ksl_product_rest(axis->z, versine_axis_1, m_5, R_21 - R_21_right)
           + ksl_product_rest(axis->x, dc[0], sine_axis_0, R_21_right) + m_5_cross2;
-  const double R_21_rounded = R_21 + R_21_lo;
-  const double R_22_rounded = R_22
+  const double R_21_rounded = R_21 + R_21_lo,
+      R_22_rounded = R_22
           + (dc[1] - (R_22 - R_22_right)
           + ksl_product_rest(axis->z, versine_axis_2, m_2, R_22_right) + m_2_cross2);
   R->m00 = R_00_rounded;
@@ -1342,10 +1293,8 @@ static inline void ksl_mat3x3_from_euler_xyz_accurate(const ksl_vec3_t *angles, 
   double c_2; const double s_2 = ksl_sincos(angles->z, &c_2);
   double c_2_own_error; const double s_2_own_error = ksl_sincos_error(angles->z, s_2, c_2,
       &c_2_own_error);
-  const double first_0 = KSL_MUL(c_1, c_2);
-  const double first_1 = -KSL_MUL(s_2, c_1);
-  const double first_6 = -KSL_MUL(s_1, c_2);
-  const double first_7 = KSL_MUL(s_1, s_2);
+  const double first_0 = KSL_MUL(c_1, c_2), first_1 = -KSL_MUL(s_2, c_1),
+      first_6 = -KSL_MUL(s_1, c_2), first_7 = KSL_MUL(s_1, s_2);
   const double last_3a = KSL_MUL(s_2, c_0),
       first_6_lo = ksl_product_error(-s_1, c_2, first_6) +
           -(KSL_MUL(s_1_own_error, c_2) + KSL_MUL(s_1, c_2_own_error)),
@@ -1516,10 +1465,8 @@ static inline void ksl_mat3x3_from_euler_xyx_accurate(const ksl_vec3_t *angles, 
   double c_2; const double s_2 = ksl_sincos(angles->z, &c_2);
   double c_2_own_error; const double s_2_own_error = ksl_sincos_error(angles->z, s_2, c_2,
       &c_2_own_error);
-  const double first_1 = KSL_MUL(s_1, s_2);
-  const double first_2 = KSL_MUL(s_1, c_2);
-  const double first_7 = KSL_MUL(s_2, c_1);
-  const double first_8 = KSL_MUL(c_1, c_2);
+  const double first_1 = KSL_MUL(s_1, s_2), first_2 = KSL_MUL(s_1, c_2),
+      first_7 = KSL_MUL(s_2, c_1), first_8 = KSL_MUL(c_1, c_2);
   const double last_3 = KSL_MUL(s_0, s_1);
   const double last_4a = KSL_MUL(c_0, c_2),
       first_7_lo = ksl_product_error(s_2, c_1, first_7)
@@ -2020,9 +1967,8 @@ static inline void ksl_mat3x3_from_axis_angle_accurate(const ksl_vec3_t *axis, c
           - cosine_own_error, cosine_sum = cosine + cosine_own_error,
       versine = cosine_sum < 0.0 ? versine_c : versine_b,
       versine_lo = cosine_sum < 0.0 ? versine_c_lo : versine_b_cross2;
-  const double beta_v_0 = KSL_MUL(axis->x, versine);
-  const double beta_v_1 = KSL_MUL(axis->y, versine);
-  const double beta_v_2 = KSL_MUL(axis->z, versine);
+  const double beta_v_0 = KSL_MUL(axis->x, versine), beta_v_1 = KSL_MUL(axis->y, versine),
+      beta_v_2 = KSL_MUL(axis->z, versine);
   const double beta_v_0_lo = ksl_product_error(axis->x, versine, beta_v_0)
           + KSL_MUL(axis->x, versine_lo), m_0 = KSL_MUL(axis->x, beta_v_0),
       m_0_cross2 = KSL_MUL(axis->x, beta_v_0_lo);
@@ -2306,21 +2252,12 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
      over- and underflow. */
 static inline void ksl_acceleration_tensorf_accurate(const ksl_vec3f_t *w, const ksl_vec3f_t *dw,
     ksl_mat3x3f_t *Ro) {
-  const double ww_0 = (double)w->x * (double)w->x;
-  const double ww_1 = (double)w->y * (double)w->y;
-  const double ww_2 = (double)w->z * (double)w->z;
-  const double ww_3 = (double)w->x * (double)w->y;
-  const double ww_4 = (double)w->x * (double)w->z;
-  const double ww_5 = (double)w->y * (double)w->z;
-  const double Ro_00 = -ww_1 - ww_2;
-  const double Ro_01 = ww_3 - (double)dw->z;
-  const double Ro_02 = (double)dw->y + ww_4;
-  const double Ro_10 = (double)dw->z + ww_3;
-  const double Ro_11 = -ww_0 - ww_2;
-  const double Ro_12 = ww_5 - (double)dw->x;
-  const double Ro_20 = ww_4 - (double)dw->y;
-  const double Ro_21 = (double)dw->x + ww_5;
-  const double Ro_22 = -ww_0 - ww_1;
+  const double ww_0 = (double)w->x * (double)w->x, ww_1 = (double)w->y * (double)w->y,
+      ww_2 = (double)w->z * (double)w->z, ww_3 = (double)w->x * (double)w->y,
+      ww_4 = (double)w->x * (double)w->z, ww_5 = (double)w->y * (double)w->z;
+  const double Ro_00 = -ww_1 - ww_2, Ro_01 = ww_3 - (double)dw->z, Ro_02 = (double)dw->y + ww_4,
+      Ro_10 = (double)dw->z + ww_3, Ro_11 = -ww_0 - ww_2, Ro_12 = ww_5 - (double)dw->x,
+      Ro_20 = ww_4 - (double)dw->y, Ro_21 = (double)dw->x + ww_5, Ro_22 = -ww_0 - ww_1;
   Ro->m00 = (float)Ro_00;
   Ro->m01 = (float)Ro_01;
   Ro->m02 = (float)Ro_02;
@@ -2339,11 +2276,9 @@ static inline void ksl_acceleration_tensorf_accurate(const ksl_vec3f_t *w, const
      over- and underflow. */
 static inline float ksl_mat3x3f_determinant_accurate(const ksl_mat3x3f_t *R) {
   const double n_0 = ksl_product_sum(-(double)R->m12, (double)R->m21, (double)R->m11
-          * (double)R->m22);
-  const double n_1 = ksl_product_sum(-(double)R->m01, (double)R->m22, (double)R->m02
-          * (double)R->m21);
-  const double n_2 = ksl_product_sum(-(double)R->m02, (double)R->m11, (double)R->m01
-          * (double)R->m12);
+          * (double)R->m22),
+      n_1 = ksl_product_sum(-(double)R->m01, (double)R->m22, (double)R->m02 * (double)R->m21),
+      n_2 = ksl_product_sum(-(double)R->m02, (double)R->m11, (double)R->m01 * (double)R->m12);
   const double det = KSL_MUL((double)R->m00, n_0) + KSL_MUL((double)R->m10, n_1)
           + KSL_MUL((double)R->m20, n_2);
   return (float)det;
@@ -2358,15 +2293,11 @@ static inline float ksl_mat3x3f_determinant_accurate(const ksl_mat3x3f_t *R) {
      the cofactor, or 2^-80 m^2 (double 2^-700 m^2) if that is more; barring over- and underflow
      of Ro_ij itself. */
 static inline float ksl_mat3x3f_inverse_accurate(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
-  const double R_size_0 = fabs((double)R->m00);
-  const double R_size_1 = fabs((double)R->m01);
-  const double R_size_2 = fabs((double)R->m02);
-  const double R_size_3 = fabs((double)R->m10);
-  const double R_size_4 = fabs((double)R->m11);
-  const double R_size_5 = fabs((double)R->m12);
-  const double R_size_6 = fabs((double)R->m20);
-  const double R_size_7 = fabs((double)R->m21);
-  const double R_size_8 = fabs((double)R->m22);
+  const double R_size_0 = fabs((double)R->m00), R_size_1 = fabs((double)R->m01),
+      R_size_2 = fabs((double)R->m02), R_size_3 = fabs((double)R->m10),
+      R_size_4 = fabs((double)R->m11), R_size_5 = fabs((double)R->m12),
+      R_size_6 = fabs((double)R->m20), R_size_7 = fabs((double)R->m21),
+      R_size_8 = fabs((double)R->m22);
   const double R_largest1 = R_size_0 < R_size_1 ? R_size_1 : R_size_0;
   const double R_largest2 = R_largest1 < R_size_2 ? R_size_2 : R_largest1;
   const double R_largest3 = R_largest2 < R_size_3 ? R_size_3 : R_largest2;
@@ -2382,34 +2313,21 @@ static inline float ksl_mat3x3f_inverse_accurate(const ksl_mat3x3f_t *R, ksl_mat
       s_h = R_largest8 < 1.0 ? 1099511627776.0 : s_f,
       s_j = R_largest8 < 9.094947017729282e-13 ? 1.2089258196146292e+24 : s_h,
       s = R_largest8 < 8.271806125530277e-25 ? 1.329227995784916e+36 : s_j;
-  const double A_0 = KSL_MUL((double)R->m00, s);
-  const double A_1 = KSL_MUL((double)R->m01, s);
-  const double A_2 = KSL_MUL((double)R->m02, s);
-  const double A_3 = KSL_MUL((double)R->m10, s);
-  const double A_4 = KSL_MUL((double)R->m11, s);
-  const double A_5 = KSL_MUL((double)R->m12, s);
-  const double A_6 = KSL_MUL((double)R->m20, s);
-  const double A_7 = KSL_MUL((double)R->m21, s);
-  const double A_8 = KSL_MUL((double)R->m22, s);
-  const double n0_0 = KSL_MUL(A_4, A_8) - KSL_MUL(A_5, A_7);
-  const double n0_1 = KSL_MUL(A_2, A_7) - KSL_MUL(A_1, A_8);
-  const double n0_2 = KSL_MUL(A_1, A_5) - KSL_MUL(A_2, A_4);
-  const double n1_0 = KSL_MUL(A_5, A_6) - KSL_MUL(A_3, A_8);
-  const double n1_1 = KSL_MUL(A_0, A_8) - KSL_MUL(A_2, A_6);
-  const double n1_2 = KSL_MUL(A_2, A_3) - KSL_MUL(A_0, A_5);
-  const double n2_0 = KSL_MUL(A_3, A_7) - KSL_MUL(A_4, A_6);
-  const double n2_1 = KSL_MUL(A_1, A_6) - KSL_MUL(A_0, A_7);
-  const double n2_2 = KSL_MUL(A_0, A_4) - KSL_MUL(A_1, A_3);
+  const double A_0 = KSL_MUL((double)R->m00, s), A_1 = KSL_MUL((double)R->m01, s),
+      A_2 = KSL_MUL((double)R->m02, s), A_3 = KSL_MUL((double)R->m10, s),
+      A_4 = KSL_MUL((double)R->m11, s), A_5 = KSL_MUL((double)R->m12, s),
+      A_6 = KSL_MUL((double)R->m20, s), A_7 = KSL_MUL((double)R->m21, s),
+      A_8 = KSL_MUL((double)R->m22, s);
+  const double n0_0 = KSL_MUL(A_4, A_8) - KSL_MUL(A_5, A_7),
+      n0_1 = KSL_MUL(A_2, A_7) - KSL_MUL(A_1, A_8), n0_2 = KSL_MUL(A_1, A_5) - KSL_MUL(A_2, A_4);
+  const double n1_0 = KSL_MUL(A_5, A_6) - KSL_MUL(A_3, A_8),
+      n1_1 = KSL_MUL(A_0, A_8) - KSL_MUL(A_2, A_6), n1_2 = KSL_MUL(A_2, A_3) - KSL_MUL(A_0, A_5);
+  const double n2_0 = KSL_MUL(A_3, A_7) - KSL_MUL(A_4, A_6),
+      n2_1 = KSL_MUL(A_1, A_6) - KSL_MUL(A_0, A_7), n2_2 = KSL_MUL(A_0, A_4) - KSL_MUL(A_1, A_3);
   const double d = KSL_MUL(A_0, n0_0) + KSL_MUL(A_3, n0_1) + KSL_MUL(A_6, n0_2);
-  const double size0_0 = fabs(A_0);
-  const double size0_1 = fabs(A_3);
-  const double size0_2 = fabs(A_6);
-  const double size1_0 = fabs(A_1);
-  const double size1_1 = fabs(A_4);
-  const double size1_2 = fabs(A_7);
-  const double size2_0 = fabs(A_2);
-  const double size2_1 = fabs(A_5);
-  const double size2_2 = fabs(A_8);
+  const double size0_0 = fabs(A_0), size0_1 = fabs(A_3), size0_2 = fabs(A_6);
+  const double size1_0 = fabs(A_1), size1_1 = fabs(A_4), size1_2 = fabs(A_7);
+  const double size2_0 = fabs(A_2), size2_1 = fabs(A_5), size2_2 = fabs(A_8);
   const double permanent_d = KSL_MUL(size0_0, KSL_MUL(size1_1, size2_2)
           + KSL_MUL(size1_2, size2_1)),
       permanent_i = permanent_d
@@ -2422,24 +2340,15 @@ static inline float ksl_mat3x3f_inverse_accurate(const ksl_mat3x3f_t *R, ksl_mat
           + KSL_MUL(spoiled, KSL_MUL(top, top));
   const double regular = least < fabs(d) ? 1.0 : 0.0;
   const double divisor = regular == 1.0 ? d : 1.0;
-  const double quotient_0 = n0_0 / divisor;
-  const double quotient_1 = n0_1 / divisor;
-  const double quotient_2 = n0_2 / divisor;
-  const double quotient_3 = n1_0 / divisor;
-  const double quotient_4 = n1_1 / divisor;
-  const double quotient_5 = n1_2 / divisor;
-  const double quotient_6 = n2_0 / divisor;
-  const double quotient_7 = n2_1 / divisor;
-  const double quotient_8 = n2_2 / divisor;
-  const double inverse_0 = KSL_MUL(quotient_0, s);
-  const double inverse_1 = KSL_MUL(quotient_1, s);
-  const double inverse_2 = KSL_MUL(quotient_2, s);
-  const double inverse_3 = KSL_MUL(quotient_3, s);
-  const double inverse_4 = KSL_MUL(quotient_4, s);
-  const double inverse_5 = KSL_MUL(quotient_5, s);
-  const double inverse_6 = KSL_MUL(quotient_6, s);
-  const double inverse_7 = KSL_MUL(quotient_7, s);
-  const double inverse_8 = KSL_MUL(quotient_8, s);
+  const double quotient_0 = n0_0 / divisor, quotient_1 = n0_1 / divisor,
+      quotient_2 = n0_2 / divisor, quotient_3 = n1_0 / divisor, quotient_4 = n1_1 / divisor,
+      quotient_5 = n1_2 / divisor, quotient_6 = n2_0 / divisor, quotient_7 = n2_1 / divisor,
+      quotient_8 = n2_2 / divisor;
+  const double inverse_0 = KSL_MUL(quotient_0, s), inverse_1 = KSL_MUL(quotient_1, s),
+      inverse_2 = KSL_MUL(quotient_2, s), inverse_3 = KSL_MUL(quotient_3, s),
+      inverse_4 = KSL_MUL(quotient_4, s), inverse_5 = KSL_MUL(quotient_5, s),
+      inverse_6 = KSL_MUL(quotient_6, s), inverse_7 = KSL_MUL(quotient_7, s),
+      inverse_8 = KSL_MUL(quotient_8, s);
   const double start_a = -1.329227995784916e+36,
       start_c = d < 0.0 ? start_a : 1.329227995784916e+36,
       start = R_largest8 < 1.2089258196146292e+24 ? d : start_c;
@@ -2451,15 +2360,15 @@ static inline float ksl_mat3x3f_inverse_accurate(const ksl_mat3x3f_t *R, ksl_mat
       r = R_largest8 < 1.0 ? 7.52316384526264e-37 : r_a;
   const double det_R = KSL_MUL(twice, r);
   const double det = regular == 1.0 ? det_R : 0.0;
-  const double Ro_00 = regular == 1.0 ? inverse_0 : (double)NAN;
-  const double Ro_01 = regular == 1.0 ? inverse_1 : (double)NAN;
-  const double Ro_02 = regular == 1.0 ? inverse_2 : (double)NAN;
-  const double Ro_10 = regular == 1.0 ? inverse_3 : (double)NAN;
-  const double Ro_11 = regular == 1.0 ? inverse_4 : (double)NAN;
-  const double Ro_12 = regular == 1.0 ? inverse_5 : (double)NAN;
-  const double Ro_20 = regular == 1.0 ? inverse_6 : (double)NAN;
-  const double Ro_21 = regular == 1.0 ? inverse_7 : (double)NAN;
-  const double Ro_22 = regular == 1.0 ? inverse_8 : (double)NAN;
+  const double Ro_00 = regular == 1.0 ? inverse_0 : (double)NAN,
+      Ro_01 = regular == 1.0 ? inverse_1 : (double)NAN,
+      Ro_02 = regular == 1.0 ? inverse_2 : (double)NAN,
+      Ro_10 = regular == 1.0 ? inverse_3 : (double)NAN,
+      Ro_11 = regular == 1.0 ? inverse_4 : (double)NAN,
+      Ro_12 = regular == 1.0 ? inverse_5 : (double)NAN,
+      Ro_20 = regular == 1.0 ? inverse_6 : (double)NAN,
+      Ro_21 = regular == 1.0 ? inverse_7 : (double)NAN,
+      Ro_22 = regular == 1.0 ? inverse_8 : (double)NAN;
   Ro->m00 = (float)Ro_00;
   Ro->m01 = (float)Ro_01;
   Ro->m02 = (float)Ro_02;
@@ -2479,98 +2388,82 @@ static inline float ksl_mat3x3f_inverse_accurate(const ksl_mat3x3f_t *R, ksl_mat
    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
    |R R^T - I|_ij <= 8 u for the result R; searched, not proved. */
 static inline void ksl_mat3x3f_normalize_accurate(ksl_mat3x3f_t *self) {
-  const double q0_s_size_0 = fabs((double)self->m00);
-  const double q0_s_size_1 = fabs((double)self->m01);
-  const double q0_s_size_2 = fabs((double)self->m02);
+  const double q0_s_size_0 = fabs((double)self->m00), q0_s_size_1 = fabs((double)self->m01),
+      q0_s_size_2 = fabs((double)self->m02);
   const double q0_s_largest1 = q0_s_size_0 < q0_s_size_1 ? q0_s_size_1 : q0_s_size_0;
   const double q0_s_largest2 = q0_s_largest1 < q0_s_size_2 ? q0_s_size_2 : q0_s_largest1;
   const double q0_s_b = 4.611686018427388e+18 < q0_s_largest2 ? 2.710505431213761e-20 : 1.0,
       q0_s_d = q0_s_largest2 < 256.0 ? 1.8014398509481984e+16 : q0_s_b,
       q0_s = q0_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : q0_s_d;
-  const double q0_y_0 = KSL_MUL((double)self->m00, q0_s);
-  const double q0_y_1 = KSL_MUL((double)self->m01, q0_s);
-  const double q0_y_2 = KSL_MUL((double)self->m02, q0_s);
+  const double q0_y_0 = KSL_MUL((double)self->m00, q0_s), q0_y_1 = KSL_MUL((double)self->m01, q0_s),
+      q0_y_2 = KSL_MUL((double)self->m02, q0_s);
   const double q0_up = 1.0 < q0_s ? q0_s : 1.0;
   const double q0_down = q0_s < 1.0 ? q0_s : 1.0;
   const double q0_n = sqrt(KSL_MUL(q0_y_0, q0_y_0) + KSL_MUL(q0_y_1, q0_y_1)
           + KSL_MUL(q0_y_2, q0_y_2));
   const double q0_divisor = q0_n == 0.0 ? q0_up : q0_n;
-  const double q0_sized_0 = KSL_MUL((double)self->m00, q0_up);
-  const double q0_sized_1 = KSL_MUL((double)self->m01, q0_up);
-  const double q0_sized_2 = KSL_MUL((double)self->m02, q0_up);
-  const double q0_quotient_0 = q0_sized_0 / q0_divisor;
-  const double q0_quotient_1 = q0_sized_1 / q0_divisor;
-  const double q0_quotient_2 = q0_sized_2 / q0_divisor;
-  const double q0_0 = KSL_MUL(q0_quotient_0, q0_down);
-  const double q0_1 = KSL_MUL(q0_quotient_1, q0_down);
-  const double q0_2 = KSL_MUL(q0_quotient_2, q0_down);
-  const double u1_s_size_0 = fabs((double)self->m10);
-  const double u1_s_size_1 = fabs((double)self->m11);
-  const double u1_s_size_2 = fabs((double)self->m12);
+  const double q0_sized_0 = KSL_MUL((double)self->m00, q0_up),
+      q0_sized_1 = KSL_MUL((double)self->m01, q0_up),
+      q0_sized_2 = KSL_MUL((double)self->m02, q0_up);
+  const double q0_quotient_0 = q0_sized_0 / q0_divisor, q0_quotient_1 = q0_sized_1 / q0_divisor,
+      q0_quotient_2 = q0_sized_2 / q0_divisor;
+  const double q0_0 = KSL_MUL(q0_quotient_0, q0_down), q0_1 = KSL_MUL(q0_quotient_1, q0_down),
+      q0_2 = KSL_MUL(q0_quotient_2, q0_down);
+  const double u1_s_size_0 = fabs((double)self->m10), u1_s_size_1 = fabs((double)self->m11),
+      u1_s_size_2 = fabs((double)self->m12);
   const double u1_s_largest1 = u1_s_size_0 < u1_s_size_1 ? u1_s_size_1 : u1_s_size_0;
   const double u1_s_largest2 = u1_s_largest1 < u1_s_size_2 ? u1_s_size_2 : u1_s_largest1;
   const double u1_s_b = 4.611686018427388e+18 < u1_s_largest2 ? 2.710505431213761e-20 : 1.0,
       u1_s_d = u1_s_largest2 < 256.0 ? 1.8014398509481984e+16 : u1_s_b,
       u1_s = u1_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : u1_s_d;
-  const double u1_y_0 = KSL_MUL((double)self->m10, u1_s);
-  const double u1_y_1 = KSL_MUL((double)self->m11, u1_s);
-  const double u1_y_2 = KSL_MUL((double)self->m12, u1_s);
+  const double u1_y_0 = KSL_MUL((double)self->m10, u1_s), u1_y_1 = KSL_MUL((double)self->m11, u1_s),
+      u1_y_2 = KSL_MUL((double)self->m12, u1_s);
   const double u1_up = 1.0 < u1_s ? u1_s : 1.0;
   const double u1_down = u1_s < 1.0 ? u1_s : 1.0;
   const double u1_n = sqrt(KSL_MUL(u1_y_0, u1_y_0) + KSL_MUL(u1_y_1, u1_y_1)
           + KSL_MUL(u1_y_2, u1_y_2));
   const double u1_divisor = u1_n == 0.0 ? u1_up : u1_n;
-  const double u1_sized_0 = KSL_MUL((double)self->m10, u1_up);
-  const double u1_sized_1 = KSL_MUL((double)self->m11, u1_up);
-  const double u1_sized_2 = KSL_MUL((double)self->m12, u1_up);
-  const double u1_quotient_0 = u1_sized_0 / u1_divisor;
-  const double u1_quotient_1 = u1_sized_1 / u1_divisor;
-  const double u1_quotient_2 = u1_sized_2 / u1_divisor;
-  const double u1_0 = KSL_MUL(u1_quotient_0, u1_down);
-  const double u1_1 = KSL_MUL(u1_quotient_1, u1_down);
-  const double u1_2 = KSL_MUL(u1_quotient_2, u1_down);
+  const double u1_sized_0 = KSL_MUL((double)self->m10, u1_up),
+      u1_sized_1 = KSL_MUL((double)self->m11, u1_up),
+      u1_sized_2 = KSL_MUL((double)self->m12, u1_up);
+  const double u1_quotient_0 = u1_sized_0 / u1_divisor, u1_quotient_1 = u1_sized_1 / u1_divisor,
+      u1_quotient_2 = u1_sized_2 / u1_divisor;
+  const double u1_0 = KSL_MUL(u1_quotient_0, u1_down), u1_1 = KSL_MUL(u1_quotient_1, u1_down),
+      u1_2 = KSL_MUL(u1_quotient_2, u1_down);
   const double along = KSL_MUL(q0_0, u1_0) + KSL_MUL(q0_1, u1_1) + KSL_MUL(q0_2, u1_2);
-  const double once_0 = u1_0 - KSL_MUL(q0_0, along);
-  const double once_1 = u1_1 - KSL_MUL(q0_1, along);
-  const double once_2 = u1_2 - KSL_MUL(q0_2, along);
+  const double once_0 = u1_0 - KSL_MUL(q0_0, along), once_1 = u1_1 - KSL_MUL(q0_1, along),
+      once_2 = u1_2 - KSL_MUL(q0_2, along);
   const double rest = KSL_MUL(q0_0, once_0) + KSL_MUL(q0_1, once_1) + KSL_MUL(q0_2, once_2);
-  const double twice_0 = once_0 - KSL_MUL(q0_0, rest);
-  const double twice_1 = once_1 - KSL_MUL(q0_1, rest);
-  const double twice_2 = once_2 - KSL_MUL(q0_2, rest);
+  const double twice_0 = once_0 - KSL_MUL(q0_0, rest), twice_1 = once_1 - KSL_MUL(q0_1, rest),
+      twice_2 = once_2 - KSL_MUL(q0_2, rest);
   const double n = sqrt(KSL_MUL(twice_0, twice_0) + KSL_MUL(twice_1, twice_1)
           + KSL_MUL(twice_2, twice_2));
   const double divisor = n == 0.0 ? 1.0 : n;
-  const double q1_0 = twice_0 / divisor;
-  const double q1_1 = twice_1 / divisor;
-  const double q1_2 = twice_2 / divisor;
-  const double normal_0 = KSL_MUL(q0_1, q1_2) - KSL_MUL(q0_2, q1_1);
-  const double normal_1 = KSL_MUL(q0_2, q1_0) - KSL_MUL(q0_0, q1_2);
-  const double normal_2 = KSL_MUL(q0_0, q1_1) - KSL_MUL(q0_1, q1_0);
-  const double u2_s_size_0 = fabs((double)self->m20);
-  const double u2_s_size_1 = fabs((double)self->m21);
-  const double u2_s_size_2 = fabs((double)self->m22);
+  const double q1_0 = twice_0 / divisor, q1_1 = twice_1 / divisor, q1_2 = twice_2 / divisor;
+  const double normal_0 = KSL_MUL(q0_1, q1_2) - KSL_MUL(q0_2, q1_1),
+      normal_1 = KSL_MUL(q0_2, q1_0) - KSL_MUL(q0_0, q1_2),
+      normal_2 = KSL_MUL(q0_0, q1_1) - KSL_MUL(q0_1, q1_0);
+  const double u2_s_size_0 = fabs((double)self->m20), u2_s_size_1 = fabs((double)self->m21),
+      u2_s_size_2 = fabs((double)self->m22);
   const double u2_s_largest1 = u2_s_size_0 < u2_s_size_1 ? u2_s_size_1 : u2_s_size_0;
   const double u2_s_largest2 = u2_s_largest1 < u2_s_size_2 ? u2_s_size_2 : u2_s_largest1;
   const double u2_s_b = 4.611686018427388e+18 < u2_s_largest2 ? 2.710505431213761e-20 : 1.0,
       u2_s_d = u2_s_largest2 < 256.0 ? 1.8014398509481984e+16 : u2_s_b,
       u2_s = u2_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : u2_s_d;
-  const double u2_y_0 = KSL_MUL((double)self->m20, u2_s);
-  const double u2_y_1 = KSL_MUL((double)self->m21, u2_s);
-  const double u2_y_2 = KSL_MUL((double)self->m22, u2_s);
+  const double u2_y_0 = KSL_MUL((double)self->m20, u2_s), u2_y_1 = KSL_MUL((double)self->m21, u2_s),
+      u2_y_2 = KSL_MUL((double)self->m22, u2_s);
   const double u2_up = 1.0 < u2_s ? u2_s : 1.0;
   const double u2_down = u2_s < 1.0 ? u2_s : 1.0;
   const double u2_n = sqrt(KSL_MUL(u2_y_0, u2_y_0) + KSL_MUL(u2_y_1, u2_y_1)
           + KSL_MUL(u2_y_2, u2_y_2));
   const double u2_divisor = u2_n == 0.0 ? u2_up : u2_n;
-  const double u2_sized_0 = KSL_MUL((double)self->m20, u2_up);
-  const double u2_sized_1 = KSL_MUL((double)self->m21, u2_up);
-  const double u2_sized_2 = KSL_MUL((double)self->m22, u2_up);
-  const double u2_quotient_0 = u2_sized_0 / u2_divisor;
-  const double u2_quotient_1 = u2_sized_1 / u2_divisor;
-  const double u2_quotient_2 = u2_sized_2 / u2_divisor;
-  const double u2_0 = KSL_MUL(u2_quotient_0, u2_down);
-  const double u2_1 = KSL_MUL(u2_quotient_1, u2_down);
-  const double u2_2 = KSL_MUL(u2_quotient_2, u2_down);
+  const double u2_sized_0 = KSL_MUL((double)self->m20, u2_up),
+      u2_sized_1 = KSL_MUL((double)self->m21, u2_up),
+      u2_sized_2 = KSL_MUL((double)self->m22, u2_up);
+  const double u2_quotient_0 = u2_sized_0 / u2_divisor, u2_quotient_1 = u2_sized_1 / u2_divisor,
+      u2_quotient_2 = u2_sized_2 / u2_divisor;
+  const double u2_0 = KSL_MUL(u2_quotient_0, u2_down), u2_1 = KSL_MUL(u2_quotient_1, u2_down),
+      u2_2 = KSL_MUL(u2_quotient_2, u2_down);
   const double side = KSL_MUL(normal_0, u2_0) + KSL_MUL(normal_1, u2_1) + KSL_MUL(normal_2, u2_2);
   const double q2_0a = -normal_0, q2_0 = side < 0.0 ? q2_0a : normal_0;
   const double q2_1a = -normal_1, q2_1 = side < 0.0 ? q2_1a : normal_1;
@@ -2578,15 +2471,15 @@ static inline void ksl_mat3x3f_normalize_accurate(ksl_mat3x3f_t *self) {
   const double size = fabs(side);
   const double less = n < size ? n : size;
   const double dependent = less < 9.5367431640625e-07 ? 1.0 : 0.0;
-  const double self_00_new = dependent == 1.0 ? (double)NAN : q0_0;
-  const double self_01_new = dependent == 1.0 ? (double)NAN : q0_1;
-  const double self_02_new = dependent == 1.0 ? (double)NAN : q0_2;
-  const double self_10_new = dependent == 1.0 ? (double)NAN : q1_0;
-  const double self_11_new = dependent == 1.0 ? (double)NAN : q1_1;
-  const double self_12_new = dependent == 1.0 ? (double)NAN : q1_2;
-  const double self_20_new = dependent == 1.0 ? (double)NAN : q2_0;
-  const double self_21_new = dependent == 1.0 ? (double)NAN : q2_1;
-  const double self_22_new = dependent == 1.0 ? (double)NAN : q2_2;
+  const double self_00_new = dependent == 1.0 ? (double)NAN : q0_0,
+      self_01_new = dependent == 1.0 ? (double)NAN : q0_1,
+      self_02_new = dependent == 1.0 ? (double)NAN : q0_2,
+      self_10_new = dependent == 1.0 ? (double)NAN : q1_0,
+      self_11_new = dependent == 1.0 ? (double)NAN : q1_1,
+      self_12_new = dependent == 1.0 ? (double)NAN : q1_2,
+      self_20_new = dependent == 1.0 ? (double)NAN : q2_0,
+      self_21_new = dependent == 1.0 ? (double)NAN : q2_1,
+      self_22_new = dependent == 1.0 ? (double)NAN : q2_2;
   self->m00 = (float)self_00_new;
   self->m01 = (float)self_01_new;
   self->m02 = (float)self_02_new;
@@ -2605,98 +2498,79 @@ static inline void ksl_mat3x3f_normalize_accurate(ksl_mat3x3f_t *self) {
    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
    |R R^T - I|_ij <= 8 u for the result R; searched, not proved. */
 static inline void ksl_mat3x3f_normalized_accurate(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
-  const double q0_s_size_0 = fabs((double)R->m00);
-  const double q0_s_size_1 = fabs((double)R->m01);
-  const double q0_s_size_2 = fabs((double)R->m02);
+  const double q0_s_size_0 = fabs((double)R->m00), q0_s_size_1 = fabs((double)R->m01),
+      q0_s_size_2 = fabs((double)R->m02);
   const double q0_s_largest1 = q0_s_size_0 < q0_s_size_1 ? q0_s_size_1 : q0_s_size_0;
   const double q0_s_largest2 = q0_s_largest1 < q0_s_size_2 ? q0_s_size_2 : q0_s_largest1;
   const double q0_s_b = 4.611686018427388e+18 < q0_s_largest2 ? 2.710505431213761e-20 : 1.0,
       q0_s_d = q0_s_largest2 < 256.0 ? 1.8014398509481984e+16 : q0_s_b,
       q0_s = q0_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : q0_s_d;
-  const double q0_y_0 = KSL_MUL((double)R->m00, q0_s);
-  const double q0_y_1 = KSL_MUL((double)R->m01, q0_s);
-  const double q0_y_2 = KSL_MUL((double)R->m02, q0_s);
+  const double q0_y_0 = KSL_MUL((double)R->m00, q0_s), q0_y_1 = KSL_MUL((double)R->m01, q0_s),
+      q0_y_2 = KSL_MUL((double)R->m02, q0_s);
   const double q0_up = 1.0 < q0_s ? q0_s : 1.0;
   const double q0_down = q0_s < 1.0 ? q0_s : 1.0;
   const double q0_n = sqrt(KSL_MUL(q0_y_0, q0_y_0) + KSL_MUL(q0_y_1, q0_y_1)
           + KSL_MUL(q0_y_2, q0_y_2));
   const double q0_divisor = q0_n == 0.0 ? q0_up : q0_n;
-  const double q0_sized_0 = KSL_MUL((double)R->m00, q0_up);
-  const double q0_sized_1 = KSL_MUL((double)R->m01, q0_up);
-  const double q0_sized_2 = KSL_MUL((double)R->m02, q0_up);
-  const double q0_quotient_0 = q0_sized_0 / q0_divisor;
-  const double q0_quotient_1 = q0_sized_1 / q0_divisor;
-  const double q0_quotient_2 = q0_sized_2 / q0_divisor;
-  const double q0_0 = KSL_MUL(q0_quotient_0, q0_down);
-  const double q0_1 = KSL_MUL(q0_quotient_1, q0_down);
-  const double q0_2 = KSL_MUL(q0_quotient_2, q0_down);
-  const double u1_s_size_0 = fabs((double)R->m10);
-  const double u1_s_size_1 = fabs((double)R->m11);
-  const double u1_s_size_2 = fabs((double)R->m12);
+  const double q0_sized_0 = KSL_MUL((double)R->m00, q0_up),
+      q0_sized_1 = KSL_MUL((double)R->m01, q0_up), q0_sized_2 = KSL_MUL((double)R->m02, q0_up);
+  const double q0_quotient_0 = q0_sized_0 / q0_divisor, q0_quotient_1 = q0_sized_1 / q0_divisor,
+      q0_quotient_2 = q0_sized_2 / q0_divisor;
+  const double q0_0 = KSL_MUL(q0_quotient_0, q0_down), q0_1 = KSL_MUL(q0_quotient_1, q0_down),
+      q0_2 = KSL_MUL(q0_quotient_2, q0_down);
+  const double u1_s_size_0 = fabs((double)R->m10), u1_s_size_1 = fabs((double)R->m11),
+      u1_s_size_2 = fabs((double)R->m12);
   const double u1_s_largest1 = u1_s_size_0 < u1_s_size_1 ? u1_s_size_1 : u1_s_size_0;
   const double u1_s_largest2 = u1_s_largest1 < u1_s_size_2 ? u1_s_size_2 : u1_s_largest1;
   const double u1_s_b = 4.611686018427388e+18 < u1_s_largest2 ? 2.710505431213761e-20 : 1.0,
       u1_s_d = u1_s_largest2 < 256.0 ? 1.8014398509481984e+16 : u1_s_b,
       u1_s = u1_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : u1_s_d;
-  const double u1_y_0 = KSL_MUL((double)R->m10, u1_s);
-  const double u1_y_1 = KSL_MUL((double)R->m11, u1_s);
-  const double u1_y_2 = KSL_MUL((double)R->m12, u1_s);
+  const double u1_y_0 = KSL_MUL((double)R->m10, u1_s), u1_y_1 = KSL_MUL((double)R->m11, u1_s),
+      u1_y_2 = KSL_MUL((double)R->m12, u1_s);
   const double u1_up = 1.0 < u1_s ? u1_s : 1.0;
   const double u1_down = u1_s < 1.0 ? u1_s : 1.0;
   const double u1_n = sqrt(KSL_MUL(u1_y_0, u1_y_0) + KSL_MUL(u1_y_1, u1_y_1)
           + KSL_MUL(u1_y_2, u1_y_2));
   const double u1_divisor = u1_n == 0.0 ? u1_up : u1_n;
-  const double u1_sized_0 = KSL_MUL((double)R->m10, u1_up);
-  const double u1_sized_1 = KSL_MUL((double)R->m11, u1_up);
-  const double u1_sized_2 = KSL_MUL((double)R->m12, u1_up);
-  const double u1_quotient_0 = u1_sized_0 / u1_divisor;
-  const double u1_quotient_1 = u1_sized_1 / u1_divisor;
-  const double u1_quotient_2 = u1_sized_2 / u1_divisor;
-  const double u1_0 = KSL_MUL(u1_quotient_0, u1_down);
-  const double u1_1 = KSL_MUL(u1_quotient_1, u1_down);
-  const double u1_2 = KSL_MUL(u1_quotient_2, u1_down);
+  const double u1_sized_0 = KSL_MUL((double)R->m10, u1_up),
+      u1_sized_1 = KSL_MUL((double)R->m11, u1_up), u1_sized_2 = KSL_MUL((double)R->m12, u1_up);
+  const double u1_quotient_0 = u1_sized_0 / u1_divisor, u1_quotient_1 = u1_sized_1 / u1_divisor,
+      u1_quotient_2 = u1_sized_2 / u1_divisor;
+  const double u1_0 = KSL_MUL(u1_quotient_0, u1_down), u1_1 = KSL_MUL(u1_quotient_1, u1_down),
+      u1_2 = KSL_MUL(u1_quotient_2, u1_down);
   const double along = KSL_MUL(q0_0, u1_0) + KSL_MUL(q0_1, u1_1) + KSL_MUL(q0_2, u1_2);
-  const double once_0 = u1_0 - KSL_MUL(q0_0, along);
-  const double once_1 = u1_1 - KSL_MUL(q0_1, along);
-  const double once_2 = u1_2 - KSL_MUL(q0_2, along);
+  const double once_0 = u1_0 - KSL_MUL(q0_0, along), once_1 = u1_1 - KSL_MUL(q0_1, along),
+      once_2 = u1_2 - KSL_MUL(q0_2, along);
   const double rest = KSL_MUL(q0_0, once_0) + KSL_MUL(q0_1, once_1) + KSL_MUL(q0_2, once_2);
-  const double twice_0 = once_0 - KSL_MUL(q0_0, rest);
-  const double twice_1 = once_1 - KSL_MUL(q0_1, rest);
-  const double twice_2 = once_2 - KSL_MUL(q0_2, rest);
+  const double twice_0 = once_0 - KSL_MUL(q0_0, rest), twice_1 = once_1 - KSL_MUL(q0_1, rest),
+      twice_2 = once_2 - KSL_MUL(q0_2, rest);
   const double n = sqrt(KSL_MUL(twice_0, twice_0) + KSL_MUL(twice_1, twice_1)
           + KSL_MUL(twice_2, twice_2));
   const double divisor = n == 0.0 ? 1.0 : n;
-  const double q1_0 = twice_0 / divisor;
-  const double q1_1 = twice_1 / divisor;
-  const double q1_2 = twice_2 / divisor;
-  const double normal_0 = KSL_MUL(q0_1, q1_2) - KSL_MUL(q0_2, q1_1);
-  const double normal_1 = KSL_MUL(q0_2, q1_0) - KSL_MUL(q0_0, q1_2);
-  const double normal_2 = KSL_MUL(q0_0, q1_1) - KSL_MUL(q0_1, q1_0);
-  const double u2_s_size_0 = fabs((double)R->m20);
-  const double u2_s_size_1 = fabs((double)R->m21);
-  const double u2_s_size_2 = fabs((double)R->m22);
+  const double q1_0 = twice_0 / divisor, q1_1 = twice_1 / divisor, q1_2 = twice_2 / divisor;
+  const double normal_0 = KSL_MUL(q0_1, q1_2) - KSL_MUL(q0_2, q1_1),
+      normal_1 = KSL_MUL(q0_2, q1_0) - KSL_MUL(q0_0, q1_2),
+      normal_2 = KSL_MUL(q0_0, q1_1) - KSL_MUL(q0_1, q1_0);
+  const double u2_s_size_0 = fabs((double)R->m20), u2_s_size_1 = fabs((double)R->m21),
+      u2_s_size_2 = fabs((double)R->m22);
   const double u2_s_largest1 = u2_s_size_0 < u2_s_size_1 ? u2_s_size_1 : u2_s_size_0;
   const double u2_s_largest2 = u2_s_largest1 < u2_s_size_2 ? u2_s_size_2 : u2_s_largest1;
   const double u2_s_b = 4.611686018427388e+18 < u2_s_largest2 ? 2.710505431213761e-20 : 1.0,
       u2_s_d = u2_s_largest2 < 256.0 ? 1.8014398509481984e+16 : u2_s_b,
       u2_s = u2_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : u2_s_d;
-  const double u2_y_0 = KSL_MUL((double)R->m20, u2_s);
-  const double u2_y_1 = KSL_MUL((double)R->m21, u2_s);
-  const double u2_y_2 = KSL_MUL((double)R->m22, u2_s);
+  const double u2_y_0 = KSL_MUL((double)R->m20, u2_s), u2_y_1 = KSL_MUL((double)R->m21, u2_s),
+      u2_y_2 = KSL_MUL((double)R->m22, u2_s);
   const double u2_up = 1.0 < u2_s ? u2_s : 1.0;
   const double u2_down = u2_s < 1.0 ? u2_s : 1.0;
   const double u2_n = sqrt(KSL_MUL(u2_y_0, u2_y_0) + KSL_MUL(u2_y_1, u2_y_1)
           + KSL_MUL(u2_y_2, u2_y_2));
   const double u2_divisor = u2_n == 0.0 ? u2_up : u2_n;
-  const double u2_sized_0 = KSL_MUL((double)R->m20, u2_up);
-  const double u2_sized_1 = KSL_MUL((double)R->m21, u2_up);
-  const double u2_sized_2 = KSL_MUL((double)R->m22, u2_up);
-  const double u2_quotient_0 = u2_sized_0 / u2_divisor;
-  const double u2_quotient_1 = u2_sized_1 / u2_divisor;
-  const double u2_quotient_2 = u2_sized_2 / u2_divisor;
-  const double u2_0 = KSL_MUL(u2_quotient_0, u2_down);
-  const double u2_1 = KSL_MUL(u2_quotient_1, u2_down);
-  const double u2_2 = KSL_MUL(u2_quotient_2, u2_down);
+  const double u2_sized_0 = KSL_MUL((double)R->m20, u2_up),
+      u2_sized_1 = KSL_MUL((double)R->m21, u2_up), u2_sized_2 = KSL_MUL((double)R->m22, u2_up);
+  const double u2_quotient_0 = u2_sized_0 / u2_divisor, u2_quotient_1 = u2_sized_1 / u2_divisor,
+      u2_quotient_2 = u2_sized_2 / u2_divisor;
+  const double u2_0 = KSL_MUL(u2_quotient_0, u2_down), u2_1 = KSL_MUL(u2_quotient_1, u2_down),
+      u2_2 = KSL_MUL(u2_quotient_2, u2_down);
   const double side = KSL_MUL(normal_0, u2_0) + KSL_MUL(normal_1, u2_1) + KSL_MUL(normal_2, u2_2);
   const double q2_0a = -normal_0, q2_0 = side < 0.0 ? q2_0a : normal_0;
   const double q2_1a = -normal_1, q2_1 = side < 0.0 ? q2_1a : normal_1;
@@ -2704,15 +2578,11 @@ static inline void ksl_mat3x3f_normalized_accurate(const ksl_mat3x3f_t *R, ksl_m
   const double size = fabs(side);
   const double less = n < size ? n : size;
   const double dependent = less < 9.5367431640625e-07 ? 1.0 : 0.0;
-  const double Ro_00 = dependent == 1.0 ? (double)NAN : q0_0;
-  const double Ro_01 = dependent == 1.0 ? (double)NAN : q0_1;
-  const double Ro_02 = dependent == 1.0 ? (double)NAN : q0_2;
-  const double Ro_10 = dependent == 1.0 ? (double)NAN : q1_0;
-  const double Ro_11 = dependent == 1.0 ? (double)NAN : q1_1;
-  const double Ro_12 = dependent == 1.0 ? (double)NAN : q1_2;
-  const double Ro_20 = dependent == 1.0 ? (double)NAN : q2_0;
-  const double Ro_21 = dependent == 1.0 ? (double)NAN : q2_1;
-  const double Ro_22 = dependent == 1.0 ? (double)NAN : q2_2;
+  const double Ro_00 = dependent == 1.0 ? (double)NAN : q0_0,
+      Ro_01 = dependent == 1.0 ? (double)NAN : q0_1, Ro_02 = dependent == 1.0 ? (double)NAN : q0_2,
+      Ro_10 = dependent == 1.0 ? (double)NAN : q1_0, Ro_11 = dependent == 1.0 ? (double)NAN : q1_1,
+      Ro_12 = dependent == 1.0 ? (double)NAN : q1_2, Ro_20 = dependent == 1.0 ? (double)NAN : q2_0,
+      Ro_21 = dependent == 1.0 ? (double)NAN : q2_1, Ro_22 = dependent == 1.0 ? (double)NAN : q2_2;
   Ro->m00 = (float)Ro_00;
   Ro->m01 = (float)Ro_01;
   Ro->m02 = (float)Ro_02;
@@ -2733,27 +2603,20 @@ static inline void ksl_mat3x3f_normalized_accurate(const ksl_mat3x3f_t *R, ksl_m
 static inline void ksl_mat3x3f_setFromAxisDC_accurate(ksl_mat3x3f_t *R, const ksl_vec3f_t *axis,
     const float dc[2]) {
   const double versine = 1.0 - (double)dc[1];
-  const double versine_axis_0 = KSL_MUL((double)axis->x, versine);
-  const double versine_axis_1 = KSL_MUL((double)axis->y, versine);
-  const double versine_axis_2 = KSL_MUL((double)axis->z, versine);
-  const double m_0 = KSL_MUL((double)axis->x, versine_axis_0);
-  const double m_1 = KSL_MUL((double)axis->y, versine_axis_1);
-  const double m_2 = KSL_MUL((double)axis->z, versine_axis_2);
-  const double m_3 = KSL_MUL((double)axis->y, versine_axis_0);
-  const double m_4 = KSL_MUL((double)axis->z, versine_axis_0);
-  const double m_5 = KSL_MUL((double)axis->z, versine_axis_1);
-  const double sine_axis_0 = (double)axis->x * (double)dc[0];
-  const double sine_axis_1 = (double)axis->y * (double)dc[0];
-  const double sine_axis_2 = (double)axis->z * (double)dc[0];
-  const double R_00 = (double)dc[1] + m_0;
-  const double R_01 = m_3 - sine_axis_2;
-  const double R_02 = m_4 + sine_axis_1;
-  const double R_10 = m_3 + sine_axis_2;
-  const double R_11 = (double)dc[1] + m_1;
-  const double R_12 = m_5 - sine_axis_0;
-  const double R_20 = m_4 - sine_axis_1;
-  const double R_21 = m_5 + sine_axis_0;
-  const double R_22 = (double)dc[1] + m_2;
+  const double versine_axis_0 = KSL_MUL((double)axis->x, versine),
+      versine_axis_1 = KSL_MUL((double)axis->y, versine),
+      versine_axis_2 = KSL_MUL((double)axis->z, versine);
+  const double m_0 = KSL_MUL((double)axis->x, versine_axis_0),
+      m_1 = KSL_MUL((double)axis->y, versine_axis_1),
+      m_2 = KSL_MUL((double)axis->z, versine_axis_2),
+      m_3 = KSL_MUL((double)axis->y, versine_axis_0),
+      m_4 = KSL_MUL((double)axis->z, versine_axis_0),
+      m_5 = KSL_MUL((double)axis->z, versine_axis_1);
+  const double sine_axis_0 = (double)axis->x * (double)dc[0],
+      sine_axis_1 = (double)axis->y * (double)dc[0], sine_axis_2 = (double)axis->z * (double)dc[0];
+  const double R_00 = (double)dc[1] + m_0, R_01 = m_3 - sine_axis_2, R_02 = m_4 + sine_axis_1,
+      R_10 = m_3 + sine_axis_2, R_11 = (double)dc[1] + m_1, R_12 = m_5 - sine_axis_0,
+      R_20 = m_4 - sine_axis_1, R_21 = m_5 + sine_axis_0, R_22 = (double)dc[1] + m_2;
   R->m00 = (float)R_00;
   R->m01 = (float)R_01;
   R->m02 = (float)R_02;
@@ -2775,16 +2638,12 @@ static inline void ksl_mat3x3f_from_euler_xyz_accurate(const ksl_vec3f_t *angles
   double c_0; const double s_0 = ksl_sincos((double)angles->x, &c_0);
   double c_1; const double s_1 = ksl_sincos((double)angles->y, &c_1);
   double c_2; const double s_2 = ksl_sincos((double)angles->z, &c_2);
-  const double first_0 = KSL_MUL(c_1, c_2);
-  const double first_1 = -KSL_MUL(s_2, c_1);
-  const double first_6 = -KSL_MUL(s_1, c_2);
-  const double first_7 = KSL_MUL(s_1, s_2);
-  const double last_3 = KSL_MUL(s_2, c_0) - KSL_MUL(s_0, first_6);
-  const double last_4 = KSL_MUL(c_0, c_2) - KSL_MUL(s_0, first_7);
-  const double last_5 = -KSL_MUL(s_0, c_1);
-  const double last_6 = KSL_MUL(s_0, s_2) + KSL_MUL(c_0, first_6);
-  const double last_7 = KSL_MUL(s_0, c_2) + KSL_MUL(c_0, first_7);
-  const double last_8 = KSL_MUL(c_0, c_1);
+  const double first_0 = KSL_MUL(c_1, c_2), first_1 = -KSL_MUL(s_2, c_1),
+      first_6 = -KSL_MUL(s_1, c_2), first_7 = KSL_MUL(s_1, s_2);
+  const double last_3 = KSL_MUL(s_2, c_0) - KSL_MUL(s_0, first_6),
+      last_4 = KSL_MUL(c_0, c_2) - KSL_MUL(s_0, first_7), last_5 = -KSL_MUL(s_0, c_1),
+      last_6 = KSL_MUL(s_0, s_2) + KSL_MUL(c_0, first_6),
+      last_7 = KSL_MUL(s_0, c_2) + KSL_MUL(c_0, first_7), last_8 = KSL_MUL(c_0, c_1);
   R->m00 = (float)first_0;
   R->m01 = (float)first_1;
   R->m02 = (float)s_1;
@@ -2811,12 +2670,12 @@ static inline void ksl_euler_xyz_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
   const double sine_a = -(double)R->m01, sine = sine_a / divisor;
   const double polar = ksl_atan2(sine_a, (double)R->m00);
   const double third = n == 0.0 ? 0.0 : polar;
-  const double left_1 = KSL_MUL((double)R->m10, sine) + KSL_MUL((double)R->m11, cosine);
-  const double left_2 = KSL_MUL((double)R->m20, sine) + KSL_MUL((double)R->m21, cosine);
+  const double left_1 = KSL_MUL((double)R->m10, sine) + KSL_MUL((double)R->m11, cosine),
+      left_2 = KSL_MUL((double)R->m20, sine) + KSL_MUL((double)R->m21, cosine);
   const double rest = (double)R->m12 + (double)R->m22;
   const double first = ksl_atan2(left_2, left_1);
-  const double angles_0 = rest < 1.2676506002282294e+30 ? first : rest;
-  const double angles_1 = ksl_atan2((double)R->m02, n);
+  const double angles_0 = rest < 1.2676506002282294e+30 ? first : rest,
+      angles_1 = ksl_atan2((double)R->m02, n);
   angles->x = (float)angles_0;
   angles->y = (float)angles_1;
   angles->z = (float)third;
@@ -2832,16 +2691,12 @@ static inline void ksl_mat3x3f_from_euler_xyx_accurate(const ksl_vec3f_t *angles
   double c_0; const double s_0 = ksl_sincos((double)angles->x, &c_0);
   double c_1; const double s_1 = ksl_sincos((double)angles->y, &c_1);
   double c_2; const double s_2 = ksl_sincos((double)angles->z, &c_2);
-  const double first_1 = KSL_MUL(s_1, s_2);
-  const double first_2 = KSL_MUL(s_1, c_2);
-  const double first_7 = KSL_MUL(s_2, c_1);
-  const double first_8 = KSL_MUL(c_1, c_2);
-  const double last_3 = KSL_MUL(s_0, s_1);
-  const double last_4 = KSL_MUL(c_0, c_2) - KSL_MUL(s_0, first_7);
-  const double last_5 = -KSL_MUL(s_0, first_8) - KSL_MUL(s_2, c_0);
-  const double last_6 = -KSL_MUL(s_1, c_0);
-  const double last_7 = KSL_MUL(s_0, c_2) + KSL_MUL(c_0, first_7);
-  const double last_8 = KSL_MUL(c_0, first_8) - KSL_MUL(s_0, s_2);
+  const double first_1 = KSL_MUL(s_1, s_2), first_2 = KSL_MUL(s_1, c_2),
+      first_7 = KSL_MUL(s_2, c_1), first_8 = KSL_MUL(c_1, c_2);
+  const double last_3 = KSL_MUL(s_0, s_1), last_4 = KSL_MUL(c_0, c_2) - KSL_MUL(s_0, first_7),
+      last_5 = -KSL_MUL(s_0, first_8) - KSL_MUL(s_2, c_0), last_6 = -KSL_MUL(s_1, c_0),
+      last_7 = KSL_MUL(s_0, c_2) + KSL_MUL(c_0, first_7),
+      last_8 = KSL_MUL(c_0, first_8) - KSL_MUL(s_0, s_2);
   R->m00 = (float)c_1;
   R->m01 = (float)first_1;
   R->m02 = (float)first_2;
@@ -2868,12 +2723,12 @@ static inline void ksl_euler_xyx_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
   const double sine = (double)R->m01 / divisor;
   const double polar = ksl_atan2((double)R->m01, (double)R->m02);
   const double third = n == 0.0 ? 0.0 : polar;
-  const double left_1 = KSL_MUL((double)R->m11, cosine) - KSL_MUL((double)R->m12, sine);
-  const double left_2 = KSL_MUL((double)R->m21, cosine) - KSL_MUL((double)R->m22, sine);
+  const double left_1 = KSL_MUL((double)R->m11, cosine) - KSL_MUL((double)R->m12, sine),
+      left_2 = KSL_MUL((double)R->m21, cosine) - KSL_MUL((double)R->m22, sine);
   const double rest = (double)R->m10 + (double)R->m20;
   const double first = ksl_atan2(left_2, left_1);
-  const double angles_0 = rest < 1.2676506002282294e+30 ? first : rest;
-  const double angles_1 = ksl_atan2(n, (double)R->m00);
+  const double angles_0 = rest < 1.2676506002282294e+30 ? first : rest,
+      angles_1 = ksl_atan2(n, (double)R->m00);
   angles->x = (float)angles_0;
   angles->y = (float)angles_1;
   angles->z = (float)third;
@@ -2900,14 +2755,13 @@ static inline void ksl_mat3x3f_jacobi_accurate(ksl_mat3x3f_t *A, ksl_mat3x3f_t *
   const double change = KSL_MUL((double)A->m10, t);
   const double zp = KSL_MUL((double)A->m20, c) - KSL_MUL((double)A->m21, s);
   const double zq = KSL_MUL((double)A->m20, s) + KSL_MUL((double)A->m21, c);
-  const double vp_0 = KSL_MUL((double)V->m00, c) - KSL_MUL((double)V->m01, s);
-  const double vp_1 = KSL_MUL((double)V->m10, c) - KSL_MUL((double)V->m11, s);
-  const double vp_2 = KSL_MUL((double)V->m20, c) - KSL_MUL((double)V->m21, s);
-  const double vq_0 = KSL_MUL((double)V->m00, s) + KSL_MUL((double)V->m01, c);
-  const double vq_1 = KSL_MUL((double)V->m10, s) + KSL_MUL((double)V->m11, c);
-  const double vq_2 = KSL_MUL((double)V->m20, s) + KSL_MUL((double)V->m21, c);
-  const double A_00_new = (double)A->m11 + change;
-  const double A_22_new = (double)A->m00 - change;
+  const double vp_0 = KSL_MUL((double)V->m00, c) - KSL_MUL((double)V->m01, s),
+      vp_1 = KSL_MUL((double)V->m10, c) - KSL_MUL((double)V->m11, s),
+      vp_2 = KSL_MUL((double)V->m20, c) - KSL_MUL((double)V->m21, s);
+  const double vq_0 = KSL_MUL((double)V->m00, s) + KSL_MUL((double)V->m01, c),
+      vq_1 = KSL_MUL((double)V->m10, s) + KSL_MUL((double)V->m11, c),
+      vq_2 = KSL_MUL((double)V->m20, s) + KSL_MUL((double)V->m21, c);
+  const double A_00_new = (double)A->m11 + change, A_22_new = (double)A->m00 - change;
   const float A_m22 = A->m22;
   const float V_m02 = V->m02;
   const float V_m12 = V->m12;
@@ -2939,36 +2793,27 @@ static inline void ksl_mat3x3f_jacobi_accurate(ksl_mat3x3f_t *A, ksl_mat3x3f_t *
    Error <= 6 u near a rotation; measured, not proved. */
 static inline float ksl_mat3x3f_rotation_defect_accurate(const ksl_mat3x3f_t *R) {
   const double n_0 = ksl_product_sum(-(double)R->m12, (double)R->m21, (double)R->m11
-          * (double)R->m22);
-  const double n_1 = ksl_product_sum(-(double)R->m01, (double)R->m22, (double)R->m02
-          * (double)R->m21);
-  const double n_2 = ksl_product_sum(-(double)R->m02, (double)R->m11, (double)R->m01
-          * (double)R->m12);
+          * (double)R->m22),
+      n_1 = ksl_product_sum(-(double)R->m01, (double)R->m22, (double)R->m02 * (double)R->m21),
+      n_2 = ksl_product_sum(-(double)R->m02, (double)R->m11, (double)R->m01 * (double)R->m12);
   const double det = KSL_MUL((double)R->m00, n_0) + KSL_MUL((double)R->m10, n_1)
           + KSL_MUL((double)R->m20, n_2);
   const double g_0 = ksl_product_sum((double)R->m20, (double)R->m20, ksl_product_sum((double)R->m10,
-      (double)R->m10, (double)R->m00 * (double)R->m00));
-  const double g_1 = ksl_product_sum((double)R->m20, (double)R->m21, ksl_product_sum((double)R->m10,
-      (double)R->m11, (double)R->m00 * (double)R->m01));
-  const double g_2 = ksl_product_sum((double)R->m20, (double)R->m22, ksl_product_sum((double)R->m10,
-      (double)R->m12, (double)R->m00 * (double)R->m02));
-  const double g_3 = ksl_product_sum((double)R->m21, (double)R->m21, ksl_product_sum((double)R->m11,
-      (double)R->m11, (double)R->m01 * (double)R->m01));
-  const double g_4 = ksl_product_sum((double)R->m21, (double)R->m22, ksl_product_sum((double)R->m11,
-      (double)R->m12, (double)R->m01 * (double)R->m02));
-  const double g_5 = ksl_product_sum((double)R->m22, (double)R->m22, ksl_product_sum((double)R->m12,
-      (double)R->m12, (double)R->m02 * (double)R->m02));
-  const double off_0 = det - 1.0;
-  const double off_1 = g_0 - 1.0;
-  const double off_4 = g_3 - 1.0;
-  const double off_6 = g_5 - 1.0;
-  const double defect_size_0 = fabs(off_0);
-  const double defect_size_1 = fabs(off_1);
-  const double defect_size_2 = fabs(g_1);
-  const double defect_size_3 = fabs(g_2);
-  const double defect_size_4 = fabs(off_4);
-  const double defect_size_5 = fabs(g_4);
-  const double defect_size_6 = fabs(off_6);
+      (double)R->m10, (double)R->m00 * (double)R->m00)),
+      g_1 = ksl_product_sum((double)R->m20, (double)R->m21, ksl_product_sum((double)R->m10,
+          (double)R->m11, (double)R->m00 * (double)R->m01)),
+      g_2 = ksl_product_sum((double)R->m20, (double)R->m22, ksl_product_sum((double)R->m10,
+          (double)R->m12, (double)R->m00 * (double)R->m02)),
+      g_3 = ksl_product_sum((double)R->m21, (double)R->m21, ksl_product_sum((double)R->m11,
+          (double)R->m11, (double)R->m01 * (double)R->m01)),
+      g_4 = ksl_product_sum((double)R->m21, (double)R->m22, ksl_product_sum((double)R->m11,
+          (double)R->m12, (double)R->m01 * (double)R->m02)),
+      g_5 = ksl_product_sum((double)R->m22, (double)R->m22, ksl_product_sum((double)R->m12,
+          (double)R->m12, (double)R->m02 * (double)R->m02));
+  const double off_0 = det - 1.0, off_1 = g_0 - 1.0, off_4 = g_3 - 1.0, off_6 = g_5 - 1.0;
+  const double defect_size_0 = fabs(off_0), defect_size_1 = fabs(off_1), defect_size_2 = fabs(g_1),
+      defect_size_3 = fabs(g_2), defect_size_4 = fabs(off_4), defect_size_5 = fabs(g_4),
+      defect_size_6 = fabs(off_6);
   const double defect_largest1 = defect_size_0 < defect_size_1 ? defect_size_1 : defect_size_0;
   const double defect_largest2 = defect_largest1 < defect_size_2 ? defect_size_2 : defect_largest1;
   const double defect_largest3 = defect_largest2 < defect_size_3 ? defect_size_3 : defect_largest2;
@@ -2992,30 +2837,17 @@ static inline void ksl_mat3x3f_from_axis_angle_accurate(const ksl_vec3f_t *axis,
   double cosine; const double sine = ksl_sincos((double)angle, &cosine);
   const double versine_b = KSL_MUL(2.0, KSL_MUL(h, h)), versine_c = 1.0 - cosine,
       versine = cosine < 0.0 ? versine_c : versine_b;
-  const double beta_v_0 = KSL_MUL((double)axis->x, versine);
-  const double beta_v_1 = KSL_MUL((double)axis->y, versine);
-  const double beta_v_2 = KSL_MUL((double)axis->z, versine);
-  const double m_0 = KSL_MUL((double)axis->x, beta_v_0);
-  const double m_1 = KSL_MUL((double)axis->y, beta_v_1);
-  const double m_2 = KSL_MUL((double)axis->z, beta_v_2);
-  const double m_3 = KSL_MUL((double)axis->y, beta_v_0);
-  const double m_4 = KSL_MUL((double)axis->z, beta_v_0);
-  const double m_5 = KSL_MUL((double)axis->z, beta_v_1);
-  const double others_0 = m_1 + m_2;
-  const double others_1 = m_0 + m_2;
-  const double others_2 = m_0 + m_1;
-  const double alpha_v_0 = KSL_MUL((double)axis->x, sine);
-  const double alpha_v_1 = KSL_MUL((double)axis->y, sine);
-  const double alpha_v_2 = KSL_MUL((double)axis->z, sine);
-  const double R_00 = 1.0 - others_0;
-  const double R_01 = m_3 - alpha_v_2;
-  const double R_02 = m_4 + alpha_v_1;
-  const double R_10 = m_3 + alpha_v_2;
-  const double R_11 = 1.0 - others_1;
-  const double R_12 = m_5 - alpha_v_0;
-  const double R_20 = m_4 - alpha_v_1;
-  const double R_21 = m_5 + alpha_v_0;
-  const double R_22 = 1.0 - others_2;
+  const double beta_v_0 = KSL_MUL((double)axis->x, versine),
+      beta_v_1 = KSL_MUL((double)axis->y, versine), beta_v_2 = KSL_MUL((double)axis->z, versine);
+  const double m_0 = KSL_MUL((double)axis->x, beta_v_0), m_1 = KSL_MUL((double)axis->y, beta_v_1),
+      m_2 = KSL_MUL((double)axis->z, beta_v_2), m_3 = KSL_MUL((double)axis->y, beta_v_0),
+      m_4 = KSL_MUL((double)axis->z, beta_v_0), m_5 = KSL_MUL((double)axis->z, beta_v_1);
+  const double others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
+  const double alpha_v_0 = KSL_MUL((double)axis->x, sine),
+      alpha_v_1 = KSL_MUL((double)axis->y, sine), alpha_v_2 = KSL_MUL((double)axis->z, sine);
+  const double R_00 = 1.0 - others_0, R_01 = m_3 - alpha_v_2, R_02 = m_4 + alpha_v_1,
+      R_10 = m_3 + alpha_v_2, R_11 = 1.0 - others_1, R_12 = m_5 - alpha_v_0, R_20 = m_4 - alpha_v_1,
+      R_21 = m_5 + alpha_v_0, R_22 = 1.0 - others_2;
   R->m00 = (float)R_00;
   R->m01 = (float)R_01;
   R->m02 = (float)R_02;
@@ -3036,47 +2868,38 @@ static inline void ksl_mat3x3f_from_axis_angle_accurate(const ksl_vec3f_t *axis,
      searched, not proved. */
 static inline float ksl_axis_angle_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
     ksl_vec3f_t *axis) {
-  const double p_0 = (double)R->m21 - (double)R->m12;
-  const double p_1 = (double)R->m02 - (double)R->m20;
-  const double p_2 = (double)R->m10 - (double)R->m01;
-  const double s_0 = (double)R->m12 + (double)R->m21;
-  const double s_1 = (double)R->m02 + (double)R->m20;
-  const double s_2 = (double)R->m01 + (double)R->m10;
-  const double first_0 = (double)R->m00 + 1.0;
-  const double first_1 = 1.0 - (double)R->m00;
-  const double others_0 = (double)R->m11 + (double)R->m22;
-  const double others_1 = (double)R->m11 - (double)R->m22;
-  const double d_0 = first_0 + others_0;
-  const double d_1 = first_0 - others_0;
-  const double d_2 = first_1 + others_1;
-  const double d_3 = first_1 - others_1;
-  const double low_0 = (double)R->m11 < (double)R->m00 ? d_1 : s_2;
-  const double low_1 = (double)R->m11 < (double)R->m00 ? s_2 : d_2;
-  const double low_2 = (double)R->m11 < (double)R->m00 ? s_1 : s_0;
-  const double low_3 = (double)R->m11 < (double)R->m00 ? p_0 : p_1;
+  const double p_0 = (double)R->m21 - (double)R->m12, p_1 = (double)R->m02 - (double)R->m20,
+      p_2 = (double)R->m10 - (double)R->m01;
+  const double s_0 = (double)R->m12 + (double)R->m21, s_1 = (double)R->m02 + (double)R->m20,
+      s_2 = (double)R->m01 + (double)R->m10;
+  const double first_0 = (double)R->m00 + 1.0, first_1 = 1.0 - (double)R->m00;
+  const double others_0 = (double)R->m11 + (double)R->m22,
+      others_1 = (double)R->m11 - (double)R->m22;
+  const double d_0 = first_0 + others_0, d_1 = first_0 - others_0, d_2 = first_1 + others_1,
+      d_3 = first_1 - others_1;
+  const double low_0 = (double)R->m11 < (double)R->m00 ? d_1 : s_2,
+      low_1 = (double)R->m11 < (double)R->m00 ? s_2 : d_2,
+      low_2 = (double)R->m11 < (double)R->m00 ? s_1 : s_0,
+      low_3 = (double)R->m11 < (double)R->m00 ? p_0 : p_1;
   const double high_0a = -(double)R->m11, high_0 = (double)R->m00 < high_0a ? s_1 : p_0;
-  const double high_1 = (double)R->m00 < high_0a ? s_0 : p_1;
-  const double high_2 = (double)R->m00 < high_0a ? d_3 : p_2;
-  const double high_3 = (double)R->m00 < high_0a ? p_2 : d_0;
-  const double column_0 = (double)R->m22 < 0.0 ? low_0 : high_0;
-  const double column_1 = (double)R->m22 < 0.0 ? low_1 : high_1;
-  const double column_2 = (double)R->m22 < 0.0 ? low_2 : high_2;
-  const double column_3 = (double)R->m22 < 0.0 ? low_3 : high_3;
+  const double high_1 = (double)R->m00 < high_0a ? s_0 : p_1,
+      high_2 = (double)R->m00 < high_0a ? d_3 : p_2, high_3 = (double)R->m00 < high_0a ? p_2 : d_0;
+  const double column_0 = (double)R->m22 < 0.0 ? low_0 : high_0,
+      column_1 = (double)R->m22 < 0.0 ? low_1 : high_1,
+      column_2 = (double)R->m22 < 0.0 ? low_2 : high_2,
+      column_3 = (double)R->m22 < 0.0 ? low_3 : high_3;
   const double upper_0a = -column_0, upper_0 = column_3 < 0.0 ? upper_0a : column_0;
   const double upper_1a = -column_1, upper_1 = column_3 < 0.0 ? upper_1a : column_1;
   const double upper_2a = -column_2, upper_2 = column_3 < 0.0 ? upper_2a : column_2;
   const double upper_3a = -column_3, upper_3 = column_3 < 0.0 ? upper_3a : column_3;
-  const double v_s_size_0 = fabs(upper_0);
-  const double v_s_size_1 = fabs(upper_1);
-  const double v_s_size_2 = fabs(upper_2);
+  const double v_s_size_0 = fabs(upper_0), v_s_size_1 = fabs(upper_1), v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 4.611686018427388e+18 < v_s_largest2 ? 2.710505431213761e-20 : 1.0,
       v_s_d = v_s_largest2 < 256.0 ? 1.8014398509481984e+16 : v_s_b,
       v_s = v_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : v_s_d;
-  const double v_y_0 = KSL_MUL(upper_0, v_s);
-  const double v_y_1 = KSL_MUL(upper_1, v_s);
-  const double v_y_2 = KSL_MUL(upper_2, v_s);
+  const double v_y_0 = KSL_MUL(upper_0, v_s), v_y_1 = KSL_MUL(upper_1, v_s),
+      v_y_2 = KSL_MUL(upper_2, v_s);
   const double v_n = sqrt(KSL_MUL(v_y_0, v_y_0) + KSL_MUL(v_y_1, v_y_1) + KSL_MUL(v_y_2, v_y_2));
   const double v_r_b = v_s < 1.0 ? 3.6893488147419103e+19 : 1.0,
       v_r_d = 1.0 < v_s ? 5.551115123125783e-17 : v_r_b,
@@ -3084,9 +2907,7 @@ static inline float ksl_axis_angle_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
   const double n = KSL_MUL(v_n, v_r);
   const double half = ksl_atan2(n, upper_3);
   const double divisor = v_n == 0.0 ? 1.0 : v_n;
-  const double unit_0 = v_y_0 / divisor;
-  const double unit_1 = v_y_1 / divisor;
-  const double unit_2 = v_y_2 / divisor;
+  const double unit_0 = v_y_0 / divisor, unit_1 = v_y_1 / divisor, unit_2 = v_y_2 / divisor;
   const double angle = KSL_MUL(2.0, half);
   const double axis_0 = v_n == 0.0 ? 1.0 : unit_0;
   axis->x = (float)axis_0;

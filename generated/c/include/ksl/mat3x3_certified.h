@@ -19,39 +19,27 @@
    15 mul, 27 add, 3 neg, 9 abs. */
 static inline void ksl_acceleration_tensor_certified(const ksl_vec3_t *w, const ksl_vec3_t *dw,
     ksl_mat3x3_t *Ro, ksl_mat3x3_t *Ro_bound) {
-  const double ww_0 = KSL_MUL(w->x, w->x);
-  const double ww_1 = KSL_MUL(w->y, w->y);
-  const double ww_2 = KSL_MUL(w->z, w->z);
-  const double ww_3 = KSL_MUL(w->x, w->y);
-  const double ww_4 = KSL_MUL(w->x, w->z);
-  const double ww_5 = KSL_MUL(w->y, w->z);
-  const double Ro_00 = -(ww_1 + ww_2);
-  const double Ro_01 = ww_3 - dw->z;
-  const double Ro_02 = dw->y + ww_4;
-  const double Ro_10 = dw->z + ww_3;
-  const double Ro_11 = -(ww_0 + ww_2);
-  const double Ro_12 = ww_5 - dw->x;
-  const double Ro_20 = ww_4 - dw->y;
-  const double Ro_21 = dw->x + ww_5;
-  const double Ro_22 = -(ww_0 + ww_1);
+  const double ww_0 = KSL_MUL(w->x, w->x), ww_1 = KSL_MUL(w->y, w->y), ww_2 = KSL_MUL(w->z, w->z),
+      ww_3 = KSL_MUL(w->x, w->y), ww_4 = KSL_MUL(w->x, w->z), ww_5 = KSL_MUL(w->y, w->z);
+  const double Ro_00 = -(ww_1 + ww_2), Ro_01 = ww_3 - dw->z, Ro_02 = dw->y + ww_4,
+      Ro_10 = dw->z + ww_3, Ro_11 = -(ww_0 + ww_2), Ro_12 = ww_5 - dw->x, Ro_20 = ww_4 - dw->y,
+      Ro_21 = dw->x + ww_5, Ro_22 = -(ww_0 + ww_1);
   const double ww_1_abs = fabs(ww_1), ww_2_abs = fabs(ww_2);
   const double ww_3_abs = fabs(ww_3), dw_2_abs = fabs(dw->z), Ro_01_size = ww_3_abs + dw_2_abs;
   const double dw_1_abs = fabs(dw->y), ww_4_abs = fabs(ww_4), Ro_02_size = dw_1_abs + ww_4_abs;
-  const double Ro_10_size = dw_2_abs + ww_3_abs;
-  const double ww_0_abs = fabs(ww_0);
+  const double Ro_10_size = dw_2_abs + ww_3_abs, ww_0_abs = fabs(ww_0);
   const double ww_5_abs = fabs(ww_5), dw_0_abs = fabs(dw->x), Ro_12_size = ww_5_abs + dw_0_abs;
-  const double Ro_20_size = ww_4_abs + dw_1_abs;
-  const double Ro_21_size = dw_0_abs + ww_5_abs;
+  const double Ro_20_size = ww_4_abs + dw_1_abs, Ro_21_size = dw_0_abs + ww_5_abs;
   const double Ro_00a_bound = KSL_MUL(2.2204460492503136e-16, ww_1_abs + ww_2_abs
           + 2.004168360008973e-292);
-  const double Ro_01_bound = KSL_MUL(2.2204460492503136e-16, Ro_01_size + 2.004168360008973e-292);
-  const double Ro_02_bound = KSL_MUL(2.2204460492503136e-16, Ro_02_size + 2.004168360008973e-292);
-  const double Ro_10_bound = KSL_MUL(2.2204460492503136e-16, Ro_10_size + 2.004168360008973e-292);
+  const double Ro_01_bound = KSL_MUL(2.2204460492503136e-16, Ro_01_size + 2.004168360008973e-292),
+      Ro_02_bound = KSL_MUL(2.2204460492503136e-16, Ro_02_size + 2.004168360008973e-292),
+      Ro_10_bound = KSL_MUL(2.2204460492503136e-16, Ro_10_size + 2.004168360008973e-292);
   const double Ro_11a_bound = KSL_MUL(2.2204460492503136e-16, ww_0_abs + ww_2_abs
           + 2.004168360008973e-292);
-  const double Ro_12_bound = KSL_MUL(2.2204460492503136e-16, Ro_12_size + 2.004168360008973e-292);
-  const double Ro_20_bound = KSL_MUL(2.2204460492503136e-16, Ro_20_size + 2.004168360008973e-292);
-  const double Ro_21_bound = KSL_MUL(2.2204460492503136e-16, Ro_21_size + 2.004168360008973e-292);
+  const double Ro_12_bound = KSL_MUL(2.2204460492503136e-16, Ro_12_size + 2.004168360008973e-292),
+      Ro_20_bound = KSL_MUL(2.2204460492503136e-16, Ro_20_size + 2.004168360008973e-292),
+      Ro_21_bound = KSL_MUL(2.2204460492503136e-16, Ro_21_size + 2.004168360008973e-292);
   const double Ro_22a_bound = KSL_MUL(2.2204460492503136e-16, ww_0_abs + ww_1_abs
           + 2.004168360008973e-292);
   Ro->m00 = Ro_00;
@@ -82,9 +70,8 @@ static inline double ksl_mat3x3_determinant_certified(const ksl_mat3x3_t *R, dou
   const double n_1a = KSL_MUL(R->m02, R->m21), n_1b = KSL_MUL(R->m01, R->m22), n_1 = n_1a - n_1b;
   const double n_2a = KSL_MUL(R->m01, R->m12), n_2b = KSL_MUL(R->m02, R->m11), n_2 = n_2a - n_2b;
   const double det = KSL_MUL(R->m00, n_0) + KSL_MUL(R->m10, n_1) + KSL_MUL(R->m20, n_2);
-  const double n_0_size = fabs(n_0a) + fabs(n_0b);
-  const double n_1_size = fabs(n_1a) + fabs(n_1b);
-  const double n_2_size = fabs(n_2a) + fabs(n_2b);
+  const double n_0_size = fabs(n_0a) + fabs(n_0b), n_1_size = fabs(n_1a) + fabs(n_1b),
+      n_2_size = fabs(n_2a) + fabs(n_2b);
   const double det_c_size = KSL_MUL(fabs(R->m00), n_0_size + 2.004168360008973e-292)
           + KSL_MUL(fabs(R->m10), n_1_size + 2.004168360008973e-292),
       det_size = det_c_size + KSL_MUL(fabs(R->m20), n_2_size + 2.004168360008973e-292);
@@ -100,27 +87,17 @@ static inline double ksl_mat3x3_determinant_certified(const ksl_mat3x3_t *R, dou
 static inline void ksl_mat3x3_setFromAxisDC_certified(ksl_mat3x3_t *R, const ksl_vec3_t *axis,
     const double dc[2], ksl_mat3x3_t *R_bound) {
   const double versine = 1.0 - dc[1];
-  const double versine_axis_0 = KSL_MUL(axis->x, versine);
-  const double versine_axis_1 = KSL_MUL(axis->y, versine);
-  const double versine_axis_2 = KSL_MUL(axis->z, versine);
+  const double versine_axis_0 = KSL_MUL(axis->x, versine),
+      versine_axis_1 = KSL_MUL(axis->y, versine), versine_axis_2 = KSL_MUL(axis->z, versine);
   const double m_0 = KSL_MUL(axis->x, versine_axis_0);
   const double m_1 = KSL_MUL(axis->y, versine_axis_1);
-  const double m_2 = KSL_MUL(axis->z, versine_axis_2);
-  const double m_3 = KSL_MUL(axis->y, versine_axis_0);
-  const double m_4 = KSL_MUL(axis->z, versine_axis_0);
-  const double m_5 = KSL_MUL(axis->z, versine_axis_1);
-  const double sine_axis_0 = KSL_MUL(axis->x, dc[0]);
-  const double sine_axis_1 = KSL_MUL(axis->y, dc[0]);
-  const double sine_axis_2 = KSL_MUL(axis->z, dc[0]);
-  const double R_00 = dc[1] + m_0;
-  const double R_01 = m_3 - sine_axis_2;
-  const double R_02 = m_4 + sine_axis_1;
-  const double R_10 = m_3 + sine_axis_2;
-  const double R_11 = dc[1] + m_1;
-  const double R_12 = m_5 - sine_axis_0;
-  const double R_20 = m_4 - sine_axis_1;
-  const double R_21 = m_5 + sine_axis_0;
-  const double R_22 = dc[1] + m_2;
+  const double m_2 = KSL_MUL(axis->z, versine_axis_2), m_3 = KSL_MUL(axis->y, versine_axis_0),
+      m_4 = KSL_MUL(axis->z, versine_axis_0), m_5 = KSL_MUL(axis->z, versine_axis_1);
+  const double sine_axis_0 = KSL_MUL(axis->x, dc[0]), sine_axis_1 = KSL_MUL(axis->y, dc[0]),
+      sine_axis_2 = KSL_MUL(axis->z, dc[0]);
+  const double R_00 = dc[1] + m_0, R_01 = m_3 - sine_axis_2, R_02 = m_4 + sine_axis_1,
+      R_10 = m_3 + sine_axis_2, R_11 = dc[1] + m_1, R_12 = m_5 - sine_axis_0,
+      R_20 = m_4 - sine_axis_1, R_21 = m_5 + sine_axis_0, R_22 = dc[1] + m_2;
   const double axis_0_abs = fabs(axis->x), versine_abs = fabs(versine),
       versine_axis_0_size = KSL_MUL(axis_0_abs, versine_abs);
   const double axis_1_abs = fabs(axis->y), versine_axis_1_size = KSL_MUL(axis_1_abs, versine_abs);
@@ -128,29 +105,27 @@ static inline void ksl_mat3x3_setFromAxisDC_certified(ksl_mat3x3_t *R, const ksl
   const double versine_axis_0_padded = versine_axis_0_size + 2.004168360008973e-292;
   const double m_0_size = KSL_MUL(axis_0_abs, versine_axis_0_padded);
   const double versine_axis_1_padded = versine_axis_1_size + 2.004168360008973e-292;
-  const double m_1_size = KSL_MUL(axis_1_abs, versine_axis_1_padded);
-  const double m_2_size = KSL_MUL(axis_2_abs, versine_axis_2_size + 2.004168360008973e-292);
-  const double m_3_size = KSL_MUL(axis_1_abs, versine_axis_0_padded);
-  const double m_4_size = KSL_MUL(axis_2_abs, versine_axis_0_padded);
-  const double m_5_size = KSL_MUL(axis_2_abs, versine_axis_1_padded);
+  const double m_1_size = KSL_MUL(axis_1_abs, versine_axis_1_padded),
+      m_2_size = KSL_MUL(axis_2_abs, versine_axis_2_size + 2.004168360008973e-292),
+      m_3_size = KSL_MUL(axis_1_abs, versine_axis_0_padded),
+      m_4_size = KSL_MUL(axis_2_abs, versine_axis_0_padded),
+      m_5_size = KSL_MUL(axis_2_abs, versine_axis_1_padded);
   const double dc_1_abs = fabs(dc[1]), R_00_size = dc_1_abs + m_0_size;
   const double sine_axis_2_abs = fabs(sine_axis_2), R_01_size = m_3_size + sine_axis_2_abs;
   const double sine_axis_1_abs = fabs(sine_axis_1), R_02_size = m_4_size + sine_axis_1_abs;
-  const double R_10_size = m_3_size + sine_axis_2_abs;
-  const double R_11_size = dc_1_abs + m_1_size;
+  const double R_10_size = m_3_size + sine_axis_2_abs, R_11_size = dc_1_abs + m_1_size;
   const double sine_axis_0_abs = fabs(sine_axis_0), R_12_size = m_5_size + sine_axis_0_abs;
-  const double R_20_size = m_4_size + sine_axis_1_abs;
-  const double R_21_size = m_5_size + sine_axis_0_abs;
-  const double R_22_size = dc_1_abs + m_2_size;
-  const double R_00_bound = KSL_MUL(4.440892098500628e-16, R_00_size + 2.004168360008973e-292);
-  const double R_01_bound = KSL_MUL(4.440892098500628e-16, R_01_size + 2.004168360008973e-292);
-  const double R_02_bound = KSL_MUL(4.440892098500628e-16, R_02_size + 2.004168360008973e-292);
-  const double R_10_bound = KSL_MUL(4.440892098500628e-16, R_10_size + 2.004168360008973e-292);
-  const double R_11_bound = KSL_MUL(4.440892098500628e-16, R_11_size + 2.004168360008973e-292);
-  const double R_12_bound = KSL_MUL(4.440892098500628e-16, R_12_size + 2.004168360008973e-292);
-  const double R_20_bound = KSL_MUL(4.440892098500628e-16, R_20_size + 2.004168360008973e-292);
-  const double R_21_bound = KSL_MUL(4.440892098500628e-16, R_21_size + 2.004168360008973e-292);
-  const double R_22_bound = KSL_MUL(4.440892098500628e-16, R_22_size + 2.004168360008973e-292);
+  const double R_20_size = m_4_size + sine_axis_1_abs, R_21_size = m_5_size + sine_axis_0_abs,
+      R_22_size = dc_1_abs + m_2_size;
+  const double R_00_bound = KSL_MUL(4.440892098500628e-16, R_00_size + 2.004168360008973e-292),
+      R_01_bound = KSL_MUL(4.440892098500628e-16, R_01_size + 2.004168360008973e-292),
+      R_02_bound = KSL_MUL(4.440892098500628e-16, R_02_size + 2.004168360008973e-292),
+      R_10_bound = KSL_MUL(4.440892098500628e-16, R_10_size + 2.004168360008973e-292),
+      R_11_bound = KSL_MUL(4.440892098500628e-16, R_11_size + 2.004168360008973e-292),
+      R_12_bound = KSL_MUL(4.440892098500628e-16, R_12_size + 2.004168360008973e-292),
+      R_20_bound = KSL_MUL(4.440892098500628e-16, R_20_size + 2.004168360008973e-292),
+      R_21_bound = KSL_MUL(4.440892098500628e-16, R_21_size + 2.004168360008973e-292),
+      R_22_bound = KSL_MUL(4.440892098500628e-16, R_22_size + 2.004168360008973e-292);
   R->m00 = R_00;
   R->m01 = R_01;
   R->m02 = R_02;
@@ -185,10 +160,8 @@ static inline void ksl_mat3x3_from_euler_xyz_certified(const ksl_vec3_t *angles,
   double c_2; const double s_2 = ksl_sincos(angles->z, &c_2);
   double c_own_error_3; const double s_own_error_3 = ksl_sincos_error(angles->z, s_2, c_2,
       &c_own_error_3);
-  const double first_0 = KSL_MUL(c_1, c_2);
-  const double first_1 = -KSL_MUL(s_2, c_1);
-  const double first_6 = -KSL_MUL(s_1, c_2);
-  const double first_7 = KSL_MUL(s_1, s_2);
+  const double first_0 = KSL_MUL(c_1, c_2), first_1 = -KSL_MUL(s_2, c_1),
+      first_6 = -KSL_MUL(s_1, c_2), first_7 = KSL_MUL(s_1, s_2);
   const double last_3a = KSL_MUL(s_2, c_0),
       first_lo_1 = ksl_product_error(-s_1, c_2, first_6) +
           -(KSL_MUL(s_own_error_2, c_2) + KSL_MUL(s_1, c_own_error_3)),
@@ -388,27 +361,21 @@ static inline void ksl_euler_xyz_from_mat3x3_certified(const ksl_mat3x3_t *R, ks
           : angles_size_25);
   const double third_size_7 = (n == 0.0 ? 0.0 : polar_size_1)
           + KSL_MUL(1.5845630613906556e+29, divisor_bound_1 < divisor_size_3 ? 0.0 : third_size_4);
-  const double R_n_0 = KSL_MUL(R->m11, R->m22) - KSL_MUL(R->m12, R->m21);
-  const double R_n_1 = KSL_MUL(R->m02, R->m21) - KSL_MUL(R->m01, R->m22);
-  const double R_n_2 = KSL_MUL(R->m01, R->m12) - KSL_MUL(R->m02, R->m11);
+  const double R_n_0 = KSL_MUL(R->m11, R->m22) - KSL_MUL(R->m12, R->m21),
+      R_n_1 = KSL_MUL(R->m02, R->m21) - KSL_MUL(R->m01, R->m22),
+      R_n_2 = KSL_MUL(R->m01, R->m12) - KSL_MUL(R->m02, R->m11);
   const double R_det = KSL_MUL(R->m00, R_n_0) + KSL_MUL(R->m10, R_n_1) + KSL_MUL(R->m20, R_n_2);
-  const double R_g_0 = KSL_MUL(R->m00, R->m00) + KSL_MUL(R->m10, R->m10) + KSL_MUL(R->m20, R->m20);
-  const double R_g_1 = KSL_MUL(R->m00, R->m01) + KSL_MUL(R->m10, R->m11) + KSL_MUL(R->m20, R->m21);
-  const double R_g_2 = KSL_MUL(R->m00, R->m02) + KSL_MUL(R->m10, R->m12) + KSL_MUL(R->m20, R->m22);
-  const double R_g_3 = KSL_MUL(R->m01, R->m01) + KSL_MUL(R->m11, R->m11) + KSL_MUL(R->m21, R->m21);
-  const double R_g_4 = KSL_MUL(R->m01, R->m02) + KSL_MUL(R->m11, R->m12) + KSL_MUL(R->m21, R->m22);
-  const double R_g_5 = KSL_MUL(R->m02, R->m02) + KSL_MUL(R->m12, R->m12) + KSL_MUL(R->m22, R->m22);
-  const double R_off_0 = R_det - 1.0;
-  const double R_off_1 = R_g_0 - 1.0;
-  const double R_off_4 = R_g_3 - 1.0;
-  const double R_off_6 = R_g_5 - 1.0;
-  const double R_defect_size_0 = fabs(R_off_0);
-  const double R_defect_size_1 = fabs(R_off_1);
-  const double R_defect_size_2 = fabs(R_g_1);
-  const double R_defect_size_3 = fabs(R_g_2);
-  const double R_defect_size_4 = fabs(R_off_4);
-  const double R_defect_size_5 = fabs(R_g_4);
-  const double R_defect_size_6 = fabs(R_off_6);
+  const double R_g_0 = KSL_MUL(R->m00, R->m00) + KSL_MUL(R->m10, R->m10) + KSL_MUL(R->m20, R->m20),
+      R_g_1 = KSL_MUL(R->m00, R->m01) + KSL_MUL(R->m10, R->m11) + KSL_MUL(R->m20, R->m21),
+      R_g_2 = KSL_MUL(R->m00, R->m02) + KSL_MUL(R->m10, R->m12) + KSL_MUL(R->m20, R->m22),
+      R_g_3 = KSL_MUL(R->m01, R->m01) + KSL_MUL(R->m11, R->m11) + KSL_MUL(R->m21, R->m21),
+      R_g_4 = KSL_MUL(R->m01, R->m02) + KSL_MUL(R->m11, R->m12) + KSL_MUL(R->m21, R->m22),
+      R_g_5 = KSL_MUL(R->m02, R->m02) + KSL_MUL(R->m12, R->m12) + KSL_MUL(R->m22, R->m22);
+  const double R_off_0 = R_det - 1.0, R_off_1 = R_g_0 - 1.0, R_off_4 = R_g_3 - 1.0,
+      R_off_6 = R_g_5 - 1.0;
+  const double R_defect_size_0 = fabs(R_off_0), R_defect_size_1 = fabs(R_off_1),
+      R_defect_size_2 = fabs(R_g_1), R_defect_size_3 = fabs(R_g_2), R_defect_size_4 = fabs(R_off_4),
+      R_defect_size_5 = fabs(R_g_4), R_defect_size_6 = fabs(R_off_6);
   const double R_defect_largest1 = R_defect_size_0 < R_defect_size_1 ? R_defect_size_1
           : R_defect_size_0;
   const double R_defect_largest2 = R_defect_largest1 < R_defect_size_2 ? R_defect_size_2
@@ -423,12 +390,12 @@ static inline void ksl_euler_xyz_from_mat3x3_certified(const ksl_mat3x3_t *R, ks
           : R_defect_largest5;
   const double R_unless_equal = R_defect_largest6 == 0.001 ? 0.0 : 1.0715086071862673e+301;
   const double R_unless_rotation = R_defect_largest6 < 0.001 ? 0.0 : R_unless_equal;
-  const double R_excess = KSL_MUL(R_unless_rotation, 1.0715086071862673e+301);
-  const double R_excess_0 = fabs(rest < 1.2676506002282294e+30 ? first_lo : rest_lo)
-          + KSL_MUL(2.277836794817206e-29, angles_padded_4) + R_excess;
-  const double R_excess_1 = KSL_MUL(1.3016206487799288e-29, 1.8051943758648296e-276
-          + angles_size_28) + angles_size_24 + R_excess;
-  const double R_excess_2 = fabs(n == 0.0 ? 0.0 : polar_own_error_1)
+  const double R_excess = KSL_MUL(R_unless_rotation, 1.0715086071862673e+301),
+      R_excess_0 = fabs(rest < 1.2676506002282294e+30 ? first_lo : rest_lo)
+          + KSL_MUL(2.277836794817206e-29, angles_padded_4) + R_excess,
+      R_excess_1 = KSL_MUL(1.3016206487799288e-29, 1.8051943758648296e-276 + angles_size_28)
+          + angles_size_24 + R_excess,
+      R_excess_2 = fabs(n == 0.0 ? 0.0 : polar_own_error_1)
           + KSL_MUL(6.508104019725916e-30, 1.8051943758648296e-276 + third_size_7) + R_excess;
   angles->x = angles_0;
   angles->y = angles_1;
@@ -452,10 +419,8 @@ static inline void ksl_mat3x3_from_euler_xyx_certified(const ksl_vec3_t *angles,
   double c_2; const double s_2 = ksl_sincos(angles->z, &c_2);
   double c_own_error_3; const double s_own_error_3 = ksl_sincos_error(angles->z, s_2, c_2,
       &c_own_error_3);
-  const double first_1 = KSL_MUL(s_1, s_2);
-  const double first_2 = KSL_MUL(s_1, c_2);
-  const double first_7 = KSL_MUL(s_2, c_1);
-  const double first_8 = KSL_MUL(c_1, c_2);
+  const double first_1 = KSL_MUL(s_1, s_2), first_2 = KSL_MUL(s_1, c_2),
+      first_7 = KSL_MUL(s_2, c_1), first_8 = KSL_MUL(c_1, c_2);
   const double last_3 = KSL_MUL(s_0, s_1);
   const double last_4a = KSL_MUL(c_0, c_2),
       first_lo_1 = ksl_product_error(s_2, c_1, first_7)
@@ -657,27 +622,21 @@ static inline void ksl_euler_xyx_from_mat3x3_certified(const ksl_mat3x3_t *R, ks
           : angles_size_25);
   const double third_size_7 = (n == 0.0 ? 0.0 : polar_size_1)
           + KSL_MUL(1.5845630613906556e+29, divisor_bound_1 < divisor_size_3 ? 0.0 : third_size_4);
-  const double R_n_0 = KSL_MUL(R->m11, R->m22) - KSL_MUL(R->m12, R->m21);
-  const double R_n_1 = KSL_MUL(R->m02, R->m21) - KSL_MUL(R->m01, R->m22);
-  const double R_n_2 = KSL_MUL(R->m01, R->m12) - KSL_MUL(R->m02, R->m11);
+  const double R_n_0 = KSL_MUL(R->m11, R->m22) - KSL_MUL(R->m12, R->m21),
+      R_n_1 = KSL_MUL(R->m02, R->m21) - KSL_MUL(R->m01, R->m22),
+      R_n_2 = KSL_MUL(R->m01, R->m12) - KSL_MUL(R->m02, R->m11);
   const double R_det = KSL_MUL(R->m00, R_n_0) + KSL_MUL(R->m10, R_n_1) + KSL_MUL(R->m20, R_n_2);
-  const double R_g_0 = KSL_MUL(R->m00, R->m00) + KSL_MUL(R->m10, R->m10) + KSL_MUL(R->m20, R->m20);
-  const double R_g_1 = KSL_MUL(R->m00, R->m01) + KSL_MUL(R->m10, R->m11) + KSL_MUL(R->m20, R->m21);
-  const double R_g_2 = KSL_MUL(R->m00, R->m02) + KSL_MUL(R->m10, R->m12) + KSL_MUL(R->m20, R->m22);
-  const double R_g_3 = KSL_MUL(R->m01, R->m01) + KSL_MUL(R->m11, R->m11) + KSL_MUL(R->m21, R->m21);
-  const double R_g_4 = KSL_MUL(R->m01, R->m02) + KSL_MUL(R->m11, R->m12) + KSL_MUL(R->m21, R->m22);
-  const double R_g_5 = KSL_MUL(R->m02, R->m02) + KSL_MUL(R->m12, R->m12) + KSL_MUL(R->m22, R->m22);
-  const double R_off_0 = R_det - 1.0;
-  const double R_off_1 = R_g_0 - 1.0;
-  const double R_off_4 = R_g_3 - 1.0;
-  const double R_off_6 = R_g_5 - 1.0;
-  const double R_defect_size_0 = fabs(R_off_0);
-  const double R_defect_size_1 = fabs(R_off_1);
-  const double R_defect_size_2 = fabs(R_g_1);
-  const double R_defect_size_3 = fabs(R_g_2);
-  const double R_defect_size_4 = fabs(R_off_4);
-  const double R_defect_size_5 = fabs(R_g_4);
-  const double R_defect_size_6 = fabs(R_off_6);
+  const double R_g_0 = KSL_MUL(R->m00, R->m00) + KSL_MUL(R->m10, R->m10) + KSL_MUL(R->m20, R->m20),
+      R_g_1 = KSL_MUL(R->m00, R->m01) + KSL_MUL(R->m10, R->m11) + KSL_MUL(R->m20, R->m21),
+      R_g_2 = KSL_MUL(R->m00, R->m02) + KSL_MUL(R->m10, R->m12) + KSL_MUL(R->m20, R->m22),
+      R_g_3 = KSL_MUL(R->m01, R->m01) + KSL_MUL(R->m11, R->m11) + KSL_MUL(R->m21, R->m21),
+      R_g_4 = KSL_MUL(R->m01, R->m02) + KSL_MUL(R->m11, R->m12) + KSL_MUL(R->m21, R->m22),
+      R_g_5 = KSL_MUL(R->m02, R->m02) + KSL_MUL(R->m12, R->m12) + KSL_MUL(R->m22, R->m22);
+  const double R_off_0 = R_det - 1.0, R_off_1 = R_g_0 - 1.0, R_off_4 = R_g_3 - 1.0,
+      R_off_6 = R_g_5 - 1.0;
+  const double R_defect_size_0 = fabs(R_off_0), R_defect_size_1 = fabs(R_off_1),
+      R_defect_size_2 = fabs(R_g_1), R_defect_size_3 = fabs(R_g_2), R_defect_size_4 = fabs(R_off_4),
+      R_defect_size_5 = fabs(R_g_4), R_defect_size_6 = fabs(R_off_6);
   const double R_defect_largest1 = R_defect_size_0 < R_defect_size_1 ? R_defect_size_1
           : R_defect_size_0;
   const double R_defect_largest2 = R_defect_largest1 < R_defect_size_2 ? R_defect_size_2
@@ -692,12 +651,12 @@ static inline void ksl_euler_xyx_from_mat3x3_certified(const ksl_mat3x3_t *R, ks
           : R_defect_largest5;
   const double R_unless_equal = R_defect_largest6 == 0.001 ? 0.0 : 1.0715086071862673e+301;
   const double R_unless_rotation = R_defect_largest6 < 0.001 ? 0.0 : R_unless_equal;
-  const double R_excess = KSL_MUL(R_unless_rotation, 1.0715086071862673e+301);
-  const double R_excess_0 = fabs(rest < 1.2676506002282294e+30 ? first_lo : rest_lo)
-          + KSL_MUL(2.277836794817206e-29, angles_padded_4) + R_excess;
-  const double R_excess_1 = KSL_MUL(1.3016206487799288e-29, 1.8051943758648296e-276
-          + angles_size_32) + angles_size_24 + R_excess;
-  const double R_excess_2 = fabs(n == 0.0 ? 0.0 : polar_own_error_1)
+  const double R_excess = KSL_MUL(R_unless_rotation, 1.0715086071862673e+301),
+      R_excess_0 = fabs(rest < 1.2676506002282294e+30 ? first_lo : rest_lo)
+          + KSL_MUL(2.277836794817206e-29, angles_padded_4) + R_excess,
+      R_excess_1 = KSL_MUL(1.3016206487799288e-29, 1.8051943758648296e-276 + angles_size_32)
+          + angles_size_24 + R_excess,
+      R_excess_2 = fabs(n == 0.0 ? 0.0 : polar_own_error_1)
           + KSL_MUL(6.508104019725916e-30, 1.8051943758648296e-276 + third_size_7) + R_excess;
   angles->x = angles_0;
   angles->y = angles_1;
@@ -1066,27 +1025,21 @@ static inline double ksl_axis_angle_from_mat3x3_certified(const ksl_mat3x3_t *R,
   const double unit_error_3 = fabs((v_y_2 - unit_product_3
           - ksl_product_error(unit_2, divisor, unit_product_3) + v_y_lo_3
           - KSL_MUL(unit_2, divisor_lo)) / divisor);
-  const double R_n_0 = KSL_MUL(R->m11, R->m22) - KSL_MUL(R->m12, R->m21);
-  const double R_n_1 = KSL_MUL(R->m02, R->m21) - KSL_MUL(R->m01, R->m22);
-  const double R_n_2 = KSL_MUL(R->m01, R->m12) - KSL_MUL(R->m02, R->m11);
+  const double R_n_0 = KSL_MUL(R->m11, R->m22) - KSL_MUL(R->m12, R->m21),
+      R_n_1 = KSL_MUL(R->m02, R->m21) - KSL_MUL(R->m01, R->m22),
+      R_n_2 = KSL_MUL(R->m01, R->m12) - KSL_MUL(R->m02, R->m11);
   const double R_det = KSL_MUL(R->m00, R_n_0) + KSL_MUL(R->m10, R_n_1) + KSL_MUL(R->m20, R_n_2);
-  const double R_g_0 = KSL_MUL(R->m00, R->m00) + KSL_MUL(R->m10, R->m10) + KSL_MUL(R->m20, R->m20);
-  const double R_g_1 = KSL_MUL(R->m00, R->m01) + KSL_MUL(R->m10, R->m11) + KSL_MUL(R->m20, R->m21);
-  const double R_g_2 = KSL_MUL(R->m00, R->m02) + KSL_MUL(R->m10, R->m12) + KSL_MUL(R->m20, R->m22);
-  const double R_g_3 = KSL_MUL(R->m01, R->m01) + KSL_MUL(R->m11, R->m11) + KSL_MUL(R->m21, R->m21);
-  const double R_g_4 = KSL_MUL(R->m01, R->m02) + KSL_MUL(R->m11, R->m12) + KSL_MUL(R->m21, R->m22);
-  const double R_g_5 = KSL_MUL(R->m02, R->m02) + KSL_MUL(R->m12, R->m12) + KSL_MUL(R->m22, R->m22);
-  const double R_off_0 = R_det - 1.0;
-  const double R_off_1 = R_g_0 - 1.0;
-  const double R_off_4 = R_g_3 - 1.0;
-  const double R_off_6 = R_g_5 - 1.0;
-  const double R_defect_size_0 = fabs(R_off_0);
-  const double R_defect_size_1 = fabs(R_off_1);
-  const double R_defect_size_2 = fabs(R_g_1);
-  const double R_defect_size_3 = fabs(R_g_2);
-  const double R_defect_size_4 = fabs(R_off_4);
-  const double R_defect_size_5 = fabs(R_g_4);
-  const double R_defect_size_6 = fabs(R_off_6);
+  const double R_g_0 = KSL_MUL(R->m00, R->m00) + KSL_MUL(R->m10, R->m10) + KSL_MUL(R->m20, R->m20),
+      R_g_1 = KSL_MUL(R->m00, R->m01) + KSL_MUL(R->m10, R->m11) + KSL_MUL(R->m20, R->m21),
+      R_g_2 = KSL_MUL(R->m00, R->m02) + KSL_MUL(R->m10, R->m12) + KSL_MUL(R->m20, R->m22),
+      R_g_3 = KSL_MUL(R->m01, R->m01) + KSL_MUL(R->m11, R->m11) + KSL_MUL(R->m21, R->m21),
+      R_g_4 = KSL_MUL(R->m01, R->m02) + KSL_MUL(R->m11, R->m12) + KSL_MUL(R->m21, R->m22),
+      R_g_5 = KSL_MUL(R->m02, R->m02) + KSL_MUL(R->m12, R->m12) + KSL_MUL(R->m22, R->m22);
+  const double R_off_0 = R_det - 1.0, R_off_1 = R_g_0 - 1.0, R_off_4 = R_g_3 - 1.0,
+      R_off_6 = R_g_5 - 1.0;
+  const double R_defect_size_0 = fabs(R_off_0), R_defect_size_1 = fabs(R_off_1),
+      R_defect_size_2 = fabs(R_g_1), R_defect_size_3 = fabs(R_g_2), R_defect_size_4 = fabs(R_off_4),
+      R_defect_size_5 = fabs(R_g_4), R_defect_size_6 = fabs(R_off_6);
   const double R_defect_largest1 = R_defect_size_0 < R_defect_size_1 ? R_defect_size_1
           : R_defect_size_0;
   const double R_defect_largest2 = R_defect_largest1 < R_defect_size_2 ? R_defect_size_2
@@ -1101,14 +1054,14 @@ static inline double ksl_axis_angle_from_mat3x3_certified(const ksl_mat3x3_t *R,
           : R_defect_largest5;
   const double R_unless_equal = R_defect_largest6 == 0.001 ? 0.0 : 1.0715086071862673e+301;
   const double R_unless_rotation = R_defect_largest6 < 0.001 ? 0.0 : R_unless_equal;
-  const double R_excess = KSL_MUL(R_unless_rotation, 1.0715086071862673e+301);
-  const double R_excess_0 = fabs(KSL_MUL(2.0, half_lo))
-          + KSL_MUL(2.3160472449138492e-29, angle_padded_1) + R_excess;
-  const double R_excess_1 = fabs(v_n == 0.0 ? 0.0 : unit_lo_1)
-          + KSL_MUL(1.8620414596658144e-29, 1.8051943758648296e-276 + axis_size_7) + R_excess;
-  const double R_excess_2 = unit_error_2
-          + KSL_MUL(1.86204130450056e-29, 1.8051943758648296e-276 + unit_size_18) + R_excess;
-  const double R_excess_3 = unit_error_3
+  const double R_excess = KSL_MUL(R_unless_rotation, 1.0715086071862673e+301),
+      R_excess_0 = fabs(KSL_MUL(2.0, half_lo)) + KSL_MUL(2.3160472449138492e-29, angle_padded_1)
+          + R_excess,
+      R_excess_1 = fabs(v_n == 0.0 ? 0.0 : unit_lo_1)
+          + KSL_MUL(1.8620414596658144e-29, 1.8051943758648296e-276 + axis_size_7) + R_excess,
+      R_excess_2 = unit_error_2
+          + KSL_MUL(1.86204130450056e-29, 1.8051943758648296e-276 + unit_size_18) + R_excess,
+      R_excess_3 = unit_error_3
           + KSL_MUL(1.86204130450056e-29, 1.8051943758648296e-276 + unit_size_25) + R_excess;
   axis->x = axis_0;
   axis->y = unit_1;
@@ -1127,37 +1080,25 @@ static inline double ksl_axis_angle_from_mat3x3_certified(const ksl_mat3x3_t *R,
    15 mul, 27 add, 3 neg, 9 abs. */
 static inline void ksl_acceleration_tensorf_certified(const ksl_vec3f_t *w, const ksl_vec3f_t *dw,
     ksl_mat3x3f_t *Ro, ksl_mat3x3f_t *Ro_bound) {
-  const float ww_0 = KSL_MULF(w->x, w->x);
-  const float ww_1 = KSL_MULF(w->y, w->y);
-  const float ww_2 = KSL_MULF(w->z, w->z);
-  const float ww_3 = KSL_MULF(w->x, w->y);
-  const float ww_4 = KSL_MULF(w->x, w->z);
-  const float ww_5 = KSL_MULF(w->y, w->z);
-  const float Ro_00 = -(ww_1 + ww_2);
-  const float Ro_01 = ww_3 - dw->z;
-  const float Ro_02 = dw->y + ww_4;
-  const float Ro_10 = dw->z + ww_3;
-  const float Ro_11 = -(ww_0 + ww_2);
-  const float Ro_12 = ww_5 - dw->x;
-  const float Ro_20 = ww_4 - dw->y;
-  const float Ro_21 = dw->x + ww_5;
-  const float Ro_22 = -(ww_0 + ww_1);
+  const float ww_0 = KSL_MULF(w->x, w->x), ww_1 = KSL_MULF(w->y, w->y), ww_2 = KSL_MULF(w->z, w->z),
+      ww_3 = KSL_MULF(w->x, w->y), ww_4 = KSL_MULF(w->x, w->z), ww_5 = KSL_MULF(w->y, w->z);
+  const float Ro_00 = -(ww_1 + ww_2), Ro_01 = ww_3 - dw->z, Ro_02 = dw->y + ww_4,
+      Ro_10 = dw->z + ww_3, Ro_11 = -(ww_0 + ww_2), Ro_12 = ww_5 - dw->x, Ro_20 = ww_4 - dw->y,
+      Ro_21 = dw->x + ww_5, Ro_22 = -(ww_0 + ww_1);
   const float ww_1_abs = fabsf(ww_1), ww_2_abs = fabsf(ww_2);
   const float ww_3_abs = fabsf(ww_3), dw_2_abs = fabsf(dw->z), Ro_01_size = ww_3_abs + dw_2_abs;
   const float dw_1_abs = fabsf(dw->y), ww_4_abs = fabsf(ww_4), Ro_02_size = dw_1_abs + ww_4_abs;
-  const float Ro_10_size = dw_2_abs + ww_3_abs;
-  const float ww_0_abs = fabsf(ww_0);
+  const float Ro_10_size = dw_2_abs + ww_3_abs, ww_0_abs = fabsf(ww_0);
   const float ww_5_abs = fabsf(ww_5), dw_0_abs = fabsf(dw->x), Ro_12_size = ww_5_abs + dw_0_abs;
-  const float Ro_20_size = ww_4_abs + dw_1_abs;
-  const float Ro_21_size = dw_0_abs + ww_5_abs;
+  const float Ro_20_size = ww_4_abs + dw_1_abs, Ro_21_size = dw_0_abs + ww_5_abs;
   const float Ro_00a_bound = KSL_MULF(1.192093e-07f, ww_1_abs + ww_2_abs + 1.9721523e-31f);
-  const float Ro_01_bound = KSL_MULF(1.192093e-07f, Ro_01_size + 1.9721523e-31f);
-  const float Ro_02_bound = KSL_MULF(1.192093e-07f, Ro_02_size + 1.9721523e-31f);
-  const float Ro_10_bound = KSL_MULF(1.192093e-07f, Ro_10_size + 1.9721523e-31f);
+  const float Ro_01_bound = KSL_MULF(1.192093e-07f, Ro_01_size + 1.9721523e-31f),
+      Ro_02_bound = KSL_MULF(1.192093e-07f, Ro_02_size + 1.9721523e-31f),
+      Ro_10_bound = KSL_MULF(1.192093e-07f, Ro_10_size + 1.9721523e-31f);
   const float Ro_11a_bound = KSL_MULF(1.192093e-07f, ww_0_abs + ww_2_abs + 1.9721523e-31f);
-  const float Ro_12_bound = KSL_MULF(1.192093e-07f, Ro_12_size + 1.9721523e-31f);
-  const float Ro_20_bound = KSL_MULF(1.192093e-07f, Ro_20_size + 1.9721523e-31f);
-  const float Ro_21_bound = KSL_MULF(1.192093e-07f, Ro_21_size + 1.9721523e-31f);
+  const float Ro_12_bound = KSL_MULF(1.192093e-07f, Ro_12_size + 1.9721523e-31f),
+      Ro_20_bound = KSL_MULF(1.192093e-07f, Ro_20_size + 1.9721523e-31f),
+      Ro_21_bound = KSL_MULF(1.192093e-07f, Ro_21_size + 1.9721523e-31f);
   const float Ro_22a_bound = KSL_MULF(1.192093e-07f, ww_0_abs + ww_1_abs + 1.9721523e-31f);
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
@@ -1187,9 +1128,8 @@ static inline float ksl_mat3x3f_determinant_certified(const ksl_mat3x3f_t *R, fl
   const float n_1a = KSL_MULF(R->m02, R->m21), n_1b = KSL_MULF(R->m01, R->m22), n_1 = n_1a - n_1b;
   const float n_2a = KSL_MULF(R->m01, R->m12), n_2b = KSL_MULF(R->m02, R->m11), n_2 = n_2a - n_2b;
   const float det = KSL_MULF(R->m00, n_0) + KSL_MULF(R->m10, n_1) + KSL_MULF(R->m20, n_2);
-  const float n_0_size = fabsf(n_0a) + fabsf(n_0b);
-  const float n_1_size = fabsf(n_1a) + fabsf(n_1b);
-  const float n_2_size = fabsf(n_2a) + fabsf(n_2b);
+  const float n_0_size = fabsf(n_0a) + fabsf(n_0b), n_1_size = fabsf(n_1a) + fabsf(n_1b),
+      n_2_size = fabsf(n_2a) + fabsf(n_2b);
   const float det_c_size = KSL_MULF(fabsf(R->m00), n_0_size + 1.9721523e-31f)
           + KSL_MULF(fabsf(R->m10), n_1_size + 1.9721523e-31f),
       det_size = det_c_size + KSL_MULF(fabsf(R->m20), n_2_size + 1.9721523e-31f);
@@ -1205,27 +1145,17 @@ static inline float ksl_mat3x3f_determinant_certified(const ksl_mat3x3f_t *R, fl
 static inline void ksl_mat3x3f_setFromAxisDC_certified(ksl_mat3x3f_t *R, const ksl_vec3f_t *axis,
     const float dc[2], ksl_mat3x3f_t *R_bound) {
   const float versine = 1.0f - dc[1];
-  const float versine_axis_0 = KSL_MULF(axis->x, versine);
-  const float versine_axis_1 = KSL_MULF(axis->y, versine);
-  const float versine_axis_2 = KSL_MULF(axis->z, versine);
+  const float versine_axis_0 = KSL_MULF(axis->x, versine),
+      versine_axis_1 = KSL_MULF(axis->y, versine), versine_axis_2 = KSL_MULF(axis->z, versine);
   const float m_0 = KSL_MULF(axis->x, versine_axis_0);
   const float m_1 = KSL_MULF(axis->y, versine_axis_1);
-  const float m_2 = KSL_MULF(axis->z, versine_axis_2);
-  const float m_3 = KSL_MULF(axis->y, versine_axis_0);
-  const float m_4 = KSL_MULF(axis->z, versine_axis_0);
-  const float m_5 = KSL_MULF(axis->z, versine_axis_1);
-  const float sine_axis_0 = KSL_MULF(axis->x, dc[0]);
-  const float sine_axis_1 = KSL_MULF(axis->y, dc[0]);
-  const float sine_axis_2 = KSL_MULF(axis->z, dc[0]);
-  const float R_00 = dc[1] + m_0;
-  const float R_01 = m_3 - sine_axis_2;
-  const float R_02 = m_4 + sine_axis_1;
-  const float R_10 = m_3 + sine_axis_2;
-  const float R_11 = dc[1] + m_1;
-  const float R_12 = m_5 - sine_axis_0;
-  const float R_20 = m_4 - sine_axis_1;
-  const float R_21 = m_5 + sine_axis_0;
-  const float R_22 = dc[1] + m_2;
+  const float m_2 = KSL_MULF(axis->z, versine_axis_2), m_3 = KSL_MULF(axis->y, versine_axis_0),
+      m_4 = KSL_MULF(axis->z, versine_axis_0), m_5 = KSL_MULF(axis->z, versine_axis_1);
+  const float sine_axis_0 = KSL_MULF(axis->x, dc[0]), sine_axis_1 = KSL_MULF(axis->y, dc[0]),
+      sine_axis_2 = KSL_MULF(axis->z, dc[0]);
+  const float R_00 = dc[1] + m_0, R_01 = m_3 - sine_axis_2, R_02 = m_4 + sine_axis_1,
+      R_10 = m_3 + sine_axis_2, R_11 = dc[1] + m_1, R_12 = m_5 - sine_axis_0,
+      R_20 = m_4 - sine_axis_1, R_21 = m_5 + sine_axis_0, R_22 = dc[1] + m_2;
   const float axis_0_abs = fabsf(axis->x), versine_abs = fabsf(versine),
       versine_axis_0_size = KSL_MULF(axis_0_abs, versine_abs);
   const float axis_1_abs = fabsf(axis->y), versine_axis_1_size = KSL_MULF(axis_1_abs, versine_abs);
@@ -1233,29 +1163,27 @@ static inline void ksl_mat3x3f_setFromAxisDC_certified(ksl_mat3x3f_t *R, const k
   const float versine_axis_0_padded = versine_axis_0_size + 1.9721523e-31f;
   const float m_0_size = KSL_MULF(axis_0_abs, versine_axis_0_padded);
   const float versine_axis_1_padded = versine_axis_1_size + 1.9721523e-31f;
-  const float m_1_size = KSL_MULF(axis_1_abs, versine_axis_1_padded);
-  const float m_2_size = KSL_MULF(axis_2_abs, versine_axis_2_size + 1.9721523e-31f);
-  const float m_3_size = KSL_MULF(axis_1_abs, versine_axis_0_padded);
-  const float m_4_size = KSL_MULF(axis_2_abs, versine_axis_0_padded);
-  const float m_5_size = KSL_MULF(axis_2_abs, versine_axis_1_padded);
+  const float m_1_size = KSL_MULF(axis_1_abs, versine_axis_1_padded),
+      m_2_size = KSL_MULF(axis_2_abs, versine_axis_2_size + 1.9721523e-31f),
+      m_3_size = KSL_MULF(axis_1_abs, versine_axis_0_padded),
+      m_4_size = KSL_MULF(axis_2_abs, versine_axis_0_padded),
+      m_5_size = KSL_MULF(axis_2_abs, versine_axis_1_padded);
   const float dc_1_abs = fabsf(dc[1]), R_00_size = dc_1_abs + m_0_size;
   const float sine_axis_2_abs = fabsf(sine_axis_2), R_01_size = m_3_size + sine_axis_2_abs;
   const float sine_axis_1_abs = fabsf(sine_axis_1), R_02_size = m_4_size + sine_axis_1_abs;
-  const float R_10_size = m_3_size + sine_axis_2_abs;
-  const float R_11_size = dc_1_abs + m_1_size;
+  const float R_10_size = m_3_size + sine_axis_2_abs, R_11_size = dc_1_abs + m_1_size;
   const float sine_axis_0_abs = fabsf(sine_axis_0), R_12_size = m_5_size + sine_axis_0_abs;
-  const float R_20_size = m_4_size + sine_axis_1_abs;
-  const float R_21_size = m_5_size + sine_axis_0_abs;
-  const float R_22_size = dc_1_abs + m_2_size;
-  const float R_00_bound = KSL_MULF(2.3841864e-07f, R_00_size + 1.9721523e-31f);
-  const float R_01_bound = KSL_MULF(2.3841864e-07f, R_01_size + 1.9721523e-31f);
-  const float R_02_bound = KSL_MULF(2.3841864e-07f, R_02_size + 1.9721523e-31f);
-  const float R_10_bound = KSL_MULF(2.3841864e-07f, R_10_size + 1.9721523e-31f);
-  const float R_11_bound = KSL_MULF(2.3841864e-07f, R_11_size + 1.9721523e-31f);
-  const float R_12_bound = KSL_MULF(2.3841864e-07f, R_12_size + 1.9721523e-31f);
-  const float R_20_bound = KSL_MULF(2.3841864e-07f, R_20_size + 1.9721523e-31f);
-  const float R_21_bound = KSL_MULF(2.3841864e-07f, R_21_size + 1.9721523e-31f);
-  const float R_22_bound = KSL_MULF(2.3841864e-07f, R_22_size + 1.9721523e-31f);
+  const float R_20_size = m_4_size + sine_axis_1_abs, R_21_size = m_5_size + sine_axis_0_abs,
+      R_22_size = dc_1_abs + m_2_size;
+  const float R_00_bound = KSL_MULF(2.3841864e-07f, R_00_size + 1.9721523e-31f),
+      R_01_bound = KSL_MULF(2.3841864e-07f, R_01_size + 1.9721523e-31f),
+      R_02_bound = KSL_MULF(2.3841864e-07f, R_02_size + 1.9721523e-31f),
+      R_10_bound = KSL_MULF(2.3841864e-07f, R_10_size + 1.9721523e-31f),
+      R_11_bound = KSL_MULF(2.3841864e-07f, R_11_size + 1.9721523e-31f),
+      R_12_bound = KSL_MULF(2.3841864e-07f, R_12_size + 1.9721523e-31f),
+      R_20_bound = KSL_MULF(2.3841864e-07f, R_20_size + 1.9721523e-31f),
+      R_21_bound = KSL_MULF(2.3841864e-07f, R_21_size + 1.9721523e-31f),
+      R_22_bound = KSL_MULF(2.3841864e-07f, R_22_size + 1.9721523e-31f);
   R->m00 = R_00;
   R->m01 = R_01;
   R->m02 = R_02;
@@ -1290,10 +1218,8 @@ static inline void ksl_mat3x3f_from_euler_xyz_certified(const ksl_vec3f_t *angle
   float c_2; const float s_2 = ksl_sincosf(angles->z, &c_2);
   float c_own_error_3; const float s_own_error_3 = ksl_sincos_errorf(angles->z, s_2, c_2,
       &c_own_error_3);
-  const float first_0 = KSL_MULF(c_1, c_2);
-  const float first_1 = -KSL_MULF(s_2, c_1);
-  const float first_6 = -KSL_MULF(s_1, c_2);
-  const float first_7 = KSL_MULF(s_1, s_2);
+  const float first_0 = KSL_MULF(c_1, c_2), first_1 = -KSL_MULF(s_2, c_1),
+      first_6 = -KSL_MULF(s_1, c_2), first_7 = KSL_MULF(s_1, s_2);
   const float last_3a = KSL_MULF(s_2, c_0),
       first_lo_1 = ksl_product_errorf(-s_1, c_2, first_6) +
           -(KSL_MULF(s_own_error_2, c_2) + KSL_MULF(s_1, c_own_error_3)),
@@ -1489,33 +1415,23 @@ static inline void ksl_euler_xyz_from_mat3x3f_certified(const ksl_mat3x3f_t *R,
           + KSL_MULF(2.7487632e+11f, angles_size_21 < 0.25f ? angles_size_23 : angles_size_25));
   const float third_size_7 = (n == 0.0f ? 0.0f : polar_size_1)
           + KSL_MULF(5.497548e+11f, divisor_bound_1 < divisor_size_3 ? 0.0f : third_size_4);
-  const float R_n_0 = KSL_MULF(R->m11, R->m22) - KSL_MULF(R->m12, R->m21);
-  const float R_n_1 = KSL_MULF(R->m02, R->m21) - KSL_MULF(R->m01, R->m22);
-  const float R_n_2 = KSL_MULF(R->m01, R->m12) - KSL_MULF(R->m02, R->m11);
+  const float R_n_0 = KSL_MULF(R->m11, R->m22) - KSL_MULF(R->m12, R->m21),
+      R_n_1 = KSL_MULF(R->m02, R->m21) - KSL_MULF(R->m01, R->m22),
+      R_n_2 = KSL_MULF(R->m01, R->m12) - KSL_MULF(R->m02, R->m11);
   const float R_det = KSL_MULF(R->m00, R_n_0) + KSL_MULF(R->m10, R_n_1) + KSL_MULF(R->m20, R_n_2);
   const float R_g_0 = KSL_MULF(R->m00, R->m00) + KSL_MULF(R->m10, R->m10)
-          + KSL_MULF(R->m20, R->m20);
-  const float R_g_1 = KSL_MULF(R->m00, R->m01) + KSL_MULF(R->m10, R->m11)
-          + KSL_MULF(R->m20, R->m21);
-  const float R_g_2 = KSL_MULF(R->m00, R->m02) + KSL_MULF(R->m10, R->m12)
-          + KSL_MULF(R->m20, R->m22);
-  const float R_g_3 = KSL_MULF(R->m01, R->m01) + KSL_MULF(R->m11, R->m11)
-          + KSL_MULF(R->m21, R->m21);
-  const float R_g_4 = KSL_MULF(R->m01, R->m02) + KSL_MULF(R->m11, R->m12)
-          + KSL_MULF(R->m21, R->m22);
-  const float R_g_5 = KSL_MULF(R->m02, R->m02) + KSL_MULF(R->m12, R->m12)
-          + KSL_MULF(R->m22, R->m22);
-  const float R_off_0 = R_det - 1.0f;
-  const float R_off_1 = R_g_0 - 1.0f;
-  const float R_off_4 = R_g_3 - 1.0f;
-  const float R_off_6 = R_g_5 - 1.0f;
-  const float R_defect_size_0 = fabsf(R_off_0);
-  const float R_defect_size_1 = fabsf(R_off_1);
-  const float R_defect_size_2 = fabsf(R_g_1);
-  const float R_defect_size_3 = fabsf(R_g_2);
-  const float R_defect_size_4 = fabsf(R_off_4);
-  const float R_defect_size_5 = fabsf(R_g_4);
-  const float R_defect_size_6 = fabsf(R_off_6);
+          + KSL_MULF(R->m20, R->m20),
+      R_g_1 = KSL_MULF(R->m00, R->m01) + KSL_MULF(R->m10, R->m11) + KSL_MULF(R->m20, R->m21),
+      R_g_2 = KSL_MULF(R->m00, R->m02) + KSL_MULF(R->m10, R->m12) + KSL_MULF(R->m20, R->m22),
+      R_g_3 = KSL_MULF(R->m01, R->m01) + KSL_MULF(R->m11, R->m11) + KSL_MULF(R->m21, R->m21),
+      R_g_4 = KSL_MULF(R->m01, R->m02) + KSL_MULF(R->m11, R->m12) + KSL_MULF(R->m21, R->m22),
+      R_g_5 = KSL_MULF(R->m02, R->m02) + KSL_MULF(R->m12, R->m12) + KSL_MULF(R->m22, R->m22);
+  const float R_off_0 = R_det - 1.0f, R_off_1 = R_g_0 - 1.0f, R_off_4 = R_g_3 - 1.0f,
+      R_off_6 = R_g_5 - 1.0f;
+  const float R_defect_size_0 = fabsf(R_off_0), R_defect_size_1 = fabsf(R_off_1),
+      R_defect_size_2 = fabsf(R_g_1), R_defect_size_3 = fabsf(R_g_2),
+      R_defect_size_4 = fabsf(R_off_4), R_defect_size_5 = fabsf(R_g_4),
+      R_defect_size_6 = fabsf(R_off_6);
   const float R_defect_largest1 = R_defect_size_0 < R_defect_size_1 ? R_defect_size_1
           : R_defect_size_0;
   const float R_defect_largest2 = R_defect_largest1 < R_defect_size_2 ? R_defect_size_2
@@ -1530,11 +1446,10 @@ static inline void ksl_euler_xyz_from_mat3x3f_certified(const ksl_mat3x3f_t *R,
           : R_defect_largest5;
   const float R_unless_equal = R_defect_largest6 == 0.001f ? 0.0f : 1.2676506e+30f;
   const float R_unless_rotation = R_defect_largest6 < 0.001f ? 0.0f : R_unless_equal;
-  const float R_excess = KSL_MULF(R_unless_rotation, 1.2676506e+30f);
-  const float R_excess_0 = fabsf(rest < 1.2676506e+30f ? first_lo : rest_lo) + angles_rest_3
-          + R_excess;
-  const float R_excess_1 = KSL_MULF(3.751704e-12f, angles_padded_5) + angles_size_24 + R_excess;
-  const float R_excess_2 = fabsf(n == 0.0f ? 0.0f : polar_own_error_1)
+  const float R_excess = KSL_MULF(R_unless_rotation, 1.2676506e+30f),
+      R_excess_0 = fabsf(rest < 1.2676506e+30f ? first_lo : rest_lo) + angles_rest_3 + R_excess,
+      R_excess_1 = KSL_MULF(3.751704e-12f, angles_padded_5) + angles_size_24 + R_excess,
+      R_excess_2 = fabsf(n == 0.0f ? 0.0f : polar_own_error_1)
           + KSL_MULF(1.8758445e-12f, 3.3087225e-24f + third_size_7) + R_excess;
   angles->x = angles_0;
   angles->y = angles_1;
@@ -1558,10 +1473,8 @@ static inline void ksl_mat3x3f_from_euler_xyx_certified(const ksl_vec3f_t *angle
   float c_2; const float s_2 = ksl_sincosf(angles->z, &c_2);
   float c_own_error_3; const float s_own_error_3 = ksl_sincos_errorf(angles->z, s_2, c_2,
       &c_own_error_3);
-  const float first_1 = KSL_MULF(s_1, s_2);
-  const float first_2 = KSL_MULF(s_1, c_2);
-  const float first_7 = KSL_MULF(s_2, c_1);
-  const float first_8 = KSL_MULF(c_1, c_2);
+  const float first_1 = KSL_MULF(s_1, s_2), first_2 = KSL_MULF(s_1, c_2),
+      first_7 = KSL_MULF(s_2, c_1), first_8 = KSL_MULF(c_1, c_2);
   const float last_3 = KSL_MULF(s_0, s_1);
   const float last_4a = KSL_MULF(c_0, c_2),
       first_lo_1 = ksl_product_errorf(s_2, c_1, first_7)
@@ -1758,33 +1671,23 @@ static inline void ksl_euler_xyx_from_mat3x3f_certified(const ksl_mat3x3f_t *R,
           + KSL_MULF(2.7487632e+11f, angles_size_21 < 0.25f ? angles_size_29 : angles_size_25));
   const float third_size_7 = (n == 0.0f ? 0.0f : polar_size_1)
           + KSL_MULF(5.497548e+11f, divisor_bound_1 < divisor_size_3 ? 0.0f : third_size_4);
-  const float R_n_0 = KSL_MULF(R->m11, R->m22) - KSL_MULF(R->m12, R->m21);
-  const float R_n_1 = KSL_MULF(R->m02, R->m21) - KSL_MULF(R->m01, R->m22);
-  const float R_n_2 = KSL_MULF(R->m01, R->m12) - KSL_MULF(R->m02, R->m11);
+  const float R_n_0 = KSL_MULF(R->m11, R->m22) - KSL_MULF(R->m12, R->m21),
+      R_n_1 = KSL_MULF(R->m02, R->m21) - KSL_MULF(R->m01, R->m22),
+      R_n_2 = KSL_MULF(R->m01, R->m12) - KSL_MULF(R->m02, R->m11);
   const float R_det = KSL_MULF(R->m00, R_n_0) + KSL_MULF(R->m10, R_n_1) + KSL_MULF(R->m20, R_n_2);
   const float R_g_0 = KSL_MULF(R->m00, R->m00) + KSL_MULF(R->m10, R->m10)
-          + KSL_MULF(R->m20, R->m20);
-  const float R_g_1 = KSL_MULF(R->m00, R->m01) + KSL_MULF(R->m10, R->m11)
-          + KSL_MULF(R->m20, R->m21);
-  const float R_g_2 = KSL_MULF(R->m00, R->m02) + KSL_MULF(R->m10, R->m12)
-          + KSL_MULF(R->m20, R->m22);
-  const float R_g_3 = KSL_MULF(R->m01, R->m01) + KSL_MULF(R->m11, R->m11)
-          + KSL_MULF(R->m21, R->m21);
-  const float R_g_4 = KSL_MULF(R->m01, R->m02) + KSL_MULF(R->m11, R->m12)
-          + KSL_MULF(R->m21, R->m22);
-  const float R_g_5 = KSL_MULF(R->m02, R->m02) + KSL_MULF(R->m12, R->m12)
-          + KSL_MULF(R->m22, R->m22);
-  const float R_off_0 = R_det - 1.0f;
-  const float R_off_1 = R_g_0 - 1.0f;
-  const float R_off_4 = R_g_3 - 1.0f;
-  const float R_off_6 = R_g_5 - 1.0f;
-  const float R_defect_size_0 = fabsf(R_off_0);
-  const float R_defect_size_1 = fabsf(R_off_1);
-  const float R_defect_size_2 = fabsf(R_g_1);
-  const float R_defect_size_3 = fabsf(R_g_2);
-  const float R_defect_size_4 = fabsf(R_off_4);
-  const float R_defect_size_5 = fabsf(R_g_4);
-  const float R_defect_size_6 = fabsf(R_off_6);
+          + KSL_MULF(R->m20, R->m20),
+      R_g_1 = KSL_MULF(R->m00, R->m01) + KSL_MULF(R->m10, R->m11) + KSL_MULF(R->m20, R->m21),
+      R_g_2 = KSL_MULF(R->m00, R->m02) + KSL_MULF(R->m10, R->m12) + KSL_MULF(R->m20, R->m22),
+      R_g_3 = KSL_MULF(R->m01, R->m01) + KSL_MULF(R->m11, R->m11) + KSL_MULF(R->m21, R->m21),
+      R_g_4 = KSL_MULF(R->m01, R->m02) + KSL_MULF(R->m11, R->m12) + KSL_MULF(R->m21, R->m22),
+      R_g_5 = KSL_MULF(R->m02, R->m02) + KSL_MULF(R->m12, R->m12) + KSL_MULF(R->m22, R->m22);
+  const float R_off_0 = R_det - 1.0f, R_off_1 = R_g_0 - 1.0f, R_off_4 = R_g_3 - 1.0f,
+      R_off_6 = R_g_5 - 1.0f;
+  const float R_defect_size_0 = fabsf(R_off_0), R_defect_size_1 = fabsf(R_off_1),
+      R_defect_size_2 = fabsf(R_g_1), R_defect_size_3 = fabsf(R_g_2),
+      R_defect_size_4 = fabsf(R_off_4), R_defect_size_5 = fabsf(R_g_4),
+      R_defect_size_6 = fabsf(R_off_6);
   const float R_defect_largest1 = R_defect_size_0 < R_defect_size_1 ? R_defect_size_1
           : R_defect_size_0;
   const float R_defect_largest2 = R_defect_largest1 < R_defect_size_2 ? R_defect_size_2
@@ -1799,11 +1702,10 @@ static inline void ksl_euler_xyx_from_mat3x3f_certified(const ksl_mat3x3f_t *R,
           : R_defect_largest5;
   const float R_unless_equal = R_defect_largest6 == 0.001f ? 0.0f : 1.2676506e+30f;
   const float R_unless_rotation = R_defect_largest6 < 0.001f ? 0.0f : R_unless_equal;
-  const float R_excess = KSL_MULF(R_unless_rotation, 1.2676506e+30f);
-  const float R_excess_0 = fabsf(rest < 1.2676506e+30f ? first_lo : rest_lo) + angles_rest_3
-          + R_excess;
-  const float R_excess_1 = KSL_MULF(3.751704e-12f, angles_padded_5) + angles_size_24 + R_excess;
-  const float R_excess_2 = fabsf(n == 0.0f ? 0.0f : polar_own_error_1)
+  const float R_excess = KSL_MULF(R_unless_rotation, 1.2676506e+30f),
+      R_excess_0 = fabsf(rest < 1.2676506e+30f ? first_lo : rest_lo) + angles_rest_3 + R_excess,
+      R_excess_1 = KSL_MULF(3.751704e-12f, angles_padded_5) + angles_size_24 + R_excess,
+      R_excess_2 = fabsf(n == 0.0f ? 0.0f : polar_own_error_1)
           + KSL_MULF(1.8758445e-12f, 3.3087225e-24f + third_size_7) + R_excess;
   angles->x = angles_0;
   angles->y = angles_1;
@@ -2031,9 +1933,7 @@ static inline float ksl_axis_angle_from_mat3x3f_certified(const ksl_mat3x3f_t *R
       upper_lo_4 = column_3 < 0.0f ? upper_3a_lo : column_lo_4,
       upper_size_28 = upper_bound_1
           + (fabsf(upper_3a_lo) + upper_rest_1 + fabsf(upper_3a - column_3));
-  const float v_s_size_0 = fabsf(upper_0);
-  const float v_s_size_1 = fabsf(upper_1);
-  const float v_s_size_2 = fabsf(upper_2);
+  const float v_s_size_0 = fabsf(upper_0), v_s_size_1 = fabsf(upper_1), v_s_size_2 = fabsf(upper_2);
   const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
@@ -2162,33 +2062,23 @@ static inline float ksl_axis_angle_from_mat3x3f_certified(const ksl_mat3x3f_t *R
       unit_size_25 = unit_size_19
           + KSL_MULF(unit_reach_1, (KSL_MULF(unit_padded_1, unit_size_19) + v_n_d_padded_1)
           / unit_size_7) / unit_size_2;
-  const float R_n_0 = KSL_MULF(R->m11, R->m22) - KSL_MULF(R->m12, R->m21);
-  const float R_n_1 = KSL_MULF(R->m02, R->m21) - KSL_MULF(R->m01, R->m22);
-  const float R_n_2 = KSL_MULF(R->m01, R->m12) - KSL_MULF(R->m02, R->m11);
+  const float R_n_0 = KSL_MULF(R->m11, R->m22) - KSL_MULF(R->m12, R->m21),
+      R_n_1 = KSL_MULF(R->m02, R->m21) - KSL_MULF(R->m01, R->m22),
+      R_n_2 = KSL_MULF(R->m01, R->m12) - KSL_MULF(R->m02, R->m11);
   const float R_det = KSL_MULF(R->m00, R_n_0) + KSL_MULF(R->m10, R_n_1) + KSL_MULF(R->m20, R_n_2);
   const float R_g_0 = KSL_MULF(R->m00, R->m00) + KSL_MULF(R->m10, R->m10)
-          + KSL_MULF(R->m20, R->m20);
-  const float R_g_1 = KSL_MULF(R->m00, R->m01) + KSL_MULF(R->m10, R->m11)
-          + KSL_MULF(R->m20, R->m21);
-  const float R_g_2 = KSL_MULF(R->m00, R->m02) + KSL_MULF(R->m10, R->m12)
-          + KSL_MULF(R->m20, R->m22);
-  const float R_g_3 = KSL_MULF(R->m01, R->m01) + KSL_MULF(R->m11, R->m11)
-          + KSL_MULF(R->m21, R->m21);
-  const float R_g_4 = KSL_MULF(R->m01, R->m02) + KSL_MULF(R->m11, R->m12)
-          + KSL_MULF(R->m21, R->m22);
-  const float R_g_5 = KSL_MULF(R->m02, R->m02) + KSL_MULF(R->m12, R->m12)
-          + KSL_MULF(R->m22, R->m22);
-  const float R_off_0 = R_det - 1.0f;
-  const float R_off_1 = R_g_0 - 1.0f;
-  const float R_off_4 = R_g_3 - 1.0f;
-  const float R_off_6 = R_g_5 - 1.0f;
-  const float R_defect_size_0 = fabsf(R_off_0);
-  const float R_defect_size_1 = fabsf(R_off_1);
-  const float R_defect_size_2 = fabsf(R_g_1);
-  const float R_defect_size_3 = fabsf(R_g_2);
-  const float R_defect_size_4 = fabsf(R_off_4);
-  const float R_defect_size_5 = fabsf(R_g_4);
-  const float R_defect_size_6 = fabsf(R_off_6);
+          + KSL_MULF(R->m20, R->m20),
+      R_g_1 = KSL_MULF(R->m00, R->m01) + KSL_MULF(R->m10, R->m11) + KSL_MULF(R->m20, R->m21),
+      R_g_2 = KSL_MULF(R->m00, R->m02) + KSL_MULF(R->m10, R->m12) + KSL_MULF(R->m20, R->m22),
+      R_g_3 = KSL_MULF(R->m01, R->m01) + KSL_MULF(R->m11, R->m11) + KSL_MULF(R->m21, R->m21),
+      R_g_4 = KSL_MULF(R->m01, R->m02) + KSL_MULF(R->m11, R->m12) + KSL_MULF(R->m21, R->m22),
+      R_g_5 = KSL_MULF(R->m02, R->m02) + KSL_MULF(R->m12, R->m12) + KSL_MULF(R->m22, R->m22);
+  const float R_off_0 = R_det - 1.0f, R_off_1 = R_g_0 - 1.0f, R_off_4 = R_g_3 - 1.0f,
+      R_off_6 = R_g_5 - 1.0f;
+  const float R_defect_size_0 = fabsf(R_off_0), R_defect_size_1 = fabsf(R_off_1),
+      R_defect_size_2 = fabsf(R_g_1), R_defect_size_3 = fabsf(R_g_2),
+      R_defect_size_4 = fabsf(R_off_4), R_defect_size_5 = fabsf(R_g_4),
+      R_defect_size_6 = fabsf(R_off_6);
   const float R_defect_largest1 = R_defect_size_0 < R_defect_size_1 ? R_defect_size_1
           : R_defect_size_0;
   const float R_defect_largest2 = R_defect_largest1 < R_defect_size_2 ? R_defect_size_2
@@ -2203,14 +2093,14 @@ static inline float ksl_axis_angle_from_mat3x3f_certified(const ksl_mat3x3f_t *R
           : R_defect_largest5;
   const float R_unless_equal = R_defect_largest6 == 0.001f ? 0.0f : 1.2676506e+30f;
   const float R_unless_rotation = R_defect_largest6 < 0.001f ? 0.0f : R_unless_equal;
-  const float R_excess = KSL_MULF(R_unless_rotation, 1.2676506e+30f);
-  const float R_excess_0 = fabsf(KSL_MULF(2.0f, half_lo)) + angle_rest_1 + R_excess;
-  const float R_excess_1 = fabsf(v_n == 0.0f ? 0.0f : unit_lo_1)
-          + KSL_MULF(5.3671256e-12f, 3.3087225e-24f + axis_size_7) + R_excess;
-  const float R_excess_2 = fabsf(unit_lo_2)
-          + KSL_MULF(5.367124e-12f, 3.3087225e-24f + unit_size_18) + R_excess;
-  const float R_excess_3 = fabsf(unit_lo_3)
-          + KSL_MULF(5.367124e-12f, 3.3087225e-24f + unit_size_25) + R_excess;
+  const float R_excess = KSL_MULF(R_unless_rotation, 1.2676506e+30f),
+      R_excess_0 = fabsf(KSL_MULF(2.0f, half_lo)) + angle_rest_1 + R_excess,
+      R_excess_1 = fabsf(v_n == 0.0f ? 0.0f : unit_lo_1)
+          + KSL_MULF(5.3671256e-12f, 3.3087225e-24f + axis_size_7) + R_excess,
+      R_excess_2 = fabsf(unit_lo_2) + KSL_MULF(5.367124e-12f, 3.3087225e-24f + unit_size_18)
+          + R_excess,
+      R_excess_3 = fabsf(unit_lo_3) + KSL_MULF(5.367124e-12f, 3.3087225e-24f + unit_size_25)
+          + R_excess;
   axis->x = axis_0;
   axis->y = unit_1;
   axis->z = unit_2;

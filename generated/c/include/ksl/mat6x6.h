@@ -231,80 +231,80 @@ static inline void ksl_mat6x6_transposed(const ksl_mat6x6_t *M, ksl_mat6x6_t *Mo
 static inline void ksl_mat6x6_rotated(const ksl_mat3x3_t *R, const ksl_mat6x6_t *M,
     ksl_mat6x6_t *Mo) {
   const double RM_0 = KSL_MUL(R->m00, M->at[0][0]) + KSL_MUL(R->m01, M->at[0][1])
-          + KSL_MUL(R->m02, M->at[0][2]);
-  const double RM_1 = KSL_MUL(R->m00, M->at[0][1]) + KSL_MUL(R->m01, M->at[1][1])
-          + KSL_MUL(R->m02, M->at[1][2]);
-  const double RM_2 = KSL_MUL(R->m00, M->at[0][2]) + KSL_MUL(R->m01, M->at[1][2])
-          + KSL_MUL(R->m02, M->at[2][2]);
-  const double RM_3 = KSL_MUL(R->m10, M->at[0][0]) + KSL_MUL(R->m11, M->at[0][1])
-          + KSL_MUL(R->m12, M->at[0][2]);
-  const double RM_4 = KSL_MUL(R->m10, M->at[0][1]) + KSL_MUL(R->m11, M->at[1][1])
-          + KSL_MUL(R->m12, M->at[1][2]);
-  const double RM_5 = KSL_MUL(R->m10, M->at[0][2]) + KSL_MUL(R->m11, M->at[1][2])
-          + KSL_MUL(R->m12, M->at[2][2]);
-  const double RM_6 = KSL_MUL(R->m20, M->at[0][0]) + KSL_MUL(R->m21, M->at[0][1])
-          + KSL_MUL(R->m22, M->at[0][2]);
-  const double RM_7 = KSL_MUL(R->m20, M->at[0][1]) + KSL_MUL(R->m21, M->at[1][1])
-          + KSL_MUL(R->m22, M->at[1][2]);
-  const double RM_8 = KSL_MUL(R->m20, M->at[0][2]) + KSL_MUL(R->m21, M->at[1][2])
+          + KSL_MUL(R->m02, M->at[0][2]),
+      RM_1 = KSL_MUL(R->m00, M->at[0][1]) + KSL_MUL(R->m01, M->at[1][1])
+          + KSL_MUL(R->m02, M->at[1][2]),
+      RM_2 = KSL_MUL(R->m00, M->at[0][2]) + KSL_MUL(R->m01, M->at[1][2])
+          + KSL_MUL(R->m02, M->at[2][2]),
+      RM_3 = KSL_MUL(R->m10, M->at[0][0]) + KSL_MUL(R->m11, M->at[0][1])
+          + KSL_MUL(R->m12, M->at[0][2]),
+      RM_4 = KSL_MUL(R->m10, M->at[0][1]) + KSL_MUL(R->m11, M->at[1][1])
+          + KSL_MUL(R->m12, M->at[1][2]),
+      RM_5 = KSL_MUL(R->m10, M->at[0][2]) + KSL_MUL(R->m11, M->at[1][2])
+          + KSL_MUL(R->m12, M->at[2][2]),
+      RM_6 = KSL_MUL(R->m20, M->at[0][0]) + KSL_MUL(R->m21, M->at[0][1])
+          + KSL_MUL(R->m22, M->at[0][2]),
+      RM_7 = KSL_MUL(R->m20, M->at[0][1]) + KSL_MUL(R->m21, M->at[1][1])
+          + KSL_MUL(R->m22, M->at[1][2]),
+      RM_8 = KSL_MUL(R->m20, M->at[0][2]) + KSL_MUL(R->m21, M->at[1][2])
           + KSL_MUL(R->m22, M->at[2][2]);
-  const double linear_0 = KSL_MUL(R->m00, RM_0) + KSL_MUL(R->m01, RM_1) + KSL_MUL(R->m02, RM_2);
-  const double linear_1 = KSL_MUL(R->m00, RM_3) + KSL_MUL(R->m01, RM_4) + KSL_MUL(R->m02, RM_5);
-  const double linear_2 = KSL_MUL(R->m10, RM_3) + KSL_MUL(R->m11, RM_4) + KSL_MUL(R->m12, RM_5);
-  const double linear_3 = KSL_MUL(R->m00, RM_6) + KSL_MUL(R->m01, RM_7) + KSL_MUL(R->m02, RM_8);
-  const double linear_4 = KSL_MUL(R->m10, RM_6) + KSL_MUL(R->m11, RM_7) + KSL_MUL(R->m12, RM_8);
-  const double linear_5 = KSL_MUL(R->m20, RM_6) + KSL_MUL(R->m21, RM_7) + KSL_MUL(R->m22, RM_8);
+  const double linear_0 = KSL_MUL(R->m00, RM_0) + KSL_MUL(R->m01, RM_1) + KSL_MUL(R->m02, RM_2),
+      linear_1 = KSL_MUL(R->m00, RM_3) + KSL_MUL(R->m01, RM_4) + KSL_MUL(R->m02, RM_5),
+      linear_2 = KSL_MUL(R->m10, RM_3) + KSL_MUL(R->m11, RM_4) + KSL_MUL(R->m12, RM_5),
+      linear_3 = KSL_MUL(R->m00, RM_6) + KSL_MUL(R->m01, RM_7) + KSL_MUL(R->m02, RM_8),
+      linear_4 = KSL_MUL(R->m10, RM_6) + KSL_MUL(R->m11, RM_7) + KSL_MUL(R->m12, RM_8),
+      linear_5 = KSL_MUL(R->m20, RM_6) + KSL_MUL(R->m21, RM_7) + KSL_MUL(R->m22, RM_8);
   const double RH_0 = KSL_MUL(R->m00, M->at[0][3]) + KSL_MUL(R->m01, M->at[0][4])
-          + KSL_MUL(R->m02, M->at[0][5]);
-  const double RH_1 = KSL_MUL(R->m00, M->at[1][3]) + KSL_MUL(R->m01, M->at[1][4])
-          + KSL_MUL(R->m02, M->at[1][5]);
-  const double RH_2 = KSL_MUL(R->m00, M->at[2][3]) + KSL_MUL(R->m01, M->at[2][4])
-          + KSL_MUL(R->m02, M->at[2][5]);
-  const double RH_3 = KSL_MUL(R->m10, M->at[0][3]) + KSL_MUL(R->m11, M->at[0][4])
-          + KSL_MUL(R->m12, M->at[0][5]);
-  const double RH_4 = KSL_MUL(R->m10, M->at[1][3]) + KSL_MUL(R->m11, M->at[1][4])
-          + KSL_MUL(R->m12, M->at[1][5]);
-  const double RH_5 = KSL_MUL(R->m10, M->at[2][3]) + KSL_MUL(R->m11, M->at[2][4])
-          + KSL_MUL(R->m12, M->at[2][5]);
-  const double RH_6 = KSL_MUL(R->m20, M->at[0][3]) + KSL_MUL(R->m21, M->at[0][4])
-          + KSL_MUL(R->m22, M->at[0][5]);
-  const double RH_7 = KSL_MUL(R->m20, M->at[1][3]) + KSL_MUL(R->m21, M->at[1][4])
-          + KSL_MUL(R->m22, M->at[1][5]);
-  const double RH_8 = KSL_MUL(R->m20, M->at[2][3]) + KSL_MUL(R->m21, M->at[2][4])
+          + KSL_MUL(R->m02, M->at[0][5]),
+      RH_1 = KSL_MUL(R->m00, M->at[1][3]) + KSL_MUL(R->m01, M->at[1][4])
+          + KSL_MUL(R->m02, M->at[1][5]),
+      RH_2 = KSL_MUL(R->m00, M->at[2][3]) + KSL_MUL(R->m01, M->at[2][4])
+          + KSL_MUL(R->m02, M->at[2][5]),
+      RH_3 = KSL_MUL(R->m10, M->at[0][3]) + KSL_MUL(R->m11, M->at[0][4])
+          + KSL_MUL(R->m12, M->at[0][5]),
+      RH_4 = KSL_MUL(R->m10, M->at[1][3]) + KSL_MUL(R->m11, M->at[1][4])
+          + KSL_MUL(R->m12, M->at[1][5]),
+      RH_5 = KSL_MUL(R->m10, M->at[2][3]) + KSL_MUL(R->m11, M->at[2][4])
+          + KSL_MUL(R->m12, M->at[2][5]),
+      RH_6 = KSL_MUL(R->m20, M->at[0][3]) + KSL_MUL(R->m21, M->at[0][4])
+          + KSL_MUL(R->m22, M->at[0][5]),
+      RH_7 = KSL_MUL(R->m20, M->at[1][3]) + KSL_MUL(R->m21, M->at[1][4])
+          + KSL_MUL(R->m22, M->at[1][5]),
+      RH_8 = KSL_MUL(R->m20, M->at[2][3]) + KSL_MUL(R->m21, M->at[2][4])
           + KSL_MUL(R->m22, M->at[2][5]);
-  const double coupling_0 = KSL_MUL(R->m00, RH_0) + KSL_MUL(R->m01, RH_1) + KSL_MUL(R->m02, RH_2);
-  const double coupling_1 = KSL_MUL(R->m10, RH_0) + KSL_MUL(R->m11, RH_1) + KSL_MUL(R->m12, RH_2);
-  const double coupling_2 = KSL_MUL(R->m20, RH_0) + KSL_MUL(R->m21, RH_1) + KSL_MUL(R->m22, RH_2);
-  const double coupling_3 = KSL_MUL(R->m00, RH_3) + KSL_MUL(R->m01, RH_4) + KSL_MUL(R->m02, RH_5);
-  const double coupling_4 = KSL_MUL(R->m10, RH_3) + KSL_MUL(R->m11, RH_4) + KSL_MUL(R->m12, RH_5);
-  const double coupling_5 = KSL_MUL(R->m20, RH_3) + KSL_MUL(R->m21, RH_4) + KSL_MUL(R->m22, RH_5);
-  const double coupling_6 = KSL_MUL(R->m00, RH_6) + KSL_MUL(R->m01, RH_7) + KSL_MUL(R->m02, RH_8);
-  const double coupling_7 = KSL_MUL(R->m10, RH_6) + KSL_MUL(R->m11, RH_7) + KSL_MUL(R->m12, RH_8);
-  const double coupling_8 = KSL_MUL(R->m20, RH_6) + KSL_MUL(R->m21, RH_7) + KSL_MUL(R->m22, RH_8);
+  const double coupling_0 = KSL_MUL(R->m00, RH_0) + KSL_MUL(R->m01, RH_1) + KSL_MUL(R->m02, RH_2),
+      coupling_1 = KSL_MUL(R->m10, RH_0) + KSL_MUL(R->m11, RH_1) + KSL_MUL(R->m12, RH_2),
+      coupling_2 = KSL_MUL(R->m20, RH_0) + KSL_MUL(R->m21, RH_1) + KSL_MUL(R->m22, RH_2),
+      coupling_3 = KSL_MUL(R->m00, RH_3) + KSL_MUL(R->m01, RH_4) + KSL_MUL(R->m02, RH_5),
+      coupling_4 = KSL_MUL(R->m10, RH_3) + KSL_MUL(R->m11, RH_4) + KSL_MUL(R->m12, RH_5),
+      coupling_5 = KSL_MUL(R->m20, RH_3) + KSL_MUL(R->m21, RH_4) + KSL_MUL(R->m22, RH_5),
+      coupling_6 = KSL_MUL(R->m00, RH_6) + KSL_MUL(R->m01, RH_7) + KSL_MUL(R->m02, RH_8),
+      coupling_7 = KSL_MUL(R->m10, RH_6) + KSL_MUL(R->m11, RH_7) + KSL_MUL(R->m12, RH_8),
+      coupling_8 = KSL_MUL(R->m20, RH_6) + KSL_MUL(R->m21, RH_7) + KSL_MUL(R->m22, RH_8);
   const double RI_0 = KSL_MUL(R->m00, M->at[3][3]) + KSL_MUL(R->m01, M->at[3][4])
-          + KSL_MUL(R->m02, M->at[3][5]);
-  const double RI_1 = KSL_MUL(R->m00, M->at[3][4]) + KSL_MUL(R->m01, M->at[4][4])
-          + KSL_MUL(R->m02, M->at[4][5]);
-  const double RI_2 = KSL_MUL(R->m00, M->at[3][5]) + KSL_MUL(R->m01, M->at[4][5])
-          + KSL_MUL(R->m02, M->at[5][5]);
-  const double RI_3 = KSL_MUL(R->m10, M->at[3][3]) + KSL_MUL(R->m11, M->at[3][4])
-          + KSL_MUL(R->m12, M->at[3][5]);
-  const double RI_4 = KSL_MUL(R->m10, M->at[3][4]) + KSL_MUL(R->m11, M->at[4][4])
-          + KSL_MUL(R->m12, M->at[4][5]);
-  const double RI_5 = KSL_MUL(R->m10, M->at[3][5]) + KSL_MUL(R->m11, M->at[4][5])
-          + KSL_MUL(R->m12, M->at[5][5]);
-  const double RI_6 = KSL_MUL(R->m20, M->at[3][3]) + KSL_MUL(R->m21, M->at[3][4])
-          + KSL_MUL(R->m22, M->at[3][5]);
-  const double RI_7 = KSL_MUL(R->m20, M->at[3][4]) + KSL_MUL(R->m21, M->at[4][4])
-          + KSL_MUL(R->m22, M->at[4][5]);
-  const double RI_8 = KSL_MUL(R->m20, M->at[3][5]) + KSL_MUL(R->m21, M->at[4][5])
+          + KSL_MUL(R->m02, M->at[3][5]),
+      RI_1 = KSL_MUL(R->m00, M->at[3][4]) + KSL_MUL(R->m01, M->at[4][4])
+          + KSL_MUL(R->m02, M->at[4][5]),
+      RI_2 = KSL_MUL(R->m00, M->at[3][5]) + KSL_MUL(R->m01, M->at[4][5])
+          + KSL_MUL(R->m02, M->at[5][5]),
+      RI_3 = KSL_MUL(R->m10, M->at[3][3]) + KSL_MUL(R->m11, M->at[3][4])
+          + KSL_MUL(R->m12, M->at[3][5]),
+      RI_4 = KSL_MUL(R->m10, M->at[3][4]) + KSL_MUL(R->m11, M->at[4][4])
+          + KSL_MUL(R->m12, M->at[4][5]),
+      RI_5 = KSL_MUL(R->m10, M->at[3][5]) + KSL_MUL(R->m11, M->at[4][5])
+          + KSL_MUL(R->m12, M->at[5][5]),
+      RI_6 = KSL_MUL(R->m20, M->at[3][3]) + KSL_MUL(R->m21, M->at[3][4])
+          + KSL_MUL(R->m22, M->at[3][5]),
+      RI_7 = KSL_MUL(R->m20, M->at[3][4]) + KSL_MUL(R->m21, M->at[4][4])
+          + KSL_MUL(R->m22, M->at[4][5]),
+      RI_8 = KSL_MUL(R->m20, M->at[3][5]) + KSL_MUL(R->m21, M->at[4][5])
           + KSL_MUL(R->m22, M->at[5][5]);
-  const double angular_0 = KSL_MUL(R->m00, RI_0) + KSL_MUL(R->m01, RI_1) + KSL_MUL(R->m02, RI_2);
-  const double angular_1 = KSL_MUL(R->m00, RI_3) + KSL_MUL(R->m01, RI_4) + KSL_MUL(R->m02, RI_5);
-  const double angular_2 = KSL_MUL(R->m10, RI_3) + KSL_MUL(R->m11, RI_4) + KSL_MUL(R->m12, RI_5);
-  const double angular_3 = KSL_MUL(R->m00, RI_6) + KSL_MUL(R->m01, RI_7) + KSL_MUL(R->m02, RI_8);
-  const double angular_4 = KSL_MUL(R->m10, RI_6) + KSL_MUL(R->m11, RI_7) + KSL_MUL(R->m12, RI_8);
-  const double angular_5 = KSL_MUL(R->m20, RI_6) + KSL_MUL(R->m21, RI_7) + KSL_MUL(R->m22, RI_8);
+  const double angular_0 = KSL_MUL(R->m00, RI_0) + KSL_MUL(R->m01, RI_1) + KSL_MUL(R->m02, RI_2),
+      angular_1 = KSL_MUL(R->m00, RI_3) + KSL_MUL(R->m01, RI_4) + KSL_MUL(R->m02, RI_5),
+      angular_2 = KSL_MUL(R->m10, RI_3) + KSL_MUL(R->m11, RI_4) + KSL_MUL(R->m12, RI_5),
+      angular_3 = KSL_MUL(R->m00, RI_6) + KSL_MUL(R->m01, RI_7) + KSL_MUL(R->m02, RI_8),
+      angular_4 = KSL_MUL(R->m10, RI_6) + KSL_MUL(R->m11, RI_7) + KSL_MUL(R->m12, RI_8),
+      angular_5 = KSL_MUL(R->m20, RI_6) + KSL_MUL(R->m21, RI_7) + KSL_MUL(R->m22, RI_8);
   Mo->at[0][0] = linear_0;
   Mo->at[1][0] = linear_1;
   Mo->at[2][0] = linear_3;
@@ -353,25 +353,25 @@ static inline void ksl_mat6x6_shifted(const ksl_vec3_t *t, const ksl_mat6x6_t *M
     ksl_mat6x6_t *Mo) {
   const double G_0a = KSL_MUL(t->y, M->at[0][2]), G_0b = KSL_MUL(t->z, M->at[0][1]),
       G_0 = G_0a - G_0b + M->at[0][3];
-  const double G_1 = KSL_MUL(t->y, M->at[1][2]) - KSL_MUL(t->z, M->at[1][1]) + M->at[1][3];
-  const double G_2 = KSL_MUL(t->y, M->at[2][2]) - KSL_MUL(t->z, M->at[1][2]) + M->at[2][3];
-  const double G_3 = KSL_MUL(t->z, M->at[0][0]) - KSL_MUL(t->x, M->at[0][2]) + M->at[0][4];
+  const double G_1 = KSL_MUL(t->y, M->at[1][2]) - KSL_MUL(t->z, M->at[1][1]) + M->at[1][3],
+      G_2 = KSL_MUL(t->y, M->at[2][2]) - KSL_MUL(t->z, M->at[1][2]) + M->at[2][3],
+      G_3 = KSL_MUL(t->z, M->at[0][0]) - KSL_MUL(t->x, M->at[0][2]) + M->at[0][4];
   const double G_4a = KSL_MUL(t->x, M->at[1][2]), G_4 = G_0b - G_4a + M->at[1][4];
-  const double G_5 = KSL_MUL(t->z, M->at[0][2]) - KSL_MUL(t->x, M->at[2][2]) + M->at[2][4];
-  const double G_6 = KSL_MUL(t->x, M->at[0][1]) - KSL_MUL(t->y, M->at[0][0]) + M->at[0][5];
-  const double G_7 = KSL_MUL(t->x, M->at[1][1]) - KSL_MUL(t->y, M->at[0][1]) + M->at[1][5];
-  const double G_8 = G_4a - G_0a + M->at[2][5];
+  const double G_5 = KSL_MUL(t->z, M->at[0][2]) - KSL_MUL(t->x, M->at[2][2]) + M->at[2][4],
+      G_6 = KSL_MUL(t->x, M->at[0][1]) - KSL_MUL(t->y, M->at[0][0]) + M->at[0][5],
+      G_7 = KSL_MUL(t->x, M->at[1][1]) - KSL_MUL(t->y, M->at[0][1]) + M->at[1][5],
+      G_8 = G_4a - G_0a + M->at[2][5];
   const double moved_0 = KSL_MUL(t->y, M->at[2][3]) - KSL_MUL(t->z, M->at[1][3])
-          + (KSL_MUL(t->y, G_2) - KSL_MUL(t->z, G_1)) + M->at[3][3];
-  const double moved_1 = KSL_MUL(t->z, M->at[0][3]) - KSL_MUL(t->x, M->at[2][3])
-          + (KSL_MUL(t->y, G_5) - KSL_MUL(t->z, G_4)) + M->at[3][4];
-  const double moved_2 = KSL_MUL(t->z, M->at[0][4]) - KSL_MUL(t->x, M->at[2][4])
-          + (KSL_MUL(t->z, G_3) - KSL_MUL(t->x, G_5)) + M->at[4][4];
-  const double moved_3 = KSL_MUL(t->x, M->at[1][3]) - KSL_MUL(t->y, M->at[0][3])
-          + (KSL_MUL(t->y, G_8) - KSL_MUL(t->z, G_7)) + M->at[3][5];
-  const double moved_4 = KSL_MUL(t->x, M->at[1][4]) - KSL_MUL(t->y, M->at[0][4])
-          + (KSL_MUL(t->z, G_6) - KSL_MUL(t->x, G_8)) + M->at[4][5];
-  const double moved_5 = KSL_MUL(t->x, M->at[1][5]) - KSL_MUL(t->y, M->at[0][5])
+          + (KSL_MUL(t->y, G_2) - KSL_MUL(t->z, G_1)) + M->at[3][3],
+      moved_1 = KSL_MUL(t->z, M->at[0][3]) - KSL_MUL(t->x, M->at[2][3])
+          + (KSL_MUL(t->y, G_5) - KSL_MUL(t->z, G_4)) + M->at[3][4],
+      moved_2 = KSL_MUL(t->z, M->at[0][4]) - KSL_MUL(t->x, M->at[2][4])
+          + (KSL_MUL(t->z, G_3) - KSL_MUL(t->x, G_5)) + M->at[4][4],
+      moved_3 = KSL_MUL(t->x, M->at[1][3]) - KSL_MUL(t->y, M->at[0][3])
+          + (KSL_MUL(t->y, G_8) - KSL_MUL(t->z, G_7)) + M->at[3][5],
+      moved_4 = KSL_MUL(t->x, M->at[1][4]) - KSL_MUL(t->y, M->at[0][4])
+          + (KSL_MUL(t->z, G_6) - KSL_MUL(t->x, G_8)) + M->at[4][5],
+      moved_5 = KSL_MUL(t->x, M->at[1][5]) - KSL_MUL(t->y, M->at[0][5])
           + (KSL_MUL(t->x, G_7) - KSL_MUL(t->y, G_6)) + M->at[5][5];
   const double M_at_00 = M->at[0][0];
   const double M_at_01 = M->at[0][1];
@@ -641,80 +641,80 @@ static inline void ksl_mat6x6f_transposed(const ksl_mat6x6f_t *M, ksl_mat6x6f_t 
 static inline void ksl_mat6x6f_rotated(const ksl_mat3x3f_t *R, const ksl_mat6x6f_t *M,
     ksl_mat6x6f_t *Mo) {
   const float RM_0 = KSL_MULF(R->m00, M->at[0][0]) + KSL_MULF(R->m01, M->at[0][1])
-          + KSL_MULF(R->m02, M->at[0][2]);
-  const float RM_1 = KSL_MULF(R->m00, M->at[0][1]) + KSL_MULF(R->m01, M->at[1][1])
-          + KSL_MULF(R->m02, M->at[1][2]);
-  const float RM_2 = KSL_MULF(R->m00, M->at[0][2]) + KSL_MULF(R->m01, M->at[1][2])
-          + KSL_MULF(R->m02, M->at[2][2]);
-  const float RM_3 = KSL_MULF(R->m10, M->at[0][0]) + KSL_MULF(R->m11, M->at[0][1])
-          + KSL_MULF(R->m12, M->at[0][2]);
-  const float RM_4 = KSL_MULF(R->m10, M->at[0][1]) + KSL_MULF(R->m11, M->at[1][1])
-          + KSL_MULF(R->m12, M->at[1][2]);
-  const float RM_5 = KSL_MULF(R->m10, M->at[0][2]) + KSL_MULF(R->m11, M->at[1][2])
-          + KSL_MULF(R->m12, M->at[2][2]);
-  const float RM_6 = KSL_MULF(R->m20, M->at[0][0]) + KSL_MULF(R->m21, M->at[0][1])
-          + KSL_MULF(R->m22, M->at[0][2]);
-  const float RM_7 = KSL_MULF(R->m20, M->at[0][1]) + KSL_MULF(R->m21, M->at[1][1])
-          + KSL_MULF(R->m22, M->at[1][2]);
-  const float RM_8 = KSL_MULF(R->m20, M->at[0][2]) + KSL_MULF(R->m21, M->at[1][2])
+          + KSL_MULF(R->m02, M->at[0][2]),
+      RM_1 = KSL_MULF(R->m00, M->at[0][1]) + KSL_MULF(R->m01, M->at[1][1])
+          + KSL_MULF(R->m02, M->at[1][2]),
+      RM_2 = KSL_MULF(R->m00, M->at[0][2]) + KSL_MULF(R->m01, M->at[1][2])
+          + KSL_MULF(R->m02, M->at[2][2]),
+      RM_3 = KSL_MULF(R->m10, M->at[0][0]) + KSL_MULF(R->m11, M->at[0][1])
+          + KSL_MULF(R->m12, M->at[0][2]),
+      RM_4 = KSL_MULF(R->m10, M->at[0][1]) + KSL_MULF(R->m11, M->at[1][1])
+          + KSL_MULF(R->m12, M->at[1][2]),
+      RM_5 = KSL_MULF(R->m10, M->at[0][2]) + KSL_MULF(R->m11, M->at[1][2])
+          + KSL_MULF(R->m12, M->at[2][2]),
+      RM_6 = KSL_MULF(R->m20, M->at[0][0]) + KSL_MULF(R->m21, M->at[0][1])
+          + KSL_MULF(R->m22, M->at[0][2]),
+      RM_7 = KSL_MULF(R->m20, M->at[0][1]) + KSL_MULF(R->m21, M->at[1][1])
+          + KSL_MULF(R->m22, M->at[1][2]),
+      RM_8 = KSL_MULF(R->m20, M->at[0][2]) + KSL_MULF(R->m21, M->at[1][2])
           + KSL_MULF(R->m22, M->at[2][2]);
-  const float linear_0 = KSL_MULF(R->m00, RM_0) + KSL_MULF(R->m01, RM_1) + KSL_MULF(R->m02, RM_2);
-  const float linear_1 = KSL_MULF(R->m00, RM_3) + KSL_MULF(R->m01, RM_4) + KSL_MULF(R->m02, RM_5);
-  const float linear_2 = KSL_MULF(R->m10, RM_3) + KSL_MULF(R->m11, RM_4) + KSL_MULF(R->m12, RM_5);
-  const float linear_3 = KSL_MULF(R->m00, RM_6) + KSL_MULF(R->m01, RM_7) + KSL_MULF(R->m02, RM_8);
-  const float linear_4 = KSL_MULF(R->m10, RM_6) + KSL_MULF(R->m11, RM_7) + KSL_MULF(R->m12, RM_8);
-  const float linear_5 = KSL_MULF(R->m20, RM_6) + KSL_MULF(R->m21, RM_7) + KSL_MULF(R->m22, RM_8);
+  const float linear_0 = KSL_MULF(R->m00, RM_0) + KSL_MULF(R->m01, RM_1) + KSL_MULF(R->m02, RM_2),
+      linear_1 = KSL_MULF(R->m00, RM_3) + KSL_MULF(R->m01, RM_4) + KSL_MULF(R->m02, RM_5),
+      linear_2 = KSL_MULF(R->m10, RM_3) + KSL_MULF(R->m11, RM_4) + KSL_MULF(R->m12, RM_5),
+      linear_3 = KSL_MULF(R->m00, RM_6) + KSL_MULF(R->m01, RM_7) + KSL_MULF(R->m02, RM_8),
+      linear_4 = KSL_MULF(R->m10, RM_6) + KSL_MULF(R->m11, RM_7) + KSL_MULF(R->m12, RM_8),
+      linear_5 = KSL_MULF(R->m20, RM_6) + KSL_MULF(R->m21, RM_7) + KSL_MULF(R->m22, RM_8);
   const float RH_0 = KSL_MULF(R->m00, M->at[0][3]) + KSL_MULF(R->m01, M->at[0][4])
-          + KSL_MULF(R->m02, M->at[0][5]);
-  const float RH_1 = KSL_MULF(R->m00, M->at[1][3]) + KSL_MULF(R->m01, M->at[1][4])
-          + KSL_MULF(R->m02, M->at[1][5]);
-  const float RH_2 = KSL_MULF(R->m00, M->at[2][3]) + KSL_MULF(R->m01, M->at[2][4])
-          + KSL_MULF(R->m02, M->at[2][5]);
-  const float RH_3 = KSL_MULF(R->m10, M->at[0][3]) + KSL_MULF(R->m11, M->at[0][4])
-          + KSL_MULF(R->m12, M->at[0][5]);
-  const float RH_4 = KSL_MULF(R->m10, M->at[1][3]) + KSL_MULF(R->m11, M->at[1][4])
-          + KSL_MULF(R->m12, M->at[1][5]);
-  const float RH_5 = KSL_MULF(R->m10, M->at[2][3]) + KSL_MULF(R->m11, M->at[2][4])
-          + KSL_MULF(R->m12, M->at[2][5]);
-  const float RH_6 = KSL_MULF(R->m20, M->at[0][3]) + KSL_MULF(R->m21, M->at[0][4])
-          + KSL_MULF(R->m22, M->at[0][5]);
-  const float RH_7 = KSL_MULF(R->m20, M->at[1][3]) + KSL_MULF(R->m21, M->at[1][4])
-          + KSL_MULF(R->m22, M->at[1][5]);
-  const float RH_8 = KSL_MULF(R->m20, M->at[2][3]) + KSL_MULF(R->m21, M->at[2][4])
+          + KSL_MULF(R->m02, M->at[0][5]),
+      RH_1 = KSL_MULF(R->m00, M->at[1][3]) + KSL_MULF(R->m01, M->at[1][4])
+          + KSL_MULF(R->m02, M->at[1][5]),
+      RH_2 = KSL_MULF(R->m00, M->at[2][3]) + KSL_MULF(R->m01, M->at[2][4])
+          + KSL_MULF(R->m02, M->at[2][5]),
+      RH_3 = KSL_MULF(R->m10, M->at[0][3]) + KSL_MULF(R->m11, M->at[0][4])
+          + KSL_MULF(R->m12, M->at[0][5]),
+      RH_4 = KSL_MULF(R->m10, M->at[1][3]) + KSL_MULF(R->m11, M->at[1][4])
+          + KSL_MULF(R->m12, M->at[1][5]),
+      RH_5 = KSL_MULF(R->m10, M->at[2][3]) + KSL_MULF(R->m11, M->at[2][4])
+          + KSL_MULF(R->m12, M->at[2][5]),
+      RH_6 = KSL_MULF(R->m20, M->at[0][3]) + KSL_MULF(R->m21, M->at[0][4])
+          + KSL_MULF(R->m22, M->at[0][5]),
+      RH_7 = KSL_MULF(R->m20, M->at[1][3]) + KSL_MULF(R->m21, M->at[1][4])
+          + KSL_MULF(R->m22, M->at[1][5]),
+      RH_8 = KSL_MULF(R->m20, M->at[2][3]) + KSL_MULF(R->m21, M->at[2][4])
           + KSL_MULF(R->m22, M->at[2][5]);
-  const float coupling_0 = KSL_MULF(R->m00, RH_0) + KSL_MULF(R->m01, RH_1) + KSL_MULF(R->m02, RH_2);
-  const float coupling_1 = KSL_MULF(R->m10, RH_0) + KSL_MULF(R->m11, RH_1) + KSL_MULF(R->m12, RH_2);
-  const float coupling_2 = KSL_MULF(R->m20, RH_0) + KSL_MULF(R->m21, RH_1) + KSL_MULF(R->m22, RH_2);
-  const float coupling_3 = KSL_MULF(R->m00, RH_3) + KSL_MULF(R->m01, RH_4) + KSL_MULF(R->m02, RH_5);
-  const float coupling_4 = KSL_MULF(R->m10, RH_3) + KSL_MULF(R->m11, RH_4) + KSL_MULF(R->m12, RH_5);
-  const float coupling_5 = KSL_MULF(R->m20, RH_3) + KSL_MULF(R->m21, RH_4) + KSL_MULF(R->m22, RH_5);
-  const float coupling_6 = KSL_MULF(R->m00, RH_6) + KSL_MULF(R->m01, RH_7) + KSL_MULF(R->m02, RH_8);
-  const float coupling_7 = KSL_MULF(R->m10, RH_6) + KSL_MULF(R->m11, RH_7) + KSL_MULF(R->m12, RH_8);
-  const float coupling_8 = KSL_MULF(R->m20, RH_6) + KSL_MULF(R->m21, RH_7) + KSL_MULF(R->m22, RH_8);
+  const float coupling_0 = KSL_MULF(R->m00, RH_0) + KSL_MULF(R->m01, RH_1) + KSL_MULF(R->m02, RH_2),
+      coupling_1 = KSL_MULF(R->m10, RH_0) + KSL_MULF(R->m11, RH_1) + KSL_MULF(R->m12, RH_2),
+      coupling_2 = KSL_MULF(R->m20, RH_0) + KSL_MULF(R->m21, RH_1) + KSL_MULF(R->m22, RH_2),
+      coupling_3 = KSL_MULF(R->m00, RH_3) + KSL_MULF(R->m01, RH_4) + KSL_MULF(R->m02, RH_5),
+      coupling_4 = KSL_MULF(R->m10, RH_3) + KSL_MULF(R->m11, RH_4) + KSL_MULF(R->m12, RH_5),
+      coupling_5 = KSL_MULF(R->m20, RH_3) + KSL_MULF(R->m21, RH_4) + KSL_MULF(R->m22, RH_5),
+      coupling_6 = KSL_MULF(R->m00, RH_6) + KSL_MULF(R->m01, RH_7) + KSL_MULF(R->m02, RH_8),
+      coupling_7 = KSL_MULF(R->m10, RH_6) + KSL_MULF(R->m11, RH_7) + KSL_MULF(R->m12, RH_8),
+      coupling_8 = KSL_MULF(R->m20, RH_6) + KSL_MULF(R->m21, RH_7) + KSL_MULF(R->m22, RH_8);
   const float RI_0 = KSL_MULF(R->m00, M->at[3][3]) + KSL_MULF(R->m01, M->at[3][4])
-          + KSL_MULF(R->m02, M->at[3][5]);
-  const float RI_1 = KSL_MULF(R->m00, M->at[3][4]) + KSL_MULF(R->m01, M->at[4][4])
-          + KSL_MULF(R->m02, M->at[4][5]);
-  const float RI_2 = KSL_MULF(R->m00, M->at[3][5]) + KSL_MULF(R->m01, M->at[4][5])
-          + KSL_MULF(R->m02, M->at[5][5]);
-  const float RI_3 = KSL_MULF(R->m10, M->at[3][3]) + KSL_MULF(R->m11, M->at[3][4])
-          + KSL_MULF(R->m12, M->at[3][5]);
-  const float RI_4 = KSL_MULF(R->m10, M->at[3][4]) + KSL_MULF(R->m11, M->at[4][4])
-          + KSL_MULF(R->m12, M->at[4][5]);
-  const float RI_5 = KSL_MULF(R->m10, M->at[3][5]) + KSL_MULF(R->m11, M->at[4][5])
-          + KSL_MULF(R->m12, M->at[5][5]);
-  const float RI_6 = KSL_MULF(R->m20, M->at[3][3]) + KSL_MULF(R->m21, M->at[3][4])
-          + KSL_MULF(R->m22, M->at[3][5]);
-  const float RI_7 = KSL_MULF(R->m20, M->at[3][4]) + KSL_MULF(R->m21, M->at[4][4])
-          + KSL_MULF(R->m22, M->at[4][5]);
-  const float RI_8 = KSL_MULF(R->m20, M->at[3][5]) + KSL_MULF(R->m21, M->at[4][5])
+          + KSL_MULF(R->m02, M->at[3][5]),
+      RI_1 = KSL_MULF(R->m00, M->at[3][4]) + KSL_MULF(R->m01, M->at[4][4])
+          + KSL_MULF(R->m02, M->at[4][5]),
+      RI_2 = KSL_MULF(R->m00, M->at[3][5]) + KSL_MULF(R->m01, M->at[4][5])
+          + KSL_MULF(R->m02, M->at[5][5]),
+      RI_3 = KSL_MULF(R->m10, M->at[3][3]) + KSL_MULF(R->m11, M->at[3][4])
+          + KSL_MULF(R->m12, M->at[3][5]),
+      RI_4 = KSL_MULF(R->m10, M->at[3][4]) + KSL_MULF(R->m11, M->at[4][4])
+          + KSL_MULF(R->m12, M->at[4][5]),
+      RI_5 = KSL_MULF(R->m10, M->at[3][5]) + KSL_MULF(R->m11, M->at[4][5])
+          + KSL_MULF(R->m12, M->at[5][5]),
+      RI_6 = KSL_MULF(R->m20, M->at[3][3]) + KSL_MULF(R->m21, M->at[3][4])
+          + KSL_MULF(R->m22, M->at[3][5]),
+      RI_7 = KSL_MULF(R->m20, M->at[3][4]) + KSL_MULF(R->m21, M->at[4][4])
+          + KSL_MULF(R->m22, M->at[4][5]),
+      RI_8 = KSL_MULF(R->m20, M->at[3][5]) + KSL_MULF(R->m21, M->at[4][5])
           + KSL_MULF(R->m22, M->at[5][5]);
-  const float angular_0 = KSL_MULF(R->m00, RI_0) + KSL_MULF(R->m01, RI_1) + KSL_MULF(R->m02, RI_2);
-  const float angular_1 = KSL_MULF(R->m00, RI_3) + KSL_MULF(R->m01, RI_4) + KSL_MULF(R->m02, RI_5);
-  const float angular_2 = KSL_MULF(R->m10, RI_3) + KSL_MULF(R->m11, RI_4) + KSL_MULF(R->m12, RI_5);
-  const float angular_3 = KSL_MULF(R->m00, RI_6) + KSL_MULF(R->m01, RI_7) + KSL_MULF(R->m02, RI_8);
-  const float angular_4 = KSL_MULF(R->m10, RI_6) + KSL_MULF(R->m11, RI_7) + KSL_MULF(R->m12, RI_8);
-  const float angular_5 = KSL_MULF(R->m20, RI_6) + KSL_MULF(R->m21, RI_7) + KSL_MULF(R->m22, RI_8);
+  const float angular_0 = KSL_MULF(R->m00, RI_0) + KSL_MULF(R->m01, RI_1) + KSL_MULF(R->m02, RI_2),
+      angular_1 = KSL_MULF(R->m00, RI_3) + KSL_MULF(R->m01, RI_4) + KSL_MULF(R->m02, RI_5),
+      angular_2 = KSL_MULF(R->m10, RI_3) + KSL_MULF(R->m11, RI_4) + KSL_MULF(R->m12, RI_5),
+      angular_3 = KSL_MULF(R->m00, RI_6) + KSL_MULF(R->m01, RI_7) + KSL_MULF(R->m02, RI_8),
+      angular_4 = KSL_MULF(R->m10, RI_6) + KSL_MULF(R->m11, RI_7) + KSL_MULF(R->m12, RI_8),
+      angular_5 = KSL_MULF(R->m20, RI_6) + KSL_MULF(R->m21, RI_7) + KSL_MULF(R->m22, RI_8);
   Mo->at[0][0] = linear_0;
   Mo->at[1][0] = linear_1;
   Mo->at[2][0] = linear_3;
@@ -763,25 +763,25 @@ static inline void ksl_mat6x6f_shifted(const ksl_vec3f_t *t, const ksl_mat6x6f_t
     ksl_mat6x6f_t *Mo) {
   const float G_0a = KSL_MULF(t->y, M->at[0][2]), G_0b = KSL_MULF(t->z, M->at[0][1]),
       G_0 = G_0a - G_0b + M->at[0][3];
-  const float G_1 = KSL_MULF(t->y, M->at[1][2]) - KSL_MULF(t->z, M->at[1][1]) + M->at[1][3];
-  const float G_2 = KSL_MULF(t->y, M->at[2][2]) - KSL_MULF(t->z, M->at[1][2]) + M->at[2][3];
-  const float G_3 = KSL_MULF(t->z, M->at[0][0]) - KSL_MULF(t->x, M->at[0][2]) + M->at[0][4];
+  const float G_1 = KSL_MULF(t->y, M->at[1][2]) - KSL_MULF(t->z, M->at[1][1]) + M->at[1][3],
+      G_2 = KSL_MULF(t->y, M->at[2][2]) - KSL_MULF(t->z, M->at[1][2]) + M->at[2][3],
+      G_3 = KSL_MULF(t->z, M->at[0][0]) - KSL_MULF(t->x, M->at[0][2]) + M->at[0][4];
   const float G_4a = KSL_MULF(t->x, M->at[1][2]), G_4 = G_0b - G_4a + M->at[1][4];
-  const float G_5 = KSL_MULF(t->z, M->at[0][2]) - KSL_MULF(t->x, M->at[2][2]) + M->at[2][4];
-  const float G_6 = KSL_MULF(t->x, M->at[0][1]) - KSL_MULF(t->y, M->at[0][0]) + M->at[0][5];
-  const float G_7 = KSL_MULF(t->x, M->at[1][1]) - KSL_MULF(t->y, M->at[0][1]) + M->at[1][5];
-  const float G_8 = G_4a - G_0a + M->at[2][5];
+  const float G_5 = KSL_MULF(t->z, M->at[0][2]) - KSL_MULF(t->x, M->at[2][2]) + M->at[2][4],
+      G_6 = KSL_MULF(t->x, M->at[0][1]) - KSL_MULF(t->y, M->at[0][0]) + M->at[0][5],
+      G_7 = KSL_MULF(t->x, M->at[1][1]) - KSL_MULF(t->y, M->at[0][1]) + M->at[1][5],
+      G_8 = G_4a - G_0a + M->at[2][5];
   const float moved_0 = KSL_MULF(t->y, M->at[2][3]) - KSL_MULF(t->z, M->at[1][3])
-          + (KSL_MULF(t->y, G_2) - KSL_MULF(t->z, G_1)) + M->at[3][3];
-  const float moved_1 = KSL_MULF(t->z, M->at[0][3]) - KSL_MULF(t->x, M->at[2][3])
-          + (KSL_MULF(t->y, G_5) - KSL_MULF(t->z, G_4)) + M->at[3][4];
-  const float moved_2 = KSL_MULF(t->z, M->at[0][4]) - KSL_MULF(t->x, M->at[2][4])
-          + (KSL_MULF(t->z, G_3) - KSL_MULF(t->x, G_5)) + M->at[4][4];
-  const float moved_3 = KSL_MULF(t->x, M->at[1][3]) - KSL_MULF(t->y, M->at[0][3])
-          + (KSL_MULF(t->y, G_8) - KSL_MULF(t->z, G_7)) + M->at[3][5];
-  const float moved_4 = KSL_MULF(t->x, M->at[1][4]) - KSL_MULF(t->y, M->at[0][4])
-          + (KSL_MULF(t->z, G_6) - KSL_MULF(t->x, G_8)) + M->at[4][5];
-  const float moved_5 = KSL_MULF(t->x, M->at[1][5]) - KSL_MULF(t->y, M->at[0][5])
+          + (KSL_MULF(t->y, G_2) - KSL_MULF(t->z, G_1)) + M->at[3][3],
+      moved_1 = KSL_MULF(t->z, M->at[0][3]) - KSL_MULF(t->x, M->at[2][3])
+          + (KSL_MULF(t->y, G_5) - KSL_MULF(t->z, G_4)) + M->at[3][4],
+      moved_2 = KSL_MULF(t->z, M->at[0][4]) - KSL_MULF(t->x, M->at[2][4])
+          + (KSL_MULF(t->z, G_3) - KSL_MULF(t->x, G_5)) + M->at[4][4],
+      moved_3 = KSL_MULF(t->x, M->at[1][3]) - KSL_MULF(t->y, M->at[0][3])
+          + (KSL_MULF(t->y, G_8) - KSL_MULF(t->z, G_7)) + M->at[3][5],
+      moved_4 = KSL_MULF(t->x, M->at[1][4]) - KSL_MULF(t->y, M->at[0][4])
+          + (KSL_MULF(t->z, G_6) - KSL_MULF(t->x, G_8)) + M->at[4][5],
+      moved_5 = KSL_MULF(t->x, M->at[1][5]) - KSL_MULF(t->y, M->at[0][5])
           + (KSL_MULF(t->x, G_7) - KSL_MULF(t->y, G_6)) + M->at[5][5];
   const float M_at_00 = M->at[0][0];
   const float M_at_01 = M->at[0][1];

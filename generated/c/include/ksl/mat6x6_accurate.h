@@ -404,11 +404,11 @@ static inline void ksl_mat6x6_rotated_accurate(const ksl_mat3x3_t *R, const ksl_
       angular_5_lo2 = angular_5c - (angular_5 - angular_5_right)
           + ksl_product_rest(R->m22, RI_8, angular_5d, angular_5_right) + KSL_MUL(R->m22, RI_8_lo);
   const double linear_0_rounded = linear_0
-          + (linear_0_lo2 + (linear_0c_lo1 + (linear_0a_cross2 + linear_0b_cross2)));
-  const double linear_1_rounded = linear_1
+          + (linear_0_lo2 + (linear_0c_lo1 + (linear_0a_cross2 + linear_0b_cross2))),
+      linear_1_rounded = linear_1
           + (linear_1_lo2
-          + (linear_1c_lo1 + (KSL_MUL(R->m00, RM_3_lo) + KSL_MUL(R->m01, RM_4_lo))));
-  const double linear_3_rounded = linear_3
+          + (linear_1c_lo1 + (KSL_MUL(R->m00, RM_3_lo) + KSL_MUL(R->m01, RM_4_lo)))),
+      linear_3_rounded = linear_3
           + (linear_3_lo2
           + (linear_3c_lo1 + (KSL_MUL(R->m00, RM_6_lo) + KSL_MUL(R->m01, RM_7_lo))));
   const double coupling_0_lo = coupling_0_lo1 + KSL_MUL(R->m02, RH_2_lo)
@@ -422,8 +422,8 @@ static inline void ksl_mat6x6_rotated_accurate(const ksl_mat3x3_t *R, const ksl_
   const double coupling_6_rounded = coupling_6 + coupling_6_lo;
   const double linear_2_rounded = linear_2
           + (linear_2_lo2
-          + (linear_2c_lo1 + (KSL_MUL(R->m10, RM_3_lo) + KSL_MUL(R->m11, RM_4_lo))));
-  const double linear_4_rounded = linear_4
+          + (linear_2c_lo1 + (KSL_MUL(R->m10, RM_3_lo) + KSL_MUL(R->m11, RM_4_lo)))),
+      linear_4_rounded = linear_4
           + (linear_4_lo2
           + (linear_4c_lo1 + (KSL_MUL(R->m10, RM_6_lo) + KSL_MUL(R->m11, RM_7_lo))));
   const double coupling_1_lo = coupling_1_lo1 + KSL_MUL(R->m12, RH_2_lo)
@@ -447,20 +447,20 @@ static inline void ksl_mat6x6_rotated_accurate(const ksl_mat3x3_t *R, const ksl_
   const double coupling_8_lo = coupling_8_lo1 + KSL_MUL(R->m22, RH_8_lo)
           + (coupling_8c_lo1 + (KSL_MUL(R->m20, RH_6_lo) + KSL_MUL(R->m21, RH_7_lo)));
   const double coupling_8_rounded = coupling_8 + coupling_8_lo;
-  const double angular_0_rounded = angular_0 + (angular_0_lo2 + angular_0c_lo);
-  const double angular_1_rounded = angular_1
+  const double angular_0_rounded = angular_0 + (angular_0_lo2 + angular_0c_lo),
+      angular_1_rounded = angular_1
           + (angular_1_lo2
-          + (angular_1c_lo1 + (KSL_MUL(R->m00, RI_3_lo) + KSL_MUL(R->m01, RI_4_lo))));
-  const double angular_3_rounded = angular_3
+          + (angular_1c_lo1 + (KSL_MUL(R->m00, RI_3_lo) + KSL_MUL(R->m01, RI_4_lo)))),
+      angular_3_rounded = angular_3
           + (angular_3_lo2
-          + (angular_3c_lo1 + (KSL_MUL(R->m00, RI_6_lo) + KSL_MUL(R->m01, RI_7_lo))));
-  const double angular_2_rounded = angular_2
+          + (angular_3c_lo1 + (KSL_MUL(R->m00, RI_6_lo) + KSL_MUL(R->m01, RI_7_lo)))),
+      angular_2_rounded = angular_2
           + (angular_2_lo2
-          + (angular_2c_lo1 + (KSL_MUL(R->m10, RI_3_lo) + KSL_MUL(R->m11, RI_4_lo))));
-  const double angular_4_rounded = angular_4
+          + (angular_2c_lo1 + (KSL_MUL(R->m10, RI_3_lo) + KSL_MUL(R->m11, RI_4_lo)))),
+      angular_4_rounded = angular_4
           + (angular_4_lo2
-          + (angular_4c_lo1 + (KSL_MUL(R->m10, RI_6_lo) + KSL_MUL(R->m11, RI_7_lo))));
-  const double angular_5_rounded = angular_5
+          + (angular_4c_lo1 + (KSL_MUL(R->m10, RI_6_lo) + KSL_MUL(R->m11, RI_7_lo)))),
+      angular_5_rounded = angular_5
           + (angular_5_lo2
           + (angular_5c_lo1 + (KSL_MUL(R->m20, RI_6_lo) + KSL_MUL(R->m21, RI_7_lo))));
   Mo->at[0][0] = linear_0_rounded;
@@ -632,31 +632,26 @@ static inline void ksl_mat6x6_shifted_accurate(const ksl_vec3_t *t, const ksl_ma
       moved_5g_lo2 = moved_5c - (moved_5g - moved_5g_right) + (moved_5f - moved_5g_right)
           + (moved_5f_lo1 + (KSL_MUL(t->x, G_7_lo) - KSL_MUL(t->y, G_6_lo))),
       moved_5 = moved_5g + M->at[5][5], moved_5_right = moved_5 - moved_5g;
-  const double G_0_rounded = G_0 + (G_0c - (G_0 - G_0_right) + (M->at[0][3] - G_0_right) + G_0c_lo);
-  const double G_3_rounded = G_3 + G_3_lo;
-  const double G_6_rounded = G_6 + G_6_lo;
-  const double G_1_rounded = G_1 + G_1_lo;
-  const double G_4_rounded = G_4 + G_4_lo;
-  const double G_7_rounded = G_7 + G_7_lo;
-  const double G_2_rounded = G_2 + G_2_lo;
-  const double G_5_rounded = G_5 + G_5_lo;
-  const double G_8_rounded = G_8 + G_8_lo;
+  const double G_0_rounded = G_0 + (G_0c - (G_0 - G_0_right) + (M->at[0][3] - G_0_right) + G_0c_lo),
+      G_3_rounded = G_3 + G_3_lo, G_6_rounded = G_6 + G_6_lo, G_1_rounded = G_1 + G_1_lo,
+      G_4_rounded = G_4 + G_4_lo, G_7_rounded = G_7 + G_7_lo, G_2_rounded = G_2 + G_2_lo,
+      G_5_rounded = G_5 + G_5_lo, G_8_rounded = G_8 + G_8_lo;
   const double moved_0_rounded = moved_0
           + (moved_0g - (moved_0 - moved_0_right) + (M->at[3][3] - moved_0_right)
-          + (moved_0g_lo2 + moved_0c_lo));
-  const double moved_1_rounded = moved_1
+          + (moved_0g_lo2 + moved_0c_lo)),
+      moved_1_rounded = moved_1
           + (moved_1g - (moved_1 - moved_1_right) + (M->at[3][4] - moved_1_right)
-          + (moved_1g_lo2 + moved_1c_lo));
-  const double moved_3_rounded = moved_3
+          + (moved_1g_lo2 + moved_1c_lo)),
+      moved_3_rounded = moved_3
           + (moved_3g - (moved_3 - moved_3_right) + (M->at[3][5] - moved_3_right)
-          + (moved_3g_lo2 + moved_3c_lo));
-  const double moved_2_rounded = moved_2
+          + (moved_3g_lo2 + moved_3c_lo)),
+      moved_2_rounded = moved_2
           + (moved_2g - (moved_2 - moved_2_right) + (M->at[4][4] - moved_2_right)
-          + (moved_2g_lo2 + moved_2c_lo));
-  const double moved_4_rounded = moved_4
+          + (moved_2g_lo2 + moved_2c_lo)),
+      moved_4_rounded = moved_4
           + (moved_4g - (moved_4 - moved_4_right) + (M->at[4][5] - moved_4_right)
-          + (moved_4g_lo2 + moved_4c_lo));
-  const double moved_5_rounded = moved_5
+          + (moved_4g_lo2 + moved_4c_lo)),
+      moved_5_rounded = moved_5
           + (moved_5g - (moved_5 - moved_5_right) + (M->at[5][5] - moved_5_right)
           + (moved_5g_lo2 + moved_5c_lo));
   const double M_at_00 = M->at[0][0];
@@ -739,16 +734,16 @@ static inline void ksl_mat6x6f_rotated_accurate(const ksl_mat3x3f_t *R, const ks
           * (double)M->at[0][2]),
       RM_8 = ksl_product_sum((double)R->m22, (double)M->at[2][2], RM_8c);
   const double linear_0 = KSL_MUL((double)R->m00, RM_0) + KSL_MUL((double)R->m01, RM_1)
-          + KSL_MUL((double)R->m02, RM_2);
-  const double linear_1 = KSL_MUL((double)R->m00, RM_3) + KSL_MUL((double)R->m01, RM_4)
-          + KSL_MUL((double)R->m02, RM_5);
-  const double linear_2 = KSL_MUL((double)R->m10, RM_3) + KSL_MUL((double)R->m11, RM_4)
-          + KSL_MUL((double)R->m12, RM_5);
-  const double linear_3 = KSL_MUL((double)R->m00, RM_6) + KSL_MUL((double)R->m01, RM_7)
-          + KSL_MUL((double)R->m02, RM_8);
-  const double linear_4 = KSL_MUL((double)R->m10, RM_6) + KSL_MUL((double)R->m11, RM_7)
-          + KSL_MUL((double)R->m12, RM_8);
-  const double linear_5 = KSL_MUL((double)R->m20, RM_6) + KSL_MUL((double)R->m21, RM_7)
+          + KSL_MUL((double)R->m02, RM_2),
+      linear_1 = KSL_MUL((double)R->m00, RM_3) + KSL_MUL((double)R->m01, RM_4)
+          + KSL_MUL((double)R->m02, RM_5),
+      linear_2 = KSL_MUL((double)R->m10, RM_3) + KSL_MUL((double)R->m11, RM_4)
+          + KSL_MUL((double)R->m12, RM_5),
+      linear_3 = KSL_MUL((double)R->m00, RM_6) + KSL_MUL((double)R->m01, RM_7)
+          + KSL_MUL((double)R->m02, RM_8),
+      linear_4 = KSL_MUL((double)R->m10, RM_6) + KSL_MUL((double)R->m11, RM_7)
+          + KSL_MUL((double)R->m12, RM_8),
+      linear_5 = KSL_MUL((double)R->m20, RM_6) + KSL_MUL((double)R->m21, RM_7)
           + KSL_MUL((double)R->m22, RM_8);
   const double RH_0c = ksl_product_sum((double)R->m01, (double)M->at[0][4], (double)R->m00
           * (double)M->at[0][3]),
@@ -778,22 +773,22 @@ static inline void ksl_mat6x6f_rotated_accurate(const ksl_mat3x3f_t *R, const ks
           * (double)M->at[2][3]),
       RH_8 = ksl_product_sum((double)R->m22, (double)M->at[2][5], RH_8c);
   const double coupling_0 = KSL_MUL((double)R->m00, RH_0) + KSL_MUL((double)R->m01, RH_1)
-          + KSL_MUL((double)R->m02, RH_2);
-  const double coupling_1 = KSL_MUL((double)R->m10, RH_0) + KSL_MUL((double)R->m11, RH_1)
-          + KSL_MUL((double)R->m12, RH_2);
-  const double coupling_2 = KSL_MUL((double)R->m20, RH_0) + KSL_MUL((double)R->m21, RH_1)
-          + KSL_MUL((double)R->m22, RH_2);
-  const double coupling_3 = KSL_MUL((double)R->m00, RH_3) + KSL_MUL((double)R->m01, RH_4)
-          + KSL_MUL((double)R->m02, RH_5);
-  const double coupling_4 = KSL_MUL((double)R->m10, RH_3) + KSL_MUL((double)R->m11, RH_4)
-          + KSL_MUL((double)R->m12, RH_5);
-  const double coupling_5 = KSL_MUL((double)R->m20, RH_3) + KSL_MUL((double)R->m21, RH_4)
-          + KSL_MUL((double)R->m22, RH_5);
-  const double coupling_6 = KSL_MUL((double)R->m00, RH_6) + KSL_MUL((double)R->m01, RH_7)
-          + KSL_MUL((double)R->m02, RH_8);
-  const double coupling_7 = KSL_MUL((double)R->m10, RH_6) + KSL_MUL((double)R->m11, RH_7)
-          + KSL_MUL((double)R->m12, RH_8);
-  const double coupling_8 = KSL_MUL((double)R->m20, RH_6) + KSL_MUL((double)R->m21, RH_7)
+          + KSL_MUL((double)R->m02, RH_2),
+      coupling_1 = KSL_MUL((double)R->m10, RH_0) + KSL_MUL((double)R->m11, RH_1)
+          + KSL_MUL((double)R->m12, RH_2),
+      coupling_2 = KSL_MUL((double)R->m20, RH_0) + KSL_MUL((double)R->m21, RH_1)
+          + KSL_MUL((double)R->m22, RH_2),
+      coupling_3 = KSL_MUL((double)R->m00, RH_3) + KSL_MUL((double)R->m01, RH_4)
+          + KSL_MUL((double)R->m02, RH_5),
+      coupling_4 = KSL_MUL((double)R->m10, RH_3) + KSL_MUL((double)R->m11, RH_4)
+          + KSL_MUL((double)R->m12, RH_5),
+      coupling_5 = KSL_MUL((double)R->m20, RH_3) + KSL_MUL((double)R->m21, RH_4)
+          + KSL_MUL((double)R->m22, RH_5),
+      coupling_6 = KSL_MUL((double)R->m00, RH_6) + KSL_MUL((double)R->m01, RH_7)
+          + KSL_MUL((double)R->m02, RH_8),
+      coupling_7 = KSL_MUL((double)R->m10, RH_6) + KSL_MUL((double)R->m11, RH_7)
+          + KSL_MUL((double)R->m12, RH_8),
+      coupling_8 = KSL_MUL((double)R->m20, RH_6) + KSL_MUL((double)R->m21, RH_7)
           + KSL_MUL((double)R->m22, RH_8);
   const double RI_0c = ksl_product_sum((double)R->m01, (double)M->at[3][4], (double)R->m00
           * (double)M->at[3][3]),
@@ -823,16 +818,16 @@ static inline void ksl_mat6x6f_rotated_accurate(const ksl_mat3x3f_t *R, const ks
           * (double)M->at[3][5]),
       RI_8 = ksl_product_sum((double)R->m22, (double)M->at[5][5], RI_8c);
   const double angular_0 = KSL_MUL((double)R->m00, RI_0) + KSL_MUL((double)R->m01, RI_1)
-          + KSL_MUL((double)R->m02, RI_2);
-  const double angular_1 = KSL_MUL((double)R->m00, RI_3) + KSL_MUL((double)R->m01, RI_4)
-          + KSL_MUL((double)R->m02, RI_5);
-  const double angular_2 = KSL_MUL((double)R->m10, RI_3) + KSL_MUL((double)R->m11, RI_4)
-          + KSL_MUL((double)R->m12, RI_5);
-  const double angular_3 = KSL_MUL((double)R->m00, RI_6) + KSL_MUL((double)R->m01, RI_7)
-          + KSL_MUL((double)R->m02, RI_8);
-  const double angular_4 = KSL_MUL((double)R->m10, RI_6) + KSL_MUL((double)R->m11, RI_7)
-          + KSL_MUL((double)R->m12, RI_8);
-  const double angular_5 = KSL_MUL((double)R->m20, RI_6) + KSL_MUL((double)R->m21, RI_7)
+          + KSL_MUL((double)R->m02, RI_2),
+      angular_1 = KSL_MUL((double)R->m00, RI_3) + KSL_MUL((double)R->m01, RI_4)
+          + KSL_MUL((double)R->m02, RI_5),
+      angular_2 = KSL_MUL((double)R->m10, RI_3) + KSL_MUL((double)R->m11, RI_4)
+          + KSL_MUL((double)R->m12, RI_5),
+      angular_3 = KSL_MUL((double)R->m00, RI_6) + KSL_MUL((double)R->m01, RI_7)
+          + KSL_MUL((double)R->m02, RI_8),
+      angular_4 = KSL_MUL((double)R->m10, RI_6) + KSL_MUL((double)R->m11, RI_7)
+          + KSL_MUL((double)R->m12, RI_8),
+      angular_5 = KSL_MUL((double)R->m20, RI_6) + KSL_MUL((double)R->m21, RI_7)
           + KSL_MUL((double)R->m22, RI_8);
   Mo->at[0][0] = (float)linear_0;
   Mo->at[1][0] = (float)linear_1;
@@ -883,19 +878,18 @@ static inline void ksl_mat6x6f_shifted_accurate(const ksl_vec3f_t *t, const ksl_
   const double G_0a = (double)t->y * (double)M->at[0][2], G_0b = (double)t->z * (double)M->at[0][1],
       G_0 = G_0a - G_0b + (double)M->at[0][3];
   const double G_1 = ksl_product_sum(-(double)t->z, (double)M->at[1][1], (double)t->y
-          * (double)M->at[1][2]) + (double)M->at[1][3];
-  const double G_2 = ksl_product_sum(-(double)t->z, (double)M->at[1][2], (double)t->y
-          * (double)M->at[2][2]) + (double)M->at[2][3];
-  const double G_3 = ksl_product_sum(-(double)t->x, (double)M->at[0][2], (double)t->z
-          * (double)M->at[0][0]) + (double)M->at[0][4];
+          * (double)M->at[1][2]) + (double)M->at[1][3],
+      G_2 = ksl_product_sum(-(double)t->z, (double)M->at[1][2], (double)t->y * (double)M->at[2][2])
+          + (double)M->at[2][3],
+      G_3 = ksl_product_sum(-(double)t->x, (double)M->at[0][2], (double)t->z * (double)M->at[0][0])
+          + (double)M->at[0][4];
   const double G_4a = (double)t->x * (double)M->at[1][2], G_4 = G_0b - G_4a + (double)M->at[1][4];
   const double G_5 = ksl_product_sum(-(double)t->x, (double)M->at[2][2], (double)t->z
-          * (double)M->at[0][2]) + (double)M->at[2][4];
-  const double G_6 = ksl_product_sum(-(double)t->y, (double)M->at[0][0], (double)t->x
-          * (double)M->at[0][1]) + (double)M->at[0][5];
-  const double G_7 = ksl_product_sum(-(double)t->y, (double)M->at[0][1], (double)t->x
-          * (double)M->at[1][1]) + (double)M->at[1][5];
-  const double G_8 = G_4a - G_0a + (double)M->at[2][5];
+          * (double)M->at[0][2]) + (double)M->at[2][4],
+      G_6 = ksl_product_sum(-(double)t->y, (double)M->at[0][0], (double)t->x * (double)M->at[0][1])
+          + (double)M->at[0][5],
+      G_7 = ksl_product_sum(-(double)t->y, (double)M->at[0][1], (double)t->x * (double)M->at[1][1])
+          + (double)M->at[1][5], G_8 = G_4a - G_0a + (double)M->at[2][5];
   const double moved_0c = ksl_product_sum(-(double)t->z, (double)M->at[1][3], (double)t->y
           * (double)M->at[2][3]),
       moved_0 = moved_0c + (KSL_MUL((double)t->y, G_2) - KSL_MUL((double)t->z, G_1))

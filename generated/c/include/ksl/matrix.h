@@ -15,9 +15,9 @@
    Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_drv(const ksl_mat3x3_t *R, const ksl_vec3_t *v, ksl_vec3_t *vo) {
-  const double vo_0 = KSL_MUL(R->m00, v->x) + KSL_MUL(R->m01, v->y) + KSL_MUL(R->m02, v->z);
-  const double vo_1 = KSL_MUL(R->m10, v->x) + KSL_MUL(R->m11, v->y) + KSL_MUL(R->m12, v->z);
-  const double vo_2 = KSL_MUL(R->m20, v->x) + KSL_MUL(R->m21, v->y) + KSL_MUL(R->m22, v->z);
+  const double vo_0 = KSL_MUL(R->m00, v->x) + KSL_MUL(R->m01, v->y) + KSL_MUL(R->m02, v->z),
+      vo_1 = KSL_MUL(R->m10, v->x) + KSL_MUL(R->m11, v->y) + KSL_MUL(R->m12, v->z),
+      vo_2 = KSL_MUL(R->m20, v->x) + KSL_MUL(R->m21, v->y) + KSL_MUL(R->m22, v->z);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -29,9 +29,9 @@ static inline void ksl_product_drv(const ksl_mat3x3_t *R, const ksl_vec3_t *v, k
    Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_drvinv(const ksl_mat3x3_t *R, const ksl_vec3_t *v, ksl_vec3_t *vo) {
-  const double vo_0 = -(KSL_MUL(R->m00, v->x) + KSL_MUL(R->m01, v->y) + KSL_MUL(R->m02, v->z));
-  const double vo_1 = -(KSL_MUL(R->m10, v->x) + KSL_MUL(R->m11, v->y) + KSL_MUL(R->m12, v->z));
-  const double vo_2 = -(KSL_MUL(R->m20, v->x) + KSL_MUL(R->m21, v->y) + KSL_MUL(R->m22, v->z));
+  const double vo_0 = -(KSL_MUL(R->m00, v->x) + KSL_MUL(R->m01, v->y) + KSL_MUL(R->m02, v->z)),
+      vo_1 = -(KSL_MUL(R->m10, v->x) + KSL_MUL(R->m11, v->y) + KSL_MUL(R->m12, v->z)),
+      vo_2 = -(KSL_MUL(R->m20, v->x) + KSL_MUL(R->m21, v->y) + KSL_MUL(R->m22, v->z));
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -43,9 +43,9 @@ static inline void ksl_product_drvinv(const ksl_mat3x3_t *R, const ksl_vec3_t *v
    Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_drinvv(const ksl_mat3x3_t *R, const ksl_vec3_t *v, ksl_vec3_t *vo) {
-  const double vo_0 = KSL_MUL(R->m00, v->x) + KSL_MUL(R->m10, v->y) + KSL_MUL(R->m20, v->z);
-  const double vo_1 = KSL_MUL(R->m01, v->x) + KSL_MUL(R->m11, v->y) + KSL_MUL(R->m21, v->z);
-  const double vo_2 = KSL_MUL(R->m02, v->x) + KSL_MUL(R->m12, v->y) + KSL_MUL(R->m22, v->z);
+  const double vo_0 = KSL_MUL(R->m00, v->x) + KSL_MUL(R->m10, v->y) + KSL_MUL(R->m20, v->z),
+      vo_1 = KSL_MUL(R->m01, v->x) + KSL_MUL(R->m11, v->y) + KSL_MUL(R->m21, v->z),
+      vo_2 = KSL_MUL(R->m02, v->x) + KSL_MUL(R->m12, v->y) + KSL_MUL(R->m22, v->z);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -58,9 +58,9 @@ static inline void ksl_product_drinvv(const ksl_mat3x3_t *R, const ksl_vec3_t *v
      and underflow. */
 static inline void ksl_product_drinvvinv(const ksl_mat3x3_t *R, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
-  const double vo_0 = -(KSL_MUL(R->m00, v->x) + KSL_MUL(R->m10, v->y) + KSL_MUL(R->m20, v->z));
-  const double vo_1 = -(KSL_MUL(R->m01, v->x) + KSL_MUL(R->m11, v->y) + KSL_MUL(R->m21, v->z));
-  const double vo_2 = -(KSL_MUL(R->m02, v->x) + KSL_MUL(R->m12, v->y) + KSL_MUL(R->m22, v->z));
+  const double vo_0 = -(KSL_MUL(R->m00, v->x) + KSL_MUL(R->m10, v->y) + KSL_MUL(R->m20, v->z)),
+      vo_1 = -(KSL_MUL(R->m01, v->x) + KSL_MUL(R->m11, v->y) + KSL_MUL(R->m21, v->z)),
+      vo_2 = -(KSL_MUL(R->m02, v->x) + KSL_MUL(R->m12, v->y) + KSL_MUL(R->m22, v->z));
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -73,11 +73,9 @@ static inline void ksl_product_drinvvinv(const ksl_mat3x3_t *R, const ksl_vec3_t
      and underflow. */
 static inline void ksl_product_dv(const ksl_SE3_t *D, const ksl_vec3_t *v, ksl_vec3_t *vo) {
   const double vo_0 = KSL_MUL(D->m00, v->x) + KSL_MUL(D->m01, v->y) + KSL_MUL(D->m02, v->z)
-          + D->m03;
-  const double vo_1 = KSL_MUL(D->m10, v->x) + KSL_MUL(D->m11, v->y) + KSL_MUL(D->m12, v->z)
-          + D->m13;
-  const double vo_2 = KSL_MUL(D->m20, v->x) + KSL_MUL(D->m21, v->y) + KSL_MUL(D->m22, v->z)
-          + D->m23;
+          + D->m03,
+      vo_1 = KSL_MUL(D->m10, v->x) + KSL_MUL(D->m11, v->y) + KSL_MUL(D->m12, v->z) + D->m13,
+      vo_2 = KSL_MUL(D->m20, v->x) + KSL_MUL(D->m21, v->y) + KSL_MUL(D->m22, v->z) + D->m23;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -89,12 +87,10 @@ static inline void ksl_product_dv(const ksl_SE3_t *D, const ksl_vec3_t *v, ksl_v
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_dinvv(const ksl_SE3_t *D, const ksl_vec3_t *v, ksl_vec3_t *vo) {
-  const double p_0 = v->x - D->m03;
-  const double p_1 = v->y - D->m13;
-  const double p_2 = v->z - D->m23;
-  const double vo_0 = KSL_MUL(D->m00, p_0) + KSL_MUL(D->m10, p_1) + KSL_MUL(D->m20, p_2);
-  const double vo_1 = KSL_MUL(D->m01, p_0) + KSL_MUL(D->m11, p_1) + KSL_MUL(D->m21, p_2);
-  const double vo_2 = KSL_MUL(D->m02, p_0) + KSL_MUL(D->m12, p_1) + KSL_MUL(D->m22, p_2);
+  const double p_0 = v->x - D->m03, p_1 = v->y - D->m13, p_2 = v->z - D->m23;
+  const double vo_0 = KSL_MUL(D->m00, p_0) + KSL_MUL(D->m10, p_1) + KSL_MUL(D->m20, p_2),
+      vo_1 = KSL_MUL(D->m01, p_0) + KSL_MUL(D->m11, p_1) + KSL_MUL(D->m21, p_2),
+      vo_2 = KSL_MUL(D->m02, p_0) + KSL_MUL(D->m12, p_1) + KSL_MUL(D->m22, p_2);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -108,23 +104,15 @@ static inline void ksl_product_dinvv(const ksl_SE3_t *D, const ksl_vec3_t *v, ks
 static inline void ksl_product_drdr(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *R2,
     ksl_mat3x3_t *Ro) {
   const double Ro_00 = KSL_MUL(R1->m00, R2->m00) + KSL_MUL(R1->m01, R2->m10)
-          + KSL_MUL(R1->m02, R2->m20);
-  const double Ro_01 = KSL_MUL(R1->m00, R2->m01) + KSL_MUL(R1->m01, R2->m11)
-          + KSL_MUL(R1->m02, R2->m21);
-  const double Ro_02 = KSL_MUL(R1->m00, R2->m02) + KSL_MUL(R1->m01, R2->m12)
-          + KSL_MUL(R1->m02, R2->m22);
-  const double Ro_10 = KSL_MUL(R1->m10, R2->m00) + KSL_MUL(R1->m11, R2->m10)
-          + KSL_MUL(R1->m12, R2->m20);
-  const double Ro_11 = KSL_MUL(R1->m10, R2->m01) + KSL_MUL(R1->m11, R2->m11)
-          + KSL_MUL(R1->m12, R2->m21);
-  const double Ro_12 = KSL_MUL(R1->m10, R2->m02) + KSL_MUL(R1->m11, R2->m12)
-          + KSL_MUL(R1->m12, R2->m22);
-  const double Ro_20 = KSL_MUL(R1->m20, R2->m00) + KSL_MUL(R1->m21, R2->m10)
-          + KSL_MUL(R1->m22, R2->m20);
-  const double Ro_21 = KSL_MUL(R1->m20, R2->m01) + KSL_MUL(R1->m21, R2->m11)
-          + KSL_MUL(R1->m22, R2->m21);
-  const double Ro_22 = KSL_MUL(R1->m20, R2->m02) + KSL_MUL(R1->m21, R2->m12)
-          + KSL_MUL(R1->m22, R2->m22);
+          + KSL_MUL(R1->m02, R2->m20),
+      Ro_01 = KSL_MUL(R1->m00, R2->m01) + KSL_MUL(R1->m01, R2->m11) + KSL_MUL(R1->m02, R2->m21),
+      Ro_02 = KSL_MUL(R1->m00, R2->m02) + KSL_MUL(R1->m01, R2->m12) + KSL_MUL(R1->m02, R2->m22),
+      Ro_10 = KSL_MUL(R1->m10, R2->m00) + KSL_MUL(R1->m11, R2->m10) + KSL_MUL(R1->m12, R2->m20),
+      Ro_11 = KSL_MUL(R1->m10, R2->m01) + KSL_MUL(R1->m11, R2->m11) + KSL_MUL(R1->m12, R2->m21),
+      Ro_12 = KSL_MUL(R1->m10, R2->m02) + KSL_MUL(R1->m11, R2->m12) + KSL_MUL(R1->m12, R2->m22),
+      Ro_20 = KSL_MUL(R1->m20, R2->m00) + KSL_MUL(R1->m21, R2->m10) + KSL_MUL(R1->m22, R2->m20),
+      Ro_21 = KSL_MUL(R1->m20, R2->m01) + KSL_MUL(R1->m21, R2->m11) + KSL_MUL(R1->m22, R2->m21),
+      Ro_22 = KSL_MUL(R1->m20, R2->m02) + KSL_MUL(R1->m21, R2->m12) + KSL_MUL(R1->m22, R2->m22);
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -144,23 +132,15 @@ static inline void ksl_product_drdr(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *
 static inline void ksl_product_drdrinv(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *R2,
     ksl_mat3x3_t *Ro) {
   const double Ro_00 = KSL_MUL(R1->m00, R2->m00) + KSL_MUL(R1->m01, R2->m01)
-          + KSL_MUL(R1->m02, R2->m02);
-  const double Ro_01 = KSL_MUL(R1->m00, R2->m10) + KSL_MUL(R1->m01, R2->m11)
-          + KSL_MUL(R1->m02, R2->m12);
-  const double Ro_02 = KSL_MUL(R1->m00, R2->m20) + KSL_MUL(R1->m01, R2->m21)
-          + KSL_MUL(R1->m02, R2->m22);
-  const double Ro_10 = KSL_MUL(R1->m10, R2->m00) + KSL_MUL(R1->m11, R2->m01)
-          + KSL_MUL(R1->m12, R2->m02);
-  const double Ro_11 = KSL_MUL(R1->m10, R2->m10) + KSL_MUL(R1->m11, R2->m11)
-          + KSL_MUL(R1->m12, R2->m12);
-  const double Ro_12 = KSL_MUL(R1->m10, R2->m20) + KSL_MUL(R1->m11, R2->m21)
-          + KSL_MUL(R1->m12, R2->m22);
-  const double Ro_20 = KSL_MUL(R1->m20, R2->m00) + KSL_MUL(R1->m21, R2->m01)
-          + KSL_MUL(R1->m22, R2->m02);
-  const double Ro_21 = KSL_MUL(R1->m20, R2->m10) + KSL_MUL(R1->m21, R2->m11)
-          + KSL_MUL(R1->m22, R2->m12);
-  const double Ro_22 = KSL_MUL(R1->m20, R2->m20) + KSL_MUL(R1->m21, R2->m21)
-          + KSL_MUL(R1->m22, R2->m22);
+          + KSL_MUL(R1->m02, R2->m02),
+      Ro_01 = KSL_MUL(R1->m00, R2->m10) + KSL_MUL(R1->m01, R2->m11) + KSL_MUL(R1->m02, R2->m12),
+      Ro_02 = KSL_MUL(R1->m00, R2->m20) + KSL_MUL(R1->m01, R2->m21) + KSL_MUL(R1->m02, R2->m22),
+      Ro_10 = KSL_MUL(R1->m10, R2->m00) + KSL_MUL(R1->m11, R2->m01) + KSL_MUL(R1->m12, R2->m02),
+      Ro_11 = KSL_MUL(R1->m10, R2->m10) + KSL_MUL(R1->m11, R2->m11) + KSL_MUL(R1->m12, R2->m12),
+      Ro_12 = KSL_MUL(R1->m10, R2->m20) + KSL_MUL(R1->m11, R2->m21) + KSL_MUL(R1->m12, R2->m22),
+      Ro_20 = KSL_MUL(R1->m20, R2->m00) + KSL_MUL(R1->m21, R2->m01) + KSL_MUL(R1->m22, R2->m02),
+      Ro_21 = KSL_MUL(R1->m20, R2->m10) + KSL_MUL(R1->m21, R2->m11) + KSL_MUL(R1->m22, R2->m12),
+      Ro_22 = KSL_MUL(R1->m20, R2->m20) + KSL_MUL(R1->m21, R2->m21) + KSL_MUL(R1->m22, R2->m22);
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -180,23 +160,15 @@ static inline void ksl_product_drdrinv(const ksl_mat3x3_t *R1, const ksl_mat3x3_
 static inline void ksl_product_drinvdr(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *R2,
     ksl_mat3x3_t *Ro) {
   const double Ro_00 = KSL_MUL(R1->m00, R2->m00) + KSL_MUL(R1->m10, R2->m10)
-          + KSL_MUL(R1->m20, R2->m20);
-  const double Ro_01 = KSL_MUL(R1->m00, R2->m01) + KSL_MUL(R1->m10, R2->m11)
-          + KSL_MUL(R1->m20, R2->m21);
-  const double Ro_02 = KSL_MUL(R1->m00, R2->m02) + KSL_MUL(R1->m10, R2->m12)
-          + KSL_MUL(R1->m20, R2->m22);
-  const double Ro_10 = KSL_MUL(R1->m01, R2->m00) + KSL_MUL(R1->m11, R2->m10)
-          + KSL_MUL(R1->m21, R2->m20);
-  const double Ro_11 = KSL_MUL(R1->m01, R2->m01) + KSL_MUL(R1->m11, R2->m11)
-          + KSL_MUL(R1->m21, R2->m21);
-  const double Ro_12 = KSL_MUL(R1->m01, R2->m02) + KSL_MUL(R1->m11, R2->m12)
-          + KSL_MUL(R1->m21, R2->m22);
-  const double Ro_20 = KSL_MUL(R1->m02, R2->m00) + KSL_MUL(R1->m12, R2->m10)
-          + KSL_MUL(R1->m22, R2->m20);
-  const double Ro_21 = KSL_MUL(R1->m02, R2->m01) + KSL_MUL(R1->m12, R2->m11)
-          + KSL_MUL(R1->m22, R2->m21);
-  const double Ro_22 = KSL_MUL(R1->m02, R2->m02) + KSL_MUL(R1->m12, R2->m12)
-          + KSL_MUL(R1->m22, R2->m22);
+          + KSL_MUL(R1->m20, R2->m20),
+      Ro_01 = KSL_MUL(R1->m00, R2->m01) + KSL_MUL(R1->m10, R2->m11) + KSL_MUL(R1->m20, R2->m21),
+      Ro_02 = KSL_MUL(R1->m00, R2->m02) + KSL_MUL(R1->m10, R2->m12) + KSL_MUL(R1->m20, R2->m22),
+      Ro_10 = KSL_MUL(R1->m01, R2->m00) + KSL_MUL(R1->m11, R2->m10) + KSL_MUL(R1->m21, R2->m20),
+      Ro_11 = KSL_MUL(R1->m01, R2->m01) + KSL_MUL(R1->m11, R2->m11) + KSL_MUL(R1->m21, R2->m21),
+      Ro_12 = KSL_MUL(R1->m01, R2->m02) + KSL_MUL(R1->m11, R2->m12) + KSL_MUL(R1->m21, R2->m22),
+      Ro_20 = KSL_MUL(R1->m02, R2->m00) + KSL_MUL(R1->m12, R2->m10) + KSL_MUL(R1->m22, R2->m20),
+      Ro_21 = KSL_MUL(R1->m02, R2->m01) + KSL_MUL(R1->m12, R2->m11) + KSL_MUL(R1->m22, R2->m21),
+      Ro_22 = KSL_MUL(R1->m02, R2->m02) + KSL_MUL(R1->m12, R2->m12) + KSL_MUL(R1->m22, R2->m22);
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -215,29 +187,21 @@ static inline void ksl_product_drinvdr(const ksl_mat3x3_t *R1, const ksl_mat3x3_
      barring over- and underflow. */
 static inline void ksl_product_dd(const ksl_SE3_t *D1, const ksl_SE3_t *D2, ksl_SE3_t *Do) {
   const double Do_00 = KSL_MUL(D1->m00, D2->m00) + KSL_MUL(D1->m01, D2->m10)
-          + KSL_MUL(D1->m02, D2->m20);
-  const double Do_01 = KSL_MUL(D1->m00, D2->m01) + KSL_MUL(D1->m01, D2->m11)
-          + KSL_MUL(D1->m02, D2->m21);
-  const double Do_02 = KSL_MUL(D1->m00, D2->m02) + KSL_MUL(D1->m01, D2->m12)
-          + KSL_MUL(D1->m02, D2->m22);
-  const double Do_03 = KSL_MUL(D1->m00, D2->m03) + KSL_MUL(D1->m01, D2->m13)
-          + KSL_MUL(D1->m02, D2->m23) + D1->m03;
-  const double Do_10 = KSL_MUL(D1->m10, D2->m00) + KSL_MUL(D1->m11, D2->m10)
-          + KSL_MUL(D1->m12, D2->m20);
-  const double Do_11 = KSL_MUL(D1->m10, D2->m01) + KSL_MUL(D1->m11, D2->m11)
-          + KSL_MUL(D1->m12, D2->m21);
-  const double Do_12 = KSL_MUL(D1->m10, D2->m02) + KSL_MUL(D1->m11, D2->m12)
-          + KSL_MUL(D1->m12, D2->m22);
-  const double Do_13 = KSL_MUL(D1->m10, D2->m03) + KSL_MUL(D1->m11, D2->m13)
-          + KSL_MUL(D1->m12, D2->m23) + D1->m13;
-  const double Do_20 = KSL_MUL(D1->m20, D2->m00) + KSL_MUL(D1->m21, D2->m10)
-          + KSL_MUL(D1->m22, D2->m20);
-  const double Do_21 = KSL_MUL(D1->m20, D2->m01) + KSL_MUL(D1->m21, D2->m11)
-          + KSL_MUL(D1->m22, D2->m21);
-  const double Do_22 = KSL_MUL(D1->m20, D2->m02) + KSL_MUL(D1->m21, D2->m12)
-          + KSL_MUL(D1->m22, D2->m22);
-  const double Do_23 = KSL_MUL(D1->m20, D2->m03) + KSL_MUL(D1->m21, D2->m13)
-          + KSL_MUL(D1->m22, D2->m23) + D1->m23;
+          + KSL_MUL(D1->m02, D2->m20),
+      Do_01 = KSL_MUL(D1->m00, D2->m01) + KSL_MUL(D1->m01, D2->m11) + KSL_MUL(D1->m02, D2->m21),
+      Do_02 = KSL_MUL(D1->m00, D2->m02) + KSL_MUL(D1->m01, D2->m12) + KSL_MUL(D1->m02, D2->m22),
+      Do_03 = KSL_MUL(D1->m00, D2->m03) + KSL_MUL(D1->m01, D2->m13) + KSL_MUL(D1->m02, D2->m23)
+          + D1->m03,
+      Do_10 = KSL_MUL(D1->m10, D2->m00) + KSL_MUL(D1->m11, D2->m10) + KSL_MUL(D1->m12, D2->m20),
+      Do_11 = KSL_MUL(D1->m10, D2->m01) + KSL_MUL(D1->m11, D2->m11) + KSL_MUL(D1->m12, D2->m21),
+      Do_12 = KSL_MUL(D1->m10, D2->m02) + KSL_MUL(D1->m11, D2->m12) + KSL_MUL(D1->m12, D2->m22),
+      Do_13 = KSL_MUL(D1->m10, D2->m03) + KSL_MUL(D1->m11, D2->m13) + KSL_MUL(D1->m12, D2->m23)
+          + D1->m13,
+      Do_20 = KSL_MUL(D1->m20, D2->m00) + KSL_MUL(D1->m21, D2->m10) + KSL_MUL(D1->m22, D2->m20),
+      Do_21 = KSL_MUL(D1->m20, D2->m01) + KSL_MUL(D1->m21, D2->m11) + KSL_MUL(D1->m22, D2->m21),
+      Do_22 = KSL_MUL(D1->m20, D2->m02) + KSL_MUL(D1->m21, D2->m12) + KSL_MUL(D1->m22, D2->m22),
+      Do_23 = KSL_MUL(D1->m20, D2->m03) + KSL_MUL(D1->m21, D2->m13) + KSL_MUL(D1->m22, D2->m23)
+          + D1->m23;
   Do->m00 = Do_00;
   Do->m01 = Do_01;
   Do->m02 = Do_02;
@@ -259,29 +223,19 @@ static inline void ksl_product_dd(const ksl_SE3_t *D1, const ksl_SE3_t *D2, ksl_
      barring over- and underflow. */
 static inline void ksl_product_ddinv(const ksl_SE3_t *D1, const ksl_SE3_t *D2, ksl_SE3_t *Do) {
   const double R_0 = KSL_MUL(D1->m00, D2->m00) + KSL_MUL(D1->m01, D2->m01)
-          + KSL_MUL(D1->m02, D2->m02);
-  const double R_1 = KSL_MUL(D1->m00, D2->m10) + KSL_MUL(D1->m01, D2->m11)
-          + KSL_MUL(D1->m02, D2->m12);
-  const double R_2 = KSL_MUL(D1->m00, D2->m20) + KSL_MUL(D1->m01, D2->m21)
-          + KSL_MUL(D1->m02, D2->m22);
-  const double R_3 = KSL_MUL(D1->m10, D2->m00) + KSL_MUL(D1->m11, D2->m01)
-          + KSL_MUL(D1->m12, D2->m02);
-  const double R_4 = KSL_MUL(D1->m10, D2->m10) + KSL_MUL(D1->m11, D2->m11)
-          + KSL_MUL(D1->m12, D2->m12);
-  const double R_5 = KSL_MUL(D1->m10, D2->m20) + KSL_MUL(D1->m11, D2->m21)
-          + KSL_MUL(D1->m12, D2->m22);
-  const double R_6 = KSL_MUL(D1->m20, D2->m00) + KSL_MUL(D1->m21, D2->m01)
-          + KSL_MUL(D1->m22, D2->m02);
-  const double R_7 = KSL_MUL(D1->m20, D2->m10) + KSL_MUL(D1->m21, D2->m11)
-          + KSL_MUL(D1->m22, D2->m12);
-  const double R_8 = KSL_MUL(D1->m20, D2->m20) + KSL_MUL(D1->m21, D2->m21)
-          + KSL_MUL(D1->m22, D2->m22);
+          + KSL_MUL(D1->m02, D2->m02),
+      R_1 = KSL_MUL(D1->m00, D2->m10) + KSL_MUL(D1->m01, D2->m11) + KSL_MUL(D1->m02, D2->m12),
+      R_2 = KSL_MUL(D1->m00, D2->m20) + KSL_MUL(D1->m01, D2->m21) + KSL_MUL(D1->m02, D2->m22),
+      R_3 = KSL_MUL(D1->m10, D2->m00) + KSL_MUL(D1->m11, D2->m01) + KSL_MUL(D1->m12, D2->m02),
+      R_4 = KSL_MUL(D1->m10, D2->m10) + KSL_MUL(D1->m11, D2->m11) + KSL_MUL(D1->m12, D2->m12),
+      R_5 = KSL_MUL(D1->m10, D2->m20) + KSL_MUL(D1->m11, D2->m21) + KSL_MUL(D1->m12, D2->m22),
+      R_6 = KSL_MUL(D1->m20, D2->m00) + KSL_MUL(D1->m21, D2->m01) + KSL_MUL(D1->m22, D2->m02),
+      R_7 = KSL_MUL(D1->m20, D2->m10) + KSL_MUL(D1->m21, D2->m11) + KSL_MUL(D1->m22, D2->m12),
+      R_8 = KSL_MUL(D1->m20, D2->m20) + KSL_MUL(D1->m21, D2->m21) + KSL_MUL(D1->m22, D2->m22);
   const double Do_03 = D1->m03
-          - (KSL_MUL(D2->m03, R_0) + KSL_MUL(D2->m13, R_1) + KSL_MUL(D2->m23, R_2));
-  const double Do_13 = D1->m13
-          - (KSL_MUL(D2->m03, R_3) + KSL_MUL(D2->m13, R_4) + KSL_MUL(D2->m23, R_5));
-  const double Do_23 = D1->m23
-          - (KSL_MUL(D2->m03, R_6) + KSL_MUL(D2->m13, R_7) + KSL_MUL(D2->m23, R_8));
+          - (KSL_MUL(D2->m03, R_0) + KSL_MUL(D2->m13, R_1) + KSL_MUL(D2->m23, R_2)),
+      Do_13 = D1->m13 - (KSL_MUL(D2->m03, R_3) + KSL_MUL(D2->m13, R_4) + KSL_MUL(D2->m23, R_5)),
+      Do_23 = D1->m23 - (KSL_MUL(D2->m03, R_6) + KSL_MUL(D2->m13, R_7) + KSL_MUL(D2->m23, R_8));
   Do->m00 = R_0;
   Do->m01 = R_1;
   Do->m02 = R_2;
@@ -302,30 +256,20 @@ static inline void ksl_product_ddinv(const ksl_SE3_t *D1, const ksl_SE3_t *D2, k
    Error <= u |result| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_dinvd(const ksl_SE3_t *D1, const ksl_SE3_t *D2, ksl_SE3_t *Do) {
-  const double p_0 = D2->m03 - D1->m03;
-  const double p_1 = D2->m13 - D1->m13;
-  const double p_2 = D2->m23 - D1->m23;
+  const double p_0 = D2->m03 - D1->m03, p_1 = D2->m13 - D1->m13, p_2 = D2->m23 - D1->m23;
   const double Do_00 = KSL_MUL(D1->m00, D2->m00) + KSL_MUL(D1->m10, D2->m10)
-          + KSL_MUL(D1->m20, D2->m20);
-  const double Do_01 = KSL_MUL(D1->m00, D2->m01) + KSL_MUL(D1->m10, D2->m11)
-          + KSL_MUL(D1->m20, D2->m21);
-  const double Do_02 = KSL_MUL(D1->m00, D2->m02) + KSL_MUL(D1->m10, D2->m12)
-          + KSL_MUL(D1->m20, D2->m22);
-  const double Do_03 = KSL_MUL(D1->m00, p_0) + KSL_MUL(D1->m10, p_1) + KSL_MUL(D1->m20, p_2);
-  const double Do_10 = KSL_MUL(D1->m01, D2->m00) + KSL_MUL(D1->m11, D2->m10)
-          + KSL_MUL(D1->m21, D2->m20);
-  const double Do_11 = KSL_MUL(D1->m01, D2->m01) + KSL_MUL(D1->m11, D2->m11)
-          + KSL_MUL(D1->m21, D2->m21);
-  const double Do_12 = KSL_MUL(D1->m01, D2->m02) + KSL_MUL(D1->m11, D2->m12)
-          + KSL_MUL(D1->m21, D2->m22);
-  const double Do_13 = KSL_MUL(D1->m01, p_0) + KSL_MUL(D1->m11, p_1) + KSL_MUL(D1->m21, p_2);
-  const double Do_20 = KSL_MUL(D1->m02, D2->m00) + KSL_MUL(D1->m12, D2->m10)
-          + KSL_MUL(D1->m22, D2->m20);
-  const double Do_21 = KSL_MUL(D1->m02, D2->m01) + KSL_MUL(D1->m12, D2->m11)
-          + KSL_MUL(D1->m22, D2->m21);
-  const double Do_22 = KSL_MUL(D1->m02, D2->m02) + KSL_MUL(D1->m12, D2->m12)
-          + KSL_MUL(D1->m22, D2->m22);
-  const double Do_23 = KSL_MUL(D1->m02, p_0) + KSL_MUL(D1->m12, p_1) + KSL_MUL(D1->m22, p_2);
+          + KSL_MUL(D1->m20, D2->m20),
+      Do_01 = KSL_MUL(D1->m00, D2->m01) + KSL_MUL(D1->m10, D2->m11) + KSL_MUL(D1->m20, D2->m21),
+      Do_02 = KSL_MUL(D1->m00, D2->m02) + KSL_MUL(D1->m10, D2->m12) + KSL_MUL(D1->m20, D2->m22),
+      Do_03 = KSL_MUL(D1->m00, p_0) + KSL_MUL(D1->m10, p_1) + KSL_MUL(D1->m20, p_2),
+      Do_10 = KSL_MUL(D1->m01, D2->m00) + KSL_MUL(D1->m11, D2->m10) + KSL_MUL(D1->m21, D2->m20),
+      Do_11 = KSL_MUL(D1->m01, D2->m01) + KSL_MUL(D1->m11, D2->m11) + KSL_MUL(D1->m21, D2->m21),
+      Do_12 = KSL_MUL(D1->m01, D2->m02) + KSL_MUL(D1->m11, D2->m12) + KSL_MUL(D1->m21, D2->m22),
+      Do_13 = KSL_MUL(D1->m01, p_0) + KSL_MUL(D1->m11, p_1) + KSL_MUL(D1->m21, p_2),
+      Do_20 = KSL_MUL(D1->m02, D2->m00) + KSL_MUL(D1->m12, D2->m10) + KSL_MUL(D1->m22, D2->m20),
+      Do_21 = KSL_MUL(D1->m02, D2->m01) + KSL_MUL(D1->m12, D2->m11) + KSL_MUL(D1->m22, D2->m21),
+      Do_22 = KSL_MUL(D1->m02, D2->m02) + KSL_MUL(D1->m12, D2->m12) + KSL_MUL(D1->m22, D2->m22),
+      Do_23 = KSL_MUL(D1->m02, p_0) + KSL_MUL(D1->m12, p_1) + KSL_MUL(D1->m22, p_2);
   Do->m00 = Do_00;
   Do->m01 = Do_01;
   Do->m02 = Do_02;
@@ -346,15 +290,15 @@ static inline void ksl_product_dinvd(const ksl_SE3_t *D1, const ksl_SE3_t *D2, k
    Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddr(const ksl_SE3_t *D, const ksl_mat3x3_t *R, ksl_SE3_t *Do) {
-  const double Do_00 = KSL_MUL(D->m00, R->m00) + KSL_MUL(D->m01, R->m10) + KSL_MUL(D->m02, R->m20);
-  const double Do_01 = KSL_MUL(D->m00, R->m01) + KSL_MUL(D->m01, R->m11) + KSL_MUL(D->m02, R->m21);
-  const double Do_02 = KSL_MUL(D->m00, R->m02) + KSL_MUL(D->m01, R->m12) + KSL_MUL(D->m02, R->m22);
-  const double Do_10 = KSL_MUL(D->m10, R->m00) + KSL_MUL(D->m11, R->m10) + KSL_MUL(D->m12, R->m20);
-  const double Do_11 = KSL_MUL(D->m10, R->m01) + KSL_MUL(D->m11, R->m11) + KSL_MUL(D->m12, R->m21);
-  const double Do_12 = KSL_MUL(D->m10, R->m02) + KSL_MUL(D->m11, R->m12) + KSL_MUL(D->m12, R->m22);
-  const double Do_20 = KSL_MUL(D->m20, R->m00) + KSL_MUL(D->m21, R->m10) + KSL_MUL(D->m22, R->m20);
-  const double Do_21 = KSL_MUL(D->m20, R->m01) + KSL_MUL(D->m21, R->m11) + KSL_MUL(D->m22, R->m21);
-  const double Do_22 = KSL_MUL(D->m20, R->m02) + KSL_MUL(D->m21, R->m12) + KSL_MUL(D->m22, R->m22);
+  const double Do_00 = KSL_MUL(D->m00, R->m00) + KSL_MUL(D->m01, R->m10) + KSL_MUL(D->m02, R->m20),
+      Do_01 = KSL_MUL(D->m00, R->m01) + KSL_MUL(D->m01, R->m11) + KSL_MUL(D->m02, R->m21),
+      Do_02 = KSL_MUL(D->m00, R->m02) + KSL_MUL(D->m01, R->m12) + KSL_MUL(D->m02, R->m22),
+      Do_10 = KSL_MUL(D->m10, R->m00) + KSL_MUL(D->m11, R->m10) + KSL_MUL(D->m12, R->m20),
+      Do_11 = KSL_MUL(D->m10, R->m01) + KSL_MUL(D->m11, R->m11) + KSL_MUL(D->m12, R->m21),
+      Do_12 = KSL_MUL(D->m10, R->m02) + KSL_MUL(D->m11, R->m12) + KSL_MUL(D->m12, R->m22),
+      Do_20 = KSL_MUL(D->m20, R->m00) + KSL_MUL(D->m21, R->m10) + KSL_MUL(D->m22, R->m20),
+      Do_21 = KSL_MUL(D->m20, R->m01) + KSL_MUL(D->m21, R->m11) + KSL_MUL(D->m22, R->m21),
+      Do_22 = KSL_MUL(D->m20, R->m02) + KSL_MUL(D->m21, R->m12) + KSL_MUL(D->m22, R->m22);
   const double D_m03 = D->m03;
   const double D_m13 = D->m13;
   const double D_m23 = D->m23;
@@ -378,15 +322,15 @@ static inline void ksl_product_ddr(const ksl_SE3_t *D, const ksl_mat3x3_t *R, ks
    Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrinv(const ksl_SE3_t *D, const ksl_mat3x3_t *R, ksl_SE3_t *Do) {
-  const double Do_00 = KSL_MUL(D->m00, R->m00) + KSL_MUL(D->m01, R->m01) + KSL_MUL(D->m02, R->m02);
-  const double Do_01 = KSL_MUL(D->m00, R->m10) + KSL_MUL(D->m01, R->m11) + KSL_MUL(D->m02, R->m12);
-  const double Do_02 = KSL_MUL(D->m00, R->m20) + KSL_MUL(D->m01, R->m21) + KSL_MUL(D->m02, R->m22);
-  const double Do_10 = KSL_MUL(D->m10, R->m00) + KSL_MUL(D->m11, R->m01) + KSL_MUL(D->m12, R->m02);
-  const double Do_11 = KSL_MUL(D->m10, R->m10) + KSL_MUL(D->m11, R->m11) + KSL_MUL(D->m12, R->m12);
-  const double Do_12 = KSL_MUL(D->m10, R->m20) + KSL_MUL(D->m11, R->m21) + KSL_MUL(D->m12, R->m22);
-  const double Do_20 = KSL_MUL(D->m20, R->m00) + KSL_MUL(D->m21, R->m01) + KSL_MUL(D->m22, R->m02);
-  const double Do_21 = KSL_MUL(D->m20, R->m10) + KSL_MUL(D->m21, R->m11) + KSL_MUL(D->m22, R->m12);
-  const double Do_22 = KSL_MUL(D->m20, R->m20) + KSL_MUL(D->m21, R->m21) + KSL_MUL(D->m22, R->m22);
+  const double Do_00 = KSL_MUL(D->m00, R->m00) + KSL_MUL(D->m01, R->m01) + KSL_MUL(D->m02, R->m02),
+      Do_01 = KSL_MUL(D->m00, R->m10) + KSL_MUL(D->m01, R->m11) + KSL_MUL(D->m02, R->m12),
+      Do_02 = KSL_MUL(D->m00, R->m20) + KSL_MUL(D->m01, R->m21) + KSL_MUL(D->m02, R->m22),
+      Do_10 = KSL_MUL(D->m10, R->m00) + KSL_MUL(D->m11, R->m01) + KSL_MUL(D->m12, R->m02),
+      Do_11 = KSL_MUL(D->m10, R->m10) + KSL_MUL(D->m11, R->m11) + KSL_MUL(D->m12, R->m12),
+      Do_12 = KSL_MUL(D->m10, R->m20) + KSL_MUL(D->m11, R->m21) + KSL_MUL(D->m12, R->m22),
+      Do_20 = KSL_MUL(D->m20, R->m00) + KSL_MUL(D->m21, R->m01) + KSL_MUL(D->m22, R->m02),
+      Do_21 = KSL_MUL(D->m20, R->m10) + KSL_MUL(D->m21, R->m11) + KSL_MUL(D->m22, R->m12),
+      Do_22 = KSL_MUL(D->m20, R->m20) + KSL_MUL(D->m21, R->m21) + KSL_MUL(D->m22, R->m22);
   const double D_m03 = D->m03;
   const double D_m13 = D->m13;
   const double D_m23 = D->m23;
@@ -411,11 +355,9 @@ static inline void ksl_product_ddrinv(const ksl_SE3_t *D, const ksl_mat3x3_t *R,
      barring over- and underflow. */
 static inline void ksl_product_ddt(const ksl_SE3_t *D, const ksl_vec3_t *t, ksl_SE3_t *Do) {
   const double Do_03 = KSL_MUL(D->m00, t->x) + KSL_MUL(D->m01, t->y) + KSL_MUL(D->m02, t->z)
-          + D->m03;
-  const double Do_13 = KSL_MUL(D->m10, t->x) + KSL_MUL(D->m11, t->y) + KSL_MUL(D->m12, t->z)
-          + D->m13;
-  const double Do_23 = KSL_MUL(D->m20, t->x) + KSL_MUL(D->m21, t->y) + KSL_MUL(D->m22, t->z)
-          + D->m23;
+          + D->m03,
+      Do_13 = KSL_MUL(D->m10, t->x) + KSL_MUL(D->m11, t->y) + KSL_MUL(D->m12, t->z) + D->m13,
+      Do_23 = KSL_MUL(D->m20, t->x) + KSL_MUL(D->m21, t->y) + KSL_MUL(D->m22, t->z) + D->m23;
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -446,11 +388,9 @@ static inline void ksl_product_ddt(const ksl_SE3_t *D, const ksl_vec3_t *t, ksl_
      barring over- and underflow. */
 static inline void ksl_product_ddtinv(const ksl_SE3_t *D, const ksl_vec3_t *t, ksl_SE3_t *Do) {
   const double Do_03 = D->m03
-          - (KSL_MUL(D->m00, t->x) + KSL_MUL(D->m01, t->y) + KSL_MUL(D->m02, t->z));
-  const double Do_13 = D->m13
-          - (KSL_MUL(D->m10, t->x) + KSL_MUL(D->m11, t->y) + KSL_MUL(D->m12, t->z));
-  const double Do_23 = D->m23
-          - (KSL_MUL(D->m20, t->x) + KSL_MUL(D->m21, t->y) + KSL_MUL(D->m22, t->z));
+          - (KSL_MUL(D->m00, t->x) + KSL_MUL(D->m01, t->y) + KSL_MUL(D->m02, t->z)),
+      Do_13 = D->m13 - (KSL_MUL(D->m10, t->x) + KSL_MUL(D->m11, t->y) + KSL_MUL(D->m12, t->z)),
+      Do_23 = D->m23 - (KSL_MUL(D->m20, t->x) + KSL_MUL(D->m21, t->y) + KSL_MUL(D->m22, t->z));
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -480,12 +420,10 @@ static inline void ksl_product_ddtinv(const ksl_SE3_t *D, const ksl_vec3_t *t, k
    Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_dinvdt(const ksl_SE3_t *D, const ksl_vec3_t *t, ksl_SE3_t *Do) {
-  const double p_0 = t->x - D->m03;
-  const double p_1 = t->y - D->m13;
-  const double p_2 = t->z - D->m23;
-  const double Do_03 = KSL_MUL(D->m00, p_0) + KSL_MUL(D->m10, p_1) + KSL_MUL(D->m20, p_2);
-  const double Do_13 = KSL_MUL(D->m01, p_0) + KSL_MUL(D->m11, p_1) + KSL_MUL(D->m21, p_2);
-  const double Do_23 = KSL_MUL(D->m02, p_0) + KSL_MUL(D->m12, p_1) + KSL_MUL(D->m22, p_2);
+  const double p_0 = t->x - D->m03, p_1 = t->y - D->m13, p_2 = t->z - D->m23;
+  const double Do_03 = KSL_MUL(D->m00, p_0) + KSL_MUL(D->m10, p_1) + KSL_MUL(D->m20, p_2),
+      Do_13 = KSL_MUL(D->m01, p_0) + KSL_MUL(D->m11, p_1) + KSL_MUL(D->m21, p_2),
+      Do_23 = KSL_MUL(D->m02, p_0) + KSL_MUL(D->m12, p_1) + KSL_MUL(D->m22, p_2);
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
   const double D_m20 = D->m20;
@@ -514,9 +452,7 @@ static inline void ksl_product_dinvdt(const ksl_SE3_t *D, const ksl_vec3_t *t, k
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtx(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
-  const double vo_0 = KSL_MUL(R->m00, k);
-  const double vo_1 = KSL_MUL(R->m10, k);
-  const double vo_2 = KSL_MUL(R->m20, k);
+  const double vo_0 = KSL_MUL(R->m00, k), vo_1 = KSL_MUL(R->m10, k), vo_2 = KSL_MUL(R->m20, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -528,12 +464,12 @@ static inline void ksl_product_drvtx(const ksl_mat3x3_t *R, const double k, ksl_
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_drdrx(const ksl_mat3x3_t *R, const double dc[2], ksl_mat3x3_t *Ro) {
-  const double Ro_01 = KSL_MUL(R->m01, dc[1]) + KSL_MUL(R->m02, dc[0]);
-  const double Ro_02 = KSL_MUL(R->m02, dc[1]) - KSL_MUL(R->m01, dc[0]);
-  const double Ro_11 = KSL_MUL(R->m11, dc[1]) + KSL_MUL(R->m12, dc[0]);
-  const double Ro_12 = KSL_MUL(R->m12, dc[1]) - KSL_MUL(R->m11, dc[0]);
-  const double Ro_21 = KSL_MUL(R->m21, dc[1]) + KSL_MUL(R->m22, dc[0]);
-  const double Ro_22 = KSL_MUL(R->m22, dc[1]) - KSL_MUL(R->m21, dc[0]);
+  const double Ro_01 = KSL_MUL(R->m01, dc[1]) + KSL_MUL(R->m02, dc[0]),
+      Ro_02 = KSL_MUL(R->m02, dc[1]) - KSL_MUL(R->m01, dc[0]),
+      Ro_11 = KSL_MUL(R->m11, dc[1]) + KSL_MUL(R->m12, dc[0]),
+      Ro_12 = KSL_MUL(R->m12, dc[1]) - KSL_MUL(R->m11, dc[0]),
+      Ro_21 = KSL_MUL(R->m21, dc[1]) + KSL_MUL(R->m22, dc[0]),
+      Ro_22 = KSL_MUL(R->m22, dc[1]) - KSL_MUL(R->m21, dc[0]);
   const double R_m00 = R->m00;
   const double R_m10 = R->m10;
   const double R_m20 = R->m20;
@@ -554,12 +490,12 @@ static inline void ksl_product_drdrx(const ksl_mat3x3_t *R, const double dc[2], 
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrx(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
-  const double Do_01 = KSL_MUL(D->m01, dc[1]) + KSL_MUL(D->m02, dc[0]);
-  const double Do_02 = KSL_MUL(D->m02, dc[1]) - KSL_MUL(D->m01, dc[0]);
-  const double Do_11 = KSL_MUL(D->m11, dc[1]) + KSL_MUL(D->m12, dc[0]);
-  const double Do_12 = KSL_MUL(D->m12, dc[1]) - KSL_MUL(D->m11, dc[0]);
-  const double Do_21 = KSL_MUL(D->m21, dc[1]) + KSL_MUL(D->m22, dc[0]);
-  const double Do_22 = KSL_MUL(D->m22, dc[1]) - KSL_MUL(D->m21, dc[0]);
+  const double Do_01 = KSL_MUL(D->m01, dc[1]) + KSL_MUL(D->m02, dc[0]),
+      Do_02 = KSL_MUL(D->m02, dc[1]) - KSL_MUL(D->m01, dc[0]),
+      Do_11 = KSL_MUL(D->m11, dc[1]) + KSL_MUL(D->m12, dc[0]),
+      Do_12 = KSL_MUL(D->m12, dc[1]) - KSL_MUL(D->m11, dc[0]),
+      Do_21 = KSL_MUL(D->m21, dc[1]) + KSL_MUL(D->m22, dc[0]),
+      Do_22 = KSL_MUL(D->m22, dc[1]) - KSL_MUL(D->m21, dc[0]);
   const double D_m00 = D->m00;
   const double D_m03 = D->m03;
   const double D_m10 = D->m10;
@@ -586,9 +522,8 @@ static inline void ksl_product_ddrx(const ksl_SE3_t *D, const double dc[2], ksl_
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtx(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
-  const double Do_03 = KSL_MUL(D->m00, k) + D->m03;
-  const double Do_13 = KSL_MUL(D->m10, k) + D->m13;
-  const double Do_23 = KSL_MUL(D->m20, k) + D->m23;
+  const double Do_03 = KSL_MUL(D->m00, k) + D->m03, Do_13 = KSL_MUL(D->m10, k) + D->m13,
+      Do_23 = KSL_MUL(D->m20, k) + D->m23;
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -617,9 +552,7 @@ static inline void ksl_product_ddtx(const ksl_SE3_t *D, const double k, ksl_SE3_
    3 mul, 3 neg.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtxinv(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
-  const double vo_0 = -KSL_MUL(R->m00, k);
-  const double vo_1 = -KSL_MUL(R->m10, k);
-  const double vo_2 = -KSL_MUL(R->m20, k);
+  const double vo_0 = -KSL_MUL(R->m00, k), vo_1 = -KSL_MUL(R->m10, k), vo_2 = -KSL_MUL(R->m20, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -632,12 +565,12 @@ static inline void ksl_product_drvtxinv(const ksl_mat3x3_t *R, const double k, k
      and underflow. */
 static inline void ksl_product_drdrxinv(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro) {
-  const double Ro_01 = KSL_MUL(R->m01, dc[1]) - KSL_MUL(R->m02, dc[0]);
-  const double Ro_02 = KSL_MUL(R->m01, dc[0]) + KSL_MUL(R->m02, dc[1]);
-  const double Ro_11 = KSL_MUL(R->m11, dc[1]) - KSL_MUL(R->m12, dc[0]);
-  const double Ro_12 = KSL_MUL(R->m11, dc[0]) + KSL_MUL(R->m12, dc[1]);
-  const double Ro_21 = KSL_MUL(R->m21, dc[1]) - KSL_MUL(R->m22, dc[0]);
-  const double Ro_22 = KSL_MUL(R->m21, dc[0]) + KSL_MUL(R->m22, dc[1]);
+  const double Ro_01 = KSL_MUL(R->m01, dc[1]) - KSL_MUL(R->m02, dc[0]),
+      Ro_02 = KSL_MUL(R->m01, dc[0]) + KSL_MUL(R->m02, dc[1]),
+      Ro_11 = KSL_MUL(R->m11, dc[1]) - KSL_MUL(R->m12, dc[0]),
+      Ro_12 = KSL_MUL(R->m11, dc[0]) + KSL_MUL(R->m12, dc[1]),
+      Ro_21 = KSL_MUL(R->m21, dc[1]) - KSL_MUL(R->m22, dc[0]),
+      Ro_22 = KSL_MUL(R->m21, dc[0]) + KSL_MUL(R->m22, dc[1]);
   const double R_m00 = R->m00;
   const double R_m10 = R->m10;
   const double R_m20 = R->m20;
@@ -658,12 +591,12 @@ static inline void ksl_product_drdrxinv(const ksl_mat3x3_t *R, const double dc[2
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrxinv(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
-  const double Do_01 = KSL_MUL(D->m01, dc[1]) - KSL_MUL(D->m02, dc[0]);
-  const double Do_02 = KSL_MUL(D->m01, dc[0]) + KSL_MUL(D->m02, dc[1]);
-  const double Do_11 = KSL_MUL(D->m11, dc[1]) - KSL_MUL(D->m12, dc[0]);
-  const double Do_12 = KSL_MUL(D->m11, dc[0]) + KSL_MUL(D->m12, dc[1]);
-  const double Do_21 = KSL_MUL(D->m21, dc[1]) - KSL_MUL(D->m22, dc[0]);
-  const double Do_22 = KSL_MUL(D->m21, dc[0]) + KSL_MUL(D->m22, dc[1]);
+  const double Do_01 = KSL_MUL(D->m01, dc[1]) - KSL_MUL(D->m02, dc[0]),
+      Do_02 = KSL_MUL(D->m01, dc[0]) + KSL_MUL(D->m02, dc[1]),
+      Do_11 = KSL_MUL(D->m11, dc[1]) - KSL_MUL(D->m12, dc[0]),
+      Do_12 = KSL_MUL(D->m11, dc[0]) + KSL_MUL(D->m12, dc[1]),
+      Do_21 = KSL_MUL(D->m21, dc[1]) - KSL_MUL(D->m22, dc[0]),
+      Do_22 = KSL_MUL(D->m21, dc[0]) + KSL_MUL(D->m22, dc[1]);
   const double D_m00 = D->m00;
   const double D_m03 = D->m03;
   const double D_m10 = D->m10;
@@ -690,9 +623,8 @@ static inline void ksl_product_ddrxinv(const ksl_SE3_t *D, const double dc[2], k
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtxinv(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
-  const double Do_03 = D->m03 - KSL_MUL(D->m00, k);
-  const double Do_13 = D->m13 - KSL_MUL(D->m10, k);
-  const double Do_23 = D->m23 - KSL_MUL(D->m20, k);
+  const double Do_03 = D->m03 - KSL_MUL(D->m00, k), Do_13 = D->m13 - KSL_MUL(D->m10, k),
+      Do_23 = D->m23 - KSL_MUL(D->m20, k);
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -721,9 +653,7 @@ static inline void ksl_product_ddtxinv(const ksl_SE3_t *D, const double k, ksl_S
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvty(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
-  const double vo_0 = KSL_MUL(R->m01, k);
-  const double vo_1 = KSL_MUL(R->m11, k);
-  const double vo_2 = KSL_MUL(R->m21, k);
+  const double vo_0 = KSL_MUL(R->m01, k), vo_1 = KSL_MUL(R->m11, k), vo_2 = KSL_MUL(R->m21, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -735,12 +665,12 @@ static inline void ksl_product_drvty(const ksl_mat3x3_t *R, const double k, ksl_
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_drdry(const ksl_mat3x3_t *R, const double dc[2], ksl_mat3x3_t *Ro) {
-  const double Ro_00 = KSL_MUL(R->m00, dc[1]) - KSL_MUL(R->m02, dc[0]);
-  const double Ro_02 = KSL_MUL(R->m00, dc[0]) + KSL_MUL(R->m02, dc[1]);
-  const double Ro_10 = KSL_MUL(R->m10, dc[1]) - KSL_MUL(R->m12, dc[0]);
-  const double Ro_12 = KSL_MUL(R->m10, dc[0]) + KSL_MUL(R->m12, dc[1]);
-  const double Ro_20 = KSL_MUL(R->m20, dc[1]) - KSL_MUL(R->m22, dc[0]);
-  const double Ro_22 = KSL_MUL(R->m20, dc[0]) + KSL_MUL(R->m22, dc[1]);
+  const double Ro_00 = KSL_MUL(R->m00, dc[1]) - KSL_MUL(R->m02, dc[0]),
+      Ro_02 = KSL_MUL(R->m00, dc[0]) + KSL_MUL(R->m02, dc[1]),
+      Ro_10 = KSL_MUL(R->m10, dc[1]) - KSL_MUL(R->m12, dc[0]),
+      Ro_12 = KSL_MUL(R->m10, dc[0]) + KSL_MUL(R->m12, dc[1]),
+      Ro_20 = KSL_MUL(R->m20, dc[1]) - KSL_MUL(R->m22, dc[0]),
+      Ro_22 = KSL_MUL(R->m20, dc[0]) + KSL_MUL(R->m22, dc[1]);
   const double R_m01 = R->m01;
   const double R_m11 = R->m11;
   const double R_m21 = R->m21;
@@ -761,12 +691,12 @@ static inline void ksl_product_drdry(const ksl_mat3x3_t *R, const double dc[2], 
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddry(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
-  const double Do_00 = KSL_MUL(D->m00, dc[1]) - KSL_MUL(D->m02, dc[0]);
-  const double Do_02 = KSL_MUL(D->m00, dc[0]) + KSL_MUL(D->m02, dc[1]);
-  const double Do_10 = KSL_MUL(D->m10, dc[1]) - KSL_MUL(D->m12, dc[0]);
-  const double Do_12 = KSL_MUL(D->m10, dc[0]) + KSL_MUL(D->m12, dc[1]);
-  const double Do_20 = KSL_MUL(D->m20, dc[1]) - KSL_MUL(D->m22, dc[0]);
-  const double Do_22 = KSL_MUL(D->m20, dc[0]) + KSL_MUL(D->m22, dc[1]);
+  const double Do_00 = KSL_MUL(D->m00, dc[1]) - KSL_MUL(D->m02, dc[0]),
+      Do_02 = KSL_MUL(D->m00, dc[0]) + KSL_MUL(D->m02, dc[1]),
+      Do_10 = KSL_MUL(D->m10, dc[1]) - KSL_MUL(D->m12, dc[0]),
+      Do_12 = KSL_MUL(D->m10, dc[0]) + KSL_MUL(D->m12, dc[1]),
+      Do_20 = KSL_MUL(D->m20, dc[1]) - KSL_MUL(D->m22, dc[0]),
+      Do_22 = KSL_MUL(D->m20, dc[0]) + KSL_MUL(D->m22, dc[1]);
   const double D_m01 = D->m01;
   const double D_m03 = D->m03;
   const double D_m11 = D->m11;
@@ -793,9 +723,8 @@ static inline void ksl_product_ddry(const ksl_SE3_t *D, const double dc[2], ksl_
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddty(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
-  const double Do_03 = KSL_MUL(D->m01, k) + D->m03;
-  const double Do_13 = KSL_MUL(D->m11, k) + D->m13;
-  const double Do_23 = KSL_MUL(D->m21, k) + D->m23;
+  const double Do_03 = KSL_MUL(D->m01, k) + D->m03, Do_13 = KSL_MUL(D->m11, k) + D->m13,
+      Do_23 = KSL_MUL(D->m21, k) + D->m23;
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -824,9 +753,7 @@ static inline void ksl_product_ddty(const ksl_SE3_t *D, const double k, ksl_SE3_
    3 mul, 3 neg.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtyinv(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
-  const double vo_0 = -KSL_MUL(R->m01, k);
-  const double vo_1 = -KSL_MUL(R->m11, k);
-  const double vo_2 = -KSL_MUL(R->m21, k);
+  const double vo_0 = -KSL_MUL(R->m01, k), vo_1 = -KSL_MUL(R->m11, k), vo_2 = -KSL_MUL(R->m21, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -839,12 +766,12 @@ static inline void ksl_product_drvtyinv(const ksl_mat3x3_t *R, const double k, k
      and underflow. */
 static inline void ksl_product_drdryinv(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro) {
-  const double Ro_00 = KSL_MUL(R->m00, dc[1]) + KSL_MUL(R->m02, dc[0]);
-  const double Ro_02 = KSL_MUL(R->m02, dc[1]) - KSL_MUL(R->m00, dc[0]);
-  const double Ro_10 = KSL_MUL(R->m10, dc[1]) + KSL_MUL(R->m12, dc[0]);
-  const double Ro_12 = KSL_MUL(R->m12, dc[1]) - KSL_MUL(R->m10, dc[0]);
-  const double Ro_20 = KSL_MUL(R->m20, dc[1]) + KSL_MUL(R->m22, dc[0]);
-  const double Ro_22 = KSL_MUL(R->m22, dc[1]) - KSL_MUL(R->m20, dc[0]);
+  const double Ro_00 = KSL_MUL(R->m00, dc[1]) + KSL_MUL(R->m02, dc[0]),
+      Ro_02 = KSL_MUL(R->m02, dc[1]) - KSL_MUL(R->m00, dc[0]),
+      Ro_10 = KSL_MUL(R->m10, dc[1]) + KSL_MUL(R->m12, dc[0]),
+      Ro_12 = KSL_MUL(R->m12, dc[1]) - KSL_MUL(R->m10, dc[0]),
+      Ro_20 = KSL_MUL(R->m20, dc[1]) + KSL_MUL(R->m22, dc[0]),
+      Ro_22 = KSL_MUL(R->m22, dc[1]) - KSL_MUL(R->m20, dc[0]);
   const double R_m01 = R->m01;
   const double R_m11 = R->m11;
   const double R_m21 = R->m21;
@@ -865,12 +792,12 @@ static inline void ksl_product_drdryinv(const ksl_mat3x3_t *R, const double dc[2
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddryinv(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
-  const double Do_00 = KSL_MUL(D->m00, dc[1]) + KSL_MUL(D->m02, dc[0]);
-  const double Do_02 = KSL_MUL(D->m02, dc[1]) - KSL_MUL(D->m00, dc[0]);
-  const double Do_10 = KSL_MUL(D->m10, dc[1]) + KSL_MUL(D->m12, dc[0]);
-  const double Do_12 = KSL_MUL(D->m12, dc[1]) - KSL_MUL(D->m10, dc[0]);
-  const double Do_20 = KSL_MUL(D->m20, dc[1]) + KSL_MUL(D->m22, dc[0]);
-  const double Do_22 = KSL_MUL(D->m22, dc[1]) - KSL_MUL(D->m20, dc[0]);
+  const double Do_00 = KSL_MUL(D->m00, dc[1]) + KSL_MUL(D->m02, dc[0]),
+      Do_02 = KSL_MUL(D->m02, dc[1]) - KSL_MUL(D->m00, dc[0]),
+      Do_10 = KSL_MUL(D->m10, dc[1]) + KSL_MUL(D->m12, dc[0]),
+      Do_12 = KSL_MUL(D->m12, dc[1]) - KSL_MUL(D->m10, dc[0]),
+      Do_20 = KSL_MUL(D->m20, dc[1]) + KSL_MUL(D->m22, dc[0]),
+      Do_22 = KSL_MUL(D->m22, dc[1]) - KSL_MUL(D->m20, dc[0]);
   const double D_m01 = D->m01;
   const double D_m03 = D->m03;
   const double D_m11 = D->m11;
@@ -897,9 +824,8 @@ static inline void ksl_product_ddryinv(const ksl_SE3_t *D, const double dc[2], k
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtyinv(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
-  const double Do_03 = D->m03 - KSL_MUL(D->m01, k);
-  const double Do_13 = D->m13 - KSL_MUL(D->m11, k);
-  const double Do_23 = D->m23 - KSL_MUL(D->m21, k);
+  const double Do_03 = D->m03 - KSL_MUL(D->m01, k), Do_13 = D->m13 - KSL_MUL(D->m11, k),
+      Do_23 = D->m23 - KSL_MUL(D->m21, k);
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -928,9 +854,7 @@ static inline void ksl_product_ddtyinv(const ksl_SE3_t *D, const double k, ksl_S
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtz(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
-  const double vo_0 = KSL_MUL(R->m02, k);
-  const double vo_1 = KSL_MUL(R->m12, k);
-  const double vo_2 = KSL_MUL(R->m22, k);
+  const double vo_0 = KSL_MUL(R->m02, k), vo_1 = KSL_MUL(R->m12, k), vo_2 = KSL_MUL(R->m22, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -942,12 +866,12 @@ static inline void ksl_product_drvtz(const ksl_mat3x3_t *R, const double k, ksl_
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_drdrz(const ksl_mat3x3_t *R, const double dc[2], ksl_mat3x3_t *Ro) {
-  const double Ro_00 = KSL_MUL(R->m00, dc[1]) + KSL_MUL(R->m01, dc[0]);
-  const double Ro_01 = KSL_MUL(R->m01, dc[1]) - KSL_MUL(R->m00, dc[0]);
-  const double Ro_10 = KSL_MUL(R->m10, dc[1]) + KSL_MUL(R->m11, dc[0]);
-  const double Ro_11 = KSL_MUL(R->m11, dc[1]) - KSL_MUL(R->m10, dc[0]);
-  const double Ro_20 = KSL_MUL(R->m20, dc[1]) + KSL_MUL(R->m21, dc[0]);
-  const double Ro_21 = KSL_MUL(R->m21, dc[1]) - KSL_MUL(R->m20, dc[0]);
+  const double Ro_00 = KSL_MUL(R->m00, dc[1]) + KSL_MUL(R->m01, dc[0]),
+      Ro_01 = KSL_MUL(R->m01, dc[1]) - KSL_MUL(R->m00, dc[0]),
+      Ro_10 = KSL_MUL(R->m10, dc[1]) + KSL_MUL(R->m11, dc[0]),
+      Ro_11 = KSL_MUL(R->m11, dc[1]) - KSL_MUL(R->m10, dc[0]),
+      Ro_20 = KSL_MUL(R->m20, dc[1]) + KSL_MUL(R->m21, dc[0]),
+      Ro_21 = KSL_MUL(R->m21, dc[1]) - KSL_MUL(R->m20, dc[0]);
   const double R_m02 = R->m02;
   const double R_m12 = R->m12;
   const double R_m22 = R->m22;
@@ -968,12 +892,12 @@ static inline void ksl_product_drdrz(const ksl_mat3x3_t *R, const double dc[2], 
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrz(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
-  const double Do_00 = KSL_MUL(D->m00, dc[1]) + KSL_MUL(D->m01, dc[0]);
-  const double Do_01 = KSL_MUL(D->m01, dc[1]) - KSL_MUL(D->m00, dc[0]);
-  const double Do_10 = KSL_MUL(D->m10, dc[1]) + KSL_MUL(D->m11, dc[0]);
-  const double Do_11 = KSL_MUL(D->m11, dc[1]) - KSL_MUL(D->m10, dc[0]);
-  const double Do_20 = KSL_MUL(D->m20, dc[1]) + KSL_MUL(D->m21, dc[0]);
-  const double Do_21 = KSL_MUL(D->m21, dc[1]) - KSL_MUL(D->m20, dc[0]);
+  const double Do_00 = KSL_MUL(D->m00, dc[1]) + KSL_MUL(D->m01, dc[0]),
+      Do_01 = KSL_MUL(D->m01, dc[1]) - KSL_MUL(D->m00, dc[0]),
+      Do_10 = KSL_MUL(D->m10, dc[1]) + KSL_MUL(D->m11, dc[0]),
+      Do_11 = KSL_MUL(D->m11, dc[1]) - KSL_MUL(D->m10, dc[0]),
+      Do_20 = KSL_MUL(D->m20, dc[1]) + KSL_MUL(D->m21, dc[0]),
+      Do_21 = KSL_MUL(D->m21, dc[1]) - KSL_MUL(D->m20, dc[0]);
   const double D_m02 = D->m02;
   const double D_m03 = D->m03;
   const double D_m12 = D->m12;
@@ -1000,9 +924,8 @@ static inline void ksl_product_ddrz(const ksl_SE3_t *D, const double dc[2], ksl_
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtz(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
-  const double Do_03 = KSL_MUL(D->m02, k) + D->m03;
-  const double Do_13 = KSL_MUL(D->m12, k) + D->m13;
-  const double Do_23 = KSL_MUL(D->m22, k) + D->m23;
+  const double Do_03 = KSL_MUL(D->m02, k) + D->m03, Do_13 = KSL_MUL(D->m12, k) + D->m13,
+      Do_23 = KSL_MUL(D->m22, k) + D->m23;
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -1031,9 +954,7 @@ static inline void ksl_product_ddtz(const ksl_SE3_t *D, const double k, ksl_SE3_
    3 mul, 3 neg.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtzinv(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
-  const double vo_0 = -KSL_MUL(R->m02, k);
-  const double vo_1 = -KSL_MUL(R->m12, k);
-  const double vo_2 = -KSL_MUL(R->m22, k);
+  const double vo_0 = -KSL_MUL(R->m02, k), vo_1 = -KSL_MUL(R->m12, k), vo_2 = -KSL_MUL(R->m22, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1046,12 +967,12 @@ static inline void ksl_product_drvtzinv(const ksl_mat3x3_t *R, const double k, k
      and underflow. */
 static inline void ksl_product_drdrzinv(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro) {
-  const double Ro_00 = KSL_MUL(R->m00, dc[1]) - KSL_MUL(R->m01, dc[0]);
-  const double Ro_01 = KSL_MUL(R->m00, dc[0]) + KSL_MUL(R->m01, dc[1]);
-  const double Ro_10 = KSL_MUL(R->m10, dc[1]) - KSL_MUL(R->m11, dc[0]);
-  const double Ro_11 = KSL_MUL(R->m10, dc[0]) + KSL_MUL(R->m11, dc[1]);
-  const double Ro_20 = KSL_MUL(R->m20, dc[1]) - KSL_MUL(R->m21, dc[0]);
-  const double Ro_21 = KSL_MUL(R->m20, dc[0]) + KSL_MUL(R->m21, dc[1]);
+  const double Ro_00 = KSL_MUL(R->m00, dc[1]) - KSL_MUL(R->m01, dc[0]),
+      Ro_01 = KSL_MUL(R->m00, dc[0]) + KSL_MUL(R->m01, dc[1]),
+      Ro_10 = KSL_MUL(R->m10, dc[1]) - KSL_MUL(R->m11, dc[0]),
+      Ro_11 = KSL_MUL(R->m10, dc[0]) + KSL_MUL(R->m11, dc[1]),
+      Ro_20 = KSL_MUL(R->m20, dc[1]) - KSL_MUL(R->m21, dc[0]),
+      Ro_21 = KSL_MUL(R->m20, dc[0]) + KSL_MUL(R->m21, dc[1]);
   const double R_m02 = R->m02;
   const double R_m12 = R->m12;
   const double R_m22 = R->m22;
@@ -1072,12 +993,12 @@ static inline void ksl_product_drdrzinv(const ksl_mat3x3_t *R, const double dc[2
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrzinv(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
-  const double Do_00 = KSL_MUL(D->m00, dc[1]) - KSL_MUL(D->m01, dc[0]);
-  const double Do_01 = KSL_MUL(D->m00, dc[0]) + KSL_MUL(D->m01, dc[1]);
-  const double Do_10 = KSL_MUL(D->m10, dc[1]) - KSL_MUL(D->m11, dc[0]);
-  const double Do_11 = KSL_MUL(D->m10, dc[0]) + KSL_MUL(D->m11, dc[1]);
-  const double Do_20 = KSL_MUL(D->m20, dc[1]) - KSL_MUL(D->m21, dc[0]);
-  const double Do_21 = KSL_MUL(D->m20, dc[0]) + KSL_MUL(D->m21, dc[1]);
+  const double Do_00 = KSL_MUL(D->m00, dc[1]) - KSL_MUL(D->m01, dc[0]),
+      Do_01 = KSL_MUL(D->m00, dc[0]) + KSL_MUL(D->m01, dc[1]),
+      Do_10 = KSL_MUL(D->m10, dc[1]) - KSL_MUL(D->m11, dc[0]),
+      Do_11 = KSL_MUL(D->m10, dc[0]) + KSL_MUL(D->m11, dc[1]),
+      Do_20 = KSL_MUL(D->m20, dc[1]) - KSL_MUL(D->m21, dc[0]),
+      Do_21 = KSL_MUL(D->m20, dc[0]) + KSL_MUL(D->m21, dc[1]);
   const double D_m02 = D->m02;
   const double D_m03 = D->m03;
   const double D_m12 = D->m12;
@@ -1104,9 +1025,8 @@ static inline void ksl_product_ddrzinv(const ksl_SE3_t *D, const double dc[2], k
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtzinv(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
-  const double Do_03 = D->m03 - KSL_MUL(D->m02, k);
-  const double Do_13 = D->m13 - KSL_MUL(D->m12, k);
-  const double Do_23 = D->m23 - KSL_MUL(D->m22, k);
+  const double Do_03 = D->m03 - KSL_MUL(D->m02, k), Do_13 = D->m13 - KSL_MUL(D->m12, k),
+      Do_23 = D->m23 - KSL_MUL(D->m22, k);
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -1136,9 +1056,9 @@ static inline void ksl_product_ddtzinv(const ksl_SE3_t *D, const double k, ksl_S
    Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_drvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
-  const float vo_0 = KSL_MULF(R->m00, v->x) + KSL_MULF(R->m01, v->y) + KSL_MULF(R->m02, v->z);
-  const float vo_1 = KSL_MULF(R->m10, v->x) + KSL_MULF(R->m11, v->y) + KSL_MULF(R->m12, v->z);
-  const float vo_2 = KSL_MULF(R->m20, v->x) + KSL_MULF(R->m21, v->y) + KSL_MULF(R->m22, v->z);
+  const float vo_0 = KSL_MULF(R->m00, v->x) + KSL_MULF(R->m01, v->y) + KSL_MULF(R->m02, v->z),
+      vo_1 = KSL_MULF(R->m10, v->x) + KSL_MULF(R->m11, v->y) + KSL_MULF(R->m12, v->z),
+      vo_2 = KSL_MULF(R->m20, v->x) + KSL_MULF(R->m21, v->y) + KSL_MULF(R->m22, v->z);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1151,9 +1071,9 @@ static inline void ksl_product_drvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v
      and underflow. */
 static inline void ksl_product_drvinvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const float vo_0 = -(KSL_MULF(R->m00, v->x) + KSL_MULF(R->m01, v->y) + KSL_MULF(R->m02, v->z));
-  const float vo_1 = -(KSL_MULF(R->m10, v->x) + KSL_MULF(R->m11, v->y) + KSL_MULF(R->m12, v->z));
-  const float vo_2 = -(KSL_MULF(R->m20, v->x) + KSL_MULF(R->m21, v->y) + KSL_MULF(R->m22, v->z));
+  const float vo_0 = -(KSL_MULF(R->m00, v->x) + KSL_MULF(R->m01, v->y) + KSL_MULF(R->m02, v->z)),
+      vo_1 = -(KSL_MULF(R->m10, v->x) + KSL_MULF(R->m11, v->y) + KSL_MULF(R->m12, v->z)),
+      vo_2 = -(KSL_MULF(R->m20, v->x) + KSL_MULF(R->m21, v->y) + KSL_MULF(R->m22, v->z));
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1166,9 +1086,9 @@ static inline void ksl_product_drvinvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t
      and underflow. */
 static inline void ksl_product_drinvvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const float vo_0 = KSL_MULF(R->m00, v->x) + KSL_MULF(R->m10, v->y) + KSL_MULF(R->m20, v->z);
-  const float vo_1 = KSL_MULF(R->m01, v->x) + KSL_MULF(R->m11, v->y) + KSL_MULF(R->m21, v->z);
-  const float vo_2 = KSL_MULF(R->m02, v->x) + KSL_MULF(R->m12, v->y) + KSL_MULF(R->m22, v->z);
+  const float vo_0 = KSL_MULF(R->m00, v->x) + KSL_MULF(R->m10, v->y) + KSL_MULF(R->m20, v->z),
+      vo_1 = KSL_MULF(R->m01, v->x) + KSL_MULF(R->m11, v->y) + KSL_MULF(R->m21, v->z),
+      vo_2 = KSL_MULF(R->m02, v->x) + KSL_MULF(R->m12, v->y) + KSL_MULF(R->m22, v->z);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1181,9 +1101,9 @@ static inline void ksl_product_drinvvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t
      and underflow. */
 static inline void ksl_product_drinvvinvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const float vo_0 = -(KSL_MULF(R->m00, v->x) + KSL_MULF(R->m10, v->y) + KSL_MULF(R->m20, v->z));
-  const float vo_1 = -(KSL_MULF(R->m01, v->x) + KSL_MULF(R->m11, v->y) + KSL_MULF(R->m21, v->z));
-  const float vo_2 = -(KSL_MULF(R->m02, v->x) + KSL_MULF(R->m12, v->y) + KSL_MULF(R->m22, v->z));
+  const float vo_0 = -(KSL_MULF(R->m00, v->x) + KSL_MULF(R->m10, v->y) + KSL_MULF(R->m20, v->z)),
+      vo_1 = -(KSL_MULF(R->m01, v->x) + KSL_MULF(R->m11, v->y) + KSL_MULF(R->m21, v->z)),
+      vo_2 = -(KSL_MULF(R->m02, v->x) + KSL_MULF(R->m12, v->y) + KSL_MULF(R->m22, v->z));
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1196,11 +1116,9 @@ static inline void ksl_product_drinvvinvf(const ksl_mat3x3f_t *R, const ksl_vec3
      and underflow. */
 static inline void ksl_product_dvf(const ksl_SE3f_t *D, const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
   const float vo_0 = KSL_MULF(D->m00, v->x) + KSL_MULF(D->m01, v->y) + KSL_MULF(D->m02, v->z)
-          + D->m03;
-  const float vo_1 = KSL_MULF(D->m10, v->x) + KSL_MULF(D->m11, v->y) + KSL_MULF(D->m12, v->z)
-          + D->m13;
-  const float vo_2 = KSL_MULF(D->m20, v->x) + KSL_MULF(D->m21, v->y) + KSL_MULF(D->m22, v->z)
-          + D->m23;
+          + D->m03,
+      vo_1 = KSL_MULF(D->m10, v->x) + KSL_MULF(D->m11, v->y) + KSL_MULF(D->m12, v->z) + D->m13,
+      vo_2 = KSL_MULF(D->m20, v->x) + KSL_MULF(D->m21, v->y) + KSL_MULF(D->m22, v->z) + D->m23;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1212,12 +1130,10 @@ static inline void ksl_product_dvf(const ksl_SE3f_t *D, const ksl_vec3f_t *v, ks
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_dinvvf(const ksl_SE3f_t *D, const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
-  const float p_0 = v->x - D->m03;
-  const float p_1 = v->y - D->m13;
-  const float p_2 = v->z - D->m23;
-  const float vo_0 = KSL_MULF(D->m00, p_0) + KSL_MULF(D->m10, p_1) + KSL_MULF(D->m20, p_2);
-  const float vo_1 = KSL_MULF(D->m01, p_0) + KSL_MULF(D->m11, p_1) + KSL_MULF(D->m21, p_2);
-  const float vo_2 = KSL_MULF(D->m02, p_0) + KSL_MULF(D->m12, p_1) + KSL_MULF(D->m22, p_2);
+  const float p_0 = v->x - D->m03, p_1 = v->y - D->m13, p_2 = v->z - D->m23;
+  const float vo_0 = KSL_MULF(D->m00, p_0) + KSL_MULF(D->m10, p_1) + KSL_MULF(D->m20, p_2),
+      vo_1 = KSL_MULF(D->m01, p_0) + KSL_MULF(D->m11, p_1) + KSL_MULF(D->m21, p_2),
+      vo_2 = KSL_MULF(D->m02, p_0) + KSL_MULF(D->m12, p_1) + KSL_MULF(D->m22, p_2);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1231,23 +1147,15 @@ static inline void ksl_product_dinvvf(const ksl_SE3f_t *D, const ksl_vec3f_t *v,
 static inline void ksl_product_drdrf(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_t *R2,
     ksl_mat3x3f_t *Ro) {
   const float Ro_00 = KSL_MULF(R1->m00, R2->m00) + KSL_MULF(R1->m01, R2->m10)
-          + KSL_MULF(R1->m02, R2->m20);
-  const float Ro_01 = KSL_MULF(R1->m00, R2->m01) + KSL_MULF(R1->m01, R2->m11)
-          + KSL_MULF(R1->m02, R2->m21);
-  const float Ro_02 = KSL_MULF(R1->m00, R2->m02) + KSL_MULF(R1->m01, R2->m12)
-          + KSL_MULF(R1->m02, R2->m22);
-  const float Ro_10 = KSL_MULF(R1->m10, R2->m00) + KSL_MULF(R1->m11, R2->m10)
-          + KSL_MULF(R1->m12, R2->m20);
-  const float Ro_11 = KSL_MULF(R1->m10, R2->m01) + KSL_MULF(R1->m11, R2->m11)
-          + KSL_MULF(R1->m12, R2->m21);
-  const float Ro_12 = KSL_MULF(R1->m10, R2->m02) + KSL_MULF(R1->m11, R2->m12)
-          + KSL_MULF(R1->m12, R2->m22);
-  const float Ro_20 = KSL_MULF(R1->m20, R2->m00) + KSL_MULF(R1->m21, R2->m10)
-          + KSL_MULF(R1->m22, R2->m20);
-  const float Ro_21 = KSL_MULF(R1->m20, R2->m01) + KSL_MULF(R1->m21, R2->m11)
-          + KSL_MULF(R1->m22, R2->m21);
-  const float Ro_22 = KSL_MULF(R1->m20, R2->m02) + KSL_MULF(R1->m21, R2->m12)
-          + KSL_MULF(R1->m22, R2->m22);
+          + KSL_MULF(R1->m02, R2->m20),
+      Ro_01 = KSL_MULF(R1->m00, R2->m01) + KSL_MULF(R1->m01, R2->m11) + KSL_MULF(R1->m02, R2->m21),
+      Ro_02 = KSL_MULF(R1->m00, R2->m02) + KSL_MULF(R1->m01, R2->m12) + KSL_MULF(R1->m02, R2->m22),
+      Ro_10 = KSL_MULF(R1->m10, R2->m00) + KSL_MULF(R1->m11, R2->m10) + KSL_MULF(R1->m12, R2->m20),
+      Ro_11 = KSL_MULF(R1->m10, R2->m01) + KSL_MULF(R1->m11, R2->m11) + KSL_MULF(R1->m12, R2->m21),
+      Ro_12 = KSL_MULF(R1->m10, R2->m02) + KSL_MULF(R1->m11, R2->m12) + KSL_MULF(R1->m12, R2->m22),
+      Ro_20 = KSL_MULF(R1->m20, R2->m00) + KSL_MULF(R1->m21, R2->m10) + KSL_MULF(R1->m22, R2->m20),
+      Ro_21 = KSL_MULF(R1->m20, R2->m01) + KSL_MULF(R1->m21, R2->m11) + KSL_MULF(R1->m22, R2->m21),
+      Ro_22 = KSL_MULF(R1->m20, R2->m02) + KSL_MULF(R1->m21, R2->m12) + KSL_MULF(R1->m22, R2->m22);
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -1267,23 +1175,15 @@ static inline void ksl_product_drdrf(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_
 static inline void ksl_product_drdrinvf(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_t *R2,
     ksl_mat3x3f_t *Ro) {
   const float Ro_00 = KSL_MULF(R1->m00, R2->m00) + KSL_MULF(R1->m01, R2->m01)
-          + KSL_MULF(R1->m02, R2->m02);
-  const float Ro_01 = KSL_MULF(R1->m00, R2->m10) + KSL_MULF(R1->m01, R2->m11)
-          + KSL_MULF(R1->m02, R2->m12);
-  const float Ro_02 = KSL_MULF(R1->m00, R2->m20) + KSL_MULF(R1->m01, R2->m21)
-          + KSL_MULF(R1->m02, R2->m22);
-  const float Ro_10 = KSL_MULF(R1->m10, R2->m00) + KSL_MULF(R1->m11, R2->m01)
-          + KSL_MULF(R1->m12, R2->m02);
-  const float Ro_11 = KSL_MULF(R1->m10, R2->m10) + KSL_MULF(R1->m11, R2->m11)
-          + KSL_MULF(R1->m12, R2->m12);
-  const float Ro_12 = KSL_MULF(R1->m10, R2->m20) + KSL_MULF(R1->m11, R2->m21)
-          + KSL_MULF(R1->m12, R2->m22);
-  const float Ro_20 = KSL_MULF(R1->m20, R2->m00) + KSL_MULF(R1->m21, R2->m01)
-          + KSL_MULF(R1->m22, R2->m02);
-  const float Ro_21 = KSL_MULF(R1->m20, R2->m10) + KSL_MULF(R1->m21, R2->m11)
-          + KSL_MULF(R1->m22, R2->m12);
-  const float Ro_22 = KSL_MULF(R1->m20, R2->m20) + KSL_MULF(R1->m21, R2->m21)
-          + KSL_MULF(R1->m22, R2->m22);
+          + KSL_MULF(R1->m02, R2->m02),
+      Ro_01 = KSL_MULF(R1->m00, R2->m10) + KSL_MULF(R1->m01, R2->m11) + KSL_MULF(R1->m02, R2->m12),
+      Ro_02 = KSL_MULF(R1->m00, R2->m20) + KSL_MULF(R1->m01, R2->m21) + KSL_MULF(R1->m02, R2->m22),
+      Ro_10 = KSL_MULF(R1->m10, R2->m00) + KSL_MULF(R1->m11, R2->m01) + KSL_MULF(R1->m12, R2->m02),
+      Ro_11 = KSL_MULF(R1->m10, R2->m10) + KSL_MULF(R1->m11, R2->m11) + KSL_MULF(R1->m12, R2->m12),
+      Ro_12 = KSL_MULF(R1->m10, R2->m20) + KSL_MULF(R1->m11, R2->m21) + KSL_MULF(R1->m12, R2->m22),
+      Ro_20 = KSL_MULF(R1->m20, R2->m00) + KSL_MULF(R1->m21, R2->m01) + KSL_MULF(R1->m22, R2->m02),
+      Ro_21 = KSL_MULF(R1->m20, R2->m10) + KSL_MULF(R1->m21, R2->m11) + KSL_MULF(R1->m22, R2->m12),
+      Ro_22 = KSL_MULF(R1->m20, R2->m20) + KSL_MULF(R1->m21, R2->m21) + KSL_MULF(R1->m22, R2->m22);
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -1303,23 +1203,15 @@ static inline void ksl_product_drdrinvf(const ksl_mat3x3f_t *R1, const ksl_mat3x
 static inline void ksl_product_drinvdrf(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_t *R2,
     ksl_mat3x3f_t *Ro) {
   const float Ro_00 = KSL_MULF(R1->m00, R2->m00) + KSL_MULF(R1->m10, R2->m10)
-          + KSL_MULF(R1->m20, R2->m20);
-  const float Ro_01 = KSL_MULF(R1->m00, R2->m01) + KSL_MULF(R1->m10, R2->m11)
-          + KSL_MULF(R1->m20, R2->m21);
-  const float Ro_02 = KSL_MULF(R1->m00, R2->m02) + KSL_MULF(R1->m10, R2->m12)
-          + KSL_MULF(R1->m20, R2->m22);
-  const float Ro_10 = KSL_MULF(R1->m01, R2->m00) + KSL_MULF(R1->m11, R2->m10)
-          + KSL_MULF(R1->m21, R2->m20);
-  const float Ro_11 = KSL_MULF(R1->m01, R2->m01) + KSL_MULF(R1->m11, R2->m11)
-          + KSL_MULF(R1->m21, R2->m21);
-  const float Ro_12 = KSL_MULF(R1->m01, R2->m02) + KSL_MULF(R1->m11, R2->m12)
-          + KSL_MULF(R1->m21, R2->m22);
-  const float Ro_20 = KSL_MULF(R1->m02, R2->m00) + KSL_MULF(R1->m12, R2->m10)
-          + KSL_MULF(R1->m22, R2->m20);
-  const float Ro_21 = KSL_MULF(R1->m02, R2->m01) + KSL_MULF(R1->m12, R2->m11)
-          + KSL_MULF(R1->m22, R2->m21);
-  const float Ro_22 = KSL_MULF(R1->m02, R2->m02) + KSL_MULF(R1->m12, R2->m12)
-          + KSL_MULF(R1->m22, R2->m22);
+          + KSL_MULF(R1->m20, R2->m20),
+      Ro_01 = KSL_MULF(R1->m00, R2->m01) + KSL_MULF(R1->m10, R2->m11) + KSL_MULF(R1->m20, R2->m21),
+      Ro_02 = KSL_MULF(R1->m00, R2->m02) + KSL_MULF(R1->m10, R2->m12) + KSL_MULF(R1->m20, R2->m22),
+      Ro_10 = KSL_MULF(R1->m01, R2->m00) + KSL_MULF(R1->m11, R2->m10) + KSL_MULF(R1->m21, R2->m20),
+      Ro_11 = KSL_MULF(R1->m01, R2->m01) + KSL_MULF(R1->m11, R2->m11) + KSL_MULF(R1->m21, R2->m21),
+      Ro_12 = KSL_MULF(R1->m01, R2->m02) + KSL_MULF(R1->m11, R2->m12) + KSL_MULF(R1->m21, R2->m22),
+      Ro_20 = KSL_MULF(R1->m02, R2->m00) + KSL_MULF(R1->m12, R2->m10) + KSL_MULF(R1->m22, R2->m20),
+      Ro_21 = KSL_MULF(R1->m02, R2->m01) + KSL_MULF(R1->m12, R2->m11) + KSL_MULF(R1->m22, R2->m21),
+      Ro_22 = KSL_MULF(R1->m02, R2->m02) + KSL_MULF(R1->m12, R2->m12) + KSL_MULF(R1->m22, R2->m22);
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -1338,29 +1230,21 @@ static inline void ksl_product_drinvdrf(const ksl_mat3x3f_t *R1, const ksl_mat3x
      barring over- and underflow. */
 static inline void ksl_product_ddf(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2, ksl_SE3f_t *Do) {
   const float Do_00 = KSL_MULF(D1->m00, D2->m00) + KSL_MULF(D1->m01, D2->m10)
-          + KSL_MULF(D1->m02, D2->m20);
-  const float Do_01 = KSL_MULF(D1->m00, D2->m01) + KSL_MULF(D1->m01, D2->m11)
-          + KSL_MULF(D1->m02, D2->m21);
-  const float Do_02 = KSL_MULF(D1->m00, D2->m02) + KSL_MULF(D1->m01, D2->m12)
-          + KSL_MULF(D1->m02, D2->m22);
-  const float Do_03 = KSL_MULF(D1->m00, D2->m03) + KSL_MULF(D1->m01, D2->m13)
-          + KSL_MULF(D1->m02, D2->m23) + D1->m03;
-  const float Do_10 = KSL_MULF(D1->m10, D2->m00) + KSL_MULF(D1->m11, D2->m10)
-          + KSL_MULF(D1->m12, D2->m20);
-  const float Do_11 = KSL_MULF(D1->m10, D2->m01) + KSL_MULF(D1->m11, D2->m11)
-          + KSL_MULF(D1->m12, D2->m21);
-  const float Do_12 = KSL_MULF(D1->m10, D2->m02) + KSL_MULF(D1->m11, D2->m12)
-          + KSL_MULF(D1->m12, D2->m22);
-  const float Do_13 = KSL_MULF(D1->m10, D2->m03) + KSL_MULF(D1->m11, D2->m13)
-          + KSL_MULF(D1->m12, D2->m23) + D1->m13;
-  const float Do_20 = KSL_MULF(D1->m20, D2->m00) + KSL_MULF(D1->m21, D2->m10)
-          + KSL_MULF(D1->m22, D2->m20);
-  const float Do_21 = KSL_MULF(D1->m20, D2->m01) + KSL_MULF(D1->m21, D2->m11)
-          + KSL_MULF(D1->m22, D2->m21);
-  const float Do_22 = KSL_MULF(D1->m20, D2->m02) + KSL_MULF(D1->m21, D2->m12)
-          + KSL_MULF(D1->m22, D2->m22);
-  const float Do_23 = KSL_MULF(D1->m20, D2->m03) + KSL_MULF(D1->m21, D2->m13)
-          + KSL_MULF(D1->m22, D2->m23) + D1->m23;
+          + KSL_MULF(D1->m02, D2->m20),
+      Do_01 = KSL_MULF(D1->m00, D2->m01) + KSL_MULF(D1->m01, D2->m11) + KSL_MULF(D1->m02, D2->m21),
+      Do_02 = KSL_MULF(D1->m00, D2->m02) + KSL_MULF(D1->m01, D2->m12) + KSL_MULF(D1->m02, D2->m22),
+      Do_03 = KSL_MULF(D1->m00, D2->m03) + KSL_MULF(D1->m01, D2->m13) + KSL_MULF(D1->m02, D2->m23)
+          + D1->m03,
+      Do_10 = KSL_MULF(D1->m10, D2->m00) + KSL_MULF(D1->m11, D2->m10) + KSL_MULF(D1->m12, D2->m20),
+      Do_11 = KSL_MULF(D1->m10, D2->m01) + KSL_MULF(D1->m11, D2->m11) + KSL_MULF(D1->m12, D2->m21),
+      Do_12 = KSL_MULF(D1->m10, D2->m02) + KSL_MULF(D1->m11, D2->m12) + KSL_MULF(D1->m12, D2->m22),
+      Do_13 = KSL_MULF(D1->m10, D2->m03) + KSL_MULF(D1->m11, D2->m13) + KSL_MULF(D1->m12, D2->m23)
+          + D1->m13,
+      Do_20 = KSL_MULF(D1->m20, D2->m00) + KSL_MULF(D1->m21, D2->m10) + KSL_MULF(D1->m22, D2->m20),
+      Do_21 = KSL_MULF(D1->m20, D2->m01) + KSL_MULF(D1->m21, D2->m11) + KSL_MULF(D1->m22, D2->m21),
+      Do_22 = KSL_MULF(D1->m20, D2->m02) + KSL_MULF(D1->m21, D2->m12) + KSL_MULF(D1->m22, D2->m22),
+      Do_23 = KSL_MULF(D1->m20, D2->m03) + KSL_MULF(D1->m21, D2->m13) + KSL_MULF(D1->m22, D2->m23)
+          + D1->m23;
   Do->m00 = Do_00;
   Do->m01 = Do_01;
   Do->m02 = Do_02;
@@ -1382,29 +1266,19 @@ static inline void ksl_product_ddf(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2, k
      barring over- and underflow. */
 static inline void ksl_product_ddinvf(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2, ksl_SE3f_t *Do) {
   const float R_0 = KSL_MULF(D1->m00, D2->m00) + KSL_MULF(D1->m01, D2->m01)
-          + KSL_MULF(D1->m02, D2->m02);
-  const float R_1 = KSL_MULF(D1->m00, D2->m10) + KSL_MULF(D1->m01, D2->m11)
-          + KSL_MULF(D1->m02, D2->m12);
-  const float R_2 = KSL_MULF(D1->m00, D2->m20) + KSL_MULF(D1->m01, D2->m21)
-          + KSL_MULF(D1->m02, D2->m22);
-  const float R_3 = KSL_MULF(D1->m10, D2->m00) + KSL_MULF(D1->m11, D2->m01)
-          + KSL_MULF(D1->m12, D2->m02);
-  const float R_4 = KSL_MULF(D1->m10, D2->m10) + KSL_MULF(D1->m11, D2->m11)
-          + KSL_MULF(D1->m12, D2->m12);
-  const float R_5 = KSL_MULF(D1->m10, D2->m20) + KSL_MULF(D1->m11, D2->m21)
-          + KSL_MULF(D1->m12, D2->m22);
-  const float R_6 = KSL_MULF(D1->m20, D2->m00) + KSL_MULF(D1->m21, D2->m01)
-          + KSL_MULF(D1->m22, D2->m02);
-  const float R_7 = KSL_MULF(D1->m20, D2->m10) + KSL_MULF(D1->m21, D2->m11)
-          + KSL_MULF(D1->m22, D2->m12);
-  const float R_8 = KSL_MULF(D1->m20, D2->m20) + KSL_MULF(D1->m21, D2->m21)
-          + KSL_MULF(D1->m22, D2->m22);
+          + KSL_MULF(D1->m02, D2->m02),
+      R_1 = KSL_MULF(D1->m00, D2->m10) + KSL_MULF(D1->m01, D2->m11) + KSL_MULF(D1->m02, D2->m12),
+      R_2 = KSL_MULF(D1->m00, D2->m20) + KSL_MULF(D1->m01, D2->m21) + KSL_MULF(D1->m02, D2->m22),
+      R_3 = KSL_MULF(D1->m10, D2->m00) + KSL_MULF(D1->m11, D2->m01) + KSL_MULF(D1->m12, D2->m02),
+      R_4 = KSL_MULF(D1->m10, D2->m10) + KSL_MULF(D1->m11, D2->m11) + KSL_MULF(D1->m12, D2->m12),
+      R_5 = KSL_MULF(D1->m10, D2->m20) + KSL_MULF(D1->m11, D2->m21) + KSL_MULF(D1->m12, D2->m22),
+      R_6 = KSL_MULF(D1->m20, D2->m00) + KSL_MULF(D1->m21, D2->m01) + KSL_MULF(D1->m22, D2->m02),
+      R_7 = KSL_MULF(D1->m20, D2->m10) + KSL_MULF(D1->m21, D2->m11) + KSL_MULF(D1->m22, D2->m12),
+      R_8 = KSL_MULF(D1->m20, D2->m20) + KSL_MULF(D1->m21, D2->m21) + KSL_MULF(D1->m22, D2->m22);
   const float Do_03 = D1->m03
-          - (KSL_MULF(D2->m03, R_0) + KSL_MULF(D2->m13, R_1) + KSL_MULF(D2->m23, R_2));
-  const float Do_13 = D1->m13
-          - (KSL_MULF(D2->m03, R_3) + KSL_MULF(D2->m13, R_4) + KSL_MULF(D2->m23, R_5));
-  const float Do_23 = D1->m23
-          - (KSL_MULF(D2->m03, R_6) + KSL_MULF(D2->m13, R_7) + KSL_MULF(D2->m23, R_8));
+          - (KSL_MULF(D2->m03, R_0) + KSL_MULF(D2->m13, R_1) + KSL_MULF(D2->m23, R_2)),
+      Do_13 = D1->m13 - (KSL_MULF(D2->m03, R_3) + KSL_MULF(D2->m13, R_4) + KSL_MULF(D2->m23, R_5)),
+      Do_23 = D1->m23 - (KSL_MULF(D2->m03, R_6) + KSL_MULF(D2->m13, R_7) + KSL_MULF(D2->m23, R_8));
   Do->m00 = R_0;
   Do->m01 = R_1;
   Do->m02 = R_2;
@@ -1425,30 +1299,20 @@ static inline void ksl_product_ddinvf(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2
    Error <= u |result| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_dinvdf(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2, ksl_SE3f_t *Do) {
-  const float p_0 = D2->m03 - D1->m03;
-  const float p_1 = D2->m13 - D1->m13;
-  const float p_2 = D2->m23 - D1->m23;
+  const float p_0 = D2->m03 - D1->m03, p_1 = D2->m13 - D1->m13, p_2 = D2->m23 - D1->m23;
   const float Do_00 = KSL_MULF(D1->m00, D2->m00) + KSL_MULF(D1->m10, D2->m10)
-          + KSL_MULF(D1->m20, D2->m20);
-  const float Do_01 = KSL_MULF(D1->m00, D2->m01) + KSL_MULF(D1->m10, D2->m11)
-          + KSL_MULF(D1->m20, D2->m21);
-  const float Do_02 = KSL_MULF(D1->m00, D2->m02) + KSL_MULF(D1->m10, D2->m12)
-          + KSL_MULF(D1->m20, D2->m22);
-  const float Do_03 = KSL_MULF(D1->m00, p_0) + KSL_MULF(D1->m10, p_1) + KSL_MULF(D1->m20, p_2);
-  const float Do_10 = KSL_MULF(D1->m01, D2->m00) + KSL_MULF(D1->m11, D2->m10)
-          + KSL_MULF(D1->m21, D2->m20);
-  const float Do_11 = KSL_MULF(D1->m01, D2->m01) + KSL_MULF(D1->m11, D2->m11)
-          + KSL_MULF(D1->m21, D2->m21);
-  const float Do_12 = KSL_MULF(D1->m01, D2->m02) + KSL_MULF(D1->m11, D2->m12)
-          + KSL_MULF(D1->m21, D2->m22);
-  const float Do_13 = KSL_MULF(D1->m01, p_0) + KSL_MULF(D1->m11, p_1) + KSL_MULF(D1->m21, p_2);
-  const float Do_20 = KSL_MULF(D1->m02, D2->m00) + KSL_MULF(D1->m12, D2->m10)
-          + KSL_MULF(D1->m22, D2->m20);
-  const float Do_21 = KSL_MULF(D1->m02, D2->m01) + KSL_MULF(D1->m12, D2->m11)
-          + KSL_MULF(D1->m22, D2->m21);
-  const float Do_22 = KSL_MULF(D1->m02, D2->m02) + KSL_MULF(D1->m12, D2->m12)
-          + KSL_MULF(D1->m22, D2->m22);
-  const float Do_23 = KSL_MULF(D1->m02, p_0) + KSL_MULF(D1->m12, p_1) + KSL_MULF(D1->m22, p_2);
+          + KSL_MULF(D1->m20, D2->m20),
+      Do_01 = KSL_MULF(D1->m00, D2->m01) + KSL_MULF(D1->m10, D2->m11) + KSL_MULF(D1->m20, D2->m21),
+      Do_02 = KSL_MULF(D1->m00, D2->m02) + KSL_MULF(D1->m10, D2->m12) + KSL_MULF(D1->m20, D2->m22),
+      Do_03 = KSL_MULF(D1->m00, p_0) + KSL_MULF(D1->m10, p_1) + KSL_MULF(D1->m20, p_2),
+      Do_10 = KSL_MULF(D1->m01, D2->m00) + KSL_MULF(D1->m11, D2->m10) + KSL_MULF(D1->m21, D2->m20),
+      Do_11 = KSL_MULF(D1->m01, D2->m01) + KSL_MULF(D1->m11, D2->m11) + KSL_MULF(D1->m21, D2->m21),
+      Do_12 = KSL_MULF(D1->m01, D2->m02) + KSL_MULF(D1->m11, D2->m12) + KSL_MULF(D1->m21, D2->m22),
+      Do_13 = KSL_MULF(D1->m01, p_0) + KSL_MULF(D1->m11, p_1) + KSL_MULF(D1->m21, p_2),
+      Do_20 = KSL_MULF(D1->m02, D2->m00) + KSL_MULF(D1->m12, D2->m10) + KSL_MULF(D1->m22, D2->m20),
+      Do_21 = KSL_MULF(D1->m02, D2->m01) + KSL_MULF(D1->m12, D2->m11) + KSL_MULF(D1->m22, D2->m21),
+      Do_22 = KSL_MULF(D1->m02, D2->m02) + KSL_MULF(D1->m12, D2->m12) + KSL_MULF(D1->m22, D2->m22),
+      Do_23 = KSL_MULF(D1->m02, p_0) + KSL_MULF(D1->m12, p_1) + KSL_MULF(D1->m22, p_2);
   Do->m00 = Do_00;
   Do->m01 = Do_01;
   Do->m02 = Do_02;
@@ -1470,23 +1334,15 @@ static inline void ksl_product_dinvdf(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2
      barring over- and underflow. */
 static inline void ksl_product_ddrf(const ksl_SE3f_t *D, const ksl_mat3x3f_t *R, ksl_SE3f_t *Do) {
   const float Do_00 = KSL_MULF(D->m00, R->m00) + KSL_MULF(D->m01, R->m10)
-          + KSL_MULF(D->m02, R->m20);
-  const float Do_01 = KSL_MULF(D->m00, R->m01) + KSL_MULF(D->m01, R->m11)
-          + KSL_MULF(D->m02, R->m21);
-  const float Do_02 = KSL_MULF(D->m00, R->m02) + KSL_MULF(D->m01, R->m12)
-          + KSL_MULF(D->m02, R->m22);
-  const float Do_10 = KSL_MULF(D->m10, R->m00) + KSL_MULF(D->m11, R->m10)
-          + KSL_MULF(D->m12, R->m20);
-  const float Do_11 = KSL_MULF(D->m10, R->m01) + KSL_MULF(D->m11, R->m11)
-          + KSL_MULF(D->m12, R->m21);
-  const float Do_12 = KSL_MULF(D->m10, R->m02) + KSL_MULF(D->m11, R->m12)
-          + KSL_MULF(D->m12, R->m22);
-  const float Do_20 = KSL_MULF(D->m20, R->m00) + KSL_MULF(D->m21, R->m10)
-          + KSL_MULF(D->m22, R->m20);
-  const float Do_21 = KSL_MULF(D->m20, R->m01) + KSL_MULF(D->m21, R->m11)
-          + KSL_MULF(D->m22, R->m21);
-  const float Do_22 = KSL_MULF(D->m20, R->m02) + KSL_MULF(D->m21, R->m12)
-          + KSL_MULF(D->m22, R->m22);
+          + KSL_MULF(D->m02, R->m20),
+      Do_01 = KSL_MULF(D->m00, R->m01) + KSL_MULF(D->m01, R->m11) + KSL_MULF(D->m02, R->m21),
+      Do_02 = KSL_MULF(D->m00, R->m02) + KSL_MULF(D->m01, R->m12) + KSL_MULF(D->m02, R->m22),
+      Do_10 = KSL_MULF(D->m10, R->m00) + KSL_MULF(D->m11, R->m10) + KSL_MULF(D->m12, R->m20),
+      Do_11 = KSL_MULF(D->m10, R->m01) + KSL_MULF(D->m11, R->m11) + KSL_MULF(D->m12, R->m21),
+      Do_12 = KSL_MULF(D->m10, R->m02) + KSL_MULF(D->m11, R->m12) + KSL_MULF(D->m12, R->m22),
+      Do_20 = KSL_MULF(D->m20, R->m00) + KSL_MULF(D->m21, R->m10) + KSL_MULF(D->m22, R->m20),
+      Do_21 = KSL_MULF(D->m20, R->m01) + KSL_MULF(D->m21, R->m11) + KSL_MULF(D->m22, R->m21),
+      Do_22 = KSL_MULF(D->m20, R->m02) + KSL_MULF(D->m21, R->m12) + KSL_MULF(D->m22, R->m22);
   const float D_m03 = D->m03;
   const float D_m13 = D->m13;
   const float D_m23 = D->m23;
@@ -1512,23 +1368,15 @@ static inline void ksl_product_ddrf(const ksl_SE3f_t *D, const ksl_mat3x3f_t *R,
 static inline void ksl_product_ddrinvf(const ksl_SE3f_t *D, const ksl_mat3x3f_t *R,
     ksl_SE3f_t *Do) {
   const float Do_00 = KSL_MULF(D->m00, R->m00) + KSL_MULF(D->m01, R->m01)
-          + KSL_MULF(D->m02, R->m02);
-  const float Do_01 = KSL_MULF(D->m00, R->m10) + KSL_MULF(D->m01, R->m11)
-          + KSL_MULF(D->m02, R->m12);
-  const float Do_02 = KSL_MULF(D->m00, R->m20) + KSL_MULF(D->m01, R->m21)
-          + KSL_MULF(D->m02, R->m22);
-  const float Do_10 = KSL_MULF(D->m10, R->m00) + KSL_MULF(D->m11, R->m01)
-          + KSL_MULF(D->m12, R->m02);
-  const float Do_11 = KSL_MULF(D->m10, R->m10) + KSL_MULF(D->m11, R->m11)
-          + KSL_MULF(D->m12, R->m12);
-  const float Do_12 = KSL_MULF(D->m10, R->m20) + KSL_MULF(D->m11, R->m21)
-          + KSL_MULF(D->m12, R->m22);
-  const float Do_20 = KSL_MULF(D->m20, R->m00) + KSL_MULF(D->m21, R->m01)
-          + KSL_MULF(D->m22, R->m02);
-  const float Do_21 = KSL_MULF(D->m20, R->m10) + KSL_MULF(D->m21, R->m11)
-          + KSL_MULF(D->m22, R->m12);
-  const float Do_22 = KSL_MULF(D->m20, R->m20) + KSL_MULF(D->m21, R->m21)
-          + KSL_MULF(D->m22, R->m22);
+          + KSL_MULF(D->m02, R->m02),
+      Do_01 = KSL_MULF(D->m00, R->m10) + KSL_MULF(D->m01, R->m11) + KSL_MULF(D->m02, R->m12),
+      Do_02 = KSL_MULF(D->m00, R->m20) + KSL_MULF(D->m01, R->m21) + KSL_MULF(D->m02, R->m22),
+      Do_10 = KSL_MULF(D->m10, R->m00) + KSL_MULF(D->m11, R->m01) + KSL_MULF(D->m12, R->m02),
+      Do_11 = KSL_MULF(D->m10, R->m10) + KSL_MULF(D->m11, R->m11) + KSL_MULF(D->m12, R->m12),
+      Do_12 = KSL_MULF(D->m10, R->m20) + KSL_MULF(D->m11, R->m21) + KSL_MULF(D->m12, R->m22),
+      Do_20 = KSL_MULF(D->m20, R->m00) + KSL_MULF(D->m21, R->m01) + KSL_MULF(D->m22, R->m02),
+      Do_21 = KSL_MULF(D->m20, R->m10) + KSL_MULF(D->m21, R->m11) + KSL_MULF(D->m22, R->m12),
+      Do_22 = KSL_MULF(D->m20, R->m20) + KSL_MULF(D->m21, R->m21) + KSL_MULF(D->m22, R->m22);
   const float D_m03 = D->m03;
   const float D_m13 = D->m13;
   const float D_m23 = D->m23;
@@ -1553,11 +1401,9 @@ static inline void ksl_product_ddrinvf(const ksl_SE3f_t *D, const ksl_mat3x3f_t 
      barring over- and underflow. */
 static inline void ksl_product_ddtf(const ksl_SE3f_t *D, const ksl_vec3f_t *t, ksl_SE3f_t *Do) {
   const float Do_03 = KSL_MULF(D->m00, t->x) + KSL_MULF(D->m01, t->y) + KSL_MULF(D->m02, t->z)
-          + D->m03;
-  const float Do_13 = KSL_MULF(D->m10, t->x) + KSL_MULF(D->m11, t->y) + KSL_MULF(D->m12, t->z)
-          + D->m13;
-  const float Do_23 = KSL_MULF(D->m20, t->x) + KSL_MULF(D->m21, t->y) + KSL_MULF(D->m22, t->z)
-          + D->m23;
+          + D->m03,
+      Do_13 = KSL_MULF(D->m10, t->x) + KSL_MULF(D->m11, t->y) + KSL_MULF(D->m12, t->z) + D->m13,
+      Do_23 = KSL_MULF(D->m20, t->x) + KSL_MULF(D->m21, t->y) + KSL_MULF(D->m22, t->z) + D->m23;
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -1588,11 +1434,9 @@ static inline void ksl_product_ddtf(const ksl_SE3f_t *D, const ksl_vec3f_t *t, k
      barring over- and underflow. */
 static inline void ksl_product_ddtinvf(const ksl_SE3f_t *D, const ksl_vec3f_t *t, ksl_SE3f_t *Do) {
   const float Do_03 = D->m03
-          - (KSL_MULF(D->m00, t->x) + KSL_MULF(D->m01, t->y) + KSL_MULF(D->m02, t->z));
-  const float Do_13 = D->m13
-          - (KSL_MULF(D->m10, t->x) + KSL_MULF(D->m11, t->y) + KSL_MULF(D->m12, t->z));
-  const float Do_23 = D->m23
-          - (KSL_MULF(D->m20, t->x) + KSL_MULF(D->m21, t->y) + KSL_MULF(D->m22, t->z));
+          - (KSL_MULF(D->m00, t->x) + KSL_MULF(D->m01, t->y) + KSL_MULF(D->m02, t->z)),
+      Do_13 = D->m13 - (KSL_MULF(D->m10, t->x) + KSL_MULF(D->m11, t->y) + KSL_MULF(D->m12, t->z)),
+      Do_23 = D->m23 - (KSL_MULF(D->m20, t->x) + KSL_MULF(D->m21, t->y) + KSL_MULF(D->m22, t->z));
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -1622,12 +1466,10 @@ static inline void ksl_product_ddtinvf(const ksl_SE3f_t *D, const ksl_vec3f_t *t
    Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_dinvdtf(const ksl_SE3f_t *D, const ksl_vec3f_t *t, ksl_SE3f_t *Do) {
-  const float p_0 = t->x - D->m03;
-  const float p_1 = t->y - D->m13;
-  const float p_2 = t->z - D->m23;
-  const float Do_03 = KSL_MULF(D->m00, p_0) + KSL_MULF(D->m10, p_1) + KSL_MULF(D->m20, p_2);
-  const float Do_13 = KSL_MULF(D->m01, p_0) + KSL_MULF(D->m11, p_1) + KSL_MULF(D->m21, p_2);
-  const float Do_23 = KSL_MULF(D->m02, p_0) + KSL_MULF(D->m12, p_1) + KSL_MULF(D->m22, p_2);
+  const float p_0 = t->x - D->m03, p_1 = t->y - D->m13, p_2 = t->z - D->m23;
+  const float Do_03 = KSL_MULF(D->m00, p_0) + KSL_MULF(D->m10, p_1) + KSL_MULF(D->m20, p_2),
+      Do_13 = KSL_MULF(D->m01, p_0) + KSL_MULF(D->m11, p_1) + KSL_MULF(D->m21, p_2),
+      Do_23 = KSL_MULF(D->m02, p_0) + KSL_MULF(D->m12, p_1) + KSL_MULF(D->m22, p_2);
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;
@@ -1656,9 +1498,7 @@ static inline void ksl_product_dinvdtf(const ksl_SE3f_t *D, const ksl_vec3f_t *t
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtxf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
-  const float vo_0 = KSL_MULF(R->m00, k);
-  const float vo_1 = KSL_MULF(R->m10, k);
-  const float vo_2 = KSL_MULF(R->m20, k);
+  const float vo_0 = KSL_MULF(R->m00, k), vo_1 = KSL_MULF(R->m10, k), vo_2 = KSL_MULF(R->m20, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1671,12 +1511,12 @@ static inline void ksl_product_drvtxf(const ksl_mat3x3f_t *R, const float k, ksl
      and underflow. */
 static inline void ksl_product_drdrxf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const float Ro_01 = KSL_MULF(R->m01, dc[1]) + KSL_MULF(R->m02, dc[0]);
-  const float Ro_02 = KSL_MULF(R->m02, dc[1]) - KSL_MULF(R->m01, dc[0]);
-  const float Ro_11 = KSL_MULF(R->m11, dc[1]) + KSL_MULF(R->m12, dc[0]);
-  const float Ro_12 = KSL_MULF(R->m12, dc[1]) - KSL_MULF(R->m11, dc[0]);
-  const float Ro_21 = KSL_MULF(R->m21, dc[1]) + KSL_MULF(R->m22, dc[0]);
-  const float Ro_22 = KSL_MULF(R->m22, dc[1]) - KSL_MULF(R->m21, dc[0]);
+  const float Ro_01 = KSL_MULF(R->m01, dc[1]) + KSL_MULF(R->m02, dc[0]),
+      Ro_02 = KSL_MULF(R->m02, dc[1]) - KSL_MULF(R->m01, dc[0]),
+      Ro_11 = KSL_MULF(R->m11, dc[1]) + KSL_MULF(R->m12, dc[0]),
+      Ro_12 = KSL_MULF(R->m12, dc[1]) - KSL_MULF(R->m11, dc[0]),
+      Ro_21 = KSL_MULF(R->m21, dc[1]) + KSL_MULF(R->m22, dc[0]),
+      Ro_22 = KSL_MULF(R->m22, dc[1]) - KSL_MULF(R->m21, dc[0]);
   const float R_m00 = R->m00;
   const float R_m10 = R->m10;
   const float R_m20 = R->m20;
@@ -1697,12 +1537,12 @@ static inline void ksl_product_drdrxf(const ksl_mat3x3f_t *R, const float dc[2],
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrxf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
-  const float Do_01 = KSL_MULF(D->m01, dc[1]) + KSL_MULF(D->m02, dc[0]);
-  const float Do_02 = KSL_MULF(D->m02, dc[1]) - KSL_MULF(D->m01, dc[0]);
-  const float Do_11 = KSL_MULF(D->m11, dc[1]) + KSL_MULF(D->m12, dc[0]);
-  const float Do_12 = KSL_MULF(D->m12, dc[1]) - KSL_MULF(D->m11, dc[0]);
-  const float Do_21 = KSL_MULF(D->m21, dc[1]) + KSL_MULF(D->m22, dc[0]);
-  const float Do_22 = KSL_MULF(D->m22, dc[1]) - KSL_MULF(D->m21, dc[0]);
+  const float Do_01 = KSL_MULF(D->m01, dc[1]) + KSL_MULF(D->m02, dc[0]),
+      Do_02 = KSL_MULF(D->m02, dc[1]) - KSL_MULF(D->m01, dc[0]),
+      Do_11 = KSL_MULF(D->m11, dc[1]) + KSL_MULF(D->m12, dc[0]),
+      Do_12 = KSL_MULF(D->m12, dc[1]) - KSL_MULF(D->m11, dc[0]),
+      Do_21 = KSL_MULF(D->m21, dc[1]) + KSL_MULF(D->m22, dc[0]),
+      Do_22 = KSL_MULF(D->m22, dc[1]) - KSL_MULF(D->m21, dc[0]);
   const float D_m00 = D->m00;
   const float D_m03 = D->m03;
   const float D_m10 = D->m10;
@@ -1729,9 +1569,8 @@ static inline void ksl_product_ddrxf(const ksl_SE3f_t *D, const float dc[2], ksl
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtxf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
-  const float Do_03 = KSL_MULF(D->m00, k) + D->m03;
-  const float Do_13 = KSL_MULF(D->m10, k) + D->m13;
-  const float Do_23 = KSL_MULF(D->m20, k) + D->m23;
+  const float Do_03 = KSL_MULF(D->m00, k) + D->m03, Do_13 = KSL_MULF(D->m10, k) + D->m13,
+      Do_23 = KSL_MULF(D->m20, k) + D->m23;
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -1760,9 +1599,7 @@ static inline void ksl_product_ddtxf(const ksl_SE3f_t *D, const float k, ksl_SE3
    3 mul, 3 neg.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtxinvf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
-  const float vo_0 = -KSL_MULF(R->m00, k);
-  const float vo_1 = -KSL_MULF(R->m10, k);
-  const float vo_2 = -KSL_MULF(R->m20, k);
+  const float vo_0 = -KSL_MULF(R->m00, k), vo_1 = -KSL_MULF(R->m10, k), vo_2 = -KSL_MULF(R->m20, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1775,12 +1612,12 @@ static inline void ksl_product_drvtxinvf(const ksl_mat3x3f_t *R, const float k, 
      and underflow. */
 static inline void ksl_product_drdrxinvf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const float Ro_01 = KSL_MULF(R->m01, dc[1]) - KSL_MULF(R->m02, dc[0]);
-  const float Ro_02 = KSL_MULF(R->m01, dc[0]) + KSL_MULF(R->m02, dc[1]);
-  const float Ro_11 = KSL_MULF(R->m11, dc[1]) - KSL_MULF(R->m12, dc[0]);
-  const float Ro_12 = KSL_MULF(R->m11, dc[0]) + KSL_MULF(R->m12, dc[1]);
-  const float Ro_21 = KSL_MULF(R->m21, dc[1]) - KSL_MULF(R->m22, dc[0]);
-  const float Ro_22 = KSL_MULF(R->m21, dc[0]) + KSL_MULF(R->m22, dc[1]);
+  const float Ro_01 = KSL_MULF(R->m01, dc[1]) - KSL_MULF(R->m02, dc[0]),
+      Ro_02 = KSL_MULF(R->m01, dc[0]) + KSL_MULF(R->m02, dc[1]),
+      Ro_11 = KSL_MULF(R->m11, dc[1]) - KSL_MULF(R->m12, dc[0]),
+      Ro_12 = KSL_MULF(R->m11, dc[0]) + KSL_MULF(R->m12, dc[1]),
+      Ro_21 = KSL_MULF(R->m21, dc[1]) - KSL_MULF(R->m22, dc[0]),
+      Ro_22 = KSL_MULF(R->m21, dc[0]) + KSL_MULF(R->m22, dc[1]);
   const float R_m00 = R->m00;
   const float R_m10 = R->m10;
   const float R_m20 = R->m20;
@@ -1801,12 +1638,12 @@ static inline void ksl_product_drdrxinvf(const ksl_mat3x3f_t *R, const float dc[
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrxinvf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
-  const float Do_01 = KSL_MULF(D->m01, dc[1]) - KSL_MULF(D->m02, dc[0]);
-  const float Do_02 = KSL_MULF(D->m01, dc[0]) + KSL_MULF(D->m02, dc[1]);
-  const float Do_11 = KSL_MULF(D->m11, dc[1]) - KSL_MULF(D->m12, dc[0]);
-  const float Do_12 = KSL_MULF(D->m11, dc[0]) + KSL_MULF(D->m12, dc[1]);
-  const float Do_21 = KSL_MULF(D->m21, dc[1]) - KSL_MULF(D->m22, dc[0]);
-  const float Do_22 = KSL_MULF(D->m21, dc[0]) + KSL_MULF(D->m22, dc[1]);
+  const float Do_01 = KSL_MULF(D->m01, dc[1]) - KSL_MULF(D->m02, dc[0]),
+      Do_02 = KSL_MULF(D->m01, dc[0]) + KSL_MULF(D->m02, dc[1]),
+      Do_11 = KSL_MULF(D->m11, dc[1]) - KSL_MULF(D->m12, dc[0]),
+      Do_12 = KSL_MULF(D->m11, dc[0]) + KSL_MULF(D->m12, dc[1]),
+      Do_21 = KSL_MULF(D->m21, dc[1]) - KSL_MULF(D->m22, dc[0]),
+      Do_22 = KSL_MULF(D->m21, dc[0]) + KSL_MULF(D->m22, dc[1]);
   const float D_m00 = D->m00;
   const float D_m03 = D->m03;
   const float D_m10 = D->m10;
@@ -1833,9 +1670,8 @@ static inline void ksl_product_ddrxinvf(const ksl_SE3f_t *D, const float dc[2], 
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtxinvf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
-  const float Do_03 = D->m03 - KSL_MULF(D->m00, k);
-  const float Do_13 = D->m13 - KSL_MULF(D->m10, k);
-  const float Do_23 = D->m23 - KSL_MULF(D->m20, k);
+  const float Do_03 = D->m03 - KSL_MULF(D->m00, k), Do_13 = D->m13 - KSL_MULF(D->m10, k),
+      Do_23 = D->m23 - KSL_MULF(D->m20, k);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -1864,9 +1700,7 @@ static inline void ksl_product_ddtxinvf(const ksl_SE3f_t *D, const float k, ksl_
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtyf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
-  const float vo_0 = KSL_MULF(R->m01, k);
-  const float vo_1 = KSL_MULF(R->m11, k);
-  const float vo_2 = KSL_MULF(R->m21, k);
+  const float vo_0 = KSL_MULF(R->m01, k), vo_1 = KSL_MULF(R->m11, k), vo_2 = KSL_MULF(R->m21, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1879,12 +1713,12 @@ static inline void ksl_product_drvtyf(const ksl_mat3x3f_t *R, const float k, ksl
      and underflow. */
 static inline void ksl_product_drdryf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const float Ro_00 = KSL_MULF(R->m00, dc[1]) - KSL_MULF(R->m02, dc[0]);
-  const float Ro_02 = KSL_MULF(R->m00, dc[0]) + KSL_MULF(R->m02, dc[1]);
-  const float Ro_10 = KSL_MULF(R->m10, dc[1]) - KSL_MULF(R->m12, dc[0]);
-  const float Ro_12 = KSL_MULF(R->m10, dc[0]) + KSL_MULF(R->m12, dc[1]);
-  const float Ro_20 = KSL_MULF(R->m20, dc[1]) - KSL_MULF(R->m22, dc[0]);
-  const float Ro_22 = KSL_MULF(R->m20, dc[0]) + KSL_MULF(R->m22, dc[1]);
+  const float Ro_00 = KSL_MULF(R->m00, dc[1]) - KSL_MULF(R->m02, dc[0]),
+      Ro_02 = KSL_MULF(R->m00, dc[0]) + KSL_MULF(R->m02, dc[1]),
+      Ro_10 = KSL_MULF(R->m10, dc[1]) - KSL_MULF(R->m12, dc[0]),
+      Ro_12 = KSL_MULF(R->m10, dc[0]) + KSL_MULF(R->m12, dc[1]),
+      Ro_20 = KSL_MULF(R->m20, dc[1]) - KSL_MULF(R->m22, dc[0]),
+      Ro_22 = KSL_MULF(R->m20, dc[0]) + KSL_MULF(R->m22, dc[1]);
   const float R_m01 = R->m01;
   const float R_m11 = R->m11;
   const float R_m21 = R->m21;
@@ -1905,12 +1739,12 @@ static inline void ksl_product_drdryf(const ksl_mat3x3f_t *R, const float dc[2],
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddryf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
-  const float Do_00 = KSL_MULF(D->m00, dc[1]) - KSL_MULF(D->m02, dc[0]);
-  const float Do_02 = KSL_MULF(D->m00, dc[0]) + KSL_MULF(D->m02, dc[1]);
-  const float Do_10 = KSL_MULF(D->m10, dc[1]) - KSL_MULF(D->m12, dc[0]);
-  const float Do_12 = KSL_MULF(D->m10, dc[0]) + KSL_MULF(D->m12, dc[1]);
-  const float Do_20 = KSL_MULF(D->m20, dc[1]) - KSL_MULF(D->m22, dc[0]);
-  const float Do_22 = KSL_MULF(D->m20, dc[0]) + KSL_MULF(D->m22, dc[1]);
+  const float Do_00 = KSL_MULF(D->m00, dc[1]) - KSL_MULF(D->m02, dc[0]),
+      Do_02 = KSL_MULF(D->m00, dc[0]) + KSL_MULF(D->m02, dc[1]),
+      Do_10 = KSL_MULF(D->m10, dc[1]) - KSL_MULF(D->m12, dc[0]),
+      Do_12 = KSL_MULF(D->m10, dc[0]) + KSL_MULF(D->m12, dc[1]),
+      Do_20 = KSL_MULF(D->m20, dc[1]) - KSL_MULF(D->m22, dc[0]),
+      Do_22 = KSL_MULF(D->m20, dc[0]) + KSL_MULF(D->m22, dc[1]);
   const float D_m01 = D->m01;
   const float D_m03 = D->m03;
   const float D_m11 = D->m11;
@@ -1937,9 +1771,8 @@ static inline void ksl_product_ddryf(const ksl_SE3f_t *D, const float dc[2], ksl
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtyf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
-  const float Do_03 = KSL_MULF(D->m01, k) + D->m03;
-  const float Do_13 = KSL_MULF(D->m11, k) + D->m13;
-  const float Do_23 = KSL_MULF(D->m21, k) + D->m23;
+  const float Do_03 = KSL_MULF(D->m01, k) + D->m03, Do_13 = KSL_MULF(D->m11, k) + D->m13,
+      Do_23 = KSL_MULF(D->m21, k) + D->m23;
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -1968,9 +1801,7 @@ static inline void ksl_product_ddtyf(const ksl_SE3f_t *D, const float k, ksl_SE3
    3 mul, 3 neg.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtyinvf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
-  const float vo_0 = -KSL_MULF(R->m01, k);
-  const float vo_1 = -KSL_MULF(R->m11, k);
-  const float vo_2 = -KSL_MULF(R->m21, k);
+  const float vo_0 = -KSL_MULF(R->m01, k), vo_1 = -KSL_MULF(R->m11, k), vo_2 = -KSL_MULF(R->m21, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1983,12 +1814,12 @@ static inline void ksl_product_drvtyinvf(const ksl_mat3x3f_t *R, const float k, 
      and underflow. */
 static inline void ksl_product_drdryinvf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const float Ro_00 = KSL_MULF(R->m00, dc[1]) + KSL_MULF(R->m02, dc[0]);
-  const float Ro_02 = KSL_MULF(R->m02, dc[1]) - KSL_MULF(R->m00, dc[0]);
-  const float Ro_10 = KSL_MULF(R->m10, dc[1]) + KSL_MULF(R->m12, dc[0]);
-  const float Ro_12 = KSL_MULF(R->m12, dc[1]) - KSL_MULF(R->m10, dc[0]);
-  const float Ro_20 = KSL_MULF(R->m20, dc[1]) + KSL_MULF(R->m22, dc[0]);
-  const float Ro_22 = KSL_MULF(R->m22, dc[1]) - KSL_MULF(R->m20, dc[0]);
+  const float Ro_00 = KSL_MULF(R->m00, dc[1]) + KSL_MULF(R->m02, dc[0]),
+      Ro_02 = KSL_MULF(R->m02, dc[1]) - KSL_MULF(R->m00, dc[0]),
+      Ro_10 = KSL_MULF(R->m10, dc[1]) + KSL_MULF(R->m12, dc[0]),
+      Ro_12 = KSL_MULF(R->m12, dc[1]) - KSL_MULF(R->m10, dc[0]),
+      Ro_20 = KSL_MULF(R->m20, dc[1]) + KSL_MULF(R->m22, dc[0]),
+      Ro_22 = KSL_MULF(R->m22, dc[1]) - KSL_MULF(R->m20, dc[0]);
   const float R_m01 = R->m01;
   const float R_m11 = R->m11;
   const float R_m21 = R->m21;
@@ -2009,12 +1840,12 @@ static inline void ksl_product_drdryinvf(const ksl_mat3x3f_t *R, const float dc[
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddryinvf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
-  const float Do_00 = KSL_MULF(D->m00, dc[1]) + KSL_MULF(D->m02, dc[0]);
-  const float Do_02 = KSL_MULF(D->m02, dc[1]) - KSL_MULF(D->m00, dc[0]);
-  const float Do_10 = KSL_MULF(D->m10, dc[1]) + KSL_MULF(D->m12, dc[0]);
-  const float Do_12 = KSL_MULF(D->m12, dc[1]) - KSL_MULF(D->m10, dc[0]);
-  const float Do_20 = KSL_MULF(D->m20, dc[1]) + KSL_MULF(D->m22, dc[0]);
-  const float Do_22 = KSL_MULF(D->m22, dc[1]) - KSL_MULF(D->m20, dc[0]);
+  const float Do_00 = KSL_MULF(D->m00, dc[1]) + KSL_MULF(D->m02, dc[0]),
+      Do_02 = KSL_MULF(D->m02, dc[1]) - KSL_MULF(D->m00, dc[0]),
+      Do_10 = KSL_MULF(D->m10, dc[1]) + KSL_MULF(D->m12, dc[0]),
+      Do_12 = KSL_MULF(D->m12, dc[1]) - KSL_MULF(D->m10, dc[0]),
+      Do_20 = KSL_MULF(D->m20, dc[1]) + KSL_MULF(D->m22, dc[0]),
+      Do_22 = KSL_MULF(D->m22, dc[1]) - KSL_MULF(D->m20, dc[0]);
   const float D_m01 = D->m01;
   const float D_m03 = D->m03;
   const float D_m11 = D->m11;
@@ -2041,9 +1872,8 @@ static inline void ksl_product_ddryinvf(const ksl_SE3f_t *D, const float dc[2], 
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtyinvf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
-  const float Do_03 = D->m03 - KSL_MULF(D->m01, k);
-  const float Do_13 = D->m13 - KSL_MULF(D->m11, k);
-  const float Do_23 = D->m23 - KSL_MULF(D->m21, k);
+  const float Do_03 = D->m03 - KSL_MULF(D->m01, k), Do_13 = D->m13 - KSL_MULF(D->m11, k),
+      Do_23 = D->m23 - KSL_MULF(D->m21, k);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -2072,9 +1902,7 @@ static inline void ksl_product_ddtyinvf(const ksl_SE3f_t *D, const float k, ksl_
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtzf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
-  const float vo_0 = KSL_MULF(R->m02, k);
-  const float vo_1 = KSL_MULF(R->m12, k);
-  const float vo_2 = KSL_MULF(R->m22, k);
+  const float vo_0 = KSL_MULF(R->m02, k), vo_1 = KSL_MULF(R->m12, k), vo_2 = KSL_MULF(R->m22, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -2087,12 +1915,12 @@ static inline void ksl_product_drvtzf(const ksl_mat3x3f_t *R, const float k, ksl
      and underflow. */
 static inline void ksl_product_drdrzf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const float Ro_00 = KSL_MULF(R->m00, dc[1]) + KSL_MULF(R->m01, dc[0]);
-  const float Ro_01 = KSL_MULF(R->m01, dc[1]) - KSL_MULF(R->m00, dc[0]);
-  const float Ro_10 = KSL_MULF(R->m10, dc[1]) + KSL_MULF(R->m11, dc[0]);
-  const float Ro_11 = KSL_MULF(R->m11, dc[1]) - KSL_MULF(R->m10, dc[0]);
-  const float Ro_20 = KSL_MULF(R->m20, dc[1]) + KSL_MULF(R->m21, dc[0]);
-  const float Ro_21 = KSL_MULF(R->m21, dc[1]) - KSL_MULF(R->m20, dc[0]);
+  const float Ro_00 = KSL_MULF(R->m00, dc[1]) + KSL_MULF(R->m01, dc[0]),
+      Ro_01 = KSL_MULF(R->m01, dc[1]) - KSL_MULF(R->m00, dc[0]),
+      Ro_10 = KSL_MULF(R->m10, dc[1]) + KSL_MULF(R->m11, dc[0]),
+      Ro_11 = KSL_MULF(R->m11, dc[1]) - KSL_MULF(R->m10, dc[0]),
+      Ro_20 = KSL_MULF(R->m20, dc[1]) + KSL_MULF(R->m21, dc[0]),
+      Ro_21 = KSL_MULF(R->m21, dc[1]) - KSL_MULF(R->m20, dc[0]);
   const float R_m02 = R->m02;
   const float R_m12 = R->m12;
   const float R_m22 = R->m22;
@@ -2113,12 +1941,12 @@ static inline void ksl_product_drdrzf(const ksl_mat3x3f_t *R, const float dc[2],
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrzf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
-  const float Do_00 = KSL_MULF(D->m00, dc[1]) + KSL_MULF(D->m01, dc[0]);
-  const float Do_01 = KSL_MULF(D->m01, dc[1]) - KSL_MULF(D->m00, dc[0]);
-  const float Do_10 = KSL_MULF(D->m10, dc[1]) + KSL_MULF(D->m11, dc[0]);
-  const float Do_11 = KSL_MULF(D->m11, dc[1]) - KSL_MULF(D->m10, dc[0]);
-  const float Do_20 = KSL_MULF(D->m20, dc[1]) + KSL_MULF(D->m21, dc[0]);
-  const float Do_21 = KSL_MULF(D->m21, dc[1]) - KSL_MULF(D->m20, dc[0]);
+  const float Do_00 = KSL_MULF(D->m00, dc[1]) + KSL_MULF(D->m01, dc[0]),
+      Do_01 = KSL_MULF(D->m01, dc[1]) - KSL_MULF(D->m00, dc[0]),
+      Do_10 = KSL_MULF(D->m10, dc[1]) + KSL_MULF(D->m11, dc[0]),
+      Do_11 = KSL_MULF(D->m11, dc[1]) - KSL_MULF(D->m10, dc[0]),
+      Do_20 = KSL_MULF(D->m20, dc[1]) + KSL_MULF(D->m21, dc[0]),
+      Do_21 = KSL_MULF(D->m21, dc[1]) - KSL_MULF(D->m20, dc[0]);
   const float D_m02 = D->m02;
   const float D_m03 = D->m03;
   const float D_m12 = D->m12;
@@ -2145,9 +1973,8 @@ static inline void ksl_product_ddrzf(const ksl_SE3f_t *D, const float dc[2], ksl
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtzf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
-  const float Do_03 = KSL_MULF(D->m02, k) + D->m03;
-  const float Do_13 = KSL_MULF(D->m12, k) + D->m13;
-  const float Do_23 = KSL_MULF(D->m22, k) + D->m23;
+  const float Do_03 = KSL_MULF(D->m02, k) + D->m03, Do_13 = KSL_MULF(D->m12, k) + D->m13,
+      Do_23 = KSL_MULF(D->m22, k) + D->m23;
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -2176,9 +2003,7 @@ static inline void ksl_product_ddtzf(const ksl_SE3f_t *D, const float k, ksl_SE3
    3 mul, 3 neg.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtzinvf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
-  const float vo_0 = -KSL_MULF(R->m02, k);
-  const float vo_1 = -KSL_MULF(R->m12, k);
-  const float vo_2 = -KSL_MULF(R->m22, k);
+  const float vo_0 = -KSL_MULF(R->m02, k), vo_1 = -KSL_MULF(R->m12, k), vo_2 = -KSL_MULF(R->m22, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -2191,12 +2016,12 @@ static inline void ksl_product_drvtzinvf(const ksl_mat3x3f_t *R, const float k, 
      and underflow. */
 static inline void ksl_product_drdrzinvf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const float Ro_00 = KSL_MULF(R->m00, dc[1]) - KSL_MULF(R->m01, dc[0]);
-  const float Ro_01 = KSL_MULF(R->m00, dc[0]) + KSL_MULF(R->m01, dc[1]);
-  const float Ro_10 = KSL_MULF(R->m10, dc[1]) - KSL_MULF(R->m11, dc[0]);
-  const float Ro_11 = KSL_MULF(R->m10, dc[0]) + KSL_MULF(R->m11, dc[1]);
-  const float Ro_20 = KSL_MULF(R->m20, dc[1]) - KSL_MULF(R->m21, dc[0]);
-  const float Ro_21 = KSL_MULF(R->m20, dc[0]) + KSL_MULF(R->m21, dc[1]);
+  const float Ro_00 = KSL_MULF(R->m00, dc[1]) - KSL_MULF(R->m01, dc[0]),
+      Ro_01 = KSL_MULF(R->m00, dc[0]) + KSL_MULF(R->m01, dc[1]),
+      Ro_10 = KSL_MULF(R->m10, dc[1]) - KSL_MULF(R->m11, dc[0]),
+      Ro_11 = KSL_MULF(R->m10, dc[0]) + KSL_MULF(R->m11, dc[1]),
+      Ro_20 = KSL_MULF(R->m20, dc[1]) - KSL_MULF(R->m21, dc[0]),
+      Ro_21 = KSL_MULF(R->m20, dc[0]) + KSL_MULF(R->m21, dc[1]);
   const float R_m02 = R->m02;
   const float R_m12 = R->m12;
   const float R_m22 = R->m22;
@@ -2217,12 +2042,12 @@ static inline void ksl_product_drdrzinvf(const ksl_mat3x3f_t *R, const float dc[
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrzinvf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
-  const float Do_00 = KSL_MULF(D->m00, dc[1]) - KSL_MULF(D->m01, dc[0]);
-  const float Do_01 = KSL_MULF(D->m00, dc[0]) + KSL_MULF(D->m01, dc[1]);
-  const float Do_10 = KSL_MULF(D->m10, dc[1]) - KSL_MULF(D->m11, dc[0]);
-  const float Do_11 = KSL_MULF(D->m10, dc[0]) + KSL_MULF(D->m11, dc[1]);
-  const float Do_20 = KSL_MULF(D->m20, dc[1]) - KSL_MULF(D->m21, dc[0]);
-  const float Do_21 = KSL_MULF(D->m20, dc[0]) + KSL_MULF(D->m21, dc[1]);
+  const float Do_00 = KSL_MULF(D->m00, dc[1]) - KSL_MULF(D->m01, dc[0]),
+      Do_01 = KSL_MULF(D->m00, dc[0]) + KSL_MULF(D->m01, dc[1]),
+      Do_10 = KSL_MULF(D->m10, dc[1]) - KSL_MULF(D->m11, dc[0]),
+      Do_11 = KSL_MULF(D->m10, dc[0]) + KSL_MULF(D->m11, dc[1]),
+      Do_20 = KSL_MULF(D->m20, dc[1]) - KSL_MULF(D->m21, dc[0]),
+      Do_21 = KSL_MULF(D->m20, dc[0]) + KSL_MULF(D->m21, dc[1]);
   const float D_m02 = D->m02;
   const float D_m03 = D->m03;
   const float D_m12 = D->m12;
@@ -2249,9 +2074,8 @@ static inline void ksl_product_ddrzinvf(const ksl_SE3f_t *D, const float dc[2], 
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtzinvf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
-  const float Do_03 = D->m03 - KSL_MULF(D->m02, k);
-  const float Do_13 = D->m13 - KSL_MULF(D->m12, k);
-  const float Do_23 = D->m23 - KSL_MULF(D->m22, k);
+  const float Do_03 = D->m03 - KSL_MULF(D->m02, k), Do_13 = D->m13 - KSL_MULF(D->m12, k),
+      Do_23 = D->m23 - KSL_MULF(D->m22, k);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;

@@ -32,11 +32,11 @@ static inline void ksl_product_drv_accurate(const ksl_mat3x3_t *R, const ksl_vec
           + ksl_product_rest(R->m21, v->y, vo_2b, vo_2c_right);
   const double vo_0_rounded = vo_0
           + (vo_0c - (vo_0 - vo_0_right) + ksl_product_rest(R->m02, v->z, vo_0d, vo_0_right)
-          + vo_0c_lo);
-  const double vo_1_rounded = vo_1
+          + vo_0c_lo),
+      vo_1_rounded = vo_1
           + (vo_1c - (vo_1 - vo_1_right) + ksl_product_rest(R->m12, v->z, vo_1d, vo_1_right)
-          + vo_1c_lo);
-  const double vo_2_rounded = vo_2
+          + vo_1c_lo),
+      vo_2_rounded = vo_2
           + (vo_2c - (vo_2 - vo_2_right) + ksl_product_rest(R->m22, v->z, vo_2d, vo_2_right)
           + vo_2c_lo);
   vo->x = vo_0_rounded;
@@ -68,11 +68,11 @@ static inline void ksl_product_drvinv_accurate(const ksl_mat3x3_t *R, const ksl_
           + ksl_product_rest(R->m21, v->y, vo_2b, vo_2c_right), vo_2 = -vo_2e;
   const double vo_0_rounded = vo_0 +
           -(vo_0c - (vo_0e - vo_0e_right) + ksl_product_rest(R->m02, v->z, vo_0d, vo_0e_right)
-          + vo_0c_lo);
-  const double vo_1_rounded = vo_1 +
+          + vo_0c_lo),
+      vo_1_rounded = vo_1 +
           -(vo_1c - (vo_1e - vo_1e_right) + ksl_product_rest(R->m12, v->z, vo_1d, vo_1e_right)
-          + vo_1c_lo);
-  const double vo_2_rounded = vo_2 +
+          + vo_1c_lo),
+      vo_2_rounded = vo_2 +
           -(vo_2c - (vo_2e - vo_2e_right) + ksl_product_rest(R->m22, v->z, vo_2d, vo_2e_right)
           + vo_2c_lo);
   vo->x = vo_0_rounded;
@@ -104,11 +104,11 @@ static inline void ksl_product_drinvv_accurate(const ksl_mat3x3_t *R, const ksl_
           + ksl_product_rest(R->m12, v->y, vo_2b, vo_2c_right);
   const double vo_0_rounded = vo_0
           + (vo_0c - (vo_0 - vo_0_right) + ksl_product_rest(R->m20, v->z, vo_0d, vo_0_right)
-          + vo_0c_lo);
-  const double vo_1_rounded = vo_1
+          + vo_0c_lo),
+      vo_1_rounded = vo_1
           + (vo_1c - (vo_1 - vo_1_right) + ksl_product_rest(R->m21, v->z, vo_1d, vo_1_right)
-          + vo_1c_lo);
-  const double vo_2_rounded = vo_2
+          + vo_1c_lo),
+      vo_2_rounded = vo_2
           + (vo_2c - (vo_2 - vo_2_right) + ksl_product_rest(R->m22, v->z, vo_2d, vo_2_right)
           + vo_2c_lo);
   vo->x = vo_0_rounded;
@@ -140,11 +140,11 @@ static inline void ksl_product_drinvvinv_accurate(const ksl_mat3x3_t *R, const k
           + ksl_product_rest(R->m12, v->y, vo_2b, vo_2c_right), vo_2 = -vo_2e;
   const double vo_0_rounded = vo_0 +
           -(vo_0c - (vo_0e - vo_0e_right) + ksl_product_rest(R->m20, v->z, vo_0d, vo_0e_right)
-          + vo_0c_lo);
-  const double vo_1_rounded = vo_1 +
+          + vo_0c_lo),
+      vo_1_rounded = vo_1 +
           -(vo_1c - (vo_1e - vo_1e_right) + ksl_product_rest(R->m21, v->z, vo_1d, vo_1e_right)
-          + vo_1c_lo);
-  const double vo_2_rounded = vo_2 +
+          + vo_1c_lo),
+      vo_2_rounded = vo_2 +
           -(vo_2c - (vo_2e - vo_2e_right) + ksl_product_rest(R->m22, v->z, vo_2d, vo_2e_right)
           + vo_2c_lo);
   vo->x = vo_0_rounded;
@@ -184,11 +184,9 @@ static inline void ksl_product_dv_accurate(const ksl_SE3_t *D, const ksl_vec3_t 
       vo_2e_lo = vo_2c - (vo_2e - vo_2e_right) + ksl_product_rest(D->m22, v->z, vo_2d, vo_2e_right)
           + vo_2c_lo;
   const double vo_0_rounded = vo_0
-          + (vo_0e - (vo_0 - vo_0_right) + (D->m03 - vo_0_right) + vo_0e_lo);
-  const double vo_1_rounded = vo_1
-          + (vo_1e - (vo_1 - vo_1_right) + (D->m13 - vo_1_right) + vo_1e_lo);
-  const double vo_2_rounded = vo_2
-          + (vo_2e - (vo_2 - vo_2_right) + (D->m23 - vo_2_right) + vo_2e_lo);
+          + (vo_0e - (vo_0 - vo_0_right) + (D->m03 - vo_0_right) + vo_0e_lo),
+      vo_1_rounded = vo_1 + (vo_1e - (vo_1 - vo_1_right) + (D->m13 - vo_1_right) + vo_1e_lo),
+      vo_2_rounded = vo_2 + (vo_2e - (vo_2 - vo_2_right) + (D->m23 - vo_2_right) + vo_2e_lo);
   vo->x = vo_0_rounded;
   vo->y = vo_1_rounded;
   vo->z = vo_2_rounded;
@@ -229,10 +227,10 @@ static inline void ksl_product_dinvv_accurate(const ksl_SE3_t *D, const ksl_vec3
       vo_2_lo2 = vo_2c - (vo_2 - vo_2_right) + ksl_product_rest(D->m22, p_2, vo_2d, vo_2_right)
           + KSL_MUL(D->m22, p_2_lo);
   const double vo_0_rounded = vo_0
-          + (vo_0_lo2 + (vo_0c_lo1 + (KSL_MUL(D->m00, p_0_lo) + KSL_MUL(D->m10, p_1_lo))));
-  const double vo_1_rounded = vo_1
-          + (vo_1_lo2 + (vo_1c_lo1 + (KSL_MUL(D->m01, p_0_lo) + KSL_MUL(D->m11, p_1_lo))));
-  const double vo_2_rounded = vo_2
+          + (vo_0_lo2 + (vo_0c_lo1 + (KSL_MUL(D->m00, p_0_lo) + KSL_MUL(D->m10, p_1_lo)))),
+      vo_1_rounded = vo_1
+          + (vo_1_lo2 + (vo_1c_lo1 + (KSL_MUL(D->m01, p_0_lo) + KSL_MUL(D->m11, p_1_lo)))),
+      vo_2_rounded = vo_2
           + (vo_2_lo2 + (vo_2c_lo1 + (KSL_MUL(D->m02, p_0_lo) + KSL_MUL(D->m12, p_1_lo))));
   vo->x = vo_0_rounded;
   vo->y = vo_1_rounded;
@@ -293,29 +291,29 @@ static inline void ksl_product_drdr_accurate(const ksl_mat3x3_t *R1, const ksl_m
           + ksl_product_rest(R1->m21, R2->m12, Ro_22b, Ro_22c_right);
   const double Ro_00_rounded = Ro_00
           + (Ro_00c - (Ro_00 - Ro_00_right)
-          + ksl_product_rest(R1->m02, R2->m20, Ro_00d, Ro_00_right) + Ro_00c_lo);
-  const double Ro_01_rounded = Ro_01
+          + ksl_product_rest(R1->m02, R2->m20, Ro_00d, Ro_00_right) + Ro_00c_lo),
+      Ro_01_rounded = Ro_01
           + (Ro_01c - (Ro_01 - Ro_01_right)
-          + ksl_product_rest(R1->m02, R2->m21, Ro_01d, Ro_01_right) + Ro_01c_lo);
-  const double Ro_02_rounded = Ro_02
+          + ksl_product_rest(R1->m02, R2->m21, Ro_01d, Ro_01_right) + Ro_01c_lo),
+      Ro_02_rounded = Ro_02
           + (Ro_02c - (Ro_02 - Ro_02_right)
-          + ksl_product_rest(R1->m02, R2->m22, Ro_02d, Ro_02_right) + Ro_02c_lo);
-  const double Ro_10_rounded = Ro_10
+          + ksl_product_rest(R1->m02, R2->m22, Ro_02d, Ro_02_right) + Ro_02c_lo),
+      Ro_10_rounded = Ro_10
           + (Ro_10c - (Ro_10 - Ro_10_right)
-          + ksl_product_rest(R1->m12, R2->m20, Ro_10d, Ro_10_right) + Ro_10c_lo);
-  const double Ro_11_rounded = Ro_11
+          + ksl_product_rest(R1->m12, R2->m20, Ro_10d, Ro_10_right) + Ro_10c_lo),
+      Ro_11_rounded = Ro_11
           + (Ro_11c - (Ro_11 - Ro_11_right)
-          + ksl_product_rest(R1->m12, R2->m21, Ro_11d, Ro_11_right) + Ro_11c_lo);
-  const double Ro_12_rounded = Ro_12
+          + ksl_product_rest(R1->m12, R2->m21, Ro_11d, Ro_11_right) + Ro_11c_lo),
+      Ro_12_rounded = Ro_12
           + (Ro_12c - (Ro_12 - Ro_12_right)
-          + ksl_product_rest(R1->m12, R2->m22, Ro_12d, Ro_12_right) + Ro_12c_lo);
-  const double Ro_20_rounded = Ro_20
+          + ksl_product_rest(R1->m12, R2->m22, Ro_12d, Ro_12_right) + Ro_12c_lo),
+      Ro_20_rounded = Ro_20
           + (Ro_20c - (Ro_20 - Ro_20_right)
-          + ksl_product_rest(R1->m22, R2->m20, Ro_20d, Ro_20_right) + Ro_20c_lo);
-  const double Ro_21_rounded = Ro_21
+          + ksl_product_rest(R1->m22, R2->m20, Ro_20d, Ro_20_right) + Ro_20c_lo),
+      Ro_21_rounded = Ro_21
           + (Ro_21c - (Ro_21 - Ro_21_right)
-          + ksl_product_rest(R1->m22, R2->m21, Ro_21d, Ro_21_right) + Ro_21c_lo);
-  const double Ro_22_rounded = Ro_22
+          + ksl_product_rest(R1->m22, R2->m21, Ro_21d, Ro_21_right) + Ro_21c_lo),
+      Ro_22_rounded = Ro_22
           + (Ro_22c - (Ro_22 - Ro_22_right)
           + ksl_product_rest(R1->m22, R2->m22, Ro_22d, Ro_22_right) + Ro_22c_lo);
   Ro->m00 = Ro_00_rounded;
@@ -383,29 +381,29 @@ static inline void ksl_product_drdrinv_accurate(const ksl_mat3x3_t *R1, const ks
           + ksl_product_rest(R1->m21, R2->m21, Ro_22b, Ro_22c_right);
   const double Ro_00_rounded = Ro_00
           + (Ro_00c - (Ro_00 - Ro_00_right)
-          + ksl_product_rest(R1->m02, R2->m02, Ro_00d, Ro_00_right) + Ro_00c_lo);
-  const double Ro_01_rounded = Ro_01
+          + ksl_product_rest(R1->m02, R2->m02, Ro_00d, Ro_00_right) + Ro_00c_lo),
+      Ro_01_rounded = Ro_01
           + (Ro_01c - (Ro_01 - Ro_01_right)
-          + ksl_product_rest(R1->m02, R2->m12, Ro_01d, Ro_01_right) + Ro_01c_lo);
-  const double Ro_02_rounded = Ro_02
+          + ksl_product_rest(R1->m02, R2->m12, Ro_01d, Ro_01_right) + Ro_01c_lo),
+      Ro_02_rounded = Ro_02
           + (Ro_02c - (Ro_02 - Ro_02_right)
-          + ksl_product_rest(R1->m02, R2->m22, Ro_02d, Ro_02_right) + Ro_02c_lo);
-  const double Ro_10_rounded = Ro_10
+          + ksl_product_rest(R1->m02, R2->m22, Ro_02d, Ro_02_right) + Ro_02c_lo),
+      Ro_10_rounded = Ro_10
           + (Ro_10c - (Ro_10 - Ro_10_right)
-          + ksl_product_rest(R1->m12, R2->m02, Ro_10d, Ro_10_right) + Ro_10c_lo);
-  const double Ro_11_rounded = Ro_11
+          + ksl_product_rest(R1->m12, R2->m02, Ro_10d, Ro_10_right) + Ro_10c_lo),
+      Ro_11_rounded = Ro_11
           + (Ro_11c - (Ro_11 - Ro_11_right)
-          + ksl_product_rest(R1->m12, R2->m12, Ro_11d, Ro_11_right) + Ro_11c_lo);
-  const double Ro_12_rounded = Ro_12
+          + ksl_product_rest(R1->m12, R2->m12, Ro_11d, Ro_11_right) + Ro_11c_lo),
+      Ro_12_rounded = Ro_12
           + (Ro_12c - (Ro_12 - Ro_12_right)
-          + ksl_product_rest(R1->m12, R2->m22, Ro_12d, Ro_12_right) + Ro_12c_lo);
-  const double Ro_20_rounded = Ro_20
+          + ksl_product_rest(R1->m12, R2->m22, Ro_12d, Ro_12_right) + Ro_12c_lo),
+      Ro_20_rounded = Ro_20
           + (Ro_20c - (Ro_20 - Ro_20_right)
-          + ksl_product_rest(R1->m22, R2->m02, Ro_20d, Ro_20_right) + Ro_20c_lo);
-  const double Ro_21_rounded = Ro_21
+          + ksl_product_rest(R1->m22, R2->m02, Ro_20d, Ro_20_right) + Ro_20c_lo),
+      Ro_21_rounded = Ro_21
           + (Ro_21c - (Ro_21 - Ro_21_right)
-          + ksl_product_rest(R1->m22, R2->m12, Ro_21d, Ro_21_right) + Ro_21c_lo);
-  const double Ro_22_rounded = Ro_22
+          + ksl_product_rest(R1->m22, R2->m12, Ro_21d, Ro_21_right) + Ro_21c_lo),
+      Ro_22_rounded = Ro_22
           + (Ro_22c - (Ro_22 - Ro_22_right)
           + ksl_product_rest(R1->m22, R2->m22, Ro_22d, Ro_22_right) + Ro_22c_lo);
   Ro->m00 = Ro_00_rounded;
@@ -473,29 +471,29 @@ static inline void ksl_product_drinvdr_accurate(const ksl_mat3x3_t *R1, const ks
           + ksl_product_rest(R1->m12, R2->m12, Ro_22b, Ro_22c_right);
   const double Ro_00_rounded = Ro_00
           + (Ro_00c - (Ro_00 - Ro_00_right)
-          + ksl_product_rest(R1->m20, R2->m20, Ro_00d, Ro_00_right) + Ro_00c_lo);
-  const double Ro_01_rounded = Ro_01
+          + ksl_product_rest(R1->m20, R2->m20, Ro_00d, Ro_00_right) + Ro_00c_lo),
+      Ro_01_rounded = Ro_01
           + (Ro_01c - (Ro_01 - Ro_01_right)
-          + ksl_product_rest(R1->m20, R2->m21, Ro_01d, Ro_01_right) + Ro_01c_lo);
-  const double Ro_02_rounded = Ro_02
+          + ksl_product_rest(R1->m20, R2->m21, Ro_01d, Ro_01_right) + Ro_01c_lo),
+      Ro_02_rounded = Ro_02
           + (Ro_02c - (Ro_02 - Ro_02_right)
-          + ksl_product_rest(R1->m20, R2->m22, Ro_02d, Ro_02_right) + Ro_02c_lo);
-  const double Ro_10_rounded = Ro_10
+          + ksl_product_rest(R1->m20, R2->m22, Ro_02d, Ro_02_right) + Ro_02c_lo),
+      Ro_10_rounded = Ro_10
           + (Ro_10c - (Ro_10 - Ro_10_right)
-          + ksl_product_rest(R1->m21, R2->m20, Ro_10d, Ro_10_right) + Ro_10c_lo);
-  const double Ro_11_rounded = Ro_11
+          + ksl_product_rest(R1->m21, R2->m20, Ro_10d, Ro_10_right) + Ro_10c_lo),
+      Ro_11_rounded = Ro_11
           + (Ro_11c - (Ro_11 - Ro_11_right)
-          + ksl_product_rest(R1->m21, R2->m21, Ro_11d, Ro_11_right) + Ro_11c_lo);
-  const double Ro_12_rounded = Ro_12
+          + ksl_product_rest(R1->m21, R2->m21, Ro_11d, Ro_11_right) + Ro_11c_lo),
+      Ro_12_rounded = Ro_12
           + (Ro_12c - (Ro_12 - Ro_12_right)
-          + ksl_product_rest(R1->m21, R2->m22, Ro_12d, Ro_12_right) + Ro_12c_lo);
-  const double Ro_20_rounded = Ro_20
+          + ksl_product_rest(R1->m21, R2->m22, Ro_12d, Ro_12_right) + Ro_12c_lo),
+      Ro_20_rounded = Ro_20
           + (Ro_20c - (Ro_20 - Ro_20_right)
-          + ksl_product_rest(R1->m22, R2->m20, Ro_20d, Ro_20_right) + Ro_20c_lo);
-  const double Ro_21_rounded = Ro_21
+          + ksl_product_rest(R1->m22, R2->m20, Ro_20d, Ro_20_right) + Ro_20c_lo),
+      Ro_21_rounded = Ro_21
           + (Ro_21c - (Ro_21 - Ro_21_right)
-          + ksl_product_rest(R1->m22, R2->m21, Ro_21d, Ro_21_right) + Ro_21c_lo);
-  const double Ro_22_rounded = Ro_22
+          + ksl_product_rest(R1->m22, R2->m21, Ro_21d, Ro_21_right) + Ro_21c_lo),
+      Ro_22_rounded = Ro_22
           + (Ro_22c - (Ro_22 - Ro_22_right)
           + ksl_product_rest(R1->m22, R2->m22, Ro_22d, Ro_22_right) + Ro_22c_lo);
   Ro->m00 = Ro_00_rounded;
@@ -587,36 +585,36 @@ static inline void ksl_product_dd_accurate(const ksl_SE3_t *D1, const ksl_SE3_t 
           + ksl_product_rest(D1->m22, D2->m23, Do_23d, Do_23e_right) + Do_23c_lo;
   const double Do_00_rounded = Do_00
           + (Do_00c - (Do_00 - Do_00_right)
-          + ksl_product_rest(D1->m02, D2->m20, Do_00d, Do_00_right) + Do_00c_lo);
-  const double Do_01_rounded = Do_01
+          + ksl_product_rest(D1->m02, D2->m20, Do_00d, Do_00_right) + Do_00c_lo),
+      Do_01_rounded = Do_01
           + (Do_01c - (Do_01 - Do_01_right)
-          + ksl_product_rest(D1->m02, D2->m21, Do_01d, Do_01_right) + Do_01c_lo);
-  const double Do_02_rounded = Do_02
+          + ksl_product_rest(D1->m02, D2->m21, Do_01d, Do_01_right) + Do_01c_lo),
+      Do_02_rounded = Do_02
           + (Do_02c - (Do_02 - Do_02_right)
-          + ksl_product_rest(D1->m02, D2->m22, Do_02d, Do_02_right) + Do_02c_lo);
-  const double Do_03_rounded = Do_03
-          + (Do_03e - (Do_03 - Do_03_right) + (D1->m03 - Do_03_right) + Do_03e_lo);
-  const double Do_10_rounded = Do_10
+          + ksl_product_rest(D1->m02, D2->m22, Do_02d, Do_02_right) + Do_02c_lo),
+      Do_03_rounded = Do_03
+          + (Do_03e - (Do_03 - Do_03_right) + (D1->m03 - Do_03_right) + Do_03e_lo),
+      Do_10_rounded = Do_10
           + (Do_10c - (Do_10 - Do_10_right)
-          + ksl_product_rest(D1->m12, D2->m20, Do_10d, Do_10_right) + Do_10c_lo);
-  const double Do_11_rounded = Do_11
+          + ksl_product_rest(D1->m12, D2->m20, Do_10d, Do_10_right) + Do_10c_lo),
+      Do_11_rounded = Do_11
           + (Do_11c - (Do_11 - Do_11_right)
-          + ksl_product_rest(D1->m12, D2->m21, Do_11d, Do_11_right) + Do_11c_lo);
-  const double Do_12_rounded = Do_12
+          + ksl_product_rest(D1->m12, D2->m21, Do_11d, Do_11_right) + Do_11c_lo),
+      Do_12_rounded = Do_12
           + (Do_12c - (Do_12 - Do_12_right)
-          + ksl_product_rest(D1->m12, D2->m22, Do_12d, Do_12_right) + Do_12c_lo);
-  const double Do_13_rounded = Do_13
-          + (Do_13e - (Do_13 - Do_13_right) + (D1->m13 - Do_13_right) + Do_13e_lo);
-  const double Do_20_rounded = Do_20
+          + ksl_product_rest(D1->m12, D2->m22, Do_12d, Do_12_right) + Do_12c_lo),
+      Do_13_rounded = Do_13
+          + (Do_13e - (Do_13 - Do_13_right) + (D1->m13 - Do_13_right) + Do_13e_lo),
+      Do_20_rounded = Do_20
           + (Do_20c - (Do_20 - Do_20_right)
-          + ksl_product_rest(D1->m22, D2->m20, Do_20d, Do_20_right) + Do_20c_lo);
-  const double Do_21_rounded = Do_21
+          + ksl_product_rest(D1->m22, D2->m20, Do_20d, Do_20_right) + Do_20c_lo),
+      Do_21_rounded = Do_21
           + (Do_21c - (Do_21 - Do_21_right)
-          + ksl_product_rest(D1->m22, D2->m21, Do_21d, Do_21_right) + Do_21c_lo);
-  const double Do_22_rounded = Do_22
+          + ksl_product_rest(D1->m22, D2->m21, Do_21d, Do_21_right) + Do_21c_lo),
+      Do_22_rounded = Do_22
           + (Do_22c - (Do_22 - Do_22_right)
-          + ksl_product_rest(D1->m22, D2->m22, Do_22d, Do_22_right) + Do_22c_lo);
-  const double Do_23_rounded = Do_23
+          + ksl_product_rest(D1->m22, D2->m22, Do_22d, Do_22_right) + Do_22c_lo),
+      Do_23_rounded = Do_23
           + (Do_23e - (Do_23 - Do_23_right) + (D1->m23 - Do_23_right) + Do_23e_lo);
   Do->m00 = Do_00_rounded;
   Do->m01 = Do_01_rounded;
@@ -729,19 +727,13 @@ static inline void ksl_product_ddinv_accurate(const ksl_SE3_t *D1, const ksl_SE3
           + ksl_product_rest(D2->m23, R_8, Do_23d, Do_23e_right) + KSL_MUL(D2->m23, R_8_lo),
       Do_23 = D1->m23 - Do_23e, Do_23_right = D1->m23 - Do_23,
       Do_23e_lo = Do_23e_lo2 + (Do_23c_lo1 + (KSL_MUL(D2->m03, R_6_lo) + KSL_MUL(D2->m13, R_7_lo)));
-  const double R_0_rounded = R_0 + R_0_lo;
-  const double R_1_rounded = R_1 + R_1_lo;
-  const double R_2_rounded = R_2 + R_2_lo;
+  const double R_0_rounded = R_0 + R_0_lo, R_1_rounded = R_1 + R_1_lo, R_2_rounded = R_2 + R_2_lo;
   const double Do_03_rounded = Do_03
           + (D1->m03 - (Do_03 + Do_03_right) - (Do_03e - Do_03_right) - Do_03e_lo);
-  const double R_3_rounded = R_3 + R_3_lo;
-  const double R_4_rounded = R_4 + R_4_lo;
-  const double R_5_rounded = R_5 + R_5_lo;
+  const double R_3_rounded = R_3 + R_3_lo, R_4_rounded = R_4 + R_4_lo, R_5_rounded = R_5 + R_5_lo;
   const double Do_13_rounded = Do_13
           + (D1->m13 - (Do_13 + Do_13_right) - (Do_13e - Do_13_right) - Do_13e_lo);
-  const double R_6_rounded = R_6 + R_6_lo;
-  const double R_7_rounded = R_7 + R_7_lo;
-  const double R_8_rounded = R_8 + R_8_lo;
+  const double R_6_rounded = R_6 + R_6_lo, R_7_rounded = R_7 + R_7_lo, R_8_rounded = R_8 + R_8_lo;
   const double Do_23_rounded = Do_23
           + (D1->m23 - (Do_23 + Do_23_right) - (Do_23e - Do_23_right) - Do_23e_lo);
   Do->m00 = R_0_rounded;
@@ -839,36 +831,36 @@ static inline void ksl_product_dinvd_accurate(const ksl_SE3_t *D1, const ksl_SE3
           + ksl_product_rest(D1->m22, p_2, Do_23d, Do_23_right) + KSL_MUL(D1->m22, p_2_lo);
   const double Do_00_rounded = Do_00
           + (Do_00c - (Do_00 - Do_00_right)
-          + ksl_product_rest(D1->m20, D2->m20, Do_00d, Do_00_right) + Do_00c_lo);
-  const double Do_01_rounded = Do_01
+          + ksl_product_rest(D1->m20, D2->m20, Do_00d, Do_00_right) + Do_00c_lo),
+      Do_01_rounded = Do_01
           + (Do_01c - (Do_01 - Do_01_right)
-          + ksl_product_rest(D1->m20, D2->m21, Do_01d, Do_01_right) + Do_01c_lo);
-  const double Do_02_rounded = Do_02
+          + ksl_product_rest(D1->m20, D2->m21, Do_01d, Do_01_right) + Do_01c_lo),
+      Do_02_rounded = Do_02
           + (Do_02c - (Do_02 - Do_02_right)
-          + ksl_product_rest(D1->m20, D2->m22, Do_02d, Do_02_right) + Do_02c_lo);
-  const double Do_03_rounded = Do_03
-          + (Do_03_lo2 + (Do_03c_lo1 + (KSL_MUL(D1->m00, p_0_lo) + KSL_MUL(D1->m10, p_1_lo))));
-  const double Do_10_rounded = Do_10
+          + ksl_product_rest(D1->m20, D2->m22, Do_02d, Do_02_right) + Do_02c_lo),
+      Do_03_rounded = Do_03
+          + (Do_03_lo2 + (Do_03c_lo1 + (KSL_MUL(D1->m00, p_0_lo) + KSL_MUL(D1->m10, p_1_lo)))),
+      Do_10_rounded = Do_10
           + (Do_10c - (Do_10 - Do_10_right)
-          + ksl_product_rest(D1->m21, D2->m20, Do_10d, Do_10_right) + Do_10c_lo);
-  const double Do_11_rounded = Do_11
+          + ksl_product_rest(D1->m21, D2->m20, Do_10d, Do_10_right) + Do_10c_lo),
+      Do_11_rounded = Do_11
           + (Do_11c - (Do_11 - Do_11_right)
-          + ksl_product_rest(D1->m21, D2->m21, Do_11d, Do_11_right) + Do_11c_lo);
-  const double Do_12_rounded = Do_12
+          + ksl_product_rest(D1->m21, D2->m21, Do_11d, Do_11_right) + Do_11c_lo),
+      Do_12_rounded = Do_12
           + (Do_12c - (Do_12 - Do_12_right)
-          + ksl_product_rest(D1->m21, D2->m22, Do_12d, Do_12_right) + Do_12c_lo);
-  const double Do_13_rounded = Do_13
-          + (Do_13_lo2 + (Do_13c_lo1 + (KSL_MUL(D1->m01, p_0_lo) + KSL_MUL(D1->m11, p_1_lo))));
-  const double Do_20_rounded = Do_20
+          + ksl_product_rest(D1->m21, D2->m22, Do_12d, Do_12_right) + Do_12c_lo),
+      Do_13_rounded = Do_13
+          + (Do_13_lo2 + (Do_13c_lo1 + (KSL_MUL(D1->m01, p_0_lo) + KSL_MUL(D1->m11, p_1_lo)))),
+      Do_20_rounded = Do_20
           + (Do_20c - (Do_20 - Do_20_right)
-          + ksl_product_rest(D1->m22, D2->m20, Do_20d, Do_20_right) + Do_20c_lo);
-  const double Do_21_rounded = Do_21
+          + ksl_product_rest(D1->m22, D2->m20, Do_20d, Do_20_right) + Do_20c_lo),
+      Do_21_rounded = Do_21
           + (Do_21c - (Do_21 - Do_21_right)
-          + ksl_product_rest(D1->m22, D2->m21, Do_21d, Do_21_right) + Do_21c_lo);
-  const double Do_22_rounded = Do_22
+          + ksl_product_rest(D1->m22, D2->m21, Do_21d, Do_21_right) + Do_21c_lo),
+      Do_22_rounded = Do_22
           + (Do_22c - (Do_22 - Do_22_right)
-          + ksl_product_rest(D1->m22, D2->m22, Do_22d, Do_22_right) + Do_22c_lo);
-  const double Do_23_rounded = Do_23
+          + ksl_product_rest(D1->m22, D2->m22, Do_22d, Do_22_right) + Do_22c_lo),
+      Do_23_rounded = Do_23
           + (Do_23_lo2 + (Do_23c_lo1 + (KSL_MUL(D1->m02, p_0_lo) + KSL_MUL(D1->m12, p_1_lo))));
   Do->m00 = Do_00_rounded;
   Do->m01 = Do_01_rounded;
@@ -938,29 +930,29 @@ static inline void ksl_product_ddr_accurate(const ksl_SE3_t *D, const ksl_mat3x3
           + ksl_product_rest(D->m21, R->m12, Do_22b, Do_22c_right);
   const double Do_00_rounded = Do_00
           + (Do_00c - (Do_00 - Do_00_right) + ksl_product_rest(D->m02, R->m20, Do_00d, Do_00_right)
-          + Do_00c_lo);
-  const double Do_01_rounded = Do_01
+          + Do_00c_lo),
+      Do_01_rounded = Do_01
           + (Do_01c - (Do_01 - Do_01_right) + ksl_product_rest(D->m02, R->m21, Do_01d, Do_01_right)
-          + Do_01c_lo);
-  const double Do_02_rounded = Do_02
+          + Do_01c_lo),
+      Do_02_rounded = Do_02
           + (Do_02c - (Do_02 - Do_02_right) + ksl_product_rest(D->m02, R->m22, Do_02d, Do_02_right)
-          + Do_02c_lo);
-  const double Do_10_rounded = Do_10
+          + Do_02c_lo),
+      Do_10_rounded = Do_10
           + (Do_10c - (Do_10 - Do_10_right) + ksl_product_rest(D->m12, R->m20, Do_10d, Do_10_right)
-          + Do_10c_lo);
-  const double Do_11_rounded = Do_11
+          + Do_10c_lo),
+      Do_11_rounded = Do_11
           + (Do_11c - (Do_11 - Do_11_right) + ksl_product_rest(D->m12, R->m21, Do_11d, Do_11_right)
-          + Do_11c_lo);
-  const double Do_12_rounded = Do_12
+          + Do_11c_lo),
+      Do_12_rounded = Do_12
           + (Do_12c - (Do_12 - Do_12_right) + ksl_product_rest(D->m12, R->m22, Do_12d, Do_12_right)
-          + Do_12c_lo);
-  const double Do_20_rounded = Do_20
+          + Do_12c_lo),
+      Do_20_rounded = Do_20
           + (Do_20c - (Do_20 - Do_20_right) + ksl_product_rest(D->m22, R->m20, Do_20d, Do_20_right)
-          + Do_20c_lo);
-  const double Do_21_rounded = Do_21
+          + Do_20c_lo),
+      Do_21_rounded = Do_21
           + (Do_21c - (Do_21 - Do_21_right) + ksl_product_rest(D->m22, R->m21, Do_21d, Do_21_right)
-          + Do_21c_lo);
-  const double Do_22_rounded = Do_22
+          + Do_21c_lo),
+      Do_22_rounded = Do_22
           + (Do_22c - (Do_22 - Do_22_right) + ksl_product_rest(D->m22, R->m22, Do_22d, Do_22_right)
           + Do_22c_lo);
   const double D_m03 = D->m03;
@@ -1034,29 +1026,29 @@ static inline void ksl_product_ddrinv_accurate(const ksl_SE3_t *D, const ksl_mat
           + ksl_product_rest(D->m21, R->m21, Do_22b, Do_22c_right);
   const double Do_00_rounded = Do_00
           + (Do_00c - (Do_00 - Do_00_right) + ksl_product_rest(D->m02, R->m02, Do_00d, Do_00_right)
-          + Do_00c_lo);
-  const double Do_01_rounded = Do_01
+          + Do_00c_lo),
+      Do_01_rounded = Do_01
           + (Do_01c - (Do_01 - Do_01_right) + ksl_product_rest(D->m02, R->m12, Do_01d, Do_01_right)
-          + Do_01c_lo);
-  const double Do_02_rounded = Do_02
+          + Do_01c_lo),
+      Do_02_rounded = Do_02
           + (Do_02c - (Do_02 - Do_02_right) + ksl_product_rest(D->m02, R->m22, Do_02d, Do_02_right)
-          + Do_02c_lo);
-  const double Do_10_rounded = Do_10
+          + Do_02c_lo),
+      Do_10_rounded = Do_10
           + (Do_10c - (Do_10 - Do_10_right) + ksl_product_rest(D->m12, R->m02, Do_10d, Do_10_right)
-          + Do_10c_lo);
-  const double Do_11_rounded = Do_11
+          + Do_10c_lo),
+      Do_11_rounded = Do_11
           + (Do_11c - (Do_11 - Do_11_right) + ksl_product_rest(D->m12, R->m12, Do_11d, Do_11_right)
-          + Do_11c_lo);
-  const double Do_12_rounded = Do_12
+          + Do_11c_lo),
+      Do_12_rounded = Do_12
           + (Do_12c - (Do_12 - Do_12_right) + ksl_product_rest(D->m12, R->m22, Do_12d, Do_12_right)
-          + Do_12c_lo);
-  const double Do_20_rounded = Do_20
+          + Do_12c_lo),
+      Do_20_rounded = Do_20
           + (Do_20c - (Do_20 - Do_20_right) + ksl_product_rest(D->m22, R->m02, Do_20d, Do_20_right)
-          + Do_20c_lo);
-  const double Do_21_rounded = Do_21
+          + Do_20c_lo),
+      Do_21_rounded = Do_21
           + (Do_21c - (Do_21 - Do_21_right) + ksl_product_rest(D->m22, R->m12, Do_21d, Do_21_right)
-          + Do_21c_lo);
-  const double Do_22_rounded = Do_22
+          + Do_21c_lo),
+      Do_22_rounded = Do_22
           + (Do_22c - (Do_22 - Do_22_right) + ksl_product_rest(D->m22, R->m22, Do_22d, Do_22_right)
           + Do_22c_lo);
   const double D_m03 = D->m03;
@@ -1108,11 +1100,9 @@ static inline void ksl_product_ddt_accurate(const ksl_SE3_t *D, const ksl_vec3_t
       Do_23e_lo = Do_23c - (Do_23e - Do_23e_right)
           + ksl_product_rest(D->m22, t->z, Do_23d, Do_23e_right) + Do_23c_lo;
   const double Do_03_rounded = Do_03
-          + (Do_03e - (Do_03 - Do_03_right) + (D->m03 - Do_03_right) + Do_03e_lo);
-  const double Do_13_rounded = Do_13
-          + (Do_13e - (Do_13 - Do_13_right) + (D->m13 - Do_13_right) + Do_13e_lo);
-  const double Do_23_rounded = Do_23
-          + (Do_23e - (Do_23 - Do_23_right) + (D->m23 - Do_23_right) + Do_23e_lo);
+          + (Do_03e - (Do_03 - Do_03_right) + (D->m03 - Do_03_right) + Do_03e_lo),
+      Do_13_rounded = Do_13 + (Do_13e - (Do_13 - Do_13_right) + (D->m13 - Do_13_right) + Do_13e_lo),
+      Do_23_rounded = Do_23 + (Do_23e - (Do_23 - Do_23_right) + (D->m23 - Do_23_right) + Do_23e_lo);
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -1168,11 +1158,9 @@ static inline void ksl_product_ddtinv_accurate(const ksl_SE3_t *D, const ksl_vec
       Do_23e_lo = Do_23c - (Do_23e - Do_23e_right)
           + ksl_product_rest(D->m22, t->z, Do_23d, Do_23e_right) + Do_23c_lo;
   const double Do_03_rounded = Do_03
-          + (D->m03 - (Do_03 + Do_03_right) - (Do_03e - Do_03_right) - Do_03e_lo);
-  const double Do_13_rounded = Do_13
-          + (D->m13 - (Do_13 + Do_13_right) - (Do_13e - Do_13_right) - Do_13e_lo);
-  const double Do_23_rounded = Do_23
-          + (D->m23 - (Do_23 + Do_23_right) - (Do_23e - Do_23_right) - Do_23e_lo);
+          + (D->m03 - (Do_03 + Do_03_right) - (Do_03e - Do_03_right) - Do_03e_lo),
+      Do_13_rounded = Do_13 + (D->m13 - (Do_13 + Do_13_right) - (Do_13e - Do_13_right) - Do_13e_lo),
+      Do_23_rounded = Do_23 + (D->m23 - (Do_23 + Do_23_right) - (Do_23e - Do_23_right) - Do_23e_lo);
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -1231,10 +1219,10 @@ static inline void ksl_product_dinvdt_accurate(const ksl_SE3_t *D, const ksl_vec
       Do_23_lo2 = Do_23c - (Do_23 - Do_23_right)
           + ksl_product_rest(D->m22, p_2, Do_23d, Do_23_right) + KSL_MUL(D->m22, p_2_lo);
   const double Do_03_rounded = Do_03
-          + (Do_03_lo2 + (Do_03c_lo1 + (KSL_MUL(D->m00, p_0_lo) + KSL_MUL(D->m10, p_1_lo))));
-  const double Do_13_rounded = Do_13
-          + (Do_13_lo2 + (Do_13c_lo1 + (KSL_MUL(D->m01, p_0_lo) + KSL_MUL(D->m11, p_1_lo))));
-  const double Do_23_rounded = Do_23
+          + (Do_03_lo2 + (Do_03c_lo1 + (KSL_MUL(D->m00, p_0_lo) + KSL_MUL(D->m10, p_1_lo)))),
+      Do_13_rounded = Do_13
+          + (Do_13_lo2 + (Do_13c_lo1 + (KSL_MUL(D->m01, p_0_lo) + KSL_MUL(D->m11, p_1_lo)))),
+      Do_23_rounded = Do_23
           + (Do_23_lo2 + (Do_23c_lo1 + (KSL_MUL(D->m02, p_0_lo) + KSL_MUL(D->m12, p_1_lo))));
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
@@ -1265,12 +1253,10 @@ static inline void ksl_product_dinvdt_accurate(const ksl_SE3_t *D, const ksl_vec
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtx_accurate(const ksl_mat3x3_t *R, const double k,
     ksl_vec3_t *vo) {
-  const double vo_0 = KSL_MUL(R->m00, k);
-  const double vo_1 = KSL_MUL(R->m10, k);
-  const double vo_2 = KSL_MUL(R->m20, k);
-  const double vo_0_rounded = vo_0 + ksl_product_error(R->m00, k, vo_0);
-  const double vo_1_rounded = vo_1 + ksl_product_error(R->m10, k, vo_1);
-  const double vo_2_rounded = vo_2 + ksl_product_error(R->m20, k, vo_2);
+  const double vo_0 = KSL_MUL(R->m00, k), vo_1 = KSL_MUL(R->m10, k), vo_2 = KSL_MUL(R->m20, k);
+  const double vo_0_rounded = vo_0 + ksl_product_error(R->m00, k, vo_0),
+      vo_1_rounded = vo_1 + ksl_product_error(R->m10, k, vo_1),
+      vo_2_rounded = vo_2 + ksl_product_error(R->m20, k, vo_2);
   vo->x = vo_0_rounded;
   vo->y = vo_1_rounded;
   vo->z = vo_2_rounded;
@@ -1297,20 +1283,20 @@ static inline void ksl_product_drdrx_accurate(const ksl_mat3x3_t *R, const doubl
       Ro_22 = Ro_22a - Ro_22b, Ro_22_right = Ro_22a - Ro_22;
   const double Ro_01_rounded = Ro_01
           + (ksl_product_rest(R->m01, dc[1], Ro_01a, Ro_01 - Ro_01_right)
-          + ksl_product_rest(R->m02, dc[0], Ro_01b, Ro_01_right));
-  const double Ro_02_rounded = Ro_02
+          + ksl_product_rest(R->m02, dc[0], Ro_01b, Ro_01_right)),
+      Ro_02_rounded = Ro_02
           + (ksl_product_rest(R->m02, dc[1], Ro_02a, Ro_02 + Ro_02_right)
-          - ksl_product_rest(R->m01, dc[0], Ro_02b, Ro_02_right));
-  const double Ro_11_rounded = Ro_11
+          - ksl_product_rest(R->m01, dc[0], Ro_02b, Ro_02_right)),
+      Ro_11_rounded = Ro_11
           + (ksl_product_rest(R->m11, dc[1], Ro_11a, Ro_11 - Ro_11_right)
-          + ksl_product_rest(R->m12, dc[0], Ro_11b, Ro_11_right));
-  const double Ro_12_rounded = Ro_12
+          + ksl_product_rest(R->m12, dc[0], Ro_11b, Ro_11_right)),
+      Ro_12_rounded = Ro_12
           + (ksl_product_rest(R->m12, dc[1], Ro_12a, Ro_12 + Ro_12_right)
-          - ksl_product_rest(R->m11, dc[0], Ro_12b, Ro_12_right));
-  const double Ro_21_rounded = Ro_21
+          - ksl_product_rest(R->m11, dc[0], Ro_12b, Ro_12_right)),
+      Ro_21_rounded = Ro_21
           + (ksl_product_rest(R->m21, dc[1], Ro_21a, Ro_21 - Ro_21_right)
-          + ksl_product_rest(R->m22, dc[0], Ro_21b, Ro_21_right));
-  const double Ro_22_rounded = Ro_22
+          + ksl_product_rest(R->m22, dc[0], Ro_21b, Ro_21_right)),
+      Ro_22_rounded = Ro_22
           + (ksl_product_rest(R->m22, dc[1], Ro_22a, Ro_22 + Ro_22_right)
           - ksl_product_rest(R->m21, dc[0], Ro_22b, Ro_22_right));
   const double R_m00 = R->m00;
@@ -1348,20 +1334,20 @@ static inline void ksl_product_ddrx_accurate(const ksl_SE3_t *D, const double dc
       Do_22 = Do_22a - Do_22b, Do_22_right = Do_22a - Do_22;
   const double Do_01_rounded = Do_01
           + (ksl_product_rest(D->m01, dc[1], Do_01a, Do_01 - Do_01_right)
-          + ksl_product_rest(D->m02, dc[0], Do_01b, Do_01_right));
-  const double Do_02_rounded = Do_02
+          + ksl_product_rest(D->m02, dc[0], Do_01b, Do_01_right)),
+      Do_02_rounded = Do_02
           + (ksl_product_rest(D->m02, dc[1], Do_02a, Do_02 + Do_02_right)
-          - ksl_product_rest(D->m01, dc[0], Do_02b, Do_02_right));
-  const double Do_11_rounded = Do_11
+          - ksl_product_rest(D->m01, dc[0], Do_02b, Do_02_right)),
+      Do_11_rounded = Do_11
           + (ksl_product_rest(D->m11, dc[1], Do_11a, Do_11 - Do_11_right)
-          + ksl_product_rest(D->m12, dc[0], Do_11b, Do_11_right));
-  const double Do_12_rounded = Do_12
+          + ksl_product_rest(D->m12, dc[0], Do_11b, Do_11_right)),
+      Do_12_rounded = Do_12
           + (ksl_product_rest(D->m12, dc[1], Do_12a, Do_12 + Do_12_right)
-          - ksl_product_rest(D->m11, dc[0], Do_12b, Do_12_right));
-  const double Do_21_rounded = Do_21
+          - ksl_product_rest(D->m11, dc[0], Do_12b, Do_12_right)),
+      Do_21_rounded = Do_21
           + (ksl_product_rest(D->m21, dc[1], Do_21a, Do_21 - Do_21_right)
-          + ksl_product_rest(D->m22, dc[0], Do_21b, Do_21_right));
-  const double Do_22_rounded = Do_22
+          + ksl_product_rest(D->m22, dc[0], Do_21b, Do_21_right)),
+      Do_22_rounded = Do_22
           + (ksl_product_rest(D->m22, dc[1], Do_22a, Do_22 + Do_22_right)
           - ksl_product_rest(D->m21, dc[0], Do_22b, Do_22_right));
   const double D_m00 = D->m00;
@@ -1394,10 +1380,10 @@ static inline void ksl_product_ddtx_accurate(const ksl_SE3_t *D, const double k,
   const double Do_13a = KSL_MUL(D->m10, k), Do_13 = Do_13a + D->m13, Do_13_right = Do_13 - Do_13a;
   const double Do_23a = KSL_MUL(D->m20, k), Do_23 = Do_23a + D->m23, Do_23_right = Do_23 - Do_23a;
   const double Do_03_rounded = Do_03
-          + (ksl_product_rest(D->m00, k, Do_03a, Do_03 - Do_03_right) + (D->m03 - Do_03_right));
-  const double Do_13_rounded = Do_13
-          + (ksl_product_rest(D->m10, k, Do_13a, Do_13 - Do_13_right) + (D->m13 - Do_13_right));
-  const double Do_23_rounded = Do_23
+          + (ksl_product_rest(D->m00, k, Do_03a, Do_03 - Do_03_right) + (D->m03 - Do_03_right)),
+      Do_13_rounded = Do_13
+          + (ksl_product_rest(D->m10, k, Do_13a, Do_13 - Do_13_right) + (D->m13 - Do_13_right)),
+      Do_23_rounded = Do_23
           + (ksl_product_rest(D->m20, k, Do_23a, Do_23 - Do_23_right) + (D->m23 - Do_23_right));
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
@@ -1428,12 +1414,10 @@ static inline void ksl_product_ddtx_accurate(const ksl_SE3_t *D, const double k,
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtxinv_accurate(const ksl_mat3x3_t *R, const double k,
     ksl_vec3_t *vo) {
-  const double vo_0 = -KSL_MUL(R->m00, k);
-  const double vo_1 = -KSL_MUL(R->m10, k);
-  const double vo_2 = -KSL_MUL(R->m20, k);
-  const double vo_0_rounded = vo_0 + ksl_product_error(-R->m00, k, vo_0);
-  const double vo_1_rounded = vo_1 + ksl_product_error(-R->m10, k, vo_1);
-  const double vo_2_rounded = vo_2 + ksl_product_error(-R->m20, k, vo_2);
+  const double vo_0 = -KSL_MUL(R->m00, k), vo_1 = -KSL_MUL(R->m10, k), vo_2 = -KSL_MUL(R->m20, k);
+  const double vo_0_rounded = vo_0 + ksl_product_error(-R->m00, k, vo_0),
+      vo_1_rounded = vo_1 + ksl_product_error(-R->m10, k, vo_1),
+      vo_2_rounded = vo_2 + ksl_product_error(-R->m20, k, vo_2);
   vo->x = vo_0_rounded;
   vo->y = vo_1_rounded;
   vo->z = vo_2_rounded;
@@ -1460,20 +1444,20 @@ static inline void ksl_product_drdrxinv_accurate(const ksl_mat3x3_t *R, const do
       Ro_22 = Ro_22a + Ro_22b, Ro_22_right = Ro_22 - Ro_22a;
   const double Ro_01_rounded = Ro_01
           + (ksl_product_rest(R->m01, dc[1], Ro_01a, Ro_01 + Ro_01_right)
-          - ksl_product_rest(R->m02, dc[0], Ro_01b, Ro_01_right));
-  const double Ro_02_rounded = Ro_02
+          - ksl_product_rest(R->m02, dc[0], Ro_01b, Ro_01_right)),
+      Ro_02_rounded = Ro_02
           + (ksl_product_rest(R->m01, dc[0], Ro_02a, Ro_02 - Ro_02_right)
-          + ksl_product_rest(R->m02, dc[1], Ro_02b, Ro_02_right));
-  const double Ro_11_rounded = Ro_11
+          + ksl_product_rest(R->m02, dc[1], Ro_02b, Ro_02_right)),
+      Ro_11_rounded = Ro_11
           + (ksl_product_rest(R->m11, dc[1], Ro_11a, Ro_11 + Ro_11_right)
-          - ksl_product_rest(R->m12, dc[0], Ro_11b, Ro_11_right));
-  const double Ro_12_rounded = Ro_12
+          - ksl_product_rest(R->m12, dc[0], Ro_11b, Ro_11_right)),
+      Ro_12_rounded = Ro_12
           + (ksl_product_rest(R->m11, dc[0], Ro_12a, Ro_12 - Ro_12_right)
-          + ksl_product_rest(R->m12, dc[1], Ro_12b, Ro_12_right));
-  const double Ro_21_rounded = Ro_21
+          + ksl_product_rest(R->m12, dc[1], Ro_12b, Ro_12_right)),
+      Ro_21_rounded = Ro_21
           + (ksl_product_rest(R->m21, dc[1], Ro_21a, Ro_21 + Ro_21_right)
-          - ksl_product_rest(R->m22, dc[0], Ro_21b, Ro_21_right));
-  const double Ro_22_rounded = Ro_22
+          - ksl_product_rest(R->m22, dc[0], Ro_21b, Ro_21_right)),
+      Ro_22_rounded = Ro_22
           + (ksl_product_rest(R->m21, dc[0], Ro_22a, Ro_22 - Ro_22_right)
           + ksl_product_rest(R->m22, dc[1], Ro_22b, Ro_22_right));
   const double R_m00 = R->m00;
@@ -1511,20 +1495,20 @@ static inline void ksl_product_ddrxinv_accurate(const ksl_SE3_t *D, const double
       Do_22 = Do_22a + Do_22b, Do_22_right = Do_22 - Do_22a;
   const double Do_01_rounded = Do_01
           + (ksl_product_rest(D->m01, dc[1], Do_01a, Do_01 + Do_01_right)
-          - ksl_product_rest(D->m02, dc[0], Do_01b, Do_01_right));
-  const double Do_02_rounded = Do_02
+          - ksl_product_rest(D->m02, dc[0], Do_01b, Do_01_right)),
+      Do_02_rounded = Do_02
           + (ksl_product_rest(D->m01, dc[0], Do_02a, Do_02 - Do_02_right)
-          + ksl_product_rest(D->m02, dc[1], Do_02b, Do_02_right));
-  const double Do_11_rounded = Do_11
+          + ksl_product_rest(D->m02, dc[1], Do_02b, Do_02_right)),
+      Do_11_rounded = Do_11
           + (ksl_product_rest(D->m11, dc[1], Do_11a, Do_11 + Do_11_right)
-          - ksl_product_rest(D->m12, dc[0], Do_11b, Do_11_right));
-  const double Do_12_rounded = Do_12
+          - ksl_product_rest(D->m12, dc[0], Do_11b, Do_11_right)),
+      Do_12_rounded = Do_12
           + (ksl_product_rest(D->m11, dc[0], Do_12a, Do_12 - Do_12_right)
-          + ksl_product_rest(D->m12, dc[1], Do_12b, Do_12_right));
-  const double Do_21_rounded = Do_21
+          + ksl_product_rest(D->m12, dc[1], Do_12b, Do_12_right)),
+      Do_21_rounded = Do_21
           + (ksl_product_rest(D->m21, dc[1], Do_21a, Do_21 + Do_21_right)
-          - ksl_product_rest(D->m22, dc[0], Do_21b, Do_21_right));
-  const double Do_22_rounded = Do_22
+          - ksl_product_rest(D->m22, dc[0], Do_21b, Do_21_right)),
+      Do_22_rounded = Do_22
           + (ksl_product_rest(D->m21, dc[0], Do_22a, Do_22 - Do_22_right)
           + ksl_product_rest(D->m22, dc[1], Do_22b, Do_22_right));
   const double D_m00 = D->m00;
@@ -1557,10 +1541,10 @@ static inline void ksl_product_ddtxinv_accurate(const ksl_SE3_t *D, const double
   const double Do_13a = KSL_MUL(D->m10, k), Do_13 = D->m13 - Do_13a, Do_13_right = D->m13 - Do_13;
   const double Do_23a = KSL_MUL(D->m20, k), Do_23 = D->m23 - Do_23a, Do_23_right = D->m23 - Do_23;
   const double Do_03_rounded = Do_03
-          + (D->m03 - (Do_03 + Do_03_right) - ksl_product_rest(D->m00, k, Do_03a, Do_03_right));
-  const double Do_13_rounded = Do_13
-          + (D->m13 - (Do_13 + Do_13_right) - ksl_product_rest(D->m10, k, Do_13a, Do_13_right));
-  const double Do_23_rounded = Do_23
+          + (D->m03 - (Do_03 + Do_03_right) - ksl_product_rest(D->m00, k, Do_03a, Do_03_right)),
+      Do_13_rounded = Do_13
+          + (D->m13 - (Do_13 + Do_13_right) - ksl_product_rest(D->m10, k, Do_13a, Do_13_right)),
+      Do_23_rounded = Do_23
           + (D->m23 - (Do_23 + Do_23_right) - ksl_product_rest(D->m20, k, Do_23a, Do_23_right));
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
@@ -1591,12 +1575,10 @@ static inline void ksl_product_ddtxinv_accurate(const ksl_SE3_t *D, const double
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvty_accurate(const ksl_mat3x3_t *R, const double k,
     ksl_vec3_t *vo) {
-  const double vo_0 = KSL_MUL(R->m01, k);
-  const double vo_1 = KSL_MUL(R->m11, k);
-  const double vo_2 = KSL_MUL(R->m21, k);
-  const double vo_0_rounded = vo_0 + ksl_product_error(R->m01, k, vo_0);
-  const double vo_1_rounded = vo_1 + ksl_product_error(R->m11, k, vo_1);
-  const double vo_2_rounded = vo_2 + ksl_product_error(R->m21, k, vo_2);
+  const double vo_0 = KSL_MUL(R->m01, k), vo_1 = KSL_MUL(R->m11, k), vo_2 = KSL_MUL(R->m21, k);
+  const double vo_0_rounded = vo_0 + ksl_product_error(R->m01, k, vo_0),
+      vo_1_rounded = vo_1 + ksl_product_error(R->m11, k, vo_1),
+      vo_2_rounded = vo_2 + ksl_product_error(R->m21, k, vo_2);
   vo->x = vo_0_rounded;
   vo->y = vo_1_rounded;
   vo->z = vo_2_rounded;
@@ -1623,20 +1605,20 @@ static inline void ksl_product_drdry_accurate(const ksl_mat3x3_t *R, const doubl
       Ro_22 = Ro_22a + Ro_22b, Ro_22_right = Ro_22 - Ro_22a;
   const double Ro_00_rounded = Ro_00
           + (ksl_product_rest(R->m00, dc[1], Ro_00a, Ro_00 + Ro_00_right)
-          - ksl_product_rest(R->m02, dc[0], Ro_00b, Ro_00_right));
-  const double Ro_02_rounded = Ro_02
+          - ksl_product_rest(R->m02, dc[0], Ro_00b, Ro_00_right)),
+      Ro_02_rounded = Ro_02
           + (ksl_product_rest(R->m00, dc[0], Ro_02a, Ro_02 - Ro_02_right)
-          + ksl_product_rest(R->m02, dc[1], Ro_02b, Ro_02_right));
-  const double Ro_10_rounded = Ro_10
+          + ksl_product_rest(R->m02, dc[1], Ro_02b, Ro_02_right)),
+      Ro_10_rounded = Ro_10
           + (ksl_product_rest(R->m10, dc[1], Ro_10a, Ro_10 + Ro_10_right)
-          - ksl_product_rest(R->m12, dc[0], Ro_10b, Ro_10_right));
-  const double Ro_12_rounded = Ro_12
+          - ksl_product_rest(R->m12, dc[0], Ro_10b, Ro_10_right)),
+      Ro_12_rounded = Ro_12
           + (ksl_product_rest(R->m10, dc[0], Ro_12a, Ro_12 - Ro_12_right)
-          + ksl_product_rest(R->m12, dc[1], Ro_12b, Ro_12_right));
-  const double Ro_20_rounded = Ro_20
+          + ksl_product_rest(R->m12, dc[1], Ro_12b, Ro_12_right)),
+      Ro_20_rounded = Ro_20
           + (ksl_product_rest(R->m20, dc[1], Ro_20a, Ro_20 + Ro_20_right)
-          - ksl_product_rest(R->m22, dc[0], Ro_20b, Ro_20_right));
-  const double Ro_22_rounded = Ro_22
+          - ksl_product_rest(R->m22, dc[0], Ro_20b, Ro_20_right)),
+      Ro_22_rounded = Ro_22
           + (ksl_product_rest(R->m20, dc[0], Ro_22a, Ro_22 - Ro_22_right)
           + ksl_product_rest(R->m22, dc[1], Ro_22b, Ro_22_right));
   const double R_m01 = R->m01;
@@ -1674,20 +1656,20 @@ static inline void ksl_product_ddry_accurate(const ksl_SE3_t *D, const double dc
       Do_22 = Do_22a + Do_22b, Do_22_right = Do_22 - Do_22a;
   const double Do_00_rounded = Do_00
           + (ksl_product_rest(D->m00, dc[1], Do_00a, Do_00 + Do_00_right)
-          - ksl_product_rest(D->m02, dc[0], Do_00b, Do_00_right));
-  const double Do_02_rounded = Do_02
+          - ksl_product_rest(D->m02, dc[0], Do_00b, Do_00_right)),
+      Do_02_rounded = Do_02
           + (ksl_product_rest(D->m00, dc[0], Do_02a, Do_02 - Do_02_right)
-          + ksl_product_rest(D->m02, dc[1], Do_02b, Do_02_right));
-  const double Do_10_rounded = Do_10
+          + ksl_product_rest(D->m02, dc[1], Do_02b, Do_02_right)),
+      Do_10_rounded = Do_10
           + (ksl_product_rest(D->m10, dc[1], Do_10a, Do_10 + Do_10_right)
-          - ksl_product_rest(D->m12, dc[0], Do_10b, Do_10_right));
-  const double Do_12_rounded = Do_12
+          - ksl_product_rest(D->m12, dc[0], Do_10b, Do_10_right)),
+      Do_12_rounded = Do_12
           + (ksl_product_rest(D->m10, dc[0], Do_12a, Do_12 - Do_12_right)
-          + ksl_product_rest(D->m12, dc[1], Do_12b, Do_12_right));
-  const double Do_20_rounded = Do_20
+          + ksl_product_rest(D->m12, dc[1], Do_12b, Do_12_right)),
+      Do_20_rounded = Do_20
           + (ksl_product_rest(D->m20, dc[1], Do_20a, Do_20 + Do_20_right)
-          - ksl_product_rest(D->m22, dc[0], Do_20b, Do_20_right));
-  const double Do_22_rounded = Do_22
+          - ksl_product_rest(D->m22, dc[0], Do_20b, Do_20_right)),
+      Do_22_rounded = Do_22
           + (ksl_product_rest(D->m20, dc[0], Do_22a, Do_22 - Do_22_right)
           + ksl_product_rest(D->m22, dc[1], Do_22b, Do_22_right));
   const double D_m01 = D->m01;
@@ -1720,10 +1702,10 @@ static inline void ksl_product_ddty_accurate(const ksl_SE3_t *D, const double k,
   const double Do_13a = KSL_MUL(D->m11, k), Do_13 = Do_13a + D->m13, Do_13_right = Do_13 - Do_13a;
   const double Do_23a = KSL_MUL(D->m21, k), Do_23 = Do_23a + D->m23, Do_23_right = Do_23 - Do_23a;
   const double Do_03_rounded = Do_03
-          + (ksl_product_rest(D->m01, k, Do_03a, Do_03 - Do_03_right) + (D->m03 - Do_03_right));
-  const double Do_13_rounded = Do_13
-          + (ksl_product_rest(D->m11, k, Do_13a, Do_13 - Do_13_right) + (D->m13 - Do_13_right));
-  const double Do_23_rounded = Do_23
+          + (ksl_product_rest(D->m01, k, Do_03a, Do_03 - Do_03_right) + (D->m03 - Do_03_right)),
+      Do_13_rounded = Do_13
+          + (ksl_product_rest(D->m11, k, Do_13a, Do_13 - Do_13_right) + (D->m13 - Do_13_right)),
+      Do_23_rounded = Do_23
           + (ksl_product_rest(D->m21, k, Do_23a, Do_23 - Do_23_right) + (D->m23 - Do_23_right));
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
@@ -1754,12 +1736,10 @@ static inline void ksl_product_ddty_accurate(const ksl_SE3_t *D, const double k,
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtyinv_accurate(const ksl_mat3x3_t *R, const double k,
     ksl_vec3_t *vo) {
-  const double vo_0 = -KSL_MUL(R->m01, k);
-  const double vo_1 = -KSL_MUL(R->m11, k);
-  const double vo_2 = -KSL_MUL(R->m21, k);
-  const double vo_0_rounded = vo_0 + ksl_product_error(-R->m01, k, vo_0);
-  const double vo_1_rounded = vo_1 + ksl_product_error(-R->m11, k, vo_1);
-  const double vo_2_rounded = vo_2 + ksl_product_error(-R->m21, k, vo_2);
+  const double vo_0 = -KSL_MUL(R->m01, k), vo_1 = -KSL_MUL(R->m11, k), vo_2 = -KSL_MUL(R->m21, k);
+  const double vo_0_rounded = vo_0 + ksl_product_error(-R->m01, k, vo_0),
+      vo_1_rounded = vo_1 + ksl_product_error(-R->m11, k, vo_1),
+      vo_2_rounded = vo_2 + ksl_product_error(-R->m21, k, vo_2);
   vo->x = vo_0_rounded;
   vo->y = vo_1_rounded;
   vo->z = vo_2_rounded;
@@ -1786,20 +1766,20 @@ static inline void ksl_product_drdryinv_accurate(const ksl_mat3x3_t *R, const do
       Ro_22 = Ro_22a - Ro_22b, Ro_22_right = Ro_22a - Ro_22;
   const double Ro_00_rounded = Ro_00
           + (ksl_product_rest(R->m00, dc[1], Ro_00a, Ro_00 - Ro_00_right)
-          + ksl_product_rest(R->m02, dc[0], Ro_00b, Ro_00_right));
-  const double Ro_02_rounded = Ro_02
+          + ksl_product_rest(R->m02, dc[0], Ro_00b, Ro_00_right)),
+      Ro_02_rounded = Ro_02
           + (ksl_product_rest(R->m02, dc[1], Ro_02a, Ro_02 + Ro_02_right)
-          - ksl_product_rest(R->m00, dc[0], Ro_02b, Ro_02_right));
-  const double Ro_10_rounded = Ro_10
+          - ksl_product_rest(R->m00, dc[0], Ro_02b, Ro_02_right)),
+      Ro_10_rounded = Ro_10
           + (ksl_product_rest(R->m10, dc[1], Ro_10a, Ro_10 - Ro_10_right)
-          + ksl_product_rest(R->m12, dc[0], Ro_10b, Ro_10_right));
-  const double Ro_12_rounded = Ro_12
+          + ksl_product_rest(R->m12, dc[0], Ro_10b, Ro_10_right)),
+      Ro_12_rounded = Ro_12
           + (ksl_product_rest(R->m12, dc[1], Ro_12a, Ro_12 + Ro_12_right)
-          - ksl_product_rest(R->m10, dc[0], Ro_12b, Ro_12_right));
-  const double Ro_20_rounded = Ro_20
+          - ksl_product_rest(R->m10, dc[0], Ro_12b, Ro_12_right)),
+      Ro_20_rounded = Ro_20
           + (ksl_product_rest(R->m20, dc[1], Ro_20a, Ro_20 - Ro_20_right)
-          + ksl_product_rest(R->m22, dc[0], Ro_20b, Ro_20_right));
-  const double Ro_22_rounded = Ro_22
+          + ksl_product_rest(R->m22, dc[0], Ro_20b, Ro_20_right)),
+      Ro_22_rounded = Ro_22
           + (ksl_product_rest(R->m22, dc[1], Ro_22a, Ro_22 + Ro_22_right)
           - ksl_product_rest(R->m20, dc[0], Ro_22b, Ro_22_right));
   const double R_m01 = R->m01;
@@ -1837,20 +1817,20 @@ static inline void ksl_product_ddryinv_accurate(const ksl_SE3_t *D, const double
       Do_22 = Do_22a - Do_22b, Do_22_right = Do_22a - Do_22;
   const double Do_00_rounded = Do_00
           + (ksl_product_rest(D->m00, dc[1], Do_00a, Do_00 - Do_00_right)
-          + ksl_product_rest(D->m02, dc[0], Do_00b, Do_00_right));
-  const double Do_02_rounded = Do_02
+          + ksl_product_rest(D->m02, dc[0], Do_00b, Do_00_right)),
+      Do_02_rounded = Do_02
           + (ksl_product_rest(D->m02, dc[1], Do_02a, Do_02 + Do_02_right)
-          - ksl_product_rest(D->m00, dc[0], Do_02b, Do_02_right));
-  const double Do_10_rounded = Do_10
+          - ksl_product_rest(D->m00, dc[0], Do_02b, Do_02_right)),
+      Do_10_rounded = Do_10
           + (ksl_product_rest(D->m10, dc[1], Do_10a, Do_10 - Do_10_right)
-          + ksl_product_rest(D->m12, dc[0], Do_10b, Do_10_right));
-  const double Do_12_rounded = Do_12
+          + ksl_product_rest(D->m12, dc[0], Do_10b, Do_10_right)),
+      Do_12_rounded = Do_12
           + (ksl_product_rest(D->m12, dc[1], Do_12a, Do_12 + Do_12_right)
-          - ksl_product_rest(D->m10, dc[0], Do_12b, Do_12_right));
-  const double Do_20_rounded = Do_20
+          - ksl_product_rest(D->m10, dc[0], Do_12b, Do_12_right)),
+      Do_20_rounded = Do_20
           + (ksl_product_rest(D->m20, dc[1], Do_20a, Do_20 - Do_20_right)
-          + ksl_product_rest(D->m22, dc[0], Do_20b, Do_20_right));
-  const double Do_22_rounded = Do_22
+          + ksl_product_rest(D->m22, dc[0], Do_20b, Do_20_right)),
+      Do_22_rounded = Do_22
           + (ksl_product_rest(D->m22, dc[1], Do_22a, Do_22 + Do_22_right)
           - ksl_product_rest(D->m20, dc[0], Do_22b, Do_22_right));
   const double D_m01 = D->m01;
@@ -1883,10 +1863,10 @@ static inline void ksl_product_ddtyinv_accurate(const ksl_SE3_t *D, const double
   const double Do_13a = KSL_MUL(D->m11, k), Do_13 = D->m13 - Do_13a, Do_13_right = D->m13 - Do_13;
   const double Do_23a = KSL_MUL(D->m21, k), Do_23 = D->m23 - Do_23a, Do_23_right = D->m23 - Do_23;
   const double Do_03_rounded = Do_03
-          + (D->m03 - (Do_03 + Do_03_right) - ksl_product_rest(D->m01, k, Do_03a, Do_03_right));
-  const double Do_13_rounded = Do_13
-          + (D->m13 - (Do_13 + Do_13_right) - ksl_product_rest(D->m11, k, Do_13a, Do_13_right));
-  const double Do_23_rounded = Do_23
+          + (D->m03 - (Do_03 + Do_03_right) - ksl_product_rest(D->m01, k, Do_03a, Do_03_right)),
+      Do_13_rounded = Do_13
+          + (D->m13 - (Do_13 + Do_13_right) - ksl_product_rest(D->m11, k, Do_13a, Do_13_right)),
+      Do_23_rounded = Do_23
           + (D->m23 - (Do_23 + Do_23_right) - ksl_product_rest(D->m21, k, Do_23a, Do_23_right));
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
@@ -1917,12 +1897,10 @@ static inline void ksl_product_ddtyinv_accurate(const ksl_SE3_t *D, const double
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtz_accurate(const ksl_mat3x3_t *R, const double k,
     ksl_vec3_t *vo) {
-  const double vo_0 = KSL_MUL(R->m02, k);
-  const double vo_1 = KSL_MUL(R->m12, k);
-  const double vo_2 = KSL_MUL(R->m22, k);
-  const double vo_0_rounded = vo_0 + ksl_product_error(R->m02, k, vo_0);
-  const double vo_1_rounded = vo_1 + ksl_product_error(R->m12, k, vo_1);
-  const double vo_2_rounded = vo_2 + ksl_product_error(R->m22, k, vo_2);
+  const double vo_0 = KSL_MUL(R->m02, k), vo_1 = KSL_MUL(R->m12, k), vo_2 = KSL_MUL(R->m22, k);
+  const double vo_0_rounded = vo_0 + ksl_product_error(R->m02, k, vo_0),
+      vo_1_rounded = vo_1 + ksl_product_error(R->m12, k, vo_1),
+      vo_2_rounded = vo_2 + ksl_product_error(R->m22, k, vo_2);
   vo->x = vo_0_rounded;
   vo->y = vo_1_rounded;
   vo->z = vo_2_rounded;
@@ -1949,20 +1927,20 @@ static inline void ksl_product_drdrz_accurate(const ksl_mat3x3_t *R, const doubl
       Ro_21 = Ro_21a - Ro_21b, Ro_21_right = Ro_21a - Ro_21;
   const double Ro_00_rounded = Ro_00
           + (ksl_product_rest(R->m00, dc[1], Ro_00a, Ro_00 - Ro_00_right)
-          + ksl_product_rest(R->m01, dc[0], Ro_00b, Ro_00_right));
-  const double Ro_01_rounded = Ro_01
+          + ksl_product_rest(R->m01, dc[0], Ro_00b, Ro_00_right)),
+      Ro_01_rounded = Ro_01
           + (ksl_product_rest(R->m01, dc[1], Ro_01a, Ro_01 + Ro_01_right)
-          - ksl_product_rest(R->m00, dc[0], Ro_01b, Ro_01_right));
-  const double Ro_10_rounded = Ro_10
+          - ksl_product_rest(R->m00, dc[0], Ro_01b, Ro_01_right)),
+      Ro_10_rounded = Ro_10
           + (ksl_product_rest(R->m10, dc[1], Ro_10a, Ro_10 - Ro_10_right)
-          + ksl_product_rest(R->m11, dc[0], Ro_10b, Ro_10_right));
-  const double Ro_11_rounded = Ro_11
+          + ksl_product_rest(R->m11, dc[0], Ro_10b, Ro_10_right)),
+      Ro_11_rounded = Ro_11
           + (ksl_product_rest(R->m11, dc[1], Ro_11a, Ro_11 + Ro_11_right)
-          - ksl_product_rest(R->m10, dc[0], Ro_11b, Ro_11_right));
-  const double Ro_20_rounded = Ro_20
+          - ksl_product_rest(R->m10, dc[0], Ro_11b, Ro_11_right)),
+      Ro_20_rounded = Ro_20
           + (ksl_product_rest(R->m20, dc[1], Ro_20a, Ro_20 - Ro_20_right)
-          + ksl_product_rest(R->m21, dc[0], Ro_20b, Ro_20_right));
-  const double Ro_21_rounded = Ro_21
+          + ksl_product_rest(R->m21, dc[0], Ro_20b, Ro_20_right)),
+      Ro_21_rounded = Ro_21
           + (ksl_product_rest(R->m21, dc[1], Ro_21a, Ro_21 + Ro_21_right)
           - ksl_product_rest(R->m20, dc[0], Ro_21b, Ro_21_right));
   const double R_m02 = R->m02;
@@ -2000,20 +1978,20 @@ static inline void ksl_product_ddrz_accurate(const ksl_SE3_t *D, const double dc
       Do_21 = Do_21a - Do_21b, Do_21_right = Do_21a - Do_21;
   const double Do_00_rounded = Do_00
           + (ksl_product_rest(D->m00, dc[1], Do_00a, Do_00 - Do_00_right)
-          + ksl_product_rest(D->m01, dc[0], Do_00b, Do_00_right));
-  const double Do_01_rounded = Do_01
+          + ksl_product_rest(D->m01, dc[0], Do_00b, Do_00_right)),
+      Do_01_rounded = Do_01
           + (ksl_product_rest(D->m01, dc[1], Do_01a, Do_01 + Do_01_right)
-          - ksl_product_rest(D->m00, dc[0], Do_01b, Do_01_right));
-  const double Do_10_rounded = Do_10
+          - ksl_product_rest(D->m00, dc[0], Do_01b, Do_01_right)),
+      Do_10_rounded = Do_10
           + (ksl_product_rest(D->m10, dc[1], Do_10a, Do_10 - Do_10_right)
-          + ksl_product_rest(D->m11, dc[0], Do_10b, Do_10_right));
-  const double Do_11_rounded = Do_11
+          + ksl_product_rest(D->m11, dc[0], Do_10b, Do_10_right)),
+      Do_11_rounded = Do_11
           + (ksl_product_rest(D->m11, dc[1], Do_11a, Do_11 + Do_11_right)
-          - ksl_product_rest(D->m10, dc[0], Do_11b, Do_11_right));
-  const double Do_20_rounded = Do_20
+          - ksl_product_rest(D->m10, dc[0], Do_11b, Do_11_right)),
+      Do_20_rounded = Do_20
           + (ksl_product_rest(D->m20, dc[1], Do_20a, Do_20 - Do_20_right)
-          + ksl_product_rest(D->m21, dc[0], Do_20b, Do_20_right));
-  const double Do_21_rounded = Do_21
+          + ksl_product_rest(D->m21, dc[0], Do_20b, Do_20_right)),
+      Do_21_rounded = Do_21
           + (ksl_product_rest(D->m21, dc[1], Do_21a, Do_21 + Do_21_right)
           - ksl_product_rest(D->m20, dc[0], Do_21b, Do_21_right));
   const double D_m02 = D->m02;
@@ -2046,10 +2024,10 @@ static inline void ksl_product_ddtz_accurate(const ksl_SE3_t *D, const double k,
   const double Do_13a = KSL_MUL(D->m12, k), Do_13 = Do_13a + D->m13, Do_13_right = Do_13 - Do_13a;
   const double Do_23a = KSL_MUL(D->m22, k), Do_23 = Do_23a + D->m23, Do_23_right = Do_23 - Do_23a;
   const double Do_03_rounded = Do_03
-          + (ksl_product_rest(D->m02, k, Do_03a, Do_03 - Do_03_right) + (D->m03 - Do_03_right));
-  const double Do_13_rounded = Do_13
-          + (ksl_product_rest(D->m12, k, Do_13a, Do_13 - Do_13_right) + (D->m13 - Do_13_right));
-  const double Do_23_rounded = Do_23
+          + (ksl_product_rest(D->m02, k, Do_03a, Do_03 - Do_03_right) + (D->m03 - Do_03_right)),
+      Do_13_rounded = Do_13
+          + (ksl_product_rest(D->m12, k, Do_13a, Do_13 - Do_13_right) + (D->m13 - Do_13_right)),
+      Do_23_rounded = Do_23
           + (ksl_product_rest(D->m22, k, Do_23a, Do_23 - Do_23_right) + (D->m23 - Do_23_right));
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
@@ -2080,12 +2058,10 @@ static inline void ksl_product_ddtz_accurate(const ksl_SE3_t *D, const double k,
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtzinv_accurate(const ksl_mat3x3_t *R, const double k,
     ksl_vec3_t *vo) {
-  const double vo_0 = -KSL_MUL(R->m02, k);
-  const double vo_1 = -KSL_MUL(R->m12, k);
-  const double vo_2 = -KSL_MUL(R->m22, k);
-  const double vo_0_rounded = vo_0 + ksl_product_error(-R->m02, k, vo_0);
-  const double vo_1_rounded = vo_1 + ksl_product_error(-R->m12, k, vo_1);
-  const double vo_2_rounded = vo_2 + ksl_product_error(-R->m22, k, vo_2);
+  const double vo_0 = -KSL_MUL(R->m02, k), vo_1 = -KSL_MUL(R->m12, k), vo_2 = -KSL_MUL(R->m22, k);
+  const double vo_0_rounded = vo_0 + ksl_product_error(-R->m02, k, vo_0),
+      vo_1_rounded = vo_1 + ksl_product_error(-R->m12, k, vo_1),
+      vo_2_rounded = vo_2 + ksl_product_error(-R->m22, k, vo_2);
   vo->x = vo_0_rounded;
   vo->y = vo_1_rounded;
   vo->z = vo_2_rounded;
@@ -2112,20 +2088,20 @@ static inline void ksl_product_drdrzinv_accurate(const ksl_mat3x3_t *R, const do
       Ro_21 = Ro_21a + Ro_21b, Ro_21_right = Ro_21 - Ro_21a;
   const double Ro_00_rounded = Ro_00
           + (ksl_product_rest(R->m00, dc[1], Ro_00a, Ro_00 + Ro_00_right)
-          - ksl_product_rest(R->m01, dc[0], Ro_00b, Ro_00_right));
-  const double Ro_01_rounded = Ro_01
+          - ksl_product_rest(R->m01, dc[0], Ro_00b, Ro_00_right)),
+      Ro_01_rounded = Ro_01
           + (ksl_product_rest(R->m00, dc[0], Ro_01a, Ro_01 - Ro_01_right)
-          + ksl_product_rest(R->m01, dc[1], Ro_01b, Ro_01_right));
-  const double Ro_10_rounded = Ro_10
+          + ksl_product_rest(R->m01, dc[1], Ro_01b, Ro_01_right)),
+      Ro_10_rounded = Ro_10
           + (ksl_product_rest(R->m10, dc[1], Ro_10a, Ro_10 + Ro_10_right)
-          - ksl_product_rest(R->m11, dc[0], Ro_10b, Ro_10_right));
-  const double Ro_11_rounded = Ro_11
+          - ksl_product_rest(R->m11, dc[0], Ro_10b, Ro_10_right)),
+      Ro_11_rounded = Ro_11
           + (ksl_product_rest(R->m10, dc[0], Ro_11a, Ro_11 - Ro_11_right)
-          + ksl_product_rest(R->m11, dc[1], Ro_11b, Ro_11_right));
-  const double Ro_20_rounded = Ro_20
+          + ksl_product_rest(R->m11, dc[1], Ro_11b, Ro_11_right)),
+      Ro_20_rounded = Ro_20
           + (ksl_product_rest(R->m20, dc[1], Ro_20a, Ro_20 + Ro_20_right)
-          - ksl_product_rest(R->m21, dc[0], Ro_20b, Ro_20_right));
-  const double Ro_21_rounded = Ro_21
+          - ksl_product_rest(R->m21, dc[0], Ro_20b, Ro_20_right)),
+      Ro_21_rounded = Ro_21
           + (ksl_product_rest(R->m20, dc[0], Ro_21a, Ro_21 - Ro_21_right)
           + ksl_product_rest(R->m21, dc[1], Ro_21b, Ro_21_right));
   const double R_m02 = R->m02;
@@ -2163,20 +2139,20 @@ static inline void ksl_product_ddrzinv_accurate(const ksl_SE3_t *D, const double
       Do_21 = Do_21a + Do_21b, Do_21_right = Do_21 - Do_21a;
   const double Do_00_rounded = Do_00
           + (ksl_product_rest(D->m00, dc[1], Do_00a, Do_00 + Do_00_right)
-          - ksl_product_rest(D->m01, dc[0], Do_00b, Do_00_right));
-  const double Do_01_rounded = Do_01
+          - ksl_product_rest(D->m01, dc[0], Do_00b, Do_00_right)),
+      Do_01_rounded = Do_01
           + (ksl_product_rest(D->m00, dc[0], Do_01a, Do_01 - Do_01_right)
-          + ksl_product_rest(D->m01, dc[1], Do_01b, Do_01_right));
-  const double Do_10_rounded = Do_10
+          + ksl_product_rest(D->m01, dc[1], Do_01b, Do_01_right)),
+      Do_10_rounded = Do_10
           + (ksl_product_rest(D->m10, dc[1], Do_10a, Do_10 + Do_10_right)
-          - ksl_product_rest(D->m11, dc[0], Do_10b, Do_10_right));
-  const double Do_11_rounded = Do_11
+          - ksl_product_rest(D->m11, dc[0], Do_10b, Do_10_right)),
+      Do_11_rounded = Do_11
           + (ksl_product_rest(D->m10, dc[0], Do_11a, Do_11 - Do_11_right)
-          + ksl_product_rest(D->m11, dc[1], Do_11b, Do_11_right));
-  const double Do_20_rounded = Do_20
+          + ksl_product_rest(D->m11, dc[1], Do_11b, Do_11_right)),
+      Do_20_rounded = Do_20
           + (ksl_product_rest(D->m20, dc[1], Do_20a, Do_20 + Do_20_right)
-          - ksl_product_rest(D->m21, dc[0], Do_20b, Do_20_right));
-  const double Do_21_rounded = Do_21
+          - ksl_product_rest(D->m21, dc[0], Do_20b, Do_20_right)),
+      Do_21_rounded = Do_21
           + (ksl_product_rest(D->m20, dc[0], Do_21a, Do_21 - Do_21_right)
           + ksl_product_rest(D->m21, dc[1], Do_21b, Do_21_right));
   const double D_m02 = D->m02;
@@ -2209,10 +2185,10 @@ static inline void ksl_product_ddtzinv_accurate(const ksl_SE3_t *D, const double
   const double Do_13a = KSL_MUL(D->m12, k), Do_13 = D->m13 - Do_13a, Do_13_right = D->m13 - Do_13;
   const double Do_23a = KSL_MUL(D->m22, k), Do_23 = D->m23 - Do_23a, Do_23_right = D->m23 - Do_23;
   const double Do_03_rounded = Do_03
-          + (D->m03 - (Do_03 + Do_03_right) - ksl_product_rest(D->m02, k, Do_03a, Do_03_right));
-  const double Do_13_rounded = Do_13
-          + (D->m13 - (Do_13 + Do_13_right) - ksl_product_rest(D->m12, k, Do_13a, Do_13_right));
-  const double Do_23_rounded = Do_23
+          + (D->m03 - (Do_03 + Do_03_right) - ksl_product_rest(D->m02, k, Do_03a, Do_03_right)),
+      Do_13_rounded = Do_13
+          + (D->m13 - (Do_13 + Do_13_right) - ksl_product_rest(D->m12, k, Do_13a, Do_13_right)),
+      Do_23_rounded = Do_23
           + (D->m23 - (Do_23 + Do_23_right) - ksl_product_rest(D->m22, k, Do_23a, Do_23_right));
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
@@ -2245,11 +2221,11 @@ static inline void ksl_product_ddtzinv_accurate(const ksl_SE3_t *D, const double
 static inline void ksl_product_drvf_accurate(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
   const double vo_0 = ksl_product_sum((double)R->m02, (double)v->z, ksl_product_sum((double)R->m01,
-      (double)v->y, (double)R->m00 * (double)v->x));
-  const double vo_1 = ksl_product_sum((double)R->m12, (double)v->z, ksl_product_sum((double)R->m11,
-      (double)v->y, (double)R->m10 * (double)v->x));
-  const double vo_2 = ksl_product_sum((double)R->m22, (double)v->z, ksl_product_sum((double)R->m21,
-      (double)v->y, (double)R->m20 * (double)v->x));
+      (double)v->y, (double)R->m00 * (double)v->x)),
+      vo_1 = ksl_product_sum((double)R->m12, (double)v->z, ksl_product_sum((double)R->m11,
+          (double)v->y, (double)R->m10 * (double)v->x)),
+      vo_2 = ksl_product_sum((double)R->m22, (double)v->z, ksl_product_sum((double)R->m21,
+          (double)v->y, (double)R->m20 * (double)v->x));
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
@@ -2263,11 +2239,11 @@ static inline void ksl_product_drvf_accurate(const ksl_mat3x3f_t *R, const ksl_v
 static inline void ksl_product_drvinvf_accurate(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
   const double vo_0 = ksl_product_sum(-(double)R->m02, (double)v->z,
-      ksl_product_sum(-(double)R->m01, (double)v->y, -((double)R->m00 * (double)v->x)));
-  const double vo_1 = ksl_product_sum(-(double)R->m12, (double)v->z,
-      ksl_product_sum(-(double)R->m11, (double)v->y, -((double)R->m10 * (double)v->x)));
-  const double vo_2 = ksl_product_sum(-(double)R->m22, (double)v->z,
-      ksl_product_sum(-(double)R->m21, (double)v->y, -((double)R->m20 * (double)v->x)));
+      ksl_product_sum(-(double)R->m01, (double)v->y, -((double)R->m00 * (double)v->x))),
+      vo_1 = ksl_product_sum(-(double)R->m12, (double)v->z, ksl_product_sum(-(double)R->m11,
+          (double)v->y, -((double)R->m10 * (double)v->x))),
+      vo_2 = ksl_product_sum(-(double)R->m22, (double)v->z, ksl_product_sum(-(double)R->m21,
+          (double)v->y, -((double)R->m20 * (double)v->x)));
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
@@ -2281,11 +2257,11 @@ static inline void ksl_product_drvinvf_accurate(const ksl_mat3x3f_t *R, const ks
 static inline void ksl_product_drinvvf_accurate(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
   const double vo_0 = ksl_product_sum((double)R->m20, (double)v->z, ksl_product_sum((double)R->m10,
-      (double)v->y, (double)R->m00 * (double)v->x));
-  const double vo_1 = ksl_product_sum((double)R->m21, (double)v->z, ksl_product_sum((double)R->m11,
-      (double)v->y, (double)R->m01 * (double)v->x));
-  const double vo_2 = ksl_product_sum((double)R->m22, (double)v->z, ksl_product_sum((double)R->m12,
-      (double)v->y, (double)R->m02 * (double)v->x));
+      (double)v->y, (double)R->m00 * (double)v->x)),
+      vo_1 = ksl_product_sum((double)R->m21, (double)v->z, ksl_product_sum((double)R->m11,
+          (double)v->y, (double)R->m01 * (double)v->x)),
+      vo_2 = ksl_product_sum((double)R->m22, (double)v->z, ksl_product_sum((double)R->m12,
+          (double)v->y, (double)R->m02 * (double)v->x));
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
@@ -2299,11 +2275,11 @@ static inline void ksl_product_drinvvf_accurate(const ksl_mat3x3f_t *R, const ks
 static inline void ksl_product_drinvvinvf_accurate(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
   const double vo_0 = ksl_product_sum(-(double)R->m20, (double)v->z,
-      ksl_product_sum(-(double)R->m10, (double)v->y, -((double)R->m00 * (double)v->x)));
-  const double vo_1 = ksl_product_sum(-(double)R->m21, (double)v->z,
-      ksl_product_sum(-(double)R->m11, (double)v->y, -((double)R->m01 * (double)v->x)));
-  const double vo_2 = ksl_product_sum(-(double)R->m22, (double)v->z,
-      ksl_product_sum(-(double)R->m12, (double)v->y, -((double)R->m02 * (double)v->x)));
+      ksl_product_sum(-(double)R->m10, (double)v->y, -((double)R->m00 * (double)v->x))),
+      vo_1 = ksl_product_sum(-(double)R->m21, (double)v->z, ksl_product_sum(-(double)R->m11,
+          (double)v->y, -((double)R->m01 * (double)v->x))),
+      vo_2 = ksl_product_sum(-(double)R->m22, (double)v->z, ksl_product_sum(-(double)R->m12,
+          (double)v->y, -((double)R->m02 * (double)v->x)));
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
@@ -2317,11 +2293,11 @@ static inline void ksl_product_drinvvinvf_accurate(const ksl_mat3x3f_t *R, const
 static inline void ksl_product_dvf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
   const double vo_0 = ksl_product_sum((double)D->m02, (double)v->z, ksl_product_sum((double)D->m01,
-      (double)v->y, (double)D->m00 * (double)v->x)) + (double)D->m03;
-  const double vo_1 = ksl_product_sum((double)D->m12, (double)v->z, ksl_product_sum((double)D->m11,
-      (double)v->y, (double)D->m10 * (double)v->x)) + (double)D->m13;
-  const double vo_2 = ksl_product_sum((double)D->m22, (double)v->z, ksl_product_sum((double)D->m21,
-      (double)v->y, (double)D->m20 * (double)v->x)) + (double)D->m23;
+      (double)v->y, (double)D->m00 * (double)v->x)) + (double)D->m03,
+      vo_1 = ksl_product_sum((double)D->m12, (double)v->z, ksl_product_sum((double)D->m11,
+          (double)v->y, (double)D->m10 * (double)v->x)) + (double)D->m13,
+      vo_2 = ksl_product_sum((double)D->m22, (double)v->z, ksl_product_sum((double)D->m21,
+          (double)v->y, (double)D->m20 * (double)v->x)) + (double)D->m23;
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
@@ -2334,14 +2310,13 @@ static inline void ksl_product_dvf_accurate(const ksl_SE3f_t *D, const ksl_vec3f
      over- and underflow. */
 static inline void ksl_product_dinvvf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const double p_0 = (double)v->x - (double)D->m03;
-  const double p_1 = (double)v->y - (double)D->m13;
-  const double p_2 = (double)v->z - (double)D->m23;
+  const double p_0 = (double)v->x - (double)D->m03, p_1 = (double)v->y - (double)D->m13,
+      p_2 = (double)v->z - (double)D->m23;
   const double vo_0 = KSL_MUL((double)D->m00, p_0) + KSL_MUL((double)D->m10, p_1)
-          + KSL_MUL((double)D->m20, p_2);
-  const double vo_1 = KSL_MUL((double)D->m01, p_0) + KSL_MUL((double)D->m11, p_1)
-          + KSL_MUL((double)D->m21, p_2);
-  const double vo_2 = KSL_MUL((double)D->m02, p_0) + KSL_MUL((double)D->m12, p_1)
+          + KSL_MUL((double)D->m20, p_2),
+      vo_1 = KSL_MUL((double)D->m01, p_0) + KSL_MUL((double)D->m11, p_1)
+          + KSL_MUL((double)D->m21, p_2),
+      vo_2 = KSL_MUL((double)D->m02, p_0) + KSL_MUL((double)D->m12, p_1)
           + KSL_MUL((double)D->m22, p_2);
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
@@ -2356,23 +2331,23 @@ static inline void ksl_product_dinvvf_accurate(const ksl_SE3f_t *D, const ksl_ve
 static inline void ksl_product_drdrf_accurate(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_t *R2,
     ksl_mat3x3f_t *Ro) {
   const double Ro_00 = ksl_product_sum((double)R1->m02, (double)R2->m20,
-      ksl_product_sum((double)R1->m01, (double)R2->m10, (double)R1->m00 * (double)R2->m00));
-  const double Ro_01 = ksl_product_sum((double)R1->m02, (double)R2->m21,
-      ksl_product_sum((double)R1->m01, (double)R2->m11, (double)R1->m00 * (double)R2->m01));
-  const double Ro_02 = ksl_product_sum((double)R1->m02, (double)R2->m22,
-      ksl_product_sum((double)R1->m01, (double)R2->m12, (double)R1->m00 * (double)R2->m02));
-  const double Ro_10 = ksl_product_sum((double)R1->m12, (double)R2->m20,
-      ksl_product_sum((double)R1->m11, (double)R2->m10, (double)R1->m10 * (double)R2->m00));
-  const double Ro_11 = ksl_product_sum((double)R1->m12, (double)R2->m21,
-      ksl_product_sum((double)R1->m11, (double)R2->m11, (double)R1->m10 * (double)R2->m01));
-  const double Ro_12 = ksl_product_sum((double)R1->m12, (double)R2->m22,
-      ksl_product_sum((double)R1->m11, (double)R2->m12, (double)R1->m10 * (double)R2->m02));
-  const double Ro_20 = ksl_product_sum((double)R1->m22, (double)R2->m20,
-      ksl_product_sum((double)R1->m21, (double)R2->m10, (double)R1->m20 * (double)R2->m00));
-  const double Ro_21 = ksl_product_sum((double)R1->m22, (double)R2->m21,
-      ksl_product_sum((double)R1->m21, (double)R2->m11, (double)R1->m20 * (double)R2->m01));
-  const double Ro_22 = ksl_product_sum((double)R1->m22, (double)R2->m22,
-      ksl_product_sum((double)R1->m21, (double)R2->m12, (double)R1->m20 * (double)R2->m02));
+      ksl_product_sum((double)R1->m01, (double)R2->m10, (double)R1->m00 * (double)R2->m00)),
+      Ro_01 = ksl_product_sum((double)R1->m02, (double)R2->m21, ksl_product_sum((double)R1->m01,
+          (double)R2->m11, (double)R1->m00 * (double)R2->m01)),
+      Ro_02 = ksl_product_sum((double)R1->m02, (double)R2->m22, ksl_product_sum((double)R1->m01,
+          (double)R2->m12, (double)R1->m00 * (double)R2->m02)),
+      Ro_10 = ksl_product_sum((double)R1->m12, (double)R2->m20, ksl_product_sum((double)R1->m11,
+          (double)R2->m10, (double)R1->m10 * (double)R2->m00)),
+      Ro_11 = ksl_product_sum((double)R1->m12, (double)R2->m21, ksl_product_sum((double)R1->m11,
+          (double)R2->m11, (double)R1->m10 * (double)R2->m01)),
+      Ro_12 = ksl_product_sum((double)R1->m12, (double)R2->m22, ksl_product_sum((double)R1->m11,
+          (double)R2->m12, (double)R1->m10 * (double)R2->m02)),
+      Ro_20 = ksl_product_sum((double)R1->m22, (double)R2->m20, ksl_product_sum((double)R1->m21,
+          (double)R2->m10, (double)R1->m20 * (double)R2->m00)),
+      Ro_21 = ksl_product_sum((double)R1->m22, (double)R2->m21, ksl_product_sum((double)R1->m21,
+          (double)R2->m11, (double)R1->m20 * (double)R2->m01)),
+      Ro_22 = ksl_product_sum((double)R1->m22, (double)R2->m22, ksl_product_sum((double)R1->m21,
+          (double)R2->m12, (double)R1->m20 * (double)R2->m02));
   Ro->m00 = (float)Ro_00;
   Ro->m01 = (float)Ro_01;
   Ro->m02 = (float)Ro_02;
@@ -2392,23 +2367,23 @@ static inline void ksl_product_drdrf_accurate(const ksl_mat3x3f_t *R1, const ksl
 static inline void ksl_product_drdrinvf_accurate(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_t *R2,
     ksl_mat3x3f_t *Ro) {
   const double Ro_00 = ksl_product_sum((double)R1->m02, (double)R2->m02,
-      ksl_product_sum((double)R1->m01, (double)R2->m01, (double)R1->m00 * (double)R2->m00));
-  const double Ro_01 = ksl_product_sum((double)R1->m02, (double)R2->m12,
-      ksl_product_sum((double)R1->m01, (double)R2->m11, (double)R1->m00 * (double)R2->m10));
-  const double Ro_02 = ksl_product_sum((double)R1->m02, (double)R2->m22,
-      ksl_product_sum((double)R1->m01, (double)R2->m21, (double)R1->m00 * (double)R2->m20));
-  const double Ro_10 = ksl_product_sum((double)R1->m12, (double)R2->m02,
-      ksl_product_sum((double)R1->m11, (double)R2->m01, (double)R1->m10 * (double)R2->m00));
-  const double Ro_11 = ksl_product_sum((double)R1->m12, (double)R2->m12,
-      ksl_product_sum((double)R1->m11, (double)R2->m11, (double)R1->m10 * (double)R2->m10));
-  const double Ro_12 = ksl_product_sum((double)R1->m12, (double)R2->m22,
-      ksl_product_sum((double)R1->m11, (double)R2->m21, (double)R1->m10 * (double)R2->m20));
-  const double Ro_20 = ksl_product_sum((double)R1->m22, (double)R2->m02,
-      ksl_product_sum((double)R1->m21, (double)R2->m01, (double)R1->m20 * (double)R2->m00));
-  const double Ro_21 = ksl_product_sum((double)R1->m22, (double)R2->m12,
-      ksl_product_sum((double)R1->m21, (double)R2->m11, (double)R1->m20 * (double)R2->m10));
-  const double Ro_22 = ksl_product_sum((double)R1->m22, (double)R2->m22,
-      ksl_product_sum((double)R1->m21, (double)R2->m21, (double)R1->m20 * (double)R2->m20));
+      ksl_product_sum((double)R1->m01, (double)R2->m01, (double)R1->m00 * (double)R2->m00)),
+      Ro_01 = ksl_product_sum((double)R1->m02, (double)R2->m12, ksl_product_sum((double)R1->m01,
+          (double)R2->m11, (double)R1->m00 * (double)R2->m10)),
+      Ro_02 = ksl_product_sum((double)R1->m02, (double)R2->m22, ksl_product_sum((double)R1->m01,
+          (double)R2->m21, (double)R1->m00 * (double)R2->m20)),
+      Ro_10 = ksl_product_sum((double)R1->m12, (double)R2->m02, ksl_product_sum((double)R1->m11,
+          (double)R2->m01, (double)R1->m10 * (double)R2->m00)),
+      Ro_11 = ksl_product_sum((double)R1->m12, (double)R2->m12, ksl_product_sum((double)R1->m11,
+          (double)R2->m11, (double)R1->m10 * (double)R2->m10)),
+      Ro_12 = ksl_product_sum((double)R1->m12, (double)R2->m22, ksl_product_sum((double)R1->m11,
+          (double)R2->m21, (double)R1->m10 * (double)R2->m20)),
+      Ro_20 = ksl_product_sum((double)R1->m22, (double)R2->m02, ksl_product_sum((double)R1->m21,
+          (double)R2->m01, (double)R1->m20 * (double)R2->m00)),
+      Ro_21 = ksl_product_sum((double)R1->m22, (double)R2->m12, ksl_product_sum((double)R1->m21,
+          (double)R2->m11, (double)R1->m20 * (double)R2->m10)),
+      Ro_22 = ksl_product_sum((double)R1->m22, (double)R2->m22, ksl_product_sum((double)R1->m21,
+          (double)R2->m21, (double)R1->m20 * (double)R2->m20));
   Ro->m00 = (float)Ro_00;
   Ro->m01 = (float)Ro_01;
   Ro->m02 = (float)Ro_02;
@@ -2428,23 +2403,23 @@ static inline void ksl_product_drdrinvf_accurate(const ksl_mat3x3f_t *R1, const 
 static inline void ksl_product_drinvdrf_accurate(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_t *R2,
     ksl_mat3x3f_t *Ro) {
   const double Ro_00 = ksl_product_sum((double)R1->m20, (double)R2->m20,
-      ksl_product_sum((double)R1->m10, (double)R2->m10, (double)R1->m00 * (double)R2->m00));
-  const double Ro_01 = ksl_product_sum((double)R1->m20, (double)R2->m21,
-      ksl_product_sum((double)R1->m10, (double)R2->m11, (double)R1->m00 * (double)R2->m01));
-  const double Ro_02 = ksl_product_sum((double)R1->m20, (double)R2->m22,
-      ksl_product_sum((double)R1->m10, (double)R2->m12, (double)R1->m00 * (double)R2->m02));
-  const double Ro_10 = ksl_product_sum((double)R1->m21, (double)R2->m20,
-      ksl_product_sum((double)R1->m11, (double)R2->m10, (double)R1->m01 * (double)R2->m00));
-  const double Ro_11 = ksl_product_sum((double)R1->m21, (double)R2->m21,
-      ksl_product_sum((double)R1->m11, (double)R2->m11, (double)R1->m01 * (double)R2->m01));
-  const double Ro_12 = ksl_product_sum((double)R1->m21, (double)R2->m22,
-      ksl_product_sum((double)R1->m11, (double)R2->m12, (double)R1->m01 * (double)R2->m02));
-  const double Ro_20 = ksl_product_sum((double)R1->m22, (double)R2->m20,
-      ksl_product_sum((double)R1->m12, (double)R2->m10, (double)R1->m02 * (double)R2->m00));
-  const double Ro_21 = ksl_product_sum((double)R1->m22, (double)R2->m21,
-      ksl_product_sum((double)R1->m12, (double)R2->m11, (double)R1->m02 * (double)R2->m01));
-  const double Ro_22 = ksl_product_sum((double)R1->m22, (double)R2->m22,
-      ksl_product_sum((double)R1->m12, (double)R2->m12, (double)R1->m02 * (double)R2->m02));
+      ksl_product_sum((double)R1->m10, (double)R2->m10, (double)R1->m00 * (double)R2->m00)),
+      Ro_01 = ksl_product_sum((double)R1->m20, (double)R2->m21, ksl_product_sum((double)R1->m10,
+          (double)R2->m11, (double)R1->m00 * (double)R2->m01)),
+      Ro_02 = ksl_product_sum((double)R1->m20, (double)R2->m22, ksl_product_sum((double)R1->m10,
+          (double)R2->m12, (double)R1->m00 * (double)R2->m02)),
+      Ro_10 = ksl_product_sum((double)R1->m21, (double)R2->m20, ksl_product_sum((double)R1->m11,
+          (double)R2->m10, (double)R1->m01 * (double)R2->m00)),
+      Ro_11 = ksl_product_sum((double)R1->m21, (double)R2->m21, ksl_product_sum((double)R1->m11,
+          (double)R2->m11, (double)R1->m01 * (double)R2->m01)),
+      Ro_12 = ksl_product_sum((double)R1->m21, (double)R2->m22, ksl_product_sum((double)R1->m11,
+          (double)R2->m12, (double)R1->m01 * (double)R2->m02)),
+      Ro_20 = ksl_product_sum((double)R1->m22, (double)R2->m20, ksl_product_sum((double)R1->m12,
+          (double)R2->m10, (double)R1->m02 * (double)R2->m00)),
+      Ro_21 = ksl_product_sum((double)R1->m22, (double)R2->m21, ksl_product_sum((double)R1->m12,
+          (double)R2->m11, (double)R1->m02 * (double)R2->m01)),
+      Ro_22 = ksl_product_sum((double)R1->m22, (double)R2->m22, ksl_product_sum((double)R1->m12,
+          (double)R2->m12, (double)R1->m02 * (double)R2->m02));
   Ro->m00 = (float)Ro_00;
   Ro->m01 = (float)Ro_01;
   Ro->m02 = (float)Ro_02;
@@ -2464,29 +2439,29 @@ static inline void ksl_product_drinvdrf_accurate(const ksl_mat3x3f_t *R1, const 
 static inline void ksl_product_ddf_accurate(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2,
     ksl_SE3f_t *Do) {
   const double Do_00 = ksl_product_sum((double)D1->m02, (double)D2->m20,
-      ksl_product_sum((double)D1->m01, (double)D2->m10, (double)D1->m00 * (double)D2->m00));
-  const double Do_01 = ksl_product_sum((double)D1->m02, (double)D2->m21,
-      ksl_product_sum((double)D1->m01, (double)D2->m11, (double)D1->m00 * (double)D2->m01));
-  const double Do_02 = ksl_product_sum((double)D1->m02, (double)D2->m22,
-      ksl_product_sum((double)D1->m01, (double)D2->m12, (double)D1->m00 * (double)D2->m02));
+      ksl_product_sum((double)D1->m01, (double)D2->m10, (double)D1->m00 * (double)D2->m00)),
+      Do_01 = ksl_product_sum((double)D1->m02, (double)D2->m21, ksl_product_sum((double)D1->m01,
+          (double)D2->m11, (double)D1->m00 * (double)D2->m01)),
+      Do_02 = ksl_product_sum((double)D1->m02, (double)D2->m22, ksl_product_sum((double)D1->m01,
+          (double)D2->m12, (double)D1->m00 * (double)D2->m02));
   const double Do_03e = ksl_product_sum((double)D1->m02, (double)D2->m23,
       ksl_product_sum((double)D1->m01, (double)D2->m13, (double)D1->m00 * (double)D2->m03)),
       Do_03 = Do_03e + (double)D1->m03;
   const double Do_10 = ksl_product_sum((double)D1->m12, (double)D2->m20,
-      ksl_product_sum((double)D1->m11, (double)D2->m10, (double)D1->m10 * (double)D2->m00));
-  const double Do_11 = ksl_product_sum((double)D1->m12, (double)D2->m21,
-      ksl_product_sum((double)D1->m11, (double)D2->m11, (double)D1->m10 * (double)D2->m01));
-  const double Do_12 = ksl_product_sum((double)D1->m12, (double)D2->m22,
-      ksl_product_sum((double)D1->m11, (double)D2->m12, (double)D1->m10 * (double)D2->m02));
+      ksl_product_sum((double)D1->m11, (double)D2->m10, (double)D1->m10 * (double)D2->m00)),
+      Do_11 = ksl_product_sum((double)D1->m12, (double)D2->m21, ksl_product_sum((double)D1->m11,
+          (double)D2->m11, (double)D1->m10 * (double)D2->m01)),
+      Do_12 = ksl_product_sum((double)D1->m12, (double)D2->m22, ksl_product_sum((double)D1->m11,
+          (double)D2->m12, (double)D1->m10 * (double)D2->m02));
   const double Do_13e = ksl_product_sum((double)D1->m12, (double)D2->m23,
       ksl_product_sum((double)D1->m11, (double)D2->m13, (double)D1->m10 * (double)D2->m03)),
       Do_13 = Do_13e + (double)D1->m13;
   const double Do_20 = ksl_product_sum((double)D1->m22, (double)D2->m20,
-      ksl_product_sum((double)D1->m21, (double)D2->m10, (double)D1->m20 * (double)D2->m00));
-  const double Do_21 = ksl_product_sum((double)D1->m22, (double)D2->m21,
-      ksl_product_sum((double)D1->m21, (double)D2->m11, (double)D1->m20 * (double)D2->m01));
-  const double Do_22 = ksl_product_sum((double)D1->m22, (double)D2->m22,
-      ksl_product_sum((double)D1->m21, (double)D2->m12, (double)D1->m20 * (double)D2->m02));
+      ksl_product_sum((double)D1->m21, (double)D2->m10, (double)D1->m20 * (double)D2->m00)),
+      Do_21 = ksl_product_sum((double)D1->m22, (double)D2->m21, ksl_product_sum((double)D1->m21,
+          (double)D2->m11, (double)D1->m20 * (double)D2->m01)),
+      Do_22 = ksl_product_sum((double)D1->m22, (double)D2->m22, ksl_product_sum((double)D1->m21,
+          (double)D2->m12, (double)D1->m20 * (double)D2->m02));
   const double Do_23e = ksl_product_sum((double)D1->m22, (double)D2->m23,
       ksl_product_sum((double)D1->m21, (double)D2->m13, (double)D1->m20 * (double)D2->m03)),
       Do_23 = Do_23e + (double)D1->m23;
@@ -2512,30 +2487,30 @@ static inline void ksl_product_ddf_accurate(const ksl_SE3f_t *D1, const ksl_SE3f
 static inline void ksl_product_ddinvf_accurate(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2,
     ksl_SE3f_t *Do) {
   const double R_0 = ksl_product_sum((double)D1->m02, (double)D2->m02,
-      ksl_product_sum((double)D1->m01, (double)D2->m01, (double)D1->m00 * (double)D2->m00));
-  const double R_1 = ksl_product_sum((double)D1->m02, (double)D2->m12,
-      ksl_product_sum((double)D1->m01, (double)D2->m11, (double)D1->m00 * (double)D2->m10));
-  const double R_2 = ksl_product_sum((double)D1->m02, (double)D2->m22,
-      ksl_product_sum((double)D1->m01, (double)D2->m21, (double)D1->m00 * (double)D2->m20));
-  const double R_3 = ksl_product_sum((double)D1->m12, (double)D2->m02,
-      ksl_product_sum((double)D1->m11, (double)D2->m01, (double)D1->m10 * (double)D2->m00));
-  const double R_4 = ksl_product_sum((double)D1->m12, (double)D2->m12,
-      ksl_product_sum((double)D1->m11, (double)D2->m11, (double)D1->m10 * (double)D2->m10));
-  const double R_5 = ksl_product_sum((double)D1->m12, (double)D2->m22,
-      ksl_product_sum((double)D1->m11, (double)D2->m21, (double)D1->m10 * (double)D2->m20));
-  const double R_6 = ksl_product_sum((double)D1->m22, (double)D2->m02,
-      ksl_product_sum((double)D1->m21, (double)D2->m01, (double)D1->m20 * (double)D2->m00));
-  const double R_7 = ksl_product_sum((double)D1->m22, (double)D2->m12,
-      ksl_product_sum((double)D1->m21, (double)D2->m11, (double)D1->m20 * (double)D2->m10));
-  const double R_8 = ksl_product_sum((double)D1->m22, (double)D2->m22,
-      ksl_product_sum((double)D1->m21, (double)D2->m21, (double)D1->m20 * (double)D2->m20));
+      ksl_product_sum((double)D1->m01, (double)D2->m01, (double)D1->m00 * (double)D2->m00)),
+      R_1 = ksl_product_sum((double)D1->m02, (double)D2->m12, ksl_product_sum((double)D1->m01,
+          (double)D2->m11, (double)D1->m00 * (double)D2->m10)),
+      R_2 = ksl_product_sum((double)D1->m02, (double)D2->m22, ksl_product_sum((double)D1->m01,
+          (double)D2->m21, (double)D1->m00 * (double)D2->m20)),
+      R_3 = ksl_product_sum((double)D1->m12, (double)D2->m02, ksl_product_sum((double)D1->m11,
+          (double)D2->m01, (double)D1->m10 * (double)D2->m00)),
+      R_4 = ksl_product_sum((double)D1->m12, (double)D2->m12, ksl_product_sum((double)D1->m11,
+          (double)D2->m11, (double)D1->m10 * (double)D2->m10)),
+      R_5 = ksl_product_sum((double)D1->m12, (double)D2->m22, ksl_product_sum((double)D1->m11,
+          (double)D2->m21, (double)D1->m10 * (double)D2->m20)),
+      R_6 = ksl_product_sum((double)D1->m22, (double)D2->m02, ksl_product_sum((double)D1->m21,
+          (double)D2->m01, (double)D1->m20 * (double)D2->m00)),
+      R_7 = ksl_product_sum((double)D1->m22, (double)D2->m12, ksl_product_sum((double)D1->m21,
+          (double)D2->m11, (double)D1->m20 * (double)D2->m10)),
+      R_8 = ksl_product_sum((double)D1->m22, (double)D2->m22, ksl_product_sum((double)D1->m21,
+          (double)D2->m21, (double)D1->m20 * (double)D2->m20));
   const double Do_03 = (double)D1->m03
           - (KSL_MUL((double)D2->m03, R_0) + KSL_MUL((double)D2->m13, R_1)
-          + KSL_MUL((double)D2->m23, R_2));
-  const double Do_13 = (double)D1->m13
+          + KSL_MUL((double)D2->m23, R_2)),
+      Do_13 = (double)D1->m13
           - (KSL_MUL((double)D2->m03, R_3) + KSL_MUL((double)D2->m13, R_4)
-          + KSL_MUL((double)D2->m23, R_5));
-  const double Do_23 = (double)D1->m23
+          + KSL_MUL((double)D2->m23, R_5)),
+      Do_23 = (double)D1->m23
           - (KSL_MUL((double)D2->m03, R_6) + KSL_MUL((double)D2->m13, R_7)
           + KSL_MUL((double)D2->m23, R_8));
   Do->m00 = (float)R_0;
@@ -2559,32 +2534,31 @@ static inline void ksl_product_ddinvf_accurate(const ksl_SE3f_t *D1, const ksl_S
      formula; barring over- and underflow. */
 static inline void ksl_product_dinvdf_accurate(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2,
     ksl_SE3f_t *Do) {
-  const double p_0 = (double)D2->m03 - (double)D1->m03;
-  const double p_1 = (double)D2->m13 - (double)D1->m13;
-  const double p_2 = (double)D2->m23 - (double)D1->m23;
+  const double p_0 = (double)D2->m03 - (double)D1->m03, p_1 = (double)D2->m13 - (double)D1->m13,
+      p_2 = (double)D2->m23 - (double)D1->m23;
   const double Do_00 = ksl_product_sum((double)D1->m20, (double)D2->m20,
-      ksl_product_sum((double)D1->m10, (double)D2->m10, (double)D1->m00 * (double)D2->m00));
-  const double Do_01 = ksl_product_sum((double)D1->m20, (double)D2->m21,
-      ksl_product_sum((double)D1->m10, (double)D2->m11, (double)D1->m00 * (double)D2->m01));
-  const double Do_02 = ksl_product_sum((double)D1->m20, (double)D2->m22,
-      ksl_product_sum((double)D1->m10, (double)D2->m12, (double)D1->m00 * (double)D2->m02));
-  const double Do_03 = KSL_MUL((double)D1->m00, p_0) + KSL_MUL((double)D1->m10, p_1)
-          + KSL_MUL((double)D1->m20, p_2);
-  const double Do_10 = ksl_product_sum((double)D1->m21, (double)D2->m20,
-      ksl_product_sum((double)D1->m11, (double)D2->m10, (double)D1->m01 * (double)D2->m00));
-  const double Do_11 = ksl_product_sum((double)D1->m21, (double)D2->m21,
-      ksl_product_sum((double)D1->m11, (double)D2->m11, (double)D1->m01 * (double)D2->m01));
-  const double Do_12 = ksl_product_sum((double)D1->m21, (double)D2->m22,
-      ksl_product_sum((double)D1->m11, (double)D2->m12, (double)D1->m01 * (double)D2->m02));
-  const double Do_13 = KSL_MUL((double)D1->m01, p_0) + KSL_MUL((double)D1->m11, p_1)
-          + KSL_MUL((double)D1->m21, p_2);
-  const double Do_20 = ksl_product_sum((double)D1->m22, (double)D2->m20,
-      ksl_product_sum((double)D1->m12, (double)D2->m10, (double)D1->m02 * (double)D2->m00));
-  const double Do_21 = ksl_product_sum((double)D1->m22, (double)D2->m21,
-      ksl_product_sum((double)D1->m12, (double)D2->m11, (double)D1->m02 * (double)D2->m01));
-  const double Do_22 = ksl_product_sum((double)D1->m22, (double)D2->m22,
-      ksl_product_sum((double)D1->m12, (double)D2->m12, (double)D1->m02 * (double)D2->m02));
-  const double Do_23 = KSL_MUL((double)D1->m02, p_0) + KSL_MUL((double)D1->m12, p_1)
+      ksl_product_sum((double)D1->m10, (double)D2->m10, (double)D1->m00 * (double)D2->m00)),
+      Do_01 = ksl_product_sum((double)D1->m20, (double)D2->m21, ksl_product_sum((double)D1->m10,
+          (double)D2->m11, (double)D1->m00 * (double)D2->m01)),
+      Do_02 = ksl_product_sum((double)D1->m20, (double)D2->m22, ksl_product_sum((double)D1->m10,
+          (double)D2->m12, (double)D1->m00 * (double)D2->m02)),
+      Do_03 = KSL_MUL((double)D1->m00, p_0) + KSL_MUL((double)D1->m10, p_1)
+          + KSL_MUL((double)D1->m20, p_2),
+      Do_10 = ksl_product_sum((double)D1->m21, (double)D2->m20, ksl_product_sum((double)D1->m11,
+          (double)D2->m10, (double)D1->m01 * (double)D2->m00)),
+      Do_11 = ksl_product_sum((double)D1->m21, (double)D2->m21, ksl_product_sum((double)D1->m11,
+          (double)D2->m11, (double)D1->m01 * (double)D2->m01)),
+      Do_12 = ksl_product_sum((double)D1->m21, (double)D2->m22, ksl_product_sum((double)D1->m11,
+          (double)D2->m12, (double)D1->m01 * (double)D2->m02)),
+      Do_13 = KSL_MUL((double)D1->m01, p_0) + KSL_MUL((double)D1->m11, p_1)
+          + KSL_MUL((double)D1->m21, p_2),
+      Do_20 = ksl_product_sum((double)D1->m22, (double)D2->m20, ksl_product_sum((double)D1->m12,
+          (double)D2->m10, (double)D1->m02 * (double)D2->m00)),
+      Do_21 = ksl_product_sum((double)D1->m22, (double)D2->m21, ksl_product_sum((double)D1->m12,
+          (double)D2->m11, (double)D1->m02 * (double)D2->m01)),
+      Do_22 = ksl_product_sum((double)D1->m22, (double)D2->m22, ksl_product_sum((double)D1->m12,
+          (double)D2->m12, (double)D1->m02 * (double)D2->m02)),
+      Do_23 = KSL_MUL((double)D1->m02, p_0) + KSL_MUL((double)D1->m12, p_1)
           + KSL_MUL((double)D1->m22, p_2);
   Do->m00 = (float)Do_00;
   Do->m01 = (float)Do_01;
@@ -2608,23 +2582,23 @@ static inline void ksl_product_dinvdf_accurate(const ksl_SE3f_t *D1, const ksl_S
 static inline void ksl_product_ddrf_accurate(const ksl_SE3f_t *D, const ksl_mat3x3f_t *R,
     ksl_SE3f_t *Do) {
   const double Do_00 = ksl_product_sum((double)D->m02, (double)R->m20,
-      ksl_product_sum((double)D->m01, (double)R->m10, (double)D->m00 * (double)R->m00));
-  const double Do_01 = ksl_product_sum((double)D->m02, (double)R->m21,
-      ksl_product_sum((double)D->m01, (double)R->m11, (double)D->m00 * (double)R->m01));
-  const double Do_02 = ksl_product_sum((double)D->m02, (double)R->m22,
-      ksl_product_sum((double)D->m01, (double)R->m12, (double)D->m00 * (double)R->m02));
-  const double Do_10 = ksl_product_sum((double)D->m12, (double)R->m20,
-      ksl_product_sum((double)D->m11, (double)R->m10, (double)D->m10 * (double)R->m00));
-  const double Do_11 = ksl_product_sum((double)D->m12, (double)R->m21,
-      ksl_product_sum((double)D->m11, (double)R->m11, (double)D->m10 * (double)R->m01));
-  const double Do_12 = ksl_product_sum((double)D->m12, (double)R->m22,
-      ksl_product_sum((double)D->m11, (double)R->m12, (double)D->m10 * (double)R->m02));
-  const double Do_20 = ksl_product_sum((double)D->m22, (double)R->m20,
-      ksl_product_sum((double)D->m21, (double)R->m10, (double)D->m20 * (double)R->m00));
-  const double Do_21 = ksl_product_sum((double)D->m22, (double)R->m21,
-      ksl_product_sum((double)D->m21, (double)R->m11, (double)D->m20 * (double)R->m01));
-  const double Do_22 = ksl_product_sum((double)D->m22, (double)R->m22,
-      ksl_product_sum((double)D->m21, (double)R->m12, (double)D->m20 * (double)R->m02));
+      ksl_product_sum((double)D->m01, (double)R->m10, (double)D->m00 * (double)R->m00)),
+      Do_01 = ksl_product_sum((double)D->m02, (double)R->m21, ksl_product_sum((double)D->m01,
+          (double)R->m11, (double)D->m00 * (double)R->m01)),
+      Do_02 = ksl_product_sum((double)D->m02, (double)R->m22, ksl_product_sum((double)D->m01,
+          (double)R->m12, (double)D->m00 * (double)R->m02)),
+      Do_10 = ksl_product_sum((double)D->m12, (double)R->m20, ksl_product_sum((double)D->m11,
+          (double)R->m10, (double)D->m10 * (double)R->m00)),
+      Do_11 = ksl_product_sum((double)D->m12, (double)R->m21, ksl_product_sum((double)D->m11,
+          (double)R->m11, (double)D->m10 * (double)R->m01)),
+      Do_12 = ksl_product_sum((double)D->m12, (double)R->m22, ksl_product_sum((double)D->m11,
+          (double)R->m12, (double)D->m10 * (double)R->m02)),
+      Do_20 = ksl_product_sum((double)D->m22, (double)R->m20, ksl_product_sum((double)D->m21,
+          (double)R->m10, (double)D->m20 * (double)R->m00)),
+      Do_21 = ksl_product_sum((double)D->m22, (double)R->m21, ksl_product_sum((double)D->m21,
+          (double)R->m11, (double)D->m20 * (double)R->m01)),
+      Do_22 = ksl_product_sum((double)D->m22, (double)R->m22, ksl_product_sum((double)D->m21,
+          (double)R->m12, (double)D->m20 * (double)R->m02));
   const float D_m03 = D->m03;
   const float D_m13 = D->m13;
   const float D_m23 = D->m23;
@@ -2650,23 +2624,23 @@ static inline void ksl_product_ddrf_accurate(const ksl_SE3f_t *D, const ksl_mat3
 static inline void ksl_product_ddrinvf_accurate(const ksl_SE3f_t *D, const ksl_mat3x3f_t *R,
     ksl_SE3f_t *Do) {
   const double Do_00 = ksl_product_sum((double)D->m02, (double)R->m02,
-      ksl_product_sum((double)D->m01, (double)R->m01, (double)D->m00 * (double)R->m00));
-  const double Do_01 = ksl_product_sum((double)D->m02, (double)R->m12,
-      ksl_product_sum((double)D->m01, (double)R->m11, (double)D->m00 * (double)R->m10));
-  const double Do_02 = ksl_product_sum((double)D->m02, (double)R->m22,
-      ksl_product_sum((double)D->m01, (double)R->m21, (double)D->m00 * (double)R->m20));
-  const double Do_10 = ksl_product_sum((double)D->m12, (double)R->m02,
-      ksl_product_sum((double)D->m11, (double)R->m01, (double)D->m10 * (double)R->m00));
-  const double Do_11 = ksl_product_sum((double)D->m12, (double)R->m12,
-      ksl_product_sum((double)D->m11, (double)R->m11, (double)D->m10 * (double)R->m10));
-  const double Do_12 = ksl_product_sum((double)D->m12, (double)R->m22,
-      ksl_product_sum((double)D->m11, (double)R->m21, (double)D->m10 * (double)R->m20));
-  const double Do_20 = ksl_product_sum((double)D->m22, (double)R->m02,
-      ksl_product_sum((double)D->m21, (double)R->m01, (double)D->m20 * (double)R->m00));
-  const double Do_21 = ksl_product_sum((double)D->m22, (double)R->m12,
-      ksl_product_sum((double)D->m21, (double)R->m11, (double)D->m20 * (double)R->m10));
-  const double Do_22 = ksl_product_sum((double)D->m22, (double)R->m22,
-      ksl_product_sum((double)D->m21, (double)R->m21, (double)D->m20 * (double)R->m20));
+      ksl_product_sum((double)D->m01, (double)R->m01, (double)D->m00 * (double)R->m00)),
+      Do_01 = ksl_product_sum((double)D->m02, (double)R->m12, ksl_product_sum((double)D->m01,
+          (double)R->m11, (double)D->m00 * (double)R->m10)),
+      Do_02 = ksl_product_sum((double)D->m02, (double)R->m22, ksl_product_sum((double)D->m01,
+          (double)R->m21, (double)D->m00 * (double)R->m20)),
+      Do_10 = ksl_product_sum((double)D->m12, (double)R->m02, ksl_product_sum((double)D->m11,
+          (double)R->m01, (double)D->m10 * (double)R->m00)),
+      Do_11 = ksl_product_sum((double)D->m12, (double)R->m12, ksl_product_sum((double)D->m11,
+          (double)R->m11, (double)D->m10 * (double)R->m10)),
+      Do_12 = ksl_product_sum((double)D->m12, (double)R->m22, ksl_product_sum((double)D->m11,
+          (double)R->m21, (double)D->m10 * (double)R->m20)),
+      Do_20 = ksl_product_sum((double)D->m22, (double)R->m02, ksl_product_sum((double)D->m21,
+          (double)R->m01, (double)D->m20 * (double)R->m00)),
+      Do_21 = ksl_product_sum((double)D->m22, (double)R->m12, ksl_product_sum((double)D->m21,
+          (double)R->m11, (double)D->m20 * (double)R->m10)),
+      Do_22 = ksl_product_sum((double)D->m22, (double)R->m22, ksl_product_sum((double)D->m21,
+          (double)R->m21, (double)D->m20 * (double)R->m20));
   const float D_m03 = D->m03;
   const float D_m13 = D->m13;
   const float D_m23 = D->m23;
@@ -2692,11 +2666,11 @@ static inline void ksl_product_ddrinvf_accurate(const ksl_SE3f_t *D, const ksl_m
 static inline void ksl_product_ddtf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *t,
     ksl_SE3f_t *Do) {
   const double Do_03 = ksl_product_sum((double)D->m02, (double)t->z, ksl_product_sum((double)D->m01,
-      (double)t->y, (double)D->m00 * (double)t->x)) + (double)D->m03;
-  const double Do_13 = ksl_product_sum((double)D->m12, (double)t->z, ksl_product_sum((double)D->m11,
-      (double)t->y, (double)D->m10 * (double)t->x)) + (double)D->m13;
-  const double Do_23 = ksl_product_sum((double)D->m22, (double)t->z, ksl_product_sum((double)D->m21,
-      (double)t->y, (double)D->m20 * (double)t->x)) + (double)D->m23;
+      (double)t->y, (double)D->m00 * (double)t->x)) + (double)D->m03,
+      Do_13 = ksl_product_sum((double)D->m12, (double)t->z, ksl_product_sum((double)D->m11,
+          (double)t->y, (double)D->m10 * (double)t->x)) + (double)D->m13,
+      Do_23 = ksl_product_sum((double)D->m22, (double)t->z, ksl_product_sum((double)D->m21,
+          (double)t->y, (double)D->m20 * (double)t->x)) + (double)D->m23;
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -2729,11 +2703,11 @@ static inline void ksl_product_ddtinvf_accurate(const ksl_SE3f_t *D, const ksl_v
     ksl_SE3f_t *Do) {
   const double Do_03 = (double)D->m03
           - ksl_product_sum((double)D->m02, (double)t->z, ksl_product_sum((double)D->m01,
-              (double)t->y, (double)D->m00 * (double)t->x));
-  const double Do_13 = (double)D->m13
+              (double)t->y, (double)D->m00 * (double)t->x)),
+      Do_13 = (double)D->m13
           - ksl_product_sum((double)D->m12, (double)t->z, ksl_product_sum((double)D->m11,
-              (double)t->y, (double)D->m10 * (double)t->x));
-  const double Do_23 = (double)D->m23
+              (double)t->y, (double)D->m10 * (double)t->x)),
+      Do_23 = (double)D->m23
           - ksl_product_sum((double)D->m22, (double)t->z, ksl_product_sum((double)D->m21,
               (double)t->y, (double)D->m20 * (double)t->x));
   const float D_m00 = D->m00;
@@ -2766,14 +2740,13 @@ static inline void ksl_product_ddtinvf_accurate(const ksl_SE3f_t *D, const ksl_v
      barring over- and underflow. */
 static inline void ksl_product_dinvdtf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *t,
     ksl_SE3f_t *Do) {
-  const double p_0 = (double)t->x - (double)D->m03;
-  const double p_1 = (double)t->y - (double)D->m13;
-  const double p_2 = (double)t->z - (double)D->m23;
+  const double p_0 = (double)t->x - (double)D->m03, p_1 = (double)t->y - (double)D->m13,
+      p_2 = (double)t->z - (double)D->m23;
   const double Do_03 = KSL_MUL((double)D->m00, p_0) + KSL_MUL((double)D->m10, p_1)
-          + KSL_MUL((double)D->m20, p_2);
-  const double Do_13 = KSL_MUL((double)D->m01, p_0) + KSL_MUL((double)D->m11, p_1)
-          + KSL_MUL((double)D->m21, p_2);
-  const double Do_23 = KSL_MUL((double)D->m02, p_0) + KSL_MUL((double)D->m12, p_1)
+          + KSL_MUL((double)D->m20, p_2),
+      Do_13 = KSL_MUL((double)D->m01, p_0) + KSL_MUL((double)D->m11, p_1)
+          + KSL_MUL((double)D->m21, p_2),
+      Do_23 = KSL_MUL((double)D->m02, p_0) + KSL_MUL((double)D->m12, p_1)
           + KSL_MUL((double)D->m22, p_2);
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
@@ -2805,9 +2778,8 @@ static inline void ksl_product_dinvdtf_accurate(const ksl_SE3f_t *D, const ksl_v
      over- and underflow. */
 static inline void ksl_product_drvtxf_accurate(const ksl_mat3x3f_t *R, const float k,
     ksl_vec3f_t *vo) {
-  const double vo_0 = (double)R->m00 * (double)k;
-  const double vo_1 = (double)R->m10 * (double)k;
-  const double vo_2 = (double)R->m20 * (double)k;
+  const double vo_0 = (double)R->m00 * (double)k, vo_1 = (double)R->m10 * (double)k,
+      vo_2 = (double)R->m20 * (double)k;
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
@@ -2821,17 +2793,12 @@ static inline void ksl_product_drvtxf_accurate(const ksl_mat3x3f_t *R, const flo
 static inline void ksl_product_drdrxf_accurate(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
   const double Ro_01 = ksl_product_sum((double)R->m02, (double)dc[0], (double)R->m01
-          * (double)dc[1]);
-  const double Ro_02 = ksl_product_sum(-(double)R->m01, (double)dc[0], (double)R->m02
-          * (double)dc[1]);
-  const double Ro_11 = ksl_product_sum((double)R->m12, (double)dc[0], (double)R->m11
-          * (double)dc[1]);
-  const double Ro_12 = ksl_product_sum(-(double)R->m11, (double)dc[0], (double)R->m12
-          * (double)dc[1]);
-  const double Ro_21 = ksl_product_sum((double)R->m22, (double)dc[0], (double)R->m21
-          * (double)dc[1]);
-  const double Ro_22 = ksl_product_sum(-(double)R->m21, (double)dc[0], (double)R->m22
-          * (double)dc[1]);
+          * (double)dc[1]),
+      Ro_02 = ksl_product_sum(-(double)R->m01, (double)dc[0], (double)R->m02 * (double)dc[1]),
+      Ro_11 = ksl_product_sum((double)R->m12, (double)dc[0], (double)R->m11 * (double)dc[1]),
+      Ro_12 = ksl_product_sum(-(double)R->m11, (double)dc[0], (double)R->m12 * (double)dc[1]),
+      Ro_21 = ksl_product_sum((double)R->m22, (double)dc[0], (double)R->m21 * (double)dc[1]),
+      Ro_22 = ksl_product_sum(-(double)R->m21, (double)dc[0], (double)R->m22 * (double)dc[1]);
   const float R_m00 = R->m00;
   const float R_m10 = R->m10;
   const float R_m20 = R->m20;
@@ -2854,17 +2821,12 @@ static inline void ksl_product_drdrxf_accurate(const ksl_mat3x3f_t *R, const flo
 static inline void ksl_product_ddrxf_accurate(const ksl_SE3f_t *D, const float dc[2],
     ksl_SE3f_t *Do) {
   const double Do_01 = ksl_product_sum((double)D->m02, (double)dc[0], (double)D->m01
-          * (double)dc[1]);
-  const double Do_02 = ksl_product_sum(-(double)D->m01, (double)dc[0], (double)D->m02
-          * (double)dc[1]);
-  const double Do_11 = ksl_product_sum((double)D->m12, (double)dc[0], (double)D->m11
-          * (double)dc[1]);
-  const double Do_12 = ksl_product_sum(-(double)D->m11, (double)dc[0], (double)D->m12
-          * (double)dc[1]);
-  const double Do_21 = ksl_product_sum((double)D->m22, (double)dc[0], (double)D->m21
-          * (double)dc[1]);
-  const double Do_22 = ksl_product_sum(-(double)D->m21, (double)dc[0], (double)D->m22
-          * (double)dc[1]);
+          * (double)dc[1]),
+      Do_02 = ksl_product_sum(-(double)D->m01, (double)dc[0], (double)D->m02 * (double)dc[1]),
+      Do_11 = ksl_product_sum((double)D->m12, (double)dc[0], (double)D->m11 * (double)dc[1]),
+      Do_12 = ksl_product_sum(-(double)D->m11, (double)dc[0], (double)D->m12 * (double)dc[1]),
+      Do_21 = ksl_product_sum((double)D->m22, (double)dc[0], (double)D->m21 * (double)dc[1]),
+      Do_22 = ksl_product_sum(-(double)D->m21, (double)dc[0], (double)D->m22 * (double)dc[1]);
   const float D_m00 = D->m00;
   const float D_m03 = D->m03;
   const float D_m10 = D->m10;
@@ -2891,9 +2853,9 @@ static inline void ksl_product_ddrxf_accurate(const ksl_SE3f_t *D, const float d
    Error <= u |result| + (R: 0, t: 1/16) u^2 S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtxf_accurate(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
-  const double Do_03 = ksl_product_sum((double)D->m00, (double)k, (double)D->m03);
-  const double Do_13 = ksl_product_sum((double)D->m10, (double)k, (double)D->m13);
-  const double Do_23 = ksl_product_sum((double)D->m20, (double)k, (double)D->m23);
+  const double Do_03 = ksl_product_sum((double)D->m00, (double)k, (double)D->m03),
+      Do_13 = ksl_product_sum((double)D->m10, (double)k, (double)D->m13),
+      Do_23 = ksl_product_sum((double)D->m20, (double)k, (double)D->m23);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -2924,9 +2886,8 @@ static inline void ksl_product_ddtxf_accurate(const ksl_SE3f_t *D, const float k
      over- and underflow. */
 static inline void ksl_product_drvtxinvf_accurate(const ksl_mat3x3f_t *R, const float k,
     ksl_vec3f_t *vo) {
-  const double vo_0 = -((double)R->m00 * (double)k);
-  const double vo_1 = -((double)R->m10 * (double)k);
-  const double vo_2 = -((double)R->m20 * (double)k);
+  const double vo_0 = -((double)R->m00 * (double)k), vo_1 = -((double)R->m10 * (double)k),
+      vo_2 = -((double)R->m20 * (double)k);
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
@@ -2940,17 +2901,12 @@ static inline void ksl_product_drvtxinvf_accurate(const ksl_mat3x3f_t *R, const 
 static inline void ksl_product_drdrxinvf_accurate(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
   const double Ro_01 = ksl_product_sum(-(double)R->m02, (double)dc[0], (double)R->m01
-          * (double)dc[1]);
-  const double Ro_02 = ksl_product_sum((double)R->m02, (double)dc[1], (double)R->m01
-          * (double)dc[0]);
-  const double Ro_11 = ksl_product_sum(-(double)R->m12, (double)dc[0], (double)R->m11
-          * (double)dc[1]);
-  const double Ro_12 = ksl_product_sum((double)R->m12, (double)dc[1], (double)R->m11
-          * (double)dc[0]);
-  const double Ro_21 = ksl_product_sum(-(double)R->m22, (double)dc[0], (double)R->m21
-          * (double)dc[1]);
-  const double Ro_22 = ksl_product_sum((double)R->m22, (double)dc[1], (double)R->m21
-          * (double)dc[0]);
+          * (double)dc[1]),
+      Ro_02 = ksl_product_sum((double)R->m02, (double)dc[1], (double)R->m01 * (double)dc[0]),
+      Ro_11 = ksl_product_sum(-(double)R->m12, (double)dc[0], (double)R->m11 * (double)dc[1]),
+      Ro_12 = ksl_product_sum((double)R->m12, (double)dc[1], (double)R->m11 * (double)dc[0]),
+      Ro_21 = ksl_product_sum(-(double)R->m22, (double)dc[0], (double)R->m21 * (double)dc[1]),
+      Ro_22 = ksl_product_sum((double)R->m22, (double)dc[1], (double)R->m21 * (double)dc[0]);
   const float R_m00 = R->m00;
   const float R_m10 = R->m10;
   const float R_m20 = R->m20;
@@ -2973,17 +2929,12 @@ static inline void ksl_product_drdrxinvf_accurate(const ksl_mat3x3f_t *R, const 
 static inline void ksl_product_ddrxinvf_accurate(const ksl_SE3f_t *D, const float dc[2],
     ksl_SE3f_t *Do) {
   const double Do_01 = ksl_product_sum(-(double)D->m02, (double)dc[0], (double)D->m01
-          * (double)dc[1]);
-  const double Do_02 = ksl_product_sum((double)D->m02, (double)dc[1], (double)D->m01
-          * (double)dc[0]);
-  const double Do_11 = ksl_product_sum(-(double)D->m12, (double)dc[0], (double)D->m11
-          * (double)dc[1]);
-  const double Do_12 = ksl_product_sum((double)D->m12, (double)dc[1], (double)D->m11
-          * (double)dc[0]);
-  const double Do_21 = ksl_product_sum(-(double)D->m22, (double)dc[0], (double)D->m21
-          * (double)dc[1]);
-  const double Do_22 = ksl_product_sum((double)D->m22, (double)dc[1], (double)D->m21
-          * (double)dc[0]);
+          * (double)dc[1]),
+      Do_02 = ksl_product_sum((double)D->m02, (double)dc[1], (double)D->m01 * (double)dc[0]),
+      Do_11 = ksl_product_sum(-(double)D->m12, (double)dc[0], (double)D->m11 * (double)dc[1]),
+      Do_12 = ksl_product_sum((double)D->m12, (double)dc[1], (double)D->m11 * (double)dc[0]),
+      Do_21 = ksl_product_sum(-(double)D->m22, (double)dc[0], (double)D->m21 * (double)dc[1]),
+      Do_22 = ksl_product_sum((double)D->m22, (double)dc[1], (double)D->m21 * (double)dc[0]);
   const float D_m00 = D->m00;
   const float D_m03 = D->m03;
   const float D_m10 = D->m10;
@@ -3011,9 +2962,9 @@ static inline void ksl_product_ddrxinvf_accurate(const ksl_SE3f_t *D, const floa
      barring over- and underflow. */
 static inline void ksl_product_ddtxinvf_accurate(const ksl_SE3f_t *D, const float k,
     ksl_SE3f_t *Do) {
-  const double Do_03 = ksl_product_sum(-(double)D->m00, (double)k, (double)D->m03);
-  const double Do_13 = ksl_product_sum(-(double)D->m10, (double)k, (double)D->m13);
-  const double Do_23 = ksl_product_sum(-(double)D->m20, (double)k, (double)D->m23);
+  const double Do_03 = ksl_product_sum(-(double)D->m00, (double)k, (double)D->m03),
+      Do_13 = ksl_product_sum(-(double)D->m10, (double)k, (double)D->m13),
+      Do_23 = ksl_product_sum(-(double)D->m20, (double)k, (double)D->m23);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -3044,9 +2995,8 @@ static inline void ksl_product_ddtxinvf_accurate(const ksl_SE3f_t *D, const floa
      over- and underflow. */
 static inline void ksl_product_drvtyf_accurate(const ksl_mat3x3f_t *R, const float k,
     ksl_vec3f_t *vo) {
-  const double vo_0 = (double)R->m01 * (double)k;
-  const double vo_1 = (double)R->m11 * (double)k;
-  const double vo_2 = (double)R->m21 * (double)k;
+  const double vo_0 = (double)R->m01 * (double)k, vo_1 = (double)R->m11 * (double)k,
+      vo_2 = (double)R->m21 * (double)k;
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
@@ -3060,17 +3010,12 @@ static inline void ksl_product_drvtyf_accurate(const ksl_mat3x3f_t *R, const flo
 static inline void ksl_product_drdryf_accurate(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
   const double Ro_00 = ksl_product_sum(-(double)R->m02, (double)dc[0], (double)R->m00
-          * (double)dc[1]);
-  const double Ro_02 = ksl_product_sum((double)R->m02, (double)dc[1], (double)R->m00
-          * (double)dc[0]);
-  const double Ro_10 = ksl_product_sum(-(double)R->m12, (double)dc[0], (double)R->m10
-          * (double)dc[1]);
-  const double Ro_12 = ksl_product_sum((double)R->m12, (double)dc[1], (double)R->m10
-          * (double)dc[0]);
-  const double Ro_20 = ksl_product_sum(-(double)R->m22, (double)dc[0], (double)R->m20
-          * (double)dc[1]);
-  const double Ro_22 = ksl_product_sum((double)R->m22, (double)dc[1], (double)R->m20
-          * (double)dc[0]);
+          * (double)dc[1]),
+      Ro_02 = ksl_product_sum((double)R->m02, (double)dc[1], (double)R->m00 * (double)dc[0]),
+      Ro_10 = ksl_product_sum(-(double)R->m12, (double)dc[0], (double)R->m10 * (double)dc[1]),
+      Ro_12 = ksl_product_sum((double)R->m12, (double)dc[1], (double)R->m10 * (double)dc[0]),
+      Ro_20 = ksl_product_sum(-(double)R->m22, (double)dc[0], (double)R->m20 * (double)dc[1]),
+      Ro_22 = ksl_product_sum((double)R->m22, (double)dc[1], (double)R->m20 * (double)dc[0]);
   const float R_m01 = R->m01;
   const float R_m11 = R->m11;
   const float R_m21 = R->m21;
@@ -3093,17 +3038,12 @@ static inline void ksl_product_drdryf_accurate(const ksl_mat3x3f_t *R, const flo
 static inline void ksl_product_ddryf_accurate(const ksl_SE3f_t *D, const float dc[2],
     ksl_SE3f_t *Do) {
   const double Do_00 = ksl_product_sum(-(double)D->m02, (double)dc[0], (double)D->m00
-          * (double)dc[1]);
-  const double Do_02 = ksl_product_sum((double)D->m02, (double)dc[1], (double)D->m00
-          * (double)dc[0]);
-  const double Do_10 = ksl_product_sum(-(double)D->m12, (double)dc[0], (double)D->m10
-          * (double)dc[1]);
-  const double Do_12 = ksl_product_sum((double)D->m12, (double)dc[1], (double)D->m10
-          * (double)dc[0]);
-  const double Do_20 = ksl_product_sum(-(double)D->m22, (double)dc[0], (double)D->m20
-          * (double)dc[1]);
-  const double Do_22 = ksl_product_sum((double)D->m22, (double)dc[1], (double)D->m20
-          * (double)dc[0]);
+          * (double)dc[1]),
+      Do_02 = ksl_product_sum((double)D->m02, (double)dc[1], (double)D->m00 * (double)dc[0]),
+      Do_10 = ksl_product_sum(-(double)D->m12, (double)dc[0], (double)D->m10 * (double)dc[1]),
+      Do_12 = ksl_product_sum((double)D->m12, (double)dc[1], (double)D->m10 * (double)dc[0]),
+      Do_20 = ksl_product_sum(-(double)D->m22, (double)dc[0], (double)D->m20 * (double)dc[1]),
+      Do_22 = ksl_product_sum((double)D->m22, (double)dc[1], (double)D->m20 * (double)dc[0]);
   const float D_m01 = D->m01;
   const float D_m03 = D->m03;
   const float D_m11 = D->m11;
@@ -3130,9 +3070,9 @@ static inline void ksl_product_ddryf_accurate(const ksl_SE3f_t *D, const float d
    Error <= u |result| + (R: 0, t: 1/16) u^2 S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtyf_accurate(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
-  const double Do_03 = ksl_product_sum((double)D->m01, (double)k, (double)D->m03);
-  const double Do_13 = ksl_product_sum((double)D->m11, (double)k, (double)D->m13);
-  const double Do_23 = ksl_product_sum((double)D->m21, (double)k, (double)D->m23);
+  const double Do_03 = ksl_product_sum((double)D->m01, (double)k, (double)D->m03),
+      Do_13 = ksl_product_sum((double)D->m11, (double)k, (double)D->m13),
+      Do_23 = ksl_product_sum((double)D->m21, (double)k, (double)D->m23);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -3163,9 +3103,8 @@ static inline void ksl_product_ddtyf_accurate(const ksl_SE3f_t *D, const float k
      over- and underflow. */
 static inline void ksl_product_drvtyinvf_accurate(const ksl_mat3x3f_t *R, const float k,
     ksl_vec3f_t *vo) {
-  const double vo_0 = -((double)R->m01 * (double)k);
-  const double vo_1 = -((double)R->m11 * (double)k);
-  const double vo_2 = -((double)R->m21 * (double)k);
+  const double vo_0 = -((double)R->m01 * (double)k), vo_1 = -((double)R->m11 * (double)k),
+      vo_2 = -((double)R->m21 * (double)k);
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
@@ -3179,17 +3118,12 @@ static inline void ksl_product_drvtyinvf_accurate(const ksl_mat3x3f_t *R, const 
 static inline void ksl_product_drdryinvf_accurate(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
   const double Ro_00 = ksl_product_sum((double)R->m02, (double)dc[0], (double)R->m00
-          * (double)dc[1]);
-  const double Ro_02 = ksl_product_sum(-(double)R->m00, (double)dc[0], (double)R->m02
-          * (double)dc[1]);
-  const double Ro_10 = ksl_product_sum((double)R->m12, (double)dc[0], (double)R->m10
-          * (double)dc[1]);
-  const double Ro_12 = ksl_product_sum(-(double)R->m10, (double)dc[0], (double)R->m12
-          * (double)dc[1]);
-  const double Ro_20 = ksl_product_sum((double)R->m22, (double)dc[0], (double)R->m20
-          * (double)dc[1]);
-  const double Ro_22 = ksl_product_sum(-(double)R->m20, (double)dc[0], (double)R->m22
-          * (double)dc[1]);
+          * (double)dc[1]),
+      Ro_02 = ksl_product_sum(-(double)R->m00, (double)dc[0], (double)R->m02 * (double)dc[1]),
+      Ro_10 = ksl_product_sum((double)R->m12, (double)dc[0], (double)R->m10 * (double)dc[1]),
+      Ro_12 = ksl_product_sum(-(double)R->m10, (double)dc[0], (double)R->m12 * (double)dc[1]),
+      Ro_20 = ksl_product_sum((double)R->m22, (double)dc[0], (double)R->m20 * (double)dc[1]),
+      Ro_22 = ksl_product_sum(-(double)R->m20, (double)dc[0], (double)R->m22 * (double)dc[1]);
   const float R_m01 = R->m01;
   const float R_m11 = R->m11;
   const float R_m21 = R->m21;
@@ -3212,17 +3146,12 @@ static inline void ksl_product_drdryinvf_accurate(const ksl_mat3x3f_t *R, const 
 static inline void ksl_product_ddryinvf_accurate(const ksl_SE3f_t *D, const float dc[2],
     ksl_SE3f_t *Do) {
   const double Do_00 = ksl_product_sum((double)D->m02, (double)dc[0], (double)D->m00
-          * (double)dc[1]);
-  const double Do_02 = ksl_product_sum(-(double)D->m00, (double)dc[0], (double)D->m02
-          * (double)dc[1]);
-  const double Do_10 = ksl_product_sum((double)D->m12, (double)dc[0], (double)D->m10
-          * (double)dc[1]);
-  const double Do_12 = ksl_product_sum(-(double)D->m10, (double)dc[0], (double)D->m12
-          * (double)dc[1]);
-  const double Do_20 = ksl_product_sum((double)D->m22, (double)dc[0], (double)D->m20
-          * (double)dc[1]);
-  const double Do_22 = ksl_product_sum(-(double)D->m20, (double)dc[0], (double)D->m22
-          * (double)dc[1]);
+          * (double)dc[1]),
+      Do_02 = ksl_product_sum(-(double)D->m00, (double)dc[0], (double)D->m02 * (double)dc[1]),
+      Do_10 = ksl_product_sum((double)D->m12, (double)dc[0], (double)D->m10 * (double)dc[1]),
+      Do_12 = ksl_product_sum(-(double)D->m10, (double)dc[0], (double)D->m12 * (double)dc[1]),
+      Do_20 = ksl_product_sum((double)D->m22, (double)dc[0], (double)D->m20 * (double)dc[1]),
+      Do_22 = ksl_product_sum(-(double)D->m20, (double)dc[0], (double)D->m22 * (double)dc[1]);
   const float D_m01 = D->m01;
   const float D_m03 = D->m03;
   const float D_m11 = D->m11;
@@ -3250,9 +3179,9 @@ static inline void ksl_product_ddryinvf_accurate(const ksl_SE3f_t *D, const floa
      barring over- and underflow. */
 static inline void ksl_product_ddtyinvf_accurate(const ksl_SE3f_t *D, const float k,
     ksl_SE3f_t *Do) {
-  const double Do_03 = ksl_product_sum(-(double)D->m01, (double)k, (double)D->m03);
-  const double Do_13 = ksl_product_sum(-(double)D->m11, (double)k, (double)D->m13);
-  const double Do_23 = ksl_product_sum(-(double)D->m21, (double)k, (double)D->m23);
+  const double Do_03 = ksl_product_sum(-(double)D->m01, (double)k, (double)D->m03),
+      Do_13 = ksl_product_sum(-(double)D->m11, (double)k, (double)D->m13),
+      Do_23 = ksl_product_sum(-(double)D->m21, (double)k, (double)D->m23);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -3283,9 +3212,8 @@ static inline void ksl_product_ddtyinvf_accurate(const ksl_SE3f_t *D, const floa
      over- and underflow. */
 static inline void ksl_product_drvtzf_accurate(const ksl_mat3x3f_t *R, const float k,
     ksl_vec3f_t *vo) {
-  const double vo_0 = (double)R->m02 * (double)k;
-  const double vo_1 = (double)R->m12 * (double)k;
-  const double vo_2 = (double)R->m22 * (double)k;
+  const double vo_0 = (double)R->m02 * (double)k, vo_1 = (double)R->m12 * (double)k,
+      vo_2 = (double)R->m22 * (double)k;
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
@@ -3299,17 +3227,12 @@ static inline void ksl_product_drvtzf_accurate(const ksl_mat3x3f_t *R, const flo
 static inline void ksl_product_drdrzf_accurate(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
   const double Ro_00 = ksl_product_sum((double)R->m01, (double)dc[0], (double)R->m00
-          * (double)dc[1]);
-  const double Ro_01 = ksl_product_sum(-(double)R->m00, (double)dc[0], (double)R->m01
-          * (double)dc[1]);
-  const double Ro_10 = ksl_product_sum((double)R->m11, (double)dc[0], (double)R->m10
-          * (double)dc[1]);
-  const double Ro_11 = ksl_product_sum(-(double)R->m10, (double)dc[0], (double)R->m11
-          * (double)dc[1]);
-  const double Ro_20 = ksl_product_sum((double)R->m21, (double)dc[0], (double)R->m20
-          * (double)dc[1]);
-  const double Ro_21 = ksl_product_sum(-(double)R->m20, (double)dc[0], (double)R->m21
-          * (double)dc[1]);
+          * (double)dc[1]),
+      Ro_01 = ksl_product_sum(-(double)R->m00, (double)dc[0], (double)R->m01 * (double)dc[1]),
+      Ro_10 = ksl_product_sum((double)R->m11, (double)dc[0], (double)R->m10 * (double)dc[1]),
+      Ro_11 = ksl_product_sum(-(double)R->m10, (double)dc[0], (double)R->m11 * (double)dc[1]),
+      Ro_20 = ksl_product_sum((double)R->m21, (double)dc[0], (double)R->m20 * (double)dc[1]),
+      Ro_21 = ksl_product_sum(-(double)R->m20, (double)dc[0], (double)R->m21 * (double)dc[1]);
   const float R_m02 = R->m02;
   const float R_m12 = R->m12;
   const float R_m22 = R->m22;
@@ -3332,17 +3255,12 @@ static inline void ksl_product_drdrzf_accurate(const ksl_mat3x3f_t *R, const flo
 static inline void ksl_product_ddrzf_accurate(const ksl_SE3f_t *D, const float dc[2],
     ksl_SE3f_t *Do) {
   const double Do_00 = ksl_product_sum((double)D->m01, (double)dc[0], (double)D->m00
-          * (double)dc[1]);
-  const double Do_01 = ksl_product_sum(-(double)D->m00, (double)dc[0], (double)D->m01
-          * (double)dc[1]);
-  const double Do_10 = ksl_product_sum((double)D->m11, (double)dc[0], (double)D->m10
-          * (double)dc[1]);
-  const double Do_11 = ksl_product_sum(-(double)D->m10, (double)dc[0], (double)D->m11
-          * (double)dc[1]);
-  const double Do_20 = ksl_product_sum((double)D->m21, (double)dc[0], (double)D->m20
-          * (double)dc[1]);
-  const double Do_21 = ksl_product_sum(-(double)D->m20, (double)dc[0], (double)D->m21
-          * (double)dc[1]);
+          * (double)dc[1]),
+      Do_01 = ksl_product_sum(-(double)D->m00, (double)dc[0], (double)D->m01 * (double)dc[1]),
+      Do_10 = ksl_product_sum((double)D->m11, (double)dc[0], (double)D->m10 * (double)dc[1]),
+      Do_11 = ksl_product_sum(-(double)D->m10, (double)dc[0], (double)D->m11 * (double)dc[1]),
+      Do_20 = ksl_product_sum((double)D->m21, (double)dc[0], (double)D->m20 * (double)dc[1]),
+      Do_21 = ksl_product_sum(-(double)D->m20, (double)dc[0], (double)D->m21 * (double)dc[1]);
   const float D_m02 = D->m02;
   const float D_m03 = D->m03;
   const float D_m12 = D->m12;
@@ -3369,9 +3287,9 @@ static inline void ksl_product_ddrzf_accurate(const ksl_SE3f_t *D, const float d
    Error <= u |result| + (R: 0, t: 1/16) u^2 S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtzf_accurate(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
-  const double Do_03 = ksl_product_sum((double)D->m02, (double)k, (double)D->m03);
-  const double Do_13 = ksl_product_sum((double)D->m12, (double)k, (double)D->m13);
-  const double Do_23 = ksl_product_sum((double)D->m22, (double)k, (double)D->m23);
+  const double Do_03 = ksl_product_sum((double)D->m02, (double)k, (double)D->m03),
+      Do_13 = ksl_product_sum((double)D->m12, (double)k, (double)D->m13),
+      Do_23 = ksl_product_sum((double)D->m22, (double)k, (double)D->m23);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -3402,9 +3320,8 @@ static inline void ksl_product_ddtzf_accurate(const ksl_SE3f_t *D, const float k
      over- and underflow. */
 static inline void ksl_product_drvtzinvf_accurate(const ksl_mat3x3f_t *R, const float k,
     ksl_vec3f_t *vo) {
-  const double vo_0 = -((double)R->m02 * (double)k);
-  const double vo_1 = -((double)R->m12 * (double)k);
-  const double vo_2 = -((double)R->m22 * (double)k);
+  const double vo_0 = -((double)R->m02 * (double)k), vo_1 = -((double)R->m12 * (double)k),
+      vo_2 = -((double)R->m22 * (double)k);
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
@@ -3418,17 +3335,12 @@ static inline void ksl_product_drvtzinvf_accurate(const ksl_mat3x3f_t *R, const 
 static inline void ksl_product_drdrzinvf_accurate(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
   const double Ro_00 = ksl_product_sum(-(double)R->m01, (double)dc[0], (double)R->m00
-          * (double)dc[1]);
-  const double Ro_01 = ksl_product_sum((double)R->m01, (double)dc[1], (double)R->m00
-          * (double)dc[0]);
-  const double Ro_10 = ksl_product_sum(-(double)R->m11, (double)dc[0], (double)R->m10
-          * (double)dc[1]);
-  const double Ro_11 = ksl_product_sum((double)R->m11, (double)dc[1], (double)R->m10
-          * (double)dc[0]);
-  const double Ro_20 = ksl_product_sum(-(double)R->m21, (double)dc[0], (double)R->m20
-          * (double)dc[1]);
-  const double Ro_21 = ksl_product_sum((double)R->m21, (double)dc[1], (double)R->m20
-          * (double)dc[0]);
+          * (double)dc[1]),
+      Ro_01 = ksl_product_sum((double)R->m01, (double)dc[1], (double)R->m00 * (double)dc[0]),
+      Ro_10 = ksl_product_sum(-(double)R->m11, (double)dc[0], (double)R->m10 * (double)dc[1]),
+      Ro_11 = ksl_product_sum((double)R->m11, (double)dc[1], (double)R->m10 * (double)dc[0]),
+      Ro_20 = ksl_product_sum(-(double)R->m21, (double)dc[0], (double)R->m20 * (double)dc[1]),
+      Ro_21 = ksl_product_sum((double)R->m21, (double)dc[1], (double)R->m20 * (double)dc[0]);
   const float R_m02 = R->m02;
   const float R_m12 = R->m12;
   const float R_m22 = R->m22;
@@ -3451,17 +3363,12 @@ static inline void ksl_product_drdrzinvf_accurate(const ksl_mat3x3f_t *R, const 
 static inline void ksl_product_ddrzinvf_accurate(const ksl_SE3f_t *D, const float dc[2],
     ksl_SE3f_t *Do) {
   const double Do_00 = ksl_product_sum(-(double)D->m01, (double)dc[0], (double)D->m00
-          * (double)dc[1]);
-  const double Do_01 = ksl_product_sum((double)D->m01, (double)dc[1], (double)D->m00
-          * (double)dc[0]);
-  const double Do_10 = ksl_product_sum(-(double)D->m11, (double)dc[0], (double)D->m10
-          * (double)dc[1]);
-  const double Do_11 = ksl_product_sum((double)D->m11, (double)dc[1], (double)D->m10
-          * (double)dc[0]);
-  const double Do_20 = ksl_product_sum(-(double)D->m21, (double)dc[0], (double)D->m20
-          * (double)dc[1]);
-  const double Do_21 = ksl_product_sum((double)D->m21, (double)dc[1], (double)D->m20
-          * (double)dc[0]);
+          * (double)dc[1]),
+      Do_01 = ksl_product_sum((double)D->m01, (double)dc[1], (double)D->m00 * (double)dc[0]),
+      Do_10 = ksl_product_sum(-(double)D->m11, (double)dc[0], (double)D->m10 * (double)dc[1]),
+      Do_11 = ksl_product_sum((double)D->m11, (double)dc[1], (double)D->m10 * (double)dc[0]),
+      Do_20 = ksl_product_sum(-(double)D->m21, (double)dc[0], (double)D->m20 * (double)dc[1]),
+      Do_21 = ksl_product_sum((double)D->m21, (double)dc[1], (double)D->m20 * (double)dc[0]);
   const float D_m02 = D->m02;
   const float D_m03 = D->m03;
   const float D_m12 = D->m12;
@@ -3489,9 +3396,9 @@ static inline void ksl_product_ddrzinvf_accurate(const ksl_SE3f_t *D, const floa
      barring over- and underflow. */
 static inline void ksl_product_ddtzinvf_accurate(const ksl_SE3f_t *D, const float k,
     ksl_SE3f_t *Do) {
-  const double Do_03 = ksl_product_sum(-(double)D->m02, (double)k, (double)D->m03);
-  const double Do_13 = ksl_product_sum(-(double)D->m12, (double)k, (double)D->m13);
-  const double Do_23 = ksl_product_sum(-(double)D->m22, (double)k, (double)D->m23);
+  const double Do_03 = ksl_product_sum(-(double)D->m02, (double)k, (double)D->m03),
+      Do_13 = ksl_product_sum(-(double)D->m12, (double)k, (double)D->m13),
+      Do_23 = ksl_product_sum(-(double)D->m22, (double)k, (double)D->m23);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;

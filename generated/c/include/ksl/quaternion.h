@@ -41,10 +41,8 @@ static inline void ksl_quaternion_copy(const ksl_quaternion_t *qi, ksl_quaternio
    4 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_quaternion_scale(ksl_quaternion_t *self, const double a) {
-  const double self_0_new = KSL_MUL(self->x, a);
-  const double self_1_new = KSL_MUL(self->y, a);
-  const double self_2_new = KSL_MUL(self->z, a);
-  const double self_3_new = KSL_MUL(self->w, a);
+  const double self_0_new = KSL_MUL(self->x, a), self_1_new = KSL_MUL(self->y, a),
+      self_2_new = KSL_MUL(self->z, a), self_3_new = KSL_MUL(self->w, a);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -57,10 +55,8 @@ static inline void ksl_quaternion_scale(ksl_quaternion_t *self, const double a) 
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_axpy_qq(const double a, const ksl_quaternion_t *x, ksl_quaternion_t *y) {
-  const double y_0_new = KSL_MUL(a, x->x) + y->x;
-  const double y_1_new = KSL_MUL(a, x->y) + y->y;
-  const double y_2_new = KSL_MUL(a, x->z) + y->z;
-  const double y_3_new = KSL_MUL(a, x->w) + y->w;
+  const double y_0_new = KSL_MUL(a, x->x) + y->x, y_1_new = KSL_MUL(a, x->y) + y->y,
+      y_2_new = KSL_MUL(a, x->z) + y->z, y_3_new = KSL_MUL(a, x->w) + y->w;
   y->x = y_0_new;
   y->y = y_1_new;
   y->z = y_2_new;
@@ -83,9 +79,7 @@ static inline void ksl_quaternion_setIdentity(ksl_quaternion_t *self) {
    3 neg.
    Exact. */
 static inline void ksl_quaternion_conjugated(const ksl_quaternion_t *q, ksl_quaternion_t *qo) {
-  const double qo_0 = -q->x;
-  const double qo_1 = -q->y;
-  const double qo_2 = -q->z;
+  const double qo_0 = -q->x, qo_1 = -q->y, qo_2 = -q->z;
   const double q_w = q->w;
   qo->x = qo_0;
   qo->y = qo_1;
@@ -97,20 +91,16 @@ static inline void ksl_quaternion_conjugated(const ksl_quaternion_t *q, ksl_quat
    q: quaternion (x, y, z, w), the scalar last.
    9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select. */
 static inline double ksl_quaternion_norm(const ksl_quaternion_t *q) {
-  const double s_size_0 = fabs(q->x);
-  const double s_size_1 = fabs(q->y);
-  const double s_size_2 = fabs(q->z);
-  const double s_size_3 = fabs(q->w);
+  const double s_size_0 = fabs(q->x), s_size_1 = fabs(q->y), s_size_2 = fabs(q->z),
+      s_size_3 = fabs(q->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(q->x, s);
-  const double y_1 = KSL_MUL(q->y, s);
-  const double y_2 = KSL_MUL(q->z, s);
-  const double y_3 = KSL_MUL(q->w, s);
+  const double y_0 = KSL_MUL(q->x, s), y_1 = KSL_MUL(q->y, s), y_2 = KSL_MUL(q->z, s),
+      y_3 = KSL_MUL(q->w, s);
   const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2)
           + KSL_MUL(y_3, y_3));
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
@@ -124,37 +114,27 @@ static inline double ksl_quaternion_norm(const ksl_quaternion_t *q) {
    self: quaternion (x, y, z, w), the scalar last.
    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
 static inline void ksl_quaternion_normalize(ksl_quaternion_t *self) {
-  const double s_size_0 = fabs(self->x);
-  const double s_size_1 = fabs(self->y);
-  const double s_size_2 = fabs(self->z);
-  const double s_size_3 = fabs(self->w);
+  const double s_size_0 = fabs(self->x), s_size_1 = fabs(self->y), s_size_2 = fabs(self->z),
+      s_size_3 = fabs(self->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(self->x, s);
-  const double y_1 = KSL_MUL(self->y, s);
-  const double y_2 = KSL_MUL(self->z, s);
-  const double y_3 = KSL_MUL(self->w, s);
+  const double y_0 = KSL_MUL(self->x, s), y_1 = KSL_MUL(self->y, s), y_2 = KSL_MUL(self->z, s),
+      y_3 = KSL_MUL(self->w, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2)
           + KSL_MUL(y_3, y_3));
   const double divisor = n == 0.0 ? up : n;
-  const double sized_0 = KSL_MUL(self->x, up);
-  const double sized_1 = KSL_MUL(self->y, up);
-  const double sized_2 = KSL_MUL(self->z, up);
-  const double sized_3 = KSL_MUL(self->w, up);
-  const double quotient_0 = sized_0 / divisor;
-  const double quotient_1 = sized_1 / divisor;
-  const double quotient_2 = sized_2 / divisor;
-  const double quotient_3 = sized_3 / divisor;
-  const double self_0_new = KSL_MUL(quotient_0, down);
-  const double self_1_new = KSL_MUL(quotient_1, down);
-  const double self_2_new = KSL_MUL(quotient_2, down);
-  const double self_3_new = KSL_MUL(quotient_3, down);
+  const double sized_0 = KSL_MUL(self->x, up), sized_1 = KSL_MUL(self->y, up),
+      sized_2 = KSL_MUL(self->z, up), sized_3 = KSL_MUL(self->w, up);
+  const double quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor, quotient_3 = sized_3 / divisor;
+  const double self_0_new = KSL_MUL(quotient_0, down), self_1_new = KSL_MUL(quotient_1, down),
+      self_2_new = KSL_MUL(quotient_2, down), self_3_new = KSL_MUL(quotient_3, down);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -165,37 +145,27 @@ static inline void ksl_quaternion_normalize(ksl_quaternion_t *self) {
    q, qo: quaternion (x, y, z, w), the scalar last.
    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
 static inline void ksl_quaternion_normalized(const ksl_quaternion_t *q, ksl_quaternion_t *qo) {
-  const double s_size_0 = fabs(q->x);
-  const double s_size_1 = fabs(q->y);
-  const double s_size_2 = fabs(q->z);
-  const double s_size_3 = fabs(q->w);
+  const double s_size_0 = fabs(q->x), s_size_1 = fabs(q->y), s_size_2 = fabs(q->z),
+      s_size_3 = fabs(q->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(q->x, s);
-  const double y_1 = KSL_MUL(q->y, s);
-  const double y_2 = KSL_MUL(q->z, s);
-  const double y_3 = KSL_MUL(q->w, s);
+  const double y_0 = KSL_MUL(q->x, s), y_1 = KSL_MUL(q->y, s), y_2 = KSL_MUL(q->z, s),
+      y_3 = KSL_MUL(q->w, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2)
           + KSL_MUL(y_3, y_3));
   const double divisor = n == 0.0 ? up : n;
-  const double sized_0 = KSL_MUL(q->x, up);
-  const double sized_1 = KSL_MUL(q->y, up);
-  const double sized_2 = KSL_MUL(q->z, up);
-  const double sized_3 = KSL_MUL(q->w, up);
-  const double quotient_0 = sized_0 / divisor;
-  const double quotient_1 = sized_1 / divisor;
-  const double quotient_2 = sized_2 / divisor;
-  const double quotient_3 = sized_3 / divisor;
-  const double qo_0 = KSL_MUL(quotient_0, down);
-  const double qo_1 = KSL_MUL(quotient_1, down);
-  const double qo_2 = KSL_MUL(quotient_2, down);
-  const double qo_3 = KSL_MUL(quotient_3, down);
+  const double sized_0 = KSL_MUL(q->x, up), sized_1 = KSL_MUL(q->y, up),
+      sized_2 = KSL_MUL(q->z, up), sized_3 = KSL_MUL(q->w, up);
+  const double quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor, quotient_3 = sized_3 / divisor;
+  const double qo_0 = KSL_MUL(quotient_0, down), qo_1 = KSL_MUL(quotient_1, down),
+      qo_2 = KSL_MUL(quotient_2, down), qo_3 = KSL_MUL(quotient_3, down);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -206,20 +176,16 @@ static inline void ksl_quaternion_normalized(const ksl_quaternion_t *q, ksl_quat
    q: quaternion (x, y, z, w), the scalar last.
    9 mul, 4 add, 1 sqrt, 4 abs, 9 less, 9 select. */
 static inline double ksl_quaternion_unit_defect(const ksl_quaternion_t *q) {
-  const double s_size_0 = fabs(q->x);
-  const double s_size_1 = fabs(q->y);
-  const double s_size_2 = fabs(q->z);
-  const double s_size_3 = fabs(q->w);
+  const double s_size_0 = fabs(q->x), s_size_1 = fabs(q->y), s_size_2 = fabs(q->z),
+      s_size_3 = fabs(q->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(q->x, s);
-  const double y_1 = KSL_MUL(q->y, s);
-  const double y_2 = KSL_MUL(q->z, s);
-  const double y_3 = KSL_MUL(q->w, s);
+  const double y_0 = KSL_MUL(q->x, s), y_1 = KSL_MUL(q->y, s), y_2 = KSL_MUL(q->z, s),
+      y_3 = KSL_MUL(q->w, s);
   const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2)
           + KSL_MUL(y_3, y_3));
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
@@ -234,31 +200,23 @@ static inline double ksl_quaternion_unit_defect(const ksl_quaternion_t *q) {
    q, qo: quaternion (x, y, z, w), the scalar last.
    8 mul, 3 add, 4 div, 1 sqrt, 4 abs, 6 less, 1 equal, 11 select. */
 static inline void ksl_quaternion_nearest_unit(const ksl_quaternion_t *q, ksl_quaternion_t *qo) {
-  const double s_size_0 = fabs(q->x);
-  const double s_size_1 = fabs(q->y);
-  const double s_size_2 = fabs(q->z);
-  const double s_size_3 = fabs(q->w);
+  const double s_size_0 = fabs(q->x), s_size_1 = fabs(q->y), s_size_2 = fabs(q->z),
+      s_size_3 = fabs(q->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double scaled_s_0 = KSL_MUL(q->x, s);
-  const double scaled_s_1 = KSL_MUL(q->y, s);
-  const double scaled_s_2 = KSL_MUL(q->z, s);
-  const double scaled_s_3 = KSL_MUL(q->w, s);
+  const double scaled_s_0 = KSL_MUL(q->x, s), scaled_s_1 = KSL_MUL(q->y, s),
+      scaled_s_2 = KSL_MUL(q->z, s), scaled_s_3 = KSL_MUL(q->w, s);
   const double n = sqrt(KSL_MUL(scaled_s_0, scaled_s_0) + KSL_MUL(scaled_s_1, scaled_s_1)
           + KSL_MUL(scaled_s_2, scaled_s_2) + KSL_MUL(scaled_s_3, scaled_s_3));
   const double divisor = n == 0.0 ? 1.0 : n;
-  const double unit_0 = scaled_s_0 / divisor;
-  const double unit_1 = scaled_s_1 / divisor;
-  const double unit_2 = scaled_s_2 / divisor;
-  const double unit_3 = scaled_s_3 / divisor;
-  const double qo_0 = n == 0.0 ? (double)NAN : unit_0;
-  const double qo_1 = n == 0.0 ? (double)NAN : unit_1;
-  const double qo_2 = n == 0.0 ? (double)NAN : unit_2;
-  const double qo_3 = n == 0.0 ? (double)NAN : unit_3;
+  const double unit_0 = scaled_s_0 / divisor, unit_1 = scaled_s_1 / divisor,
+      unit_2 = scaled_s_2 / divisor, unit_3 = scaled_s_3 / divisor;
+  const double qo_0 = n == 0.0 ? (double)NAN : unit_0, qo_1 = n == 0.0 ? (double)NAN : unit_1,
+      qo_2 = n == 0.0 ? (double)NAN : unit_2, qo_3 = n == 0.0 ? (double)NAN : unit_3;
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -271,18 +229,14 @@ static inline void ksl_quaternion_nearest_unit(const ksl_quaternion_t *q, ksl_qu
    Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_rotate_qv(const ksl_quaternion_t *q, const ksl_vec3_t *v, ksl_vec3_t *vo) {
-  const double c_0 = KSL_MUL(q->y, v->z) - KSL_MUL(q->z, v->y);
-  const double c_1 = KSL_MUL(q->z, v->x) - KSL_MUL(q->x, v->z);
-  const double c_2 = KSL_MUL(q->x, v->y) - KSL_MUL(q->y, v->x);
-  const double t_0 = KSL_MUL(2.0, c_0);
-  const double t_1 = KSL_MUL(2.0, c_1);
-  const double t_2 = KSL_MUL(2.0, c_2);
-  const double turn_0 = KSL_MUL(q->y, t_2) - KSL_MUL(q->z, t_1) + KSL_MUL(q->w, t_0);
-  const double turn_1 = KSL_MUL(q->z, t_0) - KSL_MUL(q->x, t_2) + KSL_MUL(q->w, t_1);
-  const double turn_2 = KSL_MUL(q->x, t_1) - KSL_MUL(q->y, t_0) + KSL_MUL(q->w, t_2);
-  const double vo_0 = v->x + turn_0;
-  const double vo_1 = v->y + turn_1;
-  const double vo_2 = v->z + turn_2;
+  const double c_0 = KSL_MUL(q->y, v->z) - KSL_MUL(q->z, v->y),
+      c_1 = KSL_MUL(q->z, v->x) - KSL_MUL(q->x, v->z),
+      c_2 = KSL_MUL(q->x, v->y) - KSL_MUL(q->y, v->x);
+  const double t_0 = KSL_MUL(2.0, c_0), t_1 = KSL_MUL(2.0, c_1), t_2 = KSL_MUL(2.0, c_2);
+  const double turn_0 = KSL_MUL(q->y, t_2) - KSL_MUL(q->z, t_1) + KSL_MUL(q->w, t_0),
+      turn_1 = KSL_MUL(q->z, t_0) - KSL_MUL(q->x, t_2) + KSL_MUL(q->w, t_1),
+      turn_2 = KSL_MUL(q->x, t_1) - KSL_MUL(q->y, t_0) + KSL_MUL(q->w, t_2);
+  const double vo_0 = v->x + turn_0, vo_1 = v->y + turn_1, vo_2 = v->z + turn_2;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -295,18 +249,14 @@ static inline void ksl_rotate_qv(const ksl_quaternion_t *q, const ksl_vec3_t *v,
      and underflow. */
 static inline void ksl_rotate_qconjv(const ksl_quaternion_t *q, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
-  const double c_0 = KSL_MUL(q->z, v->y) - KSL_MUL(q->y, v->z);
-  const double c_1 = KSL_MUL(q->x, v->z) - KSL_MUL(q->z, v->x);
-  const double c_2 = KSL_MUL(q->y, v->x) - KSL_MUL(q->x, v->y);
-  const double t_0 = KSL_MUL(2.0, c_0);
-  const double t_1 = KSL_MUL(2.0, c_1);
-  const double t_2 = KSL_MUL(2.0, c_2);
-  const double turn_0 = KSL_MUL(q->z, t_1) - KSL_MUL(q->y, t_2) + KSL_MUL(q->w, t_0);
-  const double turn_1 = KSL_MUL(q->x, t_2) - KSL_MUL(q->z, t_0) + KSL_MUL(q->w, t_1);
-  const double turn_2 = KSL_MUL(q->y, t_0) - KSL_MUL(q->x, t_1) + KSL_MUL(q->w, t_2);
-  const double vo_0 = v->x + turn_0;
-  const double vo_1 = v->y + turn_1;
-  const double vo_2 = v->z + turn_2;
+  const double c_0 = KSL_MUL(q->z, v->y) - KSL_MUL(q->y, v->z),
+      c_1 = KSL_MUL(q->x, v->z) - KSL_MUL(q->z, v->x),
+      c_2 = KSL_MUL(q->y, v->x) - KSL_MUL(q->x, v->y);
+  const double t_0 = KSL_MUL(2.0, c_0), t_1 = KSL_MUL(2.0, c_1), t_2 = KSL_MUL(2.0, c_2);
+  const double turn_0 = KSL_MUL(q->z, t_1) - KSL_MUL(q->y, t_2) + KSL_MUL(q->w, t_0),
+      turn_1 = KSL_MUL(q->x, t_2) - KSL_MUL(q->z, t_0) + KSL_MUL(q->w, t_1),
+      turn_2 = KSL_MUL(q->y, t_0) - KSL_MUL(q->x, t_1) + KSL_MUL(q->w, t_2);
+  const double vo_0 = v->x + turn_0, vo_1 = v->y + turn_1, vo_2 = v->z + turn_2;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -320,12 +270,12 @@ static inline void ksl_rotate_qconjv(const ksl_quaternion_t *q, const ksl_vec3_t
 static inline void ksl_quaternion_product_qq(const ksl_quaternion_t *q1i,
     const ksl_quaternion_t *q2i, ksl_quaternion_t *qo) {
   const double qo_0 = KSL_MUL(q1i->x, q2i->w) + (KSL_MUL(q1i->y, q2i->z) - KSL_MUL(q1i->z, q2i->y))
-          + KSL_MUL(q1i->w, q2i->x);
-  const double qo_1 = KSL_MUL(q1i->z, q2i->x) - KSL_MUL(q1i->x, q2i->z) + KSL_MUL(q1i->y, q2i->w)
-          + KSL_MUL(q1i->w, q2i->y);
-  const double qo_2 = KSL_MUL(q1i->x, q2i->y) - KSL_MUL(q1i->y, q2i->x) + KSL_MUL(q1i->z, q2i->w)
-          + KSL_MUL(q1i->w, q2i->z);
-  const double qo_3 = KSL_MUL(q1i->w, q2i->w)
+          + KSL_MUL(q1i->w, q2i->x),
+      qo_1 = KSL_MUL(q1i->z, q2i->x) - KSL_MUL(q1i->x, q2i->z) + KSL_MUL(q1i->y, q2i->w)
+          + KSL_MUL(q1i->w, q2i->y),
+      qo_2 = KSL_MUL(q1i->x, q2i->y) - KSL_MUL(q1i->y, q2i->x) + KSL_MUL(q1i->z, q2i->w)
+          + KSL_MUL(q1i->w, q2i->z),
+      qo_3 = KSL_MUL(q1i->w, q2i->w)
           - (KSL_MUL(q1i->x, q2i->x) + KSL_MUL(q1i->y, q2i->y) + KSL_MUL(q1i->z, q2i->z));
   qo->x = qo_0;
   qo->y = qo_1;
@@ -341,12 +291,12 @@ static inline void ksl_quaternion_product_qq(const ksl_quaternion_t *q1i,
 static inline void ksl_quaternion_product_qqconj(const ksl_quaternion_t *q1i,
     const ksl_quaternion_t *q2i, ksl_quaternion_t *qo) {
   const double qo_0 = KSL_MUL(q1i->x, q2i->w) - KSL_MUL(q1i->w, q2i->x)
-          + (KSL_MUL(q1i->z, q2i->y) - KSL_MUL(q1i->y, q2i->z));
-  const double qo_1 = KSL_MUL(q1i->x, q2i->z) - KSL_MUL(q1i->z, q2i->x)
-          + (KSL_MUL(q1i->y, q2i->w) - KSL_MUL(q1i->w, q2i->y));
-  const double qo_2 = KSL_MUL(q1i->y, q2i->x) - KSL_MUL(q1i->x, q2i->y)
-          + (KSL_MUL(q1i->z, q2i->w) - KSL_MUL(q1i->w, q2i->z));
-  const double qo_3 = KSL_MUL(q1i->x, q2i->x) + KSL_MUL(q1i->y, q2i->y) + KSL_MUL(q1i->z, q2i->z)
+          + (KSL_MUL(q1i->z, q2i->y) - KSL_MUL(q1i->y, q2i->z)),
+      qo_1 = KSL_MUL(q1i->x, q2i->z) - KSL_MUL(q1i->z, q2i->x)
+          + (KSL_MUL(q1i->y, q2i->w) - KSL_MUL(q1i->w, q2i->y)),
+      qo_2 = KSL_MUL(q1i->y, q2i->x) - KSL_MUL(q1i->x, q2i->y)
+          + (KSL_MUL(q1i->z, q2i->w) - KSL_MUL(q1i->w, q2i->z)),
+      qo_3 = KSL_MUL(q1i->x, q2i->x) + KSL_MUL(q1i->y, q2i->y) + KSL_MUL(q1i->z, q2i->z)
           + KSL_MUL(q1i->w, q2i->w);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -362,12 +312,12 @@ static inline void ksl_quaternion_product_qqconj(const ksl_quaternion_t *q1i,
 static inline void ksl_quaternion_product_qconjq(const ksl_quaternion_t *q1i,
     const ksl_quaternion_t *q2i, ksl_quaternion_t *qo) {
   const double qo_0 = KSL_MUL(q1i->w, q2i->x) - KSL_MUL(q1i->x, q2i->w)
-          + (KSL_MUL(q1i->z, q2i->y) - KSL_MUL(q1i->y, q2i->z));
-  const double qo_1 = KSL_MUL(q1i->x, q2i->z) - KSL_MUL(q1i->z, q2i->x)
-          + (KSL_MUL(q1i->w, q2i->y) - KSL_MUL(q1i->y, q2i->w));
-  const double qo_2 = KSL_MUL(q1i->y, q2i->x) - KSL_MUL(q1i->x, q2i->y)
-          + (KSL_MUL(q1i->w, q2i->z) - KSL_MUL(q1i->z, q2i->w));
-  const double qo_3 = KSL_MUL(q1i->x, q2i->x) + KSL_MUL(q1i->y, q2i->y) + KSL_MUL(q1i->z, q2i->z)
+          + (KSL_MUL(q1i->z, q2i->y) - KSL_MUL(q1i->y, q2i->z)),
+      qo_1 = KSL_MUL(q1i->x, q2i->z) - KSL_MUL(q1i->z, q2i->x)
+          + (KSL_MUL(q1i->w, q2i->y) - KSL_MUL(q1i->y, q2i->w)),
+      qo_2 = KSL_MUL(q1i->y, q2i->x) - KSL_MUL(q1i->x, q2i->y)
+          + (KSL_MUL(q1i->w, q2i->z) - KSL_MUL(q1i->z, q2i->w)),
+      qo_3 = KSL_MUL(q1i->x, q2i->x) + KSL_MUL(q1i->y, q2i->y) + KSL_MUL(q1i->z, q2i->z)
           + KSL_MUL(q1i->w, q2i->w);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -383,12 +333,12 @@ static inline void ksl_quaternion_product_qconjq(const ksl_quaternion_t *q1i,
 static inline void ksl_quaternion_product_qconjqconj(const ksl_quaternion_t *q1i,
     const ksl_quaternion_t *q2i, ksl_quaternion_t *qo) {
   const double qo_0 = KSL_MUL(q1i->y, q2i->z) - KSL_MUL(q1i->z, q2i->y) - KSL_MUL(q1i->x, q2i->w)
-          - KSL_MUL(q1i->w, q2i->x);
-  const double qo_1 = KSL_MUL(q1i->z, q2i->x) - KSL_MUL(q1i->x, q2i->z) - KSL_MUL(q1i->y, q2i->w)
-          - KSL_MUL(q1i->w, q2i->y);
-  const double qo_2 = KSL_MUL(q1i->x, q2i->y) - KSL_MUL(q1i->y, q2i->x) - KSL_MUL(q1i->z, q2i->w)
-          - KSL_MUL(q1i->w, q2i->z);
-  const double qo_3 = KSL_MUL(q1i->w, q2i->w)
+          - KSL_MUL(q1i->w, q2i->x),
+      qo_1 = KSL_MUL(q1i->z, q2i->x) - KSL_MUL(q1i->x, q2i->z) - KSL_MUL(q1i->y, q2i->w)
+          - KSL_MUL(q1i->w, q2i->y),
+      qo_2 = KSL_MUL(q1i->x, q2i->y) - KSL_MUL(q1i->y, q2i->x) - KSL_MUL(q1i->z, q2i->w)
+          - KSL_MUL(q1i->w, q2i->z),
+      qo_3 = KSL_MUL(q1i->w, q2i->w)
           - (KSL_MUL(q1i->x, q2i->x) + KSL_MUL(q1i->y, q2i->y) + KSL_MUL(q1i->z, q2i->z));
   qo->x = qo_0;
   qo->y = qo_1;
@@ -403,10 +353,10 @@ static inline void ksl_quaternion_product_qconjqconj(const ksl_quaternion_t *q1i
      and underflow. */
 static inline void ksl_quaternion_product_qxq(const double dci[2], const ksl_quaternion_t *qi,
     ksl_quaternion_t *qo) {
-  const double qo_0 = KSL_MUL(dci[0], qi->w) + KSL_MUL(dci[1], qi->x);
-  const double qo_1 = KSL_MUL(dci[1], qi->y) - KSL_MUL(dci[0], qi->z);
-  const double qo_2 = KSL_MUL(dci[0], qi->y) + KSL_MUL(dci[1], qi->z);
-  const double qo_3 = KSL_MUL(dci[1], qi->w) - KSL_MUL(dci[0], qi->x);
+  const double qo_0 = KSL_MUL(dci[0], qi->w) + KSL_MUL(dci[1], qi->x),
+      qo_1 = KSL_MUL(dci[1], qi->y) - KSL_MUL(dci[0], qi->z),
+      qo_2 = KSL_MUL(dci[0], qi->y) + KSL_MUL(dci[1], qi->z),
+      qo_3 = KSL_MUL(dci[1], qi->w) - KSL_MUL(dci[0], qi->x);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -420,10 +370,10 @@ static inline void ksl_quaternion_product_qxq(const double dci[2], const ksl_qua
      and underflow. */
 static inline void ksl_quaternion_product_qxqconj(const double dci[2], const ksl_quaternion_t *qi,
     ksl_quaternion_t *qo) {
-  const double qo_0 = KSL_MUL(dci[0], qi->w) - KSL_MUL(dci[1], qi->x);
-  const double qo_1 = KSL_MUL(dci[0], qi->z) - KSL_MUL(dci[1], qi->y);
-  const double qo_2 = -(KSL_MUL(dci[0], qi->y) + KSL_MUL(dci[1], qi->z));
-  const double qo_3 = KSL_MUL(dci[0], qi->x) + KSL_MUL(dci[1], qi->w);
+  const double qo_0 = KSL_MUL(dci[0], qi->w) - KSL_MUL(dci[1], qi->x),
+      qo_1 = KSL_MUL(dci[0], qi->z) - KSL_MUL(dci[1], qi->y),
+      qo_2 = -(KSL_MUL(dci[0], qi->y) + KSL_MUL(dci[1], qi->z)),
+      qo_3 = KSL_MUL(dci[0], qi->x) + KSL_MUL(dci[1], qi->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -437,10 +387,10 @@ static inline void ksl_quaternion_product_qxqconj(const double dci[2], const ksl
      and underflow. */
 static inline void ksl_quaternion_product_qxconjq(const double dci[2], const ksl_quaternion_t *qi,
     ksl_quaternion_t *qo) {
-  const double qo_0 = KSL_MUL(dci[1], qi->x) - KSL_MUL(dci[0], qi->w);
-  const double qo_1 = KSL_MUL(dci[0], qi->z) + KSL_MUL(dci[1], qi->y);
-  const double qo_2 = KSL_MUL(dci[1], qi->z) - KSL_MUL(dci[0], qi->y);
-  const double qo_3 = KSL_MUL(dci[0], qi->x) + KSL_MUL(dci[1], qi->w);
+  const double qo_0 = KSL_MUL(dci[1], qi->x) - KSL_MUL(dci[0], qi->w),
+      qo_1 = KSL_MUL(dci[0], qi->z) + KSL_MUL(dci[1], qi->y),
+      qo_2 = KSL_MUL(dci[1], qi->z) - KSL_MUL(dci[0], qi->y),
+      qo_3 = KSL_MUL(dci[0], qi->x) + KSL_MUL(dci[1], qi->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -454,10 +404,10 @@ static inline void ksl_quaternion_product_qxconjq(const double dci[2], const ksl
      and underflow. */
 static inline void ksl_quaternion_product_qxconjqconj(const double dci[2],
     const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
-  const double qo_0 = -(KSL_MUL(dci[0], qi->w) + KSL_MUL(dci[1], qi->x));
-  const double qo_1 = -(KSL_MUL(dci[0], qi->z) + KSL_MUL(dci[1], qi->y));
-  const double qo_2 = KSL_MUL(dci[0], qi->y) - KSL_MUL(dci[1], qi->z);
-  const double qo_3 = KSL_MUL(dci[1], qi->w) - KSL_MUL(dci[0], qi->x);
+  const double qo_0 = -(KSL_MUL(dci[0], qi->w) + KSL_MUL(dci[1], qi->x)),
+      qo_1 = -(KSL_MUL(dci[0], qi->z) + KSL_MUL(dci[1], qi->y)),
+      qo_2 = KSL_MUL(dci[0], qi->y) - KSL_MUL(dci[1], qi->z),
+      qo_3 = KSL_MUL(dci[1], qi->w) - KSL_MUL(dci[0], qi->x);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -471,10 +421,10 @@ static inline void ksl_quaternion_product_qxconjqconj(const double dci[2],
      and underflow. */
 static inline void ksl_quaternion_product_qqx(const ksl_quaternion_t *qi, const double dci[2],
     ksl_quaternion_t *qo) {
-  const double qo_0 = KSL_MUL(qi->x, dci[1]) + KSL_MUL(qi->w, dci[0]);
-  const double qo_1 = KSL_MUL(qi->y, dci[1]) + KSL_MUL(qi->z, dci[0]);
-  const double qo_2 = KSL_MUL(qi->z, dci[1]) - KSL_MUL(qi->y, dci[0]);
-  const double qo_3 = KSL_MUL(qi->w, dci[1]) - KSL_MUL(qi->x, dci[0]);
+  const double qo_0 = KSL_MUL(qi->x, dci[1]) + KSL_MUL(qi->w, dci[0]),
+      qo_1 = KSL_MUL(qi->y, dci[1]) + KSL_MUL(qi->z, dci[0]),
+      qo_2 = KSL_MUL(qi->z, dci[1]) - KSL_MUL(qi->y, dci[0]),
+      qo_3 = KSL_MUL(qi->w, dci[1]) - KSL_MUL(qi->x, dci[0]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -488,10 +438,10 @@ static inline void ksl_quaternion_product_qqx(const ksl_quaternion_t *qi, const 
      and underflow. */
 static inline void ksl_quaternion_product_qqxconj(const ksl_quaternion_t *qi, const double dci[2],
     ksl_quaternion_t *qo) {
-  const double qo_0 = KSL_MUL(qi->x, dci[1]) - KSL_MUL(qi->w, dci[0]);
-  const double qo_1 = KSL_MUL(qi->y, dci[1]) - KSL_MUL(qi->z, dci[0]);
-  const double qo_2 = KSL_MUL(qi->y, dci[0]) + KSL_MUL(qi->z, dci[1]);
-  const double qo_3 = KSL_MUL(qi->x, dci[0]) + KSL_MUL(qi->w, dci[1]);
+  const double qo_0 = KSL_MUL(qi->x, dci[1]) - KSL_MUL(qi->w, dci[0]),
+      qo_1 = KSL_MUL(qi->y, dci[1]) - KSL_MUL(qi->z, dci[0]),
+      qo_2 = KSL_MUL(qi->y, dci[0]) + KSL_MUL(qi->z, dci[1]),
+      qo_3 = KSL_MUL(qi->x, dci[0]) + KSL_MUL(qi->w, dci[1]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -505,10 +455,10 @@ static inline void ksl_quaternion_product_qqxconj(const ksl_quaternion_t *qi, co
      and underflow. */
 static inline void ksl_quaternion_product_qconjqx(const ksl_quaternion_t *qi, const double dci[2],
     ksl_quaternion_t *qo) {
-  const double qo_0 = KSL_MUL(qi->w, dci[0]) - KSL_MUL(qi->x, dci[1]);
-  const double qo_1 = -(KSL_MUL(qi->y, dci[1]) + KSL_MUL(qi->z, dci[0]));
-  const double qo_2 = KSL_MUL(qi->y, dci[0]) - KSL_MUL(qi->z, dci[1]);
-  const double qo_3 = KSL_MUL(qi->x, dci[0]) + KSL_MUL(qi->w, dci[1]);
+  const double qo_0 = KSL_MUL(qi->w, dci[0]) - KSL_MUL(qi->x, dci[1]),
+      qo_1 = -(KSL_MUL(qi->y, dci[1]) + KSL_MUL(qi->z, dci[0])),
+      qo_2 = KSL_MUL(qi->y, dci[0]) - KSL_MUL(qi->z, dci[1]),
+      qo_3 = KSL_MUL(qi->x, dci[0]) + KSL_MUL(qi->w, dci[1]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -522,10 +472,10 @@ static inline void ksl_quaternion_product_qconjqx(const ksl_quaternion_t *qi, co
      and underflow. */
 static inline void ksl_quaternion_product_qconjqxconj(const ksl_quaternion_t *qi,
     const double dci[2], ksl_quaternion_t *qo) {
-  const double qo_0 = -(KSL_MUL(qi->x, dci[1]) + KSL_MUL(qi->w, dci[0]));
-  const double qo_1 = KSL_MUL(qi->z, dci[0]) - KSL_MUL(qi->y, dci[1]);
-  const double qo_2 = -(KSL_MUL(qi->y, dci[0]) + KSL_MUL(qi->z, dci[1]));
-  const double qo_3 = KSL_MUL(qi->w, dci[1]) - KSL_MUL(qi->x, dci[0]);
+  const double qo_0 = -(KSL_MUL(qi->x, dci[1]) + KSL_MUL(qi->w, dci[0])),
+      qo_1 = KSL_MUL(qi->z, dci[0]) - KSL_MUL(qi->y, dci[1]),
+      qo_2 = -(KSL_MUL(qi->y, dci[0]) + KSL_MUL(qi->z, dci[1])),
+      qo_3 = KSL_MUL(qi->w, dci[1]) - KSL_MUL(qi->x, dci[0]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -539,10 +489,10 @@ static inline void ksl_quaternion_product_qconjqxconj(const ksl_quaternion_t *qi
      and underflow. */
 static inline void ksl_quaternion_product_qyq(const double dci[2], const ksl_quaternion_t *qi,
     ksl_quaternion_t *qo) {
-  const double qo_0 = KSL_MUL(dci[0], qi->z) + KSL_MUL(dci[1], qi->x);
-  const double qo_1 = KSL_MUL(dci[0], qi->w) + KSL_MUL(dci[1], qi->y);
-  const double qo_2 = KSL_MUL(dci[1], qi->z) - KSL_MUL(dci[0], qi->x);
-  const double qo_3 = KSL_MUL(dci[1], qi->w) - KSL_MUL(dci[0], qi->y);
+  const double qo_0 = KSL_MUL(dci[0], qi->z) + KSL_MUL(dci[1], qi->x),
+      qo_1 = KSL_MUL(dci[0], qi->w) + KSL_MUL(dci[1], qi->y),
+      qo_2 = KSL_MUL(dci[1], qi->z) - KSL_MUL(dci[0], qi->x),
+      qo_3 = KSL_MUL(dci[1], qi->w) - KSL_MUL(dci[0], qi->y);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -556,10 +506,10 @@ static inline void ksl_quaternion_product_qyq(const double dci[2], const ksl_qua
      and underflow. */
 static inline void ksl_quaternion_product_qyqconj(const double dci[2], const ksl_quaternion_t *qi,
     ksl_quaternion_t *qo) {
-  const double qo_0 = -(KSL_MUL(dci[0], qi->z) + KSL_MUL(dci[1], qi->x));
-  const double qo_1 = KSL_MUL(dci[0], qi->w) - KSL_MUL(dci[1], qi->y);
-  const double qo_2 = KSL_MUL(dci[0], qi->x) - KSL_MUL(dci[1], qi->z);
-  const double qo_3 = KSL_MUL(dci[0], qi->y) + KSL_MUL(dci[1], qi->w);
+  const double qo_0 = -(KSL_MUL(dci[0], qi->z) + KSL_MUL(dci[1], qi->x)),
+      qo_1 = KSL_MUL(dci[0], qi->w) - KSL_MUL(dci[1], qi->y),
+      qo_2 = KSL_MUL(dci[0], qi->x) - KSL_MUL(dci[1], qi->z),
+      qo_3 = KSL_MUL(dci[0], qi->y) + KSL_MUL(dci[1], qi->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -573,10 +523,10 @@ static inline void ksl_quaternion_product_qyqconj(const double dci[2], const ksl
      and underflow. */
 static inline void ksl_quaternion_product_qyconjq(const double dci[2], const ksl_quaternion_t *qi,
     ksl_quaternion_t *qo) {
-  const double qo_0 = KSL_MUL(dci[1], qi->x) - KSL_MUL(dci[0], qi->z);
-  const double qo_1 = KSL_MUL(dci[1], qi->y) - KSL_MUL(dci[0], qi->w);
-  const double qo_2 = KSL_MUL(dci[0], qi->x) + KSL_MUL(dci[1], qi->z);
-  const double qo_3 = KSL_MUL(dci[0], qi->y) + KSL_MUL(dci[1], qi->w);
+  const double qo_0 = KSL_MUL(dci[1], qi->x) - KSL_MUL(dci[0], qi->z),
+      qo_1 = KSL_MUL(dci[1], qi->y) - KSL_MUL(dci[0], qi->w),
+      qo_2 = KSL_MUL(dci[0], qi->x) + KSL_MUL(dci[1], qi->z),
+      qo_3 = KSL_MUL(dci[0], qi->y) + KSL_MUL(dci[1], qi->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -590,10 +540,10 @@ static inline void ksl_quaternion_product_qyconjq(const double dci[2], const ksl
      and underflow. */
 static inline void ksl_quaternion_product_qyconjqconj(const double dci[2],
     const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
-  const double qo_0 = KSL_MUL(dci[0], qi->z) - KSL_MUL(dci[1], qi->x);
-  const double qo_1 = -(KSL_MUL(dci[0], qi->w) + KSL_MUL(dci[1], qi->y));
-  const double qo_2 = -(KSL_MUL(dci[0], qi->x) + KSL_MUL(dci[1], qi->z));
-  const double qo_3 = KSL_MUL(dci[1], qi->w) - KSL_MUL(dci[0], qi->y);
+  const double qo_0 = KSL_MUL(dci[0], qi->z) - KSL_MUL(dci[1], qi->x),
+      qo_1 = -(KSL_MUL(dci[0], qi->w) + KSL_MUL(dci[1], qi->y)),
+      qo_2 = -(KSL_MUL(dci[0], qi->x) + KSL_MUL(dci[1], qi->z)),
+      qo_3 = KSL_MUL(dci[1], qi->w) - KSL_MUL(dci[0], qi->y);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -607,10 +557,10 @@ static inline void ksl_quaternion_product_qyconjqconj(const double dci[2],
      and underflow. */
 static inline void ksl_quaternion_product_qqy(const ksl_quaternion_t *qi, const double dci[2],
     ksl_quaternion_t *qo) {
-  const double qo_0 = KSL_MUL(qi->x, dci[1]) - KSL_MUL(qi->z, dci[0]);
-  const double qo_1 = KSL_MUL(qi->y, dci[1]) + KSL_MUL(qi->w, dci[0]);
-  const double qo_2 = KSL_MUL(qi->x, dci[0]) + KSL_MUL(qi->z, dci[1]);
-  const double qo_3 = KSL_MUL(qi->w, dci[1]) - KSL_MUL(qi->y, dci[0]);
+  const double qo_0 = KSL_MUL(qi->x, dci[1]) - KSL_MUL(qi->z, dci[0]),
+      qo_1 = KSL_MUL(qi->y, dci[1]) + KSL_MUL(qi->w, dci[0]),
+      qo_2 = KSL_MUL(qi->x, dci[0]) + KSL_MUL(qi->z, dci[1]),
+      qo_3 = KSL_MUL(qi->w, dci[1]) - KSL_MUL(qi->y, dci[0]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -624,10 +574,10 @@ static inline void ksl_quaternion_product_qqy(const ksl_quaternion_t *qi, const 
      and underflow. */
 static inline void ksl_quaternion_product_qqyconj(const ksl_quaternion_t *qi, const double dci[2],
     ksl_quaternion_t *qo) {
-  const double qo_0 = KSL_MUL(qi->x, dci[1]) + KSL_MUL(qi->z, dci[0]);
-  const double qo_1 = KSL_MUL(qi->y, dci[1]) - KSL_MUL(qi->w, dci[0]);
-  const double qo_2 = KSL_MUL(qi->z, dci[1]) - KSL_MUL(qi->x, dci[0]);
-  const double qo_3 = KSL_MUL(qi->y, dci[0]) + KSL_MUL(qi->w, dci[1]);
+  const double qo_0 = KSL_MUL(qi->x, dci[1]) + KSL_MUL(qi->z, dci[0]),
+      qo_1 = KSL_MUL(qi->y, dci[1]) - KSL_MUL(qi->w, dci[0]),
+      qo_2 = KSL_MUL(qi->z, dci[1]) - KSL_MUL(qi->x, dci[0]),
+      qo_3 = KSL_MUL(qi->y, dci[0]) + KSL_MUL(qi->w, dci[1]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -641,10 +591,10 @@ static inline void ksl_quaternion_product_qqyconj(const ksl_quaternion_t *qi, co
      and underflow. */
 static inline void ksl_quaternion_product_qconjqy(const ksl_quaternion_t *qi, const double dci[2],
     ksl_quaternion_t *qo) {
-  const double qo_0 = KSL_MUL(qi->z, dci[0]) - KSL_MUL(qi->x, dci[1]);
-  const double qo_1 = KSL_MUL(qi->w, dci[0]) - KSL_MUL(qi->y, dci[1]);
-  const double qo_2 = -(KSL_MUL(qi->x, dci[0]) + KSL_MUL(qi->z, dci[1]));
-  const double qo_3 = KSL_MUL(qi->y, dci[0]) + KSL_MUL(qi->w, dci[1]);
+  const double qo_0 = KSL_MUL(qi->z, dci[0]) - KSL_MUL(qi->x, dci[1]),
+      qo_1 = KSL_MUL(qi->w, dci[0]) - KSL_MUL(qi->y, dci[1]),
+      qo_2 = -(KSL_MUL(qi->x, dci[0]) + KSL_MUL(qi->z, dci[1])),
+      qo_3 = KSL_MUL(qi->y, dci[0]) + KSL_MUL(qi->w, dci[1]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -658,10 +608,10 @@ static inline void ksl_quaternion_product_qconjqy(const ksl_quaternion_t *qi, co
      and underflow. */
 static inline void ksl_quaternion_product_qconjqyconj(const ksl_quaternion_t *qi,
     const double dci[2], ksl_quaternion_t *qo) {
-  const double qo_0 = -(KSL_MUL(qi->x, dci[1]) + KSL_MUL(qi->z, dci[0]));
-  const double qo_1 = -(KSL_MUL(qi->y, dci[1]) + KSL_MUL(qi->w, dci[0]));
-  const double qo_2 = KSL_MUL(qi->x, dci[0]) - KSL_MUL(qi->z, dci[1]);
-  const double qo_3 = KSL_MUL(qi->w, dci[1]) - KSL_MUL(qi->y, dci[0]);
+  const double qo_0 = -(KSL_MUL(qi->x, dci[1]) + KSL_MUL(qi->z, dci[0])),
+      qo_1 = -(KSL_MUL(qi->y, dci[1]) + KSL_MUL(qi->w, dci[0])),
+      qo_2 = KSL_MUL(qi->x, dci[0]) - KSL_MUL(qi->z, dci[1]),
+      qo_3 = KSL_MUL(qi->w, dci[1]) - KSL_MUL(qi->y, dci[0]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -675,10 +625,10 @@ static inline void ksl_quaternion_product_qconjqyconj(const ksl_quaternion_t *qi
      and underflow. */
 static inline void ksl_quaternion_product_qzq(const double dci[2], const ksl_quaternion_t *qi,
     ksl_quaternion_t *qo) {
-  const double qo_0 = KSL_MUL(dci[1], qi->x) - KSL_MUL(dci[0], qi->y);
-  const double qo_1 = KSL_MUL(dci[0], qi->x) + KSL_MUL(dci[1], qi->y);
-  const double qo_2 = KSL_MUL(dci[0], qi->w) + KSL_MUL(dci[1], qi->z);
-  const double qo_3 = KSL_MUL(dci[1], qi->w) - KSL_MUL(dci[0], qi->z);
+  const double qo_0 = KSL_MUL(dci[1], qi->x) - KSL_MUL(dci[0], qi->y),
+      qo_1 = KSL_MUL(dci[0], qi->x) + KSL_MUL(dci[1], qi->y),
+      qo_2 = KSL_MUL(dci[0], qi->w) + KSL_MUL(dci[1], qi->z),
+      qo_3 = KSL_MUL(dci[1], qi->w) - KSL_MUL(dci[0], qi->z);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -692,10 +642,10 @@ static inline void ksl_quaternion_product_qzq(const double dci[2], const ksl_qua
      and underflow. */
 static inline void ksl_quaternion_product_qzqconj(const double dci[2], const ksl_quaternion_t *qi,
     ksl_quaternion_t *qo) {
-  const double qo_0 = KSL_MUL(dci[0], qi->y) - KSL_MUL(dci[1], qi->x);
-  const double qo_1 = -(KSL_MUL(dci[0], qi->x) + KSL_MUL(dci[1], qi->y));
-  const double qo_2 = KSL_MUL(dci[0], qi->w) - KSL_MUL(dci[1], qi->z);
-  const double qo_3 = KSL_MUL(dci[0], qi->z) + KSL_MUL(dci[1], qi->w);
+  const double qo_0 = KSL_MUL(dci[0], qi->y) - KSL_MUL(dci[1], qi->x),
+      qo_1 = -(KSL_MUL(dci[0], qi->x) + KSL_MUL(dci[1], qi->y)),
+      qo_2 = KSL_MUL(dci[0], qi->w) - KSL_MUL(dci[1], qi->z),
+      qo_3 = KSL_MUL(dci[0], qi->z) + KSL_MUL(dci[1], qi->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -709,10 +659,10 @@ static inline void ksl_quaternion_product_qzqconj(const double dci[2], const ksl
      and underflow. */
 static inline void ksl_quaternion_product_qzconjq(const double dci[2], const ksl_quaternion_t *qi,
     ksl_quaternion_t *qo) {
-  const double qo_0 = KSL_MUL(dci[0], qi->y) + KSL_MUL(dci[1], qi->x);
-  const double qo_1 = KSL_MUL(dci[1], qi->y) - KSL_MUL(dci[0], qi->x);
-  const double qo_2 = KSL_MUL(dci[1], qi->z) - KSL_MUL(dci[0], qi->w);
-  const double qo_3 = KSL_MUL(dci[0], qi->z) + KSL_MUL(dci[1], qi->w);
+  const double qo_0 = KSL_MUL(dci[0], qi->y) + KSL_MUL(dci[1], qi->x),
+      qo_1 = KSL_MUL(dci[1], qi->y) - KSL_MUL(dci[0], qi->x),
+      qo_2 = KSL_MUL(dci[1], qi->z) - KSL_MUL(dci[0], qi->w),
+      qo_3 = KSL_MUL(dci[0], qi->z) + KSL_MUL(dci[1], qi->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -726,10 +676,10 @@ static inline void ksl_quaternion_product_qzconjq(const double dci[2], const ksl
      and underflow. */
 static inline void ksl_quaternion_product_qzconjqconj(const double dci[2],
     const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
-  const double qo_0 = -(KSL_MUL(dci[0], qi->y) + KSL_MUL(dci[1], qi->x));
-  const double qo_1 = KSL_MUL(dci[0], qi->x) - KSL_MUL(dci[1], qi->y);
-  const double qo_2 = -(KSL_MUL(dci[0], qi->w) + KSL_MUL(dci[1], qi->z));
-  const double qo_3 = KSL_MUL(dci[1], qi->w) - KSL_MUL(dci[0], qi->z);
+  const double qo_0 = -(KSL_MUL(dci[0], qi->y) + KSL_MUL(dci[1], qi->x)),
+      qo_1 = KSL_MUL(dci[0], qi->x) - KSL_MUL(dci[1], qi->y),
+      qo_2 = -(KSL_MUL(dci[0], qi->w) + KSL_MUL(dci[1], qi->z)),
+      qo_3 = KSL_MUL(dci[1], qi->w) - KSL_MUL(dci[0], qi->z);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -743,10 +693,10 @@ static inline void ksl_quaternion_product_qzconjqconj(const double dci[2],
      and underflow. */
 static inline void ksl_quaternion_product_qqz(const ksl_quaternion_t *qi, const double dci[2],
     ksl_quaternion_t *qo) {
-  const double qo_0 = KSL_MUL(qi->x, dci[1]) + KSL_MUL(qi->y, dci[0]);
-  const double qo_1 = KSL_MUL(qi->y, dci[1]) - KSL_MUL(qi->x, dci[0]);
-  const double qo_2 = KSL_MUL(qi->z, dci[1]) + KSL_MUL(qi->w, dci[0]);
-  const double qo_3 = KSL_MUL(qi->w, dci[1]) - KSL_MUL(qi->z, dci[0]);
+  const double qo_0 = KSL_MUL(qi->x, dci[1]) + KSL_MUL(qi->y, dci[0]),
+      qo_1 = KSL_MUL(qi->y, dci[1]) - KSL_MUL(qi->x, dci[0]),
+      qo_2 = KSL_MUL(qi->z, dci[1]) + KSL_MUL(qi->w, dci[0]),
+      qo_3 = KSL_MUL(qi->w, dci[1]) - KSL_MUL(qi->z, dci[0]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -760,10 +710,10 @@ static inline void ksl_quaternion_product_qqz(const ksl_quaternion_t *qi, const 
      and underflow. */
 static inline void ksl_quaternion_product_qqzconj(const ksl_quaternion_t *qi, const double dci[2],
     ksl_quaternion_t *qo) {
-  const double qo_0 = KSL_MUL(qi->x, dci[1]) - KSL_MUL(qi->y, dci[0]);
-  const double qo_1 = KSL_MUL(qi->x, dci[0]) + KSL_MUL(qi->y, dci[1]);
-  const double qo_2 = KSL_MUL(qi->z, dci[1]) - KSL_MUL(qi->w, dci[0]);
-  const double qo_3 = KSL_MUL(qi->z, dci[0]) + KSL_MUL(qi->w, dci[1]);
+  const double qo_0 = KSL_MUL(qi->x, dci[1]) - KSL_MUL(qi->y, dci[0]),
+      qo_1 = KSL_MUL(qi->x, dci[0]) + KSL_MUL(qi->y, dci[1]),
+      qo_2 = KSL_MUL(qi->z, dci[1]) - KSL_MUL(qi->w, dci[0]),
+      qo_3 = KSL_MUL(qi->z, dci[0]) + KSL_MUL(qi->w, dci[1]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -777,10 +727,10 @@ static inline void ksl_quaternion_product_qqzconj(const ksl_quaternion_t *qi, co
      and underflow. */
 static inline void ksl_quaternion_product_qconjqz(const ksl_quaternion_t *qi, const double dci[2],
     ksl_quaternion_t *qo) {
-  const double qo_0 = -(KSL_MUL(qi->x, dci[1]) + KSL_MUL(qi->y, dci[0]));
-  const double qo_1 = KSL_MUL(qi->x, dci[0]) - KSL_MUL(qi->y, dci[1]);
-  const double qo_2 = KSL_MUL(qi->w, dci[0]) - KSL_MUL(qi->z, dci[1]);
-  const double qo_3 = KSL_MUL(qi->z, dci[0]) + KSL_MUL(qi->w, dci[1]);
+  const double qo_0 = -(KSL_MUL(qi->x, dci[1]) + KSL_MUL(qi->y, dci[0])),
+      qo_1 = KSL_MUL(qi->x, dci[0]) - KSL_MUL(qi->y, dci[1]),
+      qo_2 = KSL_MUL(qi->w, dci[0]) - KSL_MUL(qi->z, dci[1]),
+      qo_3 = KSL_MUL(qi->z, dci[0]) + KSL_MUL(qi->w, dci[1]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -794,10 +744,10 @@ static inline void ksl_quaternion_product_qconjqz(const ksl_quaternion_t *qi, co
      and underflow. */
 static inline void ksl_quaternion_product_qconjqzconj(const ksl_quaternion_t *qi,
     const double dci[2], ksl_quaternion_t *qo) {
-  const double qo_0 = KSL_MUL(qi->y, dci[0]) - KSL_MUL(qi->x, dci[1]);
-  const double qo_1 = -(KSL_MUL(qi->x, dci[0]) + KSL_MUL(qi->y, dci[1]));
-  const double qo_2 = -(KSL_MUL(qi->z, dci[1]) + KSL_MUL(qi->w, dci[0]));
-  const double qo_3 = KSL_MUL(qi->w, dci[1]) - KSL_MUL(qi->z, dci[0]);
+  const double qo_0 = KSL_MUL(qi->y, dci[0]) - KSL_MUL(qi->x, dci[1]),
+      qo_1 = -(KSL_MUL(qi->x, dci[0]) + KSL_MUL(qi->y, dci[1])),
+      qo_2 = -(KSL_MUL(qi->z, dci[1]) + KSL_MUL(qi->w, dci[0])),
+      qo_3 = KSL_MUL(qi->w, dci[1]) - KSL_MUL(qi->z, dci[0]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -811,10 +761,10 @@ static inline void ksl_quaternion_product_qconjqzconj(const ksl_quaternion_t *qi
      and underflow. */
 static inline void ksl_quaternion_product_qv(const ksl_quaternion_t *qi, const ksl_vec3_t *vi,
     ksl_quaternion_t *qo) {
-  const double qo_0 = KSL_MUL(qi->y, vi->z) - KSL_MUL(qi->z, vi->y) + KSL_MUL(qi->w, vi->x);
-  const double qo_1 = KSL_MUL(qi->z, vi->x) - KSL_MUL(qi->x, vi->z) + KSL_MUL(qi->w, vi->y);
-  const double qo_2 = KSL_MUL(qi->x, vi->y) - KSL_MUL(qi->y, vi->x) + KSL_MUL(qi->w, vi->z);
-  const double qo_3 = -(KSL_MUL(qi->x, vi->x) + KSL_MUL(qi->y, vi->y) + KSL_MUL(qi->z, vi->z));
+  const double qo_0 = KSL_MUL(qi->y, vi->z) - KSL_MUL(qi->z, vi->y) + KSL_MUL(qi->w, vi->x),
+      qo_1 = KSL_MUL(qi->z, vi->x) - KSL_MUL(qi->x, vi->z) + KSL_MUL(qi->w, vi->y),
+      qo_2 = KSL_MUL(qi->x, vi->y) - KSL_MUL(qi->y, vi->x) + KSL_MUL(qi->w, vi->z),
+      qo_3 = -(KSL_MUL(qi->x, vi->x) + KSL_MUL(qi->y, vi->y) + KSL_MUL(qi->z, vi->z));
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -828,10 +778,10 @@ static inline void ksl_quaternion_product_qv(const ksl_quaternion_t *qi, const k
      and underflow. */
 static inline void ksl_quaternion_product_qconjv(const ksl_quaternion_t *qi, const ksl_vec3_t *vi,
     ksl_quaternion_t *qo) {
-  const double qo_0 = KSL_MUL(qi->z, vi->y) - KSL_MUL(qi->y, vi->z) + KSL_MUL(qi->w, vi->x);
-  const double qo_1 = KSL_MUL(qi->x, vi->z) - KSL_MUL(qi->z, vi->x) + KSL_MUL(qi->w, vi->y);
-  const double qo_2 = KSL_MUL(qi->y, vi->x) - KSL_MUL(qi->x, vi->y) + KSL_MUL(qi->w, vi->z);
-  const double qo_3 = KSL_MUL(qi->x, vi->x) + KSL_MUL(qi->y, vi->y) + KSL_MUL(qi->z, vi->z);
+  const double qo_0 = KSL_MUL(qi->z, vi->y) - KSL_MUL(qi->y, vi->z) + KSL_MUL(qi->w, vi->x),
+      qo_1 = KSL_MUL(qi->x, vi->z) - KSL_MUL(qi->z, vi->x) + KSL_MUL(qi->w, vi->y),
+      qo_2 = KSL_MUL(qi->y, vi->x) - KSL_MUL(qi->x, vi->y) + KSL_MUL(qi->w, vi->z),
+      qo_3 = KSL_MUL(qi->x, vi->x) + KSL_MUL(qi->y, vi->y) + KSL_MUL(qi->z, vi->z);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -845,10 +795,10 @@ static inline void ksl_quaternion_product_qconjv(const ksl_quaternion_t *qi, con
      and underflow. */
 static inline void ksl_quaternion_product_vq(const ksl_vec3_t *vi, const ksl_quaternion_t *qi,
     ksl_quaternion_t *qo) {
-  const double qo_0 = KSL_MUL(vi->x, qi->w) + (KSL_MUL(vi->y, qi->z) - KSL_MUL(vi->z, qi->y));
-  const double qo_1 = KSL_MUL(vi->z, qi->x) - KSL_MUL(vi->x, qi->z) + KSL_MUL(vi->y, qi->w);
-  const double qo_2 = KSL_MUL(vi->x, qi->y) - KSL_MUL(vi->y, qi->x) + KSL_MUL(vi->z, qi->w);
-  const double qo_3 = -(KSL_MUL(vi->x, qi->x) + KSL_MUL(vi->y, qi->y) + KSL_MUL(vi->z, qi->z));
+  const double qo_0 = KSL_MUL(vi->x, qi->w) + (KSL_MUL(vi->y, qi->z) - KSL_MUL(vi->z, qi->y)),
+      qo_1 = KSL_MUL(vi->z, qi->x) - KSL_MUL(vi->x, qi->z) + KSL_MUL(vi->y, qi->w),
+      qo_2 = KSL_MUL(vi->x, qi->y) - KSL_MUL(vi->y, qi->x) + KSL_MUL(vi->z, qi->w),
+      qo_3 = -(KSL_MUL(vi->x, qi->x) + KSL_MUL(vi->y, qi->y) + KSL_MUL(vi->z, qi->z));
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -862,10 +812,10 @@ static inline void ksl_quaternion_product_vq(const ksl_vec3_t *vi, const ksl_qua
      and underflow. */
 static inline void ksl_quaternion_product_vqconj(const ksl_vec3_t *vi, const ksl_quaternion_t *qi,
     ksl_quaternion_t *qo) {
-  const double qo_0 = KSL_MUL(vi->x, qi->w) + (KSL_MUL(vi->z, qi->y) - KSL_MUL(vi->y, qi->z));
-  const double qo_1 = KSL_MUL(vi->x, qi->z) - KSL_MUL(vi->z, qi->x) + KSL_MUL(vi->y, qi->w);
-  const double qo_2 = KSL_MUL(vi->y, qi->x) - KSL_MUL(vi->x, qi->y) + KSL_MUL(vi->z, qi->w);
-  const double qo_3 = KSL_MUL(vi->x, qi->x) + KSL_MUL(vi->y, qi->y) + KSL_MUL(vi->z, qi->z);
+  const double qo_0 = KSL_MUL(vi->x, qi->w) + (KSL_MUL(vi->z, qi->y) - KSL_MUL(vi->y, qi->z)),
+      qo_1 = KSL_MUL(vi->x, qi->z) - KSL_MUL(vi->z, qi->x) + KSL_MUL(vi->y, qi->w),
+      qo_2 = KSL_MUL(vi->y, qi->x) - KSL_MUL(vi->x, qi->y) + KSL_MUL(vi->z, qi->w),
+      qo_3 = KSL_MUL(vi->x, qi->x) + KSL_MUL(vi->y, qi->y) + KSL_MUL(vi->z, qi->z);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -895,10 +845,10 @@ static inline void ksl_add_dpiToq(const ksl_vec3_t *dpi, ksl_quaternion_t *qi) {
       qi_0_new = KSL_MUL(qi_0_new_a, qi->w)
           + (KSL_MUL(qi_0_new_c, qi->y) - KSL_MUL(qi_0_new_e, qi->z)) + qi->x;
   const double qi_1_new = KSL_MUL(qi_0_new_a, qi->z) - KSL_MUL(qi_0_new_c, qi->x)
-          + KSL_MUL(qi_0_new_e, qi->w) + qi->y;
-  const double qi_2_new = KSL_MUL(qi_0_new_e, qi->x) - KSL_MUL(qi_0_new_a, qi->y)
-          + KSL_MUL(qi_0_new_c, qi->w) + qi->z;
-  const double qi_3_new = qi->w
+          + KSL_MUL(qi_0_new_e, qi->w) + qi->y,
+      qi_2_new = KSL_MUL(qi_0_new_e, qi->x) - KSL_MUL(qi_0_new_a, qi->y)
+          + KSL_MUL(qi_0_new_c, qi->w) + qi->z,
+      qi_3_new = qi->w
           - (KSL_MUL(qi_0_new_a, qi->x) + KSL_MUL(qi_0_new_e, qi->y) + KSL_MUL(qi_0_new_c, qi->z));
   qi->x = qi_0_new;
   qi->y = qi_1_new;
@@ -917,10 +867,10 @@ static inline void ksl_subtract_dpiFromq(const ksl_vec3_t *dpi, ksl_quaternion_t
       qi_0_new = KSL_MUL(qi_0_new_a, qi->z) - KSL_MUL(qi_0_new_c, qi->y)
           - KSL_MUL(qi_0_new_f, qi->w) + qi->x;
   const double qi_1_new = KSL_MUL(qi_0_new_c, qi->x) - KSL_MUL(qi_0_new_f, qi->z)
-          - KSL_MUL(qi_0_new_a, qi->w) + qi->y;
-  const double qi_2_new = KSL_MUL(qi_0_new_f, qi->y) - KSL_MUL(qi_0_new_a, qi->x)
-          - KSL_MUL(qi_0_new_c, qi->w) + qi->z;
-  const double qi_3_new = KSL_MUL(qi_0_new_f, qi->x) + KSL_MUL(qi_0_new_a, qi->y)
+          - KSL_MUL(qi_0_new_a, qi->w) + qi->y,
+      qi_2_new = KSL_MUL(qi_0_new_f, qi->y) - KSL_MUL(qi_0_new_a, qi->x)
+          - KSL_MUL(qi_0_new_c, qi->w) + qi->z,
+      qi_3_new = KSL_MUL(qi_0_new_f, qi->x) + KSL_MUL(qi_0_new_a, qi->y)
           + KSL_MUL(qi_0_new_c, qi->z) + qi->w;
   qi->x = qi_0_new;
   qi->y = qi_1_new;
@@ -943,10 +893,10 @@ static inline void ksl_omega_to_dquaternion(const ksl_vec3_t *w, const ksl_quate
       dqo_0 = KSL_MUL(dqo_0a, qi->w) + (KSL_MUL(dqo_0c, qi->z) - KSL_MUL(dqo_0e, qi->y))
           + KSL_MUL(qi->x, dqo_0p);
   const double dqo_1 = KSL_MUL(dqo_0e, qi->x) - KSL_MUL(dqo_0a, qi->z) + KSL_MUL(dqo_0c, qi->w)
-          + KSL_MUL(qi->y, dqo_0p);
-  const double dqo_2 = KSL_MUL(dqo_0a, qi->y) - KSL_MUL(dqo_0c, qi->x) + KSL_MUL(dqo_0e, qi->w)
-          + KSL_MUL(qi->z, dqo_0p);
-  const double dqo_3 = KSL_MUL(qi->w, dqo_0p)
+          + KSL_MUL(qi->y, dqo_0p),
+      dqo_2 = KSL_MUL(dqo_0a, qi->y) - KSL_MUL(dqo_0c, qi->x) + KSL_MUL(dqo_0e, qi->w)
+          + KSL_MUL(qi->z, dqo_0p),
+      dqo_3 = KSL_MUL(qi->w, dqo_0p)
           - (KSL_MUL(dqo_0a, qi->x) + KSL_MUL(dqo_0c, qi->y) + KSL_MUL(dqo_0e, qi->z));
   dqo->x = dqo_0;
   dqo->y = dqo_1;
@@ -960,16 +910,11 @@ static inline void ksl_omega_to_dquaternion(const ksl_vec3_t *w, const ksl_quate
    Error <= R: 8 u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 <
      |q| < 2^63; searched, not proved. */
 static inline void ksl_mat3x3_from_quaternion(const ksl_quaternion_t *q, ksl_mat3x3_t *R) {
-  const double squares_0 = KSL_MUL(q->w, q->w);
-  const double squares_1 = KSL_MUL(q->x, q->x);
-  const double squares_2 = KSL_MUL(q->y, q->y);
-  const double squares_3 = KSL_MUL(q->z, q->z);
-  const double pairs_0 = squares_0 + squares_1;
-  const double pairs_1 = squares_2 + squares_3;
-  const double pairs_2 = squares_0 + squares_2;
-  const double pairs_3 = squares_1 + squares_3;
-  const double pairs_4 = squares_0 + squares_3;
-  const double pairs_5 = squares_1 + squares_2;
+  const double squares_0 = KSL_MUL(q->w, q->w), squares_1 = KSL_MUL(q->x, q->x),
+      squares_2 = KSL_MUL(q->y, q->y), squares_3 = KSL_MUL(q->z, q->z);
+  const double pairs_0 = squares_0 + squares_1, pairs_1 = squares_2 + squares_3,
+      pairs_2 = squares_0 + squares_2, pairs_3 = squares_1 + squares_3,
+      pairs_4 = squares_0 + squares_3, pairs_5 = squares_1 + squares_2;
   const double square = pairs_0 + pairs_1;
   const double factor = 1.0 / square;
   const double d0 = pairs_0 - pairs_1;
@@ -979,18 +924,10 @@ static inline void ksl_mat3x3_from_quaternion(const ksl_quaternion_t *q, ksl_mat
   const double m_0a = KSL_MUL(q->x, q->y), m_0b = KSL_MUL(q->z, q->w), m_0 = m_0a - m_0b;
   const double m_1a = KSL_MUL(q->x, q->z), m_1b = KSL_MUL(q->y, q->w), m_1 = m_1a + m_1b;
   const double m_2a = KSL_MUL(q->y, q->z), m_2b = KSL_MUL(q->x, q->w), m_2 = m_2a - m_2b;
-  const double m_3 = m_0a + m_0b;
-  const double m_4 = m_1a - m_1b;
-  const double m_5 = m_2b + m_2a;
-  const double R_00 = KSL_MUL(factor, d0);
-  const double R_01 = KSL_MUL(twice, m_0);
-  const double R_02 = KSL_MUL(twice, m_1);
-  const double R_10 = KSL_MUL(twice, m_3);
-  const double R_11 = KSL_MUL(factor, d1);
-  const double R_12 = KSL_MUL(twice, m_2);
-  const double R_20 = KSL_MUL(twice, m_4);
-  const double R_21 = KSL_MUL(twice, m_5);
-  const double R_22 = KSL_MUL(factor, d2);
+  const double m_3 = m_0a + m_0b, m_4 = m_1a - m_1b, m_5 = m_2b + m_2a;
+  const double R_00 = KSL_MUL(factor, d0), R_01 = KSL_MUL(twice, m_0), R_02 = KSL_MUL(twice, m_1),
+      R_10 = KSL_MUL(twice, m_3), R_11 = KSL_MUL(factor, d1), R_12 = KSL_MUL(twice, m_2),
+      R_20 = KSL_MUL(twice, m_4), R_21 = KSL_MUL(twice, m_5), R_22 = KSL_MUL(factor, d2);
   R->m00 = R_00;
   R->m01 = R_01;
   R->m02 = R_02;
@@ -1007,42 +944,27 @@ static inline void ksl_mat3x3_from_quaternion(const ksl_quaternion_t *q, ksl_mat
    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
    Error <= qo: 6 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_quaternion_from_mat3x3(const ksl_mat3x3_t *R, ksl_quaternion_t *qo) {
-  const double p_0 = R->m21 - R->m12;
-  const double p_1 = R->m02 - R->m20;
-  const double p_2 = R->m10 - R->m01;
-  const double s_0 = R->m12 + R->m21;
-  const double s_1 = R->m02 + R->m20;
-  const double s_2 = R->m01 + R->m10;
-  const double first_0 = R->m00 + 1.0;
-  const double first_1 = 1.0 - R->m00;
-  const double others_0 = R->m11 + R->m22;
-  const double others_1 = R->m11 - R->m22;
-  const double d_0 = first_0 + others_0;
-  const double d_1 = first_0 - others_0;
-  const double d_2 = first_1 + others_1;
-  const double d_3 = first_1 - others_1;
-  const double low_0 = R->m11 < R->m00 ? d_1 : s_2;
-  const double low_1 = R->m11 < R->m00 ? s_2 : d_2;
-  const double low_2 = R->m11 < R->m00 ? s_1 : s_0;
-  const double low_3 = R->m11 < R->m00 ? p_0 : p_1;
+  const double p_0 = R->m21 - R->m12, p_1 = R->m02 - R->m20, p_2 = R->m10 - R->m01;
+  const double s_0 = R->m12 + R->m21, s_1 = R->m02 + R->m20, s_2 = R->m01 + R->m10;
+  const double first_0 = R->m00 + 1.0, first_1 = 1.0 - R->m00;
+  const double others_0 = R->m11 + R->m22, others_1 = R->m11 - R->m22;
+  const double d_0 = first_0 + others_0, d_1 = first_0 - others_0, d_2 = first_1 + others_1,
+      d_3 = first_1 - others_1;
+  const double low_0 = R->m11 < R->m00 ? d_1 : s_2, low_1 = R->m11 < R->m00 ? s_2 : d_2,
+      low_2 = R->m11 < R->m00 ? s_1 : s_0, low_3 = R->m11 < R->m00 ? p_0 : p_1;
   const double high_0a = -R->m11, high_0 = R->m00 < high_0a ? s_1 : p_0;
-  const double high_1 = R->m00 < high_0a ? s_0 : p_1;
-  const double high_2 = R->m00 < high_0a ? d_3 : p_2;
-  const double high_3 = R->m00 < high_0a ? p_2 : d_0;
-  const double column_0 = R->m22 < 0.0 ? low_0 : high_0;
-  const double column_1 = R->m22 < 0.0 ? low_1 : high_1;
-  const double column_2 = R->m22 < 0.0 ? low_2 : high_2;
-  const double column_3 = R->m22 < 0.0 ? low_3 : high_3;
+  const double high_1 = R->m00 < high_0a ? s_0 : p_1, high_2 = R->m00 < high_0a ? d_3 : p_2,
+      high_3 = R->m00 < high_0a ? p_2 : d_0;
+  const double column_0 = R->m22 < 0.0 ? low_0 : high_0, column_1 = R->m22 < 0.0 ? low_1 : high_1,
+      column_2 = R->m22 < 0.0 ? low_2 : high_2, column_3 = R->m22 < 0.0 ? low_3 : high_3;
   const double upper_0a = -column_0, upper_0 = column_3 < 0.0 ? upper_0a : column_0;
   const double upper_1a = -column_1, upper_1 = column_3 < 0.0 ? upper_1a : column_1;
   const double upper_2a = -column_2, upper_2 = column_3 < 0.0 ? upper_2a : column_2;
   const double upper_3a = -column_3, upper_3 = column_3 < 0.0 ? upper_3a : column_3;
   const double length = sqrt(KSL_MUL(upper_0, upper_0) + KSL_MUL(upper_1, upper_1)
           + KSL_MUL(upper_2, upper_2) + KSL_MUL(upper_3, upper_3));
-  const double qo_0 = upper_0 / length;
-  const double qo_1 = upper_1 / length;
-  const double qo_2 = upper_2 / length;
-  const double qo_3 = upper_3 / length;
+  const double qo_0 = upper_0 / length, qo_1 = upper_1 / length, qo_2 = upper_2 / length,
+      qo_3 = upper_3 / length;
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1058,9 +980,8 @@ static inline void ksl_quaternion_from_axis_angle(const ksl_vec3_t *axis, const 
     ksl_quaternion_t *qo) {
   const double half = KSL_MUL(0.5, angle);
   double qo_3; const double sine = ksl_sincos(half, &qo_3);
-  const double qo_0 = KSL_MUL(axis->x, sine);
-  const double qo_1 = KSL_MUL(axis->y, sine);
-  const double qo_2 = KSL_MUL(axis->z, sine);
+  const double qo_0 = KSL_MUL(axis->x, sine), qo_1 = KSL_MUL(axis->y, sine),
+      qo_2 = KSL_MUL(axis->z, sine);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1073,43 +994,34 @@ static inline void ksl_quaternion_from_axis_angle(const ksl_vec3_t *axis, const 
    41 mul, 37 add, 4 div, 1 sqrt, 5 neg, 9 abs, 2 copysign, 19 less, 2 equal, 32 select.
    Error <= angle: 6 u, axis: 4 u of its largest component; searched, not proved. */
 static inline double ksl_axis_angle_from_quaternion(const ksl_quaternion_t *q, ksl_vec3_t *axis) {
-  const double s_size_0 = fabs(q->x);
-  const double s_size_1 = fabs(q->y);
-  const double s_size_2 = fabs(q->z);
-  const double s_size_3 = fabs(q->w);
+  const double s_size_0 = fabs(q->x), s_size_1 = fabs(q->y), s_size_2 = fabs(q->z),
+      s_size_3 = fabs(q->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double scaled_s_0 = KSL_MUL(q->x, s);
-  const double scaled_s_1 = KSL_MUL(q->y, s);
-  const double scaled_s_2 = KSL_MUL(q->z, s);
-  const double scaled_s_3 = KSL_MUL(q->w, s);
+  const double scaled_s_0 = KSL_MUL(q->x, s), scaled_s_1 = KSL_MUL(q->y, s),
+      scaled_s_2 = KSL_MUL(q->z, s), scaled_s_3 = KSL_MUL(q->w, s);
   const double upper_0a = -scaled_s_0, upper_0 = scaled_s_3 < 0.0 ? upper_0a : scaled_s_0;
   const double upper_1a = -scaled_s_1, upper_1 = scaled_s_3 < 0.0 ? upper_1a : scaled_s_1;
   const double upper_2a = -scaled_s_2, upper_2 = scaled_s_3 < 0.0 ? upper_2a : scaled_s_2;
   const double upper_3a = -scaled_s_3, upper_3 = scaled_s_3 < 0.0 ? upper_3a : scaled_s_3;
-  const double v_s_size_0 = fabs(upper_0);
-  const double v_s_size_1 = fabs(upper_1);
-  const double v_s_size_2 = fabs(upper_2);
+  const double v_s_size_0 = fabs(upper_0), v_s_size_1 = fabs(upper_1), v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : 1.0,
       v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_b;
-  const double v_y_0 = KSL_MUL(upper_0, v_s);
-  const double v_y_1 = KSL_MUL(upper_1, v_s);
-  const double v_y_2 = KSL_MUL(upper_2, v_s);
+  const double v_y_0 = KSL_MUL(upper_0, v_s), v_y_1 = KSL_MUL(upper_1, v_s),
+      v_y_2 = KSL_MUL(upper_2, v_s);
   const double v_n = sqrt(KSL_MUL(v_y_0, v_y_0) + KSL_MUL(v_y_1, v_y_1) + KSL_MUL(v_y_2, v_y_2));
   const double v_r_b = 1.0 < v_s ? 7.637340908749012e-152 : 1.0,
       v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_b;
   const double n = KSL_MUL(v_n, v_r);
   const double half = ksl_atan2(n, upper_3);
   const double divisor = v_n == 0.0 ? 1.0 : v_n;
-  const double unit_0 = v_y_0 / divisor;
-  const double unit_1 = v_y_1 / divisor;
-  const double unit_2 = v_y_2 / divisor;
+  const double unit_0 = v_y_0 / divisor, unit_1 = v_y_1 / divisor, unit_2 = v_y_2 / divisor;
   const double angle = KSL_MUL(2.0, half);
   const double axis_0 = v_n == 0.0 ? 1.0 : unit_0;
   axis->x = axis_0;
@@ -1124,26 +1036,14 @@ static inline double ksl_axis_angle_from_quaternion(const ksl_quaternion_t *q, k
    Error <= qo: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
      searched, not proved. */
 static inline void ksl_quaternion_exp(const ksl_vec3_t *v, ksl_quaternion_t *qo) {
-  const double h_0 = KSL_MUL(0.5, v->x);
-  const double h_1 = KSL_MUL(0.5, v->y);
-  const double h_2 = KSL_MUL(0.5, v->z);
-  const double size_0 = fabs(h_0);
-  const double size_1 = fabs(h_1);
-  const double size_2 = fabs(h_2);
+  const double h_0 = KSL_MUL(0.5, v->x), h_1 = KSL_MUL(0.5, v->y), h_2 = KSL_MUL(0.5, v->z);
+  const double size_0 = fabs(h_0), size_1 = fabs(h_1), size_2 = fabs(h_2);
   const double sizes = size_0 + size_1 + size_2;
   const double grid = KSL_MUL(sizes, 268435456.0);
-  const double shifted_0 = h_0 + grid;
-  const double shifted_1 = h_1 + grid;
-  const double shifted_2 = h_2 + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = h_0 - high_0;
-  const double low_1 = h_1 - high_1;
-  const double low_2 = h_2 - high_2;
-  const double sum_0 = h_0 + high_0;
-  const double sum_1 = h_1 + high_1;
-  const double sum_2 = h_2 + high_2;
+  const double shifted_0 = h_0 + grid, shifted_1 = h_1 + grid, shifted_2 = h_2 + grid;
+  const double high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const double low_0 = h_0 - high_0, low_1 = h_1 - high_1, low_2 = h_2 - high_2;
+  const double sum_0 = h_0 + high_0, sum_1 = h_1 + high_1, sum_2 = h_2 + high_2;
   const double squares = KSL_MUL(high_0, high_0) + KSL_MUL(high_1, high_1)
           + KSL_MUL(high_2, high_2);
   const double cross = KSL_MUL(low_0, sum_0) + KSL_MUL(low_1, sum_1) + KSL_MUL(low_2, sum_2);
@@ -1179,10 +1079,8 @@ static inline void ksl_quaternion_exp(const ksl_vec3_t *v, ksl_quaternion_t *qo)
           - 2.48015873015873e-05) + 0.001388888888888889) - 0.041666666666666664,
       g2 = KSL_MUL(x, g2v) + 0.5;
   const double near = 1.0 - KSL_MUL(x, g2);
-  const double qo_0 = KSL_MUL(h_0, k);
-  const double qo_1 = KSL_MUL(h_1, k);
-  const double qo_2 = KSL_MUL(h_2, k);
-  const double qo_3 = x < 1.0 ? near : cosine;
+  const double qo_0 = KSL_MUL(h_0, k), qo_1 = KSL_MUL(h_1, k), qo_2 = KSL_MUL(h_2, k),
+      qo_3 = x < 1.0 ? near : cosine;
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1194,34 +1092,27 @@ static inline void ksl_quaternion_exp(const ksl_vec3_t *v, ksl_quaternion_t *qo)
    44 mul, 37 add, 2 div, 1 sqrt, 5 neg, 9 abs, 2 copysign, 19 less, 2 equal, 31 select.
    Error <= vo: 6 u of its largest component; searched, not proved. */
 static inline void ksl_quaternion_log(const ksl_quaternion_t *q, ksl_vec3_t *vo) {
-  const double s_size_0 = fabs(q->x);
-  const double s_size_1 = fabs(q->y);
-  const double s_size_2 = fabs(q->z);
-  const double s_size_3 = fabs(q->w);
+  const double s_size_0 = fabs(q->x), s_size_1 = fabs(q->y), s_size_2 = fabs(q->z),
+      s_size_3 = fabs(q->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double scaled_s_0 = KSL_MUL(q->x, s);
-  const double scaled_s_1 = KSL_MUL(q->y, s);
-  const double scaled_s_2 = KSL_MUL(q->z, s);
-  const double scaled_s_3 = KSL_MUL(q->w, s);
+  const double scaled_s_0 = KSL_MUL(q->x, s), scaled_s_1 = KSL_MUL(q->y, s),
+      scaled_s_2 = KSL_MUL(q->z, s), scaled_s_3 = KSL_MUL(q->w, s);
   const double upper_0a = -scaled_s_0, upper_0 = scaled_s_3 < 0.0 ? upper_0a : scaled_s_0;
   const double upper_1a = -scaled_s_1, upper_1 = scaled_s_3 < 0.0 ? upper_1a : scaled_s_1;
   const double upper_2a = -scaled_s_2, upper_2 = scaled_s_3 < 0.0 ? upper_2a : scaled_s_2;
   const double upper_3a = -scaled_s_3, upper_3 = scaled_s_3 < 0.0 ? upper_3a : scaled_s_3;
-  const double v_s_size_0 = fabs(upper_0);
-  const double v_s_size_1 = fabs(upper_1);
-  const double v_s_size_2 = fabs(upper_2);
+  const double v_s_size_0 = fabs(upper_0), v_s_size_1 = fabs(upper_1), v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : 1.0,
       v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_b;
-  const double v_y_0 = KSL_MUL(upper_0, v_s);
-  const double v_y_1 = KSL_MUL(upper_1, v_s);
-  const double v_y_2 = KSL_MUL(upper_2, v_s);
+  const double v_y_0 = KSL_MUL(upper_0, v_s), v_y_1 = KSL_MUL(upper_1, v_s),
+      v_y_2 = KSL_MUL(upper_2, v_s);
   const double v_n = sqrt(KSL_MUL(v_y_0, v_y_0) + KSL_MUL(v_y_1, v_y_1) + KSL_MUL(v_y_2, v_y_2));
   const double v_r_b = 1.0 < v_s ? 7.637340908749012e-152 : 1.0,
       v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_b;
@@ -1230,9 +1121,8 @@ static inline void ksl_quaternion_log(const ksl_quaternion_t *q, ksl_vec3_t *vo)
   const double divisor = n == 0.0 ? 1.0 : n;
   const double theta = KSL_MUL(2.0, half);
   const double k = theta / divisor;
-  const double vector_0 = KSL_MUL(upper_0, k);
-  const double vector_1 = KSL_MUL(upper_1, k);
-  const double vector_2 = KSL_MUL(upper_2, k);
+  const double vector_0 = KSL_MUL(upper_0, k), vector_1 = KSL_MUL(upper_1, k),
+      vector_2 = KSL_MUL(upper_2, k);
   vo->x = vector_0;
   vo->y = vector_1;
   vo->z = vector_2;
@@ -1246,28 +1136,25 @@ static inline void ksl_quaternion_log(const ksl_quaternion_t *q, ksl_vec3_t *vo)
 static inline void ksl_quaternion_interpolated(const ksl_quaternion_t *q1,
     const ksl_quaternion_t *q2, const double k, ksl_quaternion_t *qo) {
   const double between_0 = KSL_MUL(q1->w, q2->x) - KSL_MUL(q1->x, q2->w)
-          + (KSL_MUL(q1->z, q2->y) - KSL_MUL(q1->y, q2->z));
-  const double between_1 = KSL_MUL(q1->x, q2->z) - KSL_MUL(q1->z, q2->x)
-          + (KSL_MUL(q1->w, q2->y) - KSL_MUL(q1->y, q2->w));
-  const double between_2 = KSL_MUL(q1->y, q2->x) - KSL_MUL(q1->x, q2->y)
-          + (KSL_MUL(q1->w, q2->z) - KSL_MUL(q1->z, q2->w));
-  const double between_3 = KSL_MUL(q1->x, q2->x) + KSL_MUL(q1->y, q2->y) + KSL_MUL(q1->z, q2->z)
+          + (KSL_MUL(q1->z, q2->y) - KSL_MUL(q1->y, q2->z)),
+      between_1 = KSL_MUL(q1->x, q2->z) - KSL_MUL(q1->z, q2->x)
+          + (KSL_MUL(q1->w, q2->y) - KSL_MUL(q1->y, q2->w)),
+      between_2 = KSL_MUL(q1->y, q2->x) - KSL_MUL(q1->x, q2->y)
+          + (KSL_MUL(q1->w, q2->z) - KSL_MUL(q1->z, q2->w)),
+      between_3 = KSL_MUL(q1->x, q2->x) + KSL_MUL(q1->y, q2->y) + KSL_MUL(q1->z, q2->z)
           + KSL_MUL(q1->w, q2->w);
   const double upper_0a = -between_0, upper_0 = between_3 < 0.0 ? upper_0a : between_0;
   const double upper_1a = -between_1, upper_1 = between_3 < 0.0 ? upper_1a : between_1;
   const double upper_2a = -between_2, upper_2 = between_3 < 0.0 ? upper_2a : between_2;
   const double upper_3a = -between_3, upper_3 = between_3 < 0.0 ? upper_3a : between_3;
-  const double v_s_size_0 = fabs(upper_0);
-  const double v_s_size_1 = fabs(upper_1);
-  const double v_s_size_2 = fabs(upper_2);
+  const double v_s_size_0 = fabs(upper_0), v_s_size_1 = fabs(upper_1), v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       v_s_d = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
       v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
-  const double v_y_0 = KSL_MUL(upper_0, v_s);
-  const double v_y_1 = KSL_MUL(upper_1, v_s);
-  const double v_y_2 = KSL_MUL(upper_2, v_s);
+  const double v_y_0 = KSL_MUL(upper_0, v_s), v_y_1 = KSL_MUL(upper_1, v_s),
+      v_y_2 = KSL_MUL(upper_2, v_s);
   const double v_n = sqrt(KSL_MUL(v_y_0, v_y_0) + KSL_MUL(v_y_1, v_y_1) + KSL_MUL(v_y_2, v_y_2));
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
@@ -1276,29 +1163,20 @@ static inline void ksl_quaternion_interpolated(const ksl_quaternion_t *q1,
   const double half = ksl_atan2(n, upper_3);
   const double divisor = n == 0.0 ? 1.0 : n;
   const double rate = half / divisor;
-  const double kv_0 = KSL_MUL(k, upper_0);
-  const double kv_1 = KSL_MUL(k, upper_1);
-  const double kv_2 = KSL_MUL(k, upper_2);
-  const double step_0 = KSL_MUL(rate, kv_0);
-  const double step_1 = KSL_MUL(rate, kv_1);
-  const double step_2 = KSL_MUL(rate, kv_2);
-  const double exp_size_0 = fabs(step_0);
-  const double exp_size_1 = fabs(step_1);
-  const double exp_size_2 = fabs(step_2);
+  const double kv_0 = KSL_MUL(k, upper_0), kv_1 = KSL_MUL(k, upper_1), kv_2 = KSL_MUL(k, upper_2);
+  const double step_0 = KSL_MUL(rate, kv_0), step_1 = KSL_MUL(rate, kv_1),
+      step_2 = KSL_MUL(rate, kv_2);
+  const double exp_size_0 = fabs(step_0), exp_size_1 = fabs(step_1), exp_size_2 = fabs(step_2);
   const double exp_sizes = exp_size_0 + exp_size_1 + exp_size_2;
   const double exp_grid = KSL_MUL(exp_sizes, 268435456.0);
-  const double exp_shifted_0 = step_0 + exp_grid;
-  const double exp_shifted_1 = step_1 + exp_grid;
-  const double exp_shifted_2 = step_2 + exp_grid;
-  const double exp_high_0 = exp_shifted_0 - exp_grid;
-  const double exp_high_1 = exp_shifted_1 - exp_grid;
-  const double exp_high_2 = exp_shifted_2 - exp_grid;
-  const double exp_low_0 = step_0 - exp_high_0;
-  const double exp_low_1 = step_1 - exp_high_1;
-  const double exp_low_2 = step_2 - exp_high_2;
-  const double exp_sum_0 = step_0 + exp_high_0;
-  const double exp_sum_1 = step_1 + exp_high_1;
-  const double exp_sum_2 = step_2 + exp_high_2;
+  const double exp_shifted_0 = step_0 + exp_grid, exp_shifted_1 = step_1 + exp_grid,
+      exp_shifted_2 = step_2 + exp_grid;
+  const double exp_high_0 = exp_shifted_0 - exp_grid, exp_high_1 = exp_shifted_1 - exp_grid,
+      exp_high_2 = exp_shifted_2 - exp_grid;
+  const double exp_low_0 = step_0 - exp_high_0, exp_low_1 = step_1 - exp_high_1,
+      exp_low_2 = step_2 - exp_high_2;
+  const double exp_sum_0 = step_0 + exp_high_0, exp_sum_1 = step_1 + exp_high_1,
+      exp_sum_2 = step_2 + exp_high_2;
   const double exp_squares = KSL_MUL(exp_high_0, exp_high_0) + KSL_MUL(exp_high_1, exp_high_1)
           + KSL_MUL(exp_high_2, exp_high_2);
   const double exp_cross = KSL_MUL(exp_low_0, exp_sum_0) + KSL_MUL(exp_low_1, exp_sum_1)
@@ -1338,17 +1216,15 @@ static inline void ksl_quaternion_interpolated(const ksl_quaternion_t *q1,
       exp_g2 = KSL_MUL(exp_x, KSL_MUL(exp_x, KSL_MUL(exp_x, exp_g2q - 2.48015873015873e-05)
           + 0.001388888888888889) - 0.041666666666666664) + 0.5;
   const double exp_near = 1.0 - KSL_MUL(exp_x, exp_g2);
-  const double power_0 = KSL_MUL(step_0, exp_k);
-  const double power_1 = KSL_MUL(step_1, exp_k);
-  const double power_2 = KSL_MUL(step_2, exp_k);
-  const double power_3 = exp_x < 1.0 ? exp_near : exp_cosine;
+  const double power_0 = KSL_MUL(step_0, exp_k), power_1 = KSL_MUL(step_1, exp_k),
+      power_2 = KSL_MUL(step_2, exp_k), power_3 = exp_x < 1.0 ? exp_near : exp_cosine;
   const double qo_0 = KSL_MUL(q1->x, power_3) + (KSL_MUL(q1->y, power_2) - KSL_MUL(q1->z, power_1))
-          + KSL_MUL(q1->w, power_0);
-  const double qo_1 = KSL_MUL(q1->z, power_0) - KSL_MUL(q1->x, power_2) + KSL_MUL(q1->y, power_3)
-          + KSL_MUL(q1->w, power_1);
-  const double qo_2 = KSL_MUL(q1->x, power_1) - KSL_MUL(q1->y, power_0) + KSL_MUL(q1->z, power_3)
-          + KSL_MUL(q1->w, power_2);
-  const double qo_3 = KSL_MUL(q1->w, power_3)
+          + KSL_MUL(q1->w, power_0),
+      qo_1 = KSL_MUL(q1->z, power_0) - KSL_MUL(q1->x, power_2) + KSL_MUL(q1->y, power_3)
+          + KSL_MUL(q1->w, power_1),
+      qo_2 = KSL_MUL(q1->x, power_1) - KSL_MUL(q1->y, power_0) + KSL_MUL(q1->z, power_3)
+          + KSL_MUL(q1->w, power_2),
+      qo_3 = KSL_MUL(q1->w, power_3)
           - (KSL_MUL(q1->x, power_0) + KSL_MUL(q1->y, power_1) + KSL_MUL(q1->z, power_2));
   qo->x = qo_0;
   qo->y = qo_1;
@@ -1387,10 +1263,8 @@ static inline void ksl_quaternionf_copy(const ksl_quaternionf_t *qi, ksl_quatern
    4 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_quaternionf_scale(ksl_quaternionf_t *self, const float a) {
-  const float self_0_new = KSL_MULF(self->x, a);
-  const float self_1_new = KSL_MULF(self->y, a);
-  const float self_2_new = KSL_MULF(self->z, a);
-  const float self_3_new = KSL_MULF(self->w, a);
+  const float self_0_new = KSL_MULF(self->x, a), self_1_new = KSL_MULF(self->y, a),
+      self_2_new = KSL_MULF(self->z, a), self_3_new = KSL_MULF(self->w, a);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -1403,10 +1277,8 @@ static inline void ksl_quaternionf_scale(ksl_quaternionf_t *self, const float a)
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_axpy_qqf(const float a, const ksl_quaternionf_t *x, ksl_quaternionf_t *y) {
-  const float y_0_new = KSL_MULF(a, x->x) + y->x;
-  const float y_1_new = KSL_MULF(a, x->y) + y->y;
-  const float y_2_new = KSL_MULF(a, x->z) + y->z;
-  const float y_3_new = KSL_MULF(a, x->w) + y->w;
+  const float y_0_new = KSL_MULF(a, x->x) + y->x, y_1_new = KSL_MULF(a, x->y) + y->y,
+      y_2_new = KSL_MULF(a, x->z) + y->z, y_3_new = KSL_MULF(a, x->w) + y->w;
   y->x = y_0_new;
   y->y = y_1_new;
   y->z = y_2_new;
@@ -1429,9 +1301,7 @@ static inline void ksl_quaternionf_setIdentity(ksl_quaternionf_t *self) {
    3 neg.
    Exact. */
 static inline void ksl_quaternionf_conjugated(const ksl_quaternionf_t *q, ksl_quaternionf_t *qo) {
-  const float qo_0 = -q->x;
-  const float qo_1 = -q->y;
-  const float qo_2 = -q->z;
+  const float qo_0 = -q->x, qo_1 = -q->y, qo_2 = -q->z;
   const float q_w = q->w;
   qo->x = qo_0;
   qo->y = qo_1;
@@ -1443,20 +1313,16 @@ static inline void ksl_quaternionf_conjugated(const ksl_quaternionf_t *q, ksl_qu
    q: quaternion (x, y, z, w), the scalar last.
    9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select. */
 static inline float ksl_quaternionf_norm(const ksl_quaternionf_t *q) {
-  const float s_size_0 = fabsf(q->x);
-  const float s_size_1 = fabsf(q->y);
-  const float s_size_2 = fabsf(q->z);
-  const float s_size_3 = fabsf(q->w);
+  const float s_size_0 = fabsf(q->x), s_size_1 = fabsf(q->y), s_size_2 = fabsf(q->z),
+      s_size_3 = fabsf(q->w);
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float y_0 = KSL_MULF(q->x, s);
-  const float y_1 = KSL_MULF(q->y, s);
-  const float y_2 = KSL_MULF(q->z, s);
-  const float y_3 = KSL_MULF(q->w, s);
+  const float y_0 = KSL_MULF(q->x, s), y_1 = KSL_MULF(q->y, s), y_2 = KSL_MULF(q->z, s),
+      y_3 = KSL_MULF(q->w, s);
   const float n = sqrtf(KSL_MULF(y_0, y_0) + KSL_MULF(y_1, y_1) + KSL_MULF(y_2, y_2)
           + KSL_MULF(y_3, y_3));
   const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r_d = 1.0f < s ? 5.551115e-17f : r_b,
@@ -1469,37 +1335,27 @@ static inline float ksl_quaternionf_norm(const ksl_quaternionf_t *q) {
    self: quaternion (x, y, z, w), the scalar last.
    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
 static inline void ksl_quaternionf_normalize(ksl_quaternionf_t *self) {
-  const float s_size_0 = fabsf(self->x);
-  const float s_size_1 = fabsf(self->y);
-  const float s_size_2 = fabsf(self->z);
-  const float s_size_3 = fabsf(self->w);
+  const float s_size_0 = fabsf(self->x), s_size_1 = fabsf(self->y), s_size_2 = fabsf(self->z),
+      s_size_3 = fabsf(self->w);
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float y_0 = KSL_MULF(self->x, s);
-  const float y_1 = KSL_MULF(self->y, s);
-  const float y_2 = KSL_MULF(self->z, s);
-  const float y_3 = KSL_MULF(self->w, s);
+  const float y_0 = KSL_MULF(self->x, s), y_1 = KSL_MULF(self->y, s), y_2 = KSL_MULF(self->z, s),
+      y_3 = KSL_MULF(self->w, s);
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
   const float n = sqrtf(KSL_MULF(y_0, y_0) + KSL_MULF(y_1, y_1) + KSL_MULF(y_2, y_2)
           + KSL_MULF(y_3, y_3));
   const float divisor = n == 0.0f ? up : n;
-  const float sized_0 = KSL_MULF(self->x, up);
-  const float sized_1 = KSL_MULF(self->y, up);
-  const float sized_2 = KSL_MULF(self->z, up);
-  const float sized_3 = KSL_MULF(self->w, up);
-  const float quotient_0 = sized_0 / divisor;
-  const float quotient_1 = sized_1 / divisor;
-  const float quotient_2 = sized_2 / divisor;
-  const float quotient_3 = sized_3 / divisor;
-  const float self_0_new = KSL_MULF(quotient_0, down);
-  const float self_1_new = KSL_MULF(quotient_1, down);
-  const float self_2_new = KSL_MULF(quotient_2, down);
-  const float self_3_new = KSL_MULF(quotient_3, down);
+  const float sized_0 = KSL_MULF(self->x, up), sized_1 = KSL_MULF(self->y, up),
+      sized_2 = KSL_MULF(self->z, up), sized_3 = KSL_MULF(self->w, up);
+  const float quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor, quotient_3 = sized_3 / divisor;
+  const float self_0_new = KSL_MULF(quotient_0, down), self_1_new = KSL_MULF(quotient_1, down),
+      self_2_new = KSL_MULF(quotient_2, down), self_3_new = KSL_MULF(quotient_3, down);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -1510,37 +1366,27 @@ static inline void ksl_quaternionf_normalize(ksl_quaternionf_t *self) {
    q, qo: quaternion (x, y, z, w), the scalar last.
    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
 static inline void ksl_quaternionf_normalized(const ksl_quaternionf_t *q, ksl_quaternionf_t *qo) {
-  const float s_size_0 = fabsf(q->x);
-  const float s_size_1 = fabsf(q->y);
-  const float s_size_2 = fabsf(q->z);
-  const float s_size_3 = fabsf(q->w);
+  const float s_size_0 = fabsf(q->x), s_size_1 = fabsf(q->y), s_size_2 = fabsf(q->z),
+      s_size_3 = fabsf(q->w);
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float y_0 = KSL_MULF(q->x, s);
-  const float y_1 = KSL_MULF(q->y, s);
-  const float y_2 = KSL_MULF(q->z, s);
-  const float y_3 = KSL_MULF(q->w, s);
+  const float y_0 = KSL_MULF(q->x, s), y_1 = KSL_MULF(q->y, s), y_2 = KSL_MULF(q->z, s),
+      y_3 = KSL_MULF(q->w, s);
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
   const float n = sqrtf(KSL_MULF(y_0, y_0) + KSL_MULF(y_1, y_1) + KSL_MULF(y_2, y_2)
           + KSL_MULF(y_3, y_3));
   const float divisor = n == 0.0f ? up : n;
-  const float sized_0 = KSL_MULF(q->x, up);
-  const float sized_1 = KSL_MULF(q->y, up);
-  const float sized_2 = KSL_MULF(q->z, up);
-  const float sized_3 = KSL_MULF(q->w, up);
-  const float quotient_0 = sized_0 / divisor;
-  const float quotient_1 = sized_1 / divisor;
-  const float quotient_2 = sized_2 / divisor;
-  const float quotient_3 = sized_3 / divisor;
-  const float qo_0 = KSL_MULF(quotient_0, down);
-  const float qo_1 = KSL_MULF(quotient_1, down);
-  const float qo_2 = KSL_MULF(quotient_2, down);
-  const float qo_3 = KSL_MULF(quotient_3, down);
+  const float sized_0 = KSL_MULF(q->x, up), sized_1 = KSL_MULF(q->y, up),
+      sized_2 = KSL_MULF(q->z, up), sized_3 = KSL_MULF(q->w, up);
+  const float quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor, quotient_3 = sized_3 / divisor;
+  const float qo_0 = KSL_MULF(quotient_0, down), qo_1 = KSL_MULF(quotient_1, down),
+      qo_2 = KSL_MULF(quotient_2, down), qo_3 = KSL_MULF(quotient_3, down);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1551,20 +1397,16 @@ static inline void ksl_quaternionf_normalized(const ksl_quaternionf_t *q, ksl_qu
    q: quaternion (x, y, z, w), the scalar last.
    9 mul, 4 add, 1 sqrt, 4 abs, 9 less, 9 select. */
 static inline float ksl_quaternionf_unit_defect(const ksl_quaternionf_t *q) {
-  const float s_size_0 = fabsf(q->x);
-  const float s_size_1 = fabsf(q->y);
-  const float s_size_2 = fabsf(q->z);
-  const float s_size_3 = fabsf(q->w);
+  const float s_size_0 = fabsf(q->x), s_size_1 = fabsf(q->y), s_size_2 = fabsf(q->z),
+      s_size_3 = fabsf(q->w);
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float y_0 = KSL_MULF(q->x, s);
-  const float y_1 = KSL_MULF(q->y, s);
-  const float y_2 = KSL_MULF(q->z, s);
-  const float y_3 = KSL_MULF(q->w, s);
+  const float y_0 = KSL_MULF(q->x, s), y_1 = KSL_MULF(q->y, s), y_2 = KSL_MULF(q->z, s),
+      y_3 = KSL_MULF(q->w, s);
   const float n = sqrtf(KSL_MULF(y_0, y_0) + KSL_MULF(y_1, y_1) + KSL_MULF(y_2, y_2)
           + KSL_MULF(y_3, y_3));
   const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r_d = 1.0f < s ? 5.551115e-17f : r_b,
@@ -1578,31 +1420,23 @@ static inline float ksl_quaternionf_unit_defect(const ksl_quaternionf_t *q) {
    q, qo: quaternion (x, y, z, w), the scalar last.
    8 mul, 3 add, 4 div, 1 sqrt, 4 abs, 6 less, 1 equal, 11 select. */
 static inline void ksl_quaternionf_nearest_unit(const ksl_quaternionf_t *q, ksl_quaternionf_t *qo) {
-  const float s_size_0 = fabsf(q->x);
-  const float s_size_1 = fabsf(q->y);
-  const float s_size_2 = fabsf(q->z);
-  const float s_size_3 = fabsf(q->w);
+  const float s_size_0 = fabsf(q->x), s_size_1 = fabsf(q->y), s_size_2 = fabsf(q->z),
+      s_size_3 = fabsf(q->w);
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float scaled_s_0 = KSL_MULF(q->x, s);
-  const float scaled_s_1 = KSL_MULF(q->y, s);
-  const float scaled_s_2 = KSL_MULF(q->z, s);
-  const float scaled_s_3 = KSL_MULF(q->w, s);
+  const float scaled_s_0 = KSL_MULF(q->x, s), scaled_s_1 = KSL_MULF(q->y, s),
+      scaled_s_2 = KSL_MULF(q->z, s), scaled_s_3 = KSL_MULF(q->w, s);
   const float n = sqrtf(KSL_MULF(scaled_s_0, scaled_s_0) + KSL_MULF(scaled_s_1, scaled_s_1)
           + KSL_MULF(scaled_s_2, scaled_s_2) + KSL_MULF(scaled_s_3, scaled_s_3));
   const float divisor = n == 0.0f ? 1.0f : n;
-  const float unit_0 = scaled_s_0 / divisor;
-  const float unit_1 = scaled_s_1 / divisor;
-  const float unit_2 = scaled_s_2 / divisor;
-  const float unit_3 = scaled_s_3 / divisor;
-  const float qo_0 = n == 0.0f ? (float)NAN : unit_0;
-  const float qo_1 = n == 0.0f ? (float)NAN : unit_1;
-  const float qo_2 = n == 0.0f ? (float)NAN : unit_2;
-  const float qo_3 = n == 0.0f ? (float)NAN : unit_3;
+  const float unit_0 = scaled_s_0 / divisor, unit_1 = scaled_s_1 / divisor,
+      unit_2 = scaled_s_2 / divisor, unit_3 = scaled_s_3 / divisor;
+  const float qo_0 = n == 0.0f ? (float)NAN : unit_0, qo_1 = n == 0.0f ? (float)NAN : unit_1,
+      qo_2 = n == 0.0f ? (float)NAN : unit_2, qo_3 = n == 0.0f ? (float)NAN : unit_3;
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1616,18 +1450,14 @@ static inline void ksl_quaternionf_nearest_unit(const ksl_quaternionf_t *q, ksl_
      and underflow. */
 static inline void ksl_rotate_qvf(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const float c_0 = KSL_MULF(q->y, v->z) - KSL_MULF(q->z, v->y);
-  const float c_1 = KSL_MULF(q->z, v->x) - KSL_MULF(q->x, v->z);
-  const float c_2 = KSL_MULF(q->x, v->y) - KSL_MULF(q->y, v->x);
-  const float t_0 = KSL_MULF(2.0f, c_0);
-  const float t_1 = KSL_MULF(2.0f, c_1);
-  const float t_2 = KSL_MULF(2.0f, c_2);
-  const float turn_0 = KSL_MULF(q->y, t_2) - KSL_MULF(q->z, t_1) + KSL_MULF(q->w, t_0);
-  const float turn_1 = KSL_MULF(q->z, t_0) - KSL_MULF(q->x, t_2) + KSL_MULF(q->w, t_1);
-  const float turn_2 = KSL_MULF(q->x, t_1) - KSL_MULF(q->y, t_0) + KSL_MULF(q->w, t_2);
-  const float vo_0 = v->x + turn_0;
-  const float vo_1 = v->y + turn_1;
-  const float vo_2 = v->z + turn_2;
+  const float c_0 = KSL_MULF(q->y, v->z) - KSL_MULF(q->z, v->y),
+      c_1 = KSL_MULF(q->z, v->x) - KSL_MULF(q->x, v->z),
+      c_2 = KSL_MULF(q->x, v->y) - KSL_MULF(q->y, v->x);
+  const float t_0 = KSL_MULF(2.0f, c_0), t_1 = KSL_MULF(2.0f, c_1), t_2 = KSL_MULF(2.0f, c_2);
+  const float turn_0 = KSL_MULF(q->y, t_2) - KSL_MULF(q->z, t_1) + KSL_MULF(q->w, t_0),
+      turn_1 = KSL_MULF(q->z, t_0) - KSL_MULF(q->x, t_2) + KSL_MULF(q->w, t_1),
+      turn_2 = KSL_MULF(q->x, t_1) - KSL_MULF(q->y, t_0) + KSL_MULF(q->w, t_2);
+  const float vo_0 = v->x + turn_0, vo_1 = v->y + turn_1, vo_2 = v->z + turn_2;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1640,18 +1470,14 @@ static inline void ksl_rotate_qvf(const ksl_quaternionf_t *q, const ksl_vec3f_t 
      and underflow. */
 static inline void ksl_rotate_qconjvf(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const float c_0 = KSL_MULF(q->z, v->y) - KSL_MULF(q->y, v->z);
-  const float c_1 = KSL_MULF(q->x, v->z) - KSL_MULF(q->z, v->x);
-  const float c_2 = KSL_MULF(q->y, v->x) - KSL_MULF(q->x, v->y);
-  const float t_0 = KSL_MULF(2.0f, c_0);
-  const float t_1 = KSL_MULF(2.0f, c_1);
-  const float t_2 = KSL_MULF(2.0f, c_2);
-  const float turn_0 = KSL_MULF(q->z, t_1) - KSL_MULF(q->y, t_2) + KSL_MULF(q->w, t_0);
-  const float turn_1 = KSL_MULF(q->x, t_2) - KSL_MULF(q->z, t_0) + KSL_MULF(q->w, t_1);
-  const float turn_2 = KSL_MULF(q->y, t_0) - KSL_MULF(q->x, t_1) + KSL_MULF(q->w, t_2);
-  const float vo_0 = v->x + turn_0;
-  const float vo_1 = v->y + turn_1;
-  const float vo_2 = v->z + turn_2;
+  const float c_0 = KSL_MULF(q->z, v->y) - KSL_MULF(q->y, v->z),
+      c_1 = KSL_MULF(q->x, v->z) - KSL_MULF(q->z, v->x),
+      c_2 = KSL_MULF(q->y, v->x) - KSL_MULF(q->x, v->y);
+  const float t_0 = KSL_MULF(2.0f, c_0), t_1 = KSL_MULF(2.0f, c_1), t_2 = KSL_MULF(2.0f, c_2);
+  const float turn_0 = KSL_MULF(q->z, t_1) - KSL_MULF(q->y, t_2) + KSL_MULF(q->w, t_0),
+      turn_1 = KSL_MULF(q->x, t_2) - KSL_MULF(q->z, t_0) + KSL_MULF(q->w, t_1),
+      turn_2 = KSL_MULF(q->y, t_0) - KSL_MULF(q->x, t_1) + KSL_MULF(q->w, t_2);
+  const float vo_0 = v->x + turn_0, vo_1 = v->y + turn_1, vo_2 = v->z + turn_2;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1665,12 +1491,12 @@ static inline void ksl_rotate_qconjvf(const ksl_quaternionf_t *q, const ksl_vec3
 static inline void ksl_product_qqf(const ksl_quaternionf_t *q1i, const ksl_quaternionf_t *q2i,
     ksl_quaternionf_t *qo) {
   const float qo_0 = KSL_MULF(q1i->x, q2i->w)
-          + (KSL_MULF(q1i->y, q2i->z) - KSL_MULF(q1i->z, q2i->y)) + KSL_MULF(q1i->w, q2i->x);
-  const float qo_1 = KSL_MULF(q1i->z, q2i->x) - KSL_MULF(q1i->x, q2i->z) + KSL_MULF(q1i->y, q2i->w)
-          + KSL_MULF(q1i->w, q2i->y);
-  const float qo_2 = KSL_MULF(q1i->x, q2i->y) - KSL_MULF(q1i->y, q2i->x) + KSL_MULF(q1i->z, q2i->w)
-          + KSL_MULF(q1i->w, q2i->z);
-  const float qo_3 = KSL_MULF(q1i->w, q2i->w)
+          + (KSL_MULF(q1i->y, q2i->z) - KSL_MULF(q1i->z, q2i->y)) + KSL_MULF(q1i->w, q2i->x),
+      qo_1 = KSL_MULF(q1i->z, q2i->x) - KSL_MULF(q1i->x, q2i->z) + KSL_MULF(q1i->y, q2i->w)
+          + KSL_MULF(q1i->w, q2i->y),
+      qo_2 = KSL_MULF(q1i->x, q2i->y) - KSL_MULF(q1i->y, q2i->x) + KSL_MULF(q1i->z, q2i->w)
+          + KSL_MULF(q1i->w, q2i->z),
+      qo_3 = KSL_MULF(q1i->w, q2i->w)
           - (KSL_MULF(q1i->x, q2i->x) + KSL_MULF(q1i->y, q2i->y) + KSL_MULF(q1i->z, q2i->z));
   qo->x = qo_0;
   qo->y = qo_1;
@@ -1686,12 +1512,12 @@ static inline void ksl_product_qqf(const ksl_quaternionf_t *q1i, const ksl_quate
 static inline void ksl_product_qqconjf(const ksl_quaternionf_t *q1i, const ksl_quaternionf_t *q2i,
     ksl_quaternionf_t *qo) {
   const float qo_0 = KSL_MULF(q1i->x, q2i->w) - KSL_MULF(q1i->w, q2i->x)
-          + (KSL_MULF(q1i->z, q2i->y) - KSL_MULF(q1i->y, q2i->z));
-  const float qo_1 = KSL_MULF(q1i->x, q2i->z) - KSL_MULF(q1i->z, q2i->x)
-          + (KSL_MULF(q1i->y, q2i->w) - KSL_MULF(q1i->w, q2i->y));
-  const float qo_2 = KSL_MULF(q1i->y, q2i->x) - KSL_MULF(q1i->x, q2i->y)
-          + (KSL_MULF(q1i->z, q2i->w) - KSL_MULF(q1i->w, q2i->z));
-  const float qo_3 = KSL_MULF(q1i->x, q2i->x) + KSL_MULF(q1i->y, q2i->y) + KSL_MULF(q1i->z, q2i->z)
+          + (KSL_MULF(q1i->z, q2i->y) - KSL_MULF(q1i->y, q2i->z)),
+      qo_1 = KSL_MULF(q1i->x, q2i->z) - KSL_MULF(q1i->z, q2i->x)
+          + (KSL_MULF(q1i->y, q2i->w) - KSL_MULF(q1i->w, q2i->y)),
+      qo_2 = KSL_MULF(q1i->y, q2i->x) - KSL_MULF(q1i->x, q2i->y)
+          + (KSL_MULF(q1i->z, q2i->w) - KSL_MULF(q1i->w, q2i->z)),
+      qo_3 = KSL_MULF(q1i->x, q2i->x) + KSL_MULF(q1i->y, q2i->y) + KSL_MULF(q1i->z, q2i->z)
           + KSL_MULF(q1i->w, q2i->w);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -1707,12 +1533,12 @@ static inline void ksl_product_qqconjf(const ksl_quaternionf_t *q1i, const ksl_q
 static inline void ksl_product_qconjqf(const ksl_quaternionf_t *q1i, const ksl_quaternionf_t *q2i,
     ksl_quaternionf_t *qo) {
   const float qo_0 = KSL_MULF(q1i->w, q2i->x) - KSL_MULF(q1i->x, q2i->w)
-          + (KSL_MULF(q1i->z, q2i->y) - KSL_MULF(q1i->y, q2i->z));
-  const float qo_1 = KSL_MULF(q1i->x, q2i->z) - KSL_MULF(q1i->z, q2i->x)
-          + (KSL_MULF(q1i->w, q2i->y) - KSL_MULF(q1i->y, q2i->w));
-  const float qo_2 = KSL_MULF(q1i->y, q2i->x) - KSL_MULF(q1i->x, q2i->y)
-          + (KSL_MULF(q1i->w, q2i->z) - KSL_MULF(q1i->z, q2i->w));
-  const float qo_3 = KSL_MULF(q1i->x, q2i->x) + KSL_MULF(q1i->y, q2i->y) + KSL_MULF(q1i->z, q2i->z)
+          + (KSL_MULF(q1i->z, q2i->y) - KSL_MULF(q1i->y, q2i->z)),
+      qo_1 = KSL_MULF(q1i->x, q2i->z) - KSL_MULF(q1i->z, q2i->x)
+          + (KSL_MULF(q1i->w, q2i->y) - KSL_MULF(q1i->y, q2i->w)),
+      qo_2 = KSL_MULF(q1i->y, q2i->x) - KSL_MULF(q1i->x, q2i->y)
+          + (KSL_MULF(q1i->w, q2i->z) - KSL_MULF(q1i->z, q2i->w)),
+      qo_3 = KSL_MULF(q1i->x, q2i->x) + KSL_MULF(q1i->y, q2i->y) + KSL_MULF(q1i->z, q2i->z)
           + KSL_MULF(q1i->w, q2i->w);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -1728,12 +1554,12 @@ static inline void ksl_product_qconjqf(const ksl_quaternionf_t *q1i, const ksl_q
 static inline void ksl_product_qconjqconjf(const ksl_quaternionf_t *q1i,
     const ksl_quaternionf_t *q2i, ksl_quaternionf_t *qo) {
   const float qo_0 = KSL_MULF(q1i->y, q2i->z) - KSL_MULF(q1i->z, q2i->y) - KSL_MULF(q1i->x, q2i->w)
-          - KSL_MULF(q1i->w, q2i->x);
-  const float qo_1 = KSL_MULF(q1i->z, q2i->x) - KSL_MULF(q1i->x, q2i->z) - KSL_MULF(q1i->y, q2i->w)
-          - KSL_MULF(q1i->w, q2i->y);
-  const float qo_2 = KSL_MULF(q1i->x, q2i->y) - KSL_MULF(q1i->y, q2i->x) - KSL_MULF(q1i->z, q2i->w)
-          - KSL_MULF(q1i->w, q2i->z);
-  const float qo_3 = KSL_MULF(q1i->w, q2i->w)
+          - KSL_MULF(q1i->w, q2i->x),
+      qo_1 = KSL_MULF(q1i->z, q2i->x) - KSL_MULF(q1i->x, q2i->z) - KSL_MULF(q1i->y, q2i->w)
+          - KSL_MULF(q1i->w, q2i->y),
+      qo_2 = KSL_MULF(q1i->x, q2i->y) - KSL_MULF(q1i->y, q2i->x) - KSL_MULF(q1i->z, q2i->w)
+          - KSL_MULF(q1i->w, q2i->z),
+      qo_3 = KSL_MULF(q1i->w, q2i->w)
           - (KSL_MULF(q1i->x, q2i->x) + KSL_MULF(q1i->y, q2i->y) + KSL_MULF(q1i->z, q2i->z));
   qo->x = qo_0;
   qo->y = qo_1;
@@ -1748,10 +1574,10 @@ static inline void ksl_product_qconjqconjf(const ksl_quaternionf_t *q1i,
      and underflow. */
 static inline void ksl_product_qxqf(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0 = KSL_MULF(dci[0], qi->w) + KSL_MULF(dci[1], qi->x);
-  const float qo_1 = KSL_MULF(dci[1], qi->y) - KSL_MULF(dci[0], qi->z);
-  const float qo_2 = KSL_MULF(dci[0], qi->y) + KSL_MULF(dci[1], qi->z);
-  const float qo_3 = KSL_MULF(dci[1], qi->w) - KSL_MULF(dci[0], qi->x);
+  const float qo_0 = KSL_MULF(dci[0], qi->w) + KSL_MULF(dci[1], qi->x),
+      qo_1 = KSL_MULF(dci[1], qi->y) - KSL_MULF(dci[0], qi->z),
+      qo_2 = KSL_MULF(dci[0], qi->y) + KSL_MULF(dci[1], qi->z),
+      qo_3 = KSL_MULF(dci[1], qi->w) - KSL_MULF(dci[0], qi->x);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1765,10 +1591,10 @@ static inline void ksl_product_qxqf(const float dci[2], const ksl_quaternionf_t 
      and underflow. */
 static inline void ksl_product_qxqconjf(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0 = KSL_MULF(dci[0], qi->w) - KSL_MULF(dci[1], qi->x);
-  const float qo_1 = KSL_MULF(dci[0], qi->z) - KSL_MULF(dci[1], qi->y);
-  const float qo_2 = -(KSL_MULF(dci[0], qi->y) + KSL_MULF(dci[1], qi->z));
-  const float qo_3 = KSL_MULF(dci[0], qi->x) + KSL_MULF(dci[1], qi->w);
+  const float qo_0 = KSL_MULF(dci[0], qi->w) - KSL_MULF(dci[1], qi->x),
+      qo_1 = KSL_MULF(dci[0], qi->z) - KSL_MULF(dci[1], qi->y),
+      qo_2 = -(KSL_MULF(dci[0], qi->y) + KSL_MULF(dci[1], qi->z)),
+      qo_3 = KSL_MULF(dci[0], qi->x) + KSL_MULF(dci[1], qi->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1782,10 +1608,10 @@ static inline void ksl_product_qxqconjf(const float dci[2], const ksl_quaternion
      and underflow. */
 static inline void ksl_product_qxconjqf(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0 = KSL_MULF(dci[1], qi->x) - KSL_MULF(dci[0], qi->w);
-  const float qo_1 = KSL_MULF(dci[0], qi->z) + KSL_MULF(dci[1], qi->y);
-  const float qo_2 = KSL_MULF(dci[1], qi->z) - KSL_MULF(dci[0], qi->y);
-  const float qo_3 = KSL_MULF(dci[0], qi->x) + KSL_MULF(dci[1], qi->w);
+  const float qo_0 = KSL_MULF(dci[1], qi->x) - KSL_MULF(dci[0], qi->w),
+      qo_1 = KSL_MULF(dci[0], qi->z) + KSL_MULF(dci[1], qi->y),
+      qo_2 = KSL_MULF(dci[1], qi->z) - KSL_MULF(dci[0], qi->y),
+      qo_3 = KSL_MULF(dci[0], qi->x) + KSL_MULF(dci[1], qi->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1799,10 +1625,10 @@ static inline void ksl_product_qxconjqf(const float dci[2], const ksl_quaternion
      and underflow. */
 static inline void ksl_product_qxconjqconjf(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0 = -(KSL_MULF(dci[0], qi->w) + KSL_MULF(dci[1], qi->x));
-  const float qo_1 = -(KSL_MULF(dci[0], qi->z) + KSL_MULF(dci[1], qi->y));
-  const float qo_2 = KSL_MULF(dci[0], qi->y) - KSL_MULF(dci[1], qi->z);
-  const float qo_3 = KSL_MULF(dci[1], qi->w) - KSL_MULF(dci[0], qi->x);
+  const float qo_0 = -(KSL_MULF(dci[0], qi->w) + KSL_MULF(dci[1], qi->x)),
+      qo_1 = -(KSL_MULF(dci[0], qi->z) + KSL_MULF(dci[1], qi->y)),
+      qo_2 = KSL_MULF(dci[0], qi->y) - KSL_MULF(dci[1], qi->z),
+      qo_3 = KSL_MULF(dci[1], qi->w) - KSL_MULF(dci[0], qi->x);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1816,10 +1642,10 @@ static inline void ksl_product_qxconjqconjf(const float dci[2], const ksl_quater
      and underflow. */
 static inline void ksl_product_qqxf(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0 = KSL_MULF(qi->x, dci[1]) + KSL_MULF(qi->w, dci[0]);
-  const float qo_1 = KSL_MULF(qi->y, dci[1]) + KSL_MULF(qi->z, dci[0]);
-  const float qo_2 = KSL_MULF(qi->z, dci[1]) - KSL_MULF(qi->y, dci[0]);
-  const float qo_3 = KSL_MULF(qi->w, dci[1]) - KSL_MULF(qi->x, dci[0]);
+  const float qo_0 = KSL_MULF(qi->x, dci[1]) + KSL_MULF(qi->w, dci[0]),
+      qo_1 = KSL_MULF(qi->y, dci[1]) + KSL_MULF(qi->z, dci[0]),
+      qo_2 = KSL_MULF(qi->z, dci[1]) - KSL_MULF(qi->y, dci[0]),
+      qo_3 = KSL_MULF(qi->w, dci[1]) - KSL_MULF(qi->x, dci[0]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1833,10 +1659,10 @@ static inline void ksl_product_qqxf(const ksl_quaternionf_t *qi, const float dci
      and underflow. */
 static inline void ksl_product_qqxconjf(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0 = KSL_MULF(qi->x, dci[1]) - KSL_MULF(qi->w, dci[0]);
-  const float qo_1 = KSL_MULF(qi->y, dci[1]) - KSL_MULF(qi->z, dci[0]);
-  const float qo_2 = KSL_MULF(qi->y, dci[0]) + KSL_MULF(qi->z, dci[1]);
-  const float qo_3 = KSL_MULF(qi->x, dci[0]) + KSL_MULF(qi->w, dci[1]);
+  const float qo_0 = KSL_MULF(qi->x, dci[1]) - KSL_MULF(qi->w, dci[0]),
+      qo_1 = KSL_MULF(qi->y, dci[1]) - KSL_MULF(qi->z, dci[0]),
+      qo_2 = KSL_MULF(qi->y, dci[0]) + KSL_MULF(qi->z, dci[1]),
+      qo_3 = KSL_MULF(qi->x, dci[0]) + KSL_MULF(qi->w, dci[1]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1850,10 +1676,10 @@ static inline void ksl_product_qqxconjf(const ksl_quaternionf_t *qi, const float
      and underflow. */
 static inline void ksl_product_qconjqxf(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0 = KSL_MULF(qi->w, dci[0]) - KSL_MULF(qi->x, dci[1]);
-  const float qo_1 = -(KSL_MULF(qi->y, dci[1]) + KSL_MULF(qi->z, dci[0]));
-  const float qo_2 = KSL_MULF(qi->y, dci[0]) - KSL_MULF(qi->z, dci[1]);
-  const float qo_3 = KSL_MULF(qi->x, dci[0]) + KSL_MULF(qi->w, dci[1]);
+  const float qo_0 = KSL_MULF(qi->w, dci[0]) - KSL_MULF(qi->x, dci[1]),
+      qo_1 = -(KSL_MULF(qi->y, dci[1]) + KSL_MULF(qi->z, dci[0])),
+      qo_2 = KSL_MULF(qi->y, dci[0]) - KSL_MULF(qi->z, dci[1]),
+      qo_3 = KSL_MULF(qi->x, dci[0]) + KSL_MULF(qi->w, dci[1]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1867,10 +1693,10 @@ static inline void ksl_product_qconjqxf(const ksl_quaternionf_t *qi, const float
      and underflow. */
 static inline void ksl_product_qconjqxconjf(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0 = -(KSL_MULF(qi->x, dci[1]) + KSL_MULF(qi->w, dci[0]));
-  const float qo_1 = KSL_MULF(qi->z, dci[0]) - KSL_MULF(qi->y, dci[1]);
-  const float qo_2 = -(KSL_MULF(qi->y, dci[0]) + KSL_MULF(qi->z, dci[1]));
-  const float qo_3 = KSL_MULF(qi->w, dci[1]) - KSL_MULF(qi->x, dci[0]);
+  const float qo_0 = -(KSL_MULF(qi->x, dci[1]) + KSL_MULF(qi->w, dci[0])),
+      qo_1 = KSL_MULF(qi->z, dci[0]) - KSL_MULF(qi->y, dci[1]),
+      qo_2 = -(KSL_MULF(qi->y, dci[0]) + KSL_MULF(qi->z, dci[1])),
+      qo_3 = KSL_MULF(qi->w, dci[1]) - KSL_MULF(qi->x, dci[0]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1884,10 +1710,10 @@ static inline void ksl_product_qconjqxconjf(const ksl_quaternionf_t *qi, const f
      and underflow. */
 static inline void ksl_product_qyqf(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0 = KSL_MULF(dci[0], qi->z) + KSL_MULF(dci[1], qi->x);
-  const float qo_1 = KSL_MULF(dci[0], qi->w) + KSL_MULF(dci[1], qi->y);
-  const float qo_2 = KSL_MULF(dci[1], qi->z) - KSL_MULF(dci[0], qi->x);
-  const float qo_3 = KSL_MULF(dci[1], qi->w) - KSL_MULF(dci[0], qi->y);
+  const float qo_0 = KSL_MULF(dci[0], qi->z) + KSL_MULF(dci[1], qi->x),
+      qo_1 = KSL_MULF(dci[0], qi->w) + KSL_MULF(dci[1], qi->y),
+      qo_2 = KSL_MULF(dci[1], qi->z) - KSL_MULF(dci[0], qi->x),
+      qo_3 = KSL_MULF(dci[1], qi->w) - KSL_MULF(dci[0], qi->y);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1901,10 +1727,10 @@ static inline void ksl_product_qyqf(const float dci[2], const ksl_quaternionf_t 
      and underflow. */
 static inline void ksl_product_qyqconjf(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0 = -(KSL_MULF(dci[0], qi->z) + KSL_MULF(dci[1], qi->x));
-  const float qo_1 = KSL_MULF(dci[0], qi->w) - KSL_MULF(dci[1], qi->y);
-  const float qo_2 = KSL_MULF(dci[0], qi->x) - KSL_MULF(dci[1], qi->z);
-  const float qo_3 = KSL_MULF(dci[0], qi->y) + KSL_MULF(dci[1], qi->w);
+  const float qo_0 = -(KSL_MULF(dci[0], qi->z) + KSL_MULF(dci[1], qi->x)),
+      qo_1 = KSL_MULF(dci[0], qi->w) - KSL_MULF(dci[1], qi->y),
+      qo_2 = KSL_MULF(dci[0], qi->x) - KSL_MULF(dci[1], qi->z),
+      qo_3 = KSL_MULF(dci[0], qi->y) + KSL_MULF(dci[1], qi->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1918,10 +1744,10 @@ static inline void ksl_product_qyqconjf(const float dci[2], const ksl_quaternion
      and underflow. */
 static inline void ksl_product_qyconjqf(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0 = KSL_MULF(dci[1], qi->x) - KSL_MULF(dci[0], qi->z);
-  const float qo_1 = KSL_MULF(dci[1], qi->y) - KSL_MULF(dci[0], qi->w);
-  const float qo_2 = KSL_MULF(dci[0], qi->x) + KSL_MULF(dci[1], qi->z);
-  const float qo_3 = KSL_MULF(dci[0], qi->y) + KSL_MULF(dci[1], qi->w);
+  const float qo_0 = KSL_MULF(dci[1], qi->x) - KSL_MULF(dci[0], qi->z),
+      qo_1 = KSL_MULF(dci[1], qi->y) - KSL_MULF(dci[0], qi->w),
+      qo_2 = KSL_MULF(dci[0], qi->x) + KSL_MULF(dci[1], qi->z),
+      qo_3 = KSL_MULF(dci[0], qi->y) + KSL_MULF(dci[1], qi->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1935,10 +1761,10 @@ static inline void ksl_product_qyconjqf(const float dci[2], const ksl_quaternion
      and underflow. */
 static inline void ksl_product_qyconjqconjf(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0 = KSL_MULF(dci[0], qi->z) - KSL_MULF(dci[1], qi->x);
-  const float qo_1 = -(KSL_MULF(dci[0], qi->w) + KSL_MULF(dci[1], qi->y));
-  const float qo_2 = -(KSL_MULF(dci[0], qi->x) + KSL_MULF(dci[1], qi->z));
-  const float qo_3 = KSL_MULF(dci[1], qi->w) - KSL_MULF(dci[0], qi->y);
+  const float qo_0 = KSL_MULF(dci[0], qi->z) - KSL_MULF(dci[1], qi->x),
+      qo_1 = -(KSL_MULF(dci[0], qi->w) + KSL_MULF(dci[1], qi->y)),
+      qo_2 = -(KSL_MULF(dci[0], qi->x) + KSL_MULF(dci[1], qi->z)),
+      qo_3 = KSL_MULF(dci[1], qi->w) - KSL_MULF(dci[0], qi->y);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1952,10 +1778,10 @@ static inline void ksl_product_qyconjqconjf(const float dci[2], const ksl_quater
      and underflow. */
 static inline void ksl_product_qqyf(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0 = KSL_MULF(qi->x, dci[1]) - KSL_MULF(qi->z, dci[0]);
-  const float qo_1 = KSL_MULF(qi->y, dci[1]) + KSL_MULF(qi->w, dci[0]);
-  const float qo_2 = KSL_MULF(qi->x, dci[0]) + KSL_MULF(qi->z, dci[1]);
-  const float qo_3 = KSL_MULF(qi->w, dci[1]) - KSL_MULF(qi->y, dci[0]);
+  const float qo_0 = KSL_MULF(qi->x, dci[1]) - KSL_MULF(qi->z, dci[0]),
+      qo_1 = KSL_MULF(qi->y, dci[1]) + KSL_MULF(qi->w, dci[0]),
+      qo_2 = KSL_MULF(qi->x, dci[0]) + KSL_MULF(qi->z, dci[1]),
+      qo_3 = KSL_MULF(qi->w, dci[1]) - KSL_MULF(qi->y, dci[0]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1969,10 +1795,10 @@ static inline void ksl_product_qqyf(const ksl_quaternionf_t *qi, const float dci
      and underflow. */
 static inline void ksl_product_qqyconjf(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0 = KSL_MULF(qi->x, dci[1]) + KSL_MULF(qi->z, dci[0]);
-  const float qo_1 = KSL_MULF(qi->y, dci[1]) - KSL_MULF(qi->w, dci[0]);
-  const float qo_2 = KSL_MULF(qi->z, dci[1]) - KSL_MULF(qi->x, dci[0]);
-  const float qo_3 = KSL_MULF(qi->y, dci[0]) + KSL_MULF(qi->w, dci[1]);
+  const float qo_0 = KSL_MULF(qi->x, dci[1]) + KSL_MULF(qi->z, dci[0]),
+      qo_1 = KSL_MULF(qi->y, dci[1]) - KSL_MULF(qi->w, dci[0]),
+      qo_2 = KSL_MULF(qi->z, dci[1]) - KSL_MULF(qi->x, dci[0]),
+      qo_3 = KSL_MULF(qi->y, dci[0]) + KSL_MULF(qi->w, dci[1]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1986,10 +1812,10 @@ static inline void ksl_product_qqyconjf(const ksl_quaternionf_t *qi, const float
      and underflow. */
 static inline void ksl_product_qconjqyf(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0 = KSL_MULF(qi->z, dci[0]) - KSL_MULF(qi->x, dci[1]);
-  const float qo_1 = KSL_MULF(qi->w, dci[0]) - KSL_MULF(qi->y, dci[1]);
-  const float qo_2 = -(KSL_MULF(qi->x, dci[0]) + KSL_MULF(qi->z, dci[1]));
-  const float qo_3 = KSL_MULF(qi->y, dci[0]) + KSL_MULF(qi->w, dci[1]);
+  const float qo_0 = KSL_MULF(qi->z, dci[0]) - KSL_MULF(qi->x, dci[1]),
+      qo_1 = KSL_MULF(qi->w, dci[0]) - KSL_MULF(qi->y, dci[1]),
+      qo_2 = -(KSL_MULF(qi->x, dci[0]) + KSL_MULF(qi->z, dci[1])),
+      qo_3 = KSL_MULF(qi->y, dci[0]) + KSL_MULF(qi->w, dci[1]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2003,10 +1829,10 @@ static inline void ksl_product_qconjqyf(const ksl_quaternionf_t *qi, const float
      and underflow. */
 static inline void ksl_product_qconjqyconjf(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0 = -(KSL_MULF(qi->x, dci[1]) + KSL_MULF(qi->z, dci[0]));
-  const float qo_1 = -(KSL_MULF(qi->y, dci[1]) + KSL_MULF(qi->w, dci[0]));
-  const float qo_2 = KSL_MULF(qi->x, dci[0]) - KSL_MULF(qi->z, dci[1]);
-  const float qo_3 = KSL_MULF(qi->w, dci[1]) - KSL_MULF(qi->y, dci[0]);
+  const float qo_0 = -(KSL_MULF(qi->x, dci[1]) + KSL_MULF(qi->z, dci[0])),
+      qo_1 = -(KSL_MULF(qi->y, dci[1]) + KSL_MULF(qi->w, dci[0])),
+      qo_2 = KSL_MULF(qi->x, dci[0]) - KSL_MULF(qi->z, dci[1]),
+      qo_3 = KSL_MULF(qi->w, dci[1]) - KSL_MULF(qi->y, dci[0]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2020,10 +1846,10 @@ static inline void ksl_product_qconjqyconjf(const ksl_quaternionf_t *qi, const f
      and underflow. */
 static inline void ksl_product_qzqf(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0 = KSL_MULF(dci[1], qi->x) - KSL_MULF(dci[0], qi->y);
-  const float qo_1 = KSL_MULF(dci[0], qi->x) + KSL_MULF(dci[1], qi->y);
-  const float qo_2 = KSL_MULF(dci[0], qi->w) + KSL_MULF(dci[1], qi->z);
-  const float qo_3 = KSL_MULF(dci[1], qi->w) - KSL_MULF(dci[0], qi->z);
+  const float qo_0 = KSL_MULF(dci[1], qi->x) - KSL_MULF(dci[0], qi->y),
+      qo_1 = KSL_MULF(dci[0], qi->x) + KSL_MULF(dci[1], qi->y),
+      qo_2 = KSL_MULF(dci[0], qi->w) + KSL_MULF(dci[1], qi->z),
+      qo_3 = KSL_MULF(dci[1], qi->w) - KSL_MULF(dci[0], qi->z);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2037,10 +1863,10 @@ static inline void ksl_product_qzqf(const float dci[2], const ksl_quaternionf_t 
      and underflow. */
 static inline void ksl_product_qzqconjf(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0 = KSL_MULF(dci[0], qi->y) - KSL_MULF(dci[1], qi->x);
-  const float qo_1 = -(KSL_MULF(dci[0], qi->x) + KSL_MULF(dci[1], qi->y));
-  const float qo_2 = KSL_MULF(dci[0], qi->w) - KSL_MULF(dci[1], qi->z);
-  const float qo_3 = KSL_MULF(dci[0], qi->z) + KSL_MULF(dci[1], qi->w);
+  const float qo_0 = KSL_MULF(dci[0], qi->y) - KSL_MULF(dci[1], qi->x),
+      qo_1 = -(KSL_MULF(dci[0], qi->x) + KSL_MULF(dci[1], qi->y)),
+      qo_2 = KSL_MULF(dci[0], qi->w) - KSL_MULF(dci[1], qi->z),
+      qo_3 = KSL_MULF(dci[0], qi->z) + KSL_MULF(dci[1], qi->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2054,10 +1880,10 @@ static inline void ksl_product_qzqconjf(const float dci[2], const ksl_quaternion
      and underflow. */
 static inline void ksl_product_qzconjqf(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0 = KSL_MULF(dci[0], qi->y) + KSL_MULF(dci[1], qi->x);
-  const float qo_1 = KSL_MULF(dci[1], qi->y) - KSL_MULF(dci[0], qi->x);
-  const float qo_2 = KSL_MULF(dci[1], qi->z) - KSL_MULF(dci[0], qi->w);
-  const float qo_3 = KSL_MULF(dci[0], qi->z) + KSL_MULF(dci[1], qi->w);
+  const float qo_0 = KSL_MULF(dci[0], qi->y) + KSL_MULF(dci[1], qi->x),
+      qo_1 = KSL_MULF(dci[1], qi->y) - KSL_MULF(dci[0], qi->x),
+      qo_2 = KSL_MULF(dci[1], qi->z) - KSL_MULF(dci[0], qi->w),
+      qo_3 = KSL_MULF(dci[0], qi->z) + KSL_MULF(dci[1], qi->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2071,10 +1897,10 @@ static inline void ksl_product_qzconjqf(const float dci[2], const ksl_quaternion
      and underflow. */
 static inline void ksl_product_qzconjqconjf(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0 = -(KSL_MULF(dci[0], qi->y) + KSL_MULF(dci[1], qi->x));
-  const float qo_1 = KSL_MULF(dci[0], qi->x) - KSL_MULF(dci[1], qi->y);
-  const float qo_2 = -(KSL_MULF(dci[0], qi->w) + KSL_MULF(dci[1], qi->z));
-  const float qo_3 = KSL_MULF(dci[1], qi->w) - KSL_MULF(dci[0], qi->z);
+  const float qo_0 = -(KSL_MULF(dci[0], qi->y) + KSL_MULF(dci[1], qi->x)),
+      qo_1 = KSL_MULF(dci[0], qi->x) - KSL_MULF(dci[1], qi->y),
+      qo_2 = -(KSL_MULF(dci[0], qi->w) + KSL_MULF(dci[1], qi->z)),
+      qo_3 = KSL_MULF(dci[1], qi->w) - KSL_MULF(dci[0], qi->z);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2088,10 +1914,10 @@ static inline void ksl_product_qzconjqconjf(const float dci[2], const ksl_quater
      and underflow. */
 static inline void ksl_product_qqzf(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0 = KSL_MULF(qi->x, dci[1]) + KSL_MULF(qi->y, dci[0]);
-  const float qo_1 = KSL_MULF(qi->y, dci[1]) - KSL_MULF(qi->x, dci[0]);
-  const float qo_2 = KSL_MULF(qi->z, dci[1]) + KSL_MULF(qi->w, dci[0]);
-  const float qo_3 = KSL_MULF(qi->w, dci[1]) - KSL_MULF(qi->z, dci[0]);
+  const float qo_0 = KSL_MULF(qi->x, dci[1]) + KSL_MULF(qi->y, dci[0]),
+      qo_1 = KSL_MULF(qi->y, dci[1]) - KSL_MULF(qi->x, dci[0]),
+      qo_2 = KSL_MULF(qi->z, dci[1]) + KSL_MULF(qi->w, dci[0]),
+      qo_3 = KSL_MULF(qi->w, dci[1]) - KSL_MULF(qi->z, dci[0]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2105,10 +1931,10 @@ static inline void ksl_product_qqzf(const ksl_quaternionf_t *qi, const float dci
      and underflow. */
 static inline void ksl_product_qqzconjf(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0 = KSL_MULF(qi->x, dci[1]) - KSL_MULF(qi->y, dci[0]);
-  const float qo_1 = KSL_MULF(qi->x, dci[0]) + KSL_MULF(qi->y, dci[1]);
-  const float qo_2 = KSL_MULF(qi->z, dci[1]) - KSL_MULF(qi->w, dci[0]);
-  const float qo_3 = KSL_MULF(qi->z, dci[0]) + KSL_MULF(qi->w, dci[1]);
+  const float qo_0 = KSL_MULF(qi->x, dci[1]) - KSL_MULF(qi->y, dci[0]),
+      qo_1 = KSL_MULF(qi->x, dci[0]) + KSL_MULF(qi->y, dci[1]),
+      qo_2 = KSL_MULF(qi->z, dci[1]) - KSL_MULF(qi->w, dci[0]),
+      qo_3 = KSL_MULF(qi->z, dci[0]) + KSL_MULF(qi->w, dci[1]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2122,10 +1948,10 @@ static inline void ksl_product_qqzconjf(const ksl_quaternionf_t *qi, const float
      and underflow. */
 static inline void ksl_product_qconjqzf(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0 = -(KSL_MULF(qi->x, dci[1]) + KSL_MULF(qi->y, dci[0]));
-  const float qo_1 = KSL_MULF(qi->x, dci[0]) - KSL_MULF(qi->y, dci[1]);
-  const float qo_2 = KSL_MULF(qi->w, dci[0]) - KSL_MULF(qi->z, dci[1]);
-  const float qo_3 = KSL_MULF(qi->z, dci[0]) + KSL_MULF(qi->w, dci[1]);
+  const float qo_0 = -(KSL_MULF(qi->x, dci[1]) + KSL_MULF(qi->y, dci[0])),
+      qo_1 = KSL_MULF(qi->x, dci[0]) - KSL_MULF(qi->y, dci[1]),
+      qo_2 = KSL_MULF(qi->w, dci[0]) - KSL_MULF(qi->z, dci[1]),
+      qo_3 = KSL_MULF(qi->z, dci[0]) + KSL_MULF(qi->w, dci[1]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2139,10 +1965,10 @@ static inline void ksl_product_qconjqzf(const ksl_quaternionf_t *qi, const float
      and underflow. */
 static inline void ksl_product_qconjqzconjf(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0 = KSL_MULF(qi->y, dci[0]) - KSL_MULF(qi->x, dci[1]);
-  const float qo_1 = -(KSL_MULF(qi->x, dci[0]) + KSL_MULF(qi->y, dci[1]));
-  const float qo_2 = -(KSL_MULF(qi->z, dci[1]) + KSL_MULF(qi->w, dci[0]));
-  const float qo_3 = KSL_MULF(qi->w, dci[1]) - KSL_MULF(qi->z, dci[0]);
+  const float qo_0 = KSL_MULF(qi->y, dci[0]) - KSL_MULF(qi->x, dci[1]),
+      qo_1 = -(KSL_MULF(qi->x, dci[0]) + KSL_MULF(qi->y, dci[1])),
+      qo_2 = -(KSL_MULF(qi->z, dci[1]) + KSL_MULF(qi->w, dci[0])),
+      qo_3 = KSL_MULF(qi->w, dci[1]) - KSL_MULF(qi->z, dci[0]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2156,10 +1982,10 @@ static inline void ksl_product_qconjqzconjf(const ksl_quaternionf_t *qi, const f
      and underflow. */
 static inline void ksl_product_qvf(const ksl_quaternionf_t *qi, const ksl_vec3f_t *vi,
     ksl_quaternionf_t *qo) {
-  const float qo_0 = KSL_MULF(qi->y, vi->z) - KSL_MULF(qi->z, vi->y) + KSL_MULF(qi->w, vi->x);
-  const float qo_1 = KSL_MULF(qi->z, vi->x) - KSL_MULF(qi->x, vi->z) + KSL_MULF(qi->w, vi->y);
-  const float qo_2 = KSL_MULF(qi->x, vi->y) - KSL_MULF(qi->y, vi->x) + KSL_MULF(qi->w, vi->z);
-  const float qo_3 = -(KSL_MULF(qi->x, vi->x) + KSL_MULF(qi->y, vi->y) + KSL_MULF(qi->z, vi->z));
+  const float qo_0 = KSL_MULF(qi->y, vi->z) - KSL_MULF(qi->z, vi->y) + KSL_MULF(qi->w, vi->x),
+      qo_1 = KSL_MULF(qi->z, vi->x) - KSL_MULF(qi->x, vi->z) + KSL_MULF(qi->w, vi->y),
+      qo_2 = KSL_MULF(qi->x, vi->y) - KSL_MULF(qi->y, vi->x) + KSL_MULF(qi->w, vi->z),
+      qo_3 = -(KSL_MULF(qi->x, vi->x) + KSL_MULF(qi->y, vi->y) + KSL_MULF(qi->z, vi->z));
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2173,10 +1999,10 @@ static inline void ksl_product_qvf(const ksl_quaternionf_t *qi, const ksl_vec3f_
      and underflow. */
 static inline void ksl_product_qconjvf(const ksl_quaternionf_t *qi, const ksl_vec3f_t *vi,
     ksl_quaternionf_t *qo) {
-  const float qo_0 = KSL_MULF(qi->z, vi->y) - KSL_MULF(qi->y, vi->z) + KSL_MULF(qi->w, vi->x);
-  const float qo_1 = KSL_MULF(qi->x, vi->z) - KSL_MULF(qi->z, vi->x) + KSL_MULF(qi->w, vi->y);
-  const float qo_2 = KSL_MULF(qi->y, vi->x) - KSL_MULF(qi->x, vi->y) + KSL_MULF(qi->w, vi->z);
-  const float qo_3 = KSL_MULF(qi->x, vi->x) + KSL_MULF(qi->y, vi->y) + KSL_MULF(qi->z, vi->z);
+  const float qo_0 = KSL_MULF(qi->z, vi->y) - KSL_MULF(qi->y, vi->z) + KSL_MULF(qi->w, vi->x),
+      qo_1 = KSL_MULF(qi->x, vi->z) - KSL_MULF(qi->z, vi->x) + KSL_MULF(qi->w, vi->y),
+      qo_2 = KSL_MULF(qi->y, vi->x) - KSL_MULF(qi->x, vi->y) + KSL_MULF(qi->w, vi->z),
+      qo_3 = KSL_MULF(qi->x, vi->x) + KSL_MULF(qi->y, vi->y) + KSL_MULF(qi->z, vi->z);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2190,10 +2016,10 @@ static inline void ksl_product_qconjvf(const ksl_quaternionf_t *qi, const ksl_ve
      and underflow. */
 static inline void ksl_product_vqf(const ksl_vec3f_t *vi, const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0 = KSL_MULF(vi->x, qi->w) + (KSL_MULF(vi->y, qi->z) - KSL_MULF(vi->z, qi->y));
-  const float qo_1 = KSL_MULF(vi->z, qi->x) - KSL_MULF(vi->x, qi->z) + KSL_MULF(vi->y, qi->w);
-  const float qo_2 = KSL_MULF(vi->x, qi->y) - KSL_MULF(vi->y, qi->x) + KSL_MULF(vi->z, qi->w);
-  const float qo_3 = -(KSL_MULF(vi->x, qi->x) + KSL_MULF(vi->y, qi->y) + KSL_MULF(vi->z, qi->z));
+  const float qo_0 = KSL_MULF(vi->x, qi->w) + (KSL_MULF(vi->y, qi->z) - KSL_MULF(vi->z, qi->y)),
+      qo_1 = KSL_MULF(vi->z, qi->x) - KSL_MULF(vi->x, qi->z) + KSL_MULF(vi->y, qi->w),
+      qo_2 = KSL_MULF(vi->x, qi->y) - KSL_MULF(vi->y, qi->x) + KSL_MULF(vi->z, qi->w),
+      qo_3 = -(KSL_MULF(vi->x, qi->x) + KSL_MULF(vi->y, qi->y) + KSL_MULF(vi->z, qi->z));
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2207,10 +2033,10 @@ static inline void ksl_product_vqf(const ksl_vec3f_t *vi, const ksl_quaternionf_
      and underflow. */
 static inline void ksl_product_vqconjf(const ksl_vec3f_t *vi, const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0 = KSL_MULF(vi->x, qi->w) + (KSL_MULF(vi->z, qi->y) - KSL_MULF(vi->y, qi->z));
-  const float qo_1 = KSL_MULF(vi->x, qi->z) - KSL_MULF(vi->z, qi->x) + KSL_MULF(vi->y, qi->w);
-  const float qo_2 = KSL_MULF(vi->y, qi->x) - KSL_MULF(vi->x, qi->y) + KSL_MULF(vi->z, qi->w);
-  const float qo_3 = KSL_MULF(vi->x, qi->x) + KSL_MULF(vi->y, qi->y) + KSL_MULF(vi->z, qi->z);
+  const float qo_0 = KSL_MULF(vi->x, qi->w) + (KSL_MULF(vi->z, qi->y) - KSL_MULF(vi->y, qi->z)),
+      qo_1 = KSL_MULF(vi->x, qi->z) - KSL_MULF(vi->z, qi->x) + KSL_MULF(vi->y, qi->w),
+      qo_2 = KSL_MULF(vi->y, qi->x) - KSL_MULF(vi->x, qi->y) + KSL_MULF(vi->z, qi->w),
+      qo_3 = KSL_MULF(vi->x, qi->x) + KSL_MULF(vi->y, qi->y) + KSL_MULF(vi->z, qi->z);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2240,10 +2066,10 @@ static inline void ksl_add_dpiToqf(const ksl_vec3f_t *dpi, ksl_quaternionf_t *qi
       qi_0_new = KSL_MULF(qi_0_new_a, qi->w)
           + (KSL_MULF(qi_0_new_c, qi->y) - KSL_MULF(qi_0_new_e, qi->z)) + qi->x;
   const float qi_1_new = KSL_MULF(qi_0_new_a, qi->z) - KSL_MULF(qi_0_new_c, qi->x)
-          + KSL_MULF(qi_0_new_e, qi->w) + qi->y;
-  const float qi_2_new = KSL_MULF(qi_0_new_e, qi->x) - KSL_MULF(qi_0_new_a, qi->y)
-          + KSL_MULF(qi_0_new_c, qi->w) + qi->z;
-  const float qi_3_new = qi->w
+          + KSL_MULF(qi_0_new_e, qi->w) + qi->y,
+      qi_2_new = KSL_MULF(qi_0_new_e, qi->x) - KSL_MULF(qi_0_new_a, qi->y)
+          + KSL_MULF(qi_0_new_c, qi->w) + qi->z,
+      qi_3_new = qi->w
           - (KSL_MULF(qi_0_new_a, qi->x) + KSL_MULF(qi_0_new_e, qi->y)
           + KSL_MULF(qi_0_new_c, qi->z));
   qi->x = qi_0_new;
@@ -2263,10 +2089,10 @@ static inline void ksl_subtract_dpiFromqf(const ksl_vec3f_t *dpi, ksl_quaternion
       qi_0_new = KSL_MULF(qi_0_new_a, qi->z) - KSL_MULF(qi_0_new_c, qi->y)
           - KSL_MULF(qi_0_new_f, qi->w) + qi->x;
   const float qi_1_new = KSL_MULF(qi_0_new_c, qi->x) - KSL_MULF(qi_0_new_f, qi->z)
-          - KSL_MULF(qi_0_new_a, qi->w) + qi->y;
-  const float qi_2_new = KSL_MULF(qi_0_new_f, qi->y) - KSL_MULF(qi_0_new_a, qi->x)
-          - KSL_MULF(qi_0_new_c, qi->w) + qi->z;
-  const float qi_3_new = KSL_MULF(qi_0_new_f, qi->x) + KSL_MULF(qi_0_new_a, qi->y)
+          - KSL_MULF(qi_0_new_a, qi->w) + qi->y,
+      qi_2_new = KSL_MULF(qi_0_new_f, qi->y) - KSL_MULF(qi_0_new_a, qi->x)
+          - KSL_MULF(qi_0_new_c, qi->w) + qi->z,
+      qi_3_new = KSL_MULF(qi_0_new_f, qi->x) + KSL_MULF(qi_0_new_a, qi->y)
           + KSL_MULF(qi_0_new_c, qi->z) + qi->w;
   qi->x = qi_0_new;
   qi->y = qi_1_new;
@@ -2289,10 +2115,10 @@ static inline void ksl_omega_to_dquaternionf(const ksl_vec3f_t *w, const ksl_qua
       dqo_0 = KSL_MULF(dqo_0a, qi->w) + (KSL_MULF(dqo_0c, qi->z) - KSL_MULF(dqo_0e, qi->y))
           + KSL_MULF(qi->x, dqo_0p);
   const float dqo_1 = KSL_MULF(dqo_0e, qi->x) - KSL_MULF(dqo_0a, qi->z) + KSL_MULF(dqo_0c, qi->w)
-          + KSL_MULF(qi->y, dqo_0p);
-  const float dqo_2 = KSL_MULF(dqo_0a, qi->y) - KSL_MULF(dqo_0c, qi->x) + KSL_MULF(dqo_0e, qi->w)
-          + KSL_MULF(qi->z, dqo_0p);
-  const float dqo_3 = KSL_MULF(qi->w, dqo_0p)
+          + KSL_MULF(qi->y, dqo_0p),
+      dqo_2 = KSL_MULF(dqo_0a, qi->y) - KSL_MULF(dqo_0c, qi->x) + KSL_MULF(dqo_0e, qi->w)
+          + KSL_MULF(qi->z, dqo_0p),
+      dqo_3 = KSL_MULF(qi->w, dqo_0p)
           - (KSL_MULF(dqo_0a, qi->x) + KSL_MULF(dqo_0c, qi->y) + KSL_MULF(dqo_0e, qi->z));
   dqo->x = dqo_0;
   dqo->y = dqo_1;
@@ -2306,16 +2132,11 @@ static inline void ksl_omega_to_dquaternionf(const ksl_vec3f_t *w, const ksl_qua
    Error <= R: 8 u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 <
      |q| < 2^63; searched, not proved. */
 static inline void ksl_mat3x3f_from_quaternion(const ksl_quaternionf_t *q, ksl_mat3x3f_t *R) {
-  const float squares_0 = KSL_MULF(q->w, q->w);
-  const float squares_1 = KSL_MULF(q->x, q->x);
-  const float squares_2 = KSL_MULF(q->y, q->y);
-  const float squares_3 = KSL_MULF(q->z, q->z);
-  const float pairs_0 = squares_0 + squares_1;
-  const float pairs_1 = squares_2 + squares_3;
-  const float pairs_2 = squares_0 + squares_2;
-  const float pairs_3 = squares_1 + squares_3;
-  const float pairs_4 = squares_0 + squares_3;
-  const float pairs_5 = squares_1 + squares_2;
+  const float squares_0 = KSL_MULF(q->w, q->w), squares_1 = KSL_MULF(q->x, q->x),
+      squares_2 = KSL_MULF(q->y, q->y), squares_3 = KSL_MULF(q->z, q->z);
+  const float pairs_0 = squares_0 + squares_1, pairs_1 = squares_2 + squares_3,
+      pairs_2 = squares_0 + squares_2, pairs_3 = squares_1 + squares_3,
+      pairs_4 = squares_0 + squares_3, pairs_5 = squares_1 + squares_2;
   const float square = pairs_0 + pairs_1;
   const float factor = 1.0f / square;
   const float d0 = pairs_0 - pairs_1;
@@ -2325,18 +2146,10 @@ static inline void ksl_mat3x3f_from_quaternion(const ksl_quaternionf_t *q, ksl_m
   const float m_0a = KSL_MULF(q->x, q->y), m_0b = KSL_MULF(q->z, q->w), m_0 = m_0a - m_0b;
   const float m_1a = KSL_MULF(q->x, q->z), m_1b = KSL_MULF(q->y, q->w), m_1 = m_1a + m_1b;
   const float m_2a = KSL_MULF(q->y, q->z), m_2b = KSL_MULF(q->x, q->w), m_2 = m_2a - m_2b;
-  const float m_3 = m_0a + m_0b;
-  const float m_4 = m_1a - m_1b;
-  const float m_5 = m_2b + m_2a;
-  const float R_00 = KSL_MULF(factor, d0);
-  const float R_01 = KSL_MULF(twice, m_0);
-  const float R_02 = KSL_MULF(twice, m_1);
-  const float R_10 = KSL_MULF(twice, m_3);
-  const float R_11 = KSL_MULF(factor, d1);
-  const float R_12 = KSL_MULF(twice, m_2);
-  const float R_20 = KSL_MULF(twice, m_4);
-  const float R_21 = KSL_MULF(twice, m_5);
-  const float R_22 = KSL_MULF(factor, d2);
+  const float m_3 = m_0a + m_0b, m_4 = m_1a - m_1b, m_5 = m_2b + m_2a;
+  const float R_00 = KSL_MULF(factor, d0), R_01 = KSL_MULF(twice, m_0), R_02 = KSL_MULF(twice, m_1),
+      R_10 = KSL_MULF(twice, m_3), R_11 = KSL_MULF(factor, d1), R_12 = KSL_MULF(twice, m_2),
+      R_20 = KSL_MULF(twice, m_4), R_21 = KSL_MULF(twice, m_5), R_22 = KSL_MULF(factor, d2);
   R->m00 = R_00;
   R->m01 = R_01;
   R->m02 = R_02;
@@ -2353,42 +2166,27 @@ static inline void ksl_mat3x3f_from_quaternion(const ksl_quaternionf_t *q, ksl_m
    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
    Error <= qo: 6 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_quaternionf_from_mat3x3(const ksl_mat3x3f_t *R, ksl_quaternionf_t *qo) {
-  const float p_0 = R->m21 - R->m12;
-  const float p_1 = R->m02 - R->m20;
-  const float p_2 = R->m10 - R->m01;
-  const float s_0 = R->m12 + R->m21;
-  const float s_1 = R->m02 + R->m20;
-  const float s_2 = R->m01 + R->m10;
-  const float first_0 = R->m00 + 1.0f;
-  const float first_1 = 1.0f - R->m00;
-  const float others_0 = R->m11 + R->m22;
-  const float others_1 = R->m11 - R->m22;
-  const float d_0 = first_0 + others_0;
-  const float d_1 = first_0 - others_0;
-  const float d_2 = first_1 + others_1;
-  const float d_3 = first_1 - others_1;
-  const float low_0 = R->m11 < R->m00 ? d_1 : s_2;
-  const float low_1 = R->m11 < R->m00 ? s_2 : d_2;
-  const float low_2 = R->m11 < R->m00 ? s_1 : s_0;
-  const float low_3 = R->m11 < R->m00 ? p_0 : p_1;
+  const float p_0 = R->m21 - R->m12, p_1 = R->m02 - R->m20, p_2 = R->m10 - R->m01;
+  const float s_0 = R->m12 + R->m21, s_1 = R->m02 + R->m20, s_2 = R->m01 + R->m10;
+  const float first_0 = R->m00 + 1.0f, first_1 = 1.0f - R->m00;
+  const float others_0 = R->m11 + R->m22, others_1 = R->m11 - R->m22;
+  const float d_0 = first_0 + others_0, d_1 = first_0 - others_0, d_2 = first_1 + others_1,
+      d_3 = first_1 - others_1;
+  const float low_0 = R->m11 < R->m00 ? d_1 : s_2, low_1 = R->m11 < R->m00 ? s_2 : d_2,
+      low_2 = R->m11 < R->m00 ? s_1 : s_0, low_3 = R->m11 < R->m00 ? p_0 : p_1;
   const float high_0a = -R->m11, high_0 = R->m00 < high_0a ? s_1 : p_0;
-  const float high_1 = R->m00 < high_0a ? s_0 : p_1;
-  const float high_2 = R->m00 < high_0a ? d_3 : p_2;
-  const float high_3 = R->m00 < high_0a ? p_2 : d_0;
-  const float column_0 = R->m22 < 0.0f ? low_0 : high_0;
-  const float column_1 = R->m22 < 0.0f ? low_1 : high_1;
-  const float column_2 = R->m22 < 0.0f ? low_2 : high_2;
-  const float column_3 = R->m22 < 0.0f ? low_3 : high_3;
+  const float high_1 = R->m00 < high_0a ? s_0 : p_1, high_2 = R->m00 < high_0a ? d_3 : p_2,
+      high_3 = R->m00 < high_0a ? p_2 : d_0;
+  const float column_0 = R->m22 < 0.0f ? low_0 : high_0, column_1 = R->m22 < 0.0f ? low_1 : high_1,
+      column_2 = R->m22 < 0.0f ? low_2 : high_2, column_3 = R->m22 < 0.0f ? low_3 : high_3;
   const float upper_0a = -column_0, upper_0 = column_3 < 0.0f ? upper_0a : column_0;
   const float upper_1a = -column_1, upper_1 = column_3 < 0.0f ? upper_1a : column_1;
   const float upper_2a = -column_2, upper_2 = column_3 < 0.0f ? upper_2a : column_2;
   const float upper_3a = -column_3, upper_3 = column_3 < 0.0f ? upper_3a : column_3;
   const float length = sqrtf(KSL_MULF(upper_0, upper_0) + KSL_MULF(upper_1, upper_1)
           + KSL_MULF(upper_2, upper_2) + KSL_MULF(upper_3, upper_3));
-  const float qo_0 = upper_0 / length;
-  const float qo_1 = upper_1 / length;
-  const float qo_2 = upper_2 / length;
-  const float qo_3 = upper_3 / length;
+  const float qo_0 = upper_0 / length, qo_1 = upper_1 / length, qo_2 = upper_2 / length,
+      qo_3 = upper_3 / length;
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2404,9 +2202,8 @@ static inline void ksl_quaternionf_from_axis_angle(const ksl_vec3f_t *axis, cons
     ksl_quaternionf_t *qo) {
   const float half = KSL_MULF(0.5f, angle);
   float qo_3; const float sine = ksl_sincosf(half, &qo_3);
-  const float qo_0 = KSL_MULF(axis->x, sine);
-  const float qo_1 = KSL_MULF(axis->y, sine);
-  const float qo_2 = KSL_MULF(axis->z, sine);
+  const float qo_0 = KSL_MULF(axis->x, sine), qo_1 = KSL_MULF(axis->y, sine),
+      qo_2 = KSL_MULF(axis->z, sine);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2419,43 +2216,34 @@ static inline void ksl_quaternionf_from_axis_angle(const ksl_vec3f_t *axis, cons
    34 mul, 31 add, 4 div, 1 sqrt, 5 neg, 9 abs, 2 copysign, 19 less, 2 equal, 32 select.
    Error <= angle: 6 u, axis: 4 u of its largest component; searched, not proved. */
 static inline float ksl_axis_angle_from_quaternionf(const ksl_quaternionf_t *q, ksl_vec3f_t *axis) {
-  const float s_size_0 = fabsf(q->x);
-  const float s_size_1 = fabsf(q->y);
-  const float s_size_2 = fabsf(q->z);
-  const float s_size_3 = fabsf(q->w);
+  const float s_size_0 = fabsf(q->x), s_size_1 = fabsf(q->y), s_size_2 = fabsf(q->z),
+      s_size_3 = fabsf(q->w);
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float scaled_s_0 = KSL_MULF(q->x, s);
-  const float scaled_s_1 = KSL_MULF(q->y, s);
-  const float scaled_s_2 = KSL_MULF(q->z, s);
-  const float scaled_s_3 = KSL_MULF(q->w, s);
+  const float scaled_s_0 = KSL_MULF(q->x, s), scaled_s_1 = KSL_MULF(q->y, s),
+      scaled_s_2 = KSL_MULF(q->z, s), scaled_s_3 = KSL_MULF(q->w, s);
   const float upper_0a = -scaled_s_0, upper_0 = scaled_s_3 < 0.0f ? upper_0a : scaled_s_0;
   const float upper_1a = -scaled_s_1, upper_1 = scaled_s_3 < 0.0f ? upper_1a : scaled_s_1;
   const float upper_2a = -scaled_s_2, upper_2 = scaled_s_3 < 0.0f ? upper_2a : scaled_s_2;
   const float upper_3a = -scaled_s_3, upper_3 = scaled_s_3 < 0.0f ? upper_3a : scaled_s_3;
-  const float v_s_size_0 = fabsf(upper_0);
-  const float v_s_size_1 = fabsf(upper_1);
-  const float v_s_size_2 = fabsf(upper_2);
+  const float v_s_size_0 = fabsf(upper_0), v_s_size_1 = fabsf(upper_1), v_s_size_2 = fabsf(upper_2);
   const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const float v_s_b = v_s_largest2 < 256.0f ? 1.8014399e+16f : 1.0f,
       v_s = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_b;
-  const float v_y_0 = KSL_MULF(upper_0, v_s);
-  const float v_y_1 = KSL_MULF(upper_1, v_s);
-  const float v_y_2 = KSL_MULF(upper_2, v_s);
+  const float v_y_0 = KSL_MULF(upper_0, v_s), v_y_1 = KSL_MULF(upper_1, v_s),
+      v_y_2 = KSL_MULF(upper_2, v_s);
   const float v_n = sqrtf(KSL_MULF(v_y_0, v_y_0) + KSL_MULF(v_y_1, v_y_1) + KSL_MULF(v_y_2, v_y_2));
   const float v_r_b = 1.0f < v_s ? 5.551115e-17f : 1.0f,
       v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_b;
   const float n = KSL_MULF(v_n, v_r);
   const float half = ksl_atan2f(n, upper_3);
   const float divisor = v_n == 0.0f ? 1.0f : v_n;
-  const float unit_0 = v_y_0 / divisor;
-  const float unit_1 = v_y_1 / divisor;
-  const float unit_2 = v_y_2 / divisor;
+  const float unit_0 = v_y_0 / divisor, unit_1 = v_y_1 / divisor, unit_2 = v_y_2 / divisor;
   const float angle = KSL_MULF(2.0f, half);
   const float axis_0 = v_n == 0.0f ? 1.0f : unit_0;
   axis->x = axis_0;
@@ -2470,26 +2258,14 @@ static inline float ksl_axis_angle_from_quaternionf(const ksl_quaternionf_t *q, 
    Error <= qo: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
      searched, not proved. */
 static inline void ksl_quaternionf_exp(const ksl_vec3f_t *v, ksl_quaternionf_t *qo) {
-  const float h_0 = KSL_MULF(0.5f, v->x);
-  const float h_1 = KSL_MULF(0.5f, v->y);
-  const float h_2 = KSL_MULF(0.5f, v->z);
-  const float size_0 = fabsf(h_0);
-  const float size_1 = fabsf(h_1);
-  const float size_2 = fabsf(h_2);
+  const float h_0 = KSL_MULF(0.5f, v->x), h_1 = KSL_MULF(0.5f, v->y), h_2 = KSL_MULF(0.5f, v->z);
+  const float size_0 = fabsf(h_0), size_1 = fabsf(h_1), size_2 = fabsf(h_2);
   const float sizes = size_0 + size_1 + size_2;
   const float grid = KSL_MULF(sizes, 8192.0f);
-  const float shifted_0 = h_0 + grid;
-  const float shifted_1 = h_1 + grid;
-  const float shifted_2 = h_2 + grid;
-  const float high_0 = shifted_0 - grid;
-  const float high_1 = shifted_1 - grid;
-  const float high_2 = shifted_2 - grid;
-  const float low_0 = h_0 - high_0;
-  const float low_1 = h_1 - high_1;
-  const float low_2 = h_2 - high_2;
-  const float sum_0 = h_0 + high_0;
-  const float sum_1 = h_1 + high_1;
-  const float sum_2 = h_2 + high_2;
+  const float shifted_0 = h_0 + grid, shifted_1 = h_1 + grid, shifted_2 = h_2 + grid;
+  const float high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const float low_0 = h_0 - high_0, low_1 = h_1 - high_1, low_2 = h_2 - high_2;
+  const float sum_0 = h_0 + high_0, sum_1 = h_1 + high_1, sum_2 = h_2 + high_2;
   const float squares = KSL_MULF(high_0, high_0) + KSL_MULF(high_1, high_1)
           + KSL_MULF(high_2, high_2);
   const float cross = KSL_MULF(low_0, sum_0) + KSL_MULF(low_1, sum_1) + KSL_MULF(low_2, sum_2);
@@ -2523,10 +2299,8 @@ static inline void ksl_quaternionf_exp(const ksl_vec3f_t *v, ksl_quaternionf_t *
       g2 = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g2q - 2.4801588e-05f) + 0.0013888889f)
           - 0.041666668f) + 0.5f;
   const float near = 1.0f - KSL_MULF(x, g2);
-  const float qo_0 = KSL_MULF(h_0, k);
-  const float qo_1 = KSL_MULF(h_1, k);
-  const float qo_2 = KSL_MULF(h_2, k);
-  const float qo_3 = x < 1.0f ? near : cosine;
+  const float qo_0 = KSL_MULF(h_0, k), qo_1 = KSL_MULF(h_1, k), qo_2 = KSL_MULF(h_2, k),
+      qo_3 = x < 1.0f ? near : cosine;
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2538,34 +2312,27 @@ static inline void ksl_quaternionf_exp(const ksl_vec3f_t *v, ksl_quaternionf_t *
    37 mul, 31 add, 2 div, 1 sqrt, 5 neg, 9 abs, 2 copysign, 19 less, 2 equal, 31 select.
    Error <= vo: 6 u of its largest component; searched, not proved. */
 static inline void ksl_quaternionf_log(const ksl_quaternionf_t *q, ksl_vec3f_t *vo) {
-  const float s_size_0 = fabsf(q->x);
-  const float s_size_1 = fabsf(q->y);
-  const float s_size_2 = fabsf(q->z);
-  const float s_size_3 = fabsf(q->w);
+  const float s_size_0 = fabsf(q->x), s_size_1 = fabsf(q->y), s_size_2 = fabsf(q->z),
+      s_size_3 = fabsf(q->w);
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float scaled_s_0 = KSL_MULF(q->x, s);
-  const float scaled_s_1 = KSL_MULF(q->y, s);
-  const float scaled_s_2 = KSL_MULF(q->z, s);
-  const float scaled_s_3 = KSL_MULF(q->w, s);
+  const float scaled_s_0 = KSL_MULF(q->x, s), scaled_s_1 = KSL_MULF(q->y, s),
+      scaled_s_2 = KSL_MULF(q->z, s), scaled_s_3 = KSL_MULF(q->w, s);
   const float upper_0a = -scaled_s_0, upper_0 = scaled_s_3 < 0.0f ? upper_0a : scaled_s_0;
   const float upper_1a = -scaled_s_1, upper_1 = scaled_s_3 < 0.0f ? upper_1a : scaled_s_1;
   const float upper_2a = -scaled_s_2, upper_2 = scaled_s_3 < 0.0f ? upper_2a : scaled_s_2;
   const float upper_3a = -scaled_s_3, upper_3 = scaled_s_3 < 0.0f ? upper_3a : scaled_s_3;
-  const float v_s_size_0 = fabsf(upper_0);
-  const float v_s_size_1 = fabsf(upper_1);
-  const float v_s_size_2 = fabsf(upper_2);
+  const float v_s_size_0 = fabsf(upper_0), v_s_size_1 = fabsf(upper_1), v_s_size_2 = fabsf(upper_2);
   const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const float v_s_b = v_s_largest2 < 256.0f ? 1.8014399e+16f : 1.0f,
       v_s = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_b;
-  const float v_y_0 = KSL_MULF(upper_0, v_s);
-  const float v_y_1 = KSL_MULF(upper_1, v_s);
-  const float v_y_2 = KSL_MULF(upper_2, v_s);
+  const float v_y_0 = KSL_MULF(upper_0, v_s), v_y_1 = KSL_MULF(upper_1, v_s),
+      v_y_2 = KSL_MULF(upper_2, v_s);
   const float v_n = sqrtf(KSL_MULF(v_y_0, v_y_0) + KSL_MULF(v_y_1, v_y_1) + KSL_MULF(v_y_2, v_y_2));
   const float v_r_b = 1.0f < v_s ? 5.551115e-17f : 1.0f,
       v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_b;
@@ -2574,9 +2341,8 @@ static inline void ksl_quaternionf_log(const ksl_quaternionf_t *q, ksl_vec3f_t *
   const float divisor = n == 0.0f ? 1.0f : n;
   const float theta = KSL_MULF(2.0f, half);
   const float k = theta / divisor;
-  const float vector_0 = KSL_MULF(upper_0, k);
-  const float vector_1 = KSL_MULF(upper_1, k);
-  const float vector_2 = KSL_MULF(upper_2, k);
+  const float vector_0 = KSL_MULF(upper_0, k), vector_1 = KSL_MULF(upper_1, k),
+      vector_2 = KSL_MULF(upper_2, k);
   vo->x = vector_0;
   vo->y = vector_1;
   vo->z = vector_2;
@@ -2590,28 +2356,25 @@ static inline void ksl_quaternionf_log(const ksl_quaternionf_t *q, ksl_vec3f_t *
 static inline void ksl_quaternionf_interpolated(const ksl_quaternionf_t *q1,
     const ksl_quaternionf_t *q2, const float k, ksl_quaternionf_t *qo) {
   const float between_0 = KSL_MULF(q1->w, q2->x) - KSL_MULF(q1->x, q2->w)
-          + (KSL_MULF(q1->z, q2->y) - KSL_MULF(q1->y, q2->z));
-  const float between_1 = KSL_MULF(q1->x, q2->z) - KSL_MULF(q1->z, q2->x)
-          + (KSL_MULF(q1->w, q2->y) - KSL_MULF(q1->y, q2->w));
-  const float between_2 = KSL_MULF(q1->y, q2->x) - KSL_MULF(q1->x, q2->y)
-          + (KSL_MULF(q1->w, q2->z) - KSL_MULF(q1->z, q2->w));
-  const float between_3 = KSL_MULF(q1->x, q2->x) + KSL_MULF(q1->y, q2->y) + KSL_MULF(q1->z, q2->z)
+          + (KSL_MULF(q1->z, q2->y) - KSL_MULF(q1->y, q2->z)),
+      between_1 = KSL_MULF(q1->x, q2->z) - KSL_MULF(q1->z, q2->x)
+          + (KSL_MULF(q1->w, q2->y) - KSL_MULF(q1->y, q2->w)),
+      between_2 = KSL_MULF(q1->y, q2->x) - KSL_MULF(q1->x, q2->y)
+          + (KSL_MULF(q1->w, q2->z) - KSL_MULF(q1->z, q2->w)),
+      between_3 = KSL_MULF(q1->x, q2->x) + KSL_MULF(q1->y, q2->y) + KSL_MULF(q1->z, q2->z)
           + KSL_MULF(q1->w, q2->w);
   const float upper_0a = -between_0, upper_0 = between_3 < 0.0f ? upper_0a : between_0;
   const float upper_1a = -between_1, upper_1 = between_3 < 0.0f ? upper_1a : between_1;
   const float upper_2a = -between_2, upper_2 = between_3 < 0.0f ? upper_2a : between_2;
   const float upper_3a = -between_3, upper_3 = between_3 < 0.0f ? upper_3a : between_3;
-  const float v_s_size_0 = fabsf(upper_0);
-  const float v_s_size_1 = fabsf(upper_1);
-  const float v_s_size_2 = fabsf(upper_2);
+  const float v_s_size_0 = fabsf(upper_0), v_s_size_1 = fabsf(upper_1), v_s_size_2 = fabsf(upper_2);
   const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
       v_s_d = v_s_largest2 < 256.0f ? 1.8014399e+16f : v_s_b,
       v_s = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_d;
-  const float v_y_0 = KSL_MULF(upper_0, v_s);
-  const float v_y_1 = KSL_MULF(upper_1, v_s);
-  const float v_y_2 = KSL_MULF(upper_2, v_s);
+  const float v_y_0 = KSL_MULF(upper_0, v_s), v_y_1 = KSL_MULF(upper_1, v_s),
+      v_y_2 = KSL_MULF(upper_2, v_s);
   const float v_n = sqrtf(KSL_MULF(v_y_0, v_y_0) + KSL_MULF(v_y_1, v_y_1) + KSL_MULF(v_y_2, v_y_2));
   const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r_d = 1.0f < v_s ? 5.551115e-17f : v_r_b,
       v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_d;
@@ -2619,29 +2382,20 @@ static inline void ksl_quaternionf_interpolated(const ksl_quaternionf_t *q1,
   const float half = ksl_atan2f(n, upper_3);
   const float divisor = n == 0.0f ? 1.0f : n;
   const float rate = half / divisor;
-  const float kv_0 = KSL_MULF(k, upper_0);
-  const float kv_1 = KSL_MULF(k, upper_1);
-  const float kv_2 = KSL_MULF(k, upper_2);
-  const float step_0 = KSL_MULF(rate, kv_0);
-  const float step_1 = KSL_MULF(rate, kv_1);
-  const float step_2 = KSL_MULF(rate, kv_2);
-  const float exp_size_0 = fabsf(step_0);
-  const float exp_size_1 = fabsf(step_1);
-  const float exp_size_2 = fabsf(step_2);
+  const float kv_0 = KSL_MULF(k, upper_0), kv_1 = KSL_MULF(k, upper_1), kv_2 = KSL_MULF(k, upper_2);
+  const float step_0 = KSL_MULF(rate, kv_0), step_1 = KSL_MULF(rate, kv_1),
+      step_2 = KSL_MULF(rate, kv_2);
+  const float exp_size_0 = fabsf(step_0), exp_size_1 = fabsf(step_1), exp_size_2 = fabsf(step_2);
   const float exp_sizes = exp_size_0 + exp_size_1 + exp_size_2;
   const float exp_grid = KSL_MULF(exp_sizes, 8192.0f);
-  const float exp_shifted_0 = step_0 + exp_grid;
-  const float exp_shifted_1 = step_1 + exp_grid;
-  const float exp_shifted_2 = step_2 + exp_grid;
-  const float exp_high_0 = exp_shifted_0 - exp_grid;
-  const float exp_high_1 = exp_shifted_1 - exp_grid;
-  const float exp_high_2 = exp_shifted_2 - exp_grid;
-  const float exp_low_0 = step_0 - exp_high_0;
-  const float exp_low_1 = step_1 - exp_high_1;
-  const float exp_low_2 = step_2 - exp_high_2;
-  const float exp_sum_0 = step_0 + exp_high_0;
-  const float exp_sum_1 = step_1 + exp_high_1;
-  const float exp_sum_2 = step_2 + exp_high_2;
+  const float exp_shifted_0 = step_0 + exp_grid, exp_shifted_1 = step_1 + exp_grid,
+      exp_shifted_2 = step_2 + exp_grid;
+  const float exp_high_0 = exp_shifted_0 - exp_grid, exp_high_1 = exp_shifted_1 - exp_grid,
+      exp_high_2 = exp_shifted_2 - exp_grid;
+  const float exp_low_0 = step_0 - exp_high_0, exp_low_1 = step_1 - exp_high_1,
+      exp_low_2 = step_2 - exp_high_2;
+  const float exp_sum_0 = step_0 + exp_high_0, exp_sum_1 = step_1 + exp_high_1,
+      exp_sum_2 = step_2 + exp_high_2;
   const float exp_squares = KSL_MULF(exp_high_0, exp_high_0) + KSL_MULF(exp_high_1, exp_high_1)
           + KSL_MULF(exp_high_2, exp_high_2);
   const float exp_cross = KSL_MULF(exp_low_0, exp_sum_0) + KSL_MULF(exp_low_1, exp_sum_1)
@@ -2678,17 +2432,15 @@ static inline void ksl_quaternionf_interpolated(const ksl_quaternionf_t *q1,
           + 2.755732e-07f) - 2.4801588e-05f) + 0.0013888889f) - 0.041666668f,
       exp_g2 = KSL_MULF(exp_x, exp_g2v) + 0.5f;
   const float exp_near = 1.0f - KSL_MULF(exp_x, exp_g2);
-  const float power_0 = KSL_MULF(step_0, exp_k);
-  const float power_1 = KSL_MULF(step_1, exp_k);
-  const float power_2 = KSL_MULF(step_2, exp_k);
-  const float power_3 = exp_x < 1.0f ? exp_near : exp_cosine;
+  const float power_0 = KSL_MULF(step_0, exp_k), power_1 = KSL_MULF(step_1, exp_k),
+      power_2 = KSL_MULF(step_2, exp_k), power_3 = exp_x < 1.0f ? exp_near : exp_cosine;
   const float qo_0 = KSL_MULF(q1->x, power_3)
-          + (KSL_MULF(q1->y, power_2) - KSL_MULF(q1->z, power_1)) + KSL_MULF(q1->w, power_0);
-  const float qo_1 = KSL_MULF(q1->z, power_0) - KSL_MULF(q1->x, power_2) + KSL_MULF(q1->y, power_3)
-          + KSL_MULF(q1->w, power_1);
-  const float qo_2 = KSL_MULF(q1->x, power_1) - KSL_MULF(q1->y, power_0) + KSL_MULF(q1->z, power_3)
-          + KSL_MULF(q1->w, power_2);
-  const float qo_3 = KSL_MULF(q1->w, power_3)
+          + (KSL_MULF(q1->y, power_2) - KSL_MULF(q1->z, power_1)) + KSL_MULF(q1->w, power_0),
+      qo_1 = KSL_MULF(q1->z, power_0) - KSL_MULF(q1->x, power_2) + KSL_MULF(q1->y, power_3)
+          + KSL_MULF(q1->w, power_1),
+      qo_2 = KSL_MULF(q1->x, power_1) - KSL_MULF(q1->y, power_0) + KSL_MULF(q1->z, power_3)
+          + KSL_MULF(q1->w, power_2),
+      qo_3 = KSL_MULF(q1->w, power_3)
           - (KSL_MULF(q1->x, power_0) + KSL_MULF(q1->y, power_1) + KSL_MULF(q1->z, power_2));
   qo->x = qo_0;
   qo->y = qo_1;

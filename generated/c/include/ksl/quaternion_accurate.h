@@ -15,14 +15,12 @@
    4 mul, 4 add, 4 product error.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_quaternion_scale_accurate(ksl_quaternion_t *self, const double a) {
-  const double self_0_new = KSL_MUL(self->x, a);
-  const double self_1_new = KSL_MUL(self->y, a);
-  const double self_2_new = KSL_MUL(self->z, a);
-  const double self_3_new = KSL_MUL(self->w, a);
-  const double self_0_new_rounded = self_0_new + ksl_product_error(self->x, a, self_0_new);
-  const double self_1_new_rounded = self_1_new + ksl_product_error(self->y, a, self_1_new);
-  const double self_2_new_rounded = self_2_new + ksl_product_error(self->z, a, self_2_new);
-  const double self_3_new_rounded = self_3_new + ksl_product_error(self->w, a, self_3_new);
+  const double self_0_new = KSL_MUL(self->x, a), self_1_new = KSL_MUL(self->y, a),
+      self_2_new = KSL_MUL(self->z, a), self_3_new = KSL_MUL(self->w, a);
+  const double self_0_new_rounded = self_0_new + ksl_product_error(self->x, a, self_0_new),
+      self_1_new_rounded = self_1_new + ksl_product_error(self->y, a, self_1_new),
+      self_2_new_rounded = self_2_new + ksl_product_error(self->z, a, self_2_new),
+      self_3_new_rounded = self_3_new + ksl_product_error(self->w, a, self_3_new);
   self->x = self_0_new_rounded;
   self->y = self_1_new_rounded;
   self->z = self_2_new_rounded;
@@ -46,14 +44,14 @@ static inline void ksl_axpy_qq_accurate(const double a, const ksl_quaternion_t *
       y_3_new_right = y_3_new - y_3_new_a;
   const double y_0_new_rounded = y_0_new
           + (ksl_product_rest(a, x->x, y_0_new_a, y_0_new - y_0_new_right)
-          + (y->x - y_0_new_right));
-  const double y_1_new_rounded = y_1_new
+          + (y->x - y_0_new_right)),
+      y_1_new_rounded = y_1_new
           + (ksl_product_rest(a, x->y, y_1_new_a, y_1_new - y_1_new_right)
-          + (y->y - y_1_new_right));
-  const double y_2_new_rounded = y_2_new
+          + (y->y - y_1_new_right)),
+      y_2_new_rounded = y_2_new
           + (ksl_product_rest(a, x->z, y_2_new_a, y_2_new - y_2_new_right)
-          + (y->z - y_2_new_right));
-  const double y_3_new_rounded = y_3_new
+          + (y->z - y_2_new_right)),
+      y_3_new_rounded = y_3_new
           + (ksl_product_rest(a, x->w, y_3_new_a, y_3_new - y_3_new_right)
           + (y->w - y_3_new_right));
   y->x = y_0_new_rounded;
@@ -69,20 +67,16 @@ static inline void ksl_axpy_qq_accurate(const double a, const ksl_quaternion_t *
    Each component is within 1 ulp as long as its condition is below 1e13; in single precision it
      is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
 static inline double ksl_quaternion_norm_accurate(const ksl_quaternion_t *q) {
-  const double s_size_0 = fabs(q->x);
-  const double s_size_1 = fabs(q->y);
-  const double s_size_2 = fabs(q->z);
-  const double s_size_3 = fabs(q->w);
+  const double s_size_0 = fabs(q->x), s_size_1 = fabs(q->y), s_size_2 = fabs(q->z),
+      s_size_3 = fabs(q->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(q->x, s);
-  const double y_1 = KSL_MUL(q->y, s);
-  const double y_2 = KSL_MUL(q->z, s);
-  const double y_3 = KSL_MUL(q->w, s);
+  const double y_0 = KSL_MUL(q->x, s), y_1 = KSL_MUL(q->y, s), y_2 = KSL_MUL(q->z, s),
+      y_3 = KSL_MUL(q->w, s);
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_c_right = n_c - n_a, n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_e_right = n_e - n_c,
       n_c_lo = ksl_product_rest(y_0, y_0, n_a, n_c - n_c_right)
@@ -113,20 +107,16 @@ static inline double ksl_quaternion_norm_accurate(const ksl_quaternion_t *q) {
    Each component is within 1 ulp as long as its condition is below 1e13; in single precision it
      is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
 static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
-  const double s_size_0 = fabs(self->x);
-  const double s_size_1 = fabs(self->y);
-  const double s_size_2 = fabs(self->z);
-  const double s_size_3 = fabs(self->w);
+  const double s_size_0 = fabs(self->x), s_size_1 = fabs(self->y), s_size_2 = fabs(self->z),
+      s_size_3 = fabs(self->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(self->x, s);
-  const double y_1 = KSL_MUL(self->y, s);
-  const double y_2 = KSL_MUL(self->z, s);
-  const double y_3 = KSL_MUL(self->w, s);
+  const double y_0 = KSL_MUL(self->x, s), y_1 = KSL_MUL(self->y, s), y_2 = KSL_MUL(self->z, s),
+      y_3 = KSL_MUL(self->w, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
@@ -144,10 +134,8 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
   const double n_sum = n + n_lo, n_sum_right = n_sum - n,
       n_sum_lo = n - (n_sum - n_sum_right) + (n_lo - n_sum_right),
       divisor = n_sum == 0.0 ? up : n_sum, divisor_lo = n_sum == 0.0 ? 0.0 : n_sum_lo;
-  const double sized_0 = KSL_MUL(self->x, up);
-  const double sized_1 = KSL_MUL(self->y, up);
-  const double sized_2 = KSL_MUL(self->z, up);
-  const double sized_3 = KSL_MUL(self->w, up);
+  const double sized_0 = KSL_MUL(self->x, up), sized_1 = KSL_MUL(self->y, up),
+      sized_2 = KSL_MUL(self->z, up), sized_3 = KSL_MUL(self->w, up);
   const double divisor_sum = divisor + divisor_lo, divisor_sum_right = divisor_sum - divisor,
       divisor_sum_lo = divisor - (divisor_sum - divisor_sum_right)
           + (divisor_lo - divisor_sum_right), quotient_0 = sized_0 / divisor_sum,
@@ -224,20 +212,16 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
      is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
 static inline void ksl_quaternion_normalized_accurate(const ksl_quaternion_t *q,
     ksl_quaternion_t *qo) {
-  const double s_size_0 = fabs(q->x);
-  const double s_size_1 = fabs(q->y);
-  const double s_size_2 = fabs(q->z);
-  const double s_size_3 = fabs(q->w);
+  const double s_size_0 = fabs(q->x), s_size_1 = fabs(q->y), s_size_2 = fabs(q->z),
+      s_size_3 = fabs(q->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(q->x, s);
-  const double y_1 = KSL_MUL(q->y, s);
-  const double y_2 = KSL_MUL(q->z, s);
-  const double y_3 = KSL_MUL(q->w, s);
+  const double y_0 = KSL_MUL(q->x, s), y_1 = KSL_MUL(q->y, s), y_2 = KSL_MUL(q->z, s),
+      y_3 = KSL_MUL(q->w, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
@@ -255,10 +239,8 @@ static inline void ksl_quaternion_normalized_accurate(const ksl_quaternion_t *q,
   const double n_sum = n + n_lo, n_sum_right = n_sum - n,
       n_sum_lo = n - (n_sum - n_sum_right) + (n_lo - n_sum_right),
       divisor = n_sum == 0.0 ? up : n_sum, divisor_lo = n_sum == 0.0 ? 0.0 : n_sum_lo;
-  const double sized_0 = KSL_MUL(q->x, up);
-  const double sized_1 = KSL_MUL(q->y, up);
-  const double sized_2 = KSL_MUL(q->z, up);
-  const double sized_3 = KSL_MUL(q->w, up);
+  const double sized_0 = KSL_MUL(q->x, up), sized_1 = KSL_MUL(q->y, up),
+      sized_2 = KSL_MUL(q->z, up), sized_3 = KSL_MUL(q->w, up);
   const double divisor_sum = divisor + divisor_lo, divisor_sum_right = divisor_sum - divisor,
       divisor_sum_lo = divisor - (divisor_sum - divisor_sum_right)
           + (divisor_lo - divisor_sum_right), quotient_0 = sized_0 / divisor_sum,
@@ -323,20 +305,16 @@ static inline void ksl_quaternion_normalized_accurate(const ksl_quaternion_t *q,
    Each component is within 1 ulp as long as its condition is below 1e13; in single precision it
      is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
 static inline double ksl_quaternion_unit_defect_accurate(const ksl_quaternion_t *q) {
-  const double s_size_0 = fabs(q->x);
-  const double s_size_1 = fabs(q->y);
-  const double s_size_2 = fabs(q->z);
-  const double s_size_3 = fabs(q->w);
+  const double s_size_0 = fabs(q->x), s_size_1 = fabs(q->y), s_size_2 = fabs(q->z),
+      s_size_3 = fabs(q->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(q->x, s);
-  const double y_1 = KSL_MUL(q->y, s);
-  const double y_2 = KSL_MUL(q->z, s);
-  const double y_3 = KSL_MUL(q->w, s);
+  const double y_0 = KSL_MUL(q->x, s), y_1 = KSL_MUL(q->y, s), y_2 = KSL_MUL(q->z, s),
+      y_3 = KSL_MUL(q->w, s);
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_c_right = n_c - n_a, n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_e_right = n_e - n_c,
       n_c_lo = ksl_product_rest(y_0, y_0, n_a, n_c - n_c_right)
@@ -370,20 +348,16 @@ static inline double ksl_quaternion_unit_defect_accurate(const ksl_quaternion_t 
      is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
 static inline void ksl_quaternion_nearest_unit_accurate(const ksl_quaternion_t *q,
     ksl_quaternion_t *qo) {
-  const double s_size_0 = fabs(q->x);
-  const double s_size_1 = fabs(q->y);
-  const double s_size_2 = fabs(q->z);
-  const double s_size_3 = fabs(q->w);
+  const double s_size_0 = fabs(q->x), s_size_1 = fabs(q->y), s_size_2 = fabs(q->z),
+      s_size_3 = fabs(q->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double scaled_s_0 = KSL_MUL(q->x, s);
-  const double scaled_s_1 = KSL_MUL(q->y, s);
-  const double scaled_s_2 = KSL_MUL(q->z, s);
-  const double scaled_s_3 = KSL_MUL(q->w, s);
+  const double scaled_s_0 = KSL_MUL(q->x, s), scaled_s_1 = KSL_MUL(q->y, s),
+      scaled_s_2 = KSL_MUL(q->z, s), scaled_s_3 = KSL_MUL(q->w, s);
   const double n_a = KSL_MUL(scaled_s_0, scaled_s_0), n_b = KSL_MUL(scaled_s_1, scaled_s_1),
       n_c = n_a + n_b, n_c_right = n_c - n_a, n_d = KSL_MUL(scaled_s_2, scaled_s_2),
       n_e = n_c + n_d, n_e_right = n_e - n_c,
@@ -420,10 +394,9 @@ static inline void ksl_quaternion_nearest_unit_accurate(const ksl_quaternion_t *
       unit_3_lo = (scaled_s_3 - unit_3_product
           - ksl_product_error(unit_3, divisor_sum, unit_3_product)
           - KSL_MUL(unit_3, divisor_sum_lo)) / divisor_sum;
-  const double qo_0 = n_sum == 0.0 ? (double)NAN : unit_0;
-  const double qo_1 = n_sum == 0.0 ? (double)NAN : unit_1;
-  const double qo_2 = n_sum == 0.0 ? (double)NAN : unit_2;
-  const double qo_3 = n_sum == 0.0 ? (double)NAN : unit_3;
+  const double qo_0 = n_sum == 0.0 ? (double)NAN : unit_0,
+      qo_1 = n_sum == 0.0 ? (double)NAN : unit_1, qo_2 = n_sum == 0.0 ? (double)NAN : unit_2,
+      qo_3 = n_sum == 0.0 ? (double)NAN : unit_3;
   const double qo_0_rounded = qo_0 + (n_sum == 0.0 ? 0.0 : unit_0_lo);
   const double qo_1_rounded = qo_1 + (n_sum == 0.0 ? 0.0 : unit_1_lo);
   const double qo_2_rounded = qo_2 + (n_sum == 0.0 ? 0.0 : unit_2_lo);
@@ -599,14 +572,14 @@ static inline void ksl_quaternion_product_qq_accurate(const ksl_quaternion_t *q1
           + ksl_product_rest(q1i->z, q2i->z, qo_3e, qo_3f_right) + qo_3d_lo;
   const double qo_0_rounded = qo_0
           + (qo_0e - (qo_0 - qo_0_right) + ksl_product_rest(q1i->w, q2i->x, qo_0f, qo_0_right)
-          + qo_0e_lo);
-  const double qo_1_rounded = qo_1
+          + qo_0e_lo),
+      qo_1_rounded = qo_1
           + (qo_1e - (qo_1 - qo_1_right) + ksl_product_rest(q1i->w, q2i->y, qo_1f, qo_1_right)
-          + qo_1e_lo);
-  const double qo_2_rounded = qo_2
+          + qo_1e_lo),
+      qo_2_rounded = qo_2
           + (qo_2e - (qo_2 - qo_2_right) + ksl_product_rest(q1i->w, q2i->z, qo_2f, qo_2_right)
-          + qo_2e_lo);
-  const double qo_3_rounded = qo_3
+          + qo_2e_lo),
+      qo_3_rounded = qo_3
           + (ksl_product_rest(q1i->w, q2i->w, qo_3a, qo_3 + qo_3_right) - (qo_3f - qo_3_right)
           - qo_3f_lo);
   qo->x = qo_0_rounded;
@@ -655,12 +628,12 @@ static inline void ksl_quaternion_product_qqconj_accurate(const ksl_quaternion_t
       qo_3e_lo = qo_3c - (qo_3e - qo_3e_right)
           + ksl_product_rest(q1i->z, q2i->z, qo_3d, qo_3e_right) + qo_3c_lo;
   const double qo_0_rounded = qo_0
-          + (qo_0c - (qo_0 - qo_0_right) + (qo_0f - qo_0_right) + qo_0f_lo + qo_0c_lo);
-  const double qo_1_rounded = qo_1
-          + (qo_1c - (qo_1 - qo_1_right) + (qo_1f - qo_1_right) + qo_1f_lo + qo_1c_lo);
-  const double qo_2_rounded = qo_2
-          + (qo_2c - (qo_2 - qo_2_right) + (qo_2f - qo_2_right) + qo_2f_lo + qo_2c_lo);
-  const double qo_3_rounded = qo_3
+          + (qo_0c - (qo_0 - qo_0_right) + (qo_0f - qo_0_right) + qo_0f_lo + qo_0c_lo),
+      qo_1_rounded = qo_1
+          + (qo_1c - (qo_1 - qo_1_right) + (qo_1f - qo_1_right) + qo_1f_lo + qo_1c_lo),
+      qo_2_rounded = qo_2
+          + (qo_2c - (qo_2 - qo_2_right) + (qo_2f - qo_2_right) + qo_2f_lo + qo_2c_lo),
+      qo_3_rounded = qo_3
           + (qo_3e - (qo_3 - qo_3_right) + ksl_product_rest(q1i->w, q2i->w, qo_3f, qo_3_right)
           + qo_3e_lo);
   qo->x = qo_0_rounded;
@@ -709,12 +682,12 @@ static inline void ksl_quaternion_product_qconjq_accurate(const ksl_quaternion_t
       qo_3e_lo = qo_3c - (qo_3e - qo_3e_right)
           + ksl_product_rest(q1i->z, q2i->z, qo_3d, qo_3e_right) + qo_3c_lo;
   const double qo_0_rounded = qo_0
-          + (qo_0c - (qo_0 - qo_0_right) + (qo_0f - qo_0_right) + qo_0f_lo + qo_0c_lo);
-  const double qo_1_rounded = qo_1
-          + (qo_1c - (qo_1 - qo_1_right) + (qo_1f - qo_1_right) + qo_1f_lo + qo_1c_lo);
-  const double qo_2_rounded = qo_2
-          + (qo_2c - (qo_2 - qo_2_right) + (qo_2f - qo_2_right) + qo_2f_lo + qo_2c_lo);
-  const double qo_3_rounded = qo_3
+          + (qo_0c - (qo_0 - qo_0_right) + (qo_0f - qo_0_right) + qo_0f_lo + qo_0c_lo),
+      qo_1_rounded = qo_1
+          + (qo_1c - (qo_1 - qo_1_right) + (qo_1f - qo_1_right) + qo_1f_lo + qo_1c_lo),
+      qo_2_rounded = qo_2
+          + (qo_2c - (qo_2 - qo_2_right) + (qo_2f - qo_2_right) + qo_2f_lo + qo_2c_lo),
+      qo_3_rounded = qo_3
           + (qo_3e - (qo_3 - qo_3_right) + ksl_product_rest(q1i->w, q2i->w, qo_3f, qo_3_right)
           + qo_3e_lo);
   qo->x = qo_0_rounded;
@@ -764,14 +737,14 @@ static inline void ksl_quaternion_product_qconjqconj_accurate(const ksl_quaterni
           + ksl_product_rest(q1i->z, q2i->z, qo_3e, qo_3f_right) + qo_3d_lo;
   const double qo_0_rounded = qo_0
           + (qo_0e - (qo_0 + qo_0_right) - ksl_product_rest(q1i->w, q2i->x, qo_0f, qo_0_right)
-          + qo_0e_lo);
-  const double qo_1_rounded = qo_1
+          + qo_0e_lo),
+      qo_1_rounded = qo_1
           + (qo_1e - (qo_1 + qo_1_right) - ksl_product_rest(q1i->w, q2i->y, qo_1f, qo_1_right)
-          + qo_1e_lo);
-  const double qo_2_rounded = qo_2
+          + qo_1e_lo),
+      qo_2_rounded = qo_2
           + (qo_2e - (qo_2 + qo_2_right) - ksl_product_rest(q1i->w, q2i->z, qo_2f, qo_2_right)
-          + qo_2e_lo);
-  const double qo_3_rounded = qo_3
+          + qo_2e_lo),
+      qo_3_rounded = qo_3
           + (ksl_product_rest(q1i->w, q2i->w, qo_3a, qo_3 + qo_3_right) - (qo_3f - qo_3_right)
           - qo_3f_lo);
   qo->x = qo_0_rounded;
@@ -797,14 +770,14 @@ static inline void ksl_quaternion_product_qxq_accurate(const double dci[2],
       qo_3_right = qo_3a - qo_3;
   const double qo_0_rounded = qo_0
           + (ksl_product_rest(dci[0], qi->w, qo_0a, qo_0 - qo_0_right)
-          + ksl_product_rest(dci[1], qi->x, qo_0b, qo_0_right));
-  const double qo_1_rounded = qo_1
+          + ksl_product_rest(dci[1], qi->x, qo_0b, qo_0_right)),
+      qo_1_rounded = qo_1
           + (ksl_product_rest(dci[1], qi->y, qo_1a, qo_1 + qo_1_right)
-          - ksl_product_rest(dci[0], qi->z, qo_1b, qo_1_right));
-  const double qo_2_rounded = qo_2
+          - ksl_product_rest(dci[0], qi->z, qo_1b, qo_1_right)),
+      qo_2_rounded = qo_2
           + (ksl_product_rest(dci[0], qi->y, qo_2a, qo_2 - qo_2_right)
-          + ksl_product_rest(dci[1], qi->z, qo_2b, qo_2_right));
-  const double qo_3_rounded = qo_3
+          + ksl_product_rest(dci[1], qi->z, qo_2b, qo_2_right)),
+      qo_3_rounded = qo_3
           + (ksl_product_rest(dci[1], qi->w, qo_3a, qo_3 + qo_3_right)
           - ksl_product_rest(dci[0], qi->x, qo_3b, qo_3_right));
   qo->x = qo_0_rounded;
@@ -830,14 +803,14 @@ static inline void ksl_quaternion_product_qxqconj_accurate(const double dci[2],
       qo_3_right = qo_3 - qo_3a;
   const double qo_0_rounded = qo_0
           + (ksl_product_rest(dci[0], qi->w, qo_0a, qo_0 + qo_0_right)
-          - ksl_product_rest(dci[1], qi->x, qo_0b, qo_0_right));
-  const double qo_1_rounded = qo_1
+          - ksl_product_rest(dci[1], qi->x, qo_0b, qo_0_right)),
+      qo_1_rounded = qo_1
           + (ksl_product_rest(dci[0], qi->z, qo_1a, qo_1 + qo_1_right)
-          - ksl_product_rest(dci[1], qi->y, qo_1b, qo_1_right));
-  const double qo_2_rounded = qo_2 +
+          - ksl_product_rest(dci[1], qi->y, qo_1b, qo_1_right)),
+      qo_2_rounded = qo_2 +
           -(ksl_product_rest(dci[0], qi->y, qo_2a, qo_2c - qo_2c_right)
-          + ksl_product_rest(dci[1], qi->z, qo_2b, qo_2c_right));
-  const double qo_3_rounded = qo_3
+          + ksl_product_rest(dci[1], qi->z, qo_2b, qo_2c_right)),
+      qo_3_rounded = qo_3
           + (ksl_product_rest(dci[0], qi->x, qo_3a, qo_3 - qo_3_right)
           + ksl_product_rest(dci[1], qi->w, qo_3b, qo_3_right));
   qo->x = qo_0_rounded;
@@ -863,14 +836,14 @@ static inline void ksl_quaternion_product_qxconjq_accurate(const double dci[2],
       qo_3_right = qo_3 - qo_3a;
   const double qo_0_rounded = qo_0
           + (ksl_product_rest(dci[1], qi->x, qo_0a, qo_0 + qo_0_right)
-          - ksl_product_rest(dci[0], qi->w, qo_0b, qo_0_right));
-  const double qo_1_rounded = qo_1
+          - ksl_product_rest(dci[0], qi->w, qo_0b, qo_0_right)),
+      qo_1_rounded = qo_1
           + (ksl_product_rest(dci[0], qi->z, qo_1a, qo_1 - qo_1_right)
-          + ksl_product_rest(dci[1], qi->y, qo_1b, qo_1_right));
-  const double qo_2_rounded = qo_2
+          + ksl_product_rest(dci[1], qi->y, qo_1b, qo_1_right)),
+      qo_2_rounded = qo_2
           + (ksl_product_rest(dci[1], qi->z, qo_2a, qo_2 + qo_2_right)
-          - ksl_product_rest(dci[0], qi->y, qo_2b, qo_2_right));
-  const double qo_3_rounded = qo_3
+          - ksl_product_rest(dci[0], qi->y, qo_2b, qo_2_right)),
+      qo_3_rounded = qo_3
           + (ksl_product_rest(dci[0], qi->x, qo_3a, qo_3 - qo_3_right)
           + ksl_product_rest(dci[1], qi->w, qo_3b, qo_3_right));
   qo->x = qo_0_rounded;
@@ -896,14 +869,14 @@ static inline void ksl_quaternion_product_qxconjqconj_accurate(const double dci[
       qo_3_right = qo_3a - qo_3;
   const double qo_0_rounded = qo_0 +
           -(ksl_product_rest(dci[0], qi->w, qo_0a, qo_0c - qo_0c_right)
-          + ksl_product_rest(dci[1], qi->x, qo_0b, qo_0c_right));
-  const double qo_1_rounded = qo_1 +
+          + ksl_product_rest(dci[1], qi->x, qo_0b, qo_0c_right)),
+      qo_1_rounded = qo_1 +
           -(ksl_product_rest(dci[0], qi->z, qo_1a, qo_1c - qo_1c_right)
-          + ksl_product_rest(dci[1], qi->y, qo_1b, qo_1c_right));
-  const double qo_2_rounded = qo_2
+          + ksl_product_rest(dci[1], qi->y, qo_1b, qo_1c_right)),
+      qo_2_rounded = qo_2
           + (ksl_product_rest(dci[0], qi->y, qo_2a, qo_2 + qo_2_right)
-          - ksl_product_rest(dci[1], qi->z, qo_2b, qo_2_right));
-  const double qo_3_rounded = qo_3
+          - ksl_product_rest(dci[1], qi->z, qo_2b, qo_2_right)),
+      qo_3_rounded = qo_3
           + (ksl_product_rest(dci[1], qi->w, qo_3a, qo_3 + qo_3_right)
           - ksl_product_rest(dci[0], qi->x, qo_3b, qo_3_right));
   qo->x = qo_0_rounded;
@@ -929,14 +902,14 @@ static inline void ksl_quaternion_product_qqx_accurate(const ksl_quaternion_t *q
       qo_3_right = qo_3a - qo_3;
   const double qo_0_rounded = qo_0
           + (ksl_product_rest(qi->x, dci[1], qo_0a, qo_0 - qo_0_right)
-          + ksl_product_rest(qi->w, dci[0], qo_0b, qo_0_right));
-  const double qo_1_rounded = qo_1
+          + ksl_product_rest(qi->w, dci[0], qo_0b, qo_0_right)),
+      qo_1_rounded = qo_1
           + (ksl_product_rest(qi->y, dci[1], qo_1a, qo_1 - qo_1_right)
-          + ksl_product_rest(qi->z, dci[0], qo_1b, qo_1_right));
-  const double qo_2_rounded = qo_2
+          + ksl_product_rest(qi->z, dci[0], qo_1b, qo_1_right)),
+      qo_2_rounded = qo_2
           + (ksl_product_rest(qi->z, dci[1], qo_2a, qo_2 + qo_2_right)
-          - ksl_product_rest(qi->y, dci[0], qo_2b, qo_2_right));
-  const double qo_3_rounded = qo_3
+          - ksl_product_rest(qi->y, dci[0], qo_2b, qo_2_right)),
+      qo_3_rounded = qo_3
           + (ksl_product_rest(qi->w, dci[1], qo_3a, qo_3 + qo_3_right)
           - ksl_product_rest(qi->x, dci[0], qo_3b, qo_3_right));
   qo->x = qo_0_rounded;
@@ -962,14 +935,14 @@ static inline void ksl_quaternion_product_qqxconj_accurate(const ksl_quaternion_
       qo_3_right = qo_3 - qo_3a;
   const double qo_0_rounded = qo_0
           + (ksl_product_rest(qi->x, dci[1], qo_0a, qo_0 + qo_0_right)
-          - ksl_product_rest(qi->w, dci[0], qo_0b, qo_0_right));
-  const double qo_1_rounded = qo_1
+          - ksl_product_rest(qi->w, dci[0], qo_0b, qo_0_right)),
+      qo_1_rounded = qo_1
           + (ksl_product_rest(qi->y, dci[1], qo_1a, qo_1 + qo_1_right)
-          - ksl_product_rest(qi->z, dci[0], qo_1b, qo_1_right));
-  const double qo_2_rounded = qo_2
+          - ksl_product_rest(qi->z, dci[0], qo_1b, qo_1_right)),
+      qo_2_rounded = qo_2
           + (ksl_product_rest(qi->y, dci[0], qo_2a, qo_2 - qo_2_right)
-          + ksl_product_rest(qi->z, dci[1], qo_2b, qo_2_right));
-  const double qo_3_rounded = qo_3
+          + ksl_product_rest(qi->z, dci[1], qo_2b, qo_2_right)),
+      qo_3_rounded = qo_3
           + (ksl_product_rest(qi->x, dci[0], qo_3a, qo_3 - qo_3_right)
           + ksl_product_rest(qi->w, dci[1], qo_3b, qo_3_right));
   qo->x = qo_0_rounded;
@@ -995,14 +968,14 @@ static inline void ksl_quaternion_product_qconjqx_accurate(const ksl_quaternion_
       qo_3_right = qo_3 - qo_3a;
   const double qo_0_rounded = qo_0
           + (ksl_product_rest(qi->w, dci[0], qo_0a, qo_0 + qo_0_right)
-          - ksl_product_rest(qi->x, dci[1], qo_0b, qo_0_right));
-  const double qo_1_rounded = qo_1 +
+          - ksl_product_rest(qi->x, dci[1], qo_0b, qo_0_right)),
+      qo_1_rounded = qo_1 +
           -(ksl_product_rest(qi->y, dci[1], qo_1a, qo_1c - qo_1c_right)
-          + ksl_product_rest(qi->z, dci[0], qo_1b, qo_1c_right));
-  const double qo_2_rounded = qo_2
+          + ksl_product_rest(qi->z, dci[0], qo_1b, qo_1c_right)),
+      qo_2_rounded = qo_2
           + (ksl_product_rest(qi->y, dci[0], qo_2a, qo_2 + qo_2_right)
-          - ksl_product_rest(qi->z, dci[1], qo_2b, qo_2_right));
-  const double qo_3_rounded = qo_3
+          - ksl_product_rest(qi->z, dci[1], qo_2b, qo_2_right)),
+      qo_3_rounded = qo_3
           + (ksl_product_rest(qi->x, dci[0], qo_3a, qo_3 - qo_3_right)
           + ksl_product_rest(qi->w, dci[1], qo_3b, qo_3_right));
   qo->x = qo_0_rounded;
@@ -1028,14 +1001,14 @@ static inline void ksl_quaternion_product_qconjqxconj_accurate(const ksl_quatern
       qo_3_right = qo_3a - qo_3;
   const double qo_0_rounded = qo_0 +
           -(ksl_product_rest(qi->x, dci[1], qo_0a, qo_0c - qo_0c_right)
-          + ksl_product_rest(qi->w, dci[0], qo_0b, qo_0c_right));
-  const double qo_1_rounded = qo_1
+          + ksl_product_rest(qi->w, dci[0], qo_0b, qo_0c_right)),
+      qo_1_rounded = qo_1
           + (ksl_product_rest(qi->z, dci[0], qo_1a, qo_1 + qo_1_right)
-          - ksl_product_rest(qi->y, dci[1], qo_1b, qo_1_right));
-  const double qo_2_rounded = qo_2 +
+          - ksl_product_rest(qi->y, dci[1], qo_1b, qo_1_right)),
+      qo_2_rounded = qo_2 +
           -(ksl_product_rest(qi->y, dci[0], qo_2a, qo_2c - qo_2c_right)
-          + ksl_product_rest(qi->z, dci[1], qo_2b, qo_2c_right));
-  const double qo_3_rounded = qo_3
+          + ksl_product_rest(qi->z, dci[1], qo_2b, qo_2c_right)),
+      qo_3_rounded = qo_3
           + (ksl_product_rest(qi->w, dci[1], qo_3a, qo_3 + qo_3_right)
           - ksl_product_rest(qi->x, dci[0], qo_3b, qo_3_right));
   qo->x = qo_0_rounded;
@@ -1061,14 +1034,14 @@ static inline void ksl_quaternion_product_qyq_accurate(const double dci[2],
       qo_3_right = qo_3a - qo_3;
   const double qo_0_rounded = qo_0
           + (ksl_product_rest(dci[0], qi->z, qo_0a, qo_0 - qo_0_right)
-          + ksl_product_rest(dci[1], qi->x, qo_0b, qo_0_right));
-  const double qo_1_rounded = qo_1
+          + ksl_product_rest(dci[1], qi->x, qo_0b, qo_0_right)),
+      qo_1_rounded = qo_1
           + (ksl_product_rest(dci[0], qi->w, qo_1a, qo_1 - qo_1_right)
-          + ksl_product_rest(dci[1], qi->y, qo_1b, qo_1_right));
-  const double qo_2_rounded = qo_2
+          + ksl_product_rest(dci[1], qi->y, qo_1b, qo_1_right)),
+      qo_2_rounded = qo_2
           + (ksl_product_rest(dci[1], qi->z, qo_2a, qo_2 + qo_2_right)
-          - ksl_product_rest(dci[0], qi->x, qo_2b, qo_2_right));
-  const double qo_3_rounded = qo_3
+          - ksl_product_rest(dci[0], qi->x, qo_2b, qo_2_right)),
+      qo_3_rounded = qo_3
           + (ksl_product_rest(dci[1], qi->w, qo_3a, qo_3 + qo_3_right)
           - ksl_product_rest(dci[0], qi->y, qo_3b, qo_3_right));
   qo->x = qo_0_rounded;
@@ -1094,14 +1067,14 @@ static inline void ksl_quaternion_product_qyqconj_accurate(const double dci[2],
       qo_3_right = qo_3 - qo_3a;
   const double qo_0_rounded = qo_0 +
           -(ksl_product_rest(dci[0], qi->z, qo_0a, qo_0c - qo_0c_right)
-          + ksl_product_rest(dci[1], qi->x, qo_0b, qo_0c_right));
-  const double qo_1_rounded = qo_1
+          + ksl_product_rest(dci[1], qi->x, qo_0b, qo_0c_right)),
+      qo_1_rounded = qo_1
           + (ksl_product_rest(dci[0], qi->w, qo_1a, qo_1 + qo_1_right)
-          - ksl_product_rest(dci[1], qi->y, qo_1b, qo_1_right));
-  const double qo_2_rounded = qo_2
+          - ksl_product_rest(dci[1], qi->y, qo_1b, qo_1_right)),
+      qo_2_rounded = qo_2
           + (ksl_product_rest(dci[0], qi->x, qo_2a, qo_2 + qo_2_right)
-          - ksl_product_rest(dci[1], qi->z, qo_2b, qo_2_right));
-  const double qo_3_rounded = qo_3
+          - ksl_product_rest(dci[1], qi->z, qo_2b, qo_2_right)),
+      qo_3_rounded = qo_3
           + (ksl_product_rest(dci[0], qi->y, qo_3a, qo_3 - qo_3_right)
           + ksl_product_rest(dci[1], qi->w, qo_3b, qo_3_right));
   qo->x = qo_0_rounded;
@@ -1127,14 +1100,14 @@ static inline void ksl_quaternion_product_qyconjq_accurate(const double dci[2],
       qo_3_right = qo_3 - qo_3a;
   const double qo_0_rounded = qo_0
           + (ksl_product_rest(dci[1], qi->x, qo_0a, qo_0 + qo_0_right)
-          - ksl_product_rest(dci[0], qi->z, qo_0b, qo_0_right));
-  const double qo_1_rounded = qo_1
+          - ksl_product_rest(dci[0], qi->z, qo_0b, qo_0_right)),
+      qo_1_rounded = qo_1
           + (ksl_product_rest(dci[1], qi->y, qo_1a, qo_1 + qo_1_right)
-          - ksl_product_rest(dci[0], qi->w, qo_1b, qo_1_right));
-  const double qo_2_rounded = qo_2
+          - ksl_product_rest(dci[0], qi->w, qo_1b, qo_1_right)),
+      qo_2_rounded = qo_2
           + (ksl_product_rest(dci[0], qi->x, qo_2a, qo_2 - qo_2_right)
-          + ksl_product_rest(dci[1], qi->z, qo_2b, qo_2_right));
-  const double qo_3_rounded = qo_3
+          + ksl_product_rest(dci[1], qi->z, qo_2b, qo_2_right)),
+      qo_3_rounded = qo_3
           + (ksl_product_rest(dci[0], qi->y, qo_3a, qo_3 - qo_3_right)
           + ksl_product_rest(dci[1], qi->w, qo_3b, qo_3_right));
   qo->x = qo_0_rounded;
@@ -1160,14 +1133,14 @@ static inline void ksl_quaternion_product_qyconjqconj_accurate(const double dci[
       qo_3_right = qo_3a - qo_3;
   const double qo_0_rounded = qo_0
           + (ksl_product_rest(dci[0], qi->z, qo_0a, qo_0 + qo_0_right)
-          - ksl_product_rest(dci[1], qi->x, qo_0b, qo_0_right));
-  const double qo_1_rounded = qo_1 +
+          - ksl_product_rest(dci[1], qi->x, qo_0b, qo_0_right)),
+      qo_1_rounded = qo_1 +
           -(ksl_product_rest(dci[0], qi->w, qo_1a, qo_1c - qo_1c_right)
-          + ksl_product_rest(dci[1], qi->y, qo_1b, qo_1c_right));
-  const double qo_2_rounded = qo_2 +
+          + ksl_product_rest(dci[1], qi->y, qo_1b, qo_1c_right)),
+      qo_2_rounded = qo_2 +
           -(ksl_product_rest(dci[0], qi->x, qo_2a, qo_2c - qo_2c_right)
-          + ksl_product_rest(dci[1], qi->z, qo_2b, qo_2c_right));
-  const double qo_3_rounded = qo_3
+          + ksl_product_rest(dci[1], qi->z, qo_2b, qo_2c_right)),
+      qo_3_rounded = qo_3
           + (ksl_product_rest(dci[1], qi->w, qo_3a, qo_3 + qo_3_right)
           - ksl_product_rest(dci[0], qi->y, qo_3b, qo_3_right));
   qo->x = qo_0_rounded;
@@ -1193,14 +1166,14 @@ static inline void ksl_quaternion_product_qqy_accurate(const ksl_quaternion_t *q
       qo_3_right = qo_3a - qo_3;
   const double qo_0_rounded = qo_0
           + (ksl_product_rest(qi->x, dci[1], qo_0a, qo_0 + qo_0_right)
-          - ksl_product_rest(qi->z, dci[0], qo_0b, qo_0_right));
-  const double qo_1_rounded = qo_1
+          - ksl_product_rest(qi->z, dci[0], qo_0b, qo_0_right)),
+      qo_1_rounded = qo_1
           + (ksl_product_rest(qi->y, dci[1], qo_1a, qo_1 - qo_1_right)
-          + ksl_product_rest(qi->w, dci[0], qo_1b, qo_1_right));
-  const double qo_2_rounded = qo_2
+          + ksl_product_rest(qi->w, dci[0], qo_1b, qo_1_right)),
+      qo_2_rounded = qo_2
           + (ksl_product_rest(qi->x, dci[0], qo_2a, qo_2 - qo_2_right)
-          + ksl_product_rest(qi->z, dci[1], qo_2b, qo_2_right));
-  const double qo_3_rounded = qo_3
+          + ksl_product_rest(qi->z, dci[1], qo_2b, qo_2_right)),
+      qo_3_rounded = qo_3
           + (ksl_product_rest(qi->w, dci[1], qo_3a, qo_3 + qo_3_right)
           - ksl_product_rest(qi->y, dci[0], qo_3b, qo_3_right));
   qo->x = qo_0_rounded;
@@ -1226,14 +1199,14 @@ static inline void ksl_quaternion_product_qqyconj_accurate(const ksl_quaternion_
       qo_3_right = qo_3 - qo_3a;
   const double qo_0_rounded = qo_0
           + (ksl_product_rest(qi->x, dci[1], qo_0a, qo_0 - qo_0_right)
-          + ksl_product_rest(qi->z, dci[0], qo_0b, qo_0_right));
-  const double qo_1_rounded = qo_1
+          + ksl_product_rest(qi->z, dci[0], qo_0b, qo_0_right)),
+      qo_1_rounded = qo_1
           + (ksl_product_rest(qi->y, dci[1], qo_1a, qo_1 + qo_1_right)
-          - ksl_product_rest(qi->w, dci[0], qo_1b, qo_1_right));
-  const double qo_2_rounded = qo_2
+          - ksl_product_rest(qi->w, dci[0], qo_1b, qo_1_right)),
+      qo_2_rounded = qo_2
           + (ksl_product_rest(qi->z, dci[1], qo_2a, qo_2 + qo_2_right)
-          - ksl_product_rest(qi->x, dci[0], qo_2b, qo_2_right));
-  const double qo_3_rounded = qo_3
+          - ksl_product_rest(qi->x, dci[0], qo_2b, qo_2_right)),
+      qo_3_rounded = qo_3
           + (ksl_product_rest(qi->y, dci[0], qo_3a, qo_3 - qo_3_right)
           + ksl_product_rest(qi->w, dci[1], qo_3b, qo_3_right));
   qo->x = qo_0_rounded;
@@ -1259,14 +1232,14 @@ static inline void ksl_quaternion_product_qconjqy_accurate(const ksl_quaternion_
       qo_3_right = qo_3 - qo_3a;
   const double qo_0_rounded = qo_0
           + (ksl_product_rest(qi->z, dci[0], qo_0a, qo_0 + qo_0_right)
-          - ksl_product_rest(qi->x, dci[1], qo_0b, qo_0_right));
-  const double qo_1_rounded = qo_1
+          - ksl_product_rest(qi->x, dci[1], qo_0b, qo_0_right)),
+      qo_1_rounded = qo_1
           + (ksl_product_rest(qi->w, dci[0], qo_1a, qo_1 + qo_1_right)
-          - ksl_product_rest(qi->y, dci[1], qo_1b, qo_1_right));
-  const double qo_2_rounded = qo_2 +
+          - ksl_product_rest(qi->y, dci[1], qo_1b, qo_1_right)),
+      qo_2_rounded = qo_2 +
           -(ksl_product_rest(qi->x, dci[0], qo_2a, qo_2c - qo_2c_right)
-          + ksl_product_rest(qi->z, dci[1], qo_2b, qo_2c_right));
-  const double qo_3_rounded = qo_3
+          + ksl_product_rest(qi->z, dci[1], qo_2b, qo_2c_right)),
+      qo_3_rounded = qo_3
           + (ksl_product_rest(qi->y, dci[0], qo_3a, qo_3 - qo_3_right)
           + ksl_product_rest(qi->w, dci[1], qo_3b, qo_3_right));
   qo->x = qo_0_rounded;
@@ -1292,14 +1265,14 @@ static inline void ksl_quaternion_product_qconjqyconj_accurate(const ksl_quatern
       qo_3_right = qo_3a - qo_3;
   const double qo_0_rounded = qo_0 +
           -(ksl_product_rest(qi->x, dci[1], qo_0a, qo_0c - qo_0c_right)
-          + ksl_product_rest(qi->z, dci[0], qo_0b, qo_0c_right));
-  const double qo_1_rounded = qo_1 +
+          + ksl_product_rest(qi->z, dci[0], qo_0b, qo_0c_right)),
+      qo_1_rounded = qo_1 +
           -(ksl_product_rest(qi->y, dci[1], qo_1a, qo_1c - qo_1c_right)
-          + ksl_product_rest(qi->w, dci[0], qo_1b, qo_1c_right));
-  const double qo_2_rounded = qo_2
+          + ksl_product_rest(qi->w, dci[0], qo_1b, qo_1c_right)),
+      qo_2_rounded = qo_2
           + (ksl_product_rest(qi->x, dci[0], qo_2a, qo_2 + qo_2_right)
-          - ksl_product_rest(qi->z, dci[1], qo_2b, qo_2_right));
-  const double qo_3_rounded = qo_3
+          - ksl_product_rest(qi->z, dci[1], qo_2b, qo_2_right)),
+      qo_3_rounded = qo_3
           + (ksl_product_rest(qi->w, dci[1], qo_3a, qo_3 + qo_3_right)
           - ksl_product_rest(qi->y, dci[0], qo_3b, qo_3_right));
   qo->x = qo_0_rounded;
@@ -1325,14 +1298,14 @@ static inline void ksl_quaternion_product_qzq_accurate(const double dci[2],
       qo_3_right = qo_3a - qo_3;
   const double qo_0_rounded = qo_0
           + (ksl_product_rest(dci[1], qi->x, qo_0a, qo_0 + qo_0_right)
-          - ksl_product_rest(dci[0], qi->y, qo_0b, qo_0_right));
-  const double qo_1_rounded = qo_1
+          - ksl_product_rest(dci[0], qi->y, qo_0b, qo_0_right)),
+      qo_1_rounded = qo_1
           + (ksl_product_rest(dci[0], qi->x, qo_1a, qo_1 - qo_1_right)
-          + ksl_product_rest(dci[1], qi->y, qo_1b, qo_1_right));
-  const double qo_2_rounded = qo_2
+          + ksl_product_rest(dci[1], qi->y, qo_1b, qo_1_right)),
+      qo_2_rounded = qo_2
           + (ksl_product_rest(dci[0], qi->w, qo_2a, qo_2 - qo_2_right)
-          + ksl_product_rest(dci[1], qi->z, qo_2b, qo_2_right));
-  const double qo_3_rounded = qo_3
+          + ksl_product_rest(dci[1], qi->z, qo_2b, qo_2_right)),
+      qo_3_rounded = qo_3
           + (ksl_product_rest(dci[1], qi->w, qo_3a, qo_3 + qo_3_right)
           - ksl_product_rest(dci[0], qi->z, qo_3b, qo_3_right));
   qo->x = qo_0_rounded;
@@ -1358,14 +1331,14 @@ static inline void ksl_quaternion_product_qzqconj_accurate(const double dci[2],
       qo_3_right = qo_3 - qo_3a;
   const double qo_0_rounded = qo_0
           + (ksl_product_rest(dci[0], qi->y, qo_0a, qo_0 + qo_0_right)
-          - ksl_product_rest(dci[1], qi->x, qo_0b, qo_0_right));
-  const double qo_1_rounded = qo_1 +
+          - ksl_product_rest(dci[1], qi->x, qo_0b, qo_0_right)),
+      qo_1_rounded = qo_1 +
           -(ksl_product_rest(dci[0], qi->x, qo_1a, qo_1c - qo_1c_right)
-          + ksl_product_rest(dci[1], qi->y, qo_1b, qo_1c_right));
-  const double qo_2_rounded = qo_2
+          + ksl_product_rest(dci[1], qi->y, qo_1b, qo_1c_right)),
+      qo_2_rounded = qo_2
           + (ksl_product_rest(dci[0], qi->w, qo_2a, qo_2 + qo_2_right)
-          - ksl_product_rest(dci[1], qi->z, qo_2b, qo_2_right));
-  const double qo_3_rounded = qo_3
+          - ksl_product_rest(dci[1], qi->z, qo_2b, qo_2_right)),
+      qo_3_rounded = qo_3
           + (ksl_product_rest(dci[0], qi->z, qo_3a, qo_3 - qo_3_right)
           + ksl_product_rest(dci[1], qi->w, qo_3b, qo_3_right));
   qo->x = qo_0_rounded;
@@ -1391,14 +1364,14 @@ static inline void ksl_quaternion_product_qzconjq_accurate(const double dci[2],
       qo_3_right = qo_3 - qo_3a;
   const double qo_0_rounded = qo_0
           + (ksl_product_rest(dci[0], qi->y, qo_0a, qo_0 - qo_0_right)
-          + ksl_product_rest(dci[1], qi->x, qo_0b, qo_0_right));
-  const double qo_1_rounded = qo_1
+          + ksl_product_rest(dci[1], qi->x, qo_0b, qo_0_right)),
+      qo_1_rounded = qo_1
           + (ksl_product_rest(dci[1], qi->y, qo_1a, qo_1 + qo_1_right)
-          - ksl_product_rest(dci[0], qi->x, qo_1b, qo_1_right));
-  const double qo_2_rounded = qo_2
+          - ksl_product_rest(dci[0], qi->x, qo_1b, qo_1_right)),
+      qo_2_rounded = qo_2
           + (ksl_product_rest(dci[1], qi->z, qo_2a, qo_2 + qo_2_right)
-          - ksl_product_rest(dci[0], qi->w, qo_2b, qo_2_right));
-  const double qo_3_rounded = qo_3
+          - ksl_product_rest(dci[0], qi->w, qo_2b, qo_2_right)),
+      qo_3_rounded = qo_3
           + (ksl_product_rest(dci[0], qi->z, qo_3a, qo_3 - qo_3_right)
           + ksl_product_rest(dci[1], qi->w, qo_3b, qo_3_right));
   qo->x = qo_0_rounded;
@@ -1424,14 +1397,14 @@ static inline void ksl_quaternion_product_qzconjqconj_accurate(const double dci[
       qo_3_right = qo_3a - qo_3;
   const double qo_0_rounded = qo_0 +
           -(ksl_product_rest(dci[0], qi->y, qo_0a, qo_0c - qo_0c_right)
-          + ksl_product_rest(dci[1], qi->x, qo_0b, qo_0c_right));
-  const double qo_1_rounded = qo_1
+          + ksl_product_rest(dci[1], qi->x, qo_0b, qo_0c_right)),
+      qo_1_rounded = qo_1
           + (ksl_product_rest(dci[0], qi->x, qo_1a, qo_1 + qo_1_right)
-          - ksl_product_rest(dci[1], qi->y, qo_1b, qo_1_right));
-  const double qo_2_rounded = qo_2 +
+          - ksl_product_rest(dci[1], qi->y, qo_1b, qo_1_right)),
+      qo_2_rounded = qo_2 +
           -(ksl_product_rest(dci[0], qi->w, qo_2a, qo_2c - qo_2c_right)
-          + ksl_product_rest(dci[1], qi->z, qo_2b, qo_2c_right));
-  const double qo_3_rounded = qo_3
+          + ksl_product_rest(dci[1], qi->z, qo_2b, qo_2c_right)),
+      qo_3_rounded = qo_3
           + (ksl_product_rest(dci[1], qi->w, qo_3a, qo_3 + qo_3_right)
           - ksl_product_rest(dci[0], qi->z, qo_3b, qo_3_right));
   qo->x = qo_0_rounded;
@@ -1457,14 +1430,14 @@ static inline void ksl_quaternion_product_qqz_accurate(const ksl_quaternion_t *q
       qo_3_right = qo_3a - qo_3;
   const double qo_0_rounded = qo_0
           + (ksl_product_rest(qi->x, dci[1], qo_0a, qo_0 - qo_0_right)
-          + ksl_product_rest(qi->y, dci[0], qo_0b, qo_0_right));
-  const double qo_1_rounded = qo_1
+          + ksl_product_rest(qi->y, dci[0], qo_0b, qo_0_right)),
+      qo_1_rounded = qo_1
           + (ksl_product_rest(qi->y, dci[1], qo_1a, qo_1 + qo_1_right)
-          - ksl_product_rest(qi->x, dci[0], qo_1b, qo_1_right));
-  const double qo_2_rounded = qo_2
+          - ksl_product_rest(qi->x, dci[0], qo_1b, qo_1_right)),
+      qo_2_rounded = qo_2
           + (ksl_product_rest(qi->z, dci[1], qo_2a, qo_2 - qo_2_right)
-          + ksl_product_rest(qi->w, dci[0], qo_2b, qo_2_right));
-  const double qo_3_rounded = qo_3
+          + ksl_product_rest(qi->w, dci[0], qo_2b, qo_2_right)),
+      qo_3_rounded = qo_3
           + (ksl_product_rest(qi->w, dci[1], qo_3a, qo_3 + qo_3_right)
           - ksl_product_rest(qi->z, dci[0], qo_3b, qo_3_right));
   qo->x = qo_0_rounded;
@@ -1490,14 +1463,14 @@ static inline void ksl_quaternion_product_qqzconj_accurate(const ksl_quaternion_
       qo_3_right = qo_3 - qo_3a;
   const double qo_0_rounded = qo_0
           + (ksl_product_rest(qi->x, dci[1], qo_0a, qo_0 + qo_0_right)
-          - ksl_product_rest(qi->y, dci[0], qo_0b, qo_0_right));
-  const double qo_1_rounded = qo_1
+          - ksl_product_rest(qi->y, dci[0], qo_0b, qo_0_right)),
+      qo_1_rounded = qo_1
           + (ksl_product_rest(qi->x, dci[0], qo_1a, qo_1 - qo_1_right)
-          + ksl_product_rest(qi->y, dci[1], qo_1b, qo_1_right));
-  const double qo_2_rounded = qo_2
+          + ksl_product_rest(qi->y, dci[1], qo_1b, qo_1_right)),
+      qo_2_rounded = qo_2
           + (ksl_product_rest(qi->z, dci[1], qo_2a, qo_2 + qo_2_right)
-          - ksl_product_rest(qi->w, dci[0], qo_2b, qo_2_right));
-  const double qo_3_rounded = qo_3
+          - ksl_product_rest(qi->w, dci[0], qo_2b, qo_2_right)),
+      qo_3_rounded = qo_3
           + (ksl_product_rest(qi->z, dci[0], qo_3a, qo_3 - qo_3_right)
           + ksl_product_rest(qi->w, dci[1], qo_3b, qo_3_right));
   qo->x = qo_0_rounded;
@@ -1523,14 +1496,14 @@ static inline void ksl_quaternion_product_qconjqz_accurate(const ksl_quaternion_
       qo_3_right = qo_3 - qo_3a;
   const double qo_0_rounded = qo_0 +
           -(ksl_product_rest(qi->x, dci[1], qo_0a, qo_0c - qo_0c_right)
-          + ksl_product_rest(qi->y, dci[0], qo_0b, qo_0c_right));
-  const double qo_1_rounded = qo_1
+          + ksl_product_rest(qi->y, dci[0], qo_0b, qo_0c_right)),
+      qo_1_rounded = qo_1
           + (ksl_product_rest(qi->x, dci[0], qo_1a, qo_1 + qo_1_right)
-          - ksl_product_rest(qi->y, dci[1], qo_1b, qo_1_right));
-  const double qo_2_rounded = qo_2
+          - ksl_product_rest(qi->y, dci[1], qo_1b, qo_1_right)),
+      qo_2_rounded = qo_2
           + (ksl_product_rest(qi->w, dci[0], qo_2a, qo_2 + qo_2_right)
-          - ksl_product_rest(qi->z, dci[1], qo_2b, qo_2_right));
-  const double qo_3_rounded = qo_3
+          - ksl_product_rest(qi->z, dci[1], qo_2b, qo_2_right)),
+      qo_3_rounded = qo_3
           + (ksl_product_rest(qi->z, dci[0], qo_3a, qo_3 - qo_3_right)
           + ksl_product_rest(qi->w, dci[1], qo_3b, qo_3_right));
   qo->x = qo_0_rounded;
@@ -1556,14 +1529,14 @@ static inline void ksl_quaternion_product_qconjqzconj_accurate(const ksl_quatern
       qo_3_right = qo_3a - qo_3;
   const double qo_0_rounded = qo_0
           + (ksl_product_rest(qi->y, dci[0], qo_0a, qo_0 + qo_0_right)
-          - ksl_product_rest(qi->x, dci[1], qo_0b, qo_0_right));
-  const double qo_1_rounded = qo_1 +
+          - ksl_product_rest(qi->x, dci[1], qo_0b, qo_0_right)),
+      qo_1_rounded = qo_1 +
           -(ksl_product_rest(qi->x, dci[0], qo_1a, qo_1c - qo_1c_right)
-          + ksl_product_rest(qi->y, dci[1], qo_1b, qo_1c_right));
-  const double qo_2_rounded = qo_2 +
+          + ksl_product_rest(qi->y, dci[1], qo_1b, qo_1c_right)),
+      qo_2_rounded = qo_2 +
           -(ksl_product_rest(qi->z, dci[1], qo_2a, qo_2c - qo_2c_right)
-          + ksl_product_rest(qi->w, dci[0], qo_2b, qo_2c_right));
-  const double qo_3_rounded = qo_3
+          + ksl_product_rest(qi->w, dci[0], qo_2b, qo_2c_right)),
+      qo_3_rounded = qo_3
           + (ksl_product_rest(qi->w, dci[1], qo_3a, qo_3 + qo_3_right)
           - ksl_product_rest(qi->z, dci[0], qo_3b, qo_3_right));
   qo->x = qo_0_rounded;
@@ -1601,14 +1574,14 @@ static inline void ksl_quaternion_product_qv_accurate(const ksl_quaternion_t *qi
           + ksl_product_rest(qi->y, vi->y, qo_3b, qo_3c_right), qo_3 = -qo_3e;
   const double qo_0_rounded = qo_0
           + (qo_0c - (qo_0 - qo_0_right) + ksl_product_rest(qi->w, vi->x, qo_0d, qo_0_right)
-          + qo_0c_lo);
-  const double qo_1_rounded = qo_1
+          + qo_0c_lo),
+      qo_1_rounded = qo_1
           + (qo_1c - (qo_1 - qo_1_right) + ksl_product_rest(qi->w, vi->y, qo_1d, qo_1_right)
-          + qo_1c_lo);
-  const double qo_2_rounded = qo_2
+          + qo_1c_lo),
+      qo_2_rounded = qo_2
           + (qo_2c - (qo_2 - qo_2_right) + ksl_product_rest(qi->w, vi->z, qo_2d, qo_2_right)
-          + qo_2c_lo);
-  const double qo_3_rounded = qo_3 +
+          + qo_2c_lo),
+      qo_3_rounded = qo_3 +
           -(qo_3c - (qo_3e - qo_3e_right) + ksl_product_rest(qi->z, vi->z, qo_3d, qo_3e_right)
           + qo_3c_lo);
   qo->x = qo_0_rounded;
@@ -1646,14 +1619,14 @@ static inline void ksl_quaternion_product_qconjv_accurate(const ksl_quaternion_t
           + ksl_product_rest(qi->y, vi->y, qo_3b, qo_3c_right);
   const double qo_0_rounded = qo_0
           + (qo_0c - (qo_0 - qo_0_right) + ksl_product_rest(qi->w, vi->x, qo_0d, qo_0_right)
-          + qo_0c_lo);
-  const double qo_1_rounded = qo_1
+          + qo_0c_lo),
+      qo_1_rounded = qo_1
           + (qo_1c - (qo_1 - qo_1_right) + ksl_product_rest(qi->w, vi->y, qo_1d, qo_1_right)
-          + qo_1c_lo);
-  const double qo_2_rounded = qo_2
+          + qo_1c_lo),
+      qo_2_rounded = qo_2
           + (qo_2c - (qo_2 - qo_2_right) + ksl_product_rest(qi->w, vi->z, qo_2d, qo_2_right)
-          + qo_2c_lo);
-  const double qo_3_rounded = qo_3
+          + qo_2c_lo),
+      qo_3_rounded = qo_3
           + (qo_3c - (qo_3 - qo_3_right) + ksl_product_rest(qi->z, vi->z, qo_3d, qo_3_right)
           + qo_3c_lo);
   qo->x = qo_0_rounded;
@@ -1691,14 +1664,14 @@ static inline void ksl_quaternion_product_vq_accurate(const ksl_vec3_t *vi,
           + ksl_product_rest(vi->y, qi->y, qo_3b, qo_3c_right), qo_3 = -qo_3e;
   const double qo_0_rounded = qo_0
           + (ksl_product_rest(vi->x, qi->w, qo_0a, qo_0 - qo_0_right) + (qo_0d - qo_0_right)
-          + qo_0d_lo);
-  const double qo_1_rounded = qo_1
+          + qo_0d_lo),
+      qo_1_rounded = qo_1
           + (qo_1c - (qo_1 - qo_1_right) + ksl_product_rest(vi->y, qi->w, qo_1d, qo_1_right)
-          + qo_1c_lo);
-  const double qo_2_rounded = qo_2
+          + qo_1c_lo),
+      qo_2_rounded = qo_2
           + (qo_2c - (qo_2 - qo_2_right) + ksl_product_rest(vi->z, qi->w, qo_2d, qo_2_right)
-          + qo_2c_lo);
-  const double qo_3_rounded = qo_3 +
+          + qo_2c_lo),
+      qo_3_rounded = qo_3 +
           -(qo_3c - (qo_3e - qo_3e_right) + ksl_product_rest(vi->z, qi->z, qo_3d, qo_3e_right)
           + qo_3c_lo);
   qo->x = qo_0_rounded;
@@ -1736,14 +1709,14 @@ static inline void ksl_quaternion_product_vqconj_accurate(const ksl_vec3_t *vi,
           + ksl_product_rest(vi->y, qi->y, qo_3b, qo_3c_right);
   const double qo_0_rounded = qo_0
           + (ksl_product_rest(vi->x, qi->w, qo_0a, qo_0 - qo_0_right) + (qo_0d - qo_0_right)
-          + qo_0d_lo);
-  const double qo_1_rounded = qo_1
+          + qo_0d_lo),
+      qo_1_rounded = qo_1
           + (qo_1c - (qo_1 - qo_1_right) + ksl_product_rest(vi->y, qi->w, qo_1d, qo_1_right)
-          + qo_1c_lo);
-  const double qo_2_rounded = qo_2
+          + qo_1c_lo),
+      qo_2_rounded = qo_2
           + (qo_2c - (qo_2 - qo_2_right) + ksl_product_rest(vi->z, qi->w, qo_2d, qo_2_right)
-          + qo_2c_lo);
-  const double qo_3_rounded = qo_3
+          + qo_2c_lo),
+      qo_3_rounded = qo_3
           + (qo_3c - (qo_3 - qo_3_right) + ksl_product_rest(vi->z, qi->z, qo_3d, qo_3_right)
           + qo_3c_lo);
   qo->x = qo_0_rounded;
@@ -1826,12 +1799,12 @@ static inline void ksl_add_dpiToq_accurate(const ksl_vec3_t *dpi, ksl_quaternion
           + (qi_3_new_c_left_rest
           + ksl_product_rest(qi_0_new_e, qi->y, qi_3_new_b, qi_3_new_c_right));
   const double qi_0_new_rounded = qi_0_new
-          + (qi_0_new_h - (qi_0_new - qi_0_new_right) + (qi->x - qi_0_new_right) + qi_0_new_h_lo);
-  const double qi_1_new_rounded = qi_1_new
-          + (qi_1_new_e - (qi_1_new - qi_1_new_right) + (qi->y - qi_1_new_right) + qi_1_new_e_lo);
-  const double qi_2_new_rounded = qi_2_new
-          + (qi_2_new_e - (qi_2_new - qi_2_new_right) + (qi->z - qi_2_new_right) + qi_2_new_e_lo);
-  const double qi_3_new_rounded = qi_3_new
+          + (qi_0_new_h - (qi_0_new - qi_0_new_right) + (qi->x - qi_0_new_right) + qi_0_new_h_lo),
+      qi_1_new_rounded = qi_1_new
+          + (qi_1_new_e - (qi_1_new - qi_1_new_right) + (qi->y - qi_1_new_right) + qi_1_new_e_lo),
+      qi_2_new_rounded = qi_2_new
+          + (qi_2_new_e - (qi_2_new - qi_2_new_right) + (qi->z - qi_2_new_right) + qi_2_new_e_lo),
+      qi_3_new_rounded = qi_3_new
           + (qi->w - (qi_3_new + qi_3_new_right) - (qi_3_new_e - qi_3_new_right) - qi_3_new_e_lo);
   qi->x = qi_0_new_rounded;
   qi->y = qi_1_new_rounded;
@@ -1892,12 +1865,12 @@ static inline void ksl_subtract_dpiFromq_accurate(const ksl_vec3_t *dpi, ksl_qua
           + (qi_3_new_c_left_rest
           + ksl_product_rest(qi_0_new_a, qi->y, qi_3_new_b, qi_3_new_c_right));
   const double qi_0_new_rounded = qi_0_new
-          + (qi_0_new_h - (qi_0_new - qi_0_new_right) + (qi->x - qi_0_new_right) + qi_0_new_h_lo);
-  const double qi_1_new_rounded = qi_1_new
-          + (qi_1_new_e - (qi_1_new - qi_1_new_right) + (qi->y - qi_1_new_right) + qi_1_new_e_lo);
-  const double qi_2_new_rounded = qi_2_new
-          + (qi_2_new_e - (qi_2_new - qi_2_new_right) + (qi->z - qi_2_new_right) + qi_2_new_e_lo);
-  const double qi_3_new_rounded = qi_3_new
+          + (qi_0_new_h - (qi_0_new - qi_0_new_right) + (qi->x - qi_0_new_right) + qi_0_new_h_lo),
+      qi_1_new_rounded = qi_1_new
+          + (qi_1_new_e - (qi_1_new - qi_1_new_right) + (qi->y - qi_1_new_right) + qi_1_new_e_lo),
+      qi_2_new_rounded = qi_2_new
+          + (qi_2_new_e - (qi_2_new - qi_2_new_right) + (qi->z - qi_2_new_right) + qi_2_new_e_lo),
+      qi_3_new_rounded = qi_3_new
           + (qi_3_new_e - (qi_3_new - qi_3_new_right) + (qi->w - qi_3_new_right) + qi_3_new_e_lo);
   qi->x = qi_0_new_rounded;
   qi->y = qi_1_new_rounded;
@@ -1966,12 +1939,12 @@ static inline void ksl_omega_to_dquaternion_accurate(const ksl_vec3_t *w,
   const double dqo_0_rounded = dqo_0
           + (dqo_0_lo2
           + (ksl_product_rest(dqo_0a, qi->w, dqo_0b, dqo_0h - dqo_0h_right)
-          + (dqo_0g - dqo_0h_right) + dqo_0g_lo));
-  const double dqo_1_rounded = dqo_1
+          + (dqo_0g - dqo_0h_right) + dqo_0g_lo)),
+      dqo_1_rounded = dqo_1
           + (dqo_1_lo2
           + (dqo_1c - (dqo_1e - dqo_1e_right)
-          + ksl_product_rest(dqo_0c, qi->w, dqo_1d, dqo_1e_right) + dqo_1c_lo));
-  const double dqo_2_rounded = dqo_2
+          + ksl_product_rest(dqo_0c, qi->w, dqo_1d, dqo_1e_right) + dqo_1c_lo)),
+      dqo_2_rounded = dqo_2
           + (dqo_2_lo2
           + (dqo_2c - (dqo_2e - dqo_2e_right)
           + ksl_product_rest(dqo_0e, qi->w, dqo_2d, dqo_2e_right) + dqo_2c_lo));
@@ -1992,10 +1965,8 @@ static inline void ksl_omega_to_dquaternion_accurate(const ksl_vec3_t *w,
      is below 1e13; in single precision it is the nearest number, except near ties, as long as
      that is below 1e5; searched, not proved. */
 static inline void ksl_mat3x3_from_quaternion_accurate(const ksl_quaternion_t *q, ksl_mat3x3_t *R) {
-  const double squares_0 = KSL_MUL(q->w, q->w);
-  const double squares_1 = KSL_MUL(q->x, q->x);
-  const double squares_2 = KSL_MUL(q->y, q->y);
-  const double squares_3 = KSL_MUL(q->z, q->z);
+  const double squares_0 = KSL_MUL(q->w, q->w), squares_1 = KSL_MUL(q->x, q->x),
+      squares_2 = KSL_MUL(q->y, q->y), squares_3 = KSL_MUL(q->z, q->z);
   const double pairs_0 = squares_0 + squares_1, pairs_0_right = pairs_0 - squares_0,
       pairs_0_lo = ksl_product_rest(q->w, q->w, squares_0, pairs_0 - pairs_0_right)
           + ksl_product_rest(q->x, q->x, squares_1, pairs_0_right);
@@ -2250,9 +2221,8 @@ static inline void ksl_quaternion_from_axis_angle_accurate(const ksl_vec3_t *axi
   double qo_3; const double sine = ksl_sincos(half, &qo_3);
   double qo_3_own_error; const double sine_own_error = ksl_sincos_error(half, sine, qo_3,
       &qo_3_own_error);
-  const double qo_0 = KSL_MUL(axis->x, sine);
-  const double qo_1 = KSL_MUL(axis->y, sine);
-  const double qo_2 = KSL_MUL(axis->z, sine);
+  const double qo_0 = KSL_MUL(axis->x, sine), qo_1 = KSL_MUL(axis->y, sine),
+      qo_2 = KSL_MUL(axis->z, sine);
   const double qo_0_rounded = qo_0
           + (ksl_product_error(axis->x, sine, qo_0) + KSL_MUL(axis->x, sine_own_error));
   const double qo_1_rounded = qo_1
@@ -2280,34 +2250,27 @@ static inline void ksl_quaternion_from_axis_angle_accurate(const ksl_vec3_t *axi
      nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
 static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternion_t *q,
     ksl_vec3_t *axis) {
-  const double s_size_0 = fabs(q->x);
-  const double s_size_1 = fabs(q->y);
-  const double s_size_2 = fabs(q->z);
-  const double s_size_3 = fabs(q->w);
+  const double s_size_0 = fabs(q->x), s_size_1 = fabs(q->y), s_size_2 = fabs(q->z),
+      s_size_3 = fabs(q->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double scaled_s_0 = KSL_MUL(q->x, s);
-  const double scaled_s_1 = KSL_MUL(q->y, s);
-  const double scaled_s_2 = KSL_MUL(q->z, s);
-  const double scaled_s_3 = KSL_MUL(q->w, s);
+  const double scaled_s_0 = KSL_MUL(q->x, s), scaled_s_1 = KSL_MUL(q->y, s),
+      scaled_s_2 = KSL_MUL(q->z, s), scaled_s_3 = KSL_MUL(q->w, s);
   const double upper_0a = -scaled_s_0, upper_0 = scaled_s_3 < 0.0 ? upper_0a : scaled_s_0;
   const double upper_1a = -scaled_s_1, upper_1 = scaled_s_3 < 0.0 ? upper_1a : scaled_s_1;
   const double upper_2a = -scaled_s_2, upper_2 = scaled_s_3 < 0.0 ? upper_2a : scaled_s_2;
   const double upper_3a = -scaled_s_3, upper_3 = scaled_s_3 < 0.0 ? upper_3a : scaled_s_3;
-  const double v_s_size_0 = fabs(upper_0);
-  const double v_s_size_1 = fabs(upper_1);
-  const double v_s_size_2 = fabs(upper_2);
+  const double v_s_size_0 = fabs(upper_0), v_s_size_1 = fabs(upper_1), v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : 1.0,
       v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_b;
-  const double v_y_0 = KSL_MUL(upper_0, v_s);
-  const double v_y_1 = KSL_MUL(upper_1, v_s);
-  const double v_y_2 = KSL_MUL(upper_2, v_s);
+  const double v_y_0 = KSL_MUL(upper_0, v_s), v_y_1 = KSL_MUL(upper_1, v_s),
+      v_y_2 = KSL_MUL(upper_2, v_s);
   const double v_n_a = KSL_MUL(v_y_0, v_y_0), v_n_b = KSL_MUL(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
       v_n_c_right = v_n_c - v_n_a, v_n_d = KSL_MUL(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d,
       v_n_e_right = v_n_e - v_n_c,
@@ -2377,18 +2340,13 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
      single precision it is the nearest number, except near ties, as long as that is below 1e5;
      searched, not proved. */
 static inline void ksl_quaternion_exp_accurate(const ksl_vec3_t *v, ksl_quaternion_t *qo) {
-  const double h_0 = KSL_MUL(0.5, v->x);
-  const double h_1 = KSL_MUL(0.5, v->y);
-  const double h_2 = KSL_MUL(0.5, v->z);
-  const double h_size_0 = fabs(h_0);
-  const double h_size_1 = fabs(h_1);
-  const double h_size_2 = fabs(h_2);
+  const double h_0 = KSL_MUL(0.5, v->x), h_1 = KSL_MUL(0.5, v->y), h_2 = KSL_MUL(0.5, v->z);
+  const double h_size_0 = fabs(h_0), h_size_1 = fabs(h_1), h_size_2 = fabs(h_2);
   const double h_largest1 = h_size_0 < h_size_1 ? h_size_1 : h_size_0;
   const double h_largest2 = h_largest1 < h_size_2 ? h_size_2 : h_largest1;
   const double s = 6.703903964971299e+153 < h_largest2 ? 3.7291703656001034e-155 : 1.0;
-  const double reduced_0 = KSL_MUL(h_0, s);
-  const double reduced_1 = KSL_MUL(h_1, s);
-  const double reduced_2 = KSL_MUL(h_2, s);
+  const double reduced_0 = KSL_MUL(h_0, s), reduced_1 = KSL_MUL(h_1, s),
+      reduced_2 = KSL_MUL(h_2, s);
   const double up = s < 1.0 ? 2.6815615859885194e+154 : 1.0;
   const double reduced_length_a = KSL_MUL(reduced_0, reduced_0),
       reduced_length_b = KSL_MUL(reduced_1, reduced_1),
@@ -2463,9 +2421,7 @@ static inline void ksl_quaternion_exp_accurate(const ksl_vec3_t *v, ksl_quaterni
           - (KSL_MUL(9.25185853854297e-18, y) + KSL_MUL(0.16666666666666666, y_lo)),
       sinc = half_angle_sum < 1.4901161193847656e-08 ? sinc_b : sinc_quotient,
       sinc_lo = half_angle_sum < 1.4901161193847656e-08 ? sinc_b_lo : sinc_quotient_lo;
-  const double qo_0 = KSL_MUL(h_0, sinc);
-  const double qo_1 = KSL_MUL(h_1, sinc);
-  const double qo_2 = KSL_MUL(h_2, sinc);
+  const double qo_0 = KSL_MUL(h_0, sinc), qo_1 = KSL_MUL(h_1, sinc), qo_2 = KSL_MUL(h_2, sinc);
   const double qo_0_rounded = qo_0 + (ksl_product_error(h_0, sinc, qo_0) + KSL_MUL(h_0, sinc_lo));
   const double qo_1_rounded = qo_1 + (ksl_product_error(h_1, sinc, qo_1) + KSL_MUL(h_1, sinc_lo));
   const double qo_2_rounded = qo_2 + (ksl_product_error(h_2, sinc, qo_2) + KSL_MUL(h_2, sinc_lo));
@@ -2490,34 +2446,27 @@ static inline void ksl_quaternion_exp_accurate(const ksl_vec3_t *v, ksl_quaterni
      ulp as long as its condition is below 1e13; in single precision it is the nearest number,
      except near ties, as long as that is below 1e5; searched, not proved. */
 static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_vec3_t *vo) {
-  const double s_size_0 = fabs(q->x);
-  const double s_size_1 = fabs(q->y);
-  const double s_size_2 = fabs(q->z);
-  const double s_size_3 = fabs(q->w);
+  const double s_size_0 = fabs(q->x), s_size_1 = fabs(q->y), s_size_2 = fabs(q->z),
+      s_size_3 = fabs(q->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double scaled_s_0 = KSL_MUL(q->x, s);
-  const double scaled_s_1 = KSL_MUL(q->y, s);
-  const double scaled_s_2 = KSL_MUL(q->z, s);
-  const double scaled_s_3 = KSL_MUL(q->w, s);
+  const double scaled_s_0 = KSL_MUL(q->x, s), scaled_s_1 = KSL_MUL(q->y, s),
+      scaled_s_2 = KSL_MUL(q->z, s), scaled_s_3 = KSL_MUL(q->w, s);
   const double upper_0a = -scaled_s_0, upper_0 = scaled_s_3 < 0.0 ? upper_0a : scaled_s_0;
   const double upper_1a = -scaled_s_1, upper_1 = scaled_s_3 < 0.0 ? upper_1a : scaled_s_1;
   const double upper_2a = -scaled_s_2, upper_2 = scaled_s_3 < 0.0 ? upper_2a : scaled_s_2;
   const double upper_3a = -scaled_s_3, upper_3 = scaled_s_3 < 0.0 ? upper_3a : scaled_s_3;
-  const double v_s_size_0 = fabs(upper_0);
-  const double v_s_size_1 = fabs(upper_1);
-  const double v_s_size_2 = fabs(upper_2);
+  const double v_s_size_0 = fabs(upper_0), v_s_size_1 = fabs(upper_1), v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : 1.0,
       v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_b;
-  const double v_y_0 = KSL_MUL(upper_0, v_s);
-  const double v_y_1 = KSL_MUL(upper_1, v_s);
-  const double v_y_2 = KSL_MUL(upper_2, v_s);
+  const double v_y_0 = KSL_MUL(upper_0, v_s), v_y_1 = KSL_MUL(upper_1, v_s),
+      v_y_2 = KSL_MUL(upper_2, v_s);
   const double v_n_a = KSL_MUL(v_y_0, v_y_0), v_n_b = KSL_MUL(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
       v_n_c_right = v_n_c - v_n_a, v_n_d = KSL_MUL(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d,
       v_n_e_right = v_n_e - v_n_c,
@@ -2556,9 +2505,8 @@ static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_ve
           + (divisor_lo - divisor_sum_right)),
       k_lo = (theta_sum - k_product - ksl_product_error(k, divisor_sum, k_product) + theta_sum_lo
           - k_cross) / divisor_sum;
-  const double vector_0 = KSL_MUL(upper_0, k);
-  const double vector_1 = KSL_MUL(upper_1, k);
-  const double vector_2 = KSL_MUL(upper_2, k);
+  const double vector_0 = KSL_MUL(upper_0, k), vector_1 = KSL_MUL(upper_1, k),
+      vector_2 = KSL_MUL(upper_2, k);
   const double vector_0_rounded = vector_0
           + (ksl_product_error(upper_0, k, vector_0) + KSL_MUL(upper_0, k_lo));
   const double vector_1_rounded = vector_1
@@ -2745,9 +2693,8 @@ static inline void ksl_quaternion_interpolated_accurate(const ksl_quaternion_t *
           + (divisor_lo - divisor_sum_right)),
       rate_lo = (rate_exact + (half - (half_sum - half_sum_right) + (half_lo - half_sum_right))
           - rate_cross) / divisor_sum;
-  const double kv_0 = KSL_MUL(k, upper_0_sum);
-  const double kv_1 = KSL_MUL(k, upper_1_sum);
-  const double kv_2 = KSL_MUL(k, upper_2_sum);
+  const double kv_0 = KSL_MUL(k, upper_0_sum), kv_1 = KSL_MUL(k, upper_1_sum),
+      kv_2 = KSL_MUL(k, upper_2_sum);
   const double step_0 = KSL_MUL(rate, kv_0);
   const double step_1 = KSL_MUL(rate, kv_1);
   const double step_2 = KSL_MUL(rate, kv_2);
@@ -2905,9 +2852,8 @@ static inline void ksl_quaternion_interpolated_accurate(const ksl_quaternion_t *
       exp_sinc = exp_half_angle_sum < 1.4901161193847656e-08 ? exp_sinc_b : exp_sinc_quotient,
       exp_sinc_lo = exp_half_angle_sum < 1.4901161193847656e-08 ? exp_sinc_b_lo
           : exp_sinc_quotient_lo;
-  const double power_0 = KSL_MUL(step_0_sum, exp_sinc);
-  const double power_1 = KSL_MUL(step_1_sum, exp_sinc);
-  const double power_2 = KSL_MUL(step_2_sum, exp_sinc);
+  const double power_0 = KSL_MUL(step_0_sum, exp_sinc), power_1 = KSL_MUL(step_1_sum, exp_sinc),
+      power_2 = KSL_MUL(step_2_sum, exp_sinc);
   const double qo_0a = KSL_MUL(q1->x, exp_c),
       power_2_lo = ksl_product_error(step_2_sum, exp_sinc, power_2)
           + (KSL_MUL(step_2_sum_lo, exp_sinc) + KSL_MUL(step_2_sum, exp_sinc_lo)),
@@ -2984,10 +2930,8 @@ static inline void ksl_quaternion_interpolated_accurate(const ksl_quaternion_t *
    Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_quaternionf_scale_accurate(ksl_quaternionf_t *self, const float a) {
-  const double self_0_new = (double)self->x * (double)a;
-  const double self_1_new = (double)self->y * (double)a;
-  const double self_2_new = (double)self->z * (double)a;
-  const double self_3_new = (double)self->w * (double)a;
+  const double self_0_new = (double)self->x * (double)a, self_1_new = (double)self->y * (double)a,
+      self_2_new = (double)self->z * (double)a, self_3_new = (double)self->w * (double)a;
   self->x = (float)self_0_new;
   self->y = (float)self_1_new;
   self->z = (float)self_2_new;
@@ -3001,10 +2945,10 @@ static inline void ksl_quaternionf_scale_accurate(ksl_quaternionf_t *self, const
      over- and underflow. */
 static inline void ksl_axpy_qqf_accurate(const float a, const ksl_quaternionf_t *x,
     ksl_quaternionf_t *y) {
-  const double y_0_new = ksl_product_sum((double)a, (double)x->x, (double)y->x);
-  const double y_1_new = ksl_product_sum((double)a, (double)x->y, (double)y->y);
-  const double y_2_new = ksl_product_sum((double)a, (double)x->z, (double)y->z);
-  const double y_3_new = ksl_product_sum((double)a, (double)x->w, (double)y->w);
+  const double y_0_new = ksl_product_sum((double)a, (double)x->x, (double)y->x),
+      y_1_new = ksl_product_sum((double)a, (double)x->y, (double)y->y),
+      y_2_new = ksl_product_sum((double)a, (double)x->z, (double)y->z),
+      y_3_new = ksl_product_sum((double)a, (double)x->w, (double)y->w);
   y->x = (float)y_0_new;
   y->y = (float)y_1_new;
   y->z = (float)y_2_new;
@@ -3017,20 +2961,16 @@ static inline void ksl_axpy_qqf_accurate(const float a, const ksl_quaternionf_t 
    Each component is within 1 ulp as long as its condition is below 1e13; in single precision it
      is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
 static inline float ksl_quaternionf_norm_accurate(const ksl_quaternionf_t *q) {
-  const double s_size_0 = fabs((double)q->x);
-  const double s_size_1 = fabs((double)q->y);
-  const double s_size_2 = fabs((double)q->z);
-  const double s_size_3 = fabs((double)q->w);
+  const double s_size_0 = fabs((double)q->x), s_size_1 = fabs((double)q->y),
+      s_size_2 = fabs((double)q->z), s_size_3 = fabs((double)q->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest3 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double y_0 = KSL_MUL((double)q->x, s);
-  const double y_1 = KSL_MUL((double)q->y, s);
-  const double y_2 = KSL_MUL((double)q->z, s);
-  const double y_3 = KSL_MUL((double)q->w, s);
+  const double y_0 = KSL_MUL((double)q->x, s), y_1 = KSL_MUL((double)q->y, s),
+      y_2 = KSL_MUL((double)q->z, s), y_3 = KSL_MUL((double)q->w, s);
   const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2)
           + KSL_MUL(y_3, y_3));
   const double r_b = s < 1.0 ? 3.6893488147419103e+19 : 1.0,
@@ -3046,37 +2986,27 @@ static inline float ksl_quaternionf_norm_accurate(const ksl_quaternionf_t *q) {
    Each component is within 1 ulp as long as its condition is below 1e13; in single precision it
      is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
 static inline void ksl_quaternionf_normalize_accurate(ksl_quaternionf_t *self) {
-  const double s_size_0 = fabs((double)self->x);
-  const double s_size_1 = fabs((double)self->y);
-  const double s_size_2 = fabs((double)self->z);
-  const double s_size_3 = fabs((double)self->w);
+  const double s_size_0 = fabs((double)self->x), s_size_1 = fabs((double)self->y),
+      s_size_2 = fabs((double)self->z), s_size_3 = fabs((double)self->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest3 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double y_0 = KSL_MUL((double)self->x, s);
-  const double y_1 = KSL_MUL((double)self->y, s);
-  const double y_2 = KSL_MUL((double)self->z, s);
-  const double y_3 = KSL_MUL((double)self->w, s);
+  const double y_0 = KSL_MUL((double)self->x, s), y_1 = KSL_MUL((double)self->y, s),
+      y_2 = KSL_MUL((double)self->z, s), y_3 = KSL_MUL((double)self->w, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2)
           + KSL_MUL(y_3, y_3));
   const double divisor = n == 0.0 ? up : n;
-  const double sized_0 = KSL_MUL((double)self->x, up);
-  const double sized_1 = KSL_MUL((double)self->y, up);
-  const double sized_2 = KSL_MUL((double)self->z, up);
-  const double sized_3 = KSL_MUL((double)self->w, up);
-  const double quotient_0 = sized_0 / divisor;
-  const double quotient_1 = sized_1 / divisor;
-  const double quotient_2 = sized_2 / divisor;
-  const double quotient_3 = sized_3 / divisor;
-  const double self_0_new = KSL_MUL(quotient_0, down);
-  const double self_1_new = KSL_MUL(quotient_1, down);
-  const double self_2_new = KSL_MUL(quotient_2, down);
-  const double self_3_new = KSL_MUL(quotient_3, down);
+  const double sized_0 = KSL_MUL((double)self->x, up), sized_1 = KSL_MUL((double)self->y, up),
+      sized_2 = KSL_MUL((double)self->z, up), sized_3 = KSL_MUL((double)self->w, up);
+  const double quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor, quotient_3 = sized_3 / divisor;
+  const double self_0_new = KSL_MUL(quotient_0, down), self_1_new = KSL_MUL(quotient_1, down),
+      self_2_new = KSL_MUL(quotient_2, down), self_3_new = KSL_MUL(quotient_3, down);
   self->x = (float)self_0_new;
   self->y = (float)self_1_new;
   self->z = (float)self_2_new;
@@ -3090,37 +3020,27 @@ static inline void ksl_quaternionf_normalize_accurate(ksl_quaternionf_t *self) {
      is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
 static inline void ksl_quaternionf_normalized_accurate(const ksl_quaternionf_t *q,
     ksl_quaternionf_t *qo) {
-  const double s_size_0 = fabs((double)q->x);
-  const double s_size_1 = fabs((double)q->y);
-  const double s_size_2 = fabs((double)q->z);
-  const double s_size_3 = fabs((double)q->w);
+  const double s_size_0 = fabs((double)q->x), s_size_1 = fabs((double)q->y),
+      s_size_2 = fabs((double)q->z), s_size_3 = fabs((double)q->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest3 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double y_0 = KSL_MUL((double)q->x, s);
-  const double y_1 = KSL_MUL((double)q->y, s);
-  const double y_2 = KSL_MUL((double)q->z, s);
-  const double y_3 = KSL_MUL((double)q->w, s);
+  const double y_0 = KSL_MUL((double)q->x, s), y_1 = KSL_MUL((double)q->y, s),
+      y_2 = KSL_MUL((double)q->z, s), y_3 = KSL_MUL((double)q->w, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2)
           + KSL_MUL(y_3, y_3));
   const double divisor = n == 0.0 ? up : n;
-  const double sized_0 = KSL_MUL((double)q->x, up);
-  const double sized_1 = KSL_MUL((double)q->y, up);
-  const double sized_2 = KSL_MUL((double)q->z, up);
-  const double sized_3 = KSL_MUL((double)q->w, up);
-  const double quotient_0 = sized_0 / divisor;
-  const double quotient_1 = sized_1 / divisor;
-  const double quotient_2 = sized_2 / divisor;
-  const double quotient_3 = sized_3 / divisor;
-  const double qo_0 = KSL_MUL(quotient_0, down);
-  const double qo_1 = KSL_MUL(quotient_1, down);
-  const double qo_2 = KSL_MUL(quotient_2, down);
-  const double qo_3 = KSL_MUL(quotient_3, down);
+  const double sized_0 = KSL_MUL((double)q->x, up), sized_1 = KSL_MUL((double)q->y, up),
+      sized_2 = KSL_MUL((double)q->z, up), sized_3 = KSL_MUL((double)q->w, up);
+  const double quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor, quotient_3 = sized_3 / divisor;
+  const double qo_0 = KSL_MUL(quotient_0, down), qo_1 = KSL_MUL(quotient_1, down),
+      qo_2 = KSL_MUL(quotient_2, down), qo_3 = KSL_MUL(quotient_3, down);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3133,20 +3053,16 @@ static inline void ksl_quaternionf_normalized_accurate(const ksl_quaternionf_t *
    Each component is within 1 ulp as long as its condition is below 1e13; in single precision it
      is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
 static inline float ksl_quaternionf_unit_defect_accurate(const ksl_quaternionf_t *q) {
-  const double s_size_0 = fabs((double)q->x);
-  const double s_size_1 = fabs((double)q->y);
-  const double s_size_2 = fabs((double)q->z);
-  const double s_size_3 = fabs((double)q->w);
+  const double s_size_0 = fabs((double)q->x), s_size_1 = fabs((double)q->y),
+      s_size_2 = fabs((double)q->z), s_size_3 = fabs((double)q->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest3 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double y_0 = KSL_MUL((double)q->x, s);
-  const double y_1 = KSL_MUL((double)q->y, s);
-  const double y_2 = KSL_MUL((double)q->z, s);
-  const double y_3 = KSL_MUL((double)q->w, s);
+  const double y_0 = KSL_MUL((double)q->x, s), y_1 = KSL_MUL((double)q->y, s),
+      y_2 = KSL_MUL((double)q->z, s), y_3 = KSL_MUL((double)q->w, s);
   const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2)
           + KSL_MUL(y_3, y_3));
   const double r_b = s < 1.0 ? 3.6893488147419103e+19 : 1.0,
@@ -3164,31 +3080,23 @@ static inline float ksl_quaternionf_unit_defect_accurate(const ksl_quaternionf_t
      is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
 static inline void ksl_quaternionf_nearest_unit_accurate(const ksl_quaternionf_t *q,
     ksl_quaternionf_t *qo) {
-  const double s_size_0 = fabs((double)q->x);
-  const double s_size_1 = fabs((double)q->y);
-  const double s_size_2 = fabs((double)q->z);
-  const double s_size_3 = fabs((double)q->w);
+  const double s_size_0 = fabs((double)q->x), s_size_1 = fabs((double)q->y),
+      s_size_2 = fabs((double)q->z), s_size_3 = fabs((double)q->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest3 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double scaled_s_0 = KSL_MUL((double)q->x, s);
-  const double scaled_s_1 = KSL_MUL((double)q->y, s);
-  const double scaled_s_2 = KSL_MUL((double)q->z, s);
-  const double scaled_s_3 = KSL_MUL((double)q->w, s);
+  const double scaled_s_0 = KSL_MUL((double)q->x, s), scaled_s_1 = KSL_MUL((double)q->y, s),
+      scaled_s_2 = KSL_MUL((double)q->z, s), scaled_s_3 = KSL_MUL((double)q->w, s);
   const double n = sqrt(KSL_MUL(scaled_s_0, scaled_s_0) + KSL_MUL(scaled_s_1, scaled_s_1)
           + KSL_MUL(scaled_s_2, scaled_s_2) + KSL_MUL(scaled_s_3, scaled_s_3));
   const double divisor = n == 0.0 ? 1.0 : n;
-  const double unit_0 = scaled_s_0 / divisor;
-  const double unit_1 = scaled_s_1 / divisor;
-  const double unit_2 = scaled_s_2 / divisor;
-  const double unit_3 = scaled_s_3 / divisor;
-  const double qo_0 = n == 0.0 ? (double)NAN : unit_0;
-  const double qo_1 = n == 0.0 ? (double)NAN : unit_1;
-  const double qo_2 = n == 0.0 ? (double)NAN : unit_2;
-  const double qo_3 = n == 0.0 ? (double)NAN : unit_3;
+  const double unit_0 = scaled_s_0 / divisor, unit_1 = scaled_s_1 / divisor,
+      unit_2 = scaled_s_2 / divisor, unit_3 = scaled_s_3 / divisor;
+  const double qo_0 = n == 0.0 ? (double)NAN : unit_0, qo_1 = n == 0.0 ? (double)NAN : unit_1,
+      qo_2 = n == 0.0 ? (double)NAN : unit_2, qo_3 = n == 0.0 ? (double)NAN : unit_3;
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3202,21 +3110,16 @@ static inline void ksl_quaternionf_nearest_unit_accurate(const ksl_quaternionf_t
      over- and underflow. */
 static inline void ksl_rotate_qvf_accurate(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const double c_0 = ksl_product_sum(-(double)q->z, (double)v->y, (double)q->y * (double)v->z);
-  const double c_1 = ksl_product_sum(-(double)q->x, (double)v->z, (double)q->z * (double)v->x);
-  const double c_2 = ksl_product_sum(-(double)q->y, (double)v->x, (double)q->x * (double)v->y);
-  const double t_0 = KSL_MUL(2.0, c_0);
-  const double t_1 = KSL_MUL(2.0, c_1);
-  const double t_2 = KSL_MUL(2.0, c_2);
+  const double c_0 = ksl_product_sum(-(double)q->z, (double)v->y, (double)q->y * (double)v->z),
+      c_1 = ksl_product_sum(-(double)q->x, (double)v->z, (double)q->z * (double)v->x),
+      c_2 = ksl_product_sum(-(double)q->y, (double)v->x, (double)q->x * (double)v->y);
+  const double t_0 = KSL_MUL(2.0, c_0), t_1 = KSL_MUL(2.0, c_1), t_2 = KSL_MUL(2.0, c_2);
   const double turn_0 = KSL_MUL((double)q->y, t_2) - KSL_MUL((double)q->z, t_1)
-          + KSL_MUL((double)q->w, t_0);
-  const double turn_1 = KSL_MUL((double)q->z, t_0) - KSL_MUL((double)q->x, t_2)
-          + KSL_MUL((double)q->w, t_1);
-  const double turn_2 = KSL_MUL((double)q->x, t_1) - KSL_MUL((double)q->y, t_0)
-          + KSL_MUL((double)q->w, t_2);
-  const double vo_0 = (double)v->x + turn_0;
-  const double vo_1 = (double)v->y + turn_1;
-  const double vo_2 = (double)v->z + turn_2;
+          + KSL_MUL((double)q->w, t_0),
+      turn_1 = KSL_MUL((double)q->z, t_0) - KSL_MUL((double)q->x, t_2) + KSL_MUL((double)q->w, t_1),
+      turn_2 = KSL_MUL((double)q->x, t_1) - KSL_MUL((double)q->y, t_0) + KSL_MUL((double)q->w, t_2);
+  const double vo_0 = (double)v->x + turn_0, vo_1 = (double)v->y + turn_1,
+      vo_2 = (double)v->z + turn_2;
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
@@ -3229,21 +3132,16 @@ static inline void ksl_rotate_qvf_accurate(const ksl_quaternionf_t *q, const ksl
      over- and underflow. */
 static inline void ksl_rotate_qconjvf_accurate(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const double c_0 = ksl_product_sum(-(double)q->y, (double)v->z, (double)q->z * (double)v->y);
-  const double c_1 = ksl_product_sum(-(double)q->z, (double)v->x, (double)q->x * (double)v->z);
-  const double c_2 = ksl_product_sum(-(double)q->x, (double)v->y, (double)q->y * (double)v->x);
-  const double t_0 = KSL_MUL(2.0, c_0);
-  const double t_1 = KSL_MUL(2.0, c_1);
-  const double t_2 = KSL_MUL(2.0, c_2);
+  const double c_0 = ksl_product_sum(-(double)q->y, (double)v->z, (double)q->z * (double)v->y),
+      c_1 = ksl_product_sum(-(double)q->z, (double)v->x, (double)q->x * (double)v->z),
+      c_2 = ksl_product_sum(-(double)q->x, (double)v->y, (double)q->y * (double)v->x);
+  const double t_0 = KSL_MUL(2.0, c_0), t_1 = KSL_MUL(2.0, c_1), t_2 = KSL_MUL(2.0, c_2);
   const double turn_0 = KSL_MUL((double)q->z, t_1) - KSL_MUL((double)q->y, t_2)
-          + KSL_MUL((double)q->w, t_0);
-  const double turn_1 = KSL_MUL((double)q->x, t_2) - KSL_MUL((double)q->z, t_0)
-          + KSL_MUL((double)q->w, t_1);
-  const double turn_2 = KSL_MUL((double)q->y, t_0) - KSL_MUL((double)q->x, t_1)
-          + KSL_MUL((double)q->w, t_2);
-  const double vo_0 = (double)v->x + turn_0;
-  const double vo_1 = (double)v->y + turn_1;
-  const double vo_2 = (double)v->z + turn_2;
+          + KSL_MUL((double)q->w, t_0),
+      turn_1 = KSL_MUL((double)q->x, t_2) - KSL_MUL((double)q->z, t_0) + KSL_MUL((double)q->w, t_1),
+      turn_2 = KSL_MUL((double)q->y, t_0) - KSL_MUL((double)q->x, t_1) + KSL_MUL((double)q->w, t_2);
+  const double vo_0 = (double)v->x + turn_0, vo_1 = (double)v->y + turn_1,
+      vo_2 = (double)v->z + turn_2;
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
@@ -3363,13 +3261,10 @@ static inline void ksl_product_qconjqconjf_accurate(const ksl_quaternionf_t *q1i
 static inline void ksl_product_qxqf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
   const double qo_0 = ksl_product_sum((double)dci[1], (double)qi->x, (double)dci[0]
-          * (double)qi->w);
-  const double qo_1 = ksl_product_sum(-(double)dci[0], (double)qi->z, (double)dci[1]
-          * (double)qi->y);
-  const double qo_2 = ksl_product_sum((double)dci[1], (double)qi->z, (double)dci[0]
-          * (double)qi->y);
-  const double qo_3 = ksl_product_sum(-(double)dci[0], (double)qi->x, (double)dci[1]
-          * (double)qi->w);
+          * (double)qi->w),
+      qo_1 = ksl_product_sum(-(double)dci[0], (double)qi->z, (double)dci[1] * (double)qi->y),
+      qo_2 = ksl_product_sum((double)dci[1], (double)qi->z, (double)dci[0] * (double)qi->y),
+      qo_3 = ksl_product_sum(-(double)dci[0], (double)qi->x, (double)dci[1] * (double)qi->w);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3384,13 +3279,10 @@ static inline void ksl_product_qxqf_accurate(const float dci[2], const ksl_quate
 static inline void ksl_product_qxqconjf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
   const double qo_0 = ksl_product_sum(-(double)dci[1], (double)qi->x, (double)dci[0]
-          * (double)qi->w);
-  const double qo_1 = ksl_product_sum(-(double)dci[1], (double)qi->y, (double)dci[0]
-          * (double)qi->z);
-  const double qo_2 = ksl_product_sum(-(double)dci[1], (double)qi->z,
-          -((double)dci[0] * (double)qi->y));
-  const double qo_3 = ksl_product_sum((double)dci[1], (double)qi->w, (double)dci[0]
-          * (double)qi->x);
+          * (double)qi->w),
+      qo_1 = ksl_product_sum(-(double)dci[1], (double)qi->y, (double)dci[0] * (double)qi->z),
+      qo_2 = ksl_product_sum(-(double)dci[1], (double)qi->z, -((double)dci[0] * (double)qi->y)),
+      qo_3 = ksl_product_sum((double)dci[1], (double)qi->w, (double)dci[0] * (double)qi->x);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3405,13 +3297,10 @@ static inline void ksl_product_qxqconjf_accurate(const float dci[2], const ksl_q
 static inline void ksl_product_qxconjqf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
   const double qo_0 = ksl_product_sum(-(double)dci[0], (double)qi->w, (double)dci[1]
-          * (double)qi->x);
-  const double qo_1 = ksl_product_sum((double)dci[1], (double)qi->y, (double)dci[0]
-          * (double)qi->z);
-  const double qo_2 = ksl_product_sum(-(double)dci[0], (double)qi->y, (double)dci[1]
-          * (double)qi->z);
-  const double qo_3 = ksl_product_sum((double)dci[1], (double)qi->w, (double)dci[0]
-          * (double)qi->x);
+          * (double)qi->x),
+      qo_1 = ksl_product_sum((double)dci[1], (double)qi->y, (double)dci[0] * (double)qi->z),
+      qo_2 = ksl_product_sum(-(double)dci[0], (double)qi->y, (double)dci[1] * (double)qi->z),
+      qo_3 = ksl_product_sum((double)dci[1], (double)qi->w, (double)dci[0] * (double)qi->x);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3426,13 +3315,10 @@ static inline void ksl_product_qxconjqf_accurate(const float dci[2], const ksl_q
 static inline void ksl_product_qxconjqconjf_accurate(const float dci[2],
     const ksl_quaternionf_t *qi, ksl_quaternionf_t *qo) {
   const double qo_0 = ksl_product_sum(-(double)dci[1], (double)qi->x,
-          -((double)dci[0] * (double)qi->w));
-  const double qo_1 = ksl_product_sum(-(double)dci[1], (double)qi->y,
-          -((double)dci[0] * (double)qi->z));
-  const double qo_2 = ksl_product_sum(-(double)dci[1], (double)qi->z, (double)dci[0]
-          * (double)qi->y);
-  const double qo_3 = ksl_product_sum(-(double)dci[0], (double)qi->x, (double)dci[1]
-          * (double)qi->w);
+          -((double)dci[0] * (double)qi->w)),
+      qo_1 = ksl_product_sum(-(double)dci[1], (double)qi->y, -((double)dci[0] * (double)qi->z)),
+      qo_2 = ksl_product_sum(-(double)dci[1], (double)qi->z, (double)dci[0] * (double)qi->y),
+      qo_3 = ksl_product_sum(-(double)dci[0], (double)qi->x, (double)dci[1] * (double)qi->w);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3447,13 +3333,10 @@ static inline void ksl_product_qxconjqconjf_accurate(const float dci[2],
 static inline void ksl_product_qqxf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
   const double qo_0 = ksl_product_sum((double)qi->w, (double)dci[0], (double)qi->x
-          * (double)dci[1]);
-  const double qo_1 = ksl_product_sum((double)qi->z, (double)dci[0], (double)qi->y
-          * (double)dci[1]);
-  const double qo_2 = ksl_product_sum(-(double)qi->y, (double)dci[0], (double)qi->z
-          * (double)dci[1]);
-  const double qo_3 = ksl_product_sum(-(double)qi->x, (double)dci[0], (double)qi->w
-          * (double)dci[1]);
+          * (double)dci[1]),
+      qo_1 = ksl_product_sum((double)qi->z, (double)dci[0], (double)qi->y * (double)dci[1]),
+      qo_2 = ksl_product_sum(-(double)qi->y, (double)dci[0], (double)qi->z * (double)dci[1]),
+      qo_3 = ksl_product_sum(-(double)qi->x, (double)dci[0], (double)qi->w * (double)dci[1]);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3468,13 +3351,10 @@ static inline void ksl_product_qqxf_accurate(const ksl_quaternionf_t *qi, const 
 static inline void ksl_product_qqxconjf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
   const double qo_0 = ksl_product_sum(-(double)qi->w, (double)dci[0], (double)qi->x
-          * (double)dci[1]);
-  const double qo_1 = ksl_product_sum(-(double)qi->z, (double)dci[0], (double)qi->y
-          * (double)dci[1]);
-  const double qo_2 = ksl_product_sum((double)qi->z, (double)dci[1], (double)qi->y
-          * (double)dci[0]);
-  const double qo_3 = ksl_product_sum((double)qi->w, (double)dci[1], (double)qi->x
-          * (double)dci[0]);
+          * (double)dci[1]),
+      qo_1 = ksl_product_sum(-(double)qi->z, (double)dci[0], (double)qi->y * (double)dci[1]),
+      qo_2 = ksl_product_sum((double)qi->z, (double)dci[1], (double)qi->y * (double)dci[0]),
+      qo_3 = ksl_product_sum((double)qi->w, (double)dci[1], (double)qi->x * (double)dci[0]);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3489,13 +3369,10 @@ static inline void ksl_product_qqxconjf_accurate(const ksl_quaternionf_t *qi, co
 static inline void ksl_product_qconjqxf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
   const double qo_0 = ksl_product_sum(-(double)qi->x, (double)dci[1], (double)qi->w
-          * (double)dci[0]);
-  const double qo_1 = ksl_product_sum(-(double)qi->z, (double)dci[0],
-          -((double)qi->y * (double)dci[1]));
-  const double qo_2 = ksl_product_sum(-(double)qi->z, (double)dci[1], (double)qi->y
-          * (double)dci[0]);
-  const double qo_3 = ksl_product_sum((double)qi->w, (double)dci[1], (double)qi->x
-          * (double)dci[0]);
+          * (double)dci[0]),
+      qo_1 = ksl_product_sum(-(double)qi->z, (double)dci[0], -((double)qi->y * (double)dci[1])),
+      qo_2 = ksl_product_sum(-(double)qi->z, (double)dci[1], (double)qi->y * (double)dci[0]),
+      qo_3 = ksl_product_sum((double)qi->w, (double)dci[1], (double)qi->x * (double)dci[0]);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3510,13 +3387,10 @@ static inline void ksl_product_qconjqxf_accurate(const ksl_quaternionf_t *qi, co
 static inline void ksl_product_qconjqxconjf_accurate(const ksl_quaternionf_t *qi,
     const float dci[2], ksl_quaternionf_t *qo) {
   const double qo_0 = ksl_product_sum(-(double)qi->w, (double)dci[0],
-          -((double)qi->x * (double)dci[1]));
-  const double qo_1 = ksl_product_sum(-(double)qi->y, (double)dci[1], (double)qi->z
-          * (double)dci[0]);
-  const double qo_2 = ksl_product_sum(-(double)qi->z, (double)dci[1],
-          -((double)qi->y * (double)dci[0]));
-  const double qo_3 = ksl_product_sum(-(double)qi->x, (double)dci[0], (double)qi->w
-          * (double)dci[1]);
+          -((double)qi->x * (double)dci[1])),
+      qo_1 = ksl_product_sum(-(double)qi->y, (double)dci[1], (double)qi->z * (double)dci[0]),
+      qo_2 = ksl_product_sum(-(double)qi->z, (double)dci[1], -((double)qi->y * (double)dci[0])),
+      qo_3 = ksl_product_sum(-(double)qi->x, (double)dci[0], (double)qi->w * (double)dci[1]);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3531,13 +3405,10 @@ static inline void ksl_product_qconjqxconjf_accurate(const ksl_quaternionf_t *qi
 static inline void ksl_product_qyqf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
   const double qo_0 = ksl_product_sum((double)dci[1], (double)qi->x, (double)dci[0]
-          * (double)qi->z);
-  const double qo_1 = ksl_product_sum((double)dci[1], (double)qi->y, (double)dci[0]
-          * (double)qi->w);
-  const double qo_2 = ksl_product_sum(-(double)dci[0], (double)qi->x, (double)dci[1]
-          * (double)qi->z);
-  const double qo_3 = ksl_product_sum(-(double)dci[0], (double)qi->y, (double)dci[1]
-          * (double)qi->w);
+          * (double)qi->z),
+      qo_1 = ksl_product_sum((double)dci[1], (double)qi->y, (double)dci[0] * (double)qi->w),
+      qo_2 = ksl_product_sum(-(double)dci[0], (double)qi->x, (double)dci[1] * (double)qi->z),
+      qo_3 = ksl_product_sum(-(double)dci[0], (double)qi->y, (double)dci[1] * (double)qi->w);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3552,13 +3423,10 @@ static inline void ksl_product_qyqf_accurate(const float dci[2], const ksl_quate
 static inline void ksl_product_qyqconjf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
   const double qo_0 = ksl_product_sum(-(double)dci[1], (double)qi->x,
-          -((double)dci[0] * (double)qi->z));
-  const double qo_1 = ksl_product_sum(-(double)dci[1], (double)qi->y, (double)dci[0]
-          * (double)qi->w);
-  const double qo_2 = ksl_product_sum(-(double)dci[1], (double)qi->z, (double)dci[0]
-          * (double)qi->x);
-  const double qo_3 = ksl_product_sum((double)dci[1], (double)qi->w, (double)dci[0]
-          * (double)qi->y);
+          -((double)dci[0] * (double)qi->z)),
+      qo_1 = ksl_product_sum(-(double)dci[1], (double)qi->y, (double)dci[0] * (double)qi->w),
+      qo_2 = ksl_product_sum(-(double)dci[1], (double)qi->z, (double)dci[0] * (double)qi->x),
+      qo_3 = ksl_product_sum((double)dci[1], (double)qi->w, (double)dci[0] * (double)qi->y);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3573,13 +3441,10 @@ static inline void ksl_product_qyqconjf_accurate(const float dci[2], const ksl_q
 static inline void ksl_product_qyconjqf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
   const double qo_0 = ksl_product_sum(-(double)dci[0], (double)qi->z, (double)dci[1]
-          * (double)qi->x);
-  const double qo_1 = ksl_product_sum(-(double)dci[0], (double)qi->w, (double)dci[1]
-          * (double)qi->y);
-  const double qo_2 = ksl_product_sum((double)dci[1], (double)qi->z, (double)dci[0]
-          * (double)qi->x);
-  const double qo_3 = ksl_product_sum((double)dci[1], (double)qi->w, (double)dci[0]
-          * (double)qi->y);
+          * (double)qi->x),
+      qo_1 = ksl_product_sum(-(double)dci[0], (double)qi->w, (double)dci[1] * (double)qi->y),
+      qo_2 = ksl_product_sum((double)dci[1], (double)qi->z, (double)dci[0] * (double)qi->x),
+      qo_3 = ksl_product_sum((double)dci[1], (double)qi->w, (double)dci[0] * (double)qi->y);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3594,13 +3459,10 @@ static inline void ksl_product_qyconjqf_accurate(const float dci[2], const ksl_q
 static inline void ksl_product_qyconjqconjf_accurate(const float dci[2],
     const ksl_quaternionf_t *qi, ksl_quaternionf_t *qo) {
   const double qo_0 = ksl_product_sum(-(double)dci[1], (double)qi->x, (double)dci[0]
-          * (double)qi->z);
-  const double qo_1 = ksl_product_sum(-(double)dci[1], (double)qi->y,
-          -((double)dci[0] * (double)qi->w));
-  const double qo_2 = ksl_product_sum(-(double)dci[1], (double)qi->z,
-          -((double)dci[0] * (double)qi->x));
-  const double qo_3 = ksl_product_sum(-(double)dci[0], (double)qi->y, (double)dci[1]
-          * (double)qi->w);
+          * (double)qi->z),
+      qo_1 = ksl_product_sum(-(double)dci[1], (double)qi->y, -((double)dci[0] * (double)qi->w)),
+      qo_2 = ksl_product_sum(-(double)dci[1], (double)qi->z, -((double)dci[0] * (double)qi->x)),
+      qo_3 = ksl_product_sum(-(double)dci[0], (double)qi->y, (double)dci[1] * (double)qi->w);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3615,13 +3477,10 @@ static inline void ksl_product_qyconjqconjf_accurate(const float dci[2],
 static inline void ksl_product_qqyf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
   const double qo_0 = ksl_product_sum(-(double)qi->z, (double)dci[0], (double)qi->x
-          * (double)dci[1]);
-  const double qo_1 = ksl_product_sum((double)qi->w, (double)dci[0], (double)qi->y
-          * (double)dci[1]);
-  const double qo_2 = ksl_product_sum((double)qi->z, (double)dci[1], (double)qi->x
-          * (double)dci[0]);
-  const double qo_3 = ksl_product_sum(-(double)qi->y, (double)dci[0], (double)qi->w
-          * (double)dci[1]);
+          * (double)dci[1]),
+      qo_1 = ksl_product_sum((double)qi->w, (double)dci[0], (double)qi->y * (double)dci[1]),
+      qo_2 = ksl_product_sum((double)qi->z, (double)dci[1], (double)qi->x * (double)dci[0]),
+      qo_3 = ksl_product_sum(-(double)qi->y, (double)dci[0], (double)qi->w * (double)dci[1]);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3636,13 +3495,10 @@ static inline void ksl_product_qqyf_accurate(const ksl_quaternionf_t *qi, const 
 static inline void ksl_product_qqyconjf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
   const double qo_0 = ksl_product_sum((double)qi->z, (double)dci[0], (double)qi->x
-          * (double)dci[1]);
-  const double qo_1 = ksl_product_sum(-(double)qi->w, (double)dci[0], (double)qi->y
-          * (double)dci[1]);
-  const double qo_2 = ksl_product_sum(-(double)qi->x, (double)dci[0], (double)qi->z
-          * (double)dci[1]);
-  const double qo_3 = ksl_product_sum((double)qi->w, (double)dci[1], (double)qi->y
-          * (double)dci[0]);
+          * (double)dci[1]),
+      qo_1 = ksl_product_sum(-(double)qi->w, (double)dci[0], (double)qi->y * (double)dci[1]),
+      qo_2 = ksl_product_sum(-(double)qi->x, (double)dci[0], (double)qi->z * (double)dci[1]),
+      qo_3 = ksl_product_sum((double)qi->w, (double)dci[1], (double)qi->y * (double)dci[0]);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3657,13 +3513,10 @@ static inline void ksl_product_qqyconjf_accurate(const ksl_quaternionf_t *qi, co
 static inline void ksl_product_qconjqyf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
   const double qo_0 = ksl_product_sum(-(double)qi->x, (double)dci[1], (double)qi->z
-          * (double)dci[0]);
-  const double qo_1 = ksl_product_sum(-(double)qi->y, (double)dci[1], (double)qi->w
-          * (double)dci[0]);
-  const double qo_2 = ksl_product_sum(-(double)qi->z, (double)dci[1],
-          -((double)qi->x * (double)dci[0]));
-  const double qo_3 = ksl_product_sum((double)qi->w, (double)dci[1], (double)qi->y
-          * (double)dci[0]);
+          * (double)dci[0]),
+      qo_1 = ksl_product_sum(-(double)qi->y, (double)dci[1], (double)qi->w * (double)dci[0]),
+      qo_2 = ksl_product_sum(-(double)qi->z, (double)dci[1], -((double)qi->x * (double)dci[0])),
+      qo_3 = ksl_product_sum((double)qi->w, (double)dci[1], (double)qi->y * (double)dci[0]);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3678,13 +3531,10 @@ static inline void ksl_product_qconjqyf_accurate(const ksl_quaternionf_t *qi, co
 static inline void ksl_product_qconjqyconjf_accurate(const ksl_quaternionf_t *qi,
     const float dci[2], ksl_quaternionf_t *qo) {
   const double qo_0 = ksl_product_sum(-(double)qi->z, (double)dci[0],
-          -((double)qi->x * (double)dci[1]));
-  const double qo_1 = ksl_product_sum(-(double)qi->w, (double)dci[0],
-          -((double)qi->y * (double)dci[1]));
-  const double qo_2 = ksl_product_sum(-(double)qi->z, (double)dci[1], (double)qi->x
-          * (double)dci[0]);
-  const double qo_3 = ksl_product_sum(-(double)qi->y, (double)dci[0], (double)qi->w
-          * (double)dci[1]);
+          -((double)qi->x * (double)dci[1])),
+      qo_1 = ksl_product_sum(-(double)qi->w, (double)dci[0], -((double)qi->y * (double)dci[1])),
+      qo_2 = ksl_product_sum(-(double)qi->z, (double)dci[1], (double)qi->x * (double)dci[0]),
+      qo_3 = ksl_product_sum(-(double)qi->y, (double)dci[0], (double)qi->w * (double)dci[1]);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3699,13 +3549,10 @@ static inline void ksl_product_qconjqyconjf_accurate(const ksl_quaternionf_t *qi
 static inline void ksl_product_qzqf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
   const double qo_0 = ksl_product_sum(-(double)dci[0], (double)qi->y, (double)dci[1]
-          * (double)qi->x);
-  const double qo_1 = ksl_product_sum((double)dci[1], (double)qi->y, (double)dci[0]
-          * (double)qi->x);
-  const double qo_2 = ksl_product_sum((double)dci[1], (double)qi->z, (double)dci[0]
-          * (double)qi->w);
-  const double qo_3 = ksl_product_sum(-(double)dci[0], (double)qi->z, (double)dci[1]
-          * (double)qi->w);
+          * (double)qi->x),
+      qo_1 = ksl_product_sum((double)dci[1], (double)qi->y, (double)dci[0] * (double)qi->x),
+      qo_2 = ksl_product_sum((double)dci[1], (double)qi->z, (double)dci[0] * (double)qi->w),
+      qo_3 = ksl_product_sum(-(double)dci[0], (double)qi->z, (double)dci[1] * (double)qi->w);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3720,13 +3567,10 @@ static inline void ksl_product_qzqf_accurate(const float dci[2], const ksl_quate
 static inline void ksl_product_qzqconjf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
   const double qo_0 = ksl_product_sum(-(double)dci[1], (double)qi->x, (double)dci[0]
-          * (double)qi->y);
-  const double qo_1 = ksl_product_sum(-(double)dci[1], (double)qi->y,
-          -((double)dci[0] * (double)qi->x));
-  const double qo_2 = ksl_product_sum(-(double)dci[1], (double)qi->z, (double)dci[0]
-          * (double)qi->w);
-  const double qo_3 = ksl_product_sum((double)dci[1], (double)qi->w, (double)dci[0]
-          * (double)qi->z);
+          * (double)qi->y),
+      qo_1 = ksl_product_sum(-(double)dci[1], (double)qi->y, -((double)dci[0] * (double)qi->x)),
+      qo_2 = ksl_product_sum(-(double)dci[1], (double)qi->z, (double)dci[0] * (double)qi->w),
+      qo_3 = ksl_product_sum((double)dci[1], (double)qi->w, (double)dci[0] * (double)qi->z);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3741,13 +3585,10 @@ static inline void ksl_product_qzqconjf_accurate(const float dci[2], const ksl_q
 static inline void ksl_product_qzconjqf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
   const double qo_0 = ksl_product_sum((double)dci[1], (double)qi->x, (double)dci[0]
-          * (double)qi->y);
-  const double qo_1 = ksl_product_sum(-(double)dci[0], (double)qi->x, (double)dci[1]
-          * (double)qi->y);
-  const double qo_2 = ksl_product_sum(-(double)dci[0], (double)qi->w, (double)dci[1]
-          * (double)qi->z);
-  const double qo_3 = ksl_product_sum((double)dci[1], (double)qi->w, (double)dci[0]
-          * (double)qi->z);
+          * (double)qi->y),
+      qo_1 = ksl_product_sum(-(double)dci[0], (double)qi->x, (double)dci[1] * (double)qi->y),
+      qo_2 = ksl_product_sum(-(double)dci[0], (double)qi->w, (double)dci[1] * (double)qi->z),
+      qo_3 = ksl_product_sum((double)dci[1], (double)qi->w, (double)dci[0] * (double)qi->z);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3762,13 +3603,10 @@ static inline void ksl_product_qzconjqf_accurate(const float dci[2], const ksl_q
 static inline void ksl_product_qzconjqconjf_accurate(const float dci[2],
     const ksl_quaternionf_t *qi, ksl_quaternionf_t *qo) {
   const double qo_0 = ksl_product_sum(-(double)dci[1], (double)qi->x,
-          -((double)dci[0] * (double)qi->y));
-  const double qo_1 = ksl_product_sum(-(double)dci[1], (double)qi->y, (double)dci[0]
-          * (double)qi->x);
-  const double qo_2 = ksl_product_sum(-(double)dci[1], (double)qi->z,
-          -((double)dci[0] * (double)qi->w));
-  const double qo_3 = ksl_product_sum(-(double)dci[0], (double)qi->z, (double)dci[1]
-          * (double)qi->w);
+          -((double)dci[0] * (double)qi->y)),
+      qo_1 = ksl_product_sum(-(double)dci[1], (double)qi->y, (double)dci[0] * (double)qi->x),
+      qo_2 = ksl_product_sum(-(double)dci[1], (double)qi->z, -((double)dci[0] * (double)qi->w)),
+      qo_3 = ksl_product_sum(-(double)dci[0], (double)qi->z, (double)dci[1] * (double)qi->w);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3783,13 +3621,10 @@ static inline void ksl_product_qzconjqconjf_accurate(const float dci[2],
 static inline void ksl_product_qqzf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
   const double qo_0 = ksl_product_sum((double)qi->y, (double)dci[0], (double)qi->x
-          * (double)dci[1]);
-  const double qo_1 = ksl_product_sum(-(double)qi->x, (double)dci[0], (double)qi->y
-          * (double)dci[1]);
-  const double qo_2 = ksl_product_sum((double)qi->w, (double)dci[0], (double)qi->z
-          * (double)dci[1]);
-  const double qo_3 = ksl_product_sum(-(double)qi->z, (double)dci[0], (double)qi->w
-          * (double)dci[1]);
+          * (double)dci[1]),
+      qo_1 = ksl_product_sum(-(double)qi->x, (double)dci[0], (double)qi->y * (double)dci[1]),
+      qo_2 = ksl_product_sum((double)qi->w, (double)dci[0], (double)qi->z * (double)dci[1]),
+      qo_3 = ksl_product_sum(-(double)qi->z, (double)dci[0], (double)qi->w * (double)dci[1]);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3804,13 +3639,10 @@ static inline void ksl_product_qqzf_accurate(const ksl_quaternionf_t *qi, const 
 static inline void ksl_product_qqzconjf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
   const double qo_0 = ksl_product_sum(-(double)qi->y, (double)dci[0], (double)qi->x
-          * (double)dci[1]);
-  const double qo_1 = ksl_product_sum((double)qi->y, (double)dci[1], (double)qi->x
-          * (double)dci[0]);
-  const double qo_2 = ksl_product_sum(-(double)qi->w, (double)dci[0], (double)qi->z
-          * (double)dci[1]);
-  const double qo_3 = ksl_product_sum((double)qi->w, (double)dci[1], (double)qi->z
-          * (double)dci[0]);
+          * (double)dci[1]),
+      qo_1 = ksl_product_sum((double)qi->y, (double)dci[1], (double)qi->x * (double)dci[0]),
+      qo_2 = ksl_product_sum(-(double)qi->w, (double)dci[0], (double)qi->z * (double)dci[1]),
+      qo_3 = ksl_product_sum((double)qi->w, (double)dci[1], (double)qi->z * (double)dci[0]);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3825,13 +3657,10 @@ static inline void ksl_product_qqzconjf_accurate(const ksl_quaternionf_t *qi, co
 static inline void ksl_product_qconjqzf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
   const double qo_0 = ksl_product_sum(-(double)qi->y, (double)dci[0],
-          -((double)qi->x * (double)dci[1]));
-  const double qo_1 = ksl_product_sum(-(double)qi->y, (double)dci[1], (double)qi->x
-          * (double)dci[0]);
-  const double qo_2 = ksl_product_sum(-(double)qi->z, (double)dci[1], (double)qi->w
-          * (double)dci[0]);
-  const double qo_3 = ksl_product_sum((double)qi->w, (double)dci[1], (double)qi->z
-          * (double)dci[0]);
+          -((double)qi->x * (double)dci[1])),
+      qo_1 = ksl_product_sum(-(double)qi->y, (double)dci[1], (double)qi->x * (double)dci[0]),
+      qo_2 = ksl_product_sum(-(double)qi->z, (double)dci[1], (double)qi->w * (double)dci[0]),
+      qo_3 = ksl_product_sum((double)qi->w, (double)dci[1], (double)qi->z * (double)dci[0]);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3846,13 +3675,10 @@ static inline void ksl_product_qconjqzf_accurate(const ksl_quaternionf_t *qi, co
 static inline void ksl_product_qconjqzconjf_accurate(const ksl_quaternionf_t *qi,
     const float dci[2], ksl_quaternionf_t *qo) {
   const double qo_0 = ksl_product_sum(-(double)qi->x, (double)dci[1], (double)qi->y
-          * (double)dci[0]);
-  const double qo_1 = ksl_product_sum(-(double)qi->y, (double)dci[1],
-          -((double)qi->x * (double)dci[0]));
-  const double qo_2 = ksl_product_sum(-(double)qi->w, (double)dci[0],
-          -((double)qi->z * (double)dci[1]));
-  const double qo_3 = ksl_product_sum(-(double)qi->z, (double)dci[0], (double)qi->w
-          * (double)dci[1]);
+          * (double)dci[0]),
+      qo_1 = ksl_product_sum(-(double)qi->y, (double)dci[1], -((double)qi->x * (double)dci[0])),
+      qo_2 = ksl_product_sum(-(double)qi->w, (double)dci[0], -((double)qi->z * (double)dci[1])),
+      qo_3 = ksl_product_sum(-(double)qi->z, (double)dci[0], (double)qi->w * (double)dci[1]);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3867,13 +3693,13 @@ static inline void ksl_product_qconjqzconjf_accurate(const ksl_quaternionf_t *qi
 static inline void ksl_product_qvf_accurate(const ksl_quaternionf_t *qi, const ksl_vec3f_t *vi,
     ksl_quaternionf_t *qo) {
   const double qo_0 = ksl_product_sum((double)qi->w, (double)vi->x, ksl_product_sum(-(double)qi->z,
-      (double)vi->y, (double)qi->y * (double)vi->z));
-  const double qo_1 = ksl_product_sum((double)qi->w, (double)vi->y, ksl_product_sum(-(double)qi->x,
-      (double)vi->z, (double)qi->z * (double)vi->x));
-  const double qo_2 = ksl_product_sum((double)qi->w, (double)vi->z, ksl_product_sum(-(double)qi->y,
-      (double)vi->x, (double)qi->x * (double)vi->y));
-  const double qo_3 = ksl_product_sum(-(double)qi->z, (double)vi->z, ksl_product_sum(-(double)qi->y,
-      (double)vi->y, -((double)qi->x * (double)vi->x)));
+      (double)vi->y, (double)qi->y * (double)vi->z)),
+      qo_1 = ksl_product_sum((double)qi->w, (double)vi->y, ksl_product_sum(-(double)qi->x,
+          (double)vi->z, (double)qi->z * (double)vi->x)),
+      qo_2 = ksl_product_sum((double)qi->w, (double)vi->z, ksl_product_sum(-(double)qi->y,
+          (double)vi->x, (double)qi->x * (double)vi->y)),
+      qo_3 = ksl_product_sum(-(double)qi->z, (double)vi->z, ksl_product_sum(-(double)qi->y,
+          (double)vi->y, -((double)qi->x * (double)vi->x)));
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3888,13 +3714,13 @@ static inline void ksl_product_qvf_accurate(const ksl_quaternionf_t *qi, const k
 static inline void ksl_product_qconjvf_accurate(const ksl_quaternionf_t *qi,
     const ksl_vec3f_t *vi, ksl_quaternionf_t *qo) {
   const double qo_0 = ksl_product_sum((double)qi->w, (double)vi->x, ksl_product_sum(-(double)qi->y,
-      (double)vi->z, (double)qi->z * (double)vi->y));
-  const double qo_1 = ksl_product_sum((double)qi->w, (double)vi->y, ksl_product_sum(-(double)qi->z,
-      (double)vi->x, (double)qi->x * (double)vi->z));
-  const double qo_2 = ksl_product_sum((double)qi->w, (double)vi->z, ksl_product_sum(-(double)qi->x,
-      (double)vi->y, (double)qi->y * (double)vi->x));
-  const double qo_3 = ksl_product_sum((double)qi->z, (double)vi->z, ksl_product_sum((double)qi->y,
-      (double)vi->y, (double)qi->x * (double)vi->x));
+      (double)vi->z, (double)qi->z * (double)vi->y)),
+      qo_1 = ksl_product_sum((double)qi->w, (double)vi->y, ksl_product_sum(-(double)qi->z,
+          (double)vi->x, (double)qi->x * (double)vi->z)),
+      qo_2 = ksl_product_sum((double)qi->w, (double)vi->z, ksl_product_sum(-(double)qi->x,
+          (double)vi->y, (double)qi->y * (double)vi->x)),
+      qo_3 = ksl_product_sum((double)qi->z, (double)vi->z, ksl_product_sum((double)qi->y,
+          (double)vi->y, (double)qi->x * (double)vi->x));
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3909,13 +3735,13 @@ static inline void ksl_product_qconjvf_accurate(const ksl_quaternionf_t *qi,
 static inline void ksl_product_vqf_accurate(const ksl_vec3f_t *vi, const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
   const double qo_0 = ksl_product_sum((double)vi->x, (double)qi->w, ksl_product_sum(-(double)vi->z,
-      (double)qi->y, (double)vi->y * (double)qi->z));
-  const double qo_1 = ksl_product_sum((double)vi->y, (double)qi->w, ksl_product_sum(-(double)vi->x,
-      (double)qi->z, (double)vi->z * (double)qi->x));
-  const double qo_2 = ksl_product_sum((double)vi->z, (double)qi->w, ksl_product_sum(-(double)vi->y,
-      (double)qi->x, (double)vi->x * (double)qi->y));
-  const double qo_3 = ksl_product_sum(-(double)vi->z, (double)qi->z, ksl_product_sum(-(double)vi->y,
-      (double)qi->y, -((double)vi->x * (double)qi->x)));
+      (double)qi->y, (double)vi->y * (double)qi->z)),
+      qo_1 = ksl_product_sum((double)vi->y, (double)qi->w, ksl_product_sum(-(double)vi->x,
+          (double)qi->z, (double)vi->z * (double)qi->x)),
+      qo_2 = ksl_product_sum((double)vi->z, (double)qi->w, ksl_product_sum(-(double)vi->y,
+          (double)qi->x, (double)vi->x * (double)qi->y)),
+      qo_3 = ksl_product_sum(-(double)vi->z, (double)qi->z, ksl_product_sum(-(double)vi->y,
+          (double)qi->y, -((double)vi->x * (double)qi->x)));
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3930,13 +3756,13 @@ static inline void ksl_product_vqf_accurate(const ksl_vec3f_t *vi, const ksl_qua
 static inline void ksl_product_vqconjf_accurate(const ksl_vec3f_t *vi,
     const ksl_quaternionf_t *qi, ksl_quaternionf_t *qo) {
   const double qo_0 = ksl_product_sum((double)vi->x, (double)qi->w, ksl_product_sum(-(double)vi->y,
-      (double)qi->z, (double)vi->z * (double)qi->y));
-  const double qo_1 = ksl_product_sum((double)vi->y, (double)qi->w, ksl_product_sum(-(double)vi->z,
-      (double)qi->x, (double)vi->x * (double)qi->z));
-  const double qo_2 = ksl_product_sum((double)vi->z, (double)qi->w, ksl_product_sum(-(double)vi->x,
-      (double)qi->y, (double)vi->y * (double)qi->x));
-  const double qo_3 = ksl_product_sum((double)vi->z, (double)qi->z, ksl_product_sum((double)vi->y,
-      (double)qi->y, (double)vi->x * (double)qi->x));
+      (double)qi->z, (double)vi->z * (double)qi->y)),
+      qo_1 = ksl_product_sum((double)vi->y, (double)qi->w, ksl_product_sum(-(double)vi->z,
+          (double)qi->x, (double)vi->x * (double)qi->z)),
+      qo_2 = ksl_product_sum((double)vi->z, (double)qi->w, ksl_product_sum(-(double)vi->x,
+          (double)qi->y, (double)vi->y * (double)qi->x)),
+      qo_3 = ksl_product_sum((double)vi->z, (double)qi->z, ksl_product_sum((double)vi->y,
+          (double)qi->y, (double)vi->x * (double)qi->x));
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3969,10 +3795,10 @@ static inline void ksl_add_dpiToqf_accurate(const ksl_vec3f_t *dpi, ksl_quaterni
           + (KSL_MUL(qi_0_new_c, (double)qi->y) - KSL_MUL(qi_0_new_e, (double)qi->z))
           + (double)qi->x;
   const double qi_1_new = KSL_MUL(qi_0_new_a, (double)qi->z) - KSL_MUL(qi_0_new_c, (double)qi->x)
-          + KSL_MUL(qi_0_new_e, (double)qi->w) + (double)qi->y;
-  const double qi_2_new = KSL_MUL(qi_0_new_e, (double)qi->x) - KSL_MUL(qi_0_new_a, (double)qi->y)
-          + KSL_MUL(qi_0_new_c, (double)qi->w) + (double)qi->z;
-  const double qi_3_new = (double)qi->w
+          + KSL_MUL(qi_0_new_e, (double)qi->w) + (double)qi->y,
+      qi_2_new = KSL_MUL(qi_0_new_e, (double)qi->x) - KSL_MUL(qi_0_new_a, (double)qi->y)
+          + KSL_MUL(qi_0_new_c, (double)qi->w) + (double)qi->z,
+      qi_3_new = (double)qi->w
           - (KSL_MUL(qi_0_new_a, (double)qi->x) + KSL_MUL(qi_0_new_e, (double)qi->y)
           + KSL_MUL(qi_0_new_c, (double)qi->z));
   qi->x = (float)qi_0_new;
@@ -3992,10 +3818,10 @@ static inline void ksl_subtract_dpiFromqf_accurate(const ksl_vec3f_t *dpi, ksl_q
       qi_0_new = KSL_MUL(qi_0_new_a, (double)qi->z) - KSL_MUL(qi_0_new_c, (double)qi->y)
           - KSL_MUL(qi_0_new_f, (double)qi->w) + (double)qi->x;
   const double qi_1_new = KSL_MUL(qi_0_new_c, (double)qi->x) - KSL_MUL(qi_0_new_f, (double)qi->z)
-          - KSL_MUL(qi_0_new_a, (double)qi->w) + (double)qi->y;
-  const double qi_2_new = KSL_MUL(qi_0_new_f, (double)qi->y) - KSL_MUL(qi_0_new_a, (double)qi->x)
-          - KSL_MUL(qi_0_new_c, (double)qi->w) + (double)qi->z;
-  const double qi_3_new = KSL_MUL(qi_0_new_f, (double)qi->x) + KSL_MUL(qi_0_new_a, (double)qi->y)
+          - KSL_MUL(qi_0_new_a, (double)qi->w) + (double)qi->y,
+      qi_2_new = KSL_MUL(qi_0_new_f, (double)qi->y) - KSL_MUL(qi_0_new_a, (double)qi->x)
+          - KSL_MUL(qi_0_new_c, (double)qi->w) + (double)qi->z,
+      qi_3_new = KSL_MUL(qi_0_new_f, (double)qi->x) + KSL_MUL(qi_0_new_a, (double)qi->y)
           + KSL_MUL(qi_0_new_c, (double)qi->z) + (double)qi->w;
   qi->x = (float)qi_0_new;
   qi->y = (float)qi_1_new;
@@ -4021,10 +3847,10 @@ static inline void ksl_omega_to_dquaternionf_accurate(const ksl_vec3f_t *w,
           + (KSL_MUL(dqo_0c, (double)qi->z) - KSL_MUL(dqo_0e, (double)qi->y))
           + KSL_MUL((double)qi->x, dqo_0p);
   const double dqo_1 = KSL_MUL(dqo_0e, (double)qi->x) - KSL_MUL(dqo_0a, (double)qi->z)
-          + KSL_MUL(dqo_0c, (double)qi->w) + KSL_MUL((double)qi->y, dqo_0p);
-  const double dqo_2 = KSL_MUL(dqo_0a, (double)qi->y) - KSL_MUL(dqo_0c, (double)qi->x)
-          + KSL_MUL(dqo_0e, (double)qi->w) + KSL_MUL((double)qi->z, dqo_0p);
-  const double dqo_3 = -KSL_MUL(dqo_0a, (double)qi->x) - KSL_MUL(dqo_0c, (double)qi->y)
+          + KSL_MUL(dqo_0c, (double)qi->w) + KSL_MUL((double)qi->y, dqo_0p),
+      dqo_2 = KSL_MUL(dqo_0a, (double)qi->y) - KSL_MUL(dqo_0c, (double)qi->x)
+          + KSL_MUL(dqo_0e, (double)qi->w) + KSL_MUL((double)qi->z, dqo_0p),
+      dqo_3 = -KSL_MUL(dqo_0a, (double)qi->x) - KSL_MUL(dqo_0c, (double)qi->y)
           - KSL_MUL(dqo_0e, (double)qi->z) + KSL_MUL((double)qi->w, dqo_0p);
   dqo->x = (float)dqo_0;
   dqo->y = (float)dqo_1;
@@ -4041,16 +3867,11 @@ static inline void ksl_omega_to_dquaternionf_accurate(const ksl_vec3f_t *w,
      that is below 1e5; searched, not proved. */
 static inline void ksl_mat3x3f_from_quaternion_accurate(const ksl_quaternionf_t *q,
     ksl_mat3x3f_t *R) {
-  const double squares_0 = (double)q->w * (double)q->w;
-  const double squares_1 = (double)q->x * (double)q->x;
-  const double squares_2 = (double)q->y * (double)q->y;
-  const double squares_3 = (double)q->z * (double)q->z;
-  const double pairs_0 = squares_0 + squares_1;
-  const double pairs_1 = squares_2 + squares_3;
-  const double pairs_2 = squares_0 + squares_2;
-  const double pairs_3 = squares_1 + squares_3;
-  const double pairs_4 = squares_0 + squares_3;
-  const double pairs_5 = squares_1 + squares_2;
+  const double squares_0 = (double)q->w * (double)q->w, squares_1 = (double)q->x * (double)q->x,
+      squares_2 = (double)q->y * (double)q->y, squares_3 = (double)q->z * (double)q->z;
+  const double pairs_0 = squares_0 + squares_1, pairs_1 = squares_2 + squares_3,
+      pairs_2 = squares_0 + squares_2, pairs_3 = squares_1 + squares_3,
+      pairs_4 = squares_0 + squares_3, pairs_5 = squares_1 + squares_2;
   const double square = pairs_0 + pairs_1;
   const double factor = 1.0 / square;
   const double d0 = pairs_0 - pairs_1;
@@ -4063,18 +3884,10 @@ static inline void ksl_mat3x3f_from_quaternion_accurate(const ksl_quaternionf_t 
       m_1 = m_1a + m_1b;
   const double m_2a = (double)q->y * (double)q->z, m_2b = (double)q->x * (double)q->w,
       m_2 = m_2a - m_2b;
-  const double m_3 = m_0a + m_0b;
-  const double m_4 = m_1a - m_1b;
-  const double m_5 = m_2b + m_2a;
-  const double R_00 = KSL_MUL(factor, d0);
-  const double R_01 = KSL_MUL(twice, m_0);
-  const double R_02 = KSL_MUL(twice, m_1);
-  const double R_10 = KSL_MUL(twice, m_3);
-  const double R_11 = KSL_MUL(factor, d1);
-  const double R_12 = KSL_MUL(twice, m_2);
-  const double R_20 = KSL_MUL(twice, m_4);
-  const double R_21 = KSL_MUL(twice, m_5);
-  const double R_22 = KSL_MUL(factor, d2);
+  const double m_3 = m_0a + m_0b, m_4 = m_1a - m_1b, m_5 = m_2b + m_2a;
+  const double R_00 = KSL_MUL(factor, d0), R_01 = KSL_MUL(twice, m_0), R_02 = KSL_MUL(twice, m_1),
+      R_10 = KSL_MUL(twice, m_3), R_11 = KSL_MUL(factor, d1), R_12 = KSL_MUL(twice, m_2),
+      R_20 = KSL_MUL(twice, m_4), R_21 = KSL_MUL(twice, m_5), R_22 = KSL_MUL(factor, d2);
   R->m00 = (float)R_00;
   R->m01 = (float)R_01;
   R->m02 = (float)R_02;
@@ -4094,42 +3907,34 @@ static inline void ksl_mat3x3f_from_quaternion_accurate(const ksl_quaternionf_t 
      the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
 static inline void ksl_quaternionf_from_mat3x3_accurate(const ksl_mat3x3f_t *R,
     ksl_quaternionf_t *qo) {
-  const double p_0 = (double)R->m21 - (double)R->m12;
-  const double p_1 = (double)R->m02 - (double)R->m20;
-  const double p_2 = (double)R->m10 - (double)R->m01;
-  const double s_0 = (double)R->m12 + (double)R->m21;
-  const double s_1 = (double)R->m02 + (double)R->m20;
-  const double s_2 = (double)R->m01 + (double)R->m10;
-  const double first_0 = (double)R->m00 + 1.0;
-  const double first_1 = 1.0 - (double)R->m00;
-  const double others_0 = (double)R->m11 + (double)R->m22;
-  const double others_1 = (double)R->m11 - (double)R->m22;
-  const double d_0 = first_0 + others_0;
-  const double d_1 = first_0 - others_0;
-  const double d_2 = first_1 + others_1;
-  const double d_3 = first_1 - others_1;
-  const double low_0 = (double)R->m11 < (double)R->m00 ? d_1 : s_2;
-  const double low_1 = (double)R->m11 < (double)R->m00 ? s_2 : d_2;
-  const double low_2 = (double)R->m11 < (double)R->m00 ? s_1 : s_0;
-  const double low_3 = (double)R->m11 < (double)R->m00 ? p_0 : p_1;
+  const double p_0 = (double)R->m21 - (double)R->m12, p_1 = (double)R->m02 - (double)R->m20,
+      p_2 = (double)R->m10 - (double)R->m01;
+  const double s_0 = (double)R->m12 + (double)R->m21, s_1 = (double)R->m02 + (double)R->m20,
+      s_2 = (double)R->m01 + (double)R->m10;
+  const double first_0 = (double)R->m00 + 1.0, first_1 = 1.0 - (double)R->m00;
+  const double others_0 = (double)R->m11 + (double)R->m22,
+      others_1 = (double)R->m11 - (double)R->m22;
+  const double d_0 = first_0 + others_0, d_1 = first_0 - others_0, d_2 = first_1 + others_1,
+      d_3 = first_1 - others_1;
+  const double low_0 = (double)R->m11 < (double)R->m00 ? d_1 : s_2,
+      low_1 = (double)R->m11 < (double)R->m00 ? s_2 : d_2,
+      low_2 = (double)R->m11 < (double)R->m00 ? s_1 : s_0,
+      low_3 = (double)R->m11 < (double)R->m00 ? p_0 : p_1;
   const double high_0a = -(double)R->m11, high_0 = (double)R->m00 < high_0a ? s_1 : p_0;
-  const double high_1 = (double)R->m00 < high_0a ? s_0 : p_1;
-  const double high_2 = (double)R->m00 < high_0a ? d_3 : p_2;
-  const double high_3 = (double)R->m00 < high_0a ? p_2 : d_0;
-  const double column_0 = (double)R->m22 < 0.0 ? low_0 : high_0;
-  const double column_1 = (double)R->m22 < 0.0 ? low_1 : high_1;
-  const double column_2 = (double)R->m22 < 0.0 ? low_2 : high_2;
-  const double column_3 = (double)R->m22 < 0.0 ? low_3 : high_3;
+  const double high_1 = (double)R->m00 < high_0a ? s_0 : p_1,
+      high_2 = (double)R->m00 < high_0a ? d_3 : p_2, high_3 = (double)R->m00 < high_0a ? p_2 : d_0;
+  const double column_0 = (double)R->m22 < 0.0 ? low_0 : high_0,
+      column_1 = (double)R->m22 < 0.0 ? low_1 : high_1,
+      column_2 = (double)R->m22 < 0.0 ? low_2 : high_2,
+      column_3 = (double)R->m22 < 0.0 ? low_3 : high_3;
   const double upper_0a = -column_0, upper_0 = column_3 < 0.0 ? upper_0a : column_0;
   const double upper_1a = -column_1, upper_1 = column_3 < 0.0 ? upper_1a : column_1;
   const double upper_2a = -column_2, upper_2 = column_3 < 0.0 ? upper_2a : column_2;
   const double upper_3a = -column_3, upper_3 = column_3 < 0.0 ? upper_3a : column_3;
   const double length = sqrt(KSL_MUL(upper_0, upper_0) + KSL_MUL(upper_1, upper_1)
           + KSL_MUL(upper_2, upper_2) + KSL_MUL(upper_3, upper_3));
-  const double qo_0 = upper_0 / length;
-  const double qo_1 = upper_1 / length;
-  const double qo_2 = upper_2 / length;
-  const double qo_3 = upper_3 / length;
+  const double qo_0 = upper_0 / length, qo_1 = upper_1 / length, qo_2 = upper_2 / length,
+      qo_3 = upper_3 / length;
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -4147,9 +3952,8 @@ static inline void ksl_quaternionf_from_axis_angle_accurate(const ksl_vec3f_t *a
     const float angle, ksl_quaternionf_t *qo) {
   const double half = 0.5 * (double)angle;
   double qo_3; const double sine = ksl_sincos(half, &qo_3);
-  const double qo_0 = KSL_MUL((double)axis->x, sine);
-  const double qo_1 = KSL_MUL((double)axis->y, sine);
-  const double qo_2 = KSL_MUL((double)axis->z, sine);
+  const double qo_0 = KSL_MUL((double)axis->x, sine), qo_1 = KSL_MUL((double)axis->y, sine),
+      qo_2 = KSL_MUL((double)axis->z, sine);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -4165,43 +3969,34 @@ static inline void ksl_quaternionf_from_axis_angle_accurate(const ksl_vec3f_t *a
      nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
 static inline float ksl_axis_angle_from_quaternionf_accurate(const ksl_quaternionf_t *q,
     ksl_vec3f_t *axis) {
-  const double s_size_0 = fabs((double)q->x);
-  const double s_size_1 = fabs((double)q->y);
-  const double s_size_2 = fabs((double)q->z);
-  const double s_size_3 = fabs((double)q->w);
+  const double s_size_0 = fabs((double)q->x), s_size_1 = fabs((double)q->y),
+      s_size_2 = fabs((double)q->z), s_size_3 = fabs((double)q->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest3 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double scaled_s_0 = KSL_MUL((double)q->x, s);
-  const double scaled_s_1 = KSL_MUL((double)q->y, s);
-  const double scaled_s_2 = KSL_MUL((double)q->z, s);
-  const double scaled_s_3 = KSL_MUL((double)q->w, s);
+  const double scaled_s_0 = KSL_MUL((double)q->x, s), scaled_s_1 = KSL_MUL((double)q->y, s),
+      scaled_s_2 = KSL_MUL((double)q->z, s), scaled_s_3 = KSL_MUL((double)q->w, s);
   const double upper_0a = -scaled_s_0, upper_0 = scaled_s_3 < 0.0 ? upper_0a : scaled_s_0;
   const double upper_1a = -scaled_s_1, upper_1 = scaled_s_3 < 0.0 ? upper_1a : scaled_s_1;
   const double upper_2a = -scaled_s_2, upper_2 = scaled_s_3 < 0.0 ? upper_2a : scaled_s_2;
   const double upper_3a = -scaled_s_3, upper_3 = scaled_s_3 < 0.0 ? upper_3a : scaled_s_3;
-  const double v_s_size_0 = fabs(upper_0);
-  const double v_s_size_1 = fabs(upper_1);
-  const double v_s_size_2 = fabs(upper_2);
+  const double v_s_size_0 = fabs(upper_0), v_s_size_1 = fabs(upper_1), v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = v_s_largest2 < 256.0 ? 1.8014398509481984e+16 : 1.0,
       v_s = v_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : v_s_b;
-  const double v_y_0 = KSL_MUL(upper_0, v_s);
-  const double v_y_1 = KSL_MUL(upper_1, v_s);
-  const double v_y_2 = KSL_MUL(upper_2, v_s);
+  const double v_y_0 = KSL_MUL(upper_0, v_s), v_y_1 = KSL_MUL(upper_1, v_s),
+      v_y_2 = KSL_MUL(upper_2, v_s);
   const double v_n = sqrt(KSL_MUL(v_y_0, v_y_0) + KSL_MUL(v_y_1, v_y_1) + KSL_MUL(v_y_2, v_y_2));
   const double v_r_b = 1.0 < v_s ? 5.551115123125783e-17 : 1.0,
       v_r = 1.8014398509481984e+16 < v_s ? 3.0814879110195774e-33 : v_r_b;
   const double n = KSL_MUL(v_n, v_r);
   const double half = ksl_atan2(n, upper_3);
   const double divisor = v_n == 0.0 ? 1.0 : v_n;
-  const double unit_0 = v_y_0 / divisor;
-  const double unit_1 = v_y_1 / divisor;
-  const double unit_2 = v_y_2 / divisor;
+  const double unit_0 = v_y_0 / divisor, unit_1 = v_y_1 / divisor, unit_2 = v_y_2 / divisor;
   const double angle = KSL_MUL(2.0, half);
   const double axis_0 = v_n == 0.0 ? 1.0 : unit_0;
   axis->x = (float)axis_0;
@@ -4218,18 +4013,13 @@ static inline float ksl_axis_angle_from_quaternionf_accurate(const ksl_quaternio
      single precision it is the nearest number, except near ties, as long as that is below 1e5;
      searched, not proved. */
 static inline void ksl_quaternionf_exp_accurate(const ksl_vec3f_t *v, ksl_quaternionf_t *qo) {
-  const double h_0 = 0.5 * (double)v->x;
-  const double h_1 = 0.5 * (double)v->y;
-  const double h_2 = 0.5 * (double)v->z;
-  const double h_size_0 = fabs(h_0);
-  const double h_size_1 = fabs(h_1);
-  const double h_size_2 = fabs(h_2);
+  const double h_0 = 0.5 * (double)v->x, h_1 = 0.5 * (double)v->y, h_2 = 0.5 * (double)v->z;
+  const double h_size_0 = fabs(h_0), h_size_1 = fabs(h_1), h_size_2 = fabs(h_2);
   const double h_largest1 = h_size_0 < h_size_1 ? h_size_1 : h_size_0;
   const double h_largest2 = h_largest1 < h_size_2 ? h_size_2 : h_largest1;
   const double s = 4.611686018427388e+18 < h_largest2 ? 2.710505431213761e-20 : 1.0;
-  const double reduced_0 = KSL_MUL(h_0, s);
-  const double reduced_1 = KSL_MUL(h_1, s);
-  const double reduced_2 = KSL_MUL(h_2, s);
+  const double reduced_0 = KSL_MUL(h_0, s), reduced_1 = KSL_MUL(h_1, s),
+      reduced_2 = KSL_MUL(h_2, s);
   const double up = s < 1.0 ? 3.6893488147419103e+19 : 1.0;
   const double reduced_length = sqrt(KSL_MUL(reduced_0, reduced_0) + KSL_MUL(reduced_1, reduced_1)
           + KSL_MUL(reduced_2, reduced_2));
@@ -4241,9 +4031,7 @@ static inline void ksl_quaternionf_exp_accurate(const ksl_vec3f_t *v, ksl_quater
   const double sinc_quotient = sine / sinc_divisor;
   const double sinc_b = 1.0 - KSL_MUL(0.16666666666666666, y),
       sinc = half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient;
-  const double qo_0 = KSL_MUL(h_0, sinc);
-  const double qo_1 = KSL_MUL(h_1, sinc);
-  const double qo_2 = KSL_MUL(h_2, sinc);
+  const double qo_0 = KSL_MUL(h_0, sinc), qo_1 = KSL_MUL(h_1, sinc), qo_2 = KSL_MUL(h_2, sinc);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -4257,34 +4045,27 @@ static inline void ksl_quaternionf_exp_accurate(const ksl_vec3f_t *v, ksl_quater
      ulp as long as its condition is below 1e13; in single precision it is the nearest number,
      except near ties, as long as that is below 1e5; searched, not proved. */
 static inline void ksl_quaternionf_log_accurate(const ksl_quaternionf_t *q, ksl_vec3f_t *vo) {
-  const double s_size_0 = fabs((double)q->x);
-  const double s_size_1 = fabs((double)q->y);
-  const double s_size_2 = fabs((double)q->z);
-  const double s_size_3 = fabs((double)q->w);
+  const double s_size_0 = fabs((double)q->x), s_size_1 = fabs((double)q->y),
+      s_size_2 = fabs((double)q->z), s_size_3 = fabs((double)q->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest3 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double scaled_s_0 = KSL_MUL((double)q->x, s);
-  const double scaled_s_1 = KSL_MUL((double)q->y, s);
-  const double scaled_s_2 = KSL_MUL((double)q->z, s);
-  const double scaled_s_3 = KSL_MUL((double)q->w, s);
+  const double scaled_s_0 = KSL_MUL((double)q->x, s), scaled_s_1 = KSL_MUL((double)q->y, s),
+      scaled_s_2 = KSL_MUL((double)q->z, s), scaled_s_3 = KSL_MUL((double)q->w, s);
   const double upper_0a = -scaled_s_0, upper_0 = scaled_s_3 < 0.0 ? upper_0a : scaled_s_0;
   const double upper_1a = -scaled_s_1, upper_1 = scaled_s_3 < 0.0 ? upper_1a : scaled_s_1;
   const double upper_2a = -scaled_s_2, upper_2 = scaled_s_3 < 0.0 ? upper_2a : scaled_s_2;
   const double upper_3a = -scaled_s_3, upper_3 = scaled_s_3 < 0.0 ? upper_3a : scaled_s_3;
-  const double v_s_size_0 = fabs(upper_0);
-  const double v_s_size_1 = fabs(upper_1);
-  const double v_s_size_2 = fabs(upper_2);
+  const double v_s_size_0 = fabs(upper_0), v_s_size_1 = fabs(upper_1), v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = v_s_largest2 < 256.0 ? 1.8014398509481984e+16 : 1.0,
       v_s = v_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : v_s_b;
-  const double v_y_0 = KSL_MUL(upper_0, v_s);
-  const double v_y_1 = KSL_MUL(upper_1, v_s);
-  const double v_y_2 = KSL_MUL(upper_2, v_s);
+  const double v_y_0 = KSL_MUL(upper_0, v_s), v_y_1 = KSL_MUL(upper_1, v_s),
+      v_y_2 = KSL_MUL(upper_2, v_s);
   const double v_n = sqrt(KSL_MUL(v_y_0, v_y_0) + KSL_MUL(v_y_1, v_y_1) + KSL_MUL(v_y_2, v_y_2));
   const double v_r_b = 1.0 < v_s ? 5.551115123125783e-17 : 1.0,
       v_r = 1.8014398509481984e+16 < v_s ? 3.0814879110195774e-33 : v_r_b;
@@ -4293,9 +4074,8 @@ static inline void ksl_quaternionf_log_accurate(const ksl_quaternionf_t *q, ksl_
   const double divisor = n == 0.0 ? 1.0 : n;
   const double theta = KSL_MUL(2.0, half);
   const double k = theta / divisor;
-  const double vector_0 = KSL_MUL(upper_0, k);
-  const double vector_1 = KSL_MUL(upper_1, k);
-  const double vector_2 = KSL_MUL(upper_2, k);
+  const double vector_0 = KSL_MUL(upper_0, k), vector_1 = KSL_MUL(upper_1, k),
+      vector_2 = KSL_MUL(upper_2, k);
   vo->x = (float)vector_0;
   vo->y = (float)vector_1;
   vo->z = (float)vector_2;
@@ -4329,17 +4109,14 @@ static inline void ksl_quaternionf_interpolated_accurate(const ksl_quaternionf_t
   const double upper_1a = -between_1, upper_1 = between_3 < 0.0 ? upper_1a : between_1;
   const double upper_2a = -between_2, upper_2 = between_3 < 0.0 ? upper_2a : between_2;
   const double upper_3 = fabs(between_3);
-  const double v_s_size_0 = fabs(upper_0);
-  const double v_s_size_1 = fabs(upper_1);
-  const double v_s_size_2 = fabs(upper_2);
+  const double v_s_size_0 = fabs(upper_0), v_s_size_1 = fabs(upper_1), v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 4.611686018427388e+18 < v_s_largest2 ? 2.710505431213761e-20 : 1.0,
       v_s_d = v_s_largest2 < 256.0 ? 1.8014398509481984e+16 : v_s_b,
       v_s = v_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : v_s_d;
-  const double v_y_0 = KSL_MUL(upper_0, v_s);
-  const double v_y_1 = KSL_MUL(upper_1, v_s);
-  const double v_y_2 = KSL_MUL(upper_2, v_s);
+  const double v_y_0 = KSL_MUL(upper_0, v_s), v_y_1 = KSL_MUL(upper_1, v_s),
+      v_y_2 = KSL_MUL(upper_2, v_s);
   const double v_n = sqrt(KSL_MUL(v_y_0, v_y_0) + KSL_MUL(v_y_1, v_y_1) + KSL_MUL(v_y_2, v_y_2));
   const double v_r_b = v_s < 1.0 ? 3.6893488147419103e+19 : 1.0,
       v_r_d = 1.0 < v_s ? 5.551115123125783e-17 : v_r_b,
@@ -4348,21 +4125,17 @@ static inline void ksl_quaternionf_interpolated_accurate(const ksl_quaternionf_t
   const double half = ksl_atan2(n, upper_3);
   const double divisor = n == 0.0 ? 1.0 : n;
   const double rate = half / divisor;
-  const double kv_0 = KSL_MUL((double)k, upper_0);
-  const double kv_1 = KSL_MUL((double)k, upper_1);
-  const double kv_2 = KSL_MUL((double)k, upper_2);
-  const double step_0 = KSL_MUL(rate, kv_0);
-  const double step_1 = KSL_MUL(rate, kv_1);
-  const double step_2 = KSL_MUL(rate, kv_2);
-  const double exp_h_size_0 = fabs(step_0);
-  const double exp_h_size_1 = fabs(step_1);
-  const double exp_h_size_2 = fabs(step_2);
+  const double kv_0 = KSL_MUL((double)k, upper_0), kv_1 = KSL_MUL((double)k, upper_1),
+      kv_2 = KSL_MUL((double)k, upper_2);
+  const double step_0 = KSL_MUL(rate, kv_0), step_1 = KSL_MUL(rate, kv_1),
+      step_2 = KSL_MUL(rate, kv_2);
+  const double exp_h_size_0 = fabs(step_0), exp_h_size_1 = fabs(step_1),
+      exp_h_size_2 = fabs(step_2);
   const double exp_h_largest1 = exp_h_size_0 < exp_h_size_1 ? exp_h_size_1 : exp_h_size_0;
   const double exp_h_largest2 = exp_h_largest1 < exp_h_size_2 ? exp_h_size_2 : exp_h_largest1;
   const double exp_s = 4.611686018427388e+18 < exp_h_largest2 ? 2.710505431213761e-20 : 1.0;
-  const double exp_reduced_0 = KSL_MUL(step_0, exp_s);
-  const double exp_reduced_1 = KSL_MUL(step_1, exp_s);
-  const double exp_reduced_2 = KSL_MUL(step_2, exp_s);
+  const double exp_reduced_0 = KSL_MUL(step_0, exp_s), exp_reduced_1 = KSL_MUL(step_1, exp_s),
+      exp_reduced_2 = KSL_MUL(step_2, exp_s);
   const double exp_up = exp_s < 1.0 ? 3.6893488147419103e+19 : 1.0;
   const double exp_reduced_length = sqrt(KSL_MUL(exp_reduced_0, exp_reduced_0)
           + KSL_MUL(exp_reduced_1, exp_reduced_1) + KSL_MUL(exp_reduced_2, exp_reduced_2));
@@ -4374,17 +4147,16 @@ static inline void ksl_quaternionf_interpolated_accurate(const ksl_quaternionf_t
   const double exp_sinc_quotient = exp_sine / exp_sinc_divisor;
   const double exp_sinc_b = 1.0 - KSL_MUL(0.16666666666666666, exp_y),
       exp_sinc = exp_half_angle < 1.4901161193847656e-08 ? exp_sinc_b : exp_sinc_quotient;
-  const double power_0 = KSL_MUL(step_0, exp_sinc);
-  const double power_1 = KSL_MUL(step_1, exp_sinc);
-  const double power_2 = KSL_MUL(step_2, exp_sinc);
+  const double power_0 = KSL_MUL(step_0, exp_sinc), power_1 = KSL_MUL(step_1, exp_sinc),
+      power_2 = KSL_MUL(step_2, exp_sinc);
   const double qo_0 = KSL_MUL((double)q1->x, exp_c)
           + (KSL_MUL((double)q1->y, power_2) - KSL_MUL((double)q1->z, power_1))
-          + KSL_MUL((double)q1->w, power_0);
-  const double qo_1 = KSL_MUL((double)q1->z, power_0) - KSL_MUL((double)q1->x, power_2)
-          + KSL_MUL((double)q1->y, exp_c) + KSL_MUL((double)q1->w, power_1);
-  const double qo_2 = KSL_MUL((double)q1->x, power_1) - KSL_MUL((double)q1->y, power_0)
-          + KSL_MUL((double)q1->z, exp_c) + KSL_MUL((double)q1->w, power_2);
-  const double qo_3 = -KSL_MUL((double)q1->x, power_0) - KSL_MUL((double)q1->y, power_1)
+          + KSL_MUL((double)q1->w, power_0),
+      qo_1 = KSL_MUL((double)q1->z, power_0) - KSL_MUL((double)q1->x, power_2)
+          + KSL_MUL((double)q1->y, exp_c) + KSL_MUL((double)q1->w, power_1),
+      qo_2 = KSL_MUL((double)q1->x, power_1) - KSL_MUL((double)q1->y, power_0)
+          + KSL_MUL((double)q1->z, exp_c) + KSL_MUL((double)q1->w, power_2),
+      qo_3 = -KSL_MUL((double)q1->x, power_0) - KSL_MUL((double)q1->y, power_1)
           - KSL_MUL((double)q1->z, power_2) + KSL_MUL((double)q1->w, exp_c);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;

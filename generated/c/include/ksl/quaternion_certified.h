@@ -17,18 +17,13 @@
    8 mul, 4 add, 4 abs. */
 static inline void ksl_quaternion_scale_certified(ksl_quaternion_t *self, const double a,
     ksl_quaternion_t *self_bound) {
-  const double self_0_new = KSL_MUL(self->x, a);
-  const double self_1_new = KSL_MUL(self->y, a);
-  const double self_2_new = KSL_MUL(self->z, a);
-  const double self_3_new = KSL_MUL(self->w, a);
+  const double self_0_new = KSL_MUL(self->x, a), self_1_new = KSL_MUL(self->y, a),
+      self_2_new = KSL_MUL(self->z, a), self_3_new = KSL_MUL(self->w, a);
   const double self_0_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_0_new)
-          + 2.004168360008973e-292);
-  const double self_1_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_1_new)
-          + 2.004168360008973e-292);
-  const double self_2_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_2_new)
-          + 2.004168360008973e-292);
-  const double self_3_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_3_new)
-          + 2.004168360008973e-292);
+          + 2.004168360008973e-292),
+      self_1_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_1_new) + 2.004168360008973e-292),
+      self_2_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_2_new) + 2.004168360008973e-292),
+      self_3_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_3_new) + 2.004168360008973e-292);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -48,18 +43,14 @@ static inline void ksl_axpy_qq_certified(const double a, const ksl_quaternion_t 
   const double y_1_new_a = KSL_MUL(a, x->y), y_1_new = y_1_new_a + y->y;
   const double y_2_new_a = KSL_MUL(a, x->z), y_2_new = y_2_new_a + y->z;
   const double y_3_new_a = KSL_MUL(a, x->w), y_3_new = y_3_new_a + y->w;
-  const double y_0_new_size = fabs(y_0_new_a) + fabs(y->x);
-  const double y_1_new_size = fabs(y_1_new_a) + fabs(y->y);
-  const double y_2_new_size = fabs(y_2_new_a) + fabs(y->z);
-  const double y_3_new_size = fabs(y_3_new_a) + fabs(y->w);
+  const double y_0_new_size = fabs(y_0_new_a) + fabs(y->x),
+      y_1_new_size = fabs(y_1_new_a) + fabs(y->y), y_2_new_size = fabs(y_2_new_a) + fabs(y->z),
+      y_3_new_size = fabs(y_3_new_a) + fabs(y->w);
   const double y_0_new_bound = KSL_MUL(2.2204460492503136e-16, y_0_new_size
-          + 2.004168360008973e-292);
-  const double y_1_new_bound = KSL_MUL(2.2204460492503136e-16, y_1_new_size
-          + 2.004168360008973e-292);
-  const double y_2_new_bound = KSL_MUL(2.2204460492503136e-16, y_2_new_size
-          + 2.004168360008973e-292);
-  const double y_3_new_bound = KSL_MUL(2.2204460492503136e-16, y_3_new_size
-          + 2.004168360008973e-292);
+          + 2.004168360008973e-292),
+      y_1_new_bound = KSL_MUL(2.2204460492503136e-16, y_1_new_size + 2.004168360008973e-292),
+      y_2_new_bound = KSL_MUL(2.2204460492503136e-16, y_2_new_size + 2.004168360008973e-292),
+      y_3_new_bound = KSL_MUL(2.2204460492503136e-16, y_3_new_size + 2.004168360008973e-292);
   y->x = y_0_new;
   y->y = y_1_new;
   y->z = y_2_new;
@@ -78,21 +69,16 @@ static inline void ksl_rotate_qv_certified(const ksl_quaternion_t *q, const ksl_
   const double c_0a = KSL_MUL(q->y, v->z), c_0b = KSL_MUL(q->z, v->y), c_0 = c_0a - c_0b;
   const double c_1a = KSL_MUL(q->z, v->x), c_1b = KSL_MUL(q->x, v->z), c_1 = c_1a - c_1b;
   const double c_2a = KSL_MUL(q->x, v->y), c_2b = KSL_MUL(q->y, v->x), c_2 = c_2a - c_2b;
-  const double t_0 = KSL_MUL(2.0, c_0);
-  const double t_1 = KSL_MUL(2.0, c_1);
-  const double t_2 = KSL_MUL(2.0, c_2);
+  const double t_0 = KSL_MUL(2.0, c_0), t_1 = KSL_MUL(2.0, c_1), t_2 = KSL_MUL(2.0, c_2);
   const double turn_0 = KSL_MUL(q->y, t_2) - KSL_MUL(q->z, t_1) + KSL_MUL(q->w, t_0);
-  const double turn_1 = KSL_MUL(q->z, t_0) - KSL_MUL(q->x, t_2) + KSL_MUL(q->w, t_1);
-  const double turn_2 = KSL_MUL(q->x, t_1) - KSL_MUL(q->y, t_0) + KSL_MUL(q->w, t_2);
-  const double vo_0 = v->x + turn_0;
-  const double vo_1 = v->y + turn_1;
-  const double vo_2 = v->z + turn_2;
-  const double c_0_size = fabs(c_0a) + fabs(c_0b);
-  const double c_1_size = fabs(c_1a) + fabs(c_1b);
-  const double c_2_size = fabs(c_2a) + fabs(c_2b);
-  const double t_0_size = KSL_MUL(2.0, c_0_size + 2.004168360008973e-292);
-  const double t_1_size = KSL_MUL(2.0, c_1_size + 2.004168360008973e-292);
-  const double t_2_size = KSL_MUL(2.0, c_2_size + 2.004168360008973e-292);
+  const double turn_1 = KSL_MUL(q->z, t_0) - KSL_MUL(q->x, t_2) + KSL_MUL(q->w, t_1),
+      turn_2 = KSL_MUL(q->x, t_1) - KSL_MUL(q->y, t_0) + KSL_MUL(q->w, t_2);
+  const double vo_0 = v->x + turn_0, vo_1 = v->y + turn_1, vo_2 = v->z + turn_2;
+  const double c_0_size = fabs(c_0a) + fabs(c_0b), c_1_size = fabs(c_1a) + fabs(c_1b),
+      c_2_size = fabs(c_2a) + fabs(c_2b);
+  const double t_0_size = KSL_MUL(2.0, c_0_size + 2.004168360008973e-292),
+      t_1_size = KSL_MUL(2.0, c_1_size + 2.004168360008973e-292),
+      t_2_size = KSL_MUL(2.0, c_2_size + 2.004168360008973e-292);
   const double t_2_padded = t_2_size + 2.004168360008973e-292;
   const double q_1_abs = fabs(q->y);
   const double t_1_padded = t_1_size + 2.004168360008973e-292;
@@ -106,12 +92,11 @@ static inline void ksl_rotate_qv_certified(const ksl_quaternion_t *q, const ksl_
           + KSL_MUL(q_3_abs, t_1_padded);
   const double turn_2_size = KSL_MUL(q_0_abs, t_1_padded) + KSL_MUL(q_1_abs, t_0_padded)
           + KSL_MUL(q_3_abs, t_2_padded);
-  const double vo_0_size = fabs(v->x) + turn_0_size;
-  const double vo_1_size = fabs(v->y) + turn_1_size;
-  const double vo_2_size = fabs(v->z) + turn_2_size;
-  const double vo_0_bound = KSL_MUL(7.7715611723761e-16, vo_0_size + 2.004168360008973e-292);
-  const double vo_1_bound = KSL_MUL(7.7715611723761e-16, vo_1_size + 2.004168360008973e-292);
-  const double vo_2_bound = KSL_MUL(7.7715611723761e-16, vo_2_size + 2.004168360008973e-292);
+  const double vo_0_size = fabs(v->x) + turn_0_size, vo_1_size = fabs(v->y) + turn_1_size,
+      vo_2_size = fabs(v->z) + turn_2_size;
+  const double vo_0_bound = KSL_MUL(7.7715611723761e-16, vo_0_size + 2.004168360008973e-292),
+      vo_1_bound = KSL_MUL(7.7715611723761e-16, vo_1_size + 2.004168360008973e-292),
+      vo_2_bound = KSL_MUL(7.7715611723761e-16, vo_2_size + 2.004168360008973e-292);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -128,21 +113,16 @@ static inline void ksl_rotate_qconjv_certified(const ksl_quaternion_t *q, const 
   const double c_0a = KSL_MUL(q->z, v->y), c_0b = KSL_MUL(q->y, v->z), c_0 = c_0a - c_0b;
   const double c_1a = KSL_MUL(q->x, v->z), c_1b = KSL_MUL(q->z, v->x), c_1 = c_1a - c_1b;
   const double c_2a = KSL_MUL(q->y, v->x), c_2b = KSL_MUL(q->x, v->y), c_2 = c_2a - c_2b;
-  const double t_0 = KSL_MUL(2.0, c_0);
-  const double t_1 = KSL_MUL(2.0, c_1);
-  const double t_2 = KSL_MUL(2.0, c_2);
+  const double t_0 = KSL_MUL(2.0, c_0), t_1 = KSL_MUL(2.0, c_1), t_2 = KSL_MUL(2.0, c_2);
   const double turn_0 = KSL_MUL(q->z, t_1) - KSL_MUL(q->y, t_2) + KSL_MUL(q->w, t_0);
-  const double turn_1 = KSL_MUL(q->x, t_2) - KSL_MUL(q->z, t_0) + KSL_MUL(q->w, t_1);
-  const double turn_2 = KSL_MUL(q->y, t_0) - KSL_MUL(q->x, t_1) + KSL_MUL(q->w, t_2);
-  const double vo_0 = v->x + turn_0;
-  const double vo_1 = v->y + turn_1;
-  const double vo_2 = v->z + turn_2;
-  const double c_0_size = fabs(c_0a) + fabs(c_0b);
-  const double c_1_size = fabs(c_1a) + fabs(c_1b);
-  const double c_2_size = fabs(c_2a) + fabs(c_2b);
-  const double t_0_size = KSL_MUL(2.0, c_0_size + 2.004168360008973e-292);
-  const double t_1_size = KSL_MUL(2.0, c_1_size + 2.004168360008973e-292);
-  const double t_2_size = KSL_MUL(2.0, c_2_size + 2.004168360008973e-292);
+  const double turn_1 = KSL_MUL(q->x, t_2) - KSL_MUL(q->z, t_0) + KSL_MUL(q->w, t_1),
+      turn_2 = KSL_MUL(q->y, t_0) - KSL_MUL(q->x, t_1) + KSL_MUL(q->w, t_2);
+  const double vo_0 = v->x + turn_0, vo_1 = v->y + turn_1, vo_2 = v->z + turn_2;
+  const double c_0_size = fabs(c_0a) + fabs(c_0b), c_1_size = fabs(c_1a) + fabs(c_1b),
+      c_2_size = fabs(c_2a) + fabs(c_2b);
+  const double t_0_size = KSL_MUL(2.0, c_0_size + 2.004168360008973e-292),
+      t_1_size = KSL_MUL(2.0, c_1_size + 2.004168360008973e-292),
+      t_2_size = KSL_MUL(2.0, c_2_size + 2.004168360008973e-292);
   const double t_1_padded = t_1_size + 2.004168360008973e-292;
   const double q_2_abs = fabs(q->z);
   const double t_2_padded = t_2_size + 2.004168360008973e-292;
@@ -156,12 +136,11 @@ static inline void ksl_rotate_qconjv_certified(const ksl_quaternion_t *q, const 
           + KSL_MUL(q_3_abs, t_1_padded);
   const double turn_2_size = KSL_MUL(q_1_abs, t_0_padded) + KSL_MUL(q_0_abs, t_1_padded)
           + KSL_MUL(q_3_abs, t_2_padded);
-  const double vo_0_size = fabs(v->x) + turn_0_size;
-  const double vo_1_size = fabs(v->y) + turn_1_size;
-  const double vo_2_size = fabs(v->z) + turn_2_size;
-  const double vo_0_bound = KSL_MUL(7.7715611723761e-16, vo_0_size + 2.004168360008973e-292);
-  const double vo_1_bound = KSL_MUL(7.7715611723761e-16, vo_1_size + 2.004168360008973e-292);
-  const double vo_2_bound = KSL_MUL(7.7715611723761e-16, vo_2_size + 2.004168360008973e-292);
+  const double vo_0_size = fabs(v->x) + turn_0_size, vo_1_size = fabs(v->y) + turn_1_size,
+      vo_2_size = fabs(v->z) + turn_2_size;
+  const double vo_0_bound = KSL_MUL(7.7715611723761e-16, vo_0_size + 2.004168360008973e-292),
+      vo_1_bound = KSL_MUL(7.7715611723761e-16, vo_1_size + 2.004168360008973e-292),
+      vo_2_bound = KSL_MUL(7.7715611723761e-16, vo_2_size + 2.004168360008973e-292);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -187,14 +166,14 @@ static inline void ksl_quaternion_product_qq_certified(const ksl_quaternion_t *q
   const double qo_3a = KSL_MUL(q1i->w, q2i->w), qo_3b = KSL_MUL(q1i->x, q2i->x),
       qo_3c = KSL_MUL(q1i->y, q2i->y), qo_3e = KSL_MUL(q1i->z, q2i->z),
       qo_3 = qo_3a - (qo_3b + qo_3c + qo_3e);
-  const double qo_0_size = fabs(qo_0a) + (fabs(qo_0b) + fabs(qo_0c)) + fabs(qo_0f);
-  const double qo_1_size = fabs(qo_1a) + fabs(qo_1b) + fabs(qo_1d) + fabs(qo_1f);
-  const double qo_2_size = fabs(qo_2a) + fabs(qo_2b) + fabs(qo_2d) + fabs(qo_2f);
-  const double qo_3_size = fabs(qo_3a) + (fabs(qo_3b) + fabs(qo_3c) + fabs(qo_3e));
-  const double qo_0_bound = KSL_MUL(4.440892098500628e-16, qo_0_size + 2.004168360008973e-292);
-  const double qo_1_bound = KSL_MUL(4.440892098500628e-16, qo_1_size + 2.004168360008973e-292);
-  const double qo_2_bound = KSL_MUL(4.440892098500628e-16, qo_2_size + 2.004168360008973e-292);
-  const double qo_3_bound = KSL_MUL(4.440892098500628e-16, qo_3_size + 2.004168360008973e-292);
+  const double qo_0_size = fabs(qo_0a) + (fabs(qo_0b) + fabs(qo_0c)) + fabs(qo_0f),
+      qo_1_size = fabs(qo_1a) + fabs(qo_1b) + fabs(qo_1d) + fabs(qo_1f),
+      qo_2_size = fabs(qo_2a) + fabs(qo_2b) + fabs(qo_2d) + fabs(qo_2f),
+      qo_3_size = fabs(qo_3a) + (fabs(qo_3b) + fabs(qo_3c) + fabs(qo_3e));
+  const double qo_0_bound = KSL_MUL(4.440892098500628e-16, qo_0_size + 2.004168360008973e-292),
+      qo_1_bound = KSL_MUL(4.440892098500628e-16, qo_1_size + 2.004168360008973e-292),
+      qo_2_bound = KSL_MUL(4.440892098500628e-16, qo_2_size + 2.004168360008973e-292),
+      qo_3_bound = KSL_MUL(4.440892098500628e-16, qo_3_size + 2.004168360008973e-292);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -222,14 +201,14 @@ static inline void ksl_quaternion_product_qqconj_certified(const ksl_quaternion_
   const double qo_3a = KSL_MUL(q1i->x, q2i->x), qo_3b = KSL_MUL(q1i->y, q2i->y),
       qo_3d = KSL_MUL(q1i->z, q2i->z), qo_3f = KSL_MUL(q1i->w, q2i->w),
       qo_3 = qo_3a + qo_3b + qo_3d + qo_3f;
-  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b) + (fabs(qo_0d) + fabs(qo_0e));
-  const double qo_1_size = fabs(qo_1a) + fabs(qo_1b) + (fabs(qo_1d) + fabs(qo_1e));
-  const double qo_2_size = fabs(qo_2a) + fabs(qo_2b) + (fabs(qo_2d) + fabs(qo_2e));
-  const double qo_3_size = fabs(qo_3a) + fabs(qo_3b) + fabs(qo_3d) + fabs(qo_3f);
-  const double qo_0_bound = KSL_MUL(3.3306690738754706e-16, qo_0_size + 2.004168360008973e-292);
-  const double qo_1_bound = KSL_MUL(3.3306690738754706e-16, qo_1_size + 2.004168360008973e-292);
-  const double qo_2_bound = KSL_MUL(3.3306690738754706e-16, qo_2_size + 2.004168360008973e-292);
-  const double qo_3_bound = KSL_MUL(4.440892098500628e-16, qo_3_size + 2.004168360008973e-292);
+  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b) + (fabs(qo_0d) + fabs(qo_0e)),
+      qo_1_size = fabs(qo_1a) + fabs(qo_1b) + (fabs(qo_1d) + fabs(qo_1e)),
+      qo_2_size = fabs(qo_2a) + fabs(qo_2b) + (fabs(qo_2d) + fabs(qo_2e)),
+      qo_3_size = fabs(qo_3a) + fabs(qo_3b) + fabs(qo_3d) + fabs(qo_3f);
+  const double qo_0_bound = KSL_MUL(3.3306690738754706e-16, qo_0_size + 2.004168360008973e-292),
+      qo_1_bound = KSL_MUL(3.3306690738754706e-16, qo_1_size + 2.004168360008973e-292),
+      qo_2_bound = KSL_MUL(3.3306690738754706e-16, qo_2_size + 2.004168360008973e-292),
+      qo_3_bound = KSL_MUL(4.440892098500628e-16, qo_3_size + 2.004168360008973e-292);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -257,14 +236,14 @@ static inline void ksl_quaternion_product_qconjq_certified(const ksl_quaternion_
   const double qo_3a = KSL_MUL(q1i->x, q2i->x), qo_3b = KSL_MUL(q1i->y, q2i->y),
       qo_3d = KSL_MUL(q1i->z, q2i->z), qo_3f = KSL_MUL(q1i->w, q2i->w),
       qo_3 = qo_3a + qo_3b + qo_3d + qo_3f;
-  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b) + (fabs(qo_0d) + fabs(qo_0e));
-  const double qo_1_size = fabs(qo_1a) + fabs(qo_1b) + (fabs(qo_1d) + fabs(qo_1e));
-  const double qo_2_size = fabs(qo_2a) + fabs(qo_2b) + (fabs(qo_2d) + fabs(qo_2e));
-  const double qo_3_size = fabs(qo_3a) + fabs(qo_3b) + fabs(qo_3d) + fabs(qo_3f);
-  const double qo_0_bound = KSL_MUL(3.3306690738754706e-16, qo_0_size + 2.004168360008973e-292);
-  const double qo_1_bound = KSL_MUL(3.3306690738754706e-16, qo_1_size + 2.004168360008973e-292);
-  const double qo_2_bound = KSL_MUL(3.3306690738754706e-16, qo_2_size + 2.004168360008973e-292);
-  const double qo_3_bound = KSL_MUL(4.440892098500628e-16, qo_3_size + 2.004168360008973e-292);
+  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b) + (fabs(qo_0d) + fabs(qo_0e)),
+      qo_1_size = fabs(qo_1a) + fabs(qo_1b) + (fabs(qo_1d) + fabs(qo_1e)),
+      qo_2_size = fabs(qo_2a) + fabs(qo_2b) + (fabs(qo_2d) + fabs(qo_2e)),
+      qo_3_size = fabs(qo_3a) + fabs(qo_3b) + fabs(qo_3d) + fabs(qo_3f);
+  const double qo_0_bound = KSL_MUL(3.3306690738754706e-16, qo_0_size + 2.004168360008973e-292),
+      qo_1_bound = KSL_MUL(3.3306690738754706e-16, qo_1_size + 2.004168360008973e-292),
+      qo_2_bound = KSL_MUL(3.3306690738754706e-16, qo_2_size + 2.004168360008973e-292),
+      qo_3_bound = KSL_MUL(4.440892098500628e-16, qo_3_size + 2.004168360008973e-292);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -292,14 +271,14 @@ static inline void ksl_quaternion_product_qconjqconj_certified(const ksl_quatern
   const double qo_3a = KSL_MUL(q1i->w, q2i->w), qo_3b = KSL_MUL(q1i->x, q2i->x),
       qo_3c = KSL_MUL(q1i->y, q2i->y), qo_3e = KSL_MUL(q1i->z, q2i->z),
       qo_3 = qo_3a - (qo_3b + qo_3c + qo_3e);
-  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b) + fabs(qo_0d) + fabs(qo_0f);
-  const double qo_1_size = fabs(qo_1a) + fabs(qo_1b) + fabs(qo_1d) + fabs(qo_1f);
-  const double qo_2_size = fabs(qo_2a) + fabs(qo_2b) + fabs(qo_2d) + fabs(qo_2f);
-  const double qo_3_size = fabs(qo_3a) + (fabs(qo_3b) + fabs(qo_3c) + fabs(qo_3e));
-  const double qo_0_bound = KSL_MUL(4.440892098500628e-16, qo_0_size + 2.004168360008973e-292);
-  const double qo_1_bound = KSL_MUL(4.440892098500628e-16, qo_1_size + 2.004168360008973e-292);
-  const double qo_2_bound = KSL_MUL(4.440892098500628e-16, qo_2_size + 2.004168360008973e-292);
-  const double qo_3_bound = KSL_MUL(4.440892098500628e-16, qo_3_size + 2.004168360008973e-292);
+  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b) + fabs(qo_0d) + fabs(qo_0f),
+      qo_1_size = fabs(qo_1a) + fabs(qo_1b) + fabs(qo_1d) + fabs(qo_1f),
+      qo_2_size = fabs(qo_2a) + fabs(qo_2b) + fabs(qo_2d) + fabs(qo_2f),
+      qo_3_size = fabs(qo_3a) + (fabs(qo_3b) + fabs(qo_3c) + fabs(qo_3e));
+  const double qo_0_bound = KSL_MUL(4.440892098500628e-16, qo_0_size + 2.004168360008973e-292),
+      qo_1_bound = KSL_MUL(4.440892098500628e-16, qo_1_size + 2.004168360008973e-292),
+      qo_2_bound = KSL_MUL(4.440892098500628e-16, qo_2_size + 2.004168360008973e-292),
+      qo_3_bound = KSL_MUL(4.440892098500628e-16, qo_3_size + 2.004168360008973e-292);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -320,14 +299,12 @@ static inline void ksl_quaternion_product_qxq_certified(const double dci[2],
   const double qo_1a = KSL_MUL(dci[1], qi->y), qo_1b = KSL_MUL(dci[0], qi->z), qo_1 = qo_1a - qo_1b;
   const double qo_2a = KSL_MUL(dci[0], qi->y), qo_2b = KSL_MUL(dci[1], qi->z), qo_2 = qo_2a + qo_2b;
   const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3b = KSL_MUL(dci[0], qi->x), qo_3 = qo_3a - qo_3b;
-  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b);
-  const double qo_1_size = fabs(qo_1a) + fabs(qo_1b);
-  const double qo_2_size = fabs(qo_2a) + fabs(qo_2b);
-  const double qo_3_size = fabs(qo_3a) + fabs(qo_3b);
-  const double qo_0_bound = KSL_MUL(2.2204460492503136e-16, qo_0_size + 2.004168360008973e-292);
-  const double qo_1_bound = KSL_MUL(2.2204460492503136e-16, qo_1_size + 2.004168360008973e-292);
-  const double qo_2_bound = KSL_MUL(2.2204460492503136e-16, qo_2_size + 2.004168360008973e-292);
-  const double qo_3_bound = KSL_MUL(2.2204460492503136e-16, qo_3_size + 2.004168360008973e-292);
+  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b), qo_1_size = fabs(qo_1a) + fabs(qo_1b),
+      qo_2_size = fabs(qo_2a) + fabs(qo_2b), qo_3_size = fabs(qo_3a) + fabs(qo_3b);
+  const double qo_0_bound = KSL_MUL(2.2204460492503136e-16, qo_0_size + 2.004168360008973e-292),
+      qo_1_bound = KSL_MUL(2.2204460492503136e-16, qo_1_size + 2.004168360008973e-292),
+      qo_2_bound = KSL_MUL(2.2204460492503136e-16, qo_2_size + 2.004168360008973e-292),
+      qo_3_bound = KSL_MUL(2.2204460492503136e-16, qo_3_size + 2.004168360008973e-292);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -349,11 +326,10 @@ static inline void ksl_quaternion_product_qxqconj_certified(const double dci[2],
   const double qo_2a = KSL_MUL(dci[0], qi->y), qo_2b = KSL_MUL(dci[1], qi->z),
       qo_2 = -(qo_2a + qo_2b);
   const double qo_3a = KSL_MUL(dci[0], qi->x), qo_3b = KSL_MUL(dci[1], qi->w), qo_3 = qo_3a + qo_3b;
-  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b);
-  const double qo_1_size = fabs(qo_1a) + fabs(qo_1b);
-  const double qo_3_size = fabs(qo_3a) + fabs(qo_3b);
-  const double qo_0_bound = KSL_MUL(2.2204460492503136e-16, qo_0_size + 2.004168360008973e-292);
-  const double qo_1_bound = KSL_MUL(2.2204460492503136e-16, qo_1_size + 2.004168360008973e-292);
+  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b), qo_1_size = fabs(qo_1a) + fabs(qo_1b),
+      qo_3_size = fabs(qo_3a) + fabs(qo_3b);
+  const double qo_0_bound = KSL_MUL(2.2204460492503136e-16, qo_0_size + 2.004168360008973e-292),
+      qo_1_bound = KSL_MUL(2.2204460492503136e-16, qo_1_size + 2.004168360008973e-292);
   const double qo_2c_bound = KSL_MUL(2.2204460492503136e-16, fabs(qo_2a) + fabs(qo_2b)
           + 2.004168360008973e-292);
   const double qo_3_bound = KSL_MUL(2.2204460492503136e-16, qo_3_size + 2.004168360008973e-292);
@@ -377,14 +353,12 @@ static inline void ksl_quaternion_product_qxconjq_certified(const double dci[2],
   const double qo_1a = KSL_MUL(dci[0], qi->z), qo_1b = KSL_MUL(dci[1], qi->y), qo_1 = qo_1a + qo_1b;
   const double qo_2a = KSL_MUL(dci[1], qi->z), qo_2b = KSL_MUL(dci[0], qi->y), qo_2 = qo_2a - qo_2b;
   const double qo_3a = KSL_MUL(dci[0], qi->x), qo_3b = KSL_MUL(dci[1], qi->w), qo_3 = qo_3a + qo_3b;
-  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b);
-  const double qo_1_size = fabs(qo_1a) + fabs(qo_1b);
-  const double qo_2_size = fabs(qo_2a) + fabs(qo_2b);
-  const double qo_3_size = fabs(qo_3a) + fabs(qo_3b);
-  const double qo_0_bound = KSL_MUL(2.2204460492503136e-16, qo_0_size + 2.004168360008973e-292);
-  const double qo_1_bound = KSL_MUL(2.2204460492503136e-16, qo_1_size + 2.004168360008973e-292);
-  const double qo_2_bound = KSL_MUL(2.2204460492503136e-16, qo_2_size + 2.004168360008973e-292);
-  const double qo_3_bound = KSL_MUL(2.2204460492503136e-16, qo_3_size + 2.004168360008973e-292);
+  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b), qo_1_size = fabs(qo_1a) + fabs(qo_1b),
+      qo_2_size = fabs(qo_2a) + fabs(qo_2b), qo_3_size = fabs(qo_3a) + fabs(qo_3b);
+  const double qo_0_bound = KSL_MUL(2.2204460492503136e-16, qo_0_size + 2.004168360008973e-292),
+      qo_1_bound = KSL_MUL(2.2204460492503136e-16, qo_1_size + 2.004168360008973e-292),
+      qo_2_bound = KSL_MUL(2.2204460492503136e-16, qo_2_size + 2.004168360008973e-292),
+      qo_3_bound = KSL_MUL(2.2204460492503136e-16, qo_3_size + 2.004168360008973e-292);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -407,14 +381,13 @@ static inline void ksl_quaternion_product_qxconjqconj_certified(const double dci
       qo_1 = -(qo_1a + qo_1b);
   const double qo_2a = KSL_MUL(dci[0], qi->y), qo_2b = KSL_MUL(dci[1], qi->z), qo_2 = qo_2a - qo_2b;
   const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3b = KSL_MUL(dci[0], qi->x), qo_3 = qo_3a - qo_3b;
-  const double qo_2_size = fabs(qo_2a) + fabs(qo_2b);
-  const double qo_3_size = fabs(qo_3a) + fabs(qo_3b);
+  const double qo_2_size = fabs(qo_2a) + fabs(qo_2b), qo_3_size = fabs(qo_3a) + fabs(qo_3b);
   const double qo_0c_bound = KSL_MUL(2.2204460492503136e-16, fabs(qo_0a) + fabs(qo_0b)
           + 2.004168360008973e-292);
   const double qo_1c_bound = KSL_MUL(2.2204460492503136e-16, fabs(qo_1a) + fabs(qo_1b)
           + 2.004168360008973e-292);
-  const double qo_2_bound = KSL_MUL(2.2204460492503136e-16, qo_2_size + 2.004168360008973e-292);
-  const double qo_3_bound = KSL_MUL(2.2204460492503136e-16, qo_3_size + 2.004168360008973e-292);
+  const double qo_2_bound = KSL_MUL(2.2204460492503136e-16, qo_2_size + 2.004168360008973e-292),
+      qo_3_bound = KSL_MUL(2.2204460492503136e-16, qo_3_size + 2.004168360008973e-292);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -435,14 +408,12 @@ static inline void ksl_quaternion_product_qqx_certified(const ksl_quaternion_t *
   const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1b = KSL_MUL(qi->z, dci[0]), qo_1 = qo_1a + qo_1b;
   const double qo_2a = KSL_MUL(qi->z, dci[1]), qo_2b = KSL_MUL(qi->y, dci[0]), qo_2 = qo_2a - qo_2b;
   const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3b = KSL_MUL(qi->x, dci[0]), qo_3 = qo_3a - qo_3b;
-  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b);
-  const double qo_1_size = fabs(qo_1a) + fabs(qo_1b);
-  const double qo_2_size = fabs(qo_2a) + fabs(qo_2b);
-  const double qo_3_size = fabs(qo_3a) + fabs(qo_3b);
-  const double qo_0_bound = KSL_MUL(2.2204460492503136e-16, qo_0_size + 2.004168360008973e-292);
-  const double qo_1_bound = KSL_MUL(2.2204460492503136e-16, qo_1_size + 2.004168360008973e-292);
-  const double qo_2_bound = KSL_MUL(2.2204460492503136e-16, qo_2_size + 2.004168360008973e-292);
-  const double qo_3_bound = KSL_MUL(2.2204460492503136e-16, qo_3_size + 2.004168360008973e-292);
+  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b), qo_1_size = fabs(qo_1a) + fabs(qo_1b),
+      qo_2_size = fabs(qo_2a) + fabs(qo_2b), qo_3_size = fabs(qo_3a) + fabs(qo_3b);
+  const double qo_0_bound = KSL_MUL(2.2204460492503136e-16, qo_0_size + 2.004168360008973e-292),
+      qo_1_bound = KSL_MUL(2.2204460492503136e-16, qo_1_size + 2.004168360008973e-292),
+      qo_2_bound = KSL_MUL(2.2204460492503136e-16, qo_2_size + 2.004168360008973e-292),
+      qo_3_bound = KSL_MUL(2.2204460492503136e-16, qo_3_size + 2.004168360008973e-292);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -463,14 +434,12 @@ static inline void ksl_quaternion_product_qqxconj_certified(const ksl_quaternion
   const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1b = KSL_MUL(qi->z, dci[0]), qo_1 = qo_1a - qo_1b;
   const double qo_2a = KSL_MUL(qi->y, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]), qo_2 = qo_2a + qo_2b;
   const double qo_3a = KSL_MUL(qi->x, dci[0]), qo_3b = KSL_MUL(qi->w, dci[1]), qo_3 = qo_3a + qo_3b;
-  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b);
-  const double qo_1_size = fabs(qo_1a) + fabs(qo_1b);
-  const double qo_2_size = fabs(qo_2a) + fabs(qo_2b);
-  const double qo_3_size = fabs(qo_3a) + fabs(qo_3b);
-  const double qo_0_bound = KSL_MUL(2.2204460492503136e-16, qo_0_size + 2.004168360008973e-292);
-  const double qo_1_bound = KSL_MUL(2.2204460492503136e-16, qo_1_size + 2.004168360008973e-292);
-  const double qo_2_bound = KSL_MUL(2.2204460492503136e-16, qo_2_size + 2.004168360008973e-292);
-  const double qo_3_bound = KSL_MUL(2.2204460492503136e-16, qo_3_size + 2.004168360008973e-292);
+  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b), qo_1_size = fabs(qo_1a) + fabs(qo_1b),
+      qo_2_size = fabs(qo_2a) + fabs(qo_2b), qo_3_size = fabs(qo_3a) + fabs(qo_3b);
+  const double qo_0_bound = KSL_MUL(2.2204460492503136e-16, qo_0_size + 2.004168360008973e-292),
+      qo_1_bound = KSL_MUL(2.2204460492503136e-16, qo_1_size + 2.004168360008973e-292),
+      qo_2_bound = KSL_MUL(2.2204460492503136e-16, qo_2_size + 2.004168360008973e-292),
+      qo_3_bound = KSL_MUL(2.2204460492503136e-16, qo_3_size + 2.004168360008973e-292);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -492,14 +461,13 @@ static inline void ksl_quaternion_product_qconjqx_certified(const ksl_quaternion
       qo_1 = -(qo_1a + qo_1b);
   const double qo_2a = KSL_MUL(qi->y, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]), qo_2 = qo_2a - qo_2b;
   const double qo_3a = KSL_MUL(qi->x, dci[0]), qo_3b = KSL_MUL(qi->w, dci[1]), qo_3 = qo_3a + qo_3b;
-  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b);
-  const double qo_2_size = fabs(qo_2a) + fabs(qo_2b);
-  const double qo_3_size = fabs(qo_3a) + fabs(qo_3b);
+  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b), qo_2_size = fabs(qo_2a) + fabs(qo_2b),
+      qo_3_size = fabs(qo_3a) + fabs(qo_3b);
   const double qo_0_bound = KSL_MUL(2.2204460492503136e-16, qo_0_size + 2.004168360008973e-292);
   const double qo_1c_bound = KSL_MUL(2.2204460492503136e-16, fabs(qo_1a) + fabs(qo_1b)
           + 2.004168360008973e-292);
-  const double qo_2_bound = KSL_MUL(2.2204460492503136e-16, qo_2_size + 2.004168360008973e-292);
-  const double qo_3_bound = KSL_MUL(2.2204460492503136e-16, qo_3_size + 2.004168360008973e-292);
+  const double qo_2_bound = KSL_MUL(2.2204460492503136e-16, qo_2_size + 2.004168360008973e-292),
+      qo_3_bound = KSL_MUL(2.2204460492503136e-16, qo_3_size + 2.004168360008973e-292);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -522,8 +490,7 @@ static inline void ksl_quaternion_product_qconjqxconj_certified(const ksl_quater
   const double qo_2a = KSL_MUL(qi->y, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]),
       qo_2 = -(qo_2a + qo_2b);
   const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3b = KSL_MUL(qi->x, dci[0]), qo_3 = qo_3a - qo_3b;
-  const double qo_1_size = fabs(qo_1a) + fabs(qo_1b);
-  const double qo_3_size = fabs(qo_3a) + fabs(qo_3b);
+  const double qo_1_size = fabs(qo_1a) + fabs(qo_1b), qo_3_size = fabs(qo_3a) + fabs(qo_3b);
   const double qo_0c_bound = KSL_MUL(2.2204460492503136e-16, fabs(qo_0a) + fabs(qo_0b)
           + 2.004168360008973e-292);
   const double qo_1_bound = KSL_MUL(2.2204460492503136e-16, qo_1_size + 2.004168360008973e-292);
@@ -550,14 +517,12 @@ static inline void ksl_quaternion_product_qyq_certified(const double dci[2],
   const double qo_1a = KSL_MUL(dci[0], qi->w), qo_1b = KSL_MUL(dci[1], qi->y), qo_1 = qo_1a + qo_1b;
   const double qo_2a = KSL_MUL(dci[1], qi->z), qo_2b = KSL_MUL(dci[0], qi->x), qo_2 = qo_2a - qo_2b;
   const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3b = KSL_MUL(dci[0], qi->y), qo_3 = qo_3a - qo_3b;
-  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b);
-  const double qo_1_size = fabs(qo_1a) + fabs(qo_1b);
-  const double qo_2_size = fabs(qo_2a) + fabs(qo_2b);
-  const double qo_3_size = fabs(qo_3a) + fabs(qo_3b);
-  const double qo_0_bound = KSL_MUL(2.2204460492503136e-16, qo_0_size + 2.004168360008973e-292);
-  const double qo_1_bound = KSL_MUL(2.2204460492503136e-16, qo_1_size + 2.004168360008973e-292);
-  const double qo_2_bound = KSL_MUL(2.2204460492503136e-16, qo_2_size + 2.004168360008973e-292);
-  const double qo_3_bound = KSL_MUL(2.2204460492503136e-16, qo_3_size + 2.004168360008973e-292);
+  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b), qo_1_size = fabs(qo_1a) + fabs(qo_1b),
+      qo_2_size = fabs(qo_2a) + fabs(qo_2b), qo_3_size = fabs(qo_3a) + fabs(qo_3b);
+  const double qo_0_bound = KSL_MUL(2.2204460492503136e-16, qo_0_size + 2.004168360008973e-292),
+      qo_1_bound = KSL_MUL(2.2204460492503136e-16, qo_1_size + 2.004168360008973e-292),
+      qo_2_bound = KSL_MUL(2.2204460492503136e-16, qo_2_size + 2.004168360008973e-292),
+      qo_3_bound = KSL_MUL(2.2204460492503136e-16, qo_3_size + 2.004168360008973e-292);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -579,14 +544,13 @@ static inline void ksl_quaternion_product_qyqconj_certified(const double dci[2],
   const double qo_1a = KSL_MUL(dci[0], qi->w), qo_1b = KSL_MUL(dci[1], qi->y), qo_1 = qo_1a - qo_1b;
   const double qo_2a = KSL_MUL(dci[0], qi->x), qo_2b = KSL_MUL(dci[1], qi->z), qo_2 = qo_2a - qo_2b;
   const double qo_3a = KSL_MUL(dci[0], qi->y), qo_3b = KSL_MUL(dci[1], qi->w), qo_3 = qo_3a + qo_3b;
-  const double qo_1_size = fabs(qo_1a) + fabs(qo_1b);
-  const double qo_2_size = fabs(qo_2a) + fabs(qo_2b);
-  const double qo_3_size = fabs(qo_3a) + fabs(qo_3b);
+  const double qo_1_size = fabs(qo_1a) + fabs(qo_1b), qo_2_size = fabs(qo_2a) + fabs(qo_2b),
+      qo_3_size = fabs(qo_3a) + fabs(qo_3b);
   const double qo_0c_bound = KSL_MUL(2.2204460492503136e-16, fabs(qo_0a) + fabs(qo_0b)
           + 2.004168360008973e-292);
-  const double qo_1_bound = KSL_MUL(2.2204460492503136e-16, qo_1_size + 2.004168360008973e-292);
-  const double qo_2_bound = KSL_MUL(2.2204460492503136e-16, qo_2_size + 2.004168360008973e-292);
-  const double qo_3_bound = KSL_MUL(2.2204460492503136e-16, qo_3_size + 2.004168360008973e-292);
+  const double qo_1_bound = KSL_MUL(2.2204460492503136e-16, qo_1_size + 2.004168360008973e-292),
+      qo_2_bound = KSL_MUL(2.2204460492503136e-16, qo_2_size + 2.004168360008973e-292),
+      qo_3_bound = KSL_MUL(2.2204460492503136e-16, qo_3_size + 2.004168360008973e-292);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -607,14 +571,12 @@ static inline void ksl_quaternion_product_qyconjq_certified(const double dci[2],
   const double qo_1a = KSL_MUL(dci[1], qi->y), qo_1b = KSL_MUL(dci[0], qi->w), qo_1 = qo_1a - qo_1b;
   const double qo_2a = KSL_MUL(dci[0], qi->x), qo_2b = KSL_MUL(dci[1], qi->z), qo_2 = qo_2a + qo_2b;
   const double qo_3a = KSL_MUL(dci[0], qi->y), qo_3b = KSL_MUL(dci[1], qi->w), qo_3 = qo_3a + qo_3b;
-  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b);
-  const double qo_1_size = fabs(qo_1a) + fabs(qo_1b);
-  const double qo_2_size = fabs(qo_2a) + fabs(qo_2b);
-  const double qo_3_size = fabs(qo_3a) + fabs(qo_3b);
-  const double qo_0_bound = KSL_MUL(2.2204460492503136e-16, qo_0_size + 2.004168360008973e-292);
-  const double qo_1_bound = KSL_MUL(2.2204460492503136e-16, qo_1_size + 2.004168360008973e-292);
-  const double qo_2_bound = KSL_MUL(2.2204460492503136e-16, qo_2_size + 2.004168360008973e-292);
-  const double qo_3_bound = KSL_MUL(2.2204460492503136e-16, qo_3_size + 2.004168360008973e-292);
+  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b), qo_1_size = fabs(qo_1a) + fabs(qo_1b),
+      qo_2_size = fabs(qo_2a) + fabs(qo_2b), qo_3_size = fabs(qo_3a) + fabs(qo_3b);
+  const double qo_0_bound = KSL_MUL(2.2204460492503136e-16, qo_0_size + 2.004168360008973e-292),
+      qo_1_bound = KSL_MUL(2.2204460492503136e-16, qo_1_size + 2.004168360008973e-292),
+      qo_2_bound = KSL_MUL(2.2204460492503136e-16, qo_2_size + 2.004168360008973e-292),
+      qo_3_bound = KSL_MUL(2.2204460492503136e-16, qo_3_size + 2.004168360008973e-292);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -637,8 +599,7 @@ static inline void ksl_quaternion_product_qyconjqconj_certified(const double dci
   const double qo_2a = KSL_MUL(dci[0], qi->x), qo_2b = KSL_MUL(dci[1], qi->z),
       qo_2 = -(qo_2a + qo_2b);
   const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3b = KSL_MUL(dci[0], qi->y), qo_3 = qo_3a - qo_3b;
-  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b);
-  const double qo_3_size = fabs(qo_3a) + fabs(qo_3b);
+  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b), qo_3_size = fabs(qo_3a) + fabs(qo_3b);
   const double qo_0_bound = KSL_MUL(2.2204460492503136e-16, qo_0_size + 2.004168360008973e-292);
   const double qo_1c_bound = KSL_MUL(2.2204460492503136e-16, fabs(qo_1a) + fabs(qo_1b)
           + 2.004168360008973e-292);
@@ -665,14 +626,12 @@ static inline void ksl_quaternion_product_qqy_certified(const ksl_quaternion_t *
   const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1b = KSL_MUL(qi->w, dci[0]), qo_1 = qo_1a + qo_1b;
   const double qo_2a = KSL_MUL(qi->x, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]), qo_2 = qo_2a + qo_2b;
   const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3b = KSL_MUL(qi->y, dci[0]), qo_3 = qo_3a - qo_3b;
-  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b);
-  const double qo_1_size = fabs(qo_1a) + fabs(qo_1b);
-  const double qo_2_size = fabs(qo_2a) + fabs(qo_2b);
-  const double qo_3_size = fabs(qo_3a) + fabs(qo_3b);
-  const double qo_0_bound = KSL_MUL(2.2204460492503136e-16, qo_0_size + 2.004168360008973e-292);
-  const double qo_1_bound = KSL_MUL(2.2204460492503136e-16, qo_1_size + 2.004168360008973e-292);
-  const double qo_2_bound = KSL_MUL(2.2204460492503136e-16, qo_2_size + 2.004168360008973e-292);
-  const double qo_3_bound = KSL_MUL(2.2204460492503136e-16, qo_3_size + 2.004168360008973e-292);
+  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b), qo_1_size = fabs(qo_1a) + fabs(qo_1b),
+      qo_2_size = fabs(qo_2a) + fabs(qo_2b), qo_3_size = fabs(qo_3a) + fabs(qo_3b);
+  const double qo_0_bound = KSL_MUL(2.2204460492503136e-16, qo_0_size + 2.004168360008973e-292),
+      qo_1_bound = KSL_MUL(2.2204460492503136e-16, qo_1_size + 2.004168360008973e-292),
+      qo_2_bound = KSL_MUL(2.2204460492503136e-16, qo_2_size + 2.004168360008973e-292),
+      qo_3_bound = KSL_MUL(2.2204460492503136e-16, qo_3_size + 2.004168360008973e-292);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -693,14 +652,12 @@ static inline void ksl_quaternion_product_qqyconj_certified(const ksl_quaternion
   const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1b = KSL_MUL(qi->w, dci[0]), qo_1 = qo_1a - qo_1b;
   const double qo_2a = KSL_MUL(qi->z, dci[1]), qo_2b = KSL_MUL(qi->x, dci[0]), qo_2 = qo_2a - qo_2b;
   const double qo_3a = KSL_MUL(qi->y, dci[0]), qo_3b = KSL_MUL(qi->w, dci[1]), qo_3 = qo_3a + qo_3b;
-  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b);
-  const double qo_1_size = fabs(qo_1a) + fabs(qo_1b);
-  const double qo_2_size = fabs(qo_2a) + fabs(qo_2b);
-  const double qo_3_size = fabs(qo_3a) + fabs(qo_3b);
-  const double qo_0_bound = KSL_MUL(2.2204460492503136e-16, qo_0_size + 2.004168360008973e-292);
-  const double qo_1_bound = KSL_MUL(2.2204460492503136e-16, qo_1_size + 2.004168360008973e-292);
-  const double qo_2_bound = KSL_MUL(2.2204460492503136e-16, qo_2_size + 2.004168360008973e-292);
-  const double qo_3_bound = KSL_MUL(2.2204460492503136e-16, qo_3_size + 2.004168360008973e-292);
+  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b), qo_1_size = fabs(qo_1a) + fabs(qo_1b),
+      qo_2_size = fabs(qo_2a) + fabs(qo_2b), qo_3_size = fabs(qo_3a) + fabs(qo_3b);
+  const double qo_0_bound = KSL_MUL(2.2204460492503136e-16, qo_0_size + 2.004168360008973e-292),
+      qo_1_bound = KSL_MUL(2.2204460492503136e-16, qo_1_size + 2.004168360008973e-292),
+      qo_2_bound = KSL_MUL(2.2204460492503136e-16, qo_2_size + 2.004168360008973e-292),
+      qo_3_bound = KSL_MUL(2.2204460492503136e-16, qo_3_size + 2.004168360008973e-292);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -722,11 +679,10 @@ static inline void ksl_quaternion_product_qconjqy_certified(const ksl_quaternion
   const double qo_2a = KSL_MUL(qi->x, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]),
       qo_2 = -(qo_2a + qo_2b);
   const double qo_3a = KSL_MUL(qi->y, dci[0]), qo_3b = KSL_MUL(qi->w, dci[1]), qo_3 = qo_3a + qo_3b;
-  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b);
-  const double qo_1_size = fabs(qo_1a) + fabs(qo_1b);
-  const double qo_3_size = fabs(qo_3a) + fabs(qo_3b);
-  const double qo_0_bound = KSL_MUL(2.2204460492503136e-16, qo_0_size + 2.004168360008973e-292);
-  const double qo_1_bound = KSL_MUL(2.2204460492503136e-16, qo_1_size + 2.004168360008973e-292);
+  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b), qo_1_size = fabs(qo_1a) + fabs(qo_1b),
+      qo_3_size = fabs(qo_3a) + fabs(qo_3b);
+  const double qo_0_bound = KSL_MUL(2.2204460492503136e-16, qo_0_size + 2.004168360008973e-292),
+      qo_1_bound = KSL_MUL(2.2204460492503136e-16, qo_1_size + 2.004168360008973e-292);
   const double qo_2c_bound = KSL_MUL(2.2204460492503136e-16, fabs(qo_2a) + fabs(qo_2b)
           + 2.004168360008973e-292);
   const double qo_3_bound = KSL_MUL(2.2204460492503136e-16, qo_3_size + 2.004168360008973e-292);
@@ -752,14 +708,13 @@ static inline void ksl_quaternion_product_qconjqyconj_certified(const ksl_quater
       qo_1 = -(qo_1a + qo_1b);
   const double qo_2a = KSL_MUL(qi->x, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]), qo_2 = qo_2a - qo_2b;
   const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3b = KSL_MUL(qi->y, dci[0]), qo_3 = qo_3a - qo_3b;
-  const double qo_2_size = fabs(qo_2a) + fabs(qo_2b);
-  const double qo_3_size = fabs(qo_3a) + fabs(qo_3b);
+  const double qo_2_size = fabs(qo_2a) + fabs(qo_2b), qo_3_size = fabs(qo_3a) + fabs(qo_3b);
   const double qo_0c_bound = KSL_MUL(2.2204460492503136e-16, fabs(qo_0a) + fabs(qo_0b)
           + 2.004168360008973e-292);
   const double qo_1c_bound = KSL_MUL(2.2204460492503136e-16, fabs(qo_1a) + fabs(qo_1b)
           + 2.004168360008973e-292);
-  const double qo_2_bound = KSL_MUL(2.2204460492503136e-16, qo_2_size + 2.004168360008973e-292);
-  const double qo_3_bound = KSL_MUL(2.2204460492503136e-16, qo_3_size + 2.004168360008973e-292);
+  const double qo_2_bound = KSL_MUL(2.2204460492503136e-16, qo_2_size + 2.004168360008973e-292),
+      qo_3_bound = KSL_MUL(2.2204460492503136e-16, qo_3_size + 2.004168360008973e-292);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -780,14 +735,12 @@ static inline void ksl_quaternion_product_qzq_certified(const double dci[2],
   const double qo_1a = KSL_MUL(dci[0], qi->x), qo_1b = KSL_MUL(dci[1], qi->y), qo_1 = qo_1a + qo_1b;
   const double qo_2a = KSL_MUL(dci[0], qi->w), qo_2b = KSL_MUL(dci[1], qi->z), qo_2 = qo_2a + qo_2b;
   const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3b = KSL_MUL(dci[0], qi->z), qo_3 = qo_3a - qo_3b;
-  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b);
-  const double qo_1_size = fabs(qo_1a) + fabs(qo_1b);
-  const double qo_2_size = fabs(qo_2a) + fabs(qo_2b);
-  const double qo_3_size = fabs(qo_3a) + fabs(qo_3b);
-  const double qo_0_bound = KSL_MUL(2.2204460492503136e-16, qo_0_size + 2.004168360008973e-292);
-  const double qo_1_bound = KSL_MUL(2.2204460492503136e-16, qo_1_size + 2.004168360008973e-292);
-  const double qo_2_bound = KSL_MUL(2.2204460492503136e-16, qo_2_size + 2.004168360008973e-292);
-  const double qo_3_bound = KSL_MUL(2.2204460492503136e-16, qo_3_size + 2.004168360008973e-292);
+  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b), qo_1_size = fabs(qo_1a) + fabs(qo_1b),
+      qo_2_size = fabs(qo_2a) + fabs(qo_2b), qo_3_size = fabs(qo_3a) + fabs(qo_3b);
+  const double qo_0_bound = KSL_MUL(2.2204460492503136e-16, qo_0_size + 2.004168360008973e-292),
+      qo_1_bound = KSL_MUL(2.2204460492503136e-16, qo_1_size + 2.004168360008973e-292),
+      qo_2_bound = KSL_MUL(2.2204460492503136e-16, qo_2_size + 2.004168360008973e-292),
+      qo_3_bound = KSL_MUL(2.2204460492503136e-16, qo_3_size + 2.004168360008973e-292);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -809,14 +762,13 @@ static inline void ksl_quaternion_product_qzqconj_certified(const double dci[2],
       qo_1 = -(qo_1a + qo_1b);
   const double qo_2a = KSL_MUL(dci[0], qi->w), qo_2b = KSL_MUL(dci[1], qi->z), qo_2 = qo_2a - qo_2b;
   const double qo_3a = KSL_MUL(dci[0], qi->z), qo_3b = KSL_MUL(dci[1], qi->w), qo_3 = qo_3a + qo_3b;
-  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b);
-  const double qo_2_size = fabs(qo_2a) + fabs(qo_2b);
-  const double qo_3_size = fabs(qo_3a) + fabs(qo_3b);
+  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b), qo_2_size = fabs(qo_2a) + fabs(qo_2b),
+      qo_3_size = fabs(qo_3a) + fabs(qo_3b);
   const double qo_0_bound = KSL_MUL(2.2204460492503136e-16, qo_0_size + 2.004168360008973e-292);
   const double qo_1c_bound = KSL_MUL(2.2204460492503136e-16, fabs(qo_1a) + fabs(qo_1b)
           + 2.004168360008973e-292);
-  const double qo_2_bound = KSL_MUL(2.2204460492503136e-16, qo_2_size + 2.004168360008973e-292);
-  const double qo_3_bound = KSL_MUL(2.2204460492503136e-16, qo_3_size + 2.004168360008973e-292);
+  const double qo_2_bound = KSL_MUL(2.2204460492503136e-16, qo_2_size + 2.004168360008973e-292),
+      qo_3_bound = KSL_MUL(2.2204460492503136e-16, qo_3_size + 2.004168360008973e-292);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -837,14 +789,12 @@ static inline void ksl_quaternion_product_qzconjq_certified(const double dci[2],
   const double qo_1a = KSL_MUL(dci[1], qi->y), qo_1b = KSL_MUL(dci[0], qi->x), qo_1 = qo_1a - qo_1b;
   const double qo_2a = KSL_MUL(dci[1], qi->z), qo_2b = KSL_MUL(dci[0], qi->w), qo_2 = qo_2a - qo_2b;
   const double qo_3a = KSL_MUL(dci[0], qi->z), qo_3b = KSL_MUL(dci[1], qi->w), qo_3 = qo_3a + qo_3b;
-  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b);
-  const double qo_1_size = fabs(qo_1a) + fabs(qo_1b);
-  const double qo_2_size = fabs(qo_2a) + fabs(qo_2b);
-  const double qo_3_size = fabs(qo_3a) + fabs(qo_3b);
-  const double qo_0_bound = KSL_MUL(2.2204460492503136e-16, qo_0_size + 2.004168360008973e-292);
-  const double qo_1_bound = KSL_MUL(2.2204460492503136e-16, qo_1_size + 2.004168360008973e-292);
-  const double qo_2_bound = KSL_MUL(2.2204460492503136e-16, qo_2_size + 2.004168360008973e-292);
-  const double qo_3_bound = KSL_MUL(2.2204460492503136e-16, qo_3_size + 2.004168360008973e-292);
+  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b), qo_1_size = fabs(qo_1a) + fabs(qo_1b),
+      qo_2_size = fabs(qo_2a) + fabs(qo_2b), qo_3_size = fabs(qo_3a) + fabs(qo_3b);
+  const double qo_0_bound = KSL_MUL(2.2204460492503136e-16, qo_0_size + 2.004168360008973e-292),
+      qo_1_bound = KSL_MUL(2.2204460492503136e-16, qo_1_size + 2.004168360008973e-292),
+      qo_2_bound = KSL_MUL(2.2204460492503136e-16, qo_2_size + 2.004168360008973e-292),
+      qo_3_bound = KSL_MUL(2.2204460492503136e-16, qo_3_size + 2.004168360008973e-292);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -867,8 +817,7 @@ static inline void ksl_quaternion_product_qzconjqconj_certified(const double dci
   const double qo_2a = KSL_MUL(dci[0], qi->w), qo_2b = KSL_MUL(dci[1], qi->z),
       qo_2 = -(qo_2a + qo_2b);
   const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3b = KSL_MUL(dci[0], qi->z), qo_3 = qo_3a - qo_3b;
-  const double qo_1_size = fabs(qo_1a) + fabs(qo_1b);
-  const double qo_3_size = fabs(qo_3a) + fabs(qo_3b);
+  const double qo_1_size = fabs(qo_1a) + fabs(qo_1b), qo_3_size = fabs(qo_3a) + fabs(qo_3b);
   const double qo_0c_bound = KSL_MUL(2.2204460492503136e-16, fabs(qo_0a) + fabs(qo_0b)
           + 2.004168360008973e-292);
   const double qo_1_bound = KSL_MUL(2.2204460492503136e-16, qo_1_size + 2.004168360008973e-292);
@@ -895,14 +844,12 @@ static inline void ksl_quaternion_product_qqz_certified(const ksl_quaternion_t *
   const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1b = KSL_MUL(qi->x, dci[0]), qo_1 = qo_1a - qo_1b;
   const double qo_2a = KSL_MUL(qi->z, dci[1]), qo_2b = KSL_MUL(qi->w, dci[0]), qo_2 = qo_2a + qo_2b;
   const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3b = KSL_MUL(qi->z, dci[0]), qo_3 = qo_3a - qo_3b;
-  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b);
-  const double qo_1_size = fabs(qo_1a) + fabs(qo_1b);
-  const double qo_2_size = fabs(qo_2a) + fabs(qo_2b);
-  const double qo_3_size = fabs(qo_3a) + fabs(qo_3b);
-  const double qo_0_bound = KSL_MUL(2.2204460492503136e-16, qo_0_size + 2.004168360008973e-292);
-  const double qo_1_bound = KSL_MUL(2.2204460492503136e-16, qo_1_size + 2.004168360008973e-292);
-  const double qo_2_bound = KSL_MUL(2.2204460492503136e-16, qo_2_size + 2.004168360008973e-292);
-  const double qo_3_bound = KSL_MUL(2.2204460492503136e-16, qo_3_size + 2.004168360008973e-292);
+  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b), qo_1_size = fabs(qo_1a) + fabs(qo_1b),
+      qo_2_size = fabs(qo_2a) + fabs(qo_2b), qo_3_size = fabs(qo_3a) + fabs(qo_3b);
+  const double qo_0_bound = KSL_MUL(2.2204460492503136e-16, qo_0_size + 2.004168360008973e-292),
+      qo_1_bound = KSL_MUL(2.2204460492503136e-16, qo_1_size + 2.004168360008973e-292),
+      qo_2_bound = KSL_MUL(2.2204460492503136e-16, qo_2_size + 2.004168360008973e-292),
+      qo_3_bound = KSL_MUL(2.2204460492503136e-16, qo_3_size + 2.004168360008973e-292);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -923,14 +870,12 @@ static inline void ksl_quaternion_product_qqzconj_certified(const ksl_quaternion
   const double qo_1a = KSL_MUL(qi->x, dci[0]), qo_1b = KSL_MUL(qi->y, dci[1]), qo_1 = qo_1a + qo_1b;
   const double qo_2a = KSL_MUL(qi->z, dci[1]), qo_2b = KSL_MUL(qi->w, dci[0]), qo_2 = qo_2a - qo_2b;
   const double qo_3a = KSL_MUL(qi->z, dci[0]), qo_3b = KSL_MUL(qi->w, dci[1]), qo_3 = qo_3a + qo_3b;
-  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b);
-  const double qo_1_size = fabs(qo_1a) + fabs(qo_1b);
-  const double qo_2_size = fabs(qo_2a) + fabs(qo_2b);
-  const double qo_3_size = fabs(qo_3a) + fabs(qo_3b);
-  const double qo_0_bound = KSL_MUL(2.2204460492503136e-16, qo_0_size + 2.004168360008973e-292);
-  const double qo_1_bound = KSL_MUL(2.2204460492503136e-16, qo_1_size + 2.004168360008973e-292);
-  const double qo_2_bound = KSL_MUL(2.2204460492503136e-16, qo_2_size + 2.004168360008973e-292);
-  const double qo_3_bound = KSL_MUL(2.2204460492503136e-16, qo_3_size + 2.004168360008973e-292);
+  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b), qo_1_size = fabs(qo_1a) + fabs(qo_1b),
+      qo_2_size = fabs(qo_2a) + fabs(qo_2b), qo_3_size = fabs(qo_3a) + fabs(qo_3b);
+  const double qo_0_bound = KSL_MUL(2.2204460492503136e-16, qo_0_size + 2.004168360008973e-292),
+      qo_1_bound = KSL_MUL(2.2204460492503136e-16, qo_1_size + 2.004168360008973e-292),
+      qo_2_bound = KSL_MUL(2.2204460492503136e-16, qo_2_size + 2.004168360008973e-292),
+      qo_3_bound = KSL_MUL(2.2204460492503136e-16, qo_3_size + 2.004168360008973e-292);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -952,14 +897,13 @@ static inline void ksl_quaternion_product_qconjqz_certified(const ksl_quaternion
   const double qo_1a = KSL_MUL(qi->x, dci[0]), qo_1b = KSL_MUL(qi->y, dci[1]), qo_1 = qo_1a - qo_1b;
   const double qo_2a = KSL_MUL(qi->w, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]), qo_2 = qo_2a - qo_2b;
   const double qo_3a = KSL_MUL(qi->z, dci[0]), qo_3b = KSL_MUL(qi->w, dci[1]), qo_3 = qo_3a + qo_3b;
-  const double qo_1_size = fabs(qo_1a) + fabs(qo_1b);
-  const double qo_2_size = fabs(qo_2a) + fabs(qo_2b);
-  const double qo_3_size = fabs(qo_3a) + fabs(qo_3b);
+  const double qo_1_size = fabs(qo_1a) + fabs(qo_1b), qo_2_size = fabs(qo_2a) + fabs(qo_2b),
+      qo_3_size = fabs(qo_3a) + fabs(qo_3b);
   const double qo_0c_bound = KSL_MUL(2.2204460492503136e-16, fabs(qo_0a) + fabs(qo_0b)
           + 2.004168360008973e-292);
-  const double qo_1_bound = KSL_MUL(2.2204460492503136e-16, qo_1_size + 2.004168360008973e-292);
-  const double qo_2_bound = KSL_MUL(2.2204460492503136e-16, qo_2_size + 2.004168360008973e-292);
-  const double qo_3_bound = KSL_MUL(2.2204460492503136e-16, qo_3_size + 2.004168360008973e-292);
+  const double qo_1_bound = KSL_MUL(2.2204460492503136e-16, qo_1_size + 2.004168360008973e-292),
+      qo_2_bound = KSL_MUL(2.2204460492503136e-16, qo_2_size + 2.004168360008973e-292),
+      qo_3_bound = KSL_MUL(2.2204460492503136e-16, qo_3_size + 2.004168360008973e-292);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -982,8 +926,7 @@ static inline void ksl_quaternion_product_qconjqzconj_certified(const ksl_quater
   const double qo_2a = KSL_MUL(qi->z, dci[1]), qo_2b = KSL_MUL(qi->w, dci[0]),
       qo_2 = -(qo_2a + qo_2b);
   const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3b = KSL_MUL(qi->z, dci[0]), qo_3 = qo_3a - qo_3b;
-  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b);
-  const double qo_3_size = fabs(qo_3a) + fabs(qo_3b);
+  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b), qo_3_size = fabs(qo_3a) + fabs(qo_3b);
   const double qo_0_bound = KSL_MUL(2.2204460492503136e-16, qo_0_size + 2.004168360008973e-292);
   const double qo_1c_bound = KSL_MUL(2.2204460492503136e-16, fabs(qo_1a) + fabs(qo_1b)
           + 2.004168360008973e-292);
@@ -1013,12 +956,12 @@ static inline void ksl_quaternion_product_qv_certified(const ksl_quaternion_t *q
       qo_2d = KSL_MUL(qi->w, vi->z), qo_2 = qo_2a - qo_2b + qo_2d;
   const double qo_3a = KSL_MUL(qi->x, vi->x), qo_3b = KSL_MUL(qi->y, vi->y),
       qo_3d = KSL_MUL(qi->z, vi->z), qo_3 = -(qo_3a + qo_3b + qo_3d);
-  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b) + fabs(qo_0d);
-  const double qo_1_size = fabs(qo_1a) + fabs(qo_1b) + fabs(qo_1d);
-  const double qo_2_size = fabs(qo_2a) + fabs(qo_2b) + fabs(qo_2d);
-  const double qo_0_bound = KSL_MUL(3.3306690738754706e-16, qo_0_size + 2.004168360008973e-292);
-  const double qo_1_bound = KSL_MUL(3.3306690738754706e-16, qo_1_size + 2.004168360008973e-292);
-  const double qo_2_bound = KSL_MUL(3.3306690738754706e-16, qo_2_size + 2.004168360008973e-292);
+  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b) + fabs(qo_0d),
+      qo_1_size = fabs(qo_1a) + fabs(qo_1b) + fabs(qo_1d),
+      qo_2_size = fabs(qo_2a) + fabs(qo_2b) + fabs(qo_2d);
+  const double qo_0_bound = KSL_MUL(3.3306690738754706e-16, qo_0_size + 2.004168360008973e-292),
+      qo_1_bound = KSL_MUL(3.3306690738754706e-16, qo_1_size + 2.004168360008973e-292),
+      qo_2_bound = KSL_MUL(3.3306690738754706e-16, qo_2_size + 2.004168360008973e-292);
   const double qo_3e_bound = KSL_MUL(3.3306690738754706e-16, fabs(qo_3a) + fabs(qo_3b)
           + fabs(qo_3d) + 2.004168360008973e-292);
   qo->x = qo_0;
@@ -1044,14 +987,14 @@ static inline void ksl_quaternion_product_qconjv_certified(const ksl_quaternion_
       qo_2d = KSL_MUL(qi->w, vi->z), qo_2 = qo_2a - qo_2b + qo_2d;
   const double qo_3a = KSL_MUL(qi->x, vi->x), qo_3b = KSL_MUL(qi->y, vi->y),
       qo_3d = KSL_MUL(qi->z, vi->z), qo_3 = qo_3a + qo_3b + qo_3d;
-  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b) + fabs(qo_0d);
-  const double qo_1_size = fabs(qo_1a) + fabs(qo_1b) + fabs(qo_1d);
-  const double qo_2_size = fabs(qo_2a) + fabs(qo_2b) + fabs(qo_2d);
-  const double qo_3_size = fabs(qo_3a) + fabs(qo_3b) + fabs(qo_3d);
-  const double qo_0_bound = KSL_MUL(3.3306690738754706e-16, qo_0_size + 2.004168360008973e-292);
-  const double qo_1_bound = KSL_MUL(3.3306690738754706e-16, qo_1_size + 2.004168360008973e-292);
-  const double qo_2_bound = KSL_MUL(3.3306690738754706e-16, qo_2_size + 2.004168360008973e-292);
-  const double qo_3_bound = KSL_MUL(3.3306690738754706e-16, qo_3_size + 2.004168360008973e-292);
+  const double qo_0_size = fabs(qo_0a) + fabs(qo_0b) + fabs(qo_0d),
+      qo_1_size = fabs(qo_1a) + fabs(qo_1b) + fabs(qo_1d),
+      qo_2_size = fabs(qo_2a) + fabs(qo_2b) + fabs(qo_2d),
+      qo_3_size = fabs(qo_3a) + fabs(qo_3b) + fabs(qo_3d);
+  const double qo_0_bound = KSL_MUL(3.3306690738754706e-16, qo_0_size + 2.004168360008973e-292),
+      qo_1_bound = KSL_MUL(3.3306690738754706e-16, qo_1_size + 2.004168360008973e-292),
+      qo_2_bound = KSL_MUL(3.3306690738754706e-16, qo_2_size + 2.004168360008973e-292),
+      qo_3_bound = KSL_MUL(3.3306690738754706e-16, qo_3_size + 2.004168360008973e-292);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1075,12 +1018,12 @@ static inline void ksl_quaternion_product_vq_certified(const ksl_vec3_t *vi,
       qo_2d = KSL_MUL(vi->z, qi->w), qo_2 = qo_2a - qo_2b + qo_2d;
   const double qo_3a = KSL_MUL(vi->x, qi->x), qo_3b = KSL_MUL(vi->y, qi->y),
       qo_3d = KSL_MUL(vi->z, qi->z), qo_3 = -(qo_3a + qo_3b + qo_3d);
-  const double qo_0_size = fabs(qo_0a) + (fabs(qo_0b) + fabs(qo_0c));
-  const double qo_1_size = fabs(qo_1a) + fabs(qo_1b) + fabs(qo_1d);
-  const double qo_2_size = fabs(qo_2a) + fabs(qo_2b) + fabs(qo_2d);
-  const double qo_0_bound = KSL_MUL(3.3306690738754706e-16, qo_0_size + 2.004168360008973e-292);
-  const double qo_1_bound = KSL_MUL(3.3306690738754706e-16, qo_1_size + 2.004168360008973e-292);
-  const double qo_2_bound = KSL_MUL(3.3306690738754706e-16, qo_2_size + 2.004168360008973e-292);
+  const double qo_0_size = fabs(qo_0a) + (fabs(qo_0b) + fabs(qo_0c)),
+      qo_1_size = fabs(qo_1a) + fabs(qo_1b) + fabs(qo_1d),
+      qo_2_size = fabs(qo_2a) + fabs(qo_2b) + fabs(qo_2d);
+  const double qo_0_bound = KSL_MUL(3.3306690738754706e-16, qo_0_size + 2.004168360008973e-292),
+      qo_1_bound = KSL_MUL(3.3306690738754706e-16, qo_1_size + 2.004168360008973e-292),
+      qo_2_bound = KSL_MUL(3.3306690738754706e-16, qo_2_size + 2.004168360008973e-292);
   const double qo_3e_bound = KSL_MUL(3.3306690738754706e-16, fabs(qo_3a) + fabs(qo_3b)
           + fabs(qo_3d) + 2.004168360008973e-292);
   qo->x = qo_0;
@@ -1106,14 +1049,14 @@ static inline void ksl_quaternion_product_vqconj_certified(const ksl_vec3_t *vi,
       qo_2d = KSL_MUL(vi->z, qi->w), qo_2 = qo_2a - qo_2b + qo_2d;
   const double qo_3a = KSL_MUL(vi->x, qi->x), qo_3b = KSL_MUL(vi->y, qi->y),
       qo_3d = KSL_MUL(vi->z, qi->z), qo_3 = qo_3a + qo_3b + qo_3d;
-  const double qo_0_size = fabs(qo_0a) + (fabs(qo_0b) + fabs(qo_0c));
-  const double qo_1_size = fabs(qo_1a) + fabs(qo_1b) + fabs(qo_1d);
-  const double qo_2_size = fabs(qo_2a) + fabs(qo_2b) + fabs(qo_2d);
-  const double qo_3_size = fabs(qo_3a) + fabs(qo_3b) + fabs(qo_3d);
-  const double qo_0_bound = KSL_MUL(3.3306690738754706e-16, qo_0_size + 2.004168360008973e-292);
-  const double qo_1_bound = KSL_MUL(3.3306690738754706e-16, qo_1_size + 2.004168360008973e-292);
-  const double qo_2_bound = KSL_MUL(3.3306690738754706e-16, qo_2_size + 2.004168360008973e-292);
-  const double qo_3_bound = KSL_MUL(3.3306690738754706e-16, qo_3_size + 2.004168360008973e-292);
+  const double qo_0_size = fabs(qo_0a) + (fabs(qo_0b) + fabs(qo_0c)),
+      qo_1_size = fabs(qo_1a) + fabs(qo_1b) + fabs(qo_1d),
+      qo_2_size = fabs(qo_2a) + fabs(qo_2b) + fabs(qo_2d),
+      qo_3_size = fabs(qo_3a) + fabs(qo_3b) + fabs(qo_3d);
+  const double qo_0_bound = KSL_MUL(3.3306690738754706e-16, qo_0_size + 2.004168360008973e-292),
+      qo_1_bound = KSL_MUL(3.3306690738754706e-16, qo_1_size + 2.004168360008973e-292),
+      qo_2_bound = KSL_MUL(3.3306690738754706e-16, qo_2_size + 2.004168360008973e-292),
+      qo_3_bound = KSL_MUL(3.3306690738754706e-16, qo_3_size + 2.004168360008973e-292);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1149,10 +1092,10 @@ static inline void ksl_add_dpiToq_certified(const ksl_vec3_t *dpi, ksl_quaternio
       qi_0_new = KSL_MUL(qi_0_new_a, qi->w)
           + (KSL_MUL(qi_0_new_c, qi->y) - KSL_MUL(qi_0_new_e, qi->z)) + qi->x;
   const double qi_1_new = KSL_MUL(qi_0_new_a, qi->z) - KSL_MUL(qi_0_new_c, qi->x)
-          + KSL_MUL(qi_0_new_e, qi->w) + qi->y;
-  const double qi_2_new = KSL_MUL(qi_0_new_e, qi->x) - KSL_MUL(qi_0_new_a, qi->y)
-          + KSL_MUL(qi_0_new_c, qi->w) + qi->z;
-  const double qi_3_new = qi->w
+          + KSL_MUL(qi_0_new_e, qi->w) + qi->y,
+      qi_2_new = KSL_MUL(qi_0_new_e, qi->x) - KSL_MUL(qi_0_new_a, qi->y)
+          + KSL_MUL(qi_0_new_c, qi->w) + qi->z,
+      qi_3_new = qi->w
           - (KSL_MUL(qi_0_new_a, qi->x) + KSL_MUL(qi_0_new_e, qi->y) + KSL_MUL(qi_0_new_c, qi->z));
   const double qi_0_new_a_padded = fabs(qi_0_new_a) + 2.004168360008973e-292;
   const double qi_3_abs = fabs(qi->w);
@@ -1164,20 +1107,17 @@ static inline void ksl_add_dpiToq_certified(const ksl_vec3_t *dpi, ksl_quaternio
           + (KSL_MUL(qi_0_new_c_padded, qi_1_abs) + KSL_MUL(qi_0_new_e_padded, qi_2_abs))
           + qi_0_abs;
   const double qi_1_new_size = KSL_MUL(qi_0_new_a_padded, qi_2_abs)
-          + KSL_MUL(qi_0_new_c_padded, qi_0_abs) + KSL_MUL(qi_0_new_e_padded, qi_3_abs) + qi_1_abs;
-  const double qi_2_new_size = KSL_MUL(qi_0_new_e_padded, qi_0_abs)
-          + KSL_MUL(qi_0_new_a_padded, qi_1_abs) + KSL_MUL(qi_0_new_c_padded, qi_3_abs) + qi_2_abs;
-  const double qi_3_new_size = qi_3_abs
+          + KSL_MUL(qi_0_new_c_padded, qi_0_abs) + KSL_MUL(qi_0_new_e_padded, qi_3_abs) + qi_1_abs,
+      qi_2_new_size = KSL_MUL(qi_0_new_e_padded, qi_0_abs) + KSL_MUL(qi_0_new_a_padded, qi_1_abs)
+          + KSL_MUL(qi_0_new_c_padded, qi_3_abs) + qi_2_abs,
+      qi_3_new_size = qi_3_abs
           + (KSL_MUL(qi_0_new_a_padded, qi_0_abs) + KSL_MUL(qi_0_new_e_padded, qi_1_abs)
           + KSL_MUL(qi_0_new_c_padded, qi_2_abs));
   const double qi_0_new_bound = KSL_MUL(5.551115123125785e-16, qi_0_new_size
-          + 2.004168360008973e-292);
-  const double qi_1_new_bound = KSL_MUL(5.551115123125785e-16, qi_1_new_size
-          + 2.004168360008973e-292);
-  const double qi_2_new_bound = KSL_MUL(5.551115123125785e-16, qi_2_new_size
-          + 2.004168360008973e-292);
-  const double qi_3_new_bound = KSL_MUL(5.551115123125785e-16, qi_3_new_size
-          + 2.004168360008973e-292);
+          + 2.004168360008973e-292),
+      qi_1_new_bound = KSL_MUL(5.551115123125785e-16, qi_1_new_size + 2.004168360008973e-292),
+      qi_2_new_bound = KSL_MUL(5.551115123125785e-16, qi_2_new_size + 2.004168360008973e-292),
+      qi_3_new_bound = KSL_MUL(5.551115123125785e-16, qi_3_new_size + 2.004168360008973e-292);
   qi->x = qi_0_new;
   qi->y = qi_1_new;
   qi->z = qi_2_new;
@@ -1199,10 +1139,10 @@ static inline void ksl_subtract_dpiFromq_certified(const ksl_vec3_t *dpi, ksl_qu
       qi_0_new = KSL_MUL(qi_0_new_a, qi->z) - KSL_MUL(qi_0_new_c, qi->y)
           - KSL_MUL(qi_0_new_f, qi->w) + qi->x;
   const double qi_1_new = KSL_MUL(qi_0_new_c, qi->x) - KSL_MUL(qi_0_new_f, qi->z)
-          - KSL_MUL(qi_0_new_a, qi->w) + qi->y;
-  const double qi_2_new = KSL_MUL(qi_0_new_f, qi->y) - KSL_MUL(qi_0_new_a, qi->x)
-          - KSL_MUL(qi_0_new_c, qi->w) + qi->z;
-  const double qi_3_new = KSL_MUL(qi_0_new_f, qi->x) + KSL_MUL(qi_0_new_a, qi->y)
+          - KSL_MUL(qi_0_new_a, qi->w) + qi->y,
+      qi_2_new = KSL_MUL(qi_0_new_f, qi->y) - KSL_MUL(qi_0_new_a, qi->x)
+          - KSL_MUL(qi_0_new_c, qi->w) + qi->z,
+      qi_3_new = KSL_MUL(qi_0_new_f, qi->x) + KSL_MUL(qi_0_new_a, qi->y)
           + KSL_MUL(qi_0_new_c, qi->z) + qi->w;
   const double qi_0_new_a_padded = fabs(qi_0_new_a) + 2.004168360008973e-292;
   const double qi_2_abs = fabs(qi->z);
@@ -1213,19 +1153,16 @@ static inline void ksl_subtract_dpiFromq_certified(const ksl_vec3_t *dpi, ksl_qu
       qi_0_new_size = KSL_MUL(qi_0_new_a_padded, qi_2_abs) + KSL_MUL(qi_0_new_c_padded, qi_1_abs)
           + KSL_MUL(qi_0_new_f_padded, qi_3_abs) + qi_0_abs;
   const double qi_1_new_size = KSL_MUL(qi_0_new_c_padded, qi_0_abs)
-          + KSL_MUL(qi_0_new_f_padded, qi_2_abs) + KSL_MUL(qi_0_new_a_padded, qi_3_abs) + qi_1_abs;
-  const double qi_2_new_size = KSL_MUL(qi_0_new_f_padded, qi_1_abs)
-          + KSL_MUL(qi_0_new_a_padded, qi_0_abs) + KSL_MUL(qi_0_new_c_padded, qi_3_abs) + qi_2_abs;
-  const double qi_3_new_size = KSL_MUL(qi_0_new_f_padded, qi_0_abs)
-          + KSL_MUL(qi_0_new_a_padded, qi_1_abs) + KSL_MUL(qi_0_new_c_padded, qi_2_abs) + qi_3_abs;
+          + KSL_MUL(qi_0_new_f_padded, qi_2_abs) + KSL_MUL(qi_0_new_a_padded, qi_3_abs) + qi_1_abs,
+      qi_2_new_size = KSL_MUL(qi_0_new_f_padded, qi_1_abs) + KSL_MUL(qi_0_new_a_padded, qi_0_abs)
+          + KSL_MUL(qi_0_new_c_padded, qi_3_abs) + qi_2_abs,
+      qi_3_new_size = KSL_MUL(qi_0_new_f_padded, qi_0_abs) + KSL_MUL(qi_0_new_a_padded, qi_1_abs)
+          + KSL_MUL(qi_0_new_c_padded, qi_2_abs) + qi_3_abs;
   const double qi_0_new_bound = KSL_MUL(5.551115123125785e-16, qi_0_new_size
-          + 2.004168360008973e-292);
-  const double qi_1_new_bound = KSL_MUL(5.551115123125785e-16, qi_1_new_size
-          + 2.004168360008973e-292);
-  const double qi_2_new_bound = KSL_MUL(5.551115123125785e-16, qi_2_new_size
-          + 2.004168360008973e-292);
-  const double qi_3_new_bound = KSL_MUL(5.551115123125785e-16, qi_3_new_size
-          + 2.004168360008973e-292);
+          + 2.004168360008973e-292),
+      qi_1_new_bound = KSL_MUL(5.551115123125785e-16, qi_1_new_size + 2.004168360008973e-292),
+      qi_2_new_bound = KSL_MUL(5.551115123125785e-16, qi_2_new_size + 2.004168360008973e-292),
+      qi_3_new_bound = KSL_MUL(5.551115123125785e-16, qi_3_new_size + 2.004168360008973e-292);
   qi->x = qi_0_new;
   qi->y = qi_1_new;
   qi->z = qi_2_new;
@@ -1250,10 +1187,10 @@ static inline void ksl_omega_to_dquaternion_certified(const ksl_vec3_t *w,
       dqo_0 = KSL_MUL(dqo_0a, qi->w) + (KSL_MUL(dqo_0c, qi->z) - KSL_MUL(dqo_0e, qi->y))
           + KSL_MUL(qi->x, dqo_0p);
   const double dqo_1 = KSL_MUL(dqo_0e, qi->x) - KSL_MUL(dqo_0a, qi->z) + KSL_MUL(dqo_0c, qi->w)
-          + KSL_MUL(qi->y, dqo_0p);
-  const double dqo_2 = KSL_MUL(dqo_0a, qi->y) - KSL_MUL(dqo_0c, qi->x) + KSL_MUL(dqo_0e, qi->w)
-          + KSL_MUL(qi->z, dqo_0p);
-  const double dqo_3 = KSL_MUL(qi->w, dqo_0p)
+          + KSL_MUL(qi->y, dqo_0p),
+      dqo_2 = KSL_MUL(dqo_0a, qi->y) - KSL_MUL(dqo_0c, qi->x) + KSL_MUL(dqo_0e, qi->w)
+          + KSL_MUL(qi->z, dqo_0p),
+      dqo_3 = KSL_MUL(qi->w, dqo_0p)
           - (KSL_MUL(dqo_0a, qi->x) + KSL_MUL(dqo_0c, qi->y) + KSL_MUL(dqo_0e, qi->z));
   const double dqo_0a_padded = fabs(dqo_0a) + 2.004168360008973e-292;
   const double qi_3_abs = fabs(qi->w);
@@ -1268,16 +1205,16 @@ static inline void ksl_omega_to_dquaternion_certified(const ksl_vec3_t *w,
           + (KSL_MUL(dqo_0c_padded, qi_2_abs) + KSL_MUL(dqo_0e_padded, qi_1_abs)),
       dqo_0_size = dqo_0h_size + KSL_MUL(qi_0_abs, dqo_0p_padded);
   const double dqo_1_size = KSL_MUL(dqo_0e_padded, qi_0_abs) + KSL_MUL(dqo_0a_padded, qi_2_abs)
-          + KSL_MUL(dqo_0c_padded, qi_3_abs) + KSL_MUL(qi_1_abs, dqo_0p_padded);
-  const double dqo_2_size = KSL_MUL(dqo_0a_padded, qi_1_abs) + KSL_MUL(dqo_0c_padded, qi_0_abs)
+          + KSL_MUL(dqo_0c_padded, qi_3_abs) + KSL_MUL(qi_1_abs, dqo_0p_padded),
+      dqo_2_size = KSL_MUL(dqo_0a_padded, qi_1_abs) + KSL_MUL(dqo_0c_padded, qi_0_abs)
           + KSL_MUL(dqo_0e_padded, qi_3_abs) + KSL_MUL(qi_2_abs, dqo_0p_padded);
   const double dqo_3f_size = KSL_MUL(dqo_0a_padded, qi_0_abs) + KSL_MUL(dqo_0c_padded, qi_1_abs)
           + KSL_MUL(dqo_0e_padded, qi_2_abs),
       dqo_3_size = KSL_MUL(qi_3_abs, dqo_0p_padded) + dqo_3f_size;
-  const double dqo_0_bound = KSL_MUL(7.7715611723761e-16, dqo_0_size + 2.004168360008973e-292);
-  const double dqo_1_bound = KSL_MUL(7.7715611723761e-16, dqo_1_size + 2.004168360008973e-292);
-  const double dqo_2_bound = KSL_MUL(7.7715611723761e-16, dqo_2_size + 2.004168360008973e-292);
-  const double dqo_3_bound = KSL_MUL(7.7715611723761e-16, dqo_3_size + 2.004168360008973e-292);
+  const double dqo_0_bound = KSL_MUL(7.7715611723761e-16, dqo_0_size + 2.004168360008973e-292),
+      dqo_1_bound = KSL_MUL(7.7715611723761e-16, dqo_1_size + 2.004168360008973e-292),
+      dqo_2_bound = KSL_MUL(7.7715611723761e-16, dqo_2_size + 2.004168360008973e-292),
+      dqo_3_bound = KSL_MUL(7.7715611723761e-16, dqo_3_size + 2.004168360008973e-292);
   dqo->x = dqo_0;
   dqo->y = dqo_1;
   dqo->z = dqo_2;
@@ -1299,9 +1236,8 @@ static inline void ksl_quaternion_from_axis_angle_certified(const ksl_vec3_t *ax
   double qo_own_error_1; const double sine_own_error_1 = ksl_sincos_error(half, sine, qo_3,
       &qo_own_error_1);
   const double sine_size_1 = 1.0 + (1.8051943758648296e-276 + KSL_MUL(0.5, fabs(angle)));
-  const double qo_0 = KSL_MUL(axis->x, sine);
-  const double qo_1 = KSL_MUL(axis->y, sine);
-  const double qo_2 = KSL_MUL(axis->z, sine);
+  const double qo_0 = KSL_MUL(axis->x, sine), qo_1 = KSL_MUL(axis->y, sine),
+      qo_2 = KSL_MUL(axis->z, sine);
   const double qo_rest_1 = KSL_MUL(4.3017579231195054e-30, 1.8051943758648296e-276
           + KSL_MUL(fabs(axis->x), sine_size_1)),
       qo_rest_2 = KSL_MUL(4.3017579231195054e-30, 1.8051943758648296e-276
@@ -1333,10 +1269,8 @@ static inline void ksl_quaternion_from_axis_angle_certified(const ksl_vec3_t *ax
      35 less, 10 equal, 69 select. */
 static inline double ksl_axis_angle_from_quaternion_certified(const ksl_quaternion_t *q,
     ksl_vec3_t *axis, double *angle_bound, ksl_vec3_t *axis_bound) {
-  const double s_size_0 = fabs(q->x);
-  const double s_size_1 = fabs(q->y);
-  const double s_size_2 = fabs(q->z);
-  const double s_size_3 = fabs(q->w);
+  const double s_size_0 = fabs(q->x), s_size_1 = fabs(q->y), s_size_2 = fabs(q->z),
+      s_size_3 = fabs(q->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
@@ -1387,8 +1321,7 @@ static inline double ksl_axis_angle_from_quaternion_certified(const ksl_quaterni
   const double v_s_size_padded_1 = 1.8051943758648296e-276
           + (scaled_s_size_4
           + KSL_MUL(3.169126500570585e+29, scaled_s_size_15 < upper_size_3 ? 0.0 : upper_size_8));
-  const double v_y_1 = KSL_MUL(upper_1, v_s);
-  const double v_y_2 = KSL_MUL(upper_2, v_s);
+  const double v_y_1 = KSL_MUL(upper_1, v_s), v_y_2 = KSL_MUL(upper_2, v_s);
   const double v_n_a = KSL_MUL(v_y_0, v_y_0),
       v_n_a_padded_1 = 1.8051943758648296e-276 + KSL_MUL(v_s_size_3, v_s_size_padded_1),
       v_n_a_size_2 = KSL_MUL(v_n_a_padded_1, fabs(v_y_0)
@@ -1517,23 +1450,13 @@ static inline void ksl_quaternion_exp_certified(const ksl_vec3_t *v, ksl_quatern
   const double h_0 = KSL_MUL(0.5, v->x);
   const double h_1 = KSL_MUL(0.5, v->y);
   const double h_2 = KSL_MUL(0.5, v->z);
-  const double size_0 = fabs(h_0);
-  const double size_1 = fabs(h_1);
-  const double size_2 = fabs(h_2);
+  const double size_0 = fabs(h_0), size_1 = fabs(h_1), size_2 = fabs(h_2);
   const double sizes = size_0 + size_1 + size_2;
   const double grid = KSL_MUL(sizes, 268435456.0);
-  const double shifted_0 = h_0 + grid;
-  const double shifted_1 = h_1 + grid;
-  const double shifted_2 = h_2 + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = h_0 - high_0;
-  const double low_1 = h_1 - high_1;
-  const double low_2 = h_2 - high_2;
-  const double sum_0 = h_0 + high_0;
-  const double sum_1 = h_1 + high_1;
-  const double sum_2 = h_2 + high_2;
+  const double shifted_0 = h_0 + grid, shifted_1 = h_1 + grid, shifted_2 = h_2 + grid;
+  const double high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const double low_0 = h_0 - high_0, low_1 = h_1 - high_1, low_2 = h_2 - high_2;
+  const double sum_0 = h_0 + high_0, sum_1 = h_1 + high_1, sum_2 = h_2 + high_2;
   const double squares = KSL_MUL(high_0, high_0) + KSL_MUL(high_1, high_1)
           + KSL_MUL(high_2, high_2);
   const double cross = KSL_MUL(low_0, sum_0) + KSL_MUL(low_1, sum_1) + KSL_MUL(low_2, sum_2);
@@ -1586,9 +1509,8 @@ static inline void ksl_quaternion_exp_certified(const ksl_vec3_t *v, ksl_quatern
   const double h_largest2 = h_largest1 < h_size_2 ? h_size_2 : h_largest1;
   const double s = 6.703903964971299e+153 < h_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_size_1 = 6.703903964971299e+153 < h_largest2 ? 3.7291703656001034e-155 : 1.0;
-  const double reduced_0 = KSL_MUL(fine_h_0, s);
-  const double reduced_1 = KSL_MUL(fine_h_1, s);
-  const double reduced_2 = KSL_MUL(fine_h_2, s);
+  const double reduced_0 = KSL_MUL(fine_h_0, s), reduced_1 = KSL_MUL(fine_h_1, s),
+      reduced_2 = KSL_MUL(fine_h_2, s);
   const double up = s < 1.0 ? 2.6815615859885194e+154 : 1.0;
   const double reduced_length_a = KSL_MUL(reduced_0, reduced_0),
       reduced_length_a_padded_1 = 1.8051943758648296e-276 + KSL_MUL(h_size_padded_1, s_size_1),
@@ -1749,10 +1671,8 @@ static inline void ksl_quaternion_exp_certified(const ksl_vec3_t *v, ksl_quatern
      35 less, 10 equal, 65 select. */
 static inline void ksl_quaternion_log_certified(const ksl_quaternion_t *q, ksl_vec3_t *vo,
     ksl_vec3_t *vo_bound) {
-  const double s_size_0 = fabs(q->x);
-  const double s_size_1 = fabs(q->y);
-  const double s_size_2 = fabs(q->z);
-  const double s_size_3 = fabs(q->w);
+  const double s_size_0 = fabs(q->x), s_size_1 = fabs(q->y), s_size_2 = fabs(q->z),
+      s_size_3 = fabs(q->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
@@ -1804,9 +1724,8 @@ static inline void ksl_quaternion_log_certified(const ksl_quaternion_t *q, ksl_v
       v_s_b_size_1 = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : 1.0,
       v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_b,
       v_s_size_3 = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_b_size_1;
-  const double v_y_0 = KSL_MUL(upper_0, v_s);
-  const double v_y_1 = KSL_MUL(upper_1, v_s);
-  const double v_y_2 = KSL_MUL(upper_2, v_s);
+  const double v_y_0 = KSL_MUL(upper_0, v_s), v_y_1 = KSL_MUL(upper_1, v_s),
+      v_y_2 = KSL_MUL(upper_2, v_s);
   const double v_n_a = KSL_MUL(v_y_0, v_y_0),
       v_n_a_padded_1 = 1.8051943758648296e-276 + KSL_MUL(v_s_size_3, v_s_size_padded_1),
       v_n_a_size_2 = KSL_MUL(v_n_a_padded_1, fabs(v_y_0)
@@ -1921,14 +1840,12 @@ static inline void ksl_quaternion_log_certified(const ksl_quaternion_t *q, ksl_v
    8 mul, 4 add, 4 abs. */
 static inline void ksl_quaternionf_scale_certified(ksl_quaternionf_t *self, const float a,
     ksl_quaternionf_t *self_bound) {
-  const float self_0_new = KSL_MULF(self->x, a);
-  const float self_1_new = KSL_MULF(self->y, a);
-  const float self_2_new = KSL_MULF(self->z, a);
-  const float self_3_new = KSL_MULF(self->w, a);
-  const float self_0_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_0_new) + 1.9721523e-31f);
-  const float self_1_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_1_new) + 1.9721523e-31f);
-  const float self_2_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_2_new) + 1.9721523e-31f);
-  const float self_3_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_3_new) + 1.9721523e-31f);
+  const float self_0_new = KSL_MULF(self->x, a), self_1_new = KSL_MULF(self->y, a),
+      self_2_new = KSL_MULF(self->z, a), self_3_new = KSL_MULF(self->w, a);
+  const float self_0_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_0_new) + 1.9721523e-31f),
+      self_1_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_1_new) + 1.9721523e-31f),
+      self_2_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_2_new) + 1.9721523e-31f),
+      self_3_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_3_new) + 1.9721523e-31f);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -1948,14 +1865,13 @@ static inline void ksl_axpy_qqf_certified(const float a, const ksl_quaternionf_t
   const float y_1_new_a = KSL_MULF(a, x->y), y_1_new = y_1_new_a + y->y;
   const float y_2_new_a = KSL_MULF(a, x->z), y_2_new = y_2_new_a + y->z;
   const float y_3_new_a = KSL_MULF(a, x->w), y_3_new = y_3_new_a + y->w;
-  const float y_0_new_size = fabsf(y_0_new_a) + fabsf(y->x);
-  const float y_1_new_size = fabsf(y_1_new_a) + fabsf(y->y);
-  const float y_2_new_size = fabsf(y_2_new_a) + fabsf(y->z);
-  const float y_3_new_size = fabsf(y_3_new_a) + fabsf(y->w);
-  const float y_0_new_bound = KSL_MULF(1.192093e-07f, y_0_new_size + 1.9721523e-31f);
-  const float y_1_new_bound = KSL_MULF(1.192093e-07f, y_1_new_size + 1.9721523e-31f);
-  const float y_2_new_bound = KSL_MULF(1.192093e-07f, y_2_new_size + 1.9721523e-31f);
-  const float y_3_new_bound = KSL_MULF(1.192093e-07f, y_3_new_size + 1.9721523e-31f);
+  const float y_0_new_size = fabsf(y_0_new_a) + fabsf(y->x),
+      y_1_new_size = fabsf(y_1_new_a) + fabsf(y->y), y_2_new_size = fabsf(y_2_new_a) + fabsf(y->z),
+      y_3_new_size = fabsf(y_3_new_a) + fabsf(y->w);
+  const float y_0_new_bound = KSL_MULF(1.192093e-07f, y_0_new_size + 1.9721523e-31f),
+      y_1_new_bound = KSL_MULF(1.192093e-07f, y_1_new_size + 1.9721523e-31f),
+      y_2_new_bound = KSL_MULF(1.192093e-07f, y_2_new_size + 1.9721523e-31f),
+      y_3_new_bound = KSL_MULF(1.192093e-07f, y_3_new_size + 1.9721523e-31f);
   y->x = y_0_new;
   y->y = y_1_new;
   y->z = y_2_new;
@@ -1974,21 +1890,16 @@ static inline void ksl_rotate_qvf_certified(const ksl_quaternionf_t *q, const ks
   const float c_0a = KSL_MULF(q->y, v->z), c_0b = KSL_MULF(q->z, v->y), c_0 = c_0a - c_0b;
   const float c_1a = KSL_MULF(q->z, v->x), c_1b = KSL_MULF(q->x, v->z), c_1 = c_1a - c_1b;
   const float c_2a = KSL_MULF(q->x, v->y), c_2b = KSL_MULF(q->y, v->x), c_2 = c_2a - c_2b;
-  const float t_0 = KSL_MULF(2.0f, c_0);
-  const float t_1 = KSL_MULF(2.0f, c_1);
-  const float t_2 = KSL_MULF(2.0f, c_2);
+  const float t_0 = KSL_MULF(2.0f, c_0), t_1 = KSL_MULF(2.0f, c_1), t_2 = KSL_MULF(2.0f, c_2);
   const float turn_0 = KSL_MULF(q->y, t_2) - KSL_MULF(q->z, t_1) + KSL_MULF(q->w, t_0);
-  const float turn_1 = KSL_MULF(q->z, t_0) - KSL_MULF(q->x, t_2) + KSL_MULF(q->w, t_1);
-  const float turn_2 = KSL_MULF(q->x, t_1) - KSL_MULF(q->y, t_0) + KSL_MULF(q->w, t_2);
-  const float vo_0 = v->x + turn_0;
-  const float vo_1 = v->y + turn_1;
-  const float vo_2 = v->z + turn_2;
-  const float c_0_size = fabsf(c_0a) + fabsf(c_0b);
-  const float c_1_size = fabsf(c_1a) + fabsf(c_1b);
-  const float c_2_size = fabsf(c_2a) + fabsf(c_2b);
-  const float t_0_size = KSL_MULF(2.0f, c_0_size + 1.9721523e-31f);
-  const float t_1_size = KSL_MULF(2.0f, c_1_size + 1.9721523e-31f);
-  const float t_2_size = KSL_MULF(2.0f, c_2_size + 1.9721523e-31f);
+  const float turn_1 = KSL_MULF(q->z, t_0) - KSL_MULF(q->x, t_2) + KSL_MULF(q->w, t_1),
+      turn_2 = KSL_MULF(q->x, t_1) - KSL_MULF(q->y, t_0) + KSL_MULF(q->w, t_2);
+  const float vo_0 = v->x + turn_0, vo_1 = v->y + turn_1, vo_2 = v->z + turn_2;
+  const float c_0_size = fabsf(c_0a) + fabsf(c_0b), c_1_size = fabsf(c_1a) + fabsf(c_1b),
+      c_2_size = fabsf(c_2a) + fabsf(c_2b);
+  const float t_0_size = KSL_MULF(2.0f, c_0_size + 1.9721523e-31f),
+      t_1_size = KSL_MULF(2.0f, c_1_size + 1.9721523e-31f),
+      t_2_size = KSL_MULF(2.0f, c_2_size + 1.9721523e-31f);
   const float t_2_padded = t_2_size + 1.9721523e-31f;
   const float q_1_abs = fabsf(q->y);
   const float t_1_padded = t_1_size + 1.9721523e-31f;
@@ -2002,12 +1913,11 @@ static inline void ksl_rotate_qvf_certified(const ksl_quaternionf_t *q, const ks
           + KSL_MULF(q_3_abs, t_1_padded);
   const float turn_2_size = KSL_MULF(q_0_abs, t_1_padded) + KSL_MULF(q_1_abs, t_0_padded)
           + KSL_MULF(q_3_abs, t_2_padded);
-  const float vo_0_size = fabsf(v->x) + turn_0_size;
-  const float vo_1_size = fabsf(v->y) + turn_1_size;
-  const float vo_2_size = fabsf(v->z) + turn_2_size;
-  const float vo_0_bound = KSL_MULF(4.1723263e-07f, vo_0_size + 1.9721523e-31f);
-  const float vo_1_bound = KSL_MULF(4.1723263e-07f, vo_1_size + 1.9721523e-31f);
-  const float vo_2_bound = KSL_MULF(4.1723263e-07f, vo_2_size + 1.9721523e-31f);
+  const float vo_0_size = fabsf(v->x) + turn_0_size, vo_1_size = fabsf(v->y) + turn_1_size,
+      vo_2_size = fabsf(v->z) + turn_2_size;
+  const float vo_0_bound = KSL_MULF(4.1723263e-07f, vo_0_size + 1.9721523e-31f),
+      vo_1_bound = KSL_MULF(4.1723263e-07f, vo_1_size + 1.9721523e-31f),
+      vo_2_bound = KSL_MULF(4.1723263e-07f, vo_2_size + 1.9721523e-31f);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -2024,21 +1934,16 @@ static inline void ksl_rotate_qconjvf_certified(const ksl_quaternionf_t *q, cons
   const float c_0a = KSL_MULF(q->z, v->y), c_0b = KSL_MULF(q->y, v->z), c_0 = c_0a - c_0b;
   const float c_1a = KSL_MULF(q->x, v->z), c_1b = KSL_MULF(q->z, v->x), c_1 = c_1a - c_1b;
   const float c_2a = KSL_MULF(q->y, v->x), c_2b = KSL_MULF(q->x, v->y), c_2 = c_2a - c_2b;
-  const float t_0 = KSL_MULF(2.0f, c_0);
-  const float t_1 = KSL_MULF(2.0f, c_1);
-  const float t_2 = KSL_MULF(2.0f, c_2);
+  const float t_0 = KSL_MULF(2.0f, c_0), t_1 = KSL_MULF(2.0f, c_1), t_2 = KSL_MULF(2.0f, c_2);
   const float turn_0 = KSL_MULF(q->z, t_1) - KSL_MULF(q->y, t_2) + KSL_MULF(q->w, t_0);
-  const float turn_1 = KSL_MULF(q->x, t_2) - KSL_MULF(q->z, t_0) + KSL_MULF(q->w, t_1);
-  const float turn_2 = KSL_MULF(q->y, t_0) - KSL_MULF(q->x, t_1) + KSL_MULF(q->w, t_2);
-  const float vo_0 = v->x + turn_0;
-  const float vo_1 = v->y + turn_1;
-  const float vo_2 = v->z + turn_2;
-  const float c_0_size = fabsf(c_0a) + fabsf(c_0b);
-  const float c_1_size = fabsf(c_1a) + fabsf(c_1b);
-  const float c_2_size = fabsf(c_2a) + fabsf(c_2b);
-  const float t_0_size = KSL_MULF(2.0f, c_0_size + 1.9721523e-31f);
-  const float t_1_size = KSL_MULF(2.0f, c_1_size + 1.9721523e-31f);
-  const float t_2_size = KSL_MULF(2.0f, c_2_size + 1.9721523e-31f);
+  const float turn_1 = KSL_MULF(q->x, t_2) - KSL_MULF(q->z, t_0) + KSL_MULF(q->w, t_1),
+      turn_2 = KSL_MULF(q->y, t_0) - KSL_MULF(q->x, t_1) + KSL_MULF(q->w, t_2);
+  const float vo_0 = v->x + turn_0, vo_1 = v->y + turn_1, vo_2 = v->z + turn_2;
+  const float c_0_size = fabsf(c_0a) + fabsf(c_0b), c_1_size = fabsf(c_1a) + fabsf(c_1b),
+      c_2_size = fabsf(c_2a) + fabsf(c_2b);
+  const float t_0_size = KSL_MULF(2.0f, c_0_size + 1.9721523e-31f),
+      t_1_size = KSL_MULF(2.0f, c_1_size + 1.9721523e-31f),
+      t_2_size = KSL_MULF(2.0f, c_2_size + 1.9721523e-31f);
   const float t_1_padded = t_1_size + 1.9721523e-31f;
   const float q_2_abs = fabsf(q->z);
   const float t_2_padded = t_2_size + 1.9721523e-31f;
@@ -2052,12 +1957,11 @@ static inline void ksl_rotate_qconjvf_certified(const ksl_quaternionf_t *q, cons
           + KSL_MULF(q_3_abs, t_1_padded);
   const float turn_2_size = KSL_MULF(q_1_abs, t_0_padded) + KSL_MULF(q_0_abs, t_1_padded)
           + KSL_MULF(q_3_abs, t_2_padded);
-  const float vo_0_size = fabsf(v->x) + turn_0_size;
-  const float vo_1_size = fabsf(v->y) + turn_1_size;
-  const float vo_2_size = fabsf(v->z) + turn_2_size;
-  const float vo_0_bound = KSL_MULF(4.1723263e-07f, vo_0_size + 1.9721523e-31f);
-  const float vo_1_bound = KSL_MULF(4.1723263e-07f, vo_1_size + 1.9721523e-31f);
-  const float vo_2_bound = KSL_MULF(4.1723263e-07f, vo_2_size + 1.9721523e-31f);
+  const float vo_0_size = fabsf(v->x) + turn_0_size, vo_1_size = fabsf(v->y) + turn_1_size,
+      vo_2_size = fabsf(v->z) + turn_2_size;
+  const float vo_0_bound = KSL_MULF(4.1723263e-07f, vo_0_size + 1.9721523e-31f),
+      vo_1_bound = KSL_MULF(4.1723263e-07f, vo_1_size + 1.9721523e-31f),
+      vo_2_bound = KSL_MULF(4.1723263e-07f, vo_2_size + 1.9721523e-31f);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -2084,14 +1988,14 @@ static inline void ksl_product_qqf_certified(const ksl_quaternionf_t *q1i,
   const float qo_3a = KSL_MULF(q1i->w, q2i->w), qo_3b = KSL_MULF(q1i->x, q2i->x),
       qo_3c = KSL_MULF(q1i->y, q2i->y), qo_3e = KSL_MULF(q1i->z, q2i->z),
       qo_3 = qo_3a - (qo_3b + qo_3c + qo_3e);
-  const float qo_0_size = fabsf(qo_0a) + (fabsf(qo_0b) + fabsf(qo_0c)) + fabsf(qo_0f);
-  const float qo_1_size = fabsf(qo_1a) + fabsf(qo_1b) + fabsf(qo_1d) + fabsf(qo_1f);
-  const float qo_2_size = fabsf(qo_2a) + fabsf(qo_2b) + fabsf(qo_2d) + fabsf(qo_2f);
-  const float qo_3_size = fabsf(qo_3a) + (fabsf(qo_3b) + fabsf(qo_3c) + fabsf(qo_3e));
-  const float qo_0_bound = KSL_MULF(2.3841864e-07f, qo_0_size + 1.9721523e-31f);
-  const float qo_1_bound = KSL_MULF(2.3841864e-07f, qo_1_size + 1.9721523e-31f);
-  const float qo_2_bound = KSL_MULF(2.3841864e-07f, qo_2_size + 1.9721523e-31f);
-  const float qo_3_bound = KSL_MULF(2.3841864e-07f, qo_3_size + 1.9721523e-31f);
+  const float qo_0_size = fabsf(qo_0a) + (fabsf(qo_0b) + fabsf(qo_0c)) + fabsf(qo_0f),
+      qo_1_size = fabsf(qo_1a) + fabsf(qo_1b) + fabsf(qo_1d) + fabsf(qo_1f),
+      qo_2_size = fabsf(qo_2a) + fabsf(qo_2b) + fabsf(qo_2d) + fabsf(qo_2f),
+      qo_3_size = fabsf(qo_3a) + (fabsf(qo_3b) + fabsf(qo_3c) + fabsf(qo_3e));
+  const float qo_0_bound = KSL_MULF(2.3841864e-07f, qo_0_size + 1.9721523e-31f),
+      qo_1_bound = KSL_MULF(2.3841864e-07f, qo_1_size + 1.9721523e-31f),
+      qo_2_bound = KSL_MULF(2.3841864e-07f, qo_2_size + 1.9721523e-31f),
+      qo_3_bound = KSL_MULF(2.3841864e-07f, qo_3_size + 1.9721523e-31f);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2120,14 +2024,14 @@ static inline void ksl_product_qqconjf_certified(const ksl_quaternionf_t *q1i,
   const float qo_3a = KSL_MULF(q1i->x, q2i->x), qo_3b = KSL_MULF(q1i->y, q2i->y),
       qo_3d = KSL_MULF(q1i->z, q2i->z), qo_3f = KSL_MULF(q1i->w, q2i->w),
       qo_3 = qo_3a + qo_3b + qo_3d + qo_3f;
-  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b) + (fabsf(qo_0d) + fabsf(qo_0e));
-  const float qo_1_size = fabsf(qo_1a) + fabsf(qo_1b) + (fabsf(qo_1d) + fabsf(qo_1e));
-  const float qo_2_size = fabsf(qo_2a) + fabsf(qo_2b) + (fabsf(qo_2d) + fabsf(qo_2e));
-  const float qo_3_size = fabsf(qo_3a) + fabsf(qo_3b) + fabsf(qo_3d) + fabsf(qo_3f);
-  const float qo_0_bound = KSL_MULF(1.7881396e-07f, qo_0_size + 1.9721523e-31f);
-  const float qo_1_bound = KSL_MULF(1.7881396e-07f, qo_1_size + 1.9721523e-31f);
-  const float qo_2_bound = KSL_MULF(1.7881396e-07f, qo_2_size + 1.9721523e-31f);
-  const float qo_3_bound = KSL_MULF(2.3841864e-07f, qo_3_size + 1.9721523e-31f);
+  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b) + (fabsf(qo_0d) + fabsf(qo_0e)),
+      qo_1_size = fabsf(qo_1a) + fabsf(qo_1b) + (fabsf(qo_1d) + fabsf(qo_1e)),
+      qo_2_size = fabsf(qo_2a) + fabsf(qo_2b) + (fabsf(qo_2d) + fabsf(qo_2e)),
+      qo_3_size = fabsf(qo_3a) + fabsf(qo_3b) + fabsf(qo_3d) + fabsf(qo_3f);
+  const float qo_0_bound = KSL_MULF(1.7881396e-07f, qo_0_size + 1.9721523e-31f),
+      qo_1_bound = KSL_MULF(1.7881396e-07f, qo_1_size + 1.9721523e-31f),
+      qo_2_bound = KSL_MULF(1.7881396e-07f, qo_2_size + 1.9721523e-31f),
+      qo_3_bound = KSL_MULF(2.3841864e-07f, qo_3_size + 1.9721523e-31f);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2156,14 +2060,14 @@ static inline void ksl_product_qconjqf_certified(const ksl_quaternionf_t *q1i,
   const float qo_3a = KSL_MULF(q1i->x, q2i->x), qo_3b = KSL_MULF(q1i->y, q2i->y),
       qo_3d = KSL_MULF(q1i->z, q2i->z), qo_3f = KSL_MULF(q1i->w, q2i->w),
       qo_3 = qo_3a + qo_3b + qo_3d + qo_3f;
-  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b) + (fabsf(qo_0d) + fabsf(qo_0e));
-  const float qo_1_size = fabsf(qo_1a) + fabsf(qo_1b) + (fabsf(qo_1d) + fabsf(qo_1e));
-  const float qo_2_size = fabsf(qo_2a) + fabsf(qo_2b) + (fabsf(qo_2d) + fabsf(qo_2e));
-  const float qo_3_size = fabsf(qo_3a) + fabsf(qo_3b) + fabsf(qo_3d) + fabsf(qo_3f);
-  const float qo_0_bound = KSL_MULF(1.7881396e-07f, qo_0_size + 1.9721523e-31f);
-  const float qo_1_bound = KSL_MULF(1.7881396e-07f, qo_1_size + 1.9721523e-31f);
-  const float qo_2_bound = KSL_MULF(1.7881396e-07f, qo_2_size + 1.9721523e-31f);
-  const float qo_3_bound = KSL_MULF(2.3841864e-07f, qo_3_size + 1.9721523e-31f);
+  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b) + (fabsf(qo_0d) + fabsf(qo_0e)),
+      qo_1_size = fabsf(qo_1a) + fabsf(qo_1b) + (fabsf(qo_1d) + fabsf(qo_1e)),
+      qo_2_size = fabsf(qo_2a) + fabsf(qo_2b) + (fabsf(qo_2d) + fabsf(qo_2e)),
+      qo_3_size = fabsf(qo_3a) + fabsf(qo_3b) + fabsf(qo_3d) + fabsf(qo_3f);
+  const float qo_0_bound = KSL_MULF(1.7881396e-07f, qo_0_size + 1.9721523e-31f),
+      qo_1_bound = KSL_MULF(1.7881396e-07f, qo_1_size + 1.9721523e-31f),
+      qo_2_bound = KSL_MULF(1.7881396e-07f, qo_2_size + 1.9721523e-31f),
+      qo_3_bound = KSL_MULF(2.3841864e-07f, qo_3_size + 1.9721523e-31f);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2192,14 +2096,14 @@ static inline void ksl_product_qconjqconjf_certified(const ksl_quaternionf_t *q1
   const float qo_3a = KSL_MULF(q1i->w, q2i->w), qo_3b = KSL_MULF(q1i->x, q2i->x),
       qo_3c = KSL_MULF(q1i->y, q2i->y), qo_3e = KSL_MULF(q1i->z, q2i->z),
       qo_3 = qo_3a - (qo_3b + qo_3c + qo_3e);
-  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b) + fabsf(qo_0d) + fabsf(qo_0f);
-  const float qo_1_size = fabsf(qo_1a) + fabsf(qo_1b) + fabsf(qo_1d) + fabsf(qo_1f);
-  const float qo_2_size = fabsf(qo_2a) + fabsf(qo_2b) + fabsf(qo_2d) + fabsf(qo_2f);
-  const float qo_3_size = fabsf(qo_3a) + (fabsf(qo_3b) + fabsf(qo_3c) + fabsf(qo_3e));
-  const float qo_0_bound = KSL_MULF(2.3841864e-07f, qo_0_size + 1.9721523e-31f);
-  const float qo_1_bound = KSL_MULF(2.3841864e-07f, qo_1_size + 1.9721523e-31f);
-  const float qo_2_bound = KSL_MULF(2.3841864e-07f, qo_2_size + 1.9721523e-31f);
-  const float qo_3_bound = KSL_MULF(2.3841864e-07f, qo_3_size + 1.9721523e-31f);
+  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b) + fabsf(qo_0d) + fabsf(qo_0f),
+      qo_1_size = fabsf(qo_1a) + fabsf(qo_1b) + fabsf(qo_1d) + fabsf(qo_1f),
+      qo_2_size = fabsf(qo_2a) + fabsf(qo_2b) + fabsf(qo_2d) + fabsf(qo_2f),
+      qo_3_size = fabsf(qo_3a) + (fabsf(qo_3b) + fabsf(qo_3c) + fabsf(qo_3e));
+  const float qo_0_bound = KSL_MULF(2.3841864e-07f, qo_0_size + 1.9721523e-31f),
+      qo_1_bound = KSL_MULF(2.3841864e-07f, qo_1_size + 1.9721523e-31f),
+      qo_2_bound = KSL_MULF(2.3841864e-07f, qo_2_size + 1.9721523e-31f),
+      qo_3_bound = KSL_MULF(2.3841864e-07f, qo_3_size + 1.9721523e-31f);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2224,14 +2128,12 @@ static inline void ksl_product_qxqf_certified(const float dci[2], const ksl_quat
       qo_2 = qo_2a + qo_2b;
   const float qo_3a = KSL_MULF(dci[1], qi->w), qo_3b = KSL_MULF(dci[0], qi->x),
       qo_3 = qo_3a - qo_3b;
-  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b);
-  const float qo_1_size = fabsf(qo_1a) + fabsf(qo_1b);
-  const float qo_2_size = fabsf(qo_2a) + fabsf(qo_2b);
-  const float qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
-  const float qo_0_bound = KSL_MULF(1.192093e-07f, qo_0_size + 1.9721523e-31f);
-  const float qo_1_bound = KSL_MULF(1.192093e-07f, qo_1_size + 1.9721523e-31f);
-  const float qo_2_bound = KSL_MULF(1.192093e-07f, qo_2_size + 1.9721523e-31f);
-  const float qo_3_bound = KSL_MULF(1.192093e-07f, qo_3_size + 1.9721523e-31f);
+  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b), qo_1_size = fabsf(qo_1a) + fabsf(qo_1b),
+      qo_2_size = fabsf(qo_2a) + fabsf(qo_2b), qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
+  const float qo_0_bound = KSL_MULF(1.192093e-07f, qo_0_size + 1.9721523e-31f),
+      qo_1_bound = KSL_MULF(1.192093e-07f, qo_1_size + 1.9721523e-31f),
+      qo_2_bound = KSL_MULF(1.192093e-07f, qo_2_size + 1.9721523e-31f),
+      qo_3_bound = KSL_MULF(1.192093e-07f, qo_3_size + 1.9721523e-31f);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2256,11 +2158,10 @@ static inline void ksl_product_qxqconjf_certified(const float dci[2], const ksl_
       qo_2 = -(qo_2a + qo_2b);
   const float qo_3a = KSL_MULF(dci[0], qi->x), qo_3b = KSL_MULF(dci[1], qi->w),
       qo_3 = qo_3a + qo_3b;
-  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b);
-  const float qo_1_size = fabsf(qo_1a) + fabsf(qo_1b);
-  const float qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
-  const float qo_0_bound = KSL_MULF(1.192093e-07f, qo_0_size + 1.9721523e-31f);
-  const float qo_1_bound = KSL_MULF(1.192093e-07f, qo_1_size + 1.9721523e-31f);
+  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b), qo_1_size = fabsf(qo_1a) + fabsf(qo_1b),
+      qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
+  const float qo_0_bound = KSL_MULF(1.192093e-07f, qo_0_size + 1.9721523e-31f),
+      qo_1_bound = KSL_MULF(1.192093e-07f, qo_1_size + 1.9721523e-31f);
   const float qo_2c_bound = KSL_MULF(1.192093e-07f, fabsf(qo_2a) + fabsf(qo_2b) + 1.9721523e-31f);
   const float qo_3_bound = KSL_MULF(1.192093e-07f, qo_3_size + 1.9721523e-31f);
   qo->x = qo_0;
@@ -2287,14 +2188,12 @@ static inline void ksl_product_qxconjqf_certified(const float dci[2], const ksl_
       qo_2 = qo_2a - qo_2b;
   const float qo_3a = KSL_MULF(dci[0], qi->x), qo_3b = KSL_MULF(dci[1], qi->w),
       qo_3 = qo_3a + qo_3b;
-  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b);
-  const float qo_1_size = fabsf(qo_1a) + fabsf(qo_1b);
-  const float qo_2_size = fabsf(qo_2a) + fabsf(qo_2b);
-  const float qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
-  const float qo_0_bound = KSL_MULF(1.192093e-07f, qo_0_size + 1.9721523e-31f);
-  const float qo_1_bound = KSL_MULF(1.192093e-07f, qo_1_size + 1.9721523e-31f);
-  const float qo_2_bound = KSL_MULF(1.192093e-07f, qo_2_size + 1.9721523e-31f);
-  const float qo_3_bound = KSL_MULF(1.192093e-07f, qo_3_size + 1.9721523e-31f);
+  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b), qo_1_size = fabsf(qo_1a) + fabsf(qo_1b),
+      qo_2_size = fabsf(qo_2a) + fabsf(qo_2b), qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
+  const float qo_0_bound = KSL_MULF(1.192093e-07f, qo_0_size + 1.9721523e-31f),
+      qo_1_bound = KSL_MULF(1.192093e-07f, qo_1_size + 1.9721523e-31f),
+      qo_2_bound = KSL_MULF(1.192093e-07f, qo_2_size + 1.9721523e-31f),
+      qo_3_bound = KSL_MULF(1.192093e-07f, qo_3_size + 1.9721523e-31f);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2319,12 +2218,11 @@ static inline void ksl_product_qxconjqconjf_certified(const float dci[2],
       qo_2 = qo_2a - qo_2b;
   const float qo_3a = KSL_MULF(dci[1], qi->w), qo_3b = KSL_MULF(dci[0], qi->x),
       qo_3 = qo_3a - qo_3b;
-  const float qo_2_size = fabsf(qo_2a) + fabsf(qo_2b);
-  const float qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
+  const float qo_2_size = fabsf(qo_2a) + fabsf(qo_2b), qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
   const float qo_0c_bound = KSL_MULF(1.192093e-07f, fabsf(qo_0a) + fabsf(qo_0b) + 1.9721523e-31f);
   const float qo_1c_bound = KSL_MULF(1.192093e-07f, fabsf(qo_1a) + fabsf(qo_1b) + 1.9721523e-31f);
-  const float qo_2_bound = KSL_MULF(1.192093e-07f, qo_2_size + 1.9721523e-31f);
-  const float qo_3_bound = KSL_MULF(1.192093e-07f, qo_3_size + 1.9721523e-31f);
+  const float qo_2_bound = KSL_MULF(1.192093e-07f, qo_2_size + 1.9721523e-31f),
+      qo_3_bound = KSL_MULF(1.192093e-07f, qo_3_size + 1.9721523e-31f);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2349,14 +2247,12 @@ static inline void ksl_product_qqxf_certified(const ksl_quaternionf_t *qi, const
       qo_2 = qo_2a - qo_2b;
   const float qo_3a = KSL_MULF(qi->w, dci[1]), qo_3b = KSL_MULF(qi->x, dci[0]),
       qo_3 = qo_3a - qo_3b;
-  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b);
-  const float qo_1_size = fabsf(qo_1a) + fabsf(qo_1b);
-  const float qo_2_size = fabsf(qo_2a) + fabsf(qo_2b);
-  const float qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
-  const float qo_0_bound = KSL_MULF(1.192093e-07f, qo_0_size + 1.9721523e-31f);
-  const float qo_1_bound = KSL_MULF(1.192093e-07f, qo_1_size + 1.9721523e-31f);
-  const float qo_2_bound = KSL_MULF(1.192093e-07f, qo_2_size + 1.9721523e-31f);
-  const float qo_3_bound = KSL_MULF(1.192093e-07f, qo_3_size + 1.9721523e-31f);
+  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b), qo_1_size = fabsf(qo_1a) + fabsf(qo_1b),
+      qo_2_size = fabsf(qo_2a) + fabsf(qo_2b), qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
+  const float qo_0_bound = KSL_MULF(1.192093e-07f, qo_0_size + 1.9721523e-31f),
+      qo_1_bound = KSL_MULF(1.192093e-07f, qo_1_size + 1.9721523e-31f),
+      qo_2_bound = KSL_MULF(1.192093e-07f, qo_2_size + 1.9721523e-31f),
+      qo_3_bound = KSL_MULF(1.192093e-07f, qo_3_size + 1.9721523e-31f);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2381,14 +2277,12 @@ static inline void ksl_product_qqxconjf_certified(const ksl_quaternionf_t *qi, c
       qo_2 = qo_2a + qo_2b;
   const float qo_3a = KSL_MULF(qi->x, dci[0]), qo_3b = KSL_MULF(qi->w, dci[1]),
       qo_3 = qo_3a + qo_3b;
-  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b);
-  const float qo_1_size = fabsf(qo_1a) + fabsf(qo_1b);
-  const float qo_2_size = fabsf(qo_2a) + fabsf(qo_2b);
-  const float qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
-  const float qo_0_bound = KSL_MULF(1.192093e-07f, qo_0_size + 1.9721523e-31f);
-  const float qo_1_bound = KSL_MULF(1.192093e-07f, qo_1_size + 1.9721523e-31f);
-  const float qo_2_bound = KSL_MULF(1.192093e-07f, qo_2_size + 1.9721523e-31f);
-  const float qo_3_bound = KSL_MULF(1.192093e-07f, qo_3_size + 1.9721523e-31f);
+  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b), qo_1_size = fabsf(qo_1a) + fabsf(qo_1b),
+      qo_2_size = fabsf(qo_2a) + fabsf(qo_2b), qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
+  const float qo_0_bound = KSL_MULF(1.192093e-07f, qo_0_size + 1.9721523e-31f),
+      qo_1_bound = KSL_MULF(1.192093e-07f, qo_1_size + 1.9721523e-31f),
+      qo_2_bound = KSL_MULF(1.192093e-07f, qo_2_size + 1.9721523e-31f),
+      qo_3_bound = KSL_MULF(1.192093e-07f, qo_3_size + 1.9721523e-31f);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2413,13 +2307,12 @@ static inline void ksl_product_qconjqxf_certified(const ksl_quaternionf_t *qi, c
       qo_2 = qo_2a - qo_2b;
   const float qo_3a = KSL_MULF(qi->x, dci[0]), qo_3b = KSL_MULF(qi->w, dci[1]),
       qo_3 = qo_3a + qo_3b;
-  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b);
-  const float qo_2_size = fabsf(qo_2a) + fabsf(qo_2b);
-  const float qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
+  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b), qo_2_size = fabsf(qo_2a) + fabsf(qo_2b),
+      qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
   const float qo_0_bound = KSL_MULF(1.192093e-07f, qo_0_size + 1.9721523e-31f);
   const float qo_1c_bound = KSL_MULF(1.192093e-07f, fabsf(qo_1a) + fabsf(qo_1b) + 1.9721523e-31f);
-  const float qo_2_bound = KSL_MULF(1.192093e-07f, qo_2_size + 1.9721523e-31f);
-  const float qo_3_bound = KSL_MULF(1.192093e-07f, qo_3_size + 1.9721523e-31f);
+  const float qo_2_bound = KSL_MULF(1.192093e-07f, qo_2_size + 1.9721523e-31f),
+      qo_3_bound = KSL_MULF(1.192093e-07f, qo_3_size + 1.9721523e-31f);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2444,8 +2337,7 @@ static inline void ksl_product_qconjqxconjf_certified(const ksl_quaternionf_t *q
       qo_2 = -(qo_2a + qo_2b);
   const float qo_3a = KSL_MULF(qi->w, dci[1]), qo_3b = KSL_MULF(qi->x, dci[0]),
       qo_3 = qo_3a - qo_3b;
-  const float qo_1_size = fabsf(qo_1a) + fabsf(qo_1b);
-  const float qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
+  const float qo_1_size = fabsf(qo_1a) + fabsf(qo_1b), qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
   const float qo_0c_bound = KSL_MULF(1.192093e-07f, fabsf(qo_0a) + fabsf(qo_0b) + 1.9721523e-31f);
   const float qo_1_bound = KSL_MULF(1.192093e-07f, qo_1_size + 1.9721523e-31f);
   const float qo_2c_bound = KSL_MULF(1.192093e-07f, fabsf(qo_2a) + fabsf(qo_2b) + 1.9721523e-31f);
@@ -2474,14 +2366,12 @@ static inline void ksl_product_qyqf_certified(const float dci[2], const ksl_quat
       qo_2 = qo_2a - qo_2b;
   const float qo_3a = KSL_MULF(dci[1], qi->w), qo_3b = KSL_MULF(dci[0], qi->y),
       qo_3 = qo_3a - qo_3b;
-  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b);
-  const float qo_1_size = fabsf(qo_1a) + fabsf(qo_1b);
-  const float qo_2_size = fabsf(qo_2a) + fabsf(qo_2b);
-  const float qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
-  const float qo_0_bound = KSL_MULF(1.192093e-07f, qo_0_size + 1.9721523e-31f);
-  const float qo_1_bound = KSL_MULF(1.192093e-07f, qo_1_size + 1.9721523e-31f);
-  const float qo_2_bound = KSL_MULF(1.192093e-07f, qo_2_size + 1.9721523e-31f);
-  const float qo_3_bound = KSL_MULF(1.192093e-07f, qo_3_size + 1.9721523e-31f);
+  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b), qo_1_size = fabsf(qo_1a) + fabsf(qo_1b),
+      qo_2_size = fabsf(qo_2a) + fabsf(qo_2b), qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
+  const float qo_0_bound = KSL_MULF(1.192093e-07f, qo_0_size + 1.9721523e-31f),
+      qo_1_bound = KSL_MULF(1.192093e-07f, qo_1_size + 1.9721523e-31f),
+      qo_2_bound = KSL_MULF(1.192093e-07f, qo_2_size + 1.9721523e-31f),
+      qo_3_bound = KSL_MULF(1.192093e-07f, qo_3_size + 1.9721523e-31f);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2506,13 +2396,12 @@ static inline void ksl_product_qyqconjf_certified(const float dci[2], const ksl_
       qo_2 = qo_2a - qo_2b;
   const float qo_3a = KSL_MULF(dci[0], qi->y), qo_3b = KSL_MULF(dci[1], qi->w),
       qo_3 = qo_3a + qo_3b;
-  const float qo_1_size = fabsf(qo_1a) + fabsf(qo_1b);
-  const float qo_2_size = fabsf(qo_2a) + fabsf(qo_2b);
-  const float qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
+  const float qo_1_size = fabsf(qo_1a) + fabsf(qo_1b), qo_2_size = fabsf(qo_2a) + fabsf(qo_2b),
+      qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
   const float qo_0c_bound = KSL_MULF(1.192093e-07f, fabsf(qo_0a) + fabsf(qo_0b) + 1.9721523e-31f);
-  const float qo_1_bound = KSL_MULF(1.192093e-07f, qo_1_size + 1.9721523e-31f);
-  const float qo_2_bound = KSL_MULF(1.192093e-07f, qo_2_size + 1.9721523e-31f);
-  const float qo_3_bound = KSL_MULF(1.192093e-07f, qo_3_size + 1.9721523e-31f);
+  const float qo_1_bound = KSL_MULF(1.192093e-07f, qo_1_size + 1.9721523e-31f),
+      qo_2_bound = KSL_MULF(1.192093e-07f, qo_2_size + 1.9721523e-31f),
+      qo_3_bound = KSL_MULF(1.192093e-07f, qo_3_size + 1.9721523e-31f);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2537,14 +2426,12 @@ static inline void ksl_product_qyconjqf_certified(const float dci[2], const ksl_
       qo_2 = qo_2a + qo_2b;
   const float qo_3a = KSL_MULF(dci[0], qi->y), qo_3b = KSL_MULF(dci[1], qi->w),
       qo_3 = qo_3a + qo_3b;
-  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b);
-  const float qo_1_size = fabsf(qo_1a) + fabsf(qo_1b);
-  const float qo_2_size = fabsf(qo_2a) + fabsf(qo_2b);
-  const float qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
-  const float qo_0_bound = KSL_MULF(1.192093e-07f, qo_0_size + 1.9721523e-31f);
-  const float qo_1_bound = KSL_MULF(1.192093e-07f, qo_1_size + 1.9721523e-31f);
-  const float qo_2_bound = KSL_MULF(1.192093e-07f, qo_2_size + 1.9721523e-31f);
-  const float qo_3_bound = KSL_MULF(1.192093e-07f, qo_3_size + 1.9721523e-31f);
+  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b), qo_1_size = fabsf(qo_1a) + fabsf(qo_1b),
+      qo_2_size = fabsf(qo_2a) + fabsf(qo_2b), qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
+  const float qo_0_bound = KSL_MULF(1.192093e-07f, qo_0_size + 1.9721523e-31f),
+      qo_1_bound = KSL_MULF(1.192093e-07f, qo_1_size + 1.9721523e-31f),
+      qo_2_bound = KSL_MULF(1.192093e-07f, qo_2_size + 1.9721523e-31f),
+      qo_3_bound = KSL_MULF(1.192093e-07f, qo_3_size + 1.9721523e-31f);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2569,8 +2456,7 @@ static inline void ksl_product_qyconjqconjf_certified(const float dci[2],
       qo_2 = -(qo_2a + qo_2b);
   const float qo_3a = KSL_MULF(dci[1], qi->w), qo_3b = KSL_MULF(dci[0], qi->y),
       qo_3 = qo_3a - qo_3b;
-  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b);
-  const float qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
+  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b), qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
   const float qo_0_bound = KSL_MULF(1.192093e-07f, qo_0_size + 1.9721523e-31f);
   const float qo_1c_bound = KSL_MULF(1.192093e-07f, fabsf(qo_1a) + fabsf(qo_1b) + 1.9721523e-31f);
   const float qo_2c_bound = KSL_MULF(1.192093e-07f, fabsf(qo_2a) + fabsf(qo_2b) + 1.9721523e-31f);
@@ -2599,14 +2485,12 @@ static inline void ksl_product_qqyf_certified(const ksl_quaternionf_t *qi, const
       qo_2 = qo_2a + qo_2b;
   const float qo_3a = KSL_MULF(qi->w, dci[1]), qo_3b = KSL_MULF(qi->y, dci[0]),
       qo_3 = qo_3a - qo_3b;
-  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b);
-  const float qo_1_size = fabsf(qo_1a) + fabsf(qo_1b);
-  const float qo_2_size = fabsf(qo_2a) + fabsf(qo_2b);
-  const float qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
-  const float qo_0_bound = KSL_MULF(1.192093e-07f, qo_0_size + 1.9721523e-31f);
-  const float qo_1_bound = KSL_MULF(1.192093e-07f, qo_1_size + 1.9721523e-31f);
-  const float qo_2_bound = KSL_MULF(1.192093e-07f, qo_2_size + 1.9721523e-31f);
-  const float qo_3_bound = KSL_MULF(1.192093e-07f, qo_3_size + 1.9721523e-31f);
+  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b), qo_1_size = fabsf(qo_1a) + fabsf(qo_1b),
+      qo_2_size = fabsf(qo_2a) + fabsf(qo_2b), qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
+  const float qo_0_bound = KSL_MULF(1.192093e-07f, qo_0_size + 1.9721523e-31f),
+      qo_1_bound = KSL_MULF(1.192093e-07f, qo_1_size + 1.9721523e-31f),
+      qo_2_bound = KSL_MULF(1.192093e-07f, qo_2_size + 1.9721523e-31f),
+      qo_3_bound = KSL_MULF(1.192093e-07f, qo_3_size + 1.9721523e-31f);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2631,14 +2515,12 @@ static inline void ksl_product_qqyconjf_certified(const ksl_quaternionf_t *qi, c
       qo_2 = qo_2a - qo_2b;
   const float qo_3a = KSL_MULF(qi->y, dci[0]), qo_3b = KSL_MULF(qi->w, dci[1]),
       qo_3 = qo_3a + qo_3b;
-  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b);
-  const float qo_1_size = fabsf(qo_1a) + fabsf(qo_1b);
-  const float qo_2_size = fabsf(qo_2a) + fabsf(qo_2b);
-  const float qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
-  const float qo_0_bound = KSL_MULF(1.192093e-07f, qo_0_size + 1.9721523e-31f);
-  const float qo_1_bound = KSL_MULF(1.192093e-07f, qo_1_size + 1.9721523e-31f);
-  const float qo_2_bound = KSL_MULF(1.192093e-07f, qo_2_size + 1.9721523e-31f);
-  const float qo_3_bound = KSL_MULF(1.192093e-07f, qo_3_size + 1.9721523e-31f);
+  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b), qo_1_size = fabsf(qo_1a) + fabsf(qo_1b),
+      qo_2_size = fabsf(qo_2a) + fabsf(qo_2b), qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
+  const float qo_0_bound = KSL_MULF(1.192093e-07f, qo_0_size + 1.9721523e-31f),
+      qo_1_bound = KSL_MULF(1.192093e-07f, qo_1_size + 1.9721523e-31f),
+      qo_2_bound = KSL_MULF(1.192093e-07f, qo_2_size + 1.9721523e-31f),
+      qo_3_bound = KSL_MULF(1.192093e-07f, qo_3_size + 1.9721523e-31f);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2663,11 +2545,10 @@ static inline void ksl_product_qconjqyf_certified(const ksl_quaternionf_t *qi, c
       qo_2 = -(qo_2a + qo_2b);
   const float qo_3a = KSL_MULF(qi->y, dci[0]), qo_3b = KSL_MULF(qi->w, dci[1]),
       qo_3 = qo_3a + qo_3b;
-  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b);
-  const float qo_1_size = fabsf(qo_1a) + fabsf(qo_1b);
-  const float qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
-  const float qo_0_bound = KSL_MULF(1.192093e-07f, qo_0_size + 1.9721523e-31f);
-  const float qo_1_bound = KSL_MULF(1.192093e-07f, qo_1_size + 1.9721523e-31f);
+  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b), qo_1_size = fabsf(qo_1a) + fabsf(qo_1b),
+      qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
+  const float qo_0_bound = KSL_MULF(1.192093e-07f, qo_0_size + 1.9721523e-31f),
+      qo_1_bound = KSL_MULF(1.192093e-07f, qo_1_size + 1.9721523e-31f);
   const float qo_2c_bound = KSL_MULF(1.192093e-07f, fabsf(qo_2a) + fabsf(qo_2b) + 1.9721523e-31f);
   const float qo_3_bound = KSL_MULF(1.192093e-07f, qo_3_size + 1.9721523e-31f);
   qo->x = qo_0;
@@ -2694,12 +2575,11 @@ static inline void ksl_product_qconjqyconjf_certified(const ksl_quaternionf_t *q
       qo_2 = qo_2a - qo_2b;
   const float qo_3a = KSL_MULF(qi->w, dci[1]), qo_3b = KSL_MULF(qi->y, dci[0]),
       qo_3 = qo_3a - qo_3b;
-  const float qo_2_size = fabsf(qo_2a) + fabsf(qo_2b);
-  const float qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
+  const float qo_2_size = fabsf(qo_2a) + fabsf(qo_2b), qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
   const float qo_0c_bound = KSL_MULF(1.192093e-07f, fabsf(qo_0a) + fabsf(qo_0b) + 1.9721523e-31f);
   const float qo_1c_bound = KSL_MULF(1.192093e-07f, fabsf(qo_1a) + fabsf(qo_1b) + 1.9721523e-31f);
-  const float qo_2_bound = KSL_MULF(1.192093e-07f, qo_2_size + 1.9721523e-31f);
-  const float qo_3_bound = KSL_MULF(1.192093e-07f, qo_3_size + 1.9721523e-31f);
+  const float qo_2_bound = KSL_MULF(1.192093e-07f, qo_2_size + 1.9721523e-31f),
+      qo_3_bound = KSL_MULF(1.192093e-07f, qo_3_size + 1.9721523e-31f);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2724,14 +2604,12 @@ static inline void ksl_product_qzqf_certified(const float dci[2], const ksl_quat
       qo_2 = qo_2a + qo_2b;
   const float qo_3a = KSL_MULF(dci[1], qi->w), qo_3b = KSL_MULF(dci[0], qi->z),
       qo_3 = qo_3a - qo_3b;
-  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b);
-  const float qo_1_size = fabsf(qo_1a) + fabsf(qo_1b);
-  const float qo_2_size = fabsf(qo_2a) + fabsf(qo_2b);
-  const float qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
-  const float qo_0_bound = KSL_MULF(1.192093e-07f, qo_0_size + 1.9721523e-31f);
-  const float qo_1_bound = KSL_MULF(1.192093e-07f, qo_1_size + 1.9721523e-31f);
-  const float qo_2_bound = KSL_MULF(1.192093e-07f, qo_2_size + 1.9721523e-31f);
-  const float qo_3_bound = KSL_MULF(1.192093e-07f, qo_3_size + 1.9721523e-31f);
+  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b), qo_1_size = fabsf(qo_1a) + fabsf(qo_1b),
+      qo_2_size = fabsf(qo_2a) + fabsf(qo_2b), qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
+  const float qo_0_bound = KSL_MULF(1.192093e-07f, qo_0_size + 1.9721523e-31f),
+      qo_1_bound = KSL_MULF(1.192093e-07f, qo_1_size + 1.9721523e-31f),
+      qo_2_bound = KSL_MULF(1.192093e-07f, qo_2_size + 1.9721523e-31f),
+      qo_3_bound = KSL_MULF(1.192093e-07f, qo_3_size + 1.9721523e-31f);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2756,13 +2634,12 @@ static inline void ksl_product_qzqconjf_certified(const float dci[2], const ksl_
       qo_2 = qo_2a - qo_2b;
   const float qo_3a = KSL_MULF(dci[0], qi->z), qo_3b = KSL_MULF(dci[1], qi->w),
       qo_3 = qo_3a + qo_3b;
-  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b);
-  const float qo_2_size = fabsf(qo_2a) + fabsf(qo_2b);
-  const float qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
+  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b), qo_2_size = fabsf(qo_2a) + fabsf(qo_2b),
+      qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
   const float qo_0_bound = KSL_MULF(1.192093e-07f, qo_0_size + 1.9721523e-31f);
   const float qo_1c_bound = KSL_MULF(1.192093e-07f, fabsf(qo_1a) + fabsf(qo_1b) + 1.9721523e-31f);
-  const float qo_2_bound = KSL_MULF(1.192093e-07f, qo_2_size + 1.9721523e-31f);
-  const float qo_3_bound = KSL_MULF(1.192093e-07f, qo_3_size + 1.9721523e-31f);
+  const float qo_2_bound = KSL_MULF(1.192093e-07f, qo_2_size + 1.9721523e-31f),
+      qo_3_bound = KSL_MULF(1.192093e-07f, qo_3_size + 1.9721523e-31f);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2787,14 +2664,12 @@ static inline void ksl_product_qzconjqf_certified(const float dci[2], const ksl_
       qo_2 = qo_2a - qo_2b;
   const float qo_3a = KSL_MULF(dci[0], qi->z), qo_3b = KSL_MULF(dci[1], qi->w),
       qo_3 = qo_3a + qo_3b;
-  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b);
-  const float qo_1_size = fabsf(qo_1a) + fabsf(qo_1b);
-  const float qo_2_size = fabsf(qo_2a) + fabsf(qo_2b);
-  const float qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
-  const float qo_0_bound = KSL_MULF(1.192093e-07f, qo_0_size + 1.9721523e-31f);
-  const float qo_1_bound = KSL_MULF(1.192093e-07f, qo_1_size + 1.9721523e-31f);
-  const float qo_2_bound = KSL_MULF(1.192093e-07f, qo_2_size + 1.9721523e-31f);
-  const float qo_3_bound = KSL_MULF(1.192093e-07f, qo_3_size + 1.9721523e-31f);
+  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b), qo_1_size = fabsf(qo_1a) + fabsf(qo_1b),
+      qo_2_size = fabsf(qo_2a) + fabsf(qo_2b), qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
+  const float qo_0_bound = KSL_MULF(1.192093e-07f, qo_0_size + 1.9721523e-31f),
+      qo_1_bound = KSL_MULF(1.192093e-07f, qo_1_size + 1.9721523e-31f),
+      qo_2_bound = KSL_MULF(1.192093e-07f, qo_2_size + 1.9721523e-31f),
+      qo_3_bound = KSL_MULF(1.192093e-07f, qo_3_size + 1.9721523e-31f);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2819,8 +2694,7 @@ static inline void ksl_product_qzconjqconjf_certified(const float dci[2],
       qo_2 = -(qo_2a + qo_2b);
   const float qo_3a = KSL_MULF(dci[1], qi->w), qo_3b = KSL_MULF(dci[0], qi->z),
       qo_3 = qo_3a - qo_3b;
-  const float qo_1_size = fabsf(qo_1a) + fabsf(qo_1b);
-  const float qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
+  const float qo_1_size = fabsf(qo_1a) + fabsf(qo_1b), qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
   const float qo_0c_bound = KSL_MULF(1.192093e-07f, fabsf(qo_0a) + fabsf(qo_0b) + 1.9721523e-31f);
   const float qo_1_bound = KSL_MULF(1.192093e-07f, qo_1_size + 1.9721523e-31f);
   const float qo_2c_bound = KSL_MULF(1.192093e-07f, fabsf(qo_2a) + fabsf(qo_2b) + 1.9721523e-31f);
@@ -2849,14 +2723,12 @@ static inline void ksl_product_qqzf_certified(const ksl_quaternionf_t *qi, const
       qo_2 = qo_2a + qo_2b;
   const float qo_3a = KSL_MULF(qi->w, dci[1]), qo_3b = KSL_MULF(qi->z, dci[0]),
       qo_3 = qo_3a - qo_3b;
-  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b);
-  const float qo_1_size = fabsf(qo_1a) + fabsf(qo_1b);
-  const float qo_2_size = fabsf(qo_2a) + fabsf(qo_2b);
-  const float qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
-  const float qo_0_bound = KSL_MULF(1.192093e-07f, qo_0_size + 1.9721523e-31f);
-  const float qo_1_bound = KSL_MULF(1.192093e-07f, qo_1_size + 1.9721523e-31f);
-  const float qo_2_bound = KSL_MULF(1.192093e-07f, qo_2_size + 1.9721523e-31f);
-  const float qo_3_bound = KSL_MULF(1.192093e-07f, qo_3_size + 1.9721523e-31f);
+  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b), qo_1_size = fabsf(qo_1a) + fabsf(qo_1b),
+      qo_2_size = fabsf(qo_2a) + fabsf(qo_2b), qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
+  const float qo_0_bound = KSL_MULF(1.192093e-07f, qo_0_size + 1.9721523e-31f),
+      qo_1_bound = KSL_MULF(1.192093e-07f, qo_1_size + 1.9721523e-31f),
+      qo_2_bound = KSL_MULF(1.192093e-07f, qo_2_size + 1.9721523e-31f),
+      qo_3_bound = KSL_MULF(1.192093e-07f, qo_3_size + 1.9721523e-31f);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2881,14 +2753,12 @@ static inline void ksl_product_qqzconjf_certified(const ksl_quaternionf_t *qi, c
       qo_2 = qo_2a - qo_2b;
   const float qo_3a = KSL_MULF(qi->z, dci[0]), qo_3b = KSL_MULF(qi->w, dci[1]),
       qo_3 = qo_3a + qo_3b;
-  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b);
-  const float qo_1_size = fabsf(qo_1a) + fabsf(qo_1b);
-  const float qo_2_size = fabsf(qo_2a) + fabsf(qo_2b);
-  const float qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
-  const float qo_0_bound = KSL_MULF(1.192093e-07f, qo_0_size + 1.9721523e-31f);
-  const float qo_1_bound = KSL_MULF(1.192093e-07f, qo_1_size + 1.9721523e-31f);
-  const float qo_2_bound = KSL_MULF(1.192093e-07f, qo_2_size + 1.9721523e-31f);
-  const float qo_3_bound = KSL_MULF(1.192093e-07f, qo_3_size + 1.9721523e-31f);
+  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b), qo_1_size = fabsf(qo_1a) + fabsf(qo_1b),
+      qo_2_size = fabsf(qo_2a) + fabsf(qo_2b), qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
+  const float qo_0_bound = KSL_MULF(1.192093e-07f, qo_0_size + 1.9721523e-31f),
+      qo_1_bound = KSL_MULF(1.192093e-07f, qo_1_size + 1.9721523e-31f),
+      qo_2_bound = KSL_MULF(1.192093e-07f, qo_2_size + 1.9721523e-31f),
+      qo_3_bound = KSL_MULF(1.192093e-07f, qo_3_size + 1.9721523e-31f);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2913,13 +2783,12 @@ static inline void ksl_product_qconjqzf_certified(const ksl_quaternionf_t *qi, c
       qo_2 = qo_2a - qo_2b;
   const float qo_3a = KSL_MULF(qi->z, dci[0]), qo_3b = KSL_MULF(qi->w, dci[1]),
       qo_3 = qo_3a + qo_3b;
-  const float qo_1_size = fabsf(qo_1a) + fabsf(qo_1b);
-  const float qo_2_size = fabsf(qo_2a) + fabsf(qo_2b);
-  const float qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
+  const float qo_1_size = fabsf(qo_1a) + fabsf(qo_1b), qo_2_size = fabsf(qo_2a) + fabsf(qo_2b),
+      qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
   const float qo_0c_bound = KSL_MULF(1.192093e-07f, fabsf(qo_0a) + fabsf(qo_0b) + 1.9721523e-31f);
-  const float qo_1_bound = KSL_MULF(1.192093e-07f, qo_1_size + 1.9721523e-31f);
-  const float qo_2_bound = KSL_MULF(1.192093e-07f, qo_2_size + 1.9721523e-31f);
-  const float qo_3_bound = KSL_MULF(1.192093e-07f, qo_3_size + 1.9721523e-31f);
+  const float qo_1_bound = KSL_MULF(1.192093e-07f, qo_1_size + 1.9721523e-31f),
+      qo_2_bound = KSL_MULF(1.192093e-07f, qo_2_size + 1.9721523e-31f),
+      qo_3_bound = KSL_MULF(1.192093e-07f, qo_3_size + 1.9721523e-31f);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2944,8 +2813,7 @@ static inline void ksl_product_qconjqzconjf_certified(const ksl_quaternionf_t *q
       qo_2 = -(qo_2a + qo_2b);
   const float qo_3a = KSL_MULF(qi->w, dci[1]), qo_3b = KSL_MULF(qi->z, dci[0]),
       qo_3 = qo_3a - qo_3b;
-  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b);
-  const float qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
+  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b), qo_3_size = fabsf(qo_3a) + fabsf(qo_3b);
   const float qo_0_bound = KSL_MULF(1.192093e-07f, qo_0_size + 1.9721523e-31f);
   const float qo_1c_bound = KSL_MULF(1.192093e-07f, fabsf(qo_1a) + fabsf(qo_1b) + 1.9721523e-31f);
   const float qo_2c_bound = KSL_MULF(1.192093e-07f, fabsf(qo_2a) + fabsf(qo_2b) + 1.9721523e-31f);
@@ -2973,12 +2841,12 @@ static inline void ksl_product_qvf_certified(const ksl_quaternionf_t *qi, const 
       qo_2d = KSL_MULF(qi->w, vi->z), qo_2 = qo_2a - qo_2b + qo_2d;
   const float qo_3a = KSL_MULF(qi->x, vi->x), qo_3b = KSL_MULF(qi->y, vi->y),
       qo_3d = KSL_MULF(qi->z, vi->z), qo_3 = -(qo_3a + qo_3b + qo_3d);
-  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b) + fabsf(qo_0d);
-  const float qo_1_size = fabsf(qo_1a) + fabsf(qo_1b) + fabsf(qo_1d);
-  const float qo_2_size = fabsf(qo_2a) + fabsf(qo_2b) + fabsf(qo_2d);
-  const float qo_0_bound = KSL_MULF(1.7881396e-07f, qo_0_size + 1.9721523e-31f);
-  const float qo_1_bound = KSL_MULF(1.7881396e-07f, qo_1_size + 1.9721523e-31f);
-  const float qo_2_bound = KSL_MULF(1.7881396e-07f, qo_2_size + 1.9721523e-31f);
+  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b) + fabsf(qo_0d),
+      qo_1_size = fabsf(qo_1a) + fabsf(qo_1b) + fabsf(qo_1d),
+      qo_2_size = fabsf(qo_2a) + fabsf(qo_2b) + fabsf(qo_2d);
+  const float qo_0_bound = KSL_MULF(1.7881396e-07f, qo_0_size + 1.9721523e-31f),
+      qo_1_bound = KSL_MULF(1.7881396e-07f, qo_1_size + 1.9721523e-31f),
+      qo_2_bound = KSL_MULF(1.7881396e-07f, qo_2_size + 1.9721523e-31f);
   const float qo_3e_bound = KSL_MULF(1.7881396e-07f, fabsf(qo_3a) + fabsf(qo_3b) + fabsf(qo_3d)
           + 1.9721523e-31f);
   qo->x = qo_0;
@@ -3004,14 +2872,14 @@ static inline void ksl_product_qconjvf_certified(const ksl_quaternionf_t *qi,
       qo_2d = KSL_MULF(qi->w, vi->z), qo_2 = qo_2a - qo_2b + qo_2d;
   const float qo_3a = KSL_MULF(qi->x, vi->x), qo_3b = KSL_MULF(qi->y, vi->y),
       qo_3d = KSL_MULF(qi->z, vi->z), qo_3 = qo_3a + qo_3b + qo_3d;
-  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b) + fabsf(qo_0d);
-  const float qo_1_size = fabsf(qo_1a) + fabsf(qo_1b) + fabsf(qo_1d);
-  const float qo_2_size = fabsf(qo_2a) + fabsf(qo_2b) + fabsf(qo_2d);
-  const float qo_3_size = fabsf(qo_3a) + fabsf(qo_3b) + fabsf(qo_3d);
-  const float qo_0_bound = KSL_MULF(1.7881396e-07f, qo_0_size + 1.9721523e-31f);
-  const float qo_1_bound = KSL_MULF(1.7881396e-07f, qo_1_size + 1.9721523e-31f);
-  const float qo_2_bound = KSL_MULF(1.7881396e-07f, qo_2_size + 1.9721523e-31f);
-  const float qo_3_bound = KSL_MULF(1.7881396e-07f, qo_3_size + 1.9721523e-31f);
+  const float qo_0_size = fabsf(qo_0a) + fabsf(qo_0b) + fabsf(qo_0d),
+      qo_1_size = fabsf(qo_1a) + fabsf(qo_1b) + fabsf(qo_1d),
+      qo_2_size = fabsf(qo_2a) + fabsf(qo_2b) + fabsf(qo_2d),
+      qo_3_size = fabsf(qo_3a) + fabsf(qo_3b) + fabsf(qo_3d);
+  const float qo_0_bound = KSL_MULF(1.7881396e-07f, qo_0_size + 1.9721523e-31f),
+      qo_1_bound = KSL_MULF(1.7881396e-07f, qo_1_size + 1.9721523e-31f),
+      qo_2_bound = KSL_MULF(1.7881396e-07f, qo_2_size + 1.9721523e-31f),
+      qo_3_bound = KSL_MULF(1.7881396e-07f, qo_3_size + 1.9721523e-31f);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -3035,12 +2903,12 @@ static inline void ksl_product_vqf_certified(const ksl_vec3f_t *vi, const ksl_qu
       qo_2d = KSL_MULF(vi->z, qi->w), qo_2 = qo_2a - qo_2b + qo_2d;
   const float qo_3a = KSL_MULF(vi->x, qi->x), qo_3b = KSL_MULF(vi->y, qi->y),
       qo_3d = KSL_MULF(vi->z, qi->z), qo_3 = -(qo_3a + qo_3b + qo_3d);
-  const float qo_0_size = fabsf(qo_0a) + (fabsf(qo_0b) + fabsf(qo_0c));
-  const float qo_1_size = fabsf(qo_1a) + fabsf(qo_1b) + fabsf(qo_1d);
-  const float qo_2_size = fabsf(qo_2a) + fabsf(qo_2b) + fabsf(qo_2d);
-  const float qo_0_bound = KSL_MULF(1.7881396e-07f, qo_0_size + 1.9721523e-31f);
-  const float qo_1_bound = KSL_MULF(1.7881396e-07f, qo_1_size + 1.9721523e-31f);
-  const float qo_2_bound = KSL_MULF(1.7881396e-07f, qo_2_size + 1.9721523e-31f);
+  const float qo_0_size = fabsf(qo_0a) + (fabsf(qo_0b) + fabsf(qo_0c)),
+      qo_1_size = fabsf(qo_1a) + fabsf(qo_1b) + fabsf(qo_1d),
+      qo_2_size = fabsf(qo_2a) + fabsf(qo_2b) + fabsf(qo_2d);
+  const float qo_0_bound = KSL_MULF(1.7881396e-07f, qo_0_size + 1.9721523e-31f),
+      qo_1_bound = KSL_MULF(1.7881396e-07f, qo_1_size + 1.9721523e-31f),
+      qo_2_bound = KSL_MULF(1.7881396e-07f, qo_2_size + 1.9721523e-31f);
   const float qo_3e_bound = KSL_MULF(1.7881396e-07f, fabsf(qo_3a) + fabsf(qo_3b) + fabsf(qo_3d)
           + 1.9721523e-31f);
   qo->x = qo_0;
@@ -3066,14 +2934,14 @@ static inline void ksl_product_vqconjf_certified(const ksl_vec3f_t *vi,
       qo_2d = KSL_MULF(vi->z, qi->w), qo_2 = qo_2a - qo_2b + qo_2d;
   const float qo_3a = KSL_MULF(vi->x, qi->x), qo_3b = KSL_MULF(vi->y, qi->y),
       qo_3d = KSL_MULF(vi->z, qi->z), qo_3 = qo_3a + qo_3b + qo_3d;
-  const float qo_0_size = fabsf(qo_0a) + (fabsf(qo_0b) + fabsf(qo_0c));
-  const float qo_1_size = fabsf(qo_1a) + fabsf(qo_1b) + fabsf(qo_1d);
-  const float qo_2_size = fabsf(qo_2a) + fabsf(qo_2b) + fabsf(qo_2d);
-  const float qo_3_size = fabsf(qo_3a) + fabsf(qo_3b) + fabsf(qo_3d);
-  const float qo_0_bound = KSL_MULF(1.7881396e-07f, qo_0_size + 1.9721523e-31f);
-  const float qo_1_bound = KSL_MULF(1.7881396e-07f, qo_1_size + 1.9721523e-31f);
-  const float qo_2_bound = KSL_MULF(1.7881396e-07f, qo_2_size + 1.9721523e-31f);
-  const float qo_3_bound = KSL_MULF(1.7881396e-07f, qo_3_size + 1.9721523e-31f);
+  const float qo_0_size = fabsf(qo_0a) + (fabsf(qo_0b) + fabsf(qo_0c)),
+      qo_1_size = fabsf(qo_1a) + fabsf(qo_1b) + fabsf(qo_1d),
+      qo_2_size = fabsf(qo_2a) + fabsf(qo_2b) + fabsf(qo_2d),
+      qo_3_size = fabsf(qo_3a) + fabsf(qo_3b) + fabsf(qo_3d);
+  const float qo_0_bound = KSL_MULF(1.7881396e-07f, qo_0_size + 1.9721523e-31f),
+      qo_1_bound = KSL_MULF(1.7881396e-07f, qo_1_size + 1.9721523e-31f),
+      qo_2_bound = KSL_MULF(1.7881396e-07f, qo_2_size + 1.9721523e-31f),
+      qo_3_bound = KSL_MULF(1.7881396e-07f, qo_3_size + 1.9721523e-31f);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -3109,10 +2977,10 @@ static inline void ksl_add_dpiToqf_certified(const ksl_vec3f_t *dpi, ksl_quatern
       qi_0_new = KSL_MULF(qi_0_new_a, qi->w)
           + (KSL_MULF(qi_0_new_c, qi->y) - KSL_MULF(qi_0_new_e, qi->z)) + qi->x;
   const float qi_1_new = KSL_MULF(qi_0_new_a, qi->z) - KSL_MULF(qi_0_new_c, qi->x)
-          + KSL_MULF(qi_0_new_e, qi->w) + qi->y;
-  const float qi_2_new = KSL_MULF(qi_0_new_e, qi->x) - KSL_MULF(qi_0_new_a, qi->y)
-          + KSL_MULF(qi_0_new_c, qi->w) + qi->z;
-  const float qi_3_new = qi->w
+          + KSL_MULF(qi_0_new_e, qi->w) + qi->y,
+      qi_2_new = KSL_MULF(qi_0_new_e, qi->x) - KSL_MULF(qi_0_new_a, qi->y)
+          + KSL_MULF(qi_0_new_c, qi->w) + qi->z,
+      qi_3_new = qi->w
           - (KSL_MULF(qi_0_new_a, qi->x) + KSL_MULF(qi_0_new_e, qi->y)
           + KSL_MULF(qi_0_new_c, qi->z));
   const float qi_0_new_a_padded = fabsf(qi_0_new_a) + 1.9721523e-31f;
@@ -3126,17 +2994,16 @@ static inline void ksl_add_dpiToqf_certified(const ksl_vec3f_t *dpi, ksl_quatern
           + qi_0_abs;
   const float qi_1_new_size = KSL_MULF(qi_0_new_a_padded, qi_2_abs)
           + KSL_MULF(qi_0_new_c_padded, qi_0_abs) + KSL_MULF(qi_0_new_e_padded, qi_3_abs)
-          + qi_1_abs;
-  const float qi_2_new_size = KSL_MULF(qi_0_new_e_padded, qi_0_abs)
-          + KSL_MULF(qi_0_new_a_padded, qi_1_abs) + KSL_MULF(qi_0_new_c_padded, qi_3_abs)
-          + qi_2_abs;
-  const float qi_3_new_size = qi_3_abs
+          + qi_1_abs,
+      qi_2_new_size = KSL_MULF(qi_0_new_e_padded, qi_0_abs) + KSL_MULF(qi_0_new_a_padded, qi_1_abs)
+          + KSL_MULF(qi_0_new_c_padded, qi_3_abs) + qi_2_abs,
+      qi_3_new_size = qi_3_abs
           + (KSL_MULF(qi_0_new_a_padded, qi_0_abs) + KSL_MULF(qi_0_new_e_padded, qi_1_abs)
           + KSL_MULF(qi_0_new_c_padded, qi_2_abs));
-  const float qi_0_new_bound = KSL_MULF(2.9802328e-07f, qi_0_new_size + 1.9721523e-31f);
-  const float qi_1_new_bound = KSL_MULF(2.9802328e-07f, qi_1_new_size + 1.9721523e-31f);
-  const float qi_2_new_bound = KSL_MULF(2.9802328e-07f, qi_2_new_size + 1.9721523e-31f);
-  const float qi_3_new_bound = KSL_MULF(2.9802328e-07f, qi_3_new_size + 1.9721523e-31f);
+  const float qi_0_new_bound = KSL_MULF(2.9802328e-07f, qi_0_new_size + 1.9721523e-31f),
+      qi_1_new_bound = KSL_MULF(2.9802328e-07f, qi_1_new_size + 1.9721523e-31f),
+      qi_2_new_bound = KSL_MULF(2.9802328e-07f, qi_2_new_size + 1.9721523e-31f),
+      qi_3_new_bound = KSL_MULF(2.9802328e-07f, qi_3_new_size + 1.9721523e-31f);
   qi->x = qi_0_new;
   qi->y = qi_1_new;
   qi->z = qi_2_new;
@@ -3158,10 +3025,10 @@ static inline void ksl_subtract_dpiFromqf_certified(const ksl_vec3f_t *dpi, ksl_
       qi_0_new = KSL_MULF(qi_0_new_a, qi->z) - KSL_MULF(qi_0_new_c, qi->y)
           - KSL_MULF(qi_0_new_f, qi->w) + qi->x;
   const float qi_1_new = KSL_MULF(qi_0_new_c, qi->x) - KSL_MULF(qi_0_new_f, qi->z)
-          - KSL_MULF(qi_0_new_a, qi->w) + qi->y;
-  const float qi_2_new = KSL_MULF(qi_0_new_f, qi->y) - KSL_MULF(qi_0_new_a, qi->x)
-          - KSL_MULF(qi_0_new_c, qi->w) + qi->z;
-  const float qi_3_new = KSL_MULF(qi_0_new_f, qi->x) + KSL_MULF(qi_0_new_a, qi->y)
+          - KSL_MULF(qi_0_new_a, qi->w) + qi->y,
+      qi_2_new = KSL_MULF(qi_0_new_f, qi->y) - KSL_MULF(qi_0_new_a, qi->x)
+          - KSL_MULF(qi_0_new_c, qi->w) + qi->z,
+      qi_3_new = KSL_MULF(qi_0_new_f, qi->x) + KSL_MULF(qi_0_new_a, qi->y)
           + KSL_MULF(qi_0_new_c, qi->z) + qi->w;
   const float qi_0_new_a_padded = fabsf(qi_0_new_a) + 1.9721523e-31f;
   const float qi_2_abs = fabsf(qi->z);
@@ -3173,17 +3040,15 @@ static inline void ksl_subtract_dpiFromqf_certified(const ksl_vec3f_t *dpi, ksl_
           + KSL_MULF(qi_0_new_f_padded, qi_3_abs) + qi_0_abs;
   const float qi_1_new_size = KSL_MULF(qi_0_new_c_padded, qi_0_abs)
           + KSL_MULF(qi_0_new_f_padded, qi_2_abs) + KSL_MULF(qi_0_new_a_padded, qi_3_abs)
-          + qi_1_abs;
-  const float qi_2_new_size = KSL_MULF(qi_0_new_f_padded, qi_1_abs)
-          + KSL_MULF(qi_0_new_a_padded, qi_0_abs) + KSL_MULF(qi_0_new_c_padded, qi_3_abs)
-          + qi_2_abs;
-  const float qi_3_new_size = KSL_MULF(qi_0_new_f_padded, qi_0_abs)
-          + KSL_MULF(qi_0_new_a_padded, qi_1_abs) + KSL_MULF(qi_0_new_c_padded, qi_2_abs)
-          + qi_3_abs;
-  const float qi_0_new_bound = KSL_MULF(2.9802328e-07f, qi_0_new_size + 1.9721523e-31f);
-  const float qi_1_new_bound = KSL_MULF(2.9802328e-07f, qi_1_new_size + 1.9721523e-31f);
-  const float qi_2_new_bound = KSL_MULF(2.9802328e-07f, qi_2_new_size + 1.9721523e-31f);
-  const float qi_3_new_bound = KSL_MULF(2.9802328e-07f, qi_3_new_size + 1.9721523e-31f);
+          + qi_1_abs,
+      qi_2_new_size = KSL_MULF(qi_0_new_f_padded, qi_1_abs) + KSL_MULF(qi_0_new_a_padded, qi_0_abs)
+          + KSL_MULF(qi_0_new_c_padded, qi_3_abs) + qi_2_abs,
+      qi_3_new_size = KSL_MULF(qi_0_new_f_padded, qi_0_abs) + KSL_MULF(qi_0_new_a_padded, qi_1_abs)
+          + KSL_MULF(qi_0_new_c_padded, qi_2_abs) + qi_3_abs;
+  const float qi_0_new_bound = KSL_MULF(2.9802328e-07f, qi_0_new_size + 1.9721523e-31f),
+      qi_1_new_bound = KSL_MULF(2.9802328e-07f, qi_1_new_size + 1.9721523e-31f),
+      qi_2_new_bound = KSL_MULF(2.9802328e-07f, qi_2_new_size + 1.9721523e-31f),
+      qi_3_new_bound = KSL_MULF(2.9802328e-07f, qi_3_new_size + 1.9721523e-31f);
   qi->x = qi_0_new;
   qi->y = qi_1_new;
   qi->z = qi_2_new;
@@ -3209,10 +3074,10 @@ static inline void ksl_omega_to_dquaternionf_certified(const ksl_vec3f_t *w,
       dqo_0 = KSL_MULF(dqo_0a, qi->w) + (KSL_MULF(dqo_0c, qi->z) - KSL_MULF(dqo_0e, qi->y))
           + KSL_MULF(qi->x, dqo_0p);
   const float dqo_1 = KSL_MULF(dqo_0e, qi->x) - KSL_MULF(dqo_0a, qi->z) + KSL_MULF(dqo_0c, qi->w)
-          + KSL_MULF(qi->y, dqo_0p);
-  const float dqo_2 = KSL_MULF(dqo_0a, qi->y) - KSL_MULF(dqo_0c, qi->x) + KSL_MULF(dqo_0e, qi->w)
-          + KSL_MULF(qi->z, dqo_0p);
-  const float dqo_3 = KSL_MULF(qi->w, dqo_0p)
+          + KSL_MULF(qi->y, dqo_0p),
+      dqo_2 = KSL_MULF(dqo_0a, qi->y) - KSL_MULF(dqo_0c, qi->x) + KSL_MULF(dqo_0e, qi->w)
+          + KSL_MULF(qi->z, dqo_0p),
+      dqo_3 = KSL_MULF(qi->w, dqo_0p)
           - (KSL_MULF(dqo_0a, qi->x) + KSL_MULF(dqo_0c, qi->y) + KSL_MULF(dqo_0e, qi->z));
   const float dqo_0a_padded = fabsf(dqo_0a) + 1.9721523e-31f;
   const float qi_3_abs = fabsf(qi->w);
@@ -3235,10 +3100,10 @@ static inline void ksl_omega_to_dquaternionf_certified(const ksl_vec3f_t *w,
   const float dqo_3f_size = KSL_MULF(dqo_0a_padded, qi_0_abs) + KSL_MULF(dqo_0c_padded, qi_1_abs)
           + KSL_MULF(dqo_0e_padded, qi_2_abs),
       dqo_3_size = KSL_MULF(qi_3_abs, dqo_0p_padded) + dqo_3f_size;
-  const float dqo_0_bound = KSL_MULF(4.1723263e-07f, dqo_0_size + 1.9721523e-31f);
-  const float dqo_1_bound = KSL_MULF(4.1723263e-07f, dqo_1_size + 1.9721523e-31f);
-  const float dqo_2_bound = KSL_MULF(4.1723263e-07f, dqo_2_size + 1.9721523e-31f);
-  const float dqo_3_bound = KSL_MULF(4.1723263e-07f, dqo_3_size + 1.9721523e-31f);
+  const float dqo_0_bound = KSL_MULF(4.1723263e-07f, dqo_0_size + 1.9721523e-31f),
+      dqo_1_bound = KSL_MULF(4.1723263e-07f, dqo_1_size + 1.9721523e-31f),
+      dqo_2_bound = KSL_MULF(4.1723263e-07f, dqo_2_size + 1.9721523e-31f),
+      dqo_3_bound = KSL_MULF(4.1723263e-07f, dqo_3_size + 1.9721523e-31f);
   dqo->x = dqo_0;
   dqo->y = dqo_1;
   dqo->z = dqo_2;
@@ -3260,9 +3125,8 @@ static inline void ksl_quaternionf_from_axis_angle_certified(const ksl_vec3f_t *
   float qo_own_error_1; const float sine_own_error_1 = ksl_sincos_errorf(half, sine, qo_3,
       &qo_own_error_1);
   const float sine_size_1 = 1.0f + (3.3087225e-24f + KSL_MULF(0.5f, fabsf(angle)));
-  const float qo_0 = KSL_MULF(axis->x, sine);
-  const float qo_1 = KSL_MULF(axis->y, sine);
-  const float qo_2 = KSL_MULF(axis->z, sine);
+  const float qo_0 = KSL_MULF(axis->x, sine), qo_1 = KSL_MULF(axis->y, sine),
+      qo_2 = KSL_MULF(axis->z, sine);
   const float qo_error_2 = fabsf(ksl_product_errorf(axis->x, sine, qo_0)
           + KSL_MULF(axis->x, sine_own_error_1)),
       qo_error_4 = fabsf(ksl_product_errorf(axis->y, sine, qo_1)
@@ -3294,10 +3158,8 @@ static inline void ksl_quaternionf_from_axis_angle_certified(const ksl_vec3f_t *
      35 less, 10 equal, 69 select. */
 static inline float ksl_axis_angle_from_quaternionf_certified(const ksl_quaternionf_t *q,
     ksl_vec3f_t *axis, float *angle_bound, ksl_vec3f_t *axis_bound) {
-  const float s_size_0 = fabsf(q->x);
-  const float s_size_1 = fabsf(q->y);
-  const float s_size_2 = fabsf(q->z);
-  const float s_size_3 = fabsf(q->w);
+  const float s_size_0 = fabsf(q->x), s_size_1 = fabsf(q->y), s_size_2 = fabsf(q->z),
+      s_size_3 = fabsf(q->w);
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
@@ -3473,23 +3335,13 @@ static inline void ksl_quaternionf_exp_certified(const ksl_vec3f_t *v, ksl_quate
   const float h_0 = KSL_MULF(0.5f, v->x);
   const float h_1 = KSL_MULF(0.5f, v->y);
   const float h_2 = KSL_MULF(0.5f, v->z);
-  const float size_0 = fabsf(h_0);
-  const float size_1 = fabsf(h_1);
-  const float size_2 = fabsf(h_2);
+  const float size_0 = fabsf(h_0), size_1 = fabsf(h_1), size_2 = fabsf(h_2);
   const float sizes = size_0 + size_1 + size_2;
   const float grid = KSL_MULF(sizes, 8192.0f);
-  const float shifted_0 = h_0 + grid;
-  const float shifted_1 = h_1 + grid;
-  const float shifted_2 = h_2 + grid;
-  const float high_0 = shifted_0 - grid;
-  const float high_1 = shifted_1 - grid;
-  const float high_2 = shifted_2 - grid;
-  const float low_0 = h_0 - high_0;
-  const float low_1 = h_1 - high_1;
-  const float low_2 = h_2 - high_2;
-  const float sum_0 = h_0 + high_0;
-  const float sum_1 = h_1 + high_1;
-  const float sum_2 = h_2 + high_2;
+  const float shifted_0 = h_0 + grid, shifted_1 = h_1 + grid, shifted_2 = h_2 + grid;
+  const float high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const float low_0 = h_0 - high_0, low_1 = h_1 - high_1, low_2 = h_2 - high_2;
+  const float sum_0 = h_0 + high_0, sum_1 = h_1 + high_1, sum_2 = h_2 + high_2;
   const float squares = KSL_MULF(high_0, high_0) + KSL_MULF(high_1, high_1)
           + KSL_MULF(high_2, high_2);
   const float cross = KSL_MULF(low_0, sum_0) + KSL_MULF(low_1, sum_1) + KSL_MULF(low_2, sum_2);
@@ -3540,9 +3392,8 @@ static inline void ksl_quaternionf_exp_certified(const ksl_vec3f_t *v, ksl_quate
   const float h_largest2 = h_largest1 < h_size_2 ? h_size_2 : h_largest1;
   const float s = 4.611686e+18f < h_largest2 ? 2.7105054e-20f : 1.0f,
       s_size_1 = 4.611686e+18f < h_largest2 ? 2.7105054e-20f : 1.0f;
-  const float reduced_0 = KSL_MULF(fine_h_0, s);
-  const float reduced_1 = KSL_MULF(fine_h_1, s);
-  const float reduced_2 = KSL_MULF(fine_h_2, s);
+  const float reduced_0 = KSL_MULF(fine_h_0, s), reduced_1 = KSL_MULF(fine_h_1, s),
+      reduced_2 = KSL_MULF(fine_h_2, s);
   const float up = s < 1.0f ? 3.689349e+19f : 1.0f;
   const float reduced_length_a = KSL_MULF(reduced_0, reduced_0),
       reduced_length_a_padded_1 = 3.3087225e-24f + KSL_MULF(h_size_padded_1, s_size_1),
@@ -3696,10 +3547,8 @@ static inline void ksl_quaternionf_exp_certified(const ksl_vec3f_t *v, ksl_quate
      35 less, 10 equal, 65 select. */
 static inline void ksl_quaternionf_log_certified(const ksl_quaternionf_t *q, ksl_vec3f_t *vo,
     ksl_vec3f_t *vo_bound) {
-  const float s_size_0 = fabsf(q->x);
-  const float s_size_1 = fabsf(q->y);
-  const float s_size_2 = fabsf(q->z);
-  const float s_size_3 = fabsf(q->w);
+  const float s_size_0 = fabsf(q->x), s_size_1 = fabsf(q->y), s_size_2 = fabsf(q->z),
+      s_size_3 = fabsf(q->w);
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
@@ -3751,9 +3600,8 @@ static inline void ksl_quaternionf_log_certified(const ksl_quaternionf_t *q, ksl
       v_s_b_size_1 = v_s_largest2 < 256.0f ? 1.8014399e+16f : 1.0f,
       v_s = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_b,
       v_s_size_3 = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_b_size_1;
-  const float v_y_0 = KSL_MULF(upper_0, v_s);
-  const float v_y_1 = KSL_MULF(upper_1, v_s);
-  const float v_y_2 = KSL_MULF(upper_2, v_s);
+  const float v_y_0 = KSL_MULF(upper_0, v_s), v_y_1 = KSL_MULF(upper_1, v_s),
+      v_y_2 = KSL_MULF(upper_2, v_s);
   const float v_n_a = KSL_MULF(v_y_0, v_y_0),
       v_n_a_padded_1 = 3.3087225e-24f + KSL_MULF(v_s_size_3, v_s_size_padded_1),
       v_n_a_size_2 = KSL_MULF(v_n_a_padded_1, fabsf(v_y_0)

@@ -46,12 +46,9 @@ static inline void ksl_screw_copy(const ksl_screw_t *si, ksl_screw_t *so) {
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_screw_scale(ksl_screw_t *self, const double a) {
-  const double self_0_new = KSL_MUL(self->m0, a);
-  const double self_1_new = KSL_MUL(self->m1, a);
-  const double self_2_new = KSL_MUL(self->m2, a);
-  const double self_3_new = KSL_MUL(self->m3, a);
-  const double self_4_new = KSL_MUL(self->m4, a);
-  const double self_5_new = KSL_MUL(self->m5, a);
+  const double self_0_new = KSL_MUL(self->m0, a), self_1_new = KSL_MUL(self->m1, a),
+      self_2_new = KSL_MUL(self->m2, a), self_3_new = KSL_MUL(self->m3, a),
+      self_4_new = KSL_MUL(self->m4, a), self_5_new = KSL_MUL(self->m5, a);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -65,12 +62,8 @@ static inline void ksl_screw_scale(ksl_screw_t *self, const double a) {
    6 neg.
    Exact. */
 static inline void ksl_screw_inverted(const ksl_screw_t *si, ksl_screw_t *so) {
-  const double so_0 = -si->m0;
-  const double so_1 = -si->m1;
-  const double so_2 = -si->m2;
-  const double so_3 = -si->m3;
-  const double so_4 = -si->m4;
-  const double so_5 = -si->m5;
+  const double so_0 = -si->m0, so_1 = -si->m1, so_2 = -si->m2, so_3 = -si->m3, so_4 = -si->m4,
+      so_5 = -si->m5;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -84,12 +77,8 @@ static inline void ksl_screw_inverted(const ksl_screw_t *si, ksl_screw_t *so) {
    6 neg.
    Exact. */
 static inline void ksl_screw_invert(ksl_screw_t *self) {
-  const double self_0_new = -self->m0;
-  const double self_1_new = -self->m1;
-  const double self_2_new = -self->m2;
-  const double self_3_new = -self->m3;
-  const double self_4_new = -self->m4;
-  const double self_5_new = -self->m5;
+  const double self_0_new = -self->m0, self_1_new = -self->m1, self_2_new = -self->m2,
+      self_3_new = -self->m3, self_4_new = -self->m4, self_5_new = -self->m5;
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -104,12 +93,9 @@ static inline void ksl_screw_invert(ksl_screw_t *self) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_axpy_ss(const double a, const ksl_screw_t *x, ksl_screw_t *y) {
-  const double y_0_new = KSL_MUL(a, x->m0) + y->m0;
-  const double y_1_new = KSL_MUL(a, x->m1) + y->m1;
-  const double y_2_new = KSL_MUL(a, x->m2) + y->m2;
-  const double y_3_new = KSL_MUL(a, x->m3) + y->m3;
-  const double y_4_new = KSL_MUL(a, x->m4) + y->m4;
-  const double y_5_new = KSL_MUL(a, x->m5) + y->m5;
+  const double y_0_new = KSL_MUL(a, x->m0) + y->m0, y_1_new = KSL_MUL(a, x->m1) + y->m1,
+      y_2_new = KSL_MUL(a, x->m2) + y->m2, y_3_new = KSL_MUL(a, x->m3) + y->m3,
+      y_4_new = KSL_MUL(a, x->m4) + y->m4, y_5_new = KSL_MUL(a, x->m5) + y->m5;
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -123,12 +109,8 @@ static inline void ksl_axpy_ss(const double a, const ksl_screw_t *x, ksl_screw_t
    6 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_xpy_ss(const ksl_screw_t *x, ksl_screw_t *y) {
-  const double y_0_new = x->m0 + y->m0;
-  const double y_1_new = x->m1 + y->m1;
-  const double y_2_new = x->m2 + y->m2;
-  const double y_3_new = x->m3 + y->m3;
-  const double y_4_new = x->m4 + y->m4;
-  const double y_5_new = x->m5 + y->m5;
+  const double y_0_new = x->m0 + y->m0, y_1_new = x->m1 + y->m1, y_2_new = x->m2 + y->m2,
+      y_3_new = x->m3 + y->m3, y_4_new = x->m4 + y->m4, y_5_new = x->m5 + y->m5;
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -142,12 +124,8 @@ static inline void ksl_xpy_ss(const ksl_screw_t *x, ksl_screw_t *y) {
    6 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_nxpy_ss(const ksl_screw_t *x, ksl_screw_t *y) {
-  const double y_0_new = y->m0 - x->m0;
-  const double y_1_new = y->m1 - x->m1;
-  const double y_2_new = y->m2 - x->m2;
-  const double y_3_new = y->m3 - x->m3;
-  const double y_4_new = y->m4 - x->m4;
-  const double y_5_new = y->m5 - x->m5;
+  const double y_0_new = y->m0 - x->m0, y_1_new = y->m1 - x->m1, y_2_new = y->m2 - x->m2,
+      y_3_new = y->m3 - x->m3, y_4_new = y->m4 - x->m4, y_5_new = y->m5 - x->m5;
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -161,12 +139,8 @@ static inline void ksl_nxpy_ss(const ksl_screw_t *x, ksl_screw_t *y) {
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_as(const double a, const ksl_screw_t *si, ksl_screw_t *so) {
-  const double so_0 = KSL_MUL(a, si->m0);
-  const double so_1 = KSL_MUL(a, si->m1);
-  const double so_2 = KSL_MUL(a, si->m2);
-  const double so_3 = KSL_MUL(a, si->m3);
-  const double so_4 = KSL_MUL(a, si->m4);
-  const double so_5 = KSL_MUL(a, si->m5);
+  const double so_0 = KSL_MUL(a, si->m0), so_1 = KSL_MUL(a, si->m1), so_2 = KSL_MUL(a, si->m2),
+      so_3 = KSL_MUL(a, si->m3), so_4 = KSL_MUL(a, si->m4), so_5 = KSL_MUL(a, si->m5);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -180,12 +154,8 @@ static inline void ksl_product_as(const double a, const ksl_screw_t *si, ksl_scr
    6 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_ss(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl_screw_t *so) {
-  const double so_0 = s1->m0 + s2->m0;
-  const double so_1 = s1->m1 + s2->m1;
-  const double so_2 = s1->m2 + s2->m2;
-  const double so_3 = s1->m3 + s2->m3;
-  const double so_4 = s1->m4 + s2->m4;
-  const double so_5 = s1->m5 + s2->m5;
+  const double so_0 = s1->m0 + s2->m0, so_1 = s1->m1 + s2->m1, so_2 = s1->m2 + s2->m2,
+      so_3 = s1->m3 + s2->m3, so_4 = s1->m4 + s2->m4, so_5 = s1->m5 + s2->m5;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -199,12 +169,8 @@ static inline void ksl_add_ss(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl_
    6 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_subtract_ss(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl_screw_t *so) {
-  const double so_0 = s1->m0 - s2->m0;
-  const double so_1 = s1->m1 - s2->m1;
-  const double so_2 = s1->m2 - s2->m2;
-  const double so_3 = s1->m3 - s2->m3;
-  const double so_4 = s1->m4 - s2->m4;
-  const double so_5 = s1->m5 - s2->m5;
+  const double so_0 = s1->m0 - s2->m0, so_1 = s1->m1 - s2->m1, so_2 = s1->m2 - s2->m2,
+      so_3 = s1->m3 - s2->m3, so_4 = s1->m4 - s2->m4, so_5 = s1->m5 - s2->m5;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -219,20 +185,15 @@ static inline void ksl_subtract_ss(const ksl_screw_t *s1, const ksl_screw_t *s2,
 static inline double ksl_screw_norm(const ksl_screw_t *si) {
   const double small_c = fabs(si->m5) < 1e-09 ? 1.0 : 0.0,
       small_f = fabs(si->m4) < 1e-09 ? small_c : 0.0, small = fabs(si->m3) < 1e-09 ? small_f : 0.0;
-  const double p_0 = small == 1.0 ? si->m0 : si->m3;
-  const double p_1 = small == 1.0 ? si->m1 : si->m4;
-  const double p_2 = small == 1.0 ? si->m2 : si->m5;
-  const double s_size_0 = fabs(p_0);
-  const double s_size_1 = fabs(p_1);
-  const double s_size_2 = fabs(p_2);
+  const double p_0 = small == 1.0 ? si->m0 : si->m3, p_1 = small == 1.0 ? si->m1 : si->m4,
+      p_2 = small == 1.0 ? si->m2 : si->m5;
+  const double s_size_0 = fabs(p_0), s_size_1 = fabs(p_1), s_size_2 = fabs(p_2);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(p_0, s);
-  const double y_1 = KSL_MUL(p_1, s);
-  const double y_2 = KSL_MUL(p_2, s);
+  const double y_0 = KSL_MUL(p_0, s), y_1 = KSL_MUL(p_1, s), y_2 = KSL_MUL(p_2, s);
   const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2));
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
@@ -248,57 +209,35 @@ static inline void ksl_screw_normalize(ksl_screw_t *self) {
   const double small_a = fabs(self->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(self->m4), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(self->m3),
       small = small_g < 1e-09 ? small_f : 0.0;
-  const double p_0 = small == 1.0 ? self->m0 : self->m3;
-  const double p_1 = small == 1.0 ? self->m1 : self->m4;
-  const double p_2 = small == 1.0 ? self->m2 : self->m5;
-  const double s_size_0 = fabs(p_0);
-  const double s_size_1 = fabs(p_1);
-  const double s_size_2 = fabs(p_2);
+  const double p_0 = small == 1.0 ? self->m0 : self->m3, p_1 = small == 1.0 ? self->m1 : self->m4,
+      p_2 = small == 1.0 ? self->m2 : self->m5;
+  const double s_size_0 = fabs(p_0), s_size_1 = fabs(p_1), s_size_2 = fabs(p_2);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(p_0, s);
-  const double y_1 = KSL_MUL(p_1, s);
-  const double y_2 = KSL_MUL(p_2, s);
+  const double y_0 = KSL_MUL(p_0, s), y_1 = KSL_MUL(p_1, s), y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2));
   const double divisor = n == 0.0 ? up : n;
-  const double size_0 = fabs(self->m0);
-  const double size_1 = fabs(self->m1);
-  const double size_2 = fabs(self->m2);
-  const double before_0 = size_0 < 256.0 ? up : down;
-  const double before_1 = size_1 < 256.0 ? up : down;
-  const double before_2 = size_2 < 256.0 ? up : down;
-  const double before_3 = small_g < 256.0 ? up : down;
-  const double before_4 = small_d < 256.0 ? up : down;
-  const double before_5 = small_a < 256.0 ? up : down;
-  const double after_0 = size_0 < 256.0 ? down : up;
-  const double after_1 = size_1 < 256.0 ? down : up;
-  const double after_2 = size_2 < 256.0 ? down : up;
-  const double after_3 = small_g < 256.0 ? down : up;
-  const double after_4 = small_d < 256.0 ? down : up;
-  const double after_5 = small_a < 256.0 ? down : up;
-  const double sized_0 = KSL_MUL(self->m0, before_0);
-  const double sized_1 = KSL_MUL(self->m1, before_1);
-  const double sized_2 = KSL_MUL(self->m2, before_2);
-  const double sized_3 = KSL_MUL(self->m3, before_3);
-  const double sized_4 = KSL_MUL(self->m4, before_4);
-  const double sized_5 = KSL_MUL(self->m5, before_5);
-  const double quotient_0 = sized_0 / divisor;
-  const double quotient_1 = sized_1 / divisor;
-  const double quotient_2 = sized_2 / divisor;
-  const double quotient_3 = sized_3 / divisor;
-  const double quotient_4 = sized_4 / divisor;
-  const double quotient_5 = sized_5 / divisor;
-  const double self_0_new = KSL_MUL(quotient_0, after_0);
-  const double self_1_new = KSL_MUL(quotient_1, after_1);
-  const double self_2_new = KSL_MUL(quotient_2, after_2);
-  const double self_3_new = KSL_MUL(quotient_3, after_3);
-  const double self_4_new = KSL_MUL(quotient_4, after_4);
-  const double self_5_new = KSL_MUL(quotient_5, after_5);
+  const double size_0 = fabs(self->m0), size_1 = fabs(self->m1), size_2 = fabs(self->m2);
+  const double before_0 = size_0 < 256.0 ? up : down, before_1 = size_1 < 256.0 ? up : down,
+      before_2 = size_2 < 256.0 ? up : down, before_3 = small_g < 256.0 ? up : down,
+      before_4 = small_d < 256.0 ? up : down, before_5 = small_a < 256.0 ? up : down;
+  const double after_0 = size_0 < 256.0 ? down : up, after_1 = size_1 < 256.0 ? down : up,
+      after_2 = size_2 < 256.0 ? down : up, after_3 = small_g < 256.0 ? down : up,
+      after_4 = small_d < 256.0 ? down : up, after_5 = small_a < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL(self->m0, before_0), sized_1 = KSL_MUL(self->m1, before_1),
+      sized_2 = KSL_MUL(self->m2, before_2), sized_3 = KSL_MUL(self->m3, before_3),
+      sized_4 = KSL_MUL(self->m4, before_4), sized_5 = KSL_MUL(self->m5, before_5);
+  const double quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor, quotient_3 = sized_3 / divisor,
+      quotient_4 = sized_4 / divisor, quotient_5 = sized_5 / divisor;
+  const double self_0_new = KSL_MUL(quotient_0, after_0), self_1_new = KSL_MUL(quotient_1, after_1),
+      self_2_new = KSL_MUL(quotient_2, after_2), self_3_new = KSL_MUL(quotient_3, after_3),
+      self_4_new = KSL_MUL(quotient_4, after_4), self_5_new = KSL_MUL(quotient_5, after_5);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -314,57 +253,35 @@ static inline void ksl_screw_normalized(const ksl_screw_t *si, ksl_screw_t *so) 
   const double small_a = fabs(si->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(si->m4), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(si->m3),
       small = small_g < 1e-09 ? small_f : 0.0;
-  const double p_0 = small == 1.0 ? si->m0 : si->m3;
-  const double p_1 = small == 1.0 ? si->m1 : si->m4;
-  const double p_2 = small == 1.0 ? si->m2 : si->m5;
-  const double s_size_0 = fabs(p_0);
-  const double s_size_1 = fabs(p_1);
-  const double s_size_2 = fabs(p_2);
+  const double p_0 = small == 1.0 ? si->m0 : si->m3, p_1 = small == 1.0 ? si->m1 : si->m4,
+      p_2 = small == 1.0 ? si->m2 : si->m5;
+  const double s_size_0 = fabs(p_0), s_size_1 = fabs(p_1), s_size_2 = fabs(p_2);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(p_0, s);
-  const double y_1 = KSL_MUL(p_1, s);
-  const double y_2 = KSL_MUL(p_2, s);
+  const double y_0 = KSL_MUL(p_0, s), y_1 = KSL_MUL(p_1, s), y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2));
   const double divisor = n == 0.0 ? up : n;
-  const double size_0 = fabs(si->m0);
-  const double size_1 = fabs(si->m1);
-  const double size_2 = fabs(si->m2);
-  const double before_0 = size_0 < 256.0 ? up : down;
-  const double before_1 = size_1 < 256.0 ? up : down;
-  const double before_2 = size_2 < 256.0 ? up : down;
-  const double before_3 = small_g < 256.0 ? up : down;
-  const double before_4 = small_d < 256.0 ? up : down;
-  const double before_5 = small_a < 256.0 ? up : down;
-  const double after_0 = size_0 < 256.0 ? down : up;
-  const double after_1 = size_1 < 256.0 ? down : up;
-  const double after_2 = size_2 < 256.0 ? down : up;
-  const double after_3 = small_g < 256.0 ? down : up;
-  const double after_4 = small_d < 256.0 ? down : up;
-  const double after_5 = small_a < 256.0 ? down : up;
-  const double sized_0 = KSL_MUL(si->m0, before_0);
-  const double sized_1 = KSL_MUL(si->m1, before_1);
-  const double sized_2 = KSL_MUL(si->m2, before_2);
-  const double sized_3 = KSL_MUL(si->m3, before_3);
-  const double sized_4 = KSL_MUL(si->m4, before_4);
-  const double sized_5 = KSL_MUL(si->m5, before_5);
-  const double quotient_0 = sized_0 / divisor;
-  const double quotient_1 = sized_1 / divisor;
-  const double quotient_2 = sized_2 / divisor;
-  const double quotient_3 = sized_3 / divisor;
-  const double quotient_4 = sized_4 / divisor;
-  const double quotient_5 = sized_5 / divisor;
-  const double so_0 = KSL_MUL(quotient_0, after_0);
-  const double so_1 = KSL_MUL(quotient_1, after_1);
-  const double so_2 = KSL_MUL(quotient_2, after_2);
-  const double so_3 = KSL_MUL(quotient_3, after_3);
-  const double so_4 = KSL_MUL(quotient_4, after_4);
-  const double so_5 = KSL_MUL(quotient_5, after_5);
+  const double size_0 = fabs(si->m0), size_1 = fabs(si->m1), size_2 = fabs(si->m2);
+  const double before_0 = size_0 < 256.0 ? up : down, before_1 = size_1 < 256.0 ? up : down,
+      before_2 = size_2 < 256.0 ? up : down, before_3 = small_g < 256.0 ? up : down,
+      before_4 = small_d < 256.0 ? up : down, before_5 = small_a < 256.0 ? up : down;
+  const double after_0 = size_0 < 256.0 ? down : up, after_1 = size_1 < 256.0 ? down : up,
+      after_2 = size_2 < 256.0 ? down : up, after_3 = small_g < 256.0 ? down : up,
+      after_4 = small_d < 256.0 ? down : up, after_5 = small_a < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL(si->m0, before_0), sized_1 = KSL_MUL(si->m1, before_1),
+      sized_2 = KSL_MUL(si->m2, before_2), sized_3 = KSL_MUL(si->m3, before_3),
+      sized_4 = KSL_MUL(si->m4, before_4), sized_5 = KSL_MUL(si->m5, before_5);
+  const double quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor, quotient_3 = sized_3 / divisor,
+      quotient_4 = sized_4 / divisor, quotient_5 = sized_5 / divisor;
+  const double so_0 = KSL_MUL(quotient_0, after_0), so_1 = KSL_MUL(quotient_1, after_1),
+      so_2 = KSL_MUL(quotient_2, after_2), so_3 = KSL_MUL(quotient_3, after_3),
+      so_4 = KSL_MUL(quotient_4, after_4), so_5 = KSL_MUL(quotient_5, after_5);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -436,9 +353,7 @@ static inline void ksl_screw_from_angular_first(const double x[6], ksl_screw_t *
    3 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_sst(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl_screw_t *so) {
-  const double so_0 = s1->m0 + s2->m0;
-  const double so_1 = s1->m1 + s2->m1;
-  const double so_2 = s1->m2 + s2->m2;
+  const double so_0 = s1->m0 + s2->m0, so_1 = s1->m1 + s2->m1, so_2 = s1->m2 + s2->m2;
   const double s1_m3 = s1->m3;
   const double s1_m4 = s1->m4;
   const double s1_m5 = s1->m5;
@@ -456,9 +371,9 @@ static inline void ksl_add_sst(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl
    Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Adts(const ksl_vec3_t *t, const ksl_screw_t *si, ksl_screw_t *so) {
-  const double so_0 = KSL_MUL(t->y, si->m5) - KSL_MUL(t->z, si->m4) + si->m0;
-  const double so_1 = KSL_MUL(t->z, si->m3) - KSL_MUL(t->x, si->m5) + si->m1;
-  const double so_2 = KSL_MUL(t->x, si->m4) - KSL_MUL(t->y, si->m3) + si->m2;
+  const double so_0 = KSL_MUL(t->y, si->m5) - KSL_MUL(t->z, si->m4) + si->m0,
+      so_1 = KSL_MUL(t->z, si->m3) - KSL_MUL(t->x, si->m5) + si->m1,
+      so_2 = KSL_MUL(t->x, si->m4) - KSL_MUL(t->y, si->m3) + si->m2;
   const double si_m3 = si->m3;
   const double si_m4 = si->m4;
   const double si_m5 = si->m5;
@@ -477,9 +392,9 @@ static inline void ksl_product_Adts(const ksl_vec3_t *t, const ksl_screw_t *si, 
      barring over- and underflow. */
 static inline void ksl_product_Adtinvs(const ksl_vec3_t *t, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0 = KSL_MUL(t->z, si->m4) - KSL_MUL(t->y, si->m5) + si->m0;
-  const double so_1 = KSL_MUL(t->x, si->m5) - KSL_MUL(t->z, si->m3) + si->m1;
-  const double so_2 = KSL_MUL(t->y, si->m3) - KSL_MUL(t->x, si->m4) + si->m2;
+  const double so_0 = KSL_MUL(t->z, si->m4) - KSL_MUL(t->y, si->m5) + si->m0,
+      so_1 = KSL_MUL(t->x, si->m5) - KSL_MUL(t->z, si->m3) + si->m1,
+      so_2 = KSL_MUL(t->y, si->m3) - KSL_MUL(t->x, si->m4) + si->m2;
   const double si_m3 = si->m3;
   const double si_m4 = si->m4;
   const double si_m5 = si->m5;
@@ -498,12 +413,10 @@ static inline void ksl_product_Adtinvs(const ksl_vec3_t *t, const ksl_screw_t *s
      barring over- and underflow. */
 static inline void ksl_product_Adtsinv(const ksl_vec3_t *t, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0 = KSL_MUL(t->z, si->m4) - KSL_MUL(t->y, si->m5) - si->m0;
-  const double so_1 = KSL_MUL(t->x, si->m5) - KSL_MUL(t->z, si->m3) - si->m1;
-  const double so_2 = KSL_MUL(t->y, si->m3) - KSL_MUL(t->x, si->m4) - si->m2;
-  const double so_3 = -si->m3;
-  const double so_4 = -si->m4;
-  const double so_5 = -si->m5;
+  const double so_0 = KSL_MUL(t->z, si->m4) - KSL_MUL(t->y, si->m5) - si->m0,
+      so_1 = KSL_MUL(t->x, si->m5) - KSL_MUL(t->z, si->m3) - si->m1,
+      so_2 = KSL_MUL(t->y, si->m3) - KSL_MUL(t->x, si->m4) - si->m2, so_3 = -si->m3, so_4 = -si->m4,
+      so_5 = -si->m5;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -518,12 +431,12 @@ static inline void ksl_product_Adtsinv(const ksl_vec3_t *t, const ksl_screw_t *s
    Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_Adrs(const ksl_mat3x3_t *R, const ksl_screw_t *si, ksl_screw_t *so) {
-  const double so_0 = KSL_MUL(R->m00, si->m0) + KSL_MUL(R->m01, si->m1) + KSL_MUL(R->m02, si->m2);
-  const double so_1 = KSL_MUL(R->m10, si->m0) + KSL_MUL(R->m11, si->m1) + KSL_MUL(R->m12, si->m2);
-  const double so_2 = KSL_MUL(R->m20, si->m0) + KSL_MUL(R->m21, si->m1) + KSL_MUL(R->m22, si->m2);
-  const double so_3 = KSL_MUL(R->m00, si->m3) + KSL_MUL(R->m01, si->m4) + KSL_MUL(R->m02, si->m5);
-  const double so_4 = KSL_MUL(R->m10, si->m3) + KSL_MUL(R->m11, si->m4) + KSL_MUL(R->m12, si->m5);
-  const double so_5 = KSL_MUL(R->m20, si->m3) + KSL_MUL(R->m21, si->m4) + KSL_MUL(R->m22, si->m5);
+  const double so_0 = KSL_MUL(R->m00, si->m0) + KSL_MUL(R->m01, si->m1) + KSL_MUL(R->m02, si->m2),
+      so_1 = KSL_MUL(R->m10, si->m0) + KSL_MUL(R->m11, si->m1) + KSL_MUL(R->m12, si->m2),
+      so_2 = KSL_MUL(R->m20, si->m0) + KSL_MUL(R->m21, si->m1) + KSL_MUL(R->m22, si->m2),
+      so_3 = KSL_MUL(R->m00, si->m3) + KSL_MUL(R->m01, si->m4) + KSL_MUL(R->m02, si->m5),
+      so_4 = KSL_MUL(R->m10, si->m3) + KSL_MUL(R->m11, si->m4) + KSL_MUL(R->m12, si->m5),
+      so_5 = KSL_MUL(R->m20, si->m3) + KSL_MUL(R->m21, si->m4) + KSL_MUL(R->m22, si->m5);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -539,12 +452,12 @@ static inline void ksl_product_Adrs(const ksl_mat3x3_t *R, const ksl_screw_t *si
      and underflow. */
 static inline void ksl_product_Adrinvs(const ksl_mat3x3_t *R, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0 = KSL_MUL(R->m00, si->m0) + KSL_MUL(R->m10, si->m1) + KSL_MUL(R->m20, si->m2);
-  const double so_1 = KSL_MUL(R->m01, si->m0) + KSL_MUL(R->m11, si->m1) + KSL_MUL(R->m21, si->m2);
-  const double so_2 = KSL_MUL(R->m02, si->m0) + KSL_MUL(R->m12, si->m1) + KSL_MUL(R->m22, si->m2);
-  const double so_3 = KSL_MUL(R->m00, si->m3) + KSL_MUL(R->m10, si->m4) + KSL_MUL(R->m20, si->m5);
-  const double so_4 = KSL_MUL(R->m01, si->m3) + KSL_MUL(R->m11, si->m4) + KSL_MUL(R->m21, si->m5);
-  const double so_5 = KSL_MUL(R->m02, si->m3) + KSL_MUL(R->m12, si->m4) + KSL_MUL(R->m22, si->m5);
+  const double so_0 = KSL_MUL(R->m00, si->m0) + KSL_MUL(R->m10, si->m1) + KSL_MUL(R->m20, si->m2),
+      so_1 = KSL_MUL(R->m01, si->m0) + KSL_MUL(R->m11, si->m1) + KSL_MUL(R->m21, si->m2),
+      so_2 = KSL_MUL(R->m02, si->m0) + KSL_MUL(R->m12, si->m1) + KSL_MUL(R->m22, si->m2),
+      so_3 = KSL_MUL(R->m00, si->m3) + KSL_MUL(R->m10, si->m4) + KSL_MUL(R->m20, si->m5),
+      so_4 = KSL_MUL(R->m01, si->m3) + KSL_MUL(R->m11, si->m4) + KSL_MUL(R->m21, si->m5),
+      so_5 = KSL_MUL(R->m02, si->m3) + KSL_MUL(R->m12, si->m4) + KSL_MUL(R->m22, si->m5);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -561,17 +474,12 @@ static inline void ksl_product_Adrinvs(const ksl_mat3x3_t *R, const ksl_screw_t 
 static inline void ksl_product_Adrsinv(const ksl_mat3x3_t *R, const ksl_screw_t *si,
     ksl_screw_t *so) {
   const double so_0 =
-          -(KSL_MUL(R->m00, si->m0) + KSL_MUL(R->m01, si->m1) + KSL_MUL(R->m02, si->m2));
-  const double so_1 =
-          -(KSL_MUL(R->m10, si->m0) + KSL_MUL(R->m11, si->m1) + KSL_MUL(R->m12, si->m2));
-  const double so_2 =
-          -(KSL_MUL(R->m20, si->m0) + KSL_MUL(R->m21, si->m1) + KSL_MUL(R->m22, si->m2));
-  const double so_3 =
-          -(KSL_MUL(R->m00, si->m3) + KSL_MUL(R->m01, si->m4) + KSL_MUL(R->m02, si->m5));
-  const double so_4 =
-          -(KSL_MUL(R->m10, si->m3) + KSL_MUL(R->m11, si->m4) + KSL_MUL(R->m12, si->m5));
-  const double so_5 =
-          -(KSL_MUL(R->m20, si->m3) + KSL_MUL(R->m21, si->m4) + KSL_MUL(R->m22, si->m5));
+          -(KSL_MUL(R->m00, si->m0) + KSL_MUL(R->m01, si->m1) + KSL_MUL(R->m02, si->m2)),
+      so_1 = -(KSL_MUL(R->m10, si->m0) + KSL_MUL(R->m11, si->m1) + KSL_MUL(R->m12, si->m2)),
+      so_2 = -(KSL_MUL(R->m20, si->m0) + KSL_MUL(R->m21, si->m1) + KSL_MUL(R->m22, si->m2)),
+      so_3 = -(KSL_MUL(R->m00, si->m3) + KSL_MUL(R->m01, si->m4) + KSL_MUL(R->m02, si->m5)),
+      so_4 = -(KSL_MUL(R->m10, si->m3) + KSL_MUL(R->m11, si->m4) + KSL_MUL(R->m12, si->m5)),
+      so_5 = -(KSL_MUL(R->m20, si->m3) + KSL_MUL(R->m21, si->m4) + KSL_MUL(R->m22, si->m5));
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -586,15 +494,15 @@ static inline void ksl_product_Adrsinv(const ksl_mat3x3_t *R, const ksl_screw_t 
    Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Ads(const ksl_SE3_t *D, const ksl_screw_t *si, ksl_screw_t *so) {
-  const double w_0 = KSL_MUL(D->m00, si->m0) + KSL_MUL(D->m01, si->m1) + KSL_MUL(D->m02, si->m2);
-  const double w_1 = KSL_MUL(D->m10, si->m0) + KSL_MUL(D->m11, si->m1) + KSL_MUL(D->m12, si->m2);
-  const double w_2 = KSL_MUL(D->m20, si->m0) + KSL_MUL(D->m21, si->m1) + KSL_MUL(D->m22, si->m2);
-  const double w_3 = KSL_MUL(D->m00, si->m3) + KSL_MUL(D->m01, si->m4) + KSL_MUL(D->m02, si->m5);
-  const double w_4 = KSL_MUL(D->m10, si->m3) + KSL_MUL(D->m11, si->m4) + KSL_MUL(D->m12, si->m5);
-  const double w_5 = KSL_MUL(D->m20, si->m3) + KSL_MUL(D->m21, si->m4) + KSL_MUL(D->m22, si->m5);
-  const double so_0 = KSL_MUL(D->m13, w_5) - KSL_MUL(D->m23, w_4) + w_0;
-  const double so_1 = KSL_MUL(D->m23, w_3) - KSL_MUL(D->m03, w_5) + w_1;
-  const double so_2 = KSL_MUL(D->m03, w_4) - KSL_MUL(D->m13, w_3) + w_2;
+  const double w_0 = KSL_MUL(D->m00, si->m0) + KSL_MUL(D->m01, si->m1) + KSL_MUL(D->m02, si->m2),
+      w_1 = KSL_MUL(D->m10, si->m0) + KSL_MUL(D->m11, si->m1) + KSL_MUL(D->m12, si->m2),
+      w_2 = KSL_MUL(D->m20, si->m0) + KSL_MUL(D->m21, si->m1) + KSL_MUL(D->m22, si->m2),
+      w_3 = KSL_MUL(D->m00, si->m3) + KSL_MUL(D->m01, si->m4) + KSL_MUL(D->m02, si->m5),
+      w_4 = KSL_MUL(D->m10, si->m3) + KSL_MUL(D->m11, si->m4) + KSL_MUL(D->m12, si->m5),
+      w_5 = KSL_MUL(D->m20, si->m3) + KSL_MUL(D->m21, si->m4) + KSL_MUL(D->m22, si->m5);
+  const double so_0 = KSL_MUL(D->m13, w_5) - KSL_MUL(D->m23, w_4) + w_0,
+      so_1 = KSL_MUL(D->m23, w_3) - KSL_MUL(D->m03, w_5) + w_1,
+      so_2 = KSL_MUL(D->m03, w_4) - KSL_MUL(D->m13, w_3) + w_2;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -609,15 +517,15 @@ static inline void ksl_product_Ads(const ksl_SE3_t *D, const ksl_screw_t *si, ks
    Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Adinvs(const ksl_SE3_t *D, const ksl_screw_t *si, ksl_screw_t *so) {
-  const double w_0 = KSL_MUL(D->m23, si->m4) - KSL_MUL(D->m13, si->m5) + si->m0;
-  const double w_1 = KSL_MUL(D->m03, si->m5) - KSL_MUL(D->m23, si->m3) + si->m1;
-  const double w_2 = KSL_MUL(D->m13, si->m3) - KSL_MUL(D->m03, si->m4) + si->m2;
-  const double so_0 = KSL_MUL(D->m00, w_0) + KSL_MUL(D->m10, w_1) + KSL_MUL(D->m20, w_2);
-  const double so_1 = KSL_MUL(D->m01, w_0) + KSL_MUL(D->m11, w_1) + KSL_MUL(D->m21, w_2);
-  const double so_2 = KSL_MUL(D->m02, w_0) + KSL_MUL(D->m12, w_1) + KSL_MUL(D->m22, w_2);
-  const double so_3 = KSL_MUL(D->m00, si->m3) + KSL_MUL(D->m10, si->m4) + KSL_MUL(D->m20, si->m5);
-  const double so_4 = KSL_MUL(D->m01, si->m3) + KSL_MUL(D->m11, si->m4) + KSL_MUL(D->m21, si->m5);
-  const double so_5 = KSL_MUL(D->m02, si->m3) + KSL_MUL(D->m12, si->m4) + KSL_MUL(D->m22, si->m5);
+  const double w_0 = KSL_MUL(D->m23, si->m4) - KSL_MUL(D->m13, si->m5) + si->m0,
+      w_1 = KSL_MUL(D->m03, si->m5) - KSL_MUL(D->m23, si->m3) + si->m1,
+      w_2 = KSL_MUL(D->m13, si->m3) - KSL_MUL(D->m03, si->m4) + si->m2;
+  const double so_0 = KSL_MUL(D->m00, w_0) + KSL_MUL(D->m10, w_1) + KSL_MUL(D->m20, w_2),
+      so_1 = KSL_MUL(D->m01, w_0) + KSL_MUL(D->m11, w_1) + KSL_MUL(D->m21, w_2),
+      so_2 = KSL_MUL(D->m02, w_0) + KSL_MUL(D->m12, w_1) + KSL_MUL(D->m22, w_2),
+      so_3 = KSL_MUL(D->m00, si->m3) + KSL_MUL(D->m10, si->m4) + KSL_MUL(D->m20, si->m5),
+      so_4 = KSL_MUL(D->m01, si->m3) + KSL_MUL(D->m11, si->m4) + KSL_MUL(D->m21, si->m5),
+      so_5 = KSL_MUL(D->m02, si->m3) + KSL_MUL(D->m12, si->m4) + KSL_MUL(D->m22, si->m5);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -632,15 +540,15 @@ static inline void ksl_product_Adinvs(const ksl_SE3_t *D, const ksl_screw_t *si,
    Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Adsinv(const ksl_SE3_t *D, const ksl_screw_t *si, ksl_screw_t *so) {
-  const double w_0 = -(KSL_MUL(D->m00, si->m0) + KSL_MUL(D->m01, si->m1) + KSL_MUL(D->m02, si->m2));
-  const double w_1 = -(KSL_MUL(D->m10, si->m0) + KSL_MUL(D->m11, si->m1) + KSL_MUL(D->m12, si->m2));
-  const double w_2 = -(KSL_MUL(D->m20, si->m0) + KSL_MUL(D->m21, si->m1) + KSL_MUL(D->m22, si->m2));
-  const double w_3 = -(KSL_MUL(D->m00, si->m3) + KSL_MUL(D->m01, si->m4) + KSL_MUL(D->m02, si->m5));
-  const double w_4 = -(KSL_MUL(D->m10, si->m3) + KSL_MUL(D->m11, si->m4) + KSL_MUL(D->m12, si->m5));
-  const double w_5 = -(KSL_MUL(D->m20, si->m3) + KSL_MUL(D->m21, si->m4) + KSL_MUL(D->m22, si->m5));
-  const double so_0 = KSL_MUL(D->m13, w_5) - KSL_MUL(D->m23, w_4) + w_0;
-  const double so_1 = KSL_MUL(D->m23, w_3) - KSL_MUL(D->m03, w_5) + w_1;
-  const double so_2 = KSL_MUL(D->m03, w_4) - KSL_MUL(D->m13, w_3) + w_2;
+  const double w_0 = -(KSL_MUL(D->m00, si->m0) + KSL_MUL(D->m01, si->m1) + KSL_MUL(D->m02, si->m2)),
+      w_1 = -(KSL_MUL(D->m10, si->m0) + KSL_MUL(D->m11, si->m1) + KSL_MUL(D->m12, si->m2)),
+      w_2 = -(KSL_MUL(D->m20, si->m0) + KSL_MUL(D->m21, si->m1) + KSL_MUL(D->m22, si->m2)),
+      w_3 = -(KSL_MUL(D->m00, si->m3) + KSL_MUL(D->m01, si->m4) + KSL_MUL(D->m02, si->m5)),
+      w_4 = -(KSL_MUL(D->m10, si->m3) + KSL_MUL(D->m11, si->m4) + KSL_MUL(D->m12, si->m5)),
+      w_5 = -(KSL_MUL(D->m20, si->m3) + KSL_MUL(D->m21, si->m4) + KSL_MUL(D->m22, si->m5));
+  const double so_0 = KSL_MUL(D->m13, w_5) - KSL_MUL(D->m23, w_4) + w_0,
+      so_1 = KSL_MUL(D->m23, w_3) - KSL_MUL(D->m03, w_5) + w_1,
+      so_2 = KSL_MUL(D->m03, w_4) - KSL_MUL(D->m13, w_3) + w_2;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -703,9 +611,9 @@ static inline void ksl_hstz(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrx(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0 = KSL_MUL(D->m20, D->m13) - KSL_MUL(D->m10, D->m23);
-  const double so_1 = KSL_MUL(D->m00, D->m23) - KSL_MUL(D->m20, D->m03);
-  const double so_2 = KSL_MUL(D->m10, D->m03) - KSL_MUL(D->m00, D->m13);
+  const double so_0 = KSL_MUL(D->m20, D->m13) - KSL_MUL(D->m10, D->m23),
+      so_1 = KSL_MUL(D->m00, D->m23) - KSL_MUL(D->m20, D->m03),
+      so_2 = KSL_MUL(D->m10, D->m03) - KSL_MUL(D->m00, D->m13);
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
   const double D_m20 = D->m20;
@@ -723,9 +631,9 @@ static inline void ksl_hsrx(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsry(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0 = KSL_MUL(D->m21, D->m13) - KSL_MUL(D->m11, D->m23);
-  const double so_1 = KSL_MUL(D->m01, D->m23) - KSL_MUL(D->m21, D->m03);
-  const double so_2 = KSL_MUL(D->m11, D->m03) - KSL_MUL(D->m01, D->m13);
+  const double so_0 = KSL_MUL(D->m21, D->m13) - KSL_MUL(D->m11, D->m23),
+      so_1 = KSL_MUL(D->m01, D->m23) - KSL_MUL(D->m21, D->m03),
+      so_2 = KSL_MUL(D->m11, D->m03) - KSL_MUL(D->m01, D->m13);
   const double D_m01 = D->m01;
   const double D_m11 = D->m11;
   const double D_m21 = D->m21;
@@ -743,9 +651,9 @@ static inline void ksl_hsry(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrz(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0 = KSL_MUL(D->m22, D->m13) - KSL_MUL(D->m12, D->m23);
-  const double so_1 = KSL_MUL(D->m02, D->m23) - KSL_MUL(D->m22, D->m03);
-  const double so_2 = KSL_MUL(D->m12, D->m03) - KSL_MUL(D->m02, D->m13);
+  const double so_0 = KSL_MUL(D->m22, D->m13) - KSL_MUL(D->m12, D->m23),
+      so_1 = KSL_MUL(D->m02, D->m23) - KSL_MUL(D->m22, D->m03),
+      so_2 = KSL_MUL(D->m12, D->m03) - KSL_MUL(D->m02, D->m13);
   const double D_m02 = D->m02;
   const double D_m12 = D->m12;
   const double D_m22 = D->m22;
@@ -762,9 +670,7 @@ static inline void ksl_hsrz(const ksl_SE3_t *D, ksl_screw_t *so) {
    3 neg.
    Exact. */
 static inline void ksl_hstxinv(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0 = -D->m00;
-  const double so_1 = -D->m10;
-  const double so_2 = -D->m20;
+  const double so_0 = -D->m00, so_1 = -D->m10, so_2 = -D->m20;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -778,9 +684,7 @@ static inline void ksl_hstxinv(const ksl_SE3_t *D, ksl_screw_t *so) {
    3 neg.
    Exact. */
 static inline void ksl_hstyinv(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0 = -D->m01;
-  const double so_1 = -D->m11;
-  const double so_2 = -D->m21;
+  const double so_0 = -D->m01, so_1 = -D->m11, so_2 = -D->m21;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -794,9 +698,7 @@ static inline void ksl_hstyinv(const ksl_SE3_t *D, ksl_screw_t *so) {
    3 neg.
    Exact. */
 static inline void ksl_hstzinv(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0 = -D->m02;
-  const double so_1 = -D->m12;
-  const double so_2 = -D->m22;
+  const double so_0 = -D->m02, so_1 = -D->m12, so_2 = -D->m22;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -811,12 +713,10 @@ static inline void ksl_hstzinv(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrxinv(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0 = KSL_MUL(D->m10, D->m23) - KSL_MUL(D->m20, D->m13);
-  const double so_1 = KSL_MUL(D->m20, D->m03) - KSL_MUL(D->m00, D->m23);
-  const double so_2 = KSL_MUL(D->m00, D->m13) - KSL_MUL(D->m10, D->m03);
-  const double so_3 = -D->m00;
-  const double so_4 = -D->m10;
-  const double so_5 = -D->m20;
+  const double so_0 = KSL_MUL(D->m10, D->m23) - KSL_MUL(D->m20, D->m13),
+      so_1 = KSL_MUL(D->m20, D->m03) - KSL_MUL(D->m00, D->m23),
+      so_2 = KSL_MUL(D->m00, D->m13) - KSL_MUL(D->m10, D->m03), so_3 = -D->m00, so_4 = -D->m10,
+      so_5 = -D->m20;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -831,12 +731,10 @@ static inline void ksl_hsrxinv(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsryinv(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0 = KSL_MUL(D->m11, D->m23) - KSL_MUL(D->m21, D->m13);
-  const double so_1 = KSL_MUL(D->m21, D->m03) - KSL_MUL(D->m01, D->m23);
-  const double so_2 = KSL_MUL(D->m01, D->m13) - KSL_MUL(D->m11, D->m03);
-  const double so_3 = -D->m01;
-  const double so_4 = -D->m11;
-  const double so_5 = -D->m21;
+  const double so_0 = KSL_MUL(D->m11, D->m23) - KSL_MUL(D->m21, D->m13),
+      so_1 = KSL_MUL(D->m21, D->m03) - KSL_MUL(D->m01, D->m23),
+      so_2 = KSL_MUL(D->m01, D->m13) - KSL_MUL(D->m11, D->m03), so_3 = -D->m01, so_4 = -D->m11,
+      so_5 = -D->m21;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -851,12 +749,10 @@ static inline void ksl_hsryinv(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrzinv(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0 = KSL_MUL(D->m12, D->m23) - KSL_MUL(D->m22, D->m13);
-  const double so_1 = KSL_MUL(D->m22, D->m03) - KSL_MUL(D->m02, D->m23);
-  const double so_2 = KSL_MUL(D->m02, D->m13) - KSL_MUL(D->m12, D->m03);
-  const double so_3 = -D->m02;
-  const double so_4 = -D->m12;
-  const double so_5 = -D->m22;
+  const double so_0 = KSL_MUL(D->m12, D->m23) - KSL_MUL(D->m22, D->m13),
+      so_1 = KSL_MUL(D->m22, D->m03) - KSL_MUL(D->m02, D->m23),
+      so_2 = KSL_MUL(D->m02, D->m13) - KSL_MUL(D->m12, D->m03), so_3 = -D->m02, so_4 = -D->m12,
+      so_5 = -D->m22;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -871,15 +767,15 @@ static inline void ksl_hsrzinv(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_Ad(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
-  const double M_03 = KSL_MUL(D->m20, D->m13) - KSL_MUL(D->m10, D->m23);
-  const double M_04 = KSL_MUL(D->m21, D->m13) - KSL_MUL(D->m11, D->m23);
-  const double M_05 = KSL_MUL(D->m22, D->m13) - KSL_MUL(D->m12, D->m23);
-  const double M_13 = KSL_MUL(D->m00, D->m23) - KSL_MUL(D->m20, D->m03);
-  const double M_14 = KSL_MUL(D->m01, D->m23) - KSL_MUL(D->m21, D->m03);
-  const double M_15 = KSL_MUL(D->m02, D->m23) - KSL_MUL(D->m22, D->m03);
-  const double M_23 = KSL_MUL(D->m10, D->m03) - KSL_MUL(D->m00, D->m13);
-  const double M_24 = KSL_MUL(D->m11, D->m03) - KSL_MUL(D->m01, D->m13);
-  const double M_25 = KSL_MUL(D->m12, D->m03) - KSL_MUL(D->m02, D->m13);
+  const double M_03 = KSL_MUL(D->m20, D->m13) - KSL_MUL(D->m10, D->m23),
+      M_04 = KSL_MUL(D->m21, D->m13) - KSL_MUL(D->m11, D->m23),
+      M_05 = KSL_MUL(D->m22, D->m13) - KSL_MUL(D->m12, D->m23),
+      M_13 = KSL_MUL(D->m00, D->m23) - KSL_MUL(D->m20, D->m03),
+      M_14 = KSL_MUL(D->m01, D->m23) - KSL_MUL(D->m21, D->m03),
+      M_15 = KSL_MUL(D->m02, D->m23) - KSL_MUL(D->m22, D->m03),
+      M_23 = KSL_MUL(D->m10, D->m03) - KSL_MUL(D->m00, D->m13),
+      M_24 = KSL_MUL(D->m11, D->m03) - KSL_MUL(D->m01, D->m13),
+      M_25 = KSL_MUL(D->m12, D->m03) - KSL_MUL(D->m02, D->m13);
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -946,14 +842,14 @@ static inline double ksl_dot_cs(const ksl_coscrew_t *c, const ksl_screw_t *s) {
      barring over- and underflow. */
 static inline void ksl_cross_ss(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl_screw_t *so) {
   const double so_0 = KSL_MUL(s1->m1, s2->m5) - KSL_MUL(s1->m5, s2->m1)
-          + (KSL_MUL(s1->m4, s2->m2) - KSL_MUL(s1->m2, s2->m4));
-  const double so_1 = KSL_MUL(s1->m5, s2->m0) - KSL_MUL(s1->m0, s2->m5)
-          + (KSL_MUL(s1->m2, s2->m3) - KSL_MUL(s1->m3, s2->m2));
-  const double so_2 = KSL_MUL(s1->m0, s2->m4) - KSL_MUL(s1->m4, s2->m0)
-          + (KSL_MUL(s1->m3, s2->m1) - KSL_MUL(s1->m1, s2->m3));
-  const double so_3 = KSL_MUL(s1->m4, s2->m5) - KSL_MUL(s1->m5, s2->m4);
-  const double so_4 = KSL_MUL(s1->m5, s2->m3) - KSL_MUL(s1->m3, s2->m5);
-  const double so_5 = KSL_MUL(s1->m3, s2->m4) - KSL_MUL(s1->m4, s2->m3);
+          + (KSL_MUL(s1->m4, s2->m2) - KSL_MUL(s1->m2, s2->m4)),
+      so_1 = KSL_MUL(s1->m5, s2->m0) - KSL_MUL(s1->m0, s2->m5)
+          + (KSL_MUL(s1->m2, s2->m3) - KSL_MUL(s1->m3, s2->m2)),
+      so_2 = KSL_MUL(s1->m0, s2->m4) - KSL_MUL(s1->m4, s2->m0)
+          + (KSL_MUL(s1->m3, s2->m1) - KSL_MUL(s1->m1, s2->m3)),
+      so_3 = KSL_MUL(s1->m4, s2->m5) - KSL_MUL(s1->m5, s2->m4),
+      so_4 = KSL_MUL(s1->m5, s2->m3) - KSL_MUL(s1->m3, s2->m5),
+      so_5 = KSL_MUL(s1->m3, s2->m4) - KSL_MUL(s1->m4, s2->m3);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -968,9 +864,9 @@ static inline void ksl_cross_ss(const ksl_screw_t *s1, const ksl_screw_t *s2, ks
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_cross_sst(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl_screw_t *so) {
-  const double so_0 = KSL_MUL(s1->m4, s2->m2) - KSL_MUL(s1->m5, s2->m1);
-  const double so_1 = KSL_MUL(s1->m5, s2->m0) - KSL_MUL(s1->m3, s2->m2);
-  const double so_2 = KSL_MUL(s1->m3, s2->m1) - KSL_MUL(s1->m4, s2->m0);
+  const double so_0 = KSL_MUL(s1->m4, s2->m2) - KSL_MUL(s1->m5, s2->m1),
+      so_1 = KSL_MUL(s1->m5, s2->m0) - KSL_MUL(s1->m3, s2->m2),
+      so_2 = KSL_MUL(s1->m3, s2->m1) - KSL_MUL(s1->m4, s2->m0);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -985,12 +881,12 @@ static inline void ksl_cross_sst(const ksl_screw_t *s1, const ksl_screw_t *s2, k
    Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsra(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
-  const double a_0 = KSL_MUL(D->m00, axis->x) + KSL_MUL(D->m01, axis->y) + KSL_MUL(D->m02, axis->z);
-  const double a_1 = KSL_MUL(D->m10, axis->x) + KSL_MUL(D->m11, axis->y) + KSL_MUL(D->m12, axis->z);
-  const double a_2 = KSL_MUL(D->m20, axis->x) + KSL_MUL(D->m21, axis->y) + KSL_MUL(D->m22, axis->z);
-  const double so_0 = KSL_MUL(D->m13, a_2) - KSL_MUL(D->m23, a_1);
-  const double so_1 = KSL_MUL(D->m23, a_0) - KSL_MUL(D->m03, a_2);
-  const double so_2 = KSL_MUL(D->m03, a_1) - KSL_MUL(D->m13, a_0);
+  const double a_0 = KSL_MUL(D->m00, axis->x) + KSL_MUL(D->m01, axis->y) + KSL_MUL(D->m02, axis->z),
+      a_1 = KSL_MUL(D->m10, axis->x) + KSL_MUL(D->m11, axis->y) + KSL_MUL(D->m12, axis->z),
+      a_2 = KSL_MUL(D->m20, axis->x) + KSL_MUL(D->m21, axis->y) + KSL_MUL(D->m22, axis->z);
+  const double so_0 = KSL_MUL(D->m13, a_2) - KSL_MUL(D->m23, a_1),
+      so_1 = KSL_MUL(D->m23, a_0) - KSL_MUL(D->m03, a_2),
+      so_2 = KSL_MUL(D->m03, a_1) - KSL_MUL(D->m13, a_0);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1006,11 +902,9 @@ static inline void ksl_hsra(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_scre
      barring over- and underflow. */
 static inline void ksl_hsta(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
   const double so_0 = KSL_MUL(D->m00, axis->x) + KSL_MUL(D->m01, axis->y)
-          + KSL_MUL(D->m02, axis->z);
-  const double so_1 = KSL_MUL(D->m10, axis->x) + KSL_MUL(D->m11, axis->y)
-          + KSL_MUL(D->m12, axis->z);
-  const double so_2 = KSL_MUL(D->m20, axis->x) + KSL_MUL(D->m21, axis->y)
-          + KSL_MUL(D->m22, axis->z);
+          + KSL_MUL(D->m02, axis->z),
+      so_1 = KSL_MUL(D->m10, axis->x) + KSL_MUL(D->m11, axis->y) + KSL_MUL(D->m12, axis->z),
+      so_2 = KSL_MUL(D->m20, axis->x) + KSL_MUL(D->m21, axis->y) + KSL_MUL(D->m22, axis->z);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1026,14 +920,12 @@ static inline void ksl_hsta(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_scre
      barring over- and underflow. */
 static inline void ksl_hsrainv(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
   const double a_0 =
-          -(KSL_MUL(D->m00, axis->x) + KSL_MUL(D->m01, axis->y) + KSL_MUL(D->m02, axis->z));
-  const double a_1 =
-          -(KSL_MUL(D->m10, axis->x) + KSL_MUL(D->m11, axis->y) + KSL_MUL(D->m12, axis->z));
-  const double a_2 =
-          -(KSL_MUL(D->m20, axis->x) + KSL_MUL(D->m21, axis->y) + KSL_MUL(D->m22, axis->z));
-  const double so_0 = KSL_MUL(D->m13, a_2) - KSL_MUL(D->m23, a_1);
-  const double so_1 = KSL_MUL(D->m23, a_0) - KSL_MUL(D->m03, a_2);
-  const double so_2 = KSL_MUL(D->m03, a_1) - KSL_MUL(D->m13, a_0);
+          -(KSL_MUL(D->m00, axis->x) + KSL_MUL(D->m01, axis->y) + KSL_MUL(D->m02, axis->z)),
+      a_1 = -(KSL_MUL(D->m10, axis->x) + KSL_MUL(D->m11, axis->y) + KSL_MUL(D->m12, axis->z)),
+      a_2 = -(KSL_MUL(D->m20, axis->x) + KSL_MUL(D->m21, axis->y) + KSL_MUL(D->m22, axis->z));
+  const double so_0 = KSL_MUL(D->m13, a_2) - KSL_MUL(D->m23, a_1),
+      so_1 = KSL_MUL(D->m23, a_0) - KSL_MUL(D->m03, a_2),
+      so_2 = KSL_MUL(D->m03, a_1) - KSL_MUL(D->m13, a_0);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1049,11 +941,9 @@ static inline void ksl_hsrainv(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_s
      barring over- and underflow. */
 static inline void ksl_hstainv(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
   const double so_0 =
-          -(KSL_MUL(D->m00, axis->x) + KSL_MUL(D->m01, axis->y) + KSL_MUL(D->m02, axis->z));
-  const double so_1 =
-          -(KSL_MUL(D->m10, axis->x) + KSL_MUL(D->m11, axis->y) + KSL_MUL(D->m12, axis->z));
-  const double so_2 =
-          -(KSL_MUL(D->m20, axis->x) + KSL_MUL(D->m21, axis->y) + KSL_MUL(D->m22, axis->z));
+          -(KSL_MUL(D->m00, axis->x) + KSL_MUL(D->m01, axis->y) + KSL_MUL(D->m02, axis->z)),
+      so_1 = -(KSL_MUL(D->m10, axis->x) + KSL_MUL(D->m11, axis->y) + KSL_MUL(D->m12, axis->z)),
+      so_2 = -(KSL_MUL(D->m20, axis->x) + KSL_MUL(D->m21, axis->y) + KSL_MUL(D->m22, axis->z));
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1067,12 +957,8 @@ static inline void ksl_hstainv(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_s
    6 neg.
    Exact. */
 static inline void ksl_ad(const ksl_screw_t *s, ksl_mat6x6_t *M) {
-  const double M_01 = -s->m5;
-  const double M_04 = -s->m2;
-  const double M_12 = -s->m3;
-  const double M_15 = -s->m0;
-  const double M_20 = -s->m4;
-  const double M_23 = -s->m1;
+  const double M_01 = -s->m5, M_04 = -s->m2, M_12 = -s->m3, M_15 = -s->m0, M_20 = -s->m4,
+      M_23 = -s->m1;
   const double s_m4 = s->m4;
   const double s_m1 = s->m1;
   const double s_m5 = s->m5;
@@ -1154,12 +1040,9 @@ static inline void ksl_screwf_copy(const ksl_screwf_t *si, ksl_screwf_t *so) {
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_screwf_scale(ksl_screwf_t *self, const float a) {
-  const float self_0_new = KSL_MULF(self->m0, a);
-  const float self_1_new = KSL_MULF(self->m1, a);
-  const float self_2_new = KSL_MULF(self->m2, a);
-  const float self_3_new = KSL_MULF(self->m3, a);
-  const float self_4_new = KSL_MULF(self->m4, a);
-  const float self_5_new = KSL_MULF(self->m5, a);
+  const float self_0_new = KSL_MULF(self->m0, a), self_1_new = KSL_MULF(self->m1, a),
+      self_2_new = KSL_MULF(self->m2, a), self_3_new = KSL_MULF(self->m3, a),
+      self_4_new = KSL_MULF(self->m4, a), self_5_new = KSL_MULF(self->m5, a);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -1173,12 +1056,8 @@ static inline void ksl_screwf_scale(ksl_screwf_t *self, const float a) {
    6 neg.
    Exact. */
 static inline void ksl_screwf_inverted(const ksl_screwf_t *si, ksl_screwf_t *so) {
-  const float so_0 = -si->m0;
-  const float so_1 = -si->m1;
-  const float so_2 = -si->m2;
-  const float so_3 = -si->m3;
-  const float so_4 = -si->m4;
-  const float so_5 = -si->m5;
+  const float so_0 = -si->m0, so_1 = -si->m1, so_2 = -si->m2, so_3 = -si->m3, so_4 = -si->m4,
+      so_5 = -si->m5;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1192,12 +1071,8 @@ static inline void ksl_screwf_inverted(const ksl_screwf_t *si, ksl_screwf_t *so)
    6 neg.
    Exact. */
 static inline void ksl_screwf_invert(ksl_screwf_t *self) {
-  const float self_0_new = -self->m0;
-  const float self_1_new = -self->m1;
-  const float self_2_new = -self->m2;
-  const float self_3_new = -self->m3;
-  const float self_4_new = -self->m4;
-  const float self_5_new = -self->m5;
+  const float self_0_new = -self->m0, self_1_new = -self->m1, self_2_new = -self->m2,
+      self_3_new = -self->m3, self_4_new = -self->m4, self_5_new = -self->m5;
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -1212,12 +1087,9 @@ static inline void ksl_screwf_invert(ksl_screwf_t *self) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_axpy_ssf(const float a, const ksl_screwf_t *x, ksl_screwf_t *y) {
-  const float y_0_new = KSL_MULF(a, x->m0) + y->m0;
-  const float y_1_new = KSL_MULF(a, x->m1) + y->m1;
-  const float y_2_new = KSL_MULF(a, x->m2) + y->m2;
-  const float y_3_new = KSL_MULF(a, x->m3) + y->m3;
-  const float y_4_new = KSL_MULF(a, x->m4) + y->m4;
-  const float y_5_new = KSL_MULF(a, x->m5) + y->m5;
+  const float y_0_new = KSL_MULF(a, x->m0) + y->m0, y_1_new = KSL_MULF(a, x->m1) + y->m1,
+      y_2_new = KSL_MULF(a, x->m2) + y->m2, y_3_new = KSL_MULF(a, x->m3) + y->m3,
+      y_4_new = KSL_MULF(a, x->m4) + y->m4, y_5_new = KSL_MULF(a, x->m5) + y->m5;
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -1231,12 +1103,8 @@ static inline void ksl_axpy_ssf(const float a, const ksl_screwf_t *x, ksl_screwf
    6 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_xpy_ssf(const ksl_screwf_t *x, ksl_screwf_t *y) {
-  const float y_0_new = x->m0 + y->m0;
-  const float y_1_new = x->m1 + y->m1;
-  const float y_2_new = x->m2 + y->m2;
-  const float y_3_new = x->m3 + y->m3;
-  const float y_4_new = x->m4 + y->m4;
-  const float y_5_new = x->m5 + y->m5;
+  const float y_0_new = x->m0 + y->m0, y_1_new = x->m1 + y->m1, y_2_new = x->m2 + y->m2,
+      y_3_new = x->m3 + y->m3, y_4_new = x->m4 + y->m4, y_5_new = x->m5 + y->m5;
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -1250,12 +1118,8 @@ static inline void ksl_xpy_ssf(const ksl_screwf_t *x, ksl_screwf_t *y) {
    6 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_nxpy_ssf(const ksl_screwf_t *x, ksl_screwf_t *y) {
-  const float y_0_new = y->m0 - x->m0;
-  const float y_1_new = y->m1 - x->m1;
-  const float y_2_new = y->m2 - x->m2;
-  const float y_3_new = y->m3 - x->m3;
-  const float y_4_new = y->m4 - x->m4;
-  const float y_5_new = y->m5 - x->m5;
+  const float y_0_new = y->m0 - x->m0, y_1_new = y->m1 - x->m1, y_2_new = y->m2 - x->m2,
+      y_3_new = y->m3 - x->m3, y_4_new = y->m4 - x->m4, y_5_new = y->m5 - x->m5;
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -1269,12 +1133,8 @@ static inline void ksl_nxpy_ssf(const ksl_screwf_t *x, ksl_screwf_t *y) {
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_asf(const float a, const ksl_screwf_t *si, ksl_screwf_t *so) {
-  const float so_0 = KSL_MULF(a, si->m0);
-  const float so_1 = KSL_MULF(a, si->m1);
-  const float so_2 = KSL_MULF(a, si->m2);
-  const float so_3 = KSL_MULF(a, si->m3);
-  const float so_4 = KSL_MULF(a, si->m4);
-  const float so_5 = KSL_MULF(a, si->m5);
+  const float so_0 = KSL_MULF(a, si->m0), so_1 = KSL_MULF(a, si->m1), so_2 = KSL_MULF(a, si->m2),
+      so_3 = KSL_MULF(a, si->m3), so_4 = KSL_MULF(a, si->m4), so_5 = KSL_MULF(a, si->m5);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1288,12 +1148,8 @@ static inline void ksl_product_asf(const float a, const ksl_screwf_t *si, ksl_sc
    6 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_ssf(const ksl_screwf_t *s1, const ksl_screwf_t *s2, ksl_screwf_t *so) {
-  const float so_0 = s1->m0 + s2->m0;
-  const float so_1 = s1->m1 + s2->m1;
-  const float so_2 = s1->m2 + s2->m2;
-  const float so_3 = s1->m3 + s2->m3;
-  const float so_4 = s1->m4 + s2->m4;
-  const float so_5 = s1->m5 + s2->m5;
+  const float so_0 = s1->m0 + s2->m0, so_1 = s1->m1 + s2->m1, so_2 = s1->m2 + s2->m2,
+      so_3 = s1->m3 + s2->m3, so_4 = s1->m4 + s2->m4, so_5 = s1->m5 + s2->m5;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1308,12 +1164,8 @@ static inline void ksl_add_ssf(const ksl_screwf_t *s1, const ksl_screwf_t *s2, k
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_subtract_ssf(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so) {
-  const float so_0 = s1->m0 - s2->m0;
-  const float so_1 = s1->m1 - s2->m1;
-  const float so_2 = s1->m2 - s2->m2;
-  const float so_3 = s1->m3 - s2->m3;
-  const float so_4 = s1->m4 - s2->m4;
-  const float so_5 = s1->m5 - s2->m5;
+  const float so_0 = s1->m0 - s2->m0, so_1 = s1->m1 - s2->m1, so_2 = s1->m2 - s2->m2,
+      so_3 = s1->m3 - s2->m3, so_4 = s1->m4 - s2->m4, so_5 = s1->m5 - s2->m5;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1329,20 +1181,15 @@ static inline float ksl_screwf_norm(const ksl_screwf_t *si) {
   const float small_c = fabsf(si->m5) < 1e-06f ? 1.0f : 0.0f,
       small_f = fabsf(si->m4) < 1e-06f ? small_c : 0.0f,
       small = fabsf(si->m3) < 1e-06f ? small_f : 0.0f;
-  const float p_0 = small == 1.0f ? si->m0 : si->m3;
-  const float p_1 = small == 1.0f ? si->m1 : si->m4;
-  const float p_2 = small == 1.0f ? si->m2 : si->m5;
-  const float s_size_0 = fabsf(p_0);
-  const float s_size_1 = fabsf(p_1);
-  const float s_size_2 = fabsf(p_2);
+  const float p_0 = small == 1.0f ? si->m0 : si->m3, p_1 = small == 1.0f ? si->m1 : si->m4,
+      p_2 = small == 1.0f ? si->m2 : si->m5;
+  const float s_size_0 = fabsf(p_0), s_size_1 = fabsf(p_1), s_size_2 = fabsf(p_2);
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float y_0 = KSL_MULF(p_0, s);
-  const float y_1 = KSL_MULF(p_1, s);
-  const float y_2 = KSL_MULF(p_2, s);
+  const float y_0 = KSL_MULF(p_0, s), y_1 = KSL_MULF(p_1, s), y_2 = KSL_MULF(p_2, s);
   const float n = sqrtf(KSL_MULF(y_0, y_0) + KSL_MULF(y_1, y_1) + KSL_MULF(y_2, y_2));
   const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r_d = 1.0f < s ? 5.551115e-17f : r_b,
       r = 1.8014399e+16f < s ? 3.081488e-33f : r_d;
@@ -1357,57 +1204,36 @@ static inline void ksl_screwf_normalize(ksl_screwf_t *self) {
   const float small_a = fabsf(self->m5), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
       small_d = fabsf(self->m4), small_f = small_d < 1e-06f ? small_c : 0.0f,
       small_g = fabsf(self->m3), small = small_g < 1e-06f ? small_f : 0.0f;
-  const float p_0 = small == 1.0f ? self->m0 : self->m3;
-  const float p_1 = small == 1.0f ? self->m1 : self->m4;
-  const float p_2 = small == 1.0f ? self->m2 : self->m5;
-  const float s_size_0 = fabsf(p_0);
-  const float s_size_1 = fabsf(p_1);
-  const float s_size_2 = fabsf(p_2);
+  const float p_0 = small == 1.0f ? self->m0 : self->m3, p_1 = small == 1.0f ? self->m1 : self->m4,
+      p_2 = small == 1.0f ? self->m2 : self->m5;
+  const float s_size_0 = fabsf(p_0), s_size_1 = fabsf(p_1), s_size_2 = fabsf(p_2);
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float y_0 = KSL_MULF(p_0, s);
-  const float y_1 = KSL_MULF(p_1, s);
-  const float y_2 = KSL_MULF(p_2, s);
+  const float y_0 = KSL_MULF(p_0, s), y_1 = KSL_MULF(p_1, s), y_2 = KSL_MULF(p_2, s);
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
   const float n = sqrtf(KSL_MULF(y_0, y_0) + KSL_MULF(y_1, y_1) + KSL_MULF(y_2, y_2));
   const float divisor = n == 0.0f ? up : n;
-  const float size_0 = fabsf(self->m0);
-  const float size_1 = fabsf(self->m1);
-  const float size_2 = fabsf(self->m2);
-  const float before_0 = size_0 < 256.0f ? up : down;
-  const float before_1 = size_1 < 256.0f ? up : down;
-  const float before_2 = size_2 < 256.0f ? up : down;
-  const float before_3 = small_g < 256.0f ? up : down;
-  const float before_4 = small_d < 256.0f ? up : down;
-  const float before_5 = small_a < 256.0f ? up : down;
-  const float after_0 = size_0 < 256.0f ? down : up;
-  const float after_1 = size_1 < 256.0f ? down : up;
-  const float after_2 = size_2 < 256.0f ? down : up;
-  const float after_3 = small_g < 256.0f ? down : up;
-  const float after_4 = small_d < 256.0f ? down : up;
-  const float after_5 = small_a < 256.0f ? down : up;
-  const float sized_0 = KSL_MULF(self->m0, before_0);
-  const float sized_1 = KSL_MULF(self->m1, before_1);
-  const float sized_2 = KSL_MULF(self->m2, before_2);
-  const float sized_3 = KSL_MULF(self->m3, before_3);
-  const float sized_4 = KSL_MULF(self->m4, before_4);
-  const float sized_5 = KSL_MULF(self->m5, before_5);
-  const float quotient_0 = sized_0 / divisor;
-  const float quotient_1 = sized_1 / divisor;
-  const float quotient_2 = sized_2 / divisor;
-  const float quotient_3 = sized_3 / divisor;
-  const float quotient_4 = sized_4 / divisor;
-  const float quotient_5 = sized_5 / divisor;
-  const float self_0_new = KSL_MULF(quotient_0, after_0);
-  const float self_1_new = KSL_MULF(quotient_1, after_1);
-  const float self_2_new = KSL_MULF(quotient_2, after_2);
-  const float self_3_new = KSL_MULF(quotient_3, after_3);
-  const float self_4_new = KSL_MULF(quotient_4, after_4);
-  const float self_5_new = KSL_MULF(quotient_5, after_5);
+  const float size_0 = fabsf(self->m0), size_1 = fabsf(self->m1), size_2 = fabsf(self->m2);
+  const float before_0 = size_0 < 256.0f ? up : down, before_1 = size_1 < 256.0f ? up : down,
+      before_2 = size_2 < 256.0f ? up : down, before_3 = small_g < 256.0f ? up : down,
+      before_4 = small_d < 256.0f ? up : down, before_5 = small_a < 256.0f ? up : down;
+  const float after_0 = size_0 < 256.0f ? down : up, after_1 = size_1 < 256.0f ? down : up,
+      after_2 = size_2 < 256.0f ? down : up, after_3 = small_g < 256.0f ? down : up,
+      after_4 = small_d < 256.0f ? down : up, after_5 = small_a < 256.0f ? down : up;
+  const float sized_0 = KSL_MULF(self->m0, before_0), sized_1 = KSL_MULF(self->m1, before_1),
+      sized_2 = KSL_MULF(self->m2, before_2), sized_3 = KSL_MULF(self->m3, before_3),
+      sized_4 = KSL_MULF(self->m4, before_4), sized_5 = KSL_MULF(self->m5, before_5);
+  const float quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor, quotient_3 = sized_3 / divisor,
+      quotient_4 = sized_4 / divisor, quotient_5 = sized_5 / divisor;
+  const float self_0_new = KSL_MULF(quotient_0, after_0),
+      self_1_new = KSL_MULF(quotient_1, after_1), self_2_new = KSL_MULF(quotient_2, after_2),
+      self_3_new = KSL_MULF(quotient_3, after_3), self_4_new = KSL_MULF(quotient_4, after_4),
+      self_5_new = KSL_MULF(quotient_5, after_5);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -1423,57 +1249,35 @@ static inline void ksl_screwf_normalized(const ksl_screwf_t *si, ksl_screwf_t *s
   const float small_a = fabsf(si->m5), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
       small_d = fabsf(si->m4), small_f = small_d < 1e-06f ? small_c : 0.0f, small_g = fabsf(si->m3),
       small = small_g < 1e-06f ? small_f : 0.0f;
-  const float p_0 = small == 1.0f ? si->m0 : si->m3;
-  const float p_1 = small == 1.0f ? si->m1 : si->m4;
-  const float p_2 = small == 1.0f ? si->m2 : si->m5;
-  const float s_size_0 = fabsf(p_0);
-  const float s_size_1 = fabsf(p_1);
-  const float s_size_2 = fabsf(p_2);
+  const float p_0 = small == 1.0f ? si->m0 : si->m3, p_1 = small == 1.0f ? si->m1 : si->m4,
+      p_2 = small == 1.0f ? si->m2 : si->m5;
+  const float s_size_0 = fabsf(p_0), s_size_1 = fabsf(p_1), s_size_2 = fabsf(p_2);
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float y_0 = KSL_MULF(p_0, s);
-  const float y_1 = KSL_MULF(p_1, s);
-  const float y_2 = KSL_MULF(p_2, s);
+  const float y_0 = KSL_MULF(p_0, s), y_1 = KSL_MULF(p_1, s), y_2 = KSL_MULF(p_2, s);
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
   const float n = sqrtf(KSL_MULF(y_0, y_0) + KSL_MULF(y_1, y_1) + KSL_MULF(y_2, y_2));
   const float divisor = n == 0.0f ? up : n;
-  const float size_0 = fabsf(si->m0);
-  const float size_1 = fabsf(si->m1);
-  const float size_2 = fabsf(si->m2);
-  const float before_0 = size_0 < 256.0f ? up : down;
-  const float before_1 = size_1 < 256.0f ? up : down;
-  const float before_2 = size_2 < 256.0f ? up : down;
-  const float before_3 = small_g < 256.0f ? up : down;
-  const float before_4 = small_d < 256.0f ? up : down;
-  const float before_5 = small_a < 256.0f ? up : down;
-  const float after_0 = size_0 < 256.0f ? down : up;
-  const float after_1 = size_1 < 256.0f ? down : up;
-  const float after_2 = size_2 < 256.0f ? down : up;
-  const float after_3 = small_g < 256.0f ? down : up;
-  const float after_4 = small_d < 256.0f ? down : up;
-  const float after_5 = small_a < 256.0f ? down : up;
-  const float sized_0 = KSL_MULF(si->m0, before_0);
-  const float sized_1 = KSL_MULF(si->m1, before_1);
-  const float sized_2 = KSL_MULF(si->m2, before_2);
-  const float sized_3 = KSL_MULF(si->m3, before_3);
-  const float sized_4 = KSL_MULF(si->m4, before_4);
-  const float sized_5 = KSL_MULF(si->m5, before_5);
-  const float quotient_0 = sized_0 / divisor;
-  const float quotient_1 = sized_1 / divisor;
-  const float quotient_2 = sized_2 / divisor;
-  const float quotient_3 = sized_3 / divisor;
-  const float quotient_4 = sized_4 / divisor;
-  const float quotient_5 = sized_5 / divisor;
-  const float so_0 = KSL_MULF(quotient_0, after_0);
-  const float so_1 = KSL_MULF(quotient_1, after_1);
-  const float so_2 = KSL_MULF(quotient_2, after_2);
-  const float so_3 = KSL_MULF(quotient_3, after_3);
-  const float so_4 = KSL_MULF(quotient_4, after_4);
-  const float so_5 = KSL_MULF(quotient_5, after_5);
+  const float size_0 = fabsf(si->m0), size_1 = fabsf(si->m1), size_2 = fabsf(si->m2);
+  const float before_0 = size_0 < 256.0f ? up : down, before_1 = size_1 < 256.0f ? up : down,
+      before_2 = size_2 < 256.0f ? up : down, before_3 = small_g < 256.0f ? up : down,
+      before_4 = small_d < 256.0f ? up : down, before_5 = small_a < 256.0f ? up : down;
+  const float after_0 = size_0 < 256.0f ? down : up, after_1 = size_1 < 256.0f ? down : up,
+      after_2 = size_2 < 256.0f ? down : up, after_3 = small_g < 256.0f ? down : up,
+      after_4 = small_d < 256.0f ? down : up, after_5 = small_a < 256.0f ? down : up;
+  const float sized_0 = KSL_MULF(si->m0, before_0), sized_1 = KSL_MULF(si->m1, before_1),
+      sized_2 = KSL_MULF(si->m2, before_2), sized_3 = KSL_MULF(si->m3, before_3),
+      sized_4 = KSL_MULF(si->m4, before_4), sized_5 = KSL_MULF(si->m5, before_5);
+  const float quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor, quotient_3 = sized_3 / divisor,
+      quotient_4 = sized_4 / divisor, quotient_5 = sized_5 / divisor;
+  const float so_0 = KSL_MULF(quotient_0, after_0), so_1 = KSL_MULF(quotient_1, after_1),
+      so_2 = KSL_MULF(quotient_2, after_2), so_3 = KSL_MULF(quotient_3, after_3),
+      so_4 = KSL_MULF(quotient_4, after_4), so_5 = KSL_MULF(quotient_5, after_5);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1545,9 +1349,7 @@ static inline void ksl_screwf_from_angular_first(const float x[6], ksl_screwf_t 
    3 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_sstf(const ksl_screwf_t *s1, const ksl_screwf_t *s2, ksl_screwf_t *so) {
-  const float so_0 = s1->m0 + s2->m0;
-  const float so_1 = s1->m1 + s2->m1;
-  const float so_2 = s1->m2 + s2->m2;
+  const float so_0 = s1->m0 + s2->m0, so_1 = s1->m1 + s2->m1, so_2 = s1->m2 + s2->m2;
   const float s1_m3 = s1->m3;
   const float s1_m4 = s1->m4;
   const float s1_m5 = s1->m5;
@@ -1566,9 +1368,9 @@ static inline void ksl_add_sstf(const ksl_screwf_t *s1, const ksl_screwf_t *s2, 
      barring over- and underflow. */
 static inline void ksl_product_Adtsf(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0 = KSL_MULF(t->y, si->m5) - KSL_MULF(t->z, si->m4) + si->m0;
-  const float so_1 = KSL_MULF(t->z, si->m3) - KSL_MULF(t->x, si->m5) + si->m1;
-  const float so_2 = KSL_MULF(t->x, si->m4) - KSL_MULF(t->y, si->m3) + si->m2;
+  const float so_0 = KSL_MULF(t->y, si->m5) - KSL_MULF(t->z, si->m4) + si->m0,
+      so_1 = KSL_MULF(t->z, si->m3) - KSL_MULF(t->x, si->m5) + si->m1,
+      so_2 = KSL_MULF(t->x, si->m4) - KSL_MULF(t->y, si->m3) + si->m2;
   const float si_m3 = si->m3;
   const float si_m4 = si->m4;
   const float si_m5 = si->m5;
@@ -1587,9 +1389,9 @@ static inline void ksl_product_Adtsf(const ksl_vec3f_t *t, const ksl_screwf_t *s
      barring over- and underflow. */
 static inline void ksl_product_Adtinvsf(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0 = KSL_MULF(t->z, si->m4) - KSL_MULF(t->y, si->m5) + si->m0;
-  const float so_1 = KSL_MULF(t->x, si->m5) - KSL_MULF(t->z, si->m3) + si->m1;
-  const float so_2 = KSL_MULF(t->y, si->m3) - KSL_MULF(t->x, si->m4) + si->m2;
+  const float so_0 = KSL_MULF(t->z, si->m4) - KSL_MULF(t->y, si->m5) + si->m0,
+      so_1 = KSL_MULF(t->x, si->m5) - KSL_MULF(t->z, si->m3) + si->m1,
+      so_2 = KSL_MULF(t->y, si->m3) - KSL_MULF(t->x, si->m4) + si->m2;
   const float si_m3 = si->m3;
   const float si_m4 = si->m4;
   const float si_m5 = si->m5;
@@ -1608,12 +1410,10 @@ static inline void ksl_product_Adtinvsf(const ksl_vec3f_t *t, const ksl_screwf_t
      barring over- and underflow. */
 static inline void ksl_product_Adtsinvf(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0 = KSL_MULF(t->z, si->m4) - KSL_MULF(t->y, si->m5) - si->m0;
-  const float so_1 = KSL_MULF(t->x, si->m5) - KSL_MULF(t->z, si->m3) - si->m1;
-  const float so_2 = KSL_MULF(t->y, si->m3) - KSL_MULF(t->x, si->m4) - si->m2;
-  const float so_3 = -si->m3;
-  const float so_4 = -si->m4;
-  const float so_5 = -si->m5;
+  const float so_0 = KSL_MULF(t->z, si->m4) - KSL_MULF(t->y, si->m5) - si->m0,
+      so_1 = KSL_MULF(t->x, si->m5) - KSL_MULF(t->z, si->m3) - si->m1,
+      so_2 = KSL_MULF(t->y, si->m3) - KSL_MULF(t->x, si->m4) - si->m2, so_3 = -si->m3,
+      so_4 = -si->m4, so_5 = -si->m5;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1629,12 +1429,12 @@ static inline void ksl_product_Adtsinvf(const ksl_vec3f_t *t, const ksl_screwf_t
      and underflow. */
 static inline void ksl_product_Adrsf(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0 = KSL_MULF(R->m00, si->m0) + KSL_MULF(R->m01, si->m1) + KSL_MULF(R->m02, si->m2);
-  const float so_1 = KSL_MULF(R->m10, si->m0) + KSL_MULF(R->m11, si->m1) + KSL_MULF(R->m12, si->m2);
-  const float so_2 = KSL_MULF(R->m20, si->m0) + KSL_MULF(R->m21, si->m1) + KSL_MULF(R->m22, si->m2);
-  const float so_3 = KSL_MULF(R->m00, si->m3) + KSL_MULF(R->m01, si->m4) + KSL_MULF(R->m02, si->m5);
-  const float so_4 = KSL_MULF(R->m10, si->m3) + KSL_MULF(R->m11, si->m4) + KSL_MULF(R->m12, si->m5);
-  const float so_5 = KSL_MULF(R->m20, si->m3) + KSL_MULF(R->m21, si->m4) + KSL_MULF(R->m22, si->m5);
+  const float so_0 = KSL_MULF(R->m00, si->m0) + KSL_MULF(R->m01, si->m1) + KSL_MULF(R->m02, si->m2),
+      so_1 = KSL_MULF(R->m10, si->m0) + KSL_MULF(R->m11, si->m1) + KSL_MULF(R->m12, si->m2),
+      so_2 = KSL_MULF(R->m20, si->m0) + KSL_MULF(R->m21, si->m1) + KSL_MULF(R->m22, si->m2),
+      so_3 = KSL_MULF(R->m00, si->m3) + KSL_MULF(R->m01, si->m4) + KSL_MULF(R->m02, si->m5),
+      so_4 = KSL_MULF(R->m10, si->m3) + KSL_MULF(R->m11, si->m4) + KSL_MULF(R->m12, si->m5),
+      so_5 = KSL_MULF(R->m20, si->m3) + KSL_MULF(R->m21, si->m4) + KSL_MULF(R->m22, si->m5);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1650,12 +1450,12 @@ static inline void ksl_product_Adrsf(const ksl_mat3x3f_t *R, const ksl_screwf_t 
      and underflow. */
 static inline void ksl_product_Adrinvsf(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0 = KSL_MULF(R->m00, si->m0) + KSL_MULF(R->m10, si->m1) + KSL_MULF(R->m20, si->m2);
-  const float so_1 = KSL_MULF(R->m01, si->m0) + KSL_MULF(R->m11, si->m1) + KSL_MULF(R->m21, si->m2);
-  const float so_2 = KSL_MULF(R->m02, si->m0) + KSL_MULF(R->m12, si->m1) + KSL_MULF(R->m22, si->m2);
-  const float so_3 = KSL_MULF(R->m00, si->m3) + KSL_MULF(R->m10, si->m4) + KSL_MULF(R->m20, si->m5);
-  const float so_4 = KSL_MULF(R->m01, si->m3) + KSL_MULF(R->m11, si->m4) + KSL_MULF(R->m21, si->m5);
-  const float so_5 = KSL_MULF(R->m02, si->m3) + KSL_MULF(R->m12, si->m4) + KSL_MULF(R->m22, si->m5);
+  const float so_0 = KSL_MULF(R->m00, si->m0) + KSL_MULF(R->m10, si->m1) + KSL_MULF(R->m20, si->m2),
+      so_1 = KSL_MULF(R->m01, si->m0) + KSL_MULF(R->m11, si->m1) + KSL_MULF(R->m21, si->m2),
+      so_2 = KSL_MULF(R->m02, si->m0) + KSL_MULF(R->m12, si->m1) + KSL_MULF(R->m22, si->m2),
+      so_3 = KSL_MULF(R->m00, si->m3) + KSL_MULF(R->m10, si->m4) + KSL_MULF(R->m20, si->m5),
+      so_4 = KSL_MULF(R->m01, si->m3) + KSL_MULF(R->m11, si->m4) + KSL_MULF(R->m21, si->m5),
+      so_5 = KSL_MULF(R->m02, si->m3) + KSL_MULF(R->m12, si->m4) + KSL_MULF(R->m22, si->m5);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1672,17 +1472,12 @@ static inline void ksl_product_Adrinvsf(const ksl_mat3x3f_t *R, const ksl_screwf
 static inline void ksl_product_Adrsinvf(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
   const float so_0 =
-          -(KSL_MULF(R->m00, si->m0) + KSL_MULF(R->m01, si->m1) + KSL_MULF(R->m02, si->m2));
-  const float so_1 =
-          -(KSL_MULF(R->m10, si->m0) + KSL_MULF(R->m11, si->m1) + KSL_MULF(R->m12, si->m2));
-  const float so_2 =
-          -(KSL_MULF(R->m20, si->m0) + KSL_MULF(R->m21, si->m1) + KSL_MULF(R->m22, si->m2));
-  const float so_3 =
-          -(KSL_MULF(R->m00, si->m3) + KSL_MULF(R->m01, si->m4) + KSL_MULF(R->m02, si->m5));
-  const float so_4 =
-          -(KSL_MULF(R->m10, si->m3) + KSL_MULF(R->m11, si->m4) + KSL_MULF(R->m12, si->m5));
-  const float so_5 =
-          -(KSL_MULF(R->m20, si->m3) + KSL_MULF(R->m21, si->m4) + KSL_MULF(R->m22, si->m5));
+          -(KSL_MULF(R->m00, si->m0) + KSL_MULF(R->m01, si->m1) + KSL_MULF(R->m02, si->m2)),
+      so_1 = -(KSL_MULF(R->m10, si->m0) + KSL_MULF(R->m11, si->m1) + KSL_MULF(R->m12, si->m2)),
+      so_2 = -(KSL_MULF(R->m20, si->m0) + KSL_MULF(R->m21, si->m1) + KSL_MULF(R->m22, si->m2)),
+      so_3 = -(KSL_MULF(R->m00, si->m3) + KSL_MULF(R->m01, si->m4) + KSL_MULF(R->m02, si->m5)),
+      so_4 = -(KSL_MULF(R->m10, si->m3) + KSL_MULF(R->m11, si->m4) + KSL_MULF(R->m12, si->m5)),
+      so_5 = -(KSL_MULF(R->m20, si->m3) + KSL_MULF(R->m21, si->m4) + KSL_MULF(R->m22, si->m5));
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1697,15 +1492,15 @@ static inline void ksl_product_Adrsinvf(const ksl_mat3x3f_t *R, const ksl_screwf
    Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Adsf(const ksl_SE3f_t *D, const ksl_screwf_t *si, ksl_screwf_t *so) {
-  const float w_0 = KSL_MULF(D->m00, si->m0) + KSL_MULF(D->m01, si->m1) + KSL_MULF(D->m02, si->m2);
-  const float w_1 = KSL_MULF(D->m10, si->m0) + KSL_MULF(D->m11, si->m1) + KSL_MULF(D->m12, si->m2);
-  const float w_2 = KSL_MULF(D->m20, si->m0) + KSL_MULF(D->m21, si->m1) + KSL_MULF(D->m22, si->m2);
-  const float w_3 = KSL_MULF(D->m00, si->m3) + KSL_MULF(D->m01, si->m4) + KSL_MULF(D->m02, si->m5);
-  const float w_4 = KSL_MULF(D->m10, si->m3) + KSL_MULF(D->m11, si->m4) + KSL_MULF(D->m12, si->m5);
-  const float w_5 = KSL_MULF(D->m20, si->m3) + KSL_MULF(D->m21, si->m4) + KSL_MULF(D->m22, si->m5);
-  const float so_0 = KSL_MULF(D->m13, w_5) - KSL_MULF(D->m23, w_4) + w_0;
-  const float so_1 = KSL_MULF(D->m23, w_3) - KSL_MULF(D->m03, w_5) + w_1;
-  const float so_2 = KSL_MULF(D->m03, w_4) - KSL_MULF(D->m13, w_3) + w_2;
+  const float w_0 = KSL_MULF(D->m00, si->m0) + KSL_MULF(D->m01, si->m1) + KSL_MULF(D->m02, si->m2),
+      w_1 = KSL_MULF(D->m10, si->m0) + KSL_MULF(D->m11, si->m1) + KSL_MULF(D->m12, si->m2),
+      w_2 = KSL_MULF(D->m20, si->m0) + KSL_MULF(D->m21, si->m1) + KSL_MULF(D->m22, si->m2),
+      w_3 = KSL_MULF(D->m00, si->m3) + KSL_MULF(D->m01, si->m4) + KSL_MULF(D->m02, si->m5),
+      w_4 = KSL_MULF(D->m10, si->m3) + KSL_MULF(D->m11, si->m4) + KSL_MULF(D->m12, si->m5),
+      w_5 = KSL_MULF(D->m20, si->m3) + KSL_MULF(D->m21, si->m4) + KSL_MULF(D->m22, si->m5);
+  const float so_0 = KSL_MULF(D->m13, w_5) - KSL_MULF(D->m23, w_4) + w_0,
+      so_1 = KSL_MULF(D->m23, w_3) - KSL_MULF(D->m03, w_5) + w_1,
+      so_2 = KSL_MULF(D->m03, w_4) - KSL_MULF(D->m13, w_3) + w_2;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1721,15 +1516,15 @@ static inline void ksl_product_Adsf(const ksl_SE3f_t *D, const ksl_screwf_t *si,
      barring over- and underflow. */
 static inline void ksl_product_Adinvsf(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float w_0 = KSL_MULF(D->m23, si->m4) - KSL_MULF(D->m13, si->m5) + si->m0;
-  const float w_1 = KSL_MULF(D->m03, si->m5) - KSL_MULF(D->m23, si->m3) + si->m1;
-  const float w_2 = KSL_MULF(D->m13, si->m3) - KSL_MULF(D->m03, si->m4) + si->m2;
-  const float so_0 = KSL_MULF(D->m00, w_0) + KSL_MULF(D->m10, w_1) + KSL_MULF(D->m20, w_2);
-  const float so_1 = KSL_MULF(D->m01, w_0) + KSL_MULF(D->m11, w_1) + KSL_MULF(D->m21, w_2);
-  const float so_2 = KSL_MULF(D->m02, w_0) + KSL_MULF(D->m12, w_1) + KSL_MULF(D->m22, w_2);
-  const float so_3 = KSL_MULF(D->m00, si->m3) + KSL_MULF(D->m10, si->m4) + KSL_MULF(D->m20, si->m5);
-  const float so_4 = KSL_MULF(D->m01, si->m3) + KSL_MULF(D->m11, si->m4) + KSL_MULF(D->m21, si->m5);
-  const float so_5 = KSL_MULF(D->m02, si->m3) + KSL_MULF(D->m12, si->m4) + KSL_MULF(D->m22, si->m5);
+  const float w_0 = KSL_MULF(D->m23, si->m4) - KSL_MULF(D->m13, si->m5) + si->m0,
+      w_1 = KSL_MULF(D->m03, si->m5) - KSL_MULF(D->m23, si->m3) + si->m1,
+      w_2 = KSL_MULF(D->m13, si->m3) - KSL_MULF(D->m03, si->m4) + si->m2;
+  const float so_0 = KSL_MULF(D->m00, w_0) + KSL_MULF(D->m10, w_1) + KSL_MULF(D->m20, w_2),
+      so_1 = KSL_MULF(D->m01, w_0) + KSL_MULF(D->m11, w_1) + KSL_MULF(D->m21, w_2),
+      so_2 = KSL_MULF(D->m02, w_0) + KSL_MULF(D->m12, w_1) + KSL_MULF(D->m22, w_2),
+      so_3 = KSL_MULF(D->m00, si->m3) + KSL_MULF(D->m10, si->m4) + KSL_MULF(D->m20, si->m5),
+      so_4 = KSL_MULF(D->m01, si->m3) + KSL_MULF(D->m11, si->m4) + KSL_MULF(D->m21, si->m5),
+      so_5 = KSL_MULF(D->m02, si->m3) + KSL_MULF(D->m12, si->m4) + KSL_MULF(D->m22, si->m5);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1746,20 +1541,15 @@ static inline void ksl_product_Adinvsf(const ksl_SE3f_t *D, const ksl_screwf_t *
 static inline void ksl_product_Adsinvf(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
   const float w_0 =
-          -(KSL_MULF(D->m00, si->m0) + KSL_MULF(D->m01, si->m1) + KSL_MULF(D->m02, si->m2));
-  const float w_1 =
-          -(KSL_MULF(D->m10, si->m0) + KSL_MULF(D->m11, si->m1) + KSL_MULF(D->m12, si->m2));
-  const float w_2 =
-          -(KSL_MULF(D->m20, si->m0) + KSL_MULF(D->m21, si->m1) + KSL_MULF(D->m22, si->m2));
-  const float w_3 =
-          -(KSL_MULF(D->m00, si->m3) + KSL_MULF(D->m01, si->m4) + KSL_MULF(D->m02, si->m5));
-  const float w_4 =
-          -(KSL_MULF(D->m10, si->m3) + KSL_MULF(D->m11, si->m4) + KSL_MULF(D->m12, si->m5));
-  const float w_5 =
-          -(KSL_MULF(D->m20, si->m3) + KSL_MULF(D->m21, si->m4) + KSL_MULF(D->m22, si->m5));
-  const float so_0 = KSL_MULF(D->m13, w_5) - KSL_MULF(D->m23, w_4) + w_0;
-  const float so_1 = KSL_MULF(D->m23, w_3) - KSL_MULF(D->m03, w_5) + w_1;
-  const float so_2 = KSL_MULF(D->m03, w_4) - KSL_MULF(D->m13, w_3) + w_2;
+          -(KSL_MULF(D->m00, si->m0) + KSL_MULF(D->m01, si->m1) + KSL_MULF(D->m02, si->m2)),
+      w_1 = -(KSL_MULF(D->m10, si->m0) + KSL_MULF(D->m11, si->m1) + KSL_MULF(D->m12, si->m2)),
+      w_2 = -(KSL_MULF(D->m20, si->m0) + KSL_MULF(D->m21, si->m1) + KSL_MULF(D->m22, si->m2)),
+      w_3 = -(KSL_MULF(D->m00, si->m3) + KSL_MULF(D->m01, si->m4) + KSL_MULF(D->m02, si->m5)),
+      w_4 = -(KSL_MULF(D->m10, si->m3) + KSL_MULF(D->m11, si->m4) + KSL_MULF(D->m12, si->m5)),
+      w_5 = -(KSL_MULF(D->m20, si->m3) + KSL_MULF(D->m21, si->m4) + KSL_MULF(D->m22, si->m5));
+  const float so_0 = KSL_MULF(D->m13, w_5) - KSL_MULF(D->m23, w_4) + w_0,
+      so_1 = KSL_MULF(D->m23, w_3) - KSL_MULF(D->m03, w_5) + w_1,
+      so_2 = KSL_MULF(D->m03, w_4) - KSL_MULF(D->m13, w_3) + w_2;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1822,9 +1612,9 @@ static inline void ksl_hstzf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrxf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0 = KSL_MULF(D->m20, D->m13) - KSL_MULF(D->m10, D->m23);
-  const float so_1 = KSL_MULF(D->m00, D->m23) - KSL_MULF(D->m20, D->m03);
-  const float so_2 = KSL_MULF(D->m10, D->m03) - KSL_MULF(D->m00, D->m13);
+  const float so_0 = KSL_MULF(D->m20, D->m13) - KSL_MULF(D->m10, D->m23),
+      so_1 = KSL_MULF(D->m00, D->m23) - KSL_MULF(D->m20, D->m03),
+      so_2 = KSL_MULF(D->m10, D->m03) - KSL_MULF(D->m00, D->m13);
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;
@@ -1842,9 +1632,9 @@ static inline void ksl_hsrxf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsryf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0 = KSL_MULF(D->m21, D->m13) - KSL_MULF(D->m11, D->m23);
-  const float so_1 = KSL_MULF(D->m01, D->m23) - KSL_MULF(D->m21, D->m03);
-  const float so_2 = KSL_MULF(D->m11, D->m03) - KSL_MULF(D->m01, D->m13);
+  const float so_0 = KSL_MULF(D->m21, D->m13) - KSL_MULF(D->m11, D->m23),
+      so_1 = KSL_MULF(D->m01, D->m23) - KSL_MULF(D->m21, D->m03),
+      so_2 = KSL_MULF(D->m11, D->m03) - KSL_MULF(D->m01, D->m13);
   const float D_m01 = D->m01;
   const float D_m11 = D->m11;
   const float D_m21 = D->m21;
@@ -1862,9 +1652,9 @@ static inline void ksl_hsryf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrzf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0 = KSL_MULF(D->m22, D->m13) - KSL_MULF(D->m12, D->m23);
-  const float so_1 = KSL_MULF(D->m02, D->m23) - KSL_MULF(D->m22, D->m03);
-  const float so_2 = KSL_MULF(D->m12, D->m03) - KSL_MULF(D->m02, D->m13);
+  const float so_0 = KSL_MULF(D->m22, D->m13) - KSL_MULF(D->m12, D->m23),
+      so_1 = KSL_MULF(D->m02, D->m23) - KSL_MULF(D->m22, D->m03),
+      so_2 = KSL_MULF(D->m12, D->m03) - KSL_MULF(D->m02, D->m13);
   const float D_m02 = D->m02;
   const float D_m12 = D->m12;
   const float D_m22 = D->m22;
@@ -1881,9 +1671,7 @@ static inline void ksl_hsrzf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    3 neg.
    Exact. */
 static inline void ksl_hstxinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0 = -D->m00;
-  const float so_1 = -D->m10;
-  const float so_2 = -D->m20;
+  const float so_0 = -D->m00, so_1 = -D->m10, so_2 = -D->m20;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1897,9 +1685,7 @@ static inline void ksl_hstxinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    3 neg.
    Exact. */
 static inline void ksl_hstyinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0 = -D->m01;
-  const float so_1 = -D->m11;
-  const float so_2 = -D->m21;
+  const float so_0 = -D->m01, so_1 = -D->m11, so_2 = -D->m21;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1913,9 +1699,7 @@ static inline void ksl_hstyinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    3 neg.
    Exact. */
 static inline void ksl_hstzinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0 = -D->m02;
-  const float so_1 = -D->m12;
-  const float so_2 = -D->m22;
+  const float so_0 = -D->m02, so_1 = -D->m12, so_2 = -D->m22;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1930,12 +1714,10 @@ static inline void ksl_hstzinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrxinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0 = KSL_MULF(D->m10, D->m23) - KSL_MULF(D->m20, D->m13);
-  const float so_1 = KSL_MULF(D->m20, D->m03) - KSL_MULF(D->m00, D->m23);
-  const float so_2 = KSL_MULF(D->m00, D->m13) - KSL_MULF(D->m10, D->m03);
-  const float so_3 = -D->m00;
-  const float so_4 = -D->m10;
-  const float so_5 = -D->m20;
+  const float so_0 = KSL_MULF(D->m10, D->m23) - KSL_MULF(D->m20, D->m13),
+      so_1 = KSL_MULF(D->m20, D->m03) - KSL_MULF(D->m00, D->m23),
+      so_2 = KSL_MULF(D->m00, D->m13) - KSL_MULF(D->m10, D->m03), so_3 = -D->m00, so_4 = -D->m10,
+      so_5 = -D->m20;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1950,12 +1732,10 @@ static inline void ksl_hsrxinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsryinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0 = KSL_MULF(D->m11, D->m23) - KSL_MULF(D->m21, D->m13);
-  const float so_1 = KSL_MULF(D->m21, D->m03) - KSL_MULF(D->m01, D->m23);
-  const float so_2 = KSL_MULF(D->m01, D->m13) - KSL_MULF(D->m11, D->m03);
-  const float so_3 = -D->m01;
-  const float so_4 = -D->m11;
-  const float so_5 = -D->m21;
+  const float so_0 = KSL_MULF(D->m11, D->m23) - KSL_MULF(D->m21, D->m13),
+      so_1 = KSL_MULF(D->m21, D->m03) - KSL_MULF(D->m01, D->m23),
+      so_2 = KSL_MULF(D->m01, D->m13) - KSL_MULF(D->m11, D->m03), so_3 = -D->m01, so_4 = -D->m11,
+      so_5 = -D->m21;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1970,12 +1750,10 @@ static inline void ksl_hsryinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrzinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0 = KSL_MULF(D->m12, D->m23) - KSL_MULF(D->m22, D->m13);
-  const float so_1 = KSL_MULF(D->m22, D->m03) - KSL_MULF(D->m02, D->m23);
-  const float so_2 = KSL_MULF(D->m02, D->m13) - KSL_MULF(D->m12, D->m03);
-  const float so_3 = -D->m02;
-  const float so_4 = -D->m12;
-  const float so_5 = -D->m22;
+  const float so_0 = KSL_MULF(D->m12, D->m23) - KSL_MULF(D->m22, D->m13),
+      so_1 = KSL_MULF(D->m22, D->m03) - KSL_MULF(D->m02, D->m23),
+      so_2 = KSL_MULF(D->m02, D->m13) - KSL_MULF(D->m12, D->m03), so_3 = -D->m02, so_4 = -D->m12,
+      so_5 = -D->m22;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1990,15 +1768,15 @@ static inline void ksl_hsrzinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_Adf(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
-  const float M_03 = KSL_MULF(D->m20, D->m13) - KSL_MULF(D->m10, D->m23);
-  const float M_04 = KSL_MULF(D->m21, D->m13) - KSL_MULF(D->m11, D->m23);
-  const float M_05 = KSL_MULF(D->m22, D->m13) - KSL_MULF(D->m12, D->m23);
-  const float M_13 = KSL_MULF(D->m00, D->m23) - KSL_MULF(D->m20, D->m03);
-  const float M_14 = KSL_MULF(D->m01, D->m23) - KSL_MULF(D->m21, D->m03);
-  const float M_15 = KSL_MULF(D->m02, D->m23) - KSL_MULF(D->m22, D->m03);
-  const float M_23 = KSL_MULF(D->m10, D->m03) - KSL_MULF(D->m00, D->m13);
-  const float M_24 = KSL_MULF(D->m11, D->m03) - KSL_MULF(D->m01, D->m13);
-  const float M_25 = KSL_MULF(D->m12, D->m03) - KSL_MULF(D->m02, D->m13);
+  const float M_03 = KSL_MULF(D->m20, D->m13) - KSL_MULF(D->m10, D->m23),
+      M_04 = KSL_MULF(D->m21, D->m13) - KSL_MULF(D->m11, D->m23),
+      M_05 = KSL_MULF(D->m22, D->m13) - KSL_MULF(D->m12, D->m23),
+      M_13 = KSL_MULF(D->m00, D->m23) - KSL_MULF(D->m20, D->m03),
+      M_14 = KSL_MULF(D->m01, D->m23) - KSL_MULF(D->m21, D->m03),
+      M_15 = KSL_MULF(D->m02, D->m23) - KSL_MULF(D->m22, D->m03),
+      M_23 = KSL_MULF(D->m10, D->m03) - KSL_MULF(D->m00, D->m13),
+      M_24 = KSL_MULF(D->m11, D->m03) - KSL_MULF(D->m01, D->m13),
+      M_25 = KSL_MULF(D->m12, D->m03) - KSL_MULF(D->m02, D->m13);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -2065,14 +1843,14 @@ static inline float ksl_dot_csf(const ksl_coscrewf_t *c, const ksl_screwf_t *s) 
      barring over- and underflow. */
 static inline void ksl_cross_ssf(const ksl_screwf_t *s1, const ksl_screwf_t *s2, ksl_screwf_t *so) {
   const float so_0 = KSL_MULF(s1->m1, s2->m5) - KSL_MULF(s1->m5, s2->m1)
-          + (KSL_MULF(s1->m4, s2->m2) - KSL_MULF(s1->m2, s2->m4));
-  const float so_1 = KSL_MULF(s1->m5, s2->m0) - KSL_MULF(s1->m0, s2->m5)
-          + (KSL_MULF(s1->m2, s2->m3) - KSL_MULF(s1->m3, s2->m2));
-  const float so_2 = KSL_MULF(s1->m0, s2->m4) - KSL_MULF(s1->m4, s2->m0)
-          + (KSL_MULF(s1->m3, s2->m1) - KSL_MULF(s1->m1, s2->m3));
-  const float so_3 = KSL_MULF(s1->m4, s2->m5) - KSL_MULF(s1->m5, s2->m4);
-  const float so_4 = KSL_MULF(s1->m5, s2->m3) - KSL_MULF(s1->m3, s2->m5);
-  const float so_5 = KSL_MULF(s1->m3, s2->m4) - KSL_MULF(s1->m4, s2->m3);
+          + (KSL_MULF(s1->m4, s2->m2) - KSL_MULF(s1->m2, s2->m4)),
+      so_1 = KSL_MULF(s1->m5, s2->m0) - KSL_MULF(s1->m0, s2->m5)
+          + (KSL_MULF(s1->m2, s2->m3) - KSL_MULF(s1->m3, s2->m2)),
+      so_2 = KSL_MULF(s1->m0, s2->m4) - KSL_MULF(s1->m4, s2->m0)
+          + (KSL_MULF(s1->m3, s2->m1) - KSL_MULF(s1->m1, s2->m3)),
+      so_3 = KSL_MULF(s1->m4, s2->m5) - KSL_MULF(s1->m5, s2->m4),
+      so_4 = KSL_MULF(s1->m5, s2->m3) - KSL_MULF(s1->m3, s2->m5),
+      so_5 = KSL_MULF(s1->m3, s2->m4) - KSL_MULF(s1->m4, s2->m3);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2088,9 +1866,9 @@ static inline void ksl_cross_ssf(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
      barring over- and underflow. */
 static inline void ksl_cross_sstf(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so) {
-  const float so_0 = KSL_MULF(s1->m4, s2->m2) - KSL_MULF(s1->m5, s2->m1);
-  const float so_1 = KSL_MULF(s1->m5, s2->m0) - KSL_MULF(s1->m3, s2->m2);
-  const float so_2 = KSL_MULF(s1->m3, s2->m1) - KSL_MULF(s1->m4, s2->m0);
+  const float so_0 = KSL_MULF(s1->m4, s2->m2) - KSL_MULF(s1->m5, s2->m1),
+      so_1 = KSL_MULF(s1->m5, s2->m0) - KSL_MULF(s1->m3, s2->m2),
+      so_2 = KSL_MULF(s1->m3, s2->m1) - KSL_MULF(s1->m4, s2->m0);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2106,14 +1884,12 @@ static inline void ksl_cross_sstf(const ksl_screwf_t *s1, const ksl_screwf_t *s2
      barring over- and underflow. */
 static inline void ksl_hsraf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_screwf_t *so) {
   const float a_0 = KSL_MULF(D->m00, axis->x) + KSL_MULF(D->m01, axis->y)
-          + KSL_MULF(D->m02, axis->z);
-  const float a_1 = KSL_MULF(D->m10, axis->x) + KSL_MULF(D->m11, axis->y)
-          + KSL_MULF(D->m12, axis->z);
-  const float a_2 = KSL_MULF(D->m20, axis->x) + KSL_MULF(D->m21, axis->y)
-          + KSL_MULF(D->m22, axis->z);
-  const float so_0 = KSL_MULF(D->m13, a_2) - KSL_MULF(D->m23, a_1);
-  const float so_1 = KSL_MULF(D->m23, a_0) - KSL_MULF(D->m03, a_2);
-  const float so_2 = KSL_MULF(D->m03, a_1) - KSL_MULF(D->m13, a_0);
+          + KSL_MULF(D->m02, axis->z),
+      a_1 = KSL_MULF(D->m10, axis->x) + KSL_MULF(D->m11, axis->y) + KSL_MULF(D->m12, axis->z),
+      a_2 = KSL_MULF(D->m20, axis->x) + KSL_MULF(D->m21, axis->y) + KSL_MULF(D->m22, axis->z);
+  const float so_0 = KSL_MULF(D->m13, a_2) - KSL_MULF(D->m23, a_1),
+      so_1 = KSL_MULF(D->m23, a_0) - KSL_MULF(D->m03, a_2),
+      so_2 = KSL_MULF(D->m03, a_1) - KSL_MULF(D->m13, a_0);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2129,11 +1905,9 @@ static inline void ksl_hsraf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_s
      barring over- and underflow. */
 static inline void ksl_hstaf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_screwf_t *so) {
   const float so_0 = KSL_MULF(D->m00, axis->x) + KSL_MULF(D->m01, axis->y)
-          + KSL_MULF(D->m02, axis->z);
-  const float so_1 = KSL_MULF(D->m10, axis->x) + KSL_MULF(D->m11, axis->y)
-          + KSL_MULF(D->m12, axis->z);
-  const float so_2 = KSL_MULF(D->m20, axis->x) + KSL_MULF(D->m21, axis->y)
-          + KSL_MULF(D->m22, axis->z);
+          + KSL_MULF(D->m02, axis->z),
+      so_1 = KSL_MULF(D->m10, axis->x) + KSL_MULF(D->m11, axis->y) + KSL_MULF(D->m12, axis->z),
+      so_2 = KSL_MULF(D->m20, axis->x) + KSL_MULF(D->m21, axis->y) + KSL_MULF(D->m22, axis->z);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2149,14 +1923,12 @@ static inline void ksl_hstaf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_s
      barring over- and underflow. */
 static inline void ksl_hsrainvf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_screwf_t *so) {
   const float a_0 =
-          -(KSL_MULF(D->m00, axis->x) + KSL_MULF(D->m01, axis->y) + KSL_MULF(D->m02, axis->z));
-  const float a_1 =
-          -(KSL_MULF(D->m10, axis->x) + KSL_MULF(D->m11, axis->y) + KSL_MULF(D->m12, axis->z));
-  const float a_2 =
-          -(KSL_MULF(D->m20, axis->x) + KSL_MULF(D->m21, axis->y) + KSL_MULF(D->m22, axis->z));
-  const float so_0 = KSL_MULF(D->m13, a_2) - KSL_MULF(D->m23, a_1);
-  const float so_1 = KSL_MULF(D->m23, a_0) - KSL_MULF(D->m03, a_2);
-  const float so_2 = KSL_MULF(D->m03, a_1) - KSL_MULF(D->m13, a_0);
+          -(KSL_MULF(D->m00, axis->x) + KSL_MULF(D->m01, axis->y) + KSL_MULF(D->m02, axis->z)),
+      a_1 = -(KSL_MULF(D->m10, axis->x) + KSL_MULF(D->m11, axis->y) + KSL_MULF(D->m12, axis->z)),
+      a_2 = -(KSL_MULF(D->m20, axis->x) + KSL_MULF(D->m21, axis->y) + KSL_MULF(D->m22, axis->z));
+  const float so_0 = KSL_MULF(D->m13, a_2) - KSL_MULF(D->m23, a_1),
+      so_1 = KSL_MULF(D->m23, a_0) - KSL_MULF(D->m03, a_2),
+      so_2 = KSL_MULF(D->m03, a_1) - KSL_MULF(D->m13, a_0);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2172,11 +1944,9 @@ static inline void ksl_hsrainvf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ks
      barring over- and underflow. */
 static inline void ksl_hstainvf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_screwf_t *so) {
   const float so_0 =
-          -(KSL_MULF(D->m00, axis->x) + KSL_MULF(D->m01, axis->y) + KSL_MULF(D->m02, axis->z));
-  const float so_1 =
-          -(KSL_MULF(D->m10, axis->x) + KSL_MULF(D->m11, axis->y) + KSL_MULF(D->m12, axis->z));
-  const float so_2 =
-          -(KSL_MULF(D->m20, axis->x) + KSL_MULF(D->m21, axis->y) + KSL_MULF(D->m22, axis->z));
+          -(KSL_MULF(D->m00, axis->x) + KSL_MULF(D->m01, axis->y) + KSL_MULF(D->m02, axis->z)),
+      so_1 = -(KSL_MULF(D->m10, axis->x) + KSL_MULF(D->m11, axis->y) + KSL_MULF(D->m12, axis->z)),
+      so_2 = -(KSL_MULF(D->m20, axis->x) + KSL_MULF(D->m21, axis->y) + KSL_MULF(D->m22, axis->z));
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2190,12 +1960,8 @@ static inline void ksl_hstainvf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ks
    6 neg.
    Exact. */
 static inline void ksl_adf(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
-  const float M_01 = -s->m5;
-  const float M_04 = -s->m2;
-  const float M_12 = -s->m3;
-  const float M_15 = -s->m0;
-  const float M_20 = -s->m4;
-  const float M_23 = -s->m1;
+  const float M_01 = -s->m5, M_04 = -s->m2, M_12 = -s->m3, M_15 = -s->m0, M_20 = -s->m4,
+      M_23 = -s->m1;
   const float s_m4 = s->m4;
   const float s_m1 = s->m1;
   const float s_m5 = s->m5;

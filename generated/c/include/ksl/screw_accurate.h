@@ -13,18 +13,15 @@
    6 mul, 6 add, 6 product error.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_screw_scale_accurate(ksl_screw_t *self, const double a) {
-  const double self_0_new = KSL_MUL(self->m0, a);
-  const double self_1_new = KSL_MUL(self->m1, a);
-  const double self_2_new = KSL_MUL(self->m2, a);
-  const double self_3_new = KSL_MUL(self->m3, a);
-  const double self_4_new = KSL_MUL(self->m4, a);
-  const double self_5_new = KSL_MUL(self->m5, a);
-  const double self_0_new_rounded = self_0_new + ksl_product_error(self->m0, a, self_0_new);
-  const double self_1_new_rounded = self_1_new + ksl_product_error(self->m1, a, self_1_new);
-  const double self_2_new_rounded = self_2_new + ksl_product_error(self->m2, a, self_2_new);
-  const double self_3_new_rounded = self_3_new + ksl_product_error(self->m3, a, self_3_new);
-  const double self_4_new_rounded = self_4_new + ksl_product_error(self->m4, a, self_4_new);
-  const double self_5_new_rounded = self_5_new + ksl_product_error(self->m5, a, self_5_new);
+  const double self_0_new = KSL_MUL(self->m0, a), self_1_new = KSL_MUL(self->m1, a),
+      self_2_new = KSL_MUL(self->m2, a), self_3_new = KSL_MUL(self->m3, a),
+      self_4_new = KSL_MUL(self->m4, a), self_5_new = KSL_MUL(self->m5, a);
+  const double self_0_new_rounded = self_0_new + ksl_product_error(self->m0, a, self_0_new),
+      self_1_new_rounded = self_1_new + ksl_product_error(self->m1, a, self_1_new),
+      self_2_new_rounded = self_2_new + ksl_product_error(self->m2, a, self_2_new),
+      self_3_new_rounded = self_3_new + ksl_product_error(self->m3, a, self_3_new),
+      self_4_new_rounded = self_4_new + ksl_product_error(self->m4, a, self_4_new),
+      self_5_new_rounded = self_5_new + ksl_product_error(self->m5, a, self_5_new);
   self->m0 = self_0_new_rounded;
   self->m1 = self_1_new_rounded;
   self->m2 = self_2_new_rounded;
@@ -53,20 +50,20 @@ static inline void ksl_axpy_ss_accurate(const double a, const ksl_screw_t *x, ks
       y_5_new_right = y_5_new - y_5_new_a;
   const double y_0_new_rounded = y_0_new
           + (ksl_product_rest(a, x->m0, y_0_new_a, y_0_new - y_0_new_right)
-          + (y->m0 - y_0_new_right));
-  const double y_1_new_rounded = y_1_new
+          + (y->m0 - y_0_new_right)),
+      y_1_new_rounded = y_1_new
           + (ksl_product_rest(a, x->m1, y_1_new_a, y_1_new - y_1_new_right)
-          + (y->m1 - y_1_new_right));
-  const double y_2_new_rounded = y_2_new
+          + (y->m1 - y_1_new_right)),
+      y_2_new_rounded = y_2_new
           + (ksl_product_rest(a, x->m2, y_2_new_a, y_2_new - y_2_new_right)
-          + (y->m2 - y_2_new_right));
-  const double y_3_new_rounded = y_3_new
+          + (y->m2 - y_2_new_right)),
+      y_3_new_rounded = y_3_new
           + (ksl_product_rest(a, x->m3, y_3_new_a, y_3_new - y_3_new_right)
-          + (y->m3 - y_3_new_right));
-  const double y_4_new_rounded = y_4_new
+          + (y->m3 - y_3_new_right)),
+      y_4_new_rounded = y_4_new
           + (ksl_product_rest(a, x->m4, y_4_new_a, y_4_new - y_4_new_right)
-          + (y->m4 - y_4_new_right));
-  const double y_5_new_rounded = y_5_new
+          + (y->m4 - y_4_new_right)),
+      y_5_new_rounded = y_5_new
           + (ksl_product_rest(a, x->m5, y_5_new_a, y_5_new - y_5_new_right)
           + (y->m5 - y_5_new_right));
   y->m0 = y_0_new_rounded;
@@ -89,17 +86,12 @@ static inline void ksl_xpy_ss_accurate(const ksl_screw_t *x, ksl_screw_t *y) {
   const double y_4_new = x->m4 + y->m4, y_4_new_right = y_4_new - x->m4;
   const double y_5_new = x->m5 + y->m5, y_5_new_right = y_5_new - x->m5;
   const double y_0_new_rounded = y_0_new
-          + (x->m0 - (y_0_new - y_0_new_right) + (y->m0 - y_0_new_right));
-  const double y_1_new_rounded = y_1_new
-          + (x->m1 - (y_1_new - y_1_new_right) + (y->m1 - y_1_new_right));
-  const double y_2_new_rounded = y_2_new
-          + (x->m2 - (y_2_new - y_2_new_right) + (y->m2 - y_2_new_right));
-  const double y_3_new_rounded = y_3_new
-          + (x->m3 - (y_3_new - y_3_new_right) + (y->m3 - y_3_new_right));
-  const double y_4_new_rounded = y_4_new
-          + (x->m4 - (y_4_new - y_4_new_right) + (y->m4 - y_4_new_right));
-  const double y_5_new_rounded = y_5_new
-          + (x->m5 - (y_5_new - y_5_new_right) + (y->m5 - y_5_new_right));
+          + (x->m0 - (y_0_new - y_0_new_right) + (y->m0 - y_0_new_right)),
+      y_1_new_rounded = y_1_new + (x->m1 - (y_1_new - y_1_new_right) + (y->m1 - y_1_new_right)),
+      y_2_new_rounded = y_2_new + (x->m2 - (y_2_new - y_2_new_right) + (y->m2 - y_2_new_right)),
+      y_3_new_rounded = y_3_new + (x->m3 - (y_3_new - y_3_new_right) + (y->m3 - y_3_new_right)),
+      y_4_new_rounded = y_4_new + (x->m4 - (y_4_new - y_4_new_right) + (y->m4 - y_4_new_right)),
+      y_5_new_rounded = y_5_new + (x->m5 - (y_5_new - y_5_new_right) + (y->m5 - y_5_new_right));
   y->m0 = y_0_new_rounded;
   y->m1 = y_1_new_rounded;
   y->m2 = y_2_new_rounded;
@@ -120,17 +112,12 @@ static inline void ksl_nxpy_ss_accurate(const ksl_screw_t *x, ksl_screw_t *y) {
   const double y_4_new = y->m4 - x->m4, y_4_new_right = y->m4 - y_4_new;
   const double y_5_new = y->m5 - x->m5, y_5_new_right = y->m5 - y_5_new;
   const double y_0_new_rounded = y_0_new
-          + (y->m0 - (y_0_new + y_0_new_right) - (x->m0 - y_0_new_right));
-  const double y_1_new_rounded = y_1_new
-          + (y->m1 - (y_1_new + y_1_new_right) - (x->m1 - y_1_new_right));
-  const double y_2_new_rounded = y_2_new
-          + (y->m2 - (y_2_new + y_2_new_right) - (x->m2 - y_2_new_right));
-  const double y_3_new_rounded = y_3_new
-          + (y->m3 - (y_3_new + y_3_new_right) - (x->m3 - y_3_new_right));
-  const double y_4_new_rounded = y_4_new
-          + (y->m4 - (y_4_new + y_4_new_right) - (x->m4 - y_4_new_right));
-  const double y_5_new_rounded = y_5_new
-          + (y->m5 - (y_5_new + y_5_new_right) - (x->m5 - y_5_new_right));
+          + (y->m0 - (y_0_new + y_0_new_right) - (x->m0 - y_0_new_right)),
+      y_1_new_rounded = y_1_new + (y->m1 - (y_1_new + y_1_new_right) - (x->m1 - y_1_new_right)),
+      y_2_new_rounded = y_2_new + (y->m2 - (y_2_new + y_2_new_right) - (x->m2 - y_2_new_right)),
+      y_3_new_rounded = y_3_new + (y->m3 - (y_3_new + y_3_new_right) - (x->m3 - y_3_new_right)),
+      y_4_new_rounded = y_4_new + (y->m4 - (y_4_new + y_4_new_right) - (x->m4 - y_4_new_right)),
+      y_5_new_rounded = y_5_new + (y->m5 - (y_5_new + y_5_new_right) - (x->m5 - y_5_new_right));
   y->m0 = y_0_new_rounded;
   y->m1 = y_1_new_rounded;
   y->m2 = y_2_new_rounded;
@@ -144,18 +131,14 @@ static inline void ksl_nxpy_ss_accurate(const ksl_screw_t *x, ksl_screw_t *y) {
    6 mul, 6 add, 6 product error.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_as_accurate(const double a, const ksl_screw_t *si, ksl_screw_t *so) {
-  const double so_0 = KSL_MUL(a, si->m0);
-  const double so_1 = KSL_MUL(a, si->m1);
-  const double so_2 = KSL_MUL(a, si->m2);
-  const double so_3 = KSL_MUL(a, si->m3);
-  const double so_4 = KSL_MUL(a, si->m4);
-  const double so_5 = KSL_MUL(a, si->m5);
-  const double so_0_rounded = so_0 + ksl_product_error(a, si->m0, so_0);
-  const double so_1_rounded = so_1 + ksl_product_error(a, si->m1, so_1);
-  const double so_2_rounded = so_2 + ksl_product_error(a, si->m2, so_2);
-  const double so_3_rounded = so_3 + ksl_product_error(a, si->m3, so_3);
-  const double so_4_rounded = so_4 + ksl_product_error(a, si->m4, so_4);
-  const double so_5_rounded = so_5 + ksl_product_error(a, si->m5, so_5);
+  const double so_0 = KSL_MUL(a, si->m0), so_1 = KSL_MUL(a, si->m1), so_2 = KSL_MUL(a, si->m2),
+      so_3 = KSL_MUL(a, si->m3), so_4 = KSL_MUL(a, si->m4), so_5 = KSL_MUL(a, si->m5);
+  const double so_0_rounded = so_0 + ksl_product_error(a, si->m0, so_0),
+      so_1_rounded = so_1 + ksl_product_error(a, si->m1, so_1),
+      so_2_rounded = so_2 + ksl_product_error(a, si->m2, so_2),
+      so_3_rounded = so_3 + ksl_product_error(a, si->m3, so_3),
+      so_4_rounded = so_4 + ksl_product_error(a, si->m4, so_4),
+      so_5_rounded = so_5 + ksl_product_error(a, si->m5, so_5);
   so->m0 = so_0_rounded;
   so->m1 = so_1_rounded;
   so->m2 = so_2_rounded;
@@ -176,12 +159,12 @@ static inline void ksl_add_ss_accurate(const ksl_screw_t *s1, const ksl_screw_t 
   const double so_3 = s1->m3 + s2->m3, so_3_right = so_3 - s1->m3;
   const double so_4 = s1->m4 + s2->m4, so_4_right = so_4 - s1->m4;
   const double so_5 = s1->m5 + s2->m5, so_5_right = so_5 - s1->m5;
-  const double so_0_rounded = so_0 + (s1->m0 - (so_0 - so_0_right) + (s2->m0 - so_0_right));
-  const double so_1_rounded = so_1 + (s1->m1 - (so_1 - so_1_right) + (s2->m1 - so_1_right));
-  const double so_2_rounded = so_2 + (s1->m2 - (so_2 - so_2_right) + (s2->m2 - so_2_right));
-  const double so_3_rounded = so_3 + (s1->m3 - (so_3 - so_3_right) + (s2->m3 - so_3_right));
-  const double so_4_rounded = so_4 + (s1->m4 - (so_4 - so_4_right) + (s2->m4 - so_4_right));
-  const double so_5_rounded = so_5 + (s1->m5 - (so_5 - so_5_right) + (s2->m5 - so_5_right));
+  const double so_0_rounded = so_0 + (s1->m0 - (so_0 - so_0_right) + (s2->m0 - so_0_right)),
+      so_1_rounded = so_1 + (s1->m1 - (so_1 - so_1_right) + (s2->m1 - so_1_right)),
+      so_2_rounded = so_2 + (s1->m2 - (so_2 - so_2_right) + (s2->m2 - so_2_right)),
+      so_3_rounded = so_3 + (s1->m3 - (so_3 - so_3_right) + (s2->m3 - so_3_right)),
+      so_4_rounded = so_4 + (s1->m4 - (so_4 - so_4_right) + (s2->m4 - so_4_right)),
+      so_5_rounded = so_5 + (s1->m5 - (so_5 - so_5_right) + (s2->m5 - so_5_right));
   so->m0 = so_0_rounded;
   so->m1 = so_1_rounded;
   so->m2 = so_2_rounded;
@@ -202,12 +185,12 @@ static inline void ksl_subtract_ss_accurate(const ksl_screw_t *s1, const ksl_scr
   const double so_3 = s1->m3 - s2->m3, so_3_right = s1->m3 - so_3;
   const double so_4 = s1->m4 - s2->m4, so_4_right = s1->m4 - so_4;
   const double so_5 = s1->m5 - s2->m5, so_5_right = s1->m5 - so_5;
-  const double so_0_rounded = so_0 + (s1->m0 - (so_0 + so_0_right) - (s2->m0 - so_0_right));
-  const double so_1_rounded = so_1 + (s1->m1 - (so_1 + so_1_right) - (s2->m1 - so_1_right));
-  const double so_2_rounded = so_2 + (s1->m2 - (so_2 + so_2_right) - (s2->m2 - so_2_right));
-  const double so_3_rounded = so_3 + (s1->m3 - (so_3 + so_3_right) - (s2->m3 - so_3_right));
-  const double so_4_rounded = so_4 + (s1->m4 - (so_4 + so_4_right) - (s2->m4 - so_4_right));
-  const double so_5_rounded = so_5 + (s1->m5 - (so_5 + so_5_right) - (s2->m5 - so_5_right));
+  const double so_0_rounded = so_0 + (s1->m0 - (so_0 + so_0_right) - (s2->m0 - so_0_right)),
+      so_1_rounded = so_1 + (s1->m1 - (so_1 + so_1_right) - (s2->m1 - so_1_right)),
+      so_2_rounded = so_2 + (s1->m2 - (so_2 + so_2_right) - (s2->m2 - so_2_right)),
+      so_3_rounded = so_3 + (s1->m3 - (so_3 + so_3_right) - (s2->m3 - so_3_right)),
+      so_4_rounded = so_4 + (s1->m4 - (so_4 + so_4_right) - (s2->m4 - so_4_right)),
+      so_5_rounded = so_5 + (s1->m5 - (so_5 + so_5_right) - (s2->m5 - so_5_right));
   so->m0 = so_0_rounded;
   so->m1 = so_1_rounded;
   so->m2 = so_2_rounded;
@@ -223,20 +206,15 @@ static inline void ksl_subtract_ss_accurate(const ksl_screw_t *s1, const ksl_scr
 static inline double ksl_screw_norm_accurate(const ksl_screw_t *si) {
   const double small_c = fabs(si->m5) < 1e-09 ? 1.0 : 0.0,
       small_f = fabs(si->m4) < 1e-09 ? small_c : 0.0, small = fabs(si->m3) < 1e-09 ? small_f : 0.0;
-  const double p_0 = small == 1.0 ? si->m0 : si->m3;
-  const double p_1 = small == 1.0 ? si->m1 : si->m4;
-  const double p_2 = small == 1.0 ? si->m2 : si->m5;
-  const double s_size_0 = fabs(p_0);
-  const double s_size_1 = fabs(p_1);
-  const double s_size_2 = fabs(p_2);
+  const double p_0 = small == 1.0 ? si->m0 : si->m3, p_1 = small == 1.0 ? si->m1 : si->m4,
+      p_2 = small == 1.0 ? si->m2 : si->m5;
+  const double s_size_0 = fabs(p_0), s_size_1 = fabs(p_1), s_size_2 = fabs(p_2);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(p_0, s);
-  const double y_1 = KSL_MUL(p_1, s);
-  const double y_2 = KSL_MUL(p_2, s);
+  const double y_0 = KSL_MUL(p_0, s), y_1 = KSL_MUL(p_1, s), y_2 = KSL_MUL(p_2, s);
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_c_right = n_c - n_a, n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_e_right = n_e - n_c,
       n_c_lo = ksl_product_rest(y_0, y_0, n_a, n_c - n_c_right)
@@ -266,20 +244,15 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
   const double small_a = fabs(self->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(self->m4), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(self->m3),
       small = small_g < 1e-09 ? small_f : 0.0;
-  const double p_0 = small == 1.0 ? self->m0 : self->m3;
-  const double p_1 = small == 1.0 ? self->m1 : self->m4;
-  const double p_2 = small == 1.0 ? self->m2 : self->m5;
-  const double s_size_0 = fabs(p_0);
-  const double s_size_1 = fabs(p_1);
-  const double s_size_2 = fabs(p_2);
+  const double p_0 = small == 1.0 ? self->m0 : self->m3, p_1 = small == 1.0 ? self->m1 : self->m4,
+      p_2 = small == 1.0 ? self->m2 : self->m5;
+  const double s_size_0 = fabs(p_0), s_size_1 = fabs(p_1), s_size_2 = fabs(p_2);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(p_0, s);
-  const double y_1 = KSL_MUL(p_1, s);
-  const double y_2 = KSL_MUL(p_2, s);
+  const double y_0 = KSL_MUL(p_0, s), y_1 = KSL_MUL(p_1, s), y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
@@ -295,27 +268,16 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
   const double n_sum = n + n_lo, n_sum_right = n_sum - n,
       n_sum_lo = n - (n_sum - n_sum_right) + (n_lo - n_sum_right),
       divisor = n_sum == 0.0 ? up : n_sum, divisor_lo = n_sum == 0.0 ? 0.0 : n_sum_lo;
-  const double size_0 = fabs(self->m0);
-  const double size_1 = fabs(self->m1);
-  const double size_2 = fabs(self->m2);
-  const double before_0 = size_0 < 256.0 ? up : down;
-  const double before_1 = size_1 < 256.0 ? up : down;
-  const double before_2 = size_2 < 256.0 ? up : down;
-  const double before_3 = small_g < 256.0 ? up : down;
-  const double before_4 = small_d < 256.0 ? up : down;
-  const double before_5 = small_a < 256.0 ? up : down;
-  const double after_0 = size_0 < 256.0 ? down : up;
-  const double after_1 = size_1 < 256.0 ? down : up;
-  const double after_2 = size_2 < 256.0 ? down : up;
-  const double after_3 = small_g < 256.0 ? down : up;
-  const double after_4 = small_d < 256.0 ? down : up;
-  const double after_5 = small_a < 256.0 ? down : up;
-  const double sized_0 = KSL_MUL(self->m0, before_0);
-  const double sized_1 = KSL_MUL(self->m1, before_1);
-  const double sized_2 = KSL_MUL(self->m2, before_2);
-  const double sized_3 = KSL_MUL(self->m3, before_3);
-  const double sized_4 = KSL_MUL(self->m4, before_4);
-  const double sized_5 = KSL_MUL(self->m5, before_5);
+  const double size_0 = fabs(self->m0), size_1 = fabs(self->m1), size_2 = fabs(self->m2);
+  const double before_0 = size_0 < 256.0 ? up : down, before_1 = size_1 < 256.0 ? up : down,
+      before_2 = size_2 < 256.0 ? up : down, before_3 = small_g < 256.0 ? up : down,
+      before_4 = small_d < 256.0 ? up : down, before_5 = small_a < 256.0 ? up : down;
+  const double after_0 = size_0 < 256.0 ? down : up, after_1 = size_1 < 256.0 ? down : up,
+      after_2 = size_2 < 256.0 ? down : up, after_3 = small_g < 256.0 ? down : up,
+      after_4 = small_d < 256.0 ? down : up, after_5 = small_a < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL(self->m0, before_0), sized_1 = KSL_MUL(self->m1, before_1),
+      sized_2 = KSL_MUL(self->m2, before_2), sized_3 = KSL_MUL(self->m3, before_3),
+      sized_4 = KSL_MUL(self->m4, before_4), sized_5 = KSL_MUL(self->m5, before_5);
   const double divisor_sum = divisor + divisor_lo, divisor_sum_right = divisor_sum - divisor,
       divisor_sum_lo = divisor - (divisor_sum - divisor_sum_right)
           + (divisor_lo - divisor_sum_right), quotient_0 = sized_0 / divisor_sum,
@@ -424,20 +386,15 @@ static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_scre
   const double small_a = fabs(si->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(si->m4), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(si->m3),
       small = small_g < 1e-09 ? small_f : 0.0;
-  const double p_0 = small == 1.0 ? si->m0 : si->m3;
-  const double p_1 = small == 1.0 ? si->m1 : si->m4;
-  const double p_2 = small == 1.0 ? si->m2 : si->m5;
-  const double s_size_0 = fabs(p_0);
-  const double s_size_1 = fabs(p_1);
-  const double s_size_2 = fabs(p_2);
+  const double p_0 = small == 1.0 ? si->m0 : si->m3, p_1 = small == 1.0 ? si->m1 : si->m4,
+      p_2 = small == 1.0 ? si->m2 : si->m5;
+  const double s_size_0 = fabs(p_0), s_size_1 = fabs(p_1), s_size_2 = fabs(p_2);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(p_0, s);
-  const double y_1 = KSL_MUL(p_1, s);
-  const double y_2 = KSL_MUL(p_2, s);
+  const double y_0 = KSL_MUL(p_0, s), y_1 = KSL_MUL(p_1, s), y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
@@ -453,27 +410,16 @@ static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_scre
   const double n_sum = n + n_lo, n_sum_right = n_sum - n,
       n_sum_lo = n - (n_sum - n_sum_right) + (n_lo - n_sum_right),
       divisor = n_sum == 0.0 ? up : n_sum, divisor_lo = n_sum == 0.0 ? 0.0 : n_sum_lo;
-  const double size_0 = fabs(si->m0);
-  const double size_1 = fabs(si->m1);
-  const double size_2 = fabs(si->m2);
-  const double before_0 = size_0 < 256.0 ? up : down;
-  const double before_1 = size_1 < 256.0 ? up : down;
-  const double before_2 = size_2 < 256.0 ? up : down;
-  const double before_3 = small_g < 256.0 ? up : down;
-  const double before_4 = small_d < 256.0 ? up : down;
-  const double before_5 = small_a < 256.0 ? up : down;
-  const double after_0 = size_0 < 256.0 ? down : up;
-  const double after_1 = size_1 < 256.0 ? down : up;
-  const double after_2 = size_2 < 256.0 ? down : up;
-  const double after_3 = small_g < 256.0 ? down : up;
-  const double after_4 = small_d < 256.0 ? down : up;
-  const double after_5 = small_a < 256.0 ? down : up;
-  const double sized_0 = KSL_MUL(si->m0, before_0);
-  const double sized_1 = KSL_MUL(si->m1, before_1);
-  const double sized_2 = KSL_MUL(si->m2, before_2);
-  const double sized_3 = KSL_MUL(si->m3, before_3);
-  const double sized_4 = KSL_MUL(si->m4, before_4);
-  const double sized_5 = KSL_MUL(si->m5, before_5);
+  const double size_0 = fabs(si->m0), size_1 = fabs(si->m1), size_2 = fabs(si->m2);
+  const double before_0 = size_0 < 256.0 ? up : down, before_1 = size_1 < 256.0 ? up : down,
+      before_2 = size_2 < 256.0 ? up : down, before_3 = small_g < 256.0 ? up : down,
+      before_4 = small_d < 256.0 ? up : down, before_5 = small_a < 256.0 ? up : down;
+  const double after_0 = size_0 < 256.0 ? down : up, after_1 = size_1 < 256.0 ? down : up,
+      after_2 = size_2 < 256.0 ? down : up, after_3 = small_g < 256.0 ? down : up,
+      after_4 = small_d < 256.0 ? down : up, after_5 = small_a < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL(si->m0, before_0), sized_1 = KSL_MUL(si->m1, before_1),
+      sized_2 = KSL_MUL(si->m2, before_2), sized_3 = KSL_MUL(si->m3, before_3),
+      sized_4 = KSL_MUL(si->m4, before_4), sized_5 = KSL_MUL(si->m5, before_5);
   const double divisor_sum = divisor + divisor_lo, divisor_sum_right = divisor_sum - divisor,
       divisor_sum_lo = divisor - (divisor_sum - divisor_sum_right)
           + (divisor_lo - divisor_sum_right), quotient_0 = sized_0 / divisor_sum,
@@ -565,9 +511,9 @@ static inline void ksl_add_sst_accurate(const ksl_screw_t *s1, const ksl_screw_t
   const double so_0 = s1->m0 + s2->m0, so_0_right = so_0 - s1->m0;
   const double so_1 = s1->m1 + s2->m1, so_1_right = so_1 - s1->m1;
   const double so_2 = s1->m2 + s2->m2, so_2_right = so_2 - s1->m2;
-  const double so_0_rounded = so_0 + (s1->m0 - (so_0 - so_0_right) + (s2->m0 - so_0_right));
-  const double so_1_rounded = so_1 + (s1->m1 - (so_1 - so_1_right) + (s2->m1 - so_1_right));
-  const double so_2_rounded = so_2 + (s1->m2 - (so_2 - so_2_right) + (s2->m2 - so_2_right));
+  const double so_0_rounded = so_0 + (s1->m0 - (so_0 - so_0_right) + (s2->m0 - so_0_right)),
+      so_1_rounded = so_1 + (s1->m1 - (so_1 - so_1_right) + (s2->m1 - so_1_right)),
+      so_2_rounded = so_2 + (s1->m2 - (so_2 - so_2_right) + (s2->m2 - so_2_right));
   const double s1_m3 = s1->m3;
   const double s1_m4 = s1->m4;
   const double s1_m5 = s1->m5;
@@ -599,11 +545,9 @@ static inline void ksl_product_Adts_accurate(const ksl_vec3_t *t, const ksl_scre
       so_2c_lo = ksl_product_rest(t->x, si->m4, so_2a, so_2c + so_2c_right)
           - ksl_product_rest(t->y, si->m3, so_2b, so_2c_right);
   const double so_0_rounded = so_0
-          + (so_0c - (so_0 - so_0_right) + (si->m0 - so_0_right) + so_0c_lo);
-  const double so_1_rounded = so_1
-          + (so_1c - (so_1 - so_1_right) + (si->m1 - so_1_right) + so_1c_lo);
-  const double so_2_rounded = so_2
-          + (so_2c - (so_2 - so_2_right) + (si->m2 - so_2_right) + so_2c_lo);
+          + (so_0c - (so_0 - so_0_right) + (si->m0 - so_0_right) + so_0c_lo),
+      so_1_rounded = so_1 + (so_1c - (so_1 - so_1_right) + (si->m1 - so_1_right) + so_1c_lo),
+      so_2_rounded = so_2 + (so_2c - (so_2 - so_2_right) + (si->m2 - so_2_right) + so_2c_lo);
   const double si_m3 = si->m3;
   const double si_m4 = si->m4;
   const double si_m5 = si->m5;
@@ -635,11 +579,9 @@ static inline void ksl_product_Adtinvs_accurate(const ksl_vec3_t *t, const ksl_s
       so_2c_lo = ksl_product_rest(t->y, si->m3, so_2a, so_2c + so_2c_right)
           - ksl_product_rest(t->x, si->m4, so_2b, so_2c_right);
   const double so_0_rounded = so_0
-          + (so_0c - (so_0 - so_0_right) + (si->m0 - so_0_right) + so_0c_lo);
-  const double so_1_rounded = so_1
-          + (so_1c - (so_1 - so_1_right) + (si->m1 - so_1_right) + so_1c_lo);
-  const double so_2_rounded = so_2
-          + (so_2c - (so_2 - so_2_right) + (si->m2 - so_2_right) + so_2c_lo);
+          + (so_0c - (so_0 - so_0_right) + (si->m0 - so_0_right) + so_0c_lo),
+      so_1_rounded = so_1 + (so_1c - (so_1 - so_1_right) + (si->m1 - so_1_right) + so_1c_lo),
+      so_2_rounded = so_2 + (so_2c - (so_2 - so_2_right) + (si->m2 - so_2_right) + so_2c_lo);
   const double si_m3 = si->m3;
   const double si_m4 = si->m4;
   const double si_m5 = si->m5;
@@ -670,15 +612,11 @@ static inline void ksl_product_Adtsinv_accurate(const ksl_vec3_t *t, const ksl_s
       so_2c_right = so_2a - so_2c, so_2 = so_2c - si->m2, so_2_right = so_2c - so_2,
       so_2c_lo = ksl_product_rest(t->y, si->m3, so_2a, so_2c + so_2c_right)
           - ksl_product_rest(t->x, si->m4, so_2b, so_2c_right);
-  const double so_3 = -si->m3;
-  const double so_4 = -si->m4;
-  const double so_5 = -si->m5;
+  const double so_3 = -si->m3, so_4 = -si->m4, so_5 = -si->m5;
   const double so_0_rounded = so_0
-          + (so_0c - (so_0 + so_0_right) - (si->m0 - so_0_right) + so_0c_lo);
-  const double so_1_rounded = so_1
-          + (so_1c - (so_1 + so_1_right) - (si->m1 - so_1_right) + so_1c_lo);
-  const double so_2_rounded = so_2
-          + (so_2c - (so_2 + so_2_right) - (si->m2 - so_2_right) + so_2c_lo);
+          + (so_0c - (so_0 + so_0_right) - (si->m0 - so_0_right) + so_0c_lo),
+      so_1_rounded = so_1 + (so_1c - (so_1 + so_1_right) - (si->m1 - so_1_right) + so_1c_lo),
+      so_2_rounded = so_2 + (so_2c - (so_2 + so_2_right) - (si->m2 - so_2_right) + so_2c_lo);
   so->m0 = so_0_rounded;
   so->m1 = so_1_rounded;
   so->m2 = so_2_rounded;
@@ -726,20 +664,20 @@ static inline void ksl_product_Adrs_accurate(const ksl_mat3x3_t *R, const ksl_sc
           + ksl_product_rest(R->m21, si->m4, so_5b, so_5c_right);
   const double so_0_rounded = so_0
           + (so_0c - (so_0 - so_0_right) + ksl_product_rest(R->m02, si->m2, so_0d, so_0_right)
-          + so_0c_lo);
-  const double so_1_rounded = so_1
+          + so_0c_lo),
+      so_1_rounded = so_1
           + (so_1c - (so_1 - so_1_right) + ksl_product_rest(R->m12, si->m2, so_1d, so_1_right)
-          + so_1c_lo);
-  const double so_2_rounded = so_2
+          + so_1c_lo),
+      so_2_rounded = so_2
           + (so_2c - (so_2 - so_2_right) + ksl_product_rest(R->m22, si->m2, so_2d, so_2_right)
-          + so_2c_lo);
-  const double so_3_rounded = so_3
+          + so_2c_lo),
+      so_3_rounded = so_3
           + (so_3c - (so_3 - so_3_right) + ksl_product_rest(R->m02, si->m5, so_3d, so_3_right)
-          + so_3c_lo);
-  const double so_4_rounded = so_4
+          + so_3c_lo),
+      so_4_rounded = so_4
           + (so_4c - (so_4 - so_4_right) + ksl_product_rest(R->m12, si->m5, so_4d, so_4_right)
-          + so_4c_lo);
-  const double so_5_rounded = so_5
+          + so_4c_lo),
+      so_5_rounded = so_5
           + (so_5c - (so_5 - so_5_right) + ksl_product_rest(R->m22, si->m5, so_5d, so_5_right)
           + so_5c_lo);
   so->m0 = so_0_rounded;
@@ -789,20 +727,20 @@ static inline void ksl_product_Adrinvs_accurate(const ksl_mat3x3_t *R, const ksl
           + ksl_product_rest(R->m12, si->m4, so_5b, so_5c_right);
   const double so_0_rounded = so_0
           + (so_0c - (so_0 - so_0_right) + ksl_product_rest(R->m20, si->m2, so_0d, so_0_right)
-          + so_0c_lo);
-  const double so_1_rounded = so_1
+          + so_0c_lo),
+      so_1_rounded = so_1
           + (so_1c - (so_1 - so_1_right) + ksl_product_rest(R->m21, si->m2, so_1d, so_1_right)
-          + so_1c_lo);
-  const double so_2_rounded = so_2
+          + so_1c_lo),
+      so_2_rounded = so_2
           + (so_2c - (so_2 - so_2_right) + ksl_product_rest(R->m22, si->m2, so_2d, so_2_right)
-          + so_2c_lo);
-  const double so_3_rounded = so_3
+          + so_2c_lo),
+      so_3_rounded = so_3
           + (so_3c - (so_3 - so_3_right) + ksl_product_rest(R->m20, si->m5, so_3d, so_3_right)
-          + so_3c_lo);
-  const double so_4_rounded = so_4
+          + so_3c_lo),
+      so_4_rounded = so_4
           + (so_4c - (so_4 - so_4_right) + ksl_product_rest(R->m21, si->m5, so_4d, so_4_right)
-          + so_4c_lo);
-  const double so_5_rounded = so_5
+          + so_4c_lo),
+      so_5_rounded = so_5
           + (so_5c - (so_5 - so_5_right) + ksl_product_rest(R->m22, si->m5, so_5d, so_5_right)
           + so_5c_lo);
   so->m0 = so_0_rounded;
@@ -852,20 +790,20 @@ static inline void ksl_product_Adrsinv_accurate(const ksl_mat3x3_t *R, const ksl
           + ksl_product_rest(R->m21, si->m4, so_5b, so_5c_right), so_5 = -so_5e;
   const double so_0_rounded = so_0 +
           -(so_0c - (so_0e - so_0e_right) + ksl_product_rest(R->m02, si->m2, so_0d, so_0e_right)
-          + so_0c_lo);
-  const double so_1_rounded = so_1 +
+          + so_0c_lo),
+      so_1_rounded = so_1 +
           -(so_1c - (so_1e - so_1e_right) + ksl_product_rest(R->m12, si->m2, so_1d, so_1e_right)
-          + so_1c_lo);
-  const double so_2_rounded = so_2 +
+          + so_1c_lo),
+      so_2_rounded = so_2 +
           -(so_2c - (so_2e - so_2e_right) + ksl_product_rest(R->m22, si->m2, so_2d, so_2e_right)
-          + so_2c_lo);
-  const double so_3_rounded = so_3 +
+          + so_2c_lo),
+      so_3_rounded = so_3 +
           -(so_3c - (so_3e - so_3e_right) + ksl_product_rest(R->m02, si->m5, so_3d, so_3e_right)
-          + so_3c_lo);
-  const double so_4_rounded = so_4 +
+          + so_3c_lo),
+      so_4_rounded = so_4 +
           -(so_4c - (so_4e - so_4e_right) + ksl_product_rest(R->m12, si->m5, so_4d, so_4e_right)
-          + so_4c_lo);
-  const double so_5_rounded = so_5 +
+          + so_4c_lo),
+      so_5_rounded = so_5 +
           -(so_5c - (so_5e - so_5e_right) + ksl_product_rest(R->m22, si->m5, so_5d, so_5e_right)
           + so_5c_lo);
   so->m0 = so_0_rounded;
@@ -944,14 +882,12 @@ static inline void ksl_product_Ads_accurate(const ksl_SE3_t *D, const ksl_screw_
           + (w_2c - (w_2 - w_2_right) + ksl_product_rest(D->m22, si->m2, w_2d, w_2_right)
           + w_2c_lo);
   const double so_0_rounded = so_0
-          + (so_0_lo2 + (so_0c_lo1 + (KSL_MUL(D->m13, w_5_lo) - KSL_MUL(D->m23, w_4_lo))));
-  const double so_1_rounded = so_1
-          + (so_1_lo2 + (so_1c_lo1 + (KSL_MUL(D->m23, w_3_lo) - KSL_MUL(D->m03, w_5_lo))));
-  const double so_2_rounded = so_2
+          + (so_0_lo2 + (so_0c_lo1 + (KSL_MUL(D->m13, w_5_lo) - KSL_MUL(D->m23, w_4_lo)))),
+      so_1_rounded = so_1
+          + (so_1_lo2 + (so_1c_lo1 + (KSL_MUL(D->m23, w_3_lo) - KSL_MUL(D->m03, w_5_lo)))),
+      so_2_rounded = so_2
           + (so_2_lo2 + (so_2c_lo1 + (KSL_MUL(D->m03, w_4_lo) - KSL_MUL(D->m13, w_3_lo))));
-  const double w_3_rounded = w_3 + w_3_lo;
-  const double w_4_rounded = w_4 + w_4_lo;
-  const double w_5_rounded = w_5 + w_5_lo;
+  const double w_3_rounded = w_3 + w_3_lo, w_4_rounded = w_4 + w_4_lo, w_5_rounded = w_5 + w_5_lo;
   so->m0 = so_0_rounded;
   so->m1 = so_1_rounded;
   so->m2 = so_2_rounded;
@@ -1019,18 +955,18 @@ static inline void ksl_product_Adinvs_accurate(const ksl_SE3_t *D, const ksl_scr
       so_5c_lo = ksl_product_rest(D->m02, si->m3, so_5a, so_5c - so_5c_right)
           + ksl_product_rest(D->m12, si->m4, so_5b, so_5c_right);
   const double so_0_rounded = so_0
-          + (so_0_lo2 + (so_0c_lo1 + (KSL_MUL(D->m00, w_0_lo) + KSL_MUL(D->m10, w_1_lo))));
-  const double so_1_rounded = so_1
-          + (so_1_lo2 + (so_1c_lo1 + (KSL_MUL(D->m01, w_0_lo) + KSL_MUL(D->m11, w_1_lo))));
-  const double so_2_rounded = so_2
-          + (so_2_lo2 + (so_2c_lo1 + (KSL_MUL(D->m02, w_0_lo) + KSL_MUL(D->m12, w_1_lo))));
-  const double so_3_rounded = so_3
+          + (so_0_lo2 + (so_0c_lo1 + (KSL_MUL(D->m00, w_0_lo) + KSL_MUL(D->m10, w_1_lo)))),
+      so_1_rounded = so_1
+          + (so_1_lo2 + (so_1c_lo1 + (KSL_MUL(D->m01, w_0_lo) + KSL_MUL(D->m11, w_1_lo)))),
+      so_2_rounded = so_2
+          + (so_2_lo2 + (so_2c_lo1 + (KSL_MUL(D->m02, w_0_lo) + KSL_MUL(D->m12, w_1_lo)))),
+      so_3_rounded = so_3
           + (so_3c - (so_3 - so_3_right) + ksl_product_rest(D->m20, si->m5, so_3d, so_3_right)
-          + so_3c_lo);
-  const double so_4_rounded = so_4
+          + so_3c_lo),
+      so_4_rounded = so_4
           + (so_4c - (so_4 - so_4_right) + ksl_product_rest(D->m21, si->m5, so_4d, so_4_right)
-          + so_4c_lo);
-  const double so_5_rounded = so_5
+          + so_4c_lo),
+      so_5_rounded = so_5
           + (so_5c - (so_5 - so_5_right) + ksl_product_rest(D->m22, si->m5, so_5d, so_5_right)
           + so_5c_lo);
   so->m0 = so_0_rounded;
@@ -1113,16 +1049,14 @@ static inline void ksl_product_Adsinv_accurate(const ksl_SE3_t *D, const ksl_scr
           + w_2c_lo);
   const double so_0_rounded = so_0
           + (so_0c - (so_0 - so_0_right) + (w_0 - so_0_right) + w_0_lo
-          + (so_0c_lo1 + (KSL_MUL(D->m13, w_5_lo) - KSL_MUL(D->m23, w_4_lo))));
-  const double so_1_rounded = so_1
+          + (so_0c_lo1 + (KSL_MUL(D->m13, w_5_lo) - KSL_MUL(D->m23, w_4_lo)))),
+      so_1_rounded = so_1
           + (so_1c - (so_1 - so_1_right) + (w_1 - so_1_right) + w_1_lo
-          + (so_1c_lo1 + (KSL_MUL(D->m23, w_3_lo) - KSL_MUL(D->m03, w_5_lo))));
-  const double so_2_rounded = so_2
+          + (so_1c_lo1 + (KSL_MUL(D->m23, w_3_lo) - KSL_MUL(D->m03, w_5_lo)))),
+      so_2_rounded = so_2
           + (so_2c - (so_2 - so_2_right) + (w_2 - so_2_right) + w_2_lo
           + (so_2c_lo1 + (KSL_MUL(D->m03, w_4_lo) - KSL_MUL(D->m13, w_3_lo))));
-  const double w_3_rounded = w_3 + w_3_lo;
-  const double w_4_rounded = w_4 + w_4_lo;
-  const double w_5_rounded = w_5 + w_5_lo;
+  const double w_3_rounded = w_3 + w_3_lo, w_4_rounded = w_4 + w_4_lo, w_5_rounded = w_5 + w_5_lo;
   so->m0 = so_0_rounded;
   so->m1 = so_1_rounded;
   so->m2 = so_2_rounded;
@@ -1145,11 +1079,11 @@ static inline void ksl_hsrx_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
       so_2 = so_2a - so_2b, so_2_right = so_2a - so_2;
   const double so_0_rounded = so_0
           + (ksl_product_rest(D->m20, D->m13, so_0a, so_0 + so_0_right)
-          - ksl_product_rest(D->m10, D->m23, so_0b, so_0_right));
-  const double so_1_rounded = so_1
+          - ksl_product_rest(D->m10, D->m23, so_0b, so_0_right)),
+      so_1_rounded = so_1
           + (ksl_product_rest(D->m00, D->m23, so_1a, so_1 + so_1_right)
-          - ksl_product_rest(D->m20, D->m03, so_1b, so_1_right));
-  const double so_2_rounded = so_2
+          - ksl_product_rest(D->m20, D->m03, so_1b, so_1_right)),
+      so_2_rounded = so_2
           + (ksl_product_rest(D->m10, D->m03, so_2a, so_2 + so_2_right)
           - ksl_product_rest(D->m00, D->m13, so_2b, so_2_right));
   const double D_m00 = D->m00;
@@ -1177,11 +1111,11 @@ static inline void ksl_hsry_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
       so_2 = so_2a - so_2b, so_2_right = so_2a - so_2;
   const double so_0_rounded = so_0
           + (ksl_product_rest(D->m21, D->m13, so_0a, so_0 + so_0_right)
-          - ksl_product_rest(D->m11, D->m23, so_0b, so_0_right));
-  const double so_1_rounded = so_1
+          - ksl_product_rest(D->m11, D->m23, so_0b, so_0_right)),
+      so_1_rounded = so_1
           + (ksl_product_rest(D->m01, D->m23, so_1a, so_1 + so_1_right)
-          - ksl_product_rest(D->m21, D->m03, so_1b, so_1_right));
-  const double so_2_rounded = so_2
+          - ksl_product_rest(D->m21, D->m03, so_1b, so_1_right)),
+      so_2_rounded = so_2
           + (ksl_product_rest(D->m11, D->m03, so_2a, so_2 + so_2_right)
           - ksl_product_rest(D->m01, D->m13, so_2b, so_2_right));
   const double D_m01 = D->m01;
@@ -1209,11 +1143,11 @@ static inline void ksl_hsrz_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
       so_2 = so_2a - so_2b, so_2_right = so_2a - so_2;
   const double so_0_rounded = so_0
           + (ksl_product_rest(D->m22, D->m13, so_0a, so_0 + so_0_right)
-          - ksl_product_rest(D->m12, D->m23, so_0b, so_0_right));
-  const double so_1_rounded = so_1
+          - ksl_product_rest(D->m12, D->m23, so_0b, so_0_right)),
+      so_1_rounded = so_1
           + (ksl_product_rest(D->m02, D->m23, so_1a, so_1 + so_1_right)
-          - ksl_product_rest(D->m22, D->m03, so_1b, so_1_right));
-  const double so_2_rounded = so_2
+          - ksl_product_rest(D->m22, D->m03, so_1b, so_1_right)),
+      so_2_rounded = so_2
           + (ksl_product_rest(D->m12, D->m03, so_2a, so_2 + so_2_right)
           - ksl_product_rest(D->m02, D->m13, so_2b, so_2_right));
   const double D_m02 = D->m02;
@@ -1239,16 +1173,14 @@ static inline void ksl_hsrxinv_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
       so_1 = so_1a - so_1b, so_1_right = so_1a - so_1;
   const double so_2a = KSL_MUL(D->m00, D->m13), so_2b = KSL_MUL(D->m10, D->m03),
       so_2 = so_2a - so_2b, so_2_right = so_2a - so_2;
-  const double so_3 = -D->m00;
-  const double so_4 = -D->m10;
-  const double so_5 = -D->m20;
+  const double so_3 = -D->m00, so_4 = -D->m10, so_5 = -D->m20;
   const double so_0_rounded = so_0
           + (ksl_product_rest(D->m10, D->m23, so_0a, so_0 + so_0_right)
-          - ksl_product_rest(D->m20, D->m13, so_0b, so_0_right));
-  const double so_1_rounded = so_1
+          - ksl_product_rest(D->m20, D->m13, so_0b, so_0_right)),
+      so_1_rounded = so_1
           + (ksl_product_rest(D->m20, D->m03, so_1a, so_1 + so_1_right)
-          - ksl_product_rest(D->m00, D->m23, so_1b, so_1_right));
-  const double so_2_rounded = so_2
+          - ksl_product_rest(D->m00, D->m23, so_1b, so_1_right)),
+      so_2_rounded = so_2
           + (ksl_product_rest(D->m00, D->m13, so_2a, so_2 + so_2_right)
           - ksl_product_rest(D->m10, D->m03, so_2b, so_2_right));
   so->m0 = so_0_rounded;
@@ -1271,16 +1203,14 @@ static inline void ksl_hsryinv_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
       so_1 = so_1a - so_1b, so_1_right = so_1a - so_1;
   const double so_2a = KSL_MUL(D->m01, D->m13), so_2b = KSL_MUL(D->m11, D->m03),
       so_2 = so_2a - so_2b, so_2_right = so_2a - so_2;
-  const double so_3 = -D->m01;
-  const double so_4 = -D->m11;
-  const double so_5 = -D->m21;
+  const double so_3 = -D->m01, so_4 = -D->m11, so_5 = -D->m21;
   const double so_0_rounded = so_0
           + (ksl_product_rest(D->m11, D->m23, so_0a, so_0 + so_0_right)
-          - ksl_product_rest(D->m21, D->m13, so_0b, so_0_right));
-  const double so_1_rounded = so_1
+          - ksl_product_rest(D->m21, D->m13, so_0b, so_0_right)),
+      so_1_rounded = so_1
           + (ksl_product_rest(D->m21, D->m03, so_1a, so_1 + so_1_right)
-          - ksl_product_rest(D->m01, D->m23, so_1b, so_1_right));
-  const double so_2_rounded = so_2
+          - ksl_product_rest(D->m01, D->m23, so_1b, so_1_right)),
+      so_2_rounded = so_2
           + (ksl_product_rest(D->m01, D->m13, so_2a, so_2 + so_2_right)
           - ksl_product_rest(D->m11, D->m03, so_2b, so_2_right));
   so->m0 = so_0_rounded;
@@ -1303,16 +1233,14 @@ static inline void ksl_hsrzinv_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
       so_1 = so_1a - so_1b, so_1_right = so_1a - so_1;
   const double so_2a = KSL_MUL(D->m02, D->m13), so_2b = KSL_MUL(D->m12, D->m03),
       so_2 = so_2a - so_2b, so_2_right = so_2a - so_2;
-  const double so_3 = -D->m02;
-  const double so_4 = -D->m12;
-  const double so_5 = -D->m22;
+  const double so_3 = -D->m02, so_4 = -D->m12, so_5 = -D->m22;
   const double so_0_rounded = so_0
           + (ksl_product_rest(D->m12, D->m23, so_0a, so_0 + so_0_right)
-          - ksl_product_rest(D->m22, D->m13, so_0b, so_0_right));
-  const double so_1_rounded = so_1
+          - ksl_product_rest(D->m22, D->m13, so_0b, so_0_right)),
+      so_1_rounded = so_1
           + (ksl_product_rest(D->m22, D->m03, so_1a, so_1 + so_1_right)
-          - ksl_product_rest(D->m02, D->m23, so_1b, so_1_right));
-  const double so_2_rounded = so_2
+          - ksl_product_rest(D->m02, D->m23, so_1b, so_1_right)),
+      so_2_rounded = so_2
           + (ksl_product_rest(D->m02, D->m13, so_2a, so_2 + so_2_right)
           - ksl_product_rest(D->m12, D->m03, so_2b, so_2_right));
   so->m0 = so_0_rounded;
@@ -1349,29 +1277,29 @@ static inline void ksl_Ad_accurate(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
       M_25 = M_25a - M_25b, M_25_right = M_25a - M_25;
   const double M_03_rounded = M_03
           + (ksl_product_rest(D->m20, D->m13, M_03a, M_03 + M_03_right)
-          - ksl_product_rest(D->m10, D->m23, M_03b, M_03_right));
-  const double M_04_rounded = M_04
+          - ksl_product_rest(D->m10, D->m23, M_03b, M_03_right)),
+      M_04_rounded = M_04
           + (ksl_product_rest(D->m21, D->m13, M_04a, M_04 + M_04_right)
-          - ksl_product_rest(D->m11, D->m23, M_04b, M_04_right));
-  const double M_05_rounded = M_05
+          - ksl_product_rest(D->m11, D->m23, M_04b, M_04_right)),
+      M_05_rounded = M_05
           + (ksl_product_rest(D->m22, D->m13, M_05a, M_05 + M_05_right)
-          - ksl_product_rest(D->m12, D->m23, M_05b, M_05_right));
-  const double M_13_rounded = M_13
+          - ksl_product_rest(D->m12, D->m23, M_05b, M_05_right)),
+      M_13_rounded = M_13
           + (ksl_product_rest(D->m00, D->m23, M_13a, M_13 + M_13_right)
-          - ksl_product_rest(D->m20, D->m03, M_13b, M_13_right));
-  const double M_14_rounded = M_14
+          - ksl_product_rest(D->m20, D->m03, M_13b, M_13_right)),
+      M_14_rounded = M_14
           + (ksl_product_rest(D->m01, D->m23, M_14a, M_14 + M_14_right)
-          - ksl_product_rest(D->m21, D->m03, M_14b, M_14_right));
-  const double M_15_rounded = M_15
+          - ksl_product_rest(D->m21, D->m03, M_14b, M_14_right)),
+      M_15_rounded = M_15
           + (ksl_product_rest(D->m02, D->m23, M_15a, M_15 + M_15_right)
-          - ksl_product_rest(D->m22, D->m03, M_15b, M_15_right));
-  const double M_23_rounded = M_23
+          - ksl_product_rest(D->m22, D->m03, M_15b, M_15_right)),
+      M_23_rounded = M_23
           + (ksl_product_rest(D->m10, D->m03, M_23a, M_23 + M_23_right)
-          - ksl_product_rest(D->m00, D->m13, M_23b, M_23_right));
-  const double M_24_rounded = M_24
+          - ksl_product_rest(D->m00, D->m13, M_23b, M_23_right)),
+      M_24_rounded = M_24
           + (ksl_product_rest(D->m11, D->m03, M_24a, M_24 + M_24_right)
-          - ksl_product_rest(D->m01, D->m13, M_24b, M_24_right));
-  const double M_25_rounded = M_25
+          - ksl_product_rest(D->m01, D->m13, M_24b, M_24_right)),
+      M_25_rounded = M_25
           + (ksl_product_rest(D->m12, D->m03, M_25a, M_25 + M_25_right)
           - ksl_product_rest(D->m02, D->m13, M_25b, M_25_right));
   const double D_m00 = D->m00;
@@ -1487,18 +1415,18 @@ static inline void ksl_cross_ss_accurate(const ksl_screw_t *s1, const ksl_screw_
   const double so_5a = KSL_MUL(s1->m3, s2->m4), so_5b = KSL_MUL(s1->m4, s2->m3),
       so_5 = so_5a - so_5b, so_5_right = so_5a - so_5;
   const double so_0_rounded = so_0
-          + (so_0c - (so_0 - so_0_right) + (so_0f - so_0_right) + so_0f_lo + so_0c_lo);
-  const double so_1_rounded = so_1
-          + (so_1c - (so_1 - so_1_right) + (so_1f - so_1_right) + so_1f_lo + so_1c_lo);
-  const double so_2_rounded = so_2
-          + (so_2c - (so_2 - so_2_right) + (so_2f - so_2_right) + so_2f_lo + so_2c_lo);
-  const double so_3_rounded = so_3
+          + (so_0c - (so_0 - so_0_right) + (so_0f - so_0_right) + so_0f_lo + so_0c_lo),
+      so_1_rounded = so_1
+          + (so_1c - (so_1 - so_1_right) + (so_1f - so_1_right) + so_1f_lo + so_1c_lo),
+      so_2_rounded = so_2
+          + (so_2c - (so_2 - so_2_right) + (so_2f - so_2_right) + so_2f_lo + so_2c_lo),
+      so_3_rounded = so_3
           + (ksl_product_rest(s1->m4, s2->m5, so_3a, so_3 + so_3_right)
-          - ksl_product_rest(s1->m5, s2->m4, so_3b, so_3_right));
-  const double so_4_rounded = so_4
+          - ksl_product_rest(s1->m5, s2->m4, so_3b, so_3_right)),
+      so_4_rounded = so_4
           + (ksl_product_rest(s1->m5, s2->m3, so_4a, so_4 + so_4_right)
-          - ksl_product_rest(s1->m3, s2->m5, so_4b, so_4_right));
-  const double so_5_rounded = so_5
+          - ksl_product_rest(s1->m3, s2->m5, so_4b, so_4_right)),
+      so_5_rounded = so_5
           + (ksl_product_rest(s1->m3, s2->m4, so_5a, so_5 + so_5_right)
           - ksl_product_rest(s1->m4, s2->m3, so_5b, so_5_right));
   so->m0 = so_0_rounded;
@@ -1524,11 +1452,11 @@ static inline void ksl_cross_sst_accurate(const ksl_screw_t *s1, const ksl_screw
       so_2 = so_2a - so_2b, so_2_right = so_2a - so_2;
   const double so_0_rounded = so_0
           + (ksl_product_rest(s1->m4, s2->m2, so_0a, so_0 + so_0_right)
-          - ksl_product_rest(s1->m5, s2->m1, so_0b, so_0_right));
-  const double so_1_rounded = so_1
+          - ksl_product_rest(s1->m5, s2->m1, so_0b, so_0_right)),
+      so_1_rounded = so_1
           + (ksl_product_rest(s1->m5, s2->m0, so_1a, so_1 + so_1_right)
-          - ksl_product_rest(s1->m3, s2->m2, so_1b, so_1_right));
-  const double so_2_rounded = so_2
+          - ksl_product_rest(s1->m3, s2->m2, so_1b, so_1_right)),
+      so_2_rounded = so_2
           + (ksl_product_rest(s1->m3, s2->m1, so_2a, so_2 + so_2_right)
           - ksl_product_rest(s1->m4, s2->m0, so_2b, so_2_right));
   so->m0 = so_0_rounded;
@@ -1579,14 +1507,10 @@ static inline void ksl_hsra_accurate(const ksl_SE3_t *D, const ksl_vec3_t *axis,
       so_2_lo1 = ksl_product_rest(D->m03, a_1, so_2a, so_2 + so_2_right)
           - ksl_product_rest(D->m13, a_0, so_2b, so_2_right);
   const double so_0_rounded = so_0
-          + (so_0_lo1 + (KSL_MUL(D->m13, a_2_lo) - KSL_MUL(D->m23, a_1_lo)));
-  const double so_1_rounded = so_1
-          + (so_1_lo1 + (KSL_MUL(D->m23, a_0_lo) - KSL_MUL(D->m03, a_2_lo)));
-  const double so_2_rounded = so_2
-          + (so_2_lo1 + (KSL_MUL(D->m03, a_1_lo) - KSL_MUL(D->m13, a_0_lo)));
-  const double a_0_rounded = a_0 + a_0_lo;
-  const double a_1_rounded = a_1 + a_1_lo;
-  const double a_2_rounded = a_2 + a_2_lo;
+          + (so_0_lo1 + (KSL_MUL(D->m13, a_2_lo) - KSL_MUL(D->m23, a_1_lo))),
+      so_1_rounded = so_1 + (so_1_lo1 + (KSL_MUL(D->m23, a_0_lo) - KSL_MUL(D->m03, a_2_lo))),
+      so_2_rounded = so_2 + (so_2_lo1 + (KSL_MUL(D->m03, a_1_lo) - KSL_MUL(D->m13, a_0_lo)));
+  const double a_0_rounded = a_0 + a_0_lo, a_1_rounded = a_1 + a_1_lo, a_2_rounded = a_2 + a_2_lo;
   so->m0 = so_0_rounded;
   so->m1 = so_1_rounded;
   so->m2 = so_2_rounded;
@@ -1618,11 +1542,11 @@ static inline void ksl_hsta_accurate(const ksl_SE3_t *D, const ksl_vec3_t *axis,
           + ksl_product_rest(D->m21, axis->y, so_2b, so_2c_right);
   const double so_0_rounded = so_0
           + (so_0c - (so_0 - so_0_right) + ksl_product_rest(D->m02, axis->z, so_0d, so_0_right)
-          + so_0c_lo);
-  const double so_1_rounded = so_1
+          + so_0c_lo),
+      so_1_rounded = so_1
           + (so_1c - (so_1 - so_1_right) + ksl_product_rest(D->m12, axis->z, so_1d, so_1_right)
-          + so_1c_lo);
-  const double so_2_rounded = so_2
+          + so_1c_lo),
+      so_2_rounded = so_2
           + (so_2c - (so_2 - so_2_right) + ksl_product_rest(D->m22, axis->z, so_2d, so_2_right)
           + so_2c_lo);
   so->m0 = so_0_rounded;
@@ -1677,14 +1601,10 @@ static inline void ksl_hsrainv_accurate(const ksl_SE3_t *D, const ksl_vec3_t *ax
       so_2_lo1 = ksl_product_rest(D->m03, a_1, so_2a, so_2 + so_2_right)
           - ksl_product_rest(D->m13, a_0, so_2b, so_2_right);
   const double so_0_rounded = so_0
-          + (so_0_lo1 + (KSL_MUL(D->m13, a_2_lo) - KSL_MUL(D->m23, a_1_lo)));
-  const double so_1_rounded = so_1
-          + (so_1_lo1 + (KSL_MUL(D->m23, a_0_lo) - KSL_MUL(D->m03, a_2_lo)));
-  const double so_2_rounded = so_2
-          + (so_2_lo1 + (KSL_MUL(D->m03, a_1_lo) - KSL_MUL(D->m13, a_0_lo)));
-  const double a_0_rounded = a_0 + a_0_lo;
-  const double a_1_rounded = a_1 + a_1_lo;
-  const double a_2_rounded = a_2 + a_2_lo;
+          + (so_0_lo1 + (KSL_MUL(D->m13, a_2_lo) - KSL_MUL(D->m23, a_1_lo))),
+      so_1_rounded = so_1 + (so_1_lo1 + (KSL_MUL(D->m23, a_0_lo) - KSL_MUL(D->m03, a_2_lo))),
+      so_2_rounded = so_2 + (so_2_lo1 + (KSL_MUL(D->m03, a_1_lo) - KSL_MUL(D->m13, a_0_lo)));
+  const double a_0_rounded = a_0 + a_0_lo, a_1_rounded = a_1 + a_1_lo, a_2_rounded = a_2 + a_2_lo;
   so->m0 = so_0_rounded;
   so->m1 = so_1_rounded;
   so->m2 = so_2_rounded;
@@ -1717,11 +1637,11 @@ static inline void ksl_hstainv_accurate(const ksl_SE3_t *D, const ksl_vec3_t *ax
           + ksl_product_rest(D->m21, axis->y, so_2b, so_2c_right), so_2 = -so_2e;
   const double so_0_rounded = so_0 +
           -(so_0c - (so_0e - so_0e_right) + ksl_product_rest(D->m02, axis->z, so_0d, so_0e_right)
-          + so_0c_lo);
-  const double so_1_rounded = so_1 +
+          + so_0c_lo),
+      so_1_rounded = so_1 +
           -(so_1c - (so_1e - so_1e_right) + ksl_product_rest(D->m12, axis->z, so_1d, so_1e_right)
-          + so_1c_lo);
-  const double so_2_rounded = so_2 +
+          + so_1c_lo),
+      so_2_rounded = so_2 +
           -(so_2c - (so_2e - so_2e_right) + ksl_product_rest(D->m22, axis->z, so_2d, so_2e_right)
           + so_2c_lo);
   so->m0 = so_0_rounded;
@@ -1738,12 +1658,9 @@ static inline void ksl_hstainv_accurate(const ksl_SE3_t *D, const ksl_vec3_t *ax
    Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_screwf_scale_accurate(ksl_screwf_t *self, const float a) {
-  const double self_0_new = (double)self->m0 * (double)a;
-  const double self_1_new = (double)self->m1 * (double)a;
-  const double self_2_new = (double)self->m2 * (double)a;
-  const double self_3_new = (double)self->m3 * (double)a;
-  const double self_4_new = (double)self->m4 * (double)a;
-  const double self_5_new = (double)self->m5 * (double)a;
+  const double self_0_new = (double)self->m0 * (double)a, self_1_new = (double)self->m1 * (double)a,
+      self_2_new = (double)self->m2 * (double)a, self_3_new = (double)self->m3 * (double)a,
+      self_4_new = (double)self->m4 * (double)a, self_5_new = (double)self->m5 * (double)a;
   self->m0 = (float)self_0_new;
   self->m1 = (float)self_1_new;
   self->m2 = (float)self_2_new;
@@ -1758,12 +1675,12 @@ static inline void ksl_screwf_scale_accurate(ksl_screwf_t *self, const float a) 
    Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_axpy_ssf_accurate(const float a, const ksl_screwf_t *x, ksl_screwf_t *y) {
-  const double y_0_new = ksl_product_sum((double)a, (double)x->m0, (double)y->m0);
-  const double y_1_new = ksl_product_sum((double)a, (double)x->m1, (double)y->m1);
-  const double y_2_new = ksl_product_sum((double)a, (double)x->m2, (double)y->m2);
-  const double y_3_new = ksl_product_sum((double)a, (double)x->m3, (double)y->m3);
-  const double y_4_new = ksl_product_sum((double)a, (double)x->m4, (double)y->m4);
-  const double y_5_new = ksl_product_sum((double)a, (double)x->m5, (double)y->m5);
+  const double y_0_new = ksl_product_sum((double)a, (double)x->m0, (double)y->m0),
+      y_1_new = ksl_product_sum((double)a, (double)x->m1, (double)y->m1),
+      y_2_new = ksl_product_sum((double)a, (double)x->m2, (double)y->m2),
+      y_3_new = ksl_product_sum((double)a, (double)x->m3, (double)y->m3),
+      y_4_new = ksl_product_sum((double)a, (double)x->m4, (double)y->m4),
+      y_5_new = ksl_product_sum((double)a, (double)x->m5, (double)y->m5);
   y->m0 = (float)y_0_new;
   y->m1 = (float)y_1_new;
   y->m2 = (float)y_2_new;
@@ -1778,12 +1695,9 @@ static inline void ksl_axpy_ssf_accurate(const float a, const ksl_screwf_t *x, k
    Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_xpy_ssf_accurate(const ksl_screwf_t *x, ksl_screwf_t *y) {
-  const double y_0_new = (double)x->m0 + (double)y->m0;
-  const double y_1_new = (double)x->m1 + (double)y->m1;
-  const double y_2_new = (double)x->m2 + (double)y->m2;
-  const double y_3_new = (double)x->m3 + (double)y->m3;
-  const double y_4_new = (double)x->m4 + (double)y->m4;
-  const double y_5_new = (double)x->m5 + (double)y->m5;
+  const double y_0_new = (double)x->m0 + (double)y->m0, y_1_new = (double)x->m1 + (double)y->m1,
+      y_2_new = (double)x->m2 + (double)y->m2, y_3_new = (double)x->m3 + (double)y->m3,
+      y_4_new = (double)x->m4 + (double)y->m4, y_5_new = (double)x->m5 + (double)y->m5;
   y->m0 = (float)y_0_new;
   y->m1 = (float)y_1_new;
   y->m2 = (float)y_2_new;
@@ -1798,12 +1712,9 @@ static inline void ksl_xpy_ssf_accurate(const ksl_screwf_t *x, ksl_screwf_t *y) 
    Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_nxpy_ssf_accurate(const ksl_screwf_t *x, ksl_screwf_t *y) {
-  const double y_0_new = (double)y->m0 - (double)x->m0;
-  const double y_1_new = (double)y->m1 - (double)x->m1;
-  const double y_2_new = (double)y->m2 - (double)x->m2;
-  const double y_3_new = (double)y->m3 - (double)x->m3;
-  const double y_4_new = (double)y->m4 - (double)x->m4;
-  const double y_5_new = (double)y->m5 - (double)x->m5;
+  const double y_0_new = (double)y->m0 - (double)x->m0, y_1_new = (double)y->m1 - (double)x->m1,
+      y_2_new = (double)y->m2 - (double)x->m2, y_3_new = (double)y->m3 - (double)x->m3,
+      y_4_new = (double)y->m4 - (double)x->m4, y_5_new = (double)y->m5 - (double)x->m5;
   y->m0 = (float)y_0_new;
   y->m1 = (float)y_1_new;
   y->m2 = (float)y_2_new;
@@ -1819,12 +1730,9 @@ static inline void ksl_nxpy_ssf_accurate(const ksl_screwf_t *x, ksl_screwf_t *y)
      over- and underflow. */
 static inline void ksl_product_asf_accurate(const float a, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const double so_0 = (double)a * (double)si->m0;
-  const double so_1 = (double)a * (double)si->m1;
-  const double so_2 = (double)a * (double)si->m2;
-  const double so_3 = (double)a * (double)si->m3;
-  const double so_4 = (double)a * (double)si->m4;
-  const double so_5 = (double)a * (double)si->m5;
+  const double so_0 = (double)a * (double)si->m0, so_1 = (double)a * (double)si->m1,
+      so_2 = (double)a * (double)si->m2, so_3 = (double)a * (double)si->m3,
+      so_4 = (double)a * (double)si->m4, so_5 = (double)a * (double)si->m5;
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -1840,12 +1748,9 @@ static inline void ksl_product_asf_accurate(const float a, const ksl_screwf_t *s
      over- and underflow. */
 static inline void ksl_add_ssf_accurate(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so) {
-  const double so_0 = (double)s1->m0 + (double)s2->m0;
-  const double so_1 = (double)s1->m1 + (double)s2->m1;
-  const double so_2 = (double)s1->m2 + (double)s2->m2;
-  const double so_3 = (double)s1->m3 + (double)s2->m3;
-  const double so_4 = (double)s1->m4 + (double)s2->m4;
-  const double so_5 = (double)s1->m5 + (double)s2->m5;
+  const double so_0 = (double)s1->m0 + (double)s2->m0, so_1 = (double)s1->m1 + (double)s2->m1,
+      so_2 = (double)s1->m2 + (double)s2->m2, so_3 = (double)s1->m3 + (double)s2->m3,
+      so_4 = (double)s1->m4 + (double)s2->m4, so_5 = (double)s1->m5 + (double)s2->m5;
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -1861,12 +1766,9 @@ static inline void ksl_add_ssf_accurate(const ksl_screwf_t *s1, const ksl_screwf
      over- and underflow. */
 static inline void ksl_subtract_ssf_accurate(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so) {
-  const double so_0 = (double)s1->m0 - (double)s2->m0;
-  const double so_1 = (double)s1->m1 - (double)s2->m1;
-  const double so_2 = (double)s1->m2 - (double)s2->m2;
-  const double so_3 = (double)s1->m3 - (double)s2->m3;
-  const double so_4 = (double)s1->m4 - (double)s2->m4;
-  const double so_5 = (double)s1->m5 - (double)s2->m5;
+  const double so_0 = (double)s1->m0 - (double)s2->m0, so_1 = (double)s1->m1 - (double)s2->m1,
+      so_2 = (double)s1->m2 - (double)s2->m2, so_3 = (double)s1->m3 - (double)s2->m3,
+      so_4 = (double)s1->m4 - (double)s2->m4, so_5 = (double)s1->m5 - (double)s2->m5;
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -1882,20 +1784,16 @@ static inline float ksl_screwf_norm_accurate(const ksl_screwf_t *si) {
   const double small_c = fabs((double)si->m5) < 9.999999974752427e-07 ? 1.0 : 0.0,
       small_f = fabs((double)si->m4) < 9.999999974752427e-07 ? small_c : 0.0,
       small = fabs((double)si->m3) < 9.999999974752427e-07 ? small_f : 0.0;
-  const double p_0 = small == 1.0 ? (double)si->m0 : (double)si->m3;
-  const double p_1 = small == 1.0 ? (double)si->m1 : (double)si->m4;
-  const double p_2 = small == 1.0 ? (double)si->m2 : (double)si->m5;
-  const double s_size_0 = fabs(p_0);
-  const double s_size_1 = fabs(p_1);
-  const double s_size_2 = fabs(p_2);
+  const double p_0 = small == 1.0 ? (double)si->m0 : (double)si->m3,
+      p_1 = small == 1.0 ? (double)si->m1 : (double)si->m4,
+      p_2 = small == 1.0 ? (double)si->m2 : (double)si->m5;
+  const double s_size_0 = fabs(p_0), s_size_1 = fabs(p_1), s_size_2 = fabs(p_2);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double y_0 = KSL_MUL(p_0, s);
-  const double y_1 = KSL_MUL(p_1, s);
-  const double y_2 = KSL_MUL(p_2, s);
+  const double y_0 = KSL_MUL(p_0, s), y_1 = KSL_MUL(p_1, s), y_2 = KSL_MUL(p_2, s);
   const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2));
   const double r_b = s < 1.0 ? 3.6893488147419103e+19 : 1.0,
       r_d = 1.0 < s ? 5.551115123125783e-17 : r_b,
@@ -1912,57 +1810,38 @@ static inline void ksl_screwf_normalize_accurate(ksl_screwf_t *self) {
       small_c = small_a < 9.999999974752427e-07 ? 1.0 : 0.0, small_d = fabs((double)self->m4),
       small_f = small_d < 9.999999974752427e-07 ? small_c : 0.0, small_g = fabs((double)self->m3),
       small = small_g < 9.999999974752427e-07 ? small_f : 0.0;
-  const double p_0 = small == 1.0 ? (double)self->m0 : (double)self->m3;
-  const double p_1 = small == 1.0 ? (double)self->m1 : (double)self->m4;
-  const double p_2 = small == 1.0 ? (double)self->m2 : (double)self->m5;
-  const double s_size_0 = fabs(p_0);
-  const double s_size_1 = fabs(p_1);
-  const double s_size_2 = fabs(p_2);
+  const double p_0 = small == 1.0 ? (double)self->m0 : (double)self->m3,
+      p_1 = small == 1.0 ? (double)self->m1 : (double)self->m4,
+      p_2 = small == 1.0 ? (double)self->m2 : (double)self->m5;
+  const double s_size_0 = fabs(p_0), s_size_1 = fabs(p_1), s_size_2 = fabs(p_2);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double y_0 = KSL_MUL(p_0, s);
-  const double y_1 = KSL_MUL(p_1, s);
-  const double y_2 = KSL_MUL(p_2, s);
+  const double y_0 = KSL_MUL(p_0, s), y_1 = KSL_MUL(p_1, s), y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2));
   const double divisor = n == 0.0 ? up : n;
-  const double size_0 = fabs((double)self->m0);
-  const double size_1 = fabs((double)self->m1);
-  const double size_2 = fabs((double)self->m2);
-  const double before_0 = size_0 < 256.0 ? up : down;
-  const double before_1 = size_1 < 256.0 ? up : down;
-  const double before_2 = size_2 < 256.0 ? up : down;
-  const double before_3 = small_g < 256.0 ? up : down;
-  const double before_4 = small_d < 256.0 ? up : down;
-  const double before_5 = small_a < 256.0 ? up : down;
-  const double after_0 = size_0 < 256.0 ? down : up;
-  const double after_1 = size_1 < 256.0 ? down : up;
-  const double after_2 = size_2 < 256.0 ? down : up;
-  const double after_3 = small_g < 256.0 ? down : up;
-  const double after_4 = small_d < 256.0 ? down : up;
-  const double after_5 = small_a < 256.0 ? down : up;
-  const double sized_0 = KSL_MUL((double)self->m0, before_0);
-  const double sized_1 = KSL_MUL((double)self->m1, before_1);
-  const double sized_2 = KSL_MUL((double)self->m2, before_2);
-  const double sized_3 = KSL_MUL((double)self->m3, before_3);
-  const double sized_4 = KSL_MUL((double)self->m4, before_4);
-  const double sized_5 = KSL_MUL((double)self->m5, before_5);
-  const double quotient_0 = sized_0 / divisor;
-  const double quotient_1 = sized_1 / divisor;
-  const double quotient_2 = sized_2 / divisor;
-  const double quotient_3 = sized_3 / divisor;
-  const double quotient_4 = sized_4 / divisor;
-  const double quotient_5 = sized_5 / divisor;
-  const double self_0_new = KSL_MUL(quotient_0, after_0);
-  const double self_1_new = KSL_MUL(quotient_1, after_1);
-  const double self_2_new = KSL_MUL(quotient_2, after_2);
-  const double self_3_new = KSL_MUL(quotient_3, after_3);
-  const double self_4_new = KSL_MUL(quotient_4, after_4);
-  const double self_5_new = KSL_MUL(quotient_5, after_5);
+  const double size_0 = fabs((double)self->m0), size_1 = fabs((double)self->m1),
+      size_2 = fabs((double)self->m2);
+  const double before_0 = size_0 < 256.0 ? up : down, before_1 = size_1 < 256.0 ? up : down,
+      before_2 = size_2 < 256.0 ? up : down, before_3 = small_g < 256.0 ? up : down,
+      before_4 = small_d < 256.0 ? up : down, before_5 = small_a < 256.0 ? up : down;
+  const double after_0 = size_0 < 256.0 ? down : up, after_1 = size_1 < 256.0 ? down : up,
+      after_2 = size_2 < 256.0 ? down : up, after_3 = small_g < 256.0 ? down : up,
+      after_4 = small_d < 256.0 ? down : up, after_5 = small_a < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL((double)self->m0, before_0),
+      sized_1 = KSL_MUL((double)self->m1, before_1), sized_2 = KSL_MUL((double)self->m2, before_2),
+      sized_3 = KSL_MUL((double)self->m3, before_3), sized_4 = KSL_MUL((double)self->m4, before_4),
+      sized_5 = KSL_MUL((double)self->m5, before_5);
+  const double quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor, quotient_3 = sized_3 / divisor,
+      quotient_4 = sized_4 / divisor, quotient_5 = sized_5 / divisor;
+  const double self_0_new = KSL_MUL(quotient_0, after_0), self_1_new = KSL_MUL(quotient_1, after_1),
+      self_2_new = KSL_MUL(quotient_2, after_2), self_3_new = KSL_MUL(quotient_3, after_3),
+      self_4_new = KSL_MUL(quotient_4, after_4), self_5_new = KSL_MUL(quotient_5, after_5);
   self->m0 = (float)self_0_new;
   self->m1 = (float)self_1_new;
   self->m2 = (float)self_2_new;
@@ -1979,57 +1858,38 @@ static inline void ksl_screwf_normalized_accurate(const ksl_screwf_t *si, ksl_sc
       small_c = small_a < 9.999999974752427e-07 ? 1.0 : 0.0, small_d = fabs((double)si->m4),
       small_f = small_d < 9.999999974752427e-07 ? small_c : 0.0, small_g = fabs((double)si->m3),
       small = small_g < 9.999999974752427e-07 ? small_f : 0.0;
-  const double p_0 = small == 1.0 ? (double)si->m0 : (double)si->m3;
-  const double p_1 = small == 1.0 ? (double)si->m1 : (double)si->m4;
-  const double p_2 = small == 1.0 ? (double)si->m2 : (double)si->m5;
-  const double s_size_0 = fabs(p_0);
-  const double s_size_1 = fabs(p_1);
-  const double s_size_2 = fabs(p_2);
+  const double p_0 = small == 1.0 ? (double)si->m0 : (double)si->m3,
+      p_1 = small == 1.0 ? (double)si->m1 : (double)si->m4,
+      p_2 = small == 1.0 ? (double)si->m2 : (double)si->m5;
+  const double s_size_0 = fabs(p_0), s_size_1 = fabs(p_1), s_size_2 = fabs(p_2);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double y_0 = KSL_MUL(p_0, s);
-  const double y_1 = KSL_MUL(p_1, s);
-  const double y_2 = KSL_MUL(p_2, s);
+  const double y_0 = KSL_MUL(p_0, s), y_1 = KSL_MUL(p_1, s), y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2));
   const double divisor = n == 0.0 ? up : n;
-  const double size_0 = fabs((double)si->m0);
-  const double size_1 = fabs((double)si->m1);
-  const double size_2 = fabs((double)si->m2);
-  const double before_0 = size_0 < 256.0 ? up : down;
-  const double before_1 = size_1 < 256.0 ? up : down;
-  const double before_2 = size_2 < 256.0 ? up : down;
-  const double before_3 = small_g < 256.0 ? up : down;
-  const double before_4 = small_d < 256.0 ? up : down;
-  const double before_5 = small_a < 256.0 ? up : down;
-  const double after_0 = size_0 < 256.0 ? down : up;
-  const double after_1 = size_1 < 256.0 ? down : up;
-  const double after_2 = size_2 < 256.0 ? down : up;
-  const double after_3 = small_g < 256.0 ? down : up;
-  const double after_4 = small_d < 256.0 ? down : up;
-  const double after_5 = small_a < 256.0 ? down : up;
-  const double sized_0 = KSL_MUL((double)si->m0, before_0);
-  const double sized_1 = KSL_MUL((double)si->m1, before_1);
-  const double sized_2 = KSL_MUL((double)si->m2, before_2);
-  const double sized_3 = KSL_MUL((double)si->m3, before_3);
-  const double sized_4 = KSL_MUL((double)si->m4, before_4);
-  const double sized_5 = KSL_MUL((double)si->m5, before_5);
-  const double quotient_0 = sized_0 / divisor;
-  const double quotient_1 = sized_1 / divisor;
-  const double quotient_2 = sized_2 / divisor;
-  const double quotient_3 = sized_3 / divisor;
-  const double quotient_4 = sized_4 / divisor;
-  const double quotient_5 = sized_5 / divisor;
-  const double so_0 = KSL_MUL(quotient_0, after_0);
-  const double so_1 = KSL_MUL(quotient_1, after_1);
-  const double so_2 = KSL_MUL(quotient_2, after_2);
-  const double so_3 = KSL_MUL(quotient_3, after_3);
-  const double so_4 = KSL_MUL(quotient_4, after_4);
-  const double so_5 = KSL_MUL(quotient_5, after_5);
+  const double size_0 = fabs((double)si->m0), size_1 = fabs((double)si->m1),
+      size_2 = fabs((double)si->m2);
+  const double before_0 = size_0 < 256.0 ? up : down, before_1 = size_1 < 256.0 ? up : down,
+      before_2 = size_2 < 256.0 ? up : down, before_3 = small_g < 256.0 ? up : down,
+      before_4 = small_d < 256.0 ? up : down, before_5 = small_a < 256.0 ? up : down;
+  const double after_0 = size_0 < 256.0 ? down : up, after_1 = size_1 < 256.0 ? down : up,
+      after_2 = size_2 < 256.0 ? down : up, after_3 = small_g < 256.0 ? down : up,
+      after_4 = small_d < 256.0 ? down : up, after_5 = small_a < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL((double)si->m0, before_0),
+      sized_1 = KSL_MUL((double)si->m1, before_1), sized_2 = KSL_MUL((double)si->m2, before_2),
+      sized_3 = KSL_MUL((double)si->m3, before_3), sized_4 = KSL_MUL((double)si->m4, before_4),
+      sized_5 = KSL_MUL((double)si->m5, before_5);
+  const double quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor, quotient_3 = sized_3 / divisor,
+      quotient_4 = sized_4 / divisor, quotient_5 = sized_5 / divisor;
+  const double so_0 = KSL_MUL(quotient_0, after_0), so_1 = KSL_MUL(quotient_1, after_1),
+      so_2 = KSL_MUL(quotient_2, after_2), so_3 = KSL_MUL(quotient_3, after_3),
+      so_4 = KSL_MUL(quotient_4, after_4), so_5 = KSL_MUL(quotient_5, after_5);
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -2045,9 +1905,8 @@ static inline void ksl_screwf_normalized_accurate(const ksl_screwf_t *si, ksl_sc
      formula; barring over- and underflow. */
 static inline void ksl_add_sstf_accurate(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so) {
-  const double so_0 = (double)s1->m0 + (double)s2->m0;
-  const double so_1 = (double)s1->m1 + (double)s2->m1;
-  const double so_2 = (double)s1->m2 + (double)s2->m2;
+  const double so_0 = (double)s1->m0 + (double)s2->m0, so_1 = (double)s1->m1 + (double)s2->m1,
+      so_2 = (double)s1->m2 + (double)s2->m2;
   const float s1_m3 = s1->m3;
   const float s1_m4 = s1->m4;
   const float s1_m5 = s1->m5;
@@ -2067,10 +1926,10 @@ static inline void ksl_add_sstf_accurate(const ksl_screwf_t *s1, const ksl_screw
 static inline void ksl_product_Adtsf_accurate(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
   const double so_0 = ksl_product_sum(-(double)t->z, (double)si->m4, (double)t->y * (double)si->m5)
-          + (double)si->m0;
-  const double so_1 = ksl_product_sum(-(double)t->x, (double)si->m5, (double)t->z * (double)si->m3)
-          + (double)si->m1;
-  const double so_2 = ksl_product_sum(-(double)t->y, (double)si->m3, (double)t->x * (double)si->m4)
+          + (double)si->m0,
+      so_1 = ksl_product_sum(-(double)t->x, (double)si->m5, (double)t->z * (double)si->m3)
+          + (double)si->m1,
+      so_2 = ksl_product_sum(-(double)t->y, (double)si->m3, (double)t->x * (double)si->m4)
           + (double)si->m2;
   const float si_m3 = si->m3;
   const float si_m4 = si->m4;
@@ -2091,10 +1950,10 @@ static inline void ksl_product_Adtsf_accurate(const ksl_vec3f_t *t, const ksl_sc
 static inline void ksl_product_Adtinvsf_accurate(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
   const double so_0 = ksl_product_sum(-(double)t->y, (double)si->m5, (double)t->z * (double)si->m4)
-          + (double)si->m0;
-  const double so_1 = ksl_product_sum(-(double)t->z, (double)si->m3, (double)t->x * (double)si->m5)
-          + (double)si->m1;
-  const double so_2 = ksl_product_sum(-(double)t->x, (double)si->m4, (double)t->y * (double)si->m3)
+          + (double)si->m0,
+      so_1 = ksl_product_sum(-(double)t->z, (double)si->m3, (double)t->x * (double)si->m5)
+          + (double)si->m1,
+      so_2 = ksl_product_sum(-(double)t->x, (double)si->m4, (double)t->y * (double)si->m3)
           + (double)si->m2;
   const float si_m3 = si->m3;
   const float si_m4 = si->m4;
@@ -2115,14 +1974,11 @@ static inline void ksl_product_Adtinvsf_accurate(const ksl_vec3f_t *t, const ksl
 static inline void ksl_product_Adtsinvf_accurate(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
   const double so_0 = ksl_product_sum(-(double)t->y, (double)si->m5, (double)t->z * (double)si->m4)
-          - (double)si->m0;
-  const double so_1 = ksl_product_sum(-(double)t->z, (double)si->m3, (double)t->x * (double)si->m5)
-          - (double)si->m1;
-  const double so_2 = ksl_product_sum(-(double)t->x, (double)si->m4, (double)t->y * (double)si->m3)
-          - (double)si->m2;
-  const double so_3 = -(double)si->m3;
-  const double so_4 = -(double)si->m4;
-  const double so_5 = -(double)si->m5;
+          - (double)si->m0,
+      so_1 = ksl_product_sum(-(double)t->z, (double)si->m3, (double)t->x * (double)si->m5)
+          - (double)si->m1,
+      so_2 = ksl_product_sum(-(double)t->x, (double)si->m4, (double)t->y * (double)si->m3)
+          - (double)si->m2, so_3 = -(double)si->m3, so_4 = -(double)si->m4, so_5 = -(double)si->m5;
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -2139,17 +1995,17 @@ static inline void ksl_product_Adtsinvf_accurate(const ksl_vec3f_t *t, const ksl
 static inline void ksl_product_Adrsf_accurate(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
   const double so_0 = ksl_product_sum((double)R->m02, (double)si->m2,
-      ksl_product_sum((double)R->m01, (double)si->m1, (double)R->m00 * (double)si->m0));
-  const double so_1 = ksl_product_sum((double)R->m12, (double)si->m2,
-      ksl_product_sum((double)R->m11, (double)si->m1, (double)R->m10 * (double)si->m0));
-  const double so_2 = ksl_product_sum((double)R->m22, (double)si->m2,
-      ksl_product_sum((double)R->m21, (double)si->m1, (double)R->m20 * (double)si->m0));
-  const double so_3 = ksl_product_sum((double)R->m02, (double)si->m5,
-      ksl_product_sum((double)R->m01, (double)si->m4, (double)R->m00 * (double)si->m3));
-  const double so_4 = ksl_product_sum((double)R->m12, (double)si->m5,
-      ksl_product_sum((double)R->m11, (double)si->m4, (double)R->m10 * (double)si->m3));
-  const double so_5 = ksl_product_sum((double)R->m22, (double)si->m5,
-      ksl_product_sum((double)R->m21, (double)si->m4, (double)R->m20 * (double)si->m3));
+      ksl_product_sum((double)R->m01, (double)si->m1, (double)R->m00 * (double)si->m0)),
+      so_1 = ksl_product_sum((double)R->m12, (double)si->m2, ksl_product_sum((double)R->m11,
+          (double)si->m1, (double)R->m10 * (double)si->m0)),
+      so_2 = ksl_product_sum((double)R->m22, (double)si->m2, ksl_product_sum((double)R->m21,
+          (double)si->m1, (double)R->m20 * (double)si->m0)),
+      so_3 = ksl_product_sum((double)R->m02, (double)si->m5, ksl_product_sum((double)R->m01,
+          (double)si->m4, (double)R->m00 * (double)si->m3)),
+      so_4 = ksl_product_sum((double)R->m12, (double)si->m5, ksl_product_sum((double)R->m11,
+          (double)si->m4, (double)R->m10 * (double)si->m3)),
+      so_5 = ksl_product_sum((double)R->m22, (double)si->m5, ksl_product_sum((double)R->m21,
+          (double)si->m4, (double)R->m20 * (double)si->m3));
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -2166,17 +2022,17 @@ static inline void ksl_product_Adrsf_accurate(const ksl_mat3x3f_t *R, const ksl_
 static inline void ksl_product_Adrinvsf_accurate(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
   const double so_0 = ksl_product_sum((double)R->m20, (double)si->m2,
-      ksl_product_sum((double)R->m10, (double)si->m1, (double)R->m00 * (double)si->m0));
-  const double so_1 = ksl_product_sum((double)R->m21, (double)si->m2,
-      ksl_product_sum((double)R->m11, (double)si->m1, (double)R->m01 * (double)si->m0));
-  const double so_2 = ksl_product_sum((double)R->m22, (double)si->m2,
-      ksl_product_sum((double)R->m12, (double)si->m1, (double)R->m02 * (double)si->m0));
-  const double so_3 = ksl_product_sum((double)R->m20, (double)si->m5,
-      ksl_product_sum((double)R->m10, (double)si->m4, (double)R->m00 * (double)si->m3));
-  const double so_4 = ksl_product_sum((double)R->m21, (double)si->m5,
-      ksl_product_sum((double)R->m11, (double)si->m4, (double)R->m01 * (double)si->m3));
-  const double so_5 = ksl_product_sum((double)R->m22, (double)si->m5,
-      ksl_product_sum((double)R->m12, (double)si->m4, (double)R->m02 * (double)si->m3));
+      ksl_product_sum((double)R->m10, (double)si->m1, (double)R->m00 * (double)si->m0)),
+      so_1 = ksl_product_sum((double)R->m21, (double)si->m2, ksl_product_sum((double)R->m11,
+          (double)si->m1, (double)R->m01 * (double)si->m0)),
+      so_2 = ksl_product_sum((double)R->m22, (double)si->m2, ksl_product_sum((double)R->m12,
+          (double)si->m1, (double)R->m02 * (double)si->m0)),
+      so_3 = ksl_product_sum((double)R->m20, (double)si->m5, ksl_product_sum((double)R->m10,
+          (double)si->m4, (double)R->m00 * (double)si->m3)),
+      so_4 = ksl_product_sum((double)R->m21, (double)si->m5, ksl_product_sum((double)R->m11,
+          (double)si->m4, (double)R->m01 * (double)si->m3)),
+      so_5 = ksl_product_sum((double)R->m22, (double)si->m5, ksl_product_sum((double)R->m12,
+          (double)si->m4, (double)R->m02 * (double)si->m3));
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -2193,17 +2049,17 @@ static inline void ksl_product_Adrinvsf_accurate(const ksl_mat3x3f_t *R, const k
 static inline void ksl_product_Adrsinvf_accurate(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
   const double so_0 = ksl_product_sum(-(double)R->m02, (double)si->m2,
-      ksl_product_sum(-(double)R->m01, (double)si->m1, -((double)R->m00 * (double)si->m0)));
-  const double so_1 = ksl_product_sum(-(double)R->m12, (double)si->m2,
-      ksl_product_sum(-(double)R->m11, (double)si->m1, -((double)R->m10 * (double)si->m0)));
-  const double so_2 = ksl_product_sum(-(double)R->m22, (double)si->m2,
-      ksl_product_sum(-(double)R->m21, (double)si->m1, -((double)R->m20 * (double)si->m0)));
-  const double so_3 = ksl_product_sum(-(double)R->m02, (double)si->m5,
-      ksl_product_sum(-(double)R->m01, (double)si->m4, -((double)R->m00 * (double)si->m3)));
-  const double so_4 = ksl_product_sum(-(double)R->m12, (double)si->m5,
-      ksl_product_sum(-(double)R->m11, (double)si->m4, -((double)R->m10 * (double)si->m3)));
-  const double so_5 = ksl_product_sum(-(double)R->m22, (double)si->m5,
-      ksl_product_sum(-(double)R->m21, (double)si->m4, -((double)R->m20 * (double)si->m3)));
+      ksl_product_sum(-(double)R->m01, (double)si->m1, -((double)R->m00 * (double)si->m0))),
+      so_1 = ksl_product_sum(-(double)R->m12, (double)si->m2, ksl_product_sum(-(double)R->m11,
+          (double)si->m1, -((double)R->m10 * (double)si->m0))),
+      so_2 = ksl_product_sum(-(double)R->m22, (double)si->m2, ksl_product_sum(-(double)R->m21,
+          (double)si->m1, -((double)R->m20 * (double)si->m0))),
+      so_3 = ksl_product_sum(-(double)R->m02, (double)si->m5, ksl_product_sum(-(double)R->m01,
+          (double)si->m4, -((double)R->m00 * (double)si->m3))),
+      so_4 = ksl_product_sum(-(double)R->m12, (double)si->m5, ksl_product_sum(-(double)R->m11,
+          (double)si->m4, -((double)R->m10 * (double)si->m3))),
+      so_5 = ksl_product_sum(-(double)R->m22, (double)si->m5, ksl_product_sum(-(double)R->m21,
+          (double)si->m4, -((double)R->m20 * (double)si->m3)));
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -2220,20 +2076,20 @@ static inline void ksl_product_Adrsinvf_accurate(const ksl_mat3x3f_t *R, const k
 static inline void ksl_product_Adsf_accurate(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
   const double w_0 = ksl_product_sum((double)D->m02, (double)si->m2, ksl_product_sum((double)D->m01,
-      (double)si->m1, (double)D->m00 * (double)si->m0));
-  const double w_1 = ksl_product_sum((double)D->m12, (double)si->m2, ksl_product_sum((double)D->m11,
-      (double)si->m1, (double)D->m10 * (double)si->m0));
-  const double w_2 = ksl_product_sum((double)D->m22, (double)si->m2, ksl_product_sum((double)D->m21,
-      (double)si->m1, (double)D->m20 * (double)si->m0));
-  const double w_3 = ksl_product_sum((double)D->m02, (double)si->m5, ksl_product_sum((double)D->m01,
-      (double)si->m4, (double)D->m00 * (double)si->m3));
-  const double w_4 = ksl_product_sum((double)D->m12, (double)si->m5, ksl_product_sum((double)D->m11,
-      (double)si->m4, (double)D->m10 * (double)si->m3));
-  const double w_5 = ksl_product_sum((double)D->m22, (double)si->m5, ksl_product_sum((double)D->m21,
-      (double)si->m4, (double)D->m20 * (double)si->m3));
-  const double so_0 = KSL_MUL((double)D->m13, w_5) - KSL_MUL((double)D->m23, w_4) + w_0;
-  const double so_1 = KSL_MUL((double)D->m23, w_3) - KSL_MUL((double)D->m03, w_5) + w_1;
-  const double so_2 = KSL_MUL((double)D->m03, w_4) - KSL_MUL((double)D->m13, w_3) + w_2;
+      (double)si->m1, (double)D->m00 * (double)si->m0)),
+      w_1 = ksl_product_sum((double)D->m12, (double)si->m2, ksl_product_sum((double)D->m11,
+          (double)si->m1, (double)D->m10 * (double)si->m0)),
+      w_2 = ksl_product_sum((double)D->m22, (double)si->m2, ksl_product_sum((double)D->m21,
+          (double)si->m1, (double)D->m20 * (double)si->m0)),
+      w_3 = ksl_product_sum((double)D->m02, (double)si->m5, ksl_product_sum((double)D->m01,
+          (double)si->m4, (double)D->m00 * (double)si->m3)),
+      w_4 = ksl_product_sum((double)D->m12, (double)si->m5, ksl_product_sum((double)D->m11,
+          (double)si->m4, (double)D->m10 * (double)si->m3)),
+      w_5 = ksl_product_sum((double)D->m22, (double)si->m5, ksl_product_sum((double)D->m21,
+          (double)si->m4, (double)D->m20 * (double)si->m3));
+  const double so_0 = KSL_MUL((double)D->m13, w_5) - KSL_MUL((double)D->m23, w_4) + w_0,
+      so_1 = KSL_MUL((double)D->m23, w_3) - KSL_MUL((double)D->m03, w_5) + w_1,
+      so_2 = KSL_MUL((double)D->m03, w_4) - KSL_MUL((double)D->m13, w_3) + w_2;
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -2250,23 +2106,23 @@ static inline void ksl_product_Adsf_accurate(const ksl_SE3f_t *D, const ksl_scre
 static inline void ksl_product_Adinvsf_accurate(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
   const double w_0 = ksl_product_sum(-(double)D->m13, (double)si->m5, (double)D->m23
-          * (double)si->m4) + (double)si->m0;
-  const double w_1 = ksl_product_sum(-(double)D->m23, (double)si->m3, (double)D->m03
-          * (double)si->m5) + (double)si->m1;
-  const double w_2 = ksl_product_sum(-(double)D->m03, (double)si->m4, (double)D->m13
-          * (double)si->m3) + (double)si->m2;
+          * (double)si->m4) + (double)si->m0,
+      w_1 = ksl_product_sum(-(double)D->m23, (double)si->m3, (double)D->m03 * (double)si->m5)
+          + (double)si->m1,
+      w_2 = ksl_product_sum(-(double)D->m03, (double)si->m4, (double)D->m13 * (double)si->m3)
+          + (double)si->m2;
   const double so_0 = KSL_MUL((double)D->m00, w_0) + KSL_MUL((double)D->m10, w_1)
-          + KSL_MUL((double)D->m20, w_2);
-  const double so_1 = KSL_MUL((double)D->m01, w_0) + KSL_MUL((double)D->m11, w_1)
-          + KSL_MUL((double)D->m21, w_2);
-  const double so_2 = KSL_MUL((double)D->m02, w_0) + KSL_MUL((double)D->m12, w_1)
-          + KSL_MUL((double)D->m22, w_2);
-  const double so_3 = ksl_product_sum((double)D->m20, (double)si->m5,
-      ksl_product_sum((double)D->m10, (double)si->m4, (double)D->m00 * (double)si->m3));
-  const double so_4 = ksl_product_sum((double)D->m21, (double)si->m5,
-      ksl_product_sum((double)D->m11, (double)si->m4, (double)D->m01 * (double)si->m3));
-  const double so_5 = ksl_product_sum((double)D->m22, (double)si->m5,
-      ksl_product_sum((double)D->m12, (double)si->m4, (double)D->m02 * (double)si->m3));
+          + KSL_MUL((double)D->m20, w_2),
+      so_1 = KSL_MUL((double)D->m01, w_0) + KSL_MUL((double)D->m11, w_1)
+          + KSL_MUL((double)D->m21, w_2),
+      so_2 = KSL_MUL((double)D->m02, w_0) + KSL_MUL((double)D->m12, w_1)
+          + KSL_MUL((double)D->m22, w_2),
+      so_3 = ksl_product_sum((double)D->m20, (double)si->m5, ksl_product_sum((double)D->m10,
+          (double)si->m4, (double)D->m00 * (double)si->m3)),
+      so_4 = ksl_product_sum((double)D->m21, (double)si->m5, ksl_product_sum((double)D->m11,
+          (double)si->m4, (double)D->m01 * (double)si->m3)),
+      so_5 = ksl_product_sum((double)D->m22, (double)si->m5, ksl_product_sum((double)D->m12,
+          (double)si->m4, (double)D->m02 * (double)si->m3));
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -2283,20 +2139,20 @@ static inline void ksl_product_Adinvsf_accurate(const ksl_SE3f_t *D, const ksl_s
 static inline void ksl_product_Adsinvf_accurate(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
   const double w_0 = ksl_product_sum(-(double)D->m02, (double)si->m2,
-      ksl_product_sum(-(double)D->m01, (double)si->m1, -((double)D->m00 * (double)si->m0)));
-  const double w_1 = ksl_product_sum(-(double)D->m12, (double)si->m2,
-      ksl_product_sum(-(double)D->m11, (double)si->m1, -((double)D->m10 * (double)si->m0)));
-  const double w_2 = ksl_product_sum(-(double)D->m22, (double)si->m2,
-      ksl_product_sum(-(double)D->m21, (double)si->m1, -((double)D->m20 * (double)si->m0)));
-  const double w_3 = ksl_product_sum(-(double)D->m02, (double)si->m5,
-      ksl_product_sum(-(double)D->m01, (double)si->m4, -((double)D->m00 * (double)si->m3)));
-  const double w_4 = ksl_product_sum(-(double)D->m12, (double)si->m5,
-      ksl_product_sum(-(double)D->m11, (double)si->m4, -((double)D->m10 * (double)si->m3)));
-  const double w_5 = ksl_product_sum(-(double)D->m22, (double)si->m5,
-      ksl_product_sum(-(double)D->m21, (double)si->m4, -((double)D->m20 * (double)si->m3)));
-  const double so_0 = KSL_MUL((double)D->m13, w_5) - KSL_MUL((double)D->m23, w_4) + w_0;
-  const double so_1 = KSL_MUL((double)D->m23, w_3) - KSL_MUL((double)D->m03, w_5) + w_1;
-  const double so_2 = KSL_MUL((double)D->m03, w_4) - KSL_MUL((double)D->m13, w_3) + w_2;
+      ksl_product_sum(-(double)D->m01, (double)si->m1, -((double)D->m00 * (double)si->m0))),
+      w_1 = ksl_product_sum(-(double)D->m12, (double)si->m2, ksl_product_sum(-(double)D->m11,
+          (double)si->m1, -((double)D->m10 * (double)si->m0))),
+      w_2 = ksl_product_sum(-(double)D->m22, (double)si->m2, ksl_product_sum(-(double)D->m21,
+          (double)si->m1, -((double)D->m20 * (double)si->m0))),
+      w_3 = ksl_product_sum(-(double)D->m02, (double)si->m5, ksl_product_sum(-(double)D->m01,
+          (double)si->m4, -((double)D->m00 * (double)si->m3))),
+      w_4 = ksl_product_sum(-(double)D->m12, (double)si->m5, ksl_product_sum(-(double)D->m11,
+          (double)si->m4, -((double)D->m10 * (double)si->m3))),
+      w_5 = ksl_product_sum(-(double)D->m22, (double)si->m5, ksl_product_sum(-(double)D->m21,
+          (double)si->m4, -((double)D->m20 * (double)si->m3)));
+  const double so_0 = KSL_MUL((double)D->m13, w_5) - KSL_MUL((double)D->m23, w_4) + w_0,
+      so_1 = KSL_MUL((double)D->m23, w_3) - KSL_MUL((double)D->m03, w_5) + w_1,
+      so_2 = KSL_MUL((double)D->m03, w_4) - KSL_MUL((double)D->m13, w_3) + w_2;
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -2312,11 +2168,9 @@ static inline void ksl_product_Adsinvf_accurate(const ksl_SE3f_t *D, const ksl_s
      formula; barring over- and underflow. */
 static inline void ksl_hsrxf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const double so_0 = ksl_product_sum(-(double)D->m10, (double)D->m23, (double)D->m20
-          * (double)D->m13);
-  const double so_1 = ksl_product_sum(-(double)D->m20, (double)D->m03, (double)D->m00
-          * (double)D->m23);
-  const double so_2 = ksl_product_sum(-(double)D->m00, (double)D->m13, (double)D->m10
-          * (double)D->m03);
+          * (double)D->m13),
+      so_1 = ksl_product_sum(-(double)D->m20, (double)D->m03, (double)D->m00 * (double)D->m23),
+      so_2 = ksl_product_sum(-(double)D->m00, (double)D->m13, (double)D->m10 * (double)D->m03);
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;
@@ -2335,11 +2189,9 @@ static inline void ksl_hsrxf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) {
      formula; barring over- and underflow. */
 static inline void ksl_hsryf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const double so_0 = ksl_product_sum(-(double)D->m11, (double)D->m23, (double)D->m21
-          * (double)D->m13);
-  const double so_1 = ksl_product_sum(-(double)D->m21, (double)D->m03, (double)D->m01
-          * (double)D->m23);
-  const double so_2 = ksl_product_sum(-(double)D->m01, (double)D->m13, (double)D->m11
-          * (double)D->m03);
+          * (double)D->m13),
+      so_1 = ksl_product_sum(-(double)D->m21, (double)D->m03, (double)D->m01 * (double)D->m23),
+      so_2 = ksl_product_sum(-(double)D->m01, (double)D->m13, (double)D->m11 * (double)D->m03);
   const float D_m01 = D->m01;
   const float D_m11 = D->m11;
   const float D_m21 = D->m21;
@@ -2358,11 +2210,9 @@ static inline void ksl_hsryf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) {
      formula; barring over- and underflow. */
 static inline void ksl_hsrzf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const double so_0 = ksl_product_sum(-(double)D->m12, (double)D->m23, (double)D->m22
-          * (double)D->m13);
-  const double so_1 = ksl_product_sum(-(double)D->m22, (double)D->m03, (double)D->m02
-          * (double)D->m23);
-  const double so_2 = ksl_product_sum(-(double)D->m02, (double)D->m13, (double)D->m12
-          * (double)D->m03);
+          * (double)D->m13),
+      so_1 = ksl_product_sum(-(double)D->m22, (double)D->m03, (double)D->m02 * (double)D->m23),
+      so_2 = ksl_product_sum(-(double)D->m02, (double)D->m13, (double)D->m12 * (double)D->m03);
   const float D_m02 = D->m02;
   const float D_m12 = D->m12;
   const float D_m22 = D->m22;
@@ -2381,14 +2231,10 @@ static inline void ksl_hsrzf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) {
      formula; barring over- and underflow. */
 static inline void ksl_hsrxinvf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const double so_0 = ksl_product_sum(-(double)D->m20, (double)D->m13, (double)D->m10
-          * (double)D->m23);
-  const double so_1 = ksl_product_sum(-(double)D->m00, (double)D->m23, (double)D->m20
-          * (double)D->m03);
-  const double so_2 = ksl_product_sum(-(double)D->m10, (double)D->m03, (double)D->m00
-          * (double)D->m13);
-  const double so_3 = -(double)D->m00;
-  const double so_4 = -(double)D->m10;
-  const double so_5 = -(double)D->m20;
+          * (double)D->m23),
+      so_1 = ksl_product_sum(-(double)D->m00, (double)D->m23, (double)D->m20 * (double)D->m03),
+      so_2 = ksl_product_sum(-(double)D->m10, (double)D->m03, (double)D->m00 * (double)D->m13),
+      so_3 = -(double)D->m00, so_4 = -(double)D->m10, so_5 = -(double)D->m20;
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -2404,14 +2250,10 @@ static inline void ksl_hsrxinvf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) 
      formula; barring over- and underflow. */
 static inline void ksl_hsryinvf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const double so_0 = ksl_product_sum(-(double)D->m21, (double)D->m13, (double)D->m11
-          * (double)D->m23);
-  const double so_1 = ksl_product_sum(-(double)D->m01, (double)D->m23, (double)D->m21
-          * (double)D->m03);
-  const double so_2 = ksl_product_sum(-(double)D->m11, (double)D->m03, (double)D->m01
-          * (double)D->m13);
-  const double so_3 = -(double)D->m01;
-  const double so_4 = -(double)D->m11;
-  const double so_5 = -(double)D->m21;
+          * (double)D->m23),
+      so_1 = ksl_product_sum(-(double)D->m01, (double)D->m23, (double)D->m21 * (double)D->m03),
+      so_2 = ksl_product_sum(-(double)D->m11, (double)D->m03, (double)D->m01 * (double)D->m13),
+      so_3 = -(double)D->m01, so_4 = -(double)D->m11, so_5 = -(double)D->m21;
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -2427,14 +2269,10 @@ static inline void ksl_hsryinvf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) 
      formula; barring over- and underflow. */
 static inline void ksl_hsrzinvf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const double so_0 = ksl_product_sum(-(double)D->m22, (double)D->m13, (double)D->m12
-          * (double)D->m23);
-  const double so_1 = ksl_product_sum(-(double)D->m02, (double)D->m23, (double)D->m22
-          * (double)D->m03);
-  const double so_2 = ksl_product_sum(-(double)D->m12, (double)D->m03, (double)D->m02
-          * (double)D->m13);
-  const double so_3 = -(double)D->m02;
-  const double so_4 = -(double)D->m12;
-  const double so_5 = -(double)D->m22;
+          * (double)D->m23),
+      so_1 = ksl_product_sum(-(double)D->m02, (double)D->m23, (double)D->m22 * (double)D->m03),
+      so_2 = ksl_product_sum(-(double)D->m12, (double)D->m03, (double)D->m02 * (double)D->m13),
+      so_3 = -(double)D->m02, so_4 = -(double)D->m12, so_5 = -(double)D->m22;
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -2450,23 +2288,15 @@ static inline void ksl_hsrzinvf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) 
      over- and underflow. */
 static inline void ksl_Adf_accurate(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
   const double M_03 = ksl_product_sum(-(double)D->m10, (double)D->m23, (double)D->m20
-          * (double)D->m13);
-  const double M_04 = ksl_product_sum(-(double)D->m11, (double)D->m23, (double)D->m21
-          * (double)D->m13);
-  const double M_05 = ksl_product_sum(-(double)D->m12, (double)D->m23, (double)D->m22
-          * (double)D->m13);
-  const double M_13 = ksl_product_sum(-(double)D->m20, (double)D->m03, (double)D->m00
-          * (double)D->m23);
-  const double M_14 = ksl_product_sum(-(double)D->m21, (double)D->m03, (double)D->m01
-          * (double)D->m23);
-  const double M_15 = ksl_product_sum(-(double)D->m22, (double)D->m03, (double)D->m02
-          * (double)D->m23);
-  const double M_23 = ksl_product_sum(-(double)D->m00, (double)D->m13, (double)D->m10
-          * (double)D->m03);
-  const double M_24 = ksl_product_sum(-(double)D->m01, (double)D->m13, (double)D->m11
-          * (double)D->m03);
-  const double M_25 = ksl_product_sum(-(double)D->m02, (double)D->m13, (double)D->m12
-          * (double)D->m03);
+          * (double)D->m13),
+      M_04 = ksl_product_sum(-(double)D->m11, (double)D->m23, (double)D->m21 * (double)D->m13),
+      M_05 = ksl_product_sum(-(double)D->m12, (double)D->m23, (double)D->m22 * (double)D->m13),
+      M_13 = ksl_product_sum(-(double)D->m20, (double)D->m03, (double)D->m00 * (double)D->m23),
+      M_14 = ksl_product_sum(-(double)D->m21, (double)D->m03, (double)D->m01 * (double)D->m23),
+      M_15 = ksl_product_sum(-(double)D->m22, (double)D->m03, (double)D->m02 * (double)D->m23),
+      M_23 = ksl_product_sum(-(double)D->m00, (double)D->m13, (double)D->m10 * (double)D->m03),
+      M_24 = ksl_product_sum(-(double)D->m01, (double)D->m13, (double)D->m11 * (double)D->m03),
+      M_25 = ksl_product_sum(-(double)D->m02, (double)D->m13, (double)D->m12 * (double)D->m03);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -2549,11 +2379,9 @@ static inline void ksl_cross_ssf_accurate(const ksl_screwf_t *s1, const ksl_scre
       so_2 = so_2c
           + ksl_product_sum(-(double)s1->m1, (double)s2->m3, (double)s1->m3 * (double)s2->m1);
   const double so_3 = ksl_product_sum(-(double)s1->m5, (double)s2->m4, (double)s1->m4
-          * (double)s2->m5);
-  const double so_4 = ksl_product_sum(-(double)s1->m3, (double)s2->m5, (double)s1->m5
-          * (double)s2->m3);
-  const double so_5 = ksl_product_sum(-(double)s1->m4, (double)s2->m3, (double)s1->m3
-          * (double)s2->m4);
+          * (double)s2->m5),
+      so_4 = ksl_product_sum(-(double)s1->m3, (double)s2->m5, (double)s1->m5 * (double)s2->m3),
+      so_5 = ksl_product_sum(-(double)s1->m4, (double)s2->m3, (double)s1->m3 * (double)s2->m4);
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -2570,11 +2398,9 @@ static inline void ksl_cross_ssf_accurate(const ksl_screwf_t *s1, const ksl_scre
 static inline void ksl_cross_sstf_accurate(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so) {
   const double so_0 = ksl_product_sum(-(double)s1->m5, (double)s2->m1, (double)s1->m4
-          * (double)s2->m2);
-  const double so_1 = ksl_product_sum(-(double)s1->m3, (double)s2->m2, (double)s1->m5
-          * (double)s2->m0);
-  const double so_2 = ksl_product_sum(-(double)s1->m4, (double)s2->m0, (double)s1->m3
-          * (double)s2->m1);
+          * (double)s2->m2),
+      so_1 = ksl_product_sum(-(double)s1->m3, (double)s2->m2, (double)s1->m5 * (double)s2->m0),
+      so_2 = ksl_product_sum(-(double)s1->m4, (double)s2->m0, (double)s1->m3 * (double)s2->m1);
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -2591,14 +2417,14 @@ static inline void ksl_cross_sstf_accurate(const ksl_screwf_t *s1, const ksl_scr
 static inline void ksl_hsraf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so) {
   const double a_0 = ksl_product_sum((double)D->m02, (double)axis->z,
-      ksl_product_sum((double)D->m01, (double)axis->y, (double)D->m00 * (double)axis->x));
-  const double a_1 = ksl_product_sum((double)D->m12, (double)axis->z,
-      ksl_product_sum((double)D->m11, (double)axis->y, (double)D->m10 * (double)axis->x));
-  const double a_2 = ksl_product_sum((double)D->m22, (double)axis->z,
-      ksl_product_sum((double)D->m21, (double)axis->y, (double)D->m20 * (double)axis->x));
-  const double so_0 = KSL_MUL((double)D->m13, a_2) - KSL_MUL((double)D->m23, a_1);
-  const double so_1 = KSL_MUL((double)D->m23, a_0) - KSL_MUL((double)D->m03, a_2);
-  const double so_2 = KSL_MUL((double)D->m03, a_1) - KSL_MUL((double)D->m13, a_0);
+      ksl_product_sum((double)D->m01, (double)axis->y, (double)D->m00 * (double)axis->x)),
+      a_1 = ksl_product_sum((double)D->m12, (double)axis->z, ksl_product_sum((double)D->m11,
+          (double)axis->y, (double)D->m10 * (double)axis->x)),
+      a_2 = ksl_product_sum((double)D->m22, (double)axis->z, ksl_product_sum((double)D->m21,
+          (double)axis->y, (double)D->m20 * (double)axis->x));
+  const double so_0 = KSL_MUL((double)D->m13, a_2) - KSL_MUL((double)D->m23, a_1),
+      so_1 = KSL_MUL((double)D->m23, a_0) - KSL_MUL((double)D->m03, a_2),
+      so_2 = KSL_MUL((double)D->m03, a_1) - KSL_MUL((double)D->m13, a_0);
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -2615,11 +2441,11 @@ static inline void ksl_hsraf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *ax
 static inline void ksl_hstaf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so) {
   const double so_0 = ksl_product_sum((double)D->m02, (double)axis->z,
-      ksl_product_sum((double)D->m01, (double)axis->y, (double)D->m00 * (double)axis->x));
-  const double so_1 = ksl_product_sum((double)D->m12, (double)axis->z,
-      ksl_product_sum((double)D->m11, (double)axis->y, (double)D->m10 * (double)axis->x));
-  const double so_2 = ksl_product_sum((double)D->m22, (double)axis->z,
-      ksl_product_sum((double)D->m21, (double)axis->y, (double)D->m20 * (double)axis->x));
+      ksl_product_sum((double)D->m01, (double)axis->y, (double)D->m00 * (double)axis->x)),
+      so_1 = ksl_product_sum((double)D->m12, (double)axis->z, ksl_product_sum((double)D->m11,
+          (double)axis->y, (double)D->m10 * (double)axis->x)),
+      so_2 = ksl_product_sum((double)D->m22, (double)axis->z, ksl_product_sum((double)D->m21,
+          (double)axis->y, (double)D->m20 * (double)axis->x));
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -2636,14 +2462,14 @@ static inline void ksl_hstaf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *ax
 static inline void ksl_hsrainvf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so) {
   const double a_0 = ksl_product_sum(-(double)D->m02, (double)axis->z,
-      ksl_product_sum(-(double)D->m01, (double)axis->y, -((double)D->m00 * (double)axis->x)));
-  const double a_1 = ksl_product_sum(-(double)D->m12, (double)axis->z,
-      ksl_product_sum(-(double)D->m11, (double)axis->y, -((double)D->m10 * (double)axis->x)));
-  const double a_2 = ksl_product_sum(-(double)D->m22, (double)axis->z,
-      ksl_product_sum(-(double)D->m21, (double)axis->y, -((double)D->m20 * (double)axis->x)));
-  const double so_0 = KSL_MUL((double)D->m13, a_2) - KSL_MUL((double)D->m23, a_1);
-  const double so_1 = KSL_MUL((double)D->m23, a_0) - KSL_MUL((double)D->m03, a_2);
-  const double so_2 = KSL_MUL((double)D->m03, a_1) - KSL_MUL((double)D->m13, a_0);
+      ksl_product_sum(-(double)D->m01, (double)axis->y, -((double)D->m00 * (double)axis->x))),
+      a_1 = ksl_product_sum(-(double)D->m12, (double)axis->z, ksl_product_sum(-(double)D->m11,
+          (double)axis->y, -((double)D->m10 * (double)axis->x))),
+      a_2 = ksl_product_sum(-(double)D->m22, (double)axis->z, ksl_product_sum(-(double)D->m21,
+          (double)axis->y, -((double)D->m20 * (double)axis->x)));
+  const double so_0 = KSL_MUL((double)D->m13, a_2) - KSL_MUL((double)D->m23, a_1),
+      so_1 = KSL_MUL((double)D->m23, a_0) - KSL_MUL((double)D->m03, a_2),
+      so_2 = KSL_MUL((double)D->m03, a_1) - KSL_MUL((double)D->m13, a_0);
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -2660,11 +2486,11 @@ static inline void ksl_hsrainvf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t 
 static inline void ksl_hstainvf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so) {
   const double so_0 = ksl_product_sum(-(double)D->m02, (double)axis->z,
-      ksl_product_sum(-(double)D->m01, (double)axis->y, -((double)D->m00 * (double)axis->x)));
-  const double so_1 = ksl_product_sum(-(double)D->m12, (double)axis->z,
-      ksl_product_sum(-(double)D->m11, (double)axis->y, -((double)D->m10 * (double)axis->x)));
-  const double so_2 = ksl_product_sum(-(double)D->m22, (double)axis->z,
-      ksl_product_sum(-(double)D->m21, (double)axis->y, -((double)D->m20 * (double)axis->x)));
+      ksl_product_sum(-(double)D->m01, (double)axis->y, -((double)D->m00 * (double)axis->x))),
+      so_1 = ksl_product_sum(-(double)D->m12, (double)axis->z, ksl_product_sum(-(double)D->m11,
+          (double)axis->y, -((double)D->m10 * (double)axis->x))),
+      so_2 = ksl_product_sum(-(double)D->m22, (double)axis->z, ksl_product_sum(-(double)D->m21,
+          (double)axis->y, -((double)D->m20 * (double)axis->x)));
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;

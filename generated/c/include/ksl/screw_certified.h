@@ -13,24 +13,16 @@
    12 mul, 6 add, 6 abs. */
 static inline void ksl_screw_scale_certified(ksl_screw_t *self, const double a,
     ksl_screw_t *self_bound) {
-  const double self_0_new = KSL_MUL(self->m0, a);
-  const double self_1_new = KSL_MUL(self->m1, a);
-  const double self_2_new = KSL_MUL(self->m2, a);
-  const double self_3_new = KSL_MUL(self->m3, a);
-  const double self_4_new = KSL_MUL(self->m4, a);
-  const double self_5_new = KSL_MUL(self->m5, a);
+  const double self_0_new = KSL_MUL(self->m0, a), self_1_new = KSL_MUL(self->m1, a),
+      self_2_new = KSL_MUL(self->m2, a), self_3_new = KSL_MUL(self->m3, a),
+      self_4_new = KSL_MUL(self->m4, a), self_5_new = KSL_MUL(self->m5, a);
   const double self_0_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_0_new)
-          + 2.004168360008973e-292);
-  const double self_1_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_1_new)
-          + 2.004168360008973e-292);
-  const double self_2_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_2_new)
-          + 2.004168360008973e-292);
-  const double self_3_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_3_new)
-          + 2.004168360008973e-292);
-  const double self_4_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_4_new)
-          + 2.004168360008973e-292);
-  const double self_5_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_5_new)
-          + 2.004168360008973e-292);
+          + 2.004168360008973e-292),
+      self_1_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_1_new) + 2.004168360008973e-292),
+      self_2_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_2_new) + 2.004168360008973e-292),
+      self_3_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_3_new) + 2.004168360008973e-292),
+      self_4_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_4_new) + 2.004168360008973e-292),
+      self_5_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_5_new) + 2.004168360008973e-292);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -56,24 +48,17 @@ static inline void ksl_axpy_ss_certified(const double a, const ksl_screw_t *x, k
   const double y_3_new_a = KSL_MUL(a, x->m3), y_3_new = y_3_new_a + y->m3;
   const double y_4_new_a = KSL_MUL(a, x->m4), y_4_new = y_4_new_a + y->m4;
   const double y_5_new_a = KSL_MUL(a, x->m5), y_5_new = y_5_new_a + y->m5;
-  const double y_0_new_size = fabs(y_0_new_a) + fabs(y->m0);
-  const double y_1_new_size = fabs(y_1_new_a) + fabs(y->m1);
-  const double y_2_new_size = fabs(y_2_new_a) + fabs(y->m2);
-  const double y_3_new_size = fabs(y_3_new_a) + fabs(y->m3);
-  const double y_4_new_size = fabs(y_4_new_a) + fabs(y->m4);
-  const double y_5_new_size = fabs(y_5_new_a) + fabs(y->m5);
+  const double y_0_new_size = fabs(y_0_new_a) + fabs(y->m0),
+      y_1_new_size = fabs(y_1_new_a) + fabs(y->m1), y_2_new_size = fabs(y_2_new_a) + fabs(y->m2),
+      y_3_new_size = fabs(y_3_new_a) + fabs(y->m3), y_4_new_size = fabs(y_4_new_a) + fabs(y->m4),
+      y_5_new_size = fabs(y_5_new_a) + fabs(y->m5);
   const double y_0_new_bound = KSL_MUL(2.2204460492503136e-16, y_0_new_size
-          + 2.004168360008973e-292);
-  const double y_1_new_bound = KSL_MUL(2.2204460492503136e-16, y_1_new_size
-          + 2.004168360008973e-292);
-  const double y_2_new_bound = KSL_MUL(2.2204460492503136e-16, y_2_new_size
-          + 2.004168360008973e-292);
-  const double y_3_new_bound = KSL_MUL(2.2204460492503136e-16, y_3_new_size
-          + 2.004168360008973e-292);
-  const double y_4_new_bound = KSL_MUL(2.2204460492503136e-16, y_4_new_size
-          + 2.004168360008973e-292);
-  const double y_5_new_bound = KSL_MUL(2.2204460492503136e-16, y_5_new_size
-          + 2.004168360008973e-292);
+          + 2.004168360008973e-292),
+      y_1_new_bound = KSL_MUL(2.2204460492503136e-16, y_1_new_size + 2.004168360008973e-292),
+      y_2_new_bound = KSL_MUL(2.2204460492503136e-16, y_2_new_size + 2.004168360008973e-292),
+      y_3_new_bound = KSL_MUL(2.2204460492503136e-16, y_3_new_size + 2.004168360008973e-292),
+      y_4_new_bound = KSL_MUL(2.2204460492503136e-16, y_4_new_size + 2.004168360008973e-292),
+      y_5_new_bound = KSL_MUL(2.2204460492503136e-16, y_5_new_size + 2.004168360008973e-292);
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -93,18 +78,14 @@ static inline void ksl_axpy_ss_certified(const double a, const ksl_screw_t *x, k
    6 mul, 6 add, 6 abs. */
 static inline void ksl_xpy_ss_certified(const ksl_screw_t *x, ksl_screw_t *y,
     ksl_screw_t *y_bound) {
-  const double y_0_new = x->m0 + y->m0;
-  const double y_1_new = x->m1 + y->m1;
-  const double y_2_new = x->m2 + y->m2;
-  const double y_3_new = x->m3 + y->m3;
-  const double y_4_new = x->m4 + y->m4;
-  const double y_5_new = x->m5 + y->m5;
-  const double y_0_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_0_new));
-  const double y_1_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_1_new));
-  const double y_2_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_2_new));
-  const double y_3_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_3_new));
-  const double y_4_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_4_new));
-  const double y_5_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_5_new));
+  const double y_0_new = x->m0 + y->m0, y_1_new = x->m1 + y->m1, y_2_new = x->m2 + y->m2,
+      y_3_new = x->m3 + y->m3, y_4_new = x->m4 + y->m4, y_5_new = x->m5 + y->m5;
+  const double y_0_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_0_new)),
+      y_1_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_1_new)),
+      y_2_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_2_new)),
+      y_3_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_3_new)),
+      y_4_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_4_new)),
+      y_5_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_5_new));
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -124,18 +105,14 @@ static inline void ksl_xpy_ss_certified(const ksl_screw_t *x, ksl_screw_t *y,
    6 mul, 6 add, 6 abs. */
 static inline void ksl_nxpy_ss_certified(const ksl_screw_t *x, ksl_screw_t *y,
     ksl_screw_t *y_bound) {
-  const double y_0_new = y->m0 - x->m0;
-  const double y_1_new = y->m1 - x->m1;
-  const double y_2_new = y->m2 - x->m2;
-  const double y_3_new = y->m3 - x->m3;
-  const double y_4_new = y->m4 - x->m4;
-  const double y_5_new = y->m5 - x->m5;
-  const double y_0_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_0_new));
-  const double y_1_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_1_new));
-  const double y_2_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_2_new));
-  const double y_3_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_3_new));
-  const double y_4_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_4_new));
-  const double y_5_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_5_new));
+  const double y_0_new = y->m0 - x->m0, y_1_new = y->m1 - x->m1, y_2_new = y->m2 - x->m2,
+      y_3_new = y->m3 - x->m3, y_4_new = y->m4 - x->m4, y_5_new = y->m5 - x->m5;
+  const double y_0_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_0_new)),
+      y_1_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_1_new)),
+      y_2_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_2_new)),
+      y_3_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_3_new)),
+      y_4_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_4_new)),
+      y_5_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_5_new));
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -155,18 +132,14 @@ static inline void ksl_nxpy_ss_certified(const ksl_screw_t *x, ksl_screw_t *y,
    12 mul, 6 add, 6 abs. */
 static inline void ksl_product_as_certified(const double a, const ksl_screw_t *si,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double so_0 = KSL_MUL(a, si->m0);
-  const double so_1 = KSL_MUL(a, si->m1);
-  const double so_2 = KSL_MUL(a, si->m2);
-  const double so_3 = KSL_MUL(a, si->m3);
-  const double so_4 = KSL_MUL(a, si->m4);
-  const double so_5 = KSL_MUL(a, si->m5);
-  const double so_0_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_0) + 2.004168360008973e-292);
-  const double so_1_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_1) + 2.004168360008973e-292);
-  const double so_2_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_2) + 2.004168360008973e-292);
-  const double so_3_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_3) + 2.004168360008973e-292);
-  const double so_4_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_4) + 2.004168360008973e-292);
-  const double so_5_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_5) + 2.004168360008973e-292);
+  const double so_0 = KSL_MUL(a, si->m0), so_1 = KSL_MUL(a, si->m1), so_2 = KSL_MUL(a, si->m2),
+      so_3 = KSL_MUL(a, si->m3), so_4 = KSL_MUL(a, si->m4), so_5 = KSL_MUL(a, si->m5);
+  const double so_0_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_0) + 2.004168360008973e-292),
+      so_1_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_1) + 2.004168360008973e-292),
+      so_2_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_2) + 2.004168360008973e-292),
+      so_3_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_3) + 2.004168360008973e-292),
+      so_4_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_4) + 2.004168360008973e-292),
+      so_5_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_5) + 2.004168360008973e-292);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -186,18 +159,14 @@ static inline void ksl_product_as_certified(const double a, const ksl_screw_t *s
    6 mul, 6 add, 6 abs. */
 static inline void ksl_add_ss_certified(const ksl_screw_t *s1, const ksl_screw_t *s2,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double so_0 = s1->m0 + s2->m0;
-  const double so_1 = s1->m1 + s2->m1;
-  const double so_2 = s1->m2 + s2->m2;
-  const double so_3 = s1->m3 + s2->m3;
-  const double so_4 = s1->m4 + s2->m4;
-  const double so_5 = s1->m5 + s2->m5;
-  const double so_0_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_0));
-  const double so_1_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_1));
-  const double so_2_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_2));
-  const double so_3_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_3));
-  const double so_4_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_4));
-  const double so_5_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_5));
+  const double so_0 = s1->m0 + s2->m0, so_1 = s1->m1 + s2->m1, so_2 = s1->m2 + s2->m2,
+      so_3 = s1->m3 + s2->m3, so_4 = s1->m4 + s2->m4, so_5 = s1->m5 + s2->m5;
+  const double so_0_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_0)),
+      so_1_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_1)),
+      so_2_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_2)),
+      so_3_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_3)),
+      so_4_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_4)),
+      so_5_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_5));
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -217,18 +186,14 @@ static inline void ksl_add_ss_certified(const ksl_screw_t *s1, const ksl_screw_t
    6 mul, 6 add, 6 abs. */
 static inline void ksl_subtract_ss_certified(const ksl_screw_t *s1, const ksl_screw_t *s2,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double so_0 = s1->m0 - s2->m0;
-  const double so_1 = s1->m1 - s2->m1;
-  const double so_2 = s1->m2 - s2->m2;
-  const double so_3 = s1->m3 - s2->m3;
-  const double so_4 = s1->m4 - s2->m4;
-  const double so_5 = s1->m5 - s2->m5;
-  const double so_0_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_0));
-  const double so_1_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_1));
-  const double so_2_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_2));
-  const double so_3_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_3));
-  const double so_4_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_4));
-  const double so_5_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_5));
+  const double so_0 = s1->m0 - s2->m0, so_1 = s1->m1 - s2->m1, so_2 = s1->m2 - s2->m2,
+      so_3 = s1->m3 - s2->m3, so_4 = s1->m4 - s2->m4, so_5 = s1->m5 - s2->m5;
+  const double so_0_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_0)),
+      so_1_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_1)),
+      so_2_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_2)),
+      so_3_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_3)),
+      so_4_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_4)),
+      so_5_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_5));
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -248,12 +213,10 @@ static inline void ksl_subtract_ss_certified(const ksl_screw_t *s1, const ksl_sc
    3 mul, 3 add, 3 abs. */
 static inline void ksl_add_sst_certified(const ksl_screw_t *s1, const ksl_screw_t *s2,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double so_0 = s1->m0 + s2->m0;
-  const double so_1 = s1->m1 + s2->m1;
-  const double so_2 = s1->m2 + s2->m2;
-  const double so_0_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_0));
-  const double so_1_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_1));
-  const double so_2_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_2));
+  const double so_0 = s1->m0 + s2->m0, so_1 = s1->m1 + s2->m1, so_2 = s1->m2 + s2->m2;
+  const double so_0_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_0)),
+      so_1_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_1)),
+      so_2_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_2));
   const double s1_m3 = s1->m3;
   const double s1_m4 = s1->m4;
   const double s1_m5 = s1->m5;
@@ -282,12 +245,12 @@ static inline void ksl_product_Adts_certified(const ksl_vec3_t *t, const ksl_scr
       so_1 = so_1a - so_1b + si->m1;
   const double so_2a = KSL_MUL(t->x, si->m4), so_2b = KSL_MUL(t->y, si->m3),
       so_2 = so_2a - so_2b + si->m2;
-  const double so_0_size = fabs(so_0a) + fabs(so_0b) + fabs(si->m0);
-  const double so_1_size = fabs(so_1a) + fabs(so_1b) + fabs(si->m1);
-  const double so_2_size = fabs(so_2a) + fabs(so_2b) + fabs(si->m2);
-  const double so_0_bound = KSL_MUL(3.3306690738754706e-16, so_0_size + 2.004168360008973e-292);
-  const double so_1_bound = KSL_MUL(3.3306690738754706e-16, so_1_size + 2.004168360008973e-292);
-  const double so_2_bound = KSL_MUL(3.3306690738754706e-16, so_2_size + 2.004168360008973e-292);
+  const double so_0_size = fabs(so_0a) + fabs(so_0b) + fabs(si->m0),
+      so_1_size = fabs(so_1a) + fabs(so_1b) + fabs(si->m1),
+      so_2_size = fabs(so_2a) + fabs(so_2b) + fabs(si->m2);
+  const double so_0_bound = KSL_MUL(3.3306690738754706e-16, so_0_size + 2.004168360008973e-292),
+      so_1_bound = KSL_MUL(3.3306690738754706e-16, so_1_size + 2.004168360008973e-292),
+      so_2_bound = KSL_MUL(3.3306690738754706e-16, so_2_size + 2.004168360008973e-292);
   const double si_m3 = si->m3;
   const double si_m4 = si->m4;
   const double si_m5 = si->m5;
@@ -316,12 +279,12 @@ static inline void ksl_product_Adtinvs_certified(const ksl_vec3_t *t, const ksl_
       so_1 = so_1a - so_1b + si->m1;
   const double so_2a = KSL_MUL(t->y, si->m3), so_2b = KSL_MUL(t->x, si->m4),
       so_2 = so_2a - so_2b + si->m2;
-  const double so_0_size = fabs(so_0a) + fabs(so_0b) + fabs(si->m0);
-  const double so_1_size = fabs(so_1a) + fabs(so_1b) + fabs(si->m1);
-  const double so_2_size = fabs(so_2a) + fabs(so_2b) + fabs(si->m2);
-  const double so_0_bound = KSL_MUL(3.3306690738754706e-16, so_0_size + 2.004168360008973e-292);
-  const double so_1_bound = KSL_MUL(3.3306690738754706e-16, so_1_size + 2.004168360008973e-292);
-  const double so_2_bound = KSL_MUL(3.3306690738754706e-16, so_2_size + 2.004168360008973e-292);
+  const double so_0_size = fabs(so_0a) + fabs(so_0b) + fabs(si->m0),
+      so_1_size = fabs(so_1a) + fabs(so_1b) + fabs(si->m1),
+      so_2_size = fabs(so_2a) + fabs(so_2b) + fabs(si->m2);
+  const double so_0_bound = KSL_MUL(3.3306690738754706e-16, so_0_size + 2.004168360008973e-292),
+      so_1_bound = KSL_MUL(3.3306690738754706e-16, so_1_size + 2.004168360008973e-292),
+      so_2_bound = KSL_MUL(3.3306690738754706e-16, so_2_size + 2.004168360008973e-292);
   const double si_m3 = si->m3;
   const double si_m4 = si->m4;
   const double si_m5 = si->m5;
@@ -350,15 +313,13 @@ static inline void ksl_product_Adtsinv_certified(const ksl_vec3_t *t, const ksl_
       so_1 = so_1a - so_1b - si->m1;
   const double so_2a = KSL_MUL(t->y, si->m3), so_2b = KSL_MUL(t->x, si->m4),
       so_2 = so_2a - so_2b - si->m2;
-  const double so_3 = -si->m3;
-  const double so_4 = -si->m4;
-  const double so_5 = -si->m5;
-  const double so_0_size = fabs(so_0a) + fabs(so_0b) + fabs(si->m0);
-  const double so_1_size = fabs(so_1a) + fabs(so_1b) + fabs(si->m1);
-  const double so_2_size = fabs(so_2a) + fabs(so_2b) + fabs(si->m2);
-  const double so_0_bound = KSL_MUL(3.3306690738754706e-16, so_0_size + 2.004168360008973e-292);
-  const double so_1_bound = KSL_MUL(3.3306690738754706e-16, so_1_size + 2.004168360008973e-292);
-  const double so_2_bound = KSL_MUL(3.3306690738754706e-16, so_2_size + 2.004168360008973e-292);
+  const double so_3 = -si->m3, so_4 = -si->m4, so_5 = -si->m5;
+  const double so_0_size = fabs(so_0a) + fabs(so_0b) + fabs(si->m0),
+      so_1_size = fabs(so_1a) + fabs(so_1b) + fabs(si->m1),
+      so_2_size = fabs(so_2a) + fabs(so_2b) + fabs(si->m2);
+  const double so_0_bound = KSL_MUL(3.3306690738754706e-16, so_0_size + 2.004168360008973e-292),
+      so_1_bound = KSL_MUL(3.3306690738754706e-16, so_1_size + 2.004168360008973e-292),
+      so_2_bound = KSL_MUL(3.3306690738754706e-16, so_2_size + 2.004168360008973e-292);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -390,18 +351,18 @@ static inline void ksl_product_Adrs_certified(const ksl_mat3x3_t *R, const ksl_s
       so_4d = KSL_MUL(R->m12, si->m5), so_4 = so_4a + so_4b + so_4d;
   const double so_5a = KSL_MUL(R->m20, si->m3), so_5b = KSL_MUL(R->m21, si->m4),
       so_5d = KSL_MUL(R->m22, si->m5), so_5 = so_5a + so_5b + so_5d;
-  const double so_0_size = fabs(so_0a) + fabs(so_0b) + fabs(so_0d);
-  const double so_1_size = fabs(so_1a) + fabs(so_1b) + fabs(so_1d);
-  const double so_2_size = fabs(so_2a) + fabs(so_2b) + fabs(so_2d);
-  const double so_3_size = fabs(so_3a) + fabs(so_3b) + fabs(so_3d);
-  const double so_4_size = fabs(so_4a) + fabs(so_4b) + fabs(so_4d);
-  const double so_5_size = fabs(so_5a) + fabs(so_5b) + fabs(so_5d);
-  const double so_0_bound = KSL_MUL(3.3306690738754706e-16, so_0_size + 2.004168360008973e-292);
-  const double so_1_bound = KSL_MUL(3.3306690738754706e-16, so_1_size + 2.004168360008973e-292);
-  const double so_2_bound = KSL_MUL(3.3306690738754706e-16, so_2_size + 2.004168360008973e-292);
-  const double so_3_bound = KSL_MUL(3.3306690738754706e-16, so_3_size + 2.004168360008973e-292);
-  const double so_4_bound = KSL_MUL(3.3306690738754706e-16, so_4_size + 2.004168360008973e-292);
-  const double so_5_bound = KSL_MUL(3.3306690738754706e-16, so_5_size + 2.004168360008973e-292);
+  const double so_0_size = fabs(so_0a) + fabs(so_0b) + fabs(so_0d),
+      so_1_size = fabs(so_1a) + fabs(so_1b) + fabs(so_1d),
+      so_2_size = fabs(so_2a) + fabs(so_2b) + fabs(so_2d),
+      so_3_size = fabs(so_3a) + fabs(so_3b) + fabs(so_3d),
+      so_4_size = fabs(so_4a) + fabs(so_4b) + fabs(so_4d),
+      so_5_size = fabs(so_5a) + fabs(so_5b) + fabs(so_5d);
+  const double so_0_bound = KSL_MUL(3.3306690738754706e-16, so_0_size + 2.004168360008973e-292),
+      so_1_bound = KSL_MUL(3.3306690738754706e-16, so_1_size + 2.004168360008973e-292),
+      so_2_bound = KSL_MUL(3.3306690738754706e-16, so_2_size + 2.004168360008973e-292),
+      so_3_bound = KSL_MUL(3.3306690738754706e-16, so_3_size + 2.004168360008973e-292),
+      so_4_bound = KSL_MUL(3.3306690738754706e-16, so_4_size + 2.004168360008973e-292),
+      so_5_bound = KSL_MUL(3.3306690738754706e-16, so_5_size + 2.004168360008973e-292);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -433,18 +394,18 @@ static inline void ksl_product_Adrinvs_certified(const ksl_mat3x3_t *R, const ks
       so_4d = KSL_MUL(R->m21, si->m5), so_4 = so_4a + so_4b + so_4d;
   const double so_5a = KSL_MUL(R->m02, si->m3), so_5b = KSL_MUL(R->m12, si->m4),
       so_5d = KSL_MUL(R->m22, si->m5), so_5 = so_5a + so_5b + so_5d;
-  const double so_0_size = fabs(so_0a) + fabs(so_0b) + fabs(so_0d);
-  const double so_1_size = fabs(so_1a) + fabs(so_1b) + fabs(so_1d);
-  const double so_2_size = fabs(so_2a) + fabs(so_2b) + fabs(so_2d);
-  const double so_3_size = fabs(so_3a) + fabs(so_3b) + fabs(so_3d);
-  const double so_4_size = fabs(so_4a) + fabs(so_4b) + fabs(so_4d);
-  const double so_5_size = fabs(so_5a) + fabs(so_5b) + fabs(so_5d);
-  const double so_0_bound = KSL_MUL(3.3306690738754706e-16, so_0_size + 2.004168360008973e-292);
-  const double so_1_bound = KSL_MUL(3.3306690738754706e-16, so_1_size + 2.004168360008973e-292);
-  const double so_2_bound = KSL_MUL(3.3306690738754706e-16, so_2_size + 2.004168360008973e-292);
-  const double so_3_bound = KSL_MUL(3.3306690738754706e-16, so_3_size + 2.004168360008973e-292);
-  const double so_4_bound = KSL_MUL(3.3306690738754706e-16, so_4_size + 2.004168360008973e-292);
-  const double so_5_bound = KSL_MUL(3.3306690738754706e-16, so_5_size + 2.004168360008973e-292);
+  const double so_0_size = fabs(so_0a) + fabs(so_0b) + fabs(so_0d),
+      so_1_size = fabs(so_1a) + fabs(so_1b) + fabs(so_1d),
+      so_2_size = fabs(so_2a) + fabs(so_2b) + fabs(so_2d),
+      so_3_size = fabs(so_3a) + fabs(so_3b) + fabs(so_3d),
+      so_4_size = fabs(so_4a) + fabs(so_4b) + fabs(so_4d),
+      so_5_size = fabs(so_5a) + fabs(so_5b) + fabs(so_5d);
+  const double so_0_bound = KSL_MUL(3.3306690738754706e-16, so_0_size + 2.004168360008973e-292),
+      so_1_bound = KSL_MUL(3.3306690738754706e-16, so_1_size + 2.004168360008973e-292),
+      so_2_bound = KSL_MUL(3.3306690738754706e-16, so_2_size + 2.004168360008973e-292),
+      so_3_bound = KSL_MUL(3.3306690738754706e-16, so_3_size + 2.004168360008973e-292),
+      so_4_bound = KSL_MUL(3.3306690738754706e-16, so_4_size + 2.004168360008973e-292),
+      so_5_bound = KSL_MUL(3.3306690738754706e-16, so_5_size + 2.004168360008973e-292);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -522,12 +483,12 @@ static inline void ksl_product_Ads_certified(const ksl_SE3_t *D, const ksl_screw
   const double so_0 = KSL_MUL(D->m13, w_5) - KSL_MUL(D->m23, w_4) + w_0;
   const double so_1 = KSL_MUL(D->m23, w_3) - KSL_MUL(D->m03, w_5) + w_1;
   const double so_2 = KSL_MUL(D->m03, w_4) - KSL_MUL(D->m13, w_3) + w_2;
-  const double w_0_size = fabs(w_0a) + fabs(w_0b) + fabs(w_0d);
-  const double w_1_size = fabs(w_1a) + fabs(w_1b) + fabs(w_1d);
-  const double w_2_size = fabs(w_2a) + fabs(w_2b) + fabs(w_2d);
-  const double w_3_size = fabs(w_3a) + fabs(w_3b) + fabs(w_3d);
-  const double w_4_size = fabs(w_4a) + fabs(w_4b) + fabs(w_4d);
-  const double w_5_size = fabs(w_5a) + fabs(w_5b) + fabs(w_5d);
+  const double w_0_size = fabs(w_0a) + fabs(w_0b) + fabs(w_0d),
+      w_1_size = fabs(w_1a) + fabs(w_1b) + fabs(w_1d),
+      w_2_size = fabs(w_2a) + fabs(w_2b) + fabs(w_2d),
+      w_3_size = fabs(w_3a) + fabs(w_3b) + fabs(w_3d),
+      w_4_size = fabs(w_4a) + fabs(w_4b) + fabs(w_4d),
+      w_5_size = fabs(w_5a) + fabs(w_5b) + fabs(w_5d);
   const double w_5_padded = w_5_size + 2.004168360008973e-292;
   const double D_13_abs = fabs(D->m13);
   const double w_4_padded = w_4_size + 2.004168360008973e-292;
@@ -537,12 +498,12 @@ static inline void ksl_product_Ads_certified(const ksl_SE3_t *D, const ksl_screw
   const double D_03_abs = fabs(D->m03),
       so_1_size = KSL_MUL(D_23_abs, w_3_padded) + KSL_MUL(D_03_abs, w_5_padded) + w_1_size;
   const double so_2_size = KSL_MUL(D_03_abs, w_4_padded) + KSL_MUL(D_13_abs, w_3_padded) + w_2_size;
-  const double so_0_bound = KSL_MUL(6.661338147750942e-16, so_0_size + 2.004168360008973e-292);
-  const double so_1_bound = KSL_MUL(6.661338147750942e-16, so_1_size + 2.004168360008973e-292);
-  const double so_2_bound = KSL_MUL(6.661338147750942e-16, so_2_size + 2.004168360008973e-292);
-  const double w_3_bound = KSL_MUL(3.3306690738754706e-16, w_3_padded);
-  const double w_4_bound = KSL_MUL(3.3306690738754706e-16, w_4_padded);
-  const double w_5_bound = KSL_MUL(3.3306690738754706e-16, w_5_padded);
+  const double so_0_bound = KSL_MUL(6.661338147750942e-16, so_0_size + 2.004168360008973e-292),
+      so_1_bound = KSL_MUL(6.661338147750942e-16, so_1_size + 2.004168360008973e-292),
+      so_2_bound = KSL_MUL(6.661338147750942e-16, so_2_size + 2.004168360008973e-292);
+  const double w_3_bound = KSL_MUL(3.3306690738754706e-16, w_3_padded),
+      w_4_bound = KSL_MUL(3.3306690738754706e-16, w_4_padded),
+      w_5_bound = KSL_MUL(3.3306690738754706e-16, w_5_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -569,35 +530,34 @@ static inline void ksl_product_Adinvs_certified(const ksl_SE3_t *D, const ksl_sc
   const double w_2a = KSL_MUL(D->m13, si->m3), w_2b = KSL_MUL(D->m03, si->m4),
       w_2 = w_2a - w_2b + si->m2;
   const double so_0 = KSL_MUL(D->m00, w_0) + KSL_MUL(D->m10, w_1) + KSL_MUL(D->m20, w_2);
-  const double so_1 = KSL_MUL(D->m01, w_0) + KSL_MUL(D->m11, w_1) + KSL_MUL(D->m21, w_2);
-  const double so_2 = KSL_MUL(D->m02, w_0) + KSL_MUL(D->m12, w_1) + KSL_MUL(D->m22, w_2);
+  const double so_1 = KSL_MUL(D->m01, w_0) + KSL_MUL(D->m11, w_1) + KSL_MUL(D->m21, w_2),
+      so_2 = KSL_MUL(D->m02, w_0) + KSL_MUL(D->m12, w_1) + KSL_MUL(D->m22, w_2);
   const double so_3a = KSL_MUL(D->m00, si->m3), so_3b = KSL_MUL(D->m10, si->m4),
       so_3d = KSL_MUL(D->m20, si->m5), so_3 = so_3a + so_3b + so_3d;
   const double so_4a = KSL_MUL(D->m01, si->m3), so_4b = KSL_MUL(D->m11, si->m4),
       so_4d = KSL_MUL(D->m21, si->m5), so_4 = so_4a + so_4b + so_4d;
   const double so_5a = KSL_MUL(D->m02, si->m3), so_5b = KSL_MUL(D->m12, si->m4),
       so_5d = KSL_MUL(D->m22, si->m5), so_5 = so_5a + so_5b + so_5d;
-  const double w_0_size = fabs(w_0a) + fabs(w_0b) + fabs(si->m0);
-  const double w_1_size = fabs(w_1a) + fabs(w_1b) + fabs(si->m1);
-  const double w_2_size = fabs(w_2a) + fabs(w_2b) + fabs(si->m2);
+  const double w_0_size = fabs(w_0a) + fabs(w_0b) + fabs(si->m0),
+      w_1_size = fabs(w_1a) + fabs(w_1b) + fabs(si->m1),
+      w_2_size = fabs(w_2a) + fabs(w_2b) + fabs(si->m2);
   const double w_0_padded = w_0_size + 2.004168360008973e-292,
       w_1_padded = w_1_size + 2.004168360008973e-292,
       w_2_padded = w_2_size + 2.004168360008973e-292;
   const double so_0_size = KSL_MUL(fabs(D->m00), w_0_padded) + KSL_MUL(fabs(D->m10), w_1_padded)
-          + KSL_MUL(fabs(D->m20), w_2_padded);
-  const double so_1_size = KSL_MUL(fabs(D->m01), w_0_padded) + KSL_MUL(fabs(D->m11), w_1_padded)
-          + KSL_MUL(fabs(D->m21), w_2_padded);
-  const double so_2_size = KSL_MUL(fabs(D->m02), w_0_padded) + KSL_MUL(fabs(D->m12), w_1_padded)
-          + KSL_MUL(fabs(D->m22), w_2_padded);
-  const double so_3_size = fabs(so_3a) + fabs(so_3b) + fabs(so_3d);
-  const double so_4_size = fabs(so_4a) + fabs(so_4b) + fabs(so_4d);
-  const double so_5_size = fabs(so_5a) + fabs(so_5b) + fabs(so_5d);
-  const double so_0_bound = KSL_MUL(6.661338147750942e-16, so_0_size + 2.004168360008973e-292);
-  const double so_1_bound = KSL_MUL(6.661338147750942e-16, so_1_size + 2.004168360008973e-292);
-  const double so_2_bound = KSL_MUL(6.661338147750942e-16, so_2_size + 2.004168360008973e-292);
-  const double so_3_bound = KSL_MUL(3.3306690738754706e-16, so_3_size + 2.004168360008973e-292);
-  const double so_4_bound = KSL_MUL(3.3306690738754706e-16, so_4_size + 2.004168360008973e-292);
-  const double so_5_bound = KSL_MUL(3.3306690738754706e-16, so_5_size + 2.004168360008973e-292);
+          + KSL_MUL(fabs(D->m20), w_2_padded),
+      so_1_size = KSL_MUL(fabs(D->m01), w_0_padded) + KSL_MUL(fabs(D->m11), w_1_padded)
+          + KSL_MUL(fabs(D->m21), w_2_padded),
+      so_2_size = KSL_MUL(fabs(D->m02), w_0_padded) + KSL_MUL(fabs(D->m12), w_1_padded)
+          + KSL_MUL(fabs(D->m22), w_2_padded), so_3_size = fabs(so_3a) + fabs(so_3b) + fabs(so_3d),
+      so_4_size = fabs(so_4a) + fabs(so_4b) + fabs(so_4d),
+      so_5_size = fabs(so_5a) + fabs(so_5b) + fabs(so_5d);
+  const double so_0_bound = KSL_MUL(6.661338147750942e-16, so_0_size + 2.004168360008973e-292),
+      so_1_bound = KSL_MUL(6.661338147750942e-16, so_1_size + 2.004168360008973e-292),
+      so_2_bound = KSL_MUL(6.661338147750942e-16, so_2_size + 2.004168360008973e-292),
+      so_3_bound = KSL_MUL(3.3306690738754706e-16, so_3_size + 2.004168360008973e-292),
+      so_4_bound = KSL_MUL(3.3306690738754706e-16, so_4_size + 2.004168360008973e-292),
+      so_5_bound = KSL_MUL(3.3306690738754706e-16, so_5_size + 2.004168360008973e-292);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -644,9 +604,9 @@ static inline void ksl_product_Adsinv_certified(const ksl_SE3_t *D, const ksl_sc
           + (fabs(w_1a) + fabs(w_1b) + fabs(w_1d));
   const double so_2_size = KSL_MUL(D_03_abs, w_4e_padded) + KSL_MUL(D_13_abs, w_3e_padded)
           + (fabs(w_2a) + fabs(w_2b) + fabs(w_2d));
-  const double so_0_bound = KSL_MUL(6.661338147750942e-16, so_0_size + 2.004168360008973e-292);
-  const double so_1_bound = KSL_MUL(6.661338147750942e-16, so_1_size + 2.004168360008973e-292);
-  const double so_2_bound = KSL_MUL(6.661338147750942e-16, so_2_size + 2.004168360008973e-292);
+  const double so_0_bound = KSL_MUL(6.661338147750942e-16, so_0_size + 2.004168360008973e-292),
+      so_1_bound = KSL_MUL(6.661338147750942e-16, so_1_size + 2.004168360008973e-292),
+      so_2_bound = KSL_MUL(6.661338147750942e-16, so_2_size + 2.004168360008973e-292);
   const double w_3e_bound = KSL_MUL(3.3306690738754706e-16, w_3e_padded);
   const double w_4e_bound = KSL_MUL(3.3306690738754706e-16, w_4e_padded);
   const double w_5e_bound = KSL_MUL(3.3306690738754706e-16, w_5e_padded);
@@ -674,12 +634,11 @@ static inline void ksl_hsrx_certified(const ksl_SE3_t *D, ksl_screw_t *so, ksl_s
       so_1 = so_1a - so_1b;
   const double so_2a = KSL_MUL(D->m10, D->m03), so_2b = KSL_MUL(D->m00, D->m13),
       so_2 = so_2a - so_2b;
-  const double so_0_size = fabs(so_0a) + fabs(so_0b);
-  const double so_1_size = fabs(so_1a) + fabs(so_1b);
-  const double so_2_size = fabs(so_2a) + fabs(so_2b);
-  const double so_0_bound = KSL_MUL(2.2204460492503136e-16, so_0_size + 2.004168360008973e-292);
-  const double so_1_bound = KSL_MUL(2.2204460492503136e-16, so_1_size + 2.004168360008973e-292);
-  const double so_2_bound = KSL_MUL(2.2204460492503136e-16, so_2_size + 2.004168360008973e-292);
+  const double so_0_size = fabs(so_0a) + fabs(so_0b), so_1_size = fabs(so_1a) + fabs(so_1b),
+      so_2_size = fabs(so_2a) + fabs(so_2b);
+  const double so_0_bound = KSL_MUL(2.2204460492503136e-16, so_0_size + 2.004168360008973e-292),
+      so_1_bound = KSL_MUL(2.2204460492503136e-16, so_1_size + 2.004168360008973e-292),
+      so_2_bound = KSL_MUL(2.2204460492503136e-16, so_2_size + 2.004168360008973e-292);
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
   const double D_m20 = D->m20;
@@ -707,12 +666,11 @@ static inline void ksl_hsry_certified(const ksl_SE3_t *D, ksl_screw_t *so, ksl_s
       so_1 = so_1a - so_1b;
   const double so_2a = KSL_MUL(D->m11, D->m03), so_2b = KSL_MUL(D->m01, D->m13),
       so_2 = so_2a - so_2b;
-  const double so_0_size = fabs(so_0a) + fabs(so_0b);
-  const double so_1_size = fabs(so_1a) + fabs(so_1b);
-  const double so_2_size = fabs(so_2a) + fabs(so_2b);
-  const double so_0_bound = KSL_MUL(2.2204460492503136e-16, so_0_size + 2.004168360008973e-292);
-  const double so_1_bound = KSL_MUL(2.2204460492503136e-16, so_1_size + 2.004168360008973e-292);
-  const double so_2_bound = KSL_MUL(2.2204460492503136e-16, so_2_size + 2.004168360008973e-292);
+  const double so_0_size = fabs(so_0a) + fabs(so_0b), so_1_size = fabs(so_1a) + fabs(so_1b),
+      so_2_size = fabs(so_2a) + fabs(so_2b);
+  const double so_0_bound = KSL_MUL(2.2204460492503136e-16, so_0_size + 2.004168360008973e-292),
+      so_1_bound = KSL_MUL(2.2204460492503136e-16, so_1_size + 2.004168360008973e-292),
+      so_2_bound = KSL_MUL(2.2204460492503136e-16, so_2_size + 2.004168360008973e-292);
   const double D_m01 = D->m01;
   const double D_m11 = D->m11;
   const double D_m21 = D->m21;
@@ -740,12 +698,11 @@ static inline void ksl_hsrz_certified(const ksl_SE3_t *D, ksl_screw_t *so, ksl_s
       so_1 = so_1a - so_1b;
   const double so_2a = KSL_MUL(D->m12, D->m03), so_2b = KSL_MUL(D->m02, D->m13),
       so_2 = so_2a - so_2b;
-  const double so_0_size = fabs(so_0a) + fabs(so_0b);
-  const double so_1_size = fabs(so_1a) + fabs(so_1b);
-  const double so_2_size = fabs(so_2a) + fabs(so_2b);
-  const double so_0_bound = KSL_MUL(2.2204460492503136e-16, so_0_size + 2.004168360008973e-292);
-  const double so_1_bound = KSL_MUL(2.2204460492503136e-16, so_1_size + 2.004168360008973e-292);
-  const double so_2_bound = KSL_MUL(2.2204460492503136e-16, so_2_size + 2.004168360008973e-292);
+  const double so_0_size = fabs(so_0a) + fabs(so_0b), so_1_size = fabs(so_1a) + fabs(so_1b),
+      so_2_size = fabs(so_2a) + fabs(so_2b);
+  const double so_0_bound = KSL_MUL(2.2204460492503136e-16, so_0_size + 2.004168360008973e-292),
+      so_1_bound = KSL_MUL(2.2204460492503136e-16, so_1_size + 2.004168360008973e-292),
+      so_2_bound = KSL_MUL(2.2204460492503136e-16, so_2_size + 2.004168360008973e-292);
   const double D_m02 = D->m02;
   const double D_m12 = D->m12;
   const double D_m22 = D->m22;
@@ -774,15 +731,12 @@ static inline void ksl_hsrxinv_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       so_1 = so_1a - so_1b;
   const double so_2a = KSL_MUL(D->m00, D->m13), so_2b = KSL_MUL(D->m10, D->m03),
       so_2 = so_2a - so_2b;
-  const double so_3 = -D->m00;
-  const double so_4 = -D->m10;
-  const double so_5 = -D->m20;
-  const double so_0_size = fabs(so_0a) + fabs(so_0b);
-  const double so_1_size = fabs(so_1a) + fabs(so_1b);
-  const double so_2_size = fabs(so_2a) + fabs(so_2b);
-  const double so_0_bound = KSL_MUL(2.2204460492503136e-16, so_0_size + 2.004168360008973e-292);
-  const double so_1_bound = KSL_MUL(2.2204460492503136e-16, so_1_size + 2.004168360008973e-292);
-  const double so_2_bound = KSL_MUL(2.2204460492503136e-16, so_2_size + 2.004168360008973e-292);
+  const double so_3 = -D->m00, so_4 = -D->m10, so_5 = -D->m20;
+  const double so_0_size = fabs(so_0a) + fabs(so_0b), so_1_size = fabs(so_1a) + fabs(so_1b),
+      so_2_size = fabs(so_2a) + fabs(so_2b);
+  const double so_0_bound = KSL_MUL(2.2204460492503136e-16, so_0_size + 2.004168360008973e-292),
+      so_1_bound = KSL_MUL(2.2204460492503136e-16, so_1_size + 2.004168360008973e-292),
+      so_2_bound = KSL_MUL(2.2204460492503136e-16, so_2_size + 2.004168360008973e-292);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -808,15 +762,12 @@ static inline void ksl_hsryinv_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       so_1 = so_1a - so_1b;
   const double so_2a = KSL_MUL(D->m01, D->m13), so_2b = KSL_MUL(D->m11, D->m03),
       so_2 = so_2a - so_2b;
-  const double so_3 = -D->m01;
-  const double so_4 = -D->m11;
-  const double so_5 = -D->m21;
-  const double so_0_size = fabs(so_0a) + fabs(so_0b);
-  const double so_1_size = fabs(so_1a) + fabs(so_1b);
-  const double so_2_size = fabs(so_2a) + fabs(so_2b);
-  const double so_0_bound = KSL_MUL(2.2204460492503136e-16, so_0_size + 2.004168360008973e-292);
-  const double so_1_bound = KSL_MUL(2.2204460492503136e-16, so_1_size + 2.004168360008973e-292);
-  const double so_2_bound = KSL_MUL(2.2204460492503136e-16, so_2_size + 2.004168360008973e-292);
+  const double so_3 = -D->m01, so_4 = -D->m11, so_5 = -D->m21;
+  const double so_0_size = fabs(so_0a) + fabs(so_0b), so_1_size = fabs(so_1a) + fabs(so_1b),
+      so_2_size = fabs(so_2a) + fabs(so_2b);
+  const double so_0_bound = KSL_MUL(2.2204460492503136e-16, so_0_size + 2.004168360008973e-292),
+      so_1_bound = KSL_MUL(2.2204460492503136e-16, so_1_size + 2.004168360008973e-292),
+      so_2_bound = KSL_MUL(2.2204460492503136e-16, so_2_size + 2.004168360008973e-292);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -842,15 +793,12 @@ static inline void ksl_hsrzinv_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       so_1 = so_1a - so_1b;
   const double so_2a = KSL_MUL(D->m02, D->m13), so_2b = KSL_MUL(D->m12, D->m03),
       so_2 = so_2a - so_2b;
-  const double so_3 = -D->m02;
-  const double so_4 = -D->m12;
-  const double so_5 = -D->m22;
-  const double so_0_size = fabs(so_0a) + fabs(so_0b);
-  const double so_1_size = fabs(so_1a) + fabs(so_1b);
-  const double so_2_size = fabs(so_2a) + fabs(so_2b);
-  const double so_0_bound = KSL_MUL(2.2204460492503136e-16, so_0_size + 2.004168360008973e-292);
-  const double so_1_bound = KSL_MUL(2.2204460492503136e-16, so_1_size + 2.004168360008973e-292);
-  const double so_2_bound = KSL_MUL(2.2204460492503136e-16, so_2_size + 2.004168360008973e-292);
+  const double so_3 = -D->m02, so_4 = -D->m12, so_5 = -D->m22;
+  const double so_0_size = fabs(so_0a) + fabs(so_0b), so_1_size = fabs(so_1a) + fabs(so_1b),
+      so_2_size = fabs(so_2a) + fabs(so_2b);
+  const double so_0_bound = KSL_MUL(2.2204460492503136e-16, so_0_size + 2.004168360008973e-292),
+      so_1_bound = KSL_MUL(2.2204460492503136e-16, so_1_size + 2.004168360008973e-292),
+      so_2_bound = KSL_MUL(2.2204460492503136e-16, so_2_size + 2.004168360008973e-292);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -887,24 +835,20 @@ static inline void ksl_Ad_certified(const ksl_SE3_t *D, ksl_mat6x6_t *M, ksl_mat
       M_24 = M_24a - M_24b;
   const double M_25a = KSL_MUL(D->m12, D->m03), M_25b = KSL_MUL(D->m02, D->m13),
       M_25 = M_25a - M_25b;
-  const double M_03_size = fabs(M_03a) + fabs(M_03b);
-  const double M_04_size = fabs(M_04a) + fabs(M_04b);
-  const double M_05_size = fabs(M_05a) + fabs(M_05b);
-  const double M_13_size = fabs(M_13a) + fabs(M_13b);
-  const double M_14_size = fabs(M_14a) + fabs(M_14b);
-  const double M_15_size = fabs(M_15a) + fabs(M_15b);
-  const double M_23_size = fabs(M_23a) + fabs(M_23b);
-  const double M_24_size = fabs(M_24a) + fabs(M_24b);
-  const double M_25_size = fabs(M_25a) + fabs(M_25b);
-  const double M_03_bound = KSL_MUL(2.2204460492503136e-16, M_03_size + 2.004168360008973e-292);
-  const double M_04_bound = KSL_MUL(2.2204460492503136e-16, M_04_size + 2.004168360008973e-292);
-  const double M_05_bound = KSL_MUL(2.2204460492503136e-16, M_05_size + 2.004168360008973e-292);
-  const double M_13_bound = KSL_MUL(2.2204460492503136e-16, M_13_size + 2.004168360008973e-292);
-  const double M_14_bound = KSL_MUL(2.2204460492503136e-16, M_14_size + 2.004168360008973e-292);
-  const double M_15_bound = KSL_MUL(2.2204460492503136e-16, M_15_size + 2.004168360008973e-292);
-  const double M_23_bound = KSL_MUL(2.2204460492503136e-16, M_23_size + 2.004168360008973e-292);
-  const double M_24_bound = KSL_MUL(2.2204460492503136e-16, M_24_size + 2.004168360008973e-292);
-  const double M_25_bound = KSL_MUL(2.2204460492503136e-16, M_25_size + 2.004168360008973e-292);
+  const double M_03_size = fabs(M_03a) + fabs(M_03b), M_04_size = fabs(M_04a) + fabs(M_04b),
+      M_05_size = fabs(M_05a) + fabs(M_05b), M_13_size = fabs(M_13a) + fabs(M_13b),
+      M_14_size = fabs(M_14a) + fabs(M_14b), M_15_size = fabs(M_15a) + fabs(M_15b),
+      M_23_size = fabs(M_23a) + fabs(M_23b), M_24_size = fabs(M_24a) + fabs(M_24b),
+      M_25_size = fabs(M_25a) + fabs(M_25b);
+  const double M_03_bound = KSL_MUL(2.2204460492503136e-16, M_03_size + 2.004168360008973e-292),
+      M_04_bound = KSL_MUL(2.2204460492503136e-16, M_04_size + 2.004168360008973e-292),
+      M_05_bound = KSL_MUL(2.2204460492503136e-16, M_05_size + 2.004168360008973e-292),
+      M_13_bound = KSL_MUL(2.2204460492503136e-16, M_13_size + 2.004168360008973e-292),
+      M_14_bound = KSL_MUL(2.2204460492503136e-16, M_14_size + 2.004168360008973e-292),
+      M_15_bound = KSL_MUL(2.2204460492503136e-16, M_15_size + 2.004168360008973e-292),
+      M_23_bound = KSL_MUL(2.2204460492503136e-16, M_23_size + 2.004168360008973e-292),
+      M_24_bound = KSL_MUL(2.2204460492503136e-16, M_24_size + 2.004168360008973e-292),
+      M_25_bound = KSL_MUL(2.2204460492503136e-16, M_25_size + 2.004168360008973e-292);
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -1025,18 +969,17 @@ static inline void ksl_cross_ss_certified(const ksl_screw_t *s1, const ksl_screw
       so_4 = so_4a - so_4b;
   const double so_5a = KSL_MUL(s1->m3, s2->m4), so_5b = KSL_MUL(s1->m4, s2->m3),
       so_5 = so_5a - so_5b;
-  const double so_0_size = fabs(so_0a) + fabs(so_0b) + (fabs(so_0d) + fabs(so_0e));
-  const double so_1_size = fabs(so_1a) + fabs(so_1b) + (fabs(so_1d) + fabs(so_1e));
-  const double so_2_size = fabs(so_2a) + fabs(so_2b) + (fabs(so_2d) + fabs(so_2e));
-  const double so_3_size = fabs(so_3a) + fabs(so_3b);
-  const double so_4_size = fabs(so_4a) + fabs(so_4b);
-  const double so_5_size = fabs(so_5a) + fabs(so_5b);
-  const double so_0_bound = KSL_MUL(3.3306690738754706e-16, so_0_size + 2.004168360008973e-292);
-  const double so_1_bound = KSL_MUL(3.3306690738754706e-16, so_1_size + 2.004168360008973e-292);
-  const double so_2_bound = KSL_MUL(3.3306690738754706e-16, so_2_size + 2.004168360008973e-292);
-  const double so_3_bound = KSL_MUL(2.2204460492503136e-16, so_3_size + 2.004168360008973e-292);
-  const double so_4_bound = KSL_MUL(2.2204460492503136e-16, so_4_size + 2.004168360008973e-292);
-  const double so_5_bound = KSL_MUL(2.2204460492503136e-16, so_5_size + 2.004168360008973e-292);
+  const double so_0_size = fabs(so_0a) + fabs(so_0b) + (fabs(so_0d) + fabs(so_0e)),
+      so_1_size = fabs(so_1a) + fabs(so_1b) + (fabs(so_1d) + fabs(so_1e)),
+      so_2_size = fabs(so_2a) + fabs(so_2b) + (fabs(so_2d) + fabs(so_2e)),
+      so_3_size = fabs(so_3a) + fabs(so_3b), so_4_size = fabs(so_4a) + fabs(so_4b),
+      so_5_size = fabs(so_5a) + fabs(so_5b);
+  const double so_0_bound = KSL_MUL(3.3306690738754706e-16, so_0_size + 2.004168360008973e-292),
+      so_1_bound = KSL_MUL(3.3306690738754706e-16, so_1_size + 2.004168360008973e-292),
+      so_2_bound = KSL_MUL(3.3306690738754706e-16, so_2_size + 2.004168360008973e-292),
+      so_3_bound = KSL_MUL(2.2204460492503136e-16, so_3_size + 2.004168360008973e-292),
+      so_4_bound = KSL_MUL(2.2204460492503136e-16, so_4_size + 2.004168360008973e-292),
+      so_5_bound = KSL_MUL(2.2204460492503136e-16, so_5_size + 2.004168360008973e-292);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1062,12 +1005,11 @@ static inline void ksl_cross_sst_certified(const ksl_screw_t *s1, const ksl_scre
       so_1 = so_1a - so_1b;
   const double so_2a = KSL_MUL(s1->m3, s2->m1), so_2b = KSL_MUL(s1->m4, s2->m0),
       so_2 = so_2a - so_2b;
-  const double so_0_size = fabs(so_0a) + fabs(so_0b);
-  const double so_1_size = fabs(so_1a) + fabs(so_1b);
-  const double so_2_size = fabs(so_2a) + fabs(so_2b);
-  const double so_0_bound = KSL_MUL(2.2204460492503136e-16, so_0_size + 2.004168360008973e-292);
-  const double so_1_bound = KSL_MUL(2.2204460492503136e-16, so_1_size + 2.004168360008973e-292);
-  const double so_2_bound = KSL_MUL(2.2204460492503136e-16, so_2_size + 2.004168360008973e-292);
+  const double so_0_size = fabs(so_0a) + fabs(so_0b), so_1_size = fabs(so_1a) + fabs(so_1b),
+      so_2_size = fabs(so_2a) + fabs(so_2b);
+  const double so_0_bound = KSL_MUL(2.2204460492503136e-16, so_0_size + 2.004168360008973e-292),
+      so_1_bound = KSL_MUL(2.2204460492503136e-16, so_1_size + 2.004168360008973e-292),
+      so_2_bound = KSL_MUL(2.2204460492503136e-16, so_2_size + 2.004168360008973e-292);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1097,9 +1039,9 @@ static inline void ksl_hsra_certified(const ksl_SE3_t *D, const ksl_vec3_t *axis
   const double so_0 = KSL_MUL(D->m13, a_2) - KSL_MUL(D->m23, a_1);
   const double so_1 = KSL_MUL(D->m23, a_0) - KSL_MUL(D->m03, a_2);
   const double so_2 = KSL_MUL(D->m03, a_1) - KSL_MUL(D->m13, a_0);
-  const double a_0_size = fabs(a_0a) + fabs(a_0b) + fabs(a_0d);
-  const double a_1_size = fabs(a_1a) + fabs(a_1b) + fabs(a_1d);
-  const double a_2_size = fabs(a_2a) + fabs(a_2b) + fabs(a_2d);
+  const double a_0_size = fabs(a_0a) + fabs(a_0b) + fabs(a_0d),
+      a_1_size = fabs(a_1a) + fabs(a_1b) + fabs(a_1d),
+      a_2_size = fabs(a_2a) + fabs(a_2b) + fabs(a_2d);
   const double a_2_padded = a_2_size + 2.004168360008973e-292;
   const double D_13_abs = fabs(D->m13);
   const double a_1_padded = a_1_size + 2.004168360008973e-292;
@@ -1109,12 +1051,12 @@ static inline void ksl_hsra_certified(const ksl_SE3_t *D, const ksl_vec3_t *axis
   const double D_03_abs = fabs(D->m03),
       so_1_size = KSL_MUL(D_23_abs, a_0_padded) + KSL_MUL(D_03_abs, a_2_padded);
   const double so_2_size = KSL_MUL(D_03_abs, a_1_padded) + KSL_MUL(D_13_abs, a_0_padded);
-  const double so_0_bound = KSL_MUL(5.551115123125785e-16, so_0_size + 2.004168360008973e-292);
-  const double so_1_bound = KSL_MUL(5.551115123125785e-16, so_1_size + 2.004168360008973e-292);
-  const double so_2_bound = KSL_MUL(5.551115123125785e-16, so_2_size + 2.004168360008973e-292);
-  const double a_0_bound = KSL_MUL(3.3306690738754706e-16, a_0_padded);
-  const double a_1_bound = KSL_MUL(3.3306690738754706e-16, a_1_padded);
-  const double a_2_bound = KSL_MUL(3.3306690738754706e-16, a_2_padded);
+  const double so_0_bound = KSL_MUL(5.551115123125785e-16, so_0_size + 2.004168360008973e-292),
+      so_1_bound = KSL_MUL(5.551115123125785e-16, so_1_size + 2.004168360008973e-292),
+      so_2_bound = KSL_MUL(5.551115123125785e-16, so_2_size + 2.004168360008973e-292);
+  const double a_0_bound = KSL_MUL(3.3306690738754706e-16, a_0_padded),
+      a_1_bound = KSL_MUL(3.3306690738754706e-16, a_1_padded),
+      a_2_bound = KSL_MUL(3.3306690738754706e-16, a_2_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1141,12 +1083,12 @@ static inline void ksl_hsta_certified(const ksl_SE3_t *D, const ksl_vec3_t *axis
       so_1d = KSL_MUL(D->m12, axis->z), so_1 = so_1a + so_1b + so_1d;
   const double so_2a = KSL_MUL(D->m20, axis->x), so_2b = KSL_MUL(D->m21, axis->y),
       so_2d = KSL_MUL(D->m22, axis->z), so_2 = so_2a + so_2b + so_2d;
-  const double so_0_size = fabs(so_0a) + fabs(so_0b) + fabs(so_0d);
-  const double so_1_size = fabs(so_1a) + fabs(so_1b) + fabs(so_1d);
-  const double so_2_size = fabs(so_2a) + fabs(so_2b) + fabs(so_2d);
-  const double so_0_bound = KSL_MUL(3.3306690738754706e-16, so_0_size + 2.004168360008973e-292);
-  const double so_1_bound = KSL_MUL(3.3306690738754706e-16, so_1_size + 2.004168360008973e-292);
-  const double so_2_bound = KSL_MUL(3.3306690738754706e-16, so_2_size + 2.004168360008973e-292);
+  const double so_0_size = fabs(so_0a) + fabs(so_0b) + fabs(so_0d),
+      so_1_size = fabs(so_1a) + fabs(so_1b) + fabs(so_1d),
+      so_2_size = fabs(so_2a) + fabs(so_2b) + fabs(so_2d);
+  const double so_0_bound = KSL_MUL(3.3306690738754706e-16, so_0_size + 2.004168360008973e-292),
+      so_1_bound = KSL_MUL(3.3306690738754706e-16, so_1_size + 2.004168360008973e-292),
+      so_2_bound = KSL_MUL(3.3306690738754706e-16, so_2_size + 2.004168360008973e-292);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1186,9 +1128,9 @@ static inline void ksl_hsrainv_certified(const ksl_SE3_t *D, const ksl_vec3_t *a
   const double D_03_abs = fabs(D->m03),
       so_1_size = KSL_MUL(D_23_abs, a_0e_padded) + KSL_MUL(D_03_abs, a_2e_padded);
   const double so_2_size = KSL_MUL(D_03_abs, a_1e_padded) + KSL_MUL(D_13_abs, a_0e_padded);
-  const double so_0_bound = KSL_MUL(5.551115123125785e-16, so_0_size + 2.004168360008973e-292);
-  const double so_1_bound = KSL_MUL(5.551115123125785e-16, so_1_size + 2.004168360008973e-292);
-  const double so_2_bound = KSL_MUL(5.551115123125785e-16, so_2_size + 2.004168360008973e-292);
+  const double so_0_bound = KSL_MUL(5.551115123125785e-16, so_0_size + 2.004168360008973e-292),
+      so_1_bound = KSL_MUL(5.551115123125785e-16, so_1_size + 2.004168360008973e-292),
+      so_2_bound = KSL_MUL(5.551115123125785e-16, so_2_size + 2.004168360008973e-292);
   const double a_0e_bound = KSL_MUL(3.3306690738754706e-16, a_0e_padded);
   const double a_1e_bound = KSL_MUL(3.3306690738754706e-16, a_1e_padded);
   const double a_2e_bound = KSL_MUL(3.3306690738754706e-16, a_2e_padded);
@@ -1243,18 +1185,15 @@ static inline void ksl_hstainv_certified(const ksl_SE3_t *D, const ksl_vec3_t *a
    12 mul, 6 add, 6 abs. */
 static inline void ksl_screwf_scale_certified(ksl_screwf_t *self, const float a,
     ksl_screwf_t *self_bound) {
-  const float self_0_new = KSL_MULF(self->m0, a);
-  const float self_1_new = KSL_MULF(self->m1, a);
-  const float self_2_new = KSL_MULF(self->m2, a);
-  const float self_3_new = KSL_MULF(self->m3, a);
-  const float self_4_new = KSL_MULF(self->m4, a);
-  const float self_5_new = KSL_MULF(self->m5, a);
-  const float self_0_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_0_new) + 1.9721523e-31f);
-  const float self_1_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_1_new) + 1.9721523e-31f);
-  const float self_2_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_2_new) + 1.9721523e-31f);
-  const float self_3_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_3_new) + 1.9721523e-31f);
-  const float self_4_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_4_new) + 1.9721523e-31f);
-  const float self_5_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_5_new) + 1.9721523e-31f);
+  const float self_0_new = KSL_MULF(self->m0, a), self_1_new = KSL_MULF(self->m1, a),
+      self_2_new = KSL_MULF(self->m2, a), self_3_new = KSL_MULF(self->m3, a),
+      self_4_new = KSL_MULF(self->m4, a), self_5_new = KSL_MULF(self->m5, a);
+  const float self_0_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_0_new) + 1.9721523e-31f),
+      self_1_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_1_new) + 1.9721523e-31f),
+      self_2_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_2_new) + 1.9721523e-31f),
+      self_3_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_3_new) + 1.9721523e-31f),
+      self_4_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_4_new) + 1.9721523e-31f),
+      self_5_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_5_new) + 1.9721523e-31f);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -1280,18 +1219,18 @@ static inline void ksl_axpy_ssf_certified(const float a, const ksl_screwf_t *x, 
   const float y_3_new_a = KSL_MULF(a, x->m3), y_3_new = y_3_new_a + y->m3;
   const float y_4_new_a = KSL_MULF(a, x->m4), y_4_new = y_4_new_a + y->m4;
   const float y_5_new_a = KSL_MULF(a, x->m5), y_5_new = y_5_new_a + y->m5;
-  const float y_0_new_size = fabsf(y_0_new_a) + fabsf(y->m0);
-  const float y_1_new_size = fabsf(y_1_new_a) + fabsf(y->m1);
-  const float y_2_new_size = fabsf(y_2_new_a) + fabsf(y->m2);
-  const float y_3_new_size = fabsf(y_3_new_a) + fabsf(y->m3);
-  const float y_4_new_size = fabsf(y_4_new_a) + fabsf(y->m4);
-  const float y_5_new_size = fabsf(y_5_new_a) + fabsf(y->m5);
-  const float y_0_new_bound = KSL_MULF(1.192093e-07f, y_0_new_size + 1.9721523e-31f);
-  const float y_1_new_bound = KSL_MULF(1.192093e-07f, y_1_new_size + 1.9721523e-31f);
-  const float y_2_new_bound = KSL_MULF(1.192093e-07f, y_2_new_size + 1.9721523e-31f);
-  const float y_3_new_bound = KSL_MULF(1.192093e-07f, y_3_new_size + 1.9721523e-31f);
-  const float y_4_new_bound = KSL_MULF(1.192093e-07f, y_4_new_size + 1.9721523e-31f);
-  const float y_5_new_bound = KSL_MULF(1.192093e-07f, y_5_new_size + 1.9721523e-31f);
+  const float y_0_new_size = fabsf(y_0_new_a) + fabsf(y->m0),
+      y_1_new_size = fabsf(y_1_new_a) + fabsf(y->m1),
+      y_2_new_size = fabsf(y_2_new_a) + fabsf(y->m2),
+      y_3_new_size = fabsf(y_3_new_a) + fabsf(y->m3),
+      y_4_new_size = fabsf(y_4_new_a) + fabsf(y->m4),
+      y_5_new_size = fabsf(y_5_new_a) + fabsf(y->m5);
+  const float y_0_new_bound = KSL_MULF(1.192093e-07f, y_0_new_size + 1.9721523e-31f),
+      y_1_new_bound = KSL_MULF(1.192093e-07f, y_1_new_size + 1.9721523e-31f),
+      y_2_new_bound = KSL_MULF(1.192093e-07f, y_2_new_size + 1.9721523e-31f),
+      y_3_new_bound = KSL_MULF(1.192093e-07f, y_3_new_size + 1.9721523e-31f),
+      y_4_new_bound = KSL_MULF(1.192093e-07f, y_4_new_size + 1.9721523e-31f),
+      y_5_new_bound = KSL_MULF(1.192093e-07f, y_5_new_size + 1.9721523e-31f);
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -1311,18 +1250,14 @@ static inline void ksl_axpy_ssf_certified(const float a, const ksl_screwf_t *x, 
    6 mul, 6 add, 6 abs. */
 static inline void ksl_xpy_ssf_certified(const ksl_screwf_t *x, ksl_screwf_t *y,
     ksl_screwf_t *y_bound) {
-  const float y_0_new = x->m0 + y->m0;
-  const float y_1_new = x->m1 + y->m1;
-  const float y_2_new = x->m2 + y->m2;
-  const float y_3_new = x->m3 + y->m3;
-  const float y_4_new = x->m4 + y->m4;
-  const float y_5_new = x->m5 + y->m5;
-  const float y_0_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_0_new));
-  const float y_1_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_1_new));
-  const float y_2_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_2_new));
-  const float y_3_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_3_new));
-  const float y_4_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_4_new));
-  const float y_5_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_5_new));
+  const float y_0_new = x->m0 + y->m0, y_1_new = x->m1 + y->m1, y_2_new = x->m2 + y->m2,
+      y_3_new = x->m3 + y->m3, y_4_new = x->m4 + y->m4, y_5_new = x->m5 + y->m5;
+  const float y_0_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_0_new)),
+      y_1_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_1_new)),
+      y_2_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_2_new)),
+      y_3_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_3_new)),
+      y_4_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_4_new)),
+      y_5_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_5_new));
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -1342,18 +1277,14 @@ static inline void ksl_xpy_ssf_certified(const ksl_screwf_t *x, ksl_screwf_t *y,
    6 mul, 6 add, 6 abs. */
 static inline void ksl_nxpy_ssf_certified(const ksl_screwf_t *x, ksl_screwf_t *y,
     ksl_screwf_t *y_bound) {
-  const float y_0_new = y->m0 - x->m0;
-  const float y_1_new = y->m1 - x->m1;
-  const float y_2_new = y->m2 - x->m2;
-  const float y_3_new = y->m3 - x->m3;
-  const float y_4_new = y->m4 - x->m4;
-  const float y_5_new = y->m5 - x->m5;
-  const float y_0_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_0_new));
-  const float y_1_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_1_new));
-  const float y_2_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_2_new));
-  const float y_3_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_3_new));
-  const float y_4_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_4_new));
-  const float y_5_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_5_new));
+  const float y_0_new = y->m0 - x->m0, y_1_new = y->m1 - x->m1, y_2_new = y->m2 - x->m2,
+      y_3_new = y->m3 - x->m3, y_4_new = y->m4 - x->m4, y_5_new = y->m5 - x->m5;
+  const float y_0_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_0_new)),
+      y_1_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_1_new)),
+      y_2_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_2_new)),
+      y_3_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_3_new)),
+      y_4_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_4_new)),
+      y_5_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_5_new));
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -1373,18 +1304,14 @@ static inline void ksl_nxpy_ssf_certified(const ksl_screwf_t *x, ksl_screwf_t *y
    12 mul, 6 add, 6 abs. */
 static inline void ksl_product_asf_certified(const float a, const ksl_screwf_t *si,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float so_0 = KSL_MULF(a, si->m0);
-  const float so_1 = KSL_MULF(a, si->m1);
-  const float so_2 = KSL_MULF(a, si->m2);
-  const float so_3 = KSL_MULF(a, si->m3);
-  const float so_4 = KSL_MULF(a, si->m4);
-  const float so_5 = KSL_MULF(a, si->m5);
-  const float so_0_bound = KSL_MULF(5.960465e-08f, fabsf(so_0) + 1.9721523e-31f);
-  const float so_1_bound = KSL_MULF(5.960465e-08f, fabsf(so_1) + 1.9721523e-31f);
-  const float so_2_bound = KSL_MULF(5.960465e-08f, fabsf(so_2) + 1.9721523e-31f);
-  const float so_3_bound = KSL_MULF(5.960465e-08f, fabsf(so_3) + 1.9721523e-31f);
-  const float so_4_bound = KSL_MULF(5.960465e-08f, fabsf(so_4) + 1.9721523e-31f);
-  const float so_5_bound = KSL_MULF(5.960465e-08f, fabsf(so_5) + 1.9721523e-31f);
+  const float so_0 = KSL_MULF(a, si->m0), so_1 = KSL_MULF(a, si->m1), so_2 = KSL_MULF(a, si->m2),
+      so_3 = KSL_MULF(a, si->m3), so_4 = KSL_MULF(a, si->m4), so_5 = KSL_MULF(a, si->m5);
+  const float so_0_bound = KSL_MULF(5.960465e-08f, fabsf(so_0) + 1.9721523e-31f),
+      so_1_bound = KSL_MULF(5.960465e-08f, fabsf(so_1) + 1.9721523e-31f),
+      so_2_bound = KSL_MULF(5.960465e-08f, fabsf(so_2) + 1.9721523e-31f),
+      so_3_bound = KSL_MULF(5.960465e-08f, fabsf(so_3) + 1.9721523e-31f),
+      so_4_bound = KSL_MULF(5.960465e-08f, fabsf(so_4) + 1.9721523e-31f),
+      so_5_bound = KSL_MULF(5.960465e-08f, fabsf(so_5) + 1.9721523e-31f);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1404,18 +1331,14 @@ static inline void ksl_product_asf_certified(const float a, const ksl_screwf_t *
    6 mul, 6 add, 6 abs. */
 static inline void ksl_add_ssf_certified(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float so_0 = s1->m0 + s2->m0;
-  const float so_1 = s1->m1 + s2->m1;
-  const float so_2 = s1->m2 + s2->m2;
-  const float so_3 = s1->m3 + s2->m3;
-  const float so_4 = s1->m4 + s2->m4;
-  const float so_5 = s1->m5 + s2->m5;
-  const float so_0_bound = KSL_MULF(5.960465e-08f, fabsf(so_0));
-  const float so_1_bound = KSL_MULF(5.960465e-08f, fabsf(so_1));
-  const float so_2_bound = KSL_MULF(5.960465e-08f, fabsf(so_2));
-  const float so_3_bound = KSL_MULF(5.960465e-08f, fabsf(so_3));
-  const float so_4_bound = KSL_MULF(5.960465e-08f, fabsf(so_4));
-  const float so_5_bound = KSL_MULF(5.960465e-08f, fabsf(so_5));
+  const float so_0 = s1->m0 + s2->m0, so_1 = s1->m1 + s2->m1, so_2 = s1->m2 + s2->m2,
+      so_3 = s1->m3 + s2->m3, so_4 = s1->m4 + s2->m4, so_5 = s1->m5 + s2->m5;
+  const float so_0_bound = KSL_MULF(5.960465e-08f, fabsf(so_0)),
+      so_1_bound = KSL_MULF(5.960465e-08f, fabsf(so_1)),
+      so_2_bound = KSL_MULF(5.960465e-08f, fabsf(so_2)),
+      so_3_bound = KSL_MULF(5.960465e-08f, fabsf(so_3)),
+      so_4_bound = KSL_MULF(5.960465e-08f, fabsf(so_4)),
+      so_5_bound = KSL_MULF(5.960465e-08f, fabsf(so_5));
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1435,18 +1358,14 @@ static inline void ksl_add_ssf_certified(const ksl_screwf_t *s1, const ksl_screw
    6 mul, 6 add, 6 abs. */
 static inline void ksl_subtract_ssf_certified(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float so_0 = s1->m0 - s2->m0;
-  const float so_1 = s1->m1 - s2->m1;
-  const float so_2 = s1->m2 - s2->m2;
-  const float so_3 = s1->m3 - s2->m3;
-  const float so_4 = s1->m4 - s2->m4;
-  const float so_5 = s1->m5 - s2->m5;
-  const float so_0_bound = KSL_MULF(5.960465e-08f, fabsf(so_0));
-  const float so_1_bound = KSL_MULF(5.960465e-08f, fabsf(so_1));
-  const float so_2_bound = KSL_MULF(5.960465e-08f, fabsf(so_2));
-  const float so_3_bound = KSL_MULF(5.960465e-08f, fabsf(so_3));
-  const float so_4_bound = KSL_MULF(5.960465e-08f, fabsf(so_4));
-  const float so_5_bound = KSL_MULF(5.960465e-08f, fabsf(so_5));
+  const float so_0 = s1->m0 - s2->m0, so_1 = s1->m1 - s2->m1, so_2 = s1->m2 - s2->m2,
+      so_3 = s1->m3 - s2->m3, so_4 = s1->m4 - s2->m4, so_5 = s1->m5 - s2->m5;
+  const float so_0_bound = KSL_MULF(5.960465e-08f, fabsf(so_0)),
+      so_1_bound = KSL_MULF(5.960465e-08f, fabsf(so_1)),
+      so_2_bound = KSL_MULF(5.960465e-08f, fabsf(so_2)),
+      so_3_bound = KSL_MULF(5.960465e-08f, fabsf(so_3)),
+      so_4_bound = KSL_MULF(5.960465e-08f, fabsf(so_4)),
+      so_5_bound = KSL_MULF(5.960465e-08f, fabsf(so_5));
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1466,12 +1385,10 @@ static inline void ksl_subtract_ssf_certified(const ksl_screwf_t *s1, const ksl_
    3 mul, 3 add, 3 abs. */
 static inline void ksl_add_sstf_certified(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float so_0 = s1->m0 + s2->m0;
-  const float so_1 = s1->m1 + s2->m1;
-  const float so_2 = s1->m2 + s2->m2;
-  const float so_0_bound = KSL_MULF(5.960465e-08f, fabsf(so_0));
-  const float so_1_bound = KSL_MULF(5.960465e-08f, fabsf(so_1));
-  const float so_2_bound = KSL_MULF(5.960465e-08f, fabsf(so_2));
+  const float so_0 = s1->m0 + s2->m0, so_1 = s1->m1 + s2->m1, so_2 = s1->m2 + s2->m2;
+  const float so_0_bound = KSL_MULF(5.960465e-08f, fabsf(so_0)),
+      so_1_bound = KSL_MULF(5.960465e-08f, fabsf(so_1)),
+      so_2_bound = KSL_MULF(5.960465e-08f, fabsf(so_2));
   const float s1_m3 = s1->m3;
   const float s1_m4 = s1->m4;
   const float s1_m5 = s1->m5;
@@ -1500,12 +1417,12 @@ static inline void ksl_product_Adtsf_certified(const ksl_vec3f_t *t, const ksl_s
       so_1 = so_1a - so_1b + si->m1;
   const float so_2a = KSL_MULF(t->x, si->m4), so_2b = KSL_MULF(t->y, si->m3),
       so_2 = so_2a - so_2b + si->m2;
-  const float so_0_size = fabsf(so_0a) + fabsf(so_0b) + fabsf(si->m0);
-  const float so_1_size = fabsf(so_1a) + fabsf(so_1b) + fabsf(si->m1);
-  const float so_2_size = fabsf(so_2a) + fabsf(so_2b) + fabsf(si->m2);
-  const float so_0_bound = KSL_MULF(1.7881396e-07f, so_0_size + 1.9721523e-31f);
-  const float so_1_bound = KSL_MULF(1.7881396e-07f, so_1_size + 1.9721523e-31f);
-  const float so_2_bound = KSL_MULF(1.7881396e-07f, so_2_size + 1.9721523e-31f);
+  const float so_0_size = fabsf(so_0a) + fabsf(so_0b) + fabsf(si->m0),
+      so_1_size = fabsf(so_1a) + fabsf(so_1b) + fabsf(si->m1),
+      so_2_size = fabsf(so_2a) + fabsf(so_2b) + fabsf(si->m2);
+  const float so_0_bound = KSL_MULF(1.7881396e-07f, so_0_size + 1.9721523e-31f),
+      so_1_bound = KSL_MULF(1.7881396e-07f, so_1_size + 1.9721523e-31f),
+      so_2_bound = KSL_MULF(1.7881396e-07f, so_2_size + 1.9721523e-31f);
   const float si_m3 = si->m3;
   const float si_m4 = si->m4;
   const float si_m5 = si->m5;
@@ -1534,12 +1451,12 @@ static inline void ksl_product_Adtinvsf_certified(const ksl_vec3f_t *t, const ks
       so_1 = so_1a - so_1b + si->m1;
   const float so_2a = KSL_MULF(t->y, si->m3), so_2b = KSL_MULF(t->x, si->m4),
       so_2 = so_2a - so_2b + si->m2;
-  const float so_0_size = fabsf(so_0a) + fabsf(so_0b) + fabsf(si->m0);
-  const float so_1_size = fabsf(so_1a) + fabsf(so_1b) + fabsf(si->m1);
-  const float so_2_size = fabsf(so_2a) + fabsf(so_2b) + fabsf(si->m2);
-  const float so_0_bound = KSL_MULF(1.7881396e-07f, so_0_size + 1.9721523e-31f);
-  const float so_1_bound = KSL_MULF(1.7881396e-07f, so_1_size + 1.9721523e-31f);
-  const float so_2_bound = KSL_MULF(1.7881396e-07f, so_2_size + 1.9721523e-31f);
+  const float so_0_size = fabsf(so_0a) + fabsf(so_0b) + fabsf(si->m0),
+      so_1_size = fabsf(so_1a) + fabsf(so_1b) + fabsf(si->m1),
+      so_2_size = fabsf(so_2a) + fabsf(so_2b) + fabsf(si->m2);
+  const float so_0_bound = KSL_MULF(1.7881396e-07f, so_0_size + 1.9721523e-31f),
+      so_1_bound = KSL_MULF(1.7881396e-07f, so_1_size + 1.9721523e-31f),
+      so_2_bound = KSL_MULF(1.7881396e-07f, so_2_size + 1.9721523e-31f);
   const float si_m3 = si->m3;
   const float si_m4 = si->m4;
   const float si_m5 = si->m5;
@@ -1568,15 +1485,13 @@ static inline void ksl_product_Adtsinvf_certified(const ksl_vec3f_t *t, const ks
       so_1 = so_1a - so_1b - si->m1;
   const float so_2a = KSL_MULF(t->y, si->m3), so_2b = KSL_MULF(t->x, si->m4),
       so_2 = so_2a - so_2b - si->m2;
-  const float so_3 = -si->m3;
-  const float so_4 = -si->m4;
-  const float so_5 = -si->m5;
-  const float so_0_size = fabsf(so_0a) + fabsf(so_0b) + fabsf(si->m0);
-  const float so_1_size = fabsf(so_1a) + fabsf(so_1b) + fabsf(si->m1);
-  const float so_2_size = fabsf(so_2a) + fabsf(so_2b) + fabsf(si->m2);
-  const float so_0_bound = KSL_MULF(1.7881396e-07f, so_0_size + 1.9721523e-31f);
-  const float so_1_bound = KSL_MULF(1.7881396e-07f, so_1_size + 1.9721523e-31f);
-  const float so_2_bound = KSL_MULF(1.7881396e-07f, so_2_size + 1.9721523e-31f);
+  const float so_3 = -si->m3, so_4 = -si->m4, so_5 = -si->m5;
+  const float so_0_size = fabsf(so_0a) + fabsf(so_0b) + fabsf(si->m0),
+      so_1_size = fabsf(so_1a) + fabsf(so_1b) + fabsf(si->m1),
+      so_2_size = fabsf(so_2a) + fabsf(so_2b) + fabsf(si->m2);
+  const float so_0_bound = KSL_MULF(1.7881396e-07f, so_0_size + 1.9721523e-31f),
+      so_1_bound = KSL_MULF(1.7881396e-07f, so_1_size + 1.9721523e-31f),
+      so_2_bound = KSL_MULF(1.7881396e-07f, so_2_size + 1.9721523e-31f);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1608,18 +1523,18 @@ static inline void ksl_product_Adrsf_certified(const ksl_mat3x3f_t *R, const ksl
       so_4d = KSL_MULF(R->m12, si->m5), so_4 = so_4a + so_4b + so_4d;
   const float so_5a = KSL_MULF(R->m20, si->m3), so_5b = KSL_MULF(R->m21, si->m4),
       so_5d = KSL_MULF(R->m22, si->m5), so_5 = so_5a + so_5b + so_5d;
-  const float so_0_size = fabsf(so_0a) + fabsf(so_0b) + fabsf(so_0d);
-  const float so_1_size = fabsf(so_1a) + fabsf(so_1b) + fabsf(so_1d);
-  const float so_2_size = fabsf(so_2a) + fabsf(so_2b) + fabsf(so_2d);
-  const float so_3_size = fabsf(so_3a) + fabsf(so_3b) + fabsf(so_3d);
-  const float so_4_size = fabsf(so_4a) + fabsf(so_4b) + fabsf(so_4d);
-  const float so_5_size = fabsf(so_5a) + fabsf(so_5b) + fabsf(so_5d);
-  const float so_0_bound = KSL_MULF(1.7881396e-07f, so_0_size + 1.9721523e-31f);
-  const float so_1_bound = KSL_MULF(1.7881396e-07f, so_1_size + 1.9721523e-31f);
-  const float so_2_bound = KSL_MULF(1.7881396e-07f, so_2_size + 1.9721523e-31f);
-  const float so_3_bound = KSL_MULF(1.7881396e-07f, so_3_size + 1.9721523e-31f);
-  const float so_4_bound = KSL_MULF(1.7881396e-07f, so_4_size + 1.9721523e-31f);
-  const float so_5_bound = KSL_MULF(1.7881396e-07f, so_5_size + 1.9721523e-31f);
+  const float so_0_size = fabsf(so_0a) + fabsf(so_0b) + fabsf(so_0d),
+      so_1_size = fabsf(so_1a) + fabsf(so_1b) + fabsf(so_1d),
+      so_2_size = fabsf(so_2a) + fabsf(so_2b) + fabsf(so_2d),
+      so_3_size = fabsf(so_3a) + fabsf(so_3b) + fabsf(so_3d),
+      so_4_size = fabsf(so_4a) + fabsf(so_4b) + fabsf(so_4d),
+      so_5_size = fabsf(so_5a) + fabsf(so_5b) + fabsf(so_5d);
+  const float so_0_bound = KSL_MULF(1.7881396e-07f, so_0_size + 1.9721523e-31f),
+      so_1_bound = KSL_MULF(1.7881396e-07f, so_1_size + 1.9721523e-31f),
+      so_2_bound = KSL_MULF(1.7881396e-07f, so_2_size + 1.9721523e-31f),
+      so_3_bound = KSL_MULF(1.7881396e-07f, so_3_size + 1.9721523e-31f),
+      so_4_bound = KSL_MULF(1.7881396e-07f, so_4_size + 1.9721523e-31f),
+      so_5_bound = KSL_MULF(1.7881396e-07f, so_5_size + 1.9721523e-31f);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1651,18 +1566,18 @@ static inline void ksl_product_Adrinvsf_certified(const ksl_mat3x3f_t *R, const 
       so_4d = KSL_MULF(R->m21, si->m5), so_4 = so_4a + so_4b + so_4d;
   const float so_5a = KSL_MULF(R->m02, si->m3), so_5b = KSL_MULF(R->m12, si->m4),
       so_5d = KSL_MULF(R->m22, si->m5), so_5 = so_5a + so_5b + so_5d;
-  const float so_0_size = fabsf(so_0a) + fabsf(so_0b) + fabsf(so_0d);
-  const float so_1_size = fabsf(so_1a) + fabsf(so_1b) + fabsf(so_1d);
-  const float so_2_size = fabsf(so_2a) + fabsf(so_2b) + fabsf(so_2d);
-  const float so_3_size = fabsf(so_3a) + fabsf(so_3b) + fabsf(so_3d);
-  const float so_4_size = fabsf(so_4a) + fabsf(so_4b) + fabsf(so_4d);
-  const float so_5_size = fabsf(so_5a) + fabsf(so_5b) + fabsf(so_5d);
-  const float so_0_bound = KSL_MULF(1.7881396e-07f, so_0_size + 1.9721523e-31f);
-  const float so_1_bound = KSL_MULF(1.7881396e-07f, so_1_size + 1.9721523e-31f);
-  const float so_2_bound = KSL_MULF(1.7881396e-07f, so_2_size + 1.9721523e-31f);
-  const float so_3_bound = KSL_MULF(1.7881396e-07f, so_3_size + 1.9721523e-31f);
-  const float so_4_bound = KSL_MULF(1.7881396e-07f, so_4_size + 1.9721523e-31f);
-  const float so_5_bound = KSL_MULF(1.7881396e-07f, so_5_size + 1.9721523e-31f);
+  const float so_0_size = fabsf(so_0a) + fabsf(so_0b) + fabsf(so_0d),
+      so_1_size = fabsf(so_1a) + fabsf(so_1b) + fabsf(so_1d),
+      so_2_size = fabsf(so_2a) + fabsf(so_2b) + fabsf(so_2d),
+      so_3_size = fabsf(so_3a) + fabsf(so_3b) + fabsf(so_3d),
+      so_4_size = fabsf(so_4a) + fabsf(so_4b) + fabsf(so_4d),
+      so_5_size = fabsf(so_5a) + fabsf(so_5b) + fabsf(so_5d);
+  const float so_0_bound = KSL_MULF(1.7881396e-07f, so_0_size + 1.9721523e-31f),
+      so_1_bound = KSL_MULF(1.7881396e-07f, so_1_size + 1.9721523e-31f),
+      so_2_bound = KSL_MULF(1.7881396e-07f, so_2_size + 1.9721523e-31f),
+      so_3_bound = KSL_MULF(1.7881396e-07f, so_3_size + 1.9721523e-31f),
+      so_4_bound = KSL_MULF(1.7881396e-07f, so_4_size + 1.9721523e-31f),
+      so_5_bound = KSL_MULF(1.7881396e-07f, so_5_size + 1.9721523e-31f);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1740,12 +1655,12 @@ static inline void ksl_product_Adsf_certified(const ksl_SE3f_t *D, const ksl_scr
   const float so_0 = KSL_MULF(D->m13, w_5) - KSL_MULF(D->m23, w_4) + w_0;
   const float so_1 = KSL_MULF(D->m23, w_3) - KSL_MULF(D->m03, w_5) + w_1;
   const float so_2 = KSL_MULF(D->m03, w_4) - KSL_MULF(D->m13, w_3) + w_2;
-  const float w_0_size = fabsf(w_0a) + fabsf(w_0b) + fabsf(w_0d);
-  const float w_1_size = fabsf(w_1a) + fabsf(w_1b) + fabsf(w_1d);
-  const float w_2_size = fabsf(w_2a) + fabsf(w_2b) + fabsf(w_2d);
-  const float w_3_size = fabsf(w_3a) + fabsf(w_3b) + fabsf(w_3d);
-  const float w_4_size = fabsf(w_4a) + fabsf(w_4b) + fabsf(w_4d);
-  const float w_5_size = fabsf(w_5a) + fabsf(w_5b) + fabsf(w_5d);
+  const float w_0_size = fabsf(w_0a) + fabsf(w_0b) + fabsf(w_0d),
+      w_1_size = fabsf(w_1a) + fabsf(w_1b) + fabsf(w_1d),
+      w_2_size = fabsf(w_2a) + fabsf(w_2b) + fabsf(w_2d),
+      w_3_size = fabsf(w_3a) + fabsf(w_3b) + fabsf(w_3d),
+      w_4_size = fabsf(w_4a) + fabsf(w_4b) + fabsf(w_4d),
+      w_5_size = fabsf(w_5a) + fabsf(w_5b) + fabsf(w_5d);
   const float w_5_padded = w_5_size + 1.9721523e-31f;
   const float D_13_abs = fabsf(D->m13);
   const float w_4_padded = w_4_size + 1.9721523e-31f;
@@ -1756,12 +1671,12 @@ static inline void ksl_product_Adsf_certified(const ksl_SE3f_t *D, const ksl_scr
       so_1_size = KSL_MULF(D_23_abs, w_3_padded) + KSL_MULF(D_03_abs, w_5_padded) + w_1_size;
   const float so_2_size = KSL_MULF(D_03_abs, w_4_padded) + KSL_MULF(D_13_abs, w_3_padded)
           + w_2_size;
-  const float so_0_bound = KSL_MULF(3.5762795e-07f, so_0_size + 1.9721523e-31f);
-  const float so_1_bound = KSL_MULF(3.5762795e-07f, so_1_size + 1.9721523e-31f);
-  const float so_2_bound = KSL_MULF(3.5762795e-07f, so_2_size + 1.9721523e-31f);
-  const float w_3_bound = KSL_MULF(1.7881396e-07f, w_3_padded);
-  const float w_4_bound = KSL_MULF(1.7881396e-07f, w_4_padded);
-  const float w_5_bound = KSL_MULF(1.7881396e-07f, w_5_padded);
+  const float so_0_bound = KSL_MULF(3.5762795e-07f, so_0_size + 1.9721523e-31f),
+      so_1_bound = KSL_MULF(3.5762795e-07f, so_1_size + 1.9721523e-31f),
+      so_2_bound = KSL_MULF(3.5762795e-07f, so_2_size + 1.9721523e-31f);
+  const float w_3_bound = KSL_MULF(1.7881396e-07f, w_3_padded),
+      w_4_bound = KSL_MULF(1.7881396e-07f, w_4_padded),
+      w_5_bound = KSL_MULF(1.7881396e-07f, w_5_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1788,34 +1703,34 @@ static inline void ksl_product_Adinvsf_certified(const ksl_SE3f_t *D, const ksl_
   const float w_2a = KSL_MULF(D->m13, si->m3), w_2b = KSL_MULF(D->m03, si->m4),
       w_2 = w_2a - w_2b + si->m2;
   const float so_0 = KSL_MULF(D->m00, w_0) + KSL_MULF(D->m10, w_1) + KSL_MULF(D->m20, w_2);
-  const float so_1 = KSL_MULF(D->m01, w_0) + KSL_MULF(D->m11, w_1) + KSL_MULF(D->m21, w_2);
-  const float so_2 = KSL_MULF(D->m02, w_0) + KSL_MULF(D->m12, w_1) + KSL_MULF(D->m22, w_2);
+  const float so_1 = KSL_MULF(D->m01, w_0) + KSL_MULF(D->m11, w_1) + KSL_MULF(D->m21, w_2),
+      so_2 = KSL_MULF(D->m02, w_0) + KSL_MULF(D->m12, w_1) + KSL_MULF(D->m22, w_2);
   const float so_3a = KSL_MULF(D->m00, si->m3), so_3b = KSL_MULF(D->m10, si->m4),
       so_3d = KSL_MULF(D->m20, si->m5), so_3 = so_3a + so_3b + so_3d;
   const float so_4a = KSL_MULF(D->m01, si->m3), so_4b = KSL_MULF(D->m11, si->m4),
       so_4d = KSL_MULF(D->m21, si->m5), so_4 = so_4a + so_4b + so_4d;
   const float so_5a = KSL_MULF(D->m02, si->m3), so_5b = KSL_MULF(D->m12, si->m4),
       so_5d = KSL_MULF(D->m22, si->m5), so_5 = so_5a + so_5b + so_5d;
-  const float w_0_size = fabsf(w_0a) + fabsf(w_0b) + fabsf(si->m0);
-  const float w_1_size = fabsf(w_1a) + fabsf(w_1b) + fabsf(si->m1);
-  const float w_2_size = fabsf(w_2a) + fabsf(w_2b) + fabsf(si->m2);
+  const float w_0_size = fabsf(w_0a) + fabsf(w_0b) + fabsf(si->m0),
+      w_1_size = fabsf(w_1a) + fabsf(w_1b) + fabsf(si->m1),
+      w_2_size = fabsf(w_2a) + fabsf(w_2b) + fabsf(si->m2);
   const float w_0_padded = w_0_size + 1.9721523e-31f, w_1_padded = w_1_size + 1.9721523e-31f,
       w_2_padded = w_2_size + 1.9721523e-31f;
   const float so_0_size = KSL_MULF(fabsf(D->m00), w_0_padded) + KSL_MULF(fabsf(D->m10), w_1_padded)
-          + KSL_MULF(fabsf(D->m20), w_2_padded);
-  const float so_1_size = KSL_MULF(fabsf(D->m01), w_0_padded) + KSL_MULF(fabsf(D->m11), w_1_padded)
-          + KSL_MULF(fabsf(D->m21), w_2_padded);
-  const float so_2_size = KSL_MULF(fabsf(D->m02), w_0_padded) + KSL_MULF(fabsf(D->m12), w_1_padded)
-          + KSL_MULF(fabsf(D->m22), w_2_padded);
-  const float so_3_size = fabsf(so_3a) + fabsf(so_3b) + fabsf(so_3d);
-  const float so_4_size = fabsf(so_4a) + fabsf(so_4b) + fabsf(so_4d);
-  const float so_5_size = fabsf(so_5a) + fabsf(so_5b) + fabsf(so_5d);
-  const float so_0_bound = KSL_MULF(3.5762795e-07f, so_0_size + 1.9721523e-31f);
-  const float so_1_bound = KSL_MULF(3.5762795e-07f, so_1_size + 1.9721523e-31f);
-  const float so_2_bound = KSL_MULF(3.5762795e-07f, so_2_size + 1.9721523e-31f);
-  const float so_3_bound = KSL_MULF(1.7881396e-07f, so_3_size + 1.9721523e-31f);
-  const float so_4_bound = KSL_MULF(1.7881396e-07f, so_4_size + 1.9721523e-31f);
-  const float so_5_bound = KSL_MULF(1.7881396e-07f, so_5_size + 1.9721523e-31f);
+          + KSL_MULF(fabsf(D->m20), w_2_padded),
+      so_1_size = KSL_MULF(fabsf(D->m01), w_0_padded) + KSL_MULF(fabsf(D->m11), w_1_padded)
+          + KSL_MULF(fabsf(D->m21), w_2_padded),
+      so_2_size = KSL_MULF(fabsf(D->m02), w_0_padded) + KSL_MULF(fabsf(D->m12), w_1_padded)
+          + KSL_MULF(fabsf(D->m22), w_2_padded),
+      so_3_size = fabsf(so_3a) + fabsf(so_3b) + fabsf(so_3d),
+      so_4_size = fabsf(so_4a) + fabsf(so_4b) + fabsf(so_4d),
+      so_5_size = fabsf(so_5a) + fabsf(so_5b) + fabsf(so_5d);
+  const float so_0_bound = KSL_MULF(3.5762795e-07f, so_0_size + 1.9721523e-31f),
+      so_1_bound = KSL_MULF(3.5762795e-07f, so_1_size + 1.9721523e-31f),
+      so_2_bound = KSL_MULF(3.5762795e-07f, so_2_size + 1.9721523e-31f),
+      so_3_bound = KSL_MULF(1.7881396e-07f, so_3_size + 1.9721523e-31f),
+      so_4_bound = KSL_MULF(1.7881396e-07f, so_4_size + 1.9721523e-31f),
+      so_5_bound = KSL_MULF(1.7881396e-07f, so_5_size + 1.9721523e-31f);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1862,9 +1777,9 @@ static inline void ksl_product_Adsinvf_certified(const ksl_SE3f_t *D, const ksl_
           + (fabsf(w_1a) + fabsf(w_1b) + fabsf(w_1d));
   const float so_2_size = KSL_MULF(D_03_abs, w_4e_padded) + KSL_MULF(D_13_abs, w_3e_padded)
           + (fabsf(w_2a) + fabsf(w_2b) + fabsf(w_2d));
-  const float so_0_bound = KSL_MULF(3.5762795e-07f, so_0_size + 1.9721523e-31f);
-  const float so_1_bound = KSL_MULF(3.5762795e-07f, so_1_size + 1.9721523e-31f);
-  const float so_2_bound = KSL_MULF(3.5762795e-07f, so_2_size + 1.9721523e-31f);
+  const float so_0_bound = KSL_MULF(3.5762795e-07f, so_0_size + 1.9721523e-31f),
+      so_1_bound = KSL_MULF(3.5762795e-07f, so_1_size + 1.9721523e-31f),
+      so_2_bound = KSL_MULF(3.5762795e-07f, so_2_size + 1.9721523e-31f);
   const float w_3e_bound = KSL_MULF(1.7881396e-07f, w_3e_padded);
   const float w_4e_bound = KSL_MULF(1.7881396e-07f, w_4e_padded);
   const float w_5e_bound = KSL_MULF(1.7881396e-07f, w_5e_padded);
@@ -1893,12 +1808,11 @@ static inline void ksl_hsrxf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       so_1 = so_1a - so_1b;
   const float so_2a = KSL_MULF(D->m10, D->m03), so_2b = KSL_MULF(D->m00, D->m13),
       so_2 = so_2a - so_2b;
-  const float so_0_size = fabsf(so_0a) + fabsf(so_0b);
-  const float so_1_size = fabsf(so_1a) + fabsf(so_1b);
-  const float so_2_size = fabsf(so_2a) + fabsf(so_2b);
-  const float so_0_bound = KSL_MULF(1.192093e-07f, so_0_size + 1.9721523e-31f);
-  const float so_1_bound = KSL_MULF(1.192093e-07f, so_1_size + 1.9721523e-31f);
-  const float so_2_bound = KSL_MULF(1.192093e-07f, so_2_size + 1.9721523e-31f);
+  const float so_0_size = fabsf(so_0a) + fabsf(so_0b), so_1_size = fabsf(so_1a) + fabsf(so_1b),
+      so_2_size = fabsf(so_2a) + fabsf(so_2b);
+  const float so_0_bound = KSL_MULF(1.192093e-07f, so_0_size + 1.9721523e-31f),
+      so_1_bound = KSL_MULF(1.192093e-07f, so_1_size + 1.9721523e-31f),
+      so_2_bound = KSL_MULF(1.192093e-07f, so_2_size + 1.9721523e-31f);
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;
@@ -1927,12 +1841,11 @@ static inline void ksl_hsryf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       so_1 = so_1a - so_1b;
   const float so_2a = KSL_MULF(D->m11, D->m03), so_2b = KSL_MULF(D->m01, D->m13),
       so_2 = so_2a - so_2b;
-  const float so_0_size = fabsf(so_0a) + fabsf(so_0b);
-  const float so_1_size = fabsf(so_1a) + fabsf(so_1b);
-  const float so_2_size = fabsf(so_2a) + fabsf(so_2b);
-  const float so_0_bound = KSL_MULF(1.192093e-07f, so_0_size + 1.9721523e-31f);
-  const float so_1_bound = KSL_MULF(1.192093e-07f, so_1_size + 1.9721523e-31f);
-  const float so_2_bound = KSL_MULF(1.192093e-07f, so_2_size + 1.9721523e-31f);
+  const float so_0_size = fabsf(so_0a) + fabsf(so_0b), so_1_size = fabsf(so_1a) + fabsf(so_1b),
+      so_2_size = fabsf(so_2a) + fabsf(so_2b);
+  const float so_0_bound = KSL_MULF(1.192093e-07f, so_0_size + 1.9721523e-31f),
+      so_1_bound = KSL_MULF(1.192093e-07f, so_1_size + 1.9721523e-31f),
+      so_2_bound = KSL_MULF(1.192093e-07f, so_2_size + 1.9721523e-31f);
   const float D_m01 = D->m01;
   const float D_m11 = D->m11;
   const float D_m21 = D->m21;
@@ -1961,12 +1874,11 @@ static inline void ksl_hsrzf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       so_1 = so_1a - so_1b;
   const float so_2a = KSL_MULF(D->m12, D->m03), so_2b = KSL_MULF(D->m02, D->m13),
       so_2 = so_2a - so_2b;
-  const float so_0_size = fabsf(so_0a) + fabsf(so_0b);
-  const float so_1_size = fabsf(so_1a) + fabsf(so_1b);
-  const float so_2_size = fabsf(so_2a) + fabsf(so_2b);
-  const float so_0_bound = KSL_MULF(1.192093e-07f, so_0_size + 1.9721523e-31f);
-  const float so_1_bound = KSL_MULF(1.192093e-07f, so_1_size + 1.9721523e-31f);
-  const float so_2_bound = KSL_MULF(1.192093e-07f, so_2_size + 1.9721523e-31f);
+  const float so_0_size = fabsf(so_0a) + fabsf(so_0b), so_1_size = fabsf(so_1a) + fabsf(so_1b),
+      so_2_size = fabsf(so_2a) + fabsf(so_2b);
+  const float so_0_bound = KSL_MULF(1.192093e-07f, so_0_size + 1.9721523e-31f),
+      so_1_bound = KSL_MULF(1.192093e-07f, so_1_size + 1.9721523e-31f),
+      so_2_bound = KSL_MULF(1.192093e-07f, so_2_size + 1.9721523e-31f);
   const float D_m02 = D->m02;
   const float D_m12 = D->m12;
   const float D_m22 = D->m22;
@@ -1995,15 +1907,12 @@ static inline void ksl_hsrxinvf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       so_1 = so_1a - so_1b;
   const float so_2a = KSL_MULF(D->m00, D->m13), so_2b = KSL_MULF(D->m10, D->m03),
       so_2 = so_2a - so_2b;
-  const float so_3 = -D->m00;
-  const float so_4 = -D->m10;
-  const float so_5 = -D->m20;
-  const float so_0_size = fabsf(so_0a) + fabsf(so_0b);
-  const float so_1_size = fabsf(so_1a) + fabsf(so_1b);
-  const float so_2_size = fabsf(so_2a) + fabsf(so_2b);
-  const float so_0_bound = KSL_MULF(1.192093e-07f, so_0_size + 1.9721523e-31f);
-  const float so_1_bound = KSL_MULF(1.192093e-07f, so_1_size + 1.9721523e-31f);
-  const float so_2_bound = KSL_MULF(1.192093e-07f, so_2_size + 1.9721523e-31f);
+  const float so_3 = -D->m00, so_4 = -D->m10, so_5 = -D->m20;
+  const float so_0_size = fabsf(so_0a) + fabsf(so_0b), so_1_size = fabsf(so_1a) + fabsf(so_1b),
+      so_2_size = fabsf(so_2a) + fabsf(so_2b);
+  const float so_0_bound = KSL_MULF(1.192093e-07f, so_0_size + 1.9721523e-31f),
+      so_1_bound = KSL_MULF(1.192093e-07f, so_1_size + 1.9721523e-31f),
+      so_2_bound = KSL_MULF(1.192093e-07f, so_2_size + 1.9721523e-31f);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2029,15 +1938,12 @@ static inline void ksl_hsryinvf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       so_1 = so_1a - so_1b;
   const float so_2a = KSL_MULF(D->m01, D->m13), so_2b = KSL_MULF(D->m11, D->m03),
       so_2 = so_2a - so_2b;
-  const float so_3 = -D->m01;
-  const float so_4 = -D->m11;
-  const float so_5 = -D->m21;
-  const float so_0_size = fabsf(so_0a) + fabsf(so_0b);
-  const float so_1_size = fabsf(so_1a) + fabsf(so_1b);
-  const float so_2_size = fabsf(so_2a) + fabsf(so_2b);
-  const float so_0_bound = KSL_MULF(1.192093e-07f, so_0_size + 1.9721523e-31f);
-  const float so_1_bound = KSL_MULF(1.192093e-07f, so_1_size + 1.9721523e-31f);
-  const float so_2_bound = KSL_MULF(1.192093e-07f, so_2_size + 1.9721523e-31f);
+  const float so_3 = -D->m01, so_4 = -D->m11, so_5 = -D->m21;
+  const float so_0_size = fabsf(so_0a) + fabsf(so_0b), so_1_size = fabsf(so_1a) + fabsf(so_1b),
+      so_2_size = fabsf(so_2a) + fabsf(so_2b);
+  const float so_0_bound = KSL_MULF(1.192093e-07f, so_0_size + 1.9721523e-31f),
+      so_1_bound = KSL_MULF(1.192093e-07f, so_1_size + 1.9721523e-31f),
+      so_2_bound = KSL_MULF(1.192093e-07f, so_2_size + 1.9721523e-31f);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2063,15 +1969,12 @@ static inline void ksl_hsrzinvf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       so_1 = so_1a - so_1b;
   const float so_2a = KSL_MULF(D->m02, D->m13), so_2b = KSL_MULF(D->m12, D->m03),
       so_2 = so_2a - so_2b;
-  const float so_3 = -D->m02;
-  const float so_4 = -D->m12;
-  const float so_5 = -D->m22;
-  const float so_0_size = fabsf(so_0a) + fabsf(so_0b);
-  const float so_1_size = fabsf(so_1a) + fabsf(so_1b);
-  const float so_2_size = fabsf(so_2a) + fabsf(so_2b);
-  const float so_0_bound = KSL_MULF(1.192093e-07f, so_0_size + 1.9721523e-31f);
-  const float so_1_bound = KSL_MULF(1.192093e-07f, so_1_size + 1.9721523e-31f);
-  const float so_2_bound = KSL_MULF(1.192093e-07f, so_2_size + 1.9721523e-31f);
+  const float so_3 = -D->m02, so_4 = -D->m12, so_5 = -D->m22;
+  const float so_0_size = fabsf(so_0a) + fabsf(so_0b), so_1_size = fabsf(so_1a) + fabsf(so_1b),
+      so_2_size = fabsf(so_2a) + fabsf(so_2b);
+  const float so_0_bound = KSL_MULF(1.192093e-07f, so_0_size + 1.9721523e-31f),
+      so_1_bound = KSL_MULF(1.192093e-07f, so_1_size + 1.9721523e-31f),
+      so_2_bound = KSL_MULF(1.192093e-07f, so_2_size + 1.9721523e-31f);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2109,24 +2012,20 @@ static inline void ksl_Adf_certified(const ksl_SE3f_t *D, ksl_mat6x6f_t *M,
       M_24 = M_24a - M_24b;
   const float M_25a = KSL_MULF(D->m12, D->m03), M_25b = KSL_MULF(D->m02, D->m13),
       M_25 = M_25a - M_25b;
-  const float M_03_size = fabsf(M_03a) + fabsf(M_03b);
-  const float M_04_size = fabsf(M_04a) + fabsf(M_04b);
-  const float M_05_size = fabsf(M_05a) + fabsf(M_05b);
-  const float M_13_size = fabsf(M_13a) + fabsf(M_13b);
-  const float M_14_size = fabsf(M_14a) + fabsf(M_14b);
-  const float M_15_size = fabsf(M_15a) + fabsf(M_15b);
-  const float M_23_size = fabsf(M_23a) + fabsf(M_23b);
-  const float M_24_size = fabsf(M_24a) + fabsf(M_24b);
-  const float M_25_size = fabsf(M_25a) + fabsf(M_25b);
-  const float M_03_bound = KSL_MULF(1.192093e-07f, M_03_size + 1.9721523e-31f);
-  const float M_04_bound = KSL_MULF(1.192093e-07f, M_04_size + 1.9721523e-31f);
-  const float M_05_bound = KSL_MULF(1.192093e-07f, M_05_size + 1.9721523e-31f);
-  const float M_13_bound = KSL_MULF(1.192093e-07f, M_13_size + 1.9721523e-31f);
-  const float M_14_bound = KSL_MULF(1.192093e-07f, M_14_size + 1.9721523e-31f);
-  const float M_15_bound = KSL_MULF(1.192093e-07f, M_15_size + 1.9721523e-31f);
-  const float M_23_bound = KSL_MULF(1.192093e-07f, M_23_size + 1.9721523e-31f);
-  const float M_24_bound = KSL_MULF(1.192093e-07f, M_24_size + 1.9721523e-31f);
-  const float M_25_bound = KSL_MULF(1.192093e-07f, M_25_size + 1.9721523e-31f);
+  const float M_03_size = fabsf(M_03a) + fabsf(M_03b), M_04_size = fabsf(M_04a) + fabsf(M_04b),
+      M_05_size = fabsf(M_05a) + fabsf(M_05b), M_13_size = fabsf(M_13a) + fabsf(M_13b),
+      M_14_size = fabsf(M_14a) + fabsf(M_14b), M_15_size = fabsf(M_15a) + fabsf(M_15b),
+      M_23_size = fabsf(M_23a) + fabsf(M_23b), M_24_size = fabsf(M_24a) + fabsf(M_24b),
+      M_25_size = fabsf(M_25a) + fabsf(M_25b);
+  const float M_03_bound = KSL_MULF(1.192093e-07f, M_03_size + 1.9721523e-31f),
+      M_04_bound = KSL_MULF(1.192093e-07f, M_04_size + 1.9721523e-31f),
+      M_05_bound = KSL_MULF(1.192093e-07f, M_05_size + 1.9721523e-31f),
+      M_13_bound = KSL_MULF(1.192093e-07f, M_13_size + 1.9721523e-31f),
+      M_14_bound = KSL_MULF(1.192093e-07f, M_14_size + 1.9721523e-31f),
+      M_15_bound = KSL_MULF(1.192093e-07f, M_15_size + 1.9721523e-31f),
+      M_23_bound = KSL_MULF(1.192093e-07f, M_23_size + 1.9721523e-31f),
+      M_24_bound = KSL_MULF(1.192093e-07f, M_24_size + 1.9721523e-31f),
+      M_25_bound = KSL_MULF(1.192093e-07f, M_25_size + 1.9721523e-31f);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -2247,18 +2146,17 @@ static inline void ksl_cross_ssf_certified(const ksl_screwf_t *s1, const ksl_scr
       so_4 = so_4a - so_4b;
   const float so_5a = KSL_MULF(s1->m3, s2->m4), so_5b = KSL_MULF(s1->m4, s2->m3),
       so_5 = so_5a - so_5b;
-  const float so_0_size = fabsf(so_0a) + fabsf(so_0b) + (fabsf(so_0d) + fabsf(so_0e));
-  const float so_1_size = fabsf(so_1a) + fabsf(so_1b) + (fabsf(so_1d) + fabsf(so_1e));
-  const float so_2_size = fabsf(so_2a) + fabsf(so_2b) + (fabsf(so_2d) + fabsf(so_2e));
-  const float so_3_size = fabsf(so_3a) + fabsf(so_3b);
-  const float so_4_size = fabsf(so_4a) + fabsf(so_4b);
-  const float so_5_size = fabsf(so_5a) + fabsf(so_5b);
-  const float so_0_bound = KSL_MULF(1.7881396e-07f, so_0_size + 1.9721523e-31f);
-  const float so_1_bound = KSL_MULF(1.7881396e-07f, so_1_size + 1.9721523e-31f);
-  const float so_2_bound = KSL_MULF(1.7881396e-07f, so_2_size + 1.9721523e-31f);
-  const float so_3_bound = KSL_MULF(1.192093e-07f, so_3_size + 1.9721523e-31f);
-  const float so_4_bound = KSL_MULF(1.192093e-07f, so_4_size + 1.9721523e-31f);
-  const float so_5_bound = KSL_MULF(1.192093e-07f, so_5_size + 1.9721523e-31f);
+  const float so_0_size = fabsf(so_0a) + fabsf(so_0b) + (fabsf(so_0d) + fabsf(so_0e)),
+      so_1_size = fabsf(so_1a) + fabsf(so_1b) + (fabsf(so_1d) + fabsf(so_1e)),
+      so_2_size = fabsf(so_2a) + fabsf(so_2b) + (fabsf(so_2d) + fabsf(so_2e)),
+      so_3_size = fabsf(so_3a) + fabsf(so_3b), so_4_size = fabsf(so_4a) + fabsf(so_4b),
+      so_5_size = fabsf(so_5a) + fabsf(so_5b);
+  const float so_0_bound = KSL_MULF(1.7881396e-07f, so_0_size + 1.9721523e-31f),
+      so_1_bound = KSL_MULF(1.7881396e-07f, so_1_size + 1.9721523e-31f),
+      so_2_bound = KSL_MULF(1.7881396e-07f, so_2_size + 1.9721523e-31f),
+      so_3_bound = KSL_MULF(1.192093e-07f, so_3_size + 1.9721523e-31f),
+      so_4_bound = KSL_MULF(1.192093e-07f, so_4_size + 1.9721523e-31f),
+      so_5_bound = KSL_MULF(1.192093e-07f, so_5_size + 1.9721523e-31f);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2284,12 +2182,11 @@ static inline void ksl_cross_sstf_certified(const ksl_screwf_t *s1, const ksl_sc
       so_1 = so_1a - so_1b;
   const float so_2a = KSL_MULF(s1->m3, s2->m1), so_2b = KSL_MULF(s1->m4, s2->m0),
       so_2 = so_2a - so_2b;
-  const float so_0_size = fabsf(so_0a) + fabsf(so_0b);
-  const float so_1_size = fabsf(so_1a) + fabsf(so_1b);
-  const float so_2_size = fabsf(so_2a) + fabsf(so_2b);
-  const float so_0_bound = KSL_MULF(1.192093e-07f, so_0_size + 1.9721523e-31f);
-  const float so_1_bound = KSL_MULF(1.192093e-07f, so_1_size + 1.9721523e-31f);
-  const float so_2_bound = KSL_MULF(1.192093e-07f, so_2_size + 1.9721523e-31f);
+  const float so_0_size = fabsf(so_0a) + fabsf(so_0b), so_1_size = fabsf(so_1a) + fabsf(so_1b),
+      so_2_size = fabsf(so_2a) + fabsf(so_2b);
+  const float so_0_bound = KSL_MULF(1.192093e-07f, so_0_size + 1.9721523e-31f),
+      so_1_bound = KSL_MULF(1.192093e-07f, so_1_size + 1.9721523e-31f),
+      so_2_bound = KSL_MULF(1.192093e-07f, so_2_size + 1.9721523e-31f);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2319,9 +2216,9 @@ static inline void ksl_hsraf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t *a
   const float so_0 = KSL_MULF(D->m13, a_2) - KSL_MULF(D->m23, a_1);
   const float so_1 = KSL_MULF(D->m23, a_0) - KSL_MULF(D->m03, a_2);
   const float so_2 = KSL_MULF(D->m03, a_1) - KSL_MULF(D->m13, a_0);
-  const float a_0_size = fabsf(a_0a) + fabsf(a_0b) + fabsf(a_0d);
-  const float a_1_size = fabsf(a_1a) + fabsf(a_1b) + fabsf(a_1d);
-  const float a_2_size = fabsf(a_2a) + fabsf(a_2b) + fabsf(a_2d);
+  const float a_0_size = fabsf(a_0a) + fabsf(a_0b) + fabsf(a_0d),
+      a_1_size = fabsf(a_1a) + fabsf(a_1b) + fabsf(a_1d),
+      a_2_size = fabsf(a_2a) + fabsf(a_2b) + fabsf(a_2d);
   const float a_2_padded = a_2_size + 1.9721523e-31f;
   const float D_13_abs = fabsf(D->m13);
   const float a_1_padded = a_1_size + 1.9721523e-31f;
@@ -2331,12 +2228,12 @@ static inline void ksl_hsraf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t *a
   const float D_03_abs = fabsf(D->m03),
       so_1_size = KSL_MULF(D_23_abs, a_0_padded) + KSL_MULF(D_03_abs, a_2_padded);
   const float so_2_size = KSL_MULF(D_03_abs, a_1_padded) + KSL_MULF(D_13_abs, a_0_padded);
-  const float so_0_bound = KSL_MULF(2.9802328e-07f, so_0_size + 1.9721523e-31f);
-  const float so_1_bound = KSL_MULF(2.9802328e-07f, so_1_size + 1.9721523e-31f);
-  const float so_2_bound = KSL_MULF(2.9802328e-07f, so_2_size + 1.9721523e-31f);
-  const float a_0_bound = KSL_MULF(1.7881396e-07f, a_0_padded);
-  const float a_1_bound = KSL_MULF(1.7881396e-07f, a_1_padded);
-  const float a_2_bound = KSL_MULF(1.7881396e-07f, a_2_padded);
+  const float so_0_bound = KSL_MULF(2.9802328e-07f, so_0_size + 1.9721523e-31f),
+      so_1_bound = KSL_MULF(2.9802328e-07f, so_1_size + 1.9721523e-31f),
+      so_2_bound = KSL_MULF(2.9802328e-07f, so_2_size + 1.9721523e-31f);
+  const float a_0_bound = KSL_MULF(1.7881396e-07f, a_0_padded),
+      a_1_bound = KSL_MULF(1.7881396e-07f, a_1_padded),
+      a_2_bound = KSL_MULF(1.7881396e-07f, a_2_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2363,12 +2260,12 @@ static inline void ksl_hstaf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t *a
       so_1d = KSL_MULF(D->m12, axis->z), so_1 = so_1a + so_1b + so_1d;
   const float so_2a = KSL_MULF(D->m20, axis->x), so_2b = KSL_MULF(D->m21, axis->y),
       so_2d = KSL_MULF(D->m22, axis->z), so_2 = so_2a + so_2b + so_2d;
-  const float so_0_size = fabsf(so_0a) + fabsf(so_0b) + fabsf(so_0d);
-  const float so_1_size = fabsf(so_1a) + fabsf(so_1b) + fabsf(so_1d);
-  const float so_2_size = fabsf(so_2a) + fabsf(so_2b) + fabsf(so_2d);
-  const float so_0_bound = KSL_MULF(1.7881396e-07f, so_0_size + 1.9721523e-31f);
-  const float so_1_bound = KSL_MULF(1.7881396e-07f, so_1_size + 1.9721523e-31f);
-  const float so_2_bound = KSL_MULF(1.7881396e-07f, so_2_size + 1.9721523e-31f);
+  const float so_0_size = fabsf(so_0a) + fabsf(so_0b) + fabsf(so_0d),
+      so_1_size = fabsf(so_1a) + fabsf(so_1b) + fabsf(so_1d),
+      so_2_size = fabsf(so_2a) + fabsf(so_2b) + fabsf(so_2d);
+  const float so_0_bound = KSL_MULF(1.7881396e-07f, so_0_size + 1.9721523e-31f),
+      so_1_bound = KSL_MULF(1.7881396e-07f, so_1_size + 1.9721523e-31f),
+      so_2_bound = KSL_MULF(1.7881396e-07f, so_2_size + 1.9721523e-31f);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2408,9 +2305,9 @@ static inline void ksl_hsrainvf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t
   const float D_03_abs = fabsf(D->m03),
       so_1_size = KSL_MULF(D_23_abs, a_0e_padded) + KSL_MULF(D_03_abs, a_2e_padded);
   const float so_2_size = KSL_MULF(D_03_abs, a_1e_padded) + KSL_MULF(D_13_abs, a_0e_padded);
-  const float so_0_bound = KSL_MULF(2.9802328e-07f, so_0_size + 1.9721523e-31f);
-  const float so_1_bound = KSL_MULF(2.9802328e-07f, so_1_size + 1.9721523e-31f);
-  const float so_2_bound = KSL_MULF(2.9802328e-07f, so_2_size + 1.9721523e-31f);
+  const float so_0_bound = KSL_MULF(2.9802328e-07f, so_0_size + 1.9721523e-31f),
+      so_1_bound = KSL_MULF(2.9802328e-07f, so_1_size + 1.9721523e-31f),
+      so_2_bound = KSL_MULF(2.9802328e-07f, so_2_size + 1.9721523e-31f);
   const float a_0e_bound = KSL_MULF(1.7881396e-07f, a_0e_padded);
   const float a_1e_bound = KSL_MULF(1.7881396e-07f, a_1e_padded);
   const float a_2e_bound = KSL_MULF(1.7881396e-07f, a_2e_padded);

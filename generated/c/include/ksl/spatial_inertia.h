@@ -62,16 +62,11 @@ static inline void ksl_spatial_inertia_copy(const ksl_spatial_inertia_t *Bi,
    10 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_spatial_inertia_scale(ksl_spatial_inertia_t *self, const double a) {
-  const double self_0_new = KSL_MUL(self->m, a);
-  const double self_1_new = KSL_MUL(self->h.x, a);
-  const double self_2_new = KSL_MUL(self->h.y, a);
-  const double self_3_new = KSL_MUL(self->h.z, a);
-  const double self_4_new = KSL_MUL(self->xx, a);
-  const double self_5_new = KSL_MUL(self->yy, a);
-  const double self_6_new = KSL_MUL(self->zz, a);
-  const double self_7_new = KSL_MUL(self->xy, a);
-  const double self_8_new = KSL_MUL(self->xz, a);
-  const double self_9_new = KSL_MUL(self->yz, a);
+  const double self_0_new = KSL_MUL(self->m, a), self_1_new = KSL_MUL(self->h.x, a),
+      self_2_new = KSL_MUL(self->h.y, a), self_3_new = KSL_MUL(self->h.z, a),
+      self_4_new = KSL_MUL(self->xx, a), self_5_new = KSL_MUL(self->yy, a),
+      self_6_new = KSL_MUL(self->zz, a), self_7_new = KSL_MUL(self->xy, a),
+      self_8_new = KSL_MUL(self->xz, a), self_9_new = KSL_MUL(self->yz, a);
   self->m = self_0_new;
   self->h.x = self_1_new;
   self->h.y = self_2_new;
@@ -91,16 +86,10 @@ static inline void ksl_spatial_inertia_scale(ksl_spatial_inertia_t *self, const 
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_BB(const ksl_spatial_inertia_t *B1, const ksl_spatial_inertia_t *B2,
     ksl_spatial_inertia_t *Bo) {
-  const double Bo_0 = B1->m + B2->m;
-  const double Bo_1 = B1->h.x + B2->h.x;
-  const double Bo_2 = B1->h.y + B2->h.y;
-  const double Bo_3 = B1->h.z + B2->h.z;
-  const double Bo_4 = B1->xx + B2->xx;
-  const double Bo_5 = B1->yy + B2->yy;
-  const double Bo_6 = B1->zz + B2->zz;
-  const double Bo_7 = B1->xy + B2->xy;
-  const double Bo_8 = B1->xz + B2->xz;
-  const double Bo_9 = B1->yz + B2->yz;
+  const double Bo_0 = B1->m + B2->m, Bo_1 = B1->h.x + B2->h.x, Bo_2 = B1->h.y + B2->h.y,
+      Bo_3 = B1->h.z + B2->h.z, Bo_4 = B1->xx + B2->xx, Bo_5 = B1->yy + B2->yy,
+      Bo_6 = B1->zz + B2->zz, Bo_7 = B1->xy + B2->xy, Bo_8 = B1->xz + B2->xz,
+      Bo_9 = B1->yz + B2->yz;
   Bo->m = Bo_0;
   Bo->h.x = Bo_1;
   Bo->h.y = Bo_2;
@@ -120,16 +109,10 @@ static inline void ksl_add_BB(const ksl_spatial_inertia_t *B1, const ksl_spatial
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_subtract_BB(const ksl_spatial_inertia_t *B1,
     const ksl_spatial_inertia_t *B2, ksl_spatial_inertia_t *Bo) {
-  const double Bo_0 = B1->m - B2->m;
-  const double Bo_1 = B1->h.x - B2->h.x;
-  const double Bo_2 = B1->h.y - B2->h.y;
-  const double Bo_3 = B1->h.z - B2->h.z;
-  const double Bo_4 = B1->xx - B2->xx;
-  const double Bo_5 = B1->yy - B2->yy;
-  const double Bo_6 = B1->zz - B2->zz;
-  const double Bo_7 = B1->xy - B2->xy;
-  const double Bo_8 = B1->xz - B2->xz;
-  const double Bo_9 = B1->yz - B2->yz;
+  const double Bo_0 = B1->m - B2->m, Bo_1 = B1->h.x - B2->h.x, Bo_2 = B1->h.y - B2->h.y,
+      Bo_3 = B1->h.z - B2->h.z, Bo_4 = B1->xx - B2->xx, Bo_5 = B1->yy - B2->yy,
+      Bo_6 = B1->zz - B2->zz, Bo_7 = B1->xy - B2->xy, Bo_8 = B1->xz - B2->xz,
+      Bo_9 = B1->yz - B2->yz;
   Bo->m = Bo_0;
   Bo->h.x = Bo_1;
   Bo->h.y = Bo_2;
@@ -151,18 +134,12 @@ static inline void ksl_subtract_BB(const ksl_spatial_inertia_t *B1,
      formula; barring over- and underflow. */
 static inline void ksl_spatial_inertia_from_com(const double m, const ksl_vec3_t *com,
     const ksl_mat3x3_t *Ic, ksl_spatial_inertia_t *Bo) {
-  const double h_0 = KSL_MUL(m, com->x);
-  const double h_1 = KSL_MUL(m, com->y);
-  const double h_2 = KSL_MUL(m, com->z);
-  const double squares_0 = KSL_MUL(com->x, h_0);
-  const double squares_1 = KSL_MUL(com->y, h_1);
-  const double squares_2 = KSL_MUL(com->z, h_2);
-  const double Bo_4 = Ic->m00 + (squares_1 + squares_2);
-  const double Bo_5 = Ic->m11 + (squares_0 + squares_2);
-  const double Bo_6 = Ic->m22 + (squares_0 + squares_1);
-  const double Bo_7 = Ic->m01 - KSL_MUL(com->y, h_0);
-  const double Bo_8 = Ic->m02 - KSL_MUL(com->z, h_0);
-  const double Bo_9 = Ic->m12 - KSL_MUL(com->z, h_1);
+  const double h_0 = KSL_MUL(m, com->x), h_1 = KSL_MUL(m, com->y), h_2 = KSL_MUL(m, com->z);
+  const double squares_0 = KSL_MUL(com->x, h_0), squares_1 = KSL_MUL(com->y, h_1),
+      squares_2 = KSL_MUL(com->z, h_2);
+  const double Bo_4 = Ic->m00 + (squares_1 + squares_2), Bo_5 = Ic->m11 + (squares_0 + squares_2),
+      Bo_6 = Ic->m22 + (squares_0 + squares_1), Bo_7 = Ic->m01 - KSL_MUL(com->y, h_0),
+      Bo_8 = Ic->m02 - KSL_MUL(com->z, h_0), Bo_9 = Ic->m12 - KSL_MUL(com->z, h_1);
   Bo->m = m;
   Bo->h.x = h_0;
   Bo->h.y = h_1;
@@ -184,18 +161,12 @@ static inline void ksl_spatial_inertia_from_com(const double m, const ksl_vec3_t
    Error of a moment <= 4 u times the sum of its |terms|, barring over- and underflow. */
 static inline void ksl_spatial_inertia_from_inertia(const ksl_inertia_t *J,
     ksl_spatial_inertia_t *Bo) {
-  const double c_0 = J->mt.x / J->m;
-  const double c_1 = J->mt.y / J->m;
-  const double c_2 = J->mt.z / J->m;
-  const double squares_0 = KSL_MUL(J->mt.x, c_0);
-  const double squares_1 = KSL_MUL(J->mt.y, c_1);
-  const double squares_2 = KSL_MUL(J->mt.z, c_2);
-  const double Bo_4 = J->Ixx + (squares_1 + squares_2);
-  const double Bo_5 = J->Iyy + (squares_0 + squares_2);
-  const double Bo_6 = J->Izz + (squares_0 + squares_1);
-  const double Bo_7 = J->Ixy - KSL_MUL(J->mt.x, c_1);
-  const double Bo_8 = J->Izx - KSL_MUL(J->mt.x, c_2);
-  const double Bo_9 = J->Iyz - KSL_MUL(J->mt.y, c_2);
+  const double c_0 = J->mt.x / J->m, c_1 = J->mt.y / J->m, c_2 = J->mt.z / J->m;
+  const double squares_0 = KSL_MUL(J->mt.x, c_0), squares_1 = KSL_MUL(J->mt.y, c_1),
+      squares_2 = KSL_MUL(J->mt.z, c_2);
+  const double Bo_4 = J->Ixx + (squares_1 + squares_2), Bo_5 = J->Iyy + (squares_0 + squares_2),
+      Bo_6 = J->Izz + (squares_0 + squares_1), Bo_7 = J->Ixy - KSL_MUL(J->mt.x, c_1),
+      Bo_8 = J->Izx - KSL_MUL(J->mt.x, c_2), Bo_9 = J->Iyz - KSL_MUL(J->mt.y, c_2);
   const double J_m = J->m;
   const double J_mt_x = J->mt.x;
   const double J_mt_y = J->mt.y;
@@ -221,18 +192,12 @@ static inline void ksl_spatial_inertia_from_inertia(const ksl_inertia_t *J,
    Error of a moment <= 4 u times the sum of its |terms|, barring over- and underflow. */
 static inline void ksl_inertia_from_spatial_inertia(const ksl_spatial_inertia_t *B,
     ksl_inertia_t *Jo) {
-  const double c_0 = B->h.x / B->m;
-  const double c_1 = B->h.y / B->m;
-  const double c_2 = B->h.z / B->m;
-  const double squares_0 = KSL_MUL(B->h.x, c_0);
-  const double squares_1 = KSL_MUL(B->h.y, c_1);
-  const double squares_2 = KSL_MUL(B->h.z, c_2);
-  const double Jo_4 = B->xx - (squares_1 + squares_2);
-  const double Jo_5 = B->yy - (squares_0 + squares_2);
-  const double Jo_6 = B->zz - (squares_0 + squares_1);
-  const double Jo_7 = KSL_MUL(B->h.x, c_1) + B->xy;
-  const double Jo_8 = KSL_MUL(B->h.y, c_2) + B->yz;
-  const double Jo_9 = KSL_MUL(B->h.x, c_2) + B->xz;
+  const double c_0 = B->h.x / B->m, c_1 = B->h.y / B->m, c_2 = B->h.z / B->m;
+  const double squares_0 = KSL_MUL(B->h.x, c_0), squares_1 = KSL_MUL(B->h.y, c_1),
+      squares_2 = KSL_MUL(B->h.z, c_2);
+  const double Jo_4 = B->xx - (squares_1 + squares_2), Jo_5 = B->yy - (squares_0 + squares_2),
+      Jo_6 = B->zz - (squares_0 + squares_1), Jo_7 = KSL_MUL(B->h.x, c_1) + B->xy,
+      Jo_8 = KSL_MUL(B->h.y, c_2) + B->yz, Jo_9 = KSL_MUL(B->h.x, c_2) + B->xz;
   const double B_m = B->m;
   const double B_h_x = B->h.x;
   const double B_h_y = B->h.y;
@@ -255,9 +220,7 @@ static inline void ksl_inertia_from_spatial_inertia(const ksl_spatial_inertia_t 
    3 div.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_spatial_inertia_com(const ksl_spatial_inertia_t *B, ksl_vec3_t *vo) {
-  const double vo_0 = B->h.x / B->m;
-  const double vo_1 = B->h.y / B->m;
-  const double vo_2 = B->h.z / B->m;
+  const double vo_0 = B->h.x / B->m, vo_1 = B->h.y / B->m, vo_2 = B->h.z / B->m;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -268,18 +231,12 @@ static inline void ksl_spatial_inertia_com(const ksl_spatial_inertia_t *B, ksl_v
      m^2); Ro: rotation or other 3×3 matrix.
    6 mul, 9 add, 3 div. */
 static inline void ksl_spatial_inertia_about_com(const ksl_spatial_inertia_t *B, ksl_mat3x3_t *Ro) {
-  const double c_0 = B->h.x / B->m;
-  const double c_1 = B->h.y / B->m;
-  const double c_2 = B->h.z / B->m;
-  const double squares_0 = KSL_MUL(B->h.x, c_0);
-  const double squares_1 = KSL_MUL(B->h.y, c_1);
-  const double squares_2 = KSL_MUL(B->h.z, c_2);
-  const double about_0 = B->xx - (squares_1 + squares_2);
-  const double about_1 = B->yy - (squares_0 + squares_2);
-  const double about_2 = B->zz - (squares_0 + squares_1);
-  const double about_3 = KSL_MUL(B->h.x, c_1) + B->xy;
-  const double about_4 = KSL_MUL(B->h.x, c_2) + B->xz;
-  const double about_5 = KSL_MUL(B->h.y, c_2) + B->yz;
+  const double c_0 = B->h.x / B->m, c_1 = B->h.y / B->m, c_2 = B->h.z / B->m;
+  const double squares_0 = KSL_MUL(B->h.x, c_0), squares_1 = KSL_MUL(B->h.y, c_1),
+      squares_2 = KSL_MUL(B->h.z, c_2);
+  const double about_0 = B->xx - (squares_1 + squares_2), about_1 = B->yy - (squares_0 + squares_2),
+      about_2 = B->zz - (squares_0 + squares_1), about_3 = KSL_MUL(B->h.x, c_1) + B->xy,
+      about_4 = KSL_MUL(B->h.x, c_2) + B->xz, about_5 = KSL_MUL(B->h.y, c_2) + B->yz;
   Ro->m00 = about_0;
   Ro->m01 = about_3;
   Ro->m02 = about_4;
@@ -297,9 +254,7 @@ static inline void ksl_spatial_inertia_about_com(const ksl_spatial_inertia_t *B,
    3 neg.
    Exact. */
 static inline void ksl_spatial_inertia_matrix(const ksl_spatial_inertia_t *B, ksl_mat6x6_t *Mo) {
-  const double Mo_05 = -B->h.y;
-  const double Mo_13 = -B->h.z;
-  const double Mo_24 = -B->h.x;
+  const double Mo_05 = -B->h.y, Mo_13 = -B->h.z, Mo_24 = -B->h.x;
   const double B_m = B->m;
   const double B_h_z = B->h.z;
   const double B_h_x = B->h.x;
@@ -356,14 +311,14 @@ static inline void ksl_spatial_inertia_matrix(const ksl_spatial_inertia_t *B, ks
      barring over- and underflow. */
 static inline void ksl_product_Bs(const ksl_spatial_inertia_t *B, const ksl_screw_t *s,
     ksl_coscrew_t *co) {
-  const double co_0 = KSL_MUL(B->m, s->m0) + (KSL_MUL(B->h.z, s->m4) - KSL_MUL(B->h.y, s->m5));
-  const double co_1 = KSL_MUL(B->m, s->m1) + (KSL_MUL(B->h.x, s->m5) - KSL_MUL(B->h.z, s->m3));
-  const double co_2 = KSL_MUL(B->m, s->m2) + (KSL_MUL(B->h.y, s->m3) - KSL_MUL(B->h.x, s->m4));
-  const double co_3 = KSL_MUL(B->h.y, s->m2) - KSL_MUL(B->h.z, s->m1)
-          + (KSL_MUL(B->xx, s->m3) + KSL_MUL(B->xy, s->m4) + KSL_MUL(B->xz, s->m5));
-  const double co_4 = KSL_MUL(B->h.z, s->m0) - KSL_MUL(B->h.x, s->m2)
-          + (KSL_MUL(B->yy, s->m4) + KSL_MUL(B->xy, s->m3) + KSL_MUL(B->yz, s->m5));
-  const double co_5 = KSL_MUL(B->h.x, s->m1) - KSL_MUL(B->h.y, s->m0)
+  const double co_0 = KSL_MUL(B->m, s->m0) + (KSL_MUL(B->h.z, s->m4) - KSL_MUL(B->h.y, s->m5)),
+      co_1 = KSL_MUL(B->m, s->m1) + (KSL_MUL(B->h.x, s->m5) - KSL_MUL(B->h.z, s->m3)),
+      co_2 = KSL_MUL(B->m, s->m2) + (KSL_MUL(B->h.y, s->m3) - KSL_MUL(B->h.x, s->m4)),
+      co_3 = KSL_MUL(B->h.y, s->m2) - KSL_MUL(B->h.z, s->m1)
+          + (KSL_MUL(B->xx, s->m3) + KSL_MUL(B->xy, s->m4) + KSL_MUL(B->xz, s->m5)),
+      co_4 = KSL_MUL(B->h.z, s->m0) - KSL_MUL(B->h.x, s->m2)
+          + (KSL_MUL(B->yy, s->m4) + KSL_MUL(B->xy, s->m3) + KSL_MUL(B->yz, s->m5)),
+      co_5 = KSL_MUL(B->h.x, s->m1) - KSL_MUL(B->h.y, s->m0)
           + (KSL_MUL(B->zz, s->m5) + KSL_MUL(B->xz, s->m3) + KSL_MUL(B->yz, s->m4));
   co->m0 = co_0;
   co->m1 = co_1;
@@ -382,14 +337,14 @@ static inline void ksl_product_Bs(const ksl_spatial_inertia_t *B, const ksl_scre
 static inline double ksl_spatial_inertia_energy(const ksl_spatial_inertia_t *B,
     const ksl_screw_t *s) {
   const double square = KSL_MUL(s->m0, s->m0) + KSL_MUL(s->m1, s->m1) + KSL_MUL(s->m2, s->m2);
-  const double L_0 = KSL_MUL(B->xx, s->m3) + KSL_MUL(B->xy, s->m4) + KSL_MUL(B->xz, s->m5);
-  const double L_1 = KSL_MUL(B->yy, s->m4) + KSL_MUL(B->xy, s->m3) + KSL_MUL(B->yz, s->m5);
-  const double L_2 = KSL_MUL(B->zz, s->m5) + KSL_MUL(B->xz, s->m3) + KSL_MUL(B->yz, s->m4);
+  const double L_0 = KSL_MUL(B->xx, s->m3) + KSL_MUL(B->xy, s->m4) + KSL_MUL(B->xz, s->m5),
+      L_1 = KSL_MUL(B->yy, s->m4) + KSL_MUL(B->xy, s->m3) + KSL_MUL(B->yz, s->m5),
+      L_2 = KSL_MUL(B->zz, s->m5) + KSL_MUL(B->xz, s->m3) + KSL_MUL(B->yz, s->m4);
   const double twice = KSL_MUL(B->m, square)
           + (KSL_MUL(s->m3, L_0) + KSL_MUL(s->m4, L_1) + KSL_MUL(s->m5, L_2));
-  const double across_0 = KSL_MUL(B->h.z, s->m4) - KSL_MUL(B->h.y, s->m5);
-  const double across_1 = KSL_MUL(B->h.x, s->m5) - KSL_MUL(B->h.z, s->m3);
-  const double across_2 = KSL_MUL(B->h.y, s->m3) - KSL_MUL(B->h.x, s->m4);
+  const double across_0 = KSL_MUL(B->h.z, s->m4) - KSL_MUL(B->h.y, s->m5),
+      across_1 = KSL_MUL(B->h.x, s->m5) - KSL_MUL(B->h.z, s->m3),
+      across_2 = KSL_MUL(B->h.y, s->m3) - KSL_MUL(B->h.x, s->m4);
   const double energy = KSL_MUL(s->m0, across_0) + KSL_MUL(s->m1, across_1)
           + KSL_MUL(s->m2, across_2) + KSL_MUL(0.5, twice);
   return energy;
@@ -405,43 +360,28 @@ static inline double ksl_spatial_inertia_energy(const ksl_spatial_inertia_t *B,
      barring over- and underflow. */
 static inline void ksl_spatial_inertia_net_wrench(const ksl_spatial_inertia_t *B,
     const ksl_vec3_t *w, const ksl_screw_t *ds, ksl_coscrew_t *co) {
-  const double ww_0 = KSL_MUL(w->x, w->x);
-  const double ww_1 = KSL_MUL(w->y, w->y);
-  const double ww_2 = KSL_MUL(w->z, w->z);
-  const double ww_3 = KSL_MUL(w->x, w->y);
-  const double ww_4 = KSL_MUL(w->x, w->z);
-  const double ww_5 = KSL_MUL(w->y, w->z);
-  const double U_0 = -(ww_1 + ww_2);
-  const double U_1 = ww_3 - ds->m5;
-  const double U_2 = ds->m4 + ww_4;
-  const double U_3 = ds->m5 + ww_3;
-  const double U_4 = -(ww_0 + ww_2);
-  const double U_5 = ww_5 - ds->m3;
-  const double U_6 = ww_4 - ds->m4;
-  const double U_7 = ds->m3 + ww_5;
-  const double U_8 = -(ww_0 + ww_1);
-  const double others_0 = B->zz - B->yy;
-  const double others_1 = B->xx - B->zz;
-  const double others_2 = B->yy - B->xx;
-  const double squares_0 = ww_1 - ww_2;
-  const double squares_1 = ww_2 - ww_0;
-  const double squares_2 = ww_0 - ww_1;
-  const double own_0 = KSL_MUL(B->xx, ds->m3) + KSL_MUL(ww_5, others_0);
-  const double own_1 = KSL_MUL(B->yy, ds->m4) + KSL_MUL(ww_4, others_1);
-  const double own_2 = KSL_MUL(B->zz, ds->m5) + KSL_MUL(ww_3, others_2);
-  const double N_0 = KSL_MUL(B->xz, U_3) - KSL_MUL(B->xy, U_6) + KSL_MUL(B->yz, squares_0) + own_0;
-  const double N_1 = KSL_MUL(B->xy, U_7) - KSL_MUL(B->yz, U_1) + KSL_MUL(B->xz, squares_1) + own_1;
-  const double N_2 = KSL_MUL(B->xy, squares_2) + (KSL_MUL(B->yz, U_2) - KSL_MUL(B->xz, U_5))
-          + own_2;
+  const double ww_0 = KSL_MUL(w->x, w->x), ww_1 = KSL_MUL(w->y, w->y), ww_2 = KSL_MUL(w->z, w->z),
+      ww_3 = KSL_MUL(w->x, w->y), ww_4 = KSL_MUL(w->x, w->z), ww_5 = KSL_MUL(w->y, w->z);
+  const double U_0 = -(ww_1 + ww_2), U_1 = ww_3 - ds->m5, U_2 = ds->m4 + ww_4, U_3 = ds->m5 + ww_3,
+      U_4 = -(ww_0 + ww_2), U_5 = ww_5 - ds->m3, U_6 = ww_4 - ds->m4, U_7 = ds->m3 + ww_5,
+      U_8 = -(ww_0 + ww_1);
+  const double others_0 = B->zz - B->yy, others_1 = B->xx - B->zz, others_2 = B->yy - B->xx;
+  const double squares_0 = ww_1 - ww_2, squares_1 = ww_2 - ww_0, squares_2 = ww_0 - ww_1;
+  const double own_0 = KSL_MUL(B->xx, ds->m3) + KSL_MUL(ww_5, others_0),
+      own_1 = KSL_MUL(B->yy, ds->m4) + KSL_MUL(ww_4, others_1),
+      own_2 = KSL_MUL(B->zz, ds->m5) + KSL_MUL(ww_3, others_2);
+  const double N_0 = KSL_MUL(B->xz, U_3) - KSL_MUL(B->xy, U_6) + KSL_MUL(B->yz, squares_0) + own_0,
+      N_1 = KSL_MUL(B->xy, U_7) - KSL_MUL(B->yz, U_1) + KSL_MUL(B->xz, squares_1) + own_1,
+      N_2 = KSL_MUL(B->xy, squares_2) + (KSL_MUL(B->yz, U_2) - KSL_MUL(B->xz, U_5)) + own_2;
   const double co_0 = KSL_MUL(B->m, ds->m0)
-          + (KSL_MUL(B->h.x, U_0) + KSL_MUL(B->h.y, U_1) + KSL_MUL(B->h.z, U_2));
-  const double co_1 = KSL_MUL(B->m, ds->m1)
-          + (KSL_MUL(B->h.x, U_3) + KSL_MUL(B->h.y, U_4) + KSL_MUL(B->h.z, U_5));
-  const double co_2 = KSL_MUL(B->m, ds->m2)
-          + (KSL_MUL(B->h.x, U_6) + KSL_MUL(B->h.y, U_7) + KSL_MUL(B->h.z, U_8));
-  const double co_3 = KSL_MUL(B->h.y, ds->m2) - KSL_MUL(B->h.z, ds->m1) + N_0;
-  const double co_4 = KSL_MUL(B->h.z, ds->m0) - KSL_MUL(B->h.x, ds->m2) + N_1;
-  const double co_5 = KSL_MUL(B->h.x, ds->m1) - KSL_MUL(B->h.y, ds->m0) + N_2;
+          + (KSL_MUL(B->h.x, U_0) + KSL_MUL(B->h.y, U_1) + KSL_MUL(B->h.z, U_2)),
+      co_1 = KSL_MUL(B->m, ds->m1)
+          + (KSL_MUL(B->h.x, U_3) + KSL_MUL(B->h.y, U_4) + KSL_MUL(B->h.z, U_5)),
+      co_2 = KSL_MUL(B->m, ds->m2)
+          + (KSL_MUL(B->h.x, U_6) + KSL_MUL(B->h.y, U_7) + KSL_MUL(B->h.z, U_8)),
+      co_3 = KSL_MUL(B->h.y, ds->m2) - KSL_MUL(B->h.z, ds->m1) + N_0,
+      co_4 = KSL_MUL(B->h.z, ds->m0) - KSL_MUL(B->h.x, ds->m2) + N_1,
+      co_5 = KSL_MUL(B->h.x, ds->m1) - KSL_MUL(B->h.y, ds->m0) + N_2;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -458,36 +398,21 @@ static inline void ksl_spatial_inertia_net_wrench(const ksl_spatial_inertia_t *B
      formula; barring over- and underflow. */
 static inline void ksl_spatial_inertia_shifted(const ksl_vec3_t *t,
     const ksl_spatial_inertia_t *B, ksl_spatial_inertia_t *Bo) {
-  const double mt_0 = KSL_MUL(t->x, B->m);
-  const double mt_1 = KSL_MUL(t->y, B->m);
-  const double mt_2 = KSL_MUL(t->z, B->m);
-  const double half_0 = KSL_MUL(0.5, mt_0);
-  const double half_1 = KSL_MUL(0.5, mt_1);
-  const double half_2 = KSL_MUL(0.5, mt_2);
-  const double n_0 = B->h.x + half_0;
-  const double n_1 = B->h.y + half_1;
-  const double n_2 = B->h.z + half_2;
+  const double mt_0 = KSL_MUL(t->x, B->m), mt_1 = KSL_MUL(t->y, B->m), mt_2 = KSL_MUL(t->z, B->m);
+  const double half_0 = KSL_MUL(0.5, mt_0), half_1 = KSL_MUL(0.5, mt_1),
+      half_2 = KSL_MUL(0.5, mt_2);
+  const double n_0 = B->h.x + half_0, n_1 = B->h.y + half_1, n_2 = B->h.z + half_2;
   const double tn0 = KSL_MUL(t->x, n_0);
   const double tn1 = KSL_MUL(t->y, n_1);
   const double tn2 = KSL_MUL(t->z, n_2);
-  const double own_0 = KSL_MUL(2.0, tn0);
-  const double own_1 = KSL_MUL(2.0, tn1);
-  const double own_2 = KSL_MUL(2.0, tn2);
-  const double pairs_0 = own_1 + own_2;
-  const double pairs_1 = own_0 + own_2;
-  const double pairs_2 = own_0 + own_1;
-  const double pairs_3 = KSL_MUL(t->x, n_1) + KSL_MUL(t->y, n_0);
-  const double pairs_4 = KSL_MUL(t->x, n_2) + KSL_MUL(t->z, n_0);
-  const double pairs_5 = KSL_MUL(t->y, n_2) + KSL_MUL(t->z, n_1);
-  const double moved_0 = B->h.x + mt_0;
-  const double moved_1 = B->h.y + mt_1;
-  const double moved_2 = B->h.z + mt_2;
-  const double Bo_4 = B->xx + pairs_0;
-  const double Bo_5 = B->yy + pairs_1;
-  const double Bo_6 = B->zz + pairs_2;
-  const double Bo_7 = B->xy - pairs_3;
-  const double Bo_8 = B->xz - pairs_4;
-  const double Bo_9 = B->yz - pairs_5;
+  const double own_0 = KSL_MUL(2.0, tn0), own_1 = KSL_MUL(2.0, tn1), own_2 = KSL_MUL(2.0, tn2);
+  const double pairs_0 = own_1 + own_2, pairs_1 = own_0 + own_2, pairs_2 = own_0 + own_1,
+      pairs_3 = KSL_MUL(t->x, n_1) + KSL_MUL(t->y, n_0),
+      pairs_4 = KSL_MUL(t->x, n_2) + KSL_MUL(t->z, n_0),
+      pairs_5 = KSL_MUL(t->y, n_2) + KSL_MUL(t->z, n_1);
+  const double moved_0 = B->h.x + mt_0, moved_1 = B->h.y + mt_1, moved_2 = B->h.z + mt_2;
+  const double Bo_4 = B->xx + pairs_0, Bo_5 = B->yy + pairs_1, Bo_6 = B->zz + pairs_2,
+      Bo_7 = B->xy - pairs_3, Bo_8 = B->xz - pairs_4, Bo_9 = B->yz - pairs_5;
   const double B_m = B->m;
   Bo->m = B_m;
   Bo->h.x = moved_0;
@@ -509,57 +434,41 @@ static inline void ksl_spatial_inertia_shifted(const ksl_vec3_t *t,
      formula; barring over- and underflow. */
 static inline void ksl_spatial_inertia_transformed(const ksl_SE3_t *D,
     const ksl_spatial_inertia_t *B, ksl_spatial_inertia_t *Bo) {
-  const double RI_0 = KSL_MUL(D->m00, B->xx) + KSL_MUL(D->m01, B->xy) + KSL_MUL(D->m02, B->xz);
-  const double RI_1 = KSL_MUL(D->m00, B->xy) + KSL_MUL(D->m01, B->yy) + KSL_MUL(D->m02, B->yz);
-  const double RI_2 = KSL_MUL(D->m00, B->xz) + KSL_MUL(D->m01, B->yz) + KSL_MUL(D->m02, B->zz);
-  const double RI_3 = KSL_MUL(D->m10, B->xx) + KSL_MUL(D->m11, B->xy) + KSL_MUL(D->m12, B->xz);
-  const double RI_4 = KSL_MUL(D->m10, B->xy) + KSL_MUL(D->m11, B->yy) + KSL_MUL(D->m12, B->yz);
-  const double RI_5 = KSL_MUL(D->m10, B->xz) + KSL_MUL(D->m11, B->yz) + KSL_MUL(D->m12, B->zz);
-  const double RI_6 = KSL_MUL(D->m20, B->xx) + KSL_MUL(D->m21, B->xy) + KSL_MUL(D->m22, B->xz);
-  const double RI_7 = KSL_MUL(D->m20, B->xy) + KSL_MUL(D->m21, B->yy) + KSL_MUL(D->m22, B->yz);
-  const double RI_8 = KSL_MUL(D->m20, B->xz) + KSL_MUL(D->m21, B->yz) + KSL_MUL(D->m22, B->zz);
+  const double RI_0 = KSL_MUL(D->m00, B->xx) + KSL_MUL(D->m01, B->xy) + KSL_MUL(D->m02, B->xz),
+      RI_1 = KSL_MUL(D->m00, B->xy) + KSL_MUL(D->m01, B->yy) + KSL_MUL(D->m02, B->yz),
+      RI_2 = KSL_MUL(D->m00, B->xz) + KSL_MUL(D->m01, B->yz) + KSL_MUL(D->m02, B->zz),
+      RI_3 = KSL_MUL(D->m10, B->xx) + KSL_MUL(D->m11, B->xy) + KSL_MUL(D->m12, B->xz),
+      RI_4 = KSL_MUL(D->m10, B->xy) + KSL_MUL(D->m11, B->yy) + KSL_MUL(D->m12, B->yz),
+      RI_5 = KSL_MUL(D->m10, B->xz) + KSL_MUL(D->m11, B->yz) + KSL_MUL(D->m12, B->zz),
+      RI_6 = KSL_MUL(D->m20, B->xx) + KSL_MUL(D->m21, B->xy) + KSL_MUL(D->m22, B->xz),
+      RI_7 = KSL_MUL(D->m20, B->xy) + KSL_MUL(D->m21, B->yy) + KSL_MUL(D->m22, B->yz),
+      RI_8 = KSL_MUL(D->m20, B->xz) + KSL_MUL(D->m21, B->yz) + KSL_MUL(D->m22, B->zz);
   const double turned_1 = KSL_MUL(D->m00, B->h.x) + KSL_MUL(D->m01, B->h.y)
-          + KSL_MUL(D->m02, B->h.z);
-  const double turned_2 = KSL_MUL(D->m10, B->h.x) + KSL_MUL(D->m11, B->h.y)
-          + KSL_MUL(D->m12, B->h.z);
-  const double turned_3 = KSL_MUL(D->m20, B->h.x) + KSL_MUL(D->m21, B->h.y)
-          + KSL_MUL(D->m22, B->h.z);
-  const double turned_4 = KSL_MUL(D->m00, RI_0) + KSL_MUL(D->m01, RI_1) + KSL_MUL(D->m02, RI_2);
-  const double turned_5 = KSL_MUL(D->m10, RI_3) + KSL_MUL(D->m11, RI_4) + KSL_MUL(D->m12, RI_5);
-  const double turned_6 = KSL_MUL(D->m20, RI_6) + KSL_MUL(D->m21, RI_7) + KSL_MUL(D->m22, RI_8);
-  const double turned_7 = KSL_MUL(D->m10, RI_0) + KSL_MUL(D->m11, RI_1) + KSL_MUL(D->m12, RI_2);
-  const double turned_8 = KSL_MUL(D->m20, RI_0) + KSL_MUL(D->m21, RI_1) + KSL_MUL(D->m22, RI_2);
-  const double turned_9 = KSL_MUL(D->m20, RI_3) + KSL_MUL(D->m21, RI_4) + KSL_MUL(D->m22, RI_5);
-  const double mt_0 = KSL_MUL(D->m03, B->m);
-  const double mt_1 = KSL_MUL(D->m13, B->m);
-  const double mt_2 = KSL_MUL(D->m23, B->m);
-  const double half_0 = KSL_MUL(0.5, mt_0);
-  const double half_1 = KSL_MUL(0.5, mt_1);
-  const double half_2 = KSL_MUL(0.5, mt_2);
-  const double n_0 = turned_1 + half_0;
-  const double n_1 = turned_2 + half_1;
-  const double n_2 = turned_3 + half_2;
+          + KSL_MUL(D->m02, B->h.z),
+      turned_2 = KSL_MUL(D->m10, B->h.x) + KSL_MUL(D->m11, B->h.y) + KSL_MUL(D->m12, B->h.z),
+      turned_3 = KSL_MUL(D->m20, B->h.x) + KSL_MUL(D->m21, B->h.y) + KSL_MUL(D->m22, B->h.z),
+      turned_4 = KSL_MUL(D->m00, RI_0) + KSL_MUL(D->m01, RI_1) + KSL_MUL(D->m02, RI_2),
+      turned_5 = KSL_MUL(D->m10, RI_3) + KSL_MUL(D->m11, RI_4) + KSL_MUL(D->m12, RI_5),
+      turned_6 = KSL_MUL(D->m20, RI_6) + KSL_MUL(D->m21, RI_7) + KSL_MUL(D->m22, RI_8),
+      turned_7 = KSL_MUL(D->m10, RI_0) + KSL_MUL(D->m11, RI_1) + KSL_MUL(D->m12, RI_2),
+      turned_8 = KSL_MUL(D->m20, RI_0) + KSL_MUL(D->m21, RI_1) + KSL_MUL(D->m22, RI_2),
+      turned_9 = KSL_MUL(D->m20, RI_3) + KSL_MUL(D->m21, RI_4) + KSL_MUL(D->m22, RI_5);
+  const double mt_0 = KSL_MUL(D->m03, B->m), mt_1 = KSL_MUL(D->m13, B->m),
+      mt_2 = KSL_MUL(D->m23, B->m);
+  const double half_0 = KSL_MUL(0.5, mt_0), half_1 = KSL_MUL(0.5, mt_1),
+      half_2 = KSL_MUL(0.5, mt_2);
+  const double n_0 = turned_1 + half_0, n_1 = turned_2 + half_1, n_2 = turned_3 + half_2;
   const double tn0 = KSL_MUL(D->m03, n_0);
   const double tn1 = KSL_MUL(D->m13, n_1);
   const double tn2 = KSL_MUL(D->m23, n_2);
-  const double own_0 = KSL_MUL(2.0, tn0);
-  const double own_1 = KSL_MUL(2.0, tn1);
-  const double own_2 = KSL_MUL(2.0, tn2);
-  const double pairs_0 = own_1 + own_2;
-  const double pairs_1 = own_0 + own_2;
-  const double pairs_2 = own_0 + own_1;
-  const double pairs_3 = KSL_MUL(D->m03, n_1) + KSL_MUL(D->m13, n_0);
-  const double pairs_4 = KSL_MUL(D->m03, n_2) + KSL_MUL(D->m23, n_0);
-  const double pairs_5 = KSL_MUL(D->m13, n_2) + KSL_MUL(D->m23, n_1);
-  const double moved_0 = turned_1 + mt_0;
-  const double moved_1 = turned_2 + mt_1;
-  const double moved_2 = turned_3 + mt_2;
-  const double Bo_4 = turned_4 + pairs_0;
-  const double Bo_5 = turned_5 + pairs_1;
-  const double Bo_6 = turned_6 + pairs_2;
-  const double Bo_7 = turned_7 - pairs_3;
-  const double Bo_8 = turned_8 - pairs_4;
-  const double Bo_9 = turned_9 - pairs_5;
+  const double own_0 = KSL_MUL(2.0, tn0), own_1 = KSL_MUL(2.0, tn1), own_2 = KSL_MUL(2.0, tn2);
+  const double pairs_0 = own_1 + own_2, pairs_1 = own_0 + own_2, pairs_2 = own_0 + own_1,
+      pairs_3 = KSL_MUL(D->m03, n_1) + KSL_MUL(D->m13, n_0),
+      pairs_4 = KSL_MUL(D->m03, n_2) + KSL_MUL(D->m23, n_0),
+      pairs_5 = KSL_MUL(D->m13, n_2) + KSL_MUL(D->m23, n_1);
+  const double moved_0 = turned_1 + mt_0, moved_1 = turned_2 + mt_1, moved_2 = turned_3 + mt_2;
+  const double Bo_4 = turned_4 + pairs_0, Bo_5 = turned_5 + pairs_1, Bo_6 = turned_6 + pairs_2,
+      Bo_7 = turned_7 - pairs_3, Bo_8 = turned_8 - pairs_4, Bo_9 = turned_9 - pairs_5;
   const double B_m = B->m;
   Bo->m = B_m;
   Bo->h.x = moved_0;
@@ -581,21 +490,15 @@ static inline void ksl_spatial_inertia_transformed(const ksl_SE3_t *D,
 static inline double ksl_spatial_inertia_consistency(const ksl_spatial_inertia_t *B) {
   const double twice_trace = B->xx + B->yy + B->zz;
   const double trace = KSL_MUL(0.5, twice_trace);
-  const double sigma_0 = trace - B->xx;
-  const double sigma_1 = trace - B->yy;
-  const double sigma_2 = trace - B->zz;
+  const double sigma_0 = trace - B->xx, sigma_1 = trace - B->yy, sigma_2 = trace - B->zz;
   const double divisor0 = 0.0 < B->m ? B->m : 1.0;
-  const double l0_0 = B->h.x / divisor0;
-  const double l0_1 = B->h.y / divisor0;
-  const double l0_2 = B->h.z / divisor0;
-  const double u1_0 = sigma_0 - KSL_MUL(B->h.x, l0_0);
-  const double u1_1 = -(KSL_MUL(B->h.y, l0_0) + B->xy);
-  const double u1_2 = -(KSL_MUL(B->h.z, l0_0) + B->xz);
+  const double l0_0 = B->h.x / divisor0, l0_1 = B->h.y / divisor0, l0_2 = B->h.z / divisor0;
+  const double u1_0 = sigma_0 - KSL_MUL(B->h.x, l0_0), u1_1 = -(KSL_MUL(B->h.y, l0_0) + B->xy),
+      u1_2 = -(KSL_MUL(B->h.z, l0_0) + B->xz);
   const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0;
-  const double l1_0 = u1_1 / divisor1;
-  const double l1_1 = u1_2 / divisor1;
-  const double u2_0 = sigma_1 - KSL_MUL(B->h.y, l0_1) - KSL_MUL(u1_1, l1_0);
-  const double u2_1 = -(KSL_MUL(B->h.z, l0_1) + B->yz + KSL_MUL(u1_2, l1_0));
+  const double l1_0 = u1_1 / divisor1, l1_1 = u1_2 / divisor1;
+  const double u2_0 = sigma_1 - KSL_MUL(B->h.y, l0_1) - KSL_MUL(u1_1, l1_0),
+      u2_1 = -(KSL_MUL(B->h.z, l0_1) + B->yz + KSL_MUL(u1_2, l1_0));
   const double divisor2 = 0.0 < u2_0 ? u2_0 : 1.0;
   const double l2 = u2_1 / divisor2;
   const double u3 = sigma_2 - KSL_MUL(B->h.z, l0_2) - KSL_MUL(u1_2, l1_1) - KSL_MUL(u2_1, l2);
@@ -665,16 +568,11 @@ static inline void ksl_spatial_inertiaf_copy(const ksl_spatial_inertiaf_t *Bi,
    10 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_spatial_inertiaf_scale(ksl_spatial_inertiaf_t *self, const float a) {
-  const float self_0_new = KSL_MULF(self->m, a);
-  const float self_1_new = KSL_MULF(self->h.x, a);
-  const float self_2_new = KSL_MULF(self->h.y, a);
-  const float self_3_new = KSL_MULF(self->h.z, a);
-  const float self_4_new = KSL_MULF(self->xx, a);
-  const float self_5_new = KSL_MULF(self->yy, a);
-  const float self_6_new = KSL_MULF(self->zz, a);
-  const float self_7_new = KSL_MULF(self->xy, a);
-  const float self_8_new = KSL_MULF(self->xz, a);
-  const float self_9_new = KSL_MULF(self->yz, a);
+  const float self_0_new = KSL_MULF(self->m, a), self_1_new = KSL_MULF(self->h.x, a),
+      self_2_new = KSL_MULF(self->h.y, a), self_3_new = KSL_MULF(self->h.z, a),
+      self_4_new = KSL_MULF(self->xx, a), self_5_new = KSL_MULF(self->yy, a),
+      self_6_new = KSL_MULF(self->zz, a), self_7_new = KSL_MULF(self->xy, a),
+      self_8_new = KSL_MULF(self->xz, a), self_9_new = KSL_MULF(self->yz, a);
   self->m = self_0_new;
   self->h.x = self_1_new;
   self->h.y = self_2_new;
@@ -694,16 +592,10 @@ static inline void ksl_spatial_inertiaf_scale(ksl_spatial_inertiaf_t *self, cons
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_BBf(const ksl_spatial_inertiaf_t *B1, const ksl_spatial_inertiaf_t *B2,
     ksl_spatial_inertiaf_t *Bo) {
-  const float Bo_0 = B1->m + B2->m;
-  const float Bo_1 = B1->h.x + B2->h.x;
-  const float Bo_2 = B1->h.y + B2->h.y;
-  const float Bo_3 = B1->h.z + B2->h.z;
-  const float Bo_4 = B1->xx + B2->xx;
-  const float Bo_5 = B1->yy + B2->yy;
-  const float Bo_6 = B1->zz + B2->zz;
-  const float Bo_7 = B1->xy + B2->xy;
-  const float Bo_8 = B1->xz + B2->xz;
-  const float Bo_9 = B1->yz + B2->yz;
+  const float Bo_0 = B1->m + B2->m, Bo_1 = B1->h.x + B2->h.x, Bo_2 = B1->h.y + B2->h.y,
+      Bo_3 = B1->h.z + B2->h.z, Bo_4 = B1->xx + B2->xx, Bo_5 = B1->yy + B2->yy,
+      Bo_6 = B1->zz + B2->zz, Bo_7 = B1->xy + B2->xy, Bo_8 = B1->xz + B2->xz,
+      Bo_9 = B1->yz + B2->yz;
   Bo->m = Bo_0;
   Bo->h.x = Bo_1;
   Bo->h.y = Bo_2;
@@ -723,16 +615,10 @@ static inline void ksl_add_BBf(const ksl_spatial_inertiaf_t *B1, const ksl_spati
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_subtract_BBf(const ksl_spatial_inertiaf_t *B1,
     const ksl_spatial_inertiaf_t *B2, ksl_spatial_inertiaf_t *Bo) {
-  const float Bo_0 = B1->m - B2->m;
-  const float Bo_1 = B1->h.x - B2->h.x;
-  const float Bo_2 = B1->h.y - B2->h.y;
-  const float Bo_3 = B1->h.z - B2->h.z;
-  const float Bo_4 = B1->xx - B2->xx;
-  const float Bo_5 = B1->yy - B2->yy;
-  const float Bo_6 = B1->zz - B2->zz;
-  const float Bo_7 = B1->xy - B2->xy;
-  const float Bo_8 = B1->xz - B2->xz;
-  const float Bo_9 = B1->yz - B2->yz;
+  const float Bo_0 = B1->m - B2->m, Bo_1 = B1->h.x - B2->h.x, Bo_2 = B1->h.y - B2->h.y,
+      Bo_3 = B1->h.z - B2->h.z, Bo_4 = B1->xx - B2->xx, Bo_5 = B1->yy - B2->yy,
+      Bo_6 = B1->zz - B2->zz, Bo_7 = B1->xy - B2->xy, Bo_8 = B1->xz - B2->xz,
+      Bo_9 = B1->yz - B2->yz;
   Bo->m = Bo_0;
   Bo->h.x = Bo_1;
   Bo->h.y = Bo_2;
@@ -754,18 +640,12 @@ static inline void ksl_subtract_BBf(const ksl_spatial_inertiaf_t *B1,
      formula; barring over- and underflow. */
 static inline void ksl_spatial_inertiaf_from_com(const float m, const ksl_vec3f_t *com,
     const ksl_mat3x3f_t *Ic, ksl_spatial_inertiaf_t *Bo) {
-  const float h_0 = KSL_MULF(m, com->x);
-  const float h_1 = KSL_MULF(m, com->y);
-  const float h_2 = KSL_MULF(m, com->z);
-  const float squares_0 = KSL_MULF(com->x, h_0);
-  const float squares_1 = KSL_MULF(com->y, h_1);
-  const float squares_2 = KSL_MULF(com->z, h_2);
-  const float Bo_4 = Ic->m00 + (squares_1 + squares_2);
-  const float Bo_5 = Ic->m11 + (squares_0 + squares_2);
-  const float Bo_6 = Ic->m22 + (squares_0 + squares_1);
-  const float Bo_7 = Ic->m01 - KSL_MULF(com->y, h_0);
-  const float Bo_8 = Ic->m02 - KSL_MULF(com->z, h_0);
-  const float Bo_9 = Ic->m12 - KSL_MULF(com->z, h_1);
+  const float h_0 = KSL_MULF(m, com->x), h_1 = KSL_MULF(m, com->y), h_2 = KSL_MULF(m, com->z);
+  const float squares_0 = KSL_MULF(com->x, h_0), squares_1 = KSL_MULF(com->y, h_1),
+      squares_2 = KSL_MULF(com->z, h_2);
+  const float Bo_4 = Ic->m00 + (squares_1 + squares_2), Bo_5 = Ic->m11 + (squares_0 + squares_2),
+      Bo_6 = Ic->m22 + (squares_0 + squares_1), Bo_7 = Ic->m01 - KSL_MULF(com->y, h_0),
+      Bo_8 = Ic->m02 - KSL_MULF(com->z, h_0), Bo_9 = Ic->m12 - KSL_MULF(com->z, h_1);
   Bo->m = m;
   Bo->h.x = h_0;
   Bo->h.y = h_1;
@@ -787,18 +667,12 @@ static inline void ksl_spatial_inertiaf_from_com(const float m, const ksl_vec3f_
    Error of a moment <= 4 u times the sum of its |terms|, barring over- and underflow. */
 static inline void ksl_spatial_inertiaf_from_inertia(const ksl_inertiaf_t *J,
     ksl_spatial_inertiaf_t *Bo) {
-  const float c_0 = J->mt.x / J->m;
-  const float c_1 = J->mt.y / J->m;
-  const float c_2 = J->mt.z / J->m;
-  const float squares_0 = KSL_MULF(J->mt.x, c_0);
-  const float squares_1 = KSL_MULF(J->mt.y, c_1);
-  const float squares_2 = KSL_MULF(J->mt.z, c_2);
-  const float Bo_4 = J->Ixx + (squares_1 + squares_2);
-  const float Bo_5 = J->Iyy + (squares_0 + squares_2);
-  const float Bo_6 = J->Izz + (squares_0 + squares_1);
-  const float Bo_7 = J->Ixy - KSL_MULF(J->mt.x, c_1);
-  const float Bo_8 = J->Izx - KSL_MULF(J->mt.x, c_2);
-  const float Bo_9 = J->Iyz - KSL_MULF(J->mt.y, c_2);
+  const float c_0 = J->mt.x / J->m, c_1 = J->mt.y / J->m, c_2 = J->mt.z / J->m;
+  const float squares_0 = KSL_MULF(J->mt.x, c_0), squares_1 = KSL_MULF(J->mt.y, c_1),
+      squares_2 = KSL_MULF(J->mt.z, c_2);
+  const float Bo_4 = J->Ixx + (squares_1 + squares_2), Bo_5 = J->Iyy + (squares_0 + squares_2),
+      Bo_6 = J->Izz + (squares_0 + squares_1), Bo_7 = J->Ixy - KSL_MULF(J->mt.x, c_1),
+      Bo_8 = J->Izx - KSL_MULF(J->mt.x, c_2), Bo_9 = J->Iyz - KSL_MULF(J->mt.y, c_2);
   const float J_m = J->m;
   const float J_mt_x = J->mt.x;
   const float J_mt_y = J->mt.y;
@@ -824,18 +698,12 @@ static inline void ksl_spatial_inertiaf_from_inertia(const ksl_inertiaf_t *J,
    Error of a moment <= 4 u times the sum of its |terms|, barring over- and underflow. */
 static inline void ksl_inertiaf_from_spatial_inertia(const ksl_spatial_inertiaf_t *B,
     ksl_inertiaf_t *Jo) {
-  const float c_0 = B->h.x / B->m;
-  const float c_1 = B->h.y / B->m;
-  const float c_2 = B->h.z / B->m;
-  const float squares_0 = KSL_MULF(B->h.x, c_0);
-  const float squares_1 = KSL_MULF(B->h.y, c_1);
-  const float squares_2 = KSL_MULF(B->h.z, c_2);
-  const float Jo_4 = B->xx - (squares_1 + squares_2);
-  const float Jo_5 = B->yy - (squares_0 + squares_2);
-  const float Jo_6 = B->zz - (squares_0 + squares_1);
-  const float Jo_7 = KSL_MULF(B->h.x, c_1) + B->xy;
-  const float Jo_8 = KSL_MULF(B->h.y, c_2) + B->yz;
-  const float Jo_9 = KSL_MULF(B->h.x, c_2) + B->xz;
+  const float c_0 = B->h.x / B->m, c_1 = B->h.y / B->m, c_2 = B->h.z / B->m;
+  const float squares_0 = KSL_MULF(B->h.x, c_0), squares_1 = KSL_MULF(B->h.y, c_1),
+      squares_2 = KSL_MULF(B->h.z, c_2);
+  const float Jo_4 = B->xx - (squares_1 + squares_2), Jo_5 = B->yy - (squares_0 + squares_2),
+      Jo_6 = B->zz - (squares_0 + squares_1), Jo_7 = KSL_MULF(B->h.x, c_1) + B->xy,
+      Jo_8 = KSL_MULF(B->h.y, c_2) + B->yz, Jo_9 = KSL_MULF(B->h.x, c_2) + B->xz;
   const float B_m = B->m;
   const float B_h_x = B->h.x;
   const float B_h_y = B->h.y;
@@ -858,9 +726,7 @@ static inline void ksl_inertiaf_from_spatial_inertia(const ksl_spatial_inertiaf_
    3 div.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_spatial_inertiaf_com(const ksl_spatial_inertiaf_t *B, ksl_vec3f_t *vo) {
-  const float vo_0 = B->h.x / B->m;
-  const float vo_1 = B->h.y / B->m;
-  const float vo_2 = B->h.z / B->m;
+  const float vo_0 = B->h.x / B->m, vo_1 = B->h.y / B->m, vo_2 = B->h.z / B->m;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -872,18 +738,12 @@ static inline void ksl_spatial_inertiaf_com(const ksl_spatial_inertiaf_t *B, ksl
    6 mul, 9 add, 3 div. */
 static inline void ksl_spatial_inertiaf_about_com(const ksl_spatial_inertiaf_t *B,
     ksl_mat3x3f_t *Ro) {
-  const float c_0 = B->h.x / B->m;
-  const float c_1 = B->h.y / B->m;
-  const float c_2 = B->h.z / B->m;
-  const float squares_0 = KSL_MULF(B->h.x, c_0);
-  const float squares_1 = KSL_MULF(B->h.y, c_1);
-  const float squares_2 = KSL_MULF(B->h.z, c_2);
-  const float about_0 = B->xx - (squares_1 + squares_2);
-  const float about_1 = B->yy - (squares_0 + squares_2);
-  const float about_2 = B->zz - (squares_0 + squares_1);
-  const float about_3 = KSL_MULF(B->h.x, c_1) + B->xy;
-  const float about_4 = KSL_MULF(B->h.x, c_2) + B->xz;
-  const float about_5 = KSL_MULF(B->h.y, c_2) + B->yz;
+  const float c_0 = B->h.x / B->m, c_1 = B->h.y / B->m, c_2 = B->h.z / B->m;
+  const float squares_0 = KSL_MULF(B->h.x, c_0), squares_1 = KSL_MULF(B->h.y, c_1),
+      squares_2 = KSL_MULF(B->h.z, c_2);
+  const float about_0 = B->xx - (squares_1 + squares_2), about_1 = B->yy - (squares_0 + squares_2),
+      about_2 = B->zz - (squares_0 + squares_1), about_3 = KSL_MULF(B->h.x, c_1) + B->xy,
+      about_4 = KSL_MULF(B->h.x, c_2) + B->xz, about_5 = KSL_MULF(B->h.y, c_2) + B->yz;
   Ro->m00 = about_0;
   Ro->m01 = about_3;
   Ro->m02 = about_4;
@@ -901,9 +761,7 @@ static inline void ksl_spatial_inertiaf_about_com(const ksl_spatial_inertiaf_t *
    3 neg.
    Exact. */
 static inline void ksl_spatial_inertiaf_matrix(const ksl_spatial_inertiaf_t *B, ksl_mat6x6f_t *Mo) {
-  const float Mo_05 = -B->h.y;
-  const float Mo_13 = -B->h.z;
-  const float Mo_24 = -B->h.x;
+  const float Mo_05 = -B->h.y, Mo_13 = -B->h.z, Mo_24 = -B->h.x;
   const float B_m = B->m;
   const float B_h_z = B->h.z;
   const float B_h_x = B->h.x;
@@ -960,14 +818,14 @@ static inline void ksl_spatial_inertiaf_matrix(const ksl_spatial_inertiaf_t *B, 
      barring over- and underflow. */
 static inline void ksl_product_Bsf(const ksl_spatial_inertiaf_t *B, const ksl_screwf_t *s,
     ksl_coscrewf_t *co) {
-  const float co_0 = KSL_MULF(B->m, s->m0) + (KSL_MULF(B->h.z, s->m4) - KSL_MULF(B->h.y, s->m5));
-  const float co_1 = KSL_MULF(B->m, s->m1) + (KSL_MULF(B->h.x, s->m5) - KSL_MULF(B->h.z, s->m3));
-  const float co_2 = KSL_MULF(B->m, s->m2) + (KSL_MULF(B->h.y, s->m3) - KSL_MULF(B->h.x, s->m4));
-  const float co_3 = KSL_MULF(B->h.y, s->m2) - KSL_MULF(B->h.z, s->m1)
-          + (KSL_MULF(B->xx, s->m3) + KSL_MULF(B->xy, s->m4) + KSL_MULF(B->xz, s->m5));
-  const float co_4 = KSL_MULF(B->h.z, s->m0) - KSL_MULF(B->h.x, s->m2)
-          + (KSL_MULF(B->yy, s->m4) + KSL_MULF(B->xy, s->m3) + KSL_MULF(B->yz, s->m5));
-  const float co_5 = KSL_MULF(B->h.x, s->m1) - KSL_MULF(B->h.y, s->m0)
+  const float co_0 = KSL_MULF(B->m, s->m0) + (KSL_MULF(B->h.z, s->m4) - KSL_MULF(B->h.y, s->m5)),
+      co_1 = KSL_MULF(B->m, s->m1) + (KSL_MULF(B->h.x, s->m5) - KSL_MULF(B->h.z, s->m3)),
+      co_2 = KSL_MULF(B->m, s->m2) + (KSL_MULF(B->h.y, s->m3) - KSL_MULF(B->h.x, s->m4)),
+      co_3 = KSL_MULF(B->h.y, s->m2) - KSL_MULF(B->h.z, s->m1)
+          + (KSL_MULF(B->xx, s->m3) + KSL_MULF(B->xy, s->m4) + KSL_MULF(B->xz, s->m5)),
+      co_4 = KSL_MULF(B->h.z, s->m0) - KSL_MULF(B->h.x, s->m2)
+          + (KSL_MULF(B->yy, s->m4) + KSL_MULF(B->xy, s->m3) + KSL_MULF(B->yz, s->m5)),
+      co_5 = KSL_MULF(B->h.x, s->m1) - KSL_MULF(B->h.y, s->m0)
           + (KSL_MULF(B->zz, s->m5) + KSL_MULF(B->xz, s->m3) + KSL_MULF(B->yz, s->m4));
   co->m0 = co_0;
   co->m1 = co_1;
@@ -986,14 +844,14 @@ static inline void ksl_product_Bsf(const ksl_spatial_inertiaf_t *B, const ksl_sc
 static inline float ksl_spatial_inertiaf_energy(const ksl_spatial_inertiaf_t *B,
     const ksl_screwf_t *s) {
   const float square = KSL_MULF(s->m0, s->m0) + KSL_MULF(s->m1, s->m1) + KSL_MULF(s->m2, s->m2);
-  const float L_0 = KSL_MULF(B->xx, s->m3) + KSL_MULF(B->xy, s->m4) + KSL_MULF(B->xz, s->m5);
-  const float L_1 = KSL_MULF(B->yy, s->m4) + KSL_MULF(B->xy, s->m3) + KSL_MULF(B->yz, s->m5);
-  const float L_2 = KSL_MULF(B->zz, s->m5) + KSL_MULF(B->xz, s->m3) + KSL_MULF(B->yz, s->m4);
+  const float L_0 = KSL_MULF(B->xx, s->m3) + KSL_MULF(B->xy, s->m4) + KSL_MULF(B->xz, s->m5),
+      L_1 = KSL_MULF(B->yy, s->m4) + KSL_MULF(B->xy, s->m3) + KSL_MULF(B->yz, s->m5),
+      L_2 = KSL_MULF(B->zz, s->m5) + KSL_MULF(B->xz, s->m3) + KSL_MULF(B->yz, s->m4);
   const float twice = KSL_MULF(B->m, square)
           + (KSL_MULF(s->m3, L_0) + KSL_MULF(s->m4, L_1) + KSL_MULF(s->m5, L_2));
-  const float across_0 = KSL_MULF(B->h.z, s->m4) - KSL_MULF(B->h.y, s->m5);
-  const float across_1 = KSL_MULF(B->h.x, s->m5) - KSL_MULF(B->h.z, s->m3);
-  const float across_2 = KSL_MULF(B->h.y, s->m3) - KSL_MULF(B->h.x, s->m4);
+  const float across_0 = KSL_MULF(B->h.z, s->m4) - KSL_MULF(B->h.y, s->m5),
+      across_1 = KSL_MULF(B->h.x, s->m5) - KSL_MULF(B->h.z, s->m3),
+      across_2 = KSL_MULF(B->h.y, s->m3) - KSL_MULF(B->h.x, s->m4);
   const float energy = KSL_MULF(s->m0, across_0) + KSL_MULF(s->m1, across_1)
           + KSL_MULF(s->m2, across_2) + KSL_MULF(0.5f, twice);
   return energy;
@@ -1009,45 +867,29 @@ static inline float ksl_spatial_inertiaf_energy(const ksl_spatial_inertiaf_t *B,
      barring over- and underflow. */
 static inline void ksl_spatial_inertiaf_net_wrench(const ksl_spatial_inertiaf_t *B,
     const ksl_vec3f_t *w, const ksl_screwf_t *ds, ksl_coscrewf_t *co) {
-  const float ww_0 = KSL_MULF(w->x, w->x);
-  const float ww_1 = KSL_MULF(w->y, w->y);
-  const float ww_2 = KSL_MULF(w->z, w->z);
-  const float ww_3 = KSL_MULF(w->x, w->y);
-  const float ww_4 = KSL_MULF(w->x, w->z);
-  const float ww_5 = KSL_MULF(w->y, w->z);
-  const float U_0 = -(ww_1 + ww_2);
-  const float U_1 = ww_3 - ds->m5;
-  const float U_2 = ds->m4 + ww_4;
-  const float U_3 = ds->m5 + ww_3;
-  const float U_4 = -(ww_0 + ww_2);
-  const float U_5 = ww_5 - ds->m3;
-  const float U_6 = ww_4 - ds->m4;
-  const float U_7 = ds->m3 + ww_5;
-  const float U_8 = -(ww_0 + ww_1);
-  const float others_0 = B->zz - B->yy;
-  const float others_1 = B->xx - B->zz;
-  const float others_2 = B->yy - B->xx;
-  const float squares_0 = ww_1 - ww_2;
-  const float squares_1 = ww_2 - ww_0;
-  const float squares_2 = ww_0 - ww_1;
-  const float own_0 = KSL_MULF(B->xx, ds->m3) + KSL_MULF(ww_5, others_0);
-  const float own_1 = KSL_MULF(B->yy, ds->m4) + KSL_MULF(ww_4, others_1);
-  const float own_2 = KSL_MULF(B->zz, ds->m5) + KSL_MULF(ww_3, others_2);
+  const float ww_0 = KSL_MULF(w->x, w->x), ww_1 = KSL_MULF(w->y, w->y), ww_2 = KSL_MULF(w->z, w->z),
+      ww_3 = KSL_MULF(w->x, w->y), ww_4 = KSL_MULF(w->x, w->z), ww_5 = KSL_MULF(w->y, w->z);
+  const float U_0 = -(ww_1 + ww_2), U_1 = ww_3 - ds->m5, U_2 = ds->m4 + ww_4, U_3 = ds->m5 + ww_3,
+      U_4 = -(ww_0 + ww_2), U_5 = ww_5 - ds->m3, U_6 = ww_4 - ds->m4, U_7 = ds->m3 + ww_5,
+      U_8 = -(ww_0 + ww_1);
+  const float others_0 = B->zz - B->yy, others_1 = B->xx - B->zz, others_2 = B->yy - B->xx;
+  const float squares_0 = ww_1 - ww_2, squares_1 = ww_2 - ww_0, squares_2 = ww_0 - ww_1;
+  const float own_0 = KSL_MULF(B->xx, ds->m3) + KSL_MULF(ww_5, others_0),
+      own_1 = KSL_MULF(B->yy, ds->m4) + KSL_MULF(ww_4, others_1),
+      own_2 = KSL_MULF(B->zz, ds->m5) + KSL_MULF(ww_3, others_2);
   const float N_0 = KSL_MULF(B->xz, U_3) - KSL_MULF(B->xy, U_6) + KSL_MULF(B->yz, squares_0)
-          + own_0;
-  const float N_1 = KSL_MULF(B->xy, U_7) - KSL_MULF(B->yz, U_1) + KSL_MULF(B->xz, squares_1)
-          + own_1;
-  const float N_2 = KSL_MULF(B->xy, squares_2) + (KSL_MULF(B->yz, U_2) - KSL_MULF(B->xz, U_5))
-          + own_2;
+          + own_0,
+      N_1 = KSL_MULF(B->xy, U_7) - KSL_MULF(B->yz, U_1) + KSL_MULF(B->xz, squares_1) + own_1,
+      N_2 = KSL_MULF(B->xy, squares_2) + (KSL_MULF(B->yz, U_2) - KSL_MULF(B->xz, U_5)) + own_2;
   const float co_0 = KSL_MULF(B->m, ds->m0)
-          + (KSL_MULF(B->h.x, U_0) + KSL_MULF(B->h.y, U_1) + KSL_MULF(B->h.z, U_2));
-  const float co_1 = KSL_MULF(B->m, ds->m1)
-          + (KSL_MULF(B->h.x, U_3) + KSL_MULF(B->h.y, U_4) + KSL_MULF(B->h.z, U_5));
-  const float co_2 = KSL_MULF(B->m, ds->m2)
-          + (KSL_MULF(B->h.x, U_6) + KSL_MULF(B->h.y, U_7) + KSL_MULF(B->h.z, U_8));
-  const float co_3 = KSL_MULF(B->h.y, ds->m2) - KSL_MULF(B->h.z, ds->m1) + N_0;
-  const float co_4 = KSL_MULF(B->h.z, ds->m0) - KSL_MULF(B->h.x, ds->m2) + N_1;
-  const float co_5 = KSL_MULF(B->h.x, ds->m1) - KSL_MULF(B->h.y, ds->m0) + N_2;
+          + (KSL_MULF(B->h.x, U_0) + KSL_MULF(B->h.y, U_1) + KSL_MULF(B->h.z, U_2)),
+      co_1 = KSL_MULF(B->m, ds->m1)
+          + (KSL_MULF(B->h.x, U_3) + KSL_MULF(B->h.y, U_4) + KSL_MULF(B->h.z, U_5)),
+      co_2 = KSL_MULF(B->m, ds->m2)
+          + (KSL_MULF(B->h.x, U_6) + KSL_MULF(B->h.y, U_7) + KSL_MULF(B->h.z, U_8)),
+      co_3 = KSL_MULF(B->h.y, ds->m2) - KSL_MULF(B->h.z, ds->m1) + N_0,
+      co_4 = KSL_MULF(B->h.z, ds->m0) - KSL_MULF(B->h.x, ds->m2) + N_1,
+      co_5 = KSL_MULF(B->h.x, ds->m1) - KSL_MULF(B->h.y, ds->m0) + N_2;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1064,36 +906,21 @@ static inline void ksl_spatial_inertiaf_net_wrench(const ksl_spatial_inertiaf_t 
      formula; barring over- and underflow. */
 static inline void ksl_spatial_inertiaf_shifted(const ksl_vec3f_t *t,
     const ksl_spatial_inertiaf_t *B, ksl_spatial_inertiaf_t *Bo) {
-  const float mt_0 = KSL_MULF(t->x, B->m);
-  const float mt_1 = KSL_MULF(t->y, B->m);
-  const float mt_2 = KSL_MULF(t->z, B->m);
-  const float half_0 = KSL_MULF(0.5f, mt_0);
-  const float half_1 = KSL_MULF(0.5f, mt_1);
-  const float half_2 = KSL_MULF(0.5f, mt_2);
-  const float n_0 = B->h.x + half_0;
-  const float n_1 = B->h.y + half_1;
-  const float n_2 = B->h.z + half_2;
+  const float mt_0 = KSL_MULF(t->x, B->m), mt_1 = KSL_MULF(t->y, B->m), mt_2 = KSL_MULF(t->z, B->m);
+  const float half_0 = KSL_MULF(0.5f, mt_0), half_1 = KSL_MULF(0.5f, mt_1),
+      half_2 = KSL_MULF(0.5f, mt_2);
+  const float n_0 = B->h.x + half_0, n_1 = B->h.y + half_1, n_2 = B->h.z + half_2;
   const float tn0 = KSL_MULF(t->x, n_0);
   const float tn1 = KSL_MULF(t->y, n_1);
   const float tn2 = KSL_MULF(t->z, n_2);
-  const float own_0 = KSL_MULF(2.0f, tn0);
-  const float own_1 = KSL_MULF(2.0f, tn1);
-  const float own_2 = KSL_MULF(2.0f, tn2);
-  const float pairs_0 = own_1 + own_2;
-  const float pairs_1 = own_0 + own_2;
-  const float pairs_2 = own_0 + own_1;
-  const float pairs_3 = KSL_MULF(t->x, n_1) + KSL_MULF(t->y, n_0);
-  const float pairs_4 = KSL_MULF(t->x, n_2) + KSL_MULF(t->z, n_0);
-  const float pairs_5 = KSL_MULF(t->y, n_2) + KSL_MULF(t->z, n_1);
-  const float moved_0 = B->h.x + mt_0;
-  const float moved_1 = B->h.y + mt_1;
-  const float moved_2 = B->h.z + mt_2;
-  const float Bo_4 = B->xx + pairs_0;
-  const float Bo_5 = B->yy + pairs_1;
-  const float Bo_6 = B->zz + pairs_2;
-  const float Bo_7 = B->xy - pairs_3;
-  const float Bo_8 = B->xz - pairs_4;
-  const float Bo_9 = B->yz - pairs_5;
+  const float own_0 = KSL_MULF(2.0f, tn0), own_1 = KSL_MULF(2.0f, tn1), own_2 = KSL_MULF(2.0f, tn2);
+  const float pairs_0 = own_1 + own_2, pairs_1 = own_0 + own_2, pairs_2 = own_0 + own_1,
+      pairs_3 = KSL_MULF(t->x, n_1) + KSL_MULF(t->y, n_0),
+      pairs_4 = KSL_MULF(t->x, n_2) + KSL_MULF(t->z, n_0),
+      pairs_5 = KSL_MULF(t->y, n_2) + KSL_MULF(t->z, n_1);
+  const float moved_0 = B->h.x + mt_0, moved_1 = B->h.y + mt_1, moved_2 = B->h.z + mt_2;
+  const float Bo_4 = B->xx + pairs_0, Bo_5 = B->yy + pairs_1, Bo_6 = B->zz + pairs_2,
+      Bo_7 = B->xy - pairs_3, Bo_8 = B->xz - pairs_4, Bo_9 = B->yz - pairs_5;
   const float B_m = B->m;
   Bo->m = B_m;
   Bo->h.x = moved_0;
@@ -1115,57 +942,41 @@ static inline void ksl_spatial_inertiaf_shifted(const ksl_vec3f_t *t,
      formula; barring over- and underflow. */
 static inline void ksl_spatial_inertiaf_transformed(const ksl_SE3f_t *D,
     const ksl_spatial_inertiaf_t *B, ksl_spatial_inertiaf_t *Bo) {
-  const float RI_0 = KSL_MULF(D->m00, B->xx) + KSL_MULF(D->m01, B->xy) + KSL_MULF(D->m02, B->xz);
-  const float RI_1 = KSL_MULF(D->m00, B->xy) + KSL_MULF(D->m01, B->yy) + KSL_MULF(D->m02, B->yz);
-  const float RI_2 = KSL_MULF(D->m00, B->xz) + KSL_MULF(D->m01, B->yz) + KSL_MULF(D->m02, B->zz);
-  const float RI_3 = KSL_MULF(D->m10, B->xx) + KSL_MULF(D->m11, B->xy) + KSL_MULF(D->m12, B->xz);
-  const float RI_4 = KSL_MULF(D->m10, B->xy) + KSL_MULF(D->m11, B->yy) + KSL_MULF(D->m12, B->yz);
-  const float RI_5 = KSL_MULF(D->m10, B->xz) + KSL_MULF(D->m11, B->yz) + KSL_MULF(D->m12, B->zz);
-  const float RI_6 = KSL_MULF(D->m20, B->xx) + KSL_MULF(D->m21, B->xy) + KSL_MULF(D->m22, B->xz);
-  const float RI_7 = KSL_MULF(D->m20, B->xy) + KSL_MULF(D->m21, B->yy) + KSL_MULF(D->m22, B->yz);
-  const float RI_8 = KSL_MULF(D->m20, B->xz) + KSL_MULF(D->m21, B->yz) + KSL_MULF(D->m22, B->zz);
+  const float RI_0 = KSL_MULF(D->m00, B->xx) + KSL_MULF(D->m01, B->xy) + KSL_MULF(D->m02, B->xz),
+      RI_1 = KSL_MULF(D->m00, B->xy) + KSL_MULF(D->m01, B->yy) + KSL_MULF(D->m02, B->yz),
+      RI_2 = KSL_MULF(D->m00, B->xz) + KSL_MULF(D->m01, B->yz) + KSL_MULF(D->m02, B->zz),
+      RI_3 = KSL_MULF(D->m10, B->xx) + KSL_MULF(D->m11, B->xy) + KSL_MULF(D->m12, B->xz),
+      RI_4 = KSL_MULF(D->m10, B->xy) + KSL_MULF(D->m11, B->yy) + KSL_MULF(D->m12, B->yz),
+      RI_5 = KSL_MULF(D->m10, B->xz) + KSL_MULF(D->m11, B->yz) + KSL_MULF(D->m12, B->zz),
+      RI_6 = KSL_MULF(D->m20, B->xx) + KSL_MULF(D->m21, B->xy) + KSL_MULF(D->m22, B->xz),
+      RI_7 = KSL_MULF(D->m20, B->xy) + KSL_MULF(D->m21, B->yy) + KSL_MULF(D->m22, B->yz),
+      RI_8 = KSL_MULF(D->m20, B->xz) + KSL_MULF(D->m21, B->yz) + KSL_MULF(D->m22, B->zz);
   const float turned_1 = KSL_MULF(D->m00, B->h.x) + KSL_MULF(D->m01, B->h.y)
-          + KSL_MULF(D->m02, B->h.z);
-  const float turned_2 = KSL_MULF(D->m10, B->h.x) + KSL_MULF(D->m11, B->h.y)
-          + KSL_MULF(D->m12, B->h.z);
-  const float turned_3 = KSL_MULF(D->m20, B->h.x) + KSL_MULF(D->m21, B->h.y)
-          + KSL_MULF(D->m22, B->h.z);
-  const float turned_4 = KSL_MULF(D->m00, RI_0) + KSL_MULF(D->m01, RI_1) + KSL_MULF(D->m02, RI_2);
-  const float turned_5 = KSL_MULF(D->m10, RI_3) + KSL_MULF(D->m11, RI_4) + KSL_MULF(D->m12, RI_5);
-  const float turned_6 = KSL_MULF(D->m20, RI_6) + KSL_MULF(D->m21, RI_7) + KSL_MULF(D->m22, RI_8);
-  const float turned_7 = KSL_MULF(D->m10, RI_0) + KSL_MULF(D->m11, RI_1) + KSL_MULF(D->m12, RI_2);
-  const float turned_8 = KSL_MULF(D->m20, RI_0) + KSL_MULF(D->m21, RI_1) + KSL_MULF(D->m22, RI_2);
-  const float turned_9 = KSL_MULF(D->m20, RI_3) + KSL_MULF(D->m21, RI_4) + KSL_MULF(D->m22, RI_5);
-  const float mt_0 = KSL_MULF(D->m03, B->m);
-  const float mt_1 = KSL_MULF(D->m13, B->m);
-  const float mt_2 = KSL_MULF(D->m23, B->m);
-  const float half_0 = KSL_MULF(0.5f, mt_0);
-  const float half_1 = KSL_MULF(0.5f, mt_1);
-  const float half_2 = KSL_MULF(0.5f, mt_2);
-  const float n_0 = turned_1 + half_0;
-  const float n_1 = turned_2 + half_1;
-  const float n_2 = turned_3 + half_2;
+          + KSL_MULF(D->m02, B->h.z),
+      turned_2 = KSL_MULF(D->m10, B->h.x) + KSL_MULF(D->m11, B->h.y) + KSL_MULF(D->m12, B->h.z),
+      turned_3 = KSL_MULF(D->m20, B->h.x) + KSL_MULF(D->m21, B->h.y) + KSL_MULF(D->m22, B->h.z),
+      turned_4 = KSL_MULF(D->m00, RI_0) + KSL_MULF(D->m01, RI_1) + KSL_MULF(D->m02, RI_2),
+      turned_5 = KSL_MULF(D->m10, RI_3) + KSL_MULF(D->m11, RI_4) + KSL_MULF(D->m12, RI_5),
+      turned_6 = KSL_MULF(D->m20, RI_6) + KSL_MULF(D->m21, RI_7) + KSL_MULF(D->m22, RI_8),
+      turned_7 = KSL_MULF(D->m10, RI_0) + KSL_MULF(D->m11, RI_1) + KSL_MULF(D->m12, RI_2),
+      turned_8 = KSL_MULF(D->m20, RI_0) + KSL_MULF(D->m21, RI_1) + KSL_MULF(D->m22, RI_2),
+      turned_9 = KSL_MULF(D->m20, RI_3) + KSL_MULF(D->m21, RI_4) + KSL_MULF(D->m22, RI_5);
+  const float mt_0 = KSL_MULF(D->m03, B->m), mt_1 = KSL_MULF(D->m13, B->m),
+      mt_2 = KSL_MULF(D->m23, B->m);
+  const float half_0 = KSL_MULF(0.5f, mt_0), half_1 = KSL_MULF(0.5f, mt_1),
+      half_2 = KSL_MULF(0.5f, mt_2);
+  const float n_0 = turned_1 + half_0, n_1 = turned_2 + half_1, n_2 = turned_3 + half_2;
   const float tn0 = KSL_MULF(D->m03, n_0);
   const float tn1 = KSL_MULF(D->m13, n_1);
   const float tn2 = KSL_MULF(D->m23, n_2);
-  const float own_0 = KSL_MULF(2.0f, tn0);
-  const float own_1 = KSL_MULF(2.0f, tn1);
-  const float own_2 = KSL_MULF(2.0f, tn2);
-  const float pairs_0 = own_1 + own_2;
-  const float pairs_1 = own_0 + own_2;
-  const float pairs_2 = own_0 + own_1;
-  const float pairs_3 = KSL_MULF(D->m03, n_1) + KSL_MULF(D->m13, n_0);
-  const float pairs_4 = KSL_MULF(D->m03, n_2) + KSL_MULF(D->m23, n_0);
-  const float pairs_5 = KSL_MULF(D->m13, n_2) + KSL_MULF(D->m23, n_1);
-  const float moved_0 = turned_1 + mt_0;
-  const float moved_1 = turned_2 + mt_1;
-  const float moved_2 = turned_3 + mt_2;
-  const float Bo_4 = turned_4 + pairs_0;
-  const float Bo_5 = turned_5 + pairs_1;
-  const float Bo_6 = turned_6 + pairs_2;
-  const float Bo_7 = turned_7 - pairs_3;
-  const float Bo_8 = turned_8 - pairs_4;
-  const float Bo_9 = turned_9 - pairs_5;
+  const float own_0 = KSL_MULF(2.0f, tn0), own_1 = KSL_MULF(2.0f, tn1), own_2 = KSL_MULF(2.0f, tn2);
+  const float pairs_0 = own_1 + own_2, pairs_1 = own_0 + own_2, pairs_2 = own_0 + own_1,
+      pairs_3 = KSL_MULF(D->m03, n_1) + KSL_MULF(D->m13, n_0),
+      pairs_4 = KSL_MULF(D->m03, n_2) + KSL_MULF(D->m23, n_0),
+      pairs_5 = KSL_MULF(D->m13, n_2) + KSL_MULF(D->m23, n_1);
+  const float moved_0 = turned_1 + mt_0, moved_1 = turned_2 + mt_1, moved_2 = turned_3 + mt_2;
+  const float Bo_4 = turned_4 + pairs_0, Bo_5 = turned_5 + pairs_1, Bo_6 = turned_6 + pairs_2,
+      Bo_7 = turned_7 - pairs_3, Bo_8 = turned_8 - pairs_4, Bo_9 = turned_9 - pairs_5;
   const float B_m = B->m;
   Bo->m = B_m;
   Bo->h.x = moved_0;
@@ -1187,21 +998,15 @@ static inline void ksl_spatial_inertiaf_transformed(const ksl_SE3f_t *D,
 static inline float ksl_spatial_inertiaf_consistency(const ksl_spatial_inertiaf_t *B) {
   const float twice_trace = B->xx + B->yy + B->zz;
   const float trace = KSL_MULF(0.5f, twice_trace);
-  const float sigma_0 = trace - B->xx;
-  const float sigma_1 = trace - B->yy;
-  const float sigma_2 = trace - B->zz;
+  const float sigma_0 = trace - B->xx, sigma_1 = trace - B->yy, sigma_2 = trace - B->zz;
   const float divisor0 = 0.0f < B->m ? B->m : 1.0f;
-  const float l0_0 = B->h.x / divisor0;
-  const float l0_1 = B->h.y / divisor0;
-  const float l0_2 = B->h.z / divisor0;
-  const float u1_0 = sigma_0 - KSL_MULF(B->h.x, l0_0);
-  const float u1_1 = -(KSL_MULF(B->h.y, l0_0) + B->xy);
-  const float u1_2 = -(KSL_MULF(B->h.z, l0_0) + B->xz);
+  const float l0_0 = B->h.x / divisor0, l0_1 = B->h.y / divisor0, l0_2 = B->h.z / divisor0;
+  const float u1_0 = sigma_0 - KSL_MULF(B->h.x, l0_0), u1_1 = -(KSL_MULF(B->h.y, l0_0) + B->xy),
+      u1_2 = -(KSL_MULF(B->h.z, l0_0) + B->xz);
   const float divisor1 = 0.0f < u1_0 ? u1_0 : 1.0f;
-  const float l1_0 = u1_1 / divisor1;
-  const float l1_1 = u1_2 / divisor1;
-  const float u2_0 = sigma_1 - KSL_MULF(B->h.y, l0_1) - KSL_MULF(u1_1, l1_0);
-  const float u2_1 = -(KSL_MULF(B->h.z, l0_1) + B->yz + KSL_MULF(u1_2, l1_0));
+  const float l1_0 = u1_1 / divisor1, l1_1 = u1_2 / divisor1;
+  const float u2_0 = sigma_1 - KSL_MULF(B->h.y, l0_1) - KSL_MULF(u1_1, l1_0),
+      u2_1 = -(KSL_MULF(B->h.z, l0_1) + B->yz + KSL_MULF(u1_2, l1_0));
   const float divisor2 = 0.0f < u2_0 ? u2_0 : 1.0f;
   const float l2 = u2_1 / divisor2;
   const float u3 = sigma_2 - KSL_MULF(B->h.z, l0_2) - KSL_MULF(u1_2, l1_1) - KSL_MULF(u2_1, l2);

@@ -14,26 +14,21 @@
    10 mul, 10 add, 10 product error.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_spatial_inertia_scale_accurate(ksl_spatial_inertia_t *self, const double a) {
-  const double self_0_new = KSL_MUL(self->m, a);
-  const double self_1_new = KSL_MUL(self->h.x, a);
-  const double self_2_new = KSL_MUL(self->h.y, a);
-  const double self_3_new = KSL_MUL(self->h.z, a);
-  const double self_4_new = KSL_MUL(self->xx, a);
-  const double self_5_new = KSL_MUL(self->yy, a);
-  const double self_6_new = KSL_MUL(self->zz, a);
-  const double self_7_new = KSL_MUL(self->xy, a);
-  const double self_8_new = KSL_MUL(self->xz, a);
-  const double self_9_new = KSL_MUL(self->yz, a);
-  const double self_0_new_rounded = self_0_new + ksl_product_error(self->m, a, self_0_new);
-  const double self_1_new_rounded = self_1_new + ksl_product_error(self->h.x, a, self_1_new);
-  const double self_2_new_rounded = self_2_new + ksl_product_error(self->h.y, a, self_2_new);
-  const double self_3_new_rounded = self_3_new + ksl_product_error(self->h.z, a, self_3_new);
-  const double self_4_new_rounded = self_4_new + ksl_product_error(self->xx, a, self_4_new);
-  const double self_5_new_rounded = self_5_new + ksl_product_error(self->yy, a, self_5_new);
-  const double self_6_new_rounded = self_6_new + ksl_product_error(self->zz, a, self_6_new);
-  const double self_7_new_rounded = self_7_new + ksl_product_error(self->xy, a, self_7_new);
-  const double self_8_new_rounded = self_8_new + ksl_product_error(self->xz, a, self_8_new);
-  const double self_9_new_rounded = self_9_new + ksl_product_error(self->yz, a, self_9_new);
+  const double self_0_new = KSL_MUL(self->m, a), self_1_new = KSL_MUL(self->h.x, a),
+      self_2_new = KSL_MUL(self->h.y, a), self_3_new = KSL_MUL(self->h.z, a),
+      self_4_new = KSL_MUL(self->xx, a), self_5_new = KSL_MUL(self->yy, a),
+      self_6_new = KSL_MUL(self->zz, a), self_7_new = KSL_MUL(self->xy, a),
+      self_8_new = KSL_MUL(self->xz, a), self_9_new = KSL_MUL(self->yz, a);
+  const double self_0_new_rounded = self_0_new + ksl_product_error(self->m, a, self_0_new),
+      self_1_new_rounded = self_1_new + ksl_product_error(self->h.x, a, self_1_new),
+      self_2_new_rounded = self_2_new + ksl_product_error(self->h.y, a, self_2_new),
+      self_3_new_rounded = self_3_new + ksl_product_error(self->h.z, a, self_3_new),
+      self_4_new_rounded = self_4_new + ksl_product_error(self->xx, a, self_4_new),
+      self_5_new_rounded = self_5_new + ksl_product_error(self->yy, a, self_5_new),
+      self_6_new_rounded = self_6_new + ksl_product_error(self->zz, a, self_6_new),
+      self_7_new_rounded = self_7_new + ksl_product_error(self->xy, a, self_7_new),
+      self_8_new_rounded = self_8_new + ksl_product_error(self->xz, a, self_8_new),
+      self_9_new_rounded = self_9_new + ksl_product_error(self->yz, a, self_9_new);
   self->m = self_0_new_rounded;
   self->h.x = self_1_new_rounded;
   self->h.y = self_2_new_rounded;
@@ -63,16 +58,16 @@ static inline void ksl_add_BB_accurate(const ksl_spatial_inertia_t *B1,
   const double Bo_7 = B1->xy + B2->xy, Bo_7_right = Bo_7 - B1->xy;
   const double Bo_8 = B1->xz + B2->xz, Bo_8_right = Bo_8 - B1->xz;
   const double Bo_9 = B1->yz + B2->yz, Bo_9_right = Bo_9 - B1->yz;
-  const double Bo_0_rounded = Bo_0 + (B1->m - (Bo_0 - Bo_0_right) + (B2->m - Bo_0_right));
-  const double Bo_1_rounded = Bo_1 + (B1->h.x - (Bo_1 - Bo_1_right) + (B2->h.x - Bo_1_right));
-  const double Bo_2_rounded = Bo_2 + (B1->h.y - (Bo_2 - Bo_2_right) + (B2->h.y - Bo_2_right));
-  const double Bo_3_rounded = Bo_3 + (B1->h.z - (Bo_3 - Bo_3_right) + (B2->h.z - Bo_3_right));
-  const double Bo_4_rounded = Bo_4 + (B1->xx - (Bo_4 - Bo_4_right) + (B2->xx - Bo_4_right));
-  const double Bo_5_rounded = Bo_5 + (B1->yy - (Bo_5 - Bo_5_right) + (B2->yy - Bo_5_right));
-  const double Bo_6_rounded = Bo_6 + (B1->zz - (Bo_6 - Bo_6_right) + (B2->zz - Bo_6_right));
-  const double Bo_7_rounded = Bo_7 + (B1->xy - (Bo_7 - Bo_7_right) + (B2->xy - Bo_7_right));
-  const double Bo_8_rounded = Bo_8 + (B1->xz - (Bo_8 - Bo_8_right) + (B2->xz - Bo_8_right));
-  const double Bo_9_rounded = Bo_9 + (B1->yz - (Bo_9 - Bo_9_right) + (B2->yz - Bo_9_right));
+  const double Bo_0_rounded = Bo_0 + (B1->m - (Bo_0 - Bo_0_right) + (B2->m - Bo_0_right)),
+      Bo_1_rounded = Bo_1 + (B1->h.x - (Bo_1 - Bo_1_right) + (B2->h.x - Bo_1_right)),
+      Bo_2_rounded = Bo_2 + (B1->h.y - (Bo_2 - Bo_2_right) + (B2->h.y - Bo_2_right)),
+      Bo_3_rounded = Bo_3 + (B1->h.z - (Bo_3 - Bo_3_right) + (B2->h.z - Bo_3_right)),
+      Bo_4_rounded = Bo_4 + (B1->xx - (Bo_4 - Bo_4_right) + (B2->xx - Bo_4_right)),
+      Bo_5_rounded = Bo_5 + (B1->yy - (Bo_5 - Bo_5_right) + (B2->yy - Bo_5_right)),
+      Bo_6_rounded = Bo_6 + (B1->zz - (Bo_6 - Bo_6_right) + (B2->zz - Bo_6_right)),
+      Bo_7_rounded = Bo_7 + (B1->xy - (Bo_7 - Bo_7_right) + (B2->xy - Bo_7_right)),
+      Bo_8_rounded = Bo_8 + (B1->xz - (Bo_8 - Bo_8_right) + (B2->xz - Bo_8_right)),
+      Bo_9_rounded = Bo_9 + (B1->yz - (Bo_9 - Bo_9_right) + (B2->yz - Bo_9_right));
   Bo->m = Bo_0_rounded;
   Bo->h.x = Bo_1_rounded;
   Bo->h.y = Bo_2_rounded;
@@ -102,16 +97,16 @@ static inline void ksl_subtract_BB_accurate(const ksl_spatial_inertia_t *B1,
   const double Bo_7 = B1->xy - B2->xy, Bo_7_right = B1->xy - Bo_7;
   const double Bo_8 = B1->xz - B2->xz, Bo_8_right = B1->xz - Bo_8;
   const double Bo_9 = B1->yz - B2->yz, Bo_9_right = B1->yz - Bo_9;
-  const double Bo_0_rounded = Bo_0 + (B1->m - (Bo_0 + Bo_0_right) - (B2->m - Bo_0_right));
-  const double Bo_1_rounded = Bo_1 + (B1->h.x - (Bo_1 + Bo_1_right) - (B2->h.x - Bo_1_right));
-  const double Bo_2_rounded = Bo_2 + (B1->h.y - (Bo_2 + Bo_2_right) - (B2->h.y - Bo_2_right));
-  const double Bo_3_rounded = Bo_3 + (B1->h.z - (Bo_3 + Bo_3_right) - (B2->h.z - Bo_3_right));
-  const double Bo_4_rounded = Bo_4 + (B1->xx - (Bo_4 + Bo_4_right) - (B2->xx - Bo_4_right));
-  const double Bo_5_rounded = Bo_5 + (B1->yy - (Bo_5 + Bo_5_right) - (B2->yy - Bo_5_right));
-  const double Bo_6_rounded = Bo_6 + (B1->zz - (Bo_6 + Bo_6_right) - (B2->zz - Bo_6_right));
-  const double Bo_7_rounded = Bo_7 + (B1->xy - (Bo_7 + Bo_7_right) - (B2->xy - Bo_7_right));
-  const double Bo_8_rounded = Bo_8 + (B1->xz - (Bo_8 + Bo_8_right) - (B2->xz - Bo_8_right));
-  const double Bo_9_rounded = Bo_9 + (B1->yz - (Bo_9 + Bo_9_right) - (B2->yz - Bo_9_right));
+  const double Bo_0_rounded = Bo_0 + (B1->m - (Bo_0 + Bo_0_right) - (B2->m - Bo_0_right)),
+      Bo_1_rounded = Bo_1 + (B1->h.x - (Bo_1 + Bo_1_right) - (B2->h.x - Bo_1_right)),
+      Bo_2_rounded = Bo_2 + (B1->h.y - (Bo_2 + Bo_2_right) - (B2->h.y - Bo_2_right)),
+      Bo_3_rounded = Bo_3 + (B1->h.z - (Bo_3 + Bo_3_right) - (B2->h.z - Bo_3_right)),
+      Bo_4_rounded = Bo_4 + (B1->xx - (Bo_4 + Bo_4_right) - (B2->xx - Bo_4_right)),
+      Bo_5_rounded = Bo_5 + (B1->yy - (Bo_5 + Bo_5_right) - (B2->yy - Bo_5_right)),
+      Bo_6_rounded = Bo_6 + (B1->zz - (Bo_6 + Bo_6_right) - (B2->zz - Bo_6_right)),
+      Bo_7_rounded = Bo_7 + (B1->xy - (Bo_7 + Bo_7_right) - (B2->xy - Bo_7_right)),
+      Bo_8_rounded = Bo_8 + (B1->xz - (Bo_8 + Bo_8_right) - (B2->xz - Bo_8_right)),
+      Bo_9_rounded = Bo_9 + (B1->yz - (Bo_9 + Bo_9_right) - (B2->yz - Bo_9_right));
   Bo->m = Bo_0_rounded;
   Bo->h.x = Bo_1_rounded;
   Bo->h.y = Bo_2_rounded;
@@ -133,9 +128,7 @@ static inline void ksl_subtract_BB_accurate(const ksl_spatial_inertia_t *B1,
      formula; barring over- and underflow. */
 static inline void ksl_spatial_inertia_from_com_accurate(const double m, const ksl_vec3_t *com,
     const ksl_mat3x3_t *Ic, ksl_spatial_inertia_t *Bo) {
-  const double h_0 = KSL_MUL(m, com->x);
-  const double h_1 = KSL_MUL(m, com->y);
-  const double h_2 = KSL_MUL(m, com->z);
+  const double h_0 = KSL_MUL(m, com->x), h_1 = KSL_MUL(m, com->y), h_2 = KSL_MUL(m, com->z);
   const double h_0_lo = ksl_product_error(m, com->x, h_0), squares_0 = KSL_MUL(com->x, h_0),
       squares_0_cross2 = KSL_MUL(com->x, h_0_lo);
   const double h_1_lo = ksl_product_error(m, com->y, h_1), squares_1 = KSL_MUL(com->y, h_1),
@@ -157,25 +150,23 @@ static inline void ksl_spatial_inertia_from_com_accurate(const double m, const k
   const double Bo_7a = KSL_MUL(com->y, h_0), Bo_7 = Ic->m01 - Bo_7a, Bo_7_right = Ic->m01 - Bo_7;
   const double Bo_8a = KSL_MUL(com->z, h_0), Bo_8 = Ic->m02 - Bo_8a, Bo_8_right = Ic->m02 - Bo_8;
   const double Bo_9a = KSL_MUL(com->z, h_1), Bo_9 = Ic->m12 - Bo_9a, Bo_9_right = Ic->m12 - Bo_9;
-  const double h_0_rounded = h_0 + h_0_lo;
-  const double h_1_rounded = h_1 + h_1_lo;
-  const double h_2_rounded = h_2 + h_2_lo;
+  const double h_0_rounded = h_0 + h_0_lo, h_1_rounded = h_1 + h_1_lo, h_2_rounded = h_2 + h_2_lo;
   const double Bo_4_rounded = Bo_4
           + (Ic->m00 - (Bo_4 - Bo_4_right) + (Bo_4a - Bo_4_right)
-          + (Bo_4a_lo1 + (squares_1_cross2 + squares_2_cross2)));
-  const double Bo_5_rounded = Bo_5
+          + (Bo_4a_lo1 + (squares_1_cross2 + squares_2_cross2))),
+      Bo_5_rounded = Bo_5
           + (Ic->m11 - (Bo_5 - Bo_5_right) + (Bo_5a - Bo_5_right)
-          + (Bo_5a_lo1 + (squares_0_cross2 + squares_2_cross2)));
-  const double Bo_6_rounded = Bo_6
+          + (Bo_5a_lo1 + (squares_0_cross2 + squares_2_cross2))),
+      Bo_6_rounded = Bo_6
           + (Ic->m22 - (Bo_6 - Bo_6_right) + (Bo_6a - Bo_6_right)
-          + (Bo_6a_lo1 + (squares_0_cross2 + squares_1_cross2)));
-  const double Bo_7_rounded = Bo_7
+          + (Bo_6a_lo1 + (squares_0_cross2 + squares_1_cross2))),
+      Bo_7_rounded = Bo_7
           + (Ic->m01 - (Bo_7 + Bo_7_right) - ksl_product_rest(com->y, h_0, Bo_7a, Bo_7_right)
-          - KSL_MUL(com->y, h_0_lo));
-  const double Bo_8_rounded = Bo_8
+          - KSL_MUL(com->y, h_0_lo)),
+      Bo_8_rounded = Bo_8
           + (Ic->m02 - (Bo_8 + Bo_8_right) - ksl_product_rest(com->z, h_0, Bo_8a, Bo_8_right)
-          - KSL_MUL(com->z, h_0_lo));
-  const double Bo_9_rounded = Bo_9
+          - KSL_MUL(com->z, h_0_lo)),
+      Bo_9_rounded = Bo_9
           + (Ic->m12 - (Bo_9 + Bo_9_right) - ksl_product_rest(com->z, h_1, Bo_9a, Bo_9_right)
           - KSL_MUL(com->z, h_1_lo));
   Bo->m = m;
@@ -489,18 +480,18 @@ static inline void ksl_product_Bs_accurate(const ksl_spatial_inertia_t *B, const
           - ksl_product_rest(B->h.y, s->m0, co_5b, co_5c_right);
   const double co_0_rounded = co_0
           + (ksl_product_rest(B->m, s->m0, co_0a, co_0 - co_0_right) + (co_0d - co_0_right)
-          + co_0d_lo);
-  const double co_1_rounded = co_1
+          + co_0d_lo),
+      co_1_rounded = co_1
           + (ksl_product_rest(B->m, s->m1, co_1a, co_1 - co_1_right) + (co_1d - co_1_right)
-          + co_1d_lo);
-  const double co_2_rounded = co_2
+          + co_1d_lo),
+      co_2_rounded = co_2
           + (ksl_product_rest(B->m, s->m2, co_2a, co_2 - co_2_right) + (co_2d - co_2_right)
-          + co_2d_lo);
-  const double co_3_rounded = co_3
-          + (co_3c - (co_3 - co_3_right) + (co_3h - co_3_right) + co_3h_lo + co_3c_lo);
-  const double co_4_rounded = co_4
-          + (co_4c - (co_4 - co_4_right) + (co_4h - co_4_right) + co_4h_lo + co_4c_lo);
-  const double co_5_rounded = co_5
+          + co_2d_lo),
+      co_3_rounded = co_3
+          + (co_3c - (co_3 - co_3_right) + (co_3h - co_3_right) + co_3h_lo + co_3c_lo),
+      co_4_rounded = co_4
+          + (co_4c - (co_4 - co_4_right) + (co_4h - co_4_right) + co_4h_lo + co_4c_lo),
+      co_5_rounded = co_5
           + (co_5c - (co_5 - co_5_right) + (co_5h - co_5_right) + co_5h_lo + co_5c_lo);
   co->m0 = co_0_rounded;
   co->m1 = co_1_rounded;
@@ -620,12 +611,8 @@ static inline double ksl_spatial_inertia_energy_accurate(const ksl_spatial_inert
      formula; barring over- and underflow. */
 static inline void ksl_spatial_inertia_net_wrench_accurate(const ksl_spatial_inertia_t *B,
     const ksl_vec3_t *w, const ksl_screw_t *ds, ksl_coscrew_t *co) {
-  const double ww_0 = KSL_MUL(w->x, w->x);
-  const double ww_1 = KSL_MUL(w->y, w->y);
-  const double ww_2 = KSL_MUL(w->z, w->z);
-  const double ww_3 = KSL_MUL(w->x, w->y);
-  const double ww_4 = KSL_MUL(w->x, w->z);
-  const double ww_5 = KSL_MUL(w->y, w->z);
+  const double ww_0 = KSL_MUL(w->x, w->x), ww_1 = KSL_MUL(w->y, w->y), ww_2 = KSL_MUL(w->z, w->z),
+      ww_3 = KSL_MUL(w->x, w->y), ww_4 = KSL_MUL(w->x, w->z), ww_5 = KSL_MUL(w->y, w->z);
   const double U_0a = ww_1 + ww_2, U_0a_right = U_0a - ww_1, U_0 = -U_0a;
   const double U_1 = ww_3 - ds->m5, U_1_right = ww_3 - U_1,
       U_1_lo = ksl_product_rest(w->x, w->y, ww_3, U_1 + U_1_right) - (ds->m5 - U_1_right);
@@ -787,18 +774,15 @@ static inline void ksl_spatial_inertia_net_wrench_accurate(const ksl_spatial_ine
   const double co_5c_lo = ksl_product_rest(B->h.x, ds->m1, co_5a, co_5c + co_5c_right)
           - ksl_product_rest(B->h.y, ds->m0, co_5b, co_5c_right);
   const double co_0_rounded = co_0
-          + (co_0_lo1 + (co_0f_lo2 + (co_0d_lo1 + (co_0b_cross2 + KSL_MUL(B->h.y, U_1_sum_lo)))));
-  const double co_1_rounded = co_1
-          + (co_1_lo1 + (co_1f_lo2 + (co_1d_lo1 + (KSL_MUL(B->h.x, U_3_sum_lo) + co_1c_cross2))));
-  const double co_2_rounded = co_2
+          + (co_0_lo1 + (co_0f_lo2 + (co_0d_lo1 + (co_0b_cross2 + KSL_MUL(B->h.y, U_1_sum_lo))))),
+      co_1_rounded = co_1
+          + (co_1_lo1 + (co_1f_lo2 + (co_1d_lo1 + (KSL_MUL(B->h.x, U_3_sum_lo) + co_1c_cross2)))),
+      co_2_rounded = co_2
           + (ksl_product_rest(B->m, ds->m2, co_2a, co_2 - co_2_right) + (co_2f - co_2_right)
-          + co_2f_lo);
-  const double co_3_rounded = co_3
-          + (co_3c - (co_3 - co_3_right) + (N_0 - co_3_right) + N_0_lo + co_3c_lo);
-  const double co_4_rounded = co_4
-          + (co_4c - (co_4 - co_4_right) + (N_1 - co_4_right) + N_1_lo + co_4c_lo);
-  const double co_5_rounded = co_5
-          + (co_5c - (co_5 - co_5_right) + (N_2 - co_5_right) + N_2_lo + co_5c_lo);
+          + co_2f_lo),
+      co_3_rounded = co_3 + (co_3c - (co_3 - co_3_right) + (N_0 - co_3_right) + N_0_lo + co_3c_lo),
+      co_4_rounded = co_4 + (co_4c - (co_4 - co_4_right) + (N_1 - co_4_right) + N_1_lo + co_4c_lo),
+      co_5_rounded = co_5 + (co_5c - (co_5 - co_5_right) + (N_2 - co_5_right) + N_2_lo + co_5c_lo);
   co->m0 = co_0_rounded;
   co->m1 = co_1_rounded;
   co->m2 = co_2_rounded;
@@ -815,9 +799,7 @@ static inline void ksl_spatial_inertia_net_wrench_accurate(const ksl_spatial_ine
      formula; barring over- and underflow. */
 static inline void ksl_spatial_inertia_shifted_accurate(const ksl_vec3_t *t,
     const ksl_spatial_inertia_t *B, ksl_spatial_inertia_t *Bo) {
-  const double mt_0 = KSL_MUL(t->x, B->m);
-  const double mt_1 = KSL_MUL(t->y, B->m);
-  const double mt_2 = KSL_MUL(t->z, B->m);
+  const double mt_0 = KSL_MUL(t->x, B->m), mt_1 = KSL_MUL(t->y, B->m), mt_2 = KSL_MUL(t->z, B->m);
   const double mt_0_lo = ksl_product_error(t->x, B->m, mt_0), half_0 = KSL_MUL(0.5, mt_0);
   const double mt_1_lo = ksl_product_error(t->y, B->m, mt_1), half_1 = KSL_MUL(0.5, mt_1);
   const double mt_2_lo = ksl_product_error(t->z, B->m, mt_2), half_2 = KSL_MUL(0.5, mt_2);
@@ -867,24 +849,22 @@ static inline void ksl_spatial_inertia_shifted_accurate(const ksl_vec3_t *t,
   const double Bo_8 = B->xz - pairs_4, Bo_8_right = B->xz - Bo_8;
   const double Bo_9 = B->yz - pairs_5, Bo_9_right = B->yz - Bo_9;
   const double moved_0_rounded = moved_0
-          + (B->h.x - (moved_0 - moved_0_right) + (mt_0 - moved_0_right) + mt_0_lo);
-  const double moved_1_rounded = moved_1
-          + (B->h.y - (moved_1 - moved_1_right) + (mt_1 - moved_1_right) + mt_1_lo);
-  const double moved_2_rounded = moved_2
+          + (B->h.x - (moved_0 - moved_0_right) + (mt_0 - moved_0_right) + mt_0_lo),
+      moved_1_rounded = moved_1
+          + (B->h.y - (moved_1 - moved_1_right) + (mt_1 - moved_1_right) + mt_1_lo),
+      moved_2_rounded = moved_2
           + (B->h.z - (moved_2 - moved_2_right) + (mt_2 - moved_2_right) + mt_2_lo);
   const double Bo_4_rounded = Bo_4
-          + (B->xx - (Bo_4 - Bo_4_right) + (pairs_0 - Bo_4_right) + pairs_0_lo);
-  const double Bo_5_rounded = Bo_5
-          + (B->yy - (Bo_5 - Bo_5_right) + (pairs_1 - Bo_5_right) + pairs_1_lo);
-  const double Bo_6_rounded = Bo_6
-          + (B->zz - (Bo_6 - Bo_6_right) + (pairs_2 - Bo_6_right) + pairs_2_lo);
-  const double Bo_7_rounded = Bo_7
+          + (B->xx - (Bo_4 - Bo_4_right) + (pairs_0 - Bo_4_right) + pairs_0_lo),
+      Bo_5_rounded = Bo_5 + (B->yy - (Bo_5 - Bo_5_right) + (pairs_1 - Bo_5_right) + pairs_1_lo),
+      Bo_6_rounded = Bo_6 + (B->zz - (Bo_6 - Bo_6_right) + (pairs_2 - Bo_6_right) + pairs_2_lo),
+      Bo_7_rounded = Bo_7
           + (B->xy - (Bo_7 + Bo_7_right) - (pairs_3 - Bo_7_right)
-          - (pairs_3_lo1 + (KSL_MUL(t->x, n_1_lo) + KSL_MUL(t->y, n_0_lo))));
-  const double Bo_8_rounded = Bo_8
+          - (pairs_3_lo1 + (KSL_MUL(t->x, n_1_lo) + KSL_MUL(t->y, n_0_lo)))),
+      Bo_8_rounded = Bo_8
           + (B->xz - (Bo_8 + Bo_8_right) - (pairs_4 - Bo_8_right)
-          - (pairs_4_lo1 + (KSL_MUL(t->x, n_2_lo) + KSL_MUL(t->z, n_0_lo))));
-  const double Bo_9_rounded = Bo_9
+          - (pairs_4_lo1 + (KSL_MUL(t->x, n_2_lo) + KSL_MUL(t->z, n_0_lo)))),
+      Bo_9_rounded = Bo_9
           + (B->yz - (Bo_9 + Bo_9_right) - (pairs_5 - Bo_9_right)
           - (pairs_5_lo1 + (KSL_MUL(t->y, n_2_lo) + KSL_MUL(t->z, n_1_lo))));
   const double B_m = B->m;
@@ -1081,9 +1061,8 @@ static inline void ksl_spatial_inertia_transformed_accurate(const ksl_SE3_t *D,
       turned_9_lo2 = turned_9c - (turned_9 - turned_9_right)
           + ksl_product_rest(D->m22, RI_5_sum, turned_9d, turned_9_right)
           + KSL_MUL(D->m22, RI_5_sum_lo);
-  const double mt_0 = KSL_MUL(D->m03, B->m);
-  const double mt_1 = KSL_MUL(D->m13, B->m);
-  const double mt_2 = KSL_MUL(D->m23, B->m);
+  const double mt_0 = KSL_MUL(D->m03, B->m), mt_1 = KSL_MUL(D->m13, B->m),
+      mt_2 = KSL_MUL(D->m23, B->m);
   const double mt_0_lo = ksl_product_error(D->m03, B->m, mt_0), half_0 = KSL_MUL(0.5, mt_0);
   const double mt_1_lo = ksl_product_error(D->m13, B->m, mt_1), half_1 = KSL_MUL(0.5, mt_1);
   const double mt_2_lo = ksl_product_error(D->m23, B->m, mt_2), half_2 = KSL_MUL(0.5, mt_2);
@@ -1158,26 +1137,26 @@ static inline void ksl_spatial_inertia_transformed_accurate(const ksl_SE3_t *D,
       Bo_9_lo2 = turned_9 - (Bo_9 + Bo_9_right) - (pairs_5 - Bo_9_right)
           - (pairs_5_lo1 + (KSL_MUL(D->m13, n_2_sum_lo) + KSL_MUL(D->m23, n_1_sum_lo)));
   const double moved_0_rounded = moved_0
-          + (turned_1 - (moved_0 - moved_0_right) + (mt_0 - moved_0_right) + mt_0_lo + turned_1_lo);
-  const double moved_1_rounded = moved_1
-          + (turned_2 - (moved_1 - moved_1_right) + (mt_1 - moved_1_right) + mt_1_lo + turned_2_lo);
-  const double moved_2_rounded = moved_2
+          + (turned_1 - (moved_0 - moved_0_right) + (mt_0 - moved_0_right) + mt_0_lo + turned_1_lo),
+      moved_1_rounded = moved_1
+          + (turned_2 - (moved_1 - moved_1_right) + (mt_1 - moved_1_right) + mt_1_lo + turned_2_lo),
+      moved_2_rounded = moved_2
           + (turned_3 - (moved_2 - moved_2_right) + (mt_2 - moved_2_right) + mt_2_lo + turned_3_lo);
   const double Bo_4_rounded = Bo_4
-          + (turned_4 - (Bo_4 - Bo_4_right) + (pairs_0 - Bo_4_right) + pairs_0_lo + turned_4_lo);
-  const double Bo_5_rounded = Bo_5
-          + (turned_5 - (Bo_5 - Bo_5_right) + (pairs_1 - Bo_5_right) + pairs_1_lo + turned_5_lo);
-  const double Bo_6_rounded = Bo_6
-          + (turned_6 - (Bo_6 - Bo_6_right) + (pairs_2 - Bo_6_right) + pairs_2_lo + turned_6_lo);
-  const double Bo_7_rounded = Bo_7
+          + (turned_4 - (Bo_4 - Bo_4_right) + (pairs_0 - Bo_4_right) + pairs_0_lo + turned_4_lo),
+      Bo_5_rounded = Bo_5
+          + (turned_5 - (Bo_5 - Bo_5_right) + (pairs_1 - Bo_5_right) + pairs_1_lo + turned_5_lo),
+      Bo_6_rounded = Bo_6
+          + (turned_6 - (Bo_6 - Bo_6_right) + (pairs_2 - Bo_6_right) + pairs_2_lo + turned_6_lo),
+      Bo_7_rounded = Bo_7
           + (Bo_7_lo2
           + (turned_7_lo2
-          + (turned_7c_lo1 + (KSL_MUL(D->m10, RI_0_sum_lo) + KSL_MUL(D->m11, RI_1_sum_lo)))));
-  const double Bo_8_rounded = Bo_8
+          + (turned_7c_lo1 + (KSL_MUL(D->m10, RI_0_sum_lo) + KSL_MUL(D->m11, RI_1_sum_lo))))),
+      Bo_8_rounded = Bo_8
           + (Bo_8_lo2
           + (turned_8_lo2
-          + (turned_8c_lo1 + (KSL_MUL(D->m20, RI_0_sum_lo) + KSL_MUL(D->m21, RI_1_sum_lo)))));
-  const double Bo_9_rounded = Bo_9
+          + (turned_8c_lo1 + (KSL_MUL(D->m20, RI_0_sum_lo) + KSL_MUL(D->m21, RI_1_sum_lo))))),
+      Bo_9_rounded = Bo_9
           + (Bo_9_lo2
           + (turned_9_lo2
           + (turned_9c_lo1 + (KSL_MUL(D->m20, RI_3_sum_lo) + KSL_MUL(D->m21, RI_4_sum_lo)))));
@@ -1364,16 +1343,11 @@ static inline double ksl_spatial_inertia_consistency_accurate(const ksl_spatial_
      over- and underflow. */
 static inline void ksl_spatial_inertiaf_scale_accurate(ksl_spatial_inertiaf_t *self,
     const float a) {
-  const double self_0_new = (double)self->m * (double)a;
-  const double self_1_new = (double)self->h.x * (double)a;
-  const double self_2_new = (double)self->h.y * (double)a;
-  const double self_3_new = (double)self->h.z * (double)a;
-  const double self_4_new = (double)self->xx * (double)a;
-  const double self_5_new = (double)self->yy * (double)a;
-  const double self_6_new = (double)self->zz * (double)a;
-  const double self_7_new = (double)self->xy * (double)a;
-  const double self_8_new = (double)self->xz * (double)a;
-  const double self_9_new = (double)self->yz * (double)a;
+  const double self_0_new = (double)self->m * (double)a, self_1_new = (double)self->h.x * (double)a,
+      self_2_new = (double)self->h.y * (double)a, self_3_new = (double)self->h.z * (double)a,
+      self_4_new = (double)self->xx * (double)a, self_5_new = (double)self->yy * (double)a,
+      self_6_new = (double)self->zz * (double)a, self_7_new = (double)self->xy * (double)a,
+      self_8_new = (double)self->xz * (double)a, self_9_new = (double)self->yz * (double)a;
   self->m = (float)self_0_new;
   self->h.x = (float)self_1_new;
   self->h.y = (float)self_2_new;
@@ -1394,16 +1368,11 @@ static inline void ksl_spatial_inertiaf_scale_accurate(ksl_spatial_inertiaf_t *s
      over- and underflow. */
 static inline void ksl_add_BBf_accurate(const ksl_spatial_inertiaf_t *B1,
     const ksl_spatial_inertiaf_t *B2, ksl_spatial_inertiaf_t *Bo) {
-  const double Bo_0 = (double)B1->m + (double)B2->m;
-  const double Bo_1 = (double)B1->h.x + (double)B2->h.x;
-  const double Bo_2 = (double)B1->h.y + (double)B2->h.y;
-  const double Bo_3 = (double)B1->h.z + (double)B2->h.z;
-  const double Bo_4 = (double)B1->xx + (double)B2->xx;
-  const double Bo_5 = (double)B1->yy + (double)B2->yy;
-  const double Bo_6 = (double)B1->zz + (double)B2->zz;
-  const double Bo_7 = (double)B1->xy + (double)B2->xy;
-  const double Bo_8 = (double)B1->xz + (double)B2->xz;
-  const double Bo_9 = (double)B1->yz + (double)B2->yz;
+  const double Bo_0 = (double)B1->m + (double)B2->m, Bo_1 = (double)B1->h.x + (double)B2->h.x,
+      Bo_2 = (double)B1->h.y + (double)B2->h.y, Bo_3 = (double)B1->h.z + (double)B2->h.z,
+      Bo_4 = (double)B1->xx + (double)B2->xx, Bo_5 = (double)B1->yy + (double)B2->yy,
+      Bo_6 = (double)B1->zz + (double)B2->zz, Bo_7 = (double)B1->xy + (double)B2->xy,
+      Bo_8 = (double)B1->xz + (double)B2->xz, Bo_9 = (double)B1->yz + (double)B2->yz;
   Bo->m = (float)Bo_0;
   Bo->h.x = (float)Bo_1;
   Bo->h.y = (float)Bo_2;
@@ -1424,16 +1393,11 @@ static inline void ksl_add_BBf_accurate(const ksl_spatial_inertiaf_t *B1,
      over- and underflow. */
 static inline void ksl_subtract_BBf_accurate(const ksl_spatial_inertiaf_t *B1,
     const ksl_spatial_inertiaf_t *B2, ksl_spatial_inertiaf_t *Bo) {
-  const double Bo_0 = (double)B1->m - (double)B2->m;
-  const double Bo_1 = (double)B1->h.x - (double)B2->h.x;
-  const double Bo_2 = (double)B1->h.y - (double)B2->h.y;
-  const double Bo_3 = (double)B1->h.z - (double)B2->h.z;
-  const double Bo_4 = (double)B1->xx - (double)B2->xx;
-  const double Bo_5 = (double)B1->yy - (double)B2->yy;
-  const double Bo_6 = (double)B1->zz - (double)B2->zz;
-  const double Bo_7 = (double)B1->xy - (double)B2->xy;
-  const double Bo_8 = (double)B1->xz - (double)B2->xz;
-  const double Bo_9 = (double)B1->yz - (double)B2->yz;
+  const double Bo_0 = (double)B1->m - (double)B2->m, Bo_1 = (double)B1->h.x - (double)B2->h.x,
+      Bo_2 = (double)B1->h.y - (double)B2->h.y, Bo_3 = (double)B1->h.z - (double)B2->h.z,
+      Bo_4 = (double)B1->xx - (double)B2->xx, Bo_5 = (double)B1->yy - (double)B2->yy,
+      Bo_6 = (double)B1->zz - (double)B2->zz, Bo_7 = (double)B1->xy - (double)B2->xy,
+      Bo_8 = (double)B1->xz - (double)B2->xz, Bo_9 = (double)B1->yz - (double)B2->yz;
   Bo->m = (float)Bo_0;
   Bo->h.x = (float)Bo_1;
   Bo->h.y = (float)Bo_2;
@@ -1455,18 +1419,16 @@ static inline void ksl_subtract_BBf_accurate(const ksl_spatial_inertiaf_t *B1,
      formula; barring over- and underflow. */
 static inline void ksl_spatial_inertiaf_from_com_accurate(const float m, const ksl_vec3f_t *com,
     const ksl_mat3x3f_t *Ic, ksl_spatial_inertiaf_t *Bo) {
-  const double h_0 = (double)m * (double)com->x;
-  const double h_1 = (double)m * (double)com->y;
-  const double h_2 = (double)m * (double)com->z;
-  const double squares_0 = KSL_MUL((double)com->x, h_0);
-  const double squares_1 = KSL_MUL((double)com->y, h_1);
-  const double squares_2 = KSL_MUL((double)com->z, h_2);
-  const double Bo_4 = (double)Ic->m00 + (squares_1 + squares_2);
-  const double Bo_5 = (double)Ic->m11 + (squares_0 + squares_2);
-  const double Bo_6 = (double)Ic->m22 + (squares_0 + squares_1);
-  const double Bo_7 = (double)Ic->m01 - KSL_MUL((double)com->y, h_0);
-  const double Bo_8 = (double)Ic->m02 - KSL_MUL((double)com->z, h_0);
-  const double Bo_9 = (double)Ic->m12 - KSL_MUL((double)com->z, h_1);
+  const double h_0 = (double)m * (double)com->x, h_1 = (double)m * (double)com->y,
+      h_2 = (double)m * (double)com->z;
+  const double squares_0 = KSL_MUL((double)com->x, h_0), squares_1 = KSL_MUL((double)com->y, h_1),
+      squares_2 = KSL_MUL((double)com->z, h_2);
+  const double Bo_4 = (double)Ic->m00 + (squares_1 + squares_2),
+      Bo_5 = (double)Ic->m11 + (squares_0 + squares_2),
+      Bo_6 = (double)Ic->m22 + (squares_0 + squares_1),
+      Bo_7 = (double)Ic->m01 - KSL_MUL((double)com->y, h_0),
+      Bo_8 = (double)Ic->m02 - KSL_MUL((double)com->z, h_0),
+      Bo_9 = (double)Ic->m12 - KSL_MUL((double)com->z, h_1);
   Bo->m = m;
   Bo->h.x = (float)h_0;
   Bo->h.y = (float)h_1;
@@ -1488,18 +1450,16 @@ static inline void ksl_spatial_inertiaf_from_com_accurate(const float m, const k
    Error of a moment <= 4 u times the sum of its |terms|, barring over- and underflow. */
 static inline void ksl_spatial_inertiaf_from_inertia_accurate(const ksl_inertiaf_t *J,
     ksl_spatial_inertiaf_t *Bo) {
-  const double c_0 = (double)J->mt.x / (double)J->m;
-  const double c_1 = (double)J->mt.y / (double)J->m;
-  const double c_2 = (double)J->mt.z / (double)J->m;
-  const double squares_0 = KSL_MUL((double)J->mt.x, c_0);
-  const double squares_1 = KSL_MUL((double)J->mt.y, c_1);
-  const double squares_2 = KSL_MUL((double)J->mt.z, c_2);
-  const double Bo_4 = (double)J->Ixx + (squares_1 + squares_2);
-  const double Bo_5 = (double)J->Iyy + (squares_0 + squares_2);
-  const double Bo_6 = (double)J->Izz + (squares_0 + squares_1);
-  const double Bo_7 = (double)J->Ixy - KSL_MUL((double)J->mt.x, c_1);
-  const double Bo_8 = (double)J->Izx - KSL_MUL((double)J->mt.x, c_2);
-  const double Bo_9 = (double)J->Iyz - KSL_MUL((double)J->mt.y, c_2);
+  const double c_0 = (double)J->mt.x / (double)J->m, c_1 = (double)J->mt.y / (double)J->m,
+      c_2 = (double)J->mt.z / (double)J->m;
+  const double squares_0 = KSL_MUL((double)J->mt.x, c_0), squares_1 = KSL_MUL((double)J->mt.y, c_1),
+      squares_2 = KSL_MUL((double)J->mt.z, c_2);
+  const double Bo_4 = (double)J->Ixx + (squares_1 + squares_2),
+      Bo_5 = (double)J->Iyy + (squares_0 + squares_2),
+      Bo_6 = (double)J->Izz + (squares_0 + squares_1),
+      Bo_7 = (double)J->Ixy - KSL_MUL((double)J->mt.x, c_1),
+      Bo_8 = (double)J->Izx - KSL_MUL((double)J->mt.x, c_2),
+      Bo_9 = (double)J->Iyz - KSL_MUL((double)J->mt.y, c_2);
   const float J_m = J->m;
   const float J_mt_x = J->mt.x;
   const float J_mt_y = J->mt.y;
@@ -1525,18 +1485,16 @@ static inline void ksl_spatial_inertiaf_from_inertia_accurate(const ksl_inertiaf
    Error of a moment <= 4 u times the sum of its |terms|, barring over- and underflow. */
 static inline void ksl_inertiaf_from_spatial_inertia_accurate(const ksl_spatial_inertiaf_t *B,
     ksl_inertiaf_t *Jo) {
-  const double c_0 = (double)B->h.x / (double)B->m;
-  const double c_1 = (double)B->h.y / (double)B->m;
-  const double c_2 = (double)B->h.z / (double)B->m;
-  const double squares_0 = KSL_MUL((double)B->h.x, c_0);
-  const double squares_1 = KSL_MUL((double)B->h.y, c_1);
-  const double squares_2 = KSL_MUL((double)B->h.z, c_2);
-  const double Jo_4 = (double)B->xx - (squares_1 + squares_2);
-  const double Jo_5 = (double)B->yy - (squares_0 + squares_2);
-  const double Jo_6 = (double)B->zz - (squares_0 + squares_1);
-  const double Jo_7 = KSL_MUL((double)B->h.x, c_1) + (double)B->xy;
-  const double Jo_8 = KSL_MUL((double)B->h.y, c_2) + (double)B->yz;
-  const double Jo_9 = KSL_MUL((double)B->h.x, c_2) + (double)B->xz;
+  const double c_0 = (double)B->h.x / (double)B->m, c_1 = (double)B->h.y / (double)B->m,
+      c_2 = (double)B->h.z / (double)B->m;
+  const double squares_0 = KSL_MUL((double)B->h.x, c_0), squares_1 = KSL_MUL((double)B->h.y, c_1),
+      squares_2 = KSL_MUL((double)B->h.z, c_2);
+  const double Jo_4 = (double)B->xx - (squares_1 + squares_2),
+      Jo_5 = (double)B->yy - (squares_0 + squares_2),
+      Jo_6 = (double)B->zz - (squares_0 + squares_1),
+      Jo_7 = KSL_MUL((double)B->h.x, c_1) + (double)B->xy,
+      Jo_8 = KSL_MUL((double)B->h.y, c_2) + (double)B->yz,
+      Jo_9 = KSL_MUL((double)B->h.x, c_2) + (double)B->xz;
   const float B_m = B->m;
   const float B_h_x = B->h.x;
   const float B_h_y = B->h.y;
@@ -1560,9 +1518,8 @@ static inline void ksl_inertiaf_from_spatial_inertia_accurate(const ksl_spatial_
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_spatial_inertiaf_com_accurate(const ksl_spatial_inertiaf_t *B,
     ksl_vec3f_t *vo) {
-  const double vo_0 = (double)B->h.x / (double)B->m;
-  const double vo_1 = (double)B->h.y / (double)B->m;
-  const double vo_2 = (double)B->h.z / (double)B->m;
+  const double vo_0 = (double)B->h.x / (double)B->m, vo_1 = (double)B->h.y / (double)B->m,
+      vo_2 = (double)B->h.z / (double)B->m;
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
@@ -1574,18 +1531,16 @@ static inline void ksl_spatial_inertiaf_com_accurate(const ksl_spatial_inertiaf_
    6 mul, 9 add, 3 div. */
 static inline void ksl_spatial_inertiaf_about_com_accurate(const ksl_spatial_inertiaf_t *B,
     ksl_mat3x3f_t *Ro) {
-  const double c_0 = (double)B->h.x / (double)B->m;
-  const double c_1 = (double)B->h.y / (double)B->m;
-  const double c_2 = (double)B->h.z / (double)B->m;
-  const double squares_0 = KSL_MUL((double)B->h.x, c_0);
-  const double squares_1 = KSL_MUL((double)B->h.y, c_1);
-  const double squares_2 = KSL_MUL((double)B->h.z, c_2);
-  const double about_0 = (double)B->xx - (squares_1 + squares_2);
-  const double about_1 = (double)B->yy - (squares_0 + squares_2);
-  const double about_2 = (double)B->zz - (squares_0 + squares_1);
-  const double about_3 = KSL_MUL((double)B->h.x, c_1) + (double)B->xy;
-  const double about_4 = KSL_MUL((double)B->h.x, c_2) + (double)B->xz;
-  const double about_5 = KSL_MUL((double)B->h.y, c_2) + (double)B->yz;
+  const double c_0 = (double)B->h.x / (double)B->m, c_1 = (double)B->h.y / (double)B->m,
+      c_2 = (double)B->h.z / (double)B->m;
+  const double squares_0 = KSL_MUL((double)B->h.x, c_0), squares_1 = KSL_MUL((double)B->h.y, c_1),
+      squares_2 = KSL_MUL((double)B->h.z, c_2);
+  const double about_0 = (double)B->xx - (squares_1 + squares_2),
+      about_1 = (double)B->yy - (squares_0 + squares_2),
+      about_2 = (double)B->zz - (squares_0 + squares_1),
+      about_3 = KSL_MUL((double)B->h.x, c_1) + (double)B->xy,
+      about_4 = KSL_MUL((double)B->h.x, c_2) + (double)B->xz,
+      about_5 = KSL_MUL((double)B->h.y, c_2) + (double)B->yz;
   Ro->m00 = (float)about_0;
   Ro->m01 = (float)about_3;
   Ro->m02 = (float)about_4;
@@ -1606,11 +1561,11 @@ static inline void ksl_spatial_inertiaf_about_com_accurate(const ksl_spatial_ine
 static inline void ksl_product_Bsf_accurate(const ksl_spatial_inertiaf_t *B,
     const ksl_screwf_t *s, ksl_coscrewf_t *co) {
   const double co_0 = ksl_product_sum((double)B->m, (double)s->m0, ksl_product_sum(-(double)B->h.y,
-      (double)s->m5, (double)B->h.z * (double)s->m4));
-  const double co_1 = ksl_product_sum((double)B->m, (double)s->m1, ksl_product_sum(-(double)B->h.z,
-      (double)s->m3, (double)B->h.x * (double)s->m5));
-  const double co_2 = ksl_product_sum((double)B->m, (double)s->m2, ksl_product_sum(-(double)B->h.x,
-      (double)s->m4, (double)B->h.y * (double)s->m3));
+      (double)s->m5, (double)B->h.z * (double)s->m4)),
+      co_1 = ksl_product_sum((double)B->m, (double)s->m1, ksl_product_sum(-(double)B->h.z,
+          (double)s->m3, (double)B->h.x * (double)s->m5)),
+      co_2 = ksl_product_sum((double)B->m, (double)s->m2, ksl_product_sum(-(double)B->h.x,
+          (double)s->m4, (double)B->h.y * (double)s->m3));
   const double co_3h = ksl_product_sum((double)B->xz, (double)s->m5, ksl_product_sum((double)B->xy,
       (double)s->m4, (double)B->xx * (double)s->m3)),
       co_3 = ksl_product_sum(-(double)B->h.z, (double)s->m1, (double)B->h.y * (double)s->m2)
@@ -1642,20 +1597,18 @@ static inline float ksl_spatial_inertiaf_energy_accurate(const ksl_spatial_inert
   const double square = ksl_product_sum((double)s->m2, (double)s->m2, ksl_product_sum((double)s->m1,
       (double)s->m1, (double)s->m0 * (double)s->m0));
   const double L_0 = ksl_product_sum((double)B->xz, (double)s->m5, ksl_product_sum((double)B->xy,
-      (double)s->m4, (double)B->xx * (double)s->m3));
-  const double L_1 = ksl_product_sum((double)B->yz, (double)s->m5, ksl_product_sum((double)B->xy,
-      (double)s->m3, (double)B->yy * (double)s->m4));
-  const double L_2 = ksl_product_sum((double)B->yz, (double)s->m4, ksl_product_sum((double)B->xz,
-      (double)s->m3, (double)B->zz * (double)s->m5));
+      (double)s->m4, (double)B->xx * (double)s->m3)),
+      L_1 = ksl_product_sum((double)B->yz, (double)s->m5, ksl_product_sum((double)B->xy,
+          (double)s->m3, (double)B->yy * (double)s->m4)),
+      L_2 = ksl_product_sum((double)B->yz, (double)s->m4, ksl_product_sum((double)B->xz,
+          (double)s->m3, (double)B->zz * (double)s->m5));
   const double twice = KSL_MUL((double)B->m, square)
           + (KSL_MUL((double)s->m3, L_0) + KSL_MUL((double)s->m4, L_1)
           + KSL_MUL((double)s->m5, L_2));
   const double across_0 = ksl_product_sum(-(double)B->h.y, (double)s->m5, (double)B->h.z
-          * (double)s->m4);
-  const double across_1 = ksl_product_sum(-(double)B->h.z, (double)s->m3, (double)B->h.x
-          * (double)s->m5);
-  const double across_2 = ksl_product_sum(-(double)B->h.x, (double)s->m4, (double)B->h.y
-          * (double)s->m3);
+          * (double)s->m4),
+      across_1 = ksl_product_sum(-(double)B->h.z, (double)s->m3, (double)B->h.x * (double)s->m5),
+      across_2 = ksl_product_sum(-(double)B->h.x, (double)s->m4, (double)B->h.y * (double)s->m3);
   const double energy = KSL_MUL((double)s->m0, across_0) + KSL_MUL((double)s->m1, across_1)
           + KSL_MUL((double)s->m2, across_2) + KSL_MUL(0.5, twice);
   return (float)energy;
@@ -1671,48 +1624,36 @@ static inline float ksl_spatial_inertiaf_energy_accurate(const ksl_spatial_inert
      formula; barring over- and underflow. */
 static inline void ksl_spatial_inertiaf_net_wrench_accurate(const ksl_spatial_inertiaf_t *B,
     const ksl_vec3f_t *w, const ksl_screwf_t *ds, ksl_coscrewf_t *co) {
-  const double ww_0 = (double)w->x * (double)w->x;
-  const double ww_1 = (double)w->y * (double)w->y;
-  const double ww_2 = (double)w->z * (double)w->z;
-  const double ww_3 = (double)w->x * (double)w->y;
-  const double ww_4 = (double)w->x * (double)w->z;
-  const double ww_5 = (double)w->y * (double)w->z;
-  const double U_0 = -ww_1 - ww_2;
-  const double U_1 = ww_3 - (double)ds->m5;
-  const double U_2 = (double)ds->m4 + ww_4;
-  const double U_3 = (double)ds->m5 + ww_3;
-  const double U_4 = -ww_0 - ww_2;
-  const double U_5 = ww_5 - (double)ds->m3;
-  const double U_6 = ww_4 - (double)ds->m4;
-  const double U_7 = (double)ds->m3 + ww_5;
-  const double U_8 = -ww_0 - ww_1;
-  const double others_0 = (double)B->zz - (double)B->yy;
-  const double others_1 = (double)B->xx - (double)B->zz;
-  const double others_2 = (double)B->yy - (double)B->xx;
-  const double squares_0 = ww_1 - ww_2;
-  const double squares_1 = ww_2 - ww_0;
-  const double squares_2 = ww_0 - ww_1;
-  const double own_0 = ksl_product_sum((double)B->xx, (double)ds->m3, KSL_MUL(ww_5, others_0));
-  const double own_1 = ksl_product_sum((double)B->yy, (double)ds->m4, KSL_MUL(ww_4, others_1));
-  const double own_2 = ksl_product_sum((double)B->zz, (double)ds->m5, KSL_MUL(ww_3, others_2));
+  const double ww_0 = (double)w->x * (double)w->x, ww_1 = (double)w->y * (double)w->y,
+      ww_2 = (double)w->z * (double)w->z, ww_3 = (double)w->x * (double)w->y,
+      ww_4 = (double)w->x * (double)w->z, ww_5 = (double)w->y * (double)w->z;
+  const double U_0 = -ww_1 - ww_2, U_1 = ww_3 - (double)ds->m5, U_2 = (double)ds->m4 + ww_4,
+      U_3 = (double)ds->m5 + ww_3, U_4 = -ww_0 - ww_2, U_5 = ww_5 - (double)ds->m3,
+      U_6 = ww_4 - (double)ds->m4, U_7 = (double)ds->m3 + ww_5, U_8 = -ww_0 - ww_1;
+  const double others_0 = (double)B->zz - (double)B->yy, others_1 = (double)B->xx - (double)B->zz,
+      others_2 = (double)B->yy - (double)B->xx;
+  const double squares_0 = ww_1 - ww_2, squares_1 = ww_2 - ww_0, squares_2 = ww_0 - ww_1;
+  const double own_0 = ksl_product_sum((double)B->xx, (double)ds->m3, KSL_MUL(ww_5, others_0)),
+      own_1 = ksl_product_sum((double)B->yy, (double)ds->m4, KSL_MUL(ww_4, others_1)),
+      own_2 = ksl_product_sum((double)B->zz, (double)ds->m5, KSL_MUL(ww_3, others_2));
   const double N_0 = KSL_MUL((double)B->xz, U_3) - KSL_MUL((double)B->xy, U_6)
-          + KSL_MUL((double)B->yz, squares_0) + own_0;
-  const double N_1 = KSL_MUL((double)B->xy, U_7) - KSL_MUL((double)B->yz, U_1)
-          + KSL_MUL((double)B->xz, squares_1) + own_1;
-  const double N_2 = KSL_MUL((double)B->xy, squares_2)
+          + KSL_MUL((double)B->yz, squares_0) + own_0,
+      N_1 = KSL_MUL((double)B->xy, U_7) - KSL_MUL((double)B->yz, U_1)
+          + KSL_MUL((double)B->xz, squares_1) + own_1,
+      N_2 = KSL_MUL((double)B->xy, squares_2)
           + (KSL_MUL((double)B->yz, U_2) - KSL_MUL((double)B->xz, U_5)) + own_2;
   const double co_0 = ksl_product_sum((double)B->m, (double)ds->m0, KSL_MUL((double)B->h.x, U_0)
-          + KSL_MUL((double)B->h.y, U_1) + KSL_MUL((double)B->h.z, U_2));
-  const double co_1 = ksl_product_sum((double)B->m, (double)ds->m1, KSL_MUL((double)B->h.x, U_3)
-          + KSL_MUL((double)B->h.y, U_4) + KSL_MUL((double)B->h.z, U_5));
-  const double co_2 = ksl_product_sum((double)B->m, (double)ds->m2, KSL_MUL((double)B->h.x, U_6)
-          + KSL_MUL((double)B->h.y, U_7) + KSL_MUL((double)B->h.z, U_8));
-  const double co_3 = ksl_product_sum(-(double)B->h.z, (double)ds->m1, (double)B->h.y
-          * (double)ds->m2) + N_0;
-  const double co_4 = ksl_product_sum(-(double)B->h.x, (double)ds->m2, (double)B->h.z
-          * (double)ds->m0) + N_1;
-  const double co_5 = ksl_product_sum(-(double)B->h.y, (double)ds->m0, (double)B->h.x
-          * (double)ds->m1) + N_2;
+          + KSL_MUL((double)B->h.y, U_1) + KSL_MUL((double)B->h.z, U_2)),
+      co_1 = ksl_product_sum((double)B->m, (double)ds->m1, KSL_MUL((double)B->h.x, U_3)
+          + KSL_MUL((double)B->h.y, U_4) + KSL_MUL((double)B->h.z, U_5)),
+      co_2 = ksl_product_sum((double)B->m, (double)ds->m2, KSL_MUL((double)B->h.x, U_6)
+          + KSL_MUL((double)B->h.y, U_7) + KSL_MUL((double)B->h.z, U_8)),
+      co_3 = ksl_product_sum(-(double)B->h.z, (double)ds->m1, (double)B->h.y * (double)ds->m2)
+          + N_0,
+      co_4 = ksl_product_sum(-(double)B->h.x, (double)ds->m2, (double)B->h.z * (double)ds->m0)
+          + N_1,
+      co_5 = ksl_product_sum(-(double)B->h.y, (double)ds->m0, (double)B->h.x * (double)ds->m1)
+          + N_2;
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -1729,36 +1670,25 @@ static inline void ksl_spatial_inertiaf_net_wrench_accurate(const ksl_spatial_in
      formula; barring over- and underflow. */
 static inline void ksl_spatial_inertiaf_shifted_accurate(const ksl_vec3f_t *t,
     const ksl_spatial_inertiaf_t *B, ksl_spatial_inertiaf_t *Bo) {
-  const double mt_0 = (double)t->x * (double)B->m;
-  const double mt_1 = (double)t->y * (double)B->m;
-  const double mt_2 = (double)t->z * (double)B->m;
-  const double half_0 = KSL_MUL(0.5, mt_0);
-  const double half_1 = KSL_MUL(0.5, mt_1);
-  const double half_2 = KSL_MUL(0.5, mt_2);
-  const double n_0 = (double)B->h.x + half_0;
-  const double n_1 = (double)B->h.y + half_1;
-  const double n_2 = (double)B->h.z + half_2;
+  const double mt_0 = (double)t->x * (double)B->m, mt_1 = (double)t->y * (double)B->m,
+      mt_2 = (double)t->z * (double)B->m;
+  const double half_0 = KSL_MUL(0.5, mt_0), half_1 = KSL_MUL(0.5, mt_1),
+      half_2 = KSL_MUL(0.5, mt_2);
+  const double n_0 = (double)B->h.x + half_0, n_1 = (double)B->h.y + half_1,
+      n_2 = (double)B->h.z + half_2;
   const double tn0 = KSL_MUL((double)t->x, n_0);
   const double tn1 = KSL_MUL((double)t->y, n_1);
   const double tn2 = KSL_MUL((double)t->z, n_2);
-  const double own_0 = KSL_MUL(2.0, tn0);
-  const double own_1 = KSL_MUL(2.0, tn1);
-  const double own_2 = KSL_MUL(2.0, tn2);
-  const double pairs_0 = own_1 + own_2;
-  const double pairs_1 = own_0 + own_2;
-  const double pairs_2 = own_0 + own_1;
-  const double pairs_3 = KSL_MUL((double)t->x, n_1) + KSL_MUL((double)t->y, n_0);
-  const double pairs_4 = KSL_MUL((double)t->x, n_2) + KSL_MUL((double)t->z, n_0);
-  const double pairs_5 = KSL_MUL((double)t->y, n_2) + KSL_MUL((double)t->z, n_1);
-  const double moved_0 = (double)B->h.x + mt_0;
-  const double moved_1 = (double)B->h.y + mt_1;
-  const double moved_2 = (double)B->h.z + mt_2;
-  const double Bo_4 = (double)B->xx + pairs_0;
-  const double Bo_5 = (double)B->yy + pairs_1;
-  const double Bo_6 = (double)B->zz + pairs_2;
-  const double Bo_7 = (double)B->xy - pairs_3;
-  const double Bo_8 = (double)B->xz - pairs_4;
-  const double Bo_9 = (double)B->yz - pairs_5;
+  const double own_0 = KSL_MUL(2.0, tn0), own_1 = KSL_MUL(2.0, tn1), own_2 = KSL_MUL(2.0, tn2);
+  const double pairs_0 = own_1 + own_2, pairs_1 = own_0 + own_2, pairs_2 = own_0 + own_1,
+      pairs_3 = KSL_MUL((double)t->x, n_1) + KSL_MUL((double)t->y, n_0),
+      pairs_4 = KSL_MUL((double)t->x, n_2) + KSL_MUL((double)t->z, n_0),
+      pairs_5 = KSL_MUL((double)t->y, n_2) + KSL_MUL((double)t->z, n_1);
+  const double moved_0 = (double)B->h.x + mt_0, moved_1 = (double)B->h.y + mt_1,
+      moved_2 = (double)B->h.z + mt_2;
+  const double Bo_4 = (double)B->xx + pairs_0, Bo_5 = (double)B->yy + pairs_1,
+      Bo_6 = (double)B->zz + pairs_2, Bo_7 = (double)B->xy - pairs_3,
+      Bo_8 = (double)B->xz - pairs_4, Bo_9 = (double)B->yz - pairs_5;
   const float B_m = B->m;
   Bo->m = B_m;
   Bo->h.x = (float)moved_0;
@@ -1781,71 +1711,57 @@ static inline void ksl_spatial_inertiaf_shifted_accurate(const ksl_vec3f_t *t,
 static inline void ksl_spatial_inertiaf_transformed_accurate(const ksl_SE3f_t *D,
     const ksl_spatial_inertiaf_t *B, ksl_spatial_inertiaf_t *Bo) {
   const double RI_0 = ksl_product_sum((double)D->m02, (double)B->xz, ksl_product_sum((double)D->m01,
-      (double)B->xy, (double)D->m00 * (double)B->xx));
-  const double RI_1 = ksl_product_sum((double)D->m02, (double)B->yz, ksl_product_sum((double)D->m01,
-      (double)B->yy, (double)D->m00 * (double)B->xy));
-  const double RI_2 = ksl_product_sum((double)D->m02, (double)B->zz, ksl_product_sum((double)D->m01,
-      (double)B->yz, (double)D->m00 * (double)B->xz));
-  const double RI_3 = ksl_product_sum((double)D->m12, (double)B->xz, ksl_product_sum((double)D->m11,
-      (double)B->xy, (double)D->m10 * (double)B->xx));
-  const double RI_4 = ksl_product_sum((double)D->m12, (double)B->yz, ksl_product_sum((double)D->m11,
-      (double)B->yy, (double)D->m10 * (double)B->xy));
-  const double RI_5 = ksl_product_sum((double)D->m12, (double)B->zz, ksl_product_sum((double)D->m11,
-      (double)B->yz, (double)D->m10 * (double)B->xz));
-  const double RI_6 = ksl_product_sum((double)D->m22, (double)B->xz, ksl_product_sum((double)D->m21,
-      (double)B->xy, (double)D->m20 * (double)B->xx));
-  const double RI_7 = ksl_product_sum((double)D->m22, (double)B->yz, ksl_product_sum((double)D->m21,
-      (double)B->yy, (double)D->m20 * (double)B->xy));
-  const double RI_8 = ksl_product_sum((double)D->m22, (double)B->zz, ksl_product_sum((double)D->m21,
-      (double)B->yz, (double)D->m20 * (double)B->xz));
+      (double)B->xy, (double)D->m00 * (double)B->xx)),
+      RI_1 = ksl_product_sum((double)D->m02, (double)B->yz, ksl_product_sum((double)D->m01,
+          (double)B->yy, (double)D->m00 * (double)B->xy)),
+      RI_2 = ksl_product_sum((double)D->m02, (double)B->zz, ksl_product_sum((double)D->m01,
+          (double)B->yz, (double)D->m00 * (double)B->xz)),
+      RI_3 = ksl_product_sum((double)D->m12, (double)B->xz, ksl_product_sum((double)D->m11,
+          (double)B->xy, (double)D->m10 * (double)B->xx)),
+      RI_4 = ksl_product_sum((double)D->m12, (double)B->yz, ksl_product_sum((double)D->m11,
+          (double)B->yy, (double)D->m10 * (double)B->xy)),
+      RI_5 = ksl_product_sum((double)D->m12, (double)B->zz, ksl_product_sum((double)D->m11,
+          (double)B->yz, (double)D->m10 * (double)B->xz)),
+      RI_6 = ksl_product_sum((double)D->m22, (double)B->xz, ksl_product_sum((double)D->m21,
+          (double)B->xy, (double)D->m20 * (double)B->xx)),
+      RI_7 = ksl_product_sum((double)D->m22, (double)B->yz, ksl_product_sum((double)D->m21,
+          (double)B->yy, (double)D->m20 * (double)B->xy)),
+      RI_8 = ksl_product_sum((double)D->m22, (double)B->zz, ksl_product_sum((double)D->m21,
+          (double)B->yz, (double)D->m20 * (double)B->xz));
   const double turned_1 = ksl_product_sum((double)D->m02, (double)B->h.z,
-      ksl_product_sum((double)D->m01, (double)B->h.y, (double)D->m00 * (double)B->h.x));
-  const double turned_2 = ksl_product_sum((double)D->m12, (double)B->h.z,
-      ksl_product_sum((double)D->m11, (double)B->h.y, (double)D->m10 * (double)B->h.x));
-  const double turned_3 = ksl_product_sum((double)D->m22, (double)B->h.z,
-      ksl_product_sum((double)D->m21, (double)B->h.y, (double)D->m20 * (double)B->h.x));
-  const double turned_4 = KSL_MUL((double)D->m00, RI_0) + KSL_MUL((double)D->m01, RI_1)
-          + KSL_MUL((double)D->m02, RI_2);
-  const double turned_5 = KSL_MUL((double)D->m10, RI_3) + KSL_MUL((double)D->m11, RI_4)
-          + KSL_MUL((double)D->m12, RI_5);
-  const double turned_6 = KSL_MUL((double)D->m20, RI_6) + KSL_MUL((double)D->m21, RI_7)
-          + KSL_MUL((double)D->m22, RI_8);
-  const double turned_7 = KSL_MUL((double)D->m10, RI_0) + KSL_MUL((double)D->m11, RI_1)
-          + KSL_MUL((double)D->m12, RI_2);
-  const double turned_8 = KSL_MUL((double)D->m20, RI_0) + KSL_MUL((double)D->m21, RI_1)
-          + KSL_MUL((double)D->m22, RI_2);
-  const double turned_9 = KSL_MUL((double)D->m20, RI_3) + KSL_MUL((double)D->m21, RI_4)
+      ksl_product_sum((double)D->m01, (double)B->h.y, (double)D->m00 * (double)B->h.x)),
+      turned_2 = ksl_product_sum((double)D->m12, (double)B->h.z, ksl_product_sum((double)D->m11,
+          (double)B->h.y, (double)D->m10 * (double)B->h.x)),
+      turned_3 = ksl_product_sum((double)D->m22, (double)B->h.z, ksl_product_sum((double)D->m21,
+          (double)B->h.y, (double)D->m20 * (double)B->h.x)),
+      turned_4 = KSL_MUL((double)D->m00, RI_0) + KSL_MUL((double)D->m01, RI_1)
+          + KSL_MUL((double)D->m02, RI_2),
+      turned_5 = KSL_MUL((double)D->m10, RI_3) + KSL_MUL((double)D->m11, RI_4)
+          + KSL_MUL((double)D->m12, RI_5),
+      turned_6 = KSL_MUL((double)D->m20, RI_6) + KSL_MUL((double)D->m21, RI_7)
+          + KSL_MUL((double)D->m22, RI_8),
+      turned_7 = KSL_MUL((double)D->m10, RI_0) + KSL_MUL((double)D->m11, RI_1)
+          + KSL_MUL((double)D->m12, RI_2),
+      turned_8 = KSL_MUL((double)D->m20, RI_0) + KSL_MUL((double)D->m21, RI_1)
+          + KSL_MUL((double)D->m22, RI_2),
+      turned_9 = KSL_MUL((double)D->m20, RI_3) + KSL_MUL((double)D->m21, RI_4)
           + KSL_MUL((double)D->m22, RI_5);
-  const double mt_0 = (double)D->m03 * (double)B->m;
-  const double mt_1 = (double)D->m13 * (double)B->m;
-  const double mt_2 = (double)D->m23 * (double)B->m;
-  const double half_0 = KSL_MUL(0.5, mt_0);
-  const double half_1 = KSL_MUL(0.5, mt_1);
-  const double half_2 = KSL_MUL(0.5, mt_2);
-  const double n_0 = turned_1 + half_0;
-  const double n_1 = turned_2 + half_1;
-  const double n_2 = turned_3 + half_2;
+  const double mt_0 = (double)D->m03 * (double)B->m, mt_1 = (double)D->m13 * (double)B->m,
+      mt_2 = (double)D->m23 * (double)B->m;
+  const double half_0 = KSL_MUL(0.5, mt_0), half_1 = KSL_MUL(0.5, mt_1),
+      half_2 = KSL_MUL(0.5, mt_2);
+  const double n_0 = turned_1 + half_0, n_1 = turned_2 + half_1, n_2 = turned_3 + half_2;
   const double tn0 = KSL_MUL((double)D->m03, n_0);
   const double tn1 = KSL_MUL((double)D->m13, n_1);
   const double tn2 = KSL_MUL((double)D->m23, n_2);
-  const double own_0 = KSL_MUL(2.0, tn0);
-  const double own_1 = KSL_MUL(2.0, tn1);
-  const double own_2 = KSL_MUL(2.0, tn2);
-  const double pairs_0 = own_1 + own_2;
-  const double pairs_1 = own_0 + own_2;
-  const double pairs_2 = own_0 + own_1;
-  const double pairs_3 = KSL_MUL((double)D->m03, n_1) + KSL_MUL((double)D->m13, n_0);
-  const double pairs_4 = KSL_MUL((double)D->m03, n_2) + KSL_MUL((double)D->m23, n_0);
-  const double pairs_5 = KSL_MUL((double)D->m13, n_2) + KSL_MUL((double)D->m23, n_1);
-  const double moved_0 = turned_1 + mt_0;
-  const double moved_1 = turned_2 + mt_1;
-  const double moved_2 = turned_3 + mt_2;
-  const double Bo_4 = turned_4 + pairs_0;
-  const double Bo_5 = turned_5 + pairs_1;
-  const double Bo_6 = turned_6 + pairs_2;
-  const double Bo_7 = turned_7 - pairs_3;
-  const double Bo_8 = turned_8 - pairs_4;
-  const double Bo_9 = turned_9 - pairs_5;
+  const double own_0 = KSL_MUL(2.0, tn0), own_1 = KSL_MUL(2.0, tn1), own_2 = KSL_MUL(2.0, tn2);
+  const double pairs_0 = own_1 + own_2, pairs_1 = own_0 + own_2, pairs_2 = own_0 + own_1,
+      pairs_3 = KSL_MUL((double)D->m03, n_1) + KSL_MUL((double)D->m13, n_0),
+      pairs_4 = KSL_MUL((double)D->m03, n_2) + KSL_MUL((double)D->m23, n_0),
+      pairs_5 = KSL_MUL((double)D->m13, n_2) + KSL_MUL((double)D->m23, n_1);
+  const double moved_0 = turned_1 + mt_0, moved_1 = turned_2 + mt_1, moved_2 = turned_3 + mt_2;
+  const double Bo_4 = turned_4 + pairs_0, Bo_5 = turned_5 + pairs_1, Bo_6 = turned_6 + pairs_2,
+      Bo_7 = turned_7 - pairs_3, Bo_8 = turned_8 - pairs_4, Bo_9 = turned_9 - pairs_5;
   const float B_m = B->m;
   Bo->m = B_m;
   Bo->h.x = (float)moved_0;
@@ -1867,21 +1783,18 @@ static inline void ksl_spatial_inertiaf_transformed_accurate(const ksl_SE3f_t *D
 static inline float ksl_spatial_inertiaf_consistency_accurate(const ksl_spatial_inertiaf_t *B) {
   const double twice_trace = (double)B->xx + (double)B->yy + (double)B->zz;
   const double trace = KSL_MUL(0.5, twice_trace);
-  const double sigma_0 = trace - (double)B->xx;
-  const double sigma_1 = trace - (double)B->yy;
-  const double sigma_2 = trace - (double)B->zz;
+  const double sigma_0 = trace - (double)B->xx, sigma_1 = trace - (double)B->yy,
+      sigma_2 = trace - (double)B->zz;
   const double divisor0 = 0.0 < (double)B->m ? (double)B->m : 1.0;
-  const double l0_0 = (double)B->h.x / divisor0;
-  const double l0_1 = (double)B->h.y / divisor0;
-  const double l0_2 = (double)B->h.z / divisor0;
-  const double u1_0 = sigma_0 - KSL_MUL((double)B->h.x, l0_0);
-  const double u1_1 = -KSL_MUL((double)B->h.y, l0_0) - (double)B->xy;
-  const double u1_2 = -KSL_MUL((double)B->h.z, l0_0) - (double)B->xz;
+  const double l0_0 = (double)B->h.x / divisor0, l0_1 = (double)B->h.y / divisor0,
+      l0_2 = (double)B->h.z / divisor0;
+  const double u1_0 = sigma_0 - KSL_MUL((double)B->h.x, l0_0),
+      u1_1 = -KSL_MUL((double)B->h.y, l0_0) - (double)B->xy,
+      u1_2 = -KSL_MUL((double)B->h.z, l0_0) - (double)B->xz;
   const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0;
-  const double l1_0 = u1_1 / divisor1;
-  const double l1_1 = u1_2 / divisor1;
-  const double u2_0 = sigma_1 - KSL_MUL((double)B->h.y, l0_1) - KSL_MUL(u1_1, l1_0);
-  const double u2_1 = -KSL_MUL((double)B->h.z, l0_1) - (double)B->yz - KSL_MUL(u1_2, l1_0);
+  const double l1_0 = u1_1 / divisor1, l1_1 = u1_2 / divisor1;
+  const double u2_0 = sigma_1 - KSL_MUL((double)B->h.y, l0_1) - KSL_MUL(u1_1, l1_0),
+      u2_1 = -KSL_MUL((double)B->h.z, l0_1) - (double)B->yz - KSL_MUL(u1_2, l1_0);
   const double divisor2 = 0.0 < u2_0 ? u2_0 : 1.0;
   const double l2 = u2_1 / divisor2;
   const double u3 = sigma_2 - KSL_MUL((double)B->h.z, l0_2) - KSL_MUL(u1_2, l1_1)

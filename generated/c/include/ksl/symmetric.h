@@ -19,10 +19,8 @@
      underflow. */
 static inline double ksl_mat3x3_ldl(const ksl_mat3x3_t *A, ksl_mat3x3_t *L) {
   const double divisor0 = 0.0 < A->m00 ? A->m00 : 1.0;
-  const double l0_0 = A->m10 / divisor0;
-  const double l0_1 = A->m20 / divisor0;
-  const double u1_0 = A->m11 - KSL_MUL(A->m10, l0_0);
-  const double u1_1 = A->m21 - KSL_MUL(A->m20, l0_0);
+  const double l0_0 = A->m10 / divisor0, l0_1 = A->m20 / divisor0;
+  const double u1_0 = A->m11 - KSL_MUL(A->m10, l0_0), u1_1 = A->m21 - KSL_MUL(A->m20, l0_0);
   const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0;
   const double l1 = u1_1 / divisor1;
   const double u2 = A->m22 - KSL_MUL(A->m20, l0_1) - KSL_MUL(u1_1, l1);
@@ -72,10 +70,8 @@ static inline void ksl_mat3x3_ldl_solve(const ksl_mat3x3_t *L, const ksl_vec3_t 
      barring over- and underflow. */
 static inline double ksl_mat3x3_solve(const ksl_mat3x3_t *A, const ksl_vec3_t *b, ksl_vec3_t *x) {
   const double divisor0 = 0.0 < A->m00 ? A->m00 : 1.0;
-  const double l0_0 = A->m10 / divisor0;
-  const double l0_1 = A->m20 / divisor0;
-  const double u1_0 = A->m11 - KSL_MUL(A->m10, l0_0);
-  const double u1_1 = A->m21 - KSL_MUL(A->m20, l0_0);
+  const double l0_0 = A->m10 / divisor0, l0_1 = A->m20 / divisor0;
+  const double u1_0 = A->m11 - KSL_MUL(A->m10, l0_0), u1_1 = A->m21 - KSL_MUL(A->m20, l0_0);
   const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0;
   const double l1 = u1_1 / divisor1;
   const double u2 = A->m22 - KSL_MUL(A->m20, l0_1) - KSL_MUL(u1_1, l1);
@@ -87,14 +83,12 @@ static inline double ksl_mat3x3_solve(const ksl_mat3x3_t *A, const ksl_vec3_t *b
   const double own2 = 0.0 < A->m22 ? A->m22 : 1.0;
   const double part2a = u2 / own2, part2 = 0.0 < A->m22 ? part2a : A->m22;
   const double smallest2 = smallest1 < part2 ? smallest1 : part2;
-  const double less_0 = KSL_MUL(A->m00, 0.9999999999999944);
-  const double less_1 = KSL_MUL(A->m11, 0.9999999999999944);
-  const double less_2 = KSL_MUL(A->m22, 0.9999999999999944);
+  const double less_0 = KSL_MUL(A->m00, 0.9999999999999944),
+      less_1 = KSL_MUL(A->m11, 0.9999999999999944), less_2 = KSL_MUL(A->m22, 0.9999999999999944);
   const double less_divisor0 = 0.0 < less_0 ? less_0 : 1.0;
-  const double less_l0_0 = A->m10 / less_divisor0;
-  const double less_l0_1 = A->m20 / less_divisor0;
-  const double less_u1_0 = less_1 - KSL_MUL(A->m10, less_l0_0);
-  const double less_u1_1 = A->m21 - KSL_MUL(A->m20, less_l0_0);
+  const double less_l0_0 = A->m10 / less_divisor0, less_l0_1 = A->m20 / less_divisor0;
+  const double less_u1_0 = less_1 - KSL_MUL(A->m10, less_l0_0),
+      less_u1_1 = A->m21 - KSL_MUL(A->m20, less_l0_0);
   const double less_divisor1 = 0.0 < less_u1_0 ? less_u1_0 : 1.0;
   const double less_l1 = less_u1_1 / less_divisor1;
   const double less_u2 = less_2 - KSL_MUL(A->m20, less_l0_1) - KSL_MUL(less_u1_1, less_l1);
@@ -108,9 +102,9 @@ static inline double ksl_mat3x3_solve(const ksl_mat3x3_t *A, const ksl_vec3_t *b
   const double z2 = y2 / divisor2;
   const double x1 = z1 - KSL_MUL(l1, z2);
   const double x0 = z0 - KSL_MUL(l0_0, x1) - KSL_MUL(l0_1, z2);
-  const double residual_0 = b->x - KSL_MUL(A->m00, x0) - KSL_MUL(A->m10, x1) - KSL_MUL(A->m20, z2);
-  const double residual_1 = b->y - KSL_MUL(A->m10, x0) - KSL_MUL(A->m11, x1) - KSL_MUL(A->m21, z2);
-  const double residual_2 = b->z - KSL_MUL(A->m20, x0) - KSL_MUL(A->m21, x1) - KSL_MUL(A->m22, z2);
+  const double residual_0 = b->x - KSL_MUL(A->m00, x0) - KSL_MUL(A->m10, x1) - KSL_MUL(A->m20, z2),
+      residual_1 = b->y - KSL_MUL(A->m10, x0) - KSL_MUL(A->m11, x1) - KSL_MUL(A->m21, z2),
+      residual_2 = b->z - KSL_MUL(A->m20, x0) - KSL_MUL(A->m21, x1) - KSL_MUL(A->m22, z2);
   const double refined_y1 = residual_1 - KSL_MUL(l0_0, residual_0);
   const double refined_y2 = residual_2 - KSL_MUL(l0_1, residual_0) - KSL_MUL(l1, refined_y1);
   const double refined_z0 = residual_0 / divisor0;
@@ -118,13 +112,10 @@ static inline double ksl_mat3x3_solve(const ksl_mat3x3_t *A, const ksl_vec3_t *b
   const double refined_z2 = refined_y2 / divisor2;
   const double refined_x1 = refined_z1 - KSL_MUL(l1, refined_z2);
   const double refined_x0 = refined_z0 - KSL_MUL(l0_0, refined_x1) - KSL_MUL(l0_1, refined_z2);
-  const double found_0 = x0 + refined_x0;
-  const double found_1 = x1 + refined_x1;
-  const double found_2 = z2 + refined_z2;
+  const double found_0 = x0 + refined_x0, found_1 = x1 + refined_x1, found_2 = z2 + refined_z2;
   const double pivot = regular == 1.0 ? smallest2 : least;
-  const double x_0 = regular == 1.0 ? found_0 : (double)NAN;
-  const double x_1 = regular == 1.0 ? found_1 : (double)NAN;
-  const double x_2 = regular == 1.0 ? found_2 : (double)NAN;
+  const double x_0 = regular == 1.0 ? found_0 : (double)NAN,
+      x_1 = regular == 1.0 ? found_1 : (double)NAN, x_2 = regular == 1.0 ? found_2 : (double)NAN;
   x->x = x_0;
   x->y = x_1;
   x->z = x_2;
@@ -140,42 +131,32 @@ static inline double ksl_mat3x3_solve(const ksl_mat3x3_t *A, const ksl_vec3_t *b
      underflow. */
 static inline double ksl_mat6x6_ldl(const ksl_mat6x6_t *A, ksl_mat6x6_t *L) {
   const double divisor0 = 0.0 < A->at[0][0] ? A->at[0][0] : 1.0;
-  const double l0_0 = A->at[0][1] / divisor0;
-  const double l0_1 = A->at[0][2] / divisor0;
-  const double l0_2 = A->at[0][3] / divisor0;
-  const double l0_3 = A->at[0][4] / divisor0;
-  const double l0_4 = A->at[0][5] / divisor0;
-  const double u1_0 = A->at[1][1] - KSL_MUL(A->at[0][1], l0_0);
-  const double u1_1 = A->at[1][2] - KSL_MUL(A->at[0][2], l0_0);
-  const double u1_2 = A->at[1][3] - KSL_MUL(A->at[0][3], l0_0);
-  const double u1_3 = A->at[1][4] - KSL_MUL(A->at[0][4], l0_0);
-  const double u1_4 = A->at[1][5] - KSL_MUL(A->at[0][5], l0_0);
+  const double l0_0 = A->at[0][1] / divisor0, l0_1 = A->at[0][2] / divisor0,
+      l0_2 = A->at[0][3] / divisor0, l0_3 = A->at[0][4] / divisor0, l0_4 = A->at[0][5] / divisor0;
+  const double u1_0 = A->at[1][1] - KSL_MUL(A->at[0][1], l0_0),
+      u1_1 = A->at[1][2] - KSL_MUL(A->at[0][2], l0_0),
+      u1_2 = A->at[1][3] - KSL_MUL(A->at[0][3], l0_0),
+      u1_3 = A->at[1][4] - KSL_MUL(A->at[0][4], l0_0),
+      u1_4 = A->at[1][5] - KSL_MUL(A->at[0][5], l0_0);
   const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0;
-  const double l1_0 = u1_1 / divisor1;
-  const double l1_1 = u1_2 / divisor1;
-  const double l1_2 = u1_3 / divisor1;
-  const double l1_3 = u1_4 / divisor1;
-  const double u2_0 = A->at[2][2] - KSL_MUL(A->at[0][2], l0_1) - KSL_MUL(u1_1, l1_0);
-  const double u2_1 = A->at[2][3] - KSL_MUL(A->at[0][3], l0_1) - KSL_MUL(u1_2, l1_0);
-  const double u2_2 = A->at[2][4] - KSL_MUL(A->at[0][4], l0_1) - KSL_MUL(u1_3, l1_0);
-  const double u2_3 = A->at[2][5] - KSL_MUL(A->at[0][5], l0_1) - KSL_MUL(u1_4, l1_0);
+  const double l1_0 = u1_1 / divisor1, l1_1 = u1_2 / divisor1, l1_2 = u1_3 / divisor1,
+      l1_3 = u1_4 / divisor1;
+  const double u2_0 = A->at[2][2] - KSL_MUL(A->at[0][2], l0_1) - KSL_MUL(u1_1, l1_0),
+      u2_1 = A->at[2][3] - KSL_MUL(A->at[0][3], l0_1) - KSL_MUL(u1_2, l1_0),
+      u2_2 = A->at[2][4] - KSL_MUL(A->at[0][4], l0_1) - KSL_MUL(u1_3, l1_0),
+      u2_3 = A->at[2][5] - KSL_MUL(A->at[0][5], l0_1) - KSL_MUL(u1_4, l1_0);
   const double divisor2 = 0.0 < u2_0 ? u2_0 : 1.0;
-  const double l2_0 = u2_1 / divisor2;
-  const double l2_1 = u2_2 / divisor2;
-  const double l2_2 = u2_3 / divisor2;
+  const double l2_0 = u2_1 / divisor2, l2_1 = u2_2 / divisor2, l2_2 = u2_3 / divisor2;
   const double u3_0 = A->at[3][3] - KSL_MUL(A->at[0][3], l0_2) - KSL_MUL(u1_2, l1_1)
-          - KSL_MUL(u2_1, l2_0);
-  const double u3_1 = A->at[3][4] - KSL_MUL(A->at[0][4], l0_2) - KSL_MUL(u1_3, l1_1)
-          - KSL_MUL(u2_2, l2_0);
-  const double u3_2 = A->at[3][5] - KSL_MUL(A->at[0][5], l0_2) - KSL_MUL(u1_4, l1_1)
-          - KSL_MUL(u2_3, l2_0);
+          - KSL_MUL(u2_1, l2_0),
+      u3_1 = A->at[3][4] - KSL_MUL(A->at[0][4], l0_2) - KSL_MUL(u1_3, l1_1) - KSL_MUL(u2_2, l2_0),
+      u3_2 = A->at[3][5] - KSL_MUL(A->at[0][5], l0_2) - KSL_MUL(u1_4, l1_1) - KSL_MUL(u2_3, l2_0);
   const double divisor3 = 0.0 < u3_0 ? u3_0 : 1.0;
-  const double l3_0 = u3_1 / divisor3;
-  const double l3_1 = u3_2 / divisor3;
+  const double l3_0 = u3_1 / divisor3, l3_1 = u3_2 / divisor3;
   const double u4_0 = A->at[4][4] - KSL_MUL(A->at[0][4], l0_3) - KSL_MUL(u1_3, l1_2)
-          - KSL_MUL(u2_2, l2_1) - KSL_MUL(u3_1, l3_0);
-  const double u4_1 = A->at[4][5] - KSL_MUL(A->at[0][5], l0_3) - KSL_MUL(u1_4, l1_2)
-          - KSL_MUL(u2_3, l2_1) - KSL_MUL(u3_2, l3_0);
+          - KSL_MUL(u2_2, l2_1) - KSL_MUL(u3_1, l3_0),
+      u4_1 = A->at[4][5] - KSL_MUL(A->at[0][5], l0_3) - KSL_MUL(u1_4, l1_2) - KSL_MUL(u2_3, l2_1)
+          - KSL_MUL(u3_2, l3_0);
   const double divisor4 = 0.0 < u4_0 ? u4_0 : 1.0;
   const double l4 = u4_1 / divisor4;
   const double u5 = A->at[5][5] - KSL_MUL(A->at[0][5], l0_4) - KSL_MUL(u1_4, l1_3)
@@ -282,42 +263,32 @@ static inline void ksl_mat6x6_ldl_solve(const ksl_mat6x6_t *L, const ksl_coscrew
 static inline double ksl_mat6x6_solve(const ksl_mat6x6_t *A, const ksl_coscrew_t *b,
     ksl_screw_t *x) {
   const double divisor0 = 0.0 < A->at[0][0] ? A->at[0][0] : 1.0;
-  const double l0_0 = A->at[0][1] / divisor0;
-  const double l0_1 = A->at[0][2] / divisor0;
-  const double l0_2 = A->at[0][3] / divisor0;
-  const double l0_3 = A->at[0][4] / divisor0;
-  const double l0_4 = A->at[0][5] / divisor0;
-  const double u1_0 = A->at[1][1] - KSL_MUL(A->at[0][1], l0_0);
-  const double u1_1 = A->at[1][2] - KSL_MUL(A->at[0][2], l0_0);
-  const double u1_2 = A->at[1][3] - KSL_MUL(A->at[0][3], l0_0);
-  const double u1_3 = A->at[1][4] - KSL_MUL(A->at[0][4], l0_0);
-  const double u1_4 = A->at[1][5] - KSL_MUL(A->at[0][5], l0_0);
+  const double l0_0 = A->at[0][1] / divisor0, l0_1 = A->at[0][2] / divisor0,
+      l0_2 = A->at[0][3] / divisor0, l0_3 = A->at[0][4] / divisor0, l0_4 = A->at[0][5] / divisor0;
+  const double u1_0 = A->at[1][1] - KSL_MUL(A->at[0][1], l0_0),
+      u1_1 = A->at[1][2] - KSL_MUL(A->at[0][2], l0_0),
+      u1_2 = A->at[1][3] - KSL_MUL(A->at[0][3], l0_0),
+      u1_3 = A->at[1][4] - KSL_MUL(A->at[0][4], l0_0),
+      u1_4 = A->at[1][5] - KSL_MUL(A->at[0][5], l0_0);
   const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0;
-  const double l1_0 = u1_1 / divisor1;
-  const double l1_1 = u1_2 / divisor1;
-  const double l1_2 = u1_3 / divisor1;
-  const double l1_3 = u1_4 / divisor1;
-  const double u2_0 = A->at[2][2] - KSL_MUL(A->at[0][2], l0_1) - KSL_MUL(u1_1, l1_0);
-  const double u2_1 = A->at[2][3] - KSL_MUL(A->at[0][3], l0_1) - KSL_MUL(u1_2, l1_0);
-  const double u2_2 = A->at[2][4] - KSL_MUL(A->at[0][4], l0_1) - KSL_MUL(u1_3, l1_0);
-  const double u2_3 = A->at[2][5] - KSL_MUL(A->at[0][5], l0_1) - KSL_MUL(u1_4, l1_0);
+  const double l1_0 = u1_1 / divisor1, l1_1 = u1_2 / divisor1, l1_2 = u1_3 / divisor1,
+      l1_3 = u1_4 / divisor1;
+  const double u2_0 = A->at[2][2] - KSL_MUL(A->at[0][2], l0_1) - KSL_MUL(u1_1, l1_0),
+      u2_1 = A->at[2][3] - KSL_MUL(A->at[0][3], l0_1) - KSL_MUL(u1_2, l1_0),
+      u2_2 = A->at[2][4] - KSL_MUL(A->at[0][4], l0_1) - KSL_MUL(u1_3, l1_0),
+      u2_3 = A->at[2][5] - KSL_MUL(A->at[0][5], l0_1) - KSL_MUL(u1_4, l1_0);
   const double divisor2 = 0.0 < u2_0 ? u2_0 : 1.0;
-  const double l2_0 = u2_1 / divisor2;
-  const double l2_1 = u2_2 / divisor2;
-  const double l2_2 = u2_3 / divisor2;
+  const double l2_0 = u2_1 / divisor2, l2_1 = u2_2 / divisor2, l2_2 = u2_3 / divisor2;
   const double u3_0 = A->at[3][3] - KSL_MUL(A->at[0][3], l0_2) - KSL_MUL(u1_2, l1_1)
-          - KSL_MUL(u2_1, l2_0);
-  const double u3_1 = A->at[3][4] - KSL_MUL(A->at[0][4], l0_2) - KSL_MUL(u1_3, l1_1)
-          - KSL_MUL(u2_2, l2_0);
-  const double u3_2 = A->at[3][5] - KSL_MUL(A->at[0][5], l0_2) - KSL_MUL(u1_4, l1_1)
-          - KSL_MUL(u2_3, l2_0);
+          - KSL_MUL(u2_1, l2_0),
+      u3_1 = A->at[3][4] - KSL_MUL(A->at[0][4], l0_2) - KSL_MUL(u1_3, l1_1) - KSL_MUL(u2_2, l2_0),
+      u3_2 = A->at[3][5] - KSL_MUL(A->at[0][5], l0_2) - KSL_MUL(u1_4, l1_1) - KSL_MUL(u2_3, l2_0);
   const double divisor3 = 0.0 < u3_0 ? u3_0 : 1.0;
-  const double l3_0 = u3_1 / divisor3;
-  const double l3_1 = u3_2 / divisor3;
+  const double l3_0 = u3_1 / divisor3, l3_1 = u3_2 / divisor3;
   const double u4_0 = A->at[4][4] - KSL_MUL(A->at[0][4], l0_3) - KSL_MUL(u1_3, l1_2)
-          - KSL_MUL(u2_2, l2_1) - KSL_MUL(u3_1, l3_0);
-  const double u4_1 = A->at[4][5] - KSL_MUL(A->at[0][5], l0_3) - KSL_MUL(u1_4, l1_2)
-          - KSL_MUL(u2_3, l2_1) - KSL_MUL(u3_2, l3_0);
+          - KSL_MUL(u2_2, l2_1) - KSL_MUL(u3_1, l3_0),
+      u4_1 = A->at[4][5] - KSL_MUL(A->at[0][5], l0_3) - KSL_MUL(u1_4, l1_2) - KSL_MUL(u2_3, l2_1)
+          - KSL_MUL(u3_2, l3_0);
   const double divisor4 = 0.0 < u4_0 ? u4_0 : 1.0;
   const double l4 = u4_1 / divisor4;
   const double u5 = A->at[5][5] - KSL_MUL(A->at[0][5], l0_4) - KSL_MUL(u1_4, l1_3)
@@ -339,48 +310,39 @@ static inline double ksl_mat6x6_solve(const ksl_mat6x6_t *A, const ksl_coscrew_t
   const double own5 = 0.0 < A->at[5][5] ? A->at[5][5] : 1.0;
   const double part5a = u5 / own5, part5 = 0.0 < A->at[5][5] ? part5a : A->at[5][5];
   const double smallest5 = smallest4 < part5 ? smallest4 : part5;
-  const double less_0 = KSL_MUL(A->at[0][0], 0.9999999999999944);
-  const double less_1 = KSL_MUL(A->at[1][1], 0.9999999999999944);
-  const double less_2 = KSL_MUL(A->at[2][2], 0.9999999999999944);
-  const double less_3 = KSL_MUL(A->at[3][3], 0.9999999999999944);
-  const double less_4 = KSL_MUL(A->at[4][4], 0.9999999999999944);
-  const double less_5 = KSL_MUL(A->at[5][5], 0.9999999999999944);
+  const double less_0 = KSL_MUL(A->at[0][0], 0.9999999999999944),
+      less_1 = KSL_MUL(A->at[1][1], 0.9999999999999944),
+      less_2 = KSL_MUL(A->at[2][2], 0.9999999999999944),
+      less_3 = KSL_MUL(A->at[3][3], 0.9999999999999944),
+      less_4 = KSL_MUL(A->at[4][4], 0.9999999999999944),
+      less_5 = KSL_MUL(A->at[5][5], 0.9999999999999944);
   const double less_divisor0 = 0.0 < less_0 ? less_0 : 1.0;
-  const double less_l0_0 = A->at[0][1] / less_divisor0;
-  const double less_l0_1 = A->at[0][2] / less_divisor0;
-  const double less_l0_2 = A->at[0][3] / less_divisor0;
-  const double less_l0_3 = A->at[0][4] / less_divisor0;
-  const double less_l0_4 = A->at[0][5] / less_divisor0;
-  const double less_u1_0 = less_1 - KSL_MUL(A->at[0][1], less_l0_0);
-  const double less_u1_1 = A->at[1][2] - KSL_MUL(A->at[0][2], less_l0_0);
-  const double less_u1_2 = A->at[1][3] - KSL_MUL(A->at[0][3], less_l0_0);
-  const double less_u1_3 = A->at[1][4] - KSL_MUL(A->at[0][4], less_l0_0);
-  const double less_u1_4 = A->at[1][5] - KSL_MUL(A->at[0][5], less_l0_0);
+  const double less_l0_0 = A->at[0][1] / less_divisor0, less_l0_1 = A->at[0][2] / less_divisor0,
+      less_l0_2 = A->at[0][3] / less_divisor0, less_l0_3 = A->at[0][4] / less_divisor0,
+      less_l0_4 = A->at[0][5] / less_divisor0;
+  const double less_u1_0 = less_1 - KSL_MUL(A->at[0][1], less_l0_0),
+      less_u1_1 = A->at[1][2] - KSL_MUL(A->at[0][2], less_l0_0),
+      less_u1_2 = A->at[1][3] - KSL_MUL(A->at[0][3], less_l0_0),
+      less_u1_3 = A->at[1][4] - KSL_MUL(A->at[0][4], less_l0_0),
+      less_u1_4 = A->at[1][5] - KSL_MUL(A->at[0][5], less_l0_0);
   const double less_divisor1 = 0.0 < less_u1_0 ? less_u1_0 : 1.0;
-  const double less_l1_0 = less_u1_1 / less_divisor1;
-  const double less_l1_1 = less_u1_2 / less_divisor1;
-  const double less_l1_2 = less_u1_3 / less_divisor1;
-  const double less_l1_3 = less_u1_4 / less_divisor1;
-  const double less_u2_0 = less_2 - KSL_MUL(A->at[0][2], less_l0_1) - KSL_MUL(less_u1_1, less_l1_0);
-  const double less_u2_1 = A->at[2][3] - KSL_MUL(A->at[0][3], less_l0_1)
-          - KSL_MUL(less_u1_2, less_l1_0);
-  const double less_u2_2 = A->at[2][4] - KSL_MUL(A->at[0][4], less_l0_1)
-          - KSL_MUL(less_u1_3, less_l1_0);
-  const double less_u2_3 = A->at[2][5] - KSL_MUL(A->at[0][5], less_l0_1)
-          - KSL_MUL(less_u1_4, less_l1_0);
+  const double less_l1_0 = less_u1_1 / less_divisor1, less_l1_1 = less_u1_2 / less_divisor1,
+      less_l1_2 = less_u1_3 / less_divisor1, less_l1_3 = less_u1_4 / less_divisor1;
+  const double less_u2_0 = less_2 - KSL_MUL(A->at[0][2], less_l0_1) - KSL_MUL(less_u1_1, less_l1_0),
+      less_u2_1 = A->at[2][3] - KSL_MUL(A->at[0][3], less_l0_1) - KSL_MUL(less_u1_2, less_l1_0),
+      less_u2_2 = A->at[2][4] - KSL_MUL(A->at[0][4], less_l0_1) - KSL_MUL(less_u1_3, less_l1_0),
+      less_u2_3 = A->at[2][5] - KSL_MUL(A->at[0][5], less_l0_1) - KSL_MUL(less_u1_4, less_l1_0);
   const double less_divisor2 = 0.0 < less_u2_0 ? less_u2_0 : 1.0;
-  const double less_l2_0 = less_u2_1 / less_divisor2;
-  const double less_l2_1 = less_u2_2 / less_divisor2;
-  const double less_l2_2 = less_u2_3 / less_divisor2;
+  const double less_l2_0 = less_u2_1 / less_divisor2, less_l2_1 = less_u2_2 / less_divisor2,
+      less_l2_2 = less_u2_3 / less_divisor2;
   const double less_u3_0 = less_3 - KSL_MUL(A->at[0][3], less_l0_2) - KSL_MUL(less_u1_2, less_l1_1)
-          - KSL_MUL(less_u2_1, less_l2_0);
-  const double less_u3_1 = A->at[3][4] - KSL_MUL(A->at[0][4], less_l0_2)
-          - KSL_MUL(less_u1_3, less_l1_1) - KSL_MUL(less_u2_2, less_l2_0);
-  const double less_u3_2 = A->at[3][5] - KSL_MUL(A->at[0][5], less_l0_2)
-          - KSL_MUL(less_u1_4, less_l1_1) - KSL_MUL(less_u2_3, less_l2_0);
+          - KSL_MUL(less_u2_1, less_l2_0),
+      less_u3_1 = A->at[3][4] - KSL_MUL(A->at[0][4], less_l0_2) - KSL_MUL(less_u1_3, less_l1_1)
+          - KSL_MUL(less_u2_2, less_l2_0),
+      less_u3_2 = A->at[3][5] - KSL_MUL(A->at[0][5], less_l0_2) - KSL_MUL(less_u1_4, less_l1_1)
+          - KSL_MUL(less_u2_3, less_l2_0);
   const double less_divisor3 = 0.0 < less_u3_0 ? less_u3_0 : 1.0;
-  const double less_l3_0 = less_u3_1 / less_divisor3;
-  const double less_l3_1 = less_u3_2 / less_divisor3;
+  const double less_l3_0 = less_u3_1 / less_divisor3, less_l3_1 = less_u3_2 / less_divisor3;
   const double less_u4_0 = less_4 - KSL_MUL(A->at[0][4], less_l0_3) - KSL_MUL(less_u1_3, less_l1_2)
           - KSL_MUL(less_u2_2, less_l2_1) - KSL_MUL(less_u3_1, less_l3_0);
   const double less_u4_1f = A->at[4][5] - KSL_MUL(A->at[0][5], less_l0_3)
@@ -457,19 +419,13 @@ static inline double ksl_mat6x6_solve(const ksl_mat6x6_t *A, const ksl_coscrew_t
   const double refined_x0h = refined_z0 - KSL_MUL(l0_0, refined_x1) - KSL_MUL(l0_1, refined_x2)
           - KSL_MUL(l0_2, refined_x3) - KSL_MUL(l0_3, refined_x4),
       refined_x0 = refined_x0h - KSL_MUL(l0_4, refined_z5);
-  const double found_0 = x0 + refined_x0;
-  const double found_1 = x1 + refined_x1;
-  const double found_2 = x2 + refined_x2;
-  const double found_3 = x3 + refined_x3;
-  const double found_4 = x4 + refined_x4;
-  const double found_5 = z5 + refined_z5;
+  const double found_0 = x0 + refined_x0, found_1 = x1 + refined_x1, found_2 = x2 + refined_x2,
+      found_3 = x3 + refined_x3, found_4 = x4 + refined_x4, found_5 = z5 + refined_z5;
   const double pivot = regular == 1.0 ? smallest5 : least;
-  const double x_0 = regular == 1.0 ? found_0 : (double)NAN;
-  const double x_1 = regular == 1.0 ? found_1 : (double)NAN;
-  const double x_2 = regular == 1.0 ? found_2 : (double)NAN;
-  const double x_3 = regular == 1.0 ? found_3 : (double)NAN;
-  const double x_4 = regular == 1.0 ? found_4 : (double)NAN;
-  const double x_5 = regular == 1.0 ? found_5 : (double)NAN;
+  const double x_0 = regular == 1.0 ? found_0 : (double)NAN,
+      x_1 = regular == 1.0 ? found_1 : (double)NAN, x_2 = regular == 1.0 ? found_2 : (double)NAN,
+      x_3 = regular == 1.0 ? found_3 : (double)NAN, x_4 = regular == 1.0 ? found_4 : (double)NAN,
+      x_5 = regular == 1.0 ? found_5 : (double)NAN;
   x->m0 = x_0;
   x->m1 = x_1;
   x->m2 = x_2;
@@ -488,10 +444,8 @@ static inline double ksl_mat6x6_solve(const ksl_mat6x6_t *A, const ksl_coscrew_t
      underflow. */
 static inline float ksl_mat3x3f_ldl(const ksl_mat3x3f_t *A, ksl_mat3x3f_t *L) {
   const float divisor0 = 0.0f < A->m00 ? A->m00 : 1.0f;
-  const float l0_0 = A->m10 / divisor0;
-  const float l0_1 = A->m20 / divisor0;
-  const float u1_0 = A->m11 - KSL_MULF(A->m10, l0_0);
-  const float u1_1 = A->m21 - KSL_MULF(A->m20, l0_0);
+  const float l0_0 = A->m10 / divisor0, l0_1 = A->m20 / divisor0;
+  const float u1_0 = A->m11 - KSL_MULF(A->m10, l0_0), u1_1 = A->m21 - KSL_MULF(A->m20, l0_0);
   const float divisor1 = 0.0f < u1_0 ? u1_0 : 1.0f;
   const float l1 = u1_1 / divisor1;
   const float u2 = A->m22 - KSL_MULF(A->m20, l0_1) - KSL_MULF(u1_1, l1);
@@ -543,10 +497,8 @@ static inline void ksl_mat3x3f_ldl_solve(const ksl_mat3x3f_t *L, const ksl_vec3f
 static inline float ksl_mat3x3f_solve(const ksl_mat3x3f_t *A, const ksl_vec3f_t *b,
     ksl_vec3f_t *x) {
   const float divisor0 = 0.0f < A->m00 ? A->m00 : 1.0f;
-  const float l0_0 = A->m10 / divisor0;
-  const float l0_1 = A->m20 / divisor0;
-  const float u1_0 = A->m11 - KSL_MULF(A->m10, l0_0);
-  const float u1_1 = A->m21 - KSL_MULF(A->m20, l0_0);
+  const float l0_0 = A->m10 / divisor0, l0_1 = A->m20 / divisor0;
+  const float u1_0 = A->m11 - KSL_MULF(A->m10, l0_0), u1_1 = A->m21 - KSL_MULF(A->m20, l0_0);
   const float divisor1 = 0.0f < u1_0 ? u1_0 : 1.0f;
   const float l1 = u1_1 / divisor1;
   const float u2 = A->m22 - KSL_MULF(A->m20, l0_1) - KSL_MULF(u1_1, l1);
@@ -558,14 +510,12 @@ static inline float ksl_mat3x3f_solve(const ksl_mat3x3f_t *A, const ksl_vec3f_t 
   const float own2 = 0.0f < A->m22 ? A->m22 : 1.0f;
   const float part2a = u2 / own2, part2 = 0.0f < A->m22 ? part2a : A->m22;
   const float smallest2 = smallest1 < part2 ? smallest1 : part2;
-  const float less_0 = KSL_MULF(A->m00, 0.999997f);
-  const float less_1 = KSL_MULF(A->m11, 0.999997f);
-  const float less_2 = KSL_MULF(A->m22, 0.999997f);
+  const float less_0 = KSL_MULF(A->m00, 0.999997f), less_1 = KSL_MULF(A->m11, 0.999997f),
+      less_2 = KSL_MULF(A->m22, 0.999997f);
   const float less_divisor0 = 0.0f < less_0 ? less_0 : 1.0f;
-  const float less_l0_0 = A->m10 / less_divisor0;
-  const float less_l0_1 = A->m20 / less_divisor0;
-  const float less_u1_0 = less_1 - KSL_MULF(A->m10, less_l0_0);
-  const float less_u1_1 = A->m21 - KSL_MULF(A->m20, less_l0_0);
+  const float less_l0_0 = A->m10 / less_divisor0, less_l0_1 = A->m20 / less_divisor0;
+  const float less_u1_0 = less_1 - KSL_MULF(A->m10, less_l0_0),
+      less_u1_1 = A->m21 - KSL_MULF(A->m20, less_l0_0);
   const float less_divisor1 = 0.0f < less_u1_0 ? less_u1_0 : 1.0f;
   const float less_l1 = less_u1_1 / less_divisor1;
   const float less_u2 = less_2 - KSL_MULF(A->m20, less_l0_1) - KSL_MULF(less_u1_1, less_l1);
@@ -580,11 +530,9 @@ static inline float ksl_mat3x3f_solve(const ksl_mat3x3f_t *A, const ksl_vec3f_t 
   const float x1 = z1 - KSL_MULF(l1, z2);
   const float x0 = z0 - KSL_MULF(l0_0, x1) - KSL_MULF(l0_1, z2);
   const float residual_0 = b->x - KSL_MULF(A->m00, x0) - KSL_MULF(A->m10, x1)
-          - KSL_MULF(A->m20, z2);
-  const float residual_1 = b->y - KSL_MULF(A->m10, x0) - KSL_MULF(A->m11, x1)
-          - KSL_MULF(A->m21, z2);
-  const float residual_2 = b->z - KSL_MULF(A->m20, x0) - KSL_MULF(A->m21, x1)
-          - KSL_MULF(A->m22, z2);
+          - KSL_MULF(A->m20, z2),
+      residual_1 = b->y - KSL_MULF(A->m10, x0) - KSL_MULF(A->m11, x1) - KSL_MULF(A->m21, z2),
+      residual_2 = b->z - KSL_MULF(A->m20, x0) - KSL_MULF(A->m21, x1) - KSL_MULF(A->m22, z2);
   const float refined_y1 = residual_1 - KSL_MULF(l0_0, residual_0);
   const float refined_y2 = residual_2 - KSL_MULF(l0_1, residual_0) - KSL_MULF(l1, refined_y1);
   const float refined_z0 = residual_0 / divisor0;
@@ -592,13 +540,10 @@ static inline float ksl_mat3x3f_solve(const ksl_mat3x3f_t *A, const ksl_vec3f_t 
   const float refined_z2 = refined_y2 / divisor2;
   const float refined_x1 = refined_z1 - KSL_MULF(l1, refined_z2);
   const float refined_x0 = refined_z0 - KSL_MULF(l0_0, refined_x1) - KSL_MULF(l0_1, refined_z2);
-  const float found_0 = x0 + refined_x0;
-  const float found_1 = x1 + refined_x1;
-  const float found_2 = z2 + refined_z2;
+  const float found_0 = x0 + refined_x0, found_1 = x1 + refined_x1, found_2 = z2 + refined_z2;
   const float pivot = regular == 1.0f ? smallest2 : least;
-  const float x_0 = regular == 1.0f ? found_0 : (float)NAN;
-  const float x_1 = regular == 1.0f ? found_1 : (float)NAN;
-  const float x_2 = regular == 1.0f ? found_2 : (float)NAN;
+  const float x_0 = regular == 1.0f ? found_0 : (float)NAN,
+      x_1 = regular == 1.0f ? found_1 : (float)NAN, x_2 = regular == 1.0f ? found_2 : (float)NAN;
   x->x = x_0;
   x->y = x_1;
   x->z = x_2;
@@ -614,41 +559,33 @@ static inline float ksl_mat3x3f_solve(const ksl_mat3x3f_t *A, const ksl_vec3f_t 
      underflow. */
 static inline float ksl_mat6x6f_ldl(const ksl_mat6x6f_t *A, ksl_mat6x6f_t *L) {
   const float divisor0 = 0.0f < A->at[0][0] ? A->at[0][0] : 1.0f;
-  const float l0_0 = A->at[0][1] / divisor0;
-  const float l0_1 = A->at[0][2] / divisor0;
-  const float l0_2 = A->at[0][3] / divisor0;
-  const float l0_3 = A->at[0][4] / divisor0;
-  const float l0_4 = A->at[0][5] / divisor0;
-  const float u1_0 = A->at[1][1] - KSL_MULF(A->at[0][1], l0_0);
-  const float u1_1 = A->at[1][2] - KSL_MULF(A->at[0][2], l0_0);
-  const float u1_2 = A->at[1][3] - KSL_MULF(A->at[0][3], l0_0);
-  const float u1_3 = A->at[1][4] - KSL_MULF(A->at[0][4], l0_0);
-  const float u1_4 = A->at[1][5] - KSL_MULF(A->at[0][5], l0_0);
+  const float l0_0 = A->at[0][1] / divisor0, l0_1 = A->at[0][2] / divisor0,
+      l0_2 = A->at[0][3] / divisor0, l0_3 = A->at[0][4] / divisor0, l0_4 = A->at[0][5] / divisor0;
+  const float u1_0 = A->at[1][1] - KSL_MULF(A->at[0][1], l0_0),
+      u1_1 = A->at[1][2] - KSL_MULF(A->at[0][2], l0_0),
+      u1_2 = A->at[1][3] - KSL_MULF(A->at[0][3], l0_0),
+      u1_3 = A->at[1][4] - KSL_MULF(A->at[0][4], l0_0),
+      u1_4 = A->at[1][5] - KSL_MULF(A->at[0][5], l0_0);
   const float divisor1 = 0.0f < u1_0 ? u1_0 : 1.0f;
-  const float l1_0 = u1_1 / divisor1;
-  const float l1_1 = u1_2 / divisor1;
-  const float l1_2 = u1_3 / divisor1;
-  const float l1_3 = u1_4 / divisor1;
-  const float u2_0 = A->at[2][2] - KSL_MULF(A->at[0][2], l0_1) - KSL_MULF(u1_1, l1_0);
-  const float u2_1 = A->at[2][3] - KSL_MULF(A->at[0][3], l0_1) - KSL_MULF(u1_2, l1_0);
-  const float u2_2 = A->at[2][4] - KSL_MULF(A->at[0][4], l0_1) - KSL_MULF(u1_3, l1_0);
-  const float u2_3 = A->at[2][5] - KSL_MULF(A->at[0][5], l0_1) - KSL_MULF(u1_4, l1_0);
+  const float l1_0 = u1_1 / divisor1, l1_1 = u1_2 / divisor1, l1_2 = u1_3 / divisor1,
+      l1_3 = u1_4 / divisor1;
+  const float u2_0 = A->at[2][2] - KSL_MULF(A->at[0][2], l0_1) - KSL_MULF(u1_1, l1_0),
+      u2_1 = A->at[2][3] - KSL_MULF(A->at[0][3], l0_1) - KSL_MULF(u1_2, l1_0),
+      u2_2 = A->at[2][4] - KSL_MULF(A->at[0][4], l0_1) - KSL_MULF(u1_3, l1_0),
+      u2_3 = A->at[2][5] - KSL_MULF(A->at[0][5], l0_1) - KSL_MULF(u1_4, l1_0);
   const float divisor2 = 0.0f < u2_0 ? u2_0 : 1.0f;
-  const float l2_0 = u2_1 / divisor2;
-  const float l2_1 = u2_2 / divisor2;
-  const float l2_2 = u2_3 / divisor2;
+  const float l2_0 = u2_1 / divisor2, l2_1 = u2_2 / divisor2, l2_2 = u2_3 / divisor2;
   const float u3_0 = A->at[3][3] - KSL_MULF(A->at[0][3], l0_2) - KSL_MULF(u1_2, l1_1)
-          - KSL_MULF(u2_1, l2_0);
-  const float u3_1 = A->at[3][4] - KSL_MULF(A->at[0][4], l0_2) - KSL_MULF(u1_3, l1_1)
-          - KSL_MULF(u2_2, l2_0);
-  const float u3_2 = A->at[3][5] - KSL_MULF(A->at[0][5], l0_2) - KSL_MULF(u1_4, l1_1)
+          - KSL_MULF(u2_1, l2_0),
+      u3_1 = A->at[3][4] - KSL_MULF(A->at[0][4], l0_2) - KSL_MULF(u1_3, l1_1)
+          - KSL_MULF(u2_2, l2_0),
+      u3_2 = A->at[3][5] - KSL_MULF(A->at[0][5], l0_2) - KSL_MULF(u1_4, l1_1)
           - KSL_MULF(u2_3, l2_0);
   const float divisor3 = 0.0f < u3_0 ? u3_0 : 1.0f;
-  const float l3_0 = u3_1 / divisor3;
-  const float l3_1 = u3_2 / divisor3;
+  const float l3_0 = u3_1 / divisor3, l3_1 = u3_2 / divisor3;
   const float u4_0 = A->at[4][4] - KSL_MULF(A->at[0][4], l0_3) - KSL_MULF(u1_3, l1_2)
-          - KSL_MULF(u2_2, l2_1) - KSL_MULF(u3_1, l3_0);
-  const float u4_1 = A->at[4][5] - KSL_MULF(A->at[0][5], l0_3) - KSL_MULF(u1_4, l1_2)
+          - KSL_MULF(u2_2, l2_1) - KSL_MULF(u3_1, l3_0),
+      u4_1 = A->at[4][5] - KSL_MULF(A->at[0][5], l0_3) - KSL_MULF(u1_4, l1_2)
           - KSL_MULF(u2_3, l2_1) - KSL_MULF(u3_2, l3_0);
   const float divisor4 = 0.0f < u4_0 ? u4_0 : 1.0f;
   const float l4 = u4_1 / divisor4;
@@ -757,41 +694,33 @@ static inline void ksl_mat6x6f_ldl_solve(const ksl_mat6x6f_t *L, const ksl_coscr
 static inline float ksl_mat6x6f_solve(const ksl_mat6x6f_t *A, const ksl_coscrewf_t *b,
     ksl_screwf_t *x) {
   const float divisor0 = 0.0f < A->at[0][0] ? A->at[0][0] : 1.0f;
-  const float l0_0 = A->at[0][1] / divisor0;
-  const float l0_1 = A->at[0][2] / divisor0;
-  const float l0_2 = A->at[0][3] / divisor0;
-  const float l0_3 = A->at[0][4] / divisor0;
-  const float l0_4 = A->at[0][5] / divisor0;
-  const float u1_0 = A->at[1][1] - KSL_MULF(A->at[0][1], l0_0);
-  const float u1_1 = A->at[1][2] - KSL_MULF(A->at[0][2], l0_0);
-  const float u1_2 = A->at[1][3] - KSL_MULF(A->at[0][3], l0_0);
-  const float u1_3 = A->at[1][4] - KSL_MULF(A->at[0][4], l0_0);
-  const float u1_4 = A->at[1][5] - KSL_MULF(A->at[0][5], l0_0);
+  const float l0_0 = A->at[0][1] / divisor0, l0_1 = A->at[0][2] / divisor0,
+      l0_2 = A->at[0][3] / divisor0, l0_3 = A->at[0][4] / divisor0, l0_4 = A->at[0][5] / divisor0;
+  const float u1_0 = A->at[1][1] - KSL_MULF(A->at[0][1], l0_0),
+      u1_1 = A->at[1][2] - KSL_MULF(A->at[0][2], l0_0),
+      u1_2 = A->at[1][3] - KSL_MULF(A->at[0][3], l0_0),
+      u1_3 = A->at[1][4] - KSL_MULF(A->at[0][4], l0_0),
+      u1_4 = A->at[1][5] - KSL_MULF(A->at[0][5], l0_0);
   const float divisor1 = 0.0f < u1_0 ? u1_0 : 1.0f;
-  const float l1_0 = u1_1 / divisor1;
-  const float l1_1 = u1_2 / divisor1;
-  const float l1_2 = u1_3 / divisor1;
-  const float l1_3 = u1_4 / divisor1;
-  const float u2_0 = A->at[2][2] - KSL_MULF(A->at[0][2], l0_1) - KSL_MULF(u1_1, l1_0);
-  const float u2_1 = A->at[2][3] - KSL_MULF(A->at[0][3], l0_1) - KSL_MULF(u1_2, l1_0);
-  const float u2_2 = A->at[2][4] - KSL_MULF(A->at[0][4], l0_1) - KSL_MULF(u1_3, l1_0);
-  const float u2_3 = A->at[2][5] - KSL_MULF(A->at[0][5], l0_1) - KSL_MULF(u1_4, l1_0);
+  const float l1_0 = u1_1 / divisor1, l1_1 = u1_2 / divisor1, l1_2 = u1_3 / divisor1,
+      l1_3 = u1_4 / divisor1;
+  const float u2_0 = A->at[2][2] - KSL_MULF(A->at[0][2], l0_1) - KSL_MULF(u1_1, l1_0),
+      u2_1 = A->at[2][3] - KSL_MULF(A->at[0][3], l0_1) - KSL_MULF(u1_2, l1_0),
+      u2_2 = A->at[2][4] - KSL_MULF(A->at[0][4], l0_1) - KSL_MULF(u1_3, l1_0),
+      u2_3 = A->at[2][5] - KSL_MULF(A->at[0][5], l0_1) - KSL_MULF(u1_4, l1_0);
   const float divisor2 = 0.0f < u2_0 ? u2_0 : 1.0f;
-  const float l2_0 = u2_1 / divisor2;
-  const float l2_1 = u2_2 / divisor2;
-  const float l2_2 = u2_3 / divisor2;
+  const float l2_0 = u2_1 / divisor2, l2_1 = u2_2 / divisor2, l2_2 = u2_3 / divisor2;
   const float u3_0 = A->at[3][3] - KSL_MULF(A->at[0][3], l0_2) - KSL_MULF(u1_2, l1_1)
-          - KSL_MULF(u2_1, l2_0);
-  const float u3_1 = A->at[3][4] - KSL_MULF(A->at[0][4], l0_2) - KSL_MULF(u1_3, l1_1)
-          - KSL_MULF(u2_2, l2_0);
-  const float u3_2 = A->at[3][5] - KSL_MULF(A->at[0][5], l0_2) - KSL_MULF(u1_4, l1_1)
+          - KSL_MULF(u2_1, l2_0),
+      u3_1 = A->at[3][4] - KSL_MULF(A->at[0][4], l0_2) - KSL_MULF(u1_3, l1_1)
+          - KSL_MULF(u2_2, l2_0),
+      u3_2 = A->at[3][5] - KSL_MULF(A->at[0][5], l0_2) - KSL_MULF(u1_4, l1_1)
           - KSL_MULF(u2_3, l2_0);
   const float divisor3 = 0.0f < u3_0 ? u3_0 : 1.0f;
-  const float l3_0 = u3_1 / divisor3;
-  const float l3_1 = u3_2 / divisor3;
+  const float l3_0 = u3_1 / divisor3, l3_1 = u3_2 / divisor3;
   const float u4_0 = A->at[4][4] - KSL_MULF(A->at[0][4], l0_3) - KSL_MULF(u1_3, l1_2)
-          - KSL_MULF(u2_2, l2_1) - KSL_MULF(u3_1, l3_0);
-  const float u4_1 = A->at[4][5] - KSL_MULF(A->at[0][5], l0_3) - KSL_MULF(u1_4, l1_2)
+          - KSL_MULF(u2_2, l2_1) - KSL_MULF(u3_1, l3_0),
+      u4_1 = A->at[4][5] - KSL_MULF(A->at[0][5], l0_3) - KSL_MULF(u1_4, l1_2)
           - KSL_MULF(u2_3, l2_1) - KSL_MULF(u3_2, l3_0);
   const float divisor4 = 0.0f < u4_0 ? u4_0 : 1.0f;
   const float l4 = u4_1 / divisor4;
@@ -814,49 +743,37 @@ static inline float ksl_mat6x6f_solve(const ksl_mat6x6f_t *A, const ksl_coscrewf
   const float own5 = 0.0f < A->at[5][5] ? A->at[5][5] : 1.0f;
   const float part5a = u5 / own5, part5 = 0.0f < A->at[5][5] ? part5a : A->at[5][5];
   const float smallest5 = smallest4 < part5 ? smallest4 : part5;
-  const float less_0 = KSL_MULF(A->at[0][0], 0.999997f);
-  const float less_1 = KSL_MULF(A->at[1][1], 0.999997f);
-  const float less_2 = KSL_MULF(A->at[2][2], 0.999997f);
-  const float less_3 = KSL_MULF(A->at[3][3], 0.999997f);
-  const float less_4 = KSL_MULF(A->at[4][4], 0.999997f);
-  const float less_5 = KSL_MULF(A->at[5][5], 0.999997f);
+  const float less_0 = KSL_MULF(A->at[0][0], 0.999997f), less_1 = KSL_MULF(A->at[1][1], 0.999997f),
+      less_2 = KSL_MULF(A->at[2][2], 0.999997f), less_3 = KSL_MULF(A->at[3][3], 0.999997f),
+      less_4 = KSL_MULF(A->at[4][4], 0.999997f), less_5 = KSL_MULF(A->at[5][5], 0.999997f);
   const float less_divisor0 = 0.0f < less_0 ? less_0 : 1.0f;
-  const float less_l0_0 = A->at[0][1] / less_divisor0;
-  const float less_l0_1 = A->at[0][2] / less_divisor0;
-  const float less_l0_2 = A->at[0][3] / less_divisor0;
-  const float less_l0_3 = A->at[0][4] / less_divisor0;
-  const float less_l0_4 = A->at[0][5] / less_divisor0;
-  const float less_u1_0 = less_1 - KSL_MULF(A->at[0][1], less_l0_0);
-  const float less_u1_1 = A->at[1][2] - KSL_MULF(A->at[0][2], less_l0_0);
-  const float less_u1_2 = A->at[1][3] - KSL_MULF(A->at[0][3], less_l0_0);
-  const float less_u1_3 = A->at[1][4] - KSL_MULF(A->at[0][4], less_l0_0);
-  const float less_u1_4 = A->at[1][5] - KSL_MULF(A->at[0][5], less_l0_0);
+  const float less_l0_0 = A->at[0][1] / less_divisor0, less_l0_1 = A->at[0][2] / less_divisor0,
+      less_l0_2 = A->at[0][3] / less_divisor0, less_l0_3 = A->at[0][4] / less_divisor0,
+      less_l0_4 = A->at[0][5] / less_divisor0;
+  const float less_u1_0 = less_1 - KSL_MULF(A->at[0][1], less_l0_0),
+      less_u1_1 = A->at[1][2] - KSL_MULF(A->at[0][2], less_l0_0),
+      less_u1_2 = A->at[1][3] - KSL_MULF(A->at[0][3], less_l0_0),
+      less_u1_3 = A->at[1][4] - KSL_MULF(A->at[0][4], less_l0_0),
+      less_u1_4 = A->at[1][5] - KSL_MULF(A->at[0][5], less_l0_0);
   const float less_divisor1 = 0.0f < less_u1_0 ? less_u1_0 : 1.0f;
-  const float less_l1_0 = less_u1_1 / less_divisor1;
-  const float less_l1_1 = less_u1_2 / less_divisor1;
-  const float less_l1_2 = less_u1_3 / less_divisor1;
-  const float less_l1_3 = less_u1_4 / less_divisor1;
+  const float less_l1_0 = less_u1_1 / less_divisor1, less_l1_1 = less_u1_2 / less_divisor1,
+      less_l1_2 = less_u1_3 / less_divisor1, less_l1_3 = less_u1_4 / less_divisor1;
   const float less_u2_0 = less_2 - KSL_MULF(A->at[0][2], less_l0_1)
-          - KSL_MULF(less_u1_1, less_l1_0);
-  const float less_u2_1 = A->at[2][3] - KSL_MULF(A->at[0][3], less_l0_1)
-          - KSL_MULF(less_u1_2, less_l1_0);
-  const float less_u2_2 = A->at[2][4] - KSL_MULF(A->at[0][4], less_l0_1)
-          - KSL_MULF(less_u1_3, less_l1_0);
-  const float less_u2_3 = A->at[2][5] - KSL_MULF(A->at[0][5], less_l0_1)
-          - KSL_MULF(less_u1_4, less_l1_0);
+          - KSL_MULF(less_u1_1, less_l1_0),
+      less_u2_1 = A->at[2][3] - KSL_MULF(A->at[0][3], less_l0_1) - KSL_MULF(less_u1_2, less_l1_0),
+      less_u2_2 = A->at[2][4] - KSL_MULF(A->at[0][4], less_l0_1) - KSL_MULF(less_u1_3, less_l1_0),
+      less_u2_3 = A->at[2][5] - KSL_MULF(A->at[0][5], less_l0_1) - KSL_MULF(less_u1_4, less_l1_0);
   const float less_divisor2 = 0.0f < less_u2_0 ? less_u2_0 : 1.0f;
-  const float less_l2_0 = less_u2_1 / less_divisor2;
-  const float less_l2_1 = less_u2_2 / less_divisor2;
-  const float less_l2_2 = less_u2_3 / less_divisor2;
+  const float less_l2_0 = less_u2_1 / less_divisor2, less_l2_1 = less_u2_2 / less_divisor2,
+      less_l2_2 = less_u2_3 / less_divisor2;
   const float less_u3_0 = less_3 - KSL_MULF(A->at[0][3], less_l0_2)
-          - KSL_MULF(less_u1_2, less_l1_1) - KSL_MULF(less_u2_1, less_l2_0);
-  const float less_u3_1 = A->at[3][4] - KSL_MULF(A->at[0][4], less_l0_2)
-          - KSL_MULF(less_u1_3, less_l1_1) - KSL_MULF(less_u2_2, less_l2_0);
-  const float less_u3_2 = A->at[3][5] - KSL_MULF(A->at[0][5], less_l0_2)
-          - KSL_MULF(less_u1_4, less_l1_1) - KSL_MULF(less_u2_3, less_l2_0);
+          - KSL_MULF(less_u1_2, less_l1_1) - KSL_MULF(less_u2_1, less_l2_0),
+      less_u3_1 = A->at[3][4] - KSL_MULF(A->at[0][4], less_l0_2) - KSL_MULF(less_u1_3, less_l1_1)
+          - KSL_MULF(less_u2_2, less_l2_0),
+      less_u3_2 = A->at[3][5] - KSL_MULF(A->at[0][5], less_l0_2) - KSL_MULF(less_u1_4, less_l1_1)
+          - KSL_MULF(less_u2_3, less_l2_0);
   const float less_divisor3 = 0.0f < less_u3_0 ? less_u3_0 : 1.0f;
-  const float less_l3_0 = less_u3_1 / less_divisor3;
-  const float less_l3_1 = less_u3_2 / less_divisor3;
+  const float less_l3_0 = less_u3_1 / less_divisor3, less_l3_1 = less_u3_2 / less_divisor3;
   const float less_u4_0f = less_4 - KSL_MULF(A->at[0][4], less_l0_3)
           - KSL_MULF(less_u1_3, less_l1_2) - KSL_MULF(less_u2_2, less_l2_1),
       less_u4_0 = less_u4_0f - KSL_MULF(less_u3_1, less_l3_0);
@@ -936,19 +853,13 @@ static inline float ksl_mat6x6f_solve(const ksl_mat6x6f_t *A, const ksl_coscrewf
   const float refined_x0h = refined_z0 - KSL_MULF(l0_0, refined_x1) - KSL_MULF(l0_1, refined_x2)
           - KSL_MULF(l0_2, refined_x3) - KSL_MULF(l0_3, refined_x4),
       refined_x0 = refined_x0h - KSL_MULF(l0_4, refined_z5);
-  const float found_0 = x0 + refined_x0;
-  const float found_1 = x1 + refined_x1;
-  const float found_2 = x2 + refined_x2;
-  const float found_3 = x3 + refined_x3;
-  const float found_4 = x4 + refined_x4;
-  const float found_5 = z5 + refined_z5;
+  const float found_0 = x0 + refined_x0, found_1 = x1 + refined_x1, found_2 = x2 + refined_x2,
+      found_3 = x3 + refined_x3, found_4 = x4 + refined_x4, found_5 = z5 + refined_z5;
   const float pivot = regular == 1.0f ? smallest5 : least;
-  const float x_0 = regular == 1.0f ? found_0 : (float)NAN;
-  const float x_1 = regular == 1.0f ? found_1 : (float)NAN;
-  const float x_2 = regular == 1.0f ? found_2 : (float)NAN;
-  const float x_3 = regular == 1.0f ? found_3 : (float)NAN;
-  const float x_4 = regular == 1.0f ? found_4 : (float)NAN;
-  const float x_5 = regular == 1.0f ? found_5 : (float)NAN;
+  const float x_0 = regular == 1.0f ? found_0 : (float)NAN,
+      x_1 = regular == 1.0f ? found_1 : (float)NAN, x_2 = regular == 1.0f ? found_2 : (float)NAN,
+      x_3 = regular == 1.0f ? found_3 : (float)NAN, x_4 = regular == 1.0f ? found_4 : (float)NAN,
+      x_5 = regular == 1.0f ? found_5 : (float)NAN;
   x->m0 = x_0;
   x->m1 = x_1;
   x->m2 = x_2;

@@ -217,9 +217,8 @@ static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_
       part2_sum_lo = part2 - (part2_sum - part2_sum_right) + (part2_lo - part2_sum_right),
       smallest2 = smallest1_sum < part2_sum ? smallest1_sum : part2_sum,
       smallest2_lo = smallest1_sum < part2_sum ? smallest1_sum_lo : part2_sum_lo;
-  const double less_0 = KSL_MUL(A->m00, 0.9999999999999944);
-  const double less_1 = KSL_MUL(A->m11, 0.9999999999999944);
-  const double less_2 = KSL_MUL(A->m22, 0.9999999999999944);
+  const double less_0 = KSL_MUL(A->m00, 0.9999999999999944),
+      less_1 = KSL_MUL(A->m11, 0.9999999999999944), less_2 = KSL_MUL(A->m22, 0.9999999999999944);
   const double less_0_lo = ksl_product_error(A->m00, 0.9999999999999944, less_0),
       less_0_sum = less_0 + less_0_lo, less_0_sum_right = less_0_sum - less_0,
       less_0_sum_lo = less_0 - (less_0_sum - less_0_sum_right) + (less_0_lo - less_0_sum_right),
@@ -443,9 +442,8 @@ static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_
       found_2_lo = z2 - (found_2 - found_2_right) + (refined_z2 - found_2_right) + refined_z2_lo
           + z2_lo;
   const double pivot = regular == 1.0 ? smallest2_sum : least;
-  const double x_0 = regular == 1.0 ? found_0 : (double)NAN;
-  const double x_1 = regular == 1.0 ? found_1 : (double)NAN;
-  const double x_2 = regular == 1.0 ? found_2 : (double)NAN;
+  const double x_0 = regular == 1.0 ? found_0 : (double)NAN,
+      x_1 = regular == 1.0 ? found_1 : (double)NAN, x_2 = regular == 1.0 ? found_2 : (double)NAN;
   const double pivot_rounded = pivot + (regular == 1.0 ? smallest2_sum_lo : least_lo);
   const double x_0_rounded = x_0 + (regular == 1.0 ? found_0_lo : 0.0);
   const double x_1_rounded = x_1 + (regular == 1.0 ? found_1_lo : 0.0);
@@ -1284,12 +1282,12 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       part5_sum_lo = part5 - (part5_sum - part5_sum_right) + (part5_lo - part5_sum_right),
       smallest5 = smallest4_sum < part5_sum ? smallest4_sum : part5_sum,
       smallest5_lo = smallest4_sum < part5_sum ? smallest4_sum_lo : part5_sum_lo;
-  const double less_0 = KSL_MUL(A->at[0][0], 0.9999999999999944);
-  const double less_1 = KSL_MUL(A->at[1][1], 0.9999999999999944);
-  const double less_2 = KSL_MUL(A->at[2][2], 0.9999999999999944);
-  const double less_3 = KSL_MUL(A->at[3][3], 0.9999999999999944);
-  const double less_4 = KSL_MUL(A->at[4][4], 0.9999999999999944);
-  const double less_5 = KSL_MUL(A->at[5][5], 0.9999999999999944);
+  const double less_0 = KSL_MUL(A->at[0][0], 0.9999999999999944),
+      less_1 = KSL_MUL(A->at[1][1], 0.9999999999999944),
+      less_2 = KSL_MUL(A->at[2][2], 0.9999999999999944),
+      less_3 = KSL_MUL(A->at[3][3], 0.9999999999999944),
+      less_4 = KSL_MUL(A->at[4][4], 0.9999999999999944),
+      less_5 = KSL_MUL(A->at[5][5], 0.9999999999999944);
   const double less_0_lo = ksl_product_error(A->at[0][0], 0.9999999999999944, less_0),
       less_0_sum = less_0 + less_0_lo, less_0_sum_right = less_0_sum - less_0,
       less_0_sum_lo = less_0 - (less_0_sum - less_0_sum_right) + (less_0_lo - less_0_sum_right),
@@ -2249,12 +2247,10 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       found_5_lo = z5 - (found_5 - found_5_right) + (refined_z5 - found_5_right) + refined_z5_lo
           + z5_lo;
   const double pivot = regular == 1.0 ? smallest5_sum : least;
-  const double x_0 = regular == 1.0 ? found_0 : (double)NAN;
-  const double x_1 = regular == 1.0 ? found_1 : (double)NAN;
-  const double x_2 = regular == 1.0 ? found_2 : (double)NAN;
-  const double x_3 = regular == 1.0 ? found_3 : (double)NAN;
-  const double x_4 = regular == 1.0 ? found_4 : (double)NAN;
-  const double x_5 = regular == 1.0 ? found_5 : (double)NAN;
+  const double x_0 = regular == 1.0 ? found_0 : (double)NAN,
+      x_1 = regular == 1.0 ? found_1 : (double)NAN, x_2 = regular == 1.0 ? found_2 : (double)NAN,
+      x_3 = regular == 1.0 ? found_3 : (double)NAN, x_4 = regular == 1.0 ? found_4 : (double)NAN,
+      x_5 = regular == 1.0 ? found_5 : (double)NAN;
   const double pivot_rounded = pivot + (regular == 1.0 ? smallest5_sum_lo : least_lo);
   const double x_0_rounded = x_0 + (regular == 1.0 ? found_0_lo : 0.0);
   const double x_1_rounded = x_1 + (regular == 1.0 ? found_1_lo : 0.0);
@@ -2287,10 +2283,9 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
      underflow. */
 static inline float ksl_mat3x3f_ldl_accurate(const ksl_mat3x3f_t *A, ksl_mat3x3f_t *L) {
   const double divisor0 = 0.0 < (double)A->m00 ? (double)A->m00 : 1.0;
-  const double l0_0 = (double)A->m10 / divisor0;
-  const double l0_1 = (double)A->m20 / divisor0;
-  const double u1_0 = (double)A->m11 - KSL_MUL((double)A->m10, l0_0);
-  const double u1_1 = (double)A->m21 - KSL_MUL((double)A->m20, l0_0);
+  const double l0_0 = (double)A->m10 / divisor0, l0_1 = (double)A->m20 / divisor0;
+  const double u1_0 = (double)A->m11 - KSL_MUL((double)A->m10, l0_0),
+      u1_1 = (double)A->m21 - KSL_MUL((double)A->m20, l0_0);
   const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0;
   const double l1 = u1_1 / divisor1;
   const double u2 = (double)A->m22 - KSL_MUL((double)A->m20, l0_1) - KSL_MUL(u1_1, l1);
@@ -2344,10 +2339,9 @@ static inline void ksl_mat3x3f_ldl_solve_accurate(const ksl_mat3x3f_t *L, const 
 static inline float ksl_mat3x3f_solve_accurate(const ksl_mat3x3f_t *A, const ksl_vec3f_t *b,
     ksl_vec3f_t *x) {
   const double divisor0 = 0.0 < (double)A->m00 ? (double)A->m00 : 1.0;
-  const double l0_0 = (double)A->m10 / divisor0;
-  const double l0_1 = (double)A->m20 / divisor0;
-  const double u1_0 = (double)A->m11 - KSL_MUL((double)A->m10, l0_0);
-  const double u1_1 = (double)A->m21 - KSL_MUL((double)A->m20, l0_0);
+  const double l0_0 = (double)A->m10 / divisor0, l0_1 = (double)A->m20 / divisor0;
+  const double u1_0 = (double)A->m11 - KSL_MUL((double)A->m10, l0_0),
+      u1_1 = (double)A->m21 - KSL_MUL((double)A->m20, l0_0);
   const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0;
   const double l1 = u1_1 / divisor1;
   const double u2 = (double)A->m22 - KSL_MUL((double)A->m20, l0_1) - KSL_MUL(u1_1, l1);
@@ -2362,11 +2356,11 @@ static inline float ksl_mat3x3f_solve_accurate(const ksl_mat3x3f_t *A, const ksl
   const double smallest2 = smallest1 < part2 ? smallest1 : part2;
   const double less_0 = (double)A->m00 * 0.9999970197677612;
   const double less_divisor0 = 0.0 < less_0 ? less_0 : 1.0;
-  const double less_l0_0 = (double)A->m10 / less_divisor0;
-  const double less_l0_1 = (double)A->m20 / less_divisor0;
+  const double less_l0_0 = (double)A->m10 / less_divisor0,
+      less_l0_1 = (double)A->m20 / less_divisor0;
   const double less_u1_0 = ksl_product_sum((double)A->m11, 0.9999970197677612,
-          -KSL_MUL((double)A->m10, less_l0_0));
-  const double less_u1_1 = (double)A->m21 - KSL_MUL((double)A->m20, less_l0_0);
+          -KSL_MUL((double)A->m10, less_l0_0)),
+      less_u1_1 = (double)A->m21 - KSL_MUL((double)A->m20, less_l0_0);
   const double less_divisor1 = 0.0 < less_u1_0 ? less_u1_0 : 1.0;
   const double less_l1 = less_u1_1 / less_divisor1;
   const double less_u2 = ksl_product_sum((double)A->m22, 0.9999970197677612,
@@ -2382,11 +2376,11 @@ static inline float ksl_mat3x3f_solve_accurate(const ksl_mat3x3f_t *A, const ksl
   const double x1 = z1 - KSL_MUL(l1, z2);
   const double x0 = z0 - KSL_MUL(l0_0, x1) - KSL_MUL(l0_1, z2);
   const double residual_0 = (double)b->x - KSL_MUL((double)A->m00, x0)
-          - KSL_MUL((double)A->m10, x1) - KSL_MUL((double)A->m20, z2);
-  const double residual_1 = (double)b->y - KSL_MUL((double)A->m10, x0)
-          - KSL_MUL((double)A->m11, x1) - KSL_MUL((double)A->m21, z2);
-  const double residual_2 = (double)b->z - KSL_MUL((double)A->m20, x0)
-          - KSL_MUL((double)A->m21, x1) - KSL_MUL((double)A->m22, z2);
+          - KSL_MUL((double)A->m10, x1) - KSL_MUL((double)A->m20, z2),
+      residual_1 = (double)b->y - KSL_MUL((double)A->m10, x0) - KSL_MUL((double)A->m11, x1)
+          - KSL_MUL((double)A->m21, z2),
+      residual_2 = (double)b->z - KSL_MUL((double)A->m20, x0) - KSL_MUL((double)A->m21, x1)
+          - KSL_MUL((double)A->m22, z2);
   const double refined_y1 = residual_1 - KSL_MUL(l0_0, residual_0);
   const double refined_y2 = residual_2 - KSL_MUL(l0_1, residual_0) - KSL_MUL(l1, refined_y1);
   const double refined_z0 = residual_0 / divisor0;
@@ -2394,13 +2388,10 @@ static inline float ksl_mat3x3f_solve_accurate(const ksl_mat3x3f_t *A, const ksl
   const double refined_z2 = refined_y2 / divisor2;
   const double refined_x1 = refined_z1 - KSL_MUL(l1, refined_z2);
   const double refined_x0 = refined_z0 - KSL_MUL(l0_0, refined_x1) - KSL_MUL(l0_1, refined_z2);
-  const double found_0 = x0 + refined_x0;
-  const double found_1 = x1 + refined_x1;
-  const double found_2 = z2 + refined_z2;
+  const double found_0 = x0 + refined_x0, found_1 = x1 + refined_x1, found_2 = z2 + refined_z2;
   const double pivot = regular == 1.0 ? smallest2 : least;
-  const double x_0 = regular == 1.0 ? found_0 : (double)NAN;
-  const double x_1 = regular == 1.0 ? found_1 : (double)NAN;
-  const double x_2 = regular == 1.0 ? found_2 : (double)NAN;
+  const double x_0 = regular == 1.0 ? found_0 : (double)NAN,
+      x_1 = regular == 1.0 ? found_1 : (double)NAN, x_2 = regular == 1.0 ? found_2 : (double)NAN;
   x->x = (float)x_0;
   x->y = (float)x_1;
   x->z = (float)x_2;
@@ -2416,46 +2407,36 @@ static inline float ksl_mat3x3f_solve_accurate(const ksl_mat3x3f_t *A, const ksl
      underflow. */
 static inline float ksl_mat6x6f_ldl_accurate(const ksl_mat6x6f_t *A, ksl_mat6x6f_t *L) {
   const double divisor0 = 0.0 < (double)A->at[0][0] ? (double)A->at[0][0] : 1.0;
-  const double l0_0 = (double)A->at[0][1] / divisor0;
-  const double l0_1 = (double)A->at[0][2] / divisor0;
-  const double l0_2 = (double)A->at[0][3] / divisor0;
-  const double l0_3 = (double)A->at[0][4] / divisor0;
-  const double l0_4 = (double)A->at[0][5] / divisor0;
-  const double u1_0 = (double)A->at[1][1] - KSL_MUL((double)A->at[0][1], l0_0);
-  const double u1_1 = (double)A->at[1][2] - KSL_MUL((double)A->at[0][2], l0_0);
-  const double u1_2 = (double)A->at[1][3] - KSL_MUL((double)A->at[0][3], l0_0);
-  const double u1_3 = (double)A->at[1][4] - KSL_MUL((double)A->at[0][4], l0_0);
-  const double u1_4 = (double)A->at[1][5] - KSL_MUL((double)A->at[0][5], l0_0);
+  const double l0_0 = (double)A->at[0][1] / divisor0, l0_1 = (double)A->at[0][2] / divisor0,
+      l0_2 = (double)A->at[0][3] / divisor0, l0_3 = (double)A->at[0][4] / divisor0,
+      l0_4 = (double)A->at[0][5] / divisor0;
+  const double u1_0 = (double)A->at[1][1] - KSL_MUL((double)A->at[0][1], l0_0),
+      u1_1 = (double)A->at[1][2] - KSL_MUL((double)A->at[0][2], l0_0),
+      u1_2 = (double)A->at[1][3] - KSL_MUL((double)A->at[0][3], l0_0),
+      u1_3 = (double)A->at[1][4] - KSL_MUL((double)A->at[0][4], l0_0),
+      u1_4 = (double)A->at[1][5] - KSL_MUL((double)A->at[0][5], l0_0);
   const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0;
-  const double l1_0 = u1_1 / divisor1;
-  const double l1_1 = u1_2 / divisor1;
-  const double l1_2 = u1_3 / divisor1;
-  const double l1_3 = u1_4 / divisor1;
+  const double l1_0 = u1_1 / divisor1, l1_1 = u1_2 / divisor1, l1_2 = u1_3 / divisor1,
+      l1_3 = u1_4 / divisor1;
   const double u2_0 = (double)A->at[2][2] - KSL_MUL((double)A->at[0][2], l0_1)
-          - KSL_MUL(u1_1, l1_0);
-  const double u2_1 = (double)A->at[2][3] - KSL_MUL((double)A->at[0][3], l0_1)
-          - KSL_MUL(u1_2, l1_0);
-  const double u2_2 = (double)A->at[2][4] - KSL_MUL((double)A->at[0][4], l0_1)
-          - KSL_MUL(u1_3, l1_0);
-  const double u2_3 = (double)A->at[2][5] - KSL_MUL((double)A->at[0][5], l0_1)
-          - KSL_MUL(u1_4, l1_0);
+          - KSL_MUL(u1_1, l1_0),
+      u2_1 = (double)A->at[2][3] - KSL_MUL((double)A->at[0][3], l0_1) - KSL_MUL(u1_2, l1_0),
+      u2_2 = (double)A->at[2][4] - KSL_MUL((double)A->at[0][4], l0_1) - KSL_MUL(u1_3, l1_0),
+      u2_3 = (double)A->at[2][5] - KSL_MUL((double)A->at[0][5], l0_1) - KSL_MUL(u1_4, l1_0);
   const double divisor2 = 0.0 < u2_0 ? u2_0 : 1.0;
-  const double l2_0 = u2_1 / divisor2;
-  const double l2_1 = u2_2 / divisor2;
-  const double l2_2 = u2_3 / divisor2;
+  const double l2_0 = u2_1 / divisor2, l2_1 = u2_2 / divisor2, l2_2 = u2_3 / divisor2;
   const double u3_0 = (double)A->at[3][3] - KSL_MUL((double)A->at[0][3], l0_2)
-          - KSL_MUL(u1_2, l1_1) - KSL_MUL(u2_1, l2_0);
-  const double u3_1 = (double)A->at[3][4] - KSL_MUL((double)A->at[0][4], l0_2)
-          - KSL_MUL(u1_3, l1_1) - KSL_MUL(u2_2, l2_0);
-  const double u3_2 = (double)A->at[3][5] - KSL_MUL((double)A->at[0][5], l0_2)
-          - KSL_MUL(u1_4, l1_1) - KSL_MUL(u2_3, l2_0);
+          - KSL_MUL(u1_2, l1_1) - KSL_MUL(u2_1, l2_0),
+      u3_1 = (double)A->at[3][4] - KSL_MUL((double)A->at[0][4], l0_2) - KSL_MUL(u1_3, l1_1)
+          - KSL_MUL(u2_2, l2_0),
+      u3_2 = (double)A->at[3][5] - KSL_MUL((double)A->at[0][5], l0_2) - KSL_MUL(u1_4, l1_1)
+          - KSL_MUL(u2_3, l2_0);
   const double divisor3 = 0.0 < u3_0 ? u3_0 : 1.0;
-  const double l3_0 = u3_1 / divisor3;
-  const double l3_1 = u3_2 / divisor3;
+  const double l3_0 = u3_1 / divisor3, l3_1 = u3_2 / divisor3;
   const double u4_0 = (double)A->at[4][4] - KSL_MUL((double)A->at[0][4], l0_3)
-          - KSL_MUL(u1_3, l1_2) - KSL_MUL(u2_2, l2_1) - KSL_MUL(u3_1, l3_0);
-  const double u4_1 = (double)A->at[4][5] - KSL_MUL((double)A->at[0][5], l0_3)
-          - KSL_MUL(u1_4, l1_2) - KSL_MUL(u2_3, l2_1) - KSL_MUL(u3_2, l3_0);
+          - KSL_MUL(u1_3, l1_2) - KSL_MUL(u2_2, l2_1) - KSL_MUL(u3_1, l3_0),
+      u4_1 = (double)A->at[4][5] - KSL_MUL((double)A->at[0][5], l0_3) - KSL_MUL(u1_4, l1_2)
+          - KSL_MUL(u2_3, l2_1) - KSL_MUL(u3_2, l3_0);
   const double divisor4 = 0.0 < u4_0 ? u4_0 : 1.0;
   const double l4 = u4_1 / divisor4;
   const double u5 = (double)A->at[5][5] - KSL_MUL((double)A->at[0][5], l0_4) - KSL_MUL(u1_4, l1_3)
@@ -2571,46 +2552,36 @@ static inline void ksl_mat6x6f_ldl_solve_accurate(const ksl_mat6x6f_t *L, const 
 static inline float ksl_mat6x6f_solve_accurate(const ksl_mat6x6f_t *A, const ksl_coscrewf_t *b,
     ksl_screwf_t *x) {
   const double divisor0 = 0.0 < (double)A->at[0][0] ? (double)A->at[0][0] : 1.0;
-  const double l0_0 = (double)A->at[0][1] / divisor0;
-  const double l0_1 = (double)A->at[0][2] / divisor0;
-  const double l0_2 = (double)A->at[0][3] / divisor0;
-  const double l0_3 = (double)A->at[0][4] / divisor0;
-  const double l0_4 = (double)A->at[0][5] / divisor0;
-  const double u1_0 = (double)A->at[1][1] - KSL_MUL((double)A->at[0][1], l0_0);
-  const double u1_1 = (double)A->at[1][2] - KSL_MUL((double)A->at[0][2], l0_0);
-  const double u1_2 = (double)A->at[1][3] - KSL_MUL((double)A->at[0][3], l0_0);
-  const double u1_3 = (double)A->at[1][4] - KSL_MUL((double)A->at[0][4], l0_0);
-  const double u1_4 = (double)A->at[1][5] - KSL_MUL((double)A->at[0][5], l0_0);
+  const double l0_0 = (double)A->at[0][1] / divisor0, l0_1 = (double)A->at[0][2] / divisor0,
+      l0_2 = (double)A->at[0][3] / divisor0, l0_3 = (double)A->at[0][4] / divisor0,
+      l0_4 = (double)A->at[0][5] / divisor0;
+  const double u1_0 = (double)A->at[1][1] - KSL_MUL((double)A->at[0][1], l0_0),
+      u1_1 = (double)A->at[1][2] - KSL_MUL((double)A->at[0][2], l0_0),
+      u1_2 = (double)A->at[1][3] - KSL_MUL((double)A->at[0][3], l0_0),
+      u1_3 = (double)A->at[1][4] - KSL_MUL((double)A->at[0][4], l0_0),
+      u1_4 = (double)A->at[1][5] - KSL_MUL((double)A->at[0][5], l0_0);
   const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0;
-  const double l1_0 = u1_1 / divisor1;
-  const double l1_1 = u1_2 / divisor1;
-  const double l1_2 = u1_3 / divisor1;
-  const double l1_3 = u1_4 / divisor1;
+  const double l1_0 = u1_1 / divisor1, l1_1 = u1_2 / divisor1, l1_2 = u1_3 / divisor1,
+      l1_3 = u1_4 / divisor1;
   const double u2_0 = (double)A->at[2][2] - KSL_MUL((double)A->at[0][2], l0_1)
-          - KSL_MUL(u1_1, l1_0);
-  const double u2_1 = (double)A->at[2][3] - KSL_MUL((double)A->at[0][3], l0_1)
-          - KSL_MUL(u1_2, l1_0);
-  const double u2_2 = (double)A->at[2][4] - KSL_MUL((double)A->at[0][4], l0_1)
-          - KSL_MUL(u1_3, l1_0);
-  const double u2_3 = (double)A->at[2][5] - KSL_MUL((double)A->at[0][5], l0_1)
-          - KSL_MUL(u1_4, l1_0);
+          - KSL_MUL(u1_1, l1_0),
+      u2_1 = (double)A->at[2][3] - KSL_MUL((double)A->at[0][3], l0_1) - KSL_MUL(u1_2, l1_0),
+      u2_2 = (double)A->at[2][4] - KSL_MUL((double)A->at[0][4], l0_1) - KSL_MUL(u1_3, l1_0),
+      u2_3 = (double)A->at[2][5] - KSL_MUL((double)A->at[0][5], l0_1) - KSL_MUL(u1_4, l1_0);
   const double divisor2 = 0.0 < u2_0 ? u2_0 : 1.0;
-  const double l2_0 = u2_1 / divisor2;
-  const double l2_1 = u2_2 / divisor2;
-  const double l2_2 = u2_3 / divisor2;
+  const double l2_0 = u2_1 / divisor2, l2_1 = u2_2 / divisor2, l2_2 = u2_3 / divisor2;
   const double u3_0 = (double)A->at[3][3] - KSL_MUL((double)A->at[0][3], l0_2)
-          - KSL_MUL(u1_2, l1_1) - KSL_MUL(u2_1, l2_0);
-  const double u3_1 = (double)A->at[3][4] - KSL_MUL((double)A->at[0][4], l0_2)
-          - KSL_MUL(u1_3, l1_1) - KSL_MUL(u2_2, l2_0);
-  const double u3_2 = (double)A->at[3][5] - KSL_MUL((double)A->at[0][5], l0_2)
-          - KSL_MUL(u1_4, l1_1) - KSL_MUL(u2_3, l2_0);
+          - KSL_MUL(u1_2, l1_1) - KSL_MUL(u2_1, l2_0),
+      u3_1 = (double)A->at[3][4] - KSL_MUL((double)A->at[0][4], l0_2) - KSL_MUL(u1_3, l1_1)
+          - KSL_MUL(u2_2, l2_0),
+      u3_2 = (double)A->at[3][5] - KSL_MUL((double)A->at[0][5], l0_2) - KSL_MUL(u1_4, l1_1)
+          - KSL_MUL(u2_3, l2_0);
   const double divisor3 = 0.0 < u3_0 ? u3_0 : 1.0;
-  const double l3_0 = u3_1 / divisor3;
-  const double l3_1 = u3_2 / divisor3;
+  const double l3_0 = u3_1 / divisor3, l3_1 = u3_2 / divisor3;
   const double u4_0 = (double)A->at[4][4] - KSL_MUL((double)A->at[0][4], l0_3)
-          - KSL_MUL(u1_3, l1_2) - KSL_MUL(u2_2, l2_1) - KSL_MUL(u3_1, l3_0);
-  const double u4_1 = (double)A->at[4][5] - KSL_MUL((double)A->at[0][5], l0_3)
-          - KSL_MUL(u1_4, l1_2) - KSL_MUL(u2_3, l2_1) - KSL_MUL(u3_2, l3_0);
+          - KSL_MUL(u1_3, l1_2) - KSL_MUL(u2_2, l2_1) - KSL_MUL(u3_1, l3_0),
+      u4_1 = (double)A->at[4][5] - KSL_MUL((double)A->at[0][5], l0_3) - KSL_MUL(u1_4, l1_2)
+          - KSL_MUL(u2_3, l2_1) - KSL_MUL(u3_2, l3_0);
   const double divisor4 = 0.0 < u4_0 ? u4_0 : 1.0;
   const double l4 = u4_1 / divisor4;
   const double u5 = (double)A->at[5][5] - KSL_MUL((double)A->at[0][5], l0_4) - KSL_MUL(u1_4, l1_3)
@@ -2639,44 +2610,40 @@ static inline float ksl_mat6x6f_solve_accurate(const ksl_mat6x6f_t *A, const ksl
   const double smallest5 = smallest4 < part5 ? smallest4 : part5;
   const double less_0 = (double)A->at[0][0] * 0.9999970197677612;
   const double less_divisor0 = 0.0 < less_0 ? less_0 : 1.0;
-  const double less_l0_0 = (double)A->at[0][1] / less_divisor0;
-  const double less_l0_1 = (double)A->at[0][2] / less_divisor0;
-  const double less_l0_2 = (double)A->at[0][3] / less_divisor0;
-  const double less_l0_3 = (double)A->at[0][4] / less_divisor0;
-  const double less_l0_4 = (double)A->at[0][5] / less_divisor0;
+  const double less_l0_0 = (double)A->at[0][1] / less_divisor0,
+      less_l0_1 = (double)A->at[0][2] / less_divisor0,
+      less_l0_2 = (double)A->at[0][3] / less_divisor0,
+      less_l0_3 = (double)A->at[0][4] / less_divisor0,
+      less_l0_4 = (double)A->at[0][5] / less_divisor0;
   const double less_u1_0 = ksl_product_sum((double)A->at[1][1], 0.9999970197677612,
-          -KSL_MUL((double)A->at[0][1], less_l0_0));
-  const double less_u1_1 = (double)A->at[1][2] - KSL_MUL((double)A->at[0][2], less_l0_0);
-  const double less_u1_2 = (double)A->at[1][3] - KSL_MUL((double)A->at[0][3], less_l0_0);
-  const double less_u1_3 = (double)A->at[1][4] - KSL_MUL((double)A->at[0][4], less_l0_0);
-  const double less_u1_4 = (double)A->at[1][5] - KSL_MUL((double)A->at[0][5], less_l0_0);
+          -KSL_MUL((double)A->at[0][1], less_l0_0)),
+      less_u1_1 = (double)A->at[1][2] - KSL_MUL((double)A->at[0][2], less_l0_0),
+      less_u1_2 = (double)A->at[1][3] - KSL_MUL((double)A->at[0][3], less_l0_0),
+      less_u1_3 = (double)A->at[1][4] - KSL_MUL((double)A->at[0][4], less_l0_0),
+      less_u1_4 = (double)A->at[1][5] - KSL_MUL((double)A->at[0][5], less_l0_0);
   const double less_divisor1 = 0.0 < less_u1_0 ? less_u1_0 : 1.0;
-  const double less_l1_0 = less_u1_1 / less_divisor1;
-  const double less_l1_1 = less_u1_2 / less_divisor1;
-  const double less_l1_2 = less_u1_3 / less_divisor1;
-  const double less_l1_3 = less_u1_4 / less_divisor1;
+  const double less_l1_0 = less_u1_1 / less_divisor1, less_l1_1 = less_u1_2 / less_divisor1,
+      less_l1_2 = less_u1_3 / less_divisor1, less_l1_3 = less_u1_4 / less_divisor1;
   const double less_u2_0 = ksl_product_sum((double)A->at[2][2], 0.9999970197677612,
-          -KSL_MUL((double)A->at[0][2], less_l0_1)) - KSL_MUL(less_u1_1, less_l1_0);
-  const double less_u2_1 = (double)A->at[2][3] - KSL_MUL((double)A->at[0][3], less_l0_1)
-          - KSL_MUL(less_u1_2, less_l1_0);
-  const double less_u2_2 = (double)A->at[2][4] - KSL_MUL((double)A->at[0][4], less_l0_1)
-          - KSL_MUL(less_u1_3, less_l1_0);
-  const double less_u2_3 = (double)A->at[2][5] - KSL_MUL((double)A->at[0][5], less_l0_1)
+          -KSL_MUL((double)A->at[0][2], less_l0_1)) - KSL_MUL(less_u1_1, less_l1_0),
+      less_u2_1 = (double)A->at[2][3] - KSL_MUL((double)A->at[0][3], less_l0_1)
+          - KSL_MUL(less_u1_2, less_l1_0),
+      less_u2_2 = (double)A->at[2][4] - KSL_MUL((double)A->at[0][4], less_l0_1)
+          - KSL_MUL(less_u1_3, less_l1_0),
+      less_u2_3 = (double)A->at[2][5] - KSL_MUL((double)A->at[0][5], less_l0_1)
           - KSL_MUL(less_u1_4, less_l1_0);
   const double less_divisor2 = 0.0 < less_u2_0 ? less_u2_0 : 1.0;
-  const double less_l2_0 = less_u2_1 / less_divisor2;
-  const double less_l2_1 = less_u2_2 / less_divisor2;
-  const double less_l2_2 = less_u2_3 / less_divisor2;
+  const double less_l2_0 = less_u2_1 / less_divisor2, less_l2_1 = less_u2_2 / less_divisor2,
+      less_l2_2 = less_u2_3 / less_divisor2;
   const double less_u3_0d = ksl_product_sum((double)A->at[3][3], 0.9999970197677612,
           -KSL_MUL((double)A->at[0][3], less_l0_2)) - KSL_MUL(less_u1_2, less_l1_1),
       less_u3_0 = less_u3_0d - KSL_MUL(less_u2_1, less_l2_0);
   const double less_u3_1 = (double)A->at[3][4] - KSL_MUL((double)A->at[0][4], less_l0_2)
-          - KSL_MUL(less_u1_3, less_l1_1) - KSL_MUL(less_u2_2, less_l2_0);
-  const double less_u3_2 = (double)A->at[3][5] - KSL_MUL((double)A->at[0][5], less_l0_2)
+          - KSL_MUL(less_u1_3, less_l1_1) - KSL_MUL(less_u2_2, less_l2_0),
+      less_u3_2 = (double)A->at[3][5] - KSL_MUL((double)A->at[0][5], less_l0_2)
           - KSL_MUL(less_u1_4, less_l1_1) - KSL_MUL(less_u2_3, less_l2_0);
   const double less_divisor3 = 0.0 < less_u3_0 ? less_u3_0 : 1.0;
-  const double less_l3_0 = less_u3_1 / less_divisor3;
-  const double less_l3_1 = less_u3_2 / less_divisor3;
+  const double less_l3_0 = less_u3_1 / less_divisor3, less_l3_1 = less_u3_2 / less_divisor3;
   const double less_u4_0d = ksl_product_sum((double)A->at[4][4], 0.9999970197677612,
           -KSL_MUL((double)A->at[0][4], less_l0_3)) - KSL_MUL(less_u1_3, less_l1_2),
       less_u4_0 = less_u4_0d - KSL_MUL(less_u2_2, less_l2_1) - KSL_MUL(less_u3_1, less_l3_0);
@@ -2762,19 +2729,13 @@ static inline float ksl_mat6x6f_solve_accurate(const ksl_mat6x6f_t *A, const ksl
   const double refined_x0h = refined_z0 - KSL_MUL(l0_0, refined_x1) - KSL_MUL(l0_1, refined_x2)
           - KSL_MUL(l0_2, refined_x3) - KSL_MUL(l0_3, refined_x4),
       refined_x0 = refined_x0h - KSL_MUL(l0_4, refined_z5);
-  const double found_0 = x0 + refined_x0;
-  const double found_1 = x1 + refined_x1;
-  const double found_2 = x2 + refined_x2;
-  const double found_3 = x3 + refined_x3;
-  const double found_4 = x4 + refined_x4;
-  const double found_5 = z5 + refined_z5;
+  const double found_0 = x0 + refined_x0, found_1 = x1 + refined_x1, found_2 = x2 + refined_x2,
+      found_3 = x3 + refined_x3, found_4 = x4 + refined_x4, found_5 = z5 + refined_z5;
   const double pivot = regular == 1.0 ? smallest5 : least;
-  const double x_0 = regular == 1.0 ? found_0 : (double)NAN;
-  const double x_1 = regular == 1.0 ? found_1 : (double)NAN;
-  const double x_2 = regular == 1.0 ? found_2 : (double)NAN;
-  const double x_3 = regular == 1.0 ? found_3 : (double)NAN;
-  const double x_4 = regular == 1.0 ? found_4 : (double)NAN;
-  const double x_5 = regular == 1.0 ? found_5 : (double)NAN;
+  const double x_0 = regular == 1.0 ? found_0 : (double)NAN,
+      x_1 = regular == 1.0 ? found_1 : (double)NAN, x_2 = regular == 1.0 ? found_2 : (double)NAN,
+      x_3 = regular == 1.0 ? found_3 : (double)NAN, x_4 = regular == 1.0 ? found_4 : (double)NAN,
+      x_5 = regular == 1.0 ? found_5 : (double)NAN;
   x->m0 = (float)x_0;
   x->m1 = (float)x_1;
   x->m2 = (float)x_2;

@@ -15,12 +15,11 @@
    3 mul, 3 add, 3 product error.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec3_scale_accurate(ksl_vec3_t *self, const double a) {
-  const double self_0_new = KSL_MUL(self->x, a);
-  const double self_1_new = KSL_MUL(self->y, a);
-  const double self_2_new = KSL_MUL(self->z, a);
-  const double self_0_new_rounded = self_0_new + ksl_product_error(self->x, a, self_0_new);
-  const double self_1_new_rounded = self_1_new + ksl_product_error(self->y, a, self_1_new);
-  const double self_2_new_rounded = self_2_new + ksl_product_error(self->z, a, self_2_new);
+  const double self_0_new = KSL_MUL(self->x, a), self_1_new = KSL_MUL(self->y, a),
+      self_2_new = KSL_MUL(self->z, a);
+  const double self_0_new_rounded = self_0_new + ksl_product_error(self->x, a, self_0_new),
+      self_1_new_rounded = self_1_new + ksl_product_error(self->y, a, self_1_new),
+      self_2_new_rounded = self_2_new + ksl_product_error(self->z, a, self_2_new);
   self->x = self_0_new_rounded;
   self->y = self_1_new_rounded;
   self->z = self_2_new_rounded;
@@ -40,11 +39,11 @@ static inline void ksl_axpy_vv_accurate(const double a, const ksl_vec3_t *x, ksl
       y_2_new_right = y_2_new - y_2_new_a;
   const double y_0_new_rounded = y_0_new
           + (ksl_product_rest(a, x->x, y_0_new_a, y_0_new - y_0_new_right)
-          + (y->x - y_0_new_right));
-  const double y_1_new_rounded = y_1_new
+          + (y->x - y_0_new_right)),
+      y_1_new_rounded = y_1_new
           + (ksl_product_rest(a, x->y, y_1_new_a, y_1_new - y_1_new_right)
-          + (y->y - y_1_new_right));
-  const double y_2_new_rounded = y_2_new
+          + (y->y - y_1_new_right)),
+      y_2_new_rounded = y_2_new
           + (ksl_product_rest(a, x->z, y_2_new_a, y_2_new - y_2_new_right)
           + (y->z - y_2_new_right));
   y->x = y_0_new_rounded;
@@ -61,11 +60,9 @@ static inline void ksl_xpy_vv_accurate(const ksl_vec3_t *x, ksl_vec3_t *y) {
   const double y_1_new = x->y + y->y, y_1_new_right = y_1_new - x->y;
   const double y_2_new = x->z + y->z, y_2_new_right = y_2_new - x->z;
   const double y_0_new_rounded = y_0_new
-          + (x->x - (y_0_new - y_0_new_right) + (y->x - y_0_new_right));
-  const double y_1_new_rounded = y_1_new
-          + (x->y - (y_1_new - y_1_new_right) + (y->y - y_1_new_right));
-  const double y_2_new_rounded = y_2_new
-          + (x->z - (y_2_new - y_2_new_right) + (y->z - y_2_new_right));
+          + (x->x - (y_0_new - y_0_new_right) + (y->x - y_0_new_right)),
+      y_1_new_rounded = y_1_new + (x->y - (y_1_new - y_1_new_right) + (y->y - y_1_new_right)),
+      y_2_new_rounded = y_2_new + (x->z - (y_2_new - y_2_new_right) + (y->z - y_2_new_right));
   y->x = y_0_new_rounded;
   y->y = y_1_new_rounded;
   y->z = y_2_new_rounded;
@@ -80,11 +77,9 @@ static inline void ksl_nxpy_vv_accurate(const ksl_vec3_t *x, ksl_vec3_t *y) {
   const double y_1_new = y->y - x->y, y_1_new_right = y->y - y_1_new;
   const double y_2_new = y->z - x->z, y_2_new_right = y->z - y_2_new;
   const double y_0_new_rounded = y_0_new
-          + (y->x - (y_0_new + y_0_new_right) - (x->x - y_0_new_right));
-  const double y_1_new_rounded = y_1_new
-          + (y->y - (y_1_new + y_1_new_right) - (x->y - y_1_new_right));
-  const double y_2_new_rounded = y_2_new
-          + (y->z - (y_2_new + y_2_new_right) - (x->z - y_2_new_right));
+          + (y->x - (y_0_new + y_0_new_right) - (x->x - y_0_new_right)),
+      y_1_new_rounded = y_1_new + (y->y - (y_1_new + y_1_new_right) - (x->y - y_1_new_right)),
+      y_2_new_rounded = y_2_new + (y->z - (y_2_new + y_2_new_right) - (x->z - y_2_new_right));
   y->x = y_0_new_rounded;
   y->y = y_1_new_rounded;
   y->z = y_2_new_rounded;
@@ -95,12 +90,10 @@ static inline void ksl_nxpy_vv_accurate(const ksl_vec3_t *x, ksl_vec3_t *y) {
    3 mul, 3 add, 3 product error.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_av_accurate(const double a, const ksl_vec3_t *vi, ksl_vec3_t *vo) {
-  const double vo_0 = KSL_MUL(a, vi->x);
-  const double vo_1 = KSL_MUL(a, vi->y);
-  const double vo_2 = KSL_MUL(a, vi->z);
-  const double vo_0_rounded = vo_0 + ksl_product_error(a, vi->x, vo_0);
-  const double vo_1_rounded = vo_1 + ksl_product_error(a, vi->y, vo_1);
-  const double vo_2_rounded = vo_2 + ksl_product_error(a, vi->z, vo_2);
+  const double vo_0 = KSL_MUL(a, vi->x), vo_1 = KSL_MUL(a, vi->y), vo_2 = KSL_MUL(a, vi->z);
+  const double vo_0_rounded = vo_0 + ksl_product_error(a, vi->x, vo_0),
+      vo_1_rounded = vo_1 + ksl_product_error(a, vi->y, vo_1),
+      vo_2_rounded = vo_2 + ksl_product_error(a, vi->z, vo_2);
   vo->x = vo_0_rounded;
   vo->y = vo_1_rounded;
   vo->z = vo_2_rounded;
@@ -114,9 +107,9 @@ static inline void ksl_add_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_t *v
   const double vo_0 = v1->x + v2->x, vo_0_right = vo_0 - v1->x;
   const double vo_1 = v1->y + v2->y, vo_1_right = vo_1 - v1->y;
   const double vo_2 = v1->z + v2->z, vo_2_right = vo_2 - v1->z;
-  const double vo_0_rounded = vo_0 + (v1->x - (vo_0 - vo_0_right) + (v2->x - vo_0_right));
-  const double vo_1_rounded = vo_1 + (v1->y - (vo_1 - vo_1_right) + (v2->y - vo_1_right));
-  const double vo_2_rounded = vo_2 + (v1->z - (vo_2 - vo_2_right) + (v2->z - vo_2_right));
+  const double vo_0_rounded = vo_0 + (v1->x - (vo_0 - vo_0_right) + (v2->x - vo_0_right)),
+      vo_1_rounded = vo_1 + (v1->y - (vo_1 - vo_1_right) + (v2->y - vo_1_right)),
+      vo_2_rounded = vo_2 + (v1->z - (vo_2 - vo_2_right) + (v2->z - vo_2_right));
   vo->x = vo_0_rounded;
   vo->y = vo_1_rounded;
   vo->z = vo_2_rounded;
@@ -131,9 +124,9 @@ static inline void ksl_subtract_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3
   const double vo_0 = v1->x - v2->x, vo_0_right = v1->x - vo_0;
   const double vo_1 = v1->y - v2->y, vo_1_right = v1->y - vo_1;
   const double vo_2 = v1->z - v2->z, vo_2_right = v1->z - vo_2;
-  const double vo_0_rounded = vo_0 + (v1->x - (vo_0 + vo_0_right) - (v2->x - vo_0_right));
-  const double vo_1_rounded = vo_1 + (v1->y - (vo_1 + vo_1_right) - (v2->y - vo_1_right));
-  const double vo_2_rounded = vo_2 + (v1->z - (vo_2 + vo_2_right) - (v2->z - vo_2_right));
+  const double vo_0_rounded = vo_0 + (v1->x - (vo_0 + vo_0_right) - (v2->x - vo_0_right)),
+      vo_1_rounded = vo_1 + (v1->y - (vo_1 + vo_1_right) - (v2->y - vo_1_right)),
+      vo_2_rounded = vo_2 + (v1->z - (vo_2 + vo_2_right) - (v2->z - vo_2_right));
   vo->x = vo_0_rounded;
   vo->y = vo_1_rounded;
   vo->z = vo_2_rounded;
@@ -144,12 +137,10 @@ static inline void ksl_subtract_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3
    3 mul, 3 add, 3 product error.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec3_scaled_accurate(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
-  const double vo_0 = KSL_MUL(v->x, k);
-  const double vo_1 = KSL_MUL(v->y, k);
-  const double vo_2 = KSL_MUL(v->z, k);
-  const double vo_0_rounded = vo_0 + ksl_product_error(v->x, k, vo_0);
-  const double vo_1_rounded = vo_1 + ksl_product_error(v->y, k, vo_1);
-  const double vo_2_rounded = vo_2 + ksl_product_error(v->z, k, vo_2);
+  const double vo_0 = KSL_MUL(v->x, k), vo_1 = KSL_MUL(v->y, k), vo_2 = KSL_MUL(v->z, k);
+  const double vo_0_rounded = vo_0 + ksl_product_error(v->x, k, vo_0),
+      vo_1_rounded = vo_1 + ksl_product_error(v->y, k, vo_1),
+      vo_2_rounded = vo_2 + ksl_product_error(v->z, k, vo_2);
   vo->x = vo_0_rounded;
   vo->y = vo_1_rounded;
   vo->z = vo_2_rounded;
@@ -160,17 +151,13 @@ static inline void ksl_vec3_scaled_accurate(const ksl_vec3_t *v, const double k,
    10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 3 abs, 8 less, 2 equal, 10
      select. */
 static inline double ksl_vec3_l2norm_accurate(const ksl_vec3_t *v) {
-  const double s_size_0 = fabs(v->x);
-  const double s_size_1 = fabs(v->y);
-  const double s_size_2 = fabs(v->z);
+  const double s_size_0 = fabs(v->x), s_size_1 = fabs(v->y), s_size_2 = fabs(v->z);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(v->x, s);
-  const double y_1 = KSL_MUL(v->y, s);
-  const double y_2 = KSL_MUL(v->z, s);
+  const double y_0 = KSL_MUL(v->x, s), y_1 = KSL_MUL(v->y, s), y_2 = KSL_MUL(v->z, s);
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_c_right = n_c - n_a, n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_e_right = n_e - n_c,
       n_c_lo = ksl_product_rest(y_0, y_0, n_a, n_c - n_c_right)
@@ -197,17 +184,13 @@ static inline double ksl_vec3_l2norm_accurate(const ksl_vec3_t *v) {
    25 mul, 68 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 7 less, 5 equal, 13
      select. */
 static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
-  const double s_size_0 = fabs(self->x);
-  const double s_size_1 = fabs(self->y);
-  const double s_size_2 = fabs(self->z);
+  const double s_size_0 = fabs(self->x), s_size_1 = fabs(self->y), s_size_2 = fabs(self->z);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(self->x, s);
-  const double y_1 = KSL_MUL(self->y, s);
-  const double y_2 = KSL_MUL(self->z, s);
+  const double y_0 = KSL_MUL(self->x, s), y_1 = KSL_MUL(self->y, s), y_2 = KSL_MUL(self->z, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
@@ -223,9 +206,8 @@ static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
   const double n_sum = n + n_lo, n_sum_right = n_sum - n,
       n_sum_lo = n - (n_sum - n_sum_right) + (n_lo - n_sum_right),
       divisor = n_sum == 0.0 ? up : n_sum, divisor_lo = n_sum == 0.0 ? 0.0 : n_sum_lo;
-  const double sized_0 = KSL_MUL(self->x, up);
-  const double sized_1 = KSL_MUL(self->y, up);
-  const double sized_2 = KSL_MUL(self->z, up);
+  const double sized_0 = KSL_MUL(self->x, up), sized_1 = KSL_MUL(self->y, up),
+      sized_2 = KSL_MUL(self->z, up);
   const double divisor_sum = divisor + divisor_lo, divisor_sum_right = divisor_sum - divisor,
       divisor_sum_lo = divisor - (divisor_sum - divisor_sum_right)
           + (divisor_lo - divisor_sum_right), quotient_0 = sized_0 / divisor_sum,
@@ -283,17 +265,13 @@ static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
    25 mul, 68 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 7 less, 5 equal, 13
      select. */
 static inline void ksl_vec3_normalized_accurate(const ksl_vec3_t *v, ksl_vec3_t *vo) {
-  const double s_size_0 = fabs(v->x);
-  const double s_size_1 = fabs(v->y);
-  const double s_size_2 = fabs(v->z);
+  const double s_size_0 = fabs(v->x), s_size_1 = fabs(v->y), s_size_2 = fabs(v->z);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(v->x, s);
-  const double y_1 = KSL_MUL(v->y, s);
-  const double y_2 = KSL_MUL(v->z, s);
+  const double y_0 = KSL_MUL(v->x, s), y_1 = KSL_MUL(v->y, s), y_2 = KSL_MUL(v->z, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
@@ -309,9 +287,8 @@ static inline void ksl_vec3_normalized_accurate(const ksl_vec3_t *v, ksl_vec3_t 
   const double n_sum = n + n_lo, n_sum_right = n_sum - n,
       n_sum_lo = n - (n_sum - n_sum_right) + (n_lo - n_sum_right),
       divisor = n_sum == 0.0 ? up : n_sum, divisor_lo = n_sum == 0.0 ? 0.0 : n_sum_lo;
-  const double sized_0 = KSL_MUL(v->x, up);
-  const double sized_1 = KSL_MUL(v->y, up);
-  const double sized_2 = KSL_MUL(v->z, up);
+  const double sized_0 = KSL_MUL(v->x, up), sized_1 = KSL_MUL(v->y, up),
+      sized_2 = KSL_MUL(v->z, up);
   const double divisor_sum = divisor + divisor_lo, divisor_sum_right = divisor_sum - divisor,
       divisor_sum_lo = divisor - (divisor_sum - divisor_sum_right)
           + (divisor_lo - divisor_sum_right), quotient_0 = sized_0 / divisor_sum,
@@ -363,28 +340,22 @@ static inline void ksl_vec3_normalized_accurate(const ksl_vec3_t *v, ksl_vec3_t 
    Each component is within 1 ulp as long as its condition is below 1e13; in single precision it
      is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
 static inline double ksl_angle_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
-  const double s1_size_0 = fabs(v1->x);
-  const double s1_size_1 = fabs(v1->y);
-  const double s1_size_2 = fabs(v1->z);
+  const double s1_size_0 = fabs(v1->x), s1_size_1 = fabs(v1->y), s1_size_2 = fabs(v1->z);
   const double s1_largest1 = s1_size_0 < s1_size_1 ? s1_size_1 : s1_size_0;
   const double s1_largest2 = s1_largest1 < s1_size_2 ? s1_size_2 : s1_largest1;
   const double s1b = 6.703903964971299e+153 < s1_largest2 ? 3.7291703656001034e-155 : 1.0,
       s1d = s1_largest2 < 256.0 ? 1.3093562431584567e+151 : s1b,
       s1 = s1_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s1d;
-  const double scaled_s1_0 = KSL_MUL(v1->x, s1);
-  const double scaled_s1_1 = KSL_MUL(v1->y, s1);
-  const double scaled_s1_2 = KSL_MUL(v1->z, s1);
-  const double s2_size_0 = fabs(v2->x);
-  const double s2_size_1 = fabs(v2->y);
-  const double s2_size_2 = fabs(v2->z);
+  const double scaled_s1_0 = KSL_MUL(v1->x, s1), scaled_s1_1 = KSL_MUL(v1->y, s1),
+      scaled_s1_2 = KSL_MUL(v1->z, s1);
+  const double s2_size_0 = fabs(v2->x), s2_size_1 = fabs(v2->y), s2_size_2 = fabs(v2->z);
   const double s2_largest1 = s2_size_0 < s2_size_1 ? s2_size_1 : s2_size_0;
   const double s2_largest2 = s2_largest1 < s2_size_2 ? s2_size_2 : s2_largest1;
   const double s2b = 6.703903964971299e+153 < s2_largest2 ? 3.7291703656001034e-155 : 1.0,
       s2d = s2_largest2 < 256.0 ? 1.3093562431584567e+151 : s2b,
       s2 = s2_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s2d;
-  const double scaled_s2_0 = KSL_MUL(v2->x, s2);
-  const double scaled_s2_1 = KSL_MUL(v2->y, s2);
-  const double scaled_s2_2 = KSL_MUL(v2->z, s2);
+  const double scaled_s2_0 = KSL_MUL(v2->x, s2), scaled_s2_1 = KSL_MUL(v2->y, s2),
+      scaled_s2_2 = KSL_MUL(v2->z, s2);
   const double c_0a = KSL_MUL(scaled_s1_1, scaled_s2_2), c_0b = KSL_MUL(scaled_s1_2, scaled_s2_1),
       c_0 = c_0a - c_0b, c_0_right = c_0a - c_0,
       c_0_lo = ksl_product_rest(scaled_s1_1, scaled_s2_2, c_0a, c_0 + c_0_right)
@@ -509,12 +480,10 @@ static inline double ksl_dot_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_t 
    3 mul, 3 add, 3 product error, 6 neg.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_avinv_accurate(const double k, const ksl_vec3_t *v, ksl_vec3_t *vo) {
-  const double vo_0 = -KSL_MUL(k, v->x);
-  const double vo_1 = -KSL_MUL(k, v->y);
-  const double vo_2 = -KSL_MUL(k, v->z);
-  const double vo_0_rounded = vo_0 + ksl_product_error(-k, v->x, vo_0);
-  const double vo_1_rounded = vo_1 + ksl_product_error(-k, v->y, vo_1);
-  const double vo_2_rounded = vo_2 + ksl_product_error(-k, v->z, vo_2);
+  const double vo_0 = -KSL_MUL(k, v->x), vo_1 = -KSL_MUL(k, v->y), vo_2 = -KSL_MUL(k, v->z);
+  const double vo_0_rounded = vo_0 + ksl_product_error(-k, v->x, vo_0),
+      vo_1_rounded = vo_1 + ksl_product_error(-k, v->y, vo_1),
+      vo_2_rounded = vo_2 + ksl_product_error(-k, v->z, vo_2);
   vo->x = vo_0_rounded;
   vo->y = vo_1_rounded;
   vo->z = vo_2_rounded;
@@ -556,11 +525,11 @@ static inline void ksl_cross_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_t 
       vo_2_right = vo_2a - vo_2;
   const double vo_0_rounded = vo_0
           + (ksl_product_rest(v1->y, v2->z, vo_0a, vo_0 + vo_0_right)
-          - ksl_product_rest(v1->z, v2->y, vo_0b, vo_0_right));
-  const double vo_1_rounded = vo_1
+          - ksl_product_rest(v1->z, v2->y, vo_0b, vo_0_right)),
+      vo_1_rounded = vo_1
           + (ksl_product_rest(v1->z, v2->x, vo_1a, vo_1 + vo_1_right)
-          - ksl_product_rest(v1->x, v2->z, vo_1b, vo_1_right));
-  const double vo_2_rounded = vo_2
+          - ksl_product_rest(v1->x, v2->z, vo_1b, vo_1_right)),
+      vo_2_rounded = vo_2
           + (ksl_product_rest(v1->x, v2->y, vo_2a, vo_2 + vo_2_right)
           - ksl_product_rest(v1->y, v2->x, vo_2b, vo_2_right));
   vo->x = vo_0_rounded;
@@ -583,11 +552,11 @@ static inline void ksl_cross_vvinv_accurate(const ksl_vec3_t *v1, const ksl_vec3
       vo_2_right = vo_2a - vo_2;
   const double vo_0_rounded = vo_0
           + (ksl_product_rest(v1->z, v2->y, vo_0a, vo_0 + vo_0_right)
-          - ksl_product_rest(v1->y, v2->z, vo_0b, vo_0_right));
-  const double vo_1_rounded = vo_1
+          - ksl_product_rest(v1->y, v2->z, vo_0b, vo_0_right)),
+      vo_1_rounded = vo_1
           + (ksl_product_rest(v1->x, v2->z, vo_1a, vo_1 + vo_1_right)
-          - ksl_product_rest(v1->z, v2->x, vo_1b, vo_1_right));
-  const double vo_2_rounded = vo_2
+          - ksl_product_rest(v1->z, v2->x, vo_1b, vo_1_right)),
+      vo_2_rounded = vo_2
           + (ksl_product_rest(v1->y, v2->x, vo_2a, vo_2 + vo_2_right)
           - ksl_product_rest(v1->x, v2->y, vo_2b, vo_2_right));
   vo->x = vo_0_rounded;
@@ -685,9 +654,8 @@ static inline void ksl_add_vvzinv_accurate(const ksl_vec3_t *v, const double k, 
    Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_vec3f_scale_accurate(ksl_vec3f_t *self, const float a) {
-  const double self_0_new = (double)self->x * (double)a;
-  const double self_1_new = (double)self->y * (double)a;
-  const double self_2_new = (double)self->z * (double)a;
+  const double self_0_new = (double)self->x * (double)a, self_1_new = (double)self->y * (double)a,
+      self_2_new = (double)self->z * (double)a;
   self->x = (float)self_0_new;
   self->y = (float)self_1_new;
   self->z = (float)self_2_new;
@@ -699,9 +667,9 @@ static inline void ksl_vec3f_scale_accurate(ksl_vec3f_t *self, const float a) {
    Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_axpy_vvf_accurate(const float a, const ksl_vec3f_t *x, ksl_vec3f_t *y) {
-  const double y_0_new = ksl_product_sum((double)a, (double)x->x, (double)y->x);
-  const double y_1_new = ksl_product_sum((double)a, (double)x->y, (double)y->y);
-  const double y_2_new = ksl_product_sum((double)a, (double)x->z, (double)y->z);
+  const double y_0_new = ksl_product_sum((double)a, (double)x->x, (double)y->x),
+      y_1_new = ksl_product_sum((double)a, (double)x->y, (double)y->y),
+      y_2_new = ksl_product_sum((double)a, (double)x->z, (double)y->z);
   y->x = (float)y_0_new;
   y->y = (float)y_1_new;
   y->z = (float)y_2_new;
@@ -713,9 +681,8 @@ static inline void ksl_axpy_vvf_accurate(const float a, const ksl_vec3f_t *x, ks
    Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_xpy_vvf_accurate(const ksl_vec3f_t *x, ksl_vec3f_t *y) {
-  const double y_0_new = (double)x->x + (double)y->x;
-  const double y_1_new = (double)x->y + (double)y->y;
-  const double y_2_new = (double)x->z + (double)y->z;
+  const double y_0_new = (double)x->x + (double)y->x, y_1_new = (double)x->y + (double)y->y,
+      y_2_new = (double)x->z + (double)y->z;
   y->x = (float)y_0_new;
   y->y = (float)y_1_new;
   y->z = (float)y_2_new;
@@ -727,9 +694,8 @@ static inline void ksl_xpy_vvf_accurate(const ksl_vec3f_t *x, ksl_vec3f_t *y) {
    Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_nxpy_vvf_accurate(const ksl_vec3f_t *x, ksl_vec3f_t *y) {
-  const double y_0_new = (double)y->x - (double)x->x;
-  const double y_1_new = (double)y->y - (double)x->y;
-  const double y_2_new = (double)y->z - (double)x->z;
+  const double y_0_new = (double)y->x - (double)x->x, y_1_new = (double)y->y - (double)x->y,
+      y_2_new = (double)y->z - (double)x->z;
   y->x = (float)y_0_new;
   y->y = (float)y_1_new;
   y->z = (float)y_2_new;
@@ -741,9 +707,8 @@ static inline void ksl_nxpy_vvf_accurate(const ksl_vec3f_t *x, ksl_vec3f_t *y) {
    Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_product_avf_accurate(const float a, const ksl_vec3f_t *vi, ksl_vec3f_t *vo) {
-  const double vo_0 = (double)a * (double)vi->x;
-  const double vo_1 = (double)a * (double)vi->y;
-  const double vo_2 = (double)a * (double)vi->z;
+  const double vo_0 = (double)a * (double)vi->x, vo_1 = (double)a * (double)vi->y,
+      vo_2 = (double)a * (double)vi->z;
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
@@ -756,9 +721,8 @@ static inline void ksl_product_avf_accurate(const float a, const ksl_vec3f_t *vi
      over- and underflow. */
 static inline void ksl_add_vvf_accurate(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2,
     ksl_vec3f_t *vo) {
-  const double vo_0 = (double)v1->x + (double)v2->x;
-  const double vo_1 = (double)v1->y + (double)v2->y;
-  const double vo_2 = (double)v1->z + (double)v2->z;
+  const double vo_0 = (double)v1->x + (double)v2->x, vo_1 = (double)v1->y + (double)v2->y,
+      vo_2 = (double)v1->z + (double)v2->z;
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
@@ -771,9 +735,8 @@ static inline void ksl_add_vvf_accurate(const ksl_vec3f_t *v1, const ksl_vec3f_t
      over- and underflow. */
 static inline void ksl_subtract_vvf_accurate(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2,
     ksl_vec3f_t *vo) {
-  const double vo_0 = (double)v1->x - (double)v2->x;
-  const double vo_1 = (double)v1->y - (double)v2->y;
-  const double vo_2 = (double)v1->z - (double)v2->z;
+  const double vo_0 = (double)v1->x - (double)v2->x, vo_1 = (double)v1->y - (double)v2->y,
+      vo_2 = (double)v1->z - (double)v2->z;
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
@@ -785,9 +748,8 @@ static inline void ksl_subtract_vvf_accurate(const ksl_vec3f_t *v1, const ksl_ve
    Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_vec3f_scaled_accurate(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
-  const double vo_0 = (double)v->x * (double)k;
-  const double vo_1 = (double)v->y * (double)k;
-  const double vo_2 = (double)v->z * (double)k;
+  const double vo_0 = (double)v->x * (double)k, vo_1 = (double)v->y * (double)k,
+      vo_2 = (double)v->z * (double)k;
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
@@ -797,17 +759,15 @@ static inline void ksl_vec3f_scaled_accurate(const ksl_vec3f_t *v, const float k
    v: vector.
    7 mul, 2 add, 1 sqrt, 3 abs, 8 less, 8 select. */
 static inline float ksl_vec3f_l2norm_accurate(const ksl_vec3f_t *v) {
-  const double s_size_0 = fabs((double)v->x);
-  const double s_size_1 = fabs((double)v->y);
-  const double s_size_2 = fabs((double)v->z);
+  const double s_size_0 = fabs((double)v->x), s_size_1 = fabs((double)v->y),
+      s_size_2 = fabs((double)v->z);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double y_0 = KSL_MUL((double)v->x, s);
-  const double y_1 = KSL_MUL((double)v->y, s);
-  const double y_2 = KSL_MUL((double)v->z, s);
+  const double y_0 = KSL_MUL((double)v->x, s), y_1 = KSL_MUL((double)v->y, s),
+      y_2 = KSL_MUL((double)v->z, s);
   const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2));
   const double r_b = s < 1.0 ? 3.6893488147419103e+19 : 1.0,
       r_d = 1.0 < s ? 5.551115123125783e-17 : r_b,
@@ -820,30 +780,25 @@ static inline float ksl_vec3f_l2norm_accurate(const ksl_vec3f_t *v) {
    self: vector.
    12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 7 less, 1 equal, 8 select. */
 static inline void ksl_vec3f_normalize_accurate(ksl_vec3f_t *self) {
-  const double s_size_0 = fabs((double)self->x);
-  const double s_size_1 = fabs((double)self->y);
-  const double s_size_2 = fabs((double)self->z);
+  const double s_size_0 = fabs((double)self->x), s_size_1 = fabs((double)self->y),
+      s_size_2 = fabs((double)self->z);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double y_0 = KSL_MUL((double)self->x, s);
-  const double y_1 = KSL_MUL((double)self->y, s);
-  const double y_2 = KSL_MUL((double)self->z, s);
+  const double y_0 = KSL_MUL((double)self->x, s), y_1 = KSL_MUL((double)self->y, s),
+      y_2 = KSL_MUL((double)self->z, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2));
   const double divisor = n == 0.0 ? up : n;
-  const double sized_0 = KSL_MUL((double)self->x, up);
-  const double sized_1 = KSL_MUL((double)self->y, up);
-  const double sized_2 = KSL_MUL((double)self->z, up);
-  const double quotient_0 = sized_0 / divisor;
-  const double quotient_1 = sized_1 / divisor;
-  const double quotient_2 = sized_2 / divisor;
-  const double self_0_new = KSL_MUL(quotient_0, down);
-  const double self_1_new = KSL_MUL(quotient_1, down);
-  const double self_2_new = KSL_MUL(quotient_2, down);
+  const double sized_0 = KSL_MUL((double)self->x, up), sized_1 = KSL_MUL((double)self->y, up),
+      sized_2 = KSL_MUL((double)self->z, up);
+  const double quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor;
+  const double self_0_new = KSL_MUL(quotient_0, down), self_1_new = KSL_MUL(quotient_1, down),
+      self_2_new = KSL_MUL(quotient_2, down);
   self->x = (float)self_0_new;
   self->y = (float)self_1_new;
   self->z = (float)self_2_new;
@@ -853,30 +808,25 @@ static inline void ksl_vec3f_normalize_accurate(ksl_vec3f_t *self) {
    v, vo: vector.
    12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 7 less, 1 equal, 8 select. */
 static inline void ksl_vec3f_normalized_accurate(const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
-  const double s_size_0 = fabs((double)v->x);
-  const double s_size_1 = fabs((double)v->y);
-  const double s_size_2 = fabs((double)v->z);
+  const double s_size_0 = fabs((double)v->x), s_size_1 = fabs((double)v->y),
+      s_size_2 = fabs((double)v->z);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double y_0 = KSL_MUL((double)v->x, s);
-  const double y_1 = KSL_MUL((double)v->y, s);
-  const double y_2 = KSL_MUL((double)v->z, s);
+  const double y_0 = KSL_MUL((double)v->x, s), y_1 = KSL_MUL((double)v->y, s),
+      y_2 = KSL_MUL((double)v->z, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2));
   const double divisor = n == 0.0 ? up : n;
-  const double sized_0 = KSL_MUL((double)v->x, up);
-  const double sized_1 = KSL_MUL((double)v->y, up);
-  const double sized_2 = KSL_MUL((double)v->z, up);
-  const double quotient_0 = sized_0 / divisor;
-  const double quotient_1 = sized_1 / divisor;
-  const double quotient_2 = sized_2 / divisor;
-  const double vo_0 = KSL_MUL(quotient_0, down);
-  const double vo_1 = KSL_MUL(quotient_1, down);
-  const double vo_2 = KSL_MUL(quotient_2, down);
+  const double sized_0 = KSL_MUL((double)v->x, up), sized_1 = KSL_MUL((double)v->y, up),
+      sized_2 = KSL_MUL((double)v->z, up);
+  const double quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor;
+  const double vo_0 = KSL_MUL(quotient_0, down), vo_1 = KSL_MUL(quotient_1, down),
+      vo_2 = KSL_MUL(quotient_2, down);
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
@@ -888,42 +838,34 @@ static inline void ksl_vec3f_normalized_accurate(const ksl_vec3f_t *v, ksl_vec3f
    Each component is within 1 ulp as long as its condition is below 1e13; in single precision it
      is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
 static inline float ksl_angle_vvf_accurate(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) {
-  const double s1_size_0 = fabs((double)v1->x);
-  const double s1_size_1 = fabs((double)v1->y);
-  const double s1_size_2 = fabs((double)v1->z);
+  const double s1_size_0 = fabs((double)v1->x), s1_size_1 = fabs((double)v1->y),
+      s1_size_2 = fabs((double)v1->z);
   const double s1_largest1 = s1_size_0 < s1_size_1 ? s1_size_1 : s1_size_0;
   const double s1_largest2 = s1_largest1 < s1_size_2 ? s1_size_2 : s1_largest1;
   const double s1b = 4.611686018427388e+18 < s1_largest2 ? 2.710505431213761e-20 : 1.0,
       s1d = s1_largest2 < 256.0 ? 1.8014398509481984e+16 : s1b,
       s1 = s1_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s1d;
-  const double scaled_s1_0 = KSL_MUL((double)v1->x, s1);
-  const double scaled_s1_1 = KSL_MUL((double)v1->y, s1);
-  const double scaled_s1_2 = KSL_MUL((double)v1->z, s1);
-  const double s2_size_0 = fabs((double)v2->x);
-  const double s2_size_1 = fabs((double)v2->y);
-  const double s2_size_2 = fabs((double)v2->z);
+  const double scaled_s1_0 = KSL_MUL((double)v1->x, s1), scaled_s1_1 = KSL_MUL((double)v1->y, s1),
+      scaled_s1_2 = KSL_MUL((double)v1->z, s1);
+  const double s2_size_0 = fabs((double)v2->x), s2_size_1 = fabs((double)v2->y),
+      s2_size_2 = fabs((double)v2->z);
   const double s2_largest1 = s2_size_0 < s2_size_1 ? s2_size_1 : s2_size_0;
   const double s2_largest2 = s2_largest1 < s2_size_2 ? s2_size_2 : s2_largest1;
   const double s2b = 4.611686018427388e+18 < s2_largest2 ? 2.710505431213761e-20 : 1.0,
       s2d = s2_largest2 < 256.0 ? 1.8014398509481984e+16 : s2b,
       s2 = s2_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s2d;
-  const double scaled_s2_0 = KSL_MUL((double)v2->x, s2);
-  const double scaled_s2_1 = KSL_MUL((double)v2->y, s2);
-  const double scaled_s2_2 = KSL_MUL((double)v2->z, s2);
-  const double c_0 = KSL_MUL(scaled_s1_1, scaled_s2_2) - KSL_MUL(scaled_s1_2, scaled_s2_1);
-  const double c_1 = KSL_MUL(scaled_s1_2, scaled_s2_0) - KSL_MUL(scaled_s1_0, scaled_s2_2);
-  const double c_2 = KSL_MUL(scaled_s1_0, scaled_s2_1) - KSL_MUL(scaled_s1_1, scaled_s2_0);
-  const double s_size_0 = fabs(c_0);
-  const double s_size_1 = fabs(c_1);
-  const double s_size_2 = fabs(c_2);
+  const double scaled_s2_0 = KSL_MUL((double)v2->x, s2), scaled_s2_1 = KSL_MUL((double)v2->y, s2),
+      scaled_s2_2 = KSL_MUL((double)v2->z, s2);
+  const double c_0 = KSL_MUL(scaled_s1_1, scaled_s2_2) - KSL_MUL(scaled_s1_2, scaled_s2_1),
+      c_1 = KSL_MUL(scaled_s1_2, scaled_s2_0) - KSL_MUL(scaled_s1_0, scaled_s2_2),
+      c_2 = KSL_MUL(scaled_s1_0, scaled_s2_1) - KSL_MUL(scaled_s1_1, scaled_s2_0);
+  const double s_size_0 = fabs(c_0), s_size_1 = fabs(c_1), s_size_2 = fabs(c_2);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double y_0 = KSL_MUL(c_0, s);
-  const double y_1 = KSL_MUL(c_1, s);
-  const double y_2 = KSL_MUL(c_2, s);
+  const double y_0 = KSL_MUL(c_0, s), y_1 = KSL_MUL(c_1, s), y_2 = KSL_MUL(c_2, s);
   const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2));
   const double r_b = s < 1.0 ? 3.6893488147419103e+19 : 1.0,
       r_d = 1.0 < s ? 5.551115123125783e-17 : r_b,
@@ -953,9 +895,8 @@ static inline float ksl_dot_vvf_accurate(const ksl_vec3f_t *v1, const ksl_vec3f_
      over- and underflow. */
 static inline void ksl_product_avinvf_accurate(const float k, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const double vo_0 = -((double)k * (double)v->x);
-  const double vo_1 = -((double)k * (double)v->y);
-  const double vo_2 = -((double)k * (double)v->z);
+  const double vo_0 = -((double)k * (double)v->x), vo_1 = -((double)k * (double)v->y),
+      vo_2 = -((double)k * (double)v->z);
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
@@ -966,9 +907,8 @@ static inline void ksl_product_avinvf_accurate(const float k, const ksl_vec3f_t 
    3 div. */
 static inline void ksl_product_ainvvf_accurate(const float k, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const double vo_0 = (double)v->x / (double)k;
-  const double vo_1 = (double)v->y / (double)k;
-  const double vo_2 = (double)v->z / (double)k;
+  const double vo_0 = (double)v->x / (double)k, vo_1 = (double)v->y / (double)k,
+      vo_2 = (double)v->z / (double)k;
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
@@ -981,9 +921,9 @@ static inline void ksl_product_ainvvf_accurate(const float k, const ksl_vec3f_t 
      over- and underflow. */
 static inline void ksl_cross_vvf_accurate(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2,
     ksl_vec3f_t *vo) {
-  const double vo_0 = ksl_product_sum(-(double)v1->z, (double)v2->y, (double)v1->y * (double)v2->z);
-  const double vo_1 = ksl_product_sum(-(double)v1->x, (double)v2->z, (double)v1->z * (double)v2->x);
-  const double vo_2 = ksl_product_sum(-(double)v1->y, (double)v2->x, (double)v1->x * (double)v2->y);
+  const double vo_0 = ksl_product_sum(-(double)v1->z, (double)v2->y, (double)v1->y * (double)v2->z),
+      vo_1 = ksl_product_sum(-(double)v1->x, (double)v2->z, (double)v1->z * (double)v2->x),
+      vo_2 = ksl_product_sum(-(double)v1->y, (double)v2->x, (double)v1->x * (double)v2->y);
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
@@ -996,9 +936,9 @@ static inline void ksl_cross_vvf_accurate(const ksl_vec3f_t *v1, const ksl_vec3f
      over- and underflow. */
 static inline void ksl_cross_vvinvf_accurate(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2,
     ksl_vec3f_t *vo) {
-  const double vo_0 = ksl_product_sum(-(double)v1->y, (double)v2->z, (double)v1->z * (double)v2->y);
-  const double vo_1 = ksl_product_sum(-(double)v1->z, (double)v2->x, (double)v1->x * (double)v2->z);
-  const double vo_2 = ksl_product_sum(-(double)v1->x, (double)v2->y, (double)v1->y * (double)v2->x);
+  const double vo_0 = ksl_product_sum(-(double)v1->y, (double)v2->z, (double)v1->z * (double)v2->y),
+      vo_1 = ksl_product_sum(-(double)v1->z, (double)v2->x, (double)v1->x * (double)v2->z),
+      vo_2 = ksl_product_sum(-(double)v1->x, (double)v2->y, (double)v1->y * (double)v2->x);
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;

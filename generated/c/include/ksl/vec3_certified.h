@@ -17,15 +17,12 @@
    6 mul, 3 add, 3 abs. */
 static inline void ksl_vec3_scale_certified(ksl_vec3_t *self, const double a,
     ksl_vec3_t *self_bound) {
-  const double self_0_new = KSL_MUL(self->x, a);
-  const double self_1_new = KSL_MUL(self->y, a);
-  const double self_2_new = KSL_MUL(self->z, a);
+  const double self_0_new = KSL_MUL(self->x, a), self_1_new = KSL_MUL(self->y, a),
+      self_2_new = KSL_MUL(self->z, a);
   const double self_0_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_0_new)
-          + 2.004168360008973e-292);
-  const double self_1_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_1_new)
-          + 2.004168360008973e-292);
-  const double self_2_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_2_new)
-          + 2.004168360008973e-292);
+          + 2.004168360008973e-292),
+      self_1_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_1_new) + 2.004168360008973e-292),
+      self_2_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_2_new) + 2.004168360008973e-292);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -42,15 +39,12 @@ static inline void ksl_axpy_vv_certified(const double a, const ksl_vec3_t *x, ks
   const double y_0_new_a = KSL_MUL(a, x->x), y_0_new = y_0_new_a + y->x;
   const double y_1_new_a = KSL_MUL(a, x->y), y_1_new = y_1_new_a + y->y;
   const double y_2_new_a = KSL_MUL(a, x->z), y_2_new = y_2_new_a + y->z;
-  const double y_0_new_size = fabs(y_0_new_a) + fabs(y->x);
-  const double y_1_new_size = fabs(y_1_new_a) + fabs(y->y);
-  const double y_2_new_size = fabs(y_2_new_a) + fabs(y->z);
+  const double y_0_new_size = fabs(y_0_new_a) + fabs(y->x),
+      y_1_new_size = fabs(y_1_new_a) + fabs(y->y), y_2_new_size = fabs(y_2_new_a) + fabs(y->z);
   const double y_0_new_bound = KSL_MUL(2.2204460492503136e-16, y_0_new_size
-          + 2.004168360008973e-292);
-  const double y_1_new_bound = KSL_MUL(2.2204460492503136e-16, y_1_new_size
-          + 2.004168360008973e-292);
-  const double y_2_new_bound = KSL_MUL(2.2204460492503136e-16, y_2_new_size
-          + 2.004168360008973e-292);
+          + 2.004168360008973e-292),
+      y_1_new_bound = KSL_MUL(2.2204460492503136e-16, y_1_new_size + 2.004168360008973e-292),
+      y_2_new_bound = KSL_MUL(2.2204460492503136e-16, y_2_new_size + 2.004168360008973e-292);
   y->x = y_0_new;
   y->y = y_1_new;
   y->z = y_2_new;
@@ -63,12 +57,10 @@ static inline void ksl_axpy_vv_certified(const double a, const ksl_vec3_t *x, ks
    x, y, y_bound: vector.
    3 mul, 3 add, 3 abs. */
 static inline void ksl_xpy_vv_certified(const ksl_vec3_t *x, ksl_vec3_t *y, ksl_vec3_t *y_bound) {
-  const double y_0_new = x->x + y->x;
-  const double y_1_new = x->y + y->y;
-  const double y_2_new = x->z + y->z;
-  const double y_0_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_0_new));
-  const double y_1_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_1_new));
-  const double y_2_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_2_new));
+  const double y_0_new = x->x + y->x, y_1_new = x->y + y->y, y_2_new = x->z + y->z;
+  const double y_0_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_0_new)),
+      y_1_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_1_new)),
+      y_2_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_2_new));
   y->x = y_0_new;
   y->y = y_1_new;
   y->z = y_2_new;
@@ -81,12 +73,10 @@ static inline void ksl_xpy_vv_certified(const ksl_vec3_t *x, ksl_vec3_t *y, ksl_
    x, y, y_bound: vector.
    3 mul, 3 add, 3 abs. */
 static inline void ksl_nxpy_vv_certified(const ksl_vec3_t *x, ksl_vec3_t *y, ksl_vec3_t *y_bound) {
-  const double y_0_new = y->x - x->x;
-  const double y_1_new = y->y - x->y;
-  const double y_2_new = y->z - x->z;
-  const double y_0_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_0_new));
-  const double y_1_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_1_new));
-  const double y_2_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_2_new));
+  const double y_0_new = y->x - x->x, y_1_new = y->y - x->y, y_2_new = y->z - x->z;
+  const double y_0_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_0_new)),
+      y_1_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_1_new)),
+      y_2_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_2_new));
   y->x = y_0_new;
   y->y = y_1_new;
   y->z = y_2_new;
@@ -100,12 +90,10 @@ static inline void ksl_nxpy_vv_certified(const ksl_vec3_t *x, ksl_vec3_t *y, ksl
    6 mul, 3 add, 3 abs. */
 static inline void ksl_product_av_certified(const double a, const ksl_vec3_t *vi, ksl_vec3_t *vo,
     ksl_vec3_t *vo_bound) {
-  const double vo_0 = KSL_MUL(a, vi->x);
-  const double vo_1 = KSL_MUL(a, vi->y);
-  const double vo_2 = KSL_MUL(a, vi->z);
-  const double vo_0_bound = KSL_MUL(1.1102230246251568e-16, fabs(vo_0) + 2.004168360008973e-292);
-  const double vo_1_bound = KSL_MUL(1.1102230246251568e-16, fabs(vo_1) + 2.004168360008973e-292);
-  const double vo_2_bound = KSL_MUL(1.1102230246251568e-16, fabs(vo_2) + 2.004168360008973e-292);
+  const double vo_0 = KSL_MUL(a, vi->x), vo_1 = KSL_MUL(a, vi->y), vo_2 = KSL_MUL(a, vi->z);
+  const double vo_0_bound = KSL_MUL(1.1102230246251568e-16, fabs(vo_0) + 2.004168360008973e-292),
+      vo_1_bound = KSL_MUL(1.1102230246251568e-16, fabs(vo_1) + 2.004168360008973e-292),
+      vo_2_bound = KSL_MUL(1.1102230246251568e-16, fabs(vo_2) + 2.004168360008973e-292);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -119,12 +107,10 @@ static inline void ksl_product_av_certified(const double a, const ksl_vec3_t *vi
    3 mul, 3 add, 3 abs. */
 static inline void ksl_add_vv_certified(const ksl_vec3_t *v1, const ksl_vec3_t *v2,
     ksl_vec3_t *vo, ksl_vec3_t *vo_bound) {
-  const double vo_0 = v1->x + v2->x;
-  const double vo_1 = v1->y + v2->y;
-  const double vo_2 = v1->z + v2->z;
-  const double vo_0_bound = KSL_MUL(1.1102230246251568e-16, fabs(vo_0));
-  const double vo_1_bound = KSL_MUL(1.1102230246251568e-16, fabs(vo_1));
-  const double vo_2_bound = KSL_MUL(1.1102230246251568e-16, fabs(vo_2));
+  const double vo_0 = v1->x + v2->x, vo_1 = v1->y + v2->y, vo_2 = v1->z + v2->z;
+  const double vo_0_bound = KSL_MUL(1.1102230246251568e-16, fabs(vo_0)),
+      vo_1_bound = KSL_MUL(1.1102230246251568e-16, fabs(vo_1)),
+      vo_2_bound = KSL_MUL(1.1102230246251568e-16, fabs(vo_2));
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -138,12 +124,10 @@ static inline void ksl_add_vv_certified(const ksl_vec3_t *v1, const ksl_vec3_t *
    3 mul, 3 add, 3 abs. */
 static inline void ksl_subtract_vv_certified(const ksl_vec3_t *v1, const ksl_vec3_t *v2,
     ksl_vec3_t *vo, ksl_vec3_t *vo_bound) {
-  const double vo_0 = v1->x - v2->x;
-  const double vo_1 = v1->y - v2->y;
-  const double vo_2 = v1->z - v2->z;
-  const double vo_0_bound = KSL_MUL(1.1102230246251568e-16, fabs(vo_0));
-  const double vo_1_bound = KSL_MUL(1.1102230246251568e-16, fabs(vo_1));
-  const double vo_2_bound = KSL_MUL(1.1102230246251568e-16, fabs(vo_2));
+  const double vo_0 = v1->x - v2->x, vo_1 = v1->y - v2->y, vo_2 = v1->z - v2->z;
+  const double vo_0_bound = KSL_MUL(1.1102230246251568e-16, fabs(vo_0)),
+      vo_1_bound = KSL_MUL(1.1102230246251568e-16, fabs(vo_1)),
+      vo_2_bound = KSL_MUL(1.1102230246251568e-16, fabs(vo_2));
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -157,12 +141,10 @@ static inline void ksl_subtract_vv_certified(const ksl_vec3_t *v1, const ksl_vec
    6 mul, 3 add, 3 abs. */
 static inline void ksl_vec3_scaled_certified(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo,
     ksl_vec3_t *vo_bound) {
-  const double vo_0 = KSL_MUL(v->x, k);
-  const double vo_1 = KSL_MUL(v->y, k);
-  const double vo_2 = KSL_MUL(v->z, k);
-  const double vo_0_bound = KSL_MUL(1.1102230246251568e-16, fabs(vo_0) + 2.004168360008973e-292);
-  const double vo_1_bound = KSL_MUL(1.1102230246251568e-16, fabs(vo_1) + 2.004168360008973e-292);
-  const double vo_2_bound = KSL_MUL(1.1102230246251568e-16, fabs(vo_2) + 2.004168360008973e-292);
+  const double vo_0 = KSL_MUL(v->x, k), vo_1 = KSL_MUL(v->y, k), vo_2 = KSL_MUL(v->z, k);
+  const double vo_0_bound = KSL_MUL(1.1102230246251568e-16, fabs(vo_0) + 2.004168360008973e-292),
+      vo_1_bound = KSL_MUL(1.1102230246251568e-16, fabs(vo_1) + 2.004168360008973e-292),
+      vo_2_bound = KSL_MUL(1.1102230246251568e-16, fabs(vo_2) + 2.004168360008973e-292);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -177,28 +159,22 @@ static inline void ksl_vec3_scaled_certified(const ksl_vec3_t *v, const double k
      copysign, 37 less, 5 equal, 56 select. */
 static inline double ksl_angle_vv_certified(const ksl_vec3_t *v1, const ksl_vec3_t *v2,
     double *angle_bound) {
-  const double s1_size_0 = fabs(v1->x);
-  const double s1_size_1 = fabs(v1->y);
-  const double s1_size_2 = fabs(v1->z);
+  const double s1_size_0 = fabs(v1->x), s1_size_1 = fabs(v1->y), s1_size_2 = fabs(v1->z);
   const double s1_largest1 = s1_size_0 < s1_size_1 ? s1_size_1 : s1_size_0;
   const double s1_largest2 = s1_largest1 < s1_size_2 ? s1_size_2 : s1_largest1;
   const double s1b = 6.703903964971299e+153 < s1_largest2 ? 3.7291703656001034e-155 : 1.0,
       s1d = s1_largest2 < 256.0 ? 1.3093562431584567e+151 : s1b,
       s1 = s1_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s1d;
-  const double scaled_s1_0 = KSL_MUL(v1->x, s1);
-  const double scaled_s1_1 = KSL_MUL(v1->y, s1);
-  const double scaled_s1_2 = KSL_MUL(v1->z, s1);
-  const double s2_size_0 = fabs(v2->x);
-  const double s2_size_1 = fabs(v2->y);
-  const double s2_size_2 = fabs(v2->z);
+  const double scaled_s1_0 = KSL_MUL(v1->x, s1), scaled_s1_1 = KSL_MUL(v1->y, s1),
+      scaled_s1_2 = KSL_MUL(v1->z, s1);
+  const double s2_size_0 = fabs(v2->x), s2_size_1 = fabs(v2->y), s2_size_2 = fabs(v2->z);
   const double s2_largest1 = s2_size_0 < s2_size_1 ? s2_size_1 : s2_size_0;
   const double s2_largest2 = s2_largest1 < s2_size_2 ? s2_size_2 : s2_largest1;
   const double s2b = 6.703903964971299e+153 < s2_largest2 ? 3.7291703656001034e-155 : 1.0,
       s2d = s2_largest2 < 256.0 ? 1.3093562431584567e+151 : s2b,
       s2 = s2_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s2d;
-  const double scaled_s2_0 = KSL_MUL(v2->x, s2);
-  const double scaled_s2_1 = KSL_MUL(v2->y, s2);
-  const double scaled_s2_2 = KSL_MUL(v2->z, s2);
+  const double scaled_s2_0 = KSL_MUL(v2->x, s2), scaled_s2_1 = KSL_MUL(v2->y, s2),
+      scaled_s2_2 = KSL_MUL(v2->z, s2);
   const double c_0a = KSL_MUL(scaled_s1_1, scaled_s2_2),
       c_0a_padded_1 = 1.8051943758648296e-276 + fabs(scaled_s1_1),
       c_0a_padded_2 = 1.8051943758648296e-276 + fabs(scaled_s2_2),
@@ -213,9 +189,7 @@ static inline double ksl_angle_vv_certified(const ksl_vec3_t *v1, const ksl_vec3
       c_right_2 = c_1a - c_1;
   const double c_2a = KSL_MUL(scaled_s1_0, scaled_s2_1), c_2b = KSL_MUL(scaled_s1_1, scaled_s2_0),
       c_2 = c_2a - c_2b, c_right_3 = c_2a - c_2;
-  const double s_size_0 = fabs(c_0);
-  const double s_size_1 = fabs(c_1);
-  const double s_size_2 = fabs(c_2);
+  const double s_size_0 = fabs(c_0), s_size_1 = fabs(c_1), s_size_2 = fabs(c_2);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
@@ -367,12 +341,11 @@ static inline void ksl_cross_vv_certified(const ksl_vec3_t *v1, const ksl_vec3_t
   const double vo_0a = KSL_MUL(v1->y, v2->z), vo_0b = KSL_MUL(v1->z, v2->y), vo_0 = vo_0a - vo_0b;
   const double vo_1a = KSL_MUL(v1->z, v2->x), vo_1b = KSL_MUL(v1->x, v2->z), vo_1 = vo_1a - vo_1b;
   const double vo_2a = KSL_MUL(v1->x, v2->y), vo_2b = KSL_MUL(v1->y, v2->x), vo_2 = vo_2a - vo_2b;
-  const double vo_0_size = fabs(vo_0a) + fabs(vo_0b);
-  const double vo_1_size = fabs(vo_1a) + fabs(vo_1b);
-  const double vo_2_size = fabs(vo_2a) + fabs(vo_2b);
-  const double vo_0_bound = KSL_MUL(2.2204460492503136e-16, vo_0_size + 2.004168360008973e-292);
-  const double vo_1_bound = KSL_MUL(2.2204460492503136e-16, vo_1_size + 2.004168360008973e-292);
-  const double vo_2_bound = KSL_MUL(2.2204460492503136e-16, vo_2_size + 2.004168360008973e-292);
+  const double vo_0_size = fabs(vo_0a) + fabs(vo_0b), vo_1_size = fabs(vo_1a) + fabs(vo_1b),
+      vo_2_size = fabs(vo_2a) + fabs(vo_2b);
+  const double vo_0_bound = KSL_MUL(2.2204460492503136e-16, vo_0_size + 2.004168360008973e-292),
+      vo_1_bound = KSL_MUL(2.2204460492503136e-16, vo_1_size + 2.004168360008973e-292),
+      vo_2_bound = KSL_MUL(2.2204460492503136e-16, vo_2_size + 2.004168360008973e-292);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -389,12 +362,11 @@ static inline void ksl_cross_vvinv_certified(const ksl_vec3_t *v1, const ksl_vec
   const double vo_0a = KSL_MUL(v1->z, v2->y), vo_0b = KSL_MUL(v1->y, v2->z), vo_0 = vo_0a - vo_0b;
   const double vo_1a = KSL_MUL(v1->x, v2->z), vo_1b = KSL_MUL(v1->z, v2->x), vo_1 = vo_1a - vo_1b;
   const double vo_2a = KSL_MUL(v1->y, v2->x), vo_2b = KSL_MUL(v1->x, v2->y), vo_2 = vo_2a - vo_2b;
-  const double vo_0_size = fabs(vo_0a) + fabs(vo_0b);
-  const double vo_1_size = fabs(vo_1a) + fabs(vo_1b);
-  const double vo_2_size = fabs(vo_2a) + fabs(vo_2b);
-  const double vo_0_bound = KSL_MUL(2.2204460492503136e-16, vo_0_size + 2.004168360008973e-292);
-  const double vo_1_bound = KSL_MUL(2.2204460492503136e-16, vo_1_size + 2.004168360008973e-292);
-  const double vo_2_bound = KSL_MUL(2.2204460492503136e-16, vo_2_size + 2.004168360008973e-292);
+  const double vo_0_size = fabs(vo_0a) + fabs(vo_0b), vo_1_size = fabs(vo_1a) + fabs(vo_1b),
+      vo_2_size = fabs(vo_2a) + fabs(vo_2b);
+  const double vo_0_bound = KSL_MUL(2.2204460492503136e-16, vo_0_size + 2.004168360008973e-292),
+      vo_1_bound = KSL_MUL(2.2204460492503136e-16, vo_1_size + 2.004168360008973e-292),
+      vo_2_bound = KSL_MUL(2.2204460492503136e-16, vo_2_size + 2.004168360008973e-292);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -510,12 +482,11 @@ static inline void ksl_add_vvzinv_certified(const ksl_vec3_t *v, const double k,
    6 mul, 3 add, 3 abs. */
 static inline void ksl_vec3f_scale_certified(ksl_vec3f_t *self, const float a,
     ksl_vec3f_t *self_bound) {
-  const float self_0_new = KSL_MULF(self->x, a);
-  const float self_1_new = KSL_MULF(self->y, a);
-  const float self_2_new = KSL_MULF(self->z, a);
-  const float self_0_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_0_new) + 1.9721523e-31f);
-  const float self_1_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_1_new) + 1.9721523e-31f);
-  const float self_2_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_2_new) + 1.9721523e-31f);
+  const float self_0_new = KSL_MULF(self->x, a), self_1_new = KSL_MULF(self->y, a),
+      self_2_new = KSL_MULF(self->z, a);
+  const float self_0_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_0_new) + 1.9721523e-31f),
+      self_1_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_1_new) + 1.9721523e-31f),
+      self_2_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_2_new) + 1.9721523e-31f);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -532,12 +503,11 @@ static inline void ksl_axpy_vvf_certified(const float a, const ksl_vec3f_t *x, k
   const float y_0_new_a = KSL_MULF(a, x->x), y_0_new = y_0_new_a + y->x;
   const float y_1_new_a = KSL_MULF(a, x->y), y_1_new = y_1_new_a + y->y;
   const float y_2_new_a = KSL_MULF(a, x->z), y_2_new = y_2_new_a + y->z;
-  const float y_0_new_size = fabsf(y_0_new_a) + fabsf(y->x);
-  const float y_1_new_size = fabsf(y_1_new_a) + fabsf(y->y);
-  const float y_2_new_size = fabsf(y_2_new_a) + fabsf(y->z);
-  const float y_0_new_bound = KSL_MULF(1.192093e-07f, y_0_new_size + 1.9721523e-31f);
-  const float y_1_new_bound = KSL_MULF(1.192093e-07f, y_1_new_size + 1.9721523e-31f);
-  const float y_2_new_bound = KSL_MULF(1.192093e-07f, y_2_new_size + 1.9721523e-31f);
+  const float y_0_new_size = fabsf(y_0_new_a) + fabsf(y->x),
+      y_1_new_size = fabsf(y_1_new_a) + fabsf(y->y), y_2_new_size = fabsf(y_2_new_a) + fabsf(y->z);
+  const float y_0_new_bound = KSL_MULF(1.192093e-07f, y_0_new_size + 1.9721523e-31f),
+      y_1_new_bound = KSL_MULF(1.192093e-07f, y_1_new_size + 1.9721523e-31f),
+      y_2_new_bound = KSL_MULF(1.192093e-07f, y_2_new_size + 1.9721523e-31f);
   y->x = y_0_new;
   y->y = y_1_new;
   y->z = y_2_new;
@@ -551,12 +521,10 @@ static inline void ksl_axpy_vvf_certified(const float a, const ksl_vec3f_t *x, k
    3 mul, 3 add, 3 abs. */
 static inline void ksl_xpy_vvf_certified(const ksl_vec3f_t *x, ksl_vec3f_t *y,
     ksl_vec3f_t *y_bound) {
-  const float y_0_new = x->x + y->x;
-  const float y_1_new = x->y + y->y;
-  const float y_2_new = x->z + y->z;
-  const float y_0_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_0_new));
-  const float y_1_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_1_new));
-  const float y_2_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_2_new));
+  const float y_0_new = x->x + y->x, y_1_new = x->y + y->y, y_2_new = x->z + y->z;
+  const float y_0_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_0_new)),
+      y_1_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_1_new)),
+      y_2_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_2_new));
   y->x = y_0_new;
   y->y = y_1_new;
   y->z = y_2_new;
@@ -570,12 +538,10 @@ static inline void ksl_xpy_vvf_certified(const ksl_vec3f_t *x, ksl_vec3f_t *y,
    3 mul, 3 add, 3 abs. */
 static inline void ksl_nxpy_vvf_certified(const ksl_vec3f_t *x, ksl_vec3f_t *y,
     ksl_vec3f_t *y_bound) {
-  const float y_0_new = y->x - x->x;
-  const float y_1_new = y->y - x->y;
-  const float y_2_new = y->z - x->z;
-  const float y_0_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_0_new));
-  const float y_1_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_1_new));
-  const float y_2_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_2_new));
+  const float y_0_new = y->x - x->x, y_1_new = y->y - x->y, y_2_new = y->z - x->z;
+  const float y_0_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_0_new)),
+      y_1_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_1_new)),
+      y_2_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_2_new));
   y->x = y_0_new;
   y->y = y_1_new;
   y->z = y_2_new;
@@ -589,12 +555,10 @@ static inline void ksl_nxpy_vvf_certified(const ksl_vec3f_t *x, ksl_vec3f_t *y,
    6 mul, 3 add, 3 abs. */
 static inline void ksl_product_avf_certified(const float a, const ksl_vec3f_t *vi,
     ksl_vec3f_t *vo, ksl_vec3f_t *vo_bound) {
-  const float vo_0 = KSL_MULF(a, vi->x);
-  const float vo_1 = KSL_MULF(a, vi->y);
-  const float vo_2 = KSL_MULF(a, vi->z);
-  const float vo_0_bound = KSL_MULF(5.960465e-08f, fabsf(vo_0) + 1.9721523e-31f);
-  const float vo_1_bound = KSL_MULF(5.960465e-08f, fabsf(vo_1) + 1.9721523e-31f);
-  const float vo_2_bound = KSL_MULF(5.960465e-08f, fabsf(vo_2) + 1.9721523e-31f);
+  const float vo_0 = KSL_MULF(a, vi->x), vo_1 = KSL_MULF(a, vi->y), vo_2 = KSL_MULF(a, vi->z);
+  const float vo_0_bound = KSL_MULF(5.960465e-08f, fabsf(vo_0) + 1.9721523e-31f),
+      vo_1_bound = KSL_MULF(5.960465e-08f, fabsf(vo_1) + 1.9721523e-31f),
+      vo_2_bound = KSL_MULF(5.960465e-08f, fabsf(vo_2) + 1.9721523e-31f);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -608,12 +572,10 @@ static inline void ksl_product_avf_certified(const float a, const ksl_vec3f_t *v
    3 mul, 3 add, 3 abs. */
 static inline void ksl_add_vvf_certified(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2,
     ksl_vec3f_t *vo, ksl_vec3f_t *vo_bound) {
-  const float vo_0 = v1->x + v2->x;
-  const float vo_1 = v1->y + v2->y;
-  const float vo_2 = v1->z + v2->z;
-  const float vo_0_bound = KSL_MULF(5.960465e-08f, fabsf(vo_0));
-  const float vo_1_bound = KSL_MULF(5.960465e-08f, fabsf(vo_1));
-  const float vo_2_bound = KSL_MULF(5.960465e-08f, fabsf(vo_2));
+  const float vo_0 = v1->x + v2->x, vo_1 = v1->y + v2->y, vo_2 = v1->z + v2->z;
+  const float vo_0_bound = KSL_MULF(5.960465e-08f, fabsf(vo_0)),
+      vo_1_bound = KSL_MULF(5.960465e-08f, fabsf(vo_1)),
+      vo_2_bound = KSL_MULF(5.960465e-08f, fabsf(vo_2));
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -627,12 +589,10 @@ static inline void ksl_add_vvf_certified(const ksl_vec3f_t *v1, const ksl_vec3f_
    3 mul, 3 add, 3 abs. */
 static inline void ksl_subtract_vvf_certified(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2,
     ksl_vec3f_t *vo, ksl_vec3f_t *vo_bound) {
-  const float vo_0 = v1->x - v2->x;
-  const float vo_1 = v1->y - v2->y;
-  const float vo_2 = v1->z - v2->z;
-  const float vo_0_bound = KSL_MULF(5.960465e-08f, fabsf(vo_0));
-  const float vo_1_bound = KSL_MULF(5.960465e-08f, fabsf(vo_1));
-  const float vo_2_bound = KSL_MULF(5.960465e-08f, fabsf(vo_2));
+  const float vo_0 = v1->x - v2->x, vo_1 = v1->y - v2->y, vo_2 = v1->z - v2->z;
+  const float vo_0_bound = KSL_MULF(5.960465e-08f, fabsf(vo_0)),
+      vo_1_bound = KSL_MULF(5.960465e-08f, fabsf(vo_1)),
+      vo_2_bound = KSL_MULF(5.960465e-08f, fabsf(vo_2));
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -646,12 +606,10 @@ static inline void ksl_subtract_vvf_certified(const ksl_vec3f_t *v1, const ksl_v
    6 mul, 3 add, 3 abs. */
 static inline void ksl_vec3f_scaled_certified(const ksl_vec3f_t *v, const float k,
     ksl_vec3f_t *vo, ksl_vec3f_t *vo_bound) {
-  const float vo_0 = KSL_MULF(v->x, k);
-  const float vo_1 = KSL_MULF(v->y, k);
-  const float vo_2 = KSL_MULF(v->z, k);
-  const float vo_0_bound = KSL_MULF(5.960465e-08f, fabsf(vo_0) + 1.9721523e-31f);
-  const float vo_1_bound = KSL_MULF(5.960465e-08f, fabsf(vo_1) + 1.9721523e-31f);
-  const float vo_2_bound = KSL_MULF(5.960465e-08f, fabsf(vo_2) + 1.9721523e-31f);
+  const float vo_0 = KSL_MULF(v->x, k), vo_1 = KSL_MULF(v->y, k), vo_2 = KSL_MULF(v->z, k);
+  const float vo_0_bound = KSL_MULF(5.960465e-08f, fabsf(vo_0) + 1.9721523e-31f),
+      vo_1_bound = KSL_MULF(5.960465e-08f, fabsf(vo_1) + 1.9721523e-31f),
+      vo_2_bound = KSL_MULF(5.960465e-08f, fabsf(vo_2) + 1.9721523e-31f);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -666,28 +624,22 @@ static inline void ksl_vec3f_scaled_certified(const ksl_vec3f_t *v, const float 
      copysign, 37 less, 5 equal, 56 select. */
 static inline float ksl_angle_vvf_certified(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2,
     float *angle_bound) {
-  const float s1_size_0 = fabsf(v1->x);
-  const float s1_size_1 = fabsf(v1->y);
-  const float s1_size_2 = fabsf(v1->z);
+  const float s1_size_0 = fabsf(v1->x), s1_size_1 = fabsf(v1->y), s1_size_2 = fabsf(v1->z);
   const float s1_largest1 = s1_size_0 < s1_size_1 ? s1_size_1 : s1_size_0;
   const float s1_largest2 = s1_largest1 < s1_size_2 ? s1_size_2 : s1_largest1;
   const float s1b = 4.611686e+18f < s1_largest2 ? 2.7105054e-20f : 1.0f,
       s1d = s1_largest2 < 256.0f ? 1.8014399e+16f : s1b,
       s1 = s1_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s1d;
-  const float scaled_s1_0 = KSL_MULF(v1->x, s1);
-  const float scaled_s1_1 = KSL_MULF(v1->y, s1);
-  const float scaled_s1_2 = KSL_MULF(v1->z, s1);
-  const float s2_size_0 = fabsf(v2->x);
-  const float s2_size_1 = fabsf(v2->y);
-  const float s2_size_2 = fabsf(v2->z);
+  const float scaled_s1_0 = KSL_MULF(v1->x, s1), scaled_s1_1 = KSL_MULF(v1->y, s1),
+      scaled_s1_2 = KSL_MULF(v1->z, s1);
+  const float s2_size_0 = fabsf(v2->x), s2_size_1 = fabsf(v2->y), s2_size_2 = fabsf(v2->z);
   const float s2_largest1 = s2_size_0 < s2_size_1 ? s2_size_1 : s2_size_0;
   const float s2_largest2 = s2_largest1 < s2_size_2 ? s2_size_2 : s2_largest1;
   const float s2b = 4.611686e+18f < s2_largest2 ? 2.7105054e-20f : 1.0f,
       s2d = s2_largest2 < 256.0f ? 1.8014399e+16f : s2b,
       s2 = s2_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s2d;
-  const float scaled_s2_0 = KSL_MULF(v2->x, s2);
-  const float scaled_s2_1 = KSL_MULF(v2->y, s2);
-  const float scaled_s2_2 = KSL_MULF(v2->z, s2);
+  const float scaled_s2_0 = KSL_MULF(v2->x, s2), scaled_s2_1 = KSL_MULF(v2->y, s2),
+      scaled_s2_2 = KSL_MULF(v2->z, s2);
   const float c_0a = KSL_MULF(scaled_s1_1, scaled_s2_2),
       c_0a_padded_1 = 3.3087225e-24f + fabsf(scaled_s1_1),
       c_0a_padded_2 = 3.3087225e-24f + fabsf(scaled_s2_2),
@@ -702,9 +654,7 @@ static inline float ksl_angle_vvf_certified(const ksl_vec3f_t *v1, const ksl_vec
       c_right_2 = c_1a - c_1;
   const float c_2a = KSL_MULF(scaled_s1_0, scaled_s2_1), c_2b = KSL_MULF(scaled_s1_1, scaled_s2_0),
       c_2 = c_2a - c_2b, c_right_3 = c_2a - c_2;
-  const float s_size_0 = fabsf(c_0);
-  const float s_size_1 = fabsf(c_1);
-  const float s_size_2 = fabsf(c_2);
+  const float s_size_0 = fabsf(c_0), s_size_1 = fabsf(c_1), s_size_2 = fabsf(c_2);
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
@@ -851,12 +801,11 @@ static inline void ksl_cross_vvf_certified(const ksl_vec3f_t *v1, const ksl_vec3
   const float vo_0a = KSL_MULF(v1->y, v2->z), vo_0b = KSL_MULF(v1->z, v2->y), vo_0 = vo_0a - vo_0b;
   const float vo_1a = KSL_MULF(v1->z, v2->x), vo_1b = KSL_MULF(v1->x, v2->z), vo_1 = vo_1a - vo_1b;
   const float vo_2a = KSL_MULF(v1->x, v2->y), vo_2b = KSL_MULF(v1->y, v2->x), vo_2 = vo_2a - vo_2b;
-  const float vo_0_size = fabsf(vo_0a) + fabsf(vo_0b);
-  const float vo_1_size = fabsf(vo_1a) + fabsf(vo_1b);
-  const float vo_2_size = fabsf(vo_2a) + fabsf(vo_2b);
-  const float vo_0_bound = KSL_MULF(1.192093e-07f, vo_0_size + 1.9721523e-31f);
-  const float vo_1_bound = KSL_MULF(1.192093e-07f, vo_1_size + 1.9721523e-31f);
-  const float vo_2_bound = KSL_MULF(1.192093e-07f, vo_2_size + 1.9721523e-31f);
+  const float vo_0_size = fabsf(vo_0a) + fabsf(vo_0b), vo_1_size = fabsf(vo_1a) + fabsf(vo_1b),
+      vo_2_size = fabsf(vo_2a) + fabsf(vo_2b);
+  const float vo_0_bound = KSL_MULF(1.192093e-07f, vo_0_size + 1.9721523e-31f),
+      vo_1_bound = KSL_MULF(1.192093e-07f, vo_1_size + 1.9721523e-31f),
+      vo_2_bound = KSL_MULF(1.192093e-07f, vo_2_size + 1.9721523e-31f);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -873,12 +822,11 @@ static inline void ksl_cross_vvinvf_certified(const ksl_vec3f_t *v1, const ksl_v
   const float vo_0a = KSL_MULF(v1->z, v2->y), vo_0b = KSL_MULF(v1->y, v2->z), vo_0 = vo_0a - vo_0b;
   const float vo_1a = KSL_MULF(v1->x, v2->z), vo_1b = KSL_MULF(v1->z, v2->x), vo_1 = vo_1a - vo_1b;
   const float vo_2a = KSL_MULF(v1->y, v2->x), vo_2b = KSL_MULF(v1->x, v2->y), vo_2 = vo_2a - vo_2b;
-  const float vo_0_size = fabsf(vo_0a) + fabsf(vo_0b);
-  const float vo_1_size = fabsf(vo_1a) + fabsf(vo_1b);
-  const float vo_2_size = fabsf(vo_2a) + fabsf(vo_2b);
-  const float vo_0_bound = KSL_MULF(1.192093e-07f, vo_0_size + 1.9721523e-31f);
-  const float vo_1_bound = KSL_MULF(1.192093e-07f, vo_1_size + 1.9721523e-31f);
-  const float vo_2_bound = KSL_MULF(1.192093e-07f, vo_2_size + 1.9721523e-31f);
+  const float vo_0_size = fabsf(vo_0a) + fabsf(vo_0b), vo_1_size = fabsf(vo_1a) + fabsf(vo_1b),
+      vo_2_size = fabsf(vo_2a) + fabsf(vo_2b);
+  const float vo_0_bound = KSL_MULF(1.192093e-07f, vo_0_size + 1.9721523e-31f),
+      vo_1_bound = KSL_MULF(1.192093e-07f, vo_1_size + 1.9721523e-31f),
+      vo_2_bound = KSL_MULF(1.192093e-07f, vo_2_size + 1.9721523e-31f);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;

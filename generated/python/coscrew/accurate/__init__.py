@@ -14,7 +14,7 @@ import sys
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "622de1b27f6b1816")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "f026a17ca436011d")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (

@@ -15,7 +15,7 @@ import sys
 from coscrew.certified import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.certified._gufunc", "c880e0fc06edad89")
+COMPILED: bool = is_compiled("coscrew.certified._gufunc", "09b4b4e9dfdbecbe")
 
 if COMPILED:
     from coscrew.certified._gufunc import (
