@@ -9,6 +9,7 @@ underflow.  C is read here as the few forms it has: `const double a = …, b = �
 `return …;`.
 """
 
+import ast
 import operator
 import random
 import re
@@ -50,7 +51,7 @@ EXACTLY |= {f"{name}f": EXACTLY[name] for name in ("fabs", "fma")}
 # Results that have their error computed: p of product_error(…, p) and product_rest(…, p, h), and
 # sums of which a summand's share is taken.
 COMPENSATED = re.compile(r"_error\([^()]*, (\w+)\)|_rest\([^()]*, (\w+), \w+\)|(\w+)_right =")
-NORMALIZED = re.compile(r"(\w+_of_\w+)_right =")  # sums hi + lo that take their place
+NORMALIZED = re.compile(r"(\w+_sum)_right =")  # sums hi + lo that take their place
 ERROR = re.compile(r"\w+_(error|rest|lo\d?) = ")
 TEXT = {tier.name: "".join(path.read_text() for path in INCLUDE.glob(f"*_{tier.name}.h"))
         for tier in MARKED}
@@ -105,7 +106,14 @@ def evaluated(text: str, operation: Operation, inputs: Sequence[object],
     """Run the body on these input components; `errors` gives the error of each result that has its
     error computed, of sums hi + lo if `normalized`.  None if a computed error is larger than the
     largest, or one of a sum that has none."""
-    memory: dict[str, object] = dict(EXACTLY)
+    within: list[bool] = []
+
+    def error(x: MPQ, of: str) -> MPQ:
+        most = 0 if of in exact else largest_error
+        within.append(largest_error is None or abs(x) <= most)
+        return x
+
+    memory: dict[str, object] = {**EXACTLY, "error": error}
     components = iter(inputs)
     for argument in operation.inputs:
         memory |= {name: next(components) for name in names(argument)}
@@ -119,6 +127,8 @@ def evaluated(text: str, operation: Operation, inputs: Sequence[object],
             return None
         if largest_error and is_error and abs(memory[name]) > largest_error:
             return None
+    if not all(within):
+        return None
     value = returned(operation)
     return tuple(memory["returned"] if argument == value and not operation.by_value
                  else memory[name] for argument in operation.outputs for name in names(argument))
@@ -130,7 +140,34 @@ def assignments(statement: str) -> tuple[tuple[str, CodeType, bool], ...]:
     text = identifier(re.sub(r"\s+", " ", statement.strip()))
     text = re.sub(r"^return ", "returned = ", re.sub(r"^const (double|float) ", "", text))
     each = [x.lstrip("*") for x in re.split(r", (?=\w+ = )", text) if x]
-    return tuple((x.split(" ")[0], compile(x, "C", "exec"), bool(ERROR.match(x))) for x in each)
+    return tuple((x.split(" ")[0], compile(_Nested().visit(ast.parse(x)), "C", "exec"),
+                  bool(ERROR.match(x))) for x in each)
+
+
+class _Nested(ast.NodeTransformer):
+    """Writes error(x, "s") for each x in an expression that is a summand's share of the error of
+    s: a - (s - s_right), b - s_right, ksl_product_rest(…)."""
+
+    def visit_BinOp(self, node: ast.BinOp) -> ast.AST:
+        self.generic_visit(node)
+        right = node.right if not _is_left(node.right) else node.right.right
+        shared = isinstance(right, ast.Name) and right.id.endswith("_right") and not _is_left(node)
+        return _error(node, right.id.removesuffix("_right")) if shared else node
+
+    def visit_Call(self, node: ast.Call) -> ast.AST:
+        self.generic_visit(node)
+        return _error(node, "") if ast.unparse(node.func).startswith("ksl_product_rest") else node
+
+
+def _error(node: ast.expr, of: str) -> ast.expr:
+    call = ast.Call(ast.Name("error", ast.Load()), [node, ast.Constant(of)], [])
+    return ast.fix_missing_locations(ast.copy_location(call, node))
+
+
+def _is_left(node: ast.expr) -> bool:
+    """Whether this is s - s_right, or s + s_right."""
+    return (isinstance(node, ast.BinOp) and isinstance(node.left, ast.Name)
+            and ast.unparse(node.right) == f"{node.left.id}_right")
 
 
 @cache

@@ -1,5 +1,5 @@
-"""The elementary functions in C: for the library, one operation a statement; for scenes, which
-contain those that they call, with nested expressions."""
+"""The elementary functions in C: for the library, and for scenes, which contain those that they
+call."""
 
 import re
 from collections.abc import Collection, Iterable, Sequence
