@@ -203,16 +203,22 @@ SCENES = TRACED + """
 from pathlib import Path
 from coscrew_codegen import load_scene
 from coscrew_codegen.program.plugins import holder
-from coscrew_codegen.runtime import load
+from coscrew_codegen.runtime import scene_library
 from coscrew_codegen.scene import effects
 
-sys.setprofile(enter)
+def traced(*given):
+    sys.setprofile(enter)
+    made = make(*given)
+    sys.setprofile(None)
+    return made
+
+make, scene_library._made = scene_library._made, traced
 kernels = load_scene(Path(sys.argv[1]), tiers=["accurate"])
 kernels.accurate, kernels._lanes._library
-sys.setprofile(None)
 used = {holder(effects.__name__, "EFFECT", x.effect) for x in kernels.scene.effects}
 its = sources.Sources.of(sources.read())
-print(len(entered), *sorted(entered - its.reached([load.__name__], {effects.__name__: used})))
+reached = its.reached([scene_library.__name__], {effects.__name__: used})
+print(len(entered), *sorted(entered - reached))
 """
 
 

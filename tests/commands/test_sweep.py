@@ -258,7 +258,7 @@ def test_members_with_a_floating_base_keep_momentum_as_simulate_does(folder):
     for row in found.to_pylist():
         start = {int(x.name.rpartition(".")[2]): row[x.name] for x in columns}
         scene = replace(its.scene, start_v={"base": tuple(start[k] for k in range(6))})
-        alone = system(replace(its.kernels, scene=scene), "double")
+        alone = system(replace(its.kernels, request=replace(its.kernels.request, scene=scene)), "double")
         assert np.array_equal(integrate(alone, its.plan).v[:, 3],
                               np.array(row["v.base.3"]))
 

@@ -31,16 +31,13 @@ from coscrew_codegen.accuracy.tiers.certified_wide import in_double
 from coscrew_codegen.accuracy.tiers.mixed import Mixture, mixed
 from coscrew_codegen.backends import emit
 from coscrew_codegen.backends.output_files import scene_files
-from coscrew_codegen.backends.python_extension import scene_calls
-from coscrew_codegen.backends.scene import scene_c_tier
 from coscrew_codegen.dynamics import derive
 from coscrew_codegen.dynamics.ranges.accuracy_requests import AskedError, positions
 from coscrew_codegen.program import Instruction, Op, Program
 from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
 from coscrew_codegen.program.values.digits import two_digits_up
 from coscrew_codegen.program.values.formats import DOUBLE, SINGLE
-from coscrew_codegen.runtime import callables, compilation
-from coscrew_codegen.runtime.load import library_of
+from coscrew_codegen.runtime import callables, compilation, source_text
 from coscrew_codegen.scene.functions import FUNCTIONS
 from coscrew_codegen.scene.mechanism.model import Joint
 from coscrew_codegen.scene.readers.scene_error import SceneError
@@ -49,7 +46,6 @@ from coscrew_codegen.scene.scene import Scene, Tolerance
 from tests.support.compiled.c_harness import C11, COMPILERS, STRICT, run
 from tests.support.scenes import mechanisms as m
 from tests.support.scenes.arms import arm, inverse
-from tests.support.scenes.generated_scenes import BANNER
 from tests.support.scenes.kinds import Kind
 from tests.support.scenes.scene_values import same_bits
 
@@ -141,9 +137,9 @@ def test_bits_are_the_same_in_c_in_numpy_and_in_the_choice(made, compiler: str, 
     flags = ("-O3", "-march=native", "-ffp-contract=fast")
     run([compiler, *C11, *STRICT, *flags, "-c", path / f"{tier.stem}.c", "-o", tmp_path / "x.o"])
     using = compilation.Compiler((compiler,), compiler, ("-fPIC", *flags))
-    files = scene_c_tier.files(tier, BANNER) | scene_calls.tier_files(tier, BANNER)
-    library = library_of(files, tier.plain, f"{tier.stem}_calls.c", using, ("single",))
-    found = scene_calls.tier_interface(tier)
+    text = source_text.of_one(tier)
+    library = compilation.library(text.units(("single",)), text.files, using)
+    found = text.interface
     twin = importlib.import_module(f"{functions.name}.mixed.single")
     given = drawn(functions, 500)
     columns = [np.stack(each, 1) for each in given]

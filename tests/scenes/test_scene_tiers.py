@@ -21,13 +21,11 @@ from coscrew_codegen.accuracy import tiers
 from coscrew_codegen.accuracy.scene_tiers import NoFunctionsError, in_tier, tiers_of
 from coscrew_codegen.accuracy.tiers import OF_SCENES, Tier, tier_named
 from coscrew_codegen.backends.output_files import scene_files
-from coscrew_codegen.backends.python_extension import scene_calls
-from coscrew_codegen.backends.scene import scene_c_tier
 from coscrew_codegen.dynamics import derive
-from coscrew_codegen.program.scene_functions import SceneFunctions
 from coscrew_codegen.program.values.formats import PRECISIONS
-from coscrew_codegen.runtime import callables, compilation
-from coscrew_codegen.runtime.load import kernels_of, library_of
+from coscrew_codegen.runtime import callables, compilation, source_text
+from coscrew_codegen.runtime.load import kernels_of
+from coscrew_codegen.runtime.request import BOTH
 from coscrew_codegen.scene.readers.scene_error import SceneError
 from coscrew_codegen.scene.readers.toml.toml_scene import SceneOverrides, read_scene
 from coscrew_codegen.scene.tier_selection import TiersError, known, selected
@@ -39,7 +37,7 @@ from tests.support.compiled.c_harness import run as command
 from tests.support.compiled.flags import FMA, HASWELL, UNHEEDED
 from tests.support.each import each_precision
 from tests.support.scenes import scene_bits
-from tests.support.scenes.generated_scenes import BANNER, CASES
+from tests.support.scenes.generated_scenes import CASES
 from tests.support.scenes.scene_values import same_bits
 from tests.support.scenes.tiers import states
 
@@ -257,12 +255,11 @@ BUILDS = tuple((compiler, flags) for compiler in COMPILERS for flags in FLAGS[co
 
 
 @cache
-def texts(tier: Tier, *names: str) -> tuple[SceneFunctions, dict[str, str]]:
-    """The scene's functions, of these names or all, in a tier; its C."""
+def text_of(tier: Tier, *names: str) -> source_text.SourceText:
+    """The C of the scene's functions, of these names or all, in a tier."""
     of_all = scene_bits.functions()
-    made = in_tier(replace(of_all, functions=tuple(
-        f for f in of_all.functions if f.name in names or not names)), tier)
-    return made, scene_c_tier.files(made, BANNER) | scene_calls.tier_files(made, BANNER)
+    return source_text.of_one(in_tier(replace(of_all, functions=tuple(
+        f for f in of_all.functions if f.name in names or not names)), tier))
 
 
 @each_tier
@@ -273,12 +270,11 @@ def test_bits_are_the_same_in_c_and_numpy(package: Path, tier, compiler: str,
                                           monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     monkeypatch.syspath_prepend(package)
-    made, files = texts(tier, *(() if {*flags} & {*WHOLE} else SOME))
+    text = text_of(tier, *(() if {*flags} & {*WHOLE} else SOME))
     using = compilation.Compiler((compiler,), compiler, ("-fPIC", *flags))
     of_all = scene_bits.functions()
-    library = library_of(files, of_all, f"{made.stem}_calls.c", using,
-                         tuple(p.name for p in PRECISIONS))
-    found = scene_calls.tier_interface(made)
+    library = compilation.library(text.units(BOTH), text.files, using)
+    found = text.interface
     assert {x.name for x in found.signatures} >= {*SOME}
     for p in PRECISIONS:
         twins = importlib.import_module(f"{of_all.name}.{tier.mark}.{p.name}")

@@ -174,7 +174,8 @@ def run(options: argparse.Namespace) -> int:
 
 def _asked(options: argparse.Namespace) -> "tuple[Result, ...]":
     """Makes the runs with the settings of the options."""
-    from coscrew_codegen.runtime.load import BOTH, kernels_for
+    from coscrew_codegen.runtime.load import kernels_for
+    from coscrew_codegen.runtime.request import BOTH
     from coscrew_codegen.simulation import required_functions, run_summary
 
     scene = scene_of(options, options.precision)

@@ -4,16 +4,15 @@ from __future__ import annotations
 
 import ctypes
 import functools
-import pickle
 from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
-from coscrew_codegen.accuracy.tiers import tier_named
-from coscrew_codegen.runtime import cache, compilation, load
-from coscrew_codegen.runtime.console import doing
+from coscrew_codegen.runtime import compilation, scene_library
+from coscrew_codegen.runtime.caller_warnings import warn
+from coscrew_codegen.runtime.request import Request
 
 if TYPE_CHECKING:
     from _ctypes import CFuncPtr
@@ -39,7 +38,7 @@ def one_by_one() -> Iterator[None]:
 class CompiledLanes:
     """The functions of many states of a scene."""
 
-    kernels: load.Kernels
+    request: Request  # of the functions of one state
     _met: int = field(default=0, init=False)  # states so far
 
     def function(self, name: str, states: int) -> CFuncPtr | None:
@@ -53,37 +52,8 @@ class CompiledLanes:
     def _library(self) -> ctypes.CDLL | None:
         """None where it cannot be compiled."""
         try:
-            return ctypes.CDLL(_library(self.kernels, compilation.compiler()).opened._name)
+            made = scene_library.compiled(replace(self.request, lanes=True), compilation.compiler())
+            return ctypes.CDLL(made.library.opened._name)
         except compilation.CompilationError as error:
-            compilation.warn(self.kernels.interface.name, error, "computes many states one by one")
+            warn(f"{self.request.name} computes many states one by one: {error}")
             return None
-
-
-def _library(kernels: load.Kernels, compiler: compilation.Compiler) -> compilation.CompiledLibrary:
-    key = kernels.scene and load.key_of(kernels.scene, kernels.selected, kernels.precisions,
-                                        compiler, "lanes", kernels.interface.mark)
-    if key and (kept := load.kept_as(key)):
-        return kept[1]
-    library = _made(kernels, compiler)
-    if key:
-        cache.write(key, ".scene", pickle.dumps((kernels.interface, library.key)))
-    return library
-
-
-def _made(kernels: load.Kernels, compiler: compilation.Compiler) -> compilation.CompiledLibrary:
-    from coscrew_codegen.accuracy.scene_tiers import in_tier  # imports SymPy
-    from coscrew_codegen.backends.scene import scene_c, scene_c_many, scene_c_tier
-    from coscrew_codegen.backends.scene.scene_text import banner_of
-
-    functions, stem = (kernels.plain or kernels).functions, kernels.interface.name
-    banner = banner_of(stem)
-    with doing(f"writing {stem} for many states"):
-        if kernels.plain:
-            tier = in_tier(functions, tier_named(kernels.interface.mark))
-            functions, stem = tier.plain, tier.stem
-            files = scene_c.files(functions, banner) | scene_c_tier.files(tier, banner)
-            files |= scene_c_many.tier_files(tier, banner)
-        else:
-            files = scene_c.files(functions, banner) | scene_c_many.files(functions, banner)
-    return load.library_of(files, functions, f"{stem}_many.c", compiler, kernels.precisions,
-                           "-DKSL_LANES_ONLY", scene_c_many.LEVEL)

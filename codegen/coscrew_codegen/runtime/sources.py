@@ -9,7 +9,6 @@ import functools
 import json
 import os
 import sys
-import tempfile
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import astuple, dataclass
@@ -75,11 +74,7 @@ def digest_of(*makers: str, chosen: Mapping[str, Collection[str]] | None = None)
 def text(name: str, make: Callable[[], str]) -> str:
     """A text that depends only on the generator: from the cache, or made and cached."""
     key = cache.key_of(name, digest_of(make.__module__))
-    if path := cache.found(key, ".txt"):
-        return path.read_text("utf-8")
-    made = make()
-    cache.write(key, ".txt", made.encode())
-    return made
+    return cache.cached(key, ".txt", lambda: make().encode(), lambda path: path.read_text("utf-8"))
 
 
 @functools.cache
@@ -107,9 +102,10 @@ class Sources:
     def digest(self, makers: Iterable[str], chosen: Mapping[str, Collection[str]]) -> str:
         """The hash of all that results of these modules depend on."""
         names = self.reached(makers, chosen)
+        packages = {x[:place] for x in names for place, character in enumerate(x)
+                    if character == "."}
         documented = any(self.meanings[name].reads_docstrings for name in names)
-        held = (name for name in self.meanings
-                if name in names or any(x.startswith(f"{name}.") for x in names))
+        held = (name for name in self.meanings if name in names or name in packages)
         return _total((("installed", _installed()), *((name, (
             self.meanings[name].documented if documented else self.meanings[name].digest))
             for name in held)))
@@ -131,11 +127,12 @@ class Sources:
         meaning = self.meanings[name]
         yield from (known for x in meaning.imports if (known := self._known(x)))
         for text in meaning.texts:
-            if text in self.meanings:
-                yield text
-            yield from matching(self._templates, f"{text.removesuffix(_TEMPLATE)}{_TEMPLATE}")
-            if text.endswith(_COPIED):
-                yield from matching(self._templates, text)
+            template = f"{text.removesuffix(_TEMPLATE)}{_TEMPLATE}"
+            if syntax.ANY in template:
+                yield from matching(self._templates, template)
+                if text.endswith(_COPIED):
+                    yield from matching(self._templates, text)
+            yield from (x for x in {text, template} if x in self.meanings)
         if meaning.discovers:
             yield from (x for x in self.meanings if x.startswith(f"{name}.")
                         and (chosen is None or x in chosen))
@@ -204,9 +201,5 @@ def _keep(maker: str, meanings: Mapping[str, SourceMeaning]) -> None:
     text = json.dumps({"maker": maker, "meanings": {k: astuple(x) for k, x in meanings.items()}})
     for place in _places():
         with suppress(OSError):
-            place.parent.mkdir(parents=True, exist_ok=True)
-            descriptor, made = tempfile.mkstemp(dir=place.parent, prefix=".sources-")
-            with os.fdopen(descriptor, "w", encoding="utf-8") as file:
-                file.write(text)
-            os.replace(made, place)
+            cache.replaced(place, text.encode())
             return

@@ -2,7 +2,6 @@
 
 import functools
 import json
-import pickle
 import platform
 import warnings
 from collections.abc import Callable, Mapping
@@ -13,6 +12,7 @@ import numpy as np
 
 from coscrew_codegen.runtime import cache, sources
 from coscrew_codegen.runtime.load import Kernels, restored
+from coscrew_codegen.runtime.pickles import packed, unpacked
 from coscrew_codegen.simulation.check.uniform_rotations import quaternions
 from coscrew_codegen.simulation.sweep import SweepError
 from coscrew_codegen.simulation.sweep.files.lock import held
@@ -37,7 +37,7 @@ class Job:
     @classmethod
     def of(cls, kernels: Kernels, specification: Specification) -> "Job":
         """The job of a sweep, for workers with these sources."""
-        return cls(pickle.dumps(kernels), kernels.compiled, specification, sources.generator())
+        return cls(packed(kernels), kernels.compiled, specification, sources.generator())
 
 
 @dataclass(frozen=True)
@@ -107,7 +107,7 @@ def _loaded(job: Job) -> Kernels:
     its = job.specification
     with held(cache.folder() / _COMPILING, wait=True), warnings.catch_warnings(record=True) as said:
         warnings.simplefilter("always")
-        kernels: Kernels = pickle.loads(job.kernels)
+        kernels: Kernels = unpacked(job.kernels)
         if job.compiled and not kernels.compiled:
             restored.cache_clear()  # the next chunk tries again
             raise _Uncompiled(*(_reason(str(x.message)) for x in said[-1:]))
