@@ -17,7 +17,7 @@ _OF_SRDF = frozenset({"group", "group_state", "virtual_joint", "passive_joint", 
                       "joint_property", "link_sphere_approximation"})
 """Elements that stand directly in the root of an SRDF."""
 _AS_TABLES = "a URDF of the robot, or its bodies and joints in tables of a scene"
-_SUFFIXES = {".mjcf": "mujoco", ".sdf": "sdf", ".world": "sdf", ".dae": "collada", ".html": "html",
+_SUFFIXES = {".mjcf": "mujoco", ".dae": "collada", ".html": "html",
              ".launch": "launch"}
 _ROOT = re.compile(rb"<([A-Za-z_][\w:.-]*)")
 _BEGINNING = 2**16  # bytes that are searched for a root element
@@ -28,7 +28,8 @@ def of_root(tag: str) -> str:
     word = tag.lower()
     if word not in _FORMATS:
         return ""
-    wanted = {"html": "the raw file", "launch": "the URDF that it loads"}
+    wanted = {"html": "the raw file", "launch": "the URDF that it loads",
+              "sdf": "a name that ends in .sdf"}
     return f"is {_FORMATS[word]}; wanted {wanted.get(word, _AS_TABLES)}"
 
 

@@ -14,7 +14,7 @@ from pathlib import Path
 from coscrew_codegen.scene.mechanism.assembly import ModelError, assembled
 from coscrew_codegen.scene.mechanism.inertia_checks import ERROR, WARN, judged
 from coscrew_codegen.scene.mechanism.mimics import with_faults, without_chains
-from coscrew_codegen.scene.mechanism.model import Body, Joint, Kind, Model
+from coscrew_codegen.scene.mechanism.model import WORLD, Body, Joint, Kind, Model, Placement
 from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.mechanism.roundoff_cleanup import without_residues
 from coscrew_codegen.scene.readers.declared_effects import Effects, notices
@@ -26,7 +26,8 @@ class ModelSource:
     """The file of a model, and how a scene wants it read."""
 
     path: Path
-    base: Kind = Kind.FIXED  # of the joint between the world and a root that no joint moves
+    base: Kind | None = None  # of the joint between the world and a root that no joint moves; None:
+    # as the file says
     implausible: str = ERROR  # or WARN: accept inertias that no body has
 
     @property
@@ -46,6 +47,8 @@ class Parts:
     # where elements stand: "joint 'elbow'": "line 7"; "" for all that have no entry
     mimic_places: Mapping[str, str] = field(default_factory=dict)
     # where followers do, by joint: a wrong one is then refused only where it is used
+    base: Kind = Kind.FIXED  # of that joint, by the file
+    roots: Mapping[str, Placement] = field(default_factory=dict)  # where it stands, by body
     effects: Effects = field(default_factory=dict)  # what acts by the file, as springs of joints
     implausible: tuple[str, ...] = ()  # inertias that the reader has accepted, a line each
     notices: tuple[Notice, ...] = ()  # what was read and is not used
@@ -54,7 +57,9 @@ class Parts:
         """The tree of these parts.  Raises SceneError for anything but one tree of bodies that can
         exist."""
         try:
-            tree = assembled(self.name, self.bodies, self.joints, source.base)
+            held = any(x.parent == WORLD for x in self.joints)
+            base = source.base or (Kind.FIXED if held else self.base)
+            tree = assembled(self.name, self.bodies, self.joints, base, self.roots)
             clean = without_residues(without_chains(with_faults(tree, {
                 name: f"{source.path.name}, {at}" for name, at in self.mimic_places.items()})))
             told = (*notices(self.effects, clean), *self.notices)

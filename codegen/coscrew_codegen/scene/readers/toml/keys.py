@@ -164,7 +164,8 @@ ACCURACY = TableOf("accuracy", "How accurate functions are in the mixed tier.", 
 SCENE = TableOf("", "The file itself.", (
     Key("model", "a file next to the scene that holds the model, in one of the formats of models; "
         "without it the tables `bodies` and `joints` are the model"),
-    Key("base", "whether the root is fixed or moves freely", choices=tuple(BASES)),
+    Key("base", "whether the root, if no joint moves it, is fixed or moves freely",
+        choices=tuple(BASES), default="as the model's file says, else fixed"),
     Key("name", "name of the files and the package, and prefix of the C functions: a C identifier",
         default="the file's name"),
     Key("precision", 'of runs, and of the files of `coscrew generate`; "both" runs both and shows '

@@ -170,7 +170,7 @@ def _name(file: TomlTable) -> str:
 
 def _model(file: TomlTable, name: str, implausible: str) -> Model:
     """The model of the file that `model` names, or of this file's own tables."""
-    base = BASES[file.choice("base", tuple(BASES), "fixed")]
+    base = BASES[file.choice("base", tuple(BASES))] if "base" in file else None
     own = [key for key in ("bodies", "joints") if key in file]
     if "model" not in file:
         if not own:
