@@ -137,9 +137,6 @@ def test_other_kinds_are_named_with_what_to_do(tmp_path, contents, words):
 
 
 @pytest.mark.parametrize("name, contents, words", [
-    ("arm.urdf.xacro", b"", "is a file of xacro, of which `xacro arm.urdf.xacro > arm.urdf` makes "
-     "a URDF"),
-    ("arm.xacro", b"", "`xacro arm.xacro > arm.urdf`"),
     ("arm.mjcf", b"", "is MJCF, the format of MuJoCo, which coscrew does not read"),
     ("arm.xml", b"<!-- <robot> --><mujoco/>", "is MJCF, the format of MuJoCo"),
     ("arm.xml", b"<?xml version='1.0'?><robot/>", "rename it to arm.urdf"),

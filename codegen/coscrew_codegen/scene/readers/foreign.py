@@ -43,8 +43,6 @@ def srdf(tags: Set[str]) -> str:
 def of_suffix(path: Path) -> str:
     """Says what a file is whose suffix no reader has: "is SDF, …"."""
     suffix = path.suffix.lower()
-    if suffix == ".xacro":
-        return f"is a file of xacro, of which `{xacro(path)}` makes a URDF"
     if suffix == ".srdf":
         return _SRDF
     root = _SUFFIXES.get(suffix, "")

@@ -29,6 +29,8 @@ class ModelSource:
     base: Kind | None = None  # of the joint between the world and a root that no joint moves; None:
     # as the file says
     implausible: str = ERROR  # or WARN: accept inertias that no body has
+    packages: Mapping[str, Path] = field(default_factory=dict)  # folders of packages of ROS
+    arguments: Mapping[str, str] = field(default_factory=dict)  # of a file that is a program
 
     @property
     def lenient(self) -> bool:
@@ -84,6 +86,7 @@ class ModelReader:
     parts: Callable[[ModelSource], Parts]
     modules: tuple[str, ...] = ()  # that it imports, besides the generator's own
     extra: str = ""  # of the project, which installs them
+    takes_arguments: bool = False  # and packages: its files are programs
 
     def read(self, source: ModelSource) -> Model:
         """The model in a file.  Raises SceneError."""
@@ -94,4 +97,8 @@ class ModelReader:
         if missing := [x for x in self.modules if find_spec(x) is None]:
             raise SceneError(source.path, "", f"is {self.name}, which needs {', '.join(missing)}; "
                              f'run `pip install "coscrew[{self.extra}]"`')
+        if not self.takes_arguments and (source.packages or source.arguments):
+            what = "packages" if source.packages else "arguments"
+            raise SceneError(source.path, "", f"is {self.name}, which takes no {what}; "
+                             "wanted none, or a file of xacro")
         return self.parts(source)
