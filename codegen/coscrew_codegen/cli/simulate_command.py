@@ -70,6 +70,9 @@ def add_model(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--package", metavar="NAME=FOLDER", type=_pair, action="append", default=[],
                         dest="packages", help="the folder of a package that a file of xacro finds "
                         "by $(find NAME); may be repeated")
+    parser.add_argument("--leave-out", metavar="GROUP", action="append", default=[],
+                        help="elements of a file of MuJoCo to do without, as errors name them; may "
+                        "be repeated")
 
 
 def _pair(text: str) -> tuple[str, str]:
@@ -105,7 +108,8 @@ def scene_of(options: argparse.Namespace, precision: str | None,
     from coscrew_codegen.scene.readers.toml.toml_scene import SceneOverrides, read_scene
 
     overrides = SceneOverrides(precision, options.implausible, functions, tiers,
-                               tuple(options.arguments), tuple(options.packages))
+                               tuple(options.arguments), tuple(options.packages),
+                               tuple(options.leave_out))
     scene = read_scene(options.scene, overrides=overrides)
     if options.scene.suffix.lower() != SCENE_SUFFIX:
         print(f"coscrew: {options.scene.name} alone: {_acting(scene)}", file=sys.stderr)

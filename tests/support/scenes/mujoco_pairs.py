@@ -1,11 +1,14 @@
 """A robot in coscrew and in MuJoCo, joints by name: their mass matrices, biases and torques."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import mujoco
 import numpy as np
 
 from coscrew_codegen import load_scene
+from coscrew_codegen.scene.mechanism.mimics import followers
+from coscrew_codegen.scene.mechanism.model import Mimic
 from coscrew_codegen.scene.scene import Scene
 
 _OFF = (mujoco.mjtDisableBit.mjDSBL_CONSTRAINT, mujoco.mjtDisableBit.mjDSBL_CONTACT,
@@ -24,7 +27,8 @@ class Worst:
 
 
 def compared(scene: Scene, model: "mujoco.MjModel", states: int = 10) -> Worst:
-    """Inverse dynamics, their value without acceleration, and the mass matrix, at random states.
+    """Inverse dynamics, their value without acceleration, and the mass matrix, at random states, in
+    which followers follow.
 
     MuJoCo's are without contacts, limits, dry friction and actuators."""
     kernels = load_scene(scene, functions=["inverse_dynamics", "mass_matrix"])
@@ -32,8 +36,9 @@ def compared(scene: Scene, model: "mujoco.MjModel", states: int = 10) -> Worst:
     model.opt.disableflags |= sum(map(int, _OFF))
     rng, worst = np.random.default_rng(7), [0.0, 0.0, 0.0]
     for _ in range(states):
-        q, v, a = _state(model, rng)
+        q, v, a = _following(model, followers(scene), *_state(model, rng))
         Q, V, A, T = _converted(kernels.interface.coordinates, model, q, v, a)
+        T = _coupled(model, followers(scene), T)
         data.qpos[:], data.qvel[:], data.qacc[:] = q, v, a
         mujoco.mj_inverse(model, data)
         M = np.zeros((model.nv, model.nv))
@@ -58,6 +63,30 @@ def _state(model: "mujoco.MjModel", rng: np.random.Generator) -> tuple[Array, Ar
     return q, rng.normal(size=model.nv), rng.normal(size=model.nv)
 
 
+def _places(model: "mujoco.MjModel", joint: str) -> tuple[int, int]:
+    """The places of a joint's first coordinate and velocity."""
+    number = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_JOINT, joint)
+    assert number >= 0, f"MuJoCo has no joint {joint!r}"
+    return model.jnt_qposadr[number], model.jnt_dofadr[number]
+
+
+def _following(model: "mujoco.MjModel", mimics: Mapping[str, Mimic], q: Array, v: Array, a: Array
+               ) -> tuple[Array, Array, Array]:
+    """A state in which followers follow."""
+    for name, mimic in mimics.items():
+        (at, to), (its, its_v) = _places(model, name), _places(model, mimic.joint)
+        q[at] = float(mimic.multiplier) * q[its] + float(mimic.offset)
+        v[to], a[to] = float(mimic.multiplier) * v[its_v], float(mimic.multiplier) * a[its_v]
+    return q, v, a
+
+
+def _coupled(model: "mujoco.MjModel", mimics: Mapping[str, Mimic], T: Array) -> Array:
+    """T with the rows of followers."""
+    for name, mimic in mimics.items():
+        T[_places(model, name)[1]] = float(mimic.multiplier) * T[_places(model, mimic.joint)[1]]
+    return T
+
+
 def _converted(coordinates: object, model: "mujoco.MjModel", q: Array, v: Array, a: Array
                ) -> tuple[Array, Array, Array, Array]:
     """Our q, v, a, and T with v = T v_ours.  Free joints: linear velocity in the body's frame."""
@@ -65,9 +94,7 @@ def _converted(coordinates: object, model: "mujoco.MjModel", q: Array, v: Array,
     Q, V, A = np.zeros(sum(len(c.q) for c in parts)), *np.zeros((2, sum(len(c.v) for c in parts)))
     T = np.zeros((model.nv, len(V)))
     for c in parts:
-        joint = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_JOINT, c.joint)
-        assert joint >= 0, f"MuJoCo has no joint {c.joint!r}"
-        at, to = model.jnt_qposadr[joint], model.jnt_dofadr[joint]
+        at, to = _places(model, c.joint)
         x, w, dw = q[at:at + len(c.q)], v[to:to + len(c.v)], a[to:to + len(c.v)]
         block = np.eye(len(c.v))
         if c.kind == "spherical":

@@ -17,6 +17,7 @@ from coscrew_codegen.scene.mechanism.mimics import with_faults, without_chains
 from coscrew_codegen.scene.mechanism.model import WORLD, Body, Joint, Kind, Model, Placement
 from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.mechanism.roundoff_cleanup import without_residues
+from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.scene.readers.declared_effects import Effects, notices
 from coscrew_codegen.scene.readers.scene_error import SceneError
 
@@ -31,6 +32,7 @@ class ModelSource:
     implausible: str = ERROR  # or WARN: accept inertias that no body has
     packages: Mapping[str, Path] = field(default_factory=dict)  # folders of packages of ROS
     arguments: Mapping[str, str] = field(default_factory=dict)  # of a file that is a program
+    leave_out: tuple[str, ...] = ()  # what the scene does without, of what no scene can have
 
     @property
     def lenient(self) -> bool:
@@ -51,6 +53,7 @@ class Parts:
     # where followers do, by joint: a wrong one is then refused only where it is used
     base: Kind = Kind.FIXED  # of that joint, by the file
     roots: Mapping[str, Placement] = field(default_factory=dict)  # where it stands, by body
+    start: Mapping[str, tuple[float, ...]] = field(default_factory=dict)  # of the file alone: q
     effects: Effects = field(default_factory=dict)  # what acts by the file, as springs of joints
     implausible: tuple[str, ...] = ()  # inertias that the reader has accepted, a line each
     notices: tuple[Notice, ...] = ()  # what was read and is not used
@@ -87,6 +90,7 @@ class ModelReader:
     modules: tuple[str, ...] = ()  # that it imports, besides the generator's own
     extra: str = ""  # of the project, which installs them
     takes_arguments: bool = False  # and packages: its files are programs
+    leaves_out: tuple[str, ...] = ()  # what `leave_out` may name
 
     def read(self, source: ModelSource) -> Model:
         """The model in a file.  Raises SceneError."""
@@ -101,4 +105,9 @@ class ModelReader:
             what = "packages" if source.packages else "arguments"
             raise SceneError(source.path, "", f"is {self.name}, which takes no {what}; "
                              "wanted none, or a file of xacro")
+        for name in source.leave_out:
+            if name not in self.leaves_out:
+                wanted = did_you_mean(name, self.leaves_out) if self.leaves_out else \
+                    f"{self.name} has nothing to leave out"
+                raise SceneError(source.path, "leave_out", f"{name!r}; {wanted}")
         return self.parts(source)

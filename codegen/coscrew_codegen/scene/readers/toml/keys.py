@@ -168,6 +168,8 @@ SCENE = TableOf("", "The file itself.", (
     Key("packages", "of a model that is a file of xacro: folders by the package's name, for "
         "`$(find PACKAGE)`, seen from the scene", "words", default="searched beside the file and "
         "above it"),
+    Key("leave_out", "of a model that is a file of MuJoCo: groups of elements that the scene does "
+        "without; errors name them", "texts", default="[]"),
     Key("base", "whether the root, if no joint moves it, is fixed or moves freely",
         choices=tuple(BASES), default="as the model's file says, else fixed"),
     Key("name", "name of the files and the package, and prefix of the C functions: a C identifier",

@@ -15,14 +15,17 @@ _OF_PROGRAMS = ("packages", "arguments")
 
 
 def model_of(file: TomlTable, name: str, implausible: str, packages: Mapping[str, Path],
-             arguments: Mapping[str, str]) -> Model:
-    """The model; `packages` and `arguments` are those given besides the scene's own."""
+             arguments: Mapping[str, str], leave_out: tuple[str, ...]) -> Model:
+    """The model; `packages`, `arguments` and `leave_out` are those given besides the scene's own.
+    """
     base = BASES[file.choice("base", tuple(BASES))] if "base" in file else None
     own = [key for key in ("bodies", "joints") if key in file]
     if "model" not in file:
         for key, given in zip(_OF_PROGRAMS, (packages, arguments), strict=True):
             if key in file or given:
                 file.refuse(key, "is for a `model` that is a file of xacro; wanted none")
+        if "leave_out" in file or leave_out:
+            file.refuse("leave_out", "is for a `model` that is a file of MuJoCo; wanted none")
         if not own:
             file.missing("model", "a model's file, or tables [bodies.NAME] and [joints.NAME]")
         return read_model(file, name, base, implausible)
@@ -38,7 +41,8 @@ def model_of(file: TomlTable, name: str, implausible: str, packages: Mapping[str
                              "folder of the scene")
     folders = {x: file.file.parent / y for x, y in _words(file, "packages").items()}
     return reader.read(ModelSource(path, base, implausible, {**folders, **packages},
-                                   {**_words(file, "arguments"), **arguments}))
+                                   {**_words(file, "arguments"), **arguments},
+                                   (*file.texts("leave_out", ()), *leave_out)))
 
 
 def _words(file: TomlTable, key: str) -> dict[str, str]:

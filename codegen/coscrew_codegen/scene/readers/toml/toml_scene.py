@@ -31,7 +31,7 @@ from coscrew_codegen.scene.readers.toml.named_model import model_of
 from coscrew_codegen.scene.readers.toml.runtime import with_parameters
 from coscrew_codegen.scene.readers.toml.toml_effects import read_effects, with_reactions
 from coscrew_codegen.scene.readers.toml.toml_model import refuse_not_unit
-from coscrew_codegen.scene.readers.toml.toml_tables import TomlTable, described, read_toml
+from coscrew_codegen.scene.readers.toml.toml_tables import Decimals, TomlTable, described, read_toml
 from coscrew_codegen.scene.readers.unused import unused
 from coscrew_codegen.scene.recordable import quantities_of
 from coscrew_codegen.scene.recorded_quantities import QuantityError, expected
@@ -49,6 +49,7 @@ class SceneOverrides:
     tiers: tuple[str, ...] | None = None  # names
     arguments: tuple[tuple[str, str], ...] = ()  # name and value, beside the file's own
     packages: tuple[tuple[str, str], ...] = ()  # name and folder, likewise
+    leave_out: tuple[str, ...] = ()  # groups of elements, likewise
 
     def __post_init__(self) -> None:
         for key, choices in (("precision", CHOICES), ("implausible", (ERROR, WARN))):
@@ -74,10 +75,11 @@ def read_scene(path: Path | str, catalogue: tuple[Effect, ...] | None = None,
         return _scene(read_toml(path), effects, overrides)
     if reader := reader_of(path):
         source = ModelSource(path, None, overrides.implausible or ERROR, overrides.folders,
-                             dict(overrides.arguments))
+                             dict(overrides.arguments), overrides.leave_out)
         parts = reader.parts_of(source)
         model = parts.model(source)
-        tables = {"name": identifier(stem(path)),
+        start = {name: [Decimals(repr(x)) for x in q] for name, q in parts.start.items()}
+        tables = {"name": identifier(stem(path)), "start": {"q": start},
                   "effects": of_file_alone(model, parts.effects, effects)}
         return _scene(TomlTable(path, "", tables), effects, overrides, model)
     raise SceneError(path, "", unknown(path, scenes=True))
@@ -108,7 +110,8 @@ def _scene(file: TomlTable, catalogue: tuple[Effect, ...], overrides: SceneOverr
     implausible = _overridden(overrides.implausible, file, "implausible", (ERROR, WARN)) or ERROR
     precision = _overridden(overrides.precision, file, "precision", CHOICES)
     model = alone or with_attached(file, model_of(
-        file, name, implausible, overrides.folders, dict(overrides.arguments)), implausible)
+        file, name, implausible, overrides.folders, dict(overrides.arguments),
+        overrides.leave_out), implausible)
     use = Use()
     effects = read_effects(file.table("effects"), model, catalogue, use)
     _refuse_still(file.file, model)
