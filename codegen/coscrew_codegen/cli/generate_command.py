@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from coscrew_codegen.cli.name_lists import Names
-from coscrew_codegen.cli.simulate_command import add_implausible, add_verbose, scene_of, tell_unused
+from coscrew_codegen.cli.simulate_command import add_model, add_verbose, scene_of, tell_unused
 from coscrew_codegen.program.values.formats import CHOICES
 from coscrew_codegen.runtime import sources
 from coscrew_codegen.runtime.console import doing
@@ -53,7 +53,7 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
                              "c/coscrew_accurate.h, …; plain's, c/coscrew.h, is always written")
     parser.add_argument("--cuda", action="store_true",
                         help="for a scene, also its functions for CUDA")
-    add_implausible(parser)
+    add_model(parser)
     add_verbose(parser)
     parser.set_defaults(run=run)
 

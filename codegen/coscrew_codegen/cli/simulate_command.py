@@ -49,7 +49,7 @@ def add_scene(parser: argparse.ArgumentParser) -> None:
                         help=in_words())
     parser.add_argument("--precision", choices=CHOICES,
                         help="precision of the dynamics")
-    add_implausible(parser)
+    add_model(parser)
     add_verbose(parser)
     parser.add_argument("--set", metavar="NAME=VALUE", type=_setting, action="append", default=[],
                         dest="settings", help="a value of a `runtime` parameter; may be repeated")
@@ -60,6 +60,26 @@ def add_implausible(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--implausible", choices=("error", "warn"),
                         help="for inertias that are impossible, massless or incomplete: refuse "
                              "the scene (error) or report them (warn)")
+
+
+def add_model(parser: argparse.ArgumentParser) -> None:
+    """Add the options on how a model's file is read."""
+    add_implausible(parser)
+    parser.add_argument("--argument", metavar="NAME=VALUE", type=_pair, action="append", default=[],
+                        dest="arguments", help="an argument of a file of xacro; may be repeated")
+    parser.add_argument("--package", metavar="NAME=FOLDER", type=_pair, action="append", default=[],
+                        dest="packages", help="the folder of a package that a file of xacro finds "
+                        "by $(find NAME); may be repeated")
+    parser.add_argument("--leave-out", metavar="GROUP", action="append", default=[],
+                        help="elements of a file of MuJoCo to do without, as errors name them; may "
+                        "be repeated")
+
+
+def _pair(text: str) -> tuple[str, str]:
+    name, equals, word = text.partition("=")
+    if not (name and equals):
+        raise argparse.ArgumentTypeError(f"wanted NAME=…; got {text!r}")
+    return name, word
 
 
 def add_verbose(parser: argparse.ArgumentParser) -> None:
@@ -87,7 +107,9 @@ def scene_of(options: argparse.Namespace, precision: str | None,
     from coscrew_codegen.scene.readers.model_formats import SCENE_SUFFIX
     from coscrew_codegen.scene.readers.toml.toml_scene import SceneOverrides, read_scene
 
-    overrides = SceneOverrides(precision, options.implausible, functions, tiers)
+    overrides = SceneOverrides(precision, options.implausible, functions, tiers,
+                               tuple(options.arguments), tuple(options.packages),
+                               tuple(options.leave_out))
     scene = read_scene(options.scene, overrides=overrides)
     if options.scene.suffix.lower() != SCENE_SUFFIX:
         print(f"coscrew: {options.scene.name} alone: {_acting(scene)}", file=sys.stderr)

@@ -73,7 +73,8 @@ def _key(key: Key) -> Schema:
     moments: Schema = {"type": "array", "anyOf": [_array(3, _NUMBER), _array(6, _NUMBER),
                                                   _array(3, _array(3, _NUMBER))]}
     kinds: dict[str, Schema] = {
-        "text": {"type": "string"}, "texts": _TEXTS, "number": _NUMBER,
+        "text": {"type": "string"}, "words": _by_name({"type": "string"}), "texts": _TEXTS,
+        "number": _NUMBER,
         "positive": _POSITIVE, "nonnegative": _NONNEGATIVE, "vector": _VECTOR,
         "quaternion": _array(4, _NUMBER), "moments": moments,
         "coordinates": _by_name({"anyOf": [_NUMBER, {"type": "array", "items": _NUMBER}]})}
