@@ -170,7 +170,7 @@ def _asked(options: argparse.Namespace) -> "tuple[Result, ...]":
     return run_summary.simulated(kernels, run_summary.RunOverrides(
         options.until, options.step, options.integrator, options.precision,
         tuple(options.settings), options.start),
-        told=bool(options.output or options.plot or options.view))
+        with_provenance=bool(options.output or options.plot or options.view))
 
 
 def _again(options: argparse.Namespace) -> "tuple[Result, ...]":
@@ -185,14 +185,14 @@ def _again(options: argparse.Namespace) -> "tuple[Result, ...]":
     if given:
         name = "set" if given[0] == "settings" else given[0]
         raise SimulateError(f"--again: the recording has all settings; wanted no --{name}")
-    told = asked_of(options.again)
-    scene = scene_of(options, told.precision)
-    told.refuse(scene, None)
-    recording = replace(scene, record=told.record)
+    past = asked_of(options.again)
+    scene = scene_of(options, past.precision)
+    past.refuse(scene, None)
+    recording = replace(scene, record=past.record)
     kernels = kernels_for(scene,
-                          required_functions.of_run(recording, told.integrator, bool(options.view)),
-                          (told.precision,))
-    return (motion(kernels, told.precision, told.asked(), shown=True),)
+                          required_functions.of_run(recording, past.integrator, bool(options.view)),
+                          (past.precision,))
+    return (motion(kernels, past.precision, past.asked(), shown=True),)
 
 
 def _outputs(path: Path) -> tuple[Path, Path]:

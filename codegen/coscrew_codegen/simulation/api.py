@@ -51,12 +51,12 @@ def run(scene: Kernels | Scene | Path | str, *, p: Parameters = None,
     settings, and the errors of reading a scene."""
     kernels, own = _read(scene, precision)
     name = _precision(precision, own)
-    asked = RunRequest(until, step, integrator, every,
-                       None if record is None else quantities(record, own), q0=q0, v0=v0,
-                       p=values_of(own, BY_NAME[name], p), start=_end(start, q0, v0),
-                       controller=_controller(controller))
-    result = motion(kernels or _kernels(own, integrator, name, asked.record,
-                                        asked.controller is not None), name, asked)
+    request = RunRequest(until, step, integrator, every,
+                         None if record is None else quantities(record, own), q0=q0, v0=v0,
+                         p=values_of(own, BY_NAME[name], p), start=_end(start, q0, v0),
+                         controller=_controller(controller))
+    result = motion(kernels or _kernels(own, integrator, name, request.record,
+                                        request.controller is not None), name, request)
     if start is None and (note := outside(result.system, result.q[..., 0, :])):
         warnings.warn(note, RuntimeWarning, stacklevel=2)
     return _told(result)
@@ -69,12 +69,12 @@ def again(scene: Kernels | Scene | Path | str, recording: Result | Path | str, *
 
     All settings are the recording's, except for the controller, which must be given again, and rtol
     and atol, which are the scene's.  Raises SimulateError for another scene or controller."""
-    told = asked_of(recording)
-    kernels, own = _read(scene, told.precision)
+    past = asked_of(recording)
+    kernels, own = _read(scene, past.precision)
     by = _controller(controller)
-    told.refuse(own, by)
-    return _told(motion(kernels or _kernels(own, told.integrator, told.precision, told.record,
-                                            by is not None), told.precision, told.asked(by)))
+    past.refuse(own, by)
+    return _told(motion(kernels or _kernels(own, past.integrator, past.precision, past.record,
+                                            by is not None), past.precision, past.asked(by)))
 
 
 def _told(result: Result) -> Result:

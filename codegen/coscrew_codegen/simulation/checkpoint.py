@@ -80,18 +80,18 @@ def of_run(system: System) -> tuple[str, str]:
 
 def end_in(path: Path) -> Instant:
     """Reads the end of the run from a recording.  Raises SimulateError."""
-    told = provenance_of(path, "start")
-    if END not in told:
-        why = f": {told['stopped']}" if "stopped" in told else ""
+    entries = provenance_of(path, "start")
+    if END not in entries:
+        why = f": {entries['stopped']}" if "stopped" in entries else ""
         raise SimulateError(f"start: {path} does not contain the end of a run{why}; wanted a "
                             "recording of an emitted integrator that did not stop early")
-    return instant(told, END, f"start: {path}: its end")
+    return instant(entries, END, f"start: {path}: its end")
 
 
-def instant(told: Mapping[str, str], which: str, said: str) -> Instant:
+def instant(entries: Mapping[str, str], which: str, prefix: str) -> Instant:
     """Reads the first or the last checkpoint from provenance.  Raises SimulateError."""
     try:
-        given = json.loads(told[which])
+        given = json.loads(entries[which])
         q, v, p = (_numbers(given[name], 1) for name in ("q", "v", "p"))
         momentum = _numbers(given["momentum"], 2) if "momentum" in given else None
         t, steps = float(given["t"]), given["steps"]
@@ -99,10 +99,10 @@ def instant(told: Mapping[str, str], which: str, said: str) -> Instant:
         if not (type(steps) is int and steps >= 0 and math.isfinite(t) and begun):
             raise ValueError
     except (ValueError, TypeError, KeyError, AttributeError, OverflowError, RecursionError):
-        raise SimulateError(f"{said} is not as coscrew writes it") from None
-    return Instant(t, steps, q, v, p, momentum, (told.get("precision", ""),
-                                                 told.get("scene sha256", "")),
-                   controller=told.get("controller", ""))
+        raise SimulateError(f"{prefix} is not as coscrew writes it") from None
+    return Instant(t, steps, q, v, p, momentum, (entries.get("precision", ""),
+                                                 entries.get("scene sha256", "")),
+                   controller=entries.get("controller", ""))
 
 
 def refuse(start: Instant, system: System) -> None:
@@ -139,7 +139,7 @@ def refuse_plan(start: Instant, system: System, plan: Plan) -> None:
 
 
 def _numbers(values: object, axes: int) -> np.ndarray:
-    found = np.array(values, float)
-    if found.ndim != axes or not np.isfinite(found).all():
+    result = np.array(values, float)
+    if result.ndim != axes or not np.isfinite(result).all():
         raise ValueError
-    return found
+    return result

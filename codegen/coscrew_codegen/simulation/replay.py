@@ -64,11 +64,11 @@ def asked_of(recording: Result | Path | str) -> Told:
         raise TypeError("again: wanted the path of a recording, or a Result; got "
                         f"{type(recording).__name__}")
     path = Path(recording)
-    told = provenance_of(path, "again")
-    if START not in told or ASKED not in told:
+    lines = provenance_of(path, "again")
+    if START not in lines or ASKED not in lines:
         raise SimulateError(f"again: {path} does not contain the start and the settings of a run; "
                             "wanted a recording of coscrew 0.2.0 or later")
-    return _of(told, instant(told, START, f"again: {path}: its start"), f"again: {path}")
+    return _of(lines, instant(lines, START, f"again: {path}: its start"), f"again: {path}")
 
 
 def _short(controller: str) -> str:
@@ -77,19 +77,20 @@ def _short(controller: str) -> str:
     return re.sub(r"(sha256 .{8}).+", r"\1…", controller)
 
 
-def _of(told: dict[str, str], start: Instant, said: str) -> Told:
+def _of(lines: dict[str, str], start: Instant, prefix: str) -> Told:
     names = ("until", "step", "every", "integrator", "record")
     try:
-        given, precision = json.loads(told[ASKED]), told["precision"]
-        asked = {name: given[name] for name in names}
+        given, precision = json.loads(lines[ASKED]), lines["precision"]
+        settings = {name: given[name] for name in names}
         if precision not in BY_NAME:
             raise ValueError
     except (ValueError, TypeError, KeyError, RecursionError):
-        raise SimulateError(f"{said}: its settings are not as coscrew writes them") from None
+        raise SimulateError(f"{prefix}: its settings are not as coscrew writes them") from None
     try:
-        until, step, every = (seconds(name, asked[name]) for name in names[:3])
-        integrator, record = known(asked["integrator"]), quantities(asked["record"])
+        until, step, every = (seconds(name, settings[name]) for name in names[:3])
+        integrator, record = known(settings["integrator"]), quantities(settings["record"])
     except SimulateError as error:
-        raise SimulateError(f"{said}: {error}") from None
+        raise SimulateError(f"{prefix}: {error}") from None
     return Told(precision, until, step, integrator, every, record, start,
-                told.get("scene sha256", ""), told.get("controller", ""), told.get("coscrew", ""))
+                lines.get("scene sha256", ""), lines.get("controller", ""),
+                lines.get("coscrew", ""))

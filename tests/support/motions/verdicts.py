@@ -123,7 +123,7 @@ class Runs:
         """The verdicts of `simulate` and `check`, without the rounding of functions."""
         kernels = self._kernels(how)
         given = RunOverrides(None, None, None, how.precision, self._settings())
-        stopped = simulated(kernels, given, told=False)[0].trajectory.stopped
+        stopped = simulated(kernels, given, with_provenance=False)[0].trajectory.stopped
         findings = check(kernels, given)
         return Said(stopped, findings.passed, findings.strictly_passed,
                     check_report.table(findings, strict=True))

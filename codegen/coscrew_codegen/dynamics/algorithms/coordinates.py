@@ -10,18 +10,18 @@ from coscrew_codegen.scene.mechanism.tree import Tree
 
 def neutral(tree: Tree) -> tuple[float, ...]:
     """q with every joint at zero, quaternions at (0, 0, 0, 1)."""
-    found: list[float] = []
+    results: list[float] = []
     for link in tree.links:
         if link.driver is None:
             turned = {Kind.FREE: 6, Kind.SPHERICAL: 3}.get(link.joint.kind)
-            found += [float(i == turned) for i in range(link.joint.kind.nq)]
-    return tuple(found)
+            results += [float(i == turned) for i in range(link.joint.kind.nq)]
+    return tuple(results)
 
 
 def integrated(recorder: Recorder, tree: Tree, names: Sequence[str], q: Sequence[Number],
                phi: Sequence[Number]) -> list[Number]:
     """q ⊕ phi: q + phi; quaternions times exp(phi/2), free joints moved by the screw motion phi."""
-    found: list[Number] = []
+    results: list[Number] = []
     for name, link in zip(names, tree.links, strict=True):
         if link.driver:
             continue
@@ -30,13 +30,13 @@ def integrated(recorder: Recorder, tree: Tree, names: Sequence[str], q: Sequence
             if link.joint.kind is Kind.FREE:
                 exponential = recorder.call("SE3_exp", step)
                 R = recorder.call("mat3x3_from_quaternion", own[3:])
-                found += add(own[:3], rotated(R, exponential[3::4]))
+                results += add(own[:3], rotated(R, exponential[3::4]))
                 own, step = own[3:], step[3:]
             if len(own) == 4:
-                found += _turned(recorder, own, step)
+                results += _turned(recorder, own, step)
             else:
-                found += add(own, step)
-    return found
+                results += add(own, step)
+    return results
 
 
 def _turned(recorder: Recorder, q: Sequence[Number], step: Sequence[Number]) -> tuple[Number, ...]:
@@ -50,7 +50,7 @@ def _turned(recorder: Recorder, q: Sequence[Number], step: Sequence[Number]) -> 
 def chart_rate(recorder: Recorder, tree: Tree, names: Sequence[str]) -> list[Number]:
     """v + [phi, v]/2 + [phi, [phi, v]]/12: the inverse of the right Jacobian to third order."""
     v, phi = recorder.argument("v"), recorder.argument("phi")
-    found: list[Number] = []
+    results: list[Number] = []
     for name, link in zip(names, tree.links, strict=True):
         if link.driver:
             continue
@@ -65,5 +65,5 @@ def chart_rate(recorder: Recorder, tree: Tree, names: Sequence[str]) -> list[Num
                 second = recorder.call("cross_ss", at, first)
                 own = add(own, add(scaled(own[0].like(1) / 2, first),
                                    scaled(own[0].like(1) / 12, second)))
-            found += own
-    return found
+            results += own
+    return results

@@ -59,13 +59,13 @@ def kick(x: FunctionRecording) -> list[Number]:
 
 def _delays(x: FunctionRecording, h: Number, rates: Sequence[Number]) -> dict[int, Number]:
     """(θ - ½) h of each joint: effects act as at the time θ h, as do damping and stiffness."""
-    found = {}
+    results = {}
     for number, link in enumerate(x.tree.links):
         own = x.tree.links[link.driver.link] if link.driver else link
         if not (rate := rates[own.v.start]).is_zero:
             with x.recorder.part(x.names[number], "own", link.heading):
-                found[number] = h * _beyond(h, rate)
-    return found
+                results[number] = h * _beyond(h, rate)
+    return results
 
 
 def closing(x: FunctionRecording) -> Number:

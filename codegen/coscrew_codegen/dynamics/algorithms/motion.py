@@ -42,10 +42,10 @@ def _of_link(symbol: str, origin: str = "") -> Callable[["_OfLink"], "_OfLink"]:
             known = self._known.setdefault(symbol, {})
             if link not in known:
                 with self.part(link, symbol):
-                    found, label = compute(self, link), self.recorder.label
+                    result, label = compute(self, link), self.recorder.label
                     known[link] = displacement(
-                        label(symbol, rotation(found)), label(origin, translation(found))
-                    ) if origin else label(symbol, found)
+                        label(symbol, rotation(result)), label(origin, translation(result))
+                    ) if origin else label(symbol, result)
             return known[link]
         return cached
     return decorated
@@ -142,10 +142,10 @@ class Motion:
         return call("product_ddr", displacement(R, t), own)
 
     def _sine_and_cosine(self, angle: Number) -> tuple[Number, ...]:
-        found = self.recorder.call("dc", angle)
-        for symbol, value in zip("sc", found, strict=True):
+        result = self.recorder.call("dc", angle)
+        for symbol, value in zip("sc", result, strict=True):
             self.recorder.label(symbol, value)
-        return found
+        return result
 
     @_of_link("Rw", "tw")
     def pose(self, link: int) -> Displacement:

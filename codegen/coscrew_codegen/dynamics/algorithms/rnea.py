@@ -61,9 +61,9 @@ def transmitted(motion: Motion, wrenches: Sequence[Wrench],
 def to_parent(motion: Motion, number: int, wrench: Wrench) -> Wrench:
     """[Ad]*(D) c: a wrench in the parent's frame."""
     with motion.part(number, "fp"):
-        found = motion.recorder.call("product_CoAdc", motion.frame(number), wrench)
-        label(motion, "fp", "mp", found)
-    return found
+        result = motion.recorder.call("product_CoAdc", motion.frame(number), wrench)
+        label(motion, "fp", "mp", result)
+    return result
 
 
 def along(motion: Motion, number: int, wrench: Wrench) -> tuple[Number, ...]:

@@ -214,8 +214,8 @@ class Acting:
                 torque = x.torque
                 total = total + _own_power(torque, partial(mul, required(torque.torque), speed))
         for link in sorted(self.forces):
-            for found in self.forces[link]:
-                total = total + _own_power(found.force, found.power)
+            for force in self.forces[link]:
+                total = total + _own_power(force.force, force.power)
         return total
 
     def _sum(self, values: Iterable[Number]) -> Number:

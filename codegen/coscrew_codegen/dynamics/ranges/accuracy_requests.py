@@ -47,15 +47,15 @@ def _ranges(name: str, program: Program, scene: Scene, tree: Tree) -> Ranges:
         "p": tuple((float(x.value), float(x.value)) for x in scene.parameters)}
     if name in ranges:
         return ranges[name]
-    found: list[tuple[float, float]] = []
+    results: list[tuple[float, float]] = []
     for c in tree.coordinates:
         joint = joints[c.joint]
         if name == "q":
-            found += [positions(joint)] * len(c.q)
+            results += [positions(joint)] * len(c.q)
             continue
         half = _half(name, joint, scene, program)
-        found += [(-half, half)] * len(c.v)
-    return tuple(found)
+        results += [(-half, half)] * len(c.v)
+    return tuple(results)
 
 
 def positions(joint: Joint) -> tuple[float, float]:

@@ -47,8 +47,8 @@ def _told(words: str, schema: Schema) -> Schema:
 
 
 def _closed(properties: Schema, required: list[str]) -> Schema:
-    found: Schema = {"type": "object", "properties": properties, "additionalProperties": False}
-    return found | ({"required": required} if required else {})
+    result: Schema = {"type": "object", "properties": properties, "additionalProperties": False}
+    return result | ({"required": required} if required else {})
 
 
 def _by_name(schema: Schema) -> Schema:

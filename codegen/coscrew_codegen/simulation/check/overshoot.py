@@ -65,19 +65,19 @@ def too_fast(controller: Controller, driven: Driven, system: System, plan: Plan,
             shares = tuple(_shares(driven, system, run, plan.step * controller.steps))
         except _UntoldError:
             return ""
-    found = max(shares, key=lambda x: x.of_period, default=None)
-    return _words(plan.step, controller.steps, found) if found and found.of_period > 1 else ""
+    share = max(shares, key=lambda x: x.of_period, default=None)
+    return _words(plan.step, controller.steps, share) if share and share.of_period > 1 else ""
 
 
-def _words(step: float, every: int, found: _Share) -> str:
-    longest = step * every / found.of_period
+def _words(step: float, every: int, share: _Share) -> str:
+    longest = step * every / share.of_period
     steps = floor(longest / step)
     helps = f"steps={steps}" if steps else f"step={_rounded_down(longest):g}"
     if not steps and every > 1:
         helps = f"steps=1 and {helps}"
-    unit = _UNITS[found.what, found.joint.kind is Kind.REVOLUTE]
-    name = found.joint.name
-    return (f"controller: at joint {name} it answers {found.what} with {found.slope:.3g} {unit}, "
+    unit = _UNITS[share.what, share.joint.kind is Kind.REVOLUTE]
+    name = share.joint.name
+    return (f"controller: at joint {name} it answers {share.what} with {share.slope:.3g} {unit}, "
             f"and is called every {step * every:.3g} s: its torque, held between calls, overshoots "
             f"if that is longer than {longest:.2g} s; wanted {helps}, or "
             f'[effects.actuator.{name}] kind = "pd", which steps take implicitly')
@@ -132,9 +132,9 @@ def _response(system: System, torque: _Torque, t: float, q: np.ndarray, v: np.nd
     free = pushed(np.zeros(q.shape[:-1]))
     by = size = 1 + np.abs(free)
     for _ in range(2):  # the second adds about as much as there is, so that little is rounded away
-        found: np.ndarray = (pushed(by) - free) / by
-        by = size / found
-    return found
+        result: np.ndarray = (pushed(by) - free) / by
+        by = size / result
+    return result
 
 
 def _slopes(driven: Driven, torque: _Torque, t: float, q: np.ndarray, v: np.ndarray
@@ -158,6 +158,6 @@ def _slopes(driven: Driven, torque: _Torque, t: float, q: np.ndarray, v: np.ndar
 
 def _beside(x: np.ndarray, place: int) -> tuple[np.ndarray, np.ndarray]:
     """The states with a slightly larger number in this place, and the difference."""
-    found, difference = x.copy(), _DIFFERENCE[x.dtype.name]
-    found[..., place] += x.dtype.type(difference) * np.maximum(1, np.abs(x[..., place]))
-    return found, (found - x)[..., place].astype(float)
+    result, difference = x.copy(), _DIFFERENCE[x.dtype.name]
+    result[..., place] += x.dtype.type(difference) * np.maximum(1, np.abs(x[..., place]))
+    return result, (result - x)[..., place].astype(float)

@@ -22,15 +22,15 @@ def provenance(system: System, plan: Plan, trajectory: Trajectory, compiled: str
     """Pairs (name, value) for recorded files; `compiled` is the compiler and its flags."""
     parameters = ", ".join(f"{name} = {_number(values)}" for (name, _), values in zip(
         system.functions.parameters, np.moveaxis(np.array(system.p), -1, 0), strict=True))
-    asked = {"until": plan.until, "step": plan.step, "integrator": plan.integrator,
-             "every": plan.every, "record": list(record)}
-    told = (("scene", system.scene.name), ("scene sha256", of_run(system)[1]),
-            ("precision", system.precision.name), ("tier", PLAIN.name),
-            ("integrator", f"{plan.integrator}, {_how(plan)}"), ("compiler", compiled),
-            ("parameters", parameters), (ASKED, json.dumps(asked)), (START, start.told),
-            ("controller", controller), ("coscrew", version.described()),
-            ("stopped", trajectory.stopped), (END, _end(system, plan, trajectory, start)))
-    return tuple((what, value) for what, value in told if value)
+    settings = {"until": plan.until, "step": plan.step, "integrator": plan.integrator,
+                "every": plan.every, "record": list(record)}
+    entries = (("scene", system.scene.name), ("scene sha256", of_run(system)[1]),
+               ("precision", system.precision.name), ("tier", PLAIN.name),
+               ("integrator", f"{plan.integrator}, {_how(plan)}"), ("compiler", compiled),
+               ("parameters", parameters), (ASKED, json.dumps(settings)), (START, start.told),
+               ("controller", controller), ("coscrew", version.described()),
+               ("stopped", trajectory.stopped), (END, _end(system, plan, trajectory, start)))
+    return tuple((what, value) for what, value in entries if value)
 
 
 def _end(system: System, plan: Plan, trajectory: Trajectory, start: Instant) -> str:

@@ -50,16 +50,16 @@ class Prepared:
     plan: Plan
 
 
-def prepared(read: Scene, asked: SweepRequest) -> Prepared:
+def prepared(read: Scene, request: SweepRequest) -> Prepared:
     """The sweep.  Raises SweepError, SimulateError."""
-    overrides = asked.overrides
+    overrides = request.overrides
     if overrides.precision == "both":
         raise SweepError(f"--precision both: a sweep runs in one; wanted {' or '.join(BY_NAME)}")
     own = read.precision if read.precision in BY_NAME else DOUBLE.name
     precision = overrides.precision or own
     settings = dict(overrides.settings)
-    scene = _recording(read, tuple(asked.record))
-    vary = varied(scene, settings, asked.grids, asked.sobols, asked.samples, asked.seed)
+    scene = _recording(read, tuple(request.record))
+    vary = varied(scene, settings, request.grids, request.sobols, request.samples, request.seed)
     refuse(scene, settings, vary, BY_NAME[precision])
     kernels = kernels_for(scene, required_functions.of_run(scene, overrides.integrator),
                           (precision,))
@@ -70,7 +70,7 @@ def prepared(read: Scene, asked: SweepRequest) -> Prepared:
                          "wants an emitted one, such as --integrator leapfrog")
     conditions = Conditions(tuple(sorted(settings.items())), planned.until, planned.step,
                             planned.integrator, planned.every, precision, scene.record,
-                            asked.series)
+                            request.series)
     chunk = _chunk(vary.members, scene, planned)
     specification = Specification(scene.name, content_hash(read), VERSION, vary, conditions, chunk)
     return Prepared(kernels, scene, specification, planned)
