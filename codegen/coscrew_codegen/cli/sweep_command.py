@@ -200,13 +200,13 @@ def _report(prepared: "Prepared", folder: "Folder", words: str) -> int:
     from coscrew_codegen.simulation.sweep.files.quarantine import make_way
     from coscrew_codegen.simulation.sweep.member_summary import units
     from coscrew_codegen.simulation.sweep.statistics import sweep_page
-    from coscrew_codegen.simulation.sweep.statistics.aggregate import tally
+    from coscrew_codegen.simulation.sweep.statistics.aggregate import aggregate
 
     its = prepared.specification
     about = provenance(prepared.kernels, its)
     zarr_store.write(folder, about, prepared.plan)
-    totals = tally(its, units(prepared.scene, its.conditions.record),
-                   map(folder.of, range(its.chunks)))
+    totals = aggregate(its, units(prepared.scene, its.conditions.record),
+                       map(folder.of, range(its.chunks)))
     make_way(folder.path, folder.path / PAGE)
     whole(folder.path / PAGE, sweep_page.html(its, about, totals, words).encode())
     print(sweep_page.text(totals))

@@ -16,12 +16,12 @@ from coscrew_codegen.runtime.load import Kernels, kernels_for
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulation import SimulateError, required_functions
 from coscrew_codegen.simulation.batch_inputs import Parameters, values_of
-from coscrew_codegen.simulation.checkpoint import Instant, end_in
+from coscrew_codegen.simulation.checkpoint import Checkpoint, end_in
 from coscrew_codegen.simulation.control import Controller, Law
 from coscrew_codegen.simulation.execution import RunRequest, motion
 from coscrew_codegen.simulation.recordings.record import quantities
 from coscrew_codegen.simulation.recordings.result import Result
-from coscrew_codegen.simulation.replay import asked_of
+from coscrew_codegen.simulation.replay import metadata_of
 from coscrew_codegen.simulation.run_summary import outside
 from coscrew_codegen.simulation.system import scene_of
 
@@ -59,7 +59,7 @@ def run(scene: Kernels | Scene | Path | str, *, p: Parameters = None,
                                         request.controller is not None), name, request)
     if start is None and (note := outside(result.system, result.q[..., 0, :])):
         warnings.warn(note, RuntimeWarning, stacklevel=2)
-    return _told(result)
+    return _warned(result)
 
 
 def again(scene: Kernels | Scene | Path | str, recording: Result | Path | str, *,
@@ -69,15 +69,15 @@ def again(scene: Kernels | Scene | Path | str, recording: Result | Path | str, *
 
     All settings are the recording's, except for the controller, which must be given again, and rtol
     and atol, which are the scene's.  Raises SimulateError for another scene or controller."""
-    past = asked_of(recording)
+    past = metadata_of(recording)
     kernels, own = _read(scene, past.precision)
     by = _controller(controller)
     past.refuse(own, by)
-    return _told(motion(kernels or _kernels(own, past.integrator, past.precision, past.record,
-                                            by is not None), past.precision, past.asked(by)))
+    return _warned(motion(kernels or _kernels(own, past.integrator, past.precision, past.record,
+                                              by is not None), past.precision, past.request(by)))
 
 
-def _told(result: Result) -> Result:
+def _warned(result: Result) -> Result:
     """The result; warns if it is a run that stopped, raises KeyboardInterrupt again."""
     if result.trajectory.interrupted:
         raise KeyboardInterrupt
@@ -87,7 +87,7 @@ def _told(result: Result) -> Result:
 
 
 def _end(start: Result | Path | str | None, q0: ArrayLike | None, v0: ArrayLike | None
-         ) -> Instant | None:
+         ) -> Checkpoint | None:
     """The end of the run that this one continues.  Raises SimulateError, TypeError."""
     if start is None:
         return None

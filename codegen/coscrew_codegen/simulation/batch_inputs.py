@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from coscrew_codegen.program.values.formats import Precision
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulation import SimulateError
-from coscrew_codegen.simulation.checkpoint import Instant
+from coscrew_codegen.simulation.checkpoint import Checkpoint
 from coscrew_codegen.simulation.parameter_checks import dependent, refuse_each, refuse_together
 from coscrew_codegen.simulation.system import State, System
 
@@ -51,14 +51,14 @@ def with_parameters(system: System, by_name: Values) -> System:
 
 
 def start_of(system: System, q0: ArrayLike | None, v0: ArrayLike | None,
-             start: Instant | None = None) -> State:
+             start: Checkpoint | None = None) -> State:
     """q and v at the start, of all members if there is a batch; by default those of `start`, or the
     scene's."""
     (q, v), its = (start.q.astype(system.dtype), start.v.astype(system.dtype)) if start \
         else system.start(), system.functions
     with np.errstate(over="ignore"):  # `integrate` refuses infinities
         if q0 is not None:
-            q = of_norm_1(system, _numbers("q0", q0, (its.nq,))).astype(system.dtype)
+            q = normalize_quaternions(system, _numbers("q0", q0, (its.nq,))).astype(system.dtype)
         if v0 is not None:
             v = _numbers("v0", v0, (its.nv,)).astype(system.dtype)
     leads = {name: x.shape[:-1] for name, x in (("p", np.array(system.p)), ("q0", q), ("v0", v))}
@@ -76,7 +76,7 @@ def _as_many(leads: Mapping[str, tuple[int, ...]]) -> tuple[int, ...]:
     return tuple(counts.values())[:1]
 
 
-def of_norm_1(system: System, q: np.ndarray) -> np.ndarray:
+def normalize_quaternions(system: System, q: np.ndarray) -> np.ndarray:
     """Normalizes the quaternions in q, whose norms must be 1 within 1e-6, as in a scene's file.
     Quaternions already unit to working precision stay unchanged, so that a run's states reproduce
     exactly.  Raises SimulateError."""

@@ -14,7 +14,7 @@ from coscrew_codegen.simulation.batch_inputs import Values, start_of, with_param
 from coscrew_codegen.simulation.check.divergence_monitor import Alarm
 from coscrew_codegen.simulation.check.overshoot import too_fast
 from coscrew_codegen.simulation.check.step_advice import drifting, loose, remedy
-from coscrew_codegen.simulation.checkpoint import Instant, refuse, refuse_plan, start_at
+from coscrew_codegen.simulation.checkpoint import Checkpoint, refuse, refuse_plan, start_at
 from coscrew_codegen.simulation.control import Controller, set_by
 from coscrew_codegen.simulation.controlled_run import Driven
 from coscrew_codegen.simulation.plan import Plan, Trajectory, known, plan
@@ -39,14 +39,14 @@ class RunRequest:
     p: Values = field(default_factory=dict)
     q0: ArrayLike | None = None
     v0: ArrayLike | None = None
-    start: Instant | None = None
+    start: Checkpoint | None = None
     controller: Controller | None = None
 
 
 def motion(kernels: Kernels, precision: str, request: RunRequest, *, shown: bool = False,
            with_provenance: bool = True) -> Result:
     """The run in the precision of this name.  If `shown`, a terminal shows the progress; without
-    `told`, the recording has no provenance.  Raises SimulateError."""
+    `with_provenance`, the recording has no provenance.  Raises SimulateError."""
     its, state = _begun(_complete(kernels, request), precision, request)
     start = request.start
     if start and start.controller and not request.controller:
@@ -78,7 +78,7 @@ def motion(kernels: Kernels, precision: str, request: RunRequest, *, shown: bool
 
         origin = provenance(its, planned, trajectory, kernels.compiler or "none: NumPy", began,
                             its.scene.record if request.record is None else request.record,
-                            request.controller.told(its.scene) if request.controller else "")
+                            request.controller.described(its.scene) if request.controller else "")
     return Result(its, planned, trajectory, record(its, trajectory, origin, request.record), began)
 
 
@@ -109,7 +109,7 @@ def _begun(kernels: Kernels, precision: str, request: RunRequest) -> tuple[Syste
     return its, start_of(its, request.q0, request.v0, start)
 
 
-def _integrated(its: System, planned: Plan, state: State, start: Instant | None,
+def _integrated(its: System, planned: Plan, state: State, start: Checkpoint | None,
                 driven: Driven | None, shown: bool) -> Trajectory:
     alarm = partial(Alarm, driven=driven is not None, remedy=remedy)
     momentum, failed = (_momentum(its, start, state), start.failed) if start else (None, ())
@@ -119,7 +119,7 @@ def _integrated(its: System, planned: Plan, state: State, start: Instant | None,
         return integrate(its, planned, watch, alarm, state, driven, momentum, failed)
 
 
-def _momentum(its: System, start: Instant, state: State) -> np.ndarray | None:
+def _momentum(its: System, start: Checkpoint, state: State) -> np.ndarray | None:
     """The momentum of floating bases at t = 0 that leads to the state from which the run continues:
     that of the previous run, except for members whose new parameters change it."""
     if start.momentum is None:

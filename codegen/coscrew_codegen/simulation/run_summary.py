@@ -37,7 +37,7 @@ class RunOverrides:
 
 def simulated(kernels: "Kernels", overrides: RunOverrides, with_provenance: bool = True
               ) -> tuple[Result, ...]:
-    """Runs the scene, in double first; without `told`, recordings have no provenance.  Raises
+    """Runs the scene, in double first; recordings have their provenance only if requested.  Raises
     SimulateError."""
     precision = overrides.precision or scene_of(kernels).precision
     if overrides.start and precision == "both":

@@ -28,7 +28,7 @@ class Choices:
         self._recorder = recorder
         self._tests: dict[str, Number] = {}
         self._unbounded: dict[str, bool] = {}
-        self._cases = _found(program)
+        self._cases = _cases(program)
 
     @property
     def arithmetic(self) -> Arithmetic[Number]:
@@ -79,7 +79,7 @@ class Choices:
         return self._unbounded[x.operand.name]
 
 
-def _found(program: Program) -> dict[str, Cases]:
+def _cases(program: Program) -> dict[str, Cases]:
     """Returns for every instruction the cases in which a result depends on it."""
     results: dict[str, Cases] = {step.name: frozenset() for step in program.instructions}
     results |= {x.name: ALWAYS for x in program.results if isinstance(x, Ref)}

@@ -24,7 +24,7 @@ from coscrew_codegen.dynamics.algorithms import crba, energies
 from coscrew_codegen.dynamics.algorithms.bodies import Rigid
 from coscrew_codegen.dynamics.algorithms.linear_systems import Factors, factored
 from coscrew_codegen.dynamics.algorithms.motion import Motion
-from coscrew_codegen.dynamics.forces.applied_effects import Acting, gravity
+from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects, gravity
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
 from coscrew_codegen.scene.mechanism.model import Kind
 from coscrew_codegen.scene.mechanism.tree import Tree
@@ -59,7 +59,7 @@ def _idle(scene: Scene, tree: Tree, applied: Applied) -> bool:
                          array("q", (tree.nq,)), array("v", (tree.nv,))])
     motion = Motion(recorder, tree, [f"link{n}" for n in range(len(tree.links))],
                     gravity(scene, recorder))
-    acting = Acting(replace(scene, effects=(applied,)), motion).act()
+    acting = AppliedEffects(replace(scene, effects=(applied,)), motion).act()
     return all(x.is_zero for link in acting.forces for x in acting.force(link))
 
 

@@ -26,7 +26,7 @@ from coscrew_codegen.dynamics.algorithms.bodies import Rigid, rigid_of
 from coscrew_codegen.dynamics.algorithms.linear_systems import factored
 from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.algorithms.rnea import Wrench
-from coscrew_codegen.dynamics.forces.applied_effects import Acting, Paired
+from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects, Paired
 
 Weights = Callable[[Number, Number, Number], tuple[Number, Number]]
 """(damping, stiffness, damping over the inertia that it acts on, in 1/s) -> (m, c)."""
@@ -45,7 +45,7 @@ class Implicit:
     rates: list[Number]
 
 
-def accelerations(motion: Motion, acting: Acting, rigids: Sequence[Rigid],
+def accelerations(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
                   inertias: Mapping[str, Number], tau: Sequence[Number]) -> list[Number]:
     """a with M a + bias = tau."""
     own = _own(motion, inertias)
@@ -54,9 +54,9 @@ def accelerations(motion: Motion, acting: Acting, rigids: Sequence[Rigid],
                                    rnea.net_wrenches(motion, rigids, acting))
 
 
-def implicit(motion: Motion, acting: Acting, rigids: Sequence[Rigid],
+def implicit(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
              inertias: Mapping[str, Number], weights: Weights, tau: Sequence[Number],
-             slopes: Acting | None = None) -> Implicit:
+             slopes: AppliedEffects | None = None) -> Implicit:
     """a with (M + m) a = tau - bias - c v.
 
     Damping and stiffness are those of `slopes`, the effects on a motion with the same q and the
@@ -98,7 +98,7 @@ def _own(motion: Motion, inertias: Mapping[str, Number]) -> list[Number]:
                               if link.joint.name in inertias}, 2)
 
 
-def _torques(acting: Acting, start: Acting, tau: Sequence[Number]) -> list[Number]:
+def _torques(acting: AppliedEffects, start: AppliedEffects, tau: Sequence[Number]) -> list[Number]:
     """Torques by velocity: tau, then those of effects; if linear about the initial velocities, also
     d (v - v_start). tau is summed in the place that an actuator's torque would have."""
     motion, others, result = acting.motion, list(tau), dict[int, Number]()
@@ -127,7 +127,7 @@ def _gathered(motion: Motion, of_links: Mapping[int, Number], power: int = 1) ->
     return result
 
 
-def _with_point_masses(motion: Motion, acting: Acting, rigids: Sequence[Rigid],
+def _with_point_masses(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
                        weights: Weights) -> list[Rigid]:
     """The links' inertias with point masses m for the forces that resist the motion of a point."""
     results = list(rigids)
@@ -140,8 +140,8 @@ def _with_point_masses(motion: Motion, acting: Acting, rigids: Sequence[Rigid],
     return results
 
 
-def _about(motion: Motion, wrenches: Sequence[Wrench], acting: Acting,
-           start: Acting) -> list[Wrench]:
+def _about(motion: Motion, wrenches: Sequence[Wrench], acting: AppliedEffects,
+           start: AppliedEffects) -> list[Wrench]:
     """The wrenches that links need, with d (u - u_start) added to the forces that resist a point, u
     the point's velocity."""
     results = list(wrenches)

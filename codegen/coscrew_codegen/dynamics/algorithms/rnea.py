@@ -13,12 +13,12 @@ from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.scene.mechanism.model import Kind
 
 if TYPE_CHECKING:
-    from coscrew_codegen.dynamics.forces.applied_effects import Acting
+    from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 
 Wrench = tuple[Number, ...]  # force; moment about the link's origin, in the link's frame
 
 
-def net_wrenches(motion: Motion, bodies: Sequence[Rigid], acting: "Acting | None"
+def net_wrenches(motion: Motion, bodies: Sequence[Rigid], acting: "AppliedEffects | None"
                  ) -> list[Wrench]:
     """The net wrench of each link's motion, less the forces of effects."""
     wrenches: list[Wrench] = []
@@ -77,7 +77,7 @@ def along(motion: Motion, number: int, wrench: Wrench) -> tuple[Number, ...]:
     return (dot(motion.axis(link), part),)
 
 
-def joint_torques(motion: Motion, wrenches: Sequence[Wrench], acting: "Acting | None",
+def joint_torques(motion: Motion, wrenches: Sequence[Wrench], acting: "AppliedEffects | None",
                   inertias: Mapping[str, Number]) -> list[Number]:
     """A torque per velocity: the wrench along the freedom, plus the torque of the joint's own
     inertia, less the torques of effects; torques of followers are added to those of their leaders.

@@ -100,7 +100,7 @@ class Paired:
                 for state, force in zip(self.states, forces, strict=True)]
 
 
-class Acting:
+class AppliedEffects:
     """The effects of a scene on one motion, at its time; each is evaluated once.
 
     At the joints of the links in `delays` the delay is added to the time."""
@@ -115,7 +115,7 @@ class Acting:
         self.forces: dict[int, list[AppliedForce]] = {}
         self.pairs: list[Paired] = []
 
-    def act(self) -> "Acting":
+    def act(self) -> "AppliedEffects":
         """Evaluates the effects, in the order of the catalogue and of the scene."""
         effects = self.scene.effects
         owners = identifiers([_owner(x) for x in effects])

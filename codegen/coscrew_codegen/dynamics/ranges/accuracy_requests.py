@@ -16,21 +16,21 @@ REACHED_IN = 0.1
 """Time in which accelerations reach the velocity limits, in s."""
 
 
-class AskedError(ReportedError, ValueError):
+class RequestError(ReportedError, ValueError):
     """A request that cannot be met: for an output that the function lacks, or where no states can
     be drawn."""
 
 
-def asked(program: Program, scene: Scene, tree: Tree) -> Accuracy | None:
-    """The accuracy requested of this function; None without a request.  Raises AskedError."""
+def requested(program: Program, scene: Scene, tree: Tree) -> Accuracy | None:
+    """The accuracy requested of this function; None without a request.  Raises RequestError."""
     within = {x.output: x.within for x in scene.accuracy if x.function == program.name}
     if not within:
         return None
     outputs = [a.name for a in program.outputs]
     for name in within:
         if name not in ("", *outputs):
-            raise AskedError(f"{scene.name}: accuracy.{program.name}: no output {name!r}; "
-                             f"{did_you_mean(name, outputs)}")
+            raise RequestError(f"{scene.name}: accuracy.{program.name}: no output {name!r}; "
+                               f"{did_you_mean(name, outputs)}")
     components = tuple((a.name, k) for a in program.outputs for k in range(a.quantity.size))
     every = within.get("", inf)
     return Accuracy(tuple(within.get(name, every) for name, _ in components), components,
@@ -73,12 +73,12 @@ def _half(name: str, joint: Joint, scene: Scene, program: Program) -> float:
     speed = float(joint.velocity or (pi if joint.kind is Kind.REVOLUTE else 1))
     if name == "tau":
         if not joint.effort:
-            raise AskedError(f"{scene.name}: accuracy.{program.name}: joint {joint.name!r} has no "
-                             "limit of its effort, between which states are to be drawn; wanted "
-                             "limits = { effort = … }")
+            raise RequestError(f"{scene.name}: accuracy.{program.name}: joint {joint.name!r} has "
+                               "no limit of its effort, which the drawing of states needs; wanted "
+                               "limits = { effort = … }")
         return float(joint.effort)
     sizes = {"v": speed, "a": speed / REACHED_IN, "phi": speed * scene.run.step}
     if name not in sizes:
-        raise AskedError(f"{scene.name}: accuracy.{program.name}: states cannot be drawn for its "
-                         f"input {name}")
+        raise RequestError(f"{scene.name}: accuracy.{program.name}: states cannot be drawn for its "
+                           f"input {name}")
     return sizes[name]

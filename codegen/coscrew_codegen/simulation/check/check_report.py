@@ -124,13 +124,13 @@ def _finer(along: AlongRun) -> str:
 
 def _verdict(along: AlongRun) -> str:
     """The cause of the defect of energy."""
-    if along.still or along.resting and not along.untold:
+    if along.still or along.resting and not along.meaningless:
         return "none: nothing moves"
-    if along.doubtful and along.balanced and not along.untold:
+    if along.doubtful and along.balanced and not along.meaningless:
         return "small: smaller steps do not help"
     if along.doubtful:
         return "DOUBTFUL: smaller steps do not help"
-    if along.untold:
+    if along.meaningless:
         return "unknown: the potential energy's rounding exceeds the energy moved"
     if along.rounding:
         return "rounding"

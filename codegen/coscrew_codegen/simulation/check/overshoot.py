@@ -42,7 +42,7 @@ class _Share:
     what: str  # speed, or position
 
 
-class _UntoldError(Exception):
+class _UnknownError(Exception):
     """A controller's values at other states cannot be determined."""
 
 
@@ -63,7 +63,7 @@ def too_fast(controller: Controller, driven: Driven, system: System, plan: Plan,
     with np.errstate(all="ignore"):
         try:
             shares = tuple(_shares(driven, system, run, plan.step * controller.steps))
-        except _UntoldError:
+        except _UnknownError:
             return ""
     share = max(shares, key=lambda x: x.of_period, default=None)
     return _words(plan.step, controller.steps, share) if share and share.of_period > 1 else ""
@@ -139,20 +139,20 @@ def _response(system: System, torque: _Torque, t: float, q: np.ndarray, v: np.nd
 
 def _slopes(driven: Driven, torque: _Torque, t: float, q: np.ndarray, v: np.ndarray
             ) -> tuple[np.ndarray, np.ndarray]:
-    """-du/dv and -du/dq.  Raises _UntoldError if the law raises an error at states for which it was
-    not called before, or returns different values for the same state."""
+    """-du/dv and -du/dq.  Raises _UnknownError if the law raises an error at states for which it
+    was not called before, or returns different values for the same state."""
     def answer(at_q: np.ndarray, at_v: np.ndarray) -> np.ndarray:
         try:
             return driven.demanded(t, at_q, at_v)[..., torque.place].astype(float)
         except Exception as error:
-            raise _UntoldError from error
+            raise _UnknownError from error
 
     first = answer(q, v)
     further_q, dq = _beside(q, torque.q)
     further_v, dv = _beside(v, torque.v)
     of_q, of_v = answer(further_q, v), answer(q, further_v)
     if not np.array_equal(answer(q, v), first):
-        raise _UntoldError("a law with a memory")
+        raise _UnknownError("a law with a memory")
     return (first - of_v) / dv, (first - of_q) / dq
 
 

@@ -13,7 +13,7 @@ import numpy as np
 
 from coscrew_codegen.program.scene_functions import SceneInterface
 from coscrew_codegen.simulation import SimulateError
-from coscrew_codegen.simulation.checkpoint import Instant
+from coscrew_codegen.simulation.checkpoint import Checkpoint
 from coscrew_codegen.simulation.plan import Stop
 from coscrew_codegen.simulation.recordings.recording import Recording
 
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 _MOST_DRAWN = 20  # members of a batch
 
 
-def to_xarray(recording: Recording, failed: Sequence[Stop], of: SceneInterface, start: Instant
+def to_xarray(recording: Recording, failed: Sequence[Stop], of: SceneInterface, start: Checkpoint
               ) -> "xarray.Dataset":
     """A variable for each column; of a batch, coordinates for causes and for parameters and state
     of each member's start.  Raises SimulateError if xarray is lacking."""
@@ -44,7 +44,7 @@ def to_xarray(recording: Recording, failed: Sequence[Stop], of: SceneInterface, 
     return table
 
 
-def _starts(of: SceneInterface, start: Instant) -> Iterator[tuple[str, np.ndarray]]:
+def _starts(of: SceneInterface, start: Checkpoint) -> Iterator[tuple[str, np.ndarray]]:
     """Names and values of parameters and of the state at the start, one for all members or one for
     each."""
     for i, (name, _) in enumerate(of.parameters):

@@ -18,7 +18,7 @@ from coscrew_codegen.simulation.run_summary import RunOverrides
 from coscrew_codegen.simulation.sweep import SweepError
 from coscrew_codegen.simulation.sweep.refusals import refuse
 from coscrew_codegen.simulation.sweep.specification import Conditions, Specification, varied
-from coscrew_codegen.simulation.sweep.sweep_options import GridAsked, SobolAsked
+from coscrew_codegen.simulation.sweep.sweep_options import GridOption, SobolOption
 from coscrew_codegen.simulation.system import system
 
 _MEMBERS = 64, 16384  # least and most in a chunk: lanes are filled
@@ -31,8 +31,8 @@ _BYTES = 128_000_000  # most of a chunk's samples
 class SweepRequest:
     """The options that define the sweep."""
 
-    grids: Sequence[GridAsked]
-    sobols: Sequence[SobolAsked]
+    grids: Sequence[GridOption]
+    sobols: Sequence[SobolOption]
     samples: int | None
     seed: int | None
     record: Sequence[str]

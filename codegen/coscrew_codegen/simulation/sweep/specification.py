@@ -19,7 +19,7 @@ from coscrew_codegen.simulation.sweep.candidates import (
     one,
     turned,
 )
-from coscrew_codegen.simulation.sweep.sweep_options import GridAsked, SobolAsked
+from coscrew_codegen.simulation.sweep.sweep_options import GridOption, SobolOption
 
 
 @dataclass(frozen=True)
@@ -124,8 +124,8 @@ class Specification:
         return sha256(json.dumps(self.data, sort_keys=True).encode()).hexdigest()
 
 
-def varied(scene: Scene, settings: Mapping[str, float], grids: Sequence[GridAsked],
-           sobols: Sequence[SobolAsked], samples: int | None, seed: int | None) -> Varied:
+def varied(scene: Scene, settings: Mapping[str, float], grids: Sequence[GridOption],
+           sobols: Sequence[SobolOption], samples: int | None, seed: int | None) -> Varied:
     """Reads the inputs to vary from the options.  Raises SweepError."""
     if not (grids or sobols):
         raise SweepError("nothing varies; wanted --grid NAME=FROM:TO:COUNT or --sobol "
@@ -146,7 +146,7 @@ def varied(scene: Scene, settings: Mapping[str, float], grids: Sequence[GridAske
     return made
 
 
-def _grid(option: GridAsked, of: Candidate) -> Grid:
+def _grid(option: GridOption, of: Candidate) -> Grid:
     first, last = option.ends
     steps = max(option.count - 1, 1)
     if not option.log:
@@ -160,13 +160,13 @@ def _grid(option: GridAsked, of: Candidate) -> Grid:
     return Grid(of, (float(first), *inner, float(last))[:option.count])
 
 
-def _ranges(option: SobolAsked, scene: Scene, known: Mapping[str, Candidate]) -> Iterator[Range]:
+def _ranges(option: SobolOption, scene: Scene, known: Mapping[str, Candidate]) -> Iterator[Range]:
     if option.uniform:
         yield from (Range(x, 0.0, 1.0, False) for x in turned("--sobol", option.pattern, scene))
     else:
         yield from (_range(option, x) for x in matching("--sobol", option.pattern, scene, known))
 
 
-def _range(given: SobolAsked, of: Candidate) -> Range:
+def _range(given: SobolOption, of: Candidate) -> Range:
     low, high = map(float, given.ends) if given.ends else limits_of(f"--sobol {given.pattern}", of)
     return Range(of, low, high, given.log)

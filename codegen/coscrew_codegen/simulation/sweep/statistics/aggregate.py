@@ -22,7 +22,7 @@ LISTED = 100
 
 
 @dataclass
-class Tally:
+class Aggregate:
     """Aggregate of a whole sweep."""
 
     members: int
@@ -33,15 +33,16 @@ class Tally:
     listed: list[tuple[object, ...]] = field(default_factory=list)  # member, values, t, cause
 
 
-def tally(specification: Specification, units: Mapping[str, str], files: Iterable[Path]) -> Tally:
+def aggregate(specification: Specification, units: Mapping[str, str], files: Iterable[Path]
+              ) -> Aggregate:
     """The counts of the members in these Parquet files, at least one."""
     paths = tuple(files)
     varied = specification.varied
     parts = parts_for(varied.samples if varied.ranges else varied.members)
     axes = tuple(of_varied(x, parts) for x in varied.each)
     ranges = _ranges(tuple(units), paths)
-    totals = Tally(0, axes, tuple(ColumnStatistics(Axis(name, unit, *ranges[name], parts), axes)
-                                  for name, unit in units.items()))
+    totals = Aggregate(0, axes, tuple(ColumnStatistics(Axis(name, unit, *ranges[name], parts), axes)
+                                      for name, unit in units.items()))
     for path in paths:
         _add(totals, read(path))
     return totals
@@ -69,7 +70,7 @@ def _statistics(group: pyarrow.parquet.RowGroupMetaData
             yield column.path_in_schema, column.statistics
 
 
-def _add(totals: Tally, table: Table) -> None:
+def _add(totals: Aggregate, table: Table) -> None:
     places = [x.index(table[x.name].to_numpy()) for x in totals.axes]
     for column in totals.columns:
         column.add(np.array([table[f"{column.own.name}.{word}"].to_numpy().astype(float)

@@ -8,14 +8,14 @@ from coscrew_codegen.backends.html.pages import Table, page
 from coscrew_codegen.simulation.sweep.member_summary import STATISTICS
 from coscrew_codegen.simulation.sweep.specification import Grid, Specification
 from coscrew_codegen.simulation.sweep.statistics import sweep_figures
-from coscrew_codegen.simulation.sweep.statistics.aggregate import LISTED, Tally
+from coscrew_codegen.simulation.sweep.statistics.aggregate import LISTED, Aggregate
 from coscrew_codegen.simulation.sweep.statistics.column import ColumnStatistics
 
 _DRAWN = 12  # most recorded columns with a figure
 _CAUSES = 5  # most joints of failed members that are named
 
 
-def text(totals: Tally) -> str:
+def text(totals: Aggregate) -> str:
     """The final values, for the terminal, and which members failed."""
     rows = tuple((row[0], *row[2:]) for row in _rows(totals.columns) if row[1] == STATISTICS[0])
     parts = [Table(("final", *_headers(totals)[2:]), rows).text()] if rows else []
@@ -24,7 +24,7 @@ def text(totals: Tally) -> str:
     return "\n\n".join(parts)
 
 
-def failures(totals: Tally) -> str:
+def failures(totals: Aggregate) -> str:
     """"12 of 1000 members failed: 10 at elbow, 2 at wrist"."""
     worst = sorted(totals.causes.items(), key=lambda x: (-x[1], x[0]))
     named = ", ".join(f"{count} at {joint or 'no joint'}" for joint, count in worst[:_CAUSES])
@@ -32,7 +32,7 @@ def failures(totals: Tally) -> str:
     return f"{totals.failed} of {totals.members} members failed: {named}{more}"
 
 
-def html(specification: Specification, about: Mapping[str, str], totals: Tally, words: str
+def html(specification: Specification, about: Mapping[str, str], totals: Aggregate, words: str
          ) -> str:
     """The text of the page."""
     drawn = [x for x in totals.columns if x.varies][:_DRAWN]
@@ -55,7 +55,7 @@ def _varied(specification: Specification) -> Iterator[str]:
             yield f"{x.of.name}: sampled from {x.low:g} to {x.high:g}{unit}{scale}"
 
 
-def _tables(specification: Specification, totals: Tally, words: str) -> Iterator[Table]:
+def _tables(specification: Specification, totals: Aggregate, words: str) -> Iterator[Table]:
     if any(x.count for x in totals.columns):
         yield Table(_headers(totals), tuple(_rows(totals.columns)), (
             "Over the members that reached the end of their runs. Shares: the part of the "
@@ -76,7 +76,7 @@ def _tables(specification: Specification, totals: Tally, words: str) -> Iterator
                 f"{totals.listed[0][0]}",), title="Failed members")
 
 
-def _headers(totals: Tally) -> tuple[str, ...]:
+def _headers(totals: Aggregate) -> tuple[str, ...]:
     return ("recorded", "statistic", "lowest", "mean", "highest",
             *(f"share of {x.name}" for x in totals.axes))
 
