@@ -43,12 +43,12 @@ def _on_a_core() -> None:
 
 def main() -> list[Bar]:
     """Print the table."""
-    found, bars = measured(), []
+    result, bars = measured(), []
     try:
         rival = f"frax {version('frax')}"
     except PackageNotFoundError:
         rival = ""
-    for name, ways in found.items():
+    for name, ways in result.items():
         for way, wanted in WANTED.items():
             bars.append(Bar(f"frax / {'arrays(jax.numpy)' if way == 'arrays' else 'NumPy'}, "
                             f"{name} of 4096 states", wanted,
@@ -57,7 +57,7 @@ def main() -> list[Bar]:
     rows = [(name, *(said(ways[way].time) if way in ways else "" for way in WAYS),
              *(said(ways["frax"].ratio(ways[way])) if rival else
                f"{PUBLISHED[name] / ways[way].time.median:.0f} (published)"
-               if name in PUBLISHED else "" for way in WANTED)) for name, ways in found.items()]
+               if name in PUBLISHED else "" for way in WANTED)) for name, ways in result.items()]
     print(f"\n4096 states of a Panda on one core, ns a state; {rival or 'no frax'}; median (95 % "
           "interval) of rounds in which all take turns")
     print(tabulate(rows, ("function", "arrays of JAX", "gradient", "arrays of NumPy", "frax",

@@ -41,10 +41,10 @@ class Calibration:
                 *(f"{self.percent(x):.3f}" for x in FACTORS), f"{self.ratios.max():.4g}")
 
 
-def plot(found: Sequence[Calibration], path: Path) -> None:
+def plot(results: Sequence[Calibration], path: Path) -> None:
     """Draw the curves to an SVG, a panel a robot.  Raises SimulateError."""
     with delivered(path) as temporary:
-        plots.write(figure(found), temporary)
+        plots.write(figure(results), temporary)
 
 
 @plots.styled

@@ -52,18 +52,18 @@ def operations(program: Program) -> str:
 def rivals_of(robot: Robot, given: tuple[np.ndarray, ...], folder: Path) -> tuple[
         dict[str, Pinocchio | CasADi], dict[str, str]]:
     """Rivals by name, and the missing libraries of others."""
-    found: dict[str, Pinocchio | CasADi] = {}
+    results: dict[str, Pinocchio | CasADi] = {}
     missing = {}
     for name, compiler in CPLUSPLUS.items():
         built, missing[name] = library(compiler)
         if built:
-            found[name] = Pinocchio(built, robot, given)
+            results[name] = Pinocchio(built, robot, given)
     if robot.functions.nv < MANY:
         missing["CasADi"] = written(robot, folder)
         if not missing["CasADi"]:
-            found |= {f"CasADi, {x}": CasADi.compiled(robot, given, folder, x)
-                      for x in compilers()}
-    return found, missing
+            results |= {f"CasADi, {x}": CasADi.compiled(robot, given, folder, x)
+                        for x in compilers()}
+    return results, missing
 
 
 def from_c(robot: Robot) -> Iterator[tuple[list[str], list[tuple[float, Bar]]]]:
@@ -138,11 +138,11 @@ def main() -> list[Bar]:
     print(tabulate([row for row, _ in lines],
                    ("robot", "function", "compiler", "double", "single", *RIVALS,
                     *(f"{x} / ours" for x in WANTED)), disable_numparse=True))
-    found = [x for name, robot in robots.items() for x in from_python(name, robot)]
+    results = [x for name, robot in robots.items() for x in from_python(name, robot)]
     print("\nFrom Python, µs a call; ratio: our time / that of Pinocchio's wheel")
-    print(tabulate([row for row, _ in found], ("robot", "function", "ours", "pin", "ratio"),
+    print(tabulate([row for row, _ in results], ("robot", "function", "ours", "pin", "ratio"),
                    disable_numparse=True))
-    return fastest(x for _, bars in lines for x in bars) + [bar for _, bar in found]
+    return fastest(x for _, bars in lines for x in bars) + [bar for _, bar in results]
 
 
 if __name__ == "__main__":

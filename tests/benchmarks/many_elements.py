@@ -57,15 +57,15 @@ def main() -> list[Bar]:
     for compiler in filter(shutil.which, ("gcc", "clang")):
         for flags in FLAGS:
             with tempfile.TemporaryDirectory() as folder:
-                found = list(measure(build(compiler, flags, Path(folder), "many_elements")))
+                results = list(measure(build(compiler, flags, Path(folder), "many_elements")))
             print(f"\n{compiler} {flags}: ns per element of {COUNT}; median (95 % interval) of "
                   "rounds in which the four take turns; ratios in the same round")
-            print(tabulate([row for row, _ in found],
+            print(tabulate([row for row, _ in results],
                            ("operation", "precision", "composed calls", "_many", "_planes",
                             "by hand", "calls/_many", "calls/_planes", "by hand/_planes"),
                            disable_numparse=True))
             bars += [(time, replace(bar, note=f"{compiler} {flags}"))
-                     for _, pairs in found for time, bar in pairs]
+                     for _, pairs in results for time, bar in pairs]
     return fastest(bars)
 
 

@@ -20,13 +20,13 @@ TIERS = tuple(name for name in known() if name not in on_request())
 
 def shortest(calls: list[Callable[[], object]]) -> list[float]:
     """The shortest time of each call in ns per state, in rounds in which they take turns."""
-    found = [np.inf] * len(calls)
+    result = [np.inf] * len(calls)
     for _ in range(ROUNDS):
         for k, call in enumerate(calls):
             began = time.perf_counter_ns()
             call()
-            found[k] = min(found[k], (time.perf_counter_ns() - began) / STATES)
-    return found
+            result[k] = min(result[k], (time.perf_counter_ns() - began) / STATES)
+    return result
 
 
 def rows() -> Iterator[tuple[str, ...]]:

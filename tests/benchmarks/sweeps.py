@@ -66,8 +66,8 @@ def ours(client, folder: Path, its: Prepared) -> float:
     """Seconds a run."""
     job, began = Job.of(its.kernels, its.specification), time.perf_counter()
     with opened(folder, its.specification, {}) as target:
-        for number, found in cluster.finished(client, job, target.missing()):
-            target.write(number, found.content)
+        for number, result in cluster.finished(client, job, target.missing()):
+            target.write(number, result.content)
     return (time.perf_counter() - began) / its.specification.varied.members
 
 
@@ -83,8 +83,8 @@ def theirs(cores: int) -> Iterator:
             states = np.zeros((len(starts), size))
             states[:, 1:7] = starts
             began = time.perf_counter()
-            found, _ = run.rollout(model, datas, states, nstep=STEPS)
-            return (time.perf_counter() - began) / len(starts), found[:, -1, 1:7]
+            result, _ = run.rollout(model, datas, states, nstep=STEPS)
+            return (time.perf_counter() - began) / len(starts), result[:, -1, 1:7]
 
         yield timed
 

@@ -86,10 +86,10 @@ def test_the_tier_adds_in_another_order(made, site):
     for operation in TIERED:
         plain = plain_program(operation)
         program = pairwise.TIER.program(plain, DOUBLE)
-        found, before = bounds_of(program), bounds_of(plain)
-        assert [x.terms for x in found] == [x.terms for x in before], operation.name
+        result, before = bounds_of(program), bounds_of(plain)
+        assert [x.terms for x in result] == [x.terms for x in before], operation.name
         assert len(program.instructions) == len(plain.instructions)
-        constants[operation.name] = tuple(max(x.c1 for x in y) for y in (before, found))
+        constants[operation.name] = tuple(max(x.c1 for x in y) for y in (before, result))
     assert constants["dot_qq"] == constants["product_dd"] == (3, 2)
     assert constants["dot_vv"] == (2, 2)  # of three terms there is no shorter way
     assert sum(after < before for before, after in constants.values()) > 12

@@ -109,18 +109,18 @@ def test_a_scene_file_has_the_setting(how):
         ["rtol = 0.00016", "atol = 3.2e-05"] if how.tolerances else [])
 
 
-def imported(path: Path, found: set[Path]) -> set[str]:
+def imported(path: Path, results: set[Path]) -> set[str]:
     """The packages that a module needs; puts it, and those beside it that it needs, into `found`.
     """
-    found.add(path)
+    results.add(path)
     packages = set()
     for x in ast.walk(ast.parse(path.read_text())):
         if isinstance(x, ast.Import):
             packages |= {y.name.partition(".")[0] for y in x.names}
         elif isinstance(x, ast.ImportFrom) and x.module.startswith("tests.support.motions"):
             near = x.module.split(".")[3:] or [y.name for y in x.names]
-            for other in {path.with_name(f"{name}.py") for name in near} - found:
-                packages |= imported(other, found)
+            for other in {path.with_name(f"{name}.py") for name in near} - results:
+                packages |= imported(other, results)
         elif isinstance(x, ast.ImportFrom):
             packages.add(x.module.partition(".")[0])
     return packages - sys.stdlib_module_names
@@ -192,10 +192,10 @@ def test_an_error_is_a_finding_though_the_motion_is_unjudged():
 def test_advice_that_does_not_do_is_a_finding(then, says, false):
     motion = drawn("spring", 1)
     judge = Judged(motion, Runs({2.1 * 0.025: Said("stops", False, False, "")} | says), None)
-    (found,) = judge._follow(RK4, then)
-    assert found == then.words + false
+    (result,) = judge._follow(RK4, then)
+    assert result == then.words + false
     row = Judge(motion, Runs({}), None).row(RK4, follow=False)
-    kind = exceptions([replace(row, said=Said("", True, True, ""), advice=(found,))])
+    kind = exceptions([replace(row, said=Said("", True, True, ""), advice=(result,))])
     assert f"advice: {false.lstrip(': ')}" in kind
 
 
@@ -209,6 +209,6 @@ def test_bodies_are_pushed_with_followers():
     for pushed, share in (("a", 1.0), ("b", 1 + k)):
         its = Dynamics(Mechanism(bodies, joints, (
             Acting("mimic", ""), Acting("wrench", pushed, {"force": (force, 0.0, 0.0)}))))
-        found = its.accelerations(0.0, np.zeros(2), np.zeros(2))
+        result = its.accelerations(0.0, np.zeros(2), np.zeros(2))
         wanted = share * force / (m + (1 + k)**2 * n)
-        assert found == pytest.approx([wanted, k * wanted], rel=1e-14)
+        assert result == pytest.approx([wanted, k * wanted], rel=1e-14)

@@ -75,9 +75,9 @@ def overrides(**other: str) -> RunOverrides:
 
 @pytest.fixture(scope="module")
 def found(spring: Kernels) -> RunErrors:
-    told = run_errors(spring, overrides(), (("accurate", DOUBLE), ("pairs", SINGLE)))
-    assert told and told.whole
-    return told
+    errors = run_errors(spring, overrides(), (("accurate", DOUBLE), ("pairs", SINGLE)))
+    assert errors and errors.whole
+    return errors
 
 
 def linear(h: mpf, steps: int) -> tuple[mpf, mpf]:
@@ -94,13 +94,13 @@ def test_rounding_and_step_of_a_linear_oscillator(spring: Kernels, found: RunErr
     with mpmath.workdps(DIGITS):
         exact = [linear(mpf(H), n)[0] for n in marks]
         fine = [linear(mpf(H) / 4, 4 * n)[0] for n in marks]
-        told = {(x.cause, x.of): x.errors for x in found.rows}
-        assert told["step", f"{H:g} s"] == pytest.approx(
+        messages = {(x.cause, x.of): x.errors for x in found.rows}
+        assert messages["step", f"{H:g} s"] == pytest.approx(
             [float(abs(x - y)) for x, y in zip(exact, fine, strict=True)], rel=1e-12)
         for name in BY_NAME:
             its = system(spring, name)
             ends = [its.stepper("step_rk4")(n, 0, H, *its.start())[0] for n in marks]
-            assert told["rounding", f"{name} plain"] == pytest.approx(
+            assert messages["rounding", f"{name} plain"] == pytest.approx(
                 [float(abs(mpf(float(q[0])) - x)) for q, x in zip(ends, exact, strict=True)],
                 rel=1e-12)
 
@@ -115,10 +115,10 @@ def test_an_effect_left_out_is_its_share(found: RunErrors):
 
 def test_tiers_round_as_much_as_their_precision(found: RunErrors):
     """An accurate step rounds the state once a call, so its error is of the size of plain's."""
-    told = {x.of: max(x.errors) for x in found.rows if x.cause == "rounding"}
-    assert list(told) == ["double plain", "single plain", "double accurate", "single pairs"]
-    assert 2.0**-58 < told["double accurate"] < 2 * told["double plain"] < 2.0**-48
-    assert 2.0**-29 < told["single pairs"] < 2 * told["single plain"] < 2.0**-19
+    messages = {x.of: max(x.errors) for x in found.rows if x.cause == "rounding"}
+    assert list(messages) == ["double plain", "single plain", "double accurate", "single pairs"]
+    assert 2.0**-58 < messages["double accurate"] < 2 * messages["double plain"] < 2.0**-48
+    assert 2.0**-29 < messages["single pairs"] < 2 * messages["single plain"] < 2.0**-19
 
 
 @pytest.mark.parametrize("precision", PRECISIONS, ids=lambda x: x.name)
@@ -148,9 +148,9 @@ def test_split_steps_of_a_bounce_round_little(tmp_path):
     kernels = checked(path)
     found = run_errors(kernels, RunOverrides(), ())
     assert found and found.whole and named(found.integrator).splits
-    told = {x.of: x.errors for x in found.rows}
-    assert max(told["double plain"]) < 1e-12 < max(told["single plain"]) < 1e-4
-    assert told["without limit"][-1] > 0.05  # it falls
+    messages = {x.of: x.errors for x in found.rows}
+    assert max(messages["double plain"]) < 1e-12 < max(messages["single plain"]) < 1e-4
+    assert messages["without limit"][-1] > 0.05  # it falls
     each = sum(len(kernels.functions.named(x.function).program.instructions)
                for x in kernels.functions.steps[0].calls)
     early = run_errors(kernels, RunOverrides(), (), most=5 * 32 * each)

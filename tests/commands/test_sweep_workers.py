@@ -54,11 +54,11 @@ def test_processes_that_start_say_nothing_of_an_interrupt(scene, tmp_path):
         while len(its.children()) < 2:
             time.sleep(0.01)
         os.killpg(process.pid, signal.SIGINT)
-        said = process.communicate()[1]
+        message = process.communicate()[1]
     assert (process.returncode, first) == (130, "coscrew: 300000000 members, 0 of them written\n")
     assert unused.startswith("coscrew: not used: ")
     last = f"interrupted; 0 of 300000000 members are written into {tmp_path / 'out'}, and "
-    assert said == f"coscrew: {last}the same command goes on\n"
+    assert message == f"coscrew: {last}the same command goes on\n"
 
 
 def test_a_client_that_cannot_be_closed_hides_no_error(monkeypatch):

@@ -49,14 +49,14 @@ class Row:
         """Faults of the commands' verdicts."""
         if self.said is None:
             return ("an error was raised",)
-        found = []
+        results = []
         if self.truth == "wrong":
-            found += ["wrong, check passes"] if self.said.passed else []
-            found += ["wrong, simulate goes on"] if not self.said.stopped else []
+            results += ["wrong, check passes"] if self.said.passed else []
+            results += ["wrong, simulate goes on"] if not self.said.stopped else []
         if self.truth == "right":
-            found += ["right, check fails"] if not self.said.passed else []
-            found += ["right, simulate stops"] if self.said.stopped else []
-        return (*found, *(f"advice: {x}" for x in self.advice))
+            results += ["right, check fails"] if not self.said.passed else []
+            results += ["right, simulate stops"] if self.said.stopped else []
+        return (*results, *(f"advice: {x}" for x in self.advice))
 
     @property
     def words(self) -> str:
@@ -93,10 +93,10 @@ class Judge:
         q, v = self.runs.states(how, self.its)
         true = reference(self.motion, self.runs.times(how))
         part = true.t <= true.horizon
-        found = errors(self.its, self.motion, true.q, true.v, true.q[part], true.v[part], q[part],
-                       v[part])
-        worst = max(found, key=lambda x: x.of_allowed)
-        verdict = judged(found)
+        result = errors(self.its, self.motion, true.q, true.v, true.q[part], true.v[part], q[part],
+                        v[part])
+        worst = max(result, key=lambda x: x.of_allowed)
+        verdict = judged(result)
         if verdict == "right" and not part.all() and not self._keeps_energy(true, q, v):
             return "wrong", worst
         return verdict, worst
@@ -112,21 +112,21 @@ class Judge:
 
     def row(self, how: Setting, follow: bool) -> Row:
         """The judged run."""
-        said = None
+        spoken = None
         try:
-            said = self.runs.said(how)
+            spoken = self.runs.said(how)
             truth, worst = self.truth(how)
         except Unjudged as error:
-            return Row(self.motion, how, "unjudged", None, said, (), f" {error}")
+            return Row(self.motion, how, "unjudged", None, spoken, (), f" {error}")
         except Exception as error:  # whatever a command raises is a finding
             return Row(self.motion, how, "unjudged", None, None, (), f" {_words_of(error)}")
-        followed = tuple(self.followed(how, said)) if follow else ()
-        return Row(self.motion, how, truth, worst, said, followed)
+        followed = tuple(self.followed(how, spoken)) if follow else ()
+        return Row(self.motion, how, truth, worst, spoken, followed)
 
-    def followed(self, how: Setting, said: Said) -> Iterator[str]:
+    def followed(self, how: Setting, message: Said) -> Iterator[str]:
         """Advice of both commands that proves false when it is followed."""
         seen = set()
-        for text in ("" if said.passed else said.text, said.stopped):
+        for text in ("" if message.passed else message.text, message.stopped):
             for then in advised(text, how):
                 if then in seen or self.motion.duration / then.step > _MOST_STEPS:
                     continue

@@ -106,8 +106,8 @@ def unnoticed(name: str, count: int, folder: Path, arms: Sequence[Links] = ARMS
     """The number of signs in the C of a function, and the signs that can be flipped unnoticed at
     this many states of any of the arms, besides signs that change nothing."""
     (lines, missed), *others = (_unnoticed(arm, name, count, folder) for arm in arms)
-    noticed = {place for found, unseen in others
-               for place in {*map(_place, found)} - {*map(_place, unseen)}}
+    noticed = {place for result, unseen in others
+               for place in {*map(_place, result)} - {*map(_place, unseen)}}
     return len(lines), [x for x in missed if _place(x) not in noticed
                         and not any(same in x for same in SAME)]
 
