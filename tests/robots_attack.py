@@ -43,7 +43,7 @@ class Judged:
     bound: float
 
     @property
-    def told(self) -> bool:
+    def judged(self) -> bool:
         """True if the accurate tier promises anything."""
         return bool(self.accurate.true) and (
             self.accurate.condition < LARGEST_CONDITION[self.precision.name])
@@ -59,7 +59,7 @@ class Judged:
     @property
     def broken(self) -> bool:
         """True if a tier breaks its promise."""
-        return bool(self.told and self.ulps > MOST[self.precision.name]) or (
+        return bool(self.judged and self.ulps > MOST[self.precision.name]) or (
             self.stated and self.error > mpf(float(self.bound)))
 
 
@@ -109,7 +109,7 @@ def summary(results: list[Judged]) -> str:
     for p in PRECISIONS:
         for name in FUNCTIONS:
             of = [x for x in results if (x.function, x.precision) == (name, p)]
-            judged, stated = [x.ulps for x in of if x.told], [x for x in of if x.stated]
+            judged, stated = [x.ulps for x in of if x.judged], [x for x in of if x.stated]
             ratios = [float(mpf(float(x.bound)) / x.error) for x in stated if x.error]
             rows.append((name, p.name, len(of), len(judged), max(judged, default=0), len(stated),
                          min(ratios, default=0), float(np.median(ratios or [0])),

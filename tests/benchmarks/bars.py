@@ -14,7 +14,7 @@ from tabulate import tabulate
 
 from coscrew_codegen.reports.processor import processor
 from coscrew_codegen.reports.timing.intervals import Interval
-from tests.benchmarks.words import said
+from tests.benchmarks.words import span
 
 ROOT = Path(__file__).parents[2]
 FILE = ROOT / "build" / "benchmarks.md"
@@ -46,7 +46,7 @@ class Bar:
     @property
     def row(self) -> tuple[str, str, str, str]:
         """Its line of the table."""
-        got = ", ".join(x for x in (said(self.measured) if self.measured else "", self.note) if x)
+        got = ", ".join(x for x in (span(self.measured) if self.measured else "", self.note) if x)
         return self.what, f"{'≤' if self.most else '≥'} {self.wanted:g}", got, self.met
 
 

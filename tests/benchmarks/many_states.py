@@ -24,7 +24,7 @@ from tests.benchmarks.pinocchio_loops import (
     robot_named,
 )
 from tests.benchmarks.scene_loops import WIDTHS, compiled, compilers, widths
-from tests.benchmarks.words import said
+from tests.benchmarks.words import span
 
 ARMS = ("panda7", "ur5")
 WANTED = {"avx512f": 20, "avx2": 15}
@@ -110,10 +110,10 @@ def main() -> list[Bar]:
 
 def row(x: Measured) -> tuple[str, ...]:
     """A line of the table."""
-    theirs = (f"{x.rival.minimum:.0f}", said(x.rival.ratio(x.double)),
-              said(x.rival.ratio(x.single))) if x.rival else ("",) * 3
+    theirs = (f"{x.rival.minimum:.0f}", span(x.rival.ratio(x.double)),
+              span(x.rival.ratio(x.single))) if x.rival else ("",) * 3
     return (x.arm, x.function, x.compiler, x.width, f"{x.double.minimum:.1f}",
-            f"{x.single.minimum:.1f}", *theirs, said(x.double.ratio(x.single)))
+            f"{x.single.minimum:.1f}", *theirs, span(x.double.ratio(x.single)))
 
 
 if __name__ == "__main__":

@@ -17,7 +17,7 @@ from coscrew_codegen.runtime import lanes
 from coscrew_codegen.runtime.load import Kernels, kernels_of
 from tests.benchmarks.bars import Bar, show
 from tests.benchmarks.pinocchio_loops import robot_named
-from tests.benchmarks.words import said
+from tests.benchmarks.words import span
 from tests.support.scenes.robots import Robot
 from tests.support.scenes.tiers import states
 
@@ -45,8 +45,8 @@ def of_batch(robot: Robot, kernels: Kernels) -> Iterator[tuple[list[str], list[B
             c, made, *rest = timed_calls(calls, 1e9 * SECONDS)
             what, others = f"{function.name}, {p.name}", rest[2:]
             yield ([function.name, p.name, f"{c.minimum / BATCH:.1f}", *(
-                text for x in (made, *rest[:2]) for text in (least(x, c), said(x.ratio(c)))),
-                *(said(x.ratio(made)) for x in others)],
+                text for x in (made, *rest[:2]) for text in (least(x, c), span(x.ratio(c)))),
+                *(span(x.ratio(made)) for x in others)],
                 [Bar(f"{BATCH} states from Python / from C: {what}", FROM_PYTHON, made.ratio(c),
                      most=True),
                  *(Bar(f"{BATCH} states from Python: loop of pin / {what}", LOOP, x.ratio(made))
@@ -88,7 +88,7 @@ def in_threads(scene: SceneFunctions, kernels: Kernels) -> Iterator[tuple[list[s
                                     lambda: call(*given, out=out, threads=2)], 1e9 * SECONDS)
             ratio = one.ratio(two)
             yield ([function.name, p.name, f"{one.minimum / LARGE:.1f}", least(one, two),
-                    said(ratio)],
+                    span(ratio)],
                    Bar(f"{LARGE} states: one thread / two, {function.name}, {p.name}", THREADS,
                        ratio))
 

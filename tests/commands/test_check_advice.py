@@ -35,9 +35,9 @@ EULER, DEFAULT = "semi-implicit-euler", "leapfrog"
 
 
 @pytest.fixture
-def found(tmp_path: Path):
+def tried(tmp_path: Path):
     """The check of a spring: its results, and its last paragraph."""
-    def found(values: dict[str, float], integrator: str, precision: str,
+    def tried(values: dict[str, float], integrator: str, precision: str,
               step: float | None = None) -> tuple[AlongRun, str]:
         path = tmp_path / "spring.toml"
         path.write_text(SPRING.format(**values))
@@ -45,7 +45,7 @@ def found(tmp_path: Path):
                          RunOverrides(None, step, integrator, precision))
         return findings.along[-1], table(findings).rpartition("\n\n")[2]
 
-    return found
+    return tried
 
 
 def step_of(message: str) -> float:
@@ -53,19 +53,19 @@ def step_of(message: str) -> float:
 
 
 @pytest.mark.parametrize("precision", ("double", "single"))
-def test_an_advised_step_passes_and_four_times_as_much_does_not(found, precision):
-    along, message = found(NEAR, EULER, precision)
+def test_an_advised_step_passes_and_four_times_as_much_does_not(tried, precision):
+    along, message = tried(NEAR, EULER, precision)
     assert not along.passed and "the step is too large" in message and "--precision" not in message
-    assert found(NEAR, EULER, precision, step_of(message))[0].passed
-    assert not found(NEAR, EULER, precision, min(0.1, 4 * step_of(message)))[0].passed
+    assert tried(NEAR, EULER, precision, step_of(message))[0].passed
+    assert not tried(NEAR, EULER, precision, min(0.1, 4 * step_of(message)))[0].passed
 
 
-def test_another_integrator_is_named_where_it_does_with_the_same_step(found):
-    _, text = found(NEAR, EULER, "double")
-    assert text.endswith(f", or integrator {DEFAULT}") and found(NEAR, DEFAULT, "double")[0].passed
+def test_another_integrator_is_named_where_it_does_with_the_same_step(tried):
+    _, text = tried(NEAR, EULER, "double")
+    assert text.endswith(f", or integrator {DEFAULT}") and tried(NEAR, DEFAULT, "double")[0].passed
     rough = {**NEAR, "k": 100}
-    _, text = found(rough, EULER, "double")
-    assert DEFAULT not in text and not found(rough, DEFAULT, "double")[0].passed
+    _, text = tried(rough, EULER, "double")
+    assert DEFAULT not in text and not tried(rough, DEFAULT, "double")[0].passed
 
 
 def test_simulate_names_a_step_with_which_it_goes_on(tmp_path, capsys):
@@ -78,19 +78,19 @@ def test_simulate_names_a_step_with_which_it_goes_on(tmp_path, capsys):
 
 
 @pytest.mark.parametrize("precision", ("single", "both"))
-def test_double_precision_is_advised_where_no_step_helps_in_single(found, precision, monkeypatch):
+def test_double_precision_is_advised_where_no_step_helps_in_single(tried, precision, monkeypatch):
     """Small steps do not move a q that is rounded so coarsely."""
     monkeypatch.setattr(step_advice, "HALVINGS", 6)
     values = {**FAR, "rest": 1e6, "start": 1e6 + 0.125}
-    along, message = found(values, DEFAULT, precision)
+    along, message = tried(values, DEFAULT, precision)
     assert along.precision == "single" and not along.passed
     assert message.endswith("take --precision double")
-    assert found(values, DEFAULT, "double")[0].passed
+    assert tried(values, DEFAULT, "double")[0].passed
 
 
-def test_what_takes_long_is_not_tried_and_no_step_is_named(found, monkeypatch):
+def test_what_takes_long_is_not_tried_and_no_step_is_named(tried, monkeypatch):
     monkeypatch.setattr(step_advice, "MOST", 60)
-    along, text = found({**NEAR, "k": 100}, DEFAULT, "double")
+    along, text = tried({**NEAR, "k": 100}, DEFAULT, "double")
     assert not along.passed and "smaller steps were not tried, since they would take long" in text
 
 

@@ -44,8 +44,8 @@ TRIED: tuple[tuple[Setting, tuple[Setting, ...]], ...] = (
 """Runs, and all settings that do instead of theirs."""
 
 
-def said(how: Setting, right: tuple[Setting, ...], monkeypatch: pytest.MonkeyPatch,
-         stops: bool = False) -> str:
+def advised_by(how: Setting, right: tuple[Setting, ...], monkeypatch: pytest.MonkeyPatch,
+               stops: bool = False) -> str:
     """The advice for a run if these settings alone are right, and the reference `stops` or not."""
     def does(system: SimpleNamespace, planned: Plan, *_: object) -> bool:
         tolerances = (planned.rtol, planned.atol) if planned.adaptive else None
@@ -64,15 +64,15 @@ def said(how: Setting, right: tuple[Setting, ...], monkeypatch: pytest.MonkeyPat
 
 @pytest.mark.parametrize("how, right", TRIED)
 def test_advice_is_read_as_it_was_tried(how, right, monkeypatch):
-    words = said(how, right, monkeypatch)
+    words = advised_by(how, right, monkeypatch)
     assert advised(words, how) == right, words
     assert advised(f"a table\n\nFALSE: single: off, allowed is 1: why; {words}", how) == right
 
 
 def test_every_form_of_advice_is_read(monkeypatch):
     """The cases above contain every form of `advice`, except for advice without a name."""
-    all_of_them = " | ".join([*(said(*case, monkeypatch) for case in TRIED),
-                              said(RK4, (), monkeypatch, stops=True)])
+    all_of_them = " | ".join([*(advised_by(*case, monkeypatch) for case in TRIED),
+                              advised_by(RK4, (), monkeypatch, stops=True)])
     statements = [x for of in (step_advice.advised, step_advice._helping)
                   for x in ast.parse(inspect.getsource(of)).body[0].body[1:]]
     formats = {id(x) for s in statements for y in ast.walk(s) if isinstance(y, ast.FormattedValue)
@@ -161,7 +161,7 @@ class Runs:
     def __init__(self, says: dict[float, Said]) -> None:
         self.says = says
 
-    def said(self, how: Setting) -> Said:
+    def verdicts(self, how: Setting) -> Said:
         if how.step not in self.says:
             raise ZeroDivisionError("in a command")
         return self.says[how.step]
@@ -195,7 +195,7 @@ def test_advice_that_does_not_do_is_a_finding(then, says, false):
     (result,) = judge._follow(RK4, then)
     assert result == then.words + false
     row = Judge(motion, Runs({}), None).row(RK4, follow=False)
-    kind = exceptions([replace(row, said=Said("", True, True, ""), advice=(result,))])
+    kind = exceptions([replace(row, verdicts=Said("", True, True, ""), advice=(result,))])
     assert f"advice: {false.lstrip(': ')}" in kind
 
 

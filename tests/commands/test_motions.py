@@ -80,7 +80,7 @@ def test_advised_tolerances_do():
     motion = drawn("spring", 1)
     its = judge(motion)
     how = Setting(motion.steps[0], "dop853", "double", (1e-2, 1e-2))
-    message = its.runs.said(how)
+    message = its.runs.verdicts(how)
     assert advised(message.text, how) == (replace(how, tolerances=(6.25e-4, 6.25e-4)),)
     assert not [*its.followed(how, message)] and its.truth(how)[0] == "wrong"
 
@@ -98,6 +98,7 @@ def test_speed_attitude_and_neighbours_change_no_verdict(number):
                                             "root": (0.0, 0.0, 0.0, *attitude)},
                 v={**motion.v, "root": (speed, 0.0, 0.0, 0.0, 0.0, 0.0)})
             row = judge(run).row(Setting(1e-3, "leapfrog", "double"), follow=False)
-            assert row.said
-            results.add((row.truth, bool(row.said.stopped), row.said.passed, row.said.strictly))
+            its = row.verdicts
+            assert its
+            results.add((row.truth, bool(its.stopped), its.passed, its.strictly))
     assert len(results) == 1, results

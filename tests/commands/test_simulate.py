@@ -258,7 +258,7 @@ def test_the_line_of_progress():
 
 def test_runs_tell_where_they_are_between_samples(kernels, monkeypatch, tmp_path):
     """However far the next sample is; the states are the same, to the last bit."""
-    def told(its, **requested):
+    def watched(its, **requested):
         seen = []
         planned = plan(its, **requested)
         result = integrate(its, planned, lambda t, q, v: seen.append(float(t)))
@@ -266,16 +266,16 @@ def test_runs_tell_where_they_are_between_samples(kernels, monkeypatch, tmp_path
         return seen, result
 
     its = system(kernels["SPRING"], "double")
-    seen, _ = told(its, until=0.1, every=0.1, step=1e-6, integrator="rk4")
+    seen, _ = watched(its, until=0.1, every=0.1, step=1e-6, integrator="rk4")
     assert seen == pytest.approx([4e-4 * i for i in range(1, 251)])
     for integrator in ("radau", "dop853"):
-        seen, result = told(its, until=1.0, every=0.9, integrator=integrator)
+        seen, result = watched(its, until=1.0, every=0.9, integrator=integrator)
         assert result.steps > 10 and abs(len(seen) - result.steps) <= 2
         assert seen == sorted(seen)
     monkeypatch.setenv("CC", "no-such-compiler")
     with pytest.warns(RuntimeWarning, match="pure NumPy"):
         others = load_scene(scene_file(tmp_path, texts.SPRING, "spring"), functions=STEPPED)
-    seen, _ = told(system(others, "double"), until=0.01, every=0.01, integrator="rk4")
+    seen, _ = watched(system(others, "double"), until=0.01, every=0.01, integrator="rk4")
     assert seen == pytest.approx([1e-3 * i for i in range(1, 11)])
 
 

@@ -133,7 +133,7 @@ def test_a_sweep_is_known_by_all_that_its_results_depend_on(folder):
 
 # Refusals, before anything starts
 
-@pytest.mark.parametrize(("words", "said"), (
+@pytest.mark.parametrize(("words", "message"), (
     ("", "nothing varies; wanted --grid NAME=FROM:TO:COUNT or --sobol"),
     ("--grid block.mas=1:2:3", "did you mean 'block.mass'?"),
     ("--grid needle.mass=1:2:3", 'runtime = ["block.mass", "block.inertia.xx"'),
@@ -161,27 +161,27 @@ def test_a_sweep_is_known_by_all_that_its_results_depend_on(folder):
     ("--grid block.mass=1:2:3 --precision both", "a sweep runs in one; wanted double or single"),
     ("--grid block.mass=1:2:3 --workers 1 --scheduler tcp://x:1", "wanted one of the two"),
 ))
-def test_what_is_wrong_is_refused_and_nothing_is_made(words, said, tmp_path, capsys):
+def test_what_is_wrong_is_refused_and_nothing_is_made(words, message, tmp_path, capsys):
     command = ["sweep", str(scene_file(tmp_path, SLIDER)), *words.split()]
     try:
         status = main([*command, "--out", str(tmp_path / "out")])
     except SystemExit as usage:
         status = usage.code
     assert status == 2
-    assert said in capsys.readouterr().err
+    assert message in capsys.readouterr().err
     assert not (tmp_path / "out").exists()
 
 
-@pytest.mark.parametrize(("pattern", "said"), (
+@pytest.mark.parametrize(("pattern", "message"), (
     ("start.q.socket", "components of a quaternion"),
     ("start.q.socket.*", "components of a quaternion"),
     ("start.q.base.5", "components of a quaternion")))
-def test_components_of_quaternions_do_not_vary(pattern, said, folder):
-    with pytest.raises(SweepError, match=said):
+def test_components_of_quaternions_do_not_vary(pattern, message, folder):
+    with pytest.raises(SweepError, match=message):
         prepared(folder, BALL, (), (f"{pattern}=0:1",), 4)
 
 
-@pytest.mark.parametrize(("parse", "text", "said"), (
+@pytest.mark.parametrize(("parse", "text", "message"), (
     (sweep_options.grid, "block.mass", "wanted NAME=FROM:TO:COUNT"),
     (sweep_options.grid, "block.mass=1:2", "wanted FROM:TO:COUNT or FROM:TO:COUNT:log; got '1:2'"),
     (sweep_options.grid, "block.mass=1:2:3:lin", "got '1:2:3:lin'"),
@@ -201,10 +201,10 @@ def test_components_of_quaternions_do_not_vary(pattern, said, folder):
     (sweep_options.samples, "1e10", "wanted a whole number, 1 to 4294967296; got '1e10'"),
     (sweep_options.samples, "1e9999", "got '1e9999'"),
     (sweep_options.seed, "-1", "wanted a whole number, 0 to")))
-def test_words_of_options_are_refused(parse, text, said):
+def test_words_of_options_are_refused(parse, text, message):
     with pytest.raises(argparse.ArgumentTypeError) as refused:
         parse(text)
-    assert said in str(refused.value)
+    assert message in str(refused.value)
 
 
 def test_samples_may_have_an_exponent():

@@ -66,7 +66,7 @@ def judged(operation: Operation, precision: Precision, given: np.ndarray) -> lis
     return results
 
 
-def told(results: Sequence[Result], precision: Precision) -> list[Result]:
+def promised(results: Sequence[Result], precision: Precision) -> list[Result]:
     """The results for which the tier makes a promise."""
     return [x for x in results if x.condition < LARGEST_CONDITION[precision.name]
             and _SMALL[precision.name] < abs(x.true) < np.finfo(precision.numpy_type).max]
@@ -148,7 +148,7 @@ def main() -> int:
         cases = tuple(near_zeros(operation, precision, options.seed))
         print(f"{operation.name} {precision.name}: {len(cases)}", end="", flush=True)
         if options.judge and cases:
-            result = told(judged(operation, precision, np.array(
+            result = promised(judged(operation, precision, np.array(
                 [x.inputs for x in cases], precision.numpy_type)), precision)
             bad = beyond(result, precision)
             print(f", largest error {max(x.ulps(precision) for x in result):.4f} ulp", *bad, end="")

@@ -27,7 +27,7 @@ from tests.hard_cases.near_zeros import (
     beyond,
     condition,
     judged,
-    told,
+    promised,
 )
 from tests.search import split
 from tests.support.cases import for_all
@@ -82,7 +82,7 @@ def test_formulas_have_twice_the_digits(operation: Operation):
 def test_components_are_right_as_long_as_their_condition_is_good(operation: Operation,
                                                                  precision: Precision):
     result = judged(operation, precision, hard_rows(operation, precision))
-    kept = told(result, precision)
+    kept = promised(result, precision)
     assert len(kept) > len(result) / 3
     assert not beyond(kept, precision)
 
@@ -95,7 +95,7 @@ def test_what_is_wrong_is_told(precision: Precision):
 
     def wrong(result: float, true: mpmath.mpf, condition: float = 1.0) -> bool:
         rounded = float(np.asarray(result, precision.numpy_type))
-        return bool(beyond(told([Result(0, rounded, true, condition)], precision), precision))
+        return bool(beyond(promised([Result(0, rounded, true, condition)], precision), precision))
 
     assert not wrong(1 / 3, third) and wrong(1 / 3 + unit / 2, third)
     assert wrong(0.5, third, 0.99 * largest) and not wrong(0.5, third, largest)

@@ -137,11 +137,11 @@ def test_search_finds_what_is_broken(name: str, kernel: Implementation, precisio
 
 @pytest.mark.parametrize("name", ["cross_sc", "SO3_exp"])
 def test_search_finds_the_same_for_the_same_seed(name: str):
-    def found(seed: int) -> list[tuple[float, tuple[float, ...]]]:
+    def searched(seed: int) -> list[tuple[float, tuple[float, ...]]]:
         rounds = search(TABLE[name], PRECISIONS[1], "plain", of_tier("plain"), seed)
         return [(f.ratio, f.inputs) for f in islice(rounds, 3)]
 
-    assert found(1) == found(1) != found(2)
+    assert searched(1) == searched(1) != searched(2)
 
 
 def test_search_climbs():

@@ -33,29 +33,30 @@ class Row:
     how: Setting
     truth: str
     worst: Error | None
-    said: Said | None
+    verdicts: Said | None
     advice: tuple[str, ...] = ()
     reason: str = ""  # why it is unjudged, or the error that was raised
 
     @property
     def verdict(self) -> str:
         """The verdict of both commands, in a word."""
-        if self.said is None:
+        if self.verdicts is None:
             return "error"
-        return "stopped" if self.said.stopped and not self.said.passed else self.said.column
+        stopped = self.verdicts.stopped and not self.verdicts.passed
+        return "stopped" if stopped else self.verdicts.column
 
     @property
     def false(self) -> tuple[str, ...]:
         """Faults of the commands' verdicts."""
-        if self.said is None:
+        if self.verdicts is None:
             return ("an error was raised",)
         results = []
         if self.truth == "wrong":
-            results += ["wrong, check passes"] if self.said.passed else []
-            results += ["wrong, simulate goes on"] if not self.said.stopped else []
+            results += ["wrong, check passes"] if self.verdicts.passed else []
+            results += ["wrong, simulate goes on"] if not self.verdicts.stopped else []
         if self.truth == "right":
-            results += ["right, check fails"] if not self.said.passed else []
-            results += ["right, simulate stops"] if self.said.stopped else []
+            results += ["right, check fails"] if not self.verdicts.passed else []
+            results += ["right, simulate stops"] if self.verdicts.stopped else []
         return (*results, *(f"advice: {x}" for x in self.advice))
 
     @property
@@ -65,7 +66,7 @@ class Row:
             else ""
         return (f"{self.motion.name} ({self.motion.about}) {self.how.words}: {self.truth} ({worst})"
                 f", {self.verdict}: {'; '.join(self.false)}{self.reason}"
-                f"{f' | {self.said.reasons}' if self.said else ''}")
+                f"{f' | {self.verdicts.reasons}' if self.verdicts else ''}")
 
 
 def settings(motion: Motion, every: bool = False) -> Iterator[Setting]:
@@ -114,7 +115,7 @@ class Judge:
         """The judged run."""
         spoken = None
         try:
-            spoken = self.runs.said(how)
+            spoken = self.runs.verdicts(how)
             truth, worst = self.truth(how)
         except Unjudged as error:
             return Row(self.motion, how, "unjudged", None, spoken, (), f" {error}")
@@ -136,9 +137,9 @@ class Judge:
     def _follow(self, how: Setting, then: Setting) -> Iterator[str]:
         twice = replace(then, step=2.1 * then.step)
         try:
-            if not self.runs.said(then).goes_on:
+            if not self.runs.verdicts(then).goes_on:
                 yield f"{then.words} does not pass"
-            if then.step < how.step / 2.1 and self.runs.said(twice).goes_on:
+            if then.step < how.step / 2.1 and self.runs.verdicts(twice).goes_on:
                 yield f"{then.words}: twice this step passes, too"
             if self.truth(then)[0] == "wrong":
                 yield f"{then.words} is wrong"

@@ -119,7 +119,7 @@ class Runs:
         its.followed(q, v)
         return q, v
 
-    def said(self, how: Setting) -> Said:
+    def verdicts(self, how: Setting) -> Said:
         """The verdicts of `simulate` and `check`, without the rounding of functions."""
         kernels = self._kernels(how)
         given = RunOverrides(None, None, None, how.precision, self._settings())

@@ -39,7 +39,7 @@ class Judged:
     condition: np.ndarray
 
     @property
-    def told(self) -> np.ndarray:
+    def counted(self) -> np.ndarray:
         """True if the condition allows a judgement."""
         return self.condition < LARGEST
 
@@ -127,8 +127,8 @@ def _unnoticed(arm: Links, name: str, count: int, folder: Path
     judged = judge(derived, next(f for f in derived.functions if f.name == name), count)
     made = mutants(folder / arm.mass, scene_files(derived), "signed_arm_accurate",
                    f"signed_arm_{name}_accurate", judged.high.shape[1])
-    high, low = (np.where(judged.told, x, 0) for x in (judged.high, judged.low))
-    unit = np.where(judged.told, judged.unit, np.inf)
+    high, low = (np.where(judged.counted, x, 0) for x in (judged.high, judged.low))
+    unit = np.where(judged.counted, judged.unit, np.inf)
     truth = high, low, unit, unit * judged.condition * 2.0**-53
     (rounded, whole), = made.worst([-1], judged.given, truth, (np.inf, np.inf))
     assert rounded <= MOST
