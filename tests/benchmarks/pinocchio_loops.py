@@ -20,8 +20,8 @@ import pinocchio as pin
 from coscrew_codegen.reports.processor import processor
 from coscrew_codegen.reports.timing.buffers import aligned
 from coscrew_codegen.reports.timing.loop_timing import Loop
-from coscrew_codegen.scene.mechanism.model import Kind
 from coscrew_codegen.scene.scene import Scene
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.robots import FOLDER, Robot, model_of, paired, scene_of
 
 ROBOTS = {"ur5": ("ur_description/urdf/ur5_robot.urdf", False),

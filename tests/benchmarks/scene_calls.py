@@ -60,7 +60,8 @@ def written(scene: SceneFunctions, folder: Path) -> None:
     made["driver.c"] = driver()
     for tier in ("", *TIERS):
         stem = f"panda{tier and f'_{tier}'}"
-        made[f"{stem}_loops.c"] = f'#include "{stem}.c"\n' + "".join(loops(scene, tier))
+        made[f"{stem}_loops.c"] = "".join((*(f'#include "{x}"\n' for x in (
+            f"{stem}{p.suffix}.c" for p in PRECISIONS) if x in made), *loops(scene, tier)))
     for name, text in made.items():
         (folder / name).write_text(text)
 

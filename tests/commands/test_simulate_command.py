@@ -58,15 +58,16 @@ URDF = """<robot name="arm">
 </robot>"""
 
 
-def test_a_urdf_alone_runs_and_says_that_nothing_acts(tmp_path, capsys):
+def test_a_urdf_alone_runs_and_says_what_acts(tmp_path, capsys):
     path = tmp_path / "arm.urdf"
     path.write_text(URDF)
     assert main(["simulate", str(path), "--until", "0.1"]) == 0
     first, *unused = capsys.readouterr().err.splitlines()
-    assert first == "coscrew: no effects: nothing acts, gravity included"
-    assert unused == ["coscrew: not used: friction, damping, limits, effort and velocity of joint "
-                      "hinge (add [effects.coulomb], [effects.viscous], [effects.limit], "
-                      "[effects.actuator]; --verbose lists them with what to write)"]
+    assert first == ("coscrew: arm.urdf alone: gravity, viscous at 1 joint act; limits, friction "
+                     "and drives take a scene file")
+    assert unused == ["coscrew: not used: friction, limits, effort and velocity of joint hinge "
+                      "(add [effects.coulomb], [effects.limit], [effects.actuator]; --verbose "
+                      "lists them with what to write)"]
 
 
 @pytest.mark.parametrize("words", [
@@ -86,14 +87,15 @@ def test_commands_sum_up_what_is_not_used_and_list_it_on_demand(tmp_path, capsys
             assert len(output) == 1 and "--verbose lists them" in output[0]
             continue
         assert sorted(output) == sorted(read_scene(path).unused)
-        assert [line.split()[2] for line in output] == ["friction", "damping", "lower", "upper",
-                                                        "effort", "velocity"]
+        assert [line.split()[2] for line in output] == ["friction", "lower", "upper", "effort",
+                                                        "velocity"]
 
 
-def test_help_tells_that_a_urdf_will_do(capsys):
+def test_help_tells_that_a_model_will_do(capsys):
     with pytest.raises(SystemExit):
         main(["simulate", "--help"])
-    assert "a scene file (.toml) or a URDF" in " ".join(capsys.readouterr().out.split())
+    output = " ".join(capsys.readouterr().out.split())
+    assert "a scene file (.toml), or a model's file alone, as a URDF" in output
 
 
 def test_without_pyarrow_nothing_runs_for_parquet(tmp_path, capsys, monkeypatch):

@@ -23,7 +23,8 @@ from coscrew_codegen.runtime import compilation
 from coscrew_codegen.runtime.arrays.array_function import ArrayFunction
 from coscrew_codegen.runtime.arrays.namespace import Arrays, of_scene
 from coscrew_codegen.runtime.arrays.standard import ArrayLibrary
-from coscrew_codegen.runtime.load import Kernels, kernels_of, opened
+from coscrew_codegen.runtime.load import Kernels, kernels_of
+from coscrew_codegen.runtime.scene_library import opened
 from tests.support.each import each_precision
 from tests.support.scenes import scene_bits
 from tests.support.scenes.evaluation import MULTIPRECISE, evaluator

@@ -15,10 +15,11 @@ import pytest
 from mpmath import mpf
 
 from coscrew_codegen.scene.effect_quantities import functions_of_effects, units_of
-from coscrew_codegen.scene.mechanism.model import Body, Joint, Kind, Model
+from coscrew_codegen.scene.mechanism.model import Body, Joint, Model
 from coscrew_codegen.scene.scene import Applied
 from tests.support.scenes.effect_laws import assert_same, multiprecise
 from tests.support.scenes.effect_scenes import assert_listed
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.mechanisms import (
     CATALOGUE,
     HERE,

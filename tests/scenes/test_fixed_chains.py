@@ -20,7 +20,6 @@ from coscrew_codegen.scene.mechanism.model import (
     Body,
     Inertia,
     Joint,
-    Kind,
     Model,
     Placement,
 )
@@ -28,6 +27,7 @@ from coscrew_codegen.scene.mechanism.rotations import SNAP
 from coscrew_codegen.scene.mechanism.tree import PlacedBody, composed, tree_of
 from coscrew_codegen.scene.scene import Scene
 from tests.support.cases import for_all
+from tests.support.scenes.kinds import Kind
 
 LONG = 300
 QUARTER = F("1.57079632679489661923132169163975144")

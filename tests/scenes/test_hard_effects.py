@@ -7,8 +7,9 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from coscrew_codegen.scene.mechanism.model import HERE, Body, Joint, Kind, Model
+from coscrew_codegen.scene.mechanism.model import HERE, Body, Joint, Model
 from coscrew_codegen.scene.scene import Applied
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.mechanisms import (
     X,
     Y,

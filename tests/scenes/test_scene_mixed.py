@@ -31,25 +31,22 @@ from coscrew_codegen.accuracy.tiers.certified_wide import in_double
 from coscrew_codegen.accuracy.tiers.mixed import Mixture, mixed
 from coscrew_codegen.backends import emit
 from coscrew_codegen.backends.output_files import scene_files
-from coscrew_codegen.backends.python_extension import scene_calls
-from coscrew_codegen.backends.scene import scene_c_tier
 from coscrew_codegen.dynamics import derive
 from coscrew_codegen.dynamics.ranges.accuracy_requests import RequestError, positions
 from coscrew_codegen.program import Instruction, Op, Program
 from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
 from coscrew_codegen.program.values.digits import two_digits_up
 from coscrew_codegen.program.values.formats import DOUBLE, SINGLE
-from coscrew_codegen.runtime import callables, compilation
-from coscrew_codegen.runtime.load import library_of
+from coscrew_codegen.runtime import callables, compilation, source_text
 from coscrew_codegen.scene.functions import FUNCTIONS
-from coscrew_codegen.scene.mechanism.model import Joint, Kind
+from coscrew_codegen.scene.mechanism.model import Joint
 from coscrew_codegen.scene.readers.scene_error import SceneError
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.scene.scene import Scene, Tolerance
 from tests.support.compiled.c_harness import C11, COMPILERS, STRICT, run
 from tests.support.scenes import mechanisms as m
 from tests.support.scenes.arms import arm, inverse
-from tests.support.scenes.generated_scenes import BANNER
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.scene_values import same_bits
 
 MIXED = tier_named("mixed")
@@ -138,11 +135,11 @@ def test_bits_are_the_same_in_c_in_numpy_and_in_the_choice(made, compiler: str, 
     functions, path = made
     tier = in_tier(functions, MIXED)
     flags = ("-O3", "-march=native", "-ffp-contract=fast")
-    run([compiler, *C11, *STRICT, *flags, "-c", path / f"{tier.stem}.c", "-o", tmp_path / "x.o"])
+    run([compiler, *C11, *STRICT, *flags, "-c", path / f"{tier.stem}f.c", "-o", tmp_path / "x.o"])
     using = compilation.Compiler((compiler,), compiler, ("-fPIC", *flags))
-    files = scene_c_tier.files(tier, BANNER) | scene_calls.tier_files(tier, BANNER)
-    library = library_of(files, tier.plain, f"{tier.stem}_calls.c", using, ("single",))
-    found = scene_calls.tier_interface(tier)
+    text = source_text.of_one(tier)
+    library = compilation.library(text.units(("single",)), text.files, using)
+    found = text.interface
     twin = importlib.import_module(f"{functions.name}.mixed.single")
     given = drawn(functions, 500)
     columns = [np.stack(each, 1) for each in given]
@@ -170,12 +167,12 @@ import sys, hashlib
 from tests.scenes.test_scene_mixed import SCENE
 from coscrew_codegen.backends.output_files import scene_files
 from coscrew_codegen.dynamics import derive
-print(hashlib.sha256(scene_files(derive(SCENE))["mixed_arm_mixed.c"].encode()).hexdigest())
+print(hashlib.sha256(scene_files(derive(SCENE))["mixed_arm_mixedf.c"].encode()).hexdigest())
 """
 
 
 def test_text_is_the_same_for_every_hash_seed(made):
-    mine = hashlib.sha256((made[1] / "mixed_arm_mixed.c").read_bytes()).hexdigest()
+    mine = hashlib.sha256((made[1] / "mixed_arm_mixedf.c").read_bytes()).hexdigest()
     there = subprocess.run([sys.executable, "-c", TEXT], capture_output=True, text=True, check=True,
                            cwd=Path(__file__).parents[2],
                            env={**os.environ, "PYTHONHASHSEED": "4242"}).stdout.strip()

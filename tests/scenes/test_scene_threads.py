@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from coscrew_codegen.backends.render import render
+from coscrew_codegen.backends.render import TEMPLATES
 from coscrew_codegen.runtime import lanes
 from coscrew_codegen.runtime.load import Kernels, kernels_of
 from tests.support.compiled.c_harness import C11, COMPILERS, STRICT, run
@@ -41,8 +41,7 @@ BUILDS = (*((x, ("-O2",)) for x in COMPILERS),
 
 @pytest.mark.parametrize("compiler, flags", BUILDS, ids=str)
 def test_threads_keep_what_they_promise(compiler: str, flags: tuple[str, ...], tmp_path: Path):
-    (tmp_path / "threads.c").write_text(render("scene/threads") + render("scene/share"))
-    run((compiler, *C11, *STRICT, *flags, "-I", tmp_path, DRIVER, "-o", tmp_path / "driver",
+    run((compiler, *C11, *STRICT, *flags, "-I", TEMPLATES, DRIVER, "-o", tmp_path / "driver",
          "-lm", "-pthread"))
     unforked = () if flags == ("-O2",) else ("unforked",)  # sanitizers know no threads of children
     assert run((tmp_path / "driver", *unforked)) == ""

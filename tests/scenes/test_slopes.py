@@ -15,10 +15,11 @@ from coscrew_codegen.algebra.recording.numbers import Number
 from coscrew_codegen.algebra.recording.recorder import Recorder, array
 from coscrew_codegen.dynamics.forces.linearization import JointEffect
 from coscrew_codegen.scene.effect import CoordinateState, Torque
-from coscrew_codegen.scene.mechanism.model import HERE, Body, Joint, Kind, Model, Parameter
+from coscrew_codegen.scene.mechanism.model import HERE, Body, Joint, Model, Parameter
 from coscrew_codegen.scene.scene import Applied
 from tests.support.scenes.effect_scenes import PLACES, assert_listed, effects, mechanism
 from tests.support.scenes.evaluation import MULTIPRECISE, Evaluated, evaluator
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.mechanisms import (
     CATALOGUE,
     Formula,

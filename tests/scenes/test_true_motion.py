@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from coscrew_codegen.runtime.load import Kernels
-from coscrew_codegen.scene.mechanism.model import HERE, Kind
+from coscrew_codegen.scene.mechanism.model import HERE
 from coscrew_codegen.scene.scene import Run, Scene
 from coscrew_codegen.simulation.plan import Plan, Trajectory
 from coscrew_codegen.simulation.run import integrate
@@ -21,6 +21,7 @@ from coscrew_codegen.simulation.system import system
 from tests.references import figures
 from tests.support.scenes import mechanisms as m
 from tests.support.scenes.generated_scenes import imported
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.selecting import OneByOne, checked
 
 OLD = "semi-implicit-euler"

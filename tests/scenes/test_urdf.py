@@ -8,11 +8,12 @@ import numpy as np
 import pytest
 
 from coscrew_codegen.dynamics import derive
-from coscrew_codegen.scene.mechanism.model import Inertia, Kind, Mimic
+from coscrew_codegen.scene.mechanism.model import Inertia, Mimic
 from coscrew_codegen.scene.readers.scene_error import SceneError
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.scene.scene import Scene
 from tests.support.scenes.example_effects import CATALOGUE
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.reading import ARM, read_urdf
 from tests.support.scenes.robots import robots
 from tests.support.work import calls_of
@@ -217,7 +218,8 @@ def test_files_that_are_not_there(tmp_path, model, words):
 
 @pytest.mark.parametrize("old, new, element, words", [
     ('type="continuous"', 'type="hinge"', "joint 'elbow'", "wanted one of revolute, continuous"),
-    ('type="continuous"', 'type="planar"', "joint 'elbow'", "type 'planar' is not supported"),
+    ('type="continuous"', 'type="universal"', "joint 'elbow'",
+     "type 'universal' is not supported"),
     ('type="continuous"', "", "joint 'elbow'", "lacks its 'type'"),
     ('name="elbow"', "", "<joint>", "lacks its 'name'"),
     ('name="elbow"', 'name="shoulder"', "joint 'shoulder'", "given to two"),

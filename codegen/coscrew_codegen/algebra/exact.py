@@ -17,6 +17,7 @@ from gmpy2 import mpq
 from coscrew_codegen.algebra.operations import PER_PRECISION, Operation
 from coscrew_codegen.algebra.special_values import SPECIAL, rational
 from coscrew_codegen.program import Constant
+from coscrew_codegen.program.text_module import imported
 from coscrew_codegen.program.values.formats import PRECISIONS, Precision
 
 Exact = Callable[..., mpq]  # of all input components
@@ -95,7 +96,8 @@ def _evaluating(terms: Sequence[tuple[tuple[int, ...], mpq]]) -> Exact:
                 for powers, x in terms]
     names = ", ".join(f"x{n}" for n in range(len(terms[0][0]))) if terms else "*_"
     divided = f" / {denominator}" if denominator > 1 else ""
-    function: Exact = eval(f"lambda {names}: ({' + '.join(products) or 0}){divided}")
+    text = f"def function({names}):\n return ({' + '.join(products) or 0}){divided}"
+    function: Exact = imported("polynomial", text).function
     return function
 
 

@@ -40,7 +40,8 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 def add_scene(parser: argparse.ArgumentParser) -> None:
     """Add the scene, and the options that replace its own settings of the run."""
     parser.add_argument("scene", metavar="SCENE", type=Path,
-                        help="a scene file (.toml) or a URDF, which alone has no effects")
+                        help="a scene file (.toml), or a model's file alone, as a URDF: gravity "
+                             "acts, and what the file declares")
     parser.add_argument("--until", metavar="T", type=_positive, help="end of the run, in s")
     parser.add_argument("--step", metavar="H", type=_positive,
                         help="longest step, in s, of the emitted integrators")
@@ -83,13 +84,30 @@ def scene_of(options: argparse.Namespace, precision: str | None,
     """The scene of the options, with `functions` and `tiers` instead of its own if there are any.
 
     Implausible bodies that the scene allows are reported on standard error."""
+    from coscrew_codegen.scene.readers.model_formats import SCENE_SUFFIX
     from coscrew_codegen.scene.readers.toml.toml_scene import SceneOverrides, read_scene
 
     overrides = SceneOverrides(precision, options.implausible, functions, tiers)
     scene = read_scene(options.scene, overrides=overrides)
+    if options.scene.suffix.lower() != SCENE_SUFFIX:
+        print(f"coscrew: {options.scene.name} alone: {_acting(scene)}", file=sys.stderr)
     for line in scene.model.implausible:
         print(f"coscrew: warning: {line}", file=sys.stderr)
     return scene
+
+
+def _acting(scene: "Scene") -> str:
+    """The effects of a scene, and at how many places each acts: "gravity, viscous at 6 joints"."""
+    places: dict[str, list[str]] = {}
+    for applied in scene.effects:
+        places.setdefault(applied.effect.name, []).append(applied.on)
+    joints = {x.name for x in scene.model.joints}
+    words = []
+    for name, on in places.items():
+        what = ("joint", "joints") if on[0] in joints else ("body", "bodies")
+        words.append(f"{name} at {len(on)} {what[len(on) > 1]}" if any(on) else name)
+    verb = "act" if len(words) > 1 else "acts"
+    return f"{', '.join(words)} {verb}; limits, friction and drives take a scene file"
 
 
 def _positive(text: str) -> float:
@@ -156,7 +174,8 @@ def run(options: argparse.Namespace) -> int:
 
 def _runs(options: argparse.Namespace) -> "tuple[Result, ...]":
     """Makes the runs with the settings of the options."""
-    from coscrew_codegen.runtime.load import BOTH, kernels_for
+    from coscrew_codegen.runtime.load import kernels_for
+    from coscrew_codegen.runtime.request import BOTH
     from coscrew_codegen.simulation import required_functions, run_summary
 
     scene = scene_of(options, options.precision)

@@ -12,6 +12,7 @@ import numpy as np
 from coscrew_codegen.program.interpreter import Arithmetic, by_operation, exactly, number_of
 from coscrew_codegen.program.ops import COMPARISONS, POLYNOMIAL, Op
 from coscrew_codegen.program.program import Input, Operand, Program, Ref
+from coscrew_codegen.program.text_module import imported
 
 V = TypeVar("V")
 _INFIX: dict[Callable[..., Any], str] = {
@@ -41,8 +42,8 @@ def in_python(program: Program, arithmetic: Arithmetic[V]
         lines.append(f"y{n} = {f' {infix} '.join(operands)}" if infix else
                      f"y{n} = f{n}({', '.join(operands)})")
     lines.append(f"return [{', '.join(names[x] for x in program.results)}]")
-    exec("def function(given):\n " + "\n ".join(lines), known)
-    made: Callable[[Sequence[Sequence[V]]], list[V]] = known["function"]
+    module = imported(program.name, "def function(given):\n " + "\n ".join(lines), known)
+    made: Callable[[Sequence[Sequence[V]]], list[V]] = module.function
     return made
 
 

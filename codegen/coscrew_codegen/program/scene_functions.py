@@ -16,7 +16,7 @@ class Coordinate:
     """The entries of q and v that belong to a joint."""
 
     joint: str
-    kind: str  # revolute, prismatic, spherical, free
+    kind: str  # revolute, prismatic, …
     q: range
     v: range
 

@@ -226,3 +226,4 @@ class Effect:
     massive: bool = False  # acts on a body by its mass and inertia: only on bodies that have them
     reaction: bool = False  # selects the joint's reaction function
     mimic: bool = False  # makes followers follow
+    alone: bool = False  # acts, with the model's numbers, where a model's file is taken alone

@@ -15,7 +15,6 @@ from collections.abc import Mapping, Set
 
 from coscrew_codegen.scene.effect import Place
 from coscrew_codegen.scene.identifiers import identifiers
-from coscrew_codegen.scene.mechanism.model import Kind
 from coscrew_codegen.scene.scene import Applied, Scene
 
 TORQUE, FORCE, POWER, ENERGY, SATURATED = "torque", "force", "power", "energy", "saturated"
@@ -28,7 +27,7 @@ def units_of(applied: Applied, scene: Scene) -> dict[str, tuple[str, ...]]:
 
 
 def _sliding(scene: Scene) -> Set[str]:
-    return {x.name for x in scene.model.joints if x.kind is Kind.PRISMATIC}
+    return {x.name for x in scene.model.joints if x.kind.slides}
 
 
 def _units(applied: Applied, sliding: Set[str]) -> dict[str, tuple[str, ...]]:

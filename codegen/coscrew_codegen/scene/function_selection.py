@@ -9,7 +9,6 @@ from collections.abc import Collection, Iterable, Sequence
 from coscrew_codegen.program.reported_error import ReportedError
 from coscrew_codegen.scene.functions import functions_of
 from coscrew_codegen.scene.mechanism.inertia_checks import why_singular
-from coscrew_codegen.scene.mechanism.model import Kind
 from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.scene.patterns import is_pattern, matching
 from coscrew_codegen.scene.recorded_quantities import recorded_functions
@@ -83,7 +82,7 @@ def by_default(scene: Scene) -> tuple[str, ...]:
 
 def refuse_many(scene: Scene) -> None:
     """Raises FunctionsError for a scene of more than MOST joints that move."""
-    count = sum(joint.kind is not Kind.FIXED for joint in scene.model.joints)
+    count = sum(joint.kind.moves for joint in scene.model.joints)
     if count > MOST:
         raise FunctionsError(f"{scene.name}: {count} joints move; wanted at most {MOST}, since no "
                              "C compiler takes the functions of more")

@@ -4,15 +4,13 @@ import json
 import re
 from collections.abc import Iterable, Mapping, Set
 
+from coscrew_codegen.scene.joints import KINDS
+
 LIKE = 0.55  # difflib's ratio from which names are similar: omega is not max, nor half both (0.5)
 MANY = 20  # names that a message can still list
 _SHORT = 3  # letters below which being contained in a name is no similarity: "d" in "heaviside"
 
-_SYNONYMS = (("revolute", "hinge", "pin", "rotary", "rotational"),
-             ("prismatic", "slider", "slide", "sliding", "translational"),
-             ("spherical", "ball", "socket"),
-             ("free", "floating", "freeflyer", "free_flyer", "free-flyer"),
-             ("fixed", "weld", "welded", "rigid"))
+_SYNONYMS = tuple((kind.name, *kind.synonyms) for kind in KINDS)
 """Other tools' words for the same joint."""
 
 

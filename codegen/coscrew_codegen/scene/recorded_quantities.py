@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from coscrew_codegen.scene.effect_quantities import lacks, quantities_by_name, units_of
 from coscrew_codegen.scene.functions import QUANTITIES as OF_FUNCTIONS
 from coscrew_codegen.scene.mechanism.mimics import followers
-from coscrew_codegen.scene.mechanism.model import Joint, Kind
+from coscrew_codegen.scene.mechanism.model import Joint
 from coscrew_codegen.scene.names import did_you_mean, nearest, or_mean
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.scene_function import Of, SceneFunction, SceneQuantity
@@ -88,7 +88,7 @@ def coordinates(scene: Scene) -> tuple[tuple[Joint, range, range], ...]:
     result, q, v = [], 0, 0
     follow = followers(scene)
     for joint in scene.model.joints:
-        if joint.kind is not Kind.FIXED and joint.name not in follow:
+        if joint.kind.moves and joint.name not in follow:
             nq, nv = joint.kind.nq, joint.kind.nv
             result.append((joint, range(q, q + nq), range(v, v + nv)))
             q, v = q + nq, v + nv
@@ -105,7 +105,7 @@ def _of_joints(text: str, quantity: str, rest: str, scene: Scene) -> Recorded:
         raise QuantityError(f"{text!r}: joint {target!r} follows another; it has no coordinates")
     places, columns, units, owners = [], [], [], dict[str, str]()
     for joint, q, v in joints:
-        all_units = UNITS[quantity][joint.kind.value]
+        all_units = joint.kind.units(quantity)
         all_columns = [f"{quantity}.{joint.name}" + ("" if len(all_units) == 1 else f".{i}")
                        for i in range(len(all_units))]
         for column in all_columns:
@@ -130,7 +130,7 @@ def targets(function: SceneFunction, kind: SceneQuantity, scene: Scene) -> tuple
         case Of.BODY:
             return tuple(body.name for body in scene.model.bodies)
         case Of.JOINT:
-            return tuple(j.name for j in scene.model.joints if j.kind is not Kind.FIXED)
+            return tuple(j.name for j in scene.model.joints if j.kind.moves)
         case Of.SCENE:
             return ()
 

@@ -10,8 +10,8 @@ import numpy as np
 import scipy.integrate
 from scipy.integrate import OdeSolver
 
-import coscrew
 from coscrew_codegen.scene.integrators import ADAPTIVE
+from coscrew_codegen.simulation import coordinate_rates
 from coscrew_codegen.simulation.plan import Plan
 from coscrew_codegen.simulation.system import State, System, Watch
 
@@ -68,16 +68,7 @@ def _q_rates(system: System, r: np.ndarray, q: np.ndarray, v: np.ndarray) -> np.
     """The rates of the coordinates r; q is r with normalized quaternions."""
     result = np.empty(q.shape)
     for c in system.functions.coordinates:
-        if c.kind in ("spherical", "free"):
-            turn = slice(c.q.stop - 4, c.q.stop)
-            omega = np.zeros((*v.shape[:-1], 4))
-            omega[..., :3] = v[..., c.v.stop - 3:c.v.stop] / 2
-            result[..., turn] = coscrew.double.quaternion_product_qq(r[..., turn], omega)
-        if c.kind == "free":
-            forward = v[..., c.v.start:c.v.start + 3]
-            result[..., c.q.start:c.q.start + 3] = coscrew.double.rotate_qv(q[..., turn], forward)
-        elif c.kind != "spherical":
-            result[..., c.q] = v[..., c.v]
+        result[..., c.q] = coordinate_rates.rates(c.kind, r[..., c.q], q[..., c.q], v[..., c.v])
     return result
 
 

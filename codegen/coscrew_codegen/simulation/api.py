@@ -12,6 +12,7 @@ from pathlib import Path
 from numpy.typing import ArrayLike
 
 from coscrew_codegen.program.values.formats import BY_NAME, DOUBLE
+from coscrew_codegen.runtime.caller_warnings import at_callers_line
 from coscrew_codegen.runtime.load import Kernels, kernels_for
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulation import SimulateError, required_functions
@@ -55,8 +56,11 @@ def run(scene: Kernels | Scene | Path | str, *, p: Parameters = None,
                          None if record is None else quantities(record, own), q0=q0, v0=v0,
                          p=values_of(own, BY_NAME[name], p), start=_end(start, q0, v0),
                          controller=_controller(controller))
-    result = motion(kernels or _kernels(own, integrator, name, request.record,
-                                        request.controller is not None), name, request)
+    with at_callers_line():
+        kernels = kernels or _kernels(own, integrator, name, request.record,
+                                      request.controller is not None)
+    with at_callers_line():
+        result = motion(kernels, name, request)
     if start is None and (note := outside(result.system, result.q[..., 0, :])):
         warnings.warn(note, RuntimeWarning, stacklevel=2)
     return _warned(result)
@@ -73,8 +77,12 @@ def again(scene: Kernels | Scene | Path | str, recording: Result | Path | str, *
     kernels, own = _read(scene, past.precision)
     by = _controller(controller)
     past.refuse(own, by)
-    return _warned(motion(kernels or _kernels(own, past.integrator, past.precision, past.record,
-                                              by is not None), past.precision, past.request(by)))
+    with at_callers_line():
+        kernels = kernels or _kernels(own, past.integrator, past.precision, past.record,
+                                      by is not None)
+    with at_callers_line():
+        result = motion(kernels, past.precision, past.request(by))
+    return _warned(result)
 
 
 def _warned(result: Result) -> Result:

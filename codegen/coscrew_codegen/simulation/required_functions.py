@@ -5,7 +5,6 @@ from collections.abc import Iterable
 from coscrew_codegen.scene.function_selection import CONTACTS, FREE, together
 from coscrew_codegen.scene.functions.whole_scene.mass_matrix import MANY, speeds
 from coscrew_codegen.scene.integrators import DEFAULT, named
-from coscrew_codegen.scene.mechanism.model import Kind
 from coscrew_codegen.scene.recorded_quantities import expected, recorded
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulation.plan import known
@@ -36,7 +35,7 @@ def _of_motion(scene: Scene, integrator: str | None, held: bool) -> Iterable[str
     own = named(known(scene.run.integrator if integrator is None else integrator))
     if not own.emitted:
         return "energy", "forward_dynamics"
-    floats = any(joint.kind is Kind.FREE for joint in scene.model.joints)
+    floats = any(joint.kind.floats for joint in scene.model.joints)
     mass = ("mass_matrix",) if floats and speeds(scene) <= MANY else ()
     pushed = ("forward_dynamics",) if held else ()
     return ("energy", "power", *mass, *pushed, own.step_name, named(DEFAULT).step_name, *CONTACTS,

@@ -96,7 +96,8 @@ class Runs:
 
     def _kernels(self, how: Setting) -> Kernels:
         scene = _read(self.motion.text(how.step, how.integrator, how.precision, how.tolerances))
-        return replace(self.kernels, scene=replace(scene, precision=how.precision))
+        wanted = replace(self.kernels.request, scene=replace(scene, precision=how.precision))
+        return replace(self.kernels, request=wanted)
 
     def _planned(self, how: Setting) -> tuple[System, Plan]:
         its = system(self._kernels(how), how.precision, dict(self._settings()))

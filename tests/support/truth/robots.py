@@ -13,9 +13,10 @@ import mpmath
 import numpy as np
 from mpmath import mpf
 
-from coscrew_codegen.scene.mechanism.model import WORLD, Body, Joint, Kind, Model, Placement
+from coscrew_codegen.scene.mechanism.model import WORLD, Body, Joint, Model, Placement
 from coscrew_codegen.scene.scene import Scene
 from tests.support.scenes import mechanisms as m
+from tests.support.scenes.kinds import Kind
 from tests.support.truth.newton_euler import inverse_dynamics
 
 Numbers: TypeAlias = list[Any]  # mpmath has no types

@@ -113,7 +113,7 @@ def mutants(folder: Path, files: dict[str, str], stem: str, function: str, size:
         (folder / name).write_text(other)
     (folder / "mutants.c").write_text("\n".join((
         f"static double sign_of[{len(lines)}], rest_of[{size}];", text[:first],
-        _with_rests(changed), "#endif",
+        _with_rests(changed),
         LOOP.replace("SIZE", str(size)).replace("FUNCTION", function),
         f"void start(void) {{ for (int k = 0; k < {len(lines)}; k++) {{ sign_of[k] = 1.0; }} }}")))
     run(("gcc", "-std=gnu11", "-O1", *FMA, EXACT, "-fPIC", "-shared", "-I", folder,

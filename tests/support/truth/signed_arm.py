@@ -14,9 +14,9 @@ from coscrew_codegen.backends.output_files import scene_files
 from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
 from coscrew_codegen.program.values.formats import DOUBLE
-from coscrew_codegen.scene.mechanism.model import Kind
 from coscrew_codegen.scene.scene import Scene
 from tests.support.scenes import mechanisms as m
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.tiers import components, states, truths
 from tests.support.truth.condition import conditions
 from tests.support.truth.sign_mutants import mutants

@@ -26,7 +26,6 @@ from coscrew_codegen.dynamics.algorithms.linear_systems import Factors, factored
 from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects, gravity
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
-from coscrew_codegen.scene.mechanism.model import Kind
 from coscrew_codegen.scene.mechanism.tree import Tree
 from coscrew_codegen.scene.scene import Applied, Scene
 
@@ -34,7 +33,7 @@ from coscrew_codegen.scene.scene import Applied, Scene
 def floating(scene: Scene, tree: Tree) -> tuple[int, ...]:
     """The first links of the floating trees."""
     roots = [n for n, link in enumerate(tree.links)
-             if link.parent < 0 and link.joint.kind is Kind.FREE]
+             if link.parent < 0 and link.joint.kind.floats]
     tied = {root for applied in scene.effects for root in _tied(applied, tree)
             if not _idle(scene, tree, applied)}
     for number, link in enumerate(tree.links):

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 from coscrew_codegen.algebra.recording.numbers import Number, add, angular, dot, linear, subtract
 from coscrew_codegen.dynamics.algorithms.bodies import Rigid, rigids
 from coscrew_codegen.dynamics.algorithms.motion import Motion
-from coscrew_codegen.scene.mechanism.model import Kind
 
 if TYPE_CHECKING:
     from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
@@ -68,13 +67,8 @@ def to_parent(motion: Motion, number: int, wrench: Wrench) -> Wrench:
 
 def along(motion: Motion, number: int, wrench: Wrench) -> tuple[Number, ...]:
     """h·c: the components of a wrench along the joint's freedoms."""
-    link = motion.tree.links[number]
-    if link.joint.kind is Kind.FREE:
-        return wrench
-    if link.joint.kind is Kind.SPHERICAL:
-        return angular(wrench)
-    part = linear(wrench) if link.joint.kind is Kind.PRISMATIC else angular(wrench)
-    return (dot(motion.axis(link), part),)
+    return tuple(dot(linear(s), linear(wrench)) + dot(angular(s), angular(wrench))
+                 for s in motion.subspace(number))
 
 
 def joint_torques(motion: Motion, wrenches: Sequence[Wrench], acting: "AppliedEffects | None",

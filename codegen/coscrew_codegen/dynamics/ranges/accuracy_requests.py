@@ -1,12 +1,13 @@
 """Accuracy that a scene requests of a function, and the limits between which states are drawn."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from math import inf, pi
 
 from coscrew_codegen.program import Program
 from coscrew_codegen.program.reported_error import ReportedError
 from coscrew_codegen.program.scene_functions import Accuracy
-from coscrew_codegen.scene.mechanism.model import Joint, Kind
+from coscrew_codegen.scene.joints import kind_named
+from coscrew_codegen.scene.mechanism.model import Joint
 from coscrew_codegen.scene.mechanism.tree import Tree
 from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.scene.scene import Scene
@@ -30,14 +31,14 @@ def requested(program: Program, scene: Scene, tree: Tree) -> Accuracy | None:
     for name in within:
         if name not in ("", *outputs):
             raise RequestError(f"{scene.name}: accuracy.{program.name}: no output {name!r}; "
-                               f"{did_you_mean(name, outputs)}")
+                             f"{did_you_mean(name, outputs)}")
     components = tuple((a.name, k) for a in program.outputs for k in range(a.quantity.size))
     every = within.get("", inf)
     return Accuracy(tuple(within.get(name, every) for name, _ in components), components,
                     tuple(_ranges(a.name, program, scene, tree) for a in program.inputs),
-                    tuple((n, range(c.q.stop - 4, c.q.stop))
+                    tuple((n, c.q[places])
                           for n, a in enumerate(program.inputs) if a.name == "q"
-                          for c in tree.coordinates if c.kind in ("spherical", "free")))
+                          for c in tree.coordinates for places in kind_named(c.kind).quaternions))
 
 
 def _ranges(name: str, program: Program, scene: Scene, tree: Tree) -> Ranges:
@@ -51,34 +52,42 @@ def _ranges(name: str, program: Program, scene: Scene, tree: Tree) -> Ranges:
     for c in tree.coordinates:
         joint = joints[c.joint]
         if name == "q":
-            results += [positions(joint)] * len(c.q)
+            results += positions(joint)
             continue
-        half = _half(name, joint, scene, program)
-        results += [(-half, half)] * len(c.v)
+        results += [(-half, half) for half in _halves(name, joint, scene, program)]
     return tuple(results)
 
 
-def positions(joint: Joint) -> tuple[float, float]:
-    """Range of a joint's position.  A missing limit is one turn, or 2 m, from the other one;
+def positions(joint: Joint) -> Ranges:
+    """Ranges of a joint's positions.  A missing limit is one turn, or 2 m, from the other one;
     without both limits the range is half of that to either side of zero."""
-    half = pi if joint.kind is Kind.REVOLUTE else 1.0
     lower, upper = (None if x is None else float(x) for x in (joint.lower, joint.upper))
-    if lower is None:
-        lower = -half if upper is None else upper - 2 * half
-    return lower, lower + 2 * half if upper is None else upper
+    results = []
+    for unit in joint.kind.units("q"):
+        half = pi if unit == "rad" else 1.0
+        low = (-half if upper is None else upper - 2 * half) if lower is None else lower
+        results.append((low, low + 2 * half if upper is None else upper))
+    return tuple(results)
 
 
-def _half(name: str, joint: Joint, scene: Scene, program: Program) -> float:
-    """Largest velocity without a limit: π rad/s, or 1 m/s and 1 rad/s."""
-    speed = float(joint.velocity or (pi if joint.kind is Kind.REVOLUTE else 1))
+def speeds(joint: Joint) -> tuple[float, ...]:
+    """Largest velocities of a joint: without limits π rad/s of angles, 1 m/s and 1 rad/s of
+    others."""
+    return tuple(float(joint.velocity or (pi if part.unit == "rad" else 1))
+                 for part in joint.kind.parts for _ in range(part.speeds))
+
+
+def _halves(name: str, joint: Joint, scene: Scene, program: Program) -> Iterator[float]:
+    """Largest sizes of an input's components at a joint."""
     if name == "tau":
         if not joint.effort:
             raise RequestError(f"{scene.name}: accuracy.{program.name}: joint {joint.name!r} has "
                                "no limit of its effort, which the drawing of states needs; wanted "
                                "limits = { effort = … }")
-        return float(joint.effort)
-    sizes = {"v": speed, "a": speed / REACHED_IN, "phi": speed * scene.run.step}
-    if name not in sizes:
+        yield from [float(joint.effort)] * joint.kind.nv
+        return
+    factors = {"v": 1.0, "a": 1 / REACHED_IN, "phi": scene.run.step}
+    if name not in factors:
         raise RequestError(f"{scene.name}: accuracy.{program.name}: states cannot be drawn for its "
-                           f"input {name}")
-    return sizes[name]
+                         f"input {name}")
+    yield from (speed * factors[name] for speed in speeds(joint))

@@ -10,7 +10,7 @@ from coscrew_codegen.program import Program
 from coscrew_codegen.program.elementary.sincos import FUNCTION as SINCOS
 from coscrew_codegen.program.values.digits import two_digits_up
 from coscrew_codegen.program.values.formats import Precision, named
-from coscrew_codegen.scene.mechanism.model import Joint, Kind
+from coscrew_codegen.scene.mechanism.model import Joint
 from coscrew_codegen.scene.mechanism.tree import Tree
 from coscrew_codegen.scene.scene import Scene
 
@@ -63,7 +63,7 @@ def _sizes(name: str, count: int, scene: Scene, tree: Tree, precision: Precision
 
 
 def _largest(joint: Joint, name: str) -> float:
-    if joint.kind not in (Kind.REVOLUTE, Kind.PRISMATIC):
+    if not joint.kind.one_coordinate:
         return inf
     ends = (joint.lower, joint.upper) if name == "q" else (joint.velocity,)
     given = [abs(x) for x in ends if x is not None]

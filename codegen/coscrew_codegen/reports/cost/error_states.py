@@ -8,8 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from coscrew_codegen.dynamics.ranges.accuracy_requests import positions
-from coscrew_codegen.scene.mechanism.model import Kind
+from coscrew_codegen.dynamics.ranges.accuracy_requests import positions, speeds
 from coscrew_codegen.simulation.plan import Trajectory
 from coscrew_codegen.simulation.system import System
 
@@ -86,11 +85,10 @@ def box_of(system: System, until: float, step: float) -> Box:
     half_v, effort = np.ones(system.functions.nv), np.full(system.functions.nv, np.nan)
     for c in system.functions.coordinates:
         joint = joints[c.joint]
-        half_v[c.v] = float(joint.velocity or (np.pi if joint.kind is Kind.REVOLUTE else 1))
+        half_v[c.v] = speeds(joint)
         effort[c.v] = float(joint.effort) if joint.effort else np.nan
-        if joint.kind in (Kind.REVOLUTE, Kind.PRISMATIC):
-            lower, upper = positions(joint)
-            q[c.q], half_q[c.q] = (lower + upper) / 2, (upper - lower) / 2
+        lower, upper = np.array(positions(joint)).T
+        q[c.q], half_q[c.q] = (lower + upper) / 2, (upper - lower) / 2
     half = {"t": np.array(until / 2), "q": half_q, "v": half_v, "a": half_v / _REACHED_IN,
             "tau": effort}
     centre = {"t": np.array(until / 2), "q": q, **{name: np.zeros_like(half_v)

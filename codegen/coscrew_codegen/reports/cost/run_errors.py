@@ -33,8 +33,7 @@ from coscrew_codegen.reports.cost.step_interpreter import (
     functions_on,
 )
 from coscrew_codegen.runtime.console import doing
-from coscrew_codegen.runtime.load import Kernels
-from coscrew_codegen.runtime.load_tier import in_tier_of
+from coscrew_codegen.runtime.load import Kernels, in_tier_of
 from coscrew_codegen.scene.integrators import NAMES, named
 from coscrew_codegen.scene.units import UNITS
 from coscrew_codegen.simulation.plan import Plan, plan
@@ -153,8 +152,7 @@ class _Steps:
         names = tuple(sorted({x.function for x in self.step.calls}))
         part = replace(self.scene, steps=(), functions=tuple(
             replace(self.scene.named(x), internal=False) for x in names))
-        made = getattr(in_tier_of(replace(self.kernels, selected=names, _derived=part), tier),
-                       precision.name)
+        made = getattr(in_tier_of(self.kernels, tier, part), precision.name)
         functions = {x: _on_numbers(part, x, getattr(made, x), precision) for x in names}
         with np.errstate(all="ignore"):
             run = self._run(self.scene, self.step, functions,

@@ -6,10 +6,10 @@ from dataclasses import dataclass
 
 IDLE = "torque or force"
 SUBJECTS = (
-    IDLE, "other tools' joints", "spring", "armature", "mimic", "wrong mimic", "friction",
-    "wrong friction", "damping", "wrong damping", "other tools' numbers", "limits", "wrong limits",
-    "effort", "wrong effort", "velocity", "wrong velocity", "acceleration", "deceleration", "jerk",
-    "safety controller", "repeated element")
+    IDLE, "gravity", "actuator", "wrench", "other tools' joints", "spring", "armature", "mimic",
+    "wrong mimic", "friction", "wrong friction", "damping", "wrong damping", "other tools' numbers",
+    "limits", "wrong limits", "effort", "wrong effort", "velocity", "wrong velocity",
+    "acceleration", "deceleration", "jerk", "safety controller", "repeated element")
 """Subjects of notices; first what changes the motion most."""
 
 
@@ -21,6 +21,7 @@ class Notice:
     of: str  # "joint elbow"
     text: str  # the whole line
     remedy: str = ""  # 'add [effects.viscous] with joints = "all" and d = "model"', if that is one
+    used_by: tuple[str, str] = ("", "")  # the effect that uses it, and its joint, body or label
 
 
 def by_importance(notices: Iterable[Notice]) -> tuple[Notice, ...]:

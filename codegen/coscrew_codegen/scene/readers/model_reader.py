@@ -11,12 +11,15 @@ from dataclasses import dataclass, field, replace
 from importlib.util import find_spec
 from pathlib import Path
 
+from coscrew_codegen.scene.joints.fixed import JOINT as FIXED
 from coscrew_codegen.scene.mechanism.assembly import ModelError, assembled
 from coscrew_codegen.scene.mechanism.inertia_checks import ERROR, WARN, judged
+from coscrew_codegen.scene.mechanism.joint_kind import JointKind
 from coscrew_codegen.scene.mechanism.mimics import with_faults, without_chains
-from coscrew_codegen.scene.mechanism.model import Body, Joint, Kind, Model
+from coscrew_codegen.scene.mechanism.model import Body, Joint, Model
 from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.mechanism.roundoff_cleanup import without_residues
+from coscrew_codegen.scene.readers.declared_effects import Effects, notices
 from coscrew_codegen.scene.readers.scene_error import SceneError
 
 
@@ -25,7 +28,7 @@ class ModelSource:
     """The file of a model, and how a scene wants it read."""
 
     path: Path
-    base: Kind = Kind.FIXED  # of the joint between the world and a root that no joint moves
+    base: JointKind = FIXED  # of the joint between the world and a root that no joint moves
     implausible: str = ERROR  # or WARN: accept inertias that no body has
 
     @property
@@ -45,6 +48,7 @@ class Parts:
     # where elements stand: "joint 'elbow'": "line 7"; "" for all that have no entry
     mimic_places: Mapping[str, str] = field(default_factory=dict)
     # where followers do, by joint: a wrong one is then refused only where it is used
+    effects: Effects = field(default_factory=dict)  # what acts by the file, as springs of joints
     implausible: tuple[str, ...] = ()  # inertias that the reader has accepted, a line each
     notices: tuple[Notice, ...] = ()  # what was read and is not used
 
@@ -55,7 +59,8 @@ class Parts:
             tree = assembled(self.name, self.bodies, self.joints, source.base)
             clean = without_residues(without_chains(with_faults(tree, {
                 name: f"{source.path.name}, {at}" for name, at in self.mimic_places.items()})))
-            return judged(replace(clean, implausible=self.implausible, notices=self.notices),
+            told = (*notices(self.effects, clean), *self.notices)
+            return judged(replace(clean, implausible=self.implausible, notices=told),
                           source.implausible)
         except ModelError as error:
             place = self.places.get(error.element, self.places.get("", ""))
@@ -79,7 +84,11 @@ class ModelReader:
 
     def read(self, source: ModelSource) -> Model:
         """The model in a file.  Raises SceneError."""
+        return self.parts_of(source).model(source)
+
+    def parts_of(self, source: ModelSource) -> Parts:
+        """The parts in a file.  Raises SceneError, also where a package is missing."""
         if missing := [x for x in self.modules if find_spec(x) is None]:
             raise SceneError(source.path, "", f"is {self.name}, which needs {', '.join(missing)}; "
                              f'run `pip install "coscrew[{self.extra}]"`')
-        return self.parts(source).model(source)
+        return self.parts(source)

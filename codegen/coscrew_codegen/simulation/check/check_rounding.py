@@ -15,8 +15,7 @@ from coscrew_codegen.program.interpreter import interpreter
 from coscrew_codegen.program.multiprecise import MULTIPRECISE, precise
 from coscrew_codegen.program.scene_functions import SceneFunctions
 from coscrew_codegen.program.values.formats import Precision
-from coscrew_codegen.runtime.load import Kernels
-from coscrew_codegen.runtime.load_tier import in_tier_of
+from coscrew_codegen.runtime.load import Kernels, in_tier_of
 from coscrew_codegen.simulation.plan import Trajectory
 from coscrew_codegen.simulation.recordings.record import accelerations
 from coscrew_codegen.simulation.result_units import units
@@ -95,8 +94,7 @@ def _certified(kernels: Kernels) -> Kernels | None:
     if not chosen:
         return None
     part: SceneFunctions = replace(functions, functions=chosen, steps=())
-    names = tuple(f.name for f in chosen)
-    return in_tier_of(replace(kernels, selected=names, _derived=part), CERTIFIED)
+    return in_tier_of(kernels, CERTIFIED, part)
 
 
 def _states(system: System, trajectory: Trajectory) -> Values:

@@ -12,7 +12,7 @@ from math import floor, log10
 
 import numpy as np
 
-from coscrew_codegen.scene.mechanism.model import Joint, Kind
+from coscrew_codegen.scene.mechanism.model import Joint
 from coscrew_codegen.scene.recorded_quantities import coordinates
 from coscrew_codegen.simulation.control import EFFORT, Controller
 from coscrew_codegen.simulation.controlled_run import Driven
@@ -75,7 +75,7 @@ def _words(step: float, every: int, share: _Share) -> str:
     helps = f"steps={steps}" if steps else f"step={_rounded_down(longest):g}"
     if not steps and every > 1:
         helps = f"steps=1 and {helps}"
-    unit = _UNITS[share.what, share.joint.kind is Kind.REVOLUTE]
+    unit = _UNITS[share.what, not share.joint.kind.slides]
     name = share.joint.name
     return (f"controller: at joint {name} it answers {share.what} with {share.slope:.3g} {unit}, "
             f"and is called every {step * every:.3g} s: its torque, held between calls, overshoots "

@@ -8,14 +8,16 @@ import numpy as np
 from coscrew_codegen.program.values.formats import DOUBLE
 from coscrew_codegen.scene.integrator import Integrator
 from coscrew_codegen.scene.integrators import DEFAULT, named
+from coscrew_codegen.scene.joints import kind_named
+from coscrew_codegen.simulation import coordinate_rates
 from coscrew_codegen.simulation.check.error_limits import AGREED
-from coscrew_codegen.simulation.check.motion_error import Places, StateParts, rotated, turned
+from coscrew_codegen.simulation.check.motion_error import Places, StateParts, turned
 from coscrew_codegen.simulation.system import State, System
 
 _GRID = (1, 2, 3, 4, 6, 8, 12, 16, 24, 32)  # steps after which motions are compared
 _DIVISOR = 4
 _POWERS = 5  # of _DIVISOR, by which steps are divided, at most
-_SEEN = 0.01  # rad or m: least way of which a loss to rounding counts
+_SEEN = 0.01  # rad or m: least way whose loss to rounding counts
 _MOST = 4_000_000  # steps of the finest reference motion of a window, of all members together
 
 
@@ -128,8 +130,9 @@ class Way:
         self._system = system
         its = system.functions.coordinates
         kept = integrator.keeps_momentum and system.has("free_momentum")
-        self._vectors = [(c.joint, place, c.kind == "free" and place.start == c.v.start and kept)
-                         for c in its for place in _of_one_unit(c.v)]
+        self._vectors = [
+            (c.joint, slice(c.v[v].start, c.v[v].stop), kind.floats and v.start == 0 and kept)
+            for c in its for kind in [kind_named(c.kind)] for _, _, v in kind.q_parts]
         self._made = self._lost = self._near = np.zeros(1)
         self._steps = 0
 
@@ -171,12 +174,10 @@ class Way:
         body's frame."""
         results = []
         for c in self._system.functions.coordinates:
-            own = v[..., c.v].astype(float)
-            if c.kind == "free":
-                turn = q[..., c.q][..., 3:].astype(float)
-                results += [rotated(turn, own[..., :3]), own[..., 3:]]
-            else:
-                results.append(own)
+            x, own = (y[..., places].astype(float) for y, places in ((q, c.q), (v, c.v)))
+            rates = coordinate_rates.rates(c.kind, x, x, own)
+            results += [own[..., speeds] if part.quaternion else rates[..., places]
+                        for part, places, speeds in kind_named(c.kind).q_parts]
         return np.concatenate(results, -1)
 
     def _moved(self, before: np.ndarray, after: np.ndarray) -> np.ndarray:
@@ -184,10 +185,9 @@ class Way:
         results = []
         for c in self._system.functions.coordinates:
             x, y = (q[..., c.q].astype(float) for q in (before, after))
-            if c.kind in ("free", "spherical"):
-                results += [y[..., :-4] - x[..., :-4], turned(x[..., -4:], y[..., -4:])]
-            else:
-                results.append(y - x)
+            results += [turned(x[..., places], y[..., places]) if part.quaternion else
+                        y[..., places] - x[..., places]
+                        for part, places, _ in kind_named(c.kind).q_parts]
         return np.concatenate(results, -1)
 
     def _numbers(self, q: np.ndarray) -> np.ndarray:
@@ -196,17 +196,9 @@ class Way:
         results = []
         for c in self._system.functions.coordinates:
             own = np.abs(q[..., c.q].astype(float))
-            rotates = c.kind in ("free", "spherical")
-            results += [own[..., :-4], np.full((*own.shape[:-1], 3), 2.0)] if rotates else [own]
+            results += [np.full((*own.shape[:-1], 3), 2.0) if part.quaternion else own[..., places]
+                        for part, places, _ in kind_named(c.kind).q_parts]
         return np.concatenate(results, -1)
-
-
-def _of_one_unit(v: range) -> tuple[slice, ...]:
-    """The vectors among a joint's velocities: for a free joint the linear and the angular velocity.
-    """
-    if v.stop - v.start <= 3:
-        return (slice(v.start, v.stop),)
-    return slice(v.start, v.start + 3), slice(v.start + 3, v.stop)
 
 
 def remedy_of_rounding(system: System) -> str:

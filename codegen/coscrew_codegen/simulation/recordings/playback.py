@@ -13,7 +13,7 @@ import numpy as np
 import coscrew
 from coscrew_codegen.backends.html import pages
 from coscrew_codegen.program.values.parameter import Parameter, Scalar
-from coscrew_codegen.scene.mechanism.model import WORLD, Inertia, Joint, Kind
+from coscrew_codegen.scene.mechanism.model import WORLD, Inertia, Joint
 from coscrew_codegen.simulation.plan import Trajectory
 from coscrew_codegen.simulation.recordings.playback_charts import charts
 from coscrew_codegen.simulation.recordings.recording import Provenance
@@ -114,7 +114,7 @@ def drawn(system: System) -> Drawn:
     model, result = system.scene.model, Drawn()
     numbers = {WORLD: -1, **{body.name: n for n, body in enumerate(model.bodies)}}
     for joint in model.joints:
-        if joint.kind is not Kind.FREE:
+        if not joint.kind.floats:
             _add_joint(system, result, joint, numbers)
     for body in model.bodies:
         if body.inertia:
@@ -127,9 +127,9 @@ def _add_joint(system: System, result: Drawn, joint: Joint, numbers: dict[str, i
     body, at = numbers[joint.parent], _numbers(system, joint.placement.t).tolist()
     result.lines.append({"body": body, "points": [[0, 0, 0], at], "rod": False})
     result.extent.append({"body": body, "points": [at]})
-    if joint.kind is not Kind.FIXED:
+    if joint.kind.moves:
         result.joints.append({"body": body, "point": at})
-    if joint.kind is Kind.PRISMATIC:
+    if any(not part.turns for part in joint.kind.parts):
         result.slides.append({"body": body, "point": at, "child": numbers[joint.child]})
 
 

@@ -2,7 +2,6 @@
 
 import functools
 import json
-import pickle
 import platform
 import warnings
 from collections.abc import Callable, Mapping
@@ -12,7 +11,9 @@ from importlib.metadata import version
 import numpy as np
 
 from coscrew_codegen.runtime import cache, sources
+from coscrew_codegen.runtime.lanes import PAYS
 from coscrew_codegen.runtime.load import Kernels, restored
+from coscrew_codegen.runtime.pickles import packed, unpacked
 from coscrew_codegen.simulation.check.uniform_rotations import quaternions
 from coscrew_codegen.simulation.sweep import SweepError
 from coscrew_codegen.simulation.sweep.files.lock import held
@@ -21,7 +22,6 @@ from coscrew_codegen.simulation.sweep.specification import Specification
 from coscrew_codegen.simulation.system import scene_of, system
 
 _COMPILING = ".sweep-compiles"  # in the cache: workers of a machine compile one after the other
-_PAYS = 1_000_000  # states, for which the functions of many states are compiled at once
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ class Job:
     @classmethod
     def of(cls, kernels: Kernels, specification: Specification) -> "Job":
         """The job of a sweep, for workers with these sources."""
-        return cls(pickle.dumps(kernels), kernels.compiled, specification, sources.generator())
+        return cls(packed(kernels), kernels.compiled, specification, sources.generator())
 
 
 @dataclass(frozen=True)
@@ -108,12 +108,12 @@ def _loaded(job: Job) -> Kernels:
     with (held(cache.folder() / _COMPILING, wait=True),
           warnings.catch_warnings(record=True) as notes):
         warnings.simplefilter("always")
-        kernels: Kernels = pickle.loads(job.kernels)
+        kernels: Kernels = unpacked(job.kernels)
         if job.compiled and not kernels.compiled:
             restored.cache_clear()  # the next chunk tries again
             raise _Uncompiled(*(_reason(str(x.message)) for x in notes[-1:]))
-        if its.varied.members * its.conditions.until / its.conditions.step >= _PAYS:
-            kernels._lanes.function("", _PAYS)
+        if its.varied.members * its.conditions.until / its.conditions.step >= PAYS:
+            kernels._lanes.function("", PAYS)
     return kernels
 
 

@@ -5,13 +5,13 @@ more than a few, however many there are.  Dask repeats the chunks of workers tha
 
 import logging
 import os
-import pickle
 import signal
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from multiprocessing import resource_tracker
 from typing import TYPE_CHECKING
 
+from coscrew_codegen.runtime.pickles import standard
 from coscrew_codegen.simulation.sweep import SweepError
 from coscrew_codegen.simulation.sweep.chunk import Chunk, ChunkCall, Job
 
@@ -101,7 +101,7 @@ def finished(client: "Client", job: Job, numbers: Iterable[int],
 
     def fill() -> None:
         for number in _first(rest, ahead() - len(flying)):
-            future = client.submit(pickle.loads, pickle.dumps(ChunkCall(job, number)), pure=False,
+            future = client.submit(*standard(ChunkCall(job, number)), pure=False,
                                    key=f"coscrew-{job.specification.sha256[:16]}-{number}")
             flying[future] = number
             done.add(future)

@@ -11,8 +11,9 @@ from coscrew_codegen.scene.function_selection import FunctionsError, resolved
 from coscrew_codegen.scene.integrators import NAMES
 from coscrew_codegen.scene.mechanism.inertia_checks import ERROR, WARN
 from coscrew_codegen.scene.mechanism.mimics import followers
-from coscrew_codegen.scene.mechanism.model import Joint, Kind, Model
+from coscrew_codegen.scene.mechanism.model import Joint, Model
 from coscrew_codegen.scene.mechanism.rotations import unit
+from coscrew_codegen.scene.readers.declared_effects import of_file_alone
 from coscrew_codegen.scene.readers.idle import idle
 from coscrew_codegen.scene.readers.model_formats import SCENE_SUFFIX, reader_of, stem, unknown
 from coscrew_codegen.scene.readers.model_reader import ModelSource
@@ -54,7 +55,8 @@ class SceneOverrides:
 
 def read_scene(path: Path | str, catalogue: tuple[Effect, ...] | None = None,
                overrides: SceneOverrides = SceneOverrides()) -> Scene:
-    """The scene in a TOML file; for a model's file alone, a scene without effects, even gravity.
+    """The scene in a TOML file; for a model's file alone, one with the effects that act without a
+    scene file, and those that the file declares.
 
     `catalogue` holds the known effects (None: all).  Raises SceneError, naming file and key, for
     anything unknown, missing, of the wrong type, out of range, or not used."""
@@ -63,14 +65,12 @@ def read_scene(path: Path | str, catalogue: tuple[Effect, ...] | None = None,
     if path.suffix.lower() == SCENE_SUFFIX:
         return _scene(read_toml(path), effects, overrides)
     if reader := reader_of(path):
-        implausible = overrides.implausible or ERROR
-        model = reader.read(ModelSource(path, implausible=implausible))
-        _refuse_still(path, model)
-        scene = Scene(identifier(stem(path)), model, notices=unused(model, set(), effects),
-                      implausible=implausible, precision=overrides.precision or "double",
-                      precisions=_emitted(overrides.precision))
-        return _selecting(replace(scene, tiers=selected(overrides.tiers or ())),
-                          overrides.functions or ())
+        source = ModelSource(path, implausible=overrides.implausible or ERROR)
+        parts = reader.parts_of(source)
+        model = parts.model(source)
+        tables = {"name": identifier(stem(path)),
+                  "effects": of_file_alone(model, parts.effects, effects)}
+        return _scene(TomlTable(path, "", tables), effects, overrides, model)
     raise SceneError(path, "", unknown(path, scenes=True))
 
 
@@ -91,12 +91,14 @@ def _overridden(by: str | None, file: TomlTable, key: str, choices: tuple[str, .
     return by or written
 
 
-def _scene(file: TomlTable, catalogue: tuple[Effect, ...], overrides: SceneOverrides) -> Scene:
+def _scene(file: TomlTable, catalogue: tuple[Effect, ...], overrides: SceneOverrides,
+           alone: Model | None = None) -> Scene:
+    """The scene of these tables, or of the model that is read alone."""
     file.only(*SCENE.names)
     name = _name(file)
     implausible = _overridden(overrides.implausible, file, "implausible", (ERROR, WARN)) or ERROR
     precision = _overridden(overrides.precision, file, "precision", CHOICES)
-    model = with_attached(file, _model(file, name, implausible), implausible)
+    model = alone or with_attached(file, _model(file, name, implausible), implausible)
     use = Use()
     effects = read_effects(file.table("effects"), model, catalogue, use)
     _refuse_still(file.file, model)
@@ -189,13 +191,13 @@ def _model(file: TomlTable, name: str, implausible: str) -> Model:
 
 def _refuse_still(file: Path, model: Model) -> None:
     """Refuse models in which nothing moves."""
-    if all(joint.kind is Kind.FIXED for joint in model.joints):
+    if not any(joint.kind.moves for joint in model.joints):
         raise SceneError(file, "model", 'has no joint that moves; base = "free" frees its root')
 
 
 def _moving(table: TomlTable, key: str, scene: Scene) -> Joint:
     """The joint that a key of [start] names."""
-    joints = {joint.name: joint for joint in scene.model.joints if joint.kind is not Kind.FIXED}
+    joints = {joint.name: joint for joint in scene.model.joints if joint.kind.moves}
     name = table.known(key, key, "joint that moves", joints)
     if leader := followers(scene).get(name):
         table.refuse(key, f"follows joint {leader.joint!r}; wanted the start of that one")
@@ -208,9 +210,9 @@ def _start_q(table: TomlTable, scene: Scene) -> Mapping[str, tuple[float, ...]]:
     for key in table.values:
         joint = _moving(table, key, scene)
         numbers = _start(table, key, joint.kind.nq)
-        if joint.kind in (Kind.SPHERICAL, Kind.FREE):
-            refuse_not_unit(table, key, numbers[-4:])
-            numbers = (*numbers[:-4], *unit(numbers[-4:]))
+        for places in joint.kind.quaternions:
+            refuse_not_unit(table, key, numbers[places])
+            numbers = (*numbers[:places.start], *unit(numbers[places]), *numbers[places.stop:])
         start[key] = tuple(float(x) for x in numbers)
     return start
 

@@ -36,7 +36,7 @@ class _Urdf(Joints):
         return Parts(name, bodies, moves, {x: f"line {line}" for x, line in lines.items()},
                      {joint.attributes["name"]: f"line {mimic.line}" for joint in joints
                       for mimic in joint.all("mimic")[:1]},
-                     tuple(self.lacking), tuple(self.notices))
+                     implausible=tuple(self.lacking), notices=tuple(self.notices))
 
     def _body(self, link: Element) -> Body:
         name = self._name(link)

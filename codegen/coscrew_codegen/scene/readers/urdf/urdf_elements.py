@@ -227,7 +227,7 @@ def _number(of: str, name: str, owner: Element) -> Iterator[Notice]:
     remedy = _taking(of.partition(" ")[2], effect, owner) if effect else ""
     yield Notice(effect or "other tools' numbers", of,
                  f"{of}: {name} {shown(text)[1:-1]} of <{owner.tag}> is another tool's and is not "
-                 f"used{': ' * bool(remedy)}{remedy}", remedy)
+                 f"used{': ' * bool(remedy)}{remedy}", remedy, (effect, of.partition(" ")[2]))
 
 
 def _taking(joint: str, effect: str, owner: Element) -> str:
