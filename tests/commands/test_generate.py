@@ -175,9 +175,9 @@ def test_each_family_of_the_python_package_stands_alone(precision, tmp_path):
     done = subprocess.run([sys.executable, "-c", EACH_PACKAGE, *(tmp_path / x for x in FAMILIES)],
                           text=True, capture_output=True)
     assert done.returncode == 0, done.stderr
-    said = [line.split() for line in done.stdout.splitlines()]
-    assert [words[0] for words in said] == list(FAMILIES)
-    assert all(precision in words for words in said)
+    output = [line.split() for line in done.stdout.splitlines()]
+    assert [words[0] for words in output] == list(FAMILIES)
+    assert all(precision in words for words in output)
 
 
 @pytest.mark.parametrize(("arguments", "near"), [

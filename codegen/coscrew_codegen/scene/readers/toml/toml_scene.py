@@ -36,7 +36,7 @@ from coscrew_codegen.scene.readers.unused import unused
 from coscrew_codegen.scene.recordable import quantities_of
 from coscrew_codegen.scene.recorded_quantities import QuantityError, expected
 from coscrew_codegen.scene.scene import Expectation, Run, Scene
-from coscrew_codegen.scene.tier_selection import TiersError, asked, selected
+from coscrew_codegen.scene.tier_selection import TiersError, on_request, selected
 
 
 @dataclass(frozen=True)
@@ -129,7 +129,7 @@ def _scene(file: TomlTable, catalogue: tuple[Effect, ...], overrides: SceneOverr
     accuracy = read_accuracy(file, scene, resolved(scene, functions))
     functions = overrides.functions or functions
     accuracy = tuple(x for x in accuracy if x.function in resolved(scene, functions))
-    tiers = selected((*_tiers(file), *(asked() if accuracy else ())))
+    tiers = selected((*_tiers(file), *(on_request() if accuracy else ())))
     drawn = limits_used(scene, accuracy)
     refuse_faults(file, scene, drawn)
     told = unused(model, use.of_model | drawn, catalogue, effects)
