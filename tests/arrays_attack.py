@@ -51,7 +51,7 @@ def operations() -> Iterator[str]:
 
 
 def derivatives() -> Iterator[str]:
-    """Of operations, by PyTorch's own differences, also at the identity."""
+    """Compares derivatives of operations with PyTorch's own differences, also at the identity."""
     functions = coscrew.arrays(torch)
     for name in SMOOTH:
         operation = next(op for op in OPERATIONS if op.name == name)

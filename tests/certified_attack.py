@@ -40,8 +40,8 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Found:
-    """Of a function in a precision: outputs with a statement and without, broken bounds, and the
-    largest error / bound."""
+    """Counts for a function in a precision: outputs with a statement and without, broken bounds,
+    and the largest error / bound."""
 
     outputs: int = 0
     silent: int = 0
@@ -125,7 +125,7 @@ def _halves(found: tuple[object, ...]) -> tuple[tuple[object, ...], tuple[object
 
 def of_scene(plain: Kernels, outputs: int, folder: Path, processes: int
              ) -> Iterator[tuple[str, str, Found]]:
-    """What is found of each function in each precision, on at least so many outputs."""
+    """Attacks each function in each precision, on at least so many outputs."""
     for function in plain.functions.functions:
         if function.internal or not function.program.instructions:
             continue
@@ -141,7 +141,7 @@ def of_scene(plain: Kernels, outputs: int, folder: Path, processes: int
 
 
 def of_free_joint(outputs: int, seed: int = 0) -> Iterator[tuple[str, str, Found]]:
-    """What is found of moved free joints, on about so many outputs of each precision."""
+    """Attacks moved free joints, on about so many outputs of each precision."""
     plain = kernels("wingnut", ("integrated",))
     for p in PRECISIONS:
         kernel, found = getattr(plain.certified, p.name).integrated, Found()

@@ -71,7 +71,7 @@ def _keep_bytecode() -> None:
 
 
 def _keep_cache_apart() -> None:
-    """What tests derive and compile is not looked up among what a user's commands have kept."""
+    """Gives tests a cache of their own, separate from the user's."""
     os.environ["XDG_CACHE_HOME"] = str(Path(__file__).parents[1] / "build" / "cache")
 
 
@@ -95,8 +95,8 @@ def pytest_configure(config: pytest.Config) -> None:
 
 
 def pytest_collection_finish() -> None:
-    """Python's garbage collector leaves alone what has been imported, and looks less often at what
-    tests make: as it is by default it takes a tenth of their time."""
+    """Excludes imported objects from Python's garbage collection, and makes it less frequent: by
+    default it takes a tenth of the tests' time."""
     gc.freeze()
     gc.set_threshold(20_000)
 

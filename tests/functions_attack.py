@@ -103,7 +103,7 @@ def _screw(displacement: Vector) -> list[mpfr]:
 
 
 def judged(operation: Operation, given: Array, precision: Precision) -> Found:
-    """What is found of these calls."""
+    """Judges these calls."""
     found = joined(gufuncs(coscrew.certified)(operation, precision, split(operation, given)))
     half, errors, truth = found.shape[1] // 2, [], _truth(operation)
     for row, got in zip(given.tolist(), found.tolist(), strict=True):
@@ -118,12 +118,13 @@ def judged(operation: Operation, given: Array, precision: Precision) -> Found:
 
 
 def _is_other_sign(x: float, y: mpfr) -> bool:
-    """Whether these are π and -π: the sign of a zero says which, and exact zeros have none."""
+    """Returns whether these are π and -π: the sign of a zero says which, and exact zeros have none.
+    """
     return abs(abs(x) - math.pi) < 1e-6 and abs(x + y) < 1e-6
 
 
 def attacked(operation: Operation, precision: Precision, outputs: int, seed: int) -> Found:
-    """What is found on at least so many outputs."""
+    """Attacks an operation on at least so many outputs."""
     kind = np.dtype(precision.numpy_type).type
     rng = np.random.default_rng([seed, precision.bytes, *operation.name.encode()])
     cases, found = hard_rows(operation, precision), Found()
@@ -136,7 +137,7 @@ def attacked(operation: Operation, precision: Precision, outputs: int, seed: int
 
 
 def rows(names: list[str], outputs: int, seed: int) -> Iterator[tuple[str, str, Found]]:
-    """What is found of each operation in each precision."""
+    """Attacks each operation in each precision."""
     for operation in FUNCTIONS:
         for precision in PRECISIONS:
             if operation.name in names:

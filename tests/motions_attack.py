@@ -38,7 +38,7 @@ def rows(task: Task) -> list[Row]:
 
 
 def deviation(task: Task) -> tuple[str, str, float, float]:
-    """How far short steps are from the judge."""
+    """Deviation of a motion with short steps from the judge's."""
     warnings.simplefilter("ignore")
     motion = drawn(*task[:3])
     try:

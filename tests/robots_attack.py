@@ -44,7 +44,7 @@ class Judged:
 
     @property
     def told(self) -> bool:
-        """Whether the accurate tier promises anything."""
+        """True if the accurate tier promises anything."""
         return bool(self.accurate.true) and (
             self.accurate.condition < LARGEST_CONDITION[self.precision.name])
 
@@ -58,7 +58,7 @@ class Judged:
 
     @property
     def broken(self) -> bool:
-        """Whether a tier breaks its promise."""
+        """True if a tier breaks its promise."""
         return bool(self.told and self.ulps > MOST[self.precision.name]) or (
             self.stated and self.error > mpf(float(self.bound)))
 

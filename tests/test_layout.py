@@ -1,4 +1,4 @@
-"""Test modules are in folders by subject, and what they share is in support/."""
+"""Test modules are in folders by subject, and shared code is in support/."""
 
 import ast
 import os

@@ -25,8 +25,8 @@ INTERRUPTED, CLOSED, TERMINATED = 130, 141, 143
 
 def main(arguments: list[str] | None = None) -> int:
     """Run the command line; returns the exit status: the command's, or 2 for an error, 130 for an
-    interrupt, 143 for SIGTERM, which ends commands as an interrupt does: what they have is kept,
-    and they say so; 141 if the reader of standard output closes it early, as `head` does."""
+    interrupt, 143 for SIGTERM, which ends commands as an interrupt does: they keep their results so
+    far, and say so; 141 if the reader of standard output closes it early, as `head` does."""
     with _terminable() as signals:
         status = _ended(arguments)
     return TERMINATED if signals and status == INTERRUPTED else status

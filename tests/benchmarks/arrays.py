@@ -1,8 +1,7 @@
-"""What a state of a Panda takes on arrays of JAX and of NumPy on one core, against frax.
+"""Times of a Panda's state on arrays of JAX and of NumPy on one core, against frax.
 
 arrays_on_a_core.py measures, in a process with one core and with the settings that frax recommends.
-Without frax (the extra `peers`) the ratio is to what its authors state, of another machine.
-"""
+Without frax (the extra `peers`) the ratio is to what its authors state, of another machine."""
 
 import json
 import os

@@ -1,4 +1,4 @@
-"""Bars of performance, and whether what was measured meets them."""
+"""Required ratios of performance, and whether measured ones meet them."""
 
 import platform
 import shutil
@@ -51,7 +51,7 @@ class Bar:
 
 
 def fastest(found: Iterable[tuple[float, Bar]]) -> list[Bar]:
-    """For each `what` the bar with the least time of ours: that of one compiler and its flags."""
+    """The bar with our least time for each `what`: that of one compiler and its flags."""
     best: dict[str, tuple[float, Bar]] = {}
     for time, bar in found:
         if bar.what not in best or time < best[bar.what][0]:
@@ -65,7 +65,7 @@ def table(bars: Sequence[Bar], form: str = "simple") -> str:
 
 
 def summary(bars: Sequence[Bar]) -> str:
-    """How many are met."""
+    """A line with the number of bars that are met."""
     counts = Counter(bar.met for bar in bars)
     return ", ".join(f"{count} {words}" for words in WORDS if (count := counts[words])) or "no bars"
 
@@ -84,7 +84,7 @@ def write(bars: Sequence[Bar]) -> None:
 
 
 def machine() -> Iterator[str]:
-    """When and where: processor, load, compilers."""
+    """Date and machine: processor, load, compilers."""
     load = ", ".join(f"{x:.2f}" for x in getloadavg())
     yield f"{datetime.now(UTC):%Y-%m-%d %H:%M} UTC; load of {cpu_count()} cores: {load}"
     yield f"{processor()}, {platform.system()} {platform.machine()}"

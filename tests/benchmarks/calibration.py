@@ -1,5 +1,5 @@
-"""How certified bounds are calibrated: parts of a function's outputs by bound / error, as a row of
-a table and as a curve of a figure."""
+"""Calibration of certified bounds: parts of a function's outputs by bound / error, as a row of a
+table and as a curve of a figure."""
 
 import math
 from collections.abc import Sequence

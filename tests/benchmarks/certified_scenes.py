@@ -1,11 +1,10 @@
-"""How close certified bounds of scenes' functions are to the true errors, and what they cost.
+"""Ratios of certified bounds of scenes' functions to the true errors, and their cost.
 
 `python -m tests.benchmarks.certified_scenes` prints, for robots of example-robot-data, the median,
 the 90th percentile and the largest of bound / error, over all components with an error at random
 states.  The truth is the plain program in 60 digits with the model's exact decimals.  With
 --calibration it prints instead how many of 1e5 outputs of each function have a bound of at most so
-many times the error, judged in 113 bits; --plot draws them.
-"""
+many times the error, judged in 113 bits; --plot draws them."""
 
 import argparse
 import tempfile
@@ -98,7 +97,7 @@ def rows(name: str, outputs: int) -> Iterator[tuple[object, ...]]:
 
 
 def calibrations(name: str, outputs: int, folder: Path) -> Iterator[Calibration]:
-    """For each function and precision, at random states."""
+    """The calibration of each function and precision, at random states."""
     plain = kernels(name)
     for function in plain.functions.functions:
         count, judge = -(-outputs // len(function.program.results)), quad.judge(

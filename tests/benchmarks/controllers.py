@@ -1,5 +1,5 @@
-"""What a controller in C costs that is called before every step of a 6-joint arm: by compiled
-steps, and by Python; beside the steps without a controller.  Rounds of all take turns."""
+"""Cost of a controller in C that is called before every step of a 6-joint arm: by compiled steps,
+and by Python; beside the steps without a controller.  Rounds of all take turns."""
 
 import ctypes
 from collections.abc import Iterator

@@ -1,6 +1,6 @@
-"""What accuracy costs on a Cortex-M4F, whose double precision is software: instructions of a call,
-counted under qemu-user, and the largest errors found; and what mixtures cost that are as accurate
-as asked."""
+"""Cost of accuracy on a Cortex-M4F, whose double precision is software: instructions of a call,
+counted under qemu-user, with the largest errors found; and the cost of mixtures that reach a
+requested accuracy."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -73,7 +73,7 @@ def rows() -> Iterator[tuple[object, ...]]:
 
 
 def mixtures() -> Iterator[tuple[object, ...]]:
-    """Of every robot and accuracy: instructions in the mixed tier and in pairs, and the largest
+    """For every robot and accuracy: instructions in the mixed tier and in pairs, and the largest
     error certified at the drawn states."""
     for name, scene in _scenes():
         for function, accuracies in ASKED.items():

@@ -51,7 +51,7 @@ def operations(program: Program) -> str:
 
 def rivals_of(robot: Robot, given: tuple[np.ndarray, ...], folder: Path) -> tuple[
         dict[str, Pinocchio | CasADi], dict[str, str]]:
-    """Rivals by name, and what is missing of others."""
+    """Rivals by name, and the missing libraries of others."""
     found: dict[str, Pinocchio | CasADi] = {}
     missing = {}
     for name, compiler in CPLUSPLUS.items():
@@ -126,7 +126,7 @@ def from_python(name: str, robot: Robot) -> Iterator[tuple[list[str], Bar]]:
 
 
 def main() -> list[Bar]:
-    """Print what a call costs, and the ratios."""
+    """Prints the cost of a call, and the ratios."""
     robots = {name: robot_named(name) for name in ROBOTS}
     print("\nOperations (sums, products, quotients, choices) + pairs of sine and cosine")
     print(tabulate([(name, *(operations(x.functions.named(f).program) for f in FUNCTIONS))

@@ -1,5 +1,5 @@
-"""Gufuncs against what a NumPy user would write, and against the pure-NumPy twins; and what their
-checks of arguments take."""
+"""Gufuncs against a NumPy user's own code, and against the pure-NumPy twins; and the times of their
+checks of arguments."""
 
 from collections.abc import Callable
 from functools import partial
@@ -94,8 +94,8 @@ def _arguments(name: str, dtype: str) -> tuple[np.ndarray, tuple[np.ndarray, ...
 
 
 def _checks(dtype: str) -> list[tuple[str, ...]]:
-    """Lines of functions that refuse arguments: what a call and an element of many take unchecked,
-    and how much more with the check."""
+    """Lines of functions that refuse arguments: times of a call, and of an element of many,
+    unchecked, and the additional time of the check."""
     rows = []
     v, R = np.ones(3, dtype), coscrew.SO3_exp(np.ones((COUNT, 3), dtype))
     for name, many, more in (("SO3_log", R, ()),

@@ -48,7 +48,7 @@ class Measured:
 
     @property
     def what(self) -> str:
-        """For the table of bars."""
+        """The name in the table of bars."""
         return f"{self.function} of {self.arm}"
 
 

@@ -23,12 +23,12 @@ from coscrew_codegen.program.values.formats import PRECISIONS
 from coscrew_codegen.reports.timing.loop_timing import Loop, Timing, timed_loops
 from coscrew_codegen.runtime.load import kernels_of
 from coscrew_codegen.scene.effects import EFFECTS
-from coscrew_codegen.scene.mechanism.model import Kind
 from coscrew_codegen.scene.scene import Applied, Scene
 from tests.benchmarks.bars import Bar, fastest, show
 from tests.benchmarks.pinocchio_loops import ROBOTS, scene_named
 from tests.benchmarks.scene_loops import compiled, compilers
 from tests.benchmarks.words import said
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.robots import path_of
 
 ARMS = ("ur5", "panda7")

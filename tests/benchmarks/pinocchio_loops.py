@@ -20,8 +20,8 @@ import pinocchio as pin
 from coscrew_codegen.reports.processor import processor
 from coscrew_codegen.reports.timing.buffers import aligned
 from coscrew_codegen.reports.timing.loop_timing import Loop
-from coscrew_codegen.scene.mechanism.model import Kind
 from coscrew_codegen.scene.scene import Scene
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.robots import FOLDER, Robot, model_of, paired, scene_of
 
 ROBOTS = {"ur5": ("ur_description/urdf/ur5_robot.urdf", False),
@@ -65,7 +65,8 @@ def pinocchio_model(name: str) -> pin.Model:
 
 def library(compiler: str, source: Path = SOURCE, flags: Sequence[str] = FLAGS
             ) -> tuple[ctypes.CDLL | None, str]:
-    """The loops, compiled once for a compiler and a processor; or None, and what is missing."""
+    """The loops, compiled once for a compiler and a processor; or None, and the missing libraries.
+    """
     if not shutil.which(compiler):
         return None, f"no {compiler}"
     eigen = next((x for x in EIGEN if (x / "Eigen").is_dir()), None)

@@ -1,4 +1,4 @@
-"""What many states of a Panda take from Python: against the same rows from C, in results that are
+"""Times of many states of a Panda from Python: against the same rows from C, in results that are
 made or given and from columns of wider arrays, and against a loop of calls of Pinocchio; and in two
 threads.  One state: dynamics.py."""
 

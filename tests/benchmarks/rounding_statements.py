@@ -1,4 +1,4 @@
-"""What is stated of rounding errors between the limits, beside the worst that a search finds."""
+"""Stated bounds of rounding errors between the limits, beside the worst errors of a search."""
 
 from collections.abc import Iterator
 

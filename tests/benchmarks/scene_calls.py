@@ -1,4 +1,4 @@
-"""What a call of a Panda's functions takes from C: plain, with the C library's sine and cosine, and
+"""Times of a call of a Panda's functions from C: plain, with the C library's sine and cosine, and
 in the accurate and certified tiers; with every compiler, by usual flags and for this processor."""
 
 import ctypes
@@ -60,7 +60,8 @@ def written(scene: SceneFunctions, folder: Path) -> None:
     made["driver.c"] = driver()
     for tier in ("", *TIERS):
         stem = f"panda{tier and f'_{tier}'}"
-        made[f"{stem}_loops.c"] = f'#include "{stem}.c"\n' + "".join(loops(scene, tier))
+        made[f"{stem}_loops.c"] = "".join((*(f'#include "{x}"\n' for x in (
+            f"{stem}{p.suffix}.c" for p in PRECISIONS) if x in made), *loops(scene, tier)))
     for name, text in made.items():
         (folder / name).write_text(text)
 
@@ -83,7 +84,7 @@ def called(function: FunctionProgram, tier: str, precision: Precision) -> str:
 
 
 def sizes_of(function: FunctionProgram, tier: str) -> list[int]:
-    """How many numbers each argument has."""
+    """Number of components of each argument."""
     program = function.program
     bounds = program.outputs if tier == "certified" else ()
     return [int(np.prod(a.quantity.shape)) for a in (*program.inputs, *program.outputs, *bounds)]

@@ -1,5 +1,5 @@
-"""What a state of a Panda takes where many are computed in lanes: functions and steps from C, with
-every compiler and width that this processor has, against one call after the other."""
+"""Times of a Panda's state where many are computed in lanes: functions and steps from C, with every
+compiler and width that this processor has, against one call after the other."""
 
 from collections.abc import Iterator
 from dataclasses import replace

@@ -1,4 +1,4 @@
-"""What accuracy costs in a scene: its functions in every tier it has, over arrays of states."""
+"""Cost of accuracy in a scene: its functions in every tier it has, over arrays of states."""
 
 import time
 from collections.abc import Callable, Iterator

@@ -1,7 +1,6 @@
-"""What accuracy costs in time: the tiers on structures of arrays in the first-level cache.
+"""Cost of accuracy in time: the tiers on structures of arrays in the first-level cache.
 
-The loops, the buffers and the rounds are those of `coscrew report`.
-"""
+The loops, the buffers and the rounds are those of `coscrew report`."""
 
 import tempfile
 from collections.abc import Iterator

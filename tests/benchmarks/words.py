@@ -1,4 +1,4 @@
-"""How benchmarks print times."""
+"""Prints times of benchmarks."""
 
 from coscrew_codegen.reports.timing.intervals import Interval
 

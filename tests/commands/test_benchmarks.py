@@ -1,4 +1,4 @@
-"""Benchmarks end with one table of bars; what they compare is equal."""
+"""Benchmarks end with one table of bars; the compared functions are equal."""
 
 import re
 import subprocess

@@ -39,7 +39,7 @@ def loaded(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def spring(loaded):
-    """What is found of the spring."""
+    """The findings for the spring."""
     return check(loaded(texts.SPRING), RunOverrides())
 
 

@@ -79,7 +79,7 @@ def test_simulate_names_a_step_with_which_it_goes_on(tmp_path, capsys):
 
 @pytest.mark.parametrize("precision", ("single", "both"))
 def test_double_precision_is_advised_where_no_step_helps_in_single(found, precision, monkeypatch):
-    """Where q is rounded so coarsely, small steps do not move it as they should."""
+    """Small steps do not move a q that is rounded so coarsely."""
     monkeypatch.setattr(step_advice, "HALVINGS", 6)
     values = {**FAR, "rest": 1e6, "start": 1e6 + 0.125}
     along, said = found(values, DEFAULT, precision)

@@ -149,7 +149,7 @@ def test_motions_smaller_than_the_rounding_of_energies_are_true(tmp_path, capsys
                             precision)
         assert status == 0, said
     if angle in ("3e-8", "1e-9"):
-        assert "unknown: potential energy rounds by more than moved" in said
+        assert "unknown: the potential energy's rounding exceeds the energy moved" in said
 
 
 @pytest.mark.parametrize("angle, z, precision", [("1e-3", 0, "single"), ("0.1", 2000, "single"),

@@ -4,18 +4,24 @@ import keyword
 import re
 import subprocess
 import sys
+import sysconfig
 import tomllib
 from collections.abc import Iterable
 from fnmatch import fnmatchcase
+from functools import cache
 from pathlib import Path
 
+import jax
+import numpy as np
 import pytest
 from jinja2 import Environment
 from vulture import Vulture
 
 from coscrew_codegen.__main__ import main
+from coscrew_codegen.backends.render import TEMPLATES
 from tests.support.compiled import all_headers
-from tests.support.compiled.c_harness import C11, INCLUDE, run
+from tests.support.compiled.c_harness import C11, INCLUDE, STRICT, run
+from tests.support.each import each_compiler
 
 ROOT = Path(__file__).parents[2]
 
@@ -80,10 +86,10 @@ def test_names_that_vulture_ignores_have_reasons():
     assert [x for x in lines if not re.fullmatch(r' +("[\w*]+",\s+)+# \w.+', x)] == []
 
 
-def tidy(path: Path) -> None:
+def tidy(path: Path, *flags: str) -> None:
     """clang-tidy finds nothing but what .clang-tidy gives reasons to leave out."""
     run(["clang-tidy", "--quiet", f"--config-file={ROOT / '.clang-tidy'}", path, "--", "-x", "c",
-         *C11, "-I", INCLUDE])
+         *C11, "-I", INCLUDE, *flags])
 
 
 @pytest.mark.parametrize("header", all_headers.AMALGAMATIONS)
@@ -94,4 +100,38 @@ def test_clang_tidy_finds_nothing_in_the_headers(header: str):
 def test_clang_tidy_finds_nothing_in_a_scene(tmp_path: Path):
     scene = ROOT / "examples" / "scenes" / "arm6.toml"
     assert main(["generate", str(scene), "-o", str(tmp_path)]) == 0
-    tidy(tmp_path / "arm6.c")
+    for name in ("arm6.c", "arm6f.c"):
+        tidy(tmp_path / name)
+
+
+RUNTIME = sorted(path.relative_to(TEMPLATES).as_posix()
+                 for path in (TEMPLATES / "runtime").rglob("*.[ch]"))
+PRECISION_MACROS = ("-DSINGLE_PRECISION=0", "-DSINGLE_PRECISION=1")
+
+
+@cache
+def system_headers() -> tuple[str, ...]:
+    """Flags for the headers of Python, NumPy and XLA, in which no warning counts."""
+    folders = (sysconfig.get_paths()["include"], np.get_include(), jax.ffi.include_dir())
+    return tuple(word for folder in folders for word in ("-isystem", folder))
+
+
+@pytest.mark.parametrize("macro", PRECISION_MACROS)
+@pytest.mark.parametrize("name", RUNTIME)
+def test_clang_tidy_finds_nothing_in_run_time_c(name: str, macro: str):
+    """By itself, as an editor reads it."""
+    tidy(TEMPLATES / name, macro, *system_headers())
+
+
+@each_compiler
+@pytest.mark.parametrize("name", RUNTIME)
+def test_run_time_c_compiles_by_itself_without_a_warning(name: str, compiler: str, tmp_path: Path):
+    """In each precision, and headers in both, as generated sources include them."""
+    include = f'#include "{name}"\nextern int nothing_else;\n'
+    texts = [f"#define {macro[2:].replace('=', ' ')}\n{include}" for macro in PRECISION_MACROS]
+    if name.endswith(".h"):
+        texts.append("#undef SINGLE_PRECISION\n".join(texts))
+    for number, text in enumerate(texts):
+        (tmp_path / f"{number}.c").write_text(text)
+        run([compiler, *C11, *STRICT, "-O2", "-fPIC", "-I", TEMPLATES, *system_headers(),
+             "-c", tmp_path / f"{number}.c", "-o", tmp_path / "x.o"])

@@ -1,4 +1,4 @@
-"""How commands end: by an interrupt, or when the reader of their output closes it."""
+"""Commands end by an interrupt, or when the reader of their output closes it."""
 
 import os
 import signal

@@ -1,4 +1,4 @@
-"""coscrew cost: what it compares, that what it times is the scene, errors against closed forms."""
+"""coscrew cost: its comparisons, that it times the scene itself, errors against closed forms."""
 
 import math
 import subprocess

@@ -1,5 +1,5 @@
-"""What coscrew cost says of accuracy: errors and bounds against rational arithmetic, states inside
-the limits, a search that finds more than chance."""
+"""Accuracies of coscrew cost: errors and bounds against rational arithmetic, states inside the
+limits, a search that finds more than chance."""
 
 import math
 from dataclasses import replace
@@ -165,8 +165,8 @@ def test_the_search_finds_a_peak_that_chance_misses(box):
 
 
 def test_the_search_climbs_the_errors_of_each_choice(costs, looked_at, box):
-    """Of all states, those that the search found have the worst error of a choice, of the certified
-    ones the worst bound; it knows the errors of accurate results in double exactly."""
+    """The search's states have the worst error of a choice or, if it is certified, the worst bound;
+    the errors of accurate results in double are exact."""
     function, states, places = looked_at["inverse_dynamics"]
     chance = box.drawn(np.random.default_rng(7), 4000)
     for choice in choices_of(function.built, function.name):

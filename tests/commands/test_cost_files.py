@@ -1,5 +1,5 @@
-"""What coscrew cost writes: JSON whose fields are documented, a self-contained page, all or
-nothing; and every kind of function that it can be asked for."""
+"""Files of coscrew cost: JSON whose fields are documented, a self-contained page, all or nothing;
+and every kind of function that it can measure."""
 
 import json
 import math

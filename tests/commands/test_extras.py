@@ -1,4 +1,5 @@
-"""An install without extras says at once what a command needs, before it does anything."""
+"""An install without extras names at once the packages that a command needs, before it does
+anything."""
 
 import os
 import re

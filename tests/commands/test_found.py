@@ -77,7 +77,7 @@ def test_the_tier_has_a_header_an_extension_and_a_package(made):
 
 
 def test_the_tier_adds_in_another_order(made, site):
-    """The same polynomials, with as many operations; of sums of four products the constant of the
+    """Polynomials and numbers of operations stay; for sums of four products the constant of the
     bound falls from 3 to 2."""
     spec = spec_from_file_location("pairwise", site / "coscrew_codegen/accuracy/tiers/pairwise.py")
     pairwise = module_from_spec(spec)
@@ -122,7 +122,7 @@ def test_the_target_writes_the_same_arithmetic(made):
 
 
 def run_in(site: Path, program: str) -> str:
-    """What a program prints that runs in a folder with a package coscrew."""
+    """Runs a program in a folder with a package coscrew; returns its output."""
     done = subprocess.run([sys.executable, "-c", program], cwd=site, text=True,
                           capture_output=True, env={**os.environ, "PYTHONPATH": str(site)})
     assert done.returncode == 0, done.stderr

@@ -70,7 +70,7 @@ def test_advice_is_read_as_it_was_tried(how, right, monkeypatch):
 
 
 def test_every_form_of_advice_is_read(monkeypatch):
-    """What `advice` can say is in the cases above, except for advice without a name."""
+    """The cases above contain every form of `advice`, except for advice without a name."""
     all_of_them = " | ".join([*(said(*case, monkeypatch) for case in TRIED),
                               said(RK4, (), monkeypatch, stops=True)])
     statements = [x for of in (step_advice.advised, step_advice._helping)

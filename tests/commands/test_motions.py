@@ -1,5 +1,5 @@
-"""`simulate` and `check` pass right motions and refuse wrong ones: a sample of those that
-`python -m tests.motions_attack` judges."""
+"""`simulate` and `check` pass right motions and refuse wrong ones: a sample of the motions in
+`python -m tests.motions_attack`."""
 
 from dataclasses import replace
 
@@ -25,7 +25,7 @@ def test_short_steps_converge_to_the_judge(family):
 
 def test_errors_are_itsby_each_parts_own_amplitude():
     """A hundredth of a joint's swing more is between right and wrong; six hundredths are wrong; and
-    what is smaller than a twentieth of the floor is rest."""
+    motion below a twentieth of the floor is rest."""
     motion = drawn("servos_of_an_arm", 2)
     run = judge(motion)
     true = reference(motion, run.runs.times(Setting(motion.steps[0], "rk4", "double")))

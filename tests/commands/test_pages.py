@@ -1,4 +1,4 @@
-"""What all pages share: figures in their colours, with ids of their own; tables; escaping."""
+"""Shared parts of all pages: figures in their colours, with ids of their own; tables; escaping."""
 
 import re
 from xml.etree import ElementTree

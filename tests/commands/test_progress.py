@@ -1,4 +1,4 @@
-"""Where standard error is no terminal: lines of progress, and what SIGTERM leaves."""
+"""Progress where standard error is no terminal: lines, and the files after SIGTERM."""
 
 import re
 import signal

@@ -16,7 +16,7 @@ def texts() -> list[Path]:
     found = [*ROOT.glob("*.md"), *ROOT.glob("docs/*.md")]
     for folder in ("codegen", "templates", "tests"):
         found += [x for x in (ROOT / folder).rglob("*")
-                  if x.suffix in (".py", ".jinja", ".js", ".css")]
+                  if x.suffix in (".py", ".jinja", ".js", ".css", ".c", ".h")]
     return [x for x in sorted(found) if x not in (GLOSSARY, Path(__file__))]
 
 

@@ -1,5 +1,5 @@
-"""What effects exert, their powers and energies, and whether they saturate: in recordings, tables
-of sweeps, expectations, pages and generated functions."""
+"""Forces and torques of effects, their powers, energies and saturation: in recordings, tables of
+sweeps, expectations, pages and generated functions."""
 
 import json
 import math
@@ -173,7 +173,7 @@ def pd_torque(found: Result) -> float:
 def test_an_expectation_may_be_of_an_effect(tmp_path: Path, capsys: pytest.CaptureFixture,
                                             until: float, saturated: bool, off: float,
                                             status: int, said: str) -> None:
-    """It passes with the formula's value, and fails with one that is off by twice what may be."""
+    """It passes with the formula's value, and fails with one that is off by twice the tolerance."""
     torque = pd_torque(run(written(tmp_path, ("q",)), until=until))
     assert (abs(torque) == 4) == saturated
     path = written(tmp_path, ("q",), f"""[expect]
@@ -243,8 +243,8 @@ def quantities(f: Evaluated, state: dict) -> list[tuple[Scene, str, mpmath.mpf]]
 
 
 def test_effects_add_up_to_the_energy_and_power_of_the_scene(everything: Evaluated) -> None:
-    """Potential energies to the potential energy, powers of what stores nothing to the power, for
-    all effects but those that do both: limits and dampers."""
+    """Potential energies to the potential energy, powers of effects that store nothing to the
+    power, except for limits and dampers, which do both."""
     with mpmath.workdps(50):
         state = random_state(everything, 3)
         del state["tau"]

@@ -1,4 +1,5 @@
-"""What `coscrew report` measures: errors against independent arithmetic, times, drift, the JSON."""
+"""Measurements of `coscrew report`: errors against independent arithmetic, times, drift, the JSON.
+"""
 
 import math
 from dataclasses import replace
@@ -73,7 +74,8 @@ def test_truth_is_what_fractions_say(name: str, precision: Precision):
 
 
 def test_ulp_is_of_the_binade_a_number_lies_in():
-    """Also for numbers that are not binary fractions, next to powers of two, and subnormal."""
+    """This holds for numbers that are not binary fractions, next to powers of two, and subnormal,
+    too."""
     third = mpq(1, 3**60)
     assert [ulp(x, DOUBLE) * 2**53 for x in (mpq(2, 3), mpq(1), 1 - third, 1 + third, -2 + third)] \
         == [1, 2, 1, 2, 2]
@@ -124,7 +126,7 @@ def test_a_wrong_kernel_shows_its_error(precision: Precision):
 
 def counted_of(name: str, rows: list[list[float]],
                results: list[list[float]]) -> tuple[int, float]:
-    """How many of these results the report counts, and their worst error."""
+    """The number of these results that the report counts, and their worst error."""
     operation = BY_NAME[name]
     plain, *_ = variants_of(operation, DOUBLE)
     inputs_ = np.array(rows)
@@ -181,7 +183,7 @@ def test_quantiles_of_known_errors():
 
 @pytest.mark.parametrize("named", [("lin", "ang"), ("co",)])
 def test_normwise_errors_are_relative_to_the_largest_component(named: tuple[str, ...]):
-    """Of the part, or of the output, as the operation states."""
+    """The component is the largest of the part, or of the output, as the operation states."""
     plain = BY_NAME["cross_sc"]
     operation = replace(plain, normwise=tuple(Normwise(name, 3) for name in named))
     rows = inputs.benign(operation, DOUBLE, 20, 4)

@@ -114,7 +114,7 @@ def test_an_effect_left_out_is_its_share(found: RunErrors):
 
 
 def test_tiers_round_as_much_as_their_precision(found: RunErrors):
-    """An accurate step rounds the state once a call: what it errs by is of plain's size."""
+    """An accurate step rounds the state once a call, so its error is of the size of plain's."""
     told = {x.of: max(x.errors) for x in found.rows if x.cause == "rounding"}
     assert list(told) == ["double plain", "single plain", "double accurate", "single pairs"]
     assert 2.0**-58 < told["double accurate"] < 2 * told["double plain"] < 2.0**-48

@@ -60,7 +60,7 @@ def test_errors_fall_with_the_integrators_order(kernels, integrator):
 
 
 def test_dop853_takes_scipys_steps(kernels):
-    """As many as for the same equation: x'' = -(k x + d v) / m."""
+    """It takes as many as SciPy for the same equation: x'' = -(k x + d v) / m."""
     found = run(kernels["SPRING"], integrator="dop853")
     matrix = np.array([[0, 1], [-texts.STIFFNESS / texts.MASS, -texts.DAMPING / texts.MASS]])
     swing = solve_ivp(lambda t, y: matrix @ y, (0, 2), (0.1, 0), method="DOP853", rtol=1e-12,

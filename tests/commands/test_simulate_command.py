@@ -111,9 +111,9 @@ def test_without_pyarrow_nothing_runs_for_parquet(tmp_path, capsys, monkeypatch)
 @pytest.mark.parametrize("arguments, message", (
     (["--integrator", "rk5"],
      f"integrator: 'rk5'; wanted one of {', '.join(NAMES)}; did you mean 'rk4'?"),
-    (["--set", "block.mas=2"], "wanted what the scene lists in `runtime`: block.mass"),
-    (["--set", "spring.slide.k=2"], "wanted what the scene lists in `runtime`: block.mass; to "
-     "change this constant, write it there"),
+    (["--set", "block.mas=2"], "wanted a parameter that the scene lists in `runtime`: block.mass"),
+    (["--set", "spring.slide.k=2"], "wanted a parameter that the scene lists in `runtime`: "
+     "block.mass; to change this constant, write it there"),
     (["--precision", "single", "--set", "block.mass=1e39"], "outside single precision's range: 0, "
      "and 1.2e-38 to 3.4e+38 in size"),
     (["--precision", "single", "--set", "block.mass=1e-40"], "outside single precision's range"),

@@ -1,4 +1,4 @@
-"""`coscrew sweep`: what varies, the values of members, refusals, chunks; without workers."""
+"""`coscrew sweep`: varied quantities, the values of members, refusals, chunks; without workers."""
 
 import argparse
 import itertools
@@ -150,9 +150,9 @@ def test_a_sweep_is_known_by_all_that_its_results_depend_on(folder):
     ("--grid block.mass=1:2:3 --seed 4", "--samples and --seed want --sobol"),
     ("--grid block.mass=1:2:3 --sobol block.*=1:2 --samples 4", "varies by two options"),
     ("--grid block.mass=1:2:3 --set block.mass=1", "--set block.mass: it varies"),
-    ("--grid block.mass=1:2:3 --set block.mas=1", "wanted what the scene lists in `runtime`"),
+    ("--grid block.mass=1:2:3 --set block.mas=1", "wanted a parameter that the scene lists"),
     ("--grid start.q.slide=0:1e39:3 --precision single", "1e+39 overflows in single precision"),
-    ("--grid block.mass=-1:2:3", "what varies: block.mass=-1: wanted a positive number"),
+    ("--grid block.mass=-1:2:3", "ranges: block.mass=-1: wanted a positive number"),
     ("--sobol block.mass=1:2 --sobol block.inertia.xx=1:2.5 --samples 4", "block.inertia.xx=2.5"),
     ("--grid block.mass=1:2:3 --record q.slid", "did you mean 'slide'?"),
     ("--grid block.mass=1:2:3 --until 0", "wanted a positive number of seconds"),
@@ -258,7 +258,8 @@ def test_members_with_a_floating_base_keep_momentum_as_simulate_does(folder):
     for row in found.to_pylist():
         start = {int(x.name.rpartition(".")[2]): row[x.name] for x in columns}
         scene = replace(its.scene, start_v={"base": tuple(start[k] for k in range(6))})
-        alone = system(replace(its.kernels, scene=scene), "double")
+        wanted = replace(its.kernels.request, scene=scene)
+        alone = system(replace(its.kernels, request=wanted), "double")
         assert np.array_equal(integrate(alone, its.plan).v[:, 3],
                               np.array(row["v.base.3"]))
 
@@ -283,7 +284,7 @@ def test_workers_with_other_sources_refuse(folder):
 
 
 def test_a_worker_without_memory_for_a_chunk_says_so(folder):
-    """Of 4e15 members: more than a process can address."""
+    """A chunk of 4e15 members is more than a process can address."""
     its = prepared(folder, SLIDER, ("block.mass=1:7:1e6",), ("start.q.slide=0:1",), 4 * 10**9)
     job = chunk.Job.of(its.kernels, replace(its.specification, chunk=4 * 10**15))
     with pytest.raises(SweepError, match="has too little memory for a chunk of 4000000000000000 m"):

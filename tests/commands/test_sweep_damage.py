@@ -97,7 +97,7 @@ def test_statistics_and_tables_of_a_part_are_those_that_were_written(tmp_path):
 
 
 def without_checksum(path: Path) -> None:
-    """As an older version wrote it."""
+    """Removes the checksum, as in a file of an older version."""
     pyarrow.parquet.write_table(pyarrow.parquet.read_table(path), path)
 
 
@@ -255,7 +255,7 @@ def test_what_stands_in_the_way_is_set_aside(scene, workers, whole, copied, caps
 
 
 def forbid(monkeypatch: pytest.MonkeyPatch, path: Path) -> None:
-    """As if the user had no right to read this file: tests may be run by one who has all."""
+    """Makes this file unreadable, although root, who may run the tests, can read any file."""
     read_bytes = Path.read_bytes
 
     def forbidden(self: Path) -> bytes:

@@ -107,7 +107,7 @@ def test_xarray_tells_why_members_failed(folder, tmp_path, capsys):
 
 
 def test_maps_mark_where_members_failed(folder, tmp_path, capsys):
-    """At their values of what varied, of whatever spacing."""
+    """Marks are at their values of the varied quantities, with any spacing."""
     its = prepared(folder, UNSTABLE, ("block.mass=1e-6:1e6:7:log",), ("start.v.slide=0:1",), 8)
     page, failed = reported(its, tmp_path), table(its).to_pylist()
     assert "Crosses mark where members failed." in page
@@ -141,7 +141,8 @@ def test_the_page_says_how_to_run_failed_members_alone(folder, tmp_path, capsys)
     assert capsys.readouterr().out == "4 of 4 members failed: 4 at slide\n"
     assert "Recorded quantities" not in text  # there are none
     assert "The seed of the Sobol sequence is 12." in text
-    assert "the first is run by: coscrew sweep x.toml --member 0</p>" in text
+    assert ("The first is run alone, with the same bits, by: coscrew sweep x.toml --member 0</p>"
+            in text)
     assert "block.mass [kg]</th><th scope=\"col\">start.v.slide [m/s]</th>" in text
     for k, (mass,
             speed) in enumerate(member_values.values(its.specification.varied, range(4)).tolist()):

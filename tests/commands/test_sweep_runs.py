@@ -1,6 +1,5 @@
-"""`coscrew sweep` on real workers: what it writes; killed workers, a lost scheduler, a full disk,
-two sweeps into one folder, Ctrl-C: nothing that was written is lost, and the same command goes on.
-"""
+"""`coscrew sweep` on real workers: its files; killed workers, a lost scheduler, a full disk, two
+sweeps into one folder, Ctrl-C: no written file is lost, and the same command continues."""
 
 import json
 import os
@@ -225,7 +224,7 @@ def test_an_interrupt_says_what_is_written(scene, tmp_path):
 
 
 def test_chunks_are_submitted_in_a_moving_window(workers, scene, whole):
-    """Never more than asked for in flight, of however many there are."""
+    """At most the requested number is in flight, however many chunks there are."""
     options = command_line._parser("sweep").parse_args(["sweep", str(scene), *VARIED, "--out", "x"])
     its, drawn = sweep_command._prepared(options), 0
     job = chunk.Job.of(its.kernels, its.specification)

@@ -62,7 +62,7 @@ def test_processes_that_start_say_nothing_of_an_interrupt(scene, tmp_path):
 
 
 def test_a_client_that_cannot_be_closed_hides_no_error(monkeypatch):
-    """As Dask's may fail if the scheduler is gone."""
+    """Closing Dask's client may fail if the scheduler is gone."""
     class Stuck:
         def close(self) -> None:
             raise RuntimeError("Cannot change state of expiring Timeout")
@@ -108,7 +108,7 @@ def test_another_cluster_of_this_machine_is_not_in_the_way(recwarn):
 
 
 def test_a_worker_without_coscrew_is_told(scene, tmp_path):
-    """It is not killed by what it receives, which the command would await for ever."""
+    """It is not killed by the task that it receives, which the command would await for ever."""
     (tmp_path / "sitecustomize.py").write_text(ALONE)
     with dask("scheduler", tmp_path, "--port", "0", "--host", "127.0.0.1") as scheduler:
         address = awaited(scheduler, r"Scheduler at: +(\S+)")

@@ -1,4 +1,4 @@
-"""How times are measured: confidence intervals of medians, rounds, addresses of arrays."""
+"""Measurement of times: confidence intervals of medians, rounds, addresses of arrays."""
 
 import ctypes
 import subprocess
@@ -54,7 +54,7 @@ def test_intervals_are_below_only_apart():
 @pytest.mark.parametrize("dtype", (np.float64, np.float32))
 @pytest.mark.parametrize("elements", range(16, 272, 16))
 def test_planes_start_at_lines_and_in_sets_of_their_own(elements: int, dtype: type):
-    """For a cache of 32 KiB with 64 sets of lines of 64 bytes."""
+    """The cache has 32 KiB, in 64 sets of lines of 64 bytes."""
     given = [np.arange(elements * size, dtype=dtype).reshape(elements, *shape)
              for size, shape in ((12, (3, 4)), (6, (6,)), (1, ()))]
     found = buffers.planes(given)

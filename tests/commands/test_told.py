@@ -28,7 +28,7 @@ def words(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> list[str]:
 
 
 def on_a_terminal(words: list[str]) -> str:
-    """What the command writes to standard error, a terminal."""
+    """Runs the command; returns its output to standard error, a terminal."""
     reader, writer = pty.openpty()
     with subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=writer) as process:
         os.close(writer)

@@ -102,7 +102,7 @@ def test_bodies_are_where_the_closed_form_says(shown, t):
 
 
 def test_the_bob_is_drawn_where_it_is(shown):
-    """Where its position is projected to, the picture has the colour of its box, and elsewhere not.
+    """The picture has the colour of its box at the projection of its position, and not elsewhere.
     """
     for t in (0.0, 0.4, 0.8):
         shown.execute_script("seek(arguments[0]);", t)
@@ -256,7 +256,7 @@ def middle(box: dict[str, float]) -> float:
 
 
 def test_the_cursor_stands_at_its_time(shown):
-    """Where the axis says so, on a wide page and on a phone."""
+    """The cursor's place on the axis is that of its time, on a wide page and on a phone."""
     for width, phone in ((1280, False), (390, True)):
         resize(shown, width, 844, phone)
         ticks = {float(x.text): middle(x.rect) for x in shown.find_elements(

@@ -31,7 +31,7 @@ def test_special_values(precision: Precision):
 
 @each_precision
 def test_errors_are_below_the_proved_bound(precision: Precision):
-    """And below a normal result, of half an ulp of the least subnormal and a little."""
+    """Below a normal result the bound is half an ulp of the least subnormal number and a little."""
     y, x = (a.astype(precision.numpy_type) for a in quotients(precision))
     finite = np.isfinite(y) & np.isfinite(x)
     y, x = y[finite], x[finite]

@@ -1,4 +1,5 @@
-"""A sample of what `make attack` does on every number of single precision, and many of double."""
+"""A sample of `make attack`'s comparisons on every number of single precision, and many of double.
+"""
 
 from pathlib import Path
 

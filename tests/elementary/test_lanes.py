@@ -15,11 +15,12 @@ from coscrew_codegen.backends.scene import scene_c_parts, scene_c_tier
 from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program.elementary import Elementary, sincos, sincos_error
 from coscrew_codegen.program.values.formats import PRECISIONS, Precision
-from coscrew_codegen.scene.mechanism.model import HERE, Kind
+from coscrew_codegen.scene.mechanism.model import HERE
 from tests.support.compiled.c_harness import DIALECTS, run
 from tests.support.compiled.flags import FMA
 from tests.support.each import each_precision
 from tests.support.scenes.generated_scenes import BANNER
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.mechanisms import Y, Z, chain, inertia, scene
 from tests.support.truth.elementary import Array, results, same, worst_cases
 

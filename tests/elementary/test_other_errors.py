@@ -1,4 +1,4 @@
-"""What exp, tanh and atan2 err by, against MPFR: with their errors they have twice the digits."""
+"""Errors of exp, tanh and atan2, against MPFR: with their errors they have twice the digits."""
 
 from math import log2
 
@@ -29,7 +29,7 @@ OTHERS = [x for x in ERRORS if x.name != "sincos_error"]
 
 
 def computed(error: Elementary, precision: Precision, *inputs: Array) -> tuple[Array, Array]:
-    """A function's results and what they err by."""
+    """A function's results and their computed errors."""
     function = next(x for x in ELEMENTARY if error.name == f"{x.name}_error")
     got, = results(function, precision, *inputs)
     rest, = results(error, precision, *inputs, got)
@@ -37,7 +37,7 @@ def computed(error: Elementary, precision: Precision, *inputs: Array) -> tuple[A
 
 
 def inputs(name: str, precision: Precision) -> tuple[Array, ...]:
-    """Of all magnitudes, next to the ends of pieces, worst cases found."""
+    """Inputs of all magnitudes, next to the ends of pieces, and worst cases found."""
     rng = np.random.default_rng(12)
     if name == "atan2":
         y, x = (a.astype(precision.numpy_type)[::4] for a in quotients(precision))
@@ -114,7 +114,7 @@ def atan2_error() -> Elementary:
 
 @each_precision
 def test_parts_of_ln_2(precision: Precision):
-    """Their sum is what it is to be; products with any k are exact."""
+    """Their sum is ln 2 to the stated bound; products with any k are exact."""
     data = exp_error.parts(precision)
     parts = data.first, data.second
     assert all(abs(x - sum(parts) - data.rest) <= data.missing for x in ln2())

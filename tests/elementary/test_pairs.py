@@ -1,4 +1,4 @@
-"""Pairs of numbers: what their operations are proved to err by, against rationals."""
+"""Pairs of numbers: proved errors of their operations, against rationals."""
 
 from collections.abc import Callable
 from fractions import Fraction

@@ -1,4 +1,4 @@
-"""Sine and cosine against MPFR: special values, every binade, what is nearest to k π/2."""
+"""Sine and cosine against MPFR: special values, every binade, the numbers nearest to k π/2."""
 
 from fractions import Fraction
 
@@ -109,7 +109,7 @@ def test_quadrants(precision: Precision):
 
 @each_precision
 def test_special_values(precision: Precision):
-    """Signed zeros, subnormal numbers and what is next are their own sines to the bit."""
+    """Signed zeros, subnormal numbers and the next larger ones are their own sines to the bit."""
     tiny = [float(precision.limit(name)) * n for n in (1, 3) for name in (
         "smallest_subnormal", "smallest_normal")]
     x = np.array([0.0, *tiny], precision.numpy_type)

@@ -32,7 +32,8 @@ def test_the_first_chunks_are_two_over_pi_rounded(precision: Precision):
 
 @each_precision
 def test_every_exponent_finds_its_chunks(precision: Precision):
-    """As the generated Python does, up to infinity and NaN, which find some."""
+    """The generated Python finds them for every exponent, up to infinity and NaN, which find some.
+    """
     generated = import_module(f"coscrew._elementary_{precision.name}").two_over_pi
     x = 1.75 * 2.0**np.arange(2, precision.bias + 1)
     x = np.concatenate([x, [np.inf, np.nan]]).astype(precision.numpy_type)

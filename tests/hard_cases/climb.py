@@ -41,9 +41,10 @@ NAMES = tuple(op.name for op in SEARCHED)
 
 @dataclass
 class Found:
-    """How long a kernel was searched, and each group's champion: error in u, parameters, inputs."""
+    """Time for which a kernel was searched, and each group's champion: error in u, parameters,
+    inputs."""
 
-    kernel: str = ""  # digest of what was searched
+    kernel: str = ""  # digest of the searched code
     seconds: float = 0.0
     slices: int = 0
     errors: list[float] = field(default_factory=list)
@@ -155,7 +156,7 @@ def search(names: list[str], minutes: float, append: bool) -> int:
 
 
 def line_of(operation: Operation, precision: Precision) -> str:
-    """Name, precision, minutes, each part's error in u beside what is stated, confirmed ratio."""
+    """Name, precision, minutes, each part's error in u beside the stated one, confirmed ratio."""
     found = known(operation, precision)
     names = [bound.part for bound in operation.normwise] or ["residual"]
     figures = ", ".join(f"{name} {error:.2f} of {part.k} u" for name, error, part in

@@ -43,13 +43,13 @@ _PARAMETERS = {"t": 3, "u": 3, "l": 3, "a": 1, "f": 1, "q": 4, "m": 1, "r": 9}
 
 
 def parameters(operation: Operation) -> int:
-    """How many free parameters there are."""
+    """Number of free parameters."""
     return sum(_PARAMETERS[kind] for kind in _kinds(operation))
 
 
 def _kinds(operation: Operation) -> str:
-    """The parameters of all inputs, a letter for what they are: turn, unit, lever, angle, fraction,
-    quaternion, multiple, rows."""
+    """The parameters of all inputs, a letter for the kind of each: turn, unit, lever, angle,
+    fraction, quaternion, multiple, rows."""
     return "".join(_kind(operation, a) for a in operation.inputs)
 
 

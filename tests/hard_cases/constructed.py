@@ -205,8 +205,8 @@ def _sheared() -> Iterator[Described]:
 
 
 def _opposite() -> Iterator[Described]:
-    """The same rotation with the other sign, except for rounding errors: no rotation between them.
-    """
+    """Quaternions of one rotation with both signs, except for rounding errors: no rotation between
+    them."""
     for k in ("0.375", "1"):
         q = quaternion_exp(mp.matrix([1, -2, 2]) / 3)
         yield f"q = -p, k = {k}", [q, -q, [mp.mpf(k)]]

@@ -67,13 +67,13 @@ def judged(operation: Operation, precision: Precision, given: np.ndarray) -> lis
 
 
 def told(found: Sequence[Result], precision: Precision) -> list[Result]:
-    """Those of which the tier promises anything."""
+    """The results for which the tier makes a promise."""
     return [x for x in found if x.condition < LARGEST_CONDITION[precision.name]
             and _SMALL[precision.name] < abs(x.true) < np.finfo(precision.numpy_type).max]
 
 
 def beyond(found: Sequence[Result], precision: Precision) -> list[Result]:
-    """Those that err by more than MOST."""
+    """The results that err by more than MOST."""
     most = MOST[precision.name]
     return [x for x in found if min(x.ulps(precision), _turned(x).ulps(precision)) > most]
 
@@ -127,7 +127,7 @@ def near_zeros(operation: Operation, precision: Precision, seed: int) -> Iterato
 
 
 def bisected(ways: Ways, k: int, start: np.ndarray) -> np.ndarray:
-    """Where component k changes its sign, on each way on which it does."""
+    """Inputs where component k changes its sign, on each way on which it does."""
     low, high = np.zeros(DRAWN, np.longdouble), np.ones(DRAWN, np.longdouble)
     for _ in range(60):
         middle = (low + high) / 2

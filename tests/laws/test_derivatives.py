@@ -135,7 +135,7 @@ def test_partial_derivatives_of_every_operation(op: Op) -> None:
     for sign in (1, -1) if op is not Op.SQRT else (1,):
         x = [[sign * mpf(3 + 2 * k) / 7] for k in range(len(names))]
         if op is Op.PRODUCT_REST:
-            x[2] = [x[0][0] * x[1][0]]  # the product, of which the result does not depend
+            x[2] = [x[0][0] * x[1][0]]  # the product, which the result does not depend on
         for chosen in range(len(names) if op is not Op.PRODUCT_REST else 2):
             d = [[mpf(k == chosen)] for k in range(len(names))]
             inputs = [[Dual(a[0], (b[0],))] for a, b in zip(x, d, strict=True)]

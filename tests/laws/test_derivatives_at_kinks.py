@@ -114,7 +114,7 @@ def test_logarithms_undo_exponentials(angle: str) -> None:
 
 @pytest.mark.parametrize("name", ("SO3_exp", "SO3_log", "quaternion_log", "SE3_log"))
 def test_second_derivatives(name: str) -> None:
-    """Of tangents of tangents and of adjoints, by differences of the first."""
+    """Tangents of tangents and of adjoints equal differences of the first."""
     program = smooth_program(NAMED[name])
     step = mpf(10)**-16
     R = [mpf(k) / 3 for k in (2, -1, 2, 2, 2, -1, -1, 2, 2)]
@@ -178,7 +178,8 @@ SMOOTH = tuple(op for op in OPERATIONS if program_of(op) != smooth_program(op))
 
 @pytest.mark.parametrize("operation", SMOOTH, ids=lambda op: op.name)
 def test_smooth_programs_are_the_same_functions(operation: Operation) -> None:
-    """At many digits they differ by what series leave out, also where each argument is special."""
+    """At many digits they differ by the truncation of series, also where each argument is special.
+    """
     compute = [evaluator(p, MULTIPRECISE) for p in (program_of(operation),
                                                     smooth_program(operation))]
     rows = benign(operation, DOUBLE, 9, 3)

@@ -51,7 +51,7 @@ def far(x: np.ndarray) -> np.ndarray:
 
 
 def length(x: np.ndarray) -> np.ndarray:
-    """Of vectors; of the angular parts of screws."""
+    """The length of vectors, or of the angular parts of screws."""
     return np.linalg.norm(x[:, -3:] if x.shape[1] == 6 else x, axis=1)
 
 

@@ -51,7 +51,7 @@ def test_everything_that_has_lengths_says_so():
 @each_name
 @each_precision
 def test_nothing_overflows_up_to_there(name, precision):
-    """And errors are as stated."""
+    """Errors are as stated there."""
     inputs = far(name, precision)
     found = outputs(name, inputs)
     assert np.isfinite(found).all()

@@ -1,8 +1,7 @@
 """Inverses of 3×3 matrices of every size: correct if the matrix is numerically regular, else
 refused.
 
-Truth is exact rationals, which also decide what is regular.
-"""
+Truth is exact rationals, which also decide which matrices are regular."""
 
 from fractions import Fraction
 from functools import cache
@@ -41,7 +40,7 @@ class Exact:
         return a * d - b * c if sign < 0 else abs(a * d) + abs(b * c)
 
     def times(self, power: Fraction) -> "Exact":
-        """The same for the matrix times this factor."""
+        """The result for the matrix times this factor."""
         new = object.__new__(Exact)
         new.R = [[x * power for x in row] for row in self.R]
         new.adjugate, new.sizes = ([[x * power**2 for x in row] for row in M]
@@ -51,7 +50,7 @@ class Exact:
         return new
 
     def regular(self, precision: Precision) -> bool:
-        """Whether it can be distinguished from a singular matrix."""
+        """Returns whether it can be distinguished from a singular matrix."""
         least = 8 * unit(precision) * self.permanent + SPOILED[precision.name] * self.largest**3
         return abs(self.det) > least
 
@@ -79,8 +78,8 @@ def excess(found: np.floating, exact: Fraction, allowed: Fraction) -> float:
 
 
 def worst(tier, precision: Precision, truth: Exact, det: np.floating, Ro: np.ndarray) -> float:
-    """The largest error as a multiple of what is stated; accurate: of one unit and what is left of
-    second order."""
+    """The largest error as a multiple of the stated one; in the accurate tier, of one unit and a
+    second-order rest."""
     u, plain = unit(precision), tier is coscrew
     cancelled = truth.permanent / abs(truth.det)
     found = [excess(det, truth.det, (4 if plain else u * 64) * u * truth.permanent

@@ -58,7 +58,8 @@ def test_ksls_names_exist():
 
 
 def in_pinocchio(name: str) -> bool:
-    """Whether Pinocchio has `SE3.action`, `model.armature`, `exp6`, `JointModelRevolute…`."""
+    """Returns whether Pinocchio has `SE3.action`, `model.armature`, `exp6`, `JointModelRevolute…`.
+    """
     first, *rest = re.sub(r"\(.*\)$", "", name).split(".")
     model = pin.Model()
     roots = {"model": model, "data": model.createData(), "coeffs": pin.Quaternion.coeffs}

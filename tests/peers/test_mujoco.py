@@ -29,7 +29,7 @@ STEP, DURATION = 1e-3, 1.0
 STATES = 20
 CASES = {"arm3": (False, "rrr"), "arm5": (False, "prrpr"), "arm7": (False, "rrrrrrr"),
          "body": (True, ""), "hopper": (True, "rpr")}
-"""Whether the base is free, and the joints: revolute, prismatic."""
+"""True if the base is free, and the joints: revolute, prismatic."""
 
 
 @dataclass(frozen=True)

@@ -76,7 +76,7 @@ class Robot:
         return q, v
 
     def torques(self, t: float, q: np.ndarray, v: np.ndarray) -> np.ndarray:
-        """Of motors, and of friction.  (nv)."""
+        """Torques of motors, and of friction.  (nv)."""
         angle, speed = q[-len(self.joints):], v[self.first:]
         u = (self.kp * (np.array([f(t) for f in self.target]) - angle)
              + self.kd * (np.array([f(t) for f in self.target_v]) - speed))

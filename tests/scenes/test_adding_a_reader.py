@@ -8,10 +8,11 @@ from pathlib import Path
 import mpmath
 import pytest
 
-from coscrew_codegen.scene.mechanism.model import Body, Joint, Kind
+from coscrew_codegen.scene.mechanism.model import Body, Joint
 from coscrew_codegen.scene.readers.model_formats import by_suffix, reader_of, readers, stem
 from coscrew_codegen.scene.readers.model_reader import ModelReader, ModelSource, Parts
 from coscrew_codegen.scene.readers.scene_error import SceneError
+from tests.support.scenes.kinds import Kind
 from tests.support.walks import command, copied, run_in_copy, walk
 
 CHAIN = """# joint kind a alpha d theta mass x y z xx yy zz

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.scene.mechanism.model import Kind
 from coscrew_codegen.scene.readers.scene_error import SceneError
 from coscrew_codegen.scene.readers.toml.toml_scene import SceneOverrides, read_scene
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.mujoco_pairs import compared
 
 ROBOT = """<mujoco><compiler angle="radian"/><option gravity="0.3 0 -9.5"/>

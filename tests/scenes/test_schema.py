@@ -1,4 +1,5 @@
-"""The JSON Schema accepts what the reader accepts, and refuses unknown keys, types and words."""
+"""The JSON Schema accepts all files that the reader accepts, and refuses unknown keys, types and
+words."""
 
 import copy
 import json

@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 
 from coscrew_codegen import load_scene
-from coscrew_codegen.scene.mechanism.model import Kind, Mimic
+from coscrew_codegen.scene.mechanism.model import Mimic
 from coscrew_codegen.scene.readers.toml.toml_scene import SceneOverrides, read_scene
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.mujoco_pairs import compared
 from tests.support.scenes.sdf_texts import LINK, chain, hinge, inertial
 

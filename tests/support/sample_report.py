@@ -94,7 +94,7 @@ def layout_name(time: Time) -> str:
 
 
 def same(found: float, wanted: float) -> bool:
-    """Whether both are equal, or both NaN."""
+    """Returns whether both are equal, or both NaN."""
     return found == wanted or isnan(found) and isnan(wanted)
 
 

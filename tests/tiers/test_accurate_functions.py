@@ -114,14 +114,14 @@ def test_conditions_just_below_the_limit_are_judged(operation: Operation, precis
 
 
 def test_most_operations_have_components_near_zeros():
-    """Others are functions of what is given, exactly, and have no condition."""
+    """Others are exact functions of the given numbers, and have no condition."""
     assert len(NEAR_ZEROS) > len(FUNCTIONS)
 
 
 @for_all(operation=FUNCTIONS, precision=(DOUBLE, SINGLE))
 def test_c_gufunc_and_numpy_agree_in_bits(operation: Operation, precision: Precision,
                                           libraries: list[ctypes.CDLL]):
-    """For numbers of all kinds: the twins, gufuncs, C without and with an fma instruction."""
+    """The twins, gufuncs, C without and with an fma instruction agree for numbers of all kinds."""
     drawn = split(operation, hard_rows(operation, precision))
     inputs = tuple(map(np.concatenate, zip(drawn, inputs_of(operation, precision, EXTREMES),
                                            strict=True)))
@@ -153,8 +153,8 @@ def test_steps_of_a_program_and_of_its_compensation_have_different_names():
 
 @each_precision
 def test_any_rotation_vector_gives_a_rotation(precision: Precision):
-    """Of subnormal and of the largest angles; beyond 2^50, sine and cosine of what an angle lacks
-    err as they do in the plain tier."""
+    """Subnormal and the largest angles are included; beyond 2^50, sine and cosine of an angle's
+    rest err as in the plain tier."""
     info = np.finfo(precision.numpy_type)
     sizes = np.geomspace(float(info.tiny), float(info.max) / 2, 400, dtype=precision.numpy_type)
     sizes = np.append(sizes, np.array([info.smallest_subnormal, 1e3 * info.smallest_subnormal],

@@ -1,5 +1,5 @@
 """Certified bounds of scenes hold in double and single precision, at hard states too, as compiled;
-and what is left out of the proof is noticed."""
+and parts left out of the proof are noticed."""
 
 from collections.abc import Callable
 from pathlib import Path

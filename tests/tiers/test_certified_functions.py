@@ -35,7 +35,7 @@ BUILDS = ("gcc", "-O1"), ("clang", "-O1", "-march=native")
 
 
 def test_quaternions_exponentials_logarithms_and_angles_have_the_tier():
-    """Of those that have not, some bounds would take more than two thousand operations."""
+    """For those without it, some bounds would take more than two thousand operations."""
     assert {op.name for op in CALLING} - {op.name for op in FUNCTIONS} == {
         "quaternion_interpolated", "SE3_interpolated", "SE3_leftJacobian", "SE3_rightJacobian",
         "SE3_leftJacobianInverse", "SE3_rightJacobianInverse"}
@@ -83,7 +83,7 @@ def test_small_rotations_have_bounds(operation: Operation, precision: Precision)
 
 @pytest.mark.filterwarnings("error")
 def test_no_statement_is_no_warning():
-    """Of gufuncs and of NumPy, where nothing is certain or numbers overflow."""
+    """Neither gufuncs nor NumPy warn where nothing is certain or numbers overflow."""
     for module in (coscrew.certified, coscrew.certified.double):
         for results in (module.SO3_log(np.eye(3)), module.quaternion_log([0.0, 0, 0, 1]),
                         module.angle_vv([1.0, 0, 0], [2.0, 0, 0]),
@@ -94,7 +94,7 @@ def test_no_statement_is_no_warning():
 @for_all(operation=FUNCTIONS, precision=(DOUBLE, SINGLE))
 def test_c_gufunc_and_numpy_agree_in_bits(operation: Operation, precision: Precision,
                                           libraries: list[ctypes.CDLL]):
-    """For numbers of all kinds: the twins, gufuncs, C without and with an fma instruction."""
+    """The twins, gufuncs, C without and with an fma instruction agree for numbers of all kinds."""
     drawn = split(operation, hard_rows(operation, precision))
     inputs = tuple(map(np.concatenate, zip(drawn, inputs_of(operation, precision, EXTREMES),
                                            strict=True)))

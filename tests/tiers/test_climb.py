@@ -63,8 +63,8 @@ OPPOSITE = """-0x1.6a08d20fa2e5ap-1 0x1.c8791874dfbc1p-8 -0x1.92e2bp-5 -0x1.6a08
 
 @pytest.mark.parametrize("name", NAMES)
 def test_no_estimate_is_larger_than_what_is_judged(name: str, tmp_path: Path):
-    """Otherwise the search would climb to errors that do not exist, and find no others.  By one u
-    it may be: what is judged allows for the errors of given rotations."""
+    """Otherwise the search would climb to errors that do not exist, and miss others.  An excess of
+    one u is allowed: the judgement takes off the errors of given rotations."""
     operation = TABLE[name]
     before = Found(parameters=[OPPOSITE.split()] if name == "quaternion_interpolated" else [])
     found = after(operation, SINGLE, before, 0, compiled(operation, SINGLE, tmp_path), ROUNDS)

@@ -44,7 +44,8 @@ def test_what_is_no_constant_is_not_rounded():
 
 @pytest.mark.parametrize("k", range(-130, 131, 10))
 def test_powers_of_two_and_nothing_else_scale(k: int):
-    """Not their neighbours, multiples or opposites, and only one that both precisions have."""
+    """Neighbours, multiples and opposites of powers of two do not; a power counts only if both
+    precisions have it."""
     power = Fraction(2)**k
     assert is_power_of_two(same(power)) and scales(product(X, same(power)))
     assert scales(product(same(power), X))

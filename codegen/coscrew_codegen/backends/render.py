@@ -1,5 +1,6 @@
 """Renders the templates, which hold file shapes only."""
 
+from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -58,3 +59,16 @@ def render(template: str, **holes: object) -> str:
         holes["banner"] = _between_lines(template).join((str(holes["banner"]), *LICENSE))
     text = _environment().get_template(f"{template}.jinja").render(**holes)
     return text.rstrip("\n") + "\n"
+
+
+def copied(path: str) -> str:
+    """The text of a file of templates/ that is C as it stands, whatever the Program."""
+    return _source(path)
+
+
+def runtime(pattern: str, banner: str = "") -> Mapping[str, str]:
+    """The files that match runtime/…, copied, by their paths in templates/runtime/; each begins
+    with the banner, if there is one."""
+    lines = "".join(f"/* {line} */\n" for line in (banner, *LICENSE)) if banner else ""
+    found = sorted(path.relative_to(TEMPLATES).as_posix() for path in TEMPLATES.glob(pattern))
+    return {path.removeprefix("runtime/"): lines + copied(path) for path in found}

@@ -19,8 +19,9 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         "and times of runs.")
     add_scene(parser)
     parser.add_argument("--function", "--functions", metavar="NAME", action=Names, default=[],
-                        dest="functions", help="measure only what the accuracy of this function "
-                        "costs; several with commas, or repeated; \"all\" stands for all functions")
+                        dest="functions", help="measure only the errors and times of this "
+                                               "function in all tiers; several with commas, or "
+                                               "repeated; \"all\" stands for all functions")
     parser.add_argument("--states", metavar="N", type=_states, default=64,
                         help="compare with 50 digits at about N states: a quarter of the run, half "
                         "between the limits, a quarter that a search finds, of these at least one "

@@ -31,17 +31,17 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser.add_argument("--check", action="store_true",
                         help="write nothing; print what is out of date as a diff and exit 1")
     parser.add_argument("--anew", action="store_true",
-                        help="derive everything, also what is in the cache and has not changed")
+                        help="derive everything, even unchanged families that are in the cache")
     parser.add_argument("--family", metavar="NAME", nargs="+", action=Names,
                         help="only these families: vec3, SE3, …, as the headers are called")
     parser.add_argument("--precision", metavar="NAME",
                         help="double, single or both (default)")
     parser.add_argument("--language", metavar="NAME",
-                        help="c, python, … (default: all, and what takes several); an unknown one "
-                             "is told which there are")
+                        help="c, python, … (default: all, and files for several languages); an "
+                             "unknown name lists the known ones")
     parser.add_argument("--functions", metavar="NAME", nargs="+", action=Names,
-                        help="for a scene, only these functions, also by patterns, as "
-                             "jacobian_*; default and all select several")
+                        help="for a scene, only these functions, also by patterns, as jacobian_*; "
+                             "`default` and `all` select several")
     parser.add_argument("--tier", metavar="NAME", nargs="+", action=Names,
                         help="for a scene, these tiers besides plain: accurate, certified, mixed, "
                              "pairs")
@@ -142,7 +142,7 @@ def _scene(options: argparse.Namespace) -> int:
 
 def _deliver(command: str, files: "Files", folder: Path, stale: tuple[str, ...],
              check: bool, output: str, derived: tuple[str, ...] = ()) -> int:
-    """Write the files, or show what is out of date and the command that mends it."""
+    """Writes the files, or shows a diff of outdated ones and the command that updates them."""
     from coscrew_codegen.backends.emit import differences, write
 
     if not check:
@@ -160,6 +160,6 @@ def _deliver(command: str, files: "Files", folder: Path, stale: tuple[str, ...],
 
 
 def _sources() -> sources.Contents | None:
-    """The generator's sources as they stand; None where this process has imported operations and so
-    may hold what they were."""
+    """The generator's sources as they stand; None if this process has imported operations, which
+    may be older."""
     return None if "coscrew_codegen.algebra.operations" in sys.modules else sources.read()

@@ -21,14 +21,14 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     """Add `simulate` to the command line."""
     parser = commands.add_parser(
         "simulate", help="integrate a scene's motion",
-        description="Integrate a scene's motion, and write, plot or show what it records.")
+        description="Integrate a scene's motion, and write, plot or play back what it records.")
     add_scene(parser)
     parser.add_argument("--start", metavar="FILE", type=Path,
-                        help="go on, to the bit, from the end of a recording that --output wrote, "
-                             "with its parameters unless --set")
+                        help="continue, with the same bits, from the end of a recording that "
+                             "--output wrote, with its parameters unless --set")
     parser.add_argument("--again", metavar="FILE", type=Path,
-                        help="the run from which a recording comes once more, with its settings "
-                             "and, written, its bytes")
+                        help="repeat the run that made a recording, with its settings and, when "
+                             "written, its bytes")
     parser.add_argument("--output", metavar="FILE", type=Path,
                         help="write the recording: .csv, .npz or .parquet; with --precision both, "
                              "single precision goes to FILE's name with .single before its ending")
@@ -83,15 +83,15 @@ def _pair(text: str) -> tuple[str, str]:
 
 
 def add_verbose(parser: argparse.ArgumentParser) -> None:
-    """Add the option that lists what `tell_unused` sums up."""
+    """Adds the option that lists the numbers that `tell_unused` sums up."""
     parser.add_argument("--verbose", action="store_true",
-                        help="list all that the model's file says and nothing here uses, one a "
-                             "line, instead of summing it up")
+                        help="list all unused content of the model's file, one item a line, "
+                             "instead of summing it up")
 
 
 def tell_unused(scene: "Scene", verbose: bool, prefix: str = "coscrew") -> None:
-    """Say on standard error what the model's file says and the scene does not use: in one line, or
-    in one for each number."""
+    """Prints on standard error the content of the model's file that the scene does not use: in one
+    line, or in one for each number."""
     from coscrew_codegen.scene.mechanism.notices import by_importance, summary
 
     lines = [x.text for x in by_importance(scene.notices)] if verbose else [summary(scene.notices)]
@@ -103,7 +103,7 @@ def scene_of(options: argparse.Namespace, precision: str | None,
              functions: tuple[str, ...] = (), tiers: tuple[str, ...] = ()) -> "Scene":
     """The scene of the options, with `functions` and `tiers` instead of its own if there are any.
 
-    Implausible bodies that it allows are reported on standard error."""
+    Implausible bodies that the scene allows are reported on standard error."""
     from coscrew_codegen.scene.readers.model_formats import SCENE_SUFFIX
     from coscrew_codegen.scene.readers.toml.toml_scene import SceneOverrides, read_scene
 
@@ -195,8 +195,9 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _asked(options: argparse.Namespace) -> "tuple[Result, ...]":
-    """The runs with the settings of the options."""
-    from coscrew_codegen.runtime.load import BOTH, kernels_for
+    """Makes the runs with the settings of the options."""
+    from coscrew_codegen.runtime.load import kernels_for
+    from coscrew_codegen.runtime.request import BOTH
     from coscrew_codegen.simulation import required_functions, run_summary
 
     scene = scene_of(options, options.precision)
@@ -214,7 +215,7 @@ def _asked(options: argparse.Namespace) -> "tuple[Result, ...]":
 
 
 def _again(options: argparse.Namespace) -> "tuple[Result, ...]":
-    """The run of a recording.  Raises SimulateError for settings besides."""
+    """Repeats the run of a recording.  Raises SimulateError for further settings."""
     from coscrew_codegen.runtime.load import kernels_for
     from coscrew_codegen.simulation import SimulateError, required_functions
     from coscrew_codegen.simulation.execution import motion
@@ -224,7 +225,7 @@ def _again(options: argparse.Namespace) -> "tuple[Result, ...]":
              if getattr(options, name)]
     if given:
         name = "set" if given[0] == "settings" else given[0]
-        raise SimulateError(f"--again: the recording tells all settings; wanted no --{name}")
+        raise SimulateError(f"--again: the recording has all settings; wanted no --{name}")
     told = asked_of(options.again)
     scene = scene_of(options, told.precision)
     told.refuse(scene, None)
@@ -241,7 +242,8 @@ def _outputs(path: Path) -> tuple[Path, Path]:
 
 
 def _status(results: "tuple[Result, ...]", options: argparse.Namespace) -> int:
-    """The exit status; reports on standard error where runs stopped, and where samples are."""
+    """The exit status; reports on standard error where runs stopped, and which samples were kept.
+    """
     files: tuple[Path | None, ...] = _outputs(options.output) if options.output else (None,) * 2
     for x, path in zip(results, files, strict=False):
         if x.trajectory.stopped:

@@ -1,4 +1,4 @@
-"""The recording of one function of a scene, and the quantities that most functions start from."""
+"""Recording of one function of a scene, with the quantities that most functions need."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ Results = Sequence[Sequence[Number]]  # the components of each
 
 @dataclass
 class FunctionRecording:
-    """The recording of one function, and the quantities that most functions start from."""
+    """Recording of one function, with the quantities that most functions need."""
 
     scene: Scene
     tree: Tree
@@ -45,7 +45,7 @@ class FunctionRecording:
 
     @cached_property
     def inertias(self) -> dict[str, Number]:
-        """The inertias of joints themselves, by joint."""
+        """The joints' own inertias, by joint."""
         return joint_inertias(self.scene, self.recorder)
 
     def torques(self, motion: Motion, acting: Acting | None) -> list[Number]:

@@ -1,5 +1,5 @@
-"""Cuts Programs into parts that are short enough to compile; what several Programs compute is in
-parts that they share.
+"""Cuts Programs into parts that are short enough to compile; values that several Programs compute
+are in shared parts.
 
 Programs share a value if it is the same operation on the same operands, whatever its name.  The
 values that exactly the same programs use form a group: its parts compute them in the order of the
@@ -12,8 +12,7 @@ programs come first.
 
 A group from which other groups read most values saves little text and costs the time to store and
 load them: it is merged into the groups that read it.  Comparisons are not stored: each part that
-needs one compares again.  Knows no language and no mechanics.
-"""
+needs one compares again.  Knows no language and no mechanics."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace

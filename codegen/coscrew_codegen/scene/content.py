@@ -6,6 +6,7 @@ from dataclasses import fields, is_dataclass, replace
 from enum import Enum
 
 from coscrew_codegen.scene.effect import Effect
+from coscrew_codegen.scene.mechanism.joint_kind import JointKind
 from coscrew_codegen.scene.scene import Scene
 
 
@@ -15,15 +16,16 @@ def content_hash(scene: Scene) -> str:
 
 
 def motion_hash(scene: Scene) -> str:
-    """Hashes all that a motion in a given precision depends on: not the selected precisions,
-    functions and tiers, which options replace."""
+    """Hashes everything that a motion in a given precision depends on; the selected precisions,
+    functions and tiers, which options replace, do not count."""
     return content_hash(replace(scene, precision="", precisions=(), implausible="", functions=(),
                                 tiers=(), accuracy=(), notices=()))
 
 
 def _told(value: object) -> Iterator[str]:
-    """The value as unambiguous text: effects by name, mappings sorted, exact fractions."""
-    if isinstance(value, Effect | Enum):
+    """The value as unambiguous text: effects and kinds of joints by name, mappings sorted, exact
+    fractions."""
+    if isinstance(value, Effect | JointKind | Enum):
         yield f"{type(value).__name__} {value.name}"
     elif is_dataclass(value):
         yield type(value).__name__

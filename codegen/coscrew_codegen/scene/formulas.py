@@ -51,7 +51,7 @@ class _Step:
     word: str  # number, t, pi, name of a function, operator, power, sqrt
     operands: int = 0
     number: Fraction | None = None  # of a number; of a power, its exponent
-    apply: Callable[..., Any] | None = None  # of an operator, on whatever numbers come
+    apply: Callable[..., Any] | None = None  # of an operator, on any kind of numbers
 
 
 @dataclass(frozen=True)
@@ -70,12 +70,12 @@ class Formula:
 
     @property
     def timed(self) -> bool:
-        """Whether t occurs; without it a formula is a constant."""
+        """True if t occurs; without it a formula is a constant."""
         return any(step.word == "t" for step in self._steps)
 
     @property
     def is_number(self) -> bool:
-        """Whether it is a plain number, perhaps with a sign: "2", "-1e-3"."""
+        """True if it is a plain number, perhaps with a sign: "2", "-1e-3"."""
         return all(step.word in ("number", "negative") for step in self._steps)
 
     def value(self, t: V, functions: Mapping[str, object]) -> V:

@@ -23,8 +23,8 @@ def identifiers(names: Sequence[str]) -> tuple[str, ...]:
 
 
 def numbered(names: Sequence[str]) -> tuple[str, ...]:
-    """One identifier in capitals per name, in order, all different: Elbow is ELBOW.  Names that
-    have the same one are all numbered, in their order: Hip and hip are HIP_1 and HIP_2."""
+    """One identifier in capitals per name, in order, all different: Elbow is ELBOW. Names with the
+    same identifier are all numbered, in their order: Hip and hip are HIP_1 and HIP_2."""
     stems = [capitals(name) for name in names]
     counts = Counter(stems)
     taken = {stem for stem, n in counts.items() if n == 1}

@@ -14,13 +14,13 @@ class PatternError(ValueError):
 
 
 def is_pattern(name: str) -> bool:
-    """Whether the name has letters with a meaning in patterns."""
+    """Returns whether the name has letters with a meaning in patterns."""
     return not _WILD.isdisjoint(name)
 
 
 def matching(pattern: str, *known: Collection[str]) -> tuple[str, ...]:
-    """The names that a pattern matches, in the first of these collections in which it matches any;
-    of a name that is in one of them, the name itself."""
+    """Returns the names that a pattern matches, in the first of these collections in which it
+    matches any; for a name in one of them, the name itself."""
     if any(pattern in names for names in known):
         return (pattern,)
     if is_pattern(pattern):
@@ -31,8 +31,8 @@ def matching(pattern: str, *known: Collection[str]) -> tuple[str, ...]:
 
 
 def expanded(given: Sequence[str], *known: Collection[str]) -> tuple[str, ...]:
-    """The names, each pattern replaced by the names that it matches and that are not also given
-    themselves.  Names without patterns stay, known or not.  Raises PatternError."""
+    """The names, with each pattern replaced by the names that it matches, except names that are
+    also given themselves.  Names without patterns stay, known or not.  Raises PatternError."""
     found: list[str] = []
     for name in given:
         if not name:

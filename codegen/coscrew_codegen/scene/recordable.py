@@ -38,8 +38,8 @@ def components(names: Sequence[str], scene: Scene) -> tuple[str, ...]:
 
 
 def quantities_of(texts: Sequence[str], scene: Scene) -> tuple[str, ...]:
-    """The quantities that texts name, patterns among them replaced by all whole quantities that
-    they match, or else by components.  Raises QuantityError for each text that names none."""
+    """The quantities that texts name; patterns are replaced by all whole quantities that they
+    match, or else by components.  Raises QuantityError for each text that names none."""
     found, errors = list[str](), []
     for text in texts:
         try:

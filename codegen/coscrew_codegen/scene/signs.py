@@ -1,4 +1,5 @@
-"""Signs that run-time parameters must have: those of the numbers that scene files accept."""
+"""Signs that run-time parameters must have: the signs that scene files require of the same numbers.
+"""
 
 from coscrew_codegen.program.values.parameter import Parameter, Sign
 from coscrew_codegen.scene.scene import Scene

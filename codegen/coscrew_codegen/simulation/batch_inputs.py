@@ -1,4 +1,4 @@
-"""Parameters and starts of a run as arrays, which a batch gives with a leading axis."""
+"""Converts parameters and starts of a run to arrays, which have a leading axis in a batch."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from coscrew_codegen.program.values.formats import Precision
+from coscrew_codegen.scene.joints import kind_named
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulation import SimulateError
 from coscrew_codegen.simulation.checkpoint import Instant
@@ -18,12 +19,13 @@ _OF_NORM = 1e-6
 _ROUNDED = 4  # spacings by which rounding may move the norm of a quaternion
 Parameters = Mapping[str, ArrayLike] | ArrayLike | None
 Values = Mapping[str, np.ndarray]
-"""Of parameters by name: one, or one for each member."""
+"""Values of parameters by name: one, or one for each member."""
 
 
 def values_of(scene: Scene, precision: Precision, given: Parameters, said: str = "p: ") -> Values:
-    """The parameters by name, given so or all in order; each value, or row of values, is one or one
-    for each member.  `said` stands before their names in errors.  Raises SimulateError."""
+    """Returns the parameters by name, from values by name or from all values in order; each value,
+    or row of values, is one or one for each member.  `said` stands before their names in errors.
+    Raises SimulateError."""
     names = tuple(x.name for x in scene.parameters)
     if given is None:
         return {}
@@ -67,7 +69,7 @@ def start_of(system: System, q0: ArrayLike | None, v0: ArrayLike | None,
 
 
 def _as_many(leads: Mapping[str, tuple[int, ...]]) -> tuple[int, ...]:
-    """The leading axis that all have, of those that have one.  Raises SimulateError."""
+    """The leading axis that all arrays with one share.  Raises SimulateError."""
     counts = {name: lead[0] for name, lead in leads.items() if lead}
     if len(set(counts.values())) > 1:
         raise SimulateError("wanted as many members everywhere; got "
@@ -76,13 +78,13 @@ def _as_many(leads: Mapping[str, tuple[int, ...]]) -> tuple[int, ...]:
 
 
 def of_norm_1(system: System, q: np.ndarray) -> np.ndarray:
-    """q with quaternions of norm 1, which it has within 1e-6, as in a scene's file.  Those of which
-    the precision cannot tell that it is not 1 stay: a state of a run is that state.  Raises
-    SimulateError."""
+    """Normalizes the quaternions in q, whose norms must be 1 within 1e-6, as in a scene's file.
+    Quaternions already unit to working precision stay unchanged, so that a run's states reproduce
+    exactly.  Raises SimulateError."""
     least = _ROUNDED * float(np.finfo(system.dtype).eps)
     for c in system.functions.coordinates:
-        if c.kind in ("spherical", "free"):
-            places = slice(c.q.stop - 4, c.q.stop)
+        for quaternion in kind_named(c.kind).quaternions:
+            places = c.q[quaternion]
             norms = np.linalg.norm(q[..., places], axis=-1)
             if (wrong := np.abs(norms - 1) > _OF_NORM).any():
                 raise SimulateError(f"q0: joint {c.joint}: a quaternion of norm "
@@ -93,7 +95,7 @@ def of_norm_1(system: System, q: np.ndarray) -> np.ndarray:
 
 
 def _numbers(name: str, given: ArrayLike, shape: tuple[int, ...]) -> np.ndarray:
-    """The numbers, in double: of this shape, or with one axis of members before."""
+    """The numbers, in double, of this shape or with a leading axis of members."""
     try:
         found = np.asarray(given)
         if found.dtype.kind not in "iuf" or isinstance(given, np.ma.MaskedArray):
@@ -110,8 +112,8 @@ def _numbers(name: str, given: ArrayLike, shape: tuple[int, ...]) -> np.ndarray:
 
 
 def _refuse(scene: Scene, precision: Precision, found: Values, said: str) -> None:
-    """Check values as `--set` does: of each parameter the extreme ones, and together those whose
-    values depend on each other."""
+    """Checks values as `--set` does: the extreme values of each parameter, and together the
+    parameters whose values must suit each other."""
     for row in _extremes(found):
         refuse_each(scene, row, precision, said)
     together = sorted(dependent(scene) & found.keys())
@@ -123,7 +125,8 @@ def _refuse(scene: Scene, precision: Precision, found: Values, said: str) -> Non
 
 
 def _extremes(found: Values) -> Iterator[dict[str, float]]:
-    """One value at a time: not finite, the least, the greatest, the smallest in size but 0."""
+    """Yields the values that are not finite, the least, the greatest, and the smallest in size
+    except 0, one by one."""
     for name, given in found.items():
         values = np.ravel(given)
         lost, others = values[~np.isfinite(values)], values[values != 0]

@@ -1,4 +1,5 @@
-"""Start and end of a run: all that its following steps depend on, from a Result or recording."""
+"""Checkpoints: the start and the end of a run, with everything that the following steps depend on.
+"""
 
 import json
 import math
@@ -18,12 +19,13 @@ from coscrew_codegen.simulation.recordings.recording_reader import provenance_of
 from coscrew_codegen.simulation.system import System
 
 START, END = "start", "end"
-"""What provenance calls the first and the last instant of a run, as JSON."""
+"""Names in provenance of the first and the last checkpoint of a run, as JSON."""
 
 
 @dataclass(frozen=True)
 class Instant:
-    """A run, or each member of a batch, at one time: all that the following steps depend on."""
+    """State of a run, or of each member of a batch, at one time: everything that the following
+    steps depend on."""
 
     t: float
     steps: int  # since t = 0, for a controller that is called every n steps
@@ -33,11 +35,12 @@ class Instant:
     momentum: np.ndarray | None  # of floating bases at t = 0, if the run keeps it
     of: tuple[str, str] = ("", "")  # the precision's name and the scene's sha256
     failed: tuple[Stop, ...] = ()  # members that have stopped; their numbers are NaN
-    controller: str = ""  # what provenance says of that of the run before
+    controller: str = ""  # description, in provenance, of the previous run's controller
 
     @property
     def told(self) -> str:
-        """JSON, whose decimals read back the same; of a batch, a hash of the numbers."""
+        """The checkpoint as JSON, whose decimals read back the same; for a batch, a hash of the
+        numbers."""
         arrays = {name: np.asarray(values, float) for name, values in (
             ("q", self.q), ("v", self.v), ("p", self.p), ("momentum", self.momentum))
             if values is not None}
@@ -76,17 +79,17 @@ def of_run(system: System) -> tuple[str, str]:
 
 
 def end_in(path: Path) -> Instant:
-    """The end that a recording tells.  Raises SimulateError."""
+    """Reads the end of the run from a recording.  Raises SimulateError."""
     told = provenance_of(path, "start")
     if END not in told:
         why = f": {told['stopped']}" if "stopped" in told else ""
-        raise SimulateError(f"start: {path} does not tell the end of a run{why}; wanted a "
+        raise SimulateError(f"start: {path} does not contain the end of a run{why}; wanted a "
                             "recording of an emitted integrator that did not stop early")
     return instant(told, END, f"start: {path}: its end")
 
 
 def instant(told: Mapping[str, str], which: str, said: str) -> Instant:
-    """The first or the last instant that provenance tells.  Raises SimulateError."""
+    """Reads the first or the last checkpoint from provenance.  Raises SimulateError."""
     try:
         given = json.loads(told[which])
         q, v, p = (_numbers(given[name], 1) for name in ("q", "v", "p"))
@@ -103,8 +106,8 @@ def instant(told: Mapping[str, str], which: str, said: str) -> Instant:
 
 
 def refuse(start: Instant, system: System) -> None:
-    """Raise SimulateError if no run of this system can begin there; warn if it is of another scene.
-    """
+    """Raises SimulateError if no run of this system can begin there; warns if it is of another
+    scene."""
     its, (precision, scene) = system.functions, start.of
     sizes = tuple(x.shape[-1] for x in (start.q, start.v, start.p))
     if sizes != (its.nq, its.nv, len(its.parameters)):
@@ -125,7 +128,7 @@ def refuse(start: Instant, system: System) -> None:
 
 
 def refuse_plan(start: Instant, system: System, plan: Plan) -> None:
-    """Raise SimulateError if the integrator cannot go on from there."""
+    """Raises SimulateError if the integrator cannot continue from there."""
     if plan.adaptive and start.t > 0:
         raise SimulateError(f"start: integrator {plan.integrator} begins with steps of its own; "
                             "wanted an emitted integrator")

@@ -76,15 +76,16 @@ class Driven:
 
     @property
     def turned(self) -> bool:
-        """Whether what it set turned back and forth; nobody knows of calls by compiled steps."""
+        """True if its values changed direction from call to call; unknown, and so false, for calls
+        by compiled steps."""
         return self._turns.many or self._in_c is not None and not self._controller.in_python
 
     def demanded(self, t: float, q: np.ndarray, v: np.ndarray) -> np.ndarray:
-        """Returns what the controller would set at this state, without setting it."""
+        """Returns the values that the controller would set at this state, without setting them."""
         return self._values(self.steps, t, q, v)
 
     def refused(self, alive: np.ndarray) -> tuple[Stop, ...]:
-        """The members that stop since a value is not finite."""
+        """The members that stop because a value is not finite."""
         return tuple(stop for i, stop in self._refused.items() if alive[i])
 
     def _values(self, k: int, t: float, q: np.ndarray, v: np.ndarray) -> np.ndarray:

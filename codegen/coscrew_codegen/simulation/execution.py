@@ -1,4 +1,4 @@
-"""A run, from what is asked of it to its Result: for `run`, `again` and the command."""
+"""Executes a run, from a request to its Result: for `run`, `again` and the command."""
 
 import warnings
 from dataclasses import dataclass, field, replace
@@ -28,8 +28,8 @@ from coscrew_codegen.simulation.system import State, System, scene_of, system
 
 @dataclass(frozen=True)
 class RunRequest:
-    """Settings of a run; None: as the scene says; p: those that differ from the scene's, or
-    from the run's that it goes on from."""
+    """Settings of a run; None means the scene's.  p holds the parameters that differ from the
+    scene's, or from those of the run that it continues."""
 
     until: float | None = None
     step: float | None = None
@@ -51,7 +51,7 @@ def motion(kernels: Kernels, precision: str, asked: RunRequest, *, shown: bool =
     start = asked.start
     if start and start.controller and not asked.controller:
         warnings.warn(f"start: the run before had a controller ({start.controller}), this one has "
-                      "none: what it set last holds", RuntimeWarning, stacklevel=4)
+                      "none: its last values hold", RuntimeWarning, stacklevel=4)
     planned = plan(its, asked.until, asked.step, asked.integrator, asked.every,
                    begin=start.t if start else 0.0)
     if start:
@@ -83,8 +83,8 @@ def motion(kernels: Kernels, precision: str, asked: RunRequest, *, shown: bool =
 
 
 def _complete(kernels: Kernels, asked: RunRequest) -> Kernels:
-    """Returns the kernels with all that the run needs, if they have the step of its integrator; the
-    plan refuses them if not."""
+    """Returns the kernels with all functions that the run needs, if they have the step of its
+    integrator; if not, the plan refuses them."""
     scene = scene_of(kernels)
     own = named(known(asked.integrator or scene.run.integrator)).step_name
     if kernels.plain or (own and own not in (x.name for x in kernels.interface.signatures)):
@@ -95,13 +95,13 @@ def _complete(kernels: Kernels, asked: RunRequest) -> Kernels:
 
 
 def _begun(kernels: Kernels, precision: str, asked: RunRequest) -> tuple[System, State]:
-    """The system and the state from which the run goes on."""
+    """The system and the state from which the run starts."""
     its, start = system(kernels, precision), asked.start
     if start:
         refuse(start, its)
         its = its.at(start.p)
     its = with_parameters(its, asked.p)
-    if start and asked.controller:  # what it set holds until it is called again
+    if start and asked.controller:  # its values hold until it is called again
         places = list(set_by(asked.controller, its.scene))
         p = np.array(np.broadcast_arrays(its.p, start.p)[0], float)
         p[..., places] = start.p[..., places]
@@ -120,8 +120,8 @@ def _integrated(its: System, planned: Plan, state: State, start: Instant | None,
 
 
 def _momentum(its: System, start: Instant, state: State) -> np.ndarray | None:
-    """The momentum of floating bases at t = 0 that leads to the state from which the run goes on:
-    as the run before kept it, except for members whose parameters change what it leads to."""
+    """The momentum of floating bases at t = 0 that leads to the state from which the run continues:
+    that of the previous run, except for members whose new parameters change it."""
     if start.momentum is None:
         return None
     with np.errstate(all="ignore"):

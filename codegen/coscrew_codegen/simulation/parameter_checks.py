@@ -42,8 +42,8 @@ def refuse_each(scene: Scene, settings: Mapping[str, float], precision: Precisio
             hint = f"; did you mean {near!r}?" if near else ""
             if name in constants(scene.model, scene.effects):
                 hint = "; to change this constant, write it there"
-            raise SimulateError(f"{said}{name}: wanted what the scene lists in `runtime`: {listed}"
-                                f"{hint}")
+            raise SimulateError(f"{said}{name}: wanted a parameter that the scene lists in "
+                                f"`runtime`: {listed}{hint}")
         if not math.isfinite(number):
             raise SimulateError(f"{said}{name}={number:g}: wanted a finite number")
         try:
@@ -86,8 +86,8 @@ def constant(scene: Scene) -> set[str]:
 
 def ranges(scene: Scene, settings: Mapping[str, N]
            ) -> Iterator[tuple[Applied, N | float, N | float]]:
-    """(effect, lower, upper) of the ranges that effects keep joints in, with these values of
-    parameters, or rows of values; infinite where a range has no end."""
+    """Returns (effect, lower, upper) of the ranges in which effects keep joints, for these values
+    of parameters, or rows of values; infinite where a range has no end."""
     for applied in scene.effects:
         if applied.effect.ascending:
             low, high = (applied.values[name] for name in applied.effect.ascending)

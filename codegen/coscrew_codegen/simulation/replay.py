@@ -1,4 +1,4 @@
-"""Settings of the run that made a recording: all that is needed to run again."""
+"""Reads from a recording the settings of the run that made it: everything needed to repeat it."""
 
 import json
 import re
@@ -23,7 +23,7 @@ from coscrew_codegen.simulation.recordings.result import Result
 
 @dataclass(frozen=True)
 class Told:
-    """The settings of a run, and where it started."""
+    """The settings of a recorded run, and its start."""
 
     precision: str
     until: float
@@ -33,7 +33,7 @@ class Told:
     record: tuple[str, ...]
     start: Instant
     scene: str  # its sha256
-    controller: str  # what provenance says of it
+    controller: str  # its description in provenance
     coscrew: str
 
     def asked(self, controller: Controller | None = None) -> RunRequest:
@@ -42,8 +42,8 @@ class Told:
                           start=self.start, controller=controller)
 
     def refuse(self, scene: Scene, controller: Controller | None) -> None:
-        """Raise SimulateError if a run of this scene and controller is another; warn if another
-        version of coscrew made it."""
+        """Raises SimulateError if this scene or controller gives another run; warns if another
+        version of coscrew made the recording."""
         if motion_hash(scene) != self.scene:
             raise SimulateError(f"again: the recording is of another scene than {scene.name}, or "
                                 "the scene has changed since; wanted the scene as it was")
@@ -57,7 +57,7 @@ class Told:
 
 
 def asked_of(recording: Result | Path | str) -> Told:
-    """The settings that a recording or a Result tells.  Raises SimulateError, TypeError."""
+    """Reads the settings from a recording or a Result.  Raises SimulateError, TypeError."""
     if isinstance(recording, Result):
         return _of(dict(recording.provenance), recording.start, "again: the Result")
     if not isinstance(recording, (str, Path)):
@@ -66,7 +66,7 @@ def asked_of(recording: Result | Path | str) -> Told:
     path = Path(recording)
     told = provenance_of(path, "again")
     if START not in told or ASKED not in told:
-        raise SimulateError(f"again: {path} does not tell the start and the settings of a run; "
+        raise SimulateError(f"again: {path} does not contain the start and the settings of a run; "
                             "wanted a recording of coscrew 0.2.0 or later")
     return _of(told, instant(told, START, f"again: {path}: its start"), f"again: {path}")
 

@@ -1,4 +1,4 @@
-"""Runs of a scene in the selected precisions, their recordings, and a short table of them."""
+"""Runs a scene in the selected precisions, records the runs, and prints a short table of them."""
 
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -32,13 +32,13 @@ class RunOverrides:
     integrator: str | None = None
     precision: str | None = None
     settings: tuple[tuple[str, float], ...] = ()
-    start: Path | None = None  # a recording to go on from
+    start: Path | None = None  # a recording whose run is continued
 
 
 def simulated(kernels: "Kernels", overrides: RunOverrides, told: bool = True
               ) -> tuple[Result, ...]:
-    """The runs, double first; without `told`, recordings have no provenance.  Raises SimulateError.
-    """
+    """Runs the scene, in double first; without `told`, recordings have no provenance.  Raises
+    SimulateError."""
     precision = overrides.precision or scene_of(kernels).precision
     if overrides.start and precision == "both":
         raise SimulateError("--start: a recording is of one precision; wanted --precision double "
@@ -88,7 +88,7 @@ def bounces(result: Result) -> str:
 
 def outside(its: System, q: np.ndarray) -> str:
     """A warning that names joints that start outside the range of a limit, which then acts from the
-    start; else "".  (…, nq): of several members the one that is farthest outside."""
+    start; else "". (…, nq): of several members it names the one farthest outside."""
     values = dict(zip((x for x, _ in its.functions.parameters), np.array(its.p).T, strict=True))
     start = {c.joint: q[..., c.q.start].astype(float) for c in its.functions.coordinates}
     for joint in without_chains(its.scene.model).joints:

@@ -108,7 +108,7 @@ def _of_kind(joint: Joint) -> "pin.JointModel":
 
 @dataclass(frozen=True)
 class Place:
-    """Where a joint's numbers stand in q and v."""
+    """Places of a joint's numbers in q and v."""
 
     joint: Joint
     number: int  # Pinocchio's
@@ -192,7 +192,7 @@ class Dynamics:
 
     @cached_property
     def _freedoms(self) -> np.ndarray:
-        """The velocities of all joints by those that lead."""
+        """The velocities of all joints from those of the leaders."""
         T = np.eye(self.model.nv)
         for follower, leader in self.followers:
             assert follower.joint.mimic

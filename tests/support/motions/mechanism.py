@@ -1,4 +1,4 @@
-"""Mechanisms with what acts on them, as plain data, and as text of scene files."""
+"""Mechanisms with their effects, as plain data, and as text of scene files."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
@@ -78,7 +78,7 @@ class Acting:
 
 @dataclass(frozen=True)
 class Mechanism:
-    """Bodies, their joints in order from the root, and what acts."""
+    """Bodies, their joints in order from the root, and effects."""
 
     bodies: tuple[Body, ...]
     joints: tuple[Joint, ...]

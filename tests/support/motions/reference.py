@@ -1,4 +1,4 @@
-"""Reference motions: DOP853 at two tolerances, kept in build/ by what they were computed from."""
+"""Reference motions: DOP853 at two tolerances, kept in build/ under a hash of their inputs."""
 
 import hashlib
 import os
@@ -37,9 +37,9 @@ class Unjudged(Exception):
 
 @dataclass(frozen=True)
 class Reference:
-    """States at the times of samples.  (n), (n, nq), (n, nv).  `doubt` is the largest difference
-    of the two integrations, of what errors may be; states after `horizon` mean nothing, since a
-    ten-thousandth of the start decides them."""
+    """States at the times of samples.  (n), (n, nq), (n, nv). `doubt` is the largest difference of
+    the two integrations, relative to the allowed error; states after `horizon` mean nothing, since
+    a ten-thousandth of the start decides them."""
 
     t: np.ndarray
     q: np.ndarray

@@ -1,4 +1,4 @@
-"""Rows: a motion's run, judged, beside what the commands say of it; and tables of them."""
+"""Rows: a motion's run, judged, beside the commands' verdicts; and tables of them."""
 
 import re
 from collections import Counter
@@ -39,14 +39,14 @@ class Row:
 
     @property
     def verdict(self) -> str:
-        """Of both commands, in a word."""
+        """The verdict of both commands, in a word."""
         if self.said is None:
             return "error"
         return "stopped" if self.said.stopped and not self.said.passed else self.said.column
 
     @property
     def false(self) -> tuple[str, ...]:
-        """What the commands get wrong."""
+        """Faults of the commands' verdicts."""
         if self.said is None:
             return ("an error was raised",)
         found = []
@@ -60,7 +60,7 @@ class Row:
 
     @property
     def words(self) -> str:
-        """A line: the scene, the run, the error, what is said."""
+        """A line: the scene, the run, the error, the verdicts."""
         worst = f"{self.worst.part}: q {self.worst.q:.2g}, v {self.worst.v:.2g}" if self.worst \
             else ""
         return (f"{self.motion.name} ({self.motion.about}) {self.how.words}: {self.truth} ({worst})"
@@ -89,7 +89,7 @@ class Judge:
     its: Dynamics
 
     def truth(self, how: Setting) -> tuple[str, Error]:
-        """Whether a run is right, and its worst part.  Raises Unjudged."""
+        """Returns whether a run is right, and its worst part.  Raises Unjudged."""
         q, v = self.runs.states(how, self.its)
         true = reference(self.motion, self.runs.times(how))
         part = true.t <= true.horizon
@@ -102,7 +102,7 @@ class Judge:
         return verdict, worst
 
     def _keeps_energy(self, true: Reference, q: np.ndarray, v: np.ndarray) -> bool:
-        """Whether a chaotic motion keeps its energy to the end."""
+        """Returns whether a chaotic motion keeps its energy to the end."""
         if not (np.isfinite(q).all() and np.isfinite(v).all()):
             return False
         energies, true_ones = (np.array([self.its.energy(*x) for x in zip(*states, strict=True)])
@@ -124,7 +124,7 @@ class Judge:
         return Row(self.motion, how, truth, worst, said, followed)
 
     def followed(self, how: Setting, said: Said) -> Iterator[str]:
-        """What following the advice of both commands shows to be false."""
+        """Advice of both commands that proves false when it is followed."""
         seen = set()
         for text in ("" if said.passed else said.text, said.stopped):
             for then in advised(text, how):
@@ -153,13 +153,13 @@ def _words_of(error: Exception) -> str:
 
 
 def judge(motion: Motion) -> Judge:
-    """For all runs of a motion."""
+    """Judges all runs of a motion."""
     return Judge(motion, runs(motion), Dynamics(motion.mechanism))
 
 
 def converged(motion: Motion) -> Error:
     """The worst error of Runge and Kutta's method at a hundredth of a radian per step, for at most
-    4000 of them: of what has the judge's equations, a small part of what is allowed."""
+    4000 of them: a small part of the allowed error for motions by the judge's equations."""
     step = min(motion.steps[0], 0.01 / motion.rate)
     short = replace(motion, duration=min(motion.duration, 4000 * step))
     return judge(short).truth(Setting(step, "rk4", "double"))[1]
@@ -170,7 +170,7 @@ TRUTHS = ("right", "between", "wrong", "unjudged")
 
 
 def table(rows: Iterable[Row]) -> str:
-    """Counts: by family and truth, what the commands say."""
+    """Counts of the commands' verdicts, by family and truth."""
     counts: dict[tuple[str, str], Counter[str]] = {}
     for row in rows:
         for family in (row.motion.family, "all"):
@@ -183,6 +183,6 @@ def table(rows: Iterable[Row]) -> str:
 
 
 def exceptions(rows: Iterable[Row]) -> str:
-    """How often the commands are wrong in which way."""
+    """Numbers of wrong verdicts of the commands, by kind."""
     counts = Counter(_WORDS.sub("", kind) for row in rows for kind in row.false)
     return str(tabulate(sorted(counts.items()), ("exception", "rows")))

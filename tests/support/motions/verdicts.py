@@ -1,4 +1,4 @@
-"""What coscrew computes of a motion, and what `simulate` and `check` say of it."""
+"""Motions computed by coscrew, with the verdicts of `simulate` and `check`."""
 
 import re
 import tempfile
@@ -28,7 +28,7 @@ FIXED = ("leapfrog", "linear-implicit-euler", "semi-implicit-euler", "rk4")
 
 @dataclass(frozen=True)
 class Setting:
-    """How a motion is run."""
+    """Settings of a run."""
 
     step: float
     integrator: str
@@ -44,7 +44,7 @@ class Setting:
 
 @dataclass(frozen=True)
 class Said:
-    """What the commands say: the run's stop, or ""; whether the check passes; its text."""
+    """Output of the commands: the run's stop, or ""; whether the check passes; its text."""
 
     stopped: str
     passed: bool
@@ -53,12 +53,12 @@ class Said:
 
     @property
     def goes_on(self) -> bool:
-        """Whether neither command refuses the motion."""
+        """True if neither command refuses the motion."""
         return self.passed and not self.stopped
 
     @property
     def reasons(self) -> str:
-        """The sentences on what is wrong."""
+        """The sentences on faults."""
         false = [x for x in self.text.splitlines() if x.startswith(("FALSE", "double:", "single:"))]
         return " ".join(dict.fromkeys((*false, self.stopped))).strip()
 
@@ -96,7 +96,8 @@ class Runs:
 
     def _kernels(self, how: Setting) -> Kernels:
         scene = _read(self.motion.text(how.step, how.integrator, how.precision, how.tolerances))
-        return replace(self.kernels, scene=replace(scene, precision=how.precision))
+        wanted = replace(self.kernels.request, scene=replace(scene, precision=how.precision))
+        return replace(self.kernels, request=wanted)
 
     def _planned(self, how: Setting) -> tuple[System, Plan]:
         its = system(self._kernels(how), how.precision, dict(self._settings()))

@@ -45,7 +45,7 @@ def arithmetic(precision: Precision) -> Arithmetic[Any]:
 
 
 def _called(op: Op, precision: Precision, *operands: Array) -> Array:
-    """What the function of our own that computes this operation returns."""
+    """The results of our own function for this operation."""
     function = next(x for x in (*ELEMENTARY, *ERRORS) if x.name == FUNCTION_OF[op])
     if op in (Op.SIN_ERROR, Op.COS_ERROR):  # these take both results
         operands = operands[0], *results(SINCOS, precision, operands[0])
@@ -144,8 +144,8 @@ def errors(name: str, precision: Precision, got: Array, *inputs: Array) -> Array
 
 
 def remaining(name: str, got: Array, rest: Array, *inputs: Array, slack: float = 0) -> Array:
-    """log2 of |got + rest - true| / |true|: of what a result and its error err by together, beyond
-    an absolute slack."""
+    """log2 of |got + rest - true| / |true|: the error of a result and its error together, beyond an
+    absolute slack."""
     with gmpy2.context(precision=2 * BITS, emax=10**6, emin=-10**6):
         found = np.empty(len(got))
         for i, (value, more, *given) in enumerate(zip(
@@ -157,7 +157,7 @@ def remaining(name: str, got: Array, rest: Array, *inputs: Array, slack: float =
 
 
 def same(got: Array, want: Array) -> bool:
-    """Whether all bits agree, except the sign and the payload of NaN."""
+    """Returns whether all bits agree, except the sign and the payload of NaN."""
     kind = f"u{want.dtype.itemsize}"
     agree = (got.view(kind) == want.view(kind)) | (np.isnan(got) & np.isnan(want))
     return got.dtype == want.dtype and bool(agree.all())

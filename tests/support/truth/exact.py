@@ -343,7 +343,7 @@ class Sample:
         return array([self.scalar() for _ in range(n)])
 
     def rotation(self) -> Matrix:
-        """Of a quaternion of any norm."""
+        """The rotation of a quaternion of any norm."""
         return rotation_of(joined(self.vector(), [self._random.randint(1, 9)]))
 
     def quaternion(self) -> Matrix:
@@ -355,7 +355,7 @@ class Sample:
         return displacement(self.rotation(), self.vector())
 
     def sine_cosine(self) -> Matrix:
-        """Of the angle whose half has a rational tangent."""
+        """Sine and cosine of the angle whose half has this rational tangent."""
         h = self.scalar()
         return array([2 * h, 1 - h * h]) / (1 + h * h)
 

@@ -16,7 +16,8 @@ import numpy as np
 from sympy import QQ
 from sympy.polys.rings import PolyElement, PolyRing, ring
 
-from coscrew_codegen.scene.mechanism.model import Body, Joint, Kind, Model, value
+from coscrew_codegen.scene.mechanism.model import Body, Joint, Model, value
+from tests.support.scenes.kinds import Kind
 from tests.support.truth.exact import array, eye, rotation_of, skew, zeros
 
 Matrix = np.ndarray  # of polynomials or Fractions

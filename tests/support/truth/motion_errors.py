@@ -41,7 +41,7 @@ def unit(precision: Precision) -> mp.mpf:
 
 def errors(operation: Operation, given: list[Objects], found: list[Objects],
            truths: list[list[Objects]]) -> dict[str, mp.mpf]:
-    """For each part with a bound, the largest error relative to its largest component, or to the
+    """The largest error of each part with a bound, relative to its largest component, or to the
     parts of inputs named in the bound; for the closest of the alternatives."""
     return min((_errors(operation, given, found, truth) for truth in truths),
                key=lambda parts: max(parts.values()))

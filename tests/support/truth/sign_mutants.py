@@ -1,9 +1,8 @@
 """A scene's accurate C in which a run-time switch flips any one sign, compiled once.
 
 `x - y` reads `x - sign_of[k] * y`, with sign_of[k] 1 or -1: the product is exact, so that all other
-bits stay.  What the last sum hi + lo of each result rounds off is kept in `rest_of`: together they
-show errors of second order, which the rounded result hides.
-"""
+bits stay.  The rounding error of the last sum hi + lo of each result is kept in `rest_of`: together
+they show errors of second order, which the rounded result hides."""
 
 import ctypes
 import re
@@ -74,7 +73,8 @@ class Mutants:
 
 
 def less_their_errors(text: str) -> list[str]:
-    """Where a value's error is subtracted from it: x_lo is what x lacks (x_1 and x_lo_2 of x)."""
+    """Places where a value's error is subtracted from it: x_lo is the error of x (x_1 and x_lo_2 of
+    x)."""
     return [found[0] for found in re.finditer(r"([\w>.-]*?\w)(?:_\d+)? - \1_lo\w*", text)]
 
 
@@ -89,7 +89,8 @@ def _first(text: str) -> str:
 
 
 def mutants(folder: Path, files: dict[str, str], stem: str, function: str, size: int) -> Mutants:
-    """Of a function from three rows of `size` numbers to one, `function` in `stem`.c."""
+    """The mutants of a function from three rows of `size` numbers to one, `function` in `stem`.c.
+    """
     text, lines = files[f"{stem}.c"], list[str]()
     first = text.index(f"struct {function.replace('_accurate', '')}_values_accurate {{")
     last = text.index("\n}\n", text.index(f"void {function}(")) + 3
@@ -112,7 +113,7 @@ def mutants(folder: Path, files: dict[str, str], stem: str, function: str, size:
         (folder / name).write_text(other)
     (folder / "mutants.c").write_text("\n".join((
         f"static double sign_of[{len(lines)}], rest_of[{size}];", text[:first],
-        _with_rests(changed), "#endif",
+        _with_rests(changed),
         LOOP.replace("SIZE", str(size)).replace("FUNCTION", function),
         f"void start(void) {{ for (int k = 0; k < {len(lines)}; k++) {{ sign_of[k] = 1.0; }} }}")))
     run(("gcc", "-std=gnu11", "-O1", *FMA, EXACT, "-fPIC", "-shared", "-I", folder,

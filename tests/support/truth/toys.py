@@ -23,7 +23,7 @@ WRONG = 250
 
 @dataclass(frozen=True)
 class Toy(Format):
-    """A format with what a tier asks of a precision."""
+    """A format with the members of a precision that tiers use."""
 
     def value(self, constant: Constant) -> Fraction:
         """Its value, not yet rounded."""
@@ -43,7 +43,7 @@ def rounded(x: Array, toy: Format) -> Array:
 
 
 def arithmetic(toy: Toy) -> Arithmetic[Any]:
-    """Every operation rounded once; functions and what they err by, too."""
+    """Every operation rounded once, functions and their error functions, too."""
     def once(function: Callable[..., Any]) -> Callable[..., Any]:
         return lambda *operands: rounded(function(*operands), toy)
 

@@ -1,5 +1,5 @@
-"""States within the ranges of a function's inputs, drawn or near others, and what is certified
-there: the same numbers on every machine."""
+"""States within the ranges of a function's inputs, random ones or near others, with certified
+results: the same numbers on every machine."""
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
@@ -21,7 +21,7 @@ _ROUNDED, _LEAST = float(ROUNDED.double), float(LEAST.double)
 @dataclass(frozen=True, eq=False)
 class StateSample:
     """States, as components of each input, and a function's results there in double precision, with
-    their bounds; a component of the results a row."""
+    their bounds; one row for each component of the results."""
 
     given: Given
     results: Array
@@ -33,8 +33,8 @@ class StateSample:
         return int(self.results.shape[1])
 
     def certified(self, program: Program) -> Array:
-        """Bounds of the errors of another program's results in single precision, as those of the
-        certified tier: |x̂ - w| + B, rounded up; infinite where there are none."""
+        """Bounds of the errors of another program's results in single precision, as in the
+        certified tier: |x̂ - w| + B, rounded up; infinite where there is no bound."""
         found = in_rows(program, SINGLE)(self.given).astype(float)
         with np.errstate(all="ignore"):
             total = (np.absolute(found - self.results) + self.bounds) * _ROUNDED + _LEAST
@@ -51,7 +51,7 @@ class StateSample:
 
 
 def at(given: Given, chosen: Array) -> Given:
-    """These of the states."""
+    """The states with these indices."""
     return [[x[chosen] for x in each] for each in given]
 
 
@@ -82,7 +82,8 @@ def in_rows(program: Program, precision: Precision) -> Callable[[Given], Array]:
 
 
 class States:
-    """A sequence of states of an accuracy; `certified` gives a function's results and bounds."""
+    """A sequence of states for a requested accuracy; `certified` gives a function's results and
+    bounds."""
 
     def __init__(self, accuracy: Accuracy, certified: Program) -> None:
         self._accuracy, self._certified = accuracy, in_rows(certified, DOUBLE)
@@ -93,7 +94,7 @@ class States:
         return self.sample(self.numbers(count))
 
     def sample(self, given: Given) -> StateSample:
-        """Returns what is certified at these states."""
+        """Returns the sample of these states, with certified results."""
         found = self._certified(in_double(given))
         half = len(found) // 2
         return StateSample(given, found[:half], found[half:])
@@ -120,7 +121,7 @@ class States:
         return np.where(share < 1, there, x)
 
     def _uniform(self, count: int) -> Array:
-        uniform = self._random.random  # the method whose numbers never change
+        uniform = self._random.random  # the method whose random numbers never change
         return np.array([uniform() for _ in range(count)])
 
     def _single(self, found: Iterable[list[Array]]) -> Given:

@@ -1,5 +1,5 @@
 """Sensitivity of a function's results to the rounding of each intermediate result, to first order,
-in units of what is asked of them."""
+in units of the requested accuracy."""
 
 from collections.abc import Iterator, Sequence
 
@@ -41,7 +41,7 @@ def _places(program: Program) -> Iterator[Place]:
 
 
 def _scaled(program: Program, places: Sequence[Place]) -> Program:
-    """The program with what is at each place multiplied by an element of a further input."""
+    """The program with the value at each place multiplied by an element of a further input."""
     numbers, last = {place: k for k, place in enumerate(places)}, len(program.inputs)
     steps: list[Instruction] = []
 

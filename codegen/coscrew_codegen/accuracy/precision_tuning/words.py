@@ -1,4 +1,4 @@
-"""Sentences on a mixture: what is certified of it and where, and what it saves."""
+"""Sentences on a mixture: its certified bounds, their states, and its savings."""
 
 from collections.abc import Sequence
 from math import isfinite
@@ -28,7 +28,8 @@ def in_words(choice: PrecisionChoice, function: FunctionProgram) -> str:
 
 
 def saving(choice: PrecisionChoice, function: FunctionProgram, units: Sequence[str]) -> str:
-    """A line for who generates the function; `units` are those of the results' components."""
+    """A line for the user who generates the function; `units` are those of the results' components.
+    """
     plain, mixture, pairs = _operations(choice, function)
     return (f"{function.name}: a call takes {mixture:,} operations in the mixed tier, {plain:,} in "
             f"single precision, {pairs:,} in pairs; rounding was found to move "

@@ -3,7 +3,7 @@
 plain       fixed order, every operation rounded once             names without a suffix
 accurate    single: computed in double, rounded once; double: compensated, carried as hi + lo
 certified   plain, and a bound on each component's error that always holds
-mixed       single: what an asked accuracy needs is carried as hi + lo         scenes only
+mixed       single, with hi + lo where a requested accuracy needs it       scenes only
 pairs       single: compensated, carried as hi + lo in single                  scenes only
 
 A tier may also add in another order: `program.sums` gives the terms of a plain program's sums.

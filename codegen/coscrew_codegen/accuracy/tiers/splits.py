@@ -1,13 +1,12 @@
-"""Numbers that results do not depend on, whose errors are therefore none.
+"""Finds numbers that results do not depend on, so that their errors do not count.
 
 A program splits numbers in two: h = (x + g) - g, the first digits of x, and x - h.  In exact
 arithmetic h is x, and results are the same whatever h is.  It scales numbers by powers of two that
-it chooses, and scales results back; they are the same whichever are chosen.
+it chooses, and scales results back; they are the same for every choice.
 
-Both are held by an identity test: results are computed modulo a prime with other numbers for h and
+An identity test verifies both: results are computed modulo a prime with other numbers for h and
 other choices, and must not change.  A square's character stands for the sign there, so that sizes,
-roots and comparisons are scaled as those of real numbers are: 2 is a square.
-"""
+roots and comparisons are scaled as those of real numbers are: 2 is a square."""
 
 import hashlib
 from collections.abc import Callable
@@ -19,9 +18,10 @@ from coscrew_codegen.program.program import is_power_of_two, name_of
 
 PRIME = 2**61 - 1  # 7 modulo 8: 2 is a square, and x^((p + 1) / 4) is the root of a square x
 TRIALS = 16
-"""Each takes other branches; where an identity fails, one misses it with a chance near 2^-50."""
+"""Number of trials; each takes other branches, and misses a wrong identity with a probability near
+2^-50."""
 Choose = Callable[[int, Instruction], Callable[..., int]]
-"""What stands for an instruction in a trial."""
+"""Value of an instruction in a trial."""
 
 
 def splits(program: Program) -> frozenset[str]:
@@ -38,8 +38,8 @@ def splits(program: Program) -> frozenset[str]:
 
 
 def scalings(program: Program) -> frozenset[str]:
-    """The names of choices between powers of two; none if a result depends on one.  Those that only
-    compare powers of two, and so follow from others, do not count."""
+    """The names of choices between powers of two; none if a result depends on one.  Choices that
+    only compare powers of two, and so follow from others, do not count."""
     powers: dict[Operand, bool] = {}  # whether chosen freely
 
     def is_power(x: Operand) -> bool:
@@ -64,7 +64,7 @@ def _indifferent(program: Program, found: frozenset[str], choose: Choose) -> fro
 
 def _results(program: Program, trial: int, other: frozenset[str] = frozenset(),
              choose: Choose | None = None) -> list[int]:
-    """The program's results at random inputs; with other values of these names."""
+    """The program's results at random inputs, with other values for these names."""
     known: dict[int, Fraction] = {}
 
     def less(a: int, b: int) -> bool:

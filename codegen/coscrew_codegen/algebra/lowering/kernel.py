@@ -34,8 +34,8 @@ class Kernel:
 
 
 def kernel_of(operation: Operation, fine: bool = False, smooth: bool = False) -> Kernel:
-    """The kernel of an operation: its derivation recorded, or its formula without lets; fine: for
-    twice the digits; smooth: for derivatives."""
+    """The kernel of an operation: its derivation recorded, or its formula without lets; `fine` for
+    twice the digits, `smooth` for derivatives."""
     bindings: list[Binding] = []
     taken = {a.name for a in (*operation.inputs, *operation.outputs)}
 

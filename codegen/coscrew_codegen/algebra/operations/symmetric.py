@@ -82,7 +82,7 @@ def substituted(let: Let, L: sp.Matrix, D: list[sp.Expr], b: sp.Matrix) -> sp.Ma
 
 
 def _is_regular(let: Let, A: sp.Matrix) -> sp.Basic:
-    """Whether A - 50 u diag A has positive pivots.
+    """Returns whether A - 50 u diag A has positive pivots.
 
     The factorization is exact for a matrix that differs from A by less than
     (min(i, j) + 2) u sqrt(a_ii a_jj) in row i, column j, counted from 0: with the diagonal scaled

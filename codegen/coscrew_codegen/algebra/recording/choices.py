@@ -1,8 +1,7 @@
 """Adjoints of numbers that matter only where a choice takes them.
 
 The adjoint of a number that is not taken is zero.  Its product with an infinite partial derivative
-would be NaN, which would spoil the derivatives of all that the number is computed from.
-"""
+would be NaN, which would spoil the derivatives of all operands of the number."""
 
 from collections.abc import Callable
 from typing import Any
@@ -70,7 +69,8 @@ class Choices:
         return taken
 
     def _may_be_infinite(self, x: Any) -> bool:
-        """Whether a number may be infinite for small or large arguments: it comes of a quotient."""
+        """Returns whether a number may be infinite for small or large arguments, because it depends
+        on a quotient."""
         if not (isinstance(x, Number) and isinstance(x.operand, Ref)):
             return False
         for step in self._recorder.issued(len(self._unbounded)):
@@ -98,7 +98,8 @@ def _found(program: Program) -> dict[str, Cases]:
 
 
 def _either(a: Cases, b: Cases) -> Cases:
-    """The cases of both; without what another case includes, or two of a test that make one."""
+    """The cases of both, without cases that another one includes, and with both outcomes of a test
+    merged into one case."""
     cases = set(a | b)
     while found := next(((x, y) for x in cases for y in cases if x < y or _differ(x, y)), None):
         x, y = found
@@ -108,5 +109,5 @@ def _either(a: Cases, b: Cases) -> Cases:
 
 
 def _differ(a: Case, b: Case) -> bool:
-    """Whether they differ in whether one test holds."""
+    """Returns whether they differ in the outcome of exactly one test."""
     return {(test, not holds) for test, holds in a - b} == b - a and len(a - b) == 1

@@ -1,9 +1,8 @@
 """Programs of derivatives: the tangent and the adjoint of any Program, recorded and folded.
 
-They are numbers wherever the function has a derivative.  At a root of zero, and for an angle of
-(0, 0), where it has none or an infinite one, it is zero: a length has zero as one of its
-subgradients, and what a choice does not take has no part in the derivative, be it infinite.
-"""
+They are numbers wherever the function has a derivative.  At a root of zero, and for the angle of
+(0, 0), where the derivative is infinite or does not exist, it is zero: zero is a subgradient of a
+length, and an option that a choice does not take contributes nothing, even if infinite."""
 
 from typing import Any
 
@@ -52,7 +51,7 @@ def adjoint(program: Program) -> Program:
 
 
 def _partials(op: Op) -> Slopes | None:
-    """Returns the table's partial derivatives, but zero at a root of zero and for an angle of (0,
+    """Returns the table's partial derivatives, or zero at a root of zero and for the angle of (0,
     0)."""
     return _HERE.get(op, op.meaning.slopes)
 
@@ -62,15 +61,15 @@ def _of_root(f: DerivativeFunctions, x: Number, y: Number) -> tuple[Number, ...]
 
 
 def _of_root_of_zero(step: Instruction, partial: Any, slope: Number) -> Any:
-    """Zero even if the slope of what is zero overflows."""
+    """The product, or zero at a root of zero, even if the slope overflows."""
     if step.op is not Op.SQRT:
         return slope * partial
     return numbers.where(numbers.equal(partial, 0), 0, slope * partial)
 
 
 def _of_angle(f: DerivativeFunctions, y: Number, x: Number, angle: Number) -> tuple[Number, ...]:
-    """x / (x² + y²) and -y / (x² + y²), of quotients by the larger one: squares would overflow, or
-    vanish."""
+    """x / (x² + y²) and -y / (x² + y²), computed from quotients by the larger one, since squares
+    would overflow or vanish."""
     larger = numbers.maximum(numbers.absolute(x), numbers.absolute(y))
     none = numbers.equal(larger, 0)
     larger = numbers.where(none, 1, larger)

@@ -24,14 +24,7 @@ from coscrew_codegen.program.scene_functions import (
 from coscrew_codegen.program.values.formats import DOUBLE, Precision
 from coscrew_codegen.program.values.parameter import Sign
 from coscrew_codegen.program.values.quantity import Argument
-
-_UNITS = {
-    "revolute": "q in rad; v in rad/s",
-    "prismatic": "q in m; v in m/s",
-    "spherical": "q: quaternion (x, y, z, w); v: angular velocity in rad/s in the body's frame",
-    "free": "q: position in m, then quaternion (x, y, z, w); v: velocity in m/s, then angular "
-            "velocity in rad/s, both in the body's frame",
-}
+from coscrew_codegen.scene.joints import KINDS
 
 _C = """auto break case char const continue default do double else enum extern float for goto if
 inline int long register restrict return short signed sizeof static struct switch typedef union
@@ -201,8 +194,8 @@ def order_in_words(scene: SceneFunctions) -> list[str]:
             for x in scene.coordinates]
     widths = [max(len(row[i]) for row in rows) for i in range(3)] if rows else []
     table = ["  " + "  ".join((*map(str.ljust, row[:3], widths), row[3])) for row in rows]
-    kinds = [f"  {kind}: {_UNITS[kind]}." for kind in _UNITS
-             if any(x.kind == kind for x in scene.coordinates)]
+    kinds = [f"  {kind.name}: {kind.state_in_words}." for kind in KINDS
+             if any(x.kind == kind.name for x in scene.coordinates)]
     bodies = ", ".join(f"{n} {printable(name)}" for n, name in enumerate(scene.bodies))
     rules = {name: f" ({sign.rule})" for name, sign in scene.signs}
     parameters = ", ".join(f"{n} {printable(name)} = {value!r}{rules.get(name, '')}"

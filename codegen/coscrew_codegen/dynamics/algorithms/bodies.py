@@ -25,7 +25,7 @@ class Rigid:
 
     @property
     def vanishes(self) -> bool:
-        """Whether it is zero."""
+        """True if it is zero."""
         return all(x.is_zero for x in self.numbers)
 
 

@@ -8,7 +8,6 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
 from coscrew_codegen.algebra.recording.numbers import Number, add
-from coscrew_codegen.dynamics.algorithms.aba import freedoms
 from coscrew_codegen.dynamics.algorithms.bodies import Rigid, rigid_of
 from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.algorithms.rnea import along
@@ -44,7 +43,7 @@ def mass_matrix(motion: Motion, rigids: Sequence[Rigid],
     bodies = composites(motion, rigids)
     for number, link in enumerate(tree.links):
         with motion.part(number, "M"):
-            for freedom, screw in enumerate(freedoms(motion, number)):
+            for freedom, screw in enumerate(motion.subspace(number)):
                 column = motion.recorder.call("product_Bs", bodies[number].numbers, screw)
                 _enter(motion, number, freedom, column, M)
             if link.joint.name in inertias:

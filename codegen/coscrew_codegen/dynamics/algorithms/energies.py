@@ -7,7 +7,7 @@ from coscrew_codegen.dynamics.function_recording import FunctionRecording
 
 
 def kinetic(x: FunctionRecording, motion: Motion) -> Number:
-    """Σ s·B s / 2 + Σ I v²/2, with the inertias I of joints themselves."""
+    """Σ s·B s / 2 + Σ I v²/2, with the joints' own inertias I."""
     total = x.recorder.number(0)
     for number, (rigid, link) in enumerate(zip(x.rigids, x.tree.links, strict=True)):
         with motion.part(number, "T"):

@@ -1,6 +1,6 @@
 """Floating trees: their first joint is free, and no external force acts on them except uniform
-gravity.  Their momentum is known at all times: p(t) = p + m g t, and the angular momentum about the
-centre of mass is constant.  So is the path of the centre of mass: x(t) = x + p t/m + g t²/2."""
+gravity.  Their motion as a whole is known at all times: momentum p(t) = p + m g t, constant angular
+momentum about the centre of mass, and the centre of mass x(t) = x + p t/m + g t²/2."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -26,7 +26,6 @@ from coscrew_codegen.dynamics.algorithms.linear_systems import Factors, factored
 from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.forces.applied_effects import Acting, gravity
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
-from coscrew_codegen.scene.mechanism.model import Kind
 from coscrew_codegen.scene.mechanism.tree import Tree
 from coscrew_codegen.scene.scene import Applied, Scene
 
@@ -34,7 +33,7 @@ from coscrew_codegen.scene.scene import Applied, Scene
 def floating(scene: Scene, tree: Tree) -> tuple[int, ...]:
     """The first links of the floating trees."""
     roots = [n for n, link in enumerate(tree.links)
-             if link.parent < 0 and link.joint.kind is Kind.FREE]
+             if link.parent < 0 and link.joint.kind.floats]
     tied = {root for applied in scene.effects for root in _tied(applied, tree)
             if not _idle(scene, tree, applied)}
     for number, link in enumerate(tree.links):
@@ -54,7 +53,7 @@ def _tied(applied: Applied, tree: Tree) -> set[int]:
 
 
 def _idle(scene: Scene, tree: Tree, applied: Applied) -> bool:
-    """Whether the numbers of an effect make its forces zero in every state."""
+    """Returns whether the numbers of an effect make its forces zero in every state."""
     recorder = Recorder([array("t", ()), array("p", (len(scene.parameters),)),
                          array("q", (tree.nq,)), array("v", (tree.nv,))])
     motion = Motion(recorder, tree, [f"link{n}" for n in range(len(tree.links))],

@@ -92,7 +92,7 @@ def inverse_inertia(motion: Motion, rigids: Sequence[Rigid], inertias: Mapping[s
 
 
 def _own(motion: Motion, inertias: Mapping[str, Number]) -> list[Number]:
-    """The inertias of joints themselves, by velocity."""
+    """The joints' own inertias, by velocity."""
     return _gathered(motion, {n: inertias[link.joint.name]
                               for n, link in enumerate(motion.tree.links)
                               if link.joint.name in inertias}, 2)
@@ -100,7 +100,7 @@ def _own(motion: Motion, inertias: Mapping[str, Number]) -> list[Number]:
 
 def _torques(acting: Acting, start: Acting, tau: Sequence[Number]) -> list[Number]:
     """Torques by velocity: tau, then those of effects; if linear about the initial velocities, also
-    d (v - v_start).  In this order, in which an actuator's torque would be summed."""
+    d (v - v_start). tau is summed in the place that an actuator's torque would have."""
     motion, others, found = acting.motion, list(tau), dict[int, Number]()
     for number in sorted(acting.torques):
         link, torque = motion.tree.links[number], acting.torque(number)

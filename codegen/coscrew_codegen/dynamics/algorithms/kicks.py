@@ -26,9 +26,9 @@ from coscrew_codegen.scene.functions.steps.step_parts import MOST
 
 FINE = 12
 """A step is split into parts of length s such that ω s <= 1/FINE, ω the contact's frequency at its
-deepest point.  There the implicit midpoint rule, which an elastic kick is, has an energy error of
-s²/24 ∫ v² d³V/dq³ dq = 5/72 (ω s)², relative to the bounce's: 0.0005, half of what `check` allows.
-At the end of the bounce it is far less."""
+deepest point.  There the implicit midpoint rule, to which an elastic kick reduces, has an energy
+error of s²/24 ∫ v² d³V/dq³ dq = 5/72 (ω s)², relative to the bounce's: 0.0005, half of the limit in
+`check`. At the end of the bounce it is far less."""
 
 
 def weights(h: Number) -> forward.Weights:
@@ -69,7 +69,7 @@ def _delays(x: FunctionRecording, h: Number, rates: Sequence[Number]) -> dict[in
 
 
 def closing(x: FunctionRecording) -> Number:
-    """The number of contacts of joints that are closed now or, moving with v, after h."""
+    """The number of joints' contacts that are closed now or will be after h at the velocity v."""
     count = x.recorder.number(0)
     for link, before, after in _contacts(x):
         with x.recorder.part(x.names[link], "own", x.tree.links[link].heading):

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 from coscrew_codegen.algebra.recording.numbers import Number, add, angular, dot, linear, subtract
 from coscrew_codegen.dynamics.algorithms.bodies import Rigid, rigids
 from coscrew_codegen.dynamics.algorithms.motion import Motion
-from coscrew_codegen.scene.mechanism.model import Kind
 
 if TYPE_CHECKING:
     from coscrew_codegen.dynamics.forces.applied_effects import Acting
@@ -68,19 +67,15 @@ def to_parent(motion: Motion, number: int, wrench: Wrench) -> Wrench:
 
 def along(motion: Motion, number: int, wrench: Wrench) -> tuple[Number, ...]:
     """h·c: the components of a wrench along the joint's freedoms."""
-    link = motion.tree.links[number]
-    if link.joint.kind is Kind.FREE:
-        return wrench
-    if link.joint.kind is Kind.SPHERICAL:
-        return angular(wrench)
-    part = linear(wrench) if link.joint.kind is Kind.PRISMATIC else angular(wrench)
-    return (dot(motion.axis(link), part),)
+    return tuple(dot(linear(s), linear(wrench)) + dot(angular(s), angular(wrench))
+                 for s in motion.subspace(number))
 
 
 def joint_torques(motion: Motion, wrenches: Sequence[Wrench], acting: "Acting | None",
                   inertias: Mapping[str, Number]) -> list[Number]:
-    """A torque per velocity: the wrench along the freedom, plus that of the joint's own inertia,
-    less those of effects; torques of followers are added to those of their leaders."""
+    """A torque per velocity: the wrench along the freedom, plus the torque of the joint's own
+    inertia, less the torques of effects; torques of followers are added to those of their leaders.
+    """
     torques = [motion.recorder.number(0)] * motion.tree.nv
     for number, link in enumerate(motion.tree.links):
         with motion.part(number, "tau"):
@@ -101,7 +96,8 @@ def holding_torques(motion: Motion) -> list[Number]:
 
 
 def gather(motion: Motion, number: int, parts: Sequence[Number], total: list[Number]) -> None:
-    """Add torques along a joint's freedoms to those of the velocities that these depend on."""
+    """Adds torques along a joint's freedoms to the torques of the velocities that drive these
+    freedoms."""
     link = motion.tree.links[number]
     start = link.v.start
     if link.driver:

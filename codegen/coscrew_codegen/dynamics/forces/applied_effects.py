@@ -1,4 +1,5 @@
-"""The effects of a scene on a motion: torques at joints, forces on links, energies, powers."""
+"""Applies the effects of a scene to a motion: torques at joints, forces on links, energies, powers.
+"""
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
@@ -102,7 +103,7 @@ class Paired:
 class Acting:
     """The effects of a scene on one motion, at its time; each is evaluated once.
 
-    At the joints of the links in `delays`, effects take place at the time plus that delay."""
+    At the joints of the links in `delays` the delay is added to the time."""
 
     def __init__(self, scene: Scene, motion: Motion, delays: Mapping[int, Number] | None = None):
         self.scene, self.motion = scene, motion
@@ -115,7 +116,7 @@ class Acting:
         self.pairs: list[Paired] = []
 
     def act(self) -> "Acting":
-        """Evaluate the effects, in the order of the catalogue and of the scene."""
+        """Evaluates the effects, in the order of the catalogue and of the scene."""
         effects = self.scene.effects
         owners = identifiers([_owner(x) for x in effects])
         for owner, applied in zip(owners, effects, strict=True):
@@ -231,7 +232,7 @@ def _own_power(x: Torque | Force, whole: Callable[[], Number]) -> Number | int:
 
 
 def alone(scene: Scene, applied: Applied) -> Scene:
-    """The scene with this one of its effects."""
+    """The scene with this effect alone."""
     return replace(scene, effects=(applied,))
 
 

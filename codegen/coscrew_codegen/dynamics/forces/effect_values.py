@@ -1,4 +1,4 @@
-"""What single effects exert, their power and their energy."""
+"""Forces and torques of single effects, their power and their energy."""
 
 from collections.abc import Callable, Mapping, Sequence
 
@@ -14,11 +14,11 @@ from coscrew_codegen.scene.effect_quantities import ENERGY, FORCE, POWER, SATURA
 from coscrew_codegen.scene.scene import Applied
 
 Values = Mapping[str, Callable[[], Sequence[Number]]]
-"""The components of each quantity, computed where they are wanted."""
+"""Functions that compute the components of each quantity when they are needed."""
 
 
 def values_of(x: FunctionRecording, motion: Motion, applied: Applied) -> Values:
-    """What an effect exerts where it is applied, by quantity."""
+    """Force, torque, power and energy of an effect at one of its places, by quantity."""
     effect = applied.effect
     if effect.gravity:
         return {POWER: lambda: [dot(motion.gravity, energies.momentum(x, motion)[:3])],

@@ -6,14 +6,13 @@ Implicit steps use the damping d and the stiffness k of a torque u(q, v):
 
     d = -∂u/∂v,  k = -∂u/∂q
 
-if these do not depend on q and v.  Otherwise negative values are replaced by 0; these slopes are
+if these do not depend on q and v.  If they do, negative values are replaced by 0; these slopes are
 left to the explicit part of the step.  Where u saturates, its slopes vanish, although a step may
 still jump over the point where u changes sign; there the slope of the secant through that point is
 used:
 
     dry friction (u is 0 at v = 0):       d = max(-∂u/∂v, |u|/|v|)
-    a limit (sat u, |sat u| <= limit):    d and k of u, times limit/max(|u|, limit)
-"""
+    a limit (sat u, |sat u| <= limit):    d and k of u, times limit/max(|u|, limit)"""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
@@ -79,7 +78,7 @@ class JointEffect:
 
     @property
     def saturated(self) -> Number:
-        """1 where the limit takes some of the torque, else 0; of a torque that has a limit."""
+        """1 where the limit reduces the torque, else 0, for a torque with a limit."""
         limit = required(self._stated.limit)
         with self.at.q.recorder.resumed(self.part):
             return where(less(limit, absolute(required(self._stated.torque))), 1, 0)
@@ -111,8 +110,8 @@ class JointEffect:
 
 
 def _recorded(law: Law, values: Mapping[str, Setting], outer: CoordinateState) -> "_Law":
-    """The law as a function of q, v, t, what holds the joint, and the run-time parameters of the
-    outer recording.  What holds the joint is explicit: it has no slope."""
+    """Records the law as a function of q, v, t, the torque that holds the joint, and the run-time
+    parameters of the outer recording.  The holding torque is explicit: it has no slope."""
     names = ("q", "v", "t") if outer.holding is None else ("q", "v", "t", "holding")
     recorder = Recorder([*(array(name, ()) for name in names), *(
         a for a in outer.q.recorder.inputs if a.name == "p")])
@@ -187,11 +186,11 @@ class _Law:
         return limit / maximum(absolute(self.torque), positive)
 
     def _moves(self, value: Number) -> bool:
-        """Whether the value depends on q or v."""
+        """Returns whether the value depends on q or v."""
         return bool({self.at.q.operand, self.at.v.operand} & self.program(value).used_inputs())
 
     def _rests(self) -> bool:
-        """Whether the torque is 0 at v = 0 for all other inputs."""
+        """Returns whether the torque is 0 at v = 0 for all other inputs."""
         given = [self.recorder.numbers([0]) if a.name == "v" else self.recorder.argument(a.name)
                  for a in self.recorder.inputs]
         return self.recorder.replay(self.program(self.torque), *given)[0].is_zero

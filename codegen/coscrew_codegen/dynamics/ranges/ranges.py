@@ -147,7 +147,7 @@ def _written(scene: Scene) -> Iterator[_Written]:
 
 
 def _constants(function: FunctionProgram) -> Iterator[tuple[str, Constant]]:
-    """The constants of a function, with the part of the scene they belong to."""
+    """The constants of a function, with the parts of the scene that they belong to."""
     program = function.program
     for step in program.instructions:
         for x in step.operands:

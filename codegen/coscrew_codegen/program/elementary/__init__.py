@@ -12,5 +12,5 @@ ELEMENTARY: tuple[Elementary, ...] = found(__name__, __path__, "FUNCTION", Eleme
 """All elementary functions, in the order of their names."""
 
 ERRORS: tuple[Elementary, ...] = found(__name__, __path__, "ERROR", Elementary)
-"""What they err by: from the arguments and the function's results to the true results less these.
-The `error` of such a function is relative: |result + error - true| / |true|."""
+"""Error functions: from an elementary function's arguments and results to the true results less
+these.  The `error` of such a function is relative: |result + error - true| / |true|."""

@@ -68,17 +68,18 @@ class Costs:
     points: tuple[Point, ...]
     accuracy: tuple[tuple[FunctionErrors, ...],
                     ...] = ()  # of each function: all tiers and precisions
-    runs: bool = True  # whether runs were measured, or asked for
+    runs: bool = True  # whether runs were measured, or requested
     run_errors: RunErrors | None = None
 
     def known(self, point: Point) -> bool:
-        """Whether a run's error exceeds the reference's; if not, it is only known to be small."""
+        """Returns whether a run's error exceeds the reference's, and so is known; a smaller error
+        is only known to be small."""
         return self.reference is not None and point.error > self.reference.error
 
 
 def measure(kernels: Kernels, overrides: RunOverrides, asked: CostRequest) -> Costs:
-    """Measure what is asked for.  `kernels` have what a run needs, and the dynamics.  Raises
-    CostError."""
+    """Measures the requested costs.  `kernels` have the dynamics and all functions that a run
+    needs.  Raises CostError."""
     scene = kernels.scene
     if scene is None:
         raise CostError("these kernels are of no scene file")
@@ -103,7 +104,7 @@ def measure(kernels: Kernels, overrides: RunOverrides, asked: CostRequest) -> Co
 def _with_runs(costs: Costs, kernels: Kernels, overrides: RunOverrides,
                built: Sequence[CompiledLoops],
                states: tuple[System, Trajectory], asked: CostRequest) -> Costs:
-    """And operations, effects, and runs."""
+    """Adds operations, effects and runs."""
     rows = tuple(_progress(_rows(built, states), "timing",
                            sum(len(_functions(x.part)) for x in built)))
     its, planned = _planned(kernels, overrides)
@@ -117,8 +118,8 @@ def _with_runs(costs: Costs, kernels: Kernels, overrides: RunOverrides,
 
 
 def _tiers(of: Ablation, names: Sequence[str]) -> tuple[SceneTier, ...]:
-    """Returns the functions in all tiers of both precisions but plain, and in those that the scene
-    selects: the others pay where double is software."""
+    """Returns the functions in all tiers of both precisions except plain, and in the tiers that the
+    scene selects; the remaining tiers are worthwhile only where double is software."""
     some = replace(of.functions, steps=(), functions=tuple(
         f for f in of.public if f.name in names))
     found = []
@@ -171,7 +172,7 @@ def _states(kernels: Kernels, overrides: RunOverrides) -> tuple[System, Trajecto
 
 
 def _rows(built: Sequence[CompiledLoops], states: tuple[System, Trajectory]) -> Iterator[Row]:
-    """Each function of the whole scene and the same function of the other parts, timed in turn, in
+    """Times each function of the whole scene and the same function of the other parts, in turn, in
     both precisions."""
     for name in (f.name for f in _functions(built[0].part)):
         chosen = [(x, f) for x in built for f in _functions(x.part) if f.name == name]

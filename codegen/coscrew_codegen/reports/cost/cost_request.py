@@ -22,14 +22,14 @@ USUAL = (*SHOWN, "body_poses")
 class CostRequest:
     """The settings of a measurement."""
 
-    functions: tuple[str, ...] = ()  # those given, else the scene's
+    functions: tuple[str, ...] = ()  # the given ones, else the scene's
     counts: Counts = Counts()
     digits: int | None = None  # of the reference for runs
     emitted: tuple[str, ...] = tuple(BY_NAME)  # precisions that the scene is generated in
 
     @property
     def alone(self) -> bool:
-        """Whether these functions are all that is asked for: no effects, no runs."""
+        """True if only functions are requested: no effects, no runs."""
         return bool(self.functions)
 
     def of(self, scene: Scene) -> tuple[str, ...]:
@@ -53,7 +53,7 @@ class CostRequest:
 
 
 def refuse_absent(asked: CostRequest, part: Ablation) -> None:
-    """Raise CostError for a function that was asked for by its name, and that only scenes of
+    """Raises CostError for a function that was requested by its name, and that only scenes of
     another kind have."""
     for name in asked.functions:
         if not is_pattern(name) and name not in (DEFAULT, ALL, *(f.name for f in part.public)):

@@ -10,7 +10,7 @@ from coscrew_codegen.reports.cost.measured import CERTIFIED
 from coscrew_codegen.simulation.result_units import in_unit
 
 AFFORDABLE = 1.5
-"""Of all choices that take at most so many times as long as the fastest, the most accurate is
+"""The most accurate of all choices that take at most this many times as long as the fastest is
 recommended."""
 
 
@@ -22,14 +22,15 @@ def undominated(rows: Sequence[FunctionErrors]) -> tuple[FunctionErrors, ...]:
 
 def recommended(rows: Sequence[FunctionErrors]) -> FunctionErrors:
     """The most accurate of a function's choices that cost little more than the fastest, in the
-    precisions that the scene is generated in; certified ones are not: their results are plain's."""
+    precisions in which the scene is generated.  Certified ones are not considered: their results
+    are plain's."""
     rows = undominated(_results(rows))
     return min((x for x in rows if x.time.median <= AFFORDABLE * rows[0].time.median),
                key=lambda x: x.relative)
 
 
 def better(x: FunctionErrors, rows: Sequence[FunctionErrors]) -> FunctionErrors | None:
-    """The fastest choice of those that are better, a certified one only if no other is."""
+    """The fastest of the better choices; a certified one only if no other is better."""
     return min((y for y in rows if y.better(x)), default=None,
                key=lambda y: (y.tier == CERTIFIED, y.time.median))
 

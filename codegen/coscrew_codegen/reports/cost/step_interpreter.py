@@ -1,4 +1,4 @@
-"""A scene's steps, call by call, on any kind of numbers."""
+"""Runs a scene's steps, call by call, on any kind of numbers."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import accumulate
@@ -14,7 +14,7 @@ Number: TypeAlias = Any  # of MPFR, or a float
 Numbers: TypeAlias = Sequence[Number] | np.ndarray
 State = tuple[Numbers, Numbers]
 Functions = Mapping[str, Callable[[Sequence[Any]], Numbers]]
-"""By name, from the components of each input to those of all results."""
+"""Functions by name, from the components of each input to those of all results."""
 
 
 def functions_on(scene: SceneFunctions, step: IntegratorStep,
@@ -74,7 +74,7 @@ class StepRun:
 def _called(scene: SceneFunctions, call: Call, function: Callable[[Sequence[Numbers]], Numbers]
             ) -> tuple[Callable[[Sequence[Numbers]], Numbers], list[str], list[tuple[str, slice]],
                        int]:
-    """The function, the variables it takes, those that its results become, its instructions."""
+    """The function, its input variables, its result variables, and its number of instructions."""
     program, given = scene.named(call.function).program, dict(call.given)
     ends = accumulate(a.quantity.size for a in program.outputs)
     results = [(name, slice(end - a.quantity.size, end)) for name, a, end in zip(

@@ -1,4 +1,4 @@
-"""Accuracy against time: the error at a run's end and the time the run took, by integrator,
+"""Measures accuracy against time: the error at a run's end and the run's time, by integrator,
 precision and step."""
 
 import math

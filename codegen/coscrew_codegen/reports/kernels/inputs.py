@@ -1,8 +1,7 @@
-"""Inputs for measuring operations: benign ones, hard ones, and those of a hard-case corpus.
+"""Inputs for measuring operations: benign ones, hard ones, and a corpus of hard cases.
 
 Rows hold all input components of one call.  Seeded by the operation's name: the same numbers on
-every machine.
-"""
+every machine."""
 
 import random
 from pathlib import Path
@@ -53,8 +52,8 @@ def hard(operation: Operation, precision: Precision, count: int, seed: int) -> n
 
 
 def cancel(operation: Operation, row: np.ndarray, chooser: random.Random) -> None:
-    """Change one input so that a result that is linear in it nearly vanishes, as far as the input's
-    last bits allow or less."""
+    """Changes one input so that a result that is linear in it nearly vanishes, at most as far as
+    the input's last bits allow."""
     exact, _ = chooser.choice(exact_functions(operation))
     values = [mpq(float(x)) for x in row]
     for place in chooser.sample(range(len(values)), len(values)):

@@ -41,7 +41,7 @@ class KernelAccuracy:
 
 def samples(operation: Operation, precision: Precision, count: int, seed: int,
             corpus: tuple[tuple[float, ...], ...] = ()) -> tuple[InputSample, InputSample]:
-    """(`count` benign rows, `count` hard rows and those of the corpus)."""
+    """Returns `count` benign rows, and `count` hard rows with those of the corpus."""
     drawn = [inputs.benign(operation, precision, count, seed),
              inputs.hard(operation, precision, count, seed)]
     if corpus:
@@ -79,7 +79,7 @@ def accuracy(operation: Operation, variant: Variant, benign: InputSample, hard: 
 
 
 def _may_refuse(program: Program) -> bool:
-    """Whether a NaN can mean that a result does not exist."""
+    """Returns whether a NaN can mean that a result does not exist."""
     return any(isinstance(x, NotANumber) for step in program.instructions for x in step.operands)
 
 
@@ -98,7 +98,7 @@ def _computed(operation: Operation) -> np.ndarray:
 
 def summarised(operation: Operation, rows: np.ndarray, errors: np.ndarray,
                counted: np.ndarray) -> ErrorFigures | None:
-    """Worst error with its witness, 99.9th percentile and median, of the errors that count."""
+    """Worst error with its witness, 99.9th percentile and median of the errors that count."""
     chosen = errors[counted]
     if not chosen.size:
         return None

@@ -106,7 +106,7 @@ def _arguments(variant: Variant, count: int, seed: int) -> tuple[np.ndarray, ...
 
 
 def _fits(variant: Variant, count: int, function: Callable[..., object]) -> bool:
-    """Whether a call needs less than half of the available memory."""
+    """Returns whether a call needs less than half of the available memory."""
     arguments = (*variant.operation.inputs, *variant.operation.outputs)
     needed = count * sum(a.quantity.size for a in arguments) * variant.precision.bytes
     return needed * (1 if isinstance(function, np.ufunc) else 1 + _TEMPORARIES) < _free() / 2

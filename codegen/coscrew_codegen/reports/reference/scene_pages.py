@@ -40,14 +40,14 @@ def integrators_page(banner: str) -> str:
 
 
 def functions_page(banner: str) -> str:
-    """The functions of scenes and what is recorded of them, in Markdown."""
+    """The functions of scenes and their recorded quantities, in Markdown."""
     return render("docs/functions.md", banner=banner,
                   functions=[_function(x) for x in FUNCTIONS if not x.internal],
                   quantities=[_quantity(*x) for x in QUANTITIES.values()])
 
 
 def functions_stub(banner: str) -> str:
-    """The functions that every scene can have by one name, for type checkers."""
+    """The functions that have the same name in every scene, for type checkers."""
     return render("python/_functions.pyi", banner=banner, names=[
         x.name for x in FUNCTIONS if x.compute and not (x.internal or x.targets or x.lacks)])
 

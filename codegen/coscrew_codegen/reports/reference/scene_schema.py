@@ -1,8 +1,7 @@
 """The JSON Schema of scene files, for editors, from the tables the reader uses.
 
-The schema accepts whatever the reader accepts.  It refuses unknown keys, wrong types and unknown
-words; whatever depends on the model or on other keys is left to the reader.
-"""
+The schema accepts every file that the reader accepts.  It refuses unknown keys, wrong types and
+unknown words; conditions that depend on the model or on other keys are left to the reader."""
 
 import json
 

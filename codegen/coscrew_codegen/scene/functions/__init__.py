@@ -36,7 +36,7 @@ refuse_names(FUNCTIONS)
 
 def quantities(functions: Sequence[SceneFunction]) -> dict[str,
                                                            tuple[SceneFunction, SceneQuantity]]:
-    """What is recorded of functions, by name: of the scene, of bodies, of joints.  Raises
+    """Recorded quantities of functions, by name: of the scene, of bodies, of joints.  Raises
     ValueError for two of one name."""
     known: dict[str, tuple[SceneFunction, SceneQuantity]] = {}
     for function in functions:

@@ -27,5 +27,5 @@ def named(name: str) -> Integrator:
 
 
 def in_words() -> str:
-    """All integrators and what they are good for, in one paragraph."""
+    """Describes all integrators and their uses in one paragraph."""
     return "; ".join(f"{x.name}, of order {x.order}: {x.good_for}" for x in INTEGRATORS)

@@ -3,8 +3,9 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
+from coscrew_codegen.scene.joints import ONE_COORDINATE, called
 from coscrew_codegen.scene.mechanism.assembly import ModelError
-from coscrew_codegen.scene.mechanism.model import Fault, Joint, Kind, Mimic, Model
+from coscrew_codegen.scene.mechanism.model import Fault, Joint, Mimic, Model
 from coscrew_codegen.scene.names import MANY, did_you_mean
 from coscrew_codegen.scene.scene import Scene
 
@@ -72,9 +73,9 @@ def _chain(joint: Joint, by_name: Mapping[str, Joint], attached: Mapping[str, Mi
         if leader is None:
             near = did_you_mean(joint.mimic.joint, by_name) if len(wrong) < MANY else "wanted one"
             wrong[joint.name] = f"mimics {joint.mimic.joint!r}, which is no joint; {near}"
-        elif leader.kind not in (Kind.REVOLUTE, Kind.PRISMATIC):
-            wrong[joint.name] = (f"mimics {leader.name!r}, which is {leader.kind.value}; wanted a "
-                                 "revolute or prismatic joint")
+        elif not leader.kind.one_coordinate:
+            wrong[joint.name] = (f"mimics {leader.name!r}, which is {leader.kind.name}; wanted a "
+                                 f"{called(ONE_COORDINATE, 'or')} joint")
         elif leader.name in chain:
             wrong[joint.name] = f"mimics itself, through {leader.name!r}"
         else:

@@ -1,4 +1,5 @@
-"""Notices: what a model says and a scene does not use, and one line that sums them up."""
+"""Notices on content of a model's file that a scene does not use, and one line that sums them up.
+"""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass

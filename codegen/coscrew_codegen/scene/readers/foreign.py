@@ -1,4 +1,4 @@
-"""Files of other kinds: one sentence each that says what a file is and what to do."""
+"""Files of other kinds: one sentence for each with its kind and a remedy."""
 
 import re
 from collections.abc import Set
@@ -24,7 +24,7 @@ _BEGINNING = 2**16  # bytes that are searched for a root element
 
 
 def of_root(tag: str) -> str:
-    """Says what a file with this root element is and what to do; "" if that is unknown."""
+    """Names the kind of a file with this root element, and a remedy; "" if that is unknown."""
     word = tag.lower()
     if word not in _FORMATS:
         return ""

@@ -11,10 +11,12 @@ from dataclasses import dataclass, field, replace
 from importlib.util import find_spec
 from pathlib import Path
 
+from coscrew_codegen.scene.joints.fixed import JOINT as FIXED
 from coscrew_codegen.scene.mechanism.assembly import ModelError, assembled
 from coscrew_codegen.scene.mechanism.inertia_checks import ERROR, WARN, judged
+from coscrew_codegen.scene.mechanism.joint_kind import JointKind
 from coscrew_codegen.scene.mechanism.mimics import with_faults, without_chains
-from coscrew_codegen.scene.mechanism.model import WORLD, Body, Joint, Kind, Model, Placement
+from coscrew_codegen.scene.mechanism.model import WORLD, Body, Joint, Model, Placement
 from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.mechanism.roundoff_cleanup import without_residues
 from coscrew_codegen.scene.names import did_you_mean
@@ -27,8 +29,8 @@ class ModelSource:
     """The file of a model, and how a scene wants it read."""
 
     path: Path
-    base: Kind | None = None  # of the joint between the world and a root that no joint moves; None:
-    # as the file says
+    base: JointKind | None = None  # of the joint between the world and a root that no joint
+    # moves; None: as the file says
     implausible: str = ERROR  # or WARN: accept inertias that no body has
     packages: Mapping[str, Path] = field(default_factory=dict)  # folders of packages of ROS
     arguments: Mapping[str, str] = field(default_factory=dict)  # of a file that is a program
@@ -51,7 +53,7 @@ class Parts:
     # where elements stand: "joint 'elbow'": "line 7"; "" for all that have no entry
     mimic_places: Mapping[str, str] = field(default_factory=dict)
     # where followers do, by joint: a wrong one is then refused only where it is used
-    base: Kind = Kind.FIXED  # of that joint, by the file
+    base: JointKind = FIXED  # of that joint, by the file
     roots: Mapping[str, Placement] = field(default_factory=dict)  # where it stands, by body
     start: Mapping[str, tuple[float, ...]] = field(default_factory=dict)  # of the file alone: q
     effects: Effects = field(default_factory=dict)  # what acts by the file, as springs of joints
@@ -63,7 +65,7 @@ class Parts:
         exist."""
         try:
             held = any(x.parent == WORLD for x in self.joints)
-            base = source.base or (Kind.FIXED if held else self.base)
+            base = source.base or (FIXED if held else self.base)
             tree = assembled(self.name, self.bodies, self.joints, base, self.roots)
             clean = without_residues(without_chains(with_faults(tree, {
                 name: f"{source.path.name}, {at}" for name, at in self.mimic_places.items()})))

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from coscrew_codegen.scene.effect import Effect, ParameterOf
-from coscrew_codegen.scene.mechanism.model import Joint, Kind, Model
+from coscrew_codegen.scene.mechanism.model import Joint, Model
 from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.names import toml_key
 from coscrew_codegen.scene.readers.toml.effect_table import MODEL
@@ -102,7 +102,7 @@ def _written(p: ParameterOf, effect: Effect, joint: Joint, field: str) -> str:
 
 
 def _unit(joint: Joint, name: str) -> str:
-    turns = joint.kind is Kind.REVOLUTE
+    turns = not joint.kind.slides
     return {"damping": "N m s/rad" if turns else "N s/m", "friction": "N m" if turns else "N",
             "effort": "N m" if turns else "N", "velocity": "rad/s" if turns else "m/s",
             "lower": "rad" if turns else "m", "upper": "rad" if turns else "m"}[name]

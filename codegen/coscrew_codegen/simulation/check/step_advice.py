@@ -1,5 +1,5 @@
-"""Advice on how to make a run right: the largest of the halved steps that does, tried before it is
-named."""
+"""Finds settings that make a run right: the largest of the halved steps with which it is, tried
+before it is named."""
 
 import math
 from collections.abc import Callable, Iterator
@@ -29,17 +29,17 @@ _DOUBTED = 200_000
 _SEEN = 100
 """Samples with which such a run is compared, at least."""
 _POLYNOMIAL = 2.0
-"""Ratio of the times at which an error reaches ALLOWED and a tenth of it, from which on it counts
-as adding up, as t or t²: chaos takes far less, bounces no time."""
+"""Least ratio of the times at which an error reaches ALLOWED and a tenth of it for an error that
+adds up as t or t²: in chaos the ratio is far smaller, in bounces it is 1."""
 LADDERS = (8, 64, 512), (4, 16), (2, 4)
-"""Divisors of the step, of motions one of which is to be the reference."""
+"""Divisors of the step for motions that may become the reference."""
 SAMPLES = 2000
-"""Samples of a motion, at most twice as many, at which it is compared."""
+"""Number of samples at which a motion is compared; at most twice as many."""
 
 
 @dataclass(frozen=True)
 class ReferenceStep:
-    """A motion that smaller steps do not change, and until when that is so."""
+    """A motion that smaller steps do not change, with the time up to which this holds."""
 
     q: np.ndarray
     v: np.ndarray
@@ -51,12 +51,12 @@ class ReferenceStep:
 
     @property
     def stops(self) -> bool:
-        """Whether it stops before the end, being finite no longer."""
+        """True if it stops before the end, because it is no longer finite."""
         return bool(self.t[-1] < self.end)
 
     @property
     def resolved(self) -> bool:
-        """Whether it is known to the end."""
+        """True if it is known to the end."""
         return bool(self.until >= self.end)
 
 
@@ -71,7 +71,7 @@ class Error:
 
 
 def affordable(system: System, steps: float) -> bool:
-    """Whether so many steps take no more than some seconds."""
+    """Returns whether so many steps take no more than some seconds."""
     return bool(steps * max(1, system.functions.nv) <= MOST)
 
 
@@ -122,7 +122,7 @@ def sizes(parts: StateParts, precision: Precision, h: float, motion: Trajectory 
 
 
 def resting(system: System, motion: ReferenceStep) -> bool:
-    """Whether no part moves farther than what counts as rest."""
+    """Returns whether no part moves farther than a resting one may."""
     parts = StateParts(in_double(system))
     found = sizes(parts, system.precision, motion.h, motion)
     return bool(motion.resolved and (found <= parts.least).all())
@@ -152,7 +152,7 @@ class _Errors:
 
     @property
     def add_up(self) -> bool:
-        """Whether the largest error became too large no faster than by adding up."""
+        """True if the largest error became too large no faster than by adding up."""
         if not self.relative.size:
             return False
         grown = self.relative[:, self.relative.max(0).argmax()]
@@ -177,8 +177,8 @@ def remedy(system: System, planned: Plan, start: State | None = None) -> str:
 
 
 def loose(system: System, planned: Plan, trajectory: Trajectory, start: State) -> Stop | None:
-    """Why the motion that SciPy's integrator found is wrong: one with tolerances of a sixteenth
-    differs; else None.  Tolerances up to TIGHT are not doubted."""
+    """Returns why the motion of SciPy's integrator is wrong (a motion with a sixteenth of the
+    tolerances differs), or None.  Tolerances up to TIGHT are not doubted."""
     if trajectory.stopped or max(planned.rtol, planned.atol) <= TIGHT:
         return None
     first, before, now = Error(0.0, "", "", 0.0), trajectory, planned
@@ -196,10 +196,10 @@ def loose(system: System, planned: Plan, trajectory: Trajectory, start: State) -
 
 def drifting(system: System, planned: Plan, trajectory: Trajectory, start: State,
              momentum: np.ndarray | None = None) -> Stop | None:
-    """Returns why a motion is wrong though no window of the Alarm shows it: it differs from one in
-    steps of half the length (by the default integrator, if the run's loses bounces), and from the
-    reference, which is known to the end, or from which errors differ that add up; else None.  Runs
-    that are long, stopped or in pure NumPy are not doubted."""
+    """Returns why a motion is wrong although no window of the Alarm shows it, or None.  A motion is
+    wrong if it differs from one with steps of half the length (by the default integrator, if the
+    run's loses bounces) and from the reference, provided that the reference is known to the end or
+    the errors add up.  Runs that are long, stopped or in pure NumPy are not examined."""
     planned = as_taken(planned)
     steps = (planned.until - planned.begin) / planned.step
     compiled = system.origin and system.origin.compiled
@@ -259,7 +259,7 @@ def dense(planned: Plan) -> Plan:
 
 
 def thinned(planned: Plan) -> Plan:
-    """The plan with fewer samples, all of which it has: the first ones and every 2^n-th."""
+    """The plan with a part of its samples: the first ones and every 2^n-th."""
     times = planned.samples
     stride = 2**max(0, math.ceil(math.log2(len(times) / SAMPLES)))
     return replace(planned, every=planned.every * stride,
@@ -336,8 +336,8 @@ def _halved(system: System, planned: Plan) -> Iterator[Plan]:
 
 
 def _right(system: System, planned: Plan, true: ReferenceStep, start: State | None) -> bool:
-    """Whether the run reaches its end, is right, and passes the Alarm, which takes most of the time
-    and is asked last."""
+    """Returns whether the run reaches its end, is right, and passes the Alarm, which takes most of
+    the time and runs last."""
     for alarm in (None, Alarm):
         trajectory = integrate(system, planned, alarm=alarm, start=start)
         if trajectory.stopped or error(system, trajectory, true).relative > ALLOWED:

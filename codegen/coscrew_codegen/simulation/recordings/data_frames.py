@@ -1,4 +1,5 @@
-"""Recordings of runs and batches as xarray's and pandas' tables, and as HTML for notebooks."""
+"""Converts recordings of runs and batches to xarray's and pandas' tables, and to HTML for
+notebooks."""
 
 import tempfile
 from collections.abc import Iterator, Sequence
@@ -44,7 +45,8 @@ def to_xarray(recording: Recording, failed: Sequence[Stop], of: SceneInterface, 
 
 
 def _starts(of: SceneInterface, start: Instant) -> Iterator[tuple[str, np.ndarray]]:
-    """Names and values, of all members or of each, of parameters and of the state at the start."""
+    """Names and values of parameters and of the state at the start, one for all members or one for
+    each."""
     for i, (name, _) in enumerate(of.parameters):
         yield f"p.{name}", start.p[..., i]
     for c in of.coordinates:

@@ -1,5 +1,5 @@
-"""Provenance of recordings: all that is needed to run again, and what computed it; no hosts, no
-dates."""
+"""Provenance of recordings: everything needed to repeat the run, and the software that made it; no
+hosts, no dates."""
 
 import json
 from importlib.metadata import version as version_of
@@ -14,7 +14,7 @@ from coscrew_codegen.simulation.recordings.recording import Provenance
 from coscrew_codegen.simulation.system import System
 
 ASKED = "run"
-"""What provenance calls the settings of a run, as JSON: arguments of `run`."""
+"""Name in provenance of the settings of a run, as JSON: arguments of `run`."""
 
 
 def provenance(system: System, plan: Plan, trajectory: Trajectory, compiled: str, start: Instant,
@@ -34,7 +34,7 @@ def provenance(system: System, plan: Plan, trajectory: Trajectory, compiled: str
 
 
 def _end(system: System, plan: Plan, trajectory: Trajectory, start: Instant) -> str:
-    """The end, if a run can go on from it."""
+    """The end of the run, if another can continue from it."""
     stopped = trajectory.stopped and not trajectory.interrupted
     if plan.adaptive or stopped or trajectory.q.ndim > 2:
         return ""
@@ -42,14 +42,15 @@ def _end(system: System, plan: Plan, trajectory: Trajectory, start: Instant) -> 
 
 
 def _number(values: np.ndarray) -> str:
-    """The shortest decimals that read back the same; of a batch if its members have one value."""
+    """The shortest decimals that read back the same; for a batch only if all members have one
+    value."""
     if values.size and (values == values.flat[0]).all():
         return repr(float(values.flat[0])).removesuffix(".0")
     return "by member"
 
 
 def _how(plan: Plan) -> str:
-    """Says how long the steps are, or how they are chosen."""
+    """States the length of the steps, or their tolerances."""
     if plan.adaptive:
         return f"rtol {plan.rtol:g}, atol {plan.atol:g}, SciPy {version_of('scipy')}"
     _, h = plan.steps(plan.every)

@@ -19,7 +19,8 @@ _AT_ONCE = 4096  # samples per call, so that temporaries of pure NumPy stay with
 
 
 def quantities(given: object, scene: Scene | None = None) -> tuple[str, ...]:
-    """The names of what to record; of a scene, also by patterns.  Raises SimulateError."""
+    """The names of the quantities to record; with a scene, patterns are expanded.  Raises
+    SimulateError."""
     names = listed("record", given, "energy", SimulateError)
     if not names:
         raise SimulateError('record: an empty list; wanted quantities, as ["q", "v"]')
@@ -33,8 +34,8 @@ def quantities(given: object, scene: Scene | None = None) -> tuple[str, ...]:
 
 def record(system: System, trajectory: Trajectory, provenance: Provenance,
            wanted: Sequence[str] | None = None) -> Recording:
-    """The columns that the scene records, or those that are `wanted`.  Raises SimulateError for a
-    quantity whose function was not selected."""
+    """Computes the columns that the scene records, or the `wanted` ones.  Raises SimulateError for
+    a quantity whose function was not selected."""
     texts = system.scene.record if wanted is None else wanted
     found = [recorded(text, system.scene) for text in texts]
     columns = {name: Column(name, unit, x.quantity)
@@ -111,7 +112,7 @@ class Difference:
 
 
 def differences(double: Recording, single: Recording) -> tuple[Difference, ...]:
-    """The differences by quantity and unit, at the samples that both have."""
+    """The differences by quantity and unit, at the common samples."""
     n = min(len(double.t), len(single.t))
     found: dict[tuple[str, str], Difference] = {}
     for i, column in enumerate(double.columns):

@@ -11,7 +11,8 @@ from coscrew_codegen.simulation import SimulateError
 
 
 def provenance_of(path: Path, said: str) -> dict[str, str]:
-    """Names and values.  Raises SimulateError, in which `said` names the argument."""
+    """Returns names and values.  Raises SimulateError, whose message names the argument by `said`.
+    """
     reader = _READERS.get(path.suffix)
     if reader is None:
         raise SimulateError(f"{said}: {path}: wanted a recording, {', '.join(_READERS)}")

@@ -1,4 +1,5 @@
-"""Writes recordings: CSV, NPZ, Parquet, each with its provenance; whole, or not at all."""
+"""Writes recordings as CSV, NPZ or Parquet, with provenance; a file is written completely or not at
+all."""
 
 import csv
 import json

@@ -1,5 +1,5 @@
-"""Runs the members of a chunk at once, as `coscrew simulate` runs each: the same loop, the same
-bits, and the same reasons for which a run ends early."""
+"""Runs the members of a chunk at once, as `coscrew simulate` runs each: with the same loop, the
+same bits, and the same reasons for an early end."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -29,7 +29,7 @@ class Batch:
 
 def run(kernels: Kernels, conditions: Conditions, p: np.ndarray, q: np.ndarray, v: np.ndarray
         ) -> Batch:
-    """The runs of members with these parameters and starts, a row each."""
+    """Runs the members with these parameters and starts, one row for each."""
     its = system(kernels, conditions.precision, dict(conditions.settings)).at(p)
     planned = plan(its, conditions.until, conditions.step, conditions.integrator, conditions.every)
     start = of_norm_1(its, q).astype(its.dtype), v.astype(its.dtype)

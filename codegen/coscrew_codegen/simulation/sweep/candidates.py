@@ -7,19 +7,18 @@ from dataclasses import dataclass
 from typing import NoReturn
 
 from coscrew_codegen.scene import patterns
-from coscrew_codegen.scene.mechanism.model import Joint, Kind
+from coscrew_codegen.scene.mechanism.model import Joint
 from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.scene.parameter_units import parameter_units
 from coscrew_codegen.scene.readers.toml.runtime import constants
 from coscrew_codegen.scene.recorded_quantities import coordinates
 from coscrew_codegen.scene.scene import Scene
-from coscrew_codegen.scene.units import UNITS
 from coscrew_codegen.simulation.parameter_checks import ranges
 from coscrew_codegen.simulation.sweep import SweepError
 from coscrew_codegen.simulation.sweep.sweep_options import UNIFORM
 
 START = "start."
-"""How names of coordinates and velocities begin: start.q.elbow, start.v.base.2."""
+"""Prefixes of the names of coordinates and velocities: start.q.elbow, start.v.base.2."""
 
 Ends = tuple[float, float]
 
@@ -34,7 +33,7 @@ class Candidate:
     index: int
     unit: str = ""
     limits: Ends | None = None  # of its joint
-    fault: str = ""  # why limits that the joint has cannot be used
+    fault: str = ""  # why the joint's limits cannot be used
 
 
 def candidates(scene: Scene, settings: Mapping[str, float]) -> Mapping[str, Candidate]:
@@ -44,7 +43,7 @@ def candidates(scene: Scene, settings: Mapping[str, float]) -> Mapping[str, Cand
     found = [Candidate(x.name, "p", x.index, units[x.name]) for x in scene.parameters]
     ends = {x.on: (low, high) for x, low, high in ranges(scene, settings)}
     for joint, q, v in coordinates(scene):
-        found += _of(joint, "q", q[:3] if joint.kind is Kind.FREE else q, _positions(joint, ends))
+        found += _of(joint, "q", q, _positions(joint, ends))
         found += _of(joint, "v", v, _speeds(joint))
     return {x.name: x for x in found}
 
@@ -52,16 +51,18 @@ def candidates(scene: Scene, settings: Mapping[str, float]) -> Mapping[str, Cand
 def rotations(scene: Scene) -> Mapping[str, tuple[Candidate, ...]]:
     """The numbers from 0 to 1 that give each joint's quaternion, by the name of its start."""
     joints = (joint for joint, _, _ in coordinates(scene)
-              if joint.kind in (Kind.SPHERICAL, Kind.FREE))
+              if joint.kind.quaternions)
     return {name: tuple(Candidate(f"{name}.uniform.{k}", "u", 3 * n + k, "1") for k in range(3))
             for n, name in enumerate(f"{START}q.{joint.name}" for joint in joints)}
 
 
 def _of(joint: Joint, array: str, places: range, limits: Ends | None) -> Iterator[Candidate]:
-    if array == "q" and joint.kind is Kind.SPHERICAL:
-        return
     stem, unit = f"{START}{array}.{joint.name}", _unit(joint, array)
+    turning = joint.kind.quaternions if array == "q" else ()
+    dependent = {k for x in turning for k in range(x.start, x.stop)}
     for k, index in enumerate(places):
+        if k in dependent:
+            continue
         name = stem if len(places) == 1 else f"{stem}.{k}"
         yield Candidate(name, array, index, unit[k], limits, _fault(joint, array))
 
@@ -72,7 +73,7 @@ def _fault(joint: Joint, array: str) -> str:
 
 
 def _unit(joint: Joint, array: str) -> tuple[str, ...]:
-    return UNITS[array][joint.kind.value]
+    return joint.kind.units(array)
 
 
 def _positions(joint: Joint, ends: Mapping[str, Ends]) -> Ends | None:

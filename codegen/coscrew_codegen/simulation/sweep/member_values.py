@@ -1,4 +1,5 @@
-"""The values of members: a function of what varies and of the member's number alone.
+"""Computes the values of members: a function of the varied quantities and of the member's number
+alone.
 
 Member k is point k mod G of the G points of the grids, in which the last grid runs fastest, with
 sample k div G of the Sobol sequence: every beginning of a sweep covers the grids and, as evenly as
@@ -48,7 +49,7 @@ def _samples(varied: Varied, first: int, last: int) -> Values:
 
 
 def _between(low: float, high: float, unit: Values, log: bool) -> Values:
-    """low (high/low)^unit or low + unit (high - low), within the ends whatever the rounding."""
+    """low (high/low)^unit or low + unit (high - low), clipped to the ends."""
     if log:
         from mpmath import mp
 

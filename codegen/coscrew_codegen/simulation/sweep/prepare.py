@@ -29,7 +29,7 @@ _BYTES = 128_000_000  # most of a chunk's samples
 
 @dataclass(frozen=True)
 class SweepRequest:
-    """The options that say what the sweep is."""
+    """The options that define the sweep."""
 
     grids: Sequence[GridAsked]
     sobols: Sequence[SobolAsked]
@@ -86,7 +86,8 @@ def _recording(scene: Scene, record: tuple[str, ...]) -> Scene:
 
 
 def _chunk(members: int, scene: Scene, planned: Plan) -> int:
-    """Members in a chunk: a function of the sweep alone, so that any machine goes on with it."""
+    """Number of members in a chunk: a function of the sweep alone, so that any machine can continue
+    it."""
     samples, steps = len(planned.samples), max(1, round(planned.until / planned.step))
     numbers = sum(len(recorded(text, scene).names) for text in ("q", "v", *scene.record))
     least, most = (sorted((_MEMBERS[0], count // steps, _MEMBERS[1]))[1] for count in _STEPS)

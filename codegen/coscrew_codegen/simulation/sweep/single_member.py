@@ -1,5 +1,5 @@
-"""One member alone: the call of `run` that computes it, to the bit, and what the sweep keeps of it.
-"""
+"""Runs one member alone: writes the call of `run` that computes it with the same bits, and the
+numbers that the sweep keeps of it."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -54,7 +54,7 @@ def member(its: Prepared, number: int) -> Alone:
 
 
 def result(its: Prepared, alone: Alone) -> Result:
-    """Its run."""
+    """The member's run."""
     return run(its.kernels, **vars(alone))
 
 

@@ -1,4 +1,4 @@
-"""Specification of a sweep: all from which the values and results of its members follow."""
+"""Specification of a sweep: everything that determines the values and results of its members."""
 
 import json
 from collections.abc import Iterator, Mapping, Sequence
@@ -72,14 +72,14 @@ class Varied:
 
     @property
     def ends(self) -> Mapping[str, tuple[float, float]]:
-        """Smallest and largest value of what varies, by name."""
+        """Smallest and largest values of the varied quantities, by name."""
         return ({x.of.name: (min(x.values), max(x.values)) for x in self.grids}
                 | {x.of.name: (x.low, x.high) for x in self.ranges})
 
 
 @dataclass(frozen=True)
 class Conditions:
-    """Settings of each member's run, and what is kept of it."""
+    """Settings of each member's run, and the quantities that are kept of it."""
 
     settings: tuple[tuple[str, float], ...]  # of parameters that do not vary
     until: float
@@ -120,7 +120,7 @@ class Specification:
 
     @cached_property
     def sha256(self) -> str:
-        """The hash by which a folder knows its sweep."""
+        """The hash that identifies the sweep of a folder."""
         return sha256(json.dumps(self.data, sort_keys=True).encode()).hexdigest()
 
 

@@ -1,4 +1,4 @@
-"""Readers of the options --grid, --sobol, --samples and --seed: words and exact numbers."""
+"""Reads the options --grid, --sobol, --samples and --seed: words and exact numbers."""
 
 import argparse
 from dataclasses import dataclass
@@ -96,7 +96,7 @@ def _parts(text: str, wanted: str) -> tuple[str, list[str]]:
 
 
 def _log(name: str, parts: list[str], count: int, form: str) -> bool:
-    """Whether the parts end in the word log; refuses too few or too many."""
+    """Returns whether the parts end in the word log; refuses too few or too many."""
     log = parts[count:] == [LOG]
     if len(parts) != count + log:
         raise argparse.ArgumentTypeError(f"{name}: wanted {form} or {form}:{LOG}; got "

@@ -26,7 +26,7 @@ from coscrew_codegen.algebra.operations.formulas.series import (
 from coscrew_codegen.algebra.operations.operation import LARGE, REDUCING, scaled
 
 _SMALL = sp.Rational(1, 2**26)  # two terms of sin h / h leave out less than 2^-110 up to it
-_TERMS = 14  # the first that is left out is below 2^-105 of g(4), g(5) and f
+_TERMS = 14  # the first truncated term is below 2^-105 of g(4), g(5) and f
 
 
 @dataclass(frozen=True)
@@ -137,7 +137,8 @@ class HalfAngle:
 
 
 def _quotient(let: Let, sine: sp.Expr, h: sp.Expr, y: sp.Expr) -> sp.Expr:
-    """k = sin h / h; its series up to h = 2^-26, so that nothing is divided by what may be 0."""
+    """k = sin h / h; its series up to h = 2^-26, so that nothing is divided by a number that may be
+    0."""
     quotient = let("sinc_quotient", sine / let("sinc_divisor", _far_from_zero(h, h, _SMALL)))
     return let("sinc", _far_from_zero(h, quotient, alternating(
         lambda j: sp.Rational((-1)**j, sp.factorial(2 * j + 1)), y, 2, _SMALL**2)))

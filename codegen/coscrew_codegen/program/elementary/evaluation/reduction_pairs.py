@@ -1,5 +1,5 @@
-"""x = k π/2 + r + r_low to more than twice the digits, relative to r: what errors of sine and
-cosine start from."""
+"""x = k π/2 + r + r_low to more than twice the digits, relative to r: the input of the errors of
+sine and cosine."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -35,12 +35,12 @@ from coscrew_codegen.program.values.quantity import SCALAR, Argument
 REDUCED = (Argument("quadrant", SCALAR), Argument("r", SCALAR), Argument("r_low", SCALAR))
 
 LEVELS = 9
-"""How many sums of products with chunks of 2/π are taken for large angles."""
+"""Number of sums of products with chunks of 2/π for large angles."""
 
 
 @dataclass(frozen=True)
 class Spread:
-    """Bounds proved of a sum R of numbers as high + low, unless that is exact: in units of |R|, of
+    """Proved bounds of a sum R of numbers as high + low, unless that is exact: in units of |R|, of
     |high|, of |low| and of |high + low - R|."""
 
     high: Fraction
@@ -111,8 +111,8 @@ def _angle(f: Pair, precision: Precision) -> Pair:
 
 
 def _collected(name: str, terms: Sequence[StepValue]) -> tuple[StepValue, StepValue]:
-    """The sum of the terms, the largest first, as high + low: every sum keeps what it is rounded
-    by, twice over.  Source: Ogita, Rump, Oishi, SumK."""
+    """The sum of the terms, the largest first, as high + low: every sum keeps its rounding error,
+    twice over.  Source: Ogita, Rump, Oishi, SumK."""
     for again in range(2):
         sums = terms[-1]
         rests: list[StepValue] = []
@@ -127,9 +127,9 @@ def _collected(name: str, terms: Sequence[StepValue]) -> tuple[StepValue, StepVa
 
 
 def collected(sizes: Sequence[Fraction], least: Fraction, precision: Precision) -> Spread:
-    """A bound of what `_collected` errs by, for terms up to these sizes and |R| >= least.
+    """A bound of the error of `_collected`, for terms up to these sizes and |R| >= least.
 
-    A bound (a, b) stands for a |R| + b.  Each sum misses at most u of itself."""
+    A bound (a, b) stands for a |R| + b.  Each sum errs by at most u of itself."""
     u, bounds = precision.u, [(Fraction(0), size) for size in sizes]
     for _ in range(2):
         rests: list[tuple[Fraction, Fraction]] = []
@@ -137,7 +137,7 @@ def collected(sizes: Sequence[Fraction], least: Fraction, precision: Precision) 
         for size in reversed(bounds[1:-1]):
             total = _plus(total, size, 1 + u)
             rests.insert(0, (total[0] * u, total[1] * u))
-        others = (Fraction(1), Fraction(0))  # the first sum is R less what is missed
+        others = (Fraction(1), Fraction(0))  # the first sum is R less the rounding errors
         for rest in rests:
             others = _plus(others, rest, Fraction(1))
         first = others[0] / (1 - u), others[1] / (1 - u)
@@ -180,8 +180,8 @@ def _late_roundings(sizes: Sequence[Fraction], least: Fraction, precision: Preci
     """Bounds, in units of |R|, the roundings of an error's differences, at most u of a sum, and of
     a product of at most this size.
 
-    All but the last are exact up to 2^digits units of the product's part, of which all are
-    multiples.  The rounding is no more than either u of the result or the product."""
+    All but the last are exact up to 2^digits units of the product's part, since all are multiples
+    of that unit.  The rounding is at most u of the result, and at most the product."""
     data, u, worst = parts(precision), precision.u, Fraction(0)
     units = [Fraction(1, part.denominator) for part in data.parts[2:]]
     assert Fraction(1, 2**precision.digits) >= units[0] >= units[1] >= units[2]
@@ -197,7 +197,7 @@ def _late_roundings(sizes: Sequence[Fraction], least: Fraction, precision: Preci
 
 @cache
 def _far_fraction(precision: Precision) -> Spread:
-    """f and f_low beyond the limit, whose sum is x 2/π except whole numbers."""
+    """f and f_low beyond the limit; their sum is x 2/π less a whole number."""
     exponents = range(exponent_of(limit(precision)), precision.bias + 1)
     wrong = max(left_out(precision, exponent, LEVELS) for exponent in exponents)
     least = min(closest(precision, exponent) for exponent in exponents) / HALF_PI - wrong
@@ -220,6 +220,6 @@ def far_spread(precision: Precision) -> Spread:
 
 @cache
 def spread(precision: Precision) -> Spread:
-    """Both reductions."""
+    """Bounds for both reductions."""
     both = near_spread(precision), far_spread(precision)
     return Spread(*(max(getattr(x, name) for x in both) for name in ("high", "low", "error")))

@@ -1,7 +1,7 @@
-"""Polynomials of least largest error whose coefficients a format has; proofs of their errors.
+"""Minimax polynomials with coefficients of a format, and proofs of their errors.  Fits are searched
+with mpmath on Chebyshev points, with enough digits that every machine finds the same;
 
-Fits are searched with mpmath on Chebyshev points, in digits enough that every machine finds the
-same; a proof is exact and knows nothing of the search."""
+a proof is exact and independent of the search."""
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
@@ -21,7 +21,7 @@ def fitted(function: Function, weight: Function, interval: tuple[Fraction, Fract
     """The polynomial for which the largest weight(x) |p(x) - function(x)| is least.
 
     Its first coefficients are given; the others are rounded to `digits` bits one after the other,
-    the constant first, those that follow fitted again."""
+    the constant first; after each the remaining ones are fitted again."""
     import mpmath
 
     with mpmath.workdps(_DIGITS):
@@ -79,8 +79,8 @@ def rounded(x: Fraction, digits: int) -> Fraction:
 
 def supremum(p: Coefficients, below: Coefficients, interval: tuple[Fraction, Fraction],
              pieces: int = 64) -> Fraction:
-    """A bound, proved, of |p(x)| / below(x) over the interval, below > 0: on every piece a
-    polynomial lies between its least and its largest Bernstein coefficient."""
+    """A proved bound of |p(x)| / below(x) over the interval, below > 0: on every piece a polynomial
+    lies between its least and its largest Bernstein coefficient."""
     lower, upper = interval
     step = (upper - lower) / pieces
     worst = Fraction(0)
@@ -129,7 +129,8 @@ def _number(x: Fraction) -> Any:
 
 
 def _points(interval: tuple[Fraction, Fraction], count: int) -> list[Any]:
-    """Chebyshev's points: none is an end, nor 0 in the middle if their number is even."""
+    """Chebyshev's points: none is an end and, for an even number of points, none is 0 in the
+    middle."""
     import mpmath
 
     lower, upper = map(_number, interval)

@@ -1,5 +1,5 @@
-"""A scene's costs as a figure: errors of functions and of runs against time; time of forward
-dynamics by effect."""
+"""Draws a scene's costs: errors of functions and of runs against time; time of forward dynamics by
+effect."""
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -30,7 +30,8 @@ _ABREAST = 4  # panels in a row
 
 @dataclass(frozen=True)
 class Drawing:
-    """A panel: what it shows, what draws it, and the texts at its artists, by their ids."""
+    """A panel: its title, the function that draws it, and the texts at its artists, by their ids.
+    """
 
     label: str
     draw: Callable[[Axes], None]

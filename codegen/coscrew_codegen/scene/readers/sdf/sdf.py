@@ -6,9 +6,11 @@ in another begin with its own, `hand::palm`.
 
 from fractions import Fraction
 
+from coscrew_codegen.scene.joints.fixed import JOINT as FIXED
+from coscrew_codegen.scene.joints.free import JOINT as FREE
 from coscrew_codegen.scene.mechanism import rotations
 from coscrew_codegen.scene.mechanism.inertia_checks import WARN
-from coscrew_codegen.scene.mechanism.model import WORLD, Body, Inertia, Joint, Kind
+from coscrew_codegen.scene.mechanism.model import WORLD, Body, Inertia, Joint
 from coscrew_codegen.scene.readers.declared_effects import Effects
 from coscrew_codegen.scene.readers.model_reader import ModelReader, ModelSource, Parts
 from coscrew_codegen.scene.readers.sdf.sdf_joints import SdfJoints
@@ -42,7 +44,7 @@ class _Sdf(SdfJoints):
                 parts += self.joint(element, full, scope)
             elif element.tag == "frame":
                 link = self.link_of(full)
-                parts += (Body(full), Joint(f"{full}/frame", Kind.FIXED, link, full,
+                parts += (Body(full), Joint(f"{full}/frame", FIXED, link, full,
                                             self.within(link, full)))
         effects: Effects = {"gravity": gravity, "spring": self.springs}
         return Parts(
@@ -51,7 +53,7 @@ class _Sdf(SdfJoints):
                 f"{'joint' if x.tag == 'joint' else 'body'} {full!r}": f"line {x.line}"
                 for full, (x, _) in self.frames.items()},
             effects={name: table for name, table in effects.items() if table},
-            implausible=tuple(self.lacking), notices=tuple(self.notices), base=Kind.FREE,
+            implausible=tuple(self.lacking), notices=tuple(self.notices), base=FREE,
             roots={full: self.within(WORLD, full) for full, (x, _) in self.frames.items()
                    if x.tag == "link"})
 

@@ -5,7 +5,6 @@ from collections.abc import Collection, Iterator
 from coscrew_codegen.scene.function_selection import names
 from coscrew_codegen.scene.functions import functions_of
 from coscrew_codegen.scene.mechanism.mimics import followers
-from coscrew_codegen.scene.mechanism.model import Kind
 from coscrew_codegen.scene.readers.scene_error import SceneError
 from coscrew_codegen.scene.readers.toml.toml_tables import Decimals, TomlTable
 from coscrew_codegen.scene.scene import Scene, Tolerance
@@ -36,7 +35,7 @@ def limits_used(scene: Scene, accuracy: Collection[Tolerance]) -> set[tuple[str,
         if "tau" in takes:
             fields.add("effort")
     return {(joint.name, field) for joint in scene.model.joints for field in fields
-            if joint.kind is not Kind.FIXED and joint.name not in followers(scene)}
+            if joint.kind.moves and joint.name not in followers(scene)}
 
 
 def refuse_faults(file: TomlTable, scene: Scene, used: Collection[tuple[str, str]]) -> None:

@@ -11,7 +11,7 @@ from coscrew_codegen.scene.function_selection import FunctionsError, resolved
 from coscrew_codegen.scene.integrators import NAMES
 from coscrew_codegen.scene.mechanism.inertia_checks import ERROR, WARN
 from coscrew_codegen.scene.mechanism.mimics import followers
-from coscrew_codegen.scene.mechanism.model import Joint, Kind, Model
+from coscrew_codegen.scene.mechanism.model import Joint, Model
 from coscrew_codegen.scene.mechanism.rotations import unit
 from coscrew_codegen.scene.readers.declared_effects import of_file_alone
 from coscrew_codegen.scene.readers.idle import idle
@@ -183,13 +183,13 @@ def _name(file: TomlTable) -> str:
 
 def _refuse_still(file: Path, model: Model) -> None:
     """Refuse models in which nothing moves."""
-    if all(joint.kind is Kind.FIXED for joint in model.joints):
+    if not any(joint.kind.moves for joint in model.joints):
         raise SceneError(file, "model", 'has no joint that moves; base = "free" frees its root')
 
 
 def _moving(table: TomlTable, key: str, scene: Scene) -> Joint:
     """The joint that a key of [start] names."""
-    joints = {joint.name: joint for joint in scene.model.joints if joint.kind is not Kind.FIXED}
+    joints = {joint.name: joint for joint in scene.model.joints if joint.kind.moves}
     name = table.known(key, key, "joint that moves", joints)
     if leader := followers(scene).get(name):
         table.refuse(key, f"follows joint {leader.joint!r}; wanted the start of that one")
@@ -202,9 +202,9 @@ def _start_q(table: TomlTable, scene: Scene) -> Mapping[str, tuple[float, ...]]:
     for key in table.values:
         joint = _moving(table, key, scene)
         numbers = _start(table, key, joint.kind.nq)
-        if joint.kind in (Kind.SPHERICAL, Kind.FREE):
-            refuse_not_unit(table, key, numbers[-4:])
-            numbers = (*numbers[:-4], *unit(numbers[-4:]))
+        for places in joint.kind.quaternions:
+            refuse_not_unit(table, key, numbers[places])
+            numbers = (*numbers[:places.start], *unit(numbers[places]), *numbers[places.stop:])
         start[key] = tuple(float(x) for x in numbers)
     return start
 

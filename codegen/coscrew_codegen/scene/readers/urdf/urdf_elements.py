@@ -186,8 +186,8 @@ def _numbers(text: str, count: int) -> tuple[Fraction, ...]:
 
 
 def _alike(a: Element, b: Element) -> bool:
-    """Whether two elements say the same: numbers of URDF are compared by value, names and what
-    is other tools' as texts."""
+    """Returns whether two elements say the same: numbers of URDF are compared by value, names and
+    what is other tools' as texts."""
     return (a.tag == b.tag and a.attributes.keys() == b.attributes.keys()
             and all(_value(a.tag, name, text) == _value(b.tag, name, b.attributes[name])
                     for name, text in a.attributes.items())

@@ -64,7 +64,7 @@ def _decoded(path: Path, contents: bytes) -> str:
 
 
 def _is_known(name: str) -> bool:
-    """Whether Python has an encoding of this name that contains ASCII."""
+    """Returns whether Python has an encoding of this name that contains ASCII."""
     try:
         return _ASCII.decode(name) == _ASCII.decode("ascii")
     except (LookupError, ValueError):

@@ -1,4 +1,5 @@
-"""sweep.json: what a sweep is and where its numbers come from, with a checksum of both."""
+"""Reads and writes sweep.json: the definition of a sweep and the provenance of its numbers, with a
+checksum of both."""
 
 import json
 from collections.abc import Mapping

@@ -1,7 +1,7 @@
 """Counts and sums over all members: the figures of the page and of the tables.
 
-Memory does not grow with the number of members: a first look at the files' statistics gives the
-ranges, a second reads one chunk after the other."""
+Memory does not grow with the number of members: a first pass over the files' statistics gives the
+ranges, a second pass reads one chunk after the other."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
@@ -34,7 +34,7 @@ class Tally:
 
 
 def tally(specification: Specification, units: Mapping[str, str], files: Iterable[Path]) -> Tally:
-    """The counts of the members in these Parquet files, of which there is at least one."""
+    """The counts of the members in these Parquet files, at least one."""
     paths = tuple(files)
     varied = specification.varied
     parts = parts_for(varied.samples if varied.ranges else varied.members)

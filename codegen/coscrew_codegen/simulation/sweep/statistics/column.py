@@ -8,16 +8,16 @@ import numpy as np
 from coscrew_codegen.simulation.sweep.member_summary import STATISTICS
 from coscrew_codegen.simulation.sweep.statistics.axis import Axis
 
-_PAIRED = 6  # most varied quantities of which all pairs are looked at
+_PAIRED = 6  # largest number of varied quantities for maps of all pairs
 
 
 @dataclass
 class ColumnStatistics:
-    """Counts and sums of the statistics of a recorded column, over members that did not fail, and
-    counts of those that did."""
+    """Counts and sums of the statistics of a recorded column over the members that did not fail,
+    and counts of failed members."""
 
     own: Axis  # of its values, from the smallest minimum to the largest maximum
-    axes: tuple[Axis, ...]  # of what varies
+    axes: tuple[Axis, ...]  # of the varied quantities
     count: int = 0
     lowest: np.ndarray = field(init=False)  # of each statistic
     highest: np.ndarray = field(init=False)
@@ -28,7 +28,7 @@ class ColumnStatistics:
     counts: list[np.ndarray] = field(init=False)  # (bins) for each axis
     joint: list[np.ndarray] = field(init=False)  # (bins, own bins) for each axis: of final values
     lost: list[np.ndarray] = field(init=False)  # (bins) for each axis: members that failed
-    pairs: dict[tuple[int, int], np.ndarray] = field(init=False)  # counts, sums, those that failed
+    pairs: dict[tuple[int, int], np.ndarray] = field(init=False)  # counts, sums, failed members
 
     def __post_init__(self) -> None:
         n, axes = len(STATISTICS), self.axes
@@ -84,7 +84,7 @@ class ColumnStatistics:
 
     def explained(self, axis: int) -> np.ndarray:
         """The share of each statistic's variance that an axis explains alone: the variance of the
-        means in its bins, less what as many bins of noise would have."""
+        means in its bins, less that of as many bins of noise."""
         n, bins = self.count, self.counts[axis]
         filled = bins > 0
         whole = self.square - self.total**2 / max(n, 1)
@@ -104,7 +104,7 @@ class ColumnStatistics:
 
     @property
     def varies(self) -> bool:
-        """Whether its values differ."""
+        """True if its values differ."""
         return self.count > 0 and self.own.high > self.own.low
 
 

@@ -58,9 +58,10 @@ def _varied(specification: Specification) -> Iterator[str]:
 def _tables(specification: Specification, found: Tally, words: str) -> Iterator[Table]:
     if any(x.count for x in found.columns):
         yield Table(_headers(found), tuple(_rows(found.columns)), (
-            "Over the members that reached the end of their runs. Shares: how much of the variance "
-            "over the members what varied explains alone, by means over its grid or over parts of "
-            "its range; rough for fewer than about 1000 samples.",), title="Recorded quantities",
+            "Over the members that reached the end of their runs. Shares: the part of the "
+            "variance over the members that each varied quantity explains alone, by means over "
+            "its grid or over parts of its range; rough for fewer than about 1000 "
+            "samples.",), title="Recorded quantities",
                     texts=2)
     if found.failed:
         varied, more = specification.varied, found.failed - len(found.listed)
@@ -71,7 +72,7 @@ def _tables(specification: Specification, found: Tally, words: str) -> Iterator[
         yield Table(("member", *(x.label for x in found.axes), "at t, s", "cause"), tuple(
             (str(k), *map(str, values), f"{t:.9g}", str(cause))
             for k, *values, t, cause in found.listed), (
-                f"{above} Alone, to the bit, the first is run by: {words} --member "
+                f"{above} The first is run alone, with the same bits, by: {words} --member "
                 f"{found.listed[0][0]}",), title="Failed members")
 
 
