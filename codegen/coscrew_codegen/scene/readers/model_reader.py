@@ -29,8 +29,8 @@ class ModelSource:
     """The file of a model, and how a scene wants it read."""
 
     path: Path
-    base: JointKind | None = None  # of the joint between the world and a root that no joint moves;
-    # None: as the file says
+    base: JointKind | None = None  # of the joint between the world and a root that no joint
+    # moves; None: as the file says
     implausible: str = ERROR  # or WARN: accept inertias that no body has
     packages: Mapping[str, Path] = field(default_factory=dict)  # folders of packages of ROS
     arguments: Mapping[str, str] = field(default_factory=dict)  # of a file that is a program
